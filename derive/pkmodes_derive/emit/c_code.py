@@ -1,0 +1,100 @@
+"""Lay out a model as C99: one source and one header, no allocation, no dependency but the C library's sqrt."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import prod
+
+from pkmodes_derive.emit import layout, printers
+from pkmodes_derive.emit.numpy_code import operations
+from pkmodes_derive.emit.program import Program
+from pkmodes_derive.emit.provenance import Provenance
+from pkmodes_derive.emit.templates import render
+from pkmodes_derive.functions import Function, Model
+from pkmodes_derive.vocabulary import Field
+
+
+@dataclass(frozen=True)
+class _Block:
+    """One function as the templates see it: text only."""
+
+    comment: list[str]
+    prototype: list[str]
+    body: list[str]
+
+
+def source_and_header(model: Model, programs: dict[str, Program], provenance: Provenance) -> tuple[str, str]:
+    """Return the texts of the C source and of its header."""
+    fields = model.fields if provenance.parametric else ()
+    values = {
+        "provenance": provenance,
+        "title": layout.prose(provenance.title, " * "),
+        "guard": f"{provenance.name.upper()}_H",
+        "name": provenance.name,
+        "coordinates": layout.prose(", ".join(f"{name} [{unit}]" for name, unit in model.coordinates), " *   "),
+        "constants": [line for text in provenance.constants for line in layout.prose(text, " *     ", first=" *   ")],
+        "fields": [(f"double {f.name}{_extent(f.shape)};", f"[{f.unit}] {f.description}") for f in fields],
+        "functions": [_function(f, programs[f.name], fields, provenance.name) for f in model.functions],
+    }
+    return render("source.c.j2", **values), render("header.h.j2", **values)
+
+
+def _extent(shape: tuple[int, ...]) -> str:
+    return "".join(f"[{n}]" for n in shape)
+
+
+def _function(function: Function, program: Program, fields: tuple[Field, ...], prefix: str) -> _Block:
+    arguments = [
+        f"double {a.name}" if a.scalar else f"const double {a.name}[{len(a.symbols)}]" for a in function.arguments
+    ]
+    if fields:
+        arguments.append(f"const {prefix}_parameters *parameters")
+    arguments += [f"double {o.name}{_extent(o.shape)}" if o.shape else f"double *{o.name}" for o in function.outputs]
+    head = f"void {prefix}_{function.name}("
+    one_line = head + ", ".join(arguments) + ")"
+    prototype = [one_line] if len(one_line) < layout.WIDTH else layout.prose(", ".join(arguments) + ")", "    ", head)
+    return _Block(_comment(function, program), prototype, _body(function, program, fields))
+
+
+def _comment(function: Function, program: Program) -> list[str]:
+    lines = [f"/* {function.summary}", " *"]
+    if function.details:
+        lines += [*layout.prose(function.details, " * "), " *"]
+    for argument in function.arguments:
+        lines += layout.prose(f"{argument.name} [{argument.unit}]: {argument.description}", " *     ", " *   in  ")
+    for output in function.outputs:
+        lines += layout.prose(f"{output.name} [{output.unit}]: {output.description}", " *     ", " *   out ")
+    lines += [" *", *layout.prose(f"Source: {function.source}.", " * "), f" * {operations(program)}"]
+    return [*lines, " */"]
+
+
+def _body(function: Function, program: Program, fields: tuple[Field, ...]) -> list[str]:
+    inputs, lines = set(program.inputs), []
+    for argument in function.arguments:
+        for i, symbol in enumerate(argument.symbols):
+            if symbol in inputs and not (argument.scalar and symbol.name == argument.name):
+                place = argument.name if argument.scalar else f"{argument.name}[{i}]"
+                lines.append(f"    const double {symbol.name} = {place};")
+        if not inputs & set(argument.symbols):
+            lines.append(f"    (void){argument.name};")
+    for field in fields:
+        for i, symbol in enumerate(field.symbols):
+            if symbol in inputs:
+                lines.append(f"    const double {symbol.name} = parameters->{field.name}{_place(field.shape, i)};")
+    if fields and not inputs & {s for field in fields for s in field.symbols}:
+        lines.append("    (void)parameters;")
+    for symbol, expression in program.steps:
+        lines += layout.assignment(f"const double {symbol.name}", printers.c_expression(expression), "    ", end=";")
+    for output, entries in program.results:
+        for i, entry in enumerate(entries):
+            target = f"{output.name}{_place(output.shape, i)}" if output.shape else f"*{output.name}"
+            lines += layout.assignment(target, printers.c_expression(entry), "    ", end=";")
+    return lines
+
+
+def _place(shape: tuple[int, ...], index: int) -> str:
+    """C index of entry `index` in row-major order."""
+    text = ""
+    for axis, extent in enumerate(shape):
+        text += f"[{index // prod(shape[axis + 1 :]) % extent}]"
+    return text

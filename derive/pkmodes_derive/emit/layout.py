@@ -1,0 +1,58 @@
+"""Lines of text: wrapping of long expressions and of prose, the same for every language."""
+
+from __future__ import annotations
+
+import textwrap
+
+WIDTH = 110
+
+
+def prose(text: str, indent: str, first: str | None = None) -> list[str]:
+    """Wrap a sentence; `first` is the indentation of the first line where it differs."""
+    return textwrap.wrap(
+        text,
+        WIDTH,
+        initial_indent=indent if first is None else first,
+        subsequent_indent=indent,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+
+
+def assignment(target: str, expression: str, indent: str, end: str = "", parentheses: bool = False) -> list[str]:
+    """Write ``target = expression`` on as many lines as it needs, broken before operators.
+
+    Parameters
+    ----------
+    end : str
+        What closes a statement: ``";"`` in C.
+    parentheses : bool
+        Whether the language needs parentheses around an expression of several lines, as Python does.
+    """
+    line = f"{indent}{target} = {expression}{end}"
+    if len(line) <= WIDTH:
+        return [line]
+    inner = indent + "    "
+    pieces = _break_before_operators(expression)
+    lines, current = [], inner
+    for piece in pieces:
+        if current.strip() and len(current) + 1 + len(piece) > WIDTH:
+            lines.append(current)
+            current = inner
+        current += piece if not current.strip() else f" {piece}"
+    lines.append(current)
+    if parentheses:
+        return [f"{indent}{target} = (", *lines, f"{indent}){end}"]
+    lines[-1] += end
+    return [f"{indent}{target} =", *lines]
+
+
+def _break_before_operators(expression: str) -> list[str]:
+    """Split at the blanks around + and - so that each piece begins with its operator."""
+    words, pieces = expression.split(" "), []
+    for word in words:
+        if pieces and pieces[-1] in ("+", "-"):
+            pieces[-1] += f" {word}"
+        else:
+            pieces.append(word)
+    return pieces

@@ -1,0 +1,75 @@
+"""The manifest: what a product was made from, so that a later check can say what has changed.
+
+It holds digests of the derivation's sources and templates and of every output, the generator's version,
+the operation counts and, for a robot, what its file said.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping
+from importlib.resources import files
+from importlib.resources.abc import Traversable
+from typing import TYPE_CHECKING
+
+import sympy
+
+import pkmodes_derive
+from pkmodes_derive.emit.program import Program
+
+if TYPE_CHECKING:
+    from pkmodes_derive.emit.product import Specification
+
+FILE_NAME = "manifest.json"
+FORMAT = 1
+
+
+def digest(text: str) -> str:
+    """SHA-256 of a text in UTF-8."""
+    return hashlib.sha256(text.encode("utf-8")).hexdigest()
+
+
+def source_digests() -> dict[str, str]:
+    """Digests of every source and template of the derivation, by path relative to it."""
+    found: dict[str, str] = {}
+
+    def walk(folder: Traversable, prefix: str) -> None:
+        for entry in sorted(folder.iterdir(), key=lambda item: item.name):
+            path = f"{prefix}{entry.name}"
+            if entry.is_dir() and entry.name != "__pycache__":
+                walk(entry, f"{path}/")
+            elif entry.name.endswith((".py", ".j2")):
+                # Newlines may differ between checkouts; the sources are the same.
+                found[path] = digest(entry.read_text(encoding="utf-8").replace("\r\n", "\n"))
+
+    walk(files(pkmodes_derive), "")
+    return found
+
+
+def text(
+    product: str,
+    mechanism: str,
+    specification: Specification | None,
+    outputs: Mapping[str, str],
+    programs: Mapping[str, Program],
+) -> str:
+    """Return the manifest of a product as JSON, keys sorted."""
+    content: dict[str, object] = {
+        "format": FORMAT,
+        "product": product,
+        "mechanism": mechanism,
+        "generator": {"pkmodes_derive": pkmodes_derive.__version__, "sympy": sympy.__version__},
+        "sources": source_digests(),
+        "outputs": {name: digest(outputs[name]) for name in outputs},
+        "operations": {
+            name: {"written_out": p.operations_written_out, "emitted": p.operations} for name, p in programs.items()
+        },
+    }
+    if specification is not None:
+        content["robot"] = {
+            "file": specification.robot_file,
+            "name": specification.name,
+            "values": dict(specification.values),
+        }
+    return json.dumps(content, indent=1, sort_keys=True, ensure_ascii=False) + "\n"

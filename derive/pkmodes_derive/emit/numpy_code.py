@@ -1,0 +1,152 @@
+"""Lay out a model as a NumPy module, batch first."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sympy import Symbol
+
+from pkmodes_derive.emit import layout, printers
+from pkmodes_derive.emit.program import Program
+from pkmodes_derive.emit.provenance import Provenance
+from pkmodes_derive.emit.templates import render
+from pkmodes_derive.functions import Function, Model
+from pkmodes_derive.vocabulary import Field
+
+
+@dataclass(frozen=True)
+class _Block:
+    """One function as the template sees it: text only."""
+
+    name: str
+    signature: str
+    docstring: list[str]
+    body: list[str]
+
+
+def module(model: Model, programs: dict[str, Program], provenance: Provenance) -> str:
+    """Return the text of the module; `programs` holds one program for each function, by name."""
+    fields = model.fields if provenance.parametric else ()
+    return render(
+        "module.py.j2",
+        provenance=provenance,
+        title=layout.prose(provenance.title, ""),
+        command=provenance.command,
+        constants=[line for text in provenance.constants for line in layout.prose(text, "    ", first="* ")],
+        coordinates=[name for name, _ in model.coordinates],
+        coordinate_units=[unit for _, unit in model.coordinates],
+        fields=[
+            (field.name, "float" if not field.shape else "np.ndarray", _field_text(field)) for field in fields
+        ],
+        functions=[_function(f, programs[f.name], fields) for f in model.functions],
+    )
+
+
+def _field_text(field: Field) -> list[str]:
+    shape = ", ".join(map(str, field.shape))
+    kind = f"array, shape (..., {shape})" if field.shape else "float or array, shape (...)"
+    return [
+        f"    {field.name} : {kind} [{field.unit}]",
+        *layout.prose(_sentence(field.description), " " * 8),
+    ]
+
+
+def _function(function: Function, program: Program, fields: tuple[Field, ...]) -> _Block:
+    used = [field for field in fields if set(field.symbols) & set(program.inputs)]
+    names = [argument.name for argument in function.arguments] + (["parameters"] if fields else [])
+    return _Block(
+        function.name,
+        ", ".join(names),
+        _docstring(function, program, parametric=bool(fields)),
+        _body(function, program, used),
+    )
+
+
+def _docstring(function: Function, program: Program, *, parametric: bool) -> list[str]:
+    lines = [f'    """{function.summary}', ""]
+    if function.details:
+        lines += [*layout.prose(function.details, "    "), ""]
+    lines += ["    Parameters", "    ----------"]
+    for argument in function.arguments:
+        shape = "array, shape (...)" if argument.scalar else f"array, shape (..., {len(argument.symbols)})"
+        lines += [f"    {argument.name} : {shape} [{argument.unit}]"]
+        lines += layout.prose(_sentence(argument.description), " " * 8)
+    if parametric:
+        lines += ["    parameters : Parameters", "        The robot."]
+    lines += ["", "    Returns", "    -------"]
+    for output in function.outputs:
+        shape = ", ".join(["...", *map(str, output.shape)])
+        lines += [f"    {output.name} : array, shape ({shape}) [{output.unit}]"]
+        lines += layout.prose(_sentence(output.description), " " * 8)
+    lines += ["", "    Notes", "    -----"]
+    lines += layout.prose(_sentence(function.source), "    ")
+    return [*lines, f"    {operations(program)}", '    """']
+
+
+def operations(program: Program) -> str:
+    """Sentence about the cost, the same in every language."""
+    return f"{program.operations} operations; {program.operations_written_out} with every named value written out."
+
+
+def _body(function: Function, program: Program, used: list[Field]) -> list[str]:
+    inputs, lines = set(program.inputs), []
+    representatives = []
+    for argument in function.arguments:
+        if argument.scalar:
+            source = f"_entries({argument.name}, ())"
+        else:
+            source = f"_entries({argument.name}, ({len(argument.symbols)},))"
+        lines += _unpack(argument.symbols, inputs, source, representatives)
+    for field in used:
+        shape = ", ".join(map(str, field.shape)) + ("," if len(field.shape) == 1 else "")
+        lines += _unpack(field.symbols, inputs, f"_entries(parameters.{field.name}, ({shape}))", representatives)
+    lines.append(f"    batch, dtype = _batch({', '.join(representatives)})")
+    for symbol, expression in program.steps:
+        lines += layout.assignment(
+            symbol.name, printers.numpy_expression(expression), "    ", parentheses=True
+        )
+    for output, entries in program.results:
+        shape = ", ".join(["*batch", *map(str, output.shape)])
+        lines.append(f"    {_local(output.name)} = np.zeros({f'({shape})' if output.shape else 'batch'}, dtype)")
+        for index, entry in zip(_indices(output.shape), entries, strict=True):
+            if entry == 0:
+                continue
+            place = ", ".join(["...", *map(str, index)])
+            lines += layout.assignment(
+                f"{_local(output.name)}[{place}]", printers.numpy_expression(entry), "    ", parentheses=True
+            )
+    results = [_local(o.name) if o.shape else f"{_local(o.name)}[()]" for o, _ in program.results]
+    lines.append(f"    return {', '.join(results)}")
+    return lines
+
+
+def _unpack(
+    symbols: tuple[Symbol, ...], inputs: set[Symbol], source: str, representatives: list[str]
+) -> list[str]:
+    """Unpack an array; entries that are not needed go to ``_``, but the first still gives the batch shape."""
+    names = [s.name if s in inputs or i == 0 else "_" for i, s in enumerate(symbols)]
+    representatives.append(names[0])
+    left = ", ".join(names) if len(names) > 1 else f"({names[0]},)"
+    line = f"    {left} = {source}"
+    if len(line) <= layout.WIDTH:
+        return [line]
+    return ["    (", *layout.prose(f"{left},", " " * 8), f"    ) = {source}"]
+
+
+def _local(name: str) -> str:
+    """Name of the result array; never that of a scalar."""
+    return f"{name}_out"
+
+
+def _indices(shape: tuple[int, ...]) -> list[tuple[int, ...]]:
+    indices: list[tuple[int, ...]] = [()]
+    for extent in shape:
+        indices = [(*index, i) for index in indices for i in range(extent)]
+    return indices
+
+
+def _sentence(text: str) -> str:
+    word = text.split(" ")[0].rstrip(",:")
+    if len(word) > 1 and word.isalpha() and word.islower():  # a symbol keeps its case
+        text = text[0].upper() + text[1:]
+    return text if text.endswith(".") else f"{text}."

@@ -1,0 +1,134 @@
+"""The two products: the parametric model of a mechanism, and a model specialised to one robot.
+
+A product is a set of texts by file name, its manifest among them; it is built in memory and is a pure
+function of the derivation, the templates and the specification.  Writing and comparing are elsewhere.
+"""
+
+from __future__ import annotations
+
+import keyword
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+
+import sympy
+
+import pkmodes_derive
+from pkmodes_derive import linear_delta
+from pkmodes_derive.emit import c_code, manifest, numpy_code
+from pkmodes_derive.emit.program import Program, arrange
+from pkmodes_derive.emit.provenance import Provenance
+from pkmodes_derive.functions import Model
+from pkmodes_derive.specialise import specialise
+
+MECHANISMS = {"linear_delta": linear_delta.derive}
+REGENERATE = "python -m pkmodes_derive generate"
+
+
+@dataclass(frozen=True)
+class Specification:
+    """A robot as the generator sees it; the runtime makes it from a robot file.
+
+    Attributes
+    ----------
+    name : str
+        The robot's name; the files are called after it.
+    mechanism : str
+        Which mechanism it is.
+    robot_file : str
+        The robot file, relative to the folder of the product, with forward slashes.
+    fields : mapping of str to nested lists
+        The parameter fields in SI units.
+    values : mapping of str to float
+        What the robot file says, by dotted path, in SI units: recorded so that a change can be named.
+    """
+
+    name: str
+    mechanism: str
+    robot_file: str
+    fields: Mapping[str, object]
+    values: Mapping[str, object]
+
+    @property
+    def identifier(self) -> str:
+        """The name as an identifier of Python and C, in lower case."""
+        text = re.sub(r"\W+", "_", self.name.lower(), flags=re.ASCII).strip("_") or "robot"
+        return f"robot_{text}" if text[0].isdigit() or keyword.iskeyword(text) else text
+
+
+@cache
+def derive(mechanism: str) -> Model:
+    """Derive a mechanism, once in a process."""
+    return MECHANISMS[mechanism]()
+
+
+def parametric(mechanism: str) -> dict[str, str]:
+    """Build the parametric model of a mechanism: texts by file name."""
+    model = derive(mechanism)
+    provenance = Provenance(
+        name=mechanism,
+        title=f"Dynamics of the mechanism {mechanism}, for a robot given by its parameters.",
+        origin=f"the derivation of {mechanism}",
+        generator=_generator(),
+        command=REGENERATE,
+    )
+    texts, programs = _texts(model, provenance, module="model.py")
+    texts["__init__.py"] = (
+        f'"""Generated model of the mechanism {mechanism}: see `model`."""\n\n'
+        f"from pkmodes_generated.{mechanism}.model import *  # noqa: F403\n"
+    )
+    texts[manifest.FILE_NAME] = manifest.text(mechanism, mechanism, None, texts, programs)
+    return texts
+
+
+def specialised(specification: Specification) -> dict[str, str]:
+    """Build the model of one robot, constants folded: texts by file name."""
+    model = derive(specification.mechanism)
+    values = {
+        symbol.name: value
+        for field in model.fields
+        for symbol, value in zip(field.symbols, _flat(specification.fields[field.name]), strict=True)
+    }
+    name = specification.identifier
+    provenance = Provenance(
+        name=name,
+        title=f"Dynamics of the robot {specification.name} ({specification.mechanism}), its parameters folded in.",
+        origin=f"the robot file of {specification.name}",
+        generator=_generator(),
+        command=f"pkmodes generate {specification.robot_file} --out .",
+        constants=tuple(
+            f"{field.name} [{field.unit}] = {_constant(specification.fields[field.name])}: {field.description}"
+            for field in model.fields
+        ),
+    )
+    texts, programs = _texts(specialise(model, values), provenance, module=f"{name}.py")
+    texts[manifest.FILE_NAME] = manifest.text(name, specification.mechanism, specification, texts, programs)
+    return texts
+
+
+def _texts(model: Model, provenance: Provenance, module: str) -> tuple[dict[str, str], dict[str, Program]]:
+    programs = {function.name: arrange(function) for function in model.functions}
+    source, header = c_code.source_and_header(model, programs, provenance)
+    texts = {
+        module: numpy_code.module(model, programs, provenance),
+        f"{provenance.name}.c": source,
+        f"{provenance.name}.h": header,
+    }
+    return texts, programs
+
+
+def _generator() -> str:
+    return f"pkmodes_derive {pkmodes_derive.__version__} with SymPy {sympy.__version__}"
+
+
+def _flat(value: object) -> list[float]:
+    if isinstance(value, list | tuple):
+        return [entry for item in value for entry in _flat(item)]
+    return [float(value)]  # type: ignore[arg-type]
+
+
+def _constant(value: object) -> str:
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(map(_constant, value)) + "]"
+    return repr(float(value))  # type: ignore[arg-type]

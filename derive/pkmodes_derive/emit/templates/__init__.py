@@ -1,0 +1,22 @@
+"""Templates: they lay out lines and contain no mathematics."""
+
+from __future__ import annotations
+
+from importlib.resources import files
+
+from jinja2 import Environment, FunctionLoader, StrictUndefined
+
+TEMPLATES = files(__name__)
+
+
+def render(template: str, /, **values: object) -> str:
+    """Fill in a template; an undefined name in it is an error, and the text ends with one newline."""
+    environment = Environment(
+        loader=FunctionLoader(lambda name: TEMPLATES.joinpath(name).read_text(encoding="utf-8")),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,
+    )
+    return environment.get_template(template).render(**values).rstrip("\n") + "\n"

@@ -1,0 +1,93 @@
+"""What is emitted: functions with arguments, outputs and the definitions they may draw on.
+
+This is the border between derivation and emission.  A `Function` says what is computed, in SymPy
+expressions, and how a person should read it; it knows nothing of any programming language.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from math import prod
+
+from sympy import Expr, Symbol
+
+from pkmodes_derive.vocabulary import Field, Vocabulary
+
+
+@dataclass(frozen=True)
+class Argument:
+    """An array argument: `symbols` are its entries, in order."""
+
+    name: str
+    symbols: tuple[Symbol, ...]
+    unit: str
+    description: str
+    scalar: bool = False
+
+
+@dataclass(frozen=True)
+class Output:
+    """An array result in row-major order; `shape` is ``()`` for a scalar."""
+
+    name: str
+    shape: tuple[int, ...]
+    entries: tuple[Expr, ...]
+    unit: str
+    description: str
+
+    def __post_init__(self) -> None:
+        if prod(self.shape) != len(self.entries):
+            raise ValueError(f"output {self.name}: {len(self.entries)} entries for shape {self.shape}")
+
+
+@dataclass(frozen=True)
+class Function:
+    """One function of the generated code.
+
+    Attributes
+    ----------
+    name : str
+        Its name in every language.
+    summary, details : str
+        First line and further sentences of the docstring.
+    source : str
+        The equations that it is, in the paper's numbering.
+    arguments, outputs : tuple
+        What goes in, besides the robot's parameters, and what comes out.
+    definitions : mapping
+        Named intermediate values in an order in which they can be evaluated; only what is needed is emitted.
+    """
+
+    name: str
+    summary: str
+    source: str
+    arguments: tuple[Argument, ...]
+    outputs: tuple[Output, ...]
+    definitions: Mapping[Symbol, Expr] = field(repr=False)
+    details: str = ""
+
+
+@dataclass(frozen=True)
+class Model:
+    """A derived mechanism, ready for emission.
+
+    Attributes
+    ----------
+    mechanism : str
+        Name as in the robot file.
+    coordinates : tuple of (name, unit)
+        Generalised coordinates in order.
+    vocabulary : Vocabulary
+        Unit and description of every symbol.
+    fields : tuple of Field
+        The parameters as arrays.
+    functions : tuple of Function
+        In the order in which a reader should meet them.
+    """
+
+    mechanism: str
+    coordinates: tuple[tuple[str, str], ...]
+    vocabulary: Vocabulary = field(repr=False)
+    fields: tuple[Field, ...] = field(repr=False)
+    functions: tuple[Function, ...] = field(repr=False)

@@ -1,0 +1,224 @@
+r"""Kinematics of the linear delta with rails in any position and direction.
+
+Carriage j runs on :math:`e_j = o_j + x_j n_j`, the platform carries its joint at :math:`c_j = p + b_j`, and
+the linkage between them, :math:`s_j = c_j - e_j`, keeps its length (equations 1 to 3 of the paper):
+
+.. math:: \Phi_j = \tfrac12 \left(s_j \cdot s_j - l_{d,j}^2\right) = 0.
+
+The implicit function theorem gives the platform Jacobian D_p = D_l^{-1} D_r (equations 12 to 15) and the
+second derivatives of p that replace the time derivative of D_p in equation 49.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sympy import Add, Expr, Matrix, Rational, Symbol, sqrt
+
+from pkmodes_derive import implicit
+from pkmodes_derive.chain import Chain
+from pkmodes_derive.linear_delta.symbols import Symbols, Vector
+from pkmodes_derive.vocabulary import AXES
+
+
+def dot(a: tuple[Expr, ...], b: tuple[Expr, ...]) -> Expr:
+    """Scalar product."""
+    return Add(*(u * w for u, w in zip(a, b, strict=True)))
+
+
+def cross(a: tuple[Expr, ...], b: tuple[Expr, ...]) -> tuple[Expr, Expr, Expr]:
+    """Vector product."""
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+@dataclass(frozen=True)
+class Kinematics:
+    """The named results; every entry is a symbol defined in `chain`.
+
+    Attributes
+    ----------
+    chain : Chain
+        Definitions as functions of (x, p), and the rules dp/dx = D_p, dD_p/dx = P.
+    inverse : dict
+        The definitions that give x from p (inverse kinematics), to be put before those of `chain`.
+    r, s : tuple of vectors
+        Platform joint seen from the rail's origin, and linkage vector.
+    closures : list of sympy.Expr
+        Phi_j.
+    D_l, D_r, D_p : sympy.Matrix
+        Constraint Jacobians and platform Jacobian.
+    U : tuple of sympy.Matrix
+        U_j = ds_j/dx, the Jacobian of linkage vector j.
+    P : tuple of sympy.Matrix
+        P_i = d2p_i/dx2 for i = x, y, z.
+    """
+
+    chain: Chain
+    inverse: dict[Symbol, Expr]
+    r: tuple[Vector, ...]
+    s: tuple[Vector, ...]
+    closures: list[Expr]
+    rail_distance: tuple[Symbol, ...]
+    D_l: Matrix
+    D_r: Matrix
+    adjugate: Matrix
+    determinant: Symbol
+    D_p: Matrix
+    U: tuple[Matrix, ...]
+    P: tuple[Matrix, ...]
+
+
+def derive(sy: Symbols) -> Kinematics:
+    """Derive the kinematics; the derivative rules for p and D_p are left in the returned chain."""
+    chain, v = Chain(), sy.vocabulary
+
+    r = v.vectors_per_axis("r", "m", "platform joint {j} seen from the origin of rail {j}", "r_{j}")
+    s = v.vectors_per_axis("s", "m", "linkage vector {j}, from carriage to platform joint", "s_{j}")
+    for j in range(3):
+        for m in range(3):
+            chain.define(r[j][m], sy.p[m] + sy.b[j][m] - sy.o[j][m])
+    inverse, rail_distance = _inverse(sy, r)
+    for j in range(3):
+        for m in range(3):
+            chain.define(s[j][m], r[j][m] - sy.x[j] * sy.n[j][m])
+    closures = [(dot(s[j], s[j]) - sy.l_d[j] ** 2) * Rational(1, 2) for j in range(3)]
+
+    D_l, right = implicit.first_order(closures, sy.x, sy.p, chain)
+    D_r = Matrix.zeros(3, 3)
+    for j, name in enumerate(
+        v.per_axis("D_r", "m", "entry of D_r for axis {j}: linkage vector along the rail", "(D_r)_{{{j}{j}}}")
+    ):
+        D_r[j, j] = chain.define(name, right[j, j])
+    adjugate, determinant = _adjugate(sy, chain, D_l)
+
+    D_p = Matrix.zeros(3, 3)
+    for m, axis in enumerate(AXES):
+        for k in range(3):
+            name = v.declare(
+                f"D_p_{axis}_{k + 1}",
+                "1",
+                f"platform Jacobian, dp_{axis}/dx_{k + 1}",
+                f"(D_p)_{{{axis}{k + 1}}}",
+            )
+            column = implicit.solve_3x3(adjugate, determinant, [D_r[j, k] for j in range(3)])
+            D_p[m, k] = chain.define(name, column[m])
+            chain.rule(sy.p[m], sy.x[k], name)
+
+    U = tuple(_linkage_jacobian(sy, chain, s[j], D_p, j) for j in range(3))
+    P = _second_derivatives(sy, chain, closures, D_p, adjugate, determinant)
+    return Kinematics(chain, inverse, r, s, closures, rail_distance, D_l, D_r, adjugate, determinant, D_p, U, P)
+
+
+def _inverse(sy: Symbols, r: tuple[Vector, ...]) -> tuple[dict[Symbol, Expr], tuple[Symbol, ...]]:
+    """Intersect rail j with the sphere of radius l_d around platform joint j (section 2.2, after figure 4)."""
+    v, definitions = sy.vocabulary, {}
+    along = v.per_axis("a", "m", "coordinate of platform joint {j} along rail {j}", "a_{j}")
+    across = v.vectors_per_axis("w", "m", "vector from rail {j} square to platform joint {j}", "w_{j}")
+    distance2 = v.per_axis("w2", "m^2", "squared distance of platform joint {j} from rail {j}", r"|w_{j}|^2")
+    for j in range(3):
+        definitions[along[j]] = dot(sy.n[j], r[j])
+        for m in range(3):
+            definitions[across[j][m]] = r[j][m] - along[j] * sy.n[j][m]
+        definitions[distance2[j]] = dot(across[j], across[j])
+        definitions[sy.x[j]] = along[j] + sy.branch[j] * sqrt(sy.l_d[j] ** 2 - distance2[j])
+    return definitions, distance2
+
+
+def _adjugate(sy: Symbols, chain: Chain, D_l: Matrix) -> tuple[Matrix, Symbol]:
+    v = sy.vocabulary
+    adjugate = Matrix.zeros(3, 3)
+    for j in range(3):
+        for m, axis in enumerate(AXES):
+            name = v.declare(
+                f"A_{axis}_{j + 1}", "m^2", f"adjugate of D_l, entry {axis}, {j + 1}", rf"A_{{{axis}{j + 1}}}"
+            )
+            adjugate[m, j] = chain.define(name, implicit.cofactor(D_l, j, m))
+    determinant = v.declare("det_D_l", "m^3", "determinant of D_l", r"\det D_l")
+    chain.define(determinant, Add(*(D_l[0, m] * adjugate[m, 0] for m in range(3))))
+    return adjugate, determinant
+
+
+def _linkage_jacobian(sy: Symbols, chain: Chain, s: Vector, D_p: Matrix, j: int) -> Matrix:
+    U = Matrix.zeros(3, 3)
+    for m, axis in enumerate(AXES):
+        for k in range(3):
+            name = sy.vocabulary.declare(
+                f"U_{j + 1}_{axis}_{k + 1}",
+                "1",
+                f"derivative of linkage vector {j + 1}, component {axis}, by x_{k + 1}",
+                rf"(U_{j + 1})_{{{axis}{k + 1}}}",
+            )
+            U[m, k] = chain.define(name, chain.derivative(s[m], sy.x[k]))
+    for m in range(3):
+        for k in range(3):
+            chain.rule(s[m], sy.x[k], U[m, k])
+    return U
+
+
+def _second_derivatives(
+    sy: Symbols, chain: Chain, closures: list[Expr], D_p: Matrix, adjugate: Matrix, determinant: Expr
+) -> tuple[Matrix, ...]:
+    v, P = sy.vocabulary, tuple(Matrix.zeros(3, 3) for _ in AXES)
+    for k in range(3):
+        for m in range(k, 3):
+            forcing = implicit.second_order_forcing(closures, sy.x[k], sy.x[m], chain, jacobian=tuple(D_p))
+            names = []
+            for j in range(3):
+                names.append(
+                    v.declare(
+                        f"f_{j + 1}_{k + 1}{m + 1}",
+                        "1",
+                        f"right-hand side of closure {j + 1} differentiated by x_{k + 1} and x_{m + 1}",
+                        rf"(f_{j + 1})_{{{k + 1}{m + 1}}}",
+                    )
+                )
+                chain.define(names[j], forcing[j])
+            solution = implicit.solve_3x3(adjugate, determinant, names)
+            for i, axis in enumerate(AXES):
+                name = v.declare(
+                    f"P_{axis}_{k + 1}{m + 1}",
+                    "1/m",
+                    f"second derivative of p_{axis} by x_{k + 1} and x_{m + 1}",
+                    rf"\partial^2 p_{axis}/\partial x_{k + 1}\partial x_{m + 1}",
+                )
+                P[i][k, m] = P[i][m, k] = chain.define(name, solution[i])
+                chain.rule(D_p[i, k], sy.x[m], name)
+                if m != k:
+                    chain.rule(D_p[i, m], sy.x[k], name)
+    return P
+
+
+def direct(sy: Symbols) -> tuple[dict[Symbol, Expr], tuple[Expr, Expr, Expr]]:
+    """Direct kinematics: intersect three spheres of radius l_d around S_j = e_j - b_j (equation 3).
+
+    With S_1 as origin, alpha = S_2 - S_1 and beta = S_3 - S_1, the two intersections lie on either side of
+    the plane of the centres; `assembly` is the side, and equals the sign of det D_l there.
+    """
+    v, definitions = sy.vocabulary, {}
+    S = v.vectors_per_axis("S", "m", "centre of sphere {j}, on which the platform centre lies", "S_{j}")
+    alpha = v.vector("alpha", "m", "vector between the sphere centres 1 and 2", r"\alpha")
+    beta = v.vector("beta", "m", "vector between the sphere centres 1 and 3", r"\beta")
+    nu = v.vector("nu", "m^2", "normal of the plane of the sphere centres", r"\nu")
+    nu2 = v.declare("nu2", "m^4", "squared length of the normal", r"|\nu|^2")
+    power = [
+        v.declare(f"h_{j}", "m^2", f"projection of p - S_1 on {name}", f"h_{j}")
+        for j, name in ((2, "alpha"), (3, "beta"))
+    ]
+    foot = v.vector("q", "m", "foot of the perpendicular on the plane of the centres, seen from S_1", "q")
+    for j in range(3):
+        for m in range(3):
+            definitions[S[j][m]] = sy.o[j][m] + sy.x[j] * sy.n[j][m] - sy.b[j][m]
+    for edge, j in ((alpha, 1), (beta, 2)):
+        for m in range(3):
+            definitions[edge[m]] = S[j][m] - S[0][m]
+    definitions.update(zip(nu, cross(alpha, beta), strict=True))
+    definitions[nu2] = dot(nu, nu)
+    for name, edge, j in ((power[0], alpha, 1), (power[1], beta, 2)):
+        definitions[name] = (dot(edge, edge) + sy.l_d[0] ** 2 - sy.l_d[j] ** 2) * Rational(1, 2)
+    beta_nu, nu_alpha = cross(beta, nu), cross(nu, alpha)
+    for m in range(3):
+        definitions[foot[m]] = (power[0] * beta_nu[m] + power[1] * nu_alpha[m]) / nu2
+    height = sy.assembly * sqrt((sy.l_d[0] ** 2 - dot(foot, foot)) / nu2)
+    x, y, z = (S[0][m] + foot[m] + height * nu[m] for m in range(3))
+    return definitions, (x, y, z)
+

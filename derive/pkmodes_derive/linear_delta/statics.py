@@ -1,0 +1,73 @@
+r"""Static equilibrium at a given platform pose: equation 44.
+
+The carriages hold the pose, so their displacements are zero; the rotations of the six pulleys and the
+torques on the three driven ones are unknown.  Axis by axis, with G_j the gradient of the gravitational
+potential energy by x_j and E the gradient of the elastic one, linear in the rotations,
+
+.. math:: G_j + E_{x_j} = 0, \qquad E_{\vartheta_{j,free}} = 0, \qquad \tau_j = E_{\vartheta_{j,driven}}.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sympy import Add, Expr, Integer, Symbol, diff
+
+from pkmodes_derive import lagrangian
+from pkmodes_derive.chain import Chain
+from pkmodes_derive.linear_delta.energy import Energies
+from pkmodes_derive.linear_delta.symbols import Symbols
+
+
+@dataclass(frozen=True)
+class Statics:
+    """Named results of the equilibrium.
+
+    Attributes
+    ----------
+    gravity_gradient : list
+        dV_g/dx_j [N].
+    rotations : tuple
+        Pulley rotations from the unstrained belts [rad], in the order of the coordinates theta.
+    torques : tuple
+        Torques on the driven pulleys [N m], positive with theta.
+    """
+
+    gravity_gradient: list[Expr]
+    rotations: tuple[Symbol, ...]
+    torques: tuple[Symbol, ...]
+
+
+def derive(sy: Symbols, chain: Chain, energies: Energies) -> Statics:
+    """Solve equation 44 in closed form, axis by axis, and name the solution in `chain`."""
+    v = sy.vocabulary
+    gravity = lagrangian.gradient(energies.V_g, sy.x, chain)
+    carriages_fixed = dict.fromkeys(sy.displacements[:3], Integer(0))
+    elastic = [diff(energies.V_el, q).xreplace(carriages_fixed) for q in sy.displacements]
+    forces = v.per_axis("G", "N", "gradient of the gravitational potential energy by x_{j}", "G_{j}")
+    torques = v.per_axis("tau_st", "N m", "static torque on the driven pulley of axis {j}", r"\tau_{{st,{j}}}")
+    rotations: dict[Symbol, Symbol] = {}
+    for j in range(3):
+        chain.define(forces[j], gravity[j])
+        unknown = (sy.displacements[3 + j], sy.displacements[6 + j])
+        pulley_1, pulley_2 = elastic[3 + j], elastic[6 + j]
+        drives_1, drives_2 = sy.drive[j]
+        carriage = [diff(elastic[j], angle) for angle in unknown]
+        # The pulley that is not driven carries no torque.
+        free = [diff(drives_2 * pulley_1 + drives_1 * pulley_2, angle) for angle in unknown]
+        determinant = v.declare(
+            f"det_{j + 1}", "N^2 m", f"determinant of the equilibrium of axis {j + 1}", rf"\Delta_{j + 1}"
+        )
+        chain.define(determinant, carriage[0] * free[1] - carriage[1] * free[0])
+        for angle, value in zip(unknown, (-forces[j] * free[1], forces[j] * free[0]), strict=True):
+            index = sy.displacements.index(angle)
+            name = v.declare(
+                f"{sy.coordinates[index].name}_st",
+                "rad",
+                f"static rotation: {v[sy.coordinates[index]].description}",
+                rf"{v[sy.coordinates[index]].latex[:-1]},st}}",
+            )
+            rotations[angle] = chain.define(name, value / determinant)
+        torque = Add(drives_1 * pulley_1, drives_2 * pulley_2)
+        chain.define(torques[j], torque.xreplace(rotations))
+    return Statics(gravity, tuple(rotations[angle] for angle in sy.displacements[3:]), torques)

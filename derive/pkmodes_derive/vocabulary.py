@@ -1,0 +1,117 @@
+"""One vocabulary of symbols: every quantity has a unit, a description and its place in the paper.
+
+Nothing is derived here.  A mechanism declares its symbols through a `Vocabulary`; the emitted docstrings,
+the parameter tables and the LaTeX page read units and descriptions from it, so that each is stated once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from sympy import Symbol
+
+AXES = ("x", "y", "z")
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """What a symbol stands for.
+
+    Attributes
+    ----------
+    symbol : sympy.Symbol
+        Real-valued; its name is a Python and C identifier.
+    unit : str
+        SI unit, ``"1"`` when dimensionless.
+    description : str
+        A noun phrase that a reader of the generated code understands.
+    latex : str
+        How the symbol is typeset; the paper's symbol where it has one.
+    """
+
+    symbol: Symbol
+    unit: str
+    description: str
+    latex: str
+
+
+@dataclass(frozen=True)
+class Field:
+    """A group of parameters that the generated code takes as one array.
+
+    Attributes
+    ----------
+    name : str
+        Name in the generated `Parameters`.
+    shape : tuple of int
+        ``()`` for a scalar; the leading index is the axis where there is one.
+    symbols : tuple of sympy.Symbol
+        The entries in row-major order.
+    unit, description : str
+        SI unit and a noun phrase.
+    """
+
+    name: str
+    shape: tuple[int, ...]
+    symbols: tuple[Symbol, ...]
+    unit: str
+    description: str
+
+
+class Vocabulary:
+    """The symbols of one mechanism, in the order in which they were declared."""
+
+    def __init__(self) -> None:
+        self._quantities: dict[Symbol, Quantity] = {}
+
+    def declare(self, name: str, unit: str, description: str, latex: str) -> Symbol:
+        """Declare a real symbol; a name can be declared once.
+
+        Raises
+        ------
+        ValueError
+            If the name is taken, or if unit, description or LaTeX form is empty.
+        """
+        if not (name.isidentifier() and unit and description and latex):
+            raise ValueError(f"symbol {name!r} needs an identifier, a unit, a description and a LaTeX form")
+        symbol = Symbol(name, real=True)
+        if symbol in self._quantities:
+            raise ValueError(f"symbol {name!r} is declared twice")
+        self._quantities[symbol] = Quantity(symbol, unit, description, latex)
+        return symbol
+
+    def vector(self, name: str, unit: str, description: str, latex: str) -> tuple[Symbol, Symbol, Symbol]:
+        """Declare the x, y and z components of a vector in the base frame."""
+        x, y, z = (
+            self.declare(f"{name}_{axis}", unit, f"{description}, {axis} component", f"({latex})_{axis}")
+            for axis in AXES
+        )
+        return x, y, z
+
+    def per_axis(self, name: str, unit: str, description: str, latex: str) -> tuple[Symbol, Symbol, Symbol]:
+        """Declare one scalar for each of the three axes; ``{j}`` in the texts becomes the axis number."""
+        first, second, third = (
+            self.declare(f"{name}_{j}", unit, description.format(j=j), latex.format(j=j)) for j in (1, 2, 3)
+        )
+        return first, second, third
+
+    def vectors_per_axis(
+        self, name: str, unit: str, description: str, latex: str
+    ) -> tuple[tuple[Symbol, Symbol, Symbol], ...]:
+        """Declare one vector for each of the three axes."""
+        return tuple(
+            self.vector(f"{name}_{j}", unit, description.format(j=j), latex.format(j=j)) for j in (1, 2, 3)
+        )
+
+    def __getitem__(self, symbol: Symbol) -> Quantity:
+        return self._quantities[symbol]
+
+    def __contains__(self, symbol: object) -> bool:
+        return symbol in self._quantities
+
+    def __iter__(self) -> Iterator[Quantity]:
+        return iter(self._quantities.values())
+
+    def __len__(self) -> int:
+        return len(self._quantities)

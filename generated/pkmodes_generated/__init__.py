@@ -1,0 +1,1 @@
+"""Generated models, one package for each mechanism; never edited by hand (see ``derive/``)."""

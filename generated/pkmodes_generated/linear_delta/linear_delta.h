@@ -1,0 +1,331 @@
+/* Generated from the derivation of linear_delta.
+ * By pkmodes_derive 0.1.0 with SymPy 1.14.0.
+ * Do not edit: regenerate with `python -m pkmodes_derive generate`.
+ *
+ * Dynamics of the mechanism linear_delta, for a robot given by its parameters.
+ *
+ * C99, no allocation, no dependency but sqrt.  Matrices are row-major.  Everything is in SI units and in the
+ * base frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
+ * Generalised coordinates, in the order of M and K:
+ *   x_1 [m], x_2 [m], x_3 [m], theta_1_1 [rad], theta_2_1 [rad], theta_3_1 [rad], theta_1_2 [rad], theta_2_2
+ *   [rad], theta_3_2 [rad]
+ */
+#ifndef LINEAR_DELTA_H
+#define LINEAR_DELTA_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+    /* [kg] platform mass m_p */
+    double platform_mass;
+    /* [m/s^2] gravitational acceleration g, base frame */
+    double gravity[3];
+    /* [m] o_j, the point of rail j where x_j = 0; one row for each axis */
+    double origin[3][3];
+    /* [1] n_j, unit vector along rail j; one row for each axis */
+    double direction[3][3];
+    /* [m] b_j = c_j - p, platform joint seen from the platform centre */
+    double joint[3][3];
+    /* [m] length l_d of each linkage */
+    double link_length[3];
+    /* [kg] mass m_d of each linkage, both rods together */
+    double link_mass[3];
+    /* [kg] mass m_t of each carriage */
+    double carriage_mass[3];
+    /* [m] length l_t of each carriage along its rail */
+    double carriage_length[3];
+    /* [N/m] specific stiffness k_sp of each belt */
+    double belt_specific_stiffness[3];
+    /* [m] width w_b of each belt */
+    double belt_width[3];
+    /* [m] radius R_p of the pulleys of each axis */
+    double pulley_radius[3];
+    /* [kg m^2] moment of inertia I_p of each of the two pulleys */
+    double pulley_inertia[3];
+    /* [kg m^2] moment of inertia of each motor, at its shaft */
+    double motor_inertia[3];
+    /* [1] gear ratio, motor over driven pulley */
+    double gear_ratio[3];
+    /* [1] 1 where the motor drives pulley k of axis j, else 0; one row for each axis */
+    double drive[3][2];
+    /* [m] min(x_j), max(x_j): pulley 2 sits at min, pulley 1 at max */
+    double limits[3][2];
+    /* [1] +1: carriage ahead of the platform joint along n_j; -1: behind */
+    double branch[3];
+} linear_delta_parameters;
+
+/* Carriage positions that put the platform centre at p.
+ *
+ * Not a number where a platform joint is farther from its rail than the link is long (see `reach_margin`).
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out x [m]: carriage positions x_1, x_2, x_3
+ *
+ * Source: equations 1 to 3: rail j meets the sphere of radius l_d around platform joint j.
+ * 84 operations; 201 with every named value written out.
+ */
+void linear_delta_inverse_kinematics(const double p[3], const linear_delta_parameters *parameters, double
+    x[3]);
+
+/* Platform centre for given carriage positions.
+ *
+ * Not a number where the three spheres do not meet.
+ *
+ *   in  x [m]: carriage positions x_1, x_2, x_3
+ *   in  assembly [1]: assembly branch, +1 or -1: the sign of det D_l at the wanted platform centre
+ *   out p [m]: platform centre in the base frame
+ *
+ * Source: equation 3: intersection of three spheres.
+ * 123 operations; 4398 with every named value written out.
+ */
+void linear_delta_direct_kinematics(const double x[3], double assembly, const linear_delta_parameters
+    *parameters, double p[3]);
+
+/* How much farther each platform joint could be from its rail.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out margin [m]: link length minus distance of the platform joint from its rail, for each axis
+ *
+ * Source: closure of equation 2: a pose is reachable where every margin is at least zero.
+ * 75 operations; 159 with every named value written out.
+ */
+void linear_delta_reach_margin(const double p[3], const linear_delta_parameters *parameters, double margin[3]);
+
+/* Free lengths of the belt spans.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out l_f [m]: free length l_f[j-1, k-1]: k = 1 between the pulleys, 2 carriage to pulley 2, 3 carriage to
+ *     pulley 1
+ *
+ * Source: equations 35 to 37; a carriage is within its limits where its two spans are positive.
+ * 102 operations; 423 with every named value written out.
+ */
+void linear_delta_belt_spans(const double p[3], const linear_delta_parameters *parameters, double l_f[3][3]);
+
+/* Constraint Jacobians D_l and D_r of D_l p_dot = D_r x_dot.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out D_l [m]: row j: linkage vector c_j - e_j in the base frame
+ *   out D_r [m]: diagonal: component of the linkage vector along rail j
+ *
+ * Source: equations 14 and 15.
+ * 117 operations; 1293 with every named value written out.
+ */
+void linear_delta_constraint_jacobians(const double p[3], const linear_delta_parameters *parameters, double
+    D_l[3][3], double D_r[3][3]);
+
+/* Assembly branch and condition number of D_l in the Frobenius norm.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out determinant [m^3]: det D_l; its sign is the assembly branch
+ *   out condition [1]: Frobenius condition number, at least 3
+ *
+ * Source: equation 15; |D_l| |D_l^-1|, between once and three times the condition number in the 2-norm.
+ * 175 operations; 5421 with every named value written out.
+ */
+void linear_delta_jacobian_condition(const double p[3], const linear_delta_parameters *parameters, double
+    *determinant, double *condition);
+
+/* Platform Jacobian D_p = D_l^-1 D_r.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out D_p [1]: dp_i/dx_k, base frame
+ *
+ * Source: equation 15.
+ * 162 operations; 14274 with every named value written out.
+ */
+void linear_delta_platform_jacobian(const double p[3], const linear_delta_parameters *parameters, double
+    D_p[3][3]);
+
+/* Time derivative of the platform Jacobian.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   in  x_dot [m/s]: carriage velocities
+ *   out D_p_dot [1/s]: d(D_p)/dt while the carriages move
+ *
+ * Source: equation 17.
+ * 339 operations; 660699 with every named value written out.
+ */
+void linear_delta_platform_jacobian_rate(const double p[3], const double x_dot[3], const
+    linear_delta_parameters *parameters, double D_p_dot[3][3]);
+
+/* Second derivatives of the platform centre by the carriage positions.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out P [1/m]: d2p_i/dx_k dx_l as P[i, k, l]
+ *
+ * Source: equation 49, by the implicit function theorem to second order.
+ * 387 operations; 695493 with every named value written out.
+ */
+void linear_delta_platform_second_derivatives(const double p[3], const linear_delta_parameters *parameters,
+    double P[3][3][3]);
+
+/* Jacobians of the linkages: centre of mass and angular velocity.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out D_d [1]: velocity of the centre of linkage j by x_dot
+ *   out D_omega [1/m]: angular velocity of linkage j by x_dot
+ *
+ * Source: equations 16 and 23; the angular velocity without spin about the rod, which carries no energy.
+ * 309 operations; 132498 with every named value written out.
+ */
+void linear_delta_link_jacobians(const double p[3], const linear_delta_parameters *parameters, double
+    D_d[3][3][3], double D_omega[3][3][3]);
+
+/* Kinetic energies of the structure and of the transmissions.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   in  q_dot [m/s, rad/s]: rates of the nine generalised coordinates
+ *   out T_ss [J]: carriages, linkages and platform
+ *   out T_t [J]: pulleys and motors
+ *
+ * Source: equations 24 and 28.
+ * 275 operations; 28717 with every named value written out.
+ */
+void linear_delta_kinetic_energy(const double p[3], const double q_dot[9], const linear_delta_parameters
+    *parameters, double *T_ss, double *T_t);
+
+/* Mass matrix M in the nine generalised coordinates.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out M [kg, kg m^2]: symmetric; M_ss (3 by 3) and the diagonal M_t
+ *
+ * Source: equations 24, 30 and 33.
+ * 288 operations; 128922 with every named value written out.
+ */
+void linear_delta_mass_matrix(const double p[3], const linear_delta_parameters *parameters, double M[9][9]);
+
+/* Coriolis and centrifugal forces h of M_ss x_ddot + h + grad V = Q.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   in  x_dot [m/s]: carriage velocities
+ *   out h [N]: generalised forces on the carriages; the pulleys have none
+ *
+ * Source: Lagrange's equations, equation 47 without its linearisation.
+ * 750 operations; 3553737 with every named value written out.
+ */
+void linear_delta_velocity_forces(const double p[3], const double x_dot[3], const linear_delta_parameters
+    *parameters, double h[3]);
+
+/* Gravitational potential energy V_g, the force function U_g with opposite sign.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out V_g [J]: zero at the origin of the base frame
+ *
+ * Source: equation 26, for gravity in any direction; the carriages' weight included.
+ * 195 operations; 1368 with every named value written out.
+ */
+void linear_delta_gravity_potential(const double p[3], const linear_delta_parameters *parameters, double *V_g);
+
+/* Gradient of the gravitational potential energy by the carriage positions.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out G [N]: dV_g/dx_k
+ *
+ * Source: equation 27.
+ * 234 operations; 14409 with every named value written out.
+ */
+void linear_delta_gravity_gradient(const double p[3], const linear_delta_parameters *parameters, double G[3]);
+
+/* Hessian of the gravitational potential energy by the carriage positions.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out H_g [N/m]: d2V_g/dx_k dx_l, symmetric
+ *
+ * Source: section 4 and equation 49.
+ * 432 operations; 695736 with every named value written out.
+ */
+void linear_delta_gravity_hessian(const double p[3], const linear_delta_parameters *parameters, double
+    H_g[3][3]);
+
+/* Stiffnesses of the belt spans.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out k [N/m]: k[j-1, k-1], the spans in the order of `belt_spans`
+ *
+ * Source: equations 34 to 37.
+ * 114 operations; 441 with every named value written out.
+ */
+void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameters *parameters, double k[3][3]);
+
+/* Elastic potential energy V_el of the belts, the force function U_el with opposite sign.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   in  delta_q [m, rad]: small displacements of the nine generalised coordinates from the reference
+ *     configuration at p
+ *   out V_el [J]: zero in the reference configuration
+ *
+ * Source: equation 38, summed over the axes.
+ * 164 operations; 497 with every named value written out.
+ */
+void linear_delta_elastic_potential(const double p[3], const double delta_q[9], const linear_delta_parameters
+    *parameters, double *V_el);
+
+/* Gradient of the elastic potential energy.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   in  delta_q [m, rad]: small displacements of the nine generalised coordinates from the reference
+ *     configuration at p
+ *   out E [N, N m]: dV_el/dq
+ *
+ * Source: equation 38 differentiated.
+ * 192 operations; 981 with every named value written out.
+ */
+void linear_delta_elastic_gradient(const double p[3], const double delta_q[9], const linear_delta_parameters
+    *parameters, double E[9]);
+
+/* Hessian of the elastic potential energy.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out H_el [N/m, N, N m]: d2V_el/dq2, symmetric, three zero eigenvalues
+ *
+ * Source: equation 38 differentiated twice.
+ * 153 operations; 1839 with every named value written out.
+ */
+void linear_delta_elastic_hessian(const double p[3], const linear_delta_parameters *parameters, double
+    H_el[9][9]);
+
+/* Torques and pulley rotations that hold the pose.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out tau_st [N m]: torques on the driven pulleys, positive with theta
+ *   out theta_st [rad]: rotations from the unstrained belts, in the order of the coordinates theta
+ *
+ * Source: equation 44, solved for the carriages fixed at the pose.
+ * 363 operations; 125757 with every named value written out.
+ */
+void linear_delta_static_equilibrium(const double p[3], const linear_delta_parameters *parameters, double
+    tau_st[3], double theta_st[6]);
+
+/* Stiffness matrix K in the nine generalised coordinates.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out K [N/m, N, N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
+ *
+ * Source: equations 46 and 48: K = -H_U.
+ * 501 operations; 697575 with every named value written out.
+ */
+void linear_delta_stiffness_matrix(const double p[3], const linear_delta_parameters *parameters, double
+    K[9][9]);
+
+/* Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.
+ *
+ * Common intermediate values are evaluated once, which makes this the function to call for an eigenproblem.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out M [kg, kg m^2]: mass matrix
+ *   out K [N/m, N, N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
+ *
+ * Source: equation 48.
+ * 627 operations; 826497 with every named value written out.
+ */
+void linear_delta_modal_matrices(const double p[3], const linear_delta_parameters *parameters, double M[9][9],
+    double K[9][9]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,3289 @@
+# Generated from the derivation of linear_delta.
+# By pkmodes_derive 0.1.0 with SymPy 1.14.0.
+# Do not edit: regenerate with `python -m pkmodes_derive generate`.
+"""Dynamics of the mechanism linear_delta, for a robot given by its parameters.
+
+Arrays are batch first: a leading `...` stands for any batch shape, none included, and arguments broadcast.
+Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
+frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+#: Generalised coordinates, in the order of M and K, and their units.
+COORDINATES = (
+    "x_1",
+    "x_2",
+    "x_3",
+    "theta_1_1",
+    "theta_2_1",
+    "theta_3_1",
+    "theta_1_2",
+    "theta_2_2",
+    "theta_3_2",
+)
+COORDINATE_UNITS = (
+    "m",
+    "m",
+    "m",
+    "rad",
+    "rad",
+    "rad",
+    "rad",
+    "rad",
+    "rad",
+)
+
+
+class Parameters(NamedTuple):
+    """Parameters of a robot; every field may have leading batch axes of its own.
+
+    Attributes
+    ----------
+    platform_mass : float or array, shape (...) [kg]
+        Platform mass m_p.
+    gravity : array, shape (..., 3) [m/s^2]
+        Gravitational acceleration g, base frame.
+    origin : array, shape (..., 3, 3) [m]
+        o_j, the point of rail j where x_j = 0; one row for each axis.
+    direction : array, shape (..., 3, 3) [1]
+        n_j, unit vector along rail j; one row for each axis.
+    joint : array, shape (..., 3, 3) [m]
+        b_j = c_j - p, platform joint seen from the platform centre.
+    link_length : array, shape (..., 3) [m]
+        Length l_d of each linkage.
+    link_mass : array, shape (..., 3) [kg]
+        Mass m_d of each linkage, both rods together.
+    carriage_mass : array, shape (..., 3) [kg]
+        Mass m_t of each carriage.
+    carriage_length : array, shape (..., 3) [m]
+        Length l_t of each carriage along its rail.
+    belt_specific_stiffness : array, shape (..., 3) [N/m]
+        Specific stiffness k_sp of each belt.
+    belt_width : array, shape (..., 3) [m]
+        Width w_b of each belt.
+    pulley_radius : array, shape (..., 3) [m]
+        Radius R_p of the pulleys of each axis.
+    pulley_inertia : array, shape (..., 3) [kg m^2]
+        Moment of inertia I_p of each of the two pulleys.
+    motor_inertia : array, shape (..., 3) [kg m^2]
+        Moment of inertia of each motor, at its shaft.
+    gear_ratio : array, shape (..., 3) [1]
+        Gear ratio, motor over driven pulley.
+    drive : array, shape (..., 3, 2) [1]
+        1 where the motor drives pulley k of axis j, else 0; one row for each axis.
+    limits : array, shape (..., 3, 2) [m]
+        min(x_j), max(x_j): pulley 2 sits at min, pulley 1 at max.
+    branch : array, shape (..., 3) [1]
+        +1: carriage ahead of the platform joint along n_j; -1: behind.
+    """
+
+    platform_mass: float
+    gravity: np.ndarray
+    origin: np.ndarray
+    direction: np.ndarray
+    joint: np.ndarray
+    link_length: np.ndarray
+    link_mass: np.ndarray
+    carriage_mass: np.ndarray
+    carriage_length: np.ndarray
+    belt_specific_stiffness: np.ndarray
+    belt_width: np.ndarray
+    pulley_radius: np.ndarray
+    pulley_inertia: np.ndarray
+    motor_inertia: np.ndarray
+    gear_ratio: np.ndarray
+    drive: np.ndarray
+    limits: np.ndarray
+    branch: np.ndarray
+
+
+def _entries(array, shape):
+    """Entries of an array of shape (..., *shape), row by row; numbers where there is no batch."""
+    array = np.asarray(array)
+    batch = array.ndim - len(shape)
+    if batch < 0 or array.shape[batch:] != shape:
+        expected = ", ".join(map(str, ("...", *shape)))
+        raise ValueError(f"expected an array of shape ({expected}), found shape {array.shape}")
+    flat = array.reshape(*array.shape[:batch], -1)
+    return tuple(flat[..., i][()] for i in range(flat.shape[-1]))
+
+
+def _batch(*arrays):
+    """Common batch shape and type of the arguments."""
+    return np.broadcast_shapes(*map(np.shape, arrays)), np.result_type(float, *arrays)
+
+
+def inverse_kinematics(p, parameters):
+    """Carriage positions that put the platform centre at p.
+
+    Not a number where a platform joint is farther from its rail than the link is long (see `reach_margin`).
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    x : array, shape (..., 3) [m]
+        Carriage positions x_1, x_2, x_3.
+
+    Notes
+    -----
+    Equations 1 to 3: rail j meets the sphere of radius l_d around platform joint j.
+    84 operations; 201 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, o_1_x, n_1_x, b_1_x, l_d_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    x_out = np.zeros((*batch, 3), dtype)
+    x_out[..., 0] = x_1
+    x_out[..., 1] = x_2
+    x_out[..., 2] = x_3
+    return x_out
+
+
+def direct_kinematics(x, assembly, parameters):
+    """Platform centre for given carriage positions.
+
+    Not a number where the three spheres do not meet.
+
+    Parameters
+    ----------
+    x : array, shape (..., 3) [m]
+        Carriage positions x_1, x_2, x_3.
+    assembly : array, shape (...) [1]
+        Assembly branch, +1 or -1: the sign of det D_l at the wanted platform centre.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+
+    Notes
+    -----
+    Equation 3: intersection of three spheres.
+    123 operations; 4398 with every named value written out.
+    """
+    x_1, x_2, x_3 = _entries(x, (3,))
+    (assembly,) = _entries(assembly, ())
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    batch, dtype = _batch(x_1, assembly, o_1_x, n_1_x, b_1_x, l_d_1)
+    S_1_x = -b_1_x + n_1_x*x_1 + o_1_x
+    S_1_y = -b_1_y + n_1_y*x_1 + o_1_y
+    S_1_z = -b_1_z + n_1_z*x_1 + o_1_z
+    S_2_x = -b_2_x + n_2_x*x_2 + o_2_x
+    S_2_y = -b_2_y + n_2_y*x_2 + o_2_y
+    S_2_z = -b_2_z + n_2_z*x_2 + o_2_z
+    S_3_x = -b_3_x + n_3_x*x_3 + o_3_x
+    S_3_y = -b_3_y + n_3_y*x_3 + o_3_y
+    S_3_z = -b_3_z + n_3_z*x_3 + o_3_z
+    alpha_x = -S_1_x + S_2_x
+    alpha_y = -S_1_y + S_2_y
+    alpha_z = -S_1_z + S_2_z
+    beta_x = -S_1_x + S_3_x
+    beta_y = -S_1_y + S_3_y
+    beta_z = -S_1_z + S_3_z
+    nu_x = alpha_y*beta_z - alpha_z*beta_y
+    nu_y = -alpha_x*beta_z + alpha_z*beta_x
+    nu_z = alpha_x*beta_y - alpha_y*beta_x
+    nu2 = nu_x**2 + nu_y**2 + nu_z**2
+    t1 = l_d_1**2
+    t2 = (1/2)*t1
+    h_2 = (1/2)*alpha_x**2 + (1/2)*alpha_y**2 + (1/2)*alpha_z**2 - 1/2*l_d_2**2 + t2
+    h_3 = (1/2)*beta_x**2 + (1/2)*beta_y**2 + (1/2)*beta_z**2 - 1/2*l_d_3**2 + t2
+    t3 = 1.0/nu2
+    q_x = t3*(h_2*(beta_y*nu_z - beta_z*nu_y) + h_3*(-alpha_y*nu_z + alpha_z*nu_y))
+    q_y = t3*(h_2*(-beta_x*nu_z + beta_z*nu_x) + h_3*(alpha_x*nu_z - alpha_z*nu_x))
+    q_z = t3*(h_2*(beta_x*nu_y - beta_y*nu_x) + h_3*(-alpha_x*nu_y + alpha_y*nu_x))
+    t4 = assembly*np.sqrt(t3*(-q_x**2 - q_y**2 - q_z**2 + t1))
+    p_out = np.zeros((*batch, 3), dtype)
+    p_out[..., 0] = S_1_x + nu_x*t4 + q_x
+    p_out[..., 1] = S_1_y + nu_y*t4 + q_y
+    p_out[..., 2] = S_1_z + nu_z*t4 + q_z
+    return p_out
+
+
+def reach_margin(p, parameters):
+    """How much farther each platform joint could be from its rail.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    margin : array, shape (..., 3) [m]
+        Link length minus distance of the platform joint from its rail, for each axis.
+
+    Notes
+    -----
+    Closure of equation 2: a pose is reachable where every margin is at least zero.
+    75 operations; 159 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    batch, dtype = _batch(p_x, o_1_x, n_1_x, b_1_x, l_d_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    margin_out = np.zeros((*batch, 3), dtype)
+    margin_out[..., 0] = l_d_1 - np.sqrt(w2_1)
+    margin_out[..., 1] = l_d_2 - np.sqrt(w2_2)
+    margin_out[..., 2] = l_d_3 - np.sqrt(w2_3)
+    return margin_out
+
+
+def belt_spans(p, parameters):
+    """Free lengths of the belt spans.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    l_f : array, shape (..., 3, 3) [m]
+        Free length l_f[j-1, k-1]: k = 1 between the pulleys, 2 carriage to pulley 2, 3 carriage to pulley 1.
+
+    Notes
+    -----
+    Equations 35 to 37; a carriage is within its limits where its two spans are positive.
+    102 operations; 423 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    l_t_1, l_t_2, l_t_3 = _entries(parameters.carriage_length, (3,))
+    x_min_1, x_max_1, x_min_2, x_max_2, x_min_3, x_max_3 = _entries(parameters.limits, (3, 2))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, o_1_x, n_1_x, b_1_x, l_d_1, l_t_1, x_min_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    l_f_1_1 = x_max_1 - x_min_1
+    t1 = (1/2)*l_t_1
+    l_f_1_2 = -t1 + x_1 - x_min_1
+    l_f_1_3 = -t1 - x_1 + x_max_1
+    l_f_2_1 = x_max_2 - x_min_2
+    t2 = (1/2)*l_t_2
+    l_f_2_2 = -t2 + x_2 - x_min_2
+    l_f_2_3 = -t2 - x_2 + x_max_2
+    l_f_3_1 = x_max_3 - x_min_3
+    t3 = (1/2)*l_t_3
+    l_f_3_2 = -t3 + x_3 - x_min_3
+    l_f_3_3 = -t3 - x_3 + x_max_3
+    l_f_out = np.zeros((*batch, 3, 3), dtype)
+    l_f_out[..., 0, 0] = l_f_1_1
+    l_f_out[..., 0, 1] = l_f_1_2
+    l_f_out[..., 0, 2] = l_f_1_3
+    l_f_out[..., 1, 0] = l_f_2_1
+    l_f_out[..., 1, 1] = l_f_2_2
+    l_f_out[..., 1, 2] = l_f_2_3
+    l_f_out[..., 2, 0] = l_f_3_1
+    l_f_out[..., 2, 1] = l_f_3_2
+    l_f_out[..., 2, 2] = l_f_3_3
+    return l_f_out
+
+
+def constraint_jacobians(p, parameters):
+    """Constraint Jacobians D_l and D_r of D_l p_dot = D_r x_dot.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    D_l : array, shape (..., 3, 3) [m]
+        Row j: linkage vector c_j - e_j in the base frame.
+    D_r : array, shape (..., 3, 3) [m]
+        Diagonal: component of the linkage vector along rail j.
+
+    Notes
+    -----
+    Equations 14 and 15.
+    117 operations; 1293 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, o_1_x, n_1_x, b_1_x, l_d_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    s_1_x = -n_1_x*x_1 + r_1_x
+    s_1_y = -n_1_y*x_1 + r_1_y
+    s_1_z = -n_1_z*x_1 + r_1_z
+    s_2_x = -n_2_x*x_2 + r_2_x
+    s_2_y = -n_2_y*x_2 + r_2_y
+    s_2_z = -n_2_z*x_2 + r_2_z
+    s_3_x = -n_3_x*x_3 + r_3_x
+    s_3_y = -n_3_y*x_3 + r_3_y
+    s_3_z = -n_3_z*x_3 + r_3_z
+    D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z
+    D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z
+    D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z
+    D_l_out = np.zeros((*batch, 3, 3), dtype)
+    D_l_out[..., 0, 0] = s_1_x
+    D_l_out[..., 0, 1] = s_1_y
+    D_l_out[..., 0, 2] = s_1_z
+    D_l_out[..., 1, 0] = s_2_x
+    D_l_out[..., 1, 1] = s_2_y
+    D_l_out[..., 1, 2] = s_2_z
+    D_l_out[..., 2, 0] = s_3_x
+    D_l_out[..., 2, 1] = s_3_y
+    D_l_out[..., 2, 2] = s_3_z
+    D_r_out = np.zeros((*batch, 3, 3), dtype)
+    D_r_out[..., 0, 0] = D_r_1
+    D_r_out[..., 1, 1] = D_r_2
+    D_r_out[..., 2, 2] = D_r_3
+    return D_l_out, D_r_out
+
+
+def jacobian_condition(p, parameters):
+    """Assembly branch and condition number of D_l in the Frobenius norm.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    determinant : array, shape (...) [m^3]
+        Det D_l; its sign is the assembly branch.
+    condition : array, shape (...) [1]
+        Frobenius condition number, at least 3.
+
+    Notes
+    -----
+    Equation 15; |D_l| |D_l^-1|, between once and three times the condition number in the 2-norm.
+    175 operations; 5421 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, o_1_x, n_1_x, b_1_x, l_d_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    s_1_x = -n_1_x*x_1 + r_1_x
+    s_1_y = -n_1_y*x_1 + r_1_y
+    s_1_z = -n_1_z*x_1 + r_1_z
+    s_2_x = -n_2_x*x_2 + r_2_x
+    s_2_y = -n_2_y*x_2 + r_2_y
+    s_2_z = -n_2_z*x_2 + r_2_z
+    s_3_x = -n_3_x*x_3 + r_3_x
+    s_3_y = -n_3_y*x_3 + r_3_y
+    s_3_z = -n_3_z*x_3 + r_3_z
+    A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y
+    A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x
+    A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x
+    A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y
+    A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x
+    A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x
+    A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y
+    A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x
+    A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x
+    det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z
+    determinant_out = np.zeros(batch, dtype)
+    determinant_out[...] = det_D_l
+    condition_out = np.zeros(batch, dtype)
+    condition_out[...] = (
+        np.sqrt(A_x_1**2 + A_x_2**2 + A_x_3**2 + A_y_1**2 + A_y_2**2 + A_y_3**2 + A_z_1**2 + A_z_2**2
+        + A_z_3**2)*np.sqrt(s_1_x**2 + s_1_y**2 + s_1_z**2 + s_2_x**2 + s_2_y**2 + s_2_z**2 + s_3_x**2
+        + s_3_y**2 + s_3_z**2)/abs(det_D_l)
+    )
+    return determinant_out[()], condition_out[()]
+
+
+def platform_jacobian(p, parameters):
+    """Platform Jacobian D_p = D_l^-1 D_r.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    D_p : array, shape (..., 3, 3) [1]
+        dp_i/dx_k, base frame.
+
+    Notes
+    -----
+    Equation 15.
+    162 operations; 14274 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, o_1_x, n_1_x, b_1_x, l_d_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    s_1_x = -n_1_x*x_1 + r_1_x
+    s_1_y = -n_1_y*x_1 + r_1_y
+    s_1_z = -n_1_z*x_1 + r_1_z
+    s_2_x = -n_2_x*x_2 + r_2_x
+    s_2_y = -n_2_y*x_2 + r_2_y
+    s_2_z = -n_2_z*x_2 + r_2_z
+    s_3_x = -n_3_x*x_3 + r_3_x
+    s_3_y = -n_3_y*x_3 + r_3_y
+    s_3_z = -n_3_z*x_3 + r_3_z
+    D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z
+    D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z
+    D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z
+    A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y
+    A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x
+    A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x
+    A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y
+    A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x
+    A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x
+    A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y
+    A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x
+    A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x
+    det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z
+    t1 = 1.0/det_D_l
+    t2 = D_r_1*t1
+    D_p_x_1 = A_x_1*t2
+    t3 = D_r_2*t1
+    D_p_x_2 = A_x_2*t3
+    t4 = D_r_3*t1
+    D_p_x_3 = A_x_3*t4
+    D_p_y_1 = A_y_1*t2
+    D_p_y_2 = A_y_2*t3
+    D_p_y_3 = A_y_3*t4
+    D_p_z_1 = A_z_1*t2
+    D_p_z_2 = A_z_2*t3
+    D_p_z_3 = A_z_3*t4
+    D_p_out = np.zeros((*batch, 3, 3), dtype)
+    D_p_out[..., 0, 0] = D_p_x_1
+    D_p_out[..., 0, 1] = D_p_x_2
+    D_p_out[..., 0, 2] = D_p_x_3
+    D_p_out[..., 1, 0] = D_p_y_1
+    D_p_out[..., 1, 1] = D_p_y_2
+    D_p_out[..., 1, 2] = D_p_y_3
+    D_p_out[..., 2, 0] = D_p_z_1
+    D_p_out[..., 2, 1] = D_p_z_2
+    D_p_out[..., 2, 2] = D_p_z_3
+    return D_p_out
+
+
+def platform_jacobian_rate(p, x_dot, parameters):
+    """Time derivative of the platform Jacobian.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    x_dot : array, shape (..., 3) [m/s]
+        Carriage velocities.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    D_p_dot : array, shape (..., 3, 3) [1/s]
+        d(D_p)/dt while the carriages move.
+
+    Notes
+    -----
+    Equation 17.
+    339 operations; 660699 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    x_1_dot, x_2_dot, x_3_dot = _entries(x_dot, (3,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, x_1_dot, o_1_x, n_1_x, b_1_x, l_d_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    s_1_x = -n_1_x*x_1 + r_1_x
+    s_1_y = -n_1_y*x_1 + r_1_y
+    s_1_z = -n_1_z*x_1 + r_1_z
+    s_2_x = -n_2_x*x_2 + r_2_x
+    s_2_y = -n_2_y*x_2 + r_2_y
+    s_2_z = -n_2_z*x_2 + r_2_z
+    s_3_x = -n_3_x*x_3 + r_3_x
+    s_3_y = -n_3_y*x_3 + r_3_y
+    s_3_z = -n_3_z*x_3 + r_3_z
+    D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z
+    D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z
+    D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z
+    A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y
+    A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x
+    A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x
+    A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y
+    A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x
+    A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x
+    A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y
+    A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x
+    A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x
+    det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z
+    t1 = 1.0/det_D_l
+    t2 = D_r_1*t1
+    D_p_x_1 = A_x_1*t2
+    t3 = D_r_2*t1
+    D_p_x_2 = A_x_2*t3
+    t4 = D_r_3*t1
+    D_p_x_3 = A_x_3*t4
+    D_p_y_1 = A_y_1*t2
+    D_p_y_2 = A_y_2*t3
+    D_p_y_3 = A_y_3*t4
+    D_p_z_1 = A_z_1*t2
+    D_p_z_2 = A_z_2*t3
+    D_p_z_3 = A_z_3*t4
+    U_1_x_1 = D_p_x_1 - n_1_x
+    U_1_x_2 = D_p_x_2
+    U_1_x_3 = D_p_x_3
+    U_1_y_1 = D_p_y_1 - n_1_y
+    U_1_y_2 = D_p_y_2
+    U_1_y_3 = D_p_y_3
+    U_1_z_1 = D_p_z_1 - n_1_z
+    U_1_z_2 = D_p_z_2
+    U_1_z_3 = D_p_z_3
+    U_2_x_1 = D_p_x_1
+    U_2_x_2 = D_p_x_2 - n_2_x
+    U_2_x_3 = D_p_x_3
+    U_2_y_1 = D_p_y_1
+    U_2_y_2 = D_p_y_2 - n_2_y
+    U_2_y_3 = D_p_y_3
+    U_2_z_1 = D_p_z_1
+    U_2_z_2 = D_p_z_2 - n_2_z
+    U_2_z_3 = D_p_z_3
+    U_3_x_1 = D_p_x_1
+    U_3_x_2 = D_p_x_2
+    U_3_x_3 = D_p_x_3 - n_3_x
+    U_3_y_1 = D_p_y_1
+    U_3_y_2 = D_p_y_2
+    U_3_y_3 = D_p_y_3 - n_3_y
+    U_3_z_1 = D_p_z_1
+    U_3_z_2 = D_p_z_2
+    U_3_z_3 = D_p_z_3 - n_3_z
+    s_dot_1_x = U_1_x_1*x_1_dot + U_1_x_2*x_2_dot + U_1_x_3*x_3_dot
+    s_dot_1_y = U_1_y_1*x_1_dot + U_1_y_2*x_2_dot + U_1_y_3*x_3_dot
+    s_dot_1_z = U_1_z_1*x_1_dot + U_1_z_2*x_2_dot + U_1_z_3*x_3_dot
+    s_dot_2_x = U_2_x_1*x_1_dot + U_2_x_2*x_2_dot + U_2_x_3*x_3_dot
+    s_dot_2_y = U_2_y_1*x_1_dot + U_2_y_2*x_2_dot + U_2_y_3*x_3_dot
+    s_dot_2_z = U_2_z_1*x_1_dot + U_2_z_2*x_2_dot + U_2_z_3*x_3_dot
+    s_dot_3_x = U_3_x_1*x_1_dot + U_3_x_2*x_2_dot + U_3_x_3*x_3_dot
+    s_dot_3_y = U_3_y_1*x_1_dot + U_3_y_2*x_2_dot + U_3_y_3*x_3_dot
+    s_dot_3_z = U_3_z_1*x_1_dot + U_3_z_2*x_2_dot + U_3_z_3*x_3_dot
+    t5 = -D_p_x_1*s_dot_2_x - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z
+    t6 = -D_p_x_1*s_dot_3_x - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z
+    t7 = (
+        -D_p_x_1*s_dot_1_x - D_p_y_1*s_dot_1_y - D_p_z_1*s_dot_1_z + n_1_x*s_dot_1_x + n_1_y*s_dot_1_y
+        + n_1_z*s_dot_1_z
+    )
+    D_p_dot_x_1 = t1*(A_x_1*t7 + A_x_2*t5 + A_x_3*t6)
+    D_p_dot_y_1 = t1*(A_y_1*t7 + A_y_2*t5 + A_y_3*t6)
+    D_p_dot_z_1 = t1*(A_z_1*t7 + A_z_2*t5 + A_z_3*t6)
+    t8 = -D_p_x_2*s_dot_1_x - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z
+    t9 = -D_p_x_2*s_dot_3_x - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z
+    t10 = (
+        -D_p_x_2*s_dot_2_x - D_p_y_2*s_dot_2_y - D_p_z_2*s_dot_2_z + n_2_x*s_dot_2_x + n_2_y*s_dot_2_y
+        + n_2_z*s_dot_2_z
+    )
+    D_p_dot_x_2 = t1*(A_x_1*t8 + A_x_2*t10 + A_x_3*t9)
+    D_p_dot_y_2 = t1*(A_y_1*t8 + A_y_2*t10 + A_y_3*t9)
+    D_p_dot_z_2 = t1*(A_z_1*t8 + A_z_2*t10 + A_z_3*t9)
+    t11 = -D_p_x_3*s_dot_1_x - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z
+    t12 = -D_p_x_3*s_dot_2_x - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z
+    t13 = (
+        -D_p_x_3*s_dot_3_x - D_p_y_3*s_dot_3_y - D_p_z_3*s_dot_3_z + n_3_x*s_dot_3_x + n_3_y*s_dot_3_y
+        + n_3_z*s_dot_3_z
+    )
+    D_p_dot_x_3 = t1*(A_x_1*t11 + A_x_2*t12 + A_x_3*t13)
+    D_p_dot_y_3 = t1*(A_y_1*t11 + A_y_2*t12 + A_y_3*t13)
+    D_p_dot_z_3 = t1*(A_z_1*t11 + A_z_2*t12 + A_z_3*t13)
+    D_p_dot_out = np.zeros((*batch, 3, 3), dtype)
+    D_p_dot_out[..., 0, 0] = D_p_dot_x_1
+    D_p_dot_out[..., 0, 1] = D_p_dot_x_2
+    D_p_dot_out[..., 0, 2] = D_p_dot_x_3
+    D_p_dot_out[..., 1, 0] = D_p_dot_y_1
+    D_p_dot_out[..., 1, 1] = D_p_dot_y_2
+    D_p_dot_out[..., 1, 2] = D_p_dot_y_3
+    D_p_dot_out[..., 2, 0] = D_p_dot_z_1
+    D_p_dot_out[..., 2, 1] = D_p_dot_z_2
+    D_p_dot_out[..., 2, 2] = D_p_dot_z_3
+    return D_p_dot_out
+
+
+def platform_second_derivatives(p, parameters):
+    """Second derivatives of the platform centre by the carriage positions.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    P : array, shape (..., 3, 3, 3) [1/m]
+        d2p_i/dx_k dx_l as P[i, k, l].
+
+    Notes
+    -----
+    Equation 49, by the implicit function theorem to second order.
+    387 operations; 695493 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, o_1_x, n_1_x, b_1_x, l_d_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    s_1_x = -n_1_x*x_1 + r_1_x
+    s_1_y = -n_1_y*x_1 + r_1_y
+    s_1_z = -n_1_z*x_1 + r_1_z
+    s_2_x = -n_2_x*x_2 + r_2_x
+    s_2_y = -n_2_y*x_2 + r_2_y
+    s_2_z = -n_2_z*x_2 + r_2_z
+    s_3_x = -n_3_x*x_3 + r_3_x
+    s_3_y = -n_3_y*x_3 + r_3_y
+    s_3_z = -n_3_z*x_3 + r_3_z
+    D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z
+    D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z
+    D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z
+    A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y
+    A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x
+    A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x
+    A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y
+    A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x
+    A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x
+    A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y
+    A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x
+    A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x
+    det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z
+    t1 = 1.0/det_D_l
+    t2 = D_r_1*t1
+    D_p_x_1 = A_x_1*t2
+    t3 = D_r_2*t1
+    D_p_x_2 = A_x_2*t3
+    t4 = D_r_3*t1
+    D_p_x_3 = A_x_3*t4
+    D_p_y_1 = A_y_1*t2
+    D_p_y_2 = A_y_2*t3
+    D_p_y_3 = A_y_3*t4
+    D_p_z_1 = A_z_1*t2
+    D_p_z_2 = A_z_2*t3
+    D_p_z_3 = A_z_3*t4
+    U_1_x_1 = D_p_x_1 - n_1_x
+    U_1_x_2 = D_p_x_2
+    U_1_x_3 = D_p_x_3
+    U_1_y_1 = D_p_y_1 - n_1_y
+    U_1_y_2 = D_p_y_2
+    U_1_y_3 = D_p_y_3
+    U_1_z_1 = D_p_z_1 - n_1_z
+    U_1_z_2 = D_p_z_2
+    U_1_z_3 = D_p_z_3
+    U_2_x_1 = D_p_x_1
+    U_2_x_2 = D_p_x_2 - n_2_x
+    U_2_x_3 = D_p_x_3
+    U_2_y_1 = D_p_y_1
+    U_2_y_2 = D_p_y_2 - n_2_y
+    U_2_y_3 = D_p_y_3
+    U_2_z_1 = D_p_z_1
+    U_2_z_2 = D_p_z_2 - n_2_z
+    U_2_z_3 = D_p_z_3
+    U_3_x_1 = D_p_x_1
+    U_3_x_2 = D_p_x_2
+    U_3_x_3 = D_p_x_3 - n_3_x
+    U_3_y_1 = D_p_y_1
+    U_3_y_2 = D_p_y_2
+    U_3_y_3 = D_p_y_3 - n_3_y
+    U_3_z_1 = D_p_z_1
+    U_3_z_2 = D_p_z_2
+    U_3_z_3 = D_p_z_3 - n_3_z
+    f_1_11 = -U_1_x_1**2 - U_1_y_1**2 - U_1_z_1**2
+    f_2_11 = -U_2_x_1**2 - U_2_y_1**2 - U_2_z_1**2
+    f_3_11 = -U_3_x_1**2 - U_3_y_1**2 - U_3_z_1**2
+    P_x_11 = t1*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_3_11)
+    P_y_11 = t1*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_3_11)
+    P_z_11 = t1*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_3_11)
+    f_1_12 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2
+    f_2_12 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2
+    f_3_12 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2
+    P_x_12 = t1*(A_x_1*f_1_12 + A_x_2*f_2_12 + A_x_3*f_3_12)
+    P_y_12 = t1*(A_y_1*f_1_12 + A_y_2*f_2_12 + A_y_3*f_3_12)
+    P_z_12 = t1*(A_z_1*f_1_12 + A_z_2*f_2_12 + A_z_3*f_3_12)
+    f_1_13 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3
+    f_2_13 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3
+    f_3_13 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3
+    P_x_13 = t1*(A_x_1*f_1_13 + A_x_2*f_2_13 + A_x_3*f_3_13)
+    P_y_13 = t1*(A_y_1*f_1_13 + A_y_2*f_2_13 + A_y_3*f_3_13)
+    P_z_13 = t1*(A_z_1*f_1_13 + A_z_2*f_2_13 + A_z_3*f_3_13)
+    f_1_22 = -U_1_x_2**2 - U_1_y_2**2 - U_1_z_2**2
+    f_2_22 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2
+    f_3_22 = -U_3_x_2**2 - U_3_y_2**2 - U_3_z_2**2
+    P_x_22 = t1*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_3_22)
+    P_y_22 = t1*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_3_22)
+    P_z_22 = t1*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_3_22)
+    f_1_23 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3
+    f_2_23 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3
+    f_3_23 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3
+    P_x_23 = t1*(A_x_1*f_1_23 + A_x_2*f_2_23 + A_x_3*f_3_23)
+    P_y_23 = t1*(A_y_1*f_1_23 + A_y_2*f_2_23 + A_y_3*f_3_23)
+    P_z_23 = t1*(A_z_1*f_1_23 + A_z_2*f_2_23 + A_z_3*f_3_23)
+    f_1_33 = -U_1_x_3**2 - U_1_y_3**2 - U_1_z_3**2
+    f_2_33 = -U_2_x_3**2 - U_2_y_3**2 - U_2_z_3**2
+    f_3_33 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2
+    P_x_33 = t1*(A_x_1*f_1_33 + A_x_2*f_2_33 + A_x_3*f_3_33)
+    P_y_33 = t1*(A_y_1*f_1_33 + A_y_2*f_2_33 + A_y_3*f_3_33)
+    P_z_33 = t1*(A_z_1*f_1_33 + A_z_2*f_2_33 + A_z_3*f_3_33)
+    P_out = np.zeros((*batch, 3, 3, 3), dtype)
+    P_out[..., 0, 0, 0] = P_x_11
+    P_out[..., 0, 0, 1] = P_x_12
+    P_out[..., 0, 0, 2] = P_x_13
+    P_out[..., 0, 1, 0] = P_x_12
+    P_out[..., 0, 1, 1] = P_x_22
+    P_out[..., 0, 1, 2] = P_x_23
+    P_out[..., 0, 2, 0] = P_x_13
+    P_out[..., 0, 2, 1] = P_x_23
+    P_out[..., 0, 2, 2] = P_x_33
+    P_out[..., 1, 0, 0] = P_y_11
+    P_out[..., 1, 0, 1] = P_y_12
+    P_out[..., 1, 0, 2] = P_y_13
+    P_out[..., 1, 1, 0] = P_y_12
+    P_out[..., 1, 1, 1] = P_y_22
+    P_out[..., 1, 1, 2] = P_y_23
+    P_out[..., 1, 2, 0] = P_y_13
+    P_out[..., 1, 2, 1] = P_y_23
+    P_out[..., 1, 2, 2] = P_y_33
+    P_out[..., 2, 0, 0] = P_z_11
+    P_out[..., 2, 0, 1] = P_z_12
+    P_out[..., 2, 0, 2] = P_z_13
+    P_out[..., 2, 1, 0] = P_z_12
+    P_out[..., 2, 1, 1] = P_z_22
+    P_out[..., 2, 1, 2] = P_z_23
+    P_out[..., 2, 2, 0] = P_z_13
+    P_out[..., 2, 2, 1] = P_z_23
+    P_out[..., 2, 2, 2] = P_z_33
+    return P_out
+
+
+def link_jacobians(p, parameters):
+    """Jacobians of the linkages: centre of mass and angular velocity.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    D_d : array, shape (..., 3, 3, 3) [1]
+        Velocity of the centre of linkage j by x_dot.
+    D_omega : array, shape (..., 3, 3, 3) [1/m]
+        Angular velocity of linkage j by x_dot.
+
+    Notes
+    -----
+    Equations 16 and 23; the angular velocity without spin about the rod, which carries no energy.
+    309 operations; 132498 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, o_1_x, n_1_x, b_1_x, l_d_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    t1 = l_d_1**2
+    x_1 = a_1 + sigma_1*np.sqrt(t1 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    t2 = l_d_2**2
+    x_2 = a_2 + sigma_2*np.sqrt(t2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    t3 = l_d_3**2
+    x_3 = a_3 + sigma_3*np.sqrt(t3 - w2_3)
+    s_1_x = -n_1_x*x_1 + r_1_x
+    s_1_y = -n_1_y*x_1 + r_1_y
+    s_1_z = -n_1_z*x_1 + r_1_z
+    s_2_x = -n_2_x*x_2 + r_2_x
+    s_2_y = -n_2_y*x_2 + r_2_y
+    s_2_z = -n_2_z*x_2 + r_2_z
+    s_3_x = -n_3_x*x_3 + r_3_x
+    s_3_y = -n_3_y*x_3 + r_3_y
+    s_3_z = -n_3_z*x_3 + r_3_z
+    D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z
+    D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z
+    D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z
+    A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y
+    A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x
+    A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x
+    A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y
+    A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x
+    A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x
+    A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y
+    A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x
+    A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x
+    det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z
+    t4 = 1.0/det_D_l
+    t5 = D_r_1*t4
+    D_p_x_1 = A_x_1*t5
+    t6 = D_r_2*t4
+    D_p_x_2 = A_x_2*t6
+    t7 = D_r_3*t4
+    D_p_x_3 = A_x_3*t7
+    D_p_y_1 = A_y_1*t5
+    D_p_y_2 = A_y_2*t6
+    D_p_y_3 = A_y_3*t7
+    D_p_z_1 = A_z_1*t5
+    D_p_z_2 = A_z_2*t6
+    D_p_z_3 = A_z_3*t7
+    U_1_x_1 = D_p_x_1 - n_1_x
+    U_1_x_2 = D_p_x_2
+    U_1_x_3 = D_p_x_3
+    U_1_y_1 = D_p_y_1 - n_1_y
+    U_1_y_2 = D_p_y_2
+    U_1_y_3 = D_p_y_3
+    U_1_z_1 = D_p_z_1 - n_1_z
+    U_1_z_2 = D_p_z_2
+    U_1_z_3 = D_p_z_3
+    U_2_x_1 = D_p_x_1
+    U_2_x_2 = D_p_x_2 - n_2_x
+    U_2_x_3 = D_p_x_3
+    U_2_y_1 = D_p_y_1
+    U_2_y_2 = D_p_y_2 - n_2_y
+    U_2_y_3 = D_p_y_3
+    U_2_z_1 = D_p_z_1
+    U_2_z_2 = D_p_z_2 - n_2_z
+    U_2_z_3 = D_p_z_3
+    U_3_x_1 = D_p_x_1
+    U_3_x_2 = D_p_x_2
+    U_3_x_3 = D_p_x_3 - n_3_x
+    U_3_y_1 = D_p_y_1
+    U_3_y_2 = D_p_y_2
+    U_3_y_3 = D_p_y_3 - n_3_y
+    U_3_z_1 = D_p_z_1
+    U_3_z_2 = D_p_z_2
+    U_3_z_3 = D_p_z_3 - n_3_z
+    t8 = (1/2)*D_p_x_1
+    t9 = (1/2)*D_p_x_2
+    t10 = (1/2)*D_p_x_3
+    t11 = (1/2)*D_p_y_1
+    t12 = (1/2)*D_p_y_2
+    t13 = (1/2)*D_p_y_3
+    t14 = (1/2)*D_p_z_1
+    t15 = (1/2)*D_p_z_2
+    t16 = (1/2)*D_p_z_3
+    t17 = 1.0/t1
+    t18 = 1.0/t2
+    t19 = 1.0/t3
+    D_d_out = np.zeros((*batch, 3, 3, 3), dtype)
+    D_d_out[..., 0, 0, 0] = (1/2)*n_1_x + t8
+    D_d_out[..., 0, 0, 1] = t9
+    D_d_out[..., 0, 0, 2] = t10
+    D_d_out[..., 0, 1, 0] = (1/2)*n_1_y + t11
+    D_d_out[..., 0, 1, 1] = t12
+    D_d_out[..., 0, 1, 2] = t13
+    D_d_out[..., 0, 2, 0] = (1/2)*n_1_z + t14
+    D_d_out[..., 0, 2, 1] = t15
+    D_d_out[..., 0, 2, 2] = t16
+    D_d_out[..., 1, 0, 0] = t8
+    D_d_out[..., 1, 0, 1] = (1/2)*n_2_x + t9
+    D_d_out[..., 1, 0, 2] = t10
+    D_d_out[..., 1, 1, 0] = t11
+    D_d_out[..., 1, 1, 1] = (1/2)*n_2_y + t12
+    D_d_out[..., 1, 1, 2] = t13
+    D_d_out[..., 1, 2, 0] = t14
+    D_d_out[..., 1, 2, 1] = (1/2)*n_2_z + t15
+    D_d_out[..., 1, 2, 2] = t16
+    D_d_out[..., 2, 0, 0] = t8
+    D_d_out[..., 2, 0, 1] = t9
+    D_d_out[..., 2, 0, 2] = (1/2)*n_3_x + t10
+    D_d_out[..., 2, 1, 0] = t11
+    D_d_out[..., 2, 1, 1] = t12
+    D_d_out[..., 2, 1, 2] = (1/2)*n_3_y + t13
+    D_d_out[..., 2, 2, 0] = t14
+    D_d_out[..., 2, 2, 1] = t15
+    D_d_out[..., 2, 2, 2] = (1/2)*n_3_z + t16
+    D_omega_out = np.zeros((*batch, 3, 3, 3), dtype)
+    D_omega_out[..., 0, 0, 0] = t17*(-U_1_y_1*s_1_z + U_1_z_1*s_1_y)
+    D_omega_out[..., 0, 0, 1] = t17*(-U_1_y_2*s_1_z + U_1_z_2*s_1_y)
+    D_omega_out[..., 0, 0, 2] = t17*(-U_1_y_3*s_1_z + U_1_z_3*s_1_y)
+    D_omega_out[..., 0, 1, 0] = t17*(U_1_x_1*s_1_z - U_1_z_1*s_1_x)
+    D_omega_out[..., 0, 1, 1] = t17*(U_1_x_2*s_1_z - U_1_z_2*s_1_x)
+    D_omega_out[..., 0, 1, 2] = t17*(U_1_x_3*s_1_z - U_1_z_3*s_1_x)
+    D_omega_out[..., 0, 2, 0] = t17*(-U_1_x_1*s_1_y + U_1_y_1*s_1_x)
+    D_omega_out[..., 0, 2, 1] = t17*(-U_1_x_2*s_1_y + U_1_y_2*s_1_x)
+    D_omega_out[..., 0, 2, 2] = t17*(-U_1_x_3*s_1_y + U_1_y_3*s_1_x)
+    D_omega_out[..., 1, 0, 0] = t18*(-U_2_y_1*s_2_z + U_2_z_1*s_2_y)
+    D_omega_out[..., 1, 0, 1] = t18*(-U_2_y_2*s_2_z + U_2_z_2*s_2_y)
+    D_omega_out[..., 1, 0, 2] = t18*(-U_2_y_3*s_2_z + U_2_z_3*s_2_y)
+    D_omega_out[..., 1, 1, 0] = t18*(U_2_x_1*s_2_z - U_2_z_1*s_2_x)
+    D_omega_out[..., 1, 1, 1] = t18*(U_2_x_2*s_2_z - U_2_z_2*s_2_x)
+    D_omega_out[..., 1, 1, 2] = t18*(U_2_x_3*s_2_z - U_2_z_3*s_2_x)
+    D_omega_out[..., 1, 2, 0] = t18*(-U_2_x_1*s_2_y + U_2_y_1*s_2_x)
+    D_omega_out[..., 1, 2, 1] = t18*(-U_2_x_2*s_2_y + U_2_y_2*s_2_x)
+    D_omega_out[..., 1, 2, 2] = t18*(-U_2_x_3*s_2_y + U_2_y_3*s_2_x)
+    D_omega_out[..., 2, 0, 0] = t19*(-U_3_y_1*s_3_z + U_3_z_1*s_3_y)
+    D_omega_out[..., 2, 0, 1] = t19*(-U_3_y_2*s_3_z + U_3_z_2*s_3_y)
+    D_omega_out[..., 2, 0, 2] = t19*(-U_3_y_3*s_3_z + U_3_z_3*s_3_y)
+    D_omega_out[..., 2, 1, 0] = t19*(U_3_x_1*s_3_z - U_3_z_1*s_3_x)
+    D_omega_out[..., 2, 1, 1] = t19*(U_3_x_2*s_3_z - U_3_z_2*s_3_x)
+    D_omega_out[..., 2, 1, 2] = t19*(U_3_x_3*s_3_z - U_3_z_3*s_3_x)
+    D_omega_out[..., 2, 2, 0] = t19*(-U_3_x_1*s_3_y + U_3_y_1*s_3_x)
+    D_omega_out[..., 2, 2, 1] = t19*(-U_3_x_2*s_3_y + U_3_y_2*s_3_x)
+    D_omega_out[..., 2, 2, 2] = t19*(-U_3_x_3*s_3_y + U_3_y_3*s_3_x)
+    return D_d_out, D_omega_out
+
+
+def kinetic_energy(p, q_dot, parameters):
+    """Kinetic energies of the structure and of the transmissions.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    q_dot : array, shape (..., 9) [m/s, rad/s]
+        Rates of the nine generalised coordinates.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    T_ss : array, shape (...) [J]
+        Carriages, linkages and platform.
+    T_t : array, shape (...) [J]
+        Pulleys and motors.
+
+    Notes
+    -----
+    Equations 24 and 28.
+    275 operations; 28717 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    (
+        x_1_dot, x_2_dot, x_3_dot, theta_1_1_dot, theta_2_1_dot, theta_3_1_dot, theta_1_2_dot, theta_2_2_dot,
+        theta_3_2_dot,
+    ) = _entries(q_dot, (9,))
+    (m_p,) = _entries(parameters.platform_mass, ())
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    m_d_1, m_d_2, m_d_3 = _entries(parameters.link_mass, (3,))
+    m_t_1, m_t_2, m_t_3 = _entries(parameters.carriage_mass, (3,))
+    I_p_1, I_p_2, I_p_3 = _entries(parameters.pulley_inertia, (3,))
+    I_m_1, I_m_2, I_m_3 = _entries(parameters.motor_inertia, (3,))
+    i_g_1, i_g_2, i_g_3 = _entries(parameters.gear_ratio, (3,))
+    d_1_1, d_1_2, d_2_1, d_2_2, d_3_1, d_3_2 = _entries(parameters.drive, (3, 2))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, x_1_dot, m_p, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, m_t_1, I_p_1, I_m_1, i_g_1, d_1_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    s_1_x = -n_1_x*x_1 + r_1_x
+    s_1_y = -n_1_y*x_1 + r_1_y
+    s_1_z = -n_1_z*x_1 + r_1_z
+    s_2_x = -n_2_x*x_2 + r_2_x
+    s_2_y = -n_2_y*x_2 + r_2_y
+    s_2_z = -n_2_z*x_2 + r_2_z
+    s_3_x = -n_3_x*x_3 + r_3_x
+    s_3_y = -n_3_y*x_3 + r_3_y
+    s_3_z = -n_3_z*x_3 + r_3_z
+    D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z
+    D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z
+    D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z
+    A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y
+    A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x
+    A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x
+    A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y
+    A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x
+    A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x
+    A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y
+    A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x
+    A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x
+    det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z
+    t1 = 1.0/det_D_l
+    t2 = D_r_1*t1
+    D_p_x_1 = A_x_1*t2
+    t3 = D_r_2*t1
+    D_p_x_2 = A_x_2*t3
+    t4 = D_r_3*t1
+    D_p_x_3 = A_x_3*t4
+    D_p_y_1 = A_y_1*t2
+    D_p_y_2 = A_y_2*t3
+    D_p_y_3 = A_y_3*t4
+    D_p_z_1 = A_z_1*t2
+    D_p_z_2 = A_z_2*t3
+    D_p_z_3 = A_z_3*t4
+    t5 = I_m_1*i_g_1**2
+    I_1_1 = I_p_1 + d_1_1*t5
+    t6 = I_m_2*i_g_2**2
+    I_2_1 = I_p_2 + d_2_1*t6
+    t7 = I_m_3*i_g_3**2
+    I_3_1 = I_p_3 + d_3_1*t7
+    I_1_2 = I_p_1 + d_1_2*t5
+    I_2_2 = I_p_2 + d_2_2*t6
+    I_3_2 = I_p_3 + d_3_2*t7
+    v_p_x = D_p_x_1*x_1_dot + D_p_x_2*x_2_dot + D_p_x_3*x_3_dot
+    v_p_y = D_p_y_1*x_1_dot + D_p_y_2*x_2_dot + D_p_y_3*x_3_dot
+    v_p_z = D_p_z_1*x_1_dot + D_p_z_2*x_2_dot + D_p_z_3*x_3_dot
+    t8 = x_1_dot**2
+    t9 = (1/6)*m_d_1
+    t10 = x_2_dot**2
+    t11 = (1/6)*m_d_2
+    t12 = x_3_dot**2
+    t13 = (1/6)*m_d_3
+    t14 = (1/2)*m_p + t11 + t13 + t9
+    t15 = t9*x_1_dot
+    t16 = t11*x_2_dot
+    t17 = t13*x_3_dot
+    T_ss_out = np.zeros(batch, dtype)
+    T_ss_out[...] = (
+        (1/2)*m_t_1*t8 + (1/2)*m_t_2*t10 + (1/2)*m_t_3*t12 + t10*t11 + t12*t13 + t14*v_p_x**2 + t14*v_p_y**2
+        + t14*v_p_z**2 + t8*t9 + v_p_x*(n_1_x*t15 + n_2_x*t16 + n_3_x*t17) + v_p_y*(n_1_y*t15 + n_2_y*t16
+        + n_3_y*t17) + v_p_z*(n_1_z*t15 + n_2_z*t16 + n_3_z*t17)
+    )
+    T_t_out = np.zeros(batch, dtype)
+    T_t_out[...] = (
+        (1/2)*I_1_1*theta_1_1_dot**2 + (1/2)*I_1_2*theta_1_2_dot**2 + (1/2)*I_2_1*theta_2_1_dot**2
+        + (1/2)*I_2_2*theta_2_2_dot**2 + (1/2)*I_3_1*theta_3_1_dot**2 + (1/2)*I_3_2*theta_3_2_dot**2
+    )
+    return T_ss_out[()], T_t_out[()]
+
+
+def mass_matrix(p, parameters):
+    """Mass matrix M in the nine generalised coordinates.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    M : array, shape (..., 9, 9) [kg, kg m^2]
+        symmetric; M_ss (3 by 3) and the diagonal M_t.
+
+    Notes
+    -----
+    Equations 24, 30 and 33.
+    288 operations; 128922 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    (m_p,) = _entries(parameters.platform_mass, ())
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    m_d_1, m_d_2, m_d_3 = _entries(parameters.link_mass, (3,))
+    m_t_1, m_t_2, m_t_3 = _entries(parameters.carriage_mass, (3,))
+    I_p_1, I_p_2, I_p_3 = _entries(parameters.pulley_inertia, (3,))
+    I_m_1, I_m_2, I_m_3 = _entries(parameters.motor_inertia, (3,))
+    i_g_1, i_g_2, i_g_3 = _entries(parameters.gear_ratio, (3,))
+    d_1_1, d_1_2, d_2_1, d_2_2, d_3_1, d_3_2 = _entries(parameters.drive, (3, 2))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, m_p, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, m_t_1, I_p_1, I_m_1, i_g_1, d_1_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    s_1_x = -n_1_x*x_1 + r_1_x
+    s_1_y = -n_1_y*x_1 + r_1_y
+    s_1_z = -n_1_z*x_1 + r_1_z
+    s_2_x = -n_2_x*x_2 + r_2_x
+    s_2_y = -n_2_y*x_2 + r_2_y
+    s_2_z = -n_2_z*x_2 + r_2_z
+    s_3_x = -n_3_x*x_3 + r_3_x
+    s_3_y = -n_3_y*x_3 + r_3_y
+    s_3_z = -n_3_z*x_3 + r_3_z
+    D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z
+    D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z
+    D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z
+    A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y
+    A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x
+    A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x
+    A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y
+    A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x
+    A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x
+    A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y
+    A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x
+    A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x
+    det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z
+    t1 = 1.0/det_D_l
+    t2 = D_r_1*t1
+    D_p_x_1 = A_x_1*t2
+    t3 = D_r_2*t1
+    D_p_x_2 = A_x_2*t3
+    t4 = D_r_3*t1
+    D_p_x_3 = A_x_3*t4
+    D_p_y_1 = A_y_1*t2
+    D_p_y_2 = A_y_2*t3
+    D_p_y_3 = A_y_3*t4
+    D_p_z_1 = A_z_1*t2
+    D_p_z_2 = A_z_2*t3
+    D_p_z_3 = A_z_3*t4
+    t5 = I_m_1*i_g_1**2
+    I_1_1 = I_p_1 + d_1_1*t5
+    t6 = I_m_2*i_g_2**2
+    I_2_1 = I_p_2 + d_2_1*t6
+    t7 = I_m_3*i_g_3**2
+    I_3_1 = I_p_3 + d_3_1*t7
+    I_1_2 = I_p_1 + d_1_2*t5
+    I_2_2 = I_p_2 + d_2_2*t6
+    I_3_2 = I_p_3 + d_3_2*t7
+    t8 = (1/3)*m_d_1
+    t9 = (1/6)*m_d_1
+    t10 = n_1_x*t9
+    t11 = n_1_y*t9
+    t12 = n_1_z*t9
+    t13 = (1/3)*m_d_2
+    t14 = (1/3)*m_d_3
+    t15 = m_p + t13 + t14 + t8
+    t16 = D_p_x_1*t15 + t10
+    t17 = D_p_y_1*t15 + t11
+    t18 = D_p_z_1*t15 + t12
+    t19 = (1/6)*m_d_2
+    t20 = n_2_x*t19
+    t21 = n_2_y*t19
+    t22 = n_2_z*t19
+    t23 = D_p_x_1*t20 + D_p_x_2*t16 + D_p_y_1*t21 + D_p_y_2*t17 + D_p_z_1*t22 + D_p_z_2*t18
+    t24 = (1/6)*m_d_3
+    t25 = n_3_x*t24
+    t26 = n_3_y*t24
+    t27 = n_3_z*t24
+    t28 = D_p_x_1*t25 + D_p_x_3*t16 + D_p_y_1*t26 + D_p_y_3*t17 + D_p_z_1*t27 + D_p_z_3*t18
+    t29 = D_p_x_2*t15 + t20
+    t30 = D_p_y_2*t15 + t21
+    t31 = D_p_z_2*t15 + t22
+    t32 = D_p_x_2*t25 + D_p_x_3*t29 + D_p_y_2*t26 + D_p_y_3*t30 + D_p_z_2*t27 + D_p_z_3*t31
+    M_out = np.zeros((*batch, 9, 9), dtype)
+    M_out[..., 0, 0] = (
+        D_p_x_1*t10 + D_p_x_1*t16 + D_p_y_1*t11 + D_p_y_1*t17 + D_p_z_1*t12 + D_p_z_1*t18 + m_t_1 + t8
+    )
+    M_out[..., 0, 1] = t23
+    M_out[..., 0, 2] = t28
+    M_out[..., 1, 0] = t23
+    M_out[..., 1, 1] = (
+        D_p_x_2*t20 + D_p_x_2*t29 + D_p_y_2*t21 + D_p_y_2*t30 + D_p_z_2*t22 + D_p_z_2*t31 + m_t_2 + t13
+    )
+    M_out[..., 1, 2] = t32
+    M_out[..., 2, 0] = t28
+    M_out[..., 2, 1] = t32
+    M_out[..., 2, 2] = (
+        D_p_x_3*t25 + D_p_x_3*(D_p_x_3*t15 + t25) + D_p_y_3*t26 + D_p_y_3*(D_p_y_3*t15 + t26) + D_p_z_3*t27
+        + D_p_z_3*(D_p_z_3*t15 + t27) + m_t_3 + t14
+    )
+    M_out[..., 3, 3] = I_1_1
+    M_out[..., 4, 4] = I_2_1
+    M_out[..., 5, 5] = I_3_1
+    M_out[..., 6, 6] = I_1_2
+    M_out[..., 7, 7] = I_2_2
+    M_out[..., 8, 8] = I_3_2
+    return M_out
+
+
+def velocity_forces(p, x_dot, parameters):
+    """Coriolis and centrifugal forces h of M_ss x_ddot + h + grad V = Q.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    x_dot : array, shape (..., 3) [m/s]
+        Carriage velocities.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    h : array, shape (..., 3) [N]
+        Generalised forces on the carriages; the pulleys have none.
+
+    Notes
+    -----
+    Lagrange's equations, equation 47 without its linearisation.
+    750 operations; 3553737 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    x_1_dot, x_2_dot, x_3_dot = _entries(x_dot, (3,))
+    (m_p,) = _entries(parameters.platform_mass, ())
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    m_d_1, m_d_2, m_d_3 = _entries(parameters.link_mass, (3,))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, x_1_dot, m_p, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    s_1_x = -n_1_x*x_1 + r_1_x
+    s_1_y = -n_1_y*x_1 + r_1_y
+    s_1_z = -n_1_z*x_1 + r_1_z
+    s_2_x = -n_2_x*x_2 + r_2_x
+    s_2_y = -n_2_y*x_2 + r_2_y
+    s_2_z = -n_2_z*x_2 + r_2_z
+    s_3_x = -n_3_x*x_3 + r_3_x
+    s_3_y = -n_3_y*x_3 + r_3_y
+    s_3_z = -n_3_z*x_3 + r_3_z
+    D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z
+    D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z
+    D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z
+    A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y
+    A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x
+    A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x
+    A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y
+    A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x
+    A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x
+    A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y
+    A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x
+    A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x
+    det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z
+    t1 = 1.0/det_D_l
+    t2 = D_r_1*t1
+    D_p_x_1 = A_x_1*t2
+    t3 = D_r_2*t1
+    D_p_x_2 = A_x_2*t3
+    t4 = D_r_3*t1
+    D_p_x_3 = A_x_3*t4
+    D_p_y_1 = A_y_1*t2
+    D_p_y_2 = A_y_2*t3
+    D_p_y_3 = A_y_3*t4
+    D_p_z_1 = A_z_1*t2
+    D_p_z_2 = A_z_2*t3
+    D_p_z_3 = A_z_3*t4
+    U_1_x_1 = D_p_x_1 - n_1_x
+    U_1_x_2 = D_p_x_2
+    U_1_x_3 = D_p_x_3
+    U_1_y_1 = D_p_y_1 - n_1_y
+    U_1_y_2 = D_p_y_2
+    U_1_y_3 = D_p_y_3
+    U_1_z_1 = D_p_z_1 - n_1_z
+    U_1_z_2 = D_p_z_2
+    U_1_z_3 = D_p_z_3
+    U_2_x_1 = D_p_x_1
+    U_2_x_2 = D_p_x_2 - n_2_x
+    U_2_x_3 = D_p_x_3
+    U_2_y_1 = D_p_y_1
+    U_2_y_2 = D_p_y_2 - n_2_y
+    U_2_y_3 = D_p_y_3
+    U_2_z_1 = D_p_z_1
+    U_2_z_2 = D_p_z_2 - n_2_z
+    U_2_z_3 = D_p_z_3
+    U_3_x_1 = D_p_x_1
+    U_3_x_2 = D_p_x_2
+    U_3_x_3 = D_p_x_3 - n_3_x
+    U_3_y_1 = D_p_y_1
+    U_3_y_2 = D_p_y_2
+    U_3_y_3 = D_p_y_3 - n_3_y
+    U_3_z_1 = D_p_z_1
+    U_3_z_2 = D_p_z_2
+    U_3_z_3 = D_p_z_3 - n_3_z
+    f_1_11 = -U_1_x_1**2 - U_1_y_1**2 - U_1_z_1**2
+    f_2_11 = -U_2_x_1**2 - U_2_y_1**2 - U_2_z_1**2
+    f_3_11 = -U_3_x_1**2 - U_3_y_1**2 - U_3_z_1**2
+    P_x_11 = t1*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_3_11)
+    P_y_11 = t1*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_3_11)
+    P_z_11 = t1*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_3_11)
+    f_1_12 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2
+    f_2_12 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2
+    f_3_12 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2
+    P_x_12 = t1*(A_x_1*f_1_12 + A_x_2*f_2_12 + A_x_3*f_3_12)
+    P_y_12 = t1*(A_y_1*f_1_12 + A_y_2*f_2_12 + A_y_3*f_3_12)
+    P_z_12 = t1*(A_z_1*f_1_12 + A_z_2*f_2_12 + A_z_3*f_3_12)
+    f_1_13 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3
+    f_2_13 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3
+    f_3_13 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3
+    P_x_13 = t1*(A_x_1*f_1_13 + A_x_2*f_2_13 + A_x_3*f_3_13)
+    P_y_13 = t1*(A_y_1*f_1_13 + A_y_2*f_2_13 + A_y_3*f_3_13)
+    P_z_13 = t1*(A_z_1*f_1_13 + A_z_2*f_2_13 + A_z_3*f_3_13)
+    f_1_22 = -U_1_x_2**2 - U_1_y_2**2 - U_1_z_2**2
+    f_2_22 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2
+    f_3_22 = -U_3_x_2**2 - U_3_y_2**2 - U_3_z_2**2
+    P_x_22 = t1*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_3_22)
+    P_y_22 = t1*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_3_22)
+    P_z_22 = t1*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_3_22)
+    f_1_23 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3
+    f_2_23 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3
+    f_3_23 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3
+    P_x_23 = t1*(A_x_1*f_1_23 + A_x_2*f_2_23 + A_x_3*f_3_23)
+    P_y_23 = t1*(A_y_1*f_1_23 + A_y_2*f_2_23 + A_y_3*f_3_23)
+    P_z_23 = t1*(A_z_1*f_1_23 + A_z_2*f_2_23 + A_z_3*f_3_23)
+    f_1_33 = -U_1_x_3**2 - U_1_y_3**2 - U_1_z_3**2
+    f_2_33 = -U_2_x_3**2 - U_2_y_3**2 - U_2_z_3**2
+    f_3_33 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2
+    P_x_33 = t1*(A_x_1*f_1_33 + A_x_2*f_2_33 + A_x_3*f_3_33)
+    P_y_33 = t1*(A_y_1*f_1_33 + A_y_2*f_2_33 + A_y_3*f_3_33)
+    P_z_33 = t1*(A_z_1*f_1_33 + A_z_2*f_2_33 + A_z_3*f_3_33)
+    v_p_x = D_p_x_1*x_1_dot + D_p_x_2*x_2_dot + D_p_x_3*x_3_dot
+    v_p_y = D_p_y_1*x_1_dot + D_p_y_2*x_2_dot + D_p_y_3*x_3_dot
+    v_p_z = D_p_z_1*x_1_dot + D_p_z_2*x_2_dot + D_p_z_3*x_3_dot
+    s_dot_1_x = U_1_x_1*x_1_dot + U_1_x_2*x_2_dot + U_1_x_3*x_3_dot
+    s_dot_1_y = U_1_y_1*x_1_dot + U_1_y_2*x_2_dot + U_1_y_3*x_3_dot
+    s_dot_1_z = U_1_z_1*x_1_dot + U_1_z_2*x_2_dot + U_1_z_3*x_3_dot
+    s_dot_2_x = U_2_x_1*x_1_dot + U_2_x_2*x_2_dot + U_2_x_3*x_3_dot
+    s_dot_2_y = U_2_y_1*x_1_dot + U_2_y_2*x_2_dot + U_2_y_3*x_3_dot
+    s_dot_2_z = U_2_z_1*x_1_dot + U_2_z_2*x_2_dot + U_2_z_3*x_3_dot
+    s_dot_3_x = U_3_x_1*x_1_dot + U_3_x_2*x_2_dot + U_3_x_3*x_3_dot
+    s_dot_3_y = U_3_y_1*x_1_dot + U_3_y_2*x_2_dot + U_3_y_3*x_3_dot
+    s_dot_3_z = U_3_z_1*x_1_dot + U_3_z_2*x_2_dot + U_3_z_3*x_3_dot
+    t5 = -D_p_x_1*s_dot_2_x - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z
+    t6 = -D_p_x_1*s_dot_3_x - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z
+    t7 = (
+        -D_p_x_1*s_dot_1_x - D_p_y_1*s_dot_1_y - D_p_z_1*s_dot_1_z + n_1_x*s_dot_1_x + n_1_y*s_dot_1_y
+        + n_1_z*s_dot_1_z
+    )
+    D_p_dot_x_1 = t1*(A_x_1*t7 + A_x_2*t5 + A_x_3*t6)
+    D_p_dot_y_1 = t1*(A_y_1*t7 + A_y_2*t5 + A_y_3*t6)
+    D_p_dot_z_1 = t1*(A_z_1*t7 + A_z_2*t5 + A_z_3*t6)
+    t8 = -D_p_x_2*s_dot_1_x - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z
+    t9 = -D_p_x_2*s_dot_3_x - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z
+    t10 = (
+        -D_p_x_2*s_dot_2_x - D_p_y_2*s_dot_2_y - D_p_z_2*s_dot_2_z + n_2_x*s_dot_2_x + n_2_y*s_dot_2_y
+        + n_2_z*s_dot_2_z
+    )
+    D_p_dot_x_2 = t1*(A_x_1*t8 + A_x_2*t10 + A_x_3*t9)
+    D_p_dot_y_2 = t1*(A_y_1*t8 + A_y_2*t10 + A_y_3*t9)
+    D_p_dot_z_2 = t1*(A_z_1*t8 + A_z_2*t10 + A_z_3*t9)
+    t11 = -D_p_x_3*s_dot_1_x - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z
+    t12 = -D_p_x_3*s_dot_2_x - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z
+    t13 = (
+        -D_p_x_3*s_dot_3_x - D_p_y_3*s_dot_3_y - D_p_z_3*s_dot_3_z + n_3_x*s_dot_3_x + n_3_y*s_dot_3_y
+        + n_3_z*s_dot_3_z
+    )
+    D_p_dot_x_3 = t1*(A_x_1*t11 + A_x_2*t12 + A_x_3*t13)
+    D_p_dot_y_3 = t1*(A_y_1*t11 + A_y_2*t12 + A_y_3*t13)
+    D_p_dot_z_3 = t1*(A_z_1*t11 + A_z_2*t12 + A_z_3*t13)
+    t14 = (1/6)*m_d_1
+    t15 = n_1_x*t14
+    t16 = (1/6)*m_d_2
+    t17 = n_2_x*t16
+    t18 = (1/6)*m_d_3
+    t19 = n_3_x*t18
+    t20 = m_p + 2*t14 + 2*t16 + 2*t18
+    t21 = t15*x_1_dot + t17*x_2_dot + t19*x_3_dot + t20*v_p_x
+    t22 = n_1_y*t14
+    t23 = n_2_y*t16
+    t24 = n_3_y*t18
+    t25 = t20*v_p_y + t22*x_1_dot + t23*x_2_dot + t24*x_3_dot
+    t26 = n_1_z*t14
+    t27 = n_2_z*t16
+    t28 = n_3_z*t18
+    t29 = t20*v_p_z + t26*x_1_dot + t27*x_2_dot + t28*x_3_dot
+    t30 = (1/3)*m_d_1 + (1/3)*m_d_2 + (1/3)*m_d_3 + m_p
+    t31 = D_p_x_1*t30 + t15
+    t32 = D_p_y_1*t30 + t22
+    t33 = D_p_z_1*t30 + t26
+    t34 = P_x_12*t21 + P_y_12*t25 + P_z_12*t29
+    t35 = P_x_13*t21 + P_y_13*t25 + P_z_13*t29
+    t36 = D_p_x_2*t30 + t17
+    t37 = D_p_y_2*t30 + t23
+    t38 = D_p_z_2*t30 + t27
+    t39 = P_x_23*t21 + P_y_23*t25 + P_z_23*t29
+    t40 = D_p_x_3*t30 + t19
+    t41 = D_p_y_3*t30 + t24
+    t42 = D_p_z_3*t30 + t28
+    h_out = np.zeros((*batch, 3), dtype)
+    h_out[..., 0] = (
+        -D_p_dot_x_1*t21 - D_p_dot_y_1*t25 - D_p_dot_z_1*t29 + x_1_dot*(D_p_dot_x_1*t31 + D_p_dot_y_1*t32
+        + D_p_dot_z_1*t33 + P_x_11*t21 + P_y_11*t25 + P_z_11*t29) + x_2_dot*(D_p_dot_x_2*t31 + D_p_dot_y_2*t32
+        + D_p_dot_z_2*t33 + t34) + x_3_dot*(D_p_dot_x_3*t31 + D_p_dot_y_3*t32 + D_p_dot_z_3*t33 + t35)
+    )
+    h_out[..., 1] = (
+        -D_p_dot_x_2*t21 - D_p_dot_y_2*t25 - D_p_dot_z_2*t29 + x_1_dot*(D_p_dot_x_1*t36 + D_p_dot_y_1*t37
+        + D_p_dot_z_1*t38 + t34) + x_2_dot*(D_p_dot_x_2*t36 + D_p_dot_y_2*t37 + D_p_dot_z_2*t38 + P_x_22*t21
+        + P_y_22*t25 + P_z_22*t29) + x_3_dot*(D_p_dot_x_3*t36 + D_p_dot_y_3*t37 + D_p_dot_z_3*t38 + t39)
+    )
+    h_out[..., 2] = (
+        -D_p_dot_x_3*t21 - D_p_dot_y_3*t25 - D_p_dot_z_3*t29 + x_1_dot*(D_p_dot_x_1*t40 + D_p_dot_y_1*t41
+        + D_p_dot_z_1*t42 + t35) + x_2_dot*(D_p_dot_x_2*t40 + D_p_dot_y_2*t41 + D_p_dot_z_2*t42 + t39)
+        + x_3_dot*(D_p_dot_x_3*t40 + D_p_dot_y_3*t41 + D_p_dot_z_3*t42 + P_x_33*t21 + P_y_33*t25 + P_z_33*t29)
+    )
+    return h_out
+
+
+def gravity_potential(p, parameters):
+    """Gravitational potential energy V_g, the force function U_g with opposite sign.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    V_g : array, shape (...) [J]
+        Zero at the origin of the base frame.
+
+    Notes
+    -----
+    Equation 26, for gravity in any direction; the carriages' weight included.
+    195 operations; 1368 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    (m_p,) = _entries(parameters.platform_mass, ())
+    g_x, g_y, g_z = _entries(parameters.gravity, (3,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    m_d_1, m_d_2, m_d_3 = _entries(parameters.link_mass, (3,))
+    m_t_1, m_t_2, m_t_3 = _entries(parameters.carriage_mass, (3,))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, m_p, g_x, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, m_t_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    t1 = (1/2)*m_d_1
+    t2 = (1/2)*m_d_2
+    t3 = (1/2)*m_d_3
+    t4 = m_t_1*x_1
+    t5 = m_t_2*x_2
+    t6 = m_t_3*x_3
+    t7 = t1*x_1
+    t8 = t2*x_2
+    t9 = t3*x_3
+    t10 = m_p + t1 + t2 + t3
+    V_g_out = np.zeros(batch, dtype)
+    V_g_out[...] = (
+        -g_x*(b_1_x*t1 + b_2_x*t2 + b_3_x*t3 + m_t_1*o_1_x + m_t_2*o_2_x + m_t_3*o_3_x + n_1_x*t4 + n_1_x*t7
+        + n_2_x*t5 + n_2_x*t8 + n_3_x*t6 + n_3_x*t9 + o_1_x*t1 + o_2_x*t2 + o_3_x*t3 + p_x*t10)
+        - g_y*(b_1_y*t1 + b_2_y*t2 + b_3_y*t3 + m_t_1*o_1_y + m_t_2*o_2_y + m_t_3*o_3_y + n_1_y*t4 + n_1_y*t7
+        + n_2_y*t5 + n_2_y*t8 + n_3_y*t6 + n_3_y*t9 + o_1_y*t1 + o_2_y*t2 + o_3_y*t3 + p_y*t10)
+        - g_z*(b_1_z*t1 + b_2_z*t2 + b_3_z*t3 + m_t_1*o_1_z + m_t_2*o_2_z + m_t_3*o_3_z + n_1_z*t4 + n_1_z*t7
+        + n_2_z*t5 + n_2_z*t8 + n_3_z*t6 + n_3_z*t9 + o_1_z*t1 + o_2_z*t2 + o_3_z*t3 + p_z*t10)
+    )
+    return V_g_out[()]
+
+
+def gravity_gradient(p, parameters):
+    """Gradient of the gravitational potential energy by the carriage positions.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    G : array, shape (..., 3) [N]
+        dV_g/dx_k.
+
+    Notes
+    -----
+    Equation 27.
+    234 operations; 14409 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    (m_p,) = _entries(parameters.platform_mass, ())
+    g_x, g_y, g_z = _entries(parameters.gravity, (3,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    m_d_1, m_d_2, m_d_3 = _entries(parameters.link_mass, (3,))
+    m_t_1, m_t_2, m_t_3 = _entries(parameters.carriage_mass, (3,))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, m_p, g_x, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, m_t_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    s_1_x = -n_1_x*x_1 + r_1_x
+    s_1_y = -n_1_y*x_1 + r_1_y
+    s_1_z = -n_1_z*x_1 + r_1_z
+    s_2_x = -n_2_x*x_2 + r_2_x
+    s_2_y = -n_2_y*x_2 + r_2_y
+    s_2_z = -n_2_z*x_2 + r_2_z
+    s_3_x = -n_3_x*x_3 + r_3_x
+    s_3_y = -n_3_y*x_3 + r_3_y
+    s_3_z = -n_3_z*x_3 + r_3_z
+    D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z
+    D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z
+    D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z
+    A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y
+    A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x
+    A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x
+    A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y
+    A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x
+    A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x
+    A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y
+    A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x
+    A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x
+    det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z
+    t1 = 1.0/det_D_l
+    t2 = D_r_1*t1
+    D_p_x_1 = A_x_1*t2
+    t3 = D_r_2*t1
+    D_p_x_2 = A_x_2*t3
+    t4 = D_r_3*t1
+    D_p_x_3 = A_x_3*t4
+    D_p_y_1 = A_y_1*t2
+    D_p_y_2 = A_y_2*t3
+    D_p_y_3 = A_y_3*t4
+    D_p_z_1 = A_z_1*t2
+    D_p_z_2 = A_z_2*t3
+    D_p_z_3 = A_z_3*t4
+    t5 = (1/2)*m_d_1
+    t6 = (1/2)*m_d_2
+    t7 = (1/2)*m_d_3
+    t8 = m_p + t5 + t6 + t7
+    t9 = g_x*t8
+    t10 = g_y*t8
+    t11 = g_z*t8
+    G_out = np.zeros((*batch, 3), dtype)
+    G_out[..., 0] = (
+        -D_p_x_1*t9 - D_p_y_1*t10 - D_p_z_1*t11 - g_x*(m_t_1*n_1_x + n_1_x*t5) - g_y*(m_t_1*n_1_y + n_1_y*t5)
+        - g_z*(m_t_1*n_1_z + n_1_z*t5)
+    )
+    G_out[..., 1] = (
+        -D_p_x_2*t9 - D_p_y_2*t10 - D_p_z_2*t11 - g_x*(m_t_2*n_2_x + n_2_x*t6) - g_y*(m_t_2*n_2_y + n_2_y*t6)
+        - g_z*(m_t_2*n_2_z + n_2_z*t6)
+    )
+    G_out[..., 2] = (
+        -D_p_x_3*t9 - D_p_y_3*t10 - D_p_z_3*t11 - g_x*(m_t_3*n_3_x + n_3_x*t7) - g_y*(m_t_3*n_3_y + n_3_y*t7)
+        - g_z*(m_t_3*n_3_z + n_3_z*t7)
+    )
+    return G_out
+
+
+def gravity_hessian(p, parameters):
+    """Hessian of the gravitational potential energy by the carriage positions.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    H_g : array, shape (..., 3, 3) [N/m]
+        d2V_g/dx_k dx_l, symmetric.
+
+    Notes
+    -----
+    Section 4 and equation 49.
+    432 operations; 695736 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    (m_p,) = _entries(parameters.platform_mass, ())
+    g_x, g_y, g_z = _entries(parameters.gravity, (3,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    m_d_1, m_d_2, m_d_3 = _entries(parameters.link_mass, (3,))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, m_p, g_x, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    s_1_x = -n_1_x*x_1 + r_1_x
+    s_1_y = -n_1_y*x_1 + r_1_y
+    s_1_z = -n_1_z*x_1 + r_1_z
+    s_2_x = -n_2_x*x_2 + r_2_x
+    s_2_y = -n_2_y*x_2 + r_2_y
+    s_2_z = -n_2_z*x_2 + r_2_z
+    s_3_x = -n_3_x*x_3 + r_3_x
+    s_3_y = -n_3_y*x_3 + r_3_y
+    s_3_z = -n_3_z*x_3 + r_3_z
+    D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z
+    D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z
+    D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z
+    A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y
+    A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x
+    A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x
+    A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y
+    A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x
+    A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x
+    A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y
+    A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x
+    A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x
+    det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z
+    t1 = 1.0/det_D_l
+    t2 = D_r_1*t1
+    D_p_x_1 = A_x_1*t2
+    t3 = D_r_2*t1
+    D_p_x_2 = A_x_2*t3
+    t4 = D_r_3*t1
+    D_p_x_3 = A_x_3*t4
+    D_p_y_1 = A_y_1*t2
+    D_p_y_2 = A_y_2*t3
+    D_p_y_3 = A_y_3*t4
+    D_p_z_1 = A_z_1*t2
+    D_p_z_2 = A_z_2*t3
+    D_p_z_3 = A_z_3*t4
+    U_1_x_1 = D_p_x_1 - n_1_x
+    U_1_x_2 = D_p_x_2
+    U_1_x_3 = D_p_x_3
+    U_1_y_1 = D_p_y_1 - n_1_y
+    U_1_y_2 = D_p_y_2
+    U_1_y_3 = D_p_y_3
+    U_1_z_1 = D_p_z_1 - n_1_z
+    U_1_z_2 = D_p_z_2
+    U_1_z_3 = D_p_z_3
+    U_2_x_1 = D_p_x_1
+    U_2_x_2 = D_p_x_2 - n_2_x
+    U_2_x_3 = D_p_x_3
+    U_2_y_1 = D_p_y_1
+    U_2_y_2 = D_p_y_2 - n_2_y
+    U_2_y_3 = D_p_y_3
+    U_2_z_1 = D_p_z_1
+    U_2_z_2 = D_p_z_2 - n_2_z
+    U_2_z_3 = D_p_z_3
+    U_3_x_1 = D_p_x_1
+    U_3_x_2 = D_p_x_2
+    U_3_x_3 = D_p_x_3 - n_3_x
+    U_3_y_1 = D_p_y_1
+    U_3_y_2 = D_p_y_2
+    U_3_y_3 = D_p_y_3 - n_3_y
+    U_3_z_1 = D_p_z_1
+    U_3_z_2 = D_p_z_2
+    U_3_z_3 = D_p_z_3 - n_3_z
+    f_1_11 = -U_1_x_1**2 - U_1_y_1**2 - U_1_z_1**2
+    f_2_11 = -U_2_x_1**2 - U_2_y_1**2 - U_2_z_1**2
+    f_3_11 = -U_3_x_1**2 - U_3_y_1**2 - U_3_z_1**2
+    P_x_11 = t1*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_3_11)
+    P_y_11 = t1*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_3_11)
+    P_z_11 = t1*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_3_11)
+    f_1_12 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2
+    f_2_12 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2
+    f_3_12 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2
+    P_x_12 = t1*(A_x_1*f_1_12 + A_x_2*f_2_12 + A_x_3*f_3_12)
+    P_y_12 = t1*(A_y_1*f_1_12 + A_y_2*f_2_12 + A_y_3*f_3_12)
+    P_z_12 = t1*(A_z_1*f_1_12 + A_z_2*f_2_12 + A_z_3*f_3_12)
+    f_1_13 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3
+    f_2_13 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3
+    f_3_13 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3
+    P_x_13 = t1*(A_x_1*f_1_13 + A_x_2*f_2_13 + A_x_3*f_3_13)
+    P_y_13 = t1*(A_y_1*f_1_13 + A_y_2*f_2_13 + A_y_3*f_3_13)
+    P_z_13 = t1*(A_z_1*f_1_13 + A_z_2*f_2_13 + A_z_3*f_3_13)
+    f_1_22 = -U_1_x_2**2 - U_1_y_2**2 - U_1_z_2**2
+    f_2_22 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2
+    f_3_22 = -U_3_x_2**2 - U_3_y_2**2 - U_3_z_2**2
+    P_x_22 = t1*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_3_22)
+    P_y_22 = t1*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_3_22)
+    P_z_22 = t1*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_3_22)
+    f_1_23 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3
+    f_2_23 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3
+    f_3_23 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3
+    P_x_23 = t1*(A_x_1*f_1_23 + A_x_2*f_2_23 + A_x_3*f_3_23)
+    P_y_23 = t1*(A_y_1*f_1_23 + A_y_2*f_2_23 + A_y_3*f_3_23)
+    P_z_23 = t1*(A_z_1*f_1_23 + A_z_2*f_2_23 + A_z_3*f_3_23)
+    f_1_33 = -U_1_x_3**2 - U_1_y_3**2 - U_1_z_3**2
+    f_2_33 = -U_2_x_3**2 - U_2_y_3**2 - U_2_z_3**2
+    f_3_33 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2
+    P_x_33 = t1*(A_x_1*f_1_33 + A_x_2*f_2_33 + A_x_3*f_3_33)
+    P_y_33 = t1*(A_y_1*f_1_33 + A_y_2*f_2_33 + A_y_3*f_3_33)
+    P_z_33 = t1*(A_z_1*f_1_33 + A_z_2*f_2_33 + A_z_3*f_3_33)
+    t5 = (1/2)*m_d_1 + (1/2)*m_d_2 + (1/2)*m_d_3 + m_p
+    t6 = g_x*t5
+    t7 = g_y*t5
+    t8 = g_z*t5
+    t9 = -P_x_12*t6 - P_y_12*t7 - P_z_12*t8
+    t10 = -P_x_13*t6 - P_y_13*t7 - P_z_13*t8
+    t11 = -P_x_23*t6 - P_y_23*t7 - P_z_23*t8
+    H_g_out = np.zeros((*batch, 3, 3), dtype)
+    H_g_out[..., 0, 0] = -P_x_11*t6 - P_y_11*t7 - P_z_11*t8
+    H_g_out[..., 0, 1] = t9
+    H_g_out[..., 0, 2] = t10
+    H_g_out[..., 1, 0] = t9
+    H_g_out[..., 1, 1] = -P_x_22*t6 - P_y_22*t7 - P_z_22*t8
+    H_g_out[..., 1, 2] = t11
+    H_g_out[..., 2, 0] = t10
+    H_g_out[..., 2, 1] = t11
+    H_g_out[..., 2, 2] = -P_x_33*t6 - P_y_33*t7 - P_z_33*t8
+    return H_g_out
+
+
+def belt_stiffness(p, parameters):
+    """Stiffnesses of the belt spans.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    k : array, shape (..., 3, 3) [N/m]
+        k[j-1, k-1], the spans in the order of `belt_spans`.
+
+    Notes
+    -----
+    Equations 34 to 37.
+    114 operations; 441 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    l_t_1, l_t_2, l_t_3 = _entries(parameters.carriage_length, (3,))
+    k_sp_1, k_sp_2, k_sp_3 = _entries(parameters.belt_specific_stiffness, (3,))
+    w_b_1, w_b_2, w_b_3 = _entries(parameters.belt_width, (3,))
+    x_min_1, x_max_1, x_min_2, x_max_2, x_min_3, x_max_3 = _entries(parameters.limits, (3, 2))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, o_1_x, n_1_x, b_1_x, l_d_1, l_t_1, k_sp_1, w_b_1, x_min_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    l_f_1_1 = x_max_1 - x_min_1
+    t1 = k_sp_1*w_b_1
+    k_1_1 = t1/l_f_1_1
+    t2 = (1/2)*l_t_1
+    l_f_1_2 = -t2 + x_1 - x_min_1
+    k_1_2 = t1/l_f_1_2
+    l_f_1_3 = -t2 - x_1 + x_max_1
+    k_1_3 = t1/l_f_1_3
+    l_f_2_1 = x_max_2 - x_min_2
+    t3 = k_sp_2*w_b_2
+    k_2_1 = t3/l_f_2_1
+    t4 = (1/2)*l_t_2
+    l_f_2_2 = -t4 + x_2 - x_min_2
+    k_2_2 = t3/l_f_2_2
+    l_f_2_3 = -t4 - x_2 + x_max_2
+    k_2_3 = t3/l_f_2_3
+    l_f_3_1 = x_max_3 - x_min_3
+    t5 = k_sp_3*w_b_3
+    k_3_1 = t5/l_f_3_1
+    t6 = (1/2)*l_t_3
+    l_f_3_2 = -t6 + x_3 - x_min_3
+    k_3_2 = t5/l_f_3_2
+    l_f_3_3 = -t6 - x_3 + x_max_3
+    k_3_3 = t5/l_f_3_3
+    k_out = np.zeros((*batch, 3, 3), dtype)
+    k_out[..., 0, 0] = k_1_1
+    k_out[..., 0, 1] = k_1_2
+    k_out[..., 0, 2] = k_1_3
+    k_out[..., 1, 0] = k_2_1
+    k_out[..., 1, 1] = k_2_2
+    k_out[..., 1, 2] = k_2_3
+    k_out[..., 2, 0] = k_3_1
+    k_out[..., 2, 1] = k_3_2
+    k_out[..., 2, 2] = k_3_3
+    return k_out
+
+
+def elastic_potential(p, delta_q, parameters):
+    """Elastic potential energy V_el of the belts, the force function U_el with opposite sign.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    delta_q : array, shape (..., 9) [m, rad]
+        Small displacements of the nine generalised coordinates from the reference configuration at p.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    V_el : array, shape (...) [J]
+        Zero in the reference configuration.
+
+    Notes
+    -----
+    Equation 38, summed over the axes.
+    164 operations; 497 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    (
+        delta_x_1, delta_x_2, delta_x_3, delta_theta_1_1, delta_theta_2_1, delta_theta_3_1, delta_theta_1_2,
+        delta_theta_2_2, delta_theta_3_2,
+    ) = _entries(delta_q, (9,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    l_t_1, l_t_2, l_t_3 = _entries(parameters.carriage_length, (3,))
+    k_sp_1, k_sp_2, k_sp_3 = _entries(parameters.belt_specific_stiffness, (3,))
+    w_b_1, w_b_2, w_b_3 = _entries(parameters.belt_width, (3,))
+    R_p_1, R_p_2, R_p_3 = _entries(parameters.pulley_radius, (3,))
+    x_min_1, x_max_1, x_min_2, x_max_2, x_min_3, x_max_3 = _entries(parameters.limits, (3, 2))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, delta_x_1, o_1_x, n_1_x, b_1_x, l_d_1, l_t_1, k_sp_1, w_b_1, R_p_1, x_min_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    l_f_1_1 = x_max_1 - x_min_1
+    t1 = k_sp_1*w_b_1
+    k_1_1 = t1/l_f_1_1
+    t2 = (1/2)*l_t_1
+    l_f_1_2 = -t2 + x_1 - x_min_1
+    k_1_2 = t1/l_f_1_2
+    l_f_1_3 = -t2 - x_1 + x_max_1
+    k_1_3 = t1/l_f_1_3
+    l_f_2_1 = x_max_2 - x_min_2
+    t3 = k_sp_2*w_b_2
+    k_2_1 = t3/l_f_2_1
+    t4 = (1/2)*l_t_2
+    l_f_2_2 = -t4 + x_2 - x_min_2
+    k_2_2 = t3/l_f_2_2
+    l_f_2_3 = -t4 - x_2 + x_max_2
+    k_2_3 = t3/l_f_2_3
+    l_f_3_1 = x_max_3 - x_min_3
+    t5 = k_sp_3*w_b_3
+    k_3_1 = t5/l_f_3_1
+    t6 = (1/2)*l_t_3
+    l_f_3_2 = -t6 + x_3 - x_min_3
+    k_3_2 = t5/l_f_3_2
+    l_f_3_3 = -t6 - x_3 + x_max_3
+    k_3_3 = t5/l_f_3_3
+    t7 = R_p_3*delta_theta_3_2
+    t8 = R_p_1*delta_theta_1_1
+    t9 = R_p_2*delta_theta_2_1
+    t10 = R_p_3*delta_theta_3_1
+    t11 = R_p_1*delta_theta_1_2
+    t12 = R_p_2*delta_theta_2_2
+    V_el_out = np.zeros(batch, dtype)
+    V_el_out[...] = (
+        (1/2)*k_1_1*(t11 - t8)**2 + (1/2)*k_1_2*(delta_x_1 - t11)**2 + (1/2)*k_1_3*(-delta_x_1 + t8)**2
+        + (1/2)*k_2_1*(t12 - t9)**2 + (1/2)*k_2_2*(delta_x_2 - t12)**2 + (1/2)*k_2_3*(-delta_x_2 + t9)**2
+        + (1/2)*k_3_1*(-t10 + t7)**2 + (1/2)*k_3_2*(delta_x_3 - t7)**2 + (1/2)*k_3_3*(-delta_x_3 + t10)**2
+    )
+    return V_el_out[()]
+
+
+def elastic_gradient(p, delta_q, parameters):
+    """Gradient of the elastic potential energy.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    delta_q : array, shape (..., 9) [m, rad]
+        Small displacements of the nine generalised coordinates from the reference configuration at p.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    E : array, shape (..., 9) [N, N m]
+        dV_el/dq.
+
+    Notes
+    -----
+    Equation 38 differentiated.
+    192 operations; 981 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    (
+        delta_x_1, delta_x_2, delta_x_3, delta_theta_1_1, delta_theta_2_1, delta_theta_3_1, delta_theta_1_2,
+        delta_theta_2_2, delta_theta_3_2,
+    ) = _entries(delta_q, (9,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    l_t_1, l_t_2, l_t_3 = _entries(parameters.carriage_length, (3,))
+    k_sp_1, k_sp_2, k_sp_3 = _entries(parameters.belt_specific_stiffness, (3,))
+    w_b_1, w_b_2, w_b_3 = _entries(parameters.belt_width, (3,))
+    R_p_1, R_p_2, R_p_3 = _entries(parameters.pulley_radius, (3,))
+    x_min_1, x_max_1, x_min_2, x_max_2, x_min_3, x_max_3 = _entries(parameters.limits, (3, 2))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, delta_x_1, o_1_x, n_1_x, b_1_x, l_d_1, l_t_1, k_sp_1, w_b_1, R_p_1, x_min_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    l_f_1_1 = x_max_1 - x_min_1
+    t1 = k_sp_1*w_b_1
+    k_1_1 = t1/l_f_1_1
+    t2 = (1/2)*l_t_1
+    l_f_1_2 = -t2 + x_1 - x_min_1
+    k_1_2 = t1/l_f_1_2
+    l_f_1_3 = -t2 - x_1 + x_max_1
+    k_1_3 = t1/l_f_1_3
+    l_f_2_1 = x_max_2 - x_min_2
+    t3 = k_sp_2*w_b_2
+    k_2_1 = t3/l_f_2_1
+    t4 = (1/2)*l_t_2
+    l_f_2_2 = -t4 + x_2 - x_min_2
+    k_2_2 = t3/l_f_2_2
+    l_f_2_3 = -t4 - x_2 + x_max_2
+    k_2_3 = t3/l_f_2_3
+    l_f_3_1 = x_max_3 - x_min_3
+    t5 = k_sp_3*w_b_3
+    k_3_1 = t5/l_f_3_1
+    t6 = (1/2)*l_t_3
+    l_f_3_2 = -t6 + x_3 - x_min_3
+    k_3_2 = t5/l_f_3_2
+    l_f_3_3 = -t6 - x_3 + x_max_3
+    k_3_3 = t5/l_f_3_3
+    t7 = -2*delta_x_1
+    t8 = R_p_1*delta_theta_1_2
+    t9 = R_p_1*delta_theta_1_1
+    t10 = R_p_2*delta_theta_2_2
+    t11 = R_p_2*delta_theta_2_1
+    t12 = -2*delta_x_2
+    t13 = -2*delta_x_3
+    t14 = R_p_3*delta_theta_3_2
+    t15 = R_p_3*delta_theta_3_1
+    t16 = R_p_1*k_1_1*(t8 - t9)
+    t17 = R_p_2*k_2_1*(t10 - t11)
+    t18 = R_p_3*k_3_1*(t14 - t15)
+    E_out = np.zeros((*batch, 9), dtype)
+    E_out[..., 0] = (1/2)*k_1_2*(-t7 - 2*t8) + (1/2)*k_1_3*(-t7 - 2*t9)
+    E_out[..., 1] = (1/2)*k_2_2*(-2*t10 - t12) + (1/2)*k_2_3*(-2*t11 - t12)
+    E_out[..., 2] = (1/2)*k_3_2*(-t13 - 2*t14) + (1/2)*k_3_3*(-t13 - 2*t15)
+    E_out[..., 3] = R_p_1*k_1_3*(-delta_x_1 + t9) - t16
+    E_out[..., 4] = R_p_2*k_2_3*(-delta_x_2 + t11) - t17
+    E_out[..., 5] = R_p_3*k_3_3*(-delta_x_3 + t15) - t18
+    E_out[..., 6] = -R_p_1*k_1_2*(delta_x_1 - t8) + t16
+    E_out[..., 7] = -R_p_2*k_2_2*(delta_x_2 - t10) + t17
+    E_out[..., 8] = -R_p_3*k_3_2*(delta_x_3 - t14) + t18
+    return E_out
+
+
+def elastic_hessian(p, parameters):
+    """Hessian of the elastic potential energy.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    H_el : array, shape (..., 9, 9) [N/m, N, N m]
+        d2V_el/dq2, symmetric, three zero eigenvalues.
+
+    Notes
+    -----
+    Equation 38 differentiated twice.
+    153 operations; 1839 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    l_t_1, l_t_2, l_t_3 = _entries(parameters.carriage_length, (3,))
+    k_sp_1, k_sp_2, k_sp_3 = _entries(parameters.belt_specific_stiffness, (3,))
+    w_b_1, w_b_2, w_b_3 = _entries(parameters.belt_width, (3,))
+    R_p_1, R_p_2, R_p_3 = _entries(parameters.pulley_radius, (3,))
+    x_min_1, x_max_1, x_min_2, x_max_2, x_min_3, x_max_3 = _entries(parameters.limits, (3, 2))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, o_1_x, n_1_x, b_1_x, l_d_1, l_t_1, k_sp_1, w_b_1, R_p_1, x_min_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    l_f_1_1 = x_max_1 - x_min_1
+    t1 = k_sp_1*w_b_1
+    k_1_1 = t1/l_f_1_1
+    t2 = (1/2)*l_t_1
+    l_f_1_2 = -t2 + x_1 - x_min_1
+    k_1_2 = t1/l_f_1_2
+    l_f_1_3 = -t2 - x_1 + x_max_1
+    k_1_3 = t1/l_f_1_3
+    l_f_2_1 = x_max_2 - x_min_2
+    t3 = k_sp_2*w_b_2
+    k_2_1 = t3/l_f_2_1
+    t4 = (1/2)*l_t_2
+    l_f_2_2 = -t4 + x_2 - x_min_2
+    k_2_2 = t3/l_f_2_2
+    l_f_2_3 = -t4 - x_2 + x_max_2
+    k_2_3 = t3/l_f_2_3
+    l_f_3_1 = x_max_3 - x_min_3
+    t5 = k_sp_3*w_b_3
+    k_3_1 = t5/l_f_3_1
+    t6 = (1/2)*l_t_3
+    l_f_3_2 = -t6 + x_3 - x_min_3
+    k_3_2 = t5/l_f_3_2
+    l_f_3_3 = -t6 - x_3 + x_max_3
+    k_3_3 = t5/l_f_3_3
+    t7 = -R_p_1*k_1_3
+    t8 = -R_p_1*k_1_2
+    t9 = -R_p_2*k_2_3
+    t10 = -R_p_2*k_2_2
+    t11 = -R_p_3*k_3_3
+    t12 = -R_p_3*k_3_2
+    t13 = R_p_1**2
+    t14 = k_1_1*t13
+    t15 = R_p_2**2
+    t16 = k_2_1*t15
+    t17 = R_p_3**2
+    t18 = k_3_1*t17
+    H_el_out = np.zeros((*batch, 9, 9), dtype)
+    H_el_out[..., 0, 0] = k_1_2 + k_1_3
+    H_el_out[..., 0, 3] = t7
+    H_el_out[..., 0, 6] = t8
+    H_el_out[..., 1, 1] = k_2_2 + k_2_3
+    H_el_out[..., 1, 4] = t9
+    H_el_out[..., 1, 7] = t10
+    H_el_out[..., 2, 2] = k_3_2 + k_3_3
+    H_el_out[..., 2, 5] = t11
+    H_el_out[..., 2, 8] = t12
+    H_el_out[..., 3, 0] = t7
+    H_el_out[..., 3, 3] = k_1_3*t13 + t14
+    H_el_out[..., 3, 6] = -t14
+    H_el_out[..., 4, 1] = t9
+    H_el_out[..., 4, 4] = k_2_3*t15 + t16
+    H_el_out[..., 4, 7] = -t16
+    H_el_out[..., 5, 2] = t11
+    H_el_out[..., 5, 5] = k_3_3*t17 + t18
+    H_el_out[..., 5, 8] = -t18
+    H_el_out[..., 6, 0] = t8
+    H_el_out[..., 6, 3] = -t14
+    H_el_out[..., 6, 6] = k_1_2*t13 + t14
+    H_el_out[..., 7, 1] = t10
+    H_el_out[..., 7, 4] = -t16
+    H_el_out[..., 7, 7] = k_2_2*t15 + t16
+    H_el_out[..., 8, 2] = t12
+    H_el_out[..., 8, 5] = -t18
+    H_el_out[..., 8, 8] = k_3_2*t17 + t18
+    return H_el_out
+
+
+def static_equilibrium(p, parameters):
+    """Torques and pulley rotations that hold the pose.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    tau_st : array, shape (..., 3) [N m]
+        Torques on the driven pulleys, positive with theta.
+    theta_st : array, shape (..., 6) [rad]
+        Rotations from the unstrained belts, in the order of the coordinates theta.
+
+    Notes
+    -----
+    Equation 44, solved for the carriages fixed at the pose.
+    363 operations; 125757 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    (m_p,) = _entries(parameters.platform_mass, ())
+    g_x, g_y, g_z = _entries(parameters.gravity, (3,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    m_d_1, m_d_2, m_d_3 = _entries(parameters.link_mass, (3,))
+    m_t_1, m_t_2, m_t_3 = _entries(parameters.carriage_mass, (3,))
+    l_t_1, l_t_2, l_t_3 = _entries(parameters.carriage_length, (3,))
+    k_sp_1, k_sp_2, k_sp_3 = _entries(parameters.belt_specific_stiffness, (3,))
+    w_b_1, w_b_2, w_b_3 = _entries(parameters.belt_width, (3,))
+    R_p_1, R_p_2, R_p_3 = _entries(parameters.pulley_radius, (3,))
+    d_1_1, d_1_2, d_2_1, d_2_2, d_3_1, d_3_2 = _entries(parameters.drive, (3, 2))
+    x_min_1, x_max_1, x_min_2, x_max_2, x_min_3, x_max_3 = _entries(parameters.limits, (3, 2))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, m_p, g_x, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, m_t_1, l_t_1, k_sp_1, w_b_1, R_p_1, d_1_1, x_min_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    s_1_x = -n_1_x*x_1 + r_1_x
+    s_1_y = -n_1_y*x_1 + r_1_y
+    s_1_z = -n_1_z*x_1 + r_1_z
+    s_2_x = -n_2_x*x_2 + r_2_x
+    s_2_y = -n_2_y*x_2 + r_2_y
+    s_2_z = -n_2_z*x_2 + r_2_z
+    s_3_x = -n_3_x*x_3 + r_3_x
+    s_3_y = -n_3_y*x_3 + r_3_y
+    s_3_z = -n_3_z*x_3 + r_3_z
+    D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z
+    D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z
+    D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z
+    A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y
+    A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x
+    A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x
+    A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y
+    A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x
+    A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x
+    A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y
+    A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x
+    A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x
+    det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z
+    t1 = 1.0/det_D_l
+    t2 = D_r_1*t1
+    D_p_x_1 = A_x_1*t2
+    t3 = D_r_2*t1
+    D_p_x_2 = A_x_2*t3
+    t4 = D_r_3*t1
+    D_p_x_3 = A_x_3*t4
+    D_p_y_1 = A_y_1*t2
+    D_p_y_2 = A_y_2*t3
+    D_p_y_3 = A_y_3*t4
+    D_p_z_1 = A_z_1*t2
+    D_p_z_2 = A_z_2*t3
+    D_p_z_3 = A_z_3*t4
+    l_f_1_1 = x_max_1 - x_min_1
+    t5 = k_sp_1*w_b_1
+    k_1_1 = t5/l_f_1_1
+    t6 = (1/2)*l_t_1
+    l_f_1_2 = -t6 + x_1 - x_min_1
+    k_1_2 = t5/l_f_1_2
+    l_f_1_3 = -t6 - x_1 + x_max_1
+    k_1_3 = t5/l_f_1_3
+    l_f_2_1 = x_max_2 - x_min_2
+    t7 = k_sp_2*w_b_2
+    k_2_1 = t7/l_f_2_1
+    t8 = (1/2)*l_t_2
+    l_f_2_2 = -t8 + x_2 - x_min_2
+    k_2_2 = t7/l_f_2_2
+    l_f_2_3 = -t8 - x_2 + x_max_2
+    k_2_3 = t7/l_f_2_3
+    l_f_3_1 = x_max_3 - x_min_3
+    t9 = k_sp_3*w_b_3
+    k_3_1 = t9/l_f_3_1
+    t10 = (1/2)*l_t_3
+    l_f_3_2 = -t10 + x_3 - x_min_3
+    k_3_2 = t9/l_f_3_2
+    l_f_3_3 = -t10 - x_3 + x_max_3
+    k_3_3 = t9/l_f_3_3
+    t11 = (1/2)*m_d_1
+    t12 = (1/2)*m_d_2
+    t13 = (1/2)*m_d_3
+    t14 = m_p + t11 + t12 + t13
+    t15 = g_x*t14
+    t16 = g_y*t14
+    t17 = g_z*t14
+    G_1 = (
+        -D_p_x_1*t15 - D_p_y_1*t16 - D_p_z_1*t17 - g_x*(m_t_1*n_1_x + n_1_x*t11) - g_y*(m_t_1*n_1_y
+        + n_1_y*t11) - g_z*(m_t_1*n_1_z + n_1_z*t11)
+    )
+    t18 = R_p_1**2
+    t19 = k_1_1*t18
+    t20 = k_1_3*t18
+    t21 = -d_1_1*t19 + d_1_2*(t19 + t20)
+    t22 = k_1_2*t18
+    t23 = d_1_1*(t19 + t22) - d_1_2*t19
+    det_1 = R_p_1*k_1_2*t21 - R_p_1*k_1_3*t23
+    t24 = G_1/det_1
+    theta_1_1_st = -t23*t24
+    theta_1_2_st = t21*t24
+    t25 = R_p_1*k_1_1*(-R_p_1*theta_1_1_st + R_p_1*theta_1_2_st)
+    tau_st_1 = d_1_1*(t20*theta_1_1_st - t25) + d_1_2*(t22*theta_1_2_st + t25)
+    G_2 = (
+        -D_p_x_2*t15 - D_p_y_2*t16 - D_p_z_2*t17 - g_x*(m_t_2*n_2_x + n_2_x*t12) - g_y*(m_t_2*n_2_y
+        + n_2_y*t12) - g_z*(m_t_2*n_2_z + n_2_z*t12)
+    )
+    t26 = R_p_2**2
+    t27 = k_2_1*t26
+    t28 = k_2_3*t26
+    t29 = -d_2_1*t27 + d_2_2*(t27 + t28)
+    t30 = k_2_2*t26
+    t31 = d_2_1*(t27 + t30) - d_2_2*t27
+    det_2 = R_p_2*k_2_2*t29 - R_p_2*k_2_3*t31
+    t32 = G_2/det_2
+    theta_2_1_st = -t31*t32
+    theta_2_2_st = t29*t32
+    t33 = R_p_2*k_2_1*(-R_p_2*theta_2_1_st + R_p_2*theta_2_2_st)
+    tau_st_2 = d_2_1*(t28*theta_2_1_st - t33) + d_2_2*(t30*theta_2_2_st + t33)
+    G_3 = (
+        -D_p_x_3*t15 - D_p_y_3*t16 - D_p_z_3*t17 - g_x*(m_t_3*n_3_x + n_3_x*t13) - g_y*(m_t_3*n_3_y
+        + n_3_y*t13) - g_z*(m_t_3*n_3_z + n_3_z*t13)
+    )
+    t34 = R_p_3**2
+    t35 = k_3_1*t34
+    t36 = k_3_3*t34
+    t37 = -d_3_1*t35 + d_3_2*(t35 + t36)
+    t38 = k_3_2*t34
+    t39 = d_3_1*(t35 + t38) - d_3_2*t35
+    det_3 = R_p_3*k_3_2*t37 - R_p_3*k_3_3*t39
+    t40 = G_3/det_3
+    theta_3_1_st = -t39*t40
+    theta_3_2_st = t37*t40
+    t41 = R_p_3*k_3_1*(-R_p_3*theta_3_1_st + R_p_3*theta_3_2_st)
+    tau_st_3 = d_3_1*(t36*theta_3_1_st - t41) + d_3_2*(t38*theta_3_2_st + t41)
+    tau_st_out = np.zeros((*batch, 3), dtype)
+    tau_st_out[..., 0] = tau_st_1
+    tau_st_out[..., 1] = tau_st_2
+    tau_st_out[..., 2] = tau_st_3
+    theta_st_out = np.zeros((*batch, 6), dtype)
+    theta_st_out[..., 0] = theta_1_1_st
+    theta_st_out[..., 1] = theta_2_1_st
+    theta_st_out[..., 2] = theta_3_1_st
+    theta_st_out[..., 3] = theta_1_2_st
+    theta_st_out[..., 4] = theta_2_2_st
+    theta_st_out[..., 5] = theta_3_2_st
+    return tau_st_out, theta_st_out
+
+
+def stiffness_matrix(p, parameters):
+    """Stiffness matrix K in the nine generalised coordinates.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    K : array, shape (..., 9, 9) [N/m, N, N m]
+        symmetric; Hessian of V_el + V_g, positive for a restoring force.
+
+    Notes
+    -----
+    Equations 46 and 48: K = -H_U.
+    501 operations; 697575 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    (m_p,) = _entries(parameters.platform_mass, ())
+    g_x, g_y, g_z = _entries(parameters.gravity, (3,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    m_d_1, m_d_2, m_d_3 = _entries(parameters.link_mass, (3,))
+    l_t_1, l_t_2, l_t_3 = _entries(parameters.carriage_length, (3,))
+    k_sp_1, k_sp_2, k_sp_3 = _entries(parameters.belt_specific_stiffness, (3,))
+    w_b_1, w_b_2, w_b_3 = _entries(parameters.belt_width, (3,))
+    R_p_1, R_p_2, R_p_3 = _entries(parameters.pulley_radius, (3,))
+    x_min_1, x_max_1, x_min_2, x_max_2, x_min_3, x_max_3 = _entries(parameters.limits, (3, 2))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, m_p, g_x, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, l_t_1, k_sp_1, w_b_1, R_p_1, x_min_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    s_1_x = -n_1_x*x_1 + r_1_x
+    s_1_y = -n_1_y*x_1 + r_1_y
+    s_1_z = -n_1_z*x_1 + r_1_z
+    s_2_x = -n_2_x*x_2 + r_2_x
+    s_2_y = -n_2_y*x_2 + r_2_y
+    s_2_z = -n_2_z*x_2 + r_2_z
+    s_3_x = -n_3_x*x_3 + r_3_x
+    s_3_y = -n_3_y*x_3 + r_3_y
+    s_3_z = -n_3_z*x_3 + r_3_z
+    D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z
+    D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z
+    D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z
+    A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y
+    A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x
+    A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x
+    A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y
+    A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x
+    A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x
+    A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y
+    A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x
+    A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x
+    det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z
+    t1 = 1.0/det_D_l
+    t2 = D_r_1*t1
+    D_p_x_1 = A_x_1*t2
+    t3 = D_r_2*t1
+    D_p_x_2 = A_x_2*t3
+    t4 = D_r_3*t1
+    D_p_x_3 = A_x_3*t4
+    D_p_y_1 = A_y_1*t2
+    D_p_y_2 = A_y_2*t3
+    D_p_y_3 = A_y_3*t4
+    D_p_z_1 = A_z_1*t2
+    D_p_z_2 = A_z_2*t3
+    D_p_z_3 = A_z_3*t4
+    U_1_x_1 = D_p_x_1 - n_1_x
+    U_1_x_2 = D_p_x_2
+    U_1_x_3 = D_p_x_3
+    U_1_y_1 = D_p_y_1 - n_1_y
+    U_1_y_2 = D_p_y_2
+    U_1_y_3 = D_p_y_3
+    U_1_z_1 = D_p_z_1 - n_1_z
+    U_1_z_2 = D_p_z_2
+    U_1_z_3 = D_p_z_3
+    U_2_x_1 = D_p_x_1
+    U_2_x_2 = D_p_x_2 - n_2_x
+    U_2_x_3 = D_p_x_3
+    U_2_y_1 = D_p_y_1
+    U_2_y_2 = D_p_y_2 - n_2_y
+    U_2_y_3 = D_p_y_3
+    U_2_z_1 = D_p_z_1
+    U_2_z_2 = D_p_z_2 - n_2_z
+    U_2_z_3 = D_p_z_3
+    U_3_x_1 = D_p_x_1
+    U_3_x_2 = D_p_x_2
+    U_3_x_3 = D_p_x_3 - n_3_x
+    U_3_y_1 = D_p_y_1
+    U_3_y_2 = D_p_y_2
+    U_3_y_3 = D_p_y_3 - n_3_y
+    U_3_z_1 = D_p_z_1
+    U_3_z_2 = D_p_z_2
+    U_3_z_3 = D_p_z_3 - n_3_z
+    f_1_11 = -U_1_x_1**2 - U_1_y_1**2 - U_1_z_1**2
+    f_2_11 = -U_2_x_1**2 - U_2_y_1**2 - U_2_z_1**2
+    f_3_11 = -U_3_x_1**2 - U_3_y_1**2 - U_3_z_1**2
+    P_x_11 = t1*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_3_11)
+    P_y_11 = t1*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_3_11)
+    P_z_11 = t1*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_3_11)
+    f_1_12 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2
+    f_2_12 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2
+    f_3_12 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2
+    P_x_12 = t1*(A_x_1*f_1_12 + A_x_2*f_2_12 + A_x_3*f_3_12)
+    P_y_12 = t1*(A_y_1*f_1_12 + A_y_2*f_2_12 + A_y_3*f_3_12)
+    P_z_12 = t1*(A_z_1*f_1_12 + A_z_2*f_2_12 + A_z_3*f_3_12)
+    f_1_13 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3
+    f_2_13 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3
+    f_3_13 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3
+    P_x_13 = t1*(A_x_1*f_1_13 + A_x_2*f_2_13 + A_x_3*f_3_13)
+    P_y_13 = t1*(A_y_1*f_1_13 + A_y_2*f_2_13 + A_y_3*f_3_13)
+    P_z_13 = t1*(A_z_1*f_1_13 + A_z_2*f_2_13 + A_z_3*f_3_13)
+    f_1_22 = -U_1_x_2**2 - U_1_y_2**2 - U_1_z_2**2
+    f_2_22 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2
+    f_3_22 = -U_3_x_2**2 - U_3_y_2**2 - U_3_z_2**2
+    P_x_22 = t1*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_3_22)
+    P_y_22 = t1*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_3_22)
+    P_z_22 = t1*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_3_22)
+    f_1_23 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3
+    f_2_23 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3
+    f_3_23 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3
+    P_x_23 = t1*(A_x_1*f_1_23 + A_x_2*f_2_23 + A_x_3*f_3_23)
+    P_y_23 = t1*(A_y_1*f_1_23 + A_y_2*f_2_23 + A_y_3*f_3_23)
+    P_z_23 = t1*(A_z_1*f_1_23 + A_z_2*f_2_23 + A_z_3*f_3_23)
+    f_1_33 = -U_1_x_3**2 - U_1_y_3**2 - U_1_z_3**2
+    f_2_33 = -U_2_x_3**2 - U_2_y_3**2 - U_2_z_3**2
+    f_3_33 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2
+    P_x_33 = t1*(A_x_1*f_1_33 + A_x_2*f_2_33 + A_x_3*f_3_33)
+    P_y_33 = t1*(A_y_1*f_1_33 + A_y_2*f_2_33 + A_y_3*f_3_33)
+    P_z_33 = t1*(A_z_1*f_1_33 + A_z_2*f_2_33 + A_z_3*f_3_33)
+    l_f_1_1 = x_max_1 - x_min_1
+    t5 = k_sp_1*w_b_1
+    k_1_1 = t5/l_f_1_1
+    t6 = (1/2)*l_t_1
+    l_f_1_2 = -t6 + x_1 - x_min_1
+    k_1_2 = t5/l_f_1_2
+    l_f_1_3 = -t6 - x_1 + x_max_1
+    k_1_3 = t5/l_f_1_3
+    l_f_2_1 = x_max_2 - x_min_2
+    t7 = k_sp_2*w_b_2
+    k_2_1 = t7/l_f_2_1
+    t8 = (1/2)*l_t_2
+    l_f_2_2 = -t8 + x_2 - x_min_2
+    k_2_2 = t7/l_f_2_2
+    l_f_2_3 = -t8 - x_2 + x_max_2
+    k_2_3 = t7/l_f_2_3
+    l_f_3_1 = x_max_3 - x_min_3
+    t9 = k_sp_3*w_b_3
+    k_3_1 = t9/l_f_3_1
+    t10 = (1/2)*l_t_3
+    l_f_3_2 = -t10 + x_3 - x_min_3
+    k_3_2 = t9/l_f_3_2
+    l_f_3_3 = -t10 - x_3 + x_max_3
+    k_3_3 = t9/l_f_3_3
+    t11 = (1/2)*m_d_1 + (1/2)*m_d_2 + (1/2)*m_d_3 + m_p
+    t12 = g_x*t11
+    t13 = g_y*t11
+    t14 = g_z*t11
+    t15 = -P_x_12*t12 - P_y_12*t13 - P_z_12*t14
+    t16 = -P_x_13*t12 - P_y_13*t13 - P_z_13*t14
+    t17 = -R_p_1*k_1_3
+    t18 = -R_p_1*k_1_2
+    t19 = -P_x_23*t12 - P_y_23*t13 - P_z_23*t14
+    t20 = -R_p_2*k_2_3
+    t21 = -R_p_2*k_2_2
+    t22 = -R_p_3*k_3_3
+    t23 = -R_p_3*k_3_2
+    t24 = R_p_1**2
+    t25 = k_1_1*t24
+    t26 = R_p_2**2
+    t27 = k_2_1*t26
+    t28 = R_p_3**2
+    t29 = k_3_1*t28
+    K_out = np.zeros((*batch, 9, 9), dtype)
+    K_out[..., 0, 0] = -P_x_11*t12 - P_y_11*t13 - P_z_11*t14 + k_1_2 + k_1_3
+    K_out[..., 0, 1] = t15
+    K_out[..., 0, 2] = t16
+    K_out[..., 0, 3] = t17
+    K_out[..., 0, 6] = t18
+    K_out[..., 1, 0] = t15
+    K_out[..., 1, 1] = -P_x_22*t12 - P_y_22*t13 - P_z_22*t14 + k_2_2 + k_2_3
+    K_out[..., 1, 2] = t19
+    K_out[..., 1, 4] = t20
+    K_out[..., 1, 7] = t21
+    K_out[..., 2, 0] = t16
+    K_out[..., 2, 1] = t19
+    K_out[..., 2, 2] = -P_x_33*t12 - P_y_33*t13 - P_z_33*t14 + k_3_2 + k_3_3
+    K_out[..., 2, 5] = t22
+    K_out[..., 2, 8] = t23
+    K_out[..., 3, 0] = t17
+    K_out[..., 3, 3] = k_1_3*t24 + t25
+    K_out[..., 3, 6] = -t25
+    K_out[..., 4, 1] = t20
+    K_out[..., 4, 4] = k_2_3*t26 + t27
+    K_out[..., 4, 7] = -t27
+    K_out[..., 5, 2] = t22
+    K_out[..., 5, 5] = k_3_3*t28 + t29
+    K_out[..., 5, 8] = -t29
+    K_out[..., 6, 0] = t18
+    K_out[..., 6, 3] = -t25
+    K_out[..., 6, 6] = k_1_2*t24 + t25
+    K_out[..., 7, 1] = t21
+    K_out[..., 7, 4] = -t27
+    K_out[..., 7, 7] = k_2_2*t26 + t27
+    K_out[..., 8, 2] = t23
+    K_out[..., 8, 5] = -t29
+    K_out[..., 8, 8] = k_3_2*t28 + t29
+    return K_out
+
+
+def modal_matrices(p, parameters):
+    """Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.
+
+    Common intermediate values are evaluated once, which makes this the function to call for an eigenproblem.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot.
+
+    Returns
+    -------
+    M : array, shape (..., 9, 9) [kg, kg m^2]
+        Mass matrix.
+    K : array, shape (..., 9, 9) [N/m, N, N m]
+        symmetric; Hessian of V_el + V_g, positive for a restoring force.
+
+    Notes
+    -----
+    Equation 48.
+    627 operations; 826497 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    (m_p,) = _entries(parameters.platform_mass, ())
+    g_x, g_y, g_z = _entries(parameters.gravity, (3,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    m_d_1, m_d_2, m_d_3 = _entries(parameters.link_mass, (3,))
+    m_t_1, m_t_2, m_t_3 = _entries(parameters.carriage_mass, (3,))
+    l_t_1, l_t_2, l_t_3 = _entries(parameters.carriage_length, (3,))
+    k_sp_1, k_sp_2, k_sp_3 = _entries(parameters.belt_specific_stiffness, (3,))
+    w_b_1, w_b_2, w_b_3 = _entries(parameters.belt_width, (3,))
+    R_p_1, R_p_2, R_p_3 = _entries(parameters.pulley_radius, (3,))
+    I_p_1, I_p_2, I_p_3 = _entries(parameters.pulley_inertia, (3,))
+    I_m_1, I_m_2, I_m_3 = _entries(parameters.motor_inertia, (3,))
+    i_g_1, i_g_2, i_g_3 = _entries(parameters.gear_ratio, (3,))
+    d_1_1, d_1_2, d_2_1, d_2_2, d_3_1, d_3_2 = _entries(parameters.drive, (3, 2))
+    x_min_1, x_max_1, x_min_2, x_max_2, x_min_3, x_max_3 = _entries(parameters.limits, (3, 2))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    batch, dtype = _batch(p_x, m_p, g_x, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, m_t_1, l_t_1, k_sp_1, w_b_1, R_p_1, I_p_1, I_m_1, i_g_1, d_1_1, x_min_1, sigma_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    s_1_x = -n_1_x*x_1 + r_1_x
+    s_1_y = -n_1_y*x_1 + r_1_y
+    s_1_z = -n_1_z*x_1 + r_1_z
+    s_2_x = -n_2_x*x_2 + r_2_x
+    s_2_y = -n_2_y*x_2 + r_2_y
+    s_2_z = -n_2_z*x_2 + r_2_z
+    s_3_x = -n_3_x*x_3 + r_3_x
+    s_3_y = -n_3_y*x_3 + r_3_y
+    s_3_z = -n_3_z*x_3 + r_3_z
+    D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z
+    D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z
+    D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z
+    A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y
+    A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x
+    A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x
+    A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y
+    A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x
+    A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x
+    A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y
+    A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x
+    A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x
+    det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z
+    t1 = 1.0/det_D_l
+    t2 = D_r_1*t1
+    D_p_x_1 = A_x_1*t2
+    t3 = D_r_2*t1
+    D_p_x_2 = A_x_2*t3
+    t4 = D_r_3*t1
+    D_p_x_3 = A_x_3*t4
+    D_p_y_1 = A_y_1*t2
+    D_p_y_2 = A_y_2*t3
+    D_p_y_3 = A_y_3*t4
+    D_p_z_1 = A_z_1*t2
+    D_p_z_2 = A_z_2*t3
+    D_p_z_3 = A_z_3*t4
+    U_1_x_1 = D_p_x_1 - n_1_x
+    U_1_x_2 = D_p_x_2
+    U_1_x_3 = D_p_x_3
+    U_1_y_1 = D_p_y_1 - n_1_y
+    U_1_y_2 = D_p_y_2
+    U_1_y_3 = D_p_y_3
+    U_1_z_1 = D_p_z_1 - n_1_z
+    U_1_z_2 = D_p_z_2
+    U_1_z_3 = D_p_z_3
+    U_2_x_1 = D_p_x_1
+    U_2_x_2 = D_p_x_2 - n_2_x
+    U_2_x_3 = D_p_x_3
+    U_2_y_1 = D_p_y_1
+    U_2_y_2 = D_p_y_2 - n_2_y
+    U_2_y_3 = D_p_y_3
+    U_2_z_1 = D_p_z_1
+    U_2_z_2 = D_p_z_2 - n_2_z
+    U_2_z_3 = D_p_z_3
+    U_3_x_1 = D_p_x_1
+    U_3_x_2 = D_p_x_2
+    U_3_x_3 = D_p_x_3 - n_3_x
+    U_3_y_1 = D_p_y_1
+    U_3_y_2 = D_p_y_2
+    U_3_y_3 = D_p_y_3 - n_3_y
+    U_3_z_1 = D_p_z_1
+    U_3_z_2 = D_p_z_2
+    U_3_z_3 = D_p_z_3 - n_3_z
+    f_1_11 = -U_1_x_1**2 - U_1_y_1**2 - U_1_z_1**2
+    f_2_11 = -U_2_x_1**2 - U_2_y_1**2 - U_2_z_1**2
+    f_3_11 = -U_3_x_1**2 - U_3_y_1**2 - U_3_z_1**2
+    P_x_11 = t1*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_3_11)
+    P_y_11 = t1*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_3_11)
+    P_z_11 = t1*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_3_11)
+    f_1_12 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2
+    f_2_12 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2
+    f_3_12 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2
+    P_x_12 = t1*(A_x_1*f_1_12 + A_x_2*f_2_12 + A_x_3*f_3_12)
+    P_y_12 = t1*(A_y_1*f_1_12 + A_y_2*f_2_12 + A_y_3*f_3_12)
+    P_z_12 = t1*(A_z_1*f_1_12 + A_z_2*f_2_12 + A_z_3*f_3_12)
+    f_1_13 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3
+    f_2_13 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3
+    f_3_13 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3
+    P_x_13 = t1*(A_x_1*f_1_13 + A_x_2*f_2_13 + A_x_3*f_3_13)
+    P_y_13 = t1*(A_y_1*f_1_13 + A_y_2*f_2_13 + A_y_3*f_3_13)
+    P_z_13 = t1*(A_z_1*f_1_13 + A_z_2*f_2_13 + A_z_3*f_3_13)
+    f_1_22 = -U_1_x_2**2 - U_1_y_2**2 - U_1_z_2**2
+    f_2_22 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2
+    f_3_22 = -U_3_x_2**2 - U_3_y_2**2 - U_3_z_2**2
+    P_x_22 = t1*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_3_22)
+    P_y_22 = t1*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_3_22)
+    P_z_22 = t1*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_3_22)
+    f_1_23 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3
+    f_2_23 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3
+    f_3_23 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3
+    P_x_23 = t1*(A_x_1*f_1_23 + A_x_2*f_2_23 + A_x_3*f_3_23)
+    P_y_23 = t1*(A_y_1*f_1_23 + A_y_2*f_2_23 + A_y_3*f_3_23)
+    P_z_23 = t1*(A_z_1*f_1_23 + A_z_2*f_2_23 + A_z_3*f_3_23)
+    f_1_33 = -U_1_x_3**2 - U_1_y_3**2 - U_1_z_3**2
+    f_2_33 = -U_2_x_3**2 - U_2_y_3**2 - U_2_z_3**2
+    f_3_33 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2
+    P_x_33 = t1*(A_x_1*f_1_33 + A_x_2*f_2_33 + A_x_3*f_3_33)
+    P_y_33 = t1*(A_y_1*f_1_33 + A_y_2*f_2_33 + A_y_3*f_3_33)
+    P_z_33 = t1*(A_z_1*f_1_33 + A_z_2*f_2_33 + A_z_3*f_3_33)
+    t5 = I_m_1*i_g_1**2
+    I_1_1 = I_p_1 + d_1_1*t5
+    t6 = I_m_2*i_g_2**2
+    I_2_1 = I_p_2 + d_2_1*t6
+    t7 = I_m_3*i_g_3**2
+    I_3_1 = I_p_3 + d_3_1*t7
+    I_1_2 = I_p_1 + d_1_2*t5
+    I_2_2 = I_p_2 + d_2_2*t6
+    I_3_2 = I_p_3 + d_3_2*t7
+    l_f_1_1 = x_max_1 - x_min_1
+    t8 = k_sp_1*w_b_1
+    k_1_1 = t8/l_f_1_1
+    t9 = (1/2)*l_t_1
+    l_f_1_2 = -t9 + x_1 - x_min_1
+    k_1_2 = t8/l_f_1_2
+    l_f_1_3 = -t9 - x_1 + x_max_1
+    k_1_3 = t8/l_f_1_3
+    l_f_2_1 = x_max_2 - x_min_2
+    t10 = k_sp_2*w_b_2
+    k_2_1 = t10/l_f_2_1
+    t11 = (1/2)*l_t_2
+    l_f_2_2 = -t11 + x_2 - x_min_2
+    k_2_2 = t10/l_f_2_2
+    l_f_2_3 = -t11 - x_2 + x_max_2
+    k_2_3 = t10/l_f_2_3
+    l_f_3_1 = x_max_3 - x_min_3
+    t12 = k_sp_3*w_b_3
+    k_3_1 = t12/l_f_3_1
+    t13 = (1/2)*l_t_3
+    l_f_3_2 = -t13 + x_3 - x_min_3
+    k_3_2 = t12/l_f_3_2
+    l_f_3_3 = -t13 - x_3 + x_max_3
+    k_3_3 = t12/l_f_3_3
+    t14 = (1/3)*m_d_1
+    t15 = (1/6)*m_d_1
+    t16 = n_1_x*t15
+    t17 = n_1_y*t15
+    t18 = n_1_z*t15
+    t19 = (1/3)*m_d_2
+    t20 = (1/3)*m_d_3
+    t21 = m_p + t14 + t19 + t20
+    t22 = D_p_x_1*t21 + t16
+    t23 = D_p_y_1*t21 + t17
+    t24 = D_p_z_1*t21 + t18
+    t25 = (1/6)*m_d_2
+    t26 = n_2_x*t25
+    t27 = n_2_y*t25
+    t28 = n_2_z*t25
+    t29 = D_p_x_1*t26 + D_p_x_2*t22 + D_p_y_1*t27 + D_p_y_2*t23 + D_p_z_1*t28 + D_p_z_2*t24
+    t30 = (1/6)*m_d_3
+    t31 = n_3_x*t30
+    t32 = n_3_y*t30
+    t33 = n_3_z*t30
+    t34 = D_p_x_1*t31 + D_p_x_3*t22 + D_p_y_1*t32 + D_p_y_3*t23 + D_p_z_1*t33 + D_p_z_3*t24
+    t35 = D_p_x_2*t21 + t26
+    t36 = D_p_y_2*t21 + t27
+    t37 = D_p_z_2*t21 + t28
+    t38 = D_p_x_2*t31 + D_p_x_3*t35 + D_p_y_2*t32 + D_p_y_3*t36 + D_p_z_2*t33 + D_p_z_3*t37
+    t39 = (1/2)*m_d_1 + (1/2)*m_d_2 + (1/2)*m_d_3 + m_p
+    t40 = g_x*t39
+    t41 = g_y*t39
+    t42 = g_z*t39
+    t43 = -P_x_12*t40 - P_y_12*t41 - P_z_12*t42
+    t44 = -P_x_13*t40 - P_y_13*t41 - P_z_13*t42
+    t45 = -R_p_1*k_1_3
+    t46 = -R_p_1*k_1_2
+    t47 = -P_x_23*t40 - P_y_23*t41 - P_z_23*t42
+    t48 = -R_p_2*k_2_3
+    t49 = -R_p_2*k_2_2
+    t50 = -R_p_3*k_3_3
+    t51 = -R_p_3*k_3_2
+    t52 = R_p_1**2
+    t53 = k_1_1*t52
+    t54 = R_p_2**2
+    t55 = k_2_1*t54
+    t56 = R_p_3**2
+    t57 = k_3_1*t56
+    M_out = np.zeros((*batch, 9, 9), dtype)
+    M_out[..., 0, 0] = (
+        D_p_x_1*t16 + D_p_x_1*t22 + D_p_y_1*t17 + D_p_y_1*t23 + D_p_z_1*t18 + D_p_z_1*t24 + m_t_1 + t14
+    )
+    M_out[..., 0, 1] = t29
+    M_out[..., 0, 2] = t34
+    M_out[..., 1, 0] = t29
+    M_out[..., 1, 1] = (
+        D_p_x_2*t26 + D_p_x_2*t35 + D_p_y_2*t27 + D_p_y_2*t36 + D_p_z_2*t28 + D_p_z_2*t37 + m_t_2 + t19
+    )
+    M_out[..., 1, 2] = t38
+    M_out[..., 2, 0] = t34
+    M_out[..., 2, 1] = t38
+    M_out[..., 2, 2] = (
+        D_p_x_3*t31 + D_p_x_3*(D_p_x_3*t21 + t31) + D_p_y_3*t32 + D_p_y_3*(D_p_y_3*t21 + t32) + D_p_z_3*t33
+        + D_p_z_3*(D_p_z_3*t21 + t33) + m_t_3 + t20
+    )
+    M_out[..., 3, 3] = I_1_1
+    M_out[..., 4, 4] = I_2_1
+    M_out[..., 5, 5] = I_3_1
+    M_out[..., 6, 6] = I_1_2
+    M_out[..., 7, 7] = I_2_2
+    M_out[..., 8, 8] = I_3_2
+    K_out = np.zeros((*batch, 9, 9), dtype)
+    K_out[..., 0, 0] = -P_x_11*t40 - P_y_11*t41 - P_z_11*t42 + k_1_2 + k_1_3
+    K_out[..., 0, 1] = t43
+    K_out[..., 0, 2] = t44
+    K_out[..., 0, 3] = t45
+    K_out[..., 0, 6] = t46
+    K_out[..., 1, 0] = t43
+    K_out[..., 1, 1] = -P_x_22*t40 - P_y_22*t41 - P_z_22*t42 + k_2_2 + k_2_3
+    K_out[..., 1, 2] = t47
+    K_out[..., 1, 4] = t48
+    K_out[..., 1, 7] = t49
+    K_out[..., 2, 0] = t44
+    K_out[..., 2, 1] = t47
+    K_out[..., 2, 2] = -P_x_33*t40 - P_y_33*t41 - P_z_33*t42 + k_3_2 + k_3_3
+    K_out[..., 2, 5] = t50
+    K_out[..., 2, 8] = t51
+    K_out[..., 3, 0] = t45
+    K_out[..., 3, 3] = k_1_3*t52 + t53
+    K_out[..., 3, 6] = -t53
+    K_out[..., 4, 1] = t48
+    K_out[..., 4, 4] = k_2_3*t54 + t55
+    K_out[..., 4, 7] = -t55
+    K_out[..., 5, 2] = t50
+    K_out[..., 5, 5] = k_3_3*t56 + t57
+    K_out[..., 5, 8] = -t57
+    K_out[..., 6, 0] = t46
+    K_out[..., 6, 3] = -t53
+    K_out[..., 6, 6] = k_1_2*t52 + t53
+    K_out[..., 7, 1] = t49
+    K_out[..., 7, 4] = -t55
+    K_out[..., 7, 7] = k_2_2*t54 + t55
+    K_out[..., 8, 2] = t51
+    K_out[..., 8, 5] = -t57
+    K_out[..., 8, 8] = k_3_2*t56 + t57
+    return M_out, K_out

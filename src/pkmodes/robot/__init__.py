@@ -1,0 +1,1 @@
+"""Robot files: units, schema, reading, and the `Robot` that comes out."""

@@ -1,0 +1,39 @@
+"""A robot: what its file declares, merged and in SI units."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from pkmodes_generated.linear_delta import Parameters
+
+from pkmodes.robot.units import Quantity
+
+
+@dataclass(frozen=True)
+class Robot:
+    """A robot as declared.
+
+    Attributes
+    ----------
+    name : str
+        Its name.
+    mechanism : str
+        ``"linear_delta"``.
+    source : str
+        The robot file, for messages.
+    parameters : Parameters
+        Values of the parameters in SI units, as the generated model takes them.
+    quantities : mapping of str to Quantity
+        Every declared value with its standard deviation, by dotted path (``platform.mass``,
+        ``axis.1.belt.width`` where an axis overrides, ``axis.1.limits.min``, ``gravity.z``).
+    frame_mass : float
+        Mass of the frame [kg]; used by the effect frame_compliance only.
+    """
+
+    name: str
+    mechanism: str
+    source: str
+    parameters: Parameters
+    quantities: Mapping[str, Quantity] = field(repr=False)
+    frame_mass: float = 50.0

@@ -1,0 +1,128 @@
+"""Quantities with units, read once at the boundary: afterwards everything is SI.
+
+Conversion is done in decimal arithmetic, so that ``"35 mm"`` is the double nearest to 0.035.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cache
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pint import UnitRegistry
+
+NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.*?)\s*", re.DOTALL)
+# A unit is names, products, quotients and small powers: nothing that could be a computation.
+UNIT = re.compile(r"(?:[A-Za-zµμ°Ω%]+(?:(?:\^|\*\*)-?\d|[²³])?|1(?=\s*/)|[\s*/·()])+")
+LONGEST = 60
+
+#: Dimensions by name, with the SI unit and an example for error messages.
+DIMENSIONS: dict[str, tuple[str, str]] = {
+    "length": ("m", "400 mm"),
+    "mass": ("kg", "1.5 kg"),
+    "moment of inertia": ("kg m^2", "130e-6 kg*m^2"),
+    "acceleration": ("m/s^2", "-9.81 m/s^2"),
+    "specific stiffness": ("N/m", "2.42e6 N/m"),
+    "number": ("1", "10"),
+}
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A declared value.
+
+    Attributes
+    ----------
+    value : float
+        In SI units.
+    unit : str
+        The SI unit, ``"1"`` when dimensionless.
+    sigma : float or None
+        One standard deviation in SI units: None when the file gives none, 0 when the value is known exactly.
+    """
+
+    value: float
+    unit: str
+    sigma: float | None = None
+
+
+class QuantityError(ValueError):
+    """Text that is not the quantity that was expected; the message says expected and found."""
+
+
+@cache
+def _registry() -> UnitRegistry[Decimal]:
+    # Imported here because it takes longer than all the rest of a model evaluation.
+    import pint
+
+    return pint.UnitRegistry(non_int_type=Decimal)
+
+
+def parse(text: str, dimension: str) -> float:
+    """Convert a number with its unit to SI.
+
+    Parameters
+    ----------
+    text : str
+        For example ``"400 mm"``; a number without unit is accepted for the dimension "number" only.
+    dimension : str
+        A key of `DIMENSIONS`.
+
+    Raises
+    ------
+    QuantityError
+        If there is no number, no unit, an unknown unit, or a unit of another dimension.
+    """
+    si_unit, example = DIMENSIONS[dimension]
+    expected = f'expected a {dimension} such as "{example}"'
+    match = NUMBER.fullmatch(text) if len(text) <= LONGEST else None
+    if match is None:
+        raise QuantityError(f"{expected}, found {_shown(text)}, which does not begin with a number")
+    number, unit = Decimal(match[1]), match[2]
+    if not unit:
+        if dimension != "number":
+            raise QuantityError(f"{expected}, found {_shown(text)}, which has no unit")
+        return _finite(float(number), expected, text)
+    if unit == "%" and dimension == "number":
+        return _finite(float(number / 100), expected, text)
+    if UNIT.fullmatch(unit) is None:
+        raise QuantityError(f"{expected}, found {_shown(text)}, whose unit {_shown(unit)} is not a unit")
+    return _finite(_convert(number, unit, si_unit, expected, text), expected, text)
+
+
+def _convert(number: Decimal, unit: str, si_unit: str, expected: str, text: str) -> float:
+    import pint
+
+    registry = _registry()
+    try:
+        found = registry.Unit(unit)
+    except Exception as error:  # pint and its tokenizer raise many kinds of errors on malformed units
+        raise QuantityError(f"{expected}, found {_shown(text)}, whose unit {_shown(unit)} is unknown") from error
+    target = registry.Unit("dimensionless" if si_unit == "1" else si_unit)
+    try:
+        return float(registry.Quantity(number, found).to(target).magnitude)
+    except pint.DimensionalityError as error:
+        kind = _dimension_name(str(found.dimensionality))
+        raise QuantityError(f"{expected}, found {_shown(text)}, which is a {kind}") from error
+
+
+def _dimension_name(dimensionality: str) -> str:
+    registry = _registry()
+    for name, (unit, _) in DIMENSIONS.items():
+        if name != "number" and str(registry.Unit(unit).dimensionality) == dimensionality:
+            return "stiffness" if name == "specific stiffness" else name
+    return f"quantity of dimension {dimensionality}"
+
+
+def _finite(value: float, expected: str, text: str) -> float:
+    if not math.isfinite(value):
+        raise QuantityError(f"{expected}, found {_shown(text)}, which is too large")
+    return value
+
+
+def _shown(text: str) -> str:
+    return f'"{text}"' if len(text) <= LONGEST else f'"{text[:LONGEST]}..."'
