@@ -37,3 +37,13 @@ class Robot:
     parameters: Parameters
     quantities: Mapping[str, Quantity] = field(repr=False)
     frame_mass: float = 50.0
+
+    @property
+    def declared(self) -> dict[str, object]:
+        """Every declared value by dotted path, in SI units: quantities, and what is chosen for each axis."""
+        values: dict[str, object] = {path: quantity.value for path, quantity in self.quantities.items()}
+        for j in range(3):
+            values[f"axis.{j + 1}.direction"] = self.parameters.direction[j].tolist()
+            values[f"axis.{j + 1}.driven_pulley"] = 1 if self.parameters.drive[j, 0] else 2
+            values[f"axis.{j + 1}.branch"] = int(self.parameters.branch[j])
+        return values

@@ -1,0 +1,178 @@
+"""Is a product current?  Compare what is on disk with its manifest and with a fresh derivation.
+
+Every finding names its cause as closely as it can be known: a field of the robot file, a source or template
+of the derivation, the SymPy version, an edit by hand, a file that is missing or does not belong.
+"""
+
+from __future__ import annotations
+
+import difflib
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from pkmodes_derive.emit import manifest
+
+DIFF_LINES = 40
+IGNORED = {"__pycache__"}
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One reason why a product is not current.
+
+    Attributes
+    ----------
+    cause : str
+        ``robot``, ``derivation``, ``sympy``, ``generator``, ``edited``, ``missing``, ``orphan``, ``manifest`` or
+        ``different``.
+    subject : str
+        The field or file.
+    message : str
+        One sentence.
+    diff : str
+        Unified diff from what is on disk to what it should be, shortened; may be empty.
+    """
+
+    cause: str
+    subject: str
+    message: str
+    diff: str = ""
+
+
+def read_manifest(folder: Path) -> dict[str, object]:
+    """Read the manifest of a product.
+
+    Raises
+    ------
+    ValueError
+        If it is not a manifest; the message says why.
+    OSError
+        If it cannot be read.
+    """
+    try:
+        content = json.loads((folder / manifest.FILE_NAME).read_text(encoding="utf-8"))
+    except (json.JSONDecodeError, UnicodeDecodeError) as error:
+        raise ValueError(f"it is not valid JSON: {error}") from None
+    parts = ("generator", "outputs", "sources")
+    if not isinstance(content, dict) or not all(isinstance(content.get(part), dict) for part in parts):
+        raise ValueError("it is not a manifest of pkmodes")
+    if content.get("format") != manifest.FORMAT:
+        raise ValueError(f"its format is {content.get('format')!r}, expected {manifest.FORMAT}")
+    return content
+
+
+def compare(folder: Path, recorded: Mapping[str, object], fresh: Mapping[str, str]) -> list[Finding]:
+    """Compare a folder and its manifest with the texts that a fresh derivation gives."""
+    wanted = json.loads(fresh[manifest.FILE_NAME])
+    on_disk = {name: _read(folder / name) for name in fresh}
+    findings = [
+        *_robot(recorded, wanted),
+        *_generator(recorded, wanted),
+        *_sources(recorded, wanted),
+        *_outputs(recorded, fresh, on_disk),
+        *_orphans(folder, fresh),
+    ]
+    text = on_disk[manifest.FILE_NAME]
+    if not findings and text != fresh[manifest.FILE_NAME]:
+        diff = _diff(manifest.FILE_NAME, text or "", fresh[manifest.FILE_NAME])
+        findings.append(Finding("edited", manifest.FILE_NAME, f"{manifest.FILE_NAME} was edited by hand", diff))
+    return findings
+
+
+def _read(path: Path) -> str | None:
+    # Bytes that are not UTF-8 are an edit like any other, so they are shown, not refused.
+    return path.read_bytes().decode("utf-8", errors="replace") if path.is_file() else None
+
+
+def _part(content: Mapping[str, object], *keys: str) -> dict[str, object]:
+    value: object = content
+    for key in keys:
+        value = value.get(key, {}) if isinstance(value, Mapping) else {}
+    return dict(value) if isinstance(value, Mapping) else {}
+
+
+def _robot(recorded: Mapping[str, object], wanted: Mapping[str, object]) -> list[Finding]:
+    old, new = _part(recorded, "robot", "values"), _part(wanted, "robot", "values")
+    old["name"], new["name"] = _part(recorded, "robot").get("name"), _part(wanted, "robot").get("name")
+    return [
+        Finding(
+            "robot",
+            path,
+            f"the robot file changed: {path} is {_value(new.get(path))}, the model was generated with "
+            f"{_value(old.get(path))}",
+        )
+        for path in dict.fromkeys([*old, *new])
+        if old.get(path) != new.get(path)
+    ]
+
+
+def _value(value: object) -> str:
+    return "absent" if value is None else json.dumps(value)
+
+
+def _generator(recorded: Mapping[str, object], wanted: Mapping[str, object]) -> list[Finding]:
+    old, new = _part(recorded, "generator"), _part(wanted, "generator")
+    names = {"sympy": "SymPy"}
+    return [
+        Finding(
+            "sympy" if key == "sympy" else "generator",
+            key,
+            f"another {names.get(key, key)} version: generated with {old.get(key)}, installed is {new[key]}",
+        )
+        for key in new
+        if old.get(key) != new[key]
+    ]
+
+
+def _sources(recorded: Mapping[str, object], wanted: Mapping[str, object]) -> list[Finding]:
+    old, new = _part(recorded, "sources"), _part(wanted, "sources")
+    return [
+        Finding(
+            "derivation",
+            path,
+            f"the {'template' if path.endswith('.j2') else 'derivation'} changed: {path} is "
+            + ("new" if path not in old else "gone" if path not in new else "not what it was"),
+        )
+        for path in sorted(old.keys() | new.keys())
+        if old.get(path) != new.get(path)
+    ]
+
+
+def _outputs(
+    recorded: Mapping[str, object], fresh: Mapping[str, str], on_disk: Mapping[str, str | None]
+) -> list[Finding]:
+    findings = []
+    digests = _part(recorded, "outputs")
+    for name, text in fresh.items():
+        found = on_disk[name]
+        if name == manifest.FILE_NAME:
+            continue
+        if found is None:
+            findings.append(Finding("missing", name, f"{name} is missing"))
+        elif name in digests and digests[name] != manifest.digest(found):
+            findings.append(Finding("edited", name, f"{name} was edited by hand", _diff(name, found, text)))
+        elif found != text:
+            message = f"{name} is not what the derivation gives now"
+            findings.append(Finding("different", name, message, _diff(name, found, text)))
+    return findings
+
+
+def _orphans(folder: Path, fresh: Mapping[str, str]) -> list[Finding]:
+    return [
+        Finding("orphan", path.name, f"{path.name} does not belong to this model: an orphan, remove it")
+        for path in sorted(folder.iterdir())
+        if path.name not in fresh and path.name not in IGNORED
+    ]
+
+
+def _diff(name: str, found: str, wanted: str) -> str:
+    lines = list(
+        difflib.unified_diff(
+            found.splitlines(), wanted.splitlines(), f"{name} (on disk)", f"{name} (derived now)", lineterm="", n=1
+        )
+    )
+    if len(lines) > DIFF_LINES:
+        lines = [*lines[:DIFF_LINES], f"... and {len(lines) - DIFF_LINES} more lines"]
+    return "\n".join(lines)

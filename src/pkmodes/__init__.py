@@ -1,0 +1,12 @@
+"""Vibration modes of parallel robots with compliant transmissions.
+
+`load` reads a robot file and returns a `Model`, whose ``modes``, ``matrices`` and ``statics`` take one pose or
+an array of poses.  Coordinates, signs and frames are stated in docs/model.md.
+"""
+
+from pkmodes.errors import PkmodesError, PoseError, RobotFileError
+from pkmodes.model import Model, Modes, Statics, load
+
+__version__ = "0.1.0"
+
+__all__ = ["Model", "Modes", "PkmodesError", "PoseError", "RobotFileError", "Statics", "load"]

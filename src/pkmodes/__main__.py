@@ -1,0 +1,5 @@
+"""``python -m pkmodes`` is the command line."""
+
+from pkmodes.cli import main
+
+main()

@@ -1,0 +1,1 @@
+"""Checks of generated code: `consistency` by finite differences, `products` for currency."""

@@ -1,0 +1,71 @@
+"""The command line: ``pkmodes generate``, ``check`` and ``modes``.
+
+Errors go to stderr as ``error: <what> (<where>); <what to do>``.  Exit codes: 0 done, 1 a check did not hold,
+2 bad input or usage.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+
+import click
+
+import pkmodes
+from pkmodes.cli.check import check
+from pkmodes.cli.generate import generate
+from pkmodes.cli.modes import modes
+from pkmodes.errors import PkmodesError
+
+DONE, DOES_NOT_HOLD, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
+@click.version_option(pkmodes.__version__, prog_name="pkmodes", message="%(prog)s %(version)s")
+def cli() -> None:
+    """Vibration modes of parallel robots with compliant transmissions.
+
+    \b
+    Example:
+      pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245
+    """
+
+
+for command in (generate, check, modes):
+    cli.add_command(command)
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    """Run the command line and exit; a user's mistake is one line on stderr, never a traceback."""
+    sys.exit(run(arguments))
+
+
+def run(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line and return the exit code."""
+    try:
+        code = cli.main(args=None if arguments is None else list(arguments), prog_name="pkmodes", standalone_mode=False)
+        sys.stdout.flush()
+        return code if isinstance(code, int) else DONE
+    except PkmodesError as error:
+        for line in error.lines:
+            click.echo(f"error: {line}", err=True)
+        return BAD_INPUT
+    except click.exceptions.NoArgsIsHelpError as error:
+        click.echo(error.format_message(), err=True)
+        return BAD_INPUT
+    except click.UsageError as error:
+        place = error.ctx.command_path if error.ctx else "pkmodes"
+        message = error.format_message().rstrip(".")
+        click.echo(f"error: {message[0].lower()}{message[1:]} ({place}); see {place} --help", err=True)
+        return BAD_INPUT
+    except click.ClickException as error:
+        click.echo(f"error: {error.format_message()} (pkmodes); see pkmodes --help", err=True)
+        return BAD_INPUT
+    except (click.Abort, KeyboardInterrupt):
+        click.echo("error: interrupted (pkmodes); nothing was written", err=True)
+        return INTERRUPTED
+    except BrokenPipeError:
+        # The reader, such as head, has seen enough; do not let the interpreter complain when it flushes.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return DONE

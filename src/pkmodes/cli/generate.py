@@ -1,0 +1,29 @@
+"""``pkmodes generate``: a model specialised to one robot."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from pkmodes.cli.output import json_option, write_json
+
+
+@click.command(epilog="\b\nExample:\n  pkmodes generate robots/linear-delta-2022.toml --out build/linear-delta-2022")
+@click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
+@click.option("--out", metavar="DIR", required=True, type=click.Path(path_type=Path), help="Folder of the model.")
+@json_option
+def generate(robot: Path, out: Path, json_file: str | None) -> None:
+    """Derive and write a model specialised to one robot.
+
+    The folder gets a NumPy module, a C99 source with its header, and a manifest.  The module needs only
+    NumPy and the C source only a compiler: both can be vendored.
+    """
+    from pkmodes.generation import generate as generate_model
+
+    written = generate_model(robot, out)
+    if json_file is not None:
+        write_json(json_file, {"robot": str(robot), "out": str(out), "files": [path.name for path in written]})
+    if json_file != "-":
+        for path in written:
+            click.echo(path)

@@ -1,0 +1,112 @@
+"""``pkmodes modes``: frequencies, shapes, end-effector directions and static torques at a pose."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+import numpy as np
+
+from pkmodes.cli.output import json_option, write_json
+from pkmodes.errors import PoseError
+from pkmodes.model import Model, Modes, Statics, load
+
+
+@click.command(epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245")
+@click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
+@click.option("--pose", metavar="X,Y,Z", required=True, help="Platform centre, in metres or with units.")
+@json_option
+def modes(robot: Path, pose: str, json_file: str | None) -> None:
+    """Frequencies, shapes, end-effector directions and static torques at a pose.
+
+    Shapes are mass-normalised; the table shows them scaled to their largest component, carriages divided by
+    the pulley radius, as the paper prints them.
+    """
+    point = parse_pose(pose)
+    model = load(robot)
+    result, statics = model.modes(point), model.statics(point)
+    if json_file is not None:
+        write_json(json_file, as_json(model, result, statics))
+    if json_file != "-":
+        _print(model, result, statics)
+
+
+def parse_pose(text: str) -> list[float]:
+    """Read ``X,Y,Z``: bare numbers in metres, or quantities with a unit of length.
+
+    Raises
+    ------
+    PoseError
+        If there are not three lengths.
+    """
+    from pkmodes.robot.units import QuantityError, parse
+
+    parts = text.split(",")
+    if len(parts) != 3:
+        raise PoseError(f"expected three coordinates X,Y,Z, found {len(parts)}", "--pose", "write --pose 0.6,0,-0.245")
+    point = []
+    for part in parts:
+        try:
+            point.append(float(part))
+        except ValueError:
+            try:
+                point.append(parse(part, "length"))
+            except QuantityError as error:
+                raise PoseError(str(error), "--pose", "write metres, or a number with its unit") from None
+    return point
+
+
+def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:
+    """The result of one pose with the keys that scripts rely on."""
+    return {
+        "robot": model.robot.name,
+        "pose": result.poses.tolist(),
+        "coordinates": list(result.coordinates),
+        "frequencies_hz": result.frequencies.tolist(),
+        "shapes": result.shapes.tolist(),
+        "platform_shapes": result.platform_shapes.tolist(),
+        "carriage_positions": result.carriage_positions.tolist(),
+        "mass_matrix": result.mass_matrix.tolist(),
+        "stiffness_matrix": result.stiffness_matrix.tolist(),
+        "static_torques": statics.torques.tolist(),
+        "rigid_modes": result.rigid_modes,
+    }
+
+
+def _print(model: Model, result: Modes, statics: Statics) -> None:
+    """One column for each mode, one row for each component: nine modes fit a terminal that way."""
+    from rich.console import Console
+    from rich.table import Table
+
+    console = Console(highlight=False)
+    console.width = max(console.width, 90)
+    position = ", ".join(f"{c:g}" for c in result.poses)
+    console.print(f"{model.robot.name} at [{position}] m\n", markup=False)
+    numbers = range(1 - result.rigid_modes, len(result.frequencies) - result.rigid_modes + 1)
+    table = Table(box=None, pad_edge=False)
+    table.add_column("mode", no_wrap=True)
+    for number in numbers:
+        table.add_column(str(number) if number > 0 else "rigid", justify="right", no_wrap=True)
+    table.add_row("f [Hz]", *(f"{frequency:.3f}" for frequency in result.frequencies))
+    scaled = result.shapes.copy()
+    scaled[:, :3] /= model.robot.parameters.pulley_radius
+    scaled /= np.abs(scaled).max(axis=1, keepdims=True)
+    for k, name in enumerate(result.coordinates):
+        table.add_row(f"{name}/R_p" if name.startswith("x_") else name, *map(_component, scaled[:, k]))
+    size = np.linalg.norm(result.platform_shapes, axis=1, keepdims=True)
+    directions = result.platform_shapes / np.where(size > 0.0, size, 1.0)
+    for k, name in enumerate(("p_x", "p_y", "p_z")):
+        table.add_row(name, *map(_component, directions[:, k]))
+    console.print(table)
+    console.print("\np: direction of the platform's motion in each mode, a unit vector in the base frame", markup=False)
+    for label, values, unit in (
+        ("carriage positions", result.carriage_positions, "m"),
+        ("static torques", statics.torques, "N m"),
+    ):
+        console.print(f"{label} [{unit}]: {', '.join(f'{v:.4f}' for v in values)}", markup=False)
+
+
+def _component(value: float) -> str:
+    # Components that rounding alone makes different from zero are shown as zero.
+    return "0" if abs(value) < 1e-9 else f"{value:.0e}" if abs(value) < 1e-3 else f"{value:.3f}"

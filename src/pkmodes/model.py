@@ -1,0 +1,301 @@
+"""The evaluator of one robot: poses in, modes, matrices and statics out.
+
+It checks poses, calls the generated model chunk by chunk, solves, and puts the results in the caller's shape;
+it holds no physics of its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from os import PathLike
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from pkmodes_generated import linear_delta as generated
+
+from pkmodes.eigen import generalised_eigh, natural_frequencies, zero_eigenvalues
+from pkmodes.errors import PoseError
+from pkmodes.poses import MAX_CONDITION, CheckedPoses, OnError, check_poses
+from pkmodes.robot.robot import Robot
+
+Array = NDArray[np.float64]
+
+#: Poses evaluated together: as many as keep the matrices and the temporaries in the cache.
+CHUNK = 2048
+
+
+@dataclass(frozen=True)
+class Modes:
+    """Small vibrations about the static equilibrium at each pose.
+
+    The leading axes are those of the poses: none for a single pose of shape (3,), (N,) for poses of shape
+    (N, 3).  n is the number of coordinates, 9 for the base model; modes are sorted by eigenvalue, the
+    rigid-body ones first.  Entries of poses that could not be evaluated are NaN.
+
+    Attributes
+    ----------
+    poses : ndarray, shape (..., 3)
+        Platform centres [m], base frame.
+    coordinates : tuple of str, length n
+        Names of the generalised coordinates, in the order of the matrices.
+    frequencies : ndarray, shape (..., n)
+        sqrt(abs(lambda)) / (2 pi) with the sign of lambda [Hz].
+    shapes : ndarray, shape (..., n, n)
+        ``shapes[..., i, :]`` is mode i, mass-normalised (phi^T M phi = 1) with a deterministic sign.
+    platform_shapes : ndarray, shape (..., n, 3)
+        Motion of the platform centre in each mode: D_p times the carriage components, base frame.
+    carriage_positions : ndarray, shape (..., 3)
+        x_1, x_2, x_3 [m].
+    mass_matrix, stiffness_matrix : ndarray, shape (..., n, n)
+        M and K in SI units.
+    rigid_modes : int
+        Number of modes that strain nothing elastic: they come first.
+    valid : ndarray of bool, shape (...)
+        Which poses could be evaluated.
+    """
+
+    poses: Array
+    coordinates: tuple[str, ...]
+    frequencies: Array
+    shapes: Array
+    platform_shapes: Array
+    carriage_positions: Array
+    mass_matrix: Array
+    stiffness_matrix: Array
+    rigid_modes: int
+    valid: NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Statics:
+    """Static equilibrium at each pose (equation 44): what holds the platform against gravity.
+
+    Attributes
+    ----------
+    torques : ndarray, shape (..., 3)
+        Torques on the driven pulleys of axes 1 to 3 [N m], positive with theta.
+    pulley_rotations : ndarray, shape (..., 6)
+        Rotations from the unstrained belts [rad], in the order of the coordinates theta.
+    valid : ndarray of bool, shape (...)
+        Which poses could be evaluated.
+    """
+
+    torques: Array
+    pulley_rotations: Array
+    valid: NDArray[np.bool_]
+
+
+class Model:
+    """Evaluator of one robot.
+
+    Every method takes one pose of shape (3,) or an array of shape (..., 3), platform centres in the base
+    frame in metres, and returns arrays with the same leading axes.
+
+    Parameters
+    ----------
+    robot : Robot
+        From `pkmodes.read_robot`; `pkmodes.load` makes the model of a robot file directly.
+    max_condition : float
+        Poses where the condition number of D_l is larger are refused as singular.
+
+    Attributes
+    ----------
+    robot : Robot
+    coordinates : tuple of str
+        Names of the generalised coordinates (docs/model.md).
+    """
+
+    def __init__(self, robot: Robot, max_condition: float = MAX_CONDITION) -> None:
+        self.robot = robot
+        self.coordinates: tuple[str, ...] = generated.COORDINATES
+        self.max_condition = max_condition
+
+    def __repr__(self) -> str:
+        return f"Model({self.robot.name!r}, {self.robot.mechanism}, {len(self.coordinates)} coordinates)"
+
+    def modes(self, poses: ArrayLike, on_error: OnError = "raise") -> Modes:
+        """Natural frequencies, shapes and matrices.
+
+        Parameters
+        ----------
+        poses : array_like, shape (3,) or (..., 3)
+            Platform centres [m].
+        on_error : {"raise", "nan"}
+            With "nan", a pose that cannot be evaluated gives NaN and ``valid`` False.
+
+        Raises
+        ------
+        PoseError
+            If the array is not one of poses; with ``on_error="raise"``, for the first bad pose.
+        """
+        checked = self._check(poses, on_error)
+        n = len(self.coordinates)
+        count = int(checked.valid.sum())
+        M, K, shapes = (np.empty((count, n, n)) for _ in range(3))
+        eigenvalues, x, platform = np.empty((count, n)), np.empty((count, 3)), np.empty((count, n, 3))
+        for part, p in self._chunks(checked):
+            M[part], K[part] = generated.modal_matrices(p, self.robot.parameters)
+            eigenvalues[part], shapes[part] = self._solve(M[part], K[part])
+            x[part] = generated.inverse_kinematics(p, self.robot.parameters)
+            D_p = generated.platform_jacobian(p, self.robot.parameters)
+            platform[part] = shapes[part][..., :3] @ np.swapaxes(D_p, -1, -2)
+        return Modes(
+            poses=checked.points.reshape((*checked.batch, 3)),
+            coordinates=self.coordinates,
+            frequencies=checked.scatter(natural_frequencies(eigenvalues)),
+            shapes=checked.scatter(shapes),
+            platform_shapes=checked.scatter(platform),
+            carriage_positions=checked.scatter(x),
+            mass_matrix=checked.scatter(M),
+            stiffness_matrix=checked.scatter(K),
+            rigid_modes=self._rigid_modes(checked, M),
+            valid=checked.valid.reshape(checked.batch),
+        )
+
+    def matrices(self, poses: ArrayLike, on_error: OnError = "raise") -> tuple[Array, Array]:
+        """Mass and stiffness matrices M and K, each of shape (..., n, n), in SI units.
+
+        Raises
+        ------
+        PoseError
+            As `modes` does.
+        """
+        checked = self._check(poses, on_error)
+        n = len(self.coordinates)
+        M, K = (np.empty((int(checked.valid.sum()), n, n)) for _ in range(2))
+        for part, p in self._chunks(checked):
+            M[part], K[part] = generated.modal_matrices(p, self.robot.parameters)
+        return checked.scatter(M), checked.scatter(K)
+
+    def statics(self, poses: ArrayLike, on_error: OnError = "raise") -> Statics:
+        """Torques and pulley rotations that hold the pose (equation 44).
+
+        Raises
+        ------
+        PoseError
+            As `modes` does.
+        """
+        checked = self._check(poses, on_error)
+        torques, rotations = generated.static_equilibrium(checked.points[checked.valid], self.robot.parameters)
+        return Statics(checked.scatter(torques), checked.scatter(rotations), checked.valid.reshape(checked.batch))
+
+    def platform_jacobian(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
+        """Platform Jacobian D_p = dp/dx, shape (..., 3, 3) (equation 15).
+
+        Raises
+        ------
+        PoseError
+            As `modes` does.
+        """
+        checked = self._check(poses, on_error)
+        D_p: Array = generated.platform_jacobian(checked.points[checked.valid], self.robot.parameters)
+        return checked.scatter(D_p)
+
+    def inverse_kinematics(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
+        """Carriage positions x_1, x_2, x_3 [m], shape (..., 3), on the branch that the robot file gives.
+
+        Raises
+        ------
+        PoseError
+            As `modes` does.
+        """
+        checked = self._check(poses, on_error)
+        x: Array = generated.inverse_kinematics(checked.points[checked.valid], self.robot.parameters)
+        return checked.scatter(x)
+
+    def direct_kinematics(self, carriages: ArrayLike, assembly: int) -> Array:
+        """Platform centre [m] for carriage positions of shape (3,) or (..., 3).
+
+        Parameters
+        ----------
+        carriages : array_like, shape (3,) or (..., 3)
+            x_1, x_2, x_3 [m].
+        assembly : {1, -1}
+            Assembly branch, see `assembly`.
+
+        Raises
+        ------
+        PoseError
+            If the carriages are so far apart, or so close, that the links do not meet.
+        """
+        if assembly not in (1, -1):
+            raise PoseError(f"expected assembly 1 or -1, found {assembly!r}", "assembly", "choose a branch")
+        x = np.asarray(carriages, dtype=float)
+        if x.ndim == 0 or x.shape[-1] != 3 or x.size == 0:
+            raise PoseError(
+                f"expected carriage positions of shape (3,) or (N, 3), found {x.shape}", "carriages", "give metres"
+            )
+        with np.errstate(all="ignore"):
+            p: Array = generated.direct_kinematics(x, assembly, self.robot.parameters)
+        bad = ~np.isfinite(p).all(axis=-1).reshape(-1)
+        if bad.any():
+            index = int(np.argmax(bad))
+            raise PoseError(
+                "the three links do not meet", f"carriages {index}", "choose carriage positions that assemble", index
+            )
+        return p
+
+    def assembly(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
+        """Assembly branch of each pose: the sign of det D_l, shape (...).
+
+        Raises
+        ------
+        PoseError
+            As `modes` does.
+        """
+        checked = self._check(poses, on_error)
+        determinant, _ = generated.jacobian_condition(checked.points[checked.valid], self.robot.parameters)
+        return checked.scatter(np.sign(determinant))
+
+    def _check(self, poses: ArrayLike, on_error: OnError) -> CheckedPoses:
+        return check_poses(poses, self.robot.parameters, on_error, self.max_condition)
+
+    @staticmethod
+    def _chunks(checked: CheckedPoses) -> Iterator[tuple[slice, Array]]:
+        points = checked.points[checked.valid]
+        for start in range(0, len(points), CHUNK):
+            part = slice(start, start + CHUNK)
+            yield part, points[part]
+
+    def _solve(self, M: Array, K: Array) -> tuple[Array, Array]:
+        try:
+            return generalised_eigh(M, K)
+        except np.linalg.LinAlgError:
+            raise PoseError(
+                "the mass matrix is not positive definite",
+                self.robot.source,
+                "give every body that moves a mass: platform or links, carriages, pulleys",
+            ) from None
+
+    def _rigid_modes(self, checked: CheckedPoses, M: Array) -> int:
+        """Modes without elastic energy; the same at every regular pose, so one is enough."""
+        if not len(M):
+            return 0
+        H_el = generated.elastic_hessian(checked.points[checked.valid][0], self.robot.parameters)
+        return zero_eigenvalues(H_el, M[0])
+
+
+def load(path: str | PathLike[str]) -> Model:
+    """Read a robot file and return its evaluator.
+
+    Parameters
+    ----------
+    path : path-like
+        A robot file (docs/robot-file.md).
+
+    Raises
+    ------
+    RobotFileError
+        If the file cannot be read or anything in it is wrong.
+
+    Examples
+    --------
+    >>> model = load("robots/linear-delta-2022.toml")
+    >>> model.modes([0.6, 0.0, -0.245]).frequencies.round(3)[3:]
+    array([ 55.559,  60.316,  61.545, 130.801, 133.831, 134.257])
+    """
+    # Imported here: reading units and schemas costs more than the rest of the package together.
+    from pkmodes.robot.reading import read_robot
+
+    return Model(read_robot(path))

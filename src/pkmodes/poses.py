@@ -1,0 +1,143 @@
+"""Poses at the boundary: shape, numbers, reach, limits and singularity, checked before anything is solved.
+
+The margins come from the generated model; here they are only compared with zero and put into words.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from pkmodes_generated import linear_delta as generated
+from pkmodes_generated.linear_delta import Parameters
+
+from pkmodes.errors import PoseError
+
+OnError = Literal["raise", "nan"]
+
+#: Beyond this condition number D_p keeps fewer than ten digits, and rigid links are no model of the robot.
+MAX_CONDITION = 1e6
+
+SPANS = ("between its pulleys", "between its carriage and pulley 2", "between its carriage and pulley 1")
+
+
+@dataclass(frozen=True)
+class CheckedPoses:
+    """Poses that passed the door.
+
+    Attributes
+    ----------
+    points : ndarray, shape (N, 3)
+        Platform centres [m].
+    valid : ndarray of bool, shape (N,)
+        Which of them can be evaluated.
+    batch : tuple of int
+        Shape of the poses as the caller gave them, without the last axis.
+    """
+
+    points: NDArray[np.float64]
+    valid: NDArray[np.bool_]
+    batch: tuple[int, ...]
+
+    def scatter(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Put the results of the valid poses in the caller's shape, NaN for the others."""
+        out = np.full((len(self.points), *values.shape[1:]), np.nan)
+        out[self.valid] = values
+        return out.reshape(self.batch + values.shape[1:])
+
+
+def check_poses(
+    poses: ArrayLike, parameters: Parameters, on_error: OnError = "raise", max_condition: float = MAX_CONDITION
+) -> CheckedPoses:
+    """Check poses of the platform.
+
+    Parameters
+    ----------
+    poses : array_like, shape (3,) or (..., 3)
+        Platform centres in the base frame [m].
+    parameters : Parameters
+        The robot.
+    on_error : {"raise", "nan"}
+        Whether a pose that cannot be evaluated is an error or is marked invalid.
+    max_condition : float
+        Largest condition number of D_l that counts as regular.
+
+    Raises
+    ------
+    PoseError
+        If the array is not one of poses; with ``on_error="raise"`` also if a pose is not finite, out of
+        reach, singular, or has a carriage beyond its limits.
+    """
+    if on_error not in ("raise", "nan"):
+        raise PoseError(
+            f'expected on_error "raise" or "nan", found {on_error!r}', "on_error", "choose one of the two"
+        )
+    points, batch = _points(poses)
+    with np.errstate(all="ignore"):  # the margins say what is wrong; a NaN compares false and so fails
+        finite = np.isfinite(points).all(axis=1)
+        reach = generated.reach_margin(points, parameters)
+        spans = generated.belt_spans(points, parameters)
+        _, condition = generated.jacobian_condition(points, parameters)
+        reachable = finite & (reach >= 0.0).all(axis=1)
+        regular = reachable & (condition <= max_condition)
+        valid = regular & (spans > 0.0).all(axis=(1, 2))
+    if on_error == "raise" and not valid.all():
+        index = int(np.argmin(valid))
+        what, remedy = _reason(
+            points[index], reach[index], spans[index], bool(reachable[index]), bool(regular[index]), parameters
+        )
+        position = ", ".join(f"{c:.6g}" for c in points[index])
+        bad = int((~valid).sum())
+        where = f"pose {index} at [{position}] m" + (f", the first of {bad} bad poses" if bad > 1 else "")
+        if len(points) > 1:
+            remedy += ', or ask for NaN in its place with on_error="nan"'
+        raise PoseError(what, where, remedy, index)
+    return CheckedPoses(points, valid, batch)
+
+
+def _points(poses: ArrayLike) -> tuple[NDArray[np.float64], tuple[int, ...]]:
+    remedy = "give platform centres [x, y, z] in metres"
+    try:
+        array = np.asarray(poses)
+        if array.dtype.kind not in "iuf":
+            raise TypeError(f"values of type {array.dtype}")
+        array = array.astype(float)
+    except (TypeError, ValueError) as error:
+        raise PoseError(f"expected an array of numbers, found {error}", "poses", remedy) from None
+    if array.ndim == 0 or array.shape[-1] != 3:
+        raise PoseError(f"expected poses of shape (3,) or (N, 3), found {array.shape}", "poses", remedy)
+    if array.size == 0:
+        raise PoseError(f"expected at least one pose, found an array of shape {array.shape}", "poses", remedy)
+    return array.reshape(-1, 3), array.shape[:-1]
+
+
+def _reason(
+    point: NDArray[np.float64],
+    reach: NDArray[np.float64],
+    spans: NDArray[np.float64],
+    reachable: bool,
+    regular: bool,
+    parameters: Parameters,
+) -> tuple[str, str]:
+    """What is wrong with a pose, and the remedy."""
+    if not np.isfinite(point).all():
+        return "expected finite coordinates, found NaN or infinity", "give finite coordinates"
+    if not reachable:
+        j = int(np.argmin(reach))
+        return (
+            f"the pose is out of reach: link {j + 1} is {-reach[j]:.4g} m too short",
+            "choose a pose closer to the rails",
+        )
+    if not regular:
+        D_l, _ = generated.constraint_jacobians(point, parameters)
+        return (
+            f"the pose is singular: the condition number of D_l is {np.linalg.cond(D_l):.3g}",
+            "choose a pose farther from the singularity",
+        )
+    j, k = np.unravel_index(int(np.argmin(spans)), spans.shape)
+    return (
+        f"carriage {j + 1} is beyond its limits: the belt span {SPANS[k]} would be {spans[j, k]:.4g} m long",
+        "choose a pose within the travel of the carriages, or check limits and carriage length",
+    )
