@@ -1,28 +1,37 @@
-"""Regenerate the committed code and the LaTeX page: ``python -m pkmodes_derive``."""
+"""Regenerate the committed code and the derivation's page: ``python -m pkmodes_derive``."""
 
 from __future__ import annotations
 
 import argparse
 from pathlib import Path
 
-from pkmodes_derive.emit import product
+from pkmodes_derive.emit import latex, product
 
 ROOT = Path(__file__).parents[2]
 
 
 def main() -> None:
-    """Write the parametric models below ``generated/`` and, on request, the derivation as a page."""
+    """Write the parametric model of every mechanism, or the derivation as a page in LaTeX."""
     parser = argparse.ArgumentParser(prog="python -m pkmodes_derive", description=main.__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     generate = commands.add_parser("generate", help="write the parametric model of every mechanism")
     generate.add_argument("--out", type=Path, default=ROOT / "generated" / "pkmodes_generated")
+    page = commands.add_parser("latex", help="write every derived quantity of a mechanism in LaTeX")
+    page.add_argument("--mechanism", choices=sorted(product.MECHANISMS), default="linear_delta")
+    page.add_argument("--out", type=Path, default=ROOT / "docs" / "derivation.md")
     arguments = parser.parse_args()
+    if arguments.command == "latex":
+        _write(arguments.out, latex.page(product.derive(arguments.mechanism)))
+        return
     for mechanism in product.MECHANISMS:
-        folder = arguments.out / mechanism
-        folder.mkdir(parents=True, exist_ok=True)
         for name, text in product.parametric(mechanism).items():
-            (folder / name).write_bytes(text.encode("utf-8"))
-            print(folder / name)
+            _write(arguments.out / mechanism / name, text)
+
+
+def _write(path: Path, text: str) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(text.encode("utf-8"))
+    print(path)
 
 
 if __name__ == "__main__":

@@ -65,7 +65,9 @@ class Chain:
         names = tuple(variables)
         gradient = [self.derivative(expression, v) for v in names]
         upper = {
-            (k, m): self.derivative(gradient[k], names[m]) for k in range(len(names)) for m in range(k, len(names))
+            (k, m): self.derivative(gradient[k], names[m])
+            for k in range(len(names))
+            for m in range(k, len(names))
         }
         return [[upper[min(k, m), max(k, m)] for m in range(len(names))] for k in range(len(names))]
 

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from math import prod
 
-from sympy import Expr, Symbol
+from sympy import Basic, Expr, Symbol
 
 from pkmodes_derive.vocabulary import Field, Vocabulary
 
@@ -69,6 +69,25 @@ class Function:
 
 
 @dataclass(frozen=True)
+class Relation:
+    """A result that is derived and shown but not emitted, such as a second route to an emitted one.
+
+    Attributes
+    ----------
+    latex : str
+        What it is, typeset.
+    expression : sympy.Expr or sympy.Matrix
+        Its expression.
+    description : str
+        A sentence with its equation.
+    """
+
+    latex: str
+    expression: Basic
+    description: str
+
+
+@dataclass(frozen=True)
 class Model:
     """A derived mechanism, ready for emission.
 
@@ -84,6 +103,8 @@ class Model:
         The parameters as arrays.
     functions : tuple of Function
         In the order in which a reader should meet them.
+    relations : tuple of Relation
+        Derived, shown in the documentation, not emitted.
     """
 
     mechanism: str
@@ -91,3 +112,4 @@ class Model:
     vocabulary: Vocabulary = field(repr=False)
     fields: tuple[Field, ...] = field(repr=False)
     functions: tuple[Function, ...] = field(repr=False)
+    relations: tuple[Relation, ...] = field(repr=False, default=())

@@ -43,7 +43,8 @@ def second_order_forcing(
     `chain` must hold the rules ds/dq = D; the entries of D, given as `jacobian`, are held constant.
     """
     return [
-        -chain.derivative(chain.derivative(phi, first, hold=jacobian), second, hold=jacobian) for phi in closures
+        -chain.derivative(chain.derivative(phi, first, hold=jacobian), second, hold=jacobian)
+        for phi in closures
     ]
 
 
@@ -57,5 +58,6 @@ def cofactor(matrix: Matrix, row: int, column: int) -> Expr:
 def solve_3x3(adjugate: Matrix, determinant: Expr, right_hand_side: Sequence[Expr]) -> list[Expr]:
     """Solve a 3-by-3 system whose adjugate and determinant are already named."""
     return [
-        Add(*(adjugate[row, column] * right_hand_side[column] for column in range(3))) / determinant for row in range(3)
+        Add(*(adjugate[row, column] * right_hand_side[column] for column in range(3))) / determinant
+        for row in range(3)
     ]

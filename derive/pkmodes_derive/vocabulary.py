@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from sympy import Symbol
 
 AXES = ("x", "y", "z")
+Vector = tuple[Symbol, Symbol, Symbol]
 
 
 @dataclass(frozen=True)
@@ -28,12 +29,15 @@ class Quantity:
         A noun phrase that a reader of the generated code understands.
     latex : str
         How the symbol is typeset; the paper's symbol where it has one.
+    family : tuple of (str, str)
+        Name and description with the indices as letters, the same for all members: the glossary's entry.
     """
 
     symbol: Symbol
     unit: str
     description: str
     latex: str
+    family: tuple[str, str]
 
 
 @dataclass(frozen=True)
@@ -65,44 +69,59 @@ class Vocabulary:
     def __init__(self) -> None:
         self._quantities: dict[Symbol, Quantity] = {}
 
-    def declare(self, name: str, unit: str, description: str, latex: str) -> Symbol:
+    def declare(self, name: str, unit: str, description: str, latex: str, **index: object) -> Symbol:
         """Declare a real symbol; a name can be declared once.
+
+        Parameters
+        ----------
+        name, unit, description, latex : str
+            With ``{letter}`` for each index, which is filled in from `index`.
+        **index
+            Values of the indices by letter.
 
         Raises
         ------
         ValueError
             If the name is taken, or if unit, description or LaTeX form is empty.
         """
+        family = (name, description)
+        if index:
+            letters = {letter: letter for letter in index}
+            family = (name.format(**letters), description.format(**letters))
+            name, description, latex = (text.format(**index) for text in (name, description, latex))
         if not (name.isidentifier() and unit and description and latex):
             raise ValueError(f"symbol {name!r} needs an identifier, a unit, a description and a LaTeX form")
         symbol = Symbol(name, real=True)
         if symbol in self._quantities:
             raise ValueError(f"symbol {name!r} is declared twice")
-        self._quantities[symbol] = Quantity(symbol, unit, description, latex)
+        self._quantities[symbol] = Quantity(symbol, unit, description, latex, family)
         return symbol
 
-    def vector(self, name: str, unit: str, description: str, latex: str) -> tuple[Symbol, Symbol, Symbol]:
-        """Declare the x, y and z components of a vector in the base frame."""
+    def vector(self, name: str, unit: str, description: str, latex: str, **index: object) -> Vector:
+        """Declare the x, y and z components of a vector in the base frame; index letter i."""
         x, y, z = (
-            self.declare(f"{name}_{axis}", unit, f"{description}, {axis} component", f"({latex})_{axis}")
+            self.declare(
+                f"{name}_{{i}}",
+                unit,
+                f"{description}, component {{i}}",
+                f"({latex})_{{i}}" if index else latex.replace("{", "{{").replace("}", "}}") + "_{i}",
+                **index,
+                i=axis,
+            )
             for axis in AXES
         )
         return x, y, z
 
-    def per_axis(self, name: str, unit: str, description: str, latex: str) -> tuple[Symbol, Symbol, Symbol]:
+    def per_axis(self, name: str, unit: str, description: str, latex: str) -> Vector:
         """Declare one scalar for each of the three axes; ``{j}`` in the texts becomes the axis number."""
         first, second, third = (
-            self.declare(f"{name}_{j}", unit, description.format(j=j), latex.format(j=j)) for j in (1, 2, 3)
+            self.declare(f"{name}_{{j}}", unit, description, latex, j=j) for j in (1, 2, 3)
         )
         return first, second, third
 
-    def vectors_per_axis(
-        self, name: str, unit: str, description: str, latex: str
-    ) -> tuple[tuple[Symbol, Symbol, Symbol], ...]:
+    def vectors_per_axis(self, name: str, unit: str, description: str, latex: str) -> tuple[Vector, ...]:
         """Declare one vector for each of the three axes."""
-        return tuple(
-            self.vector(f"{name}_{j}", unit, description.format(j=j), latex.format(j=j)) for j in (1, 2, 3)
-        )
+        return tuple(self.vector(f"{name}_{{j}}", unit, description, latex, j=j) for j in (1, 2, 3))
 
     def __getitem__(self, symbol: Symbol) -> Quantity:
         return self._quantities[symbol]

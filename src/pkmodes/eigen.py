@@ -38,7 +38,10 @@ def generalised_eigh(M: Array, K: Array) -> tuple[Array, Array]:
     numpy.linalg.LinAlgError
         If some M is not positive definite.
     """
-    scale = 1.0 / np.sqrt(np.diagonal(M, axis1=-2, axis2=-1))
+    diagonal = np.diagonal(M, axis1=-2, axis2=-1)
+    if not (diagonal > 0.0).all():
+        raise np.linalg.LinAlgError("the diagonal of M is not positive")
+    scale = 1.0 / np.sqrt(diagonal)
     both = scale[..., :, None] * scale[..., None, :]
     inverse = np.linalg.inv(np.linalg.cholesky(M * both))
     transposed = np.swapaxes(inverse, -1, -2)

@@ -104,7 +104,9 @@ def _stale_outputs(out: Path, reference: str, texts: Iterable[str]) -> list[Path
         recorded = derivation("emit.currency").read_manifest(out)
     except (ValueError, OSError) as error:
         raise OutputError(
-            f"the folder holds a manifest that cannot be read: {error}", str(out / "manifest.json"), "remove it"
+            f"the folder holds a manifest that cannot be read: {error}",
+            str(out / "manifest.json"),
+            "remove it",
         ) from None
     owner = recorded.get("robot", {}).get("file") if isinstance(recorded.get("robot"), dict) else None
     if owner != reference:

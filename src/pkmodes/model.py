@@ -177,8 +177,12 @@ class Model:
             As `modes` does.
         """
         checked = self._check(poses, on_error)
-        torques, rotations = generated.static_equilibrium(checked.points[checked.valid], self.robot.parameters)
-        return Statics(checked.scatter(torques), checked.scatter(rotations), checked.valid.reshape(checked.batch))
+        torques, rotations = generated.static_equilibrium(
+            checked.points[checked.valid], self.robot.parameters
+        )
+        return Statics(
+            checked.scatter(torques), checked.scatter(rotations), checked.valid.reshape(checked.batch)
+        )
 
     def platform_jacobian(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
         """Platform Jacobian D_p = dp/dx, shape (..., 3, 3) (equation 15).
@@ -224,7 +228,9 @@ class Model:
         x = np.asarray(carriages, dtype=float)
         if x.ndim == 0 or x.shape[-1] != 3 or x.size == 0:
             raise PoseError(
-                f"expected carriage positions of shape (3,) or (N, 3), found {x.shape}", "carriages", "give metres"
+                f"expected carriage positions of shape (3,) or (N, 3), found {x.shape}",
+                "carriages",
+                "give metres",
             )
         with np.errstate(all="ignore"):
             p: Array = generated.direct_kinematics(x, assembly, self.robot.parameters)
@@ -232,7 +238,10 @@ class Model:
         if bad.any():
             index = int(np.argmax(bad))
             raise PoseError(
-                "the three links do not meet", f"carriages {index}", "choose carriage positions that assemble", index
+                "the three links do not meet",
+                f"carriages {index}",
+                "choose carriage positions that assemble",
+                index,
             )
         return p
 

@@ -49,7 +49,10 @@ class CheckedPoses:
 
 
 def check_poses(
-    poses: ArrayLike, parameters: Parameters, on_error: OnError = "raise", max_condition: float = MAX_CONDITION
+    poses: ArrayLike,
+    parameters: Parameters,
+    on_error: OnError = "raise",
+    max_condition: float = MAX_CONDITION,
 ) -> CheckedPoses:
     """Check poses of the platform.
 
@@ -86,7 +89,12 @@ def check_poses(
     if on_error == "raise" and not valid.all():
         index = int(np.argmin(valid))
         what, remedy = _reason(
-            points[index], reach[index], spans[index], bool(reachable[index]), bool(regular[index]), parameters
+            points[index],
+            reach[index],
+            spans[index],
+            bool(reachable[index]),
+            bool(regular[index]),
+            parameters,
         )
         position = ", ".join(f"{c:.6g}" for c in points[index])
         bad = int((~valid).sum())
@@ -136,7 +144,7 @@ def _reason(
             f"the pose is singular: the condition number of D_l is {np.linalg.cond(D_l):.3g}",
             "choose a pose farther from the singularity",
         )
-    j, k = np.unravel_index(int(np.argmin(spans)), spans.shape)
+    j, k = divmod(int(np.argmin(spans)), spans.shape[1])
     return (
         f"carriage {j + 1} is beyond its limits: the belt span {SPANS[k]} would be {spans[j, k]:.4g} m long",
         "choose a pose within the travel of the carriages, or check limits and carriage length",

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from math import prod
 
 from pkmodes_derive.emit import layout, printers
-from pkmodes_derive.emit.numpy_code import operations
+from pkmodes_derive.emit.numpy_code import glossary, operations
 from pkmodes_derive.emit.program import Program
 from pkmodes_derive.emit.provenance import Provenance
 from pkmodes_derive.emit.templates import render
@@ -31,8 +31,17 @@ def source_and_header(model: Model, programs: dict[str, Program], provenance: Pr
         "title": layout.prose(provenance.title, " * "),
         "guard": f"{provenance.name.upper()}_H",
         "name": provenance.name,
-        "coordinates": layout.prose(", ".join(f"{name} [{unit}]" for name, unit in model.coordinates), " *   "),
-        "constants": [line for text in provenance.constants for line in layout.prose(text, " *     ", first=" *   ")],
+        "coordinates": layout.prose(
+            ", ".join(f"{name} [{unit}]" for name, unit in model.coordinates), " *   "
+        ),
+        "constants": [
+            line for text in provenance.constants for line in layout.prose(text, " *     ", first=" *   ")
+        ],
+        "names": [
+            line
+            for text in glossary(model, programs)
+            for line in layout.prose(text, " *     ", first=" *   ")
+        ],
         "fields": [(f"double {f.name}{_extent(f.shape)};", f"[{f.unit}] {f.description}") for f in fields],
         "functions": [_function(f, programs[f.name], fields, provenance.name) for f in model.functions],
     }
@@ -45,14 +54,16 @@ def _extent(shape: tuple[int, ...]) -> str:
 
 def _function(function: Function, program: Program, fields: tuple[Field, ...], prefix: str) -> _Block:
     arguments = [
-        f"double {a.name}" if a.scalar else f"const double {a.name}[{len(a.symbols)}]" for a in function.arguments
+        f"double {a.name}" if a.scalar else f"const double {a.name}[{len(a.symbols)}]"
+        for a in function.arguments
     ]
     if fields:
         arguments.append(f"const {prefix}_parameters *parameters")
-    arguments += [f"double {o.name}{_extent(o.shape)}" if o.shape else f"double *{o.name}" for o in function.outputs]
+    arguments += [
+        f"double {o.name}{_extent(o.shape)}" if o.shape else f"double *{o.name}" for o in function.outputs
+    ]
     head = f"void {prefix}_{function.name}("
-    one_line = head + ", ".join(arguments) + ")"
-    prototype = [one_line] if len(one_line) < layout.WIDTH else layout.prose(", ".join(arguments) + ")", "    ", head)
+    prototype = layout.prose(", ".join(arguments) + ")", "    ", first=head, room=len(";"))
     return _Block(_comment(function, program), prototype, _body(function, program, fields))
 
 
@@ -61,7 +72,9 @@ def _comment(function: Function, program: Program) -> list[str]:
     if function.details:
         lines += [*layout.prose(function.details, " * "), " *"]
     for argument in function.arguments:
-        lines += layout.prose(f"{argument.name} [{argument.unit}]: {argument.description}", " *     ", " *   in  ")
+        lines += layout.prose(
+            f"{argument.name} [{argument.unit}]: {argument.description}", " *     ", " *   in  "
+        )
     for output in function.outputs:
         lines += layout.prose(f"{output.name} [{output.unit}]: {output.description}", " *     ", " *   out ")
     lines += [" *", *layout.prose(f"Source: {function.source}.", " * "), f" * {operations(program)}"]
@@ -80,11 +93,15 @@ def _body(function: Function, program: Program, fields: tuple[Field, ...]) -> li
     for field in fields:
         for i, symbol in enumerate(field.symbols):
             if symbol in inputs:
-                lines.append(f"    const double {symbol.name} = parameters->{field.name}{_place(field.shape, i)};")
+                lines.append(
+                    f"    const double {symbol.name} = parameters->{field.name}{_place(field.shape, i)};"
+                )
     if fields and not inputs & {s for field in fields for s in field.symbols}:
         lines.append("    (void)parameters;")
     for symbol, expression in program.steps:
-        lines += layout.assignment(f"const double {symbol.name}", printers.c_expression(expression), "    ", end=";")
+        lines += layout.assignment(
+            f"const double {symbol.name}", printers.c_expression(expression), "    ", end=";"
+        )
     for output, entries in program.results:
         for i, entry in enumerate(entries):
             target = f"{output.name}{_place(output.shape, i)}" if output.shape else f"*{output.name}"

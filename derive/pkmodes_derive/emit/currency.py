@@ -77,7 +77,9 @@ def compare(folder: Path, recorded: Mapping[str, object], fresh: Mapping[str, st
     text = on_disk[manifest.FILE_NAME]
     if not findings and text != fresh[manifest.FILE_NAME]:
         diff = _diff(manifest.FILE_NAME, text or "", fresh[manifest.FILE_NAME])
-        findings.append(Finding("edited", manifest.FILE_NAME, f"{manifest.FILE_NAME} was edited by hand", diff))
+        findings.append(
+            Finding("edited", manifest.FILE_NAME, f"{manifest.FILE_NAME} was edited by hand", diff)
+        )
     return findings
 
 
@@ -170,7 +172,12 @@ def _orphans(folder: Path, fresh: Mapping[str, str]) -> list[Finding]:
 def _diff(name: str, found: str, wanted: str) -> str:
     lines = list(
         difflib.unified_diff(
-            found.splitlines(), wanted.splitlines(), f"{name} (on disk)", f"{name} (derived now)", lineterm="", n=1
+            found.splitlines(),
+            wanted.splitlines(),
+            f"{name} (on disk)",
+            f"{name} (derived now)",
+            lineterm="",
+            n=1,
         )
     )
     if len(lines) > DIFF_LINES:

@@ -7,11 +7,11 @@ import textwrap
 WIDTH = 110
 
 
-def prose(text: str, indent: str, first: str | None = None) -> list[str]:
-    """Wrap a sentence; `first` is the indentation of the first line where it differs."""
+def prose(text: str, indent: str, first: str | None = None, room: int = 0) -> list[str]:
+    """Wrap words; `first` is the indentation of the first line where it differs, `room` is left free."""
     return textwrap.wrap(
         text,
-        WIDTH,
+        WIDTH - room,
         initial_indent=indent if first is None else first,
         subsequent_indent=indent,
         break_long_words=False,
@@ -19,7 +19,9 @@ def prose(text: str, indent: str, first: str | None = None) -> list[str]:
     )
 
 
-def assignment(target: str, expression: str, indent: str, end: str = "", parentheses: bool = False) -> list[str]:
+def assignment(
+    target: str, expression: str, indent: str, end: str = "", parentheses: bool = False
+) -> list[str]:
     """Write ``target = expression`` on as many lines as it needs, broken before operators.
 
     Parameters
@@ -36,7 +38,7 @@ def assignment(target: str, expression: str, indent: str, end: str = "", parenth
     pieces = _break_before_operators(expression)
     lines, current = [], inner
     for piece in pieces:
-        if current.strip() and len(current) + 1 + len(piece) > WIDTH:
+        if current.strip() and len(current) + 1 + len(piece) + len(end) > WIDTH:
             lines.append(current)
             current = inner
         current += piece if not current.strip() else f" {piece}"

@@ -63,7 +63,8 @@ def text(
         "sources": source_digests(),
         "outputs": {name: digest(outputs[name]) for name in outputs},
         "operations": {
-            name: {"written_out": p.operations_written_out, "emitted": p.operations} for name, p in programs.items()
+            name: {"written_out": p.operations_written_out, "emitted": p.operations}
+            for name, p in programs.items()
         },
     }
     if specification is not None:

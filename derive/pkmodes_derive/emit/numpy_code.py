@@ -33,6 +33,7 @@ def module(model: Model, programs: dict[str, Program], provenance: Provenance) -
         title=layout.prose(provenance.title, ""),
         command=provenance.command,
         constants=[line for text in provenance.constants for line in layout.prose(text, "    ", first="* ")],
+        names=[line for text in glossary(model, programs) for line in layout.prose(text, "    ", first="* ")],
         coordinates=[name for name, _ in model.coordinates],
         coordinate_units=[unit for _, unit in model.coordinates],
         fields=[
@@ -40,6 +41,13 @@ def module(model: Model, programs: dict[str, Program], provenance: Provenance) -
         ],
         functions=[_function(f, programs[f.name], fields) for f in model.functions],
     )
+
+
+def glossary(model: Model, programs: dict[str, Program]) -> list[str]:
+    """What the named values in the code are: one entry for all members of a family."""
+    used = {symbol for program in programs.values() for symbol, _ in program.steps}
+    families = {q.family: q.unit for q in model.vocabulary if q.symbol in used}
+    return [f"{name} [{unit}]: {description}" for (name, description), unit in families.items()]
 
 
 def _field_text(field: Field) -> list[str]:
@@ -99,15 +107,19 @@ def _body(function: Function, program: Program, used: list[Field]) -> list[str]:
         lines += _unpack(argument.symbols, inputs, source, representatives)
     for field in used:
         shape = ", ".join(map(str, field.shape)) + ("," if len(field.shape) == 1 else "")
-        lines += _unpack(field.symbols, inputs, f"_entries(parameters.{field.name}, ({shape}))", representatives)
-    lines.append(f"    batch, dtype = _batch({', '.join(representatives)})")
+        lines += _unpack(
+            field.symbols, inputs, f"_entries(parameters.{field.name}, ({shape}))", representatives
+        )
+    lines += layout.prose(f"{', '.join(representatives)})", " " * 8, first="    batch, dtype = _batch(")
     for symbol, expression in program.steps:
         lines += layout.assignment(
             symbol.name, printers.numpy_expression(expression), "    ", parentheses=True
         )
     for output, entries in program.results:
         shape = ", ".join(["*batch", *map(str, output.shape)])
-        lines.append(f"    {_local(output.name)} = np.zeros({f'({shape})' if output.shape else 'batch'}, dtype)")
+        lines.append(
+            f"    {_local(output.name)} = np.zeros({f'({shape})' if output.shape else 'batch'}, dtype)"
+        )
         for index, entry in zip(_indices(output.shape), entries, strict=True):
             if entry == 0:
                 continue

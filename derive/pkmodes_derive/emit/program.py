@@ -65,7 +65,9 @@ def arrange(function: Function) -> Program:
     results = [entry.xreplace(inline) for entry in reduced[len(names) :]]
 
     order = _topological(expressions, names, results)
-    number = {s: Symbol(f"t{i}", real=True) for i, s in enumerate((s for s in order if s not in named), start=1)}
+    number = {
+        s: Symbol(f"t{i}", real=True) for i, s in enumerate((s for s in order if s not in named), start=1)
+    }
     steps = tuple((number.get(s, s), expressions[s].xreplace(number)) for s in order)
     results = [entry.xreplace(number) for entry in results]
     defined = {s for s, _ in steps}
@@ -102,7 +104,9 @@ def _written_out(definitions: Mapping[Symbol, Expr], entries: list[Expr]) -> int
     return sum(count(entry) for entry in entries)
 
 
-def _topological(expressions: Mapping[Symbol, Expr], names: list[Symbol], results: list[Expr]) -> list[Symbol]:
+def _topological(
+    expressions: Mapping[Symbol, Expr], names: list[Symbol], results: list[Expr]
+) -> list[Symbol]:
     """Named values in the order of the derivation, each shared subexpression just before its first use."""
     order: dict[Symbol, None] = {}
 

@@ -34,7 +34,14 @@ def derive() -> Model:
         coordinates=tuple((q.name, sy.vocabulary[q].unit) for q in sy.coordinates),
         vocabulary=sy.vocabulary,
         fields=sy.fields,
-        functions=(*builder.position(), *builder.motion(), *builder.gravity(), *builder.belts(), *builder.modal()),
+        functions=(
+            *builder.position(),
+            *builder.motion(),
+            *builder.gravity(),
+            *builder.belts(),
+            *builder.modal(),
+        ),
+        relations=rotation.euler_relations(sy, kin),
     )
 
 
@@ -51,7 +58,9 @@ class _Catalogue:
         self.pose = Argument("p", sy.p, "m", "platform centre in the base frame")
         self.carriages = Argument("x", sy.x, "m", "carriage positions x_1, x_2, x_3")
         self.x_dot = Argument("x_dot", sy.velocities[:3], "m/s", "carriage velocities")
-        self.q_dot = Argument("q_dot", sy.velocities, "m/s, rad/s", "rates of the nine generalised coordinates")
+        self.q_dot = Argument(
+            "q_dot", sy.velocities, "m/s, rad/s", "rates of the nine generalised coordinates"
+        )
         self.delta_q = Argument(
             "delta_q",
             sy.displacements,
@@ -69,7 +78,13 @@ class _Catalogue:
         )
 
     def function(
-        self, name: str, summary: str, source: str, arguments: Sequence[Argument], *outputs: Output, details: str = ""
+        self,
+        name: str,
+        summary: str,
+        source: str,
+        arguments: Sequence[Argument],
+        *outputs: Output,
+        details: str = "",
     ) -> Function:
         return Function(name, summary, source, tuple(arguments), outputs, self.definitions, details)
 
@@ -139,15 +154,25 @@ class _Catalogue:
                 "Constraint Jacobians D_l and D_r of D_l p_dot = D_r x_dot.",
                 "equations 14 and 15",
                 [self.pose],
-                Output("D_l", (3, 3), tuple(kin.D_l), "m", "row j: linkage vector c_j - e_j in the base frame"),
-                Output("D_r", (3, 3), tuple(kin.D_r), "m", "diagonal: component of the linkage vector along rail j"),
+                Output(
+                    "D_l", (3, 3), tuple(kin.D_l), "m", "row j: linkage vector c_j - e_j in the base frame"
+                ),
+                Output(
+                    "D_r",
+                    (3, 3),
+                    tuple(kin.D_r),
+                    "m",
+                    "diagonal: component of the linkage vector along rail j",
+                ),
             ),
             self.function(
                 "jacobian_condition",
                 "Assembly branch and condition number of D_l in the Frobenius norm.",
                 "equation 15; |D_l| |D_l^-1|, between once and three times the condition number in the 2-norm",
                 [self.pose],
-                Output("determinant", (), (kin.determinant,), "m^3", "det D_l; its sign is the assembly branch"),
+                Output(
+                    "determinant", (), (kin.determinant,), "m^3", "det D_l; its sign is the assembly branch"
+                ),
                 Output(
                     "condition",
                     (),
@@ -176,7 +201,9 @@ class _Catalogue:
                 "Time derivative of the platform Jacobian.",
                 "equation 17",
                 [self.pose, self.x_dot],
-                Output("D_p_dot", (3, 3), _flat(energies.D_p_dot), "1/s", "d(D_p)/dt while the carriages move"),
+                Output(
+                    "D_p_dot", (3, 3), _flat(energies.D_p_dot), "1/s", "d(D_p)/dt while the carriages move"
+                ),
             ),
             self.function(
                 "platform_second_derivatives",
@@ -190,9 +217,19 @@ class _Catalogue:
                 "Jacobians of the linkages: centre of mass and angular velocity.",
                 "equations 16 and 23; the angular velocity without spin about the rod, which carries no energy",
                 [self.pose],
-                Output("D_d", (3, 3, 3), _flat(map(tuple, D_d)), "1", "velocity of the centre of linkage j by x_dot"),
                 Output(
-                    "D_omega", (3, 3, 3), _flat(map(tuple, D_omega)), "1/m", "angular velocity of linkage j by x_dot"
+                    "D_d",
+                    (3, 3, 3),
+                    _flat(map(tuple, D_d)),
+                    "1",
+                    "velocity of the centre of linkage j by x_dot",
+                ),
+                Output(
+                    "D_omega",
+                    (3, 3, 3),
+                    _flat(map(tuple, D_omega)),
+                    "1/m",
+                    "angular velocity of linkage j by x_dot",
                 ),
             ),
             self.function(
@@ -293,7 +330,9 @@ class _Catalogue:
                 "Hessian of the elastic potential energy.",
                 "equation 38 differentiated twice",
                 [self.pose],
-                Output("H_el", (9, 9), self.K_el, "N/m, N, N m", "d2V_el/dq2, symmetric, three zero eigenvalues"),
+                Output(
+                    "H_el", (9, 9), self.K_el, "N/m, N, N m", "d2V_el/dq2, symmetric, three zero eigenvalues"
+                ),
             ),
             self.function(
                 "static_equilibrium",
@@ -301,7 +340,11 @@ class _Catalogue:
                 "equation 44, solved for the carriages fixed at the pose",
                 [self.pose],
                 Output(
-                    "tau_st", (3,), self.equilibrium.torques, "N m", "torques on the driven pulleys, positive with theta"
+                    "tau_st",
+                    (3,),
+                    self.equilibrium.torques,
+                    "N m",
+                    "torques on the driven pulleys, positive with theta",
                 ),
                 Output(
                     "theta_st",
@@ -316,7 +359,11 @@ class _Catalogue:
     def modal(self) -> list[Function]:
         """Stiffness matrix, alone and with the mass matrix."""
         K = Output(
-            "K", (9, 9), self.K, "N/m, N, N m", "symmetric; Hessian of V_el + V_g, positive for a restoring force"
+            "K",
+            (9, 9),
+            self.K,
+            "N/m, N, N m",
+            "symmetric; Hessian of V_el + V_g, positive for a restoring force",
         )
         M = Output("M", (9, 9), self.M, "kg, kg m^2", "mass matrix")
         return [
@@ -342,7 +389,9 @@ class _Catalogue:
 
 def _midpoint_jacobian(sy: Symbols, kin: kinematics.Kinematics, j: int) -> Matrix:
     """Equation 16 with W_c = W_t: the centre of mass is midway."""
-    return Matrix(3, 3, lambda m, k: (kin.D_p[m, k] + (sy.n[j][m] if j == k else Integer(0))) * Rational(1, 2))
+    return Matrix(
+        3, 3, lambda m, k: (kin.D_p[m, k] + (sy.n[j][m] if j == k else Integer(0))) * Rational(1, 2)
+    )
 
 
 def _block(rows: Sequence[Sequence[Expr]]) -> tuple[Expr, ...]:

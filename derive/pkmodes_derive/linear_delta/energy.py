@@ -59,8 +59,8 @@ def derive(sy: Symbols, kinematics: Kinematics) -> Energies:
     spans, stiffness = _belts(sy, kinematics)
     T_t = Add(
         *(
-            HALF * I * theta_dot**2
-            for I, theta_dot in zip((i for row in inertia for i in row), sy.velocities[3:], strict=True)
+            HALF * moment * theta_dot**2
+            for moment, theta_dot in zip((*inertia[0], *inertia[1]), sy.velocities[3:], strict=True)
         )
     )
     T_ss, D_p_dot = _structure(sy, kinematics)
@@ -101,15 +101,18 @@ def _jacobian_rate(
     for j in range(3):
         for m in range(3):
             chain.define(
-                s_dot[j][m], Add(*(chain.derivative(kinematics.s[j][m], sy.x[k]) * x_dot[k] for k in range(3)))
+                s_dot[j][m],
+                Add(*(chain.derivative(kinematics.s[j][m], sy.x[k]) * x_dot[k] for k in range(3))),
             )
     names = tuple(
         tuple(
             v.declare(
-                f"D_p_dot_{axis}_{k}",
+                "D_p_dot_{i}_{k}",
                 "1/s",
-                f"time derivative of dp_{axis}/dx_{k}",
-                rf"(\dot{{D}}_p)_{{{axis}{k}}}",
+                "time derivative of dp_{i}/dx_{k}",
+                r"(\dot{{D}}_p)_{{{i}{k}}}",
+                i=axis,
+                k=k,
             )
             for k in (1, 2, 3)
         )
@@ -142,10 +145,12 @@ def _pulley_inertia(sy: Symbols, kinematics: Kinematics) -> tuple[tuple[Symbol, 
     names = tuple(
         tuple(
             sy.vocabulary.declare(
-                f"I_{j}_{k}",
+                "I_{j}_{k}",
                 "kg m^2",
-                f"moment of inertia of pulley {k} of axis {j}, with the motor where it is driven",
-                f"I_{{p,{j},{k}}}",
+                "moment of inertia of pulley {k} of axis {j}, with the motor where it is driven",
+                "I_{{p,{j},{k}}}",
+                j=j,
+                k=k,
             )
             for j in (1, 2, 3)
         )
@@ -167,7 +172,7 @@ def _belts(
     rules: no derivative by x passes through them.
     """
     v, chain = sy.vocabulary, kinematics.chain
-    ends = ("between the pulleys", "between carriage and pulley 2", "between carriage and pulley 1")
+    of_span = "span {k} of belt {j} (1 between the pulleys, 2 from carriage to pulley 2, 3 from carriage to pulley 1)"
     spans, stiffness = [], []
     for j in range(3):
         lengths = (
@@ -177,12 +182,9 @@ def _belts(
         )
         spans.append([])
         stiffness.append([])
-        for k, (length, where) in enumerate(zip(lengths, ends, strict=True), start=1):
-            number = f"{{{j + 1},{k}}}"
-            l_f = v.declare(
-                f"l_f_{j + 1}_{k}", "m", f"free length of the span of belt {j + 1} {where}", f"l_{{f,{j + 1},{k}}}"
-            )
-            stiff = v.declare(f"k_{j + 1}_{k}", "N/m", f"stiffness of the span of belt {j + 1} {where}", f"k_{number}")
+        for k, length in enumerate(lengths, start=1):
+            l_f = v.declare("l_f_{j}_{k}", "m", f"free length of {of_span}", "l_{{f,{j},{k}}}", j=j + 1, k=k)
+            stiff = v.declare("k_{j}_{k}", "N/m", f"stiffness of {of_span}", "k_{{{j},{k}}}", j=j + 1, k=k)
             spans[j].append(chain.define(l_f, length))
             stiffness[j].append(chain.define(stiff, sy.w_b[j] * sy.k_sp[j] / l_f))
     return tuple(map(tuple, spans)), tuple(map(tuple, stiffness))
@@ -195,5 +197,7 @@ def _elastic(sy: Symbols, stiffness: tuple[tuple[Symbol, ...], ...]) -> Expr:
         k1, k2, k3 = stiffness[j]
         carriage = sy.displacements[j]
         rim_1, rim_2 = (sy.R_p[j] * sy.displacements[i + j] for i in (3, 6))
-        V.append(HALF * (k1 * (rim_2 - rim_1) ** 2 + k2 * (carriage - rim_2) ** 2 + k3 * (rim_1 - carriage) ** 2))
+        V.append(
+            HALF * (k1 * (rim_2 - rim_1) ** 2 + k2 * (carriage - rim_2) ** 2 + k3 * (rim_1 - carriage) ** 2)
+        )
     return Add(*V)

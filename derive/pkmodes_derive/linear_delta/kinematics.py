@@ -17,8 +17,8 @@ from sympy import Add, Expr, Matrix, Rational, Symbol, sqrt
 
 from pkmodes_derive import implicit
 from pkmodes_derive.chain import Chain
-from pkmodes_derive.linear_delta.symbols import Symbols, Vector
-from pkmodes_derive.vocabulary import AXES
+from pkmodes_derive.linear_delta.symbols import Symbols
+from pkmodes_derive.vocabulary import AXES, Vector
 
 
 def dot(a: tuple[Expr, ...], b: tuple[Expr, ...]) -> Expr:
@@ -95,10 +95,7 @@ def derive(sy: Symbols) -> Kinematics:
     for m, axis in enumerate(AXES):
         for k in range(3):
             name = v.declare(
-                f"D_p_{axis}_{k + 1}",
-                "1",
-                f"platform Jacobian, dp_{axis}/dx_{k + 1}",
-                f"(D_p)_{{{axis}{k + 1}}}",
+                "D_p_{i}_{k}", "1", "platform Jacobian, dp_{i}/dx_{k}", "(D_p)_{{{i}{k}}}", i=axis, k=k + 1
             )
             column = implicit.solve_3x3(adjugate, determinant, [D_r[j, k] for j in range(3)])
             D_p[m, k] = chain.define(name, column[m])
@@ -106,7 +103,9 @@ def derive(sy: Symbols) -> Kinematics:
 
     U = tuple(_linkage_jacobian(sy, chain, s[j], D_p, j) for j in range(3))
     P = _second_derivatives(sy, chain, closures, D_p, adjugate, determinant)
-    return Kinematics(chain, inverse, r, s, closures, rail_distance, D_l, D_r, adjugate, determinant, D_p, U, P)
+    return Kinematics(
+        chain, inverse, r, s, closures, rail_distance, D_l, D_r, adjugate, determinant, D_p, U, P
+    )
 
 
 def _inverse(sy: Symbols, r: tuple[Vector, ...]) -> tuple[dict[Symbol, Expr], tuple[Symbol, ...]]:
@@ -130,7 +129,7 @@ def _adjugate(sy: Symbols, chain: Chain, D_l: Matrix) -> tuple[Matrix, Symbol]:
     for j in range(3):
         for m, axis in enumerate(AXES):
             name = v.declare(
-                f"A_{axis}_{j + 1}", "m^2", f"adjugate of D_l, entry {axis}, {j + 1}", rf"A_{{{axis}{j + 1}}}"
+                "A_{i}_{j}", "m^2", "adjugate of D_l, entry {i}, {j}", "A_{{{i}{j}}}", i=axis, j=j + 1
             )
             adjugate[m, j] = chain.define(name, implicit.cofactor(D_l, j, m))
     determinant = v.declare("det_D_l", "m^3", "determinant of D_l", r"\det D_l")
@@ -143,10 +142,13 @@ def _linkage_jacobian(sy: Symbols, chain: Chain, s: Vector, D_p: Matrix, j: int)
     for m, axis in enumerate(AXES):
         for k in range(3):
             name = sy.vocabulary.declare(
-                f"U_{j + 1}_{axis}_{k + 1}",
+                "U_{j}_{i}_{k}",
                 "1",
-                f"derivative of linkage vector {j + 1}, component {axis}, by x_{k + 1}",
-                rf"(U_{j + 1})_{{{axis}{k + 1}}}",
+                "derivative of linkage vector {j}, component {i}, by x_{k}",
+                "(U_{j})_{{{i}{k}}}",
+                j=j + 1,
+                i=axis,
+                k=k + 1,
             )
             U[m, k] = chain.define(name, chain.derivative(s[m], sy.x[k]))
     for m in range(3):
@@ -166,20 +168,26 @@ def _second_derivatives(
             for j in range(3):
                 names.append(
                     v.declare(
-                        f"f_{j + 1}_{k + 1}{m + 1}",
+                        "f_{j}_{k}{l}",
                         "1",
-                        f"right-hand side of closure {j + 1} differentiated by x_{k + 1} and x_{m + 1}",
-                        rf"(f_{j + 1})_{{{k + 1}{m + 1}}}",
+                        "right-hand side of closure {j} differentiated by x_{k} and x_{l}",
+                        "(f_{j})_{{{k}{l}}}",
+                        j=j + 1,
+                        k=k + 1,
+                        l=m + 1,
                     )
                 )
                 chain.define(names[j], forcing[j])
             solution = implicit.solve_3x3(adjugate, determinant, names)
             for i, axis in enumerate(AXES):
                 name = v.declare(
-                    f"P_{axis}_{k + 1}{m + 1}",
+                    "P_{i}_{k}{l}",
                     "1/m",
-                    f"second derivative of p_{axis} by x_{k + 1} and x_{m + 1}",
-                    rf"\partial^2 p_{axis}/\partial x_{k + 1}\partial x_{m + 1}",
+                    "second derivative of p_{i} by x_{k} and x_{l}",
+                    "(P_{i})_{{{k}{l}}}",
+                    i=axis,
+                    k=k + 1,
+                    l=m + 1,
                 )
                 P[i][k, m] = P[i][m, k] = chain.define(name, solution[i])
                 chain.rule(D_p[i, k], sy.x[m], name)
@@ -201,8 +209,14 @@ def direct(sy: Symbols) -> tuple[dict[Symbol, Expr], tuple[Expr, Expr, Expr]]:
     nu = v.vector("nu", "m^2", "normal of the plane of the sphere centres", r"\nu")
     nu2 = v.declare("nu2", "m^4", "squared length of the normal", r"|\nu|^2")
     power = [
-        v.declare(f"h_{j}", "m^2", f"projection of p - S_1 on {name}", f"h_{j}")
-        for j, name in ((2, "alpha"), (3, "beta"))
+        v.declare(
+            "h_{j}",
+            "m^2",
+            "product of p - S_1 with the vector between sphere centres 1 and {j}",
+            "h_{j}",
+            j=j,
+        )
+        for j in (2, 3)
     ]
     foot = v.vector("q", "m", "foot of the perpendicular on the plane of the centres, seen from S_1", "q")
     for j in range(3):
@@ -221,4 +235,3 @@ def direct(sy: Symbols) -> tuple[dict[Symbol, Expr], tuple[Expr, Expr, Expr]]:
     height = sy.assembly * sqrt((sy.l_d[0] ** 2 - dot(foot, foot)) / nu2)
     x, y, z = (S[0][m] + foot[m] + height * nu[m] for m in range(3))
     return definitions, (x, y, z)
-

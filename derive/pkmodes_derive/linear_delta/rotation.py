@@ -17,6 +17,7 @@ from dataclasses import dataclass
 
 from sympy import Expr, Integer, Matrix, Rational, Symbol, asin, atan2, cos, diff, rot_ccw_axis3, sin, sqrt
 
+from pkmodes_derive.functions import Relation
 from pkmodes_derive.linear_delta.kinematics import Kinematics, cross
 from pkmodes_derive.linear_delta.symbols import Symbols
 
@@ -30,12 +31,18 @@ def angular_jacobian(sy: Symbols, kinematics: Kinematics, j: int) -> Matrix:
 
 @dataclass(frozen=True)
 class EulerRoute:
-    """Equations 5 to 8 and 18 to 25 for one linkage; expressions in the entries of s_j, U_j and phi_j.
+    """Equations 5 to 8 and 18 to 25 for one linkage, in the entries of s_j, U_j and of u_j.
 
     Attributes
     ----------
+    u : tuple of sympy.Symbol
+        Components of u_j (equation 5) in the joint's own frame.
+    u_of_s : sympy.Matrix
+        Their expressions in the linkage vector and phi_j.
     alpha, beta : sympy.Expr
-        Euler angles [rad] (equations 6 and 7); gamma is 0 (equation 8).
+        Euler angles [rad] as functions of u (equations 6 and 7); gamma is 0 (equation 8).
+    D_f : sympy.Matrix
+        Derivatives of the three angles by u (equation 18).
     Psi : sympy.Matrix
         Euler rates to angular velocity, in the joint's frame (equation 21).
     D_omega : sympy.Matrix
@@ -44,25 +51,23 @@ class EulerRoute:
         Inertia of the rods about their centre of mass, base frame (equation 25, turned).
     """
 
+    u: tuple[Symbol, Symbol, Symbol]
+    u_of_s: Matrix
     alpha: Expr
     beta: Expr
+    D_f: Matrix
     Psi: Matrix
     D_omega: Matrix
     inertia: Matrix
 
 
-def euler_route(sy: Symbols, kinematics: Kinematics, j: int, phi: Symbol) -> EulerRoute:
-    """Derive the paper's route for linkage `j` (counted from 0) whose joint is turned by `phi` about z."""
-    R_f = rot_ccw_axis3(phi)
-    u_symbols = Matrix(sy_u(j))
-    length = sqrt(u_symbols.dot(u_symbols))
+def euler_route(sy: Symbols, kinematics: Kinematics, j: int) -> EulerRoute:
+    """Derive the paper's route for linkage `j` (counted from 0) whose joint is turned by phi_j about z."""
+    u = sy.u[j]
+    R_f = rot_ccw_axis3(sy.phi[j])
     # atan2 instead of the printed arctan(-u_2/u_3): equal for u_3 > 0 and right for u_3 < 0 as well.
-    alpha_u, beta_u = atan2(-u_symbols[1], u_symbols[2]), asin(u_symbols[0] / length)
-    D_f = Matrix([[diff(angle, u) for u in u_symbols] for angle in (alpha_u, beta_u, Integer(0))])
-    u = R_f.T * -Matrix(kinematics.s[j])
-    D_u = R_f.T * -kinematics.U[j]
-    place = dict(zip(u_symbols, u, strict=True))
-    alpha, beta = alpha_u.xreplace(place), beta_u.xreplace(place)
+    alpha, beta = atan2(-u[1], u[2]), asin(u[0] / sqrt(u[0] ** 2 + u[1] ** 2 + u[2] ** 2))
+    D_f = Matrix([[diff(angle, component) for component in u] for angle in (alpha, beta, Integer(0))])
     Psi = Matrix(
         [
             [1, 0, sin(beta)],
@@ -70,14 +75,29 @@ def euler_route(sy: Symbols, kinematics: Kinematics, j: int, phi: Symbol) -> Eul
             [0, sin(alpha), cos(beta) * cos(alpha)],
         ]
     )
-    D_omega = R_f * Psi * D_f.xreplace(place) * D_u
+    u_of_s = R_f.T * -Matrix(kinematics.s[j])
+    place = dict(zip(u, u_of_s, strict=True))
+    D_omega = R_f * (Psi * D_f).xreplace(place) * (R_f.T * -kinematics.U[j])
     direction = Matrix(kinematics.s[j]) / sy.l_d[j]
-    square_to_rod = Matrix.eye(3) - direction * direction.T
-    inertia = sy.m_d[j] * sy.l_d[j] ** 2 * Rational(1, 12) * square_to_rod
-    return EulerRoute(alpha, beta, Psi, D_omega, inertia)
+    inertia = sy.m_d[j] * sy.l_d[j] ** 2 * Rational(1, 12) * (Matrix.eye(3) - direction * direction.T)
+    return EulerRoute(u, u_of_s, alpha, beta, D_f, Psi, D_omega, inertia)
 
 
-def sy_u(j: int) -> tuple[Symbol, Symbol, Symbol]:
-    """Components of u_j (equation 5) in the joint's own frame; local to the derivation."""
-    first, second, third = (Symbol(f"u_{j + 1}_{m}", real=True) for m in (1, 2, 3))
-    return first, second, third
+def euler_relations(sy: Symbols, kinematics: Kinematics) -> tuple[Relation, ...]:
+    """The paper's route as it is shown in the documentation, for the first linkage (the others are alike)."""
+    route = euler_route(sy, kinematics, 0)
+    return (
+        Relation(
+            "u_1", route.u_of_s, "Equation 5: carriage seen from the platform joint, in the joint's frame."
+        ),
+        Relation(r"\alpha_1", route.alpha, "Equation 6, with the quadrant."),
+        Relation(r"\beta_1", route.beta, "Equation 7; gamma is zero (equation 8)."),
+        Relation("(D_f)_1", route.D_f, "Equation 18: derivatives of the angles alpha, beta, gamma by u."),
+        Relation(r"\Psi_1", route.Psi, "Equation 21."),
+        Relation(
+            r"(R_f)_1",
+            rot_ccw_axis3(sy.phi[0]),
+            "The joint's frame; D_omega = R_f Psi D_f D_u (equation 23).",
+        ),
+        Relation("I_{d,1}", route.inertia, "Equation 25 in the base frame."),
+    )

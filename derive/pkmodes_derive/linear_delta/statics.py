@@ -45,7 +45,9 @@ def derive(sy: Symbols, chain: Chain, energies: Energies) -> Statics:
     carriages_fixed = dict.fromkeys(sy.displacements[:3], Integer(0))
     elastic = [diff(energies.V_el, q).xreplace(carriages_fixed) for q in sy.displacements]
     forces = v.per_axis("G", "N", "gradient of the gravitational potential energy by x_{j}", "G_{j}")
-    torques = v.per_axis("tau_st", "N m", "static torque on the driven pulley of axis {j}", r"\tau_{{st,{j}}}")
+    torques = v.per_axis(
+        "tau_st", "N m", "static torque on the driven pulley of axis {j}", r"\tau_{{st,{j}}}"
+    )
     rotations: dict[Symbol, Symbol] = {}
     for j in range(3):
         chain.define(forces[j], gravity[j])
@@ -56,18 +58,19 @@ def derive(sy: Symbols, chain: Chain, energies: Energies) -> Statics:
         # The pulley that is not driven carries no torque.
         free = [diff(drives_2 * pulley_1 + drives_1 * pulley_2, angle) for angle in unknown]
         determinant = v.declare(
-            f"det_{j + 1}", "N^2 m", f"determinant of the equilibrium of axis {j + 1}", rf"\Delta_{j + 1}"
+            "det_{j}", "N^2 m", "determinant of the equilibrium of axis {j}", r"\Delta_{j}", j=j + 1
         )
         chain.define(determinant, carriage[0] * free[1] - carriage[1] * free[0])
-        for angle, value in zip(unknown, (-forces[j] * free[1], forces[j] * free[0]), strict=True):
-            index = sy.displacements.index(angle)
+        for k, value in enumerate((-forces[j] * free[1], forces[j] * free[0]), start=1):
             name = v.declare(
-                f"{sy.coordinates[index].name}_st",
+                "theta_{j}_{k}_st",
                 "rad",
-                f"static rotation: {v[sy.coordinates[index]].description}",
-                rf"{v[sy.coordinates[index]].latex[:-1]},st}}",
+                "static rotation of pulley {k} of axis {j} from the unstrained belts",
+                r"\vartheta_{{{j},{k},st}}",
+                j=j + 1,
+                k=k,
             )
-            rotations[angle] = chain.define(name, value / determinant)
+            rotations[unknown[k - 1]] = chain.define(name, value / determinant)
         torque = Add(drives_1 * pulley_1, drives_2 * pulley_2)
         chain.define(torques[j], torque.xreplace(rotations))
     return Statics(gravity, tuple(rotations[angle] for angle in sy.displacements[3:]), torques)

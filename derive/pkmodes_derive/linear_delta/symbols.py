@@ -11,9 +11,7 @@ from itertools import chain as concatenate
 
 from sympy import Symbol
 
-from pkmodes_derive.vocabulary import Field, Vocabulary
-
-Vector = tuple[Symbol, Symbol, Symbol]
+from pkmodes_derive.vocabulary import Field, Vector, Vocabulary
 
 
 class Symbols:
@@ -27,35 +25,44 @@ class Symbols:
         self.vocabulary = v = Vocabulary()
         self._declare_parameters(v)
         self.p = v.vector("p", "m", "platform centre in the base frame", "p")
-        self.x = v.per_axis("x", "m", "position of carriage {j} along its rail", "x_{j}")
-        self.theta = tuple(
-            v.declare(
-                f"theta_{j}_{k}", "rad", f"rotation of pulley {k} of axis {j}", rf"\vartheta_{{{j},{k}}}"
-            )
-            for k in (1, 2)
-            for j in (1, 2, 3)
+        self.coordinates = self._nine("{q}", "{unit}", "{what}", "{latex}")
+        self.x, self.theta = self.coordinates[:3], self.coordinates[3:]
+        self.velocities = self._nine("{q}_dot", "{unit}/s", "rate of change: {what}", r"\dot{latex}")
+        self.displacements = self._nine(
+            "delta_{q}",
+            "{unit}",
+            "small displacement from the reference configuration: {what}",
+            r"\Delta {latex}",
         )
-        self.coordinates = self.x + self.theta
-        self.velocities = tuple(
-            v.declare(
-                f"{q.name}_dot",
-                f"{v[q].unit}/s",
-                f"rate of change: {v[q].description}",
-                rf"\dot{{{v[q].latex.split('_')[0]}}}_{v[q].latex.split('_', 1)[1]}",
-            )
-            for q in self.coordinates
+        self.phi = v.per_axis(
+            "phi", "rad", "angular position of universal joint {j} on the platform", r"\varphi_{j}"
         )
-        self.displacements = tuple(
-            v.declare(
-                f"delta_{q.name}",
-                v[q].unit,
-                f"small displacement from the reference configuration: {v[q].description}",
-                rf"\Delta {v[q].latex}",
-            )
-            for q in self.coordinates
+        self.u = v.vectors_per_axis(
+            "u", "m", "carriage {j} seen from its platform joint, in the joint's own frame", "u_{j}"
         )
         self.assembly = v.declare(
             "assembly", "1", "assembly branch: +1 or -1, the sign of det D_l", r"\operatorname{sgn}\det D_l"
+        )
+
+    def _nine(self, name: str, unit: str, description: str, latex: str) -> tuple[Symbol, ...]:
+        """Declare something for each of the nine coordinates, in their order (equations 29 and 32)."""
+
+        def text(template: str, q: str, si: str, what: str, symbol: str) -> str:
+            replacements = {"{q}": q, "{unit}": si, "{what}": what, "{latex}": symbol}
+            for mark, replacement in replacements.items():
+                template = template.replace(mark, replacement)
+            return template
+
+        carriage = ("x_{j}", "m", "position of carriage {j} along its rail", "{{x}}_{j}")
+        pulley = ("theta_{j}_{k}", "rad", "rotation of pulley {k} of axis {j}", r"{{\vartheta}}_{{{j},{k}}}")
+        templates = (name, unit, description, latex)
+        return tuple(
+            self.vocabulary.declare(*(text(t, *kind) for t in templates), **index)
+            for kind, indices in (
+                (carriage, [{"j": j} for j in (1, 2, 3)]),
+                (pulley, [{"j": j, "k": k} for k in (1, 2) for j in (1, 2, 3)]),
+            )
+            for index in indices
         )
 
     def _declare_parameters(self, v: Vocabulary) -> None:
@@ -81,7 +88,12 @@ class Symbols:
         self.drive = tuple(
             tuple(
                 v.declare(
-                    f"d_{j}_{k}", "1", f"1 where the motor drives pulley {k} of axis {j}, else 0", f"d_{{{j},{k}}}"
+                    "d_{j}_{k}",
+                    "1",
+                    "1 where the motor drives pulley {k} of axis {j}, else 0",
+                    "d_{{{j},{k}}}",
+                    j=j,
+                    k=k,
                 )
                 for k in (1, 2)
             )
@@ -120,7 +132,9 @@ class Symbols:
             per_axis("belt_specific_stiffness", self.k_sp, "N/m", "specific stiffness k_sp of each belt"),
             per_axis("belt_width", self.w_b, "m", "width w_b of each belt"),
             per_axis("pulley_radius", self.R_p, "m", "radius R_p of the pulleys of each axis"),
-            per_axis("pulley_inertia", self.I_p, "kg m^2", "moment of inertia I_p of each of the two pulleys"),
+            per_axis(
+                "pulley_inertia", self.I_p, "kg m^2", "moment of inertia I_p of each of the two pulleys"
+            ),
             per_axis("motor_inertia", self.I_m, "kg m^2", "moment of inertia of each motor, at its shaft"),
             per_axis("gear_ratio", self.i_g, "1", "gear ratio, motor over driven pulley"),
             Field(
@@ -131,7 +145,9 @@ class Symbols:
                 "1 where the motor drives pulley k of axis j, else 0; one row for each axis",
             ),
             Field("limits", (3, 2), limits, "m", "min(x_j), max(x_j): pulley 2 sits at min, pulley 1 at max"),
-            per_axis("branch", self.branch, "1", "+1: carriage ahead of the platform joint along n_j; -1: behind"),
+            per_axis(
+                "branch", self.branch, "1", "+1: carriage ahead of the platform joint along n_j; -1: behind"
+            ),
         )
 
     @property

@@ -4,6 +4,41 @@
  *
  * Dynamics of the mechanism linear_delta, for a robot given by its parameters.
  * The header describes every function.
+ *
+ * Names in the code, for axis j, pulley or span k (or carriage k, l of a derivative) and component
+ * i = x, y, z; t1, t2, ... are subexpressions that several values share:
+ *   x_j [m]: position of carriage j along its rail
+ *   r_j_i [m]: platform joint j seen from the origin of rail j, component i
+ *   s_j_i [m]: linkage vector j, from carriage to platform joint, component i
+ *   a_j [m]: coordinate of platform joint j along rail j
+ *   w_j_i [m]: vector from rail j square to platform joint j, component i
+ *   w2_j [m^2]: squared distance of platform joint j from rail j
+ *   D_r_j [m]: entry of D_r for axis j: linkage vector along the rail
+ *   A_i_j [m^2]: adjugate of D_l, entry i, j
+ *   det_D_l [m^3]: determinant of D_l
+ *   D_p_i_k [1]: platform Jacobian, dp_i/dx_k
+ *   U_j_i_k [1]: derivative of linkage vector j, component i, by x_k
+ *   f_j_kl [1]: right-hand side of closure j differentiated by x_k and x_l
+ *   P_i_kl [1/m]: second derivative of p_i by x_k and x_l
+ *   I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
+ *   l_f_j_k [m]: free length of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
+ *     carriage to pulley 1)
+ *   k_j_k [N/m]: stiffness of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
+ *     carriage to pulley 1)
+ *   v_p_i [m/s]: velocity of the platform, component i
+ *   s_dot_j_i [m/s]: rate of change of linkage vector j, component i
+ *   D_p_dot_i_k [1/s]: time derivative of dp_i/dx_k
+ *   G_j [N]: gradient of the gravitational potential energy by x_j
+ *   tau_st_j [N m]: static torque on the driven pulley of axis j
+ *   det_j [N^2 m]: determinant of the equilibrium of axis j
+ *   theta_j_k_st [rad]: static rotation of pulley k of axis j from the unstrained belts
+ *   S_j_i [m]: centre of sphere j, on which the platform centre lies, component i
+ *   alpha_i [m]: vector between the sphere centres 1 and 2, component i
+ *   beta_i [m]: vector between the sphere centres 1 and 3, component i
+ *   nu_i [m^2]: normal of the plane of the sphere centres, component i
+ *   nu2 [m^4]: squared length of the normal
+ *   h_j [m^2]: product of p - S_1 with the vector between sphere centres 1 and j
+ *   q_i [m]: foot of the perpendicular on the plane of the centres, seen from S_1, component i
  */
 #include "linear_delta.h"
 
@@ -153,7 +188,8 @@ void linear_delta_direct_kinematics(const double x[3], double assembly, const li
     p[2] = S_1_z + nu_z*t4 + q_z;
 }
 
-void linear_delta_reach_margin(const double p[3], const linear_delta_parameters *parameters, double margin[3])
+void linear_delta_reach_margin(const double p[3], const linear_delta_parameters *parameters, double
+    margin[3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -1339,9 +1375,9 @@ void linear_delta_kinetic_energy(const double p[3], const double q_dot[9], const
     const double t16 = t11*x_2_dot;
     const double t17 = t13*x_3_dot;
     *T_ss =
-        (1.0/2.0)*m_t_1*t8 + (1.0/2.0)*m_t_2*t10 + (1.0/2.0)*m_t_3*t12 + t10*t11 + t12*t13 + t14*(v_p_x*v_p_x)
-        + t14*(v_p_y*v_p_y) + t14*(v_p_z*v_p_z) + t8*t9 + v_p_x*(n_1_x*t15 + n_2_x*t16 + n_3_x*t17)
-        + v_p_y*(n_1_y*t15 + n_2_y*t16 + n_3_y*t17) + v_p_z*(n_1_z*t15 + n_2_z*t16 + n_3_z*t17);
+        (1.0/2.0)*m_t_1*t8 + (1.0/2.0)*m_t_2*t10 + (1.0/2.0)*m_t_3*t12 + t10*t11 + t12*t13
+        + t14*(v_p_x*v_p_x) + t14*(v_p_y*v_p_y) + t14*(v_p_z*v_p_z) + t8*t9 + v_p_x*(n_1_x*t15 + n_2_x*t16
+        + n_3_x*t17) + v_p_y*(n_1_y*t15 + n_2_y*t16 + n_3_y*t17) + v_p_z*(n_1_z*t15 + n_2_z*t16 + n_3_z*t17);
     *T_t =
         (1.0/2.0)*I_1_1*(theta_1_1_dot*theta_1_1_dot) + (1.0/2.0)*I_1_2*(theta_1_2_dot*theta_1_2_dot)
         + (1.0/2.0)*I_2_1*(theta_2_1_dot*theta_2_1_dot) + (1.0/2.0)*I_2_2*(theta_2_2_dot*theta_2_2_dot)
@@ -1827,8 +1863,9 @@ void linear_delta_velocity_forces(const double p[3], const double x_dot[3], cons
     const double t42 = D_p_z_3*t30 + t28;
     h[0] =
         -D_p_dot_x_1*t21 - D_p_dot_y_1*t25 - D_p_dot_z_1*t29 + x_1_dot*(D_p_dot_x_1*t31 + D_p_dot_y_1*t32
-        + D_p_dot_z_1*t33 + P_x_11*t21 + P_y_11*t25 + P_z_11*t29) + x_2_dot*(D_p_dot_x_2*t31 + D_p_dot_y_2*t32
-        + D_p_dot_z_2*t33 + t34) + x_3_dot*(D_p_dot_x_3*t31 + D_p_dot_y_3*t32 + D_p_dot_z_3*t33 + t35);
+        + D_p_dot_z_1*t33 + P_x_11*t21 + P_y_11*t25 + P_z_11*t29) + x_2_dot*(D_p_dot_x_2*t31
+        + D_p_dot_y_2*t32 + D_p_dot_z_2*t33 + t34) + x_3_dot*(D_p_dot_x_3*t31 + D_p_dot_y_3*t32
+        + D_p_dot_z_3*t33 + t35);
     h[1] =
         -D_p_dot_x_2*t21 - D_p_dot_y_2*t25 - D_p_dot_z_2*t29 + x_1_dot*(D_p_dot_x_1*t36 + D_p_dot_y_1*t37
         + D_p_dot_z_1*t38 + t34) + x_2_dot*(D_p_dot_x_2*t36 + D_p_dot_y_2*t37 + D_p_dot_z_2*t38 + P_x_22*t21
@@ -1836,10 +1873,12 @@ void linear_delta_velocity_forces(const double p[3], const double x_dot[3], cons
     h[2] =
         -D_p_dot_x_3*t21 - D_p_dot_y_3*t25 - D_p_dot_z_3*t29 + x_1_dot*(D_p_dot_x_1*t40 + D_p_dot_y_1*t41
         + D_p_dot_z_1*t42 + t35) + x_2_dot*(D_p_dot_x_2*t40 + D_p_dot_y_2*t41 + D_p_dot_z_2*t42 + t39)
-        + x_3_dot*(D_p_dot_x_3*t40 + D_p_dot_y_3*t41 + D_p_dot_z_3*t42 + P_x_33*t21 + P_y_33*t25 + P_z_33*t29);
+        + x_3_dot*(D_p_dot_x_3*t40 + D_p_dot_y_3*t41 + D_p_dot_z_3*t42 + P_x_33*t21 + P_y_33*t25
+        + P_z_33*t29);
 }
 
-void linear_delta_gravity_potential(const double p[3], const linear_delta_parameters *parameters, double *V_g)
+void linear_delta_gravity_potential(const double p[3], const linear_delta_parameters *parameters, double
+    *V_g)
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -2250,7 +2289,8 @@ void linear_delta_gravity_hessian(const double p[3], const linear_delta_paramete
     H_g[2][2] = -P_x_33*t6 - P_y_33*t7 - P_z_33*t8;
 }
 
-void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameters *parameters, double k[3][3])
+void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameters *parameters, double
+    k[3][3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -3376,8 +3416,8 @@ void linear_delta_stiffness_matrix(const double p[3], const linear_delta_paramet
     K[8][8] = k_3_2*t28 + t29;
 }
 
-void linear_delta_modal_matrices(const double p[3], const linear_delta_parameters *parameters, double M[9][9],
-    double K[9][9])
+void linear_delta_modal_matrices(const double p[3], const linear_delta_parameters *parameters, double
+    M[9][9], double K[9][9])
 {
     const double p_x = p[0];
     const double p_y = p[1];

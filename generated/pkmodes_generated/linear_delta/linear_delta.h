@@ -91,7 +91,8 @@ void linear_delta_direct_kinematics(const double x[3], double assembly, const li
  * Source: closure of equation 2: a pose is reachable where every margin is at least zero.
  * 75 operations; 159 with every named value written out.
  */
-void linear_delta_reach_margin(const double p[3], const linear_delta_parameters *parameters, double margin[3]);
+void linear_delta_reach_margin(const double p[3], const linear_delta_parameters *parameters, double
+    margin[3]);
 
 /* Free lengths of the belt spans.
  *
@@ -217,7 +218,8 @@ void linear_delta_velocity_forces(const double p[3], const double x_dot[3], cons
  * Source: equation 26, for gravity in any direction; the carriages' weight included.
  * 195 operations; 1368 with every named value written out.
  */
-void linear_delta_gravity_potential(const double p[3], const linear_delta_parameters *parameters, double *V_g);
+void linear_delta_gravity_potential(const double p[3], const linear_delta_parameters *parameters, double
+    *V_g);
 
 /* Gradient of the gravitational potential energy by the carriage positions.
  *
@@ -248,7 +250,8 @@ void linear_delta_gravity_hessian(const double p[3], const linear_delta_paramete
  * Source: equations 34 to 37.
  * 114 operations; 441 with every named value written out.
  */
-void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameters *parameters, double k[3][3]);
+void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameters *parameters, double
+    k[3][3]);
 
 /* Elastic potential energy V_el of the belts, the force function U_el with opposite sign.
  *
@@ -321,8 +324,8 @@ void linear_delta_stiffness_matrix(const double p[3], const linear_delta_paramet
  * Source: equation 48.
  * 627 operations; 826497 with every named value written out.
  */
-void linear_delta_modal_matrices(const double p[3], const linear_delta_parameters *parameters, double M[9][9],
-    double K[9][9]);
+void linear_delta_modal_matrices(const double p[3], const linear_delta_parameters *parameters, double
+    M[9][9], double K[9][9]);
 
 #ifdef __cplusplus
 }

@@ -6,6 +6,42 @@
 Arrays are batch first: a leading `...` stands for any batch shape, none included, and arguments broadcast.
 Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
 frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
+
+Names in the code, for axis j, pulley or span k (or carriage k, l of a derivative) and component i = x, y, z;
+t1, t2, ... are subexpressions that several values share:
+
+* x_j [m]: position of carriage j along its rail
+* r_j_i [m]: platform joint j seen from the origin of rail j, component i
+* s_j_i [m]: linkage vector j, from carriage to platform joint, component i
+* a_j [m]: coordinate of platform joint j along rail j
+* w_j_i [m]: vector from rail j square to platform joint j, component i
+* w2_j [m^2]: squared distance of platform joint j from rail j
+* D_r_j [m]: entry of D_r for axis j: linkage vector along the rail
+* A_i_j [m^2]: adjugate of D_l, entry i, j
+* det_D_l [m^3]: determinant of D_l
+* D_p_i_k [1]: platform Jacobian, dp_i/dx_k
+* U_j_i_k [1]: derivative of linkage vector j, component i, by x_k
+* f_j_kl [1]: right-hand side of closure j differentiated by x_k and x_l
+* P_i_kl [1/m]: second derivative of p_i by x_k and x_l
+* I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
+* l_f_j_k [m]: free length of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
+    carriage to pulley 1)
+* k_j_k [N/m]: stiffness of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
+    carriage to pulley 1)
+* v_p_i [m/s]: velocity of the platform, component i
+* s_dot_j_i [m/s]: rate of change of linkage vector j, component i
+* D_p_dot_i_k [1/s]: time derivative of dp_i/dx_k
+* G_j [N]: gradient of the gravitational potential energy by x_j
+* tau_st_j [N m]: static torque on the driven pulley of axis j
+* det_j [N^2 m]: determinant of the equilibrium of axis j
+* theta_j_k_st [rad]: static rotation of pulley k of axis j from the unstrained belts
+* S_j_i [m]: centre of sphere j, on which the platform centre lies, component i
+* alpha_i [m]: vector between the sphere centres 1 and 2, component i
+* beta_i [m]: vector between the sphere centres 1 and 3, component i
+* nu_i [m^2]: normal of the plane of the sphere centres, component i
+* nu2 [m^4]: squared length of the normal
+* h_j [m^2]: product of p - S_1 with the vector between sphere centres 1 and j
+* q_i [m]: foot of the perpendicular on the plane of the centres, seen from S_1, component i
 """
 
 from typing import NamedTuple
@@ -1240,7 +1276,8 @@ def kinetic_energy(p, q_dot, parameters):
     i_g_1, i_g_2, i_g_3 = _entries(parameters.gear_ratio, (3,))
     d_1_1, d_1_2, d_2_1, d_2_2, d_3_1, d_3_2 = _entries(parameters.drive, (3, 2))
     sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
-    batch, dtype = _batch(p_x, x_1_dot, m_p, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, m_t_1, I_p_1, I_m_1, i_g_1, d_1_1, sigma_1)
+    batch, dtype = _batch(p_x, x_1_dot, m_p, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, m_t_1, I_p_1, I_m_1, i_g_1,
+        d_1_1, sigma_1)
     r_1_x = b_1_x - o_1_x + p_x
     r_1_y = b_1_y - o_1_y + p_y
     r_1_z = b_1_z - o_1_z + p_z
@@ -1372,7 +1409,8 @@ def mass_matrix(p, parameters):
     i_g_1, i_g_2, i_g_3 = _entries(parameters.gear_ratio, (3,))
     d_1_1, d_1_2, d_2_1, d_2_2, d_3_1, d_3_2 = _entries(parameters.drive, (3, 2))
     sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
-    batch, dtype = _batch(p_x, m_p, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, m_t_1, I_p_1, I_m_1, i_g_1, d_1_1, sigma_1)
+    batch, dtype = _batch(p_x, m_p, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, m_t_1, I_p_1, I_m_1, i_g_1, d_1_1,
+        sigma_1)
     r_1_x = b_1_x - o_1_x + p_x
     r_1_y = b_1_y - o_1_y + p_y
     r_1_z = b_1_z - o_1_z + p_z
@@ -2242,7 +2280,8 @@ def elastic_potential(p, delta_q, parameters):
     R_p_1, R_p_2, R_p_3 = _entries(parameters.pulley_radius, (3,))
     x_min_1, x_max_1, x_min_2, x_max_2, x_min_3, x_max_3 = _entries(parameters.limits, (3, 2))
     sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
-    batch, dtype = _batch(p_x, delta_x_1, o_1_x, n_1_x, b_1_x, l_d_1, l_t_1, k_sp_1, w_b_1, R_p_1, x_min_1, sigma_1)
+    batch, dtype = _batch(p_x, delta_x_1, o_1_x, n_1_x, b_1_x, l_d_1, l_t_1, k_sp_1, w_b_1, R_p_1, x_min_1,
+        sigma_1)
     r_1_x = b_1_x - o_1_x + p_x
     r_1_y = b_1_y - o_1_y + p_y
     r_1_z = b_1_z - o_1_z + p_z
@@ -2346,7 +2385,8 @@ def elastic_gradient(p, delta_q, parameters):
     R_p_1, R_p_2, R_p_3 = _entries(parameters.pulley_radius, (3,))
     x_min_1, x_max_1, x_min_2, x_max_2, x_min_3, x_max_3 = _entries(parameters.limits, (3, 2))
     sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
-    batch, dtype = _batch(p_x, delta_x_1, o_1_x, n_1_x, b_1_x, l_d_1, l_t_1, k_sp_1, w_b_1, R_p_1, x_min_1, sigma_1)
+    batch, dtype = _batch(p_x, delta_x_1, o_1_x, n_1_x, b_1_x, l_d_1, l_t_1, k_sp_1, w_b_1, R_p_1, x_min_1,
+        sigma_1)
     r_1_x = b_1_x - o_1_x + p_x
     r_1_y = b_1_y - o_1_y + p_y
     r_1_z = b_1_z - o_1_z + p_z
@@ -2587,7 +2627,8 @@ def static_equilibrium(p, parameters):
     d_1_1, d_1_2, d_2_1, d_2_2, d_3_1, d_3_2 = _entries(parameters.drive, (3, 2))
     x_min_1, x_max_1, x_min_2, x_max_2, x_min_3, x_max_3 = _entries(parameters.limits, (3, 2))
     sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
-    batch, dtype = _batch(p_x, m_p, g_x, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, m_t_1, l_t_1, k_sp_1, w_b_1, R_p_1, d_1_1, x_min_1, sigma_1)
+    batch, dtype = _batch(p_x, m_p, g_x, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, m_t_1, l_t_1, k_sp_1, w_b_1,
+        R_p_1, d_1_1, x_min_1, sigma_1)
     r_1_x = b_1_x - o_1_x + p_x
     r_1_y = b_1_y - o_1_y + p_y
     r_1_z = b_1_z - o_1_z + p_z
@@ -2777,7 +2818,8 @@ def stiffness_matrix(p, parameters):
     R_p_1, R_p_2, R_p_3 = _entries(parameters.pulley_radius, (3,))
     x_min_1, x_max_1, x_min_2, x_max_2, x_min_3, x_max_3 = _entries(parameters.limits, (3, 2))
     sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
-    batch, dtype = _batch(p_x, m_p, g_x, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, l_t_1, k_sp_1, w_b_1, R_p_1, x_min_1, sigma_1)
+    batch, dtype = _batch(p_x, m_p, g_x, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, l_t_1, k_sp_1, w_b_1, R_p_1,
+        x_min_1, sigma_1)
     r_1_x = b_1_x - o_1_x + p_x
     r_1_y = b_1_y - o_1_y + p_y
     r_1_z = b_1_z - o_1_z + p_z
@@ -3026,7 +3068,8 @@ def modal_matrices(p, parameters):
     d_1_1, d_1_2, d_2_1, d_2_2, d_3_1, d_3_2 = _entries(parameters.drive, (3, 2))
     x_min_1, x_max_1, x_min_2, x_max_2, x_min_3, x_max_3 = _entries(parameters.limits, (3, 2))
     sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
-    batch, dtype = _batch(p_x, m_p, g_x, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, m_t_1, l_t_1, k_sp_1, w_b_1, R_p_1, I_p_1, I_m_1, i_g_1, d_1_1, x_min_1, sigma_1)
+    batch, dtype = _batch(p_x, m_p, g_x, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, m_t_1, l_t_1, k_sp_1, w_b_1,
+        R_p_1, I_p_1, I_m_1, i_g_1, d_1_1, x_min_1, sigma_1)
     r_1_x = b_1_x - o_1_x + p_x
     r_1_y = b_1_y - o_1_y + p_y
     r_1_z = b_1_z - o_1_z + p_z

@@ -94,7 +94,11 @@ def regular_configurations(generated: Generated, limits: Array, wanted: int = 4)
             p = generated.direct_kinematics(x, branch)
             back = generated.inverse_kinematics(p)
             determinant, condition = generated.jacobian_condition(p)
-            good = (np.abs(back - x).max(axis=-1) < 1e-9) & (condition < MAX_CONDITION) & (determinant * branch > 0)
+            good = (
+                (np.abs(back - x).max(axis=-1) < 1e-9)
+                & (condition < MAX_CONDITION)
+                & (determinant * branch > 0)
+            )
             good &= (generated.belt_spans(p) > 0.02 * (high - low).min()).all(axis=(-1, -2))
             good &= (generated.reach_margin(p) > 0.01).all(axis=-1)
             found_x.append(x[good][:wanted])
@@ -132,7 +136,11 @@ def _relations(g: Generated, x: Array, branch: float, step: float) -> Iterator[t
     yield "platform Jacobian", D_p, _difference(pose, x, step)
     yield "platform second derivatives", P, _difference(lambda c: g.platform_jacobian(pose(c)), x, step)
     yield "platform Jacobian rate", g.platform_jacobian_rate(p, x_dot), P @ x_dot
-    yield "gravity gradient", g.gravity_gradient(p), _difference(lambda c: g.gravity_potential(pose(c)), x, step)
+    yield (
+        "gravity gradient",
+        g.gravity_gradient(p),
+        _difference(lambda c: g.gravity_potential(pose(c)), x, step),
+    )
     hessian = g.gravity_hessian(p)
     yield "gravity Hessian", hessian, _difference(lambda c: g.gravity_gradient(pose(c)), x, step)
 
@@ -168,7 +176,9 @@ def _quadratic_form(energy: Callable[[Array], Array], n: int) -> Array:
     return matrix
 
 
-def _lagrange_forces(g: Generated, pose: Callable[[Array], Array], x: Array, x_dot: Array, step: float) -> Array:
+def _lagrange_forces(
+    g: Generated, pose: Callable[[Array], Array], x: Array, x_dot: Array, step: float
+) -> Array:
     """Coriolis forces from differences of M_ss: dM/dt x_dot - grad(x_dot^T M x_dot) / 2."""
     dM = _difference(lambda c: g.mass_matrix(pose(c))[:3, :3], x, step)
     forces: Array = (dM @ x_dot) @ x_dot - 0.5 * np.einsum("klm,k,l->m", dM, x_dot, x_dot)

@@ -13,7 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 from pkmodes_generated import linear_delta
 
-from pkmodes.checking.consistency import BOUND, Check, Generated, check_consistency, oblique_robot, regular_configurations
+from pkmodes.checking.consistency import (
+    BOUND,
+    Check,
+    Generated,
+    check_consistency,
+    oblique_robot,
+    regular_configurations,
+)
 from pkmodes.errors import PkmodesError, RobotFileError
 from pkmodes.generation import derivation, specification
 from pkmodes.robot.reading import read_robot

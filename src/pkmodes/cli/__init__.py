@@ -21,15 +21,13 @@ from pkmodes.errors import PkmodesError
 DONE, DOES_NOT_HOLD, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
+@click.group(
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110},
+    epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245",
+)
 @click.version_option(pkmodes.__version__, prog_name="pkmodes", message="%(prog)s %(version)s")
 def cli() -> None:
-    """Vibration modes of parallel robots with compliant transmissions.
-
-    \b
-    Example:
-      pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245
-    """
+    """Vibration modes of parallel robots with compliant transmissions."""
 
 
 for command in (generate, check, modes):
@@ -44,7 +42,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
 def run(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return the exit code."""
     try:
-        code = cli.main(args=None if arguments is None else list(arguments), prog_name="pkmodes", standalone_mode=False)
+        code = cli.main(
+            args=None if arguments is None else list(arguments), prog_name="pkmodes", standalone_mode=False
+        )
         sys.stdout.flush()
         return code if isinstance(code, int) else DONE
     except PkmodesError as error:

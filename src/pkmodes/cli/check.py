@@ -39,9 +39,13 @@ def check(targets: tuple[Path, ...], json_file: str | None) -> int:
         elif target.is_file():
             reports.append(products.check_robot(target))
         else:
-            raise PkmodesError("no such file or folder", str(target), "give a generated folder or a robot file")
+            raise PkmodesError(
+                "no such file or folder", str(target), "give a generated folder or a robot file"
+            )
     if json_file is not None:
-        write_json(json_file, {"holds": all(r.holds for r in reports), "targets": [_as_json(r) for r in reports]})
+        write_json(
+            json_file, {"holds": all(r.holds for r in reports), "targets": [_as_json(r) for r in reports]}
+        )
     if json_file != "-":
         for report in reports:
             _print(report)
@@ -53,7 +57,8 @@ def _as_json(report: Report) -> dict[str, Any]:
         "target": report.target,
         "holds": report.holds,
         "findings": [
-            {"cause": f.cause, "subject": f.subject, "message": f.message, "diff": f.diff} for f in report.findings
+            {"cause": f.cause, "subject": f.subject, "message": f.message, "diff": f.diff}
+            for f in report.findings
         ],
         "consistency": [
             {"name": c.name, "error": c.error, "bound": c.bound, "holds": c.holds} for c in report.checks
@@ -69,7 +74,9 @@ def _print(report: Report) -> None:
             click.echo(finding.diff)
     failed = [c for c in report.checks if not c.holds]
     for one in failed:
-        click.echo(f"{report.target}: {one.name}: relative error {one.error:.1e}, expected at most {one.bound:.0e}")
+        click.echo(
+            f"{report.target}: {one.name}: relative error {one.error:.1e}, expected at most {one.bound:.0e}"
+        )
     if report.checks and not failed:
         worst = max(report.checks, key=lambda c: c.error / c.bound)
         click.echo(

@@ -9,9 +9,13 @@ import click
 from pkmodes.cli.output import json_option, write_json
 
 
-@click.command(epilog="\b\nExample:\n  pkmodes generate robots/linear-delta-2022.toml --out build/linear-delta-2022")
+@click.command(
+    epilog="\b\nExample:\n  pkmodes generate robots/linear-delta-2022.toml --out build/linear-delta-2022"
+)
 @click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
-@click.option("--out", metavar="DIR", required=True, type=click.Path(path_type=Path), help="Folder of the model.")
+@click.option(
+    "--out", metavar="DIR", required=True, type=click.Path(path_type=Path), help="Folder of the model."
+)
 @json_option
 def generate(robot: Path, out: Path, json_file: str | None) -> None:
     """Derive and write a model specialised to one robot.
@@ -23,7 +27,9 @@ def generate(robot: Path, out: Path, json_file: str | None) -> None:
 
     written = generate_model(robot, out)
     if json_file is not None:
-        write_json(json_file, {"robot": str(robot), "out": str(out), "files": [path.name for path in written]})
+        write_json(
+            json_file, {"robot": str(robot), "out": str(out), "files": [path.name for path in written]}
+        )
     if json_file != "-":
         for path in written:
             click.echo(path)

@@ -44,7 +44,9 @@ def parse_pose(text: str) -> list[float]:
 
     parts = text.split(",")
     if len(parts) != 3:
-        raise PoseError(f"expected three coordinates X,Y,Z, found {len(parts)}", "--pose", "write --pose 0.6,0,-0.245")
+        raise PoseError(
+            f"expected three coordinates X,Y,Z, found {len(parts)}", "--pose", "write --pose 0.6,0,-0.245"
+        )
     point = []
     for part in parts:
         try:
@@ -99,7 +101,9 @@ def _print(model: Model, result: Modes, statics: Statics) -> None:
     for k, name in enumerate(("p_x", "p_y", "p_z")):
         table.add_row(name, *map(_component, directions[:, k]))
     console.print(table)
-    console.print("\np: direction of the platform's motion in each mode, a unit vector in the base frame", markup=False)
+    console.print(
+        "\np: direction of the platform's motion in each mode, a unit vector in the base frame", markup=False
+    )
     for label, values, unit in (
         ("carriage positions", result.carriage_positions, "m"),
         ("static torques", statics.torques, "N m"),

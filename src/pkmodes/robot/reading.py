@@ -61,8 +61,8 @@ def robot_from_document(document: Mapping[str, Any], source: str) -> Robot:
     try:
         content = schema.RobotFile.model_validate(document)
     except ValidationError as error:
-        details = error.errors(include_url=False, include_context=True)
-        raise RobotFileError([_problem(entry, document, source) for entry in details]) from None
+        details = error.errors(include_url=False)
+        raise RobotFileError([_problem(entry, source) for entry in details if not _echo(entry)]) from None
     problems: list[PkmodesError] = []
     if content.effects:
         problems.append(
@@ -88,7 +88,9 @@ def robot_from_document(document: Mapping[str, Any], source: str) -> Robot:
 def _document(path: Path, name: str) -> dict[str, Any]:
     try:
         if path.is_file() and path.stat().st_size > LARGEST_FILE:
-            _refuse("expected a robot file, found a file of more than 1 MB", name, "give a robot file in TOML")
+            _refuse(
+                "expected a robot file, found a file of more than 1 MB", name, "give a robot file in TOML"
+            )
         text = path.read_text(encoding="utf-8")
     except UnicodeDecodeError as error:
         _refuse(f"expected UTF-8 text, found byte {error.start} that is not", name, "save the file as UTF-8")
@@ -186,14 +188,27 @@ def _quantities(content: schema.RobotFile) -> dict[str, Quantity]:
     return found
 
 
-def _problem(details: ErrorDetails, document: Mapping[str, Any], source: str) -> PkmodesError:
+def _echo(details: ErrorDetails) -> bool:
+    """Whether this only repeats that some of the three axes, which were counted without it, are wrong."""
+    count = details.get("input")
+    return (
+        details["loc"] == ("axis",)
+        and details["type"] == "too_short"
+        and isinstance(count, list)
+        and len(count) == 3
+    )
+
+
+def _problem(details: ErrorDetails, source: str) -> PkmodesError:
     """Translate one of pydantic's errors: expected, found, remedy."""
     location = details["loc"]
     path = ".".join(str(part + 1) if isinstance(part, int) else part for part in location)
     where = f"{source}: {path}" if path else source
     kind, found = details["type"], details.get("input")
     if kind == "refused":
-        return PkmodesError(str(details["msg"]), where, "write a value with its unit, or a number in SI units")
+        return PkmodesError(
+            str(details["msg"]), where, "write a value with its unit, or a number in SI units"
+        )
     if kind == "extra_forbidden":
         return _unknown_key(location, where)
     if kind == "missing":
@@ -201,7 +216,9 @@ def _problem(details: ErrorDetails, document: Mapping[str, Any], source: str) ->
     if location == ("axis",):
         count = len(found) if isinstance(found, list | tuple) else 0
         return PkmodesError(
-            f"expected exactly three [[axis]] tables, found {count}", where, "describe each of the three axes once"
+            f"expected exactly three [[axis]] tables, found {count}",
+            where,
+            "describe each of the three axes once",
         )
     if kind in ("model_type", "model_attributes_type", "dict_type"):
         return PkmodesError(f"expected a table, found {schema.described(found)}", where, FORMAT_HELP)

@@ -101,7 +101,9 @@ def _convert(number: Decimal, unit: str, si_unit: str, expected: str, text: str)
     try:
         found = registry.Unit(unit)
     except Exception as error:  # pint and its tokenizer raise many kinds of errors on malformed units
-        raise QuantityError(f"{expected}, found {_shown(text)}, whose unit {_shown(unit)} is unknown") from error
+        raise QuantityError(
+            f"{expected}, found {_shown(text)}, whose unit {_shown(unit)} is unknown"
+        ) from error
     target = registry.Unit("dimensionless" if si_unit == "1" else si_unit)
     try:
         return float(registry.Quantity(number, found).to(target).magnitude)

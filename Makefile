@@ -1,0 +1,58 @@
+# Every target sets up what it needs: a virtual environment in .venv with the project in it.
+# Needed beforehand: Python >= 3.11, make, and a C compiler for the tests of the generated C.
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+ROBOT := robots/linear-delta-2022.toml
+DEMO := build/linear-delta-2022
+
+.PHONY: demo test lint types check generate docs benchmark clean
+
+demo: $(VENV)/.derive  ## derive, generate and solve the published robot; compare with the paper
+	$(BIN)/pkmodes generate $(ROBOT) --out $(DEMO)
+	$(BIN)/pkmodes check $(DEMO)
+	$(BIN)/python examples/published_tables/residual.py $(ROBOT) --generated $(DEMO)
+
+test: $(VENV)/.dev  ## every test, the slow ones too
+	$(BIN)/python -m pytest -n auto
+
+lint: $(VENV)/.dev
+	$(BIN)/ruff format --check .
+	$(BIN)/ruff check .
+
+types: $(VENV)/.dev
+	$(BIN)/mypy
+
+check: $(VENV)/.dev  ## generated code is current and agrees with finite differences
+	$(BIN)/pkmodes check
+	$(BIN)/pkmodes check robots/*.toml
+
+generate: $(VENV)/.derive  ## regenerate the committed code
+	$(BIN)/python -m pkmodes_derive generate
+
+docs: $(VENV)/.derive  ## rebuild the derivation's page
+	$(BIN)/python -m pkmodes_derive latex
+
+benchmark: $(VENV)/.dev
+	$(BIN)/python benchmarks/evaluation.py
+
+clean:
+	rm -rf $(VENV) build
+
+$(VENV)/.python:
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
+	    echo "error: $(PYTHON) is too old or missing (make); install Python >= 3.11 or run: make PYTHON=python3.12" >&2; \
+	    exit 2; }
+	@$(PYTHON) -m venv $(VENV) || { \
+	    echo "error: $(PYTHON) cannot make a virtual environment (make); install its venv package" >&2; exit 2; }
+	@touch $@
+
+# The environment of the demo is a part of the one of the tests, so both live in the same place.
+$(VENV)/.derive: $(VENV)/.python pyproject.toml
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[derive]'
+	@touch $@
+
+$(VENV)/.dev: $(VENV)/.python pyproject.toml
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
+	@touch $@ $(VENV)/.derive

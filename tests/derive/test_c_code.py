@@ -1,0 +1,151 @@
+"""The generated C: it compiles without a warning, and gives the numbers of the NumPy module."""
+
+from __future__ import annotations
+
+import ctypes
+import importlib.util
+import os
+import shutil
+import subprocess
+from collections.abc import Callable
+from math import prod
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+from pkmodes_derive.emit import product
+from pkmodes_generated import linear_delta
+from pkmodes_generated.linear_delta import Parameters
+from sample_robots import random_robot
+
+from pkmodes.generation import specification
+from pkmodes.robot.robot import Robot
+
+MODEL = product.derive("linear_delta")
+COMPILER = os.environ.get("CC") or shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
+FLAGS = ["-std=c99", "-O2", "-Wall", "-Wextra", "-pedantic", "-Werror", "-shared", "-fPIC"]
+Pointer = ctypes.POINTER(ctypes.c_double)
+
+
+def build(folder: Path, name: str, texts: dict[str, str]) -> ctypes.CDLL:
+    assert COMPILER is not None, "the tests of the generated C need a C compiler: install gcc or clang"
+    for file, text in texts.items():
+        (folder / file).write_text(text, encoding="utf-8")
+    library = folder / f"{name}.so"
+    subprocess.run([COMPILER, *FLAGS, str(folder / f"{name}.c"), "-o", str(library), "-lm"], check=True)
+    return ctypes.CDLL(str(library))
+
+
+def packed(parameters: Parameters) -> np.ndarray:
+    """The struct of parameters: doubles only, in the order of the fields, so without padding."""
+    return np.concatenate([np.ravel(value) for value in parameters]).astype(float)
+
+
+def call(
+    library: ctypes.CDLL, prefix: str, function: str, inputs: list, parameters: Parameters | None
+) -> tuple:
+    description = next(f for f in MODEL.functions if f.name == function)
+    arguments: list = []
+    keep = []
+    for argument, value in zip(description.arguments, inputs, strict=True):
+        if argument.scalar:
+            arguments.append(ctypes.c_double(value))
+        else:
+            keep.append(np.ascontiguousarray(value, dtype=float))
+            arguments.append(keep[-1].ctypes.data_as(Pointer))
+    if parameters is not None:
+        keep.append(packed(parameters))
+        arguments.append(keep[-1].ctypes.data_as(Pointer))
+    # Poisoned, so that an entry that is not written is seen.
+    outputs = [np.full(prod(o.shape), np.nan) for o in description.outputs]
+    arguments += [o.ctypes.data_as(Pointer) for o in outputs]
+    getattr(library, f"{prefix}_{function}")(*arguments)
+    return tuple(o.reshape(d.shape) for o, d in zip(outputs, description.outputs, strict=True))
+
+
+def cases(count: int) -> list[tuple[Parameters, dict[str, np.ndarray]]]:
+    rng = np.random.default_rng(20220102)
+    found = []
+    for _ in range(count):
+        parameters, pose = random_robot(rng)
+        determinant, _ = linear_delta.jacobian_condition(pose, parameters)
+        values = {
+            "p": pose,
+            "x": linear_delta.inverse_kinematics(pose, parameters),
+            "assembly": np.sign(determinant),
+            "x_dot": rng.normal(size=3),
+            "q_dot": rng.normal(size=9),
+            "delta_q": 1e-3 * rng.normal(size=9),
+        }
+        found.append((parameters, values))
+    return found
+
+
+def as_tuple(result: object) -> tuple:
+    return result if isinstance(result, tuple) else (result,)
+
+
+def compare(left: Callable[..., tuple], right: Callable[..., object], values: dict[str, np.ndarray]) -> None:
+    for function in MODEL.functions:
+        inputs = [values[a.name] for a in function.arguments]
+        found, expected = left(function.name, inputs), right(function.name, inputs)
+        for a, b in zip(found, as_tuple(expected), strict=True):
+            # Same operations in the same order; the compiler may fuse a product and a sum.
+            np.testing.assert_allclose(a, b, rtol=1e-12, atol=1e-12 * np.abs(b).max(), err_msg=function.name)
+
+
+@pytest.fixture(scope="module")
+def parametric_library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
+    return build(tmp_path_factory.mktemp("c"), "linear_delta", product.parametric("linear_delta"))
+
+
+@pytest.mark.parametrize("case", range(5))
+def test_parametric_c_equals_numpy(parametric_library: ctypes.CDLL, case: int) -> None:
+    parameters, values = cases(5)[case]
+    compare(
+        lambda name, inputs: call(parametric_library, "linear_delta", name, inputs, parameters),
+        lambda name, inputs: getattr(linear_delta, name)(*inputs, parameters),
+        values,
+    )
+
+
+def load(path: Path) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.mark.parametrize("case", range(2))
+def test_specialised_numpy_and_c_equal_the_parametric_model(tmp_path: Path, case: int) -> None:
+    parameters, values = cases(2)[case]
+    robot = Robot(f"sample {case}", "linear_delta", "sample.toml", parameters, {})
+    texts = product.specialised(specification(robot, "sample.toml"))
+    library = build(tmp_path, f"sample_{case}", texts)
+    module = load(tmp_path / f"sample_{case}.py")
+    compare(
+        lambda name, inputs: call(library, f"sample_{case}", name, inputs, None),
+        lambda name, inputs: getattr(linear_delta, name)(*inputs, parameters),
+        values,
+    )
+    compare(
+        lambda name, inputs: as_tuple(getattr(module, name)(*inputs)),
+        lambda name, inputs: getattr(linear_delta, name)(*inputs, parameters),
+        values,
+    )
+
+
+def test_header_can_be_included_from_c_plus_plus(tmp_path: Path) -> None:
+    compiler = shutil.which("c++") or shutil.which("g++") or shutil.which("clang++")
+    if compiler is None:
+        pytest.skip("no C++ compiler")
+    (tmp_path / "linear_delta.h").write_text(
+        product.parametric("linear_delta")["linear_delta.h"], encoding="utf-8"
+    )
+    (tmp_path / "user.cpp").write_text(
+        '#include "linear_delta.h"\nint main() { return 0; }\n', encoding="utf-8"
+    )
+    subprocess.run([compiler, "-Wall", "-Werror", "-fsyntax-only", str(tmp_path / "user.cpp")], check=True)

@@ -1,0 +1,185 @@
+"""Emitted code: the same bytes on every run, the same numbers in every language, no surprises in names."""
+
+from __future__ import annotations
+
+import ast
+import hashlib
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from pkmodes_derive.emit import latex, layout, printers, product
+from pkmodes_derive.emit.program import arrange
+from pkmodes_derive.functions import Function
+from pkmodes_derive.specialise import number
+from sympy import Float, Integer, Rational, Symbol, sqrt
+
+ROOT = Path(__file__).parents[2]
+MODEL = product.derive("linear_delta")
+TEXTS = product.parametric("linear_delta")
+DIGEST = """
+import hashlib, json, sys
+from pathlib import Path
+from pkmodes.generation import specification
+from pkmodes.robot.reading import read_robot
+from pkmodes_derive.emit import latex, product
+texts = dict(product.parametric("linear_delta"))
+robot = read_robot(sys.argv[1])
+texts.update({f"robot/{k}": v for k, v in product.specialised(specification(robot, "robot.toml")).items()})
+texts["latex"] = latex.page(product.derive("linear_delta"))
+print(hashlib.sha256(json.dumps(texts, sort_keys=True).encode()).hexdigest())
+"""
+
+
+def test_output_does_not_depend_on_the_hash_seed() -> None:
+    path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
+    command = [sys.executable, "-c", DIGEST, str(ROOT / "robots" / "linear-delta-2022.toml")]
+    runs = [
+        subprocess.Popen(
+            command, env={**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": path}, stdout=subprocess.PIPE
+        )
+        for seed in ("0", "1", "4242")
+    ]
+    digests = {run.communicate()[0] for run in runs}
+    assert [run.returncode for run in runs] == [0, 0, 0]
+    assert len(digests) == 1
+    assert len(digests.pop()) == 65
+
+
+def test_committed_code_is_current() -> None:
+    folder = ROOT / "generated" / "pkmodes_generated" / "linear_delta"
+    for name, text in TEXTS.items():
+        assert (folder / name).read_bytes() == text.encode("utf-8"), f"{name}: run `make generate`"
+
+
+def test_the_derivation_page_is_current() -> None:
+    page = latex.page(MODEL).encode("utf-8")
+    assert (ROOT / "docs" / "derivation.md").read_bytes() == page, "run `make docs`"
+
+
+def test_the_derivation_page_shows_every_function_and_every_named_value() -> None:
+    page = latex.page(MODEL)
+    for function in MODEL.functions:
+        assert f"### {function.name}\n" in page
+        for output in function.outputs:
+            assert f"`{output.name}` [{output.unit}]" in page
+        for symbol in function.definitions:
+            assert f"\n{MODEL.vocabulary[symbol].latex} = " in page
+
+
+def test_generated_files_hold_no_date_host_path_or_carriage_return() -> None:
+    for text in TEXTS.values():
+        assert "\r" not in text
+        assert str(ROOT) not in text
+        assert text.endswith("\n")
+        assert max(map(len, text.splitlines())) <= layout.WIDTH
+
+
+@pytest.mark.parametrize("function", MODEL.functions, ids=lambda f: f.name)
+def test_programs_define_before_use_and_use_what_they_define(function: Function) -> None:
+    program = arrange(function)
+    known = set(program.inputs)
+    used = set()
+    for symbol, expression in program.steps:
+        assert expression.free_symbols <= known, symbol
+        assert symbol not in known, f"{symbol} is assigned twice"
+        known.add(symbol)
+        used |= expression.free_symbols
+    for _, entries in program.results:
+        for entry in entries:
+            assert entry.free_symbols <= known
+            used |= entry.free_symbols
+    assert {symbol for symbol, _ in program.steps} <= used, "a value is computed and not used"
+
+
+@pytest.mark.parametrize("function", MODEL.functions, ids=lambda f: f.name)
+def test_names_in_c_do_not_shadow_each_other(function: Function) -> None:
+    arguments = [a.name for a in function.arguments] + [o.name for o in function.outputs] + ["parameters"]
+    assert len(set(arguments)) == len(arguments)
+    program = arrange(function)
+    symbols = {s.name for s, _ in program.steps} | {s.name for s in program.inputs}
+    scalars = {a.name for a in function.arguments if a.scalar}
+    assert not symbols & (set(arguments) - scalars)
+
+
+def test_operation_counts_have_not_grown() -> None:
+    """The baseline is changed by hand only: a change that costs operations must be meant."""
+    baseline = json.loads(Path(__file__).with_name("operation_counts.json").read_text(encoding="utf-8"))
+    counts = {function.name: arrange(function).operations for function in MODEL.functions}
+    assert counts.keys() == baseline.keys()
+    assert {name: n for name, n in counts.items() if n > baseline[name]} == {}
+
+
+def test_modal_matrices_stay_below_a_third_of_the_trial_derivation() -> None:
+    """1,900 operations for M_ss and the gravity Hessian alone was the figure to beat."""
+    function = next(f for f in MODEL.functions if f.name == "modal_matrices")
+    assert arrange(function).operations < 700
+
+
+def test_generated_module_parses_and_imports_only_numpy() -> None:
+    tree = ast.parse(TEXTS["model.py"])
+    imports = {a.name for node in ast.walk(tree) if isinstance(node, ast.Import) for a in node.names}
+    modules = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
+    assert imports == {"numpy"}
+    assert modules == {"typing"}
+
+
+def test_every_generated_function_documents_shapes_units_and_source() -> None:
+    tree = ast.parse(TEXTS["model.py"])
+    functions = [n for n in tree.body if isinstance(n, ast.FunctionDef) and not n.name.startswith("_")]
+    assert len(functions) == len(MODEL.functions)
+    for function in functions:
+        text = ast.get_docstring(function) or ""
+        assert "Parameters\n----------" in text
+        assert "Returns\n-------" in text
+        assert "shape (...)" in text or "shape (..., " in text
+        assert "operations" in text
+
+
+def test_numbers_are_printed_exactly() -> None:
+    a = Symbol("a", real=True)
+    for value in (0.1, 1 / 3, 2.42e6, 1.7e-05, 0.16000000000000003):
+        assert repr(value) in printers.numpy_expression(Float(value) * a)
+        assert repr(value) in printers.c_expression(Float(value) * a)
+    assert number(10.0) == Integer(10)
+    assert float(number(0.1)) == 0.1
+
+
+def test_printers_avoid_library_calls_for_small_powers() -> None:
+    a, b = (Symbol(name, real=True) for name in "ab")
+    assert printers.c_expression(a**2 + 1 / b) == "(a*a) + 1.0/b"
+    assert printers.c_expression((a + b) ** 2) == "((a + b)*(a + b))"
+    assert printers.numpy_expression(sqrt(a) / b) == "np.sqrt(a)/b"
+    assert printers.c_expression(Rational(1, 6) * a) == "(1.0/6.0)*a"
+
+
+def test_long_assignments_are_broken_before_operators() -> None:
+    expression = " + ".join(f"term_{i}*factor_{i}" for i in range(12))
+    lines = layout.assignment("target", expression, "    ", parentheses=True)
+    assert lines[0] == "    target = ("
+    assert all(len(line) <= layout.WIDTH for line in lines)
+    assert "".join(line.strip() for line in lines[1:-1]).replace(" ", "") == expression.replace(" ", "")
+    assert all(line.strip()[0] in "t+" for line in lines[1:-1])
+
+
+def test_robot_names_become_identifiers() -> None:
+    def identifier(name: str) -> str:
+        return product.Specification(name, "linear_delta", "robot.toml", {}, {}).identifier
+
+    assert identifier("linear-delta-2022") == "linear_delta_2022"
+    assert identifier("3-axis printer") == "robot_3_axis_printer"
+    assert identifier("class") == "robot_class"
+    assert identifier("Δ/../x") == "x"
+    assert identifier("***") == "robot"
+
+
+def test_manifest_digests_are_those_of_the_outputs() -> None:
+    manifest = json.loads(TEXTS["manifest.json"])
+    for name, digest in manifest["outputs"].items():
+        assert hashlib.sha256(TEXTS[name].encode()).hexdigest() == digest
+    assert set(manifest["outputs"]) == set(TEXTS) - {"manifest.json"}
+    assert "chain.py" in manifest["sources"]
+    assert "emit/templates/module.py.j2" in manifest["sources"]

@@ -1,0 +1,92 @@
+"""Every symbol has a unit and a description, and every formula is dimensionally consistent."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pint
+import pytest
+from pkmodes_derive.functions import Function
+from pkmodes_derive.linear_delta import derive
+from pkmodes_derive.vocabulary import Vocabulary
+from sympy import Abs, Add, Expr, Mul, Number, Pow, Symbol, sympify
+
+MODEL = derive()
+UNITS = pint.UnitRegistry()
+
+
+def symbols_of(function: Function) -> set[Symbol]:
+    entries = [e for output in function.outputs for e in output.entries]
+    arguments = {s for argument in function.arguments for s in argument.symbols}
+    used = {s for e in [*function.definitions.values(), *entries] for s in sympify(e).free_symbols}
+    return used | arguments | set(function.definitions)
+
+
+@pytest.mark.parametrize("function", MODEL.functions, ids=lambda f: f.name)
+def test_every_symbol_has_a_unit_and_a_description(function: Function) -> None:
+    for symbol in symbols_of(function):
+        quantity = MODEL.vocabulary[symbol]
+        assert quantity.unit
+        assert len(quantity.description.split()) >= 2
+        assert quantity.latex
+        UNITS.Unit("dimensionless" if quantity.unit == "1" else quantity.unit.replace(" ", "*"))
+
+
+def test_incomplete_or_repeated_declarations_are_refused() -> None:
+    vocabulary = Vocabulary()
+    vocabulary.declare("a", "m", "a length", "a")
+    for name, unit, description, latex in (
+        ("a", "m", "again", "a"),
+        ("b", "", "no unit", "b"),
+        ("b", "m", "", "b"),
+        ("not an identifier", "m", "a length", "b"),
+    ):
+        with pytest.raises(ValueError, match=r"declared twice|needs an identifier"):
+            vocabulary.declare(name, unit, description, latex)
+
+
+@cache
+def unit(text: str) -> pint.Unit:
+    return UNITS.Unit("dimensionless" if text == "1" else text.replace(" ", "*"))
+
+
+def dimension(expression: Expr) -> dict | None:
+    """Dimension of an expression, None for a zero or a bare number; an inconsistent sum raises."""
+    if isinstance(expression, Symbol):
+        return dict(unit(MODEL.vocabulary[expression].unit).dimensionality)
+    if isinstance(expression, Number):
+        return None
+    if isinstance(expression, Add):
+        found = [dimension(term) for term in expression.args]
+        assert all(clean(d) == clean(found[0]) for d in found), expression
+        return found[0]
+    if isinstance(expression, Mul):
+        total: dict = {}
+        for factor in expression.args:
+            for key, power in (dimension(factor) or {}).items():
+                total[key] = total.get(key, 0) + power
+        return total
+    if isinstance(expression, Abs):
+        return dimension(expression.args[0])
+    if isinstance(expression, Pow):
+        return {k: p * float(expression.exp) for k, p in (dimension(expression.base) or {}).items()}
+    raise AssertionError(f"no rule for the dimension of {expression.func}")
+
+
+def clean(d: dict | None) -> dict:
+    return {k: round(float(p), 9) for k, p in (d or {}).items() if abs(p) > 1e-9}
+
+
+def test_every_definition_has_the_dimension_of_its_unit() -> None:
+    definitions = {s: e for function in MODEL.functions for s, e in function.definitions.items()}
+    for symbol, expression in definitions.items():
+        assert clean(dimension(expression)) == clean(dimension(symbol)), symbol
+
+
+@pytest.mark.parametrize("function", MODEL.functions, ids=lambda f: f.name)
+def test_every_result_has_the_dimension_of_its_unit(function: Function) -> None:
+    for output in function.outputs:
+        allowed = [clean(dict(unit(u.strip()).dimensionality)) for u in output.unit.split(",")]
+        for entry in output.entries:
+            if entry != 0:
+                assert clean(dimension(entry)) in allowed, (output.name, entry)

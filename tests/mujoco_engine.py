@@ -1,0 +1,364 @@
+"""The linear delta as MuJoCo sees it, to judge the generated model by an engine that none of us wrote.
+
+Nothing here uses a formula of the generated model.  The robot is only described: carriages that slide, rods
+on ball joints, a platform that only translates and is pinned to the far ends of the rods, pulleys and motor
+rotors on hinges, gearboxes as joint equalities, belt spans as springs.  The engine supplies positions,
+velocities, accelerations, inertia, weight and energy; what is left to do is to close the loops with its own
+constraint rows and to project on the velocities that these rows allow.
+
+Coordinates: `q` are the nine displacements (carriages, then pulleys, as in the generated model) from the pose
+that the engine was built at.
+"""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import mujoco
+import numpy as np
+from pkmodes_generated.linear_delta import Parameters
+
+AXES = range(3)
+
+#: Central differences of a first derivative, eighth order: weights of f(+k h) - f(-k h), divided by h.
+FIRST = (4 / 5, -1 / 5, 4 / 105, -1 / 280)
+
+#: Central differences of a second derivative, eighth order: weights of f(+k h) + f(-k h) - 2 f(0), over h^2.
+SECOND = (8 / 5, -1 / 5, 8 / 315, -1 / 560)
+
+
+class Engine:
+    """A robot assembled in MuJoCo at one pose.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        One robot, without batch axes.
+    p : array, shape (3)
+        Platform centre.
+    axial_inertia : float
+        Inertia of each rod about itself [kg m^2]: a slender rod has none, the engine refuses zero.  It takes
+        no part, because `allowed` has the rods not spin about themselves.
+    rod_radius : float, optional
+        Radius over length of each rod.  The engine then finds the inertia of a uniform cylinder by itself.
+    """
+
+    def __init__(
+        self,
+        parameters: Parameters,
+        p: np.ndarray,
+        *,
+        axial_inertia: float = 1e-9,
+        rod_radius: float | None = None,
+    ) -> None:
+        self.parameters = parameters
+        self.x = carriage_positions(parameters, p)
+        xml = _description(parameters, np.asarray(p, dtype=float), self.x, axial_inertia, rod_radius)
+        self.model = mujoco.MjModel.from_xml_string(xml)
+        self.data = mujoco.MjData(self.model)
+        self._carriages = [self._dof(f"carriage_{j}") for j in AXES]
+        self._pulleys = [self._dof(f"pulley_{j}_{k}") for k in (1, 2) for j in AXES]
+        self._balls = [self._dof(f"ball_{j}") for j in AXES]
+        self._platform = [self._dof(f"platform_{i}") for i in "xyz"]
+        self._rods = [self._id(mujoco.mjtObj.mjOBJ_BODY, f"rod_{j}") for j in AXES]
+        self._coordinates = self._carriages + self._pulleys
+        for j in AXES:
+            # The engine takes the second anchor of a pin from the assembled pose, whatever that pose is; put
+            # the true rod length instead, so that the closure is the engine's to satisfy.
+            rod_end = np.array([0.0, 0.0, parameters.link_length[j]])
+            if not np.allclose(self.model.eq_data[j, 3:6], rod_end, rtol=0, atol=1e-9):
+                raise ValueError(f"rod {j + 1} does not reach its platform joint")
+            self.model.eq_data[j, 3:6] = rod_end
+        self.move(np.zeros(9))
+
+    # The engine's own quantities -------------------------------------------------------------------------
+
+    def move(self, q: np.ndarray) -> None:
+        """Displace carriages and pulleys to `q`, at rest, and close the loops by Newton's method."""
+        residual = np.inf
+        for _ in range(20):
+            self.data.qvel[:] = 0
+            mujoco.mj_fwdPosition(self.model, self.data)
+            error = np.concatenate([-self.data.efc_pos, np.zeros(3), q - self._displacements()])
+            before, residual = residual, float(np.abs(error).max())
+            if residual < 1e-16 or before / 2 <= residual < 1e-13:  # at rounding: as closed as it gets
+                break
+            step = np.linalg.solve(self._square(), error)
+            mujoco.mj_integratePos(self.model, self.data.qpos, step, 1.0)
+        else:
+            raise ValueError(f"the loops do not close: {residual:.1e} m is left")
+        mujoco.mj_fwdVelocity(self.model, self.data)
+
+    def closure(self) -> float:
+        """Largest distance between a rod end and its platform joint, from the two positions themselves."""
+        gaps = [
+            self.data.site(f"rod_end_{j}").xpos - self.data.site(f"platform_joint_{j}").xpos for j in AXES
+        ]
+        return float(np.linalg.norm(gaps, axis=1).max())
+
+    def platform(self) -> np.ndarray:
+        """Platform centre."""
+        return self.data.body("platform").xpos.copy()
+
+    def links(self) -> np.ndarray:
+        """Vectors from each carriage to its platform joint, one row for each axis."""
+        ends = [(self.data.site(f"platform_joint_{j}").xpos, self.data.body(f"rod_{j}").xpos) for j in AXES]
+        return np.array([joint - carriage for joint, carriage in ends])
+
+    def motions(self) -> np.ndarray:
+        """Joint velocities that the constraints allow: by spin of each rod about itself, then by q_dot."""
+        return np.linalg.inv(self._square())[:, -12:]
+
+    def allowed(self) -> np.ndarray:
+        """Joint velocities by q_dot: the null space of the constraints, without spin of the rods."""
+        return self.motions()[:, 3:]
+
+    def platform_jacobian(self) -> np.ndarray:
+        """Platform velocity by carriage velocities."""
+        return self.allowed()[self._platform, :3]
+
+    def link_jacobians(self) -> tuple[np.ndarray, np.ndarray]:
+        """Velocity of the centre of mass and angular velocity of each rod, by carriage velocities."""
+        linear, angular = np.empty((2, 3, 3, self.model.nv))
+        for j in AXES:
+            mujoco.mj_jacBodyCom(self.model, self.data, linear[j], angular[j], self._rods[j])
+        N = self.allowed()[:, :3]
+        return linear @ N, angular @ N
+
+    def inertia(self) -> np.ndarray:
+        """Inertia matrix of all joints, before the loops are closed."""
+        columns = np.zeros((self.model.nv, self.model.nv))
+        for column, unit in zip(columns, np.eye(self.model.nv), strict=True):
+            mujoco.mj_mulM(self.model, self.data, column, unit)  # mj_fullM changed its arguments in 4.0
+        return columns
+
+    def mass_matrix(self) -> np.ndarray:
+        """Mass matrix in the nine coordinates."""
+        N = self.allowed()
+        return N.T @ self.inertia() @ N
+
+    def kinetic_energy(self, q_dot: np.ndarray) -> float:
+        """Kinetic energy that the engine reports."""
+        with self._moving(q_dot):
+            mujoco.mj_energyVel(self.model, self.data)
+            return float(self.data.energy[1])
+
+    def potential(self) -> float:
+        """Potential energy of weight and belts that the engine reports."""
+        mujoco.mj_energyPos(self.model, self.data)
+        return float(self.data.energy[0])
+
+    def gradient(self) -> np.ndarray:
+        """Gradient of the potential energy, from the engine's forces at rest."""
+        return self.allowed().T @ (self.data.qfrc_bias - self.data.qfrc_passive)
+
+    def out_of_balance(self, torques: np.ndarray) -> np.ndarray:
+        """Generalised force that is left at rest with these torques on the driven pulleys."""
+        applied = np.zeros(self.model.nv)
+        for j in AXES:
+            driven = int(np.argmax(self.parameters.drive[j])) + 1
+            applied[self._dof(f"pulley_{j}_{driven}")] = torques[j]
+        return self.allowed().T @ applied - self.gradient()
+
+    def velocity_forces(self, x_dot: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Forces that moving carriages need to keep their velocity, without weight; and the acceleration.
+
+        Returns
+        -------
+        h : array, shape (3)
+            Coriolis and centrifugal forces at the carriages.
+        acceleration : array, shape (3)
+            Acceleration of the platform meanwhile.
+        """
+        at_rest = self.data.qfrc_bias.copy()
+        with self._moving(np.concatenate([x_dot, np.zeros(6)])):
+            # Accelerations that keep the pins together while the coordinates do not accelerate: what the pins
+            # would drift apart by without joint accelerations, taken back.
+            self.data.qacc[:] = 0
+            mujoco.mj_rnePostConstraint(self.model, self.data)
+            wanted = np.zeros(self.model.nv)
+            wanted[:9] = np.ravel([self._acceleration(j, "rod_end") for j in AXES])
+            wanted[:9] -= np.ravel([self._acceleration(j, "platform_joint") for j in AXES])
+            acceleration = np.linalg.solve(self._square(), wanted)
+            forces = self.inertia() @ acceleration + self.data.qfrc_bias - at_rest
+        return (self.allowed().T @ forces)[:3], acceleration[self._platform]
+
+    def length_scale(self) -> float:
+        """Smallest radius of curvature of the platform's path while one carriage moves: for step sizes."""
+        return 1 / max(float(np.linalg.norm(self.velocity_forces(x_dot)[1])) for x_dot in np.eye(3))
+
+    # Derivatives by moving the mechanism -------------------------------------------------------------------
+
+    def hessian(self, steps: np.ndarray) -> np.ndarray:
+        """Hessian of the potential energy: differences of `gradient` along each coordinate."""
+        columns = []
+        for unit, h in zip(np.eye(9), steps, strict=True):
+            column = np.zeros(9)
+            for k, weight in enumerate(FIRST, start=1):
+                for sign in (1, -1):
+                    self.move(sign * k * h * unit)
+                    column += sign * weight / h * self.gradient()
+            columns.append(column)
+        self.move(np.zeros(9))
+        return np.array(columns).T
+
+    def energy_along(self, direction: np.ndarray, h: float) -> tuple[float, float]:
+        """First and second derivative of the potential energy along a line in the nine coordinates."""
+        self.move(np.zeros(9))
+        here = self.potential()
+        first = second = 0.0
+        for k, (odd, even) in enumerate(zip(FIRST, SECOND, strict=True), start=1):
+            self.move(k * h * direction)
+            ahead = self.potential() - here
+            self.move(-k * h * direction)
+            behind = self.potential() - here
+            first += odd / h * (ahead - behind)
+            second += even / h**2 * (ahead + behind)
+        self.move(np.zeros(9))
+        return first, second
+
+    @contextmanager
+    def without_belts(self) -> Iterator[None]:
+        """Leave the weight alone."""
+        stiffness = self.model.tendon_stiffness.copy()
+        self.model.tendon_stiffness[:] = 0
+        try:
+            yield
+        finally:
+            self.model.tendon_stiffness[:] = stiffness
+            self.move(np.zeros(9))
+
+    # --------------------------------------------------------------------------------------------------------
+
+    @contextmanager
+    def _moving(self, q_dot: np.ndarray) -> Iterator[None]:
+        self.data.qvel[:] = self.allowed() @ q_dot
+        mujoco.mj_fwdVelocity(self.model, self.data)
+        try:
+            yield
+        finally:
+            self.data.qvel[:] = 0
+            mujoco.mj_fwdVelocity(self.model, self.data)
+
+    def _acceleration(self, j: int, name: str) -> np.ndarray:
+        site, found = mujoco.mjtObj.mjOBJ_SITE, np.empty(6)
+        mujoco.mj_objectAcceleration(self.model, self.data, site, self._id(site, f"{name}_{j}"), found, 0)
+        return found[3:]
+
+    def _displacements(self) -> np.ndarray:
+        return self.data.qpos[[self.model.jnt_qposadr[self.model.dof_jntid[i]] for i in self._coordinates]]
+
+    def _square(self) -> np.ndarray:
+        """Rows that determine a motion: the engine's constraints, no spin of the rods, the coordinates."""
+        constraints = np.reshape(self.data.efc_J, (self.data.nefc, self.model.nv))
+        rows = np.eye(self.model.nv)
+        # The engine has the velocities of a ball joint in the frame of the rod, and the rod along its z.
+        return np.vstack([constraints, rows[[i + 2 for i in self._balls]], rows[self._coordinates]])
+
+    def _id(self, kind: mujoco.mjtObj, name: str) -> int:
+        return int(mujoco.mj_name2id(self.model, kind, name))
+
+    def _dof(self, joint: str) -> int:
+        return int(self.model.jnt_dofadr[self._id(mujoco.mjtObj.mjOBJ_JOINT, joint)])
+
+
+def carriage_positions(parameters: Parameters, p: np.ndarray) -> np.ndarray:
+    """Where a rod's length puts each carriage on its rail, on the wanted side of the platform joint.
+
+    Only to assemble the engine near the pose; its own closure decides whether that was right.
+    """
+    to_joint = p + parameters.joint - parameters.origin
+    along = np.sum(to_joint * parameters.direction, axis=1)
+    distance = np.linalg.norm(to_joint - along[:, None] * parameters.direction, axis=1)
+    return along + parameters.branch * np.sqrt(parameters.link_length**2 - distance**2)
+
+
+def _description(
+    parameters: Parameters, p: np.ndarray, x: np.ndarray, axial_inertia: float, rod_radius: float | None
+) -> str:
+    """MJCF of the robot, assembled at the pose, every joint at zero there."""
+    root = ET.Element("mujoco")
+    _add(root, "compiler", angle="radian", boundmass=0.0, boundinertia=0.0, balanceinertia="false")
+    option = _add(root, "option", gravity=parameters.gravity, jacobian="dense")
+    _add(option, "flag", energy="enable")
+    world = ET.SubElement(root, "worldbody")
+    equality = ET.SubElement(root, "equality")
+    belts = ET.SubElement(root, "tendon")
+
+    platform = _add(world, "body", name="platform", pos=p)
+    for name, axis in zip("xyz", np.eye(3), strict=True):
+        _add(platform, "joint", name=f"platform_{name}", type="slide", axis=axis)
+    _mass(platform, float(parameters.platform_mass), np.ones(3))  # never turns: any inertia does
+
+    for j in AXES:
+        direction, length = parameters.direction[j], float(parameters.link_length[j])
+        end = parameters.origin[j] + x[j] * direction
+        joint = parameters.joint[j]
+        carriage = _add(world, "body", name=f"carriage_{j}", pos=end)
+        _add(carriage, "joint", name=f"carriage_{j}", type="slide", axis=direction)
+        _mass(carriage, parameters.carriage_mass[j], np.ones(3))  # never turns either
+
+        rod = _add(carriage, "body", name=f"rod_{j}", zaxis=p + joint - end)
+        _add(rod, "joint", name=f"ball_{j}", type="ball")
+        middle, mass = np.array([0, 0, length / 2]), parameters.link_mass[j]
+        if rod_radius is None:
+            across = mass * length**2 / 12
+            _mass(rod, mass, np.array([across, across, axial_inertia]), middle)
+        else:
+            size = np.array([rod_radius * length, length / 2])
+            _add(rod, "geom", type="cylinder", size=size, pos=middle, mass=mass, contype="0", conaffinity="0")
+        _add(rod, "site", name=f"rod_end_{j}", pos=np.array([0, 0, length]))
+        _add(platform, "site", name=f"platform_joint_{j}", pos=joint)
+        _add(equality, "connect", body1="platform", body2=f"rod_{j}", anchor=joint)
+    for j in AXES:  # after the pins, whose rows are the first nine
+        _transmission(world, equality, belts, parameters, x, j)
+    return ET.tostring(root, encoding="unicode")
+
+
+def _transmission(
+    world: ET.Element, equality: ET.Element, belts: ET.Element, parameters: Parameters, x: np.ndarray, j: int
+) -> None:
+    """Pulleys, motor and belt of axis j."""
+    for k in (1, 2):
+        name = f"pulley_{j}_{k}"
+        pulley = _add(world, "body", name=name)
+        _add(pulley, "joint", name=name, type="hinge", axis=np.eye(3)[k])
+        _mass(pulley, 1.0, np.full(3, parameters.pulley_inertia[j]))  # centred at the base: no potential
+        if parameters.drive[j, k - 1]:
+            rotor = _add(world, "body", name=f"motor_{j}")
+            _add(rotor, "joint", name=f"motor_{j}", type="hinge", axis=np.eye(3)[k])
+            _mass(rotor, 1.0, np.full(3, parameters.motor_inertia[j]))
+            ratio = np.array([0, parameters.gear_ratio[j], 0, 0, 0])
+            _add(equality, "joint", joint1=f"motor_{j}", joint2=name, polycoef=ratio)
+
+    low, high = parameters.limits[j]
+    half, radius = parameters.carriage_length[j] / 2, parameters.pulley_radius[j]
+    carriage, pulley_1, pulley_2 = f"carriage_{j}", f"pulley_{j}_1", f"pulley_{j}_2"
+    for length, elongation in (
+        (high - low, {pulley_2: radius, pulley_1: -radius}),
+        (x[j] - low - half, {carriage: 1.0, pulley_2: -radius}),
+        (high - x[j] - half, {pulley_1: radius, carriage: -1.0}),
+    ):
+        if length <= 0:
+            raise ValueError(f"carriage {j + 1} is beyond its limits")
+        stiffness = parameters.belt_width[j] * parameters.belt_specific_stiffness[j] / length
+        span = _add(belts, "fixed", stiffness=stiffness, springlength=0.0)
+        for name, coefficient in elongation.items():
+            _add(span, "joint", joint=name, coef=coefficient)
+
+
+def _mass(body: ET.Element, mass: float, inertia: np.ndarray, centre: np.ndarray | None = None) -> None:
+    _add(body, "inertial", pos=np.zeros(3) if centre is None else centre, mass=mass, diaginertia=inertia)
+
+
+def _add(parent: ET.Element, tag: str, **attributes: object) -> ET.Element:
+    """Add an element; numbers with all their digits."""
+
+    def text(value: object) -> str:
+        if isinstance(value, str):
+            return value
+        return " ".join(repr(float(number)) for number in np.atleast_1d(np.asarray(value, dtype=float)))
+
+    return ET.SubElement(parent, tag, {key: text(value) for key, value in attributes.items()})

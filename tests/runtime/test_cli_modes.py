@@ -1,0 +1,161 @@
+"""The command line's promises: JSON keys, error lines, exit codes; ``pkmodes modes``."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from robot_text import PUBLISHED, edited
+
+import pkmodes
+from pkmodes.cli import run
+
+ROOT = Path(__file__).parents[2]
+ROBOT = str(PUBLISHED)
+POSE = "0.6,0.03,-0.245"
+KEYS = {
+    "robot",
+    "pose",
+    "coordinates",
+    "frequencies_hz",
+    "shapes",
+    "platform_shapes",
+    "carriage_positions",
+    "mass_matrix",
+    "stiffness_matrix",
+    "static_torques",
+    "rigid_modes",
+}
+
+
+def test_json_holds_exactly_the_promised_keys(tmp_path: Path) -> None:
+    out = tmp_path / "modes.json"
+    assert run(["modes", ROBOT, "--pose", POSE, "--json", str(out)]) == 0
+    content = json.loads(out.read_text(encoding="utf-8"))
+    assert content.keys() == KEYS
+    model = pkmodes.load(ROBOT)
+    result = model.modes([0.6, 0.03, -0.245])
+    assert content["robot"] == "linear-delta-2022"
+    assert content["pose"] == [0.6, 0.03, -0.245]
+    assert content["coordinates"] == ["x_1", "x_2", "x_3"] + [
+        f"theta_{j}_{k}" for k in (1, 2) for j in (1, 2, 3)
+    ]
+    assert content["rigid_modes"] == 3
+    np.testing.assert_array_equal(content["frequencies_hz"], result.frequencies)
+    np.testing.assert_array_equal(content["shapes"], result.shapes)
+    np.testing.assert_array_equal(content["mass_matrix"], result.mass_matrix)
+    np.testing.assert_array_equal(content["static_torques"], model.statics([0.6, 0.03, -0.245]).torques)
+    assert np.shape(content["platform_shapes"]) == (9, 3)
+
+
+def test_json_to_standard_output_is_nothing_but_json(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["modes", ROBOT, "--pose", POSE, "--json", "-"]) == 0
+    captured = capsys.readouterr()
+    assert json.loads(captured.out).keys() == KEYS
+    assert captured.err == ""
+
+
+def test_the_table_shows_every_mode_and_coordinate(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["modes", ROBOT, "--pose", POSE]) == 0
+    out = capsys.readouterr().out
+    frequencies = pkmodes.load(ROBOT).modes([0.6, 0.03, -0.245]).frequencies
+    assert all(f"{f:.3f}" in out for f in frequencies[3:])
+    for label in ("rigid", "x_1/R_p", "theta_3_2", "p_z", "static torques [N m]", "carriage positions [m]"):
+        assert label in out
+    assert max(map(len, out.splitlines())) <= 90
+
+
+def test_a_pose_may_be_given_with_units(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["modes", ROBOT, "--pose", "600 mm, 30 mm, -245 mm", "--json", "-"]) == 0
+    assert json.loads(capsys.readouterr().out)["pose"] == [0.6, 0.03, -0.245]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["modes", ROBOT, "--pose", "0.6,0"], "expected three coordinates X,Y,Z, found 2 (--pose)"),
+        (
+            ["modes", ROBOT, "--pose", "0.6,0,zero"],
+            'found "zero", which does not begin with a number (--pose)',
+        ),
+        (["modes", ROBOT, "--pose", "0.6,0,1 kg"], "which is a mass (--pose)"),
+        (["modes", ROBOT, "--pose", "nan,0,0"], "expected finite coordinates"),
+        (["modes", ROBOT, "--pose", "9,9,9"], "the pose is out of reach: link"),
+        (
+            ["modes", ROBOT, "--pose", "0.6,0,0"],
+            "the condition number of D_l is inf (pose 0 at [0.6, 0, 0] m)",
+        ),
+        (["modes", ROBOT, "--pose", "0.1,0,-0.245"], "carriage 2 is beyond its limits"),
+        (["modes", "absent.toml", "--pose", POSE], "cannot read the robot file: no such file"),
+        (["modes", ROBOT], "missing option '--pose' (pkmodes modes)"),
+        (["modes", "--pose", POSE], "missing argument 'ROBOT.toml' (pkmodes modes)"),
+        (["modes", ROBOT, "--pose", POSE, "--zzz"], "no such option"),
+        (["modez"], "no such command 'modez'"),
+        (["modes", ROBOT, "--pose", POSE, "--json", "/dev/null/x.json"], "cannot write"),
+        (["generate", ROBOT], "missing option '--out' (pkmodes generate)"),
+        (["generate", "absent.toml", "--out", "x"], "cannot read the robot file"),
+        (["check", "absent"], "no such file or folder (absent)"),
+    ],
+)
+def test_mistakes_are_one_error_line_and_exit_code_2(
+    arguments: list[str], message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(arguments) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("error: ")
+    assert captured.err.count("\n") == 1
+    assert message in captured.err
+    assert captured.err.rstrip().rpartition("; ")[2], "what to do is missing"
+
+
+def test_a_wrong_robot_file_gives_one_error_line_for_each_problem(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "robot.toml"
+    path.write_text(edited("driven_pulley = 1", "driven_puley = 1"), encoding="utf-8")
+    assert run(["modes", str(path), "--pose", POSE]) == 2
+    lines = capsys.readouterr().err.splitlines()
+    assert len(lines) == 2  # one key is missing, and another is unknown
+    assert all(line.startswith("error: ") and str(path) in line for line in lines)
+    assert any('did you mean "driven_pulley"?' in line for line in lines)
+
+
+def test_nothing_is_written_when_the_pose_is_bad(tmp_path: Path) -> None:
+    out = tmp_path / "modes.json"
+    out.write_text("before", encoding="utf-8")
+    assert run(["modes", ROBOT, "--pose", "9,9,9", "--json", str(out)]) == 2
+    assert out.read_text(encoding="utf-8") == "before"
+    assert list(tmp_path.iterdir()) == [out]
+
+
+@pytest.mark.parametrize("command", ["modes", "generate", "check"])
+def test_help_shows_an_example(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run([command, "--help"]) == 0
+    assert f"pkmodes {command}" in capsys.readouterr().out.split("Example")[1]
+
+
+def test_help_and_version(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["--help"]) == 0
+    assert "modes" in capsys.readouterr().out
+    assert run(["--version"]) == 0
+    assert capsys.readouterr().out.strip() == f"pkmodes {pkmodes.__version__}"
+    assert run([]) == 2
+
+
+def test_a_closed_pipe_is_no_error() -> None:
+    path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
+    environment = {**os.environ, "PYTHONPATH": path}
+    command = [sys.executable, "-m", "pkmodes", "modes", ROBOT, "--pose", POSE, "--json", "-"]
+    with subprocess.Popen(
+        command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as process:
+        assert process.stdout is not None
+        assert process.stderr is not None
+        process.stdout.close()
+        assert process.stderr.read() == b""

@@ -1,0 +1,86 @@
+"""Who may import whom, and what ``import pkmodes`` may cost."""
+
+from __future__ import annotations
+
+import ast
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+STANDARD = sys.stdlib_module_names
+#: Parts of the runtime that may reach the derivation, and only from inside functions.
+BRIDGE = {"src/pkmodes/generation.py"}
+
+
+def imports(file: Path, *, top_level_only: bool = False) -> set[str]:
+    tree = ast.parse(file.read_text(encoding="utf-8"))
+    nodes = list(tree.body) if top_level_only else list(ast.walk(tree))
+    found = set()
+    for node in nodes:
+        if isinstance(node, ast.Import):
+            found |= {alias.name.split(".")[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.level == 0:
+            found.add((node.module or "").split(".")[0])
+    return found - STANDARD
+
+
+def files(folder: str) -> list[Path]:
+    found = sorted((ROOT / folder).rglob("*.py"))
+    assert found
+    return found
+
+
+def test_the_derivation_imports_sympy_and_jinja_only() -> None:
+    for file in files("derive"):
+        assert imports(file) <= {"pkmodes_derive", "sympy", "jinja2"}, file
+
+
+def test_generated_code_imports_numpy_only() -> None:
+    for file in files("generated"):
+        assert imports(file) <= {"numpy", "pkmodes_generated"}, file
+
+
+def test_the_runtime_reaches_the_derivation_through_one_module() -> None:
+    for file in files("src"):
+        text = file.read_text(encoding="utf-8")
+        name = file.relative_to(ROOT).as_posix()
+        assert "sympy" not in imports(file), name
+        if name not in BRIDGE:
+            assert "pkmodes_derive" not in imports(file), name
+        else:
+            assert "pkmodes_derive" not in imports(file, top_level_only=True), name
+            assert "pkmodes_derive" in text
+
+
+def test_the_runtime_is_light_to_import() -> None:
+    """What takes long is loaded when it is needed: SymPy for generating, pint and pydantic for reading."""
+    code = "import sys, pkmodes; print(sorted({m.split('.')[0] for m in sys.modules}))"
+    path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
+    run = subprocess.run(
+        [sys.executable, "-c", code],
+        env={**os.environ, "PYTHONPATH": path},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    loaded = set(ast.literal_eval(run.stdout))
+    assert "numpy" in loaded
+    assert not loaded & {"sympy", "jinja2", "pint", "pydantic", "click", "rich", "scipy", "pkmodes_derive"}
+
+
+def test_templates_contain_no_mathematics() -> None:
+    """No operator of arithmetic in what a template computes: it may only place text."""
+    for template in sorted((ROOT / "derive/pkmodes_derive/emit/templates").glob("*.j2")):
+        text = template.read_text(encoding="utf-8")
+        for opening, closing in (("{{", "}}"), ("{%", "%}")):
+            for part in text.split(opening)[1:]:
+                code = part.split(closing)[0]
+                assert not set("*/+") & set(code), (template.name, code)
+
+
+def test_modules_stay_short() -> None:
+    for folder in ("src", "derive"):
+        for file in files(folder):
+            assert len(file.read_text(encoding="utf-8").splitlines()) <= 400, file
