@@ -75,7 +75,8 @@ def main() -> None:
 def centre_line(model: pkmodes.Model) -> NDArray[np.float64]:
     """Poses on the centre line that are within the assumed bound."""
     parameters = model.robot.parameters
-    x = np.arange(0.0, 1.2 + STEP / 2, STEP)
+    reach = parameters.link_length.max()
+    x = np.arange(parameters.limits.min() - reach, parameters.limits.max() + reach, STEP)
     poses = np.column_stack([x, np.full_like(x, Y), np.full_like(x, Z)])
     carriages = model.inverse_kinematics(poses, on_error="nan")
     half = parameters.carriage_length / 2
