@@ -19,6 +19,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+
 import pkmodes
 from pkmodes.eigen import generalised_eigh
 from pkmodes.generation import generate

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+
 from pkmodes_generated.linear_delta import model
 from sample_robots import Sample
 

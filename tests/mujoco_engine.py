@@ -18,6 +18,7 @@ from contextlib import contextmanager
 
 import mujoco
 import numpy as np
+
 from pkmodes_generated.linear_delta import Parameters
 
 AXES = range(3)

@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 
 import mpmath
 import numpy as np
+
 from pkmodes_generated.linear_delta import Parameters
 
 DIGITS = 60

@@ -12,9 +12,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from pkmodes_generated.linear_delta import Parameters
 
 from pkmodes.robot.reading import read_robot
+from pkmodes_generated.linear_delta import Parameters
 
 ROBOTS = Path(__file__).resolve().parent.parent / "robots"
 

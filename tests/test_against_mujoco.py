@@ -16,13 +16,13 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
-import pkmodes_generated.linear_delta as generated
 import pytest
-from mujoco_engine import Engine
-from pkmodes_generated.linear_delta import Parameters
 from scipy.linalg import eigh
 
+import pkmodes_generated.linear_delta as generated
+from mujoco_engine import Engine
 from pkmodes.robot.reading import read_robot
+from pkmodes_generated.linear_delta import Parameters
 
 ROBOTS = Path(__file__).parents[1] / "robots"
 

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+
 from generated_functions import CORE_SHAPES, FUNCTIONS, SIGNATURES, arguments, outputs
 from pkmodes_generated.linear_delta import Parameters, model
 from sample_robots import SAMPLES, Sample, sample, tower_printer

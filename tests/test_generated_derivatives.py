@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+
 from generated_functions import FUNCTIONS
 from pkmodes_generated.linear_delta import model
 from sample_robots import SAMPLES, sample

@@ -10,6 +10,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+
 from generated_functions import FUNCTIONS, arguments, outputs, scale
 from oracle import Oracle
 from pkmodes_generated.linear_delta import model

@@ -3,19 +3,32 @@
 from __future__ import annotations
 
 import numpy as np
-import pkmodes
 import pytest
+
+import pkmodes
+from pkmodes_generated import linear_delta
 from robot_text import PUBLISHED
 
 
-def test_mean_condition_number_of_the_plane_is_the_printed_one() -> None:
-    """Section 4: "more uniformly distributed and has the lower mean value, i.e., 3.5"."""
-    model = pkmodes.load(PUBLISHED)
-    # The links reach y = 0.116 m to either side in this plane; the Jacobian does not depend on x.
-    y = np.linspace(-0.116, 0.116, 401)
+def mean_condition(model: pkmodes.Model, branch: list[float], samples: int = 20_001) -> float:
+    """Mean condition number of D_p over the width that the links reach in the plane z = -245 mm (any x)."""
+    width = np.sqrt(0.4**2 - 0.245**2) - 0.2
+    y = ((np.arange(samples) + 0.5) / samples * 2.0 - 1.0) * width
     poses = np.column_stack([np.full_like(y, 0.6), y, np.full_like(y, -0.245)])
-    mean = np.linalg.cond(model.platform_jacobian(poses)).mean()
-    assert mean == pytest.approx(3.5, abs=0.05)
+    parameters = model.robot.parameters._replace(branch=np.array(branch))
+    return float(np.linalg.cond(linear_delta.platform_jacobian(poses, parameters)).mean())
+
+
+def test_mean_condition_number_of_the_plane_supports_the_assumed_sides() -> None:
+    """Section 4 prints a mean of 3.5 for this plane.
+
+    The condition number grows without bound at the edge of reach, so a mean over a grid depends on the grid:
+    3.0 to 3.7 for steps of 10 to 1 mm, 3.4 by integration.  The printed one is within that spread with the
+    carriages on opposite sides, and far from it with all on one side.
+    """
+    model = pkmodes.load(PUBLISHED)
+    assert mean_condition(model, [1.0, -1.0, -1.0]) == pytest.approx(3.5, abs=0.4)
+    assert mean_condition(model, [1.0, 1.0, 1.0]) > 15.0
 
 
 def test_three_rigid_and_six_vibration_modes() -> None:

@@ -12,12 +12,12 @@ from os import PathLike
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from pkmodes_generated import linear_delta as generated
 
 from pkmodes.eigen import generalised_eigh, natural_frequencies, zero_eigenvalues
 from pkmodes.errors import PoseError
 from pkmodes.poses import MAX_CONDITION, CheckedPoses, OnError, check_poses
 from pkmodes.robot.robot import Robot
+from pkmodes_generated import linear_delta as generated
 
 Array = NDArray[np.float64]
 

@@ -10,10 +10,10 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from pkmodes_generated import linear_delta as generated
-from pkmodes_generated.linear_delta import Parameters
 
 from pkmodes.errors import PoseError
+from pkmodes_generated import linear_delta as generated
+from pkmodes_generated.linear_delta import Parameters
 
 OnError = Literal["raise", "nan"]
 

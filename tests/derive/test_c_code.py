@@ -14,13 +14,13 @@ from types import ModuleType
 
 import numpy as np
 import pytest
+
+from pkmodes.generation import specification
+from pkmodes.robot.robot import Robot
 from pkmodes_derive.emit import product
 from pkmodes_generated import linear_delta
 from pkmodes_generated.linear_delta import Parameters
 from sample_robots import random_robot
-
-from pkmodes.generation import specification
-from pkmodes.robot.robot import Robot
 
 MODEL = product.derive("linear_delta")
 COMPILER = os.environ.get("CC") or shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from pkmodes_derive.chain import Chain
 from sympy import Symbol, cos, diff, exp, expand, sin, sqrt
+
+from pkmodes_derive.chain import Chain
 
 x, y, a, b, c = (Symbol(name, real=True) for name in "xyabc")
 

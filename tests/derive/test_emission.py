@@ -11,11 +11,12 @@ import sys
 from pathlib import Path
 
 import pytest
+from sympy import Float, Integer, Rational, Symbol, sqrt
+
 from pkmodes_derive.emit import latex, layout, printers, product
 from pkmodes_derive.emit.program import arrange
 from pkmodes_derive.functions import Function
 from pkmodes_derive.specialise import number
-from sympy import Float, Integer, Rational, Symbol, sqrt
 
 ROOT = Path(__file__).parents[2]
 MODEL = product.derive("linear_delta")

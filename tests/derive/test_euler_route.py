@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from sympy import Matrix, lambdify
+
 from pkmodes_derive.linear_delta import kinematics, rotation
 from pkmodes_derive.linear_delta.symbols import Symbols
 from pkmodes_generated import linear_delta
 from sample_robots import random_robot
-from sympy import Matrix, lambdify
 
 sy = Symbols()
 KIN = kinematics.derive(sy)

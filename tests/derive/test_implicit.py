@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from sympy import Matrix, Rational, Symbol, diff, simplify, solve, symbols
+
 from pkmodes_derive import implicit
 from pkmodes_derive.chain import Chain
-from sympy import Matrix, Rational, Symbol, diff, simplify, solve, symbols
 
 q1, q2 = symbols("q1 q2", real=True)
 s1, s2, s3 = symbols("s1 s2 s3", real=True)

@@ -6,10 +6,11 @@ from functools import cache
 
 import pint
 import pytest
+from sympy import Abs, Add, Expr, Mul, Number, Pow, Symbol, sympify
+
 from pkmodes_derive.functions import Function
 from pkmodes_derive.linear_delta import derive
 from pkmodes_derive.vocabulary import Vocabulary
-from sympy import Abs, Add, Expr, Mul, Number, Pow, Symbol, sympify
 
 MODEL = derive()
 UNITS = pint.UnitRegistry()

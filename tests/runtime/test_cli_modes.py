@@ -10,10 +10,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from robot_text import PUBLISHED, edited
 
 import pkmodes
 from pkmodes.cli import run
+from robot_text import PUBLISHED, edited
 
 ROOT = Path(__file__).parents[2]
 ROBOT = str(PUBLISHED)

@@ -11,15 +11,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pkmodes_derive.emit import manifest, product
-from pkmodes_generated import linear_delta
-from robot_text import PUBLISHED, published
 
 import pkmodes
 from pkmodes import writing
 from pkmodes.checking import products
 from pkmodes.checking.consistency import Generated, check_consistency, oblique_robot
 from pkmodes.cli import run
+from pkmodes_derive.emit import manifest, product
+from pkmodes_generated import linear_delta
+from robot_text import PUBLISHED, published
 
 MODULE = "linear_delta_2022.py"
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from pkmodes_generated import linear_delta
-from robot_text import PUBLISHED
 from scipy.linalg import eigh
 
 import pkmodes
 from pkmodes import model as model_module
 from pkmodes.errors import PoseError
+from pkmodes_generated import linear_delta
+from robot_text import PUBLISHED
 
 POSE = np.array([0.6, 0.03, -0.245])
 

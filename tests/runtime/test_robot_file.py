@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from robot_text import PUBLISHED, edited, published
 
 from pkmodes.errors import RobotFileError
 from pkmodes.robot.reading import read_robot
+from robot_text import PUBLISHED, edited, published
 
 
 def read(tmp_path: Path, text: str) -> object:

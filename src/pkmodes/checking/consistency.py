@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
 from pkmodes_generated.linear_delta import Parameters
 
 Array = NDArray[np.float64]

@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from pkmodes_generated import linear_delta
 
 from pkmodes.checking.consistency import (
     BOUND,
@@ -25,6 +24,7 @@ from pkmodes.errors import PkmodesError, RobotFileError
 from pkmodes.generation import derivation, specification
 from pkmodes.robot.reading import read_robot
 from pkmodes.robot.robot import Robot
+from pkmodes_generated import linear_delta
 
 MECHANISM = "linear_delta"
 REGENERATE = "make generate"

@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 import numpy as np
-from pkmodes_generated.linear_delta import Parameters
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
@@ -18,6 +17,7 @@ from pkmodes.errors import PkmodesError, RobotFileError
 from pkmodes.robot import schema
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.units import DIMENSIONS, Quantity
+from pkmodes_generated.linear_delta import Parameters
 
 LARGEST_FILE = 1_000_000
 FORMAT_HELP = "see docs/robot-file.md for the format"

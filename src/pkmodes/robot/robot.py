@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from pkmodes_generated.linear_delta import Parameters
-
 from pkmodes.robot.units import Quantity
+from pkmodes_generated.linear_delta import Parameters
 
 
 @dataclass(frozen=True)
