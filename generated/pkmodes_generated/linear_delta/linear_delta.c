@@ -533,12 +533,13 @@ void linear_delta_jacobian_condition(const double p[3], const linear_delta_param
     const double A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x;
     const double A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x;
     const double det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z;
+    const double t1 = pow(det_D_l, -2);
     *determinant = det_D_l;
     *condition =
-        sqrt((A_x_1*A_x_1) + (A_x_2*A_x_2) + (A_x_3*A_x_3) + (A_y_1*A_y_1) + (A_y_2*A_y_2) + (A_y_3*A_y_3)
-        + (A_z_1*A_z_1) + (A_z_2*A_z_2) + (A_z_3*A_z_3))*sqrt((s_1_x*s_1_x) + (s_1_y*s_1_y) + (s_1_z*s_1_z)
-        + (s_2_x*s_2_x) + (s_2_y*s_2_y) + (s_2_z*s_2_z) + (s_3_x*s_3_x) + (s_3_y*s_3_y)
-        + (s_3_z*s_3_z))/fabs(det_D_l);
+        sqrt((s_1_x*s_1_x) + (s_1_y*s_1_y) + (s_1_z*s_1_z) + (s_2_x*s_2_x) + (s_2_y*s_2_y) + (s_2_z*s_2_z)
+        + (s_3_x*s_3_x) + (s_3_y*s_3_y) + (s_3_z*s_3_z))*sqrt((A_x_1*A_x_1)*t1 + (A_x_2*A_x_2)*t1
+        + (A_x_3*A_x_3)*t1 + (A_y_1*A_y_1)*t1 + (A_y_2*A_y_2)*t1 + (A_y_3*A_y_3)*t1 + (A_z_1*A_z_1)*t1
+        + (A_z_2*A_z_2)*t1 + (A_z_3*A_z_3)*t1);
 }
 
 void linear_delta_platform_jacobian(const double p[3], const linear_delta_parameters *parameters, double

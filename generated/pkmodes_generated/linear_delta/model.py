@@ -143,8 +143,7 @@ def _entries(array, shape):
     if batch < 0 or array.shape[batch:] != shape:
         expected = ", ".join(map(str, ("...", *shape)))
         raise ValueError(f"expected an array of shape ({expected}), found shape {array.shape}")
-    flat = array.reshape(*array.shape[:batch], -1)
-    return tuple(flat[..., i][()] for i in range(flat.shape[-1]))
+    return tuple(array[(..., *index)][()] for index in np.ndindex(shape))
 
 
 def _batch(*arrays):
@@ -524,7 +523,7 @@ def jacobian_condition(p, parameters):
     Notes
     -----
     Equation 15; |D_l| |D_l^-1|, between once and three times the condition number in the 2-norm.
-    175 operations; 5421 with every named value written out.
+    184 operations; 14069 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -579,13 +578,14 @@ def jacobian_condition(p, parameters):
     A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x
     A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x
     det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z
+    t1 = det_D_l**(-2)
     determinant_out = np.zeros(batch, dtype)
     determinant_out[...] = det_D_l
     condition_out = np.zeros(batch, dtype)
     condition_out[...] = (
-        np.sqrt(A_x_1**2 + A_x_2**2 + A_x_3**2 + A_y_1**2 + A_y_2**2 + A_y_3**2 + A_z_1**2 + A_z_2**2
-        + A_z_3**2)*np.sqrt(s_1_x**2 + s_1_y**2 + s_1_z**2 + s_2_x**2 + s_2_y**2 + s_2_z**2 + s_3_x**2
-        + s_3_y**2 + s_3_z**2)/abs(det_D_l)
+        np.sqrt(s_1_x**2 + s_1_y**2 + s_1_z**2 + s_2_x**2 + s_2_y**2 + s_2_z**2 + s_3_x**2 + s_3_y**2
+        + s_3_z**2)*np.sqrt(A_x_1**2*t1 + A_x_2**2*t1 + A_x_3**2*t1 + A_y_1**2*t1 + A_y_2**2*t1 + A_y_3**2*t1
+        + A_z_1**2*t1 + A_z_2**2*t1 + A_z_3**2*t1)
     )
     return determinant_out[()], condition_out[()]
 

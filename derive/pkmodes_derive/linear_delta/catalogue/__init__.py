@@ -1,0 +1,41 @@
+"""The functions that are emitted for the linear delta, each with its equation, one module a chapter.
+
+Nothing is derived here: the derived quantities are collected, named and described.
+"""
+
+from __future__ import annotations
+
+from pkmodes_derive.functions import Model
+from pkmodes_derive.linear_delta import energy, kinematics, rotation, statics
+from pkmodes_derive.linear_delta.catalogue import modal, motion, position, potential
+from pkmodes_derive.linear_delta.catalogue.collected import Collected
+from pkmodes_derive.linear_delta.symbols import Symbols
+
+
+def derive() -> Model:
+    """Derive the linear delta from its closures and energies.
+
+    Returns
+    -------
+    Model
+        Functions of the platform centre p (and of velocities or displacements where they need them), for a
+        robot given by the parameter fields.
+    """
+    sy = Symbols()
+    kin = kinematics.derive(sy)
+    energies = energy.derive(sy, kin)
+    collected = Collected(sy, kin, energies, statics.derive(sy, kin.chain, energies))
+    return Model(
+        mechanism="linear_delta",
+        coordinates=tuple((q.name, sy.vocabulary[q].unit) for q in sy.coordinates),
+        vocabulary=sy.vocabulary,
+        fields=sy.fields,
+        functions=(
+            *position.position(collected),
+            *motion.motion(collected),
+            *potential.gravity(collected),
+            *potential.belts(collected),
+            *modal.modal(collected),
+        ),
+        relations=rotation.euler_relations(sy, kin),
+    )

@@ -1,0 +1,37 @@
+"""Stiffness matrix of the linear delta, alone and with the mass matrix."""
+
+from __future__ import annotations
+
+from pkmodes_derive.functions import Function, Output
+from pkmodes_derive.linear_delta.catalogue.collected import Collected
+
+
+def modal(c: Collected) -> list[Function]:
+    """Stiffness matrix, alone and with the mass matrix."""
+    K = Output(
+        "K",
+        (9, 9),
+        c.K,
+        "N/m, N, N m",
+        "symmetric; Hessian of V_el + V_g, positive for a restoring force",
+    )
+    M = Output("M", (9, 9), c.M, "kg, kg m^2", "mass matrix")
+    return [
+        c.function(
+            "stiffness_matrix",
+            "Stiffness matrix K in the nine generalised coordinates.",
+            "equations 46 and 48: K = -H_U",
+            [c.pose],
+            K,
+        ),
+        c.function(
+            "modal_matrices",
+            "Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.",
+            "equation 48",
+            [c.pose],
+            M,
+            K,
+            details="Common intermediate values are evaluated once, which makes this the function to call "
+            "for an eigenproblem.",
+        ),
+    ]
