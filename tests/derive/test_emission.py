@@ -125,7 +125,7 @@ def test_generated_module_parses_and_imports_only_numpy() -> None:
     imports = {a.name for node in ast.walk(tree) if isinstance(node, ast.Import) for a in node.names}
     modules = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
     assert imports == {"numpy"}
-    assert modules == {"typing"}
+    assert modules == {"math", "typing"}
 
 
 def test_every_generated_function_documents_shapes_units_and_source() -> None:

@@ -44,6 +44,7 @@ t1, t2, ... are subexpressions that several values share:
 * q_i [m]: foot of the perpendicular on the plane of the centres, seen from S_1, component i
 """
 
+from math import prod
 from typing import NamedTuple
 
 import numpy as np
@@ -143,7 +144,9 @@ def _entries(array, shape):
     if batch < 0 or array.shape[batch:] != shape:
         expected = ", ".join(map(str, ("...", *shape)))
         raise ValueError(f"expected an array of shape ({expected}), found shape {array.shape}")
-    return tuple(array[(..., *index)][()] for index in np.ndindex(shape))
+    count = prod(shape)
+    flat = array.reshape(*array.shape[:batch], count)
+    return tuple(flat[..., i][()] for i in range(count))
 
 
 def _batch(*arrays):
