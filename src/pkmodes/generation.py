@@ -18,7 +18,7 @@ from pkmodes.robot.robot import Robot
 from pkmodes.writing import write_files
 
 if TYPE_CHECKING:
-    from pkmodes_derive.emit.product import Specification
+    from pkmodes_derive.emit.specification import Specification
 
 
 def derivation(name: str) -> ModuleType:
@@ -43,7 +43,7 @@ def derivation(name: str) -> ModuleType:
 
 def specification(robot: Robot, robot_file: str) -> Specification:
     """What the derivation needs to know of a robot; `robot_file` is how its product refers to the file."""
-    found: Specification = derivation("emit.product").Specification(
+    found: Specification = derivation("emit.specification").Specification(
         name=robot.name,
         mechanism=robot.mechanism,
         robot_file=robot_file,

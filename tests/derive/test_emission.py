@@ -15,6 +15,7 @@ from sympy import Float, Integer, Rational, Symbol, sqrt
 
 from pkmodes_derive.emit import latex, layout, printers, product
 from pkmodes_derive.emit.program import arrange
+from pkmodes_derive.emit.specification import Specification
 from pkmodes_derive.functions import Function
 from pkmodes_derive.specialise import number
 
@@ -168,7 +169,7 @@ def test_long_assignments_are_broken_before_operators() -> None:
 
 def test_robot_names_become_identifiers() -> None:
     def identifier(name: str) -> str:
-        return product.Specification(name, "linear_delta", "robot.toml", {}, {}).identifier
+        return Specification(name, "linear_delta", "robot.toml", {}, {}).identifier
 
     assert identifier("linear-delta-2022") == "linear_delta_2022"
     assert identifier("3-axis printer") == "robot_3_axis_printer"

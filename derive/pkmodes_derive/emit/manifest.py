@@ -11,15 +11,12 @@ import json
 from collections.abc import Mapping
 from importlib.resources import files
 from importlib.resources.abc import Traversable
-from typing import TYPE_CHECKING
 
 import sympy
 
 import pkmodes_derive
 from pkmodes_derive.emit.program import Program
-
-if TYPE_CHECKING:
-    from pkmodes_derive.emit.product import Specification
+from pkmodes_derive.emit.specification import Specification
 
 FILE_NAME = "manifest.json"
 FORMAT = 1
