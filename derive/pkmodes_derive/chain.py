@@ -60,12 +60,14 @@ class Chain:
         """
         return self._derivative(expression, variable, frozenset(hold))
 
-    def hessian(self, expression: Expr, variables: Iterable[Symbol]) -> list[list[Expr]]:
+    def hessian(
+        self, expression: Expr, variables: Iterable[Symbol], hold: Iterable[Symbol] = ()
+    ) -> list[list[Expr]]:
         """Second total derivatives; the lower triangle repeats the upper one, so the result is symmetric."""
-        names = tuple(variables)
-        gradient = [self.derivative(expression, v) for v in names]
+        names, held = tuple(variables), frozenset(hold)
+        gradient = [self.derivative(expression, v, held) for v in names]
         upper = {
-            (k, m): self.derivative(gradient[k], names[m])
+            (k, m): self.derivative(gradient[k], names[m], held)
             for k in range(len(names))
             for m in range(k, len(names))
         }

@@ -11,6 +11,15 @@ and, differentiating once more along the solution,
 The bracket is the second total derivative of the closure with s_kl set to zero, that is with D held
 constant; `second_order_forcing` computes it so.  For the linear delta the first line is equation 15 of the
 paper (Phi_s = D_l, -Phi_q = D_r) and the second gives the exact Hessian that equation 49 is used for.
+
+The Hessian of a function V(q, s(q)) needs s_kl only in the product V_s . s_kl, so one adjoint solution
+replaces all of them: with multipliers :math:`\Phi_s^T \mu = V_s` (the forces that the closures carry),
+
+.. math:: \frac{d^2 V}{dq_k\, dq_l} = \frac{d^2}{dq_k\, dq_l} \left(V - \mu \cdot \Phi\right)
+          \quad \text{with } D \text{ and } \mu \text{ held constant},
+
+which is the Hessian of the Lagrangian on the tangent space of the constraints.
+
 Nothing is solved symbolically: the small linear systems are closed by their adjugate, entry by entry.
 """
 
@@ -46,6 +55,24 @@ def second_order_forcing(
         -chain.derivative(chain.derivative(phi, first, hold=jacobian), second, hold=jacobian)
         for phi in closures
     ]
+
+
+def multipliers(adjugate: Matrix, determinant: Expr, gradient: Sequence[Expr]) -> list[Expr]:
+    """Return mu of Phi_s^T mu = V_s for three closures; `adjugate` and `determinant` are those of Phi_s."""
+    return solve_3x3(adjugate.T, determinant, gradient)
+
+
+def constrained_hessian(
+    potential: Expr,
+    closures: Sequence[Expr],
+    mu: Sequence[Symbol],
+    independent: Sequence[Symbol],
+    jacobian: Sequence[Symbol],
+    chain: Chain,
+) -> list[list[Expr]]:
+    """Return d2V/dq2 along the constraints; `mu` names the multipliers, `jacobian` the entries of D."""
+    lagrangian = potential - Add(*(m * phi for m, phi in zip(mu, closures, strict=True)))
+    return chain.hessian(lagrangian, independent, hold=(*mu, *jacobian))
 
 
 def cofactor(matrix: Matrix, row: int, column: int) -> Expr:

@@ -5,6 +5,9 @@ torques on the three driven ones are unknown.  Axis by axis, with G_j the gradie
 potential energy by x_j and E the gradient of the elastic one, linear in the rotations,
 
 .. math:: G_j + E_{x_j} = 0, \qquad E_{\vartheta_{j,free}} = 0, \qquad \tau_j = E_{\vartheta_{j,driven}}.
+
+The linkages carry the forces mu_j s_j that hold platform and linkages up, with D_l^T mu = dV_g/dp; they give
+the gravity Hessian its geometric stiffness (`implicit.constrained_hessian`).
 """
 
 from __future__ import annotations
@@ -13,9 +16,10 @@ from dataclasses import dataclass
 
 from sympy import Add, Expr, Integer, Symbol, diff
 
-from pkmodes_derive import lagrangian
+from pkmodes_derive import implicit, lagrangian
 from pkmodes_derive.chain import Chain
 from pkmodes_derive.linear_delta.energy import Energies
+from pkmodes_derive.linear_delta.kinematics import Kinematics
 from pkmodes_derive.linear_delta.symbols import Symbols
 
 
@@ -27,6 +31,10 @@ class Statics:
     ----------
     gravity_gradient : list
         dV_g/dx_j [N].
+    gravity_hessian : list of lists
+        d2V_g/dx_k dx_l [N/m].
+    force_densities : tuple
+        mu_j [N/m]: the force in linkage j is mu_j s_j.
     rotations : tuple
         Pulley rotations from the unstrained belts [rad], in the order of the coordinates theta.
     torques : tuple
@@ -34,14 +42,20 @@ class Statics:
     """
 
     gravity_gradient: list[Expr]
+    gravity_hessian: list[list[Expr]]
+    force_densities: tuple[Symbol, ...]
     rotations: tuple[Symbol, ...]
     torques: tuple[Symbol, ...]
 
 
-def derive(sy: Symbols, chain: Chain, energies: Energies) -> Statics:
-    """Solve equation 44 in closed form, axis by axis, and name the solution in `chain`."""
-    v = sy.vocabulary
+def derive(sy: Symbols, kinematics: Kinematics, energies: Energies) -> Statics:
+    """Solve equation 44 in closed form, axis by axis, and name the solution in the chain of `kinematics`."""
+    v, chain = sy.vocabulary, kinematics.chain
     gravity = lagrangian.gradient(energies.V_g, sy.x, chain)
+    mu = _force_densities(sy, kinematics, energies)
+    hessian = implicit.constrained_hessian(
+        energies.V_g, kinematics.closures, mu, sy.x, tuple(kinematics.D_p), chain
+    )
     carriages_fixed = dict.fromkeys(sy.displacements[:3], Integer(0))
     elastic = [diff(energies.V_el, q).xreplace(carriages_fixed) for q in sy.displacements]
     forces = v.per_axis("G", "N", "gradient of the gravitational potential energy by x_{j}", "G_{j}")
@@ -73,4 +87,18 @@ def derive(sy: Symbols, chain: Chain, energies: Energies) -> Statics:
             rotations[unknown[k - 1]] = chain.define(name, value / determinant)
         torque = Add(drives_1 * pulley_1, drives_2 * pulley_2)
         chain.define(torques[j], torque.xreplace(rotations))
-    return Statics(gravity, tuple(rotations[angle] for angle in sy.displacements[3:]), torques)
+    return Statics(gravity, hessian, mu, tuple(rotations[angle] for angle in sy.displacements[3:]), torques)
+
+
+def _force_densities(sy: Symbols, kinematics: Kinematics, energies: Energies) -> tuple[Symbol, ...]:
+    """Name mu of D_l^T mu = dV_g/dp, the carriages held."""
+    names = sy.vocabulary.per_axis(
+        "mu", "N/m", "static force in linkage {j} divided by its length, positive in compression", r"\mu_{j}"
+    )
+    chain = kinematics.chain
+    gradient = [diff(energies.V_g, component) for component in sy.p]
+    for name, value in zip(
+        names, implicit.multipliers(kinematics.adjugate, kinematics.determinant, gradient), strict=True
+    ):
+        chain.define(name, value)
+    return names

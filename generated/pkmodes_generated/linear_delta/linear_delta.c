@@ -28,6 +28,7 @@
  *   v_p_i [m/s]: velocity of the platform, component i
  *   s_dot_j_i [m/s]: rate of change of linkage vector j, component i
  *   D_p_dot_i_k [1/s]: time derivative of dp_i/dx_k
+ *   mu_j [N/m]: static force in linkage j divided by its length, positive in compression
  *   G_j [N]: gradient of the gravitational potential energy by x_j
  *   tau_st_j [N m]: static torque on the driven pulley of axis j
  *   det_j [N^2 m]: determinant of the equilibrium of axis j
@@ -2236,58 +2237,50 @@ void linear_delta_gravity_hessian(const double p[3], const linear_delta_paramete
     const double U_3_z_1 = D_p_z_1;
     const double U_3_z_2 = D_p_z_2;
     const double U_3_z_3 = D_p_z_3 - n_3_z;
-    const double f_1_11 = -(U_1_x_1*U_1_x_1) - (U_1_y_1*U_1_y_1) - (U_1_z_1*U_1_z_1);
-    const double f_2_11 = -(U_2_x_1*U_2_x_1) - (U_2_y_1*U_2_y_1) - (U_2_z_1*U_2_z_1);
-    const double f_3_11 = -(U_3_x_1*U_3_x_1) - (U_3_y_1*U_3_y_1) - (U_3_z_1*U_3_z_1);
-    const double P_x_11 = t1*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_3_11);
-    const double P_y_11 = t1*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_3_11);
-    const double P_z_11 = t1*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_3_11);
-    const double f_1_12 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2;
-    const double f_2_12 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2;
-    const double f_3_12 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2;
-    const double P_x_12 = t1*(A_x_1*f_1_12 + A_x_2*f_2_12 + A_x_3*f_3_12);
-    const double P_y_12 = t1*(A_y_1*f_1_12 + A_y_2*f_2_12 + A_y_3*f_3_12);
-    const double P_z_12 = t1*(A_z_1*f_1_12 + A_z_2*f_2_12 + A_z_3*f_3_12);
-    const double f_1_13 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3;
-    const double f_2_13 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3;
-    const double f_3_13 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3;
-    const double P_x_13 = t1*(A_x_1*f_1_13 + A_x_2*f_2_13 + A_x_3*f_3_13);
-    const double P_y_13 = t1*(A_y_1*f_1_13 + A_y_2*f_2_13 + A_y_3*f_3_13);
-    const double P_z_13 = t1*(A_z_1*f_1_13 + A_z_2*f_2_13 + A_z_3*f_3_13);
-    const double f_1_22 = -(U_1_x_2*U_1_x_2) - (U_1_y_2*U_1_y_2) - (U_1_z_2*U_1_z_2);
-    const double f_2_22 = -(U_2_x_2*U_2_x_2) - (U_2_y_2*U_2_y_2) - (U_2_z_2*U_2_z_2);
-    const double f_3_22 = -(U_3_x_2*U_3_x_2) - (U_3_y_2*U_3_y_2) - (U_3_z_2*U_3_z_2);
-    const double P_x_22 = t1*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_3_22);
-    const double P_y_22 = t1*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_3_22);
-    const double P_z_22 = t1*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_3_22);
-    const double f_1_23 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3;
-    const double f_2_23 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3;
-    const double f_3_23 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3;
-    const double P_x_23 = t1*(A_x_1*f_1_23 + A_x_2*f_2_23 + A_x_3*f_3_23);
-    const double P_y_23 = t1*(A_y_1*f_1_23 + A_y_2*f_2_23 + A_y_3*f_3_23);
-    const double P_z_23 = t1*(A_z_1*f_1_23 + A_z_2*f_2_23 + A_z_3*f_3_23);
-    const double f_1_33 = -(U_1_x_3*U_1_x_3) - (U_1_y_3*U_1_y_3) - (U_1_z_3*U_1_z_3);
-    const double f_2_33 = -(U_2_x_3*U_2_x_3) - (U_2_y_3*U_2_y_3) - (U_2_z_3*U_2_z_3);
-    const double f_3_33 = -(U_3_x_3*U_3_x_3) - (U_3_y_3*U_3_y_3) - (U_3_z_3*U_3_z_3);
-    const double P_x_33 = t1*(A_x_1*f_1_33 + A_x_2*f_2_33 + A_x_3*f_3_33);
-    const double P_y_33 = t1*(A_y_1*f_1_33 + A_y_2*f_2_33 + A_y_3*f_3_33);
-    const double P_z_33 = t1*(A_z_1*f_1_33 + A_z_2*f_2_33 + A_z_3*f_3_33);
     const double t5 = (1.0/2.0)*m_d_1 + (1.0/2.0)*m_d_2 + (1.0/2.0)*m_d_3 + m_p;
     const double t6 = g_x*t5;
     const double t7 = g_y*t5;
     const double t8 = g_z*t5;
-    const double t9 = -P_x_12*t6 - P_y_12*t7 - P_z_12*t8;
-    const double t10 = -P_x_13*t6 - P_y_13*t7 - P_z_13*t8;
-    const double t11 = -P_x_23*t6 - P_y_23*t7 - P_z_23*t8;
-    H_g[0][0] = -P_x_11*t6 - P_y_11*t7 - P_z_11*t8;
-    H_g[0][1] = t9;
-    H_g[0][2] = t10;
-    H_g[1][0] = t9;
-    H_g[1][1] = -P_x_22*t6 - P_y_22*t7 - P_z_22*t8;
-    H_g[1][2] = t11;
-    H_g[2][0] = t10;
-    H_g[2][1] = t11;
-    H_g[2][2] = -P_x_33*t6 - P_y_33*t7 - P_z_33*t8;
+    const double mu_1 = t1*(-A_x_1*t6 - A_y_1*t7 - A_z_1*t8);
+    const double mu_2 = t1*(-A_x_2*t6 - A_y_2*t7 - A_z_2*t8);
+    const double mu_3 = t1*(-A_x_3*t6 - A_y_3*t7 - A_z_3*t8);
+    const double t9 = U_1_x_1*mu_1;
+    const double t10 = U_1_y_1*mu_1;
+    const double t11 = U_1_z_1*mu_1;
+    const double t12 = U_2_x_1*mu_2;
+    const double t13 = U_2_y_1*mu_2;
+    const double t14 = U_2_z_1*mu_2;
+    const double t15 = U_3_x_1*mu_3;
+    const double t16 = U_3_y_1*mu_3;
+    const double t17 = U_3_z_1*mu_3;
+    const double t18 =
+        -U_1_x_2*t9 - U_1_y_2*t10 - U_1_z_2*t11 - U_2_x_2*t12 - U_2_y_2*t13 - U_2_z_2*t14 - U_3_x_2*t15
+        - U_3_y_2*t16 - U_3_z_2*t17;
+    const double t19 =
+        -U_1_x_3*t9 - U_1_y_3*t10 - U_1_z_3*t11 - U_2_x_3*t12 - U_2_y_3*t13 - U_2_z_3*t14 - U_3_x_3*t15
+        - U_3_y_3*t16 - U_3_z_3*t17;
+    const double t20 =
+        -U_1_x_2*U_1_x_3*mu_1 - U_1_y_2*U_1_y_3*mu_1 - U_1_z_2*U_1_z_3*mu_1 - U_2_x_2*U_2_x_3*mu_2
+        - U_2_y_2*U_2_y_3*mu_2 - U_2_z_2*U_2_z_3*mu_2 - U_3_x_2*U_3_x_3*mu_3 - U_3_y_2*U_3_y_3*mu_3
+        - U_3_z_2*U_3_z_3*mu_3;
+    H_g[0][0] =
+        -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 - (U_2_x_1*U_2_x_1)*mu_2
+        - (U_2_y_1*U_2_y_1)*mu_2 - (U_2_z_1*U_2_z_1)*mu_2 - (U_3_x_1*U_3_x_1)*mu_3 - (U_3_y_1*U_3_y_1)*mu_3
+        - (U_3_z_1*U_3_z_1)*mu_3;
+    H_g[0][1] = t18;
+    H_g[0][2] = t19;
+    H_g[1][0] = t18;
+    H_g[1][1] =
+        -(U_1_x_2*U_1_x_2)*mu_1 - (U_1_y_2*U_1_y_2)*mu_1 - (U_1_z_2*U_1_z_2)*mu_1 - (U_2_x_2*U_2_x_2)*mu_2
+        - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 - (U_3_x_2*U_3_x_2)*mu_3 - (U_3_y_2*U_3_y_2)*mu_3
+        - (U_3_z_2*U_3_z_2)*mu_3;
+    H_g[1][2] = t20;
+    H_g[2][0] = t19;
+    H_g[2][1] = t20;
+    H_g[2][2] =
+        -(U_1_x_3*U_1_x_3)*mu_1 - (U_1_y_3*U_1_y_3)*mu_1 - (U_1_z_3*U_1_z_3)*mu_1 - (U_2_x_3*U_2_x_3)*mu_2
+        - (U_2_y_3*U_2_y_3)*mu_2 - (U_2_z_3*U_2_z_3)*mu_2 - (U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3
+        - (U_3_z_3*U_3_z_3)*mu_3;
 }
 
 void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameters *parameters, double
@@ -3255,42 +3248,6 @@ void linear_delta_stiffness_matrix(const double p[3], const linear_delta_paramet
     const double U_3_z_1 = D_p_z_1;
     const double U_3_z_2 = D_p_z_2;
     const double U_3_z_3 = D_p_z_3 - n_3_z;
-    const double f_1_11 = -(U_1_x_1*U_1_x_1) - (U_1_y_1*U_1_y_1) - (U_1_z_1*U_1_z_1);
-    const double f_2_11 = -(U_2_x_1*U_2_x_1) - (U_2_y_1*U_2_y_1) - (U_2_z_1*U_2_z_1);
-    const double f_3_11 = -(U_3_x_1*U_3_x_1) - (U_3_y_1*U_3_y_1) - (U_3_z_1*U_3_z_1);
-    const double P_x_11 = t1*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_3_11);
-    const double P_y_11 = t1*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_3_11);
-    const double P_z_11 = t1*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_3_11);
-    const double f_1_12 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2;
-    const double f_2_12 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2;
-    const double f_3_12 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2;
-    const double P_x_12 = t1*(A_x_1*f_1_12 + A_x_2*f_2_12 + A_x_3*f_3_12);
-    const double P_y_12 = t1*(A_y_1*f_1_12 + A_y_2*f_2_12 + A_y_3*f_3_12);
-    const double P_z_12 = t1*(A_z_1*f_1_12 + A_z_2*f_2_12 + A_z_3*f_3_12);
-    const double f_1_13 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3;
-    const double f_2_13 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3;
-    const double f_3_13 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3;
-    const double P_x_13 = t1*(A_x_1*f_1_13 + A_x_2*f_2_13 + A_x_3*f_3_13);
-    const double P_y_13 = t1*(A_y_1*f_1_13 + A_y_2*f_2_13 + A_y_3*f_3_13);
-    const double P_z_13 = t1*(A_z_1*f_1_13 + A_z_2*f_2_13 + A_z_3*f_3_13);
-    const double f_1_22 = -(U_1_x_2*U_1_x_2) - (U_1_y_2*U_1_y_2) - (U_1_z_2*U_1_z_2);
-    const double f_2_22 = -(U_2_x_2*U_2_x_2) - (U_2_y_2*U_2_y_2) - (U_2_z_2*U_2_z_2);
-    const double f_3_22 = -(U_3_x_2*U_3_x_2) - (U_3_y_2*U_3_y_2) - (U_3_z_2*U_3_z_2);
-    const double P_x_22 = t1*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_3_22);
-    const double P_y_22 = t1*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_3_22);
-    const double P_z_22 = t1*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_3_22);
-    const double f_1_23 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3;
-    const double f_2_23 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3;
-    const double f_3_23 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3;
-    const double P_x_23 = t1*(A_x_1*f_1_23 + A_x_2*f_2_23 + A_x_3*f_3_23);
-    const double P_y_23 = t1*(A_y_1*f_1_23 + A_y_2*f_2_23 + A_y_3*f_3_23);
-    const double P_z_23 = t1*(A_z_1*f_1_23 + A_z_2*f_2_23 + A_z_3*f_3_23);
-    const double f_1_33 = -(U_1_x_3*U_1_x_3) - (U_1_y_3*U_1_y_3) - (U_1_z_3*U_1_z_3);
-    const double f_2_33 = -(U_2_x_3*U_2_x_3) - (U_2_y_3*U_2_y_3) - (U_2_z_3*U_2_z_3);
-    const double f_3_33 = -(U_3_x_3*U_3_x_3) - (U_3_y_3*U_3_y_3) - (U_3_z_3*U_3_z_3);
-    const double P_x_33 = t1*(A_x_1*f_1_33 + A_x_2*f_2_33 + A_x_3*f_3_33);
-    const double P_y_33 = t1*(A_y_1*f_1_33 + A_y_2*f_2_33 + A_y_3*f_3_33);
-    const double P_z_33 = t1*(A_z_1*f_1_33 + A_z_2*f_2_33 + A_z_3*f_3_33);
     const double l_f_1_1 = x_max_1 - x_min_1;
     const double t5 = k_sp_1*w_b_1;
     const double k_1_1 = t5/l_f_1_1;
@@ -3319,102 +3276,130 @@ void linear_delta_stiffness_matrix(const double p[3], const linear_delta_paramet
     const double t12 = g_x*t11;
     const double t13 = g_y*t11;
     const double t14 = g_z*t11;
-    const double t15 = -P_x_12*t12 - P_y_12*t13 - P_z_12*t14;
-    const double t16 = -P_x_13*t12 - P_y_13*t13 - P_z_13*t14;
-    const double t17 = -R_p_1*k_1_3;
-    const double t18 = -R_p_1*k_1_2;
-    const double t19 = -P_x_23*t12 - P_y_23*t13 - P_z_23*t14;
-    const double t20 = -R_p_2*k_2_3;
-    const double t21 = -R_p_2*k_2_2;
-    const double t22 = -R_p_3*k_3_3;
-    const double t23 = -R_p_3*k_3_2;
-    const double t24 = (R_p_1*R_p_1);
-    const double t25 = k_1_1*t24;
-    const double t26 = (R_p_2*R_p_2);
-    const double t27 = k_2_1*t26;
-    const double t28 = (R_p_3*R_p_3);
-    const double t29 = k_3_1*t28;
-    K[0][0] = -P_x_11*t12 - P_y_11*t13 - P_z_11*t14 + k_1_2 + k_1_3;
-    K[0][1] = t15;
-    K[0][2] = t16;
-    K[0][3] = t17;
+    const double mu_1 = t1*(-A_x_1*t12 - A_y_1*t13 - A_z_1*t14);
+    const double mu_2 = t1*(-A_x_2*t12 - A_y_2*t13 - A_z_2*t14);
+    const double mu_3 = t1*(-A_x_3*t12 - A_y_3*t13 - A_z_3*t14);
+    const double t15 = U_1_x_1*mu_1;
+    const double t16 = U_1_y_1*mu_1;
+    const double t17 = U_1_z_1*mu_1;
+    const double t18 = U_2_x_1*mu_2;
+    const double t19 = U_2_y_1*mu_2;
+    const double t20 = U_2_z_1*mu_2;
+    const double t21 = U_3_x_1*mu_3;
+    const double t22 = U_3_y_1*mu_3;
+    const double t23 = U_3_z_1*mu_3;
+    const double t24 =
+        -U_1_x_2*t15 - U_1_y_2*t16 - U_1_z_2*t17 - U_2_x_2*t18 - U_2_y_2*t19 - U_2_z_2*t20 - U_3_x_2*t21
+        - U_3_y_2*t22 - U_3_z_2*t23;
+    const double t25 =
+        -U_1_x_3*t15 - U_1_y_3*t16 - U_1_z_3*t17 - U_2_x_3*t18 - U_2_y_3*t19 - U_2_z_3*t20 - U_3_x_3*t21
+        - U_3_y_3*t22 - U_3_z_3*t23;
+    const double t26 = -R_p_1*k_1_3;
+    const double t27 = -R_p_1*k_1_2;
+    const double t28 =
+        -U_1_x_2*U_1_x_3*mu_1 - U_1_y_2*U_1_y_3*mu_1 - U_1_z_2*U_1_z_3*mu_1 - U_2_x_2*U_2_x_3*mu_2
+        - U_2_y_2*U_2_y_3*mu_2 - U_2_z_2*U_2_z_3*mu_2 - U_3_x_2*U_3_x_3*mu_3 - U_3_y_2*U_3_y_3*mu_3
+        - U_3_z_2*U_3_z_3*mu_3;
+    const double t29 = -R_p_2*k_2_3;
+    const double t30 = -R_p_2*k_2_2;
+    const double t31 = -R_p_3*k_3_3;
+    const double t32 = -R_p_3*k_3_2;
+    const double t33 = (R_p_1*R_p_1);
+    const double t34 = k_1_1*t33;
+    const double t35 = (R_p_2*R_p_2);
+    const double t36 = k_2_1*t35;
+    const double t37 = (R_p_3*R_p_3);
+    const double t38 = k_3_1*t37;
+    K[0][0] =
+        -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 - (U_2_x_1*U_2_x_1)*mu_2
+        - (U_2_y_1*U_2_y_1)*mu_2 - (U_2_z_1*U_2_z_1)*mu_2 - (U_3_x_1*U_3_x_1)*mu_3 - (U_3_y_1*U_3_y_1)*mu_3
+        - (U_3_z_1*U_3_z_1)*mu_3 + k_1_2 + k_1_3;
+    K[0][1] = t24;
+    K[0][2] = t25;
+    K[0][3] = t26;
     K[0][4] = 0;
     K[0][5] = 0;
-    K[0][6] = t18;
+    K[0][6] = t27;
     K[0][7] = 0;
     K[0][8] = 0;
-    K[1][0] = t15;
-    K[1][1] = -P_x_22*t12 - P_y_22*t13 - P_z_22*t14 + k_2_2 + k_2_3;
-    K[1][2] = t19;
+    K[1][0] = t24;
+    K[1][1] =
+        -(U_1_x_2*U_1_x_2)*mu_1 - (U_1_y_2*U_1_y_2)*mu_1 - (U_1_z_2*U_1_z_2)*mu_1 - (U_2_x_2*U_2_x_2)*mu_2
+        - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 - (U_3_x_2*U_3_x_2)*mu_3 - (U_3_y_2*U_3_y_2)*mu_3
+        - (U_3_z_2*U_3_z_2)*mu_3 + k_2_2 + k_2_3;
+    K[1][2] = t28;
     K[1][3] = 0;
-    K[1][4] = t20;
+    K[1][4] = t29;
     K[1][5] = 0;
     K[1][6] = 0;
-    K[1][7] = t21;
+    K[1][7] = t30;
     K[1][8] = 0;
-    K[2][0] = t16;
-    K[2][1] = t19;
-    K[2][2] = -P_x_33*t12 - P_y_33*t13 - P_z_33*t14 + k_3_2 + k_3_3;
+    K[2][0] = t25;
+    K[2][1] = t28;
+    K[2][2] =
+        -(U_1_x_3*U_1_x_3)*mu_1 - (U_1_y_3*U_1_y_3)*mu_1 - (U_1_z_3*U_1_z_3)*mu_1 - (U_2_x_3*U_2_x_3)*mu_2
+        - (U_2_y_3*U_2_y_3)*mu_2 - (U_2_z_3*U_2_z_3)*mu_2 - (U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3
+        - (U_3_z_3*U_3_z_3)*mu_3 + k_3_2 + k_3_3;
     K[2][3] = 0;
     K[2][4] = 0;
-    K[2][5] = t22;
+    K[2][5] = t31;
     K[2][6] = 0;
     K[2][7] = 0;
-    K[2][8] = t23;
-    K[3][0] = t17;
+    K[2][8] = t32;
+    K[3][0] = t26;
     K[3][1] = 0;
     K[3][2] = 0;
-    K[3][3] = k_1_3*t24 + t25;
+    K[3][3] = k_1_3*t33 + t34;
     K[3][4] = 0;
     K[3][5] = 0;
-    K[3][6] = -t25;
+    K[3][6] = -t34;
     K[3][7] = 0;
     K[3][8] = 0;
     K[4][0] = 0;
-    K[4][1] = t20;
+    K[4][1] = t29;
     K[4][2] = 0;
     K[4][3] = 0;
-    K[4][4] = k_2_3*t26 + t27;
+    K[4][4] = k_2_3*t35 + t36;
     K[4][5] = 0;
     K[4][6] = 0;
-    K[4][7] = -t27;
+    K[4][7] = -t36;
     K[4][8] = 0;
     K[5][0] = 0;
     K[5][1] = 0;
-    K[5][2] = t22;
+    K[5][2] = t31;
     K[5][3] = 0;
     K[5][4] = 0;
-    K[5][5] = k_3_3*t28 + t29;
+    K[5][5] = k_3_3*t37 + t38;
     K[5][6] = 0;
     K[5][7] = 0;
-    K[5][8] = -t29;
-    K[6][0] = t18;
+    K[5][8] = -t38;
+    K[6][0] = t27;
     K[6][1] = 0;
     K[6][2] = 0;
-    K[6][3] = -t25;
+    K[6][3] = -t34;
     K[6][4] = 0;
     K[6][5] = 0;
-    K[6][6] = k_1_2*t24 + t25;
+    K[6][6] = k_1_2*t33 + t34;
     K[6][7] = 0;
     K[6][8] = 0;
     K[7][0] = 0;
-    K[7][1] = t21;
+    K[7][1] = t30;
     K[7][2] = 0;
     K[7][3] = 0;
-    K[7][4] = -t27;
+    K[7][4] = -t36;
     K[7][5] = 0;
     K[7][6] = 0;
-    K[7][7] = k_2_2*t26 + t27;
+    K[7][7] = k_2_2*t35 + t36;
     K[7][8] = 0;
     K[8][0] = 0;
     K[8][1] = 0;
-    K[8][2] = t23;
+    K[8][2] = t32;
     K[8][3] = 0;
     K[8][4] = 0;
-    K[8][5] = -t29;
+    K[8][5] = -t38;
     K[8][6] = 0;
     K[8][7] = 0;
-    K[8][8] = k_3_2*t28 + t29;
+    K[8][8] = k_3_2*t37 + t38;
 }
 
 void linear_delta_modal_matrices(const double p[3], const linear_delta_parameters *parameters, double
@@ -3588,42 +3573,6 @@ void linear_delta_modal_matrices(const double p[3], const linear_delta_parameter
     const double U_3_z_1 = D_p_z_1;
     const double U_3_z_2 = D_p_z_2;
     const double U_3_z_3 = D_p_z_3 - n_3_z;
-    const double f_1_11 = -(U_1_x_1*U_1_x_1) - (U_1_y_1*U_1_y_1) - (U_1_z_1*U_1_z_1);
-    const double f_2_11 = -(U_2_x_1*U_2_x_1) - (U_2_y_1*U_2_y_1) - (U_2_z_1*U_2_z_1);
-    const double f_3_11 = -(U_3_x_1*U_3_x_1) - (U_3_y_1*U_3_y_1) - (U_3_z_1*U_3_z_1);
-    const double P_x_11 = t1*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_3_11);
-    const double P_y_11 = t1*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_3_11);
-    const double P_z_11 = t1*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_3_11);
-    const double f_1_12 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2;
-    const double f_2_12 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2;
-    const double f_3_12 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2;
-    const double P_x_12 = t1*(A_x_1*f_1_12 + A_x_2*f_2_12 + A_x_3*f_3_12);
-    const double P_y_12 = t1*(A_y_1*f_1_12 + A_y_2*f_2_12 + A_y_3*f_3_12);
-    const double P_z_12 = t1*(A_z_1*f_1_12 + A_z_2*f_2_12 + A_z_3*f_3_12);
-    const double f_1_13 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3;
-    const double f_2_13 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3;
-    const double f_3_13 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3;
-    const double P_x_13 = t1*(A_x_1*f_1_13 + A_x_2*f_2_13 + A_x_3*f_3_13);
-    const double P_y_13 = t1*(A_y_1*f_1_13 + A_y_2*f_2_13 + A_y_3*f_3_13);
-    const double P_z_13 = t1*(A_z_1*f_1_13 + A_z_2*f_2_13 + A_z_3*f_3_13);
-    const double f_1_22 = -(U_1_x_2*U_1_x_2) - (U_1_y_2*U_1_y_2) - (U_1_z_2*U_1_z_2);
-    const double f_2_22 = -(U_2_x_2*U_2_x_2) - (U_2_y_2*U_2_y_2) - (U_2_z_2*U_2_z_2);
-    const double f_3_22 = -(U_3_x_2*U_3_x_2) - (U_3_y_2*U_3_y_2) - (U_3_z_2*U_3_z_2);
-    const double P_x_22 = t1*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_3_22);
-    const double P_y_22 = t1*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_3_22);
-    const double P_z_22 = t1*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_3_22);
-    const double f_1_23 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3;
-    const double f_2_23 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3;
-    const double f_3_23 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3;
-    const double P_x_23 = t1*(A_x_1*f_1_23 + A_x_2*f_2_23 + A_x_3*f_3_23);
-    const double P_y_23 = t1*(A_y_1*f_1_23 + A_y_2*f_2_23 + A_y_3*f_3_23);
-    const double P_z_23 = t1*(A_z_1*f_1_23 + A_z_2*f_2_23 + A_z_3*f_3_23);
-    const double f_1_33 = -(U_1_x_3*U_1_x_3) - (U_1_y_3*U_1_y_3) - (U_1_z_3*U_1_z_3);
-    const double f_2_33 = -(U_2_x_3*U_2_x_3) - (U_2_y_3*U_2_y_3) - (U_2_z_3*U_2_z_3);
-    const double f_3_33 = -(U_3_x_3*U_3_x_3) - (U_3_y_3*U_3_y_3) - (U_3_z_3*U_3_z_3);
-    const double P_x_33 = t1*(A_x_1*f_1_33 + A_x_2*f_2_33 + A_x_3*f_3_33);
-    const double P_y_33 = t1*(A_y_1*f_1_33 + A_y_2*f_2_33 + A_y_3*f_3_33);
-    const double P_z_33 = t1*(A_z_1*f_1_33 + A_z_2*f_2_33 + A_z_3*f_3_33);
     const double t5 = I_m_1*(i_g_1*i_g_1);
     const double I_1_1 = I_p_1 + d_1_1*t5;
     const double t6 = I_m_2*(i_g_2*i_g_2);
@@ -3657,73 +3606,92 @@ void linear_delta_modal_matrices(const double p[3], const linear_delta_parameter
     const double k_3_2 = t12/l_f_3_2;
     const double l_f_3_3 = -t13 - x_3 + x_max_3;
     const double k_3_3 = t12/l_f_3_3;
-    const double t14 = (1.0/3.0)*m_d_1;
-    const double t15 = (1.0/6.0)*m_d_1;
-    const double t16 = n_1_x*t15;
-    const double t17 = n_1_y*t15;
-    const double t18 = n_1_z*t15;
-    const double t19 = (1.0/3.0)*m_d_2;
-    const double t20 = (1.0/3.0)*m_d_3;
-    const double t21 = m_p + t14 + t19 + t20;
-    const double t22 = D_p_x_1*t21 + t16;
-    const double t23 = D_p_y_1*t21 + t17;
-    const double t24 = D_p_z_1*t21 + t18;
-    const double t25 = (1.0/6.0)*m_d_2;
-    const double t26 = n_2_x*t25;
-    const double t27 = n_2_y*t25;
-    const double t28 = n_2_z*t25;
-    const double t29 = D_p_x_1*t26 + D_p_x_2*t22 + D_p_y_1*t27 + D_p_y_2*t23 + D_p_z_1*t28 + D_p_z_2*t24;
-    const double t30 = (1.0/6.0)*m_d_3;
-    const double t31 = n_3_x*t30;
-    const double t32 = n_3_y*t30;
-    const double t33 = n_3_z*t30;
-    const double t34 = D_p_x_1*t31 + D_p_x_3*t22 + D_p_y_1*t32 + D_p_y_3*t23 + D_p_z_1*t33 + D_p_z_3*t24;
-    const double t35 = D_p_x_2*t21 + t26;
-    const double t36 = D_p_y_2*t21 + t27;
-    const double t37 = D_p_z_2*t21 + t28;
-    const double t38 = D_p_x_2*t31 + D_p_x_3*t35 + D_p_y_2*t32 + D_p_y_3*t36 + D_p_z_2*t33 + D_p_z_3*t37;
-    const double t39 = (1.0/2.0)*m_d_1 + (1.0/2.0)*m_d_2 + (1.0/2.0)*m_d_3 + m_p;
-    const double t40 = g_x*t39;
-    const double t41 = g_y*t39;
-    const double t42 = g_z*t39;
-    const double t43 = -P_x_12*t40 - P_y_12*t41 - P_z_12*t42;
-    const double t44 = -P_x_13*t40 - P_y_13*t41 - P_z_13*t42;
-    const double t45 = -R_p_1*k_1_3;
-    const double t46 = -R_p_1*k_1_2;
-    const double t47 = -P_x_23*t40 - P_y_23*t41 - P_z_23*t42;
-    const double t48 = -R_p_2*k_2_3;
-    const double t49 = -R_p_2*k_2_2;
-    const double t50 = -R_p_3*k_3_3;
-    const double t51 = -R_p_3*k_3_2;
-    const double t52 = (R_p_1*R_p_1);
-    const double t53 = k_1_1*t52;
-    const double t54 = (R_p_2*R_p_2);
-    const double t55 = k_2_1*t54;
-    const double t56 = (R_p_3*R_p_3);
-    const double t57 = k_3_1*t56;
-    M[0][0] = D_p_x_1*t16 + D_p_x_1*t22 + D_p_y_1*t17 + D_p_y_1*t23 + D_p_z_1*t18 + D_p_z_1*t24 + m_t_1 + t14;
-    M[0][1] = t29;
-    M[0][2] = t34;
+    const double t14 = (1.0/2.0)*m_d_1 + (1.0/2.0)*m_d_2 + (1.0/2.0)*m_d_3 + m_p;
+    const double t15 = g_x*t14;
+    const double t16 = g_y*t14;
+    const double t17 = g_z*t14;
+    const double mu_1 = t1*(-A_x_1*t15 - A_y_1*t16 - A_z_1*t17);
+    const double mu_2 = t1*(-A_x_2*t15 - A_y_2*t16 - A_z_2*t17);
+    const double mu_3 = t1*(-A_x_3*t15 - A_y_3*t16 - A_z_3*t17);
+    const double t18 = (1.0/3.0)*m_d_1;
+    const double t19 = (1.0/6.0)*m_d_1;
+    const double t20 = n_1_x*t19;
+    const double t21 = n_1_y*t19;
+    const double t22 = n_1_z*t19;
+    const double t23 = (1.0/3.0)*m_d_2;
+    const double t24 = (1.0/3.0)*m_d_3;
+    const double t25 = m_p + t18 + t23 + t24;
+    const double t26 = D_p_x_1*t25 + t20;
+    const double t27 = D_p_y_1*t25 + t21;
+    const double t28 = D_p_z_1*t25 + t22;
+    const double t29 = (1.0/6.0)*m_d_2;
+    const double t30 = n_2_x*t29;
+    const double t31 = n_2_y*t29;
+    const double t32 = n_2_z*t29;
+    const double t33 = D_p_x_1*t30 + D_p_x_2*t26 + D_p_y_1*t31 + D_p_y_2*t27 + D_p_z_1*t32 + D_p_z_2*t28;
+    const double t34 = (1.0/6.0)*m_d_3;
+    const double t35 = n_3_x*t34;
+    const double t36 = n_3_y*t34;
+    const double t37 = n_3_z*t34;
+    const double t38 = D_p_x_1*t35 + D_p_x_3*t26 + D_p_y_1*t36 + D_p_y_3*t27 + D_p_z_1*t37 + D_p_z_3*t28;
+    const double t39 = D_p_x_2*t25 + t30;
+    const double t40 = D_p_y_2*t25 + t31;
+    const double t41 = D_p_z_2*t25 + t32;
+    const double t42 = D_p_x_2*t35 + D_p_x_3*t39 + D_p_y_2*t36 + D_p_y_3*t40 + D_p_z_2*t37 + D_p_z_3*t41;
+    const double t43 = U_1_x_1*mu_1;
+    const double t44 = U_1_y_1*mu_1;
+    const double t45 = U_1_z_1*mu_1;
+    const double t46 = U_2_x_1*mu_2;
+    const double t47 = U_2_y_1*mu_2;
+    const double t48 = U_2_z_1*mu_2;
+    const double t49 = U_3_x_1*mu_3;
+    const double t50 = U_3_y_1*mu_3;
+    const double t51 = U_3_z_1*mu_3;
+    const double t52 =
+        -U_1_x_2*t43 - U_1_y_2*t44 - U_1_z_2*t45 - U_2_x_2*t46 - U_2_y_2*t47 - U_2_z_2*t48 - U_3_x_2*t49
+        - U_3_y_2*t50 - U_3_z_2*t51;
+    const double t53 =
+        -U_1_x_3*t43 - U_1_y_3*t44 - U_1_z_3*t45 - U_2_x_3*t46 - U_2_y_3*t47 - U_2_z_3*t48 - U_3_x_3*t49
+        - U_3_y_3*t50 - U_3_z_3*t51;
+    const double t54 = -R_p_1*k_1_3;
+    const double t55 = -R_p_1*k_1_2;
+    const double t56 =
+        -U_1_x_2*U_1_x_3*mu_1 - U_1_y_2*U_1_y_3*mu_1 - U_1_z_2*U_1_z_3*mu_1 - U_2_x_2*U_2_x_3*mu_2
+        - U_2_y_2*U_2_y_3*mu_2 - U_2_z_2*U_2_z_3*mu_2 - U_3_x_2*U_3_x_3*mu_3 - U_3_y_2*U_3_y_3*mu_3
+        - U_3_z_2*U_3_z_3*mu_3;
+    const double t57 = -R_p_2*k_2_3;
+    const double t58 = -R_p_2*k_2_2;
+    const double t59 = -R_p_3*k_3_3;
+    const double t60 = -R_p_3*k_3_2;
+    const double t61 = (R_p_1*R_p_1);
+    const double t62 = k_1_1*t61;
+    const double t63 = (R_p_2*R_p_2);
+    const double t64 = k_2_1*t63;
+    const double t65 = (R_p_3*R_p_3);
+    const double t66 = k_3_1*t65;
+    M[0][0] = D_p_x_1*t20 + D_p_x_1*t26 + D_p_y_1*t21 + D_p_y_1*t27 + D_p_z_1*t22 + D_p_z_1*t28 + m_t_1 + t18;
+    M[0][1] = t33;
+    M[0][2] = t38;
     M[0][3] = 0;
     M[0][4] = 0;
     M[0][5] = 0;
     M[0][6] = 0;
     M[0][7] = 0;
     M[0][8] = 0;
-    M[1][0] = t29;
-    M[1][1] = D_p_x_2*t26 + D_p_x_2*t35 + D_p_y_2*t27 + D_p_y_2*t36 + D_p_z_2*t28 + D_p_z_2*t37 + m_t_2 + t19;
-    M[1][2] = t38;
+    M[1][0] = t33;
+    M[1][1] = D_p_x_2*t30 + D_p_x_2*t39 + D_p_y_2*t31 + D_p_y_2*t40 + D_p_z_2*t32 + D_p_z_2*t41 + m_t_2 + t23;
+    M[1][2] = t42;
     M[1][3] = 0;
     M[1][4] = 0;
     M[1][5] = 0;
     M[1][6] = 0;
     M[1][7] = 0;
     M[1][8] = 0;
-    M[2][0] = t34;
-    M[2][1] = t38;
+    M[2][0] = t38;
+    M[2][1] = t42;
     M[2][2] =
-        D_p_x_3*t31 + D_p_x_3*(D_p_x_3*t21 + t31) + D_p_y_3*t32 + D_p_y_3*(D_p_y_3*t21 + t32) + D_p_z_3*t33
-        + D_p_z_3*(D_p_z_3*t21 + t33) + m_t_3 + t20;
+        D_p_x_3*t35 + D_p_x_3*(D_p_x_3*t25 + t35) + D_p_y_3*t36 + D_p_y_3*(D_p_y_3*t25 + t36) + D_p_z_3*t37
+        + D_p_z_3*(D_p_z_3*t25 + t37) + m_t_3 + t24;
     M[2][3] = 0;
     M[2][4] = 0;
     M[2][5] = 0;
@@ -3784,85 +3752,94 @@ void linear_delta_modal_matrices(const double p[3], const linear_delta_parameter
     M[8][6] = 0;
     M[8][7] = 0;
     M[8][8] = I_3_2;
-    K[0][0] = -P_x_11*t40 - P_y_11*t41 - P_z_11*t42 + k_1_2 + k_1_3;
-    K[0][1] = t43;
-    K[0][2] = t44;
-    K[0][3] = t45;
+    K[0][0] =
+        -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 - (U_2_x_1*U_2_x_1)*mu_2
+        - (U_2_y_1*U_2_y_1)*mu_2 - (U_2_z_1*U_2_z_1)*mu_2 - (U_3_x_1*U_3_x_1)*mu_3 - (U_3_y_1*U_3_y_1)*mu_3
+        - (U_3_z_1*U_3_z_1)*mu_3 + k_1_2 + k_1_3;
+    K[0][1] = t52;
+    K[0][2] = t53;
+    K[0][3] = t54;
     K[0][4] = 0;
     K[0][5] = 0;
-    K[0][6] = t46;
+    K[0][6] = t55;
     K[0][7] = 0;
     K[0][8] = 0;
-    K[1][0] = t43;
-    K[1][1] = -P_x_22*t40 - P_y_22*t41 - P_z_22*t42 + k_2_2 + k_2_3;
-    K[1][2] = t47;
+    K[1][0] = t52;
+    K[1][1] =
+        -(U_1_x_2*U_1_x_2)*mu_1 - (U_1_y_2*U_1_y_2)*mu_1 - (U_1_z_2*U_1_z_2)*mu_1 - (U_2_x_2*U_2_x_2)*mu_2
+        - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 - (U_3_x_2*U_3_x_2)*mu_3 - (U_3_y_2*U_3_y_2)*mu_3
+        - (U_3_z_2*U_3_z_2)*mu_3 + k_2_2 + k_2_3;
+    K[1][2] = t56;
     K[1][3] = 0;
-    K[1][4] = t48;
+    K[1][4] = t57;
     K[1][5] = 0;
     K[1][6] = 0;
-    K[1][7] = t49;
+    K[1][7] = t58;
     K[1][8] = 0;
-    K[2][0] = t44;
-    K[2][1] = t47;
-    K[2][2] = -P_x_33*t40 - P_y_33*t41 - P_z_33*t42 + k_3_2 + k_3_3;
+    K[2][0] = t53;
+    K[2][1] = t56;
+    K[2][2] =
+        -(U_1_x_3*U_1_x_3)*mu_1 - (U_1_y_3*U_1_y_3)*mu_1 - (U_1_z_3*U_1_z_3)*mu_1 - (U_2_x_3*U_2_x_3)*mu_2
+        - (U_2_y_3*U_2_y_3)*mu_2 - (U_2_z_3*U_2_z_3)*mu_2 - (U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3
+        - (U_3_z_3*U_3_z_3)*mu_3 + k_3_2 + k_3_3;
     K[2][3] = 0;
     K[2][4] = 0;
-    K[2][5] = t50;
+    K[2][5] = t59;
     K[2][6] = 0;
     K[2][7] = 0;
-    K[2][8] = t51;
-    K[3][0] = t45;
+    K[2][8] = t60;
+    K[3][0] = t54;
     K[3][1] = 0;
     K[3][2] = 0;
-    K[3][3] = k_1_3*t52 + t53;
+    K[3][3] = k_1_3*t61 + t62;
     K[3][4] = 0;
     K[3][5] = 0;
-    K[3][6] = -t53;
+    K[3][6] = -t62;
     K[3][7] = 0;
     K[3][8] = 0;
     K[4][0] = 0;
-    K[4][1] = t48;
+    K[4][1] = t57;
     K[4][2] = 0;
     K[4][3] = 0;
-    K[4][4] = k_2_3*t54 + t55;
+    K[4][4] = k_2_3*t63 + t64;
     K[4][5] = 0;
     K[4][6] = 0;
-    K[4][7] = -t55;
+    K[4][7] = -t64;
     K[4][8] = 0;
     K[5][0] = 0;
     K[5][1] = 0;
-    K[5][2] = t50;
+    K[5][2] = t59;
     K[5][3] = 0;
     K[5][4] = 0;
-    K[5][5] = k_3_3*t56 + t57;
+    K[5][5] = k_3_3*t65 + t66;
     K[5][6] = 0;
     K[5][7] = 0;
-    K[5][8] = -t57;
-    K[6][0] = t46;
+    K[5][8] = -t66;
+    K[6][0] = t55;
     K[6][1] = 0;
     K[6][2] = 0;
-    K[6][3] = -t53;
+    K[6][3] = -t62;
     K[6][4] = 0;
     K[6][5] = 0;
-    K[6][6] = k_1_2*t52 + t53;
+    K[6][6] = k_1_2*t61 + t62;
     K[6][7] = 0;
     K[6][8] = 0;
     K[7][0] = 0;
-    K[7][1] = t49;
+    K[7][1] = t58;
     K[7][2] = 0;
     K[7][3] = 0;
-    K[7][4] = -t55;
+    K[7][4] = -t64;
     K[7][5] = 0;
     K[7][6] = 0;
-    K[7][7] = k_2_2*t54 + t55;
+    K[7][7] = k_2_2*t63 + t64;
     K[7][8] = 0;
     K[8][0] = 0;
     K[8][1] = 0;
-    K[8][2] = t51;
+    K[8][2] = t60;
     K[8][3] = 0;
     K[8][4] = 0;
-    K[8][5] = -t57;
+    K[8][5] = -t66;
     K[8][6] = 0;
     K[8][7] = 0;
-    K[8][8] = k_3_2*t56 + t57;
+    K[8][8] = k_3_2*t65 + t66;
 }

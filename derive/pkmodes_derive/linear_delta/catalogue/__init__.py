@@ -24,7 +24,7 @@ def derive() -> Model:
     sy = Symbols()
     kin = kinematics.derive(sy)
     energies = energy.derive(sy, kin)
-    collected = Collected(sy, kin, energies, statics.derive(sy, kin.chain, energies))
+    collected = Collected(sy, kin, energies, statics.derive(sy, kin, energies))
     return Model(
         mechanism="linear_delta",
         coordinates=tuple((q.name, sy.vocabulary[q].unit) for q in sy.coordinates),

@@ -36,7 +36,7 @@ class Collected:
         )
         self.M = flat(lagrangian.mass_matrix(energies.T_ss + energies.T_t, sy.velocities, kin.chain))
         self.K_el = flat(lagrangian.stiffness_matrix(energies.V_el, sy.displacements, kin.chain))
-        self.K_g = flat(lagrangian.stiffness_matrix(energies.V_g, sy.x, kin.chain))
+        self.K_g = flat(equilibrium.gravity_hessian)
         # Both potentials in the same nine coordinates: the gravitational one depends on the carriages only.
         self.K = tuple(
             self.K_el[9 * k + m] + (self.K_g[3 * k + m] if k < 3 and m < 3 else 0)
