@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
+
 from pkmodes_generated.linear_delta import model
 from sample_robots import Sample, sample
-from scipy.integrate import solve_ivp
 
 DURATION = 0.04
 # The integrator's tolerance of 1e-11 for each of some hundreds of steps.  Measured: at most 3e-11 of the kinetic

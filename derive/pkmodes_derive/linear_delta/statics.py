@@ -17,7 +17,6 @@ from dataclasses import dataclass
 from sympy import Add, Expr, Integer, Symbol, diff
 
 from pkmodes_derive import implicit, lagrangian
-from pkmodes_derive.chain import Chain
 from pkmodes_derive.linear_delta.energy import Energies
 from pkmodes_derive.linear_delta.kinematics import Kinematics
 from pkmodes_derive.linear_delta.symbols import Symbols
