@@ -198,6 +198,42 @@ def test_integers_are_taken_as_numbers(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
+def test_a_robot_all_in_integers_is_not_rounded_to_integers(name: str) -> None:
+    """Three rails at right angles, linkages of 5 that reach across 3 and along 4."""
+    three = [1, 2, 3]
+    whole = Parameters(
+        platform_mass=2,
+        gravity=[0, 0, -10],
+        origin=[[0, 3, 0], [0, 0, 3], [3, 0, 0]],
+        direction=[[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+        joint=[[0, 0, 0]] * 3,
+        link_length=[5, 5, 5],
+        **dict.fromkeys(
+            ("link_mass", "carriage_mass", "belt_width", "pulley_radius", "pulley_inertia", "gear_ratio"),
+            three,
+        ),
+        carriage_length=[1, 1, 1],
+        belt_specific_stiffness=[7, 8, 9],
+        motor_inertia=three,
+        drive=[[1, 0], [0, 1], [1, 0]],
+        limits=[[-9, 9]] * 3,
+        branch=[1, 1, 1],
+    )
+    exact = Parameters(*(np.asarray(value, dtype=float) for value in whole))
+    given = arguments(name, Sample(exact, np.zeros(3)))
+    rates = {"x_dot": [1, -2, 3], "q_dot": list(range(9)), "delta_q": list(range(-4, 5))}
+    integers = {"p": [0, 0, 0], "x": [4, 4, 4], "assembly": int(given.get("assembly", 1)), **rates}
+    found = outputs(name, **{key: integers.get(key, whole) for key in given})
+    expected = outputs(
+        name, **{key: np.asarray(integers[key], dtype=float) if key in integers else exact for key in given}
+    )
+    for one, other in zip(found, expected, strict=True):
+        assert np.asarray(one).dtype == np.float64
+        # integer powers may be taken by multiplication, others by pow
+        _assert_same(one, other)
+
+
+@pytest.mark.parametrize("name", NAMES)
 def test_complex_arguments_without_imaginary_part_change_nothing(name: str) -> None:
     given = arguments(name, sample("random-1"))
     first = SIGNATURES[name][0]

@@ -228,7 +228,7 @@ def test_belts_leave_three_rigid_body_motions(name: str) -> None:
     robot = sample(name)
     q = robot.parameters._replace(gravity=np.zeros(3))
     K = model.stiffness_matrix(robot.pose, q)
-    # the third as by the radius: a carriage by R_p, its pulleys by one radian
+    # a carriage by R_p, its pulleys by one radian
     free = np.concatenate([np.diag(q.pulley_radius), np.eye(3), np.eye(3)])
     size = np.sqrt(np.outer(np.diag(K), np.diag(K)))
     scaled = K / size
@@ -236,7 +236,7 @@ def test_belts_leave_three_rigid_body_motions(name: str) -> None:
     assert np.max(np.abs(scaled @ weighted)) < SAME * np.max(np.abs(weighted))
     eigenvalues = np.linalg.eigvalsh(scaled)
     assert np.all(np.abs(eigenvalues[:3]) < SAME)
-    # six motions strain a belt: no smaller than the stiffnesses' ratio to their sum, a span of a hundredth
+    # the other six strain a belt; scaled to a unit diagonal their stiffness is the ratio of two spans at least
     assert np.all(eigenvalues[3:] > 0.01)
 
 
@@ -332,10 +332,10 @@ def test_decoupled_axes_have_the_frequencies_of_their_own_chain() -> None:
 
 @pytest.mark.parametrize("along", [0, 1, 2])
 def test_gravity_hessian_of_orthogonal_linkages_is_that_of_pendulums(along: int) -> None:
-    """Gravity along one rail: sideways motion swings that linkage, and p moves by -+ u^2 / (2 l) along it.
+    """Gravity along one rail: sideways motion u swings that linkage, and moves p along the rail by u^2 / (2 l).
 
-    A carriage ahead of the platform (branch +1) holds it back, d2p/du2 = +1/l along the rail; behind, -1/l.
-    The platform hangs on it whole, and half of each linkage.
+    That is towards the carriage, which holds p back: forward for branch +1, backward for branch -1.  The whole
+    platform and half of each linkage go with it.
     """
     gravity = np.zeros(3)
     gravity[along] = -9.81

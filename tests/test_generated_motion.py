@@ -15,9 +15,11 @@ from pkmodes_generated.linear_delta import model
 from sample_robots import Sample, sample
 
 DURATION = 0.04
-# The integrator's tolerance of 1e-11 for each of some hundreds of steps.  Measured: at most 3e-11 of the kinetic
-# energy.
-DRIFT = 1e-9
+# Of the kinetic energy: the integrator's relative tolerance of 1e-11 with room for some steps that err alike.
+# Measured: at most 3.3e-12.
+DRIFT = 1e-10
+# Robots whose motion stays clear of singular poses for as long, symmetric and not.
+ROBOTS = ("published-symmetric", "tower-aside", "random-1", "random-3")
 
 
 class Motion:
@@ -69,7 +71,7 @@ def _start(robot: Sample) -> np.ndarray:
     rng = np.random.default_rng(8)
     x_dot = rng.uniform(-1.0, 1.0, 3)
     radius = robot.parameters.pulley_radius
-    pulleys = x_dot / radius * rng.uniform(0.8, 1.2, (2, 3))
+    pulleys = x_dot / radius * rng.uniform(0.5, 1.5, (2, 3))
     return np.concatenate([x_dot, pulleys.ravel()])
 
 
@@ -79,7 +81,7 @@ def _drift(motion: Motion, states: np.ndarray) -> float:
     return float(np.max(np.abs(total - total[0])) / np.max(kinetic))
 
 
-@pytest.mark.parametrize("name", ["published-symmetric", "tower-aside", "random-1", "random-5"])
+@pytest.mark.parametrize("name", ROBOTS)
 def test_energy_is_conserved(name: str) -> None:
     robot = sample(name)
     motion = Motion(robot)
@@ -92,7 +94,7 @@ def test_energy_is_conserved(name: str) -> None:
 
 
 def test_energy_is_not_conserved_without_velocity_forces() -> None:
-    """The check above has the power to see them: without h the energy drifts a million times the tolerance."""
+    """The check above has the power to see them: without h it drifts by a good part of itself."""
     robot = sample("random-1")
     motion = Motion(robot, velocity_forces=False)
-    assert _drift(motion, motion.integrate(_start(robot))) > 1e6 * DRIFT
+    assert _drift(motion, motion.integrate(_start(robot))) > 0.01

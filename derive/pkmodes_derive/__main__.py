@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from importlib.resources import files
 from pathlib import Path
 
 from pkmodes_derive.emit import latex, product
@@ -15,7 +16,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m pkmodes_derive", description=main.__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     generate = commands.add_parser("generate", help="write the parametric model of every mechanism")
-    generate.add_argument("--out", type=Path, default=ROOT / "generated" / "pkmodes_generated")
+    generate.add_argument("--out", type=Path, default=Path(str(files("pkmodes_generated"))))
     page = commands.add_parser("latex", help="write every derived quantity of a mechanism in LaTeX")
     page.add_argument("--mechanism", choices=sorted(product.MECHANISMS), default="linear_delta")
     page.add_argument("--out", type=Path, default=ROOT / "docs" / "derivation.md")
@@ -30,7 +31,9 @@ def main() -> None:
 
 def _write(path: Path, text: str) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_bytes(text.encode("utf-8"))
+    staged = path.with_name(f".{path.name}.new")
+    staged.write_bytes(text.encode("utf-8"))
+    staged.replace(path)
     print(path)
 
 

@@ -105,6 +105,8 @@ class Model:
         In the order in which a reader should meet them.
     relations : tuple of Relation
         Derived, shown in the documentation, not emitted.
+    rigid_modes : int
+        Motions that strain nothing elastic, at any regular pose and for any parameters.
     """
 
     mechanism: str
@@ -113,3 +115,4 @@ class Model:
     fields: tuple[Field, ...] = field(repr=False)
     functions: tuple[Function, ...] = field(repr=False)
     relations: tuple[Relation, ...] = field(repr=False, default=())
+    rigid_modes: int = 0

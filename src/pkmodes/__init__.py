@@ -5,8 +5,20 @@ an array of poses.  Coordinates, signs and frames are stated in docs/model.md.
 """
 
 from pkmodes.errors import PkmodesError, PoseError, RobotFileError
-from pkmodes.model import Model, Modes, Statics, load
+from pkmodes.loading import load, read_robot
+from pkmodes.model import Model, Modes, Statics
+from pkmodes.robot.robot import Robot
 
 __version__ = "0.1.0"
 
-__all__ = ["Model", "Modes", "PkmodesError", "PoseError", "RobotFileError", "Statics", "load"]
+__all__ = [
+    "Model",
+    "Modes",
+    "PkmodesError",
+    "PoseError",
+    "Robot",
+    "RobotFileError",
+    "Statics",
+    "load",
+    "read_robot",
+]

@@ -62,9 +62,3 @@ def natural_frequencies(eigenvalues: Array) -> Array:
     """sqrt(|lambda|) / (2 pi) with the sign of lambda [Hz]: gravity may make a rigid mode unstable."""
     frequencies: Array = np.sign(eigenvalues) * np.sqrt(np.abs(eigenvalues)) / (2.0 * np.pi)
     return frequencies
-
-
-def zero_eigenvalues(K: Array, M: Array, tolerance: float = 1e-9) -> int:
-    """Count the zero eigenvalues of one positive semi-definite K, relative to its largest."""
-    eigenvalues, _ = generalised_eigh(M[None], K[None])
-    return int((eigenvalues <= tolerance * eigenvalues.max()).sum())

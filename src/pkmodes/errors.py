@@ -3,6 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
+
+LONGEST_SHOWN = 60
+
+
+def shown(value: object) -> str:
+    """How something that was found is shown in a message: on one line, printable, not too long."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, dict):
+        return "a table"
+    if isinstance(value, list | tuple):
+        return "a list"
+    try:
+        text = str(value)
+    except ValueError:  # integers beyond the interpreter's limit of digits
+        return "a very large number"
+    text = "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in text)
+    text = text if len(text) <= LONGEST_SHOWN else f"{text[:LONGEST_SHOWN]}..."
+    return f'"{text}"' if isinstance(value, str) else text
 
 
 class PkmodesError(Exception):
@@ -21,6 +41,9 @@ class PkmodesError(Exception):
     def __init__(self, what: str, where: str, remedy: str) -> None:
         super().__init__(what, where, remedy)
         self.what, self.where, self.remedy = what, where, remedy
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.what, self.where, self.remedy)
 
     def __str__(self) -> str:
         return f"{self.what} ({self.where}); {self.remedy}"
@@ -45,6 +68,9 @@ class RobotFileError(PkmodesError):
         super().__init__(first.what, first.where, first.remedy)
         self.problems = tuple(problems)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.problems,)
+
     def __str__(self) -> str:
         return "\n".join(self.lines)
 
@@ -66,6 +92,9 @@ class PoseError(PkmodesError):
     def __init__(self, what: str, where: str, remedy: str, index: int | None = None) -> None:
         super().__init__(what, where, remedy)
         self.index = index
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.what, self.where, self.remedy, self.index)
 
 
 class MissingExtraError(PkmodesError):

@@ -1,7 +1,7 @@
 """From a robot file to a generated model: the bridge between runtime and derivation.
 
-This is the only module, with `checking.products`, that imports the derivation, and it does so when it is
-called: ``import pkmodes`` must work, and fast, without SymPy.
+This is the only module that imports the derivation, and it does so when it is called: ``import pkmodes`` must
+work, and fast, without SymPy.
 """
 
 from __future__ import annotations
@@ -99,6 +99,13 @@ def relative(robot_file: Path, out: Path) -> str:
 def _stale_outputs(out: Path, reference: str, texts: Iterable[str]) -> list[Path]:
     """Outputs of an earlier generation from the same robot file, under a name that it had then."""
     if not (out / "manifest.json").is_file():
+        there = [name for name in texts if (out / name).exists()]
+        if there:
+            raise OutputError(
+                f"{there[0]} is there and there is no manifest that says it was generated",
+                str(out),
+                "choose another folder, or remove that file",
+            )
         return []
     try:
         recorded = derivation("emit.currency").read_manifest(out)
@@ -116,6 +123,6 @@ def _stale_outputs(out: Path, reference: str, texts: Iterable[str]) -> list[Path
             str(out),
             "choose another folder, or remove that one",
         )
-    # Only names in this very folder: a manifest cannot make us remove anything elsewhere.
-    names = [name for name in recorded["outputs"] if Path(name).name == name and name not in set(texts)]
-    return [out / name for name in names]
+    # Only files in this very folder: a manifest cannot make us remove anything elsewhere.
+    beside = {path.name for path in out.iterdir() if path.is_file()}
+    return [out / name for name in recorded["outputs"] if name in beside - set(texts)]

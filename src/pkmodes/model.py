@@ -8,14 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from os import PathLike
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.eigen import generalised_eigh, natural_frequencies, zero_eigenvalues
-from pkmodes.errors import PoseError
-from pkmodes.poses import MAX_CONDITION, CheckedPoses, OnError, check_poses
+from pkmodes.eigen import generalised_eigh, natural_frequencies
+from pkmodes.errors import PkmodesError, PoseError, shown
+from pkmodes.poses import MAX_CONDITION, CheckedPoses, OnError, as_points, check_poses
 from pkmodes.robot.robot import Robot
 from pkmodes_generated import linear_delta as generated
 
@@ -107,6 +106,8 @@ class Model:
     """
 
     def __init__(self, robot: Robot, max_condition: float = MAX_CONDITION) -> None:
+        if not isinstance(robot, Robot):
+            raise PkmodesError(f"expected a Robot, found {shown(robot)}", "Model", "use pkmodes.load(path)")
         self.robot = robot
         self.coordinates: tuple[str, ...] = generated.COORDINATES
         self.max_condition = max_condition
@@ -149,7 +150,7 @@ class Model:
             carriage_positions=checked.scatter(x),
             mass_matrix=checked.scatter(M),
             stiffness_matrix=checked.scatter(K),
-            rigid_modes=self._rigid_modes(checked, M),
+            rigid_modes=generated.RIGID_MODES,
             valid=checked.valid.reshape(checked.batch),
         )
 
@@ -223,18 +224,14 @@ class Model:
         PoseError
             If the carriages are so far apart, or so close, that the links do not meet.
         """
-        if assembly not in (1, -1):
-            raise PoseError(f"expected assembly 1 or -1, found {assembly!r}", "assembly", "choose a branch")
-        x = np.asarray(carriages, dtype=float)
-        if x.ndim == 0 or x.shape[-1] != 3 or x.size == 0:
+        if not (isinstance(assembly, int | float | np.integer) and assembly in (1, -1)):
             raise PoseError(
-                f"expected carriage positions of shape (3,) or (N, 3), found {x.shape}",
-                "carriages",
-                "give metres",
+                f"expected assembly 1 or -1, found {shown(assembly)}", "assembly", "choose a branch"
             )
+        x, batch = as_points(carriages, "carriages", "give positions x_1, x_2, x_3 in metres")
         with np.errstate(all="ignore"):
             p: Array = generated.direct_kinematics(x, assembly, self.robot.parameters)
-        bad = ~np.isfinite(p).all(axis=-1).reshape(-1)
+        bad = ~np.isfinite(p).all(axis=-1)
         if bad.any():
             index = int(np.argmax(bad))
             raise PoseError(
@@ -243,7 +240,7 @@ class Model:
                 "choose carriage positions that assemble",
                 index,
             )
-        return p
+        return p.reshape((*batch, 3))
 
     def assembly(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
         """Assembly branch of each pose: the sign of det D_l, shape (...).
@@ -269,42 +266,15 @@ class Model:
 
     def _solve(self, M: Array, K: Array) -> tuple[Array, Array]:
         try:
-            return generalised_eigh(M, K)
+            eigenvalues, shapes = generalised_eigh(M, K)
         except np.linalg.LinAlgError:
             raise PoseError(
                 "the mass matrix is not positive definite",
                 self.robot.source,
                 "give every body that moves a mass: platform or links, carriages, pulleys",
             ) from None
-
-    def _rigid_modes(self, checked: CheckedPoses, M: Array) -> int:
-        """Modes without elastic energy; the same at every regular pose, so one is enough."""
-        if not len(M):
-            return 0
-        H_el = generated.elastic_hessian(checked.points[checked.valid][0], self.robot.parameters)
-        return zero_eigenvalues(H_el, M[0])
-
-
-def load(path: str | PathLike[str]) -> Model:
-    """Read a robot file and return its evaluator.
-
-    Parameters
-    ----------
-    path : path-like
-        A robot file (docs/robot-file.md).
-
-    Raises
-    ------
-    RobotFileError
-        If the file cannot be read or anything in it is wrong.
-
-    Examples
-    --------
-    >>> model = load("robots/linear-delta-2022.toml")
-    >>> model.modes([0.6, 0.0, -0.245]).frequencies.round(3)[3:]
-    array([ 55.559,  60.316,  61.545, 130.801, 133.831, 134.257])
-    """
-    # Imported here: reading units and schemas costs more than the rest of the package together.
-    from pkmodes.robot.reading import read_robot
-
-    return Model(read_robot(path))
+        if not np.isfinite(eigenvalues).all():
+            raise PoseError(
+                "the eigenvalues are not finite", self.robot.source, "check the robot's magnitudes"
+            )
+        return eigenvalues, shapes

@@ -17,7 +17,7 @@ from pkmodes_generated.linear_delta import Parameters
 
 OnError = Literal["raise", "nan"]
 
-#: Beyond this condition number D_p keeps fewer than ten digits, and rigid links are no model of the robot.
+#: Beyond this Frobenius condition number of D_l, D_p has lost six digits, and rigid links are no model.
 MAX_CONDITION = 1e6
 
 SPANS = ("between its pulleys", "between its carriage and pulley 2", "between its carriage and pulley 1")
@@ -77,7 +77,7 @@ def check_poses(
         raise PoseError(
             f'expected on_error "raise" or "nan", found {on_error!r}', "on_error", "choose one of the two"
         )
-    points, batch = _points(poses)
+    points, batch = as_points(poses, "poses", "give platform centres [x, y, z] in metres")
     with np.errstate(all="ignore"):  # the margins say what is wrong; a NaN compares false and so fails
         finite = np.isfinite(points).all(axis=1)
         reach = generated.reach_margin(points, parameters)
@@ -105,19 +105,27 @@ def check_poses(
     return CheckedPoses(points, valid, batch)
 
 
-def _points(poses: ArrayLike) -> tuple[NDArray[np.float64], tuple[int, ...]]:
-    remedy = "give platform centres [x, y, z] in metres"
+def as_points(given: ArrayLike, name: str, remedy: str) -> tuple[NDArray[np.float64], tuple[int, ...]]:
+    """Check an array of triples; return it as (N, 3), and its shape without the last axis.
+
+    Raises
+    ------
+    PoseError
+        If it is not a non-empty array of real numbers of shape (3,) or (..., 3); `name` and `remedy` say so.
+    """
     try:
-        array = np.asarray(poses)
+        if np.ma.is_masked(given):
+            raise TypeError("masked values")
+        array = np.asarray(given)
         if array.dtype.kind not in "iuf":
             raise TypeError(f"values of type {array.dtype}")
         array = array.astype(float)
-    except (TypeError, ValueError) as error:
-        raise PoseError(f"expected an array of numbers, found {error}", "poses", remedy) from None
+    except (TypeError, ValueError, OverflowError) as error:
+        raise PoseError(f"expected an array of numbers, found {error}", name, remedy) from None
     if array.ndim == 0 or array.shape[-1] != 3:
-        raise PoseError(f"expected poses of shape (3,) or (N, 3), found {array.shape}", "poses", remedy)
+        raise PoseError(f"expected {name} of shape (3,) or (N, 3), found {array.shape}", name, remedy)
     if array.size == 0:
-        raise PoseError(f"expected at least one pose, found an array of shape {array.shape}", "poses", remedy)
+        raise PoseError(f"expected at least one pose, found an array of shape {array.shape}", name, remedy)
     return array.reshape(-1, 3), array.shape[:-1]
 
 
@@ -139,13 +147,15 @@ def _reason(
             "choose a pose closer to the rails",
         )
     if not regular:
-        D_l, _ = generated.constraint_jacobians(point, parameters)
+        with np.errstate(all="ignore"):
+            _, condition = generated.jacobian_condition(point, parameters)
         return (
-            f"the pose is singular: the condition number of D_l is {np.linalg.cond(D_l):.3g}",
+            f"the pose is singular: the condition number of D_l is {np.inf if np.isnan(condition) else condition:.3g}",
             "choose a pose farther from the singularity",
         )
     j, k = divmod(int(np.argmin(spans)), spans.shape[1])
+    where = "of no length" if spans[j, k] == 0.0 else f"{-spans[j, k]:.4g} m too short"
     return (
-        f"carriage {j + 1} is beyond its limits: the belt span {SPANS[k]} would be {spans[j, k]:.4g} m long",
+        f"carriage {j + 1} is beyond its limits: the belt span {SPANS[k]} would be {where}",
         "choose a pose within the travel of the carriages, or check limits and carriage length",
     )

@@ -13,50 +13,101 @@ from pkmodes.errors import OutputError
 def write_files(folder: Path, texts: Mapping[str, str]) -> list[Path]:
     """Write texts into a folder, all or none; existing files of those names are replaced.
 
-    Every text is first written beside its place and then moved there, so that a full disk or a missing
-    permission leaves what was there before.
+    Every text is first written beside its place and then moved there; what was there before is kept until
+    all are in place, and put back if anything goes wrong.
 
     Raises
     ------
     OutputError
         If the folder or a file cannot be written.
     """
-    staged: list[tuple[str, Path]] = []
+    staged: list[tuple[Path, Path]] = []
+    moved: list[tuple[Path | None, Path]] = []
     try:
         folder.mkdir(parents=True, exist_ok=True)
         for name, text in texts.items():
-            target = folder / name
-            if target.is_dir():
-                raise IsADirectoryError(None, "a folder of that name is there", str(target))
-            handle, temporary = tempfile.mkstemp(prefix=f".{name}.", dir=folder)
-            staged.append((temporary, target))
-            with os.fdopen(handle, "wb") as file:
-                file.write(text.encode("utf-8"))
-            _usual_permissions(temporary)
+            target = _real(folder / name)
+            staged.append((_stage(target, text), target))
         for temporary, target in staged:
-            Path(temporary).replace(target)
-    except OSError as error:
+            backup = _set_aside(target)
+            moved.append((backup, target))
+            temporary.replace(target)
+    except BaseException as error:
+        for backup, target in reversed(moved):
+            if backup is None:
+                target.unlink(missing_ok=True)
+            else:
+                backup.replace(target)
         for temporary, _ in staged:
-            Path(temporary).unlink(missing_ok=True)
+            temporary.unlink(missing_ok=True)
+        if not isinstance(error, OSError):
+            raise
         reason = (error.strerror or "it cannot be written").lower()
-        where = str(error.filename) if error.filename and not staged else str(folder)
+        where = str(error.filename) if isinstance(error.filename, str) else str(folder)
         raise OutputError(f"cannot write: {reason}", where, "choose another place or free it") from None
-    return [target for _, target in staged]
+    for backup, _ in moved:
+        if backup is not None:
+            backup.unlink(missing_ok=True)
+    return [folder / name for name in texts]
 
 
 def write_file(path: Path, text: str) -> None:
-    """Write one text, whole or not at all.
+    """Write one text, whole or not at all; what is not a regular file, such as a pipe, is written to directly.
 
     Raises
     ------
     OutputError
         If it cannot be written.
     """
+    if path.exists() and not path.is_file() and not path.is_dir():
+        try:
+            path.write_text(text, encoding="utf-8")
+        except OSError as error:
+            reason = (error.strerror or "it cannot be written").lower()
+            raise OutputError(f"cannot write: {reason}", str(path), "choose another place") from None
+        return
     write_files(path.parent, {path.name: text})
 
 
-def _usual_permissions(path: str) -> None:
-    """Temporary files are private; results get the permissions of an ordinary new file."""
+def _real(path: Path) -> Path:
+    """The file itself where the path is a link, so that the link stays one."""
+    target = path.resolve() if path.is_symlink() else path
+    if target.is_dir():
+        raise IsADirectoryError(None, "a folder of that name is there", str(target))
+    return target
+
+
+def _stage(target: Path, text: str) -> Path:
+    handle, name = tempfile.mkstemp(prefix=f".{target.name[:100]}.", dir=target.parent)
+    temporary = Path(name)
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(text.encode("utf-8"))
+        temporary.chmod(_mode(target))
+    except BaseException:
+        temporary.unlink(missing_ok=True)
+        raise
+    return temporary
+
+
+def _set_aside(target: Path) -> Path | None:
+    """Move what is at a place out of the way; None when nothing is there."""
+    if not target.exists():
+        return None
+    handle, name = tempfile.mkstemp(prefix=f".{target.name[:100]}.", dir=target.parent)
+    os.close(handle)
+    try:
+        target.replace(name)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise
+    return Path(name)
+
+
+def _mode(target: Path) -> int:
+    """Permissions of the file that is there, or of an ordinary new file (temporary files are private)."""
+    if target.exists():
+        return target.stat().st_mode & 0o777
     mask = os.umask(0)
     os.umask(mask)
-    Path(path).chmod(0o666 & ~mask)
+    return 0o666 & ~mask

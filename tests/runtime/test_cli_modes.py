@@ -64,10 +64,10 @@ def test_the_table_shows_every_mode_and_coordinate(capsys: pytest.CaptureFixture
     assert run(["modes", ROBOT, "--pose", POSE]) == 0
     out = capsys.readouterr().out
     frequencies = pkmodes.load(ROBOT).modes([0.6, 0.03, -0.245]).frequencies
-    assert all(f"{f:.3f}" in out for f in frequencies[3:])
+    assert all((f"{f:.3f}" if f < 100 else f"{f:.2f}") in out for f in frequencies[3:])
     for label in ("rigid", "x_1/R_p", "theta_3_2", "p_z", "static torques [N m]", "carriage positions [m]"):
         assert label in out
-    assert max(map(len, out.splitlines())) <= 90
+    assert max(map(len, out.splitlines())) <= 80
 
 
 def test_a_pose_may_be_given_with_units(capsys: pytest.CaptureFixture[str]) -> None:
@@ -96,7 +96,10 @@ def test_a_pose_may_be_given_with_units(capsys: pytest.CaptureFixture[str]) -> N
         (["modes", "--pose", POSE], "missing argument 'ROBOT.toml' (pkmodes modes)"),
         (["modes", ROBOT, "--pose", POSE, "--zzz"], "no such option"),
         (["modez"], "no such command 'modez'"),
-        (["modes", ROBOT, "--pose", POSE, "--json", "/dev/null/x.json"], "cannot write"),
+        (
+            ["modes", ROBOT, "--pose", POSE, "--json", "/dev/null/x.json"],
+            "expected a file in an existing folder (--json",
+        ),
         (["generate", ROBOT], "missing option '--out' (pkmodes generate)"),
         (["generate", "absent.toml", "--out", "x"], "cannot read the robot file"),
         (["check", "absent"], "no such file or folder (absent)"),

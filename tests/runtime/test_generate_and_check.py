@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import os
+import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -15,11 +18,14 @@ import pytest
 import pkmodes
 from pkmodes import writing
 from pkmodes.checking import products
-from pkmodes.checking.consistency import Generated, check_consistency, oblique_robot
+from pkmodes.checking.consistency import Check, Generated, check_consistency, oblique_robot
 from pkmodes.cli import run
+from pkmodes.generation import specification
+from pkmodes.robot.reading import read_robot
 from pkmodes_derive.emit import manifest, product
 from pkmodes_generated import linear_delta
 from robot_text import PUBLISHED, published
+from sample_robots import random_robot
 
 MODULE = "linear_delta_2022.py"
 
@@ -164,17 +170,79 @@ def test_a_changed_derivation_or_template_is_found(
     assert f"changed: {source} is not what it was" in out
 
 
-def test_a_module_that_does_not_run_fails_without_a_traceback(
-    copy: Path, capsys: pytest.CaptureFixture[str]
+@pytest.mark.parametrize("line", ["import sys; sys.exit(0)", "raise RuntimeError", "print('hi')", "x ="])
+def test_an_edited_module_is_found_and_not_executed(
+    copy: Path, capsys: pytest.CaptureFixture[str], line: str
 ) -> None:
-    edit(
-        copy / "model" / MODULE,
-        "import numpy as np",
-        "import numpy as np\nraise SystemExit(7) if 0 else RuntimeError",
-    )
+    edit(copy / "model" / MODULE, "import numpy as np", f"import numpy as np\n{line}")
     code, out = check(copy, capsys)
     assert code == 1
-    assert "RuntimeError" in out
+    assert f"{MODULE} was edited by hand" in out
+    assert f"-{line}" in out
+    assert "hi\n" not in out.replace("print('hi')", "")
+
+
+def test_other_line_endings_are_named(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = copy / "model" / MODULE
+    path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
+    code, out = check(copy, capsys)
+    assert code == 1
+    assert "has other line endings than were generated" in out
+
+
+def test_a_changed_name_is_found(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    edit(copy / "robot.toml", 'name = "linear-delta-2022"', 'name = "Linear-Delta-2022"')
+    code, out = check(copy, capsys)
+    assert code == 1
+    assert 'the robot file changed: name is "Linear-Delta-2022"' in out
+
+
+def test_the_mending_commands_can_be_pasted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = tmp_path / "it's a folder"
+    folder.mkdir()
+    (folder / "my robot.toml").write_text(published(), encoding="utf-8")
+    assert run(["generate", str(folder / "my robot.toml"), "--out", str(folder / "my model")]) == 0
+    edit(folder / "my robot.toml", "1.5 kg", "1.6 kg")
+    (folder / "my model" / "not mine.txt").write_text("", encoding="utf-8")
+    assert run(["check", str(folder / "my model")]) == 1
+    commands = capsys.readouterr().out.rpartition("mend it with: ")[2].strip().split(" && ")
+    remove, generate = (shlex.split(command) for command in commands)
+    assert remove == ["rm", "-r", str(folder / "my model" / "not mine.txt")]
+    Path(remove[2]).unlink()
+    assert run(generate[1:]) == 0
+    assert run(["check", str(folder / "my model")]) == 0
+
+
+def test_a_file_that_was_not_generated_is_not_overwritten(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / MODULE).write_text("mine", encoding="utf-8")
+    assert run(["generate", str(PUBLISHED), "--out", str(tmp_path)]) == 2
+    assert "no manifest that says it was generated" in capsys.readouterr().err
+    assert (tmp_path / MODULE).read_text(encoding="utf-8") == "mine"
+
+
+@pytest.mark.parametrize("reference", [7, None, "a\0b", "x" * 5000, "\ud800", "/", ""])
+def test_a_tampered_manifest_is_refused(
+    copy: Path, capsys: pytest.CaptureFixture[str], reference: object
+) -> None:
+    path = copy / "model" / "manifest.json"
+    content = json.loads(path.read_text(encoding="utf-8"))
+    content["robot"]["file"] = reference
+    path.write_text(json.dumps(content), encoding="utf-8")
+    assert run(["check", str(copy / "model")]) == 2
+    assert capsys.readouterr().err.startswith("error: the ")
+
+
+def test_names_and_paths_cannot_become_code(tmp_path: Path) -> None:
+    """The schema refuses such names; the emission does not rely on it."""
+    robot = read_robot(PUBLISHED)
+    nasty = 'a"""; raise SystemExit; """*/ int x; /* \\N{foo}\n\x00'
+    texts = product.specialised(specification(dataclasses.replace(robot, name=nasty), f"{nasty}.toml"))
+    module = next(text for name, text in texts.items() if name.endswith(".py"))
+    compile(module, "module", "exec")
+    header = next(text for name, text in texts.items() if name.endswith(".h"))
+    assert "int x" not in re.sub(r"/\*.*?\*/", "", header, flags=re.DOTALL)
 
 
 def test_folders_without_a_model_are_refused(
@@ -194,7 +262,7 @@ def test_a_lost_robot_file_is_named(copy: Path, capsys: pytest.CaptureFixture[st
     (copy / "robot.toml").unlink()
     assert run(["check", str(copy / "model")]) == 2
     assert (
-        "the robot file ../robot.toml that this model was generated from is not there"
+        'the robot file "../robot.toml" that this model was generated from is not there'
         in capsys.readouterr().err
     )
 
@@ -213,19 +281,49 @@ def test_a_wrong_robot_file_writes_nothing(tmp_path: Path, capsys: pytest.Captur
     assert not (tmp_path / "model").exists()
 
 
-def test_a_failure_half_way_leaves_what_was_there(copy: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("error", [OSError(28, "No space left on device"), KeyboardInterrupt()])
+@pytest.mark.parametrize("method", ["replace", "chmod"])
+def test_a_failure_half_way_leaves_what_was_there(
+    copy: Path, monkeypatch: pytest.MonkeyPatch, method: str, error: BaseException
+) -> None:
     before = {path.name: path.read_bytes() for path in (copy / "model").iterdir()}
     edit(copy / "robot.toml", "1.5 kg", "1.6 kg")
-    calls = []
+    original, calls = getattr(Path, method), []
 
-    def fail_at_the_third(temporary: str) -> None:
-        calls.append(temporary)
+    def fail_at_the_third(self: Path, *arguments: object) -> object:
+        calls.append(self)
         if len(calls) == 3:
-            raise OSError(28, "No space left on device")
+            raise error
+        return original(self, *arguments)
 
-    monkeypatch.setattr(writing, "_usual_permissions", fail_at_the_third)
-    assert run(["generate", str(copy / "robot.toml"), "--out", str(copy / "model")]) == 2
+    monkeypatch.setattr(Path, method, fail_at_the_third)
+    assert run(["generate", str(copy / "robot.toml"), "--out", str(copy / "model")]) in (2, 130)
+    monkeypatch.undo()
+    assert len(calls) >= 3
     assert {path.name: path.read_bytes() for path in (copy / "model").iterdir()} == before
+
+
+def test_links_pipes_and_permissions_of_a_target_are_kept(tmp_path: Path) -> None:
+    target, link, private = tmp_path / "target.json", tmp_path / "link.json", tmp_path / "private.json"
+    target.write_text("", encoding="utf-8")
+    link.symlink_to(target)
+    private.write_text("", encoding="utf-8")
+    private.chmod(0o600)
+    for path in (link, private, Path(os.devnull)):
+        writing.write_file(path, "text")
+    assert link.is_symlink()
+    assert target.read_text(encoding="utf-8") == "text"
+    assert private.stat().st_mode & 0o777 == 0o600
+    assert not Path(os.devnull).is_file()
+
+
+def test_a_result_does_not_replace_its_input(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    robot = tmp_path / "robot.toml"
+    robot.write_text(published(), encoding="utf-8")
+    for command in (["modes", str(robot), "--pose", "0.6,0,-0.245"], ["check", str(robot)]):
+        assert run([*command, "--json", str(robot)]) == 2
+        assert "would replace its own input" in capsys.readouterr().err
+    assert robot.read_text(encoding="utf-8") == published()
 
 
 def test_json_of_a_check(copy: Path, tmp_path: Path) -> None:
@@ -268,25 +366,60 @@ class Broken:
         return scaled
 
 
-NOT_COMPARED = {"reach_margin", "belt_spans", "belt_stiffness", "jacobian_condition"}
-
-
-@pytest.mark.parametrize(
-    "name", sorted({f.name for f in product.derive("linear_delta").functions} - NOT_COMPARED)
-)
-def test_consistency_finds_one_part_in_a_hundred_thousand(name: str) -> None:
-    """Every derived function but the margins: a relative error of 1e-5 in it fails some relation."""
+@pytest.mark.parametrize("name", sorted(f.name for f in product.derive("linear_delta").functions))
+def test_consistency_finds_one_part_in_a_hundred_million(name: str) -> None:
+    """Every derived function: a relative error of 1e-8 in it fails some relation."""
     robot = oblique_robot()
-    checks = check_consistency(Generated(Broken(name, 1 + 1e-5), robot), robot.limits, robot.link_length)
+    checks = check_consistency(Generated(Broken(name, 1 + 1e-8), robot), robot)
     assert not all(one.holds for one in checks)
 
 
-def test_consistency_needs_a_regular_pose() -> None:
+@pytest.mark.parametrize("seed", range(5000, 5040))
+def test_consistency_raises_no_false_alarm(seed: int) -> None:
+    robot, _ = random_robot(np.random.default_rng(seed))
+    wrong = [one for one in check_consistency(Generated(linear_delta, robot), robot) if not one.holds]
+    assert wrong == []
+
+
+@pytest.mark.parametrize("scale", [0.01, 1.0, 100.0])
+def test_consistency_does_not_depend_on_the_size_of_the_robot(scale: float) -> None:
     robot = oblique_robot()
-    checks = check_consistency(
-        Generated(linear_delta, robot._replace(link_length=np.full(3, 0.01))), robot.limits, robot.link_length
+    names = ("origin", "joint", "link_length", "carriage_length", "limits", "pulley_radius", "belt_width")
+    scaled = robot._replace(**{name: scale * getattr(robot, name) for name in names})
+    assert all(one.holds for one in check_consistency(Generated(linear_delta, scaled), scaled))
+
+
+def test_long_rails_and_short_links_are_no_false_alarm(tmp_path: Path) -> None:
+    text = (
+        published().replace('"400 mm"', '"250 mm"').replace('200 mm"', '100 mm"').replace('"1.2 m"', '"6 m"')
     )
-    assert [one.holds for one in checks] == [False]
+    (tmp_path / "robot.toml").write_text(text, encoding="utf-8")
+    assert run(["check", str(tmp_path / "robot.toml")]) == 0
+
+
+def test_consistency_needs_a_regular_pose() -> None:
+    robot = oblique_robot()._replace(link_length=np.full(3, 0.01))
+    assert [one.holds for one in check_consistency(Generated(linear_delta, robot), robot)] == [False]
+
+
+@pytest.mark.parametrize("target", [[], ["robot.toml"], ["model"]])
+def test_current_but_inconsistent_code_fails(
+    copy: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], target: list[str]
+) -> None:
+    failed = [Check("gravity Hessian", 0.5, 1e-10)]
+    monkeypatch.setattr(products, "check_consistency", lambda *_: failed)
+    assert run(["check", *(str(copy / name) for name in target)]) == 1
+    out = capsys.readouterr().out
+    assert "gravity Hessian: relative error 5.0e-01, expected at most 1e-10" in out
+    assert "mend" not in out, "generating again would not help"
+
+
+def test_a_specialised_model_that_differs_from_the_parametric_one_fails(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(products, "linear_delta", Broken("modal_matrices", 1 + 1e-9))
+    assert run(["check", str(PUBLISHED)]) == 1
+    assert "M of the parametric model: relative error 1.0e-09" in capsys.readouterr().out
 
 
 def test_a_missing_generator_is_named(

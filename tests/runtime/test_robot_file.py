@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import pickle
 import shutil
 from pathlib import Path
 
@@ -109,7 +111,13 @@ def test_parameters_cannot_be_changed_by_accident() -> None:
         ('length = "400 mm"', "length = inf", "link.length", "finite length", "inf"),
         ('length = "400 mm"', "length = true", "link.length", "expected a length", "true"),
         ('length = "400 mm"', 'length = ["400 mm"]', "link.length", "expected a length", "a list"),
-        ('length = "400 mm"', "length = {value = 1, sgima = 2}", "link.length", '"value"', "value, sgima"),
+        (
+            'length = "400 mm"',
+            "length = {value = 1, sgima = 2}",
+            "link.length",
+            '"value"',
+            '"value", "sgima"',
+        ),
         ('length = "400 mm"', "length = {value = 1, sigma = -2}", "link.length", "sigma", "-2"),
         (
             'length = "400 mm"',
@@ -129,14 +137,14 @@ def test_parameters_cannot_be_changed_by_accident() -> None:
         ),
         ("direction = [1, 0, 0]", "direction = [2, 0, 0]", "axis.1.direction", "unit vector", "length 2"),
         ("direction = [1, 0, 0]", "direction = [1, 0]", "axis.1.direction", "list of 3", "2 elements"),
-        ("direction = [1, 0, 0]", "direction = [nan, 0, 0]", "axis.1.direction", "finite", "nan"),
+        ("direction = [1, 0, 0]", "direction = [nan, 0, 0]", "axis.1.direction.x", "finite", "nan"),
         ('"0 m", "1.2 m"', '"1.2 m", "0 m"', "axis.1.limits", "lower limit first", "1.2 m before 0 m"),
         ('"0 m", "1.2 m"', '"1 m", "1 m"', "axis.1.limits", "lower limit first", "1 m before 1 m"),
         ("driven_pulley = 1", "driven_pulley = 3", "axis.1.driven_pulley", "1 or 2", "3"),
         ("branch = 1\n", "branch = 0\n", "axis.1.branch", "1 or -1", "0"),
         ("format = 1", "format = 2", "format", "1", "2"),
         ('mechanism = "linear_delta"', 'mechanism = "hexapod"', "mechanism", "linear_delta", '"hexapod"'),
-        ('name = "linear-delta-2022"', "name = 7", "name", "string", "7"),
+        ('name = "linear-delta-2022"', "name = 7", "name", "plain text", "found 7"),
         ("gear_ratio = 10", "gear_ratio = 0", "motor.gear_ratio", "greater than 0", "0"),
         (
             "[platform]\n",
@@ -150,6 +158,39 @@ def test_parameters_cannot_be_changed_by_accident() -> None:
         ("branch = 1\n", "branch = 1\n[axis.bolt]\nwidth = 1\n", "axis.1.bolt", 'key "bolt"', 'mean "belt"?'),
         ("branch = 1\n", "", "axis.1.branch", "axis.1.branch is missing", "add it"),
         ('mass = "1.5 kg"', "", "platform.mass", "platform.mass is missing", "add it"),
+        ('length = "0 mm"', 'length = "1.2 m"', "axis.1.limits", "shorter than the travel", "1.2 m"),
+        ("format = 1", "format = true", "format", "1", "true"),
+        ("format = 1", "format = 1.0", "format", "1", "1.0"),
+        ("branch = 1\n", "branch = 1.0\n", "axis.1.branch", "1 or -1", "1.0"),
+        ('"linear-delta-2022"', '"   "', "name", "plain text", '"   "'),
+        ('"linear-delta-2022"', '"a*/ int x; /*"', "name", "plain text", "int x"),
+        ('"linear-delta-2022"', '\'"""; import os\'', "name", "plain text", "import os"),
+        ('"linear-delta-2022"', '"a\\nimport os"', "name", "plain text", "a\\nimport os"),
+        ('length = "400 mm"', f"length = {10**400}", "link.length", "finite length", "1000"),
+        (
+            'length = "400 mm"',
+            f"length = 0x{'f' * 5000}",
+            "link.length",
+            "finite length",
+            "very large number",
+        ),
+        ('length = "400 mm"', 'length = """400\n\nkg"""', "link.length", "expected a length", "400\\n\\nkg"),
+        ('"0 m", "1.2 m"', '{value = 0, sigma = "1 %"}, 1.2', "axis.1.limits.min", "sigma", "says nothing"),
+        (
+            "direction = [1, 0, 0]",
+            "direction = [{value = 1, sigma = 0.1}, 0, 0]",
+            "axis.1.direction",
+            "no standard",
+            "a table",
+        ),
+        (
+            "gear_ratio = 10",
+            'gear_ratio = "10 deg"',
+            "motor.gear_ratio",
+            "expected a number",
+            "does not belong",
+        ),
+        ("gear_ratio = 10", "gear_ratio = 1e200", "motor.gear_ratio", "magnitude between", "1e+200"),
         ('width = "15 mm"', "", "belt.width", "expected a length", "found nothing"),
     ],
 )
@@ -193,14 +234,29 @@ def test_malformed_files_are_refused(tmp_path: Path) -> None:
         read_robot(tmp_path / "robot.toml")
     with pytest.raises(RobotFileError, match="no such file"):
         read_robot(tmp_path / "absent.toml")
-    with pytest.raises(RobotFileError, match="cannot read"):
+    with pytest.raises(RobotFileError, match="it is a folder"):
         read_robot(tmp_path)
+    os.mkfifo(tmp_path / "fifo")
+    with pytest.raises(RobotFileError, match="not a regular file"):
+        read_robot(tmp_path / "fifo")
+    with pytest.raises(RobotFileError, match="null"):
+        read_robot("a\0b")
+    assert "not valid TOML" in problems(tmp_path, f"format = {'9' * 5000}")[0]
+    (tmp_path / "robot.toml").write_text(published(), encoding="utf-8-sig")
+    assert read_robot(tmp_path / "robot.toml").name == "linear-delta-2022"
     shutil.rmtree(tmp_path)
+
+
+def test_errors_survive_pickling(tmp_path: Path) -> None:
+    (tmp_path / "robot.toml").write_text("format = 2", encoding="utf-8")
+    with pytest.raises(RobotFileError) as error:
+        read_robot(tmp_path / "robot.toml")
+    assert pickle.loads(pickle.dumps(error.value)).lines == error.value.lines
 
 
 def test_effects_are_refused_until_they_are_evaluated(tmp_path: Path) -> None:
     line = problems(tmp_path, published() + '\n[effects.payload]\nmass = "0.35 kg"\n')[0]
-    assert "effects are not evaluated by this version, found payload" in line
+    assert 'effects are not evaluated by this version, found "payload"' in line
 
 
 values = st.one_of(

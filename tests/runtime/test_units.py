@@ -44,23 +44,29 @@ def test_conversion_gives_the_nearest_double(text: str, dimension: str, value: f
         ("mm", "length", "does not begin with a number"),
         ("400 parsnip", "length", "is unknown"),
         ("nan m", "length", "does not begin with a number"),
-        ("1e999 m", "length", "too large"),
+        ("1e999 m", "length", "magnitude is not between"),
         ("1e99 km", "mass", "which is a length"),
         ("10 N*m", "specific stiffness", "which is a quantity of dimension"),
-        ("10 mm", "number", "which is a length"),
+        ("10 mm", "number", "does not belong there"),
         ("1 m + 1 m", "length", "is not a unit"),
         ("2 m^99999999", "length", "is not a unit"),
         ("1 mm*10**10**10", "length", "is not a unit"),
         ("1 __import__('os')", "length", "is not a unit"),
         ("4,5 mm", "length", "is not a unit"),
         ("20 degC", "length", "which is a quantity of dimension"),
-        ("1 " + "m" * 1000, "length", "does not begin with a number"),
+        ("1 " + "m" * 1000, "length", "longer than 60 characters"),
+        ("35 mm*deg", "length", "does not belong there"),
+        ("10 deg", "number", "does not belong there"),
+        ("10 ppm", "number", "does not belong there"),
+        ("10 dB", "number", "unit"),
+        ("2 % %", "number", "unit"),
+        ("1e-99 m", "length", "magnitude is not between"),
     ],
 )
 def test_wrong_quantities_are_refused(text: str, dimension: str, found: str) -> None:
     with pytest.raises(QuantityError) as error:
         parse(text, dimension)
-    assert str(error.value).startswith(f"expected a {dimension} such as")
+    assert str(error.value).startswith((f"expected a {dimension} such", f"expected an {dimension} such"))
     assert found in str(error.value)
     assert len(str(error.value)) < 250
 
@@ -75,4 +81,4 @@ def test_any_text_is_a_finite_number_or_a_clear_error(text: str, dimension: str)
     try:
         assert math.isfinite(parse(text, dimension))
     except QuantityError as error:
-        assert str(error).startswith("expected a ")
+        assert str(error).startswith(("expected a ", "expected an "))

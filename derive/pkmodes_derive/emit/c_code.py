@@ -31,9 +31,7 @@ def source_and_header(model: Model, programs: dict[str, Program], provenance: Pr
         "title": layout.prose(provenance.title, " * "),
         "guard": f"{provenance.name.upper()}_H",
         "name": provenance.name,
-        "coordinates": layout.prose(
-            ", ".join(f"{name} [{unit}]" for name, unit in model.coordinates), " *   "
-        ),
+        "coordinates": [f" *   {name} [{unit}]" for name, unit in model.coordinates],
         "constants": [
             line for text in provenance.constants for line in layout.prose(text, " *     ", first=" *   ")
         ],

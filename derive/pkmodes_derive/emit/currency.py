@@ -53,7 +53,7 @@ def read_manifest(folder: Path) -> dict[str, object]:
     """
     try:
         content = json.loads((folder / manifest.FILE_NAME).read_text(encoding="utf-8"))
-    except (json.JSONDecodeError, UnicodeDecodeError) as error:
+    except (json.JSONDecodeError, UnicodeDecodeError, RecursionError) as error:
         raise ValueError(f"it is not valid JSON: {error}") from None
     parts = ("generator", "outputs", "sources")
     if not isinstance(content, dict) or not all(isinstance(content.get(part), dict) for part in parts):
@@ -72,7 +72,7 @@ def compare(folder: Path, recorded: Mapping[str, object], fresh: Mapping[str, st
         *_generator(recorded, wanted),
         *_sources(recorded, wanted),
         *_outputs(recorded, fresh, on_disk),
-        *_orphans(folder, fresh),
+        *_orphans(folder, recorded, fresh),
     ]
     text = on_disk[manifest.FILE_NAME]
     if not findings and text != fresh[manifest.FILE_NAME]:
@@ -85,7 +85,9 @@ def compare(folder: Path, recorded: Mapping[str, object], fresh: Mapping[str, st
 
 def _read(path: Path) -> str | None:
     # Bytes that are not UTF-8 are an edit like any other, so they are shown, not refused.
-    return path.read_bytes().decode("utf-8", errors="replace") if path.is_file() else None
+    if not path.is_file():
+        return None
+    return path.read_bytes().decode("utf-8", errors="replace")
 
 
 def _part(content: Mapping[str, object], *keys: str) -> dict[str, object]:
@@ -153,6 +155,8 @@ def _outputs(
             continue
         if found is None:
             findings.append(Finding("missing", name, f"{name} is missing"))
+        elif found != text and found.replace("\r\n", "\n") == text:
+            findings.append(Finding("edited", name, f"{name} has other line endings than were generated"))
         elif name in digests and digests[name] != manifest.digest(found):
             findings.append(Finding("edited", name, f"{name} was edited by hand", _diff(name, found, text)))
         elif found != text:
@@ -161,12 +165,18 @@ def _outputs(
     return findings
 
 
-def _orphans(folder: Path, fresh: Mapping[str, str]) -> list[Finding]:
-    return [
-        Finding("orphan", path.name, f"{path.name} does not belong to this model: an orphan, remove it")
-        for path in sorted(folder.iterdir())
-        if path.name not in fresh and path.name not in IGNORED
-    ]
+def _orphans(folder: Path, recorded: Mapping[str, object], fresh: Mapping[str, str]) -> list[Finding]:
+    """Files that are not of this model; those of its former name go when it is generated again."""
+    former, findings = _part(recorded, "outputs"), []
+    for path in sorted(folder.iterdir()):
+        if path.name in fresh or path.name in IGNORED:
+            continue
+        if path.name in former:
+            findings.append(Finding("different", path.name, f"{path.name} has the former name of the robot"))
+        else:
+            message = f"{path.name} does not belong to this model: an orphan, remove it"
+            findings.append(Finding("orphan", path.name, message))
+    return findings
 
 
 def _diff(name: str, found: str, wanted: str) -> str:

@@ -36,6 +36,7 @@ def module(model: Model, programs: dict[str, Program], provenance: Provenance) -
         names=[line for text in glossary(model, programs) for line in layout.prose(text, "    ", first="* ")],
         coordinates=[name for name, _ in model.coordinates],
         coordinate_units=[unit for _, unit in model.coordinates],
+        rigid_modes=model.rigid_modes,
         fields=[
             (field.name, "float" if not field.shape else "np.ndarray", _field_text(field)) for field in fields
         ],
@@ -158,7 +159,7 @@ def _indices(shape: tuple[int, ...]) -> list[tuple[int, ...]]:
 
 
 def _sentence(text: str) -> str:
-    word = text.split(" ")[0].rstrip(",:")
+    word = text.split(" ")[0].rstrip(",:;")
     if len(word) > 1 and word.isalpha() and word.islower():  # a symbol keeps its case
         text = text[0].upper() + text[1:]
     return text if text.endswith(".") else f"{text}."

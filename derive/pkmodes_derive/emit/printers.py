@@ -6,7 +6,7 @@ Both printers write the same operations in the same order.  Small integer powers
 
 from __future__ import annotations
 
-from sympy import Expr, Float, Integer, Pow, Rational
+from sympy import Expr, Float, Pow, Rational
 from sympy.printing.c import C99CodePrinter
 from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.pycode import PythonCodePrinter
@@ -24,8 +24,8 @@ class NumPyPrinter(PythonCodePrinter):
         base, exponent = expr.as_base_exp()
         if exponent == Rational(1, 2):
             return f"np.sqrt({self._print(base)})"
-        if exponent == Integer(-1):
-            return f"1.0/{self.parenthesize(base, PRECEDENCE['Pow'])}"
+        if exponent.is_Integer and exponent.is_negative:
+            return f"1.0/{self.parenthesize(Pow(base, -exponent), PRECEDENCE['Pow'])}"
         return super()._print_Pow(expr, rational=rational)
 
 
@@ -40,8 +40,8 @@ class C99Printer(C99CodePrinter):
         if exponent.is_Integer and 2 <= exponent <= LARGEST_PRODUCT:
             factor = self.parenthesize(base, PRECEDENCE["Mul"])
             return f"({'*'.join([factor] * int(exponent))})"
-        if exponent == Integer(-1):
-            return f"1.0/{self.parenthesize(base, PRECEDENCE['Pow'])}"
+        if exponent.is_Integer and exponent.is_negative:
+            return f"1.0/{self.parenthesize(Pow(base, -exponent), PRECEDENCE['Pow'])}"
         return super()._print_Pow(expr)
 
 

@@ -6,6 +6,7 @@ function of the derivation, the templates and the specification.  Writing and co
 
 from __future__ import annotations
 
+import shlex
 from functools import cache
 
 import sympy
@@ -62,7 +63,7 @@ def specialised(specification: Specification) -> dict[str, str]:
         title=f"Dynamics of the robot {specification.name} ({specification.mechanism}), its parameters folded in.",
         origin=f"the robot file of {specification.name}",
         generator=_generator(),
-        command=f"pkmodes generate {specification.robot_file} --out .",
+        command=f"pkmodes generate {shlex.quote(specification.robot_file)} --out .",
         constants=tuple(
             f"{field.name} [{field.unit}] = {_constant(specification.fields[field.name])}: {field.description}"
             for field in model.fields

@@ -2,7 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+
+
+def harmless(text: str) -> str:
+    """Text that can stand in a comment or docstring of any language: it cannot end one.
+
+    Names and paths come from users; code must not.
+    """
+    text = "".join(c if c.isprintable() else "?" for c in text)
+    for mark in ("*/", "/*", '"""', "\\"):
+        text = text.replace(mark, "?" * len(mark))
+    return text.replace('"', "'")
 
 
 @dataclass(frozen=True)
@@ -31,6 +42,12 @@ class Provenance:
     generator: str
     command: str
     constants: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        for item in fields(self):
+            value = getattr(self, item.name)
+            clean = harmless(value) if isinstance(value, str) else tuple(map(harmless, value))
+            object.__setattr__(self, item.name, clean)
 
     @property
     def parametric(self) -> bool:

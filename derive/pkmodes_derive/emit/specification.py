@@ -4,8 +4,16 @@ from __future__ import annotations
 
 import keyword
 import re
+import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
+
+C_KEYWORDS = frozenset(
+    """
+    auto break case char const continue default do double else enum extern float for goto if inline int long main
+    register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
+    """.split()  # noqa: SIM905 - thirty quotes more would not make it easier to read
+)
 
 
 @dataclass(frozen=True)
@@ -36,4 +44,10 @@ class Specification:
     def identifier(self) -> str:
         """The name as an identifier of Python and C, in lower case."""
         text = re.sub(r"\W+", "_", self.name.lower(), flags=re.ASCII).strip("_") or "robot"
-        return f"robot_{text}" if text[0].isdigit() or keyword.iskeyword(text) else text
+        taken = (
+            keyword.iskeyword(text)
+            or text in C_KEYWORDS
+            or text in sys.stdlib_module_names
+            or text == "numpy"
+        )
+        return f"robot_{text}" if text[0].isdigit() or taken else text

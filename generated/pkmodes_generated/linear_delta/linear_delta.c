@@ -534,7 +534,7 @@ void linear_delta_jacobian_condition(const double p[3], const linear_delta_param
     const double A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x;
     const double A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x;
     const double det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z;
-    const double t1 = pow(det_D_l, -2);
+    const double t1 = 1.0/((det_D_l*det_D_l));
     *determinant = det_D_l;
     *condition =
         sqrt((s_1_x*s_1_x) + (s_1_y*s_1_y) + (s_1_z*s_1_z) + (s_2_x*s_2_x) + (s_2_y*s_2_y) + (s_2_z*s_2_z)

@@ -7,8 +7,15 @@
  * C99, no allocation, no dependency but sqrt.  Matrices are row-major.  Everything is in SI units and in the
  * base frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
  * Generalised coordinates, in the order of M and K:
- *   x_1 [m], x_2 [m], x_3 [m], theta_1_1 [rad], theta_2_1 [rad], theta_3_1 [rad], theta_1_2 [rad], theta_2_2
- *   [rad], theta_3_2 [rad]
+ *   x_1 [m]
+ *   x_2 [m]
+ *   x_3 [m]
+ *   theta_1_1 [rad]
+ *   theta_2_1 [rad]
+ *   theta_3_1 [rad]
+ *   theta_1_2 [rad]
+ *   theta_2_2 [rad]
+ *   theta_3_2 [rad]
  */
 #ifndef LINEAR_DELTA_H
 #define LINEAR_DELTA_H

@@ -74,6 +74,9 @@ COORDINATE_UNITS = (
     "rad",
 )
 
+#: Number of motions that strain nothing elastic, for any pose and parameters.
+RIGID_MODES = 3
+
 
 class Parameters(NamedTuple):
     """Parameters of a robot; every field may have leading batch axes of its own.
@@ -141,6 +144,7 @@ class Parameters(NamedTuple):
 def _entries(array, shape):
     """Entries of an array of shape (..., *shape), row by row; numbers where there is no batch."""
     array = np.asarray(array)
+    array = array.astype(np.result_type(float, array), copy=False)
     batch = array.ndim - len(shape)
     if batch < 0 or array.shape[batch:] != shape:
         expected = ", ".join(map(str, ("...", *shape)))
@@ -582,7 +586,7 @@ def jacobian_condition(p, parameters):
     A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x
     A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x
     det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z
-    t1 = det_D_l**(-2)
+    t1 = 1.0/(det_D_l**2)
     determinant_out = np.zeros(batch, dtype)
     determinant_out[...] = det_D_l
     condition_out = np.zeros(batch, dtype)
@@ -1393,7 +1397,7 @@ def mass_matrix(p, parameters):
     Returns
     -------
     M : array, shape (..., 9, 9) [kg, kg m^2]
-        symmetric; M_ss (3 by 3) and the diagonal M_t.
+        Symmetric; M_ss (3 by 3) and the diagonal M_t.
 
     Notes
     -----
@@ -2796,7 +2800,7 @@ def stiffness_matrix(p, parameters):
     Returns
     -------
     K : array, shape (..., 9, 9) [N/m, N, N m]
-        symmetric; Hessian of V_el + V_g, positive for a restoring force.
+        Symmetric; Hessian of V_el + V_g, positive for a restoring force.
 
     Notes
     -----
@@ -3036,7 +3040,7 @@ def modal_matrices(p, parameters):
     M : array, shape (..., 9, 9) [kg, kg m^2]
         Mass matrix.
     K : array, shape (..., 9, 9) [N/m, N, N m]
-        symmetric; Hessian of V_el + V_g, positive for a restoring force.
+        Symmetric; Hessian of V_el + V_g, positive for a restoring force.
 
     Notes
     -----

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import importlib.util
+import shlex
 import types
 from dataclasses import dataclass, field
 from importlib.resources import files
@@ -12,22 +12,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.checking.consistency import (
-    BOUND,
-    Check,
-    Generated,
-    check_consistency,
-    oblique_robot,
-    regular_configurations,
-)
-from pkmodes.errors import PkmodesError, RobotFileError
+from pkmodes.checking.consistency import Check, Generated, check_consistency, oblique_robot, regular_poses
+from pkmodes.errors import PkmodesError, RobotFileError, shown
 from pkmodes.generation import derivation, specification
 from pkmodes.robot.reading import read_robot
 from pkmodes.robot.robot import Robot
 from pkmodes_generated import linear_delta
 
 MECHANISM = "linear_delta"
-REGENERATE = "make generate"
+REGENERATE = "python -m pkmodes_derive generate"
 
 
 @dataclass(frozen=True)
@@ -62,12 +55,15 @@ def check_committed() -> Report:
     folder = Path(str(files(linear_delta)))
     findings = _findings(folder, derivation("emit.product").parametric(MECHANISM), REGENERATE)
     parameters = oblique_robot()
-    checks = check_consistency(Generated(linear_delta, parameters), parameters.limits, parameters.link_length)
+    checks = check_consistency(Generated(linear_delta, parameters), parameters)
     return Report(str(folder), findings, checks, REGENERATE if findings else "")
 
 
 def check_folder(folder: Path) -> Report:
     """Check a folder that `pkmodes generate` wrote.
+
+    What is executed is the fresh derivation, never a file that somebody may have edited: where the two are
+    the same, the check holds for both, and where they differ, that is found.
 
     Raises
     ------
@@ -75,38 +71,44 @@ def check_folder(folder: Path) -> Report:
         If the folder holds no product, or its robot file is wrong.
     """
     recorded = _manifest(folder)
-    owner = recorded.get("robot")
-    if not isinstance(owner, dict) or not isinstance(owner.get("file"), str):
-        if recorded.get("mechanism") != MECHANISM:
-            raise PkmodesError(
-                f"the manifest names no robot file and no known mechanism, found {recorded.get('mechanism')!r}",
-                str(folder / "manifest.json"),
-                "generate the model again with: pkmodes generate ROBOT.toml --out DIR",
-            )
-        fresh = derivation("emit.product").parametric(MECHANISM)
-        findings = _findings(folder, fresh, REGENERATE)
-        return Report(str(folder), findings, [], REGENERATE if findings else "")
-    reference = owner["file"]
-    robot_file = folder / reference
-    mend = f"pkmodes generate {_shown(robot_file)} --out {folder}"
-    if not robot_file.is_file():
-        raise RobotFileError(
-            [
-                PkmodesError(
-                    f"the robot file {reference} that this model was generated from is not there",
-                    str(folder / "manifest.json"),
-                    "put it back, or generate the model again with: pkmodes generate ROBOT.toml --out DIR",
-                )
-            ]
-        )
-    robot = read_robot(robot_file)
     product = derivation("emit.product")
-    wanted = specification(robot, reference)
-    findings = _findings(folder, product.specialised(wanted), mend)
-    module = folder / f"{wanted.identifier}.py"
-    checks = _file_consistency(module, robot) if module.is_file() else []
-    holds = not findings and all(check.holds for check in checks)
-    return Report(str(folder), findings, checks, "" if holds else mend)
+    if "robot" not in recorded and recorded.get("product") == MECHANISM:
+        findings = _findings(folder, product.parametric(MECHANISM), REGENERATE)
+        return Report(str(folder), findings, [], REGENERATE if findings else "")
+    reference, robot_file = _robot_file(folder, recorded)
+    robot = read_robot(robot_file)
+    texts = product.specialised(specification(robot, reference))
+    mend = f"pkmodes generate {_shown(robot_file)} --out {_shown(folder)}"
+    findings = _findings(folder, texts, mend)
+    checks = _consistency(Generated(_executed(texts)), robot)
+    return Report(str(folder), findings, checks, _mend(folder, findings, mend))
+
+
+def _robot_file(folder: Path, recorded: dict[str, object]) -> tuple[str, Path]:
+    """The robot file that a manifest names, as it names it and where it is."""
+    owner = recorded.get("robot")
+    reference = owner.get("file") if isinstance(owner, dict) else None
+    remedy = "put it back, or generate the model again with: pkmodes generate ROBOT.toml --out DIR"
+    place = str(folder / "manifest.json")
+    if not isinstance(reference, str):
+        raise PkmodesError("the manifest names no robot file", place, remedy)
+    try:
+        found = (folder / reference).is_file()
+    except (OSError, ValueError):  # a name that cannot be one of a file
+        found = False
+    if not found:
+        what = f"the robot file {shown(reference)} that this model was generated from is not there"
+        raise RobotFileError([PkmodesError(what, place, remedy)])
+    return reference, folder / reference
+
+
+def _mend(folder: Path, findings: list[Any], generate: str) -> str:
+    """Commands that mend what was found: remove what does not belong, generate the rest."""
+    orphans = [finding for finding in findings if finding.cause == "orphan"]
+    commands = [f"rm -r {_shown(folder / finding.subject)}" for finding in orphans]
+    if len(findings) > len(orphans):
+        commands.append(generate)
+    return " && ".join(commands)
 
 
 def check_robot(robot_file: Path) -> Report:
@@ -119,9 +121,7 @@ def check_robot(robot_file: Path) -> Report:
     """
     robot = read_robot(robot_file)
     texts = derivation("emit.product").specialised(specification(robot, robot_file.name))
-    name = next(name for name in texts if name.endswith(".py"))
-    module = types.ModuleType(name.removesuffix(".py"))
-    exec(compile(texts[name], name, "exec"), module.__dict__)  # the text was derived a moment ago
+    module = _executed(texts)
     specialised, parametric = Generated(module), Generated(linear_delta, robot.parameters)
     return Report(
         str(robot_file), [], [*_consistency(specialised, robot), *_equality(specialised, parametric, robot)]
@@ -153,35 +153,30 @@ def _findings(folder: Path, fresh: dict[str, str], mend: str) -> list[Any]:
 
 
 def _shown(path: Path) -> str:
-    """A path as a person would type it: without detours through parent folders where it can be avoided."""
-    resolved = path.resolve()
-    here = Path.cwd()
-    return str(resolved.relative_to(here) if resolved.is_relative_to(here) else resolved)
+    """A path as a person can paste it: relative where it is below the working directory, and quoted."""
+    resolved, here = path.resolve(), Path.cwd()
+    below = resolved != here and resolved.is_relative_to(here) and here != Path(here.anchor)
+    text = str(resolved.relative_to(here) if below else resolved)
+    return shlex.quote(f"./{text}" if text.startswith("-") else text)
+
+
+def _executed(texts: dict[str, str]) -> types.ModuleType:
+    """Execute the NumPy module of a product that was derived a moment ago."""
+    name = next(name for name in texts if name.endswith(".py"))
+    module = types.ModuleType(name.removesuffix(".py"))
+    exec(compile(texts[name], name, "exec"), module.__dict__)
+    return module
 
 
 def _consistency(generated: Generated, robot: Robot) -> list[Check]:
-    return check_consistency(generated, robot.parameters.limits, robot.parameters.link_length)
-
-
-def _file_consistency(module_file: Path, robot: Robot) -> list[Check]:
-    """Check a module on disk; one that cannot even be executed fails."""
-    try:
-        loader = importlib.util.spec_from_file_location(module_file.stem, module_file)
-        if loader is None or loader.loader is None:
-            return [Check("import of the module", np.inf, BOUND)]
-        module = importlib.util.module_from_spec(loader)
-        loader.loader.exec_module(module)
-        return _consistency(Generated(module), robot)
-    except Exception as error:  # edited code can fail in any way; whichever it is, the check does not hold
-        return [Check(f"execution of {module_file.name} ({type(error).__name__}: {error})", np.inf, BOUND)]
+    return check_consistency(generated, robot.parameters)
 
 
 def _equality(specialised: Generated, parametric: Generated, robot: Robot) -> list[Check]:
     """Constants folded or given as parameters: the same matrices."""
-    x, branch = regular_configurations(parametric, robot.parameters.limits)
-    if not len(x):
+    p = regular_poses(parametric, robot.parameters)
+    if not len(p):
         return []
-    p = parametric.direct_kinematics(x, branch)
     names = ("M of the parametric model", "K of the parametric model")
     pairs = zip(names, specialised.modal_matrices(p), parametric.modal_matrices(p), strict=True)
     return [Check(name, _relative(found, expected), 1e-12) for name, found, expected in pairs]

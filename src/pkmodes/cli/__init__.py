@@ -6,9 +6,11 @@ Errors go to stderr as ``error: <what> (<where>); <what to do>``.  Exit codes: 0
 
 from __future__ import annotations
 
+import io
 import os
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 
 import click
 
@@ -41,31 +43,52 @@ def main(arguments: Sequence[str] | None = None) -> None:
 
 def run(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return the exit code."""
+    _be_lenient()
     try:
         code = cli.main(
             args=None if arguments is None else list(arguments), prog_name="pkmodes", standalone_mode=False
         )
-        sys.stdout.flush()
+        if sys.stdout is not None:
+            sys.stdout.flush()
         return code if isinstance(code, int) else DONE
     except PkmodesError as error:
-        for line in error.lines:
-            click.echo(f"error: {line}", err=True)
-        return BAD_INPUT
+        return _report(error.lines)
     except click.exceptions.NoArgsIsHelpError as error:
         click.echo(error.format_message(), err=True)
         return BAD_INPUT
     except click.UsageError as error:
         place = error.ctx.command_path if error.ctx else "pkmodes"
         message = error.format_message().rstrip(".")
-        click.echo(f"error: {message[0].lower()}{message[1:]} ({place}); see {place} --help", err=True)
-        return BAD_INPUT
+        return _report([f"{message[0].lower()}{message[1:]} ({place}); see {place} --help"])
     except click.ClickException as error:
-        click.echo(f"error: {error.format_message()} (pkmodes); see pkmodes --help", err=True)
-        return BAD_INPUT
+        return _report([f"{error.format_message()} (pkmodes); see pkmodes --help"])
     except (click.Abort, KeyboardInterrupt):
-        click.echo("error: interrupted (pkmodes); nothing was written", err=True)
+        _report(["interrupted (pkmodes); run it again"])
         return INTERRUPTED
-    except BrokenPipeError:
-        # The reader, such as head, has seen enough; do not let the interpreter complain when it flushes.
+    except (BrokenPipeError, SystemExit):
+        # The reader, such as head, has seen enough (click turns that into an exit of its own); do not let the
+        # interpreter complain when it flushes.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return DONE
+    except OSError as error:
+        where = str(error.filename) if error.filename else "standard output"
+        if not error.filename:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return _report(
+            [f"{(error.strerror or str(error)).lower()} ({where}); check the place and run it again"]
+        )
+
+
+def _be_lenient() -> None:
+    """Show text that the terminal cannot encode with escapes, and do without an output that is closed."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
+    if sys.stdout is None:
+        sys.stdout = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115 - open until the process ends
+
+
+def _report(lines: Sequence[str]) -> int:
+    for line in lines:
+        click.echo(f"error: {line}", err=True)
+    return BAD_INPUT

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pkmodes.cli.output import json_option, write_json
+from pkmodes.cli.output import check_target, json_option, write_json
 from pkmodes.errors import PkmodesError
 
 if TYPE_CHECKING:
@@ -30,6 +30,7 @@ def check(targets: tuple[Path, ...], json_file: str | None) -> int:
     """
     from pkmodes.checking import products
 
+    check_target(json_file, *targets)
     reports: list[Report] = []
     for target in targets or (None,):
         if target is None:

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import click
 
-from pkmodes.cli.output import json_option, write_json
+from pkmodes.cli.output import check_target, json_option, write_json
+from pkmodes.errors import OutputError
 
 
 @click.command(
@@ -25,6 +26,9 @@ def generate(robot: Path, out: Path, json_file: str | None) -> None:
     """
     from pkmodes.generation import generate as generate_model
 
+    check_target(json_file, robot)
+    if not str(out).strip() or out == Path():
+        raise OutputError("expected a folder, found an empty name", "--out", "name a folder for the model")
     written = generate_model(robot, out)
     if json_file is not None:
         write_json(

@@ -8,9 +8,10 @@ from typing import Any
 import click
 import numpy as np
 
-from pkmodes.cli.output import json_option, write_json
+from pkmodes.cli.output import check_target, json_option, write_json
 from pkmodes.errors import PoseError
-from pkmodes.model import Model, Modes, Statics, load
+from pkmodes.loading import load
+from pkmodes.model import Model, Modes, Statics
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245")
@@ -23,6 +24,7 @@ def modes(robot: Path, pose: str, json_file: str | None) -> None:
     Shapes are mass-normalised; the table shows them scaled to their largest component, carriages divided by
     the pulley radius, as the paper prints them.
     """
+    check_target(json_file, robot)
     point = parse_pose(pose)
     model = load(robot)
     result, statics = model.modes(point), model.statics(point)
@@ -50,6 +52,8 @@ def parse_pose(text: str) -> list[float]:
     point = []
     for part in parts:
         try:
+            if "_" in part:  # Python's float() would read 1_0 as 10
+                raise ValueError
             point.append(float(part))
         except ValueError:
             try:
@@ -82,15 +86,15 @@ def _print(model: Model, result: Modes, statics: Statics) -> None:
     from rich.table import Table
 
     console = Console(highlight=False)
-    console.width = max(console.width, 90)
+    console.width = max(console.width, 80)
     position = ", ".join(f"{c:g}" for c in result.poses)
     console.print(f"{model.robot.name} at [{position}] m\n", markup=False)
     numbers = range(1 - result.rigid_modes, len(result.frequencies) - result.rigid_modes + 1)
-    table = Table(box=None, pad_edge=False)
+    table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0))
     table.add_column("mode", no_wrap=True)
     for number in numbers:
         table.add_column(str(number) if number > 0 else "rigid", justify="right", no_wrap=True)
-    table.add_row("f [Hz]", *(f"{frequency:.3f}" for frequency in result.frequencies))
+    table.add_row("f [Hz]", *map(_frequency, result.frequencies))
     scaled = result.shapes.copy()
     scaled[:, :3] /= model.robot.parameters.pulley_radius
     scaled /= np.abs(scaled).max(axis=1, keepdims=True)
@@ -109,6 +113,12 @@ def _print(model: Model, result: Modes, statics: Statics) -> None:
         ("static torques", statics.torques, "N m"),
     ):
         console.print(f"{label} [{unit}]: {', '.join(f'{v:.4f}' for v in values)}", markup=False)
+
+
+def _frequency(value: float) -> str:
+    """Five digits where they fit; a number is never cut."""
+    text = f"{value:.3f}" if abs(value) < 99.9995 else f"{value:.2f}"
+    return f"{value:.1e}" if len(text) > 7 else text.replace("-0.000", "0.000")
 
 
 def _component(value: float) -> str:

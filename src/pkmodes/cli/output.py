@@ -9,6 +9,7 @@ from typing import Any
 
 import click
 
+from pkmodes.errors import OutputError, shown
 from pkmodes.writing import write_file
 
 json_option = click.option(
@@ -18,6 +19,27 @@ json_option = click.option(
     default=None,
     help="Write the machine-readable result to FILE; - for standard output.",
 )
+
+
+def check_target(json_file: str | None, *inputs: Path) -> None:
+    """Refuse, before anything is computed, a target that is an input or that has no folder.
+
+    Raises
+    ------
+    OutputError
+        If the result could not or should not be written there.
+    """
+    if json_file is None or json_file == "-":
+        return
+    path = Path(json_file)
+    if not json_file or "\0" in json_file or path.is_dir() or not path.parent.is_dir():
+        raise OutputError(
+            "expected a file in an existing folder", f"--json {shown(json_file)}", "choose another place"
+        )
+    if any(given.exists() and path.exists() and given.samefile(path) for given in inputs):
+        raise OutputError(
+            "the result would replace its own input", f"--json {json_file}", "choose another file"
+        )
 
 
 def write_json(json_file: str, content: dict[str, Any]) -> None:

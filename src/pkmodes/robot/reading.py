@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import re
 import tomllib
 from collections.abc import Mapping
 from os import PathLike, fspath
@@ -13,10 +14,10 @@ import numpy as np
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from pkmodes.errors import PkmodesError, RobotFileError
+from pkmodes.errors import PkmodesError, RobotFileError, shown
 from pkmodes.robot import schema
 from pkmodes.robot.robot import Robot
-from pkmodes.robot.units import DIMENSIONS, Quantity
+from pkmodes.robot.units import DIMENSIONS, Quantity, article
 from pkmodes_generated.linear_delta import Parameters
 
 LARGEST_FILE = 1_000_000
@@ -67,12 +68,14 @@ def robot_from_document(document: Mapping[str, Any], source: str) -> Robot:
     if content.effects:
         problems.append(
             PkmodesError(
-                f"effects are not evaluated by this version, found {', '.join(sorted(content.effects))}",
+                f"effects are not evaluated by this version, found {', '.join(map(shown, sorted(content.effects)))}",
                 f"{source}: effects",
                 "remove the table to evaluate the base model",
             )
         )
     axes = [_merged(content, j, source, problems) for j in range(3)]
+    if not problems:
+        problems = _short_travels(content, axes, source)
     if problems:
         raise RobotFileError(problems)
     return Robot(
@@ -87,19 +90,20 @@ def robot_from_document(document: Mapping[str, Any], source: str) -> Robot:
 
 def _document(path: Path, name: str) -> dict[str, Any]:
     try:
-        if path.is_file() and path.stat().st_size > LARGEST_FILE:
-            _refuse(
-                "expected a robot file, found a file of more than 1 MB", name, "give a robot file in TOML"
-            )
-        text = path.read_text(encoding="utf-8")
+        if path.exists() and not path.is_file():
+            kind = "a folder" if path.is_dir() else "not a regular file"
+            _refuse(f"cannot read the robot file: it is {kind}", name, "give a robot file in TOML")
+        if path.stat().st_size > LARGEST_FILE:
+            _refuse("cannot read the robot file: it has more than 1 MB", name, "give a robot file in TOML")
+        text = path.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError as error:
         _refuse(f"expected UTF-8 text, found byte {error.start} that is not", name, "save the file as UTF-8")
-    except OSError as error:
-        reason = error.strerror or "it cannot be read"
+    except (OSError, ValueError) as error:  # ValueError: a path with a null character
+        reason = getattr(error, "strerror", None) or str(error)
         _refuse(f"cannot read the robot file: {reason.lower()}", name, "check the path")
     try:
         return tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
+    except (ValueError, RecursionError) as error:  # also integers of too many digits, tables too deep
         _refuse(f"not valid TOML: {error}", name, "mend the syntax at that place")
 
 
@@ -126,10 +130,29 @@ def _merged(
 
 def _missing(path: str, dimension: str, source: str) -> PkmodesError:
     return PkmodesError(
-        f'expected a {dimension} such as "{DIMENSIONS[dimension][1]}", found nothing',
+        f'expected {article(dimension)} such as "{DIMENSIONS[dimension][1]}", found nothing',
         f"{source}: {path}",
         f"add the key {path.rsplit('.', 1)[-1]}; {FORMAT_HELP}",
     )
+
+
+def _short_travels(
+    content: schema.RobotFile, axes: list[dict[tuple[str, str], Quantity]], source: str
+) -> list[PkmodesError]:
+    """A carriage as long as its travel leaves no room for a belt span at any pose."""
+    problems = []
+    for j, (axis, merged) in enumerate(zip(content.axis, axes, strict=True), start=1):
+        low, high = axis.limits
+        length, travel = merged["carriage", "length"].value, high.value - low.value
+        if length >= travel:
+            problems.append(
+                PkmodesError(
+                    f"expected a carriage shorter than the travel of {travel:g} m, found a length of {length:g} m",
+                    f"{source}: axis.{j}.limits",
+                    "check the limits and carriage.length",
+                )
+            )
+    return problems
 
 
 def _parameters(content: schema.RobotFile, axes: list[dict[tuple[str, str], Quantity]]) -> Parameters:
@@ -202,30 +225,28 @@ def _echo(details: ErrorDetails) -> bool:
 def _problem(details: ErrorDetails, source: str) -> PkmodesError:
     """Translate one of pydantic's errors: expected, found, remedy."""
     location = details["loc"]
-    path = ".".join(str(part + 1) if isinstance(part, int) else part for part in location)
+    path = ".".join(str(part + 1) if isinstance(part, int) else _key(part) for part in location)
     where = f"{source}: {path}" if path else source
     kind, found = details["type"], details.get("input")
     if kind == "refused":
-        return PkmodesError(
-            str(details["msg"]), where, "write a value with its unit, or a number in SI units"
-        )
+        context = details["ctx"]
+        place = f"{where}.{context['element']}" if context["element"] else where
+        return PkmodesError(str(details["msg"]), place, context["remedy"])
     if kind == "extra_forbidden":
         return _unknown_key(location, where)
     if kind == "missing":
         return PkmodesError(f"the key {path} is missing", where, f"add it; {FORMAT_HELP}")
     if location == ("axis",):
-        count = len(found) if isinstance(found, list | tuple) else 0
+        count = len(found) if isinstance(found, list | tuple) else shown(found)
         return PkmodesError(
             f"expected exactly three [[axis]] tables, found {count}",
             where,
             "describe each of the three axes once",
         )
     if kind in ("model_type", "model_attributes_type", "dict_type"):
-        return PkmodesError(f"expected a table, found {schema.described(found)}", where, FORMAT_HELP)
+        return PkmodesError(f"expected a table, found {shown(found)}", where, FORMAT_HELP)
     message = str(details["msg"])
-    return PkmodesError(
-        f"{message[0].lower()}{message[1:]}, found {schema.described(found)}", where, FORMAT_HELP
-    )
+    return PkmodesError(f"{message[0].lower()}{message[1:]}, found {shown(found)}", where, FORMAT_HELP)
 
 
 def _unknown_key(location: tuple[int | str, ...], where: str) -> PkmodesError:
@@ -233,7 +254,12 @@ def _unknown_key(location: tuple[int | str, ...], where: str) -> PkmodesError:
     known = _known_keys(location[:-1])
     nearest = difflib.get_close_matches(key, known, n=1, cutoff=0.5)
     remedy = f'did you mean "{nearest[0]}"?' if nearest else f"known keys here: {', '.join(known)}"
-    return PkmodesError(f'unknown key "{key}"', where, remedy)
+    return PkmodesError(f"unknown key {shown(key)}", where, remedy)
+
+
+def _key(part: str) -> str:
+    """A key as part of a path: bare when it can be written so in TOML."""
+    return part if re.fullmatch(r"[A-Za-z0-9_-]{1,60}", part) else shown(part)
 
 
 def _known_keys(location: tuple[int | str, ...]) -> list[str]:

@@ -13,44 +13,65 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 from pydantic_core import PydanticCustomError
 
-from pkmodes.robot.units import DIMENSIONS, Quantity, QuantityError, parse
+from pkmodes.errors import shown
+from pkmodes.robot.units import (
+    DIMENSIONS,
+    LARGEST,
+    SMALLEST,
+    Quantity,
+    QuantityError,
+    article,
+    in_range,
+    parse,
+)
 
 MIN_DIRECTION, MAX_DIRECTION = 0.5, 2.0
+LONGEST_NAME = 80
+SI_REMEDY = "write a value with its unit, or a number in SI units"
 
 
 def _number(raw: Any, dimension: str) -> float:
     """A bare number in SI, or text with a unit."""
-    _, example = DIMENSIONS[dimension]
+    expected = f'expected {article(dimension)} such as "{DIMENSIONS[dimension][1]}"'
     if isinstance(raw, bool) or not isinstance(raw, int | float | str):
-        raise _refused(f'expected a {dimension} such as "{example}", found {described(raw)}')
-    if isinstance(raw, str):
-        try:
-            return parse(raw, dimension)
-        except QuantityError as error:
-            raise _refused(str(error)) from error
+        raise refused(f"{expected}, found {shown(raw)}")
     try:
-        value = float(raw)
+        value = parse(raw, dimension) if isinstance(raw, str) else float(raw)
+    except QuantityError as error:
+        raise refused(str(error)) from error
     except OverflowError:
         value = math.inf
     if not math.isfinite(value):
-        raise _refused(f'expected a finite {dimension} such as "{example}", found {raw}')
+        raise refused(f"expected a finite {dimension}, found {shown(raw)}")
+    if not in_range(value):
+        raise refused(
+            f"expected {article(dimension)} of a magnitude between {SMALLEST:g} and {LARGEST:g} in SI units, "
+            f"found {shown(raw)}",
+            "check the number and its unit",
+        )
     return value
 
 
 def _sigma(raw: Any, value: float, dimension: str) -> float:
     """One standard deviation, absolute or relative to the value."""
+    remedy = 'write an absolute standard deviation with its unit, or a relative one such as "2 %"'
     if isinstance(raw, str) and raw.strip().endswith("%"):
         try:
-            sigma = parse(raw, "number") * abs(value)
+            relative = parse(raw, "number")
         except QuantityError as error:
-            raise _refused(f'sigma: expected a percentage such as "2 %", found "{raw}"') from error
+            raise refused(
+                f'sigma: expected a percentage such as "2 %", found {shown(raw)}', remedy
+            ) from error
+        if value == 0.0:
+            raise refused(f"sigma: {shown(raw)} of a value of 0 says nothing", remedy)
+        sigma = relative * abs(value)
     else:
         try:
             sigma = _number(raw, dimension)
         except PydanticCustomError as error:
-            raise _refused(f"sigma: {error.message()}") from error
+            raise refused(f"sigma: {error.message()}", remedy) from error
     if sigma < 0:
-        raise _refused(f"sigma: expected a standard deviation of at least 0, found {raw}")
+        raise refused(f"sigma: expected a standard deviation of at least 0, found {shown(raw)}", remedy)
     return sigma
 
 
@@ -59,39 +80,54 @@ def _quantity(raw: Any, dimension: str, at_least: float | None, above: float | N
     if isinstance(raw, dict):
         unknown = [key for key in raw if key not in ("value", "sigma")]
         if unknown or "value" not in raw:
-            found = ", ".join(map(str, raw)) or "an empty table"
-            raise _refused(f'expected a table with "value" and, if known, "sigma"; found {found}')
+            found = ", ".join(map(shown, raw)) or "an empty table"
+            raise refused(
+                f'expected a table with "value" and, if known, "sigma"; found {found}',
+                "write { value = ..., sigma = ... }",
+            )
         raw, sigma_raw = raw["value"], raw.get("sigma")
     value = _number(raw, dimension)
-    unit = DIMENSIONS[dimension][0]
+    unit = "" if dimension == "number" else f" {DIMENSIONS[dimension][0]}"
+    remedy = "check the sign and the number"
     if at_least is not None and value < at_least:
-        raise _refused(f"expected a {dimension} of at least {at_least:g} {unit}, found {described(raw)}")
+        raise refused(
+            f"expected {article(dimension)} of at least {at_least:g}{unit}, found {shown(raw)}", remedy
+        )
     if above is not None and value <= above:
-        raise _refused(f"expected a {dimension} greater than {above:g} {unit}, found {described(raw)}")
-    return Quantity(value, unit, None if sigma_raw is None else _sigma(sigma_raw, value, dimension))
+        raise refused(
+            f"expected {article(dimension)} greater than {above:g}{unit}, found {shown(raw)}", remedy
+        )
+    si_unit = DIMENSIONS[dimension][0]
+    return Quantity(value, si_unit, None if sigma_raw is None else _sigma(sigma_raw, value, dimension))
 
 
 def _vector(raw: Any, dimension: str, length: int) -> tuple[Quantity, ...]:
     if not isinstance(raw, list) or len(raw) != length:
-        found = f"{len(raw)} elements" if isinstance(raw, list) else described(raw)
-        raise _refused(f"expected a list of {length} {dimension} values, found {found}")
+        found = f"{len(raw)} elements" if isinstance(raw, list) else shown(raw)
+        raise refused(
+            f"expected a list of {length} {dimension} values, found {found}", f"give {length} elements"
+        )
     elements = []
     for name, element in zip("xyz" if length == 3 else ("min", "max"), raw, strict=True):
         try:
             elements.append(_quantity(element, dimension, None, None))
         except PydanticCustomError as error:
-            raise _refused(f"element {name}: {error.message()}") from error
+            context = error.context or {}
+            raise refused(error.message(), context["remedy"], element=name) from error
     return tuple(elements)
 
 
 def _direction(raw: Any) -> tuple[float, float, float]:
+    remedy = "write the components of a unit vector as numbers, such as [1, 0, 0]"
+    if isinstance(raw, list) and any(isinstance(element, dict) for element in raw):
+        raise refused("expected three numbers, found a table: a direction has no standard deviation", remedy)
     elements = [element.value for element in _vector(raw, "number", 3)]
     norm = math.hypot(*elements)
     if norm == 0.0:
-        raise _refused("expected a unit vector, found a zero direction")
+        raise refused("expected a unit vector, found a zero direction", remedy)
     if not MIN_DIRECTION < norm < MAX_DIRECTION:
         # Rounded components are normalised; a vector of another size is rather a position or a length.
-        raise _refused(f"expected a unit vector such as [1, 0, 0], found one of length {norm:g}")
+        raise refused(f"expected a unit vector, found one of length {norm:g}", remedy)
     x, y, z = (element / norm for element in elements)
     return x, y, z
 
@@ -99,32 +135,36 @@ def _direction(raw: Any) -> tuple[float, float, float]:
 def _limits(raw: Any) -> tuple[Quantity, ...]:
     low, high = _vector(raw, "length", 2)
     if low.value >= high.value:
-        raise _refused(f"expected the lower limit first, found {low.value:g} m before {high.value:g} m")
+        raise refused(
+            f"expected the lower limit first, found {low.value:g} m before {high.value:g} m",
+            "write limits = [min, max]",
+        )
     return low, high
 
 
 def _choice(raw: Any, allowed: tuple[int, ...]) -> int:
-    if isinstance(raw, bool) or raw not in allowed:
-        raise _refused(f"expected {' or '.join(map(str, allowed))}, found {described(raw)}")
-    return int(raw)
+    if isinstance(raw, bool) or not isinstance(raw, int) or raw not in allowed:
+        choices = " or ".join(map(str, allowed))
+        raise refused(f"expected {choices}, found {shown(raw)}", f"write {choices}")
+    return raw
 
 
-def _refused(message: str) -> PydanticCustomError:
-    # Braces would be taken for a template by pydantic.
-    return PydanticCustomError("refused", "{message}", {"message": message})
-
-
-def described(raw: Any) -> str:
-    """How a value found in a file is shown in a message."""
-    if isinstance(raw, str):
-        return f'"{raw}"'
-    if isinstance(raw, bool):
-        return str(raw).lower()
-    if isinstance(raw, dict):
-        return "a table"
-    if isinstance(raw, list):
-        return "a list"
+def _name(raw: Any) -> str:
+    """A name goes into comments and docstrings of generated code, so it is plain text on one line."""
+    plain = isinstance(raw, str) and raw.isprintable() and raw.strip() and len(raw) <= LONGEST_NAME
+    if not plain or any(mark in raw for mark in ('"', "\\", "`", "/*", "*/")):
+        raise refused(
+            f"expected a name in plain text, found {shown(raw)}",
+            f"choose at most {LONGEST_NAME} printable characters, without quotes, backslashes or comment marks",
+        )
     return str(raw)
+
+
+def refused(message: str, remedy: str = SI_REMEDY, element: str = "") -> PydanticCustomError:
+    """An error that carries its own remedy and, within a vector, the element's name."""
+    # Braces would be taken for a template by pydantic.
+    context = {"message": message, "remedy": remedy, "element": element}
+    return PydanticCustomError("refused", "{message}", context)
 
 
 def _of(dimension: str, at_least: float | None = None, above: float | None = None) -> BeforeValidator:
@@ -219,8 +259,8 @@ class Axis(Table):
 class RobotFile(Table):
     """A robot file, format 1."""
 
-    format: Literal[1]
-    name: Annotated[str, Field(min_length=1, max_length=80)]
+    format: Annotated[int, BeforeValidator(lambda raw: _choice(raw, (1,)))]
+    name: Annotated[str, BeforeValidator(_name)]
     mechanism: Literal["linear_delta"]
     gravity: Acceleration
     platform: Platform

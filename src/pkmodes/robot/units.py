@@ -5,12 +5,13 @@ Conversion is done in decimal arithmetic, so that ``"35 mm"`` is the double near
 
 from __future__ import annotations
 
-import math
 import re
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cache
 from typing import TYPE_CHECKING
+
+from pkmodes.errors import shown
 
 if TYPE_CHECKING:
     from pint import UnitRegistry
@@ -19,6 +20,8 @@ NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.*?)
 # A unit is names, products, quotients and small powers: nothing that could be a computation.
 UNIT = re.compile(r"(?:[A-Za-zµμ°Ω%]+(?:(?:\^|\*\*)-?\d|[²³])?|1(?=\s*/)|[\s*/·()])+")
 LONGEST = 60
+#: Magnitudes beyond these are mistakes, and their products would overflow.
+SMALLEST, LARGEST = 1e-30, 1e30
 
 #: Dimensions by name, with the SI unit and an example for error messages.
 DIMENSIONS: dict[str, tuple[str, str]] = {
@@ -78,20 +81,22 @@ def parse(text: str, dimension: str) -> float:
         If there is no number, no unit, an unknown unit, or a unit of another dimension.
     """
     si_unit, example = DIMENSIONS[dimension]
-    expected = f'expected a {dimension} such as "{example}"'
-    match = NUMBER.fullmatch(text) if len(text) <= LONGEST else None
+    expected = f'expected {article(dimension)} such as "{example}"'
+    if len(text) > LONGEST:
+        raise QuantityError(f"{expected}, found {shown(text)}, which is longer than {LONGEST} characters")
+    match = NUMBER.fullmatch(text)
     if match is None:
-        raise QuantityError(f"{expected}, found {_shown(text)}, which does not begin with a number")
+        raise QuantityError(f"{expected}, found {shown(text)}, which does not begin with a number")
     number, unit = Decimal(match[1]), match[2]
     if not unit:
         if dimension != "number":
-            raise QuantityError(f"{expected}, found {_shown(text)}, which has no unit")
-        return _finite(float(number), expected, text)
+            raise QuantityError(f"{expected}, found {shown(text)}, which has no unit")
+        return _in_range(float(number), expected, text)
     if unit == "%" and dimension == "number":
-        return _finite(float(number / 100), expected, text)
+        return _in_range(float(number / 100), expected, text)
     if UNIT.fullmatch(unit) is None:
-        raise QuantityError(f"{expected}, found {_shown(text)}, whose unit {_shown(unit)} is not a unit")
-    return _finite(_convert(number, unit, si_unit, expected, text), expected, text)
+        raise QuantityError(f"{expected}, found {shown(text)}, whose unit {shown(unit)} is not a unit")
+    return _in_range(_convert(number, unit, si_unit, expected, text), expected, text)
 
 
 def _convert(number: Decimal, unit: str, si_unit: str, expected: str, text: str) -> float:
@@ -102,14 +107,22 @@ def _convert(number: Decimal, unit: str, si_unit: str, expected: str, text: str)
         found = registry.Unit(unit)
     except Exception as error:  # pint and its tokenizer raise many kinds of errors on malformed units
         raise QuantityError(
-            f"{expected}, found {_shown(text)}, whose unit {_shown(unit)} is unknown"
+            f"{expected}, found {shown(text)}, whose unit {shown(unit)} is unknown"
         ) from error
+    # Degrees, percent and the like have no dimension, so a dimensional check alone would let them scale.
+    scaling = [name for name in found._units if registry.Unit(name).dimensionless and name != "radian"]
+    if scaling or (si_unit == "1" and str(found) != "dimensionless"):
+        raise QuantityError(
+            f"{expected}, found {shown(text)}, whose unit {shown(unit)} does not belong there"
+        )
     target = registry.Unit("dimensionless" if si_unit == "1" else si_unit)
     try:
         return float(registry.Quantity(number, found).to(target).magnitude)
     except pint.DimensionalityError as error:
         kind = _dimension_name(str(found.dimensionality))
-        raise QuantityError(f"{expected}, found {_shown(text)}, which is a {kind}") from error
+        raise QuantityError(f"{expected}, found {shown(text)}, which is {article(kind)}") from error
+    except (TypeError, ArithmeticError) as error:  # logarithmic units, offsets
+        raise QuantityError(f"{expected}, found {shown(text)}, whose unit is not proportional") from error
 
 
 def _dimension_name(dimensionality: str) -> str:
@@ -120,11 +133,18 @@ def _dimension_name(dimensionality: str) -> str:
     return f"quantity of dimension {dimensionality}"
 
 
-def _finite(value: float, expected: str, text: str) -> float:
-    if not math.isfinite(value):
-        raise QuantityError(f"{expected}, found {_shown(text)}, which is too large")
+def article(noun: str) -> str:
+    """A noun with its article."""
+    return f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"
+
+
+def in_range(value: float) -> bool:
+    """Whether a value is zero or of a magnitude that is not a mistake; NaN is not."""
+    return value == 0.0 or SMALLEST <= abs(value) <= LARGEST
+
+
+def _in_range(value: float, expected: str, text: str) -> float:
+    if not in_range(value):
+        limits = f"{SMALLEST:g} and {LARGEST:g} in SI units"
+        raise QuantityError(f"{expected}, found {shown(text)}, whose magnitude is not between {limits}")
     return value
-
-
-def _shown(text: str) -> str:
-    return f'"{text}"' if len(text) <= LONGEST else f'"{text[:LONGEST]}..."'

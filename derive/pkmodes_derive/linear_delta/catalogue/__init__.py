@@ -38,4 +38,5 @@ def derive() -> Model:
             *modal.modal(collected),
         ),
         relations=rotation.euler_relations(sy, kin),
+        rigid_modes=collected.rigid_modes,
     )

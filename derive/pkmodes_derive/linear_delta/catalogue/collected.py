@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from sympy import Expr
+from sympy import Expr, Integer, Matrix, default_sort_key, prime
 
 from pkmodes_derive import lagrangian
 from pkmodes_derive.functions import Argument, Function, Output
@@ -43,6 +43,14 @@ class Collected:
             for k in range(9)
             for m in range(9)
         )
+
+    @property
+    def rigid_modes(self) -> int:
+        """Nullity of the elastic Hessian, for values without a relation between them: an exact rank."""
+        symbols = sorted({s for entry in self.K_el for s in entry.free_symbols}, key=default_sort_key)
+        values = {symbol: Integer(prime(i)) for i, symbol in enumerate(symbols, start=1)}
+        hessian = Matrix(9, 9, [entry.xreplace(values) for entry in self.K_el])
+        return 9 - int(hessian.rank())
 
     def function(
         self,
