@@ -7,26 +7,28 @@ BIN := $(VENV)/bin
 ROBOT := robots/linear-delta-2022.toml
 DEMO := build/linear-delta-2022
 
+# One environment: two targets at once would both install into it.
+.NOTPARALLEL:
 .PHONY: demo test lint types check generate docs benchmark clean
 
 demo: $(VENV)/.derive  ## derive, generate and solve the published robot; compare with the paper
-	$(BIN)/pkmodes generate $(ROBOT) --out $(DEMO)
-	$(BIN)/pkmodes check $(DEMO)
+	$(BIN)/python -m pkmodes generate $(ROBOT) --out $(DEMO)
+	$(BIN)/python -m pkmodes check $(DEMO)
 	$(BIN)/python examples/published_tables/residual.py $(ROBOT) --generated $(DEMO)
 
 test: $(VENV)/.dev  ## every test, the slow ones too
 	$(BIN)/python -m pytest -n auto
 
 lint: $(VENV)/.dev
-	$(BIN)/ruff format --check .
-	$(BIN)/ruff check .
+	$(BIN)/python -m ruff format --check .
+	$(BIN)/python -m ruff check .
 
 types: $(VENV)/.dev
-	$(BIN)/mypy
+	$(BIN)/python -m mypy
 
 check: $(VENV)/.dev  ## generated code is current and agrees with finite differences
-	$(BIN)/pkmodes check
-	$(BIN)/pkmodes check robots/*.toml
+	$(BIN)/python -m pkmodes check
+	$(BIN)/python -m pkmodes check robots/*.toml
 
 generate: $(VENV)/.derive  ## regenerate the committed code
 	$(BIN)/python -m pkmodes_derive generate

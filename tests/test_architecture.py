@@ -54,6 +54,17 @@ def test_the_runtime_reaches_the_derivation_through_one_module() -> None:
             assert "pkmodes_derive" in text
 
 
+def test_only_the_bridge_imports_dynamically() -> None:
+    for file in files("src"):
+        if file.relative_to(ROOT).as_posix() not in BRIDGE:
+            names = {
+                node.id
+                for node in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+                if isinstance(node, ast.Name)
+            }
+            assert not names & {"import_module", "__import__", "importlib"}, file
+
+
 def test_the_runtime_is_light_to_import() -> None:
     """What takes long is loaded when it is needed: SymPy for generating, pint and pydantic for reading."""
     code = "import sys, pkmodes; print(sorted({m.split('.')[0] for m in sys.modules}))"

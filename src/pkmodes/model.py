@@ -6,22 +6,20 @@ it holds no physics of its own.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.eigen import generalised_eigh, natural_frequencies
 from pkmodes.errors import PkmodesError, PoseError, shown
-from pkmodes.poses import MAX_CONDITION, CheckedPoses, OnError, as_points, check_poses
+from pkmodes.poses import CHUNK, MAX_CONDITION, CheckedPoses, OnError, as_points, check_poses
 from pkmodes.robot.robot import Robot
 from pkmodes_generated import linear_delta as generated
 
 Array = NDArray[np.float64]
-
-#: Poses evaluated together: as many as keep the matrices and the temporaries in the cache.
-CHUNK = 2048
 
 
 @dataclass(frozen=True)
@@ -125,6 +123,11 @@ class Model:
         on_error : {"raise", "nan"}
             With "nan", a pose that cannot be evaluated gives NaN and ``valid`` False.
 
+        Returns
+        -------
+        Modes
+            With the leading axes of the poses.
+
         Raises
         ------
         PoseError
@@ -155,7 +158,19 @@ class Model:
         )
 
     def matrices(self, poses: ArrayLike, on_error: OnError = "raise") -> tuple[Array, Array]:
-        """Mass and stiffness matrices M and K, each of shape (..., n, n), in SI units.
+        """Mass and stiffness matrices (equations 33 and 48).
+
+        Parameters
+        ----------
+        poses : array_like, shape (3,) or (..., 3)
+            Platform centres in the base frame [m].
+        on_error : {"raise", "nan"}
+            As for `modes`.
+
+        Returns
+        -------
+        M, K : ndarray, shape (..., n, n)
+            In SI units and in the order of `coordinates`; NaN where a pose could not be evaluated.
 
         Raises
         ------
@@ -163,30 +178,49 @@ class Model:
             As `modes` does.
         """
         checked = self._check(poses, on_error)
-        n = len(self.coordinates)
-        M, K = (np.empty((int(checked.valid.sum()), n, n)) for _ in range(2))
-        for part, p in self._chunks(checked):
-            M[part], K[part] = generated.modal_matrices(p, self.robot.parameters)
+        M, K = self._evaluate(generated.modal_matrices, checked)
         return checked.scatter(M), checked.scatter(K)
 
     def statics(self, poses: ArrayLike, on_error: OnError = "raise") -> Statics:
         """Torques and pulley rotations that hold the pose (equation 44).
 
+        Parameters
+        ----------
+        poses : array_like, shape (3,) or (..., 3)
+            Platform centres in the base frame [m].
+        on_error : {"raise", "nan"}
+            As for `modes`.
+
+        Returns
+        -------
+        Statics
+            Torques [N m] and rotations [rad].
+
         Raises
         ------
         PoseError
             As `modes` does.
         """
         checked = self._check(poses, on_error)
-        torques, rotations = generated.static_equilibrium(
-            checked.points[checked.valid], self.robot.parameters
-        )
+        torques, rotations = self._evaluate(generated.static_equilibrium, checked)
         return Statics(
             checked.scatter(torques), checked.scatter(rotations), checked.valid.reshape(checked.batch)
         )
 
     def platform_jacobian(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
-        """Platform Jacobian D_p = dp/dx, shape (..., 3, 3) (equation 15).
+        """Platform Jacobian D_p = dp/dx (equation 15).
+
+        Parameters
+        ----------
+        poses : array_like, shape (3,) or (..., 3)
+            Platform centres in the base frame [m].
+        on_error : {"raise", "nan"}
+            As for `modes`.
+
+        Returns
+        -------
+        ndarray, shape (..., 3, 3)
+            Dimensionless; rows x, y, z of the base frame, one column for each carriage.
 
         Raises
         ------
@@ -194,11 +228,23 @@ class Model:
             As `modes` does.
         """
         checked = self._check(poses, on_error)
-        D_p: Array = generated.platform_jacobian(checked.points[checked.valid], self.robot.parameters)
+        (D_p,) = self._evaluate(generated.platform_jacobian, checked)
         return checked.scatter(D_p)
 
     def inverse_kinematics(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
-        """Carriage positions x_1, x_2, x_3 [m], shape (..., 3), on the branch that the robot file gives.
+        """Carriage positions on the branch that the robot file gives (equations 1 to 3).
+
+        Parameters
+        ----------
+        poses : array_like, shape (3,) or (..., 3)
+            Platform centres in the base frame [m].
+        on_error : {"raise", "nan"}
+            As for `modes`.
+
+        Returns
+        -------
+        ndarray, shape (..., 3)
+            x_1, x_2, x_3 [m].
 
         Raises
         ------
@@ -206,7 +252,7 @@ class Model:
             As `modes` does.
         """
         checked = self._check(poses, on_error)
-        x: Array = generated.inverse_kinematics(checked.points[checked.valid], self.robot.parameters)
+        (x,) = self._evaluate(generated.inverse_kinematics, checked)
         return checked.scatter(x)
 
     def direct_kinematics(self, carriages: ArrayLike, assembly: int) -> Array:
@@ -218,6 +264,11 @@ class Model:
             x_1, x_2, x_3 [m].
         assembly : {1, -1}
             Assembly branch, see `assembly`.
+
+        Returns
+        -------
+        ndarray, shape (3,) or (..., 3)
+            Platform centres in the base frame [m]; the limits of the carriages are not looked at.
 
         Raises
         ------
@@ -243,7 +294,19 @@ class Model:
         return p.reshape((*batch, 3))
 
     def assembly(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
-        """Assembly branch of each pose: the sign of det D_l, shape (...).
+        """Assembly branch of each pose: the sign of det D_l (equation 15).
+
+        Parameters
+        ----------
+        poses : array_like, shape (3,) or (..., 3)
+            Platform centres in the base frame [m].
+        on_error : {"raise", "nan"}
+            As for `modes`.
+
+        Returns
+        -------
+        ndarray, shape (...)
+            1 or -1.
 
         Raises
         ------
@@ -251,11 +314,19 @@ class Model:
             As `modes` does.
         """
         checked = self._check(poses, on_error)
-        determinant, _ = generated.jacobian_condition(checked.points[checked.valid], self.robot.parameters)
+        determinant, _ = self._evaluate(generated.jacobian_condition, checked)
         return checked.scatter(np.sign(determinant))
 
     def _check(self, poses: ArrayLike, on_error: OnError) -> CheckedPoses:
         return check_poses(poses, self.robot.parameters, on_error, self.max_condition)
+
+    def _evaluate(self, function: Callable[..., Any], checked: CheckedPoses) -> tuple[Array, ...]:
+        """Results of a generated function at the valid poses, chunk by chunk."""
+        points = checked.points[checked.valid]
+        chunks = [points[part] for part, _ in self._chunks(checked)] or [points]
+        results = [function(p, self.robot.parameters) for p in chunks]
+        columns = zip(*results, strict=True) if isinstance(results[0], tuple) else [results]
+        return tuple(np.concatenate(column) for column in columns)
 
     @staticmethod
     def _chunks(checked: CheckedPoses) -> Iterator[tuple[slice, Array]]:

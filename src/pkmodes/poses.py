@@ -20,6 +20,9 @@ OnError = Literal["raise", "nan"]
 #: Beyond this Frobenius condition number of D_l, D_p has lost six digits, and rigid links are no model.
 MAX_CONDITION = 1e6
 
+#: Poses evaluated together: as many as keep the matrices and the temporaries in the cache.
+CHUNK = 2048
+
 SPANS = ("between its pulleys", "between its carriage and pulley 2", "between its carriage and pulley 1")
 
 
@@ -78,24 +81,13 @@ def check_poses(
             f'expected on_error "raise" or "nan", found {on_error!r}', "on_error", "choose one of the two"
         )
     points, batch = as_points(poses, "poses", "give platform centres [x, y, z] in metres")
-    with np.errstate(all="ignore"):  # the margins say what is wrong; a NaN compares false and so fails
-        finite = np.isfinite(points).all(axis=1)
-        reach = generated.reach_margin(points, parameters)
-        spans = generated.belt_spans(points, parameters)
-        _, condition = generated.jacobian_condition(points, parameters)
-        reachable = finite & (reach >= 0.0).all(axis=1)
-        regular = reachable & (condition <= max_condition)
-        valid = regular & (spans > 0.0).all(axis=(1, 2))
+    valid = np.empty(len(points), dtype=bool)
+    for start in range(0, len(points), CHUNK):
+        part = slice(start, start + CHUNK)
+        valid[part] = _examined(points[part], parameters, max_condition)[-1]
     if on_error == "raise" and not valid.all():
         index = int(np.argmin(valid))
-        what, remedy = _reason(
-            points[index],
-            reach[index],
-            spans[index],
-            bool(reachable[index]),
-            bool(regular[index]),
-            parameters,
-        )
+        what, remedy = _reason(points[index], parameters, max_condition)
         position = ", ".join(f"{c:.6g}" for c in points[index])
         bad = int((~valid).sum())
         where = f"pose {index} at [{position}] m" + (f", the first of {bad} bad poses" if bad > 1 else "")
@@ -129,18 +121,26 @@ def as_points(given: ArrayLike, name: str, remedy: str) -> tuple[NDArray[np.floa
     return array.reshape(-1, 3), array.shape[:-1]
 
 
-def _reason(
-    point: NDArray[np.float64],
-    reach: NDArray[np.float64],
-    spans: NDArray[np.float64],
-    reachable: bool,
-    regular: bool,
-    parameters: Parameters,
-) -> tuple[str, str]:
+def _examined(
+    points: NDArray[np.float64], parameters: Parameters, max_condition: float
+) -> tuple[NDArray[np.bool_], ...]:
+    """Which poses are finite, reachable as well, regular as well, and within the limits as well."""
+    with np.errstate(all="ignore"):  # the margins say what is wrong; a NaN compares false and so fails
+        finite = np.isfinite(points).all(axis=-1)
+        reachable = finite & (generated.reach_margin(points, parameters) >= 0.0).all(axis=-1)
+        _, condition = generated.jacobian_condition(points, parameters)
+        regular = reachable & (condition <= max_condition)
+        valid = regular & (generated.belt_spans(points, parameters) > 0.0).all(axis=(-2, -1))
+    return tuple(np.asarray(found) for found in (finite, reachable, regular, valid))
+
+
+def _reason(point: NDArray[np.float64], parameters: Parameters, max_condition: float) -> tuple[str, str]:
     """What is wrong with a pose, and the remedy."""
-    if not np.isfinite(point).all():
+    finite, reachable, regular, _ = (found[0] for found in _examined(point[None], parameters, max_condition))
+    if not finite:
         return "expected finite coordinates, found NaN or infinity", "give finite coordinates"
     if not reachable:
+        reach = generated.reach_margin(point, parameters)
         j = int(np.argmin(reach))
         return (
             f"the pose is out of reach: link {j + 1} is {-reach[j]:.4g} m too short",
@@ -149,10 +149,12 @@ def _reason(
     if not regular:
         with np.errstate(all="ignore"):
             _, condition = generated.jacobian_condition(point, parameters)
+        condition = np.inf if np.isnan(condition) else condition
         return (
-            f"the pose is singular: the condition number of D_l is {np.inf if np.isnan(condition) else condition:.3g}",
+            f"the pose is singular: the condition number of D_l is {condition:.3g}",
             "choose a pose farther from the singularity",
         )
+    spans = generated.belt_spans(point, parameters)
     j, k = divmod(int(np.argmin(spans)), spans.shape[1])
     where = "of no length" if spans[j, k] == 0.0 else f"{-spans[j, k]:.4g} m too short"
     return (

@@ -185,3 +185,27 @@ def test_manifest_digests_are_those_of_the_outputs() -> None:
     assert set(manifest["outputs"]) == set(TEXTS) - {"manifest.json"}
     assert "chain.py" in manifest["sources"]
     assert "emit/templates/module.py.j2" in manifest["sources"]
+
+
+def test_every_generated_source_says_where_it_comes_from() -> None:
+    for name in ("model.py", "linear_delta.c", "linear_delta.h"):
+        head = "\n".join(TEXTS[name].splitlines()[:4])
+        for words in (
+            "Generated from the derivation of linear_delta",
+            "SymPy 1.",
+            "Do not edit: regenerate with",
+        ):
+            assert words in head, name
+
+
+def test_the_derivation_page_shows_the_second_route() -> None:
+    page = latex.page(MODEL)
+    assert len(MODEL.relations) >= 6
+    for relation in MODEL.relations:
+        assert relation.description in page
+
+
+def test_rigid_modes_are_the_nullity_of_the_elastic_hessian() -> None:
+    """Three axes, each free to move with its belt; an exact rank, at values without a relation between them."""
+    assert MODEL.rigid_modes == 3
+    assert "RIGID_MODES = 3\n" in TEXTS["model.py"]

@@ -10,7 +10,7 @@ from sympy import Abs, Add, Expr, Mul, Number, Pow, Symbol, sympify
 
 from pkmodes_derive.functions import Function
 from pkmodes_derive.linear_delta import derive
-from pkmodes_derive.vocabulary import Vocabulary
+from pkmodes_derive.vocabulary import Field, Vocabulary
 
 MODEL = derive()
 UNITS = pint.UnitRegistry()
@@ -91,3 +91,22 @@ def test_every_result_has_the_dimension_of_its_unit(function: Function) -> None:
         for entry in output.entries:
             if entry != 0:
                 assert clean(dimension(entry)) in allowed, (output.name, entry)
+
+
+@pytest.mark.parametrize("function", MODEL.functions, ids=lambda f: f.name)
+def test_arguments_have_the_units_of_their_symbols_and_functions_a_source(function: Function) -> None:
+    assert len(function.source.split()) >= 2
+    for argument in function.arguments:
+        declared = [u.strip() for u in argument.unit.split(",")]
+        assert {MODEL.vocabulary[s].unit for s in argument.symbols} == set(declared), argument.name
+
+
+@pytest.mark.parametrize("field", MODEL.fields, ids=lambda f: f.name)
+def test_fields_have_the_unit_of_their_symbols(field: Field) -> None:
+    assert {MODEL.vocabulary[s].unit for s in field.symbols} == {field.unit}
+
+
+def test_relations_that_are_shown_use_declared_symbols_of_the_right_dimension() -> None:
+    used = {s for relation in MODEL.relations for s in relation.expression.free_symbols}
+    units = {MODEL.vocabulary[s].family[0]: MODEL.vocabulary[s].unit for s in used}
+    assert units == {"phi_j": "rad", "u_j_i": "m", "s_j_i": "m", "l_d_j": "m", "m_d_j": "kg"}

@@ -37,6 +37,13 @@ def module(model: Model, programs: dict[str, Program], provenance: Provenance) -
         coordinates=[name for name, _ in model.coordinates],
         coordinate_units=[unit for _, unit in model.coordinates],
         rigid_modes=model.rigid_modes,
+        exported=[
+            "COORDINATES",
+            "COORDINATE_UNITS",
+            *(["Parameters"] if fields else []),
+            "RIGID_MODES",
+            *sorted(f.name for f in model.functions),
+        ],
         fields=[
             (field.name, "float" if not field.shape else "np.ndarray", _field_text(field)) for field in fields
         ],

@@ -50,6 +50,36 @@ from typing import NamedTuple
 
 import numpy as np
 
+__all__ = [
+    "COORDINATES",
+    "COORDINATE_UNITS",
+    "Parameters",
+    "RIGID_MODES",
+    "belt_spans",
+    "belt_stiffness",
+    "constraint_jacobians",
+    "direct_kinematics",
+    "elastic_gradient",
+    "elastic_hessian",
+    "elastic_potential",
+    "gravity_gradient",
+    "gravity_hessian",
+    "gravity_potential",
+    "inverse_kinematics",
+    "jacobian_condition",
+    "kinetic_energy",
+    "link_jacobians",
+    "mass_matrix",
+    "modal_matrices",
+    "platform_jacobian",
+    "platform_jacobian_rate",
+    "platform_second_derivatives",
+    "reach_margin",
+    "static_equilibrium",
+    "stiffness_matrix",
+    "velocity_forces",
+]
+
 #: Generalised coordinates, in the order of M and K, and their units.
 COORDINATES = (
     "x_1",
