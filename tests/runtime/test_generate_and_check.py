@@ -64,6 +64,7 @@ def test_the_generated_module_stands_alone(pristine: Path) -> None:
         "print(json.dumps([M.tolist(), K.tolist(), sorted(n for n in sys.modules if n.startswith('pkmodes'))]))"
     )
     environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+    environment["PYTHONDONTWRITEBYTECODE"] = "1"  # the folder is copied by other tests
     run_ = subprocess.run(
         [sys.executable, "-c", code], cwd=pristine / "model", env=environment, capture_output=True, check=True
     )
