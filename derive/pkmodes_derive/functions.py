@@ -57,6 +57,8 @@ class Function:
         What goes in, besides the robot's parameters, and what comes out.
     definitions : mapping
         Named intermediate values in an order in which they can be evaluated; only what is needed is emitted.
+    in_c : bool
+        Whether it is for controllers too; derivatives by parameters are for estimation on a computer.
     """
 
     name: str
@@ -66,6 +68,7 @@ class Function:
     outputs: tuple[Output, ...]
     definitions: Mapping[Symbol, Expr] = field(repr=False)
     details: str = ""
+    in_c: bool = True
 
 
 @dataclass(frozen=True)
@@ -88,6 +91,29 @@ class Relation:
 
 
 @dataclass(frozen=True)
+class FieldGroup:
+    """Parameters that are handed over together.
+
+    Attributes
+    ----------
+    name, argument : str
+        Name of the type and of the argument, in every language.
+    fields : tuple of Field
+        In order.
+    null : float or None
+        Default value of every field, None when there is none.
+    declared : bool
+        Whether the type is declared with the functions; if not, the base model declares it.
+    """
+
+    name: str
+    argument: str
+    fields: tuple[Field, ...]
+    null: float | None = None
+    declared: bool = True
+
+
+@dataclass(frozen=True)
 class Model:
     """A derived mechanism, ready for emission.
 
@@ -99,20 +125,28 @@ class Model:
         Generalised coordinates in order.
     vocabulary : Vocabulary
         Unit and description of every symbol.
-    fields : tuple of Field
+    groups : tuple of FieldGroup
         The parameters as arrays.
     functions : tuple of Function
         In the order in which a reader should meet them.
     relations : tuple of Relation
         Derived, shown in the documentation, not emitted.
-    rigid_modes : int
-        Motions that strain nothing elastic, at any regular pose and for any parameters.
+    rigid_modes : int or None
+        Motions that strain nothing elastic, at any regular pose and for any parameters; None when it depends.
+    constants : tuple of (comment, name, value)
+        What a program needs to know about the model, as literals of Python.
     """
 
     mechanism: str
     coordinates: tuple[tuple[str, str], ...]
     vocabulary: Vocabulary = field(repr=False)
-    fields: tuple[Field, ...] = field(repr=False)
+    groups: tuple[FieldGroup, ...] = field(repr=False)
     functions: tuple[Function, ...] = field(repr=False)
     relations: tuple[Relation, ...] = field(repr=False, default=())
-    rigid_modes: int = 0
+    rigid_modes: int | None = None
+    constants: tuple[tuple[str, str, tuple[object, ...]], ...] = field(repr=False, default=())
+
+    @property
+    def fields(self) -> tuple[Field, ...]:
+        """The fields of all groups."""
+        return tuple(f for group in self.groups for f in group.fields)

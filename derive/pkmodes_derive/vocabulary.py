@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import product
 
 from sympy import Symbol
 
@@ -61,6 +62,11 @@ class Field:
     symbols: tuple[Symbol, ...]
     unit: str
     description: str
+
+    @property
+    def indices(self) -> list[tuple[int, ...]]:
+        """Index of each entry, in the order of `symbols`."""
+        return list(product(*(range(extent) for extent in self.shape)))
 
 
 class Vocabulary:

@@ -52,6 +52,46 @@ def generalised_eigh(M: Array, K: Array) -> tuple[Array, Array]:
     return eigenvalues, scaled * scale[..., None, :]
 
 
+def condensed_eigh(M: Array, K: Array, first: int) -> tuple[Array, Array]:
+    r"""Solve K phi = lambda M phi where some coordinates may have no inertia.
+
+    A massless coordinate r follows the others without delay, :math:`K_{rr} x_r + K_{rq} x_q = 0`, which is
+    exact; it adds no mode, and the shapes still list it.  The same coordinates must be massless in the whole
+    batch.
+
+    Parameters
+    ----------
+    M, K : ndarray, shape (N, n, n)
+        Symmetric; M positive definite but for rows and columns of zeros, where K must be regular.
+    first : int
+        First coordinate that may have no inertia.
+
+    Returns
+    -------
+    eigenvalues : ndarray, shape (N, m)
+        Ascending [1/s^2]; m is the number of coordinates with inertia.
+    shapes : ndarray, shape (N, m, n)
+        As `generalised_eigh` gives them, in all coordinates.
+
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        If M is not positive definite, or K singular, where they must not be.
+    """
+    massless = (M == 0.0).all(axis=(0, 1)) & (np.arange(M.shape[-1]) >= first)
+    if not len(M) or not massless.any():
+        return generalised_eigh(M, K)
+    q, r = np.flatnonzero(~massless), np.flatnonzero(massless)
+    follow = -np.linalg.solve(K[:, r[:, None], r], K[:, r[:, None], q])
+    eigenvalues, kept = generalised_eigh(
+        M[:, q[:, None], q], K[:, q[:, None], q] + K[:, q[:, None], r] @ follow
+    )
+    shapes = np.empty((len(M), len(q), M.shape[-1]))
+    shapes[:, :, q] = kept
+    shapes[:, :, r] = kept @ np.swapaxes(follow, -1, -2)
+    return eigenvalues, shapes
+
+
 def _sign(shapes: Array) -> Array:
     size = np.abs(shapes)
     largest = np.argmax(size >= (1.0 - TIE) * size.max(axis=-1, keepdims=True), axis=-1)

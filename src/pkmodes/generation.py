@@ -13,6 +13,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from pkmodes.errors import MissingExtraError, OutputError
+from pkmodes.evaluation import active_effects
 from pkmodes.robot.reading import read_robot
 from pkmodes.robot.robot import Robot
 from pkmodes.writing import write_files
@@ -47,8 +48,10 @@ def specification(robot: Robot, robot_file: str) -> Specification:
         name=robot.name,
         mechanism=robot.mechanism,
         robot_file=robot_file,
-        fields={name: _plain(value) for name, value in robot.parameters._asdict().items()},
+        fields={name: _plain(value) for name, value in robot.parameters._asdict().items()}
+        | {path.replace(".", "_"): value for path, value in robot.effects.items()},
         values=robot.declared,
+        effects=active_effects(robot.effects),
     )
     return found
 

@@ -6,15 +6,16 @@ it holds no physics of its own.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.eigen import generalised_eigh, natural_frequencies
+from pkmodes.eigen import condensed_eigh, natural_frequencies
 from pkmodes.errors import PkmodesError, PoseError, shown
+from pkmodes.evaluation import evaluation
 from pkmodes.poses import CHUNK, MAX_CONDITION, CheckedPoses, OnError, as_points, check_poses
 from pkmodes.robot.robot import Robot
 from pkmodes_generated import linear_delta as generated
@@ -36,12 +37,13 @@ class Modes:
         Platform centres [m], base frame.
     coordinates : tuple of str, length n
         Names of the generalised coordinates, in the order of the matrices.
-    frequencies : ndarray, shape (..., n)
+    frequencies : ndarray, shape (..., m)
         sqrt(abs(lambda)) / (2 pi) with the sign of lambda [Hz].
-    shapes : ndarray, shape (..., n, n)
+    shapes : ndarray, shape (..., m, n)
         ``shapes[..., i, :]`` is mode i, mass-normalised (phi^T M phi = 1) with a deterministic sign.
-    platform_shapes : ndarray, shape (..., n, 3)
-        Motion of the platform centre in each mode: D_p times the carriage components, base frame.
+    platform_shapes : ndarray, shape (..., m, 3)
+        Absolute motion of the platform centre in each mode, base frame: D_p times the carriage components, and
+        what released joints and the frame add.
     carriage_positions : ndarray, shape (..., 3)
         x_1, x_2, x_3 [m].
     mass_matrix, stiffness_matrix : ndarray, shape (..., n, n)
@@ -107,7 +109,8 @@ class Model:
         if not isinstance(robot, Robot):
             raise PkmodesError(f"expected a Robot, found {shown(robot)}", "Model", "use pkmodes.load(path)")
         self.robot = robot
-        self.coordinates: tuple[str, ...] = generated.COORDINATES
+        self._evaluation = evaluation(robot.parameters, robot.effects)
+        self.coordinates = self._evaluation.coordinates
         self.max_condition = max_condition
 
     def __repr__(self) -> str:
@@ -134,16 +137,10 @@ class Model:
             If the array is not one of poses; with ``on_error="raise"``, for the first bad pose.
         """
         checked = self._check(poses, on_error)
-        n = len(self.coordinates)
-        count = int(checked.valid.sum())
-        M, K, shapes = (np.empty((count, n, n)) for _ in range(3))
-        eigenvalues, x, platform = np.empty((count, n)), np.empty((count, 3)), np.empty((count, n, 3))
-        for part, p in self._chunks(checked):
-            M[part], K[part] = generated.modal_matrices(p, self.robot.parameters)
-            eigenvalues[part], shapes[part] = self._solve(M[part], K[part])
-            x[part] = generated.inverse_kinematics(p, self.robot.parameters)
-            D_p = generated.platform_jacobian(p, self.robot.parameters)
-            platform[part] = shapes[part][..., :3] @ np.swapaxes(D_p, -1, -2)
+        parts = [self._solve(p) for p in self._chunks(checked)]
+        M, K, eigenvalues, shapes, x, platform = (
+            np.concatenate(column) for column in zip(*parts, strict=True)
+        )
         return Modes(
             poses=checked.points.reshape((*checked.batch, 3)),
             coordinates=self.coordinates,
@@ -153,7 +150,7 @@ class Model:
             carriage_positions=checked.scatter(x),
             mass_matrix=checked.scatter(M),
             stiffness_matrix=checked.scatter(K),
-            rigid_modes=generated.RIGID_MODES,
+            rigid_modes=self._evaluation.rigid_modes,
             valid=checked.valid.reshape(checked.batch),
         )
 
@@ -178,7 +175,7 @@ class Model:
             As `modes` does.
         """
         checked = self._check(poses, on_error)
-        M, K = self._evaluate(generated.modal_matrices, checked)
+        M, K = self._evaluate(self._evaluation.matrices, checked)
         return checked.scatter(M), checked.scatter(K)
 
     def statics(self, poses: ArrayLike, on_error: OnError = "raise") -> Statics:
@@ -202,7 +199,7 @@ class Model:
             As `modes` does.
         """
         checked = self._check(poses, on_error)
-        torques, rotations = self._evaluate(generated.static_equilibrium, checked)
+        torques, rotations = self._evaluate(self._evaluation.statics, checked)
         return Statics(
             checked.scatter(torques), checked.scatter(rotations), checked.valid.reshape(checked.batch)
         )
@@ -228,7 +225,7 @@ class Model:
             As `modes` does.
         """
         checked = self._check(poses, on_error)
-        (D_p,) = self._evaluate(generated.platform_jacobian, checked)
+        (D_p,) = self._evaluate(self._base(generated.platform_jacobian), checked)
         return checked.scatter(D_p)
 
     def inverse_kinematics(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
@@ -252,7 +249,7 @@ class Model:
             As `modes` does.
         """
         checked = self._check(poses, on_error)
-        (x,) = self._evaluate(generated.inverse_kinematics, checked)
+        (x,) = self._evaluate(self._base(generated.inverse_kinematics), checked)
         return checked.scatter(x)
 
     def direct_kinematics(self, carriages: ArrayLike, assembly: int) -> Array:
@@ -314,30 +311,33 @@ class Model:
             As `modes` does.
         """
         checked = self._check(poses, on_error)
-        determinant, _ = self._evaluate(generated.jacobian_condition, checked)
+        determinant, _ = self._evaluate(self._base(generated.jacobian_condition), checked)
         return checked.scatter(np.sign(determinant))
 
     def _check(self, poses: ArrayLike, on_error: OnError) -> CheckedPoses:
         return check_poses(poses, self.robot.parameters, on_error, self.max_condition)
 
-    def _evaluate(self, function: Callable[..., Any], checked: CheckedPoses) -> tuple[Array, ...]:
-        """Results of a generated function at the valid poses, chunk by chunk."""
-        points = checked.points[checked.valid]
-        chunks = [points[part] for part, _ in self._chunks(checked)] or [points]
-        results = [function(p, self.robot.parameters) for p in chunks]
+    def _base(self, function: Callable[..., Any]) -> Callable[[Array], Any]:
+        """A function of the base model for this robot: effects leave the kinematics as they are."""
+        return lambda p: function(p, self.robot.parameters)
+
+    def _evaluate(self, function: Callable[[Array], Any], checked: CheckedPoses) -> tuple[Array, ...]:
+        """Results of a function at the valid poses, chunk by chunk."""
+        results = [function(p) for p in self._chunks(checked)]
         columns = zip(*results, strict=True) if isinstance(results[0], tuple) else [results]
         return tuple(np.concatenate(column) for column in columns)
 
     @staticmethod
-    def _chunks(checked: CheckedPoses) -> Iterator[tuple[slice, Array]]:
+    def _chunks(checked: CheckedPoses) -> list[Array]:
+        """The valid poses in parts; one empty part when there are none, which has the right shapes."""
         points = checked.points[checked.valid]
-        for start in range(0, len(points), CHUNK):
-            part = slice(start, start + CHUNK)
-            yield part, points[part]
+        return [points[start : start + CHUNK] for start in range(0, max(len(points), 1), CHUNK)]
 
-    def _solve(self, M: Array, K: Array) -> tuple[Array, Array]:
+    def _solve(self, p: Array) -> tuple[Array, ...]:
+        """Matrices, eigenvalues, shapes, carriages and platform motion at some poses."""
+        M, K = self._evaluation.matrices(p)
         try:
-            eigenvalues, shapes = generalised_eigh(M, K)
+            eigenvalues, shapes = condensed_eigh(M, K, first=len(generated.COORDINATES))
         except np.linalg.LinAlgError:
             raise PoseError(
                 "the mass matrix is not positive definite",
@@ -348,4 +348,5 @@ class Model:
             raise PoseError(
                 "the eigenvalues are not finite", self.robot.source, "check the robot's magnitudes"
             )
-        return eigenvalues, shapes
+        platform = shapes @ np.swapaxes(self._evaluation.platform_motion(p), -1, -2)
+        return M, K, eigenvalues, shapes, generated.inverse_kinematics(p, self.robot.parameters), platform

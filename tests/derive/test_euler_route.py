@@ -7,12 +7,13 @@ import pytest
 from sympy import Matrix, lambdify
 
 from pkmodes_derive.linear_delta import kinematics, rotation
+from pkmodes_derive.linear_delta.machine import Machine
 from pkmodes_derive.linear_delta.symbols import Symbols
 from pkmodes_generated import linear_delta
 from sample_robots import random_robot
 
 sy = Symbols()
-KIN = kinematics.derive(sy)
+KIN = kinematics.derive(Machine(sy))
 
 
 @pytest.mark.parametrize("seed", range(6))

@@ -254,11 +254,6 @@ def test_errors_survive_pickling(tmp_path: Path) -> None:
     assert pickle.loads(pickle.dumps(error.value)).lines == error.value.lines
 
 
-def test_effects_are_refused_until_they_are_evaluated(tmp_path: Path) -> None:
-    line = problems(tmp_path, published() + '\n[effects.payload]\nmass = "0.35 kg"\n')[0]
-    assert 'effects are not evaluated by this version, found "payload"' in line
-
-
 values = st.one_of(
     st.none(),
     st.booleans(),

@@ -6,12 +6,11 @@ from dataclasses import dataclass
 from math import prod
 
 from pkmodes_derive.emit import layout, printers
-from pkmodes_derive.emit.numpy_code import glossary, operations
+from pkmodes_derive.emit.numpy_code import glossary, operations, used_groups
 from pkmodes_derive.emit.program import Program
 from pkmodes_derive.emit.provenance import Provenance
 from pkmodes_derive.emit.templates import render
-from pkmodes_derive.functions import Function, Model
-from pkmodes_derive.vocabulary import Field
+from pkmodes_derive.functions import FieldGroup, Function, Model
 
 
 @dataclass(frozen=True)
@@ -25,7 +24,7 @@ class _Block:
 
 def source_and_header(model: Model, programs: dict[str, Program], provenance: Provenance) -> tuple[str, str]:
     """Return the texts of the C source and of its header."""
-    fields = model.fields if provenance.parametric else ()
+    groups = model.groups if provenance.parametric else ()
     values = {
         "provenance": provenance,
         "title": layout.prose(provenance.title, " * "),
@@ -37,11 +36,24 @@ def source_and_header(model: Model, programs: dict[str, Program], provenance: Pr
         ],
         "names": [
             line
-            for text in glossary(model, programs)
+            for text in glossary(model, {f.name: programs[f.name] for f in model.functions if f.in_c})
             for line in layout.prose(text, " *     ", first=" *   ")
         ],
-        "fields": [(f"double {f.name}{_extent(f.shape)};", f"[{f.unit}] {f.description}") for f in fields],
-        "functions": [_function(f, programs[f.name], fields, provenance.name) for f in model.functions],
+        "includes": [f"{model.mechanism}.h" for group in groups if not group.declared],
+        "groups": [
+            (
+                _type(group, model),
+                [
+                    (f"double {f.name}{_extent(f.shape)};", f"[{f.unit}] {f.description}")
+                    for f in group.fields
+                ],
+            )
+            for group in groups
+            if group.declared
+        ],
+        "functions": [
+            _function(f, programs[f.name], model, groups, provenance.name) for f in model.functions if f.in_c
+        ],
     }
     return render("source.c.j2", **values), render("header.h.j2", **values)
 
@@ -50,19 +62,25 @@ def _extent(shape: tuple[int, ...]) -> str:
     return "".join(f"[{n}]" for n in shape)
 
 
-def _function(function: Function, program: Program, fields: tuple[Field, ...], prefix: str) -> _Block:
+def _type(group: FieldGroup, model: Model) -> str:
+    return f"{model.mechanism}_{group.argument}"
+
+
+def _function(
+    function: Function, program: Program, model: Model, groups: tuple[FieldGroup, ...], prefix: str
+) -> _Block:
+    used = used_groups(program, groups)
     arguments = [
         f"double {a.name}" if a.scalar else f"const double {a.name}[{len(a.symbols)}]"
         for a in function.arguments
     ]
-    if fields:
-        arguments.append(f"const {prefix}_parameters *parameters")
+    arguments += [f"const {_type(group, model)} *{group.argument}" for group in used]
     arguments += [
         f"double {o.name}{_extent(o.shape)}" if o.shape else f"double *{o.name}" for o in function.outputs
     ]
     head = f"void {prefix}_{function.name}("
     prototype = layout.prose(", ".join(arguments) + ")", "    ", first=head, room=len(";"))
-    return _Block(_comment(function, program), prototype, _body(function, program, fields))
+    return _Block(_comment(function, program), prototype, _body(function, program, used))
 
 
 def _comment(function: Function, program: Program) -> list[str]:
@@ -79,7 +97,7 @@ def _comment(function: Function, program: Program) -> list[str]:
     return [*lines, " */"]
 
 
-def _body(function: Function, program: Program, fields: tuple[Field, ...]) -> list[str]:
+def _body(function: Function, program: Program, groups: list[FieldGroup]) -> list[str]:
     inputs, lines = set(program.inputs), []
     for argument in function.arguments:
         for i, symbol in enumerate(argument.symbols):
@@ -88,14 +106,12 @@ def _body(function: Function, program: Program, fields: tuple[Field, ...]) -> li
                 lines.append(f"    const double {symbol.name} = {place};")
         if not inputs & set(argument.symbols):
             lines.append(f"    (void){argument.name};")
-    for field in fields:
-        for i, symbol in enumerate(field.symbols):
-            if symbol in inputs:
-                lines.append(
-                    f"    const double {symbol.name} = parameters->{field.name}{_place(field.shape, i)};"
-                )
-    if fields and not inputs & {s for field in fields for s in field.symbols}:
-        lines.append("    (void)parameters;")
+    for group in groups:
+        for field in group.fields:
+            for i, symbol in enumerate(field.symbols):
+                if symbol in inputs:
+                    source = f"{group.argument}->{field.name}{_place(field.shape, i)}"
+                    lines.append(f"    const double {symbol.name} = {source};")
     for symbol, expression in program.steps:
         lines += layout.assignment(
             f"const double {symbol.name}", printers.c_expression(expression), "    ", end=";"

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import textwrap
 from dataclasses import dataclass
+from pprint import pformat
 
 from sympy import Symbol
 
@@ -10,7 +12,7 @@ from pkmodes_derive.emit import layout, printers
 from pkmodes_derive.emit.program import Program
 from pkmodes_derive.emit.provenance import Provenance
 from pkmodes_derive.emit.templates import render
-from pkmodes_derive.functions import Function, Model
+from pkmodes_derive.functions import FieldGroup, Function, Model
 from pkmodes_derive.vocabulary import Field
 
 
@@ -26,7 +28,7 @@ class _Block:
 
 def module(model: Model, programs: dict[str, Program], provenance: Provenance) -> str:
     """Return the text of the module; `programs` holds one program for each function, by name."""
-    fields = model.fields if provenance.parametric else ()
+    groups = model.groups if provenance.parametric else ()
     return render(
         "module.py.j2",
         provenance=provenance,
@@ -40,14 +42,27 @@ def module(model: Model, programs: dict[str, Program], provenance: Provenance) -
         exported=[
             "COORDINATES",
             "COORDINATE_UNITS",
-            *(["Parameters"] if fields else []),
-            "RIGID_MODES",
+            *(group.name for group in groups if group.declared),
+            *(name for _, name, _ in model.constants),
+            *([] if model.rigid_modes is None else ["RIGID_MODES"]),
             *sorted(f.name for f in model.functions),
         ],
-        fields=[
-            (field.name, "float" if not field.shape else "np.ndarray", _field_text(field)) for field in fields
+        literals=[
+            (layout.prose(comment, "#: "), name, _literal(value)) for comment, name, value in model.constants
         ],
-        functions=[_function(f, programs[f.name], fields) for f in model.functions],
+        groups=[
+            (
+                group.name,
+                "" if group.null is None else f" = {group.null}",
+                [
+                    (field.name, "np.ndarray" if field.shape else "float", _field_text(field))
+                    for field in group.fields
+                ],
+            )
+            for group in groups
+            if group.declared
+        ],
+        functions=[_function(f, programs[f.name], groups) for f in model.functions],
     )
 
 
@@ -56,6 +71,12 @@ def glossary(model: Model, programs: dict[str, Program]) -> list[str]:
     used = {symbol for program in programs.values() for symbol, _ in program.steps}
     families = {q.family: q.unit for q in model.vocabulary if q.symbol in used}
     return [f"{name} [{unit}]: {description}" for (name, description), unit in families.items()]
+
+
+def _literal(items: tuple[object, ...]) -> str:
+    """A tuple as Python source, one item after the other."""
+    lines = [textwrap.indent(pformat(item, width=layout.WIDTH - 10), "    ") + "," for item in items]
+    return "\n".join(["(", *lines, ")"])
 
 
 def _field_text(field: Field) -> list[str]:
@@ -67,18 +88,24 @@ def _field_text(field: Field) -> list[str]:
     ]
 
 
-def _function(function: Function, program: Program, fields: tuple[Field, ...]) -> _Block:
-    used = [field for field in fields if set(field.symbols) & set(program.inputs)]
-    names = [argument.name for argument in function.arguments] + (["parameters"] if fields else [])
+def _function(function: Function, program: Program, groups: tuple[FieldGroup, ...]) -> _Block:
+    used = used_groups(program, groups)
+    names = [argument.name for argument in function.arguments] + [group.argument for group in used]
     return _Block(
         function.name,
         ", ".join(names),
-        _docstring(function, program, parametric=bool(fields)),
+        _docstring(function, program, used),
         _body(function, program, used),
     )
 
 
-def _docstring(function: Function, program: Program, *, parametric: bool) -> list[str]:
+def used_groups(program: Program, groups: tuple[FieldGroup, ...]) -> list[FieldGroup]:
+    """The groups of parameters that a function takes: those that it needs."""
+    inputs = set(program.inputs)
+    return [group for group in groups if any(inputs & set(field.symbols) for field in group.fields)]
+
+
+def _docstring(function: Function, program: Program, groups: list[FieldGroup]) -> list[str]:
     lines = [f'    """{function.summary}', ""]
     if function.details:
         lines += [*layout.prose(function.details, "    "), ""]
@@ -87,8 +114,8 @@ def _docstring(function: Function, program: Program, *, parametric: bool) -> lis
         shape = "array, shape (...)" if argument.scalar else f"array, shape (..., {len(argument.symbols)})"
         lines += [f"    {argument.name} : {shape} [{argument.unit}]"]
         lines += layout.prose(_sentence(argument.description), " " * 8)
-    if parametric:
-        lines += ["    parameters : Parameters", "        The robot."]
+    for group in groups:
+        lines += [f"    {group.argument} : {group.name}", f"        The robot's {group.argument}."]
     lines += ["", "    Returns", "    -------"]
     for output in function.outputs:
         shape = ", ".join(["...", *map(str, output.shape)])
@@ -104,7 +131,7 @@ def operations(program: Program) -> str:
     return f"{program.operations} operations; {program.operations_written_out} with every named value written out."
 
 
-def _body(function: Function, program: Program, used: list[Field]) -> list[str]:
+def _body(function: Function, program: Program, groups: list[FieldGroup]) -> list[str]:
     inputs, lines = set(program.inputs), []
     representatives = []
     for argument in function.arguments:
@@ -113,11 +140,12 @@ def _body(function: Function, program: Program, used: list[Field]) -> list[str]:
         else:
             source = f"_entries({argument.name}, ({len(argument.symbols)},))"
         lines += _unpack(argument.symbols, inputs, source, representatives)
-    for field in used:
-        shape = ", ".join(map(str, field.shape)) + ("," if len(field.shape) == 1 else "")
-        lines += _unpack(
-            field.symbols, inputs, f"_entries(parameters.{field.name}, ({shape}))", representatives
-        )
+    for group in groups:
+        for field in group.fields:
+            if inputs & set(field.symbols):
+                shape = ", ".join(map(str, field.shape)) + ("," if len(field.shape) == 1 else "")
+                source = f"_entries({group.argument}.{field.name}, ({shape}))"
+                lines += _unpack(field.symbols, inputs, source, representatives)
     lines += layout.prose(f"{', '.join(representatives)})", " " * 8, first="    batch, dtype = _batch(")
     for symbol, expression in program.steps:
         lines += layout.assignment(

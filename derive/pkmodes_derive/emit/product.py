@@ -7,12 +7,14 @@ function of the derivation, the templates and the specification.  Writing and co
 from __future__ import annotations
 
 import shlex
+from dataclasses import replace
 from functools import cache
 
 import sympy
 
 import pkmodes_derive
 from pkmodes_derive import linear_delta
+from pkmodes_derive.effects import catalogue
 from pkmodes_derive.emit import c_code, manifest, numpy_code
 from pkmodes_derive.emit.program import Program, arrange
 from pkmodes_derive.emit.provenance import Provenance
@@ -21,6 +23,8 @@ from pkmodes_derive.functions import Model
 from pkmodes_derive.specialise import specialise
 
 MECHANISMS = {"linear_delta": linear_delta.derive}
+EXTENSIONS = {"linear_delta": linear_delta.derive_extended}
+SINGLES = {"linear_delta": linear_delta.derive_single}
 REGENERATE = "python -m pkmodes_derive generate"
 
 
@@ -28,6 +32,18 @@ REGENERATE = "python -m pkmodes_derive generate"
 def derive(mechanism: str) -> Model:
     """Derive a mechanism, once in a process."""
     return MECHANISMS[mechanism]()
+
+
+@cache
+def derive_extended(mechanism: str) -> Model:
+    """Derive a mechanism with every effect, once in a process."""
+    return EXTENSIONS[mechanism](catalogue())
+
+
+@cache
+def derive_single(mechanism: str, effects: tuple[str, ...]) -> Model:
+    """Derive a mechanism with some effects, by name, for one robot; once in a process."""
+    return SINGLES[mechanism](tuple(effect for effect in catalogue() if effect.name in effects))
 
 
 def parametric(mechanism: str) -> dict[str, str]:
@@ -41,6 +57,18 @@ def parametric(mechanism: str) -> dict[str, str]:
         command=REGENERATE,
     )
     texts, programs = _texts(model, provenance, module="model.py")
+    extended_texts, extended_programs = _texts(
+        derive_extended(mechanism),
+        replace(
+            provenance,
+            name=f"{mechanism}_extended",
+            title=f"Dynamics of the mechanism {mechanism} with effects: extended matrices and sensitivities.",
+            origin=f"the derivation of {mechanism} and the catalogue of effects",
+        ),
+        module="extended.py",
+    )
+    texts |= extended_texts
+    programs |= extended_programs
     texts["__init__.py"] = (
         f'"""Generated model of the mechanism {mechanism}: see `model`."""\n\n'
         f"from pkmodes_generated.{mechanism}.model import *  # noqa: F403\n"
@@ -51,7 +79,10 @@ def parametric(mechanism: str) -> dict[str, str]:
 
 def specialised(specification: Specification) -> dict[str, str]:
     """Build the model of one robot, constants folded: texts by file name."""
-    model = derive(specification.mechanism)
+    if specification.effects:
+        model = derive_single(specification.mechanism, specification.effects)
+    else:
+        model = derive(specification.mechanism)
     values = {
         symbol.name: value
         for field in model.fields

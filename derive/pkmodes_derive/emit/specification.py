@@ -32,6 +32,8 @@ class Specification:
         The parameter fields in SI units.
     values : mapping of str to float
         What the robot file says, by dotted path, in SI units: recorded so that a change can be named.
+    effects : tuple of str
+        Names of the active effects; their parameters are among the fields, as ``<effect>_<parameter>``.
     """
 
     name: str
@@ -39,6 +41,7 @@ class Specification:
     robot_file: str
     fields: Mapping[str, object]
     values: Mapping[str, object]
+    effects: tuple[str, ...] = ()
 
     @property
     def identifier(self) -> str:

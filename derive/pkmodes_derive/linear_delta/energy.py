@@ -8,6 +8,8 @@ Everything that the modal analysis needs follows from these expressions by diffe
 * V_g of platform, linkages and carriages (equation 26 with the sign of a potential energy; the carriages
   are kept because a rail need not be horizontal);
 * V_el of the belts about a reference configuration (equations 34 to 41).
+
+Effects add to them through the `Machine`: energies of their own, and coordinates that were locked.
 """
 
 from __future__ import annotations
@@ -16,11 +18,13 @@ from dataclasses import dataclass
 
 from sympy import Add, Expr, Rational, Symbol, collect, expand
 
-from pkmodes_derive.linear_delta.kinematics import Kinematics, dot
+from pkmodes_derive.linear_delta.kinematics import Kinematics
+from pkmodes_derive.linear_delta.machine import HALF, Machine
 from pkmodes_derive.linear_delta.symbols import Symbols
+from pkmodes_derive.vectors import dot
 from pkmodes_derive.vocabulary import AXES
 
-HALF, SIXTH = Rational(1, 2), Rational(1, 6)
+SIXTH = Rational(1, 6)
 
 
 @dataclass(frozen=True)
@@ -34,11 +38,12 @@ class Energies:
     V_g : sympy.Expr
         Gravitational potential energy; depends on x through p.
     V_el : sympy.Expr
-        Elastic potential energy of the belts, in the displacements from the reference configuration.
-    pulley_inertia : tuple
-        I_{j,k}, motors included; index [k-1][j-1], the order of the coordinates theta.
-    spans, belt_stiffness : tuple
-        Free lengths and stiffnesses of the belt spans; index [j-1][k-1].
+        Elastic potential energy of the belts and of what effects add, in small displacements from the
+        reference configuration; without the springs of released coordinates.
+    V_belts : sympy.Expr
+        The belts' part of V_el: what the static rotations strain.
+    V_r : tuple of sympy.Expr
+        Energy of the spring of each released coordinate.
     D_p_dot : tuple of tuple
         Time derivative of the platform Jacobian (equation 17), index [axis][k-1].
     """
@@ -47,49 +52,80 @@ class Energies:
     T_t: Expr
     V_g: Expr
     V_el: Expr
-    pulley_inertia: tuple[tuple[Symbol, ...], ...]
-    spans: tuple[tuple[Symbol, ...], ...]
-    belt_stiffness: tuple[tuple[Symbol, ...], ...]
+    V_belts: Expr
+    V_r: tuple[Expr, ...]
     D_p_dot: tuple[tuple[Symbol, ...], ...]
 
 
-def derive(sy: Symbols, kinematics: Kinematics) -> Energies:
+def derive(machine: Machine, kinematics: Kinematics) -> Energies:
     """Write the energies; named values are defined in the chain of `kinematics`."""
-    inertia = _pulley_inertia(sy, kinematics)
-    spans, stiffness = _belts(sy, kinematics)
-    T_t = Add(
-        *(
-            HALF * moment * theta_dot**2
-            for moment, theta_dot in zip((*inertia[0], *inertia[1]), sy.velocities[3:], strict=True)
-        )
-    )
-    T_ss, D_p_dot = _structure(sy, kinematics)
-    return Energies(
-        T_ss, T_t, _gravity(sy, kinematics), _elastic(sy, stiffness), inertia, spans, stiffness, D_p_dot
-    )
-
-
-def _structure(sy: Symbols, kinematics: Kinematics) -> tuple[Expr, tuple[tuple[Symbol, ...], ...]]:
-    v, chain, D_p = sy.vocabulary, kinematics.chain, kinematics.D_p
-    x_dot = sy.velocities[:3]
-    v_p = v.vector("v_p", "m/s", "velocity of the platform", r"\dot{p}")
-    for m in range(3):
-        chain.define(v_p[m], Add(*(D_p[m, k] * x_dot[k] for k in range(3))))
-    D_p_dot = _jacobian_rate(sy, kinematics, x_dot)
+    sy = machine.sy
+    inertia = _pulley_inertia(machine, kinematics)
+    _define_belts(machine, kinematics)
+    _define_platform_motion(machine, kinematics)
+    D_p_dot = _jacobian_rate(sy, kinematics, sy.velocities[:3])
     for m in range(3):
         for k in range(3):
             # d(v_p)/dx_k = sum_l P_kl xdot_l, which is column k of the time derivative of D_p (equation 49).
-            chain.rule(v_p[m], sy.x[k], D_p_dot[m][k])
+            kinematics.chain.rule(machine.v_p[m], sy.x[k], D_p_dot[m][k])
+    belts = _elastic(machine)
+    return Energies(
+        T_ss=_structure(machine),
+        T_t=_transmissions(machine, inertia),
+        V_g=_gravity(machine),
+        V_el=Add(belts, *machine.elastic),
+        V_belts=belts,
+        V_r=tuple(
+            HALF * q.position**2 / c for q, c in zip(machine.released, machine.compliances, strict=True)
+        ),
+        D_p_dot=D_p_dot,
+    )
 
-    T = HALF * sy.m_p * dot(v_p, v_p)
+
+def _define_platform_motion(machine: Machine, kinematics: Kinematics) -> None:
+    """Velocity and, where effects need it, small displacement of the platform: D times the coordinates."""
+    sy = machine.sy
+    elongations = [c for axis in machine.elongation for c in axis]
+    rates = [*sy.velocities[:3], *(c.rate for c in elongations)]
+    small = [*sy.displacements[:3], *(c.position for c in elongations)]
+    for i in range(3):
+        row = kinematics.D[i, :]
+        moved = Add(*(d * rate for d, rate in zip(row, rates, strict=True)), machine.frame_rate[i])
+        kinematics.chain.define(machine.v_p[i], moved)
+        if machine.effects:
+            frame = Add(*(c.position for c in machine.frame[i]))
+            displaced = Add(*(d * q for d, q in zip(row, small, strict=True)), frame)
+            kinematics.chain.define(machine.platform_displacement[i], displaced)
+
+
+def _structure(machine: Machine) -> Expr:
+    sy, v_p, frame = machine.sy, machine.v_p, machine.frame_rate
+    T = Add(HALF * sy.m_p * dot(v_p, v_p), *machine.kinetic)
     for j in range(3):
-        v_e = tuple(sy.n[j][m] * x_dot[j] for m in range(3))
-        v_e2 = x_dot[j] ** 2  # n_j is a unit vector
+        rate = sy.velocities[j]
+        v_e = tuple(sy.n[j][m] * rate + frame[m] for m in range(3))
+        v_e2 = rate**2 + 2 * rate * dot(sy.n[j], frame) + dot(frame, frame)  # n_j is a unit vector
         T += HALF * sy.m_t[j] * v_e2
         T += SIXTH * sy.m_d[j] * (v_e2 + dot(v_e, v_p) + dot(v_p, v_p))
     # One coefficient for each product of velocities: the apparent mass that a person would name.
-    T = collect(expand(T), [c**2 for c in v_p] + list(v_p))
-    return T, D_p_dot
+    return collect(expand(T), [c**2 for c in v_p] + list(v_p))
+
+
+def _transmissions(machine: Machine, inertia: tuple[tuple[Symbol, ...], ...]) -> Expr:
+    """Pulleys, and the motor on the driven one; a wind-up turns the motor further than the pulley."""
+    sy = machine.sy
+    T = Add(
+        *(
+            HALF * moment * rate**2
+            for moment, rate in zip((*inertia[0], *inertia[1]), sy.velocities[3:], strict=True)
+        )
+    )
+    for j in range(3):
+        wind_up = Add(*(c.rate for c in machine.wind_up[j]))
+        for k in range(2):
+            motor = sy.drive[j][k] * sy.i_g[j] ** 2 * sy.I_m[j]
+            T += motor * (sy.velocities[3 + 3 * k + j] * wind_up + HALF * wind_up**2)
+    return T
 
 
 def _jacobian_rate(
@@ -129,19 +165,23 @@ def _jacobian_rate(
     return names
 
 
-def _gravity(sy: Symbols, kinematics: Kinematics) -> Expr:
+def _gravity(machine: Machine) -> Expr:
     """V_g = -g . (m_p p + sum m_d d_j + sum m_t e_j), with d_j midway (equations 4 and 26)."""
-    moment = [sy.m_p * sy.p[m] for m in range(3)]
+    sy = machine.sy
+    frame = [Add(*(c.position for c in component)) for component in machine.frame]
+    bodies = [(sy.m_p, machine.platform_position), *machine.weights]
+    moment = [Add(*(mass * position[m] for mass, position in bodies)) for m in range(3)]
     for j in range(3):
         for m in range(3):
-            e = sy.o[j][m] + sy.x[j] * sy.n[j][m]
-            c = sy.p[m] + sy.b[j][m]
+            e = sy.o[j][m] + sy.x[j] * sy.n[j][m] + frame[m]
+            c = sy.p[m] + sy.b[j][m] + frame[m]
             moment[m] += sy.m_d[j] * (e + c) * HALF + sy.m_t[j] * e
     return -dot(sy.g, tuple(collect(expand(component), list(sy.p)) for component in moment))
 
 
-def _pulley_inertia(sy: Symbols, kinematics: Kinematics) -> tuple[tuple[Symbol, ...], ...]:
+def _pulley_inertia(machine: Machine, kinematics: Kinematics) -> tuple[tuple[Symbol, ...], ...]:
     """Motor and gearbox turn rigidly with the driven pulley (after equation 30)."""
+    sy = machine.sy
     names = tuple(
         tuple(
             sy.vocabulary.declare(
@@ -158,46 +198,35 @@ def _pulley_inertia(sy: Symbols, kinematics: Kinematics) -> tuple[tuple[Symbol, 
     )
     for k in range(2):
         for j in range(3):
-            reflected = sy.i_g[j] ** 2 * sy.I_m[j]
-            kinematics.chain.define(names[k][j], sy.I_p[j] + sy.drive[j][k] * reflected)
+            driven = sy.i_g[j] ** 2 * sy.I_m[j] + machine.driven_inertia[j]
+            kinematics.chain.define(names[k][j], sy.I_p[j] + sy.drive[j][k] * driven)
     return names
 
 
-def _belts(
-    sy: Symbols, kinematics: Kinematics
-) -> tuple[tuple[tuple[Symbol, ...], ...], tuple[tuple[Symbol, ...], ...]]:
-    """Free lengths and stiffnesses (equations 34 to 37); they belong to the reference configuration.
+def _define_belts(machine: Machine, kinematics: Kinematics) -> None:
+    """Free lengths and stiffnesses of the spans (equations 34 to 37), in the reference configuration.
 
-    Small displacements leave them constant (the paper, before equation 38), so they are defined outside the
-    rules: no derivative by x passes through them.
+    Small displacements leave the stiffnesses constant (the paper, before equation 38): V_el is written in
+    displacements, and no derivative by a displacement passes through them.
     """
-    v, chain = sy.vocabulary, kinematics.chain
-    of_span = "span {k} of belt {j} (1 between the pulleys, 2 from carriage to pulley 2, 3 from carriage to pulley 1)"
-    spans, stiffness = [], []
+    sy = machine.sy
     for j in range(3):
         lengths = (
             sy.x_max[j] - sy.x_min[j],
             sy.x[j] - sy.x_min[j] - HALF * sy.l_t[j],
             sy.x_max[j] - sy.x[j] - HALF * sy.l_t[j],
         )
-        spans.append([])
-        stiffness.append([])
-        for k, length in enumerate(lengths, start=1):
-            l_f = v.declare("l_f_{j}_{k}", "m", f"free length of {of_span}", "l_{{f,{j},{k}}}", j=j + 1, k=k)
-            stiff = v.declare("k_{j}_{k}", "N/m", f"stiffness of {of_span}", "k_{{{j},{k}}}", j=j + 1, k=k)
-            spans[j].append(chain.define(l_f, length))
-            stiffness[j].append(chain.define(stiff, sy.w_b[j] * sy.k_sp[j] / l_f))
-    return tuple(map(tuple, spans)), tuple(map(tuple, stiffness))
+        modulus = sy.w_b[j] * sy.k_sp[j] * (1 + machine.stiffness_change[j])
+        for name, stiffness, length in zip(machine.l_f[j], machine.k[j], lengths, strict=True):
+            kinematics.chain.define(name, length)
+            # 1/k = l/(w k_sp (1 + a)) + c, so written that c = 0 is no special case.
+            kinematics.chain.define(stiffness, modulus / (name + machine.span_compliance[j] * modulus))
 
 
-def _elastic(sy: Symbols, stiffness: tuple[tuple[Symbol, ...], ...]) -> Expr:
+def _elastic(machine: Machine) -> Expr:
     """Equation 38 with the sign of a potential energy."""
     V = []
     for j in range(3):
-        k1, k2, k3 = stiffness[j]
-        carriage = sy.displacements[j]
-        rim_1, rim_2 = (sy.R_p[j] * sy.displacements[i + j] for i in (3, 6))
-        V.append(
-            HALF * (k1 * (rim_2 - rim_1) ** 2 + k2 * (carriage - rim_2) ** 2 + k3 * (rim_1 - carriage) ** 2)
-        )
+        for stiffness, (a, b) in zip(machine.k[j], machine.span_end_displacements(j), strict=True):
+            V.append(HALF * stiffness * (a - b) ** 2)
     return Add(*V)

@@ -13,22 +13,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from sympy import Add, Expr, Matrix, Rational, Symbol, sqrt
+from sympy import Add, Expr, Integer, Matrix, Rational, Symbol, sqrt
 
 from pkmodes_derive import implicit
 from pkmodes_derive.chain import Chain
+from pkmodes_derive.linear_delta.machine import Machine
 from pkmodes_derive.linear_delta.symbols import Symbols
+from pkmodes_derive.vectors import cross, dot
 from pkmodes_derive.vocabulary import AXES, Vector
-
-
-def dot(a: tuple[Expr, ...], b: tuple[Expr, ...]) -> Expr:
-    """Scalar product."""
-    return Add(*(u * w for u, w in zip(a, b, strict=True)))
-
-
-def cross(a: tuple[Expr, ...], b: tuple[Expr, ...]) -> tuple[Expr, Expr, Expr]:
-    """Vector product."""
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 @dataclass(frozen=True)
@@ -51,6 +43,12 @@ class Kinematics:
         U_j = ds_j/dx, the Jacobian of linkage vector j.
     P : tuple of sympy.Matrix
         P_i = d2p_i/dx2 for i = x, y, z.
+    independent : tuple of sympy.Symbol
+        Coordinates that move the closures: x, then the elongations of the linkages where they are released.
+    right : sympy.Matrix
+        -Phi_q for all of them; its first three columns are D_r.
+    D : sympy.Matrix
+        dp/dq for all of them; its first three columns are D_p.
     """
 
     chain: Chain
@@ -66,11 +64,32 @@ class Kinematics:
     D_p: Matrix
     U: tuple[Matrix, ...]
     P: tuple[Matrix, ...]
+    independent: tuple[Symbol, ...]
+    right: Matrix
+    D: Matrix
+
+    @property
+    def reference(self) -> dict[Symbol, Expr]:
+        """Released coordinates in the reference configuration."""
+        return {q: Integer(0) for q in self.independent[3:]}
+
+    @property
+    def definitions(self) -> dict[Symbol, Expr]:
+        """Definitions in an order in which they can be evaluated when the pose is the input.
+
+        The carriages follow from the pose by inverse kinematics.
+        """
+        r_of_p = {entry: self.chain.definitions[entry] for vector in self.r for entry in vector}
+        return {**r_of_p, **self.inverse, **self.chain.definitions}
 
 
-def derive(sy: Symbols) -> Kinematics:
+def derive(machine: Machine) -> Kinematics:
     """Derive the kinematics; the derivative rules for p and D_p are left in the returned chain."""
+    sy = machine.sy
     chain, v = Chain(), sy.vocabulary
+    elongation = [[c.position for c in axis] for axis in machine.elongation]
+    independent = (*sy.x, *(q for axis in elongation for q in axis))
+    reference = {q: Integer(0) for q in independent[3:]}
 
     r = v.vectors_per_axis("r", "m", "platform joint {j} seen from the origin of rail {j}", "r_{j}")
     s = v.vectors_per_axis("s", "m", "linkage vector {j}, from carriage to platform joint", "s_{j}")
@@ -81,30 +100,62 @@ def derive(sy: Symbols) -> Kinematics:
     for j in range(3):
         for m in range(3):
             chain.define(s[j][m], r[j][m] - sy.x[j] * sy.n[j][m])
-    closures = [(dot(s[j], s[j]) - sy.l_d[j] ** 2) * Rational(1, 2) for j in range(3)]
+    closures = [(dot(s[j], s[j]) - Add(sy.l_d[j], *elongation[j]) ** 2) * Rational(1, 2) for j in range(3)]
 
-    D_l, right = implicit.first_order(closures, sy.x, sy.p, chain)
+    D_l, right = implicit.first_order(closures, independent, sy.p, chain)
+    right = right.xreplace(reference)  # released coordinates are zero in the reference configuration
     D_r = Matrix.zeros(3, 3)
     for j, name in enumerate(
         v.per_axis("D_r", "m", "entry of D_r for axis {j}: linkage vector along the rail", "(D_r)_{{{j}{j}}}")
     ):
-        D_r[j, j] = chain.define(name, right[j, j])
+        right[j, j] = D_r[j, j] = chain.define(name, right[j, j])
     adjugate, determinant = _adjugate(sy, chain, D_l)
 
-    D_p = Matrix.zeros(3, 3)
+    D = Matrix.zeros(3, len(independent))
     for m, axis in enumerate(AXES):
-        for k in range(3):
-            name = v.declare(
-                "D_p_{i}_{k}", "1", "platform Jacobian, dp_{i}/dx_{k}", "(D_p)_{{{i}{k}}}", i=axis, k=k + 1
-            )
-            column = implicit.solve_3x3(adjugate, determinant, [D_r[j, k] for j in range(3)])
-            D_p[m, k] = chain.define(name, column[m])
-            chain.rule(sy.p[m], sy.x[k], name)
+        for k, q in enumerate(independent):
+            if k < 3:
+                name = v.declare(
+                    "D_p_{i}_{k}",
+                    "1",
+                    "platform Jacobian, dp_{i}/dx_{k}",
+                    "(D_p)_{{{i}{k}}}",
+                    i=axis,
+                    k=k + 1,
+                )
+            else:
+                name = v.declare(
+                    "D_delta_{i}_{k}",
+                    "1",
+                    "platform Jacobian, dp_{i}/ddelta_{k}",
+                    r"(D_\delta)_{{{i}{k}}}",
+                    i=axis,
+                    k=k - 2,
+                )
+            column = implicit.solve_3x3(adjugate, determinant, tuple(right[:, k]))
+            D[m, k] = chain.define(name, column[m])
+            chain.rule(sy.p[m], q, name)
+    D_p = D[:, :3]
 
-    U = tuple(_linkage_jacobian(sy, chain, s[j], D_p, j) for j in range(3))
+    U = tuple(_linkage_jacobian(sy, chain, s[j], independent, j) for j in range(3))
     P = _second_derivatives(sy, chain, closures, D_p, adjugate, determinant)
     return Kinematics(
-        chain, inverse, r, s, closures, rail_distance, D_l, D_r, adjugate, determinant, D_p, U, P
+        chain,
+        inverse,
+        r,
+        s,
+        closures,
+        rail_distance,
+        D_l,
+        D_r,
+        adjugate,
+        determinant,
+        D_p,
+        U,
+        P,
+        independent,
+        right,
+        D,
     )
 
 
@@ -137,23 +188,27 @@ def _adjugate(sy: Symbols, chain: Chain, D_l: Matrix) -> tuple[Matrix, Symbol]:
     return adjugate, determinant
 
 
-def _linkage_jacobian(sy: Symbols, chain: Chain, s: Vector, D_p: Matrix, j: int) -> Matrix:
-    U = Matrix.zeros(3, 3)
+def _linkage_jacobian(
+    sy: Symbols, chain: Chain, s: Vector, independent: tuple[Symbol, ...], j: int
+) -> Matrix:
+    U = Matrix.zeros(3, len(independent))
     for m, axis in enumerate(AXES):
-        for k in range(3):
-            name = sy.vocabulary.declare(
-                "U_{j}_{i}_{k}",
-                "1",
-                "derivative of linkage vector {j}, component {i}, by x_{k}",
-                "(U_{j})_{{{i}{k}}}",
-                j=j + 1,
-                i=axis,
-                k=k + 1,
-            )
-            U[m, k] = chain.define(name, chain.derivative(s[m], sy.x[k]))
+        for k, q in enumerate(independent):
+            U[m, k] = chain.derivative(s[m], q)
+            if k < 3:  # along an elongation the linkage vector moves with the platform: no name of its own
+                name = sy.vocabulary.declare(
+                    "U_{j}_{i}_{k}",
+                    "1",
+                    "derivative of linkage vector {j}, component {i}, by x_{k}",
+                    "(U_{j})_{{{i}{k}}}",
+                    j=j + 1,
+                    i=axis,
+                    k=k + 1,
+                )
+                U[m, k] = chain.define(name, U[m, k])
     for m in range(3):
-        for k in range(3):
-            chain.rule(s[m], sy.x[k], U[m, k])
+        for k, q in enumerate(independent):
+            chain.rule(s[m], q, U[m, k])
     return U
 
 

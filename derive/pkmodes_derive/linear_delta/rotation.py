@@ -18,8 +18,9 @@ from dataclasses import dataclass
 from sympy import Expr, Integer, Matrix, Rational, Symbol, asin, atan2, cos, diff, rot_ccw_axis3, sin, sqrt
 
 from pkmodes_derive.functions import Relation
-from pkmodes_derive.linear_delta.kinematics import Kinematics, cross
+from pkmodes_derive.linear_delta.kinematics import Kinematics
 from pkmodes_derive.linear_delta.symbols import Symbols
+from pkmodes_derive.vectors import cross
 
 
 def angular_jacobian(sy: Symbols, kinematics: Kinematics, j: int) -> Matrix:

@@ -19,6 +19,7 @@ from sympy import Add, Expr, Integer, Symbol, diff
 from pkmodes_derive import implicit, lagrangian
 from pkmodes_derive.linear_delta.energy import Energies
 from pkmodes_derive.linear_delta.kinematics import Kinematics
+from pkmodes_derive.linear_delta.machine import Machine
 from pkmodes_derive.linear_delta.symbols import Symbols
 
 
@@ -47,16 +48,21 @@ class Statics:
     torques: tuple[Symbol, ...]
 
 
-def derive(sy: Symbols, kinematics: Kinematics, energies: Energies) -> Statics:
+def derive(machine: Machine, kinematics: Kinematics, energies: Energies) -> Statics:
     """Solve equation 44 in closed form, axis by axis, and name the solution in the chain of `kinematics`."""
-    v, chain = sy.vocabulary, kinematics.chain
+    sy, chain = machine.sy, kinematics.chain
+    v = sy.vocabulary
     gravity = lagrangian.gradient(energies.V_g, sy.x, chain)
     mu = _force_densities(sy, kinematics, energies)
     hessian = implicit.constrained_hessian(
-        energies.V_g, kinematics.closures, mu, sy.x, tuple(kinematics.D_p), chain
+        energies.V_g, kinematics.closures, mu, kinematics.independent, tuple(kinematics.D), chain
     )
-    carriages_fixed = dict.fromkeys(sy.displacements[:3], Integer(0))
-    elastic = [diff(energies.V_el, q).xreplace(carriages_fixed) for q in sy.displacements]
+    # Carriages and released joints hold the pose.
+    fixed = (*sy.displacements[:3], *(c.position for c in machine.released))
+    carriages_fixed = dict.fromkeys(fixed, Integer(0))
+    hessian = [[entry.xreplace(carriages_fixed) for entry in row] for row in hessian]
+    # Springs that effects add are relaxed at the pose: only the belts are strained.
+    elastic = [diff(energies.V_belts, q).xreplace(carriages_fixed) for q in sy.displacements]
     forces = v.per_axis("G", "N", "gradient of the gravitational potential energy by x_{j}", "G_{j}")
     torques = v.per_axis(
         "tau_st", "N m", "static torque on the driven pulley of axis {j}", r"\tau_{{st,{j}}}"

@@ -8,6 +8,11 @@
  * Names in the code, for axis j, pulley or span k (or carriage k, l of a derivative) and component
  * i = x, y, z; t1, t2, ... are subexpressions that several values share:
  *   x_j [m]: position of carriage j along its rail
+ *   v_p_i [m/s]: velocity of the platform, component i
+ *   l_f_j_k [m]: free length of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
+ *     carriage to pulley 1)
+ *   k_j_k [N/m]: stiffness of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
+ *     carriage to pulley 1)
  *   r_j_i [m]: platform joint j seen from the origin of rail j, component i
  *   s_j_i [m]: linkage vector j, from carriage to platform joint, component i
  *   a_j [m]: coordinate of platform joint j along rail j
@@ -21,11 +26,6 @@
  *   f_j_kl [1]: right-hand side of closure j differentiated by x_k and x_l
  *   P_i_kl [1/m]: second derivative of p_i by x_k and x_l
  *   I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
- *   l_f_j_k [m]: free length of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
- *     carriage to pulley 1)
- *   k_j_k [N/m]: stiffness of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
- *     carriage to pulley 1)
- *   v_p_i [m/s]: velocity of the platform, component i
  *   s_dot_j_i [m/s]: rate of change of linkage vector j, component i
  *   D_p_dot_i_k [1/s]: time derivative of dp_i/dx_k
  *   mu_j [N/m]: static force in linkage j divided by its length, positive in compression

@@ -11,6 +11,11 @@ Names in the code, for axis j, pulley or span k (or carriage k, l of a derivativ
 t1, t2, ... are subexpressions that several values share:
 
 * x_j [m]: position of carriage j along its rail
+* v_p_i [m/s]: velocity of the platform, component i
+* l_f_j_k [m]: free length of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
+    carriage to pulley 1)
+* k_j_k [N/m]: stiffness of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
+    carriage to pulley 1)
 * r_j_i [m]: platform joint j seen from the origin of rail j, component i
 * s_j_i [m]: linkage vector j, from carriage to platform joint, component i
 * a_j [m]: coordinate of platform joint j along rail j
@@ -24,11 +29,6 @@ t1, t2, ... are subexpressions that several values share:
 * f_j_kl [1]: right-hand side of closure j differentiated by x_k and x_l
 * P_i_kl [1/m]: second derivative of p_i by x_k and x_l
 * I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
-* l_f_j_k [m]: free length of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
-    carriage to pulley 1)
-* k_j_k [N/m]: stiffness of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
-    carriage to pulley 1)
-* v_p_i [m/s]: velocity of the platform, component i
 * s_dot_j_i [m/s]: rate of change of linkage vector j, component i
 * D_p_dot_i_k [1/s]: time derivative of dp_i/dx_k
 * mu_j [N/m]: static force in linkage j divided by its length, positive in compression
@@ -199,7 +199,7 @@ def inverse_kinematics(p, parameters):
     p : array, shape (..., 3) [m]
         Platform centre in the base frame.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -264,7 +264,7 @@ def direct_kinematics(x, assembly, parameters):
     assembly : array, shape (...) [1]
         Assembly branch, +1 or -1: the sign of det D_l at the wanted platform centre.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -326,7 +326,7 @@ def reach_margin(p, parameters):
     p : array, shape (..., 3) [m]
         Platform centre in the base frame.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -383,7 +383,7 @@ def belt_spans(p, parameters):
     p : array, shape (..., 3) [m]
         Platform centre in the base frame.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -464,7 +464,7 @@ def constraint_jacobians(p, parameters):
     p : array, shape (..., 3) [m]
         Platform centre in the base frame.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -549,7 +549,7 @@ def jacobian_condition(p, parameters):
     p : array, shape (..., 3) [m]
         Platform centre in the base frame.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -636,7 +636,7 @@ def platform_jacobian(p, parameters):
     p : array, shape (..., 3) [m]
         Platform centre in the base frame.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -740,7 +740,7 @@ def platform_jacobian_rate(p, x_dot, parameters):
     x_dot : array, shape (..., 3) [m/s]
         Carriage velocities.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -906,7 +906,7 @@ def platform_second_derivatives(p, parameters):
     p : array, shape (..., 3) [m]
         Platform centre in the base frame.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -1089,7 +1089,7 @@ def link_jacobians(p, parameters):
     p : array, shape (..., 3) [m]
         Platform centre in the base frame.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -1283,7 +1283,7 @@ def kinetic_energy(p, q_dot, parameters):
     q_dot : array, shape (..., 9) [m/s, rad/s]
         Rates of the nine generalised coordinates.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -1422,7 +1422,7 @@ def mass_matrix(p, parameters):
     p : array, shape (..., 3) [m]
         Platform centre in the base frame.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -1581,7 +1581,7 @@ def velocity_forces(p, x_dot, parameters):
     x_dot : array, shape (..., 3) [m/s]
         Carriage velocities.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -1823,7 +1823,7 @@ def gravity_potential(p, parameters):
     p : array, shape (..., 3) [m]
         Platform centre in the base frame.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -1903,7 +1903,7 @@ def gravity_gradient(p, parameters):
     p : array, shape (..., 3) [m]
         Platform centre in the base frame.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -2019,7 +2019,7 @@ def gravity_hessian(p, parameters):
     p : array, shape (..., 3) [m]
         Platform centre in the base frame.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -2189,7 +2189,7 @@ def belt_stiffness(p, parameters):
     p : array, shape (..., 3) [m]
         Platform centre in the base frame.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -2286,7 +2286,7 @@ def elastic_potential(p, delta_q, parameters):
     delta_q : array, shape (..., 9) [m, rad]
         Small displacements of the nine generalised coordinates from the reference configuration at p.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -2391,7 +2391,7 @@ def elastic_gradient(p, delta_q, parameters):
     delta_q : array, shape (..., 9) [m, rad]
         Small displacements of the nine generalised coordinates from the reference configuration at p.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -2504,7 +2504,7 @@ def elastic_hessian(p, parameters):
     p : array, shape (..., 3) [m]
         Platform centre in the base frame.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -2630,7 +2630,7 @@ def static_equilibrium(p, parameters):
     p : array, shape (..., 3) [m]
         Platform centre in the base frame.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -2825,7 +2825,7 @@ def stiffness_matrix(p, parameters):
     p : array, shape (..., 3) [m]
         Platform centre in the base frame.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------
@@ -3063,7 +3063,7 @@ def modal_matrices(p, parameters):
     p : array, shape (..., 3) [m]
         Platform centre in the base frame.
     parameters : Parameters
-        The robot.
+        The robot's parameters.
 
     Returns
     -------

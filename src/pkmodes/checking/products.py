@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from pkmodes.checking.consistency import Check, Generated, check_consistency, oblique_robot, regular_poses
 from pkmodes.errors import PkmodesError, RobotFileError, shown
+from pkmodes.evaluation import active_effects, evaluation
 from pkmodes.generation import derivation, specification
 from pkmodes.robot.reading import read_robot
 from pkmodes.robot.robot import Robot
@@ -80,7 +81,7 @@ def check_folder(folder: Path) -> Report:
     texts = product.specialised(specification(robot, reference))
     mend = f"pkmodes generate {_shown(robot_file)} --out {_shown(folder)}"
     findings = _findings(folder, texts, mend)
-    checks = _consistency(Generated(_executed(texts)), robot)
+    checks = _checks(_executed(texts), robot)
     return Report(str(folder), findings, checks, _mend(folder, findings, mend))
 
 
@@ -122,10 +123,7 @@ def check_robot(robot_file: Path) -> Report:
     robot = read_robot(robot_file)
     texts = derivation("emit.product").specialised(specification(robot, robot_file.name))
     module = _executed(texts)
-    specialised, parametric = Generated(module), Generated(linear_delta, robot.parameters)
-    return Report(
-        str(robot_file), [], [*_consistency(specialised, robot), *_equality(specialised, parametric, robot)]
-    )
+    return Report(str(robot_file), [], _checks(module, robot))
 
 
 def _manifest(folder: Path) -> dict[str, object]:
@@ -168,19 +166,35 @@ def _executed(texts: dict[str, str]) -> types.ModuleType:
     return module
 
 
-def _consistency(generated: Generated, robot: Robot) -> list[Check]:
-    return check_consistency(generated, robot.parameters)
+def _checks(module: types.ModuleType, robot: Robot) -> list[Check]:
+    """Differences, and equality with the model that pkmodes evaluates.
+
+    A model with effects holds what its user needs, not every derivative; the differences are then those of
+    the parametric model that it is compared with, for the same robot.
+    """
+    parametric = Generated(linear_delta, robot.parameters)
+    differentiable = parametric if active_effects(robot.effects) else Generated(module)
+    return [*check_consistency(differentiable, robot.parameters), *_equality(module, parametric, robot)]
 
 
-def _equality(specialised: Generated, parametric: Generated, robot: Robot) -> list[Check]:
+def _equality(module: types.ModuleType, parametric: Generated, robot: Robot) -> list[Check]:
     """Constants folded or given as parameters: the same matrices."""
     p = regular_poses(parametric, robot.parameters)
     if not len(p):
         return []
-    names = ("M of the parametric model", "K of the parametric model")
-    pairs = zip(names, specialised.modal_matrices(p), parametric.modal_matrices(p), strict=True)
-    return [Check(name, _relative(found, expected), 1e-12) for name, found, expected in pairs]
+    expected = evaluation(robot.parameters, robot.effects)
+    M, K = expected.matrices(p)
+    found_M, found_K = module.modal_matrices(p)
+    return [
+        Check(name, _relative(found, wanted), 1e-12)
+        for name, found, wanted in (
+            ("M of the parametric model", found_M, M),
+            ("K of the parametric model", found_K, K),
+            ("torques of the parametric model", module.static_equilibrium(p)[0], expected.statics(p)[0]),
+        )
+    ]
 
 
 def _relative(found: NDArray[np.float64], expected: NDArray[np.float64]) -> float:
-    return float(np.max(np.abs(found - expected)) / np.max(np.abs(expected)))
+    size = float(np.max(np.abs(expected)))
+    return float(np.max(np.abs(found - expected))) / (size if size > 0.0 else 1.0)

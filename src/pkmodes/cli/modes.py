@@ -86,7 +86,7 @@ def _print(model: Model, result: Modes, statics: Statics) -> None:
     from rich.table import Table
 
     console = Console(highlight=False)
-    console.width = max(console.width, 80)
+    console.width = max(console.width, 80, 10 + 8 * len(result.frequencies))
     position = ", ".join(f"{c:g}" for c in result.poses)
     console.print(f"{model.robot.name} at [{position}] m\n", markup=False)
     numbers = range(1 - result.rigid_modes, len(result.frequencies) - result.rigid_modes + 1)

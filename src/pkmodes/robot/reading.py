@@ -16,6 +16,7 @@ from pydantic_core import ErrorDetails
 
 from pkmodes.errors import PkmodesError, RobotFileError, shown
 from pkmodes.robot import schema
+from pkmodes.robot.effects import read_effects
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.units import DIMENSIONS, Quantity, article
 from pkmodes_generated.linear_delta import Parameters
@@ -32,6 +33,7 @@ SHARED: dict[str, dict[str, str]] = {
     "motor": {"inertia": "moment of inertia", "gear_ratio": "number"},
 }
 COMPONENTS = ("x", "y", "z")
+DEFAULT_FRAME_MASS = Quantity(50.0, "kg")
 
 
 def read_robot(path: str | PathLike[str]) -> Robot:
@@ -65,14 +67,7 @@ def robot_from_document(document: Mapping[str, Any], source: str) -> Robot:
         details = error.errors(include_url=False)
         raise RobotFileError([_problem(entry, source) for entry in details if not _echo(entry)]) from None
     problems: list[PkmodesError] = []
-    if content.effects:
-        problems.append(
-            PkmodesError(
-                f"effects are not evaluated by this version, found {', '.join(map(shown, sorted(content.effects)))}",
-                f"{source}: effects",
-                "remove the table to evaluate the base model",
-            )
-        )
+    effects = _effects(content, source, problems)
     axes = [_merged(content, j, source, problems) for j in range(3)]
     if not problems:
         problems = _short_travels(content, axes, source)
@@ -83,8 +78,8 @@ def robot_from_document(document: Mapping[str, Any], source: str) -> Robot:
         mechanism=content.mechanism,
         source=source,
         parameters=_parameters(content, axes),
-        quantities=_quantities(content),
-        frame_mass=content.frame.mass.value,
+        quantities={**_quantities(content), **{f"effects.{path}": q for path, q in effects.items()}},
+        effects={path: quantity.value for path, quantity in effects.items()},
     )
 
 
@@ -134,6 +129,22 @@ def _missing(path: str, dimension: str, source: str) -> PkmodesError:
         f"{source}: {path}",
         f"add the key {path.rsplit('.', 1)[-1]}; {FORMAT_HELP}",
     )
+
+
+def _effects(content: schema.RobotFile, source: str, problems: list[PkmodesError]) -> dict[str, Quantity]:
+    """The effects; the frame's mass is declared with the frame, or with the effect, but not twice."""
+    path = "frame_compliance.mass"
+    declared = content.frame.mass
+    table = content.effects.get("frame_compliance")
+    if declared is not None and isinstance(table, dict) and "mass" in table:
+        problems.append(
+            PkmodesError(
+                "the mass of the frame is declared twice",
+                f"{source}: effects.{path}",
+                "keep it in [frame] and remove it here",
+            )
+        )
+    return read_effects(content.effects, {path: declared or DEFAULT_FRAME_MASS}, source, problems)
 
 
 def _short_travels(

@@ -26,8 +26,8 @@ class Robot:
     quantities : mapping of str to Quantity
         Every declared value with its standard deviation, by dotted path (``platform.mass``,
         ``axis.1.belt.width`` where an axis overrides, ``axis.1.limits.min``, ``gravity.z``).
-    frame_mass : float
-        Mass of the frame [kg]; used by the effect frame_compliance only.
+    effects : mapping of str to float
+        Parameters of the declared effects in SI units, by ``<effect>.<parameter>``.
     """
 
     name: str
@@ -35,7 +35,7 @@ class Robot:
     source: str
     parameters: Parameters
     quantities: Mapping[str, Quantity] = field(repr=False)
-    frame_mass: float = 50.0
+    effects: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def declared(self) -> dict[str, object]:

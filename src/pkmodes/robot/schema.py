@@ -75,7 +75,8 @@ def _sigma(raw: Any, value: float, dimension: str) -> float:
     return sigma
 
 
-def _quantity(raw: Any, dimension: str, at_least: float | None, above: float | None) -> Quantity:
+def quantity(raw: Any, dimension: str, at_least: float | None = None, above: float | None = None) -> Quantity:
+    """A bare number, text with a unit, or a table with a standard deviation."""
     sigma_raw = None
     if isinstance(raw, dict):
         unknown = [key for key in raw if key not in ("value", "sigma")]
@@ -110,7 +111,7 @@ def _vector(raw: Any, dimension: str, length: int) -> tuple[Quantity, ...]:
     elements = []
     for name, element in zip("xyz" if length == 3 else ("min", "max"), raw, strict=True):
         try:
-            elements.append(_quantity(element, dimension, None, None))
+            elements.append(quantity(element, dimension, None, None))
         except PydanticCustomError as error:
             context = error.context or {}
             raise refused(error.message(), context["remedy"], element=name) from error
@@ -168,7 +169,7 @@ def refused(message: str, remedy: str = SI_REMEDY, element: str = "") -> Pydanti
 
 
 def _of(dimension: str, at_least: float | None = None, above: float | None = None) -> BeforeValidator:
-    return BeforeValidator(lambda raw: _quantity(raw, dimension, at_least, above))
+    return BeforeValidator(lambda raw: quantity(raw, dimension, at_least, above))
 
 
 Mass = Annotated[Quantity, _of("mass", at_least=0.0)]
@@ -237,7 +238,7 @@ class Motor(Table):
 class Frame(Table):
     """The frame; used by the effect frame_compliance only."""
 
-    mass: PositiveMass = Quantity(50.0, "kg")
+    mass: PositiveMass | None = None
 
 
 class Axis(Table):
@@ -271,4 +272,4 @@ class RobotFile(Table):
     motor: Motor = Motor()
     frame: Frame = Frame()
     axis: Annotated[tuple[Axis, ...], Field(min_length=3, max_length=3)]
-    effects: dict[str, dict[str, Any]] = Field(default_factory=dict)
+    effects: dict[str, Any] = Field(default_factory=dict)

@@ -30,6 +30,11 @@ DIMENSIONS: dict[str, tuple[str, str]] = {
     "moment of inertia": ("kg m^2", "130e-6 kg*m^2"),
     "acceleration": ("m/s^2", "-9.81 m/s^2"),
     "specific stiffness": ("N/m", "2.42e6 N/m"),
+    "stiffness": ("N/m", "1e6 N/m"),
+    "torsional stiffness": ("N m/rad", "500 N*m/rad"),
+    "compliance": ("m/N", "1e-7 m/N"),
+    "torsional compliance": ("rad/(N m)", "1e-4 rad/(N*m)"),
+    "linear density": ("kg/m", "0.06 kg/m"),
     "number": ("1", "10"),
 }
 
@@ -127,9 +132,9 @@ def _convert(number: Decimal, unit: str, si_unit: str, expected: str, text: str)
 
 def _dimension_name(dimensionality: str) -> str:
     registry = _registry()
-    for name, (unit, _) in DIMENSIONS.items():
-        if name != "number" and str(registry.Unit(unit).dimensionality) == dimensionality:
-            return "stiffness" if name == "specific stiffness" else name
+    for name in ("length", "mass", "moment of inertia", "acceleration", "stiffness"):
+        if str(registry.Unit(DIMENSIONS[name][0]).dimensionality) == dimensionality:
+            return name
     return f"quantity of dimension {dimensionality}"
 
 

@@ -5,10 +5,11 @@ Nothing is derived here: the derived quantities are collected, named and describ
 
 from __future__ import annotations
 
-from pkmodes_derive.functions import Model
+from pkmodes_derive.functions import FieldGroup, Model
 from pkmodes_derive.linear_delta import energy, kinematics, rotation, statics
 from pkmodes_derive.linear_delta.catalogue import modal, motion, position, potential
 from pkmodes_derive.linear_delta.catalogue.collected import Collected
+from pkmodes_derive.linear_delta.machine import Machine
 from pkmodes_derive.linear_delta.symbols import Symbols
 
 
@@ -22,14 +23,15 @@ def derive() -> Model:
         robot given by the parameter fields.
     """
     sy = Symbols()
-    kin = kinematics.derive(sy)
-    energies = energy.derive(sy, kin)
-    collected = Collected(sy, kin, energies, statics.derive(sy, kin, energies))
+    machine = Machine(sy)
+    kin = kinematics.derive(machine)
+    energies = energy.derive(machine, kin)
+    collected = Collected(machine, kin, energies, statics.derive(machine, kin, energies))
     return Model(
         mechanism="linear_delta",
         coordinates=tuple((q.name, sy.vocabulary[q].unit) for q in sy.coordinates),
         vocabulary=sy.vocabulary,
-        fields=sy.fields,
+        groups=(FieldGroup("Parameters", "parameters", sy.fields),),
         functions=(
             *position.position(collected),
             *motion.motion(collected),

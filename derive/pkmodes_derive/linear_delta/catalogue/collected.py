@@ -9,19 +9,22 @@ from sympy import Expr, Integer, Matrix, default_sort_key, prime
 from pkmodes_derive import lagrangian
 from pkmodes_derive.functions import Argument, Function, Output
 from pkmodes_derive.linear_delta import energy, kinematics, statics
-from pkmodes_derive.linear_delta.symbols import Symbols
+from pkmodes_derive.linear_delta.machine import Machine
 
 
 class Collected:
     """What the chapters of the catalogue draw on: derived quantities, arguments, and M and K."""
 
     def __init__(
-        self, sy: Symbols, kin: kinematics.Kinematics, energies: energy.Energies, equilibrium: statics.Statics
+        self,
+        machine: Machine,
+        kin: kinematics.Kinematics,
+        energies: energy.Energies,
+        equilibrium: statics.Statics,
     ) -> None:
+        self.machine, sy = machine, machine.sy
         self.sy, self.kin, self.energies, self.equilibrium = sy, kin, energies, equilibrium
-        # In the code the pose is the input: the carriages follow from it by inverse kinematics.
-        r_of_p = {entry: kin.chain.definitions[entry] for vector in kin.r for entry in vector}
-        self.definitions = {**r_of_p, **kin.inverse, **kin.chain.definitions}
+        self.definitions = kin.definitions
         self.pose = Argument("p", sy.p, "m", "platform centre in the base frame")
         self.carriages = Argument("x", sy.x, "m", "carriage positions x_1, x_2, x_3")
         self.x_dot = Argument("x_dot", sy.velocities[:3], "m/s", "carriage velocities")

@@ -46,7 +46,7 @@ def belts(c: Collected) -> list[Function]:
             Output(
                 "k",
                 (3, 3),
-                flat(energies.belt_stiffness),
+                flat(c.machine.k),
                 "N/m",
                 "k[j-1, k-1], the spans in the order of `belt_spans`",
             ),

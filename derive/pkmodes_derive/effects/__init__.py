@@ -1,0 +1,29 @@
+"""The catalogue of effects: every module in this folder is one; nothing else lists them."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from pkgutil import iter_modules
+
+from pkmodes_derive.effect import Effect
+
+
+def catalogue() -> tuple[Effect, ...]:
+    """Find every effect, released ones last and in the order of their coordinates.
+
+    Raises
+    ------
+    ValueError
+        If two effects have the same name, or a module's name is not that of its effect.
+    """
+    found: dict[str, Effect] = {}
+    for module in sorted(iter_modules(__path__), key=lambda item: item.name):
+        effect: Effect = import_module(f"{__name__}.{module.name}").EFFECT
+        if effect.name != module.name or effect.name in found:
+            raise ValueError(
+                f"effects/{module.name}.py defines {effect.name!r}: one effect a file, of its name"
+            )
+        found[effect.name] = effect
+    return tuple(
+        sorted(found.values(), key=lambda effect: (bool(effect.coordinates), effect.order, effect.name))
+    )

@@ -1,0 +1,26 @@
+"""Belt mass: the free spans move with a displacement linear between their ends; the wraps are neglected."""
+
+from sympy import Rational
+
+from pkmodes_derive.effect import Effect, EffectParameter
+
+
+def apply(machine, parameters, released):
+    """Add rho l / 6 (a^2 + a b + b^2) for each span with end velocities a and b, relative to the frame.
+
+    A closed loop's weight does no work, so there is no potential energy.
+    """
+    for j in range(3):
+        for length, (a, b) in zip(machine.l_f[j], machine.span_end_rates(j), strict=True):
+            span_mass = parameters["linear_density"] * length
+            machine.add_kinetic(Rational(1, 6) * span_mass * (a**2 + a * b + b**2))
+
+
+EFFECT = Effect(
+    name="belt_mass",
+    sentence="the belts are not massless",
+    parameters=(
+        EffectParameter("linear_density", "kg/m", "mass of a belt by its length", "rho_b", r"\rho_b"),
+    ),
+    apply=apply,
+)

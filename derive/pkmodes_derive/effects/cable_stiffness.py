@@ -1,0 +1,25 @@
+"""Cable stiffness: a hose or cable pulls the platform centre like an isotropic spring to ground."""
+
+from sympy import Rational
+
+from pkmodes_derive.effect import Effect, EffectParameter
+from pkmodes_derive.vectors import dot
+
+
+def apply(machine, parameters, released):
+    """Add the spring on the platform's absolute displacement, relaxed at the pose."""
+    displacement = machine.platform_displacement
+    machine.add_elastic(Rational(1, 2) * parameters["stiffness"] * dot(displacement, displacement))
+
+
+EFFECT = Effect(
+    name="cable_stiffness",
+    sentence="a cable or hose ties the platform to ground",
+    parameters=(
+        EffectParameter(
+            "stiffness", "N/m", "isotropic stiffness from the platform centre to ground", "k_C", "k_C"
+        ),
+    ),
+    apply=apply,
+    grounds=True,
+)

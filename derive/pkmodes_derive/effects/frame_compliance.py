@@ -1,0 +1,29 @@
+"""Frame compliance: the frame, with rails and pulley bearings, translates on an isotropic spring."""
+
+from sympy import Rational
+
+from pkmodes_derive.effect import Effect, EffectParameter
+from pkmodes_derive.vectors import dot
+
+
+def apply(machine, parameters, released):
+    """Move every body with the frame, pulley rotation and belts excepted, and add the frame's own mass."""
+    for component, coordinate in zip(machine.frame, released, strict=True):
+        component.append(coordinate)
+    rate = tuple(coordinate.rate for coordinate in released)
+    machine.add_kinetic(Rational(1, 2) * parameters["mass"] * dot(rate, rate))
+
+
+EFFECT = Effect(
+    name="frame_compliance",
+    sentence="the frame moves",
+    parameters=(
+        EffectParameter("compliance", "m/N", "isotropic compliance of the frame", "c_F", "c_F"),
+        EffectParameter("mass", "kg", "mass of the frame", "m_F", "m_F", fitted=False),
+    ),
+    apply=apply,
+    coordinates=("u_x", "u_y", "u_z"),
+    coordinate_unit="m",
+    coordinate_description="displacement of the frame along",
+    order=4,
+)

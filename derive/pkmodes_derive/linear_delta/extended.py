@@ -1,0 +1,261 @@
+"""The linear delta with effects: extended M and K, and their derivatives by every parameter.
+
+The base model is the leading block: released coordinates are relative, so locking one is deleting its row
+and column.  M and K are those of free joints; the stiffness 1/c of each released joint is added to the
+diagonal of K by whoever knows which joints are released.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from sympy import Expr, Integer, diff
+
+from pkmodes_derive import lagrangian
+from pkmodes_derive.effect import Effect
+from pkmodes_derive.functions import Argument, FieldGroup, Function, Model, Output
+from pkmodes_derive.linear_delta import energy, kinematics, sensitivity, statics
+from pkmodes_derive.linear_delta.catalogue.collected import Collected
+from pkmodes_derive.linear_delta.catalogue.position import position
+from pkmodes_derive.linear_delta.machine import Machine
+from pkmodes_derive.linear_delta.symbols import Symbols
+
+UNITS_M, UNITS_K = "kg, kg m, kg m^2", "N/m, N, N m"
+
+
+def derive(effects: Sequence[Effect]) -> Model:
+    """Derive the extended model for the given effects."""
+    sy = Symbols()
+    machine = Machine(sy, effects)
+    kin = kinematics.derive(machine)
+    energies = energy.derive(machine, kin)
+    equilibrium = statics.derive(machine, kin, energies)
+    extended = _Extended(machine, kin, energies, equilibrium)
+    place = {
+        symbol: (field.name, index)
+        for field in (*sy.fields, *machine.fields)
+        for symbol, index in zip(field.symbols, field.indices, strict=True)
+    }
+    return Model(
+        mechanism="linear_delta",
+        coordinates=tuple(
+            (q.name, sy.vocabulary[q].unit)
+            for q in (*sy.coordinates, *(c.position for c in machine.released))
+        ),
+        vocabulary=sy.vocabulary,
+        groups=(
+            FieldGroup("Parameters", "parameters", sy.fields, declared=False),
+            FieldGroup("Effects", "effects", machine.fields, null=0.0),
+        ),
+        functions=(
+            extended.matrices(),
+            extended.joints(),
+            extended.static_equilibrium(),
+            extended.sensitivities(),
+        ),
+        constants=(
+            (
+                "The effects: name, sentence, whether it ties the platform to ground, released coordinates, and "
+                "parameters as (name, unit, description, exclusive lower bound, whether it can be fitted).",
+                "EFFECTS",
+                tuple(_described(effect) for effect in effects),
+            ),
+            (
+                "By which parameters the derivatives are taken: field of Parameters or Effects, and index in it.",
+                "SENSITIVITY_PARAMETERS",
+                tuple(place[theta] for theta in sensitivity.parameters(machine)),
+            ),
+        ),
+    )
+
+
+def derive_single(effects: Sequence[Effect]) -> Model:
+    """Derive the model of one robot with effects: what a controller or an analysis needs, and nothing else.
+
+    The joints' stiffnesses are in K.  A coordinate without inertia has a row of zeros in M: condense it before
+    the eigenproblem.
+    """
+    sy = Symbols()
+    machine = Machine(sy, effects)
+    kin = kinematics.derive(machine)
+    energies = energy.derive(machine, kin)
+    equilibrium = statics.derive(machine, kin, energies)
+    extended = _Extended(machine, kin, energies, equilibrium)
+    collected = Collected(machine, kin, energies, equilibrium)
+    return Model(
+        mechanism="linear_delta",
+        coordinates=tuple((q.name, sy.vocabulary[q].unit) for q in extended.coordinates),
+        vocabulary=sy.vocabulary,
+        groups=(
+            FieldGroup("Parameters", "parameters", sy.fields),
+            FieldGroup("Effects", "effects", machine.fields, null=0.0),
+        ),
+        functions=(
+            *position(collected),
+            extended.modal(),
+            extended.platform_motion(),
+            extended.static_equilibrium("static_equilibrium"),
+        ),
+    )
+
+
+def _described(effect: Effect) -> tuple[object, ...]:
+    parameters = tuple((p.name, p.unit, p.description, p.greater_than, p.fitted) for p in effect.parameters)
+    return (effect.name, effect.sentence, effect.grounds, effect.coordinates, parameters)
+
+
+class _Extended:
+    """The extended matrices, and the functions that give them."""
+
+    def __init__(
+        self,
+        machine: Machine,
+        kin: kinematics.Kinematics,
+        energies: energy.Energies,
+        equilibrium: statics.Statics,
+    ) -> None:
+        self.machine, self.kin, self.energies, self.equilibrium = machine, kin, energies, equilibrium
+        sy = machine.sy
+        self.pose = (Argument("p", sy.p, "m", "platform centre in the base frame"),)
+        rates = (*sy.velocities, *(c.rate for c in machine.released))
+        small = (*sy.displacements, *(c.position for c in machine.released))
+        self.n = len(rates)
+        self.coordinates = (*sy.coordinates, *(c.position for c in machine.released))
+        self.M = lagrangian.mass_matrix(energies.T_ss + energies.T_t, rates, kin.chain)
+        # Displacements are small: Jacobian and belt stiffnesses are those of the reference configuration.
+        constant = (*kin.D, *(k for axis in machine.k for k in axis))
+        self.K_el = kin.chain.hessian(energies.V_el, small, hold=constant)
+        self.K_g = self._place(equilibrium.gravity_hessian)
+        self.J_p = [[kin.chain.derivative(component, rate) for rate in rates] for component in machine.v_p]
+
+    def _place(self, block: Sequence[Sequence[Expr]]) -> list[list[Expr]]:
+        """Put a matrix in the coordinates of the closures into the matrix in all coordinates."""
+        order = [c.position for c in self.machine.released]
+        base = len(self.machine.sy.coordinates)
+        index = [k if k < 3 else base + order.index(q) for k, q in enumerate(self.kin.independent)]
+        placed = [[Integer(0)] * self.n for _ in range(self.n)]
+        for row, k in enumerate(index):
+            for column, m in enumerate(index):
+                placed[k][m] = block[row][column]
+        return placed
+
+    def matrices(self) -> Function:
+        shape = (self.n, self.n)
+        return Function(
+            "extended_matrices",
+            "Mass and stiffness matrices in the base and all released coordinates, joints free.",
+            "equations 24 to 48 with the effects' energies; K = K_el + K_g and the joints' stiffnesses",
+            self.pose,
+            (
+                Output(
+                    "M", shape, _flat(self.M), UNITS_M, "mass matrix; the base model's is the leading block"
+                ),
+                Output("K_el", shape, _flat(self.K_el), UNITS_K, "elastic stiffness, released joints free"),
+                Output(
+                    "K_g", shape, _flat(self.K_g), UNITS_K, "Hessian of the gravitational potential energy"
+                ),
+                Output(
+                    "J_p",
+                    (3, self.n),
+                    _flat(self.J_p),
+                    "1, m",
+                    "absolute motion of the platform by coordinates",
+                ),
+            ),
+            self.kin.definitions,
+        )
+
+    def joints(self) -> Function:
+        positions = [c.position for c in self.machine.released]
+        stiffness = [diff(energy_, q, q) for energy_, q in zip(self.energies.V_r, positions, strict=True)]
+        rates = [diff(k, c) for k, c in zip(stiffness, self.machine.compliances, strict=True)]
+        n = len(positions)
+        return Function(
+            "joint_stiffness",
+            "Stiffnesses of the released joints, to be added to the diagonal of K.",
+            "energy q^2 / (2 c) of each joint",
+            (),
+            (
+                Output(
+                    "kappa", (n,), tuple(stiffness), "N/m, N m", "in the order of the released coordinates"
+                ),
+                Output("kappa_c", (n,), tuple(rates), "N^2/m^2, N^2 m^2", "derivatives by the compliances"),
+            ),
+            {},
+            "Infinite for a compliance of zero: a locked joint.",
+        )
+
+    def modal(self) -> Function:
+        """M and K of one robot, its joints' springs included."""
+        joints = dict(zip((c.position for c in self.machine.released), self.energies.V_r, strict=True))
+        K = [[a + b for a, b in zip(*rows, strict=True)] for rows in zip(self.K_el, self.K_g, strict=True)]
+        for k, q in enumerate(self.coordinates):
+            if q in joints:
+                K[k][k] += diff(joints[q], q, q)
+        shape = (self.n, self.n)
+        return Function(
+            "modal_matrices",
+            "Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.",
+            "equation 48, with the effects' energies",
+            self.pose,
+            (
+                Output("M", shape, _flat(self.M), UNITS_M, "mass matrix"),
+                Output("K", shape, _flat(K), UNITS_K, "stiffness matrix, positive for a restoring force"),
+            ),
+            self.kin.definitions,
+        )
+
+    def platform_motion(self) -> Function:
+        """The absolute motion of the platform."""
+        entries = _flat(self.J_p)
+        return Function(
+            "platform_motion",
+            "Absolute motion of the platform centre by the coordinates.",
+            "equation 15, with what released joints and the frame add",
+            self.pose,
+            (Output("J_p", (3, self.n), entries, "1, m", "dp_i/dq_k, base frame"),),
+            self.kin.definitions,
+        )
+
+    def static_equilibrium(self, name: str = "extended_static_equilibrium") -> Function:
+        """Equation 44."""
+        return Function(
+            name,
+            "Torques and pulley rotations that hold the pose, the effects' weights and belts included.",
+            "equation 44; springs that effects add are relaxed at the pose, and the released joints hold",
+            self.pose,
+            (
+                Output("tau_st", (3,), self.equilibrium.torques, "N m", "torques on the driven pulleys"),
+                Output(
+                    "theta_st", (6,), self.equilibrium.rotations, "rad", "rotations from the unstrained belts"
+                ),
+            ),
+            self.kin.definitions,
+        )
+
+    def sensitivities(self) -> Function:
+        chain = sensitivity.PoseChain(self.machine, self.kin, self.energies, self.equilibrium)
+        K = [[a + b for a, b in zip(*rows, strict=True)] for rows in zip(self.K_el, self.K_g, strict=True)]
+        dM, dK = (chain.derivatives(matrix) for matrix in (self.M, K))
+        shape = (len(dM), self.n, self.n)
+        return Function(
+            "extended_sensitivities",
+            "Derivatives of M and K by every parameter, at a fixed platform pose.",
+            "implicit function theorem and chain rule; the carriages follow the parameter",
+            self.pose,
+            (
+                Output(
+                    "M_theta", shape, _flat(map(_flat, dM)), "unit of M by that of the parameter", "dM/dtheta"
+                ),
+                Output(
+                    "K_theta", shape, _flat(map(_flat, dK)), "unit of K by that of the parameter", "dK/dtheta"
+                ),
+            ),
+            chain.chain.definitions,
+            "In the order of SENSITIVITY_PARAMETERS; by a rail's origin, the opposite of those by its joint.",
+            in_c=False,
+        )
+
+
+def _flat(rows: object) -> tuple[Expr, ...]:
+    return tuple(entry for row in rows for entry in row)

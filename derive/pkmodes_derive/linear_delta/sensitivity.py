@@ -1,0 +1,122 @@
+r"""Exact derivatives of M and K by every parameter, at a fixed platform pose.
+
+With the pose held, a parameter moves the carriages by inverse kinematics, and with them the linkages, belts
+and link forces.  Three quantities are given by the implicit function theorem once more, so that nothing has
+to be differentiated through square roots and inverses: with theta a parameter,
+
+.. math::
+    \frac{dx_j}{d\theta} = \frac{\Phi_{j,\theta}}{(D_r)_{jj}}, \qquad
+    D_l \frac{dD}{d\theta} = \frac{d(-\Phi_q)}{d\theta} - \frac{dD_l}{d\theta} D, \qquad
+    D_l^T \frac{d\mu}{d\theta} = \frac{dV_p}{d\theta} - \frac{dD_l^T}{d\theta} \mu .
+
+Everything else is the chain rule over named values.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from sympy import Add, Expr, Symbol, diff
+
+from pkmodes_derive import implicit
+from pkmodes_derive.chain import Chain
+from pkmodes_derive.linear_delta.energy import Energies
+from pkmodes_derive.linear_delta.kinematics import Kinematics
+from pkmodes_derive.linear_delta.machine import Machine
+from pkmodes_derive.linear_delta.statics import Statics
+
+
+def parameters(machine: Machine) -> tuple[Symbol, ...]:
+    """Parameters by which M and K are differentiated, in the order of the generated arrays.
+
+    Directions, branches and driven pulleys are choices, not quantities.  A rail's origin enters only through
+    its difference from the platform joint, so its derivatives are those by the joint with opposite sign; the
+    compliances of released joints are not in M and K but in the springs that are added to K.
+    """
+    sy = machine.sy
+    of_robot = (sy.m_p, *sy.g, *(c for vector in sy.b for c in vector))
+    by_axis = (
+        sy.l_d,
+        sy.m_d,
+        sy.m_t,
+        sy.l_t,
+        sy.k_sp,
+        sy.w_b,
+        sy.R_p,
+        sy.I_p,
+        sy.I_m,
+        sy.i_g,
+        sy.x_min,
+        sy.x_max,
+    )
+    springs = set(machine.compliances)
+    of_effects = (s for field in machine.fields for s in field.symbols if s not in springs)
+    return (*of_robot, *(s for group in by_axis for s in group), *of_effects)
+
+
+class PoseChain:
+    """The chain rule at a fixed pose: definitions as they are evaluated, rules by the theorem above."""
+
+    def __init__(
+        self, machine: Machine, kinematics: Kinematics, energies: Energies, statics: Statics
+    ) -> None:
+        self.machine, self.kinematics, self.energies, self.statics = machine, kinematics, energies, statics
+        self.chain = Chain()
+        for symbol, expression in kinematics.definitions.items():
+            self.chain.define(symbol, expression)
+        for theta in parameters(machine):
+            self._follow(theta)
+
+    def derivatives(self, matrix: Sequence[Sequence[Expr]]) -> list[list[list[Expr]]]:
+        """Derivatives of a symmetric matrix by every parameter: one matrix for each parameter."""
+        n = len(matrix)
+        found = []
+        for theta in parameters(self.machine):
+            upper = {
+                (k, m): self.chain.derivative(matrix[k][m], theta) for k in range(n) for m in range(k, n)
+            }
+            found.append([[upper[min(k, m), max(k, m)] for m in range(n)] for k in range(n)])
+        return found
+
+    def _follow(self, theta: Symbol) -> None:
+        """State how carriages, Jacobian and link forces follow a parameter."""
+        kin, chain, sy = self.kinematics, self.chain, self.machine.sy
+        rates = [chain.derivative(phi, theta, hold=sy.x) for phi in kin.closures]
+        for j, rate in enumerate(rates):
+            if rate != 0:
+                rate = rate.xreplace(kin.reference)
+                chain.rule(sy.x[j], theta, self._name(sy.x[j], theta, rate / kin.D_r[j, j]))
+        s_rate = [[self._name(s, theta, chain.derivative(s, theta)) for s in vector] for vector in kin.s]
+        for k in range(len(kin.independent)):
+            right = [
+                chain.derivative(kin.right[j, k], theta)
+                - Add(*(s_rate[j][m] * kin.D[m, k] for m in range(3)))
+                for j in range(3)
+            ]
+            for m, solution in enumerate(implicit.solve_3x3(kin.adjugate, kin.determinant, right)):
+                self._state(kin.D[m, k], theta, solution)
+        mu = self.statics.force_densities
+        gradient = [diff(self.energies.V_g, component) for component in sy.p]
+        right = [
+            chain.derivative(gradient[m], theta) - Add(*(s_rate[j][m] * mu[j] for j in range(3)))
+            for m in range(3)
+        ]
+        for j, solution in enumerate(implicit.multipliers(kin.adjugate, kin.determinant, right)):
+            self._state(mu[j], theta, solution)
+
+    def _state(self, symbol: Symbol, theta: Symbol, derivative: Expr) -> None:
+        # A rule of zero is stated as well: it keeps the chain from following the definition instead.
+        self.chain.rule(symbol, theta, self._name(symbol, theta, derivative))
+
+    def _name(self, symbol: Symbol, theta: Symbol, derivative: Expr) -> Expr:
+        if derivative == 0:
+            return derivative
+        v = self.machine.sy.vocabulary
+        of, by = v[symbol], v[theta]
+        name = v.declare(
+            f"{symbol.name}_by_{theta.name}",
+            f"({of.unit})/({by.unit})",
+            f"derivative at a fixed pose of: {of.description}; by: {by.description}",
+            rf"\frac{{d {of.latex}}}{{d {by.latex}}}",
+        )
+        return self.chain.define(name, derivative)

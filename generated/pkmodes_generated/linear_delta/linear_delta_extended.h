@@ -1,0 +1,116 @@
+/* Generated from the derivation of linear_delta and the catalogue of effects.
+ * By pkmodes_derive 0.1.0 with SymPy 1.14.0.
+ * Do not edit: regenerate with `python -m pkmodes_derive generate`.
+ *
+ * Dynamics of the mechanism linear_delta with effects: extended matrices and sensitivities.
+ *
+ * C99, no allocation, no dependency but sqrt.  Matrices are row-major.  Everything is in SI units and in the
+ * base frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
+ * Generalised coordinates, in the order of M and K:
+ *   x_1 [m]
+ *   x_2 [m]
+ *   x_3 [m]
+ *   theta_1_1 [rad]
+ *   theta_2_1 [rad]
+ *   theta_3_1 [rad]
+ *   theta_1_2 [rad]
+ *   theta_2_2 [rad]
+ *   theta_3_2 [rad]
+ *   psi_1 [rad]
+ *   psi_2 [rad]
+ *   psi_3 [rad]
+ *   delta_1 [m]
+ *   delta_2 [m]
+ *   delta_3 [m]
+ *   eps_1 [m]
+ *   eps_2 [m]
+ *   eps_3 [m]
+ *   u_x [m]
+ *   u_y [m]
+ *   u_z [m]
+ */
+#ifndef LINEAR_DELTA_EXTENDED_H
+#define LINEAR_DELTA_EXTENDED_H
+
+#include "linear_delta.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+    /* [1] relative change of the belt stiffness of axis 1 */
+    double axis_belt_stiffness_factor_1;
+    /* [1] relative change of the belt stiffness of axis 2 */
+    double axis_belt_stiffness_factor_2;
+    /* [1] relative change of the belt stiffness of axis 3 */
+    double axis_belt_stiffness_factor_3;
+    /* [m/N] compliance in series with every free span */
+    double belt_end_compliance_compliance;
+    /* [kg/m] mass of a belt by its length */
+    double belt_mass_linear_density;
+    /* [N/m] isotropic stiffness from the platform centre to ground */
+    double cable_stiffness_stiffness;
+    /* [kg m^2] extra inertia on every driven pulley */
+    double gearbox_inertia_inertia;
+    /* [kg] point mass at the platform centre */
+    double payload_mass;
+    /* [N m/rad] torsional stiffness to ground at every driven pulley */
+    double servo_stiffness_stiffness;
+    /* [rad/(N m)] compliance of every gearbox, output side */
+    double gearbox_compliance_compliance;
+    /* [m/N] axial compliance of every linkage */
+    double link_compliance_compliance;
+    /* [m/N] compliance of every belt clamp */
+    double clamp_compliance_compliance;
+    /* [m/N] isotropic compliance of the frame */
+    double frame_compliance_compliance;
+    /* [kg] mass of the frame */
+    double frame_compliance_mass;
+} linear_delta_effects;
+
+/* Mass and stiffness matrices in the base and all released coordinates, joints free.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out M [kg, kg m, kg m^2]: mass matrix; the base model's is the leading block
+ *   out K_el [N/m, N, N m]: elastic stiffness, released joints free
+ *   out K_g [N/m, N, N m]: Hessian of the gravitational potential energy
+ *   out J_p [1, m]: absolute motion of the platform by coordinates
+ *
+ * Source: equations 24 to 48 with the effects' energies; K = K_el + K_g and the joints' stiffnesses.
+ * 1254 operations; 2362005 with every named value written out.
+ */
+void linear_delta_extended_extended_matrices(const double p[3], const linear_delta_parameters *parameters,
+    const linear_delta_effects *effects, double M[21][21], double K_el[21][21], double K_g[21][21], double
+    J_p[3][21]);
+
+/* Stiffnesses of the released joints, to be added to the diagonal of K.
+ *
+ * Infinite for a compliance of zero: a locked joint.
+ *
+ *   out kappa [N/m, N m]: in the order of the released coordinates
+ *   out kappa_c [N^2/m^2, N^2 m^2]: derivatives by the compliances
+ *
+ * Source: energy q^2 / (2 c) of each joint.
+ * 16 operations; 48 with every named value written out.
+ */
+void linear_delta_extended_joint_stiffness(const linear_delta_effects *effects, double kappa[12], double
+    kappa_c[12]);
+
+/* Torques and pulley rotations that hold the pose, the effects' weights and belts included.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out tau_st [N m]: torques on the driven pulleys
+ *   out theta_st [rad]: rotations from the unstrained belts
+ *
+ * Source: equation 44; springs that effects add are relaxed at the pose, and the released joints hold.
+ * 382 operations; 127761 with every named value written out.
+ */
+void linear_delta_extended_extended_static_equilibrium(const double p[3], const linear_delta_parameters
+    *parameters, const linear_delta_effects *effects, double tau_st[3], double theta_st[6]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
