@@ -36,6 +36,7 @@ print(hashlib.sha256(json.dumps(texts, sort_keys=True).encode()).hexdigest())
 """
 
 
+@pytest.mark.slow
 def test_output_does_not_depend_on_the_hash_seed() -> None:
     path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
     command = [sys.executable, "-c", DIGEST, str(ROOT / "robots" / "linear-delta-2022.toml")]

@@ -25,12 +25,8 @@ UNITS_M, UNITS_K = "kg, kg m, kg m^2", "N/m, N, N m"
 
 def derive(effects: Sequence[Effect]) -> Model:
     """Derive the extended model for the given effects."""
-    sy = Symbols()
-    machine = Machine(sy, effects)
-    kin = kinematics.derive(machine)
-    energies = energy.derive(machine, kin)
-    equilibrium = statics.derive(machine, kin, energies)
-    extended = _Extended(machine, kin, energies, equilibrium)
+    extended = _Extended(effects)
+    machine, sy = extended.machine, extended.machine.sy
     place = {
         symbol: (field.name, index)
         for field in (*sy.fields, *machine.fields)
@@ -75,13 +71,9 @@ def derive_single(effects: Sequence[Effect]) -> Model:
     The joints' stiffnesses are in K.  A coordinate without inertia has a row of zeros in M: condense it before
     the eigenproblem.
     """
-    sy = Symbols()
-    machine = Machine(sy, effects)
-    kin = kinematics.derive(machine)
-    energies = energy.derive(machine, kin)
-    equilibrium = statics.derive(machine, kin, energies)
-    extended = _Extended(machine, kin, energies, equilibrium)
-    collected = Collected(machine, kin, energies, equilibrium)
+    extended = _Extended(effects)
+    machine, sy = extended.machine, extended.machine.sy
+    collected = Collected(machine, extended.kin, extended.energies, extended.equilibrium)
     return Model(
         mechanism="linear_delta",
         coordinates=tuple((q.name, sy.vocabulary[q].unit) for q in extended.coordinates),
@@ -107,14 +99,11 @@ def _described(effect: Effect) -> tuple[object, ...]:
 class _Extended:
     """The extended matrices, and the functions that give them."""
 
-    def __init__(
-        self,
-        machine: Machine,
-        kin: kinematics.Kinematics,
-        energies: energy.Energies,
-        equilibrium: statics.Statics,
-    ) -> None:
-        self.machine, self.kin, self.energies, self.equilibrium = machine, kin, energies, equilibrium
+    def __init__(self, effects: Sequence[Effect]) -> None:
+        self.machine = machine = Machine(Symbols(), effects)
+        self.kin = kin = kinematics.derive(machine)
+        self.energies = energies = energy.derive(machine, kin)
+        self.equilibrium = equilibrium = statics.derive(machine, kin, energies)
         sy = machine.sy
         self.pose = (Argument("p", sy.p, "m", "platform centre in the base frame"),)
         rates = (*sy.velocities, *(c.rate for c in machine.released))
