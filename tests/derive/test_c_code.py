@@ -4,64 +4,29 @@ from __future__ import annotations
 
 import ctypes
 import importlib.util
-import os
 import shutil
 import subprocess
 from collections.abc import Callable
-from math import prod
 from pathlib import Path
 from types import ModuleType
 
 import numpy as np
 import pytest
 
+from compiled import build, call
 from pkmodes.generation import specification
 from pkmodes.robot.robot import Robot
 from pkmodes_derive.emit import product
+from pkmodes_derive.functions import Function
 from pkmodes_generated import linear_delta
 from pkmodes_generated.linear_delta import Parameters
 from sample_robots import random_robot
 
 MODEL = product.derive("linear_delta")
-COMPILER = os.environ.get("CC") or shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
-FLAGS = ["-std=c99", "-O2", "-Wall", "-Wextra", "-pedantic", "-Werror", "-shared", "-fPIC"]
-Pointer = ctypes.POINTER(ctypes.c_double)
 
 
-def build(folder: Path, name: str, texts: dict[str, str]) -> ctypes.CDLL:
-    assert COMPILER is not None, "the tests of the generated C need a C compiler: install gcc or clang"
-    for file, text in texts.items():
-        (folder / file).write_text(text, encoding="utf-8")
-    library = folder / f"{name}.so"
-    subprocess.run([COMPILER, *FLAGS, str(folder / f"{name}.c"), "-o", str(library), "-lm"], check=True)
-    return ctypes.CDLL(str(library))
-
-
-def packed(parameters: Parameters) -> np.ndarray:
-    """The struct of parameters: doubles only, in the order of the fields, so without padding."""
-    return np.concatenate([np.ravel(value) for value in parameters]).astype(float)
-
-
-def call(
-    library: ctypes.CDLL, prefix: str, function: str, inputs: list, parameters: Parameters | None
-) -> tuple:
-    description = next(f for f in MODEL.functions if f.name == function)
-    arguments: list = []
-    keep = []
-    for argument, value in zip(description.arguments, inputs, strict=True):
-        if argument.scalar:
-            arguments.append(ctypes.c_double(value))
-        else:
-            keep.append(np.ascontiguousarray(value, dtype=float))
-            arguments.append(keep[-1].ctypes.data_as(Pointer))
-    if parameters is not None:
-        keep.append(packed(parameters))
-        arguments.append(keep[-1].ctypes.data_as(Pointer))
-    # Poisoned, so that an entry that is not written is seen.
-    outputs = [np.full(prod(o.shape), np.nan) for o in description.outputs]
-    arguments += [o.ctypes.data_as(Pointer) for o in outputs]
-    getattr(library, f"{prefix}_{function}")(*arguments)
-    return tuple(o.reshape(d.shape) for o, d in zip(outputs, description.outputs, strict=True))
+def function(name: str) -> Function:
+    return next(f for f in MODEL.functions if f.name == name)
 
 
 def cases(count: int) -> list[tuple[Parameters, dict[str, np.ndarray]]]:
@@ -113,7 +78,7 @@ def parametric_library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
 def test_parametric_c_equals_numpy(parametric_library: ctypes.CDLL, case: int) -> None:
     parameters, values = cases(5)[case]
     compare(
-        lambda name, inputs: call(parametric_library, "linear_delta", name, inputs, parameters),
+        lambda name, inputs: call(parametric_library, "linear_delta", function(name), inputs, [parameters]),
         lambda name, inputs: getattr(linear_delta, name)(*inputs, parameters),
         values,
     )
@@ -136,7 +101,7 @@ def test_specialised_numpy_and_c_equal_the_parametric_model(tmp_path: Path, case
     library = build(tmp_path, f"sample_{case}", texts)
     module = load(tmp_path / f"sample_{case}.py")
     compare(
-        lambda name, inputs: call(library, f"sample_{case}", name, inputs, None),
+        lambda name, inputs: call(library, f"sample_{case}", function(name), inputs),
         lambda name, inputs: getattr(linear_delta, name)(*inputs, parameters),
         values,
     )

@@ -1,0 +1,36 @@
+"""The generated C of the extended model gives the numbers of the NumPy module."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from compiled import build, call
+from pkmodes_derive.emit import product
+from pkmodes_generated.linear_delta import extended
+from sample_robots import random_robot
+
+MODEL = product.derive_extended("linear_delta")
+NAME = "linear_delta_extended"
+GROUPS = {"joint_stiffness": 1}  # it takes the effects only; the others the robot and the effects
+
+
+def test_extended_c_equals_numpy(tmp_path: Path) -> None:
+    library = build(tmp_path, NAME, product.parametric("linear_delta"))
+    rng = np.random.default_rng(31)
+    functions = [f for f in MODEL.functions if f.in_c]
+    assert len(functions) == len(MODEL.functions) - 1, "all but the derivatives by parameters"
+    for _ in range(3):
+        parameters, p = random_robot(rng)
+        effects = extended.Effects(*(10.0 ** rng.uniform(-8, -1) for _ in extended.Effects._fields))
+        for function in functions:
+            groups = [parameters, effects][-GROUPS.get(function.name, 2) :]
+            inputs = [p] if function.arguments else []
+            found = call(library, NAME, function, inputs, groups)
+            expected = getattr(extended, function.name)(*inputs, *groups)
+            for a, b in zip(found, expected, strict=True):
+                # Same operations in the same order; the compiler may fuse a product and a sum.
+                np.testing.assert_allclose(
+                    a, b, rtol=1e-12, atol=1e-13 * np.abs(b).max(), err_msg=function.name
+                )
