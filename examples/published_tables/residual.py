@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import pkmodes
+from pkmodes_generated import linear_delta
 
 Y, Z = 0.0, -0.245
 # The paper excludes "boundary effects" without saying where they begin.  Assumption: every free span of a
@@ -78,11 +79,9 @@ def centre_line(model: pkmodes.Model) -> NDArray[np.float64]:
     reach = parameters.link_length.max()
     x = np.arange(parameters.limits.min() - reach, parameters.limits.max() + reach, STEP)
     poses = np.column_stack([x, np.full_like(x, Y), np.full_like(x, Z)])
-    carriages = model.inverse_kinematics(poses, on_error="nan")
-    half = parameters.carriage_length / 2
-    low, high = parameters.limits[:, 0] + half, parameters.limits[:, 1] - half
-    inside = ((carriages - low >= SHORTEST_SPAN) & (high - carriages >= SHORTEST_SPAN)).all(axis=1)
-    return poses[inside]
+    with np.errstate(invalid="ignore"):  # out of reach a span is not a number, and so not long enough
+        spans = linear_delta.belt_spans(poses, parameters)
+    return poses[(spans >= SHORTEST_SPAN).all(axis=(1, 2))]
 
 
 def read_tables() -> dict[tuple[str, int], float]:

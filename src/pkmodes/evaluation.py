@@ -90,7 +90,7 @@ class ExtendedEvaluation:
 
     def matrices(self, p: Array) -> tuple[Array, Array]:
         """M and K, each (N, n, n)."""
-        M, K_el, K_g, _ = self._generated.extended_matrices(p, self._parameters, self._effects)
+        M, K_el, K_g = self._generated.extended_matrices(p, self._parameters, self._effects)
         K = K_el + K_g
         rows, columns = np.ix_(self._index, self._index)
         K = K[..., rows, columns]
@@ -100,7 +100,7 @@ class ExtendedEvaluation:
 
     def platform_motion(self, p: Array) -> Array:
         """Absolute motion of the platform by the coordinates, (N, 3, n)."""
-        _, _, _, motion = self._generated.extended_matrices(p, self._parameters, self._effects)
+        motion = self._generated.extended_platform_motion(p, self._parameters)
         found: Array = motion[..., self._index]
         return found
 

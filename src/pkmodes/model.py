@@ -28,8 +28,9 @@ class Modes:
     """Small vibrations about the static equilibrium at each pose.
 
     The leading axes are those of the poses: none for a single pose of shape (3,), (N,) for poses of shape
-    (N, 3).  n is the number of coordinates, 9 for the base model; modes are sorted by eigenvalue, the
-    rigid-body ones first.  Entries of poses that could not be evaluated are NaN.
+    (N, 3).  n is the number of coordinates, 9 for the base model; m, the number of modes, is n less the
+    coordinates without inertia.  Modes are sorted by eigenvalue, the rigid-body ones first.  Entries of poses
+    that could not be evaluated are NaN.
 
     Attributes
     ----------

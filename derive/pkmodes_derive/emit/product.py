@@ -22,28 +22,27 @@ from pkmodes_derive.emit.specification import Specification
 from pkmodes_derive.functions import Model
 from pkmodes_derive.specialise import specialise
 
-MECHANISMS = {"linear_delta": linear_delta.derive}
-EXTENSIONS = {"linear_delta": linear_delta.derive_extended}
-SINGLES = {"linear_delta": linear_delta.derive_single}
+MECHANISMS = {"linear_delta": linear_delta}
 REGENERATE = "python -m pkmodes_derive generate"
 
 
 @cache
 def derive(mechanism: str) -> Model:
     """Derive a mechanism, once in a process."""
-    return MECHANISMS[mechanism]()
+    return MECHANISMS[mechanism].derive()
 
 
 @cache
 def derive_extended(mechanism: str) -> Model:
     """Derive a mechanism with every effect, once in a process."""
-    return EXTENSIONS[mechanism](catalogue())
+    return MECHANISMS[mechanism].derive_extended(catalogue())
 
 
 @cache
 def derive_single(mechanism: str, effects: tuple[str, ...]) -> Model:
     """Derive a mechanism with some effects, by name, for one robot; once in a process."""
-    return SINGLES[mechanism](tuple(effect for effect in catalogue() if effect.name in effects))
+    chosen = tuple(effect for effect in catalogue() if effect.name in effects)
+    return MECHANISMS[mechanism].derive_single(chosen)
 
 
 def parametric(mechanism: str) -> dict[str, str]:

@@ -45,8 +45,9 @@ def derive(effects: Sequence[Effect]) -> Model:
         ),
         functions=(
             extended.matrices(),
+            extended.platform_motion("extended_platform_motion"),
             extended.joints(),
-            extended.static_equilibrium(),
+            extended.static_equilibrium("extended_static_equilibrium"),
             extended.sensitivities(),
         ),
         constants=(
@@ -85,7 +86,7 @@ def derive_single(effects: Sequence[Effect]) -> Model:
         functions=(
             *position(collected),
             extended.modal(),
-            extended.platform_motion(),
+            extended.platform_motion("platform_motion"),
             extended.static_equilibrium("static_equilibrium"),
         ),
     )
@@ -143,13 +144,6 @@ class _Extended:
                 Output(
                     "K_g", shape, _flat(self.K_g), UNITS_K, "Hessian of the gravitational potential energy"
                 ),
-                Output(
-                    "J_p",
-                    (3, self.n),
-                    _flat(self.J_p),
-                    "1, m",
-                    "absolute motion of the platform by coordinates",
-                ),
             ),
             self.kin.definitions,
         )
@@ -194,11 +188,11 @@ class _Extended:
             self.kin.definitions,
         )
 
-    def platform_motion(self) -> Function:
+    def platform_motion(self, name: str) -> Function:
         """The absolute motion of the platform."""
         entries = _flat(self.J_p)
         return Function(
-            "platform_motion",
+            name,
             "Absolute motion of the platform centre by the coordinates.",
             "equation 15, with what released joints and the frame add",
             self.pose,
@@ -206,7 +200,7 @@ class _Extended:
             self.kin.definitions,
         )
 
-    def static_equilibrium(self, name: str = "extended_static_equilibrium") -> Function:
+    def static_equilibrium(self, name: str) -> Function:
         """Equation 44."""
         return Function(
             name,

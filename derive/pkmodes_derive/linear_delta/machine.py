@@ -68,11 +68,11 @@ class Machine:
         self.released: tuple[Coordinate, ...] = ()
         self.compliances: tuple[Symbol, ...] = ()
         self.fields: tuple[Field, ...] = ()
-        self.platform_displacement: Vector = (
-            v.vector("delta_p", "m", "small displacement of the platform from the pose", r"\Delta p")
-            if effects
-            else sy.p
-        )
+        self.platform_displacement: tuple[Symbol, ...] = ()
+        if effects:  # only they need it
+            self.platform_displacement = v.vector(
+                "delta_p", "m", "small displacement of the platform from the pose", r"\Delta p"
+            )
         # Two passes: effects see every released coordinate, whichever of them is applied first.
         prepared = [(effect, self._parameters(effect), self._release(effect)) for effect in effects]
         for _, parameters, released in prepared:

@@ -35,8 +35,7 @@
 #include <math.h>
 
 void linear_delta_extended_extended_matrices(const double p[3], const linear_delta_parameters *parameters,
-    const linear_delta_effects *effects, double M[21][21], double K_el[21][21], double K_g[21][21], double
-    J_p[3][21])
+    const linear_delta_effects *effects, double M[21][21], double K_el[21][21], double K_g[21][21])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -1871,6 +1870,124 @@ void linear_delta_extended_extended_matrices(const double p[3], const linear_del
     K_g[20][18] = 0;
     K_g[20][19] = 0;
     K_g[20][20] = 0;
+}
+
+void linear_delta_extended_extended_platform_motion(const double p[3], const linear_delta_parameters
+    *parameters, double J_p[3][21])
+{
+    const double p_x = p[0];
+    const double p_y = p[1];
+    const double p_z = p[2];
+    const double o_1_x = parameters->origin[0][0];
+    const double o_1_y = parameters->origin[0][1];
+    const double o_1_z = parameters->origin[0][2];
+    const double o_2_x = parameters->origin[1][0];
+    const double o_2_y = parameters->origin[1][1];
+    const double o_2_z = parameters->origin[1][2];
+    const double o_3_x = parameters->origin[2][0];
+    const double o_3_y = parameters->origin[2][1];
+    const double o_3_z = parameters->origin[2][2];
+    const double n_1_x = parameters->direction[0][0];
+    const double n_1_y = parameters->direction[0][1];
+    const double n_1_z = parameters->direction[0][2];
+    const double n_2_x = parameters->direction[1][0];
+    const double n_2_y = parameters->direction[1][1];
+    const double n_2_z = parameters->direction[1][2];
+    const double n_3_x = parameters->direction[2][0];
+    const double n_3_y = parameters->direction[2][1];
+    const double n_3_z = parameters->direction[2][2];
+    const double b_1_x = parameters->joint[0][0];
+    const double b_1_y = parameters->joint[0][1];
+    const double b_1_z = parameters->joint[0][2];
+    const double b_2_x = parameters->joint[1][0];
+    const double b_2_y = parameters->joint[1][1];
+    const double b_2_z = parameters->joint[1][2];
+    const double b_3_x = parameters->joint[2][0];
+    const double b_3_y = parameters->joint[2][1];
+    const double b_3_z = parameters->joint[2][2];
+    const double l_d_1 = parameters->link_length[0];
+    const double l_d_2 = parameters->link_length[1];
+    const double l_d_3 = parameters->link_length[2];
+    const double sigma_1 = parameters->branch[0];
+    const double sigma_2 = parameters->branch[1];
+    const double sigma_3 = parameters->branch[2];
+    const double r_1_x = b_1_x - o_1_x + p_x;
+    const double r_1_y = b_1_y - o_1_y + p_y;
+    const double r_1_z = b_1_z - o_1_z + p_z;
+    const double r_2_x = b_2_x - o_2_x + p_x;
+    const double r_2_y = b_2_y - o_2_y + p_y;
+    const double r_2_z = b_2_z - o_2_z + p_z;
+    const double r_3_x = b_3_x - o_3_x + p_x;
+    const double r_3_y = b_3_y - o_3_y + p_y;
+    const double r_3_z = b_3_z - o_3_z + p_z;
+    const double a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z;
+    const double w_1_x = -a_1*n_1_x + r_1_x;
+    const double w_1_y = -a_1*n_1_y + r_1_y;
+    const double w_1_z = -a_1*n_1_z + r_1_z;
+    const double w2_1 = (w_1_x*w_1_x) + (w_1_y*w_1_y) + (w_1_z*w_1_z);
+    const double x_1 = a_1 + sigma_1*sqrt((l_d_1*l_d_1) - w2_1);
+    const double a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z;
+    const double w_2_x = -a_2*n_2_x + r_2_x;
+    const double w_2_y = -a_2*n_2_y + r_2_y;
+    const double w_2_z = -a_2*n_2_z + r_2_z;
+    const double w2_2 = (w_2_x*w_2_x) + (w_2_y*w_2_y) + (w_2_z*w_2_z);
+    const double x_2 = a_2 + sigma_2*sqrt((l_d_2*l_d_2) - w2_2);
+    const double a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z;
+    const double w_3_x = -a_3*n_3_x + r_3_x;
+    const double w_3_y = -a_3*n_3_y + r_3_y;
+    const double w_3_z = -a_3*n_3_z + r_3_z;
+    const double w2_3 = (w_3_x*w_3_x) + (w_3_y*w_3_y) + (w_3_z*w_3_z);
+    const double x_3 = a_3 + sigma_3*sqrt((l_d_3*l_d_3) - w2_3);
+    const double s_1_x = -n_1_x*x_1 + r_1_x;
+    const double s_1_y = -n_1_y*x_1 + r_1_y;
+    const double s_1_z = -n_1_z*x_1 + r_1_z;
+    const double s_2_x = -n_2_x*x_2 + r_2_x;
+    const double s_2_y = -n_2_y*x_2 + r_2_y;
+    const double s_2_z = -n_2_z*x_2 + r_2_z;
+    const double s_3_x = -n_3_x*x_3 + r_3_x;
+    const double s_3_y = -n_3_y*x_3 + r_3_y;
+    const double s_3_z = -n_3_z*x_3 + r_3_z;
+    const double D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z;
+    const double D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z;
+    const double D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z;
+    const double A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y;
+    const double A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x;
+    const double A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x;
+    const double A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y;
+    const double A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x;
+    const double A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x;
+    const double A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y;
+    const double A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x;
+    const double A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x;
+    const double det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z;
+    const double t1 = 1.0/det_D_l;
+    const double t2 = A_x_1*t1;
+    const double D_p_x_1 = D_r_1*t2;
+    const double t3 = A_x_2*t1;
+    const double D_p_x_2 = D_r_2*t3;
+    const double t4 = A_x_3*t1;
+    const double D_p_x_3 = D_r_3*t4;
+    const double D_delta_x_1 = l_d_1*t2;
+    const double D_delta_x_2 = l_d_2*t3;
+    const double D_delta_x_3 = l_d_3*t4;
+    const double t5 = A_y_1*t1;
+    const double D_p_y_1 = D_r_1*t5;
+    const double t6 = A_y_2*t1;
+    const double D_p_y_2 = D_r_2*t6;
+    const double t7 = A_y_3*t1;
+    const double D_p_y_3 = D_r_3*t7;
+    const double D_delta_y_1 = l_d_1*t5;
+    const double D_delta_y_2 = l_d_2*t6;
+    const double D_delta_y_3 = l_d_3*t7;
+    const double t8 = A_z_1*t1;
+    const double D_p_z_1 = D_r_1*t8;
+    const double t9 = A_z_2*t1;
+    const double D_p_z_2 = D_r_2*t9;
+    const double t10 = A_z_3*t1;
+    const double D_p_z_3 = D_r_3*t10;
+    const double D_delta_z_1 = l_d_1*t8;
+    const double D_delta_z_2 = l_d_2*t9;
+    const double D_delta_z_3 = l_d_3*t10;
     J_p[0][0] = D_p_x_1;
     J_p[0][1] = D_p_x_2;
     J_p[0][2] = D_p_x_3;
