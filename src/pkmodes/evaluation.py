@@ -82,10 +82,8 @@ class ExtendedEvaluation:
         self._index = np.concatenate([np.arange(base), base + np.flatnonzero(free)])
         self._joints = np.concatenate([np.zeros(base), stiffness[free]])
         self.coordinates = tuple(extended.COORDINATES[i] for i in self._index)
-        grounded = any(
-            grounds and any(effects.get(f"{name}.{parameter[0]}", 0.0) for parameter in parameters_)
-            for name, _, grounds, _, parameters_ in extended.EFFECTS
-        )
+        active = active_effects(effects)
+        grounded = any(grounds and name in active for name, _, grounds, *_ in extended.EFFECTS)
         self.rigid_modes = 0 if grounded else generated.RIGID_MODES
 
     def matrices(self, p: Array) -> tuple[Array, Array]:
