@@ -103,3 +103,7 @@ class MissingExtraError(PkmodesError):
 
 class OutputError(PkmodesError):
     """A result cannot be written."""
+
+
+class MeasurementError(PkmodesError):
+    """Modal measurements that cannot be read, or that cannot be used with a robot."""

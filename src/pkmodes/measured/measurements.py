@@ -1,0 +1,252 @@
+"""Modal measurements as arrays, one row for each identified mode.
+
+The rules that they obey (`rules`) hold wherever the numbers come from, a file or a script: nothing else of
+the package has to ask again whether a frequency is positive or a label has one position.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.errors import MeasurementError, shown
+from pkmodes.measured.rules import (
+    SHAPE,
+    position_problems,
+    refuse,
+    repetitions,
+    text_problems,
+    value_problems,
+)
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int_]
+
+
+@dataclass(frozen=True, eq=False)
+class Measurements:
+    """Identified modes of a machine at P poses: R rows in the order of their file, C shape channels.
+
+    `from_rows` builds them from plain columns.  Arrays are copied and cannot be written to.
+
+    Attributes
+    ----------
+    source : str
+        The file, for messages.
+    labels : tuple of str, length P
+        Labels of the poses in the order of their first rows.
+    points : ndarray, shape (P, 3)
+        Platform centres [m]; zeros for a structure that has no platform.
+    point_sigma : ndarray, shape (P, 3)
+        Standard deviations of the platform centres [m], 0 where they are taken as exact.
+    pose : ndarray of int, shape (R,)
+        Index of each row's pose.
+    frequency, sigma : ndarray, shape (R,)
+        Natural frequency and its standard deviation [Hz].
+    damping : ndarray, shape (R,)
+        Damping ratio, NaN where it is not given.
+    mode : tuple of str, length R
+        The experimenter's own numbering, empty where it is not given.
+    lines : ndarray of int, shape (R,)
+        Line of each row in the file, from 1.
+    channels : tuple of str, length C
+        Coordinates at which shapes were measured.
+    shapes : ndarray, shape (R, C)
+        Components of the mode shapes, any scale per row, NaN where not measured.
+
+    Raises
+    ------
+    MeasurementError
+        If the arrays do not fit together or a number breaks a rule; the place names line and column.
+    """
+
+    source: str
+    labels: tuple[str, ...]
+    points: Array
+    point_sigma: Array
+    pose: Integers
+    frequency: Array
+    sigma: Array
+    damping: Array
+    mode: tuple[str, ...]
+    lines: Integers
+    channels: tuple[str, ...]
+    shapes: Array
+
+    def __post_init__(self) -> None:
+        poses, rows, channels = len(self.labels), np.size(self.pose), len(self.channels)
+        if len(self.mode) != rows:
+            raise MeasurementError(
+                f"expected {rows} mode numbers, found {len(self.mode)}",
+                f"{self.source}: mode",
+                "give one for each row",
+            )
+        for name, shape in {
+            "points": (poses, 3),
+            "point_sigma": (poses, 3),
+            "pose": (rows,),
+            "frequency": (rows,),
+            "sigma": (rows,),
+            "damping": (rows,),
+            "lines": (rows,),
+            "shapes": (rows, channels),
+        }.items():
+            whole = name in ("pose", "lines")
+            array = _array(getattr(self, name), name, shape, self.source, whole)
+            array.flags.writeable = False
+            object.__setattr__(self, name, array)
+        used, first = np.unique(self.pose, return_index=True)
+        if not np.array_equal(used, np.arange(poses)) or (np.diff(first) < 0).any():
+            raise MeasurementError(
+                f"expected pose indices that number the {poses} labels in the order of their first rows",
+                f"{self.source}: pose",
+                "build measurements with Measurements.from_rows",
+            )
+        refuse([*value_problems(self, first), *text_problems(self, first)], self.source, self.lines)
+
+    @classmethod
+    def from_rows(
+        cls,
+        pose: Sequence[object],
+        frequency: ArrayLike,
+        sigma: ArrayLike,
+        *,
+        points: ArrayLike | None = None,
+        point_sigma: ArrayLike | None = None,
+        damping: ArrayLike | None = None,
+        mode: Sequence[object] | None = None,
+        shapes: Mapping[str, ArrayLike] | None = None,
+        source: str = "measurements",
+        lines: ArrayLike | None = None,
+    ) -> Measurements:
+        """Build measurements from columns that have one entry for each of R rows.
+
+        Parameters
+        ----------
+        pose : sequence, length R
+            Labels: rows with the same label belong together.
+        frequency, sigma : array_like, shape (R,)
+            Natural frequencies and their standard deviations [Hz].
+        points : array_like, shape (R, 3), optional
+            Platform centre of each row's pose [m]; zeros for a structure that has no platform.
+        point_sigma : array_like, shape (R, 3), optional
+            Standard deviation of the platform centre [m], default 0.
+        damping : array_like, shape (R,), optional
+            Damping ratios, NaN where unknown.
+        mode : sequence, length R, optional
+            The experimenter's own numbering.
+        shapes : mapping of str to array_like of shape (R,), optional
+            Shape components by coordinate, NaN where not measured.
+        source : str
+            Where they come from, for messages.
+        lines : array_like of int, shape (R,), optional
+            Line of each row in the source, default 1 to R.
+
+        Raises
+        ------
+        MeasurementError
+            If the columns do not fit together, a number breaks a rule, a label has two positions, or a row is
+            there twice.
+        """
+        if isinstance(pose, str):
+            raise MeasurementError(
+                f"expected one label for each row, found {shown(pose)}",
+                f"{source}: pose",
+                "give a list of labels",
+            )
+        names = [str(label) for label in pose]
+        rows, shapes = len(names), shapes or {}
+        places = np.zeros((rows, 3)) if points is None else _array(points, "points", (rows, 3), source)
+        spreads = (
+            np.zeros((rows, 3))
+            if point_sigma is None
+            else _array(point_sigma, "point_sigma", (rows, 3), source)
+        )
+        columns = [_array(column, f"{SHAPE}{name}", (rows,), source) for name, column in shapes.items()]
+        first: dict[str, int] = {}  # row that introduces each label, in the order of the rows
+        for i, label in enumerate(names):
+            first.setdefault(label, i)
+        index = {label: i for i, label in enumerate(first)}
+        introduced = list(first.values())
+        found = cls(
+            source=source,
+            labels=tuple(first),
+            points=places[introduced],
+            point_sigma=spreads[introduced],
+            pose=np.array([index[label] for label in names], dtype=int),
+            frequency=np.asarray(frequency),
+            sigma=np.asarray(sigma),
+            damping=np.full(rows, np.nan) if damping is None else np.asarray(damping),
+            mode=("",) * rows if mode is None else tuple(str(number) for number in mode),
+            lines=np.arange(1, rows + 1) if lines is None else np.asarray(lines),
+            channels=tuple(shapes),
+            shapes=np.stack(columns, axis=-1) if columns else np.empty((rows, 0)),
+        )
+        problems = [*position_problems(found, places, spreads), *repetitions(found)]
+        refuse(problems, source, found.lines)
+        return found
+
+    def at(self, poses: Sequence[int]) -> Measurements:
+        """The measurements of some poses only.
+
+        Parameters
+        ----------
+        poses : sequence of int
+            Indices into `labels`, each at most once.  Their order does not matter: rows keep the order of the
+            file, and the poses that remain are numbered anew in the order of their first rows.
+
+        Raises
+        ------
+        MeasurementError
+            If an index is not that of a pose, or comes twice.
+        """
+        chosen = np.asarray(poses, dtype=None if len(poses) else int)
+        if chosen.ndim != 1 or chosen.dtype.kind not in "iu" or len(set(chosen.tolist())) < len(chosen):
+            raise MeasurementError(
+                "expected different pose indices", f"{self.source}: at", "give each index once"
+            )
+        if chosen.size and not (chosen.min() >= 0 and chosen.max() < len(self.labels)):
+            raise MeasurementError(
+                f"expected pose indices from 0 to {len(self.labels) - 1}, found {chosen.tolist()}",
+                f"{self.source}: at",
+                "give indices into labels",
+            )
+        kept = np.sort(chosen)  # labels are in the order of first rows, and so is every part of them
+        rows = np.flatnonzero(np.isin(self.pose, kept))
+        return Measurements(
+            source=self.source,
+            labels=tuple(self.labels[i] for i in kept),
+            points=self.points[kept],
+            point_sigma=self.point_sigma[kept],
+            pose=np.searchsorted(kept, self.pose[rows]),
+            frequency=self.frequency[rows],
+            sigma=self.sigma[rows],
+            damping=self.damping[rows],
+            mode=tuple(self.mode[i] for i in rows),
+            lines=self.lines[rows],
+            channels=self.channels,
+            shapes=self.shapes[rows],
+        )
+
+
+def _array(given: ArrayLike, name: str, shape: tuple[int, ...], source: str, whole: bool = False) -> Array:
+    """A copy of the right shape, of integers or of numbers."""
+    try:
+        array = np.array(given)
+        if array.dtype.kind not in ("iu" if whole else "iuf") and array.size:
+            raise TypeError(f"values of type {array.dtype}")
+    except (TypeError, ValueError) as error:
+        kind = "whole numbers" if whole else "numbers"
+        raise MeasurementError(
+            f"expected {kind}, found {error}", f"{source}: {name}", "give an array of them"
+        ) from None
+    if array.shape != shape:
+        raise MeasurementError(
+            f"expected an array of shape {shape}, found {array.shape}",
+            f"{source}: {name}",
+            "give one entry for each row, and one column for each component",
+        )
+    return array.astype(int if whole else float)

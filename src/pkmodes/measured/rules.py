@@ -1,0 +1,147 @@
+"""The rules that modal measurements obey, each with the row and column that breaks it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.errors import MeasurementError, shown
+from pkmodes.robot.units import LARGEST, SMALLEST
+
+if TYPE_CHECKING:
+    from pkmodes.measured.measurements import Measurements
+
+COMPONENTS = ("x", "y", "z")
+#: Prefix of the columns that hold mode shapes.
+SHAPE = "shape:"
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int_]
+
+
+class Problem(NamedTuple):
+    """A broken rule: in which row and column, what is wrong, and what to do."""
+
+    row: int
+    column: str
+    what: str
+    remedy: str
+
+
+def refuse(problems: Sequence[Problem], source: str, lines: Integers) -> None:
+    """Raise the first problem in the order of the rows, if there is any."""
+    if problems:
+        first = min(problems, key=lambda problem: problem.row)
+        where = f"{source}: line {lines[first.row]}, column {first.column}"
+        if len(problems) > 1:
+            where += f", the first of {len(problems)} problems"
+        raise MeasurementError(first.what, where, first.remedy)
+
+
+def value_problems(given: Measurements, first: Integers) -> Iterator[Problem]:
+    """Numbers out of their range; `first` holds the first row of each pose."""
+    rows = np.arange(len(given.mode))
+
+    def broken(
+        column: str, values: Array, good: NDArray[np.bool_], expected: str, remedy: str, at: Integers = rows
+    ) -> Iterator[Problem]:
+        for i in np.flatnonzero(~good):
+            yield Problem(int(at[i]), column, f"expected {expected}, found {values[i]:g}", remedy)
+
+    # A NaN compares false, and so fails.
+    for k, name in enumerate(COMPONENTS):
+        point, spread = given.points[:, k], given.point_sigma[:, k]
+        yield from broken(
+            name,
+            point,
+            np.abs(point) <= LARGEST,
+            "a finite coordinate",
+            "write the platform centre in metres",
+            first,
+        )
+        good = (spread >= 0.0) & (spread <= LARGEST)
+        expected = "a standard deviation of at least 0 m"
+        yield from broken(f"sigma_{name}", spread, good, expected, "leave it blank when unknown", first)
+    frequency, sigma, damping = given.frequency, given.sigma, given.damping
+    positive = (frequency >= SMALLEST) & (frequency <= LARGEST)
+    yield from broken(
+        "frequency", frequency, positive, "a frequency above 0 Hz", "leave rigid-body modes out"
+    )
+    known = (sigma >= SMALLEST) & (sigma <= LARGEST)
+    yield from broken(
+        "sigma", sigma, known, "a standard deviation above 0 Hz", "write that of the frequency in Hz"
+    )
+    small = (sigma < frequency) | ~(positive & known)
+    yield from broken(
+        "sigma", sigma, small, "a standard deviation below the frequency", "write that of the frequency in Hz"
+    )
+    ratio = np.isnan(damping) | ((damping >= 0.0) & (damping < 1.0))
+    yield from broken(
+        "damping", damping, ratio, "a damping ratio of at least 0 and below 1", "write 0.02 for 2 %"
+    )
+    for k, name in enumerate(given.channels):
+        part = given.shapes[:, k]
+        good = np.isnan(part) | (np.abs(part) <= LARGEST)
+        yield from broken(
+            f"{SHAPE}{name}", part, good, "a finite shape component", "leave it blank when unknown"
+        )
+    for i in np.flatnonzero((given.shapes == 0.0).any(axis=1) & ~(np.abs(given.shapes) > 0.0).any(axis=1)):
+        column = f"{SHAPE}{given.channels[int(np.argmax(given.shapes[i] == 0.0))]}"
+        remedy = "leave the components blank where the shape was not measured"
+        yield Problem(int(i), column, "expected a mode shape, found nothing but zeros", remedy)
+
+
+def text_problems(given: Measurements, first: Integers) -> Iterator[Problem]:
+    """Labels and mode numbers are printed in tables and reports; a label also has to be there."""
+    seen: set[str] = set()
+    for i, label in zip(first.tolist(), given.labels, strict=True):
+        if not label.strip() or not label.isprintable():
+            yield Problem(
+                i, "pose", f"expected a label, found {shown(label)}", "write a name in printable characters"
+            )
+        if label in seen:
+            yield Problem(
+                i, "pose", f"two poses have the label {shown(label)}", "give each a label of its own"
+            )
+        seen.add(label)
+    for i, number in enumerate(given.mode):
+        if not number.isprintable():
+            yield Problem(
+                i, "mode", f"expected a number or name, found {shown(number)}", "use printable characters"
+            )
+
+
+def position_problems(found: Measurements, points: Array, spreads: Array) -> Iterator[Problem]:
+    """Rows whose position, or its standard deviation, is not that of the first row of their pose."""
+    first = np.unique(found.pose, return_index=True)[1]
+    for kind, prefix, rows, poses in (
+        ("positions", "", points, found.points),
+        ("standard deviations", "sigma_", spreads, found.point_sigma),
+    ):
+        for i, k in np.argwhere(rows != poses[found.pose]):
+            name, number = f"{prefix}{COMPONENTS[k]}", found.pose[i]
+            yield Problem(
+                int(i),
+                name,
+                f"pose {shown(found.labels[number])} has two {kind}: {name} is {poses[number, k]:.10g} in line "
+                f"{found.lines[first[number]]} and {rows[i, k]:.10g} here",
+                "give every pose a label of its own",
+            )
+
+
+def repetitions(found: Measurements) -> Iterator[Problem]:
+    """Rows that are there twice: one mode must not count as two measurements."""
+    numbers = np.column_stack([found.pose, found.frequency, found.sigma, found.damping, found.shapes])
+    seen: dict[tuple[bytes, str], int] = {}
+    for i, row in enumerate(numbers):
+        before = seen.setdefault((row.tobytes(), found.mode[i]), i)
+        if before != i:
+            yield Problem(
+                i,
+                "frequency",
+                f"the row repeats line {found.lines[before]}",
+                "remove one, or number them in the column mode where two modes coincide",
+            )

@@ -1,0 +1,159 @@
+"""Edit values of a TOML text in place: comments, order and layout of everything else stay as they are.
+
+Keys are tuples of table names, array indices and, last, a name or an index.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import tomlkit
+from tomlkit.exceptions import TOMLKitError
+from tomlkit.items import AoT, Comment, InlineTable, Item, Table, Whitespace
+
+from pkmodes.errors import OutputError
+
+Keys = tuple[str | int, ...]
+
+
+class TomlText:
+    """A TOML text to be edited.
+
+    Parameters
+    ----------
+    text : str
+        Valid TOML; a byte order mark and Windows' ends of lines are kept.
+    source : str
+        Its file, for messages.
+
+    Raises
+    ------
+    OutputError
+        If its layout cannot be kept.
+    """
+
+    def __init__(self, text: str, source: str) -> None:
+        self._mark = "\ufeff" if text.startswith("\ufeff") else ""
+        text = text.removeprefix("\ufeff")
+        self._windows = "\r\n" in text and re.search(r"(?<!\r)\n", text) is None
+        self._open = not text.endswith("\n")  # tables can only be put after a line that is ended
+        self._appended = ""
+        text += self._newline if self._open else ""
+        try:
+            self._document: Any = tomlkit.parse(text)
+            kept = tomlkit.dumps(self._document) == text
+        except (TOMLKitError, RecursionError):
+            kept = False
+        if not kept:
+            raise OutputError(
+                "cannot edit the robot file and keep its layout",
+                source,
+                "write the [[axis]] tables one after the other, and each table once",
+            )
+
+    @property
+    def _newline(self) -> str:
+        return "\r\n" if self._windows else "\n"
+
+    @property
+    def text(self) -> str:
+        """The text with everything that was edited."""
+        body = tomlkit.dumps(self._document)
+        body = body.removesuffix(self._newline) if self._open and not self._appended else body
+        body += self._appended
+        return self._mark + (re.sub(r"(?<!\r)\n", "\r\n", body) if self._windows else body)
+
+    def find(self, keys: Keys) -> Any:
+        """The item at a place, None if there is none."""
+        node = self._document
+        for key in keys:
+            try:
+                node = node[key]
+            except (KeyError, IndexError):
+                return None
+        return node
+
+    def replace(self, keys: Keys, raw: str) -> None:
+        """Put another value, as TOML text, in the place of one that is there."""
+        self.find(keys[:-1])[keys[-1]] = tomlkit.value(raw)
+
+    def insert(self, keys: Keys, raw: str) -> None:
+        """Add a key to a table; a table that is not there yet is added to the one that it belongs to."""
+        *path, key = keys
+        table = self.find(tuple(path))
+        if table is not None:
+            self._add_key(table, key, raw)
+            return
+        parent = self.find(tuple(path[:-1]))
+        if isinstance(parent, InlineTable):
+            new = tomlkit.inline_table()
+            new[str(key)] = tomlkit.value(raw)
+            parent[str(path[-1])] = new
+        else:
+            self._add_table(parent, str(path[-1]), str(key), raw)
+
+    def append_table(self, name: str, values: dict[str, str], comment: str) -> None:
+        """Add a table at the end of the text, after a blank line and a comment."""
+        lines = ["", *([f"# {_one_line(comment)}"] if comment else []), f"[{name}]"]
+        lines += [f"{key} = {raw}" for key, raw in values.items()]
+        self._appended += "\n".join(lines) + "\n"
+
+    def comment(self, keys: Keys, text: str) -> None:
+        """Put a comment at the end of the line of a value, after the one that is there.
+
+        What is written on one line with other values shares its comment with them, because TOML has none
+        inside of inline tables.
+        """
+        node, line = self._document, None
+        for key in keys:
+            node = node[key]
+            if isinstance(node, Item) and not isinstance(node, Table | AoT):
+                line = node
+                break
+        text = _one_line(text)
+        if line is None or not text:
+            return
+        before = line.trivia.comment
+        if text in before:
+            return
+        line.trivia.comment_ws = line.trivia.comment_ws or "  "
+        line.trivia.comment = f"{before}; {text}" if before else f"# {text}"
+
+    def is_inline(self, keys: Keys) -> bool:
+        """Whether a table is written on one line."""
+        return isinstance(self.find(keys), InlineTable)
+
+    @staticmethod
+    def _add_key(table: Any, key: str | int, raw: str) -> None:
+        body = table.value.body if isinstance(table, Table) else []
+        moved: list[Any] = []
+        while body and isinstance(body[-1][1], Whitespace | Comment):
+            moved.insert(0, body.pop())
+        table[key] = tomlkit.value(raw)
+        body.extend(moved)
+
+    def _add_table(self, parent: Any, name: str, key: str, raw: str) -> None:
+        """Add a table after the last line of its parent, before the space and comments of what follows."""
+        last = parent
+        while last.value.body and isinstance(last.value.body[-1][1], Table):
+            last = last.value.body[-1][1]
+        body = last.value.body
+        moved: list[Any] = []
+        while body and isinstance(body[-1][1], Whitespace | Comment):
+            moved.insert(0, body.pop())
+        # Comments up to the first blank line belong to what is before them.
+        blank = [isinstance(item, Whitespace) for _, item in moved]
+        if any(blank):
+            body.extend(moved[: blank.index(True)])
+            moved = moved[blank.index(True) :]
+        new = tomlkit.table()
+        new[key] = tomlkit.value(raw)
+        parent.append(name, new)
+        new.trivia.indent = self._newline
+        new.value.body.extend(moved)
+
+
+def _one_line(text: str) -> str:
+    """Text that may stand in a comment."""
+    return " ".join("".join(c if c.isprintable() else " " for c in text).split())

@@ -1,0 +1,188 @@
+"""Write the corrected robot: the robot file that was read, with some values changed and all else kept."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+
+from pkmodes.errors import RobotFileError, shown
+from pkmodes.robot.corrections import EFFECTS, FRAME_MASS, Correction, Edit, changeable, edits_of, refuse
+from pkmodes.robot.editing import Keys, TomlText
+from pkmodes.robot.notation import Notation
+from pkmodes.robot.reading import read_robot, robot_from_document
+from pkmodes.robot.robot import Robot
+from pkmodes.robot.units import Quantity
+from pkmodes.writing import write_file
+
+ELEMENTS = {"x": 0, "y": 1, "z": 2, "min": 0, "max": 1}
+CLOSE, CLOSE_SIGMA = 1e-9, 1e-2  # what so many digits allow; sigmas are written with three
+FRAME_OF_EFFECT = f"{EFFECTS}.frame_compliance.mass"
+BY_HAND = "change the robot file by hand"
+
+__all__ = ["Correction", "corrected_text", "save_corrected"]
+
+
+def save_corrected(source: Path, target: Path, changes: Mapping[str, Correction]) -> None:
+    """Write the corrected robot into another file, whole or not at all.
+
+    Parameters
+    ----------
+    source : Path
+        The robot file.
+    target : Path
+        Where to write; a file that is there is replaced, but never the robot file itself.
+    changes : mapping of str to Correction
+        As for `corrected_text`.
+
+    Raises
+    ------
+    OutputError
+        If the target is the robot file or cannot be written, or as for `corrected_text`.
+    RobotFileError
+        If the robot file cannot be read.
+    """
+    if "\0" in str(target) or target.is_dir() or not target.parent.is_dir():
+        refuse("expected a file in an existing folder", shown(str(target)), "choose another place")
+    if source.exists() and target.exists() and source.samefile(target):
+        refuse("the corrected robot would replace its own input", str(target), "choose another file")
+    write_file(target, corrected_text(source, changes))
+
+
+def corrected_text(source: Path, changes: Mapping[str, Correction]) -> str:
+    """Text of a robot file with some values changed.
+
+    Parameters
+    ----------
+    source : Path
+        The robot file.
+    changes : mapping of str to Correction
+        By path: a declared value (``platform.mass``, ``axis.1.origin.x``); an override of one axis
+        (``axis.1.belt.width``); ``frame.mass``; a parameter of an effect (``effects.payload.mass``);
+        ``axis.span``, max - min of axis 1, whose change moves the ends of every axis evenly; or
+        ``axis.joint_radius``, the distance of joint 1 from the centre, whose change holds for all joints.
+
+    Returns
+    -------
+    str
+        In the units of the file.  Lines that hold no changed value are those of the file.  The standard
+        deviation of a whole (``axis.*``) is in a comment, because its elements have none of their own.
+
+    Raises
+    ------
+    OutputError
+        If a path is not one that can be changed, a value would be refused by the reader, or the result would
+        not read back as intended.
+    RobotFileError
+        If the robot file cannot be read.
+    """
+    robot = read_robot(source)
+    edits = edits_of(changes, robot)
+    document = TomlText(source.read_bytes().decode("utf-8"), robot.source)
+    units = changeable(robot)
+    appended: dict[str, dict[str, Edit]] = {}
+    for path, edit in edits.items():
+        keys = _keys(path)
+        if document.find(keys) is not None:
+            _rewrite(document, keys, edit, robot.quantities[path])
+        elif _is_appended(document, keys):
+            appended.setdefault(path.rpartition(".")[0], {})[path] = edit
+        else:
+            document.insert(keys, _new_value(document, path, units[path], edit))
+            document.comment(keys, edit.note)
+    for table, group in appended.items():
+        values = {
+            path.rpartition(".")[2]: _new_value(document, path, units[path], edit)
+            for path, edit in group.items()
+        }
+        notes = dict.fromkeys(edit.note for edit in group.values() if edit.note)
+        document.append_table(table, values, "; ".join(notes))
+    text = document.text
+    _check(text, robot, edits)
+    return text
+
+
+def _keys(path: str) -> Keys:
+    """Keys of the document for a dotted path: axes count from 1, elements of vectors have names."""
+    keys: list[str | int] = list(path.split("."))
+    if keys[0] == "axis":
+        keys[1] = int(keys[1]) - 1
+    if keys[-2] in ("gravity", "origin", "joint", "limits"):
+        keys[-1] = ELEMENTS[str(keys[-1])]
+    return tuple(keys)
+
+
+def _is_appended(document: TomlText, keys: Keys) -> bool:
+    """Whether a value needs a new table that can stand at the end of the file."""
+    return (
+        keys[0] in ("frame", EFFECTS)
+        and document.find(keys[:-1]) is None
+        and not document.is_inline(keys[:1])
+    )
+
+
+def _rewrite(document: TomlText, keys: Keys, edit: Edit, before: Quantity) -> None:
+    """Change a value that is there, in its own notation."""
+    found = document.find(keys)
+    if isinstance(found, dict):
+        notation = Notation.of(found["value"], before.unit)
+        document.replace((*keys, "value"), notation.number(edit.value, edit.digits))
+        relative = "%" in str(found.get("sigma", ""))
+        if edit.sigma is not None and "sigma" not in found:
+            document.insert((*keys, "sigma"), notation.sigma(edit.sigma))
+        elif edit.sigma is not None:
+            document.replace((*keys, "sigma"), notation.sigma(edit.sigma))
+        elif relative and before.sigma is not None:  # a part of another value would be another deviation
+            document.replace((*keys, "sigma"), notation.sigma(before.sigma))
+        document.comment((*keys, "value"), edit.note)
+    else:
+        document.replace(keys, Notation.of(found, before.unit).quantity(edit.value, edit.sigma, edit.digits))
+        document.comment(keys, edit.note)
+
+
+def _new_value(document: TomlText, path: str, unit: str, edit: Edit) -> str:
+    """A value that the file did not have: in the notation of what the axes share, or in SI units."""
+    shared = document.find(_keys(re.sub(r"^axis\.\d\.", "", path))) if path.startswith("axis.") else None
+    shared = shared["value"] if isinstance(shared, dict) else shared
+    notation = Notation.si(unit) if shared is None else Notation.of(shared, unit)
+    return notation.quantity(edit.value, edit.sigma, edit.digits)
+
+
+def _check(text: str, robot: Robot, edits: Mapping[str, Edit]) -> None:
+    """Read what was written: every changed value is as intended, every other one as it was."""
+    try:
+        after = robot_from_document(tomllib.loads(text.removeprefix("\ufeff")), robot.source)
+    except RobotFileError as error:
+        refuse(
+            f"the corrected robot would be refused: {error.what}", error.where, "correct it by another value"
+        )
+    except ValueError as error:
+        refuse(f"the corrected robot is not valid TOML: {error}", robot.source, BY_HAND)
+    expected = {**robot.declared, **{path: edit.value for path, edit in edits.items()}}
+    sigmas = {path: quantity.sigma for path, quantity in robot.quantities.items()}
+    sigmas.update({path: edit.sigma for path, edit in edits.items() if edit.sigma is not None})
+    changed = set(edits)
+    if FRAME_MASS in edits and FRAME_OF_EFFECT in expected:  # the effect takes it from the frame
+        expected[FRAME_OF_EFFECT], sigmas[FRAME_OF_EFFECT] = expected[FRAME_MASS], sigmas.get(FRAME_MASS)
+        changed.add(FRAME_OF_EFFECT)
+    # An effect that is added has all its parameters, those that are not given at their defaults.
+    added = tuple(path.rpartition(".")[0] + "." for path in edits if path.startswith(EFFECTS))
+    found = {
+        path: value
+        for path, value in after.declared.items()
+        if path in expected or not path.startswith(added)
+    }
+    for path in {**expected, **found}:
+        value, wanted = found.get(path), expected.get(path)
+        sigma = after.quantities[path].sigma if path in after.quantities else None
+        same = _close(value, wanted, CLOSE) if path in changed else value == wanted
+        if not same or not _close(sigma, sigmas.get(path), CLOSE_SIGMA):
+            what = f"the corrected value does not read back: expected {wanted} with sigma {sigmas.get(path)}, found "
+            refuse(f"{what}{value} with {sigma}", f"{robot.source}: {path}", BY_HAND)
+
+
+def _close(found: object, wanted: object, tolerance: float) -> bool:
+    if isinstance(found, float) and isinstance(wanted, float):
+        return abs(found - wanted) <= tolerance * abs(wanted)
+    return found == wanted
