@@ -60,6 +60,14 @@ def main() -> None:
                 lambda: scipy_loop(M[:500], K[:500]),
             ),
             "modes: everything": (POSES, lambda: model.modes(poses)),
+            "extended M and K, all sensitivities, one pose at a time": (
+                20,
+                lambda: [model.sensitivities(p) for p in poses[:20]],
+            ),
+            "extended M and K, all sensitivities, in batches": (
+                200,
+                lambda: model.sensitivities(poses[:200]),
+            ),
         }
         c_way = compiled(Path(folder), poses)
         if c_way is not None:

@@ -28,13 +28,17 @@ class Argument:
 
 @dataclass(frozen=True)
 class Output:
-    """An array result in row-major order; `shape` is ``()`` for a scalar."""
+    """An array result in row-major order; `shape` is ``()`` for a scalar.
+
+    A `listed` one is a long vector without structural zeros, written as one list.
+    """
 
     name: str
     shape: tuple[int, ...]
     entries: tuple[Expr, ...]
     unit: str
     description: str
+    listed: bool = False
 
     def __post_init__(self) -> None:
         if prod(self.shape) != len(self.entries):

@@ -6,7 +6,8 @@ an array of poses.  Coordinates, signs and frames are stated in docs/model.md.
 
 from pkmodes.errors import PkmodesError, PoseError, RobotFileError
 from pkmodes.loading import load, read_robot
-from pkmodes.model import Model, Modes, Statics
+from pkmodes.model import Model
+from pkmodes.results import Modes, Statics
 from pkmodes.robot.robot import Robot
 
 __version__ = "0.1.0"

@@ -6,7 +6,7 @@ base model evaluates the robot.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Protocol
 
 import numpy as np
@@ -67,6 +67,50 @@ class BaseEvaluation:
         return torques, rotations
 
 
+class SystemOfEffects:
+    """The extended matrices of one robot, and which of their coordinates are free.
+
+    Attributes
+    ----------
+    free : ndarray of int, shape (n,)
+        Coordinates that are not locked, in the extended model.
+    joint_rates : ndarray, shape (e,)
+        Derivatives of the stiffnesses of the released joints by their compliances, zero where there is none.
+    """
+
+    def __init__(self, parameters: Parameters, effects: Mapping[str, float]) -> None:
+        from pkmodes_generated.linear_delta import extended
+
+        self._generated, self._parameters = extended, parameters
+        self.effects = extended.Effects(**{path.replace(".", "_"): value for path, value in effects.items()})
+        with np.errstate(divide="ignore"):
+            stiffness, rates = extended.joint_stiffness(self.effects)
+        base = len(generated.COORDINATES)
+        free = np.isfinite(stiffness)  # a joint without compliance is infinitely stiff: locked
+        self.free = np.concatenate([np.arange(base), base + np.flatnonzero(free)])
+        self._joints = np.concatenate([np.zeros(base), np.where(free, stiffness, 0.0)])
+        self.joint_rates = np.concatenate([np.zeros(base), np.where(free, rates, 0.0)])
+
+    def all_coordinates(self, p: Array) -> tuple[Array, Array]:
+        """M and K in all coordinates, each (N, e, e); locked joints are free in them, without a spring."""
+        M, K_el, K_g = self._single(self._generated.extended_matrices, p)
+        K = K_el + K_g
+        diagonal = np.arange(len(self._joints))
+        K[..., diagonal, diagonal] += self._joints
+        return M, K
+
+    def derivatives(self, p: Array) -> tuple[Array, Array]:
+        """Derivatives of the entries of M and of K that the generated model lists, each (N, entries)."""
+        M_theta, K_theta = self._single(self._generated.extended_sensitivities, p)
+        return M_theta, K_theta
+
+    def _single(self, function: Callable[..., tuple[Array, ...]], p: Array) -> tuple[Array, ...]:
+        """One pose is evaluated in numbers, which is several times faster than in arrays of one."""
+        if p.shape == (1, 3):
+            return tuple(found[None] for found in function(p[0], self._parameters, self.effects))
+        return function(p, self._parameters, self.effects)
+
+
 class ExtendedEvaluation:
     """The extended model with the coordinates of the released joints that are not locked."""
 
@@ -74,37 +118,29 @@ class ExtendedEvaluation:
         from pkmodes_generated.linear_delta import extended
 
         self._generated, self._parameters = extended, parameters
-        self._effects = extended.Effects(**{path.replace(".", "_"): value for path, value in effects.items()})
-        with np.errstate(divide="ignore"):
-            stiffness, _ = extended.joint_stiffness(self._effects)
-        base = len(generated.COORDINATES)
-        free = np.isfinite(stiffness)  # a joint without compliance is infinitely stiff: locked
-        self._index = np.concatenate([np.arange(base), base + np.flatnonzero(free)])
-        self._joints = np.concatenate([np.zeros(base), stiffness[free]])
-        self.coordinates = tuple(extended.COORDINATES[i] for i in self._index)
+        self._system = SystemOfEffects(parameters, effects)
+        self.coordinates = tuple(extended.COORDINATES[i] for i in self._system.free)
         active = active_effects(effects)
         grounded = any(grounds and name in active for name, _, grounds, *_ in extended.EFFECTS)
         self.rigid_modes = 0 if grounded else generated.RIGID_MODES
 
     def matrices(self, p: Array) -> tuple[Array, Array]:
         """M and K, each (N, n, n)."""
-        M, K_el, K_g = self._generated.extended_matrices(p, self._parameters, self._effects)
-        K = K_el + K_g
-        rows, columns = np.ix_(self._index, self._index)
-        K = K[..., rows, columns]
-        diagonal = np.arange(len(self._index))
-        K[..., diagonal, diagonal] += self._joints
-        return M[..., rows, columns], K
+        M, K = self._system.all_coordinates(p)
+        rows, columns = np.ix_(self._system.free, self._system.free)
+        return M[..., rows, columns], K[..., rows, columns]
 
     def platform_motion(self, p: Array) -> Array:
         """Absolute motion of the platform by the coordinates, (N, 3, n)."""
         motion = self._generated.extended_platform_motion(p, self._parameters)
-        found: Array = motion[..., self._index]
+        found: Array = motion[..., self._system.free]
         return found
 
     def statics(self, p: Array) -> tuple[Array, Array]:
         """Torques (N, 3) [N m] and pulley rotations (N, 6) [rad]."""
-        torques, rotations = self._generated.extended_static_equilibrium(p, self._parameters, self._effects)
+        torques, rotations = self._generated.extended_static_equilibrium(
+            p, self._parameters, self._system.effects
+        )
         return torques, rotations
 
 

@@ -6,9 +6,8 @@ it holds no physics of its own.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,73 +16,14 @@ from pkmodes.eigen import condensed_eigh, natural_frequencies
 from pkmodes.errors import PkmodesError, PoseError, shown
 from pkmodes.evaluation import evaluation
 from pkmodes.poses import CHUNK, MAX_CONDITION, CheckedPoses, OnError, as_points, check_poses
+from pkmodes.results import Modes, Statics
 from pkmodes.robot.robot import Robot
 from pkmodes_generated import linear_delta as generated
 
+if TYPE_CHECKING:
+    from pkmodes.sensitivity.sensitivities import Sensitivities
+
 Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class Modes:
-    """Small vibrations about the static equilibrium at each pose.
-
-    The leading axes are those of the poses: none for a single pose of shape (3,), (N,) for poses of shape
-    (N, 3).  n is the number of coordinates, 9 for the base model; m, the number of modes, is n less the
-    coordinates without inertia.  Modes are sorted by eigenvalue, the rigid-body ones first.  Entries of poses
-    that could not be evaluated are NaN.
-
-    Attributes
-    ----------
-    poses : ndarray, shape (..., 3)
-        Platform centres [m], base frame.
-    coordinates : tuple of str, length n
-        Names of the generalised coordinates, in the order of the matrices.
-    frequencies : ndarray, shape (..., m)
-        sqrt(abs(lambda)) / (2 pi) with the sign of lambda [Hz].
-    shapes : ndarray, shape (..., m, n)
-        ``shapes[..., i, :]`` is mode i, mass-normalised (phi^T M phi = 1) with a deterministic sign.
-    platform_shapes : ndarray, shape (..., m, 3)
-        Absolute motion of the platform centre in each mode, base frame: D_p times the carriage components, and
-        what released joints and the frame add.
-    carriage_positions : ndarray, shape (..., 3)
-        x_1, x_2, x_3 [m].
-    mass_matrix, stiffness_matrix : ndarray, shape (..., n, n)
-        M and K in SI units.
-    rigid_modes : int
-        Number of modes that strain nothing elastic: they come first.
-    valid : ndarray of bool, shape (...)
-        Which poses could be evaluated.
-    """
-
-    poses: Array
-    coordinates: tuple[str, ...]
-    frequencies: Array
-    shapes: Array
-    platform_shapes: Array
-    carriage_positions: Array
-    mass_matrix: Array
-    stiffness_matrix: Array
-    rigid_modes: int
-    valid: NDArray[np.bool_]
-
-
-@dataclass(frozen=True)
-class Statics:
-    """Static equilibrium at each pose (equation 44): what holds the platform against gravity.
-
-    Attributes
-    ----------
-    torques : ndarray, shape (..., 3)
-        Torques on the driven pulleys of axes 1 to 3 [N m], positive with theta.
-    pulley_rotations : ndarray, shape (..., 6)
-        Rotations from the unstrained belts [rad], in the order of the coordinates theta.
-    valid : ndarray of bool, shape (...)
-        Which poses could be evaluated.
-    """
-
-    torques: Array
-    pulley_rotations: Array
-    valid: NDArray[np.bool_]
 
 
 class Model:
@@ -204,6 +144,44 @@ class Model:
         return Statics(
             checked.scatter(torques), checked.scatter(rotations), checked.valid.reshape(checked.batch)
         )
+
+    def sensitivities(
+        self,
+        poses: ArrayLike,
+        parameters: Sequence[str] | None = None,
+        *,
+        close: float = 1e-6,
+        on_error: OnError = "raise",
+    ) -> Sensitivities:
+        """Exact derivatives of matrices and modes by parameters, at fixed platform poses.
+
+        Parameters
+        ----------
+        poses : array_like, shape (3,) or (..., 3)
+            Platform centres in the base frame [m].
+        parameters : sequence of str, optional
+            Parameter paths (docs/sensitivities.md); by default all that the robot has and every effect's.
+        close : float
+            Modes whose eigenvalues differ by less than this fraction are one group.
+        on_error : {"raise", "nan"}
+            As for `modes`.
+
+        Returns
+        -------
+        Sensitivities
+            With the leading axes of the poses.
+
+        Raises
+        ------
+        PkmodesError
+            If a path is unknown, with the nearest one.
+        PoseError
+            As `modes` does.
+        """
+        from pkmodes.sensitivity.sensitivities import sensitivities
+
+        checked = self._check(poses, on_error)
+        return sensitivities(self.robot, checked, parameters, close)
 
     def platform_jacobian(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
         """Platform Jacobian D_p = dp/dx (equation 15).

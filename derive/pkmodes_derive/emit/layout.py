@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Iterable
 
 WIDTH = 110
 
@@ -47,6 +48,22 @@ def assignment(
         return [f"{indent}{target} = (", *lines, f"{indent}){end}"]
     lines[-1] += end
     return [f"{indent}{target} =", *lines]
+
+
+def listing(entries: Iterable[str], indent: str) -> list[str]:
+    """Write entries one after the other, each followed by a comma, long ones on lines of their own."""
+    lines, current = [], indent
+    for entry in entries:
+        if current.strip() and len(current) + len(entry) + 2 > WIDTH:
+            lines.append(current)
+            current = indent
+        if len(indent) + len(entry) + 1 > WIDTH:
+            inner, *rest = assignment("", entry, indent)[1:]
+            lines += [inner.replace(" ", "", 4), *(line.replace(" ", "", 4) for line in rest)]
+            lines[-1] += ","
+        else:
+            current += f"{entry}," if not current.strip() else f" {entry},"
+    return [*lines, current] if current.strip() else lines
 
 
 def _break_before_operators(expression: str) -> list[str]:

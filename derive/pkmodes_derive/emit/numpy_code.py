@@ -62,6 +62,7 @@ def module(model: Model, programs: dict[str, Program], provenance: Provenance) -
             for group in groups
             if group.declared
         ],
+        listed=any(output.listed for f in model.functions for output in f.outputs),
         functions=[_function(f, programs[f.name], groups) for f in model.functions],
     )
 
@@ -75,7 +76,8 @@ def glossary(model: Model, programs: dict[str, Program]) -> list[str]:
 
 def _literal(items: tuple[object, ...]) -> str:
     """A tuple as Python source, one item after the other."""
-    lines = [textwrap.indent(pformat(item, width=layout.WIDTH - 10), "    ") + "," for item in items]
+    width = layout.WIDTH - 10
+    lines = [textwrap.indent(pformat(item, width=width, compact=True), "    ") + "," for item in items]
     return "\n".join(["(", *lines, ")"])
 
 
@@ -152,6 +154,11 @@ def _body(function: Function, program: Program, groups: list[FieldGroup]) -> lis
             symbol.name, printers.numpy_expression(expression), "    ", parentheses=True
         )
     for output, entries in program.results:
+        if output.listed:
+            lines.append(f"    {_local(output.name)} = _listed(batch, dtype, (")
+            lines += layout.listing(map(printers.numpy_expression, entries), " " * 8)
+            lines.append("    ))")
+            continue
         shape = ", ".join(["*batch", *map(str, output.shape)])
         lines.append(
             f"    {_local(output.name)} = np.zeros({f'({shape})' if output.shape else 'batch'}, dtype)"

@@ -20,6 +20,8 @@ from pkmodes_derive.linear_delta.catalogue.position import position
 from pkmodes_derive.linear_delta.machine import Machine
 from pkmodes_derive.linear_delta.symbols import Symbols
 
+Places = tuple[tuple[int, int], ...]
+
 UNITS_M, UNITS_K = "kg, kg m, kg m^2", "N/m, N, N m"
 
 
@@ -32,6 +34,7 @@ def derive(effects: Sequence[Effect]) -> Model:
         for field in (*sy.fields, *machine.fields)
         for symbol, index in zip(field.symbols, field.indices, strict=True)
     }
+    sensitivities, places = extended.sensitivities()
     return Model(
         mechanism="linear_delta",
         coordinates=tuple(
@@ -48,7 +51,7 @@ def derive(effects: Sequence[Effect]) -> Model:
             extended.platform_motion("extended_platform_motion"),
             extended.joints(),
             extended.static_equilibrium("extended_static_equilibrium"),
-            extended.sensitivities(),
+            sensitivities,
         ),
         constants=(
             (
@@ -58,9 +61,13 @@ def derive(effects: Sequence[Effect]) -> Model:
                 tuple(_described(effect) for effect in effects),
             ),
             (
-                "By which parameters the derivatives are taken: field of Parameters or Effects, and index in it.",
-                "SENSITIVITY_PARAMETERS",
-                tuple(place[theta] for theta in sensitivity.parameters(machine)),
+                "By which parameters the derivatives are taken: field of Parameters or Effects, index in it, and the "
+                "(row, column) of the entries of M and of K that depend on it, in the upper triangle.",
+                "SENSITIVITIES",
+                tuple(
+                    (*place[theta], *entries)
+                    for theta, entries in zip(sensitivity.parameters(machine), places, strict=True)
+                ),
             ),
         ),
     )
@@ -216,28 +223,33 @@ class _Extended:
             self.kin.definitions,
         )
 
-    def sensitivities(self) -> Function:
+    def sensitivities(self) -> tuple[Function, tuple[tuple[Places, Places], ...]]:
+        """The derivatives, and for each parameter which entries of M and of K they are."""
         chain = sensitivity.PoseChain(self.machine, self.kin, self.energies, self.equilibrium)
         K = [[a + b for a, b in zip(*rows, strict=True)] for rows in zip(self.K_el, self.K_g, strict=True)]
         dM, dK = (chain.derivatives(matrix) for matrix in (self.M, K))
-        shape = (len(dM), self.n, self.n)
-        return Function(
+        function = Function(
             "extended_sensitivities",
             "Derivatives of M and K by every parameter, at a fixed platform pose.",
             "implicit function theorem and chain rule; the carriages follow the parameter",
             self.pose,
             (
-                Output(
-                    "M_theta", shape, _flat(map(_flat, dM)), "unit of M by that of the parameter", "dM/dtheta"
-                ),
-                Output(
-                    "K_theta", shape, _flat(map(_flat, dK)), "unit of K by that of the parameter", "dK/dtheta"
-                ),
+                _listed("M_theta", dM, "unit of M by that of the parameter", "dM/dtheta"),
+                _listed("K_theta", dK, "unit of K by that of the parameter", "dK/dtheta"),
             ),
             chain.chain.definitions,
-            "In the order of SENSITIVITY_PARAMETERS; by a rail's origin, the opposite of those by its joint.",
+            "The entries of the upper triangles that SENSITIVITIES lists, all others being zero; by a rail's "
+            "origin, the opposite of those by its joint.",
             in_c=False,
         )
+        return function, tuple(zip(map(tuple, dM), map(tuple, dK), strict=True))
+
+
+def _listed(
+    name: str, derivatives: Sequence[dict[tuple[int, int], Expr]], unit: str, description: str
+) -> Output:
+    entries = tuple(entry for matrix in derivatives for entry in matrix.values())
+    return Output(name, (len(entries),), entries, unit, description, listed=True)
 
 
 def _flat(rows: object) -> tuple[Expr, ...]:

@@ -67,15 +67,15 @@ class PoseChain:
         for theta in parameters(machine):
             self._follow(theta)
 
-    def derivatives(self, matrix: Sequence[Sequence[Expr]]) -> list[list[list[Expr]]]:
-        """Derivatives of a symmetric matrix by every parameter: one matrix for each parameter."""
+    def derivatives(self, matrix: Sequence[Sequence[Expr]]) -> list[dict[tuple[int, int], Expr]]:
+        """Derivatives of a symmetric matrix by every parameter: entries of its upper triangle that are not zero."""
         n = len(matrix)
         found = []
         for theta in parameters(self.machine):
             upper = {
                 (k, m): self.chain.derivative(matrix[k][m], theta) for k in range(n) for m in range(k, n)
             }
-            found.append([[upper[min(k, m), max(k, m)] for m in range(n)] for k in range(n)])
+            found.append({place: entry for place, entry in upper.items() if entry != 0})
         return found
 
     def _follow(self, theta: Symbol) -> None:

@@ -11,7 +11,8 @@ import numpy as np
 from pkmodes.cli.output import check_target, json_option, write_json
 from pkmodes.errors import PoseError
 from pkmodes.loading import load
-from pkmodes.model import Model, Modes, Statics
+from pkmodes.model import Model
+from pkmodes.results import Modes, Statics
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245")

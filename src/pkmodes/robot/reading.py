@@ -33,6 +33,8 @@ SHARED: dict[str, dict[str, str]] = {
     "motor": {"inertia": "moment of inertia", "gear_ratio": "number"},
 }
 COMPONENTS = ("x", "y", "z")
+#: The frame's mass, which `frame_compliance` takes from [frame], and its default.
+FRAME_MASS = "frame_compliance.mass"
 DEFAULT_FRAME_MASS = Quantity(50.0, "kg")
 
 
@@ -80,6 +82,7 @@ def robot_from_document(document: Mapping[str, Any], source: str) -> Robot:
         parameters=_parameters(content, axes),
         quantities={**_quantities(content), **{f"effects.{path}": q for path, q in effects.items()}},
         effects={path: quantity.value for path, quantity in effects.items()},
+        constants={FRAME_MASS: (effects.get(FRAME_MASS) or content.frame.mass or DEFAULT_FRAME_MASS).value},
     )
 
 
@@ -133,18 +136,17 @@ def _missing(path: str, dimension: str, source: str) -> PkmodesError:
 
 def _effects(content: schema.RobotFile, source: str, problems: list[PkmodesError]) -> dict[str, Quantity]:
     """The effects; the frame's mass is declared with the frame, or with the effect, but not twice."""
-    path = "frame_compliance.mass"
     declared = content.frame.mass
     table = content.effects.get("frame_compliance")
     if declared is not None and isinstance(table, dict) and "mass" in table:
         problems.append(
             PkmodesError(
                 "the mass of the frame is declared twice",
-                f"{source}: effects.{path}",
+                f"{source}: effects.{FRAME_MASS}",
                 "keep it in [frame] and remove it here",
             )
         )
-    return read_effects(content.effects, {path: declared or DEFAULT_FRAME_MASS}, source, problems)
+    return read_effects(content.effects, {FRAME_MASS: declared or DEFAULT_FRAME_MASS}, source, problems)
 
 
 def _short_travels(

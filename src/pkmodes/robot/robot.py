@@ -28,6 +28,9 @@ class Robot:
         ``axis.1.belt.width`` where an axis overrides, ``axis.1.limits.min``, ``gravity.z``).
     effects : mapping of str to float
         Parameters of the declared effects in SI units, by ``<effect>.<parameter>``.
+    constants : mapping of str to float
+        Parameters that effects take from elsewhere in the file and that are never fitted (the frame's mass),
+        whether or not the effect is declared.
     """
 
     name: str
@@ -36,6 +39,7 @@ class Robot:
     parameters: Parameters
     quantities: Mapping[str, Quantity] = field(repr=False)
     effects: Mapping[str, float] = field(default_factory=dict)
+    constants: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def declared(self) -> dict[str, object]:

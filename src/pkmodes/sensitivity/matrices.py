@@ -1,0 +1,200 @@
+r"""Derivatives of M and K along parameter paths, from the entries that the generated model evaluates.
+
+A released joint that is locked is not in the matrices.  Its compliance c is felt all the same: to first order
+
+.. math:: \frac{d}{dc} (K - \lambda M) = - B^T B, \qquad B(\lambda) = K_{rq} - \lambda M_{rq} ,
+
+where r are the joint's coordinates, because in a mode the joint carries the force :math:`B \phi` and yields by
+c times as much.  The derivative is finite at c = 0, where the joint's stiffness is not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.evaluation import SystemOfEffects
+from pkmodes.robot.robot import Robot
+from pkmodes.sensitivity.paths import ParameterPath, Slot
+from pkmodes_generated.linear_delta import extended
+
+Array = NDArray[np.float64]
+Index = NDArray[np.intp]
+
+
+class Entries(NamedTuple):
+    """Which entries of a symmetric matrix the generated derivatives are, in their order.
+
+    Attributes
+    ----------
+    slot, row, column : ndarray of int, shape (E,)
+        By which parameter, and the place in the upper triangle.
+    """
+
+    slot: Index
+    row: Index
+    column: Index
+
+
+@cache
+def _slots() -> dict[Slot, int]:
+    """Generated parameters by which there are derivatives; effects by their dotted names."""
+    return {(_dotted(field), index): i for i, (field, index, *_) in enumerate(extended.SENSITIVITIES)}
+
+
+@cache
+def _entries(matrix: int) -> Entries:
+    places = [(i, *place) for i, entry in enumerate(extended.SENSITIVITIES) for place in entry[2 + matrix]]
+    return Entries(*(np.array(column, dtype=np.intp) for column in zip(*places, strict=True)))
+
+
+@cache
+def _dotted(field: str) -> str:
+    """Name of a field of the generated effects as the robot file has it."""
+    for name, *_, parameters in extended.EFFECTS:
+        for parameter, *_ in parameters:
+            if field == f"{name}_{parameter}":
+                return f"{name}.{parameter}"
+    return field
+
+
+@cache
+def _joints() -> dict[Slot, tuple[int, ...]]:
+    """Coordinates that each compliance releases, in the extended model."""
+    found: dict[Slot, tuple[int, ...]] = {}
+    for name, _, _, coordinates, parameters in extended.EFFECTS:
+        if coordinates:
+            place = tuple(extended.COORDINATES.index(q) for q in coordinates)
+            found[f"{name}.{parameters[0][0]}", ()] = place
+    return found
+
+
+class MatrixDerivatives:
+    """Matrices of a robot at some poses, and how they change along parameter paths.
+
+    Parameters
+    ----------
+    robot : Robot
+    p : ndarray, shape (N, 3)
+        Platform centres that can be evaluated [m].
+    paths : sequence of ParameterPath
+        T of them.
+
+    Attributes
+    ----------
+    M, K : ndarray, shape (N, e, e)
+        In the base and all released coordinates; the rows of locked ones are those of free joints.
+    free : ndarray of int, shape (n,)
+        The coordinates that are not locked.
+    locked : tuple of int
+        Those of the paths that are compliances of locked joints.
+    """
+
+    def __init__(self, robot: Robot, p: Array, paths: Sequence[ParameterPath]) -> None:
+        system = SystemOfEffects(robot.parameters, robot.effects)
+        self.free = system.free
+        self.M, self.K = system.all_coordinates(p)
+        self._paths = tuple(paths)
+        released = {slot: place for slot, place in _joints().items() if place[0] not in set(system.free)}
+        self._locked = {
+            t: [(released[slot], weight) for slot, weight in path.weights.items() if slot in released]
+            for t, path in enumerate(paths)
+        }
+        self.locked = tuple(t for t, joints in self._locked.items() if joints)
+        rates = system.joint_rates
+        self._springs = np.zeros((len(paths), self.M.shape[-1]))
+        slots, along = _slots(), np.zeros((len(_slots()), len(paths)))
+        for t, path in enumerate(paths):
+            for (field, index), weight in path.weights.items():
+                if (field, index) in _joints():
+                    place = list(_joints()[field, index])
+                    if (field, index) not in released:
+                        self._springs[t, place] += weight * rates[place]
+                elif field == "origin":  # it enters only through its difference from the platform joint
+                    along[slots["joint", index], t] -= weight
+                else:
+                    along[slots[field, index], t] += weight
+        self._along = tuple(along[_entries(matrix).slot] for matrix in (0, 1))
+        self._values = system.derivatives(p)
+
+    def dense(self) -> tuple[Array, Array]:
+        """Evaluate dM and dK by each path, (N, T, n, n), in the free coordinates.
+
+        NaN for the compliance of a locked joint, which is not in the matrices.
+        """
+        found = []
+        for matrix in (0, 1):
+            entries = _entries(matrix)
+            full = np.zeros((len(self.M), len(self._paths), *self.M.shape[1:]))
+            for t, along in enumerate(self._along[matrix].T):
+                some = np.flatnonzero(along)  # numbers that a path moves together may change the same entry
+                change = (self._values[matrix][:, some] * along[some]).T
+                np.add.at(np.moveaxis(full[:, t], 0, -1), (entries.row[some], entries.column[some]), change)
+            full += np.swapaxes(np.triu(full, 1), -1, -2)
+            if matrix == 1:
+                diagonal = np.arange(full.shape[-1])
+                full[..., diagonal, diagonal] += self._springs
+            full[:, list(self.locked)] = np.nan
+            found.append(full[..., self.free[:, None], self.free])
+        return found[0], found[1]
+
+    def eigenvalues(self, eigenvalues: Array, shapes: Array) -> Array:
+        """Derivatives of simple eigenvalues, phi^T (dK - lambda dM) phi with phi^T M phi = 1.
+
+        Parameters
+        ----------
+        eigenvalues : ndarray, shape (N, m)
+        shapes : ndarray, shape (N, m, n)
+            In the free coordinates, mass-normalised.
+
+        Returns
+        -------
+        ndarray, shape (N, m, T)
+        """
+        phi = self._embedded(shapes)
+        parts = []
+        for matrix in (0, 1):
+            row, column = _entries(matrix).row, _entries(matrix).column
+            both = phi[..., row] * phi[..., column] * np.where(row == column, 1.0, 2.0)
+            parts.append((both * self._values[matrix][:, None, :]) @ self._along[matrix])
+        found = parts[1] - eigenvalues[..., None] * parts[0] + phi**2 @ self._springs.T
+        for t in self.locked:
+            for joints, weight in self._locked[t]:
+                force = self.joint_forces(eigenvalues, shapes, joints)
+                found[..., t] -= weight * np.sum(force**2, axis=-1)
+        return np.asarray(found)
+
+    def joint_forces(self, eigenvalues: Array, shapes: Array, joints: Sequence[int]) -> Array:
+        """Forces B(lambda) phi that locked joints carry in each mode, (N, m, r)."""
+        K, M = (
+            (a[:, list(joints)][..., self.free] @ np.swapaxes(shapes, -1, -2)).swapaxes(-1, -2)
+            for a in (self.K, self.M)
+        )
+        return np.asarray(K - eigenvalues[..., None] * M)
+
+    def locked_change(self, t: int, eigenvalues: Array, shapes: Array) -> tuple[Array, Array]:
+        """For the compliance of a locked joint: what replaces (dK - lambda dM) phi, and phi^T dM phi.
+
+        Returns
+        -------
+        change : ndarray, shape (N, m, n)
+            -B^T B phi, at each mode's own eigenvalue.
+        norm : ndarray, shape (N, m)
+            Change of the modal mass by the motion of the joint.
+        """
+        change, norm = np.zeros_like(shapes), np.zeros_like(eigenvalues)
+        for joints, weight in self._locked[t]:
+            force = self.joint_forces(eigenvalues, shapes, joints)
+            K, M = (a[:, list(joints)][..., self.free] for a in (self.K, self.M))
+            change -= weight * (force @ K - eigenvalues[..., None] * (force @ M))
+            norm -= weight * 2.0 * np.sum(force * (shapes @ np.swapaxes(M, -1, -2)), axis=-1)
+        return change, norm
+
+    def _embedded(self, shapes: Array) -> Array:
+        phi = np.zeros((*shapes.shape[:-1], self.M.shape[-1]))
+        phi[..., self.free] = shapes
+        return phi

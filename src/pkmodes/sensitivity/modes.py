@@ -1,0 +1,94 @@
+r"""Derivatives of eigenvalues and mode shapes, with groups for repeated and close eigenvalues.
+
+With :math:`Z = K - \lambda M` and :math:`z_i = (dK - \lambda_i dM) \phi_i`, a simple mode with
+:math:`\phi^T M \phi = 1` has
+
+.. math::
+    d\lambda_i = \phi_i^T z_i, \qquad
+    Z_i \, d\phi_i = d\lambda_i M \phi_i - z_i, \qquad
+    \phi_i^T M \, d\phi_i = - \tfrac12 \phi_i^T dM \phi_i ,
+
+which is one bordered linear system for each mode (Nelson, AIAA Journal 14(9), 1976).  No other modes are needed,
+so coordinates without inertia do no harm.  In a group of equal eigenvalues a single shape means nothing: their
+derivatives are the eigenvalues of :math:`\Phi^T (dK - \lambda dM) \Phi` over the group, and what is determined of the
+shapes' derivatives is the part outside the group (Dailey, AIAA Journal 27(4), 1989).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Index = NDArray[np.intp]
+#: Rounding of the eigenvalues, as a fraction of the largest.
+ROUNDING = 1e-13
+
+
+def groups(eigenvalues: Array, close: float) -> Index:
+    """Number the groups of modes whose eigenvalues are closer than a fraction of their size.
+
+    Parameters
+    ----------
+    eigenvalues : ndarray, shape (..., m)
+        Ascending.
+    close : float
+        Fraction; gaps are also compared with the largest eigenvalue's rounding.
+
+    Returns
+    -------
+    ndarray of int, shape (..., m)
+        The same number for the members of a group, ascending from 0.
+    """
+    size = np.maximum(np.abs(eigenvalues[..., 1:]), np.abs(eigenvalues[..., :-1]))
+    rounding = ROUNDING * np.abs(eigenvalues[..., -1:])
+    apart = np.diff(eigenvalues, axis=-1) > np.maximum(close * size, rounding)
+    first = np.zeros((*eigenvalues.shape[:-1], 1), dtype=np.intp)
+    return np.concatenate([first, np.cumsum(apart, axis=-1)], axis=-1)
+
+
+def mode_derivatives(
+    M: Array, K: Array, eigenvalues: Array, shapes: Array, change: Array, norm: Array, group: Index
+) -> tuple[Array, Array]:
+    """Derivatives of the modes of one system by several parameters.
+
+    Parameters
+    ----------
+    M, K : ndarray, shape (n, n)
+    eigenvalues : ndarray, shape (m,)
+    shapes : ndarray, shape (m, n)
+        Mass-normalised.
+    change : ndarray, shape (T, m, n)
+        (dK - lambda_i dM) phi_i for each parameter.
+    norm : ndarray, shape (T, m)
+        phi_i^T dM phi_i.
+    group : ndarray of int, shape (m,)
+        From `groups`.
+
+    Returns
+    -------
+    d_eigenvalues : ndarray, shape (T, m)
+        In a group, those of the branches, ascending.
+    d_shapes : ndarray, shape (T, m, n)
+        In a group, the part that is M-orthogonal to its other members.
+    """
+    d_eigenvalues, d_shapes = np.empty(change.shape[:2]), np.empty(change.shape)
+    scale = 1.0 / np.sqrt(np.abs(np.diagonal(K)) + np.abs(eigenvalues).max() * np.diagonal(M))
+    for number in np.unique(group):
+        members = np.flatnonzero(group == number)
+        inside = np.einsum("tin,jn->tij", change[:, members], shapes[members])
+        d_eigenvalues[:, members] = np.linalg.eigvalsh(0.5 * (inside + np.swapaxes(inside, 1, 2)))
+        momenta = shapes[members] @ M
+        border = momenta * scale
+        border /= np.linalg.norm(border, axis=1, keepdims=True)
+        size = len(scale) + len(members)
+        for k, i in enumerate(members):
+            system = np.zeros((size, size))
+            system[: len(scale), : len(scale)] = (K - eigenvalues[i] * M) * scale[:, None] * scale
+            system[: len(scale), len(scale) :] = border.T
+            system[len(scale) :, : len(scale)] = border
+            right = np.zeros((size, len(change)))
+            right[: len(scale)] = (inside[:, k] @ momenta - change[:, i]).T * scale[:, None]
+            outside = np.linalg.solve(system, right)[: len(scale)].T * scale
+            d_shapes[:, i] = outside - 0.5 * norm[:, i, None] * shapes[i]
+    return d_eigenvalues, d_shapes
