@@ -1,0 +1,34 @@
+"""The diagnosis of both robots: the identified one at the identified poses, the declared one at its own."""
+
+from __future__ import annotations
+
+import pkmodes
+from extremes import Extremes
+from pkmodes.closing import diagnose, read
+from pkmodes.diagnosis.result import Diagnosis
+from pkmodes.measured.measurements import Measurements
+from printed import read_rows
+from published_modes import FILE, SIGMA
+
+
+def diagnose_published(robot: pkmodes.Robot) -> Diagnosis:
+    """Diagnose a robot by the published tables at the identified poses."""
+    return diagnose(robot, read(FILE))
+
+
+def assumed_poses(found: Extremes) -> Measurements:
+    """The published frequencies at the minima and maxima that a robot has along its centre line.
+
+    That is all that the paper says of the poses.  Rows that share a pose share its label.  Shapes are left out:
+    taken as headed, most of them have the wrong unit.
+    """
+    rows = read_rows()
+    index = [found.index[row.point, row.mode] for row in rows]
+    return Measurements.from_rows(
+        [f"x = {found.poses[i, 0]:.4f} m" for i in index],
+        [row.frequency for row in rows],
+        [SIGMA] * len(rows),
+        points=found.poses[index],
+        mode=[row.mode for row in rows],
+        source="published tables at the declared robot's own extremes",
+    )

@@ -1,0 +1,44 @@
+"""Round numbers: whether a fitted value is one, and how easily it could be one by chance."""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+
+#: A round number must be within so many standard errors.
+WITHIN = 3.0
+#: Roundness in descending order: multiples of 500, 250, 100, 50, 25, 10, 5, 2.5, 1, 0.5 ... [mm].
+GRAINS = tuple(m * 10.0**e for e, m in itertools.product(range(2, -6, -1), (5.0, 2.5, 1.0)))
+
+
+@dataclass(frozen=True)
+class Round:
+    """The roundest number within the errors of a value, all in the unit of the value.
+
+    Attributes
+    ----------
+    value : float
+    grain : float
+        It is a multiple of this.
+    chance : float
+        Probability that a value at random is as close to a number as round as that.
+    """
+
+    value: float
+    grain: float
+    chance: float
+
+
+def roundest(value: float, sigma: float) -> Round:
+    """The roundest number within the errors.
+
+    Parameters
+    ----------
+    value, sigma : float
+        In millimetres, which is what a person would have rounded.
+    """
+    for grain in GRAINS:
+        nearest = round(value / grain) * grain
+        if abs(nearest - value) <= WITHIN * sigma:
+            break
+    return Round(nearest, grain, min(1.0, 2.0 * WITHIN * sigma / grain))
