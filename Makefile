@@ -6,15 +6,21 @@ VENV := .venv
 BIN := $(VENV)/bin
 ROBOT := robots/linear-delta-2022.toml
 DEMO := build/linear-delta-2022
+LOOP := examples/closed_loop
+CORRECTED := build/workshop-delta
 
 # One environment: two targets at once would both install into it.
 .NOTPARALLEL:
 .PHONY: demo test lint types check generate docs benchmark clean
 
-demo: $(VENV)/.derive  ## derive, generate and solve the published robot; compare with the paper
+demo: $(VENV)/.derive  ## the whole loop: derive, generate, solve, compare with measured modes, diagnose, correct
 	$(BIN)/python -m pkmodes generate $(ROBOT) --out $(DEMO)
 	$(BIN)/python -m pkmodes check $(DEMO)
 	$(BIN)/python examples/published_tables/residual.py $(ROBOT) --generated $(DEMO)
+	$(BIN)/python -m pkmodes compare $(LOOP)/robot.toml $(LOOP)/measured.csv
+	$(BIN)/python -m pkmodes diagnose $(LOOP)/robot.toml $(LOOP)/measured.csv --save-robot $(CORRECTED).toml
+	$(BIN)/python -m pkmodes generate $(CORRECTED).toml --out $(CORRECTED)
+	$(BIN)/python -m pkmodes diagnose $(CORRECTED).toml $(LOOP)/measured.csv
 
 test: $(VENV)/.dev  ## every test, the slow ones too
 	$(BIN)/python -m pytest -n auto

@@ -8,6 +8,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).parents[1]
 STANDARD = sys.stdlib_module_names
 #: Parts of the runtime that may reach the derivation, and only from inside functions.
@@ -79,6 +81,24 @@ def test_the_runtime_is_light_to_import() -> None:
     loaded = set(ast.literal_eval(run.stdout))
     assert "numpy" in loaded
     assert not loaded & {"sympy", "jinja2", "pint", "pydantic", "click", "rich", "scipy", "pkmodes_derive"}
+
+
+#: Which parts of the runtime each part may import, besides errors and itself: nothing points back.
+LAYERS = {
+    "diagnosis": {"measured", "eigen"},
+    "measured": {"model", "poses", "robot"},
+    "sensitivity": {"robot", "evaluation", "eigen", "poses"},
+    "robot": {"writing"},
+}
+
+
+@pytest.mark.parametrize("layer", LAYERS)
+def test_the_engine_knows_no_robots(layer: str) -> None:
+    for file in files(f"src/pkmodes/{layer}"):
+        tree = ast.parse(file.read_text(encoding="utf-8"))
+        modules = {node.module or "" for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
+        parts = {module.split(".")[1] for module in modules if module.startswith("pkmodes.")}
+        assert parts <= LAYERS[layer] | {layer, "errors"}, file
 
 
 def test_templates_contain_no_mathematics() -> None:

@@ -1,4 +1,4 @@
-"""The command line: ``pkmodes generate``, ``check`` and ``modes``.
+"""The command line: ``pkmodes generate``, ``check``, ``modes``, ``compare`` and ``diagnose``.
 
 Errors go to stderr as ``error: <what> (<where>); <what to do>``.  Exit codes: 0 done, 1 a check did not hold,
 2 bad input or usage.
@@ -16,6 +16,8 @@ import click
 
 import pkmodes
 from pkmodes.cli.check import check
+from pkmodes.cli.compare import compare
+from pkmodes.cli.diagnose import diagnose
 from pkmodes.cli.generate import generate
 from pkmodes.cli.modes import modes
 from pkmodes.errors import PkmodesError
@@ -32,7 +34,7 @@ def cli() -> None:
     """Vibration modes of parallel robots with compliant transmissions."""
 
 
-for command in (generate, check, modes):
+for command in (generate, check, modes, compare, diagnose):
     cli.add_command(command)
 
 

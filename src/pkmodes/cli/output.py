@@ -44,7 +44,7 @@ def check_target(json_file: str | None, *inputs: Path) -> None:
 
 def write_json(json_file: str, content: dict[str, Any]) -> None:
     """Write a result as JSON; numbers that are not finite become null, as JSON has none of them."""
-    text = json.dumps(_finite(content), indent=1, allow_nan=False, ensure_ascii=False) + "\n"
+    text = json.dumps(_finite(content), indent=1, allow_nan=False, ensure_ascii=json_file == "-") + "\n"
     if json_file == "-":
         click.echo(text, nl=False)
     else:

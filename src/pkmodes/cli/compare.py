@@ -1,0 +1,104 @@
+"""``pkmodes compare``: prediction beside measurement, paired, with residuals and their significance."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from pkmodes.cli.output import check_target, json_option, write_json
+from pkmodes.loading import read_robot
+
+if TYPE_CHECKING:
+    from pkmodes.diagnosis import Comparison
+    from pkmodes.diagnosis.compare import ComparedRow
+
+
+@click.command(
+    epilog="\b\nExample:\n  pkmodes compare examples/closed_loop/robot.toml examples/closed_loop/measured.csv"
+)
+@click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
+@click.argument("modes", metavar="MODES.csv", type=click.Path(path_type=Path))
+@json_option
+def compare(robot: Path, modes: Path, json_file: str | None) -> None:
+    """Prediction beside measurement, nothing fitted.
+
+    Measured modes are paired with predicted ones by frequency and, where they were measured, by shape.
+    """
+    check_target(json_file, robot, modes)
+    from pkmodes import closing  # SciPy is loaded only where it is used
+    from pkmodes.evaluation import evaluation
+
+    declared = read_robot(robot)
+    result = closing.compare(declared, closing.read(modes))
+    if json_file is not None:
+        content = {
+            "robot": declared.name,
+            "rms_relative": result.rms_relative,
+            "chi2_per_dof": result.chi2_per_dof,
+            "p_value": result.p_value,
+            "unpaired": len(result.unpaired),
+            "rows": [asdict(row) for row in result.rows],
+        }
+        write_json(json_file, content)
+    if json_file != "-":
+        _print(declared.name, modes, result, evaluation(declared.parameters, declared.effects).rigid_modes)
+
+
+def _print(name: str, modes: Path, result: Comparison, rigid: int) -> None:
+    from pkmodes.cli.diagnosis_tables import Terminal, p_value
+
+    terminal = Terminal()
+    terminal.heading(f"{name} beside {modes}, frequencies in Hz")
+    terminal.line()
+    shapes = any(row.mac is not None for row in result.rows)
+    numbered = any(row.mode for row in result.rows)
+    titles = ["pose", "line", *(["own"] if numbered else []), "mode", "measured", "sigma", "predicted"]
+    titles += ["diff [%]", "sigmas", *(["MAC"] if shapes else [])]
+    poses = {pose: i for i, pose in enumerate(dict.fromkeys(row.pose for row in result.rows))}
+    rows, previous = [], None
+    for row in sorted(result.rows, key=lambda row: (poses[row.pose], row.measured)):
+        cells = [row.pose if row.pose != previous else "", str(row.line), *([row.mode] if numbered else [])]
+        cells += [*_numbers(row, rigid), *([_or_blank(row.mac, ".3f")] if shapes else [])]
+        rows.append(cells)
+        previous = row.pose
+    terminal.table(titles, rows, left=("pose", "own"))
+    terminal.line()
+    count = len(result.rows)
+    terminal.line(
+        f"{count} measured mode{'' if count == 1 else 's'}"
+        + (f", {len(result.unpaired)} of them without a mode of the model" if result.unpaired else "")
+    )
+    rms, chi2, p = result.rms_relative, result.chi2_per_dof, result.p_value
+    if rms is not None and chi2 is not None and p is not None:
+        terminal.line(
+            f"rms of the differences {100 * rms:.3g} %, chi2 per degree of freedom {chi2:.3g} ({p_value(p)})"
+        )
+    terminal.line()
+    own = "own: as the file numbers it; " if numbered else ""
+    terminal.line(
+        f"{own}mode: of the model, counted as pkmodes modes does; diff: of the prediction from the measurement; "
+        "sigmas: that in standard deviations"
+    )
+
+
+def _numbers(row: ComparedRow, rigid: int) -> list[str]:
+    return [
+        "none" if row.partner is None else str(row.partner - rigid),
+        _hertz(row.measured),
+        _hertz(row.sigma),
+        "" if row.predicted is None else _hertz(row.predicted),
+        _or_blank(None if row.residual is None else 100.0 * row.residual, "+.2f"),
+        _or_blank(row.sigmas, "+.1f"),
+    ]
+
+
+def _hertz(value: float) -> str:
+    """Three decimals, or two digits of what is smaller."""
+    return f"{value:.3f}" if value >= 0.01 else f"{value:.2g}"
+
+
+def _or_blank(value: float | None, form: str) -> str:
+    return "" if value is None else format(value, form)

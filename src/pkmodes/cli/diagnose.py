@@ -1,0 +1,127 @@
+"""``pkmodes diagnose``: from measured modes to the cause that the model lacks, and to a corrected robot file."""
+
+from __future__ import annotations
+
+import csv
+import shlex
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import click
+
+from pkmodes.cli.output import check_target, json_option, write_json
+from pkmodes.errors import OutputError, PkmodesError, shown
+from pkmodes.loading import read_robot
+
+
+@click.command(
+    epilog="\b\nExample:\n"
+    "  pkmodes diagnose examples/closed_loop/robot.toml examples/closed_loop/measured.csv \\\n"
+    "    --candidates effects,parameter:axis.span --holdout P3,P7 --save-robot corrected.toml"
+)
+@click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
+@click.argument("modes", metavar="MODES.csv", type=click.Path(path_type=Path))
+@click.option(
+    "--candidates",
+    metavar="NAMES",
+    help="Candidates, separated by commas: effects, parameter:PATH, or the words effects and parameters; "
+    "by default all.",
+)
+@click.option(
+    "--holdout",
+    metavar="POSES",
+    help="Labels of poses that take no part in any fit, separated by commas (a label with a comma in double "
+    "quotes), or none; by default one in six.",
+)
+@click.option(
+    "--save-robot",
+    "save_to",
+    metavar="FILE.toml",
+    type=click.Path(path_type=Path),
+    help="Write the robot file with the causes and the refitted values.",
+)
+@json_option
+def diagnose(
+    robot: Path,
+    modes: Path,
+    candidates: str | None,
+    holdout: str | None,
+    save_to: Path | None,
+    json_file: str | None,
+) -> None:
+    """Find what the model lacks, and how much better it is with it.
+
+    The verdict is adequate, effect_found, ambiguous, unexplained or insufficient_data, with a reason.
+    """
+    check_target(json_file, robot, modes)
+    _check_robot_target(save_to, json_file, robot, modes)
+    names = None if candidates is None else _names(candidates, "--candidates")
+    held = None if holdout is None else [] if holdout.strip() == "none" else _names(holdout, "--holdout")
+    from pkmodes import closing  # SciPy is loaded only where it is used
+    from pkmodes.cli.diagnosis_tables import show
+
+    declared = read_robot(robot)
+    data = closing.read(modes)
+    with _progress() as progress:
+        result = closing.diagnose(
+            declared,
+            data,
+            candidates=names,
+            holdout=held,
+            progress=progress,
+        )
+    if json_file is not None:
+        write_json(json_file, result.as_json())
+    if json_file != "-":
+        show(declared.name, result)
+    if save_to is not None:
+        closing.save_robot(declared, result, save_to)
+        command = f"pkmodes generate {shlex.quote(str(save_to))} --out DIR"
+        click.echo(f"\nwrote {save_to}; next: {command}", err=json_file == "-")
+
+
+def _names(text: str, option: str) -> list[str]:
+    """Names separated by commas; as in the measurements, double quotes keep a comma inside of one."""
+    try:
+        (cells,) = csv.reader([text], strict=True, skipinitialspace=True)
+    except (csv.Error, ValueError):
+        cells = []
+    names = [cell.strip() for cell in cells if cell.strip()]
+    if not names:
+        what = f"expected names separated by commas, found {shown(text)}"
+        raise PkmodesError(what, option, "name at least one, or leave the option out")
+    return names
+
+
+def _check_robot_target(target: Path | None, json_file: str | None, *inputs: Path) -> None:
+    """Refuse a target that cannot be written before minutes are spent on it."""
+    if target is None:
+        return
+    if str(target) == "-" or target.is_dir() or not target.parent.is_dir():
+        raise OutputError(
+            "expected a file in an existing folder", f"--save-robot {target}", "choose another place"
+        )
+    if json_file not in (None, "-") and Path(str(json_file)).resolve() == target.resolve():
+        raise OutputError(
+            "the result and the corrected robot would be the same file",
+            f"--save-robot {target}",
+            "choose another file",
+        )
+    if any(given.exists() and target.exists() and given.samefile(target) for given in inputs):
+        raise OutputError(
+            "the corrected robot would replace its own input", f"--save-robot {target}", "choose another file"
+        )
+
+
+@contextmanager
+def _progress() -> Iterator[Callable[[str], None]]:
+    """Show on a terminal's stderr what is being done."""
+    from rich.console import Console
+
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        yield lambda _: None
+        return
+    with console.status("reading") as status:
+        yield lambda text: status.update(text)

@@ -1,0 +1,195 @@
+"""A diagnosis on the terminal: verdict, causes, error before and after, refitted values."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Sequence
+
+from rich.console import Console
+from rich.table import Table
+
+from pkmodes.diagnosis.result import Diagnosis, Error, Row, Value
+
+#: A table is as wide as its numbers need: it is never cut.
+WIDEST_TABLE = 10_000
+#: Sentences are not broken into shorter lines than this.
+NARROWEST = 40
+#: Decimal exponents between which numbers are written without one.
+PLAIN = range(-3, 6)
+#: Lines of the measurements that are listed at most; the JSON has them all.
+MOST_LISTED = 8
+
+
+class Terminal:
+    """Sentences and tables on standard output: sentences broken at spaces to fit, tables never cut.
+
+    What was read from files, such as labels, is shown as it is, whatever brackets or colons it has.
+    """
+
+    def __init__(self) -> None:
+        self._console = Console(highlight=False, markup=False, emoji=False)
+        self._width = max(self._console.width, NARROWEST)
+        self._console.width = WIDEST_TABLE
+
+    def heading(self, text: str) -> None:
+        """Print a line that may name a file: it is not broken, so that the name can be copied."""
+        self._console.print(text, soft_wrap=True)
+
+    def line(self, text: str = "", indent: str = "") -> None:
+        """Print a sentence; `indent` stands before every line of it."""
+        lines = textwrap.wrap(
+            text,
+            self._width,
+            initial_indent=indent,
+            subsequent_indent=indent,
+            break_long_words=False,
+            break_on_hyphens=False,
+        )
+        for part in lines or [""]:
+            self._console.print(part, soft_wrap=True)
+
+    def table(self, titles: Sequence[str], rows: Sequence[Sequence[str]], left: Sequence[str]) -> None:
+        """Print a table; the columns named in `left` hold text, the others numbers."""
+        table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
+        for title in titles:
+            table.add_column(title, justify="left" if title in left else "right", no_wrap=True)
+        for row in rows:
+            table.add_row(*row)
+        self._console.print(table)
+
+
+def show(name: str, result: Diagnosis) -> None:
+    """Print a diagnosis.
+
+    Parameters
+    ----------
+    name : str
+        The robot's name.
+    result : Diagnosis
+    """
+    terminal = Terminal()
+    terminal.heading(f"{name}: {result.verdict}")
+    terminal.line(result.reason, "  ")
+    for found in result.effects:
+        sentence = f": {found.sentence}" if found.sentence else ""
+        terminal.line()
+        terminal.line(f"cause: {found.name} ({p_value(found.p_value)}){sentence}")
+        for value in found.parameters:
+            terminal.line(f"{_short(value)} = {_with_sigma(value)}", "  ")
+        if len(found.members) > 1:
+            terminal.line("these data cannot tell it from", "  ")
+            for member in found.members[1:]:
+                values = [f"{_short(v)} = {_with_sigma(v)}" for v in found.alternatives[member]]
+                terminal.line(", ".join(values), "    ")
+    for group in result.survivors:
+        terminal.line(f"remains: {' or '.join(group)}", "  ")
+    terminal.line()
+    _errors(terminal, result)
+    _counts(terminal, result)
+    if result.refitted:
+        terminal.line()
+        _refitted(terminal, result)
+    _remarks(terminal, result)
+
+
+def p_value(p: float) -> str:
+    """A p-value, which is never zero."""
+    return f"p = {p:.2g}" if p > 0.0 else "p < 1e-300"
+
+
+def _errors(terminal: Terminal, result: Diagnosis) -> None:
+    held = any(e is not None and e.held_out_rms_relative is not None for e in _stages(result).values())
+    titles = ("error", "rms [%]", *(("held out [%]",) if held else ()), "chi2 per dof")
+    rows = [(title, *_row(error, held)) for title, error in _stages(result).items() if error is not None]
+    terminal.table(titles, rows, left=("error",))
+
+
+def _stages(result: Diagnosis) -> dict[str, Error | None]:
+    return {
+        "before: as declared": result.before,
+        "refit of the uncertain values only": result.refit,
+        "after: with the cause" + ("s" if len(result.effects) > 1 else ""): result.after,
+    }
+
+
+def _row(error: Error, held: bool) -> tuple[str, ...]:
+    chi2 = error.chi2_per_dof
+    return (
+        _percent(error.rms_relative),
+        *((_percent(error.held_out_rms_relative),) if held else ()),
+        f"{chi2:.3g}" if chi2 < 999.5 else f"{chi2:.0f}",
+    )
+
+
+def _percent(relative: float | None) -> str:
+    return "" if relative is None else f"{100.0 * relative:.3f}"
+
+
+def _counts(terminal: Terminal, result: Diagnosis) -> None:
+    count = sum(not (row.held_out or row.outlier) for row in result.rows)
+    held = f" (held out: {', '.join(result.held_out_poses)})" if result.held_out_poses else ""
+    terminal.line()
+    terminal.line(f"{count} measured mode{'' if count == 1 else 's'} fitted{held}")
+
+
+def _refitted(terminal: Terminal, result: Diagnosis) -> None:
+    rows = [
+        (
+            value.name.removeprefix("effects."),
+            f"{value.before:.6g}",
+            f"{value.after:.6g}",
+            f"{value.sigma:.2g}",
+            "" if value.unit == "1" else value.unit,
+        )
+        for value in result.refitted
+    ]
+    terminal.table(("uncertain value", "before", "after", "sigma", "unit"), rows, ("uncertain value", "unit"))
+
+
+def _remarks(terminal: Terminal, result: Diagnosis) -> None:
+    remarks = []
+    if result.outliers:
+        remarks.append(f"set aside as outliers: {_listed(result.outliers)}")
+    if result.unpaired:
+        remarks.append(f"no mode of the model for: {_listed(result.unpaired)}")
+    if result.scatter:
+        remarks.append(f"error that the modes of a pose share: {100 * result.scatter:.2g} %")
+    if result.undetectable:
+        remarks.append(f"would not have been seen: {', '.join(result.undetectable)}")
+    if result.next_measurement is not None:
+        place = ", ".join(f"{c:.4f}" for c in result.next_measurement.pose)
+        a, b = result.next_measurement.separates
+        sigmas = result.next_measurement.sigmas
+        remarks.append(f"measure next at [{place}] m: {a} and {b} differ there by {sigmas:.0f} sigma")
+    for remark in remarks:
+        terminal.line()
+        terminal.line(remark)
+
+
+def _listed(rows: Sequence[Row]) -> str:
+    shown = [f"line {row.line}, pose {row.pose}, {row.measured:g} Hz" for row in rows[:MOST_LISTED]]
+    more = [f"and {len(rows) - MOST_LISTED} more"] if len(rows) > MOST_LISTED else []
+    return "; ".join([*shown, *more])
+
+
+def _short(value: Value) -> str:
+    return value.name.removeprefix("effects.")
+
+
+def _with_sigma(value: Value) -> str:
+    unit = "" if value.unit == "1" else f" {value.unit}"
+    return f"{_number_with_sigma(value.value, value.sigma)}{unit}"
+
+
+def _number_with_sigma(value: float, sigma: float) -> str:
+    """Both with the same decimals, two digits of the standard deviation, and one exponent."""
+    if not (math.isfinite(value) and math.isfinite(sigma) and sigma > 0.0):
+        return f"{value:.6g} +- {sigma:.2g}"
+    exponent = math.floor(math.log10(max(abs(value), sigma)))
+    shift = 0 if exponent in PLAIN else exponent
+    decimals = min(max(1 - math.floor(math.log10(sigma)) + shift, 0), 9)
+    scale = 10.0**shift
+    rounded = round(value / scale, decimals) + 0.0  # + 0.0: no minus zero
+    text = f"{rounded:.{decimals}f} +- {sigma / scale:.{decimals}f}"
+    return f"({text})e{shift:+03d}" if shift else text

@@ -1,0 +1,160 @@
+"""Parameters and candidate causes of a robot: its nuisances, the catalogue of effects, and suspected values.
+
+A declared value with a standard deviation is a nuisance, one without may be suspected, and one with a standard
+deviation of 0 is known.  Limits and platform joints are suspected as wholes, under ``axis.span`` and
+``axis.joint_radius``.
+"""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Sequence
+
+import numpy as np
+
+from pkmodes.diagnosis.problem import Candidate, Parameter
+from pkmodes.errors import PkmodesError, shown
+from pkmodes.robot.effects import CATALOGUE, Effect
+from pkmodes.robot.robot import Robot
+from pkmodes.sensitivity.paths import ParameterPath, paths, resolve
+
+#: How a suspected value is called as a candidate.
+PREFIX = "parameter:"
+#: A suspected value is looked for between a third and three times what is declared: beyond that the robot file
+#: describes another machine.
+FACTOR = 3.0
+#: Quantities that are suspected as wholes, and the vectors that they stand for.
+WHOLES = {"axis.span": "limits", "axis.joint_radius": "joint"}
+#: Quantities that may have either sign, or be zero.
+SIGNED = ("gravity.", ".origin.", ".joint.", ".limits.")
+
+
+def suspects(
+    robot: Robot, chosen: Sequence[str] | None = None
+) -> tuple[list[Parameter], list[Candidate], list[ParameterPath]]:
+    """Parameters of the diagnosis, its candidates, and what moves each parameter.
+
+    Parameters
+    ----------
+    robot : Robot
+    chosen : sequence of str, optional
+        Names of candidates: effects, ``parameter:<path>``, or the words ``effects`` and ``parameters`` for all
+        of a kind.  By default all effects and every value that may be suspected.
+
+    Raises
+    ------
+    PkmodesError
+        If a name is unknown.
+    """
+    nuisances = [path for path in _varying(robot) if robot.quantities[path].sigma]
+    candidates = _chosen(robot, chosen)
+    names = dict.fromkeys([*nuisances, *(name for candidate in candidates for name in candidate.parameters)])
+    moves = [resolve(robot, name) for name in names]
+    return [_parameter(robot, move) for move in moves], candidates, moves
+
+
+def _chosen(robot: Robot, chosen: Sequence[str] | None) -> list[Candidate]:
+    effects, parameters = _effects(robot), _suspected(robot)
+    if chosen is None:
+        return [*effects.values(), *parameters.values()]
+    found: dict[str, Candidate] = {}
+    for name in chosen:
+        if name in ("effects", "parameters"):
+            found |= effects if name == "effects" else parameters
+        elif name in effects or name in parameters:
+            found[name] = {**effects, **parameters}[name]
+        else:
+            found[name] = _asked_for(robot, name, [*effects, *parameters])
+    return list(found.values())
+
+
+def _varying(robot: Robot) -> list[str]:
+    """Declared values that the robot depends on: not those that every axis overrides, the frame's mass once."""
+    known = set(paths(robot))
+    if "frame.mass" in robot.quantities:
+        known.discard("effects.frame_compliance.mass")
+    return [path for path in robot.quantities if path in known]
+
+
+def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
+    """A candidate that is not suspected by default, such as the belt of one axis."""
+    path = name.removeprefix(PREFIX)
+    if name in CATALOGUE:
+        _refuse_declared(robot, f"the effect {name}", _declared_parameters(robot, CATALOGUE[name]))
+    if name == path or path not in paths(robot):
+        nearest = difflib.get_close_matches(name, [*known, *(f"{PREFIX}{p}" for p in paths(robot))], n=1)
+        remedy = f'did you mean "{nearest[0]}"?' if nearest else "use the names in docs/diagnosis.md"
+        raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", remedy)
+    _refuse_declared(robot, path, [path, *_elements(robot, path)])
+    shared = re.sub(r"^axis\.[123]\.", "", path)
+    if path not in robot.quantities and shared in robot.quantities and robot.quantities[shared].sigma == 0.0:
+        _refuse_declared(robot, shared, [shared])
+    resolve(robot, path)
+    return Candidate(name, (path,), f"the declared value of {path} is wrong")
+
+
+def _refuse_declared(robot: Robot, what: str, declared: Sequence[str]) -> None:
+    """Refuse a candidate with a value that has a standard deviation."""
+    sigmas = [quantity.sigma for path in declared if (quantity := robot.quantities.get(path)) is not None]
+    given = [sigma for sigma in sigmas if sigma is not None]
+    if given:
+        state = "refitted already" if any(given) else "known exactly"
+        raise PkmodesError(
+            f"{what} is {state}: the robot file gives a sigma",
+            "candidates",
+            "leave it out, or remove the sigma",
+        )
+
+
+def _elements(robot: Robot, whole: str) -> list[str]:
+    """Paths of the elements of a whole."""
+    return [path for path in robot.quantities if whole in WHOLES and f".{WHOLES[whole]}." in path]
+
+
+def _declared_parameters(robot: Robot, effect: Effect) -> list[str]:
+    names = [f"effects.{effect.name}.{p.name}" for p in effect.parameters if p.fitted]
+    return [name for name in names if name in robot.quantities]
+
+
+def _effects(robot: Robot) -> dict[str, Candidate]:
+    """Effects that the file does not declare, and those that it declares without a standard deviation."""
+    found = {}
+    for effect in CATALOGUE.values():
+        names = [f"effects.{effect.name}.{p.name}" for p in effect.parameters if p.fitted]
+        if all(robot.quantities[name].sigma is None for name in _declared_parameters(robot, effect)):
+            found[effect.name] = Candidate(effect.name, tuple(names), effect.sentence)
+    return found
+
+
+def _suspected(robot: Robot) -> dict[str, Candidate]:
+    """Values without a standard deviation; limits and joints as wholes, the effects under their own names."""
+    others = ("effects.", "frame.")
+    parts = [element for whole in WHOLES for element in _elements(robot, whole)]
+    found = [
+        path
+        for path in _varying(robot)
+        if robot.quantities[path].sigma is None and not path.startswith(others) and path not in parts
+    ]
+    for whole in WHOLES:
+        present = robot.parameters.joint.any(axis=1).all() or whole != "axis.joint_radius"
+        if present and all(robot.quantities[element].sigma is None for element in _elements(robot, whole)):
+            found.append(whole)
+    return {
+        f"{PREFIX}{path}": Candidate(f"{PREFIX}{path}", (path,), f"the declared value of {path} is wrong")
+        for path in found
+    }
+
+
+def _parameter(robot: Robot, move: ParameterPath) -> Parameter:
+    quantity = robot.quantities.get(move.path)
+    sigma = quantity.sigma if quantity is not None and quantity.sigma else None
+    lower, upper = -np.inf, np.inf
+    if move.path.startswith("effects."):
+        _, effect, name = move.path.split(".")
+        lower = next(p.greater_than for p in CATALOGUE[effect].parameters if p.name == name)
+    elif not any(part in f".{move.path}" for part in SIGNED):
+        lower = 0.0
+        if sigma is None and move.value > 0.0:
+            lower, upper = move.value / FACTOR, move.value * FACTOR
+    return Parameter(move.path, move.value, move.unit.replace(" ", "*"), sigma, lower, upper)

@@ -1,0 +1,26 @@
+"""From measured modes to the physical cause that a model lacks: an engine for any model with M and K.
+
+`diagnose` takes a structure, such as a `MatrixStructure` made from callables for M and K, and measured modes; it
+says whether the model is adequate, which cause explains what it leaves, and when the data do not tell.
+`compare` only puts prediction beside measurement.  docs/diagnosis.md has the method and its limits.
+"""
+
+from pkmodes.diagnosis.compare import Comparison, compare
+from pkmodes.diagnosis.diagnose import diagnose
+from pkmodes.diagnosis.matrices import MatrixStructure
+from pkmodes.diagnosis.problem import Candidate, Parameter, Prediction, Structure
+from pkmodes.diagnosis.result import Diagnosis
+from pkmodes.measured.measurements import Measurements
+
+__all__ = [
+    "Candidate",
+    "Comparison",
+    "Diagnosis",
+    "MatrixStructure",
+    "Measurements",
+    "Parameter",
+    "Prediction",
+    "Structure",
+    "compare",
+    "diagnose",
+]

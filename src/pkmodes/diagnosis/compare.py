@@ -1,0 +1,114 @@
+"""Compare a model with measured modes: prediction beside measurement, paired, with residuals."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import stats
+
+from pkmodes.diagnosis.matrices import at_measured
+from pkmodes.diagnosis.pairing import Pairer
+from pkmodes.diagnosis.problem import Structure
+from pkmodes.measured.measurements import Measurements
+
+
+@dataclass(frozen=True)
+class ComparedRow:
+    """One measured mode.
+
+    Attributes
+    ----------
+    pose, line, mode : str, int, str
+        Where it comes from.
+    measured, sigma : float
+        Frequency [Hz].
+    predicted : float or None
+        Frequency of its partner [Hz]; None where the model has no mode for it.
+    partner : int or None
+        Number of the partner among the model's modes, from 1 with the rigid ones.
+    residual : float or None
+        predicted / measured - 1.
+    sigmas : float or None
+        Difference of the logarithms in standard deviations of the measurement.
+    mac : float or None
+        Modal assurance criterion where shapes were measured.
+    """
+
+    pose: str
+    line: int
+    mode: str
+    measured: float
+    sigma: float
+    predicted: float | None
+    partner: int | None
+    residual: float | None
+    sigmas: float | None
+    mac: float | None
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """A model beside measurements, nothing fitted.
+
+    Attributes
+    ----------
+    rows : tuple of ComparedRow
+    rms_relative : float or None
+        Root mean square of the residuals of the paired rows; None where there are none.
+    chi2_per_dof, p_value : float or None
+        Of the paired rows with their stated errors.
+    """
+
+    rows: tuple[ComparedRow, ...]
+    rms_relative: float | None
+    chi2_per_dof: float | None
+    p_value: float | None
+
+    @property
+    def unpaired(self) -> tuple[ComparedRow, ...]:
+        """Measured modes that the model has no mode for."""
+        return tuple(row for row in self.rows if row.predicted is None)
+
+
+def compare(structure: Structure, data: Measurements) -> Comparison:
+    """Pair measured modes with predicted ones.
+
+    Parameters
+    ----------
+    structure : Structure
+        At the setups of the measurements; taken with the declared values of its parameters.
+    data : Measurements
+    """
+    structure = at_measured(structure, data.labels)
+    prediction = structure.predict(np.array([p.value for p in structure.parameters]), ())
+    every = np.ones(len(data.frequency), dtype=bool)
+    pairing = Pairer(data, structure.channels).pair(prediction, every)
+    logs = prediction.log_frequencies[data.pose, np.maximum(pairing.partner, 0)]
+    predicted, paired = np.exp(logs), pairing.partner >= 0
+    sigmas = (logs - np.log(data.frequency)) * data.frequency / data.sigma
+    residual = predicted / data.frequency - 1.0
+    rows = tuple(
+        ComparedRow(
+            pose=data.labels[data.pose[i]],
+            line=int(data.lines[i]),
+            mode=data.mode[i],
+            measured=float(data.frequency[i]),
+            sigma=float(data.sigma[i]),
+            predicted=float(predicted[i]) if paired[i] else None,
+            partner=int(pairing.partner[i]) + 1 if paired[i] else None,
+            residual=float(residual[i]) if paired[i] else None,
+            sigmas=float(sigmas[i]) if paired[i] else None,
+            mac=None if np.isnan(pairing.mac[i]) else float(pairing.mac[i]),
+        )
+        for i in range(len(every))
+    )
+    if not paired.any():
+        return Comparison(rows, None, None, None)
+    count, chi2 = int(paired.sum()), float(np.sum(sigmas[paired] ** 2))
+    return Comparison(
+        rows,
+        rms_relative=float(np.sqrt(np.mean(residual[paired] ** 2))),
+        chi2_per_dof=chi2 / count,
+        p_value=float(stats.chi2.sf(chi2, count)),
+    )

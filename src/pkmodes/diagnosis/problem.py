@@ -1,0 +1,132 @@
+"""What the diagnosis asks of a model: parameters, candidate causes, and modes with their derivatives.
+
+Nothing here knows of robots.  A structure is measured in one or several *setups* (poses of a robot, load cases
+of a test structure), each with modes of its own; its parameters are the same in all of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A number that a model depends on.
+
+    Attributes
+    ----------
+    name : str
+    value : float
+        As declared; for a cause that is not declared, the value at which it is absent.
+    unit : str
+        For reports.
+    sigma : float or None
+        Standard deviation of the declared value: a nuisance, refitted inside this prior under every
+        hypothesis.  None: held at its value, unless it belongs to a candidate.
+    lower, upper : float
+        Physical bounds.
+    """
+
+    name: str
+    value: float
+    unit: str = "1"
+    sigma: float | None = None
+    lower: float = -np.inf
+    upper: float = np.inf
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A cause that may explain what is left: one parameter, or several that are tested together.
+
+    Attributes
+    ----------
+    name : str
+    parameters : tuple of str
+        Names of its parameters.
+    sentence : str
+        What it would mean, for a person.
+    """
+
+    name: str
+    parameters: tuple[str, ...]
+    sentence: str = ""
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """Modes of all S setups for given values of the parameters.
+
+    Attributes
+    ----------
+    eigenvalues : ndarray, shape (S, m)
+        Ascending [1/s^2]; NaN for a setup that cannot be evaluated with these values.
+    rates : ndarray, shape (S, m, T)
+        Their derivatives by the parameters that were asked for.
+    shapes : ndarray, shape (S, m, C)
+        Mode shapes in the model's channels, mass-normalised.
+    rigid : int
+        Leading modes that are rigid-body motions and not measured.
+    """
+
+    eigenvalues: Array
+    rates: Array
+    shapes: Array
+    rigid: int = 0
+
+    @property
+    def log_frequencies(self) -> Array:
+        """Natural logarithm of the frequencies in Hz, (S, m)."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            logs: Array = 0.5 * np.log(np.abs(self.eigenvalues)) - np.log(2.0 * np.pi)
+        return logs
+
+    @property
+    def log_rates(self) -> Array:
+        """Derivatives of the logarithms of the frequencies, (S, m, T)."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            found: Array = self.rates / (2.0 * self.eigenvalues[..., None])
+        return found
+
+
+class Structure(Protocol):
+    """A model to be diagnosed.
+
+    Attributes
+    ----------
+    parameters : tuple of Parameter
+    candidates : tuple of Candidate
+    channels : tuple of str
+        Names of the shape components that the model predicts.
+    """
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """All that can vary."""
+
+    @property
+    def candidates(self) -> tuple[Candidate, ...]:
+        """What may be missing."""
+
+    @property
+    def channels(self) -> tuple[str, ...]:
+        """Names of the shape components."""
+
+    def predict(self, values: Array, by: Sequence[int]) -> Prediction:
+        """Modes for these values of all parameters, with derivatives by some of them (indices)."""
+
+    def subset(self, setups: Sequence[int]) -> Structure:
+        """The same structure at some of its setups."""
+
+    def position_rates(self, values: Array) -> Array | None:
+        """Derivatives of the eigenvalues by the position of each setup, (S, m, 3), where setups have one."""
+
+    def elsewhere(self, count: int) -> tuple[Array, Structure] | None:
+        """Points (count, 3) where the structure could be measured as well, and the structure at these setups."""

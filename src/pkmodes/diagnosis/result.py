@@ -1,0 +1,274 @@
+"""The result of a diagnosis: plain data that tables, JSON and reports are made from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+Verdict = Literal["adequate", "effect_found", "ambiguous", "unexplained", "insufficient_data"]
+
+
+@dataclass(frozen=True)
+class Value:
+    """A fitted parameter."""
+
+    name: str
+    value: float
+    sigma: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class Refitted:
+    """A nuisance parameter before and after, with its standard deviation after."""
+
+    name: str
+    before: float
+    after: float
+    sigma: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One cause that was found.
+
+    Attributes
+    ----------
+    name : str
+        The best of its class.
+    members : tuple of str
+        Every candidate that these data cannot tell from it.
+    parameters : tuple of Value
+    alternatives : dict
+        Parameters of each member, had it been the cause.
+    p_value : float
+        Of the improvement, for the number of candidates.
+    sentence : str
+        What it means.
+    """
+
+    name: str
+    members: tuple[str, ...]
+    parameters: tuple[Value, ...]
+    alternatives: dict[str, tuple[Value, ...]]
+    p_value: float
+    sentence: str
+
+
+@dataclass(frozen=True)
+class Error:
+    """Errors of one stage.
+
+    Attributes
+    ----------
+    rms_relative, held_out_rms_relative : float or None
+        Root mean square of f_model / f_measured - 1 over the fitted and the held-out rows; None without any.
+    chi2_per_dof : float
+        Of the fitted rows and the priors.
+    """
+
+    rms_relative: float | None
+    held_out_rms_relative: float | None
+    chi2_per_dof: float
+
+
+@dataclass(frozen=True)
+class Row:
+    """One measured mode and its predictions; None where the model has no partner for it.
+
+    Attributes
+    ----------
+    pose, line, mode : str, int, str
+        Where it comes from.
+    measured, sigma : float
+        Frequency [Hz].
+    before, refit, after : float or None
+        Predicted frequency of the model as declared, with nuisances refitted, with the causes [Hz].
+    mac : float or None
+        Of the last stage, where shapes were measured.
+    held_out, outlier : bool
+    """
+
+    pose: str
+    line: int
+    mode: str
+    measured: float
+    sigma: float
+    before: float | None
+    refit: float | None
+    after: float | None
+    mac: float | None
+    held_out: bool
+    outlier: bool
+
+
+@dataclass(frozen=True)
+class Examined:
+    """What became of a candidate.
+
+    Attributes
+    ----------
+    name : str
+    p_value : float
+        Of its score at the refit of the nuisances, for this candidate alone.
+    visible_from : tuple of Value
+        Smallest change of each parameter that would probably have been seen; sigma is what the data give.
+    detectable : bool
+        Whether a change that moves a frequency by a tenth would have been seen.
+    """
+
+    name: str
+    p_value: float
+    visible_from: tuple[Value, ...]
+    detectable: bool
+
+
+@dataclass(frozen=True)
+class NextMeasurement:
+    """A pose at which two explanations differ most."""
+
+    pose: tuple[float, float, float]
+    separates: tuple[str, str]
+    sigmas: float
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """Everything that a diagnosis found.
+
+    Attributes
+    ----------
+    verdict : str
+        See docs/diagnosis.md.
+    reason : str
+        One sentence.
+    effects : tuple of Finding
+    survivors : tuple of tuple of str
+        Classes that remain when the verdict is ambiguous.
+    refitted : tuple of Refitted
+    before, refit, after : Error
+        Stages.  The refit has rows set aside and shared errors where that is all it takes, and is None where
+        there are too few data; after is None unless something was added.
+    held_out_poses, undetectable : tuple of str
+    next_measurement : NextMeasurement or None
+    candidates : tuple of Examined
+    rows : tuple of Row
+    scatter : float
+        Relative error that the modes of a pose share, where the data show one.
+    corrected : dict
+        Values of all parameters that the last stage changed, with their standard deviations.
+    """
+
+    verdict: Verdict
+    reason: str
+    effects: tuple[Finding, ...]
+    survivors: tuple[tuple[str, ...], ...]
+    refitted: tuple[Refitted, ...]
+    before: Error | None
+    refit: Error | None
+    after: Error | None
+    held_out_poses: tuple[str, ...]
+    undetectable: tuple[str, ...]
+    next_measurement: NextMeasurement | None
+    candidates: tuple[Examined, ...]
+    rows: tuple[Row, ...]
+    scatter: float
+    corrected: tuple[Value, ...]
+
+    @property
+    def outliers(self) -> tuple[Row, ...]:
+        """Rows that were left out as outliers."""
+        return tuple(row for row in self.rows if row.outlier)
+
+    @property
+    def unpaired(self) -> tuple[Row, ...]:
+        """Measured modes that the last stage has no mode for."""
+
+        def last(row: Row) -> float | None:
+            return row.before if self.refit is None else row.refit if self.after is None else row.after
+
+        return tuple(row for row in self.rows if last(row) is None and not row.outlier)
+
+    def as_json(self) -> dict[str, object]:
+        """Return the result in the form that formats.md promises; NaN never occurs."""
+        return {
+            "verdict": self.verdict,
+            "reason": self.reason,
+            "effects": [
+                {
+                    "name": found.name,
+                    "class": list(found.members),
+                    "parameters": _values(found.parameters),
+                    "p_value": found.p_value,
+                    "alternatives": {name: _values(v) for name, v in found.alternatives.items()},
+                }
+                for found in self.effects
+            ],
+            "survivors": [list(members) for members in self.survivors],
+            "refitted": {
+                r.name: {"before": r.before, "after": r.after, "sigma": r.sigma, "unit": r.unit}
+                for r in self.refitted
+            },
+            "error": {
+                "before": _error(self.before),
+                "refit": _error(self.refit),
+                "after": _error(self.after),
+            },
+            "held_out_poses": list(self.held_out_poses),
+            "undetectable": list(self.undetectable),
+            "next_measurement": None
+            if self.next_measurement is None
+            else {
+                "pose": list(self.next_measurement.pose),
+                "separates": list(self.next_measurement.separates),
+                "sigmas": self.next_measurement.sigmas,
+            },
+            "candidates": [
+                {
+                    "name": c.name,
+                    "p_value": c.p_value,
+                    "detectable": c.detectable,
+                    "visible_from": {_key(v): {"value": v.value, "unit": v.unit} for v in c.visible_from},
+                }
+                for c in self.candidates
+            ],
+            "outliers": [{"pose": r.pose, "line": r.line} for r in self.outliers],
+            "unpaired": [{"pose": r.pose, "line": r.line} for r in self.unpaired],
+            "pose_scatter": self.scatter,
+            "rows": [
+                {
+                    "pose": r.pose,
+                    "line": r.line,
+                    "mode": r.mode,
+                    "frequency_hz": r.measured,
+                    "sigma_hz": r.sigma,
+                    "before_hz": r.before,
+                    "refit_hz": r.refit,
+                    "after_hz": r.after,
+                    "mac": r.mac,
+                    "held_out": r.held_out,
+                    "outlier": r.outlier,
+                }
+                for r in self.rows
+            ],
+        }
+
+
+def _key(v: Value) -> str:
+    """The last name of an effect's parameter (`compliance`), as the robot file has it; the path of any other."""
+    return v.name.split(".")[-1] if v.name.startswith("effects.") else v.name
+
+
+def _values(values: tuple[Value, ...]) -> dict[str, object]:
+    return {_key(v): {"value": v.value, "sigma": v.sigma, "unit": v.unit} for v in values}
+
+
+def _error(error: Error | None) -> dict[str, object] | None:
+    if error is None:
+        return None
+    return {
+        "rms_relative": error.rms_relative,
+        "held_out_rms_relative": error.held_out_rms_relative,
+        "chi2_per_dof": error.chi2_per_dof,
+    }

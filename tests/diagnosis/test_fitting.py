@@ -1,0 +1,395 @@
+"""Fits of hypotheses against least squares, likelihoods and chi-square as textbooks have them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+from scipy import stats
+from scipy.linalg import block_diag
+from scipy.optimize import minimize_scalar
+
+from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
+from pkmodes.diagnosis.fitting import Fit, Fitter, Hypothesis
+from small_structures import LogLinear, frame, frame_measured, log_linear, logs_measured
+
+SIGMA = 0.002
+
+#: Two nuisances, and two causes that are fitted freely.
+PARAMETERS = (
+    Parameter("n1", 0.3, sigma=0.05),
+    Parameter("n2", -1.0, sigma=0.002),
+    Parameter("u", 0.0),
+    Parameter("v", 0.5),
+)
+CAUSES = (Candidate("u", ("u",)), Candidate("v", ("v",)))
+DECLARED = np.array([p.value for p in PARAMETERS])
+PRIORS = np.array([0.05, 0.002])
+
+
+def structure(seed: int, setups: int = 5, modes: int = 4, **options: bool) -> LogLinear:
+    found = log_linear(np.random.default_rng(seed), setups, modes, PARAMETERS, CAUSES, **options)
+    found.G *= 0.02  # changes of some per cent, so that no mode is mistaken for another
+    return found
+
+
+def simulated(model: LogLinear, values: np.ndarray, seed: int, tau: float = 0.0) -> np.ndarray:
+    rng = np.random.default_rng([seed, 1])
+    y = model.base + model.G @ values
+    return y + SIGMA * rng.standard_normal(y.shape) + tau * rng.standard_normal((len(y), 1))
+
+
+def least_squares(
+    G: np.ndarray, y: np.ndarray, V: np.ndarray, declared: np.ndarray, sigmas: Sequence[float | None]
+) -> tuple[np.ndarray, np.ndarray, float]:
+    """Generalised least squares with priors: estimates, covariance and least sum of squares."""
+    precision = np.diag([0.0 if s is None else s**-2 for s in sigmas])
+    information = G.T @ np.linalg.solve(V, G) + precision
+    covariance = np.linalg.inv(information)
+    found = covariance @ (G.T @ np.linalg.solve(V, y) + precision @ declared)
+    left, moved = y - G @ found, found - declared
+    return found, covariance, float(left @ np.linalg.solve(V, left) + moved @ precision @ moved)
+
+
+def fitted(model: LogLinear, data: Measurements, hypothesis: Hypothesis) -> Fit:
+    found = Fitter(model, data).fit(hypothesis)
+    assert found is not None
+    return found
+
+
+BOTH = Hypothesis(CAUSES)
+TRUE = np.array([0.36, -1.001, 0.4, 1.1])
+
+
+@pytest.mark.parametrize(
+    ("causes", "columns"), [((), [0, 1]), (CAUSES, [0, 1, 2, 3]), (CAUSES[1:], [0, 1, 3])]
+)
+def test_estimates_covariance_and_sum_of_squares_are_those_of_least_squares_with_priors(
+    causes: tuple[Candidate, ...], columns: list[int]
+) -> None:
+    model = structure(0)
+    rng = np.random.default_rng(100)
+    sigma = SIGMA * np.exp(rng.uniform(-1.0, 1.0, model.base.shape))
+    y = simulated(model, TRUE, 0)
+    found = fitted(model, logs_measured(y, sigma), Hypothesis(causes))
+    G = model.G.reshape(-1, 4)
+    fixed = np.where(np.isin(range(4), columns), 0.0, DECLARED)
+    values, covariance, chi2 = least_squares(
+        G[:, columns],
+        (y - model.base).ravel() - G @ fixed,
+        np.diag(sigma.ravel() ** 2),
+        DECLARED[columns],
+        [[0.05, 0.002, None, None][i] for i in columns],
+    )
+    assert list(found.free) == columns
+    assert found.values[columns] == pytest.approx(values, abs=1e-3 * np.sqrt(np.diagonal(covariance).min()))
+    assert found.values[fixed != 0.0].tolist() == fixed[fixed != 0.0].tolist()
+    assert found.covariance == pytest.approx(covariance, rel=1e-6)
+    assert found.chi2 == pytest.approx(chi2, rel=1e-6)
+
+
+def test_the_least_sum_of_squares_is_chi_square_with_the_rows_less_what_has_no_prior() -> None:
+    # The truth is drawn from the priors each time.  An error of one degree of freedom in 18 would be 2.7 standard
+    # errors of the mean here; Kolmogorov's limit for p < 0.001 is 1.95 / sqrt(n).
+    model, draws = structure(1, 4, 5), 240
+    p_values, pulls = [], []
+    for seed in range(draws):
+        rng = np.random.default_rng([seed, 2])
+        true = np.array([*(DECLARED[:2] + PRIORS * rng.standard_normal(2)), 0.7, -0.2])
+        found = fitted(model, logs_measured(simulated(model, true, seed), SIGMA), BOTH)
+        p_values.append(stats.chi2.sf(found.chi2, 20 - 2))
+        pulls.append((found.values - true) / np.sqrt(np.diagonal(found.covariance)))
+    assert stats.kstest(p_values, "uniform").statistic < 1.95 / np.sqrt(draws)
+    # Standard deviations of n pulls scatter by 1 / sqrt(2 n), their means by 1 / sqrt(n): four of these.
+    assert np.std(pulls, axis=0) == pytest.approx(1.0, abs=4.0 / np.sqrt(2 * draws))
+    assert np.mean(pulls, axis=0) == pytest.approx(0.0, abs=4.0 / np.sqrt(draws))
+
+
+def test_excluded_rows_take_no_part() -> None:
+    model = structure(2)
+    y = simulated(model, TRUE, 2)
+    y[1, 2] += 0.1
+    y[3, 0] -= 0.05
+    data = logs_measured(y, SIGMA)
+    found = fitted(model, data, Hypothesis(CAUSES, excluded=frozenset({6, 12})))
+    kept = np.setdiff1d(np.arange(20), [6, 12])
+    values, covariance, chi2 = least_squares(
+        model.G.reshape(-1, 4)[kept],
+        (y - model.base).ravel()[kept],
+        SIGMA**2 * np.eye(18),
+        DECLARED,
+        [0.05, 0.002, None, None],
+    )
+    assert found.values == pytest.approx(values, abs=1e-3 * np.sqrt(np.diagonal(covariance).min()))
+    assert found.covariance == pytest.approx(covariance, rel=1e-6)
+    assert found.chi2 == pytest.approx(chi2, rel=1e-6)
+    assert found.residual[[6, 12]].tolist() == [0.0, 0.0]
+
+
+def shared(y: np.ndarray, tau: float) -> np.ndarray:
+    setups, modes = y.shape
+    return block_diag(*[SIGMA**2 * np.eye(modes) + tau**2] * setups)
+
+
+@pytest.mark.parametrize("tau", [0.001, 0.004, 0.02])
+def test_the_shared_error_is_the_one_of_greatest_likelihood(tau: float) -> None:
+    model = structure(3, 12, 4)
+    y = simulated(model, TRUE, 3, tau)
+    found = fitted(model, logs_measured(y, SIGMA), Hypothesis(CAUSES, scatter=True))
+    G, left = model.G.reshape(-1, 4), (y - model.base).ravel()
+
+    def deviance(log_tau: float) -> float:
+        V = shared(y, np.exp(log_tau))
+        chi2 = least_squares(G, left, V, DECLARED, [0.05, 0.002, None, None])[2]
+        return chi2 + np.linalg.slogdet(V)[1]
+
+    best = minimize_scalar(deviance, bounds=(np.log(1e-5), np.log(0.5)), method="bounded")
+    # Its standard deviation is about tau / sqrt(2 S), a fifth of it: the estimates agree far better than that.
+    assert found.scatter == pytest.approx(np.exp(best.x), rel=0.01)
+    assert found.scatter == pytest.approx(tau, rel=0.7)
+    assert found.deviance == pytest.approx(best.fun, abs=1e-3)
+    V = shared(y, found.scatter)
+    values, covariance, _ = least_squares(G, left, V, DECLARED, [0.05, 0.002, None, None])
+    assert found.values == pytest.approx(values, abs=0.02 * np.sqrt(np.diagonal(covariance).min()))
+    assert found.covariance == pytest.approx(covariance, rel=1e-6)
+
+
+@pytest.mark.parametrize("excluded", [[], [5]])
+def test_the_deviance_is_twice_the_negative_logarithm_of_the_likelihood(excluded: list[int]) -> None:
+    model = structure(4, 6, 4)
+    y = simulated(model, TRUE, 4, 0.01)
+    data = logs_measured(y, SIGMA)
+    deviances, likelihoods = [], []
+    for scatter in (False, True):
+        found = fitted(model, data, Hypothesis(CAUSES, frozenset(excluded), scatter))
+        left = y - model.base - model.G @ found.values
+        total = -2 * stats.norm.logpdf(found.values[:2], DECLARED[:2], PRIORS).sum()
+        for i, row in enumerate(left):
+            V = SIGMA**2 * np.eye(4) + found.scatter**2
+            kept = np.setdiff1d(np.arange(4), [k - 4 * i for k in excluded])
+            total -= 2 * stats.multivariate_normal.logpdf(row[kept], None, V[np.ix_(kept, kept)])
+        # What was set aside has an error of its own beside the stated one, which takes up all of the residual.
+        total -= len(excluded) * 2 * stats.norm.logpdf(0.0, 0.0, SIGMA)
+        deviances.append(found.deviance)
+        likelihoods.append(total)
+    constant = 24 * np.log(2 * np.pi) + np.sum(np.log(2 * np.pi * PRIORS**2))
+    assert np.array(deviances) + constant == pytest.approx(likelihoods, abs=1e-6)
+
+
+def test_without_a_shared_error_its_estimate_changes_nothing() -> None:
+    model = structure(5, 6, 4)
+    y = model.base + model.G @ TRUE  # no error at all
+    data = logs_measured(y, SIGMA)
+    with_it = fitted(model, data, Hypothesis(CAUSES, frozenset({3}), scatter=True))
+    without = fitted(model, data, Hypothesis(CAUSES, frozenset({3})))
+    assert with_it.scatter < 0.02 * SIGMA
+    assert with_it.deviance == pytest.approx(without.deviance, abs=1e-2)
+    assert with_it.covariance == pytest.approx(without.covariance, rel=1e-2)
+
+
+@pytest.mark.parametrize("scatter", [False, True])
+def test_an_uncertain_position_is_a_nuisance_of_its_setup(scatter: bool) -> None:
+    model = structure(6, 5, 4, positions=True)
+    rng = np.random.default_rng(600)
+    spread = np.array([[1e-3, 2e-3, 0.0]] * 4 + [[0.0] * 3])
+    offsets = spread * rng.standard_normal((5, 3))
+    y = simulated(model, TRUE, 6) + np.einsum("smk,sk->sm", model.B, offsets)
+    data = logs_measured(y, SIGMA, spread)
+    found = fitted(model, data, Hypothesis(CAUSES, frozenset({2}), scatter))
+    # The same with the position of each setup as parameters that have priors.
+    extra = [Parameter(f"{k} of {s}", 0.0, sigma=spread[s, k]) for s in range(4) for k in range(2)]
+    G = np.zeros((5, 4, 8))
+    for i, (s, k) in enumerate((s, k) for s in range(4) for k in range(2)):
+        G[s, :, i] = model.B[s, :, k]
+    explicit = LogLinear(model.base, np.concatenate([model.G, G], -1), [*PARAMETERS, *extra], CAUSES)
+    same = fitted(explicit, logs_measured(y, SIGMA), Hypothesis(CAUSES, frozenset({2}), scatter))
+    error = np.sqrt(np.diagonal(found.covariance))
+    assert found.values == pytest.approx(same.values[:4], abs=(0.05 if scatter else 1e-3) * error.min())
+    shown = [same.free.index(i) for i in range(4)]
+    if (
+        not scatter
+    ):  # a shared error competes with free positions for the same residual, and is estimated otherwise
+        assert found.chi2 == pytest.approx(same.chi2, rel=1e-6)
+        assert found.covariance == pytest.approx(same.covariance[np.ix_(shown, shown)], rel=1e-6)
+
+
+def test_an_uncertain_position_of_a_structure_that_has_none_is_no_matter() -> None:
+    data = frame_measured({"A": 0.0}, {}, np.random.default_rng(0))
+    uncertain = Measurements.from_rows(["A"] * 4, data.frequency, data.sigma, point_sigma=np.ones((4, 3)))
+    plain, other = (Fitter(frame({"A": 0.0}), d).fit(Hypothesis()) for d in (data, uncertain))
+    assert plain is not None
+    assert other is not None
+    assert other.chi2 == pytest.approx(plain.chi2)
+
+
+def bounded(lower: float, upper: float, value: float) -> tuple[LogLinear, Hypothesis]:
+    parameters = (*PARAMETERS[:2], Parameter("u", value, lower=lower, upper=upper), PARAMETERS[3])
+    model = structure(7)
+    return LogLinear(model.base, model.G, parameters, CAUSES), Hypothesis(CAUSES[:1])
+
+
+@pytest.mark.parametrize(
+    ("lower", "upper", "value", "true", "reached", "named"),
+    [
+        (0.0, np.inf, 0.0, -0.5, 0.0, ()),  # stays absent, which is no sign of a wrong cause
+        (0.0, 0.3, 0.0, 0.8, 0.3, ("u",)),
+        (-0.3, 0.0, 0.0, 0.8, 0.0, ()),
+        (-0.3, 0.3, 0.0, -0.8, -0.3, ("u",)),
+        (0.1, 3.0, 0.5, -0.8, 0.1, ("u",)),
+        (0.5, 3.0, 0.5, -0.8, 0.5, ()),
+        (0.0, 3.0, 0.5, 1.2, None, ()),
+    ],
+)
+def test_bounds_hold_and_are_named_unless_the_cause_is_absent_there(
+    lower: float, upper: float, value: float, true: float, reached: float | None, named: tuple[str, ...]
+) -> None:
+    model, hypothesis = bounded(lower, upper, value)
+    y = simulated(model, np.array([0.3, -1.0, true, 0.5]), 7)
+    found = fitted(model, logs_measured(y, SIGMA), hypothesis)
+    assert lower <= found.values[2] <= upper
+    assert found.values[2] == pytest.approx(
+        true if reached is None else reached, abs=0.1 if named == () else 1e-3
+    )
+    assert found.at_bound == named
+    if reached is not None:  # what remains is a fit of the others with u held there
+        G, left = model.G.reshape(-1, 4), (y - model.base).ravel()
+        held = G[:, 2] * reached + G[:, 3] * 0.5
+        expected = least_squares(G[:, :2], left - held, SIGMA**2 * np.eye(20), DECLARED[:2], PRIORS)
+        assert found.values[:2] == pytest.approx(expected[0], rel=1e-3)
+        assert found.chi2 == pytest.approx(expected[2], rel=1e-3)
+
+
+def test_a_cause_alone_is_found_from_its_absence() -> None:
+    parameters = (
+        *(Parameter(p.name, p.value) for p in PARAMETERS[:2]),
+        Parameter("u", 0.0, lower=0.0),
+        PARAMETERS[3],
+    )
+    model = structure(8)
+    model = LogLinear(model.base, model.G, parameters, CAUSES)
+    y = simulated(model, np.array([0.3, -1.0, 0.8, 0.5]), 8)
+    found = fitted(model, logs_measured(y, SIGMA), Hypothesis(CAUSES[:1]))
+    G, left = model.G.reshape(-1, 4), (y - model.base).ravel()
+    held = G[:, [0, 1, 3]] @ [0.3, -1.0, 0.5]
+    values, covariance, _ = least_squares(G[:, [2]], left - held, SIGMA**2 * np.eye(20), np.zeros(1), [None])
+    assert found.values[2] == pytest.approx(values[0], abs=1e-3 * np.sqrt(covariance[0, 0]))
+
+
+@pytest.mark.parametrize("unit", [1.0, 2.1e11, 1e15, 1e-12])
+def test_the_fit_is_the_same_in_any_unit(unit: float) -> None:
+    # ln f = ... + ln(E) / 2, with E = 210 GPa in Pa: derivatives of 1e-12 are not small, and 1e15 is not large.
+    K = 4.0e5 * np.array([[2.0, -1.0, 0.0], [-1.0, 2.0, -1.0], [0.0, -1.0, 1.0]])
+    shared = MatrixStructure(
+        [Parameter("E", unit, "Pa", sigma=0.1 * unit)],
+        [],
+        lambda values, _: (20.0 * np.eye(3), values["E"] / unit * K),
+        derivatives=lambda values, _, name: (np.zeros((3, 3)), K / unit),
+        channels="abc",
+    )
+    f = np.sqrt(1.1 * np.linalg.eigvalsh(K / 20.0)) / (2 * np.pi)
+    found = Fitter(shared, Measurements.from_rows(["A"] * 3, f, 0.01 * f)).fit(Hypothesis())
+    assert found is not None
+    # By hand: the sum of squares is (3 / 0.01^2) (ln(1.1 / e) / 2)^2 + ((e - 1) / 0.1)^2.
+    best = minimize_scalar(
+        lambda e: 3e4 / 4 * np.log(1.1 / e) ** 2 + 100 * (e - 1) ** 2, bounds=(1.0, 1.2), method="bounded"
+    )
+    assert found.values[0] / unit == pytest.approx(best.x, abs=1e-5)
+    assert found.chi2 == pytest.approx(best.fun, rel=1e-5)
+    assert np.sqrt(found.covariance[0, 0]) / unit == pytest.approx(
+        (3e4 / 4 / best.x**2 + 100) ** -0.5, rel=1e-4
+    )
+
+
+def test_two_causes_may_share_a_parameter() -> None:
+    shared = (CAUSES[0], Candidate("both", ("u", "v")))
+    model = structure(9)
+    model = LogLinear(model.base, model.G, PARAMETERS, shared)
+    data = logs_measured(simulated(model, TRUE, 9), SIGMA)
+    twice = fitted(model, data, Hypothesis(shared))
+    once = fitted(model, data, Hypothesis(shared[1:]))
+    assert twice.free == (0, 1, 2, 3)
+    assert twice.chi2 == pytest.approx(once.chi2)
+    assert twice.covariance == pytest.approx(once.covariance)
+
+
+def test_what_the_data_do_not_show_has_a_large_but_finite_error() -> None:
+    model = structure(10)
+    model.G[..., 2] = 0.0
+    found = fitted(model, logs_measured(simulated(model, TRUE, 10), SIGMA), BOTH)
+    assert np.isfinite(found.covariance).all()
+    assert abs(found.values[2]) < 1e-3 * np.sqrt(found.covariance[2, 2])
+    known = fitted(model, logs_measured(simulated(model, TRUE, 10), SIGMA), Hypothesis(CAUSES[1:]))
+    assert found.chi2 == pytest.approx(known.chi2)
+    assert found.covariance[2, 2] > 1e6
+
+
+def test_the_order_of_rows_and_setups_does_not_matter() -> None:
+    model = structure(11)
+    data = logs_measured(simulated(model, TRUE, 11, 0.01), SIGMA)
+    plain = fitted(model, data, Hypothesis(CAUSES, frozenset({7}), scatter=True))
+    order = np.random.default_rng(0).permutation(20)
+    labels = [data.labels[data.pose[i]] for i in order]
+    shuffled = Measurements.from_rows(labels, data.frequency[order], data.sigma[order])
+    moved = model.subset([data.labels.index(label) for label in shuffled.labels])
+    excluded = frozenset({int(np.flatnonzero(order == 7)[0])})
+    found = fitted(moved, shuffled, Hypothesis(CAUSES, excluded, scatter=True))
+    assert found.values == pytest.approx(plain.values, rel=1e-6)
+    assert found.deviance == pytest.approx(plain.deviance, rel=1e-9)
+
+
+def test_a_repeated_frequency_moves_by_the_mean_of_its_two_modes() -> None:
+    # Two equal masses on equal springs beside each other: one spring changes one of two equal modes.
+    def matrices(values, _):
+        return np.eye(2), np.diag([100.0 + values["s"] + values["t"], 100.0 + values["s"]])
+
+    parameters = [Parameter("s", 0.0, sigma=1.0), Parameter("t", 0.0)]
+    pair = MatrixStructure(parameters, [Candidate("t", ("t",))], matrices, channels="ab")
+    data = Measurements.from_rows(["A", "A"], [10.1 / 2 / np.pi, 10.0 / 2 / np.pi], [0.001, 0.001])
+    fitter = Fitter(pair, data)
+    prediction = pair.predict(np.zeros(2), (0, 1))
+    pairing = fitter.pairer.pair(prediction, np.ones(2, dtype=bool))
+    assert fitter.rates(prediction, pairing) == pytest.approx(np.array([[0.5, 0.25], [0.5, 0.25]]) / 100.0)
+    found = fitter.fit(Hypothesis((pair.candidates[0],)), np.array([0.0, 0.1]))
+    assert found is not None
+    assert found.chi2 == pytest.approx(0.0, abs=1e-6)  # 10.1^2 = 100 + 2.01 for one of them
+    assert found.values == pytest.approx([0.0, 2.01], abs=1e-3)
+
+
+def test_what_others_predict_of_a_setup_is_a_fit_without_it() -> None:
+    model = structure(12)
+    y = simulated(model, TRUE, 12)
+    found = fitted(model, logs_measured(y, SIGMA), BOTH)
+    expected = []
+    for i in range(5):
+        others = [k for k in range(5) if k != i]
+        values, _, _ = least_squares(
+            model.G[others].reshape(-1, 4),
+            (y - model.base)[others].ravel(),
+            SIGMA**2 * np.eye(16),
+            DECLARED,
+            [0.05, 0.002, None, None],
+        )
+        expected.append(float(np.sum((y[i] - model.base[i] - model.G[i] @ values) ** 2)) / SIGMA**2)
+    squares, leverage = Fitter(model, logs_measured(y, SIGMA)).left_out(found)
+    assert squares == pytest.approx(expected, rel=1e-3)
+    # A setup's largest leverage: the largest part of a combination of its residuals that the fit takes up.
+    J = np.vstack([model.G.reshape(-1, 4) / SIGMA, np.eye(4)[:2] / PRIORS[:, None]])
+    H = J @ np.linalg.inv(J.T @ J) @ J.T
+    blocks = [np.linalg.eigvalsh(H[4 * i : 4 * i + 4, 4 * i : 4 * i + 4])[-1] for i in range(5)]
+    assert leverage == pytest.approx(blocks, rel=1e-6)
+
+
+def test_fits_differ_by_the_distance_of_their_predictions_in_the_metric_of_the_errors() -> None:
+    model = structure(13, 6, 4)
+    y = simulated(model, TRUE, 13, 0.01)
+    fitter = Fitter(model, logs_measured(y, SIGMA))
+    a, b = (fitter.fit(Hypothesis((cause,), frozenset({3}), scatter=True)) for cause in CAUSES)
+    assert a is not None
+    assert b is not None
+    between = (model.G @ (b.values - a.values)).ravel()
+    kept = np.setdiff1d(np.arange(24), [3])
+    V = block_diag(*[SIGMA**2 * np.eye(4) + a.scatter**2] * 6)[np.ix_(kept, kept)]
+    moved = (b.values - a.values)[:2] / PRIORS
+    expected = between[kept] @ np.linalg.solve(V, between[kept]) + moved @ moved
+    assert fitter.difference(a, b) == pytest.approx(expected, rel=1e-9)

@@ -1,0 +1,217 @@
+"""Which measured mode is which mode of the model: what must hold however modes are ordered, scaled and missed."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import pytest
+
+from pkmodes.diagnosis import Measurements, Prediction
+from pkmodes.diagnosis.pairing import Pairer, Pairing
+from pkmodes.errors import PkmodesError
+
+CHANNELS = ("a", "b", "c", "d", "e")
+
+
+def predicted(frequencies: list[float], shapes: np.ndarray | None = None, rigid: int = 0) -> Prediction:
+    f = np.array(frequencies)[None]
+    C = np.eye(f.shape[1], len(CHANNELS)) if shapes is None else shapes
+    return Prediction((2 * np.pi * f) ** 2, np.zeros((*f.shape, 0)), C[None], rigid)
+
+
+def measured(frequencies: list[float], shapes: np.ndarray | None = None, channels=CHANNELS) -> Measurements:
+    f = np.array(frequencies)
+    columns = None if shapes is None else dict(zip(channels, shapes.T, strict=True))
+    mode = range(len(f))  # or rows with the same frequency would be repetitions
+    return Measurements.from_rows(["A"] * len(f), f, 0.001 * f, shapes=columns, mode=mode)
+
+
+def pair(data: Measurements, prediction: Prediction) -> Pairing:
+    return Pairer(data, CHANNELS).pair(prediction, np.ones(len(data.frequency), dtype=bool))
+
+
+def random_shapes(seed: int, count: int = 5) -> np.ndarray:
+    return np.random.default_rng(seed).standard_normal((count, len(CHANNELS)))
+
+
+def test_without_shapes_the_sum_of_squares_is_the_least_of_all_one_to_one_assignments() -> None:
+    rng = np.random.default_rng(0)
+    for _ in range(50):
+        model = np.sort(10.0 * np.exp(rng.uniform(0.0, 0.5, 5)))
+        logs = np.log(rng.permutation(10.0 * np.exp(rng.uniform(0.0, 0.5, 4))))
+        found = pair(measured(list(np.exp(logs))), predicted(list(model))).partner
+        assert len(set(found)) == 4
+        least = min(
+            np.sum((logs - np.log(model[list(order)])) ** 2) for order in itertools.permutations(range(5), 4)
+        )
+        assert np.sum((logs - np.log(model[found])) ** 2) == pytest.approx(least)
+
+
+def test_modes_of_the_model_are_given_away_once_though_more_were_measured() -> None:
+    found = pair(measured([10.0, 10.2, 10.4]), predicted([10.3, 20.0])).partner
+    assert sorted(found) == [-1, -1, 0]
+    assert found[2] == 0 or found[1] == 0
+
+
+def test_shapes_decide_where_the_order_of_frequencies_is_exchanged() -> None:
+    shapes = random_shapes(1, 3)
+    model = predicted([10.0, 10.6, 20.0], shapes)
+    assert pair(measured([10.0, 10.6, 20.0]), model).partner.tolist() == [0, 1, 2]
+    found = pair(measured([10.0, 10.6, 20.0], shapes[[1, 0, 2]]), model)
+    assert found.partner.tolist() == [1, 0, 2]
+    assert found.mac == pytest.approx(1.0)
+
+
+def test_the_same_shape_at_twice_the_frequency_is_another_mode() -> None:
+    shapes = random_shapes(2, 2)
+    found = pair(measured([10.0], shapes[[1]]), predicted([10.0, 20.0], shapes))
+    assert found.partner.tolist() == [0]
+    assert found.mac[0] < 0.9
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.3, np.pi / 4, 1.2])
+def test_close_modes_are_compared_as_a_space(turn: float) -> None:
+    shapes = np.eye(4, 5)
+    rotated = shapes.copy()
+    c, s = np.cos(turn), np.sin(turn)
+    rotated[:2] = np.array([[c, s], [-s, c]]) @ shapes[:2]
+    together = pair(
+        measured([10.0, 10.05, 20.0, 30.0], rotated), predicted([10.0, 10.05, 20.0, 30.0], shapes)
+    )
+    assert together.partner.tolist() == [0, 1, 2, 3]
+    assert together.mac == pytest.approx(1.0)  # any combination of two close modes is in their space
+    apart = pair(measured([10.0, 10.5, 20.0, 30.0], rotated), predicted([10.0, 10.5, 20.0, 30.0], shapes))
+    # Apart from each other they are two shapes.  All channels weigh the same here, whatever the angle.
+    larger = max(c**2, s**2)
+    assert apart.mac == pytest.approx([larger, larger, 1.0, 1.0])
+
+
+def test_a_shape_outside_the_space_of_close_modes_does_not_agree_with_them() -> None:
+    other = np.eye(5)[[4, 4, 2, 3]]
+    model = predicted([10.0, 10.05, 20.0, 30.0, 70.0], np.eye(5))
+    found = pair(measured([10.0, 10.05, 20.0, 30.0], other), model)
+    assert found.partner.tolist() == [0, 1, 2, 3]
+    assert found.mac == pytest.approx([0.0, 0.0, 1.0, 1.0])
+
+
+def test_close_modes_that_the_sensors_cannot_tell_apart_span_no_more_than_they_show() -> None:
+    # They differ at channel d only, which was not measured: at a, b and c both are along a.
+    shapes = np.array([[1, 0, 0, 1, 0], [1, 0, 0, -1, 0], [0, 1, 1, 0, 0], [0, 1, -1, 0, 1]]) / np.sqrt(2)
+    rows = np.array([[1.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+    found = pair(
+        measured([10.0, 10.05], rows, channels=("a", "b", "c")), predicted([10.0, 10.05, 30.0, 50.0], shapes)
+    )
+    assert found.mac == pytest.approx([0.5, 0.0])
+
+
+@pytest.mark.parametrize("size", [1.0, 1e-6, 1e20, 1e-170])
+def test_scale_and_sign_of_a_row_mean_nothing(size: float) -> None:
+    rng = np.random.default_rng(30)
+    shapes = random_shapes(3)
+    noisy = shapes + 0.1 * rng.standard_normal(shapes.shape)
+    f = [10.0, 10.4, 11.0, 11.5, 12.0]
+    plain = pair(measured(f, noisy), predicted(f, shapes))
+    rows = size * np.array([1.0, -2.0, 0.3, -5.0, 7.0])[:, None] * noisy
+    scaled = pair(measured(f, rows), predicted(f, shapes))
+    assert scaled.partner.tolist() == plain.partner.tolist()
+    assert scaled.mac == pytest.approx(plain.mac, rel=1e-12)
+    assert ((plain.mac > 0.8) & (plain.mac < 1.0)).all()
+
+
+def test_a_subset_of_the_channels_in_any_order_is_enough() -> None:
+    shapes = random_shapes(4, 3)
+    f = [10.0, 10.6, 20.0]
+    some = measured(f, shapes[[1, 0, 2]][:, [3, 0, 2]], channels=("d", "a", "c"))
+    found = pair(some, predicted(f, shapes))
+    assert found.partner.tolist() == [1, 0, 2]
+    assert found.mac == pytest.approx(1.0)
+
+
+def test_blank_components_are_left_out_of_the_comparison() -> None:
+    shapes = random_shapes(5, 3)
+    rows = shapes[[1, 0, 2]].copy()
+    rows[0, [0, 3]] = rows[1, 4] = np.nan
+    f = [10.0, 10.6, 20.0]
+    found = pair(measured(f, rows), predicted(f, shapes))
+    assert found.partner.tolist() == [1, 0, 2]
+    assert found.mac == pytest.approx(1.0)
+
+
+def test_one_component_is_no_shape() -> None:
+    shapes = random_shapes(6, 3)
+    rows = np.full((3, 5), np.nan)
+    rows[:, 2] = [1.0, 2.0, 3.0]
+    f = [10.0, 10.6, 20.0]
+    found = pair(measured(f, rows), predicted(f, shapes))
+    assert found.partner.tolist() == [0, 1, 2]
+    assert np.isnan(found.mac).all()
+
+
+@pytest.mark.parametrize("with_shapes", [False, True])
+@pytest.mark.parametrize("extra", [4.0, 5.0, 45.0])
+def test_a_measured_mode_that_the_model_lacks_stays_unpaired(extra: float, with_shapes: bool) -> None:
+    model = [10.0, 13.5, 18.2, 24.6]
+    shapes = random_shapes(7, 5)
+    frequencies = [extra, *model]
+    data = measured(frequencies, shapes[[4, 0, 1, 2, 3]] if with_shapes else None)
+    # The model has more modes than that, so that the stray one could push the others along.
+    prediction = predicted([*model, 110.0], np.vstack([shapes[:4], random_shapes(8, 1)]))
+    assert pair(data, prediction).partner.tolist() == [-1, 0, 1, 2, 3]
+
+
+def test_missed_modes_are_skipped() -> None:
+    shapes = random_shapes(9)
+    f = [10.0, 12.0, 14.4, 17.3, 20.7]
+    found = pair(measured([f[4], f[1], f[2]], shapes[[4, 1, 2]]), predicted(f, shapes))
+    assert found.partner.tolist() == [4, 1, 2]
+
+
+def test_rigid_modes_are_never_partners() -> None:
+    shapes = random_shapes(10)
+    prediction = predicted([9.8, 10.0, 10.1, 12.0, 20.0], shapes, rigid=3)
+    found = pair(measured([10.0, 20.0], shapes[[1, 4]]), prediction)
+    assert found.partner.tolist() == [3, 4]
+
+
+@pytest.mark.parametrize("unit", [1.0, 1e3, 1e-3])
+def test_metres_beside_radians_weigh_alike(unit: float) -> None:
+    # Modes 0 and 1 differ in the small channel only; beside metres a plain MAC would call them the same shape.
+    shapes = np.array([[1.0, 0.5, 0.2, 0.1, 1e-4], [1.0, 0.5, 0.2, 0.1, -1e-4], [0.1, 0.9, -0.8, 0.3, 1e-4]])
+    shapes *= np.array([1.0, 1.0, 1.0, 1.0, unit])
+    f = [10.0, 10.6, 20.0]
+    found = pair(measured(f, shapes[[1, 0, 2]]), predicted(f, shapes))
+    assert found.partner.tolist() == [1, 0, 2]
+    assert found.mac == pytest.approx(1.0)
+    other = pair(measured([10.0, 20.0], shapes[[1, 2]]), predicted([10.0, 20.0], shapes[[0, 2]]))
+    assert other.mac[0] < 0.8
+
+
+def test_each_setup_is_paired_on_its_own_and_rows_may_be_in_any_order() -> None:
+    f = np.array([[10.0, 20.0], [14.0, 28.0]])
+    prediction = Prediction((2 * np.pi * f) ** 2, np.zeros((2, 2, 0)), np.zeros((2, 2, 5)))
+    data = Measurements.from_rows(["A", "B", "B", "A"], [20.1, 28.1, 14.1, 10.1], [0.1] * 4)
+    assert pair(data, prediction).partner.tolist() == [1, 1, 0, 0]
+
+
+def test_rows_that_are_not_used_have_no_partner_and_take_none() -> None:
+    data = measured([10.0, 10.3])
+    pairer = Pairer(data, CHANNELS)
+    found = pairer.pair(predicted([10.1]), np.array([False, True]))
+    assert found.partner.tolist() == [-1, 0]
+
+
+def test_a_setup_that_cannot_be_evaluated_has_no_partners() -> None:
+    f = np.array([[10.0, 20.0], [np.nan, np.nan]])
+    prediction = Prediction((2 * np.pi * f) ** 2, np.zeros((2, 2, 0)), np.zeros((2, 2, 5)))
+    data = Measurements.from_rows(["A", "B"], [10.0, 10.0], [0.1, 0.1])
+    assert pair(data, prediction).partner.tolist() == [0, -1]
+
+
+def test_a_mode_at_zero_frequency_is_no_partner() -> None:
+    assert pair(measured([10.0, 20.0]), predicted([0.0, 10.0, 20.0])).partner.tolist() == [1, 2]
+
+
+def test_a_channel_that_the_model_lacks_is_refused() -> None:
+    with pytest.raises(PkmodesError, match=r'no channel "roof".*channels are: a, b, c, d, e'):
+        Pairer(measured([10.0], np.ones((1, 2)), channels=("a", "roof")), CHANNELS)

@@ -1,0 +1,296 @@
+"""``pkmodes compare``: prediction beside measurement, for scripts and for a person."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+import re
+import subprocess
+import sys
+from contextlib import redirect_stderr, redirect_stdout
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+
+import pkmodes
+from pkmodes.cli import run
+from rig_measurements import measure
+from rig_robots import POSES, ROBOTS, read
+from robot_text import PUBLISHED
+
+ROOT = Path(__file__).parents[2]
+KEYS = {"robot", "rms_relative", "chi2_per_dof", "p_value", "unpaired", "rows"}
+HEADER = "pose,x,y,z,frequency,sigma"
+ROW = "A,0.6,0,-0.245,55.5,0.1"
+
+
+class Answer(NamedTuple):
+    """What a command gave."""
+
+    code: int
+    out: str
+    err: str
+
+    @property
+    def json(self) -> dict[str, Any]:
+        return json.loads(self.out)
+
+    @property
+    def table(self) -> list[list[str]]:
+        """Cells of the rows of the table, after its titles."""
+        lines = self.out.splitlines()
+        assert lines[2].startswith("pose ")
+        return [line.split() for line in lines[3 : lines.index("", 3)]]
+
+
+def call(*arguments: object) -> Answer:
+    out, err = io.StringIO(), io.StringIO()
+    with redirect_stdout(out), redirect_stderr(err):
+        code = run(["compare", *map(str, arguments)])
+    return Answer(code, out.getvalue(), err.getvalue())
+
+
+@cache
+def measured(poses: int = 3, shapes: bool = True, servo: float = 0.0) -> str:
+    """What the virtual rig measures on the published robot."""
+    return measure(
+        read("published").parameters,
+        POSES["published"]["scattered"][:poses],
+        effects={"servo_stiffness.stiffness": servo} if servo else {},
+        rng=np.random.default_rng(3),
+        shapes=("x_1", "x_2", "x_3", "p_x", "p_y", "p_z") if shapes else (),
+    )
+
+
+def rows_of(text: str) -> list[dict[str, str]]:
+    return list(csv.DictReader(line for line in text.splitlines() if not line.startswith("#")))
+
+
+def csv_of(rows: list[dict[str, str]]) -> str:
+    text = io.StringIO()
+    writer = csv.DictWriter(text, list(rows[0]))
+    writer.writeheader()
+    writer.writerows(rows)
+    return text.getvalue()
+
+
+def write(folder: Path, text: str, name: str = "modes.csv") -> Path:
+    path = folder / name
+    path.write_bytes(text.encode("utf-8"))
+    return path
+
+
+def test_json_holds_the_result_and_every_row(tmp_path: Path) -> None:
+    modes = write(tmp_path, measured())
+    answer = call(PUBLISHED, modes, "--json", "-")
+    assert (answer.code, answer.err) == (0, "")
+    found = answer.json
+    assert found.keys() == KEYS
+    assert found["robot"] == "linear-delta-2022"
+    assert found["unpaired"] == 0
+    assert len(found["rows"]) == 18
+    model = pkmodes.load(PUBLISHED)
+    differences, sigmas = [], []
+    for row, given in zip(found["rows"], rows_of(measured()), strict=True):
+        assert (row["pose"], row["mode"]) == (given["pose"], given["mode"])
+        assert row["measured"] == float(given["frequency"])
+        assert row["sigma"] == float(given["sigma"])
+        point = [float(given[name]) for name in "xyz"]
+        assert row["predicted"] == pytest.approx(model.modes(point).frequencies[row["partner"] - 1], rel=1e-9)
+        assert row["residual"] == pytest.approx(row["predicted"] / row["measured"] - 1.0)
+        assert row["sigmas"] == pytest.approx(row["residual"] * row["measured"] / row["sigma"], rel=0.01)
+        assert 0.98 < row["mac"] <= 1.0
+        differences.append(row["residual"])
+        sigmas.append(row["sigmas"])
+    assert [row["line"] for row in found["rows"]] == list(range(3, 21))
+    assert found["rms_relative"] == pytest.approx(np.sqrt(np.mean(np.square(differences))))
+    assert found["chi2_per_dof"] == pytest.approx(np.mean(np.square(sigmas)))
+    assert 0.01 < found["p_value"] < 1.0
+    out = tmp_path / "out.json"
+    assert call(PUBLISHED, modes, "--json", out).code == 0
+    assert json.loads(out.read_text(encoding="utf-8")) == found
+
+
+def test_the_table_has_a_line_for_each_mode_counted_as_modes_does(tmp_path: Path) -> None:
+    answer = call(PUBLISHED, write(tmp_path, measured()))
+    assert (answer.code, answer.err) == (0, "")
+    lines = answer.out.splitlines()
+    assert lines[0] == f"linear-delta-2022 beside {tmp_path / 'modes.csv'}, frequencies in Hz"
+    assert max(map(len, lines[1:])) <= 80
+    assert lines[2].split() == [
+        *["pose", "line", "own", "mode", "measured", "sigma", "predicted", "diff", "[%]", "sigmas", "MAC"]
+    ]
+    assert len(answer.table) == 18
+    given = rows_of(measured())
+    order = list(dict.fromkeys(row["pose"] for row in given))
+    assert [cells[0] for cells in answer.table[::6]] == order
+    model = pkmodes.load(PUBLISHED)
+    for i, cells in enumerate(answer.table):
+        line, own, mode, frequency, sigma, predicted, difference, *_ = cells[1:] if i % 6 == 0 else cells
+        row = given[int(line) - 3]
+        assert row["pose"] == order[i // 6]
+        assert (row["mode"], int(mode)) == (own, i % 6 + 1)
+        assert float(frequency) == pytest.approx(float(row["frequency"]), abs=5e-4)
+        assert float(sigma) == pytest.approx(float(row["sigma"]), abs=5e-4)
+        frequencies = model.modes([float(row[name]) for name in "xyz"]).frequencies
+        assert float(predicted) == pytest.approx(frequencies[3 + i % 6], abs=5e-4)
+        assert float(difference) == pytest.approx(100 * (float(predicted) / float(frequency) - 1), abs=0.006)
+    assert "18 measured modes\nrms of the differences 0." in answer.out
+
+
+def test_only_what_was_measured_has_a_column(tmp_path: Path) -> None:
+    text = csv_of([{k: v for k, v in row.items() if k != "mode"} for row in rows_of(measured(shapes=False))])
+    answer = call(PUBLISHED, write(tmp_path, text))
+    titles = answer.out.splitlines()[2].split()
+    assert "MAC" not in titles
+    assert "own" not in titles
+    assert "own:" not in answer.out
+    assert len(answer.table) == 18
+
+
+def test_modes_that_were_rigid_have_no_partner_until_something_ties_the_platform(tmp_path: Path) -> None:
+    modes = write(tmp_path, measured(servo=300.0))
+    found = call(PUBLISHED, modes, "--json", "-").json
+    assert len(found["rows"]) == 27
+    assert found["unpaired"] >= 9
+    for row in found["rows"]:
+        assert (row["predicted"] is None) == (row["partner"] is None) == (row["sigmas"] is None)
+    assert found["p_value"] == pytest.approx(0.0, abs=1e-300)
+    answer = call(PUBLISHED, modes)
+    assert f"27 measured modes, {found['unpaired']} of them without a mode of the model" in answer.out
+    assert "(p < 1e-300)" in answer.out
+    assert sum("none" in cells for cells in answer.table) == found["unpaired"]
+    tied = PUBLISHED.read_text(encoding="utf-8") + '\n[effects.servo_stiffness]\nstiffness = "300 N*m/rad"\n'
+    answer = call(write(tmp_path, tied, "tied.toml"), modes)
+    assert [cells[-7] for cells in answer.table] == 3 * list("123456789")
+    assert "27 measured modes\n" in answer.out
+
+
+def test_nothing_that_has_a_partner_is_no_perfect_model(tmp_path: Path) -> None:
+    rows = [f"P{i},0.6,{i / 100},-0.24,{5000 + i},1" for i in range(4)]
+    modes = write(tmp_path, "\n".join([HEADER, *rows]))
+    found = call(PUBLISHED, modes, "--json", "-").json
+    assert found["unpaired"] == 4
+    assert found["rms_relative"] is found["chi2_per_dof"] is found["p_value"] is None
+    answer = call(PUBLISHED, modes)
+    assert answer.code == 0
+    assert "4 measured modes, 4 of them without a mode of the model" in answer.out
+    assert "rms" not in answer.out
+
+
+def test_labels_of_every_kind_are_shown_as_they_are(tmp_path: Path) -> None:
+    labels = {"P1": 'a, "b" [/red] :car:', "P2": "Größe_模式", "P3": "[bold]" + 70 * "long "}
+    rows = [{**row, "pose": labels[row["pose"]].strip()} for row in rows_of(measured())]
+    answer = call(PUBLISHED, write(tmp_path, csv_of(rows)))
+    assert answer.code == 0
+    assert all(f"\n{label.strip()}" in answer.out for label in labels.values())
+    assert "\u2026" not in answer.out
+    windows = "\ufeff# from the lab\r\n" + csv_of(rows)
+    plain = call(PUBLISHED, write(tmp_path, measured()), "--json", "-").json
+    other = call(PUBLISHED, write(tmp_path, windows), "--json", "-").json
+    for before, after in zip(plain["rows"], other["rows"], strict=True):
+        assert after == {**before, "pose": labels[before["pose"]].strip()}
+
+
+def test_small_numbers_are_not_shown_as_zero(tmp_path: Path) -> None:
+    answer = call(PUBLISHED, write(tmp_path, f"{HEADER}\nA,0.6,0,-0.245,55.5,0.00002\n"))
+    (cells,) = answer.table
+    assert cells[4] == "2e-05"
+    assert answer.out.count("1 measured mode\n") == 1
+
+
+def test_a_thousand_rows_come_in_the_order_of_the_poses(tmp_path: Path) -> None:
+    rows = [
+        {**row, "pose": f"{row['pose']}/{k}", "frequency": f"{float(row['frequency']) * (1 + 1e-5 * k):.9g}"}
+        for k in range(60)
+        for row in rows_of(measured(shapes=False))
+    ]
+    answer = call(PUBLISHED, write(tmp_path, csv_of(rows)))
+    assert answer.code == 0
+    assert len(answer.table) == len(rows) == 1080
+    assert [cells[0] for cells in answer.table[::6]] == list(dict.fromkeys(row["pose"] for row in rows))
+
+
+def test_a_robot_whose_axes_override_what_they_share(tmp_path: Path) -> None:
+    text = re.sub(r"(branch = -?1\n)", r'\1\n[axis.belt]\nwidth = "15 mm"\n', ROBOTS["published"])
+    modes = write(tmp_path, measured())
+    plain = call(PUBLISHED, modes, "--json", "-").json
+    for shared in ('"20 mm"', '{ value = "20 mm", sigma = "1 %" }'):
+        robot = write(tmp_path, text.replace('width = "15 mm" ', f"width = {shared} ", 1), "robot.toml")
+        assert call(robot, modes, "--json", "-").json == plain
+
+
+@pytest.mark.parametrize(
+    ("text", "parts"),
+    [
+        (f"{HEADER}\n{ROW}\nfar,9,9,9,50,0.1\n", ['pose "far" at [9, 9, 9] m', "line 3, columns x, y and z"]),
+        (f"{HEADER},shape:x1\n{ROW},1\n", ["names no coordinate", 'did you mean "shape:x_1"?']),
+        (f"{HEADER}\n{ROW}\n{ROW}\n", ["the row repeats line 2"]),
+        (f"{HEADER}\nA,0.6,0,-0.245,55.5,0\n", ["found 0", "line 2, column sigma"]),
+        (f"{HEADER}\n{ROW}\nA,0.6,1,-0.245,55.5,0.1\n", ["has two positions", "line 3, column y"]),
+        ("", ["expected a header"]),
+        (None, ["no such file"]),
+    ],
+)
+def test_measurements_that_are_refused(tmp_path: Path, text: str | None, parts: list[str]) -> None:
+    modes, out = tmp_path / "modes.csv", write(tmp_path, "before", "out")
+    if text is not None:
+        write(tmp_path, text)
+    answer = call(PUBLISHED, modes, "--json", out)
+    assert (answer.code, answer.out) == (2, "")
+    assert answer.err.startswith("error: ")
+    assert answer.err.count("\n") == 1
+    assert re.search(r" \([^;]*modes\.csv[^;]*\); \S", answer.err)
+    assert all(part in answer.err for part in parts)
+    assert out.read_text() == "before"
+
+
+def test_arguments_that_are_refused(tmp_path: Path) -> None:
+    modes = write(tmp_path, measured())
+    for arguments, part in {
+        (modes, PUBLISHED): "not valid TOML",
+        (PUBLISHED, PUBLISHED): "expected the names of the columns",
+        (PUBLISHED,): "missing argument 'MODES.csv' (pkmodes compare)",
+        (PUBLISHED, modes, modes): "unexpected extra argument",
+        (PUBLISHED, modes, "--json", modes): "would replace its own input",
+        (PUBLISHED, modes, "--json", tmp_path): "expected a file in an existing folder",
+        (PUBLISHED, modes, "--json", tmp_path / "absent" / "x"): "expected a file in an existing folder",
+        (PUBLISHED, modes, "--candidates", "payload"): "no such option",
+    }.items():
+        answer = call(*arguments)
+        assert (answer.code, answer.out) == (2, "")
+        assert answer.err.startswith("error: ")
+        assert part in answer.err
+    assert modes.read_text() == measured()
+
+
+@pytest.mark.parametrize("environment", [{"COLUMNS": "40"}, {"PYTHONIOENCODING": "ascii"}])
+def test_every_terminal_gets_whole_numbers(tmp_path: Path, environment: dict[str, str]) -> None:
+    text = csv_of([{**row, "pose": row["pose"].replace("P1", "Größe")} for row in rows_of(measured())])
+    path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
+    found = subprocess.run(
+        [sys.executable, "-m", "pkmodes", "compare", str(PUBLISHED), str(write(tmp_path, text))],
+        env={**os.environ, "PYTHONPATH": path, **environment},
+        capture_output=True,
+        check=True,
+    )
+    assert found.stderr == b""
+    out = found.stdout.decode("ascii" if "PYTHONIOENCODING" in environment else "utf-8")
+    assert ("Gr\\xf6\\xdfe" if "PYTHONIOENCODING" in environment else "Größe") in out
+    numbers = r"  [1-6] +\d+\.\d{3}  0\.\d{3} +\d+\.\d{3} +[+-]\d\.\d\d +[+-]\d\.\d  [01]\.\d{3}\n"
+    assert len(re.findall(numbers, out)) == 18
+    assert "\u2026" not in out
+
+
+def test_help_shows_an_example_that_works() -> None:
+    answer = call("--help")
+    example = answer.out.split("Example:\n")[1].split()
+    assert example[:2] == ["pkmodes", "compare"]
+    found = call(*(ROOT / place for place in example[2:]))
+    assert found.code == 0
+    assert found.out.startswith("workshop-delta beside ")

@@ -1,0 +1,217 @@
+"""Structures that are no robots, small enough that everything about them is known in closed form.
+
+`LogLinear` has frequencies whose logarithms are linear in its parameters: least squares, covariances and
+chi-square are those of textbooks.  `frame` is a row of masses and springs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
+from scipy.linalg import eigh
+
+from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, Prediction
+from pkmodes.diagnosis.problem import Structure
+
+
+class LogLinear:
+    """ln f = base + G theta in each setup; shapes are unit vectors.
+
+    Parameters
+    ----------
+    base : ndarray, shape (S, m)
+        ln f where all parameters are 0.
+    G : ndarray, shape (S, m, T)
+    parameters, candidates
+    B : ndarray, shape (S, m, 3), optional
+        Derivatives of ln f by the position of each setup.
+    """
+
+    def __init__(
+        self,
+        base: np.ndarray,
+        G: np.ndarray,
+        parameters: Sequence[Parameter],
+        candidates: Sequence[Candidate] = (),
+        B: np.ndarray | None = None,
+    ) -> None:
+        self.base, self.G, self.B = base, G, B
+        self.parameters, self.candidates = tuple(parameters), tuple(candidates)
+        self.channels = tuple(f"c{i}" for i in range(base.shape[1]))
+
+    def predict(self, values: np.ndarray, by: Sequence[int]) -> Prediction:
+        with np.errstate(over="ignore"):  # a fit may try anything
+            eigenvalues = (2 * np.pi * np.exp(self.base + self.G @ values)) ** 2
+        eigenvalues = np.where(np.isfinite(eigenvalues), eigenvalues, np.nan)
+        rates = 2 * eigenvalues[..., None] * self.G[..., list(by)]
+        shapes = np.broadcast_to(np.eye(self.base.shape[1]), (len(self.base), *[self.base.shape[1]] * 2))
+        return Prediction(eigenvalues, rates, shapes)
+
+    def subset(self, setups: Sequence[int]) -> LogLinear:
+        chosen = list(setups)
+        B = None if self.B is None else self.B[chosen]
+        return LogLinear(self.base[chosen], self.G[chosen], self.parameters, self.candidates, B)
+
+    def position_rates(self, values: np.ndarray) -> np.ndarray | None:
+        if self.B is None:
+            return None
+        return 2 * self.predict(values, ()).eigenvalues[..., None] * self.B
+
+    def elsewhere(self, count: int) -> tuple[np.ndarray, Structure] | None:
+        return None
+
+
+def log_linear(
+    rng: np.random.Generator,
+    setups: int,
+    modes: int,
+    parameters: Sequence[Parameter],
+    candidates: Sequence[Candidate] = (),
+    *,
+    positions: bool = False,
+) -> LogLinear:
+    """A structure with random signatures and modes half an octave apart, so that none is mistaken for another."""
+    base = np.tile(np.log(10.0) + 0.35 * np.arange(modes), (setups, 1))
+    G = rng.standard_normal((setups, modes, len(parameters)))
+    B = rng.standard_normal((setups, modes, 3)) if positions else None
+    return LogLinear(base, G, parameters, candidates, B)
+
+
+def logs_measured(
+    y: np.ndarray, sigma: np.ndarray | float, point_sigma: np.ndarray | None = None
+) -> Measurements:
+    """Measurements with logarithms y, (S, m), and their standard deviations; setups P0, P1 ..."""
+    setups, modes = y.shape
+    f = np.exp(y).ravel()
+    errors = np.broadcast_to(sigma, y.shape).ravel()
+    spread = None if point_sigma is None else np.repeat(point_sigma, modes, axis=0)
+    return Measurements.from_rows(
+        [f"P{i}" for i in range(setups) for _ in range(modes)], f, errors * f, point_sigma=spread
+    )
+
+
+MASS, STIFFNESS = 20.0, 4.0e5
+
+
+def frame_matrices(storeys: int, loads: Mapping[str, float], unit: float = 1.0) -> Callable:
+    """M and K of a shear frame on the ground, with some mass on its roof in each setup; mass in kg / unit."""
+
+    def matrices(values: Mapping[str, float], setup: str) -> tuple[np.ndarray, np.ndarray]:
+        M = values["mass"] * np.eye(storeys)
+        M[-1, -1] += loads[setup] * unit
+        M[0, 0] += values["first floor"]
+        k = values["storey"] + np.array([values[f"brace {i}"] for i in range(1, storeys + 1)])
+        return M, np.diag(k + np.append(k[1:], 0.0)) - np.diag(k[1:], 1) - np.diag(k[1:], -1)
+
+    return matrices
+
+
+def frame_derivatives(storeys: int) -> Callable:
+    """Their derivatives, from the definition."""
+
+    def derivatives(values: Mapping[str, float], setup: str, name: str) -> tuple[np.ndarray, np.ndarray]:
+        dM, dK = np.zeros((storeys, storeys)), np.zeros((storeys, storeys))
+        springs = {"storey": range(storeys)}
+        springs |= {f"brace {i}": range(i - 1, i) for i in range(1, storeys + 1)}
+        for i in springs.get(name, ()):
+            stretch = np.eye(storeys)[i] - (np.eye(storeys)[i - 1] if i else 0.0)
+            dK += np.outer(stretch, stretch)
+        dM += {"mass": np.eye(storeys), "first floor": np.diag(np.eye(storeys)[0])}.get(name, 0.0)
+        return dM, dK
+
+    return derivatives
+
+
+def frame(
+    loads: Mapping[str, float],
+    *,
+    storeys: int = 4,
+    unit: float = 1.0,
+    only: Sequence[str] | None = None,
+    exact: bool = True,
+) -> MatrixStructure:
+    """A shear frame whose mass and stiffness are uncertain, and that may have a brace or a mass too many.
+
+    Parameters
+    ----------
+    loads : mapping of str to float
+        Mass on the roof in each setup [kg].
+    storeys : int
+    unit : float
+        Masses are in kg / unit and stiffnesses in N/m / unit.
+    only : sequence of str, optional
+        Candidates; by default all.
+    exact : bool
+        Whether derivatives are given.
+    """
+    parameters = [
+        Parameter("mass", MASS * unit, "kg", sigma=0.005 * MASS * unit),
+        Parameter("storey", STIFFNESS * unit, "N/m", sigma=0.03 * STIFFNESS * unit),
+        Parameter("first floor", 0.0, "kg", lower=0.0),
+        *(Parameter(f"brace {i}", 0.0, "N/m", lower=0.0) for i in range(1, storeys + 1)),
+    ]
+    names = [p.name for p in parameters if p.sigma is None] if only is None else only
+    return MatrixStructure(
+        parameters,
+        [Candidate(name, (name,), f"there is a {name}") for name in names],
+        frame_matrices(storeys, loads, unit),
+        derivatives=frame_derivatives(storeys) if exact else None,
+        channels=[f"floor {i}" for i in range(1, storeys + 1)],
+        setups=list(loads),
+    )
+
+
+#: A relative error of frequencies that a test of a real structure reaches.
+SIGMA = 0.002
+
+
+def frame_measured(
+    loads: Mapping[str, float],
+    truth: Mapping[str, float],
+    rng: np.random.Generator,
+    *,
+    storeys: int = 4,
+    stated: float = SIGMA,
+    shapes: float | None = None,
+    change: Callable[[np.ndarray, np.ndarray], None] | None = None,
+) -> Measurements:
+    """What a test of the frame would give, by SciPy's solver.
+
+    Parameters
+    ----------
+    loads, storeys
+        As for `frame`.
+    truth : mapping of str to float
+        What is not as declared, in kg and N/m.
+    rng : numpy.random.Generator
+        Of the errors, SIGMA in ln f.
+    stated : float
+        Their standard deviation as stated.
+    shapes : float, optional
+        Relative error of shapes, where they are measured.
+    change : callable, optional
+        Changes M and K in place: something that no candidate describes.
+    """
+    values = {"mass": MASS, "storey": STIFFNESS, "first floor": 0.0}
+    values |= {f"brace {i}": 0.0 for i in range(1, storeys + 1)} | dict(truth)
+    pose, logs, columns = [], [], []
+    for setup in loads:
+        M, K = frame_matrices(storeys, loads)(values, setup)
+        if change is not None:
+            change(M, K)
+        eigenvalues, modes = eigh(K, M)
+        pose += [setup] * storeys
+        logs += list(0.5 * np.log(eigenvalues) - np.log(2 * np.pi) + SIGMA * rng.standard_normal(storeys))
+        if shapes is not None:
+            columns += list(modes.T * (1 + shapes * rng.standard_normal(modes.shape)))
+    f = np.exp(logs)
+    names = [f"floor {i}" for i in range(1, storeys + 1)]
+    found = dict(zip(names, np.array(columns).T, strict=True)) if columns else None
+    return Measurements.from_rows(pose, f, stated * f, shapes=found)
+
+
+def uncertain(rng: np.random.Generator) -> dict[str, float]:
+    """Values of the frame's nuisances, drawn from their priors."""
+    mass, stiffness = 1 + 0.005 * rng.standard_normal(), 1 + 0.03 * rng.standard_normal()
+    return {"mass": MASS * mass, "storey": STIFFNESS * stiffness}
