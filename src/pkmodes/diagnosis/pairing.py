@@ -26,10 +26,12 @@ Index = NDArray[np.intp]
 REACH = 0.6
 #: A shape that does not agree at all counts like this difference of the logarithms of the frequencies.
 SHAPE_WEIGHT = 0.25
-#: Modes of the model closer than this fraction are compared with measured shapes as one space: an error of some
-#: 0.2 % of their frequencies already turns their shapes into each other by several per cent.
-CLOSE = 0.03
-
+#: Modes of the model closer than this fraction are one group: their shapes turn into each other with the least error,
+#: so that their measured partners are told apart by the order of the frequencies alone.
+CLOSE = 0.01
+#: Modes closer than this are compared with measured shapes as one space: an error of some 0.2 % of their
+#: frequencies already turns their shapes by several per cent.
+MIXED = 0.03
 #: Modes whose measured components differ by less than this fraction are seen alike.
 ALIKE = 1e-6
 
@@ -82,18 +84,21 @@ class Pairer:
             if not len(rows) or not len(modes):
                 continue
             distance = np.abs(self._log[rows, None] - logs[setup, modes])
-            likeness = self._likeness(rows, prediction.shapes[setup], modes, logs[setup, modes])
+            shapes = prediction.shapes[setup]
+            likeness = self._likeness(rows, shapes, modes, logs[setup, modes], CLOSE)
             missing = np.where(np.isnan(likeness), 0.0, 1.0 - likeness)
             cost = distance**2 + SHAPE_WEIGHT**2 * missing
             # A mode that is too far away may still be taken by the assignment; it is no partner then.  What that
             # costs is always the same: otherwise a mode that the model lacks would push the others along.
             cost = np.where(distance <= REACH, cost, REACH**2 + SHAPE_WEIGHT**2)
-            for i, k in zip(*linear_sum_assignment(cost), strict=True):
-                if distance[i, k] <= REACH:
-                    partner[rows[i]], mac[rows[i]] = modes[k], likeness[i, k]
+            assigned = zip(*linear_sum_assignment(cost), strict=True)
+            pairs = [(int(i), int(k)) for i, k in assigned if distance[i, k] <= REACH]
+            likeness = self._likeness(rows, shapes, modes, logs[setup, modes], MIXED)
+            for i, k in _in_order(pairs, self._log[rows], logs[setup, modes]):
+                partner[rows[i]], mac[rows[i]] = modes[k], likeness[i, k]
         return Pairing(partner, mac)
 
-    def _likeness(self, rows: Index, shapes: Array, modes: Index, logs: Array) -> Array:
+    def _likeness(self, rows: Index, shapes: Array, modes: Index, logs: Array, close: float) -> Array:
         """MAC of each measured row with each mode, or with the modes close to it together; NaN without shape."""
         found = np.full((len(rows), len(modes)), np.nan)
         if not len(self._columns):
@@ -110,7 +115,7 @@ class Pairer:
         with np.errstate(divide="ignore", invalid="ignore"):
             along = (measured @ model.T) ** 2 / (sizes * lengths[:, None])
         found[told] = np.where(sizes > 0.0, along, 0.0)[told]
-        near = np.abs(logs[:, None] - logs) < CLOSE
+        near = np.abs(logs[:, None] - logs) < close
         for k in np.flatnonzero(near.sum(axis=1) > 1):
             for mask in np.unique(seen[told], axis=0):
                 if mask.sum() > near[k].sum():  # otherwise any shape would be in the space
@@ -121,6 +126,17 @@ class Pairer:
                     inside = ((measured[alike][:, mask] @ basis) ** 2).sum(axis=1)
                     found[alike, k] = inside / lengths[alike]
         return found
+
+
+def _in_order(pairs: list[tuple[int, int]], measured: Array, model: Array) -> list[tuple[int, int]]:
+    """Pairs with the partners of each group of close modes in the order of their frequencies."""
+    group = np.concatenate([[0], np.cumsum(np.diff(model) >= CLOSE)])
+    found = []
+    for number in np.unique(group[[k for _, k in pairs]]) if pairs else []:
+        members = [(i, k) for i, k in pairs if group[k] == number]
+        rows = sorted((i for i, _ in members), key=lambda i: float(measured[i]))
+        found += list(zip(rows, sorted(k for _, k in members), strict=True))
+    return found
 
 
 def _columns(data: Measurements, channels: tuple[str, ...]) -> Index:

@@ -1,0 +1,71 @@
+"""The examples: the whole loop on a machine of the rig, and a structure that is no robot."""
+
+from __future__ import annotations
+
+import csv
+import importlib.util
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import closed_loop_example
+from pkmodes import closing, read_robot
+from pkmodes.diagnosis import diagnose
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+ROBOT, MEASURED = (EXAMPLES / "closed_loop" / name for name in ("robot.toml", "measured.csv"))
+
+
+def rows(text: str) -> list[list[str]]:
+    return list(csv.reader(line for line in text.splitlines() if not line.startswith("#")))
+
+
+def test_the_example_is_what_the_rig_measures() -> None:
+    assert ROBOT.read_text(encoding="utf-8") == closed_loop_example.robot_text()
+    committed, made = (
+        rows(text) for text in (MEASURED.read_text(encoding="utf-8"), closed_loop_example.measured_text())
+    )
+    assert committed[0] == made[0]
+    assert [row[0] for row in committed] == [row[0] for row in made]
+    numbers, again = (np.array([row[1:] for row in table[1:]], dtype=float) for table in (committed, made))
+    np.testing.assert_allclose(numbers, again, rtol=1e-6)
+
+
+def test_the_loop_closes(tmp_path: Path) -> None:
+    robot, data = read_robot(ROBOT), closing.read(MEASURED)
+    found = closing.diagnose(robot, data)
+    assert found.verdict == "effect_found", found.reason
+    (cause,) = found.effects
+    assert cause.name == "gearbox_compliance"
+    (compliance,) = cause.parameters
+    assert abs(compliance.value - closed_loop_example.COMPLIANCE) < 3.0 * compliance.sigma
+    for nuisance in found.refitted:
+        truth = nuisance.before * closed_loop_example.ERRORS[nuisance.name.replace(".", "_")]
+        assert abs(nuisance.after - truth) < 3.0 * nuisance.sigma, nuisance.name
+    assert found.before
+    assert found.refit
+    assert found.after
+    stages = [stage.rms_relative for stage in (found.before, found.refit, found.after)]
+    assert None not in stages
+    assert stages == sorted(stages, reverse=True)  # type: ignore[type-var]
+    assert found.after.chi2_per_dof < 1.5 < found.refit.chi2_per_dof < found.before.chi2_per_dof
+
+    corrected = tmp_path / "corrected.toml"
+    closing.save_robot(robot, found, corrected)
+    again = closing.diagnose(read_robot(corrected), data)
+    assert again.verdict == "adequate", again.reason
+
+
+def test_a_lumped_structure_takes_the_same_engine() -> None:
+    specification = importlib.util.spec_from_file_location("lumped", EXAMPLES / "lumped_structure.py")
+    assert specification
+    assert specification.loader
+    example = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(example)
+    found = diagnose(example.structure, example.measure(np.random.default_rng(1)))
+    assert found.verdict == "effect_found"
+    assert [cause.name for cause in found.effects] == ["brace 2"]
+    assert found.effects[0].parameters[0].value == pytest.approx(
+        6.0e4, abs=3 * found.effects[0].parameters[0].sigma
+    )
