@@ -70,7 +70,7 @@ class Report:
         others = (
             other_pairs(self.search, final, self.search.pairs_like(final), grouped) if last.passed else []
         )
-        larger = bool(final.causes) and self.search.explained_by_larger_errors(outcome.nuisances, final)
+        larger = bool(final.causes) and self.search.explained_by_larger_errors(final)
         verdict: Verdict
         if not last.passed or not kept or larger:
             verdict = "unexplained"
@@ -126,9 +126,9 @@ class Report:
                 (found[0] for cause, found in pairs if found and _name(found[0]) != cause.name), None
             )
             if better is None:
-                break
+                return final, places
             final = better
-        return final, places
+        return final, [[] for _ in final.causes]  # no preference holds: nothing is claimed
 
     def insufficient(self) -> Diagnosis:
         """Fewer measurements than unknowns."""

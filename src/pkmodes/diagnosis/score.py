@@ -107,8 +107,8 @@ def _one(
     u, s, vt = np.linalg.svd(left[:, seen] / size[seen], full_matrices=False)
     axes, s, vt = u[:, s > LEFT], s[s > LEFT], vt[s > LEFT]
     sigma = np.full(len(step), np.inf)
-    if len(s) == len(step):
-        sigma = np.linalg.norm(vt / s[:, None], axis=0) / size
+    if len(s) == seen.sum():
+        sigma[seen] = np.linalg.norm(vt / s[:, None], axis=0) / size[seen]
     projection = axes.T @ fit.white
     step[seen] = (vt.T @ (projection / s)) / size[seen]
     sign = one_sided(fitter, candidate)

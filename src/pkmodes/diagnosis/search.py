@@ -141,14 +141,18 @@ class Search:
             and (fit.hypothesis.excluded, fit.hypothesis.scatter) == (h.excluded, h.scatter)
         )
 
-    def explained_by_larger_errors(self, first: Fit, final: Fit) -> bool:
+    def explained_by_larger_errors(self, final: Fit) -> bool:
         """Whether errors larger than stated, by one factor, explain the residual nearly as well as the causes.
 
-        The deviance of the most likely factor, beside that of the stated errors, with its own price.
+        The deviance of the most likely factor, with the rows set aside and the shared error of the final fit.
         """
-        count = self._rows - len(final.hypothesis.excluded)
-        inflated = count + count * np.log(max(first.chi2 / count, 1.0)) + np.log(self._rows)
-        return bool(inflated <= final.chi2 + self.criterion(final) - final.deviance + SURVIVES)
+        h = final.hypothesis
+        base = self._fit(Hypothesis(excluded=h.excluded, scatter=h.scatter), None)
+        if base is None:
+            return False
+        count = self._rows - len(h.excluded)
+        inflated = self.criterion(base) - base.chi2 + count * (1.0 + np.log(max(base.chi2 / count, 1.0)))
+        return bool(inflated + np.log(self._rows) <= self.criterion(final) + SURVIVES)
 
     def gate(self, fit: Fit) -> Gate:
         """Test what is left."""

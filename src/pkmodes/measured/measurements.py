@@ -10,9 +10,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from pkmodes.errors import MeasurementError, shown
+from pkmodes.measured.columns import Array, Columns
 from pkmodes.measured.rules import (
     SHAPE,
     position_problems,
@@ -22,59 +23,20 @@ from pkmodes.measured.rules import (
     value_problems,
 )
 
-Array = NDArray[np.float64]
-Integers = NDArray[np.int_]
-
 
 @dataclass(frozen=True, eq=False)
-class Measurements:
+class Measurements(Columns):
     """Identified modes of a machine at P poses: R rows in the order of their file, C shape channels.
 
     `from_rows` builds them from plain columns.  Arrays are copied and cannot be written to.
 
-    Attributes
-    ----------
-    source : str
-        The file, for messages.
-    labels : tuple of str, length P
-        Labels of the poses in the order of their first rows.
-    points : ndarray, shape (P, 3)
-        Platform centres [m]; zeros for a structure that has no platform.
-    point_sigma : ndarray, shape (P, 3)
-        Standard deviations of the platform centres [m], 0 where they are taken as exact.
-    pose : ndarray of int, shape (R,)
-        Index of each row's pose.
-    frequency, sigma : ndarray, shape (R,)
-        Natural frequency and its standard deviation [Hz].
-    damping : ndarray, shape (R,)
-        Damping ratio, NaN where it is not given.
-    mode : tuple of str, length R
-        The experimenter's own numbering, empty where it is not given.
-    lines : ndarray of int, shape (R,)
-        Line of each row in the file, from 1.
-    channels : tuple of str, length C
-        Coordinates at which shapes were measured.
-    shapes : ndarray, shape (R, C)
-        Components of the mode shapes, any scale per row, NaN where not measured.
+    The attributes are those of `pkmodes.measured.columns.Columns`.
 
     Raises
     ------
     MeasurementError
         If the arrays do not fit together or a number breaks a rule; the place names line and column.
     """
-
-    source: str
-    labels: tuple[str, ...]
-    points: Array
-    point_sigma: Array
-    pose: Integers
-    frequency: Array
-    sigma: Array
-    damping: Array
-    mode: tuple[str, ...]
-    lines: Integers
-    channels: tuple[str, ...]
-    shapes: Array
 
     def __post_init__(self) -> None:
         poses, rows, channels = len(self.labels), np.size(self.pose), len(self.channels)

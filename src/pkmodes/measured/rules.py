@@ -3,23 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.errors import MeasurementError, shown
+from pkmodes.measured.columns import Array, Columns, Integers
 from pkmodes.robot.units import LARGEST, SMALLEST
-
-if TYPE_CHECKING:
-    from pkmodes.measured.measurements import Measurements
 
 COMPONENTS = ("x", "y", "z")
 #: Prefix of the columns that hold mode shapes.
 SHAPE = "shape:"
-
-Array = NDArray[np.float64]
-Integers = NDArray[np.int_]
 
 
 class Problem(NamedTuple):
@@ -41,7 +36,7 @@ def refuse(problems: Sequence[Problem], source: str, lines: Integers) -> None:
         raise MeasurementError(first.what, where, first.remedy)
 
 
-def value_problems(given: Measurements, first: Integers) -> Iterator[Problem]:
+def value_problems(given: Columns, first: Integers) -> Iterator[Problem]:
     """Numbers out of their range; `first` holds the first row of each pose."""
     rows = np.arange(len(given.mode))
 
@@ -94,7 +89,7 @@ def value_problems(given: Measurements, first: Integers) -> Iterator[Problem]:
         yield Problem(int(i), column, "expected a mode shape, found nothing but zeros", remedy)
 
 
-def text_problems(given: Measurements, first: Integers) -> Iterator[Problem]:
+def text_problems(given: Columns, first: Integers) -> Iterator[Problem]:
     """Labels and mode numbers are printed in tables and reports; a label also has to be there."""
     seen: set[str] = set()
     for i, label in zip(first.tolist(), given.labels, strict=True):
@@ -114,7 +109,7 @@ def text_problems(given: Measurements, first: Integers) -> Iterator[Problem]:
             )
 
 
-def position_problems(found: Measurements, points: Array, spreads: Array) -> Iterator[Problem]:
+def position_problems(found: Columns, points: Array, spreads: Array) -> Iterator[Problem]:
     """Rows whose position, or its standard deviation, is not that of the first row of their pose."""
     first = np.unique(found.pose, return_index=True)[1]
     for kind, prefix, rows, poses in (
@@ -132,7 +127,7 @@ def position_problems(found: Measurements, points: Array, spreads: Array) -> Ite
             )
 
 
-def repetitions(found: Measurements) -> Iterator[Problem]:
+def repetitions(found: Columns) -> Iterator[Problem]:
     """Rows that are there twice: one mode must not count as two measurements."""
     numbers = np.column_stack([found.pose, found.frequency, found.sigma, found.damping, found.shapes])
     seen: dict[tuple[bytes, str], int] = {}

@@ -1,0 +1,55 @@
+"""The columns of modal measurements, before anyone has looked whether they are right."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int_]
+
+
+@dataclass(frozen=True, eq=False)
+class Columns:
+    """Identified modes of a machine at P poses: R rows in the order of their file, C shape channels.
+
+    Attributes
+    ----------
+    source : str
+        The file, for messages.
+    labels : tuple of str, length P
+        Labels of the poses in the order of their first rows.
+    points : ndarray, shape (P, 3)
+        Platform centres [m]; zeros for a structure that has no platform.
+    point_sigma : ndarray, shape (P, 3)
+        Standard deviations of the platform centres [m], 0 where they are taken as exact.
+    pose : ndarray of int, shape (R,)
+        Index of each row's pose.
+    frequency, sigma : ndarray, shape (R,)
+        Natural frequency and its standard deviation [Hz].
+    damping : ndarray, shape (R,)
+        Damping ratio, NaN where it is not given.
+    mode : tuple of str, length R
+        The experimenter's own numbering, empty where it is not given.
+    lines : ndarray of int, shape (R,)
+        Line of each row in the file, from 1.
+    channels : tuple of str, length C
+        Coordinates at which shapes were measured.
+    shapes : ndarray, shape (R, C)
+        Components of the mode shapes, any scale per row, NaN where not measured.
+    """
+
+    source: str
+    labels: tuple[str, ...]
+    points: Array
+    point_sigma: Array
+    pose: Integers
+    frequency: Array
+    sigma: Array
+    damping: Array
+    mode: tuple[str, ...]
+    lines: Integers
+    channels: tuple[str, ...]
+    shapes: Array
