@@ -11,7 +11,7 @@ CORRECTED := build/workshop-delta
 
 # One environment: two targets at once would both install into it.
 .NOTPARALLEL:
-.PHONY: demo test lint types check generate docs benchmark clean
+.PHONY: demo test lint types check generate docs benchmark suites clean
 
 demo: $(VENV)/.derive  ## the whole loop: derive, generate, solve, compare with measured modes, diagnose, correct
 	$(BIN)/python -m pkmodes generate $(ROBOT) --out $(DEMO)
@@ -44,6 +44,9 @@ docs: $(VENV)/.derive  ## rebuild the derivation's page
 
 benchmark: $(VENV)/.dev
 	$(BIN)/python benchmarks/evaluation.py
+
+suites: $(VENV)/.dev  ## rates of the diagnosis on the virtual test rig, half an hour on two cores
+	$(BIN)/python benchmarks/diagnosis.py --out docs/diagnosis-measured.md
 
 clean:
 	rm -rf $(VENV) build

@@ -1,0 +1,335 @@
+"""Measure the diagnosis on the virtual test rig: run the suites, and write what came out as tables.
+
+    python benchmarks/diagnosis.py --out docs/diagnosis-measured.md         # `make suites`
+    python benchmarks/diagnosis.py --only "two effects" --limit 6           # a few cases, tables on stdout
+
+The requirements are those that the diagnosis was built for; they are not changed to suit a result, and each line says
+whether it is held.  `suites` has the cases and how they are judged.
+"""
+
+from __future__ import annotations
+
+import argparse
+import itertools
+import json
+import multiprocessing
+import os
+import platform
+import statistics
+import sys
+import time
+import traceback
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from dataclasses import asdict
+from pathlib import Path
+
+from scipy import stats
+
+from sizes import KINDS
+from suites import SUITES, Case, Outcome, failed, run
+
+STATES = ("named", "partly", "wrong", "abstained", "adequate", "failed")
+#: Above this predicted signal a cause must be found.
+CLEAR = 6.0
+#: Edges of the bins of predicted signal.
+BINS = (0.0, 2.0, 4.0, 6.0, 10.0, 20.0, float("inf"))
+#: An estimate counts as right within so many standard deviations; half width of an interval of 95 %.
+RIGHT, INTERVAL = 3.0, 1.959964
+
+
+def main() -> None:
+    arguments = _arguments()
+    os.environ.setdefault("OMP_NUM_THREADS", "1")  # one process for each core is faster than threads in them
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    start = time.perf_counter()
+    outcomes = _run(list(_chosen(arguments.only, arguments.limit)), arguments.jobs)
+    if arguments.cases:
+        text = json.dumps([asdict(outcome) for outcome in outcomes], indent=1)
+        arguments.cases.write_text(text + "\n", encoding="utf-8")
+    page = "\n".join(_page(outcomes, time.perf_counter() - start, arguments.jobs))
+    if arguments.out:
+        arguments.out.write_text(page + "\n", encoding="utf-8")
+    else:
+        print(page)
+
+
+def _arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description="Measure the diagnosis on the virtual test rig.")
+    parser.add_argument("--out", type=Path, help="file for the tables; by default they are printed")
+    parser.add_argument("--cases", type=Path, help="file for every case, as JSON")
+    parser.add_argument("--only", choices=SUITES, action="append", help="suite to run; may be repeated")
+    parser.add_argument("--limit", type=int, help="at most so many cases of each suite, spread evenly")
+    parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1), help="processes; default 2")
+    return parser.parse_args()
+
+
+# Running -----------------------------------------------------------------------------------------------------
+
+
+def _chosen(only: Sequence[str] | None, limit: int | None) -> Iterable[Case]:
+    for suite in only or SUITES:
+        cases = list(SUITES[suite]())
+        count = min(limit or len(cases), len(cases))
+        yield from (cases[(2 * k + 1) * len(cases) // (2 * count)] for k in range(count))
+
+
+def _run(cases: list[Case], jobs: int) -> list[Outcome]:
+    outcomes: dict[str, Outcome] = {}
+    with ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context("spawn")) as pool:
+        futures = [pool.submit(_safely, case) for case in cases]
+        for done, future in enumerate(as_completed(futures), start=1):
+            outcome = future.result()
+            outcomes[outcome.case.label] = outcome
+            what = f"{outcome.case.label} ({outcome.case.kind}): {outcome.state} {_classes(outcome)}"
+            print(f"{done}/{len(cases)} {what} [{outcome.seconds:.1f} s]", file=sys.stderr, flush=True)
+    return [outcomes[case.label] for case in cases]
+
+
+def _safely(case: Case) -> Outcome:
+    """A case that breaks the diagnosis is a result too."""
+    try:
+        return run(case)
+    except Exception:
+        return failed(case, traceback.format_exc(limit=-8))
+
+
+# Tables ------------------------------------------------------------------------------------------------------
+
+
+def _page(outcomes: list[Outcome], seconds: float, jobs: int) -> list[str]:
+    regular = [o for o in outcomes if o.case.suite != "special"]
+    by_suite = {suite: [o for o in outcomes if o.case.suite == suite] for suite in SUITES}
+    single = by_suite["one effect"] + by_suite["wrong parameter"]
+    return [
+        "# The diagnosis, measured",
+        "",
+        "Written by `make suites`; do not edit. `benchmarks/suites.py` has the cases and their seeds,",
+        "`benchmarks/strengths.py` says how the sizes of the causes were chosen. The rig is MuJoCo's physics",
+        "and shares no code with the model. Three robots, three plans of twelve poses, six modes, noise of 0.2 %,",
+        "shapes at `x_1..3` and `p_x..z` with 2 % noise, and none in every fifth case. The true values of the",
+        "uncertain parameters are drawn from their priors in every case.",
+        "",
+        "*Named*: `effect_found`, and each cause is in a class of its own. *Partly*: `effect_found`, nothing wrong,",
+        "but not every cause. *Wrong*: `effect_found`, and a class holds none of the causes. *Abstained*:",
+        "`ambiguous`, `unexplained` or `insufficient_data`. *Predicted signal*: what the cause leaves when the",
+        "declared model is fitted, nuisances included, to the rig's modes without noise, in standard deviations.",
+        "Intervals are Clopper-Pearson's for 95 %.",
+        "",
+        "## Requirements",
+        "",
+        "| suite | must show | measured | interval | |",
+        "|---|---|---|---|---|",
+        *_requirements(by_suite, regular),
+        "",
+        "## Outcomes by suite",
+        "",
+        *_confusion({suite: by_suite[suite] for suite in SUITES if suite != "special"}, "suite"),
+        "",
+        "## Outcomes by cause",
+        "",
+        *_confusion(_grouped(single + by_suite["outside the catalogue"]), "cause"),
+        "",
+        "## Power against predicted signal",
+        "",
+        "One effect and wrong parameters together.",
+        "",
+        *_power(single),
+        "",
+        "## Two effects",
+        "",
+        "The signal that each effect gives beyond the other is what the other, fitted with the nuisances, leaves of",
+        "both: where it is small, one effect looks like the two.",
+        "",
+        *_pairs(by_suite["two effects"]),
+        "",
+        "## Special cases",
+        "",
+        *_special(by_suite["special"]),
+        "",
+        "## Confident and wrong",
+        "",
+        *_wrong(regular),
+        "",
+        "## Clear causes that were not named",
+        "",
+        *_missed(single),
+        "",
+        "## Time",
+        "",
+        *_times(by_suite),
+        "",
+        f"All {len(outcomes)} cases in {seconds / 60:.0f} min with {jobs} processes on {_machine()}.",
+    ]
+
+
+def _requirements(by_suite: dict[str, list[Outcome]], regular: list[Outcome]) -> list[str]:
+    nothing, pairs, strange = (
+        by_suite[s] for s in ("nothing missing", "two effects", "outside the catalogue")
+    )
+    lines = [
+        _line(
+            "nothing missing",
+            "not adequate <= 5 %",
+            sum(o.state != "adequate" for o in nothing),
+            len(nothing),
+            most=0.05,
+        )
+    ]
+    for suite in ("one effect", "wrong parameter"):
+        clear = [o for o in by_suite[suite] if o.signal > CLEAR]
+        named = [o for o in clear if o.state == "named"]
+        what = f"signal > {CLEAR:g}"
+        lines += [
+            _line(suite, f"{what}: named >= 95 %", len(named), len(clear), least=0.95),
+            _line(
+                suite,
+                f"{what}: value within 3 sigma >= 95 %",
+                sum(map(_right, named)),
+                len(named),
+                least=0.95,
+            ),
+        ]
+    values = [abs(found - true) / sigma for o in regular for _, found, sigma, true in o.values]
+    lines += [
+        _line("two effects", "both named >= 70 %", _count(pairs, "named"), len(pairs), least=0.70),
+        _line("two effects", "a wrong one <= 5 %", _count(pairs, "wrong"), len(pairs), most=0.05),
+        _line(
+            "outside the catalogue",
+            "abstained >= 90 %",
+            _count(strange, "abstained"),
+            len(strange),
+            least=0.90,
+        ),
+        _line("all five", "confident and wrong <= 2 %", _count(regular, "wrong"), len(regular), most=0.02),
+        _line(
+            "all five",
+            "95 % intervals cover 90-99 %",
+            sum(v <= INTERVAL for v in values),
+            len(values),
+            0.90,
+            0.99,
+        ),
+    ]
+    return lines
+
+
+def _line(suite: str, what: str, count: int, of: int, least: float = 0.0, most: float = 1.0) -> str:
+    if not of:
+        return f"| {suite} | {what} | no cases | | |"
+    low = stats.beta.ppf(0.025, count, of - count + 1) if count else 0.0
+    high = stats.beta.ppf(0.975, count + 1, of - count) if count < of else 1.0
+    held = "held" if least <= count / of <= most else "**NOT HELD**"
+    found = f"{count} of {of}: {100 * count / of:.1f} %"
+    return f"| {suite} | {what} | {found} | {100 * low:.1f}-{100 * high:.1f} % | {held} |"
+
+
+def _confusion(groups: dict[str, list[Outcome]], title: str) -> list[str]:
+    states = [s for s in STATES if s != "failed" or any(o.state == s for g in groups.values() for o in g)]
+    lines = [f"| {title} | cases | {' | '.join(states)} |", f"|---|{'---|' * (len(states) + 1)}"]
+    for name, group in groups.items():
+        counts = [str(_count(group, state) or "") for state in states]
+        lines.append(f"| {name} | {len(group)} | {' | '.join(counts)} |")
+    return lines
+
+
+def _grouped(outcomes: list[Outcome]) -> dict[str, list[Outcome]]:
+    found: dict[str, list[Outcome]] = {}
+    for o in outcomes:
+        name = f"(outside) {o.case.kind}" if o.case.kind in KINDS else o.case.kind
+        found.setdefault(name, []).append(o)
+    return found
+
+
+def _power(outcomes: list[Outcome]) -> list[str]:
+    lines = ["| signal | cases | named | abstained | adequate | wrong |", "|---|---|---|---|---|---|"]
+    for low, high in itertools.pairwise(BINS):
+        group = [o for o in outcomes if low <= o.signal < high]
+        parts = [
+            f"{_count(group, state) / len(group):.0%}".replace("%", " %") if group else ""
+            for state in ("named", "abstained", "adequate", "wrong")
+        ]
+        name = f"over {low:g}" if high == BINS[-1] else f"{low:g} to {high:g}"
+        lines.append(f"| {name} | {len(group)} | {' | '.join(parts)} |")
+    return lines
+
+
+def _pairs(outcomes: list[Outcome]) -> list[str]:
+    lines = [
+        "| case | robot, plan | effects | each beyond the other | state | classes |",
+        "|---|---|---|---|---|---|",
+    ]
+    for o in outcomes:
+        beyond = ", ".join(f"{b:.3g}" for b in o.beyond)
+        lines.append(
+            f"| {o.case.number} | {_where(o)} | {o.case.kind} | {beyond} | {o.state} | {_classes(o)} |"
+        )
+    return lines
+
+
+def _special(outcomes: list[Outcome]) -> list[str]:
+    groups: dict[str, list[Outcome]] = {}
+    for o in outcomes:
+        lacking = ("nothing missing", "one effect", "two causes")[len(o.case.names)]
+        groups.setdefault(f"{o.case.kind}; {lacking}", []).append(o)
+    lines = _confusion(groups, "case")
+    remarks = [" set aside, shared error |", "---|"]
+    for group in groups.values():
+        scatter = statistics.median(o.scatter for o in group)
+        remarks.append(f" {sum(o.outliers for o in group)} rows, {100 * scatter:.2g} % |")
+    return [line + remark for line, remark in zip(lines, remarks, strict=True)]
+
+
+def _wrong(outcomes: list[Outcome]) -> list[str]:
+    return _listed([o for o in outcomes if o.state in ("wrong", "failed")])
+
+
+def _missed(outcomes: list[Outcome]) -> list[str]:
+    return _listed([o for o in outcomes if o.signal > CLEAR and o.state not in ("named", "wrong")])
+
+
+def _listed(outcomes: list[Outcome]) -> list[str]:
+    if not outcomes:
+        return ["None."]
+    lines = ["| case | robot, plan | truth | signal | verdict | classes |", "|---|---|---|---|---|---|"]
+    for o in outcomes:
+        signal = f"{o.signal:.3g}"
+        lines.append(
+            f"| {o.case.label} | {_where(o)} | {o.case.kind} | {signal} | {o.verdict} | {_classes(o)} |"
+        )
+    return lines
+
+
+def _where(outcome: Outcome) -> str:
+    case = outcome.case
+    return f"{case.truth.robot}, {case.plan}{'' if case.shapes else ', no shapes'}"
+
+
+def _classes(outcome: Outcome) -> str:
+    return "; ".join(" or ".join(members) for members in outcome.classes)
+
+
+def _times(by_suite: dict[str, list[Outcome]]) -> list[str]:
+    lines = ["| suite | median | longest |", "|---|---|---|"]
+    for suite, group in by_suite.items():
+        if group:
+            seconds = [o.seconds for o in group]
+            lines.append(f"| {suite} | {statistics.median(seconds):.1f} s | {max(seconds):.1f} s |")
+    return lines
+
+
+def _right(outcome: Outcome) -> bool:
+    return all(abs(found - true) <= RIGHT * sigma for _, found, sigma, true in outcome.values)
+
+
+def _count(outcomes: list[Outcome], state: str) -> int:
+    return Counter(o.state for o in outcomes)[state]
+
+
+def _machine() -> str:
+    return f"{os.cpu_count()} cores, {platform.machine()}, Python {platform.python_version()}"
+
+
+if __name__ == "__main__":
+    main()
