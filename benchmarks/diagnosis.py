@@ -22,12 +22,13 @@ import traceback
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 
 from scipy import stats
 
 from sizes import KINDS
+from strengths import SEED
 from suites import SUITES, Case, Outcome, failed, run
 
 STATES = ("named", "partly", "wrong", "abstained", "adequate", "failed")
@@ -44,7 +45,8 @@ def main() -> None:
     os.environ.setdefault("OMP_NUM_THREADS", "1")  # one process for each core is faster than threads in them
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     start = time.perf_counter()
-    outcomes = _run(list(_chosen(arguments.only, arguments.limit)), arguments.jobs)
+    cases = [replace(case, seed=arguments.seed) for case in _chosen(arguments.only, arguments.limit)]
+    outcomes = _run(cases, arguments.jobs)
     if arguments.cases:
         text = json.dumps([asdict(outcome) for outcome in outcomes], indent=1)
         arguments.cases.write_text(text + "\n", encoding="utf-8")
@@ -61,6 +63,7 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--cases", type=Path, help="file for every case, as JSON")
     parser.add_argument("--only", choices=SUITES, action="append", help="suite to run; may be repeated")
     parser.add_argument("--limit", type=int, help="at most so many cases of each suite, spread evenly")
+    parser.add_argument("--seed", type=int, default=SEED, help="of what is drawn: noise and true values")
     parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1), help="processes; default 2")
     return parser.parse_args()
 
@@ -117,11 +120,17 @@ def _page(outcomes: list[Outcome], seconds: float, jobs: int) -> list[str]:
         "declared model is fitted, nuisances included, to the rig's modes without noise, in standard deviations.",
         "Intervals are Clopper-Pearson's for 95 %.",
         "",
+        f"Seed {outcomes[0].case.seed}. The diagnosis was developed with seed {SEED} at hand; others are fresh draws",
+        "of noise and true values (`--seed`).",
+        "",
         "## Requirements",
         "",
         "| suite | must show | measured | interval | |",
         "|---|---|---|---|---|",
         *_requirements(by_suite, regular),
+        "",
+        f"{sum(o.renamed for o in regular)} cases count as named by another name of their cause only"
+        " (`SAME` in `benchmarks/suites.py`).",
         "",
         "## Outcomes by suite",
         "",

@@ -1,4 +1,7 @@
-"""Sizes of the causes in the suites: `strengths` found them before any diagnosis, and no result changes them.
+"""Sizes of the causes in the suites, as `strengths` found them: by their predicted signal, not by any diagnosis.
+
+Those of pairs and of causes outside the catalogue were found a second time, at the poses of each case, after a first
+run in which some of them gave less signal than they should have (a few were invisible).
 
 All in SI units.  Two kinds of causes need a word.  One that ties the robot to ground (`TYING`) makes modes
 measurable that were rigid, which the declared model lacks altogether: 300 sigma each, however weak the tie.  Its

@@ -7,8 +7,8 @@ is taken at the declared values of the nuisances and at the poses that a diagnos
 
     python benchmarks/strengths.py          # finds the sizes again and prints their tables, in seven minutes
 
-The sizes were found once, at scattered poses.  Signals at other poses differ, so that each case of the suites has its
-own computed again.
+Single effects and wrong values are sized at scattered poses, the others at their own.  Signals differ with the poses
+that are held out, so that each case of the suites has its own computed again.
 """
 
 from __future__ import annotations
@@ -195,7 +195,7 @@ STARTS = {
     "one_gearbox": 1e-8,
     "pulley_mount": 1e-11,
 }
-#: Poses at which sizes are chosen, those of pairs excepted.
+#: Poses at which the sizes of single effects and wrong values are chosen.
 PLAN = "scattered"
 
 

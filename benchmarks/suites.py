@@ -2,7 +2,7 @@
 
 The rig is MuJoCo's physics and shares no code with the model.  In every case the true values of the uncertain
 parameters are drawn from their priors, so that the robot is not the one that its file declares.  Everything is
-fixed by seeds; sizes are those of `strengths`, and were chosen before any diagnosis.
+fixed by seeds; the sizes of causes are those of `sizes`.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ class Case:
     Attributes
     ----------
     suite, number
-        Which case it is; both are its seed.
+        Which case it is.
     plan : str
         Poses.
     truth : Truth
@@ -83,6 +83,8 @@ class Case:
         Of `rig_measurements.measure_modes`.
     edit : str
         What happens to the rows of the file, see `edited`.
+    seed : int
+        Of everything that is drawn, with suite and number.
     """
 
     suite: str
@@ -94,6 +96,7 @@ class Case:
     shapes: tuple[str, ...] = SHAPES
     options: Mapping[str, float] = field(default_factory=dict)
     edit: str = ""
+    seed: int = SEED
 
     @property
     def label(self) -> str:
@@ -195,7 +198,7 @@ def _case(
 
 def measured(case: Case) -> str:
     """Text of the file of a case's measurements."""
-    rng = np.random.default_rng([SEED, list(SUITES).index(case.suite), case.number])
+    rng = np.random.default_rng([case.seed, list(SUITES).index(case.suite), case.number])
     uncertain = {path: q for path, q in read(case.truth.robot).quantities.items() if q.sigma}
     drawn = {path: q.value + q.sigma * rng.standard_normal() for path, q in uncertain.items()}
     truth = replace(case.truth, values={**drawn, **case.truth.values})
