@@ -70,6 +70,13 @@ class BaseEvaluation:
 class SystemOfEffects:
     """The extended matrices of one robot, and which of their coordinates are free.
 
+    Parameters
+    ----------
+    parameters : Parameters
+    effects : mapping of str to float
+        By ``<effect>.<parameter>``; a compliance that one joint has beyond the others of its effect by
+        ``<effect>.<parameter>.<coordinate>``, such as ``gearbox_compliance.compliance.psi_2``.
+
     Attributes
     ----------
     free : ndarray of int, shape (n,)
@@ -82,10 +89,15 @@ class SystemOfEffects:
         from pkmodes_generated.linear_delta import extended
 
         self._generated, self._parameters = extended, parameters
-        self.effects = extended.Effects(**{path.replace(".", "_"): value for path, value in effects.items()})
+        shared, single = _told_apart(effects)
+        self.effects = extended.Effects(**shared)
+        base = len(generated.COORDINATES)
         with np.errstate(divide="ignore"):
             stiffness, rates = extended.joint_stiffness(self.effects)
-        base = len(generated.COORDINATES)
+            for coordinate, name, value in single:
+                place = extended.COORDINATES.index(coordinate) - base
+                beyond = extended.Effects(**{**shared, name: shared.get(name, 0.0) + value})
+                stiffness[place], rates[place] = (a[place] for a in extended.joint_stiffness(beyond))
         free = np.isfinite(stiffness)  # a joint without compliance is infinitely stiff: locked
         self.free = np.concatenate([np.arange(base), base + np.flatnonzero(free)])
         self._joints = np.concatenate([np.zeros(base), np.where(free, stiffness, 0.0)])
@@ -99,10 +111,21 @@ class SystemOfEffects:
         K[..., diagonal, diagonal] += self._joints
         return M, K
 
-    def derivatives(self, p: Array) -> tuple[Array, Array]:
-        """Derivatives of the entries of M and of K that the generated model lists, each (N, entries)."""
-        M_theta, K_theta = self._single(self._generated.extended_sensitivities, p)
-        return M_theta, K_theta
+    def derivatives(self, p: Array, *, geometry: bool) -> tuple[Array, Array]:
+        """Derivatives of the entries of M and of K that the generated model lists, each (N, entries).
+
+        Those by the geometry come last and take most of the time: zeros where they are not asked for.
+        """
+        M_theta, K_theta = self._single(self._generated.value_sensitivities, p)
+        if geometry:
+            also = self._single(self._generated.geometry_sensitivities, p)
+        else:
+            also = tuple(np.zeros((len(p), count)) for count in self._entries_of_geometry())
+        return np.hstack([M_theta, also[0]]), np.hstack([K_theta, also[1]])
+
+    def _entries_of_geometry(self) -> tuple[int, int]:
+        listed = self._generated.GEOMETRY_SENSITIVITIES
+        return sum(len(entry[2]) for entry in listed), sum(len(entry[3]) for entry in listed)
 
     def _single(self, function: Callable[..., tuple[Array, ...]], p: Array) -> tuple[Array, ...]:
         """One pose is evaluated in numbers, which is several times faster than in arrays of one."""
@@ -146,17 +169,29 @@ class ExtendedEvaluation:
 
 def active_effects(effects: Mapping[str, float]) -> tuple[str, ...]:
     """Names of the effects that are not null; constants such as a frame's mass make none active."""
-    if not effects:
+    present = {".".join(path.split(".")[:2]) for path, value in effects.items() if value != 0.0}
+    if not present:
         return ()
     from pkmodes_generated.linear_delta import extended
 
     return tuple(
         name
         for name, *_, described in extended.EFFECTS
-        if any(
-            fitted and effects.get(f"{name}.{parameter}", 0.0) != 0.0 for parameter, *_, fitted in described
-        )
+        if any(fitted and f"{name}.{parameter}" in present for parameter, *_, fitted in described)
     )
+
+
+def _told_apart(effects: Mapping[str, float]) -> tuple[dict[str, float], list[tuple[str, str, float]]]:
+    """Parameters of the generated effects, and (coordinate, parameter, value) of those of one joint."""
+    shared: dict[str, float] = {}
+    single = []
+    for path, value in effects.items():
+        effect, parameter, *coordinate = path.split(".")
+        if coordinate:
+            single.append((coordinate[0], f"{effect}_{parameter}", value))
+        else:
+            shared[f"{effect}_{parameter}"] = value
+    return shared, single
 
 
 def evaluation(parameters: Parameters, effects: Mapping[str, float]) -> Evaluation:

@@ -257,20 +257,30 @@ TYPICAL = {
 UNITS = {f"{name}_{p[0]}": p[1] for name, *_, described in extended.EFFECTS for p in described}
 
 
+#: Parameters by which there are derivatives, as the two functions list them.
+LISTED = (*extended.VALUE_SENSITIVITIES, *extended.GEOMETRY_SENSITIVITIES)
+
+
 def sensitivities(p: np.ndarray, parameters: Parameters, chosen: extended.Effects) -> list[np.ndarray]:
     """Derivatives of M and K by every parameter, whole: what is not listed is zero, what is, symmetric."""
+    by_value = spread(extended.value_sensitivities(p, parameters, chosen), extended.VALUE_SENSITIVITIES)
+    by_geometry = spread(
+        extended.geometry_sensitivities(p, parameters, chosen), extended.GEOMETRY_SENSITIVITIES
+    )
+    return [np.concatenate(both) for both in zip(by_value, by_geometry, strict=True)]
+
+
+def spread(entries: tuple[np.ndarray, ...], listed: tuple) -> list[np.ndarray]:
     n, found = len(extended.COORDINATES), []
-    for matrix, values in enumerate(extended.extended_sensitivities(p, parameters, chosen)):
-        places = [
-            (i, *place) for i, entry in enumerate(extended.SENSITIVITIES) for place in entry[2 + matrix]
-        ]
+    for matrix, values in enumerate(entries):
+        places = [(i, *place) for i, entry in enumerate(listed) for place in entry[2 + matrix]]
         assert values.shape == (len(places),)
         assert len(set(places)) == len(places)
-        whole = np.zeros((len(extended.SENSITIVITIES), n, n))
+        full = np.zeros((len(listed), n, n))
         for (i, row, column), value in zip(places, values, strict=True):
             assert row <= column
-            whole[i, row, column] = whole[i, column, row] = value
-        found.append(whole)
+            full[i, row, column] = full[i, column, row] = value
+        found.append(full)
     return found
 
 
@@ -284,7 +294,7 @@ def test_sensitivities_equal_complex_step_and_central_differences(seed: int, nul
     chosen = effects() if null else effects(**active)
     derivatives = sensitivities(p, parameters, chosen)
     now = matrices(p, parameters, chosen)
-    for i, (field, index, *_) in enumerate(extended.SENSITIVITIES):
+    for i, (field, index, *_) in enumerate(LISTED):
         size = typical[field] if field in typical else np.abs(np.asarray(getattr(parameters, field))).max()
         step = 1e-4 * size
         by_complex_step = difference(matrices, p, parameters, chosen, field, index, 1e-30j)
@@ -322,7 +332,7 @@ def difference(
 def test_a_rails_origin_counts_as_its_joint_with_opposite_sign(field: str) -> None:
     parameters, p = robot(0)
     found, _ = sensitivities(p, parameters, effects())
-    i = [(name, index) for name, index, *_ in extended.SENSITIVITIES].index(("joint", (1, 2)))
+    i = [(name, index) for name, index, *_ in LISTED].index(("joint", (1, 2)))
     value = np.array(getattr(parameters, field), dtype=complex)
     value[1, 2] += 1e-30j
     M, _ = matrices(p, parameters._replace(**{field: value}), effects())

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sympy import Expr, Integer, diff
+from sympy import Expr, Integer, Symbol, diff
 
 from pkmodes_derive import lagrangian
 from pkmodes_derive.effect import Effect
@@ -34,7 +34,21 @@ def derive(effects: Sequence[Effect]) -> Model:
         for field in (*sy.fields, *machine.fields)
         for symbol, index in zip(field.symbols, field.indices, strict=True)
     }
-    sensitivities, places = extended.sensitivities()
+    of_values, of_geometry = sensitivity.values(machine), sensitivity.geometry(machine)
+    values, places = extended.sensitivities(
+        "value_sensitivities",
+        "Derivatives of M and K by every parameter that moves no carriage, at a fixed platform pose.",
+        "chain rule",
+        of_values,
+        "",
+    )
+    geometry, places_of_geometry = extended.sensitivities(
+        "geometry_sensitivities",
+        "Derivatives of M and K by the platform joints and link lengths, at a fixed platform pose.",
+        "implicit function theorem and chain rule; the carriages follow the parameter",
+        of_geometry,
+        "; by a rail's origin, the opposite of those by its joint",
+    )
     return Model(
         mechanism="linear_delta",
         coordinates=tuple(
@@ -51,7 +65,8 @@ def derive(effects: Sequence[Effect]) -> Model:
             extended.platform_motion("extended_platform_motion"),
             extended.joints(),
             extended.static_equilibrium("extended_static_equilibrium"),
-            sensitivities,
+            values,
+            geometry,
         ),
         constants=(
             (
@@ -63,10 +78,15 @@ def derive(effects: Sequence[Effect]) -> Model:
             (
                 "By which parameters the derivatives are taken: field of Parameters or Effects, index in it, and the "
                 "(row, column) of the entries of M and of K that depend on it, in the upper triangle.",
-                "SENSITIVITIES",
+                "VALUE_SENSITIVITIES",
+                tuple((*place[theta], *entries) for theta, entries in zip(of_values, places, strict=True)),
+            ),
+            (
+                "The same for the geometry, which moves the carriages.",
+                "GEOMETRY_SENSITIVITIES",
                 tuple(
                     (*place[theta], *entries)
-                    for theta, entries in zip(sensitivity.parameters(machine), places, strict=True)
+                    for theta, entries in zip(of_geometry, places_of_geometry, strict=True)
                 ),
             ),
         ),
@@ -223,23 +243,24 @@ class _Extended:
             self.kin.definitions,
         )
 
-    def sensitivities(self) -> tuple[Function, tuple[tuple[Places, Places], ...]]:
+    def sensitivities(
+        self, name: str, title: str, source: str, parameters: Sequence[Symbol], also: str
+    ) -> tuple[Function, tuple[tuple[Places, Places], ...]]:
         """The derivatives, and for each parameter which entries of M and of K they are."""
-        chain = sensitivity.PoseChain(self.machine, self.kin, self.energies, self.equilibrium)
+        chain = sensitivity.PoseChain(self.machine, self.kin, self.energies, self.equilibrium, parameters)
         K = [[a + b for a, b in zip(*rows, strict=True)] for rows in zip(self.K_el, self.K_g, strict=True)]
         dM, dK = (chain.derivatives(matrix) for matrix in (self.M, K))
         function = Function(
-            "extended_sensitivities",
-            "Derivatives of M and K by every parameter, at a fixed platform pose.",
-            "implicit function theorem and chain rule; the carriages follow the parameter",
+            name,
+            title,
+            source,
             self.pose,
             (
                 _listed("M_theta", dM, "unit of M by that of the parameter", "dM/dtheta"),
                 _listed("K_theta", dK, "unit of K by that of the parameter", "dK/dtheta"),
             ),
             chain.chain.definitions,
-            "The entries of the upper triangles that SENSITIVITIES lists, all others being zero; by a rail's "
-            "origin, the opposite of those by its joint.",
+            f"The entries of the upper triangles that {name.upper()} lists, all others being zero{also}.",
             in_c=False,
         )
         return function, tuple(zip(map(tuple, dM), map(tuple, dK), strict=True))

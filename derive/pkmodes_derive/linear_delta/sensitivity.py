@@ -9,7 +9,8 @@ to be differentiated through square roots and inverses: with theta a parameter,
     D_l \frac{dD}{d\theta} = \frac{d(-\Phi_q)}{d\theta} - \frac{dD_l}{d\theta} D, \qquad
     D_l^T \frac{d\mu}{d\theta} = \frac{dV_p}{d\theta} - \frac{dD_l^T}{d\theta} \mu .
 
-Everything else is the chain rule over named values.
+Everything else is the chain rule over named values.  Where the parameter moves no carriage, most of it is zero:
+those parameters have a function of their own, which is several times shorter than that of the geometry.
 """
 
 from __future__ import annotations
@@ -26,17 +27,14 @@ from pkmodes_derive.linear_delta.machine import Machine
 from pkmodes_derive.linear_delta.statics import Statics
 
 
-def parameters(machine: Machine) -> tuple[Symbol, ...]:
-    """Parameters by which M and K are differentiated, in the order of the generated arrays.
+def values(machine: Machine) -> tuple[Symbol, ...]:
+    """Parameters by which M and K are differentiated and that move no carriage, in the order of the arrays.
 
-    Directions, branches and driven pulleys are choices, not quantities.  A rail's origin enters only through
-    its difference from the platform joint, so its derivatives are those by the joint with opposite sign; the
-    compliances of released joints are not in M and K but in the springs that are added to K.
+    Directions, branches and driven pulleys are choices, not quantities.  The compliances of released joints are
+    not in M and K but in the springs that are added to K.
     """
     sy = machine.sy
-    of_robot = (sy.m_p, *sy.g, *(c for vector in sy.b for c in vector))
     by_axis = (
-        sy.l_d,
         sy.m_d,
         sy.m_t,
         sy.l_t,
@@ -51,27 +49,43 @@ def parameters(machine: Machine) -> tuple[Symbol, ...]:
     )
     springs = set(machine.compliances)
     of_effects = (s for field in machine.fields for s in field.symbols if s not in springs)
-    return (*of_robot, *(s for group in by_axis for s in group), *of_effects)
+    return (sy.m_p, *sy.g, *(s for group in by_axis for s in group), *of_effects)
+
+
+def geometry(machine: Machine) -> tuple[Symbol, ...]:
+    """Parameters that move the carriages.
+
+    A rail's origin enters only through its difference from the platform joint, so its derivatives are those by
+    the joint with opposite sign.
+    """
+    sy = machine.sy
+    return (*(c for vector in sy.b for c in vector), *sy.l_d)
 
 
 class PoseChain:
     """The chain rule at a fixed pose: definitions as they are evaluated, rules by the theorem above."""
 
     def __init__(
-        self, machine: Machine, kinematics: Kinematics, energies: Energies, statics: Statics
+        self,
+        machine: Machine,
+        kinematics: Kinematics,
+        energies: Energies,
+        statics: Statics,
+        parameters: Sequence[Symbol],
     ) -> None:
+        self.parameters = tuple(parameters)
         self.machine, self.kinematics, self.energies, self.statics = machine, kinematics, energies, statics
         self.chain = Chain()
         for symbol, expression in kinematics.definitions.items():
             self.chain.define(symbol, expression)
-        for theta in parameters(machine):
+        for theta in self.parameters:
             self._follow(theta)
 
     def derivatives(self, matrix: Sequence[Sequence[Expr]]) -> list[dict[tuple[int, int], Expr]]:
         """Derivatives of a symmetric matrix by every parameter: entries of its upper triangle that are not zero."""
         n = len(matrix)
         found = []
-        for theta in parameters(self.machine):
+        for theta in self.parameters:
             upper = {
                 (k, m): self.chain.derivative(matrix[k][m], theta) for k in range(n) for m in range(k, n)
             }

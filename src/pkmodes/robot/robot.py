@@ -27,7 +27,8 @@ class Robot:
         Every declared value with its standard deviation, by dotted path (``platform.mass``,
         ``axis.1.belt.width`` where an axis overrides, ``axis.1.limits.min``, ``gravity.z``).
     effects : mapping of str to float
-        Parameters of the declared effects in SI units, by ``<effect>.<parameter>``.
+        Parameters of the declared effects in SI units, by ``<effect>.<parameter>``; no file declares them, but a
+        diagnosis tries compliances of single joints too, by ``<effect>.<parameter>.<coordinate>``.
     constants : mapping of str to float
         Parameters that effects take from elsewhere in the file and that are never fitted (the frame's mass),
         whether or not the effect is declared.

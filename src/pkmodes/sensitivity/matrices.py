@@ -26,6 +26,10 @@ Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 
 
+#: Generated parameters by which there are derivatives: field, index, entries of M and of K; the geometry comes last.
+LISTED = (*extended.VALUE_SENSITIVITIES, *extended.GEOMETRY_SENSITIVITIES)
+
+
 class Entries(NamedTuple):
     """Which entries of a symmetric matrix the generated derivatives are, in their order.
 
@@ -43,12 +47,12 @@ class Entries(NamedTuple):
 @cache
 def _slots() -> dict[Slot, int]:
     """Generated parameters by which there are derivatives; effects by their dotted names."""
-    return {(_dotted(field), index): i for i, (field, index, *_) in enumerate(extended.SENSITIVITIES)}
+    return {(_dotted(field), index): i for i, (field, index, *_) in enumerate(LISTED)}
 
 
 @cache
 def _entries(matrix: int) -> Entries:
-    places = [(i, *place) for i, entry in enumerate(extended.SENSITIVITIES) for place in entry[2 + matrix]]
+    places = [(i, *place) for i, entry in enumerate(LISTED) for place in entry[2 + matrix]]
     return Entries(*(np.array(column, dtype=np.intp) for column in zip(*places, strict=True)))
 
 
@@ -64,12 +68,14 @@ def _dotted(field: str) -> str:
 
 @cache
 def _joints() -> dict[Slot, tuple[int, ...]]:
-    """Coordinates that each compliance releases, in the extended model."""
+    """Coordinates that each compliance releases in the extended model, of all joints or of a single one."""
     found: dict[Slot, tuple[int, ...]] = {}
     for name, _, _, coordinates, parameters in extended.EFFECTS:
-        if coordinates:
-            place = tuple(extended.COORDINATES.index(q) for q in coordinates)
+        place = tuple(extended.COORDINATES.index(q) for q in coordinates)
+        if place:
             found[f"{name}.{parameters[0][0]}", ()] = place
+        for q, one in zip(coordinates, place, strict=True):
+            found[f"{name}.{parameters[0][0]}.{q}", ()] = (one,)
     return found
 
 
@@ -99,9 +105,10 @@ class MatrixDerivatives:
         self.free = system.free
         self.M, self.K = system.all_coordinates(p)
         self._paths = tuple(paths)
-        released = {slot: place for slot, place in _joints().items() if place[0] not in set(system.free)}
+        free = set(system.free)
+        locked = {slot: tuple(q for q in place if q not in free) for slot, place in _joints().items()}
         self._locked = {
-            t: [(released[slot], weight) for slot, weight in path.weights.items() if slot in released]
+            t: [(locked[slot], weight) for slot, weight in path.weights.items() if locked.get(slot)]
             for t, path in enumerate(paths)
         }
         self.locked = tuple(t for t, joints in self._locked.items() if joints)
@@ -111,15 +118,15 @@ class MatrixDerivatives:
         for t, path in enumerate(paths):
             for (field, index), weight in path.weights.items():
                 if (field, index) in _joints():
-                    place = list(_joints()[field, index])
-                    if (field, index) not in released:
-                        self._springs[t, place] += weight * rates[place]
+                    place = [q for q in _joints()[field, index] if q in free]
+                    self._springs[t, place] += weight * rates[place]
                 elif field == "origin":  # it enters only through its difference from the platform joint
                     along[slots["joint", index], t] -= weight
                 else:
                     along[slots[field, index], t] += weight
         self._along = tuple(along[_entries(matrix).slot] for matrix in (0, 1))
-        self._values = system.derivatives(p)
+        geometry = bool(along[len(extended.VALUE_SENSITIVITIES) :].any())
+        self._values = system.derivatives(p, geometry=geometry)
 
     def dense(self) -> tuple[Array, Array]:
         """Evaluate dM and dK by each path, (N, T, n, n), in the free coordinates.
@@ -182,11 +189,11 @@ class MatrixDerivatives:
         Returns
         -------
         change : ndarray, shape (N, m, n)
-            -B^T B phi, at each mode's own eigenvalue.
+            -B^T B phi, at each mode's own eigenvalue, and the springs of its joints that are not locked.
         norm : ndarray, shape (N, m)
             Change of the modal mass by the motion of the joint.
         """
-        change, norm = np.zeros_like(shapes), np.zeros_like(eigenvalues)
+        change, norm = self._springs[t, self.free] * shapes, np.zeros_like(eigenvalues)
         for joints, weight in self._locked[t]:
             force = self.joint_forces(eigenvalues, shapes, joints)
             K, M = (a[:, list(joints)][..., self.free] for a in (self.K, self.M))
