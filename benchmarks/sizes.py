@@ -35,10 +35,13 @@ KINDS = (
     "rocking_frame",
     "one_gearbox",
     "pulley_mount",
+    "one_servo",
+    "one_span",
+    "leaning_frame",
 )
 
 #: Causes that tie the robot to ground.
-TYING = ("servo_stiffness", "cable_stiffness", "directional_cable", "hose", "bellows")
+TYING = ("servo_stiffness", "cable_stiffness", "directional_cable", "hose", "bellows", "one_servo")
 
 #: Sizes of the effects in SI units, for each of `TARGETS`.
 EFFECT_SIZES: dict[str, dict[str, tuple[float, float, float]]] = {
@@ -159,6 +162,18 @@ OUTSIDE_SIZES: tuple[float, ...] = (
     9.99e-06,  # pulley_mount, tower, line
     1.1e-06,  # pulley_mount, asymmetric, grid
     2.22e-06,  # pulley_mount, asymmetric, scattered
+    23.3,  # one_servo, published, line
+    0.0687,  # one_servo, tower, grid
+    0.139,  # one_servo, tower, scattered
+    1.75,  # one_servo, asymmetric, line
+    2.69e-06,  # one_span, published, grid
+    7.22e-06,  # one_span, published, scattered
+    1.66e-05,  # one_span, tower, line
+    8.68e-06,  # one_span, asymmetric, grid
+    2.01e-08,  # leaning_frame, published, scattered
+    9.54e-09,  # leaning_frame, tower, line
+    1.09e-08,  # leaning_frame, asymmetric, grid
+    9.97e-09,  # leaning_frame, asymmetric, scattered
 )
 
 #: Sizes of the two effects of each pair, in the order of `strengths.pairs`.

@@ -194,6 +194,9 @@ STARTS = {
     "rocking_frame": 1e-10,
     "one_gearbox": 1e-8,
     "pulley_mount": 1e-11,
+    "one_servo": 1e-3,
+    "one_span": 1e-11,
+    "leaning_frame": 1e-11,
 }
 #: Poses at which the sizes of single effects and wrong values are chosen.
 PLAN = "scattered"

@@ -52,13 +52,18 @@ OUTSIDE: dict[str, str] = {
     "thermal_drift": "frequencies change by [relative change per pose] in the order of measuring",
     "rod_taper": "the mass of a rod by its length changes linearly from 1 - [a] at the carriage to 1 + a",
     "one_gearbox": "the gearbox of axis 2 alone winds up by [compliance in rad/(N m)]",
+    "one_servo": "the position loop of axis 2 alone holds its driven pulley like a spring of [stiffness in N m/rad]",
+    "one_span": "the belt of axis 3 yields by [compliance in m/N] at a splice between its pulleys",
+    "leaning_frame": "the frame moves in one oblique direction only, on a spring of [compliance in m/N]",
     "pulley_mount": "the bearing of every pulley 2 yields along the rail by [compliance in m/N]",
 }
 
-#: Where the tuned absorber slides and the cable pulls: no plane of symmetry of any robot has these directions.
+#: Where the tuned absorber and the leaning frame slide and the cable pulls: no plane of symmetry of any robot has
+#: these directions.
 ABSORBER_DIRECTION = np.array([2.0, 1.0, -2.0]) / 3
 ABSORBER_FREQUENCY = 60.0
 CABLE_DIRECTION = np.array([6.0, -3.0, 2.0]) / 7
+LEANING_DIRECTION = np.array([2.0, -6.0, 3.0]) / 7
 #: Inertia of the rocking frame [kg m^2], and how far below the middle of its rails the axis is [m].
 ROCKING_INERTIA = 4.0
 ROCKING_DEPTH = 0.4
@@ -155,7 +160,8 @@ class _Builder:
     def _frame(self) -> ET.Element:
         """The body that carries the rails, or the ground when nothing moves it."""
         translation, rotation = self.s["frame_compliance.compliance"], self.s["rocking_frame"]
-        if not translation and not rotation:
+        leaning = self.s["leaning_frame"]
+        if not translation and not rotation and not leaning:
             return self.world
         middles = np.mean(self.parameters.limits, axis=1)[:, None] * self.parameters.direction
         weight = np.linalg.norm(self.parameters.gravity)
@@ -166,6 +172,8 @@ class _Builder:
         if translation:
             for name, axis in zip("xyz", np.eye(3), strict=True):
                 self._slide(frame, f"u_{name}", axis, stiffness=1 / translation)
+        if leaning:
+            self._slide(frame, "lean", LEANING_DIRECTION, stiffness=1 / leaning)
         if rotation:
             # Through the frame's centre of mass: its own weight takes no part.
             across = np.eye(3)[np.argmin(np.abs(down))]
@@ -209,7 +217,8 @@ class _Builder:
             pulley = f"pulley_{j}_{k}"
             body = self._wheel(self.world, pulley, self.parameters.pulley_inertia[j])
             driven = bool(self.parameters.drive[j, k - 1])
-            self._hinge(body, pulley, stiffness=self.s["servo_stiffness.stiffness"] if driven else 0.0)
+            held = self.s["servo_stiffness.stiffness"] + (self.s["one_servo"] if j == 1 else 0.0)
+            self._hinge(body, pulley, stiffness=held if driven else 0.0)
             if driven:
                 if self.s["gearbox_inertia.inertia"]:
                     self._wheel(body, f"gear_{j}", self.s["gearbox_inertia.inertia"])
@@ -254,7 +263,8 @@ class _Builder:
         pulls = ((rim_2, rim_1, yields), (clamp, rim_2, yields), (rim_1, clamp, {}))
         for k, (length, start, (ahead, behind, mount)) in enumerate(zip(lengths, starts, pulls, strict=True)):
             elongation = _sum({**ahead, **mount}, behind, 1.0, -1.0)
-            self._tendon(f"span_{j}_{k}", elongation, 1 / self._span_compliance(j, start, length))
+            splice = self.s["one_span"] if (j, k) == (2, 0) else 0.0
+            self._tendon(f"span_{j}_{k}", elongation, 1 / (self._span_compliance(j, start, length) + splice))
             density = self.s["belt_mass.linear_density"]
             if density:
                 for i, (along, part) in enumerate(zip((0.0, 0.5, 1.0), LUMPS, strict=True)):
@@ -287,7 +297,7 @@ class _Builder:
         every |= {f"psi_{j + 1}": f"psi_{j}" for j in AXES}
         every |= {f"delta_{j + 1}": f"delta_{j}" for j in AXES}
         every |= {f"eps_{j + 1}": f"clamp_{j}" for j in AXES}
-        every |= {name: name for name in ("u_x", "u_y", "u_z", "absorber", "rock")}
+        every |= {name: name for name in ("u_x", "u_y", "u_z", "lean", "absorber", "rock")}
         every |= {f"mount_{j + 1}": f"mount_{j}" for j in AXES}
         joints = {joint.get("name") for joint in self.world.iter("joint")}
         return {name: joint for name, joint in every.items() if joint in joints}

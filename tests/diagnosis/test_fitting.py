@@ -12,6 +12,7 @@ from scipy.optimize import minimize_scalar
 
 from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
 from pkmodes.diagnosis.fitting import Fit, Fitter, Hypothesis
+from pkmodes.diagnosis.left_out import left_out
 from small_structures import LogLinear, frame, frame_measured, log_linear, logs_measured
 
 SIGMA = 0.002
@@ -371,7 +372,7 @@ def test_what_others_predict_of_a_setup_is_a_fit_without_it() -> None:
             [0.05, 0.002, None, None],
         )
         expected.append(float(np.sum((y[i] - model.base[i] - model.G[i] @ values) ** 2)) / SIGMA**2)
-    squares, leverage = Fitter(model, logs_measured(y, SIGMA)).left_out(found)
+    squares, leverage = left_out(found, Fitter(model, logs_measured(y, SIGMA)).noise)
     assert squares == pytest.approx(expected, rel=1e-3)
     # A setup's largest leverage: the largest part of a combination of its residuals that the fit takes up.
     J = np.vstack([model.G.reshape(-1, 4) / SIGMA, np.eye(4)[:2] / PRIORS[:, None]])

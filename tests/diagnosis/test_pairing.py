@@ -215,3 +215,35 @@ def test_a_mode_at_zero_frequency_is_no_partner() -> None:
 def test_a_channel_that_the_model_lacks_is_refused() -> None:
     with pytest.raises(PkmodesError, match=r'no channel "roof".*channels are: a, b, c, d, e'):
         Pairer(measured([10.0], np.ones((1, 2)), channels=("a", "roof")), CHANNELS)
+
+
+def test_a_hypothesis_that_adds_modes_is_measured_by_the_same_weights() -> None:
+    """A mode far above that moves one channel a lot makes that channel light: errors there would count less."""
+    shapes = random_shapes(8, 2)
+    noisy = shapes.copy()
+    noisy[:, 0] += 0.5
+    data, every = measured([10.0, 20.0], noisy), np.ones(2, dtype=bool)
+    heavy = np.zeros((1, len(CHANNELS)))
+    heavy[0, 0] = 50.0
+    plain = predicted([10.0, 20.0], shapes)
+    more = predicted([10.0, 20.0, 500.0], np.vstack([shapes, heavy]))
+    own = [Pairer(data, CHANNELS).pair(prediction, every).mac for prediction in (plain, more)]
+    assert (own[1] > own[0] + 0.01).all()
+    pairer = Pairer(data, CHANNELS, plain)
+    same = [pairer.pair(prediction, every).mac for prediction in (plain, more)]
+    np.testing.assert_array_equal(same[1], same[0])
+    np.testing.assert_allclose(same[0], own[0])
+
+
+def test_a_hypothesis_that_brings_two_modes_together_is_not_judged_more_mildly() -> None:
+    """Shapes that were measured at frequencies far apart are compared one by one, whatever the model's do."""
+    shapes = random_shapes(9, 2)
+    turned = shapes @ np.eye(len(CHANNELS)) + 0.3 * shapes[::-1]
+    data, every = measured([10.0, 11.0], turned), np.ones(2, dtype=bool)
+    apart, together = predicted([10.0, 11.0], shapes), predicted([10.4, 10.6], shapes)
+    pairer = Pairer(data, CHANNELS, apart)
+    assert (pairer.pair(apart, every).mac < 0.99).all()
+    np.testing.assert_allclose(pairer.pair(together, every).mac, pairer.pair(apart, every).mac)
+    # Measured close together they may be turned into each other.
+    close = measured([10.0, 10.1], turned)
+    np.testing.assert_allclose(Pairer(close, CHANNELS, apart).pair(apart, every).mac, 1.0)

@@ -159,7 +159,9 @@ def test_parameters_that_do_the_same_count_once() -> None:
 
 def test_without_candidates_nothing_is_remarkable() -> None:
     model = structure(6, {})
-    assert score(*fit(model, data(model, {}, 6)), ()) == Scores((), 1.0)
+    nothing = score(*fit(model, data(model, {}, 6)), ())
+    assert nothing == Scores((), ())
+    assert nothing.p_value == 1.0
 
 
 def test_one_candidate_alone_has_its_own_p_value() -> None:

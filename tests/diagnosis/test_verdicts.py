@@ -15,6 +15,7 @@ from pkmodes.diagnosis.fitting import Fitter, Hypothesis
 from pkmodes.errors import PkmodesError
 from small_structures import (
     SIGMA,
+    STIFFNESS,
     LogLinear,
     frame,
     frame_derivatives,
@@ -97,6 +98,20 @@ def test_a_brace_is_found_with_its_stiffness() -> None:
     for r in found.corrected:
         if r.name in true:
             assert r.value == pytest.approx(true[r.name], abs=4 * r.sigma)
+
+
+@pytest.mark.parametrize("seed", [20, 37, 57])
+@pytest.mark.parametrize("times", [2.5, 9.0])
+def test_a_brace_far_stiffer_than_its_storey_is_found_though_the_nuisances_absorb_it_at_first(
+    seed: int, times: float
+) -> None:
+    loads, rng = {f"{load:g} kg": load for load in (0.0, 5.0, 10.0, 15.0, 20.0)}, np.random.default_rng(seed)
+    truth = {**uncertain(rng), "brace 6": times * STIFFNESS}
+    data = frame_measured(loads, truth, rng, storeys=6, stated=SIGMA)
+    found = checked(frame(loads, storeys=6), data)
+    assert causes(found) == ["brace 6"]
+    (value,) = found.effects[0].parameters
+    assert value.value == pytest.approx(times * STIFFNESS, abs=4 * value.sigma)
 
 
 def between(position: float, apart: float = 5.6, third: float = 0.0) -> tuple[LogLinear, Measurements]:

@@ -53,6 +53,9 @@ STRANGE = {
     "rocking_frame": 1e-6,
     "rod_taper": 0.9,
     "one_gearbox": 1e-3,
+    "one_servo": 40.0,
+    "one_span": 3e-6,
+    "leaning_frame": 4e-8,
     "pulley_mount": 2e-6,
 }
 
@@ -68,6 +71,7 @@ def adapted(robot: str, strengths: Mapping[str, float]) -> dict[str, float]:
         "servo_stiffness.stiffness": ratio,
         "gearbox_compliance.compliance": 1 / ratio,
         "one_gearbox": 1 / ratio,
+        "one_servo": ratio,
     }
     return {name: value * by.get(name, 1.0) for name, value in strengths.items()}
 
@@ -223,9 +227,10 @@ def test_what_is_outside_the_catalogue_shows_and_vanishes(robot: str, kind: str)
     np.testing.assert_array_equal(absent.frequencies, base.frequencies)
     strength = adapted(robot, STRANGE)[kind]
     present = true_modes(parameters, p, {}, {kind: strength})
-    added = {"tuned_absorber": 1, "rocking_frame": 1, "one_gearbox": 1, "pulley_mount": 3}.get(kind, 0)
+    single = ("tuned_absorber", "rocking_frame", "leaning_frame", "one_gearbox")
+    added = 3 if kind == "pulley_mount" else int(kind in single)
     assert len(present.frequencies) == 9 + added
-    assert present.rigid == {"directional_cable": 2, "hose": 2, "bellows": 0}.get(kind, 3)
+    assert present.rigid == {"directional_cable": 2, "hose": 2, "one_servo": 2, "bellows": 0}.get(kind, 3)
     assert np.abs(present.frequencies[3:9] / base.frequencies[3:9] - 1).max() > 2e-3
     small = true_modes(parameters, p, {}, {kind: 1e-6 * strength})
     kept = small.frequencies[3:9]

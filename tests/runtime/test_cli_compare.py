@@ -116,6 +116,35 @@ def test_json_holds_the_result_and_every_row(tmp_path: Path) -> None:
     assert json.loads(out.read_text(encoding="utf-8")) == found
 
 
+def test_an_uncertain_position_widens_every_error(tmp_path: Path) -> None:
+    """By the slope of each mode along x, here from differences of the model; the modes of a pose err together."""
+    rows, sigma_x = rows_of(measured()), 0.002
+    uncertain = [{**row, "sigma_x": str(sigma_x)} for row in rows]
+    plain = call(PUBLISHED, write(tmp_path, csv_of(rows)), "--json", "-").json
+    found = call(PUBLISHED, write(tmp_path, csv_of(uncertain)), "--json", "-").json
+    model, chi2 = pkmodes.load(PUBLISHED), 0.0
+    for label in dict.fromkeys(row["pose"] for row in rows):
+        slopes, errors, left = [], [], []
+        for row, before in zip(found["rows"], plain["rows"], strict=True):
+            if row["pose"] != label:
+                continue
+            point = [float(rows[row["line"] - 2][name]) for name in "xyz"]
+            ahead, behind = (
+                np.log(model.modes([point[0] + step, *point[1:]]).frequencies[row["partner"] - 1])
+                for step in (1e-6, -1e-6)
+            )
+            slopes.append((ahead - behind) / 2e-6)
+            errors.append(row["sigma"] / row["measured"])
+            left.append(before["sigmas"] * errors[-1])
+            wider = np.hypot(errors[-1], slopes[-1] * sigma_x)
+            assert row["sigmas"] == pytest.approx(left[-1] / wider, rel=1e-5)
+            assert row["residual"] == before["residual"]
+        V = np.diag(np.square(errors)) + sigma_x**2 * np.outer(slopes, slopes)
+        chi2 += np.array(left) @ np.linalg.solve(V, left)
+    assert found["chi2_per_dof"] == pytest.approx(chi2 / len(rows), rel=1e-5)
+    assert found["chi2_per_dof"] < plain["chi2_per_dof"]
+
+
 def test_the_table_has_a_line_for_each_mode_counted_as_modes_does(tmp_path: Path) -> None:
     answer = call(PUBLISHED, write(tmp_path, measured()))
     assert (answer.code, answer.err) == (0, "")

@@ -3,6 +3,9 @@
 A declared value with a standard deviation is a nuisance, one without may be suspected, and one with a standard
 deviation of 0 is known.  Limits and platform joints are suspected as wholes, under ``axis.span`` and
 ``axis.joint_radius``.
+
+What concerns a single axis is remote: a value of one axis where the file gives one for all, and, outside the
+catalogue, a compliance of the catalogue in one joint alone, which has no name there.
 """
 
 from __future__ import annotations
@@ -49,8 +52,15 @@ def suspects(
     """
     nuisances = [path for path in _varying(robot) if robot.quantities[path].sigma]
     candidates = _chosen(robot, chosen)
+    if chosen is None:
+        candidates += _of_one_axis(robot)
     names = dict.fromkeys([*nuisances, *(name for candidate in candidates for name in candidate.parameters)])
-    moves = [resolve(robot, name) for name in names]
+    joints = _joints(robot) if candidates else {}
+    moves = [*(resolve(robot, name) for name in names), *joints.values()]
+    candidates += [
+        Candidate(name, (move.path,), f"{name} yields", remote=True, nameable=False)
+        for name, move in joints.items()
+    ]
     return [_parameter(robot, move) for move in moves], candidates, moves
 
 
@@ -88,8 +98,17 @@ def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
         raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", remedy)
     _refuse_declared(robot, path, [path, *_elements(robot, path)])
     shared = re.sub(r"^axis\.[123]\.", "", path)
-    if path not in robot.quantities and shared in robot.quantities and robot.quantities[shared].sigma == 0.0:
-        _refuse_declared(robot, shared, [shared])
+    if (
+        path not in robot.quantities
+        and shared in robot.quantities
+        and robot.quantities[shared].sigma is not None
+    ):
+        state = "refitted for all axes together" if robot.quantities[shared].sigma else "known exactly"
+        raise PkmodesError(
+            f"{shared} is {state}: the robot file gives a sigma",
+            "candidates",
+            f"declare {path} in the robot file, without a sigma, to have it suspected",
+        )
     resolve(robot, path)
     return Candidate(name, (path,), f"the declared value of {path} is wrong")
 
@@ -146,12 +165,39 @@ def _suspected(robot: Robot) -> dict[str, Candidate]:
     }
 
 
+def _of_one_axis(robot: Robot) -> list[Candidate]:
+    """Values that the file gives for several axes, of one of them alone; not where a sigma says that it is known."""
+    found, known = [], paths(robot)
+    for path in known:
+        shared = re.sub(r"^axis\.[123]\.", "", path)
+        if shared != path and path not in robot.quantities and shared in known:
+            following = [j for j in "123" if f"axis.{j}.{shared}" not in robot.quantities]
+            if robot.quantities[shared].sigma is None and len(following) > 1:
+                sentence = f"the value of {path} is not that of the other axes"
+                found.append(Candidate(f"{PREFIX}{path}", (path,), sentence, remote=True))
+    return found
+
+
+def _joints(robot: Robot) -> dict[str, ParameterPath]:
+    """Compliances in single joints: those of the catalogue are in all joints of their kind."""
+    found = {}
+    for effect in CATALOGUE.values():
+        name, unit = f"{effect.name}.{effect.parameters[0].name}", effect.parameters[0].unit
+        declared = robot.quantities.get(f"effects.{name}")
+        for q in effect.coordinates if declared is None or declared.sigma != 0.0 else ():
+            slot = (f"{name}.{q}", ())
+            found[f"{effect.name} of {q} alone"] = ParameterPath(
+                f"effects.{name}.{q}", 0.0, unit, {slot: 1.0}
+            )
+    return found
+
+
 def _parameter(robot: Robot, move: ParameterPath) -> Parameter:
     quantity = robot.quantities.get(move.path)
     sigma = quantity.sigma if quantity is not None and quantity.sigma else None
     lower, upper = -np.inf, np.inf
     if move.path.startswith("effects."):
-        _, effect, name = move.path.split(".")
+        _, effect, name, *_ = move.path.split(".")
         lower = next(p.greater_than for p in CATALOGUE[effect].parameters if p.name == name)
     elif not any(part in f".{move.path}" for part in SIGNED):
         lower = 0.0

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import stats
 
+from pkmodes.diagnosis.fitting import Fitter
 from pkmodes.diagnosis.matrices import at_measured
-from pkmodes.diagnosis.pairing import Pairer
 from pkmodes.diagnosis.problem import Structure
 from pkmodes.measured.measurements import Measurements
 
@@ -30,7 +30,7 @@ class ComparedRow:
     residual : float or None
         predicted / measured - 1.
     sigmas : float or None
-        Difference of the logarithms in standard deviations of the measurement.
+        Difference of the logarithms in standard deviations of the measurement, that of its position included.
     mac : float or None
         Modal assurance criterion where shapes were measured.
     """
@@ -81,12 +81,12 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
     data : Measurements
     """
     structure = at_measured(structure, data.labels)
-    prediction = structure.predict(np.array([p.value for p in structure.parameters]), ())
+    fitter = Fitter(structure, data)
     every = np.ones(len(data.frequency), dtype=bool)
-    pairing = Pairer(data, structure.channels).pair(prediction, every)
-    logs = prediction.log_frequencies[data.pose, np.maximum(pairing.partner, 0)]
-    predicted, paired = np.exp(logs), pairing.partner >= 0
-    sigmas = (logs - np.log(data.frequency)) * data.frequency / data.sigma
+    pairing, *_ = fitter.unfitted(fitter.declared, every)
+    paired = pairing.partner >= 0
+    pairing, left, sigma, chi2 = fitter.unfitted(fitter.declared, paired)
+    predicted, sigmas = data.frequency * np.exp(-left), -left / sigma
     residual = predicted / data.frequency - 1.0
     rows = tuple(
         ComparedRow(
@@ -105,7 +105,7 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
     )
     if not paired.any():
         return Comparison(rows, None, None, None)
-    count, chi2 = int(paired.sum()), float(np.sum(sigmas[paired] ** 2))
+    count = int(paired.sum())
     return Comparison(
         rows,
         rms_relative=float(np.sqrt(np.mean(residual[paired] ** 2))),

@@ -22,6 +22,8 @@ from pkmodes.measured.measurements import Measurements
 
 #: Steps of a fit; four or five are enough where the data tell.
 MOST_STEPS = 18
+#: Steps of a rough fit, which shows whether more are worth their time.
+ROUGH_STEPS = 6
 #: Rounds of pairing and fitting; the pairing is stable after two or three.
 ROUNDS = 3
 #: Length of the solver's first step, at least, in standard deviations.
@@ -78,10 +80,12 @@ class Fit:
         ln f measured minus model; clipped where there is no partner, 0 where excluded.
     white, jacobian : ndarray, shape (R + priors,) and (R + priors, k)
         Whitened residual and its derivatives by the fitted parameters.
-    shape_misfit : float
-        Sum of 1 - MAC over the rows.
+    shape_misfit : ndarray, shape (R,)
+        1 - MAC; 0 where no shape was measured or the row is excluded.
     at_bound : tuple of str
         Parameters of causes that stopped at a bound other than their absence.
+    converged : bool
+        Whether the steps were enough.
     """
 
     hypothesis: Hypothesis
@@ -96,8 +100,9 @@ class Fit:
     residual: Array
     white: Array
     jacobian: Array
-    shape_misfit: float
+    shape_misfit: Array
     at_bound: tuple[str, ...]
+    converged: bool
 
     @property
     def causes(self) -> tuple[Candidate, ...]:
@@ -124,7 +129,7 @@ class Fitter:
         self.log = np.log(data.frequency)
         self.noise = Noise(data)
         self.sigma = self.noise.sigma
-        self.pairer = Pairer(data, structure.channels)
+        self.pairer = Pairer(data, structure.channels, structure.predict(self.declared, ()))
 
     def indices(self, cause: Candidate) -> tuple[int, ...]:
         """Indices of a cause's parameters."""
@@ -157,12 +162,31 @@ class Fitter:
         if not np.isfinite(prediction.eigenvalues).all():
             return np.inf
         used = self.used(hypothesis)
-        residual = self.residual(prediction, self.pairer.pair(prediction, used), used)
+        pairing = self.pairer.pair(prediction, used, compare=False)
+        residual = self.residual(prediction, pairing, used)
         return float(np.sum((residual / self.sigma) ** 2))
+
+    def unfitted(self, values: Array, used: NDArray[np.bool_]) -> tuple[Pairing, Array, Array, float]:
+        """What these values give without any fit, the errors of uncertain positions counted.
+
+        Returns
+        -------
+        pairing : Pairing
+        residual, sigma : ndarray, shape (R,)
+            ln f measured minus model, and its standard deviation.
+        chi2 : float
+            Whitened sum of squares of the rows in use.
+        """
+        prediction = self.structure.predict(values, ())
+        pairing = self.pairer.pair(prediction, used)
+        motion = self._motion(values, pairing)
+        residual = self.residual(prediction, pairing, used)
+        white = self.noise.whitened(residual, self.noise.whitening(motion, used, 0.0))
+        return pairing, residual, self.noise.standard_deviations(motion), float(white @ white)
 
     # Fits --------------------------------------------------------------------------------------------------
 
-    def fit(self, hypothesis: Hypothesis, start: Array | None = None) -> Fit | None:
+    def fit(self, hypothesis: Hypothesis, start: Array | None = None, *, rough: bool = False) -> Fit | None:
         """Fit a hypothesis; None where the structure cannot be evaluated.
 
         Parameters
@@ -170,16 +194,18 @@ class Fitter:
         hypothesis : Hypothesis
         start : ndarray, optional
             Values of all parameters to begin with; by default the declared ones.
+        rough : bool, optional
+            Stop after a few steps, wherever they lead.
         """
         values = np.array(self.declared if start is None else start)
         added = (i for cause in hypothesis.causes for i in self.indices(cause))
         free = tuple(dict.fromkeys([*self.nuisances, *added]))  # causes may share a parameter
-        used, tau, pairing = self.used(hypothesis), 0.0, None
+        used, tau, pairing, converged = self.used(hypothesis), 0.0, None, True
         for _ in range(ROUNDS):
             prediction = self.structure.predict(values, ())
             if not np.isfinite(prediction.eigenvalues).all():
                 return None
-            before, pairing = pairing, self.pairer.pair(prediction, used)
+            before, pairing = pairing, self.pairer.pair(prediction, used, compare=False)
             if (
                 before is not None
                 and np.array_equal(before.partner, pairing.partner)
@@ -187,11 +213,12 @@ class Fitter:
             ):
                 break
             whitening = self.noise.whitening(self._motion(values, pairing), used, tau)
-            values = self._least_squares(values, free, pairing, used, whitening)
+            steps = ROUGH_STEPS if rough else MOST_STEPS
+            values, converged = self._least_squares(values, free, pairing, used, whitening, steps)
             if hypothesis.scatter:
                 residual = self.residual(self.structure.predict(values, ()), pairing, used)
                 tau = self.noise.shared_error(residual, self._motion(values, pairing), used)
-        return self._finished(hypothesis, values, free, used, tau)
+        return self._finished(hypothesis, values, free, used, tau, converged)
 
     def _finished(
         self,
@@ -200,6 +227,7 @@ class Fitter:
         free: tuple[int, ...],
         used: NDArray[np.bool_],
         tau: float,
+        converged: bool,
     ) -> Fit | None:
         prediction = self.structure.predict(values, free)
         if not np.isfinite(prediction.eigenvalues).all():
@@ -226,8 +254,9 @@ class Fitter:
             residual=residual,
             white=white,
             jacobian=jacobian,
-            shape_misfit=float(lacking[used].sum()),
+            shape_misfit=np.where(used, lacking, 0.0),
             at_bound=self._at_bound(hypothesis, values),
+            converged=converged,
         )
 
     def difference(self, a: Fit, b: Fit) -> float:
@@ -239,29 +268,6 @@ class Fitter:
         between = self.noise.whitened(np.where(used, a.residual - b.residual, 0.0), whitening)
         priors = self._prior(a.values) - self._prior(b.values)
         return float(between @ between + priors @ priors)
-
-    def left_out(self, fit: Fit) -> tuple[Array, Array]:
-        """Predict each setup by a fit to the others, to first order.
-
-        With H the projection on the derivatives, the residual of a setup that takes no part is
-        (1 - H_ii)^-1 r_i: nothing has to be fitted again.
-
-        Returns
-        -------
-        squares : ndarray, shape (S,)
-            Sum of squares of each setup.
-        leverage : ndarray, shape (S,)
-            Largest eigenvalue of H_ii: near 1 the setup alone determines something, and nothing predicts it.
-        """
-        size = np.linalg.norm(fit.jacobian, axis=0)
-        u, s, _ = np.linalg.svd(fit.jacobian / np.where(size > 0.0, size, 1.0), full_matrices=False)
-        basis, squares, leverage = u[:, s > 1e-9], [], []
-        for rows in self.noise.rows:
-            block = basis[rows] @ basis[rows].T
-            predicted = np.linalg.lstsq(np.eye(len(rows)) - block, fit.white[rows], rcond=1e-9)[0]
-            squares.append(float(predicted @ predicted))
-            leverage.append(float(np.linalg.eigvalsh(block)[-1]) if len(rows) else 0.0)
-        return np.array(squares), np.array(leverage)
 
     def signatures(self, fit: Fit, by: Sequence[int]) -> tuple[Array, Array]:
         """Derivatives of ln f by parameters at a fit, (R, T), and whitened with no priors, (R + priors, T)."""
@@ -280,9 +286,10 @@ class Fitter:
         pairing: Pairing,
         used: NDArray[np.bool_],
         whitening: Whitening,
-    ) -> Array:
+        steps: int,
+    ) -> tuple[Array, bool]:
         if not free:
-            return values
+            return values, True
         index = list(free)
         lower = np.array([self.parameters[i].lower for i in free])
         upper = np.array([self.parameters[i].upper for i in free])
@@ -324,9 +331,9 @@ class Fitter:
             ftol=1e-6,
             xtol=1e-8,
             gtol=1e-8,
-            max_nfev=MOST_STEPS,
+            max_nfev=steps,
         )
-        return at(found.x)
+        return at(found.x), bool(found.status > 0)
 
     def _prior(self, values: Array) -> Array:
         return np.array(

@@ -69,6 +69,15 @@ class Noise:
             factors.append(np.linalg.cholesky(V).astype(float))
         return factors
 
+    def standard_deviations(self, motion: Array | None) -> Array:
+        """Of ln f of each row, with the position's part where it is uncertain, (R,)."""
+        if motion is None:
+            return self.sigma
+        by_position = np.empty_like(self.sigma)
+        for setup, rows in enumerate(self.rows):
+            by_position[rows] = ((motion[rows] * self._position_sigma[setup]) ** 2).sum(axis=1)
+        return np.sqrt(self.sigma**2 + by_position)
+
     def whitened(self, values: Array, whitening: Whitening) -> Array:
         """Divide rows by the factors of V: (R,) or (R, T)."""
         found = np.empty_like(values)

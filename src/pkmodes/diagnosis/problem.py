@@ -53,11 +53,18 @@ class Candidate:
         Names of its parameters.
     sentence : str
         What it would mean, for a person.
+    remote : bool
+        A special cause, tried alone where no other cause explains the measurements alone.  It is not claimed
+        by itself: where it explains them, the verdict is ``unexplained``, and the reason points at it.
+    nameable : bool
+        Whether a remote cause may stand in the class of another one that looks like it.
     """
 
     name: str
     parameters: tuple[str, ...]
     sentence: str = ""
+    remote: bool = False
+    nameable: bool = True
 
 
 @dataclass(frozen=True)

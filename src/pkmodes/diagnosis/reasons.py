@@ -7,8 +7,9 @@ from collections.abc import Sequence
 from numpy.typing import NDArray
 
 from pkmodes.diagnosis.fitting import Fit, Hypothesis
+from pkmodes.diagnosis.gate import ALPHA, Gate
+from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.result import Finding
-from pkmodes.diagnosis.search import ALPHA, Gate
 
 
 def noise(hypothesis: Hypothesis, scatter: float, lines: NDArray) -> str:  # type: ignore[type-arg]
@@ -56,9 +57,46 @@ def ambiguous(classes: Sequence[Sequence[str]]) -> str:
     )
 
 
-def unexplained(fit: Fit, degrees: int, first: Gate, last: Gate, dispersed: bool) -> str:
+def remote(cause: Candidate) -> str:
+    """A cause that is not claimed."""
+    also = ", or put it among the candidates" if cause.nameable else ""
+    return f"no candidate explains the residual alone, but {cause.name} would: look there{also}"
+
+
+def errors(causes: Sequence[Candidate]) -> str:
+    """Errors of the measurement explain it as well."""
+    return (
+        f"{_names(causes)} would explain the residual, but errors of the measurement nearly as well: "
+        "perhaps the stated sigma is too small, or a row or a pose is off"
+    )
+
+
+def shapes(causes: Sequence[Candidate]) -> str:
+    """Frequencies agree, shapes do not."""
+    return f"{_names(causes)} would explain the frequencies, but not the shapes of some of these modes (MAC)"
+
+
+def weak(causes: Sequence[Candidate], p_value: float, errors: bool) -> str:
+    """It may be chance."""
+    perhaps = "; perhaps the stated sigma is too small" if errors else ""
+    return (
+        f"what is left points at {_names(causes)}, but not clearly enough to be claimed "
+        f"({_p(p_value)} among all candidates): measure more{perhaps}"
+    )
+
+
+def _names(causes: Sequence[Candidate]) -> str:
+    return " and ".join(cause.name for cause in causes)
+
+
+def unexplained(fit: Fit, final: Fit, degrees: int, first: Gate, last: Gate, dispersed: bool) -> str:
     """None."""
     ratio = fit.chi2 / max(degrees, 1)
+    if last.p_missing <= last.level < min(last.p_value, last.p_candidates):
+        return (
+            f"{_names(final.causes)} would explain the measured modes, but adds others among them that were not "
+            "measured"
+        )
     if last.unpaired:
         which = "a measured mode" if last.unpaired == 1 else f"{last.unpaired} measured modes"
         return f"the model has no mode for {which}, and no candidate gives it one"

@@ -7,25 +7,23 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import stats
 
 from pkmodes.diagnosis import reasons
-from pkmodes.diagnosis.classes import classes, other_pairs, survivors
 from pkmodes.diagnosis.fitting import Fit, Fitter, Hypothesis
+from pkmodes.diagnosis.gate import Gate
+from pkmodes.diagnosis.judgement import Judgement, judge
 from pkmodes.diagnosis.next_measurement import next_measurement
 from pkmodes.diagnosis.pairing import Pairer, Pairing
 from pkmodes.diagnosis.problem import Array, Structure
 from pkmodes.diagnosis.result import Diagnosis, Error, Examined, Finding, Refitted, Row, Value, Verdict
-from pkmodes.diagnosis.score import Scores, one_sided
-from pkmodes.diagnosis.search import Gate, Outcome, Search
+from pkmodes.diagnosis.score import Scores
+from pkmodes.diagnosis.search import Outcome, Search
 from pkmodes.measured.measurements import Measurements
 
 #: A change of this many standard deviations would probably have been seen among so many candidates.
 SEEN = 5.0
 #: A cause counts as undetectable if even a change of some frequency by this fraction would not have been seen.
 NOTICEABLE = 0.1
-#: Times that the shapes may prefer another cause in some place.
-PREFERENCES = 4
 #: Factor by which stated errors may be wrong; a larger residual is the model's.
 LARGEST_FACTOR = 10.0
 
@@ -55,42 +53,26 @@ class Report:
         self.held = held
         self.is_held = np.isin(data.pose, held)
         self.lines = data.at(fitted).lines
-        self.pairer = Pairer(data, structure.channels)
+        self.pairer = Pairer(data, structure.channels, structure.predict(fitter.declared, ()))
 
     def of(self, outcome: Outcome) -> Diagnosis:
         """Decide the verdict."""
-        final, last, places = outcome.final, outcome.last, list[list[Fit]]()
-        if last.passed:  # otherwise nothing is claimed
-            final, places = self.preferred(final)
-            last = self.search.gate(final)
-        kept = all(
-            cause.name in map(_name, found) for cause, found in zip(final.causes, places, strict=False)
-        )
-        grouped = [classes(self.fitter, found) for found in places]
-        others = (
-            other_pairs(self.search, final, self.search.pairs_like(final), grouped) if last.passed else []
-        )
-        larger = bool(final.causes) and self.search.explained_by_larger_errors(final)
-        verdict: Verdict
-        if not last.passed or not kept or larger:
-            verdict = "unexplained"
-        elif not final.causes:
-            verdict = "adequate"
-        elif others or any(len(groups) > 1 for groups in grouped):
-            verdict = "ambiguous"
-        else:
-            verdict = "effect_found"
+        judged = judge(self.search, outcome)
+        verdict, final, last, grouped = judged.verdict, judged.final, judged.last, judged.grouped
         found = verdict == "effect_found"
         reported = final if verdict in ("effect_found", "adequate") else outcome.nuisances
         nuisances = final if verdict == "adequate" else outcome.nuisances
         declared = self.stage(self.fitter.declared)
         refit, after = self.stage(nuisances.values), self.stage(final.values) if found else None
         findings = (
-            tuple(self.finding(final, place, groups[0]) for place, groups in enumerate(grouped))
+            tuple(
+                self.finding(final, place, groups[0], judged.p_values[place])
+                for place, groups in enumerate(grouped)
+            )
             if found
             else ()
         )
-        remaining = _remaining(final, grouped, others) if verdict == "ambiguous" else []
+        remaining = _remaining(judged) if verdict == "ambiguous" else []
         contested = (
             [(_name(fit), fit) for fit in grouped[0][0]] if found else [named[0] for named in remaining]
         )
@@ -98,7 +80,7 @@ class Report:
         outlying = np.isin(self.data.lines, self.lines[sorted(reported.hypothesis.excluded)])
         return Diagnosis(
             verdict=verdict,
-            reason=self.reason(verdict, outcome, final, findings, names, larger),
+            reason=judged.doubt or self.reason(verdict, outcome, final, findings, names),
             effects=findings,
             survivors=names,
             refitted=self.refitted(reported),
@@ -115,20 +97,6 @@ class Report:
             scatter=reported.scatter,
             corrected=self.values(reported, reported.free),
         )
-
-    def preferred(self, final: Fit) -> tuple[Fit, list[list[Fit]]]:
-        """The fit that the shapes prefer, and for each of its causes the survivors in that cause's place."""
-        for _ in range(PREFERENCES):
-            rivals = [self.search.rivals(final, place) for place in range(len(final.causes))]
-            places = [survivors(self.search, found) for found in rivals]
-            pairs = zip(final.causes, places, strict=True)
-            better = next(
-                (found[0] for cause, found in pairs if found and _name(found[0]) != cause.name), None
-            )
-            if better is None:
-                return final, places
-            final = better
-        return final, [[] for _ in final.causes]  # no preference holds: nothing is claimed
 
     def insufficient(self) -> Diagnosis:
         """Fewer measurements than unknowns."""
@@ -150,7 +118,7 @@ class Report:
             else self.error(refit, fit.chi2, self.search.degrees(fit), nothing),
             after=None,
             held_out_poses=tuple(self.data.labels[i] for i in self.held),
-            undetectable=tuple(candidate.name for candidate in self.structure.candidates),
+            undetectable=tuple(candidate.name for candidate in self.search.candidates),
             next_measurement=None,
             candidates=(),
             rows=self.rows(declared, refit, None, nothing),
@@ -167,10 +135,7 @@ class Report:
 
     def chi2(self, values: Array) -> float:
         """Sum of squares as it stands, without any fit."""
-        prediction = self.fitter.structure.predict(values, ())
-        used = np.ones(len(self.fitter.log), dtype=bool)
-        residual = self.fitter.residual(prediction, self.fitter.pairer.pair(prediction, used), used)
-        return float(np.sum((residual / self.fitter.sigma) ** 2))
+        return self.fitter.unfitted(values, np.ones(len(self.fitter.log), dtype=bool))[-1]
 
     def error(self, stage: Stage, chi2: float, degrees: int, outlying: NDArray[np.bool_]) -> Error:
         """Errors of a stage over the rows that have a partner and are no outliers."""
@@ -198,7 +163,7 @@ class Report:
             for i, v in zip(self.fitter.nuisances, self.values(fit, self.fitter.nuisances), strict=True)
         )
 
-    def finding(self, final: Fit, place: int, members: list[Fit]) -> Finding:
+    def finding(self, final: Fit, place: int, members: list[Fit], p_value: float) -> Finding:
         """One cause with its class."""
         cause = final.causes[place]
         alternatives = {_name(fit): self.values(fit, self.fitter.indices(fit.causes[-1])) for fit in members}
@@ -208,19 +173,9 @@ class Report:
             members=tuple(names),
             parameters=alternatives[cause.name],
             alternatives={name: alternatives[name] for name in names},
-            p_value=self.p_value(final, place),
+            p_value=p_value,
             sentence=cause.sentence,
         )
-
-    def p_value(self, final: Fit, place: int) -> float:
-        """Likelihood-ratio test of one cause, for as many candidates as were tried."""
-        cause = final.causes[place]
-        less = self.search.without(final, place)
-        gain = max(less.deviance - final.deviance, 0.0) if less is not None else 0.0
-        p = float(stats.chi2.sf(gain, len(cause.parameters)))
-        if one_sided(self.fitter, cause):
-            p *= 0.5
-        return min(1.0, p * len(self.structure.candidates))
 
     def examined(self, scores: Scores) -> tuple[Examined, ...]:
         """What each candidate's score says, and how large it would have to be."""
@@ -272,7 +227,6 @@ class Report:
         final: Fit,
         findings: tuple[Finding, ...],
         names: tuple[tuple[str, ...], ...],
-        larger: bool,
     ) -> str:
         """One sentence."""
         noise = reasons.noise(final.hypothesis, final.scatter, self.lines)
@@ -283,16 +237,17 @@ class Report:
         if verdict == "ambiguous":
             return reasons.ambiguous(names)
         degrees = self.search.degrees(outcome.nuisances)
-        dispersed = larger or _dispersed(outcome.first, outcome.nuisances, self.search)
-        return reasons.unexplained(outcome.nuisances, degrees, outcome.first, outcome.last, dispersed)
+        dispersed = _dispersed(outcome.first, outcome.nuisances, self.search)
+        return reasons.unexplained(outcome.nuisances, final, degrees, outcome.first, outcome.last, dispersed)
 
 
-def _remaining(final: Fit, grouped: list[list[list[Fit]]], others: list[Fit]) -> list[list[tuple[str, Fit]]]:
+def _remaining(judged: Judgement) -> list[list[tuple[str, Fit]]]:
     """Explanations that remain, with their names: classes in the place of one cause, or else pairs of causes."""
-    for groups in grouped:
+    for groups in judged.grouped:
         if len(groups) > 1:
             return [[(_name(fit), fit) for fit in fits] for fits in groups]
-    return [[(" + ".join(cause.name for cause in fit.causes), fit)] for fit in (final, *others)]
+    pairs = (judged.final, *judged.others)
+    return [[(" + ".join(cause.name for cause in fit.causes), fit)] for fit in pairs]
 
 
 def _dispersed(gate: Gate, fit: Fit, search: Search) -> bool:

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from scipy import stats
@@ -61,10 +62,22 @@ class Score:
 
 @dataclass(frozen=True)
 class Scores:
-    """Scores of all candidates at a fit, and the p-value of the best of them among so many."""
+    """Scores of all candidates at a fit.
+
+    Attributes
+    ----------
+    each : tuple of Score
+    directions : tuple of (ndarray, int)
+        Orthonormal directions of the candidates' signatures, and the sign that physics allows, 0 for both.
+    """
 
     each: tuple[Score, ...]
-    p_value: float
+    directions: tuple[tuple[Array, int], ...]
+
+    @cached_property
+    def p_value(self) -> float:
+        """Of the best candidate among so many; it takes some time, and is evaluated when it is asked for."""
+        return _smallest(self.directions, min((s.p_value for s in self.each), default=1.0))
 
 
 def score(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> Scores:
@@ -78,7 +91,7 @@ def score(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> Scores:
     """
     by = [i for candidate in candidates for i in fitter.indices(candidate)]
     if not by:
-        return Scores((), 1.0)
+        return Scores((), ())
     rates, raw = fitter.signatures(fit, by)
     basis = _orthonormal(fit.jacobian)
     left = raw - basis @ (basis.T @ raw)
@@ -91,7 +104,7 @@ def score(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> Scores:
         found.append(result)
         if result.visible:
             directions.append((axes, one_sided(fitter, candidate)))
-    return Scores(tuple(found), _smallest(directions, min((s.p_value for s in found), default=1.0)))
+    return Scores(tuple(found), tuple(directions))
 
 
 def _one(
@@ -132,7 +145,7 @@ def one_sided(fitter: Fitter, candidate: Candidate) -> int:
     return 1 if p.value <= p.lower else -1 if p.value >= p.upper else 0
 
 
-def _smallest(directions: list[tuple[Array, int]], observed: float) -> float:
+def _smallest(directions: Sequence[tuple[Array, int]], observed: float) -> float:
     """Probability of a p-value as small as the one observed, under the hypothesis."""
     if not directions:
         return 1.0

@@ -1,0 +1,122 @@
+"""Where a refit with one cause more begins.
+
+The linear estimate is good for what is small.  A cause that is absent may be far from small: it is tried in several
+sizes, and more closely around the best of them, because a mode that a cause adds fits at one size only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from pkmodes.diagnosis.fitting import Fit, Fitter, Hypothesis
+from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.score import Score, one_sided
+
+#: Sizes of a cause of one sign that are tried first, as the change of a frequency that a linear model foretells.
+SIZES = np.geomspace(0.003, 3.0, 9)
+#: The same for a cause that adds modes: they change a frequency when they come near it, and not much before.  A
+#: quarter apart, which is an eighth of the frequencies of such modes.
+CLOSE_SIZES = np.geomspace(5e-5, 0.5, 42)
+#: Around the best of them, halfway to its neighbours so many times.
+HALVINGS = 3
+#: Part of a cause of one sign that is left to it where another is tried beside it.
+SHARE = 0.4
+#: Of how many starts a cause that adds modes is refitted.
+FITTED = 3
+
+
+def starts(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> list[Array]:
+    """Values of all parameters with which refits begin, the most promising first.
+
+    Parameters
+    ----------
+    fitter : Fitter
+    fit : Fit
+        The one to which a cause is added.
+    one : Score
+        Of that cause, at this fit.
+    hypothesis : Hypothesis
+        With the cause.
+    """
+    index = list(fitter.indices(one.candidate))
+    lower = np.array([fitter.parameters[i].lower for i in index])
+    upper = np.array([fitter.parameters[i].upper for i in index])
+    sign = one_sided(fitter, one.candidate)
+    sizes = SIZES
+    if sign and one.largest[0] > 0.0 and _adds_modes(fitter, fit, index, SIZES[:1] * sign / one.largest[0]):
+        sizes = CLOSE_SIZES
+    found: list[tuple[float, Array]] = []
+    for origin in _origins(fitter, fit, sign):
+
+        def at(step: Array, origin: Array = origin) -> Array:
+            full = origin.copy()
+            full[index] = np.clip(fit.values[index] + step, lower, upper)
+            return full
+
+        steps = [one.step, 0.5 * one.step]
+        if sign and one.largest[0] > 0.0:
+            unit = np.array([sign / one.largest[0]])
+
+            def cost(size: float, at: Callable[[Array], Array] = at, unit: Array = unit) -> float:
+                return fitter.chi2_of(at(size * unit), hypothesis)
+
+            # There are many pairs, and those that are tried promise much by a linear model.
+            closely = sizes is CLOSE_SIZES and not fit.causes and origin is fit.values
+            best = _least(CLOSE_SIZES, cost) if closely else [min(SIZES, key=cost)]
+            steps += [size * unit for size in best]
+        here = sorted(
+            ((fitter.chi2_of(at(step), hypothesis), at(step)) for step in steps), key=lambda pair: pair[0]
+        )
+        found += here[:1] if fit.causes else here
+    found.sort(key=lambda pair: pair[0])
+    return [values for _, values in found[: 1 if sizes is SIZES and not fit.causes else FITTED]]
+
+
+def _origins(fitter: Fitter, fit: Fit, sign: int) -> list[Array]:
+    """Values of everything else with which a cause is tried: those of the fit, and what it may have driven away."""
+    other = fit.values.copy()
+    if not fit.causes:  # a large cause drives the nuisances far away when it is not there
+        nuisances = list(fitter.nuisances)
+        other[nuisances] = fitter.declared[nuisances]
+    elif sign:  # a cause that stands for two is too large
+        for cause in fit.causes:
+            if one_sided(fitter, cause):
+                index = list(fitter.indices(cause))
+                other[index] = fitter.declared[index] + SHARE * (fit.values[index] - fitter.declared[index])
+    return [fit.values] if np.array_equal(other, fit.values) else [fit.values, other]
+
+
+def _adds_modes(fitter: Fitter, fit: Fit, index: list[int], step: Array) -> bool:
+    values = fit.values.copy()
+    values[index] += step
+    count = fitter.structure.predict(values, ()).eigenvalues.shape[1]
+    return bool(count > fit.prediction.eigenvalues.shape[1])
+
+
+def _least(sizes: Array, cost: Callable[[float], float]) -> list[float]:
+    """Sizes of the two cheapest local minima on a grid, refined around them."""
+    known = {float(size): cost(float(size)) for size in sizes}
+    found = []
+    for centre in _minima(known)[:2]:
+        for _ in range(HALVINGS):
+            ordered = sorted(known)
+            place = ordered.index(centre)
+            for neighbour in (place - 1, place + 1):
+                if 0 <= neighbour < len(ordered):
+                    middle = float(np.sqrt(ordered[place] * ordered[neighbour]))
+                    known[middle] = cost(middle)
+            ordered = sorted(known)
+            around = ordered[max(ordered.index(centre) - 1, 0) :][:3]
+            centre = min(around, key=lambda size: known[size])
+        found.append(centre)
+    return found
+
+
+def _minima(known: dict[float, float]) -> list[float]:
+    """Sizes that cost less than their neighbours, the cheapest first."""
+    sizes = sorted(known)
+    costs = [np.inf, *(known[size] for size in sizes), np.inf]
+    found = [size for i, size in enumerate(sizes, start=1) if costs[i] <= min(costs[i - 1], costs[i + 1])]
+    return sorted(found, key=lambda size: known[size])

@@ -1,0 +1,236 @@
+"""What is claimed and what is not: special causes, causes that nobody can claim, weak ones, errors beside causes.
+
+Structures whose frequencies' logarithms are linear in the parameters, with data that are exact, so that every
+chi-square is known: a cause of strength z gains z^2.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, Parameter, diagnose
+from pkmodes.diagnosis.classes import _votes
+from small_structures import SIGMA, LogLinear, logs_measured
+
+SETUPS, MODES = 10, 5
+#: Directions in the space of all rows, orthonormal: what the causes do.
+DIRECTIONS = np.linalg.qr(np.random.default_rng(11).standard_normal((SETUPS * MODES, 12)))[0].T
+
+
+def structure(directions: Mapping[str, np.ndarray], **roles: dict[str, bool]) -> LogLinear:
+    """One cause for each direction, in standard deviations; some remote, or not nameable."""
+    base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (SETUPS, 1))
+    G = np.stack([d.reshape(SETUPS, MODES) for d in directions.values()], axis=-1) * SIGMA
+    parameters = [Parameter(name, 0.0) for name in directions]
+    candidates = [Candidate(name, (name,), **roles.get(name, {})) for name in directions]
+    return LogLinear(base, G, parameters, candidates)
+
+
+def found(model: LogLinear, change: np.ndarray, noise: int | None = 3) -> Diagnosis:
+    """What is found where all frequencies change so, in standard deviations, beside errors as stated."""
+    rng = np.random.default_rng(noise)
+    errors = 0.9 * rng.standard_normal(SETUPS * MODES)
+    errors -= DIRECTIONS.T @ (DIRECTIONS @ errors)  # none in the directions of the causes: z is exact
+    return diagnose(
+        model, logs_measured(model.base + SIGMA * (change + errors).reshape(SETUPS, MODES), SIGMA), holdout=()
+    )
+
+
+def names(diagnosis: Diagnosis) -> list[str]:
+    return sorted(effect.name for effect in diagnosis.effects)
+
+
+REMOTE = {"remote": True}
+STRANGE = {"remote": True, "nameable": False}
+
+
+def three(strength: Sequence[float] = (30.0, 40.0)) -> tuple[dict[str, np.ndarray], np.ndarray]:
+    """Causes a and b, what both together do, and a cause c that does just that."""
+    a, b = DIRECTIONS[:2]
+    both = strength[0] * a + strength[1] * b
+    return {"a": a, "b": b, "c": both / np.linalg.norm(both)}, both
+
+
+def test_two_causes_are_claimed_where_nothing_explains_the_residual_alone() -> None:
+    directions, both = three()
+    del directions["c"]
+    assert names(found(structure(directions), both)) == ["a", "b"]
+
+
+@pytest.mark.parametrize("remote", [REMOTE, STRANGE])
+def test_a_remote_cause_that_explains_the_residual_alone_is_pointed_at_before_two_are_claimed(
+    remote: dict[str, bool],
+) -> None:
+    directions, both = three()
+    diagnosis = found(structure(directions, c=remote), both)
+    assert diagnosis.verdict == "unexplained"
+    assert "but c would: look there" in diagnosis.reason
+    assert ("candidates" in diagnosis.reason.split("look there")[1]) == ("nameable" not in remote)
+    assert diagnosis.effects == diagnosis.survivors == ()
+
+
+def test_a_remote_cause_among_the_plain_ones_is_claimed() -> None:
+    directions, both = three()
+    assert names(found(structure(directions), both)) == ["c"]
+
+
+def test_a_remote_cause_that_looks_like_a_plain_one_stands_in_its_class_if_it_can_be_named() -> None:
+    a, b = DIRECTIONS[:2]
+    like_a = (a + 0.02 * b) / np.linalg.norm(a + 0.02 * b)
+    for remote, members in ((REMOTE, {"a", "like a"}), (STRANGE, {"a"})):
+        model = structure({"a": a, "b": b, "like a": like_a}, **{"like a": remote})
+        # Nearer to the plain one, and nearer to the remote one.
+        for change in (30.0 * a, 30.0 * like_a):
+            diagnosis = found(model, change)
+            assert names(diagnosis) == ["a"]
+            assert set(diagnosis.effects[0].members) == members
+
+
+def test_a_remote_cause_that_can_be_told_from_a_plain_one_and_fits_better_is_not_hidden_by_it() -> None:
+    """z = 4.6 from the plain one's best fit: not enough for the gate, which asks for the sum of all squares."""
+    a, b = DIRECTIONS[:2]
+    across = 30.0 * (a + 0.2 * b) / np.linalg.norm(a + 0.2 * b)
+    model = structure({"a": a, "c": across / 30.0, "b": DIRECTIONS[2]}, c=REMOTE)
+    diagnosis = found(model, across)
+    assert diagnosis.verdict in ("ambiguous", "unexplained")
+    assert "c" in diagnosis.reason
+
+
+def test_a_remote_cause_is_no_part_of_a_pair() -> None:
+    a, b = DIRECTIONS[:2]
+    diagnosis = found(structure({"a": a, "b": b}, b=REMOTE), 30.0 * a + 40.0 * b)
+    assert diagnosis.verdict == "unexplained"
+    assert "look there" not in diagnosis.reason
+
+
+@pytest.mark.parametrize(("strength", "claimed"), [(3.6, False), (4.6, True)])
+def test_what_may_be_chance_is_not_claimed(strength: float, claimed: bool) -> None:
+    """Ten candidates of both signs: z = 3.6 comes by chance in 0.3 % of all cases, z = 4.6 in 0.004 %."""
+    directions = {f"cause {i}": DIRECTIONS[i] for i in range(10)}
+    diagnosis = found(structure(directions), strength * DIRECTIONS[4])
+    if claimed:
+        assert names(diagnosis) == ["cause 4"]
+        assert diagnosis.effects[0].p_value == pytest.approx(10 * 4.2e-6, rel=0.1)
+    else:
+        assert diagnosis.verdict == "unexplained"
+        assert "cause 4" in diagnosis.reason
+        assert "p = 0.0032" in diagnosis.reason
+
+
+def test_two_causes_with_an_outlier_are_too_much_to_assume() -> None:
+    a, b = DIRECTIONS[:2]
+    change = 30.0 * a + 40.0 * b
+    change[7] += 25.0
+    assert found(structure({"a": a, "b": b}), change).verdict == "unexplained"
+    # Each of them alone is not.
+    change = 40.0 * b
+    change[7] += 25.0
+    diagnosis = found(structure({"a": a, "b": b}), change)
+    assert names(diagnosis) == ["b"]
+    assert len(diagnosis.outliers) == 1
+
+
+def test_a_cause_that_explains_one_row_is_told_from_an_outlier_only_by_other_rows() -> None:
+    row = np.zeros(SETUPS * MODES)
+    row[7] = 1.0
+    for rest in (0.0, 0.02):
+        cause = row + rest * DIRECTIONS[0] * (1.0 - row)
+        cause /= np.linalg.norm(cause)
+        diagnosis = found(structure({"a": cause, "b": DIRECTIONS[1]}), 20.0 * cause)
+        assert diagnosis.verdict == "unexplained"
+        assert "errors of the measurement nearly as well" in diagnosis.reason
+    clear = row + 0.2 * DIRECTIONS[0] * (1.0 - row)
+    clear /= np.linalg.norm(clear)
+    assert names(found(structure({"a": clear, "b": DIRECTIONS[1]}), 20.0 * clear)) == ["a"]
+
+
+def test_many_pairs_that_look_alike_are_not_claimed() -> None:
+    """Two causes with three names each are nine pairs."""
+    a, b = DIRECTIONS[:2]
+    directions = {f"{n}{i}": d + 0.01 * DIRECTIONS[2 + i] for n, d in (("a", a), ("b", b)) for i in range(3)}
+    diagnosis = found(structure(directions), 30.0 * directions["a0"] + 40.0 * directions["b0"])
+    assert diagnosis.verdict == "ambiguous"
+    assert ("a0 + b0",) in diagnosis.survivors or ("b0 + a0",) in diagnosis.survivors
+    assert len(diagnosis.survivors) > 4
+    assert all(len(members) == 1 for members in diagnosis.survivors)
+    two = {name: directions[name] for name in ("a0", "a1", "b0", "b1")}
+    assert found(structure(two), 30.0 * two["a0"] + 40.0 * two["b0"]).verdict == "effect_found"
+
+
+@pytest.mark.parametrize("pull", [0.0, 0.5])
+def test_a_cause_that_brings_modes_among_the_measured_ones_must_have_them_measured(pull: float) -> None:
+    """A sixth mode, above the five measured ones, comes between the fourth and fifth with the cause."""
+    a = DIRECTIONS[0]
+    five = structure({"a": a})
+    sixth = np.full((SETUPS, 1), five.base[0, -1] + 0.35)
+    lowered = np.full((SETUPS, 1, 1), -pull / 30.0)
+    model = LogLinear(
+        np.hstack([five.base, sixth]),
+        np.concatenate([five.G, lowered], axis=1),
+        five.parameters,
+        five.candidates,
+    )
+    data = logs_measured(five.base + SIGMA * 30.0 * a.reshape(SETUPS, MODES), SIGMA)
+    diagnosis = diagnose(model, data, holdout=())
+    if pull:
+        assert diagnosis.verdict == "unexplained"
+        assert "were not measured" in diagnosis.reason
+    else:
+        assert names(diagnosis) == ["a"]
+
+
+def test_modes_that_are_missed_with_and_without_a_cause_do_not_speak_against_it() -> None:
+    """One of five modes in every other setup: nobody measured it, and the cause is found all the same."""
+    a = DIRECTIONS[0]
+    model = structure({"a": a, "b": DIRECTIONS[1]})
+    logs = model.base + SIGMA * 30.0 * a.reshape(SETUPS, MODES)
+    kept = [(i, k) for i in range(SETUPS) for k in range(MODES) if k != 2 or i % 2]
+    f = np.exp([logs[i, k] for i, k in kept])
+    data = Measurements.from_rows([f"P{i}" for i, _ in kept], f, SIGMA * f)
+    assert names(diagnose(model, data, holdout=())) == ["a"]
+
+
+def test_a_plain_cause_is_not_claimed_where_a_special_one_explains_far_more() -> None:
+    """What the plain one leaves is 5.7 standard deviations in one direction, too little for the gate to refuse it."""
+    a, b = DIRECTIONS[:2]
+    plain = np.sqrt(1 - (5.7 / 30) ** 2) * a + 5.7 / 30 * b
+    diagnosis = found(structure({"plain": plain, "special": a}, special=STRANGE), 30.0 * a)
+    assert diagnosis.verdict == "unexplained"
+    assert "special would: look there" in diagnosis.reason
+
+
+def test_two_outliers_along_a_cause_are_no_cause() -> None:
+    rows = [7, 23]
+    cause = 0.2 * DIRECTIONS[0]
+    cause[rows] = 0.93 / np.sqrt(2)
+    cause /= np.linalg.norm(cause)
+    setups = 12  # two rows of sixty may be outliers
+    base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (setups, 1))
+    G = np.zeros((setups * MODES, 2))
+    G[: len(cause), 0], G[: len(cause), 1] = SIGMA * cause, SIGMA * DIRECTIONS[1]
+    parameters = [Parameter(name, 0.0) for name in "ab"]
+    model = LogLinear(
+        base, G.reshape(setups, MODES, 2), parameters, [Candidate(name, (name,)) for name in "ab"]
+    )
+    change = 0.9 * np.random.default_rng(5).standard_normal(setups * MODES)
+    change[rows] += 12.0
+    diagnosis = diagnose(
+        model, logs_measured(base + SIGMA * change.reshape(setups, MODES), SIGMA), holdout=()
+    )
+    assert diagnosis.verdict in ("adequate", "unexplained")
+
+
+@pytest.mark.parametrize("order", [(30.0, 0.0, 12.0), (0.0, 12.0, 30.0)])
+def test_votes_of_the_shapes_do_not_depend_on_which_rival_comes_first(order: tuple[float, ...]) -> None:
+    """One row is misfit by so many times the scatter: it counts nine at most."""
+
+    def fit(misfit: float) -> SimpleNamespace:
+        return SimpleNamespace(shape_misfit=np.append([misfit * 1e-4], np.full(19, 1e-5)))
+
+    fitter = SimpleNamespace(pairer=SimpleNamespace(shape_components=100))
+    votes = _votes(fitter, [fit(misfit) for misfit in order])
+    assert votes == pytest.approx([min(misfit, 9.0) for misfit in order])
