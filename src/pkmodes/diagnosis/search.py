@@ -339,7 +339,7 @@ class Search:
         return values
 
     def fit(self, hypothesis: Hypothesis, start: Array | None = None) -> Fit | None:
-        """Fit once, whatever the order of the causes; where it was fitted, once more from the first start given."""
+        """Fit once, whatever the order of the causes; what began with a score again, from the first start given."""
         key = _key(hypothesis)
         if key not in self._fits:
             self._fits[key] = self.fitter.fit(hypothesis, start)
