@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +29,18 @@ SHIFTS = tuple(
 )
 #: Where another measurement could be made: draws around the measured poses, and their seed.
 DRAWS, SEED = 400, 7
+
+
+class _Solved(NamedTuple):
+    """Modes of a robot at those of its poses that it reaches."""
+
+    robot: Robot
+    valid: NDArray[np.bool_]
+    points: Array
+    matrices: tuple[Array, Array]
+    eigenvalues: Array
+    shapes: Array
+    channels: Array
 
 
 class RobotStructure:
@@ -56,6 +69,7 @@ class RobotStructure:
         self.channels = CHANNELS
         self._moves = tuple(moves)
         self._declared = np.array([move.value for move in moves])
+        self._last: tuple[bytes, _Solved] | None = None
 
     def at(self, points: Array) -> RobotStructure:
         """Return the same robot at other poses."""
@@ -74,31 +88,38 @@ class RobotStructure:
 
     def predict(self, values: Array, by: Sequence[int]) -> Prediction:
         """Modes at all poses, with derivatives by some of the parameters."""
+        key = values.tobytes()
+        if (
+            self._last is None or self._last[0] != key
+        ):  # derivatives are mostly asked for where the modes were
+            self._last = key, self._solved(values)
+        at = self._last[1]
+        rates = np.zeros((*at.eigenvalues.shape, len(by)))
+        if by and np.isfinite(at.eigenvalues).all():
+            moves = [self._moves[i] for i in by]
+            rates = MatrixDerivatives(at.robot, at.points, moves, at.matrices).eigenvalues(
+                at.eigenvalues, at.shapes
+            )
+        eigenvalues, rates, channels = (_scattered(a, at.valid) for a in (at.eigenvalues, rates, at.channels))
+        return Prediction(eigenvalues, rates, channels, _rigid(at.robot))
+
+    def _solved(self, values: Array) -> _Solved:
         robot = self.with_values(values)
         valid = self._reachable(robot)
         points = self.points[valid]
         system = SystemOfEffects(robot.parameters, robot.effects)
-        moves = [self._moves[i] for i in by]
-        derivatives = MatrixDerivatives(robot, points, moves) if moves else None
-        if derivatives is None:
-            M, K = system.all_coordinates(points)
-        else:
-            M, K = derivatives.M, derivatives.K
+        M, K = system.all_coordinates(points)
         rows, columns = np.ix_(system.free, system.free)
         try:
             eigenvalues, shapes = condensed_eigh(
                 M[:, rows, columns], K[:, rows, columns], first=len(COORDINATES)
             )
+            channels = self._channels(robot, points, system, shapes)
         except np.linalg.LinAlgError:  # values without inertia where there must be some: no machine
-            nothing = np.full((len(valid), len(system.free)), np.nan)
-            shapes = np.zeros((*nothing.shape, len(self.channels)))
-            return Prediction(nothing, np.zeros((*nothing.shape, len(by))), shapes, _rigid(robot))
-        rates = np.zeros((*eigenvalues.shape, 0))
-        if derivatives is not None:
-            rates = derivatives.eigenvalues(eigenvalues, shapes)
-        channels = self._channels(robot, points, system, shapes)
-        eigenvalues, rates, channels = (_scattered(a, valid) for a in (eigenvalues, rates, channels))
-        return Prediction(eigenvalues, rates, channels, _rigid(robot))
+            eigenvalues = np.full((len(points), len(system.free)), np.nan)
+            shapes = np.zeros((*eigenvalues.shape, len(system.free)))
+            channels = np.zeros((*eigenvalues.shape, len(self.channels)))
+        return _Solved(robot, valid, points, (M, K), eigenvalues, shapes, channels)
 
     def position_rates(self, values: Array) -> Array:
         """Derivatives of the eigenvalues by the platform's position, (P, m, 3)."""

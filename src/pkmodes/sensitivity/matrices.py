@@ -89,6 +89,8 @@ class MatrixDerivatives:
         Platform centres that can be evaluated [m].
     paths : sequence of ParameterPath
         T of them.
+    matrices : tuple of ndarray, optional
+        M and K in all coordinates, where they were evaluated already.
 
     Attributes
     ----------
@@ -100,10 +102,16 @@ class MatrixDerivatives:
         Those of the paths that are compliances of locked joints.
     """
 
-    def __init__(self, robot: Robot, p: Array, paths: Sequence[ParameterPath]) -> None:
+    def __init__(
+        self,
+        robot: Robot,
+        p: Array,
+        paths: Sequence[ParameterPath],
+        matrices: tuple[Array, Array] | None = None,
+    ) -> None:
         system = SystemOfEffects(robot.parameters, robot.effects)
         self.free = system.free
-        self.M, self.K = system.all_coordinates(p)
+        self.M, self.K = system.all_coordinates(p) if matrices is None else matrices
         self._paths = tuple(paths)
         free = set(system.free)
         locked = {slot: tuple(q for q in place if q not in free) for slot, place in _joints().items()}
@@ -165,9 +173,10 @@ class MatrixDerivatives:
         phi = self._embedded(shapes)
         parts = []
         for matrix in (0, 1):
-            row, column = _entries(matrix).row, _entries(matrix).column
+            some = np.flatnonzero(self._along[matrix].any(axis=1))
+            row, column = _entries(matrix).row[some], _entries(matrix).column[some]
             both = phi[..., row] * phi[..., column] * np.where(row == column, 1.0, 2.0)
-            parts.append((both * self._values[matrix][:, None, :]) @ self._along[matrix])
+            parts.append((both * self._values[matrix][:, None, some]) @ self._along[matrix][some])
         found = parts[1] - eigenvalues[..., None] * parts[0] + phi**2 @ self._springs.T
         for t in self.locked:
             for joints, weight in self._locked[t]:
