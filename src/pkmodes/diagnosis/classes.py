@@ -12,6 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from pkmodes.diagnosis.fitting import Fit, Fitter
+from pkmodes.diagnosis.gate import SURELY
 from pkmodes.diagnosis.search import SURVIVES, Search
 
 #: Predictions that differ by less than this sum of squares are not told apart by these data: had one been true,
@@ -19,8 +20,6 @@ from pkmodes.diagnosis.search import SURVIVES, Search
 TOLD_APART = 25.0
 #: Pairs of causes that are one to these data, at most, for two causes to be claimed.
 MOST_ALIKE = 4
-#: A rival must bring the residual to the noise as well, at a level below that of the gate.
-LEFT_BY_A_RIVAL = 1e-3
 #: Scatter of measured shapes that is taken as the least, as a fraction of a shape.
 LEAST_SHAPE_SCATTER = 0.01
 
@@ -34,12 +33,8 @@ def survivors(search: Search, rivals: Sequence[Fit]) -> list[Fit]:
     rivals : sequence of Fit
         Best first, by the criterion.
     """
-    if not rivals:
-        return []
     fitting = [
-        fit
-        for fit in rivals
-        if min(search.p_value(fit), search.p_missing(fit)) > LEFT_BY_A_RIVAL and not fit.at_bound
+        fit for fit in rivals if min(search.p_value(fit), search.p_missing(fit)) > SURELY and not fit.at_bound
     ]
     if not fitting:
         return []
@@ -80,7 +75,7 @@ def other_pairs(
         ):
             found.append(pair)
     alone = [fit for fit in search.alone() if search.criterion(fit) <= search.criterion(final) + SURVIVES]
-    return found + [fit for fit in alone if search.p_value(fit) > LEFT_BY_A_RIVAL and not fit.at_bound]
+    return found + [fit for fit in alone if search.p_value(fit) > SURELY and not fit.at_bound]
 
 
 def classes(fitter: Fitter, found: Sequence[Fit]) -> list[list[Fit]]:

@@ -201,6 +201,7 @@ class Fitter:
         added = (i for cause in hypothesis.causes for i in self.indices(cause))
         free = tuple(dict.fromkeys([*self.nuisances, *added]))  # causes may share a parameter
         used, tau, pairing, converged = self.used(hypothesis), 0.0, None, True
+        steps = ROUGH_STEPS if rough else MOST_STEPS
         for _ in range(ROUNDS):
             prediction = self.structure.predict(values, ())
             if not np.isfinite(prediction.eigenvalues).all():
@@ -213,7 +214,6 @@ class Fitter:
             ):
                 break
             whitening = self.noise.whitening(self._motion(values, pairing), used, tau)
-            steps = ROUGH_STEPS if rough else MOST_STEPS
             values, converged = self._least_squares(values, free, pairing, used, whitening, steps)
             if hypothesis.scatter:
                 residual = self.residual(self.structure.predict(values, ()), pairing, used)

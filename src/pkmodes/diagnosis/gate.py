@@ -10,7 +10,7 @@ from pkmodes.diagnosis.score import Scores
 #: modes that a cause adds have been missed?
 ALPHA = 0.01
 #: The level of the gate where one cause was found: what it leaves must surely be more than noise to refuse it
-#: and to seek a second.
+#: and to seek a second, and a rival that does not reach it is none.
 SURELY = 1e-3
 
 

@@ -13,9 +13,9 @@ import numpy as np
 from scipy import stats
 
 from pkmodes.diagnosis import reasons
-from pkmodes.diagnosis.classes import LEFT_BY_A_RIVAL, classes, other_pairs, survivors
+from pkmodes.diagnosis.classes import classes, other_pairs, survivors
 from pkmodes.diagnosis.fitting import Fit, Hypothesis
-from pkmodes.diagnosis.gate import Gate
+from pkmodes.diagnosis.gate import SURELY, Gate
 from pkmodes.diagnosis.result import Verdict
 from pkmodes.diagnosis.score import one_sided
 from pkmodes.diagnosis.search import MOST_CAUSES, SURVIVES, Outcome, Search
@@ -78,7 +78,7 @@ def judge(search: Search, outcome: Outcome) -> Judgement:
         any(fit.causes[-1] == cause for fit in found)
         for cause, found in zip(final.causes, places, strict=True)
     )
-    doubt = _doubt(search, final, others, p_values)
+    doubt = _doubt(search, final, last, others, p_values)
     if not last.passed or not kept or doubt:
         verdict = "unexplained"
     elif not final.causes:
@@ -90,9 +90,11 @@ def judge(search: Search, outcome: Outcome) -> Judgement:
     return Judgement(verdict, final, last, grouped, others, p_values, doubt)
 
 
-def _doubt(search: Search, final: Fit, others: tuple[Fit, ...], p_values: tuple[float, ...]) -> str:
+def _doubt(
+    search: Search, final: Fit, last: Gate, others: tuple[Fit, ...], p_values: tuple[float, ...]
+) -> str:
     """Why the causes of a fit are not claimed; empty where nothing speaks against them."""
-    doubtful = len(final.causes) == 1 and not search.gate(final).above(PLAINLY)
+    doubtful = len(final.causes) == 1 and not last.above(PLAINLY)
     better = [
         fit
         for fit in (search.alone() if doubtful else [])
@@ -126,7 +128,7 @@ def _explained_by_errors(search: Search, final: Fit) -> bool:
     factor, with the rows set aside and the shared error of the final fit.
     """
     worst = search.criterion(final) + SURVIVES
-    noise = [fit for fit in search.errors() if search.p_value(fit) > LEFT_BY_A_RIVAL]
+    noise = [fit for fit in search.errors() if search.p_value(fit) > SURELY]
     if any(search.criterion(fit) <= worst for fit in noise):
         return True
     h = final.hypothesis

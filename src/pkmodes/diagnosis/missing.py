@@ -30,8 +30,7 @@ def not_measured(fitter: Fitter, fit: Fit) -> int:
 
 def p_missing(fitter: Fitter, declared: Fit, fit: Fit) -> float:
     """Probability that the modes which a fit adds to those of the declared model were all missed."""
-    before, added = not_measured(fitter, declared), 0
-    if fit is not declared:
-        added = max(not_measured(fitter, fit) - before, 0)
+    before = not_measured(fitter, declared)
+    added = max(not_measured(fitter, fit) - before, 0)
     part = (before + 0.5) / (before + len(fitter.log) + 1.0)  # Jeffreys' prior
     return float(part**added)
