@@ -23,7 +23,8 @@ import numpy as np
 
 from pkmodes.closing import loop
 from pkmodes.diagnosis.diagnose import split
-from pkmodes.diagnosis.fitting import Fitter, Hypothesis
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.measured.measurements import Measurements
 from pkmodes.robot.effects import CATALOGUE
 from pkmodes.robot.robot import Robot

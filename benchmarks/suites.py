@@ -19,7 +19,7 @@ import numpy as np
 from pkmodes.closing import loop
 from pkmodes.closing.suspects import PREFIX
 from pkmodes.diagnosis.diagnose import split
-from pkmodes.diagnosis.result import Diagnosis
+from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.robot.effects import CATALOGUE
 from rig import POSES, ROBOTS, measure_modes, read
 from sizes import EFFECT_SIZES, OUTSIDE_SIZES, PAIR_SIZES, TARGETS, WRONG_SIZES

@@ -7,6 +7,7 @@ chi-square are those of textbooks.  `frame` is a row of masses and springs.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 from scipy.linalg import eigh
@@ -40,23 +41,25 @@ class LogLinear:
         self.parameters, self.candidates = tuple(parameters), tuple(candidates)
         self.channels = tuple(f"c{i}" for i in range(base.shape[1]))
 
-    def predict(self, values: np.ndarray, by: Sequence[int]) -> Prediction:
+    def predict(self, values: np.ndarray, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
         with np.errstate(over="ignore"):  # a fit may try anything
             eigenvalues = (2 * np.pi * np.exp(self.base + self.G @ values)) ** 2
         eigenvalues = np.where(np.isfinite(eigenvalues), eigenvalues, np.nan)
         rates = 2 * eigenvalues[..., None] * self.G[..., list(by)]
         shapes = np.broadcast_to(np.eye(self.base.shape[1]), (len(self.base), *[self.base.shape[1]] * 2))
-        return Prediction(eigenvalues, rates, shapes)
+        along = np.zeros((*shapes.shape, len(by))) if shape_rates else None
+        return Prediction(eigenvalues, rates, shapes, 0, along)
 
     def subset(self, setups: Sequence[int]) -> LogLinear:
         chosen = list(setups)
         B = None if self.B is None else self.B[chosen]
         return LogLinear(self.base[chosen], self.G[chosen], self.parameters, self.candidates, B)
 
-    def position_rates(self, values: np.ndarray) -> np.ndarray | None:
+    def position_rates(self, values: np.ndarray, *, shape_rates: bool = False) -> Prediction | None:
         if self.B is None:
             return None
-        return 2 * self.predict(values, ()).eigenvalues[..., None] * self.B
+        found = self.predict(values, (0, 0, 0), shape_rates=shape_rates)
+        return replace(found, rates=2 * found.eigenvalues[..., None] * self.B)
 
     def elsewhere(self, count: int) -> tuple[np.ndarray, Structure] | None:
         return None

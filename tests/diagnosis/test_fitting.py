@@ -11,8 +11,9 @@ from scipy.linalg import block_diag
 from scipy.optimize import minimize_scalar
 
 from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
-from pkmodes.diagnosis.fitting import Fit, Fitter, Hypothesis
-from pkmodes.diagnosis.left_out import left_out
+from pkmodes.diagnosis.fit.cross_validation import left_out
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from small_structures import LogLinear, frame, frame_measured, log_linear, logs_measured
 
 SIGMA = 0.002
@@ -350,7 +351,7 @@ def test_a_repeated_frequency_moves_by_the_mean_of_its_two_modes() -> None:
     fitter = Fitter(pair, data)
     prediction = pair.predict(np.zeros(2), (0, 1))
     pairing = fitter.pairer.pair(prediction, np.ones(2, dtype=bool))
-    assert fitter.rates(prediction, pairing) == pytest.approx(np.array([[0.5, 0.25], [0.5, 0.25]]) / 100.0)
+    assert fitter.rates(prediction, pairing, np.ones(2, dtype=bool)) == pytest.approx(np.array([[0.5, 0.25], [0.5, 0.25]]) / 100.0)
     found = fitter.fit(Hypothesis((pair.candidates[0],)), np.array([0.0, 0.1]))
     assert found is not None
     assert found.chi2 == pytest.approx(0.0, abs=1e-6)  # 10.1^2 = 100 + 2.01 for one of them
@@ -372,7 +373,7 @@ def test_what_others_predict_of_a_setup_is_a_fit_without_it() -> None:
             [0.05, 0.002, None, None],
         )
         expected.append(float(np.sum((y[i] - model.base[i] - model.G[i] @ values) ** 2)) / SIGMA**2)
-    squares, leverage = left_out(found, Fitter(model, logs_measured(y, SIGMA)).noise)
+    squares, leverage = left_out(found, Fitter(model, logs_measured(y, SIGMA)).places())
     assert squares == pytest.approx(expected, rel=1e-3)
     # A setup's largest leverage: the largest part of a combination of its residuals that the fit takes up.
     J = np.vstack([model.G.reshape(-1, 4) / SIGMA, np.eye(4)[:2] / PRIORS[:, None]])

@@ -7,13 +7,11 @@ chi-square is known: a cause of strength z gains z^2.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, Parameter, diagnose
-from pkmodes.diagnosis.classes import _votes
 from small_structures import SIGMA, LogLinear, logs_measured
 
 SETUPS, MODES = 10, 5
@@ -222,15 +220,3 @@ def test_two_outliers_along_a_cause_are_no_cause() -> None:
         model, logs_measured(base + SIGMA * change.reshape(setups, MODES), SIGMA), holdout=()
     )
     assert diagnosis.verdict in ("adequate", "unexplained")
-
-
-@pytest.mark.parametrize("order", [(30.0, 0.0, 12.0), (0.0, 12.0, 30.0)])
-def test_votes_of_the_shapes_do_not_depend_on_which_rival_comes_first(order: tuple[float, ...]) -> None:
-    """One row is misfit by so many times the scatter: it counts nine at most."""
-
-    def fit(misfit: float) -> SimpleNamespace:
-        return SimpleNamespace(shape_misfit=np.append([misfit * 1e-4], np.full(19, 1e-5)))
-
-    fitter = SimpleNamespace(pairer=SimpleNamespace(shape_components=100))
-    votes = _votes(fitter, [fit(misfit) for misfit in order])
-    assert votes == pytest.approx([min(misfit, 9.0) for misfit in order])

@@ -10,7 +10,8 @@ import pytest
 from scipy import stats
 
 from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, compare
-from pkmodes.diagnosis.fitting import Fitter, Hypothesis
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.errors import PkmodesError
 from small_structures import frame, frame_derivatives, frame_matrices, frame_measured
 

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from pkmodes.closing import loop
-from pkmodes.diagnosis.result import Diagnosis, Finding
+from pkmodes.diagnosis.verdict.result import Diagnosis, Finding
 from rig_robots import read
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "benchmarks"))

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pkmodes.diagnosis import Measurements, Prediction
-from pkmodes.diagnosis.pairing import Pairer, Pairing
+from pkmodes.diagnosis.match.pairing import Pairer, Pairing
 from pkmodes.errors import PkmodesError
 
 CHANNELS = ("a", "b", "c", "d", "e")

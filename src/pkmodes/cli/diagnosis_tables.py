@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from rich.console import Console
 from rich.table import Table
 
-from pkmodes.diagnosis.result import Diagnosis, Error, Row, Value
+from pkmodes.diagnosis.verdict.result import Diagnosis, Error, Row, Value
 
 #: A table is as wide as its numbers need: it is never cut.
 WIDEST_TABLE = 10_000

@@ -6,11 +6,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from pkmodes import diagnosis
+from pkmodes.closing import frame
 from pkmodes.closing.structure import CHANNELS, RobotStructure
 from pkmodes.closing.suspects import suspects
 from pkmodes.diagnosis.compare import Comparison
-from pkmodes.diagnosis.result import Diagnosis
-from pkmodes.diagnosis.search import Progress
+from pkmodes.diagnosis.search.additions import Progress
+from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.errors import PkmodesError
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import check_reachable, read_measurements
@@ -90,6 +91,8 @@ def corrections(robot: Robot, found: Diagnosis) -> Mapping[str, Correction]:
     causes = {v.name for finding in found.effects for v in finding.parameters}
     changes = {}
     for value in found.corrected:
+        if value.name in frame.PARAMETERS:
+            continue  # a matter of the measurements: the robot is as it was
         note = "found by pkmodes diagnose" if value.name in causes else "refitted by pkmodes diagnose"
         if value.name in robot.quantities or not value.name.startswith("effects."):
             unit = "" if value.unit == "1" else f" {value.unit}"

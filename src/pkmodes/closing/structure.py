@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.closing import frame
 from pkmodes.diagnosis.problem import Candidate, Parameter, Prediction
 from pkmodes.eigen import condensed_eigh
 from pkmodes.evaluation import SystemOfEffects, active_effects
@@ -16,6 +18,7 @@ from pkmodes.robot.effects import CATALOGUE
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.sensitivity.paths import ParameterPath, moved
+from pkmodes.sensitivity.shapes import shape_derivatives
 from pkmodes_generated.linear_delta import COORDINATES, RIGID_MODES, extended
 
 Array = NDArray[np.float64]
@@ -27,6 +30,8 @@ SHIFTS = tuple(
     ParameterPath(f"pose.{name}", 0.0, "m", {("joint", (j, i)): 1.0 for j in range(3)})
     for i, name in enumerate("xyz")
 )
+#: Generated parameters that change how the platform follows the carriages, and the step of differences [m].
+GEOMETRY, DIFFERENCE = ("origin", "joint", "link_length"), 1e-6
 #: Where another measurement could be made: draws around the measured poses, and their seed.
 DRAWS, SEED = 400, 7
 
@@ -52,7 +57,7 @@ class RobotStructure:
     points : ndarray, shape (P, 3)
         Platform centres [m].
     parameters, candidates, moves
-        From `pkmodes.closing.suspects.suspects`.
+        From `pkmodes.closing.suspects.suspects`; parameters of the measurement frame have no move.
     """
 
     def __init__(
@@ -61,14 +66,13 @@ class RobotStructure:
         points: Array,
         parameters: Sequence[Parameter],
         candidates: Sequence[Candidate],
-        moves: Sequence[ParameterPath],
+        moves: Mapping[str, ParameterPath],
     ) -> None:
         self.robot, self.points = robot, np.asarray(points, dtype=float)
         self.parameters: tuple[Parameter, ...] = tuple(parameters)
         self.candidates: tuple[Candidate, ...] = tuple(candidates)
         self.channels = CHANNELS
-        self._moves = tuple(moves)
-        self._declared = np.array([move.value for move in moves])
+        self._moves = dict(moves)
         self._last: tuple[bytes, _Solved] | None = None
 
     def at(self, points: Array) -> RobotStructure:
@@ -81,32 +85,81 @@ class RobotStructure:
 
     def with_values(self, values: Array) -> Robot:
         """Return the robot with these values of the parameters."""
-        steps = values - self._declared
-        return moved(
-            self.robot, [(move, step) for move, step in zip(self._moves, steps, strict=True) if step]
-        )
+        changes = [
+            (self._moves[p.name], value - self._moves[p.name].value)
+            for p, value in zip(self.parameters, values, strict=True)
+            if p.name in self._moves and value != self._moves[p.name].value
+        ]
+        return moved(self.robot, changes)
 
-    def predict(self, values: Array, by: Sequence[int]) -> Prediction:
-        """Modes at all poses, with derivatives by some of the parameters."""
+    def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
+        """Modes at all poses, with derivatives with respect to some of the parameters."""
+        names = [self.parameters[i].name for i in by]
+        paths = [self._moves[name] for name in names if name in self._moves]
+        of_frame = [name for name in names if name not in self._moves]
+        found = self._along(values, [*paths, *(SHIFTS if of_frame else ())], shape_rates=shape_rates)
+        if not of_frame:
+            return found
+        # What moves the frame moves all poses, each by what it is away from the frame's origin.
+        points = self.points
+        rates = [frame.rate(name, points, self._frame(values)) for name in of_frame]
+        mix = np.zeros((len(points), len(paths) + 3, len(by)))
+        plain = iter(range(len(paths)))
+        shifts = iter(rates)
+        for column, name in enumerate(names):
+            if name in self._moves:
+                mix[:, next(plain), column] = 1.0
+            else:
+                mix[:, len(paths) :, column] = next(shifts)
+        along = None if found.shape_rates is None else found.shape_rates @ mix[:, None]
+        return replace(found, rates=found.rates @ mix, shape_rates=along)
+
+    def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction:
+        """Modes at all poses, with derivatives with respect to the platform's position."""
+        return self._along(values, SHIFTS, shape_rates=shape_rates)
+
+    def elsewhere(self, count: int) -> tuple[Array, RobotStructure]:
+        """Reachable poses in and around the measured ones, and the robot there."""
+        rng = np.random.default_rng(SEED)
+        low, high = self.points.min(axis=0), self.points.max(axis=0)
+        margin = 0.25 * max(float((high - low).max()), 0.1)
+        drawn = rng.uniform(low - margin, high + margin, (DRAWS, 3))
+        drawn = drawn[check_poses(drawn, self.robot.parameters, "nan", MAX_CONDITION / 1e5).valid][:count]
+        return drawn, self.at(drawn)
+
+    def _along(self, values: Array, paths: Sequence[ParameterPath], *, shape_rates: bool) -> Prediction:
+        """Modes at all poses, with derivatives along paths."""
         key = values.tobytes()
         if (
             self._last is None or self._last[0] != key
         ):  # derivatives are mostly asked for where the modes were
             self._last = key, self._solved(values)
         at = self._last[1]
-        rates = np.zeros((*at.eigenvalues.shape, len(by)))
-        if by and np.isfinite(at.eigenvalues).all():
-            moves = [self._moves[i] for i in by]
-            rates = MatrixDerivatives(at.robot, at.points, moves, at.matrices).eigenvalues(
-                at.eigenvalues, at.shapes
-            )
-        eigenvalues, rates, channels = (_scattered(a, at.valid) for a in (at.eigenvalues, rates, at.channels))
-        return Prediction(eigenvalues, rates, channels, _rigid(at.robot))
+        rates = np.zeros((*at.eigenvalues.shape, len(paths)))
+        along = np.zeros((*at.channels.shape, len(paths))) if shape_rates else None
+        if paths and np.isfinite(at.eigenvalues).all():
+            derivatives = MatrixDerivatives(at.robot, at.points, paths, at.matrices)
+            rates = derivatives.eigenvalues(at.eigenvalues, at.shapes)
+            if along is not None:
+                along = self._channel_rates(at, derivatives, paths)
+        return Prediction(
+            _scattered(at.eigenvalues, at.valid),
+            _scattered(rates, at.valid),
+            _scattered(at.channels, at.valid),
+            _rigid(at.robot),
+            None if along is None else _scattered(along, at.valid),
+        )
+
+    def _frame(self, values: Array) -> dict[str, float]:
+        """Values of the parameters of the measurement frame."""
+        named = zip(self.parameters, values, strict=True)
+        return {p.name: float(value) for p, value in named if p.name not in self._moves}
 
     def _solved(self, values: Array) -> _Solved:
         robot = self.with_values(values)
-        valid = self._reachable(robot)
-        points = self.points[valid]
+        where = frame.true_points(self.points, self._frame(values))
+        valid = self._reachable(robot, where)
+        points = where[valid]
         system = SystemOfEffects(robot.parameters, robot.effects)
         M, K = system.all_coordinates(points)
         rows, columns = np.ix_(system.free, system.free)
@@ -121,35 +174,42 @@ class RobotStructure:
             channels = np.zeros((*eigenvalues.shape, len(self.channels)))
         return _Solved(robot, valid, points, (M, K), eigenvalues, shapes, channels)
 
-    def position_rates(self, values: Array) -> Array:
-        """Derivatives of the eigenvalues by the platform's position, (P, m, 3)."""
-        robot = self.with_values(values)
-        system = SystemOfEffects(robot.parameters, robot.effects)
-        derivatives = MatrixDerivatives(robot, self.points, SHIFTS)
-        rows, columns = np.ix_(system.free, system.free)
-        M, K = derivatives.M[:, rows, columns], derivatives.K[:, rows, columns]
-        return derivatives.eigenvalues(*condensed_eigh(M, K, first=len(COORDINATES)))
-
-    def elsewhere(self, count: int) -> tuple[Array, RobotStructure]:
-        """Reachable poses in and around the measured ones, and the robot there."""
-        rng = np.random.default_rng(SEED)
-        low, high = self.points.min(axis=0), self.points.max(axis=0)
-        margin = 0.25 * max(float((high - low).max()), 0.1)
-        drawn = rng.uniform(low - margin, high + margin, (DRAWS, 3))
-        drawn = drawn[check_poses(drawn, self.robot.parameters, "nan", MAX_CONDITION / 1e5).valid][:count]
-        return drawn, self.at(drawn)
-
-    def _reachable(self, robot: Robot) -> NDArray[np.bool_]:
+    def _reachable(self, robot: Robot, points: Array) -> NDArray[np.bool_]:
         """Which poses this robot reaches; those of the declared one were checked with the measurements."""
-        if _same_geometry(robot, self.robot):
-            return np.ones(len(self.points), dtype=bool)
-        return check_poses(self.points, robot.parameters, "nan").valid
+        if _same_geometry(robot, self.robot) and np.array_equal(points, self.points):
+            return np.ones(len(points), dtype=bool)
+        return check_poses(points, robot.parameters, "nan").valid
 
     def _channels(self, robot: Robot, points: Array, system: SystemOfEffects, shapes: Array) -> Array:
         found = np.zeros((*shapes.shape[:2], len(self.channels)))
         found[..., system.free] = shapes
         motion = extended.extended_platform_motion(points, robot.parameters)[..., system.free]
         found[..., -3:] = shapes @ np.swapaxes(motion, -1, -2)
+        return found
+
+    def _channel_rates(
+        self, at: _Solved, derivatives: MatrixDerivatives, paths: Sequence[ParameterPath]
+    ) -> Array:
+        """Derivatives of the shapes at the channels along paths, (P, m, C, T)."""
+        changes = shape_derivatives(derivatives, at.eigenvalues, at.shapes, len(COORDINATES))
+        motion = extended.extended_platform_motion(at.points, at.robot.parameters)
+        found = np.zeros((*at.channels.shape, len(paths)))
+        found[..., : changes.shape[-1], :] = np.moveaxis(changes, 1, -1)
+        found[..., -3:, :] = np.moveaxis(changes @ np.swapaxes(motion, -1, -2)[:, None], 1, -1)
+        for t, path in enumerate(paths):
+            # The platform's motion by the coordinates changes with the geometry, too.
+            if any(field in GEOMETRY for field, _ in path.weights):
+                rate = self._motion_rate(at, path)
+                found[..., -3:, t] += at.shapes @ np.swapaxes(rate[..., derivatives.free], -1, -2)
+        return found
+
+    def _motion_rate(self, at: _Solved, path: ParameterPath) -> Array:
+        """Derivative of the platform's motion by the coordinates along a path, by differences, (P, 3, e)."""
+        there, back = (
+            extended.extended_platform_motion(at.points, moved(at.robot, [(path, step)]).parameters)
+            for step in (DIFFERENCE, -DIFFERENCE)
+        )
+        found: Array = (there - back) / (2.0 * DIFFERENCE)
         return found
 
 

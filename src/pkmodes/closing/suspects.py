@@ -16,6 +16,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from pkmodes.closing import frame
 from pkmodes.diagnosis.problem import Candidate, Parameter
 from pkmodes.errors import PkmodesError, shown
 from pkmodes.robot.effects import CATALOGUE, Effect
@@ -35,15 +36,16 @@ SIGNED = ("gravity.", ".origin.", ".joint.", ".limits.")
 
 def suspects(
     robot: Robot, chosen: Sequence[str] | None = None
-) -> tuple[list[Parameter], list[Candidate], list[ParameterPath]]:
-    """Parameters of the diagnosis, its candidates, and what moves each parameter.
+) -> tuple[list[Parameter], list[Candidate], dict[str, ParameterPath]]:
+    """Parameters of the diagnosis, its candidates, and what moves each parameter of the robot.
 
     Parameters
     ----------
     robot : Robot
     chosen : sequence of str, optional
-        Names of candidates: effects, ``parameter:<path>``, or the words ``effects`` and ``parameters`` for all
-        of a kind.  By default all effects and every value that may be suspected.
+        Names of candidates: effects, ``parameter:<path>``, ``measurement:<what>``, or the words ``effects``,
+        ``parameters`` and ``measurement`` for all of a kind.  By default all effects, every value that may be
+        suspected, and the frame of the measurement.
 
     Raises
     ------
@@ -54,29 +56,54 @@ def suspects(
     candidates = _chosen(robot, chosen)
     if chosen is None:
         candidates += _of_one_axis(robot)
-    names = dict.fromkeys([*nuisances, *(name for candidate in candidates for name in candidate.parameters)])
+    candidates += _with_another_frame(robot, candidates)
+    of_frame, frames = frame.suspects()
+    of_robot = [name for candidate in candidates if candidate not in frames for name in candidate.parameters]
+    names = dict.fromkeys([*nuisances, *of_robot])
     joints = _joints(robot) if candidates else {}
     moves = [*(resolve(robot, name) for name in names), *joints.values()]
     candidates += [
         Candidate(name, (move.path,), f"{name} yields", remote=True, nameable=False)
         for name, move in joints.items()
     ]
-    return [_parameter(robot, move) for move in moves], candidates, moves
+    suspected = {name for candidate in candidates if candidate in frames for name in candidate.parameters}
+    parameters = [_parameter(robot, move) for move in moves]
+    parameters += [parameter for parameter in of_frame if parameter.name in suspected]
+    return parameters, candidates, {move.path: move for move in moves}
 
 
 def _chosen(robot: Robot, chosen: Sequence[str] | None) -> list[Candidate]:
-    effects, parameters = _effects(robot), _suspected(robot)
+    kinds = {
+        "effects": _effects(robot),
+        "parameters": _suspected(robot),
+        "measurement": {candidate.name: candidate for candidate in frame.suspects()[1]},
+    }
+    every = {name: candidate for kind in kinds.values() for name, candidate in kind.items()}
     if chosen is None:
-        return [*effects.values(), *parameters.values()]
+        return list(every.values())
+    if isinstance(chosen, str):
+        what = f"expected a list of names, found {shown(chosen)}"
+        raise PkmodesError(what, "candidates", f"write [{shown(chosen)}]")
     found: dict[str, Candidate] = {}
     for name in chosen:
-        if name in ("effects", "parameters"):
-            found |= effects if name == "effects" else parameters
-        elif name in effects or name in parameters:
-            found[name] = {**effects, **parameters}[name]
+        if name in kinds:
+            found |= kinds[name]
+        elif name in every:
+            found[name] = every[name]
         else:
-            found[name] = _asked_for(robot, name, [*effects, *parameters])
+            found[name] = _asked_for(robot, name, [*every])
     return list(found.values())
+
+
+def _with_another_frame(robot: Robot, candidates: Sequence[Candidate]) -> list[Candidate]:
+    """A moving frame whose declared mass is wrong: its compliance alone would not fit."""
+    mass = robot.quantities.get("frame.mass")
+    name = "frame_compliance"
+    if (mass is not None and mass.sigma is not None) or name not in {c.name for c in candidates}:
+        return []
+    parameters = (f"effects.{name}.compliance", f"effects.{name}.mass")
+    sentence = "the frame yields, and its mass is not the declared one"
+    return [Candidate(f"{name} with another frame.mass", parameters, sentence, remote=True, nameable=False)]
 
 
 def _varying(robot: Robot) -> list[str]:
@@ -153,7 +180,10 @@ def _suspected(robot: Robot) -> dict[str, Candidate]:
     found = [
         path
         for path in _varying(robot)
-        if robot.quantities[path].sigma is None and not path.startswith(others) and path not in parts
+        if robot.quantities[path].sigma is None
+        and not path.startswith(others)
+        and path not in parts
+        and not (path.startswith("gravity.") and robot.quantities[path].value == 0.0)  # nobody measures it
     ]
     for whole in WHOLES:
         present = robot.parameters.joint.any(axis=1).all() or whole != "axis.joint_radius"

@@ -6,16 +6,18 @@ says whether the model is adequate, which cause explains what it leaves, and whe
 """
 
 from pkmodes.diagnosis.compare import Comparison, compare
+from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.diagnose import diagnose
 from pkmodes.diagnosis.matrices import MatrixStructure
 from pkmodes.diagnosis.problem import Candidate, Parameter, Prediction, Structure
-from pkmodes.diagnosis.result import Diagnosis
+from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_modes as read_measurements
 
 __all__ = [
     "Candidate",
     "Comparison",
+    "Criteria",
     "Diagnosis",
     "MatrixStructure",
     "Measurements",

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import stats
 
-from pkmodes.diagnosis.fitting import Fitter
+from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.matrices import at_measured
 from pkmodes.diagnosis.problem import Structure
 from pkmodes.measured.measurements import Measurements

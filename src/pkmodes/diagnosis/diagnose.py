@@ -1,23 +1,41 @@
-"""Diagnose a model by measured modes."""
+"""Diagnose a model by measured modes: the route from measurements to a verdict.
+
+1. `match` pairs measured modes with modes of the model, and looks for mistakes of the measurement.
+2. `fit` refits the uncertain parameters inside their priors, to frequencies and shapes.
+3. `search` asks the gate whether what is left is noise, and if it is not, which cause or pair brings it there.
+4. `verdict` judges what the search came to: rivals, classes, errors instead of causes, shapes, stability.
+"""
 
 from __future__ import annotations
 
 import difflib
 from collections.abc import Sequence
+from dataclasses import replace
 
-from pkmodes.diagnosis.fitting import Fitter
+import numpy as np
+
+from pkmodes.diagnosis.criteria import Criteria
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.match.mistakes import other_unit, other_wiring
 from pkmodes.diagnosis.matrices import at_measured
 from pkmodes.diagnosis.problem import Structure
-from pkmodes.diagnosis.report import Report
-from pkmodes.diagnosis.result import Diagnosis
-from pkmodes.diagnosis.search import Progress, Search
+from pkmodes.diagnosis.search.additions import Progress
+from pkmodes.diagnosis.search.search import Outcome, Search
+from pkmodes.diagnosis.verdict import reasons
+from pkmodes.diagnosis.verdict.judgement import Judgement, judge
+from pkmodes.diagnosis.verdict.phrasing import reason_of
+from pkmodes.diagnosis.verdict.report import Report
+from pkmodes.diagnosis.verdict.result import Diagnosis, Verdict
+from pkmodes.diagnosis.verdict.stability import Trial, trials, unchanged
 from pkmodes.errors import PkmodesError, shown
 from pkmodes.measured.measurements import Measurements
 
-#: Measured modes beyond the uncertain parameters: one for a cause, and one to test it with.
-LEAST = 2
 #: One pose in so many is held out by default.
 HELD_OUT = 6
+#: Causes that would remove a contradiction of too few data are named, at most so many.
+HINTS = 4
 
 
 def diagnose(
@@ -26,6 +44,7 @@ def diagnose(
     *,
     holdout: Sequence[str] | None = None,
     progress: Progress | None = None,
+    criteria: Criteria | None = None,
 ) -> Diagnosis:
     """Find what a model lacks.
 
@@ -38,6 +57,8 @@ def diagnose(
         Labels of setups that take no part in any choice or fit.
     progress : callable, optional
         Called with a sentence at each step.
+    criteria : Criteria, optional
+        Thresholds; the default ones are those whose rates are known (docs/diagnosis-measured.md).
 
     Returns
     -------
@@ -46,20 +67,26 @@ def diagnose(
     Raises
     ------
     PkmodesError
-        If a label is unknown, or nothing is left to fit.
+        If a label is unknown, nothing is left to fit, or the model cannot be evaluated as declared.
     """
     structure = at_measured(structure, data.labels)
     fitted, held = split(data, holdout)
-    fitter = Fitter(structure.subset(fitted), data.at(fitted))
-    search = Search(fitter, structure.candidates, progress)
-    report = Report(structure, data, fitter, search, fitted, held)
-    if len(fitter.log) < len(fitter.nuisances) + LEAST:
-        return report.insufficient()
-    outcome = search.run()
+    fitter = Fitter(structure.subset(fitted), data.at(fitted), criteria)
+    report = Report(structure, data, fitter, held)
+    unit = other_unit(fitter)
+    if unit:
+        store = FitStore(fitter)
+        names = tuple(candidate.name for candidate in structure.candidates if not candidate.remote)
+        return report.without_search(
+            "unexplained", unit, store, None, names, (unit,), unchanged("unexplained")
+        )
+    if len(fitter.log) + int(fitter.shapes.count.sum()) < len(fitter.nuisances) + fitter.criteria.redundancy:
+        return _insufficient(fitter, report)
+    search, outcome = _searched(fitter, structure, progress)
     if outcome is None:
         what = "the model cannot be evaluated with its declared values"
         raise PkmodesError(what, data.source, "check the poses and the robot file")
-    return report.of(outcome)
+    return _judged(report, search, outcome)
 
 
 def split(data: Measurements, holdout: Sequence[str] | None) -> tuple[list[int], list[int]]:
@@ -69,6 +96,10 @@ def split(data: Measurements, holdout: Sequence[str] | None) -> tuple[list[int],
         number = count // HELD_OUT
         held = sorted({int((k + 0.5) * count / number) for k in range(number)})
     else:
+        if isinstance(holdout, str) or not all(isinstance(label, str) for label in holdout):
+            what = f"expected a list of labels to hold out, found {shown(holdout)}"
+            remedy = f"write [{shown(holdout)}]" if isinstance(holdout, str) else "give labels as strings"
+            raise PkmodesError(what, "holdout", remedy)
         unknown = [label for label in holdout if label not in data.labels]
         if unknown:
             nearest = difflib.get_close_matches(unknown[0], data.labels, n=1)
@@ -80,3 +111,77 @@ def split(data: Measurements, holdout: Sequence[str] | None) -> tuple[list[int],
     if not fitted:
         raise PkmodesError("every pose is held out", data.source, "leave some poses to fit")
     return fitted, held
+
+
+def _searched(
+    fitter: Fitter, structure: Structure, progress: Progress | None
+) -> tuple[Search, Outcome | None]:
+    """Search, with the scatter of shapes that the best of all explanations leaves where none is stated."""
+    c = fitter.criteria
+    plain = FitStore(fitter)
+    first = plain.fit(Hypothesis())
+    scatter = None if first is None else plain.shape_scatter(first)
+    while True:
+        if scatter is not None:
+            bounded = float(np.clip(scatter, c.least_shape_scatter, c.most_shape_scatter))
+            fitter = Fitter(fitter.structure, fitter.data, c, bounded)
+        search = Search(FitStore(fitter), structure.candidates, progress)
+        outcome = search.run()
+        found = [search.store.shape_scatter(fit) for fit in search.store.tried()]
+        best = min((each for each in found if each is not None), default=None)
+        if best is None or max(best, c.least_shape_scatter) >= c.sharper * fitter.shape_scatter:
+            return search, outcome
+        scatter = best
+
+
+def _judged(report: Report, search: Search, outcome: Outcome) -> Diagnosis:
+    """Judge the outcome of a search, and say why."""
+    judged, store = judge(search, outcome), search.store
+    found = trials(search, judged.final)
+    if judged.verdict == "effect_found":
+        judged = _stable(judged, found)
+    wiring = other_wiring(store.fitter, judged.final)
+    if wiring and judged.verdict in ("adequate", "effect_found", "ambiguous"):
+        judged = replace(judged, verdict="unexplained", doubt=wiring)
+    reason = judged.doubt or reason_of(report, search, outcome, judged)
+    return report.of(
+        search,
+        outcome,
+        judged,
+        reason,
+        (wiring,) if wiring else (),
+        tuple(trial.entry for trial in found),
+    )
+
+
+def _stable(judged: Judgement, found: Sequence[Trial]) -> Judgement:
+    """A claim that other errors or priors would change is withdrawn."""
+    for trial in found:
+        if trial.instead is not None:
+            doubt = reasons.unstable(judged.final.causes, trial.entry.change, trial.instead.causes)
+            return replace(judged, verdict="ambiguous", doubt=doubt, instead=trial.instead)
+    return judged
+
+
+def _insufficient(fitter: Fitter, report: Report) -> Diagnosis:
+    """Too few data to search; whether they contradict the model and its priors can be said all the same."""
+    store = FitStore(fitter)
+    fit = store.fit(Hypothesis())  # the priors determine it, however few the data
+    candidates = [candidate for candidate in fitter.structure.candidates if not candidate.remote]
+    p_value, hints = None, []
+    if fit is not None:
+        p_value = store.p_value(fit)
+        if p_value <= reasons.UNEVEN:
+            search = Search(store, candidates)
+            singles = search.additions.would_do()
+            hints = [single.causes[0].name for single in singles[:HINTS]]
+    reason = reasons.insufficient(
+        len(fitter.log),
+        int(fitter.shapes.count.sum()),
+        [fitter.parameters[i].name for i in fitter.nuisances],
+        p_value,
+        hints,
+    )
+    names = tuple(candidate.name for candidate in candidates)
+    verdict: Verdict = "insufficient_data"
+    return report.without_search(verdict, reason, store, fit, names, (), unchanged(verdict))

@@ -95,8 +95,9 @@ class MatrixStructure:
             rigid=self.rigid,
         )
 
-    def predict(self, values: Array, by: Sequence[int]) -> Prediction:
+    def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
         """Modes in all setups, with derivatives by some of the parameters."""
+        along = None
         M, K = self._stacked(values)
         eigenvalues, shapes = np.full(M.shape[:2], np.nan), np.zeros(M.shape)
         for setup in range(len(self.setups)):
@@ -113,9 +114,21 @@ class MatrixStructure:
             dM, dK = self._rates(values, i, M, K)
             both = [np.einsum("sma,sab,smb->sm", shapes, d, shapes, optimize=True) for d in (dM, dK)]
             rates[..., k] = both[1] - eigenvalues * both[0]
-        return Prediction(eigenvalues, rates, shapes, self.rigid)
+            if shape_rates:
+                if along is None:
+                    along = np.zeros((*shapes.shape, len(by)))
+                z = shapes @ dK - eigenvalues[..., None] * (shapes @ dM)
+                gap = eigenvalues[:, :, None] - eigenvalues[:, None, :]
+                gap = np.where(np.abs(gap) > 1e-6 * np.abs(eigenvalues[:, :, None]), gap, 1e300)
+                share = z @ np.swapaxes(shapes, -1, -2) / gap
+                d = np.arange(share.shape[-1])
+                share[:, d, d] = -0.5 * both[0]
+                along[..., k] = share @ shapes
+        if shape_rates and along is None:
+            along = np.zeros((*shapes.shape, len(by)))
+        return Prediction(eigenvalues, rates, shapes, self.rigid, along)
 
-    def position_rates(self, values: Array) -> None:
+    def position_rates(self, values: Array, *, shape_rates: bool = False) -> None:
         """Setups have no position."""
 
     def elsewhere(self, count: int) -> tuple[Array, Structure] | None:

@@ -32,6 +32,9 @@ class Parameter:
         hypothesis.  None: held at its value, unless it belongs to a candidate.
     lower, upper : float
         Physical bounds.
+    log : bool
+        Whether the logarithm is what is normally distributed: a log-normal prior, for a positive scale.  Its
+        standard deviation, here or in a candidate, is then relative.
     """
 
     name: str
@@ -40,6 +43,7 @@ class Parameter:
     sigma: float | None = None
     lower: float = -np.inf
     upper: float = np.inf
+    log: bool = False
 
 
 @dataclass(frozen=True)
@@ -58,6 +62,9 @@ class Candidate:
         by itself: where it explains them, the verdict is ``unexplained``, and the reason points at it.
     nameable : bool
         Whether a remote cause may stand in the class of another one that looks like it.
+    sigma : tuple of float, optional
+        How far each parameter may plausibly be from its value, as a standard deviation: a prior that holds where
+        the cause is assumed.  It ranks this cause among others, and a value far outside costs evidence.
     """
 
     name: str
@@ -65,6 +72,7 @@ class Candidate:
     sentence: str = ""
     remote: bool = False
     nameable: bool = True
+    sigma: tuple[float, ...] | None = None
 
 
 @dataclass(frozen=True)
@@ -76,17 +84,21 @@ class Prediction:
     eigenvalues : ndarray, shape (S, m)
         Ascending [1/s^2]; NaN for a setup that cannot be evaluated with these values.
     rates : ndarray, shape (S, m, T)
-        Their derivatives by the parameters that were asked for.
+        Their derivatives with respect to the parameters that were asked for.
     shapes : ndarray, shape (S, m, C)
         Mode shapes in the model's channels, mass-normalised.
     rigid : int
         Leading modes that are rigid-body motions and not measured.
+    shape_rates : ndarray, shape (S, m, C, T), optional
+        Derivatives of the shapes, where they were asked for.  Of close modes the part within their own space may
+        be anything finite: nothing that is compared depends on it.
     """
 
     eigenvalues: Array
     rates: Array
     shapes: Array
     rigid: int = 0
+    shape_rates: Array | None = None
 
     @property
     def log_frequencies(self) -> Array:
@@ -126,14 +138,14 @@ class Structure(Protocol):
     def channels(self) -> tuple[str, ...]:
         """Names of the shape components."""
 
-    def predict(self, values: Array, by: Sequence[int]) -> Prediction:
-        """Modes for these values of all parameters, with derivatives by some of them (indices)."""
+    def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
+        """Modes for these values of all parameters, with derivatives with respect to some of them (indices)."""
 
     def subset(self, setups: Sequence[int]) -> Structure:
         """The same structure at some of its setups."""
 
-    def position_rates(self, values: Array) -> Array | None:
-        """Derivatives of the eigenvalues by the position of each setup, (S, m, 3), where setups have one."""
+    def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction | None:
+        """Modes with derivatives with respect to the position of each setup (T = 3), where setups have one."""
 
     def elsewhere(self, count: int) -> tuple[Array, Structure] | None:
         """Points (count, 3) where the structure could be measured as well, and the structure at these setups."""

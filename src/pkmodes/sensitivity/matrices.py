@@ -192,6 +192,13 @@ class MatrixDerivatives:
         )
         return np.asarray(K - eigenvalues[..., None] * M)
 
+    def locked_motion(self, t: int, eigenvalues: Array, shapes: Array) -> Array:
+        """How locked joints move in each mode by unit of their compliance, (N, m, e): they yield to what they carry."""
+        found = np.zeros((*shapes.shape[:-1], self.M.shape[-1]))
+        for joints, weight in self._locked[t]:
+            found[..., list(joints)] -= weight * self.joint_forces(eigenvalues, shapes, joints)
+        return found
+
     def locked_change(self, t: int, eigenvalues: Array, shapes: Array) -> tuple[Array, Array]:
         """For the compliance of a locked joint: what replaces (dK - lambda dM) phi, and phi^T dM phi.
 

@@ -7,14 +7,16 @@ sizes, and more closely around the best of them, because a mode that a cause add
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
-from pkmodes.diagnosis.fitting import Fit, Fitter, Hypothesis
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.problem import Array
-from pkmodes.diagnosis.score import Score, one_sided
+from pkmodes.diagnosis.search.score import Score, one_sided
 
-#: Sizes of a cause of one sign that are tried first, as the change of a frequency that a linear model foretells.
+#: Sizes of a cause of one sign that are tried first, as the change of a frequency that a linear model predicts.
 SIZES = np.geomspace(0.003, 3.0, 9)
 #: The same for a cause that adds modes: they change a frequency when they come near it, and not much before.  A
 #: quarter apart, which is an eighth of the frequencies of such modes.
@@ -43,9 +45,10 @@ def starts(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> list
     index = list(fitter.indices(one.candidate))
     lower = np.array([fitter.parameters[i].lower for i in index])
     upper = np.array([fitter.parameters[i].upper for i in index])
-    sign = one_sided(fitter, one.candidate)
+    # Of a cause with several parameters the first one says how large it is.
+    sign = one_sided(fitter, replace(one.candidate, parameters=one.candidate.parameters[:1]))
     sizes = SIZES
-    if sign and one.largest[0] > 0.0 and _adds_modes(fitter, fit, index, SIZES[:1] * sign / one.largest[0]):
+    if sign and one.largest[0] > 0.0 and _adds_modes(fitter, fit, index[0], SIZES[0] * sign / one.largest[0]):
         sizes = CLOSE_SIZES
     found: list[tuple[float, Array]] = []
     for origin in _origins(fitter, fit, sign):
@@ -57,7 +60,8 @@ def starts(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> list
 
         steps = [one.step, 0.5 * one.step]
         if sign and one.largest[0] > 0.0:
-            unit = np.array([sign / one.largest[0]])
+            unit = np.zeros(len(index))
+            unit[0] = sign / one.largest[0]
 
             def cost(size: float, at: Callable[[Array], Array] = at, unit: Array = unit) -> float:
                 return fitter.chi2_of(at(size * unit), hypothesis)
@@ -88,7 +92,7 @@ def _origins(fitter: Fitter, fit: Fit, sign: int) -> list[Array]:
     return [fit.values] if np.array_equal(other, fit.values) else [fit.values, other]
 
 
-def _adds_modes(fitter: Fitter, fit: Fit, index: list[int], step: Array) -> bool:
+def _adds_modes(fitter: Fitter, fit: Fit, index: int, step: float) -> bool:
     values = fit.values.copy()
     values[index] += step
     count = fitter.structure.predict(values, ()).eigenvalues.shape[1]

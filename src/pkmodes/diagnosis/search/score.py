@@ -20,13 +20,14 @@ from functools import cached_property
 import numpy as np
 from scipy import stats
 
-from pkmodes.diagnosis.fitting import Fit, Fitter
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Array, Candidate
 
 #: Draws of the smallest p-value under the hypothesis, and their seed.
 DRAWS = 20_000
 SEED = 20_221_107
-#: A signature of which less than this fraction is left after the projection points nowhere.
+#: A signature of which less than this fraction is left after the projection has no direction.
 LEFT = 1e-4
 
 
@@ -74,6 +75,11 @@ class Scores:
     each: tuple[Score, ...]
     directions: tuple[tuple[Array, int], ...]
 
+    @property
+    def bound(self) -> float:
+        """A p-value that the best candidate among so many cannot exceed."""
+        return min(1.0, min((s.p_value for s in self.each), default=1.0) * max(len(self.directions), 1))
+
     @cached_property
     def p_value(self) -> float:
         """Of the best candidate among so many; it takes some time, and is evaluated when it is asked for."""
@@ -93,7 +99,7 @@ def score(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> Scores:
     if not by:
         return Scores((), ())
     rates, raw = fitter.signatures(fit, by)
-    basis = _orthonormal(fit.jacobian)
+    basis = fit.basis
     left = raw - basis @ (basis.T @ raw)
     unit = np.abs(rates)
     found, directions, start = [], [], 0
@@ -110,8 +116,9 @@ def score(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> Scores:
 def _one(
     fitter: Fitter, fit: Fit, candidate: Candidate, raw: Array, left: Array, unit: Array
 ) -> tuple[Score, Array]:
-    size, whole = np.linalg.norm(left, axis=0), np.linalg.norm(raw, axis=0)
-    seen = size > LEFT * np.maximum(whole, 1e-300)
+    size, data = np.linalg.norm(left, axis=0), slice(0, fitter.prior_rows.start)
+    whole = np.linalg.norm(raw[data], axis=0)
+    seen = np.linalg.norm(left[data], axis=0) > LEFT * np.maximum(whole, 1e-300)
     largest = unit.max(axis=0, initial=0.0)
     step = np.zeros(left.shape[1])
     if not seen.any():
@@ -166,14 +173,3 @@ def _smallest(directions: Sequence[tuple[Array, int]], observed: float) -> float
         else:
             reached |= (part**2).sum(axis=1) >= stats.chi2.isf(observed, axes.shape[1])
     return float(np.clip(reached.mean(), 1.0 / DRAWS, 1.0))
-
-
-def _orthonormal(jacobian: Array) -> Array:
-    """Orthonormal basis of the space that the fit has used up."""
-    size = np.linalg.norm(jacobian, axis=0)
-    columns = jacobian[:, size > 0.0] / size[size > 0.0]
-    if not columns.shape[1]:
-        return np.zeros((len(jacobian), 0))
-    u, s, _ = np.linalg.svd(columns, full_matrices=False)
-    basis: Array = u[:, s > 1e-9]
-    return basis

@@ -1,113 +1,31 @@
-r"""Fit a hypothesis to measured frequencies: bounded nonlinear least squares in whitened logarithms.
+r"""Fit a hypothesis to measured modes: bounded nonlinear least squares in whitened logarithms and shapes.
 
-The residual is :math:`\ln f_{measured} - \ln f_{model}`, whitened with its covariance (`pkmodes.diagnosis.noise`).
-Nuisance parameters add their priors as further residuals, so that the least sum of squares of a true
-hypothesis is chi-square distributed with as many degrees of freedom as there are rows, less its free
-parameters without prior.
+The residual is :math:`\ln f_{measured} - \ln f_{model}` and what the shapes leave (`fit.shapes`), whitened with its
+covariance (`fit.noise`).  Priors are further residuals, so that the least sum of squares of a true hypothesis is
+chi-square distributed with as many degrees of freedom as there are data, less its free parameters without prior.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
-from pkmodes.diagnosis.noise import Noise, Whitening, log_determinant
-from pkmodes.diagnosis.pairing import REACH, Pairer, Pairing
+from pkmodes.diagnosis.criteria import Criteria
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.fit.noise import Noise, Whitening
+from pkmodes.diagnosis.fit.priors import Priors
+from pkmodes.diagnosis.fit.shapes import ShapeRows
+from pkmodes.diagnosis.match.pairing import Pairer, Pairing
 from pkmodes.diagnosis.problem import Array, Candidate, Parameter, Prediction, Structure
 from pkmodes.measured.measurements import Measurements
 
-#: Steps of a fit; four or five are enough where the data tell.
-MOST_STEPS = 18
-#: Steps of a rough fit, which shows whether more are worth their time.
-ROUGH_STEPS = 6
-#: Rounds of pairing and fitting; the pairing is stable after two or three.
-ROUNDS = 3
 #: Length of the solver's first step, at least, in standard deviations.
 FIRST_STEP = 10.0
 #: Close eigenvalues: below this relative gap the derivatives of single modes are not defined.
 REPEATED = 1e-7
-
-
-@dataclass(frozen=True)
-class Hypothesis:
-    """What is assumed beyond the declared model and its nuisances.
-
-    Attributes
-    ----------
-    causes : tuple of Candidate
-        Added causes.
-    excluded : frozenset of int
-        Rows that are taken as outliers.
-    scatter : bool
-        Whether the modes of a setup share an error.
-    """
-
-    causes: tuple[Candidate, ...] = ()
-    excluded: frozenset[int] = frozenset()
-    scatter: bool = False
-
-    def adding(self, cause: Candidate) -> Hypothesis:
-        """Return the hypothesis with one cause more."""
-        return replace(self, causes=(*self.causes, cause))
-
-
-@dataclass(frozen=True)
-class Fit:
-    """A fitted hypothesis.
-
-    Attributes
-    ----------
-    hypothesis : Hypothesis
-    values : ndarray, shape (number of parameters,)
-        All parameters of the structure.
-    free : tuple of int
-        The fitted ones: nuisances first, then those of the causes.
-    covariance : ndarray, shape (k, k)
-        Of the fitted ones.
-    chi2 : float
-        Whitened sum of squares, priors included.
-    deviance : float
-        chi2 and the logarithm of the determinant of V: twice the negative log likelihood.
-    scatter : float
-        Standard deviation of the error shared in a setup, tau.
-    prediction : Prediction
-    pairing : Pairing
-    residual : ndarray, shape (R,)
-        ln f measured minus model; clipped where there is no partner, 0 where excluded.
-    white, jacobian : ndarray, shape (R + priors,) and (R + priors, k)
-        Whitened residual and its derivatives by the fitted parameters.
-    shape_misfit : ndarray, shape (R,)
-        1 - MAC; 0 where no shape was measured or the row is excluded.
-    at_bound : tuple of str
-        Parameters of causes that stopped at a bound other than their absence.
-    converged : bool
-        Whether the steps were enough.
-    """
-
-    hypothesis: Hypothesis
-    values: Array
-    free: tuple[int, ...]
-    covariance: Array
-    chi2: float
-    deviance: float
-    scatter: float
-    prediction: Prediction
-    pairing: Pairing
-    residual: Array
-    white: Array
-    jacobian: Array
-    shape_misfit: Array
-    at_bound: tuple[str, ...]
-    converged: bool
-
-    @property
-    def causes(self) -> tuple[Candidate, ...]:
-        """Causes of the hypothesis."""
-        return self.hypothesis.causes
 
 
 class Fitter:
@@ -118,18 +36,42 @@ class Fitter:
     structure : Structure
         At the setups of the measurements.
     data : Measurements
+    criteria : Criteria, optional
+    scatter : float, optional
+        Standard deviation of shape components where none is stated, relative to the row's largest.
+    widened : float, optional
+        Factor by which all priors are wider than declared.
     """
 
-    def __init__(self, structure: Structure, data: Measurements) -> None:
+    def __init__(
+        self,
+        structure: Structure,
+        data: Measurements,
+        criteria: Criteria | None = None,
+        scatter: float | None = None,
+        *,
+        widened: float = 1.0,
+    ) -> None:
         self.structure, self.data = structure, data
+        self.criteria = criteria or Criteria()
+        self.shape_scatter = self.criteria.shape_scatter if scatter is None else scatter
         self.parameters: tuple[Parameter, ...] = structure.parameters
         self._index = {p.name: i for i, p in enumerate(self.parameters)}
         self.declared = np.array([p.value for p in self.parameters])
         self.nuisances = tuple(i for i, p in enumerate(self.parameters) if p.sigma)
+        self.priors = Priors(self.parameters, structure.candidates, widened)
         self.log = np.log(data.frequency)
-        self.noise = Noise(data)
+        reference = structure.predict(self.declared, ())
+        self.pairer = Pairer(data, structure.channels, reference, self.criteria)
+        self.shapes = ShapeRows(
+            data, self.pairer.columns, self.pairer.moves, self.shape_scatter, self.criteria
+        )
+        self.noise = Noise(data, self.shapes, self.criteria.most_shared)
         self.sigma = self.noise.sigma
-        self.pairer = Pairer(data, structure.channels, structure.predict(self.declared, ()))
+        rows, size = len(self.log), self.shapes.size
+        self.frequency_rows = slice(0, rows)
+        self.shape_rows = slice(rows, rows + size)
+        self.prior_rows = slice(rows + size, None)
 
     def indices(self, cause: Candidate) -> tuple[int, ...]:
         """Indices of a cause's parameters."""
@@ -141,30 +83,48 @@ class Fitter:
         used[list(hypothesis.excluded)] = False
         return used
 
+    def places(self) -> list[NDArray[np.intp]]:
+        """Places of the data of each setup, frequencies and shapes."""
+        rows, channels = len(self.log), self.shapes.sigma.shape[1]
+        components = rows + np.arange(self.shapes.size).reshape(rows, channels)
+        return [np.concatenate([part, components[part].ravel()]) for part in self.noise.rows]
+
     # Predictions -------------------------------------------------------------------------------------------
 
-    def residual(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
+    def frequency_residual(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
         """Measured minus model in ln f; a mode that the model lacks counts with the reach of the pairing."""
+        reach = self.criteria.reach
         logs = prediction.log_frequencies[self.data.pose, np.maximum(pairing.partner, 0)]
-        found = np.clip(self.log - logs, -REACH, REACH)
-        found = np.where(pairing.partner >= 0, found, REACH)
+        found = np.clip(self.log - logs, -reach, reach)
+        found = np.where(pairing.partner >= 0, found, reach)
         return np.where(used, found, 0.0)
 
-    def rates(self, prediction: Prediction, pairing: Pairing) -> Array:
-        """Derivatives of ln f of the partners by the parameters that were asked for, (R, T)."""
+    def residual(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
+        """Measured minus model: frequencies and shapes, (R + R C,)."""
+        frequencies = self.frequency_residual(prediction, pairing, used)
+        if not self.shapes.size:
+            return frequencies
+        return np.concatenate([frequencies, self.shapes.residual(prediction, pairing, used).ravel()])
+
+    def rates(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
+        """Derivatives of what the partners predict with respect to the parameters that were asked for."""
         rates = _averaged(prediction)
         found = rates[self.data.pose, np.maximum(pairing.partner, 0)]
-        return np.asarray(np.where((pairing.partner >= 0)[:, None], found, 0.0))
+        found = np.where(((pairing.partner >= 0) & used)[:, None], found, 0.0)
+        if not self.shapes.size:
+            return np.asarray(found)
+        shapes = self.shapes.rates(prediction, pairing, used)
+        return np.vstack([found, -shapes.reshape(self.shapes.size, found.shape[1])])
 
     def chi2_of(self, values: Array, hypothesis: Hypothesis) -> float:
-        """Sum of squares of the frequencies alone at these values, without any fit; infinite out of reach."""
+        """Sum of squares at these values, without any fit and priors; infinite out of reach."""
         prediction = self.structure.predict(values, ())
         if not np.isfinite(prediction.eigenvalues).all():
             return np.inf
         used = self.used(hypothesis)
         pairing = self.pairer.pair(prediction, used, compare=False)
-        residual = self.residual(prediction, pairing, used)
-        return float(np.sum((residual / self.sigma) ** 2))
+        white = self.noise.whitening(None, used, 0.0).whitened(self.residual(prediction, pairing, used))
+        return float(white @ white)
 
     def unfitted(self, values: Array, used: NDArray[np.bool_]) -> tuple[Pairing, Array, Array, float]:
         """What these values give without any fit, the errors of uncertain positions counted.
@@ -175,14 +135,15 @@ class Fitter:
         residual, sigma : ndarray, shape (R,)
             ln f measured minus model, and its standard deviation.
         chi2 : float
-            Whitened sum of squares of the rows in use.
+            Whitened sum of squares of the frequencies of the rows in use.
         """
         prediction = self.structure.predict(values, ())
         pairing = self.pairer.pair(prediction, used)
-        motion = self._motion(values, pairing)
+        motion = self._motion(values, pairing, used)
         residual = self.residual(prediction, pairing, used)
-        white = self.noise.whitened(residual, self.noise.whitening(motion, used, 0.0))
-        return pairing, residual, self.noise.standard_deviations(motion), float(white @ white)
+        white = self.noise.whitening(motion, used, 0.0).whitened(residual)[self.frequency_rows]
+        sigma = self.noise.standard_deviations(motion)
+        return pairing, residual[self.frequency_rows], sigma, float(white @ white)
 
     # Fits --------------------------------------------------------------------------------------------------
 
@@ -201,8 +162,8 @@ class Fitter:
         added = (i for cause in hypothesis.causes for i in self.indices(cause))
         free = tuple(dict.fromkeys([*self.nuisances, *added]))  # causes may share a parameter
         used, tau, pairing, converged = self.used(hypothesis), 0.0, None, True
-        steps = ROUGH_STEPS if rough else MOST_STEPS
-        for _ in range(ROUNDS):
+        steps = self.criteria.rough_steps if rough else self.criteria.steps
+        for _ in range(self.criteria.rounds):
             prediction = self.structure.predict(values, ())
             if not np.isfinite(prediction.eigenvalues).all():
                 return None
@@ -213,11 +174,12 @@ class Fitter:
                 and not hypothesis.scatter
             ):
                 break
-            whitening = self.noise.whitening(self._motion(values, pairing), used, tau)
+            motion = self._motion(values, pairing, used)
+            whitening = self.noise.whitening(motion, used, tau)
             values, converged = self._least_squares(values, free, pairing, used, whitening, steps)
             if hypothesis.scatter:
                 residual = self.residual(self.structure.predict(values, ()), pairing, used)
-                tau = self.noise.shared_error(residual, self._motion(values, pairing), used)
+                tau = self.noise.shared_error(residual, self._motion(values, pairing, used), used)
         return self._finished(hypothesis, values, free, used, tau, converged)
 
     def _finished(
@@ -229,55 +191,70 @@ class Fitter:
         tau: float,
         converged: bool,
     ) -> Fit | None:
-        prediction = self.structure.predict(values, free)
+        prediction = self.structure.predict(values, free, shape_rates=bool(self.shapes.size))
         if not np.isfinite(prediction.eigenvalues).all():
             return None
         pairing = self.pairer.pair(prediction, used)
-        whitening = self.noise.whitening(self._motion(values, pairing), used, tau)
+        whitening = self.noise.whitening(self._motion(values, pairing, used), used, tau)
         residual = self.residual(prediction, pairing, used)
-        white = np.concatenate([self.noise.whitened(residual, whitening), self._prior(values)])
+        white = np.concatenate([whitening.whitened(residual), self.priors.residual(values)])
         jacobian = np.vstack(
-            [-self.noise.whitened(self.rates(prediction, pairing), whitening), self._prior_rates(free)]
+            [
+                -whitening.whitened(self.rates(prediction, pairing, used)),
+                self.priors.rates(values, free),
+            ]
         )
         chi2 = float(white @ white)
-        lacking = np.where(np.isnan(pairing.mac), 0.0, 1.0 - pairing.mac)
         return Fit(
             hypothesis=hypothesis,
             values=values,
             free=free,
             covariance=_inverse_of_square(jacobian),
             chi2=chi2,
-            deviance=chi2 + log_determinant(whitening),
+            deviance=chi2 + whitening.log_determinant,
             scatter=tau,
             prediction=prediction,
             pairing=pairing,
             residual=residual,
             white=white,
             jacobian=jacobian,
-            shape_misfit=np.where(used, lacking, 0.0),
             at_bound=self._at_bound(hypothesis, values),
             converged=converged,
         )
 
     def difference(self, a: Fit, b: Fit) -> float:
-        """Sum of squares by which the predictions and nuisances of two fits differ, whitened as the first is."""
+        """Sum of squares by which the predictions and priors of two fits differ, whitened as the first is."""
         used = self.used(a.hypothesis) & self.used(b.hypothesis)
         whitening = self.noise.whitening(
-            self._motion(a.values, a.pairing), self.used(a.hypothesis), a.scatter
+            self._motion(a.values, a.pairing, used), self.used(a.hypothesis), a.scatter
         )
-        between = self.noise.whitened(np.where(used, a.residual - b.residual, 0.0), whitening)
-        priors = self._prior(a.values) - self._prior(b.values)
+        between = whitening.whitened(np.where(self._spread(used), a.residual - b.residual, 0.0))
+        priors = self.priors.residual(a.values) - self.priors.residual(b.values)
         return float(between @ between + priors @ priors)
 
     def signatures(self, fit: Fit, by: Sequence[int]) -> tuple[Array, Array]:
-        """Derivatives of ln f by parameters at a fit, (R, T), and whitened with no priors, (R + priors, T)."""
-        prediction = self.structure.predict(fit.values, by)
+        """Derivatives of ln f with respect to parameters at a fit, (R, T), and those of all data, whitened."""
+        prediction = self.structure.predict(fit.values, by, shape_rates=bool(self.shapes.size))
         used = self.used(fit.hypothesis)
-        rates = np.where(used[:, None], self.rates(prediction, fit.pairing), 0.0)
-        whitening = self.noise.whitening(self._motion(fit.values, fit.pairing), used, fit.scatter)
-        return rates, np.vstack(
-            [self.noise.whitened(rates, whitening), np.zeros((len(self.nuisances), len(by)))]
+        rates = self.rates(prediction, fit.pairing, used)
+        whitening = self.noise.whitening(self._motion(fit.values, fit.pairing, used), used, fit.scatter)
+        # What has a prior of its own is pulled to its declared value, as soon as it is free.
+        return rates[self.frequency_rows], np.vstack(
+            [whitening.whitened(rates), -self.priors.rates(fit.values, by)]
         )
+
+    def shape_misfit(self, fit: Fit, stated: bool) -> tuple[float, float]:
+        """Sum of squares of shapes with or without stated errors, in their own units, and its degrees of freedom."""
+        used = self.used(fit.hypothesis)
+        some = used & self.shapes.known & (self.shapes.stated == stated)
+        shape = self.shapes.sigma.shape
+        squares = (fit.white[self.shape_rows].reshape(shape) ** 2).sum(axis=1)
+        taken = fit.leverage[self.shape_rows].reshape(shape).sum(axis=1)
+        return float(squares[some].sum()), float(self.shapes.count[some].sum() - taken[some].sum())
+
+    def _spread(self, used: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """Which data belong to rows in use."""
+        return np.concatenate([used, np.repeat(used, self.shapes.sigma.shape[1])])
 
     def _least_squares(
         self,
@@ -297,9 +274,9 @@ class Fitter:
         first = np.clip(values[index], lower, upper)
 
         def rates(full: Array) -> Array:
-            found = self.rates(self.structure.predict(full, free), pairing)
-            found = np.where(used[:, None], found, 0.0)
-            return np.vstack([-self.noise.whitened(found, whitening), self._prior_rates(free)])
+            prediction = self.structure.predict(full, free, shape_rates=bool(self.shapes.size))
+            found = self.rates(prediction, pairing, used)
+            return np.vstack([-whitening.whitened(found), self.priors.rates(full, free)])
 
         # Solved in units of one standard deviation each, the solver's limits then mean the same in kg and in Pa; and
         # away from 0, because its first step is as long as its start: a cause that is absent would stay so.
@@ -317,7 +294,7 @@ class Fitter:
         def residual(u: Array) -> Array:
             full = at(u)
             found = self.residual(self.structure.predict(full, ()), pairing, used)
-            return np.concatenate([self.noise.whitened(found, whitening), self._prior(full)])
+            return np.concatenate([whitening.whitened(found), self.priors.residual(full)])
 
         def jacobian(u: Array) -> Array:
             return np.asarray(rates(at(u)) * unit)
@@ -335,17 +312,6 @@ class Fitter:
         )
         return at(found.x), bool(found.status > 0)
 
-    def _prior(self, values: Array) -> Array:
-        return np.array(
-            [(values[i] - self.declared[i]) / (self.parameters[i].sigma or 1.0) for i in self.nuisances]
-        )
-
-    def _prior_rates(self, free: tuple[int, ...]) -> Array:
-        rates = np.zeros((len(self.nuisances), len(free)))
-        for row, i in enumerate(self.nuisances):
-            rates[row, free.index(i)] = 1.0 / (self.parameters[i].sigma or 1.0)
-        return rates
-
     def _at_bound(self, hypothesis: Hypothesis, values: Array) -> tuple[str, ...]:
         found = []
         for cause in hypothesis.causes:
@@ -357,13 +323,12 @@ class Fitter:
                         found.append(p.name)
         return tuple(found)
 
-    def _motion(self, values: Array, pairing: Pairing) -> Array | None:
-        """Derivatives of ln f of the partners by the position of their setup, (R, 3), where it is uncertain."""
-        rates = self.structure.position_rates(values) if self.noise.uncertain else None
-        if rates is None:
+    def _motion(self, values: Array, pairing: Pairing, used: NDArray[np.bool_]) -> Array | None:
+        """Derivatives of the data with respect to the position of their setup, (D, 3), where it is uncertain."""
+        if not self.noise.uncertain:
             return None
-        eigenvalues = self.structure.predict(values, ()).eigenvalues
-        return self.rates(Prediction(eigenvalues, rates, rates), pairing)
+        moved = self.structure.position_rates(values, shape_rates=bool(self.shapes.size))
+        return None if moved is None else self.rates(moved, pairing, used)
 
 
 def _inverse_of_square(jacobian: Array) -> Array:

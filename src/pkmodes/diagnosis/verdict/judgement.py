@@ -1,32 +1,27 @@
 """What the search came to, judged: whether it is claimed, and if not, why.
 
-A claim stands if the shapes do not prefer another cause, if no larger errors of the measurement explain the residual
-nearly as well, if it takes no remote cause, if no such cause alone explains what two are claimed for, and if it
-could hardly be chance.
+A claim stands if no other explanation fits the shapes significantly better, if no larger errors of the measurement
+explain the residual nearly as well, if it takes no remote cause, if no such cause alone explains what two are claimed
+for, and if it could hardly be chance.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
 from scipy import stats
 
-from pkmodes.diagnosis import reasons
-from pkmodes.diagnosis.classes import classes, other_pairs, survivors
-from pkmodes.diagnosis.fitting import Fit, Hypothesis
-from pkmodes.diagnosis.gate import SURELY, Gate
-from pkmodes.diagnosis.result import Verdict
-from pkmodes.diagnosis.score import one_sided
-from pkmodes.diagnosis.search import MOST_CAUSES, SURVIVES, Outcome, Search
+from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.search.gate import Gate
+from pkmodes.diagnosis.search.score import one_sided
+from pkmodes.diagnosis.search.search import Outcome, Search
+from pkmodes.diagnosis.verdict import reasons
+from pkmodes.diagnosis.verdict.classes import classes, other_pairs, survivors
+from pkmodes.diagnosis.verdict.errors import explained_by_errors
+from pkmodes.diagnosis.verdict.result import Verdict
+from pkmodes.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 
-#: A cause is claimed if chance would bring one as clear, among all candidates, with less than this probability.
-CLAIMED = 1e-3
-#: Where what one cause leaves is noise with more than this probability, no remote cause is looked for beside it.
-PLAINLY = 0.2
-#: A shape disagrees with its mode if 1 - MAC is above the first and so many times what is usual in these data.
-STRANGE, USUAL = 0.3, 10.0
-#: Times that the shapes may prefer another cause in some place.
+#: Times that the survivors may prefer another cause in some place.
 PREFERENCES = 4
 
 
@@ -48,6 +43,8 @@ class Judgement:
         Of each cause.
     doubt : str
         Why nothing is claimed though the residual would be explained.
+    instead : Fit or None
+        What would be better with other errors or priors.
     """
 
     verdict: Verdict
@@ -57,6 +54,7 @@ class Judgement:
     others: tuple[Fit, ...]
     p_values: tuple[float, ...]
     doubt: str = ""
+    instead: Fit | None = None
 
 
 def judge(search: Search, outcome: Outcome) -> Judgement:
@@ -64,8 +62,12 @@ def judge(search: Search, outcome: Outcome) -> Judgement:
     final, last = outcome.final, outcome.last
     if not last.passed:
         return Judgement("unexplained", final, last, (), (), ())
+    if not final.causes:
+        strange = shapes_disagree(search.store, final)
+        verdict: Verdict = "unexplained" if strange else "adequate"
+        return Judgement(verdict, final, last, (), (), (), reasons.shapes(()) if strange else "")
     final, places = _preferred(search, final)
-    grouped = tuple(classes(search.fitter, found) for found in places)
+    grouped = tuple(classes(search.store.fitter, found) for found in places)
     if any(cause.remote for cause in final.causes) and grouped[0]:
         # A plain cause that looks like it and passes the gate gives the class its name.
         plain = (fit for fit in grouped[0][0] if not fit.causes[-1].remote and search.gate(fit).passed)
@@ -73,7 +75,6 @@ def judge(search: Search, outcome: Outcome) -> Judgement:
     last = search.gate(final)
     others = tuple(other_pairs(search, final, _pairs_like(search, final), grouped))
     p_values = tuple(_p_value(search, final, place) for place in range(len(final.causes)))
-    verdict: Verdict
     kept = all(
         any(fit.causes[-1] == cause for fit in found)
         for cause, found in zip(final.causes, places, strict=True)
@@ -81,67 +82,45 @@ def judge(search: Search, outcome: Outcome) -> Judgement:
     doubt = _doubt(search, final, last, others, p_values)
     if not last.passed or not kept or doubt:
         verdict = "unexplained"
-    elif not final.causes:
-        verdict = "adequate"
-    elif others or any(len(groups) > 1 for groups in grouped):
+    elif others or any(len(groups) > 1 for groups in grouped) or _too_many(search, grouped):
         verdict = "ambiguous"
     else:
         verdict = "effect_found"
     return Judgement(verdict, final, last, grouped, others, p_values, doubt)
 
 
+def _too_many(search: Search, grouped: tuple[list[list[Fit]], ...]) -> bool:
+    """Whether a class has so many members that naming it says nothing."""
+    return any(len(groups[0]) > search.criteria.most_members for groups in grouped if groups)
+
+
 def _doubt(
     search: Search, final: Fit, last: Gate, others: tuple[Fit, ...], p_values: tuple[float, ...]
 ) -> str:
     """Why the causes of a fit are not claimed; empty where nothing speaks against them."""
-    doubtful = len(final.causes) == 1 and not last.above(PLAINLY)
+    store, c = search.store, search.criteria
+    doubtful = len(final.causes) == 1 and not last.above(c.plainly)
     better = [
         fit
         for fit in (search.alone() if doubtful else [])
-        if search.criterion(fit) < search.criterion(final) - SURVIVES and search.gate(fit).passed
+        if store.criterion(fit) < store.criterion(final) - c.survives and search.gate(fit).passed
     ]
     remote = [cause for fit in (final, *others, *better) for cause in fit.causes if cause.remote]
     if remote:
         return reasons.remote(remote[0])
-    if final.causes and _shapes_disagree(search, final):
+    if shapes_disagree(store, final):
         return reasons.shapes(final.causes)
-    errors = bool(final.causes) and _explained_by_errors(search, final)
-    if any(p > CLAIMED for p in p_values):
+    rival = better_by_shape(store, final)
+    if rival is not None:
+        return reasons.shapes_prefer(final.causes, rival.causes)
+    errors = explained_by_errors(search, final)
+    if any(p > c.claimed for p in p_values):
         return reasons.weak(final.causes, max(p_values), errors)
-    return reasons.errors(final.causes) if errors else ""
-
-
-def _shapes_disagree(search: Search, final: Fit) -> bool:
-    """Whether several measured shapes are others than those of the modes that have their frequencies."""
-    told = np.isfinite(final.pairing.mac) & search.fitter.used(final.hypothesis)
-    lacking = final.shape_misfit[told]
-    if not told.any():
-        return False
-    strange = lacking > max(STRANGE, USUAL * float(np.median(lacking)))
-    return int(strange.sum()) > max(1, int(told.sum()) // 50)
-
-
-def _explained_by_errors(search: Search, final: Fit) -> bool:
-    """Whether errors of the measurement explain the residual nearly as well as the causes.
-
-    Outliers and a shared error as the search found them, or errors larger than stated by their most likely
-    factor, with the rows set aside and the shared error of the final fit.
-    """
-    worst = search.criterion(final) + SURVIVES
-    noise = [fit for fit in search.errors() if search.p_value(fit) > SURELY]
-    if any(search.criterion(fit) <= worst for fit in noise):
-        return True
-    h = final.hypothesis
-    base = search.fit(Hypothesis(excluded=h.excluded, scatter=h.scatter))
-    if base is None:
-        return False
-    count = len(search.fitter.log) - len(h.excluded)
-    inflated = search.criterion(base) - base.chi2 + count * (1.0 + np.log(max(base.chi2 / count, 1.0)))
-    return bool(inflated + np.log(len(search.fitter.log)) <= worst)
+    return reasons.errors(final.causes, errors) if errors else ""
 
 
 def _preferred(search: Search, final: Fit) -> tuple[Fit, list[list[Fit]]]:
-    """The fit that the shapes prefer, and for each of its causes the survivors in that cause's place."""
+    """The best of the survivors, and for each of its causes the survivors in that cause's place."""
     for _ in range(PREFERENCES):
         rivals = [search.rivals(final, place) for place in range(len(final.causes))]
         places = [survivors(search, found) for found in rivals]
@@ -158,8 +137,8 @@ def _pairs_like(search: Search, final: Fit) -> list[Fit]:
     h = final.hypothesis
     return [
         fit
-        for fit in search.tried()
-        if len(fit.causes) == len(final.causes) == MOST_CAUSES
+        for fit in search.store.tried()
+        if len(fit.causes) == len(final.causes) == search.criteria.most_causes
         and (fit.hypothesis.excluded, fit.hypothesis.scatter) == (h.excluded, h.scatter)
     ]
 
@@ -167,9 +146,9 @@ def _pairs_like(search: Search, final: Fit) -> list[Fit]:
 def _p_value(search: Search, final: Fit, place: int) -> float:
     """Likelihood-ratio test of one cause, for as many candidates as were tried."""
     cause = final.causes[place]
-    less = search.without(final, place)
+    less = search.store.without(final, place)
     gain = max(less.deviance - final.deviance, 0.0) if less is not None else 0.0
     p = float(stats.chi2.sf(gain, len(cause.parameters)))
-    if one_sided(search.fitter, cause):
+    if one_sided(search.store.fitter, cause):
         p *= 0.5
     return min(1.0, p * len(search.candidates))

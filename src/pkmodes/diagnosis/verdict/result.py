@@ -134,6 +134,24 @@ class NextMeasurement:
 
 
 @dataclass(frozen=True)
+class Stability:
+    """What a verdict becomes where errors or priors are others than stated.
+
+    Attributes
+    ----------
+    change : str
+        ``"sigma x 0.5"``, ``"sigma x 2"`` or ``"priors x 2"``.
+    verdict : str
+    effects : tuple of str
+        Names of the causes that are then best.
+    """
+
+    change: str
+    verdict: Verdict
+    effects: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Diagnosis:
     """Everything that a diagnosis found.
 
@@ -156,8 +174,13 @@ class Diagnosis:
     rows : tuple of Row
     scatter : float
         Relative error that the modes of a pose share, where the data show one.
-    corrected : dict
+    corrected : tuple of Value
         Values of all parameters that the last stage changed, with their standard deviations.
+    notes : tuple of str
+        Sentences about the data and the answer that a person should read.
+    stability : tuple of Stability
+    shape_scatter : float or None
+        Scatter of the shapes without a stated one, relative to the largest component, where it could be estimated.
     """
 
     verdict: Verdict
@@ -175,6 +198,9 @@ class Diagnosis:
     rows: tuple[Row, ...]
     scatter: float
     corrected: tuple[Value, ...]
+    notes: tuple[str, ...] = ()
+    stability: tuple[Stability, ...] = ()
+    shape_scatter: float | None = None
 
     @property
     def outliers(self) -> tuple[Row, ...]:
@@ -236,6 +262,11 @@ class Diagnosis:
             "outliers": [{"pose": r.pose, "line": r.line} for r in self.outliers],
             "unpaired": [{"pose": r.pose, "line": r.line} for r in self.unpaired],
             "pose_scatter": self.scatter,
+            "shape_scatter": self.shape_scatter,
+            "notes": list(self.notes),
+            "stability": [
+                {"change": s.change, "verdict": s.verdict, "effects": list(s.effects)} for s in self.stability
+            ],
             "rows": [
                 {
                     "pose": r.pose,

@@ -8,24 +8,28 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.diagnosis import reasons
-from pkmodes.diagnosis.fitting import Fit, Fitter, Hypothesis
-from pkmodes.diagnosis.gate import Gate
-from pkmodes.diagnosis.judgement import Judgement, judge
-from pkmodes.diagnosis.next_measurement import next_measurement
-from pkmodes.diagnosis.pairing import Pairer, Pairing
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.match.pairing import Pairer, Pairing
 from pkmodes.diagnosis.problem import Array, Structure
-from pkmodes.diagnosis.result import Diagnosis, Error, Examined, Finding, Refitted, Row, Value, Verdict
-from pkmodes.diagnosis.score import Scores
-from pkmodes.diagnosis.search import Outcome, Search
+from pkmodes.diagnosis.search.score import Scores
+from pkmodes.diagnosis.search.search import Outcome, Search
+from pkmodes.diagnosis.verdict.judgement import Judgement
+from pkmodes.diagnosis.verdict.next_measurement import next_measurement
+from pkmodes.diagnosis.verdict.notes import notes
+from pkmodes.diagnosis.verdict.result import (
+    Diagnosis,
+    Error,
+    Examined,
+    Finding,
+    Refitted,
+    Row,
+    Stability,
+    Value,
+    Verdict,
+)
 from pkmodes.measured.measurements import Measurements
-
-#: A change of this many standard deviations would probably have been seen among so many candidates.
-SEEN = 5.0
-#: A cause counts as undetectable if even a change of some frequency by this fraction would not have been seen.
-NOTICEABLE = 0.1
-#: Factor by which stated errors may be wrong; a larger residual is the model's.
-LARGEST_FACTOR = 10.0
 
 
 @dataclass(frozen=True)
@@ -38,57 +42,59 @@ class Stage:
 
 
 class Report:
-    """Turns fits into a result."""
+    """Turns fits into a result.
 
-    def __init__(
-        self,
-        structure: Structure,
-        data: Measurements,
-        fitter: Fitter,
-        search: Search,
-        fitted: list[int],
-        held: list[int],
-    ) -> None:
-        self.structure, self.data, self.fitter, self.search = structure, data, fitter, search
-        self.held = held
+    Parameters
+    ----------
+    structure : Structure
+        At all setups, held-out ones included.
+    data : Measurements
+    fitter : Fitter
+        At the fitted ones.
+    held : list of int
+        Setups that are held out.
+    """
+
+    def __init__(self, structure: Structure, data: Measurements, fitter: Fitter, held: list[int]) -> None:
+        self.structure, self.data, self.fitter, self.held = structure, data, fitter, held
         self.is_held = np.isin(data.pose, held)
-        self.lines = data.at(fitted).lines
-        self.pairer = Pairer(data, structure.channels, structure.predict(fitter.declared, ()))
+        self.pairer = Pairer(
+            data, structure.channels, structure.predict(fitter.declared, ()), fitter.criteria
+        )
 
-    def of(self, outcome: Outcome) -> Diagnosis:
-        """Decide the verdict."""
-        judged = judge(self.search, outcome)
+    def of(
+        self,
+        search: Search,
+        outcome: Outcome,
+        judged: Judgement,
+        reason: str,
+        remarks: Sequence[str],
+        stability: tuple[Stability, ...],
+    ) -> Diagnosis:
+        """The result of a search that was judged."""
         verdict, final, last, grouped = judged.verdict, judged.final, judged.last, judged.grouped
         found = verdict == "effect_found"
         reported = final if verdict in ("effect_found", "adequate") else outcome.nuisances
         nuisances = final if verdict == "adequate" else outcome.nuisances
         declared = self.stage(self.fitter.declared)
         refit, after = self.stage(nuisances.values), self.stage(final.values) if found else None
-        findings = (
-            tuple(
-                self.finding(final, place, groups[0], judged.p_values[place])
-                for place, groups in enumerate(grouped)
-            )
-            if found
-            else ()
-        )
-        remaining = _remaining(judged) if verdict == "ambiguous" else []
+        remaining = remains(judged) if verdict == "ambiguous" else []
         contested = (
             [(_name(fit), fit) for fit in grouped[0][0]] if found else [named[0] for named in remaining]
         )
-        names = tuple(tuple(name for name, _ in named) for named in remaining)
-        outlying = np.isin(self.data.lines, self.lines[sorted(reported.hypothesis.excluded)])
+        if len(remaining) == 1:
+            contested = remaining[0]
+        outlying = np.isin(self.data.lines, self.fitter.data.lines[sorted(reported.hypothesis.excluded)])
+        store = search.store
         return Diagnosis(
             verdict=verdict,
-            reason=judged.doubt or self.reason(verdict, outcome, final, findings, names),
-            effects=findings,
-            survivors=names,
+            reason=reason,
+            effects=self.findings(judged) if found else (),
+            survivors=tuple(tuple(name for name, _ in named) for named in remaining),
             refitted=self.refitted(reported),
             before=self.error(declared, self.chi2(self.fitter.declared), len(self.fitter.log), outlying),
-            refit=self.error(refit, nuisances.chi2, self.search.degrees(nuisances), outlying),
-            after=None
-            if after is None
-            else self.error(after, final.chi2, self.search.degrees(final), outlying),
+            refit=self.error(refit, *store.frequency_misfit(nuisances), outlying),
+            after=None if after is None else self.error(after, *store.frequency_misfit(final), outlying),
             held_out_poses=tuple(self.data.labels[i] for i in self.held),
             undetectable=tuple(c.name for c in self.examined(last.scores) if not c.detectable),
             next_measurement=next_measurement(self.fitter, contested),
@@ -96,34 +102,53 @@ class Report:
             rows=self.rows(declared, refit, after, outlying),
             scatter=reported.scatter,
             corrected=self.values(reported, reported.free),
+            notes=(*remarks, *notes(store, reported, verdict in ("adequate", "effect_found"))),
+            stability=stability,
+            shape_scatter=store.shape_scatter(reported),
         )
 
-    def insufficient(self) -> Diagnosis:
-        """Fewer measurements than unknowns."""
+    def without_search(
+        self,
+        verdict: Verdict,
+        reason: str,
+        store: FitStore,
+        fit: Fit | None,
+        undetectable: tuple[str, ...],
+        remarks: Sequence[str],
+        stability: tuple[Stability, ...],
+    ) -> Diagnosis:
+        """The result where no cause was searched for: too few data, or measurements with a plain mistake."""
         declared = self.stage(self.fitter.declared)
         nothing = np.zeros(len(self.data.lines), dtype=bool)
-        fit = self.fitter.fit(Hypothesis())  # the priors determine it, however few the data
         refit = None if fit is None else self.stage(fit.values)
         return Diagnosis(
-            verdict="insufficient_data",
-            reason=reasons.insufficient(
-                len(self.fitter.log), [self.fitter.parameters[i].name for i in self.fitter.nuisances]
-            ),
+            verdict=verdict,
+            reason=reason,
             effects=(),
             survivors=(),
             refitted=() if fit is None else self.refitted(fit),
             before=self.error(declared, self.chi2(self.fitter.declared), len(self.fitter.log), nothing),
             refit=None
             if fit is None or refit is None
-            else self.error(refit, fit.chi2, self.search.degrees(fit), nothing),
+            else self.error(refit, *store.frequency_misfit(fit), nothing),
             after=None,
             held_out_poses=tuple(self.data.labels[i] for i in self.held),
-            undetectable=tuple(candidate.name for candidate in self.search.candidates),
+            undetectable=undetectable,
             next_measurement=None,
             candidates=(),
             rows=self.rows(declared, refit, None, nothing),
             scatter=0.0,
             corrected=(),
+            notes=(*remarks, *(notes(store, fit, False) if fit is not None else ())),
+            stability=stability,
+            shape_scatter=None if fit is None else store.shape_scatter(fit),
+        )
+
+    def findings(self, judged: Judgement) -> tuple[Finding, ...]:
+        """Every cause with its class."""
+        return tuple(
+            self.finding(judged.final, place, groups[0], judged.p_values[place])
+            for place, groups in enumerate(judged.grouped)
         )
 
     def stage(self, values: Array) -> Stage:
@@ -137,7 +162,7 @@ class Report:
         """Sum of squares as it stands, without any fit."""
         return self.fitter.unfitted(values, np.ones(len(self.fitter.log), dtype=bool))[-1]
 
-    def error(self, stage: Stage, chi2: float, degrees: int, outlying: NDArray[np.bool_]) -> Error:
+    def error(self, stage: Stage, chi2: float, degrees: float, outlying: NDArray[np.bool_]) -> Error:
         """Errors of a stage over the rows that have a partner and are no outliers."""
         relative = stage.frequencies / self.data.frequency - 1.0
         counted = np.isfinite(relative) & ~outlying
@@ -145,7 +170,7 @@ class Report:
         def rms(rows: NDArray[np.bool_]) -> float | None:
             return float(np.sqrt(np.mean(relative[rows] ** 2))) if rows.any() else None
 
-        return Error(rms(counted & ~self.is_held), rms(counted & self.is_held), chi2 / max(degrees, 1))
+        return Error(rms(counted & ~self.is_held), rms(counted & self.is_held), chi2 / max(degrees, 1.0))
 
     def values(self, fit: Fit, index: Sequence[int]) -> tuple[Value, ...]:
         """Fitted parameters with their standard deviations."""
@@ -179,18 +204,18 @@ class Report:
 
     def examined(self, scores: Scores) -> tuple[Examined, ...]:
         """What each candidate's score says, and how large it would have to be."""
-        found = []
+        found, criteria = [], self.fitter.criteria
         for one in scores.each:
             visible: tuple[Value, ...] = ()
             detectable = False
             if one.visible and np.isfinite(one.sigma).all():
-                sizes = SEEN * one.sigma
+                sizes = criteria.seen * one.sigma
                 parameters = [self.fitter.parameters[i] for i in self.fitter.indices(one.candidate)]
                 visible = tuple(
-                    Value(p.name, float(size), float(size / SEEN), p.unit)
+                    Value(p.name, float(size), float(size / criteria.seen), p.unit)
                     for p, size in zip(parameters, sizes, strict=True)
                 )
-                detectable = bool((sizes * one.largest <= NOTICEABLE).all())
+                detectable = bool((sizes * one.largest <= criteria.noticeable).all())
             found.append(Examined(one.candidate.name, one.p_value, visible, detectable))
         return tuple(found)
 
@@ -220,41 +245,20 @@ class Report:
             for i in range(len(self.data.lines))
         )
 
-    def reason(
-        self,
-        verdict: Verdict,
-        outcome: Outcome,
-        final: Fit,
-        findings: tuple[Finding, ...],
-        names: tuple[tuple[str, ...], ...],
-    ) -> str:
-        """One sentence."""
-        noise = reasons.noise(final.hypothesis, final.scatter, self.lines)
-        if verdict == "adequate":
-            return reasons.adequate(outcome.last, noise)
-        if verdict == "effect_found":
-            return reasons.found(findings, outcome.first, noise)
-        if verdict == "ambiguous":
-            return reasons.ambiguous(names)
-        degrees = self.search.degrees(outcome.nuisances)
-        dispersed = _dispersed(outcome.first, outcome.nuisances, self.search)
-        return reasons.unexplained(outcome.nuisances, final, degrees, outcome.first, outcome.last, dispersed)
 
-
-def _remaining(judged: Judgement) -> list[list[tuple[str, Fit]]]:
+def remains(judged: Judgement) -> list[list[tuple[str, Fit]]]:
     """Explanations that remain, with their names: classes in the place of one cause, or else pairs of causes."""
+    if judged.instead is not None:
+        return [[(_names(fit), fit)] for fit in (judged.final, judged.instead)]
     for groups in judged.grouped:
-        if len(groups) > 1:
+        if len(groups) > 1 or len(judged.final.causes) == 1:
             return [[(_name(fit), fit) for fit in fits] for fits in groups]
     pairs = (judged.final, *judged.others)
-    return [[(" + ".join(cause.name for cause in fit.causes), fit)] for fit in pairs]
+    return [[(_names(fit), fit)] for fit in pairs]
 
 
-def _dispersed(gate: Gate, fit: Fit, search: Search) -> bool:
-    """Whether what is left has no direction, once it is scaled to its own size: larger errors than stated."""
-    scale = fit.chi2 / max(search.degrees(fit), 1)
-    most = max((s.gain / scale / max(len(s.candidate.parameters), 1) for s in gate.scores.each), default=0.0)
-    return bool(1.5 < scale < LARGEST_FACTOR**2 and most < 9.0)
+def _names(fit: Fit) -> str:
+    return " + ".join(cause.name for cause in fit.causes)
 
 
 def _name(fit: Fit) -> str:

@@ -6,9 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pkmodes.diagnosis.fitting import Fit, Fitter
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Array
-from pkmodes.diagnosis.result import NextMeasurement
+from pkmodes.diagnosis.verdict.result import NextMeasurement
 
 #: Poses that are looked at, and the difference in standard deviations that makes a measurement worth while.
 POSES = 80

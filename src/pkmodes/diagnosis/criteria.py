@@ -1,0 +1,131 @@
+"""Every threshold of the diagnosis in one place, each with its reason."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Criteria:
+    """Thresholds of pairing, fits, search and verdict.
+
+    The defaults are those with which docs/diagnosis-measured.md was measured.  Differences of frequencies are
+    differences of their logarithms.
+    """
+
+    # Pairing ---------------------------------------------------------------------------------------------------
+
+    #: Beyond this difference a measured mode is not paired with a mode of the model: a factor of 1.8.
+    reach: float = 0.6
+    #: A shape that does not agree at all counts like this difference of the frequencies.
+    shape_weight: float = 0.25
+    #: Modes of the model closer than this are one group: their shapes turn into each other with the least error, so
+    #: that their measured partners are told apart by the order of the frequencies alone.
+    close: float = 0.01
+    #: Measured modes closer than this are compared as one space, that of their partners: an error of some 0.2 % of
+    #: their frequencies already turns their shapes by several per cent.  The measured frequencies decide, not the
+    #: model's: a hypothesis must not be judged more mildly because it brings two modes together.
+    mixed: float = 0.03
+
+    # Shapes ----------------------------------------------------------------------------------------------------
+
+    #: Scatter of shapes without a stated one, to begin with; the best explanation then gives its own.
+    shape_scatter: float = 0.05
+    #: What it may be, as a part of the largest component: better is not measured, and what is worse is a shape that
+    #: does not agree.
+    least_shape_scatter: float = 0.005
+    most_shape_scatter: float = 0.2
+    #: The search is made again if the best explanation has a scatter smaller than the assumed one by this factor.
+    sharper: float = 0.8
+    #: Below this MAC a shape is not that of its mode, whatever its stated error.
+    strange_mac: float = 0.7
+    #: One shape in so many may be strange: a sensor at a node, a mode that was misread.
+    strange_allowed: int = 20
+
+    # Fits ------------------------------------------------------------------------------------------------------
+
+    #: Steps of a fit; four or five are enough where the data tell.  A rough fit shows whether more are worth it.
+    steps: int = 18
+    rough_steps: int = 6
+    #: Rounds of pairing and fitting; the pairing is stable after two or three.
+    rounds: int = 3
+    #: An error that the modes of a setup share is at most this large: a larger one is not an error of measuring.
+    most_shared: float = 0.05
+
+    # The gate --------------------------------------------------------------------------------------------------
+
+    #: Level of each of its tests.
+    gate: float = 0.01
+    #: Their level where one cause was found: what it leaves must surely be more than noise to refuse it and to seek
+    #: a second one, and a rival below this level is excluded.
+    surely: float = 1e-3
+    #: A cause is claimed if chance would bring one as clear, among all candidates, with less than this probability.
+    claimed: float = 1e-3
+    #: Where what one cause leaves is noise with more than this probability, no remote cause is looked for beside it.
+    plainly: float = 0.2
+
+    # The search ------------------------------------------------------------------------------------------------
+
+    #: A rival survives up to this difference of the criterion: three standard deviations.
+    survives: float = 9.0
+    #: What is not needed to pass the gate is taken away unless it lowers the criterion by more than this.
+    worth: float = 6.0
+    #: Causes that are added at most, and kinds of additions: causes, rows set aside, a shared error.
+    most_causes: int = 2
+    most_additions: int = 2
+    #: How many pairs are refitted; all of them where there are no more than `few_pairs` and no more than `few_rows`
+    #: measured frequencies, because a linear model promises little there.
+    pairs: int = 16
+    few_pairs: int = 120
+    few_rows: int = 24
+    #: A second cause is sought if the first leaves less than this part of chi2, or less per degree of freedom.
+    much: float = 0.6
+    little: float = 25.0
+    #: Candidates are refitted if a linear model promises this fraction of the best gain, and the best few anyhow.
+    promising: float = 0.15
+    at_least: int = 10
+    #: Of rough fits, the best few are finished, and those that differ from the best by less than this.
+    best_few: int = 4
+    nearly: float = 60.0
+    #: A row that is set aside costs as much as three parameters: it was chosen among all.
+    price_of_row: float = 3.0
+    #: Rows are set aside only where there are so many, one in so many, and each is predicted by the others: its
+    #: leverage is below the last number.
+    rows_to_set_aside: int = 12
+    rows_per_outlier: int = 30
+    redundant: float = 0.5
+
+    # Unmeasured modes --------------------------------------------------------------------------------------------
+
+    #: A mode is among the measured ones of its setup if it is farther than this from the outer ones.
+    margin: float = 0.01
+    #: A mode that moves the sensors less than this part of what they move at most is at their nodes.
+    visible: float = 0.1
+
+    # The verdict -------------------------------------------------------------------------------------------------
+
+    #: Measured values beyond the uncertain parameters: one for a cause, and one to test it with.
+    redundancy: int = 2
+    #: Explanations whose predictions differ by less than this sum of squares are not told apart by these data: had
+    #: one been true, the other would have survived too often.
+    told_apart: float = 25.0
+    #: A class of more members is not a finding, and neither is a pair that is one of more pairs that look alike.
+    most_members: int = 5
+    most_pairs: int = 4
+    #: A setup with more leverage than this determines something alone: no other predicts it.
+    alone: float = 0.7
+    #: A change of this many standard deviations would probably have been seen among so many candidates.
+    seen: float = 5.0
+    #: A cause is not detectable if even a change of some frequency by this fraction would not have been seen.
+    noticeable: float = 0.1
+
+    # Notes -------------------------------------------------------------------------------------------------------
+
+    #: Nuisances farther than this from their declared values are reported, in standard deviations.
+    far: float = 3.0
+    #: Stated errors that are wrong by more than this factor are reported.
+    misstated: float = 3.0
+    #: Another unit is reported if it reduces the rms difference of the frequencies by this factor, to less than
+    #: this difference.
+    unit_gain: float = 4.0
+    unit_rms: float = 0.25

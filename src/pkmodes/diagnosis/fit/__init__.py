@@ -1,0 +1,1 @@
+"""Hypotheses fitted to frequencies and shapes, and what each fit says."""

@@ -1,0 +1,136 @@
+r"""Covariance of the measurements: stated errors, an error that a setup's modes share, uncertain positions.
+
+In each setup the logarithms of the frequencies and the shapes have the covariance
+
+.. math:: V = \mathrm{diag}(\sigma^2) + \tau^2 \, 1 1^T + J_x \Sigma_x J_x^T ,
+
+where the shared error is one of the frequencies alone.  An excluded row is an error of its own beside the stated one,
+which stays in the likelihood.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import solve_triangular
+from scipy.optimize import minimize_scalar
+
+from pkmodes.diagnosis.fit.shapes import ShapeRows
+from pkmodes.diagnosis.problem import Array
+from pkmodes.measured.measurements import Measurements
+
+
+@dataclass(frozen=True)
+class Whitening:
+    """Square root of V.
+
+    Attributes
+    ----------
+    sigma : ndarray, shape (D,)
+        Standard deviations of what is not correlated.
+    blocks : tuple
+        For each setup with correlated errors the places of its data, and the Cholesky factor of its part of V.
+    log_determinant : float
+        Of V; a constant for the shapes' stated errors left out.
+    """
+
+    sigma: Array
+    blocks: tuple[tuple[NDArray[np.intp], Array], ...]
+    log_determinant: float
+
+    def whitened(self, values: Array) -> Array:
+        """Divide by the square root of V: (D,) or (D, T)."""
+        found: Array = (values.T / self.sigma).T
+        for place, factor in self.blocks:
+            found[place] = solve_triangular(factor, values[place], lower=True, check_finite=False)
+        return found
+
+
+class Noise:
+    """Errors of one set of measurements.
+
+    Parameters
+    ----------
+    data : Measurements
+    shapes : ShapeRows
+    most_shared : float
+        Largest error that the modes of a setup may share.
+
+    Attributes
+    ----------
+    sigma : ndarray, shape (R,)
+        Standard deviations of ln f, as stated.
+    rows : list of ndarray
+        Rows of each setup.
+    uncertain : bool
+        Whether positions of setups are uncertain.
+    """
+
+    def __init__(self, data: Measurements, shapes: ShapeRows, most_shared: float) -> None:
+        self.sigma = data.sigma / data.frequency
+        order = np.argsort(data.pose, kind="stable")
+        self.rows = np.split(order, np.searchsorted(data.pose[order], np.arange(1, len(data.labels))))
+        self.uncertain = bool((data.point_sigma > 0.0).any())
+        self._position_sigma, self._most_shared = data.point_sigma, most_shared
+        channels = shapes.sigma.shape[1]
+        components = len(self.sigma) + np.arange(shapes.size).reshape(len(self.sigma), channels)
+        self._places = [
+            np.concatenate([rows, components[rows][shapes.known[rows]].ravel()]) for rows in self.rows
+        ]
+        self._all = np.concatenate([self.sigma, shapes.sigma.ravel()])
+
+    def whitening(self, motion: Array | None, used: NDArray[np.bool_], tau: float) -> Whitening:
+        """Square root of V.
+
+        Parameters
+        ----------
+        motion : ndarray, shape (D, 3), or None
+            Derivatives of the data with respect to the position of their setup, where it is uncertain.
+        used : ndarray of bool, shape (R,)
+            Rows that are not excluded.
+        tau : float
+            Standard deviation of the shared error.
+        """
+        log = 2.0 * np.log(self.sigma)
+        if motion is None and tau == 0.0:
+            return Whitening(self._all, (), float(log.sum()))
+        blocks, total = [], 0.0
+        for setup, rows in enumerate(self.rows):
+            place = rows if motion is None else self._places[setup]
+            V: Array = np.diag(self._all[place] ** 2)
+            if motion is not None:
+                V += (motion[place] * self._position_sigma[setup] ** 2) @ motion[place].T
+            frequencies = np.arange(len(rows))
+            V[np.ix_(frequencies, frequencies)] += tau**2
+            out = np.flatnonzero(~used[rows])
+            V[out] = V[:, out] = 0.0
+            V[out, out] = self.sigma[rows][out] ** 2
+            factor = np.linalg.cholesky(V).astype(float)
+            blocks.append((place, factor))
+            total += float(
+                2.0 * np.log(np.diagonal(factor)).sum() - 2.0 * np.log(self._all[place[len(rows) :]]).sum()
+            )
+        return Whitening(self._all, tuple(blocks), total)
+
+    def standard_deviations(self, motion: Array | None) -> Array:
+        """Of ln f of each row, with the position's part where it is uncertain, (R,)."""
+        if motion is None:
+            return self.sigma
+        by_position = np.empty_like(self.sigma)
+        for setup, rows in enumerate(self.rows):
+            by_position[rows] = ((motion[rows] * self._position_sigma[setup]) ** 2).sum(axis=1)
+        return np.sqrt(self.sigma**2 + by_position)
+
+    def shared_error(self, residual: Array, motion: Array | None, used: NDArray[np.bool_]) -> float:
+        """Most likely standard deviation of the error that the modes of a setup share."""
+
+        def deviance(log_tau: float) -> float:
+            whitening = self.whitening(motion, used, float(np.exp(log_tau)))
+            white = whitening.whitened(residual)
+            return float(white @ white) + whitening.log_determinant
+
+        smallest = np.log(0.01 * np.median(self.sigma))
+        found = minimize_scalar(deviance, bounds=(smallest, np.log(self._most_shared)), method="bounded")
+        return float(np.exp(found.x))

@@ -1,0 +1,94 @@
+"""Priors as further data: nuisances always, parameters of candidates where the candidate is assumed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.diagnosis.problem import Array, Candidate, Parameter
+from pkmodes.errors import PkmodesError, shown
+
+
+class Priors:
+    """Normal and log-normal priors of the parameters that have one.
+
+    Parameters
+    ----------
+    parameters : sequence of Parameter
+    candidates : sequence of Candidate
+    widened : float, optional
+        Factor of all standard deviations.
+
+    Attributes
+    ----------
+    index : ndarray of int, shape (P,)
+        The parameters that have one.
+    sigma : ndarray, shape (P,)
+        Their standard deviations, those of logarithms where they are log-normal.
+
+    Raises
+    ------
+    PkmodesError
+        If a prior is not positive, a candidate has not one for each parameter, two candidates contradict each
+        other, or a log-normal parameter is not positive.
+    """
+
+    def __init__(
+        self, parameters: Sequence[Parameter], candidates: Sequence[Candidate], widened: float = 1.0
+    ) -> None:
+        sigmas = {i: p.sigma for i, p in enumerate(parameters) if p.sigma}
+        names = {p.name: i for i, p in enumerate(parameters)}
+        for candidate in candidates:
+            if candidate.sigma is None:
+                continue
+            where = f"candidate {shown(candidate.name)}"
+            if len(candidate.sigma) != len(candidate.parameters):
+                what = (
+                    f"expected {len(candidate.parameters)} standard deviations, found {len(candidate.sigma)}"
+                )
+                raise PkmodesError(what, where, "give one for each of its parameters")
+            for name, sigma in zip(candidate.parameters, candidate.sigma, strict=True):
+                if not 0.0 < sigma < np.inf:
+                    what = f"expected a standard deviation above 0, found {sigma:g}"
+                    raise PkmodesError(what, where, "leave sigma out where nothing is known")
+                if sigmas.setdefault(names[name], sigma) != sigma:
+                    what = f"{shown(name)} has two priors: {sigmas[names[name]]:g} and {sigma:g}"
+                    raise PkmodesError(what, where, "give the same one in every candidate")
+        self.index: NDArray[np.intp] = np.array(sorted(sigmas), dtype=np.intp)
+        self.sigma = widened * np.array([sigmas[i] for i in sorted(sigmas)], dtype=float)
+        self._declared = np.array([parameters[i].value for i in self.index])
+        self._log = np.array([parameters[i].log for i in self.index], dtype=bool)
+        for i in self.index[self._log & (self._declared <= 0.0)]:
+            what = f"expected a positive value for a log-normal prior, found {parameters[i].value:g}"
+            raise PkmodesError(what, f"parameter {shown(parameters[i].name)}", "leave out log=True")
+
+    def residual(self, values: Array) -> Array:
+        """Distances from the declared values in standard deviations, (P,)."""
+        at = values[self.index]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            away = np.where(
+                self._log, np.log(np.maximum(at, 1e-300) / np.where(self._log, self._declared, 1.0)), 0.0
+            )
+        away = np.where(self._log, away, at - self._declared)
+        return np.asarray(away / self.sigma)
+
+    def rates(self, values: Array, free: Sequence[int]) -> Array:
+        """Their derivatives with respect to some parameters, (P, k)."""
+        found = np.zeros((len(self.index), len(free)))
+        place = {i: row for row, i in enumerate(self.index)}
+        for column, i in enumerate(free):
+            if i in place:
+                row = place[i]
+                found[row, column] = self.width(values)[row] ** -1
+        return found
+
+    def width(self, values: Array) -> Array:
+        """Standard deviations in the units of the parameters, (P,)."""
+        return np.where(self._log, self.sigma * np.maximum(np.abs(values[self.index]), 1e-300), self.sigma)
+
+    def of(self, i: int) -> int | None:
+        """Place of a parameter among those that have a prior."""
+        place = np.flatnonzero(self.index == i)
+        return int(place[0]) if len(place) else None

@@ -1,0 +1,89 @@
+"""The modal assurance criterion of measured shapes with modes of a model, of one mode or of several together.
+
+Measured shapes may be at any of the model's channels, blank where they were not measured, and of any scale and sign
+(MAC; Allemang, Sound and Vibration 37(8), 2003).  Modes whose frequencies nearly agree may be any combination of
+each other: a measured shape is then compared with the space that they span.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+#: Modes whose measured components differ by less than this fraction are seen alike.
+ALIKE = 1e-6
+
+
+def weighted(shapes: Array, model: Array, moves: Array) -> tuple[Array, Array]:
+    """Measured shapes, zero where not measured, and the model's, in units of what each channel moves.
+
+    Parameters
+    ----------
+    shapes : ndarray, shape (..., r, C)
+        NaN where not measured.
+    model : ndarray, shape (..., m, C)
+    moves : ndarray, shape (..., C)
+        See `channel_motion`; what moves in none of the modes that all models are measured by counts by this model.
+    """
+    moves = np.where(moves > 0.0, moves, channel_motion(model))
+    weights = np.where(moves > 0.0, 1.0 / np.where(moves > 0.0, moves, 1.0), 0.0)[..., None, :]
+    values = np.where(np.isfinite(shapes), shapes, 0.0)
+    largest = np.abs(values).max(axis=-1, initial=0.0, keepdims=True)
+    return values / np.where(largest > 0.0, largest, 1.0) * weights, model * weights
+
+
+def mac(shapes: Array, model: Array, measured: NDArray[np.bool_]) -> Array:
+    """MAC of each measured shape with each mode, at the components that were measured; NaN without two of them.
+
+    Parameters
+    ----------
+    shapes, model : ndarray, shape (..., r, C) and (..., m, C)
+        From `weighted`.
+    measured : ndarray of bool, shape (..., r, C)
+
+    Returns
+    -------
+    ndarray, shape (..., r, m)
+    """
+    lengths = (shapes**2).sum(axis=-1)
+    sizes = measured.astype(float) @ np.swapaxes(model**2, -1, -2)
+    along = (shapes @ np.swapaxes(model, -1, -2)) ** 2
+    known = (measured.sum(axis=-1) >= 2) & (lengths > 0.0)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        found = along / (np.where(sizes > 0.0, sizes, 1.0) * lengths[..., None])
+    return np.where(known[..., None], found, np.nan)
+
+
+def mac_of_space(shape: Array, model: Array, measured: NDArray[np.bool_]) -> float:
+    """Part of a measured shape that lies in the space of several modes; NaN where any shape would.
+
+    Parameters
+    ----------
+    shape : ndarray, shape (C,)
+    model : ndarray, shape (k, C)
+        From `weighted`.
+    measured : ndarray of bool, shape (C,)
+    """
+    length = float(shape @ shape)
+    if measured.sum() <= len(model) or measured.sum() < 2 or length == 0.0:
+        return np.nan
+    # By singular values: where the sensors see two modes alike, they span one direction.
+    basis, size, _ = np.linalg.svd(model[:, measured].T, full_matrices=False)
+    basis = basis[:, size > ALIKE * size[0]]
+    return float(((shape[measured] @ basis) ** 2).sum() / length)
+
+
+def channel_motion(shapes: Array) -> Array:
+    """How much each channel moves in all modes together, (..., C): metres beside radians count by that.
+
+    For mass-normalised shapes it is the root of the inverse of the channel's effective mass.  Hypotheses that are to
+    be compared must be measured by the same model's, or one that adds modes would seem to fit better.
+
+    Parameters
+    ----------
+    shapes : ndarray, shape (..., m, C)
+    """
+    moves: Array = np.sqrt(np.nansum(shapes**2, axis=-2))
+    return moves

@@ -1,0 +1,213 @@
+"""Which measured mode is which mode of the model: by frequency, and by shape where shapes were measured.
+
+Each setup is one assignment problem: measured modes go one-to-one to modes of the model so that the sum of
+their distances is least.  The distance adds the squared logarithm of the ratio of the frequencies and, where
+there are shapes, one minus the modal assurance criterion (`match.mac`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linear_sum_assignment
+
+from pkmodes.diagnosis.criteria import Criteria
+from pkmodes.diagnosis.match.mac import channel_motion, mac, mac_of_space, weighted
+from pkmodes.diagnosis.problem import Prediction
+from pkmodes.errors import PkmodesError, shown
+from pkmodes.measured.measurements import Measurements
+
+Array = NDArray[np.float64]
+Index = NDArray[np.intp]
+
+
+@dataclass(frozen=True)
+class Pairing:
+    """Partners of the R measured modes.
+
+    Attributes
+    ----------
+    partner : ndarray of int, shape (R,)
+        Mode of the model in the row's setup, counted from 0 with the rigid ones; -1 where there is none.
+    mac : ndarray, shape (R,)
+        Modal assurance criterion with the partner (or the space of the partners of close modes); NaN without shapes.
+    """
+
+    partner: Index
+    mac: Array
+
+
+class Pairer:
+    """Pairs the rows of one set of measurements with predictions.
+
+    Parameters
+    ----------
+    data : Measurements
+    channels : tuple of str
+        The model's channels; those of the measurements are among them.
+    reference : Prediction, optional
+        Of the declared model: what its channels move weights them for all models that are to be compared.  By
+        default every prediction's own.
+    criteria : Criteria, optional
+
+    Attributes
+    ----------
+    columns : ndarray of int, shape (C,)
+        Where the measured channels are among the model's.
+    moves : ndarray, shape (S, C)
+        What they move in the reference.
+    """
+
+    def __init__(
+        self,
+        data: Measurements,
+        channels: tuple[str, ...],
+        reference: Prediction | None = None,
+        criteria: Criteria | None = None,
+    ) -> None:
+        self._criteria = criteria or Criteria()
+        self._data, self._log = data, np.log(data.frequency)
+        self.columns = _columns(data, channels)
+        setups = len(data.labels)
+        self.moves = np.zeros((setups, len(self.columns)))
+        if reference is not None and len(self.columns):
+            self.moves = channel_motion(reference.shapes[..., self.columns])
+        # Rows of each setup side by side, as many places as the fullest setup has rows.
+        order = np.argsort(data.pose, kind="stable")
+        start = np.searchsorted(data.pose[order], np.arange(setups))
+        place = np.empty(len(order), dtype=np.intp)
+        place[order] = np.arange(len(order)) - start[data.pose[order]]
+        self._row = np.full((setups, int(place.max(initial=-1)) + 1), -1, dtype=np.intp)
+        self._row[data.pose, place] = np.arange(len(order))
+        self._place = place
+        inside = np.lexsort((self._log, data.pose))
+        near = (np.diff(self._log[inside]) < self._criteria.mixed) & (np.diff(data.pose[inside]) == 0)
+        #: Rows with another row of their setup nearby.
+        self._crowded = np.unique(np.concatenate([inside[:-1][near], inside[1:][near]]))
+
+    def pair(self, prediction: Prediction, used: NDArray[np.bool_], *, compare: bool = True) -> Pairing:
+        """Pair the rows in use; the others are left without a partner.
+
+        Parameters
+        ----------
+        prediction : Prediction
+        used : ndarray of bool, shape (R,)
+        compare : bool, optional
+            Whether the shapes of partners are compared for the result; without, it takes less time.
+        """
+        c, rigid = self._criteria, prediction.rigid
+        logs = prediction.log_frequencies[:, rigid:]
+        row = self._row
+        present = (row >= 0) & used[row]
+        shapes, model, measured = self._shapes(prediction)
+        alone = mac(shapes, model, measured) if len(self.columns) else None
+        with np.errstate(invalid="ignore"):
+            distance = np.abs(self._log[row][..., None] - logs[:, None])
+        close = np.diff(logs, axis=1) < c.close
+        likeness = None if alone is None else self._grouped(alone, shapes, model, measured, logs, close)
+        cost = distance**2
+        if likeness is not None:
+            cost = cost + c.shape_weight**2 * np.where(np.isnan(likeness), 0.0, 1.0 - likeness)
+        # A mode that is too far away may still be taken by the assignment; it is no partner then.  What that
+        # costs is always the same: otherwise a mode that the model lacks would push the others along.
+        cost = np.where(distance <= c.reach, cost, c.reach**2 + c.shape_weight**2)
+        partner = np.full(row.shape, -1, dtype=np.intp)
+        for setup in range(len(row)):
+            pairs = self._assigned(cost[setup], distance[setup], present[setup], logs[setup])
+            if close[setup].any():
+                pairs = _in_order(pairs, self._log[row[setup]], close[setup])
+            for place, k in pairs:
+                partner[setup, place] = k
+        found = np.full(len(self._log), -1, dtype=np.intp)
+        taken = partner >= 0
+        found[row[taken]] = partner[taken] + rigid
+        values = np.full(len(self._log), np.nan)
+        if compare and alone is not None:
+            values = self._compared(found - rigid, alone, shapes, model, measured)
+        return Pairing(found, values)
+
+    def _shapes(self, prediction: Prediction) -> tuple[Array, Array, NDArray[np.bool_]]:
+        """Shapes of the rows of each setup, and of its modes, in units of what each channel moves."""
+        row = self._row
+        padded = np.where((row >= 0)[..., None], self._data.shapes[row], np.nan)
+        model = prediction.shapes[..., self.columns]
+        shapes, model = weighted(padded, model, np.where(self.moves > 0.0, self.moves, channel_motion(model)))
+        return shapes, model[:, prediction.rigid :], np.isfinite(padded)
+
+    def _assigned(
+        self, cost: Array, distance: Array, present: NDArray[np.bool_], logs: Array
+    ) -> list[tuple[int, int]]:
+        """Pairs of the rows in use and the modes of one setup, the modes counted without the rigid ones."""
+        rows, modes = np.flatnonzero(present), np.flatnonzero(np.isfinite(logs))
+        if not len(rows) or not len(modes):
+            return []
+        some = cost[np.ix_(rows, modes)]
+        best = some.argmin(axis=1)
+        if len(set(best.tolist())) == len(best):  # where every row has its best, the sum is least
+            assigned = list(enumerate(best))
+        else:
+            assigned = list(zip(*linear_sum_assignment(some), strict=True))
+        pairs = [(int(rows[i]), int(modes[k])) for i, k in assigned]
+        return [(i, k) for i, k in pairs if distance[i, k] <= self._criteria.reach]
+
+    def _grouped(
+        self,
+        alone: Array,
+        shapes: Array,
+        model: Array,
+        measured: NDArray[np.bool_],
+        logs: Array,
+        close: NDArray[np.bool_],
+    ) -> Array:
+        """MAC of each row with each mode of the model, or with the modes that are close to it together."""
+        found = alone.copy() if close.any() else alone
+        for setup in np.flatnonzero(close.any(axis=1)):
+            near = np.abs(logs[setup][:, None] - logs[setup]) < self._criteria.close
+            for k in np.flatnonzero(near.sum(axis=1) > 1):
+                for place in np.flatnonzero(np.isfinite(alone[setup, :, k])):
+                    inside = mac_of_space(shapes[setup, place], model[setup, near[k]], measured[setup, place])
+                    if not np.isnan(inside):
+                        found[setup, place, k] = inside
+        return found
+
+    def _compared(
+        self, partner: Index, alone: Array, shapes: Array, model: Array, measured: NDArray[np.bool_]
+    ) -> Array:
+        """MAC of each row with its partner, or with the partners of all rows close to it together."""
+        pose, place = self._data.pose, self._place
+        paired = partner >= 0
+        found = np.where(paired, alone[pose, place, np.maximum(partner, 0)], np.nan)
+        for i in self._crowded:
+            row = self._row[pose[i]]
+            row = row[row >= 0]
+            near = row[(np.abs(self._log[row] - self._log[i]) < self._criteria.mixed) & paired[row]]
+            if paired[i] and len(near) > 1:
+                setup = pose[i]
+                inside = mac_of_space(
+                    shapes[setup, place[i]], model[setup, partner[near]], measured[setup, place[i]]
+                )
+                found[i] = found[i] if np.isnan(inside) else inside
+        return found
+
+
+def _in_order(
+    pairs: list[tuple[int, int]], measured: Array, close: NDArray[np.bool_]
+) -> list[tuple[int, int]]:
+    """Pairs with the partners of each group of close modes in the order of their frequencies."""
+    group, found = np.concatenate([[0], np.cumsum(~close)]), []
+    for number in np.unique(group[[k for _, k in pairs]]) if pairs else []:
+        members = [(i, k) for i, k in pairs if group[k] == number]
+        rows = sorted((i for i, _ in members), key=lambda i: float(measured[i]))
+        found += list(zip(rows, sorted(k for _, k in members), strict=True))
+    return found
+
+
+def _columns(data: Measurements, channels: tuple[str, ...]) -> Index:
+    """Where the measured channels are among the model's."""
+    for name in data.channels:
+        if name not in channels:
+            what = f"the model has no channel {shown(name)} for the measured shapes"
+            raise PkmodesError(what, data.source, f"channels are: {', '.join(channels)}")
+    return np.array([channels.index(name) for name in data.channels], dtype=np.intp)

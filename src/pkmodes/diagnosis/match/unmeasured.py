@@ -1,0 +1,105 @@
+"""Modes that a model has where modes were looked for, and that nobody measured.
+
+Not every mode is measured at every pose, so that a missing one says little by itself, and how many are missed is not
+known.  But a cause that adds modes where others were measured, and none of its own, has to explain why these were
+missed and the others were not: given how many modes a hypothesis has there and how many of them were missed, the
+missed ones are among the added ones no more often than chance puts them there (hypergeometric; Fisher's exact test).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.problem import Array
+
+
+class Seen(NamedTuple):
+    """Modes of a model where modes were looked for, and how many of them nobody measured."""
+
+    modes: int
+    unmeasured: int
+
+
+def seen(fitter: Fitter, fit: Fit) -> Seen:
+    """Count the modes of a fit within the band, or between the lowest and highest measured ones of each setup."""
+    return Seen(*(int(column.sum()) for column in _by_setup(fitter, fit)))
+
+
+def _by_setup(fitter: Fitter, fit: Fit) -> tuple[Array, Array]:
+    margin, logs = fitter.criteria.margin, fit.prediction.log_frequencies
+    used, visible = fitter.used(fit.hypothesis), _visible(fitter, fit)
+    modes, unmeasured = np.zeros(len(logs)), np.zeros(len(logs))
+    for setup, rows in enumerate(fitter.noise.rows):
+        if not len(rows):
+            continue
+        low, high = fitter.log[rows].min() + margin, fitter.log[rows].max() - margin
+        band = fitter.data.band
+        if band is not None:  # what lies at its edge may have been seen on either side
+            low, high = np.log(band[0]) + margin, np.log(band[1]) - margin
+        partners = fit.pairing.partner[rows]
+        between = np.flatnonzero((logs[setup] > low) & (logs[setup] < high) & visible[setup])
+        between = between[between >= fit.prediction.rigid]
+        free = between[~np.isin(between, partners)]
+        # An excluded row may be one of them.
+        unmeasured[setup] = max(len(free) - int((~used[rows]).sum()), 0)
+        modes[setup] = unmeasured[setup] + int((partners >= 0).sum())
+    return modes, unmeasured
+
+
+def _visible(fitter: Fitter, fit: Fit) -> NDArray[np.bool_]:
+    """Which modes move some sensor by more than a part of what it moves in others; all where no sensor is known."""
+    shapes, moves = fit.prediction.shapes[..., fitter.pairer.columns], fitter.pairer.moves
+    if not shapes.shape[-1]:
+        return np.ones(shapes.shape[:2], dtype=bool)
+    part = np.abs(shapes) / np.where(moves > 0.0, moves, np.inf)[:, None]
+    return np.asarray(part.max(axis=-1) >= fitter.criteria.visible)
+
+
+def p_unmeasured(fitter: Fitter, declared: Fit, fit: Fit) -> float:
+    """Probability that so many of the modes which a fit adds to those of the declared model were missed."""
+    before, after = (_by_setup(fitter, one) for one in (declared, fit))
+    base = fitter.noise.rows
+    unpaired = np.array([int((declared.pairing.partner[rows] < 0).sum()) for rows in base])
+    unpaired -= np.array([int((fit.pairing.partner[rows] < 0).sum()) for rows in base])
+    # Modes that the fit has and the declared model has not: those that nobody measured, and those that only the
+    # fit gives a partner to.
+    missed = max(int((after[1] - before[1]).sum()), 0)
+    added = missed + max(int(unpaired.sum()), 0)
+    added = max(added, int((after[0] - before[0]).sum()))
+    if missed == 0:
+        return 1.0
+    total, lost = int(after[0].sum()) + 1, int(after[1].sum())
+    return float(stats.hypergeom.sf(missed - 1, total, lost, min(added, total)))
+
+
+def never_measured(fitter: Fitter, fit: Fit) -> list[tuple[float, float, int]]:
+    """Modes that should have been measured at half of the setups or more, and were not at any.
+
+    Returns
+    -------
+    list of (lowest frequency, highest frequency, number of setups) [Hz]
+    """
+    margin, logs = fitter.criteria.margin, fit.prediction.log_frequencies
+    visible, found = _visible(fitter, fit), []
+    measured = np.zeros(logs.shape, dtype=bool)
+    paired = fit.pairing.partner >= 0
+    measured[fitter.data.pose[paired], fit.pairing.partner[paired]] = True
+    low, high = (np.full(len(logs), value) for value in (np.inf, -np.inf))
+    if fitter.data.band is None:
+        np.minimum.at(low, fitter.data.pose, fitter.log)
+        np.maximum.at(high, fitter.data.pose, fitter.log)
+    else:
+        low[:], high[:] = np.log(fitter.data.band)
+    inside = (logs > low[:, None] + margin) & (logs < high[:, None] - margin) & visible
+    for k in range(fit.prediction.rigid, logs.shape[1]):
+        count = int(inside[:, k].sum())
+        if count >= max(2, len(logs) / 2) and not measured[:, k].any():
+            frequencies = np.exp(logs[inside[:, k], k])
+            found.append((float(frequencies.min()), float(frequencies.max()), count))
+    return found

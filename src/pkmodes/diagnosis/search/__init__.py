@@ -1,0 +1,1 @@
+"""Which causes are tried, and which of them is enough."""

@@ -1,0 +1,142 @@
+"""What can be added to a hypothesis: a cause, two of them, or an error of the measurement."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.fit.store import FitStore, Key, key
+from pkmodes.diagnosis.problem import Candidate
+from pkmodes.diagnosis.search.score import Score, Scores, one_sided, score
+from pkmodes.diagnosis.search.starts import starts
+
+Progress = Callable[[str], None]
+
+
+class Additions:
+    """Fits with something added.
+
+    Parameters
+    ----------
+    store : FitStore
+    candidates : sequence of Candidate
+    progress : callable
+        Called with a sentence at each step.
+    """
+
+    def __init__(self, store: FitStore, candidates: Sequence[Candidate], progress: Progress) -> None:
+        self.store, self.fitter, self.criteria = store, store.fitter, store.fitter.criteria
+        self.candidates = tuple(candidates)
+        self._progress = progress
+        self._rows, self._setups = len(self.fitter.log), len(self.fitter.data.labels)
+
+    def room(self, fit: Fit) -> bool:
+        """Whether a fit may assume anything more beyond the declared model."""
+        kinds = len(fit.causes) + bool(fit.hypothesis.excluded) + fit.hypothesis.scatter
+        return kinds < self.criteria.most_additions
+
+    def noise(self, fit: Fit) -> list[Fit]:
+        """A shared error in each setup, and the exclusion of the row that fits worst."""
+        h, c, found = fit.hypothesis, self.criteria, []
+        room = self.room(fit) and not any(cause.remote for cause in h.causes)
+        if room and not h.scatter and self._setups >= 4 and self._rows >= 2 * self._setups:
+            found.append(self.store.fit(replace(h, scatter=True), fit.values))
+        most = max(1, self._rows // c.rows_per_outlier) if self._rows >= c.rows_to_set_aside else 0
+        if (room or h.excluded) and len(h.excluded) < most:
+            rows = np.abs(fit.residual[self.fitter.frequency_rows] / self.fitter.sigma)
+            for row in np.argsort(rows)[::-1][:3]:
+                # What the others do not predict is not set aside: nothing says that it is wrong.
+                if rows[row] > 3.0 and fit.leverage[row] < c.redundant:
+                    found.append(self.store.fit(replace(h, excluded=h.excluded | {int(row)}), fit.values))
+        return [option for option in found if option is not None]
+
+    def errors(self) -> list[Fit]:
+        """Fits with errors of the measurement and no cause: one after another, as long as they help."""
+        found: list[Fit] = []
+        fit = self.store.fit(Hypothesis())
+        while fit is not None:
+            options = self.noise(fit)
+            found += options
+            best = min(options, key=self.store.criterion, default=fit)
+            fit = best if self.store.criterion(best) < self.store.criterion(fit) else None
+        return found
+
+    def causes(self, fit: Fit, scores: Scores) -> list[Fit]:
+        """One cause more, best first: those of which a linear model promises much, and every absent one."""
+        gains = sorted((s.gain for s in scores.each), reverse=True)
+        if not gains:
+            return []
+        c = self.criteria
+        enough = min(c.promising * gains[0], gains[min(c.at_least, len(gains)) - 1])
+        found = []
+        for one in scores.each:
+            # Of a cause that is absent the score says little where it is large: it is always tried.
+            promising = one.visible and (one.gain >= enough or one_sided(self.fitter, one.candidate))
+            if promising and self._testable(fit, one.candidate):
+                found.append(self._refitted(fit, one))
+        return self.store.finished([option for option in found if option is not None])
+
+    def singles(self) -> list[Fit]:
+        """One cause, and nothing else."""
+        plain = self.store.fit(Hypothesis())
+        return [] if plain is None else self.causes(plain, score(self.fitter, plain, self.candidates))
+
+    def would_do(self) -> list[Fit]:
+        """Single causes that would remove a contradiction, however few the data; best first."""
+        plain = self.store.fit(Hypothesis())
+        if plain is None:
+            return []
+        found = [self._refitted(plain, one) for one in score(self.fitter, plain, self.candidates).each]
+        fits = [fit for fit in found if fit is not None and self.store.p_value(fit) > self.criteria.gate]
+        return sorted(fits, key=self.store.criterion)
+
+    def pairs(self) -> list[Fit]:
+        """Two causes: all pairs where they are few and the data too, else the most promising.
+
+        Those are the pairs for which a linear model at the fit of one of them promises most, and the best cause with
+        every absent one, of which a linear model says little.
+        """
+        store, c = self.store, self.criteria
+        promised: dict[Key, tuple[float, Fit, Score]] = {}
+        absent: dict[Key, tuple[float, Fit, Score]] = {}
+        singles = sorted(self.singles(), key=store.criterion)
+        for single in singles:
+            others = [candidate for candidate in self.candidates if candidate not in single.causes]
+            for one in score(self.fitter, single, others).each:
+                if one.visible and self._testable(single, one.candidate):
+                    left = store.criterion(single) - one.gain + store.price(one.candidate)
+                    pair, promise = key(single.hypothesis.adding(one.candidate)), (left, single, one)
+                    if one.gain > 0.0 or self.few:
+                        promised[pair] = min(promised.get(pair, promise), promise, key=_first)
+                    if single is singles[0] and one_sided(self.fitter, one.candidate):
+                        absent[pair] = promise
+        most = len(promised) if self.few else c.pairs
+        best = {pair: promised[pair] for pair in sorted(promised, key=lambda pair: promised[pair][0])[:most]}
+        found = [self._refitted(single, one) for _, single, one in {**absent, **best}.values()]
+        return store.finished([pair for pair in found if pair is not None])
+
+    @property
+    def few(self) -> bool:
+        """Whether data and candidates are so few that every pair is tried."""
+        count = len(self.candidates)
+        return self._rows <= self.criteria.few_rows and count * (count - 1) // 2 <= self.criteria.few_pairs
+
+    def _testable(self, fit: Fit, candidate: Candidate) -> bool:
+        """Whether something is left to test the fit with: otherwise a cause would fit anything."""
+        free = sum(self.fitter.priors.of(i) is None for i in self.fitter.indices(candidate))
+        return self.store.degrees(fit) > free
+
+    def _refitted(self, fit: Fit, one: Score) -> Fit | None:
+        """Fit roughly with one cause more, from the best of several starts."""
+        hypothesis = fit.hypothesis.adding(one.candidate)
+        if self.store.known(hypothesis):
+            return self.store.fit(hypothesis)
+        self._progress(f"refitting with {' and '.join(c.name for c in hypothesis.causes)}")
+        return self.store.roughly(hypothesis, starts(self.fitter, fit, one, hypothesis))
+
+
+def _first(promise: tuple[float, Fit, Score]) -> float:
+    return promise[0]

@@ -1,0 +1,162 @@
+"""The search for causes: gate, refit of every plausible candidate, acceptance, and the gate again.
+
+A step adds what lowers the criterion most: a cause, an error that all modes of a setup share, or the exclusion of an
+outlier, so that no cause gets credit for what a bad measurement explains.  When the gate passes, everything that is
+not needed is taken away again, and every cause is tried against all others in its place.
+
+Two causes have many hundred pairs to choose from, and with errors of the measurement beside them they would
+explain anything.  They are sought only where one cause surely leaves something and no remote one explains all
+of it alone, and never together with outliers or shared errors.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.problem import Candidate
+from pkmodes.diagnosis.search.additions import Additions, Progress
+from pkmodes.diagnosis.search.gate import Gate, gate
+from pkmodes.diagnosis.search.score import score
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What the search came to.
+
+    Attributes
+    ----------
+    nuisances : Fit
+        The declared model with its nuisances refitted.
+    first : Gate
+        At that fit.
+    final : Fit
+    last : Gate
+        At the final fit.
+    """
+
+    nuisances: Fit
+    first: Gate
+    final: Fit
+    last: Gate
+
+
+class Search:
+    """Searches the causes of what one set of measurements shows.
+
+    Parameters
+    ----------
+    store : FitStore
+    candidates : sequence of Candidate
+    progress : callable, optional
+        Called with a sentence at each step.
+    """
+
+    def __init__(
+        self, store: FitStore, candidates: Sequence[Candidate], progress: Progress | None = None
+    ) -> None:
+        self.store, self.criteria = store, store.fitter.criteria
+        self.candidates = tuple(candidate for candidate in candidates if not candidate.remote)
+        self.remote = tuple(candidate for candidate in candidates if candidate.remote)
+        self._progress = progress or (lambda _: None)
+        self.additions = Additions(store, self.candidates, self._progress)
+
+    def run(self) -> Outcome | None:
+        """Search; None where the declared model cannot be evaluated."""
+        self._progress("refitting the nuisance parameters")
+        first = self.store.fit(Hypothesis())
+        if first is None:
+            return None
+        before = self.gate(first)
+        final, last = first, before
+        while not last.passed:
+            addition = self._addition(final, last)
+            if addition is None:
+                break
+            final = self._settled(addition) if addition.causes != final.causes else addition
+            last = self.gate(final)
+        if last.passed:
+            final = self._needed(final)
+            last = self.gate(final)
+        return Outcome(first, before, final, last)
+
+    def gate(self, fit: Fit) -> Gate:
+        """Test what is left."""
+        return gate(self.store, fit, self.candidates)
+
+    def alone(self) -> list[Fit]:
+        """Fits with one remote cause and nothing else, best first."""
+        plain = self.store.fit(Hypothesis())
+        if plain is None or not self.remote:
+            return []
+        return self.additions.causes(plain, score(self.store.fitter, plain, self.remote))
+
+    def rivals(self, fit: Fit, place: int) -> tuple[Fit, ...]:
+        """Fits with other causes in one place, best first; in all of them that cause is the last one."""
+        causes, store = fit.causes, self.store
+        hypothesis = replace(fit.hypothesis, causes=(*causes[:place], *causes[place + 1 :]))
+        base = store.fit(hypothesis, store.undone(fit, hypothesis))
+        found = {causes[place].name: replace(fit, hypothesis=hypothesis.adding(causes[place]))}
+        if base is not None:
+            known = [*self.candidates]
+            if len(causes) == 1:
+                known += [cause for cause in self.remote if cause.nameable or causes[0].remote]
+            others = [candidate for candidate in known if candidate not in hypothesis.causes]
+            for option in self.additions.causes(base, score(store.fitter, base, others)):
+                found.setdefault(option.causes[-1].name, option)
+        return tuple(sorted(found.values(), key=store.criterion))
+
+    # Steps -------------------------------------------------------------------------------------------------
+
+    def _addition(self, fit: Fit, at: Gate) -> Fit | None:
+        """The best of all that can be added; None where nothing helps."""
+        additions, criterion = self.additions, self.store.criterion
+        options = additions.noise(fit)
+        if not fit.causes:
+            # With outliers and a shared error there is no room left: a cause instead, not beside them.
+            options += additions.causes(fit, at.scores) if additions.room(fit) else additions.singles()
+            improves = any(criterion(option) < criterion(fit) for option in options)
+            options += [] if improves else self.alone()
+        elif len(fit.causes) < self.criteria.most_causes and not fit.causes[0].remote:
+            best_few = self.alone()[: self.criteria.best_few]
+            remote = next((one for one in best_few if self.gate(one).passed), None)
+            if remote is not None:
+                return remote  # one cause, though nothing will be claimed, before two
+            options += additions.pairs() if self._hopeful(fit) else []
+        best = min(options, key=criterion, default=fit)
+        return best if criterion(best) < criterion(fit) else None
+
+    def _hopeful(self, fit: Fit) -> bool:
+        """Whether a second cause may do: the first did much of the work, or little is left."""
+        base, c = self.store.without(fit, 0), self.criteria
+        return base is None or fit.chi2 < c.much * base.chi2 or fit.chi2 < c.little * self.store.degrees(fit)
+
+    def _settled(self, fit: Fit) -> Fit:
+        """With several causes: exchange one for another while that lowers the criterion."""
+        near = fit.chi2 < self.criteria.little * self.store.degrees(fit)
+        for _ in range(self.criteria.most_causes if len(fit.causes) > 1 and near else 0):
+            best = fit
+            for place in range(len(fit.causes)):
+                best = min([best, *self.rivals(fit, place)], key=self.store.criterion)
+            if best is fit:
+                break
+            fit = best
+        return fit
+
+    def _needed(self, fit: Fit) -> Fit:
+        """Take away what the gate does not need."""
+        h, store = fit.hypothesis, self.store
+        smaller = [replace(h, excluded=h.excluded - {row}) for row in sorted(h.excluded)]
+        smaller += [replace(h, scatter=False)] if h.scatter else []
+        smaller += [replace(h, causes=(*h.causes[:i], *h.causes[i + 1 :])) for i in range(len(h.causes))]
+        for hypothesis in smaller:
+            less = store.fit(hypothesis, store.undone(fit, hypothesis))
+            if (
+                less is not None
+                and store.criterion(less) < store.criterion(fit) + self.criteria.worth
+                and self.gate(less).passed
+            ):
+                return self._needed(less)
+        return fit

@@ -1,0 +1,1 @@
+"""From fits to a verdict that a person can rely on."""

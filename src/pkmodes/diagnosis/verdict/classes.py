@@ -1,0 +1,96 @@
+"""What the data can tell apart: survivors of the comparison, and classes of them that are one to these data.
+
+A rival survives if it explains the measurements nearly as well as the best.  Two survivors whose predictions
+differ by less than the data would show with some certainty are one class: no claim goes beyond it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.match.unmeasured import p_unmeasured
+from pkmodes.diagnosis.search.search import Search
+
+
+def survivors(search: Search, rivals: Sequence[Fit]) -> list[Fit]:
+    """Rivals that these data do not exclude, best first.
+
+    Parameters
+    ----------
+    search : Search
+    rivals : sequence of Fit
+    """
+    store, c = search.store, search.criteria
+    fitting = [
+        fit for fit in rivals if not fit.at_bound and store.p_value(fit) > c.surely and measured(search, fit)
+    ]
+    if not fitting:
+        return []
+    total = np.array([store.criterion(fit) for fit in fitting])
+    order = np.argsort(total, kind="stable")
+    found = [fitting[i] for i in order if total[i] <= total.min() + c.survives and store.predicts(fitting[i])]
+    # More parameters cost nothing where the predictions are the same: what says more is not excluded by that.
+    alike = {
+        i: fitting[i].deviance
+        for i in order
+        if found and store.fitter.difference(found[0], fitting[i]) < c.told_apart
+    }
+    least = min(alike.values(), default=0.0)
+    also = [fitting[i] for i, deviance in alike.items() if deviance <= least + c.survives]
+    return found + [fit for fit in also if all(fit is not other for other in found)]
+
+
+def measured(search: Search, fit: Fit) -> bool:
+    """Whether the modes that the causes of a fit add could have been missed, if they were."""
+    store = search.store
+    declared = store.fit(Hypothesis()) or fit
+    return p_unmeasured(store.fitter, declared, fit) > search.criteria.surely
+
+
+def other_pairs(
+    search: Search, final: Fit, pairs: Sequence[Fit], grouped: Sequence[Sequence[Sequence[Fit]]]
+) -> list[Fit]:
+    """What survives beside a pair of causes: pairs that are not of its classes, and single remote causes.
+
+    Those of its classes survive too, each on its own, where they are many.
+    """
+    if len(final.causes) < 2:
+        return []
+    store, c = search.store, search.criteria
+    members = [{fit.causes[-1].name for fit in groups[0]} for groups in grouped if groups]
+    many = int(np.prod([len(names) for names in members])) > c.most_pairs
+    found = []
+    for pair in survivors(search, sorted(pairs, key=store.criterion)):
+        a, b = (cause.name for cause in pair.causes)
+        known = len(members) == 2 and (
+            (a in members[0] and b in members[1]) or (b in members[0] and a in members[1])
+        )
+        if (not known and store.fitter.difference(final, pair) >= c.told_apart) or (
+            many and {a, b} != {cause.name for cause in final.causes}
+        ):
+            found.append(pair)
+    alone = [fit for fit in search.alone() if store.criterion(fit) <= store.criterion(final) + c.survives]
+    return found + [fit for fit in alone if store.p_value(fit) > c.surely and not fit.at_bound]
+
+
+def classes(fitter: Fitter, found: Sequence[Fit]) -> list[list[Fit]]:
+    """Group survivors that these data cannot tell apart, the best one's class first."""
+    groups: list[list[Fit]] = []
+    for fit in found:
+        home = next(
+            (
+                group
+                for group in groups
+                if any(fitter.difference(fit, g) < fitter.criteria.told_apart for g in group)
+            ),
+            None,
+        )
+        if home is None:
+            groups.append([fit])
+        else:
+            home.append(fit)
+    return groups

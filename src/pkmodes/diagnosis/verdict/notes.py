@@ -1,0 +1,112 @@
+"""What a person should read beside a verdict: sentences about the data and the answer."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from scipy import stats
+
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.match.mistakes import all_alike
+from pkmodes.diagnosis.match.unmeasured import never_measured
+
+#: Stated errors are remarkable if chance would make the residual so small less often.
+SMALL = 1e-4
+
+
+def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
+    """Remarks on the data and on a fit.
+
+    Parameters
+    ----------
+    store : FitStore
+    fit : Fit
+        The one that is reported.
+    adequate : bool
+        Whether what it leaves is noise.
+    """
+    fitter = store.fitter
+    return [
+        *_shapes(store, fit),
+        *_stated_errors(store, fit, adequate),
+        *_nuisances(fitter, fit),
+        *_set_aside(fitter, fit),
+        *_unmeasured(fitter, fit),
+    ]
+
+
+def _shapes(store: FitStore, fit: Fit) -> Iterator[str]:
+    data, c = store.fitter.data, store.fitter.criteria
+    alike = all_alike(data)
+    if alike:
+        yield f"all shapes of {_poses(alike)} are the same: shapes of different modes are not"
+    scatter = store.shape_scatter(fit)
+    if scatter is not None and scatter > c.most_shape_scatter:
+        yield (
+            f"the shapes fit no explanation: they scatter by {100 * scatter:.0f} % of their largest component "
+            "(sensors exchanged, miswired, or shapes of other modes)"
+        )
+    told = np.isfinite(fit.pairing.mac) & store.fitter.used(fit.hypothesis)
+    strange = np.flatnonzero(told & (np.nan_to_num(fit.pairing.mac, nan=1.0) < c.strange_mac))
+    if len(strange):
+        lines = ", ".join(str(data.lines[i]) for i in strange[:8]) + (", ..." if len(strange) > 8 else "")
+        yield f"the shapes in line {lines} are not those of the modes with their frequencies (MAC below {c.strange_mac:g})"
+
+
+def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
+    c = store.fitter.criteria
+    squares, degrees = store.frequency_misfit(fit)
+    if degrees < 1.0:
+        return
+    ratio = (squares / degrees) ** 0.5
+    if ratio < 1.0 / c.misstated and stats.chi2.cdf(squares, degrees) < SMALL:
+        factor = f"{1.0 / ratio:.2g} times" if ratio > 1e-6 else "far"
+        yield f"the stated errors of the frequencies are {factor} too large: what is left scatters much less"
+    elif adequate and ratio > c.misstated:
+        yield f"the stated errors of the frequencies are {ratio:.2g} times too small"
+
+
+def _nuisances(fitter: Fitter, fit: Fit) -> Iterator[str]:
+    away = fitter.priors.residual(fit.values)
+    causes = {i for cause in fit.causes for i in fitter.indices(cause)}
+    for i, far in zip(fitter.priors.index, away, strict=True):
+        p = fitter.parameters[i]
+        free = i in fit.free
+        unit = "" if p.unit == "1" else f" {p.unit}"
+        if free and abs(far) > fitter.criteria.far:
+            kind = "the prior of the cause" if i in causes else "its declared value"
+            yield (
+                f"{p.name} = {fit.values[i]:.4g}{unit} is {abs(far):.1f} sigma from {kind} "
+                f"({p.value:.4g}{unit}): the declared value or its sigma is wrong, or it stands for a cause"
+            )
+    for i in fit.free:
+        p = fitter.parameters[i]
+        for bound in (p.lower, p.upper):
+            width = 1e-3 * max(abs(p.value), abs(fit.values[i]), p.sigma or 0.0)
+            if np.isfinite(bound) and abs(fit.values[i] - bound) <= width and bound != p.value:
+                yield f"{p.name} is at its bound, {bound:.4g}"
+
+
+def _set_aside(fitter: Fitter, fit: Fit) -> Iterator[str]:
+    for row in sorted(fit.hypothesis.excluded):
+        data = fitter.data
+        yield (
+            f"line {data.lines[row]} ({data.labels[data.pose[row]]}, {data.frequency[row]:g} Hz) is set aside as an "
+            "outlier: look at it again"
+        )
+    if fit.hypothesis.scatter:
+        yield f"the modes of a pose share an error of {100 * fit.scatter:.2g} %, which the file does not state"
+
+
+def _unmeasured(fitter: Fitter, fit: Fit) -> Iterator[str]:
+    for low, high, setups in never_measured(fitter, fit):
+        where = f"{low:.4g} Hz" if np.isclose(low, high, rtol=1e-3) else f"{low:.4g} to {high:.4g} Hz"
+        yield f"a mode at {where} was expected at {setups} poses and never measured"
+
+
+def _poses(labels: tuple[str, ...]) -> str:
+    some = ", ".join(labels[:5]) + (", ..." if len(labels) > 5 else "")
+    return f"pose {some}" if len(labels) == 1 else f"poses {some}"

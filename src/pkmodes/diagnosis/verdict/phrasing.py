@@ -1,0 +1,40 @@
+"""The one sentence of a verdict, from what it rests on."""
+
+from __future__ import annotations
+
+from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.search.gate import Gate
+from pkmodes.diagnosis.search.search import Outcome, Search
+from pkmodes.diagnosis.verdict import reasons
+from pkmodes.diagnosis.verdict.judgement import Judgement
+from pkmodes.diagnosis.verdict.report import Report, remains
+
+#: Factors between which stated errors may be wrong; a larger residual is the model's.
+DISPERSED = (1.5, 100.0)
+#: Gain of a candidate, per parameter and scaled by the residual's own size, that has no direction.
+NO_DIRECTION = 9.0
+
+
+def reason_of(report: Report, search: Search, outcome: Outcome, judged: Judgement) -> str:
+    """Say why a verdict was given."""
+    fitter, store = search.store.fitter, search.store
+    noise = reasons.noise(judged.final.hypothesis, judged.final.scatter, fitter.data.lines)
+    if judged.verdict == "adequate":
+        return reasons.adequate(outcome.last, noise)
+    if judged.verdict == "effect_found":
+        return reasons.found(report.findings(judged), outcome.first, noise)
+    if judged.verdict == "ambiguous":
+        return reasons.ambiguous([[name for name, _ in named] for named in remains(judged)])
+    squares, degrees = store.frequency_misfit(outcome.nuisances)
+    ratio = squares / max(degrees, 1.0)
+    dispersed = _dispersed(outcome.first, outcome.nuisances, search)
+    return reasons.unexplained(
+        fitter, outcome.nuisances, judged.final, ratio, outcome.first, outcome.last, dispersed
+    )
+
+
+def _dispersed(gate: Gate, fit: Fit, search: Search) -> bool:
+    """Whether what is left has no direction, once it is scaled to its own size: larger errors than stated."""
+    scale = fit.chi2 / max(search.store.degrees(fit), 1)
+    most = max((s.gain / scale / max(len(s.candidate.parameters), 1) for s in gate.scores.each), default=0.0)
+    return bool(DISPERSED[0] < scale < DISPERSED[1] and most < NO_DIRECTION)

@@ -1,0 +1,192 @@
+"""Sentences that say why a verdict was given."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.problem import Candidate
+from pkmodes.diagnosis.search.gate import Gate
+from pkmodes.diagnosis.verdict.result import Finding
+
+#: A residual goes with the setup, or with the mode, if chance would share it out so unevenly less often.
+UNEVEN = 1e-3
+
+
+def noise(hypothesis: Hypothesis, scatter: float, lines: NDArray[np.int_]) -> str:
+    """What was attributed to the measurements themselves."""
+    parts = []
+    if hypothesis.excluded:
+        which = ", ".join(str(lines[row]) for row in sorted(hypothesis.excluded))
+        parts.append(f"line {which} set aside as an outlier")
+    if hypothesis.scatter:
+        parts.append(f"an error of {100 * scatter:.2g} % that the modes of a pose share")
+    return " and ".join(parts)
+
+
+def adequate(gate: Gate, setting_aside: str) -> str:
+    """Nothing is missing."""
+    aside = f", with {setting_aside}" if setting_aside else ""
+    return (
+        f"what the declared model leaves is noise ({_p(gate.p_value)}, "
+        f"and {gate.p_candidates:.2g} for the best candidate){aside}"
+    )
+
+
+def found(findings: Sequence[Finding], gate: Gate, setting_aside: str) -> str:
+    """A cause."""
+    causes = " and ".join(_cause(finding) for finding in findings)
+    smallest = min(gate.p_value, gate.p_candidates)
+    aside = f"; {setting_aside}" if setting_aside else ""
+    return f"the declared model leaves more than noise ({_p(smallest)}); what explains it: {causes}{aside}"
+
+
+def _p(p_value: float) -> str:
+    return f"p = {p_value:.2g}" if p_value > 0.0 else "p < 1e-300"
+
+
+def _cause(finding: Finding) -> str:
+    more = len(finding.members) - 1
+    alike = f", or {more} that look{'s' if more == 1 else ''} alike" if more else ""
+    return f"{finding.sentence} ({finding.name}{alike})" if finding.sentence else f"{finding.name}{alike}"
+
+
+def ambiguous(classes: Sequence[Sequence[str]]) -> str:
+    """Several."""
+    remaining = "; ".join(" or ".join(names) for names in classes)
+    if len(classes) == 1:
+        return f"{len(classes[0])} explanations look alike to these data: {remaining}"
+    return f"{len(classes)} different explanations remain: {remaining}"
+
+
+def unstable(causes: Sequence[Candidate], change: str, instead: Sequence[Candidate]) -> str:
+    """A cause that depends on the stated errors."""
+    return (
+        f"{_names(causes)} would explain the residual, but with {change} {_names(instead)} would do so better"
+    )
+
+
+def remote(cause: Candidate) -> str:
+    """A cause that is not claimed."""
+    also = ", or put it among the candidates" if cause.nameable else ""
+    return f"no candidate explains the residual alone, but {cause.name} would: look there{also}"
+
+
+def errors(causes: Sequence[Candidate], what: str) -> str:
+    """Errors of the measurement explain it as well."""
+    return (
+        f"{_names(causes)} would explain the residual, but errors of the measurement nearly as well: {what}"
+    )
+
+
+def shapes(causes: Sequence[Candidate]) -> str:
+    """Frequencies agree, shapes do not."""
+    who = f"{_names(causes)} would explain" if causes else "the declared model explains"
+    return f"{who} the frequencies, but not the shapes of some of these modes (MAC)"
+
+
+def shapes_prefer(causes: Sequence[Candidate], others: Sequence[Candidate]) -> str:
+    """Another explanation has the better shapes."""
+    other = _names(others) if others else "the declared model"
+    return f"{_names(causes)} would explain the frequencies, but {other} fits the shapes significantly better"
+
+
+def weak(causes: Sequence[Candidate], p_value: float, what: str) -> str:
+    """It may be chance."""
+    perhaps = f"; errors of the measurement would explain it too: {what}" if what else ""
+    return (
+        f"what is left points at {_names(causes)}, but not clearly enough to be claimed "
+        f"({_p(p_value)} among all candidates): measure more{perhaps}"
+    )
+
+
+def _names(causes: Sequence[Candidate]) -> str:
+    return " and ".join(cause.name for cause in causes)
+
+
+def unexplained(
+    fitter: Fitter, fit: Fit, final: Fit, ratio: float, first: Gate, last: Gate, dispersed: bool
+) -> str:
+    """None.
+
+    Parameters
+    ----------
+    fitter : Fitter
+    fit, final : Fit
+        With the nuisances only, and the last one.
+    ratio : float
+        chi2 per degree of freedom of the first.
+    first, last : Gate
+        At the two.
+    dispersed : bool
+        Whether what is left has no direction once it is scaled to its own size.
+    """
+    if last.p_unmeasured <= last.level < min(last.p_value, last.p_candidates):
+        return (
+            f"{_names(final.causes)} would explain the measured modes, but adds others among them that were not "
+            "measured"
+        )
+    if last.unpaired:
+        which = "1 measured mode is" if last.unpaired == 1 else f"{last.unpaired} measured modes are"
+        return f"{which} unmatched: the model has no mode there, and no candidate adds one"
+    pattern = uneven(fitter, fit)
+    if dispersed:
+        what = pattern or "perhaps the stated sigma is too small"
+        return f"the residual is {ratio**0.5:.2g} times the stated errors and points at no candidate: {what}"
+    if first.p_value > fitter.criteria.gate:
+        return (
+            f"what is left is small but points at a candidate ({_p(first.p_candidates)}), and none explains it "
+            "well enough to be claimed: measure more"
+        )
+    seen = f"; {pattern}" if pattern else ""
+    return (
+        f"the residual is real (chi2 per degree of freedom {ratio:.3g}) and no candidate or pair of them "
+        f"brings it to the noise{seen}"
+    )
+
+
+def uneven(fitter: Fitter, fit: Fit) -> str:
+    """How the residual of the frequencies goes with the setup, where it does; else empty."""
+    left = fit.residual[fitter.frequency_rows]
+    rows = [r for r in fitter.noise.rows if len(r) >= 2]
+    if len(rows) < 3:
+        return ""
+    means = np.array([left[r].mean() for r in rows])
+    between = sum(
+        len(r) * (m - left[np.concatenate(rows)].mean()) ** 2 for r, m in zip(rows, means, strict=True)
+    )
+    within = sum(float(((left[r] - m) ** 2).sum()) for r, m in zip(rows, means, strict=True))
+    count = sum(map(len, rows))
+    ratio = (between / (len(rows) - 1)) / max(within / (count - len(rows)), 1e-300)
+    if stats.f.sf(ratio, len(rows) - 1, count - len(rows)) > UNEVEN:
+        return ""
+    labels = [fitter.data.labels[fitter.data.pose[r[0]]] for r in rows]
+    high, low = int(means.argmax()), int(means.argmin())
+    return (
+        f"the residual goes with the pose, from {100 * means[high]:+.2g} % at {labels[high]} to "
+        f"{100 * means[low]:+.2g} % at {labels[low]}"
+    )
+
+
+def insufficient(
+    rows: int, shapes: int, uncertain: Sequence[str], p_value: float | None, hints: Sequence[str]
+) -> str:
+    """Too few, and whether they contradict the model all the same."""
+    modes = "1 measured mode" if rows == 1 else f"{rows} measured modes"
+    modes += f" with {shapes} shape values" if shapes else ""
+    modes += " is" if rows == 1 else " are"
+    names = f"the uncertain {', '.join(uncertain)}, " if uncertain else ""
+    text = f"{modes} too few for {names}a cause, and one more to test it with"
+    if p_value is None:
+        return text
+    if p_value > UNEVEN:
+        return (
+            f"{text}; the declared model with its uncertain values does not contradict them ({_p(p_value)})"
+        )
+    would = f"; they would not with {' or '.join(hints)}" if hints else ""
+    return f"{text}; yet they contradict the declared model and its uncertain values ({_p(p_value)}){would}"

@@ -1,0 +1,113 @@
+"""What a verdict becomes where the stated errors or the priors are others than stated.
+
+The explanations that the search came to are fitted again with all sigma halved, with all doubled, and with all priors
+twice as wide; nothing new is searched for.  A cause in whose place another one is then better is not claimed: it
+rests on numbers that nobody knows to a factor of two.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.search.search import Search
+from pkmodes.diagnosis.verdict.result import Stability, Verdict
+
+#: What is changed: errors by the first factor, priors by the second.
+CHANGES = {"sigma x 0.5": (0.5, 1.0), "sigma x 2": (2.0, 1.0), "priors x 2": (1.0, 2.0)}
+#: Explanations that are fitted again.
+CONTENDERS = 6
+
+
+@dataclass(frozen=True)
+class Trial:
+    """What became of the contenders under one change.
+
+    Attributes
+    ----------
+    entry : Stability
+    instead : Fit or None
+        An explanation that is then better than the claimed one, and not of its class; as the search had fitted it.
+    """
+
+    entry: Stability
+    instead: Fit | None
+
+
+def trials(search: Search, final: Fit) -> list[Trial]:
+    """Fit the contenders again under every change.
+
+    Parameters
+    ----------
+    search : Search
+    final : Fit
+        The claimed one, or the last one of the search.
+    """
+    contenders = _contenders(search, final)
+    return [_trial(search, final, contenders, change) for change in CHANGES]
+
+
+def unchanged(verdict: Verdict) -> tuple[Stability, ...]:
+    """Entries for a verdict that no change of errors and priors can touch."""
+    return tuple(Stability(change, verdict, ()) for change in CHANGES)
+
+
+def _contenders(search: Search, final: Fit) -> list[Fit]:
+    store = search.store
+    rest = [
+        fit
+        for fit in store.tried()
+        if fit.causes
+        and len(fit.causes) <= max(len(final.causes), 1)
+        and not fit.at_bound
+        and not any(cause.remote for cause in fit.causes)
+        and {c.name for c in fit.causes} != {c.name for c in final.causes}
+    ]
+    best = sorted(rest, key=store.criterion)[:CONTENDERS]
+    return [final, *best] if final.causes else best
+
+
+def _trial(search: Search, final: Fit, contenders: list[Fit], change: str) -> Trial:
+    errors, priors = CHANGES[change]
+    fitter = _with(search.store.fitter, errors, priors)
+    store, c = FitStore(fitter), fitter.criteria
+    plain = store.fit(Hypothesis())
+    refitted = [store.fit(fit.hypothesis, fit.values) for fit in contenders]
+    fits = [fit for fit in refitted if fit is not None]
+    claimed = refitted[0] if refitted and final.causes else None
+    # Rivals of fewer causes are no better because they are simpler: nothing is claimed of them.
+    same = [fit for fit in fits if len(fit.causes) == len(final.causes)]
+    best = min(same or fits, key=store.criterion, default=None)
+    instead: Fit | None = None
+    if claimed is not None and best is not None and best is not claimed:
+        better = store.criterion(best) < store.criterion(claimed)
+        if better and fitter.difference(claimed, best) >= c.told_apart:
+            instead = contenders[[fit is best for fit in refitted].index(True)]
+    if plain is not None and store.p_value(plain) > c.gate:
+        return Trial(Stability(change, "adequate", ()), instead)
+    if best is None or store.p_value(best) <= c.surely:
+        return Trial(Stability(change, "unexplained", ()), instead)
+    near = [
+        fit
+        for fit in same
+        if store.criterion(fit) <= store.criterion(best) + c.survives
+        and store.p_value(fit) > c.surely
+        and fitter.difference(best, fit) >= c.told_apart
+    ]
+    names = tuple(cause.name for cause in best.causes)
+    return Trial(Stability(change, "ambiguous" if near else "effect_found", names), instead)
+
+
+def _with(fitter: Fitter, errors: float, priors: float) -> Fitter:
+    """The same structure and data with other errors and priors."""
+    data = fitter.data
+    if errors != 1.0:
+        data = replace(
+            data,
+            sigma=data.sigma * errors,
+            shape_sigma=data.shape_sigma * errors,
+            point_sigma=data.point_sigma * errors,
+        )
+    return Fitter(fitter.structure, data, fitter.criteria, fitter.shape_scatter, widened=priors)
