@@ -351,7 +351,9 @@ def test_a_repeated_frequency_moves_by_the_mean_of_its_two_modes() -> None:
     fitter = Fitter(pair, data)
     prediction = pair.predict(np.zeros(2), (0, 1))
     pairing = fitter.pairer.pair(prediction, np.ones(2, dtype=bool))
-    assert fitter.rates(prediction, pairing, np.ones(2, dtype=bool)) == pytest.approx(np.array([[0.5, 0.25], [0.5, 0.25]]) / 100.0)
+    assert fitter.rates(prediction, pairing, np.ones(2, dtype=bool)) == pytest.approx(
+        np.array([[0.5, 0.25], [0.5, 0.25]]) / 100.0
+    )
     found = fitter.fit(Hypothesis((pair.candidates[0],)), np.array([0.0, 0.1]))
     assert found is not None
     assert found.chi2 == pytest.approx(0.0, abs=1e-6)  # 10.1^2 = 100 + 2.01 for one of them

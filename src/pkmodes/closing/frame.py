@@ -1,7 +1,7 @@
 """The measurement frame: poses of a file that are shifted or turned with respect to the robot's.
 
-A wrong zero of the height, or a table that is not parallel to the rails, is in all poses alike.  The true pose is taken
-as the measured one, turned about the base frame's z axis by the yaw, then shifted by the offset.
+A wrong zero of the height, or a table that is not parallel to the rails, is in all poses alike.  The true pose is
+taken as the measured one, turned about the base frame's z axis by the yaw, then shifted by the offset.
 """
 
 from __future__ import annotations

@@ -193,7 +193,7 @@ class MatrixDerivatives:
         return np.asarray(K - eigenvalues[..., None] * M)
 
     def locked_motion(self, t: int, eigenvalues: Array, shapes: Array) -> Array:
-        """How locked joints move in each mode by unit of their compliance, (N, m, e): they yield to what they carry."""
+        """How locked joints yield to what they carry, per unit of their compliance, (N, m, e)."""
         found = np.zeros((*shapes.shape[:-1], self.M.shape[-1]))
         for joints, weight in self._locked[t]:
             found[..., list(joints)] -= weight * self.joint_forces(eigenvalues, shapes, joints)

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.diagnosis.criteria import Criteria
-from pkmodes.diagnosis.match.mac import ALIKE
+from pkmodes.diagnosis.match.mac import space
 from pkmodes.diagnosis.match.pairing import Pairing
 from pkmodes.diagnosis.problem import Array, Prediction
 from pkmodes.measured.measurements import Measurements
@@ -43,7 +43,7 @@ class ShapeRows:
     stated : ndarray of bool, shape (R,)
         Rows with a stated standard deviation.
     count : ndarray of int, shape (R,)
-        Values that each shape adds to the data: its components less the scales of the modes that it is compared with.
+        Values that each shape adds to the data: its components less one for each mode that it is compared with.
     sigma : ndarray, shape (R, C)
         Standard deviations of the components.
     """
@@ -73,15 +73,25 @@ class ShapeRows:
         self.count = np.where(self.known, components - 1, 0)
         each = np.where(self.stated, data.shape_sigma, scatter)
         self.sigma = np.broadcast_to(each[:, None], data.shapes.shape)
+        self._crowd(data, criteria.mixed)
+
+    def _crowd(self, data: Measurements, mixed: float) -> None:
+        """Find the rows that are compared with several modes at once, and the rows of these modes."""
         log = np.log(data.frequency)
-        self._mates = {
-            int(i): np.flatnonzero((data.pose == data.pose[i]) & (np.abs(log - log[i]) < criteria.mixed))
-            for i in _crowded(data, log, criteria.mixed)
-        }
-        self._alone = self.count.copy()
-        for i, mates in self._mates.items():
-            if len(mates) <= self._alone[i]:
-                self.count[i] = self._alone[i] + 1 - len(mates)
+        order = np.lexsort((log, data.pose))
+        near = (np.diff(log[order]) < mixed) & (np.diff(data.pose[order]) == 0)
+        crowded = np.unique(np.concatenate([order[:-1][near], order[1:][near]]))
+        mates = [
+            np.flatnonzero((data.pose == data.pose[i]) & (np.abs(log - log[i]) < mixed)) for i in crowded
+        ]
+        # As many modes as components would explain any shape: the row is compared with its own mode then.
+        kept = [k for k, i in enumerate(crowded) if self.known[i] and len(mates[k]) <= self.count[i]]
+        self._crowded = crowded[kept]
+        most = max((len(mates[k]) for k in kept), default=1)
+        self._mates = np.full((len(kept), most), -1, dtype=np.intp)
+        for row, k in enumerate(kept):
+            self._mates[row, : len(mates[k])] = mates[k]
+            self.count[crowded[k]] -= len(mates[k]) - 1
 
     @property
     def size(self) -> int:
@@ -102,12 +112,12 @@ class ShapeRows:
         size = np.maximum((phi**2).sum(axis=1), 1e-300)
         inside = np.einsum("rc,rct->rt", phi, changes) / size[:, None]
         found = -along[:, None, None] * (changes - phi[..., None] * inside[:, None])
-        for i, mates in self._together(pairing, used):
-            basis, share = self._space(prediction, pairing, i, mates)
-            modes = pairing.partner[mates]
-            moved = prediction.shape_rates[self._pose[i], modes][:, self._columns]
-            change = np.tensordot(share, moved * self._weights[i][:, None], axes=1)
-            found[i] = -(change - basis @ (basis.T @ change))
+        if len(self._crowded):
+            i = self._crowded
+            basis, share, modes = self._spaces(prediction, pairing, used)
+            moved = prediction.shape_rates[self._pose[i][:, None], modes][:, :, self._columns]
+            change = np.einsum("bg,bgct->bct", share, moved) * self._weights[i][..., None]
+            found[i] = -(change - np.swapaxes(basis, -1, -2) @ (basis @ change))
         return np.asarray(np.where((self.known & used & (pairing.partner >= 0))[:, None, None], found, 0.0))
 
     def degrees(self, used: NDArray[np.bool_]) -> int:
@@ -131,35 +141,22 @@ class ShapeRows:
         phi = np.where((pairing.partner >= 0)[:, None], phi, 0.0)
         along = (phi * self._shapes).sum(axis=1) / np.maximum((phi**2).sum(axis=1), 1e-300)
         found = self._shapes - phi * along[:, None]
-        for i, mates in self._together(pairing, used):
-            basis, _ = self._space(prediction, pairing, i, mates)
-            found[i] = self._shapes[i] - basis @ (basis.T @ self._shapes[i])
+        if len(self._crowded):
+            i = self._crowded
+            basis, _, _ = self._spaces(prediction, pairing, used)
+            inside = (np.swapaxes(basis, -1, -2) @ (basis @ self._shapes[i][..., None]))[..., 0]
+            found[i] = self._shapes[i] - inside
         return np.where((self.known & used)[:, None], found, 0.0), phi, along
 
-    def _together(self, pairing: Pairing, used: NDArray[np.bool_]) -> list[tuple[int, NDArray[np.intp]]]:
-        """Rows that are compared with several modes at once, and the rows of these modes."""
-        found = []
-        for i, rows in self._mates.items():
-            mates = rows[used[rows] & (pairing.partner[rows] >= 0)]
-            if self.known[i] and used[i] and pairing.partner[i] >= 0 and 1 < len(mates) <= self._alone[i]:
-                found.append((i, mates))
-        return found
-
-    def _space(
-        self, prediction: Prediction, pairing: Pairing, i: int, mates: NDArray[np.intp]
-    ) -> tuple[Array, Array]:
-        """Orthonormal basis of the partners' space at the sensors of a row, and its coordinates in them."""
-        shapes = prediction.shapes[self._pose[i], pairing.partner[mates]][:, self._columns] * self._weights[i]
-        # By singular values: where the sensors see two modes alike, they span one direction.
-        u, s, vt = np.linalg.svd(shapes.T, full_matrices=False)
-        kept = s > ALIKE * s[0] if s[0] > 0.0 else np.zeros(len(s), dtype=bool)
-        u, s, vt = u[:, kept], s[kept], vt[kept]
-        share: Array = vt.T @ ((u.T @ self._shapes[i]) / s)
-        return u, share
-
-
-def _crowded(data: Measurements, log: Array, mixed: float) -> NDArray[np.intp]:
-    """Rows with another row of their setup nearby."""
-    order = np.lexsort((log, data.pose))
-    near = (np.diff(log[order]) < mixed) & (np.diff(data.pose[order]) == 0)
-    return np.unique(np.concatenate([order[:-1][near], order[1:][near]]))
+    def _spaces(
+        self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]
+    ) -> tuple[Array, Array, NDArray[np.intp]]:
+        """Bases of the modes that crowded rows are compared with, how much of each is in a row, and the modes."""
+        i, mates = self._crowded, self._mates
+        partner = pairing.partner[mates]
+        present = (mates >= 0) & used[mates] & (partner >= 0) & (pairing.partner[i] >= 0)[:, None]
+        modes = np.maximum(partner, 0)
+        shapes = prediction.shapes[self._pose[i][:, None], modes][..., self._columns]
+        basis, back = space(shapes * self._weights[i][:, None] * present[..., None])
+        share = ((basis @ self._shapes[i][..., None])[..., 0, None] * back).sum(axis=1)
+        return basis, share, modes

@@ -56,23 +56,26 @@ def mac(shapes: Array, model: Array, measured: NDArray[np.bool_]) -> Array:
     return np.where(known[..., None], found, np.nan)
 
 
-def mac_of_space(shape: Array, model: Array, measured: NDArray[np.bool_]) -> float:
-    """Part of a measured shape that lies in the space of several modes; NaN where any shape would.
+def space(shapes: Array) -> tuple[Array, Array]:
+    """Orthonormal bases of the spaces of several modes at their sensors, for a batch.
 
     Parameters
     ----------
-    shape : ndarray, shape (C,)
-    model : ndarray, shape (k, C)
-        From `weighted`.
-    measured : ndarray of bool, shape (C,)
+    shapes : ndarray, shape (B, g, C)
+        From `weighted`, zero at components that were not measured; rows of zeros count for nothing.
+
+    Returns
+    -------
+    basis : ndarray, shape (B, g, C)
+        Orthonormal rows, and rows of zeros where the modes span less: sensors may see two modes alike.
+    back : ndarray, shape (B, g, g)
+        With basis = back @ shapes.
     """
-    length = float(shape @ shape)
-    if measured.sum() <= len(model) or measured.sum() < 2 or length == 0.0:
-        return np.nan
-    # By singular values: where the sensors see two modes alike, they span one direction.
-    basis, size, _ = np.linalg.svd(model[:, measured].T, full_matrices=False)
-    basis = basis[:, size > ALIKE * size[0]]
-    return float(((shape[measured] @ basis) ** 2).sum() / length)
+    values, vectors = np.linalg.eigh(shapes @ np.swapaxes(shapes, -1, -2))
+    kept = values > ALIKE**2 * np.maximum(values[:, -1:], 1e-300)
+    scale = np.where(kept, 1.0 / np.sqrt(np.where(kept, values, 1.0)), 0.0)
+    back = np.swapaxes(vectors, -1, -2) * scale[..., None]
+    return back @ shapes, back
 
 
 def channel_motion(shapes: Array) -> Array:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from pkmodes.diagnosis.criteria import Criteria
-from pkmodes.diagnosis.match.mac import channel_motion, mac, mac_of_space, weighted
+from pkmodes.diagnosis.match.mac import channel_motion, mac, space, weighted
 from pkmodes.diagnosis.problem import Prediction
 from pkmodes.errors import PkmodesError, shown
 from pkmodes.measured.measurements import Measurements
@@ -162,34 +162,61 @@ class Pairer:
         close: NDArray[np.bool_],
     ) -> Array:
         """MAC of each row with each mode of the model, or with the modes that are close to it together."""
-        found = alone.copy() if close.any() else alone
-        for setup in np.flatnonzero(close.any(axis=1)):
-            near = np.abs(logs[setup][:, None] - logs[setup]) < self._criteria.close
-            for k in np.flatnonzero(near.sum(axis=1) > 1):
-                for place in np.flatnonzero(np.isfinite(alone[setup, :, k])):
-                    inside = mac_of_space(shapes[setup, place], model[setup, near[k]], measured[setup, place])
-                    if not np.isnan(inside):
-                        found[setup, place, k] = inside
+        setups = np.flatnonzero(close.any(axis=1))
+        if not len(setups):
+            return alone
+        with np.errstate(invalid="ignore"):
+            near = np.abs(logs[setups][:, :, None] - logs[setups][:, None, :]) < self._criteria.close
+        which, k = np.nonzero(near.sum(axis=-1) > 1)
+        # Every row of a setup with every mode that is not alone, where the shape is known.
+        entry, place = np.nonzero(np.isfinite(alone[setups[which], :, k]))
+        if not len(entry):
+            return alone
+        which, k = which[entry], k[entry]
+        found = alone.copy()
+        inside = _in_space(
+            shapes[setups[which], place],
+            model[setups[which]],
+            near[which, k],
+            measured[setups[which], place],
+        )
+        at = setups[which], place, k
+        found[at] = np.where(np.isnan(inside), found[at], inside)
         return found
 
     def _compared(
         self, partner: Index, alone: Array, shapes: Array, model: Array, measured: NDArray[np.bool_]
     ) -> Array:
         """MAC of each row with its partner, or with the partners of all rows close to it together."""
-        pose, place = self._data.pose, self._place
+        pose, place, i = self._data.pose, self._place, self._crowded
         paired = partner >= 0
         found = np.where(paired, alone[pose, place, np.maximum(partner, 0)], np.nan)
-        for i in self._crowded:
-            row = self._row[pose[i]]
-            row = row[row >= 0]
-            near = row[(np.abs(self._log[row] - self._log[i]) < self._criteria.mixed) & paired[row]]
-            if paired[i] and len(near) > 1:
-                setup = pose[i]
-                inside = mac_of_space(
-                    shapes[setup, place[i]], model[setup, partner[near]], measured[setup, place[i]]
-                )
-                found[i] = found[i] if np.isnan(inside) else inside
+        if len(i):
+            rows = self._row[pose[i]]
+            near = (rows >= 0) & (np.abs(self._log[rows] - self._log[i][:, None]) < self._criteria.mixed)
+            near &= paired[rows]
+            members = np.zeros((len(i), model.shape[1]), dtype=bool)
+            entry, column = np.nonzero(near)
+            members[entry, partner[rows[entry, column]]] = True
+            inside = _in_space(
+                shapes[pose[i], place[i]], model[pose[i]], members, measured[pose[i], place[i]]
+            )
+            use = paired[i] & (members.sum(axis=1) > 1) & ~np.isnan(inside)
+            found[i] = np.where(use, inside, found[i])
         return found
+
+
+def _in_space(shapes: Array, model: Array, members: NDArray[np.bool_], measured: NDArray[np.bool_]) -> Array:
+    """Part of each shape (B, C) that lies in the space of some modes (B, m, C); NaN where any shape would."""
+    most = int(members.sum(axis=1).max(initial=1))
+    order = np.argsort(~members, axis=1, kind="stable")[:, :most]
+    batch = np.arange(len(shapes))[:, None]
+    some = model[batch, order] * measured[:, None] * members[batch, order][..., None]
+    basis, _ = space(some)
+    lengths = (shapes**2).sum(axis=-1)
+    told = (measured.sum(axis=-1) > members.sum(axis=-1)) & (measured.sum(axis=-1) >= 2) & (lengths > 0.0)
+    along = ((basis @ shapes[..., None]) ** 2).sum(axis=(-1, -2))
+    return np.where(told, along / np.where(lengths > 0.0, lengths, 1.0), np.nan)
 
 
 def _in_order(

@@ -53,7 +53,10 @@ def _shapes(store: FitStore, fit: Fit) -> Iterator[str]:
     strange = np.flatnonzero(told & (np.nan_to_num(fit.pairing.mac, nan=1.0) < c.strange_mac))
     if len(strange):
         lines = ", ".join(str(data.lines[i]) for i in strange[:8]) + (", ..." if len(strange) > 8 else "")
-        yield f"the shapes in line {lines} are not those of the modes with their frequencies (MAC below {c.strange_mac:g})"
+        yield (
+            f"the shapes in line {lines} are not those of the modes with their frequencies "
+            f"(MAC below {c.strange_mac:g})"
+        )
 
 
 def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
