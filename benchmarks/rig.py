@@ -8,7 +8,26 @@ from pathlib import Path
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 
 from rig_engine import TrueModes, true_modes
-from rig_measurements import BASE_RIGID, measure_modes
+from rig_laboratory import SENSORS, Laboratory
+from rig_measurements import BASE_RIGID, Identified, exact, identified, measure_modes, written
+from rig_mistakes import MISTAKES, mistaken, parsed
 from rig_robots import POSES, ROBOTS, read
 
-__all__ = ["BASE_RIGID", "POSES", "ROBOTS", "TrueModes", "measure_modes", "read", "true_modes"]
+__all__ = [
+    "BASE_RIGID",
+    "MISTAKES",
+    "POSES",
+    "ROBOTS",
+    "SENSORS",
+    "Identified",
+    "Laboratory",
+    "TrueModes",
+    "exact",
+    "identified",
+    "measure_modes",
+    "mistaken",
+    "parsed",
+    "read",
+    "true_modes",
+    "written",
+]
