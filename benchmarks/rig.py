@@ -10,8 +10,9 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 from rig_engine import TrueModes, true_modes
 from rig_laboratory import SENSORS, Laboratory
 from rig_measurements import BASE_RIGID, Identified, exact, identified, measure_modes, written
-from rig_mistakes import MISTAKES, mistaken, parsed
+from rig_mistakes import MISTAKES, joined, mistaken, parsed
 from rig_robots import POSES, ROBOTS, read
+from rig_storeys import channels, storey_modes
 
 __all__ = [
     "BASE_RIGID",
@@ -22,12 +23,15 @@ __all__ = [
     "Identified",
     "Laboratory",
     "TrueModes",
+    "channels",
     "exact",
     "identified",
+    "joined",
     "measure_modes",
     "mistaken",
     "parsed",
     "read",
+    "storey_modes",
     "true_modes",
     "written",
 ]
