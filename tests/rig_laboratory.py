@@ -41,8 +41,10 @@ class Laboratory:
     modes : int or tuple of two ints
         An int: the modes looked for, as `measure_modes` has it.  Two: fewest and most of them at a pose, counted
         from the lowest in the band.
+    sensors : tuple of str
+        Where the modes have to show, where the file has no shapes.
     shapes : tuple of str
-        Components of the shapes in the file.  Without any, all of `SENSORS` are looked at but not written down.
+        Components of the shapes in the file.
     shape_noise : float
         Standard deviation of their errors, as a part of the row's largest component.
     sigma_shape : str
@@ -57,6 +59,7 @@ class Laboratory:
     band: tuple[float, float] | None = None
     band_stated: bool = False
     modes: int | tuple[int, int] = 6
+    sensors: tuple[str, ...] = SENSORS
     shapes: tuple[str, ...] = SENSORS
     shape_noise: float = 0.02
     sigma_shape: str = "absent"
@@ -96,6 +99,7 @@ class Laboratory:
             band=(float(f"{low:.3g}"), float(f"{high:.3g}")),
             band_stated=bool(rng.random() < 1 / 2),
             modes=modes,
+            sensors=tuple(sensors),
             shapes={"all": tuple(sensors), "few": tuple(sensors[i] for i in few), "none": ()}[str(shapes)],
             shape_noise=float(rng.uniform(0.01, 0.05)),
             sigma_shape=str(rng.choice(["absent", "stated", "some"])),

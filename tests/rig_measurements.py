@@ -106,6 +106,7 @@ def identified(
     nodes: float = 0.0,
     band: tuple[float, float] | None = None,
     modes: int | tuple[int, int] = 6,
+    sensors: Sequence[str] = SENSORS,
     shapes: Sequence[str] = (),
     shape_noise: float = 0.02,
     sigma_shape: str = "absent",
@@ -120,7 +121,7 @@ def identified(
         Modes at each of the poses.
     rng : numpy.random.Generator
         Source of every error.
-    sigma, uneven, sigma_scale, missing, nodes, band, shapes, shape_noise, sigma_shape
+    sigma, uneven, sigma_scale, missing, nodes, band, sensors, shapes, shape_noise, sigma_shape
         See `rig_laboratory.Laboratory`.
     common : float
         Standard deviation of an error that all rows of a pose share, and that the file does not state.
@@ -136,7 +137,7 @@ def identified(
     for index, true in enumerate(modes_list):
         shared = rng.normal(0.0, common)
         looked_for = _looked_for(true, modes, band, rng)
-        chance = _chances(true, looked_for, shapes, nodes)
+        chance = _chances(true, looked_for, shapes or sensors, nodes)
         for i, visible in zip(looked_for, chance, strict=True):
             part = sigma * np.exp(rng.normal(0.0, uneven)) if uneven else sigma
             error = rng.normal(0.0, part) + shared
@@ -215,11 +216,11 @@ def _looked_for(
     return found[: int(rng.integers(modes[0], modes[1] + 1))]
 
 
-def _chances(true: TrueModes, looked_for: Sequence[int], shapes: Sequence[str], nodes: float) -> np.ndarray:
+def _chances(true: TrueModes, looked_for: Sequence[int], sensors: Sequence[str], nodes: float) -> np.ndarray:
     """Probability that each of these modes shows at the sensors."""
     if not nodes or not looked_for:
         return np.ones(len(looked_for))
-    motion = np.array([true.shapes[name][looked_for] for name in shapes or SENSORS])
+    motion = np.array([true.shapes[name][looked_for] for name in sensors])
     return seen(motion.T, nodes)
 
 

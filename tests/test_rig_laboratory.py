@@ -59,6 +59,14 @@ def test_modes_that_hardly_move_the_sensors_are_missed() -> None:
     assert expected.min() < 0.5 < expected.max()
 
 
+def test_modes_must_show_at_the_sensors_also_where_shapes_are_not_written_down() -> None:
+    def found(**options: object) -> list[int]:
+        rng = np.random.default_rng(2)
+        return sorted(row.mode for row in identified([modes()] * 50, rng=rng, nodes=0.5, **options))
+
+    assert found(sensors=("x_1",)) != found(sensors=("p_z",))
+
+
 def test_nothing_is_found_outside_the_band_and_the_file_may_say_so() -> None:
     band = (float(f"{(true()[0] + true()[1]) / 2:.3g}"), float(f"{(true()[4] + true()[5]) / 2:.3g}"))
     for stated in (False, True):
