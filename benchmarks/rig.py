@@ -8,7 +8,30 @@ from pathlib import Path
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 
 from rig_engine import TrueModes, true_modes
-from rig_measurements import BASE_RIGID, measure_modes
+from rig_laboratory import SENSORS, Laboratory
+from rig_measurements import BASE_RIGID, Identified, exact, identified, measure_modes, written
+from rig_mistakes import MISTAKES, joined, mistaken, parsed
 from rig_robots import POSES, ROBOTS, read
+from rig_storeys import channels, storey_modes
 
-__all__ = ["BASE_RIGID", "POSES", "ROBOTS", "TrueModes", "measure_modes", "read", "true_modes"]
+__all__ = [
+    "BASE_RIGID",
+    "MISTAKES",
+    "POSES",
+    "ROBOTS",
+    "SENSORS",
+    "Identified",
+    "Laboratory",
+    "TrueModes",
+    "channels",
+    "exact",
+    "identified",
+    "joined",
+    "measure_modes",
+    "mistaken",
+    "parsed",
+    "read",
+    "storey_modes",
+    "true_modes",
+    "written",
+]

@@ -2,6 +2,7 @@
 
 The truth comes from `rig_engine`; what is added here is the experimenter: errors of the frequencies, common to a
 pose and not, modes that were missed, shapes of any scale, rows in any order and a numbering that means nothing.
+`rig_laboratory` has what one experimenter does of this, `rig_mistakes` what goes wrong when the file is written.
 """
 
 from __future__ import annotations
@@ -9,11 +10,13 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from pkmodes_generated.linear_delta import Parameters
 from rig_engine import TrueModes, true_modes
+from rig_laboratory import SENSORS, seen
 
 #: Modes of the robot without effects that strain nothing.
 BASE_RIGID = 3
@@ -22,112 +25,203 @@ BASE_RIGID = 3
 LOWEST_FREQUENCY = 2.0
 
 
+@dataclass(frozen=True)
+class Identified:
+    """One mode that was found.
+
+    Attributes
+    ----------
+    pose, mode : int
+        Which of the poses, and which of its true modes.
+    frequency, sigma, stated : float
+        Measured frequency, its true standard deviation, and the stated one [Hz].
+    number : str
+        What the experimenter calls it.
+    shape : ndarray
+        Measured components.
+    sigma_shape : float or None
+        Stated standard deviation of the shape, where it is stated.
+    """
+
+    pose: int
+    mode: int
+    frequency: float
+    sigma: float
+    stated: float
+    number: str
+    shape: np.ndarray
+    sigma_shape: float | None = None
+
+
 def measure(
     parameters: Parameters,
     poses: Sequence[np.ndarray],
     *,
     effects: Mapping[str, float] = {},
     outside: Mapping[str, float] = {},
-    rng: np.random.Generator,
-    sigma: float = 0.002,
-    common: float = 0.0,
-    missing: float = 0.0,
-    modes: int = 6,
-    shapes: Sequence[str] = (),
-    shape_noise: float = 0.02,
-    sigma_scale: float = 1.0,
-    labels: Sequence[str] | None = None,
+    **options: object,
 ) -> str:
     """Measure a robot at poses; `effects` and `outside` as for `rig_engine.true_modes`, the rest as below."""
-    return measure_modes(
-        [true_modes(parameters, p, effects, outside) for p in poses],
-        poses,
-        rng=rng,
-        sigma=sigma,
-        common=common,
-        missing=missing,
-        modes=modes,
-        shapes=shapes,
-        shape_noise=shape_noise,
-        sigma_scale=sigma_scale,
-        labels=labels,
-        drift=outside.get("thermal_drift", 0.0),
-    )
+    modes_list = [true_modes(parameters, p, effects, outside) for p in poses]
+    return measure_modes(modes_list, poses, drift=outside.get("thermal_drift", 0.0), **options)
 
 
 def measure_modes(
     modes_list: Sequence[TrueModes],
     poses: Sequence[np.ndarray],
     *,
-    rng: np.random.Generator,
-    sigma: float = 0.002,
-    common: float = 0.0,
-    missing: float = 0.0,
-    modes: int = 6,
     shapes: Sequence[str] = (),
-    shape_noise: float = 0.02,
-    sigma_scale: float = 1.0,
     labels: Sequence[str] | None = None,
-    drift: float = 0.0,
+    band: tuple[float, float] | None = None,
+    band_stated: bool = False,
+    sigma_shape: str = "absent",
+    **options: object,
 ) -> str:
     """Measure modes that are known already: computing them is what takes long.
 
     Parameters
     ----------
-    modes_list : sequence of TrueModes
-        Modes at each of the poses.
+    modes_list, shapes, band, sigma_shape, options
+        As for `identified`.
     poses : array_like, shape (N, 3)
         Platform centres [m].
-    rng : numpy.random.Generator
-        Source of every error.
-    sigma : float
-        Standard deviation of the logarithm of each frequency.
-    common : float
-        The same for an error that all rows of a pose share, and that the file does not state.
-    missing : float
-        Probability that a mode was not identified.
-    modes : int
-        How many modes beyond the first three are looked for at each pose.  Of the first three, those that are
-        not rigid and oscillate faster than `LOWEST_FREQUENCY` are found in addition.
-    shapes : sequence of str
-        Components of the shapes that are measured, such as ``x_1`` or ``p_x``.
-    shape_noise : float
-        Standard deviation of their errors, as a part of the row's largest component.
-    sigma_scale : float
-        Stated standard deviation over the true one, `sigma`.
     labels : sequence of str, optional
         Names of the poses; P1, P2 ... by default.
+    band_stated : bool
+        Whether the file says which band it was.
+    """
+    rows = identified(modes_list, shapes=shapes, band=band, sigma_shape=sigma_shape, **options)
+    stated = band if band_stated else None
+    return written(rows, poses, shapes, labels=labels, band=stated, sigma_shape=sigma_shape != "absent")
+
+
+def identified(
+    modes_list: Sequence[TrueModes],
+    *,
+    rng: np.random.Generator,
+    sigma: float = 0.002,
+    uneven: float = 0.0,
+    common: float = 0.0,
+    missing: float = 0.0,
+    nodes: float = 0.0,
+    band: tuple[float, float] | None = None,
+    modes: int | tuple[int, int] = 6,
+    sensors: Sequence[str] = SENSORS,
+    shapes: Sequence[str] = (),
+    shape_noise: float = 0.02,
+    sigma_shape: str = "absent",
+    sigma_scale: float = 1.0,
+    drift: float = 0.0,
+) -> list[Identified]:
+    """Find the modes, in any order.
+
+    Parameters
+    ----------
+    modes_list : sequence of TrueModes
+        Modes at each of the poses.
+    rng : numpy.random.Generator
+        Source of every error.
+    sigma, uneven, sigma_scale, missing, nodes, band, sensors, shapes, shape_noise, sigma_shape
+        See `rig_laboratory.Laboratory`.
+    common : float
+        Standard deviation of an error that all rows of a pose share, and that the file does not state.
+    modes : int or tuple of two ints
+        How many modes beyond the first three are looked for at each pose.  Of the first three, those that are
+        not rigid and oscillate faster than `LOWEST_FREQUENCY` are found in addition.  Two numbers are the fewest
+        and most modes at a pose, those that were rigid included.
     drift : float
         Relative change of all frequencies from each pose to the next.
     """
-    labels = labels or [f"P{i + 1}" for i in range(len(poses))]
-    rows: list[list[str]] = []
-    for index, (label, p, true) in enumerate(zip(labels, poses, modes_list, strict=True)):
+    rows: list[Identified] = []
+    most = modes if isinstance(modes, int) else modes[1]
+    for index, true in enumerate(modes_list):
         shared = rng.normal(0.0, common)
-        for i in _measurable(true, modes):
-            error = rng.normal(0.0, sigma) + shared
+        looked_for = _looked_for(true, modes, band, rng)
+        chance = _chances(true, looked_for, shapes or sensors, nodes)
+        for i, visible in zip(looked_for, chance, strict=True):
+            part = sigma * np.exp(rng.normal(0.0, uneven)) if uneven else sigma
+            error = rng.normal(0.0, part) + shared
             found = _shape(true, i, shapes, shape_noise, rng)
-            if rng.random() < missing:
+            if rng.random() < missing or (nodes and rng.random() > visible):
                 continue
             frequency = true.frequencies[i] * (1 + drift * index) * np.exp(error)
-            numbers = [*p, frequency, frequency * sigma * sigma_scale]
-            number = str(rng.integers(1, 3 * modes + 1))
-            rows.append([label, *map(_digits, numbers), number, *map(_digits, found)])
+            if band and not band[0] <= frequency <= band[1]:
+                continue
+            number = str(rng.integers(1, 3 * most + 1))
+            says = sigma_shape == "stated" or (sigma_shape == "some" and rng.random() < 0.5)
+            stated = frequency * part * sigma_scale
+            known = shape_noise if says else None
+            rows.append(Identified(index, i, frequency, frequency * part, stated, number, found, known))
     rng.shuffle(rows)
+    return rows
+
+
+def written(
+    rows: Sequence[Identified],
+    poses: Sequence[np.ndarray],
+    shapes: Sequence[str] = (),
+    *,
+    labels: Sequence[str] | None = None,
+    band: tuple[float, float] | None = None,
+    sigma_shape: bool = False,
+) -> str:
+    """Text of the file of these rows; `band` where it is stated, and whether there is a column ``sigma_shape``."""
     text = io.StringIO()
     text.write("# virtual test rig\n")
+    if band:
+        text.write(f"# band: {_digits(band[0])} Hz, {_digits(band[1])} Hz\n")
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(
-        ["pose", "x", "y", "z", "frequency", "sigma", "mode", *(f"shape:{name}" for name in shapes)]
-    )
-    writer.writerows(rows)
+    extra = ["sigma_shape"] if sigma_shape and shapes else []
+    columns = [f"shape:{name}" for name in shapes]
+    writer.writerow(["pose", "x", "y", "z", "frequency", "sigma", "mode", *columns, *extra])
+    for row in rows:
+        label = labels[row.pose] if labels else f"P{row.pose + 1}"
+        numbers = [*poses[row.pose], row.frequency, row.stated]
+        cells = [label, *map(_digits, numbers), row.number, *map(_digits, row.shape)]
+        writer.writerow(
+            [*cells, *("" if row.sigma_shape is None else _digits(row.sigma_shape) for _ in extra)]
+        )
     return text.getvalue()
 
 
-def _measurable(true: TrueModes, modes: int) -> list[int]:
+def exact(
+    rows: Sequence[Identified], modes_list: Sequence[TrueModes], shapes: Sequence[str]
+) -> list[Identified]:
+    """The same modes found without error, with the true standard deviations stated."""
+    found = []
+    for row in rows:
+        true = modes_list[row.pose]
+        frequency = float(true.frequencies[row.mode])
+        size = frequency * row.sigma / row.frequency
+        shape = np.array([true.shapes[name][row.mode] for name in shapes])
+        found.append(replace(row, frequency=frequency, sigma=size, stated=size, shape=shape))
+    return found
+
+
+def _looked_for(
+    true: TrueModes,
+    modes: int | tuple[int, int],
+    band: tuple[float, float] | None,
+    rng: np.random.Generator,
+) -> list[int]:
     """Modes that the analysis looks for."""
+    low, high = band or (0.0, np.inf)
     tied = [i for i in range(true.rigid, BASE_RIGID) if true.frequencies[i] > LOWEST_FREQUENCY]
-    return [*tied, *range(BASE_RIGID, min(BASE_RIGID + modes, len(true.frequencies)))]
+    if isinstance(modes, int):
+        found = [*tied, *range(BASE_RIGID, min(BASE_RIGID + modes, len(true.frequencies)))]
+        return [i for i in found if low <= true.frequencies[i] <= high]
+    found = [
+        i for i in (*tied, *range(BASE_RIGID, len(true.frequencies))) if low <= true.frequencies[i] <= high
+    ]
+    return found[: int(rng.integers(modes[0], modes[1] + 1))]
+
+
+def _chances(true: TrueModes, looked_for: Sequence[int], sensors: Sequence[str], nodes: float) -> np.ndarray:
+    """Probability that each of these modes shows at the sensors."""
+    if not nodes or not looked_for:
+        return np.ones(len(looked_for))
+    motion = np.array([true.shapes[name][looked_for] for name in sensors])
+    return seen(motion.T, nodes)
 
 
 def _shape(

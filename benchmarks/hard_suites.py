@@ -1,0 +1,182 @@
+"""Suites of what is hard about measurements: few rows, modes missed, shapes that decide, outliers, and mistakes.
+
+What each of them must show is in `requirements`, and was fixed before any of them was run.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from buildings import Building
+from cases import ROBOT_NAMES, Case
+from judging import POSITIONS
+from pkmodes.robot.effects import CATALOGUE
+from rig import MISTAKES, POSES, Laboratory, channels, read
+from sizes import EFFECT_SIZES, OUTSIDE_SIZES
+from strengths import PLANS, SEED, SIGMA, Truth, strangers, with_effect, with_outside
+
+#: Cases of few rows, and of outliers among them: robots, and as many buildings.
+FEW_ROWS, OUTLIERS = 60, 30
+#: Fewest and most rows of these.
+FEW, FEWER = (2, 8), (2, 6)
+#: Effects that add modes or make rigid ones measurable.
+ADDING = ("cable_stiffness", "servo_stiffness", "frame_compliance")
+#: Where shapes decide: stated errors of the frequencies, uncertainty of the common stiffness, and cases of each.
+STATED, PRIORS, EACH = (0.002, 0.005, 0.01), (0.05, 0.10, 0.15), 6
+#: Change of one storey, either way, and the error of shapes there.
+CHANGE, SHAPE_NOISE = (0.10, 0.30), (0.02, 0.05)
+#: Mistakes on robots that lack nothing, and on robots with a plain effect.
+WITHOUT, WITH_ONE = 3, 1
+#: True over declared mass of the frame.
+FRAME_MASS = 1.6
+
+
+def few_rows() -> Iterator[Case]:
+    """Two to eight rows of robots and of buildings that lack nothing, one thing, or what no candidate describes."""
+    rng = np.random.default_rng([SEED, 1])
+    for n in range(FEW_ROWS):
+        truth, names, kind = _machine(rng, n)
+        yield replace(
+            _few(rng, "few rows", 2 * n, truth, names, kind), rows=int(rng.integers(FEW[0], FEW[1] + 1))
+        )
+        building, names, kind = _building(rng, n)
+        few = _few(rng, "few rows", 2 * n + 1, building, names, kind)
+        yield replace(few, rows=int(rng.integers(FEW[0], FEW[1] + 1)))
+
+
+def modes_missed() -> Iterator[Case]:
+    """Single effects that are plain to see, modes missed; more of those that add modes."""
+    plain = [(effect, robot, 2, e + r) for (e, effect), (r, robot) in _places(CATALOGUE)]
+    more = [
+        (effect, robot, size, e + r + k)
+        for (e, effect), (r, robot) in _places(ADDING)
+        for k, size in enumerate((1, 2, 2), start=1)
+    ]
+    for n, (effect, robot, size, plan) in enumerate([*plain, *more]):
+        truth = with_effect(robot, effect, EFFECT_SIZES[robot][effect][size])
+        yield Case("modes missed", n, PLANS[plan % len(PLANS)], truth, (effect,), effect, realistic=True)
+
+
+def shapes_decide() -> Iterator[Case]:
+    """One storey changed in a frame of four: four frequencies would fit any of them, the shapes only one."""
+    rng = np.random.default_rng([SEED, 3])
+    for n, (stated, prior, _) in enumerate(itertools.product(STATED, PRIORS, range(EACH))):
+        storey, size = int(rng.integers(1, 5)), rng.uniform(*CHANGE) * rng.choice([-1.0, 1.0])
+        name = f"storey {storey}"
+        truth = Building(4, prior, values={name: float(size)})
+        laboratory = Laboratory(
+            sigma=SIGMA,
+            sigma_scale=stated / SIGMA,
+            modes=(4, 4),
+            shapes=channels(4),
+            shape_noise=float(rng.uniform(*SHAPE_NOISE)),
+            sigma_shape=str(rng.choice(["absent", "stated", "some"])),
+        )
+        plan = f"sigma {stated:.1%}, prior {prior:.0%}"
+        yield Case("shapes decide", n, plan, truth, (name,), "one storey", laboratory=laboratory)
+
+
+def outliers_among_few() -> Iterator[Case]:
+    """Two to six rows, one of which is grossly wrong."""
+    rng = np.random.default_rng([SEED, 4])
+    for n in range(OUTLIERS):
+        for place, (truth, names, kind) in enumerate((_machine(rng, 2 * n), _building(rng, 2 * n))):
+            few = _few(rng, "outliers among few", 2 * n + place, truth, names, kind)
+            yield replace(few, rows=int(rng.integers(FEWER[0], FEWER[1] + 1)), edit="gross")
+
+
+def units_and_wiring() -> Iterator[Case]:
+    """Mistakes of the experimenter, on robots that lack nothing and on some with a plain effect."""
+    plain = ("gearbox_compliance", "belt_mass", "axis_belt_stiffness", "clamp_compliance", "link_compliance")
+    careful = Laboratory(uneven=0.5, missing=0.05, modes=(5, 8), sigma_shape="stated")
+    n = 0
+    for m, mistake in enumerate(MISTAKES):
+        for k in range(WITHOUT + WITH_ONE):
+            robot, effect = ROBOT_NAMES[(k + m) % 3], plain[m % len(plain)]
+            truth, names = Truth(robot), ()
+            if k >= WITHOUT:
+                truth, names = with_effect(robot, effect, EFFECT_SIZES[robot][effect][2]), (effect,)
+            names += {"poses too high": (POSITIONS[2],), "poses turned": (POSITIONS[3],)}.get(mistake, ())
+            plan = PLANS[(k + m // 3) % len(PLANS)]
+            yield Case(
+                "units and wiring", n, plan, truth, names, mistake, laboratory=careful, mistake=mistake
+            )
+            n += 1
+    for k, robot in enumerate(ROBOT_NAMES):
+        frame = with_effect(robot, "frame_compliance", EFFECT_SIZES[robot]["frame_compliance"][2])
+        mass = FRAME_MASS * read(robot).constants["frame_compliance.mass"]
+        truth = replace(frame, effects={**frame.effects, "frame_compliance.mass": mass})
+        names = ("frame_compliance",)
+        kind = "wrong frame.mass"
+        yield Case("units and wiring", n, PLANS[k], truth, names, kind, laboratory=careful)
+        n += 1
+
+
+SUITES: dict[str, Callable[[], Iterator[Case]]] = {
+    "few rows": few_rows,
+    "modes missed": modes_missed,
+    "shapes decide": shapes_decide,
+    "outliers among few": outliers_among_few,
+    "units and wiring": units_and_wiring,
+}
+
+
+def _places(effects: object) -> Iterator[tuple[tuple[int, str], tuple[int, str]]]:
+    return itertools.product(enumerate(effects), enumerate(ROBOT_NAMES))
+
+
+def _machine(rng: np.random.Generator, n: int) -> tuple[Truth, tuple[str, ...], str]:
+    """A robot: one in five lacks nothing, one has what the catalogue lacks, the others one plain effect."""
+    robot = ROBOT_NAMES[n % 3]
+    if n % 5 == 0:
+        return Truth(robot), (), "nothing"
+    if n % 5 == 1:
+        strange = [(s, size) for s, size in zip(strangers(), OUTSIDE_SIZES, strict=True) if s[1] == robot]
+        (kind, *_), size = strange[int(rng.integers(len(strange)))]
+        return with_outside(robot, kind, size), (), kind
+    effect = str(rng.choice(list(CATALOGUE)))
+    return with_effect(robot, effect, EFFECT_SIZES[robot][effect][2]), (effect,), effect
+
+
+def _building(rng: np.random.Generator, n: int) -> tuple[Building, tuple[str, ...], str]:
+    """A building, likewise."""
+    storeys = int(rng.integers(3, 6))
+    floor = int(rng.integers(1, storeys + 1))
+    loads = (0.0, 5.0) if rng.random() < 1 / 3 else (0.0,)
+    frame = Building(storeys, float(rng.choice(PRIORS)), float(rng.choice([0.0, 0.1])), loads)
+    size = float(rng.uniform(*CHANGE))
+    sign = float(rng.choice([-1.0, 1.0]))
+    if n % 5 == 0:
+        return frame, (), "nothing"
+    if n % 5 == 1:
+        outside = {"brace": 2e5 * size / CHANGE[1]} if n % 2 else {"absorber": 20.0 * size}
+        return replace(frame, outside=outside), (), next(iter(outside))
+    if n % 5 == 2:
+        name = f"mass {floor}"
+        return replace(frame, values={name: 20.0 * size}), (name,), "one mass"
+    name = f"storey {floor}"
+    return replace(frame, values={name: sign * size}), (name,), "one storey"
+
+
+def _few(
+    rng: np.random.Generator,
+    suite: str,
+    number: int,
+    truth: Truth | Building,
+    names: tuple[str, ...],
+    kind: str,
+) -> Case:
+    """A case at one to three poses of a robot, or in the setups of a building."""
+    if isinstance(truth, Building):
+        plan = f"prior {truth.prior:.0%}, setups {len(truth.loads)}"
+        return Case(suite, number, plan, truth, names, kind, realistic=True)
+    plan = PLANS[int(rng.integers(len(PLANS)))]
+    all_poses = len(POSES[truth.robot][plan])
+    poses = rng.choice(all_poses, int(rng.integers(1, 4)), replace=False)
+    return Case(
+        suite, number, plan, truth, names, kind, realistic=True, poses=tuple(int(i) for i in sorted(poses))
+    )

@@ -1,0 +1,230 @@
+"""What became of the cases: how they are run and judged."""
+
+from __future__ import annotations
+
+import itertools
+import re
+import time
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from buildings import Building
+from cases import Case, Trial, tested
+from pkmodes.closing import loop
+from pkmodes.diagnosis import diagnose
+from pkmodes.diagnosis.verdict.result import Diagnosis
+from rig import Laboratory, read
+from strengths import measurements, signal
+
+#: Corrections of the measurement itself, which are no causes in the machine.
+MEASUREMENT = "measurement:"
+POSITIONS = tuple(f"{MEASUREMENT}{name}" for name in ("offset.x", "offset.y", "offset.z", "yaw"))
+
+#: Candidates that are the truth by another name, whatever is measured: a class that holds one of them is right.
+#: Only the product gear_ratio^2 * motor.inertia enters the modes, and it is an inertia on the driven pulley; a
+#: belt of another width is a change of the stiffness of each axis that it runs on; where poses are not where the file
+#: says, a displacement is right that stands for a turn.
+SAME: dict[str, tuple[str, ...]] = {
+    "gearbox_inertia": ("parameter:motor.gear_ratio",),
+    "parameter:motor.gear_ratio": ("gearbox_inertia",),
+    "parameter:belt.width": ("axis_belt_stiffness",),
+    "parameter:axis.2.belt.width": ("axis_belt_stiffness",),
+    **dict.fromkeys(POSITIONS, POSITIONS),
+}
+
+#: Rows beyond the unknowns that a claim needs after a row was set aside: one for it, and one to test it with.
+SPARE = 2
+
+#: What a note has to mention, by what is wrong with the file.
+MENTIONS = {
+    "unit": re.compile(r"\bunits?\b|\bfactor\b|rad/s|\brpm\b|2 ?\*? ?pi", re.IGNORECASE),
+    "channels": re.compile(r"channel|sensor|wir(ed|ing)|swapped|exchanged|\b[xp]_[123xyz]\b", re.IGNORECASE),
+    "sigma": re.compile(
+        r"(sigma|stated|standard deviation|error).*\b(large|great|high|big|cautious)", re.IGNORECASE
+    ),
+}
+#: Mistakes that have to be noted.
+NOTED = {
+    "rad/s for Hz": "unit",
+    "rpm for Hz": "unit",
+    "x_1 and x_2 exchanged": "channels",
+    "p_y and p_z exchanged": "channels",
+    "sigma far too large": "sigma",
+}
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of a case; what is not described is the diagnosis's own.
+
+    Attributes
+    ----------
+    state : str
+        ``adequate``; ``abstained`` (ambiguous, unexplained, insufficient_data); of what was found: ``named`` (each
+        cause in a class of its own), ``partly`` (nothing wrong, but not every cause), ``wrong`` (a class without
+        any of the causes, or a row set aside that nothing could tell from the others).
+    classes : tuple of tuple of str
+        What was found, or the survivors.
+    values : tuple of (name, found, sigma, true)
+        Parameters of the causes that were named.
+    renamed : bool
+        Whether a class counts as right by `SAME` only.
+    signal : float
+        What was predicted for the modes that were found; see `strengths`.
+    beyond : tuple of float
+        Of two effects: the signal that each gives beyond the other.
+    physical : bool
+        Whether a wrong class claims more than a correction of the measurement.
+    mac : tuple of two floats, or None
+        Smallest MAC of the claim, and of the truth, with the measured shapes.
+    noted : bool or None
+        Whether the notes mention the mistake, where they should.
+    """
+
+    case: Case
+    state: str
+    verdict: str
+    classes: tuple[tuple[str, ...], ...]
+    values: tuple[tuple[str, float, float, float], ...] = ()
+    renamed: bool = False
+    signal: float = 0.0
+    beyond: tuple[float, ...] = ()
+    seconds: float = 0.0
+    reason: str = ""
+    scatter: float = 0.0
+    outliers: int = 0
+    rows: int = 0
+    poses: int = 0
+    physical: bool = False
+    mac: tuple[float, float] | None = None
+    noted: bool | None = None
+    notes: tuple[str, ...] = ()
+    laboratory: Laboratory | None = None
+
+
+def run(case: Case) -> Outcome:
+    """Measure, diagnose and judge a case."""
+    test = tested(case)
+    start = time.perf_counter()
+    found = diagnosed(case, test.text)
+    seconds = time.perf_counter() - start
+    state = judged(case.names, found)
+    if found.verdict in ("adequate", "effect_found") and set_aside_blindly(case, found):
+        state = "wrong"
+    notes = tuple(found.notes) if hasattr(found, "notes") else ()
+    return Outcome(
+        case=case,
+        state=state,
+        verdict=found.verdict,
+        classes=tuple(f.members for f in found.effects) or found.survivors,
+        values=tuple(values(case, found)),
+        renamed=judged(case.names, found) != judged(case.names, found, same={}),
+        **_signals(case, test, found),
+        seconds=seconds,
+        reason=found.reason,
+        scatter=found.scatter,
+        outliers=len(found.outliers),
+        rows=len(found.rows),
+        poses=len({row.pose for row in found.rows}),
+        physical=state == "wrong" and physical(case.names, found),
+        mac=_macs(test, found) if found.effects else None,
+        noted=_noted(case.mistake, notes) if case.mistake in NOTED else None,
+        notes=notes,
+        laboratory=test.laboratory,
+    )
+
+
+def failed(case: Case, reason: str) -> Outcome:
+    """The outcome of a case that broke the diagnosis."""
+    return Outcome(case, "failed", "", (), signal=float("inf"), reason=reason)
+
+
+def diagnosed(case: Case, text: str) -> Diagnosis:
+    """Diagnose a specimen by the text of a file, as a user would."""
+    if isinstance(case.truth, Building):
+        return diagnose(case.truth.structure(), measurements(text, case.truth.channels))
+    return loop.diagnose(read(case.truth.robot), measurements(text))
+
+
+def judged(names: tuple[str, ...], found: Diagnosis, same: Mapping[str, tuple[str, ...]] = SAME) -> str:
+    """The state of an outcome."""
+    if found.verdict != "effect_found":
+        return "adequate" if found.verdict == "adequate" else "abstained"
+    truths = [{name, *same.get(name, ())} for name in names]
+    classes = [set(finding.members) for finding in found.effects]
+    if any(not any(truth & members for truth in truths) for members in classes):
+        return "wrong"
+    for order in itertools.permutations(classes, len(truths)):
+        if all(truth & members for truth, members in zip(truths, order, strict=True)):
+            return "named"
+    return "partly"
+
+
+def physical(names: tuple[str, ...], found: Diagnosis) -> bool:
+    """Whether a class without any of the causes claims something in the machine."""
+    right = {other for name in names for other in (name, *SAME.get(name, ()))}
+    return any(
+        not right & set(finding.members) and not all(m.startswith(MEASUREMENT) for m in finding.members)
+        for finding in found.effects
+    )
+
+
+def set_aside_blindly(case: Case, found: Diagnosis) -> bool:
+    """Whether rows were set aside without the redundancy that could tell which of them is wrong."""
+    if not found.outliers:
+        return False
+    if isinstance(case.truth, Building):
+        uncertain = [p for p in case.truth.structure().parameters if p.sigma]
+    else:
+        uncertain = [q for q in read(case.truth.robot).quantities.values() if q.sigma]
+    unknown = len(uncertain) + sum(len(finding.parameters) for finding in found.effects)
+    fitted = sum(not row.held_out and not row.outlier for row in found.rows)
+    return fitted - unknown < SPARE
+
+
+def values(case: Case, found: Diagnosis) -> Iterator[tuple[str, float, float, float]]:
+    """Parameters of the causes that were named: what was found, its standard deviation, and the truth."""
+    true = dict(case.truth.values)
+    if not isinstance(case.truth, Building):
+        true |= {f"effects.{name}": value for name, value in case.truth.effects.items()}
+    for finding in found.effects:
+        for name in case.names:
+            for value in finding.alternatives.get(name, ()):
+                if value.name in true:
+                    yield value.name, value.value, value.sigma, true[value.name]
+
+
+def _signals(case: Case, test: Trial, found: Diagnosis) -> dict[str, object]:
+    """Predicted signals, where a robot is measured at all poses of a plan and by the right file."""
+    truth = case.truth
+    if isinstance(truth, Building) or case.poses or case.mistake:
+        return {}
+    if "drift" in case.options:
+        truth = replace(truth, outside={"thermal_drift": case.options["drift"]})
+    if not (truth.effects or truth.values or truth.outside):
+        return {}
+    rows = test.rows if test.laboratory else None
+
+    def given(beside: str | None = None) -> float:
+        return signal(truth, case.plan, holdout=found.held_out_poses, beside=beside, rows=rows)
+
+    pair = case.names[::-1] if case.suite.startswith("two effects") else ()
+    return {"signal": given(), "beyond": tuple(given(other) for other in pair)}
+
+
+def _macs(test: Trial, found: Diagnosis) -> tuple[float, float] | None:
+    """Smallest MAC of the claim, and of the truth, with the measured shapes."""
+    claimed = [row.mac for row in found.rows if row.mac is not None]
+    true = []
+    for row in test.rows:
+        if row.shape.size > 1 and test.laboratory:
+            modes = test.modes[row.pose]
+            shape = np.array([modes.shapes[name][row.mode] for name in test.laboratory.shapes])
+            true.append((shape @ row.shape) ** 2 / ((shape @ shape) * (row.shape @ row.shape)))
+    return (min(claimed), float(min(true))) if claimed and true else None
+
+
+def _noted(mistake: str, notes: tuple[str, ...]) -> bool:
+    return any(MENTIONS[NOTED[mistake]].search(note) for note in notes)
