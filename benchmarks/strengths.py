@@ -101,6 +101,10 @@ class Truth:
         return [true_modes(robot.parameters, p, effects, self.outside) for p in points]
 
 
+#: Scatter of shapes that takes all weight from them.
+NO_WEIGHT = 1e6
+
+
 def measurements(text: str, channels: Sequence[str] = CHANNELS) -> Measurements:
     """Read the text of a CSV file."""
     with tempfile.TemporaryDirectory() as folder:
@@ -157,7 +161,8 @@ def signal(
     data = measurements(text)
     fitted, _ = split(data, holdout)
     structure = loop.structure(robot, data).subset(fitted)
-    fitter = Fitter(structure, data.at(fitted))
+    # Shapes tell which mode is which; the signal is that of the frequencies.
+    fitter = Fitter(structure, data.at(fitted), scatter=NO_WEIGHT)
     causes = tuple(candidate for candidate in structure.candidates if candidate.name == beside)
     begin = fitter.declared.copy()
     for i in (i for cause in causes for i in fitter.indices(cause)):

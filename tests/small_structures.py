@@ -40,6 +40,7 @@ class LogLinear:
         self.base, self.G, self.B = base, G, B
         self.parameters, self.candidates = tuple(parameters), tuple(candidates)
         self.channels = tuple(f"c{i}" for i in range(base.shape[1]))
+        self.channel_units = ("m",) * len(self.channels)
 
     def predict(self, values: np.ndarray, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
         with np.errstate(over="ignore"):  # a fit may try anything

@@ -25,6 +25,7 @@ Array = NDArray[np.float64]
 PLATFORM = ("p_x", "p_y", "p_z")
 #: Names of the shape components that a robot has: all coordinates, released ones included, and the platform.
 CHANNELS: tuple[str, ...] = (*extended.COORDINATES, *PLATFORM)
+CHANNEL_UNITS = tuple("rad" if name.startswith(("theta_", "psi_")) else "m" for name in CHANNELS)
 #: Moving the platform is moving its three joints while the rails stay: nothing else of the pose enters.
 SHIFTS = tuple(
     ParameterPath(f"pose.{name}", 0.0, "m", {("joint", (j, i)): 1.0 for j in range(3)})
@@ -71,9 +72,10 @@ class RobotStructure:
         self.robot, self.points = robot, np.asarray(points, dtype=float)
         self.parameters: tuple[Parameter, ...] = tuple(parameters)
         self.candidates: tuple[Candidate, ...] = tuple(candidates)
-        self.channels = CHANNELS
+        self.channels, self.channel_units = CHANNELS, CHANNEL_UNITS
         self._moves = dict(moves)
         self._last: tuple[bytes, _Solved] | None = None
+        self._rates: tuple[object, tuple[Array, Array | None]] | None = None
 
     def at(self, points: Array) -> RobotStructure:
         """Return the same robot at other poses."""
@@ -135,13 +137,16 @@ class RobotStructure:
         ):  # derivatives are mostly asked for where the modes were
             self._last = key, self._solved(values)
         at = self._last[1]
-        rates = np.zeros((*at.eigenvalues.shape, len(paths)))
-        along = np.zeros((*at.channels.shape, len(paths))) if shape_rates else None
-        if paths and np.isfinite(at.eigenvalues).all():
-            derivatives = MatrixDerivatives(at.robot, at.points, paths, at.matrices)
-            rates = derivatives.eigenvalues(at.eigenvalues, at.shapes)
-            if along is not None:
-                along = self._channel_rates(at, derivatives, paths)
+        asked = key, tuple(path.path for path in paths), shape_rates
+        if not paths:
+            rates, along = self._derived(at, paths, shape_rates)
+        elif (
+            self._rates is not None and self._rates[0] == asked
+        ):  # a fit asks more than once at the same values
+            rates, along = self._rates[1]
+        else:
+            rates, along = self._derived(at, paths, shape_rates)
+            self._rates = asked, (rates, along)
         return Prediction(
             _scattered(at.eigenvalues, at.valid),
             _scattered(rates, at.valid),
@@ -149,6 +154,19 @@ class RobotStructure:
             _rigid(at.robot),
             None if along is None else _scattered(along, at.valid),
         )
+
+    def _derived(
+        self, at: _Solved, paths: Sequence[ParameterPath], shape_rates: bool
+    ) -> tuple[Array, Array | None]:
+        """Derivatives of eigenvalues, and of shapes where they are asked for."""
+        rates = np.zeros((*at.eigenvalues.shape, len(paths)))
+        along = np.zeros((*at.channels.shape, len(paths))) if shape_rates else None
+        if paths and np.isfinite(at.eigenvalues).all():
+            derivatives = MatrixDerivatives(at.robot, at.points, paths, at.matrices)
+            rates = derivatives.eigenvalues(at.eigenvalues, at.shapes)
+            if along is not None:
+                along = self._channel_rates(at, derivatives, paths)
+        return rates, along
 
     def _frame(self, values: Array) -> dict[str, float]:
         """Values of the parameters of the measurement frame."""

@@ -89,6 +89,9 @@ class Criteria:
     nearly: float = 60.0
     #: A row that is set aside costs as much as three parameters: it was chosen among all.
     price_of_row: float = 3.0
+    #: Where setting rows aside and an error of each setup would leave more than this per degree of freedom, errors of
+    #: the measurement are not tried.
+    hopeless: float = 10.0
     #: Rows are set aside only where there are so many, one in so many, and each is predicted by the others: its
     #: leverage is below the last number.
     rows_to_set_aside: int = 12

@@ -121,11 +121,13 @@ def _searched(
     plain = FitStore(fitter)
     first = plain.fit(Hypothesis())
     scatter = None if first is None else plain.shape_scatter(first)
+    store = plain
     while True:
         if scatter is not None:
             bounded = float(np.clip(scatter, c.least_shape_scatter, c.most_shape_scatter))
             fitter = Fitter(fitter.structure, fitter.data, c, bounded)
-        search = Search(FitStore(fitter), structure.candidates, progress)
+            store = FitStore(fitter, store)
+        search = Search(store, structure.candidates, progress)
         outcome = search.run()
         found = [search.store.shape_scatter(fit) for fit in search.store.tried()]
         best = min((each for each in found if each is not None), default=None)

@@ -67,6 +67,7 @@ class MatrixStructure:
     ) -> None:
         self.parameters, self.candidates = tuple(parameters), tuple(candidates)
         self.channels, self.setups, self.rigid = tuple(channels), tuple(setups), rigid
+        self.channel_units = ("",) * len(self.channels)
         self._matrices, self._derivatives = matrices, derivatives
         for kind, labels in (
             ("parameter", [p.name for p in self.parameters]),

@@ -124,6 +124,8 @@ class Structure(Protocol):
     candidates : tuple of Candidate
     channels : tuple of str
         Names of the shape components that the model predicts.
+    channel_units : tuple of str
+        Their units: components of one unit are measured equally well.
     """
 
     @property
@@ -137,6 +139,10 @@ class Structure(Protocol):
     @property
     def channels(self) -> tuple[str, ...]:
         """Names of the shape components."""
+
+    @property
+    def channel_units(self) -> tuple[str, ...]:
+        """Units of the shape components."""
 
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
         """Modes for these values of all parameters, with derivatives with respect to some of them (indices)."""

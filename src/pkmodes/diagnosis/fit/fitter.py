@@ -63,9 +63,7 @@ class Fitter:
         self.log = np.log(data.frequency)
         reference = structure.predict(self.declared, ())
         self.pairer = Pairer(data, structure.channels, reference, self.criteria)
-        self.shapes = ShapeRows(
-            data, self.pairer.columns, self.pairer.moves, self.shape_scatter, self.criteria
-        )
+        self.shapes = self.shape_rows_of(data)
         self.noise = Noise(data, self.shapes, self.criteria.most_shared)
         self.sigma = self.noise.sigma
         rows, size = len(self.log), self.shapes.size
@@ -82,6 +80,13 @@ class Fitter:
         used = np.ones(len(self.log), dtype=bool)
         used[list(hypothesis.excluded)] = False
         return used
+
+    def shape_rows_of(self, data: Measurements) -> ShapeRows:
+        """Shapes of measurements at the same channels as data of a fit."""
+        units = [self.structure.channel_units[i] for i in self.pairer.columns]
+        return ShapeRows(
+            data, self.pairer.columns, units, self.pairer.moves, self.shape_scatter, self.criteria
+        )
 
     def places(self) -> list[NDArray[np.intp]]:
         """Places of the data of each setup, frequencies and shapes."""

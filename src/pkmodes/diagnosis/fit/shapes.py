@@ -6,11 +6,13 @@ A measured shape s, any scale, against a shape :math:`\phi` of the model leaves
 
 with P the projection off :math:`\phi` (variable projection; Kaufman, BIT 15, 1975).  Modes whose measured frequencies
 nearly agree are projected off together.  Components are relative to the row's largest, so that their standard
-deviation is the stated ``sigma_shape``; where none is stated, each channel is first measured by what it moves in the
-declared model, and the scatter is that of the best explanation.
+deviation is the stated ``sigma_shape``; where none is stated, the scatter is that of the best explanation, and metres
+are compared with radians by what each of them moves in the declared model.
 """
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +32,8 @@ class ShapeRows:
     data : Measurements
     columns : ndarray of int, shape (C,)
         Where the measured channels are among the model's.
+    units : sequence of str, length C
+        Units of the measured channels.
     moves : ndarray, shape (S, C)
         How much each channel moves in the declared model, see `match.mac.channel_motion`.
     scatter : float
@@ -52,6 +56,7 @@ class ShapeRows:
         self,
         data: Measurements,
         columns: NDArray[np.intp],
+        units: Sequence[str],
         moves: Array,
         scatter: float,
         criteria: Criteria,
@@ -59,10 +64,7 @@ class ShapeRows:
         self._columns, self._pose = columns, data.pose
         measured = np.isfinite(data.shapes)
         self.stated = np.isfinite(data.shape_sigma) & measured.any(axis=1)
-        moving = moves[data.pose] if len(columns) else np.zeros(data.shapes.shape)
-        weights = np.where(
-            self.stated[:, None], 1.0, np.where(moving > 0.0, 1.0 / np.where(moving > 0.0, moving, 1.0), 0.0)
-        )
+        weights = np.where(self.stated[:, None], 1.0, _scales(units, moves))
         self._weights = np.where(measured, weights, 0.0)
         shapes = np.where(measured, data.shapes, 0.0) * self._weights
         largest = np.abs(shapes).max(axis=1, initial=0.0, keepdims=True)
@@ -160,3 +162,13 @@ class ShapeRows:
         basis, back = space(shapes * self._weights[i][:, None] * present[..., None])
         share = ((basis @ self._shapes[i][..., None])[..., 0, None] * back).sum(axis=1)
         return basis, share, modes
+
+
+def _scales(units: Sequence[str], moves: Array) -> Array:
+    """One over what the channels of each unit move at all setups together, (C,); 0 for what does not move."""
+    found = np.zeros(len(units))
+    for unit in set(units):
+        some = [i for i, other in enumerate(units) if other == unit]
+        size = float(np.sqrt(np.mean(moves[:, some] ** 2)))
+        found[some] = 1.0 / size if size > 0.0 else 0.0
+    return found

@@ -27,10 +27,13 @@ class FitStore:
     Parameters
     ----------
     fitter : Fitter
+    before : FitStore, optional
+        Fits of the same data with other errors: where the same fits begin.
     """
 
-    def __init__(self, fitter: Fitter) -> None:
+    def __init__(self, fitter: Fitter, before: FitStore | None = None) -> None:
         self.fitter = fitter
+        self._seeds = {} if before is None else before._values()
         self._rows = len(fitter.log)
         self._data = self._rows + int(fitter.shapes.count.sum())
         self._fits: dict[Key, Fit | None] = {}
@@ -43,7 +46,7 @@ class FitStore:
         """Fit once, whatever the order of the causes; what began with a score again, from the first start given."""
         k = key(hypothesis)
         if k not in self._fits:
-            self._fits[k] = self.fitter.fit(hypothesis, start)
+            self._fits[k] = self.fitter.fit(hypothesis, self.seed(hypothesis) if start is None else start)
             self._begun.add(k)
         elif start is not None and k not in self._begun:
             self._begun.add(k)
@@ -83,6 +86,13 @@ class FitStore:
             self._fits[k] = self.fitter.fit(fits[rough].hypothesis, fits[rough].values) or fits[rough]
             fits[rough] = self.fit(fits[rough].hypothesis) or fits[rough]
         return fits
+
+    def seed(self, hypothesis: Hypothesis) -> Array | None:
+        """Where the fit of a hypothesis ended with other errors."""
+        return self._seeds.get(key(hypothesis))
+
+    def _values(self) -> dict[Key, Array]:
+        return {k: fit.values for k, fit in self._fits.items() if fit is not None}
 
     def tried(self) -> tuple[Fit, ...]:
         """Every fit so far."""

@@ -10,8 +10,7 @@ import numpy as np
 
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
-from pkmodes.diagnosis.fit.shapes import ShapeRows
-from pkmodes.diagnosis.match.pairing import Pairer
+from pkmodes.diagnosis.match.pairing import Pairer, Pairing
 from pkmodes.diagnosis.problem import Array, Prediction
 from pkmodes.measured.measurements import Measurements
 
@@ -22,6 +21,8 @@ UNITS |= {f"{name}, converted the wrong way": 1.0 / UNITS[name] for name in ("ra
 SAME = 0.98
 #: Wiring is changed where that reduces the squares of the shapes by this factor.
 FAR_BETTER = 3.0
+#: By how much they are reduced with the pairs as they are, for others to be tried.
+PERHAPS = 1.5
 
 
 def other_unit(fitter: Fitter) -> str:
@@ -61,9 +62,12 @@ def other_wiring(fitter: Fitter, fit: Fit) -> str:
     degrees = max(float(fitter.shapes.degrees(fitter.used(fit.hypothesis))), 1.0)
     if here / degrees <= 1.5 * (1.0 if fitter.shapes.stated.any() else 0.5):
         return ""
-    found = {text: _squares(fitter, fit, data) for text, data in _rewired(fitter.data)}
-    if not found:
+    # The pairs stay as they are at first: that takes little time, and most measurements are wired well.
+    found = {text: _squares(fitter, fit, data, fit.pairing) for text, data in _rewired(fitter.data)}
+    text = min(found, key=found.__getitem__, default="")
+    if not text or found[text] * PERHAPS > here:
         return ""
+    found = {text: _squares(fitter, fit, data) for text, data in _rewired(fitter.data)}
     text = min(found, key=found.__getitem__)
     return f"the shapes fit far better with {text}" if found[text] * FAR_BETTER < here else ""
 
@@ -80,13 +84,14 @@ def _rewired(data: Measurements) -> Iterator[tuple[str, Measurements]]:
         yield f"the sign of {name} turned", _changed(data, shapes=data.shapes * sign)
 
 
-def _squares(fitter: Fitter, fit: Fit, data: Measurements) -> float:
-    """Sum of squares of shapes, paired anew with the modes of a fit, in units of their errors."""
+def _squares(fitter: Fitter, fit: Fit, data: Measurements, pairing: Pairing | None = None) -> float:
+    """Sum of squares of shapes, by default paired anew with the modes of a fit, in units of their errors."""
     used = fitter.used(fit.hypothesis)
-    pairer = Pairer(data, fitter.structure.channels, None, fitter.criteria)
-    pairer.moves = fitter.pairer.moves
-    pairing = pairer.pair(fit.prediction, used, compare=False)
-    rows = ShapeRows(data, pairer.columns, pairer.moves, fitter.shape_scatter, fitter.criteria)
+    if pairing is None:
+        pairer = Pairer(data, fitter.structure.channels, None, fitter.criteria)
+        pairer.moves = fitter.pairer.moves
+        pairing = pairer.pair(fit.prediction, used, compare=False)
+    rows = fitter.shape_rows_of(data)
     return float(((rows.residual(fit.prediction, pairing, used) / rows.sigma) ** 2).sum())
 
 

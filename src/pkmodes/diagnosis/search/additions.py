@@ -41,6 +41,8 @@ class Additions:
     def noise(self, fit: Fit) -> list[Fit]:
         """A shared error in each setup, and the exclusion of the row that fits worst."""
         h, c, found = fit.hypothesis, self.criteria, []
+        if self._hopeless(fit):
+            return []
         room = self.room(fit) and not any(cause.remote for cause in h.causes)
         if room and not h.scatter and self._setups >= 4 and self._rows >= 2 * self._setups:
             found.append(self.store.fit(replace(h, scatter=True), fit.values))
@@ -52,6 +54,18 @@ class Additions:
                 if rows[row] > 3.0 and fit.leverage[row] < c.redundant:
                     found.append(self.store.fit(replace(h, excluded=h.excluded | {int(row)}), fit.values))
         return [option for option in found if option is not None]
+
+    def _hopeless(self, fit: Fit) -> bool:
+        """Whether far too much is left when each setup has an error of its own and the worst rows are set aside."""
+        left = fit.residual[self.fitter.frequency_rows] / self.fitter.sigma
+        for rows in self.fitter.noise.rows:
+            weights = 1.0 / self.fitter.sigma[rows]
+            mean = float((left[rows] * weights).sum() / (weights**2).sum()) if len(rows) else 0.0
+            left[rows] -= mean * weights
+        most = max(1, self._rows // self.criteria.rows_per_outlier)
+        kept = np.sort(left**2)[: max(self._rows - most, 0)]
+        degrees = max(self._rows - most - self._setups, 1)
+        return bool(kept.sum() > self.criteria.hopeless * degrees)
 
     def errors(self) -> list[Fit]:
         """Fits with errors of the measurement and no cause: one after another, as long as they help."""
@@ -135,7 +149,9 @@ class Additions:
         if self.store.known(hypothesis):
             return self.store.fit(hypothesis)
         self._progress(f"refitting with {' and '.join(c.name for c in hypothesis.causes)}")
-        return self.store.roughly(hypothesis, starts(self.fitter, fit, one, hypothesis))
+        seed = self.store.seed(hypothesis)
+        begin = starts(self.fitter, fit, one, hypothesis) if seed is None else [seed]
+        return self.store.roughly(hypothesis, begin)
 
 
 def _first(promise: tuple[float, Fit, Score]) -> float:

@@ -62,6 +62,7 @@ class Search:
         self.remote = tuple(candidate for candidate in candidates if candidate.remote)
         self._progress = progress or (lambda _: None)
         self.additions = Additions(store, self.candidates, self._progress)
+        self._gates: dict[int, tuple[Fit, Gate]] = {}
 
     def run(self) -> Outcome | None:
         """Search; None where the declared model cannot be evaluated."""
@@ -84,7 +85,11 @@ class Search:
 
     def gate(self, fit: Fit) -> Gate:
         """Test what is left."""
-        return gate(self.store, fit, self.candidates)
+        known = self._gates.get(id(fit.values))
+        if known is None or known[0].values is not fit.values:
+            known = fit, gate(self.store, fit, self.candidates)
+            self._gates[id(fit.values)] = known
+        return known[1]
 
     def alone(self) -> list[Fit]:
         """Fits with one remote cause and nothing else, best first."""
