@@ -35,6 +35,9 @@ class Evaluation(Protocol):
     def matrices(self, p: Array) -> tuple[Array, Array]:
         """M and K, each (N, n, n)."""
 
+    def massless(self) -> NDArray[np.bool_]:
+        """Which coordinates have no inertia at any pose, (n,): where no pose is given to tell by M."""
+
     def platform_motion(self, p: Array) -> Array:
         """Absolute motion of the platform by the coordinates, (N, 3, n)."""
 
@@ -54,6 +57,10 @@ class BaseEvaluation:
         """M and K, each (N, n, n)."""
         M, K = generated.modal_matrices(p, self._parameters)
         return M, K
+
+    def massless(self) -> NDArray[np.bool_]:
+        """None of them: without inertia in the base coordinates there is no eigenproblem."""
+        return np.zeros(len(self.coordinates), dtype=bool)
 
     def platform_motion(self, p: Array) -> Array:
         """Absolute motion of the platform by the coordinates, (N, 3, n)."""
@@ -152,6 +159,17 @@ class ExtendedEvaluation:
         M, K = self._system.all_coordinates(p)
         rows, columns = np.ix_(self._system.free, self._system.free)
         return M[..., rows, columns], K[..., rows, columns]
+
+    def massless(self) -> NDArray[np.bool_]:
+        """Which released coordinates have no inertia: at any pose those of a plain geometry, masses as they are."""
+        plain = self._parameters._replace(
+            origin=np.zeros((3, 3)), direction=np.eye(3), joint=np.zeros((3, 3)), link_length=np.ones(3)
+        )
+        plain = plain._replace(limits=np.tile([-2.0, 2.0], (3, 1)), carriage_length=np.zeros(3))
+        M, _, _ = self._generated.extended_matrices(np.zeros(3), plain, self._system.effects)
+        found: NDArray[np.bool_] = (M == 0.0).all(axis=0)[self._system.free]
+        found[: len(generated.COORDINATES)] = False
+        return found
 
     def platform_motion(self, p: Array) -> Array:
         """Absolute motion of the platform by the coordinates, (N, 3, n)."""
