@@ -112,7 +112,7 @@ class RobotStructure:
         rows, columns = np.ix_(system.free, system.free)
         try:
             eigenvalues, shapes = condensed_eigh(
-                M[:, rows, columns], K[:, rows, columns], first=len(COORDINATES)
+                M[:, rows, columns], K[:, rows, columns], len(COORDINATES), _rigid(robot)
             )
             channels = self._channels(robot, points, system, shapes)
         except np.linalg.LinAlgError:  # values without inertia where there must be some: no machine
@@ -128,7 +128,7 @@ class RobotStructure:
         derivatives = MatrixDerivatives(robot, self.points, SHIFTS)
         rows, columns = np.ix_(system.free, system.free)
         M, K = derivatives.M[:, rows, columns], derivatives.K[:, rows, columns]
-        return derivatives.eigenvalues(*condensed_eigh(M, K, first=len(COORDINATES)))
+        return derivatives.eigenvalues(*condensed_eigh(M, K, len(COORDINATES), _rigid(robot)))
 
     def elsewhere(self, count: int) -> tuple[Array, RobotStructure]:
         """Reachable poses in and around the measured ones, and the robot there."""
