@@ -88,8 +88,8 @@ class SystemOfEffects:
     ----------
     free : ndarray of int, shape (n,)
         Coordinates that are not locked, in the extended model.
-    joint_rates : ndarray, shape (e,)
-        Derivatives of the stiffnesses of the released joints by their compliances, zero where there is none.
+    joints, joint_rates : ndarray, shape (e,)
+        Stiffnesses of the released joints, and their derivatives by the compliances, zero where there is none.
     """
 
     def __init__(self, parameters: Parameters, effects: Mapping[str, float]) -> None:
@@ -107,16 +107,20 @@ class SystemOfEffects:
                 stiffness[place], rates[place] = (a[place] for a in extended.joint_stiffness(beyond))
         free = np.isfinite(stiffness)  # a joint without compliance is infinitely stiff: locked
         self.free = np.concatenate([np.arange(base), base + np.flatnonzero(free)])
-        self._joints = np.concatenate([np.zeros(base), np.where(free, stiffness, 0.0)])
+        self.joints = np.concatenate([np.zeros(base), np.where(free, stiffness, 0.0)])
         self.joint_rates = np.concatenate([np.zeros(base), np.where(free, rates, 0.0)])
 
     def all_coordinates(self, p: Array) -> tuple[Array, Array]:
         """M and K in all coordinates, each (N, e, e); locked joints are free in them, without a spring."""
-        M, K_el, K_g = self._single(self._generated.extended_matrices, p)
-        K = K_el + K_g
-        diagonal = np.arange(len(self._joints))
-        K[..., diagonal, diagonal] += self._joints
+        M, K = self.without_springs(p)
+        diagonal = np.arange(len(self.joints))
+        K[..., diagonal, diagonal] += self.joints
         return M, K
+
+    def without_springs(self, p: Array) -> tuple[Array, Array]:
+        """The same without the springs of any released joint."""
+        M, K_el, K_g = self._single(self._generated.extended_matrices, p)
+        return M, K_el + K_g
 
     def derivatives(self, p: Array, *, geometry: bool) -> tuple[Array, Array]:
         """Derivatives of the entries of M and of K that the generated model lists, each (N, entries).

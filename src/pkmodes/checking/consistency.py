@@ -60,7 +60,7 @@ class Generated:
         return lambda *arguments: function(*arguments, *self._arguments)
 
 
-def check_consistency(generated: Generated, parameters: Parameters, *, effects: bool = False) -> list[Check]:
+def check_consistency(generated: Generated, parameters: Parameters, effects: bool = False) -> list[Check]:
     """Check the derivatives of a generated model at a few of its poses.
 
     Parameters

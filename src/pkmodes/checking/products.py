@@ -173,7 +173,7 @@ def _checks(module: types.ModuleType, robot: Robot) -> list[Check]:
     effects = bool(active_effects(robot.effects))
     parametric = Generated(linear_delta, robot.parameters)
     return [
-        *check_consistency(Generated(module), robot.parameters, effects=effects),
+        *check_consistency(Generated(module), robot.parameters, effects),
         *_equality(module, parametric, robot),
     ]
 

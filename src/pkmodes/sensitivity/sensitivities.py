@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.eigen import condensed_eigh, magnitude
+from pkmodes.eigen import condensed_eigh, has_stiff_joint, magnitude
 from pkmodes.errors import PkmodesError, PoseError, shown
 from pkmodes.evaluation import evaluation
 from pkmodes.poses import CheckedPoses
@@ -139,6 +139,14 @@ def _at(robot: Robot, p: Array, chosen: list[ParameterPath], close: float) -> tu
         d_eigenvalues[i], d_shapes[i] = mode_derivatives(
             M[i], K[i], eigenvalues[i], shapes[i], change[i], norm[i], group[i], sizes[i]
         )
+    evaluated = [t for t in range(len(chosen)) if t not in derivatives.locked]
+    for pose in np.flatnonzero(has_stiff_joint(eigenvalues, first, model.rigid_modes)).tolist():
+        given = eigenvalues[pose], shapes[pose]
+        other = derivatives.stiff_change(pose, *given, dM[pose], dK[pose])[evaluated]
+        _, found = mode_derivatives(
+            M[pose], K[pose], *given, other, norm[pose, evaluated], group[pose], sizes[pose]
+        )
+        d_shapes[pose, evaluated, first:] = found[:, first:]
     size = np.abs(eigenvalues)
     nothing = size <= ROUNDING * sizes  # sqrt has no derivative at 0
     frequencies = d_eigenvalues / (4.0 * np.pi * np.sqrt(np.where(nothing, np.nan, size))[:, None])
