@@ -139,6 +139,8 @@ class Model:
         Motions that strain nothing elastic, at any regular pose and for any parameters; None when it depends.
     constants : tuple of (comment, name, value)
         What a program needs to know about the model, as literals of Python.
+    notes : tuple of str
+        What a person must know who uses the code, one paragraph each.
     """
 
     mechanism: str
@@ -149,6 +151,7 @@ class Model:
     relations: tuple[Relation, ...] = field(repr=False, default=())
     rigid_modes: int | None = None
     constants: tuple[tuple[str, str, tuple[object, ...]], ...] = field(repr=False, default=())
+    notes: tuple[str, ...] = field(repr=False, default=())
 
     @property
     def fields(self) -> tuple[Field, ...]:

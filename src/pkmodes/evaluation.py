@@ -35,6 +35,9 @@ class Evaluation(Protocol):
     def matrices(self, p: Array) -> tuple[Array, Array]:
         """M and K, each (N, n, n)."""
 
+    def massless(self) -> NDArray[np.bool_]:
+        """Which coordinates have no inertia at any pose, (n,): where no pose is given to tell by M."""
+
     def platform_motion(self, p: Array) -> Array:
         """Absolute motion of the platform by the coordinates, (N, 3, n)."""
 
@@ -54,6 +57,10 @@ class BaseEvaluation:
         """M and K, each (N, n, n)."""
         M, K = generated.modal_matrices(p, self._parameters)
         return M, K
+
+    def massless(self) -> NDArray[np.bool_]:
+        """None of them: without inertia in the base coordinates there is no eigenproblem."""
+        return np.zeros(len(self.coordinates), dtype=bool)
 
     def platform_motion(self, p: Array) -> Array:
         """Absolute motion of the platform by the coordinates, (N, 3, n)."""
@@ -81,8 +88,8 @@ class SystemOfEffects:
     ----------
     free : ndarray of int, shape (n,)
         Coordinates that are not locked, in the extended model.
-    joint_rates : ndarray, shape (e,)
-        Derivatives of the stiffnesses of the released joints by their compliances, zero where there is none.
+    joints, joint_rates : ndarray, shape (e,)
+        Stiffnesses of the released joints, and their derivatives by the compliances, zero where there is none.
     """
 
     def __init__(self, parameters: Parameters, effects: Mapping[str, float]) -> None:
@@ -100,16 +107,20 @@ class SystemOfEffects:
                 stiffness[place], rates[place] = (a[place] for a in extended.joint_stiffness(beyond))
         free = np.isfinite(stiffness)  # a joint without compliance is infinitely stiff: locked
         self.free = np.concatenate([np.arange(base), base + np.flatnonzero(free)])
-        self._joints = np.concatenate([np.zeros(base), np.where(free, stiffness, 0.0)])
+        self.joints = np.concatenate([np.zeros(base), np.where(free, stiffness, 0.0)])
         self.joint_rates = np.concatenate([np.zeros(base), np.where(free, rates, 0.0)])
 
     def all_coordinates(self, p: Array) -> tuple[Array, Array]:
         """M and K in all coordinates, each (N, e, e); locked joints are free in them, without a spring."""
-        M, K_el, K_g = self._single(self._generated.extended_matrices, p)
-        K = K_el + K_g
-        diagonal = np.arange(len(self._joints))
-        K[..., diagonal, diagonal] += self._joints
+        M, K = self.without_springs(p)
+        diagonal = np.arange(len(self.joints))
+        K[..., diagonal, diagonal] += self.joints
         return M, K
+
+    def without_springs(self, p: Array) -> tuple[Array, Array]:
+        """The same without the springs of any released joint."""
+        M, K_el, K_g = self._single(self._generated.extended_matrices, p)
+        return M, K_el + K_g
 
     def derivatives(self, p: Array, *, geometry: bool) -> tuple[Array, Array]:
         """Derivatives of the entries of M and of K that the generated model lists, each (N, entries).
@@ -152,6 +163,17 @@ class ExtendedEvaluation:
         M, K = self._system.all_coordinates(p)
         rows, columns = np.ix_(self._system.free, self._system.free)
         return M[..., rows, columns], K[..., rows, columns]
+
+    def massless(self) -> NDArray[np.bool_]:
+        """Which released coordinates have no inertia: at any pose those of a plain geometry, masses as they are."""
+        plain = self._parameters._replace(
+            origin=np.zeros((3, 3)), direction=np.eye(3), joint=np.zeros((3, 3)), link_length=np.ones(3)
+        )
+        plain = plain._replace(limits=np.tile([-2.0, 2.0], (3, 1)), carriage_length=np.zeros(3))
+        M, _, _ = self._generated.extended_matrices(np.zeros(3), plain, self._system.effects)
+        found: NDArray[np.bool_] = (M == 0.0).all(axis=0)[self._system.free]
+        found[: len(generated.COORDINATES)] = False
+        return found
 
     def platform_motion(self, p: Array) -> Array:
         """Absolute motion of the platform by the coordinates, (N, 3, n)."""

@@ -315,8 +315,10 @@ class Model:
     def _solve(self, p: Array) -> tuple[Array, ...]:
         """Matrices, eigenvalues, shapes, carriages and platform motion at some poses."""
         M, K = self._evaluation.matrices(p)
+        first, rigid = len(generated.COORDINATES), self._evaluation.rigid_modes
+        massless = None if len(p) else self._evaluation.massless()
         try:
-            eigenvalues, shapes = condensed_eigh(M, K, first=len(generated.COORDINATES))
+            eigenvalues, shapes = condensed_eigh(M, K, first, rigid, massless)
         except np.linalg.LinAlgError:
             raise PoseError(
                 "the mass matrix is not positive definite",

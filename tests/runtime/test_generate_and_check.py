@@ -6,6 +6,7 @@ import dataclasses
 import json
 import os
 import re
+import runpy
 import shlex
 import shutil
 import subprocess
@@ -14,6 +15,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.linalg import eigh
 
 import pkmodes
 from broken_module import Broken
@@ -372,6 +374,71 @@ def test_a_specialised_model_that_differs_from_the_parametric_one_fails(
     monkeypatch.setattr(evaluation, "generated", Broken("modal_matrices", 1 + 1e-9))
     assert run(["check", str(PUBLISHED)]) == 1
     assert "M of the parametric model: relative error 1.0e-09" in capsys.readouterr().out
+
+
+CLAMP = '\n[effects.clamp_compliance]\ncompliance = "1e-7 m/N"\n'
+
+
+def test_a_model_with_a_massless_clamp_has_an_eigenproblem(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What a newcomer does: generate, import, solve with SciPy."""
+    (tmp_path / "robot.toml").write_text(published() + CLAMP, encoding="utf-8")
+    assert run(["generate", str(tmp_path / "robot.toml"), "--out", str(tmp_path / "model")]) == 0
+    assert run(["check", str(tmp_path / "model")]) == 0
+    assert "relations agree with finite differences" in capsys.readouterr().out
+    module = runpy.run_path(str(tmp_path / "model" / MODULE))
+    assert module["__doc__"].count("Without inertia: eps_1, eps_2, eps_3.") == 1
+    assert "Without inertia: eps_1" in (tmp_path / "model" / "linear_delta_2022.h").read_text(
+        encoding="utf-8"
+    )
+    pose = [0.6, 0.03, -0.245]
+    M, K = module["modal_matrices"](pose)
+    assert M.shape == (len(module["COORDINATES"]),) * 2
+    expected = pkmodes.load(tmp_path / "robot.toml").modes(pose).frequencies[3:]
+    np.testing.assert_allclose(np.sqrt(eigh(K, M, eigvals_only=True)[3:]) / (2 * np.pi), expected, rtol=1e-10)
+    every = module["condensation"](pose)
+    uncondensed_M, uncondensed_K = module["uncondensed_matrices"](pose)
+    assert not uncondensed_M[9:].any()
+    np.testing.assert_allclose(every.T @ uncondensed_K @ every, K, rtol=0, atol=1e-12 * K.max())
+
+
+@pytest.mark.parametrize(
+    ("broken", "check"),
+    [
+        ("modal_matrices", "K of the parametric model"),
+        ("uncondensed_matrices", "uncondensed K of the parametric model"),
+        ("condensation", "condensation of the parametric model"),
+        ("platform_motion", "platform motion of the parametric model"),
+        ("elastic_gradient", "elastic gradient (complex step)"),
+        ("velocity_forces", "velocity forces (complex step)"),
+        ("belt_spans", "belt spans (complex step)"),
+    ],
+)
+def test_a_wrong_function_of_a_model_with_effects_is_found(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    broken: str,
+    check: str,
+) -> None:
+    (tmp_path / "robot.toml").write_text(published() + CLAMP, encoding="utf-8")
+    executed = products._executed
+
+    def spoilt(texts: dict[str, str]) -> object:
+        module = executed(texts)
+        right = getattr(module, broken)
+
+        def wrong(*arguments: object) -> object:
+            found = right(*arguments)
+            return tuple(1.001 * a for a in found) if isinstance(found, tuple) else 1.001 * found
+
+        setattr(module, broken, wrong)
+        return module
+
+    monkeypatch.setattr(products, "_executed", spoilt)
+    assert run(["check", str(tmp_path / "robot.toml")]) == 1
+    assert check in capsys.readouterr().out
 
 
 def test_a_missing_generator_is_named(

@@ -31,6 +31,7 @@ def source_and_header(model: Model, programs: dict[str, Program], provenance: Pr
         "guard": f"{provenance.name.upper()}_H",
         "name": provenance.name,
         "coordinates": [f" *   {name} [{unit}]" for name, unit in model.coordinates],
+        "notes": [layout.prose(note, " * ") for note in model.notes],
         "constants": [
             line for text in provenance.constants for line in layout.prose(text, " *     ", first=" *   ")
         ],

@@ -34,6 +34,7 @@ def module(model: Model, programs: dict[str, Program], provenance: Provenance) -
         provenance=provenance,
         title=layout.prose(provenance.title, ""),
         command=provenance.command,
+        notes=[layout.prose(note, "") for note in model.notes],
         constants=[line for text in provenance.constants for line in layout.prose(text, "    ", first="* ")],
         names=[line for text in glossary(model, programs) for line in layout.prose(text, "    ", first="* ")],
         coordinates=[name for name, _ in model.coordinates],

@@ -39,10 +39,13 @@ def derive_extended(mechanism: str) -> Model:
 
 
 @cache
-def derive_single(mechanism: str, effects: tuple[str, ...]) -> Model:
-    """Derive a mechanism with some effects, by name, for one robot; once in a process."""
+def derive_single(mechanism: str, effects: tuple[str, ...], zeros: frozenset[tuple[str, int]]) -> Model:
+    """Derive a mechanism with some effects, by name, for one robot; once in a process.
+
+    `zeros` are the (field, index) of the robot's parameters that are zero: without inertia a coordinate has no mode.
+    """
     chosen = tuple(effect for effect in catalogue() if effect.name in effects)
-    return MECHANISMS[mechanism].derive_single(chosen)
+    return MECHANISMS[mechanism].derive_single(chosen, zeros)
 
 
 def parametric(mechanism: str) -> dict[str, str]:
@@ -76,12 +79,22 @@ def parametric(mechanism: str) -> dict[str, str]:
     return texts
 
 
+def of_robot(specification: Specification) -> Model:
+    """The model of a robot, its parameters not yet folded in: the base one, or one with its effects."""
+    if not specification.effects:
+        return derive(specification.mechanism)
+    zeros = frozenset(
+        (name, i)
+        for name, value in specification.fields.items()
+        for i, entry in enumerate(_flat(value))
+        if entry == 0.0
+    )
+    return derive_single(specification.mechanism, specification.effects, zeros)
+
+
 def specialised(specification: Specification) -> dict[str, str]:
     """Build the model of one robot, constants folded: texts by file name."""
-    if specification.effects:
-        model = derive_single(specification.mechanism, specification.effects)
-    else:
-        model = derive(specification.mechanism)
+    model = of_robot(specification)
     values = {
         symbol.name: value
         for field in model.fields

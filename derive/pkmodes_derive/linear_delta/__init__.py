@@ -6,6 +6,6 @@ the equilibrium (`statics`), and the list of functions that are emitted (`catalo
 
 from pkmodes_derive.linear_delta.catalogue import derive
 from pkmodes_derive.linear_delta.extended import derive as derive_extended
-from pkmodes_derive.linear_delta.extended import derive_single
+from pkmodes_derive.linear_delta.single import derive_single
 
 __all__ = ["derive", "derive_extended", "derive_single"]

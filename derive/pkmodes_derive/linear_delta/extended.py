@@ -15,8 +15,6 @@ from pkmodes_derive import lagrangian
 from pkmodes_derive.effect import Effect
 from pkmodes_derive.functions import Argument, FieldGroup, Function, Model, Output
 from pkmodes_derive.linear_delta import energy, kinematics, sensitivity, statics
-from pkmodes_derive.linear_delta.catalogue.collected import Collected
-from pkmodes_derive.linear_delta.catalogue.position import position
 from pkmodes_derive.linear_delta.machine import Machine
 from pkmodes_derive.linear_delta.symbols import Symbols
 
@@ -62,9 +60,9 @@ def derive(effects: Sequence[Effect]) -> Model:
         ),
         functions=(
             extended.matrices(),
-            extended.platform_motion("extended_platform_motion"),
+            extended.platform_motion(),
             extended.joints(),
-            extended.static_equilibrium("extended_static_equilibrium"),
+            extended.static_equilibrium(),
             values,
             geometry,
         ),
@@ -93,32 +91,6 @@ def derive(effects: Sequence[Effect]) -> Model:
     )
 
 
-def derive_single(effects: Sequence[Effect]) -> Model:
-    """Derive the model of one robot with effects: what a controller or an analysis needs, and nothing else.
-
-    The joints' stiffnesses are in K.  A coordinate without inertia has a row of zeros in M: condense it before
-    the eigenproblem.
-    """
-    extended = _Extended(effects)
-    machine, sy = extended.machine, extended.machine.sy
-    collected = Collected(machine, extended.kin, extended.energies, extended.equilibrium)
-    return Model(
-        mechanism="linear_delta",
-        coordinates=tuple((q.name, sy.vocabulary[q].unit) for q in extended.coordinates),
-        vocabulary=sy.vocabulary,
-        groups=(
-            FieldGroup("Parameters", "parameters", sy.fields),
-            FieldGroup("Effects", "effects", machine.fields, null=0.0),
-        ),
-        functions=(
-            *position(collected),
-            extended.modal(),
-            extended.platform_motion("platform_motion"),
-            extended.static_equilibrium("static_equilibrium"),
-        ),
-    )
-
-
 def _described(effect: Effect) -> tuple[object, ...]:
     parameters = tuple((p.name, p.unit, p.description, p.greater_than, p.fitted) for p in effect.parameters)
     return (effect.name, effect.sentence, effect.grounds, effect.coordinates, parameters)
@@ -137,7 +109,6 @@ class _Extended:
         rates = (*sy.velocities, *(c.rate for c in machine.released))
         small = (*sy.displacements, *(c.position for c in machine.released))
         self.n = len(rates)
-        self.coordinates = (*sy.coordinates, *(c.position for c in machine.released))
         self.M = lagrangian.mass_matrix(energies.T_ss + energies.T_t, rates, kin.chain)
         # Displacements are small: Jacobian and belt stiffnesses are those of the reference configuration.
         constant = (*kin.D, *(k for axis in machine.k for k in axis))
@@ -195,31 +166,11 @@ class _Extended:
             "Infinite for a compliance of zero: a locked joint.",
         )
 
-    def modal(self) -> Function:
-        """M and K of one robot, its joints' springs included."""
-        joints = dict(zip((c.position for c in self.machine.released), self.energies.V_r, strict=True))
-        K = [[a + b for a, b in zip(*rows, strict=True)] for rows in zip(self.K_el, self.K_g, strict=True)]
-        for k, q in enumerate(self.coordinates):
-            if q in joints:
-                K[k][k] += diff(joints[q], q, q)
-        shape = (self.n, self.n)
-        return Function(
-            "modal_matrices",
-            "Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.",
-            "equation 48, with the effects' energies",
-            self.pose,
-            (
-                Output("M", shape, _flat(self.M), UNITS_M, "mass matrix"),
-                Output("K", shape, _flat(K), UNITS_K, "stiffness matrix, positive for a restoring force"),
-            ),
-            self.kin.definitions,
-        )
-
-    def platform_motion(self, name: str) -> Function:
+    def platform_motion(self) -> Function:
         """The absolute motion of the platform."""
         entries = _flat(self.J_p)
         return Function(
-            name,
+            "extended_platform_motion",
             "Absolute motion of the platform centre by the coordinates.",
             "equation 15, with what released joints and the frame add",
             self.pose,
@@ -227,10 +178,10 @@ class _Extended:
             self.kin.definitions,
         )
 
-    def static_equilibrium(self, name: str) -> Function:
+    def static_equilibrium(self) -> Function:
         """Equation 44."""
         return Function(
-            name,
+            "extended_static_equilibrium",
             "Torques and pulley rotations that hold the pose, the effects' weights and belts included.",
             "equation 44; springs that effects add are relaxed at the pose, and the released joints hold",
             self.pose,

@@ -50,12 +50,17 @@ class Generated:
     def __init__(self, module: Any, parameters: Parameters | None = None) -> None:
         self._module, self._arguments = module, () if parameters is None else (parameters,)
 
+    @property
+    def coordinates(self) -> int:
+        """How many generalised coordinates it has."""
+        return len(self._module.COORDINATES)
+
     def __getattr__(self, name: str) -> Callable[..., Any]:
         function = getattr(self._module, name)
         return lambda *arguments: function(*arguments, *self._arguments)
 
 
-def check_consistency(generated: Generated, parameters: Parameters) -> list[Check]:
+def check_consistency(generated: Generated, parameters: Parameters, effects: bool = False) -> list[Check]:
     """Check the derivatives of a generated model at a few of its poses.
 
     Parameters
@@ -64,6 +69,8 @@ def check_consistency(generated: Generated, parameters: Parameters) -> list[Chec
         The functions.
     parameters : Parameters
         The robot that they are for: it says where poses may be found.
+    effects : bool
+        Whether the model has effects, which make some relations of the base model untrue.
 
     Returns
     -------
@@ -83,7 +90,9 @@ def check_consistency(generated: Generated, parameters: Parameters) -> list[Chec
         for kind, derivative, bound in kinds:
             errors: dict[str, float] = {}
             for p in poses:
-                for name, found, expected, weight in _relations(generated, p, derivative, step):
+                for name, found, expected, weight in _relations(
+                    generated, parameters, p, derivative, step, effects
+                ):
                     scale = max(float(np.max(np.abs(expected))), weight)
                     error = float(np.max(np.abs(found - expected))) / scale if scale > 0.0 else 0.0
                     errors[name] = max(errors.get(name, 0.0), error if np.isfinite(error) else np.inf)
@@ -130,7 +139,7 @@ def _central_differences(function: Callable[[Array], Array], at: Array, step: fl
 
 
 def _relations(
-    g: Generated, p: Array, derivative: Derivative, step: float
+    g: Generated, parameters: Parameters, p: Array, derivative: Derivative, step: float, effects: bool
 ) -> Iterator[tuple[str, Array, Array, float]]:
     """Yield (name, generated value, value by other means, least scale) at one pose.
 
@@ -146,7 +155,8 @@ def _relations(
         return position
 
     rng = np.random.default_rng(SEED + 1)
-    x_dot, delta_q = rng.normal(size=3), 1e-3 * rng.normal(size=9)
+    n = g.coordinates
+    x_dot, delta_q = rng.normal(size=3), 1e-3 * rng.normal(size=n)
     D_p, P = g.platform_jacobian(p), g.platform_second_derivatives(p)
     D_l, D_r = g.constraint_jacobians(p)
     spans, k = g.belt_spans(p), g.belt_stiffness(p)
@@ -162,9 +172,13 @@ def _relations(
     yield "platform Jacobian rate", g.platform_jacobian_rate(p, x_dot), P @ x_dot, float(np.abs(P).max())
     moved = derivative(lambda c: g.belt_spans(pose(c)), x, step)
     yield "belt spans", moved, np.eye(3)[:, None, :] * np.array([0.0, 1.0, -1.0])[None, :, None], 1.0
-    yield "belt stiffness", k * spans, np.repeat((k * spans)[:, :1], 3, axis=1), 0.0
-    # Both spans of a carriage pull at it.
-    yield "belt stiffness at the carriages", k[:, 1] + k[:, 2], np.diag(g.elastic_hessian(p))[:3], 0.0
+    if effects:  # what a span has in series does not grow with its length
+        (short, middle, long), (a, b, c) = np.sort(spans, axis=1).T, -np.sort(-k, axis=1).T
+        yield "belt stiffness", (1 / b - 1 / a) * (long - short), (1 / c - 1 / a) * (middle - short), 0.0
+    else:
+        yield "belt stiffness", k * spans, np.repeat((k * spans)[:, :1], 3, axis=1), 0.0
+        # Both spans of a carriage pull at it.
+        yield "belt stiffness at the carriages", k[:, 1] + k[:, 2], np.diag(g.elastic_hessian(p))[:3], 0.0
     # A link, its distance from the rail and its component along the rail: Pythagoras.
     links = np.linalg.norm(D_l, axis=1)
     yield "reach margin", (links - g.reach_margin(p)) ** 2, links**2 - np.diag(D_r) ** 2, length**2
@@ -178,18 +192,25 @@ def _relations(
     pull = derivative(lambda d: g.elastic_potential(p, d), delta_q, step)
     yield "elastic gradient", g.elastic_gradient(p, delta_q), pull, 0.0
     yield "elastic Hessian", elastic, derivative(lambda d: g.elastic_gradient(p, d), delta_q, step), 0.0
-    whole = elastic.copy()
+    whole = elastic[:9, :9].copy()  # gravity acts on elongations too, of which its Hessian says nothing
     whole[:3, :3] += hessian
     M, K = g.modal_matrices(p)
-    yield "stiffness matrix", g.stiffness_matrix(p), whole, 0.0
-    yield "modal stiffness matrix", K, whole, 0.0
+    stiffness = g.stiffness_matrix(p)
+    yield "stiffness matrix", stiffness[:9, :9], whole, 0.0
+    yield "modal stiffness matrix", K, stiffness, 0.0
     yield "modal mass matrix", M, g.mass_matrix(p), 0.0
-    yield "mass matrix", M, _quadratic_form(lambda rate: sum(g.kinetic_energy(p, rate)), 9), 0.0
-    dM = derivative(lambda c: g.mass_matrix(pose(c))[..., :3, :3], x, step)
+    yield "mass matrix", M, _quadratic_form(lambda rate: sum(g.kinetic_energy(p, rate)), n), 0.0
+    # Pulleys turn with the carriages: what effects add to their inertia changes as those move.
+    rigid = np.vstack([np.eye(3), *2 * [np.diag(1.0 / parameters.pulley_radius)], np.zeros((n - 9, 3))])
+    dM = derivative(lambda c: rigid.T @ g.mass_matrix(pose(c)) @ rigid, x, step)
     forces = (dM @ x_dot) @ x_dot - 0.5 * np.einsum("klm,k,l->m", dM, x_dot, x_dot)
     yield "velocity forces", g.velocity_forces(p, x_dot), forces, float(np.abs(dM).max())
     yield "link Jacobians", *_platform_end(g, p), 1.0
 
+    if (
+        effects
+    ):  # springs that they add are relaxed at the pose, so the gradient of all springs is not the torque
+        return
     torques, rotations = g.static_equilibrium(p)
     strained = g.elastic_gradient(p, np.concatenate([np.zeros(3), rotations]))
     pulleys = strained[3:].reshape(2, 3)

@@ -23,6 +23,8 @@ from pkmodes_generated import linear_delta
 MECHANISM = "linear_delta"
 REGENERATE = "python -m pkmodes_derive generate"
 
+Array = NDArray[np.float64]
+
 
 @dataclass(frozen=True)
 class Report:
@@ -167,34 +169,61 @@ def _executed(texts: dict[str, str]) -> types.ModuleType:
 
 
 def _checks(module: types.ModuleType, robot: Robot) -> list[Check]:
-    """Differences, and equality with the model that pkmodes evaluates.
-
-    A model with effects holds what its user needs, not every derivative; the differences are then those of
-    the parametric model that it is compared with, for the same robot.
-    """
+    """Differences, and equality with the model that pkmodes evaluates."""
+    effects = bool(active_effects(robot.effects))
     parametric = Generated(linear_delta, robot.parameters)
-    differentiable = parametric if active_effects(robot.effects) else Generated(module)
-    return [*check_consistency(differentiable, robot.parameters), *_equality(module, parametric, robot)]
+    return [
+        *check_consistency(Generated(module), robot.parameters, effects),
+        *_equality(module, parametric, robot),
+    ]
 
 
 def _equality(module: types.ModuleType, parametric: Generated, robot: Robot) -> list[Check]:
-    """Constants folded or given as parameters: the same matrices."""
+    """Constants folded or given as parameters: the same matrices, of the coordinates with inertia and of all."""
     p = regular_poses(parametric, robot.parameters)
     if not len(p):
         return []
     expected = evaluation(robot.parameters, robot.effects)
     M, K = expected.matrices(p)
+    kept = [expected.coordinates.index(name) for name in module.COORDINATES]
+    massless = [i for i in range(M.shape[-1]) if i not in kept]
+    every = np.zeros((len(p), M.shape[-1], len(kept)))
+    every[:, kept, range(len(kept))] = 1.0
+    wanted_M, wanted_K = M[:, kept][..., kept], K[:, kept][..., kept]
+    size = _sizes(wanted_K)
+    pairs: list[tuple[str, Array, Array, Array | float]] = []
+    if massless:
+        follow = -np.linalg.solve(K[:, massless][..., massless], K[:, massless][..., kept])
+        every[:, massless] = follow
+        wanted_K = wanted_K + K[:, kept][..., massless] @ follow
+        all_M, all_K = module.uncondensed_matrices(p)
+        pairs = [
+            ("uncondensed M", all_M, M, _sizes(M)),
+            ("uncondensed K", all_K, K, _sizes(K)),
+            ("condensation", module.condensation(p), every, 0.0),
+        ]
     found_M, found_K = module.modal_matrices(p)
+    pairs = [("M", found_M, wanted_M, _sizes(wanted_M)), ("K", found_K, wanted_K, size), *pairs]
+    pairs.append(("torques", module.static_equilibrium(p)[0], expected.statics(p)[0], 0.0))
+    if hasattr(module, "platform_motion"):
+        motion = expected.platform_motion(p) @ every
+        pairs.append(("platform motion", module.platform_motion(p), motion, 0.0))
     return [
-        Check(name, _relative(found, wanted), 1e-12)
-        for name, found, wanted in (
-            ("M of the parametric model", found_M, M),
-            ("K of the parametric model", found_K, K),
-            ("torques of the parametric model", module.static_equilibrium(p)[0], expected.statics(p)[0]),
-        )
+        Check(f"{name} of the parametric model", _relative(found, wanted, scale), 1e-12)
+        for name, found, wanted, scale in pairs
     ]
 
 
-def _relative(found: NDArray[np.float64], expected: NDArray[np.float64]) -> float:
-    size = float(np.max(np.abs(expected)))
-    return float(np.max(np.abs(found - expected))) / (size if size > 0.0 else 1.0)
+def _sizes(matrix: Array) -> Array:
+    """Size of the terms of each entry of a symmetric matrix: a stiff joint must not hide the others."""
+    root = np.sqrt(np.abs(np.diagonal(matrix, axis1=-2, axis2=-1)))
+    return np.asarray(root[..., :, None] * root[..., None, :])
+
+
+def _relative(found: Array, expected: Array, size: Array | float) -> float:
+    """Largest error by the size of the entries, or of the largest where they have none of their own."""
+    if found.shape != expected.shape:
+        return float("inf")
+    largest = float(np.max(np.abs(expected), initial=0.0)) or 1.0
+    scale = np.where(np.asarray(size) > 0.0, size, largest)
+    return float(np.max(np.abs(found - expected) / scale))

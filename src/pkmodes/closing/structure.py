@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +19,7 @@ from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.sensitivity.paths import ParameterPath, moved
 from pkmodes.sensitivity.shapes import shape_derivatives
-from pkmodes_generated.linear_delta import COORDINATES, RIGID_MODES, extended
+from pkmodes_generated.linear_delta import COORDINATES, RIGID_MODES, Parameters, extended
 
 Array = NDArray[np.float64]
 PLATFORM = ("p_x", "p_y", "p_z")
@@ -116,6 +116,44 @@ class RobotStructure:
         along = None if found.shape_rates is None else found.shape_rates @ mix[:, None]
         return replace(found, rates=found.rates @ mix, shape_rates=along)
 
+    def predict_many(self, values: Array) -> Prediction | None:
+        """Modes at all poses for several values of the parameters at once, without derivatives.
+
+        Parameters
+        ----------
+        values : ndarray, shape (B, number of parameters)
+
+        Returns
+        -------
+        Prediction or None
+            Of B times P setups, those of the first values first.  None where they differ in more than numbers: in
+            the joints that are locked, or in the poses that can be reached.
+        """
+        robots = [self.with_values(v) for v in values]
+        where = [frame.true_points(self.points, self._frame(v)) for v in values]
+        systems = [SystemOfEffects(robot.parameters, robot.effects) for robot in robots]
+        free, rigid = systems[0].free, {_rigid(robot) for robot in robots}
+        alike = all(np.array_equal(system.free, free) for system in systems) and len(rigid) == 1
+        if not alike or not all(self._reachable(r, p).all() for r, p in zip(robots, where, strict=True)):
+            return None
+        count = len(self.points)
+        parameters = robots[0].parameters._replace(**_different([r.parameters for r in robots], count))
+        effects = systems[0].effects._replace(**_different([system.effects for system in systems], count))
+        points = np.concatenate(where)
+        M, K_el, K_g = extended.extended_matrices(points, parameters, effects)
+        K = K_el + K_g
+        diagonal = np.arange(K.shape[-1])
+        K[..., diagonal, diagonal] += np.repeat([system.joints for system in systems], count, axis=0)
+        rows, columns = np.ix_(free, free)
+        try:
+            eigenvalues, shapes = condensed_eigh(
+                M[:, rows, columns], K[:, rows, columns], len(COORDINATES), min(rigid)
+            )
+        except np.linalg.LinAlgError:
+            return None
+        channels = self._channels(parameters, points, free, shapes)
+        return Prediction(eigenvalues, np.zeros((*eigenvalues.shape, 0)), channels, min(rigid))
+
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction:
         """Modes at all poses, with derivatives with respect to the platform's position."""
         return self._along(values, SHIFTS, shape_rates=shape_rates)
@@ -183,9 +221,9 @@ class RobotStructure:
         rows, columns = np.ix_(system.free, system.free)
         try:
             eigenvalues, shapes = condensed_eigh(
-                M[:, rows, columns], K[:, rows, columns], first=len(COORDINATES)
+                M[:, rows, columns], K[:, rows, columns], len(COORDINATES), _rigid(robot)
             )
-            channels = self._channels(robot, points, system, shapes)
+            channels = self._channels(robot.parameters, points, system.free, shapes)
         except np.linalg.LinAlgError:  # values without inertia where there must be some: no machine
             eigenvalues = np.full((len(points), len(system.free)), np.nan)
             shapes = np.zeros((*eigenvalues.shape, len(system.free)))
@@ -198,10 +236,12 @@ class RobotStructure:
             return np.ones(len(points), dtype=bool)
         return check_poses(points, robot.parameters, "nan").valid
 
-    def _channels(self, robot: Robot, points: Array, system: SystemOfEffects, shapes: Array) -> Array:
+    def _channels(
+        self, parameters: Parameters, points: Array, free: NDArray[np.intp], shapes: Array
+    ) -> Array:
         found = np.zeros((*shapes.shape[:2], len(self.channels)))
-        found[..., system.free] = shapes
-        motion = extended.extended_platform_motion(points, robot.parameters)[..., system.free]
+        found[..., free] = shapes
+        motion = extended.extended_platform_motion(points, parameters)[..., free]
         found[..., -3:] = shapes @ np.swapaxes(motion, -1, -2)
         return found
 
@@ -248,3 +288,13 @@ def _rigid(robot: Robot) -> int:
 def _same_geometry(a: Robot, b: Robot) -> bool:
     geometry = ("origin", "joint", "link_length", "limits", "carriage_length")
     return all(np.array_equal(getattr(a.parameters, name), getattr(b.parameters, name)) for name in geometry)
+
+
+def _different(sets: Sequence[tuple[Any, ...]], count: int) -> dict[str, Array]:
+    """Fields in which named tuples of numbers differ, with an axis in front that repeats each so many times."""
+    found = {}
+    for name in sets[0]._fields:  # type: ignore[attr-defined]
+        values = [np.asarray(getattr(one, name), dtype=float) for one in sets]
+        if any(not np.array_equal(value, values[0]) for value in values):
+            found[name] = np.repeat(np.stack(values), count, axis=0)
+    return found

@@ -126,6 +126,9 @@ class Structure(Protocol):
         Names of the shape components that the model predicts.
     channel_units : tuple of str
         Their units: components of one unit are measured equally well.
+
+    A structure may also have ``predict_many(values) -> Prediction | None``, with values (B, parameters): modes of B
+    times S setups without derivatives, all at once, which saves time where causes are tried in several sizes.
     """
 
     @property

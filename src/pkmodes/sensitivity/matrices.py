@@ -29,6 +29,9 @@ Index = NDArray[np.intp]
 #: Generated parameters by which there are derivatives: field, index, entries of M and of K; the geometry comes last.
 LISTED = (*extended.VALUE_SENSITIVITIES, *extended.GEOMETRY_SENSITIVITIES)
 
+#: What rounding leaves of a spring that was taken out.
+TAKEN_OUT = 1e-12
+
 
 class Entries(NamedTuple):
     """Which entries of a symmetric matrix the generated derivatives are, in their order.
@@ -109,7 +112,8 @@ class MatrixDerivatives:
         paths: Sequence[ParameterPath],
         matrices: tuple[Array, Array] | None = None,
     ) -> None:
-        system = SystemOfEffects(robot.parameters, robot.effects)
+        self._system = system = SystemOfEffects(robot.parameters, robot.effects)
+        self._p = p
         self.free = system.free
         self.M, self.K = system.all_coordinates(p) if matrices is None else matrices
         self._paths = tuple(paths)
@@ -216,6 +220,39 @@ class MatrixDerivatives:
             change -= weight * (force @ K - eigenvalues[..., None] * (force @ M))
             norm -= weight * 2.0 * np.sum(force * (shapes @ np.swapaxes(M, -1, -2)), axis=-1)
         return change, norm
+
+    def stiff_change(self, pose: int, eigenvalues: Array, shapes: Array, dM: Array, dK: Array) -> Array:
+        """(dK - lambda dM) phi for the shapes of modes of stiff joints, up to a multiple of M phi, which turns none.
+
+        In the mode of a joint of compliance c the spring's derivative -1/c^2 and what follows from it cancel, and
+        what is left is smaller by far than their rounding.  The multiple of K phi = lambda M phi that takes the
+        spring out leaves the rest of K in its place.
+
+        Parameters
+        ----------
+        pose : int
+            Which of the poses.
+        eigenvalues, shapes : ndarray, shapes (m,) and (m, n)
+        dM, dK : ndarray, shape (T, n, n)
+            As from `dense`.
+
+        Returns
+        -------
+        ndarray, shape (T, m, n)
+        """
+        free, diagonal = self.free, np.arange(len(self.free))
+        springs, joints = self._springs[:, free], self._system.joints[free]
+        _, K = self._system.without_springs(self._p[pose : pose + 1])
+        rest = shapes @ K[0][np.ix_(free, free)]
+        others = dK.copy()
+        others[:, diagonal, diagonal] -= springs
+        strained = shapes**2 @ joints
+        factor = -(shapes**2 @ springs.T) / np.where(strained > 0.0, strained, 1.0)[:, None]
+        left = springs[:, None] + factor.T[..., None] * joints
+        left[np.abs(left) < TAKEN_OUT * np.abs(springs[:, None])] = 0.0
+        change = np.einsum("tab,ib->tia", others, shapes)
+        change -= eigenvalues[:, None] * np.einsum("tab,ib->tia", dM, shapes)
+        return np.asarray(change + left * shapes + factor.T[..., None] * rest)
 
     def _embedded(self, shapes: Array) -> Array:
         phi = np.zeros((*shapes.shape[:-1], self.M.shape[-1]))

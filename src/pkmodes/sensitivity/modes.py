@@ -21,11 +21,11 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-#: Rounding of the eigenvalues, as a fraction of the largest.
+#: Rounding of the eigenvalues, as a fraction of their magnitude.
 ROUNDING = 1e-13
 
 
-def groups(eigenvalues: Array, close: float) -> Index:
+def groups(eigenvalues: Array, close: float, magnitude: Array) -> Index:
     """Number the groups of modes whose eigenvalues are closer than a fraction of their size.
 
     Parameters
@@ -33,7 +33,9 @@ def groups(eigenvalues: Array, close: float) -> Index:
     eigenvalues : ndarray, shape (..., m)
         Ascending.
     close : float
-        Fraction; gaps are also compared with the largest eigenvalue's rounding.
+        Fraction; gaps are also compared with rounding.
+    magnitude : ndarray, shape (..., m)
+        What rounding of each eigenvalue is relative to (`pkmodes.eigen.magnitude`).
 
     Returns
     -------
@@ -41,14 +43,21 @@ def groups(eigenvalues: Array, close: float) -> Index:
         The same number for the members of a group, ascending from 0.
     """
     size = np.maximum(np.abs(eigenvalues[..., 1:]), np.abs(eigenvalues[..., :-1]))
-    rounding = ROUNDING * np.abs(eigenvalues[..., -1:])
+    rounding = ROUNDING * magnitude[..., 1:]
     apart = np.diff(eigenvalues, axis=-1) > np.maximum(close * size, rounding)
     first = np.zeros((*eigenvalues.shape[:-1], 1), dtype=np.intp)
     return np.concatenate([first, np.cumsum(apart, axis=-1)], axis=-1)
 
 
 def mode_derivatives(
-    M: Array, K: Array, eigenvalues: Array, shapes: Array, change: Array, norm: Array, group: Index
+    M: Array,
+    K: Array,
+    eigenvalues: Array,
+    shapes: Array,
+    change: Array,
+    norm: Array,
+    group: Index,
+    magnitude: Array,
 ) -> tuple[Array, Array]:
     """Derivatives of the modes of one system by several parameters.
 
@@ -64,6 +73,8 @@ def mode_derivatives(
         phi_i^T dM phi_i.
     group : ndarray of int, shape (m,)
         From `groups`.
+    magnitude : ndarray, shape (m,)
+        As for `groups`; each mode's equations are scaled with it.
 
     Returns
     -------
@@ -73,11 +84,11 @@ def mode_derivatives(
         In a group, the part that is M-orthogonal to its other members.
     """
     d_eigenvalues, d_shapes = np.empty(change.shape[:2]), np.empty(change.shape)
-    scale = 1.0 / np.sqrt(np.abs(np.diagonal(K)) + np.abs(eigenvalues).max() * np.diagonal(M))
     for number in np.unique(group):
         members = np.flatnonzero(group == number)
         inside = np.einsum("tin,jn->tij", change[:, members], shapes[members])
         d_eigenvalues[:, members] = np.linalg.eigvalsh(0.5 * (inside + np.swapaxes(inside, 1, 2)))
+        scale = 1.0 / np.sqrt(np.abs(np.diagonal(K)) + magnitude[members].max() * np.diagonal(M))
         momenta = shapes[members] @ M
         border = momenta * scale
         border /= np.linalg.norm(border, axis=1, keepdims=True)

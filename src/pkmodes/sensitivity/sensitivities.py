@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.eigen import condensed_eigh
+from pkmodes.eigen import condensed_eigh, has_stiff_joint, magnitude
 from pkmodes.errors import PkmodesError, PoseError, shown
 from pkmodes.evaluation import evaluation
 from pkmodes.poses import CheckedPoses
@@ -115,9 +115,11 @@ def _chosen(robot: Robot, parameters: Sequence[str] | None) -> list[ParameterPat
 def _at(robot: Robot, p: Array, chosen: list[ParameterPath], close: float) -> tuple[Array, ...]:
     derivatives = MatrixDerivatives(robot, p, chosen)
     # To the last digit the matrices of `Model.modes`: repeated modes must come out in the same basis.
-    M, K = evaluation(robot.parameters, robot.effects).matrices(p)
+    model, first = evaluation(robot.parameters, robot.effects), len(COORDINATES)
+    M, K = model.matrices(p)
+    massless = None if len(p) else model.massless()
     try:
-        eigenvalues, shapes = condensed_eigh(M, K, first=len(COORDINATES))
+        eigenvalues, shapes = condensed_eigh(M, K, first, model.rigid_modes, massless)
     except np.linalg.LinAlgError:
         raise PoseError(
             "the mass matrix is not positive definite",
@@ -130,13 +132,22 @@ def _at(robot: Robot, p: Array, chosen: list[ParameterPath], close: float) -> tu
     norm = np.einsum("pia,ptab,pib->pti", shapes, dM, shapes, optimize=True)
     for t in derivatives.locked:
         change[:, t], norm[:, t] = derivatives.locked_change(t, eigenvalues, shapes)
-    group = groups(eigenvalues, close)
+    sizes = magnitude(eigenvalues, first, model.rigid_modes)
+    group = groups(eigenvalues, close, sizes)
     d_eigenvalues, d_shapes = np.empty(norm.shape), np.empty(change.shape)
     for i in range(len(p)):
         d_eigenvalues[i], d_shapes[i] = mode_derivatives(
-            M[i], K[i], eigenvalues[i], shapes[i], change[i], norm[i], group[i]
+            M[i], K[i], eigenvalues[i], shapes[i], change[i], norm[i], group[i], sizes[i]
         )
+    evaluated = [t for t in range(len(chosen)) if t not in derivatives.locked]
+    for pose in np.flatnonzero(has_stiff_joint(eigenvalues, first, model.rigid_modes)).tolist():
+        given = eigenvalues[pose], shapes[pose]
+        other = derivatives.stiff_change(pose, *given, dM[pose], dK[pose])[evaluated]
+        _, found = mode_derivatives(
+            M[pose], K[pose], *given, other, norm[pose, evaluated], group[pose], sizes[pose]
+        )
+        d_shapes[pose, evaluated, first:] = found[:, first:]
     size = np.abs(eigenvalues)
-    nothing = size <= ROUNDING * size.max(axis=-1, keepdims=True)  # sqrt has no derivative at 0
+    nothing = size <= ROUNDING * sizes  # sqrt has no derivative at 0
     frequencies = d_eigenvalues / (4.0 * np.pi * np.sqrt(np.where(nothing, np.nan, size))[:, None])
     return dM, dK, d_eigenvalues, frequencies, d_shapes, group.astype(float)

@@ -5,7 +5,7 @@ Nothing is derived here: the derived quantities are collected, named and describ
 
 from __future__ import annotations
 
-from pkmodes_derive.functions import FieldGroup, Model
+from pkmodes_derive.functions import FieldGroup, Function, Model
 from pkmodes_derive.linear_delta import energy, kinematics, rotation, statics
 from pkmodes_derive.linear_delta.catalogue import modal, motion, position, potential
 from pkmodes_derive.linear_delta.catalogue.collected import Collected
@@ -32,13 +32,18 @@ def derive() -> Model:
         coordinates=tuple((q.name, sy.vocabulary[q].unit) for q in sy.coordinates),
         vocabulary=sy.vocabulary,
         groups=(FieldGroup("Parameters", "parameters", sy.fields),),
-        functions=(
-            *position.position(collected),
-            *motion.motion(collected),
-            *potential.gravity(collected),
-            *potential.belts(collected),
-            *modal.modal(collected),
-        ),
+        functions=chapters(collected),
         relations=rotation.euler_relations(sy, kin),
         rigid_modes=collected.rigid_modes,
+    )
+
+
+def chapters(collected: Collected) -> tuple[Function, ...]:
+    """Every function of a model, with effects or without."""
+    return (
+        *position.position(collected),
+        *motion.motion(collected),
+        *potential.gravity(collected),
+        *potential.belts(collected),
+        *modal.modal(collected),
     )

@@ -10,16 +10,16 @@ def modal(c: Collected) -> list[Function]:
     """Stiffness matrix, alone and with the mass matrix."""
     K = Output(
         "K",
-        (9, 9),
+        (c.n, c.n),
         c.K,
         "N/m, N, N m",
         "symmetric; Hessian of V_el + V_g, positive for a restoring force",
     )
-    M = Output("M", (9, 9), c.M, "kg, kg m^2", "mass matrix")
+    M = Output("M", (c.n, c.n), c.M, c.units_M, "mass matrix")
     return [
         c.function(
             "stiffness_matrix",
-            "Stiffness matrix K in the nine generalised coordinates.",
+            f"Stiffness matrix K in the {c.count} generalised coordinates.",
             "equations 46 and 48: K = -H_U",
             [c.pose],
             K,

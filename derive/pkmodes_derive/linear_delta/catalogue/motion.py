@@ -68,10 +68,16 @@ def motion(c: Collected) -> list[Function]:
         ),
         c.function(
             "mass_matrix",
-            "Mass matrix M in the nine generalised coordinates.",
+            f"Mass matrix M in the {c.count} generalised coordinates.",
             "equations 24, 30 and 33",
             [c.pose],
-            Output("M", (9, 9), c.M, "kg, kg m^2", "symmetric; M_ss (3 by 3) and the diagonal M_t"),
+            Output(
+                "M",
+                (c.n, c.n),
+                c.M,
+                c.units_M,
+                "symmetric" if c.machine.effects else "symmetric; M_ss (3 by 3) and the diagonal M_t",
+            ),
         ),
         c.function(
             "velocity_forces",
@@ -81,10 +87,14 @@ def motion(c: Collected) -> list[Function]:
             Output(
                 "h",
                 (3,),
-                tuple(lagrangian.velocity_forces(energies.T_ss, sy.x, sy.velocities[:3], kin.chain)),
+                tuple(lagrangian.velocity_forces(c.moving_energy, sy.x, sy.velocities[:3], kin.chain)),
                 "N",
                 "generalised forces on the carriages; the pulleys have none",
             ),
+            details="While released joints hold and the pulleys turn with the carriages."
+            if c.machine.effects
+            else "",
+            known=c.locked,
         ),
     ]
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pkmodes_derive import lagrangian
 from pkmodes_derive.functions import Function, Output
 from pkmodes_derive.linear_delta.catalogue.collected import Collected, flat
 
@@ -16,6 +15,7 @@ def gravity(c: Collected) -> list[Function]:
             "equation 26, for gravity in any direction; the carriages' weight included",
             [c.pose],
             Output("V_g", (), (c.energies.V_g,), "J", "zero at the origin of the base frame"),
+            known=c.locked,
         ),
         c.function(
             "gravity_gradient",
@@ -36,7 +36,6 @@ def gravity(c: Collected) -> list[Function]:
 
 def belts(c: Collected) -> list[Function]:
     """Belts: stiffness, elastic potential energy and static equilibrium."""
-    sy, energies = c.sy, c.energies
     return [
         c.function(
             "belt_stiffness",
@@ -56,7 +55,7 @@ def belts(c: Collected) -> list[Function]:
             "Elastic potential energy V_el of the belts, the force function U_el with opposite sign.",
             "equation 38, summed over the axes",
             [c.pose, c.delta_q],
-            Output("V_el", (), (energies.V_el,), "J", "zero in the reference configuration"),
+            Output("V_el", (), (c.V_el,), "J", "zero in the reference configuration"),
         ),
         c.function(
             "elastic_gradient",
@@ -65,8 +64,8 @@ def belts(c: Collected) -> list[Function]:
             [c.pose, c.delta_q],
             Output(
                 "E",
-                (9,),
-                tuple(lagrangian.gradient(energies.V_el, sy.displacements, c.kin.chain)),
+                (c.n,),
+                c.elastic_gradient,
                 "N, N m",
                 "dV_el/dq",
             ),
@@ -76,7 +75,13 @@ def belts(c: Collected) -> list[Function]:
             "Hessian of the elastic potential energy.",
             "equation 38 differentiated twice",
             [c.pose],
-            Output("H_el", (9, 9), c.K_el, "N/m, N, N m", "d2V_el/dq2, symmetric, three zero eigenvalues"),
+            Output(
+                "H_el",
+                (c.n, c.n),
+                c.K_el,
+                "N/m, N, N m",
+                f"d2V_el/dq2, symmetric, {'three' if c.rigid_modes else 'no'} zero eigenvalues",
+            ),
         ),
         c.function(
             "static_equilibrium",
@@ -97,5 +102,8 @@ def belts(c: Collected) -> list[Function]:
                 "rad",
                 "rotations from the unstrained belts, in the order of the coordinates theta",
             ),
+            details="Springs that effects add are relaxed at the pose, and released joints hold."
+            if c.machine.effects
+            else "",
         ),
     ]

@@ -66,6 +66,7 @@ class Fitter:
         self.shapes = self.shape_rows_of(data)
         self.noise = Noise(data, self.shapes, self.criteria.most_shared)
         self.sigma = self.noise.sigma
+        self._copies: dict[int, tuple[Pairer, ShapeRows]] = {}
         rows, size = len(self.log), self.shapes.size
         self.frequency_rows = slice(0, rows)
         self.shape_rows = slice(rows, rows + size)
@@ -130,6 +131,38 @@ class Fitter:
         pairing = self.pairer.pair(prediction, used, compare=False)
         white = self.noise.whitening(None, used, 0.0).whitened(self.residual(prediction, pairing, used))
         return float(white @ white)
+
+    def chi2_of_many(self, values: Sequence[Array], hypothesis: Hypothesis) -> list[float]:
+        """The same for several values; all at once, where the structure can."""
+        many = getattr(self.structure, "predict_many", None)
+        prediction = many(np.array(values)) if many is not None and len(values) > 1 else None
+        if prediction is None or not np.isfinite(prediction.eigenvalues).all():
+            return [self.chi2_of(one, hypothesis) for one in values]
+        pairer, shapes = self._repeated(len(values))
+        used = np.tile(self.used(hypothesis), len(values))
+        pairing = pairer.pair(prediction, used, compare=False)
+        reach = self.criteria.reach
+        logs = prediction.log_frequencies[pairer.pose, np.maximum(pairing.partner, 0)]
+        found = np.clip(np.tile(self.log, len(values)) - logs, -reach, reach)
+        found = np.where(used, np.where(pairing.partner >= 0, found, reach), 0.0) / np.tile(
+            self.sigma, len(values)
+        )
+        left = (found**2).reshape(len(values), -1).sum(axis=1)
+        if shapes.size:
+            misfit = shapes.residual(prediction, pairing, used) / shapes.sigma
+            left = left + (misfit**2).reshape(len(values), -1).sum(axis=1)
+        return [float(one) for one in left]
+
+    def _repeated(self, count: int) -> tuple[Pairer, ShapeRows]:
+        """What pairs and compares the same measurements several times over."""
+        if count not in self._copies:
+            data = self.data.repeated(count)
+            pairer = Pairer(data, self.structure.channels, None, self.criteria)
+            pairer.moves = np.tile(self.pairer.moves, (count, 1))
+            units = [self.structure.channel_units[i] for i in pairer.columns]
+            shapes = ShapeRows(data, pairer.columns, units, pairer.moves, self.shape_scatter, self.criteria)
+            self._copies[count] = pairer, shapes
+        return self._copies[count]
 
     def unfitted(self, values: Array, used: NDArray[np.bool_]) -> tuple[Pairing, Array, Array, float]:
         """What these values give without any fit, the errors of uncertain positions counted.

@@ -58,6 +58,8 @@ class Pairer:
         Where the measured channels are among the model's.
     moves : ndarray, shape (S, C)
         What they move in the reference.
+    pose : ndarray of int, shape (R,)
+        Setup of each row.
     """
 
     def __init__(
@@ -68,7 +70,7 @@ class Pairer:
         criteria: Criteria | None = None,
     ) -> None:
         self._criteria = criteria or Criteria()
-        self._data, self._log = data, np.log(data.frequency)
+        self._data, self._log, self.pose = data, np.log(data.frequency), data.pose
         self.columns = _columns(data, channels)
         setups = len(data.labels)
         self.moves = np.zeros((setups, len(self.columns)))

@@ -6,7 +6,7 @@ sizes, and more closely around the best of them, because a mode that a cause add
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -63,16 +63,17 @@ def starts(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> list
             unit = np.zeros(len(index))
             unit[0] = sign / one.largest[0]
 
-            def cost(size: float, at: Callable[[Array], Array] = at, unit: Array = unit) -> float:
-                return fitter.chi2_of(at(size * unit), hypothesis)
+            def costs(
+                some: Sequence[float], at: Callable[[Array], Array] = at, unit: Array = unit
+            ) -> list[float]:
+                return fitter.chi2_of_many([at(size * unit) for size in some], hypothesis)
 
             # There are many pairs, and those that are tried promise much by a linear model.
             closely = sizes is CLOSE_SIZES and not fit.causes and origin is fit.values
-            best = _least(CLOSE_SIZES, cost) if closely else [min(SIZES, key=cost)]
+            best = _least(CLOSE_SIZES, costs) if closely else [float(SIZES[int(np.argmin(costs(SIZES.tolist())))])]
             steps += [size * unit for size in best]
-        here = sorted(
-            ((fitter.chi2_of(at(step), hypothesis), at(step)) for step in steps), key=lambda pair: pair[0]
-        )
+        some = [at(step) for step in steps]
+        here = sorted(zip(fitter.chi2_of_many(some, hypothesis), some, strict=True), key=lambda pair: pair[0])
         found += here[:1] if fit.causes else here
     found.sort(key=lambda pair: pair[0])
     return [values for _, values in found[: 1 if sizes is SIZES and not fit.causes else FITTED]]
@@ -99,18 +100,17 @@ def _adds_modes(fitter: Fitter, fit: Fit, index: int, step: float) -> bool:
     return bool(count > fit.prediction.eigenvalues.shape[1])
 
 
-def _least(sizes: Array, cost: Callable[[float], float]) -> list[float]:
+def _least(sizes: Array, costs: Callable[[Sequence[float]], list[float]]) -> list[float]:
     """Sizes of the two cheapest local minima on a grid, refined around them."""
-    known = {float(size): cost(float(size)) for size in sizes}
+    known = dict(zip(sizes.tolist(), costs(sizes.tolist()), strict=True))
     found = []
     for centre in _minima(known)[:2]:
         for _ in range(HALVINGS):
             ordered = sorted(known)
             place = ordered.index(centre)
-            for neighbour in (place - 1, place + 1):
-                if 0 <= neighbour < len(ordered):
-                    middle = float(np.sqrt(ordered[place] * ordered[neighbour]))
-                    known[middle] = cost(middle)
+            beside = [ordered[k] for k in (place - 1, place + 1) if 0 <= k < len(ordered)]
+            middles = [float(np.sqrt(centre * other)) for other in beside]
+            known |= dict(zip(middles, costs(middles), strict=True))
             ordered = sorted(known)
             around = ordered[max(ordered.index(centre) - 1, 0) :][:3]
             centre = min(around, key=lambda size: known[size])

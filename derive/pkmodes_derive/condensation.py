@@ -1,0 +1,47 @@
+r"""Coordinates without inertia, eliminated exactly.
+
+A coordinate r of no mass is in equilibrium at every moment, :math:`K_{rr} x_r + K_{rq} x_q = 0`, so it follows the
+others, :math:`x_r = F x_q` with :math:`F = -K_{rr}^{-1} K_{rq}`, and what the others feel is
+:math:`K_{qq} + K_{qr} F`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from sympy import Add, Expr, Integer
+
+Rows = Sequence[Sequence[Expr]]
+
+
+def follow(K: Rows, kept: Sequence[int], massless: Sequence[int]) -> list[list[Expr]]:
+    """All coordinates by those that are kept: rows of the identity, and F.
+
+    By Gauss and Jordan without pivoting: K_rr is positive definite, because every released joint has a spring.
+    """
+    left = [[K[i][j] for j in massless] for i in massless]
+    right = [[-K[i][j] for j in kept] for i in massless]
+    for pivot, row in enumerate(left):
+        divisor = row[pivot]
+        left[pivot] = row = [entry / divisor for entry in row]
+        right[pivot] = [entry / divisor for entry in right[pivot]]
+        for other in range(len(left)):
+            factor = left[other][pivot]
+            if other != pivot and factor != 0:
+                left[other] = [a - factor * b for a, b in zip(left[other], row, strict=True)]
+                right[other] = [a - factor * b for a, b in zip(right[other], right[pivot], strict=True)]
+    rows = {i: [Integer(i == j) for j in kept] for i in kept}
+    rows.update(zip(massless, right, strict=True))
+    return [rows[i] for i in range(len(K))]
+
+
+def condensed(K: Rows, kept: Sequence[int], massless: Sequence[int], by: Rows) -> list[list[Expr]]:
+    """K_qq + K_qr F, with the rows that `follow` gave; the lower triangle repeats the upper one."""
+    upper = {
+        (a, b): Add(K[i][j], *(K[i][r] * by[r][b] for r in massless))
+        for a, i in enumerate(kept)
+        for b, j in enumerate(kept)
+        if a <= b
+    }
+    n = range(len(kept))
+    return [[upper[min(a, b), max(a, b)] for b in n] for a in n]

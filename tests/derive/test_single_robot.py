@@ -1,0 +1,226 @@
+"""The code of one robot with effects: the interface of one without, and an eigenproblem that any solver takes."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+import types
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.linalg import eigh
+
+import pkmodes
+from compiled import build, call
+from pkmodes.generation import specification
+from pkmodes.robot.effects import CATALOGUE
+from pkmodes.robot.reading import robot_from_document
+from pkmodes_derive.emit import product
+from sample_robots import ROBOTS
+
+NAMES = tuple(sorted(path.name for path in ROBOTS.glob("*.toml")))
+POSE = np.array([0.6, 0.03, -0.245])
+VALUES: dict[str, dict[str, float]] = {
+    "payload": {"mass": 0.35},
+    "belt_mass": {"linear_density": 0.06},
+    "gearbox_inertia": {"inertia": 2e-4},
+    "servo_stiffness": {"stiffness": 500.0},
+    "belt_end_compliance": {"compliance": 1e-7},
+    "axis_belt_stiffness": {"factor_1": 0.05, "factor_2": -0.1, "factor_3": 0.02},
+    "cable_stiffness": {"stiffness": 1000.0},
+    "gearbox_compliance": {"compliance": 1e-3},
+    "link_compliance": {"compliance": 1e-7},
+    "clamp_compliance": {"compliance": 1e-7},
+    "frame_compliance": {"compliance": 1e-8},
+}
+COMBINATIONS = (
+    *((name,) for name in VALUES),
+    ("belt_mass", "clamp_compliance"),
+    ("payload", "gearbox_compliance", "clamp_compliance"),
+    ("cable_stiffness", "clamp_compliance", "frame_compliance"),
+)
+LABELS = ["+".join(names) for names in COMBINATIONS]
+
+
+@cache
+def document(name: str) -> dict:
+    return tomllib.loads((ROBOTS / name).read_text(encoding="utf-8"))
+
+
+def robot(name: str, effects: tuple[str, ...], **tables: dict) -> pkmodes.Model:
+    content = {**document(name), "name": "sample", "effects": {effect: VALUES[effect] for effect in effects}}
+    content.update({key: {**content.get(key, {}), **table} for key, table in tables.items()})
+    return pkmodes.Model(robot_from_document(content, "sample.toml"))
+
+
+def generated(model: pkmodes.Model) -> tuple[types.ModuleType, dict[str, str]]:
+    texts = product.specialised(specification(model.robot, "sample.toml"))
+    module = types.ModuleType("sample")
+    exec(compile(texts["sample.py"], "sample.py", "exec"), module.__dict__)
+    return module, texts
+
+
+@cache
+def sample(name: str, effects: tuple[str, ...]) -> tuple[pkmodes.Model, types.ModuleType, dict[str, str]]:
+    model = robot(name, effects)
+    return model, *generated(model)
+
+
+def functions(module: types.ModuleType) -> set[str]:
+    return {name for name in module.__all__ if name.islower()}
+
+
+def prototypes(texts: dict[str, str]) -> set[str]:
+    return set(re.findall(r"^void sample_(\w+)\(", texts["sample.h"], flags=re.MULTILINE))
+
+
+def test_every_effect_has_a_case_here() -> None:
+    assert VALUES.keys() == CATALOGUE.keys()
+
+
+@pytest.mark.parametrize("effects", COMBINATIONS, ids=LABELS)
+def test_the_interface_is_that_of_a_robot_without_effects(effects: tuple[str, ...]) -> None:
+    _, plain, plain_texts = sample(NAMES[0], ())
+    model, module, texts = sample(NAMES[0], effects)
+    condensed = "clamp_compliance" in effects and "belt_mass" not in effects
+    own = {"platform_motion"} | ({"condensation", "uncondensed_matrices"} if condensed else set())
+    assert len(functions(plain)) == 23
+    assert functions(module) == functions(plain) | own
+    assert prototypes(plain_texts) == functions(plain)
+    assert prototypes(texts) == functions(module)
+    assert set(plain.__all__) <= set(module.__all__)
+    assert model.modes(POSE).rigid_modes == module.RIGID_MODES
+    assert len(module.COORDINATE_UNITS) == len(module.COORDINATES)
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("effects", COMBINATIONS, ids=LABELS)
+def test_the_eigenproblem_is_that_of_modes(name: str, effects: tuple[str, ...]) -> None:
+    """By a solver that knows nothing of massless coordinates; shapes are those of `modes`, platform included."""
+    model, module, texts = sample(name, effects)
+    M, K = module.modal_matrices(POSE)
+    np.linalg.cholesky(M)
+    n = len(module.COORDINATES)
+    assert M.shape == K.shape == (n, n)
+    assert f"double M[{n}][{n}], double K[{n}][{n}]" in re.sub(r"\s+", " ", texts["sample.h"])
+    eigenvalues, vectors = eigh(K, M)
+    expected = model.modes(POSE)
+    rigid = expected.rigid_modes
+    found = np.sqrt(np.abs(eigenvalues)) / (2.0 * np.pi)
+    np.testing.assert_allclose(found[rigid:], expected.frequencies[rigid:], rtol=1e-10)
+    # Symmetric robots have repeated modes, so whole sums of shapes are compared: the flexibility.
+    every = module.condensation(POSE) if hasattr(module, "condensation") else np.eye(n)
+    order = module.ALL_COORDINATES if hasattr(module, "condensation") else module.COORDINATES
+    assert list(order) == list(model.coordinates)
+    flexibility = [(s[:, rigid:] / v[rigid:]) @ s[:, rigid:].T for s, v in (
+        (every @ vectors, eigenvalues),
+        (expected.shapes.T, (2.0 * np.pi * expected.frequencies) ** 2),
+    )]  # fmt: skip
+    size = np.sqrt(np.diagonal(flexibility[1]))
+    np.testing.assert_array_less(np.abs(flexibility[0] - flexibility[1]), 1e-8 * np.outer(size, size))
+    motion = module.platform_motion(POSE) @ vectors[:, rigid:]
+    of_modes = expected.platform_shapes[rigid:].T
+    np.testing.assert_allclose(
+        (motion / eigenvalues[rigid:]) @ motion.T,
+        (of_modes / (2.0 * np.pi * expected.frequencies[rigid:]) ** 2) @ of_modes.T,
+        rtol=0,
+        atol=1e-8 * np.abs(of_modes).max() ** 2 / eigenvalues[rigid],
+    )
+
+
+def arguments(module: types.ModuleType, rng: np.random.Generator) -> dict[str, object]:
+    n = len(module.COORDINATES)
+    return {
+        "p": POSE,
+        "x": module.inverse_kinematics(POSE),
+        "assembly": float(np.sign(module.jacobian_condition(POSE)[0])),
+        "x_dot": rng.normal(size=3),
+        "q_dot": rng.normal(size=n),
+        "delta_q": 1e-3 * rng.normal(size=n),
+    }
+
+
+def results(function: object, inputs: list) -> tuple[np.ndarray, ...]:
+    found = function(*inputs)  # type: ignore[operator]
+    return found if isinstance(found, tuple) else (found,)
+
+
+@pytest.mark.parametrize("effects", COMBINATIONS[7:], ids=LABELS[7:])
+def test_c_equals_numpy(tmp_path: Path, effects: tuple[str, ...]) -> None:
+    model, module, texts = sample(NAMES[0], effects)
+    library = build(tmp_path, "sample", texts)
+    given = arguments(module, np.random.default_rng(4))
+    for function in product.of_robot(specification(model.robot, "sample.toml")).functions:
+        inputs = [given[a.name] for a in function.arguments]
+        for a, b in zip(
+            call(library, "sample", function, inputs),
+            results(getattr(module, function.name), inputs),
+            strict=True,
+        ):
+            # Same operations in the same order; the compiler may fuse a product and a sum.
+            np.testing.assert_allclose(a, b, rtol=1e-11, atol=1e-12 * np.abs(b).max(initial=0.0))
+
+
+@pytest.mark.parametrize(
+    ("effect", "tables"),
+    [
+        ("payload", {"platform": {"mass": 1.5 + 0.35}}),
+        ("gearbox_inertia", {"motor": {"inertia": 0.017e-3 + 2e-4 / 100.0}}),
+    ],
+)
+def test_every_function_is_that_of_a_robot_declared_so(effect: str, tables: dict[str, dict]) -> None:
+    """What an effect adds can be declared in the robot file as well, and the code is then the base model's."""
+    _, module, _ = sample("linear-delta-2022.toml", (effect,))
+    declared, _ = generated(robot("linear-delta-2022.toml", (), **tables))
+    given = arguments(module, np.random.default_rng(5))
+    product_functions = product.derive("linear_delta").functions
+    assert {f.name for f in product_functions} == functions(declared)
+    for function in product_functions:
+        inputs = [given[a.name] for a in function.arguments]
+        for a, b in zip(
+            results(getattr(module, function.name), inputs),
+            results(getattr(declared, function.name), inputs),
+            strict=True,
+        ):
+            np.testing.assert_allclose(
+                a, b, rtol=1e-12, atol=1e-12 * np.abs(b).max(initial=0.0), err_msg=function.name
+            )
+
+
+def test_massless_clamps_take_the_least_elastic_energy() -> None:
+    """The condensed energy is the least over the clamps' displacements: the others' energy at any of them is more."""
+    _, module, _ = sample(NAMES[0], ("clamp_compliance",))
+    _, K = module.uncondensed_matrices(POSE)
+    gravity = np.zeros_like(K)
+    gravity[:3, :3] = module.gravity_hessian(POSE)
+    rng = np.random.default_rng(6)
+    q = 1e-3 * rng.normal(size=9)
+    least = module.elastic_potential(POSE, q)
+    every = module.condensation(POSE) @ q
+    np.testing.assert_allclose(every[:9], q, rtol=0, atol=0)
+    assert 0.5 * every @ (K - gravity) @ every == pytest.approx(least, rel=1e-11)
+    for change in 1e-3 * rng.normal(size=(20, 3)):
+        other = every + np.concatenate([np.zeros(9), change])
+        assert 0.5 * other @ (K - gravity) @ other > least
+
+
+def test_a_motor_without_inertia_makes_its_wind_up_massless() -> None:
+    """Which coordinates have no mass depends on the numbers: here on those of one axis."""
+    content = document("linear-delta-2022.toml")
+    axes = [dict(axis) for axis in content["axis"]]
+    axes[1]["motor"] = {**content["motor"], "inertia": 0.0}
+    effects = {
+        "gearbox_compliance": VALUES["gearbox_compliance"],
+        "cable_stiffness": VALUES["cable_stiffness"],
+    }
+    model = pkmodes.Model(
+        robot_from_document({**content, "name": "sample", "axis": axes, "effects": effects}, "sample.toml")
+    )
+    module, _ = generated(model)
+    assert tuple(q for q in model.coordinates if q != "psi_2") == module.COORDINATES
+    assert model.coordinates == module.ALL_COORDINATES
+    eigenvalues = eigh(*module.modal_matrices(POSE)[::-1], eigvals_only=True)
+    frequencies = model.modes(POSE).frequencies
+    np.testing.assert_allclose(np.sqrt(eigenvalues) / (2 * np.pi), frequencies, rtol=1e-9)

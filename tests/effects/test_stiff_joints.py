@@ -1,0 +1,225 @@
+"""Joints from rigid to soft: every compliance from 1e-30 gives the modes of an evaluation in 80 digits.
+
+The stiffness 1/c of a joint stands beside belts of 1e5 N/m, and a symmetric solver errs by rounding of the
+largest eigenvalue.  What is promised here is nine digits of every mode of vibration, soft or stiff.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+import pkmodes
+from high_precision import Exact, exact_derivatives, exact_modes, mp
+from pkmodes.eigen import condensed_eigh, generalised_eigh
+from pkmodes.evaluation import ExtendedEvaluation
+from pkmodes.robot.effects import CATALOGUE
+from sample_robots import Sample, published, random_robot
+from sensitivity_references import robot_of
+
+COMPLIANCES = (1e-30, 1e-20, 1e-15, 1e-14, 1e-12, 1e-9, 1e-6)
+RELEASED = tuple(name for name, effect in CATALOGUE.items() if effect.coordinates)
+#: Effects and what multiplies the compliance in each: alone, with the clamp's mass, and several of different sizes.
+CASES: dict[str, dict[str, float]] = {
+    **{name: {name: 1.0} for name in RELEASED},
+    "heavy clamp": {"clamp_compliance": 1.0, "belt_mass": 0.0},
+    "gearbox, link": {"gearbox_compliance": 1.0, "link_compliance": 1e3},
+}
+SAMPLES = ("published", "random 1", "random 2")
+#: Beside a rigid joint a soft one, with and without inertia, and three more sizes between them.
+MIXED = (
+    {"gearbox_compliance.compliance": 1e-30, "link_compliance.compliance": 1e-6},
+    {"clamp_compliance.compliance": 1e-6, "gearbox_compliance.compliance": 1e-30},
+    {"clamp_compliance.compliance": 1e-30, "gearbox_compliance.compliance": 1e-4},
+    {
+        "gearbox_compliance.compliance": 1e-16,
+        "link_compliance.compliance": 1e-30,
+        "clamp_compliance.compliance": 1e-9,
+        "frame_compliance.compliance": 1e-22,
+        "frame_compliance.mass": 50.0,
+        "belt_mass.linear_density": 0.05,
+    },
+    {
+        "gearbox_compliance.compliance": 1e-30,
+        "gearbox_compliance.compliance.psi_2": 1e-20,
+        "gearbox_compliance.compliance.psi_3": 1e-4,
+    },
+    {"servo_stiffness.stiffness": 100.0, "gearbox_compliance.compliance": 1e-7},
+)
+
+
+def sample(name: str) -> Sample:
+    if name == "published":
+        return published((0.6, 0.03, -0.245))
+    return random_robot(np.random.default_rng(int(name.split()[1])))
+
+
+def effects_of(case: str, compliance: float) -> dict[str, float]:
+    effects = {f"{name}.compliance": compliance * factor for name, factor in CASES[case].items() if factor}
+    if "belt_mass" in CASES[case]:
+        effects["belt_mass.linear_density"] = 0.05
+    if "frame_compliance" in CASES[case]:
+        effects["frame_compliance.mass"] = 50.0
+    return effects
+
+
+def solve(name: str, effects: dict[str, float]) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
+    """Eigenvalues and shapes of the package at a pose, M, and the number of rigid modes."""
+    parameters, p = sample(name)
+    evaluation = ExtendedEvaluation(parameters, effects)
+    M, K = evaluation.matrices(p[None])
+    eigenvalues, shapes = condensed_eigh(M, K, 9, evaluation.rigid_modes)
+    return eigenvalues[0], shapes[0], M[0], evaluation.rigid_modes
+
+
+def alone(eigenvalues: np.ndarray) -> np.ndarray:
+    """Which modes have no neighbour so near that rounding of M would turn their shapes."""
+    near = np.diff(eigenvalues) < 1e-3 * np.abs(eigenvalues[1:])
+    return ~(np.append(near, False) | np.append(False, near))
+
+
+def assert_equal_modes(name: str, effects: dict[str, float]) -> None:
+    eigenvalues, shapes, M, rigid = solve(name, effects)
+    expected = exact_modes(*sample(name)[:1], effects, sample(name)[1])
+    values, rows = expected.values(), expected.rows()
+    # Frequencies to 1e-9, which is 2e-9 of their squares.
+    np.testing.assert_allclose(eigenvalues[rigid:], values[rigid:], rtol=1e-9)
+    scale = np.sqrt(np.where(np.diagonal(M) > 0.0, np.diagonal(M), 0.0))
+    rows *= np.sign(np.sum(rows * shapes * scale**2, axis=1))[:, None]
+    for i in np.flatnonzero(alone(values)):
+        if i < rigid:
+            continue
+        error, whole = np.abs(shapes[i] - rows[i]), np.abs(rows[i] * scale).max()
+        assert (error * scale).max() < 1e-9 * whole
+        # What a stiff joint yields in a soft mode is tiny, and right to its own size.
+        yields = values[i] < 1e-3 * values[-1]
+        own = np.abs(rows[i, 9:]).reshape(-1, 3).max(axis=1).repeat(3)
+        if yields and i < 9:
+            assert (error[9:] <= 1e-9 * own).all()
+            assert own.min() > 0.0
+
+
+@pytest.mark.parametrize("case", list(CASES))
+@pytest.mark.parametrize("name", SAMPLES)
+def test_modes_equal_eighty_digits_at_every_compliance(name: str, case: str) -> None:
+    for compliance in COMPLIANCES:
+        assert_equal_modes(name, effects_of(case, compliance))
+
+
+@pytest.mark.parametrize("effects", MIXED, ids=range(len(MIXED)))
+def test_joints_of_different_sizes_equal_eighty_digits(effects: dict[str, float]) -> None:
+    for name in SAMPLES:
+        assert_equal_modes(name, effects)
+
+
+@cache
+def derivatives(name: str, effect: str, compliance: float) -> tuple[pkmodes.Model, Exact]:
+    effects = effects_of(effect, compliance)
+    return pkmodes.Model(robot_of(sample(name).parameters, effects)), exact_modes(
+        sample(name).parameters, effects, sample(name).pose
+    )
+
+
+@pytest.mark.parametrize("compliance", COMPLIANCES[:-1])
+@pytest.mark.parametrize("effect", [*RELEASED, "heavy clamp"])
+def test_sensitivities_equal_eighty_digits(effect: str, compliance: float) -> None:
+    """By the compliance itself, by a mass and by a stiffness; the matrices' derivatives are tested elsewhere."""
+    name = "random 1"
+    model, modes = derivatives(name, effect, compliance)
+    own = f"{next(iter(CASES[effect]))}.compliance"
+    found = model.sensitivities(sample(name).pose, [f"effects.{own}", "platform.mass", "axis.2.belt.width"])
+    values, rows = modes.values(), modes.rows()
+    listed = model.modes(sample(name).pose).shapes
+    sign = np.sign(np.sum(rows * listed * np.abs(np.diagonal(found.mass_matrix[1])).clip(1e-9), axis=1))
+    assert (np.diff(found.groups[3:]) == 1).all(), "no two modes of vibration are taken for one"
+    for t in range(3):
+        dM, dK = (mp.matrix(a[t].tolist()) for a in (found.mass_matrix, found.stiffness_matrix))
+        if t == 0:
+            places = [model.coordinates.index(q) for q in CATALOGUE[own.split(".")[0]].coordinates]
+            dM, dK = mp.zeros(len(rows[0])), mp.zeros(len(rows[0]))
+            for i in places:
+                dK[i, i] = -1 / mp.mpf(compliance) ** 2
+        for k in range(3, len(values)):
+            rate, shape = exact_derivatives(modes, k, dM, dK)
+            assert found.eigenvalues[t, k] == pytest.approx(float(rate), rel=1e-9), (t, k)
+            frequency = float(rate) / (4 * np.pi * np.sqrt(values[k]))
+            assert found.frequencies[t, k] == pytest.approx(frequency, rel=1e-9), (t, k)
+            if alone(values)[k]:
+                expected = sign[k] * np.array([float(x) for x in shape])
+                error = np.abs(found.shapes[t, k] - expected)
+                for part in (slice(0, 9), slice(9, None)):
+                    if part.start == 0 or k < 9:
+                        # Of a stiff mode's shape a mass changes next to nothing: rounding of the shape is left.
+                        nothing = 1e-14 * np.abs(rows[k]).max() / found.values[t] if k >= 9 else 0.0
+                        bound = 1e-9 * np.abs(expected[part]).max() + nothing
+                        assert error[part].max() < bound, (t, k, part)
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+@pytest.mark.parametrize("effect", RELEASED)
+def test_frequencies_go_to_those_of_the_locked_joint_at_a_linear_rate(name: str, effect: str) -> None:
+    parameters, p = sample(name)
+    locked = pkmodes.Model(robot_of(parameters, {}))
+    base, rate = (
+        locked.modes(p).frequencies,
+        locked.sensitivities(p, [f"effects.{effect}.compliance"]).frequencies,
+    )
+    for compliance in (1e-30, 1e-15, 1e-12):
+        constants = {"frame_compliance.mass": 50.0} if effect == "frame_compliance" else {}
+        found = pkmodes.Model(robot_of(parameters, {f"{effect}.compliance": compliance, **constants})).modes(
+            p
+        )
+        np.testing.assert_allclose(found.frequencies[3:9], base[3:] + rate[0, 3:] * compliance, rtol=1e-10)
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_motor_and_pulley_swing_against_each_other_on_a_stiff_gearbox(name: str) -> None:
+    """Two inertias on a spring: lambda = k (1 / I_motor + 1 / I_pulley), with nothing else felt."""
+    parameters, _ = sample(name)
+    eigenvalues, *_ = solve(name, {"gearbox_compliance.compliance": 1e-20})
+    motor = parameters.gear_ratio**2 * parameters.motor_inertia
+    expected = np.sort(1e20 * (1.0 / motor + 1.0 / parameters.pulley_inertia))
+    np.testing.assert_allclose(eigenvalues[9:], expected, rtol=1e-12)
+
+
+def test_the_symmetric_solver_alone_would_lose_them() -> None:
+    """What the graded form is for; without this the tests above would say nothing."""
+    parameters, p = sample("published")
+    M, K = ExtendedEvaluation(parameters, {"gearbox_compliance.compliance": 1e-15}).matrices(p[None])
+    exact = exact_modes(parameters, {"gearbox_compliance.compliance": 1e-15}, p).values()
+    assert (np.abs(generalised_eigh(M, K)[0][0] / exact - 1.0)[3:9] > 1e-3).any()
+
+
+@pytest.mark.parametrize("compliance", [1e-5, 1e-4, 1e-3])
+def test_joints_of_usual_stiffness_are_solved_as_ever(compliance: float) -> None:
+    """To the last bit, and in one go for a whole batch."""
+    parameters, p = sample("published")
+    evaluation = ExtendedEvaluation(parameters, {"gearbox_compliance.compliance": compliance})
+    M, K = evaluation.matrices(p + np.linspace(0.0, 0.05, 7)[:, None])
+    for found, expected in zip(condensed_eigh(M, K, 9, 3), generalised_eigh(M, K), strict=True):
+        np.testing.assert_array_equal(found, expected)
+
+
+@pytest.mark.parametrize("effect", [*RELEASED, "heavy clamp"])
+def test_no_valid_pose_gives_as_many_modes_as_any(effect: str) -> None:
+    parameters, p = sample("published")
+    model = pkmodes.Model(robot_of(parameters, effects_of(effect, 1e-6)))
+    far, near = ([9.0, 9.0, 9.0] + 0.0 * p)[None], p[None]
+    for kind in ("frequencies", "shapes", "platform_shapes"):
+        none, one = (getattr(model.modes(at, on_error="nan"), kind) for at in (far, near))
+        assert none.shape == one.shape
+        assert np.isnan(none).all()
+    for kind in ("frequencies", "shapes", "groups", "mass_matrix"):
+        none, one = (
+            getattr(model.sensitivities(at, ["platform.mass"], on_error="nan"), kind) for at in (far, near)
+        )
+        assert none.shape == one.shape
+
+
+def test_an_empty_batch_has_the_modes_of_the_coordinates_with_inertia() -> None:
+    massless = np.array([False] * 9 + [True] * 3)
+    eigenvalues, shapes = condensed_eigh(np.zeros((0, 12, 12)), np.zeros((0, 12, 12)), 9, massless=massless)
+    assert eigenvalues.shape == (0, 9)
+    assert shapes.shape == (0, 9, 12)
