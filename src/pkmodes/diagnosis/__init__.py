@@ -10,6 +10,7 @@ from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.diagnose import diagnose
 from pkmodes.diagnosis.matrices import MatrixStructure
 from pkmodes.diagnosis.problem import Candidate, Parameter, Prediction, Structure
+from pkmodes.diagnosis.update import Update, update
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_modes as read_measurements
@@ -24,7 +25,9 @@ __all__ = [
     "Parameter",
     "Prediction",
     "Structure",
+    "Update",
     "compare",
     "diagnose",
     "read_measurements",
+    "update",
 ]

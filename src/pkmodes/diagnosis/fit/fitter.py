@@ -41,6 +41,8 @@ class Fitter:
         Standard deviation of shape components where none is stated, relative to the row's largest.
     widened : float, optional
         Factor by which all priors are wider than declared.
+    parameters : sequence of Parameter, optional
+        Those of the structure with other priors.
     """
 
     def __init__(
@@ -51,11 +53,12 @@ class Fitter:
         scatter: float | None = None,
         *,
         widened: float = 1.0,
+        parameters: Sequence[Parameter] | None = None,
     ) -> None:
         self.structure, self.data = structure, data
         self.criteria = criteria or Criteria()
         self.shape_scatter = self.criteria.shape_scatter if scatter is None else scatter
-        self.parameters: tuple[Parameter, ...] = structure.parameters
+        self.parameters = tuple(structure.parameters if parameters is None else parameters)
         self._index = {p.name: i for i, p in enumerate(self.parameters)}
         self.declared = np.array([p.value for p in self.parameters])
         self.nuisances = tuple(i for i, p in enumerate(self.parameters) if p.sigma)

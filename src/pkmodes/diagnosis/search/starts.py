@@ -70,7 +70,11 @@ def starts(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> list
 
             # There are many pairs, and those that are tried promise much by a linear model.
             closely = sizes is CLOSE_SIZES and not fit.causes and origin is fit.values
-            best = _least(CLOSE_SIZES, costs) if closely else [float(SIZES[int(np.argmin(costs(SIZES.tolist())))])]
+            best = (
+                _least(CLOSE_SIZES, costs)
+                if closely
+                else [float(SIZES[int(np.argmin(costs(SIZES.tolist())))])]
+            )
             steps += [size * unit for size in best]
         some = [at(step) for step in steps]
         here = sorted(zip(fitter.chi2_of_many(some, hypothesis), some, strict=True), key=lambda pair: pair[0])

@@ -74,15 +74,13 @@ def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
 
 def _nuisances(fitter: Fitter, fit: Fit) -> Iterator[str]:
     away = fitter.priors.residual(fit.values)
-    causes = {i for cause in fit.causes for i in fitter.indices(cause)}
     for i, far in zip(fitter.priors.index, away, strict=True):
         p = fitter.parameters[i]
         free = i in fit.free
         unit = "" if p.unit == "1" else f" {p.unit}"
         if free and abs(far) > fitter.criteria.far:
-            kind = "the prior of the cause" if i in causes else "its declared value"
             yield (
-                f"{p.name} = {fit.values[i]:.4g}{unit} is {abs(far):.1f} sigma from {kind} "
+                f"{p.name} = {fit.values[i]:.4g}{unit} is {abs(far):.1f} sigma from its declared value "
                 f"({p.value:.4g}{unit}): the declared value or its sigma is wrong, or it stands for a cause"
             )
     for i in fit.free:

@@ -1,0 +1,231 @@
+"""Update many parameters of a model together, regularised by their priors: a correction of a model, not a cause.
+
+Where many values are a little wrong, none of them is *the* cause, and a search for one would be forced.  The update
+is the most probable model given the measurements and all priors (maximum a posteriori; Friswell and Mottershead,
+Finite Element Model Updating in Structural Dynamics, 1995, chapter 8).  It says of every parameter how much the data
+moved it and how much only its prior holds it, and how well setups are predicted that took no part.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy import stats
+
+from pkmodes.diagnosis.criteria import Criteria
+from pkmodes.diagnosis.diagnose import split
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.match.mistakes import other_unit, other_wiring
+from pkmodes.diagnosis.matrices import at_measured
+from pkmodes.diagnosis.problem import Candidate, Structure
+from pkmodes.diagnosis.verdict.notes import notes
+from pkmodes.diagnosis.verdict.report import Report
+from pkmodes.diagnosis.verdict.result import Error, Row
+from pkmodes.errors import PkmodesError, shown
+from pkmodes.measured.measurements import Measurements
+
+#: Rounds in which the scatter of shapes without a stated one is found.
+ROUNDS = 4
+#: Relative change of the scatter that is small enough.
+SETTLED = 0.02
+
+
+@dataclass(frozen=True)
+class Updated:
+    """One parameter of an update.
+
+    Attributes
+    ----------
+    name, unit : str
+    before, after : float
+    prior_sigma, sigma : float
+        Standard deviations before and after, in the parameter's unit.
+    resolution : float
+        Part of the prior's variance that the data removed, 1 - (sigma / prior_sigma)^2: near 1 the data determine the
+        value, near 0 only the prior holds it.
+    moved : float
+        Change in standard deviations of the prior.
+    at_bound : bool
+    """
+
+    name: str
+    unit: str
+    before: float
+    after: float
+    prior_sigma: float
+    sigma: float
+    resolution: float
+    moved: float
+    at_bound: bool
+
+
+@dataclass(frozen=True)
+class Update:
+    """What an update came to.
+
+    Attributes
+    ----------
+    parameters : tuple of Updated
+        In the order of the structure.
+    correlation : ndarray, shape (k, k)
+        Of their values after the update.
+    before, after : Error
+        Errors of the frequencies of fitted and of held-out rows, and chi-square per degree of freedom.
+    p_value : float
+        Of what is left, against stated errors and priors.
+    held_out_poses : tuple of str
+    rows : tuple of Row
+        Every measured mode with its prediction before and after (`refit` and `after` are the same).
+    shape_scatter : float or None
+        Scatter of the shapes without a stated one, relative to the largest component.
+    notes : tuple of str
+        What a person should read.
+    """
+
+    parameters: tuple[Updated, ...]
+    correlation: np.ndarray
+    before: Error
+    after: Error
+    p_value: float
+    held_out_poses: tuple[str, ...]
+    rows: tuple[Row, ...]
+    shape_scatter: float | None
+    notes: tuple[str, ...]
+
+    @property
+    def values(self) -> dict[str, float]:
+        """Updated values by name."""
+        return {p.name: p.after for p in self.parameters}
+
+
+def update(
+    structure: Structure,
+    data: Measurements,
+    parameters: Sequence[str] | None = None,
+    *,
+    holdout: Sequence[str] | None = None,
+    criteria: Criteria | None = None,
+) -> Update:
+    """Update parameters of a model together.
+
+    Parameters
+    ----------
+    structure : Structure
+        At the setups of the measurements.  Each parameter needs a prior: its own ``sigma``, or that of a candidate.
+    data : Measurements
+    parameters : sequence of str, optional
+        Names of those that may change; by default all that have a prior.
+    holdout : sequence of str, optional
+        Labels of setups that take no part; by default one in six.
+    criteria : Criteria, optional
+
+    Returns
+    -------
+    Update
+
+    Raises
+    ------
+    PkmodesError
+        If a name is unknown or has no prior, nothing could change, or the model cannot be evaluated.
+    """
+    structure = at_measured(structure, data.labels)
+    fitted, held = split(data, holdout)
+    part = structure.subset(fitted)
+    some = data.at(fitted)
+    fitter = Fitter(part, some, criteria)
+    chosen = _chosen(fitter, parameters)
+    fitter, fit = _fitted(fitter, chosen)
+    store, report = FitStore(fitter), Report(structure, data, fitter, held)
+    nothing = np.zeros(len(data.lines), dtype=bool)
+    declared, after = report.stage(fitter.declared), report.stage(fit.values)
+    squares, degrees = store.frequency_misfit(fit)
+    found = tuple(_updated(fitter, fit, i) for i in chosen)
+    k = [fit.free.index(i) for i in chosen]
+    covariance = fit.covariance[np.ix_(k, k)]
+    size = np.sqrt(np.diagonal(covariance))
+    remarks = [text for text in (other_unit(fitter), other_wiring(fitter, fit)) if text]
+    held_by_prior = [p.name for p in found if p.resolution < 0.05]
+    if held_by_prior:
+        remarks.append(f"only their priors hold {', '.join(held_by_prior)}: these data do not tell")
+    if stats.chi2.sf(squares, max(degrees, 1.0)) < fitter.criteria.surely:
+        remarks.append(
+            "the updated model still leaves more than the stated errors: something else is missing"
+        )
+    return Update(
+        parameters=found,
+        correlation=covariance / np.outer(size, size),
+        before=report.error(declared, report.chi2(fitter.declared), len(fitter.log), nothing),
+        after=report.error(after, squares, degrees, nothing),
+        p_value=store.p_value(fit),
+        held_out_poses=tuple(data.labels[i] for i in held),
+        rows=report.rows(declared, after, after, nothing),
+        shape_scatter=store.shape_scatter(fit),
+        notes=(*remarks, *notes(store, fit, adequate=False)),
+    )
+
+
+def _chosen(fitter: Fitter, parameters: Sequence[str] | None) -> list[int]:
+    names = [p.name for p in fitter.parameters]
+    if isinstance(parameters, str):
+        what = f"expected a list of names, found {shown(parameters)}"
+        raise PkmodesError(what, "parameters", f"write [{shown(parameters)}]")
+    for name in parameters or ():
+        if name not in names:
+            what = f"there is no parameter {shown(name)}"
+            raise PkmodesError(what, "parameters", f"parameters are: {', '.join(names)}")
+        if fitter.priors.of(names.index(name)) is None:
+            what = f"the parameter {shown(name)} has no prior"
+            remedy = "give it a sigma: an update needs to know how far each value may plausibly be off"
+            raise PkmodesError(what, "parameters", remedy)
+    chosen = [i for i, name in enumerate(names) if parameters is None or name in parameters]
+    chosen = [i for i in chosen if fitter.priors.of(i) is not None]
+    if not chosen:
+        raise PkmodesError("no parameter has a prior", "parameters", "give a sigma to what may change")
+    return chosen
+
+
+def _fitted(fitter: Fitter, chosen: Sequence[int]) -> tuple[Fitter, Fit]:
+    """Fit all of them, with the scatter of shapes that is left where none is stated."""
+    names = tuple(fitter.parameters[i].name for i in chosen)
+    # Those with a sigma of their own that were not asked for stay where they are declared.
+    kept = tuple(p if p.name in names else replace(p, sigma=None) for p in fitter.parameters)
+    c, scatter, start = fitter.criteria, fitter.shape_scatter, None
+    hypothesis = Hypothesis((Candidate("update", names),))
+    rounds = ROUNDS
+    while True:
+        fitter = Fitter(fitter.structure, fitter.data, c, scatter, parameters=kept)
+        fit = fitter.fit(hypothesis, start)
+        if fit is None:
+            what = "the model cannot be evaluated with its declared values"
+            raise PkmodesError(what, fitter.data.source, "check the parameters and the setups")
+        left, start, rounds = FitStore(fitter).shape_scatter(fit), fit.values, rounds - 1
+        if left is None or not rounds:
+            return fitter, fit
+        scatter = float(np.clip(left, c.least_shape_scatter, c.most_shape_scatter))
+        if abs(scatter / fitter.shape_scatter - 1.0) < SETTLED:
+            return fitter, fit
+
+
+def _updated(fitter: Fitter, fit: Fit, i: int) -> Updated:
+    p, k = fitter.parameters[i], fit.free.index(i)
+    row = fitter.priors.of(i)
+    assert row is not None
+    prior = float(fitter.priors.width(fit.values)[row])
+    sigma = float(np.sqrt(fit.covariance[k, k]))
+    width = 1e-3 * max(abs(p.value), abs(fit.values[i]), prior)
+    near = [np.isfinite(bound) and abs(fit.values[i] - bound) <= width for bound in (p.lower, p.upper)]
+    return Updated(
+        name=p.name,
+        unit=p.unit,
+        before=p.value,
+        after=float(fit.values[i]),
+        prior_sigma=prior,
+        sigma=min(sigma, prior),
+        resolution=max(1.0 - (sigma / prior) ** 2, 0.0),
+        moved=float(fitter.priors.residual(fit.values)[row]),
+        at_bound=any(near),
+    )
