@@ -75,6 +75,9 @@ def test_optional_columns_may_be_absent_and_columns_are_in_any_order(tmp_path: P
     assert found.shapes.shape == (1, 0)
     assert found.point_sigma.tolist() == [[0.0, 0.0, 0.0]]
     assert np.isnan(found.damping).all()
+    assert np.isnan(found.damping_sigma).all()
+    assert np.isnan(found.shape_sigma).all()
+    assert found.band is None
     assert found.mode == ("",)
 
 

@@ -11,6 +11,7 @@ from pkmodes.diagnosis.matrices import MatrixStructure
 from pkmodes.diagnosis.problem import Candidate, Parameter, Prediction, Structure
 from pkmodes.diagnosis.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.reading import read_modes as read_measurements
 
 __all__ = [
     "Candidate",
@@ -23,4 +24,5 @@ __all__ = [
     "Structure",
     "compare",
     "diagnose",
+    "read_measurements",
 ]

@@ -39,6 +39,12 @@ class Columns:
         Coordinates at which shapes were measured.
     shapes : ndarray, shape (R, C)
         Components of the mode shapes, any scale per row, NaN where not measured.
+    shape_sigma : ndarray, shape (R,)
+        Standard deviation of the row's shape components relative to the largest of them, NaN where not stated.
+    damping_sigma : ndarray, shape (R,)
+        Standard deviation of the damping ratio, NaN where there is no damping.
+    band : tuple of float, or None
+        Lowest and highest frequency at which modes were looked for [Hz]; None where that is not stated.
     """
 
     source: str
@@ -53,3 +59,6 @@ class Columns:
     lines: Integers
     channels: tuple[str, ...]
     shapes: Array
+    shape_sigma: Array
+    damping_sigma: Array
+    band: tuple[float, float] | None

@@ -16,12 +16,16 @@ from pkmodes.errors import MeasurementError, shown
 from pkmodes.measured.columns import Array, Columns
 from pkmodes.measured.rules import (
     SHAPE,
+    checked_band,
     position_problems,
     refuse,
     repetitions,
     text_problems,
     value_problems,
 )
+
+#: Standard deviation of a damping ratio, relative to it, where none is stated.
+DAMPING_SIGMA = 0.2
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,11 +59,15 @@ class Measurements(Columns):
             "damping": (rows,),
             "lines": (rows,),
             "shapes": (rows, channels),
+            "shape_sigma": (rows,),
+            "damping_sigma": (rows,),
         }.items():
             whole = name in ("pose", "lines")
             array = _array(getattr(self, name), name, shape, self.source, whole)
             array.flags.writeable = False
             object.__setattr__(self, name, array)
+        if self.band is not None:
+            object.__setattr__(self, "band", checked_band(self.band, f"{self.source}: band"))
         used, first = np.unique(self.pose, return_index=True)
         if not np.array_equal(used, np.arange(poses)) or (np.diff(first) < 0).any():
             raise MeasurementError(
@@ -81,6 +89,9 @@ class Measurements(Columns):
         damping: ArrayLike | None = None,
         mode: Sequence[object] | None = None,
         shapes: Mapping[str, ArrayLike] | None = None,
+        shape_sigma: ArrayLike | None = None,
+        damping_sigma: ArrayLike | None = None,
+        band: tuple[float, float] | None = None,
         source: str = "measurements",
         lines: ArrayLike | None = None,
     ) -> Measurements:
@@ -102,6 +113,13 @@ class Measurements(Columns):
             The experimenter's own numbering.
         shapes : mapping of str to array_like of shape (R,), optional
             Shape components by coordinate, NaN where not measured.
+        shape_sigma : array_like, shape (R,), optional
+            Standard deviation of each row's shape components relative to the largest of them, above 0 and below
+            1; NaN where it is not known.
+        damping_sigma : array_like, shape (R,), optional
+            Standard deviations of the damping ratios, by default and where NaN a fifth of them.
+        band : tuple of float, optional
+            Lowest and highest frequency at which modes were looked for [Hz].
         source : str
             Where they come from, for messages.
         lines : array_like of int, shape (R,), optional
@@ -133,6 +151,12 @@ class Measurements(Columns):
             first.setdefault(label, i)
         index = {label: i for i, label in enumerate(first)}
         introduced = list(first.values())
+        ratios = np.full(rows, np.nan) if damping is None else _array(damping, "damping", (rows,), source)
+        unsure = (
+            np.full(rows, np.nan)
+            if damping_sigma is None
+            else _array(damping_sigma, "damping_sigma", (rows,), source)
+        )
         found = cls(
             source=source,
             labels=tuple(first),
@@ -141,11 +165,14 @@ class Measurements(Columns):
             pose=np.array([index[label] for label in names], dtype=int),
             frequency=np.asarray(frequency),
             sigma=np.asarray(sigma),
-            damping=np.full(rows, np.nan) if damping is None else np.asarray(damping),
+            damping=ratios,
             mode=("",) * rows if mode is None else tuple(str(number) for number in mode),
             lines=np.arange(1, rows + 1) if lines is None else np.asarray(lines),
             channels=tuple(shapes),
             shapes=np.stack(columns, axis=-1) if columns else np.empty((rows, 0)),
+            shape_sigma=np.full(rows, np.nan) if shape_sigma is None else np.asarray(shape_sigma),
+            damping_sigma=np.where(np.isnan(unsure), DAMPING_SIGMA * ratios, unsure),
+            band=band,
         )
         problems = [*position_problems(found, places, spreads), *repetitions(found)]
         refuse(problems, source, found.lines)
@@ -191,6 +218,9 @@ class Measurements(Columns):
             lines=self.lines[rows],
             channels=self.channels,
             shapes=self.shapes[rows],
+            shape_sigma=self.shape_sigma[rows],
+            damping_sigma=self.damping_sigma[rows],
+            band=self.band,
         )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -34,6 +34,20 @@ def refuse(problems: Sequence[Problem], source: str, lines: Integers) -> None:
         if len(problems) > 1:
             where += f", the first of {len(problems)} problems"
         raise MeasurementError(first.what, where, first.remedy)
+
+
+def checked_band(band: Iterable[float], where: str) -> tuple[float, float]:
+    """The band in which modes were looked for [Hz], or what is wrong with it."""
+    try:
+        low, high = (float(limit) for limit in band)
+    except (TypeError, ValueError):
+        raise MeasurementError(
+            "expected two frequencies", where, "give the lower and the higher one in Hz"
+        ) from None
+    if not SMALLEST <= low < high <= LARGEST:
+        what = f"expected a lower and a higher frequency, both above 0 Hz, found {low:g} Hz and {high:g} Hz"
+        raise MeasurementError(what, where, "give the lower one first")
+    return low, high
 
 
 def value_problems(given: Columns, first: Integers) -> Iterator[Problem]:
@@ -77,6 +91,29 @@ def value_problems(given: Columns, first: Integers) -> Iterator[Problem]:
     yield from broken(
         "damping", damping, ratio, "a damping ratio of at least 0 and below 1", "write 0.02 for 2 %"
     )
+    unsure = (
+        ~ratio | np.isnan(given.damping_sigma) | ((given.damping_sigma >= 0.0) & (given.damping_sigma < 1.0))
+    )
+    yield from broken(
+        "sigma_damping",
+        given.damping_sigma,
+        unsure,
+        "a standard deviation of at least 0 and below 1",
+        "write that of the damping ratio, or leave it blank",
+    )
+    rough = np.isnan(given.shape_sigma) | ((given.shape_sigma >= SMALLEST) & (given.shape_sigma < 1.0))
+    yield from broken(
+        "sigma_shape",
+        given.shape_sigma,
+        rough,
+        "a standard deviation above 0 and below 1, relative to the largest component",
+        "write 0.05 for 5 %, or leave it blank",
+    )
+    if given.band is not None:
+        low, high = given.band
+        inside = ((frequency >= low) & (frequency <= high)) | ~positive
+        expected = f"a frequency in the band from {low:.10g} Hz to {high:.10g} Hz"
+        yield from broken("frequency", frequency, inside, expected, "correct the row or the band")
     for k, name in enumerate(given.channels):
         part = given.shapes[:, k]
         good = np.isnan(part) | (np.abs(part) <= LARGEST)

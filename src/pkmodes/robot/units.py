@@ -6,6 +6,7 @@ Conversion is done in decimal arithmetic, so that ``"35 mm"`` is the double near
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cache
@@ -128,6 +129,32 @@ def _convert(number: Decimal, unit: str, si_unit: str, expected: str, text: str)
         raise QuantityError(f"{expected}, found {shown(text)}, which is {article(kind)}") from error
     except (TypeError, ArithmeticError) as error:  # logarithmic units, offsets
         raise QuantityError(f"{expected}, found {shown(text)}, whose unit is not proportional") from error
+
+
+def base_units(unit: str) -> tuple[Decimal, Mapping[str, object]]:
+    """A unit in base units: its factor, and the powers of those, such as (0.001, {"meter": 1}) for ``"mm"``.
+
+    An angle counts as a base unit, so that rad/s is told from Hz; ``"1"`` has none.
+
+    Raises
+    ------
+    QuantityError
+        If it is not a unit, unknown, or not proportional to a base unit.
+    """
+    if unit == "1":
+        return Decimal(1), {}
+    if len(unit) > LONGEST or UNIT.fullmatch(unit) is None:
+        raise QuantityError(f"{shown(unit)} is not a unit")
+    registry = _registry()
+    try:
+        found, twice = (
+            registry.Quantity(Decimal(number), registry.Unit(unit)).to_root_units() for number in (1, 2)
+        )
+    except Exception as error:  # pint and its tokenizer raise many kinds of errors on malformed units
+        raise QuantityError(f"the unit {shown(unit)} is unknown") from error
+    if twice.magnitude != 2 * found.magnitude:  # an offset, as of degC
+        raise QuantityError(f"the unit {shown(unit)} is not proportional")
+    return found.magnitude, dict(found._units)
 
 
 def _dimension_name(dimensionality: str) -> str:

@@ -1,0 +1,163 @@
+"""The header of a measurement file: which column holds what, and in which unit.
+
+A name may be followed by a unit, ``frequency [rad/s]``.  What a column without one holds is in SI units, and
+frequencies in Hz.
+"""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Collection, Mapping, Sequence
+from decimal import Decimal
+from typing import NamedTuple, NoReturn
+
+from pkmodes.errors import MeasurementError, shown
+from pkmodes.measured.rules import COMPONENTS, SHAPE
+from pkmodes.robot.units import QuantityError, base_units
+
+#: Columns that hold no numbers.
+TEXT = ("pose", "mode")
+ALWAYS = ("pose", "frequency", "sigma")
+SPREADS = tuple(f"sigma_{name}" for name in COMPONENTS)
+#: SI unit of what a column holds; those of shapes are the channels'.
+UNITS = {
+    "frequency": "Hz",
+    "sigma": "Hz",
+    "damping": "1",
+    "sigma_damping": "1",
+    "sigma_shape": "1",
+    **dict.fromkeys((*COMPONENTS, *SPREADS), "m"),
+}
+EXAMPLES = {"Hz": '"Hz" or "rad/s"', "1": '"%"', "m": '"mm"', "rad": '"deg"'}
+#: Units of a shape component where nobody says what it is: a displacement or a rotation.
+MOTIONS = ("m", "rad")
+#: Radians in one cycle: an angular frequency is not a frequency.
+CYCLE = Decimal("6.28318530717958647692528676656")
+
+IN_BRACKETS = re.compile(r"(.*?)\s*\[([^\[\]]*)\]")
+
+
+class Column(NamedTuple):
+    """A column: its name without the unit, the header's text, the unit and its factor to SI, None without one."""
+
+    name: str
+    text: str
+    unit: str
+    factor: Decimal | None
+
+
+def read_header(
+    cells: Sequence[str], where: str, channels: Collection[str] | Mapping[str, str], positions: bool
+) -> list[Column]:
+    """Columns of a header, every one known and none there twice.
+
+    Parameters
+    ----------
+    cells : sequence of str
+    where : str
+        File and line.
+    channels : collection of str, or mapping of str to str
+        Coordinates that a shape column may name; a mapping gives their SI units.
+    positions : bool
+        Whether x, y and z have to be there.
+
+    Raises
+    ------
+    MeasurementError
+    """
+    required = ("pose", *COMPONENTS, "frequency", "sigma") if positions else ALWAYS
+    known = ["pose", *COMPONENTS, "frequency", "sigma", *SPREADS]
+    known += ["damping", "sigma_damping", "mode", "sigma_shape", *(f"{SHAPE}{name}" for name in channels)]
+    help_text = f"begin with a header such as {','.join(required)}"
+    if len(cells) == 1 and re.search(r"[;\t|]", cells[0]):
+        _refuse(f"expected columns separated by commas, found {shown(cells[0])}", where, help_text)
+    parts = [_parted(cell, known) for cell in cells]
+    names = [name for name, _ in parts]
+    if not set(names) & set(required):
+        _refuse(f"expected the names of the columns, found {shown(','.join(cells))}", where, help_text)
+    columns: list[Column] = []
+    for i, (cell, (name, unit)) in enumerate(zip(cells, parts, strict=True)):
+        place = f"{where}, column {i + 1}"
+        if name not in known:
+            _refuse_unknown(name, place, known)
+        if name in names[:i]:
+            what = f"the column {shown(name)} is there twice, first as column {names.index(name) + 1}"
+            _refuse(what, place, "remove one of them")
+        factor = None if unit is None else _factor(name, unit, place, channels)
+        columns.append(Column(name, cell, unit or "", factor))
+    for name in required:
+        if name not in names:
+            _refuse(f'the column "{name}" is missing', where, help_text)
+    placed = [name for name in COMPONENTS if name in names]
+    for name in names:
+        if name in (*COMPONENTS, *SPREADS) and len(placed) < len(COMPONENTS):
+            missing = next(other for other in COMPONENTS if other not in placed)
+            what = f'the column "{name}" is there, and "{missing}" is not'
+            _refuse(what, where, "give x, y and z, or nothing of a position")
+    return columns
+
+
+def frequency_factor(unit: str) -> Decimal:
+    """What a frequency in this unit is multiplied with to be in Hz.
+
+    Raises
+    ------
+    QuantityError
+        If it is not a unit of frequency.
+    """
+    factor, powers = base_units(unit)
+    if powers == {"second": -1}:
+        return factor
+    if powers == {"radian": 1, "second": -1}:
+        return factor / CYCLE
+    raise QuantityError(f"{shown(unit)} is not a unit of frequency")
+
+
+def _parted(cell: str, known: Sequence[str]) -> tuple[str, str | None]:
+    """Name and unit; brackets may also belong to the name of a channel."""
+    if cell in known or (match := IN_BRACKETS.fullmatch(cell)) is None:
+        return cell, None
+    return match[1], match[2].strip()
+
+
+def _refuse(what: str, where: str, remedy: str) -> NoReturn:
+    raise MeasurementError(what, where, remedy)
+
+
+def _refuse_unknown(name: str, place: str, known: Sequence[str]) -> NoReturn:
+    if not name:
+        _refuse("expected the name of a column, found nothing", place, "name the column or remove it")
+    what = f"{shown(name)} names no coordinate" if name.startswith(SHAPE) else f"unknown column {shown(name)}"
+    bare = re.sub(r"\s*\(.*\)$", "", name)
+    if bare != name and bare in known:
+        _refuse(what, place, f"write a unit in square brackets: {bare} [{name[len(bare) :].strip(' ()')}]")
+    nearest = difflib.get_close_matches(name, known, n=1, cutoff=0.5)
+    _refuse(what, place, f'did you mean "{nearest[0]}"?' if nearest else f"known are: {', '.join(known)}")
+
+
+def _factor(
+    name: str, unit: str, place: str, channels: Collection[str] | Mapping[str, str]
+) -> Decimal | None:
+    """What the numbers of a column are multiplied with to be in SI units."""
+    if name in TEXT:
+        what = f"the column {shown(name)} has a unit, {shown(unit)}, and holds no quantity"
+        _refuse(what, place, f'write "{name}" alone')
+    if name in UNITS:
+        allowed: tuple[str, ...] = (UNITS[name],)
+    elif isinstance(channels, Mapping):
+        allowed = (channels[name.removeprefix(SHAPE)],)
+    else:
+        allowed = MOTIONS
+    expected = " or ".join(EXAMPLES.get(one, f'"{one}"') for one in allowed)
+    remedy = "write a unit of that kind, or none for SI units"
+    try:
+        if allowed == ("Hz",):
+            return frequency_factor(unit)
+        factor, powers = base_units(unit)
+        if powers in [base_units(one)[1] for one in allowed]:
+            return factor
+        problem = f"{shown(unit)} is of another kind"
+    except QuantityError as error:
+        problem = str(error)
+    raise MeasurementError(f"expected a unit such as {expected} for {name}: {problem}", place, remedy)

@@ -1,0 +1,186 @@
+"""The text of a measurement file as rows of cells, and the cells as numbers in SI units."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+import re
+from collections.abc import Sequence
+from decimal import Decimal
+from typing import NamedTuple
+
+import numpy as np
+
+from pkmodes.errors import MeasurementError, shown
+from pkmodes.measured.header import TEXT, Column, frequency_factor
+from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.rules import COMPONENTS, SHAPE, Problem, checked_band, refuse
+from pkmodes.robot.units import QuantityError
+
+#: What a blank cell means, in the columns where one is allowed.
+BLANK = {"sigma_x": 0.0, "sigma_y": 0.0, "sigma_z": 0.0, "damping": math.nan}
+#: Columns where none is.
+FILLED = ("pose", *COMPONENTS, "frequency", "sigma")
+
+# Stricter than float(): no "nan", no "1_000", no digits of other scripts.
+NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
+#: A comment that states the band.  One that lacks the colon is a mistake that would pass unseen.
+BAND = re.compile(r"#\s*band\s*(:|=|(?=\s[0-9.]))(.*)", re.IGNORECASE)
+BAND_HELP = 'write "# band: 10 Hz, 400 Hz", or begin the comment with another word'
+
+
+class Lines(NamedTuple):
+    """Lines that hold cells, with their numbers, and the band, where a comment states one."""
+
+    records: list[tuple[int, str]]
+    band: tuple[float, float] | None
+
+
+def read_lines(text: str, source: str) -> Lines:
+    """Part a file into its records and what its comments state.
+
+    Raises
+    ------
+    MeasurementError
+        If a band is none, or another one than before.
+    """
+    records: list[tuple[int, str]] = []
+    band: tuple[float, float] | None = None
+    stated = 0
+    for number, line in enumerate(io.StringIO(text, newline=None), start=1):
+        line, where = line.strip(), f"{source}: line {number}"
+        if (match := BAND.fullmatch(line.rstrip(",; \t"))) is not None:
+            if match[1] != ":":
+                raise MeasurementError(
+                    f"expected a colon after the word, found {shown(line)}", where, BAND_HELP
+                )
+            found = parse_band(match[2], where)
+            if band not in (None, found):
+                what = f"this band is not that of line {stated}"
+                raise MeasurementError(what, where, "remove one of them")
+            band, stated = found, number
+        elif line and not line.startswith("#"):
+            records.append((number, line))
+    return Lines(records, band)
+
+
+def cells_of(line: str, where: str) -> list[str]:
+    """Cells of one line: a cell that went on in the next line would only be a quote that is not closed.
+
+    Raises
+    ------
+    MeasurementError
+        If it is not CSV.
+    """
+    try:
+        (cells,) = csv.reader([line], strict=True, skipinitialspace=True)
+    except csv.Error as error:
+        remedy = "close every quote on its line, and put a comma right after it"
+        raise MeasurementError(f"not valid CSV: {error}", where, remedy) from None
+    return [cell.strip() for cell in cells]
+
+
+def parse_band(text: str, where: str) -> tuple[float, float]:
+    """Read a band such as ``10 Hz, 400 Hz``; numbers without a unit are in Hz.
+
+    Parameters
+    ----------
+    text : str
+    where : str
+        For messages.
+
+    Returns
+    -------
+    low, high : float
+        [Hz].
+
+    Raises
+    ------
+    MeasurementError
+        If it is not two frequencies above 0, the lower one first.
+    """
+    limits: list[float] = []
+    parts = text.split(",")
+    for part in parts if len(parts) == 2 else ():
+        number, *unit = part.split(maxsplit=1) or [""]
+        glued = NUMBER.match(number)  # also "10Hz"
+        if glued is not None and glued.end() < len(number):
+            number, unit = glued[0], [" ".join([number[glued.end() :], *unit])]
+        try:
+            factor = frequency_factor(unit[0]) if unit else None
+        except QuantityError as error:
+            raise MeasurementError(f"expected a band in Hz: {error}", where, BAND_HELP) from None
+        value = _number(number, factor)
+        if value is not None:
+            limits.append(value)
+    if len(limits) != 2:
+        what = f"expected a lower and a higher frequency, found {shown(text.strip())}"
+        raise MeasurementError(what, where, BAND_HELP)
+    return checked_band(limits, where)
+
+
+def read_table(columns: Sequence[Column], lines: Lines, source: str) -> Measurements:
+    """Convert the cells below the header; every cell that is not what its column holds is a problem of its own.
+
+    Raises
+    ------
+    MeasurementError
+        With the first problem.
+    """
+    records = lines.records[1:]
+    if not records:
+        what = "expected a row for each identified mode, found a header only"
+        raise MeasurementError(what, source, "add the rows")
+    numbers_of_lines = np.array([line for line, _ in records])
+    texts: dict[str, list[str]] = {name: [] for name in TEXT}
+    numbers: dict[str, list[float]] = {column.name: [] for column in columns if column.name not in TEXT}
+    problems: list[Problem] = []
+    for row, (number, line) in enumerate(records):
+        cells = cells_of(line, f"{source}: line {number}")
+        if len(cells) != len(columns):
+            short = len(cells) < len(columns)
+            place = columns[len(cells)].text if short else str(len(columns) + 1)
+            what = f"expected {len(columns)} cells, found {len(cells)}"
+            remedy = "leave the cells of optional columns blank, but keep their commas"
+            problems.append(Problem(row, place, what, remedy if short else "remove what is too much"))
+            continue
+        for column, cell in zip(columns, cells, strict=True):
+            if column.name in TEXT:
+                texts[column.name].append(cell)
+            elif not cell and column.name not in FILLED:
+                numbers[column.name].append(BLANK.get(column.name, math.nan))
+            elif (value := _number(cell, column.factor)) is not None:
+                numbers[column.name].append(value)
+            else:
+                what = f"expected a finite number, found {shown(cell) if cell else 'nothing'}"
+                unit = column.unit or "SI units"
+                remedy = f"write a plain number in {unit}, with a point for the decimals"
+                problems.append(Problem(row, column.text, what, remedy))
+    refuse(problems, source, numbers_of_lines)
+    blank = [0.0] * len(records)
+    return Measurements.from_rows(
+        texts["pose"],
+        numbers["frequency"],
+        numbers["sigma"],
+        points=np.array([numbers.get(name, blank) for name in COMPONENTS]).T,
+        point_sigma=np.array([numbers.get(f"sigma_{name}", blank) for name in COMPONENTS]).T,
+        damping=numbers.get("damping"),
+        mode=texts["mode"] or None,
+        shapes={
+            name.removeprefix(SHAPE): column for name, column in numbers.items() if name.startswith(SHAPE)
+        },
+        shape_sigma=numbers.get("sigma_shape"),
+        damping_sigma=numbers.get("sigma_damping"),
+        band=lines.band,
+        source=source,
+        lines=numbers_of_lines,
+    )
+
+
+def _number(text: str, factor: Decimal | None) -> float | None:
+    """The number in a cell in SI units, None if it is not one."""
+    value = float(text) if NUMBER.fullmatch(text) else math.nan
+    if factor is not None and value and math.isfinite(value):
+        value = float(Decimal(text) * factor)  # in decimals, so that 35 mm is the double nearest to 0.035
+    return value if math.isfinite(value) else None
