@@ -81,12 +81,15 @@ class Prediction:
         Mode shapes in the model's channels, mass-normalised.
     rigid : int
         Leading modes that are rigid-body motions and not measured.
+    shape_rates : ndarray, shape (S, m, C, T), or None
+        Derivatives of the shapes by the parameters that were asked for, where they were asked for.
     """
 
     eigenvalues: Array
     rates: Array
     shapes: Array
     rigid: int = 0
+    shape_rates: Array | None = None
 
     @property
     def log_frequencies(self) -> Array:
@@ -126,7 +129,7 @@ class Structure(Protocol):
     def channels(self) -> tuple[str, ...]:
         """Names of the shape components."""
 
-    def predict(self, values: Array, by: Sequence[int]) -> Prediction:
+    def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
         """Modes for these values of all parameters, with derivatives by some of them (indices)."""
 
     def subset(self, setups: Sequence[int]) -> Structure:
