@@ -76,6 +76,7 @@ def test_sensors_measure_any_combination_of_coordinates(form: Any) -> None:
         ({"channels": ["a", "b"]}, "give one channel for each coordinate, or coordinates= or sensors="),
         ({"modes": 0}, "expected more modes than the rigid ones"),
         ({"modes": 2, "rigid": 2}, "expected more modes than the rigid ones"),
+        ({"modes": 2.5}, "in whole numbers, found 2.5"),
     ],
 )
 def test_sensors_that_do_not_fit_are_refused(options: dict[str, Any], message: str) -> None:
@@ -310,6 +311,7 @@ class Unusual:
         ((np.eye(2), np.eye(3)), r"expected K of shape \(2, 2\) for 2 channels, found \(3, 3\)"),
         ((np.ones(2), np.eye(2)), r"expected M of shape \(2, 2\)"),
         ((sparse.eye_array(3), np.eye(2)), r"expected M of shape \(2, 2\)"),
+        ((np.eye(2), np.eye(2, dtype=np.float32)), "expected K in double precision, found float32"),
         ((np.eye(2), np.array([[1.0, 0.2], [0.1, 1.0]])), "expected K finite and symmetric"),
         ((np.eye(2), sparse.csr_array([[1.0, 0.2], [0.1, 1.0]])), "expected K finite and symmetric"),
     ],
@@ -339,6 +341,18 @@ def test_an_exception_of_a_callable_is_an_error_that_names_the_values() -> None:
     assert isinstance(error.value.__cause__, ValueError)
     with pytest.raises(PkmodesError, match="ZeroDivisionError"):
         built(lambda values, _: 1 / 0)
+
+
+@pytest.mark.parametrize("n", [3, 250])
+def test_a_callable_may_use_its_arrays_again(n: int) -> None:
+    M, K = np.eye(n), np.zeros((n, n))
+
+    def matrices(values, setup) -> tuple[Any, Any]:
+        K[np.diag_indices(n)] = values["k"] * np.arange(1, n + 1)
+        return M, K
+
+    found = built(matrices, channels=[str(i) for i in range(n)], modes=2).predict(np.array([3.0, 1.0]), (0,))
+    assert found.rates[0, :, 0] == pytest.approx([1.0, 2.0])
 
 
 @pytest.mark.parametrize(

@@ -100,8 +100,9 @@ class MatrixStructure:
             check_parameter(p)
         for candidate in self.candidates:
             check_candidate(candidate, {p.name: p for p in self.parameters})
-        if rigid < 0 or (modes is not None and modes <= rigid):
-            what = f"expected more modes than the rigid ones, found {modes} and {rigid}"
+        whole = isinstance(rigid, int) and isinstance(modes, int | None)
+        if not whole or rigid < 0 or (modes is not None and modes <= rigid):
+            what = f"expected more modes than the rigid ones, in whole numbers, found {modes} and {rigid}"
             raise PkmodesError(what, "modes", "ask for as many as were measured, and the rigid ones")
         self._map = sensor_map(self.channels, coordinates, sensors)
         self._size = len(self.channels) if self._map is None else self._map.shape[1]

@@ -170,6 +170,10 @@ class Supplied:
             found = "complex numbers" if given.dtype.kind == "c" else f"values of type {given.dtype}"
             remedy = "give real matrices: the modes are those without damping"
             raise PkmodesError(f"expected {name} of real numbers, found {found}", where, remedy)
+        if given.dtype.kind == "f" and given.dtype.itemsize < 8 and self.derivatives is None:
+            what = f"expected {name} in double precision, found {given.dtype}"
+            remedy = "assemble it in float64, which differences need, or give derivatives"
+            raise PkmodesError(what, where, remedy)
         n = self.expected
         if given.shape != (n, n):
             what = f"expected {name} of shape {(n, n)} for {self.reason}, found {given.shape}"
@@ -178,7 +182,7 @@ class Supplied:
             )
         if is_sparse(given):
             return sparse.csc_array(given).astype(float)
-        return given.astype(float, copy=False)
+        return given.astype(float)  # a copy: a callable may use its arrays again
 
 
 def is_sparse(matrix: Any) -> bool:
