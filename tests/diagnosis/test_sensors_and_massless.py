@@ -343,6 +343,18 @@ def test_an_exception_of_a_callable_is_an_error_that_names_the_values() -> None:
         built(lambda values, _: 1 / 0)
 
 
+def test_a_parameter_without_the_bounds_that_it_needs_is_no_parameter_without_effect() -> None:
+    def matrices(values, setup) -> tuple[Any, Any]:
+        with np.errstate(invalid="ignore"):
+            return np.eye(2), np.diag([1.0, 2.0]) * (1.0 + np.sqrt(values["k"] - 1.0))
+
+    structure = built(matrices)
+    assert np.isfinite(structure.predict(np.array([1.5, 1.0]), (0,)).rates).all()
+    with pytest.raises(PkmodesError, match="finite on both sides of k = 1") as error:
+        structure.predict(np.array([1.0, 1.0]), (0,))
+    assert "bounds" in error.value.remedy
+
+
 @pytest.mark.parametrize("n", [3, 250])
 def test_a_callable_may_use_its_arrays_again(n: int) -> None:
     M, K = np.eye(n), np.zeros((n, n))

@@ -113,7 +113,7 @@ class Supplied:
         """The same by differences, with a step that changes the matrices as much as it should."""
         p = self.parameters[i]
         step = CHANGE * (max(abs(values[i]), p.sigma or 0.0) or 1.0)
-        rates = None
+        rates, finite = None, False
         for _ in range(TRIALS):
             ahead, behind = values.copy(), values.copy()
             ahead[i], behind[i] = min(values[i] + step, p.upper), max(values[i] - step, p.lower)
@@ -121,6 +121,7 @@ class Supplied:
             if any(pair is None for pair in differences):  # the step is far too large
                 step *= 1e-3
                 continue
+            finite = True
             known = [pair for pair in differences if pair is not None]
             change = max(
                 _relative(d, of)
@@ -136,6 +137,10 @@ class Supplied:
             ):
                 break
             step *= min(max(CHANGE / change, 1e-6), 1e6) if change > 0.0 else 1e3
+        if not finite:
+            what = f"expected M and K finite on both sides of {p.name} = {values[i]:.10g}"
+            remedy = "give the parameter the bounds within which it has a meaning, or give derivatives"
+            raise PkmodesError(what, self._where(values, next(iter(setups))), remedy)
         return rates
 
     def _difference(self, ahead: Array, behind: Array, setup: str) -> Pair | None:
