@@ -277,6 +277,25 @@ def test_shapes_of_coinciding_modes_turn_as_fast_as_the_limit_says() -> None:
     assert np.isfinite(exact.predict(np.zeros(1), (0,), shape_rates=True).shape_rates).all()
 
 
+@pytest.mark.parametrize("n", [30, 240])
+def test_a_mode_that_coincides_with_the_first_one_left_out_turns_as_fast(n: int) -> None:
+    level = np.concatenate([[1.0, 4.0, 4.0 + 1e-9], 10.0 + np.arange(n - 3)])
+
+    def matrices(values, setup) -> tuple[Any, Any]:
+        c = np.zeros(n - 1)
+        c[1] = values["c"]
+        return sparse.eye_array(n), sparse.diags_array([level, c, c], offsets=[0, 1, -1])
+
+    structure = MatrixStructure(
+        [Parameter("c", 0.0)], [], matrices, channels=[str(i) for i in range(n)], modes=2
+    )
+    found = structure.predict(np.zeros(1), (0,), shape_rates=True)
+    assert found.shape_rates is not None
+    # Which combination of the two counts as the second mode is open; only a turn of one by the other is left.
+    assert np.abs(found.shape_rates[0, 1, :, 0]).max() <= 1.01 / 4e-6
+    assert found.shape_rates[0, 1, [0, *range(3, n)], 0] == pytest.approx(0.0, abs=1e-9)
+
+
 # What a callable may do wrong ------------------------------------------------------------------------------
 
 

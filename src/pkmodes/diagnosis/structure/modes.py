@@ -194,9 +194,7 @@ def _by_lanczos(pair: Pair, count: int, rigid: int) -> Modes | None:
     found = _lanczos(M, shift, factor, count + 1, start)
     if found is None:
         return None
-    # A step of inverse iteration removes what Lanczos leaves of motions without inertia.
-    basis = factor.solve(M @ found[1])
-    basis /= np.abs(basis).max(axis=0)
+    basis = found[1] / np.abs(found[1]).max(axis=0)
     try:
         eigenvalues, mixed = linalg.eigh(basis.T @ (K @ basis), basis.T @ (M @ basis))
     except np.linalg.LinAlgError:
@@ -215,6 +213,7 @@ def _lanczos(M: Any, shift: float, factor: _Factor, count: int, start: Array) ->
     n = M.shape[0]
     inverse = iterative.LinearOperator((n, n), matvec=factor.solve, dtype=float)
     stiffness = iterative.LinearOperator((n, n), matvec=lambda x: x, dtype=float)  # asked for its shape only
+    # The start has no part in motions without inertia but that which follows the others; so have all iterates.
     with contextlib.suppress(iterative.ArpackError):
         eigenvalues, shapes = iterative.eigsh(
             stiffness, count, M, sigma=shift, OPinv=inverse, v0=factor.solve(M @ start)

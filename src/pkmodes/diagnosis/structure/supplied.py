@@ -117,6 +117,8 @@ class Supplied:
         for _ in range(TRIALS):
             ahead, behind = values.copy(), values.copy()
             ahead[i], behind[i] = min(values[i] + step, p.upper), max(values[i] - step, p.lower)
+            if ahead[i] == behind[i]:
+                break
             differences = [self._difference(ahead, behind, setup) for setup in setups]
             if any(pair is None for pair in differences):  # the step is far too large
                 step *= 1e-3
