@@ -113,6 +113,13 @@ def test_differences_follow_what_is_not_linear_and_keep_within_the_bounds(
     assert found == pytest.approx(expected, rel=1e-7 if side == "inside" else 1e-4)
 
 
+def test_a_step_that_is_right_as_declared_may_be_lost_elsewhere() -> None:
+    # At 0 a step of 1e-17 changes K by a millionth; at 1 that is nothing.
+    structure = single(lambda x: 1.0 + 1e11 * x if x < 0.5 else 1e11 + x, lower=0.0)
+    assert structure.predict(np.zeros(1), (0,)).rates[0, 0, 0] == pytest.approx(1e11, rel=1e-4)
+    assert structure.predict(np.array([1e8]), (0,)).rates[0, 0, 0] == pytest.approx(1.0, rel=1e-4)
+
+
 def test_a_first_step_may_be_far_too_large() -> None:
     structure = single(lambda x: 1.0 + 1e9 * x if abs(x) < 1e-9 else np.inf)
     assert structure.predict(np.zeros(1), (0,)).rates[0, 0, 0] == pytest.approx(1e9, rel=1e-7)

@@ -15,8 +15,9 @@ from scipy import linalg, sparse
 from scipy.sparse import linalg as iterative
 
 from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.structure.forms import is_sparse
 from pkmodes.diagnosis.structure.massless import SINGULAR, UnstableError, UnusableError, condense, definite
-from pkmodes.diagnosis.structure.supplied import Pair, is_sparse
+from pkmodes.diagnosis.structure.supplied import Pair
 from pkmodes.eigen import generalised_eigh
 
 #: All modes are computed up to this fraction of them: the whole spectrum is then cheaper than a part.

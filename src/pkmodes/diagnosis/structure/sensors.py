@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from scipy import sparse
 
-from pkmodes.diagnosis.structure.supplied import is_sparse
+from pkmodes.diagnosis.structure.forms import is_sparse
 from pkmodes.errors import PkmodesError, shown
 
 REMEDY = "give each channel a row and each coordinate of the model a column"

@@ -17,8 +17,9 @@ from scipy import linalg, sparse
 from scipy.sparse import linalg as iterative
 
 from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.structure.forms import is_sparse
 from pkmodes.diagnosis.structure.modes import STABLE, Modes
-from pkmodes.diagnosis.structure.supplied import Pair, is_sparse
+from pkmodes.diagnosis.structure.supplied import Pair
 
 #: Relative gap of two eigenvalues below which it counts as this large: what one of them does is not defined there.
 GAP = 1e-6

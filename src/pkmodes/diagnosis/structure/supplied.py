@@ -9,6 +9,18 @@ import numpy as np
 from scipy import sparse
 
 from pkmodes.diagnosis.problem import Array, Parameter
+from pkmodes.diagnosis.structure.forms import (
+    FEW,
+    MANY,
+    count_of,
+    entries_of,
+    is_sparse,
+    is_symmetric,
+    minus,
+    packed,
+    relative_change,
+    thin,
+)
 from pkmodes.errors import PkmodesError, shown
 
 Matrices = Callable[[Mapping[str, float], str], tuple[Any, Any]]
@@ -19,10 +31,8 @@ CHANGE = 1e-6
 #: How far that change may be missed, and how many steps are tried.  Steps grow up to LARGEST, for a parameter that
 #: changes nothing.
 MISSED, TRIALS, LARGEST = 100.0, 30, 1e12
-#: What is left unsymmetric by rounding: of an entry, and of the largest one.
-RELATIVE, ROUNDING = 1e-9, 1e-12
-#: From this many coordinates on, a matrix with few entries is kept sparse, whatever it was given as.
-MANY, FEW = 200, 0.05
+#: Steps smaller than this, relative to the value, may be lost in its rounding.
+SMALLEST = 1e-12
 #: How many values a message names.
 NAMED = 8
 
@@ -32,6 +42,14 @@ class Pair(NamedTuple):
 
     M: Any
     K: Any
+
+
+class _Search(NamedTuple):
+    """Derivatives by differences, None where nothing changes; whether any were finite; the last step."""
+
+    rates: list[Pair] | None
+    finite: bool
+    step: float
 
 
 class Supplied:
@@ -59,6 +77,7 @@ class Supplied:
         self.parameters = parameters
         self.matrices, self.derivatives = matrices, derivatives
         self.expected, self.reason = expected, reason
+        self.steps: dict[tuple[int, tuple[str, ...]], float] = {}
 
     @overload
     def at(self, values: Array, setup: str, finite: Literal[True]) -> Pair: ...
@@ -76,16 +95,19 @@ class Supplied:
             what = f"the callable for M and K failed: {type(error).__name__}: {error}"
             raise PkmodesError(what, where, "mend it, or narrow the bounds of the parameters") from error
         pair = self._pair(returned, ("M", "K"), where)
+        n = self.expected
+        if n >= MANY and all(count_of(matrix) <= FEW * n * n for matrix in pair):
+            pair = Pair(*map(packed, pair))
+        else:  # a copy: a callable may use its arrays again
+            pair = Pair(*(matrix.toarray() if is_sparse(matrix) else matrix.copy() for matrix in pair))
         for name, matrix in zip(("M", "K"), pair, strict=True):
-            known = np.isfinite(_entries(matrix)).all()
+            known = np.isfinite(entries_of(matrix)).all()
             if not known and not finite:
                 return None
-            if not known or not _symmetric(matrix):
+            if not known or not is_symmetric(matrix):
                 what = f"expected {name} finite and symmetric"
                 raise PkmodesError(what, where, "check how it is assembled")
-        if (n := pair.M.shape[0]) >= MANY and all(_count(matrix) <= FEW * n * n for matrix in pair):
-            return Pair(*map(_packed, pair))
-        return Pair(*(matrix.toarray() if is_sparse(matrix) else matrix for matrix in pair))
+        return pair
 
     def rates(self, values: Array, i: int, setups: Mapping[str, Pair]) -> list[Pair] | None:
         """Derivatives by one parameter in these setups, of which M and K are known; None where there are none."""
@@ -103,16 +125,37 @@ class Supplied:
                 raise PkmodesError(what, where, "mend it, or leave the derivatives out") from error
             pair = self._pair(returned, ("dM", "dK"), where)
             for kind, matrix in zip(("dM", "dK"), pair, strict=True):
-                if not np.isfinite(_entries(matrix)).all() or not _symmetric(matrix):
+                if not np.isfinite(entries_of(matrix)).all() or not is_symmetric(matrix):
                     what = f"expected {kind} finite and symmetric"
                     raise PkmodesError(what, where, "mend it, or leave the derivatives out")
-            found.append(Pair(*map(_thin, pair)))
+            found.append(Pair(*map(thin, pair)))
         return found
 
     def _differences(self, values: Array, i: int, setups: Mapping[str, Pair]) -> list[Pair] | None:
-        """The same by differences, with a step that changes the matrices as much as it should."""
+        """The same by differences; the step that is right at the declared values is tried first."""
         p = self.parameters[i]
-        step = CHANGE * (max(abs(values[i]), p.sigma or 0.0) or 1.0)
+        declared = np.array([p.value for p in self.parameters])
+        key = i, tuple(setups)
+        if key not in self.steps:
+            self.steps[key] = CHANGE * (max(abs(p.value), p.sigma or 0.0) or 1.0)
+            centres = {setup: self.at(declared, setup) for setup in setups}
+            known = {setup: pair for setup, pair in centres.items() if pair is not None}
+            if len(known) == len(centres):
+                first = self._search(declared, i, known, self.steps[key])
+                self.steps[key] = first.step if first.rates is not None else self.steps[key]
+        step = self.steps[key]
+        if step < SMALLEST * abs(values[i]):  # lost in a value that is far from the declared one
+            step = CHANGE * abs(values[i])
+        found = self._search(values, i, setups, step)
+        if not found.finite:
+            what = f"expected M and K finite on both sides of {p.name} = {values[i]:.10g}"
+            remedy = "give the parameter the bounds within which it has a meaning, or give derivatives"
+            raise PkmodesError(what, self._where(values, next(iter(setups))), remedy)
+        return found.rates
+
+    def _search(self, values: Array, i: int, setups: Mapping[str, Pair], step: float) -> _Search:
+        """Find the step that changes the matrices as much as it should."""
+        p = self.parameters[i]
         rates, finite = None, False
         for _ in range(TRIALS):
             ahead, behind = values.copy(), values.copy()
@@ -126,7 +169,7 @@ class Supplied:
             finite = True
             known = [pair for pair in differences if pair is not None]
             change = max(
-                _relative(d, of)
+                relative_change(d, of)
                 for pair, centre in zip(known, setups.values(), strict=True)
                 for d, of in zip(pair, centre, strict=True)
             )
@@ -139,17 +182,13 @@ class Supplied:
             ):
                 break
             step *= min(max(CHANGE / change, 1e-6), 1e6) if change > 0.0 else 1e3
-        if not finite:
-            what = f"expected M and K finite on both sides of {p.name} = {values[i]:.10g}"
-            remedy = "give the parameter the bounds within which it has a meaning, or give derivatives"
-            raise PkmodesError(what, self._where(values, next(iter(setups))), remedy)
-        return rates
+        return _Search(rates, finite, step)
 
     def _difference(self, ahead: Array, behind: Array, setup: str) -> Pair | None:
         after, before = self.at(ahead, setup), self.at(behind, setup)
         if after is None or before is None:
             return None
-        return Pair(*(_thin(_minus(a, b)) for a, b in zip(after, before, strict=True)))
+        return Pair(*(thin(minus(a, b)) for a, b in zip(after, before, strict=True)))
 
     def _named(self, values: Array) -> dict[str, float]:
         return {p.name: float(value) for p, value in zip(self.parameters, values, strict=True)}
@@ -188,73 +227,5 @@ class Supplied:
                 what, where, "give one channel for each coordinate, or coordinates= or sensors="
             )
         if is_sparse(given):
-            return sparse.csc_array(given).astype(float)
-        return given.astype(float)  # a copy: a callable may use its arrays again
-
-
-def is_sparse(matrix: Any) -> bool:
-    """Whether a matrix is one of SciPy's sparse ones."""
-    return bool(sparse.issparse(matrix))
-
-
-def _entries(matrix: Any) -> Array:
-    entries: Array = matrix.data if is_sparse(matrix) else matrix
-    return entries
-
-
-def _count(matrix: Any) -> int:
-    return int(matrix.nnz) if is_sparse(matrix) else int(np.count_nonzero(matrix))
-
-
-def _symmetric(matrix: Any) -> bool:
-    """Whether a matrix is symmetric but for rounding."""
-    if is_sparse(matrix):
-        apart, size = abs(matrix - matrix.T), abs(matrix)
-        rounding = ROUNDING * float(size.max()) if size.nnz else 0.0
-        if apart.nnz == 0 or apart.max() <= rounding:
-            return True
-        return bool((apart - RELATIVE * size).max() <= rounding)
-    if np.array_equal(matrix, matrix.T):
-        return True
-    return np.allclose(matrix, matrix.T, rtol=RELATIVE, atol=ROUNDING * np.abs(matrix).max())
-
-
-def _minus(a: Any, b: Any) -> Any:
-    """A difference, of which one may have become dense where the other is not."""
-    if is_sparse(a) != is_sparse(b):
-        a, b = (x.toarray() if is_sparse(x) else x for x in (a, b))
-    return a - b
-
-
-def _thin(matrix: Any) -> Any:
-    """A derivative: one parameter often changes few entries, and products with the shapes are then cheap."""
-    n = matrix.shape[0]
-    if n < MANY or _count(matrix) > FEW * n * n:
-        return matrix.toarray() if is_sparse(matrix) else matrix
-    return _packed(matrix)
-
-
-def _packed(matrix: Any) -> Any:
-    """A symmetric matrix as a sparse one, of which rows are columns."""
-    if is_sparse(matrix):
-        return sparse.csc_array(matrix)
-    n, flat = len(matrix), np.ravel(matrix)
-    places = np.flatnonzero(flat)  # several times as fast as over two axes
-    starts = np.searchsorted(places, n * np.arange(n + 1))
-    return sparse.csc_array((flat[places], places % n, starts), shape=matrix.shape)
-
-
-def _relative(change: Any, of: Any) -> float:
-    """Largest change of an entry, relative to the diagonal entries of its row and column."""
-    size = np.sqrt(np.abs(of.diagonal()))
-    if is_sparse(change):
-        entries = change.tocoo()
-        rows, columns, moved = entries.row, entries.col, np.abs(entries.data)
-    else:
-        rows, columns = np.nonzero(change)
-        moved = np.abs(change[rows, columns])
-    scale = size[rows] * size[columns]
-    # Entries beside a zero on the diagonal (a free coordinate) have no scale of their own.
-    scale[scale == 0.0] = np.abs(_entries(of)).max(initial=0.0)
-    known = scale > 0.0
-    return float((moved[known] / scale[known]).max(initial=0.0))
+            return sparse.csc_array(given, dtype=float, copy=True)
+        return given.astype(float, copy=False)
