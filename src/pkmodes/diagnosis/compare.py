@@ -80,7 +80,7 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
         At the setups of the measurements; taken with the declared values of its parameters.
     data : Measurements
     """
-    structure = at_measured(structure, data.labels)
+    structure = at_measured(structure, data.labels, float(data.frequency.max(initial=0.0)))
     fitter = Fitter(structure, data)
     every = np.ones(len(data.frequency), dtype=bool)
     pairing, *_ = fitter.unfitted(fitter.declared, every)

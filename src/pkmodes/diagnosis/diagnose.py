@@ -69,7 +69,7 @@ def diagnose(
     PkmodesError
         If a label is unknown, nothing is left to fit, or the model cannot be evaluated as declared.
     """
-    structure = at_measured(structure, data.labels)
+    structure = at_measured(structure, data.labels, float(data.frequency.max(initial=0.0)))
     fitted, held = split(data, holdout)
     fitter = Fitter(structure.subset(fitted), data.at(fitted), criteria)
     report = Report(structure, data, fitter, held)

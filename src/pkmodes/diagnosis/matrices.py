@@ -2,27 +2,33 @@
 
 from __future__ import annotations
 
-import contextlib
-from collections.abc import Callable, Mapping, Sequence
+import copy
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from pkmodes.diagnosis.problem import Array, Candidate, Parameter, Prediction, Structure
-from pkmodes.eigen import generalised_eigh
+from pkmodes.diagnosis.structure.massless import UnstableError, UnusableError
+from pkmodes.diagnosis.structure.modes import Modes, lowest_modes, modes_below
+from pkmodes.diagnosis.structure.names import check_candidate, check_names, check_parameter
+from pkmodes.diagnosis.structure.sensors import sensor_map
+from pkmodes.diagnosis.structure.shape_rates import shape_rates as rates_of_shapes
+from pkmodes.diagnosis.structure.supplied import Derivatives, Matrices, Pair, Supplied
 from pkmodes.errors import PkmodesError, shown
 
-Matrices = Callable[[Mapping[str, float], str], tuple[Array, Array]]
-Derivatives = Callable[[Mapping[str, float], str, str], tuple[Array, Array]]
+#: Structures with no more coordinates than SMALL have all modes by default, others the lowest FEW, and as many as
+#: REACH times the highest measured frequency asks for: farther away no mode is paired with it.
+SMALL, FEW, REACH = 150, 40, 2.0
+#: Modes beyond those that are predicted, so that the last of them is known from its neighbours.
+GUARD = 3
 
-#: Relative change of the matrices at which differences stand in for derivatives: rounding and curvature balance.
-CHANGE = 1e-6
-#: How far that change may be missed, and how many steps are tried.  Steps grow up to LARGEST, for a parameter that
-#: changes nothing.
-MISSED, TRIALS, LARGEST = 100.0, 30, 1e12
-#: Eigenvalues below zero by less than this fraction of the largest are zero but for rounding.
-STABLE = 1e-9
-#: What is left unsymmetric by rounding, relative to the largest entry.
-ROUNDING = 1e-12
+
+class _Solved(NamedTuple):
+    """Matrices and modes of one setup."""
+
+    pair: Pair
+    modes: Modes
 
 
 class MatrixStructure:
@@ -36,22 +42,33 @@ class MatrixStructure:
         Causes that may be missing or wrong.
     matrices : callable
         ``matrices(values, setup) -> (M, K)``, with the values of all parameters by name and the label of a
-        setup; both (n, n) and symmetric, M positive definite, in consistent units (K / M in 1/s^2).
+        setup; both (n, n), real and symmetric, arrays or scipy.sparse matrices, in consistent units (K / M in
+        1/s^2).  M may be singular (coordinates, or motions, without inertia are condensed exactly) where K is
+        positive definite for what has no inertia.  Where they are not finite, the values cannot be evaluated,
+        and a fit avoids them; an exception is an error at any values within the bounds.
     derivatives : callable, optional
         ``derivatives(values, setup, name) -> (dM, dK)`` by the parameter of that name.  Without it, differences
         of the matrices are taken, with a step that changes them by a millionth, whatever the unit.
     channels : sequence of str
-        Names of the n coordinates, as the shape columns of the measurements have them.
+        What the shape columns of the measurements may be called: the names of the n coordinates, some of
+        `coordinates`, or one name for each row of `sensors`.
+    coordinates : sequence of str, optional
+        Names of the n coordinates, where the channels are some of them.
+    sensors : array_like or sparse matrix, shape (C, n), optional
+        Motion of each channel by those of the coordinates, where the channels are not coordinates.
     setups : sequence of str
         Labels of the setups, as the measurements have them, in any order.
     rigid : int
         Rigid-body modes, which are not measured.  Other modes are stable: K has no negative eigenvalue for them.
+    modes : int, optional
+        How many modes are computed, the lowest, rigid ones included.  By default all for up to 150 coordinates,
+        and 40 for more, or as many as lie below twice the highest frequency that is asked of `reaching`.
 
     Raises
     ------
     PkmodesError
         If names are repeated or missing, numbers contradict each other, or the matrices do not have the form
-        above.
+        above; from `predict` too, where they lose it at other values.
     """
 
     def __init__(
@@ -61,73 +78,103 @@ class MatrixStructure:
         matrices: Matrices,
         *,
         channels: Sequence[str],
+        coordinates: Sequence[str] | None = None,
+        sensors: Any = None,
         derivatives: Derivatives | None = None,
         setups: Sequence[str] = ("",),
         rigid: int = 0,
+        modes: int | None = None,
     ) -> None:
         self.parameters, self.candidates = tuple(parameters), tuple(candidates)
         self.channels, self.setups, self.rigid = tuple(channels), tuple(setups), rigid
-        self.channel_units = ("",) * len(self.channels)
-        self._matrices, self._derivatives = matrices, derivatives
+        self.modes, self.channel_units = modes, ("",) * len(self.channels)
         for kind, labels in (
             ("parameter", [p.name for p in self.parameters]),
             ("candidate", [c.name for c in self.candidates]),
             ("channel", self.channels),
+            ("coordinate", coordinates or ()),
             ("setup", self.setups),
         ):
-            _check_names(kind, labels)
+            check_names(kind, labels)
         for p in self.parameters:
-            _check_parameter(p)
+            check_parameter(p)
         for candidate in self.candidates:
-            _check_candidate(candidate, {p.name: p for p in self.parameters})
-        values = np.array([p.value for p in self.parameters])
-        for setup in self.setups:
-            self._checked(*self._at(values, setup), setup)
+            check_candidate(candidate, {p.name: p for p in self.parameters})
+        whole = isinstance(rigid, int) and isinstance(modes, int | None)
+        if not whole or rigid < 0 or (modes is not None and modes <= rigid):
+            what = f"expected more modes than the rigid ones, in whole numbers, found {modes} and {rigid}"
+            raise PkmodesError(what, "modes", "ask for as many as were measured, and the rigid ones")
+        self._map = sensor_map(self.channels, coordinates, sensors)
+        self._size = len(self.channels) if self._map is None else self._map.shape[1]
+        reason = f"{self._size} coordinates" if sensors is None else f"{self._size} columns of sensors"
+        self._supplied = Supplied(
+            self.parameters,
+            matrices,
+            derivatives,
+            self._size,
+            f"{self._size} channels" if self._map is None else reason,
+        )
+        self._count = min(self._size, modes or (self._size if self._size <= SMALL else FEW + rigid))
+        self._solutions: dict[bytes, list[_Solved | None]] = {}
+        self._check(UnusableError)
 
     def subset(self, setups: Sequence[int]) -> MatrixStructure:
         """The same structure in some of its setups."""
-        return MatrixStructure(
-            self.parameters,
-            self.candidates,
-            self._matrices,
-            channels=self.channels,
-            derivatives=self._derivatives,
-            setups=[self.setups[i] for i in setups],
-            rigid=self.rigid,
-        )
+        part = copy.copy(self)
+        part.setups, part._solutions = tuple(self.setups[i] for i in setups), {}
+        return part
+
+    def reaching(self, frequency: float) -> MatrixStructure:
+        """The same structure with modes enough for measurements up to a frequency [Hz].
+
+        Only where it has more than 150 coordinates, and `modes` was left to it.
+        """
+        if self.modes is not None or self._size <= SMALL:
+            return self
+        limit = (2.0 * np.pi * REACH * frequency) ** 2
+        pairs = (self._supplied.at(self._declared, setup, finite=True) for setup in self.setups)
+        needed = max(modes_below(pair, limit) for pair in pairs)
+        part = copy.copy(self)
+        part._count, part._solutions = min(max(self._count, needed), self._size), {}
+        return part
 
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
         """Modes in all setups, with derivatives by some of the parameters."""
-        along = None
-        M, K = self._stacked(values)
-        eigenvalues, shapes = np.full(M.shape[:2], np.nan), np.zeros(M.shape)
-        for setup in range(len(self.setups)):
-            if np.isfinite(M[setup]).all() and np.isfinite(K[setup]).all():
-                # A singular M is no mistake here: a fit may try any value within the bounds.
-                with contextlib.suppress(np.linalg.LinAlgError):
-                    one = slice(setup, setup + 1)
-                    eigenvalues[one], shapes[one] = generalised_eigh(M[one], K[one])
-        # What buckles does not vibrate: sqrt(|lambda|) would be no frequency.
-        least = -STABLE * np.abs(eigenvalues).max(axis=1, initial=0.0)
-        eigenvalues[(eigenvalues[:, self.rigid :] < least[:, None]).any(axis=1)] = np.nan
-        rates = np.full((*eigenvalues.shape, len(by)), np.nan)
-        for k, i in enumerate(by if np.isfinite(eigenvalues).any() else ()):
-            dM, dK = self._rates(values, i, M, K)
-            both = [np.einsum("sma,sab,smb->sm", shapes, d, shapes, optimize=True) for d in (dM, dK)]
-            rates[..., k] = both[1] - eigenvalues * both[0]
-            if shape_rates:
-                if along is None:
-                    along = np.zeros((*shapes.shape, len(by)))
-                z = shapes @ dK - eigenvalues[..., None] * (shapes @ dM)
-                gap = eigenvalues[:, :, None] - eigenvalues[:, None, :]
-                gap = np.where(np.abs(gap) > 1e-6 * np.abs(eigenvalues[:, :, None]), gap, 1e300)
-                share = z @ np.swapaxes(shapes, -1, -2) / gap
-                d = np.arange(share.shape[-1])
-                share[:, d, d] = -0.5 * both[0]
-                along[..., k] = share @ shapes
-        if shape_rates and along is None:
-            along = np.zeros((*shapes.shape, len(by)))
-        return Prediction(eigenvalues, rates, shapes, self.rigid, along)
+        solved = self._solved(values)
+        known = {setup: s for setup, s in zip(self.setups, solved, strict=True) if s is not None}
+        count = min((len(s.modes.eigenvalues) for s in known.values()), default=self._count)
+        count = min(count, self._count)
+        size = (len(self.setups), count)
+        eigenvalues, rates = np.full(size, np.nan), np.full((*size, len(by)), np.nan)
+        shapes = np.zeros((*size, len(self.channels)))
+        moved = np.full((*shapes.shape, len(by)), np.nan) if shape_rates else None
+        for k, one in enumerate(solved):
+            if one is not None:
+                eigenvalues[k] = one.modes.eigenvalues[:count]
+                shapes[k] = self._measured(one.modes.shapes[:count])
+        pairs = {setup: s.pair for setup, s in known.items()}
+        changes = [self._supplied.rates(values, i, pairs) for i in by] if known else []
+        index = dict(zip(known, range(len(known)), strict=True))
+        for k, (setup, one) in enumerate(zip(self.setups, solved, strict=True)):
+            if one is None or not len(by):
+                continue
+            phi = one.modes.shapes[:count]
+            forces = np.zeros((len(by), *phi.shape)) if shape_rates else None
+            inertial = np.zeros((len(by), count))
+            rates[k] = 0.0
+            for t, change in enumerate(changes):
+                if change is None:
+                    continue
+                dM, dK = change[index[setup]]
+                inertia, stiffness = (dM @ phi.T).T, (dK @ phi.T).T
+                inertial[t] = (phi * inertia).sum(axis=1)
+                rates[k, :, t] = (phi * stiffness).sum(axis=1) - eigenvalues[k] * inertial[t]
+                if forces is not None:
+                    forces[t] = stiffness - eigenvalues[k][:, None] * inertia
+            if forces is not None and moved is not None:
+                found = rates_of_shapes(one.pair, one.modes, count, forces, inertial)
+                moved[k] = np.moveaxis(self._measured(np.moveaxis(found, 2, 1)), 1, 2)
+        return Prediction(eigenvalues, rates, shapes, self.rigid, moved)
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> None:
         """Setups have no position."""
@@ -135,70 +182,58 @@ class MatrixStructure:
     def elsewhere(self, count: int) -> tuple[Array, Structure] | None:
         """No other setups are known."""
 
-    def _at(self, values: Array, setup: str) -> tuple[Array, Array]:
-        named = {p.name: float(value) for p, value in zip(self.parameters, values, strict=True)}
-        M, K = self._matrices(named, setup)
-        return np.asarray(M, dtype=float), np.asarray(K, dtype=float)
+    def check_stands(self) -> None:
+        """Refuse a structure that is not stable with its declared values.
 
-    def _stacked(self, values: Array) -> tuple[Array, Array]:
-        """M and K of all setups, (S, n, n)."""
-        pairs = [self._at(values, setup) for setup in self.setups]
-        M, K = (np.stack(column) for column in zip(*pairs, strict=True))
-        return M, K
+        Raises
+        ------
+        PkmodesError
+            With the first setup in which it is not.
+        """
+        self._check(UnstableError)
 
-    def _rates(self, values: Array, i: int, M: Array, K: Array) -> tuple[Array, Array]:
-        """Derivatives of M and K by one parameter, in all setups."""
-        if self._derivatives is None:
-            return self._differences(values, i, M, K)
-        named = {p.name: float(value) for p, value in zip(self.parameters, values, strict=True)}
-        pairs = [self._derivatives(named, setup, self.parameters[i].name) for setup in self.setups]
-        dM, dK = (
-            np.stack([np.asarray(d, dtype=float) for d in column]) for column in zip(*pairs, strict=True)
-        )
-        return dM, dK
+    def _check(self, kind: type[UnusableError]) -> None:
+        """Refuse what keeps the declared values from having modes."""
+        for setup in self.setups:
+            pair = self._supplied.at(self._declared, setup, finite=True)
+            try:
+                lowest_modes(pair, self._count, self.rigid)
+            except UnusableError as error:
+                if isinstance(error, UnstableError) and kind is not UnstableError:
+                    continue
+                what = f"the model cannot be evaluated with its declared values: {error.what}"
+                raise PkmodesError(what, f"{error.where} for setup {shown(setup)}", error.remedy) from None
 
-    def _differences(self, values: Array, i: int, M: Array, K: Array) -> tuple[Array, Array]:
-        """The same by differences, with a step that changes the matrices as much as it should."""
-        p = self.parameters[i]
-        step = CHANGE * (max(abs(values[i]), p.sigma or 0.0) or 1.0)
-        dM, dK = np.zeros_like(M), np.zeros_like(K)
-        for _ in range(TRIALS):
-            ahead, behind = values.copy(), values.copy()
-            ahead[i], behind[i] = min(values[i] + step, p.upper), max(values[i] - step, p.lower)
-            with np.errstate(invalid="ignore"):  # infinite matrices, where the step is far too large
-                differences = [
-                    a - b for a, b in zip(self._stacked(ahead), self._stacked(behind), strict=True)
-                ]
-            change = float(np.max([_relative(d, of) for d, of in zip(differences, (M, K), strict=True)]))
-            if not np.isfinite(change):
-                step *= 1e-3
-                continue
-            if change > 0.0:
-                dM, dK = (d / (ahead[i] - behind[i]) for d in differences)
-            whole = ahead[i] == p.upper and behind[i] == p.lower
-            if abs(np.log(max(change, 1e-300) / CHANGE)) <= np.log(MISSED) or (
-                change < CHANGE and (step > LARGEST or whole)
-            ):
-                break
-            step *= min(max(CHANGE / change, 1e-6), 1e6) if change > 0.0 else 1e3
-        return dM, dK
+    @property
+    def _declared(self) -> Array:
+        return np.array([p.value for p in self.parameters])
 
-    def _checked(self, M: Array, K: Array, setup: str) -> None:
-        where, n = f"matrices for setup {shown(setup)}", len(self.channels)
-        for name, matrix in (("M", M), ("K", K)):
-            if matrix.shape != (n, n):
-                what = f"expected {name} of shape {(n, n)} for {n} channels, found {matrix.shape}"
-                raise PkmodesError(what, where, "give one channel for each coordinate")
-            rounding = ROUNDING * np.abs(matrix).max()
-            if not np.isfinite(matrix).all() or not np.allclose(matrix, matrix.T, rtol=1e-9, atol=rounding):
-                raise PkmodesError(
-                    f"expected {name} finite and symmetric", where, "check how it is assembled"
-                )
-        if np.linalg.eigvalsh(M)[0] <= 0.0:
-            raise PkmodesError("expected M positive definite", where, "give every coordinate a mass")
+    def _measured(self, shapes: Array) -> Array:
+        """Shapes (..., n) at the channels."""
+        if self._map is None:
+            return shapes
+        found: Array = (self._map @ shapes.reshape(-1, self._size).T).T
+        return found.reshape(*shapes.shape[:-1], len(self.channels))
+
+    def _solved(self, values: Array) -> list[_Solved | None]:
+        """Modes of all setups, None where these values have none; those of the last values are kept."""
+        key = np.asarray(values, dtype=float).tobytes()
+        if key not in self._solutions:
+            self._solutions = {key: [self._solve(values, setup) for setup in self.setups]}
+        return self._solutions[key]
+
+    def _solve(self, values: Array, setup: str) -> _Solved | None:
+        pair = self._supplied.at(values, setup)
+        if pair is None:
+            return None
+        count = min(self._count + GUARD, self._size) if self._count < self._size else self._size
+        try:  # matrices without modes are no mistake here: a fit may try any value within the bounds
+            return _Solved(pair, lowest_modes(pair, count, self.rigid))
+        except UnusableError:
+            return None
 
 
-def at_measured(structure: Structure, labels: Sequence[str]) -> Structure:
+def at_measured(structure: Structure, labels: Sequence[str], highest: float | None = None) -> Structure:
     """Return the structure at the measured setups, in the order of the measurements.
 
     Parameters
@@ -207,57 +242,25 @@ def at_measured(structure: Structure, labels: Sequence[str]) -> Structure:
         A `MatrixStructure` is put in order by its labels; another has the setups of the measurements already.
     labels : sequence of str
         Labels of the measurements.
+    highest : float, optional
+        Highest measured frequency [Hz], which a large `MatrixStructure` has to reach.
 
     Raises
     ------
     PkmodesError
-        If a `MatrixStructure` has no setup of that label.
+        If a `MatrixStructure` has no setup of that label, or does not stand as declared.
     """
-    if not isinstance(structure, MatrixStructure) or (structure.setups == ("",) and len(labels) == 1):
+    if not isinstance(structure, MatrixStructure):
+        return structure
+    if highest is not None:
+        structure = structure.reaching(highest)
+    if structure.setups == ("",) and len(labels) == 1:
+        structure.check_stands()
         return structure
     for label in labels:
         if label not in structure.setups:
             what = f"the structure has no setup {shown(label)}, which was measured"
             raise PkmodesError(what, "setups", f"setups are: {', '.join(map(shown, structure.setups))}")
-    return structure.subset([structure.setups.index(label) for label in labels])
-
-
-def _relative(change: Array, of: Array) -> float:
-    """Largest change of an entry, relative to the diagonal entries of its row and column; NaN if not finite."""
-    size = np.sqrt(np.abs(np.diagonal(of, axis1=-2, axis2=-1)))
-    scale = size[..., :, None] * size[..., None, :]
-    # Entries beside a zero on the diagonal (a free coordinate) have no scale of their own.
-    scale = np.where(scale > 0.0, scale, np.abs(of).max())
-    known = scale > 0.0
-    return float((np.abs(change[known]) / scale[known]).max(initial=0.0))
-
-
-def _check_names(kind: str, names: Sequence[str]) -> None:
-    for name in names:
-        if names.count(name) > 1:
-            raise PkmodesError(f"two {kind}s are called {shown(name)}", f"{kind}s", "rename one")
-
-
-def _check_parameter(p: Parameter) -> None:
-    where = f"parameter {shown(p.name)}"
-    if not p.lower < p.upper or not p.lower <= p.value <= p.upper or not np.isfinite(p.value):
-        what = f"expected lower <= value <= upper, found {p.lower:g}, {p.value:g}, {p.upper:g}"
-        raise PkmodesError(what, where, "widen the bounds or correct the value")
-    if p.sigma is not None and not 0.0 <= p.sigma < np.inf:
-        what = f"expected a standard deviation of at least 0, found {p.sigma:g}"
-        raise PkmodesError(what, where, "leave it out when unknown")
-
-
-def _check_candidate(candidate: Candidate, parameters: Mapping[str, Parameter]) -> None:
-    where, names = f"candidate {shown(candidate.name)}", candidate.parameters
-    if not names or len(set(names)) < len(names):
-        raise PkmodesError(f"expected different parameters, found {list(names)}", where, "name each once")
-    for name in names:
-        if name not in parameters:
-            what = f"it has a parameter {shown(name)} that is not there"
-            raise PkmodesError(what, where, f"parameters are: {', '.join(parameters)}")
-        sigma = parameters[name].sigma
-        if sigma is not None:
-            state = "refitted under every hypothesis" if sigma else "known exactly"
-            what = f"its parameter {shown(name)} has a sigma: it is {state}"
-            raise PkmodesError(what, where, "leave out the candidate, or the sigma")
+    measured = structure.subset([structure.setups.index(label) for label in labels])
+    measured.check_stands()
+    return measured

@@ -132,7 +132,7 @@ def update(
     PkmodesError
         If a name is unknown or has no prior, nothing could change, or the model cannot be evaluated.
     """
-    structure = at_measured(structure, data.labels)
+    structure = at_measured(structure, data.labels, float(data.frequency.max(initial=0.0)))
     fitted, held = split(data, holdout)
     part = structure.subset(fitted)
     some = data.at(fitted)

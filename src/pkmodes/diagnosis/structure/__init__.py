@@ -1,0 +1,1 @@
+"""A structure given by callables for M and K: what they return, its modes, and their derivatives."""

@@ -1,0 +1,107 @@
+r"""Motions without inertia, condensed exactly.
+
+Where M is singular, M N = 0, the motions N follow the others without delay: :math:`N^T K (T q + N r) = 0`, which
+holds for every q once :math:`N^T K T = 0`.  They add no mode, and the shapes still have them.  Rows of zeros in M
+are such motions, and so is every combination of coordinates that M gives no energy.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy import linalg
+
+from pkmodes.diagnosis.problem import Array
+from pkmodes.errors import PkmodesError
+
+#: Pivots of a matrix scaled to a unit diagonal that are smaller than this are zero but for rounding.
+SINGULAR = 1e-13
+
+
+class UnusableError(PkmodesError):
+    """Matrices without modes: an error at the declared values, a value to be avoided during a fit."""
+
+
+class UnstableError(UnusableError):
+    """A structure that does not stand."""
+
+
+class Condensed(NamedTuple):
+    """Coordinates x = T q with inertia, and motions N without, K-orthogonal to each other.
+
+    Attributes
+    ----------
+    M, K : ndarray, shape (p, p)
+        T^T M T, positive definite, and T^T K T.
+    T : ndarray, shape (n, p), or None
+        None where every motion has inertia.
+    N : ndarray, shape (n, n - p), or None
+    """
+
+    M: Array
+    K: Array
+    T: Array | None
+    N: Array | None
+
+
+def condense(M: Array, K: Array) -> Condensed:
+    """Separate the motions with inertia from those without.
+
+    Parameters
+    ----------
+    M, K : ndarray, shape (n, n)
+        Symmetric; M positive semidefinite, K positive definite for the motions without inertia.
+
+    Raises
+    ------
+    UnusableError
+        If they are not.
+    """
+    diagonal = np.diagonal(M)
+    bare = ~M.any(axis=1)
+    if (diagonal < 0.0).any() or (bare != (diagonal == 0.0)).any():
+        raise _indefinite()
+    q, r = np.flatnonzero(~bare), np.flatnonzero(bare)
+    scale = 1.0 / np.sqrt(diagonal[q])
+    inner = M if not r.size else M[np.ix_(q, q)]
+    scaled = inner * (scale[:, None] * scale)
+    T = N = None
+    if not definite(scaled):
+        energies, directions = np.linalg.eigh(scaled)
+        still = energies < SINGULAR * max(len(q), 10)
+        if (energies < -SINGULAR * max(len(q), 10)).any():
+            raise _indefinite()
+        directions *= scale[:, None]
+        T, N = np.zeros((len(M), (~still).sum())), np.zeros((len(M), still.sum() + r.size))
+        T[q], N[q, : still.sum()] = directions[:, ~still], directions[:, still]
+        N[r, np.arange(still.sum(), N.shape[1])] = 1.0
+    elif r.size:
+        T, N = np.eye(len(M))[:, q], np.eye(len(M))[:, r]
+    if T is None or N is None:
+        return Condensed(M, K, None, None)
+    if not T.shape[1]:
+        raise UnusableError("expected some mass, found none", "M", "give the structure masses")
+    KN = K @ N
+    held = N.T @ KN
+    size = np.diagonal(held).copy()
+    if (size <= 0.0).any() or not definite(held / np.sqrt(size[:, None] * size)):
+        what = "expected K to hold every coordinate without mass, found a motion that has neither"
+        raise UnusableError(what, "K", "give it a mass or a stiffness, or remove it")
+    T = T - N @ linalg.solve(held, KN.T @ T, assume_a="pos")
+    mass, stiffness = T.T @ M @ T, T.T @ K @ T
+    return Condensed(0.5 * (mass + mass.T), 0.5 * (stiffness + stiffness.T), T, N)
+
+
+def _indefinite() -> UnusableError:
+    what = "expected M positive definite, but for motions without mass, found a negative energy"
+    return UnusableError(what, "M", "check the signs of the masses")
+
+
+def definite(scaled: Array) -> bool:
+    """Whether a matrix with a unit diagonal is positive definite, and by more than rounding."""
+    try:
+        factor = np.linalg.cholesky(scaled)
+    except np.linalg.LinAlgError:
+        return False
+    return bool((np.diagonal(factor) ** 2 > SINGULAR).all())

@@ -1,0 +1,235 @@
+"""The lowest modes of K phi = lambda M phi, for matrices that may be large, and M that may be singular.
+
+Small or full matrices go to LAPACK.  Large sparse ones go to shift-invert Lanczos (ARPACK), whose answer is made
+sharp by one Rayleigh-Ritz step and accepted only if Sylvester's law of inertia counts as many eigenvalues below the
+highest of them: Lanczos may miss one of several that coincide.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy import linalg, sparse
+from scipy.sparse import linalg as iterative
+
+from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.structure.forms import is_sparse
+from pkmodes.diagnosis.structure.massless import SINGULAR, UnstableError, UnusableError, condense, definite
+from pkmodes.diagnosis.structure.supplied import Pair
+from pkmodes.eigen import generalised_eigh
+
+#: All modes are computed up to this fraction of them: the whole spectrum is then cheaper than a part.
+PART = 0.3
+#: Eigenvalues below zero by less than this fraction of the largest are zero but for rounding.
+STABLE = 1e-9
+#: Relative residual of a mode from Lanczos that is not rounding.
+RESIDUAL = 1e-8
+
+
+class Modes(NamedTuple):
+    """Lowest modes of one setup.
+
+    Attributes
+    ----------
+    eigenvalues : ndarray, shape (m,)
+    shapes : ndarray, shape (m, n)
+        Mass-normalised.
+    massless : ndarray, shape (n, z), or None
+        Motions without inertia, where they are known.
+    complete : bool
+        Whether these are all modes, and `massless` all else.
+    scale : float
+        An eigenvalue of the size of the largest.
+    """
+
+    eigenvalues: Array
+    shapes: Array
+    massless: Array | None
+    complete: bool
+    scale: float
+
+
+def lowest_modes(pair: Pair, count: int, rigid: int) -> Modes:
+    """Compute the lowest modes.
+
+    Parameters
+    ----------
+    pair : Pair
+        M and K of one setup.
+    count : int
+        How many; there are fewer where the matrices have fewer.
+    rigid : int
+        How many of them may be motions without stiffness.
+
+    Raises
+    ------
+    UnusableError
+        If M has a negative energy, or a motion without mass no stiffness.
+    UnstableError
+        If a mode is unstable.
+    """
+    found = None
+    if is_sparse(pair.K):
+        if count <= PART * np.count_nonzero(pair.M.diagonal()):
+            found = _by_lanczos(pair, count, rigid)
+        if found is None:
+            pair = Pair(pair.M.toarray(), pair.K.toarray())
+    if found is None:
+        found = _by_lapack(pair, count, rigid)
+    # What buckles does not vibrate: sqrt(|lambda|) would be no frequency.
+    lowest = found.eigenvalues[rigid : rigid + 1].min(initial=np.inf)
+    if not np.isfinite(found.eigenvalues).all() or lowest < -STABLE * found.scale:
+        what = f"expected a stable structure, found the eigenvalue {lowest:.6g} 1/s^2"
+        remedy = "check the sign of K, and that rigid counts every motion that nothing holds"
+        raise UnstableError(what, "K", remedy)
+    return found
+
+
+def modes_below(pair: Pair, limit: float) -> int:
+    """How many eigenvalues are below a limit [1/s^2], by Sylvester's law of inertia."""
+    if is_sparse(pair.K):
+        factor = _Factor(pair.K - limit * pair.M)
+        if factor.negative is not None:
+            return factor.negative
+        pair = Pair(pair.M.toarray(), pair.K.toarray())
+    _, blocks, _ = linalg.ldl(pair.K - limit * pair.M)
+    return int((np.linalg.eigvalsh(blocks) < 0.0).sum())
+
+
+def _by_lapack(pair: Pair, count: int, rigid: int) -> Modes:
+    part = condense(pair.M, pair.K)
+    n = len(part.M)
+    try:
+        if count > PART * n:
+            eigenvalues, shapes = (found[0] for found in generalised_eigh(part.M[None], part.K[None]))
+            eigenvalues, shapes, complete = eigenvalues[:count], shapes[:count], count >= n
+            scale = float(np.abs(eigenvalues).max())
+        else:
+            (eigenvalues, shapes), complete = _part(part.M, part.K, count, rigid), False
+            scale = float(np.abs(np.diagonal(part.K) / np.diagonal(part.M)).max())
+    except np.linalg.LinAlgError as error:
+        raise UnusableError(f"no modes: {error}", "M", "check the masses") from error
+    if part.T is not None:
+        shapes = shapes @ part.T.T
+    return Modes(eigenvalues, shapes, part.N, complete, scale)
+
+
+def _part(M: Array, K: Array, count: int, rigid: int) -> tuple[Array, Array]:
+    """Lowest modes of full matrices."""
+    n = len(M)
+    # The lowest modes are sharpest as the largest eigenvalues of M phi = mu K phi, where K can be factorised.
+    diagonal = np.diagonal(K)
+    if not rigid and (diagonal > 0.0).all():
+        scale = 1.0 / np.sqrt(diagonal)
+        scaled = K * (scale[:, None] * scale)
+        if definite(scaled):
+            both = scale[:, None] * scale
+            found, shapes = linalg.eigh(M * both, scaled, subset_by_index=(n - count, n - 1))
+            if (found > 0.0).all():
+                return 1.0 / found[::-1], ((shapes * scale[:, None]) / np.sqrt(found)).T[::-1]
+    scale = 1.0 / np.sqrt(np.diagonal(M))  # removes a mixture of units before M is factorised
+    both = scale[:, None] * scale
+    found, shapes = linalg.eigh(K * both, M * both, subset_by_index=(0, count - 1))
+    return found, (shapes * scale[:, None]).T
+
+
+class _Factor:
+    """L D L^T of a sparse symmetric matrix, scaled to a unit diagonal, without pivoting.
+
+    Attributes
+    ----------
+    negative : int or None
+        How many eigenvalues are negative; None where the factor cannot be trusted to tell.
+    """
+
+    def __init__(self, A: Any) -> None:
+        diagonal = np.abs(A.diagonal())
+        self.scale = 1.0 / np.sqrt(np.where(diagonal > 0.0, diagonal, 1.0))
+        scaling = sparse.diags_array(self.scale)
+        self.negative: int | None = None
+        try:
+            self.factor = iterative.splu(
+                sparse.csc_matrix(scaling @ A @ scaling),
+                permc_spec="MMD_AT_PLUS_A",
+                diag_pivot_thresh=0.0,
+                options={"SymmetricMode": True},
+            )
+        except RuntimeError:  # exactly singular
+            return
+        pivots = self.factor.U.diagonal()
+        if (self.factor.perm_r == self.factor.perm_c).all() and (np.abs(pivots) > SINGULAR).all():
+            self.negative = int((pivots < 0.0).sum())
+
+    def solve(self, right: Array) -> Array:
+        scale = self.scale if right.ndim == 1 else self.scale[:, None]
+        found: Array = scale * self.factor.solve(scale * right)
+        return found
+
+
+def _by_lanczos(pair: Pair, count: int, rigid: int) -> Modes | None:
+    """Lowest modes of sparse matrices; None where only LAPACK can tell."""
+    M, K = pair
+    diagonal = M.diagonal()
+    moving = diagonal > 0.0
+    if (diagonal < 0.0).any() or not moving.any():
+        return None
+    scale = float(np.abs(K.diagonal()[moving] / diagonal[moving]).max())
+    shift, factor = 0.0, _Factor(K)
+    if rigid or factor.negative != 0:
+        shift = -STABLE * scale
+        factor = _Factor(K - shift * M)
+        if factor.negative != 0:
+            return None
+    start = np.random.default_rng(0).standard_normal(K.shape[0])
+    if rigid:  # between the rigid modes and the others, so that neither swamps the others
+        near = _lanczos(M, shift, factor, rigid + 1, start)
+        if near is None:
+            return None
+        shift = -0.5 * float(np.abs(near[0]).max())
+        factor = _Factor(K - shift * M)
+        if factor.negative != 0:
+            return None
+    # One more than asked for shows whether there is a gap above them.
+    found = _lanczos(M, shift, factor, count + 1, start)
+    if found is None:
+        return None
+    basis = found[1] / np.abs(found[1]).max(axis=0)
+    try:
+        eigenvalues, mixed = linalg.eigh(basis.T @ (K @ basis), basis.T @ (M @ basis))
+    except np.linalg.LinAlgError:
+        return None
+    shapes = (basis @ mixed).T
+    inertia = (M @ shapes.T).T
+    forces = (K @ shapes.T).T
+    apart = np.linalg.norm((forces - eigenvalues[:, None] * inertia)[:count], axis=1)
+    size = np.linalg.norm(np.abs(K) @ np.abs(shapes[:count].T), axis=0)
+    if not (apart <= RESIDUAL * size).all() or not _none_missed(pair, eigenvalues, count):
+        return None
+    return Modes(eigenvalues[:count], shapes[:count], None, False, scale)
+
+
+def _lanczos(M: Any, shift: float, factor: _Factor, count: int, start: Array) -> tuple[Array, Array] | None:
+    n = M.shape[0]
+    inverse = iterative.LinearOperator((n, n), matvec=factor.solve, dtype=float)
+    stiffness = iterative.LinearOperator((n, n), matvec=lambda x: x, dtype=float)  # asked for its shape only
+    # The start has no part in motions without inertia but that which follows the others; so have all iterates.
+    with contextlib.suppress(iterative.ArpackError):
+        eigenvalues, shapes = iterative.eigsh(
+            stiffness, count, M, sigma=shift, OPinv=inverse, v0=factor.solve(M @ start)
+        )
+        return eigenvalues, shapes
+    return None
+
+
+def _none_missed(pair: Pair, eigenvalues: Array, count: int) -> bool:
+    """Whether as many eigenvalues as were found lie below the middle of the last gap."""
+    gaps = np.diff(eigenvalues)
+    wide = np.flatnonzero(gaps > 1e-6 * np.abs(eigenvalues[1:]))
+    if not wide.size:
+        return False
+    # The highest gap among those found: coinciding eigenvalues at the very end cannot be counted apart.
+    last = int(wide[-1])
+    below = _Factor(pair.K - 0.5 * (eigenvalues[last] + eigenvalues[last + 1]) * pair.M).negative
+    return below == last + 1

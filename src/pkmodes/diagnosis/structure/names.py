@@ -1,0 +1,44 @@
+"""What a user declares about a structure, checked: parameters, candidates and their names."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from pkmodes.diagnosis.problem import Candidate, Parameter
+from pkmodes.errors import PkmodesError, shown
+
+
+def check_names(kind: str, names: Sequence[str]) -> None:
+    """Refuse names that come twice."""
+    for name in names:
+        if names.count(name) > 1:
+            raise PkmodesError(f"two {kind}s are called {shown(name)}", f"{kind}s", "rename one")
+
+
+def check_parameter(p: Parameter) -> None:
+    """Refuse bounds and deviations that contradict the value."""
+    where = f"parameter {shown(p.name)}"
+    if not p.lower < p.upper or not p.lower <= p.value <= p.upper or not np.isfinite(p.value):
+        what = f"expected lower <= value <= upper, found {p.lower:g}, {p.value:g}, {p.upper:g}"
+        raise PkmodesError(what, where, "widen the bounds or correct the value")
+    if p.sigma is not None and not 0.0 <= p.sigma < np.inf:
+        what = f"expected a standard deviation of at least 0, found {p.sigma:g}"
+        raise PkmodesError(what, where, "leave it out when unknown")
+
+
+def check_candidate(candidate: Candidate, parameters: Mapping[str, Parameter]) -> None:
+    """Refuse a candidate whose parameters are missing, or are no suspects."""
+    where, names = f"candidate {shown(candidate.name)}", candidate.parameters
+    if not names or len(set(names)) < len(names):
+        raise PkmodesError(f"expected different parameters, found {list(names)}", where, "name each once")
+    for name in names:
+        if name not in parameters:
+            what = f"it has a parameter {shown(name)} that is not there"
+            raise PkmodesError(what, where, f"parameters are: {', '.join(parameters)}")
+        sigma = parameters[name].sigma
+        if sigma is not None:
+            state = "refitted under every hypothesis" if sigma else "known exactly"
+            what = f"its parameter {shown(name)} has a sigma: it is {state}"
+            raise PkmodesError(what, where, "leave out the candidate, or the sigma")

@@ -1,0 +1,231 @@
+"""M and K from a user's callables, checked at every call, and their derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, Literal, NamedTuple, overload
+
+import numpy as np
+from scipy import sparse
+
+from pkmodes.diagnosis.problem import Array, Parameter
+from pkmodes.diagnosis.structure.forms import (
+    FEW,
+    MANY,
+    count_of,
+    entries_of,
+    is_sparse,
+    is_symmetric,
+    minus,
+    packed,
+    relative_change,
+    thin,
+)
+from pkmodes.errors import PkmodesError, shown
+
+Matrices = Callable[[Mapping[str, float], str], tuple[Any, Any]]
+Derivatives = Callable[[Mapping[str, float], str, str], tuple[Any, Any]]
+
+#: Relative change of the matrices at which differences stand in for derivatives: rounding and curvature balance.
+CHANGE = 1e-6
+#: How far that change may be missed, and how many steps are tried.  Steps grow up to LARGEST, for a parameter that
+#: changes nothing.
+MISSED, TRIALS, LARGEST = 100.0, 30, 1e12
+#: Steps smaller than this, relative to the value, may be lost in its rounding.
+SMALLEST = 1e-12
+#: How many values a message names.
+NAMED = 8
+
+
+class Pair(NamedTuple):
+    """Mass and stiffness of one setup, or their derivatives: both ndarrays, or both sparse arrays."""
+
+    M: Any
+    K: Any
+
+
+class _Search(NamedTuple):
+    """Derivatives by differences, None where nothing changes; whether any were finite; the last step."""
+
+    rates: list[Pair] | None
+    finite: bool
+    step: float
+
+
+class Supplied:
+    """What the callables return, as float64 and symmetric, or an error that names setup and values.
+
+    Parameters
+    ----------
+    parameters : sequence of Parameter
+    matrices, derivatives : callable
+        See `pkmodes.diagnosis.MatrixStructure`.
+    expected : int
+        Number of coordinates.
+    reason : str
+        Why so many, for messages.
+    """
+
+    def __init__(
+        self,
+        parameters: Sequence[Parameter],
+        matrices: Matrices,
+        derivatives: Derivatives | None,
+        expected: int,
+        reason: str,
+    ) -> None:
+        self.parameters = parameters
+        self.matrices, self.derivatives = matrices, derivatives
+        self.expected, self.reason = expected, reason
+        self.steps: dict[tuple[int, tuple[str, ...]], float] = {}
+
+    @overload
+    def at(self, values: Array, setup: str, finite: Literal[True]) -> Pair: ...
+    @overload
+    def at(self, values: Array, setup: str, finite: Literal[False] = ...) -> Pair | None: ...
+    def at(self, values: Array, setup: str, finite: bool = False) -> Pair | None:
+        """M and K; where they are not finite, which some values within the bounds may bring, None or an error."""
+        named = self._named(values)
+        where = self._where(values, setup)
+        try:
+            returned = self.matrices(named, setup)
+        except PkmodesError:
+            raise
+        except Exception as error:
+            what = f"the callable for M and K failed: {type(error).__name__}: {error}"
+            raise PkmodesError(what, where, "mend it, or narrow the bounds of the parameters") from error
+        pair = self._pair(returned, ("M", "K"), where)
+        n = self.expected
+        if n >= MANY and all(count_of(matrix) <= FEW * n * n for matrix in pair):
+            pair = Pair(*map(packed, pair))
+        else:  # a copy: a callable may use its arrays again
+            pair = Pair(*(matrix.toarray() if is_sparse(matrix) else matrix.copy() for matrix in pair))
+        for name, matrix in zip(("M", "K"), pair, strict=True):
+            known = np.isfinite(entries_of(matrix)).all()
+            if not known and not finite:
+                return None
+            if not known or not is_symmetric(matrix):
+                what = f"expected {name} finite and symmetric"
+                raise PkmodesError(what, where, "check how it is assembled")
+        return pair
+
+    def rates(self, values: Array, i: int, setups: Mapping[str, Pair]) -> list[Pair] | None:
+        """Derivatives by one parameter in these setups, of which M and K are known; None where there are none."""
+        if self.derivatives is None:
+            return self._differences(values, i, setups)
+        name, found = self.parameters[i].name, []
+        for setup in setups:
+            where = f"derivatives by {shown(name)}, {self._where(values, setup)}"
+            try:
+                returned = self.derivatives(self._named(values), setup, name)
+            except PkmodesError:
+                raise
+            except Exception as error:
+                what = f"the callable for dM and dK failed: {type(error).__name__}: {error}"
+                raise PkmodesError(what, where, "mend it, or leave the derivatives out") from error
+            pair = self._pair(returned, ("dM", "dK"), where)
+            for kind, matrix in zip(("dM", "dK"), pair, strict=True):
+                if not np.isfinite(entries_of(matrix)).all() or not is_symmetric(matrix):
+                    what = f"expected {kind} finite and symmetric"
+                    raise PkmodesError(what, where, "mend it, or leave the derivatives out")
+            found.append(Pair(*map(thin, pair)))
+        return found
+
+    def _differences(self, values: Array, i: int, setups: Mapping[str, Pair]) -> list[Pair] | None:
+        """The same by differences; the step that is right at the declared values is tried first."""
+        p = self.parameters[i]
+        declared = np.array([p.value for p in self.parameters])
+        key = i, tuple(setups)
+        if key not in self.steps:
+            self.steps[key] = CHANGE * (max(abs(p.value), p.sigma or 0.0) or 1.0)
+            centres = {setup: self.at(declared, setup) for setup in setups}
+            known = {setup: pair for setup, pair in centres.items() if pair is not None}
+            if len(known) == len(centres):
+                first = self._search(declared, i, known, self.steps[key])
+                self.steps[key] = first.step if first.rates is not None else self.steps[key]
+        step = self.steps[key]
+        if step < SMALLEST * abs(values[i]):  # lost in a value that is far from the declared one
+            step = CHANGE * abs(values[i])
+        found = self._search(values, i, setups, step)
+        if not found.finite:
+            what = f"expected M and K finite on both sides of {p.name} = {values[i]:.10g}"
+            remedy = "give the parameter the bounds within which it has a meaning, or give derivatives"
+            raise PkmodesError(what, self._where(values, next(iter(setups))), remedy)
+        return found.rates
+
+    def _search(self, values: Array, i: int, setups: Mapping[str, Pair], step: float) -> _Search:
+        """Find the step that changes the matrices as much as it should."""
+        p = self.parameters[i]
+        rates, finite = None, False
+        for _ in range(TRIALS):
+            ahead, behind = values.copy(), values.copy()
+            ahead[i], behind[i] = min(values[i] + step, p.upper), max(values[i] - step, p.lower)
+            if ahead[i] == behind[i]:
+                break
+            differences = [self._difference(ahead, behind, setup) for setup in setups]
+            if any(pair is None for pair in differences):  # the step is far too large
+                step *= 1e-3
+                continue
+            finite = True
+            known = [pair for pair in differences if pair is not None]
+            change = max(
+                relative_change(d, of)
+                for pair, centre in zip(known, setups.values(), strict=True)
+                for d, of in zip(pair, centre, strict=True)
+            )
+            if change > 0.0:
+                width = ahead[i] - behind[i]
+                rates = [Pair(pair.M / width, pair.K / width) for pair in known]
+            whole = ahead[i] == p.upper and behind[i] == p.lower
+            if abs(np.log(max(change, 1e-300) / CHANGE)) <= np.log(MISSED) or (
+                change < CHANGE and (step > LARGEST or whole)
+            ):
+                break
+            step *= min(max(CHANGE / change, 1e-6), 1e6) if change > 0.0 else 1e3
+        return _Search(rates, finite, step)
+
+    def _difference(self, ahead: Array, behind: Array, setup: str) -> Pair | None:
+        after, before = self.at(ahead, setup), self.at(behind, setup)
+        if after is None or before is None:
+            return None
+        return Pair(*(thin(minus(a, b)) for a, b in zip(after, before, strict=True)))
+
+    def _named(self, values: Array) -> dict[str, float]:
+        return {p.name: float(value) for p, value in zip(self.parameters, values, strict=True)}
+
+    def _where(self, values: Array, setup: str) -> str:
+        moved = [(p.name, v) for p, v in zip(self.parameters, values, strict=True) if v != p.value]
+        text = ", ".join(f"{name} = {value:.10g}" for name, value in moved[:NAMED]) or "the declared values"
+        more = f" and {len(moved) - NAMED} more" if len(moved) > NAMED else ""
+        return f"matrices for setup {shown(setup)} at {text}{more}"
+
+    def _pair(self, returned: Any, names: tuple[str, str], where: str) -> Pair:
+        kind = f"({', '.join(names)})"
+        if not isinstance(returned, tuple | list) or len(returned) != 2:
+            what = f"expected a pair {kind}, found {type(returned).__name__}"
+            raise PkmodesError(what, where, f"return {kind}")
+        return Pair(*(self._matrix(m, name, where) for name, m in zip(names, returned, strict=True)))
+
+    def _matrix(self, given: Any, name: str, where: str) -> Any:
+        if not is_sparse(given):
+            try:
+                given = np.asarray(given)
+            except (TypeError, ValueError) as error:
+                raise PkmodesError(f"expected {name} as an array: {error}", where, "return arrays") from error
+        if given.dtype.kind not in "biuf":
+            found = "complex numbers" if given.dtype.kind == "c" else f"values of type {given.dtype}"
+            remedy = "give real matrices: the modes are those without damping"
+            raise PkmodesError(f"expected {name} of real numbers, found {found}", where, remedy)
+        if given.dtype.kind == "f" and given.dtype.itemsize < 8 and self.derivatives is None:
+            what = f"expected {name} in double precision, found {given.dtype}"
+            remedy = "assemble it in float64, which differences need, or give derivatives"
+            raise PkmodesError(what, where, remedy)
+        n = self.expected
+        if given.shape != (n, n):
+            what = f"expected {name} of shape {(n, n)} for {self.reason}, found {given.shape}"
+            raise PkmodesError(
+                what, where, "give one channel for each coordinate, or coordinates= or sensors="
+            )
+        if is_sparse(given):
+            return sparse.csc_array(given, dtype=float, copy=True)
+        return given.astype(float, copy=False)
