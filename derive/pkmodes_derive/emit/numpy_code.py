@@ -33,7 +33,6 @@ def module(model: Model, programs: dict[str, Program], provenance: Provenance) -
         "module.py.j2",
         provenance=provenance,
         title=layout.prose(provenance.title, ""),
-        command=provenance.command,
         constants=[line for text in provenance.constants for line in layout.prose(text, "    ", first="* ")],
         names=[line for text in glossary(model, programs) for line in layout.prose(text, "    ", first="* ")],
         coordinates=[name for name, _ in model.coordinates],
