@@ -4,11 +4,19 @@
 an array of poses.  Coordinates, signs and frames are stated in docs/model.md.
 """
 
-from pkmodes.errors import PkmodesError, PoseError, RobotFileError
-from pkmodes.loading import load, read_robot
-from pkmodes.model import Model
-from pkmodes.results import Modes, Statics
-from pkmodes.robot.robot import Robot
+TYPE_CHECKING = False  # as in typing, without loading it
+if TYPE_CHECKING:
+    from pkmodes.public import (
+        Model,
+        Modes,
+        PkmodesError,
+        PoseError,
+        Robot,
+        RobotFileError,
+        Statics,
+        load,
+        read_robot,
+    )
 
 __version__ = "0.1.0"
 
@@ -23,3 +31,20 @@ __all__ = [
     "load",
     "read_robot",
 ]
+
+
+def __getattr__(name: str) -> object:
+    """Load the public names with the first of them: the command line has to run before NumPy is loaded."""
+    if name == "public" or name.startswith("__"):
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    import pkmodes.public as public
+
+    found = globals()
+    found.update({entry: vars(public)[entry] for entry in __all__ if entry in vars(public)})
+    if name not in found:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return found[name]
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

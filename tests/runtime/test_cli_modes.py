@@ -94,6 +94,12 @@ def test_a_pose_may_be_given_with_units(capsys: pytest.CaptureFixture[str]) -> N
         (["modes", "absent.toml", "--pose", POSE], "cannot read the robot file: no such file"),
         (["modes", ROBOT], "missing option '--pose' (pkmodes modes)"),
         (["modes", "--pose", POSE], "missing argument 'ROBOT.toml' (pkmodes modes)"),
+        (
+            ["modes", ROBOT, "--pose", POSE, "--pose=9,9,9"],
+            "option '--pose' is given more than once (pkmodes modes)",
+        ),
+        (["modes", "--pose", POSE, ROBOT, "--pose", POSE], "option '--pose' is given more than once"),
+        (["generate", ROBOT, "--out", "a", "--out", "b"], "option '--out' is given more than once"),
         (["modes", ROBOT, "--pose", POSE, "--zzz"], "no such option"),
         (["modez"], "no such command 'modez'"),
         (

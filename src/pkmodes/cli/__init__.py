@@ -16,6 +16,7 @@ import click
 
 import pkmodes
 from pkmodes.cli.check import check
+from pkmodes.cli.commands import Commands
 from pkmodes.cli.compare import compare
 from pkmodes.cli.diagnose import diagnose
 from pkmodes.cli.generate import generate
@@ -26,6 +27,7 @@ DONE, DOES_NOT_HOLD, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
 
 
 @click.group(
+    cls=Commands,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110},
     epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245",
 )
@@ -39,7 +41,7 @@ for command in (generate, check, modes, compare, diagnose):
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run the command line and exit; a user's mistake is one line on stderr, never a traceback."""
+    """Run the command line and exit; the installed command is `pkmodes.__main__`, which loads this."""
     sys.exit(run(arguments))
 
 
@@ -65,6 +67,8 @@ def run(arguments: Sequence[str] | None = None) -> int:
     except click.ClickException as error:
         return _report([f"{error.format_message()} (pkmodes); see pkmodes --help"])
     except (click.Abort, KeyboardInterrupt):
+        if sys.stderr is not None and sys.stderr.isatty():
+            click.echo(err=True)  # after the terminal's ^C
         _report(["interrupted (pkmodes); run it again"])
         return INTERRUPTED
     except (BrokenPipeError, SystemExit):
