@@ -86,6 +86,12 @@ def test_a_pose_may_be_given_with_units(capsys: pytest.CaptureFixture[str]) -> N
         (["modes", ROBOT, "--pose", "0.6,0,1 kg"], "which is a mass (--pose)"),
         (["modes", ROBOT, "--pose", "nan,0,0"], "expected finite coordinates"),
         (["modes", ROBOT, "--pose", "9,9,9"], "the pose is out of reach: link"),
+        (["modes", ROBOT, "--pose", "0,1e200,0"], "the pose is out of reach: link 1 is far too short"),
+        (["modes", ROBOT, "--pose", "1e200,0,0"], "the pose is singular"),
+        (
+            ["modes", ROBOT, "--pose", "-1e308,1e308,1e308"],
+            "the pose is out of reach: link 1 is far too short",
+        ),
         (
             ["modes", ROBOT, "--pose", "0.6,0,0"],
             "the condition number of D_l is inf (pose 0 at [0.6, 0, 0] m)",
