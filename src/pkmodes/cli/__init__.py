@@ -21,6 +21,7 @@ from pkmodes.cli.compare import compare
 from pkmodes.cli.diagnose import diagnose
 from pkmodes.cli.generate import generate
 from pkmodes.cli.modes import modes
+from pkmodes.cli.output import silence
 from pkmodes.errors import PkmodesError
 
 DONE, DOES_NOT_HOLD, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
@@ -72,14 +73,13 @@ def run(arguments: Sequence[str] | None = None) -> int:
         _report(["interrupted (pkmodes); run it again"])
         return INTERRUPTED
     except (BrokenPipeError, SystemExit):
-        # The reader, such as head, has seen enough (click turns that into an exit of its own); do not let the
-        # interpreter complain when it flushes.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        # The reader, such as head, has seen enough; click turns that into an exit of its own.
+        silence()
         return DONE
     except OSError as error:
         where = str(error.filename) if error.filename else "standard output"
         if not error.filename:
-            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            silence()
         return _report(
             [f"{(error.strerror or str(error)).lower()} ({where}); check the place and run it again"]
         )

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pkmodes.cli.output import check_target, json_option, write_json
+from pkmodes.cli.output import check_target, deliver, json_option, to_file, write_json
 from pkmodes.errors import PkmodesError
 
 if TYPE_CHECKING:
@@ -47,13 +47,13 @@ def check(targets: tuple[Path, ...], json_file: str | None) -> int:
             raise PkmodesError(
                 "no such file or folder", str(target), "give a generated folder or a robot file"
             )
-    if json_file is not None:
-        write_json(
-            json_file, {"holds": all(r.holds for r in reports), "targets": [_as_json(r) for r in reports]}
-        )
-    if json_file != "-":
-        for report in reports:
-            _print(report)
+    content = {"holds": all(r.holds for r in reports), "targets": [_as_json(r) for r in reports]}
+    with deliver(to_file(json_file, content)):
+        if json_file == "-":
+            write_json(json_file, content)
+        else:
+            for report in reports:
+                _print(report)
     return 0 if all(report.holds for report in reports) else 1
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from pkmodes.cli.output import check_target, json_option, write_json
+from pkmodes.cli.output import check_target, deliver, json_option, to_file, write_json
 from pkmodes.errors import OutputError
 
 
@@ -30,10 +30,10 @@ def generate(robot: Path, out: str, json_file: str | None) -> None:
     if not out.strip():
         raise OutputError("expected a folder, found an empty name", "--out", "name a folder for the model")
     written = generate_model(robot, Path(out))
-    if json_file is not None:
-        write_json(
-            json_file, {"robot": str(robot), "out": str(Path(out)), "files": [path.name for path in written]}
-        )
-    if json_file != "-":
-        for path in written:
-            click.echo(path)
+    content = {"robot": str(robot), "out": str(Path(out)), "files": [path.name for path in written]}
+    with deliver(to_file(json_file, content)):
+        if json_file == "-":
+            write_json(json_file, content)
+        else:
+            for path in written:
+                click.echo(path)
