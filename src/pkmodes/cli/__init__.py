@@ -1,4 +1,4 @@
-"""The command line: ``pkmodes generate``, ``check``, ``modes``, ``compare`` and ``diagnose``.
+"""The command line: ``pkmodes generate``, ``check``, ``modes``, ``sensitivities``, ``compare`` and ``diagnose``.
 
 Errors go to stderr as ``error: <what> (<where>); <what to do>``.  Exit codes: 0 done, 1 a check did not hold,
 2 bad input or usage.
@@ -22,6 +22,7 @@ from pkmodes.cli.diagnose import diagnose
 from pkmodes.cli.generate import generate
 from pkmodes.cli.modes import modes
 from pkmodes.cli.output import silence
+from pkmodes.cli.sensitivities import sensitivities
 from pkmodes.errors import PkmodesError
 
 DONE, DOES_NOT_HOLD, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
@@ -37,7 +38,7 @@ def cli() -> None:
     """Vibration modes of parallel robots with compliant transmissions."""
 
 
-for command in (generate, check, modes, compare, diagnose):
+for command in (generate, check, modes, sensitivities, compare, diagnose):
     cli.add_command(command)
 
 
