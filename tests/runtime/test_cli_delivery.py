@@ -8,20 +8,20 @@ import os
 import subprocess
 import sys
 from pathlib import Path
-from typing import get_args
+from typing import get_args, get_type_hints
 
 import pytest
 
 from pkmodes import closing, read_robot
-from pkmodes.cli import run
-from pkmodes.diagnosis.result import Diagnosis, Verdict
+from pkmodes.cli import run, verdicts
+from pkmodes.diagnosis import Diagnosis
 from robot_text import PUBLISHED, published
 
 ROOT = Path(__file__).parents[2]
 ROBOT = ROOT / "examples" / "closed_loop" / "robot.toml"
 MODES = ROOT / "examples" / "closed_loop" / "measured.csv"
 DIAGNOSE = ["diagnose", str(ROBOT), str(MODES), "--candidates", "gearbox_compliance"]
-VERDICTS = get_args(Verdict)
+VERDICTS = get_args(get_type_hints(Diagnosis)["verdict"])
 
 
 def shell(command: str, *arguments: str, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
@@ -105,6 +105,10 @@ def test_what_cannot_be_saved_does_not_take_the_answer_along(
     assert out.exists()
 
 
+def test_the_verdicts_are_those_of_the_engine() -> None:
+    assert verdicts.VERDICTS == VERDICTS
+
+
 @pytest.mark.parametrize("verdict", VERDICTS)
 @pytest.mark.parametrize(
     ("fail_on", "failures"),
@@ -121,7 +125,7 @@ def test_the_exit_code_is_what_the_script_asked_for(
     found: Diagnosis,
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
-    verdict: Verdict,
+    verdict: str,
     fail_on: str | None,
     failures: set[str],
 ) -> None:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Sequence
-from typing import get_args
 
 from pkmodes.errors import PkmodesError, shown
 
+VERDICTS = ("adequate", "effect_found", "ambiguous", "unexplained", "insufficient_data")
 #: Stands for every verdict but that the model is adequate.
 ANY = "any"
 
@@ -25,16 +25,13 @@ def failing(names: Sequence[str]) -> frozenset[str]:
     PkmodesError
         If there is no such verdict.
     """
-    from pkmodes.diagnosis.result import Verdict  # SciPy comes with it
-
-    verdicts: tuple[str, ...] = get_args(Verdict)
     found: set[str] = set()
     for name in names:
-        if name not in (*verdicts, ANY):
-            nearest = difflib.get_close_matches(name, [*verdicts, ANY], n=1, cutoff=0.5)
+        if name not in (*VERDICTS, ANY):
+            nearest = difflib.get_close_matches(name, [*VERDICTS, ANY], n=1, cutoff=0.5)
             remedy = (
-                f'did you mean "{nearest[0]}"?' if nearest else f"choose among {', '.join(verdicts)}, {ANY}"
+                f'did you mean "{nearest[0]}"?' if nearest else f"choose among {', '.join(VERDICTS)}, {ANY}"
             )
             raise PkmodesError(f"unknown verdict {shown(name)}", "--fail-on", remedy)
-        found |= set(verdicts) - {"adequate"} if name == ANY else {name}
+        found |= set(VERDICTS) - {"adequate"} if name == ANY else {name}
     return frozenset(found)
