@@ -12,7 +12,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from pkmodes.errors import MissingExtraError, OutputError
+from pkmodes.errors import MissingExtraError, OutputError, shown
 from pkmodes.evaluation import active_effects
 from pkmodes.product_folder import MANIFEST, check_owner, check_place, stale_outputs
 from pkmodes.robot.reading import read_robot
@@ -42,7 +42,8 @@ def derivation(name: str) -> ModuleType:
         raise MissingExtraError(
             f"{error.name} is not installed; generating and checking code needs it",
             "optional dependency",
-            f"install it with: pip install {' '.join(map(shlex.quote, REQUIREMENTS))}",
+            f"install it with: pip install {' '.join(map(shlex.quote, REQUIREMENTS))}, "
+            "or in a checkout of pkmodes with: pip install '.[derive]'",
         ) from None
 
 
@@ -89,8 +90,8 @@ def generate(robot_file: Path, out: Path) -> list[Path]:
         If SymPy or Jinja2 is not installed.
     """
     robot = read_robot(robot_file)
-    reference = relative(robot_file, out)
     recorded = _recorded(out)
+    reference = relative(robot_file, out)
     check_place(out, robot_file, recorded)
     if recorded is not None:
         check_owner(out, recorded, reference, robot.name)
@@ -112,8 +113,13 @@ def _recorded(folder: Path) -> dict[str, Any] | None:
     """The manifest of the model that a folder holds, None where there is none."""
     place = folder / MANIFEST
     try:
-        if not place.is_file():
-            return None
+        place.stat()
+    except (FileNotFoundError, NotADirectoryError):
+        return None
+    except (OSError, ValueError) as error:  # a name that cannot be one of a folder
+        reason = (getattr(error, "strerror", None) or str(error)).lower()
+        raise OutputError(f"cannot write: {reason}", shown(str(folder)), "choose another place") from None
+    try:
         content: dict[str, Any] = derivation("emit.currency").read_manifest(folder)
     except (ValueError, OSError) as error:
         raise OutputError(

@@ -74,6 +74,11 @@ def test_a_reader_that_leaves_does_not_turn_a_failure_into_success(tmp_path: Pat
     assert shell('$PK "$@" | true', "check", str(tmp_path / "model")).returncode == 1
 
 
+@pytest.mark.parametrize("place", ["2> /dev/full", "2>&-", "2>&- >&-"])
+def test_an_error_that_nobody_hears_keeps_its_exit_code(place: str) -> None:
+    assert shell(f'$PK "$@" {place}', "modes", "absent.toml", "--pose", "0,0,0").returncode == 2
+
+
 @pytest.fixture(scope="module")
 def found() -> Diagnosis:
     return closing.diagnose(read_robot(ROBOT), closing.read(MODES), candidates=["gearbox_compliance"])

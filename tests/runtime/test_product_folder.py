@@ -150,6 +150,13 @@ def test_an_empty_folder_and_one_with_the_robot_file_alone_are_welcome(
     assert run(["check", "."]) == 0
 
 
+@pytest.mark.parametrize("name", ["x" * 300, "a\0b"])
+def test_a_name_that_cannot_be_one_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], name: str
+) -> None:
+    assert "cannot write: " in refused(PUBLISHED, tmp_path / name, capsys)
+
+
 @pytest.fixture
 def without_space(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     def full(*_: object) -> None:

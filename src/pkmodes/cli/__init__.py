@@ -10,6 +10,7 @@ import io
 import os
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from pathlib import Path
 
 import click
@@ -96,6 +97,7 @@ def _be_lenient() -> None:
 
 
 def _report(lines: Sequence[str]) -> int:
-    for line in lines:
-        click.echo(f"error: {line}", err=True)
+    with suppress(OSError):  # nobody listens
+        for line in lines:
+            click.echo(f"error: {line}", err=True)
     return BAD_INPUT
