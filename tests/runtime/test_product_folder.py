@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import shutil
 import subprocess
@@ -307,6 +308,18 @@ def test_a_manifest_records_the_whole_robot(tmp_path: Path, name: str, frame: st
     assert found.effects == robot.effects
     for field, value in robot.parameters._asdict().items():
         np.testing.assert_array_equal(getattr(found.parameters, field), value, strict=True)
+
+
+def test_a_recorded_direction_is_not_normalised_again(tmp_path: Path) -> None:
+    """A unit vector of doubles has a length a little off 1; divided by it, this one differs in its last digit."""
+    text = published().replace("direction = [1, 0, 0]", "direction = [0.9, 0.1, 0.6]", 1)
+    (tmp_path / "robot.toml").write_text(text, encoding="utf-8")
+    robot = read_robot(tmp_path / "robot.toml")
+    direction = robot.parameters.direction[0]
+    assert (direction / math.hypot(*direction) != direction).any()
+    values = json.loads(json.dumps(robot.declared))
+    content = {"mechanism": robot.mechanism, "robot": {"name": robot.name, "values": values}}
+    np.testing.assert_array_equal(recorded_robot(content, "manifest").parameters.direction[0], direction)
 
 
 @pytest.mark.parametrize(
