@@ -34,17 +34,28 @@ __all__ = [
 
 
 def __getattr__(name: str) -> object:
-    """Load the public names with the first of them: the command line has to run before NumPy is loaded."""
+    """Load the public names with the first of them: the command line has to run before NumPy is loaded.
+
+    What compares with measurements comes alone when it is used: it needs SciPy, which takes longer still.
+    """
+    if name == "closing":
+        import pkmodes.closing
+
+        return pkmodes.closing
+    if name == "diagnosis":
+        import pkmodes.diagnosis
+
+        return pkmodes.diagnosis
     if name == "public" or name.startswith("__"):
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    import pkmodes.public as public
+    import pkmodes.public
 
     found = globals()
-    found.update({entry: vars(public)[entry] for entry in __all__ if entry in vars(public)})
+    found.update({entry: vars(pkmodes.public)[entry] for entry in __all__ if entry in vars(pkmodes.public)})
     if name not in found:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return found[name]
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+    return sorted({*globals(), *__all__, "closing", "diagnosis"})
