@@ -69,7 +69,7 @@ def test_only_the_bridge_imports_dynamically() -> None:
 
 def test_the_runtime_is_light_to_import() -> None:
     """What takes long is loaded when it is needed: SymPy for generating, pint and pydantic for reading."""
-    code = "import sys, pkmodes; print(sorted({m.split('.')[0] for m in sys.modules}))"
+    code = "import sys, pkmodes; pkmodes.load; print(sorted({m.split('.')[0] for m in sys.modules}))"
     path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
     run = subprocess.run(
         [sys.executable, "-c", code],

@@ -4,11 +4,19 @@
 an array of poses.  Coordinates, signs and frames are stated in docs/model.md.
 """
 
-from pkmodes.errors import PkmodesError, PoseError, RobotFileError
-from pkmodes.loading import load, read_robot
-from pkmodes.model import Model
-from pkmodes.results import Modes, Statics
-from pkmodes.robot.robot import Robot
+TYPE_CHECKING = False  # as in typing, without loading it
+if TYPE_CHECKING:
+    from pkmodes.public import (
+        Model,
+        Modes,
+        PkmodesError,
+        PoseError,
+        Robot,
+        RobotFileError,
+        Statics,
+        load,
+        read_robot,
+    )
 
 __version__ = "0.1.0"
 
@@ -23,3 +31,31 @@ __all__ = [
     "load",
     "read_robot",
 ]
+
+
+def __getattr__(name: str) -> object:
+    """Load the public names with the first of them: the command line has to run before NumPy is loaded.
+
+    What compares with measurements comes alone when it is used: it needs SciPy, which takes longer still.
+    """
+    if name == "closing":
+        import pkmodes.closing
+
+        return pkmodes.closing
+    if name == "diagnosis":
+        import pkmodes.diagnosis
+
+        return pkmodes.diagnosis
+    if name == "public" or name.startswith("__"):
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    import pkmodes.public
+
+    found = globals()
+    found.update({entry: vars(pkmodes.public)[entry] for entry in __all__ if entry in vars(pkmodes.public)})
+    if name not in found:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return found[name]
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__, "closing", "diagnosis"})

@@ -1,5 +1,45 @@
-"""``python -m pkmodes`` is the command line."""
+"""The entry of the command line: ``pkmodes`` and ``python -m pkmodes``.
 
-from pkmodes.cli import main
+Loading NumPy and what else a command needs takes a moment, in which an interrupt must not end in a traceback:
+until all is loaded there is nothing to clean up, and the process just ends.
+"""
 
-main()
+from __future__ import annotations
+
+import os
+import signal
+import sys
+
+INTERRUPTED = 130
+
+
+def main() -> None:
+    """Run the command line and exit; a user's mistake is one line on stderr, never a traceback."""
+    ours = (
+        signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    )  # a shell's background job ignores it
+    if ours:
+        signal.signal(signal.SIGINT, _leave)
+    from pkmodes.cli import run
+
+    if ours:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+    code = run()
+    if ours:  # the work is done: only the interpreter is still to be cleared up
+        signal.signal(signal.SIGINT, _leave)
+    if code == INTERRUPTED:
+        # Where the interrupt came while a library was compiling code, Python would end itself by the signal.
+        os._exit(code)
+    sys.exit(code)
+
+
+def _leave(*_: object) -> None:
+    try:
+        newline = b"\n" if os.isatty(2) else b""  # after the terminal's ^C
+        os.write(2, newline + b"error: interrupted (pkmodes); run it again\n")
+    finally:
+        os._exit(INTERRUPTED)
+
+
+if __name__ == "__main__":
+    main()

@@ -7,16 +7,20 @@ work, and fast, without SymPy.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+import shlex
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from pkmodes.errors import MissingExtraError, OutputError
+from pkmodes.errors import MissingExtraError, OutputError, shown
 from pkmodes.evaluation import active_effects
+from pkmodes.product_folder import MANIFEST, check_owner, check_place, stale_outputs
 from pkmodes.robot.reading import read_robot
 from pkmodes.robot.robot import Robot
 from pkmodes.writing import write_files
+
+#: The extra `derive` of pyproject.toml: named here so that it can be installed without an index that has pkmodes.
+REQUIREMENTS = ("jinja2>=3.1", "sympy==1.14.0")
 
 if TYPE_CHECKING:
     from pkmodes_derive.emit.specification import Specification
@@ -38,7 +42,8 @@ def derivation(name: str) -> ModuleType:
         raise MissingExtraError(
             f"{error.name} is not installed; generating and checking code needs it",
             "optional dependency",
-            "install it with: pip install 'pkmodes[derive]'",
+            f"install it with: pip install {' '.join(map(shlex.quote, REQUIREMENTS))}, "
+            "or in a checkout of pkmodes with: pip install '.[derive]'",
         ) from None
 
 
@@ -80,14 +85,19 @@ def generate(robot_file: Path, out: Path) -> list[Path]:
     RobotFileError
         If the robot file is wrong.
     OutputError
-        If the folder cannot be written or holds the model of another robot file.
+        If the folder cannot be written, is no place for generated files, or holds the model of another robot.
     MissingExtraError
         If SymPy or Jinja2 is not installed.
     """
     robot = read_robot(robot_file)
+    recorded = _recorded(out)
     reference = relative(robot_file, out)
+    check_place(out, robot_file, recorded)
+    if recorded is not None:
+        check_owner(out, recorded, reference, robot.name)
     texts = derivation("emit.product").specialised(specification(robot, reference))
-    stale = _stale_outputs(out, reference, texts)
+    generated = derivation("emit.currency").carries_header
+    stale = [] if recorded is None else stale_outputs(out, recorded, texts, generated)
     written = write_files(out, texts)
     for path in stale:
         path.unlink(missing_ok=True)
@@ -99,33 +109,22 @@ def relative(robot_file: Path, out: Path) -> str:
     return Path(os.path.relpath(robot_file.resolve(), out.resolve())).as_posix()
 
 
-def _stale_outputs(out: Path, reference: str, texts: Iterable[str]) -> list[Path]:
-    """Outputs of an earlier generation from the same robot file, under a name that it had then."""
-    if not (out / "manifest.json").is_file():
-        there = [name for name in texts if (out / name).exists()]
-        if there:
-            raise OutputError(
-                f"{there[0]} is there and there is no manifest that says it was generated",
-                str(out),
-                "choose another folder, or remove that file",
-            )
-        return []
+def _recorded(folder: Path) -> dict[str, Any] | None:
+    """The manifest of the model that a folder holds, None where there is none."""
+    place = folder / MANIFEST
     try:
-        recorded = derivation("emit.currency").read_manifest(out)
+        place.stat()
+    except (FileNotFoundError, NotADirectoryError):
+        return None
+    except (OSError, ValueError) as error:  # a name that cannot be one of a folder
+        reason = (getattr(error, "strerror", None) or str(error)).lower()
+        raise OutputError(f"cannot write: {reason}", shown(str(folder)), "choose another place") from None
+    try:
+        content: dict[str, Any] = derivation("emit.currency").read_manifest(folder)
     except (ValueError, OSError) as error:
         raise OutputError(
             f"the folder holds a manifest that cannot be read: {error}",
-            str(out / "manifest.json"),
-            "remove it",
+            str(place),
+            "choose another folder, or remove that file",
         ) from None
-    owner = recorded.get("robot", {}).get("file") if isinstance(recorded.get("robot"), dict) else None
-    if owner != reference:
-        found = f"the robot file {owner}" if owner else f"the mechanism {recorded.get('mechanism')}"
-        raise OutputError(
-            f"the folder already holds the model generated from {found}",
-            str(out),
-            "choose another folder, or remove that one",
-        )
-    # Only files in this very folder: a manifest cannot make us remove anything elsewhere.
-    beside = {path.name for path in out.iterdir() if path.is_file()}
-    return [out / name for name in recorded["outputs"] if name in beside - set(texts)]
+    return content

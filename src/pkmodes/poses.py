@@ -140,10 +140,12 @@ def _reason(point: NDArray[np.float64], parameters: Parameters, max_condition: f
     if not finite:
         return "expected finite coordinates, found NaN or infinity", "give finite coordinates"
     if not reachable:
-        reach = generated.reach_margin(point, parameters)
+        with np.errstate(all="ignore"):  # squares of absurd coordinates overflow
+            reach = generated.reach_margin(point, parameters)
         j = int(np.argmin(reach))
+        missing = f"{-reach[j]:.4g} m" if np.isfinite(reach[j]) else "far"
         return (
-            f"the pose is out of reach: link {j + 1} is {-reach[j]:.4g} m too short",
+            f"the pose is out of reach: link {j + 1} is {missing} too short",
             "choose a pose closer to the rails",
         )
     if not regular:

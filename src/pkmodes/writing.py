@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import tempfile
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 
 from pkmodes.errors import OutputError
@@ -14,7 +15,7 @@ def write_files(folder: Path, texts: Mapping[str, str]) -> list[Path]:
     """Write texts into a folder, all or none; existing files of those names are replaced.
 
     Every text is first written beside its place and then moved there; what was there before is kept until
-    all are in place, and put back if anything goes wrong.
+    all are in place, and put back if anything goes wrong.  Folders that were made for it are removed then.
 
     Raises
     ------
@@ -23,6 +24,7 @@ def write_files(folder: Path, texts: Mapping[str, str]) -> list[Path]:
     """
     staged: list[tuple[Path, Path]] = []
     moved: list[tuple[Path | None, Path]] = []
+    made = [place for place in (folder, *folder.parents) if not place.exists()]
     try:
         folder.mkdir(parents=True, exist_ok=True)
         for name, text in texts.items():
@@ -40,6 +42,9 @@ def write_files(folder: Path, texts: Mapping[str, str]) -> list[Path]:
                 backup.replace(target)
         for temporary, _ in staged:
             temporary.unlink(missing_ok=True)
+        for place in made:
+            with suppress(OSError):  # it was never made, or somebody else uses it already
+                place.rmdir()
         if not isinstance(error, OSError):
             raise
         reason = (error.strerror or "it cannot be written").lower()

@@ -86,6 +86,12 @@ def test_a_pose_may_be_given_with_units(capsys: pytest.CaptureFixture[str]) -> N
         (["modes", ROBOT, "--pose", "0.6,0,1 kg"], "which is a mass (--pose)"),
         (["modes", ROBOT, "--pose", "nan,0,0"], "expected finite coordinates"),
         (["modes", ROBOT, "--pose", "9,9,9"], "the pose is out of reach: link"),
+        (["modes", ROBOT, "--pose", "0,1e200,0"], "the pose is out of reach: link 1 is far too short"),
+        (["modes", ROBOT, "--pose", "1e200,0,0"], "the pose is singular"),
+        (
+            ["modes", ROBOT, "--pose", "-1e308,1e308,1e308"],
+            "the pose is out of reach: link 1 is far too short",
+        ),
         (
             ["modes", ROBOT, "--pose", "0.6,0,0"],
             "the condition number of D_l is inf (pose 0 at [0.6, 0, 0] m)",
@@ -94,6 +100,12 @@ def test_a_pose_may_be_given_with_units(capsys: pytest.CaptureFixture[str]) -> N
         (["modes", "absent.toml", "--pose", POSE], "cannot read the robot file: no such file"),
         (["modes", ROBOT], "missing option '--pose' (pkmodes modes)"),
         (["modes", "--pose", POSE], "missing argument 'ROBOT.toml' (pkmodes modes)"),
+        (
+            ["modes", ROBOT, "--pose", POSE, "--pose=9,9,9"],
+            "option '--pose' is given more than once (pkmodes modes)",
+        ),
+        (["modes", "--pose", POSE, ROBOT, "--pose", POSE], "option '--pose' is given more than once"),
+        (["generate", ROBOT, "--out", "a", "--out", "b"], "option '--out' is given more than once"),
         (["modes", ROBOT, "--pose", POSE, "--zzz"], "no such option"),
         (["modez"], "no such command 'modez'"),
         (

@@ -13,9 +13,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from pkmodes_derive.emit import manifest
+from pkmodes_derive.emit.provenance import is_generated
 
 DIFF_LINES = 40
-IGNORED = {"__pycache__"}
+#: More than the first three lines of a generated file take: its command names a path.
+HEADER_BYTES = 20_000
 
 
 @dataclass(frozen=True)
@@ -166,17 +168,31 @@ def _outputs(
 
 
 def _orphans(folder: Path, recorded: Mapping[str, object], fresh: Mapping[str, str]) -> list[Finding]:
-    """Files that are not of this model; those of its former name go when it is generated again."""
+    """Generated files that are not of this model; those of its former name go when it is generated again.
+
+    Whatever else lies beside them, folders and links too, is the user's own.
+    """
     former, findings = _part(recorded, "outputs"), []
     for path in sorted(folder.iterdir()):
-        if path.name in fresh or path.name in IGNORED:
+        if path.name in fresh or path.is_symlink() or not (path.is_file() and carries_header(path)):
             continue
         if path.name in former:
             findings.append(Finding("different", path.name, f"{path.name} has the former name of the robot"))
         else:
-            message = f"{path.name} does not belong to this model: an orphan, remove it"
+            message = (
+                f"{path.name} was generated, but does not belong to this model: an orphan, move or remove it"
+            )
             findings.append(Finding("orphan", path.name, message))
     return findings
+
+
+def carries_header(path: Path) -> bool:
+    """Whether a file begins as generated ones do; one that cannot be read does not."""
+    try:
+        with path.open("rb") as file:
+            return is_generated(file.read(HEADER_BYTES).decode("utf-8", errors="replace"))
+    except OSError:
+        return False
 
 
 def _diff(name: str, found: str, wanted: str) -> str:

@@ -70,4 +70,6 @@ def text(
             "name": specification.name,
             "values": dict(specification.values),
         }
-    return json.dumps(content, indent=1, sort_keys=True, ensure_ascii=False) + "\n"
+    written = json.dumps(content, indent=1, sort_keys=True, ensure_ascii=False) + "\n"
+    # Bytes of a file name that are not UTF-8 are surrogates here, which JSON can only have as escapes.
+    return written.encode("utf-8", "backslashreplace").decode("utf-8")

@@ -33,7 +33,6 @@ def module(model: Model, programs: dict[str, Program], provenance: Provenance) -
         "module.py.j2",
         provenance=provenance,
         title=layout.prose(provenance.title, ""),
-        command=provenance.command,
         notes=[layout.prose(note, "") for note in model.notes],
         constants=[line for text in provenance.constants for line in layout.prose(text, "    ", first="* ")],
         names=[line for text in glossary(model, programs) for line in layout.prose(text, "    ", first="* ")],

@@ -6,7 +6,6 @@ function of the derivation, the templates and the specification.  Writing and co
 
 from __future__ import annotations
 
-import shlex
 from dataclasses import replace
 from functools import cache
 
@@ -17,7 +16,7 @@ from pkmodes_derive import linear_delta
 from pkmodes_derive.effects import catalogue
 from pkmodes_derive.emit import c_code, manifest, numpy_code
 from pkmodes_derive.emit.program import Program, arrange
-from pkmodes_derive.emit.provenance import Provenance
+from pkmodes_derive.emit.provenance import Provenance, pasteable
 from pkmodes_derive.emit.specification import Specification
 from pkmodes_derive.functions import Model
 from pkmodes_derive.specialise import specialise
@@ -106,7 +105,8 @@ def specialised(specification: Specification) -> dict[str, str]:
         title=f"Dynamics of the robot {specification.name} ({specification.mechanism}), its parameters folded in.",
         origin=f"the robot file of {specification.name}",
         generator=_generator(),
-        command=f"pkmodes generate {shlex.quote(specification.robot_file)} --out .",
+        command=f"pkmodes generate {pasteable(specification.robot_file)} --out .",
+        place=", run in this folder",
         constants=tuple(
             f"{field.name} [{field.unit}] = {_constant(specification.fields[field.name])}: {field.description}"
             for field in model.fields

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+import shlex
 from dataclasses import dataclass, fields
+
+#: What the second and third lines of a generated file say, whatever the comments of its language look like.
+MARKS = ("By pkmodes_derive ", "Do not edit: regenerate with `")
+#: Stands for a robot file whose name cannot be printed.
+ANY_ROBOT = "ROBOT.toml"
 
 
 def harmless(text: str) -> str:
@@ -14,6 +20,23 @@ def harmless(text: str) -> str:
     for mark in ("*/", "/*", '"""', "\\"):
         text = text.replace(mark, "?" * len(mark))
     return text.replace('"', "'")
+
+
+def pasteable(path: str) -> str:
+    """A path as one word of a shell command that can stand in a comment of any language.
+
+    Within quotes a pair of them more changes nothing for the shell, and parts what would end a comment.
+    """
+    if not path.isprintable():
+        return ANY_ROBOT
+    word = shlex.quote(f"./{path}" if path.startswith("-") else path)
+    return word.replace("*/", "*''/").replace("/*", "/''*")
+
+
+def is_generated(text: str) -> bool:
+    """Whether a text begins with the header of a generated file."""
+    lines = text.split("\n", 3)
+    return len(lines) > 2 and all(mark in line for mark, line in zip(MARKS, lines[1:], strict=False))
 
 
 @dataclass(frozen=True)
@@ -31,7 +54,9 @@ class Provenance:
     generator : str
         Name and version of generator and SymPy.
     command : str
-        Command that regenerates it.
+        Command that regenerates it; its paths are `pasteable`.  It stands in comments only.
+    place : str
+        Where the command is to be run, as the end of a sentence; empty for anywhere.
     constants : tuple of str
         For a specialised model, the parameters that were folded in, one line each.
     """
@@ -41,10 +66,13 @@ class Provenance:
     origin: str
     generator: str
     command: str
+    place: str = ""
     constants: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         for item in fields(self):
+            if item.name == "command":  # quotes belong to it
+                continue
             value = getattr(self, item.name)
             clean = harmless(value) if isinstance(value, str) else tuple(map(harmless, value))
             object.__setattr__(self, item.name, clean)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import shlex
+import stat
 import types
 from dataclasses import dataclass, field
 from importlib.resources import files
@@ -13,9 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.checking.consistency import Check, Generated, check_consistency, oblique_robot, regular_poses
-from pkmodes.errors import PkmodesError, RobotFileError, shown
+from pkmodes.checking.recorded import recorded_robot
+from pkmodes.errors import PkmodesError, shown
 from pkmodes.evaluation import active_effects, evaluation
 from pkmodes.generation import derivation, specification
+from pkmodes.pasting import pasted
+from pkmodes.product_folder import MANIFEST
 from pkmodes.robot.reading import read_robot
 from pkmodes.robot.robot import Robot
 from pkmodes_generated import linear_delta
@@ -40,23 +43,26 @@ class Report:
         Finite-difference consistency.
     mend : str
         Command that mends what was found, empty when nothing has to be mended.
+    unchecked : tuple of str
+        What could not be checked, and what to do about it.
     """
 
     target: str
     findings: list[Any] = field(default_factory=list)
     checks: list[Check] = field(default_factory=list)
     mend: str = ""
+    unchecked: tuple[str, ...] = ()
 
     @property
     def holds(self) -> bool:
-        """Whether the target is current and consistent."""
+        """Whether everything that could be checked is current and consistent."""
         return not self.findings and all(check.holds for check in self.checks)
 
 
 def check_committed() -> Report:
     """Check the parametric model that pkmodes itself evaluates, its derivatives for a robot without symmetry."""
     folder = Path(str(files(linear_delta)))
-    findings = _findings(folder, derivation("emit.product").parametric(MECHANISM), REGENERATE)
+    findings = _findings(folder, derivation("emit.product").parametric(MECHANISM))
     parameters = oblique_robot()
     checks = check_consistency(Generated(linear_delta, parameters), parameters)
     return Report(str(folder), findings, checks, REGENERATE if findings else "")
@@ -66,49 +72,64 @@ def check_folder(folder: Path) -> Report:
     """Check a folder that `pkmodes generate` wrote.
 
     What is executed is the fresh derivation, never a file that somebody may have edited: where the two are
-    the same, the check holds for both, and where they differ, that is found.
+    the same, the check holds for both, and where they differ, that is found.  Where the folder was copied
+    without its robot file, the robot is the one that the manifest records; whether the file says the same is
+    then left unchecked, and nothing else.
 
     Raises
     ------
     PkmodesError
-        If the folder holds no product, or its robot file is wrong.
+        If the folder holds no product, its robot file is wrong, or its manifest does not record a robot.
     """
     recorded = _manifest(folder)
     product = derivation("emit.product")
     if "robot" not in recorded and recorded.get("product") == MECHANISM:
-        findings = _findings(folder, product.parametric(MECHANISM), REGENERATE)
+        findings = _findings(folder, product.parametric(MECHANISM))
         return Report(str(folder), findings, [], REGENERATE if findings else "")
-    reference, robot_file = _robot_file(folder, recorded)
-    robot = read_robot(robot_file)
+    reference, there = _robot_file(folder, recorded)
+    if there:
+        robot, command = read_robot(folder / reference), f"pkmodes generate {pasted(folder / reference)}"
+        unchecked = []
+    else:
+        robot, command = recorded_robot(recorded, str(folder / MANIFEST)), "pkmodes generate ROBOT.toml"
+        unchecked = [_without_robot_file(folder, reference, robot.name)]
     texts = product.specialised(specification(robot, reference))
-    mend = f"pkmodes generate {_shown(robot_file)} --out {_shown(folder)}"
-    findings = _findings(folder, texts, mend)
-    checks = _checks(_executed(texts), robot)
-    return Report(str(folder), findings, checks, _mend(folder, findings, mend))
+    findings = _findings(folder, texts)
+    mend = _mend(folder, findings, f"{command} --out {pasted(folder)}")
+    return Report(str(folder), findings, _checks(_executed(texts), robot), mend, tuple(unchecked))
 
 
-def _robot_file(folder: Path, recorded: dict[str, object]) -> tuple[str, Path]:
-    """The robot file that a manifest names, as it names it and where it is."""
+def _without_robot_file(folder: Path, reference: str, name: str) -> str:
+    return (
+        f"whether the robot file {shown(reference)} still says what this model was generated with: it is not "
+        f"there; put it back, or give the file of {shown(name)} with: "
+        f"pkmodes generate ROBOT.toml --out {pasted(folder)}"
+    )
+
+
+def _robot_file(folder: Path, recorded: dict[str, object]) -> tuple[str, bool]:
+    """The robot file as a manifest names it, and whether it is there."""
     owner = recorded.get("robot")
     reference = owner.get("file") if isinstance(owner, dict) else None
     remedy = "put it back, or generate the model again with: pkmodes generate ROBOT.toml --out DIR"
-    place = str(folder / "manifest.json")
     if not isinstance(reference, str):
-        raise PkmodesError("the manifest names no robot file", place, remedy)
+        raise PkmodesError("the manifest names no robot file", str(folder / MANIFEST), remedy)
     try:
-        found = (folder / reference).is_file()
+        found = stat.S_ISREG((folder / reference).stat().st_mode)
+    except (FileNotFoundError, NotADirectoryError):
+        return reference, False
     except (OSError, ValueError):  # a name that cannot be one of a file
         found = False
     if not found:
-        what = f"the robot file {shown(reference)} that this model was generated from is not there"
-        raise RobotFileError([PkmodesError(what, place, remedy)])
-    return reference, folder / reference
+        what = f"the manifest names {shown(reference)}, which cannot be a robot file"
+        raise PkmodesError(what, str(folder / MANIFEST), remedy)
+    return reference, True
 
 
 def _mend(folder: Path, findings: list[Any], generate: str) -> str:
     """Commands that mend what was found: remove what does not belong, generate the rest."""
     orphans = [finding for finding in findings if finding.cause == "orphan"]
-    commands = [f"rm -r {_shown(folder / finding.subject)}" for finding in orphans]
+    commands = [f"rm {pasted(folder / finding.subject)}" for finding in orphans]
     if len(findings) > len(orphans):
         commands.append(generate)
     return " && ".join(commands)
@@ -129,7 +150,7 @@ def check_robot(robot_file: Path) -> Report:
 
 
 def _manifest(folder: Path) -> dict[str, object]:
-    place = folder / "manifest.json"
+    place = folder / MANIFEST
     remedy = "give a folder written by: pkmodes generate ROBOT.toml --out DIR"
     if not place.is_file():
         raise PkmodesError("expected a generated model, found no manifest.json", str(folder), remedy)
@@ -140,9 +161,9 @@ def _manifest(folder: Path) -> dict[str, object]:
     return content
 
 
-def _findings(folder: Path, fresh: dict[str, str], mend: str) -> list[Any]:
+def _findings(folder: Path, fresh: dict[str, str]) -> list[Any]:
     currency = derivation("emit.currency")
-    if not (folder / "manifest.json").is_file():
+    if not (folder / MANIFEST).is_file():
         return [currency.Finding("missing", "manifest.json", "manifest.json is missing")]
     try:
         recorded = currency.read_manifest(folder)
@@ -150,14 +171,6 @@ def _findings(folder: Path, fresh: dict[str, str], mend: str) -> list[Any]:
         return [currency.Finding("manifest", "manifest.json", f"manifest.json cannot be read: {error}")]
     found: list[Any] = currency.compare(folder, recorded, fresh)
     return found
-
-
-def _shown(path: Path) -> str:
-    """A path as a person can paste it: relative where it is below the working directory, and quoted."""
-    resolved, here = path.resolve(), Path.cwd()
-    below = resolved != here and resolved.is_relative_to(here) and here != Path(here.anchor)
-    text = str(resolved.relative_to(here) if below else resolved)
-    return shlex.quote(f"./{text}" if text.startswith("-") else text)
 
 
 def _executed(texts: dict[str, str]) -> types.ModuleType:

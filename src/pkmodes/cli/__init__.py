@@ -1,4 +1,4 @@
-"""The command line: ``pkmodes generate``, ``check``, ``modes``, ``compare`` and ``diagnose``.
+"""The command line: ``pkmodes generate``, ``check``, ``modes``, ``sensitivities``, ``compare`` and ``diagnose``.
 
 Errors go to stderr as ``error: <what> (<where>); <what to do>``.  Exit codes: 0 done, 1 a check did not hold,
 2 bad input or usage.
@@ -10,22 +10,27 @@ import io
 import os
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from pathlib import Path
 
 import click
 
 import pkmodes
 from pkmodes.cli.check import check
+from pkmodes.cli.commands import Commands
 from pkmodes.cli.compare import compare
 from pkmodes.cli.diagnose import diagnose
 from pkmodes.cli.generate import generate
 from pkmodes.cli.modes import modes
+from pkmodes.cli.output import silence
+from pkmodes.cli.sensitivities import sensitivities
 from pkmodes.errors import PkmodesError
 
 DONE, DOES_NOT_HOLD, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
 
 
 @click.group(
+    cls=Commands,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110},
     epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245",
 )
@@ -34,12 +39,12 @@ def cli() -> None:
     """Vibration modes of parallel robots with compliant transmissions."""
 
 
-for command in (generate, check, modes, compare, diagnose):
+for command in (generate, check, modes, sensitivities, compare, diagnose):
     cli.add_command(command)
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run the command line and exit; a user's mistake is one line on stderr, never a traceback."""
+    """Run the command line and exit; the installed command is `pkmodes.__main__`, which loads this."""
     sys.exit(run(arguments))
 
 
@@ -65,17 +70,18 @@ def run(arguments: Sequence[str] | None = None) -> int:
     except click.ClickException as error:
         return _report([f"{error.format_message()} (pkmodes); see pkmodes --help"])
     except (click.Abort, KeyboardInterrupt):
+        if sys.stderr is not None and sys.stderr.isatty():
+            click.echo(err=True)  # after the terminal's ^C
         _report(["interrupted (pkmodes); run it again"])
         return INTERRUPTED
     except (BrokenPipeError, SystemExit):
-        # The reader, such as head, has seen enough (click turns that into an exit of its own); do not let the
-        # interpreter complain when it flushes.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        # The reader, such as head, has seen enough; click turns that into an exit of its own.
+        silence()
         return DONE
     except OSError as error:
         where = str(error.filename) if error.filename else "standard output"
         if not error.filename:
-            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            silence()
         return _report(
             [f"{(error.strerror or str(error)).lower()} ({where}); check the place and run it again"]
         )
@@ -91,6 +97,7 @@ def _be_lenient() -> None:
 
 
 def _report(lines: Sequence[str]) -> int:
-    for line in lines:
-        click.echo(f"error: {line}", err=True)
+    with suppress(OSError):  # nobody listens
+        for line in lines:
+            click.echo(f"error: {line}", err=True)
     return BAD_INPUT

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pkmodes.cli.output import check_target, json_option, write_json
+from pkmodes.cli.output import check_target, deliver, json_option, to_file, write_json
 from pkmodes.errors import PkmodesError
 
 if TYPE_CHECKING:
@@ -26,7 +26,11 @@ def check(targets: tuple[Path, ...], json_file: str | None) -> int:
     A folder written by `pkmodes generate` is compared with a fresh derivation from its robot file; a robot
     file is derived and its model checked in memory; with no target, the model that pkmodes itself uses is
     checked.  Exit code 1 when something does not hold: the output names the file or field that changed, shows
-    the difference and the command that mends it.
+    the difference and the command that mends it.  Files of your own in the folder are no concern of it.
+
+    A folder that was copied without its robot file is checked for everything else, against the values that its
+    manifest records.  The output says that the robot file was not checked, and the exit code is 0 if the rest
+    holds.
     """
     from pkmodes.checking import products
 
@@ -43,13 +47,13 @@ def check(targets: tuple[Path, ...], json_file: str | None) -> int:
             raise PkmodesError(
                 "no such file or folder", str(target), "give a generated folder or a robot file"
             )
-    if json_file is not None:
-        write_json(
-            json_file, {"holds": all(r.holds for r in reports), "targets": [_as_json(r) for r in reports]}
-        )
-    if json_file != "-":
-        for report in reports:
-            _print(report)
+    content = {"holds": all(r.holds for r in reports), "targets": [_as_json(r) for r in reports]}
+    with deliver(to_file(json_file, content)):
+        if json_file == "-":
+            write_json(json_file, content)
+        else:
+            for report in reports:
+                _print(report)
     return 0 if all(report.holds for report in reports) else 1
 
 
@@ -64,6 +68,7 @@ def _as_json(report: Report) -> dict[str, Any]:
         "consistency": [
             {"name": c.name, "error": c.error, "bound": c.bound, "holds": c.holds} for c in report.checks
         ],
+        "unchecked": list(report.unchecked),
         "mend": report.mend or None,
     }
 
@@ -84,7 +89,11 @@ def _print(report: Report) -> None:
             f"{report.target}: {len(report.checks)} relations agree with finite differences "
             f"(closest to its bound: {worst.name}, {worst.error:.1e} of {worst.bound:.0e})"
         )
+    for sentence in report.unchecked:
+        click.echo(f"{report.target}: not checked: {sentence}")
     if report.mend:
         click.echo(f"mend it with: {report.mend}")
+    elif report.holds and report.unchecked:
+        click.echo(f"{report.target}: as it was generated, and current but for what was not checked")
     elif report.holds:
         click.echo(f"{report.target}: current")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pkmodes.cli.output import check_target, json_option, write_json
+from pkmodes.cli.output import check_target, deliver, json_option, to_file, write_json
 from pkmodes.loading import read_robot
 
 if TYPE_CHECKING:
@@ -25,7 +25,8 @@ if TYPE_CHECKING:
 def compare(robot: Path, modes: Path, json_file: str | None) -> None:
     """Prediction beside measurement, nothing fitted.
 
-    Measured modes are paired with predicted ones by frequency and, where they were measured, by shape.
+    Measured modes are paired with predicted ones by frequency and, where they were measured, by shape.  Exit code
+    0 however much they differ: the JSON has p_value for a script to judge by, or use diagnose --fail-on.
     """
     check_target(json_file, robot, modes)
     from pkmodes import closing  # SciPy is loaded only where it is used
@@ -33,18 +34,21 @@ def compare(robot: Path, modes: Path, json_file: str | None) -> None:
 
     declared = read_robot(robot)
     result = closing.compare(declared, closing.read(modes))
-    if json_file is not None:
-        content = {
-            "robot": declared.name,
-            "rms_relative": result.rms_relative,
-            "chi2_per_dof": result.chi2_per_dof,
-            "p_value": result.p_value,
-            "unpaired": len(result.unpaired),
-            "rows": [asdict(row) for row in result.rows],
-        }
-        write_json(json_file, content)
-    if json_file != "-":
-        _print(declared.name, modes, result, evaluation(declared.parameters, declared.effects).rigid_modes)
+    content = {
+        "robot": declared.name,
+        "rms_relative": result.rms_relative,
+        "chi2_per_dof": result.chi2_per_dof,
+        "p_value": result.p_value,
+        "unpaired": len(result.unpaired),
+        "rows": [asdict(row) for row in result.rows],
+    }
+    with deliver(to_file(json_file, content)):
+        if json_file == "-":
+            write_json(json_file, content)
+        else:
+            _print(
+                declared.name, modes, result, evaluation(declared.parameters, declared.effects).rigid_modes
+            )
 
 
 def _print(name: str, modes: Path, result: Comparison, rigid: int) -> None:

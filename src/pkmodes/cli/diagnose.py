@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import csv
-import shlex
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 import click
 
-from pkmodes.cli.output import check_target, json_option, write_json
+from pkmodes.cli.output import check_target, deliver, json_option, to_file, write_json
+from pkmodes.cli.verdicts import failing
 from pkmodes.errors import OutputError, PkmodesError, shown
 from pkmodes.loading import read_robot
+from pkmodes.pasting import pasted
 
 
 @click.command(
@@ -41,6 +42,12 @@ from pkmodes.loading import read_robot
     type=click.Path(path_type=Path),
     help="Write the robot file with the causes and the refitted values.",
 )
+@click.option(
+    "--fail-on",
+    "fail_on",
+    metavar="VERDICTS",
+    help="Verdicts that give exit code 1, separated by commas, or any for all but adequate; by default none.",
+)
 @json_option
 def diagnose(
     robot: Path,
@@ -48,16 +55,19 @@ def diagnose(
     candidates: str | None,
     holdout: str | None,
     save_to: Path | None,
+    fail_on: str | None,
     json_file: str | None,
-) -> None:
+) -> int:
     """Find what the model lacks, and how much better it is with it.
 
-    The verdict is adequate, effect_found, ambiguous, unexplained or insufficient_data, with a reason.
+    The verdict is adequate, effect_found, ambiguous, unexplained or insufficient_data, with a reason.  Exit code
+    0 whatever the verdict, but 1 for those that --fail-on names; 2 for bad input.
     """
     check_target(json_file, robot, modes)
     _check_robot_target(save_to, json_file, robot, modes)
     names = None if candidates is None else _names(candidates, "--candidates")
     held = None if holdout is None else [] if holdout.strip() == "none" else _names(holdout, "--holdout")
+    failures = frozenset() if fail_on is None else failing(_names(fail_on, "--fail-on"))
     from pkmodes import closing  # SciPy is loaded only where it is used
     from pkmodes.cli.diagnosis_tables import show
 
@@ -71,14 +81,23 @@ def diagnose(
             holdout=held,
             progress=progress,
         )
-    if json_file is not None:
-        write_json(json_file, result.as_json())
-    if json_file != "-":
-        show(declared.name, result)
-    if save_to is not None:
-        closing.save_robot(declared, result, save_to)
-        command = f"pkmodes generate {shlex.quote(str(save_to))} --out DIR"
-        click.echo(f"\nwrote {save_to}; next: {command}", err=json_file == "-")
+    saved: list[Path] = []
+
+    def save() -> None:
+        if save_to is not None:
+            closing.save_robot(declared, result, save_to)
+            saved.append(save_to)
+
+    content = result.as_json()
+    with deliver([save, *to_file(json_file, content)]):
+        if json_file == "-":
+            write_json(json_file, content)
+        else:
+            show(declared.name, result)
+        for path in saved:
+            command = f"pkmodes generate {pasted(path)} --out DIR"
+            click.echo(f"\nwrote {path}; next: {command}", err=json_file == "-")
+    return 1 if result.verdict in failures else 0
 
 
 def _names(text: str, option: str) -> list[str]:

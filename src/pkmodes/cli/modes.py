@@ -8,7 +8,7 @@ from typing import Any
 import click
 import numpy as np
 
-from pkmodes.cli.output import check_target, json_option, write_json
+from pkmodes.cli.output import check_target, deliver, json_option, to_file, write_json
 from pkmodes.errors import PoseError
 from pkmodes.loading import load
 from pkmodes.model import Model
@@ -29,10 +29,12 @@ def modes(robot: Path, pose: str, json_file: str | None) -> None:
     point = parse_pose(pose)
     model = load(robot)
     result, statics = model.modes(point), model.statics(point)
-    if json_file is not None:
-        write_json(json_file, as_json(model, result, statics))
-    if json_file != "-":
-        _print(model, result, statics)
+    content = as_json(model, result, statics)
+    with deliver(to_file(json_file, content)):
+        if json_file == "-":
+            write_json(json_file, content)
+        else:
+            _print(model, result, statics)
 
 
 def parse_pose(text: str) -> list[float]:

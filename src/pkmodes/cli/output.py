@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import json
 import math
+import os
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import click
 
-from pkmodes.errors import OutputError, shown
+from pkmodes.errors import OutputError, PkmodesError, shown
 from pkmodes.writing import write_file
 
 json_option = click.option(
@@ -48,7 +52,52 @@ def write_json(json_file: str, content: dict[str, Any]) -> None:
     if json_file == "-":
         click.echo(text, nl=False)
     else:
-        write_file(Path(json_file), text)
+        # Bytes of a file name that are not UTF-8 are surrogates, which JSON can only have as escapes.
+        write_file(Path(json_file), text.encode("utf-8", "backslashreplace").decode("utf-8"))
+
+
+def to_file(json_file: str | None, content: dict[str, Any]) -> list[Callable[[], None]]:
+    """What `deliver` has to write for ``--json``: nothing where it was not given or is standard output."""
+    return [] if json_file is None or json_file == "-" else [lambda: write_json(json_file, content)]
+
+
+@contextmanager
+def deliver(files: Sequence[Callable[[], None]]) -> Iterator[None]:
+    """Write files, and print in the body: neither can keep the other from being done.
+
+    A reader of standard output that has seen enough, such as head, changes neither the files nor the exit code;
+    a file that cannot be written is told after what is printed.
+
+    Parameters
+    ----------
+    files : sequence of callable
+        Each writes one file.
+
+    Raises
+    ------
+    PkmodesError
+        The first that a writer raised.
+    """
+    problems = []
+    for write in files:
+        try:
+            write()
+        except PkmodesError as error:
+            problems.append(error)
+    try:
+        yield
+        if sys.stdout is not None:
+            sys.stdout.flush()
+    except (BrokenPipeError, SystemExit):  # click and rich turn the one into the other
+        silence()
+    finally:
+        if problems:
+            raise problems[0]
+
+
+def silence() -> None:
+    """Let nothing more go to standard output: the interpreter would complain when it flushes."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _finite(value: Any) -> Any:

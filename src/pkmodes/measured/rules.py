@@ -58,7 +58,9 @@ def value_problems(given: Columns, first: Integers) -> Iterator[Problem]:
         column: str, values: Array, good: NDArray[np.bool_], expected: str, remedy: str, at: Integers = rows
     ) -> Iterator[Problem]:
         for i in np.flatnonzero(~good):
-            yield Problem(int(at[i]), column, f"expected {expected}, found {values[i]:g}", remedy)
+            large = column in ("frequency", "sigma") and LARGEST < values[i] < np.inf
+            wanted = f"{expected} (at most {LARGEST:g})" if large else expected
+            yield Problem(int(at[i]), column, f"expected {wanted}, found {values[i]:g}", remedy)
 
     # A NaN compares false, and so fails.
     for k, name in enumerate(COMPONENTS):

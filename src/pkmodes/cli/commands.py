@@ -1,0 +1,38 @@
+"""The group of the commands: an option is given once, and an interrupt ends a command without more words."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+
+class Commands(click.Group):
+    """A group whose commands refuse an option that is given twice, of which the last alone would count."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Find the command, and look at its options."""
+        name, command, rest = super().resolve_command(ctx, args)
+        if command is not None:
+            _refuse_repetitions(click.Context(command, info_name=name, parent=ctx), rest)
+        return name, command, rest
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run the command; click itself would print an empty line on an interrupt."""
+        try:
+            return super().invoke(ctx)
+        except KeyboardInterrupt:
+            raise click.Abort from None
+
+
+def _refuse_repetitions(ctx: click.Context, arguments: list[str]) -> None:
+    try:
+        _, _, order = ctx.command.make_parser(ctx).parse_args(list(arguments))
+    except click.UsageError:
+        return  # the command itself says so
+    for option in dict.fromkeys(order):
+        once = isinstance(option, click.Option) and not (option.multiple or option.count or option.is_flag)
+        if once and order.count(option) > 1:
+            raise click.UsageError(f"option '{option.opts[0]}' is given more than once", ctx)

@@ -1,0 +1,168 @@
+"""``pkmodes sensitivities``: how much each quantity of the robot file, and each effect, moves the frequencies."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.cli.modes import parse_pose
+from pkmodes.cli.output import check_target, deliver, json_option, to_file, write_json
+from pkmodes.errors import PkmodesError, shown
+from pkmodes.loading import load
+
+if TYPE_CHECKING:
+    from pkmodes.model import Model
+    from pkmodes.results import Modes
+    from pkmodes.sensitivity.sensitivities import Sensitivities
+
+Array = NDArray[np.float64]
+#: Derivatives below this fraction are rounding, and shown as 0: of the frequency by that of the value, and of the
+#: frequency by one SI unit where the value is 0.
+NOTHING, NOTHING_BY_UNIT = 1e-9, 1e-15
+
+
+@click.command(
+    epilog="\b\nExample:\n  pkmodes sensitivities robots/linear-delta-2022.toml --pose 0.6,0,-0.245 \\\n"
+    "    --parameters platform.mass,axis.span,effects.gearbox_compliance.compliance"
+)
+@click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
+@click.option("--pose", metavar="X,Y,Z", required=True, help="Platform centre, in metres or with units.")
+@click.option(
+    "--parameters",
+    metavar="PATHS",
+    help="Quantities such as platform.mass, axis.1.belt.width or effects.payload.mass, separated by commas; by "
+    "default all that can vary.",
+)
+@json_option
+def sensitivities(robot: Path, pose: str, parameters: str | None, json_file: str | None) -> None:
+    """Exact derivatives of the frequencies at a pose by the robot's quantities and by effects, absent ones too.
+
+    Quantities are sorted by how much a percent of them moves a frequency.  The platform stays where it is, and
+    every other quantity as well; docs/sensitivities.md lists the paths.
+    """
+    check_target(json_file, robot)
+    point = parse_pose(pose)
+    paths = None if parameters is None else _paths(parameters)
+    model = load(robot)
+    result, found = model.modes(point), model.sensitivities(point, paths)
+    relative = _relative(found, result.frequencies)
+    content = as_json(model, result, found, relative)
+    with deliver(to_file(json_file, content)):
+        if json_file == "-":
+            write_json(json_file, content)
+        else:
+            _print(model, result, found, relative)
+
+
+def _paths(text: str) -> list[str]:
+    paths = [path.strip() for path in text.split(",")]
+    if not all(paths):
+        raise PkmodesError(
+            f"expected parameter paths separated by commas, found {shown(text)}",
+            "--parameters",
+            "write such as --parameters platform.mass,axis.span, or leave the option out",
+        )
+    return list(dict.fromkeys(paths))
+
+
+def _relative(found: Sensitivities, frequencies: Array) -> Array:
+    """Percent of the frequency by percent of the value; NaN where either is 0."""
+    values = np.where(found.values == 0.0, np.nan, found.values)
+    sizes = np.where(frequencies == 0.0, np.nan, frequencies)
+    relative: Array = found.frequencies * values[:, None] / sizes
+    return relative
+
+
+def as_json(model: Model, result: Modes, found: Sensitivities, relative: Array) -> dict[str, Any]:
+    """The result with the keys that scripts rely on (docs/json.md)."""
+    return {
+        "robot": model.robot.name,
+        "pose": result.poses.tolist(),
+        "frequencies_hz": result.frequencies.tolist(),
+        "rigid_modes": result.rigid_modes,
+        "groups": found.groups.tolist(),
+        "parameters": list(found.parameters),
+        "units": list(found.units),
+        "values": found.values.tolist(),
+        "frequency_derivatives": found.frequencies.tolist(),
+        "relative_derivatives": relative.tolist(),
+        "eigenvalue_derivatives": found.eigenvalues.tolist(),
+    }
+
+
+@dataclass(frozen=True)
+class _Line:
+    """A quantity in the tables, for the vibration modes."""
+
+    path: str
+    unit: str
+    value: float
+    rates: Array
+    relative: Array
+
+    @property
+    def weight(self) -> float:
+        """By what the lines are sorted, to six digits; 0 for a quantity that is 0: a percent of it is nothing."""
+        return float(f"{np.nanmax(np.abs(self.relative), initial=0.0):.6g}") if self.value else 0.0
+
+
+def _print(model: Model, result: Modes, found: Sensitivities, relative: Array) -> None:
+    from pkmodes.cli.diagnosis_tables import Terminal
+
+    terminal = Terminal()
+    rigid = result.rigid_modes
+    values = found.values.tolist()
+    floor = np.array([NOTHING / abs(value) if value else NOTHING_BY_UNIT for value in values])
+    small = np.abs(found.frequencies) <= floor[:, None] * np.abs(result.frequencies)
+    rates = np.where(small, 0.0, found.frequencies)[:, rigid:]
+    every = list(map(_Line, found.parameters, found.units, values, rates, relative[:, rigid:]))
+    lines = sorted((line for line in every if line.rates.any()), key=lambda line: -line.weight)
+    position = ", ".join(f"{c:g}" for c in result.poses)
+    terminal.heading(f"{model.robot.name} at [{position}] m")
+    modes = [str(number) for number in range(1, len(result.frequencies) - rigid + 1)]
+    frequencies = [f"{f:.3f}" for f in result.frequencies[rigid:]]
+    present = [line for line in lines if line.value != 0.0]
+    if present:
+        terminal.line()
+        terminal.line("percent of the frequency by percent of the value:")
+        rows = [["f [Hz]", *frequencies], *([line.path, *map(_share, line.relative)] for line in present)]
+        terminal.table(["mode", *modes], rows, left=("mode",))
+    if lines:
+        terminal.line()
+        terminal.line("Hz by the unit of the value:")
+        rows = [
+            [line.path, f"{line.value:.6g}", "" if line.unit == "1" else line.unit, *map(_rate, line.rates)]
+            for line in lines
+        ]
+        terminal.table(["mode", "value", "unit", *modes], rows, left=("mode", "unit"))
+    still = [line.path for line in every if not line.rates.any()]
+    if still:
+        terminal.line()
+        terminal.line(f"no frequency depends on: {', '.join(still)}")
+    for members in _repeated(found.groups.tolist(), rigid):
+        terminal.line()
+        terminal.line(
+            f"modes {', '.join(map(str, members))} coincide: theirs are the derivatives of the branches into which "
+            "they split, ascending"
+        )
+
+
+def _repeated(groups: list[int], rigid: int) -> list[list[int]]:
+    """Vibration modes that coincide, counted from 1."""
+    together: dict[int, list[int]] = {}
+    for number, group in enumerate(groups[rigid:], start=1):
+        together.setdefault(group, []).append(number)
+    return [members for members in together.values() if len(members) > 1]
+
+
+def _share(value: float) -> str:
+    return "" if np.isnan(value) else "0" if abs(value) < 5e-5 else f"{value:.4f}"
+
+
+def _rate(value: float) -> str:
+    return "" if np.isnan(value) else f"{value:.4g}"

@@ -1,0 +1,176 @@
+"""Files, standard output and exit codes: none of them is lost for another, whoever closes what."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import get_args, get_type_hints
+
+import pytest
+
+from pkmodes import closing, read_robot
+from pkmodes.cli import run, verdicts
+from pkmodes.diagnosis import Diagnosis
+from robot_text import PUBLISHED, published
+
+ROOT = Path(__file__).parents[2]
+ROBOT = ROOT / "examples" / "closed_loop" / "robot.toml"
+MODES = ROOT / "examples" / "closed_loop" / "measured.csv"
+DIAGNOSE = ["diagnose", str(ROBOT), str(MODES), "--candidates", "gearbox_compliance"]
+VERDICTS = get_args(get_type_hints(Diagnosis)["verdict"])
+
+
+def shell(command: str, *arguments: str, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
+    """Run a line of shell in which ``$PK "$@"`` is a command of pkmodes with these arguments."""
+    path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
+    return subprocess.run(
+        ["bash", "-o", "pipefail", "-c", command, "bash", *arguments],
+        env={**os.environ, "PYTHONPATH": path, "PK": f"{sys.executable} -m pkmodes"},
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=cwd,
+    )
+
+
+#: Ways in which standard output takes nothing, and the exit code then.
+DEAF = {"| true": 0, "| head -0": 0, ">&-": 0, "> /dev/full": 2}
+
+
+@pytest.mark.parametrize(("reader", "code"), DEAF.items(), ids=DEAF)
+def test_files_are_written_whoever_reads(tmp_path: Path, reader: str, code: int) -> None:
+    files = ["--save-robot", str(tmp_path / "my saved.toml"), "--json", str(tmp_path / "result.json")]
+    done = shell(f'$PK "$@" {reader}', *DIAGNOSE, *files)
+    assert done.returncode == code
+    assert done.stderr.count("\n") == (code > 0), done.stderr
+    assert "effects.gearbox_compliance.compliance" in read_robot(tmp_path / "my saved.toml").declared
+    assert json.loads((tmp_path / "result.json").read_text(encoding="utf-8"))["verdict"] == "effect_found"
+
+
+def test_json_for_a_closed_pipe_still_saves_the_robot(tmp_path: Path) -> None:
+    done = shell('$PK "$@" --json - | true', *DIAGNOSE, "--save-robot", str(tmp_path / "saved.toml"))
+    assert done.returncode == 0
+    assert (tmp_path / "saved.toml").is_file()
+
+
+@pytest.mark.parametrize(
+    "arguments", [["modes", str(PUBLISHED), "--pose", "0.6,0,-0.245"], ["compare", str(ROBOT), str(MODES)]]
+)
+def test_json_files_are_written_whoever_reads(tmp_path: Path, arguments: list[str]) -> None:
+    done = shell('$PK "$@" | true', *arguments, "--json", str(tmp_path / "result.json"))
+    assert (done.returncode, done.stderr) == (0, "")
+    assert json.loads((tmp_path / "result.json").read_text(encoding="utf-8"))
+
+
+def test_a_reader_that_leaves_does_not_turn_a_failure_into_success(tmp_path: Path) -> None:
+    assert shell('$PK "$@" | true', *DIAGNOSE, "--fail-on", "any").returncode == 1
+    (tmp_path / "robot.toml").write_text(published(), encoding="utf-8")
+    assert run(["generate", str(tmp_path / "robot.toml"), "--out", str(tmp_path / "model")]) == 0
+    (tmp_path / "model" / "linear_delta_2022.h").unlink()
+    assert shell('$PK "$@" | true', "check", str(tmp_path / "model")).returncode == 1
+
+
+@pytest.mark.parametrize("place", ["2> /dev/full", "2>&-", "2>&- >&-"])
+def test_an_error_that_nobody_hears_keeps_its_exit_code(place: str) -> None:
+    assert shell(f'$PK "$@" {place}', "modes", "absent.toml", "--pose", "0,0,0").returncode == 2
+
+
+@pytest.fixture(scope="module")
+def found() -> Diagnosis:
+    return closing.diagnose(read_robot(ROBOT), closing.read(MODES), candidates=["gearbox_compliance"])
+
+
+@pytest.fixture
+def diagnosed(found: Diagnosis, monkeypatch: pytest.MonkeyPatch) -> Diagnosis:
+    """The engine has been tested elsewhere; here its answer is given."""
+    monkeypatch.setattr(closing, "diagnose", lambda *_, **__: found)
+    return found
+
+
+@pytest.mark.usefixtures("diagnosed")
+def test_what_cannot_be_saved_does_not_take_the_answer_along(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    if os.geteuid() == 0:
+        target = Path("/proc/saved.toml")  # nobody can make a file there
+    else:
+        (tmp_path / "locked").mkdir(mode=0o500)
+        target = tmp_path / "locked" / "saved.toml"
+    out = tmp_path / "result.json"
+    assert run([*DIAGNOSE, "--save-robot", str(target), "--json", str(out)]) == 2
+    captured = capsys.readouterr()
+    assert captured.out.startswith("workshop-delta: effect_found")
+    assert "wrote" not in captured.out
+    assert captured.err.startswith("error: cannot write")
+    assert captured.err.count("\n") == 1
+    assert out.exists()
+
+
+def test_the_verdicts_are_those_of_the_engine() -> None:
+    assert verdicts.VERDICTS == VERDICTS
+
+
+@pytest.mark.parametrize("verdict", VERDICTS)
+@pytest.mark.parametrize(
+    ("fail_on", "failures"),
+    [
+        (None, set()),
+        ("any", set(VERDICTS) - {"adequate"}),
+        ("effect_found,ambiguous,unexplained,insufficient_data", set(VERDICTS) - {"adequate"}),
+        (" unexplained , ambiguous", {"unexplained", "ambiguous"}),
+        ("adequate", {"adequate"}),
+        ("adequate,any", set(VERDICTS)),
+    ],
+)
+def test_the_exit_code_is_what_the_script_asked_for(
+    found: Diagnosis,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    verdict: str,
+    fail_on: str | None,
+    failures: set[str],
+) -> None:
+    monkeypatch.setattr(closing, "diagnose", lambda *_, **__: dataclasses.replace(found, verdict=verdict))
+    options = [] if fail_on is None else ["--fail-on", fail_on]
+    assert run([*DIAGNOSE, *options]) == (verdict in failures)
+    captured = capsys.readouterr()
+    assert f"workshop-delta: {verdict}" in captured.out
+    assert captured.err == ""
+
+
+@pytest.mark.parametrize(
+    ("fail_on", "message"),
+    [
+        ("unexplaned", 'unknown verdict "unexplaned" (--fail-on); did you mean "unexplained"?'),
+        ("xyz", 'unknown verdict "xyz" (--fail-on); choose among adequate, effect_found, '),
+        ("ambiguous,ANY", 'unknown verdict "ANY" (--fail-on); '),
+        ("", 'expected names separated by commas, found "" (--fail-on)'),
+    ],
+)
+def test_an_unknown_verdict_is_refused_before_anything_is_computed(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], fail_on: str, message: str
+) -> None:
+    monkeypatch.setattr(closing, "diagnose", lambda *_, **__: pytest.fail("computed"))
+    assert run([*DIAGNOSE, "--fail-on", fail_on]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith(f"error: {message}")
+    assert captured.err.count("\n") == 1
+
+
+def test_a_file_name_that_is_not_utf_8_is_no_traceback(tmp_path: Path) -> None:
+    folder = tmp_path / os.fsdecode(b"caf\xe9")
+    try:
+        folder.mkdir()
+    except OSError:
+        pytest.skip("this file system has UTF-8 names only")
+    (folder / "robot.toml").write_text(published(), encoding="utf-8")
+    for out in ("-", str(tmp_path / "out.json")):
+        target = str(folder / "model")
+        done = shell('$PK "$@"', "generate", str(folder / "robot.toml"), "--out", target, "--json", out)
+        assert (done.returncode, done.stderr) == (0, "")
+    assert json.loads((tmp_path / "out.json").read_text(encoding="utf-8"))["out"] == target

@@ -1,0 +1,115 @@
+"""Ctrl-C at any moment: one line, exit code 130, and no traceback, also while the libraries are being loaded."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+import pkmodes
+from pkmodes import public
+from robot_text import PUBLISHED
+
+ROOT = Path(__file__).parents[2]
+MODES = ["modes", str(PUBLISHED), "--pose", "0.6,0,-0.245"]
+CHECK = ["check", str(PUBLISHED)]
+#: The two ways to start: the second is what an installed console script does.
+STARTS = [["-m", "pkmodes"], ["-c", "import sys; from pkmodes.__main__ import main; sys.exit(main())"]]
+#: Interrupts the process at the moment when it looks for a module, or says that it does.
+HOOK = """
+import os, signal, sys
+
+class Finder:
+    def find_spec(self, name, path=None, target=None):
+        if name == os.environ.get("INTERRUPT_AT"):
+            os.kill(os.getpid(), signal.SIGINT)
+        if name == os.environ.get("TELL_AT"):
+            os.write(1, b"now\\n")
+
+sys.meta_path.insert(0, Finder())
+"""
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="sends POSIX signals")
+
+
+def start(folder: Path, how: list[str], arguments: list[str], **environment: str) -> subprocess.Popen[bytes]:
+    (folder / "sitecustomize.py").write_text(HOOK, encoding="utf-8")
+    paths = [folder, *(ROOT / part for part in ("src", "generated", "derive"))]
+    return subprocess.Popen(
+        [sys.executable, *how, *arguments],
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(map(str, paths)), **environment},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
+
+
+def expect_one_line(process: subprocess.Popen[bytes]) -> None:
+    _, err = process.communicate(timeout=60)
+    assert err.decode() == "error: interrupted (pkmodes); run it again\n"
+    assert process.returncode == 130
+
+
+@pytest.mark.parametrize("how", STARTS, ids=["-m", "script"])
+@pytest.mark.parametrize(
+    "module",
+    [
+        "pkmodes.cli",
+        "click",
+        "numpy",
+        "numpy.linalg",
+        "pkmodes.model",
+        "pkmodes.robot",
+        "pint",
+        "pydantic",
+        "rich",
+    ],
+)
+def test_an_interrupt_while_a_library_is_loaded(tmp_path: Path, how: list[str], module: str) -> None:
+    expect_one_line(start(tmp_path, how, MODES, INTERRUPT_AT=module))
+
+
+@pytest.mark.parametrize("module", ["scipy", "jinja2", "sympy", "sympy.core", "pkmodes_derive.linear_delta"])
+def test_an_interrupt_while_the_generator_is_loaded(tmp_path: Path, module: str) -> None:
+    expect_one_line(start(tmp_path, STARTS[0], CHECK, INTERRUPT_AT=module))
+
+
+@pytest.mark.parametrize("delay", [0.0, 0.02, 0.05, 0.1, 0.2, 0.4])
+def test_an_interrupt_at_some_early_moment(tmp_path: Path, delay: float) -> None:
+    """Counted from when the first module of the command line is looked for; before, there is only Python."""
+    process = start(tmp_path, STARTS[0], CHECK, TELL_AT="pkmodes.cli")
+    assert process.stdout is not None
+    assert process.stdout.readline() == b"now\n"
+    time.sleep(delay)
+    process.send_signal(signal.SIGINT)
+    expect_one_line(process)
+
+
+def test_an_ignored_interrupt_stays_ignored(tmp_path: Path) -> None:
+    """As in a shell's background job."""
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        process = start(tmp_path, STARTS[0], MODES, INTERRUPT_AT="numpy")
+    finally:
+        signal.signal(signal.SIGINT, before)
+    _, err = process.communicate(timeout=60)
+    assert (process.returncode, err) == (0, b"")
+
+
+def test_the_package_is_nearly_free_to_import_and_has_all_its_names() -> None:
+    code = (
+        "import sys, pkmodes; assert 'numpy' not in sys.modules; pkmodes.load; assert 'numpy' in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, cwd=ROOT / "src")
+    assert pkmodes.__all__ == public.__all__
+    assert all(getattr(pkmodes, name) is getattr(public, name) for name in pkmodes.__all__)
+    assert set(pkmodes.__all__) <= set(dir(pkmodes))
+    code = (
+        "import pkmodes; pkmodes.closing.diagnose; pkmodes.diagnosis.diagnose; from pkmodes import *; Model"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, cwd=ROOT / "src")
+    with pytest.raises(AttributeError, match="has no attribute 'nothing'"):
+        _ = pkmodes.nothing

@@ -1,0 +1,190 @@
+"""``pkmodes sensitivities``: derivatives against differences of other robot files, units, order, and mistakes."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import pkmodes
+from pkmodes.cli import run
+from rig_robots import ROBOTS
+from robot_text import PUBLISHED, edited, published
+
+POSE, POINT = "0.6,0.03,-0.245", [0.6, 0.03, -0.245]
+KEYS = {
+    "robot",
+    "pose",
+    "frequencies_hz",
+    "rigid_modes",
+    "groups",
+    "parameters",
+    "units",
+    "values",
+    "frequency_derivatives",
+    "relative_derivatives",
+    "eigenvalue_derivatives",
+}
+
+
+def sensitivities(capsys: pytest.CaptureFixture[str], *arguments: str, robot: Path = PUBLISHED) -> str:
+    capsys.readouterr()
+    assert run(["sensitivities", str(robot), "--pose", POSE, *arguments]) == 0
+    captured = capsys.readouterr()
+    assert captured.err == ""
+    return captured.out
+
+
+def as_json(capsys: pytest.CaptureFixture[str], *arguments: str) -> dict[str, Any]:
+    return json.loads(sensitivities(capsys, "--json", "-", *arguments))
+
+
+def frequencies(folder: Path, text: str) -> np.ndarray:
+    (folder / "varied.toml").write_text(text, encoding="utf-8")
+    return pkmodes.load(folder / "varied.toml").modes(POINT).frequencies
+
+
+@pytest.mark.parametrize(
+    ("path", "old", "new", "value", "unit"),
+    [
+        ("platform.mass", 'mass = "1.5 kg"', 'mass = "{} kg"', 1.5, "kg"),
+        ("belt.width", 'width = "15 mm"', 'width = "{} m"', 0.015, "m"),
+        ("motor.gear_ratio", "gear_ratio = 10", "gear_ratio = {}", 10.0, "1"),
+    ],
+)
+def test_derivatives_are_those_of_other_robot_files(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], path: str, old: str, new: str, value: float, unit: str
+) -> None:
+    found = as_json(capsys, "--parameters", path)
+    h = 1e-4 * value
+    below, above = (frequencies(tmp_path, edited(old, new.format(repr(value + s)))) for s in (-h, h))
+    slope = (above - below)[3:] / (2 * h)
+    assert (found["parameters"], found["units"], found["values"]) == ([path], [unit], [value])
+    (rates,), (shares,), (eigen,) = (
+        found[f"{kind}_derivatives"] for kind in ("frequency", "relative", "eigenvalue")
+    )
+    f = np.array(found["frequencies_hz"][3:])
+    np.testing.assert_allclose(rates[3:], slope, rtol=1e-6)  # central differences err by (h / value)^2
+    np.testing.assert_allclose(shares[3:], slope * value / f, rtol=1e-6)
+    np.testing.assert_allclose(eigen[3:], 8 * np.pi**2 * f * slope, rtol=1e-6)  # lambda = (2 pi f)^2
+
+
+def test_an_absent_effect_has_the_derivative_of_a_little_of_it(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    found = as_json(capsys, "--parameters", "effects.payload.mass")
+    base, some = (
+        frequencies(tmp_path, published() + f'\n[effects.payload]\nmass = "{m} kg"\n') for m in (0, 1e-4)
+    )
+    np.testing.assert_allclose(found["frequency_derivatives"][0][3:], (some - base)[3:] / 1e-4, rtol=1e-3)
+    assert found["values"] == [0.0]
+    assert found["relative_derivatives"] == [[None] * 9]
+
+
+def test_json_has_every_parameter_and_mode(capsys: pytest.CaptureFixture[str]) -> None:
+    found = as_json(capsys)
+    assert found.keys() == KEYS
+    assert found["robot"] == "linear-delta-2022"
+    assert found["pose"] == POINT
+    assert found["rigid_modes"] == 3
+    assert len(found["groups"]) == len(found["frequencies_hz"]) == 9
+    count = len(found["parameters"])
+    assert {"platform.mass", "axis.2.origin.y", "effects.link_compliance.compliance"} <= set(
+        found["parameters"]
+    )
+    assert len(found["units"]) == len(found["values"]) == count
+    for kind in ("frequency", "relative", "eigenvalue"):
+        assert np.shape(found[f"{kind}_derivatives"]) == (count, 9)
+
+
+def test_the_table_is_sorted_by_what_a_percent_does(capsys: pytest.CaptureFixture[str]) -> None:
+    paths = [
+        "platform.mass",
+        "effects.payload.mass",
+        "belt.width",
+        "gravity.z",
+        "pulley.radius",
+        "frame.mass",
+    ]
+    out = sensitivities(capsys, "--parameters", ",".join(paths))
+    relative, rates = out.split("Hz by the unit of the value:")
+    order = [line.split()[0] for line in relative.splitlines() if "." in line.split(" ")[0]]
+    assert order == ["pulley.radius", "belt.width", "platform.mass", "gravity.z"]
+    rows = {line.split()[0]: line.split()[1:] for line in rates.splitlines() if "." in line.split(" ")[0]}
+    assert [*rows] == [*order, "effects.payload.mass"]
+    assert rows["platform.mass"][:2] == ["1.5", "kg"]
+    assert rows["effects.payload.mass"][:2] == ["0", "kg"]
+    # A mass on the platform is more platform.
+    assert rows["effects.payload.mass"][2:] == rows["platform.mass"][2:]
+    assert "no frequency depends on: frame.mass" in out
+    model = pkmodes.load(PUBLISHED)
+    expected = model.sensitivities(POINT, ["platform.mass"]).frequencies[0, 3:]
+    assert rows["platform.mass"][2:] == [f"{rate:.4g}" for rate in expected]
+
+
+def test_every_quantity_is_in_the_table_once(capsys: pytest.CaptureFixture[str]) -> None:
+    out = sensitivities(capsys)
+    rates, _, still = out.partition("Hz by the unit of the value:")[2].partition("no frequency depends on:")
+    shown = [line.split()[0] for line in rates.splitlines() if "." in line.split(" ")[0]]
+    shown += still.replace(",", " ").split()
+    assert sorted(shown) == sorted(as_json(capsys)["parameters"])
+    assert "e-30" not in out, "rounding is shown as 0"
+
+
+def test_modes_that_coincide_are_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """On the axis of a tower printer, modes come in pairs."""
+    (tmp_path / "tower.toml").write_text(ROBOTS["tower"], encoding="utf-8")
+    found = pkmodes.load(tmp_path / "tower.toml").modes([0.0, 0.0, 0.2]).frequencies[3:]
+    pairs = [i + 1 for i in range(5) if np.isclose(found[i], found[i + 1], rtol=1e-9)]
+    assert pairs, "the tower of the rig has none here"
+    robot = str(tmp_path / "tower.toml")
+    assert run(["sensitivities", robot, "--pose", "0,0,0.2", "--parameters", "platform.mass"]) == 0
+    out = " ".join(capsys.readouterr().out.split())
+    for i in pairs:
+        assert f"modes {i}, {i + 1} coincide: theirs are the derivatives of the branches" in out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--parameters", "platform.mas"], 'unknown parameter path "platform.mas"'),
+        (["--parameters", "platform.mas"], 'did you mean "platform.mass"?'),
+        (["--parameters", "link.mass,,axis.span"], "expected parameter paths separated by commas"),
+        (["--parameters", ""], "expected parameter paths separated by commas"),
+        (["--parameters", "axis.joint_radius"], "axis.joint_radius cannot vary"),
+        (["--parameters", "link.mass", "--parameters", "axis.span"], "given more than once"),
+        (["--json", str(PUBLISHED)], "the result would replace its own input"),
+    ],
+)
+def test_mistakes_are_one_line(
+    capsys: pytest.CaptureFixture[str], arguments: list[str], message: str
+) -> None:
+    assert run(["sensitivities", str(PUBLISHED), "--pose", POSE, *arguments]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("error: ")
+    assert captured.err.count("\n") == 1
+    assert message in captured.err
+
+
+def test_the_page_prints_what_the_command_prints(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    page = (PUBLISHED.parents[1] / "docs" / "sensitivities.md").read_text(encoding="utf-8")
+    command, _, rest = page.partition("```\npkmodes sensitivities ")[2].partition("```")
+    monkeypatch.chdir(PUBLISHED.parents[1])
+    assert run(["sensitivities", *command.replace("\\\n", " ").split()]) == 0
+    assert capsys.readouterr().out == rest.partition("```\n")[2].partition("```")[0]
+
+
+def test_help_shows_an_example_that_works(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(PUBLISHED.parents[1])
+    assert run(["sensitivities", "--help"]) == 0
+    example = capsys.readouterr().out.split("Example:\n")[1].replace("\\\n", " ").split()
+    assert example[0] == "pkmodes"
+    assert run(example[1:]) == 0
