@@ -4,6 +4,8 @@
 an array of poses.  Coordinates, signs and frames are stated in docs/model.md.
 """
 
+from types import ModuleType
+
 from pkmodes.errors import PkmodesError, PoseError, RobotFileError
 from pkmodes.loading import load, read_robot
 from pkmodes.model import Model
@@ -23,3 +25,20 @@ __all__ = [
     "load",
     "read_robot",
 ]
+
+
+def __getattr__(name: str) -> ModuleType:
+    """Load what compares with measurements when it is used: it needs SciPy, which takes long to import."""
+    if name == "closing":
+        import pkmodes.closing
+
+        return pkmodes.closing
+    if name == "diagnosis":
+        import pkmodes.diagnosis
+
+        return pkmodes.diagnosis
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), "closing", "diagnosis"})

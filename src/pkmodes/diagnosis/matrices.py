@@ -9,7 +9,7 @@ import numpy as np
 
 from pkmodes.diagnosis.problem import Array, Candidate, Parameter, Prediction, Structure
 from pkmodes.eigen import generalised_eigh
-from pkmodes.errors import PkmodesError, shown
+from pkmodes.errors import PkmodesError, listed, shown
 
 Matrices = Callable[[Mapping[str, float], str], tuple[Array, Array]]
 Derivatives = Callable[[Mapping[str, float], str, str], tuple[Array, Array]]
@@ -65,9 +65,23 @@ class MatrixStructure:
         setups: Sequence[str] = ("",),
         rigid: int = 0,
     ) -> None:
-        self.parameters, self.candidates = tuple(parameters), tuple(candidates)
-        self.channels, self.setups, self.rigid = tuple(channels), tuple(setups), rigid
+        self.parameters: tuple[Parameter, ...] = tuple(
+            listed(parameters, "parameters", "parameters", 'Parameter("k", 1e6)', Parameter)
+        )
+        self.candidates: tuple[Candidate, ...] = tuple(
+            listed(candidates, "candidates", "candidates", 'Candidate("k", ("k",), "")', Candidate)
+        )
+        self.channels: tuple[str, ...] = tuple(listed(channels, "names", "channels", '"x_1"', str))
+        self.setups: tuple[str, ...] = tuple(listed(setups, "labels", "setups", '"P1"', str))
+        _check_callables(matrices, derivatives)
+        if isinstance(rigid, bool) or not isinstance(rigid, int | np.integer) or rigid < 0:
+            raise PkmodesError(
+                f"expected a number of modes, found {shown(rigid)}", "rigid", "count the rigid-body modes"
+            )
+        self.rigid = int(rigid)
         self._matrices, self._derivatives = matrices, derivatives
+        for p in self.parameters:
+            _check_parameter(p)
         for kind, labels in (
             ("parameter", [p.name for p in self.parameters]),
             ("candidate", [c.name for c in self.candidates]),
@@ -75,8 +89,6 @@ class MatrixStructure:
             ("setup", self.setups),
         ):
             _check_names(kind, labels)
-        for p in self.parameters:
-            _check_parameter(p)
         for candidate in self.candidates:
             _check_candidate(candidate, {p.name: p for p in self.parameters})
         values = np.array([p.value for p in self.parameters])
@@ -123,8 +135,16 @@ class MatrixStructure:
 
     def _at(self, values: Array, setup: str) -> tuple[Array, Array]:
         named = {p.name: float(value) for p, value in zip(self.parameters, values, strict=True)}
-        M, K = self._matrices(named, setup)
-        return np.asarray(M, dtype=float), np.asarray(K, dtype=float)
+        found = self._matrices(named, setup)
+        try:
+            M, K = found
+            if np.iscomplexobj(M) or np.iscomplexobj(K):
+                raise TypeError("complex numbers")
+            M, K = np.asarray(M, dtype=float), np.asarray(K, dtype=float)
+        except (TypeError, ValueError, OverflowError):
+            what = f"expected two matrices of numbers, found {shown(found)}"
+            raise PkmodesError(what, f"matrices for setup {shown(setup)}", "return M and K") from None
+        return M, K
 
     def _stacked(self, values: Array) -> tuple[Array, Array]:
         """M and K of all setups, (S, n, n)."""
@@ -224,8 +244,21 @@ def _check_names(kind: str, names: Sequence[str]) -> None:
             raise PkmodesError(f"two {kind}s are called {shown(name)}", f"{kind}s", "rename one")
 
 
+def _check_callables(matrices: object, derivatives: object) -> None:
+    for name, given in (("matrices", matrices), ("derivatives", derivatives)):
+        if not callable(given) and not (name == "derivatives" and given is None):
+            what = f"expected a function, found {shown(given)}"
+            raise PkmodesError(what, name, "give one of the values by name and the label of a setup")
+
+
 def _check_parameter(p: Parameter) -> None:
     where = f"parameter {shown(p.name)}"
+    if not isinstance(p.name, str):
+        raise PkmodesError(f"expected a name, found {shown(p.name)}", "parameters", "give text")
+    for number in (p.lower, p.value, p.upper, *(() if p.sigma is None else (p.sigma,))):
+        whole = isinstance(number, np.integer) or (type(number) is int and number.bit_length() < 1000)
+        if not (whole or isinstance(number, float | np.floating)):
+            raise PkmodesError(f"expected a number, found {shown(number)}", where, "give a number")
     if not p.lower < p.upper or not p.lower <= p.value <= p.upper or not np.isfinite(p.value):
         what = f"expected lower <= value <= upper, found {p.lower:g}, {p.value:g}, {p.upper:g}"
         raise PkmodesError(what, where, "widen the bounds or correct the value")
@@ -235,7 +268,10 @@ def _check_parameter(p: Parameter) -> None:
 
 
 def _check_candidate(candidate: Candidate, parameters: Mapping[str, Parameter]) -> None:
-    where, names = f"candidate {shown(candidate.name)}", candidate.parameters
+    where = f"candidate {shown(candidate.name)}"
+    if not isinstance(candidate.name, str):
+        raise PkmodesError(f"expected a name, found {shown(candidate.name)}", "candidates", "give text")
+    names = listed(candidate.parameters, "names of parameters", where, '"k"', str)
     if not names or len(set(names)) < len(names):
         raise PkmodesError(f"expected different parameters, found {list(names)}", where, "name each once")
     for name in names:
