@@ -69,7 +69,7 @@ class Kinematics:
         >>> model = pkmodes.load("robots/linear-delta-2022.toml")
         >>> found = model.check([0.6, 0.0, -0.5])
         >>> print(found.reason, "-", found.sentences)
-        reachable - the pose is out of reach: link 1 is 0.1 m too short; choose a pose closer to the rails
+        reachable - the pose is out of reach: link 2 is 0.1385 m too short; choose a pose closer to the rails
         """
         checked = self._check(poses, "nan")
         return PoseCheck(

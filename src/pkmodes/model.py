@@ -95,7 +95,7 @@ class Model(Kinematics):
         --------
         >>> import pkmodes
         >>> model = pkmodes.load("robots/linear-delta-2022.toml")
-        >>> modes = model.modes([[0.6, 0.0, -0.245], [0.6, 0.0, 0.3]], "nan", fields=["frequencies"])
+        >>> modes = model.modes([[0.6, 0.0, -0.245], [0.1, 0.0, -0.245]], "nan", fields=["frequencies"])
         >>> modes.frequencies[:, 3].round(3)
         array([55.559,    nan])
         >>> modes.reason

@@ -98,7 +98,7 @@ class Robot:
         >>> heavier.quantities["platform.mass"]
         Quantity(value=1.8, unit='kg', sigma=None)
         >>> pkmodes.Model(heavier).frequencies([0.6, 0.0, -0.245])[3:].round(2)
-        array([ 54.06,  59.29,  60.04, 130.71, 133.72, 134.17])
+        array([ 54.15,  59.25,  60.1 , 130.71, 133.72, 134.15])
         """
         from pkmodes.robot.variants import with_values  # reading units and schemas takes long to import
 
