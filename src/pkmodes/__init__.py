@@ -6,19 +6,23 @@ an array of poses.  Coordinates, signs and frames are stated in docs/model.md.
 
 from types import ModuleType
 
-from pkmodes.errors import PkmodesError, PoseError, RobotFileError
+from pkmodes.errors import NotComputedError, PkmodesError, PoseError, RobotFileError
 from pkmodes.loading import load, read_robot
 from pkmodes.model import Model
-from pkmodes.results import Modes, Statics
+from pkmodes.results import Modes, PoseCheck, Statics
 from pkmodes.robot.robot import Robot
+from pkmodes.robot.units import Quantity
 
 __version__ = "0.1.0"
 
 __all__ = [
     "Model",
     "Modes",
+    "NotComputedError",
     "PkmodesError",
+    "PoseCheck",
     "PoseError",
+    "Quantity",
     "Robot",
     "RobotFileError",
     "Statics",

@@ -23,6 +23,8 @@ class AtPoses:
 
     Attributes
     ----------
+    codes : ndarray of int8, shape (...)
+        What `valid` and `reason` say, as indices into `pkmodes.poses.CODES`.
     valid : ndarray of bool, shape (...)
         Which poses could be evaluated.
     reason : ndarray of str, shape (...)

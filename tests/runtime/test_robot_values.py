@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 import pkmodes
 from pkmodes.errors import RobotFileError
 from pkmodes.robot.units import Quantity
+from pkmodes.sensitivity.paths import moved, paths, resolve
 from robot_text import PUBLISHED, edited, published
 
 POSE = [0.6, 0.03, -0.245]
@@ -221,6 +222,9 @@ def test_the_mass_of_the_frame_is_one(folder: Path, robot: pkmodes.Robot, rich: 
             ]
             assert set(masses) <= {60.0, 1e-8}
     assert framed.with_values({"frame.mass": "60 kg"}).quantities["frame.mass"].sigma == 1.0
+    for start in (robot, rich, framed, own):
+        with pytest.raises(pkmodes.PkmodesError, match="would be changed twice"):
+            start.with_values({"frame.mass": 50, "effects.frame_compliance.mass": 50})
     both = {"effects.frame_compliance.compliance": 1e-8, "effects.frame_compliance.mass": 40}
     same_to_the_last_digit(robot.with_values(both), own)
 
@@ -315,6 +319,7 @@ def test_models_with_effects_are_pickled_and_copied(rich: pkmodes.Robot) -> None
     expected = model.modes(POSE)
     for twin in (copy.copy(model), copy.deepcopy(model), pickle.loads(pickle.dumps(model))):
         assert (twin.robot, twin.max_condition, twin.coordinates) == (model.robot, 1e5, model.coordinates)
+        assert not twin.robot.parameters.link_length.flags.writeable
         np.testing.assert_array_equal(twin.modes(POSE).shapes, expected.shapes)
 
 
@@ -324,3 +329,19 @@ def test_models_travel_to_other_processes(robot: pkmodes.Robot) -> None:
     with multiprocessing.get_context("spawn").Pool(1) as pool:
         found = pool.map(model.frequencies, poses)
     np.testing.assert_array_equal(found, [model.frequencies(p) for p in poses])
+
+
+@pytest.mark.parametrize("path", paths(pkmodes.read_robot(PUBLISHED)))
+def test_every_path_that_has_derivatives_can_be_changed(rich: pkmodes.Robot, path: str) -> None:
+    """And to a value that the derivatives' paths find again: the two go by the same names."""
+    before = resolve(rich, path)
+    value = before.value * 1.01 or 1e-9
+    changed = rich.with_values({path: value})
+    after = resolve(changed, path)
+    whole = path in ("axis.span", "axis.joint_radius")
+    assert after.value == (pytest.approx(value, rel=1e-14) if whole else value)
+    assert after.weights.keys() == before.weights.keys()
+    # To first order the wholes move as the weights say: joints by their own directions, limits evenly.
+    step = moved(rich, [(before, value - before.value)])
+    for a, b in zip(changed.parameters, step.parameters, strict=True):
+        np.testing.assert_allclose(a, b, rtol=1e-14, atol=1e-15)

@@ -50,6 +50,13 @@ class Robot:
     def __eq__(self, other: object) -> bool:
         return self._content == other._content if isinstance(other, Robot) else NotImplemented
 
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        # What is pickled or copied comes back as it was: not to be written to.
+        self.__dict__.update(state)
+        for value in self.parameters:
+            if isinstance(value, np.ndarray):
+                value.flags.writeable = False
+
     def __hash__(self) -> int:
         return hash(self._content)
 

@@ -36,8 +36,30 @@ def with_values(robot: Robot, values: Mapping[str, Any]) -> Robot:
             'write such as {"platform.mass": "2 kg"}',
         )
     source = robot.source.removesuffix(OTHER_VALUES) + OTHER_VALUES
+    changes = _changes(robot, values, source)
+    declared = _raw_values(robot)
+    if _read(robot, declared, source) != robot:
+        raise PkmodesError(
+            "the robot's parameters are not those that it declares",
+            robot.source,
+            "begin with one that was read",
+        )
+    if FRAME_MASS in changes:  # the effect takes it from the frame
+        declared.pop(FRAME_OF_EFFECT, None)
+    return _read(robot, {**declared, **changes}, source)
+
+
+def _read(robot: Robot, values: Mapping[str, Any], source: str) -> Robot:
+    """The robot that a file with these values alone would declare."""
+    found = robot_from_document(_document(robot, values), source)
+    # A direction was normalised already, and doing it again could change its last digit.
+    return replace(found, parameters=found.parameters._replace(direction=robot.parameters.direction))
+
+
+def _changes(robot: Robot, values: Mapping[str, Any], source: str) -> dict[str, Any]:
+    """The values of the file that change, by path, as a robot file could have them."""
     framed = FRAME_MASS in robot.quantities or not {*robot.quantities, *values} & {FRAME_COMPLIANCE}
-    changes: dict[str, Any] = {}
+    found: dict[str, Any] = {}
     for path, raw in values.items():
         if not isinstance(path, str):
             what = f"expected a parameter path, found {shown(path)}"
@@ -45,34 +67,14 @@ def with_values(robot: Robot, values: Mapping[str, Any]) -> Robot:
         if raw is None or (isinstance(raw, Mapping) and raw.get("value", raw) is None):
             remedy = "give a number or text with a unit; 0 is no effect"
             raise PkmodesError("expected a value, found None", f"{source}: {path}", remedy)
-        if path == FRAME_OF_EFFECT and framed:  # one mass, which is declared with the frame
-            path = FRAME_MASS
-        for element, value in _elements(robot, path, raw, source).items():
-            if element in changes:
-                raise PkmodesError(
-                    "the value would be changed twice", f"{source}: {element}", "change it once"
-                )
-            changes[element] = value
-    declared = _raw_values(robot)
-    # A direction was normalised already, and doing it again could change its last digit.
-    direction = robot.parameters.direction
-    unchanged = robot_from_document(_document(robot, declared), source)
-    unchanged = replace(unchanged, parameters=unchanged.parameters._replace(direction=direction))
-    if unchanged != robot:
-        raise PkmodesError(
-            "the robot's parameters are not those that it declares",
-            robot.source,
-            "begin with one that was read",
-        )
-    for path, raw in changes.items():
-        before = robot.quantities.get(path) or (
-            robot.quantities.get(FRAME_OF_EFFECT) if path == FRAME_MASS else None
-        )
-        declared[path] = _with_sigma(raw, before)
-    if FRAME_MASS in changes:  # the effect takes it from the frame
-        declared.pop(FRAME_OF_EFFECT, None)
-    found = robot_from_document(_document(robot, declared), source)
-    return replace(found, parameters=found.parameters._replace(direction=direction))
+        shared = path == FRAME_OF_EFFECT and framed  # one mass, which is declared with the frame
+        for element, value in _elements(robot, FRAME_MASS if shared else path, raw, source).items():
+            if element in found or {element, *found} >= {FRAME_MASS, FRAME_OF_EFFECT}:
+                what = "the value would be changed twice"
+                raise PkmodesError(what, f"{source}: {element}", "change it once")
+            found[element] = value
+    before = {FRAME_MASS: robot.quantities.get(FRAME_OF_EFFECT), **robot.quantities}
+    return {path: _with_sigma(raw, before.get(path)) for path, raw in found.items()}
 
 
 def _elements(robot: Robot, path: str, raw: Any, source: str) -> dict[str, Any]:
