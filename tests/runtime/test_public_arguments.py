@@ -41,6 +41,7 @@ RECURSIVE.append(RECURSIVE)
 NEVER: list[object] = [
     None,
     1j,
+    np.complex128(1j),
     b"P1",
     object(),
     Unwilling(),

@@ -97,7 +97,7 @@ def sensitivities(
 ) -> Sensitivities:
     """Evaluate the sensitivities of a robot; see `pkmodes.Model.sensitivities`."""
     chosen = _chosen(robot, parameters)
-    if not (isinstance(close, int | float | np.number) and 0.0 <= close < 1.0):
+    if not (isinstance(close, int | float | np.integer | np.floating) and 0.0 <= close < 1.0):
         raise PkmodesError(f"expected a fraction below 1, found {shown(close)}", "close", "use such as 1e-6")
     asked = chosen_fields(fields, out, Sensitivities.FIELDS)
     system = evaluation(robot.parameters, robot.effects)
