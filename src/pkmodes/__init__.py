@@ -9,8 +9,11 @@ if TYPE_CHECKING:
     from pkmodes.public import (
         Model,
         Modes,
+        NotComputedError,
         PkmodesError,
+        PoseCheck,
         PoseError,
+        Quantity,
         Robot,
         RobotFileError,
         Statics,
@@ -23,8 +26,11 @@ __version__ = "0.1.0"
 __all__ = [
     "Model",
     "Modes",
+    "NotComputedError",
     "PkmodesError",
+    "PoseCheck",
     "PoseError",
+    "Quantity",
     "Robot",
     "RobotFileError",
     "Statics",

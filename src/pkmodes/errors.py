@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import difflib
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 LONGEST_SHOWN = 60
@@ -20,9 +21,18 @@ def shown(value: object) -> str:
         text = str(value)
     except ValueError:  # integers beyond the interpreter's limit of digits
         return "a very large number"
+    except Exception:  # an object of the caller's that cannot be shown
+        text = f"an object of type {type(value).__name__}"
     text = "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in text)
     text = text if len(text) <= LONGEST_SHOWN else f"{text[:LONGEST_SHOWN]}..."
     return f'"{text}"' if isinstance(value, str) else text
+
+
+def nearest(name: object, known: Iterable[str], otherwise: str = "") -> str:
+    """What to do about an unknown name: the nearest known one, something else, or all that are known."""
+    names = list(known)
+    found = difflib.get_close_matches(name, names, n=1, cutoff=0.5) if isinstance(name, str) else []
+    return f'did you mean "{found[0]}"?' if found else otherwise or f"known: {', '.join(names)}"
 
 
 class PkmodesError(Exception):
@@ -97,6 +107,10 @@ class PoseError(PkmodesError):
         return type(self), (self.what, self.where, self.remedy, self.index)
 
 
+class NotComputedError(PkmodesError, AttributeError):
+    """A field of a result that was not asked for."""
+
+
 class MissingExtraError(PkmodesError):
     """An optional library is not installed."""
 
@@ -107,3 +121,40 @@ class OutputError(PkmodesError):
 
 class MeasurementError(PkmodesError):
     """Modal measurements that cannot be read, or that cannot be used with a robot."""
+
+
+def listed(
+    given: Iterable[Any],
+    what: str,
+    where: str,
+    example: str,
+    kind: type | tuple[type, ...] = object,
+    error: type[PkmodesError] = PkmodesError,
+) -> list[Any]:
+    """Check a list that a caller gives: a text is no list of its letters.
+
+    Parameters
+    ----------
+    given : iterable
+    what : str
+        What it is a list of, in the plural.
+    where : str
+        The argument.
+    example : str
+        One element, as it is written.
+    kind : type or tuple of types
+        That of the elements.
+    error : type
+        The error to raise.
+    """
+    try:
+        found = None if isinstance(given, str | bytes | bytearray) else list(given)
+    except TypeError:
+        found = None
+    if found is None:
+        remedy = f"write [{shown(given)}]" if isinstance(given, str) else f"write such as [{example}]"
+        raise error(f"expected a list of {what}, found {shown(given)}", where, remedy)
+    for one in found:
+        if not isinstance(one, kind):
+            raise error(f"expected {what}, found {shown(one)}", where, f"write such as [{example}]")
+    return found

@@ -6,19 +6,19 @@ it holds no physics of its own.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.eigen import condensed_eigh, natural_frequencies
-from pkmodes.errors import PkmodesError, PoseError, shown
 from pkmodes.evaluation import evaluation
-from pkmodes.poses import CHUNK, MAX_CONDITION, CheckedPoses, OnError, as_points, check_poses
+from pkmodes.gathering import Fields, Gathered, Out, chosen_fields
+from pkmodes.kinematics import Kinematics
+from pkmodes.poses import CHUNK, MAX_CONDITION, OnError
 from pkmodes.results import Modes, Statics
 from pkmodes.robot.robot import Robot
-from pkmodes_generated import linear_delta as generated
+from pkmodes.solving import fields_of_modes
 
 if TYPE_CHECKING:
     from pkmodes.sensitivity.sensitivities import Sensitivities
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 
-class Model:
+class Model(Kinematics):
     """Evaluator of one robot.
 
     Every method takes one pose of shape (3,) or an array of shape (..., 3), platform centres in the base
@@ -47,17 +47,24 @@ class Model:
     """
 
     def __init__(self, robot: Robot, max_condition: float = MAX_CONDITION) -> None:
-        if not isinstance(robot, Robot):
-            raise PkmodesError(f"expected a Robot, found {shown(robot)}", "Model", "use pkmodes.load(path)")
-        self.robot = robot
+        super().__init__(robot, max_condition)
         self._evaluation = evaluation(robot.parameters, robot.effects)
         self.coordinates = self._evaluation.coordinates
-        self.max_condition = max_condition
 
     def __repr__(self) -> str:
         return f"Model({self.robot.name!r}, {self.robot.mechanism}, {len(self.coordinates)} coordinates)"
 
-    def modes(self, poses: ArrayLike, on_error: OnError = "raise") -> Modes:
+    def __reduce__(self) -> tuple[Any, ...]:
+        # What evaluates may hold modules, which cannot be pickled; all that it needs is in the robot.
+        return type(self), (self.robot, self.max_condition)
+
+    def with_values(self, values: Mapping[str, Any]) -> Model:
+        """Return the evaluator of the robot with other values: see `pkmodes.Robot.with_values`."""
+        return Model(self.robot.with_values(values), self.max_condition)
+
+    def modes(
+        self, poses: ArrayLike, on_error: OnError = "raise", *, fields: Fields = None, out: Out = None
+    ) -> Modes:
         """Natural frequencies, shapes and matrices.
 
         Parameters
@@ -65,7 +72,12 @@ class Model:
         poses : array_like, shape (3,) or (..., 3)
             Platform centres [m].
         on_error : {"raise", "nan"}
-            With "nan", a pose that cannot be evaluated gives NaN and ``valid`` False.
+            With "nan", a pose that cannot be evaluated gives NaN, ``valid`` False, and a ``reason``.
+        fields : sequence of str, optional
+            Which of `Modes.FIELDS` to compute and to keep, such as ``("frequencies", "platform_shapes")``; by
+            default all, or those of `out`.  The digits of a field do not depend on what else is asked for.
+        out : mapping of str to ndarray, optional
+            Arrays to be filled in place, by field, of the shapes that `Modes` states; they become the fields.
 
         Returns
         -------
@@ -76,24 +88,58 @@ class Model:
         ------
         PoseError
             If the array is not one of poses; with ``on_error="raise"``, for the first bad pose.
+        PkmodesError
+            If a field is unknown, or an array of `out` has another shape or type or cannot be written to.
+
+        Examples
+        --------
+        >>> import pkmodes
+        >>> model = pkmodes.load("robots/linear-delta-2022.toml")
+        >>> modes = model.modes([[0.6, 0.0, -0.245], [0.1, 0.0, -0.245]], "nan", fields=["frequencies"])
+        >>> modes.frequencies[:, 3].round(3)
+        array([55.559,    nan])
+        >>> modes.reason
+        array(['', 'limits'], dtype='<U9')
         """
+        asked = chosen_fields(fields, out, Modes.FIELDS)
         checked = self._check(poses, on_error)
-        parts = [self._solve(p) for p in self._chunks(checked)]
-        M, K, eigenvalues, shapes, x, platform = (
-            np.concatenate(column) for column in zip(*parts, strict=True)
-        )
+        gathered = Gathered(checked, out)
+        for where, p in checked.parts(CHUNK):
+            gathered.put(where, fields_of_modes(self.robot, self._evaluation, p, asked))
         return Modes(
+            codes=checked.codes.reshape(checked.batch),
+            arrays=gathered.arrays,
             poses=checked.points.reshape((*checked.batch, 3)),
             coordinates=self.coordinates,
-            frequencies=checked.scatter(natural_frequencies(eigenvalues)),
-            shapes=checked.scatter(shapes),
-            platform_shapes=checked.scatter(platform),
-            carriage_positions=checked.scatter(x),
-            mass_matrix=checked.scatter(M),
-            stiffness_matrix=checked.scatter(K),
             rigid_modes=self._evaluation.rigid_modes,
-            valid=checked.valid.reshape(checked.batch),
         )
+
+    def frequencies(
+        self, poses: ArrayLike, on_error: OnError = "raise", *, out: Array | None = None
+    ) -> Array:
+        """Natural frequencies alone, those of `modes` to the last digit.
+
+        Parameters
+        ----------
+        poses : array_like, shape (3,) or (..., 3)
+            Platform centres [m].
+        on_error : {"raise", "nan"}
+            As for `modes`; `check` says why a pose gives NaN.
+        out : ndarray of float, shape (..., m), optional
+            To be filled in place, and returned.
+
+        Returns
+        -------
+        ndarray, shape (..., m)
+            sqrt(abs(lambda)) / (2 pi) with the sign of lambda [Hz], the rigid-body modes first.
+
+        Raises
+        ------
+        PoseError, PkmodesError
+            As `modes` does.
+        """
+        given = None if out is None else {"frequencies": out}
+        return self.modes(poses, on_error, fields=("frequencies",), out=given).frequencies
 
     def matrices(self, poses: ArrayLike, on_error: OnError = "raise") -> tuple[Array, Array]:
         """Mass and stiffness matrices (equations 33 and 48).
@@ -117,7 +163,7 @@ class Model:
         """
         checked = self._check(poses, on_error)
         M, K = self._evaluate(self._evaluation.matrices, checked)
-        return checked.scatter(M), checked.scatter(K)
+        return M, K
 
     def statics(self, poses: ArrayLike, on_error: OnError = "raise") -> Statics:
         """Torques and pulley rotations that hold the pose (equation 44).
@@ -141,9 +187,7 @@ class Model:
         """
         checked = self._check(poses, on_error)
         torques, rotations = self._evaluate(self._evaluation.statics, checked)
-        return Statics(
-            checked.scatter(torques), checked.scatter(rotations), checked.valid.reshape(checked.batch)
-        )
+        return Statics(checked.codes.reshape(checked.batch), torques, rotations)
 
     def sensitivities(
         self,
@@ -152,6 +196,8 @@ class Model:
         *,
         close: float = 1e-6,
         on_error: OnError = "raise",
+        fields: Fields = None,
+        out: Out = None,
     ) -> Sensitivities:
         """Exact derivatives of matrices and modes by parameters, at fixed platform poses.
 
@@ -165,6 +211,11 @@ class Model:
             Modes whose eigenvalues differ by less than this fraction are one group.
         on_error : {"raise", "nan"}
             As for `modes`.
+        fields : sequence of str, optional
+            Which of `Sensitivities.FIELDS` to compute and to keep; by default all, or those of `out`.  Without
+            ``"shapes"`` and the matrices it takes a quarter of the time.
+        out : mapping of str to ndarray, optional
+            As for `modes`: arrays to be filled in place, by field.
 
         Returns
         -------
@@ -174,160 +225,11 @@ class Model:
         Raises
         ------
         PkmodesError
-            If a path is unknown, with the nearest one.
+            If a path is unknown, with the nearest one; if a field or an array of `out` is refused as in `modes`.
         PoseError
             As `modes` does.
         """
         from pkmodes.sensitivity.sensitivities import sensitivities
 
         checked = self._check(poses, on_error)
-        return sensitivities(self.robot, checked, parameters, close)
-
-    def platform_jacobian(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
-        """Platform Jacobian D_p = dp/dx (equation 15).
-
-        Parameters
-        ----------
-        poses : array_like, shape (3,) or (..., 3)
-            Platform centres in the base frame [m].
-        on_error : {"raise", "nan"}
-            As for `modes`.
-
-        Returns
-        -------
-        ndarray, shape (..., 3, 3)
-            Dimensionless; rows x, y, z of the base frame, one column for each carriage.
-
-        Raises
-        ------
-        PoseError
-            As `modes` does.
-        """
-        checked = self._check(poses, on_error)
-        (D_p,) = self._evaluate(self._base(generated.platform_jacobian), checked)
-        return checked.scatter(D_p)
-
-    def inverse_kinematics(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
-        """Carriage positions on the branch that the robot file gives (equations 1 to 3).
-
-        Parameters
-        ----------
-        poses : array_like, shape (3,) or (..., 3)
-            Platform centres in the base frame [m].
-        on_error : {"raise", "nan"}
-            As for `modes`.
-
-        Returns
-        -------
-        ndarray, shape (..., 3)
-            x_1, x_2, x_3 [m].
-
-        Raises
-        ------
-        PoseError
-            As `modes` does.
-        """
-        checked = self._check(poses, on_error)
-        (x,) = self._evaluate(self._base(generated.inverse_kinematics), checked)
-        return checked.scatter(x)
-
-    def direct_kinematics(self, carriages: ArrayLike, assembly: int) -> Array:
-        """Platform centre [m] for carriage positions of shape (3,) or (..., 3).
-
-        Parameters
-        ----------
-        carriages : array_like, shape (3,) or (..., 3)
-            x_1, x_2, x_3 [m].
-        assembly : {1, -1}
-            Assembly branch, see `assembly`.
-
-        Returns
-        -------
-        ndarray, shape (3,) or (..., 3)
-            Platform centres in the base frame [m]; the limits of the carriages are not looked at.
-
-        Raises
-        ------
-        PoseError
-            If the carriages are so far apart, or so close, that the links do not meet.
-        """
-        if not (isinstance(assembly, int | float | np.integer) and assembly in (1, -1)):
-            raise PoseError(
-                f"expected assembly 1 or -1, found {shown(assembly)}", "assembly", "choose a branch"
-            )
-        x, batch = as_points(carriages, "carriages", "give positions x_1, x_2, x_3 in metres")
-        with np.errstate(all="ignore"):
-            p: Array = generated.direct_kinematics(x, assembly, self.robot.parameters)
-        bad = ~np.isfinite(p).all(axis=-1)
-        if bad.any():
-            index = int(np.argmax(bad))
-            raise PoseError(
-                "the three links do not meet",
-                f"carriages {index}",
-                "choose carriage positions that assemble",
-                index,
-            )
-        return p.reshape((*batch, 3))
-
-    def assembly(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
-        """Assembly branch of each pose: the sign of det D_l (equation 15).
-
-        Parameters
-        ----------
-        poses : array_like, shape (3,) or (..., 3)
-            Platform centres in the base frame [m].
-        on_error : {"raise", "nan"}
-            As for `modes`.
-
-        Returns
-        -------
-        ndarray, shape (...)
-            1 or -1.
-
-        Raises
-        ------
-        PoseError
-            As `modes` does.
-        """
-        checked = self._check(poses, on_error)
-        determinant, _ = self._evaluate(self._base(generated.jacobian_condition), checked)
-        return checked.scatter(np.sign(determinant))
-
-    def _check(self, poses: ArrayLike, on_error: OnError) -> CheckedPoses:
-        return check_poses(poses, self.robot.parameters, on_error, self.max_condition)
-
-    def _base(self, function: Callable[..., Any]) -> Callable[[Array], Any]:
-        """A function of the base model for this robot: effects leave the kinematics as they are."""
-        return lambda p: function(p, self.robot.parameters)
-
-    def _evaluate(self, function: Callable[[Array], Any], checked: CheckedPoses) -> tuple[Array, ...]:
-        """Results of a function at the valid poses, chunk by chunk."""
-        results = [function(p) for p in self._chunks(checked)]
-        columns = zip(*results, strict=True) if isinstance(results[0], tuple) else [results]
-        return tuple(np.concatenate(column) for column in columns)
-
-    @staticmethod
-    def _chunks(checked: CheckedPoses) -> list[Array]:
-        """The valid poses in parts; one empty part when there are none, which has the right shapes."""
-        points = checked.points[checked.valid]
-        return [points[start : start + CHUNK] for start in range(0, max(len(points), 1), CHUNK)]
-
-    def _solve(self, p: Array) -> tuple[Array, ...]:
-        """Matrices, eigenvalues, shapes, carriages and platform motion at some poses."""
-        M, K = self._evaluation.matrices(p)
-        first, rigid = len(generated.COORDINATES), self._evaluation.rigid_modes
-        massless = None if len(p) else self._evaluation.massless()
-        try:
-            eigenvalues, shapes = condensed_eigh(M, K, first, rigid, massless)
-        except np.linalg.LinAlgError:
-            raise PoseError(
-                "the mass matrix is not positive definite",
-                self.robot.source,
-                "give every body that moves a mass: platform or links, carriages, pulleys",
-            ) from None
-        if not np.isfinite(eigenvalues).all():
-            raise PoseError(
-                "the eigenvalues are not finite", self.robot.source, "check the robot's magnitudes"
-            )
-        platform = shapes @ np.swapaxes(self._evaluation.platform_motion(p), -1, -2)
-        return M, K, eigenvalues, shapes, generated.inverse_kinematics(p, self.robot.parameters), platform
+        return sensitivities(self.robot, checked, parameters, close, fields, out)

@@ -1,17 +1,83 @@
-"""What an evaluation gives: modes and statics, in the shape of the caller's poses."""
+"""What an evaluation gives: modes, statics and checks, in the shape of the caller's poses."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import InitVar, dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, ClassVar, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.errors import NotComputedError
+from pkmodes.poses import CHUNK, CODES, explained
+from pkmodes_generated.linear_delta import Parameters
+
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
-class Modes:
+@dataclass(frozen=True, repr=False, eq=False)
+class AtPoses:
+    """Results at poses, some of which could perhaps not be evaluated.
+
+    Attributes
+    ----------
+    codes : ndarray of int8, shape (...)
+        What `valid` and `reason` say, as indices into `pkmodes.poses.CODES`.
+    valid : ndarray of bool, shape (...)
+        Which poses could be evaluated.
+    reason : ndarray of str, shape (...)
+        Why the others could not: ``"finite"``, ``"reachable"``, ``"singular"``, ``"limits"``
+        (`pkmodes.poses.REASONS` has a sentence for each), ``""`` where valid.  For a single pose a string.
+    """
+
+    codes: NDArray[np.int8]
+
+    @cached_property
+    def valid(self) -> NDArray[np.bool_]:
+        """Which poses could be evaluated."""
+        return np.asarray(self.codes == 0)
+
+    @cached_property
+    def reason(self) -> NDArray[np.str_]:
+        """Why the others could not, as a short code."""
+        found: NDArray[np.str_] = np.array(CODES)[self.codes]
+        return found
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ChosenFields(AtPoses):
+    """Results of which only some fields may have been asked for; the others are not there, and say so."""
+
+    FIELDS: ClassVar[tuple[str, ...]] = ()
+    METHOD: ClassVar[str] = ""
+
+    arrays: InitVar[Mapping[str, NDArray[Any]]]
+
+    def __post_init__(self, arrays: Mapping[str, NDArray[Any]]) -> None:
+        self.__dict__.update(arrays)
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> NoReturn:
+            if name not in self.FIELDS:
+                raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+            there = [known for known in self.FIELDS if known in self.__dict__]
+            wanted = ", ".join(f'"{known}"' for known in self.FIELDS if known in (*there, name))
+            raise NotComputedError(
+                f"the field {name} was not asked for",
+                f"{type(self).__name__} with {', '.join(there)}",
+                f"call {self.METHOD} with fields=({wanted})",
+            )
+
+    def __repr__(self) -> str:
+        shapes = ", ".join(f"{k} {self.__dict__[k].shape}" for k in self.FIELDS if k in self.__dict__)
+        return f"{type(self).__name__}({np.count_nonzero(self.valid)} of {self.valid.size} valid; {shapes})"
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Modes(ChosenFields):
     """Small vibrations about the static equilibrium at each pose.
 
     The leading axes are those of the poses: none for a single pose of shape (3,), (N,) for poses of shape
@@ -25,6 +91,12 @@ class Modes:
         Platform centres [m], base frame.
     coordinates : tuple of str, length n
         Names of the generalised coordinates, in the order of the matrices.
+    rigid_modes : int
+        Number of modes that strain nothing elastic: they come first.
+    valid : ndarray of bool, shape (...)
+        Which poses could be evaluated.
+    reason : ndarray of str, shape (...)
+        Why the others could not (`pkmodes.poses.REASONS`), ``""`` where valid; for a single pose a string.
     frequencies : ndarray, shape (..., m)
         sqrt(abs(lambda)) / (2 pi) with the sign of lambda [Hz].
     shapes : ndarray, shape (..., m, n)
@@ -36,26 +108,36 @@ class Modes:
         x_1, x_2, x_3 [m].
     mass_matrix, stiffness_matrix : ndarray, shape (..., n, n)
         M and K in SI units.
-    rigid_modes : int
-        Number of modes that strain nothing elastic: they come first.
-    valid : ndarray of bool, shape (...)
-        Which poses could be evaluated.
+
+    Raises
+    ------
+    NotComputedError
+        Where a field from `frequencies` on is read that was not asked for.
     """
+
+    FIELDS: ClassVar[tuple[str, ...]] = (
+        "frequencies",
+        "shapes",
+        "platform_shapes",
+        "carriage_positions",
+        "mass_matrix",
+        "stiffness_matrix",
+    )
+    METHOD: ClassVar[str] = "Model.modes"
 
     poses: Array
     coordinates: tuple[str, ...]
-    frequencies: Array
-    shapes: Array
-    platform_shapes: Array
-    carriage_positions: Array
-    mass_matrix: Array
-    stiffness_matrix: Array
     rigid_modes: int
-    valid: NDArray[np.bool_]
+    frequencies: Array = field(init=False)
+    shapes: Array = field(init=False)
+    platform_shapes: Array = field(init=False)
+    carriage_positions: Array = field(init=False)
+    mass_matrix: Array = field(init=False)
+    stiffness_matrix: Array = field(init=False)
 
 
-@dataclass(frozen=True)
-class Statics:
+@dataclass(frozen=True, eq=False)
+class Statics(AtPoses):
     """Static equilibrium at each pose (equation 44): what holds the platform against gravity.
 
     Attributes
@@ -66,8 +148,48 @@ class Statics:
         Rotations from the unstrained belts [rad], in the order of the coordinates theta.
     valid : ndarray of bool, shape (...)
         Which poses could be evaluated.
+    reason : ndarray of str, shape (...)
+        Why the others could not (`pkmodes.poses.REASONS`), ``""`` where valid; for a single pose a string.
     """
 
     torques: Array
     pulley_rotations: Array
-    valid: NDArray[np.bool_]
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class PoseCheck(AtPoses):
+    """Which poses can be evaluated, and what is wrong with the others.
+
+    Attributes
+    ----------
+    poses : ndarray, shape (..., 3)
+        Platform centres [m], base frame.
+    valid : ndarray of bool, shape (...)
+        Which of them can be evaluated.
+    reason : ndarray of str, shape (...)
+        Why the others cannot: ``"finite"``, ``"reachable"``, ``"singular"``, ``"limits"``, ``""`` where valid; for a
+        single pose a string.
+    sentences : ndarray of object, shape (...)
+        What is wrong with each pose, as a string with numbers and a remedy, ``""`` where valid; for a single pose a
+        string.
+    """
+
+    poses: Array
+    parameters: Parameters
+
+    @cached_property
+    def sentences(self) -> NDArray[np.object_]:
+        """What is wrong with each pose, and the remedy."""
+        found = np.full(self.codes.size, "", dtype=object)
+        every, codes = np.flatnonzero(self.codes), self.codes.reshape(-1)
+        for start in range(0, len(every), CHUNK):
+            bad = every[start : start + CHUNK]
+            texts = explained(self.poses.reshape(-1, 3)[bad], codes[bad], self.parameters)
+            found[bad] = [f"{what}; {remedy}" for what, remedy in texts]
+        shaped: NDArray[np.object_] = found.reshape(self.codes.shape)[()]
+        return shaped
+
+    def __repr__(self) -> str:
+        counts = {code: int(np.count_nonzero(self.codes == i)) for i, code in enumerate(CODES) if code}
+        found = "".join(f", {count} {code}" for code, count in counts.items() if count)
+        return f"PoseCheck({np.count_nonzero(self.valid)} of {self.valid.size} valid{found})"

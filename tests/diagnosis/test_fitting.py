@@ -287,7 +287,7 @@ def test_the_fit_is_the_same_in_any_unit(unit: float) -> None:
         [],
         lambda values, _: (20.0 * np.eye(3), values["E"] / unit * K),
         derivatives=lambda values, _, name: (np.zeros((3, 3)), K / unit),
-        channels="abc",
+        channels=["a", "b", "c"],
     )
     f = np.sqrt(1.1 * np.linalg.eigvalsh(K / 20.0)) / (2 * np.pi)
     found = Fitter(shared, Measurements.from_rows(["A"] * 3, f, 0.01 * f)).fit(Hypothesis())
@@ -346,7 +346,7 @@ def test_a_repeated_frequency_moves_by_the_mean_of_its_two_modes() -> None:
         return np.eye(2), np.diag([100.0 + values["s"] + values["t"], 100.0 + values["s"]])
 
     parameters = [Parameter("s", 0.0, sigma=1.0), Parameter("t", 0.0)]
-    pair = MatrixStructure(parameters, [Candidate("t", ("t",))], matrices, channels="ab")
+    pair = MatrixStructure(parameters, [Candidate("t", ("t",))], matrices, channels=["a", "b"])
     data = Measurements.from_rows(["A", "A"], [10.1 / 2 / np.pi, 10.0 / 2 / np.pi], [0.001, 0.001])
     fitter = Fitter(pair, data)
     prediction = pair.predict(np.zeros(2), (0, 1))

@@ -196,7 +196,7 @@ def test_a_singular_mass_during_a_fit_is_a_value_that_cannot_be_evaluated() -> N
     values = np.array([19.0])
     f = np.exp(structure.predict(values, ()).log_frequencies)
     data = Measurements.from_rows(
-        ["A", "A", "B", "B"], [*f[0], *f[1]], [1e-3 * x for x in [*f[0], *f[1]]], mode="1212"
+        ["A", "A", "B", "B"], [*f[0], *f[1]], [1e-3 * x for x in [*f[0], *f[1]]], mode=["1", "2", "1", "2"]
     )
     fitter = Fitter(structure, data)
     hypothesis = Hypothesis(structure.candidates)
@@ -228,7 +228,11 @@ def test_a_structure_that_buckles_has_no_frequencies() -> None:
     )
     assert np.isnan(structure.predict(np.array([125.0]), ()).log_frequencies).all()  # not 5 / (2 pi) again
     loose = MatrixStructure(
-        [], [], lambda *_: (np.eye(2), np.array([[1.0, -1.0], [-1.0, 1.0 - 1e-12]])), channels="ab", rigid=0
+        [],
+        [],
+        lambda *_: (np.eye(2), np.array([[1.0, -1.0], [-1.0, 1.0 - 1e-12]])),
+        channels=["a", "b"],
+        rigid=0,
     )
     assert loose.predict(np.zeros(0), ()).eigenvalues[0] == pytest.approx(
         [0.0, 2.0], abs=1e-9

@@ -531,7 +531,7 @@ def test_a_structure_that_does_not_stand_as_declared_is_refused() -> None:
     def matrices(values, _):
         return np.eye(2), np.array([[1.0, 2.0], [2.0, 1.0 + values["k"]]])
 
-    leaning = MatrixStructure([Parameter("k", 0.0)], [], matrices, channels="ab")
+    leaning = MatrixStructure([Parameter("k", 0.0)], [], matrices, channels=["a", "b"])
     data = Measurements.from_rows(["A"] * 2, [1.0, 2.0], [0.01, 0.01])
     with pytest.raises(PkmodesError, match="cannot be evaluated with its declared values"):
         diagnose(leaning, data)

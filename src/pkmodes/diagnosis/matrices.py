@@ -11,11 +11,11 @@ import numpy as np
 from pkmodes.diagnosis.problem import Array, Candidate, Parameter, Prediction, Structure
 from pkmodes.diagnosis.structure.massless import UnstableError, UnusableError
 from pkmodes.diagnosis.structure.modes import Modes, lowest_modes, modes_below
-from pkmodes.diagnosis.structure.names import check_candidate, check_names, check_parameter
+from pkmodes.diagnosis.structure.names import check_callables, check_candidate, check_names, check_parameter
 from pkmodes.diagnosis.structure.sensors import sensor_map
 from pkmodes.diagnosis.structure.shape_rates import shape_rates as rates_of_shapes
 from pkmodes.diagnosis.structure.supplied import Derivatives, Matrices, Pair, Supplied
-from pkmodes.errors import PkmodesError, shown
+from pkmodes.errors import PkmodesError, listed, shown
 
 #: Structures with no more coordinates than SMALL have all modes by default, others the lowest FEW, and as many as
 #: REACH times the highest measured frequency asks for: farther away no mode is paired with it.
@@ -85,8 +85,21 @@ class MatrixStructure:
         rigid: int = 0,
         modes: int | None = None,
     ) -> None:
-        self.parameters, self.candidates = tuple(parameters), tuple(candidates)
-        self.channels, self.setups, self.rigid = tuple(channels), tuple(setups), rigid
+        self.parameters: tuple[Parameter, ...] = tuple(
+            listed(parameters, "parameters", "parameters", 'Parameter("k", 1e6)', Parameter)
+        )
+        self.candidates: tuple[Candidate, ...] = tuple(
+            listed(candidates, "candidates", "candidates", 'Candidate("k", ("k",), "")', Candidate)
+        )
+        self.channels: tuple[str, ...] = tuple(listed(channels, "names", "channels", '"x_1"', str))
+        self.setups: tuple[str, ...] = tuple(listed(setups, "labels", "setups", '"P1"', str))
+        check_callables(matrices, derivatives)
+        if isinstance(rigid, bool) or not isinstance(rigid, int | np.integer) or rigid < 0:
+            what = f"expected a number of modes, found {shown(rigid)}"
+            raise PkmodesError(what, "rigid", "count the rigid-body modes")
+        self.rigid = int(rigid)
+        for p in self.parameters:
+            check_parameter(p)
         self.modes, self.channel_units = modes, ("",) * len(self.channels)
         for kind, labels in (
             ("parameter", [p.name for p in self.parameters]),
@@ -96,12 +109,9 @@ class MatrixStructure:
             ("setup", self.setups),
         ):
             check_names(kind, labels)
-        for p in self.parameters:
-            check_parameter(p)
         for candidate in self.candidates:
             check_candidate(candidate, {p.name: p for p in self.parameters})
-        whole = isinstance(rigid, int) and isinstance(modes, int | None)
-        if not whole or rigid < 0 or (modes is not None and modes <= rigid):
+        if not isinstance(modes, int | None) or (modes is not None and modes <= rigid):
             what = f"expected more modes than the rigid ones, in whole numbers, found {modes} and {rigid}"
             raise PkmodesError(what, "modes", "ask for as many as were measured, and the rigid ones")
         self._map = sensor_map(self.channels, coordinates, sensors)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pkmodes.errors import MeasurementError, shown
+from pkmodes.errors import MeasurementError, listed, shown
 from pkmodes.measured.columns import Array, Columns
 from pkmodes.measured.rules import (
     SHAPE,
@@ -137,8 +137,9 @@ class Measurements(Columns):
                 f"{source}: pose",
                 "give a list of labels",
             )
-        names = [str(label) for label in pose]
-        rows, shapes = len(names), shapes or {}
+        labels = listed(pose, "labels", f"{source}: pose", '"P1"', error=MeasurementError)
+        names = [str(label) for label in labels]
+        rows, shapes = len(names), _by_name(shapes, source)
         places = np.zeros((rows, 3)) if points is None else _array(points, "points", (rows, 3), source)
         spreads = (
             np.zeros((rows, 3))
@@ -163,11 +164,13 @@ class Measurements(Columns):
             points=places[introduced],
             point_sigma=spreads[introduced],
             pose=np.array([index[label] for label in names], dtype=int),
-            frequency=np.asarray(frequency),
-            sigma=np.asarray(sigma),
+            frequency=_array(frequency, "frequency", (rows,), source),
+            sigma=_array(sigma, "sigma", (rows,), source),
             damping=ratios,
-            mode=("",) * rows if mode is None else tuple(str(number) for number in mode),
-            lines=np.arange(1, rows + 1) if lines is None else np.asarray(lines),
+            mode=("",) * rows if mode is None else tuple(map(str, _numbers(mode, source))),
+            lines=np.arange(1, rows + 1)
+            if lines is None
+            else _array(lines, "lines", (rows,), source, whole=True).astype(int),
             channels=tuple(shapes),
             shapes=np.stack(columns, axis=-1) if columns else np.empty((rows, 0)),
             shape_sigma=np.full(rows, np.nan) if shape_sigma is None else np.asarray(shape_sigma),
@@ -192,7 +195,10 @@ class Measurements(Columns):
         MeasurementError
             If an index is not that of a pose, or comes twice.
         """
-        chosen = np.asarray(poses, dtype=None if len(poses) else int)
+        indices = listed(
+            poses, "pose indices", f"{self.source}: at", "0", (int, np.integer), MeasurementError
+        )
+        chosen = np.asarray(indices) if indices else np.empty(0, dtype=int)
         if chosen.ndim != 1 or chosen.dtype.kind not in "iu" or len(set(chosen.tolist())) < len(chosen):
             raise MeasurementError(
                 "expected different pose indices", f"{self.source}: at", "give each index once"
@@ -245,13 +251,30 @@ class Measurements(Columns):
         )
 
 
+def _by_name(shapes: Mapping[str, ArrayLike] | None, source: str) -> Mapping[str, ArrayLike]:
+    if shapes is None:
+        return {}
+    if not isinstance(shapes, Mapping) or not all(isinstance(name, str) for name in shapes):
+        raise MeasurementError(
+            f"expected components by coordinate, found {shown(shapes)}",
+            f"{source}: shapes",
+            'write such as {"x_1": [0.5, -0.2]}',
+        )
+    return shapes
+
+
+def _numbers(mode: Sequence[object], source: str) -> list[object]:
+    """The experimenter's own numbering, which may be text."""
+    return listed(mode, "mode numbers", f"{source}: mode", "1", error=MeasurementError)
+
+
 def _array(given: ArrayLike, name: str, shape: tuple[int, ...], source: str, whole: bool = False) -> Array:
     """A copy of the right shape, of integers or of numbers."""
     try:
         array = np.array(given)
         if array.dtype.kind not in ("iu" if whole else "iuf") and array.size:
             raise TypeError(f"values of type {array.dtype}")
-    except (TypeError, ValueError) as error:
+    except Exception as error:  # what is not an array may raise anything on the way to become one
         kind = "whole numbers" if whole else "numbers"
         raise MeasurementError(
             f"expected {kind}, found {error}", f"{source}: {name}", "give an array of them"

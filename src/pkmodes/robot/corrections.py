@@ -8,11 +8,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NoReturn
 
-from pkmodes.errors import OutputError, shown
+from pkmodes.errors import OutputError, PkmodesError, shown
 from pkmodes.robot.effects import CATALOGUE
 from pkmodes.robot.reading import SHARED
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.units import DIMENSIONS
+from pkmodes.robot.wholes import joints_of_radius, limits_of_span
 
 DIGITS = 10
 #: Elements of a whole have more digits, because their rounding adds up in it.
@@ -122,37 +123,18 @@ def changeable(robot: Robot) -> dict[str, str]:
 
 
 def _span(correction: Correction, robot: Robot) -> dict[str, Edit]:
-    limits = robot.parameters.limits
-    half = (correction.value - float(limits[0, 1] - limits[0, 0])) / 2.0
     note = _note_of_whole("axis.span", correction)
-    edits = {}
-    for j, (low, high) in enumerate(limits.tolist(), start=1):
-        for name, value in (("min", low - half), ("max", high + half)):
-            # Rounding must not leave a limit of 1e-17 m where 0 is meant.
-            value = 0.0 if abs(value) < 1e-12 * (high - low) else value
-            edits[f"axis.{j}.limits.{name}"] = Edit(value, None, note, DIGITS_OF_ELEMENTS)
-    return edits
+    elements = limits_of_span(robot.parameters.limits, correction.value)
+    return {path: Edit(value, None, note, DIGITS_OF_ELEMENTS) for path, value in elements.items()}
 
 
 def _joint_radius(correction: Correction, robot: Robot) -> dict[str, Edit]:
-    joints = robot.parameters.joint.tolist()
-    radii = [math.hypot(*joint) for joint in joints]
-    change = correction.value - radii[0]
     note = _note_of_whole("axis.joint_radius", correction)
-    edits = {}
-    for j, (joint, radius) in enumerate(zip(joints, radii, strict=True), start=1):
-        if radius == 0.0 or radius + change <= 0.0:
-            reason = "it is 0" if radius == 0.0 else f"it would become {radius + change:g} m"
-            refuse(
-                f"the radius of joint {j} cannot be changed along its direction: {reason}",
-                f"{robot.source}: axis.{j}.joint",
-                "correct the elements of the joint instead",
-            )
-        for name, element in zip("xyz", joint, strict=True):
-            if element != 0.0:
-                value = element * ((radius + change) / radius)
-                edits[f"axis.{j}.joint.{name}"] = Edit(value, None, note, DIGITS_OF_ELEMENTS)
-    return edits
+    try:
+        elements = joints_of_radius(robot.parameters.joint, correction.value, robot.source)
+    except PkmodesError as error:
+        refuse(error.what, error.where, error.remedy)
+    return {path: Edit(value, None, note, DIGITS_OF_ELEMENTS) for path, value in elements.items()}
 
 
 def _note_of_whole(path: str, correction: Correction) -> str:

@@ -57,7 +57,11 @@ def read_robot(path: str | PathLike[str]) -> Robot:
         If the file cannot be read or anything in it is wrong: one problem for each thing to mend, with the
         dotted path, what was expected and what was found.
     """
-    name = fspath(path)
+    name = fspath(path) if isinstance(path, str | PathLike) else None
+    if not isinstance(name, str):
+        _refuse(
+            f"expected the path of a robot file, found {shown(path)}", "robot file", "give its path as text"
+        )
     return robot_from_document(_document(Path(path), name), name)
 
 

@@ -140,18 +140,19 @@ class MatrixDerivatives:
         geometry = bool(along[len(extended.VALUE_SENSITIVITIES) :].any())
         self._values = system.derivatives(p, geometry=geometry)
 
-    def dense(self) -> tuple[Array, Array]:
-        """Evaluate dM and dK by each path, (N, T, n, n), in the free coordinates.
+    def dense(self, poses: Index | slice = slice(None)) -> tuple[Array, Array]:
+        """Evaluate dM and dK by each path, (N, T, n, n), in the free coordinates, at some or all of the poses.
 
         NaN for the compliance of a locked joint, which is not in the matrices.
         """
         found = []
         for matrix in (0, 1):
             entries = _entries(matrix)
-            full = np.zeros((len(self.M), len(self._paths), *self.M.shape[1:]))
+            values = self._values[matrix][poses]
+            full = np.zeros((len(values), len(self._paths), *self.M.shape[1:]))
             for t, along in enumerate(self._along[matrix].T):
                 some = np.flatnonzero(along)  # numbers that a path moves together may change the same entry
-                change = (self._values[matrix][:, some] * along[some]).T
+                change = (values[:, some] * along[some]).T
                 np.add.at(np.moveaxis(full[:, t], 0, -1), (entries.row[some], entries.column[some]), change)
             full += np.swapaxes(np.triu(full, 1), -1, -2)
             if matrix == 1:

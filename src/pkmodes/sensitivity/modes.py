@@ -49,6 +49,37 @@ def groups(eigenvalues: Array, close: float, magnitude: Array) -> Index:
     return np.concatenate([first, np.cumsum(apart, axis=-1)], axis=-1)
 
 
+def branches(change: Array, shapes: Array, group: Index) -> Array:
+    """Derivatives of the eigenvalues of one system, in each group those of its branches, ascending.
+
+    Parameters
+    ----------
+    change : ndarray, shape (T, m, n)
+        (dK - lambda_i dM) phi_i for each parameter.
+    shapes : ndarray, shape (m, n)
+    group : ndarray of int, shape (m,)
+        From `groups`.
+
+    Returns
+    -------
+    ndarray, shape (T, m)
+    """
+    found = np.empty(change.shape[:2])
+    for number in np.unique(group):
+        members = np.flatnonzero(group == number)
+        found[:, members] = np.linalg.eigvalsh(_symmetric(_inside(change, shapes, members)))
+    return found
+
+
+def _inside(change: Array, shapes: Array, members: Index) -> Array:
+    """Phi^T (dK - lambda dM) Phi over a group of r modes, (T, r, r)."""
+    return np.asarray(np.einsum("tin,jn->tij", change[:, members], shapes[members]))
+
+
+def _symmetric(inside: Array) -> Array:
+    return 0.5 * (inside + np.swapaxes(inside, 1, 2))
+
+
 def mode_derivatives(
     M: Array,
     K: Array,
@@ -86,8 +117,8 @@ def mode_derivatives(
     d_eigenvalues, d_shapes = np.empty(change.shape[:2]), np.empty(change.shape)
     for number in np.unique(group):
         members = np.flatnonzero(group == number)
-        inside = np.einsum("tin,jn->tij", change[:, members], shapes[members])
-        d_eigenvalues[:, members] = np.linalg.eigvalsh(0.5 * (inside + np.swapaxes(inside, 1, 2)))
+        inside = _inside(change, shapes, members)
+        d_eigenvalues[:, members] = np.linalg.eigvalsh(_symmetric(inside))
         scale = 1.0 / np.sqrt(np.abs(np.diagonal(K)) + magnitude[members].max() * np.diagonal(M))
         momenta = shapes[members] @ M
         border = momenta * scale

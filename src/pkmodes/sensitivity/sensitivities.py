@@ -2,29 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.eigen import condensed_eigh, has_stiff_joint, magnitude
-from pkmodes.errors import PkmodesError, PoseError, shown
-from pkmodes.evaluation import evaluation
+from pkmodes.eigen import has_stiff_joint, magnitude
+from pkmodes.errors import PkmodesError, listed, shown
+from pkmodes.evaluation import Evaluation, evaluation
+from pkmodes.gathering import Fields, Gathered, Out, chosen_fields
 from pkmodes.poses import CheckedPoses
+from pkmodes.results import ChosenFields
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
-from pkmodes.sensitivity.modes import ROUNDING, groups, mode_derivatives
+from pkmodes.sensitivity.modes import ROUNDING, branches, groups, mode_derivatives
 from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
+from pkmodes.solving import solved
 from pkmodes_generated.linear_delta import COORDINATES
 
 Array = NDArray[np.float64]
+Index = NDArray[np.intp]
 #: Poses that are differentiated together: the matrices of one pose take a few hundred kilobytes.
 TOGETHER = 64
 
 
-@dataclass(frozen=True)
-class Sensitivities:
+@dataclass(frozen=True, repr=False, eq=False)
+class Sensitivities(ChosenFields):
     """Exact derivatives by T parameters, at fixed platform poses.
 
     The leading axes are those of the poses, then T; n coordinates and m modes as in `pkmodes.Modes`, SI units.
@@ -38,6 +43,10 @@ class Sensitivities:
         Their SI units.
     values : ndarray, shape (T,)
         Their values.
+    valid : ndarray of bool, shape (...)
+        Which poses could be evaluated.
+    reason : ndarray of str, shape (...)
+        Why the others could not (`pkmodes.poses.REASONS`), ``""`` where valid; for a single pose a string.
     mass_matrix, stiffness_matrix : ndarray, shape (..., T, n, n)
         dM/dtheta and dK/dtheta, in units of M and K by that of the parameter.  NaN for the compliance of a
         joint that is locked: it is not in the matrices, but the modes feel it.
@@ -52,47 +61,58 @@ class Sensitivities:
     groups : ndarray of int, shape (..., m)
         The same number for modes that are repeated or closer than asked; their eigenvalue derivatives are
         those of the branches into which the group splits, ascending.  -1 where a pose could not be evaluated.
-    valid : ndarray of bool, shape (...)
-        Which poses could be evaluated.
+
+    Raises
+    ------
+    NotComputedError
+        Where a field from `mass_matrix` on is read that was not asked for.
     """
+
+    FIELDS: ClassVar[tuple[str, ...]] = (
+        "mass_matrix",
+        "stiffness_matrix",
+        "eigenvalues",
+        "frequencies",
+        "shapes",
+        "groups",
+    )
+    METHOD: ClassVar[str] = "Model.sensitivities"
 
     parameters: tuple[str, ...]
     units: tuple[str, ...]
     values: Array
-    mass_matrix: Array
-    stiffness_matrix: Array
-    eigenvalues: Array
-    frequencies: Array
-    shapes: Array
-    groups: NDArray[np.intp]
-    valid: NDArray[np.bool_]
+    mass_matrix: Array = field(init=False)
+    stiffness_matrix: Array = field(init=False)
+    eigenvalues: Array = field(init=False)
+    frequencies: Array = field(init=False)
+    shapes: Array = field(init=False)
+    groups: NDArray[np.intp] = field(init=False)
 
 
 def sensitivities(
-    robot: Robot, poses: CheckedPoses, parameters: Sequence[str] | None, close: float
+    robot: Robot,
+    poses: CheckedPoses,
+    parameters: Sequence[str] | None,
+    close: float,
+    fields: Fields = None,
+    out: Out = None,
 ) -> Sensitivities:
     """Evaluate the sensitivities of a robot; see `pkmodes.Model.sensitivities`."""
     chosen = _chosen(robot, parameters)
-    if not (isinstance(close, int | float) and 0.0 <= close < 1.0):
+    if not (isinstance(close, int | float | np.integer | np.floating) and 0.0 <= close < 1.0):
         raise PkmodesError(f"expected a fraction below 1, found {shown(close)}", "close", "use such as 1e-6")
-    points = poses.points[poses.valid]
+    asked = chosen_fields(fields, out, Sensitivities.FIELDS)
+    system = evaluation(robot.parameters, robot.effects)
+    gathered = Gathered(poses, out)
     # In parts of even size: a single pose is evaluated in another way, and repeated modes in another basis.
-    together = np.array_split(points, max(-(-len(points) // TOGETHER), 1))
-    parts = [_at(robot, p, chosen, close) for p in together]
-    dM, dK, eigenvalues, frequencies, shapes, numbers = (
-        poses.scatter(np.concatenate(column)) for column in zip(*parts, strict=True)
-    )
+    for where, p in poses.parts(TOGETHER, even=True):
+        gathered.put(where, _at(robot, system, p, chosen, float(close), asked))
     return Sensitivities(
+        codes=poses.codes.reshape(poses.batch),
+        arrays=gathered.arrays,
         parameters=tuple(path.path for path in chosen),
         units=tuple(path.unit for path in chosen),
         values=np.array([path.value for path in chosen]),
-        mass_matrix=dM,
-        stiffness_matrix=dK,
-        eigenvalues=eigenvalues,
-        frequencies=frequencies,
-        shapes=shapes,
-        groups=np.where(np.isnan(numbers), -1, numbers).astype(np.intp),
-        valid=poses.valid.reshape(poses.batch),
     )
 
 
@@ -101,53 +121,78 @@ def _chosen(robot: Robot, parameters: Sequence[str] | None) -> list[ParameterPat
         # The radius of a joint at the centre has no direction; nobody asked for it by name.
         radial = robot.parameters.joint.any(axis=1).all()
         return resolve_all(robot, [path for path in paths(robot) if path != "axis.joint_radius" or radial])
-    if isinstance(parameters, str) or not isinstance(parameters, Iterable):
-        raise PkmodesError(
-            f"expected a list of parameter paths, found {shown(parameters)}",
-            "parameters",
-            f"write [{shown(parameters)}]"
-            if isinstance(parameters, str)
-            else 'write such as ["platform.mass"]',
-        )
-    return resolve_all(robot, parameters)
+    wanted = listed(parameters, "parameter paths", "parameters", '"platform.mass"')
+    return resolve_all(robot, wanted)
 
 
-def _at(robot: Robot, p: Array, chosen: list[ParameterPath], close: float) -> tuple[Array, ...]:
+def _at(
+    robot: Robot,
+    system: Evaluation,
+    p: Array,
+    chosen: list[ParameterPath],
+    close: float,
+    asked: Collection[str],
+) -> dict[str, NDArray[Any]]:
+    """What is asked for, at some poses."""
     derivatives = MatrixDerivatives(robot, p, chosen)
-    # To the last digit the matrices of `Model.modes`: repeated modes must come out in the same basis.
-    model, first = evaluation(robot.parameters, robot.effects), len(COORDINATES)
-    M, K = model.matrices(p)
-    massless = None if len(p) else model.massless()
-    try:
-        eigenvalues, shapes = condensed_eigh(M, K, first, model.rigid_modes, massless)
-    except np.linalg.LinAlgError:
-        raise PoseError(
-            "the mass matrix is not positive definite",
-            robot.source,
-            "give every body that moves a mass: platform or links, carriages, pulleys",
-        ) from None
-    dM, dK = derivatives.dense()
-    change = np.einsum("ptab,pib->ptia", dK, shapes)
-    change -= eigenvalues[:, None, :, None] * np.einsum("ptab,pib->ptia", dM, shapes)
-    norm = np.einsum("pia,ptab,pib->pti", shapes, dM, shapes, optimize=True)
+    found: dict[str, NDArray[Any]] = {}
+    if {"mass_matrix", "stiffness_matrix", "shapes"} & set(asked):
+        found["mass_matrix"], found["stiffness_matrix"] = derivatives.dense()
+    if {"eigenvalues", "frequencies", "shapes", "groups"} & set(asked):
+        # To the last digit the matrices of `Model.modes`: repeated modes must come out in the same basis.
+        M, K, eigenvalues, shapes = solved(system, p, robot.source)
+        sizes = magnitude(eigenvalues, len(COORDINATES), system.rigid_modes)
+        group = found["groups"] = groups(eigenvalues, close, sizes)
+        if "shapes" in asked:
+            both = _changes(derivatives, found["mass_matrix"], found["stiffness_matrix"], eigenvalues, shapes)
+            found["eigenvalues"], found["shapes"] = np.empty(both[1].shape), np.empty(both[0].shape)
+            for i, at in enumerate(zip(M, K, eigenvalues, shapes, *both, group, sizes, strict=True)):
+                found["eigenvalues"][i], found["shapes"][i] = mode_derivatives(*at)
+            evaluated = [t for t in range(len(chosen)) if t not in derivatives.locked]
+            stiff = has_stiff_joint(eigenvalues, len(COORDINATES), system.rigid_modes)
+            for i in np.flatnonzero(stiff).tolist():
+                given = eigenvalues[i], shapes[i]
+                dM, dK = found["mass_matrix"][i], found["stiffness_matrix"][i]
+                other = derivatives.stiff_change(i, *given, dM, dK)[evaluated]
+                norm = both[1][i, evaluated]
+                _, turned = mode_derivatives(M[i], K[i], *given, other, norm, group[i], sizes[i])
+                found["shapes"][i, evaluated, len(COORDINATES) :] = turned[:, len(COORDINATES) :]
+        elif {"eigenvalues", "frequencies"} & set(asked):
+            found["eigenvalues"] = _rates(derivatives, eigenvalues, shapes, group)
+        if "frequencies" in asked:
+            size = np.abs(eigenvalues)
+            nothing = size <= ROUNDING * sizes  # sqrt has no derivative at 0
+            twice = 4.0 * np.pi * np.sqrt(np.where(nothing, np.nan, size))
+            found["frequencies"] = found["eigenvalues"] / twice[:, None]
+    return {name: found[name] for name in asked}
+
+
+def _rates(derivatives: MatrixDerivatives, eigenvalues: Array, shapes: Array, group: Index) -> Array:
+    """Derivatives of the eigenvalues alone, (N, T, m): from the entries that change, without linear systems."""
+    rates = np.swapaxes(derivatives.eigenvalues(eigenvalues, shapes), -1, -2)
+    repeated = np.flatnonzero(group[:, -1] < group.shape[1] - 1)
+    if len(repeated):
+        dM, dK = derivatives.dense(repeated)
+        change, _ = _changes(derivatives, dM, dK, eigenvalues, shapes, repeated)
+        for i, of_pose in zip(repeated, change, strict=True):
+            rates[i] = branches(of_pose, shapes[i], group[i])
+    return rates
+
+
+def _changes(
+    derivatives: MatrixDerivatives,
+    dM: Array,
+    dK: Array,
+    eigenvalues: Array,
+    shapes: Array,
+    poses: Index | slice = slice(None),
+) -> tuple[Array, Array]:
+    """Evaluate (dK - lambda dM) phi, (N, T, m, n), and phi^T dM phi, (N, T, m), at some or all of the poses."""
+    phi, values = shapes[poses], eigenvalues[poses]
+    change = np.einsum("ptab,pib->ptia", dK, phi)
+    change -= values[:, None, :, None] * np.einsum("ptab,pib->ptia", dM, phi)
+    norm = np.einsum("pia,ptab,pib->pti", phi, dM, phi, optimize=True)
     for t in derivatives.locked:
-        change[:, t], norm[:, t] = derivatives.locked_change(t, eigenvalues, shapes)
-    sizes = magnitude(eigenvalues, first, model.rigid_modes)
-    group = groups(eigenvalues, close, sizes)
-    d_eigenvalues, d_shapes = np.empty(norm.shape), np.empty(change.shape)
-    for i in range(len(p)):
-        d_eigenvalues[i], d_shapes[i] = mode_derivatives(
-            M[i], K[i], eigenvalues[i], shapes[i], change[i], norm[i], group[i], sizes[i]
-        )
-    evaluated = [t for t in range(len(chosen)) if t not in derivatives.locked]
-    for pose in np.flatnonzero(has_stiff_joint(eigenvalues, first, model.rigid_modes)).tolist():
-        given = eigenvalues[pose], shapes[pose]
-        other = derivatives.stiff_change(pose, *given, dM[pose], dK[pose])[evaluated]
-        _, found = mode_derivatives(
-            M[pose], K[pose], *given, other, norm[pose, evaluated], group[pose], sizes[pose]
-        )
-        d_shapes[pose, evaluated, first:] = found[:, first:]
-    size = np.abs(eigenvalues)
-    nothing = size <= ROUNDING * sizes  # sqrt has no derivative at 0
-    frequencies = d_eigenvalues / (4.0 * np.pi * np.sqrt(np.where(nothing, np.nan, size))[:, None])
-    return dM, dK, d_eigenvalues, frequencies, d_shapes, group.astype(float)
+        of_all = derivatives.locked_change(t, eigenvalues, shapes)
+        change[:, t], norm[:, t] = of_all[0][poses], of_all[1][poses]
+    return change, norm

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from pkmodes.diagnosis.problem import Candidate, Parameter
-from pkmodes.errors import PkmodesError, shown
+from pkmodes.errors import PkmodesError, listed, shown
 
 
 def check_names(kind: str, names: Sequence[str]) -> None:
@@ -17,9 +17,23 @@ def check_names(kind: str, names: Sequence[str]) -> None:
             raise PkmodesError(f"two {kind}s are called {shown(name)}", f"{kind}s", "rename one")
 
 
+def check_callables(matrices: object, derivatives: object) -> None:
+    """Refuse what cannot be called."""
+    for name, given in (("matrices", matrices), ("derivatives", derivatives)):
+        if not callable(given) and not (name == "derivatives" and given is None):
+            what = f"expected a function, found {shown(given)}"
+            raise PkmodesError(what, name, "give one of the values by name and the label of a setup")
+
+
 def check_parameter(p: Parameter) -> None:
     """Refuse bounds and deviations that contradict the value."""
     where = f"parameter {shown(p.name)}"
+    if not isinstance(p.name, str):
+        raise PkmodesError(f"expected a name, found {shown(p.name)}", "parameters", "give text")
+    for number in (p.lower, p.value, p.upper, *(() if p.sigma is None else (p.sigma,))):
+        whole = isinstance(number, np.integer) or (type(number) is int and number.bit_length() < 1000)
+        if not (whole or isinstance(number, float | np.floating)):
+            raise PkmodesError(f"expected a number, found {shown(number)}", where, "give a number")
     if not p.lower < p.upper or not p.lower <= p.value <= p.upper or not np.isfinite(p.value):
         what = f"expected lower <= value <= upper, found {p.lower:g}, {p.value:g}, {p.upper:g}"
         raise PkmodesError(what, where, "widen the bounds or correct the value")
@@ -30,7 +44,10 @@ def check_parameter(p: Parameter) -> None:
 
 def check_candidate(candidate: Candidate, parameters: Mapping[str, Parameter]) -> None:
     """Refuse a candidate whose parameters are missing, or are no suspects."""
-    where, names = f"candidate {shown(candidate.name)}", candidate.parameters
+    where = f"candidate {shown(candidate.name)}"
+    if not isinstance(candidate.name, str):
+        raise PkmodesError(f"expected a name, found {shown(candidate.name)}", "candidates", "give text")
+    names = listed(candidate.parameters, "names of parameters", where, '"k"', str)
     if not names or len(set(names)) < len(names):
         raise PkmodesError(f"expected different parameters, found {list(names)}", where, "name each once")
     for name in names:

@@ -1,0 +1,127 @@
+"""Fields of a result: which of them are asked for, and arrays that are filled part by part.
+
+Poses are evaluated in parts that stay in the cache, and each part goes to its place at once: no more memory is
+taken than the result and one part need.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.errors import PkmodesError, listed, nearest, shown
+from pkmodes.poses import CheckedPoses, Where
+
+Array = NDArray[Any]
+Fields = Iterable[str] | None
+Out = Mapping[str, Array] | None
+
+
+def chosen_fields(fields: Fields, out: Out, known: tuple[str, ...]) -> tuple[str, ...]:
+    """Check which fields are asked for.
+
+    Parameters
+    ----------
+    fields : iterable of str, optional
+        By default those of `out`, and without `out` all.
+    out : mapping of str to ndarray, optional
+        Arrays to be filled, by field.
+    known : tuple of str
+        The fields that there are.
+
+    Returns
+    -------
+    tuple of str
+        In the order of `known`.
+
+    Raises
+    ------
+    PkmodesError
+        If a field is unknown or none is asked for, or `out` is not a mapping of fields to different arrays.
+    """
+    if out is not None and not isinstance(out, Mapping):
+        raise PkmodesError(
+            f"expected arrays by field, found {shown(out)}", "out", f'write such as {{"{known[0]}": array}}'
+        )
+    if fields is None:
+        fields = known if out is None else tuple(out)
+    asked = listed(fields, "fields", "fields", f'"{known[0]}"')
+    for where, names in (("fields", asked), ("out", list(out or ()))):
+        for name in names:
+            if not (isinstance(name, str) and name in known):
+                raise PkmodesError(f"unknown field {shown(name)}", where, nearest(name, known))
+    if not asked:
+        raise PkmodesError("expected at least one field, found none", "fields", f"known: {', '.join(known)}")
+    for name, array in (out or {}).items():
+        _check_out(name, array, asked)
+    for (a, first), (b, second) in itertools.combinations((out or {}).items(), 2):
+        if np.may_share_memory(first, second) and np.shares_memory(first, second):
+            raise PkmodesError(f"{a} and {b} share memory", "out", "give an array for each field")
+    return tuple(name for name in known if name in asked)
+
+
+def _check_out(name: str, array: object, asked: list[str]) -> None:
+    where = f"out: {name}"
+    if name not in asked:
+        raise PkmodesError("the field is not asked for", where, "add it to fields, or remove it from out")
+    if not isinstance(array, np.ndarray):
+        raise PkmodesError(
+            f"expected an ndarray, found {shown(type(array).__name__)}", where, "use numpy.empty"
+        )
+    if not array.flags.writeable:
+        raise PkmodesError("the array cannot be written to", where, "give one that can")
+
+
+class Gathered:
+    """Arrays in the shape of the caller's poses, filled part by part.
+
+    Parameters
+    ----------
+    poses : CheckedPoses
+    out : mapping of str to ndarray, optional
+        Arrays to be filled; those of other fields are made.
+
+    Attributes
+    ----------
+    arrays : dict of str to ndarray
+        By field, (..., *tail); NaN, or -1 in arrays of integers, where a pose is not valid.
+    """
+
+    def __init__(self, poses: CheckedPoses, out: Out = None) -> None:
+        self._poses, self._out = poses, out or {}
+        self.arrays: dict[str, Array] = {}
+        self._flat: dict[str, Array | None] = {}
+
+    def put(self, where: Where, values: Mapping[str, Array]) -> None:
+        """Put the values of some poses, (n, *tail) each, in their places."""
+        for name, part in values.items():
+            if name not in self.arrays:
+                self._begin(name, part)
+            flat = self._flat[name]
+            if flat is not None:
+                flat[where] = part
+            elif len(part):  # an array that does not lie in one piece has no view of all poses in a row
+                places = np.arange(len(self._poses.points))[where]
+                self.arrays[name][np.unravel_index(places, self._poses.batch)] = part
+
+    def _begin(self, name: str, part: Array) -> None:
+        shape = (*self._poses.batch, *part.shape[1:])
+        array = self._out.get(name)
+        if array is None:
+            array = np.empty(shape, part.dtype)
+        elif array.dtype != part.dtype or array.shape != shape:
+            raise PkmodesError(
+                f"expected an array of shape {shape} and type {part.dtype}, "
+                f"found shape {array.shape} and type {array.dtype}",
+                f"out: {name}",
+                f"use numpy.empty({shape}, {part.dtype})",
+            )
+        if self._poses.codes.any():
+            array[...] = -1 if part.dtype.kind == "i" else np.nan
+        flat = array.reshape(len(self._poses.points), *array.shape[len(self._poses.batch) :])
+        self.arrays[name] = array
+        self._flat[name] = flat if not array.size or np.may_share_memory(flat, array) else None

@@ -1,0 +1,183 @@
+"""Mistakes in arguments of public functions are errors of this package, whose parts are where they are said to be."""
+
+from __future__ import annotations
+
+import ast
+import doctest
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pkmodes
+from pkmodes import kinematics, loading
+from pkmodes import model as model_module
+from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
+from pkmodes.robot import robot as robot_module
+from robot_text import PUBLISHED
+
+ROOT = Path(__file__).parents[2]
+POSE = [0.6, 0.03, -0.245]
+MODEL = pkmodes.load(PUBLISHED)
+
+
+class Unwilling:
+    """Becomes no array, and has no text."""
+
+    def __array__(self, *_: object, **__: object) -> np.ndarray:
+        raise RuntimeError("no array")
+
+    def __repr__(self) -> str:
+        raise RuntimeError("no text")
+
+
+RECURSIVE: list[object] = []
+RECURSIVE.append(RECURSIVE)
+#: What is never right where a pose, a list, a number, a function or a path is meant.
+NEVER: list[object] = [
+    None,
+    1j,
+    np.complex128(1j),
+    b"P1",
+    object(),
+    Unwilling(),
+    RECURSIVE,
+    np.array(1j),
+    np.array([None]),
+    [[1.0], [1.0, 2.0]],
+    np.array([1, 2], dtype="m8[s]"),
+    Ellipsis,
+]
+STRUCTURE = {
+    "parameters": [Parameter("k", 1.0)],
+    "candidates": [Candidate("k", ("k",))],
+    "matrices": lambda values, _: (np.eye(2), values["k"] * np.eye(2)),
+    "channels": ["a", "b"],
+}
+ROWS = {"pose": ["P1"], "frequency": [1.0], "sigma": [0.1]}
+DEFAULTS = {"fields", "out", "parameters", "derivatives", "points", "damping", "mode", "shapes", "lines"}
+
+CALLS: dict[str, Callable[[object], object]] = {
+    **{
+        name: getattr(MODEL, name)
+        for name in ("modes", "frequencies", "check", "matrices", "statics", "platform_jacobian", "assembly")
+    },
+    "inverse_kinematics": MODEL.inverse_kinematics,
+    "sensitivities": MODEL.sensitivities,
+    "on_error": lambda x: MODEL.frequencies(POSE, on_error=x),
+    "fields": lambda x: MODEL.modes(POSE, fields=x),
+    "a field": lambda x: MODEL.modes(POSE, fields=[x]),
+    "out": lambda x: MODEL.modes(POSE, out=x),
+    "an out": lambda x: MODEL.modes(POSE, out={"frequencies": x}),
+    "parameters": lambda x: MODEL.sensitivities(POSE, x),
+    "a path": lambda x: MODEL.sensitivities(POSE, [x]),
+    "close": lambda x: MODEL.sensitivities(POSE, ["platform.mass"], close=x),
+    "carriages": lambda x: MODEL.direct_kinematics(x, 1),
+    "branch": lambda x: MODEL.direct_kinematics([0.9, 0.3, 0.3], x),
+    "Model": pkmodes.Model,
+    "max_condition": lambda x: pkmodes.Model(MODEL.robot, x),
+    "load": pkmodes.load,
+    "read_robot": pkmodes.read_robot,
+    "values": MODEL.robot.with_values,
+    "a value": lambda x: MODEL.robot.with_values({"platform.mass": x}),
+    "a whole": lambda x: MODEL.robot.with_values({"axis.span": x}),
+    "a vector": lambda x: MODEL.robot.with_values({"gravity": x}),
+    "a sigma": lambda x: MODEL.robot.with_values(
+        {"platform.mass": {"value": 1, "sigma": "x" if x is None else x}}
+    ),
+    **{
+        f"structure {name}": lambda x, name=name: MatrixStructure(**{**STRUCTURE, name: x})
+        for name in (*STRUCTURE, "derivatives", "setups", "rigid")
+    },
+    "a parameter": lambda x: MatrixStructure(**{**STRUCTURE, "parameters": [x]}),
+    "a parameter's value": lambda x: MatrixStructure(**{**STRUCTURE, "parameters": [Parameter("k", x)]}),
+    "a parameter's name": lambda x: MatrixStructure(**{**STRUCTURE, "parameters": [Parameter(x, 1.0)]}),
+    "a candidate": lambda x: MatrixStructure(**{**STRUCTURE, "candidates": [x]}),
+    "a candidate's parameters": lambda x: MatrixStructure(**{**STRUCTURE, "candidates": [Candidate("k", x)]}),
+    "matrices' result": lambda x: MatrixStructure(**{**STRUCTURE, "matrices": lambda *_: x}),
+    **{
+        f"measured {name}": lambda x, name=name: Measurements.from_rows(**{**ROWS, name: x})
+        for name in (*ROWS, "points", "damping", "mode", "shapes", "lines")
+    },
+    "measured at": Measurements.from_rows(**ROWS).at,
+}
+#: Labels and mode numbers may be anything that has a text.
+TEXTS = {"measured pose", "measured mode"}
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_every_mistake_is_an_error_of_the_package(name: str) -> None:
+    for given in NEVER:
+        if given is None and name.rpartition(" ")[2] in DEFAULTS:
+            continue
+        if name in TEXTS and isinstance(given, list | np.ndarray):
+            continue
+        with pytest.raises(pkmodes.PkmodesError) as error:
+            CALLS[name](given)
+        assert all((error.value.what, error.value.where, error.value.remedy)), given
+        assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("call", "what"),
+    [
+        (lambda: MODEL.modes(POSE, fields="frequencies"), "a list of fields"),
+        (lambda: MODEL.sensitivities(POSE, "platform.mass"), "a list of parameter paths"),
+        (lambda: MatrixStructure(**{**STRUCTURE, "channels": "ab"}), "a list of names"),
+        (lambda: MatrixStructure(**{**STRUCTURE, "setups": "P1"}), "a list of labels"),
+        (lambda: MatrixStructure(**{**STRUCTURE, "candidates": "k"}), "a list of candidates"),
+        (
+            lambda: MatrixStructure(**{**STRUCTURE, "candidates": [Candidate("k", "k")]}),
+            "a list of names of parameters",
+        ),
+        (lambda: Measurements.from_rows("a", [1.0], [0.1]), "one label for each row"),
+        (lambda: Measurements.from_rows(["a"], [1.0], [0.1], mode="1"), "a list of mode numbers"),
+    ],
+)
+def test_a_text_is_no_list_of_its_letters(call: Callable[[], object], what: str) -> None:
+    with pytest.raises(pkmodes.PkmodesError, match=f"expected {what}, found"):
+        call()
+
+
+@pytest.mark.parametrize("given", [0, -1.0, np.nan, True, "1e6"])
+def test_the_largest_condition_number_is_positive(given: object) -> None:
+    with pytest.raises(pkmodes.PkmodesError, match="expected a positive number") as error:
+        pkmodes.Model(MODEL.robot, given)
+    assert error.match("max_condition")
+
+
+def run(code: str) -> object:
+    path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated"))
+    environment = {**os.environ, "PYTHONPATH": path}
+    found = subprocess.run(
+        [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True
+    )
+    return ast.literal_eval(found.stdout)
+
+
+@pytest.mark.parametrize("part", ["closing", "diagnosis"])
+def test_what_closes_the_loop_is_there_after_a_plain_import(part: str) -> None:
+    code = f"""
+import sys, pkmodes
+before = "scipy" in sys.modules or "pkmodes.{part}" in sys.modules
+names = [pkmodes.{part}.diagnose.__name__, pkmodes.{part}.compare.__name__]
+print((before, names, "{part}" in dir(pkmodes)))
+"""
+    assert run(code) == (False, ["diagnose", "compare"], True)
+
+
+def test_the_package_has_nothing_else() -> None:
+    with pytest.raises(AttributeError, match="module 'pkmodes' has no attribute 'opening'"):
+        _ = pkmodes.opening
+
+
+@pytest.mark.parametrize("module", [model_module, kinematics, loading, robot_module])
+def test_examples_print_what_they_say(module: object, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    found = doctest.testmod(module)
+    assert found.attempted > 0
+    assert found.failed == 0
