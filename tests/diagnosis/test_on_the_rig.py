@@ -167,7 +167,7 @@ def test_an_error_that_the_modes_of_a_pose_share_is_seen_as_one() -> None:
 
 
 MISSED = [
-    ("published", "cable_stiffness"),
+    ("asymmetric", "cable_stiffness"),
     ("tower", "servo_stiffness"),
     ("published", "frame_compliance"),
     ("tower", "payload"),
