@@ -45,7 +45,7 @@ docs: $(VENV)/.derive  ## rebuild the derivation's page
 benchmark: $(VENV)/.dev
 	$(BIN)/python benchmarks/evaluation.py
 
-suites: $(VENV)/.dev  ## rates of the diagnosis on the virtual test rig, ten minutes on two cores
+suites: $(VENV)/.dev  ## rates of the diagnosis on the virtual test rig, twenty minutes on two cores
 	$(BIN)/python benchmarks/diagnosis.py --seed 20261122 --out docs/diagnosis-measured.md
 
 clean:

@@ -32,7 +32,7 @@ from strengths import SEED
 from suites import SUITES, Case, Outcome, failed, run
 
 #: Seeds whose cases were looked at while the diagnosis was developed.
-SEEN = f"{SEED}, 101 to 110 and 20261121"
+SEEN = f"{SEED}, 101 to 120 and 20261121"
 STATES = ("named", "partly", "wrong", "abstained", "adequate", "failed")
 #: Suites with a single cause each, measured as laboratories do, and those of what is hard about measurements.
 REALISTIC = ("one effect, realistic", "wrong parameter, realistic", "modes missed")

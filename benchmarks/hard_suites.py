@@ -13,7 +13,7 @@ import numpy as np
 
 from buildings import Building
 from cases import ROBOT_NAMES, Case
-from judging import POSITIONS
+from judging import NOTED, POSITIONS
 from pkmodes.robot.effects import CATALOGUE
 from rig import MISTAKES, POSES, Laboratory, channels, read
 from sizes import EFFECT_SIZES, OUTSIDE_SIZES
@@ -25,8 +25,12 @@ FEW_ROWS, OUTLIERS = 60, 30
 FEW, FEWER = (2, 8), (2, 6)
 #: Effects that add modes or make rigid ones measurable.
 ADDING = ("cable_stiffness", "servo_stiffness", "frame_compliance")
+#: How large these are, beside the plain size: a mode that was missed is not seen, so that some show little.
+LARGER = (1.0, 1.5, 2.5)
 #: Where shapes decide: stated errors of the frequencies, uncertainty of the common stiffness, and cases of each.
 STATED, PRIORS, EACH = (0.002, 0.005, 0.01), (0.05, 0.10, 0.15), 6
+#: Mass on the roof in up to three setups [kg].
+LOADS = (0.0, 5.0, 12.0)
 #: Change of one storey, either way, and the error of shapes there.
 CHANGE, SHAPE_NOISE = (0.10, 0.30), (0.02, 0.05)
 #: Mistakes on robots that lack nothing, and on robots with a plain effect.
@@ -38,26 +42,21 @@ FRAME_MASS = 1.6
 def few_rows() -> Iterator[Case]:
     """Two to eight rows of robots and of buildings that lack nothing, one thing, or what no candidate describes."""
     rng = np.random.default_rng([SEED, 1])
-    for n in range(FEW_ROWS):
-        truth, names, kind = _machine(rng, n)
-        yield replace(
-            _few(rng, "few rows", 2 * n, truth, names, kind), rows=int(rng.integers(FEW[0], FEW[1] + 1))
-        )
-        building, names, kind = _building(rng, n)
-        few = _few(rng, "few rows", 2 * n + 1, building, names, kind)
-        yield replace(few, rows=int(rng.integers(FEW[0], FEW[1] + 1)))
+    for n in range(2 * FEW_ROWS):
+        drawn = _machine(rng, n) if n < FEW_ROWS else _building(rng, n)
+        yield replace(_few(rng, "few rows", n, *drawn), rows=int(rng.integers(FEW[0], FEW[1] + 1)))
 
 
 def modes_missed() -> Iterator[Case]:
     """Single effects that are plain to see, modes missed; more of those that add modes."""
-    plain = [(effect, robot, 2, e + r) for (e, effect), (r, robot) in _places(CATALOGUE)]
+    plain = [(effect, robot, 1.0, e + r) for (e, effect), (r, robot) in _places(CATALOGUE)]
     more = [
-        (effect, robot, size, e + r + k)
+        (effect, robot, larger, e + r + k)
         for (e, effect), (r, robot) in _places(ADDING)
-        for k, size in enumerate((1, 2, 2), start=1)
+        for k, larger in enumerate(LARGER, start=1)
     ]
-    for n, (effect, robot, size, plan) in enumerate([*plain, *more]):
-        truth = with_effect(robot, effect, EFFECT_SIZES[robot][effect][size])
+    for n, (effect, robot, larger, plan) in enumerate([*plain, *more]):
+        truth = with_effect(robot, effect, larger * EFFECT_SIZES[robot][effect][2])
         yield Case("modes missed", n, PLANS[plan % len(PLANS)], truth, (effect,), effect, realistic=True)
 
 
@@ -83,16 +82,17 @@ def shapes_decide() -> Iterator[Case]:
 def outliers_among_few() -> Iterator[Case]:
     """Two to six rows, one of which is grossly wrong."""
     rng = np.random.default_rng([SEED, 4])
-    for n in range(OUTLIERS):
-        for place, (truth, names, kind) in enumerate((_machine(rng, 2 * n), _building(rng, 2 * n))):
-            few = _few(rng, "outliers among few", 2 * n + place, truth, names, kind)
-            yield replace(few, rows=int(rng.integers(FEWER[0], FEWER[1] + 1)), edit="gross")
+    for n in range(2 * OUTLIERS):
+        drawn = _machine(rng, n) if n < OUTLIERS else _building(rng, n)
+        few = _few(rng, "outliers among few", n, *drawn)
+        yield replace(few, rows=int(rng.integers(FEWER[0], FEWER[1] + 1)), edit="gross")
 
 
 def units_and_wiring() -> Iterator[Case]:
     """Mistakes of the experimenter, on robots that lack nothing and on some with a plain effect."""
     plain = ("gearbox_compliance", "belt_mass", "axis_belt_stiffness", "clamp_compliance", "link_compliance")
-    careful = Laboratory(uneven=0.5, missing=0.05, modes=(5, 8), sigma_shape="stated")
+    careful = Laboratory(uneven=0.1, missing=0.05, modes=(5, 8), sigma_shape="stated")
+    uneven = replace(careful, uneven=0.5)
     n = 0
     for m, mistake in enumerate(MISTAKES):
         for k in range(WITHOUT + WITH_ONE):
@@ -102,8 +102,9 @@ def units_and_wiring() -> Iterator[Case]:
                 truth, names = with_effect(robot, effect, EFFECT_SIZES[robot][effect][2]), (effect,)
             names += {"poses too high": (POSITIONS[2],), "poses turned": (POSITIONS[3],)}.get(mistake, ())
             plan = PLANS[(k + m // 3) % len(PLANS)]
+            laboratory = uneven if NOTED.get(mistake) == "unit" else careful
             yield Case(
-                "units and wiring", n, plan, truth, names, mistake, laboratory=careful, mistake=mistake
+                "units and wiring", n, plan, truth, names, mistake, laboratory=laboratory, mistake=mistake
             )
             n += 1
     for k, robot in enumerate(ROBOT_NAMES):
@@ -146,7 +147,7 @@ def _building(rng: np.random.Generator, n: int) -> tuple[Building, tuple[str, ..
     """A building, likewise."""
     storeys = int(rng.integers(3, 6))
     floor = int(rng.integers(1, storeys + 1))
-    loads = (0.0, 5.0) if rng.random() < 1 / 3 else (0.0,)
+    loads = LOADS[: int(rng.integers(1, len(LOADS) + 1))]
     frame = Building(storeys, float(rng.choice(PRIORS)), float(rng.choice([0.0, 0.1])), loads)
     size = float(rng.uniform(*CHANGE))
     sign = float(rng.choice([-1.0, 1.0]))

@@ -64,7 +64,7 @@ class Outcome:
     state : str
         ``adequate``; ``abstained`` (ambiguous, unexplained, insufficient_data); of what was found: ``named`` (each
         cause in a class of its own), ``partly`` (nothing wrong, but not every cause), ``wrong`` (a class without
-        any of the causes, or a row set aside that nothing could tell from the others).
+        any of the causes, or rows set aside blindly where something is the matter).
     classes : tuple of tuple of str
         What was found, or the survivors.
     values : tuple of (name, found, sigma, true)
@@ -111,7 +111,8 @@ def run(case: Case) -> Outcome:
     found = diagnosed(case, test.text)
     seconds = time.perf_counter() - start
     state = judged(case.names, found)
-    if found.verdict in ("adequate", "effect_found") and set_aside_blindly(case, found):
+    faulty = bool(case.edit or case.names or case.truth.outside)
+    if found.verdict in ("adequate", "effect_found") and faulty and set_aside_blindly(case, found):
         state = "wrong"
     notes = tuple(found.notes) if hasattr(found, "notes") else ()
     return Outcome(

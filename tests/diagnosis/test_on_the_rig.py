@@ -14,11 +14,16 @@ import pytest
 
 from pkmodes.closing import loop
 from pkmodes.diagnosis.verdict.result import Diagnosis, Finding
+from rig_laboratory import Laboratory
+from rig_measurements import Identified
 from rig_robots import read
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
-from strengths import measurements, with_wrong
+from cases import tested
+from judging import MENTIONS, physical, set_aside_blindly
+from requirements import CLEAR, MAC_CLAIMED, MAC_OTHER
+from strengths import measurements, signal, with_wrong
 from suites import SUITES, Case, Outcome, judged, measured, run
 
 #: Standard deviations within which a value is right.
@@ -34,11 +39,20 @@ PLAIN = [
 ]
 WRONG = [("published", "link.mass"), ("tower", "pulley.radius"), ("asymmetric", "axis.3.link.length")]
 
+#: Cases of the hard suites, robots and buildings, all kinds.
+FEW_ROWS = [*range(2, 60, 9), *range(60, 120, 7)]
+OUTLIERS = [0, 4, 12, 20, 24, 28, *range(30, 60, 4)]
+MISTAKEN = ["rad/s for Hz", "rpm for Hz", "all shapes equal", "sigma far too large"]
+
 
 def case(suite: str, kind: str, robot: str = "", place: int = -1) -> Case:
     """One of the cases of a kind; of several strengths the largest is the last."""
     found = [c for c in SUITES[suite]() if c.kind == kind and robot in ("", c.truth.robot)]
     return found[place]
+
+
+def numbered(suite: str, number: int) -> Case:
+    return next(c for c in SUITES[suite]() if c.number == number)
 
 
 def assert_named(outcome: Outcome) -> None:
@@ -152,6 +166,53 @@ def test_an_error_that_the_modes_of_a_pose_share_is_seen_as_one() -> None:
     assert outcome.scatter == pytest.approx(shared.options["common"], rel=0.6)
 
 
+MISSED = [
+    ("asymmetric", "cable_stiffness"),
+    ("tower", "servo_stiffness"),
+    ("published", "frame_compliance"),
+    ("tower", "payload"),
+]
+
+
+@pytest.mark.parametrize(("robot", "effect"), MISSED)
+def test_an_effect_is_found_although_modes_were_missed(robot: str, effect: str) -> None:
+    outcome = run(case("modes missed", effect, robot))
+    assert outcome.signal > CLEAR
+    assert outcome.state == "named", outcome.reason
+
+
+@pytest.mark.parametrize("place", range(0, 105, 15))
+def test_a_robot_that_lacks_nothing_is_adequate_in_any_laboratory(place: int) -> None:
+    outcome = run(case("nothing missing, realistic", "nothing", place=place))
+    assert outcome.verdict == "adequate", outcome.reason
+
+
+@pytest.mark.parametrize("number", FEW_ROWS)
+def test_few_rows_make_no_confident_wrong_answer(number: int) -> None:
+    outcome = run(numbered("few rows", number))
+    assert outcome.rows <= 8
+    assert outcome.state != "wrong", outcome.reason
+
+
+@pytest.mark.parametrize("number", range(0, 54, 6))
+def test_the_cause_that_the_shapes_show_is_claimed_or_none(number: int) -> None:
+    outcome = run(numbered("shapes decide", number))
+    assert outcome.state != "wrong", outcome.reason
+    assert outcome.mac is None or outcome.mac[0] > MAC_CLAIMED or outcome.mac[1] < MAC_OTHER
+
+
+@pytest.mark.parametrize("number", OUTLIERS)
+def test_a_row_is_not_set_aside_where_any_of_them_could_be_wrong(number: int) -> None:
+    outcome = run(numbered("outliers among few", number))
+    assert outcome.state != "wrong", outcome.reason
+
+
+@pytest.mark.parametrize("mistake", MISTAKEN)
+def test_no_cause_is_claimed_for_a_mistake_of_the_experimenter(mistake: str) -> None:
+    outcome = run(case("units and wiring", mistake, place=0))
+    assert not outcome.physical, outcome.reason
+
+
 def test_a_class_with_none_of_the_causes_is_wrong_whatever_else_is_found() -> None:
     """The judge of the suites, on verdicts that are made up."""
     template = diagnosed(measured(case("nothing missing", "nothing", place=0)), "published")
@@ -171,3 +232,57 @@ def test_a_class_with_none_of_the_causes_is_wrong_whatever_else_is_found() -> No
     assert state(("payload", "belt_mass"), ("payload", "belt_mass")) == "partly"
     assert state(("payload", "belt_mass"), ("belt_mass", "payload"), ("payload",)) == "named"
     assert state(("gearbox_inertia",), ("parameter:motor.gear_ratio",)) == "named"
+
+
+def test_a_correction_of_the_measurement_is_right_where_poses_are_not_where_the_file_says() -> None:
+    template = diagnosed(measured(case("nothing missing", "nothing", place=0)), "published")
+    finding = Finding("measurement:yaw", ("measurement:yaw",), (), {}, 0.0, "")
+    turned = replace(template, verdict="effect_found", effects=(finding,))
+    assert judged(("measurement:offset.z",), turned) == "named"
+    assert judged((), turned) == judged(("payload",), turned) == "wrong"
+    assert not physical((), turned)
+    both = replace(finding, members=("measurement:yaw", "payload"))
+    assert physical((), replace(turned, effects=(both,)))
+    assert not physical(("payload",), replace(turned, effects=(both,)))
+
+
+def test_a_row_is_set_aside_blindly_where_the_others_could_not_tell() -> None:
+    few = numbered("few rows", 60)
+    template = diagnosed(measured(case("nothing missing", "nothing", place=0)), "published")
+    row = replace(template.rows[0], held_out=False, outlier=False)
+    outlier = replace(row, outlier=True)
+    for rows, blind in (
+        ((row,) * 4, False),
+        ((row,) * 3 + (outlier,), True),
+        ((row,) * 4 + (outlier,), False),
+    ):
+        assert (
+            set_aside_blindly(few, replace(template, rows=rows)) is blind
+        )  # two uncertain values, two to spare
+
+
+@pytest.mark.parametrize(
+    ("kind", "note"),
+    [
+        ("unit", "all frequencies are 6.28 times the predicted ones: is the unit rad/s?"),
+        ("channels", "shapes fit no explanation unless x_1 and x_2 are exchanged"),
+        ("sigma", "the stated standard deviations are far too large"),
+    ],
+)
+def test_notes_are_recognised(kind: str, note: str) -> None:
+    assert [name for name, mention in MENTIONS.items() if mention.search(note)] == [kind]
+
+
+def test_the_predicted_signal_is_that_of_the_modes_that_were_found() -> None:
+    plain = case("one effect", "gearbox_compliance", "published")
+    trial = tested(replace(plain, laboratory=Laboratory()))
+
+    def given(rows: list[Identified] | None) -> float:
+        return signal(plain.truth, plain.plan, holdout=["P3", "P9"], rows=rows)
+
+    everything = given(None)
+    assert given(trial.rows) == pytest.approx(everything, rel=1e-6)
+    lower, upper = ([row for row in trial.rows if (row.mode < 6) is low] for low in (True, False))
+    assert 0.0 < given(lower) < everything
+    assert 0.0 < given(upper) < 0.7 * everything  # the lower ones show a soft gearbox
+    assert given([replace(row, sigma=2.0 * row.sigma) for row in trial.rows]) < 0.7 * everything

@@ -13,7 +13,7 @@ import sys
 import tomllib
 from collections.abc import Mapping
 from contextlib import redirect_stderr, redirect_stdout
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -137,7 +137,7 @@ def verdict(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     saved = write(folder, "what was here before", "saved.toml")
     with pytest.MonkeyPatch.context() as patch:
         if request.param == "ambiguous":  # nothing is one class: whatever survives is a rival
-            patch.setattr("pkmodes.diagnosis.classes.TOLD_APART", 0.0)
+            patch.setattr("pkmodes.diagnosis.fit.fitter.Criteria", partial(Criteria, told_apart=0.0))
         answer = call(*inputs, "--candidates", candidates, "--json", "-", "--save-robot", saved)
     assert answer.json["verdict"] == request.param
     return Verdict(answer, saved, inputs)

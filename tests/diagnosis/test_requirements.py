@@ -1,0 +1,70 @@
+"""The lines of the published table say what came out: counted right, and held only where they are."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[2] / "benchmarks"))
+
+from cases import Case
+from judging import Outcome
+from requirements import requirements
+from strengths import Truth
+from suites import SUITES
+
+
+def outcomes(suite: str, *states: str, **changes: object) -> list[Outcome]:
+    case = Case(suite, 0, "grid", Truth("published"))
+    return [replace(Outcome(case, state, "", ()), **changes) for state in states]
+
+
+def lines(*groups: list[Outcome]) -> list[str]:
+    by_suite = {suite: [o for group in groups for o in group if o.case.suite == suite] for suite in SUITES}
+    return requirements(by_suite)
+
+
+def test_one_wrong_answer_from_few_rows_is_one_too_many() -> None:
+    (held,) = lines(outcomes("few rows", *["abstained"] * 99, "named"))
+    assert held == "| few rows | confident and wrong: none | 0 of 100: 0.0 % | 0.0-3.6 % | held |"
+    (broken,) = lines(outcomes("few rows", *["abstained"] * 99, "wrong"))
+    assert broken.endswith("1 of 100: 1.0 % | 0.0-5.4 % | **NOT HELD** |")
+
+
+def test_only_clear_causes_have_to_be_named() -> None:
+    suite = "one effect, realistic"
+    clear = outcomes(suite, "named", "abstained", signal=6.1, values=(("a", 1.0, 0.1, 1.25),))
+    hidden = outcomes(suite, "abstained", "adequate", signal=5.9)
+    named, right, wrong, cover = lines(clear, hidden)
+    assert "named >= 95 % | 1 of 2" in named
+    assert "3 sigma >= 95 % | 1 of 1" in right
+    assert "confident and wrong <= 2 % | 0 of 4" in wrong
+    assert "0 of 2" in cover  # 2.5 standard deviations off, in both
+
+
+def test_a_claim_that_contradicts_the_shapes_counts_where_the_truth_fits_them() -> None:
+    suite = "shapes decide"
+    _, against = lines(
+        outcomes(suite, "named", mac=(0.89, 0.985)),
+        outcomes(suite, "named", mac=(0.95, 0.985)),
+        outcomes(suite, "named", mac=(0.5, 0.97)),
+        outcomes(suite, "abstained"),
+    )
+    assert "| 1 of 4: 25.0 % |" in against
+    assert "NOT HELD" in against
+
+
+def test_mistakes_have_to_be_noted_and_no_cause_claimed() -> None:
+    suite = "units and wiring"
+    made = []
+    for mistake, noted in (("rad/s for Hz", True), ("rpm for Hz", False), ("sign of one channel", None)):
+        (o,) = outcomes(suite, "abstained", noted=noted)
+        made.append(replace(o, case=replace(o.case, mistake=mistake)))
+    made += outcomes(suite, "wrong", physical=True)
+    claimed, unit, channels, sigma = lines(made)
+    assert "| 1 of 4: 25.0 % |" in claimed
+    assert "NOT HELD" in claimed
+    assert "| 1 of 2: 50.0 % |" in unit
+    assert "no cases" in channels
+    assert "no cases" in sigma
