@@ -1,4 +1,4 @@
-"""One robot's matrices from the generated model: the base model, or the extended one where effects are active.
+"""One robot's matrices from the generated model, and their modes: the base model, or the extended one with effects.
 
 Effects whose parameters are all at their null value are not there: their coordinates are locked, and the
 base model evaluates the robot.
@@ -7,15 +7,21 @@ base model evaluates the robot.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.eigen import condensed_eigh, natural_frequencies
+from pkmodes.errors import PoseError
 from pkmodes_generated import linear_delta as generated
 from pkmodes_generated.linear_delta import Parameters
 
 Array = NDArray[np.float64]
+
+#: Eigenvalues come with an error of some 1e-16 of those of the belts: below this fraction of them, a frequency of
+#: vibration has lost the nine digits that it should have.
+RESOLVED = 1e-7
 
 
 class Evaluation(Protocol):
@@ -219,3 +225,59 @@ def _told_apart(effects: Mapping[str, float]) -> tuple[dict[str, float], list[tu
 def evaluation(parameters: Parameters, effects: Mapping[str, float]) -> Evaluation:
     """Choose the model: the base one when every effect is null."""
     return ExtendedEvaluation(parameters, effects) if active_effects(effects) else BaseEvaluation(parameters)
+
+
+class Solved(NamedTuple):
+    """M, K (N, n, n), eigenvalues (N, m) and shapes (N, m, n) of N poses."""
+
+    M: Array
+    K: Array
+    eigenvalues: Array
+    shapes: Array
+
+
+def solve(evaluation: Evaluation, p: Array, source: str) -> Solved:
+    """Solve the eigenproblem at some poses.
+
+    Parameters
+    ----------
+    evaluation : Evaluation
+    p : ndarray, shape (N, 3)
+        Platform centres that can be evaluated [m]; there may be none.
+    source : str
+        The robot, for messages.
+
+    Raises
+    ------
+    PoseError
+        If M is not positive definite, the eigenvalues are not finite, or a released joint is so soft that its
+        frequency is lost in rounding.
+    """
+    first, rigid = len(generated.COORDINATES), evaluation.rigid_modes
+    M, K = evaluation.matrices(p)
+    massless = None if len(p) else evaluation.massless()
+    try:
+        eigenvalues, shapes = condensed_eigh(M, K, first, rigid, massless)
+    except np.linalg.LinAlgError:
+        raise PoseError(
+            "the mass matrix is not positive definite",
+            source,
+            "give every body that moves a mass: platform or links, carriages, pulleys",
+        ) from None
+    if not np.isfinite(eigenvalues).all():
+        raise PoseError("the eigenvalues are not finite", source, "check the robot's magnitudes")
+    if rigid and M.shape[-1] > first:
+        _check_resolved(eigenvalues, first, rigid, source)
+    return Solved(M, K, eigenvalues, shapes)
+
+
+def _check_resolved(eigenvalues: Array, first: int, rigid: int, source: str) -> None:
+    """A robot that stands free has no vibration near zero, unless a joint hardly holds."""
+    lost = np.abs(eigenvalues[:, rigid]) < RESOLVED * eigenvalues[:, first - 1]
+    if lost.any():
+        low, high = natural_frequencies(eigenvalues[int(np.argmax(lost)), [rigid, first - 1]])
+        raise PoseError(
+            f"a joint is so soft that its vibration, at {abs(low):.2g} Hz, is lost in rounding beside {high:.4g} Hz",
+            source,
+            "check the compliances under [effects]: a joint of smaller compliance holds",
+        )

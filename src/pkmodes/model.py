@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.eigen import condensed_eigh, natural_frequencies
+from pkmodes.eigen import natural_frequencies
 from pkmodes.errors import PkmodesError, PoseError, shown
-from pkmodes.evaluation import evaluation
+from pkmodes.evaluation import evaluation, solve
 from pkmodes.poses import CHUNK, MAX_CONDITION, CheckedPoses, OnError, as_points, check_poses
 from pkmodes.results import Modes, Statics
 from pkmodes.robot.robot import Robot
@@ -314,20 +314,6 @@ class Model:
 
     def _solve(self, p: Array) -> tuple[Array, ...]:
         """Matrices, eigenvalues, shapes, carriages and platform motion at some poses."""
-        M, K = self._evaluation.matrices(p)
-        first, rigid = len(generated.COORDINATES), self._evaluation.rigid_modes
-        massless = None if len(p) else self._evaluation.massless()
-        try:
-            eigenvalues, shapes = condensed_eigh(M, K, first, rigid, massless)
-        except np.linalg.LinAlgError:
-            raise PoseError(
-                "the mass matrix is not positive definite",
-                self.robot.source,
-                "give every body that moves a mass: platform or links, carriages, pulleys",
-            ) from None
-        if not np.isfinite(eigenvalues).all():
-            raise PoseError(
-                "the eigenvalues are not finite", self.robot.source, "check the robot's magnitudes"
-            )
+        M, K, eigenvalues, shapes = solve(self._evaluation, p, self.robot.source)
         platform = shapes @ np.swapaxes(self._evaluation.platform_motion(p), -1, -2)
         return M, K, eigenvalues, shapes, generated.inverse_kinematics(p, self.robot.parameters), platform

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.eigen import condensed_eigh, has_stiff_joint, magnitude
-from pkmodes.errors import PkmodesError, PoseError, shown
-from pkmodes.evaluation import evaluation
+from pkmodes.eigen import has_stiff_joint, magnitude
+from pkmodes.errors import PkmodesError, shown
+from pkmodes.evaluation import evaluation, solve
 from pkmodes.poses import CheckedPoses
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
@@ -116,16 +116,7 @@ def _at(robot: Robot, p: Array, chosen: list[ParameterPath], close: float) -> tu
     derivatives = MatrixDerivatives(robot, p, chosen)
     # To the last digit the matrices of `Model.modes`: repeated modes must come out in the same basis.
     model, first = evaluation(robot.parameters, robot.effects), len(COORDINATES)
-    M, K = model.matrices(p)
-    massless = None if len(p) else model.massless()
-    try:
-        eigenvalues, shapes = condensed_eigh(M, K, first, model.rigid_modes, massless)
-    except np.linalg.LinAlgError:
-        raise PoseError(
-            "the mass matrix is not positive definite",
-            robot.source,
-            "give every body that moves a mass: platform or links, carriages, pulleys",
-        ) from None
+    M, K, eigenvalues, shapes = solve(model, p, robot.source)
     dM, dK = derivatives.dense()
     change = np.einsum("ptab,pib->ptia", dK, shapes)
     change -= eigenvalues[:, None, :, None] * np.einsum("ptab,pib->ptia", dM, shapes)
