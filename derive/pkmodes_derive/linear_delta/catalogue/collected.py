@@ -29,7 +29,7 @@ class Collected:
     ----------
     coordinates, rates, displacements : tuple of sympy.Symbol
         Of the coordinates with inertia, which every function has.
-    all_coordinates, all_displacements : tuple of sympy.Symbol
+    all_coordinates : tuple of sympy.Symbol
         The massless ones too.
     M, K_el, K : tuple of sympy.Expr
         In the coordinates with inertia, row by row; K_el with the springs of released joints.
@@ -79,7 +79,7 @@ class Collected:
         rates = (*sy.velocities, *(c.rate for c in released))
         # A released coordinate is its own small displacement.
         small = (*sy.displacements, *positions)
-        self.all_coordinates, self.all_displacements = (*sy.coordinates, *positions), small
+        self.all_coordinates = (*sy.coordinates, *positions)
         # Displacements are small: Jacobian and belt stiffnesses are those of the reference configuration.
         self.hold = (*kin.D, *(k for axis in self.machine.k for k in axis))
         M = lagrangian.mass_matrix(energies.T_ss + energies.T_t, rates, kin.chain)
