@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence, Set
 from dataclasses import replace
+from functools import cached_property
 
 from sympy import Add, Expr, Integer, Matrix, Symbol, default_sort_key, prime
 
@@ -135,7 +136,7 @@ class Collected:
         turning = {sy.velocities[3 + i]: sy.velocities[i % 3] / sy.R_p[i % 3] for i in range(6)}
         return self.energies.T_ss.xreplace({**turning, **self.locked})
 
-    @property
+    @cached_property
     def rigid_modes(self) -> int:
         """Nullity of the elastic Hessian, for values without a relation between them: an exact rank."""
         symbols = sorted({s for entry in self.K_el for s in entry.free_symbols}, key=default_sort_key)
