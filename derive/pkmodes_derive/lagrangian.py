@@ -26,11 +26,6 @@ def mass_matrix(kinetic: Expr, velocities: Sequence[Symbol], chain: Chain) -> li
     return chain.hessian(kinetic, velocities)
 
 
-def stiffness_matrix(potential: Expr, coordinates: Sequence[Symbol], chain: Chain) -> list[list[Expr]]:
-    """K = d2V/dq2."""
-    return chain.hessian(potential, coordinates)
-
-
 def gradient(potential: Expr, coordinates: Sequence[Symbol], chain: Chain) -> list[Expr]:
     """Gradient of V."""
     return [chain.derivative(potential, q) for q in coordinates]

@@ -1,4 +1,4 @@
-"""One robot's matrices from the generated model: the base model, or the extended one where effects are active.
+"""One robot's matrices from the generated model, and their modes: the base model, or the extended one with effects.
 
 Effects whose parameters are all at their null value are not there: their coordinates are locked, and the
 base model evaluates the robot.

@@ -14,6 +14,7 @@ import pytest
 import pkmodes
 from high_precision import Exact, exact_derivatives, exact_modes, mp
 from pkmodes.eigen import condensed_eigh, generalised_eigh
+from pkmodes.errors import PoseError
 from pkmodes.evaluation import ExtendedEvaluation
 from pkmodes.robot.effects import CATALOGUE
 from sample_robots import Sample, published, random_robot
@@ -223,3 +224,27 @@ def test_an_empty_batch_has_the_modes_of_the_coordinates_with_inertia() -> None:
     eigenvalues, shapes = condensed_eigh(np.zeros((0, 12, 12)), np.zeros((0, 12, 12)), 9, massless=massless)
     assert eigenvalues.shape == (0, 9)
     assert shapes.shape == (0, 9, 12)
+
+
+@pytest.mark.parametrize("compliance", [1.0, 1e2, 1e4, 1e8, 1e20, 1e30])
+@pytest.mark.parametrize("effect", RELEASED)
+def test_joints_that_hardly_hold_are_right_or_refused(effect: str, compliance: float) -> None:
+    for name in SAMPLES[:2]:
+        parameters, p = sample(name)
+        model = pkmodes.Model(robot_of(parameters, effects_of(effect, compliance)))
+        try:
+            found = model.modes(p).frequencies
+        except PoseError as error:
+            assert "so soft that its vibration" in str(error)
+            with pytest.raises(PoseError, match="so soft"):
+                model.sensitivities(p, ["platform.mass"])
+            continue
+        exact = exact_modes(parameters, effects_of(effect, compliance), p).values()
+        np.testing.assert_allclose(found[3:], np.sqrt(exact[3:]) / (2.0 * np.pi), rtol=1e-9)
+
+
+def test_a_soft_joint_within_reason_is_not_refused() -> None:
+    """A frame at half a hertz."""
+    parameters, p = sample("published")
+    found = pkmodes.Model(robot_of(parameters, effects_of("frame_compliance", 1e-3))).modes(p)
+    assert 0.1 < found.frequencies[3] < 2.0

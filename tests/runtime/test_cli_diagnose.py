@@ -22,6 +22,7 @@ import pytest
 
 import pkmodes
 from pkmodes.cli import run
+from pkmodes.diagnosis import Criteria
 from pkmodes.robot.reading import robot_from_document
 from rig_measurements import measure
 from rig_robots import POSES, ROBOTS

@@ -7,8 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence, Set
 
-from sympy import Add, Expr
-
 from pkmodes_derive.effect import Effect
 from pkmodes_derive.functions import FieldGroup, Function, Model, Output
 from pkmodes_derive.linear_delta import energy, kinematics, statics
@@ -88,37 +86,14 @@ def _notes(c: Collected) -> tuple[str, ...]:
 
 
 def _platform_motion(c: Collected) -> Function:
-    """The absolute motion of the platform: it has its velocity's Jacobian."""
-    chain = c.kin.chain
+    """The absolute motion of the platform: what moves it has its mass, so no massless coordinate does."""
+    entries = tuple(c.kin.chain.derivative(v, rate) for v in c.machine.v_p for rate in c.rates)
     return c.function(
         "platform_motion",
         "Absolute motion of the platform centre by the coordinates.",
         "equation 15, with what released joints and the frame add",
         [c.pose],
-        Output(
-            "J_p",
-            (3, c.n),
-            # A massless coordinate moves the platform as its equilibrium does.
-            tuple(
-                chain.derivative(v, rate) + _through(c, i, k)
-                for i, v in enumerate(c.machine.v_p)
-                for k, rate in enumerate(c.rates)
-            ),
-            "1, m",
-            "dp_i/dq_k, base frame",
-        ),
-    )
-
-
-def _through(c: Collected, i: int, k: int) -> Expr:
-    """Motion of the platform by coordinate k through the massless coordinates."""
-    rates = (*c.sy.velocities, *(q.rate for q in c.machine.released))
-    return Add(
-        *(
-            c.kin.chain.derivative(c.machine.v_p[i], rate) * row[k]
-            for rate, row in zip(rates, c.condensation, strict=True)
-            if rate in c.at_rest
-        )
+        Output("J_p", (3, c.n), entries, "1, m", "dp_i/dq_k, base frame"),
     )
 
 

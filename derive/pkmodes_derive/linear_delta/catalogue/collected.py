@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence, Set
 from dataclasses import replace
+from functools import cached_property
 
 from sympy import Add, Expr, Integer, Matrix, Symbol, default_sort_key, prime
 
@@ -29,7 +30,7 @@ class Collected:
     ----------
     coordinates, rates, displacements : tuple of sympy.Symbol
         Of the coordinates with inertia, which every function has.
-    all_coordinates, all_displacements : tuple of sympy.Symbol
+    all_coordinates : tuple of sympy.Symbol
         The massless ones too.
     M, K_el, K : tuple of sympy.Expr
         In the coordinates with inertia, row by row; K_el with the springs of released joints.
@@ -79,7 +80,7 @@ class Collected:
         rates = (*sy.velocities, *(c.rate for c in released))
         # A released coordinate is its own small displacement.
         small = (*sy.displacements, *positions)
-        self.all_coordinates, self.all_displacements = (*sy.coordinates, *positions), small
+        self.all_coordinates = (*sy.coordinates, *positions)
         # Displacements are small: Jacobian and belt stiffnesses are those of the reference configuration.
         self.hold = (*kin.D, *(k for axis in self.machine.k for k in axis))
         M = lagrangian.mass_matrix(energies.T_ss + energies.T_t, rates, kin.chain)
@@ -135,7 +136,7 @@ class Collected:
         turning = {sy.velocities[3 + i]: sy.velocities[i % 3] / sy.R_p[i % 3] for i in range(6)}
         return self.energies.T_ss.xreplace({**turning, **self.locked})
 
-    @property
+    @cached_property
     def rigid_modes(self) -> int:
         """Nullity of the elastic Hessian, for values without a relation between them: an exact rank."""
         symbols = sorted({s for entry in self.K_el for s in entry.free_symbols}, key=default_sort_key)
