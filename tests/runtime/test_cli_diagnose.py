@@ -412,7 +412,7 @@ def test_modes_that_the_model_lacks_are_not_noise(tmp_path: Path) -> None:
     assert found["verdict"] == "unexplained"
     assert [row["line"] for row in found["unpaired"]] == [2, 3, 4, 5, 6]
     out = call(*inputs, "--candidates", "payload").out
-    assert "no mode of the model for: line 2, pose P0, 5000 Hz; line 3, pose P1, 5001 Hz;\n" in out
+    assert "unmatched measured modes: line 2, pose P0, 5000 Hz; line 3, pose P1, 5001 Hz;\n" in out
 
 
 def test_modes_that_were_rigid_may_be_measured(tmp_path: Path) -> None:

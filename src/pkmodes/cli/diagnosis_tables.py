@@ -152,19 +152,32 @@ def _remarks(terminal: Terminal, result: Diagnosis) -> None:
     if result.outliers:
         remarks.append(f"set aside as outliers: {_listed(result.outliers)}")
     if result.unpaired:
-        remarks.append(f"no mode of the model for: {_listed(result.unpaired)}")
+        remarks.append(f"unmatched measured modes: {_listed(result.unpaired)}")
     if result.scatter:
         remarks.append(f"error that the modes of a pose share: {100 * result.scatter:.2g} %")
     if result.undetectable:
-        remarks.append(f"would not have been seen: {', '.join(result.undetectable)}")
+        remarks.append(f"not detectable with these data: {', '.join(result.undetectable)}")
     if result.next_measurement is not None:
         place = ", ".join(f"{c:.4f}" for c in result.next_measurement.pose)
         a, b = result.next_measurement.separates
         sigmas = result.next_measurement.sigmas
         remarks.append(f"measure next at [{place}] m: {a} and {b} differ there by {sigmas:.0f} sigma")
+    remarks += [f"note: {text}" for text in result.notes]
+    remarks += _stability(result)
     for remark in remarks:
         terminal.line()
         terminal.line(remark)
+
+
+def _stability(result: Diagnosis) -> list[str]:
+    """What other errors or priors would change; nothing where they change nothing."""
+    claimed = {found.name for found in result.effects}
+    changed = [
+        f"{entry.change}: {entry.verdict}" + (f" ({' and '.join(entry.effects)})" if entry.effects else "")
+        for entry in result.stability
+        if entry.verdict != result.verdict or (claimed and not set(entry.effects) & claimed)
+    ]
+    return [f"with other errors or priors, {'; '.join(changed)}"] if changed else []
 
 
 def _listed(rows: Sequence[Row]) -> str:

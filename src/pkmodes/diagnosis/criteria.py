@@ -61,6 +61,9 @@ class Criteria:
     surely: float = 1e-3
     #: A cause is claimed if chance would bring one as clear, among all candidates, with less than this probability.
     claimed: float = 1e-3
+    #: Nor is it claimed if some candidate would fit an arbitrary residual of that size as well with more than this
+    #: probability: there are too few data to tell it from something that nobody has thought of.
+    specific: float = 0.05
     #: Where what one cause leaves is noise with more than this probability, no remote cause is looked for beside it.
     plainly: float = 0.2
 

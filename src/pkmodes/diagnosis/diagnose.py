@@ -143,7 +143,7 @@ def _judged(report: Report, search: Search, outcome: Outcome) -> Diagnosis:
     if judged.verdict == "effect_found":
         judged = _stable(judged, found)
     wiring = other_wiring(store.fitter, judged.final)
-    if wiring and judged.verdict in ("adequate", "effect_found", "ambiguous"):
+    if wiring:
         judged = replace(judged, verdict="unexplained", doubt=wiring)
     reason = judged.doubt or reason_of(report, search, outcome, judged)
     return report.of(

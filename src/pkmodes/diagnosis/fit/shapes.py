@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.match.mac import space
-from pkmodes.diagnosis.match.pairing import Pairing
+from pkmodes.diagnosis.match.pairing import Pairing, unmeasured_neighbours
 from pkmodes.diagnosis.problem import Array, Prediction
 from pkmodes.measured.measurements import Measurements
 
@@ -75,6 +75,7 @@ class ShapeRows:
         self.count = np.where(self.known, components - 1, 0)
         each = np.where(self.stated, data.shape_sigma, scatter)
         self.sigma = np.broadcast_to(each[:, None], data.shapes.shape)
+        self._close = criteria.close
         self._crowd(data, criteria.mixed)
 
     def _crowd(self, data: Measurements, mixed: float) -> None:
@@ -88,11 +89,12 @@ class ShapeRows:
         ]
         # As many modes as components would explain any shape: the row is compared with its own mode then.
         kept = [k for k, i in enumerate(crowded) if self.known[i] and len(mates[k]) <= self.count[i]]
-        self._crowded = crowded[kept]
+        self._components = self.count + 1
         most = max((len(mates[k]) for k in kept), default=1)
-        self._mates = np.full((len(kept), most), -1, dtype=np.intp)
-        for row, k in enumerate(kept):
-            self._mates[row, : len(mates[k])] = mates[k]
+        self._mates = np.full((len(log), most), -1, dtype=np.intp)
+        self._mates[:, 0] = np.arange(len(log))
+        for k in kept:
+            self._mates[crowded[k], : len(mates[k])] = mates[k]
             self.count[crowded[k]] -= len(mates[k]) - 1
 
     @property
@@ -114,9 +116,8 @@ class ShapeRows:
         size = np.maximum((phi**2).sum(axis=1), 1e-300)
         inside = np.einsum("rc,rct->rt", phi, changes) / size[:, None]
         found = -along[:, None, None] * (changes - phi[..., None] * inside[:, None])
-        if len(self._crowded):
-            i = self._crowded
-            basis, share, modes = self._spaces(prediction, pairing, used)
+        i, basis, share, modes = self._spaces(prediction, pairing, used)
+        if len(i):
             moved = prediction.shape_rates[self._pose[i][:, None], modes][:, :, self._columns]
             change = np.einsum("bg,bgct->bct", share, moved) * self._weights[i][..., None]
             found[i] = -(change - np.swapaxes(basis, -1, -2) @ (basis @ change))
@@ -143,25 +144,30 @@ class ShapeRows:
         phi = np.where((pairing.partner >= 0)[:, None], phi, 0.0)
         along = (phi * self._shapes).sum(axis=1) / np.maximum((phi**2).sum(axis=1), 1e-300)
         found = self._shapes - phi * along[:, None]
-        if len(self._crowded):
-            i = self._crowded
-            basis, _, _ = self._spaces(prediction, pairing, used)
+        i, basis, _, _ = self._spaces(prediction, pairing, used)
+        if len(i):
             inside = (np.swapaxes(basis, -1, -2) @ (basis @ self._shapes[i][..., None]))[..., 0]
             found[i] = self._shapes[i] - inside
         return np.where((self.known & used)[:, None], found, 0.0), phi, along
 
     def _spaces(
         self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]
-    ) -> tuple[Array, Array, NDArray[np.intp]]:
-        """Bases of the modes that crowded rows are compared with, how much of each is in a row, and the modes."""
-        i, mates = self._crowded, self._mates
-        partner = pairing.partner[mates]
-        present = (mates >= 0) & used[mates] & (partner >= 0) & (pairing.partner[i] >= 0)[:, None]
-        modes = np.maximum(partner, 0)
+    ) -> tuple[NDArray[np.intp], Array, Array, NDArray[np.intp]]:
+        """Rows that are compared with several modes, bases of these, how much of each is in a row, and the modes."""
+        partner = np.where(used, pairing.partner, -1)
+        beside = unmeasured_neighbours(prediction, partner, self._pose, self._close)
+        several = ((self._mates[:, 1:] >= 0).any(axis=1) | (beside >= 0).any(axis=1)) & self.known
+        i = np.flatnonzero(several & (partner >= 0))
+        mates = self._mates[i]
+        measured = np.where(mates >= 0, partner[mates], -1)
+        # As many modes as components would explain any shape.
+        room = (measured >= 0).sum(axis=1) + (beside[i] >= 0).sum(axis=1) < self._components[i]
+        modes = np.hstack([measured, np.where(room[:, None], beside[i], -1)])
+        present, modes = modes >= 0, np.maximum(modes, 0)
         shapes = prediction.shapes[self._pose[i][:, None], modes][..., self._columns]
         basis, back = space(shapes * self._weights[i][:, None] * present[..., None])
         share = ((basis @ self._shapes[i][..., None])[..., 0, None] * back).sum(axis=1)
-        return basis, share, modes
+        return i, basis, share, modes
 
 
 def _scales(units: Sequence[str], moves: Array) -> Array:

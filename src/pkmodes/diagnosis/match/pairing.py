@@ -127,7 +127,9 @@ class Pairer:
         found[row[taken]] = partner[taken] + rigid
         values = np.full(len(self._log), np.nan)
         if compare and alone is not None:
-            values = self._compared(found - rigid, alone, shapes, model, measured)
+            beside = unmeasured_neighbours(prediction, found, self.pose, c.close)
+            beside = np.where(beside >= 0, beside - rigid, -1)
+            values = self._compared(found - rigid, beside, alone, shapes, model, measured)
         return Pairing(found, values)
 
     def _shapes(self, prediction: Prediction) -> tuple[Array, Array, NDArray[np.bool_]]:
@@ -187,12 +189,21 @@ class Pairer:
         return found
 
     def _compared(
-        self, partner: Index, alone: Array, shapes: Array, model: Array, measured: NDArray[np.bool_]
+        self,
+        partner: Index,
+        beside: Index,
+        alone: Array,
+        shapes: Array,
+        model: Array,
+        measured: NDArray[np.bool_],
     ) -> Array:
-        """MAC of each row with its partner, or with the partners of all rows close to it together."""
-        pose, place, i = self._data.pose, self._place, self._crowded
+        """MAC of each row with its partner, or with the partners of all rows close to it, and modes beside it."""
+        pose, place = self._data.pose, self._place
         paired = partner >= 0
         found = np.where(paired, alone[pose, place, np.maximum(partner, 0)], np.nan)
+        crowded = np.zeros(len(partner), dtype=bool)
+        crowded[self._crowded] = True
+        i = np.flatnonzero(paired & (crowded | (beside >= 0).any(axis=1)))
         if len(i):
             rows = self._row[pose[i]]
             near = (rows >= 0) & (np.abs(self._log[rows] - self._log[i][:, None]) < self._criteria.mixed)
@@ -200,12 +211,44 @@ class Pairer:
             members = np.zeros((len(i), model.shape[1]), dtype=bool)
             entry, column = np.nonzero(near)
             members[entry, partner[rows[entry, column]]] = True
+            entry, column = np.nonzero(beside[i] >= 0)
+            members[entry, beside[i][entry, column]] = True
             inside = _in_space(
                 shapes[pose[i], place[i]], model[pose[i]], members, measured[pose[i], place[i]]
             )
-            use = paired[i] & (members.sum(axis=1) > 1) & ~np.isnan(inside)
+            use = (members.sum(axis=1) > 1) & ~np.isnan(inside)
             found[i] = np.where(use, inside, found[i])
         return found
+
+
+def unmeasured_neighbours(prediction: Prediction, partner: Index, pose: Index, close: float) -> Index:
+    """Modes that nearly coincide with a row's partner and are the partner of no row.
+
+    A measured mode may be any mixture of the two: which one it is paired with means nothing.
+
+    Parameters
+    ----------
+    prediction : Prediction
+    partner, pose : ndarray of int, shape (R,)
+    close : float
+        Largest difference of the logarithms of their frequencies.
+
+    Returns
+    -------
+    ndarray of int, shape (R, 4)
+        Counted from 0 with the rigid ones; -1 where there is none.
+    """
+    logs = prediction.log_frequencies
+    taken = np.zeros(logs.shape, dtype=bool)
+    paired = partner >= 0
+    taken[pose[paired], partner[paired]] = True
+    beside = np.maximum(partner, 0)[:, None] + np.array([-2, -1, 1, 2])
+    inside = (beside >= prediction.rigid) & (beside < logs.shape[1]) & paired[:, None]
+    beside = np.where(inside, beside, 0)
+    own = logs[pose, np.maximum(partner, 0)][:, None]
+    with np.errstate(invalid="ignore"):
+        near = np.abs(logs[pose[:, None], beside] - own) < close
+    return np.where(inside & near & ~taken[pose[:, None], beside], beside, -1)
 
 
 def _in_space(shapes: Array, model: Array, members: NDArray[np.bool_], measured: NDArray[np.bool_]) -> Array:

@@ -38,20 +38,29 @@ class Additions:
         kinds = len(fit.causes) + bool(fit.hypothesis.excluded) + fit.hypothesis.scatter
         return kinds < self.criteria.most_additions
 
-    def noise(self, fit: Fit) -> list[Fit]:
-        """A shared error in each setup, and the exclusion of the row that fits worst."""
+    def noise(self, fit: Fit, *, rival: bool = False) -> list[Fit]:
+        """A shared error in each setup, and the exclusion of the row that fits worst.
+
+        Parameters
+        ----------
+        fit : Fit
+        rival : bool, optional
+            Whether they only stand against a claim: then a row may be the one that is wrong though there are too few
+            to tell.
+        """
         h, c, found = fit.hypothesis, self.criteria, []
         if self._hopeless(fit):
             return []
         room = self.room(fit) and not any(cause.remote for cause in h.causes)
         if room and not h.scatter and self._setups >= 4 and self._rows >= 2 * self._setups:
             found.append(self.store.fit(replace(h, scatter=True), fit.values))
-        most = max(1, self._rows // c.rows_per_outlier) if self._rows >= c.rows_to_set_aside else 0
+        enough = self._rows >= c.rows_to_set_aside or rival
+        most = max(1, self._rows // c.rows_per_outlier) if enough else 0
         if (room or h.excluded) and len(h.excluded) < most:
             rows = np.abs(fit.residual[self.fitter.frequency_rows] / self.fitter.sigma)
             for row in np.argsort(rows)[::-1][:3]:
                 # What the others do not predict is not set aside: nothing says that it is wrong.
-                if rows[row] > 3.0 and fit.leverage[row] < c.redundant:
+                if rows[row] > 3.0 and (rival or fit.leverage[row] < c.redundant):
                     found.append(self.store.fit(replace(h, excluded=h.excluded | {int(row)}), fit.values))
         return [option for option in found if option is not None]
 
@@ -72,7 +81,7 @@ class Additions:
         found: list[Fit] = []
         fit = self.store.fit(Hypothesis())
         while fit is not None:
-            options = self.noise(fit)
+            options = self.noise(fit, rival=True)
             found += options
             best = min(options, key=self.store.criterion, default=fit)
             fit = best if self.store.criterion(best) < self.store.criterion(fit) else None

@@ -20,6 +20,7 @@ from pkmodes.diagnosis.verdict.classes import classes, other_pairs, survivors
 from pkmodes.diagnosis.verdict.errors import explained_by_errors
 from pkmodes.diagnosis.verdict.result import Verdict
 from pkmodes.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
+from pkmodes.diagnosis.verdict.specificity import p_coincidence
 
 #: Times that the survivors may prefer another cause in some place.
 PREFERENCES = 4
@@ -113,6 +114,9 @@ def _doubt(
     rival = better_by_shape(store, final)
     if rival is not None:
         return reasons.shapes_prefer(final.causes, rival.causes)
+    coincidence = p_coincidence(search, final)
+    if coincidence > c.specific:
+        return reasons.unspecific(final.causes, coincidence)
     errors = explained_by_errors(search, final)
     if any(p > c.claimed for p in p_values):
         return reasons.weak(final.causes, max(p_values), errors)

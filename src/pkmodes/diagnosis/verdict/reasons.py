@@ -96,6 +96,14 @@ def shapes_prefer(causes: Sequence[Candidate], others: Sequence[Candidate]) -> s
     return f"{_names(causes)} would explain the frequencies, but {other} fits the shapes significantly better"
 
 
+def unspecific(causes: Sequence[Candidate], p_value: float) -> str:
+    """Too few data to know it from anything else."""
+    return (
+        f"{_names(causes)} would explain the residual, but with so few data one of the candidates would explain "
+        f"almost any ({_p(p_value)} by coincidence): measure more modes or poses"
+    )
+
+
 def weak(causes: Sequence[Candidate], p_value: float, what: str) -> str:
     """It may be chance."""
     perhaps = f"; errors of the measurement would explain it too: {what}" if what else ""
