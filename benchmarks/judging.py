@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from buildings import Building
-from cases import Case, Trial, tested
+from cases import Case, Trial, tried
 from pkmodes.closing import loop
 from pkmodes.diagnosis import diagnose
 from pkmodes.diagnosis.verdict.result import Diagnosis
@@ -106,7 +106,7 @@ class Outcome:
 
 def run(case: Case) -> Outcome:
     """Measure, diagnose and judge a case."""
-    test = tested(case)
+    test = tried(case)
     start = time.perf_counter()
     found = diagnosed(case, test.text)
     seconds = time.perf_counter() - start

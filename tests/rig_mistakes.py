@@ -16,7 +16,7 @@ Rows = list[dict[str, str]]
 #: Offset of all poses along z [m], and turn of the frame in which they were measured, about z [rad].
 OFFSET, YAW = 0.020, np.radians(2.0)
 #: Stated standard deviations over the right ones, where they are far too large and far too small.
-CAUTIOUS, BOLD = 250.0, 0.1
+CAUTIOUS, BOLD = 100.0, 0.1
 
 
 def parsed(text: str) -> tuple[list[str], Rows]:

@@ -21,8 +21,6 @@ SCHEMAS = {
 }
 LOOP = [str(ROOT / "examples" / "closed_loop" / name) for name in ("robot.toml", "measured.csv")]
 POSE = ["--pose", "0.6,0.03,-0.245"]
-#: Keys that formats.md promises, and that the engine gives from its next version on.
-COMING: dict[str, Any] = {"notes": [], "stability": [], "shape_scatter": None}
 
 
 def schema(command: str) -> dict[str, Any]:
@@ -138,10 +136,9 @@ def test_diagnose_but_for_the_keys_to_come(
 ) -> None:
     found = result(capsys, "diagnose", *diagnoses(tmp_path)[verdict])
     assert found["verdict"] == verdict
-    expect_described("diagnose", {**COMING, **found})
+    expect_described("diagnose", found)
 
 
-@pytest.mark.xfail(strict=True, reason="notes and stability come with the next version of the engine")
 def test_diagnose(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     expect_described("diagnose", result(capsys, "diagnose", *diagnoses(tmp_path)["effect_found"]))
 

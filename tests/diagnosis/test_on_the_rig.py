@@ -20,7 +20,7 @@ from rig_robots import read
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
-from cases import tested
+from cases import tried
 from judging import MENTIONS, physical, set_aside_blindly
 from requirements import CLEAR, MAC_CLAIMED, MAC_OTHER
 from strengths import measurements, signal, with_wrong
@@ -275,7 +275,7 @@ def test_notes_are_recognised(kind: str, note: str) -> None:
 
 def test_the_predicted_signal_is_that_of_the_modes_that_were_found() -> None:
     plain = case("one effect", "gearbox_compliance", "published")
-    trial = tested(replace(plain, laboratory=Laboratory()))
+    trial = tried(replace(plain, laboratory=Laboratory()))
 
     def given(rows: list[Identified] | None) -> float:
         return signal(plain.truth, plain.plan, holdout=["P3", "P9"], rows=rows)

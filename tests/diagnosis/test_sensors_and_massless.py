@@ -95,7 +95,7 @@ def test_a_coordinate_without_mass_follows_the_others() -> None:
             [[100.0 + k1, -k1, 0.0], [-k1, k1 + k2, -k2], [0.0, -k2, k2]]
         )
 
-    structure = MatrixStructure([Parameter("k", 600.0, lower=1.0)], [], matrices, channels="ajb")
+    structure = MatrixStructure([Parameter("k", 600.0, lower=1.0)], [], matrices, channels=["a", "j", "b"])
     found = structure.predict(np.array([600.0]), (0,))
     k = 300.0 * 600.0 / 900.0  # in series
     M, K = np.diag([2.0, 1.0]), np.array([[100.0 + k, -k], [-k, k]])
@@ -134,7 +134,7 @@ def test_a_mass_where_there_was_none_adds_a_mode() -> None:
     def matrices(values, setup) -> tuple[np.ndarray, np.ndarray]:
         return np.diag([1.0, values["m"]]), np.array([[300.0, -100.0], [-100.0, 100.0]])
 
-    structure = MatrixStructure([Parameter("m", 0.0, lower=0.0)], [], matrices, channels="ab")
+    structure = MatrixStructure([Parameter("m", 0.0, lower=0.0)], [], matrices, channels=["a", "b"])
     found = structure.predict(np.zeros(1), (0,), shape_rates=True)
     assert found.eigenvalues == pytest.approx(np.array([[200.0]]))
     # b moves with a, so that a mass there is a mass on a: d lambda / dm = -lambda.
@@ -264,7 +264,7 @@ def test_shapes_of_coinciding_modes_turn_as_fast_as_the_limit_says() -> None:
         [Parameter("c", 0.0)],
         [],
         lambda v, _: (np.eye(3), np.array([[4.0, v["c"], 0], [v["c"], 4.0 + 1e-9, 0], [0, 0, 9.0]])),
-        channels="abc",
+        channels=["a", "b", "c"],
     )
     found = structure.predict(np.zeros(1), (0,), shape_rates=True).shape_rates
     assert found is not None
@@ -272,7 +272,11 @@ def test_shapes_of_coinciding_modes_turn_as_fast_as_the_limit_says() -> None:
     assert found[0, 0, :, 0] == pytest.approx([0.0, -1 / 4e-6, 0.0], rel=1e-6)
     assert found[0, 1, :, 0] == pytest.approx([1 / 4e-6, 0.0, 0.0], rel=1e-6)
     exact = MatrixStructure(
-        [Parameter("c", 0.0)], [], lambda v, _: (np.eye(2), np.diag([v["c"], 0.0])), channels="ab", rigid=2
+        [Parameter("c", 0.0)],
+        [],
+        lambda v, _: (np.eye(2), np.diag([v["c"], 0.0])),
+        channels=["a", "b"],
+        rigid=2,
     )
     assert np.isfinite(exact.predict(np.zeros(1), (0,), shape_rates=True).shape_rates).all()
 
@@ -304,7 +308,7 @@ def built(matrices: Any, **options: Any) -> MatrixStructure:
         [Parameter("k", 1.0, upper=10.0), Parameter("m", 1.0)],
         [],
         matrices,
-        **{"channels": "ab", "setups": ["rig"], **options},
+        **{"channels": ["a", "b"], "setups": ["rig"], **options},
     )
 
 

@@ -671,7 +671,7 @@ def anything(seed: int) -> tuple[LogLinear, Measurements]:
 def test_whatever_is_asked_is_answered_with_numbers_in_whatever_order() -> None:
     """No warning, no NaN, and the same claims for candidates and rows in another order."""
     verdicts = set()
-    for seed in range(44, 60):
+    for seed in range(50, 70):
         model, data = anything(seed)
         plain = checked(model, data)
         verdicts.add(plain.verdict)

@@ -112,6 +112,7 @@ def test_they_are_remote_and_joints_have_no_name_to_be_claimed_by() -> None:
         *(f"link_compliance of delta_{j} alone" for j in (1, 2, 3)),
         *(f"clamp_compliance of eps_{j} alone" for j in (1, 2, 3)),
         *(f"frame_compliance of u_{i} alone" for i in "xyz"),
+        "frame_compliance with another frame.mass",
     }
     assert "parameter:axis.2.carriage.mass" in remote.keys() - joints
     assert not any(c.remote for c in suspects(robot, ["effects", "parameters"])[1] if c.nameable)

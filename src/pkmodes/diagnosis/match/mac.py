@@ -71,6 +71,7 @@ def space(shapes: Array) -> tuple[Array, Array]:
     back : ndarray, shape (B, g, g)
         With basis = back @ shapes.
     """
+    shapes = np.where(np.isfinite(shapes), shapes, 0.0)  # of a setup that cannot be evaluated
     values, vectors = np.linalg.eigh(shapes @ np.swapaxes(shapes, -1, -2))
     kept = values > ALIKE**2 * np.maximum(values[:, -1:], 1e-300)
     scale = np.where(kept, 1.0 / np.sqrt(np.where(kept, values, 1.0)), 0.0)

@@ -107,7 +107,7 @@ class Pairer:
         alone = mac(shapes, model, measured) if len(self.columns) else None
         with np.errstate(invalid="ignore"):
             distance = np.abs(self._log[row][..., None] - logs[:, None])
-        close = np.diff(logs, axis=1) < c.close
+            close = np.diff(logs, axis=1) < c.close
         likeness = None if alone is None else self._grouped(alone, shapes, model, measured, logs, close)
         cost = distance**2
         if likeness is not None:

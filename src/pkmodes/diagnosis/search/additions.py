@@ -66,11 +66,10 @@ class Additions:
 
     def _hopeless(self, fit: Fit) -> bool:
         """Whether far too much is left when each setup has an error of its own and the worst rows are set aside."""
-        left = fit.residual[self.fitter.frequency_rows] / self.fitter.sigma
+        left = np.array(fit.residual[self.fitter.frequency_rows])
         for rows in self.fitter.noise.rows:
-            weights = 1.0 / self.fitter.sigma[rows]
-            mean = float((left[rows] * weights).sum() / (weights**2).sum()) if len(rows) else 0.0
-            left[rows] -= mean * weights
+            left[rows] -= np.median(left[rows])  # which one row that is wrong does not move
+        left /= self.fitter.sigma
         most = max(1, self._rows // self.criteria.rows_per_outlier)
         kept = np.sort(left**2)[: max(self._rows - most, 0)]
         degrees = max(self._rows - most - self._setups, 1)

@@ -114,12 +114,12 @@ def _doubt(
     rival = better_by_shape(store, final)
     if rival is not None:
         return reasons.shapes_prefer(final.causes, rival.causes)
-    coincidence = p_coincidence(search, final)
-    if coincidence > c.specific:
-        return reasons.unspecific(final.causes, coincidence)
     errors = explained_by_errors(search, final)
     if any(p > c.claimed for p in p_values):
         return reasons.weak(final.causes, max(p_values), errors)
+    coincidence = p_coincidence(search, final)
+    if coincidence > c.specific:
+        return reasons.unspecific(final.causes, coincidence)
     return reasons.errors(final.causes, errors) if errors else ""
 
 

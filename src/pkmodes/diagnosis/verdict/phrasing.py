@@ -35,6 +35,7 @@ def reason_of(report: Report, search: Search, outcome: Outcome, judged: Judgemen
 
 def _dispersed(gate: Gate, fit: Fit, search: Search) -> bool:
     """Whether what is left has no direction, once it is scaled to its own size: larger errors than stated."""
-    scale = fit.chi2 / max(search.store.degrees(fit), 1)
+    squares, degrees = search.store.frequency_misfit(fit)
+    scale = squares / max(degrees, 1.0)
     most = max((s.gain / scale / max(len(s.candidate.parameters), 1) for s in gate.scores.each), default=0.0)
     return bool(DISPERSED[0] < scale < DISPERSED[1] and most < NO_DIRECTION)

@@ -32,11 +32,13 @@ def p_coincidence(search: Search, final: Fit) -> float:
     frequencies = float((1.0 - plain.leverage[fitter.frequency_rows])[used].sum())
     shapes = float(fitter.shapes.count[used].sum() - plain.leverage[fitter.shape_rows].sum())
     squares = store.frequency_misfit(plain)[0], float((plain.white[fitter.shape_rows] ** 2).sum())
+    after = store.frequency_misfit(final)[0], float((final.white[fitter.shape_rows] ** 2).sum())
+    gains = squares[0] - after[0], squares[1] - after[1]
     tried = comb(len(search.candidates), len(final.causes))
     clear = float(stats.chi2.isf(c.claimed / max(tried, 1), free))
     one = min(
-        _explains(squares[0] - frequencies, frequencies, free, c.surely, clear)
-        * _explains(squares[1] - shapes, shapes, free, c.surely, clear),
+        _explains(max(squares[0] - frequencies, gains[0]), frequencies, free, c.surely, clear)
+        * _explains(max(squares[1] - shapes, gains[1]), shapes, free, c.surely, clear),
         1.0 - 1e-16,
     )
     return float(-np.expm1(tried * np.log1p(-one)))
