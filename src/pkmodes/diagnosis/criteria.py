@@ -64,6 +64,9 @@ class Criteria:
     #: Nor is it claimed if some candidate would fit an arbitrary residual of that size as well with more than this
     #: probability: there are too few data to tell it from something that nobody has thought of.
     specific: float = 0.05
+    #: Two causes are not claimed from fewer measured frequencies than this: what nobody has thought of looks like
+    #: some pair of causes at the same place.
+    rows_for_two: int = 10
     #: Where what one cause leaves is noise with more than this probability, no remote cause is looked for beside it.
     plainly: float = 0.2
 
@@ -105,8 +108,8 @@ class Criteria:
 
     #: A mode is among the measured ones of its setup if it is farther than this from the outer ones.
     margin: float = 0.01
-    #: A mode that moves the sensors less than this part of what they move at most is at their nodes.
-    visible: float = 0.1
+    #: A mode that moves the sensors less than this part of what the median of the modes does is at their nodes.
+    visible: float = 0.3
 
     # The verdict -------------------------------------------------------------------------------------------------
 

@@ -87,9 +87,10 @@ class ShapeRows:
         mates = [
             np.flatnonzero((data.pose == data.pose[i]) & (np.abs(log - log[i]) < mixed)) for i in crowded
         ]
-        # As many modes as components would explain any shape: the row is compared with its own mode then.
+        # As many modes as components would explain any shape: such a row says nothing.
         kept = [k for k, i in enumerate(crowded) if self.known[i] and len(mates[k]) <= self.count[i]]
-        self._components = self.count + 1
+        silent = np.setdiff1d(crowded, crowded[kept])
+        self.known[silent], self.count[silent], self._shapes[silent] = False, 0, 0.0
         most = max((len(mates[k]) for k in kept), default=1)
         self._mates = np.full((len(log), most), -1, dtype=np.intp)
         self._mates[:, 0] = np.arange(len(log))
@@ -160,9 +161,7 @@ class ShapeRows:
         i = np.flatnonzero(several & (partner >= 0))
         mates = self._mates[i]
         measured = np.where(mates >= 0, partner[mates], -1)
-        # As many modes as components would explain any shape.
-        room = (measured >= 0).sum(axis=1) + (beside[i] >= 0).sum(axis=1) < self._components[i]
-        modes = np.hstack([measured, np.where(room[:, None], beside[i], -1)])
+        modes = np.hstack([measured, beside[i]])  # where they are as many as the components, nothing is left
         present, modes = modes >= 0, np.maximum(modes, 0)
         shapes = prediction.shapes[self._pose[i][:, None], modes][..., self._columns]
         basis, back = space(shapes * self._weights[i][:, None] * present[..., None])

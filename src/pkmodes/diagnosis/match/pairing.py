@@ -216,8 +216,7 @@ class Pairer:
             inside = _in_space(
                 shapes[pose[i], place[i]], model[pose[i]], members, measured[pose[i], place[i]]
             )
-            use = (members.sum(axis=1) > 1) & ~np.isnan(inside)
-            found[i] = np.where(use, inside, found[i])
+            found[i] = np.where(members.sum(axis=1) > 1, inside, found[i])
         return found
 
 

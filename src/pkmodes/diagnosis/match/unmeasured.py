@@ -27,7 +27,7 @@ class Seen(NamedTuple):
 
 
 def seen(fitter: Fitter, fit: Fit) -> Seen:
-    """Count the modes of a fit within the band, or between the lowest and highest measured ones of each setup."""
+    """Count the modes of a fit between the lowest and highest measured ones of each setup."""
     return Seen(*(int(column.sum()) for column in _by_setup(fitter, fit)))
 
 
@@ -38,10 +38,8 @@ def _by_setup(fitter: Fitter, fit: Fit) -> tuple[Array, Array]:
     for setup, rows in enumerate(fitter.noise.rows):
         if not len(rows):
             continue
+        # A test may have stopped after the highest, whatever its band: what lies above says nothing.
         low, high = fitter.log[rows].min() + margin, fitter.log[rows].max() - margin
-        band = fitter.data.band
-        if band is not None:  # what lies at its edge may have been seen on either side
-            low, high = np.log(band[0]) + margin, np.log(band[1]) - margin
         partners = fit.pairing.partner[rows]
         between = np.flatnonzero((logs[setup] > low) & (logs[setup] < high) & visible[setup])
         between = between[between >= fit.prediction.rigid]
@@ -53,12 +51,13 @@ def _by_setup(fitter: Fitter, fit: Fit) -> tuple[Array, Array]:
 
 
 def _visible(fitter: Fitter, fit: Fit) -> NDArray[np.bool_]:
-    """Which modes move some sensor by more than a part of what it moves in others; all where no sensor is known."""
+    """Which modes move the sensors by more than a part of what others do; all where no sensor is known."""
     shapes, moves = fit.prediction.shapes[..., fitter.pairer.columns], fitter.pairer.moves
     if not shapes.shape[-1]:
         return np.ones(shapes.shape[:2], dtype=bool)
-    part = np.abs(shapes) / np.where(moves > 0.0, moves, np.inf)[:, None]
-    return np.asarray(part.max(axis=-1) >= fitter.criteria.visible)
+    peaks = np.sqrt(np.mean((shapes / np.where(moves > 0.0, moves, np.inf)[:, None]) ** 2, axis=-1))
+    usual = np.median(peaks[:, fit.prediction.rigid :], axis=1)
+    return np.asarray(peaks >= fitter.criteria.visible * usual[:, None])
 
 
 def p_unmeasured(fitter: Fitter, declared: Fit, fit: Fit) -> float:

@@ -56,7 +56,8 @@ def other_pairs(
 ) -> list[Fit]:
     """What survives beside a pair of causes: pairs that are not of its classes, and single remote causes.
 
-    Those of its classes survive too, each on its own, where they are many.
+    Both causes may change at once, as from a structure to its mirror image.  Pairs of its classes survive too, each
+    on its own, where they are many.
     """
     if len(final.causes) < 2:
         return []
@@ -69,9 +70,8 @@ def other_pairs(
         known = len(members) == 2 and (
             (a in members[0] and b in members[1]) or (b in members[0] and a in members[1])
         )
-        if (not known and store.fitter.difference(final, pair) >= c.told_apart) or (
-            many and {a, b} != {cause.name for cause in final.causes}
-        ):
+        # Whether or not its predictions differ: a pair of other causes is another explanation.
+        if {a, b} != {cause.name for cause in final.causes} and (many or not known):
             found.append(pair)
     alone = [fit for fit in search.alone() if store.criterion(fit) <= store.criterion(final) + c.survives]
     return found + [fit for fit in alone if store.p_value(fit) > c.surely and not fit.at_bound]

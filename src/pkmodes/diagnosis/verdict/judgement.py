@@ -73,6 +73,9 @@ def judge(search: Search, outcome: Outcome) -> Judgement:
         # A plain cause that looks like it and passes the gate gives the class its name.
         plain = (fit for fit in grouped[0][0] if not fit.causes[-1].remote and search.gate(fit).passed)
         final = next(plain, final)
+        if not final.causes[-1].remote:  # what has no name of its own does not lend one to a class
+            named = [fit for fit in grouped[0][0] if fit.causes[-1].nameable]
+            grouped = ([named, *grouped[0][1:]], *grouped[1:])
     last = search.gate(final)
     others = tuple(other_pairs(search, final, _pairs_like(search, final), grouped))
     p_values = tuple(_p_value(search, final, place) for place in range(len(final.causes)))
@@ -117,6 +120,8 @@ def _doubt(
     errors = explained_by_errors(search, final)
     if any(p > c.claimed for p in p_values):
         return reasons.weak(final.causes, max(p_values), errors)
+    if len(final.causes) > 1 and len(store.fitter.log) < c.rows_for_two:
+        return reasons.two_of_few(final.causes, len(store.fitter.log), c.rows_for_two)
     coincidence = p_coincidence(search, final)
     if coincidence > c.specific:
         return reasons.unspecific(final.causes, coincidence)

@@ -104,6 +104,14 @@ def unspecific(causes: Sequence[Candidate], p_value: float) -> str:
     )
 
 
+def two_of_few(causes: Sequence[Candidate], rows: int, needed: int) -> str:
+    """Two causes from few data."""
+    return (
+        f"{_names(causes)} together would explain the residual, but two causes are not claimed from {rows} measured "
+        f"modes: measure {needed} or more"
+    )
+
+
 def weak(causes: Sequence[Candidate], p_value: float, what: str) -> str:
     """It may be chance."""
     perhaps = f"; errors of the measurement would explain it too: {what}" if what else ""

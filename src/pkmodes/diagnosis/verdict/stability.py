@@ -83,8 +83,10 @@ def _trial(search: Search, final: Fit, contenders: list[Fit], change: str) -> Tr
     best = min(same or fits, key=store.criterion, default=None)
     instead: Fit | None = None
     if claimed is not None and best is not None and best is not claimed:
-        better = store.criterion(best) < store.criterion(claimed)
-        if better and fitter.difference(claimed, best) >= c.told_apart:
+        alike = fitter.difference(claimed, best) < c.told_apart
+        if alike and store.criterion(claimed) <= store.criterion(best) + c.survives:
+            best = claimed  # one class, which it gives its name
+        else:
             instead = contenders[[fit is best for fit in refitted].index(True)]
     if plain is not None and store.p_value(plain) > c.gate:
         return Trial(Stability(change, "adequate", ()), instead)

@@ -1,0 +1,223 @@
+"""What a person should read beside a verdict, and what a verdict rests on."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy import stats
+from scipy.linalg import eigh
+
+from pkmodes.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.diagnosis.match.unmeasured import p_unmeasured, seen
+from small_structures import SIGMA, LogLinear, log_linear, logs_measured
+
+LOADS = {f"{load:g} kg": load for load in (0.0, 2.0, 4.0, 6.0, 8.0)}
+
+
+def matrices(values: dict[str, float], setup: str) -> tuple[np.ndarray, np.ndarray]:
+    M = np.diag([20.0, 20.0, 20.0, 20.0 + LOADS[setup]])
+    k = values["k"] * np.array([1.0, 1.0 + values["brace"], 0.8, 0.7])
+    return M, np.diag(k + np.append(k[1:], 0.0)) - np.diag(k[1:], 1) - np.diag(k[1:], -1)
+
+
+def structure(sigma: float = 0.02) -> MatrixStructure:
+    parameters = [
+        Parameter("k", 4e5, "N/m", sigma=sigma * 4e5, lower=1e4),
+        Parameter("brace", 0.0, lower=0.0),
+    ]
+    return MatrixStructure(
+        parameters,
+        [Candidate("brace", ("brace",))],
+        matrices,
+        channels=[f"floor {i}" for i in range(1, 5)],
+        setups=list(LOADS),
+    )
+
+
+def measured(k: float = 4e5, brace: float = 0.0, seed: int = 0, shapes: bool = True) -> Measurements:
+    rng = np.random.default_rng(seed)
+    pose, f, rows = [], [], []
+    for setup in LOADS:
+        M, K = matrices({"k": k, "brace": brace}, setup)
+        eigenvalues, vectors = eigh(K, M)
+        pose += [setup] * 4
+        f += list(np.sqrt(eigenvalues) / (2 * np.pi) * np.exp(SIGMA * rng.standard_normal(4)))
+        rows += list(
+            vectors.T / np.abs(vectors.T).max(axis=1, keepdims=True) + 0.02 * rng.standard_normal((4, 4))
+        )
+    f, rows = np.array(f), np.array(rows)
+    columns = {f"floor {i + 1}": rows[:, i] for i in range(4)} if shapes else None
+    return Measurements.from_rows(pose, f, SIGMA * f, shapes=columns)
+
+
+def notes(data: Measurements, **options: float) -> Diagnosis:
+    return diagnose(structure(**options), data, holdout=())
+
+
+def test_good_measurements_of_a_good_model_leave_nothing_to_say() -> None:
+    found = notes(measured())
+    assert found.verdict == "adequate"
+    assert found.notes == ()
+    assert found.as_json()["notes"] == []
+
+
+@pytest.mark.parametrize(("factor", "name"), [(2 * np.pi, "rad/s"), (60.0, "1/min"), (1e-3, "kHz")])
+def test_frequencies_in_another_unit_are_noticed_before_any_cause(factor: float, name: str) -> None:
+    data = measured(brace=0.5)
+    found = notes(replace(data, frequency=data.frequency * factor, sigma=data.sigma * factor))
+    assert found.verdict == "unexplained"
+    assert found.effects == ()
+    assert name in found.reason
+    assert found.notes[0] == found.reason
+
+
+def test_exchanged_channels_are_noticed() -> None:
+    data = measured()
+    found = notes(replace(data, shapes=data.shapes[:, [1, 0, 2, 3]]))
+    assert found.verdict == "unexplained"
+    assert "the channels floor 1 and floor 2 exchanged" in found.reason
+    turned = notes(replace(data, shapes=data.shapes * [1.0, 1.0, -1.0, 1.0]))
+    assert turned.verdict == "unexplained"
+    assert "the sign of floor 3 turned" in turned.reason
+
+
+def test_shapes_that_are_all_the_same_are_noticed() -> None:
+    data = measured()
+    found = notes(replace(data, shapes=np.tile(data.shapes[:1], (len(data.shapes), 1))))
+    assert found.verdict == "unexplained"
+    assert any("are the same" in note for note in found.notes)
+
+
+def test_stated_errors_far_too_large_are_noticed_and_right_ones_are_not() -> None:
+    data = measured(shapes=False)
+    found = notes(replace(data, sigma=data.sigma * 50.0))
+    assert found.verdict == "adequate"
+    (note,) = found.notes
+    factor = float(note.split(" times too large")[0].split()[-1])
+    assert factor == pytest.approx(50.0, rel=0.4)
+
+
+def test_a_nuisance_far_from_its_prior_is_noticed() -> None:
+    found = notes(measured(k=4.4e5, shapes=False), sigma=0.01)
+    far = [note for note in found.notes if note.startswith("k = ")]
+    assert len(far) == 1
+    assert float(far[0].split(" sigma from")[0].split()[-1]) > 3.0
+
+
+def test_a_row_that_is_set_aside_is_named() -> None:
+    data = measured(shapes=False)
+    f = data.frequency.copy()
+    f[6] *= 1.06
+    found = notes(replace(data, frequency=f))
+    assert found.verdict == "adequate"
+    assert any(note.startswith("line 7 (2 kg") and "set aside" in note for note in found.notes)
+
+
+def test_a_mode_in_the_band_that_was_never_measured_is_named() -> None:
+    data = measured(shapes=False)
+    third = np.arange(len(data.frequency)) % 4 == 2
+    kept = Measurements.from_rows(
+        [data.labels[i] for i in data.pose[~third]],
+        data.frequency[~third],
+        data.sigma[~third],
+        band=(1.0, 100.0),
+    )
+    (note,) = notes(kept).notes
+    assert "expected at 5 poses and never measured" in note
+    low, high = (float(text) for text in note.split(" Hz was")[0].removeprefix("a mode at ").split(" to "))
+    assert low * 0.99 <= data.frequency[third].min()
+    assert high * 1.01 >= data.frequency[third].max()
+
+
+def test_a_residual_that_goes_with_the_pose_is_called_that_and_not_a_wrong_sigma() -> None:
+    data = measured(shapes=False)
+    drift = np.linspace(0.25, -0.29, 5)[data.pose]
+    found = notes(replace(data, frequency=data.frequency * (1.0 + drift)), sigma=0.001)
+    assert found.verdict == "unexplained"
+    assert "goes with the pose, from +" in found.reason
+    assert "sigma is too small" not in found.reason
+
+
+def test_stability_says_what_other_errors_and_priors_would_change() -> None:
+    found = notes(measured(brace=0.3))
+    assert found.verdict == "effect_found"
+    assert [s.change for s in found.stability] == ["sigma x 0.5", "sigma x 2", "priors x 2"]
+    assert found.stability[1].effects == found.stability[2].effects == ("brace",)
+    assert found.as_json()["stability"][2] == {
+        "change": "priors x 2",
+        "verdict": "effect_found",
+        "effects": ["brace"],
+    }
+    assert notes(measured()).stability[1].verdict == "adequate"
+
+
+def test_a_cause_that_a_wider_prior_would_exchange_is_not_claimed() -> None:
+    """b needs less of the nuisance than a: a is better only while the nuisance is held tightly."""
+    rng = np.random.default_rng(8)
+    base = np.tile(np.log(10.0) + 0.35 * np.arange(5), (4, 1))
+    n, a, e = np.linalg.qr(rng.standard_normal((20, 3)))[0].T.reshape(3, 4, 5)
+    b = a + 0.5 * n + 0.25 * e  # with the nuisance it does what a does, and a little more
+    parameters = [Parameter("n", 0.0, sigma=4.0), Parameter("a", 0.0), Parameter("b", 0.0)]
+    y = SIGMA * (20.0 * b - 13.0 * n)
+    causes = [Candidate(name, (name,)) for name in "ab"]
+    model = LogLinear(base, SIGMA * np.stack([n, a, b], axis=-1), parameters, causes)
+    found = diagnose(model, logs_measured(base + y, SIGMA), holdout=())
+    best = {s.change: s.effects for s in found.stability}
+    if found.verdict == "effect_found":
+        assert all(set(effects) <= set(found.effects[0].members) for effects in best.values())
+    else:
+        assert found.verdict in ("ambiguous", "unexplained")
+
+
+def six_modes(missed: list[tuple[int, int]], added: float) -> tuple[Fitter, LogLinear]:
+    """Ten setups with six modes, some of them missed; a cause shifts all and may bring the last one among them."""
+    base = np.tile(np.log(10.0) + 0.3 * np.arange(6), (10, 1))
+    G = np.zeros((10, 6, 1))
+    G[:, 5, 0] = added
+    model = LogLinear(base, G, [Parameter("c", 0.0)], [Candidate("c", ("c",))])
+    kept = [(i, k) for i in range(10) for k in range(5) if (i, k) not in missed]
+    f = np.exp([base[i, k] for i, k in kept])
+    return Fitter(model, Measurements.from_rows([f"P{i}" for i, _ in kept], f, SIGMA * f)), model
+
+
+def test_added_modes_that_nobody_measured_speak_against_a_cause_by_the_hypergeometric_law() -> None:
+    for missed in ([], [(i, 2) for i in range(5)]):
+        fitter, model = six_modes(missed, -0.45)
+        declared = fitter.fit(Hypothesis())
+        there = fitter.fit(Hypothesis(model.candidates), np.array([1.0]))
+        assert declared is not None
+        assert there is not None
+        with_cause = replace(there, prediction=model.predict(np.array([1.0]), ()), pairing=declared.pairing)
+        count = 50 - len(missed)
+        assert seen(fitter, declared) == (count + len(missed), len(missed))
+        assert seen(fitter, with_cause) == (count + len(missed) + 10, len(missed) + 10)
+        total, lost = count + len(missed) + 11, len(missed) + 10
+        expected = stats.hypergeom.sf(9, total, lost, 10)
+        assert p_unmeasured(fitter, declared, with_cause) == pytest.approx(expected)
+        assert expected < 1e-3
+
+
+def test_what_lies_above_the_highest_measured_mode_is_not_missed_whatever_the_band() -> None:
+    """A test may have stopped there."""
+    fitter, model = six_modes([], 0.0)
+    for limit in (1.1, 10.0):
+        banded = Fitter(model, replace(fitter.data, band=(1.0, limit * float(np.exp(model.base[0, 4])))))
+        declared = banded.fit(Hypothesis())
+        assert declared is not None
+        assert seen(banded, declared) == (50, 0)
+
+
+def test_log_linear_structures_with_a_stated_band_are_as_without_it() -> None:
+    rng = np.random.default_rng(2)
+    model = log_linear(
+        rng, 5, 4, [Parameter("n", 0.0, sigma=1.0), Parameter("c", 0.0)], [Candidate("c", ("c",))]
+    )
+    model.G *= SIGMA
+    data = logs_measured(model.base + model.G @ [0.3, 9.0], SIGMA)
+    plain = diagnose(model, data, holdout=())
+    banded = diagnose(model, replace(data, band=(1.0, 1000.0)), holdout=())
+    assert plain.effects == banded.effects

@@ -1,0 +1,244 @@
+"""Shapes as data of a fit: residuals, derivatives, and what they decide that frequencies alone do not."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy import stats
+from scipy.linalg import eigh
+
+import pkmodes
+from pkmodes.closing.structure import CHANNELS, RobotStructure
+from pkmodes.closing.suspects import suspects
+from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, Prediction, diagnose
+from pkmodes.diagnosis.criteria import Criteria
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.diagnosis.fit.shapes import ShapeRows
+from pkmodes.diagnosis.match.pairing import Pairing
+from rig_robots import POSES, read
+
+CRITERIA = Criteria()
+
+
+def rows(shapes: np.ndarray, frequency: np.ndarray, sigma: float | None, scatter: float = 0.05) -> ShapeRows:
+    data = Measurements.from_rows(
+        ["A"] * len(shapes),
+        frequency,
+        0.001 * frequency,
+        shapes={f"c{k}": column for k, column in enumerate(shapes.T)},
+        shape_sigma=None if sigma is None else np.full(len(shapes), sigma),
+    )
+    channels = shapes.shape[1]
+    return ShapeRows(data, np.arange(channels), ["m"] * channels, np.ones((1, channels)), scatter, CRITERIA)
+
+
+def paired(shapes: np.ndarray, frequency: np.ndarray) -> tuple[Prediction, Pairing, np.ndarray]:
+    prediction = Prediction((2 * np.pi * frequency[None]) ** 2, np.zeros((1, len(shapes), 0)), shapes[None])
+    count = len(shapes)
+    return prediction, Pairing(np.arange(count), np.full(count, np.nan)), np.ones(count, dtype=bool)
+
+
+@pytest.mark.parametrize("gap", [0.3, 0.01])
+def test_the_squares_of_true_shapes_are_chi_square_with_one_degree_less_for_each_mode_compared(
+    gap: float,
+) -> None:
+    rng = np.random.default_rng(1)
+    modes, frequency = rng.standard_normal((2, 5)), 10.0 * np.exp([0.0, gap])
+    modes /= np.abs(modes).max(axis=1, keepdims=True)
+    squares = []
+    for _ in range(400):
+        measured = modes.copy()
+        if gap < CRITERIA.mixed:  # any mixture of the two
+            measured = rng.standard_normal((2, 2)) @ modes
+        measured /= np.abs(measured).max(axis=1, keepdims=True)
+        measured = (measured + 0.01 * rng.standard_normal(measured.shape)) * rng.normal(0.0, 50.0, (2, 1))
+        data = rows(measured, frequency, 0.01)
+        left = data.residual(*paired(modes, frequency)) / data.sigma
+        squares += list((left**2).sum(axis=1))
+    count = 5 - (1 if gap > CRITERIA.mixed else 2)
+    assert data.count.tolist() == [count, count]
+    assert stats.kstest(squares, "chi2", (count,)).pvalue > 1e-3
+    assert np.mean(squares) == pytest.approx(count, rel=0.1)
+
+
+def test_the_mac_is_what_the_residual_leaves_of_a_shape() -> None:
+    rng = np.random.default_rng(2)
+    model, measured = rng.standard_normal((2, 4)), rng.standard_normal((2, 4))
+    measured[0, 2] = np.nan
+    frequency = np.array([10.0, 20.0])
+    data = rows(measured, frequency, None)
+    found = data.mac(data.residual(*paired(model, frequency)))
+    for k, seen in enumerate(np.isfinite(measured)):
+        a, b = model[k, seen], measured[k, seen]
+        assert found[k] == pytest.approx((a @ b) ** 2 / (a @ a) / (b @ b))
+
+
+def chain(values: dict[str, float], _: str) -> tuple[np.ndarray, np.ndarray]:
+    k = np.array([values[f"k{i}"] for i in range(4)])
+    K = np.diag(k + np.append(k[1:], 0.0)) - np.diag(k[1:], 1) - np.diag(k[1:], -1)
+    return np.diag([values["m"], 2.0, 1.5, 1.0]), K
+
+
+def chain_structure(**sigmas: float) -> MatrixStructure:
+    parameters = [Parameter(f"k{i}", 1e4 * (i + 2), "N/m", sigmas.get(f"k{i}"), lower=1.0) for i in range(4)]
+    parameters.append(Parameter("m", 2.0, "kg", sigmas.get("m"), lower=0.1))
+    causes = [Candidate(p.name, (p.name,)) for p in parameters if p.sigma is None]
+    return MatrixStructure(parameters, causes, chain, channels=[f"x{i}" for i in range(4)])
+
+
+def chain_modes(changes: dict[str, float]) -> tuple[np.ndarray, np.ndarray]:
+    values = {f"k{i}": 1e4 * (i + 2) for i in range(4)} | {"m": 2.0} | changes
+    M, K = chain(values, "")
+    eigenvalues, vectors = eigh(K, M)
+    return np.sqrt(eigenvalues) / (2 * np.pi), vectors.T
+
+
+def test_derivatives_of_the_residual_are_those_of_differences() -> None:
+    structure = chain_structure(m=0.2, k1=1e3)
+    frequencies, shapes = chain_modes({"k2": 5e4})
+    data = Measurements.from_rows(
+        ["rig" for _ in frequencies],
+        frequencies,
+        1e-3 * frequencies,
+        shapes={f"x{i}": shapes[:, i] for i in range(4)},
+    )
+    fitter = Fitter(structure, data)
+    used, by = np.ones(4, dtype=bool), (0, 1, 2, 4)
+    pairing = fitter.pairer.pair(structure.predict(fitter.declared, ()), used)
+    rates = fitter.rates(structure.predict(fitter.declared, by, shape_rates=True), pairing, used)
+    for column, i in enumerate(by):
+        step = 1e-5 * fitter.declared[i]
+        there, back = fitter.declared.copy(), fitter.declared.copy()
+        there[i] += step
+        back[i] -= step
+        difference = fitter.residual(structure.predict(there, ()), pairing, used)
+        difference = (difference - fitter.residual(structure.predict(back, ()), pairing, used)) / (2 * step)
+        # The derivative with the model's shape held in its own direction: what is along it is not fitted.
+        frequency = fitter.frequency_rows
+        assert -rates[frequency, column] == pytest.approx(difference[frequency], rel=1e-6)
+        residual = fitter.residual(structure.predict(fitter.declared, ()), pairing, used)
+        exact = difference[fitter.shape_rows] @ residual[fitter.shape_rows]
+        assert -rates[fitter.shape_rows, column] @ residual[fitter.shape_rows] == pytest.approx(
+            exact, rel=1e-4
+        )
+
+
+@pytest.mark.parametrize("effects", [{}, {"gearbox_compliance.compliance": 1e-4, "payload.mass": 0.3}])
+def test_the_shape_rates_of_a_robot_are_those_of_nelsons_linear_systems(effects: dict[str, float]) -> None:
+    robot = replace(read("asymmetric"), effects=effects)
+    points = np.array(POSES["asymmetric"]["scattered"][:3])
+    structure = RobotStructure(robot, points, *suspects(robot))
+    declared = np.array([p.value for p in structure.parameters])
+    paths = [p.name for p in structure.parameters if not p.name.startswith("measurement.")]
+    known = [i for i, name in enumerate(paths) if name.count(".") < 3 or not name.startswith("effects.")]
+    found = structure.predict(declared, known, shape_rates=True)
+    model = pkmodes.Model(robot)
+    expected = model.sensitivities(points, [paths[i] for i in known])
+    columns = [CHANNELS.index(name) for name in model.coordinates]
+    signs = np.sign((found.shapes[..., columns] * model.modes(points).shapes).sum(axis=-1))
+    assert found.shape_rates is not None
+    for t in range(len(known)):
+        theirs = expected.shapes[:, t] * signs[..., None]
+        ours = found.shape_rates[..., columns, t]
+        scale = np.abs(theirs[:, 3:]).max(axis=(1, 2), keepdims=True) + 1e-12
+        assert ours[:, 3:] / scale == pytest.approx(theirs[:, 3:] / scale, abs=1e-6)
+
+
+def test_a_platforms_shape_rates_are_those_of_differences() -> None:
+    robot = read("tower")
+    points = np.array(POSES["tower"]["scattered"][:2])
+    structure = RobotStructure(robot, points, *suspects(robot))
+    declared = np.array([p.value for p in structure.parameters])
+    names = [p.name for p in structure.parameters]
+    for name, step in (("link.length", 1e-6), ("axis.joint_radius", 1e-6), ("measurement.yaw", 1e-6)):
+        i = names.index(name)
+        there, back = declared.copy(), declared.copy()
+        there[i] += step
+        back[i] -= step
+        a, b = (structure.predict(v, ()).shapes[:, 3:, -3:] for v in (there, back))
+        at = structure.predict(declared, (i,), shape_rates=True)
+        assert at.shape_rates is not None
+        own = at.shapes[:, 3:, -3:]
+        a, b = (s * np.sign((s * own).sum(axis=-1, keepdims=True)) for s in (a, b))
+        scale = np.abs((a - b) / (2 * step)).max()
+        assert at.shape_rates[:, 3:, -3:, 0] / scale == pytest.approx((a - b) / (2 * step) / scale, abs=1e-5)
+
+
+def test_shapes_tell_causes_apart_that_explain_the_frequencies_alike() -> None:
+    """A chain of equal masses that is the same from both ends: its frequencies do not say which spring is soft."""
+
+    def matrices(values: dict[str, float], _: str) -> tuple[np.ndarray, np.ndarray]:
+        k = 1e4 * np.array([1.0, 1.0 + values["a"], 1.0, 1.0, 1.0 + values["b"], 1.0])
+        return np.eye(5), np.diag(k[:-1] + k[1:]) - np.diag(k[1:-1], 1) - np.diag(k[1:-1], -1)
+
+    parameters = [Parameter("a", 0.0, lower=-0.9), Parameter("b", 0.0, lower=-0.9)]
+    structure = MatrixStructure(
+        parameters, [Candidate(n, (n,)) for n in "ab"], matrices, channels=[f"x{i}" for i in range(5)]
+    )
+    M, K = matrices({"a": 0.0, "b": -0.15}, "")
+    eigenvalues, vectors = eigh(K, M)
+    rng = np.random.default_rng(4)
+    f = np.sqrt(eigenvalues) / (2 * np.pi) * (1 + 0.002 * rng.standard_normal(5))
+    shapes = vectors.T + 0.01 * rng.standard_normal((5, 5))
+    columns = {f"x{i}": shapes[:, i] for i in range(5)}
+    without = diagnose(structure, Measurements.from_rows(["rig"] * 5, f, 0.002 * f), holdout=())
+    assert [set(e.members) for e in without.effects] in ([{"a", "b"}], [])
+    found = diagnose(structure, Measurements.from_rows(["rig"] * 5, f, 0.002 * f, shapes=columns), holdout=())
+    assert [e.members for e in found.effects] == [("b",)]
+    relative = 0.01 / np.abs(vectors).max(axis=0)
+    assert found.shape_scatter == pytest.approx(np.sqrt(np.mean(relative**2)), rel=0.4)
+
+
+def test_a_stated_error_of_shapes_is_tested_and_one_that_is_not_is_estimated() -> None:
+    structure = chain_structure(m=0.05, k0=500.0, k1=500.0, k2=500.0, k3=500.0)
+    frequencies, shapes = chain_modes({})
+    rng = np.random.default_rng(7)
+    noisy = shapes / np.abs(shapes).max(axis=1, keepdims=True) + 0.1 * rng.standard_normal((4, 4))
+    columns = {f"x{i}": noisy[:, i] for i in range(4)}
+
+    def verdict(sigma: float | None) -> str:
+        stated = None if sigma is None else np.full(4, sigma)
+        data = Measurements.from_rows(
+            ["rig"] * 4, frequencies, 1e-3 * frequencies, shapes=columns, shape_sigma=stated
+        )
+        return diagnose(structure, data, holdout=()).verdict
+
+    assert verdict(0.1) == "adequate"
+    assert verdict(None) == "adequate"
+    assert verdict(0.01) != "adequate"
+
+
+def test_nothing_is_adequate_whose_shapes_disagree() -> None:
+    structure = chain_structure(m=0.05, k0=500.0, k1=500.0, k2=500.0, k3=500.0)
+    frequencies, shapes = chain_modes({})
+    shapes = shapes[[1, 0, 2, 3]]  # two of them exchanged: other modes than the frequencies say
+    columns = {f"x{i}": shapes[:, i] for i in range(4)}
+    data = Measurements.from_rows(["rig"] * 4, frequencies, 1e-3 * frequencies, shapes=columns)
+    found = diagnose(structure, data, holdout=())
+    assert found.verdict == "unexplained"
+    assert any("shapes" in note for note in found.notes)
+
+
+def test_a_hypothesis_is_a_mixture_of_close_modes_of_which_one_was_missed() -> None:
+    """Two modes 0.1 % apart, one measured: its shape may be anything between them."""
+    modes, frequency = np.eye(4)[:2], np.array([10.0, 10.01])
+    prediction = Prediction((2 * np.pi * frequency[None]) ** 2, np.zeros((1, 2, 0)), modes[None])
+    data = rows(np.array([[1.0, -0.8, 0.0, 0.0]]), np.array([10.0]), 0.01)
+    used, pairing = np.ones(1, dtype=bool), Pairing(np.array([0]), np.array([np.nan]))
+    assert data.residual(prediction, pairing, used) == pytest.approx(0.0, abs=1e-12)
+    apart = Prediction((2 * np.pi * np.array([[10.0, 11.0]])) ** 2, np.zeros((1, 2, 0)), modes[None])
+    assert np.abs(data.residual(apart, pairing, used)).max() == pytest.approx(0.8)
+
+
+def test_without_shapes_the_data_are_the_frequencies() -> None:
+    frequencies, _ = chain_modes({})
+    fitter = Fitter(
+        chain_structure(m=0.1), Measurements.from_rows(["rig"] * 4, frequencies, 1e-3 * frequencies)
+    )
+    fit = fitter.fit(Hypothesis())
+    assert fit is not None
+    assert fit.residual.shape == (4,)
+    assert fit.white.shape == (5,)
