@@ -131,7 +131,9 @@ def _searched(
         outcome = search.run()
         found = [search.store.shape_scatter(fit) for fit in search.store.tried()]
         best = min((each for each in found if each is not None), default=None)
-        if best is None or max(best, c.least_shape_scatter) >= c.sharper * fitter.shape_scatter:
+        # Where nothing explains even the frequencies, sharper shapes change nothing.
+        hopeless = all(search.store.frequency_p_value(fit) <= c.surely for fit in search.store.tried())
+        if hopeless or best is None or max(best, c.least_shape_scatter) >= c.sharper * fitter.shape_scatter:
             return search, outcome
         scatter = best
 

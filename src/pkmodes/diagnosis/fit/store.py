@@ -123,12 +123,14 @@ class FitStore:
 
     def p_value(self, fit: Fit) -> float:
         """Probability of sums of squares as large, of frequencies with priors and of shapes with stated errors."""
-        frequencies, degrees = self.frequency_misfit(fit)
-        shapes, shape_degrees = self.fitter.shape_misfit(fit, stated=True)
-        return min(
-            float(stats.chi2.sf(frequencies, max(degrees, 1.0))),
-            float(stats.chi2.sf(shapes, max(shape_degrees, 1.0))) if shape_degrees > 0.0 else 1.0,
-        )
+        shapes, degrees = self.fitter.shape_misfit(fit, stated=True)
+        of_shapes = float(stats.chi2.sf(shapes, max(degrees, 1.0))) if degrees > 0.0 else 1.0
+        return min(self.frequency_p_value(fit), of_shapes)
+
+    def frequency_p_value(self, fit: Fit) -> float:
+        """Of the frequencies and priors alone."""
+        squares, degrees = self.frequency_misfit(fit)
+        return float(stats.chi2.sf(squares, max(degrees, 1.0)))
 
     def frequency_misfit(self, fit: Fit) -> tuple[float, float]:
         """Sum of squares of the frequencies and priors, and its degrees of freedom."""
