@@ -47,6 +47,8 @@ class Criteria:
     #: Steps of a fit; four or five are enough where the data tell.  A rough fit shows whether more are worth it.
     steps: int = 18
     rough_steps: int = 6
+    #: Of more than twice so many setups, so many show where a fit should begin.
+    setups_to_scout: int = 12
     #: Rounds of pairing and fitting; the pairing is stable after two or three.
     rounds: int = 3
     #: An error that the modes of a setup share is at most this large: a larger one is not an error of measuring.

@@ -8,6 +8,7 @@ chi-square distributed with as many degrees of freedom as there are data, less i
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -134,6 +135,21 @@ class Fitter:
         pairing = self.pairer.pair(prediction, used, compare=False)
         white = self.noise.whitening(None, used, 0.0).whitened(self.residual(prediction, pairing, used))
         return float(white @ white)
+
+    @cached_property
+    def scout(self) -> Fitter:
+        """The same at some of the setups, where there are many: enough to see where a fit should begin."""
+        count, most = len(self.data.labels), self.criteria.setups_to_scout
+        if count <= 2 * most:
+            return self
+        some = [int((k + 0.5) * count / most) for k in range(most)]
+        return Fitter(
+            self.structure.subset(some),
+            self.data.at(some),
+            self.criteria,
+            self.shape_scatter,
+            parameters=self.parameters,
+        )
 
     def chi2_of_many(self, values: Sequence[Array], hypothesis: Hypothesis) -> list[float]:
         """The same for several values; all at once, where the structure can."""

@@ -73,6 +73,7 @@ class Noise:
         order = np.argsort(data.pose, kind="stable")
         self.rows = np.split(order, np.searchsorted(data.pose[order], np.arange(1, len(data.labels))))
         self.uncertain = bool((data.point_sigma > 0.0).any())
+        self._setup = data.pose
         self._position_sigma, self._most_shared = data.point_sigma, most_shared
         channels = shapes.sigma.shape[1]
         components = len(self.sigma) + np.arange(shapes.size).reshape(len(self.sigma), channels)
@@ -127,6 +128,8 @@ class Noise:
         """Most likely standard deviation of the error that the modes of a setup share."""
 
         def deviance(log_tau: float) -> float:
+            if motion is None:
+                return self._deviance(residual, used, float(np.exp(log_tau)))
             whitening = self.whitening(motion, used, float(np.exp(log_tau)))
             white = whitening.whitened(residual)
             return float(white @ white) + whitening.log_determinant
@@ -134,3 +137,13 @@ class Noise:
         smallest = np.log(0.01 * np.median(self.sigma))
         found = minimize_scalar(deviance, bounds=(smallest, np.log(self._most_shared)), method="bounded")
         return float(np.exp(found.x))
+
+    def _deviance(self, residual: Array, used: NDArray[np.bool_], tau: float) -> float:
+        """Deviance where setups have nothing but tau in common, by the matrix determinant lemma."""
+        weights = np.where(used, self.sigma**-2, 0.0)
+        r = residual[: len(self.sigma)]
+        total = np.bincount(self._setup, weights, len(self.rows))
+        along = np.bincount(self._setup, weights * r, len(self.rows))
+        shared = 1.0 + tau**2 * total
+        squares = (weights * r**2).sum() - (tau**2 * along**2 / shared).sum()
+        return float(squares + np.log(shared).sum() + 2.0 * np.log(self.sigma).sum())

@@ -75,15 +75,26 @@ class Additions:
         degrees = max(self._rows - most - self._setups, 1)
         return bool(kept.sum() > self.criteria.hopeless * degrees)
 
-    def errors(self) -> list[Fit]:
-        """Fits with errors of the measurement and no cause: one after another, as long as they help."""
+    def errors(self, enough: float) -> list[Fit]:
+        """Fits with errors of the measurement and no cause: one after another, as long as they help.
+
+        Parameters
+        ----------
+        enough : float
+            Criterion that matters; what cannot come so low is not tried to its end.
+        """
         found: list[Fit] = []
         fit = self.store.fit(Hypothesis())
+        most = max(1, self._rows // self.criteria.rows_per_outlier)
         while fit is not None:
             options = self.noise(fit, rival=True)
             found += options
             best = min(options, key=self.store.criterion, default=fit)
-            fit = best if self.store.criterion(best) < self.store.criterion(fit) else None
+            gain = self.store.criterion(fit) - self.store.criterion(best)
+            # Rows are set aside one by one, the worst first: what follows gains less.
+            more = most - len(best.hypothesis.excluded) + (not best.hypothesis.scatter)
+            within = self.store.criterion(best) - gain * more <= enough
+            fit = best if gain > 0.0 and within else None
         return found
 
     def causes(self, fit: Fit, scores: Scores) -> list[Fit]:

@@ -47,7 +47,8 @@ def starts(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> list
     upper = np.array([fitter.parameters[i].upper for i in index])
     # Of a cause with several parameters the first one says how large it is.
     sign = one_sided(fitter, replace(one.candidate, parameters=one.candidate.parameters[:1]))
-    sizes = SIZES
+    sizes, scout = SIZES, fitter.scout
+    bare = hypothesis if scout is fitter else Hypothesis(hypothesis.causes)  # rows have other numbers there
     if sign and one.largest[0] > 0.0 and _adds_modes(fitter, fit, index[0], SIZES[0] * sign / one.largest[0]):
         sizes = CLOSE_SIZES
     found: list[tuple[float, Array]] = []
@@ -66,7 +67,7 @@ def starts(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> list
             def costs(
                 some: Sequence[float], at: Callable[[Array], Array] = at, unit: Array = unit
             ) -> list[float]:
-                return fitter.chi2_of_many([at(size * unit) for size in some], hypothesis)
+                return scout.chi2_of_many([at(size * unit) for size in some], bare)
 
             # There are many pairs, and those that are tried promise much by a linear model.
             closely = sizes is CLOSE_SIZES and not fit.causes and origin is fit.values
@@ -77,7 +78,7 @@ def starts(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> list
             )
             steps += [size * unit for size in best]
         some = [at(step) for step in steps]
-        here = sorted(zip(fitter.chi2_of_many(some, hypothesis), some, strict=True), key=lambda pair: pair[0])
+        here = sorted(zip(scout.chi2_of_many(some, bare), some, strict=True), key=lambda pair: pair[0])
         found += here[:1] if fit.causes else here
     found.sort(key=lambda pair: pair[0])
     return [values for _, values in found[: 1 if sizes is SIZES and not fit.causes else FITTED]]

@@ -17,7 +17,7 @@ def explained_by_errors(search: Search, final: Fit) -> str:
     """
     store, c = search.store, search.criteria
     worst = store.criterion(final) + c.survives
-    noise = [fit for fit in search.additions.errors() if store.p_value(fit) > c.surely]
+    noise = [fit for fit in search.additions.errors(worst) if store.p_value(fit) > c.surely]
     best = min(noise, key=store.criterion, default=None)
     if best is not None and store.criterion(best) <= worst:
         what = reasons.noise(best.hypothesis, best.scatter, store.fitter.data.lines)
