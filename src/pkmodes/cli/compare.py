@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pkmodes.cli.output import check_target, deliver, json_option, to_file, write_json
+from pkmodes.cli.output import band_of, band_option, check_target, deliver, json_option, to_file, write_json
 from pkmodes.loading import read_robot
 
 if TYPE_CHECKING:
@@ -21,8 +21,9 @@ if TYPE_CHECKING:
 )
 @click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
 @click.argument("modes", metavar="MODES.csv", type=click.Path(path_type=Path))
+@band_option
 @json_option
-def compare(robot: Path, modes: Path, json_file: str | None) -> None:
+def compare(robot: Path, modes: Path, band: str | None, json_file: str | None) -> None:
     """Prediction beside measurement, nothing fitted.
 
     Measured modes are paired with predicted ones by frequency and, where they were measured, by shape.  Exit code
@@ -33,7 +34,7 @@ def compare(robot: Path, modes: Path, json_file: str | None) -> None:
     from pkmodes.evaluation import evaluation
 
     declared = read_robot(robot)
-    result = closing.compare(declared, closing.read(modes))
+    result = closing.compare(declared, closing.read(modes, band_of(band)))
     content = {
         "robot": declared.name,
         "rms_relative": result.rms_relative,

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import csv
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 import click
 
-from pkmodes.cli.output import check_target, deliver, json_option, to_file, write_json
+from pkmodes.cli.output import band_of, band_option, check_target, deliver, json_option, to_file, write_json
 from pkmodes.cli.verdicts import failing
 from pkmodes.errors import OutputError, PkmodesError, shown
 from pkmodes.loading import read_robot
 from pkmodes.pasting import pasted
+
+#: Seconds between lines that say what is being done, where there is no terminal to show it on.
+SECONDS = 5.0
 
 
 @click.command(
@@ -26,8 +30,8 @@ from pkmodes.pasting import pasted
 @click.option(
     "--candidates",
     metavar="NAMES",
-    help="Candidates, separated by commas: effects, parameter:PATH, or the words effects and parameters; "
-    "by default all.",
+    help="Candidates, separated by commas: effects, parameter:PATH, measurement:WHAT, or the words effects, "
+    "parameters and measurement; by default all.",
 )
 @click.option(
     "--holdout",
@@ -48,6 +52,7 @@ from pkmodes.pasting import pasted
     metavar="VERDICTS",
     help="Verdicts that give exit code 1, separated by commas, or any for all but adequate; by default none.",
 )
+@band_option
 @json_option
 def diagnose(
     robot: Path,
@@ -56,6 +61,7 @@ def diagnose(
     holdout: str | None,
     save_to: Path | None,
     fail_on: str | None,
+    band: str | None,
     json_file: str | None,
 ) -> int:
     """Find what the model lacks, and how much better it is with it.
@@ -72,7 +78,7 @@ def diagnose(
     from pkmodes.cli.diagnosis_tables import show
 
     declared = read_robot(robot)
-    data = closing.read(modes)
+    data = closing.read(modes, band_of(band))
     with _progress() as progress:
         result = closing.diagnose(
             declared,
@@ -135,12 +141,20 @@ def _check_robot_target(target: Path | None, json_file: str | None, *inputs: Pat
 
 @contextmanager
 def _progress() -> Iterator[Callable[[str], None]]:
-    """Show on a terminal's stderr what is being done."""
+    """Show on stderr what is being done: in place on a terminal, else a line every now and then."""
     from rich.console import Console
 
     console = Console(stderr=True)
-    if not console.is_terminal:
-        yield lambda _: None
+    if console.is_terminal:
+        with console.status("reading") as status:
+            yield lambda text: status.update(text)
         return
-    with console.status("reading") as status:
-        yield lambda text: status.update(text)
+    last = time.monotonic()
+
+    def line(text: str) -> None:
+        nonlocal last
+        if time.monotonic() - last >= SECONDS:
+            last = time.monotonic()
+            click.echo(f"pkmodes diagnose: {text}", err=True)
+
+    yield line

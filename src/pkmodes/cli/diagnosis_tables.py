@@ -170,14 +170,14 @@ def _remarks(terminal: Terminal, result: Diagnosis) -> None:
 
 
 def _stability(result: Diagnosis) -> list[str]:
-    """What other errors or priors would change; nothing where they change nothing."""
-    claimed = {found.name for found in result.effects}
+    """Other causes that other errors or priors would name; the verdicts themselves are in the JSON."""
+    claimed = {member for found in result.effects for member in found.members}
     changed = [
-        f"{entry.change}: {entry.verdict}" + (f" ({' and '.join(entry.effects)})" if entry.effects else "")
+        f"{entry.change}: {' and '.join(entry.effects)}"
         for entry in result.stability
-        if entry.verdict != result.verdict or (claimed and not set(entry.effects) & claimed)
+        if entry.effects and not set(entry.effects) <= claimed
     ]
-    return [f"with other errors or priors, {'; '.join(changed)}"] if changed else []
+    return [f"with other errors or priors the best explanation is, {'; '.join(changed)}"] if changed else []
 
 
 def _listed(rows: Sequence[Row]) -> str:

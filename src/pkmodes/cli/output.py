@@ -25,6 +25,29 @@ json_option = click.option(
 )
 
 
+band_option = click.option(
+    "--band",
+    metavar="LOW,HIGH",
+    default=None,
+    help="Where modes were looked for, such as 10,400 in Hz, where the file does not say so.",
+)
+
+
+def band_of(text: str | None) -> tuple[float, float] | None:
+    """The band of the option, in Hz.
+
+    Raises
+    ------
+    MeasurementError
+        If it is not two frequencies, the lower one first.
+    """
+    if text is None:
+        return None
+    from pkmodes.measured.table import parse_band
+
+    return parse_band(text, "--band")
+
+
 def check_target(json_file: str | None, *inputs: Path) -> None:
     """Refuse, before anything is computed, a target that is an input or that has no folder.
 

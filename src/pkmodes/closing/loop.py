@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import difflib
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from os import PathLike
 from pathlib import Path
 
 from pkmodes import diagnosis
 from pkmodes.closing import frame
-from pkmodes.closing.structure import CHANNELS, RobotStructure
+from pkmodes.closing.structure import CHANNEL_UNITS, CHANNELS, RobotStructure
 from pkmodes.closing.suspects import suspects
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.search.additions import Progress
+from pkmodes.diagnosis.update import Update
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.errors import PkmodesError
+from pkmodes.errors import MeasurementError, PkmodesError, shown
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import check_reachable, read_measurements
 from pkmodes.model import Model
@@ -21,21 +25,57 @@ from pkmodes.robot.saving import Correction, save_corrected
 from pkmodes.sensitivity.paths import resolve
 
 
-def read(path: str | Path) -> Measurements:
-    """Read the modes measured on a robot (formats.md, section 3)."""
-    return read_measurements(path, CHANNELS)
+def read(path: str | Path, band: tuple[float, float] | None = None) -> Measurements:
+    """Read the modes measured on a robot (formats.md, section 3).
+
+    Parameters
+    ----------
+    path : path-like
+    band : tuple of two floats, optional
+        Lowest and highest frequency that was looked for [Hz], where the file does not say so.
+
+    Raises
+    ------
+    MeasurementError
+        If anything in the file is wrong, it states another band, or a row lies outside the band.
+    """
+    if not isinstance(path, str | PathLike):
+        raise PkmodesError(f"expected a path, found {shown(path)}", "read", "give the name of a CSV file")
+    found = read_measurements(path, dict(zip(CHANNELS, CHANNEL_UNITS, strict=True)))
+    if band is None:
+        return found
+    if found.band not in (None, band):
+        stated = f"{found.band[0]:g} Hz to {found.band[1]:g} Hz"
+        what = f"the file states the band {stated}, not {band[0]:g} Hz to {band[1]:g} Hz"
+        raise MeasurementError(what, found.source, "leave the band out, or correct the file")
+    return replace(found, band=band)
 
 
-def structure(robot: Robot, data: Measurements, candidates: Sequence[str] | None = None) -> RobotStructure:
+def structure(
+    robot: Robot,
+    data: Measurements,
+    candidates: Sequence[str] | None = None,
+    priors: Mapping[str, float] | None = None,
+) -> RobotStructure:
     """Return the robot at the measured poses, with its nuisances and candidates.
 
     Raises
     ------
     PkmodesError
-        If a pose cannot be reached, or a candidate is unknown.
+        If a pose cannot be reached, or a candidate or the name of a prior is unknown.
     """
     check_reachable(data, Model(robot))
-    return RobotStructure(robot, data.points, *suspects(robot, candidates))
+    parameters, found, moves = suspects(robot, candidates)
+    for name, sigma in (priors or {}).items():
+        known = [candidate.name for candidate in found if not candidate.remote]
+        if name not in known:
+            nearest = difflib.get_close_matches(name, known, n=1)
+            remedy = f'did you mean "{nearest[0]}"?' if nearest else "name a candidate"
+            raise PkmodesError(f"there is no candidate {shown(name)} for a prior", "priors", remedy)
+        place = [candidate.name for candidate in found].index(name)
+        count = len(found[place].parameters)
+        found[place] = replace(found[place], sigma=(float(sigma),) * count)
+    return RobotStructure(robot, data.points, parameters, found, moves)
 
 
 def compare(robot: Robot, data: Measurements) -> Comparison:
@@ -57,6 +97,7 @@ def diagnose(
     *,
     candidates: Sequence[str] | None = None,
     holdout: Sequence[str] | None = None,
+    priors: Mapping[str, float] | None = None,
     progress: Progress | None = None,
 ) -> Diagnosis:
     """Find what the model of a robot lacks.
@@ -68,9 +109,12 @@ def diagnose(
     data : Measurements
         From `read`.
     candidates : sequence of str, optional
-        Names of effects, ``parameter:<path>``, or ``effects`` and ``parameters``; by default all.
+        Names of effects, ``parameter:<path>``, ``measurement:<what>``, or the words ``effects``, ``parameters`` and
+        ``measurement``; by default all.
     holdout : sequence of str, optional
         Labels of poses that take no part in any choice or fit; by default one in six.
+    priors : mapping of str to float, optional
+        Standard deviations, in SI units, of how far the parameters of candidates may plausibly be from their values.
     progress : callable, optional
         Called with a sentence at each step.
 
@@ -83,7 +127,36 @@ def diagnose(
     PkmodesError
         If a pose cannot be reached, or a name is unknown.
     """
-    return diagnosis.diagnose(structure(robot, data, candidates), data, holdout=holdout, progress=progress)
+    suspected = structure(robot, data, candidates, priors)
+    return diagnosis.diagnose(suspected, data, holdout=holdout, progress=progress)
+
+
+def update(
+    robot: Robot,
+    data: Measurements,
+    parameters: Sequence[str] | None = None,
+    *,
+    holdout: Sequence[str] | None = None,
+) -> Update:
+    """Update the uncertain values of a robot together: a correction, and no cause.
+
+    Parameters
+    ----------
+    robot : Robot
+        Its quantities with a sigma may change, as far as that says; `Robot.with_values` gives more of them one.
+    data : Measurements
+        From `read`.
+    parameters : sequence of str, optional
+        Dotted paths of those that may; by default all with a sigma.
+    holdout : sequence of str, optional
+        Labels of poses that take no part; by default one in six.
+
+    Raises
+    ------
+    PkmodesError
+        If a pose cannot be reached, a name is unknown, or a value has no sigma.
+    """
+    return diagnosis.update(structure(robot, data, candidates=()), data, parameters, holdout=holdout)
 
 
 def corrections(robot: Robot, found: Diagnosis) -> Mapping[str, Correction]:
@@ -115,4 +188,7 @@ def save_robot(robot: Robot, found: Diagnosis, target: str | Path) -> None:
             str(target),
             "leave out --save-robot, or measure more",
         )
+    if not Path(robot.source).is_file():
+        what = f"expected a robot as a file has it, found {shown(robot.source)}"
+        raise PkmodesError(what, "save_robot", "diagnose the robot of a file, or write its values into one")
     save_corrected(Path(robot.source), Path(target), corrections(robot, found))

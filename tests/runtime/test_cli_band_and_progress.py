@@ -1,0 +1,116 @@
+"""The band of a measurement on the command line, and progress where there is no terminal."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+import pkmodes
+from pkmodes import closing
+from pkmodes.cli import run
+from pkmodes.errors import MeasurementError, PkmodesError
+
+LOOP = Path(__file__).resolve().parents[2] / "examples" / "closed_loop"
+FILES = [str(LOOP / "robot.toml"), str(LOOP / "measured.csv")]
+
+
+def test_a_band_is_taken_where_the_file_has_none(capsys: pytest.CaptureFixture[str]) -> None:
+    for command in ("compare", "diagnose"):
+        assert run([command, *FILES, "--band", "10, 400 Hz", "--json", "-"]) == 0
+        assert json.loads(capsys.readouterr().out)["rows"]
+    assert closing.read(FILES[1], (10.0, 400.0)).band == (10.0, 400.0)
+
+
+@pytest.mark.parametrize(
+    ("band", "what"),
+    [
+        ("400,10", "--band"),
+        ("10", "--band"),
+        ("ten,400", "--band"),
+        ("10,60", "expected a frequency in the band from 10 Hz to 60 Hz"),
+    ],
+)
+def test_a_band_that_is_none_or_that_rows_contradict_is_refused(
+    band: str, what: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["compare", *FILES, "--band", band]) == 2
+    error = capsys.readouterr().err
+    assert error.startswith("error: ")
+    assert what in error
+
+
+def test_a_band_other_than_the_files_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "modes.csv"
+    path.write_text("# band: 10 Hz, 400 Hz\n" + Path(FILES[1]).read_text(encoding="utf-8"), encoding="utf-8")
+    assert closing.read(path).band == closing.read(path, (10.0, 400.0)).band == (10.0, 400.0)
+    with pytest.raises(
+        MeasurementError, match="the file states the band 10 Hz to 400 Hz, not 20 Hz to 400 Hz"
+    ):
+        closing.read(path, (20.0, 400.0))
+
+
+def test_without_a_terminal_a_line_says_every_now_and_then_what_is_done(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys.modules["pkmodes.cli.diagnose"], "SECONDS", 0.0)
+    assert run(["diagnose", *FILES, "--candidates", "gearbox_compliance,payload"]) == 0
+    lines = capsys.readouterr().err.splitlines()
+    assert "pkmodes diagnose: refitting the nuisance parameters" in lines
+    assert any(line.endswith("refitting with gearbox_compliance") for line in lines)
+
+
+def test_a_prior_of_a_candidate_enters_a_diagnosis_of_a_robot() -> None:
+    robot, data = pkmodes.read_robot(FILES[0]), closing.read(FILES[1])
+    name = "gearbox_compliance"
+    free = closing.diagnose(robot, data, candidates=[name])
+    held = closing.diagnose(robot, data, candidates=[name], priors={name: 1e-5})
+    (a,), (b,) = (found.effects[0].parameters if found.effects else () for found in (free, held))
+    assert b.value < a.value
+    assert b.sigma < a.sigma
+    with pytest.raises(PkmodesError, match='no candidate "gearbox"') as error:
+        closing.diagnose(robot, data, priors={"gearbox": 1.0})
+    assert "gearbox_" in error.value.remedy
+
+
+def test_uncertain_values_of_a_robot_are_updated_together() -> None:
+    robot, data = pkmodes.read_robot(FILES[0]), closing.read(FILES[1])
+    found = closing.update(robot, data)
+    assert {p.name for p in found.parameters} == {n for n, q in robot.quantities.items() if q.sigma}
+    assert found.before.rms_relative > found.after.rms_relative
+    assert any("something else is missing" in note for note in found.notes)  # the gearboxes wind up
+    changed = robot.with_values(
+        {"effects.gearbox_compliance.compliance": {"value": "1e-4 rad/(N*m)", "sigma": "50 %"}}
+    )
+    better = closing.update(changed, data)
+    assert better.values["effects.gearbox_compliance.compliance"] == pytest.approx(1.88e-4, rel=0.15)
+    assert not any("something else is missing" in note for note in better.notes)
+
+
+@pytest.mark.parametrize(
+    ("call", "what"),
+    [
+        (lambda robot, data: closing.read(3), "expected a path, found 3"),
+        (
+            lambda robot, data: closing.diagnose(robot, data, holdout="P1"),
+            'list of labels to hold out, found "P1"',
+        ),
+        (lambda robot, data: closing.diagnose(robot, data, candidates="payload"), "expected a list of names"),
+        (lambda robot, data: closing.update(robot, data, "platform.mass"), "expected a list of names"),
+    ],
+)
+def test_a_text_where_a_list_is_meant_is_refused(call: Callable[..., object], what: str) -> None:
+    with pytest.raises(PkmodesError, match=what):
+        call(pkmodes.read_robot(FILES[0]), closing.read(FILES[1]))
+
+
+def test_a_robot_that_no_file_has_is_not_saved_as_a_file(tmp_path: Path) -> None:
+    robot, data = pkmodes.read_robot(FILES[0]), closing.read(FILES[1])
+    changed = robot.with_values({"platform.mass": robot.quantities["platform.mass"].value})
+    found = closing.diagnose(changed, data, candidates=["gearbox_compliance"])
+    with pytest.raises(PkmodesError, match="expected a robot as a file has it"):
+        closing.save_robot(changed, found, tmp_path / "out.toml")
+    assert not list(tmp_path.iterdir())
