@@ -45,8 +45,8 @@ docs: $(VENV)/.derive  ## rebuild the derivation's page
 benchmark: $(VENV)/.dev
 	$(BIN)/python benchmarks/evaluation.py
 
-suites: $(VENV)/.dev  ## rates of the diagnosis on the virtual test rig, twenty minutes on two cores
-	$(BIN)/python benchmarks/diagnosis.py --seed 20261122 --out docs/diagnosis-measured.md
+suites: $(VENV)/.dev  ## rates of the diagnosis on the virtual test rig, half an hour on two cores
+	$(BIN)/python benchmarks/diagnosis.py --seed 20261130 --out docs/diagnosis-measured.md
 
 clean:
 	rm -rf $(VENV) build

@@ -67,7 +67,7 @@ def test_a_prior_of_a_candidate_enters_a_diagnosis_of_a_robot() -> None:
     robot, data = pkmodes.read_robot(FILES[0]), closing.read(FILES[1])
     name = "gearbox_compliance"
     free = closing.diagnose(robot, data, candidates=[name])
-    held = closing.diagnose(robot, data, candidates=[name], priors={name: 1e-5})
+    held = closing.diagnose(robot, data, candidates=[name], priors={name: 1e-4})
     (a,), (b,) = (found.effects[0].parameters if found.effects else () for found in (free, held))
     assert b.value < a.value
     assert b.sigma < a.sigma
