@@ -12,7 +12,7 @@ from scipy.linalg import eigh
 from pkmodes.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.diagnosis.match.unmeasured import p_unmeasured, seen
+from pkmodes.diagnosis.search.unmeasured import p_unmeasured, seen
 from small_structures import SIGMA, LogLinear, log_linear, logs_measured
 
 LOADS = {f"{load:g} kg": load for load in (0.0, 2.0, 4.0, 6.0, 8.0)}

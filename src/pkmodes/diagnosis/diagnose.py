@@ -1,9 +1,10 @@
 """Diagnose a model by measured modes: the route from measurements to a verdict.
 
-1. `match` pairs measured modes with modes of the model, and looks for mistakes of the measurement.
+1. `match` pairs measured modes with modes of the model.
 2. `fit` refits the uncertain parameters inside their priors, to frequencies and shapes.
 3. `search` asks the gate whether what is left is noise, and if it is not, which cause or pair brings it there.
-4. `verdict` judges what the search came to: rivals, classes, errors instead of causes, shapes, stability.
+4. `verdict` judges what the search came to: mistakes of the measurement, rivals, classes, errors instead of causes,
+   shapes, stability.
 """
 
 from __future__ import annotations
@@ -18,13 +19,13 @@ from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.match.mistakes import other_unit, other_wiring
 from pkmodes.diagnosis.matrices import at_measured
 from pkmodes.diagnosis.problem import Structure
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import reasons
 from pkmodes.diagnosis.verdict.judgement import Judgement, judge
+from pkmodes.diagnosis.verdict.mistakes import other_unit, other_wiring
 from pkmodes.diagnosis.verdict.phrasing import reason_of
 from pkmodes.diagnosis.verdict.report import Report
 from pkmodes.diagnosis.verdict.result import Diagnosis, Verdict

@@ -19,9 +19,9 @@ from pkmodes.diagnosis.diagnose import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.match.mistakes import other_unit, other_wiring
 from pkmodes.diagnosis.matrices import at_measured
 from pkmodes.diagnosis.problem import Candidate, Structure
+from pkmodes.diagnosis.verdict.mistakes import other_unit, other_wiring
 from pkmodes.diagnosis.verdict.notes import notes
 from pkmodes.diagnosis.verdict.report import Report
 from pkmodes.diagnosis.verdict.result import Error, Row

@@ -12,19 +12,17 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import least_squares
 
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.noise import Noise, Whitening
 from pkmodes.diagnosis.fit.priors import Priors
 from pkmodes.diagnosis.fit.shapes import ShapeRows
+from pkmodes.diagnosis.fit.solver import bounded_least_squares, inverse_of_square
 from pkmodes.diagnosis.match.pairing import Pairer, Pairing
 from pkmodes.diagnosis.problem import Array, Candidate, Parameter, Prediction, Structure
 from pkmodes.measured.measurements import Measurements
 
-#: Length of the solver's first step, at least, in standard deviations.
-FIRST_STEP = 10.0
 #: Close eigenvalues: below this relative gap the derivatives of single modes are not defined.
 REPEATED = 1e-7
 
@@ -266,7 +264,7 @@ class Fitter:
             hypothesis=hypothesis,
             values=values,
             free=free,
-            covariance=_inverse_of_square(jacobian),
+            covariance=inverse_of_square(jacobian),
             chi2=chi2,
             deviance=chi2 + whitening.log_determinant,
             scatter=tau,
@@ -322,52 +320,20 @@ class Fitter:
         whitening: Whitening,
         steps: int,
     ) -> tuple[Array, bool]:
-        if not free:
-            return values, True
-        index = list(free)
-        lower = np.array([self.parameters[i].lower for i in free])
-        upper = np.array([self.parameters[i].upper for i in free])
+        """Values of the least sum of squares for given pairs, and whether the steps were enough."""
 
-        first = np.clip(values[index], lower, upper)
+        def residual(full: Array) -> Array:
+            found = self.residual(self.structure.predict(full, ()), pairing, used)
+            return np.concatenate([whitening.whitened(found), self.priors.residual(full)])
 
         def rates(full: Array) -> Array:
             prediction = self.structure.predict(full, free, shape_rates=bool(self.shapes.size))
             found = self.rates(prediction, pairing, used)
             return np.vstack([-whitening.whitened(found), self.priors.rates(full, free)])
 
-        # Solved in units of one standard deviation each, the solver's limits then mean the same in kg and in Pa; and
-        # away from 0, because its first step is as long as its start: a cause that is absent would stay so.
-        start = values.copy()
-        start[index] = first
-        size = np.linalg.norm(rates(start), axis=0)
-        unit = 1.0 / np.where(size > 0.0, size, 1.0)
-        origin = first - np.maximum(np.abs(first), FIRST_STEP * unit)
-
-        def at(u: Array) -> Array:
-            full = values.copy()
-            full[index] = np.clip(origin + u * unit, lower, upper)
-            return full
-
-        def residual(u: Array) -> Array:
-            full = at(u)
-            found = self.residual(self.structure.predict(full, ()), pairing, used)
-            return np.concatenate([whitening.whitened(found), self.priors.residual(full)])
-
-        def jacobian(u: Array) -> Array:
-            return np.asarray(rates(at(u)) * unit)
-
-        bounds = ((lower - origin) / unit, (upper - origin) / unit)
-        found = least_squares(
-            residual,
-            (first - origin) / unit,
-            jacobian,
-            bounds,
-            ftol=1e-6,
-            xtol=1e-8,
-            gtol=1e-8,
-            max_nfev=steps,
-        )
-        return at(found.x), bool(found.status > 0)
+        lower = np.array([self.parameters[i].lower for i in free])
+        upper = np.array([self.parameters[i].upper for i in free])
+        return bounded_least_squares(residual, rates, values, free, (lower, upper), steps)
 
     def _at_bound(self, hypothesis: Hypothesis, values: Array) -> tuple[str, ...]:
         found = []
@@ -386,18 +352,6 @@ class Fitter:
             return None
         moved = self.structure.position_rates(values, shape_rates=bool(self.shapes.size))
         return None if moved is None else self.rates(moved, pairing, used)
-
-
-def _inverse_of_square(jacobian: Array) -> Array:
-    """Inverse of J^T J, columns scaled; what the data do not determine gets a very large variance."""
-    if not jacobian.shape[1]:
-        return np.zeros((0, 0))
-    size = np.linalg.norm(jacobian, axis=0)
-    scale = np.where(size > 0.0, 1.0 / np.where(size > 0.0, size, 1.0), 1.0)
-    _, s, vt = np.linalg.svd(jacobian * scale, full_matrices=False)
-    weights = 1.0 / np.maximum(s, 1e-8) ** 2
-    found: Array = (vt.T * weights) @ vt * scale[:, None] * scale
-    return found
 
 
 def _averaged(prediction: Prediction) -> Array:

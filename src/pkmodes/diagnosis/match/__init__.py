@@ -1,1 +1,1 @@
-"""Which measured mode is which mode of the model, and what speaks against the measurements."""
+"""Which measured mode is which mode of the model."""

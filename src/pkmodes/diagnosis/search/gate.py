@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.match.unmeasured import p_unmeasured
 from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.search.score import Scores, score
+from pkmodes.diagnosis.search.unmeasured import p_unmeasured
 
 
 @dataclass(frozen=True)

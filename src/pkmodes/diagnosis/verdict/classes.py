@@ -12,8 +12,8 @@ import numpy as np
 
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
-from pkmodes.diagnosis.match.unmeasured import p_unmeasured
 from pkmodes.diagnosis.search.search import Search
+from pkmodes.diagnosis.search.unmeasured import p_unmeasured
 
 
 def survivors(search: Search, rivals: Sequence[Fit]) -> list[Fit]:

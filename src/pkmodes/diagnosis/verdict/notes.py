@@ -10,8 +10,8 @@ from scipy import stats
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.match.mistakes import all_alike
-from pkmodes.diagnosis.match.unmeasured import never_measured
+from pkmodes.diagnosis.search.unmeasured import never_measured
+from pkmodes.diagnosis.verdict.mistakes import all_alike
 
 #: Stated errors are remarkable if chance would make the residual so small less often.
 SMALL = 1e-4
