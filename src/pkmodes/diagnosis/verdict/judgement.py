@@ -24,6 +24,8 @@ from pkmodes.diagnosis.verdict.specificity import p_coincidence
 
 #: Times that the survivors may prefer another cause in some place.
 PREFERENCES = 4
+#: Other causes that a reason mentions, at most.
+MENTIONED = 4
 
 
 @dataclass(frozen=True)
@@ -124,8 +126,23 @@ def _doubt(
         return reasons.two_of_few(final.causes, len(store.fitter.log), c.rows_for_two)
     coincidence = p_coincidence(search, final)
     if coincidence > c.specific:
-        return reasons.unspecific(final.causes, coincidence)
+        return reasons.unspecific(final.causes, _also(search, final), coincidence)
     return reasons.errors(final.causes, errors) if errors else ""
+
+
+def _also(search: Search, final: Fit) -> list[str]:
+    """Other single causes that would explain the residual, the best ones first."""
+    store = search.store
+    fits = [
+        fit
+        for fit in store.tried()
+        if len(fit.causes) == 1
+        and not fit.causes[0].remote
+        and not fit.at_bound
+        and fit.causes != final.causes
+    ]
+    passing = [fit for fit in fits if store.p_value(fit) > search.criteria.surely]
+    return [fit.causes[0].name for fit in sorted(passing, key=store.criterion)[:MENTIONED]]
 
 
 def _preferred(search: Search, final: Fit) -> tuple[Fit, list[list[Fit]]]:

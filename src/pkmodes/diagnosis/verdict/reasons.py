@@ -96,10 +96,11 @@ def shapes_prefer(causes: Sequence[Candidate], others: Sequence[Candidate]) -> s
     return f"{_names(causes)} would explain the frequencies, but {other} fits the shapes significantly better"
 
 
-def unspecific(causes: Sequence[Candidate], p_value: float) -> str:
+def unspecific(causes: Sequence[Candidate], others: Sequence[str], p_value: float) -> str:
     """Too few data to know it from anything else."""
+    also = f" (and so would {', '.join(others)})" if others else ""
     return (
-        f"{_names(causes)} would explain the residual, but with so few data one of the candidates would explain "
+        f"{_names(causes)} would explain the residual{also}, but with so few data one of the candidates would explain "
         f"almost any ({_p(p_value)} by coincidence): measure more modes or poses"
     )
 
