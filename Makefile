@@ -44,6 +44,7 @@ docs: $(VENV)/.derive  ## rebuild the derivation's page
 
 benchmark: $(VENV)/.dev
 	$(BIN)/python benchmarks/evaluation.py
+	$(BIN)/python benchmarks/many_rows.py
 
 suites: $(VENV)/.dev  ## rates of the diagnosis on the virtual test rig, half an hour on two cores
 	$(BIN)/python benchmarks/diagnosis.py --seed 20261130 --out docs/diagnosis-measured.md

@@ -130,12 +130,33 @@ class Criteria:
     #: A cause is not detectable if even a change of some frequency by this fraction would not have been seen.
     noticeable: float = 0.1
 
+    #: Explanations that are fitted again with other errors and priors, and how far from the best they may be: others
+    #: do not become the best.
+    contenders: int = 4
+    near: float = 60.0
+    #: Standard deviations by which two explanations have to differ at a pose for it to be worth measuring.
+    worth_measuring: float = 2.0
+
     # Notes -------------------------------------------------------------------------------------------------------
 
     #: Nuisances farther than this from their declared values are reported, in standard deviations.
     far: float = 3.0
     #: Stated errors that are wrong by more than this factor are reported.
     misstated: float = 3.0
+    #: Stated errors are too large if chance would make the residual so small less often.
+    too_small: float = 1e-4
+    #: Stated errors may be wrong if chi2 per degree of freedom lies between these; a larger residual is the model's.
+    dispersed: tuple[float, float] = (1.5, 100.0)
+    #: Gain of a candidate, per parameter and scaled by the residual's own size, that has no direction.
+    no_direction: float = 9.0
+    #: A residual goes with the pose if chance would share it out so unevenly less often.
+    uneven: float = 1e-3
+    #: Shapes whose MAC with each other is above this are one shape.
+    same_shape: float = 0.98
+    #: Channels are wired in another way if that reduces the squares of the shapes by the first factor; by the second
+    #: with the pairs as they are, for others to be tried.
+    rewired: float = 3.0
+    rewired_perhaps: float = 1.5
     #: Another unit is reported if it reduces the rms difference of the frequencies by this factor, to less than
     #: this difference.
     unit_gain: float = 4.0

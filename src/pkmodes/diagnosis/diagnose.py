@@ -173,10 +173,11 @@ def _insufficient(fitter: Fitter, report: Report) -> Diagnosis:
     store = FitStore(fitter)
     fit = store.fit(Hypothesis())  # the priors determine it, however few the data
     candidates = [candidate for candidate in fitter.structure.candidates if not candidate.remote]
-    p_value, hints = None, []
+    p_value, hints, contradicts = None, [], False
     if fit is not None:
         p_value = store.p_value(fit)
-        if p_value <= reasons.UNEVEN:
+        contradicts = p_value <= fitter.criteria.surely
+        if contradicts:
             search = Search(store, candidates)
             singles = search.additions.would_do()
             hints = [single.causes[0].name for single in singles[:HINTS]]
@@ -186,6 +187,7 @@ def _insufficient(fitter: Fitter, report: Report) -> Diagnosis:
         [fitter.parameters[i].name for i in fitter.nuisances],
         p_value,
         hints,
+        contradicts,
     )
     names = tuple(candidate.name for candidate in candidates)
     verdict: Verdict = "insufficient_data"

@@ -17,12 +17,6 @@ from pkmodes.measured.measurements import Measurements
 #: How many times too large frequencies are if they are in another unit than Hz.
 UNITS = {"rad/s": 2.0 * np.pi, "1/min": 60.0, "mHz": 1e3, "kHz": 1e-3, "degrees/s": 360.0}
 UNITS |= {f"{name}, converted the wrong way": 1.0 / UNITS[name] for name in ("rad/s", "1/min")}
-#: Shapes as alike as this are one shape.
-SAME = 0.98
-#: Wiring is changed where that reduces the squares of the shapes by this factor.
-FAR_BETTER = 3.0
-#: By how much they are reduced with the pairs as they are, for others to be tried.
-PERHAPS = 1.5
 
 
 def other_unit(fitter: Fitter) -> str:
@@ -65,11 +59,11 @@ def other_wiring(fitter: Fitter, fit: Fit) -> str:
     # The pairs stay as they are at first: that takes little time, and most measurements are wired well.
     found = {text: _squares(fitter, fit, data, fit.pairing) for text, data in _rewired(fitter.data)}
     text = min(found, key=found.__getitem__, default="")
-    if not text or found[text] * PERHAPS > here:
+    if not text or found[text] * fitter.criteria.rewired_perhaps > here:
         return ""
     found = {text: _squares(fitter, fit, data) for text, data in _rewired(fitter.data)}
     text = min(found, key=found.__getitem__)
-    return f"the shapes fit far better with {text}" if found[text] * FAR_BETTER < here else ""
+    return f"the shapes fit far better with {text}" if found[text] * fitter.criteria.rewired < here else ""
 
 
 def _rewired(data: Measurements) -> Iterator[tuple[str, Measurements]]:
@@ -95,8 +89,8 @@ def _squares(fitter: Fitter, fit: Fit, data: Measurements, pairing: Pairing | No
     return float(((rows.residual(fit.prediction, pairing, used) / rows.sigma) ** 2).sum())
 
 
-def all_alike(data: Measurements) -> tuple[str, ...]:
-    """Labels of setups whose shapes, three or more, are all the same."""
+def all_alike(data: Measurements, same: float) -> tuple[str, ...]:
+    """Labels of setups whose shapes, three or more, are all the same: their MAC with each other is above a limit."""
     found = []
     for setup, label in enumerate(data.labels):
         shapes = data.shapes[data.pose == setup]
@@ -105,7 +99,7 @@ def all_alike(data: Measurements) -> tuple[str, ...]:
         if len(some) < 3 or common.sum() < 2:
             continue
         size = np.linalg.norm(some, axis=1)
-        if (size > 0.0).all() and (np.abs(some @ some.T) / np.outer(size, size)).min() ** 2 > SAME:
+        if (size > 0.0).all() and (np.abs(some @ some.T) / np.outer(size, size)).min() ** 2 > same:
             found.append(label)
     return tuple(found)
 

@@ -11,9 +11,8 @@ from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.verdict.result import NextMeasurement
 
-#: Poses that are looked at, and the difference in standard deviations that makes a measurement worth while.
+#: Poses that are looked at.
 POSES = 80
-WORTH = 2.0
 
 
 def next_measurement(fitter: Fitter, contested: Sequence[tuple[str, Fit]]) -> NextMeasurement | None:
@@ -47,7 +46,7 @@ def next_measurement(fitter: Fitter, contested: Sequence[tuple[str, Fit]]) -> Ne
         if not np.isfinite(away).any():
             continue
         k = int(np.nanargmax(away))
-        if away[k] >= WORTH and (best is None or away[k] > best.sigmas):
+        if away[k] >= fitter.criteria.worth_measuring and (best is None or away[k] > best.sigmas):
             names = (contested[0][0], name)
             x, y, z = (float(c) for c in points[k])
             best = NextMeasurement((x, y, z), names, float(away[k]))

@@ -13,9 +13,6 @@ from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.search.unmeasured import never_measured
 from pkmodes.diagnosis.verdict.mistakes import all_alike
 
-#: Stated errors are remarkable if chance would make the residual so small less often.
-SMALL = 1e-4
-
 
 def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
     """Remarks on the data and on a fit.
@@ -40,7 +37,7 @@ def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
 
 def _shapes(store: FitStore, fit: Fit) -> Iterator[str]:
     data, c = store.fitter.data, store.fitter.criteria
-    alike = all_alike(data)
+    alike = all_alike(data, c.same_shape)
     if alike:
         yield f"all shapes of {_poses(alike)} are the same: shapes of different modes are not"
     scatter = store.shape_scatter(fit)
@@ -65,7 +62,7 @@ def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
     if degrees < 1.0:
         return
     ratio = (squares / degrees) ** 0.5
-    if ratio < 1.0 / c.misstated and stats.chi2.cdf(squares, degrees) < SMALL:
+    if ratio < 1.0 / c.misstated and stats.chi2.cdf(squares, degrees) < c.too_small:
         factor = f"{1.0 / ratio:.2g} times" if ratio > 1e-6 else "far"
         yield f"the stated errors of the frequencies are {factor} too large: what is left scatters much less"
     elif adequate and ratio > c.misstated:

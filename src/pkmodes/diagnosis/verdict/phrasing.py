@@ -9,11 +9,6 @@ from pkmodes.diagnosis.verdict import reasons
 from pkmodes.diagnosis.verdict.judgement import Judgement
 from pkmodes.diagnosis.verdict.report import Report, remains
 
-#: Factors between which stated errors may be wrong; a larger residual is the model's.
-DISPERSED = (1.5, 100.0)
-#: Gain of a candidate, per parameter and scaled by the residual's own size, that has no direction.
-NO_DIRECTION = 9.0
-
 
 def reason_of(report: Report, search: Search, outcome: Outcome, judged: Judgement) -> str:
     """Say why a verdict was given."""
@@ -38,4 +33,5 @@ def _dispersed(gate: Gate, fit: Fit, search: Search) -> bool:
     squares, degrees = search.store.frequency_misfit(fit)
     scale = squares / max(degrees, 1.0)
     most = max((s.gain / scale / max(len(s.candidate.parameters), 1) for s in gate.scores.each), default=0.0)
-    return bool(DISPERSED[0] < scale < DISPERSED[1] and most < NO_DIRECTION)
+    c = search.criteria
+    return bool(c.dispersed[0] < scale < c.dispersed[1] and most < c.no_direction)

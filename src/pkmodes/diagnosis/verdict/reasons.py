@@ -14,9 +14,6 @@ from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.search.gate import Gate
 from pkmodes.diagnosis.verdict.result import Finding
 
-#: A residual goes with the setup, or with the mode, if chance would share it out so unevenly less often.
-UNEVEN = 1e-3
-
 
 def noise(hypothesis: Hypothesis, scatter: float, lines: NDArray[np.int_]) -> str:
     """What was attributed to the measurements themselves."""
@@ -100,8 +97,8 @@ def unspecific(causes: Sequence[Candidate], others: Sequence[str], p_value: floa
     """Too few data to know it from anything else."""
     also = f" (and so would {', '.join(others)})" if others else ""
     return (
-        f"{_names(causes)} would explain the residual{also}, but with so few data one of the candidates would explain "
-        f"almost any ({_p(p_value)} by coincidence): measure more modes or poses"
+        f"{_names(causes)} would explain the residual{also}, but with so few data one of the candidates would "
+        f"explain almost any ({_p(p_value)} by coincidence): measure more modes or poses"
     )
 
 
@@ -180,7 +177,7 @@ def uneven(fitter: Fitter, fit: Fit) -> str:
     within = sum(float(((left[r] - m) ** 2).sum()) for r, m in zip(rows, means, strict=True))
     count = sum(map(len, rows))
     ratio = (between / (len(rows) - 1)) / max(within / (count - len(rows)), 1e-300)
-    if stats.f.sf(ratio, len(rows) - 1, count - len(rows)) > UNEVEN:
+    if stats.f.sf(ratio, len(rows) - 1, count - len(rows)) > fitter.criteria.uneven:
         return ""
     labels = [fitter.data.labels[fitter.data.pose[r[0]]] for r in rows]
     high, low = int(means.argmax()), int(means.argmin())
@@ -191,7 +188,12 @@ def uneven(fitter: Fitter, fit: Fit) -> str:
 
 
 def insufficient(
-    rows: int, shapes: int, uncertain: Sequence[str], p_value: float | None, hints: Sequence[str]
+    rows: int,
+    shapes: int,
+    uncertain: Sequence[str],
+    p_value: float | None,
+    hints: Sequence[str],
+    contradicts: bool,
 ) -> str:
     """Too few, and whether they contradict the model all the same."""
     modes = "1 measured mode" if rows == 1 else f"{rows} measured modes"
@@ -201,7 +203,7 @@ def insufficient(
     text = f"{modes} too few for {names}a cause, and one more to test it with"
     if p_value is None:
         return text
-    if p_value > UNEVEN:
+    if not contradicts:
         return (
             f"{text}; the declared model with its uncertain values does not contradict them ({_p(p_value)})"
         )

@@ -17,8 +17,6 @@ from pkmodes.diagnosis.verdict.result import Stability, Verdict
 
 #: What is changed: errors by the first factor, priors by the second.
 CHANGES = {"sigma x 0.5": (0.5, 1.0), "sigma x 2": (2.0, 1.0), "priors x 2": (1.0, 2.0)}
-#: Explanations that are fitted again, and how far from the best they may be: others do not become the best.
-CONTENDERS, NEAR = 4, 60.0
 
 
 @dataclass(frozen=True)
@@ -64,9 +62,9 @@ def _contenders(search: Search, final: Fit) -> list[Fit]:
         and not fit.at_bound
         and not any(cause.remote for cause in fit.causes)
         and {c.name for c in fit.causes} != {c.name for c in final.causes}
-        and store.criterion(fit) < store.criterion(final) + NEAR
+        and store.criterion(fit) < store.criterion(final) + search.criteria.near
     ]
-    best = sorted(rest, key=store.criterion)[:CONTENDERS]
+    best = sorted(rest, key=store.criterion)[: search.criteria.contenders]
     return [final, *best] if final.causes else best
 
 
