@@ -157,7 +157,7 @@ class Criteria:
     #: with the pairs as they are, for others to be tried.
     rewired: float = 3.0
     rewired_perhaps: float = 1.5
-    #: Another unit is reported if it reduces the rms difference of the frequencies by this factor, to less than
+    #: Another unit is reported if it reduces the median difference of the frequencies by this factor, to less than
     #: this difference.
     unit_gain: float = 4.0
-    unit_rms: float = 0.25
+    unit_difference: float = 0.15

@@ -119,10 +119,11 @@ class Fitter:
         rates = _averaged(prediction)
         found = rates[self.data.pose, np.maximum(pairing.partner, 0)]
         found = np.where(((pairing.partner >= 0) & used)[:, None], found, 0.0)
-        if not self.shapes.size:
-            return np.asarray(found)
-        shapes = self.shapes.rates(prediction, pairing, used)
-        return np.vstack([found, -shapes.reshape(self.shapes.size, found.shape[1])])
+        if self.shapes.size:
+            shapes = self.shapes.rates(prediction, pairing, used)
+            found = np.vstack([found, -shapes.reshape(self.shapes.size, found.shape[1])])
+        # A step may have led to a mode at 0 Hz, whose logarithm has no derivative.
+        return np.asarray(np.where(np.isfinite(found), found, 0.0))
 
     def chi2_of(self, values: Array, hypothesis: Hypothesis) -> float:
         """Sum of squares at these values, without any fit and priors; infinite out of reach."""

@@ -49,13 +49,13 @@ class Additions:
             to tell.
         """
         h, c, found = fit.hypothesis, self.criteria, []
-        if self._hopeless(fit):
+        enough = self._rows >= c.rows_to_set_aside
+        if enough and self._hopeless(fit):
             return []
         room = self.room(fit) and not any(cause.remote for cause in h.causes)
         if room and not h.scatter and self._setups >= 4 and self._rows >= 2 * self._setups:
             found.append(self.store.fit(replace(h, scatter=True), fit.values))
-        enough = self._rows >= c.rows_to_set_aside or rival
-        most = max(1, self._rows // c.rows_per_outlier) if enough else 0
+        most = max(1, self._rows // c.rows_per_outlier) if enough or rival else 0
         if (room or h.excluded) and len(h.excluded) < most:
             rows = np.abs(fit.residual[self.fitter.frequency_rows] / self.fitter.sigma)
             for row in np.argsort(rows)[::-1][:3]:

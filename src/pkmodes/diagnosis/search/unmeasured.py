@@ -61,20 +61,19 @@ def _visible(fitter: Fitter, fit: Fit) -> NDArray[np.bool_]:
 
 
 def p_unmeasured(fitter: Fitter, declared: Fit, fit: Fit) -> float:
-    """Probability that so many of the modes which a fit adds to those of the declared model were missed."""
-    before, after = (_by_setup(fitter, one) for one in (declared, fit))
-    base = fitter.noise.rows
-    unpaired = np.array([int((declared.pairing.partner[rows] < 0).sum()) for rows in base])
-    unpaired -= np.array([int((fit.pairing.partner[rows] < 0).sum()) for rows in base])
-    # Modes that the fit has and the declared model has not: those that nobody measured, and those that only the
-    # fit gives a partner to.
-    missed = max(int((after[1] - before[1]).sum()), 0)
-    added = missed + max(int(unpaired.sum()), 0)
-    added = max(added, int((after[0] - before[0]).sum()))
-    if missed == 0:
+    """Probability that so many of the modes which a fit adds to those of the declared model were missed.
+
+    A cause of whose modes most were measured needs no excuse for the others.  Where no sensor is known, modes may be
+    missed because they do not move any, and what their absence says counts half as much.
+    """
+    before, after = seen(fitter, declared), seen(fitter, fit)
+    missed = max(after.unmeasured - before.unmeasured, 0)
+    measured = max(after.modes - after.unmeasured - before.modes + before.unmeasured, 0)
+    if missed <= measured:
         return 1.0
-    total, lost = int(after[0].sum()) + 1, int(after[1].sum())
-    return float(stats.hypergeom.sf(missed - 1, total, lost, min(added, total)))
+    total = after.modes + 1  # and one that might have been there
+    p = float(stats.hypergeom.sf(missed - 1, total, after.unmeasured, min(missed + measured, total)))
+    return p if len(fitter.pairer.columns) else float(np.sqrt(p))
 
 
 def never_measured(fitter: Fitter, fit: Fit) -> list[tuple[float, float, int]]:

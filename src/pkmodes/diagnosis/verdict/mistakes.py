@@ -24,10 +24,10 @@ def other_unit(fitter: Fitter) -> str:
     declared = fitter.structure.predict(fitter.declared, ())
     if not np.isfinite(declared.eigenvalues).all():
         return ""
-    c, here = fitter.criteria, _rms(fitter, declared, 1.0)
-    found = {name: _rms(fitter, declared, factor) for name, factor in UNITS.items()}
+    c, here = fitter.criteria, _usual(fitter, declared, 1.0)
+    found = {name: _usual(fitter, declared, factor) for name, factor in UNITS.items()}
     name = min(found, key=found.__getitem__)
-    if found[name] > c.unit_rms or found[name] * c.unit_gain > here:
+    if found[name] > c.unit_difference or found[name] * c.unit_gain > here:
         return ""
     return (
         f"the frequencies look like {name}: divided by {UNITS[name]:.4g} they agree with the declared model to "
@@ -35,8 +35,8 @@ def other_unit(fitter: Fitter) -> str:
     )
 
 
-def _rms(fitter: Fitter, prediction: Prediction, factor: float) -> float:
-    """Root mean square difference of the frequencies, divided by a factor, and the model's."""
+def _usual(fitter: Fitter, prediction: Prediction, factor: float) -> float:
+    """Median difference of the frequencies, divided by a factor, and the model's, which may lack some modes."""
     data = fitter.data
     scaled = _changed(data, frequency=data.frequency / factor, sigma=data.sigma / factor, band=None)
     pairing = Pairer(scaled, fitter.structure.channels, prediction, fitter.criteria).pair(
@@ -45,7 +45,7 @@ def _rms(fitter: Fitter, prediction: Prediction, factor: float) -> float:
     reach = fitter.criteria.reach
     logs = prediction.log_frequencies[data.pose, np.maximum(pairing.partner, 0)]
     away = np.where(pairing.partner >= 0, np.log(scaled.frequency) - logs, reach)
-    return float(np.sqrt(np.mean(np.clip(away, -reach, reach) ** 2)))
+    return float(np.median(np.clip(np.abs(away), 0.0, reach)))
 
 
 def other_wiring(fitter: Fitter, fit: Fit) -> str:
