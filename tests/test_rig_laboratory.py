@@ -141,7 +141,7 @@ def column(rows: list[dict[str, str]], name: str) -> np.ndarray:
     [
         ("rad/s for Hz", ("frequency", "sigma"), 2 * np.pi),
         ("rpm for Hz", ("frequency", "sigma"), 60.0),
-        ("sigma far too large", ("sigma",), 250.0),
+        ("sigma far too large", ("sigma",), 100.0),
         ("sigma far too small", ("sigma",), 0.1),
     ],
 )
