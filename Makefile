@@ -46,8 +46,8 @@ benchmark: $(VENV)/.dev
 	$(BIN)/python benchmarks/evaluation.py
 	$(BIN)/python benchmarks/many_rows.py
 
-suites: $(VENV)/.dev  ## rates of the diagnosis on the virtual test rig, half an hour on two cores
-	$(BIN)/python benchmarks/diagnosis.py --seed 20261130 --out docs/diagnosis-measured.md
+suites: $(VENV)/.dev  ## rates of the diagnosis on the virtual test rig, twenty minutes on two cores
+	$(BIN)/python benchmarks/diagnosis.py --seed 20261201 --out docs/diagnosis-measured.md
 
 clean:
 	rm -rf $(VENV) build
