@@ -26,7 +26,6 @@ from pkmodes.closing.structure import CHANNELS
 from pkmodes.diagnosis.diagnose import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
 from pkmodes.robot.effects import CATALOGUE
@@ -40,9 +39,7 @@ from rig import (
     Identified,
     TrueModes,
     exact,
-    joined,
     measure_modes,
-    parsed,
     read,
     true_modes,
     written,
@@ -110,16 +107,7 @@ def measurements(text: str, channels: Sequence[str] = CHANNELS) -> Measurements:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "modes.csv"
         path.write_text(text, encoding="utf-8")
-        try:
-            return read_measurements(path, channels)
-        except MeasurementError as error:
-            # Readers older than this column: what it says is left out.  To be deleted with the last of them.
-            if 'unknown column "sigma_shape"' not in error.what:
-                raise
-            comments, rows = parsed(text)
-            left = [{name: cell for name, cell in row.items() if name != "sigma_shape"} for row in rows]
-            path.write_text(joined(comments, left), encoding="utf-8")
-            return read_measurements(path, channels)
+        return read_measurements(path, channels)
 
 
 def signal(

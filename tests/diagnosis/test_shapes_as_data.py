@@ -70,10 +70,12 @@ def test_the_mac_is_what_the_residual_leaves_of_a_shape() -> None:
     measured[0, 2] = np.nan
     frequency = np.array([10.0, 20.0])
     data = rows(measured, frequency, None)
-    found = data.mac(data.residual(*paired(model, frequency)))
+    left = data.residual(*paired(model, frequency))
     for k, seen in enumerate(np.isfinite(measured)):
         a, b = model[k, seen], measured[k, seen]
-        assert found[k] == pytest.approx((a @ b) ** 2 / (a @ a) / (b @ b))
+        assert 1.0 - (left[k] ** 2).sum() / ((b / np.abs(b).max()) ** 2).sum() == pytest.approx(
+            (a @ b) ** 2 / (a @ a) / (b @ b)
+        )
 
 
 def chain(values: dict[str, float], _: str) -> tuple[np.ndarray, np.ndarray]:
@@ -185,7 +187,7 @@ def test_shapes_tell_causes_apart_that_explain_the_frequencies_alike() -> None:
     shapes = vectors.T + 0.01 * rng.standard_normal((5, 5))
     columns = {f"x{i}": shapes[:, i] for i in range(5)}
     without = diagnose(structure, Measurements.from_rows(["rig"] * 5, f, 0.002 * f), holdout=())
-    assert [set(e.members) for e in without.effects] in ([{"a", "b"}], [])
+    assert without.verdict != "effect_found" or set(without.effects[0].members) == {"a", "b"}
     found = diagnose(structure, Measurements.from_rows(["rig"] * 5, f, 0.002 * f, shapes=columns), holdout=())
     assert [e.members for e in found.effects] == [("b",)]
     relative = 0.01 / np.abs(vectors).max(axis=0)

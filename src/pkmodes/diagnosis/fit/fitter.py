@@ -99,17 +99,9 @@ class Fitter:
 
     # Predictions -------------------------------------------------------------------------------------------
 
-    def frequency_residual(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
-        """Measured minus model in ln f; a mode that the model lacks counts with the reach of the pairing."""
-        reach = self.criteria.reach
-        logs = prediction.log_frequencies[self.data.pose, np.maximum(pairing.partner, 0)]
-        found = np.clip(self.log - logs, -reach, reach)
-        found = np.where(pairing.partner >= 0, found, reach)
-        return np.where(used, found, 0.0)
-
     def residual(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
         """Measured minus model: frequencies and shapes, (R + R C,)."""
-        frequencies = self.frequency_residual(prediction, pairing, used)
+        frequencies = np.where(used, self.pairer.differences(prediction, pairing), 0.0)
         if not self.shapes.size:
             return frequencies
         return np.concatenate([frequencies, self.shapes.residual(prediction, pairing, used).ravel()])
@@ -159,10 +151,7 @@ class Fitter:
         pairer, shapes = self._repeated(len(values))
         used = np.tile(self.used(hypothesis), len(values))
         pairing = pairer.pair(prediction, used, compare=False)
-        reach = self.criteria.reach
-        logs = prediction.log_frequencies[pairer.pose, np.maximum(pairing.partner, 0)]
-        found = np.clip(np.tile(self.log, len(values)) - logs, -reach, reach)
-        found = np.where(used, np.where(pairing.partner >= 0, found, reach), 0.0) / np.tile(
+        found = np.where(used, pairer.differences(prediction, pairing), 0.0) / np.tile(
             self.sigma, len(values)
         )
         left = (found**2).reshape(len(values), -1).sum(axis=1)

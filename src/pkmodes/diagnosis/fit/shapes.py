@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.match.mac import space
-from pkmodes.diagnosis.match.pairing import Pairing, unmeasured_neighbours
+from pkmodes.diagnosis.match.pairing import Pairing, crowded, unmeasured_neighbours
 from pkmodes.diagnosis.problem import Array, Prediction
 from pkmodes.measured.measurements import Measurements
 
@@ -81,22 +81,18 @@ class ShapeRows:
     def _crowd(self, data: Measurements, mixed: float) -> None:
         """Find the rows that are compared with several modes at once, and the rows of these modes."""
         log = np.log(data.frequency)
-        order = np.lexsort((log, data.pose))
-        near = (np.diff(log[order]) < mixed) & (np.diff(data.pose[order]) == 0)
-        crowded = np.unique(np.concatenate([order[:-1][near], order[1:][near]]))
-        mates = [
-            np.flatnonzero((data.pose == data.pose[i]) & (np.abs(log - log[i]) < mixed)) for i in crowded
-        ]
+        rows = crowded(data.pose, log, mixed)
+        mates = [np.flatnonzero((data.pose == data.pose[i]) & (np.abs(log - log[i]) < mixed)) for i in rows]
         # As many modes as components would explain any shape: such a row says nothing.
-        kept = [k for k, i in enumerate(crowded) if self.known[i] and len(mates[k]) <= self.count[i]]
-        silent = np.setdiff1d(crowded, crowded[kept])
+        kept = [k for k, i in enumerate(rows) if self.known[i] and len(mates[k]) <= self.count[i]]
+        silent = np.setdiff1d(rows, rows[kept])
         self.known[silent], self.count[silent], self._shapes[silent] = False, 0, 0.0
         most = max((len(mates[k]) for k in kept), default=1)
         self._mates = np.full((len(log), most), -1, dtype=np.intp)
         self._mates[:, 0] = np.arange(len(log))
         for k in kept:
-            self._mates[crowded[k], : len(mates[k])] = mates[k]
-            self.count[crowded[k]] -= len(mates[k]) - 1
+            self._mates[rows[k], : len(mates[k])] = mates[k]
+            self.count[rows[k]] -= len(mates[k]) - 1
 
     @property
     def size(self) -> int:
@@ -127,12 +123,6 @@ class ShapeRows:
     def degrees(self, used: NDArray[np.bool_]) -> int:
         """Values that the shapes of the rows in use add to the data."""
         return int(self.count[used].sum())
-
-    def mac(self, residual: Array) -> Array:
-        """Modal assurance criterion of each row by its residual; NaN where no shape is known, (R,)."""
-        whole = (self._shapes**2).sum(axis=1)
-        with np.errstate(invalid="ignore", divide="ignore"):
-            return np.asarray(np.where(self.known, 1.0 - (residual**2).sum(axis=1) / whole, np.nan))
 
     def _projected(
         self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]

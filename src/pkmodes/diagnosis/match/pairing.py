@@ -84,10 +84,7 @@ class Pairer:
         self._row = np.full((setups, int(place.max(initial=-1)) + 1), -1, dtype=np.intp)
         self._row[data.pose, place] = np.arange(len(order))
         self._place = place
-        inside = np.lexsort((self._log, data.pose))
-        near = (np.diff(self._log[inside]) < self._criteria.mixed) & (np.diff(data.pose[inside]) == 0)
-        #: Rows with another row of their setup nearby.
-        self._crowded = np.unique(np.concatenate([inside[:-1][near], inside[1:][near]]))
+        self._crowded = crowded(data.pose, self._log, self._criteria.mixed)
 
     def pair(self, prediction: Prediction, used: NDArray[np.bool_], *, compare: bool = True) -> Pairing:
         """Pair the rows in use; the others are left without a partner.
@@ -131,6 +128,12 @@ class Pairer:
             beside = np.where(beside >= 0, beside - rigid, -1)
             values = self._compared(found - rigid, beside, alone, shapes, model, measured)
         return Pairing(found, values)
+
+    def differences(self, prediction: Prediction, pairing: Pairing) -> Array:
+        """Measured minus model in ln f, (R,); a mode that the model lacks counts with the reach of the pairing."""
+        reach = self._criteria.reach
+        logs = prediction.log_frequencies[self.pose, np.maximum(pairing.partner, 0)]
+        return np.asarray(np.where(pairing.partner >= 0, np.clip(self._log - logs, -reach, reach), reach))
 
     def _shapes(self, prediction: Prediction) -> tuple[Array, Array, NDArray[np.bool_]]:
         """Shapes of the rows of each setup, and of its modes, in units of what each channel moves."""
@@ -218,6 +221,22 @@ class Pairer:
             )
             found[i] = np.where(members.sum(axis=1) > 1, inside, found[i])
         return found
+
+
+def crowded(pose: Index, log: Array, mixed: float) -> Index:
+    """Rows with another row of their setup nearby.
+
+    Parameters
+    ----------
+    pose : ndarray of int, shape (R,)
+    log : ndarray, shape (R,)
+        Logarithms of the measured frequencies.
+    mixed : float
+        Differences below this are near.
+    """
+    order = np.lexsort((log, pose))
+    near = (np.diff(log[order]) < mixed) & (np.diff(pose[order]) == 0)
+    return np.unique(np.concatenate([order[:-1][near], order[1:][near]]))
 
 
 def unmeasured_neighbours(prediction: Prediction, partner: Index, pose: Index, close: float) -> Index:

@@ -39,13 +39,9 @@ def _usual(fitter: Fitter, prediction: Prediction, factor: float) -> float:
     """Median difference of the frequencies, divided by a factor, and the model's, which may lack some modes."""
     data = fitter.data
     scaled = _changed(data, frequency=data.frequency / factor, sigma=data.sigma / factor, band=None)
-    pairing = Pairer(scaled, fitter.structure.channels, prediction, fitter.criteria).pair(
-        prediction, np.ones(len(data.frequency), dtype=bool), compare=False
-    )
-    reach = fitter.criteria.reach
-    logs = prediction.log_frequencies[data.pose, np.maximum(pairing.partner, 0)]
-    away = np.where(pairing.partner >= 0, np.log(scaled.frequency) - logs, reach)
-    return float(np.median(np.clip(np.abs(away), 0.0, reach)))
+    pairer = Pairer(scaled, fitter.structure.channels, prediction, fitter.criteria)
+    pairing = pairer.pair(prediction, np.ones(len(data.frequency), dtype=bool), compare=False)
+    return float(np.median(np.abs(pairer.differences(prediction, pairing))))
 
 
 def other_wiring(fitter: Fitter, fit: Fit) -> str:
