@@ -103,16 +103,13 @@ class RobotStructure:
         if not of_frame:
             return found
         # What moves the frame moves all poses, each by what it is away from the frame's origin.
-        points = self.points
-        rates = [frame.rate(name, points, self._frame(values)) for name in of_frame]
-        mix = np.zeros((len(points), len(paths) + 3, len(by)))
-        plain = iter(range(len(paths)))
-        shifts = iter(rates)
+        known = {path.path: k for k, path in enumerate(paths)}
+        mix = np.zeros((len(self.points), len(paths) + len(SHIFTS), len(by)))
         for column, name in enumerate(names):
-            if name in self._moves:
-                mix[:, next(plain), column] = 1.0
+            if name in known:
+                mix[:, known[name], column] = 1.0
             else:
-                mix[:, len(paths) :, column] = next(shifts)
+                mix[:, len(paths) :, column] = frame.rate(name, self.points, self._frame(values))
         along = None if found.shape_rates is None else found.shape_rates @ mix[:, None]
         return replace(found, rates=found.rates @ mix, shape_rates=along)
 

@@ -16,7 +16,6 @@ from scipy import stats
 
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
-from pkmodes.diagnosis.problem import Array
 
 
 class Seen(NamedTuple):
@@ -28,26 +27,20 @@ class Seen(NamedTuple):
 
 def seen(fitter: Fitter, fit: Fit) -> Seen:
     """Count the modes of a fit between the lowest and highest measured ones of each setup."""
-    return Seen(*(int(column.sum()) for column in _by_setup(fitter, fit)))
-
-
-def _by_setup(fitter: Fitter, fit: Fit) -> tuple[Array, Array]:
     margin, logs = fitter.criteria.margin, fit.prediction.log_frequencies
     used, visible = fitter.used(fit.hypothesis), _visible(fitter, fit)
-    modes, unmeasured = np.zeros(len(logs)), np.zeros(len(logs))
+    paired, unmeasured = int((fit.pairing.partner >= 0).sum()), 0
     for setup, rows in enumerate(fitter.noise.rows):
         if not len(rows):
             continue
         # A test may have stopped after the highest, whatever its band: what lies above says nothing.
         low, high = fitter.log[rows].min() + margin, fitter.log[rows].max() - margin
-        partners = fit.pairing.partner[rows]
         between = np.flatnonzero((logs[setup] > low) & (logs[setup] < high) & visible[setup])
         between = between[between >= fit.prediction.rigid]
-        free = between[~np.isin(between, partners)]
+        free = between[~np.isin(between, fit.pairing.partner[rows])]
         # An excluded row may be one of them.
-        unmeasured[setup] = max(len(free) - int((~used[rows]).sum()), 0)
-        modes[setup] = unmeasured[setup] + int((partners >= 0).sum())
-    return modes, unmeasured
+        unmeasured += max(len(free) - int((~used[rows]).sum()), 0)
+    return Seen(paired + unmeasured, unmeasured)
 
 
 def _visible(fitter: Fitter, fit: Fit) -> NDArray[np.bool_]:
