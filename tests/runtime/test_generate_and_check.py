@@ -32,20 +32,6 @@ from robot_text import PUBLISHED, published
 MODULE = "linear_delta_2022.py"
 
 
-@pytest.fixture(scope="module")
-def pristine(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A robot file and its generated model, to be copied and spoilt."""
-    folder = tmp_path_factory.mktemp("pristine")
-    (folder / "robot.toml").write_text(published(), encoding="utf-8")
-    assert run(["generate", str(folder / "robot.toml"), "--out", str(folder / "model")]) == 0
-    return folder
-
-
-@pytest.fixture
-def copy(pristine: Path, tmp_path: Path) -> Path:
-    return Path(shutil.copytree(pristine, tmp_path / "copy"))
-
-
 def check(folder: Path, capsys: pytest.CaptureFixture[str]) -> tuple[int, str]:
     capsys.readouterr()
     code = run(["check", str(folder / "model")])

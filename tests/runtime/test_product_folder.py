@@ -27,19 +27,6 @@ MODULE = "linear_delta_2022.py"
 EFFECTS = '\n[effects.frame_compliance]\ncompliance = "1e-7 m/N"\n\n[effects.payload]\nmass = "0.35 kg"\n'
 
 
-@pytest.fixture(scope="module")
-def pristine(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("pristine")
-    (folder / "robot.toml").write_text(published(), encoding="utf-8")
-    assert run(["generate", str(folder / "robot.toml"), "--out", str(folder / "model")]) == 0
-    return folder
-
-
-@pytest.fixture
-def copy(pristine: Path, tmp_path: Path) -> Path:
-    return Path(shutil.copytree(pristine, tmp_path / "copy"))
-
-
 @pytest.fixture
 def vendored(copy: Path) -> Path:
     """The model in a place of its own, without the robot file."""

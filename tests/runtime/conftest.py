@@ -1,0 +1,25 @@
+"""A generated model that several files copy and spoil."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from pkmodes.cli import run
+from robot_text import published
+
+
+@pytest.fixture(scope="module")
+def pristine(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A robot file and its generated model, to be copied and spoilt."""
+    folder = tmp_path_factory.mktemp("pristine")
+    (folder / "robot.toml").write_text(published(), encoding="utf-8")
+    assert run(["generate", str(folder / "robot.toml"), "--out", str(folder / "model")]) == 0
+    return folder
+
+
+@pytest.fixture
+def copy(pristine: Path, tmp_path: Path) -> Path:
+    return Path(shutil.copytree(pristine, tmp_path / "copy"))
