@@ -13,7 +13,7 @@ import numpy as np
 from scipy.linalg import eigh
 
 from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, Prediction
-from pkmodes.diagnosis.problem import Structure
+from pkmodes.diagnosis.problem import Batch, Structure, one_by_one
 
 
 class LogLinear:
@@ -50,6 +50,11 @@ class LogLinear:
         shapes = np.broadcast_to(np.eye(self.base.shape[1]), (len(self.base), *[self.base.shape[1]] * 2))
         along = np.zeros((*shapes.shape, len(by))) if shape_rates else None
         return Prediction(eigenvalues, rates, shapes, 0, along)
+
+    def predict_many(
+        self, values: np.ndarray, by: Sequence[Sequence[int]], *, shape_rates: bool = False
+    ) -> list[Batch]:
+        return one_by_one(self, values, by, shape_rates=shape_rates)
 
     def subset(self, setups: Sequence[int]) -> LogLinear:
         chosen = list(setups)

@@ -6,8 +6,9 @@ base model evaluates the robot.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from typing import Protocol
+import copy
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -86,16 +87,19 @@ class SystemOfEffects:
 
     Attributes
     ----------
+    parameters, effects : Parameters and Effects
+        Of the generated model.
     free : ndarray of int, shape (n,)
         Coordinates that are not locked, in the extended model.
     joints, joint_rates : ndarray, shape (e,)
         Stiffnesses of the released joints, and their derivatives by the compliances, zero where there is none.
+        Of several robots (`stacked`), (N, e) for their N poses.
     """
 
     def __init__(self, parameters: Parameters, effects: Mapping[str, float]) -> None:
         from pkmodes_generated.linear_delta import extended
 
-        self._generated, self._parameters = extended, parameters
+        self._generated, self.parameters = extended, parameters
         shared, single = _told_apart(effects)
         self.effects = extended.Effects(**shared)
         base = len(generated.COORDINATES)
@@ -110,10 +114,31 @@ class SystemOfEffects:
         self.joints = np.concatenate([np.zeros(base), np.where(free, stiffness, 0.0)])
         self.joint_rates = np.concatenate([np.zeros(base), np.where(free, rates, 0.0)])
 
+    @classmethod
+    def stacked(cls, systems: Sequence[SystemOfEffects], count: int) -> SystemOfEffects:
+        """Several robots as one, to be evaluated at as many poses for each, those of the first robot first.
+
+        Parameters
+        ----------
+        systems : sequence of SystemOfEffects
+            With the same free coordinates.
+        count : int
+            Poses of each.
+        """
+        first = systems[0]
+        if len(systems) == 1:
+            return first
+        found = copy.copy(first)
+        found.parameters = first.parameters._replace(**_different([s.parameters for s in systems], count))
+        found.effects = first.effects._replace(**_different([s.effects for s in systems], count))
+        found.joints = np.repeat([s.joints for s in systems], count, axis=0)
+        found.joint_rates = np.repeat([s.joint_rates for s in systems], count, axis=0)
+        return found
+
     def all_coordinates(self, p: Array) -> tuple[Array, Array]:
         """M and K in all coordinates, each (N, e, e); locked joints are free in them, without a spring."""
         M, K = self.without_springs(p)
-        diagonal = np.arange(len(self.joints))
+        diagonal = np.arange(K.shape[-1])
         K[..., diagonal, diagonal] += self.joints
         return M, K
 
@@ -141,8 +166,8 @@ class SystemOfEffects:
     def _single(self, function: Callable[..., tuple[Array, ...]], p: Array) -> tuple[Array, ...]:
         """One pose is evaluated in numbers, which is several times faster than in arrays of one."""
         if p.shape == (1, 3):
-            return tuple(found[None] for found in function(p[0], self._parameters, self.effects))
-        return function(p, self._parameters, self.effects)
+            return tuple(found[None] for found in function(p[0], self.parameters, self.effects))
+        return function(p, self.parameters, self.effects)
 
 
 class ExtendedEvaluation:
@@ -201,6 +226,16 @@ def active_effects(effects: Mapping[str, float]) -> tuple[str, ...]:
         for name, *_, described in extended.EFFECTS
         if any(fitted and f"{name}.{parameter}" in present for parameter, *_, fitted in described)
     )
+
+
+def _different(sets: Sequence[tuple[Any, ...]], count: int) -> dict[str, Array]:
+    """Fields in which named tuples of numbers differ, with an axis in front that repeats each so many times."""
+    found = {}
+    for name in sets[0]._fields:  # type: ignore[attr-defined]
+        values = np.array([getattr(one, name) for one in sets], dtype=float)
+        if (values != values[0]).any():
+            found[name] = np.repeat(values, count, axis=0)
+    return found
 
 
 def _told_apart(effects: Mapping[str, float]) -> tuple[dict[str, float], list[tuple[str, str, float]]]:

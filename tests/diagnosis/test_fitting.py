@@ -351,7 +351,7 @@ def test_a_repeated_frequency_moves_by_the_mean_of_its_two_modes() -> None:
     fitter = Fitter(pair, data)
     prediction = pair.predict(np.zeros(2), (0, 1))
     pairing = fitter.pairer.pair(prediction, np.ones(2, dtype=bool))
-    assert fitter.rates(prediction, pairing, np.ones(2, dtype=bool)) == pytest.approx(
+    assert fitter.rows.rates(prediction, pairing, np.ones(2, dtype=bool)) == pytest.approx(
         np.array([[0.5, 0.25], [0.5, 0.25]]) / 100.0
     )
     found = fitter.fit(Hypothesis((pair.candidates[0],)), np.array([0.0, 0.1]))

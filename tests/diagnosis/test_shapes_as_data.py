@@ -110,18 +110,20 @@ def test_derivatives_of_the_residual_are_those_of_differences() -> None:
     fitter = Fitter(structure, data)
     used, by = np.ones(4, dtype=bool), (0, 1, 2, 4)
     pairing = fitter.pairer.pair(structure.predict(fitter.declared, ()), used)
-    rates = fitter.rates(structure.predict(fitter.declared, by, shape_rates=True), pairing, used)
+    rates = fitter.rows.rates(structure.predict(fitter.declared, by, shape_rates=True), pairing, used)
     for column, i in enumerate(by):
         step = 1e-5 * fitter.declared[i]
         there, back = fitter.declared.copy(), fitter.declared.copy()
         there[i] += step
         back[i] -= step
-        difference = fitter.residual(structure.predict(there, ()), pairing, used)
-        difference = (difference - fitter.residual(structure.predict(back, ()), pairing, used)) / (2 * step)
+        difference = fitter.rows.residual(structure.predict(there, ()), pairing, used)
+        difference = (difference - fitter.rows.residual(structure.predict(back, ()), pairing, used)) / (
+            2 * step
+        )
         # The derivative with the model's shape held in its own direction: what is along it is not fitted.
         frequency = fitter.frequency_rows
         assert -rates[frequency, column] == pytest.approx(difference[frequency], rel=1e-6)
-        residual = fitter.residual(structure.predict(fitter.declared, ()), pairing, used)
+        residual = fitter.rows.residual(structure.predict(fitter.declared, ()), pairing, used)
         exact = difference[fitter.shape_rows] @ residual[fitter.shape_rows]
         assert -rates[fitter.shape_rows, column] @ residual[fitter.shape_rows] == pytest.approx(
             exact, rel=1e-4

@@ -14,6 +14,7 @@ from mpmath import cholesky, eigsy, matrix, mpf, workdps
 
 import pkmodes
 from pkmodes.evaluation import SystemOfEffects
+from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.sensitivity.paths import ParameterPath, moved, paths, resolve
 from pkmodes.sensitivity.sensitivities import TOGETHER, Sensitivities
@@ -108,6 +109,10 @@ class Case:
 @cache
 def case(name: str) -> Case:
     return Case(name)
+
+
+def system_of(robot: Robot) -> SystemOfEffects:
+    return SystemOfEffects(robot.parameters, robot.effects)
 
 
 def assert_matrices(case: Case, i: int, t: slice, expected: Rates, relative: float, rounding: Array) -> None:
@@ -307,7 +312,7 @@ def test_shapes_of_a_group_belong_to_those_of_modes(name: str) -> None:
 @pytest.mark.parametrize("name", CASES)
 def test_eigenvalues_alone_are_those_of_the_whole(name: str) -> None:
     it = case(name)
-    derivatives = MatrixDerivatives(it.robot, it.poses, it.moves)
+    derivatives = MatrixDerivatives(system_of(it.robot), it.poses, [it.moves])
     values, shapes = (
         np.array([getattr(pose, field) for pose in it.here]) for field in ("eigenvalues", "shapes")
     )
@@ -326,7 +331,7 @@ def test_moving_all_joints_is_moving_the_platform(name: str) -> None:
     it, step = case(name), 1e-5
     for k in range(3):
         shift = ParameterPath("pose", 0.0, "m", {("joint", (j, k)): 1.0 for j in range(3)})
-        derivatives = MatrixDerivatives(it.robot, it.poses[:1], [shift])
+        derivatives = MatrixDerivatives(system_of(it.robot), it.poses[:1], [[shift]])
         pose = it.here[0]
         found = derivatives.eigenvalues(pose.eigenvalues[None], pose.shapes[None])[0, :, 0]
         unit, difference = np.eye(3)[k], np.zeros(len(found))
@@ -364,9 +369,7 @@ def test_a_joints_compliance_is_nan_in_the_matrices_only_while_it_is_locked() ->
 def test_compliances_from_zero_equal_stiff_joints_in_high_precision(name: str, joint: str) -> None:
     """With 60 digits the joint can be so stiff that its compliance is a step of a difference."""
     it, i = case(name), len(case(name).here) - 1
-    M, K = (
-        whole[i] for whole in SystemOfEffects(it.robot.parameters, it.robot.effects).all_coordinates(it.poses)
-    )
+    M, K = (whole[i] for whole in system_of(it.robot).all_coordinates(it.poses))
     kept = [*range(9), *(extended.COORDINATES.index(q) for q in JOINTS[joint])]
     c = 1e-15 * it.typical[joint]
     with workdps(60):

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pkmodes.diagnosis.problem import Array, Candidate, Parameter, Prediction, Structure
+from pkmodes.diagnosis.problem import Array, Batch, Candidate, Parameter, Prediction, Structure, one_by_one
 from pkmodes.diagnosis.structure.massless import UnstableError, UnusableError
 from pkmodes.diagnosis.structure.modes import Modes, lowest_modes, modes_below
 from pkmodes.diagnosis.structure.names import check_callables, check_candidate, check_names, check_parameter
@@ -185,6 +185,12 @@ class MatrixStructure:
                 found = rates_of_shapes(one.pair, one.modes, count, forces, inertial)
                 moved[k] = np.moveaxis(self._measured(np.moveaxis(found, 2, 1)), 1, 2)
         return Prediction(eigenvalues, rates, shapes, self.rigid, moved)
+
+    def predict_many(
+        self, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
+    ) -> list[Batch]:
+        """The same for several sets of values, one by one: each is a problem for LAPACK or ARPACK anyhow."""
+        return one_by_one(self, values, by, shape_rates=shape_rates)
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> None:
         """Setups have no position."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -115,6 +115,21 @@ class Prediction:
         return found
 
 
+class Batch(NamedTuple):
+    """Modes for several sets of values of the parameters, evaluated together.
+
+    Attributes
+    ----------
+    sets : ndarray of int, shape (B,)
+        Which of the sets.
+    prediction : Prediction
+        Of B times S setups, those of the first set first; zeros for derivatives that a set has less than others.
+    """
+
+    sets: NDArray[np.intp]
+    prediction: Prediction
+
+
 class Structure(Protocol):
     """A model to be diagnosed.
 
@@ -126,9 +141,6 @@ class Structure(Protocol):
         Names of the shape components that the model predicts.
     channel_units : tuple of str
         Their units: components of one unit are measured equally well.
-
-    A structure may also have ``predict_many(values) -> Prediction | None``, with values (B, parameters): modes of B
-    times S setups without derivatives, all at once, which saves time where causes are tried in several sizes.
     """
 
     @property
@@ -150,6 +162,14 @@ class Structure(Protocol):
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
         """Modes for these values of all parameters, with derivatives with respect to some of them (indices)."""
 
+    def predict_many(
+        self, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
+    ) -> Sequence[Batch]:
+        """The same for several sets of values, (B, parameters), each with derivatives of its own.
+
+        Sets that can be evaluated together are one batch, which saves time where the modes themselves take little.
+        """
+
     def subset(self, setups: Sequence[int]) -> Structure:
         """The same structure at some of its setups."""
 
@@ -158,3 +178,12 @@ class Structure(Protocol):
 
     def elsewhere(self, count: int) -> tuple[Array, Structure] | None:
         """Points (count, 3) where the structure could be measured as well, and the structure at these setups."""
+
+
+def one_by_one(
+    structure: Structure, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
+) -> list[Batch]:
+    """What `Structure.predict_many` gives where each set of values is a batch of its own."""
+    sets = zip(values, by, strict=True)
+    found = [structure.predict(one, some, shape_rates=shape_rates) for one, some in sets]
+    return [Batch(np.array([k]), prediction) for k, prediction in enumerate(found)]

@@ -229,27 +229,6 @@ class Measurements(Columns):
             band=self.band,
         )
 
-    def repeated(self, count: int) -> Measurements:
-        """The same measurements several times over, as those of other poses: all of the first copy first."""
-        poses = len(self.labels)
-        return Measurements(
-            source=self.source,
-            labels=tuple(f"{label} ({k})" for k in range(count) for label in self.labels),
-            points=np.tile(self.points, (count, 1)),
-            point_sigma=np.tile(self.point_sigma, (count, 1)),
-            pose=np.concatenate([self.pose + k * poses for k in range(count)]),
-            frequency=np.tile(self.frequency, count),
-            sigma=np.tile(self.sigma, count),
-            damping=np.tile(self.damping, count),
-            mode=self.mode * count,
-            lines=np.tile(self.lines, count),
-            channels=self.channels,
-            shapes=np.tile(self.shapes, (count, 1)),
-            shape_sigma=np.tile(self.shape_sigma, count),
-            damping_sigma=np.tile(self.damping_sigma, count),
-            band=self.band,
-        )
-
 
 def _by_name(shapes: Mapping[str, ArrayLike] | None, source: str) -> Mapping[str, ArrayLike]:
     if shapes is None:

@@ -18,7 +18,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.evaluation import SystemOfEffects
-from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.paths import ParameterPath, Slot
 from pkmodes_generated.linear_delta import extended
 
@@ -82,16 +81,33 @@ def _joints() -> dict[Slot, tuple[int, ...]]:
     return found
 
 
+def locked_joints(
+    system: SystemOfEffects, paths: Sequence[ParameterPath]
+) -> dict[int, list[tuple[tuple[int, ...], float]]]:
+    """Locked joints that paths would release: by the number of the path, their coordinates and weights."""
+    free = set(system.free)
+    found: dict[int, list[tuple[tuple[int, ...], float]]] = {}
+    for t, path in enumerate(paths):
+        for slot, weight in path.weights.items():
+            place = tuple(q for q in _joints().get(slot, ()) if q not in free)
+            if place:
+                found.setdefault(t, []).append((place, weight))
+    return found
+
+
 class MatrixDerivatives:
     """Matrices of a robot at some poses, and how they change along parameter paths.
 
+    Several robots that have the same free coordinates may be evaluated together.
+
     Parameters
     ----------
-    robot : Robot
+    system : SystemOfEffects
+        Of B robots, at N / B poses each.
     p : ndarray, shape (N, 3)
-        Platform centres that can be evaluated [m].
-    paths : sequence of ParameterPath
-        T of them.
+        Platform centres that can be evaluated [m], those of the first robot first.
+    paths : sequence of sequence of ParameterPath, length B
+        T of them for each robot.
     matrices : tuple of ndarray, optional
         M and K in all coordinates, where they were evaluated already.
 
@@ -102,42 +118,40 @@ class MatrixDerivatives:
     free : ndarray of int, shape (n,)
         The coordinates that are not locked.
     locked : tuple of int
-        Those of the paths that are compliances of locked joints.
+        Those of the paths that are compliances of locked joints; there may be such with one robot only.
     """
 
     def __init__(
         self,
-        robot: Robot,
+        system: SystemOfEffects,
         p: Array,
-        paths: Sequence[ParameterPath],
+        paths: Sequence[Sequence[ParameterPath]],
         matrices: tuple[Array, Array] | None = None,
     ) -> None:
-        self._system = system = SystemOfEffects(robot.parameters, robot.effects)
-        self._p = p
+        self._system, self._p = system, p
         self.free = system.free
         self.M, self.K = system.all_coordinates(p) if matrices is None else matrices
-        self._paths = tuple(paths)
-        free = set(system.free)
-        locked = {slot: tuple(q for q in place if q not in free) for slot, place in _joints().items()}
-        self._locked = {
-            t: [(locked[slot], weight) for slot, weight in path.weights.items() if locked.get(slot)]
-            for t, path in enumerate(paths)
-        }
-        self.locked = tuple(t for t, joints in self._locked.items() if joints)
-        rates = system.joint_rates
-        self._springs = np.zeros((len(paths), self.M.shape[-1]))
-        slots, along = _slots(), np.zeros((len(_slots()), len(paths)))
-        for t, path in enumerate(paths):
-            for (field, index), weight in path.weights.items():
+        self._locked = locked_joints(system, paths[0])
+        self.locked = tuple(self._locked)
+        if self.locked and len(paths) > 1:
+            raise ValueError("robots with derivatives by locked joints are evaluated one by one")
+        shape = len(paths), len(paths[0])
+        each = len(p) // shape[0]
+        rates = np.atleast_2d(system.joint_rates)[:: each or 1]
+        springs = np.zeros((*shape, self.M.shape[-1]))
+        slots, along, free = _slots(), np.zeros((shape[0], len(_slots()), shape[1])), set(system.free)
+        for b, t in np.ndindex(shape):
+            for (field, index), weight in paths[b][t].weights.items():
                 if (field, index) in _joints():
                     place = [q for q in _joints()[field, index] if q in free]
-                    self._springs[t, place] += weight * rates[place]
+                    springs[b, t, place] += weight * rates[b, place]
                 elif field == "origin":  # it enters only through its difference from the platform joint
-                    along[slots["joint", index], t] -= weight
+                    along[b, slots["joint", index], t] -= weight
                 else:
-                    along[slots[field, index], t] += weight
-        self._along = tuple(along[_entries(matrix).slot] for matrix in (0, 1))
-        geometry = bool(along[len(extended.VALUE_SENSITIVITIES) :].any())
+                    along[b, slots[field, index], t] += weight
+        self._springs, self._each = springs, (shape[0], each)
+        self._along = tuple(along[:, _entries(matrix).slot] for matrix in (0, 1))
+        geometry = bool(along[:, len(extended.VALUE_SENSITIVITIES) :].any())
         self._values = system.derivatives(p, geometry=geometry)
 
     def dense(self, poses: Index | slice = slice(None)) -> tuple[Array, Array]:
@@ -145,19 +159,23 @@ class MatrixDerivatives:
 
         NaN for the compliance of a locked joint, which is not in the matrices.
         """
+        robot = np.repeat(np.arange(self._each[0]), self._each[1])[poses]
         found = []
         for matrix in (0, 1):
             entries = _entries(matrix)
             values = self._values[matrix][poses]
-            full = np.zeros((len(values), len(self._paths), *self.M.shape[1:]))
-            for t, along in enumerate(self._along[matrix].T):
-                some = np.flatnonzero(along)  # numbers that a path moves together may change the same entry
-                change = (values[:, some] * along[some]).T
+            full = np.zeros((len(values), self._springs.shape[1], *self.M.shape[1:]))
+            for t in range(full.shape[1]):
+                along = self._along[matrix][..., t]
+                some = np.flatnonzero(
+                    along.any(axis=0)
+                )  # numbers that a path moves together may change one entry
+                change = (values[:, some] * along[:, some][robot]).T
                 np.add.at(np.moveaxis(full[:, t], 0, -1), (entries.row[some], entries.column[some]), change)
             full += np.swapaxes(np.triu(full, 1), -1, -2)
             if matrix == 1:
                 diagonal = np.arange(full.shape[-1])
-                full[..., diagonal, diagonal] += self._springs
+                full[..., diagonal, diagonal] += self._springs[robot]
             full[:, list(self.locked)] = np.nan
             found.append(full[..., self.free[:, None], self.free])
         return found[0], found[1]
@@ -178,11 +196,14 @@ class MatrixDerivatives:
         phi = self._embedded(shapes)
         parts = []
         for matrix in (0, 1):
-            some = np.flatnonzero(self._along[matrix].any(axis=1))
+            some = self._moving(matrix)
             row, column = _entries(matrix).row[some], _entries(matrix).column[some]
             both = phi[..., row] * phi[..., column] * np.where(row == column, 1.0, 2.0)
-            parts.append((both * self._values[matrix][:, None, some]) @ self._along[matrix][some])
-        found = parts[1] - eigenvalues[..., None] * parts[0] + phi**2 @ self._springs.T
+            both *= self._values[matrix][:, None, some]
+            parts.append(self._of_each(both) @ self._along[matrix][:, some])
+        strained = self._of_each(phi**2) @ np.swapaxes(self._springs, 1, 2)
+        found = (parts[1] + strained).reshape(*shapes.shape[:2], self._springs.shape[1])
+        found -= eigenvalues[..., None] * parts[0].reshape(found.shape)
         for t in self.locked:
             for joints, weight in self._locked[t]:
                 force = self.joint_forces(eigenvalues, shapes, joints)
@@ -214,7 +235,7 @@ class MatrixDerivatives:
         norm : ndarray, shape (N, m)
             Change of the modal mass by the motion of the joint.
         """
-        change, norm = self._springs[t, self.free] * shapes, np.zeros_like(eigenvalues)
+        change, norm = self._springs[0, t, self.free] * shapes, np.zeros_like(eigenvalues)
         for joints, weight in self._locked[t]:
             force = self.joint_forces(eigenvalues, shapes, joints)
             K, M = (a[:, list(joints)][..., self.free] for a in (self.K, self.M))
@@ -242,7 +263,7 @@ class MatrixDerivatives:
         ndarray, shape (T, m, n)
         """
         free, diagonal = self.free, np.arange(len(self.free))
-        springs, joints = self._springs[:, free], self._system.joints[free]
+        springs, joints = self._springs[0][:, free], self._system.joints[free]
         _, K = self._system.without_springs(self._p[pose : pose + 1])
         rest = shapes @ K[0][np.ix_(free, free)]
         others = dK.copy()
@@ -254,6 +275,15 @@ class MatrixDerivatives:
         change = np.einsum("tab,ib->tia", others, shapes)
         change -= eigenvalues[:, None] * np.einsum("tab,ib->tia", dM, shapes)
         return np.asarray(change + left * shapes + factor.T[..., None] * rest)
+
+    def _moving(self, matrix: int) -> Index:
+        """Entries of M or K that change along some path."""
+        return np.flatnonzero(self._along[matrix].any(axis=(0, 2)))
+
+    def _of_each(self, values: Array) -> Array:
+        """(N, m, ...) to (B, N m / B, ...): what belongs to each robot."""
+        robots, poses = self._each
+        return values.reshape(robots, poses * values.shape[1], values.shape[-1])
 
     def _embedded(self, shapes: Array) -> Array:
         phi = np.zeros((*shapes.shape[:-1], self.M.shape[-1]))

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from pkmodes.eigen import has_stiff_joint, magnitude
 from pkmodes.errors import PkmodesError, listed, shown
-from pkmodes.evaluation import Evaluation, evaluation
+from pkmodes.evaluation import Evaluation, SystemOfEffects, evaluation
 from pkmodes.gathering import Fields, Gathered, Out, chosen_fields
 from pkmodes.poses import CheckedPoses
 from pkmodes.results import ChosenFields
@@ -134,7 +134,7 @@ def _at(
     asked: Collection[str],
 ) -> dict[str, NDArray[Any]]:
     """What is asked for, at some poses."""
-    derivatives = MatrixDerivatives(robot, p, chosen)
+    derivatives = MatrixDerivatives(SystemOfEffects(robot.parameters, robot.effects), p, [chosen])
     found: dict[str, NDArray[Any]] = {}
     if {"mass_matrix", "stiffness_matrix", "shapes"} & set(asked):
         found["mass_matrix"], found["stiffness_matrix"] = derivatives.dense()

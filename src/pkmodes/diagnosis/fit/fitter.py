@@ -15,16 +15,15 @@ from numpy.typing import NDArray
 
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.fit.lockstep import Descent, Lockstep
 from pkmodes.diagnosis.fit.noise import Noise, Whitening
 from pkmodes.diagnosis.fit.priors import Priors
+from pkmodes.diagnosis.fit.rows import Rows
 from pkmodes.diagnosis.fit.shapes import ShapeRows
 from pkmodes.diagnosis.fit.solver import bounded_least_squares, inverse_of_square
 from pkmodes.diagnosis.match.pairing import Pairer, Pairing
-from pkmodes.diagnosis.problem import Array, Candidate, Parameter, Prediction, Structure
+from pkmodes.diagnosis.problem import Array, Candidate, Parameter, Structure
 from pkmodes.measured.measurements import Measurements
-
-#: Close eigenvalues: below this relative gap the derivatives of single modes are not defined.
-REPEATED = 1e-7
 
 
 class Fitter:
@@ -66,9 +65,9 @@ class Fitter:
         reference = structure.predict(self.declared, ())
         self.pairer = Pairer(data, structure.channels, reference, self.criteria)
         self.shapes = self.shape_rows_of(data)
+        self.rows = Rows(self.pairer, self.shapes)
         self.noise = Noise(data, self.shapes, self.criteria.most_shared)
         self.sigma = self.noise.sigma
-        self._copies: dict[int, tuple[Pairer, ShapeRows]] = {}
         rows, size = len(self.log), self.shapes.size
         self.frequency_rows = slice(0, rows)
         self.shape_rows = slice(rows, rows + size)
@@ -99,24 +98,6 @@ class Fitter:
 
     # Predictions -------------------------------------------------------------------------------------------
 
-    def residual(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
-        """Measured minus model: frequencies and shapes, (R + R C,)."""
-        frequencies = np.where(used, self.pairer.differences(prediction, pairing), 0.0)
-        if not self.shapes.size:
-            return frequencies
-        return np.concatenate([frequencies, self.shapes.residual(prediction, pairing, used).ravel()])
-
-    def rates(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
-        """Derivatives of what the partners predict with respect to the parameters that were asked for."""
-        rates = _averaged(prediction)
-        found = rates[self.data.pose, np.maximum(pairing.partner, 0)]
-        found = np.where(((pairing.partner >= 0) & used)[:, None], found, 0.0)
-        if self.shapes.size:
-            shapes = self.shapes.rates(prediction, pairing, used)
-            found = np.vstack([found, -shapes.reshape(self.shapes.size, found.shape[1])])
-        # A step may have led to a mode at 0 Hz, whose logarithm has no derivative.
-        return np.asarray(np.where(np.isfinite(found), found, 0.0))
-
     def chi2_of(self, values: Array, hypothesis: Hypothesis) -> float:
         """Sum of squares at these values, without any fit and priors; infinite out of reach."""
         prediction = self.structure.predict(values, ())
@@ -124,7 +105,7 @@ class Fitter:
             return np.inf
         used = self.used(hypothesis)
         pairing = self.pairer.pair(prediction, used, compare=False)
-        white = self.noise.whitening(None, used, 0.0).whitened(self.residual(prediction, pairing, used))
+        white = self.noise.whitening(None, used, 0.0).whitened(self.rows.residual(prediction, pairing, used))
         return float(white @ white)
 
     @cached_property
@@ -142,34 +123,22 @@ class Fitter:
             parameters=self.parameters,
         )
 
-    def chi2_of_many(self, values: Sequence[Array], hypothesis: Hypothesis) -> list[float]:
-        """The same for several values; all at once, where the structure can."""
-        many = getattr(self.structure, "predict_many", None)
-        prediction = many(np.array(values)) if many is not None and len(values) > 1 else None
-        if prediction is None or not np.isfinite(prediction.eigenvalues).all():
-            return [self.chi2_of(one, hypothesis) for one in values]
-        pairer, shapes = self._repeated(len(values))
-        used = np.tile(self.used(hypothesis), len(values))
-        pairing = pairer.pair(prediction, used, compare=False)
-        found = np.where(used, pairer.differences(prediction, pairing), 0.0) / np.tile(
-            self.sigma, len(values)
-        )
-        left = (found**2).reshape(len(values), -1).sum(axis=1)
-        if shapes.size:
-            misfit = shapes.residual(prediction, pairing, used) / shapes.sigma
-            left = left + (misfit**2).reshape(len(values), -1).sum(axis=1)
-        return [float(one) for one in left]
-
-    def _repeated(self, count: int) -> tuple[Pairer, ShapeRows]:
-        """What pairs and compares the same measurements several times over."""
-        if count not in self._copies:
-            data = self.data.repeated(count)
-            pairer = Pairer(data, self.structure.channels, None, self.criteria)
-            pairer.moves = np.tile(self.pairer.moves, (count, 1))
-            units = [self.structure.channel_units[i] for i in pairer.columns]
-            shapes = ShapeRows(data, pairer.columns, units, pairer.moves, self.shape_scatter, self.criteria)
-            self._copies[count] = pairer, shapes
-        return self._copies[count]
+    def chi2_of_many(self, trials: Sequence[tuple[Hypothesis, Array]]) -> list[float]:
+        """The same for several hypotheses and values."""
+        if not trials:
+            return []
+        found = [np.inf] * len(trials)
+        values = np.array([one for _, one in trials])
+        for batch in self.structure.predict_many(values, [()] * len(trials)):
+            if not np.isfinite(batch.prediction.eigenvalues).all():
+                continue
+            rows = self.rows.tiled(len(batch.sets))
+            used = np.concatenate([self.used(trials[k][0]) for k in batch.sets])
+            pairing = rows.pairer.pair(batch.prediction, used, compare=False)
+            left = rows.of_each(rows.residual(batch.prediction, pairing, used)) / self.noise.stated
+            for k, white in zip(batch.sets, left, strict=True):
+                found[k] = float(white @ white)
+        return found
 
     def unfitted(self, values: Array, used: NDArray[np.bool_]) -> tuple[Pairing, Array, Array, float]:
         """What these values give without any fit, the errors of uncertain positions counted.
@@ -185,14 +154,14 @@ class Fitter:
         prediction = self.structure.predict(values, ())
         pairing = self.pairer.pair(prediction, used)
         motion = self._motion(values, pairing, used)
-        residual = self.residual(prediction, pairing, used)
+        residual = self.rows.residual(prediction, pairing, used)
         white = self.noise.whitening(motion, used, 0.0).whitened(residual)[self.frequency_rows]
         sigma = self.noise.standard_deviations(motion)
         return pairing, residual[self.frequency_rows], sigma, float(white @ white)
 
     # Fits --------------------------------------------------------------------------------------------------
 
-    def fit(self, hypothesis: Hypothesis, start: Array | None = None, *, rough: bool = False) -> Fit | None:
+    def fit(self, hypothesis: Hypothesis, start: Array | None = None) -> Fit | None:
         """Fit a hypothesis; None where the structure cannot be evaluated.
 
         Parameters
@@ -200,14 +169,10 @@ class Fitter:
         hypothesis : Hypothesis
         start : ndarray, optional
             Values of all parameters to begin with; by default the declared ones.
-        rough : bool, optional
-            Stop after a few steps, wherever they lead.
         """
         values = np.array(self.declared if start is None else start)
-        added = (i for cause in hypothesis.causes for i in self.indices(cause))
-        free = tuple(dict.fromkeys([*self.nuisances, *added]))  # causes may share a parameter
+        free = self._free(hypothesis)
         used, tau, pairing, converged = self.used(hypothesis), 0.0, None, True
-        steps = self.criteria.rough_steps if rough else self.criteria.steps
         for _ in range(self.criteria.rounds):
             prediction = self.structure.predict(values, ())
             if not np.isfinite(prediction.eigenvalues).all():
@@ -221,11 +186,49 @@ class Fitter:
                 break
             motion = self._motion(values, pairing, used)
             whitening = self.noise.whitening(motion, used, tau)
-            values, converged = self._least_squares(values, free, pairing, used, whitening, steps)
+            values, converged = self._least_squares(values, free, pairing, used, whitening)
             if hypothesis.scatter:
-                residual = self.residual(self.structure.predict(values, ()), pairing, used)
+                residual = self.rows.residual(self.structure.predict(values, ()), pairing, used)
                 tau = self.noise.shared_error(residual, self._motion(values, pairing, used), used)
         return self._finished(hypothesis, values, free, used, tau, converged)
+
+    def roughly(self, starts: Sequence[tuple[Hypothesis, Array]]) -> list[Descent]:
+        """Take a few steps from each start, all of them together.
+
+        Errors that setups share, and of positions, are left out of account.
+        """
+        lockstep = Lockstep(self.structure, self.parameters, self.rows, self.noise.stated, self.priors)
+        return lockstep.descended(
+            [(values, self._free(h), self.used(h)) for h, values in starts], self.criteria.rough_steps
+        )
+
+    def rough_fit(self, hypothesis: Hypothesis, descent: Descent) -> Fit | None:
+        """What a descent came to as a fit; None where the structure cannot be evaluated."""
+        at = descent.at
+        if at is None:
+            return None
+        used = self.used(hypothesis)
+        return Fit(
+            hypothesis=hypothesis,
+            values=descent.values,
+            free=descent.free,
+            covariance=inverse_of_square(at.jacobian),
+            chi2=at.chi2,
+            deviance=at.chi2 + self.noise.whitening(None, used, 0.0).log_determinant,
+            scatter=0.0,
+            prediction=at.prediction,
+            pairing=self.pairer.pair(at.prediction, used),
+            residual=at.residual,
+            white=at.white,
+            jacobian=at.jacobian,
+            at_bound=self._at_bound(hypothesis, descent.values),
+            converged=descent.arrived,
+        )
+
+    def _free(self, hypothesis: Hypothesis) -> tuple[int, ...]:
+        """Indices of what is fitted: nuisances first, then the parameters of the causes, which may share some."""
+        added = (i for cause in hypothesis.causes for i in self.indices(cause))
+        return tuple(dict.fromkeys([*self.nuisances, *added]))
 
     def _finished(
         self,
@@ -241,11 +244,11 @@ class Fitter:
             return None
         pairing = self.pairer.pair(prediction, used)
         whitening = self.noise.whitening(self._motion(values, pairing, used), used, tau)
-        residual = self.residual(prediction, pairing, used)
+        residual = self.rows.residual(prediction, pairing, used)
         white = np.concatenate([whitening.whitened(residual), self.priors.residual(values)])
         jacobian = np.vstack(
             [
-                -whitening.whitened(self.rates(prediction, pairing, used)),
+                -whitening.whitened(self.rows.rates(prediction, pairing, used)),
                 self.priors.rates(values, free),
             ]
         )
@@ -281,7 +284,7 @@ class Fitter:
         """Derivatives of ln f with respect to parameters at a fit, (R, T), and those of all data, whitened."""
         prediction = self.structure.predict(fit.values, by, shape_rates=bool(self.shapes.size))
         used = self.used(fit.hypothesis)
-        rates = self.rates(prediction, fit.pairing, used)
+        rates = self.rows.rates(prediction, fit.pairing, used)
         whitening = self.noise.whitening(self._motion(fit.values, fit.pairing, used), used, fit.scatter)
         # What has a prior of its own is pulled to its declared value, as soon as it is free.
         return rates[self.frequency_rows], np.vstack(
@@ -308,22 +311,21 @@ class Fitter:
         pairing: Pairing,
         used: NDArray[np.bool_],
         whitening: Whitening,
-        steps: int,
     ) -> tuple[Array, bool]:
         """Values of the least sum of squares for given pairs, and whether the steps were enough."""
 
         def residual(full: Array) -> Array:
-            found = self.residual(self.structure.predict(full, ()), pairing, used)
+            found = self.rows.residual(self.structure.predict(full, ()), pairing, used)
             return np.concatenate([whitening.whitened(found), self.priors.residual(full)])
 
         def rates(full: Array) -> Array:
             prediction = self.structure.predict(full, free, shape_rates=bool(self.shapes.size))
-            found = self.rates(prediction, pairing, used)
+            found = self.rows.rates(prediction, pairing, used)
             return np.vstack([-whitening.whitened(found), self.priors.rates(full, free)])
 
         lower = np.array([self.parameters[i].lower for i in free])
         upper = np.array([self.parameters[i].upper for i in free])
-        return bounded_least_squares(residual, rates, values, free, (lower, upper), steps)
+        return bounded_least_squares(residual, rates, values, free, (lower, upper), self.criteria.steps)
 
     def _at_bound(self, hypothesis: Hypothesis, values: Array) -> tuple[str, ...]:
         found = []
@@ -341,20 +343,4 @@ class Fitter:
         if not self.noise.uncertain:
             return None
         moved = self.structure.position_rates(values, shape_rates=bool(self.shapes.size))
-        return None if moved is None else self.rates(moved, pairing, used)
-
-
-def _averaged(prediction: Prediction) -> Array:
-    """Derivatives of ln f; those of repeated modes, which have none of their own, are the group's mean."""
-    rates = np.array(prediction.log_rates)
-    eigenvalues = prediction.eigenvalues
-    gap = np.diff(eigenvalues, axis=1) <= REPEATED * np.abs(eigenvalues[:, 1:])
-    for setup in np.flatnonzero(gap.any(axis=1)):
-        number = np.concatenate([[0], np.cumsum(~gap[setup])])
-        for k in np.unique(number):
-            members = number == k
-            if (
-                members.sum() > 1 and np.isfinite(rates[setup, members]).all()
-            ):  # rigid modes have none at 0 Hz
-                rates[setup, members] = rates[setup, members].mean(axis=0)
-    return rates
+        return None if moved is None else self.rows.rates(moved, pairing, used)

@@ -62,6 +62,8 @@ class Noise:
     ----------
     sigma : ndarray, shape (R,)
         Standard deviations of ln f, as stated.
+    stated : ndarray, shape (D,)
+        Those of all data, frequencies and shapes, where nothing is correlated.
     rows : list of ndarray
         Rows of each setup.
     uncertain : bool
@@ -80,7 +82,7 @@ class Noise:
         self._places = [
             np.concatenate([rows, components[rows][shapes.known[rows]].ravel()]) for rows in self.rows
         ]
-        self._all = np.concatenate([self.sigma, shapes.sigma.ravel()])
+        self.stated = np.concatenate([self.sigma, shapes.sigma.ravel()])
 
     def whitening(self, motion: Array | None, used: NDArray[np.bool_], tau: float) -> Whitening:
         """Square root of V.
@@ -96,11 +98,11 @@ class Noise:
         """
         log = 2.0 * np.log(self.sigma)
         if motion is None and tau == 0.0:
-            return Whitening(self._all, (), float(log.sum()))
+            return Whitening(self.stated, (), float(log.sum()))
         blocks, total = [], 0.0
         for setup, rows in enumerate(self.rows):
             place = rows if motion is None else self._places[setup]
-            V: Array = np.diag(self._all[place] ** 2)
+            V: Array = np.diag(self.stated[place] ** 2)
             if motion is not None:
                 V += (motion[place] * self._position_sigma[setup] ** 2) @ motion[place].T
             frequencies = np.arange(len(rows))
@@ -111,9 +113,9 @@ class Noise:
             factor = np.linalg.cholesky(V).astype(float)
             blocks.append((place, factor))
             total += float(
-                2.0 * np.log(np.diagonal(factor)).sum() - 2.0 * np.log(self._all[place[len(rows) :]]).sum()
+                2.0 * np.log(np.diagonal(factor)).sum() - 2.0 * np.log(self.stated[place[len(rows) :]]).sum()
             )
-        return Whitening(self._all, tuple(blocks), total)
+        return Whitening(self.stated, tuple(blocks), total)
 
     def standard_deviations(self, motion: Array | None) -> Array:
         """Of ln f of each row, with the position's part where it is uncertain, (R,)."""

@@ -12,6 +12,7 @@ are compared with radians by what each of them moves in the declared model.
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Sequence
 
 import numpy as np
@@ -19,7 +20,7 @@ from numpy.typing import NDArray
 
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.match.mac import space
-from pkmodes.diagnosis.match.pairing import Pairing, crowded, unmeasured_neighbours
+from pkmodes.diagnosis.match.pairing import Pairing, crowded, tiled, unmeasured_neighbours
 from pkmodes.diagnosis.problem import Array, Prediction
 from pkmodes.measured.measurements import Measurements
 
@@ -61,7 +62,7 @@ class ShapeRows:
         scatter: float,
         criteria: Criteria,
     ) -> None:
-        self._columns, self._pose = columns, data.pose
+        self._columns, self._pose, self._setups = columns, data.pose, len(data.labels)
         measured = np.isfinite(data.shapes)
         self.stated = np.isfinite(data.shape_sigma) & measured.any(axis=1)
         weights = np.where(self.stated[:, None], 1.0, _scales(units, moves))
@@ -93,6 +94,16 @@ class ShapeRows:
         for k in kept:
             self._mates[rows[k], : len(mates[k])] = mates[k]
             self.count[rows[k]] -= len(mates[k]) - 1
+
+    def tiled(self, count: int) -> ShapeRows:
+        """The same for predictions of so many times the setups."""
+        found, rows = copy.copy(self), len(self._shapes)
+        found._pose = tiled(self._pose, count, self._setups)
+        found._mates = tiled(self._mates, count, rows)
+        found._shapes, found._weights = np.tile(self._shapes, (count, 1)), np.tile(self._weights, (count, 1))
+        found.sigma, found.known = np.tile(self.sigma, (count, 1)), np.tile(self.known, count)
+        found.stated, found.count = np.tile(self.stated, count), np.tile(self.count, count)
+        return found
 
     @property
     def size(self) -> int:

@@ -61,24 +61,37 @@ class FitStore:
         """Whether it was fitted already."""
         return key(hypothesis) in self._fits
 
-    def roughly(self, hypothesis: Hypothesis, starts: Sequence[Array]) -> Fit | None:
-        """Fit roughly, from the best of several starts."""
-        k = key(hypothesis)
-        fits = [self.fitter.fit(hypothesis, values, rough=True) for values in starts]
-        best = min((f for f in fits if f is not None), key=lambda f: f.deviance, default=None)
-        self._fits[k] = best
-        if best is not None and not best.converged:
-            self._rough.add(k)
-        return self.fit(hypothesis)
+    def roughly(self, jobs: Sequence[tuple[Hypothesis, Sequence[Array]]]) -> list[Fit]:
+        """Fit several hypotheses roughly, each from the best of several starts; without those that cannot be."""
+        starts = [(hypothesis, values) for hypothesis, some in jobs for values in some]
+        reached, found = iter(self.fitter.roughly(starts)), []
+        for hypothesis, some in jobs:
+            best, k = min((next(reached) for _ in some), key=lambda descent: descent.chi2), key(hypothesis)
+            if hypothesis.scatter or self.fitter.noise.uncertain:  # correlated errors: this is just a start
+                self._fits[k] = self.fitter.fit(hypothesis, best.values)
+            else:
+                self._fits[k] = self.fitter.rough_fit(hypothesis, best)
+                self._rough.add(k)
+            found.append(self.fit(hypothesis))
+        return [fit for fit in found if fit is not None]
 
     def finished(self, fits: list[Fit]) -> list[Fit]:
         """Finish the rough ones among the best, until the best are all finished; best first."""
         c = self.fitter.criteria
         while fits:
             fits = sorted(fits, key=self.criterion)
-            near = [fit for fit in fits if self.criterion(fit) <= self.criterion(fits[0]) + c.nearly]
-            some = fits[: max(c.best_few, len(near))]
-            rough = next((i for i, fit in enumerate(some) if key(fit.hypothesis) in self._rough), None)
+            best = self.criterion(fits[0])
+            # What has arrived is worth the last digits where it may survive, or look like what does.
+            near = {True: best + c.survives + c.told_apart, False: best + c.nearly}
+            rough = next(
+                (
+                    i
+                    for i, fit in enumerate(fits)
+                    if key(fit.hypothesis) in self._rough
+                    and (i < c.best_few or self.criterion(fit) <= near[fit.converged])
+                ),
+                None,
+            )
             if rough is None:
                 break
             k = key(fits[rough].hypothesis)

@@ -7,6 +7,7 @@ there are shapes, one minus the modal assurance criterion (`match.mac`).
 
 from __future__ import annotations
 
+import copy
 from dataclasses import dataclass
 
 import numpy as np
@@ -70,7 +71,7 @@ class Pairer:
         criteria: Criteria | None = None,
     ) -> None:
         self._criteria = criteria or Criteria()
-        self._data, self._log, self.pose = data, np.log(data.frequency), data.pose
+        self._shape, self._log, self.pose = data.shapes, np.log(data.frequency), data.pose
         self.columns = _columns(data, channels)
         setups = len(data.labels)
         self.moves = np.zeros((setups, len(self.columns)))
@@ -85,6 +86,15 @@ class Pairer:
         self._row[data.pose, place] = np.arange(len(order))
         self._place = place
         self._crowded = crowded(data.pose, self._log, self._criteria.mixed)
+
+    def tiled(self, count: int) -> Pairer:
+        """The same for predictions of so many times the setups, each to be paired with the same rows."""
+        found, (setups, rows) = copy.copy(self), (len(self._row), len(self._log))
+        found._shape, found._log = np.tile(self._shape, (count, 1)), np.tile(self._log, count)
+        found._place, found.moves = np.tile(self._place, count), np.tile(self.moves, (count, 1))
+        found.pose, found._row = tiled(self.pose, count, setups), tiled(self._row, count, rows)
+        found._crowded = tiled(self._crowded, count, rows)
+        return found
 
     def pair(self, prediction: Prediction, used: NDArray[np.bool_], *, compare: bool = True) -> Pairing:
         """Pair the rows in use; the others are left without a partner.
@@ -112,13 +122,12 @@ class Pairer:
         # A mode that is too far away may still be taken by the assignment; it is no partner then.  What that
         # costs is always the same: otherwise a mode that the model lacks would push the others along.
         cost = np.where(distance <= c.reach, cost, c.reach**2 + c.shape_weight**2)
-        partner = np.full(row.shape, -1, dtype=np.intp)
-        for setup in range(len(row)):
-            pairs = self._assigned(cost[setup], distance[setup], present[setup], logs[setup])
-            if close[setup].any():
-                pairs = _in_order(pairs, self._log[row[setup]], close[setup])
-            for place, k in pairs:
-                partner[setup, place] = k
+        partner = _assigned(cost, present, np.isfinite(logs))
+        at = np.arange(len(row))[:, None], np.arange(row.shape[1]), np.maximum(partner, 0)
+        with np.errstate(invalid="ignore"):
+            partner = np.where(distance[at] <= c.reach, partner, -1)
+        for setup in np.flatnonzero(close.any(axis=1)):
+            partner[setup] = _in_order(partner[setup], self._log[row[setup]], close[setup])
         found = np.full(len(self._log), -1, dtype=np.intp)
         taken = partner >= 0
         found[row[taken]] = partner[taken] + rigid
@@ -138,26 +147,10 @@ class Pairer:
     def _shapes(self, prediction: Prediction) -> tuple[Array, Array, NDArray[np.bool_]]:
         """Shapes of the rows of each setup, and of its modes, in units of what each channel moves."""
         row = self._row
-        padded = np.where((row >= 0)[..., None], self._data.shapes[row], np.nan)
+        padded = np.where((row >= 0)[..., None], self._shape[row], np.nan)
         model = prediction.shapes[..., self.columns]
         shapes, model = weighted(padded, model, np.where(self.moves > 0.0, self.moves, channel_motion(model)))
         return shapes, model[:, prediction.rigid :], np.isfinite(padded)
-
-    def _assigned(
-        self, cost: Array, distance: Array, present: NDArray[np.bool_], logs: Array
-    ) -> list[tuple[int, int]]:
-        """Pairs of the rows in use and the modes of one setup, the modes counted without the rigid ones."""
-        rows, modes = np.flatnonzero(present), np.flatnonzero(np.isfinite(logs))
-        if not len(rows) or not len(modes):
-            return []
-        some = cost[np.ix_(rows, modes)]
-        best = some.argmin(axis=1)
-        if len(set(best.tolist())) == len(best):  # where every row has its best, the sum is least
-            assigned = list(enumerate(best))
-        else:
-            assigned = list(zip(*linear_sum_assignment(some), strict=True))
-        pairs = [(int(rows[i]), int(modes[k])) for i, k in assigned]
-        return [(i, k) for i, k in pairs if distance[i, k] <= self._criteria.reach]
 
     def _grouped(
         self,
@@ -201,7 +194,7 @@ class Pairer:
         measured: NDArray[np.bool_],
     ) -> Array:
         """MAC of each row with its partner, or with the partners of all rows close to it, and modes beside it."""
-        pose, place = self._data.pose, self._place
+        pose, place = self.pose, self._place
         paired = partner >= 0
         found = np.where(paired, alone[pose, place, np.maximum(partner, 0)], np.nan)
         crowded = np.zeros(len(partner), dtype=bool)
@@ -221,6 +214,13 @@ class Pairer:
             )
             found[i] = np.where(members.sum(axis=1) > 1, inside, found[i])
         return found
+
+
+def tiled(numbers: Index, count: int, size: int) -> Index:
+    """Numbers of several copies of so many things, those of the first copy first; -1 stays what it is."""
+    copies = np.arange(count).reshape(-1, *[1] * numbers.ndim) * size
+    found = np.where(numbers >= 0, numbers + copies, numbers)
+    return np.asarray(found.reshape(-1, *numbers.shape[1:]))
 
 
 def crowded(pose: Index, log: Array, mixed: float) -> Index:
@@ -282,15 +282,39 @@ def _in_space(shapes: Array, model: Array, members: NDArray[np.bool_], measured:
     return np.where(told, along / np.where(lengths > 0.0, lengths, 1.0), np.nan)
 
 
-def _in_order(
-    pairs: list[tuple[int, int]], measured: Array, close: NDArray[np.bool_]
-) -> list[tuple[int, int]]:
-    """Pairs with the partners of each group of close modes in the order of their frequencies."""
-    group, found = np.concatenate([[0], np.cumsum(~close)]), []
-    for number in np.unique(group[[k for _, k in pairs]]) if pairs else []:
-        members = [(i, k) for i, k in pairs if group[k] == number]
-        rows = sorted((i for i, _ in members), key=lambda i: float(measured[i]))
-        found += list(zip(rows, sorted(k for _, k in members), strict=True))
+def _assigned(cost: Array, present: NDArray[np.bool_], known: NDArray[np.bool_]) -> Index:
+    """Modes (S, r) that the rows of each setup go to, one to one, at the least sum of costs; -1 for those without.
+
+    Parameters
+    ----------
+    cost : ndarray, shape (S, r, m)
+    present : ndarray of bool, shape (S, r)
+        Rows that take part.
+    known : ndarray of bool, shape (S, m)
+        Modes that take part.
+    """
+    cost = np.where(known[:, None], cost, np.inf)
+    best: Index = cost.argmin(axis=2)
+    best[~(present & known.any(axis=1, keepdims=True))] = -1
+    # Where every row has its best, the sum is least.
+    ordered = np.sort(best, axis=1)
+    contested = ((np.diff(ordered, axis=1) == 0) & (ordered[:, 1:] >= 0)).any(axis=1)
+    for setup in np.flatnonzero(contested):
+        rows, modes = np.flatnonzero(present[setup]), np.flatnonzero(known[setup])
+        i, k = linear_sum_assignment(cost[setup][np.ix_(rows, modes)])
+        best[setup] = -1
+        best[setup, rows[i]] = modes[k]
+    return best
+
+
+def _in_order(partner: Index, measured: Array, close: NDArray[np.bool_]) -> Index:
+    """Partners of one setup's rows, with those of each group of close modes in the order of the frequencies."""
+    group, found = np.concatenate([[0], np.cumsum(~close)]), partner.copy()
+    paired = np.flatnonzero(partner >= 0)
+    of_row = group[partner[paired]]
+    for number in np.flatnonzero(np.bincount(of_row) > 1):
+        rows = paired[of_row == number]
+        found[rows[np.argsort(measured[rows], kind="stable")]] = np.sort(partner[rows])
     return found
 
 

@@ -104,13 +104,15 @@ class Additions:
             return []
         c = self.criteria
         enough = min(c.promising * gains[0], gains[min(c.at_least, len(gains)) - 1])
-        found = []
-        for one in scores.each:
-            # Of a cause that is absent the score says little where it is large: it is always tried.
-            promising = one.visible and (one.gain >= enough or one_sided(self.fitter, one.candidate))
-            if promising and self._testable(fit, one.candidate):
-                found.append(self._refitted(fit, one))
-        return self.store.finished([option for option in found if option is not None])
+        # Of a cause that is absent the score says little where it is large: it is always tried.
+        promising = [
+            (fit, one)
+            for one in scores.each
+            if one.visible and (one.gain >= enough or one_sided(self.fitter, one.candidate))
+        ]
+        return self.store.finished(
+            self._refitted([x for x in promising if self._testable(fit, x[1].candidate)])
+        )
 
     def singles(self) -> list[Fit]:
         """One cause, and nothing else."""
@@ -122,8 +124,8 @@ class Additions:
         plain = self.store.fit(Hypothesis())
         if plain is None:
             return []
-        found = [self._refitted(plain, one) for one in score(self.fitter, plain, self.candidates).each]
-        fits = [fit for fit in found if fit is not None and self.store.p_value(fit) > self.criteria.gate]
+        found = self._refitted([(plain, one) for one in score(self.fitter, plain, self.candidates).each])
+        fits = [fit for fit in found if self.store.p_value(fit) > self.criteria.gate]
         return sorted(fits, key=self.store.criterion)
 
     def pairs(self) -> list[Fit]:
@@ -148,8 +150,7 @@ class Additions:
                         absent[pair] = promise
         most = len(promised) if self.few else c.pairs
         best = {pair: promised[pair] for pair in sorted(promised, key=lambda pair: promised[pair][0])[:most]}
-        found = [self._refitted(single, one) for _, single, one in {**absent, **best}.values()]
-        return store.finished([pair for pair in found if pair is not None])
+        return store.finished(self._refitted([(fit, one) for _, fit, one in {**absent, **best}.values()]))
 
     @property
     def few(self) -> bool:
@@ -162,15 +163,22 @@ class Additions:
         free = sum(self.fitter.priors.of(i) is None for i in self.fitter.indices(candidate))
         return self.store.degrees(fit) > free
 
-    def _refitted(self, fit: Fit, one: Score) -> Fit | None:
-        """Fit roughly with one cause more, from the best of several starts."""
-        hypothesis = fit.hypothesis.adding(one.candidate)
-        if self.store.known(hypothesis):
-            return self.store.fit(hypothesis)
-        self._progress(f"refitting with {' and '.join(c.name for c in hypothesis.causes)}")
-        seed = self.store.seed(hypothesis)
-        begin = starts(self.fitter, fit, one, hypothesis) if seed is None else [seed]
-        return self.store.roughly(hypothesis, begin)
+    def _refitted(self, additions: Sequence[tuple[Fit, Score]]) -> list[Fit]:
+        """Fits with one cause more, rough ones where they are new, each from the best of several starts."""
+        store, known, seeded, new = self.store, [], [], []
+        for fit, one in additions:
+            hypothesis = fit.hypothesis.adding(one.candidate)
+            seed = store.seed(hypothesis)
+            if store.known(hypothesis):
+                known.append(store.fit(hypothesis))
+                continue
+            self._progress(f"refitting with {' and '.join(c.name for c in hypothesis.causes)}")
+            if seed is None:
+                new.append((fit, one, hypothesis))
+            else:
+                seeded.append((hypothesis, [seed]))
+        begun = zip((hypothesis for _, _, hypothesis in new), starts(self.fitter, new), strict=True)
+        return [fit for fit in known if fit is not None] + store.roughly([*seeded, *begun])
 
 
 def _first(promise: tuple[float, Fit, Score]) -> float:

@@ -6,7 +6,7 @@ sizes, and more closely around the best of them, because a mode that a cause add
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Generator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -29,28 +29,54 @@ SHARE = 0.4
 FITTED = 3
 
 
-def starts(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> list[Array]:
+#: Values that are to be compared, the sums of squares that they leave, and the starts that this leads to.
+Trials = Generator[list[Array], list[float], list[Array]]
+
+
+def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -> list[list[Array]]:
     """Values of all parameters with which refits begin, the most promising first.
+
+    What is tried for all of them is evaluated together.
 
     Parameters
     ----------
     fitter : Fitter
-    fit : Fit
-        The one to which a cause is added.
-    one : Score
-        Of that cause, at this fit.
-    hypothesis : Hypothesis
-        With the cause.
+    additions : sequence of (Fit, Score, Hypothesis)
+        Fits to which a cause is added, the score of that cause at this fit, and the hypothesis with the cause.
     """
+    scout, found = fitter.scout, [list[Array]() for _ in additions]
+    searches = {k: _search(fitter, *addition) for k, addition in enumerate(additions)}
+    costs: dict[int, list[float] | None] = dict.fromkeys(searches)
+    while searches:
+        asked: dict[int, list[Array]] = {}
+        for k in list(searches):
+            try:
+                given = costs[k]
+                asked[k] = next(searches[k]) if given is None else searches[k].send(given)
+            except StopIteration as end:
+                found[k] = end.value
+                del searches[k]
+        # Among fewer setups rows have other numbers.
+        bare = {k: h if scout is fitter else Hypothesis(h.causes) for k, (_, _, h) in enumerate(additions)}
+        together = scout.chi2_of_many([(bare[k], values) for k, some in asked.items() for values in some])
+        results = iter(together)
+        costs = {k: [next(results) for _ in some] for k, some in asked.items()}
+    return found
+
+
+def _search(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> Trials:
+    """Starts of one refit."""
     index = list(fitter.indices(one.candidate))
     lower = np.array([fitter.parameters[i].lower for i in index])
     upper = np.array([fitter.parameters[i].upper for i in index])
     # Of a cause with several parameters the first one says how large it is.
     sign = one_sided(fitter, replace(one.candidate, parameters=one.candidate.parameters[:1]))
-    sizes, scout = SIZES, fitter.scout
-    bare = hypothesis if scout is fitter else Hypothesis(hypothesis.causes)  # rows have other numbers there
-    if sign and one.largest[0] > 0.0 and _adds_modes(fitter, fit, index[0], SIZES[0] * sign / one.largest[0]):
-        sizes = CLOSE_SIZES
+    unit, sizes = np.zeros(len(index)), SIZES
+    sized = bool(sign) and one.largest[0] > 0.0
+    if sized:
+        unit[0] = sign / one.largest[0]
+        if _adds_modes(fitter, fit, index[0], float(SIZES[0] * unit[0])):
+            sizes = CLOSE_SIZES
     found: list[tuple[float, Array]] = []
     for origin in _origins(fitter, fit, sign):
 
@@ -60,25 +86,15 @@ def starts(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> list
             return full
 
         steps = [one.step, 0.5 * one.step]
-        if sign and one.largest[0] > 0.0:
-            unit = np.zeros(len(index))
-            unit[0] = sign / one.largest[0]
-
-            def costs(
-                some: Sequence[float], at: Callable[[Array], Array] = at, unit: Array = unit
-            ) -> list[float]:
-                return scout.chi2_of_many([at(size * unit) for size in some], bare)
-
-            # There are many pairs, and those that are tried promise much by a linear model.
-            closely = sizes is CLOSE_SIZES and not fit.causes and origin is fit.values
-            best = (
-                _least(CLOSE_SIZES, costs)
-                if closely
-                else [float(SIZES[int(np.argmin(costs(SIZES.tolist())))])]
-            )
+        if sized and sizes is CLOSE_SIZES and not fit.causes and origin is fit.values:
+            best = yield from _least(CLOSE_SIZES, unit, at)
             steps += [size * unit for size in best]
+        elif sized:  # there are many pairs, and those that are tried promise much by a linear model
+            costs = yield [at(size * unit) for size in SIZES]
+            steps.append(SIZES[int(np.argmin(costs))] * unit)
         some = [at(step) for step in steps]
-        here = sorted(zip(scout.chi2_of_many(some, bare), some, strict=True), key=lambda pair: pair[0])
+        left = yield some
+        here = sorted(zip(left, some, strict=True), key=lambda pair: pair[0])
         found += here[:1] if fit.causes else here
     found.sort(key=lambda pair: pair[0])
     return [values for _, values in found[: 1 if sizes is SIZES and not fit.causes else FITTED]]
@@ -105,9 +121,11 @@ def _adds_modes(fitter: Fitter, fit: Fit, index: int, step: float) -> bool:
     return bool(count > fit.prediction.eigenvalues.shape[1])
 
 
-def _least(sizes: Array, costs: Callable[[Sequence[float]], list[float]]) -> list[float]:
+def _least(
+    sizes: Array, unit: Array, at: Callable[[Array], Array]
+) -> Generator[list[Array], list[float], list[float]]:
     """Sizes of the two cheapest local minima on a grid, refined around them."""
-    known = dict(zip(sizes.tolist(), costs(sizes.tolist()), strict=True))
+    known = dict(zip(sizes.tolist(), (yield [at(size * unit) for size in sizes]), strict=True))
     found = []
     for centre in _minima(known)[:2]:
         for _ in range(HALVINGS):
@@ -115,7 +133,7 @@ def _least(sizes: Array, costs: Callable[[Sequence[float]], list[float]]) -> lis
             place = ordered.index(centre)
             beside = [ordered[k] for k in (place - 1, place + 1) if 0 <= k < len(ordered)]
             middles = [float(np.sqrt(centre * other)) for other in beside]
-            known |= dict(zip(middles, costs(middles), strict=True))
+            known |= dict(zip(middles, (yield [at(size * unit) for size in middles]), strict=True))
             ordered = sorted(known)
             around = ordered[max(ordered.index(centre) - 1, 0) :][:3]
             centre = min(around, key=lambda size: known[size])

@@ -1,0 +1,197 @@
+r"""Rough fits of many hypotheses at once, step by step together.
+
+One evaluation of all their models takes little more than that of one, so they descend together, by a bounded
+Levenberg-Marquardt method: each step solves :math:`(J^T J + \mu D) \delta = -J^T r` over the parameters that no bound
+stops, with a damping :math:`\mu` of its own for each hypothesis (Nocedal and Wright, Numerical Optimization, section
+10.3).  Rows are paired anew at every step.  What comes near the best is finished by `solver`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.diagnosis.fit.priors import Priors
+from pkmodes.diagnosis.fit.rows import Rows
+from pkmodes.diagnosis.problem import Array, Parameter, Prediction, Structure
+
+#: Damping to begin with, relative to the diagonal; its factors after a step that helped, and one that did not.
+DAMPING, LESS, MORE = 1e-3, 0.1, 10.0
+LEAST_DAMPING = 1e-8
+#: A fit has arrived where a step promises less than this sum of squares, or less than this part of what is left.
+ENOUGH, PART = 0.05, 1e-3
+
+
+class Evaluated(NamedTuple):
+    """A hypothesis at some values.
+
+    Attributes
+    ----------
+    chi2 : float
+        Whitened sum of squares with priors.
+    white, jacobian : ndarray, shape (D,) and (D, k)
+        Whitened residual with priors, and its derivatives.
+    residual : ndarray, shape (R + R C,)
+    prediction : Prediction
+    """
+
+    chi2: float
+    white: Array
+    jacobian: Array
+    residual: Array
+    prediction: Prediction
+
+
+@dataclass
+class Descent:
+    """One hypothesis on its way down.
+
+    Attributes
+    ----------
+    values : ndarray, shape (P,)
+        Of all parameters.
+    free : tuple of int
+        Those that may change.
+    used : ndarray of bool, shape (R,)
+        Rows that take part.
+    at : Evaluated or None
+        At these values; None where the structure cannot be evaluated.
+    damping : float
+    arrived : bool
+        Whether no step promises much.
+    """
+
+    values: Array
+    free: tuple[int, ...]
+    used: NDArray[np.bool_]
+    at: Evaluated | None = None
+    damping: float = DAMPING
+    arrived: bool = False
+
+    @property
+    def chi2(self) -> float:
+        """Sum of squares that is left."""
+        return np.inf if self.at is None else self.at.chi2
+
+
+class Lockstep:
+    """Fits many hypotheses about one structure and one set of measurements roughly.
+
+    Parameters
+    ----------
+    structure : Structure
+    parameters : sequence of Parameter
+    rows : Rows
+    sigma : ndarray, shape (R + R C,)
+        Standard deviations of the data, which are not correlated.
+    priors : Priors
+    """
+
+    def __init__(
+        self,
+        structure: Structure,
+        parameters: Sequence[Parameter],
+        rows: Rows,
+        sigma: Array,
+        priors: Priors,
+    ) -> None:
+        self._structure, self._rows, self._sigma, self._priors = structure, rows, sigma, priors
+        self._lower = np.array([p.lower for p in parameters])
+        self._upper = np.array([p.upper for p in parameters])
+
+    def descended(
+        self, starts: Sequence[tuple[Array, tuple[int, ...], NDArray[np.bool_]]], steps: int
+    ) -> list[Descent]:
+        """Take so many steps at most from each start: values, what may change of them, and the rows in use."""
+        fits = [
+            Descent(np.clip(values, self._lower, self._upper), free, used) for values, free, used in starts
+        ]
+        for fit, found in zip(fits, self._evaluated(fits, [fit.values for fit in fits]), strict=True):
+            fit.at = found
+        going = [fit for fit in fits if fit.free]
+        for _ in range(steps):
+            tried, values = [], []
+            for fit in going:
+                if fit.at is None:
+                    continue
+                there, promised = self._step(fit, fit.at)
+                fit.arrived = promised <= max(ENOUGH, PART * fit.at.chi2)
+                if not fit.arrived:
+                    tried.append(fit)
+                    values.append(there)
+            for fit, there, found in zip(tried, values, self._evaluated(tried, values), strict=True):
+                if found is not None and found.chi2 < fit.chi2:
+                    fit.values, fit.at = there, found
+                    fit.damping = max(fit.damping * LESS, LEAST_DAMPING)
+                else:
+                    fit.damping *= MORE
+            going = tried
+        return fits
+
+    def _evaluated(self, fits: Sequence[Descent], values: Sequence[Array]) -> list[Evaluated | None]:
+        """Each fit at some values."""
+        found: list[Evaluated | None] = [None] * len(fits)
+        if not fits:
+            return found
+        by, shapes = [fit.free for fit in fits], bool(self._rows.shapes.size)
+        for batch in self._structure.predict_many(np.array(values), by, shape_rates=shapes):
+            if not np.isfinite(batch.prediction.eigenvalues).all():
+                continue
+            rows = self._rows.tiled(len(batch.sets))
+            used = np.concatenate([fits[k].used for k in batch.sets])
+            pairing = rows.pairer.pair(batch.prediction, used, compare=False)
+            residuals = rows.of_each(rows.residual(batch.prediction, pairing, used))
+            rates = rows.of_each(rows.rates(batch.prediction, pairing, used))
+            each = zip(batch.sets, residuals, rates, _split(batch.prediction, len(batch.sets)), strict=True)
+            for k, residual, rate, prediction in each:
+                white = np.concatenate([residual / self._sigma, self._priors.residual(values[k])])
+                jacobian = np.vstack(
+                    [
+                        -rate[:, : len(by[k])] / self._sigma[:, None],
+                        self._priors.rates(values[k], by[k]),
+                    ]
+                )
+                found[k] = Evaluated(float(white @ white), white, jacobian, residual, prediction)
+        return found
+
+    def _step(self, fit: Descent, now: Evaluated) -> tuple[Array, float]:
+        """Values after a step within the bounds, and how much a linear model promises of it."""
+        index = list(fit.free)
+        at, lower, upper = fit.values[index], self._lower[index], self._upper[index]
+        gradient = now.jacobian.T @ now.white
+        size = np.linalg.norm(now.jacobian, axis=0)
+        scale = 1.0 / np.where(size > 0.0, size, 1.0)
+        square = (now.jacobian.T @ now.jacobian) * scale[:, None] * scale
+        square[np.diag_indices_from(square)] = 1.0 + fit.damping
+        moving = ~(((at <= lower) & (gradient > 0.0)) | ((at >= upper) & (gradient < 0.0))) & (size > 0.0)
+        step = np.zeros(len(index))
+        while moving.any():
+            some = np.flatnonzero(moving)
+            step[:] = 0.0
+            step[some] = -scale[some] * np.linalg.solve(
+                square[np.ix_(some, some)], gradient[some] * scale[some]
+            )
+            # What stands at a bound and would be driven beyond it is held there.
+            held = moving & (((at <= lower) & (step < 0.0)) | ((at >= upper) & (step > 0.0)))
+            if not held.any():
+                break
+            moving &= ~held
+            step[:] = 0.0
+        there = np.clip(at + step, lower, upper)
+        taken = there - at
+        linear = now.white + now.jacobian @ taken
+        values = fit.values.copy()
+        values[index] = there
+        return values, now.chi2 - float(linear @ linear)
+
+
+def _split(prediction: Prediction, count: int) -> list[Prediction]:
+    """Predictions of each of several sets of values, without derivatives of the shapes."""
+    values, rates, shapes = (
+        np.split(whole, count) for whole in (prediction.eigenvalues, prediction.rates, prediction.shapes)
+    )
+    return [Prediction(*part, prediction.rigid) for part in zip(values, rates, shapes, strict=True)]
