@@ -26,6 +26,10 @@ class Criteria:
     #: their frequencies already turns their shapes by several per cent.  The measured frequencies decide, not the
     #: model's: a hypothesis must not be judged more mildly because it brings two modes together.
     mixed: float = 0.03
+    #: So are those closer than so many of the standard deviations of their difference, if they are stated to be less
+    #: certain, up to a limit: which of two modes is which cannot be told then, nor how they mix.
+    mixed_sigmas: float = 3.0
+    most_mixed: float = 0.1
 
     # Shapes ----------------------------------------------------------------------------------------------------
 

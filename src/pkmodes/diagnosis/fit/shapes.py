@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.match.mac import space
-from pkmodes.diagnosis.match.pairing import Pairing, crowded, tiled, unmeasured_neighbours
+from pkmodes.diagnosis.match.pairing import Pairing, neighbours, tiled, unmeasured_neighbours
 from pkmodes.diagnosis.problem import Array, Prediction
 from pkmodes.measured.measurements import Measurements
 
@@ -77,23 +77,17 @@ class ShapeRows:
         each = np.where(self.stated, data.shape_sigma, scatter)
         self.sigma = np.broadcast_to(each[:, None], data.shapes.shape)
         self._close = criteria.close
-        self._crowd(data, criteria.mixed)
+        self._crowd(neighbours(data, criteria))
 
-    def _crowd(self, data: Measurements, mixed: float) -> None:
-        """Find the rows that are compared with several modes at once, and the rows of these modes."""
-        log = np.log(data.frequency)
-        rows = crowded(data.pose, log, mixed)
-        mates = [np.flatnonzero((data.pose == data.pose[i]) & (np.abs(log - log[i]) < mixed)) for i in rows]
+    def _crowd(self, mates: NDArray[np.intp]) -> None:
+        """Rows that are compared with the modes of several rows at once."""
+        several = (mates >= 0).sum(axis=1)
         # As many modes as components would explain any shape: such a row says nothing.
-        kept = [k for k, i in enumerate(rows) if self.known[i] and len(mates[k]) <= self.count[i]]
-        silent = np.setdiff1d(rows, rows[kept])
+        silent = (several > 1) & ~(self.known & (several <= self.count))
         self.known[silent], self.count[silent], self._shapes[silent] = False, 0, 0.0
-        most = max((len(mates[k]) for k in kept), default=1)
-        self._mates = np.full((len(log), most), -1, dtype=np.intp)
-        self._mates[:, 0] = np.arange(len(log))
-        for k in kept:
-            self._mates[rows[k], : len(mates[k])] = mates[k]
-            self.count[rows[k]] -= len(mates[k]) - 1
+        self._mates = np.where(silent[:, None], -1, mates)
+        self._mates[:, 0] = mates[:, 0]
+        self.count -= np.where(silent, 0, several - 1)
 
     def tiled(self, count: int) -> ShapeRows:
         """The same for predictions of so many times the setups."""

@@ -85,7 +85,7 @@ class Pairer:
         self._row = np.full((setups, int(place.max(initial=-1)) + 1), -1, dtype=np.intp)
         self._row[data.pose, place] = np.arange(len(order))
         self._place = place
-        self._crowded = crowded(data.pose, self._log, self._criteria.mixed)
+        self._mates = neighbours(data, self._criteria)
 
     def tiled(self, count: int) -> Pairer:
         """The same for predictions of so many times the setups, each to be paired with the same rows."""
@@ -93,7 +93,7 @@ class Pairer:
         found._shape, found._log = np.tile(self._shape, (count, 1)), np.tile(self._log, count)
         found._place, found.moves = np.tile(self._place, count), np.tile(self.moves, (count, 1))
         found.pose, found._row = tiled(self.pose, count, setups), tiled(self._row, count, rows)
-        found._crowded = tiled(self._crowded, count, rows)
+        found._mates = tiled(self._mates, count, rows)
         return found
 
     def pair(self, prediction: Prediction, used: NDArray[np.bool_], *, compare: bool = True) -> Pairing:
@@ -197,15 +197,12 @@ class Pairer:
         pose, place = self.pose, self._place
         paired = partner >= 0
         found = np.where(paired, alone[pose, place, np.maximum(partner, 0)], np.nan)
-        crowded = np.zeros(len(partner), dtype=bool)
-        crowded[self._crowded] = True
-        i = np.flatnonzero(paired & (crowded | (beside >= 0).any(axis=1)))
+        crowded = (self._mates[:, 1:] >= 0).any(axis=1) | (beside >= 0).any(axis=1)
+        i = np.flatnonzero(paired & crowded)
         if len(i):
-            rows = self._row[pose[i]]
-            near = (rows >= 0) & (np.abs(self._log[rows] - self._log[i][:, None]) < self._criteria.mixed)
-            near &= paired[rows]
+            rows = self._mates[i]
             members = np.zeros((len(i), model.shape[1]), dtype=bool)
-            entry, column = np.nonzero(near)
+            entry, column = np.nonzero((rows >= 0) & paired[rows])
             members[entry, partner[rows[entry, column]]] = True
             entry, column = np.nonzero(beside[i] >= 0)
             members[entry, beside[i][entry, column]] = True
@@ -223,20 +220,41 @@ def tiled(numbers: Index, count: int, size: int) -> Index:
     return np.asarray(found.reshape(-1, *numbers.shape[1:]))
 
 
-def crowded(pose: Index, log: Array, mixed: float) -> Index:
-    """Rows with another row of their setup nearby.
+def neighbours(data: Measurements, criteria: Criteria) -> Index:
+    """Rows whose shapes are compared as one space with that of each row, because they are so near it.
+
+    They are within what turns shapes into each other, or within the errors of their frequencies.
 
     Parameters
     ----------
-    pose : ndarray of int, shape (R,)
-    log : ndarray, shape (R,)
-        Logarithms of the measured frequencies.
-    mixed : float
-        Differences below this are near.
+    data : Measurements
+    criteria : Criteria
+
+    Returns
+    -------
+    ndarray of int, shape (R, g)
+        The row itself first, then the others; -1 where there are fewer.
     """
-    order = np.lexsort((log, pose))
-    near = (np.diff(log[order]) < mixed) & (np.diff(pose[order]) == 0)
-    return np.unique(np.concatenate([order[:-1][near], order[1:][near]]))
+    log, sigma = np.log(data.frequency), data.sigma / data.frequency
+
+    def near(a: Index | int, b: Index) -> NDArray[np.bool_]:
+        errors = criteria.mixed_sigmas * np.hypot(sigma[a], sigma[b])
+        apart = np.abs(log[a] - log[b])
+        within = apart < np.clip(errors, criteria.mixed, criteria.most_mixed)
+        return np.asarray((data.pose[a] == data.pose[b]) & within)
+
+    order = np.lexsort((log, data.pose))
+    beside = near(order[:-1], order[1:])
+    everything = np.arange(len(log))
+    mates = {
+        i: np.flatnonzero(near(i, everything) & (everything != i))
+        for i in np.union1d(order[:-1][beside], order[1:][beside]).tolist()
+    }
+    found = np.full((len(log), 1 + max(map(len, mates.values()), default=0)), -1, dtype=np.intp)
+    found[:, 0] = everything
+    for i, others in mates.items():
+        found[i, 1 : 1 + len(others)] = others
+    return found
 
 
 def unmeasured_neighbours(prediction: Prediction, partner: Index, pose: Index, close: float) -> Index:
