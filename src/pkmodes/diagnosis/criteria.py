@@ -43,6 +43,8 @@ class Criteria:
     sharper: float = 0.8
     #: Below this MAC a shape is not that of its mode, whatever its stated error.
     strange_mac: float = 0.7
+    #: Above this MAC it is, even if all others fit far better.
+    good_mac: float = 0.9
     #: One shape in so many may be strange: a sensor at a node, a mode that was misread.
     strange_allowed: int = 20
 
@@ -70,6 +72,11 @@ class Criteria:
     #: Nor is it claimed if some candidate would fit an arbitrary residual of that size as well with more than this
     #: probability: there are too few data to tell it from something that nobody has thought of.
     specific: float = 0.05
+    #: A value is at a bound within so many of its standard deviations, told from absence if Wald's test gives less
+    #: than this probability, and moved by a row if leaving that out moves it by so many.
+    bounded: float = 2.0
+    absent: float = 0.003
+    moved: float = 5.0
     #: Two causes are not claimed from fewer measured frequencies than this: what nobody has thought of looks like
     #: some pair of causes at the same place.
     rows_for_two: int = 10

@@ -65,7 +65,19 @@ class Additions:
         return [option for option in found if option is not None]
 
     def _hopeless(self, fit: Fit) -> bool:
-        """Whether far too much is left when each setup has an error of its own and the worst rows are set aside."""
+        """Whether far too much is left when each setup has an error of its own and the worst rows are set aside.
+
+        A row that is very wrong may have drawn the fit away, so that many seem so: it is judged again without them.
+        """
+        if not self._far(fit):
+            return False
+        h = fit.hypothesis
+        rows = np.abs(fit.residual[self.fitter.frequency_rows] / self.fitter.sigma)
+        worst = np.argsort(rows)[::-1][: max(1, self._rows // self.criteria.rows_per_outlier)]
+        without = self.store.fit(replace(h, excluded=h.excluded | set(worst.tolist())), fit.values)
+        return without is None or self._far(without)
+
+    def _far(self, fit: Fit) -> bool:
         left = np.array(fit.residual[self.fitter.frequency_rows])
         for rows in self.fitter.noise.rows:
             left[rows] -= np.median(left[rows])  # which one row that is wrong does not move

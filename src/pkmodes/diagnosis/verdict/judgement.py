@@ -8,6 +8,7 @@ for, and if it could hardly be chance.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import comb
 
 from scipy import stats
 
@@ -21,6 +22,7 @@ from pkmodes.diagnosis.verdict.errors import explained_by_errors
 from pkmodes.diagnosis.verdict.result import Verdict
 from pkmodes.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 from pkmodes.diagnosis.verdict.specificity import p_coincidence
+from pkmodes.diagnosis.verdict.values import doubt_of_values
 
 #: Times that the survivors may prefer another cause in some place.
 PREFERENCES = 4
@@ -120,6 +122,9 @@ def _doubt(
     if rival is not None:
         return reasons.shapes_prefer(final.causes, rival.causes)
     errors = explained_by_errors(search, final)
+    value = doubt_of_values(search, final)
+    if value:
+        return value
     if any(p > c.claimed for p in p_values):
         return reasons.weak(final.causes, max(p_values), errors)
     if len(final.causes) > 1 and len(store.fitter.log) < c.rows_for_two:
@@ -177,4 +182,5 @@ def _p_value(search: Search, final: Fit, place: int) -> float:
     p = float(stats.chi2.sf(gain, len(cause.parameters)))
     if one_sided(search.store.fitter, cause):
         p *= 0.5
-    return min(1.0, p * len(search.candidates))
+    # A pair is one of many: none of its causes was chosen by itself.
+    return min(1.0, p * comb(len(search.candidates), len(final.causes)))

@@ -12,6 +12,7 @@ from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.search.unmeasured import never_measured
 from pkmodes.diagnosis.verdict.mistakes import all_alike
+from pkmodes.diagnosis.verdict.shapes import strange_shapes
 
 
 def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
@@ -46,13 +47,12 @@ def _shapes(store: FitStore, fit: Fit) -> Iterator[str]:
             f"the shapes fit no explanation: they scatter by {100 * scatter:.0f} % of their largest component "
             "(sensors exchanged, miswired, or shapes of other modes)"
         )
-    told = np.isfinite(fit.pairing.mac) & store.fitter.used(fit.hypothesis)
-    strange = np.flatnonzero(told & (np.nan_to_num(fit.pairing.mac, nan=1.0) < c.strange_mac))
+    strange = strange_shapes(store, fit)
     if len(strange):
         lines = ", ".join(str(data.lines[i]) for i in strange[:8]) + (", ..." if len(strange) > 8 else "")
         yield (
             f"the shapes in line {lines} are not those of the modes with their frequencies "
-            f"(MAC below {c.strange_mac:g})"
+            f"(MAC {fit.pairing.mac[strange].min():.2g}{' or more' if len(strange) > 1 else ''})"
         )
 
 
@@ -96,7 +96,25 @@ def _set_aside(fitter: Fitter, fit: Fit) -> Iterator[str]:
             "outlier: look at it again"
         )
     if fit.hypothesis.scatter:
-        yield f"the modes of a pose share an error of {100 * fit.scatter:.2g} %, which the file does not state"
+        drift = _drift(fitter, fit)
+        also = f": {drift}" if drift else ""
+        share = f"the modes of a pose share an error of {100 * fit.scatter:.2g} %"
+        yield f"{share}, which the file does not state{also}"
+
+
+def _drift(fitter: Fitter, fit: Fit) -> str:
+    """Whether what the modes of a pose share goes with the order of the poses."""
+    left = fit.residual[fitter.frequency_rows]
+    means = np.array([left[rows].mean() for rows in fitter.noise.rows if len(rows)])
+    if len(means) < 5:
+        return ""
+    order = np.arange(len(means))
+    if stats.spearmanr(order, means).pvalue > fitter.criteria.gate:
+        return ""
+    slope = float(np.polyfit(order, means, 1)[0])
+    return (
+        f"it drifts in the order of the poses, by {100 * slope * (len(means) - 1):+.2g} % from first to last"
+    )
 
 
 def _unmeasured(fitter: Fitter, fit: Fit) -> Iterator[str]:

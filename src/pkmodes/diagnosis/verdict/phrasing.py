@@ -2,36 +2,71 @@
 
 from __future__ import annotations
 
-from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.search.gate import Gate
 from pkmodes.diagnosis.search.search import Outcome, Search
-from pkmodes.diagnosis.verdict import reasons
+from pkmodes.diagnosis.verdict import misfit, reasons
 from pkmodes.diagnosis.verdict.judgement import Judgement
 from pkmodes.diagnosis.verdict.report import Report, remains
 
 
 def reason_of(report: Report, search: Search, outcome: Outcome, judged: Judgement) -> str:
     """Say why a verdict was given."""
-    fitter, store = search.store.fitter, search.store
-    noise = reasons.noise(judged.final.hypothesis, judged.final.scatter, fitter.data.lines)
+    lines = search.store.fitter.data.lines
+    noise = reasons.noise(judged.final.hypothesis, judged.final.scatter, lines)
     if judged.verdict == "adequate":
         return reasons.adequate(outcome.last, noise)
     if judged.verdict == "effect_found":
         return reasons.found(report.findings(judged), outcome.first, noise)
     if judged.verdict == "ambiguous":
         return reasons.ambiguous([[name for name, _ in named] for named in remains(judged)])
-    squares, degrees = store.frequency_misfit(outcome.nuisances)
-    ratio = squares / max(degrees, 1.0)
-    dispersed = _dispersed(outcome.first, outcome.nuisances, search)
-    return reasons.unexplained(
-        fitter, outcome.nuisances, judged.final, ratio, outcome.first, outcome.last, dispersed
-    )
+    return _unexplained(search, outcome, judged)
 
 
-def _dispersed(gate: Gate, fit: Fit, search: Search) -> bool:
+def _unexplained(search: Search, outcome: Outcome, judged: Judgement) -> str:
+    """Say what is left, and in which part of the data."""
+    store, fit, first, last = search.store, outcome.nuisances, outcome.first, outcome.last
+    c, final = search.criteria, judged.final
+    if last.p_unmeasured <= last.level < min(last.p_value, last.p_candidates):
+        return reasons.added_modes(final.causes)
+    if last.unpaired:
+        return reasons.unpaired(last.unpaired)
+    frequencies, shapes = misfit.of_frequencies(store, fit), misfit.of_shapes(store, fit)
+    if min(frequencies.p_value, shapes.p_value) > c.surely:
+        name, away = misfit.far_away(store, fit, store.fitter.nuisances)
+        if first.p_value <= c.gate and away > c.far:
+            return reasons.declared_value(name, away)
+    elif frequencies.p_value > c.gate:
+        return reasons.shapes_left(shapes.ratio, misfit.worst_shape(store, fit))
+    beyond = _beyond_prior(search)
+    if beyond:
+        return beyond
+    pattern = reasons.uneven(store.fitter, fit)
+    if _dispersed(first, frequencies, c):
+        few = len(store.fitter.log) < c.rows_to_set_aside
+        return reasons.scattered(frequencies.ratio, pattern, few)
+    if first.p_value > c.gate:
+        return reasons.small(first.p_candidates)
+    return reasons.real(frequencies.ratio, pattern)
+
+
+def _beyond_prior(search: Search) -> str:
+    """A single candidate that would explain the data, but not with what was declared of its size."""
+    store, c = search.store, search.criteria
+    found = []
+    for fit in store.tried():
+        if len(fit.causes) != 1 or fit.causes[0].remote or fit.hypothesis.excluded or fit.hypothesis.scatter:
+            continue
+        index = store.fitter.indices(fit.causes[0])
+        _, away = misfit.far_away(store, fit, index)
+        explained = min(m.p_value for m in (misfit.of_frequencies(store, fit), misfit.of_shapes(store, fit)))
+        if away > c.far and explained > c.gate:
+            found.append((store.criterion(fit), fit.causes[0].name, float(fit.values[index[0]]), away))
+    return reasons.beyond_prior(*min(found)[1:]) if found else ""
+
+
+def _dispersed(gate: Gate, frequencies: misfit.Misfit, c: Criteria) -> bool:
     """Whether what is left has no direction, once it is scaled to its own size: larger errors than stated."""
-    squares, degrees = search.store.frequency_misfit(fit)
-    scale = squares / max(degrees, 1.0)
+    scale = frequencies.ratio
     most = max((s.gain / scale / max(len(s.candidate.parameters), 1) for s in gate.scores.each), default=0.0)
-    c = search.criteria
     return bool(c.dispersed[0] < scale < c.dispersed[1] and most < c.no_direction)

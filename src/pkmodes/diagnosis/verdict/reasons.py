@@ -110,6 +110,31 @@ def two_of_few(causes: Sequence[Candidate], rows: int, needed: int) -> str:
     )
 
 
+def at_bound(cause: Candidate, value: float, sigma: float, bound: float) -> str:
+    """A value that a bound holds."""
+    return (
+        f"{cause.name} would explain the residual, but its value, {value:.4g} +- {sigma:.2g}, is at its bound "
+        f"{bound:.4g}: something else may stand behind it"
+    )
+
+
+def near_absence(cause: Candidate) -> str:
+    """A value that is hardly one."""
+    return (
+        f"{cause.name} would explain the residual, but its value is not told from the declared one: something else "
+        "stands behind it"
+    )
+
+
+def rests_on(cause: Candidate, line: int, label: str, frequency: float, value: float | None) -> str:
+    """A single row speaks for it."""
+    without = "it would not be seen without it" if value is None else f"without it, its value is {value:.4g}"
+    return (
+        f"{cause.name} would explain the residual, but it rests on line {line} ({label}, {frequency:g} Hz) alone, "
+        f"and {without}: check that row"
+    )
+
+
 def weak(causes: Sequence[Candidate], p_value: float, what: str) -> str:
     """It may be chance."""
     perhaps = f"; errors of the measurement would explain it too: {what}" if what else ""
@@ -123,40 +148,58 @@ def _names(causes: Sequence[Candidate]) -> str:
     return " and ".join(cause.name for cause in causes)
 
 
-def unexplained(
-    fitter: Fitter, fit: Fit, final: Fit, ratio: float, first: Gate, last: Gate, dispersed: bool
-) -> str:
-    """None.
+def added_modes(causes: Sequence[Candidate]) -> str:
+    """Modes that should have been measured."""
+    return f"{_names(causes)} would explain the measured modes, but adds others among them that were not measured"
 
-    Parameters
-    ----------
-    fitter : Fitter
-    fit, final : Fit
-        With the nuisances only, and the last one.
-    ratio : float
-        chi2 per degree of freedom of the first.
-    first, last : Gate
-        At the two.
-    dispersed : bool
-        Whether what is left has no direction once it is scaled to its own size.
-    """
-    if last.p_unmeasured <= last.level < min(last.p_value, last.p_candidates):
-        return (
-            f"{_names(final.causes)} would explain the measured modes, but adds others among them that were not "
-            "measured"
-        )
-    if last.unpaired:
-        which = "1 measured mode is" if last.unpaired == 1 else f"{last.unpaired} measured modes are"
-        return f"{which} unmatched: the model has no mode there, and no candidate adds one"
-    pattern = uneven(fitter, fit)
-    if dispersed:
-        what = pattern or "perhaps the stated sigma is too small"
-        return f"the residual is {ratio**0.5:.2g} times the stated errors and points at no candidate: {what}"
-    if first.p_value > fitter.criteria.gate:
-        return (
-            f"what is left is small but points at a candidate ({_p(first.p_candidates)}), and none explains it "
-            "well enough to be claimed: measure more"
-        )
+
+def unpaired(count: int) -> str:
+    """Measured modes that no model has."""
+    which = "1 measured mode is" if count == 1 else f"{count} measured modes are"
+    return f"{which} unmatched: the model has no mode there, and no candidate adds one"
+
+
+def declared_value(name: str, away: float) -> str:
+    """The data agree, an uncertain value does not."""
+    return (
+        f"the data agree with the model, but only with {name} {away:.1f} sigma from its declared value: that value "
+        "or its sigma is wrong, or something outside the candidates has the same effect"
+    )
+
+
+def shapes_left(ratio: float, line: int) -> str:
+    """The frequencies agree, the shapes do not."""
+    return (
+        f"the frequencies agree with the model, but the shapes do not (chi2 per degree of freedom {ratio:.3g}, worst "
+        f"in line {line}), and no candidate or pair of them explains both"
+    )
+
+
+def beyond_prior(name: str, value: float, away: float) -> str:
+    """A candidate that its prior forbids."""
+    return (
+        f"{name} = {value:.4g} would explain the data, but that is {away:.1f} sigma outside what was declared "
+        "plausible for it, and nothing else explains them"
+    )
+
+
+def scattered(ratio: float, pattern: str, few: bool) -> str:
+    """What is left has no direction."""
+    perhaps = "something outside the candidates, or stated errors that are too small"
+    what = pattern or (perhaps if few else "perhaps the stated sigma is too small")
+    return f"the residual is {ratio**0.5:.2g} times the stated errors and points at no candidate: {what}"
+
+
+def small(p_candidates: float) -> str:
+    """It is hardly more than noise."""
+    return (
+        f"what is left is small but points at a candidate ({_p(p_candidates)}), and none explains it well enough to "
+        "be claimed: measure more"
+    )
+
+
+def real(ratio: float, pattern: str) -> str:
+    """None."""
     seen = f"; {pattern}" if pattern else ""
     return (
         f"the residual is real (chi2 per degree of freedom {ratio:.3g}) and no candidate or pair of them "

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy import stats
 
 from pkmodes.diagnosis.fit.hypothesis import Fit
@@ -16,11 +17,30 @@ def shapes_disagree(store: FitStore, fit: Fit) -> bool:
     """
     fitter, c = store.fitter, store.fitter.criteria
     told = np.isfinite(fit.pairing.mac) & fitter.used(fit.hypothesis)
-    strange = int((fit.pairing.mac[told] < c.strange_mac).sum())
     scatter = store.shape_scatter(fit)
-    return strange > int(told.sum()) // c.strange_allowed or (
+    return len(strange_shapes(store, fit)) > int(told.sum()) // c.strange_allowed or (
         scatter is not None and scatter > c.most_shape_scatter
     )
+
+
+def strange_shapes(store: FitStore, fit: Fit) -> NDArray[np.intp]:
+    """Rows whose shapes are not those of the modes with their frequencies.
+
+    By a low MAC, or by one that is not high and a misfit far beyond that of all other rows: one bad shape must not
+    raise the scatter that then excuses it.
+    """
+    fitter, c = store.fitter, store.fitter.criteria
+    used = fitter.used(fit.hypothesis)
+    mac = np.where(used, np.nan_to_num(fit.pairing.mac, nan=1.0), 1.0)
+    size = fitter.shapes.sigma.shape
+    squares = (fit.white[fitter.shape_rows].reshape(size) ** 2).sum(axis=1)
+    degrees = fitter.shapes.count * used - fit.leverage[fitter.shape_rows].reshape(size).sum(axis=1)
+    others = np.maximum(degrees.sum() - degrees, 1e-9)
+    ratio = (squares / np.maximum(degrees, 1e-9)) / np.maximum((squares.sum() - squares) / others, 1e-300)
+    known = (degrees > 0.5) & (others > 0.5)
+    p_value = np.where(known, stats.f.sf(ratio, np.maximum(degrees, 0.5), np.maximum(others, 0.5)), 1.0)
+    alone = p_value * max(int(known.sum()), 1) < c.surely
+    return np.flatnonzero((mac < c.strange_mac) | (alone & (mac < c.good_mac)))
 
 
 def better_by_shape(store: FitStore, fit: Fit) -> Fit | None:

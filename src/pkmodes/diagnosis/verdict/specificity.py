@@ -20,7 +20,6 @@ number of dimensions is the participation ratio of such changes in the whitened 
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import comb
 
 import numpy as np
@@ -31,8 +30,10 @@ from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.problem import Prediction
 from pkmodes.diagnosis.search.search import Search
 
-#: Setups that are looked at for the number of dimensions: with more of them it is large anyhow.
-SETUPS = 12
+#: With more rows than this the number of dimensions is large anyhow.
+ROWS = 60
+#: Modes beyond the highest measured one whose shapes are mixed into it.
+ABOVE = 3
 
 
 def p_coincidence(search: Search, final: Fit) -> float:
@@ -62,14 +63,18 @@ def p_coincidence(search: Search, final: Fit) -> float:
 def dimensions(fitter: Fitter, plain: Fit) -> float:
     """Effective number of dimensions of what arbitrary changes of the structure do to the data beside a fit.
 
-    Setups count as independent of each other, as where a structure differs from one to the next; no more than
-    `SETUPS` of them are looked at.
+    Setups count as independent of each other, as where a structure differs from one to the next.  Infinite where
+    there are more than `ROWS` rows.
     """
     square, fourth, used = 0.0, 0.0, fitter.used(plain.hypothesis)
     data = fitter.prior_rows.start
-    changes = fitter.rows.rates(_changed(plain.prediction, fitter.criteria.mixed), plain.pairing, used)
-    changes = changes / fitter.noise.stated[:, None]
-    for place in fitter.places()[:SETUPS]:
+    if len(used) > ROWS:
+        return np.inf
+    # Modes far above the measured ones take no part in their shapes.
+    modes = int(plain.pairing.partner.max(initial=0)) + 1 + ABOVE
+    changed = _changed(plain.prediction, modes, fitter.criteria.mixed)
+    changes = fitter.rows.rates(changed, plain.pairing, used) / fitter.noise.stated[:, None]
+    for place in fitter.places():
         own = np.zeros((len(plain.white), changes.shape[1]))
         own[place] = changes[place]
         own -= plain.basis @ (plain.basis[:data].T @ own[:data])
@@ -78,9 +83,10 @@ def dimensions(fitter: Fitter, plain: Fit) -> float:
     return square**2 / fourth if fourth > 0.0 else 0.0
 
 
-def _changed(prediction: Prediction, least: float) -> Prediction:
-    """The same modes, with derivatives with respect to all relative changes of modal stiffnesses and masses."""
-    found, m = prediction.eigenvalues, prediction.eigenvalues.shape[1]
+def _changed(prediction: Prediction, modes: int, least: float) -> Prediction:
+    """The lowest modes, with derivatives with respect to all relative changes of modal stiffnesses and masses."""
+    found, shapes = prediction.eigenvalues[:, :modes], prediction.shapes[:, :modes]
+    m = found.shape[1]
     i, j = np.triu_indices(m)
     size = np.abs(found)
     gap = found[:, i] - found[:, j]
@@ -89,17 +95,19 @@ def _changed(prediction: Prediction, least: float) -> Prediction:
     gap = np.where(gap >= 0.0, 1.0, -1.0) * np.maximum(np.abs(gap), np.maximum(smallest, 1e-300))
     mean = np.sqrt(size[:, i] * size[:, j])
     rates = np.zeros((len(found), m, 2, len(i)))
-    along = np.zeros((*prediction.shapes.shape, 2, len(i)))
+    along = np.zeros((*shapes.shape, 2, len(i)))
     for t in np.flatnonzero(i == j):
         rates[:, i[t], 0, t], rates[:, i[t], 1, t] = found[:, i[t]], -found[:, i[t]]
     for t in np.flatnonzero(i != j):
         for a, b, sign in ((i[t], j[t], 1.0), (j[t], i[t], -1.0)):
-            along[:, a, :, 0, t] = sign * (mean / gap)[:, t, None] * prediction.shapes[:, b]
-            along[:, a, :, 1, t] = -sign * (size[:, a] / gap[:, t])[:, None] * prediction.shapes[:, b]
-    return replace(
-        prediction,
-        rates=rates.reshape(len(found), m, -1),
-        shape_rates=along.reshape(*prediction.shapes.shape, -1),
+            along[:, a, :, 0, t] = sign * (mean / gap)[:, t, None] * shapes[:, b]
+            along[:, a, :, 1, t] = -sign * (size[:, a] / gap[:, t])[:, None] * shapes[:, b]
+    return Prediction(
+        found,
+        rates.reshape(len(found), m, -1),
+        shapes,
+        prediction.rigid,
+        along.reshape(*shapes.shape, -1),
     )
 
 

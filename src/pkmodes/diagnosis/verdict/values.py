@@ -1,0 +1,74 @@
+"""Whether the fitted value of a cause can carry a claim: told from its absence, inside its bounds, not of one row."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from scipy import stats
+
+from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.problem import Candidate
+from pkmodes.diagnosis.search.search import Search
+from pkmodes.diagnosis.verdict import reasons
+
+
+def doubt_of_values(search: Search, final: Fit) -> str:
+    """Why the value of some cause cannot carry a claim; empty where nothing speaks against it."""
+    fitter, c = search.store.fitter, search.criteria
+    for cause in final.causes:
+        index = fitter.indices(cause)
+        sigma = np.sqrt(np.diagonal(_covariance(final, index)))
+        for i, s in zip(index, sigma, strict=True):
+            p, value = fitter.parameters[i], float(final.values[i])
+            for bound in (p.lower, p.upper):
+                if bound != p.value and np.isfinite(bound) and abs(value - bound) < c.bounded * s:
+                    return reasons.at_bound(cause, value, float(s), bound)
+        if p_absent(search, final, cause) > c.absent:
+            return reasons.near_absence(cause)
+    return next((text for cause in final.causes if (text := _rests_on(search, final, cause))), "")
+
+
+def p_absent(search: Search, final: Fit, cause: Candidate) -> float:
+    """Probability of values as far from the declared ones, by their own covariance (Wald's test).
+
+    Where a sum of squares has no smooth minimum, it may fall by far more than such a change of values can explain.
+    """
+    fitter = search.store.fitter
+    index = fitter.indices(cause)
+    away = final.values[list(index)] - fitter.declared[list(index)]
+    squares = float(away @ np.linalg.pinv(_covariance(final, index), hermitian=True) @ away)
+    return float(stats.chi2.sf(squares, len(index)))
+
+
+def _rests_on(search: Search, final: Fit, cause: Candidate) -> str:
+    """The row that alone speaks for a cause, or for its value, as a reason; empty where there is none."""
+    store, c = search.store, search.criteria
+    fitter, h = store.fitter, final.hypothesis
+    used, index = fitter.used(h), list(fitter.indices(cause))
+    leverage = np.where(used, final.leverage[fitter.frequency_rows], 0.0)
+    sigma = np.sqrt(np.diagonal(_covariance(final, fitter.indices(cause))))
+    for row in np.argsort(leverage)[::-1]:
+        if leverage[row] <= c.redundant:
+            break
+        with_cause = replace(h, excluded=h.excluded | {int(row)})
+        without = replace(with_cause, causes=tuple(other for other in h.causes if other != cause))
+        here, less = store.fit(with_cause, final.values), store.fit(without, store.undone(final, without))
+        if here is None or less is None:
+            continue
+        gone = float(stats.chi2.sf(max(less.deviance - here.deviance, 0.0), len(index))) > c.claimed
+        moved = np.abs(here.values[index] - final.values[index]) > c.moved * np.hypot(
+            sigma, np.sqrt(np.diagonal(_covariance(here, tuple(index))))
+        )
+        if gone or moved.any():
+            data = fitter.data
+            value = None if gone else float(here.values[index[int(np.argmax(moved))]])
+            return reasons.rests_on(
+                cause, int(data.lines[row]), data.labels[data.pose[row]], float(data.frequency[row]), value
+            )
+    return ""
+
+
+def _covariance(fit: Fit, index: tuple[int, ...]) -> np.ndarray:
+    place = [fit.free.index(i) for i in index]
+    return fit.covariance[np.ix_(place, place)]
