@@ -71,7 +71,7 @@ class Criteria:
     claimed: float = 1e-3
     #: Nor is it claimed if some candidate would fit an arbitrary residual of that size as well with more than this
     #: probability: there are too few data to tell it from something that nobody has thought of.
-    specific: float = 0.05
+    specific: float = 0.01
     #: A value is at a bound within so many of its standard deviations, told from absence if Wald's test gives less
     #: than this probability, and moved by a row if leaving that out moves it by so many.
     bounded: float = 2.0

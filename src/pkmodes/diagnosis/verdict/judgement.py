@@ -122,17 +122,16 @@ def _doubt(
     if rival is not None:
         return reasons.shapes_prefer(final.causes, rival.causes)
     errors = explained_by_errors(search, final)
-    value = doubt_of_values(search, final)
-    if value:
-        return value
     if any(p > c.claimed for p in p_values):
         return reasons.weak(final.causes, max(p_values), errors)
     if len(final.causes) > 1 and len(store.fitter.log) < c.rows_for_two:
         return reasons.two_of_few(final.causes, len(store.fitter.log), c.rows_for_two)
+    if errors:
+        return reasons.errors(final.causes, errors)
     coincidence = p_coincidence(search, final)
     if coincidence > c.specific:
         return reasons.unspecific(final.causes, _also(search, final), coincidence)
-    return reasons.errors(final.causes, errors) if errors else ""
+    return doubt_of_values(search, final)
 
 
 def _also(search: Search, final: Fit) -> list[str]:

@@ -1,86 +1,103 @@
-r"""Whether data are enough to tell a cause from something that nobody has thought of.
+r"""Whether few data are enough to tell a cause from something that nobody has thought of.
 
-What a cause outside the candidates leaves points anywhere.  One of many candidates explains it all the same if its
-signature is close enough to that direction by chance: in d dimensions the part of a squared length that is left
-beside k given directions has a beta distribution, Beta((d - k) / 2, k / 2).  The fewer the dimensions, the likelier
-it is that what is left passes for noise.
+What a cause outside the candidates leaves may look like one of them by chance, the likelier the fewer the data.  How
+likely it is follows from draws: residuals as large as the one at hand, of changes of the structure that are nobody's
+candidate, are held against every candidate by its linear signature.  The draws are of two kinds.
 
-The data have fewer dimensions than numbers.  An arbitrary small change of a structure, with independent relative
-changes :math:`\xi_{ij} = \xi_{ji}` of its modal stiffnesses and :math:`\eta_{ij} = \eta_{ji}` of its modal
-masses, gives
+*Arbitrary changes*, with independent relative changes :math:`\xi_{ij} = \xi_{ji}` of the modal stiffnesses and
+:math:`\eta_{ij} = \eta_{ji}` of the modal masses, give
 
 .. math:: d \ln f_i = \tfrac12 (\xi_{ii} - \eta_{ii}), \qquad
     d\phi_i = \sum_{j \ne i} \phi_j \frac{\sqrt{\lambda_i \lambda_j} \, \xi_{ij} - \lambda_i \eta_{ij}}
-    {\lambda_i - \lambda_j} ,
+    {\lambda_i - \lambda_j} :
 
-so that shapes change mostly by those of neighbouring modes, and those of two neighbours together.  The effective
-number of dimensions is the participation ratio of such changes in the whitened data,
-:math:`(\sum s^2)^2 / \sum s^4` over their singular values, beside what the nuisances explain.
+shapes change mostly by those of neighbouring modes, and those of two neighbours together, so that twelve values of
+shapes say less than twelve independent ones.  *Many small changes* are all candidates at once, each as visible as the
+others.
 """
 
 from __future__ import annotations
 
-from math import comb
+from itertools import combinations
 
 import numpy as np
 from scipy import stats
 
 from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
-from pkmodes.diagnosis.problem import Prediction
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis, orthonormal
+from pkmodes.diagnosis.problem import Array, Prediction
 from pkmodes.diagnosis.search.search import Search
 
-#: With more rows than this the number of dimensions is large anyhow.
-ROWS = 60
+#: Draws of each kind, and their seed.
+DRAWS, SEED = 2_000, 20_221_107
 #: Modes beyond the highest measured one whose shapes are mixed into it.
 ABOVE = 3
+#: What a draw may leave: as much as the claim does, and so many standard deviations of the noise in that.
+SPREAD = 2.0
 
 
 def p_coincidence(search: Search, final: Fit) -> float:
-    """Probability that some hypothesis with as many causes explains an arbitrary residual of this size."""
-    store, fitter = search.store, search.store.fitter
+    """Probability that some hypothesis with as many causes explains a residual of this size that is none of theirs.
+
+    Zero where there are more than `Criteria.few_rows` rows.
+    """
+    store, fitter, c = search.store, search.store.fitter, search.criteria
     h = final.hypothesis
     plain = store.fit(Hypothesis(excluded=h.excluded, scatter=h.scatter))
-    if plain is None or not final.causes:
+    used = fitter.used(h)
+    if plain is None or not final.causes or used.sum() > c.few_rows:
         return 0.0
-    c, used = search.criteria, fitter.used(h)
     free = sum(len(cause.parameters) for cause in final.causes)
-    count = float(used.sum() + fitter.shapes.count[used].sum())
     data = slice(0, fitter.prior_rows.start)
-    degrees = count - float(plain.leverage[data].sum())
-    tried = comb(len(search.candidates), len(final.causes))
-    one = _explains(
-        max(plain.chi2 - degrees, plain.chi2 - final.chi2),
-        min(dimensions(fitter, plain), degrees),
-        degrees - free,
-        free,
-        level=c.surely,
-        clear=float(stats.chi2.isf(c.claimed / max(tried, 1), free)),
-    )
-    return float(-np.expm1(tried * np.log1p(-min(one, 1.0 - 1e-16))))
+    degrees = float(used.sum() + fitter.shapes.count[used].sum() - plain.leverage[data].sum())
+    left = degrees - free
+    excess = max(plain.chi2 - degrees, plain.chi2 - final.chi2)
+    clear = float(stats.chi2.isf(c.claimed / max(len(search.candidates), 1), free))
+    if left <= 0.0 or excess <= clear:
+        return 1.0
+    most = max(final.chi2 - left, 0.0) + SPREAD * float(np.sqrt(2.0 * left))
+    directions = search.gate(plain).scores.directions
+    rng = np.random.default_rng(SEED)
+    found = []
+    for changes in (arbitrary(fitter, plain), np.hstack([axes for axes, _ in directions])):
+        drawn = changes @ rng.standard_normal((changes.shape[1], DRAWS))
+        drawn *= np.sqrt(excess) / np.maximum(np.linalg.norm(drawn, axis=0), 1e-300)
+        found.append(_explained(drawn, directions, len(final.causes), max(clear, excess - most)))
+    return max(found)
 
 
-def dimensions(fitter: Fitter, plain: Fit) -> float:
-    """Effective number of dimensions of what arbitrary changes of the structure do to the data beside a fit.
+def _explained(drawn: Array, directions: tuple[tuple[Array, int], ...], causes: int, needed: float) -> float:
+    """Part of the residuals (D, n) of which some combination of so many causes takes away as much as needed."""
+    reached = np.zeros(drawn.shape[1], dtype=bool)
+    for some in combinations(directions, causes):
+        signs = [sign for _, sign in some]
+        if causes == 1 and signs[0]:
+            along = some[0][0][:, 0] @ drawn
+            gain = np.where(along > 0.0, along**2, 0.0)
+        else:
+            basis = some[0][0] if causes == 1 else orthonormal(np.hstack([axes for axes, _ in some]))
+            gain = ((basis.T @ drawn) ** 2).sum(axis=0)
+        reached |= gain >= needed
+    return float(reached.mean())
 
-    Setups count as independent of each other, as where a structure differs from one to the next.  Infinite where
-    there are more than `ROWS` rows.
+
+def arbitrary(fitter: Fitter, plain: Fit) -> Array:
+    """What arbitrary changes of the structure do to the whitened data beside a fit, (D, T).
+
+    Setups count as independent of each other, as where a structure differs from one to the next.
     """
-    square, fourth, used = 0.0, 0.0, fitter.used(plain.hypothesis)
-    data = fitter.prior_rows.start
-    if len(used) > ROWS:
-        return np.inf
+    used, data = fitter.used(plain.hypothesis), fitter.prior_rows.start
     # Modes far above the measured ones take no part in their shapes.
     modes = int(plain.pairing.partner.max(initial=0)) + 1 + ABOVE
     changed = _changed(plain.prediction, modes, fitter.criteria.mixed)
     changes = fitter.rows.rates(changed, plain.pairing, used) / fitter.noise.stated[:, None]
+    found = []
     for place in fitter.places():
-        own = np.zeros((len(plain.white), changes.shape[1]))
-        own[place] = changes[place]
-        own -= plain.basis @ (plain.basis[:data].T @ own[:data])
-        s = np.linalg.svd(own, compute_uv=False)
-        square, fourth = square + float((s**2).sum()), fourth + float((s**4).sum())
-    return square**2 / fourth if fourth > 0.0 else 0.0
+        if len(place):
+            own = np.zeros((len(plain.white), changes.shape[1]))
+            own[place] = changes[place]
+            found.append(own - plain.basis @ (plain.basis[:data].T @ own[:data]))
+    return np.hstack(found)
 
 
 def _changed(prediction: Prediction, modes: int, least: float) -> Prediction:
@@ -109,30 +126,3 @@ def _changed(prediction: Prediction, modes: int, least: float) -> Prediction:
         prediction.rigid,
         along.reshape(*shapes.shape, -1),
     )
-
-
-def _explains(
-    excess: float, dimensions: float, degrees: float, free: int, *, level: float, clear: float
-) -> float:
-    """Probability that k directions explain a residual in d dimensions so well that it would be claimed.
-
-    Parameters
-    ----------
-    excess : float
-        Squared length of the residual beyond noise.
-    dimensions : float
-    degrees : float
-        Of freedom of what is left.
-    free : int
-        Number of directions.
-    level : float
-        What is left has to pass for noise with more than this probability.
-    clear : float
-        Gain below which nothing is claimed.
-    """
-    rest = dimensions - free
-    if rest <= 0.0 or degrees <= 0.0 or excess <= clear:  # too small to be claimed for: it says nothing
-        return 1.0
-    noise = float(stats.chi2.isf(level, degrees)) - degrees
-    most = min(noise / excess, 1.0 - clear / excess)
-    return float(stats.beta.cdf(most, 0.5 * rest, 0.5 * free))
