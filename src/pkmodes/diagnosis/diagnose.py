@@ -15,6 +15,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from pkmodes.diagnosis.arguments import check_arguments
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
@@ -70,6 +71,7 @@ def diagnose(
     PkmodesError
         If a label is unknown, nothing is left to fit, or the model cannot be evaluated as declared.
     """
+    check_arguments(structure, data)
     structure = at_measured(structure, data.labels, float(data.frequency.max(initial=0.0)))
     fitted, held = split(data, holdout)
     fitter = Fitter(structure.subset(fitted), data.at(fitted), criteria)
@@ -106,11 +108,11 @@ def split(data: Measurements, holdout: Sequence[str] | None) -> tuple[list[int],
             nearest = difflib.get_close_matches(unknown[0], data.labels, n=1)
             some = ", ".join(data.labels[:10]) + (", ..." if count > 10 else "")
             remedy = f'did you mean "{nearest[0]}"?' if nearest else f"labels are: {some}"
-            raise PkmodesError(f"no pose is called {shown(unknown[0])}", data.source, remedy)
+            raise PkmodesError(f"no pose is called {shown(unknown[0])}", "holdout", remedy)
         held = sorted({data.labels.index(label) for label in holdout})
     fitted = [i for i in range(count) if i not in held]
     if not fitted:
-        raise PkmodesError("every pose is held out", data.source, "leave some poses to fit")
+        raise PkmodesError("every pose is held out", "holdout", "leave some poses to fit")
     return fitted, held
 
 

@@ -217,7 +217,7 @@ class Diagnosis:
         return tuple(row for row in self.rows if last(row) is None and not row.outlier)
 
     def as_json(self) -> dict[str, object]:
-        """Return the result in the form that formats.md promises; NaN never occurs."""
+        """Return the result as docs/json.md describes it; NaN never occurs."""
         return {
             "verdict": self.verdict,
             "reason": self.reason,
