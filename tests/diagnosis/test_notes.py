@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -249,6 +250,17 @@ def test_stability_says_what_other_errors_and_priors_would_change() -> None:
         "effects": ["brace"],
     }
     assert notes(measured()).stability[1].verdict == "adequate"
+
+
+def test_a_diagnosis_is_printed_in_a_few_lines() -> None:
+    found = notes(replace(measured(brace=0.3), band=(1.0, 100.0)))
+    lines = str(found).splitlines()
+    assert lines[0] == f"effect_found: {found.reason}"
+    assert re.fullmatch(r"cause: brace \(p = \S+\): brace = 0\.[23]\d* \+- 0\.0\d+", lines[1])
+    stages = [line for line in lines if "chi2 per degree of freedom" in line]
+    assert [line.split()[0] for line in stages] == ["before", "refit", "after"]
+    assert len(lines) == 5 + len(found.notes)
+    assert str(notes(measured(shapes=False))).startswith("adequate: what the declared model leaves is noise")
 
 
 def test_a_cause_that_other_errors_would_exchange_is_not_claimed() -> None:

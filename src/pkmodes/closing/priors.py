@@ -75,9 +75,10 @@ def _deviation(given: float | str, parameter: Parameter, name: str) -> float:
                 value = float(value) / 100.0 * abs(parameter.value)
             else:
                 factor, powers = base_units(unit)
-                if powers != base_units(parameter.unit)[1]:
+                own, same = base_units(parameter.unit)
+                if powers != same:
                     raise QuantityError(f"{shown(given)} is of another kind")
-                value = float(Decimal(number[1]) * factor)
+                value = float(Decimal(number[1]) * factor / own)
         except QuantityError as error:
             what = f"expected a standard deviation in {parameter.unit}: {error}"
             raise PkmodesError(what, where, remedy) from None
