@@ -117,9 +117,8 @@ def value_problems(given: Columns, first: Integers) -> Iterator[Problem]:
     known = (sigma >= SMALLEST) & (sigma <= LARGEST)
     yield from broken("sigma", sigma, known, "a standard deviation above 0 Hz", "write that of the frequency")
     small = (sigma < frequency) | ~(positive & known)
-    yield from broken(
-        "sigma", sigma, small, "a standard deviation below the frequency", "write that of the frequency"
-    )
+    remedy = "write that of the frequency, and look at the units of both"
+    yield from broken("sigma", sigma, small, "a standard deviation below the frequency", remedy)
     ratio = np.isnan(damping) | ((damping >= 0.0) & (damping < 1.0))
     yield from broken(
         "damping", damping, ratio, "a damping ratio of at least 0 and below 1", "write 0.02 for 2 %"
