@@ -179,7 +179,8 @@ def _stability(result: Diagnosis) -> list[str]:
         for entry in result.stability
         if entry.effects and not set(entry.effects) <= claimed
     ]
-    return [f"the best explanation changes: {'; '.join(changed)}"] if changed else []
+    what = "the best explanation changes" if claimed else "the best explanation, which is not claimed"
+    return [f"{what}: {'; '.join(changed)}"] if changed else []
 
 
 def _listed(rows: Sequence[Row]) -> str:

@@ -31,6 +31,7 @@ from pkmodes.diagnosis.verdict.phrasing import reason_of
 from pkmodes.diagnosis.verdict.report import Report
 from pkmodes.diagnosis.verdict.result import Diagnosis, Verdict
 from pkmodes.diagnosis.verdict.stability import Trial, trials, unchanged
+from pkmodes.diagnosis.verdict.whole_data import remarks
 from pkmodes.errors import PkmodesError, shown
 from pkmodes.measured.measurements import Measurements
 
@@ -156,7 +157,7 @@ def _judged(report: Report, search: Search, outcome: Outcome) -> Diagnosis:
         outcome,
         judged,
         reason,
-        (wiring,) if wiring else (),
+        (*((wiring,) if wiring else ()), *remarks(report, judged.final)),
         tuple(trial.entry for trial in found),
     )
 
@@ -193,4 +194,5 @@ def _insufficient(fitter: Fitter, report: Report) -> Diagnosis:
     )
     names = tuple(candidate.name for candidate in candidates)
     verdict: Verdict = "insufficient_data"
-    return report.without_search(verdict, reason, store, fit, names, (), unchanged(verdict))
+    about = () if fit is None else remarks(report, fit)
+    return report.without_search(verdict, reason, store, fit, names, about, unchanged(verdict))

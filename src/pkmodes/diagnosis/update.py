@@ -22,6 +22,7 @@ from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.matrices import at_measured
 from pkmodes.diagnosis.problem import Candidate, Structure
+from pkmodes.diagnosis.verdict import whole_data
 from pkmodes.diagnosis.verdict.mistakes import other_unit, other_wiring
 from pkmodes.diagnosis.verdict.notes import notes
 from pkmodes.diagnosis.verdict.report import Report
@@ -150,6 +151,7 @@ def update(
     covariance = fit.covariance[np.ix_(k, k)]
     size = np.sqrt(np.diagonal(covariance))
     remarks = [text for text in (other_unit(fitter), other_wiring(fitter, fit)) if text]
+    remarks += whole_data.remarks(report, fit)
     held_by_prior = [p.name for p in found if p.resolution < 0.05]
     if held_by_prior:
         remarks.append(f"only their priors hold {', '.join(held_by_prior)}: these data do not determine it")

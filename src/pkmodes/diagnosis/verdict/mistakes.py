@@ -150,19 +150,6 @@ def dead_channels(fitter: Fitter, fit: Fit) -> list[str]:
     return found
 
 
-def copied(data: Measurements) -> list[tuple[int, int]]:
-    """Pairs of lines whose shapes are the same, number by number: no two measurements are."""
-    first: dict[bytes, int] = {}
-    found = []
-    for row, shape in enumerate(data.shapes):
-        if np.count_nonzero(np.nan_to_num(shape)) < 2:
-            continue
-        before = first.setdefault(shape.tobytes(), row)
-        if before != row:
-            found.append((int(data.lines[before]), int(data.lines[row])))
-    return found
-
-
 def _squares(fitter: Fitter, fit: Fit, data: Measurements, pairing: Pairing | None = None) -> float:
     """Sum of squares of shapes, by default paired anew with the modes of a fit, in units of their errors."""
     used = fitter.used(fit.hypothesis)

@@ -11,11 +11,7 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.search.unmeasured import never_measured
-from pkmodes.diagnosis.verdict.mistakes import all_alike, copied
-from pkmodes.diagnosis.verdict.same_place import same_place
-
-#: So many notes of one kind at most.
-MOST = 4
+from pkmodes.diagnosis.verdict.mistakes import all_alike
 
 
 def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
@@ -31,7 +27,6 @@ def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
     """
     fitter = store.fitter
     return [
-        *same_place(fitter, fit),
         *_shapes(store, fit),
         *_stated_errors(store, fit, adequate),
         *_nuisances(fitter, fit),
@@ -45,9 +40,6 @@ def _shapes(store: FitStore, fit: Fit) -> Iterator[str]:
     alike = all_alike(data, c.same_shape)
     if alike:
         yield f"all shapes of {_poses(alike)} are the same: shapes of different modes are not"
-    else:
-        for one, other in copied(data)[:MOST]:
-            yield f"the shapes in lines {one} and {other} are the same, number by number: was one copied?"
     scatter = store.shape_scatter(fit)
     if scatter is not None and scatter > c.most_shape_scatter:
         yield (
