@@ -103,13 +103,12 @@ def test_a_wrong_unit_in_the_header_is_told_by_what_the_numbers_are() -> None:
     assert notes(replace(data, unit="Hz")).verdict == "adequate"
 
 
-@pytest.mark.parametrize(("times", "unit"), [(1.0, "s"), (1e3, "ms")])
-def test_periods_are_recognised(times: float, unit: str) -> None:
+def test_periods_are_recognised() -> None:
     data = measured()
-    periods = times / data.frequency
+    periods = 1.0 / data.frequency
     found = notes(replace(data, frequency=periods, sigma=periods * data.sigma / data.frequency))
     assert found.verdict == "unexplained"
-    assert f"as periods in {unit} (" in found.reason
+    assert "as periods in s (" in found.reason
     assert "write frequencies, 1 / period" in found.reason
 
 

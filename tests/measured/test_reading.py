@@ -326,6 +326,7 @@ def test_measurements_are_made_by_hand_and_cannot_be_written_to() -> None:
         ({"shape_sigma": [0.1, 2.0]}, "rig: line 2, argument shape_sigma", "below 1, .* found 2"),
         ({"shape_sigma": 5}, "rig: line 1, argument shape_sigma, the first of 2 problems", "found 5"),
         ({"damping_sigma": [0.1, -1.0]}, "rig: line 2, argument damping_sigma", "found -1"),
+        ({"unit": "mm"}, "rig: unit", '"mm" is not a unit of frequency'),
         ({"sigma_shape": 0.02}, "from_rows", 'there is no argument "sigma_shape"'),
     ],
 )

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from pkmodes.errors import MeasurementError, listed, nearest, shown
 from pkmodes.measured.columns import Array, Columns
+from pkmodes.measured.header import frequency_factor
 from pkmodes.measured.rules import (
     SHAPE,
     BrokenRuleError,
@@ -25,6 +26,7 @@ from pkmodes.measured.rules import (
     text_problems,
     value_problems,
 )
+from pkmodes.robot.units import QuantityError
 
 #: Standard deviation of a damping ratio, relative to it, where none is stated.
 DAMPING_SIGMA = 0.2
@@ -143,6 +145,11 @@ class Measurements(Columns):
         for name in unknown:
             what = f"there is no argument {shown(name)}"
             raise MeasurementError(what, "from_rows", nearest(KEYWORDS.get(name, name), ARGUMENTS))
+        try:
+            if unit:
+                frequency_factor(unit)
+        except QuantityError as error:
+            raise MeasurementError(str(error), f"{source}: unit", "write such as Hz or rad/s") from None
         if isinstance(pose, str):
             raise MeasurementError(
                 f"expected one label for each row, found {shown(pose)}",

@@ -17,8 +17,6 @@ from pkmodes.measured.measurements import Measurements
 
 #: How many of a unit of frequency are 1 Hz.
 UNITS = {"Hz": 1.0, "rad/s": 2.0 * np.pi, "1/min": 60.0, "mHz": 1e3, "kHz": 1e-3, "deg/s": 360.0}
-#: How many of a unit of time are 1 s: somebody may have written periods.
-TIMES = {"s": 1.0, "ms": 1e3}
 #: Units that are often converted to Hz twice.
 TWICE = ("rad/s", "1/min")
 
@@ -46,11 +44,8 @@ def readings(unit: str) -> list[Reading]:
         for name, times in UNITS.items()
         if abs(said / times - 1.0) > 1e-9
     ]
-    # A number n was read as n / said Hz: 1 / n is the frequency.
-    found += [
-        Reading(f"periods in {name}", "write frequencies, 1 / period", times / said, inverse=True)
-        for name, times in TIMES.items()
-    ]
+    # A period n was read as n / said Hz, and 1 / n is the frequency.
+    found.append(Reading("periods in s", "write frequencies, 1 / period", 1.0 / said, inverse=True))
     found += [
         Reading(
             f"{name}, converted twice",
