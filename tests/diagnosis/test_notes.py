@@ -101,6 +101,10 @@ def test_a_wrong_unit_in_the_header_is_told_by_what_the_numbers_are() -> None:
         )
         assert f"write frequency [{is_in}]" in found.reason
     assert notes(replace(data, unit="Hz")).verdict == "adequate"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("pkmodes.diagnosis.verdict.mistakes.ENOUGH", 2)  # of the setups tell the unit of all
+        assert "write frequency [Hz]" in notes(changed).reason
+        assert notes(data).verdict == "adequate"
 
 
 def test_periods_are_recognised() -> None:
