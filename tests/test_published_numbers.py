@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 import pkmodes
 from pkmodes_generated import linear_delta
 from robot_text import PUBLISHED
-
-ROOT = Path(__file__).parents[1]
 
 
 def mean_condition(model: pkmodes.Model, branch: list[float], samples: int = 20_001) -> float:
@@ -53,11 +49,3 @@ def test_driven_pulleys_move_most_in_the_low_modes_and_free_ones_in_the_high_mod
     free = angles[:, :, [1, 0, 0], [0, 1, 2]].max(axis=-1)
     assert (driven[:, :3] > free[:, :3]).all()
     assert (free[:, 3:] > driven[:, 3:]).all()
-
-
-def test_the_readme_shows_what_its_example_prints(capsys: pytest.CaptureFixture[str]) -> None:
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
-    code = text.split("```python\n")[1].split("```")[0].replace('"robots/', f'"{ROOT.as_posix()}/robots/')
-    exec(code, {})
-    shown = [line.removeprefix("# ") for line in code.splitlines() if line.startswith("# ")]
-    assert capsys.readouterr().out.splitlines() == shown

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -9,12 +10,21 @@ import pytest
 from scipy import stats
 from scipy.linalg import eigh
 
-from pkmodes.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
+from pkmodes.diagnosis import (
+    Candidate,
+    Diagnosis,
+    MatrixStructure,
+    Measurements,
+    Parameter,
+    compare,
+    diagnose,
+)
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.search.unmeasured import p_unmeasured, seen
 from small_structures import SIGMA, LogLinear, log_linear, logs_measured
 
+FLOORS = [f"floor {i}" for i in range(1, 5)]
 LOADS = {f"{load:g} kg": load for load in (0.0, 2.0, 4.0, 6.0, 8.0)}
 
 
@@ -33,7 +43,7 @@ def structure(sigma: float = 0.02) -> MatrixStructure:
         parameters,
         [Candidate("brace", ("brace",))],
         matrices,
-        channels=[f"floor {i}" for i in range(1, 5)],
+        channels=FLOORS,
         setups=list(LOADS),
     )
 
@@ -65,14 +75,61 @@ def test_good_measurements_of_a_good_model_leave_nothing_to_say() -> None:
     assert found.as_json()["notes"] == []
 
 
-@pytest.mark.parametrize(("factor", "name"), [(2 * np.pi, "rad/s"), (60.0, "1/min"), (1e-3, "kHz")])
+@pytest.mark.parametrize(
+    ("factor", "name"), [(2 * np.pi, "rad/s"), (60.0, "1/min"), (1e-3, "kHz"), (360.0, "deg/s")]
+)
 def test_frequencies_in_another_unit_are_noticed_before_any_cause(factor: float, name: str) -> None:
     data = measured(brace=0.5)
     found = notes(replace(data, frequency=data.frequency * factor, sigma=data.sigma * factor))
     assert found.verdict == "unexplained"
     assert found.effects == ()
-    assert name in found.reason
+    assert f"write frequency [{name}]" in found.reason
     assert found.notes[0] == found.reason
+
+
+def test_a_wrong_unit_in_the_header_is_told_by_what_the_numbers_are() -> None:
+    data = measured()
+    for header, hertz, is_in in (
+        ("kHz", 1e3, "Hz"),
+        ("rad/s", 1 / (2 * np.pi), "Hz"),
+        ("1/min", 1 / 60, "Hz"),
+    ):
+        changed = replace(data, frequency=data.frequency * hertz, sigma=data.sigma * hertz, unit=header)
+        found = notes(changed)
+        assert found.reason.startswith(
+            f"the header says {header}, but the numbers fit the declared model as {is_in} ("
+        )
+        assert f"write frequency [{is_in}]" in found.reason
+    assert notes(replace(data, unit="Hz")).verdict == "adequate"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("pkmodes.diagnosis.verdict.mistakes.ENOUGH", 2)  # of the setups tell the unit of all
+        assert "write frequency [Hz]" in notes(changed).reason
+        assert notes(data).verdict == "adequate"
+
+
+def test_periods_are_recognised() -> None:
+    data = measured()
+    periods = 1.0 / data.frequency
+    found = notes(replace(data, frequency=periods, sigma=periods * data.sigma / data.frequency))
+    assert found.verdict == "unexplained"
+    assert "as periods in s (" in found.reason
+    assert "write frequencies, 1 / period" in found.reason
+
+
+def test_frequencies_that_were_converted_twice_are_recognised() -> None:
+    data = measured()
+    found = notes(replace(data, frequency=data.frequency / (2 * np.pi), sigma=data.sigma / (2 * np.pi)))
+    assert "as rad/s, converted twice" in found.reason
+    assert "multiply them by 6.283" in found.reason
+
+
+def test_a_comparison_says_what_looks_like_another_unit() -> None:
+    data = measured()
+    assert compare(structure(), data).notes == ()
+    (note,) = compare(
+        structure(), replace(data, frequency=data.frequency / 1e3, sigma=data.sigma / 1e3)
+    ).notes
+    assert "write frequency [kHz]" in note
 
 
 def test_exchanged_channels_are_noticed() -> None:
@@ -82,7 +139,52 @@ def test_exchanged_channels_are_noticed() -> None:
     assert "the channels floor 1 and floor 2 exchanged" in found.reason
     turned = notes(replace(data, shapes=data.shapes * [1.0, 1.0, -1.0, 1.0]))
     assert turned.verdict == "unexplained"
-    assert "the sign of floor 3 turned" in turned.reason
+    assert "with floor 3 reversed: check that sensor's direction" in turned.reason
+    assert "in the poses" not in turned.reason
+    with pytest.MonkeyPatch.context() as patch:
+        names = ("floor 1", "floor 2", "p_z", "floor 4")
+        patch.setattr(f"{__name__}.FLOORS", names)
+        data = replace(data, channels=names, shapes=data.shapes * [1.0, 1.0, -1.0, 1.0])
+        assert (
+            "with p_z reversed: check that sensor's direction, and the sign of z in the poses"
+            in notes(data).reason
+        )
+
+
+def test_a_sensor_that_gives_nothing_is_noticed() -> None:
+    data = measured()
+    dead = notes(replace(data, shapes=data.shapes * [1.0, 0.0, 1.0, 1.0]))
+    assert dead.verdict == "unexplained"
+    assert "channel floor 2 is 0 in every row: is the sensor connected?" in dead.notes[0]
+    shapes = data.shapes * [1.0, 0.0, 1.0, 1.0]
+    shapes[:, 1] = np.nan
+    assert notes(replace(data, shapes=shapes)).verdict == "adequate"
+
+
+def test_a_shape_that_was_copied_to_another_row_is_named_with_both_lines() -> None:
+    data = measured()
+    shapes = data.shapes.copy()
+    shapes[9] = shapes[2]
+    found = diagnose(structure(), replace(data, shapes=shapes), holdout=[data.labels[2]])
+    assert "the shapes in lines 3 and 10 are the same, number by number: was one copied?" in found.notes
+
+
+def test_poses_at_one_position_with_other_frequencies_are_named() -> None:
+    data = measured(shapes=False)
+    points = np.column_stack([np.arange(5.0), np.zeros(5), np.ones(5)])
+    assert notes(replace(data, points=points)).notes == ()
+    points[3] = points[1]
+    (note,) = notes(replace(data, points=points)).notes
+    most = (data.frequency[4:8] / data.frequency[12:16]).max() - 1.0
+    assert note.startswith(
+        "poses 2 kg and 6 kg are at the same position, but their frequencies differ by up to "
+    )
+    assert float(note.split(" %")[0].split()[-1]) == pytest.approx(100 * most, rel=0.05)
+    held = diagnose(structure(), replace(data, points=points), holdout=["6 kg"])
+    assert held.notes == (note,)  # whether or not one of them is held out
+    same = data.frequency.copy()
+    same[12:16] = same[4:8]
+    assert "same position" not in "".join(notes(replace(data, frequency=same, points=points)).notes)
 
 
 def test_shapes_that_are_all_the_same_are_noticed() -> None:
@@ -153,6 +255,17 @@ def test_stability_says_what_other_errors_and_priors_would_change() -> None:
         "effects": ["brace"],
     }
     assert notes(measured()).stability[1].verdict == "adequate"
+
+
+def test_a_diagnosis_is_printed_in_a_few_lines() -> None:
+    found = notes(replace(measured(brace=0.3), band=(1.0, 100.0)))
+    lines = str(found).splitlines()
+    assert lines[0] == f"effect_found: {found.reason}"
+    assert re.fullmatch(r"cause: brace \(p = \S+\): brace = 0\.[23]\d* \+- 0\.0\d+", lines[1])
+    stages = [line for line in lines if "chi2 per degree of freedom" in line]
+    assert [line.split()[0] for line in stages] == ["before", "refit", "after"]
+    assert len(lines) == 5 + len(found.notes)
+    assert str(notes(measured(shapes=False))).startswith("adequate: what the declared model leaves is noise")
 
 
 def test_a_cause_that_other_errors_would_exchange_is_not_claimed() -> None:

@@ -102,6 +102,16 @@ def test_lines_are_counted_whatever_ends_them(tmp_path: Path, newline: str, mark
         (f"{HEADER},", "line 1, column 7)", "name of a column, found nothing", "remove it"),
         (HEADER.replace(",", ";"), "line 1)", "separated by commas", HEADER),
         (HEADER.replace(",", "\t"), "line 1)", "separated by commas", HEADER),
+        (HEADER.replace(",", "\t"), "line 1)", "separated by commas", "the file uses tabs: replace them"),
+        (
+            f'{HEADER.replace(",", ";")};"shape:x_1, left"',
+            "line 1)",
+            "separated by",
+            "the file uses semicolons",
+        ),
+        ("sep=,", "line 1)", 'found "sep=,", a line for a spreadsheet', "remove this line"),
+        (f"sep=;\n{HEADER}", "line 1)", 'found "sep=;", a line for a spreadsheet', "remove this line"),
+        (f"{HEADER},temperature", "line 1, column 7)", "unknown column", "remove it or correct the name"),
         ("A,0.6,0,-0.245,55.5,0.05", "line 1)", "expected the names of the columns", HEADER),
         (f'{HEADER},"mode', "line 1)", "not valid CSV", "close every quote"),
     ],
@@ -192,6 +202,8 @@ def test_a_file_without_rows_is_refused(tmp_path: Path, text: str, expected: str
 
 def test_a_file_that_cannot_be_read_is_refused(tmp_path: Path) -> None:
     (tmp_path / "latin.csv").write_bytes(f"{HEADER}\n{ROW}\n".encode() + b"B\xe4,1,1,1,1,1\n")
+    (tmp_path / "book.xlsx").write_bytes(b"PK\x03\x04\x14\x00rest")
+    (tmp_path / "book.xls").write_bytes(b"\xd0\xcf\x11\xe0rest")
     os.mkfifo(tmp_path / "fifo")
     with (tmp_path / "large.csv").open("wb") as file:
         file.truncate(60_000_000)
@@ -202,12 +214,47 @@ def test_a_file_that_cannot_be_read_is_refused(tmp_path: Path) -> None:
         "large.csv": "more than 50 MB",
         "latin.csv": "0xe4 (",
         "a\0b": "null",
+        "book.xlsx": "found an Excel workbook",
+        "book.xls": "found an Excel workbook",
     }.items():
         with pytest.raises(MeasurementError, match=expected.replace("(", r"\(")) as error:
             read_measurements(tmp_path / name, CHANNELS)
         assert str(tmp_path / name) in error.value.where
         assert name != "latin.csv" or "line 3" in error.value.where
     assert pickle.loads(pickle.dumps(error.value)).lines == error.value.lines
+
+
+def test_a_file_that_may_not_be_read_is_told_as_such(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "modes.csv"
+    path.write_text(f"{HEADER}\n{ROW}\n")
+
+    def refuse(*_: object) -> bytes:
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(Path, "read_bytes", refuse)
+    with pytest.raises(MeasurementError, match="permission denied") as error:
+        read_measurements(path, CHANNELS)
+    assert error.value.remedy == "check its permissions"
+
+
+def test_rows_of_commas_alone_are_blank_and_decimal_commas_are_named(tmp_path: Path) -> None:
+    assert read(tmp_path, f"{HEADER}\n,,,,,\n{ROW}\n, ,,,,\n").lines.tolist() == [3]
+    line = refusal(tmp_path, f"{HEADER}\nA,0,6,0,-0,245,55,5,0,05\n")
+    assert "if numbers have decimal commas, write points" in line
+
+
+def test_positions_in_millimetres_are_recognised(tmp_path: Path) -> None:
+    model = pkmodes.load(PUBLISHED)
+    for header, place, remedy in (
+        (HEADER, "600,0,-245", "look like millimetres: write x [mm],y [mm],z [mm] in the header"),
+        (HEADER.replace("x,y,z", "x [mm],y [mm],z [mm]"), "0.6,0,-0.245", "look like metres"),
+    ):
+        with pytest.raises(MeasurementError) as error:
+            check_reachable(read(tmp_path, f"{header}\nA,{place},55.5,0.1\nA,{place},60,0.1\n"), model)
+        assert remedy in error.value.remedy
+    mixed = read(tmp_path, f"{HEADER}\nA,600,0,-245,55.5,0.1\nB,0.6,0,-0.245,60,0.1\n")
+    with pytest.raises(MeasurementError, match="out of reach"):
+        check_reachable(mixed, model)
 
 
 def test_a_pose_that_the_robot_cannot_take_is_refused(tmp_path: Path) -> None:
@@ -276,6 +323,11 @@ def test_measurements_are_made_by_hand_and_cannot_be_written_to() -> None:
         ({"shapes": {"m_1": [1.0]}}, "rig: shape:m_1", "shape"),
         ({"shapes": {"m_1": [1.0, np.inf]}}, "rig: line 2, column shape:m_1", "finite"),
         ({"lines": [1.5, 2.5]}, "rig: lines", "whole numbers"),
+        ({"shape_sigma": [0.1, 2.0]}, "rig: line 2, argument shape_sigma", "below 1, .* found 2"),
+        ({"shape_sigma": 5}, "rig: line 1, argument shape_sigma, the first of 2 problems", "found 5"),
+        ({"damping_sigma": [0.1, -1.0]}, "rig: line 2, argument damping_sigma", "found -1"),
+        ({"unit": "mm"}, "rig: unit", '"mm" is not a unit of frequency'),
+        ({"sigma_shape": 0.02}, "from_rows", 'there is no argument "sigma_shape"'),
     ],
 )
 def test_measurements_made_by_hand_obey_the_same_rules(
@@ -285,6 +337,14 @@ def test_measurements_made_by_hand_obey_the_same_rules(
     with pytest.raises(MeasurementError, match=expected) as error:
         Measurements.from_rows(**columns)
     assert error.value.where == place
+
+
+def test_one_number_states_the_deviation_of_all_shapes() -> None:
+    found = Measurements.from_rows(["a", "a"], [1, 2], [0.1, 0.1], shape_sigma=0.02, damping_sigma=0.1)
+    assert found.shape_sigma.tolist() == [0.02, 0.02]
+    with pytest.raises(MeasurementError) as error:
+        Measurements.from_rows(["a"], [1], [0.1], sigma_shape=[0.02])
+    assert error.value.remedy == 'did you mean "shape_sigma"?'
 
 
 labels = st.text(st.characters(codec="utf-8", exclude_categories=["C", "Z"]), min_size=1, max_size=5)

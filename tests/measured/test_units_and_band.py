@@ -143,6 +143,42 @@ def test_a_bad_number_is_told_with_the_unit_that_was_expected(tmp_path: Path) ->
     )
 
 
+@pytest.mark.parametrize(
+    ("names", "row", "expected"),
+    [
+        ("frequency [rad/s],sigma", "-50.882,0.1", "found -50.882 rad/s (-8.09812 Hz)"),
+        ("frequency,sigma [1/min]", "55,90000", "below the frequency, found 90000 1/min (1500 Hz)"),
+        ("frequency [Hz],sigma", "-3.0,0.1", "above 0 Hz, found -3.0 Hz ("),
+        ("frequency,sigma,damping [%]", "55,0.1,200", "below 1, found 200 % (2)"),
+        ("frequency,sigma", "-3.0,0.1", "above 0 Hz, found -3 ("),
+    ],
+)
+def test_a_number_that_is_refused_is_quoted_as_it_is_written(
+    tmp_path: Path, names: str, row: str, expected: str
+) -> None:
+    assert expected in refusal(tmp_path, f"pose,x,y,z,{names}\nA,0,0,0,{row}\n")
+
+
+def test_two_positions_are_quoted_as_they_are_written(tmp_path: Path) -> None:
+    text = HEADER.replace(",x", ",x [mm]") + "\nA,450,0,0,5,0.1\n# again\nA, 451,0,0,6,0.1\n"
+    line = refusal(tmp_path, text)
+    assert 'pose "A" has two positions: x is 450 mm (0.45 m) in line 2 and 451 mm (0.451 m) here' in line
+    assert "line 4, column x)" in line
+
+
+@pytest.mark.parametrize(
+    ("column", "remedy"),
+    [
+        ("sigma [%]", "multiply by the frequency"),
+        ("frequency [m]", "or none for Hz"),
+        ("x [kg]", "or none for m"),
+    ],
+)
+def test_what_to_write_instead_of_a_wrong_unit(tmp_path: Path, column: str, remedy: str) -> None:
+    header = HEADER.replace(f",{column.split(' ')[0]}", f",{column}", 1)
+    assert remedy in refusal(tmp_path, f"{header}\n{ROW}\n").partition("; ")[2]
+
+
 UNITS = {
     "length": {"m": 1.0, "mm": 1e-3, "um": 1e-6, "cm": 1e-2, "inch": 0.0254},
     "frequency": {"Hz": 1.0, "kHz": 1e3, "1/min": 1 / 60, "rpm": 1 / 60, "rad/s": 1 / math.tau},

@@ -7,6 +7,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import pkmodes
@@ -28,9 +29,10 @@ def test_a_band_is_taken_where_the_file_has_none(capsys: pytest.CaptureFixture[s
 @pytest.mark.parametrize(
     ("band", "what"),
     [
-        ("400,10", "--band"),
-        ("10", "--band"),
-        ("ten,400", "--band"),
+        ("400,10", "(--band)"),
+        ("10", 'found "10" (--band); write --band 10,400'),
+        ("ten,400", "(--band); write --band 10,400"),
+        ("10,400 mm", "(--band); write --band 10,400"),
         ("10,60", "expected a frequency in the band from 10 Hz to 60 Hz"),
     ],
 )
@@ -76,6 +78,54 @@ def test_a_prior_of_a_candidate_enters_a_diagnosis_of_a_robot() -> None:
     assert "gearbox_" in error.value.remedy
 
 
+def test_priors_may_have_units_as_other_values(tmp_path: Path) -> None:
+    robot = pkmodes.read_robot(FILES[0])
+    data = closing.read(FILES[1])
+    given = {
+        "parameter:link.length": "1 mm",
+        "parameter:carriage.mass": "2 %",
+        "parameter:motor.gear_ratio": 0.1,
+        "parameter:link.mass": "20 g",
+        "gearbox_compliance": "1e-6 deg/(N*cm)",
+        "measurement:yaw": "1 deg",
+    }
+    found = {c.name: c.sigma for c in closing.loop.structure(robot, data, None, given).candidates}
+    expected = [1e-3, 0.02, 0.1, 0.02, 1e-4 * np.pi / 180.0, np.pi / 180.0]
+    for name, sigma in zip(given, expected, strict=True):
+        assert found[name] == (pytest.approx(sigma, rel=1e-12),), name
+
+
+@pytest.mark.parametrize(
+    ("priors", "what"),
+    [
+        ({"parameter:link.length": "1"}, "expected a standard deviation in m: .*is not a number with a unit"),
+        ({"parameter:link.length": "1 kg"}, '"1 kg" is of another kind'),
+        ({"parameter:link.length": "far"}, '"far" is not a number with a unit'),
+        ({"parameter:link.length": None}, "expected a standard deviation, found None"),
+        ({"parameter:link.length": "-1 mm"}, "standard deviation above 0"),
+        ({"parameter:link.length": 0.0}, "standard deviation above 0"),
+        ({"gearbox_compliance": "2 %"}, "standard deviation above 0"),  # of nothing
+        ("parameter:link.length", "expected standard deviations by candidate"),
+        ({"parameter:platform.mass": 0.01}, "platform.mass has a sigma and is refitted anyway"),
+        ({"platform.mass": 0.01}, "platform.mass has a sigma and is refitted anyway"),
+        ({3: 0.01}, "no candidate 3"),
+    ],
+)
+def test_priors_that_are_none_are_refused(priors: object, what: str) -> None:
+    robot, data = pkmodes.read_robot(FILES[0]), closing.read(FILES[1])
+    with pytest.raises(PkmodesError, match=what):
+        closing.diagnose(robot, data, priors=priors)
+
+
+def test_a_model_may_stand_for_its_robot(tmp_path: Path) -> None:
+    model, robot, data = pkmodes.load(FILES[0]), pkmodes.read_robot(FILES[0]), closing.read(FILES[1])
+    assert closing.compare(model, data) == closing.compare(robot, data)
+    assert closing.update(model, data).values == closing.update(robot, data).values
+    found = closing.diagnose(model, data, candidates=["gearbox_compliance"])
+    closing.save_robot(model, found, tmp_path / "saved.toml")
+    assert pkmodes.read_robot(tmp_path / "saved.toml").effects
+
+
 def test_uncertain_values_of_a_robot_are_updated_together() -> None:
     robot, data = pkmodes.read_robot(FILES[0]), closing.read(FILES[1])
     found = closing.update(robot, data)
@@ -100,9 +150,21 @@ def test_uncertain_values_of_a_robot_are_updated_together() -> None:
         ),
         (lambda robot, data: closing.diagnose(robot, data, candidates="payload"), "expected a list of names"),
         (lambda robot, data: closing.update(robot, data, "platform.mass"), "expected a list of names"),
+        *(
+            (
+                lambda robot, data, call=call: call(robot, "mine.csv"),
+                'measurements, found "mine.csv" .*closing.read',
+            )
+            for call in (closing.diagnose, closing.compare, closing.update)
+        ),
+        *(
+            (lambda robot, data, call=call: call("R.toml", data), r'read_robot\("R.toml"\)')
+            for call in (closing.diagnose, closing.compare, closing.update)
+        ),
+        (lambda robot, data: closing.save_robot(None, None, "x"), "expected a robot or a model, found None"),
     ],
 )
-def test_a_text_where_a_list_is_meant_is_refused(call: Callable[..., object], what: str) -> None:
+def test_a_text_where_something_else_is_meant_is_refused(call: Callable[..., object], what: str) -> None:
     with pytest.raises(PkmodesError, match=what):
         call(pkmodes.read_robot(FILES[0]), closing.read(FILES[1]))
 

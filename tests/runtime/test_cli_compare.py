@@ -212,6 +212,20 @@ def test_nothing_that_has_a_partner_is_no_perfect_model(tmp_path: Path) -> None:
     assert "rms" not in answer.out
 
 
+def test_frequencies_in_another_unit_are_named_below_the_table(tmp_path: Path) -> None:
+    rows = [
+        {**row, **{name: f"{1e-3 * float(row[name]):.9g}" for name in ("frequency", "sigma")}}
+        for row in rows_of(measured())
+    ]
+    modes = write(tmp_path, csv_of(rows))
+    answer = call(PUBLISHED, modes)
+    assert answer.code == 0
+    assert "the frequencies fit the declared model as kHz (" in answer.out
+    assert "write frequency [kHz], and sigma in its own unit" in " ".join(answer.out.split())
+    assert call(PUBLISHED, modes, "--json", "-").json.keys() == KEYS
+    assert "fit the declared model as" not in call(PUBLISHED, write(tmp_path, measured())).out
+
+
 def test_labels_of_every_kind_are_shown_as_they_are(tmp_path: Path) -> None:
     labels = {"P1": 'a, "b" [/red] :car:', "P2": "Größe_模式", "P3": "[bold]" + 70 * "long "}
     rows = [{**row, "pose": labels[row["pose"]].strip()} for row in rows_of(measured())]
@@ -282,13 +296,19 @@ def test_measurements_that_are_refused(tmp_path: Path, text: str | None, parts: 
 def test_arguments_that_are_refused(tmp_path: Path) -> None:
     modes = write(tmp_path, measured())
     for arguments, part in {
-        (modes, PUBLISHED): "not valid TOML",
+        (modes, modes): "not valid TOML",
+        (modes, PUBLISHED): "the robot file comes first: pkmodes compare ",
         (PUBLISHED, PUBLISHED): "expected the names of the columns",
         (PUBLISHED,): "missing argument 'MODES.csv' (pkmodes compare)",
         (PUBLISHED, modes, modes): "unexpected extra argument",
         (PUBLISHED, modes, "--json", modes): "would replace its own input",
-        (PUBLISHED, modes, "--json", tmp_path): "expected a file in an existing folder",
-        (PUBLISHED, modes, "--json", tmp_path / "absent" / "x"): "expected a file in an existing folder",
+        (PUBLISHED, modes, "--json", tmp_path): "expected a file, and it is a folder",
+        (
+            PUBLISHED,
+            modes,
+            "--json",
+            tmp_path / "absent" / "x",
+        ): f"the folder {tmp_path / 'absent'} does not exist (",
         (PUBLISHED, modes, "--candidates", "payload"): "no such option",
     }.items():
         answer = call(*arguments)

@@ -264,7 +264,7 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     absent = tmp_path / "absent"
     refusal(call(absent, modes), "cannot read the robot file: no such file", f"({absent})")
     refusal(call(robot, absent), "cannot read the measurements: no such file", f"({absent})")
-    refusal(call(modes, robot), "not valid TOML", f"({modes})")
+    refusal(call(modes, robot), f"the robot file comes first: pkmodes diagnose {robot} {modes}")
     refusal(call(robot, robot), "expected the names of the columns", f"({robot}: line ")
     refusal(call(modes, modes), "not valid TOML")
     refusal(call(tmp_path, modes), "it is a folder")
@@ -300,7 +300,9 @@ def test_bad_rows_are_refused_with_their_place(
 @pytest.mark.parametrize(
     ("candidates", "parts"),
     [
-        ("paylod", ['unknown candidate "paylod" (candidates)', 'did you mean "payload"?']),
+        ("paylod", ['unknown candidate "paylod" (--candidates)', 'did you mean "payload"?']),
+        ("effects.payload", ['did you mean "payload"?']),
+        ("effects.payload.mass", ['did you mean "payload"?']),
         ("axis.span", ['did you mean "parameter:axis.span"?']),
         ("payload,parameter:axis.spn", ['did you mean "parameter:axis.span"?']),
         ("parameter:axis.4.belt.width", ['did you mean "parameter:axis.']),
@@ -330,7 +332,7 @@ def test_candidates_that_cannot_be(tmp_path: Path, candidates: str, parts: list[
 @pytest.mark.parametrize(
     ("holdout", "parts"),
     [
-        ("P99", ['no pose is called "P99"', "modes.csv)"]),
+        ("P99", ['no pose is called "P99" (--holdout); labels are: P']),
         ("P1,P99", ['no pose is called "P99"']),
         ("P1,P2,P3,P4", ["every pose is held out"]),
         ("", ['expected names separated by commas, found "" (--holdout)']),
@@ -348,8 +350,13 @@ def test_targets_that_cannot_be_written(tmp_path: Path, option: str) -> None:
     before = robot.read_bytes(), modes.read_bytes()
     for target in (robot, modes, tmp_path / "link.toml"):
         refusal(call(robot, modes, option, target), "would replace its own input", str(target))
-    for target in (tmp_path, tmp_path / "absent" / "result", "/dev/null/result", ""):
-        refusal(call(robot, modes, option, target), "expected a file in an existing folder", option)
+    for target, what in {
+        tmp_path: "expected a file, and it is a folder",
+        tmp_path / "absent" / "result": f"the folder {tmp_path / 'absent'} does not exist (",
+        "/dev/null/result": "/dev/null is no folder",
+        "": "expected the name of a file",
+    }.items():
+        refusal(call(robot, modes, option, target), what, f"({option} ")
     assert (robot.read_bytes(), modes.read_bytes()) == before
 
 
@@ -358,7 +365,7 @@ def test_two_results_do_not_share_a_file(tmp_path: Path) -> None:
     out = tmp_path / "out"
     answer = call(robot, modes, "--json", out, "--save-robot", tmp_path / "." / "out")
     refusal(answer, "the result and the corrected robot would be the same file")
-    refusal(call(robot, modes, "--save-robot", "-"), "expected a file in an existing folder")
+    refusal(call(robot, modes, "--save-robot", "-"), "expected the name of a file")
     assert not out.exists()
 
 
@@ -708,9 +715,17 @@ def test_the_table_of_two_causes_and_of_causes_that_look_alike(tmp_path: Path) -
     alike = {"gearbox_compliance.compliance": 1.5e-4}
     inputs = files(tmp_path, PUBLISHED, measured(poses=3, effects=alike, shapes=()))
     options = ("--candidates", "gearbox_compliance,clamp_compliance,belt_end_compliance")
-    out, found = call(*inputs, *options).out, call(*inputs, *options, "--json", "-").json
+    saved = tmp_path / "saved.toml"
+    out, found = (
+        call(*inputs, *options, "--save-robot", saved).out,
+        call(*inputs, *options, "--json", "-").json,
+    )
     (effect,) = found["effects"]
     assert len(effect["class"]) > 1
+    name, *others = effect["class"]
+    assert (
+        f"wrote {saved} with {name}; for {' or '.join(others)} instead: --candidates {others[0]}; next" in out
+    )
     start = out.index("  these data cannot tell it from\n")
     for name in effect["class"][1:]:
         assert re.search(rf"^    {name}\.compliance = \(\S+ \+- \S+\)e-\d\d \S+$", out[start:], re.M)

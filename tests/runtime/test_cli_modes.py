@@ -96,6 +96,12 @@ def test_a_pose_may_be_given_with_units(capsys: pytest.CaptureFixture[str]) -> N
             ["modes", ROBOT, "--pose", "0.6,0,0"],
             "the condition number of D_l is inf (pose 0 at [0.6, 0, 0] m)",
         ),
+        (
+            ["modes", ROBOT, "--pose", "600, 0,-2.45e2"],
+            '(--pose); the numbers look like millimetres: write --pose "600 mm,0 mm,-2.45e2 mm"',
+        ),
+        (["sensitivities", ROBOT, "--pose", "600,0,-245"], 'write --pose "600 mm,0 mm,-245 mm"'),
+        (["modes", ROBOT, "--pose", "600 m,0,-245"], "the pose is out of reach: link"),
         (["modes", ROBOT, "--pose", "0.1,0,-0.245"], "carriage 2 is beyond its limits"),
         (["modes", "absent.toml", "--pose", POSE], "cannot read the robot file: no such file"),
         (["modes", ROBOT], "missing option '--pose' (pkmodes modes)"),
@@ -110,7 +116,7 @@ def test_a_pose_may_be_given_with_units(capsys: pytest.CaptureFixture[str]) -> N
         (["modez"], "no such command 'modez'"),
         (
             ["modes", ROBOT, "--pose", POSE, "--json", "/dev/null/x.json"],
-            "expected a file in an existing folder (--json",
+            "/dev/null is no folder (--json",
         ),
         (["generate", ROBOT], "missing option '--out' (pkmodes generate)"),
         (["generate", "absent.toml", "--out", "x"], "cannot read the robot file"),

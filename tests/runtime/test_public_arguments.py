@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes import kinematics, loading
+from pkmodes import diagnosis, kinematics, loading
 from pkmodes import model as model_module
 from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
 from pkmodes.robot import robot as robot_module
@@ -120,6 +120,49 @@ def test_every_mistake_is_an_error_of_the_package(name: str) -> None:
             CALLS[name](given)
         assert all((error.value.what, error.value.where, error.value.remedy)), given
         assert "\n" not in str(error.value)
+
+
+TWO = Measurements.from_rows(["a", "b"], [0.1, 0.2], [0.01, 0.01])
+
+
+@pytest.mark.parametrize("call", [diagnosis.diagnose, diagnosis.compare, diagnosis.update])
+@pytest.mark.parametrize(
+    ("changes", "data", "parts"),
+    [
+        (
+            {},
+            "x.csv",
+            ['expected measurements, found "x.csv" (data)', "diagnosis.read_measurements(path, channels)"],
+        ),
+        ({}, TWO, ["2 setups were measured, and the structure names none", 'pass setups=["a", "b"]']),
+        (
+            {"candidates": [Candidate("k", ("k",), sigma=8e4)]},
+            TWO.at([0]),
+            ["found 80000", "write (80000.0,)"],
+        ),
+        (
+            {"candidates": [Candidate("k", ("k",), sigma=(1, 2))]},
+            TWO.at([0]),
+            ["1 standard deviation, found 2"],
+        ),
+        ({"candidates": [Candidate("k", ("k",), sigma=(-1.0,))]}, TWO.at([0]), ["above 0, found -1"]),
+        (None, TWO, ["expected a structure, found", "for a robot there is pkmodes.closing"]),
+        ({}, TWO.at([]), ["found no rows"]),
+    ],
+)
+def test_what_the_engine_is_given_is_looked_at_first(
+    call: Callable[..., object], changes: dict[str, object] | None, data: object, parts: list[str]
+) -> None:
+    structure = MODEL if changes is None else MatrixStructure(**{**STRUCTURE, **changes})
+    with pytest.raises(pkmodes.PkmodesError) as error:
+        call(structure, data)
+    for part in parts:
+        assert part in str(error.value)
+
+
+def test_one_setup_without_a_name_takes_the_measurements_of_any_label() -> None:
+    rows = Measurements.from_rows(["lab"] * 2, [0.159, 0.16], [0.01, 0.01], mode=[1, 2])
+    assert len(diagnosis.compare(MatrixStructure(**STRUCTURE), rows).rows) == 2
 
 
 @pytest.mark.parametrize(

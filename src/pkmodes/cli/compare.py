@@ -8,7 +8,16 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pkmodes.cli.output import band_of, band_option, check_target, deliver, json_option, to_file, write_json
+from pkmodes.cli.output import (
+    band_of,
+    band_option,
+    check_order,
+    check_target,
+    deliver,
+    json_option,
+    to_file,
+    write_json,
+)
 from pkmodes.loading import read_robot
 
 if TYPE_CHECKING:
@@ -29,6 +38,7 @@ def compare(robot: Path, modes: Path, band: str | None, json_file: str | None) -
     Measured modes are paired with predicted ones by frequency and, where they were measured, by shape.  Exit code
     0 however much they differ: the JSON has p_value for a script to judge by, or use diagnose --fail-on.
     """
+    check_order(robot, modes, "pkmodes compare")
     check_target(json_file, robot, modes)
     from pkmodes import closing  # SciPy is loaded only where it is used
     from pkmodes.evaluation import evaluation
@@ -81,6 +91,8 @@ def _print(name: str, modes: Path, result: Comparison, rigid: int) -> None:
         terminal.line(
             f"rms of the differences {100 * rms:.3g} %, chi2 per degree of freedom {chi2:.3g} ({p_value(p)})"
         )
+    for note in result.notes:
+        terminal.line(note)
     terminal.line()
     own = "own: as the file numbers it; " if numbered else ""
     terminal.line(

@@ -7,14 +7,29 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from pkmodes.cli.output import band_of, band_option, check_target, deliver, json_option, to_file, write_json
+from pkmodes.cli.output import (
+    band_of,
+    band_option,
+    check_order,
+    check_place,
+    check_target,
+    deliver,
+    json_option,
+    named_as_options,
+    to_file,
+    write_json,
+)
 from pkmodes.cli.verdicts import failing
 from pkmodes.errors import OutputError, PkmodesError, shown
 from pkmodes.loading import read_robot
 from pkmodes.pasting import pasted
+
+if TYPE_CHECKING:
+    from pkmodes.diagnosis import Diagnosis
 
 #: Seconds between lines that say what is being done, where there is no terminal to show it on.
 SECONDS = 5.0
@@ -69,6 +84,7 @@ def diagnose(
     The verdict is adequate, effect_found, ambiguous, unexplained or insufficient_data, with a reason.  Exit code
     0 whatever the verdict, but 1 for those that --fail-on names; 2 for bad input.
     """
+    check_order(robot, modes, "pkmodes diagnose")
     check_target(json_file, robot, modes)
     _check_robot_target(save_to, json_file, robot, modes)
     names = None if candidates is None else _names(candidates, "--candidates")
@@ -79,7 +95,7 @@ def diagnose(
 
     declared = read_robot(robot)
     data = closing.read(modes, band_of(band))
-    with _progress() as progress:
+    with _progress() as progress, named_as_options():
         result = closing.diagnose(
             declared,
             data,
@@ -102,8 +118,17 @@ def diagnose(
             show(declared.name, result)
         for path in saved:
             command = f"pkmodes generate {pasted(path)} --out DIR"
-            click.echo(f"\nwrote {path}; next: {command}", err=json_file == "-")
+            click.echo(f"\nwrote {path}{_chosen(result)}; next: {command}", err=json_file == "-")
     return 1 if result.verdict in failures else 0
+
+
+def _chosen(result: Diagnosis) -> str:
+    """Which of several causes that look the same the saved robot has, and how to get it with another."""
+    return "".join(
+        f" with {found.name}; for {' or '.join(found.members[1:])} instead: --candidates {found.members[1]}"
+        for found in result.effects
+        if len(found.members) > 1
+    )
 
 
 def _names(text: str, option: str) -> list[str]:
@@ -123,10 +148,7 @@ def _check_robot_target(target: Path | None, json_file: str | None, *inputs: Pat
     """Refuse a target that cannot be written before minutes are spent on it."""
     if target is None:
         return
-    if str(target) == "-" or target.is_dir() or not target.parent.is_dir():
-        raise OutputError(
-            "expected a file in an existing folder", f"--save-robot {target}", "choose another place"
-        )
+    check_place("" if target == Path() else str(target), "--save-robot")
     if json_file not in (None, "-") and Path(str(json_file)).resolve() == target.resolve():
         raise OutputError(
             "the result and the corrected robot would be the same file",

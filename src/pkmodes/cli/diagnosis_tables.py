@@ -19,6 +19,8 @@ NARROWEST = 40
 PLAIN = range(-3, 6)
 #: Lines of the measurements that are listed at most; the JSON has them all.
 MOST_LISTED = 8
+#: What was changed to see whether an explanation depends on it.
+CHANGED = {"sigma x 0.5": "sigma halved", "sigma x 2": "sigma doubled", "priors x 2": "priors doubled"}
 
 
 class Terminal:
@@ -173,11 +175,12 @@ def _stability(result: Diagnosis) -> list[str]:
     """Other causes that other errors or priors would name; the verdicts themselves are in the JSON."""
     claimed = {member for found in result.effects for member in found.members}
     changed = [
-        f"{entry.change}: {' and '.join(entry.effects)}"
+        f"with {CHANGED.get(entry.change, entry.change)}, {' and '.join(entry.effects)}"
         for entry in result.stability
         if entry.effects and not set(entry.effects) <= claimed
     ]
-    return [f"with other errors or priors the best explanation is, {'; '.join(changed)}"] if changed else []
+    what = "the best explanation changes" if claimed else "the best explanation, which is not claimed"
+    return [f"{what}: {'; '.join(changed)}"] if changed else []
 
 
 def _listed(rows: Sequence[Row]) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +29,7 @@ def modes(robot: Path, pose: str, json_file: str | None) -> None:
     check_target(json_file, robot)
     point = parse_pose(pose)
     model = load(robot)
+    check_metres(model, pose, point)
     result, statics = model.modes(point), model.statics(point)
     content = as_json(model, result, statics)
     with deliver(to_file(json_file, content)):
@@ -64,6 +66,21 @@ def parse_pose(text: str) -> list[float]:
             except QuantityError as error:
                 raise PoseError(str(error), "--pose", "write metres, or a number with its unit") from None
     return point
+
+
+def check_metres(model: Model, text: str, point: list[float]) -> None:
+    """Refuse a pose that would be reached if its bare numbers were millimetres.
+
+    Raises
+    ------
+    PoseError
+        Any other pose that cannot be reached is the model's to refuse.
+    """
+    bare = not any(c.isalpha() for c in re.sub(r"\d[eE]", "", text))
+    if bare and not model.check(point).valid and model.check([c / 1e3 for c in point]).valid:
+        lengths = ",".join(f"{part.strip()} mm" for part in text.split(","))
+        remedy = f'the numbers look like millimetres: write --pose "{lengths}"'
+        raise PoseError(str(model.check(point).sentences).partition(";")[0], "--pose", remedy)
 
 
 def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:

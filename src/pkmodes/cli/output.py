@@ -14,6 +14,7 @@ from typing import Any
 import click
 
 from pkmodes.errors import OutputError, PkmodesError, shown
+from pkmodes.pasting import pasted
 from pkmodes.writing import write_file
 
 json_option = click.option(
@@ -45,7 +46,7 @@ def band_of(text: str | None) -> tuple[float, float] | None:
         return None
     from pkmodes.measured.table import parse_band
 
-    return parse_band(text, "--band")
+    return parse_band(text, "--band", "write --band 10,400")
 
 
 def check_target(json_file: str | None, *inputs: Path) -> None:
@@ -59,14 +60,56 @@ def check_target(json_file: str | None, *inputs: Path) -> None:
     if json_file is None or json_file == "-":
         return
     path = Path(json_file)
-    if not json_file or "\0" in json_file or path.is_dir() or not path.parent.is_dir():
-        raise OutputError(
-            "expected a file in an existing folder", f"--json {shown(json_file)}", "choose another place"
-        )
+    check_place(json_file, "--json")
     if any(given.exists() and path.exists() and given.samefile(path) for given in inputs):
         raise OutputError(
             "the result would replace its own input", f"--json {json_file}", "choose another file"
         )
+
+
+def check_place(target: str, option: str) -> None:
+    """Refuse a target that is no file in a folder that is there.
+
+    Raises
+    ------
+    OutputError
+    """
+    where, path = f"{option} {shown(target)}", Path(target)
+    if not target or "\0" in target or target == "-":
+        raise OutputError("expected the name of a file", where, "choose another place")
+    if path.is_dir():
+        raise OutputError("expected a file, and it is a folder", where, "name a file in it")
+    if not path.parent.exists():
+        raise OutputError(
+            f"the folder {path.parent} does not exist", where, "create it, or choose another place"
+        )
+    if not path.parent.is_dir():
+        raise OutputError(f"{path.parent} is no folder", where, "choose another place")
+
+
+def check_order(robot: Path, modes: Path, command: str) -> None:
+    """Refuse measurements in the place of the robot, where their names say that they are exchanged.
+
+    Raises
+    ------
+    PkmodesError
+    """
+    if modes.suffix.lower() == ".toml" and robot.suffix.lower() != ".toml":
+        what = f"expected ROBOT.toml before MODES.csv, found {robot} before {modes}"
+        raise PkmodesError(
+            what, command, f"the robot file comes first: {command} {pasted(modes)} {pasted(robot)}"
+        )
+
+
+@contextmanager
+def named_as_options() -> Iterator[None]:
+    """Name an argument of a function, in an error, as the option that it was."""
+    try:
+        yield
+    except PkmodesError as error:
+        if error.where not in ("candidates", "holdout"):
+            raise
+        raise PkmodesError(error.what, f"--{error.where}", error.remedy) from None
 
 
 def write_json(json_file: str, content: dict[str, Any]) -> None:

@@ -10,7 +10,7 @@ import click
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.cli.modes import parse_pose
+from pkmodes.cli.modes import check_metres, parse_pose
 from pkmodes.cli.output import check_target, deliver, json_option, to_file, write_json
 from pkmodes.errors import PkmodesError, shown
 from pkmodes.loading import load
@@ -49,6 +49,7 @@ def sensitivities(robot: Path, pose: str, parameters: str | None, json_file: str
     point = parse_pose(pose)
     paths = None if parameters is None else _paths(parameters)
     model = load(robot)
+    check_metres(model, pose, point)
     result, found = model.modes(point), model.sensitivities(point, paths)
     relative = _relative(found, result.frequencies)
     content = as_json(model, result, found, relative)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from os import PathLike
@@ -10,8 +9,10 @@ from pathlib import Path
 
 from pkmodes import diagnosis
 from pkmodes.closing import frame
+from pkmodes.closing.priors import with_priors
 from pkmodes.closing.structure import CHANNEL_UNITS, CHANNELS, RobotStructure
 from pkmodes.closing.suspects import suspects
+from pkmodes.diagnosis.arguments import check_measurements
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.update import Update
@@ -26,11 +27,12 @@ from pkmodes.sensitivity.paths import resolve
 
 
 def read(path: str | Path, band: tuple[float, float] | None = None) -> Measurements:
-    """Read the modes measured on a robot (formats.md, section 3).
+    """Read the modes measured on a robot.
 
     Parameters
     ----------
     path : path-like
+        A CSV file with one row for each identified mode (docs/diagnosis.md, "What goes in").
     band : tuple of two floats, optional
         Lowest and highest frequency that was looked for [Hz], where the file does not say so.
 
@@ -52,10 +54,10 @@ def read(path: str | Path, band: tuple[float, float] | None = None) -> Measureme
 
 
 def structure(
-    robot: Robot,
+    robot: Robot | Model,
     data: Measurements,
     candidates: Sequence[str] | None = None,
-    priors: Mapping[str, float] | None = None,
+    priors: Mapping[str, float | str] | None = None,
 ) -> RobotStructure:
     """Return the robot at the measured poses, with its nuisances and candidates.
 
@@ -64,27 +66,35 @@ def structure(
     PkmodesError
         If a pose cannot be reached, or a candidate or the name of a prior is unknown.
     """
+    robot = _robot(robot)
+    check_measurements(data, "pkmodes.closing.read(path)")
     check_reachable(data, Model(robot))
     parameters, found, moves = suspects(robot, candidates)
-    for name, sigma in (priors or {}).items():
-        known = [candidate.name for candidate in found if not candidate.remote]
-        if name not in known:
-            nearest = difflib.get_close_matches(name, known, n=1)
-            remedy = f'did you mean "{nearest[0]}"?' if nearest else "name a candidate"
-            raise PkmodesError(f"there is no candidate {shown(name)} for a prior", "priors", remedy)
-        place = [candidate.name for candidate in found].index(name)
-        count = len(found[place].parameters)
-        found[place] = replace(found[place], sigma=(float(sigma),) * count)
+    if priors is not None:
+        found = with_priors(robot, parameters, found, priors)
     return RobotStructure(robot, data.points, parameters, found, moves)
 
 
-def compare(robot: Robot, data: Measurements) -> Comparison:
+def _robot(given: Robot | Model) -> Robot:
+    """A robot, or that of a model."""
+    if isinstance(given, Model):
+        return given.robot
+    if not isinstance(given, Robot):
+        path = isinstance(given, str | PathLike)
+        remedy = (
+            f"read it: pkmodes.read_robot({shown(str(given))})" if path else "give what pkmodes.load returns"
+        )
+        raise PkmodesError(f"expected a robot or a model, found {shown(given)}", "robot", remedy)
+    return given
+
+
+def compare(robot: Robot | Model, data: Measurements) -> Comparison:
     """Prediction beside measurement.
 
     Parameters
     ----------
-    robot : Robot
-        From `pkmodes.read_robot`.
+    robot : Robot or Model
+        From `pkmodes.read_robot` or `pkmodes.load`.
     data : Measurements
         From `read`.
     """
@@ -92,20 +102,20 @@ def compare(robot: Robot, data: Measurements) -> Comparison:
 
 
 def diagnose(
-    robot: Robot,
+    robot: Robot | Model,
     data: Measurements,
     *,
     candidates: Sequence[str] | None = None,
     holdout: Sequence[str] | None = None,
-    priors: Mapping[str, float] | None = None,
+    priors: Mapping[str, float | str] | None = None,
     progress: Progress | None = None,
 ) -> Diagnosis:
     """Find what the model of a robot lacks.
 
     Parameters
     ----------
-    robot : Robot
-        From `pkmodes.read_robot`.
+    robot : Robot or Model
+        From `pkmodes.read_robot` or `pkmodes.load`.
     data : Measurements
         From `read`.
     candidates : sequence of str, optional
@@ -113,8 +123,9 @@ def diagnose(
         ``measurement``; by default all.
     holdout : sequence of str, optional
         Labels of poses that take no part in any choice or fit; by default one in six.
-    priors : mapping of str to float, optional
-        Standard deviations, in SI units, of how far the parameters of candidates may plausibly be from their values.
+    priors : mapping of str to float or str, optional
+        How far the parameters of candidates may plausibly be from their values, as standard deviations: numbers in
+        SI units, or text with a unit, ``"1 mm"`` or ``"2 %"`` of the declared value.
     progress : callable, optional
         Called with a sentence at each step.
 
@@ -132,7 +143,7 @@ def diagnose(
 
 
 def update(
-    robot: Robot,
+    robot: Robot | Model,
     data: Measurements,
     parameters: Sequence[str] | None = None,
     *,
@@ -142,7 +153,7 @@ def update(
 
     Parameters
     ----------
-    robot : Robot
+    robot : Robot or Model
         Its quantities with a sigma may change, as far as that says; `Robot.with_values` gives more of them one.
     data : Measurements
         From `read`.
@@ -174,14 +185,17 @@ def corrections(robot: Robot, found: Diagnosis) -> Mapping[str, Correction]:
     return changes
 
 
-def save_robot(robot: Robot, found: Diagnosis, target: str | Path) -> None:
+def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> None:
     """Write the corrected robot, with comments and order of the original kept.
+
+    Of a class of several causes the first, which names it, is written.
 
     Raises
     ------
     PkmodesError
         If there is nothing to correct, or the file cannot be written.
     """
+    robot = _robot(robot)
     if not found.effects and found.verdict != "adequate":
         raise PkmodesError(
             f"there is no corrected robot to save: the verdict is {found.verdict}",

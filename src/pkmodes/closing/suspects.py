@@ -25,6 +25,8 @@ from pkmodes.sensitivity.paths import ParameterPath, paths, resolve
 
 #: How a suspected value is called as a candidate.
 PREFIX = "parameter:"
+#: How paths of effects begin; as candidates they go by their names alone.
+EFFECTS = "effects."
 #: A suspected value is looked for between a third and three times what is declared: beyond that the robot file
 #: describes another machine.
 FACTOR = 3.0
@@ -119,6 +121,9 @@ def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
     path = name.removeprefix(PREFIX)
     if name in CATALOGUE:
         _refuse_declared(robot, f"the effect {name}", _declared_parameters(robot, CATALOGUE[name]))
+    effect = name.removeprefix(EFFECTS).partition(".")[0]
+    if name.startswith(EFFECTS) and effect in CATALOGUE:
+        raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", f'did you mean "{effect}"?')
     if name == path or path not in paths(robot):
         nearest = difflib.get_close_matches(name, [*known, *(f"{PREFIX}{p}" for p in paths(robot))], n=1)
         remedy = f'did you mean "{nearest[0]}"?' if nearest else "use the names in docs/diagnosis.md"

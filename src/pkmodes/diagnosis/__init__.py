@@ -1,7 +1,7 @@
 """From measured modes to the physical cause that a model lacks: an engine for any model with M and K.
 
 `diagnose` takes a structure, such as a `MatrixStructure` made from callables for M and K, and measured modes; it
-says whether the model is adequate, which cause explains what it leaves, and when the data do not tell.
+says whether the model is adequate, which cause explains what it leaves, and when the data do not decide.
 `compare` only puts prediction beside measurement.  docs/diagnosis.md has the method and its limits.
 """
 

@@ -7,9 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import stats
 
+from pkmodes.diagnosis.arguments import check_arguments
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.matrices import at_measured
 from pkmodes.diagnosis.problem import Structure
+from pkmodes.diagnosis.verdict.mistakes import other_unit
 from pkmodes.measured.measurements import Measurements
 
 
@@ -58,12 +60,15 @@ class Comparison:
         Root mean square of the residuals of the paired rows; None where there are none.
     chi2_per_dof, p_value : float or None
         Of the paired rows with their stated errors.
+    notes : tuple of str
+        What a person should read: that the frequencies look like those of another unit.
     """
 
     rows: tuple[ComparedRow, ...]
     rms_relative: float | None
     chi2_per_dof: float | None
     p_value: float | None
+    notes: tuple[str, ...] = ()
 
     @property
     def unpaired(self) -> tuple[ComparedRow, ...]:
@@ -80,6 +85,7 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
         At the setups of the measurements; taken with the declared values of its parameters.
     data : Measurements
     """
+    check_arguments(structure, data)
     structure = at_measured(structure, data.labels, float(data.frequency.max(initial=0.0)))
     fitter = Fitter(structure, data)
     every = np.ones(len(data.frequency), dtype=bool)
@@ -103,12 +109,14 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
         )
         for i in range(len(every))
     )
+    notes = tuple(text for text in (other_unit(fitter),) if text)
     if not paired.any():
-        return Comparison(rows, None, None, None)
+        return Comparison(rows, None, None, None, notes)
     count = int(paired.sum())
     return Comparison(
         rows,
         rms_relative=float(np.sqrt(np.mean(residual[paired] ** 2))),
         chi2_per_dof=chi2 / count,
         p_value=float(stats.chi2.sf(chi2, count)),
+        notes=notes,
     )

@@ -168,6 +168,12 @@ class Criteria:
     #: with the pairs as they are, for others to be tried.
     rewired: float = 3.0
     rewired_perhaps: float = 1.5
+    #: A channel that is 0 in every row is dead if the model moves it by more than the first part of the largest of
+    #: its unit, in more than the second part of the rows.
+    dead: tuple[float, float] = (0.3, 0.25)
+    #: Frequencies at one position differ clearly beyond so many standard deviations and by more than this part, for
+    #: half of the modes or more.
+    same_place: tuple[float, float] = (6.0, 0.01)
     #: Another unit is reported if it reduces the median difference of the frequencies by this factor, to less than
     #: this difference.
     unit_gain: float = 4.0

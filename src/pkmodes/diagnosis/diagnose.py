@@ -15,6 +15,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from pkmodes.diagnosis.arguments import check_arguments
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
@@ -30,6 +31,7 @@ from pkmodes.diagnosis.verdict.phrasing import reason_of
 from pkmodes.diagnosis.verdict.report import Report
 from pkmodes.diagnosis.verdict.result import Diagnosis, Verdict
 from pkmodes.diagnosis.verdict.stability import Trial, trials, unchanged
+from pkmodes.diagnosis.verdict.whole_data import remarks
 from pkmodes.errors import PkmodesError, shown
 from pkmodes.measured.measurements import Measurements
 
@@ -70,6 +72,7 @@ def diagnose(
     PkmodesError
         If a label is unknown, nothing is left to fit, or the model cannot be evaluated as declared.
     """
+    check_arguments(structure, data)
     structure = at_measured(structure, data.labels, float(data.frequency.max(initial=0.0)))
     fitted, held = split(data, holdout)
     fitter = Fitter(structure.subset(fitted), data.at(fitted), criteria)
@@ -106,11 +109,11 @@ def split(data: Measurements, holdout: Sequence[str] | None) -> tuple[list[int],
             nearest = difflib.get_close_matches(unknown[0], data.labels, n=1)
             some = ", ".join(data.labels[:10]) + (", ..." if count > 10 else "")
             remedy = f'did you mean "{nearest[0]}"?' if nearest else f"labels are: {some}"
-            raise PkmodesError(f"no pose is called {shown(unknown[0])}", data.source, remedy)
+            raise PkmodesError(f"no pose is called {shown(unknown[0])}", "holdout", remedy)
         held = sorted({data.labels.index(label) for label in holdout})
     fitted = [i for i in range(count) if i not in held]
     if not fitted:
-        raise PkmodesError("every pose is held out", data.source, "leave some poses to fit")
+        raise PkmodesError("every pose is held out", "holdout", "leave some poses to fit")
     return fitted, held
 
 
@@ -154,7 +157,7 @@ def _judged(report: Report, search: Search, outcome: Outcome) -> Diagnosis:
         outcome,
         judged,
         reason,
-        (wiring,) if wiring else (),
+        (*((wiring,) if wiring else ()), *remarks(report, judged.final)),
         tuple(trial.entry for trial in found),
     )
 
@@ -191,4 +194,5 @@ def _insufficient(fitter: Fitter, report: Report) -> Diagnosis:
     )
     names = tuple(candidate.name for candidate in candidates)
     verdict: Verdict = "insufficient_data"
-    return report.without_search(verdict, reason, store, fit, names, (), unchanged(verdict))
+    about = () if fit is None else remarks(report, fit)
+    return report.without_search(verdict, reason, store, fit, names, about, unchanged(verdict))

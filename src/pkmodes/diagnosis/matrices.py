@@ -57,7 +57,8 @@ class MatrixStructure:
     sensors : array_like or sparse matrix, shape (C, n), optional
         Motion of each channel by those of the coordinates, where the channels are not coordinates.
     setups : sequence of str
-        Labels of the setups, as the measurements have them, in any order.
+        Labels of the setups, as the measurements have them, in any order; left out, there is one setup, of
+        whatever label.
     rigid : int
         Rigid-body modes, which are not measured.  Other modes are stable: K has no negative eigenvalue for them.
     modes : int, optional

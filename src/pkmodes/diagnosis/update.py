@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy import stats
 
+from pkmodes.diagnosis.arguments import check_arguments
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.diagnose import split
 from pkmodes.diagnosis.fit.fitter import Fitter
@@ -21,6 +22,7 @@ from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.matrices import at_measured
 from pkmodes.diagnosis.problem import Candidate, Structure
+from pkmodes.diagnosis.verdict import whole_data
 from pkmodes.diagnosis.verdict.mistakes import other_unit, other_wiring
 from pkmodes.diagnosis.verdict.notes import notes
 from pkmodes.diagnosis.verdict.report import Report
@@ -132,6 +134,7 @@ def update(
     PkmodesError
         If a name is unknown or has no prior, nothing could change, or the model cannot be evaluated.
     """
+    check_arguments(structure, data)
     structure = at_measured(structure, data.labels, float(data.frequency.max(initial=0.0)))
     fitted, held = split(data, holdout)
     part = structure.subset(fitted)
@@ -148,9 +151,10 @@ def update(
     covariance = fit.covariance[np.ix_(k, k)]
     size = np.sqrt(np.diagonal(covariance))
     remarks = [text for text in (other_unit(fitter), other_wiring(fitter, fit)) if text]
+    remarks += whole_data.remarks(report, fit)
     held_by_prior = [p.name for p in found if p.resolution < 0.05]
     if held_by_prior:
-        remarks.append(f"only their priors hold {', '.join(held_by_prior)}: these data do not tell")
+        remarks.append(f"only their priors hold {', '.join(held_by_prior)}: these data do not determine it")
     if stats.chi2.sf(squares, max(degrees, 1.0)) < fitter.criteria.surely:
         remarks.append(
             "the updated model still leaves more than the stated errors: something else is missing"

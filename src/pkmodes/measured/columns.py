@@ -45,6 +45,8 @@ class Columns:
         Standard deviation of the damping ratio, NaN where there is no damping.
     band : tuple of float, or None
         Lowest and highest frequency at which modes were looked for [Hz]; None where that is not stated.
+    unit : str
+        Unit of the frequencies in the source, for messages; empty where it says none, which means Hz.
     """
 
     source: str
@@ -62,3 +64,4 @@ class Columns:
     shape_sigma: Array
     damping_sigma: Array
     band: tuple[float, float] | None
+    unit: str = ""

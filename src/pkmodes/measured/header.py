@@ -29,6 +29,7 @@ UNITS = {
     "sigma_shape": "1",
     **dict.fromkeys((*COMPONENTS, *SPREADS), "m"),
 }
+SEPARATORS = {";": "semicolons", "\t": "tabs", "|": "bars"}
 EXAMPLES = {"Hz": '"Hz" or "rad/s"', "1": '"%"', "m": '"mm"', "rad": '"deg"'}
 #: Units of a shape component where nobody says what it is: a displacement or a rotation.
 MOTIONS = ("m", "rad")
@@ -70,8 +71,14 @@ def read_header(
     known = ["pose", *COMPONENTS, "frequency", "sigma", *SPREADS]
     known += ["damping", "sigma_damping", "mode", "sigma_shape", *(f"{SHAPE}{name}" for name in channels)]
     help_text = f"begin with a header such as {','.join(required)}"
-    if len(cells) == 1 and re.search(r"[;\t|]", cells[0]):
-        _refuse(f"expected columns separated by commas, found {shown(cells[0])}", where, help_text)
+    text = ",".join(cells)
+    separator = max(SEPARATORS, key=text.count)
+    if separator in text and (
+        len(cells) == 1 or {part.strip() for part in text.split(separator)} >= {"pose"}
+    ):
+        name = SEPARATORS[separator]
+        remedy = f"the file uses {name}: replace them by commas, and decimal commas by points; {help_text}"
+        _refuse(f"expected columns separated by commas, found {shown(text)}", where, remedy)
     parts = [_parted(cell, known) for cell in cells]
     names = [name for name, _ in parts]
     if not set(names) & set(required):
@@ -96,6 +103,11 @@ def read_header(
             what = f'the column "{name}" is there, and "{missing}" is not'
             _refuse(what, where, "give x, y and z, or nothing of a position")
     return columns
+
+
+def unit_of(name: str) -> str:
+    """What a column without a unit is in, for messages; empty for ratios."""
+    return UNITS.get(name, "SI units").replace("1", "")
 
 
 def frequency_factor(unit: str) -> Decimal:
@@ -133,7 +145,9 @@ def _refuse_unknown(name: str, place: str, known: Sequence[str]) -> NoReturn:
     if bare != name and bare in known:
         _refuse(what, place, f"write a unit in square brackets: {bare} [{name[len(bare) :].strip(' ()')}]")
     nearest = difflib.get_close_matches(name, known, n=1, cutoff=0.5)
-    _refuse(what, place, f'did you mean "{nearest[0]}"?' if nearest else f"known are: {', '.join(known)}")
+    remedy = "remove it or correct the name: "
+    remedy += f'did you mean "{nearest[0]}"?' if nearest else f"known are: {', '.join(known)}"
+    _refuse(what, place, remedy)
 
 
 def _factor(
@@ -150,7 +164,9 @@ def _factor(
     else:
         allowed = MOTIONS
     expected = " or ".join(EXAMPLES.get(one, f'"{one}"') for one in allowed)
-    remedy = "write a unit of that kind, or none for SI units"
+    remedy = f"write a unit of that kind, or none for {unit_of(name) or 'a plain ratio'}"
+    if name == "sigma" and unit == "%":
+        remedy = "multiply by the frequency, and write the result in its unit"
     try:
         if allowed == ("Hz",):
             return frequency_factor(unit)

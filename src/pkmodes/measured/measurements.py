@@ -8,14 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Never
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pkmodes.errors import MeasurementError, listed, shown
+from pkmodes.errors import MeasurementError, listed, nearest, shown
 from pkmodes.measured.columns import Array, Columns
+from pkmodes.measured.header import frequency_factor
 from pkmodes.measured.rules import (
     SHAPE,
+    BrokenRuleError,
     checked_band,
     position_problems,
     refuse,
@@ -23,9 +26,13 @@ from pkmodes.measured.rules import (
     text_problems,
     value_problems,
 )
+from pkmodes.robot.units import QuantityError
 
 #: Standard deviation of a damping ratio, relative to it, where none is stated.
 DAMPING_SIGMA = 0.2
+#: Arguments of `Measurements.from_rows` that are not called as the columns of a file, by the names of these.
+KEYWORDS = {"sigma_shape": "shape_sigma", "sigma_damping": "damping_sigma", "x": "points", "shape": "shapes"}
+ARGUMENTS = ("points", "point_sigma", "damping", "mode", "shapes", "shape_sigma", "damping_sigma", "band")
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,6 +101,8 @@ class Measurements(Columns):
         band: tuple[float, float] | None = None,
         source: str = "measurements",
         lines: ArrayLike | None = None,
+        unit: str = "",
+        **unknown: Never,
     ) -> Measurements:
         """Build measurements from columns that have one entry for each of R rows.
 
@@ -113,10 +122,10 @@ class Measurements(Columns):
             The experimenter's own numbering.
         shapes : mapping of str to array_like of shape (R,), optional
             Shape components by coordinate, NaN where not measured.
-        shape_sigma : array_like, shape (R,), optional
+        shape_sigma : float or array_like, shape (R,), optional
             Standard deviation of each row's shape components relative to the largest of them, above 0 and below
-            1; NaN where it is not known.
-        damping_sigma : array_like, shape (R,), optional
+            1; NaN where it is not known.  One number holds for all rows.
+        damping_sigma : float or array_like, shape (R,), optional
             Standard deviations of the damping ratios, by default and where NaN a fifth of them.
         band : tuple of float, optional
             Lowest and highest frequency at which modes were looked for [Hz].
@@ -124,6 +133,8 @@ class Measurements(Columns):
             Where they come from, for messages.
         lines : array_like of int, shape (R,), optional
             Line of each row in the source, default 1 to R.
+        unit : str, optional
+            Unit of the frequencies in the source, where it says one, for messages; here they are in Hz.
 
         Raises
         ------
@@ -131,6 +142,14 @@ class Measurements(Columns):
             If the columns do not fit together, a number breaks a rule, a label has two positions, or a row is
             there twice.
         """
+        for name in unknown:
+            what = f"there is no argument {shown(name)}"
+            raise MeasurementError(what, "from_rows", nearest(KEYWORDS.get(name, name), ARGUMENTS))
+        try:
+            if unit:
+                frequency_factor(unit)
+        except QuantityError as error:
+            raise MeasurementError(str(error), f"{source}: unit", "write such as Hz or rad/s") from None
         if isinstance(pose, str):
             raise MeasurementError(
                 f"expected one label for each row, found {shown(pose)}",
@@ -156,9 +175,9 @@ class Measurements(Columns):
         unsure = (
             np.full(rows, np.nan)
             if damping_sigma is None
-            else _array(damping_sigma, "damping_sigma", (rows,), source)
+            else _array(_for_all(damping_sigma, rows), "damping_sigma", (rows,), source)
         )
-        found = cls(
+        columns_of_rows = Columns(
             source=source,
             labels=tuple(first),
             points=places[introduced],
@@ -173,10 +192,21 @@ class Measurements(Columns):
             else _array(lines, "lines", (rows,), source, whole=True).astype(int),
             channels=tuple(shapes),
             shapes=np.stack(columns, axis=-1) if columns else np.empty((rows, 0)),
-            shape_sigma=np.full(rows, np.nan) if shape_sigma is None else np.asarray(shape_sigma),
+            shape_sigma=np.full(rows, np.nan)
+            if shape_sigma is None
+            else _array(_for_all(shape_sigma, rows), "shape_sigma", (rows,), source),
             damping_sigma=np.where(np.isnan(unsure), DAMPING_SIGMA * ratios, unsure),
             band=band,
+            unit=unit,
         )
+        try:
+            found = cls(**vars(columns_of_rows))
+        except BrokenRuleError as error:
+            name = error.problem.column
+            if lines is not None or not name.startswith("sigma_") or name not in KEYWORDS:
+                raise
+            where = error.where.replace(f"column {name}", f"argument {KEYWORDS[name]}")
+            raise MeasurementError(error.what, where, error.remedy) from None
         problems = [*position_problems(found, places, spreads), *repetitions(found)]
         refuse(problems, source, found.lines)
         return found
@@ -227,7 +257,13 @@ class Measurements(Columns):
             shape_sigma=self.shape_sigma[rows],
             damping_sigma=self.damping_sigma[rows],
             band=self.band,
+            unit=self.unit,
         )
+
+
+def _for_all(given: ArrayLike, rows: int) -> ArrayLike:
+    """One number for each of the rows, where there is one for all."""
+    return np.full(rows, given) if isinstance(given, int | float | np.integer | np.floating) else given
 
 
 def _by_name(shapes: Mapping[str, ArrayLike] | None, source: str) -> Mapping[str, ArrayLike]:

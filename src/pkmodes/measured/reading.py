@@ -19,6 +19,13 @@ if TYPE_CHECKING:
     from pkmodes.model import Model
 
 LARGEST_FILE = 50_000_000
+#: How files of spreadsheets begin: an archive, and the older format of Excel.
+WORKBOOKS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")
+#: What positions in another unit than they are said to be are multiplied with, and what then is to be done.
+OTHER_LENGTHS = {
+    1e-3: "the numbers look like millimetres: write x [mm],y [mm],z [mm] in the header",
+    1e3: "the numbers look like metres, and the header says otherwise: write x,y,z in it",
+}
 
 
 def read_measurements(
@@ -110,6 +117,10 @@ def check_reachable(measurements: Measurements, model: Model) -> None:
     where = f"{measurements.source}: line {line}, columns x, y and z"
     if (bad := int((~valid).sum())) > 1:
         where += f", the first of {bad} bad poses"
+    for factor, remedy in OTHER_LENGTHS.items():
+        scaled = check_poses(measurements.points * factor, parameters, "nan", model.max_condition)
+        if scaled.valid.all() and not valid.any():
+            _refuse(f"no pose can be reached, but every one if it is multiplied by {factor:g}", where, remedy)
     try:
         check_poses(measurements.points[first], parameters, "raise", model.max_condition)
     except PoseError as error:
@@ -133,11 +144,16 @@ def _text(path: Path, source: str) -> str:
             _refuse(f"cannot read the measurements: it is {kind}", source, remedy)
         if path.stat().st_size > LARGEST_FILE:
             _refuse("cannot read the measurements: it has more than 50 MB", source, remedy)
-        return path.read_bytes().decode("utf-8-sig")
+        content = path.read_bytes()
+        if content.startswith(WORKBOOKS):
+            remedy = "open it there and save it as CSV UTF-8"
+            _refuse("expected CSV text, found an Excel workbook or another archive", source, remedy)
+        return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = error.object[: error.start].count(b"\n") + 1
         what = f"expected UTF-8 text, found the byte 0x{error.object[error.start]:02x}"
         _refuse(what, f"{source}: line {line}", "save the file as UTF-8")
     except (OSError, ValueError) as error:  # ValueError: a path with a null character
         reason = getattr(error, "strerror", None) or str(error)
-        _refuse(f"cannot read the measurements: {reason.lower()}", source, "check the path")
+        remedy = "check its permissions" if isinstance(error, PermissionError) else "check the path"
+        _refuse(f"cannot read the measurements: {reason.lower()}", source, remedy)

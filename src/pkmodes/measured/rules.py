@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,13 +17,43 @@ COMPONENTS = ("x", "y", "z")
 SHAPE = "shape:"
 
 
-class Problem(NamedTuple):
-    """A broken rule: in which row and column, what is wrong, and what to do."""
+class Found(NamedTuple):
+    """A number that a message quotes: where it is, and its value in SI units with the digits to show."""
 
     row: int
     column: str
-    what: str
+    value: float
+    digits: str = "g"
+
+
+class Problem(NamedTuple):
+    """A broken rule: in which row and column, what is wrong, in text and numbers, and what to do."""
+
+    row: int
+    column: str
+    what: str | tuple[str | Found, ...]
     remedy: str
+
+
+class BrokenRuleError(MeasurementError):
+    """A rule that a row breaks, before the numbers in its message are shown as somebody wrote them."""
+
+    def __init__(self, problem: Problem, where: str) -> None:
+        super().__init__(told(problem, _plainly), where, problem.remedy)
+        self.problem = problem
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.problem, self.where)
+
+
+def told(problem: Problem, show: Callable[[Found], str]) -> str:
+    """What is wrong, with its numbers shown in some way."""
+    parts = (problem.what,) if isinstance(problem.what, str) else problem.what
+    return "".join(part if isinstance(part, str) else show(part) for part in parts)
+
+
+def _plainly(found: Found) -> str:
+    return format(found.value, found.digits)
 
 
 def refuse(problems: Sequence[Problem], source: str, lines: Integers) -> None:
@@ -33,7 +63,7 @@ def refuse(problems: Sequence[Problem], source: str, lines: Integers) -> None:
         where = f"{source}: line {lines[first.row]}, column {first.column}"
         if len(problems) > 1:
             where += f", the first of {len(problems)} problems"
-        raise MeasurementError(first.what, where, first.remedy)
+        raise BrokenRuleError(first, where)
 
 
 def checked_band(band: Iterable[float], where: str) -> tuple[float, float]:
@@ -60,7 +90,10 @@ def value_problems(given: Columns, first: Integers) -> Iterator[Problem]:
         for i in np.flatnonzero(~good):
             large = column in ("frequency", "sigma") and LARGEST < values[i] < np.inf
             wanted = f"{expected} (at most {LARGEST:g})" if large else expected
-            yield Problem(int(at[i]), column, f"expected {wanted}, found {values[i]:g}", remedy)
+            row = int(at[i])
+            yield Problem(
+                row, column, (f"expected {wanted}, found ", Found(row, column, float(values[i]))), remedy
+            )
 
     # A NaN compares false, and so fails.
     for k, name in enumerate(COMPONENTS):
@@ -82,13 +115,10 @@ def value_problems(given: Columns, first: Integers) -> Iterator[Problem]:
         "frequency", frequency, positive, "a frequency above 0 Hz", "leave rigid-body modes out"
     )
     known = (sigma >= SMALLEST) & (sigma <= LARGEST)
-    yield from broken(
-        "sigma", sigma, known, "a standard deviation above 0 Hz", "write that of the frequency in Hz"
-    )
+    yield from broken("sigma", sigma, known, "a standard deviation above 0 Hz", "write that of the frequency")
     small = (sigma < frequency) | ~(positive & known)
-    yield from broken(
-        "sigma", sigma, small, "a standard deviation below the frequency", "write that of the frequency in Hz"
-    )
+    remedy = "write that of the frequency, and look at the units of both"
+    yield from broken("sigma", sigma, small, "a standard deviation below the frequency", remedy)
     ratio = np.isnan(damping) | ((damping >= 0.0) & (damping < 1.0))
     yield from broken(
         "damping", damping, ratio, "a damping ratio of at least 0 and below 1", "write 0.02 for 2 %"
@@ -157,11 +187,17 @@ def position_problems(found: Columns, points: Array, spreads: Array) -> Iterator
     ):
         for i, k in np.argwhere(rows != poses[found.pose]):
             name, number = f"{prefix}{COMPONENTS[k]}", found.pose[i]
+            before = int(first[number])
             yield Problem(
                 int(i),
                 name,
-                f"pose {shown(found.labels[number])} has two {kind}: {name} is {poses[number, k]:.10g} in line "
-                f"{found.lines[first[number]]} and {rows[i, k]:.10g} here",
+                (
+                    f"pose {shown(found.labels[number])} has two {kind}: {name} is ",
+                    Found(before, name, float(poses[number, k]), ".10g"),
+                    f" in line {found.lines[before]} and ",
+                    Found(int(i), name, float(rows[i, k]), ".10g"),
+                    " here",
+                ),
                 "give every pose a label of its own",
             )
 

@@ -13,11 +13,22 @@ from typing import NamedTuple
 import numpy as np
 
 from pkmodes.errors import MeasurementError, shown
-from pkmodes.measured.header import TEXT, Column, frequency_factor
+from pkmodes.measured.header import TEXT, Column, frequency_factor, unit_of
 from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.rules import COMPONENTS, SHAPE, Problem, checked_band, refuse
+from pkmodes.measured.rules import (
+    COMPONENTS,
+    SHAPE,
+    BrokenRuleError,
+    Found,
+    Problem,
+    checked_band,
+    refuse,
+    told,
+)
 from pkmodes.robot.units import QuantityError
 
+#: A line for a spreadsheet, which says how the cells are separated.
+SEPARATOR = re.compile(r"\"?sep\s*=\s*(.)\"?[,;\t]*", re.IGNORECASE)
 #: What a blank cell means, in the columns where one is allowed.
 BLANK = {"sigma_x": 0.0, "sigma_y": 0.0, "sigma_z": 0.0, "damping": math.nan}
 #: Columns where none is.
@@ -60,7 +71,12 @@ def read_lines(text: str, source: str) -> Lines:
                 what = f"this band is not that of line {stated}"
                 raise MeasurementError(what, where, "remove one of them")
             band, stated = found, number
-        elif line and not line.startswith("#"):
+        elif not records and SEPARATOR.fullmatch(line) is not None:
+            what = f"expected the names of the columns, found {shown(line)}, a line for a spreadsheet"
+            raise MeasurementError(what, where, "remove this line")
+        elif line.strip(", \t") and not line.startswith(
+            "#"
+        ):  # a spreadsheet fills blank lines up with commas
             records.append((number, line))
     return Lines(records, band)
 
@@ -81,14 +97,14 @@ def cells_of(line: str, where: str) -> list[str]:
     return [cell.strip() for cell in cells]
 
 
-def parse_band(text: str, where: str) -> tuple[float, float]:
+def parse_band(text: str, where: str, remedy: str = BAND_HELP) -> tuple[float, float]:
     """Read a band such as ``10 Hz, 400 Hz``; numbers without a unit are in Hz.
 
     Parameters
     ----------
     text : str
-    where : str
-        For messages.
+    where, remedy : str
+        For messages: the place, and what to write there.
 
     Returns
     -------
@@ -110,13 +126,13 @@ def parse_band(text: str, where: str) -> tuple[float, float]:
         try:
             factor = frequency_factor(unit[0]) if unit else None
         except QuantityError as error:
-            raise MeasurementError(f"expected a band in Hz: {error}", where, BAND_HELP) from None
+            raise MeasurementError(f"expected a band in Hz: {error}", where, remedy) from None
         value = _number(number, factor)
         if value is not None:
             limits.append(value)
     if len(limits) != 2:
         what = f"expected a lower and a higher frequency, found {shown(text.strip())}"
-        raise MeasurementError(what, where, BAND_HELP)
+        raise MeasurementError(what, where, remedy)
     return checked_band(limits, where)
 
 
@@ -143,7 +159,9 @@ def read_table(columns: Sequence[Column], lines: Lines, source: str) -> Measurem
             place = columns[len(cells)].text if short else str(len(columns) + 1)
             what = f"expected {len(columns)} cells, found {len(cells)}"
             remedy = "leave the cells of optional columns blank, but keep their commas"
-            problems.append(Problem(row, place, what, remedy if short else "remove what is too much"))
+            if not short:
+                remedy = "remove what is too much; if numbers have decimal commas, write points"
+            problems.append(Problem(row, place, what, remedy))
             continue
         for column, cell in zip(columns, cells, strict=True):
             if column.name in TEXT:
@@ -154,11 +172,38 @@ def read_table(columns: Sequence[Column], lines: Lines, source: str) -> Measurem
                 numbers[column.name].append(value)
             else:
                 what = f"expected a finite number, found {shown(cell) if cell else 'nothing'}"
-                unit = column.unit or "SI units"
-                remedy = f"write a plain number in {unit}, with a point for the decimals"
+                unit = column.unit or unit_of(column.name)
+                remedy = f"write a plain number{f' in {unit}' if unit else ''}, with a point for the decimals"
                 problems.append(Problem(row, column.text, what, remedy))
     refuse(problems, source, numbers_of_lines)
-    blank = [0.0] * len(records)
+    units = {column.name: column.unit for column in columns}
+    try:
+        return _measurements(texts, numbers, lines, source, units["frequency"])
+    except BrokenRuleError as error:
+        what = told(error.problem, lambda found: _as_written(found, columns, records))
+        raise MeasurementError(what, error.where, error.remedy) from None
+
+
+def _as_written(found: Found, columns: Sequence[Column], records: Sequence[tuple[int, str]]) -> str:
+    """A number as its cell has it, with the header's unit; in SI units too where that is another one."""
+    number = format(found.value, found.digits)
+    place = [column.name for column in columns].index(found.column)
+    column = columns[place]
+    if column.factor is None:
+        return number
+    cell = cells_of(records[found.row][1], "")[place]
+    si = unit_of(column.name)
+    return (
+        f"{cell} {column.unit} ({f'{number} {si}'.strip()})" if si != column.unit else f"{cell} {column.unit}"
+    )
+
+
+def _measurements(
+    texts: dict[str, list[str]], numbers: dict[str, list[float]], lines: Lines, source: str, unit: str
+) -> Measurements:
+    """Measurements of the columns of a file, by name; `unit` is what the header says of the frequencies."""
+    rows = len(lines.records) - 1
+    blank = [0.0] * rows
     return Measurements.from_rows(
         texts["pose"],
         numbers["frequency"],
@@ -174,7 +219,8 @@ def read_table(columns: Sequence[Column], lines: Lines, source: str) -> Measurem
         damping_sigma=numbers.get("sigma_damping"),
         band=lines.band,
         source=source,
-        lines=numbers_of_lines,
+        lines=np.array([line for line, _ in lines.records[1:]]),
+        unit=unit,
     )
 
 

@@ -44,7 +44,10 @@ def save_corrected(source: Path, target: Path, changes: Mapping[str, Correction]
         If the robot file cannot be read.
     """
     if "\0" in str(target) or target.is_dir() or not target.parent.is_dir():
-        refuse("expected a file in an existing folder", shown(str(target)), "choose another place")
+        remedy = (
+            "choose another place" if "\0" in str(target) or target.is_dir() else "create the folder first"
+        )
+        refuse("expected a file in an existing folder", shown(str(target)), remedy)
     if source.exists() and target.exists() and source.samefile(target):
         refuse("the corrected robot would replace its own input", str(target), "choose another file")
     write_file(target, corrected_text(source, changes))

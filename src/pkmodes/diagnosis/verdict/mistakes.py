@@ -1,10 +1,10 @@
-"""Mistakes of an experimenter that measurements show: another unit, exchanged sensors, shapes that are all alike."""
+"""Mistakes of an experimenter that measurements show: another unit, exchanged or dead sensors, copied shapes."""
 
 from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -12,42 +12,86 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.match.pairing import Pairer, Pairing
 from pkmodes.diagnosis.problem import Array, Prediction
+from pkmodes.measured.header import frequency_factor
 from pkmodes.measured.measurements import Measurements
 
-#: How many times too large frequencies are if they are in another unit than Hz.
-UNITS = {"rad/s": 2.0 * np.pi, "1/min": 60.0, "mHz": 1e3, "kHz": 1e-3, "degrees/s": 360.0}
-UNITS |= {f"{name}, converted the wrong way": 1.0 / UNITS[name] for name in ("rad/s", "1/min")}
+#: How many of a unit of frequency are 1 Hz.
+UNITS = {"Hz": 1.0, "rad/s": 2.0 * np.pi, "1/min": 60.0, "mHz": 1e3, "kHz": 1e-3, "deg/s": 360.0}
+#: So many setups, spread evenly, tell the unit of all.
+ENOUGH = 200
+#: Units that are often converted to Hz twice.
+TWICE = ("rad/s", "1/min")
+
+
+@dataclass(frozen=True)
+class Reading:
+    """Another way to read the column of frequencies: f = factor times what was read as Hz, or as periods over it."""
+
+    what: str
+    remedy: str
+    factor: float
+    inverse: bool = False
+
+    def of(self, data: Measurements) -> Measurements:
+        """The measurements, read that way."""
+        frequency = self.factor / data.frequency if self.inverse else self.factor * data.frequency
+        return _changed(data, frequency=frequency, sigma=frequency * (data.sigma / data.frequency), band=None)
+
+
+def readings(unit: str) -> list[Reading]:
+    """What a column of frequencies may be in instead of the unit that its header says, or Hz where it says none."""
+    said = float(1 / frequency_factor(unit)) if unit else 1.0
+    found = [
+        Reading(name, f"write frequency [{name}], and sigma in its own unit", said / times)
+        for name, times in UNITS.items()
+        if abs(said / times - 1.0) > 1e-9
+    ]
+    # A period n was read as n / said Hz, and 1 / n is the frequency.
+    found.append(Reading("periods in s", "write frequencies, 1 / period", 1.0 / said, inverse=True))
+    found += [
+        Reading(
+            f"{name}, converted twice",
+            f"multiply them by {UNITS[name]:.4g}",
+            UNITS[name],
+        )
+        for name in TWICE
+    ]
+    return found
 
 
 def other_unit(fitter: Fitter) -> str:
     """A sentence where all frequencies seem to be in another unit; empty where they are not."""
-    declared = fitter.structure.predict(fitter.declared, ())
+    every = len(fitter.data.labels)
+    some = sorted(set(np.linspace(0, every - 1, min(every, ENOUGH)).astype(int).tolist()))
+    structure, data = fitter.structure.subset(some), fitter.data.at(some)
+    declared = structure.predict(fitter.declared, ())
     if not np.isfinite(declared.eigenvalues).all():
         return ""
-    c, here = fitter.criteria, _usual(fitter, declared, 1.0)
-    found = {name: _usual(fitter, declared, factor) for name, factor in UNITS.items()}
-    name = min(found, key=found.__getitem__)
-    if found[name] > c.unit_difference or found[name] * c.unit_gain > here:
+    c = fitter.criteria
+    here = _usual(fitter, declared, data)
+    others = [(_usual(fitter, declared, reading.of(data)), reading) for reading in readings(data.unit)]
+    least, reading = min(others, key=lambda other: other[0])
+    if least > c.unit_difference or least * c.unit_gain > here:
         return ""
-    return (
-        f"the frequencies look like {name}: divided by {UNITS[name]:.4g} they agree with the declared model to "
-        f"{100 * found[name]:.2g} %; write the unit into the header, such as frequency [rad/s]"
-    )
+    said = f"the header says {data.unit}, but the numbers" if data.unit else "the frequencies"
+    return f"{said} fit the declared model as {reading.what} ({100 * least:.2g} %): {reading.remedy}"
 
 
-def _usual(fitter: Fitter, prediction: Prediction, factor: float) -> float:
-    """Median difference of the frequencies, divided by a factor, and the model's, which may lack some modes."""
-    data = fitter.data
-    scaled = _changed(data, frequency=data.frequency / factor, sigma=data.sigma / factor, band=None)
-    pairer = Pairer(scaled, fitter.structure.channels, prediction, fitter.criteria)
+def _usual(fitter: Fitter, prediction: Prediction, data: Measurements) -> float:
+    """Median difference of the frequencies, read in some way, and the model's, which may lack some modes."""
+    pairer = Pairer(data, fitter.structure.channels, prediction, fitter.criteria)
     pairing = pairer.pair(prediction, np.ones(len(data.frequency), dtype=bool), compare=False)
     return float(np.median(np.abs(pairer.differences(prediction, pairing))))
 
 
 def other_wiring(fitter: Fitter, fit: Fit) -> str:
-    """A sentence where shapes fit far better with two channels exchanged or one turned; empty where they do not."""
+    """A sentence where a channel is dead, or shapes fit far better with two exchanged or one reversed; else empty."""
     if not fitter.shapes.known.any():
         return ""
+    dead = dead_channels(fitter, fit)
+    if dead:
+        which = f"channel {dead[0]} is" if len(dead) == 1 else f"channels {', '.join(dead)} are"
+        return f"{which} 0 in every row: is the sensor connected? Leave the column out where it is not"
     here = _squares(fitter, fit, fitter.data)
     degrees = max(float(fitter.shapes.degrees(fitter.used(fit.hypothesis))), 1.0)
     if here / degrees <= 1.5 * (1.0 if fitter.shapes.stated.any() else 0.5):
@@ -59,7 +103,11 @@ def other_wiring(fitter: Fitter, fit: Fit) -> str:
         return ""
     found = {text: _squares(fitter, fit, data) for text, data in _rewired(fitter.data)}
     text = min(found, key=found.__getitem__)
-    return f"the shapes fit far better with {text}" if found[text] * fitter.criteria.rewired < here else ""
+    return (
+        f"the shapes fit far better with {text}{_look_at(text)}"
+        if found[text] * fitter.criteria.rewired < here
+        else ""
+    )
 
 
 def _rewired(data: Measurements) -> Iterator[tuple[str, Measurements]]:
@@ -71,7 +119,35 @@ def _rewired(data: Measurements) -> Iterator[tuple[str, Measurements]]:
     for i, name in enumerate(data.channels):
         sign = np.ones(len(data.channels))
         sign[i] = -1.0
-        yield f"the sign of {name} turned", _changed(data, shapes=data.shapes * sign)
+        yield f"{name} reversed", _changed(data, shapes=data.shapes * sign)
+
+
+def _look_at(text: str) -> str:
+    """What a person should look at where a channel is reversed."""
+    name, _, reversed_ = text.rpartition(" ")
+    if reversed_ != "reversed":
+        return ""
+    frame = f", and the sign of {name[-1]} in the poses" if name in ("p_x", "p_y", "p_z") else ""
+    return f": check that sensor's direction{frame}"
+
+
+def dead_channels(fitter: Fitter, fit: Fit) -> list[str]:
+    """Channels that are exactly 0 in every row that has them, though the model moves them clearly in some."""
+    data, pairing = fitter.data, fit.pairing
+    told = (pairing.partner >= 0) & np.nan_to_num(data.shapes).any(axis=1)
+    measured = np.isfinite(data.shapes) & told[:, None]
+    model = np.abs(fit.prediction.shapes[data.pose, np.maximum(pairing.partner, 0)][:, fitter.pairer.columns])
+    units = np.array([fitter.structure.channel_units[i] for i in fitter.pairer.columns])
+    moved, some = fitter.criteria.dead
+    found = []
+    for k, name in enumerate(data.channels):
+        rows = measured[:, k]
+        if not rows.any() or np.nan_to_num(data.shapes[:, k]).any():
+            continue
+        alike = np.where(measured & (units == units[k]), model, 0.0).max(axis=1)
+        if (model[rows, k] > moved * alike[rows]).mean() >= some and alike[rows].any():
+            found.append(name)
+    return found
 
 
 def _squares(fitter: Fitter, fit: Fit, data: Measurements, pairing: Pairing | None = None) -> float:

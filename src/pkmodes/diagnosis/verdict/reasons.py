@@ -49,7 +49,8 @@ def _p(p_value: float) -> str:
 
 def _cause(finding: Finding) -> str:
     more = len(finding.members) - 1
-    alike = f", or {more} that look{'s' if more == 1 else ''} alike" if more else ""
+    others = "one other that looks" if more == 1 else f"{more} others that look"
+    alike = f", or {others} the same" if more else ""
     return f"{finding.sentence} ({finding.name}{alike})" if finding.sentence else f"{finding.name}{alike}"
 
 
@@ -97,8 +98,8 @@ def unspecific(causes: Sequence[Candidate], others: Sequence[str], p_value: floa
     """Too few data to know it from anything else."""
     also = f" (and so would {', '.join(others)})" if others else ""
     return (
-        f"{_names(causes)} would explain the residual{also}, but with so few data one of the candidates would "
-        f"explain almost any ({_p(p_value)} by coincidence): measure more modes or poses"
+        f"{_names(causes)} would explain the residual{also}, but with so little data some candidate would fit "
+        f"almost any residual ({100 * p_value:.2g} % by chance): measure more modes or poses"
     )
 
 

@@ -202,6 +202,26 @@ class Diagnosis:
     stability: tuple[Stability, ...] = ()
     shape_scatter: float | None = None
 
+    def __str__(self) -> str:
+        lines = [f"{self.verdict}: {self.reason}"]
+        for found in self.effects:
+            values = [
+                f"{v.name} = {v.value:.4g} +- {v.sigma:.2g} {v.unit}".removesuffix(" 1")
+                for v in found.parameters
+            ]
+            lines.append(f"cause: {found.name} (p = {found.p_value:.2g}): {', '.join(values)}")
+            if len(found.members) > 1:
+                lines.append(f"  these data cannot tell it from {', '.join(found.members[1:])}")
+        lines += [f"remains: {' or '.join(group)}" for group in self.survivors]
+        for stage, error in (("before", self.before), ("refit", self.refit), ("after", self.after)):
+            if error is not None:
+                rms = "" if error.rms_relative is None else f"rms {100 * error.rms_relative:.3f} %, "
+                held = error.held_out_rms_relative
+                apart = "" if held is None else f"held out {100 * held:.3f} %, "
+                lines.append(f"{stage:6} {rms}{apart}chi2 per degree of freedom {error.chi2_per_dof:.3g}")
+        lines += [f"note: {text}" for text in self.notes]
+        return "\n".join(lines)
+
     @property
     def outliers(self) -> tuple[Row, ...]:
         """Rows that were left out as outliers."""
@@ -217,7 +237,7 @@ class Diagnosis:
         return tuple(row for row in self.rows if last(row) is None and not row.outlier)
 
     def as_json(self) -> dict[str, object]:
-        """Return the result in the form that formats.md promises; NaN never occurs."""
+        """Return the result as docs/json.md describes it; NaN never occurs."""
         return {
             "verdict": self.verdict,
             "reason": self.reason,

@@ -1,0 +1,71 @@
+"""What a caller gives to `diagnose`, `update` and `compare`, checked before anything is computed."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pkmodes.diagnosis.problem import Structure
+from pkmodes.errors import PkmodesError, shown
+from pkmodes.measured.measurements import Measurements
+
+
+def check_arguments(structure: Structure, data: Measurements) -> None:
+    """Refuse what is no structure or no measurements, setups that nobody named, and priors that are none.
+
+    Raises
+    ------
+    PkmodesError
+    """
+    if not callable(getattr(structure, "predict", None)) or not hasattr(structure, "candidates"):
+        remedy = "give such as a MatrixStructure; for a robot there is pkmodes.closing"
+        raise PkmodesError(f"expected a structure, found {shown(structure)}", "structure", remedy)
+    check_measurements(data, "pkmodes.diagnosis.read_measurements(path, channels)")
+    if getattr(structure, "setups", None) == ("",) and len(data.labels) > 1:
+        labels = ", ".join(f'"{label}"' for label in data.labels[:3]) + (
+            ", ..." if len(data.labels) > 3 else ""
+        )
+        what = f"{len(data.labels)} setups were measured, and the structure names none"
+        raise PkmodesError(what, "setups", f"pass setups=[{labels}] to MatrixStructure")
+    for candidate in structure.candidates:
+        _check_prior(candidate.name, candidate.sigma, len(candidate.parameters))
+
+
+def check_measurements(data: object, reader: str) -> None:
+    """Refuse what is no measurements.
+
+    Parameters
+    ----------
+    data : object
+    reader : str
+        The call that reads them, for the message.
+
+    Raises
+    ------
+    PkmodesError
+    """
+    if not isinstance(data, Measurements):
+        what = f"expected measurements, found {shown(data)}"
+        raise PkmodesError(
+            what, "data", f"read them with {reader}, or build them with Measurements.from_rows"
+        )
+    if not len(data.frequency):
+        raise PkmodesError("expected measurements, found no rows", data.source, "give some")
+
+
+def _check_prior(name: str, sigma: object, count: int) -> None:
+    """Refuse a prior of a candidate that has not one positive number for each of its parameters."""
+    if sigma is None:
+        return
+    where = f"candidate {shown(name)}: sigma"
+    if not isinstance(sigma, list | tuple | np.ndarray) or len(sigma) != count:
+        found = f"{len(sigma)}" if isinstance(sigma, list | tuple | np.ndarray) else shown(sigma)
+        what = f"expected a tuple of {count} standard deviation{'s' if count > 1 else ''}, found {found}"
+        number = isinstance(sigma, int | float) and count == 1
+        raise PkmodesError(
+            what, where, f"write ({sigma},)" if number else "give one for each of its parameters"
+        )
+    for one in sigma:
+        good = isinstance(one, int | float | np.integer | np.floating) and not isinstance(one, bool)
+        if not good or not 0.0 < one < np.inf:
+            what = f"expected a standard deviation above 0, found {shown(one)}"
+            raise PkmodesError(what, where, "leave it out when unknown")

@@ -1,0 +1,97 @@
+"""Mistakes that all measurements together show, held-out ones too: copied shapes, and poses with a wrong label."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.verdict.mistakes import all_alike
+from pkmodes.diagnosis.verdict.report import Report, Stage
+from pkmodes.measured.measurements import Measurements
+
+#: Positions nearer than this are one [m].
+NEAR = 1e-6
+#: So many remarks of a kind at most.
+MOST = 4
+
+
+def remarks(report: Report, fit: Fit) -> tuple[str, ...]:
+    """Sentences about the measurements.
+
+    Parameters
+    ----------
+    report : Report
+        Has all measurements.
+    fit : Fit
+        Its values say which rows are the same mode.
+    """
+    copies = []
+    if not all_alike(report.data, report.fitter.criteria.same_shape):  # which is told by itself
+        copies = [
+            f"the shapes in lines {one} and {other} are the same, number by number: was one copied?"
+            for one, other in copied(report.data)
+        ]
+    return *list(_same_place(report, report.stage(fit.values)))[:MOST], *copies[:MOST]
+
+
+def copied(data: Measurements) -> list[tuple[int, int]]:
+    """Pairs of lines whose shapes are the same, number by number: no two measurements are."""
+    first: dict[bytes, int] = {}
+    found = []
+    for row, shape in enumerate(data.shapes):
+        if np.count_nonzero(np.nan_to_num(shape)) < 2:
+            continue
+        before = first.setdefault(shape.tobytes(), row)
+        if before != row:
+            found.append((int(data.lines[before]), int(data.lines[row])))
+    return found
+
+
+def _same_place(report: Report, stage: Stage) -> Iterator[str]:
+    """Name pairs of poses at the same position where most of the modes that both have differ clearly."""
+    data = report.data
+    if not data.points.any():  # setups without positions
+        return
+    sigma = _errors(report, stage)
+    order = np.argsort(data.points[:, 0], kind="stable")
+    along = data.points[order, 0]
+    ends = np.searchsorted(along, along + NEAR, side="right")
+    for place, (i, end) in enumerate(zip(order, ends, strict=True)):
+        rest = order[place + 1 : end]
+        apart = np.linalg.norm(data.points[rest] - data.points[i], axis=1)
+        for k in rest[apart <= NEAR]:
+            one, other = sorted((int(i), int(k)))
+            most = _difference(report, stage, sigma, one, other)
+            if most:
+                yield (
+                    f"poses {data.labels[one]} and {data.labels[other]} are at the same position, but their "
+                    f"frequencies differ by up to {100 * most:.2g} %: is one of them somewhere else?"
+                )
+
+
+def _errors(report: Report, stage: Stage) -> Array:
+    """Relative standard deviations of the frequencies, (R,), those of the positions included."""
+    data = report.data
+    variance: Array = (data.sigma / data.frequency) ** 2
+    moved = report.structure.position_rates(stage.values) if data.point_sigma.any() else None
+    if moved is not None:
+        rates = moved.log_rates[data.pose, np.maximum(stage.pairing.partner, 0)]
+        variance = variance + ((rates * data.point_sigma[data.pose]) ** 2).sum(axis=1)
+    return np.sqrt(variance)
+
+
+def _difference(report: Report, stage: Stage, sigma: Array, one: int, other: int) -> float:
+    """Largest relative difference of the modes that two poses both have; 0 where most agree."""
+    data, (sigmas, least) = report.data, report.fitter.criteria.same_place
+    partner = stage.pairing.partner
+    rows = [{int(partner[r]): r for r in np.flatnonzero(data.pose == p)} for p in (one, other)]
+    common = sorted({mode for mode in rows[0] if mode >= 0} & set(rows[1]))
+    if not common:
+        return 0.0
+    a, b = (np.array([each[mode] for mode in common]) for each in rows)
+    apart = np.abs(np.log(data.frequency[a] / data.frequency[b]))
+    clearly = (apart > sigmas * np.hypot(sigma[a], sigma[b])) & (apart > least)
+    return float(np.expm1(apart.max())) if clearly.mean() >= 0.5 else 0.0
