@@ -15,6 +15,7 @@ from pkmodes.diagnosis.match.pairing import Pairer, Pairing
 from pkmodes.diagnosis.problem import Array, Structure
 from pkmodes.diagnosis.search.score import Scores
 from pkmodes.diagnosis.search.search import Outcome, Search
+from pkmodes.diagnosis.verdict import held_out
 from pkmodes.diagnosis.verdict.judgement import Judgement
 from pkmodes.diagnosis.verdict.next_measurement import next_measurement
 from pkmodes.diagnosis.verdict.notes import notes
@@ -86,23 +87,35 @@ class Report:
             contested = remaining[0]
         outlying = np.isin(self.data.lines, self.fitter.data.lines[sorted(reported.hypothesis.excluded)])
         store = search.store
+        before = self.error(refit, *store.frequency_misfit(nuisances), outlying)
+        with_causes = None if after is None else self.error(after, *store.frequency_misfit(final), outlying)
+        predicted = (after or refit).frequencies
+        findings = self.findings(judged) if found else ()
+        claimed = {name for finding in findings for name in finding.members}
         return Diagnosis(
             verdict=verdict,
             reason=reason,
-            effects=self.findings(judged) if found else (),
+            effects=findings,
             survivors=tuple(tuple(name for name, _ in named) for named in remaining),
             refitted=self.refitted(reported),
             before=self.error(declared, self.chi2(self.fitter.declared), len(self.fitter.log), outlying),
-            refit=self.error(refit, *store.frequency_misfit(nuisances), outlying),
-            after=None if after is None else self.error(after, *store.frequency_misfit(final), outlying),
+            refit=before,
+            after=with_causes,
             held_out_poses=tuple(self.data.labels[i] for i in self.held),
-            undetectable=tuple(c.name for c in self.examined(last.scores) if not c.detectable),
+            # Beside a claimed cause, those of its class cannot be seen; they are among what is claimed.
+            undetectable=tuple(
+                c.name for c in self.examined(last.scores) if not c.detectable and c.name not in claimed
+            ),
             next_measurement=next_measurement(self.fitter, contested),
             candidates=self.examined(outcome.first.scores),
             rows=self.rows(declared, refit, after, outlying),
             scatter=reported.scatter,
             corrected=self.values(reported, reported.free),
-            notes=(*remarks, *notes(store, reported, verdict in ("adequate", "effect_found"))),
+            notes=(
+                *remarks,
+                *notes(store, reported, verdict in ("adequate", "effect_found")),
+                *held_out.remarks(self.data, self.is_held, predicted, before, with_causes),
+            ),
             stability=stability,
             shape_scatter=store.shape_scatter(reported),
         )

@@ -1,0 +1,46 @@
+"""What held-out measurements say against the data themselves, or against what was claimed without them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.verdict.result import Error
+from pkmodes.measured.measurements import Measurements
+
+#: A held-out error this many times larger after a cause than before speaks against it.
+WORSE = 2.0
+
+
+def remarks(
+    data: Measurements, held: NDArray[np.bool_], predicted: Array, before: Error, after: Error | None
+) -> Iterator[str]:
+    """Sentences about the held-out rows.
+
+    Parameters
+    ----------
+    data : Measurements
+    held : ndarray of bool, shape (R,)
+        Rows of held-out poses.
+    predicted : ndarray, shape (R,)
+        Frequencies at the end [Hz], NaN where the model has no mode.
+    before, after : Error
+        With the uncertain values refitted, and with what was claimed.
+    """
+    for i in np.flatnonzero(held & np.isnan(predicted)):
+        yield f"{_row(data, int(i))} has no mode of the model: the held-out error leaves it out"
+    if after is None or before.held_out_rms_relative is None or after.held_out_rms_relative is None:
+        return
+    if after.held_out_rms_relative > WORSE * before.held_out_rms_relative:
+        apart = np.where(held, np.nan_to_num(np.abs(np.log(predicted / data.frequency))), 0.0)
+        yield (
+            f"the held-out poses speak against it: their error grows from {100 * before.held_out_rms_relative:.2g} "
+            f"to {100 * after.held_out_rms_relative:.2g} %, the worst is {_row(data, int(apart.argmax()))}"
+        )
+
+
+def _row(data: Measurements, i: int) -> str:
+    return f"line {data.lines[i]} (held-out {data.labels[data.pose[i]]}, {data.frequency[i]:g} Hz)"
