@@ -1,0 +1,76 @@
+"""Rough fits taken together arrive where each would by itself; robots evaluated together are the same."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.optimize import lsq_linear
+
+from pkmodes.closing.structure import RobotStructure
+from pkmodes.closing.suspects import suspects
+from pkmodes.diagnosis import Candidate, Parameter
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from rig_robots import POSES, ROBOTS, read
+from small_structures import SIGMA, LogLinear, log_linear, logs_measured
+
+SETUPS, MODES = 8, 5
+
+
+def test_a_descent_ends_at_the_bounded_least_squares_of_a_linear_model() -> None:
+    """Held against SciPy's solver of the linear problem, with bounds that stop some parameters."""
+    rng = np.random.default_rng(1)
+    candidates = [Candidate(f"c{i}", (f"c{i}",)) for i in range(6)]
+    parameters = [Parameter("n0", 0.0, sigma=0.5), Parameter("n1", 0.0, sigma=0.5)]
+    parameters += [Parameter(f"c{i}", 0.0, lower=0.0 if i % 2 else -np.inf) for i in range(6)]
+    model: LogLinear = log_linear(rng, SETUPS, MODES, parameters, candidates)
+    logs = model.base + model.G @ np.array([0.02, -0.01, 0.0, -0.004, 0.006, 0.0, 0.0, 0.002])
+    data = logs_measured(logs + SIGMA * rng.standard_normal(logs.shape), SIGMA)
+    fitter = Fitter(model, data)
+    descents = fitter.roughly([(Hypothesis((c,)), fitter.declared) for c in candidates])
+    for i, descent in enumerate(descents):
+        columns = [0, 1, 2 + i]
+        design = np.vstack([model.G.reshape(-1, 8)[:, columns] / SIGMA, np.diag([2.0, 2.0, 0.0])[:2]])
+        target = np.concatenate([(np.log(data.frequency) - model.base.ravel()) / SIGMA, [0.0, 0.0]])
+        lower = [-np.inf, -np.inf, parameters[2 + i].lower]
+        expected = lsq_linear(design, target, (lower, [np.inf] * 3), tol=1e-12)
+        assert descent.arrived
+        assert descent.chi2 == pytest.approx(2.0 * expected.cost, abs=0.1, rel=2e-3)
+        assert descent.values[2 + i] == pytest.approx(expected.x[2], abs=1e-4)
+
+
+@pytest.mark.parametrize("name", sorted(ROBOTS))
+def test_robots_evaluated_together_are_those_evaluated_alone(name: str) -> None:
+    """Values in every candidate's direction, geometry and measurement frame included, with their derivatives."""
+    robot, points = read(name), POSES[name]["scattered"][:3]
+    structure = RobotStructure(robot, points, *suspects(robot))
+    declared = np.array([p.value for p in structure.parameters])
+    index = {p.name: i for i, p in enumerate(structure.parameters)}
+    values, by = [], []
+    for candidate in structure.candidates:
+        some = [index[parameter] for parameter in candidate.parameters]
+        one = declared.copy()
+        one[some] += 0.01 * np.maximum(np.abs(declared[some]), 1e-4)
+        values.append(one)
+        by.append(some)
+    batches = structure.predict_many(np.array(values), by, shape_rates=True)
+    assert sorted(int(k) for batch in batches for k in batch.sets) == list(range(len(values)))
+    assert max(len(batch.sets) for batch in batches) > 10
+    for batch in batches:
+        for place, k in enumerate(batch.sets):
+            alone = RobotStructure(robot, points, *suspects(robot)).predict(
+                values[k], by[k], shape_rates=True
+            )
+            part = slice(place * len(points), (place + 1) * len(points))
+            together, width = batch.prediction, len(by[k])
+            np.testing.assert_allclose(together.eigenvalues[part], alone.eigenvalues, rtol=1e-10, atol=1e-3)
+            np.testing.assert_allclose(together.shapes[part], alone.shapes, rtol=0, atol=1e-7)
+            size = np.abs(alone.rates).max()
+            np.testing.assert_allclose(together.rates[part][..., :width], alone.rates, atol=1e-7 * size)
+            assert not together.rates[part][..., width:].any()
+            assert alone.shape_rates is not None
+            assert together.shape_rates is not None
+            size = np.abs(alone.shape_rates).max()
+            np.testing.assert_allclose(
+                together.shape_rates[part][..., :width], alone.shape_rates, atol=1e-5 * size
+            )
