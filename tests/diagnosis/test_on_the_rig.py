@@ -104,6 +104,14 @@ def test_one_soft_gearbox_of_three_is_not_claimed_but_pointed_at(robot: str) -> 
     assert "gearbox_compliance of psi_2 alone" in outcome.reason
 
 
+def test_a_wrong_belt_is_named_though_unequal_belts_would_do_as_well() -> None:
+    outcome = run(replace(numbered("wrong parameter", 20), seed=PUBLISHED))
+    assert_named(outcome)
+    ((name, *others),) = outcome.classes
+    assert name == "parameter:axis.2.belt.width"
+    assert "axis_belt_stiffness" in others
+
+
 def test_a_moving_frame_is_found_where_its_first_fit_paired_a_mode_wrongly() -> None:
     assert_named(run(replace(numbered("modes missed", 32), seed=PUBLISHED)))
 

@@ -142,7 +142,7 @@ def _searched(
 def _judged(report: Report, search: Search, outcome: Outcome) -> Diagnosis:
     """Judge the outcome of a search, and say why."""
     judged, store = judge(search, outcome), search.store
-    found = trials(search, judged.final)
+    found = trials(search, judged.final, [groups[0] for groups in judged.grouped if groups])
     if judged.verdict == "effect_found":
         judged = _stable(judged, found)
     wiring = other_wiring(store.fitter, judged.final)
