@@ -104,6 +104,12 @@ def test_one_soft_gearbox_of_three_is_not_claimed_but_pointed_at(robot: str) -> 
     assert "gearbox_compliance of psi_2 alone" in outcome.reason
 
 
+def test_a_frame_that_yields_in_one_oblique_direction_is_not_a_frame_that_yields_alike_in_all() -> None:
+    outcome = run(replace(numbered("outside the catalogue", 43), seed=PUBLISHED))
+    assert outcome.verdict == "unexplained"
+    assert "frame_compliance with another value in each joint" in outcome.reason
+
+
 def test_a_wrong_belt_is_named_though_unequal_belts_would_do_as_well() -> None:
     outcome = run(replace(numbered("wrong parameter", 20), seed=PUBLISHED))
     assert_named(outcome)

@@ -67,7 +67,7 @@ def structure(
     check_reachable(data, Model(robot))
     parameters, found, moves = suspects(robot, candidates)
     for name, sigma in (priors or {}).items():
-        known = [candidate.name for candidate in found if not candidate.remote]
+        known = [candidate.name for candidate in found if candidate.claimable]
         if name not in known:
             nearest = difflib.get_close_matches(name, known, n=1)
             remedy = f'did you mean "{nearest[0]}"?' if nearest else "name a candidate"

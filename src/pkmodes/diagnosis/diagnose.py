@@ -77,7 +77,7 @@ def diagnose(
     unit = other_unit(fitter)
     if unit:
         store = FitStore(fitter)
-        names = tuple(candidate.name for candidate in structure.candidates if not candidate.remote)
+        names = tuple(candidate.name for candidate in structure.candidates if candidate.claimable)
         return report.without_search(
             "unexplained", unit, store, None, names, (unit,), unchanged("unexplained")
         )
@@ -172,7 +172,7 @@ def _insufficient(fitter: Fitter, report: Report) -> Diagnosis:
     """Too few data to search; whether they contradict the model and its priors can be said all the same."""
     store = FitStore(fitter)
     fit = store.fit(Hypothesis())  # the priors determine it, however few the data
-    candidates = [candidate for candidate in fitter.structure.candidates if not candidate.remote]
+    candidates = [candidate for candidate in fitter.structure.candidates if candidate.claimable]
     p_value, hints, contradicts = None, [], False
     if fit is not None:
         p_value = store.p_value(fit)

@@ -58,8 +58,11 @@ class Search:
         self, store: FitStore, candidates: Sequence[Candidate], progress: Progress | None = None
     ) -> None:
         self.store, self.criteria = store, store.fitter.criteria
-        self.candidates = tuple(candidate for candidate in candidates if not candidate.remote)
-        self.remote = tuple(candidate for candidate in candidates if candidate.remote)
+        self.candidates = tuple(candidate for candidate in candidates if candidate.claimable)
+        self.general = tuple(candidate for candidate in candidates if candidate.general_of)
+        self.remote = tuple(
+            candidate for candidate in candidates if candidate.remote and not candidate.general_of
+        )
         self._progress = progress or (lambda _: None)
         self.additions = Additions(store, self.candidates, self._progress)
         self._gates: dict[int, tuple[Fit, Gate]] = {}

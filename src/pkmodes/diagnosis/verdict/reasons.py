@@ -74,6 +74,11 @@ def remote(cause: Candidate) -> str:
     return f"no candidate explains the residual alone, but {cause.name} would: look there{also}"
 
 
+def unlike(cause: Candidate, general: Candidate) -> str:
+    """Another form of the cause is better."""
+    return f"{cause.name} would explain the residual, but {general.name} does so significantly better: look there"
+
+
 def errors(causes: Sequence[Candidate], what: str) -> str:
     """Errors of the measurement explain it as well."""
     return (
