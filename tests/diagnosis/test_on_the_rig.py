@@ -42,6 +42,8 @@ WRONG = [("published", "link.mass"), ("tower", "pulley.radius"), ("asymmetric", 
 #: Cases of the hard suites, robots and buildings, all kinds.
 FEW_ROWS = [*range(2, 60, 9), *range(60, 120, 7)]
 OUTLIERS = [0, 4, 12, 20, 24, 28, *range(30, 60, 4)]
+#: Seed of published cases that showed a mistake of the diagnosis.
+PUBLISHED = 20261201
 MISTAKEN = ["rad/s for Hz", "rpm for Hz", "all shapes equal", "sigma far too large"]
 
 
@@ -100,6 +102,24 @@ def test_one_soft_gearbox_of_three_is_not_claimed_but_pointed_at(robot: str) -> 
     outcome = run(case("outside the catalogue", "one_gearbox", robot))
     assert outcome.verdict == "unexplained"
     assert "gearbox_compliance of psi_2 alone" in outcome.reason
+
+
+def test_a_frame_that_yields_in_one_oblique_direction_is_not_a_frame_that_yields_alike_in_all() -> None:
+    outcome = run(replace(numbered("outside the catalogue", 43), seed=PUBLISHED))
+    assert outcome.verdict == "unexplained"
+    assert "frame_compliance with another value in each joint" in outcome.reason
+
+
+def test_a_wrong_belt_is_named_though_unequal_belts_would_do_as_well() -> None:
+    outcome = run(replace(numbered("wrong parameter", 20), seed=PUBLISHED))
+    assert_named(outcome)
+    ((name, *others),) = outcome.classes
+    assert name == "parameter:axis.2.belt.width"
+    assert "axis_belt_stiffness" in others
+
+
+def test_a_moving_frame_is_found_where_its_first_fit_paired_a_mode_wrongly() -> None:
+    assert_named(run(replace(numbered("modes missed", 32), seed=PUBLISHED)))
 
 
 def test_one_heavy_carriage_of_three_is_pointed_at_and_found_when_asked_for() -> None:

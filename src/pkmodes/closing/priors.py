@@ -33,7 +33,7 @@ def with_priors(
         raise PkmodesError(what, "priors", 'write such as {"parameter:link.length": "1 mm"}')
     by_name = {parameter.name: parameter for parameter in parameters}
     found = {candidate.name: candidate for candidate in candidates}
-    known = [candidate.name for candidate in candidates if not candidate.remote]
+    known = [candidate.name for candidate in candidates if candidate.claimable]
     for name, given in priors.items():
         if name not in known:
             _refuse(robot, name, known)

@@ -5,14 +5,15 @@ deviation of 0 is known.  Limits and platform joints are suspected as wholes, un
 ``axis.joint_radius``.
 
 What concerns a single axis is remote: a value of one axis where the file gives one for all, and, outside the
-catalogue, a compliance of the catalogue in one joint alone, which has no name there.
+catalogue, a compliance of the catalogue in one joint alone, which has no name there.  A compliance of the catalogue
+with another value in each joint is no candidate either, but stands against the one that they share.
 """
 
 from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -68,6 +69,7 @@ def suspects(
         Candidate(name, (move.path,), f"{name} yields", remote=True, nameable=False)
         for name, move in joints.items()
     ]
+    candidates += _unlike(candidates, joints)
     suspected = {name for candidate in candidates if candidate in frames for name in candidate.parameters}
     parameters = [_parameter(robot, move) for move in moves]
     parameters += [parameter for parameter in of_frame if parameter.name in suspected]
@@ -224,6 +226,18 @@ def _joints(robot: Robot) -> dict[str, ParameterPath]:
             found[f"{effect.name} of {q} alone"] = ParameterPath(
                 f"effects.{name}.{q}", 0.0, unit, {slot: 1.0}
             )
+    return found
+
+
+def _unlike(candidates: Sequence[Candidate], joints: Mapping[str, ParameterPath]) -> list[Candidate]:
+    """Compliances with another value in each joint, for those candidates that give all joints the same."""
+    found = []
+    for name in [candidate.name for candidate in candidates if candidate.name in CATALOGUE]:
+        each = [joint for q in CATALOGUE[name].coordinates if (joint := f"{name} of {q} alone") in joints]
+        if len(each) > 1:
+            parameters = tuple(joints[joint].path for joint in each)
+            what = f"{name} with another value in each joint"
+            found.append(Candidate(what, parameters, general_of=name))
     return found
 
 

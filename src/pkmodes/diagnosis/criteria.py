@@ -131,6 +131,10 @@ class Criteria:
     #: Explanations whose predictions differ by less than this sum of squares are not told apart by these data: had
     #: one been true, the other would have survived too often.
     told_apart: float = 25.0
+    #: A cause is a special case of another one if no larger part of what it does lies beyond the other: derivatives
+    #: by differences are that exact, and of directions in two dimensions more than are spanned one in a million is so
+    #: close by chance.
+    nested: float = 1e-3
     #: A class of more members is not a finding, and neither is a pair that is one of more pairs that look alike.
     most_members: int = 5
     most_pairs: int = 4

@@ -80,7 +80,7 @@ def diagnose(
     unit = other_unit(fitter)
     if unit:
         store = FitStore(fitter)
-        names = tuple(candidate.name for candidate in structure.candidates if not candidate.remote)
+        names = tuple(candidate.name for candidate in structure.candidates if candidate.claimable)
         return report.without_search(
             "unexplained", unit, store, None, names, (unit,), unchanged("unexplained")
         )
@@ -145,7 +145,7 @@ def _searched(
 def _judged(report: Report, search: Search, outcome: Outcome) -> Diagnosis:
     """Judge the outcome of a search, and say why."""
     judged, store = judge(search, outcome), search.store
-    found = trials(search, judged.final)
+    found = trials(search, judged.final, [groups[0] for groups in judged.grouped if groups])
     if judged.verdict == "effect_found":
         judged = _stable(judged, found)
     wiring = other_wiring(store.fitter, judged.final)
@@ -168,6 +168,8 @@ def _stable(judged: Judgement, found: Sequence[Trial]) -> Judgement:
         if trial.instead is not None:
             doubt = reasons.unstable(judged.final.causes, trial.entry.change, trial.instead.causes)
             return replace(judged, verdict="ambiguous", doubt=doubt, instead=trial.instead)
+    if any(trial.moved for trial in found):
+        return replace(judged, verdict="unexplained", doubt=reasons.held_by_priors(judged.final.causes))
     return judged
 
 
@@ -175,7 +177,7 @@ def _insufficient(fitter: Fitter, report: Report) -> Diagnosis:
     """Too few data to search; whether they contradict the model and its priors can be said all the same."""
     store = FitStore(fitter)
     fit = store.fit(Hypothesis())  # the priors determine it, however few the data
-    candidates = [candidate for candidate in fitter.structure.candidates if not candidate.remote]
+    candidates = [candidate for candidate in fitter.structure.candidates if candidate.claimable]
     p_value, hints, contradicts = None, [], False
     if fit is not None:
         p_value = store.p_value(fit)

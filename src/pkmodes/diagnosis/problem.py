@@ -65,6 +65,10 @@ class Candidate:
     sigma : tuple of float, optional
         How far each parameter may plausibly be from its value, as a standard deviation: a prior that holds where
         the cause is assumed.  It ranks this cause among others, and a value far outside costs evidence.
+    general_of : str
+        Name of a candidate that is a special case of this one: one value for all joints, where this one has another
+        value for each.  It is fitted only where that one would be claimed, and never claimed itself: where it is
+        significantly better, that one is refused.
     """
 
     name: str
@@ -73,6 +77,12 @@ class Candidate:
     remote: bool = False
     nameable: bool = True
     sigma: tuple[float, ...] | None = None
+    general_of: str = ""
+
+    @property
+    def claimable(self) -> bool:
+        """Whether it may be claimed by itself."""
+        return not self.remote and not self.general_of
 
 
 @dataclass(frozen=True)

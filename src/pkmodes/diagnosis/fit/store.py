@@ -57,6 +57,15 @@ class FitStore:
         found = self._fits[k]
         return found if found is None else replace(found, hypothesis=hypothesis)
 
+    def again(self, hypothesis: Hypothesis, start: Array) -> Fit | None:
+        """Fit again from somewhere else, whatever was tried before; the better one is kept."""
+        k = key(hypothesis)
+        found, known = self.fitter.fit(hypothesis, start), self._fits.get(k)
+        if found is not None and (known is None or found.deviance < known.deviance):
+            self._fits[k] = found
+            self._rough.discard(k)
+        return self.fit(hypothesis)
+
     def known(self, hypothesis: Hypothesis) -> bool:
         """Whether it was fitted already."""
         return key(hypothesis) in self._fits

@@ -58,8 +58,11 @@ class Search:
         self, store: FitStore, candidates: Sequence[Candidate], progress: Progress | None = None
     ) -> None:
         self.store, self.criteria = store, store.fitter.criteria
-        self.candidates = tuple(candidate for candidate in candidates if not candidate.remote)
-        self.remote = tuple(candidate for candidate in candidates if candidate.remote)
+        self.candidates = tuple(candidate for candidate in candidates if candidate.claimable)
+        self.general = tuple(candidate for candidate in candidates if candidate.general_of)
+        self.remote = tuple(
+            candidate for candidate in candidates if candidate.remote and not candidate.general_of
+        )
         self._progress = progress or (lambda _: None)
         self.additions = Additions(store, self.candidates, self._progress)
         self._gates: dict[int, tuple[Fit, Gate]] = {}
@@ -124,6 +127,8 @@ class Search:
             options += additions.causes(fit, at.scores) if additions.room(fit) else additions.singles()
             improves = any(criterion(option) < criterion(fit) for option in options)
             options += [] if improves else self.alone()
+        elif (again := self._again(fit, options)) is not None:
+            return again  # nothing need be added
         elif len(fit.causes) < self.criteria.most_causes and not fit.causes[0].remote:
             best_few = self.alone()[: self.criteria.best_few]
             remote = next((one for one in best_few if self.gate(one).passed), None)
@@ -132,6 +137,19 @@ class Search:
             options += additions.pairs() if self._hopeful(fit) else []
         best = min(options, key=criterion, default=fit)
         return best if criterion(best) < criterion(fit) else None
+
+    def _again(self, fit: Fit, options: Sequence[Fit]) -> Fit | None:
+        """The same hypothesis, brought to the noise from where an error of the measurement led; None where it is not.
+
+        A cause that adds modes may have stopped where some of them are paired with the wrong ones.  What then looks
+        like one bad row, or like an error of each setup, led out of there.
+        """
+        store, c = self.store, self.criteria
+        helpful = [option for option in options if store.criterion(option) < store.criterion(fit)]
+        found = [store.again(fit.hypothesis, option.values) for option in helpful]
+        best = min((f for f in found if f is not None), key=lambda f: f.deviance, default=fit)
+        better = best.deviance < fit.deviance - c.worth and store.p_value(best) > c.surely
+        return best if better else None
 
     def _hopeful(self, fit: Fit) -> bool:
         """Whether a second cause may do: the first did much of the work, or little is left."""

@@ -1,6 +1,7 @@
 """What the search came to, judged: whether it is claimed, and if not, why.
 
-A claim stands if no other explanation fits the shapes significantly better, if no larger errors of the measurement
+A claim stands if no other explanation fits the shapes significantly better, if no more general cause does so, if no
+larger errors of the measurement
 explain the residual nearly as well, if it takes no remote cause, if no such cause alone explains what two are claimed
 for, and if it could hardly be chance.
 """
@@ -19,6 +20,7 @@ from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import reasons
 from pkmodes.diagnosis.verdict.classes import classes, other_pairs, survivors
 from pkmodes.diagnosis.verdict.errors import explained_by_errors
+from pkmodes.diagnosis.verdict.nested import more_general
 from pkmodes.diagnosis.verdict.result import Verdict
 from pkmodes.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 from pkmodes.diagnosis.verdict.specificity import p_coincidence
@@ -121,6 +123,9 @@ def _doubt(
     rival = better_by_shape(store, final)
     if rival is not None:
         return reasons.shapes_prefer(final.causes, rival.causes)
+    unlike = more_general(search, final)
+    if unlike is not None:
+        return reasons.unlike(*unlike)
     errors = explained_by_errors(search, final)
     if any(p > c.claimed for p in p_values):
         return reasons.weak(final.causes, max(p_values), errors)

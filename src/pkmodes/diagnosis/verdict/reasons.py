@@ -69,10 +69,23 @@ def unstable(causes: Sequence[Candidate], change: str, instead: Sequence[Candida
     )
 
 
+def held_by_priors(causes: Sequence[Candidate]) -> str:
+    """A value that depends on what was declared of others."""
+    return (
+        f"{_names(causes)} would explain the residual, but with priors twice as wide its value is another one: an "
+        "uncertain value is far from its declared one, and stands for something else"
+    )
+
+
 def remote(cause: Candidate) -> str:
     """A cause that is not claimed."""
     also = ", or put it among the candidates" if cause.nameable else ""
     return f"no candidate explains the residual alone, but {cause.name} would: look there{also}"
+
+
+def unlike(cause: Candidate, general: Candidate) -> str:
+    """Another form of the cause is better."""
+    return f"{cause.name} would explain the residual, but {general.name} does so significantly better: look there"
 
 
 def errors(causes: Sequence[Candidate], what: str) -> str:

@@ -2,17 +2,20 @@
 
 The explanations that the search came to are fitted again with all sigma halved, with all doubled, and with all priors
 twice as wide; nothing new is searched for.  A cause in whose place another one is then better is not claimed: it
-rests on numbers that nobody knows to a factor of two.
+rests on numbers that nobody knows to a factor of two.  A cause that is a special case of the other one, or the other
+way round, is not another one.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.search.search import Search
+from pkmodes.diagnosis.verdict.nested import nested
 from pkmodes.diagnosis.verdict.result import Stability, Verdict
 
 #: What is changed: errors by the first factor, priors by the second.
@@ -32,9 +35,10 @@ class Trial:
 
     entry: Stability
     instead: Fit | None
+    moved: bool
 
 
-def trials(search: Search, final: Fit) -> list[Trial]:
+def trials(search: Search, final: Fit, classes: Sequence[Sequence[Fit]] = ()) -> list[Trial]:
     """Fit the contenders again under every change.
 
     Parameters
@@ -42,9 +46,12 @@ def trials(search: Search, final: Fit) -> list[Trial]:
     search : Search
     final : Fit
         The claimed one, or the last one of the search.
+    classes : sequence of sequence of Fit, optional
+        For each cause that is claimed, the fits of its class.
     """
     contenders = _contenders(search, final)
-    return [_trial(search, final, contenders, change) for change in CHANGES]
+    members = [{fit.causes[-1].name for fit in fits} for fits in classes]
+    return [_trial(search, final, contenders, members, change) for change in CHANGES]
 
 
 def unchanged(verdict: Verdict) -> tuple[Stability, ...]:
@@ -68,11 +75,13 @@ def _contenders(search: Search, final: Fit) -> list[Fit]:
     return [final, *best] if final.causes else best
 
 
-def _trial(search: Search, final: Fit, contenders: list[Fit], change: str) -> Trial:
+def _trial(
+    search: Search, final: Fit, contenders: list[Fit], members: Sequence[set[str]], change: str
+) -> Trial:
     errors, priors = CHANGES[change]
     fitter = _with(search.store.fitter, errors, priors)
     store, c = FitStore(fitter), fitter.criteria
-    plain = store.fit(Hypothesis())
+    plain = store.fit(replace(final.hypothesis, causes=()))
     refitted = [store.fit(fit.hypothesis, fit.values) for fit in contenders]
     fits = [fit for fit in refitted if fit is not None]
     claimed = refitted[0] if refitted and final.causes else None
@@ -80,16 +89,22 @@ def _trial(search: Search, final: Fit, contenders: list[Fit], change: str) -> Tr
     same = [fit for fit in fits if len(fit.causes) == len(final.causes)]
     best = min(same or fits, key=store.criterion, default=None)
     instead: Fit | None = None
-    if claimed is not None and best is not None and best is not claimed:
-        alike = fitter.difference(claimed, best) < c.told_apart
-        if alike and store.criterion(claimed) <= store.criterion(best) + c.survives:
-            best = claimed  # one class, which it gives its name
-        else:
-            instead = contenders[[fit is best for fit in refitted].index(True)]
+    if claimed is not None and best is not None:
+        others = sorted(same, key=store.criterion)
+        for fit in others[: [one is claimed for one in others].index(True)]:
+            alike = fitter.difference(claimed, fit) < c.told_apart
+            if alike and store.criterion(claimed) <= store.criterion(fit) + c.survives:
+                best = claimed if fit is best else best  # one class, which it gives its name
+                break
+            was = contenders[[fit is one for one in refitted].index(True)]
+            if not _is_kin(search, final, was, members):
+                instead = was
+                break
+    moved = claimed is not None and errors == 1.0 and _moved(fitter, final, claimed)
     if plain is not None and store.p_value(plain) > c.gate:
-        return Trial(Stability(change, "adequate", ()), instead)
+        return Trial(Stability(change, "adequate", ()), instead, moved)
     if best is None or store.p_value(best) <= c.surely:
-        return Trial(Stability(change, "unexplained", ()), instead)
+        return Trial(Stability(change, "unexplained", ()), instead, moved)
     near = [
         fit
         for fit in same
@@ -98,7 +113,26 @@ def _trial(search: Search, final: Fit, contenders: list[Fit], change: str) -> Tr
         and fitter.difference(best, fit) >= c.told_apart
     ]
     names = tuple(cause.name for cause in best.causes)
-    return Trial(Stability(change, "ambiguous" if near else "effect_found", names), instead)
+    return Trial(Stability(change, "ambiguous" if near else "effect_found", names), instead, moved)
+
+
+def _moved(fitter: Fitter, final: Fit, again: Fit) -> bool:
+    """Whether the value of a claimed cause is another one, by far more than its standard deviation."""
+    for i in (i for cause in final.causes for i in fitter.indices(cause)):
+        k = final.free.index(i)
+        if abs(again.values[i] - final.values[i]) > fitter.criteria.far * final.covariance[k, k] ** 0.5:
+            return True
+    return False
+
+
+def _is_kin(search: Search, final: Fit, other: Fit, members: Sequence[set[str]]) -> bool:
+    """Whether one of two fits is a special case of the other, and the class of the claimed cause lists both.
+
+    Smaller errors ask for more parameters and larger ones for fewer, whatever is true: with the errors as stated the
+    simpler one is adequate, the two are not told apart, and the claim is that it is one of them.
+    """
+    names = {c.name for c in final.causes} ^ {c.name for c in other.causes}
+    return any(names <= one for one in members) and nested(search.store.fitter, final, other)
 
 
 def _with(fitter: Fitter, errors: float, priors: float) -> Fitter:

@@ -1,0 +1,131 @@
+"""Causes of which one is a special case of the other: what is claimed of them, and when a claim is refused for one.
+
+Structures whose frequencies' logarithms are linear in the parameters: a component of z standard deviations of the
+data in the directions that only the general cause has is a likelihood ratio of z^2, with one degree of freedom for
+each further parameter.  50 rows, so that each parameter costs ln 50 = 3.9.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pkmodes.closing.suspects import suspects
+from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, Parameter, diagnose
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.search.search import Search
+from pkmodes.diagnosis.verdict.stability import trials
+from rig_robots import read
+from small_structures import SIGMA, LogLinear, logs_measured
+
+SETUPS, MODES = 10, 5
+#: Orthonormal directions in the space of all rows.
+DIRECTIONS = np.linalg.qr(np.random.default_rng(7).standard_normal((SETUPS * MODES, 8)))[0].T
+#: What three parts do, the same in all of them, and what differs between them.
+PARTS = DIRECTIONS[:3]
+SHARED = PARTS.sum(axis=0) / np.sqrt(3.0)
+DIFFERENT = (PARTS[0] - PARTS[1]) / np.sqrt(2.0)
+
+
+def structure(special: np.ndarray, general_of: str = "", *, remote: bool = False) -> LogLinear:
+    """A special cause, a general one of three parameters, and one that has nothing to do with them."""
+    columns = [special, *PARTS, DIRECTIONS[4]]
+    base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (SETUPS, 1))
+    G = np.stack([column.reshape(SETUPS, MODES) for column in columns], axis=-1) * SIGMA
+    parameters = [Parameter(name, 0.0) for name in ("s", "g1", "g2", "g3", "o")]
+    general = Candidate("general", ("g1", "g2", "g3"), remote=remote, general_of=general_of)
+    return LogLinear(base, G, parameters, [Candidate("special", ("s",)), general, Candidate("other", ("o",))])
+
+
+def measured(model: LogLinear, change: np.ndarray) -> Measurements:
+    """All frequencies changed so, in standard deviations, beside errors as stated."""
+    errors = 0.9 * np.random.default_rng(3).standard_normal(SETUPS * MODES)
+    errors -= DIRECTIONS.T @ (DIRECTIONS @ errors)  # none in the directions of the causes: z is exact
+    y = model.base + SIGMA * (change + errors).reshape(SETUPS, MODES)
+    return logs_measured(y, SIGMA)
+
+
+def found(model: LogLinear, change: np.ndarray) -> Diagnosis:
+    return diagnose(model, measured(model, change), holdout=())
+
+
+def test_a_special_case_is_claimed_with_the_general_cause_in_its_class() -> None:
+    """z^2 = 6.8 is less than the 7.8 that two parameters cost; with half of all sigma it is four times as much."""
+    diagnosis = found(structure(SHARED), 30.0 * SHARED + 2.6 * DIFFERENT)
+    (effect,) = diagnosis.effects
+    assert effect.members == ("special", "general")
+    halved = next(entry for entry in diagnosis.stability if entry.change == "sigma x 0.5")
+    assert halved.effects == ()  # with sigma halved, nothing explains these errors
+
+
+def test_a_special_case_is_withdrawn_where_its_class_does_not_list_the_general_cause() -> None:
+    model = structure(SHARED)
+    search = Search(
+        FitStore(Fitter(model, measured(model, 30.0 * SHARED + 2.6 * DIFFERENT))), model.candidates
+    )
+    outcome = search.run()
+    assert outcome is not None
+    special, general = (
+        next(fit for fit in search.store.tried() if [c.name for c in fit.causes] == [name])
+        for name in ("special", "general")
+    )
+    assert outcome.final.causes == special.causes
+    for members, instead in (([special, general], []), ([special], ["sigma x 0.5"])):
+        withdrawn = [
+            t.entry.change for t in trials(search, outcome.final, [members]) if t.instead is not None
+        ]
+        assert withdrawn == instead
+
+
+def test_a_cause_that_is_nearly_a_special_case_is_withdrawn() -> None:
+    """One twentieth of what it does is beyond the other's span: another cause."""
+    nearly = SHARED + 0.05 * DIRECTIONS[5]
+    nearly /= np.linalg.norm(nearly)
+    diagnosis = found(structure(nearly), 30.0 * nearly + 3.0 * DIFFERENT)
+    assert diagnosis.verdict == "ambiguous"
+    assert "with sigma x 0.5 general would do so better" in diagnosis.reason
+
+
+def test_a_special_case_is_not_claimed_where_the_general_cause_is_needed() -> None:
+    """z^2 = 49: the general cause alone, with no class; with all sigma doubled it is 12."""
+    diagnosis = found(structure(SHARED), 30.0 * SHARED + 7.0 * DIFFERENT)
+    (effect,) = diagnosis.effects
+    assert effect.members == ("general",)
+
+
+@pytest.mark.parametrize(("z", "claimed"), [(2.9, True), (3.2, False)])
+def test_a_claim_is_refused_where_its_general_form_is_significantly_better(z: float, claimed: bool) -> None:
+    """Two parameters more: 1 % of chi-square is above 9.21, which is 3.03 squared."""
+    diagnosis = found(structure(SHARED, general_of="special"), 30.0 * SHARED + z * DIFFERENT)
+    if claimed:
+        (effect,) = diagnosis.effects
+        assert effect.members == ("special",)  # a form of it has no name of its own
+    else:
+        assert diagnosis.verdict == "unexplained"
+        assert (
+            "special would explain the residual, but general does so significantly better" in diagnosis.reason
+        )
+
+
+@pytest.mark.parametrize("remote", [False, True])
+def test_a_general_form_is_no_cause_of_its_own(remote: bool) -> None:
+    """What only the general form explains is neither claimed nor pointed at, and other claims are not touched."""
+    model = structure(SHARED, general_of="special", remote=remote)
+    diagnosis = found(model, 30.0 * DIFFERENT)
+    assert diagnosis.verdict == "unexplained"
+    assert "general" not in diagnosis.reason
+    (effect,) = found(model, 30.0 * DIRECTIONS[4]).effects
+    assert effect.members == ("other",)
+
+
+def test_every_compliance_that_joints_share_has_a_form_with_one_value_for_each() -> None:
+    """Three gearboxes, linkages and clamps, and three directions of the frame (docs/robot-file.md)."""
+    _, candidates, moves = suspects(read("published"))
+    general = {c.general_of: c.parameters for c in candidates if c.general_of}
+    expected = {"gearbox_compliance", "link_compliance", "clamp_compliance", "frame_compliance"}
+    assert set(general) == expected
+    assert general["frame_compliance"] == tuple(f"effects.frame_compliance.compliance.u_{a}" for a in "xyz")
+    assert all(name in moves for parameters in general.values() for name in parameters)
+    chosen = suspects(read("published"), ["payload", "frame_compliance"])[1]
+    assert [c.general_of for c in chosen if c.general_of] == ["frame_compliance"]
