@@ -3,16 +3,28 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from pkmodes.diagnosis.problem import Array, Batch, Candidate, Parameter, Prediction, Structure, one_by_one
+from pkmodes.diagnosis.problem import (
+    Array,
+    Batch,
+    Candidate,
+    Index,
+    Parameter,
+    Prediction,
+    Structure,
+    one_by_one,
+)
+from pkmodes.diagnosis.structure.kept import Kept
 from pkmodes.diagnosis.structure.massless import UnstableError, UnusableError
 from pkmodes.diagnosis.structure.modes import Modes, lowest_modes, modes_below
 from pkmodes.diagnosis.structure.names import check_callables, check_candidate, check_names, check_parameter
 from pkmodes.diagnosis.structure.sensors import sensor_map
+from pkmodes.diagnosis.structure.shape_rates import ShapeRates, eigenvalue_rates
 from pkmodes.diagnosis.structure.shape_rates import shape_rates as rates_of_shapes
 from pkmodes.diagnosis.structure.supplied import Derivatives, Matrices, Pair, Supplied
 from pkmodes.errors import PkmodesError, listed, shown
@@ -125,13 +137,13 @@ class MatrixStructure:
             f"{self._size} channels" if self._map is None else reason,
         )
         self._count = min(self._size, modes or (self._size if self._size <= SMALL else FEW + rigid))
-        self._solutions: dict[bytes, list[_Solved | None]] = {}
+        self._solutions: Kept[list[_Solved | None]] = Kept()
         self._check(UnusableError)
 
     def subset(self, setups: Sequence[int]) -> MatrixStructure:
         """The same structure in some of its setups."""
         part = copy.copy(self)
-        part.setups, part._solutions = tuple(self.setups[i] for i in setups), {}
+        part.setups, part._solutions = tuple(self.setups[i] for i in setups), Kept()
         return part
 
     def reaching(self, frequency: float) -> MatrixStructure:
@@ -145,7 +157,7 @@ class MatrixStructure:
         pairs = (self._supplied.at(self._declared, setup, finite=True) for setup in self.setups)
         needed = max(modes_below(pair, limit) for pair in pairs)
         part = copy.copy(self)
-        part._count, part._solutions = min(max(self._count, needed), self._size), {}
+        part._count, part._solutions = min(max(self._count, needed), self._size), Kept()
         return part
 
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
@@ -157,33 +169,21 @@ class MatrixStructure:
         size = (len(self.setups), count)
         eigenvalues, rates = np.full(size, np.nan), np.full((*size, len(by)), np.nan)
         shapes = np.zeros((*size, len(self.channels)))
-        moved = np.full((*shapes.shape, len(by)), np.nan) if shape_rates else None
         for k, one in enumerate(solved):
             if one is not None:
                 eigenvalues[k] = one.modes.eigenvalues[:count]
                 shapes[k] = self._measured(one.modes.shapes[:count])
         pairs = {setup: s.pair for setup, s in known.items()}
-        changes = [self._supplied.rates(values, i, pairs) for i in by] if known else []
-        index = dict(zip(known, range(len(known)), strict=True))
-        for k, (setup, one) in enumerate(zip(self.setups, solved, strict=True)):
-            if one is None or not len(by):
-                continue
-            phi = one.modes.shapes[:count]
-            forces = np.zeros((len(by), *phi.shape)) if shape_rates else None
-            inertial = np.zeros((len(by), count))
-            rates[k] = 0.0
-            for t, change in enumerate(changes):
-                if change is None:
-                    continue
-                dM, dK = change[index[setup]]
-                inertia, stiffness = (dM @ phi.T).T, (dK @ phi.T).T
-                inertial[t] = (phi * inertia).sum(axis=1)
-                rates[k, :, t] = (phi * stiffness).sum(axis=1) - eigenvalues[k] * inertial[t]
-                if forces is not None:
-                    forces[t] = stiffness - eigenvalues[k][:, None] * inertia
-            if forces is not None and moved is not None:
-                found = rates_of_shapes(one.pair, one.modes, count, forces, inertial)
-                moved[k] = np.moveaxis(self._measured(np.moveaxis(found, 2, 1)), 1, 2)
+        by_each = [self._supplied.rates(values, i, pairs) for i in by] if known else []
+        derive: list[Callable[[Index], Array] | None] = [None] * len(solved)
+        place = iter(range(len(known)))
+        for k, one in enumerate(solved):
+            if one is not None:
+                at = next(place)
+                changes = [None if each is None else each[at] for each in by_each]
+                rates[k] = eigenvalue_rates(one.modes, np.arange(count), changes)
+                derive[k] = partial(self._shape_rates, one, changes)
+        moved = ShapeRates(derive, (*shapes.shape, len(by))) if shape_rates else None
         return Prediction(eigenvalues, rates, shapes, self.rigid, moved)
 
     def predict_many(
@@ -224,6 +224,11 @@ class MatrixStructure:
     def _declared(self) -> Array:
         return np.array([p.value for p in self.parameters])
 
+    def _shape_rates(self, one: _Solved, changes: Sequence[Pair | None], some: Index) -> Array:
+        """Derivatives of some shapes at the channels, (W, C, T)."""
+        found = rates_of_shapes(one.pair, one.modes, some, changes)
+        return np.moveaxis(self._measured(np.moveaxis(found, 2, 1)), 1, 2)
+
     def _measured(self, shapes: Array) -> Array:
         """Shapes (..., n) at the channels."""
         if self._map is None:
@@ -232,11 +237,12 @@ class MatrixStructure:
         return found.reshape(*shapes.shape[:-1], len(self.channels))
 
     def _solved(self, values: Array) -> list[_Solved | None]:
-        """Modes of all setups, None where these values have none; those of the last values are kept."""
+        """Modes of all setups, None where these values have none."""
         key = np.asarray(values, dtype=float).tobytes()
-        if key not in self._solutions:
-            self._solutions = {key: [self._solve(values, setup) for setup in self.setups]}
-        return self._solutions[key]
+        if key in self._solutions:
+            return self._solutions[key]
+        found = [self._solve(values, setup) for setup in self.setups]
+        return self._solutions.keep(key, found, sum(one.modes.size for one in found if one is not None))
 
     def _solve(self, values: Array, setup: str) -> _Solved | None:
         pair = self._supplied.at(values, setup)

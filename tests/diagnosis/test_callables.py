@@ -1,0 +1,123 @@
+"""What a callable for matrices may do wrong."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy import sparse
+
+from pkmodes.diagnosis import MatrixStructure, Parameter
+from pkmodes.errors import PkmodesError
+
+
+def built(matrices: Any, **options: Any) -> MatrixStructure:
+    return MatrixStructure(
+        [Parameter("k", 1.0, upper=10.0), Parameter("m", 1.0)],
+        [],
+        matrices,
+        **{"channels": ["a", "b"], "setups": ["rig"], **options},
+    )
+
+
+class Unusual:
+    pass
+
+
+@pytest.mark.parametrize(
+    ("returned", "message"),
+    [
+        (None, r"expected a pair \(M, K\), found NoneType"),
+        (np.eye(2), r"expected a pair \(M, K\), found ndarray"),
+        ((np.eye(2),), r"expected a pair \(M, K\), found tuple"),
+        ((np.eye(2), np.eye(2), np.eye(2)), r"expected a pair \(M, K\), found tuple"),
+        ((np.eye(2), Unusual()), "expected K of real numbers, found values of type object"),
+        ((np.eye(2), [[1, 2], [3]]), "expected K as an array"),
+        ((np.eye(2), [["a", "b"], ["c", "d"]]), "expected K of real numbers"),
+        ((np.eye(2), np.eye(2) * (1 + 0.02j)), "expected K of real numbers, found complex numbers"),
+        (
+            (sparse.eye_array(2, dtype=complex), np.eye(2)),
+            "expected M of real numbers, found complex numbers",
+        ),
+        ((np.eye(2), np.eye(3)), r"expected K of shape \(2, 2\) for 2 channels, found \(3, 3\)"),
+        ((np.ones(2), np.eye(2)), r"expected M of shape \(2, 2\)"),
+        ((sparse.eye_array(3), np.eye(2)), r"expected M of shape \(2, 2\)"),
+        ((np.eye(2), np.eye(2, dtype=np.float32)), "expected K in double precision, found float32"),
+        ((np.eye(2), np.array([[1.0, 0.2], [0.1, 1.0]])), "expected K finite and symmetric"),
+        ((np.eye(2), sparse.csr_array([[1.0, 0.2], [0.1, 1.0]])), "expected K finite and symmetric"),
+    ],
+)
+def test_a_wrong_answer_is_refused_with_setup_and_values_at_once_and_during_a_fit(
+    returned: Any, message: str
+) -> None:
+    with pytest.raises(PkmodesError, match=message) as error:
+        built(lambda *_: returned)
+    assert error.value.where == 'matrices for setup "rig" at the declared values'
+    later = built(lambda values, _: (np.eye(2), np.eye(2)) if values["k"] < 2 else returned)
+    with pytest.raises(PkmodesError, match=message) as error:
+        later.predict(np.array([3.0, 1.0]), (0,))
+    assert error.value.where == 'matrices for setup "rig" at k = 3'
+
+
+def test_an_exception_of_a_callable_is_an_error_that_names_the_values() -> None:
+    def matrices(values, setup) -> tuple[Any, Any]:
+        if values["k"] > 2.0:
+            raise ValueError("beyond the table")
+        return np.eye(2) * values["m"], np.eye(2)
+
+    with pytest.raises(PkmodesError, match="failed: ValueError: beyond the table") as error:
+        built(matrices).predict(np.array([2.5, 3.0]), ())
+    assert error.value.where == 'matrices for setup "rig" at k = 2.5, m = 3'
+    assert "narrow the bounds" in error.value.remedy
+    assert isinstance(error.value.__cause__, ValueError)
+    with pytest.raises(PkmodesError, match="ZeroDivisionError"):
+        built(lambda values, _: 1 / 0)
+
+
+def test_a_parameter_without_the_bounds_that_it_needs_is_no_parameter_without_effect() -> None:
+    def matrices(values, setup) -> tuple[Any, Any]:
+        with np.errstate(invalid="ignore"):
+            return np.eye(2), np.diag([1.0, 2.0]) * (1.0 + np.sqrt(values["k"] - 1.0))
+
+    structure = built(matrices)
+    assert np.isfinite(structure.predict(np.array([1.5, 1.0]), (0,)).rates).all()
+    with pytest.raises(PkmodesError, match="finite on both sides of k = 1") as error:
+        structure.predict(np.array([1.0, 1.0]), (0,))
+    assert "bounds" in error.value.remedy
+
+
+@pytest.mark.parametrize("n", [3, 250])
+def test_a_callable_may_use_its_arrays_again(n: int) -> None:
+    M, K = np.eye(n), np.zeros((n, n))
+
+    def matrices(values, setup) -> tuple[Any, Any]:
+        K[np.diag_indices(n)] = values["k"] * np.arange(1, n + 1)
+        return M, K
+
+    found = built(matrices, channels=[str(i) for i in range(n)], modes=2).predict(np.array([3.0, 1.0]), (0,))
+    assert found.rates[0, :, 0] == pytest.approx([1.0, 2.0])
+
+
+@pytest.mark.parametrize(
+    ("returned", "message"),
+    [
+        ((np.eye(2), np.eye(3)), r"expected dK of shape \(2, 2\)"),
+        (None, r"expected a pair \(dM, dK\)"),
+        ((np.eye(2), np.full((2, 2), np.nan)), "expected dK finite and symmetric"),
+        ((np.array([[0, 1], [0, 0]]), np.eye(2)), "expected dM finite and symmetric"),
+        ((np.eye(2), 1j * np.eye(2)), "expected dK of real numbers"),
+    ],
+)
+def test_wrong_derivatives_are_refused(returned: Any, message: str) -> None:
+    structure = built(lambda *_: (np.eye(2), np.eye(2)), derivatives=lambda *_: returned)
+    with pytest.raises(PkmodesError, match=message) as error:
+        structure.predict(np.array([3.0, 1.0]), (0,))
+    assert error.value.where == 'derivatives by "k", matrices for setup "rig" at k = 3'
+
+
+def test_an_exception_of_the_derivatives_names_the_values() -> None:
+    structure = built(lambda *_: (np.eye(2), np.eye(2)), derivatives=lambda v, s, name: {}[name])
+    with pytest.raises(PkmodesError, match="dM and dK failed: KeyError") as error:
+        structure.predict(np.array([1.0, 1.0]), (1,))
+    assert 'derivatives by "m"' in error.value.where
