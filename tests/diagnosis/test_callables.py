@@ -1,15 +1,18 @@
-"""What a callable for matrices may do wrong."""
+"""What a callable for matrices may do wrong, and how often it is asked."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import pytest
 from scipy import sparse
 
-from pkmodes.diagnosis import MatrixStructure, Parameter
+from pkmodes.diagnosis import MatrixStructure, Parameter, diagnose
+from pkmodes.diagnosis.structure.kept import Kept
 from pkmodes.errors import PkmodesError
+from small_structures import frame, frame_matrices, frame_measured
 
 
 def built(matrices: Any, **options: Any) -> MatrixStructure:
@@ -121,3 +124,85 @@ def test_an_exception_of_the_derivatives_names_the_values() -> None:
     with pytest.raises(PkmodesError, match="dM and dK failed: KeyError") as error:
         structure.predict(np.array([1.0, 1.0]), (1,))
     assert 'derivatives by "m"' in error.value.where
+
+
+# How often it is asked -------------------------------------------------------------------------------------
+
+
+def counted(calls: list[tuple[Any, ...]]) -> Callable:
+    """The matrices of a frame on which every call is noted."""
+    matrices = frame_matrices(4, {"a": 0.0, "b": 3.0})
+
+    def asked(values: Any, setup: str) -> Any:
+        calls.append((*values.values(), setup))
+        return matrices(values, setup)
+
+    return asked
+
+
+def test_a_diagnosis_asks_for_the_same_values_once() -> None:
+    loads, calls = {"a": 0.0, "b": 3.0}, list[tuple[Any, ...]]()
+    plain = frame(loads)
+    structure = MatrixStructure(
+        plain.parameters, plain.candidates, counted(calls), channels=plain.channels, setups=["a", "b"]
+    )
+    data = frame_measured(loads, {"brace 2": 9e4}, np.random.default_rng(0), shapes=0.01)
+    result = diagnose(structure, data)
+    assert result.verdict == "effect_found"
+    assert len(calls) == len(set(calls)) + 1  # the declared values once more: are they repeatable?
+
+
+def test_derivatives_are_asked_for_once_too() -> None:
+    calls = list[str]()
+
+    def derivatives(values: Any, setup: str, name: str) -> tuple[np.ndarray, np.ndarray]:
+        calls.append(name)
+        return np.zeros((2, 2)), np.eye(2)
+
+    structure = built(lambda v, _: (np.eye(2), (2.0 + v["k"]) * np.eye(2)), derivatives=derivatives)
+    for values in ([1.0, 1.0], [2.0, 1.0], [1.0, 1.0]):
+        assert (structure.predict(np.array(values), (0,)).rates == 1.0).all()
+    assert calls == ["k", "k"]
+
+
+def test_what_was_not_asked_for_the_longest_time_is_forgotten() -> None:
+    kept = Kept[str](memory=10)
+    for key in "abc":
+        assert kept.keep(key, key.upper(), 4) == key.upper()
+        assert kept["a" if key < "c" else "c"]
+    assert [key in kept for key in "abc"] == [True, False, True]
+    kept.keep("a", "again", 6)
+    assert kept["a"] == "again"
+    assert "c" in kept  # 10 in all
+    kept.keep("large", "LARGE", 100)
+    assert [key in kept for key in ("a", "c", "large")] == [False, False, True]
+    kept.keep("small", "SMALL", 1)
+    assert [key in kept for key in ("large", "small")] == [False, True]
+
+
+# What it returns for the same values -----------------------------------------------------------------------
+
+
+def noisy(noise: float, exact: bool) -> MatrixStructure:
+    """K is right but for this much; with derivatives, or without."""
+    rng = np.random.default_rng(3)
+
+    def matrices(values: Any, setup: str) -> tuple[np.ndarray, np.ndarray]:
+        return np.eye(2), np.diag([values["k"], 2.0]) * (1.0 + noise * rng.uniform())
+
+    derivatives = (lambda *_: (np.zeros((2, 2)), np.diag([1.0, 0.0]))) if exact else None
+    return built(matrices, derivatives=derivatives)
+
+
+@pytest.mark.parametrize(("noise", "exact"), [(1e-6, False), (1e-7, False), (1e-4, True)])
+def test_a_callable_that_is_not_repeatable_is_refused(noise: float, exact: bool) -> None:
+    with pytest.raises(PkmodesError, match=r"differ by .* between two calls with the same values") as error:
+        noisy(noise, exact)
+    assert error.value.where == 'matrices for setup "rig" at the declared values'
+    assert error.value.remedy == "fix the seed or tighten the solver behind them"
+
+
+@pytest.mark.parametrize(("noise", "exact"), [(1e-10, False), (1e-8, True)])
+def test_what_differs_by_less_than_matters_is_taken(noise: float, exact: bool) -> None:
+    found = noisy(noise, exact).predict(np.array([1.0, 1.0]), (0,))
+    assert found.rates[0, :, 0] == pytest.approx([1.0, 0.0], abs=1e-3)

@@ -139,6 +139,8 @@ class MatrixStructure:
         self._count = min(self._size, modes or (self._size if self._size <= SMALL else FEW + rigid))
         self._solutions: Kept[list[_Solved | None]] = Kept()
         self._check(UnusableError)
+        for setup in self.setups[:1]:
+            self._supplied.check_repeatable(setup)
 
     def subset(self, setups: Sequence[int]) -> MatrixStructure:
         """The same structure in some of its setups."""

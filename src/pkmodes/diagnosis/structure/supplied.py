@@ -19,8 +19,10 @@ from pkmodes.diagnosis.structure.forms import (
     minus,
     packed,
     relative_change,
+    size_of,
     thin,
 )
+from pkmodes.diagnosis.structure.kept import Kept
 from pkmodes.errors import PkmodesError, shown
 
 Matrices = Callable[[Mapping[str, float], str], tuple[Any, Any]]
@@ -33,6 +35,8 @@ CHANGE = 1e-6
 MISSED, TRIALS, LARGEST = 100.0, 30, 1e12
 #: Steps smaller than this, relative to the value, may be lost in its rounding.
 SMALLEST = 1e-12
+#: What two calls with the same values may differ by: more would be a hundredth of the change of a difference.
+REPEATABLE = 1e-8
 #: How many values a message names.
 NAMED = 8
 
@@ -78,13 +82,44 @@ class Supplied:
         self.matrices, self.derivatives = matrices, derivatives
         self.expected, self.reason = expected, reason
         self.steps: dict[tuple[int, tuple[str, ...]], float] = {}
+        self._known: Kept[Pair | None] = Kept()
 
     @overload
     def at(self, values: Array, setup: str, finite: Literal[True]) -> Pair: ...
     @overload
     def at(self, values: Array, setup: str, finite: Literal[False] = ...) -> Pair | None: ...
     def at(self, values: Array, setup: str, finite: bool = False) -> Pair | None:
-        """M and K; where they are not finite, which some values within the bounds may bring, None or an error."""
+        """M and K; where they are not finite, which some values within the bounds may bring, None or an error.
+
+        The callable is asked once for the same values, as long as there is memory for what it returned.
+        """
+        key = np.asarray(values, dtype=float).tobytes(), setup
+        if key in self._known and (self._known[key] is not None or not finite):
+            return self._known[key]
+        return self._keep(key, self._called(values, setup, finite))
+
+    def check_repeatable(self, setup: str) -> None:
+        """Refuse a callable that returns something else when it is asked for the declared values again.
+
+        Differences that stand in for derivatives would be those of its noise.
+
+        Raises
+        ------
+        PkmodesError
+        """
+        declared = np.array([p.value for p in self.parameters])
+        before, again = self.at(declared, setup, finite=True), self._called(declared, setup, finite=True)
+        assert again is not None
+        apart = max(relative_change(minus(b, a), a) for a, b in zip(before, again, strict=True))
+        if apart > (REPEATABLE if self.derivatives is None else CHANGE):
+            what = f"the matrices differ by {apart:.0e} between two calls with the same values"
+            remedy = "fix the seed or tighten the solver behind them"
+            raise PkmodesError(what, self._where(declared, setup), remedy)
+
+    def _keep(self, key: tuple[object, ...], pair: Pair | None) -> Pair | None:
+        return self._known.keep(key, pair, sum(map(size_of, pair or ())))
+
+    def _called(self, values: Array, setup: str, finite: bool) -> Pair | None:
         named = self._named(values)
         where = self._where(values, setup)
         try:
@@ -115,6 +150,10 @@ class Supplied:
             return self._differences(values, i, setups)
         name, found = self.parameters[i].name, []
         for setup in setups:
+            key = np.asarray(values, dtype=float).tobytes(), setup, name
+            if key in self._known and (known := self._known[key]) is not None:
+                found.append(known)
+                continue
             where = f"derivatives by {shown(name)}, {self._where(values, setup)}"
             try:
                 returned = self.derivatives(self._named(values), setup, name)
@@ -129,6 +168,7 @@ class Supplied:
                     what = f"expected {kind} finite and symmetric"
                     raise PkmodesError(what, where, "mend it, or leave the derivatives out")
             found.append(Pair(*map(thin, pair)))
+            self._keep(key, found[-1])
         return found
 
     def _differences(self, values: Array, i: int, setups: Mapping[str, Pair]) -> list[Pair] | None:
