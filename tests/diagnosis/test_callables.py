@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable
 from typing import Any
 
@@ -150,6 +151,17 @@ def test_a_diagnosis_asks_for_the_same_values_once() -> None:
     result = diagnose(structure, data)
     assert result.verdict == "effect_found"
     assert len(calls) == len(set(calls)) + 1  # the declared values once more: are they repeatable?
+
+
+@pytest.mark.parametrize("slow", [False, True])
+def test_progress_says_when_the_callable_takes_the_time(slow: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = itertools.count(0.0, 0.25 if slow else 1e-4)
+    monkeypatch.setattr("pkmodes.diagnosis.structure.supplied.time.perf_counter", lambda: next(clock))
+    loads, said = {"empty": 0.0, "loaded": 5.0}, list[str]()
+    diagnose(frame(loads), frame_measured(loads, {}, np.random.default_rng(0)), progress=said.append)
+    text = "each call for the matrices takes 0.25 s: some hundred of them take the time"
+    assert (said[0] == text) == slow
+    assert len(said) == 1 + slow
 
 
 def test_derivatives_are_asked_for_once_too() -> None:

@@ -32,6 +32,8 @@ from pkmodes.errors import PkmodesError, listed, shown
 #: Structures with no more coordinates than SMALL have all modes by default, others the lowest FEW, and as many as
 #: REACH times the highest measured frequency asks for: farther away no mode is paired with it.
 SMALL, FEW, REACH = 150, 40, 2.0
+#: A call of the callable that takes longer than this [s] is what a diagnosis takes its time for.
+SLOW = 0.02
 #: Modes beyond those that are predicted, so that the last of them is known from its neighbours.
 GUARD = 3
 
@@ -69,7 +71,8 @@ class MatrixStructure:
     sensors : array_like or sparse matrix, shape (C, n), optional
         Motion of each channel by those of the coordinates, where the channels are not coordinates.
     setups : sequence of str
-        Labels of the setups, as the measurements have them, in any order.
+        Labels of the setups, as the measurements have them, in any order.  By default there is one, without a
+        label: measurements of one setup may give it any.
     rigid : int
         Rigid-body modes, which are not measured.  Other modes are stable: K has no negative eigenvalue for them.
     modes : int, optional
@@ -200,6 +203,11 @@ class MatrixStructure:
     def elsewhere(self, count: int) -> tuple[Array, Structure] | None:
         """No other setups are known."""
 
+    @property
+    def seconds_a_call(self) -> float:
+        """How long the callable for M and K takes [s]."""
+        return self._supplied.seconds / max(self._supplied.calls, 1)
+
     def check_stands(self) -> None:
         """Refuse a structure that is not stable with its declared values.
 
@@ -263,7 +271,8 @@ def at_measured(structure: Structure, labels: Sequence[str], highest: float | No
     Parameters
     ----------
     structure : Structure
-        A `MatrixStructure` is put in order by its labels; another has the setups of the measurements already.
+        A `MatrixStructure` is put in order by its labels, one of a single setup without a label is what was measured
+        under any; another structure has the setups of the measurements already.
     labels : sequence of str
         Labels of the measurements.
     highest : float, optional
@@ -284,7 +293,18 @@ def at_measured(structure: Structure, labels: Sequence[str], highest: float | No
     for label in labels:
         if label not in structure.setups:
             what = f"the structure has no setup {shown(label)}, which was measured"
-            raise PkmodesError(what, "setups", f"setups are: {', '.join(map(shown, structure.setups))}")
+            remedy = f"setups are: {', '.join(map(shown, structure.setups))}"
+            if structure.setups == ("",):  # there is just one, without a name
+                remedy = f"give it setups=[{', '.join(map(shown, labels))}], of which it gets the label"
+            raise PkmodesError(what, "setups", remedy)
     measured = structure.subset([structure.setups.index(label) for label in labels])
     measured.check_stands()
     return measured
+
+
+def slowness(structure: Structure) -> str:
+    """Say so where it is the callable for M and K that takes the time; else nothing."""
+    if not isinstance(structure, MatrixStructure) or structure.seconds_a_call < SLOW:
+        return ""
+    seconds = f"{structure.seconds_a_call:.2g} s"
+    return f"each call for the matrices takes {seconds}: some hundred of them take the time"

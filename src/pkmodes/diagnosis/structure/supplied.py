@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Literal, NamedTuple, overload
 
@@ -68,6 +69,11 @@ class Supplied:
         Number of coordinates.
     reason : str
         Why so many, for messages.
+
+    Attributes
+    ----------
+    calls, seconds : int, float
+        How often the callable for M and K was asked, and how long that took.
     """
 
     def __init__(
@@ -82,6 +88,7 @@ class Supplied:
         self.matrices, self.derivatives = matrices, derivatives
         self.expected, self.reason = expected, reason
         self.steps: dict[tuple[int, tuple[str, ...]], float] = {}
+        self.calls, self.seconds = 0, 0.0
         self._known: Kept[Pair | None] = Kept()
 
     @overload
@@ -122,6 +129,7 @@ class Supplied:
     def _called(self, values: Array, setup: str, finite: bool) -> Pair | None:
         named = self._named(values)
         where = self._where(values, setup)
+        start = time.perf_counter()
         try:
             returned = self.matrices(named, setup)
         except PkmodesError:
@@ -129,6 +137,7 @@ class Supplied:
         except Exception as error:
             what = f"the callable for M and K failed: {type(error).__name__}: {error}"
             raise PkmodesError(what, where, "mend it, or narrow the bounds of the parameters") from error
+        self.calls, self.seconds = self.calls + 1, self.seconds + time.perf_counter() - start
         pair = self._pair(returned, ("M", "K"), where)
         n = self.expected
         if n >= MANY and all(count_of(matrix) <= FEW * n * n for matrix in pair):
