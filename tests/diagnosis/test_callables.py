@@ -153,6 +153,29 @@ def test_a_diagnosis_asks_for_the_same_values_once() -> None:
     assert len(calls) == len(set(calls)) + 1  # the declared values once more: are they repeatable?
 
 
+@pytest.mark.parametrize(("power", "expected"), [(1, 1 + 2), (3, 1 + 3)])
+@pytest.mark.parametrize("declared", [1.0, 0.5])
+def test_one_call_is_enough_for_the_derivative_by_what_the_matrices_follow_in_a_straight_line(
+    power: int, expected: int, declared: float
+) -> None:
+    calls = list[float]()
+
+    def matrices(values: Any, setup: str) -> tuple[np.ndarray, np.ndarray]:
+        assert values["k"] >= 0.5
+        calls.append(values["k"])
+        return values["m"] * np.eye(1), np.array([[1.0 + values["k"] ** power]])
+
+    structure = MatrixStructure(
+        [Parameter("k", declared, lower=0.5), Parameter("m", 1.0)], [], matrices, channels=["a"]
+    )
+    structure.predict(np.array([declared, 1.0]), (0, 1))
+    calls.clear()
+    found = structure.predict(np.array([3.0, 2.0]), (0, 1))
+    assert len(calls) == expected
+    K = 1.0 + 3.0**power
+    assert found.rates[0, 0] == pytest.approx([power * 3.0 ** (power - 1) / 2, -K / 4], rel=1e-8)
+
+
 @pytest.mark.parametrize("slow", [False, True])
 def test_progress_says_when_the_callable_takes_the_time(slow: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     clock = itertools.count(0.0, 0.25 if slow else 1e-4)

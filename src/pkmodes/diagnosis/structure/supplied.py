@@ -36,6 +36,8 @@ CHANGE = 1e-6
 MISSED, TRIALS, LARGEST = 100.0, 30, 1e12
 #: Steps smaller than this, relative to the value, may be lost in its rounding.
 SMALLEST = 1e-12
+#: Matrices whose second difference is less than this part of the first are straight lines: one side is enough.
+STRAIGHT = 1e-8
 #: What two calls with the same values may differ by: more would be a hundredth of the change of a difference.
 REPEATABLE = 1e-8
 #: How many values a message names.
@@ -87,7 +89,7 @@ class Supplied:
         self.parameters = parameters
         self.matrices, self.derivatives = matrices, derivatives
         self.expected, self.reason = expected, reason
-        self.steps: dict[tuple[int, tuple[str, ...]], float] = {}
+        self.steps: dict[tuple[int, tuple[str, ...]], tuple[float, bool]] = {}
         self.calls, self.seconds = 0, 0.0
         self._known: Kept[Pair | None] = Kept()
 
@@ -186,29 +188,52 @@ class Supplied:
         declared = np.array([p.value for p in self.parameters])
         key = i, tuple(setups)
         if key not in self.steps:
-            self.steps[key] = CHANGE * (max(abs(p.value), p.sigma or 0.0) or 1.0)
+            step, straight = CHANGE * (max(abs(p.value), p.sigma or 0.0) or 1.0), False
             centres = {setup: self.at(declared, setup) for setup in setups}
             known = {setup: pair for setup, pair in centres.items() if pair is not None}
             if len(known) == len(centres):
-                first = self._search(declared, i, known, self.steps[key])
-                self.steps[key] = first.step if first.rates is not None else self.steps[key]
-        step = self.steps[key]
+                first = self._search(declared, i, known, step)
+                if first.rates is not None:
+                    step, straight = first.step, self._is_straight(declared, i, known, first.step)
+            self.steps[key] = step, straight
+        step, straight = self.steps[key]
         if step < SMALLEST * abs(values[i]):  # lost in a value that is far from the declared one
             step = CHANGE * abs(values[i])
-        found = self._search(values, i, setups, step)
+        found = self._search(values, i, setups, step, straight)
         if not found.finite:
             what = f"expected M and K finite on both sides of {p.name} = {values[i]:.10g}"
             remedy = "give the parameter the bounds within which it has a meaning, or give derivatives"
             raise PkmodesError(what, self._where(values, next(iter(setups))), remedy)
         return found.rates
 
-    def _search(self, values: Array, i: int, setups: Mapping[str, Pair], step: float) -> _Search:
+    def _is_straight(self, values: Array, i: int, setups: Mapping[str, Pair], step: float) -> bool:
+        """Whether the matrices change in proportion to a parameter, as far as differences tell."""
+        p = self.parameters[i]
+        middle = np.clip(values[i], p.lower + step, p.upper - step)
+        points = np.repeat(values[None], 3, axis=0)
+        points[:, i] = middle + step * np.array([-1.0, 0.0, 1.0])
+        if not (p.lower <= points[0, i] and points[2, i] <= p.upper):
+            return False
+        for setup, centre in setups.items():
+            first, second = (self._difference(points[k + 1], points[k], setup) for k in range(2))
+            if first is None or second is None:
+                return False
+            for one, other, of in zip(first, second, centre, strict=True):
+                if relative_change(minus(other, one), of) > STRAIGHT * relative_change(one, of):
+                    return False
+        return True
+
+    def _search(
+        self, values: Array, i: int, setups: Mapping[str, Pair], step: float, straight: bool = False
+    ) -> _Search:
         """Find the step that changes the matrices as much as it should."""
         p = self.parameters[i]
         rates, finite = None, False
         for _ in range(TRIALS):
             ahead, behind = values.copy(), values.copy()
             ahead[i], behind[i] = min(values[i] + step, p.upper), max(values[i] - step, p.lower)
+            if straight and ahead[i] > values[i]:  # what is known already will do on the other side
+                behind[i] = values[i]
             if ahead[i] == behind[i]:
                 break
             differences = [self._difference(ahead, behind, setup) for setup in setups]
