@@ -209,11 +209,11 @@ class Supplied:
     def _is_straight(self, values: Array, i: int, setups: Mapping[str, Pair], step: float) -> bool:
         """Whether the matrices change in proportion to a parameter, as far as differences tell."""
         p = self.parameters[i]
-        middle = np.clip(values[i], p.lower + step, p.upper - step)
-        points = np.repeat(values[None], 3, axis=0)
-        points[:, i] = middle + step * np.array([-1.0, 0.0, 1.0])
-        if not (p.lower <= points[0, i] and points[2, i] <= p.upper):
+        if p.upper - p.lower < 2.0 * step:
             return False
+        points = np.repeat(values[None], 3, axis=0)
+        first_of = np.clip(values[i] - step, p.lower, p.upper - 2.0 * step)
+        points[:, i] = np.clip(first_of + step * np.arange(3), p.lower, p.upper)
         for setup, centre in setups.items():
             first, second = (self._difference(points[k + 1], points[k], setup) for k in range(2))
             if first is None or second is None:
