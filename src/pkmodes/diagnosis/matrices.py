@@ -59,7 +59,8 @@ class MatrixStructure:
         setup; both (n, n), real and symmetric, arrays or scipy.sparse matrices, in consistent units (K / M in
         1/s^2).  M may be singular (coordinates, or motions, without inertia are condensed exactly) where K is
         positive definite for what has no inertia.  Where they are not finite, the values cannot be evaluated,
-        and a fit avoids them; an exception is an error at any values within the bounds.
+        and a fit avoids them; an exception is an error at any values within the bounds.  For the same values it
+        returns the same matrices, and is asked once, as long as there is memory for them.
     derivatives : callable, optional
         ``derivatives(values, setup, name) -> (dM, dK)`` by the parameter of that name.  Without it, differences
         of the matrices are taken, with a step that changes them by a millionth, whatever the unit.
