@@ -237,4 +237,9 @@ def test_a_fit_asks_for_the_derivatives_of_the_partners_only(monkeypatch: pytest
     assert fit.values[0] == pytest.approx(0.5, rel=1e-6)
     assert asked
     assert all(modes == [1, 3, 4] for modes in asked)
+    asked.clear()
+    rates = structure.predict(fit.values, (0, 1), shape_rates=True).shape_rates
+    for modes in ([1, 3], [3, 4, 1], [4]):
+        rates[np.zeros(len(modes), dtype=int), np.array(modes)]
+    assert asked == [[1, 3], [4]]
     assert fit.prediction.shape_rates is None  # which would keep matrices and factors of every fit

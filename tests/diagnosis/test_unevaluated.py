@@ -7,7 +7,11 @@ from collections.abc import Callable, Mapping
 import numpy as np
 import pytest
 
-from pkmodes.diagnosis import MatrixStructure, Measurements, diagnose, update
+from pkmodes.diagnosis import Criteria, MatrixStructure, Measurements, diagnose, update
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.verdict.unevaluated import unevaluated
 from small_structures import STIFFNESS, frame, frame_matrices, frame_measured
 
 LOADS = {"empty": 0.0, "loaded": 5.0}
@@ -58,6 +62,18 @@ def test_a_cause_that_would_not_matter_is_not_mentioned() -> None:
     result = diagnose(structure, measured(brace_2=1.6e5))
     assert [found.name for found in result.effects] == ["brace 2"]
     assert not stopped(result.notes)
+
+
+def test_a_step_that_is_too_long_is_no_way_that_was_followed() -> None:
+    # From 1.5 times the stiffness a linear model leads to 1.5 (1 - ln 1.5) = 0.89, and the answer is 1.
+    structure, data = walled(lambda values: values["storey"] < 0.95 * STIFFNESS), measured()
+    fitter, far = Fitter(structure, data), np.array([p.value for p in structure.parameters])
+    far[1] = 1.5 * STIFFNESS
+    (descent,) = Fitter(structure, data, Criteria(rough_steps=0)).roughly([(Hypothesis(), far)])
+    fit = fitter.rough_fit(Hypothesis(), descent)
+    assert fit is not None
+    assert fit.values[1] == 1.5 * STIFFNESS
+    assert not list(unevaluated(FitStore(fitter), fit))
 
 
 def test_a_nuisance_that_is_stopped_is_named_too() -> None:
