@@ -45,6 +45,7 @@ docs: $(VENV)/.derive  ## rebuild the derivation's page
 benchmark: $(VENV)/.dev
 	$(BIN)/python benchmarks/evaluation.py
 	$(BIN)/python benchmarks/many_rows.py
+	$(BIN)/python benchmarks/large_models.py
 
 suites: $(VENV)/.dev  ## rates of the diagnosis on the virtual test rig, twenty minutes on two cores
 	$(BIN)/python benchmarks/diagnosis.py --seed 20261201 --out docs/diagnosis-measured.md

@@ -224,3 +224,12 @@ def uncertain(rng: np.random.Generator) -> dict[str, float]:
     """Values of the frame's nuisances, drawn from their priors."""
     mass, stiffness = 1 + 0.005 * rng.standard_normal(), 1 + 0.03 * rng.standard_normal()
     return {"mass": MASS * mass, "storey": STIFFNESS * stiffness}
+
+
+def mixture(n: int, still: int, seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """M of rank n - still with directions of its own, K, and the motions without mass."""
+    rng = np.random.default_rng(seed)
+    A, B = rng.standard_normal((2, n, n))
+    directions = np.linalg.qr(B)[0]
+    M = (directions[:, still:] * rng.uniform(1.0, 3.0, n - still)) @ directions[:, still:].T
+    return 0.5 * (M + M.T), A @ A.T + n * np.eye(n), directions[:, :still]

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, compare
+from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, compare, diagnose, update
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.errors import PkmodesError
@@ -341,16 +341,33 @@ def test_the_order_of_setups_is_that_of_the_labels_not_of_the_rows() -> None:
         compare(frame({"empty": 0.0}), data)
 
 
-def test_a_structure_without_labels_is_measured_under_any() -> None:
-    nameless = MatrixStructure(
-        frame(LOADS).parameters,
-        [],
+def nameless() -> MatrixStructure:
+    plain = frame(LOADS, only=["brace 2", "brace 3"])
+    return MatrixStructure(
+        plain.parameters,
+        plain.candidates,
         lambda values, _: frame_matrices(4, LOADS)(values, "empty"),
         derivatives=frame_derivatives(4),
-        channels=["1", "2", "3", "4"],
+        channels=["floor 1", "floor 2", "floor 3", "floor 4"],
     )
-    data = frame_measured({"today": 0.0}, {}, np.random.default_rng(0))
-    assert compare(nameless, data).p_value > 1e-3
+
+
+@pytest.mark.parametrize("label", ["today", "P1"])
+def test_a_structure_without_labels_is_measured_under_any(label: str) -> None:
+    data = frame_measured({label: 0.0}, {}, np.random.default_rng(0))
+    assert compare(nameless(), data).p_value > 1e-3
+    assert update(nameless(), data).p_value > 1e-3
+    braced = frame_measured({label: 0.0}, {"brace 2": 1.5e5}, np.random.default_rng(0), shapes=0.01)
+    result = diagnose(nameless(), braced)
+    assert [found.name for found in result.effects] == ["brace 2"]
+    assert {row.pose for row in result.rows} == {label}
+
+
+def test_a_structure_without_labels_is_not_measured_under_several() -> None:
+    data = frame_measured(LOADS, {}, np.random.default_rng(0))
+    with pytest.raises(PkmodesError, match=r'no setup "empty", which was measured') as error:
+        compare(nameless(), data)
+    assert error.value.remedy == 'give it setups=["empty", "loaded"], of which it gets the label'
 
 
 def test_a_comparison_is_prediction_beside_measurement() -> None:

@@ -20,7 +20,7 @@ from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.matrices import at_measured
+from pkmodes.diagnosis.matrices import at_measured, slowness
 from pkmodes.diagnosis.problem import Structure
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.search.search import Outcome, Search
@@ -74,6 +74,8 @@ def diagnose(
     """
     check_arguments(structure, data)
     structure = at_measured(structure, data.labels, float(data.frequency.max(initial=0.0)))
+    if progress is not None and (remark := slowness(structure)):
+        progress(remark)
     fitted, held = split(data, holdout)
     fitter = Fitter(structure.subset(fitted), data.at(fitted), criteria)
     report = Report(structure, data, fitter, held)

@@ -3,16 +3,28 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from pkmodes.diagnosis.problem import Array, Batch, Candidate, Parameter, Prediction, Structure, one_by_one
+from pkmodes.diagnosis.problem import (
+    Array,
+    Batch,
+    Candidate,
+    Index,
+    Parameter,
+    Prediction,
+    Structure,
+    one_by_one,
+)
+from pkmodes.diagnosis.structure.kept import Kept
 from pkmodes.diagnosis.structure.massless import UnstableError, UnusableError
 from pkmodes.diagnosis.structure.modes import Modes, lowest_modes, modes_below
 from pkmodes.diagnosis.structure.names import check_callables, check_candidate, check_names, check_parameter
 from pkmodes.diagnosis.structure.sensors import sensor_map
+from pkmodes.diagnosis.structure.shape_rates import ShapeRates, eigenvalue_rates
 from pkmodes.diagnosis.structure.shape_rates import shape_rates as rates_of_shapes
 from pkmodes.diagnosis.structure.supplied import Derivatives, Matrices, Pair, Supplied
 from pkmodes.errors import PkmodesError, listed, shown
@@ -20,6 +32,8 @@ from pkmodes.errors import PkmodesError, listed, shown
 #: Structures with no more coordinates than SMALL have all modes by default, others the lowest FEW, and as many as
 #: REACH times the highest measured frequency asks for: farther away no mode is paired with it.
 SMALL, FEW, REACH = 150, 40, 2.0
+#: A call of the callable that takes longer than this [s] is what a diagnosis takes its time for.
+SLOW = 0.02
 #: Modes beyond those that are predicted, so that the last of them is known from its neighbours.
 GUARD = 3
 
@@ -45,7 +59,8 @@ class MatrixStructure:
         setup; both (n, n), real and symmetric, arrays or scipy.sparse matrices, in consistent units (K / M in
         1/s^2).  M may be singular (coordinates, or motions, without inertia are condensed exactly) where K is
         positive definite for what has no inertia.  Where they are not finite, the values cannot be evaluated,
-        and a fit avoids them; an exception is an error at any values within the bounds.
+        and a fit avoids them; an exception is an error at any values within the bounds.  For the same values it
+        returns the same matrices, and is asked once, as long as there is memory for them.
     derivatives : callable, optional
         ``derivatives(values, setup, name) -> (dM, dK)`` by the parameter of that name.  Without it, differences
         of the matrices are taken, with a step that changes them by a millionth, whatever the unit.
@@ -126,13 +141,15 @@ class MatrixStructure:
             f"{self._size} channels" if self._map is None else reason,
         )
         self._count = min(self._size, modes or (self._size if self._size <= SMALL else FEW + rigid))
-        self._solutions: dict[bytes, list[_Solved | None]] = {}
+        self._solutions: Kept[list[_Solved | None]] = Kept()
         self._check(UnusableError)
+        for setup in self.setups[:1]:
+            self._supplied.check_repeatable(setup)
 
     def subset(self, setups: Sequence[int]) -> MatrixStructure:
         """The same structure in some of its setups."""
         part = copy.copy(self)
-        part.setups, part._solutions = tuple(self.setups[i] for i in setups), {}
+        part.setups, part._solutions = tuple(self.setups[i] for i in setups), Kept()
         return part
 
     def reaching(self, frequency: float) -> MatrixStructure:
@@ -146,7 +163,7 @@ class MatrixStructure:
         pairs = (self._supplied.at(self._declared, setup, finite=True) for setup in self.setups)
         needed = max(modes_below(pair, limit) for pair in pairs)
         part = copy.copy(self)
-        part._count, part._solutions = min(max(self._count, needed), self._size), {}
+        part._count, part._solutions = min(max(self._count, needed), self._size), Kept()
         return part
 
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
@@ -158,33 +175,21 @@ class MatrixStructure:
         size = (len(self.setups), count)
         eigenvalues, rates = np.full(size, np.nan), np.full((*size, len(by)), np.nan)
         shapes = np.zeros((*size, len(self.channels)))
-        moved = np.full((*shapes.shape, len(by)), np.nan) if shape_rates else None
         for k, one in enumerate(solved):
             if one is not None:
                 eigenvalues[k] = one.modes.eigenvalues[:count]
                 shapes[k] = self._measured(one.modes.shapes[:count])
         pairs = {setup: s.pair for setup, s in known.items()}
-        changes = [self._supplied.rates(values, i, pairs) for i in by] if known else []
-        index = dict(zip(known, range(len(known)), strict=True))
-        for k, (setup, one) in enumerate(zip(self.setups, solved, strict=True)):
-            if one is None or not len(by):
-                continue
-            phi = one.modes.shapes[:count]
-            forces = np.zeros((len(by), *phi.shape)) if shape_rates else None
-            inertial = np.zeros((len(by), count))
-            rates[k] = 0.0
-            for t, change in enumerate(changes):
-                if change is None:
-                    continue
-                dM, dK = change[index[setup]]
-                inertia, stiffness = (dM @ phi.T).T, (dK @ phi.T).T
-                inertial[t] = (phi * inertia).sum(axis=1)
-                rates[k, :, t] = (phi * stiffness).sum(axis=1) - eigenvalues[k] * inertial[t]
-                if forces is not None:
-                    forces[t] = stiffness - eigenvalues[k][:, None] * inertia
-            if forces is not None and moved is not None:
-                found = rates_of_shapes(one.pair, one.modes, count, forces, inertial)
-                moved[k] = np.moveaxis(self._measured(np.moveaxis(found, 2, 1)), 1, 2)
+        by_each = [self._supplied.rates(values, i, pairs) for i in by] if known else []
+        derive: list[Callable[[Index], Array] | None] = [None] * len(solved)
+        place = iter(range(len(known)))
+        for k, one in enumerate(solved):
+            if one is not None:
+                at = next(place)
+                changes = [None if each is None else each[at] for each in by_each]
+                rates[k] = eigenvalue_rates(one.modes, np.arange(count), changes)
+                derive[k] = partial(self._shape_rates, one, changes)
+        moved = ShapeRates(derive, (*shapes.shape, len(by))) if shape_rates else None
         return Prediction(eigenvalues, rates, shapes, self.rigid, moved)
 
     def predict_many(
@@ -198,6 +203,11 @@ class MatrixStructure:
 
     def elsewhere(self, count: int) -> tuple[Array, Structure] | None:
         """No other setups are known."""
+
+    @property
+    def seconds_a_call(self) -> float:
+        """How long the callable for M and K takes [s]."""
+        return self._supplied.seconds / max(self._supplied.calls, 1)
 
     def check_stands(self) -> None:
         """Refuse a structure that is not stable with its declared values.
@@ -225,6 +235,11 @@ class MatrixStructure:
     def _declared(self) -> Array:
         return np.array([p.value for p in self.parameters])
 
+    def _shape_rates(self, one: _Solved, changes: Sequence[Pair | None], some: Index) -> Array:
+        """Derivatives of some shapes at the channels, (W, C, T)."""
+        found = rates_of_shapes(one.pair, one.modes, some, changes)
+        return np.moveaxis(self._measured(np.moveaxis(found, 2, 1)), 1, 2)
+
     def _measured(self, shapes: Array) -> Array:
         """Shapes (..., n) at the channels."""
         if self._map is None:
@@ -233,11 +248,12 @@ class MatrixStructure:
         return found.reshape(*shapes.shape[:-1], len(self.channels))
 
     def _solved(self, values: Array) -> list[_Solved | None]:
-        """Modes of all setups, None where these values have none; those of the last values are kept."""
+        """Modes of all setups, None where these values have none."""
         key = np.asarray(values, dtype=float).tobytes()
-        if key not in self._solutions:
-            self._solutions = {key: [self._solve(values, setup) for setup in self.setups]}
-        return self._solutions[key]
+        if key in self._solutions:
+            return self._solutions[key]
+        found = [self._solve(values, setup) for setup in self.setups]
+        return self._solutions.keep(key, found, sum(one.modes.size for one in found if one is not None))
 
     def _solve(self, values: Array, setup: str) -> _Solved | None:
         pair = self._supplied.at(values, setup)
@@ -256,7 +272,8 @@ def at_measured(structure: Structure, labels: Sequence[str], highest: float | No
     Parameters
     ----------
     structure : Structure
-        A `MatrixStructure` is put in order by its labels; another has the setups of the measurements already.
+        A `MatrixStructure` is put in order by its labels, one of a single setup without a label is what was measured
+        under any; another structure has the setups of the measurements already.
     labels : sequence of str
         Labels of the measurements.
     highest : float, optional
@@ -277,7 +294,18 @@ def at_measured(structure: Structure, labels: Sequence[str], highest: float | No
     for label in labels:
         if label not in structure.setups:
             what = f"the structure has no setup {shown(label)}, which was measured"
-            raise PkmodesError(what, "setups", f"setups are: {', '.join(map(shown, structure.setups))}")
+            remedy = f"setups are: {', '.join(map(shown, structure.setups))}"
+            if structure.setups == ("",):  # there is just one, without a name
+                remedy = f"give it setups=[{', '.join(map(shown, labels))}], of which it gets the label"
+            raise PkmodesError(what, "setups", remedy)
     measured = structure.subset([structure.setups.index(label) for label in labels])
     measured.check_stands()
     return measured
+
+
+def slowness(structure: Structure) -> str:
+    """Say so where it is the callable for M and K that takes the time; else nothing."""
+    if not isinstance(structure, MatrixStructure) or structure.seconds_a_call < SLOW:
+        return ""
+    seconds = f"{structure.seconds_a_call:.2g} s"
+    return f"each call for the matrices takes {seconds}: some hundred of them take the time"

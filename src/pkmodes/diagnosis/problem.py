@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Index = NDArray[np.intp]
 
 
 @dataclass(frozen=True)
@@ -85,6 +86,13 @@ class Candidate:
         return not self.remote and not self.general_of
 
 
+class ShapeRates(Protocol):
+    """Derivatives of shapes, as an array (S, m, C, T) or found for those modes that are asked for."""
+
+    def __getitem__(self, at: tuple[Index, Index], /) -> Array:
+        """Those of some modes, by setup and number: their common shape, channels, parameters."""
+
+
 @dataclass(frozen=True)
 class Prediction:
     """Modes of all S setups for given values of the parameters.
@@ -99,16 +107,16 @@ class Prediction:
         Mode shapes in the model's channels, mass-normalised.
     rigid : int
         Leading modes that are rigid-body motions and not measured.
-    shape_rates : ndarray, shape (S, m, C, T), optional
-        Derivatives of the shapes, where they were asked for.  Of close modes the part within their own space may
-        be anything finite: nothing that is compared depends on it.
+    shape_rates : ShapeRates, optional
+        Derivatives of the shapes, (S, m, C, T), where they were asked for; ``np.asarray`` gives all of them.  Of
+        close modes the part within their own space may be anything finite: nothing that is compared depends on it.
     """
 
     eigenvalues: Array
     rates: Array
     shapes: Array
     rigid: int = 0
-    shape_rates: Array | None = None
+    shape_rates: ShapeRates | None = None
 
     @property
     def log_frequencies(self) -> Array:

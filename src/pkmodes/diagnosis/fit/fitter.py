@@ -8,6 +8,7 @@ chi-square distributed with as many degrees of freedom as there are data, less i
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -261,7 +262,7 @@ class Fitter:
             chi2=chi2,
             deviance=chi2 + whitening.log_determinant,
             scatter=tau,
-            prediction=prediction,
+            prediction=replace(prediction, shape_rates=None),
             pairing=pairing,
             residual=residual,
             white=white,

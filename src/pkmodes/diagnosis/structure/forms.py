@@ -31,6 +31,13 @@ def count_of(matrix: Any) -> int:
     return int(matrix.nnz) if is_sparse(matrix) else int(np.count_nonzero(matrix))
 
 
+def size_of(matrix: Any) -> int:
+    """Memory that a matrix takes [bytes]."""
+    if is_sparse(matrix):
+        return int(matrix.data.nbytes + matrix.indices.nbytes + matrix.indptr.nbytes)
+    return int(matrix.nbytes)
+
+
 def is_symmetric(matrix: Any) -> bool:
     """Whether a matrix is symmetric but for rounding."""
     if is_sparse(matrix):

@@ -8,6 +8,7 @@ highest of them: Lanczos may miss one of several that coincide.
 from __future__ import annotations
 
 import contextlib
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -28,6 +29,23 @@ STABLE = 1e-9
 RESIDUAL = 1e-8
 
 
+class Inverse(NamedTuple):
+    """The inverse of K - shift M.
+
+    Attributes
+    ----------
+    shift : float
+    solve : callable
+        What it is multiplied with, (n, k), to the product.
+    size : int
+        Memory that it takes [bytes].
+    """
+
+    shift: float
+    solve: Callable[[Array], Array]
+    size: int
+
+
 class Modes(NamedTuple):
     """Lowest modes of one setup.
 
@@ -42,6 +60,8 @@ class Modes(NamedTuple):
         Whether these are all modes, and `massless` all else.
     scale : float
         An eigenvalue of the size of the largest.
+    inverse : Inverse or None
+        What gave the modes, where it did.
     """
 
     eigenvalues: Array
@@ -49,6 +69,13 @@ class Modes(NamedTuple):
     massless: Array | None
     complete: bool
     scale: float
+    inverse: Inverse | None = None
+
+    @property
+    def size(self) -> int:
+        """Memory that they take [bytes]."""
+        arrays = (self.eigenvalues, self.shapes, self.massless)
+        return sum(a.nbytes for a in arrays if a is not None) + (self.inverse.size if self.inverse else 0)
 
 
 def lowest_modes(pair: Pair, count: int, rigid: int) -> Modes:
@@ -142,6 +169,8 @@ class _Factor:
     ----------
     negative : int or None
         How many eigenvalues are negative; None where the factor cannot be trusted to tell.
+    size : int
+        Memory that it takes [bytes].
     """
 
     def __init__(self, A: Any) -> None:
@@ -149,6 +178,7 @@ class _Factor:
         self.scale = 1.0 / np.sqrt(np.where(diagonal > 0.0, diagonal, 1.0))
         scaling = sparse.diags_array(self.scale)
         self.negative: int | None = None
+        self.size = 0
         try:
             self.factor = iterative.splu(
                 sparse.csc_matrix(scaling @ A @ scaling),
@@ -158,6 +188,7 @@ class _Factor:
             )
         except RuntimeError:  # exactly singular
             return
+        self.size = 12 * self.factor.nnz  # a number and an index of four bytes each
         pivots = self.factor.U.diagonal()
         if (self.factor.perm_r == self.factor.perm_c).all() and (np.abs(pivots) > SINGULAR).all():
             self.negative = int((pivots < 0.0).sum())
@@ -207,7 +238,9 @@ def _by_lanczos(pair: Pair, count: int, rigid: int) -> Modes | None:
     size = np.linalg.norm(np.abs(K) @ np.abs(shapes[:count].T), axis=0)
     if not (apart <= RESIDUAL * size).all() or not _none_missed(pair, eigenvalues, count):
         return None
-    return Modes(eigenvalues[:count], shapes[:count], None, False, scale)
+    return Modes(
+        eigenvalues[:count], shapes[:count], None, False, scale, Inverse(shift, factor.solve, factor.size)
+    )
 
 
 def _lanczos(M: Any, shift: float, factor: _Factor, count: int, start: Array) -> tuple[Array, Array] | None:

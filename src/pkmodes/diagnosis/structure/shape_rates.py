@@ -3,98 +3,212 @@ r"""Derivatives of mass-normalised mode shapes.
 With :math:`f_i = (dK - \lambda_i dM) \phi_i`, the derivative of shape i has three parts: modes j that are known,
 :math:`\phi_j \phi_j^T f_i / (\lambda_i - \lambda_j)`; all other motions x, which solve
 :math:`(K - \lambda_i M) x = -f_i` free of the known modes; and the norm, :math:`-\phi_i \phi_i^T dM \phi_i / 2`.
+
 Where all modes are known, the others are motions without inertia, :math:`x = -N (N^T K N)^{-1} N^T f_i`.  Otherwise
-the system is solved bordered by those known modes that are near, which makes it regular: R. B. Nelson, Simplified
-calculation of eigenvector derivatives, AIAA Journal 14 (1976), 1201-1205, for several of them at once.
+one factor, that of :math:`K - \sigma M` which gave the modes, is enough for all of them:
+:math:`x = (K - \sigma M)^{-1} (-f_i + (\lambda_i - \sigma) M x)` is iterated free of the known modes, and an error
+in the direction of another mode j shrinks by :math:`(\lambda_i - \sigma) / (\lambda_j - \sigma)` in each step
+(K. F. Alvin, Efficient computation of eigenvector sensitivities for structural dynamics, AIAA Journal, 1997).  Where
+a mode is too near to those that are not known, the system is solved bordered by the known modes that are near, which
+makes it regular: R. B. Nelson, Simplified calculation of eigenvector derivatives, AIAA Journal 14 (1976), 1201-1205,
+for several of them at once.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 from scipy import linalg, sparse
 from scipy.sparse import linalg as iterative
 
-from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.problem import Array, Index
 from pkmodes.diagnosis.structure.forms import is_sparse
-from pkmodes.diagnosis.structure.modes import STABLE, Modes
+from pkmodes.diagnosis.structure.modes import STABLE, Inverse, Modes
 from pkmodes.diagnosis.structure.supplied import Pair
 
 #: Relative gap of two eigenvalues below which it counts as this large: what one of them does is not defined there.
 GAP = 1e-6
 #: Modes within this relative distance are handled by the sum.
 NEAR = 1e-2
+#: The iteration is used where an error shrinks to this part or less in each step, until so much is left of it.
+SHRINKS, LEFT = 0.5, 1e-14
 
 
-def shape_rates(pair: Pair, modes: Modes, count: int, forces: Array, inertial: Array) -> Array:
-    """Differentiate the shapes.
+class ShapeRates:
+    """Derivatives of the shapes in all setups, found for those modes that are asked for.
+
+    Parameters
+    ----------
+    setups : sequence of callable or None
+        For each setup, what gives the derivatives (W, C, T) of some of its modes; None where it has none.
+    shape : tuple of int
+        Setups, modes, channels and parameters.
+    """
+
+    def __init__(
+        self, setups: Sequence[Callable[[Index], Array] | None], shape: tuple[int, int, int, int]
+    ) -> None:
+        self._setups, self.shape = setups, shape
+        self._known: dict[tuple[int, int], Array] = {}
+
+    def __getitem__(self, at: tuple[Index, Index]) -> Array:
+        setups, modes = np.broadcast_arrays(*at)
+        pairs, place = np.unique(
+            np.column_stack([setups.ravel(), modes.ravel()]), axis=0, return_inverse=True
+        )
+        wanted: dict[int, list[int]] = {}
+        for setup, mode in pairs.tolist():
+            if (setup, mode) not in self._known:
+                wanted.setdefault(setup, []).append(mode)
+        for setup, some in wanted.items():
+            derive = self._setups[setup]
+            found = (
+                np.full((len(some), *self.shape[2:]), np.nan) if derive is None else derive(np.array(some))
+            )
+            self._known |= {(setup, mode): one for mode, one in zip(some, found, strict=True)}
+        each = np.empty((len(pairs), *self.shape[2:]))
+        for k, (setup, mode) in enumerate(pairs.tolist()):
+            each[k] = self._known[setup, mode]
+        return np.asarray(each[place.ravel()].reshape(*setups.shape, *self.shape[2:]))
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
+        setups, modes = np.indices(self.shape[:2], dtype=np.intp)
+        found: Array = np.asarray(self[setups, modes], dtype=dtype)
+        return found
+
+
+def eigenvalue_rates(modes: Modes, some: Index, changes: Sequence[Pair | None]) -> Array:
+    """Differentiate some of the eigenvalues: phi^T (dK - lambda dM) phi, (W, T)."""
+    forces, _ = _forces(modes, some, changes)
+    rates: Array = np.einsum("tin,in->it", forces, modes.shapes[some])
+    return rates
+
+
+def shape_rates(pair: Pair, modes: Modes, some: Index, changes: Sequence[Pair | None]) -> Array:
+    """Differentiate some of the shapes.
 
     Parameters
     ----------
     pair : Pair
         M and K.
     modes : Modes
-        At least `count` of them.
-    count : int
-        How many shapes are differentiated: the lowest.
-    forces : ndarray, shape (T, m, n)
-        (dK - lambda_i dM) phi_i for each parameter and at least `count` modes.
-    inertial : ndarray, shape (T, m)
-        phi_i^T dM phi_i.
+        The known modes.
+    some : ndarray of int, shape (W,)
+        Those of them whose shapes are differentiated.
+    changes : sequence of Pair or None, length T
+        Derivatives of M and K by each parameter, None where there are none.
 
     Returns
     -------
-    ndarray, shape (count, n, T)
+    ndarray, shape (W, n, T)
     """
-    forces = forces[:, :count]
-    coupling = np.einsum("tin,jn->tij", forces, modes.shapes, optimize=True)
-    eigenvalues = modes.eigenvalues
-    factors = coupling / _gaps(eigenvalues[:count], eigenvalues, modes.scale)
+    eigenvalues, shapes = modes.eigenvalues, modes.shapes
+    forces, inertial = _forces(modes, some, changes)
+    coupling = np.einsum("tin,jn->tij", forces, shapes, optimize=True)
+    factors = coupling / _gaps(some, eigenvalues, modes.scale)
+    factors[:, np.arange(len(some)), some] = 0.0
+    found = factors @ shapes
     if modes.complete:
-        factors[:, np.arange(count), np.arange(count)] = 0.0
-        found = factors @ modes.shapes
         if modes.massless is not None:
             N = modes.massless
-            found -= (
-                linalg.solve(N.T @ (pair.K @ N), N.T @ forces.reshape(-1, len(N)).T).T.reshape(
-                    forces.shape[:2] + (-1,)
-                )
-                @ N.T
-            )
+            held = linalg.solve(N.T @ (pair.K @ N), N.T @ forces.reshape(-1, len(N)).T)
+            found -= held.T.reshape(*forces.shape[:2], -1) @ N.T
     else:
-        found = np.empty_like(forces)
-        inertia = (pair.M @ modes.shapes.T).T
-        for i in range(count):
-            near = np.abs(eigenvalues - eigenvalues[i]) <= NEAR * np.abs(eigenvalues[i])
-            near |= np.abs(eigenvalues - eigenvalues[i]) <= STABLE * modes.scale
-            rest = _others(
-                pair, eigenvalues[i], inertia[near], forces[:, i] - coupling[:, i, near] @ inertia[near]
-            )
-            near[i] = False
-            found[:, i] = rest + factors[:, i, near] @ modes.shapes[near]
-    found -= 0.5 * inertial[:, :count, None] * modes.shapes[:count]
-    return np.moveaxis(found, 0, -1)
+        inertia = (pair.M @ shapes.T).T
+        inverse = _inverse(pair, modes)
+        shrinks = np.ones(len(some))
+        if inverse is not None:
+            shrinks = (eigenvalues[some] - inverse.shift) / (eigenvalues[-1] - inverse.shift)
+            soon = shrinks <= SHRINKS
+            right = coupling[:, soon] @ inertia - forces[:, soon]
+            away = eigenvalues[some[soon]] - inverse.shift
+            found[:, soon] += _iterated(pair.M, inverse, away, shrinks[soon], right, shapes, inertia)
+        for i in np.flatnonzero(shrinks > SHRINKS):
+            apart = np.abs(eigenvalues - eigenvalues[some[i]])
+            near = apart <= np.maximum(NEAR * np.abs(eigenvalues[some[i]]), STABLE * modes.scale)
+            right = coupling[:, i, near] @ inertia[near] - forces[:, i]
+            rest = _bordered(pair, eigenvalues[some[i]], inertia[near], right)
+            found[:, i] = rest + factors[:, i, near] @ shapes[near]
+    found -= 0.5 * inertial[..., None] * shapes[some]
+    rates: Array = np.moveaxis(found, 0, -1)
+    return rates
 
 
-def _gaps(of: Array, to: Array, scale: float) -> Array:
+def _forces(modes: Modes, some: Index, changes: Sequence[Pair | None]) -> tuple[Array, Array]:
+    """(dK - lambda_i dM) phi_i, (T, W, n), and phi_i^T dM phi_i, (T, W)."""
+    eigenvalues, phi = modes.eigenvalues[some], modes.shapes[some]
+    forces, inertial = np.zeros((len(changes), *phi.shape)), np.zeros((len(changes), len(some)))
+    for t, change in enumerate(changes):
+        if change is not None:
+            inertia = (change.M @ phi.T).T
+            forces[t] = (change.K @ phi.T).T - eigenvalues[:, None] * inertia
+            inertial[t] = (phi * inertia).sum(axis=1)
+    return forces, inertial
+
+
+def _gaps(of: Index, eigenvalues: Array, scale: float) -> Array:
     """lambda_i - lambda_j, kept from zero with its sign; that of equal ones is the sign of their order."""
-    gaps = of[:, None] - to
-    least = np.maximum(GAP * np.maximum(np.abs(of)[:, None], np.abs(to)), STABLE * GAP * (scale or 1.0))
-    order = np.sign(np.arange(len(of))[:, None] - np.arange(len(to)))
+    some = eigenvalues[of]
+    gaps = some[:, None] - eigenvalues
+    largest = np.maximum(np.abs(some)[:, None], np.abs(eigenvalues))
+    least = np.maximum(GAP * largest, STABLE * GAP * (scale or 1.0))
+    order = np.sign(of[:, None] - np.arange(len(eigenvalues)))
     sign = np.where(gaps == 0.0, order, np.sign(gaps))
     return np.where(np.abs(gaps) < least, np.where(sign == 0.0, 1.0, sign) * least, gaps)
 
 
-def _others(pair: Pair, eigenvalue: float, border: Array, right: Array) -> Array:
-    """Solve (K - lambda M) x = -right for x that is M-orthogonal to some modes, whose M phi is the border."""
+def _inverse(pair: Pair, modes: Modes) -> Inverse | None:
+    """The inverse of K - sigma M that gave the modes, or another one; None where it would not be definite."""
+    if modes.inverse is not None or is_sparse(pair.K):
+        return modes.inverse
+    stiff = modes.eigenvalues[modes.eigenvalues > STABLE * modes.scale]
+    shift = 0.0 if len(stiff) == len(modes.eigenvalues) else -0.5 * float(stiff.min(initial=np.inf))
+    A = pair.K - shift * pair.M if np.isfinite(shift) else -pair.K
+    if (A.diagonal() <= 0.0).any():
+        return None
+    scale = 1.0 / np.sqrt(A.diagonal())
+    try:
+        factor = linalg.cho_factor(A * (scale[:, None] * scale))
+    except np.linalg.LinAlgError:
+        return None
+
+    def solve(right: Array) -> Array:
+        found: Array = scale[:, None] * linalg.cho_solve(factor, scale[:, None] * right)
+        return found
+
+    return Inverse(shift, solve, A.nbytes)
+
+
+def _iterated(
+    M: Any, inverse: Inverse, away: Array, shrinks: Array, right: Array, shapes: Array, inertia: Array
+) -> Array:
+    """Solve (K - sigma M - away M) x = right for x that is M-orthogonal to the known modes, (T, W, n)."""
+    # Errors lie between 0 and `shrinks` of what they were: half of that off the middle is the least.
+    relaxed = 2.0 / (2.0 - shrinks)
+    steps = np.ceil(np.log(LEFT) / np.log(np.maximum(shrinks / (2.0 - shrinks), LEFT))).astype(int)
+    x, n = np.zeros_like(right), right.shape[-1]
+    for step in range(int(steps.max(initial=0))):
+        going = np.flatnonzero(steps > step)
+        now = x[:, going]
+        inert = (M @ now.reshape(-1, n).T).T.reshape(now.shape)
+        forces = right[:, going] + away[going, None] * inert
+        ahead = inverse.solve(forces.reshape(-1, n).T).T.reshape(now.shape)
+        ahead -= (ahead @ inertia.T) @ shapes
+        x[:, going] = ahead if step == 0 else now + relaxed[going, None] * (ahead - now)
+    return x
+
+
+def _bordered(pair: Pair, eigenvalue: float, border: Array, right: Array) -> Array:
+    """Solve (K - lambda M) x = right for x that is M-orthogonal to some modes, whose M phi is the border."""
     A = pair.K - eigenvalue * pair.M
     n, size = A.shape[0], np.abs(A.diagonal())
     scale = 1.0 / np.sqrt(np.where(size > 0.0, size, size.max()))
     border = border * scale
     border = border / np.linalg.norm(border, axis=1)[:, None]
     b = np.zeros((n + len(border), len(right)))
-    b[:n] = -(right * scale).T
+    b[:n] = (right * scale).T
     if is_sparse(A):
         scaling = sparse.diags_array(scale)
         edge: Any = sparse.csc_array(border)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Literal, NamedTuple, overload
 
@@ -19,8 +20,10 @@ from pkmodes.diagnosis.structure.forms import (
     minus,
     packed,
     relative_change,
+    size_of,
     thin,
 )
+from pkmodes.diagnosis.structure.kept import Kept
 from pkmodes.errors import PkmodesError, shown
 
 Matrices = Callable[[Mapping[str, float], str], tuple[Any, Any]]
@@ -33,6 +36,10 @@ CHANGE = 1e-6
 MISSED, TRIALS, LARGEST = 100.0, 30, 1e12
 #: Steps smaller than this, relative to the value, may be lost in its rounding.
 SMALLEST = 1e-12
+#: Matrices whose second difference is less than this part of the first are straight lines: one side is enough.
+STRAIGHT = 1e-8
+#: What two calls with the same values may differ by: more would be a hundredth of the change of a difference.
+REPEATABLE = 1e-8
 #: How many values a message names.
 NAMED = 8
 
@@ -64,6 +71,11 @@ class Supplied:
         Number of coordinates.
     reason : str
         Why so many, for messages.
+
+    Attributes
+    ----------
+    calls, seconds : int, float
+        How often the callable for M and K was asked, and how long that took.
     """
 
     def __init__(
@@ -77,16 +89,49 @@ class Supplied:
         self.parameters = parameters
         self.matrices, self.derivatives = matrices, derivatives
         self.expected, self.reason = expected, reason
-        self.steps: dict[tuple[int, tuple[str, ...]], float] = {}
+        self.steps: dict[tuple[int, tuple[str, ...]], tuple[float, bool]] = {}
+        self.calls, self.seconds = 0, 0.0
+        self._known: Kept[Pair | None] = Kept()
 
     @overload
     def at(self, values: Array, setup: str, finite: Literal[True]) -> Pair: ...
     @overload
     def at(self, values: Array, setup: str, finite: Literal[False] = ...) -> Pair | None: ...
     def at(self, values: Array, setup: str, finite: bool = False) -> Pair | None:
-        """M and K; where they are not finite, which some values within the bounds may bring, None or an error."""
+        """M and K; where they are not finite, which some values within the bounds may bring, None or an error.
+
+        The callable is asked once for the same values, as long as there is memory for what it returned.
+        """
+        key = np.asarray(values, dtype=float).tobytes(), setup
+        if key in self._known and (self._known[key] is not None or not finite):
+            return self._known[key]
+        return self._keep(key, self._called(values, setup, finite))
+
+    def check_repeatable(self, setup: str) -> None:
+        """Refuse a callable that returns something else when it is asked for the declared values again.
+
+        Differences that stand in for derivatives would be those of its noise.
+
+        Raises
+        ------
+        PkmodesError
+        """
+        declared = np.array([p.value for p in self.parameters])
+        before, again = self.at(declared, setup, finite=True), self._called(declared, setup, finite=True)
+        assert again is not None
+        apart = max(relative_change(minus(b, a), a) for a, b in zip(before, again, strict=True))
+        if apart > (REPEATABLE if self.derivatives is None else CHANGE):
+            what = f"the matrices differ by {apart:.0e} between two calls with the same values"
+            remedy = "fix the seed or tighten the solver behind them"
+            raise PkmodesError(what, self._where(declared, setup), remedy)
+
+    def _keep(self, key: tuple[object, ...], pair: Pair | None) -> Pair | None:
+        return self._known.keep(key, pair, sum(map(size_of, pair or ())))
+
+    def _called(self, values: Array, setup: str, finite: bool) -> Pair | None:
         named = self._named(values)
         where = self._where(values, setup)
+        start = time.perf_counter()
         try:
             returned = self.matrices(named, setup)
         except PkmodesError:
@@ -94,6 +139,7 @@ class Supplied:
         except Exception as error:
             what = f"the callable for M and K failed: {type(error).__name__}: {error}"
             raise PkmodesError(what, where, "mend it, or narrow the bounds of the parameters") from error
+        self.calls, self.seconds = self.calls + 1, self.seconds + time.perf_counter() - start
         pair = self._pair(returned, ("M", "K"), where)
         n = self.expected
         if n >= MANY and all(count_of(matrix) <= FEW * n * n for matrix in pair):
@@ -115,6 +161,10 @@ class Supplied:
             return self._differences(values, i, setups)
         name, found = self.parameters[i].name, []
         for setup in setups:
+            key = np.asarray(values, dtype=float).tobytes(), setup, name
+            if key in self._known and (known := self._known[key]) is not None:
+                found.append(known)
+                continue
             where = f"derivatives by {shown(name)}, {self._where(values, setup)}"
             try:
                 returned = self.derivatives(self._named(values), setup, name)
@@ -129,6 +179,7 @@ class Supplied:
                     what = f"expected {kind} finite and symmetric"
                     raise PkmodesError(what, where, "mend it, or leave the derivatives out")
             found.append(Pair(*map(thin, pair)))
+            self._keep(key, found[-1])
         return found
 
     def _differences(self, values: Array, i: int, setups: Mapping[str, Pair]) -> list[Pair] | None:
@@ -137,29 +188,52 @@ class Supplied:
         declared = np.array([p.value for p in self.parameters])
         key = i, tuple(setups)
         if key not in self.steps:
-            self.steps[key] = CHANGE * (max(abs(p.value), p.sigma or 0.0) or 1.0)
+            step, straight = CHANGE * (max(abs(p.value), p.sigma or 0.0) or 1.0), False
             centres = {setup: self.at(declared, setup) for setup in setups}
             known = {setup: pair for setup, pair in centres.items() if pair is not None}
             if len(known) == len(centres):
-                first = self._search(declared, i, known, self.steps[key])
-                self.steps[key] = first.step if first.rates is not None else self.steps[key]
-        step = self.steps[key]
+                first = self._search(declared, i, known, step)
+                if first.rates is not None:
+                    step, straight = first.step, self._is_straight(declared, i, known, first.step)
+            self.steps[key] = step, straight
+        step, straight = self.steps[key]
         if step < SMALLEST * abs(values[i]):  # lost in a value that is far from the declared one
             step = CHANGE * abs(values[i])
-        found = self._search(values, i, setups, step)
+        found = self._search(values, i, setups, step, straight)
         if not found.finite:
             what = f"expected M and K finite on both sides of {p.name} = {values[i]:.10g}"
             remedy = "give the parameter the bounds within which it has a meaning, or give derivatives"
             raise PkmodesError(what, self._where(values, next(iter(setups))), remedy)
         return found.rates
 
-    def _search(self, values: Array, i: int, setups: Mapping[str, Pair], step: float) -> _Search:
+    def _is_straight(self, values: Array, i: int, setups: Mapping[str, Pair], step: float) -> bool:
+        """Whether the matrices change in proportion to a parameter, as far as differences tell."""
+        p = self.parameters[i]
+        if p.upper - p.lower < 2.0 * step:
+            return False
+        points = np.repeat(values[None], 3, axis=0)
+        first_of = np.clip(values[i] - step, p.lower, p.upper - 2.0 * step)
+        points[:, i] = np.clip(first_of + step * np.arange(3), p.lower, p.upper)
+        for setup, centre in setups.items():
+            first, second = (self._difference(points[k + 1], points[k], setup) for k in range(2))
+            if first is None or second is None:
+                return False
+            for one, other, of in zip(first, second, centre, strict=True):
+                if relative_change(minus(other, one), of) > STRAIGHT * relative_change(one, of):
+                    return False
+        return True
+
+    def _search(
+        self, values: Array, i: int, setups: Mapping[str, Pair], step: float, straight: bool = False
+    ) -> _Search:
         """Find the step that changes the matrices as much as it should."""
         p = self.parameters[i]
         rates, finite = None, False
         for _ in range(TRIALS):
             ahead, behind = values.copy(), values.copy()
             ahead[i], behind[i] = min(values[i] + step, p.upper), max(values[i] - step, p.lower)
+            if straight and ahead[i] > values[i]:  # what is known already will do on the other side
+                behind[i] = values[i]
             if ahead[i] == behind[i]:
                 break
             differences = [self._difference(ahead, behind, setup) for setup in setups]

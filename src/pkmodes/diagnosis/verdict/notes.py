@@ -13,6 +13,7 @@ from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.search.unmeasured import never_measured
 from pkmodes.diagnosis.verdict.mistakes import all_alike
 from pkmodes.diagnosis.verdict.shapes import strange_shapes
+from pkmodes.diagnosis.verdict.unevaluated import unevaluated
 
 
 def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
@@ -33,6 +34,7 @@ def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
         *_nuisances(fitter, fit),
         *_set_aside(fitter, fit),
         *_unmeasured(fitter, fit),
+        *unevaluated(store, fit),
     ]
 
 

@@ -31,6 +31,8 @@ class Trial:
     entry : Stability
     instead : Fit or None
         An explanation that is then better than the claimed one, and not of its class; as the search had fitted it.
+    moved : bool
+        Whether wider priors give the claimed cause another value.
     """
 
     entry: Stability

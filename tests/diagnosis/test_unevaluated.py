@@ -1,0 +1,89 @@
+"""A fit that values without matrices stop says so: no finding about a cause that could not be followed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+import pytest
+
+from pkmodes.diagnosis import Criteria, MatrixStructure, Measurements, diagnose, update
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.verdict.unevaluated import unevaluated
+from small_structures import STIFFNESS, frame, frame_matrices, frame_measured
+
+LOADS = {"empty": 0.0, "loaded": 5.0}
+
+
+def walled(wall: Callable[[Mapping[str, float]], bool]) -> MatrixStructure:
+    """A frame of which nothing is known beyond a wall."""
+    plain, matrices = frame(LOADS), frame_matrices(4, LOADS)
+
+    def some(values: Mapping[str, float], setup: str) -> tuple[np.ndarray, np.ndarray]:
+        M, K = matrices(values, setup)
+        return M, K * (np.nan if wall(values) else 1.0)
+
+    return MatrixStructure(
+        plain.parameters, plain.candidates, some, channels=plain.channels, setups=list(LOADS)
+    )
+
+
+def measured(**truth: float) -> Measurements:
+    return frame_measured(
+        LOADS, {name.replace("_", " "): value for name, value in truth.items()}, np.random.default_rng(1)
+    )
+
+
+def stopped(notes: tuple[str, ...]) -> list[str]:
+    return [note for note in notes if "could not be followed" in note]
+
+
+@pytest.mark.parametrize("wall", [8e4, 1e5, 1e3])
+def test_a_cause_that_cannot_be_followed_to_its_size_is_named(wall: float) -> None:
+    # From 1e3 on no start of its fit can be evaluated.
+    result = diagnose(walled(lambda values: values["brace 2"] > wall), measured(brace_2=1.6e5))
+    assert result.verdict != "effect_found"
+    expected = f"brace 2 could not be followed above {wall:.3g} N/m: the model cannot be evaluated there"
+    assert stopped(result.notes) == [expected]
+
+
+@pytest.mark.parametrize("wall", [1.75e5, 3e5])
+def test_a_wall_behind_the_answer_is_not_mentioned(wall: float) -> None:
+    result = diagnose(walled(lambda values: values["brace 2"] > wall), measured(brace_2=1.6e5))
+    assert [found.name for found in result.effects] == ["brace 2"]
+    assert not stopped(result.notes)
+
+
+def test_a_cause_that_would_not_matter_is_not_mentioned() -> None:
+    wall = {"brace 1": 1e3, "brace 3": 1e3}
+    structure = walled(lambda values: any(values[name] > most for name, most in wall.items()))
+    result = diagnose(structure, measured(brace_2=1.6e5))
+    assert [found.name for found in result.effects] == ["brace 2"]
+    assert not stopped(result.notes)
+
+
+def test_a_step_that_is_too_long_is_no_way_that_was_followed() -> None:
+    # From 1.5 times the stiffness a linear model leads to 1.5 (1 - ln 1.5) = 0.89, and the answer is 1.
+    structure, data = walled(lambda values: values["storey"] < 0.95 * STIFFNESS), measured()
+    fitter, far = Fitter(structure, data), np.array([p.value for p in structure.parameters])
+    far[1] = 1.5 * STIFFNESS
+    (descent,) = Fitter(structure, data, Criteria(rough_steps=0)).roughly([(Hypothesis(), far)])
+    fit = fitter.rough_fit(Hypothesis(), descent)
+    assert fit is not None
+    assert fit.values[1] == 1.5 * STIFFNESS
+    assert not list(unevaluated(FitStore(fitter), fit))
+
+
+def test_a_nuisance_that_is_stopped_is_named_too() -> None:
+    wall = 0.97 * STIFFNESS
+    structure = walled(lambda values: values["storey"] < wall)
+    data = measured(storey=0.92 * STIFFNESS)
+    text = (
+        f"the fit could not be followed to storey below {wall:.3g} N/m: the model cannot be evaluated there"
+    )
+    assert text in diagnose(structure, data).notes
+    notes = update(structure, data, ["mass", "storey"]).notes
+    assert stopped(notes) == [text.replace("the fit", "update")]
+    assert not stopped(update(walled(lambda values: False), data, ["mass", "storey"]).notes)
