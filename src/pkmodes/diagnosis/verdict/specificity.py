@@ -30,6 +30,8 @@ from pkmodes.diagnosis.search.search import Search
 
 #: Draws of each kind, and their seed.
 DRAWS, SEED = 2_000, 20_221_107
+#: Many small changes are drawn where there are so many candidates for each cause: two of two are not many.
+MANY = 6
 #: Modes beyond the highest measured one whose shapes are mixed into it.
 ABOVE = 3
 #: What a draw may leave: as much as the claim does, and so many standard deviations of the noise in that.
@@ -58,8 +60,10 @@ def p_coincidence(search: Search, final: Fit) -> float:
     most = max(final.chi2 - left, 0.0) + SPREAD * float(np.sqrt(2.0 * left))
     directions = search.gate(plain).scores.directions
     rng = np.random.default_rng(SEED)
-    found = []
-    for changes in (arbitrary(fitter, plain), np.hstack([axes for axes, _ in directions])):
+    found, kinds = [], [arbitrary(fitter, plain)]
+    if len(directions) >= MANY * len(final.causes):
+        kinds.append(np.hstack([axes for axes, _ in directions]))
+    for changes in kinds:
         drawn = changes @ rng.standard_normal((changes.shape[1], DRAWS))
         drawn *= np.sqrt(excess) / np.maximum(np.linalg.norm(drawn, axis=0), 1e-300)
         found.append(_explained(drawn, directions, len(final.causes), max(clear, excess - most)))
