@@ -313,7 +313,7 @@ def twins(loads: dict[str, float], order: Sequence[str]) -> MatrixStructure:
 
 def test_equivalent_candidates_are_one_class_in_any_order() -> None:
     for order in ([*CANDIDATES, "twin"], ["twin", *CANDIDATES[::-1]]):
-        found = checked(twins(TWO, order), drawn(TWO, 7, {"brace 2": 6.0e4}))
+        found = checked(twins(TWO, order), drawn(TWO, 7, {"brace 2": 1.0e5}))
         assert found.verdict == "effect_found"
         (effect,) = found.effects
         assert set(effect.members) == {"brace 2", "twin"}

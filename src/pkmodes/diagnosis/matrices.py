@@ -294,10 +294,7 @@ def at_measured(structure: Structure, labels: Sequence[str], highest: float | No
     for label in labels:
         if label not in structure.setups:
             what = f"the structure has no setup {shown(label)}, which was measured"
-            remedy = f"setups are: {', '.join(map(shown, structure.setups))}"
-            if structure.setups == ("",):  # there is just one, without a name
-                remedy = f"give it setups=[{', '.join(map(shown, labels))}], of which it gets the label"
-            raise PkmodesError(what, "setups", remedy)
+            raise PkmodesError(what, "setups", f"setups are: {', '.join(map(shown, structure.setups))}")
     measured = structure.subset([structure.setups.index(label) for label in labels])
     measured.check_stands()
     return measured
