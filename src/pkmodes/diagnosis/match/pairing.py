@@ -126,8 +126,8 @@ class Pairer:
         at = np.arange(len(row))[:, None], np.arange(row.shape[1]), np.maximum(partner, 0)
         with np.errstate(invalid="ignore"):
             partner = np.where(distance[at] <= c.reach, partner, -1)
-        for setup in np.flatnonzero(close.any(axis=1)):
-            partner[setup] = _in_order(partner[setup], self._log[row[setup]], close[setup])
+        if close.any():
+            partner = _in_order(partner, self._log[row], close)
         found = np.full(len(self._log), -1, dtype=np.intp)
         taken = partner >= 0
         found[row[taken]] = partner[taken] + rigid
@@ -326,13 +326,12 @@ def _assigned(cost: Array, present: NDArray[np.bool_], known: NDArray[np.bool_])
 
 
 def _in_order(partner: Index, measured: Array, close: NDArray[np.bool_]) -> Index:
-    """Partners of one setup's rows, with those of each group of close modes in the order of the frequencies."""
-    group, found = np.concatenate([[0], np.cumsum(~close)]), partner.copy()
-    paired = np.flatnonzero(partner >= 0)
-    of_row = group[partner[paired]]
-    for number in np.flatnonzero(np.bincount(of_row) > 1):
-        rows = paired[of_row == number]
-        found[rows[np.argsort(measured[rows], kind="stable")]] = np.sort(partner[rows])
+    """Partners (S, r), those of the rows in each group of close modes in the order of the measured frequencies."""
+    group = np.concatenate([np.zeros((len(close), 1), dtype=np.intp), np.cumsum(~close, axis=1)], axis=1)
+    of_row = np.where(partner >= 0, np.take_along_axis(group, np.maximum(partner, 0), axis=1), -1)
+    # Groups ascend with the modes: rows by group and frequency get the partners as they ascend.
+    found = np.empty_like(partner)
+    np.put_along_axis(found, np.lexsort((measured, of_row), axis=-1), np.sort(partner, axis=1), axis=1)
     return found
 
 
