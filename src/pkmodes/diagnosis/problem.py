@@ -68,8 +68,8 @@ class Candidate:
         the cause is assumed.  It ranks this cause among others, and a value far outside costs evidence.
     general_of : str
         Name of a candidate that is a special case of this one: one value for all joints, where this one has another
-        value for each.  It is fitted only where that one would be claimed, and never claimed itself: where it is
-        significantly better, that one is refused.
+        value for each.  It is never claimed itself: where that one would be, and what it leaves points at this one
+        significantly, that one is refused.
     """
 
     name: str

@@ -85,7 +85,7 @@ def remote(cause: Candidate) -> str:
 
 def unlike(cause: Candidate, general: Candidate) -> str:
     """Another form of the cause is better."""
-    return f"{cause.name} would explain the residual, but {general.name} does so significantly better: look there"
+    return f"{cause.name} would explain the residual, but {general.name} would do so significantly better: look there"
 
 
 def errors(causes: Sequence[Candidate], what: str) -> str:
