@@ -74,7 +74,7 @@ class Criteria:
     specific: float = 0.01
     #: A value is at a bound within so many of its standard deviations, told from absence if Wald's test gives less
     #: than this probability, and moved by a row if leaving that out moves it by so many.
-    bounded: float = 2.0
+    bounded: float = 1.0
     absent: float = 0.003
     moved: float = 5.0
     #: Two causes are not claimed from fewer measured frequencies than this: what nobody has thought of looks like
@@ -106,6 +106,8 @@ class Criteria:
     #: Of rough fits, the best few are finished, and those that differ from the best by less than this.
     best_few: int = 4
     nearly: float = 60.0
+    #: Part of the rows, at most, that may have been paired so wrongly that they keep a fit from where it belongs.
+    misled: float = 0.25
     #: A row that is set aside costs as much as three parameters: it was chosen among all.
     price_of_row: float = 3.0
     #: Where setting rows aside and an error of each setup would leave more than this per degree of freedom, errors of

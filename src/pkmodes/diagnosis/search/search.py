@@ -14,9 +14,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.problem import Candidate
+from pkmodes.diagnosis.problem import Array, Candidate
 from pkmodes.diagnosis.search.additions import Additions, Progress
 from pkmodes.diagnosis.search.gate import Gate, gate
 from pkmodes.diagnosis.search.score import score
@@ -142,14 +144,23 @@ class Search:
         """The same hypothesis, brought to the noise from where an error of the measurement led; None where it is not.
 
         A cause that adds modes may have stopped where some of them are paired with the wrong ones.  What then looks
-        like one bad row, or like an error of each setup, led out of there.
+        like a few bad rows, or like an error of each setup, leads out of there.
         """
         store, c = self.store, self.criteria
-        helpful = [option for option in options if store.criterion(option) < store.criterion(fit)]
-        found = [store.again(fit.hypothesis, option.values) for option in helpful]
+        starts = [option.values for option in options if store.criterion(option) < store.criterion(fit)]
+        found = [store.again(fit.hypothesis, values) for values in (*starts, *self._without_worst(fit))]
         best = min((f for f in found if f is not None), key=lambda f: f.deviance, default=fit)
         better = best.deviance < fit.deviance - c.worth and store.p_value(best) > c.surely
         return best if better else None
+
+    def _without_worst(self, fit: Fit) -> list[Array]:
+        """Where fits without the rows that fit worst lead, for several numbers of them."""
+        fitter, h = self.store.fitter, fit.hypothesis
+        rows = np.argsort(np.abs(fit.residual[fitter.frequency_rows] / fitter.sigma))[::-1].tolist()
+        most = int(self.criteria.misled * len(rows))
+        counts = [count for count in (1, 2, 4, 8) if count <= most]
+        fewer = [replace(h, excluded=h.excluded | set(rows[:count])) for count in counts]
+        return [found.values for found in fitter.roughly([(one, fit.values) for one in fewer])]
 
     def _hopeful(self, fit: Fit) -> bool:
         """Whether a second cause may do: the first did much of the work, or little is left."""
