@@ -306,3 +306,11 @@ def test_the_predicted_signal_is_that_of_the_modes_that_were_found() -> None:
     assert 0.0 < given(lower) < everything
     assert 0.0 < given(upper) < 0.7 * everything  # the lower ones show a soft gearbox
     assert given([replace(row, sigma=2.0 * row.sigma) for row in trial.rows]) < 0.7 * everything
+
+
+def test_a_fit_whose_modes_are_paired_with_the_wrong_ones_is_led_out_of_there() -> None:
+    """A frame with modes missed: the fit had stopped at a chi2 of 140 per degree of freedom, 1 % beside the truth."""
+    outcome = run(replace(numbered("modes missed", 59), seed=20261202))
+    assert outcome.case.names == ("frame_compliance",)
+    assert_named(outcome)
+    assert outcome.classes == (("frame_compliance",),)
