@@ -35,6 +35,7 @@ def test_a_descent_ends_at_the_bounded_least_squares_of_a_linear_model() -> None
         lower = [-np.inf, -np.inf, parameters[2 + i].lower]
         expected = lsq_linear(design, target, (lower, [np.inf] * 3), tol=1e-12)
         assert descent.arrived
+        # It has arrived where a step promises less than 0.05 or a thousandth.
         assert descent.chi2 == pytest.approx(2.0 * expected.cost, abs=0.1, rel=2e-3)
         assert descent.values[2 + i] == pytest.approx(expected.x[2], abs=1e-4)
 
@@ -63,6 +64,7 @@ def test_robots_evaluated_together_are_those_evaluated_alone(name: str) -> None:
             )
             part = slice(place * len(points), (place + 1) * len(points))
             together, width = batch.prediction, len(by[k])
+            # The same operations on other batches: rounding, and for shapes rounding over the gaps of eigenvalues.
             np.testing.assert_allclose(together.eigenvalues[part], alone.eigenvalues, rtol=1e-10, atol=1e-3)
             np.testing.assert_allclose(together.shapes[part], alone.shapes, rtol=0, atol=1e-7)
             size = np.abs(alone.rates).max()

@@ -201,7 +201,7 @@ def test_a_singular_mass_during_a_fit_is_a_value_that_cannot_be_evaluated() -> N
     fitter = Fitter(structure, data)
     hypothesis = Hypothesis(structure.candidates)
     assert fitter.fit(hypothesis, np.array([21.0])) is None
-    assert fitter.chi2_of(np.array([21.0]), hypothesis) == np.inf
+    assert fitter.chi2_of_many([(hypothesis, np.array([21.0]))]) == [np.inf]
     found = fitter.fit(hypothesis, np.array([18.0]))
     assert found is not None
     assert found.values[0] == pytest.approx(19.0, abs=1e-3)

@@ -6,11 +6,17 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy import stats
 from scipy.linalg import block_diag, eigh
 
 from pkmodes.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.verdict.held_out import remarks
 from pkmodes.diagnosis.verdict.result import Error
+from pkmodes.diagnosis.verdict.values import p_absent
 from small_structures import SIGMA, LogLinear, logs_measured
 
 SETUPS, MODES, STOREYS = 10, 5, 4
@@ -226,3 +232,17 @@ def test_repeated_modes_apart_by_their_errors_are_compared_as_one_space(sigma: f
         assert not result.effects
         alarms += result.verdict != "adequate"
     assert alarms <= 3
+
+
+@pytest.mark.parametrize("strength", [0.5, 2.0, 4.0, 30.0])
+def test_the_significance_of_a_value_is_that_of_a_normal_number(strength: float) -> None:
+    """A cause along a unit direction of the whitened data is measured with a standard deviation of 1."""
+    a, b = DIRECTIONS[:2]
+    model = linear({"a": a, "b": b})
+    logs = model.base + SIGMA * (strength * a).reshape(SETUPS, MODES)
+    search = Search(FitStore(Fitter(model, logs_measured(logs, SIGMA))), model.candidates)
+    fit = search.store.fit(Hypothesis((model.candidates[0],)))
+    assert fit is not None
+    # The fit is finished to 1e-6 of its sum of squares.
+    expected = 2.0 * stats.norm.sf(strength)
+    assert p_absent(search, fit, model.candidates[0]) == pytest.approx(expected, rel=1e-3)

@@ -72,8 +72,8 @@ class Criteria:
     #: Nor is it claimed if some candidate would fit an arbitrary residual of that size as well with more than this
     #: probability: there are too few data to tell it from something that nobody has thought of.
     specific: float = 0.01
-    #: A value is at a bound within so many of its standard deviations, told from absence if Wald's test gives less
-    #: than this probability, and moved by a row if leaving that out moves it by so many.
+    #: A value is at a bound within so many of its standard deviations, significant if Wald's test gives less than
+    #: this probability, and rests on a row if leaving that out moves it by so many standard deviations.
     bounded: float = 1.0
     absent: float = 0.003
     moved: float = 5.0

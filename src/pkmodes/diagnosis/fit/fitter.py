@@ -99,16 +99,6 @@ class Fitter:
 
     # Predictions -------------------------------------------------------------------------------------------
 
-    def chi2_of(self, values: Array, hypothesis: Hypothesis) -> float:
-        """Sum of squares at these values, without any fit and priors; infinite out of reach."""
-        prediction = self.structure.predict(values, ())
-        if not np.isfinite(prediction.eigenvalues).all():
-            return np.inf
-        used = self.used(hypothesis)
-        pairing = self.pairer.pair(prediction, used, compare=False)
-        white = self.noise.whitening(None, used, 0.0).whitened(self.rows.residual(prediction, pairing, used))
-        return float(white @ white)
-
     @cached_property
     def scout(self) -> Fitter:
         """The same at some of the setups, where there are many: enough to see where a fit should begin."""
@@ -125,7 +115,7 @@ class Fitter:
         )
 
     def chi2_of_many(self, trials: Sequence[tuple[Hypothesis, Array]]) -> list[float]:
-        """The same for several hypotheses and values."""
+        """Sums of squares for several hypotheses and values, without any fit and priors; infinite out of reach."""
         if not trials:
             return []
         found = [np.inf] * len(trials)

@@ -143,8 +143,8 @@ class Search:
     def _again(self, fit: Fit, options: Sequence[Fit]) -> Fit | None:
         """The same hypothesis, brought to the noise from where an error of the measurement led; None where it is not.
 
-        A cause that adds modes may have stopped where some of them are paired with the wrong ones.  What then looks
-        like a few bad rows, or like an error of each setup, leads out of there.
+        A cause that adds modes may have stopped in a local minimum, with some modes paired wrongly.  What then looks
+        like a few bad rows, or like an error of each setup, shows the way out of it.
         """
         store, c = self.store, self.criteria
         starts = [option.values for option in options if store.criterion(option) < store.criterion(fit)]

@@ -1,9 +1,8 @@
 """What the search came to, judged: whether it is claimed, and if not, why.
 
 A claim stands if no other explanation fits the shapes significantly better, if no more general cause does so, if no
-larger errors of the measurement
-explain the residual nearly as well, if it takes no remote cause, if no such cause alone explains what two are claimed
-for, and if it could hardly be chance.
+larger errors of the measurement explain the residual nearly as well, if it takes no remote cause, if no such cause
+alone explains what two are claimed for, if it could hardly be chance, and if its value can carry it (`values`).
 """
 
 from __future__ import annotations

@@ -72,8 +72,8 @@ def unstable(causes: Sequence[Candidate], change: str, instead: Sequence[Candida
 def held_by_priors(causes: Sequence[Candidate]) -> str:
     """A value that depends on what was declared of others."""
     return (
-        f"{_names(causes)} would explain the residual, but with priors twice as wide its value is another one: an "
-        "uncertain value is far from its declared one, and stands for something else"
+        f"{_names(causes)} would explain the residual, but its value changes with priors twice as wide: some "
+        "uncertain value is far from its declared one, and makes up for something else"
     )
 
 
@@ -111,8 +111,8 @@ def unspecific(causes: Sequence[Candidate], others: Sequence[str], p_value: floa
     """Too few data to know it from anything else."""
     also = f" (and so would {', '.join(others)})" if others else ""
     return (
-        f"{_names(causes)} would explain the residual{also}, but with so little data some candidate would fit "
-        f"almost any residual ({100 * p_value:.2g} % by chance): measure more modes or poses"
+        f"{_names(causes)} would explain the residual{also}, but so little data cannot rule out a cause "
+        f"outside the candidates: {100 * p_value:.2g} % of those would look like one of them; measure more"
     )
 
 
@@ -128,15 +128,15 @@ def at_bound(cause: Candidate, value: float, sigma: float, bound: float) -> str:
     """A value that a bound holds."""
     return (
         f"{cause.name} would explain the residual, but its value, {value:.4g} +- {sigma:.2g}, is at its bound "
-        f"{bound:.4g}: something else may stand behind it"
+        f"{bound:.4g}: something else may be the cause"
     )
 
 
 def near_absence(cause: Candidate) -> str:
-    """A value that is hardly one."""
+    """A value that is not significant."""
     return (
-        f"{cause.name} would explain the residual, but its value is not told from the declared one: something else "
-        "stands behind it"
+        f"{cause.name} would explain the residual, but its value is not significantly different from the declared "
+        "one: something else must be the cause"
     )
 
 
@@ -213,7 +213,7 @@ def small(p_candidates: float) -> str:
 
 
 def real(ratio: float, pattern: str) -> str:
-    """None."""
+    """Nothing explains it."""
     seen = f"; {pattern}" if pattern else ""
     return (
         f"the residual is real (chi2 per degree of freedom {ratio:.3g}) and no candidate or pair of them "

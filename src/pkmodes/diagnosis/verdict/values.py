@@ -1,4 +1,4 @@
-"""Whether the fitted value of a cause can carry a claim: told from its absence, inside its bounds, not of one row."""
+"""Whether the value of a cause can carry a claim: significant, inside its bounds, and not from a single row."""
 
 from __future__ import annotations
 
