@@ -112,9 +112,9 @@ def test_a_held_out_error_that_grows_speaks_against_a_claim() -> None:
     data = Measurements.from_rows(["A", "B", "B"], [10.0, 20.0, 30.0], [0.1, 0.1, 0.1])
     held, predicted = data.pose == 1, np.array([10.0, 20.1, 24.0])
     before, after = Error(0.01, 0.01, 2.0), Error(0.001, 0.14, 1.0)
-    (note,) = remarks(data, held, predicted, before, after)
+    (note,) = remarks(data, held, predicted, before, after, 2.0)
     assert "grows from 1 to 14 %, the worst is line 3 (held-out B, 30 Hz)" in note
-    assert not list(remarks(data, held, predicted, before, replace(after, held_out_rms_relative=0.019)))
+    assert not list(remarks(data, held, predicted, before, replace(after, held_out_rms_relative=0.019), 2.0))
 
 
 def test_one_bad_shape_is_not_excused_by_the_scatter_that_it_raises() -> None:

@@ -72,6 +72,12 @@ class Criteria:
     #: Nor is it claimed if some candidate would fit an arbitrary residual of that size as well with more than this
     #: probability: there are too few data to tell it from something that nobody has thought of.
     specific: float = 0.01
+    #: What such a residual may leave beside a candidate: as much as the claim does, and so many standard deviations
+    #: of the noise in that.  Many small changes at once are among them with so many candidates for each cause.
+    spread: float = 2.0
+    many: int = 6
+    #: A held-out error that is larger by this factor after a claim than before it speaks against the claim.
+    worse: float = 2.0
     #: A value is at a bound within so many of its standard deviations, significant if Wald's test gives less than
     #: this probability, and rests on a row if leaving that out moves it by so many standard deviations.
     bounded: float = 1.0

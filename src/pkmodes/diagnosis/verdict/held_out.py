@@ -11,12 +11,14 @@ from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.verdict.result import Error
 from pkmodes.measured.measurements import Measurements
 
-#: A held-out error this many times larger after a cause than before speaks against it.
-WORSE = 2.0
-
 
 def remarks(
-    data: Measurements, held: NDArray[np.bool_], predicted: Array, before: Error, after: Error | None
+    data: Measurements,
+    held: NDArray[np.bool_],
+    predicted: Array,
+    before: Error,
+    after: Error | None,
+    worse: float,
 ) -> Iterator[str]:
     """Sentences about the held-out rows.
 
@@ -29,12 +31,14 @@ def remarks(
         Frequencies at the end [Hz], NaN where the model has no mode.
     before, after : Error
         With the uncertain values refitted, and with what was claimed.
+    worse : float
+        Factor by which the held-out error has to grow to speak against the claim.
     """
     for i in np.flatnonzero(held & np.isnan(predicted)):
         yield f"{_row(data, int(i))} has no mode of the model: the held-out error leaves it out"
     if after is None or before.held_out_rms_relative is None or after.held_out_rms_relative is None:
         return
-    if after.held_out_rms_relative > WORSE * before.held_out_rms_relative:
+    if after.held_out_rms_relative > worse * before.held_out_rms_relative:
         apart = np.where(held, np.nan_to_num(np.abs(np.log(predicted / data.frequency))), 0.0)
         yield (
             f"the held-out poses speak against it: their error grows from {100 * before.held_out_rms_relative:.2g} "

@@ -15,8 +15,8 @@ from pkmodes.diagnosis.problem import Array, Prediction
 from pkmodes.measured.header import frequency_factor
 from pkmodes.measured.measurements import Measurements
 
-#: How many of a unit of frequency are 1 Hz.
-UNITS = {"Hz": 1.0, "rad/s": 2.0 * np.pi, "1/min": 60.0, "mHz": 1e3, "kHz": 1e-3, "deg/s": 360.0}
+#: How many of a unit of frequency are 1 Hz, for those that measurements come in.
+UNITS = {unit: float(1 / frequency_factor(unit)) for unit in ("Hz", "rad/s", "1/min", "mHz", "kHz", "deg/s")}
 #: So many setups, spread evenly, tell the unit of all.
 ENOUGH = 200
 #: Units that are often converted to Hz twice.
@@ -35,7 +35,7 @@ class Reading:
     def of(self, data: Measurements) -> Measurements:
         """The measurements, read that way."""
         frequency = self.factor / data.frequency if self.inverse else self.factor * data.frequency
-        return _changed(data, frequency=frequency, sigma=frequency * (data.sigma / data.frequency), band=None)
+        return replace(data, frequency=frequency, sigma=frequency * (data.sigma / data.frequency), band=None)
 
 
 def readings(unit: str) -> list[Reading]:
@@ -115,11 +115,11 @@ def _rewired(data: Measurements) -> Iterator[tuple[str, Measurements]]:
         order = np.arange(len(data.channels))
         order[[i, k]] = k, i
         text = f"the channels {data.channels[i]} and {data.channels[k]} exchanged"
-        yield text, _changed(data, shapes=data.shapes[:, order])
+        yield text, replace(data, shapes=data.shapes[:, order])
     for i, name in enumerate(data.channels):
         sign = np.ones(len(data.channels))
         sign[i] = -1.0
-        yield f"{name} reversed", _changed(data, shapes=data.shapes * sign)
+        yield f"{name} reversed", replace(data, shapes=data.shapes * sign)
 
 
 def _look_at(text: str) -> str:
@@ -174,8 +174,3 @@ def all_alike(data: Measurements, same: float) -> tuple[str, ...]:
         if (size > 0.0).all() and (np.abs(some @ some.T) / np.outer(size, size)).min() ** 2 > same:
             found.append(label)
     return tuple(found)
-
-
-def _changed(data: Measurements, **changes: object) -> Measurements:
-    """Measurements with other columns, checked as ever."""
-    return replace(data, **changes)  # type: ignore[arg-type]

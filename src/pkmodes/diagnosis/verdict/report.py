@@ -114,7 +114,9 @@ class Report:
             notes=(
                 *remarks,
                 *notes(store, reported, verdict in ("adequate", "effect_found")),
-                *held_out.remarks(self.data, self.is_held, predicted, before, with_causes),
+                *held_out.remarks(
+                    self.data, self.is_held, predicted, before, with_causes, self.fitter.criteria.worse
+                ),
             ),
             stability=stability,
             shape_scatter=store.shape_scatter(reported),

@@ -30,12 +30,8 @@ from pkmodes.diagnosis.search.search import Search
 
 #: Draws of each kind, and their seed.
 DRAWS, SEED = 2_000, 20_221_107
-#: Many small changes are drawn where there are so many candidates for each cause: two of two are not many.
-MANY = 6
 #: Modes beyond the highest measured one whose shapes are mixed into it.
 ABOVE = 3
-#: What a draw may leave: as much as the claim does, and so many standard deviations of the noise in that.
-SPREAD = 2.0
 
 
 def p_coincidence(search: Search, final: Fit) -> float:
@@ -57,11 +53,11 @@ def p_coincidence(search: Search, final: Fit) -> float:
     clear = float(stats.chi2.isf(c.claimed / max(len(search.candidates), 1), free))
     if left <= 0.0 or excess <= clear:
         return 1.0
-    most = max(final.chi2 - left, 0.0) + SPREAD * float(np.sqrt(2.0 * left))
+    most = max(final.chi2 - left, 0.0) + c.spread * float(np.sqrt(2.0 * left))
     directions = search.gate(plain).scores.directions
     rng = np.random.default_rng(SEED)
     found, kinds = [], [arbitrary(fitter, plain)]
-    if len(directions) >= MANY * len(final.causes):
+    if len(directions) >= c.many * len(final.causes):
         kinds.append(np.hstack([axes for axes, _ in directions]))
     for changes in kinds:
         drawn = changes @ rng.standard_normal((changes.shape[1], DRAWS))
