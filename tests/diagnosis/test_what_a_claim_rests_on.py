@@ -246,3 +246,43 @@ def test_the_significance_of_a_value_is_that_of_a_normal_number(strength: float)
     # The fit is finished to 1e-6 of its sum of squares.
     expected = 2.0 * stats.norm.sf(strength)
     assert p_absent(search, fit, model.candidates[0]) == pytest.approx(expected, rel=1e-3)
+
+
+def test_a_cause_that_leaves_more_than_the_stated_errors_is_named_in_the_reason() -> None:
+    """Errors of twice the stated size: the cause is not claimed, but who reads the reason knows where to look."""
+    a, b = DIRECTIONS[:2]
+    errors = 0.9 * np.random.default_rng(3).standard_normal(SETUPS * MODES)
+    result = found(linear({"a": a, "b": b}), 300.0 * a + 0.8 * errors)
+    assert result.verdict == "unexplained"
+    assert result.reason.startswith("a explains nearly all of the residual")
+    left = 1.8 * errors - a * (a @ (1.8 * errors))
+    assert f"some {np.sqrt(left @ left / (len(left) - 1)):.2g} times too small" in result.reason
+    # What leaves as much as it explains is not pointed at.
+    assert "nearly all" not in found(linear({"a": a, "b": b}), 300.0 * a + 200.0 * DIRECTIONS[5]).reason
+
+
+@pytest.mark.parametrize(("away", "verdict"), [(0.0, "effect_found"), (10.0, "unexplained")])
+def test_a_value_that_an_uncertain_one_pulls_along_is_not_claimed(away: float, verdict: str) -> None:
+    """A declared value 10 sigma off, of which the data show little: the cause makes up for it."""
+    a, b, c = DIRECTIONS[:3]
+    beside = 10.0 * a + 1.667 * b
+    base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (SETUPS, 1))
+    G = np.stack([d.reshape(SETUPS, MODES) for d in (beside, a, c)], axis=-1) * SIGMA
+    parameters = [Parameter("k", 0.0, sigma=0.3), Parameter("a", 0.0), Parameter("c", 0.0)]
+    model = LogLinear(base, G, parameters, [Candidate(name, (name,)) for name in ("a", "c")])
+    result = found(model, 30.0 * a + 0.3 * away * beside)
+    assert result.verdict == verdict
+    if away:
+        assert "its value changes with priors twice as wide" in result.reason
+
+
+def test_the_significance_of_a_pair_counts_all_pairs() -> None:
+    """Bonferroni: of six candidates there are fifteen pairs, and no cause of a pair was chosen alone."""
+    a, b = DIRECTIONS[:2]
+    names = [f"c{i}" for i in range(6)]
+    result = found(linear(dict(zip(names, DIRECTIONS, strict=True))), 7.0 * a + 40.0 * b)
+    errors = 0.9 * np.random.default_rng(3).standard_normal(SETUPS * MODES)
+    expected = 15.0 * stats.chi2.sf((7.0 + a @ errors) ** 2, 1)
+    by_name = {effect.name: effect.p_value for effect in result.effects}
+    assert set(by_name) == {"c0", "c1"}
+    np.testing.assert_allclose(by_name["c0"], expected, rtol=1e-6)

@@ -168,6 +168,9 @@ class Criteria:
     misstated: float = 3.0
     #: Stated errors are too large if chance would make the residual so small less often.
     too_small: float = 1e-4
+    #: A cause explains nearly all if it leaves at most this part of chi2 per degree of freedom, and at most so much:
+    #: errors twice as large as stated.
+    nearly_all: tuple[float, float] = (0.1, 4.0)
     #: Stated errors may be wrong if chi2 per degree of freedom lies between these; a larger residual is the model's.
     dispersed: tuple[float, float] = (1.5, 100.0)
     #: Gain of a candidate, per parameter and scaled by the residual's own size, that has no direction.

@@ -21,7 +21,9 @@ SIZES = np.geomspace(0.003, 3.0, 9)
 #: The same for a cause that adds modes: they change a frequency when they come near it, and not much before.  A
 #: quarter apart, which is an eighth of the frequencies of such modes.
 CLOSE_SIZES = np.geomspace(5e-5, 0.5, 42)
-#: Around the best of them, halfway to its neighbours so many times.
+#: Around so many of the best of them, if they cost at most so many times as much as the best, halfway to its
+#: neighbours so many times: such a mode fits in a narrow valley, which a grid passes by high up on its slopes.
+VALLEYS, SLOPE = 6, 4.0
 HALVINGS = 3
 #: Part of a cause of one sign that is left to it where another is tried beside it.
 SHARE = 0.4
@@ -86,7 +88,7 @@ def _search(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> Tri
             return full
 
         steps = [one.step, 0.5 * one.step]
-        if sized and sizes is CLOSE_SIZES and not fit.causes and origin is fit.values:
+        if sized and sizes is CLOSE_SIZES and not fit.causes:
             best = yield from _least(CLOSE_SIZES, unit, at)
             steps += [size * unit for size in best]
         elif sized:  # there are many pairs, and those that are tried promise much by a linear model
@@ -124,21 +126,21 @@ def _adds_modes(fitter: Fitter, fit: Fit, index: int, step: float) -> bool:
 def _least(
     sizes: Array, unit: Array, at: Callable[[Array], Array]
 ) -> Generator[list[Array], list[float], list[float]]:
-    """Sizes of the two cheapest local minima on a grid, refined around them."""
+    """Sizes of the cheapest local minima on a grid, refined around them."""
     known = dict(zip(sizes.tolist(), (yield [at(size * unit) for size in sizes]), strict=True))
-    found = []
-    for centre in _minima(known)[:2]:
-        for _ in range(HALVINGS):
-            ordered = sorted(known)
-            place = ordered.index(centre)
-            beside = [ordered[k] for k in (place - 1, place + 1) if 0 <= k < len(ordered)]
-            middles = [float(np.sqrt(centre * other)) for other in beside]
-            known |= dict(zip(middles, (yield [at(size * unit) for size in middles]), strict=True))
-            ordered = sorted(known)
-            around = ordered[max(ordered.index(centre) - 1, 0) :][:3]
-            centre = min(around, key=lambda size: known[size])
-        found.append(centre)
-    return found
+    centres = [size for size in _minima(known)[:VALLEYS] if known[size] <= SLOPE * min(known.values())]
+    for _ in range(HALVINGS):
+        ordered = sorted(known)
+        places = [ordered.index(centre) for centre in centres]
+        beside = [
+            ordered[k : k + 2] for place in places for k in (place - 1, place) if 0 <= k < len(ordered) - 1
+        ]
+        middles = sorted({float(np.sqrt(low * high)) for low, high in beside})
+        known |= dict(zip(middles, (yield [at(size * unit) for size in middles]), strict=True))
+        ordered = sorted(known)
+        around = [ordered[max(ordered.index(centre) - 1, 0) :][:3] for centre in centres]
+        centres = [min(some, key=lambda size: known[size]) for some in around]
+    return centres
 
 
 def _minima(known: dict[float, float]) -> list[float]:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from pkmodes.diagnosis.criteria import Criteria
+from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.search.gate import Gate
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import misfit, reasons
@@ -41,6 +43,9 @@ def _unexplained(search: Search, outcome: Outcome, judged: Judgement) -> str:
     beyond = _beyond_prior(search)
     if beyond:
         return beyond
+    nearly = _nearly(search, fit)
+    if nearly:
+        return nearly
     pattern = reasons.uneven(store.fitter, fit)
     if _dispersed(first, frequencies, c):
         few = len(store.fitter.log) < c.rows_to_set_aside
@@ -63,6 +68,29 @@ def _beyond_prior(search: Search) -> str:
         if away > c.far and explained > c.gate:
             found.append((store.criterion(fit), fit.causes[0].name, float(fit.values[index[0]]), away))
     return reasons.beyond_prior(*min(found)[1:]) if found else ""
+
+
+def _nearly(search: Search, first: Fit) -> str:
+    """What would explain nearly all of the residual, though not down to the stated errors: one cause, else two."""
+    store, (part, most) = search.store, search.criteria.nearly_all
+    before = _larger(store, first)
+    found = []
+    for fit in store.tried():
+        h = fit.hypothesis
+        if not h.causes or any(cause.remote for cause in h.causes) or h.excluded or h.scatter or fit.at_bound:
+            continue
+        after = _larger(store, fit)
+        if after <= min(part * before, most) and search.gate(fit).p_unmeasured > search.criteria.surely:
+            found.append((fit, after))
+    if not found:
+        return ""
+    best, after = min(found, key=lambda one: (len(one[0].causes), store.criterion(one[0])))
+    return reasons.nearly(best.causes, before, after, store.p_value(best))
+
+
+def _larger(store: FitStore, fit: Fit) -> float:
+    """Chi2 per degree of freedom that a fit leaves, of frequencies or of shapes."""
+    return max(misfit.of_frequencies(store, fit).ratio, misfit.of_shapes(store, fit).ratio)
 
 
 def _dispersed(gate: Gate, frequencies: misfit.Misfit, c: Criteria) -> bool:

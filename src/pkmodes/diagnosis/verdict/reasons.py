@@ -212,6 +212,16 @@ def small(p_candidates: float) -> str:
     )
 
 
+def nearly(causes: Sequence[Candidate], before: float, after: float, p_value: float) -> str:
+    """It explains most, and leaves more than the stated errors."""
+    verb = "explain" if len(causes) > 1 else "explains"
+    return (
+        f"{_names(causes)} {verb} nearly all of the residual (chi2 per degree of freedom from {before:.3g} to "
+        f"{after:.3g}), but what is left is more than the stated errors ({_p(p_value)}): they are some "
+        f"{after**0.5:.2g} times too small, or something else is missing as well"
+    )
+
+
 def real(ratio: float, pattern: str) -> str:
     """Nothing explains it."""
     seen = f"; {pattern}" if pattern else ""
