@@ -6,6 +6,7 @@ function of the derivation, the templates and the specification.  Writing and co
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from functools import cache
 
@@ -13,6 +14,7 @@ import sympy
 
 import pkmodes_derive
 from pkmodes_derive import linear_delta
+from pkmodes_derive.description import as_data
 from pkmodes_derive.effects import catalogue
 from pkmodes_derive.emit import c_code, manifest, numpy_code
 from pkmodes_derive.emit.program import Program, arrange
@@ -70,6 +72,9 @@ def parametric(mechanism: str) -> dict[str, str]:
     )
     texts |= extended_texts
     programs |= extended_programs
+    if model.description is not None:
+        data = as_data(model.description, catalogue())
+        texts["description.json"] = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
     texts["__init__.py"] = (
         f'"""Generated model of the mechanism {mechanism}: see `model`."""\n\n'
         f"from pkmodes_generated.{mechanism}.model import *  # noqa: F403\n"

@@ -3843,3 +3843,19 @@ void linear_delta_modal_matrices(const double p[3], const linear_delta_parameter
     K[8][7] = 0;
     K[8][8] = k_3_2*t65 + t66;
 }
+
+void linear_delta_travel_margin(const linear_delta_parameters *parameters, double margin[3])
+{
+    const double l_t_1 = parameters->carriage_length[0];
+    const double l_t_2 = parameters->carriage_length[1];
+    const double l_t_3 = parameters->carriage_length[2];
+    const double x_min_1 = parameters->limits[0][0];
+    const double x_max_1 = parameters->limits[0][1];
+    const double x_min_2 = parameters->limits[1][0];
+    const double x_max_2 = parameters->limits[1][1];
+    const double x_min_3 = parameters->limits[2][0];
+    const double x_max_3 = parameters->limits[2][1];
+    margin[0] = -l_t_1 + x_max_1 - x_min_1;
+    margin[1] = -l_t_2 + x_max_2 - x_min_2;
+    margin[2] = -l_t_3 + x_max_3 - x_min_3;
+}

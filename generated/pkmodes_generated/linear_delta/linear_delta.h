@@ -334,6 +334,15 @@ void linear_delta_stiffness_matrix(const double p[3], const linear_delta_paramet
 void linear_delta_modal_matrices(const double p[3], const linear_delta_parameters *parameters, double
     M[9][9], double K[9][9]);
 
+/* Room for the two belt spans of each carriage, whatever the pose.
+ *
+ *   out margin [m]: max - min - l_t for each axis; positive for a robot that can move
+ *
+ * Source: equations 36 and 37, added.
+ * 6 operations; 6 with every named value written out.
+ */
+void linear_delta_travel_margin(const linear_delta_parameters *parameters, double margin[3]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -77,6 +77,7 @@ __all__ = [
     "reach_margin",
     "static_equilibrium",
     "stiffness_matrix",
+    "travel_margin",
     "velocity_forces",
 ]
 
@@ -3353,3 +3354,31 @@ def modal_matrices(p, parameters):
     K_out[..., 8, 5] = -t66
     K_out[..., 8, 8] = k_3_2*t65 + t66
     return M_out, K_out
+
+
+def travel_margin(parameters):
+    """Room for the two belt spans of each carriage, whatever the pose.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    margin : array, shape (..., 3) [m]
+        Max - min - l_t for each axis; positive for a robot that can move.
+
+    Notes
+    -----
+    Equations 36 and 37, added.
+    6 operations; 6 with every named value written out.
+    """
+    l_t_1, l_t_2, l_t_3 = _entries(parameters.carriage_length, (3,))
+    x_min_1, x_max_1, x_min_2, x_max_2, x_min_3, x_max_3 = _entries(parameters.limits, (3, 2))
+    batch, dtype = _batch(l_t_1, x_min_1)
+    margin_out = np.zeros((*batch, 3), dtype)
+    margin_out[..., 0] = -l_t_1 + x_max_1 - x_min_1
+    margin_out[..., 1] = -l_t_2 + x_max_2 - x_min_2
+    margin_out[..., 2] = -l_t_3 + x_max_3 - x_min_3
+    return margin_out

@@ -9,6 +9,7 @@ from pkmodes_derive.functions import FieldGroup, Function, Model
 from pkmodes_derive.linear_delta import energy, kinematics, rotation, statics
 from pkmodes_derive.linear_delta.catalogue import modal, motion, position, potential
 from pkmodes_derive.linear_delta.catalogue.collected import Collected
+from pkmodes_derive.linear_delta.description import describe
 from pkmodes_derive.linear_delta.machine import Machine
 from pkmodes_derive.linear_delta.symbols import Symbols
 
@@ -32,9 +33,13 @@ def derive() -> Model:
         coordinates=tuple((q.name, sy.vocabulary[q].unit) for q in sy.coordinates),
         vocabulary=sy.vocabulary,
         groups=(FieldGroup("Parameters", "parameters", sy.fields),),
-        functions=chapters(collected),
+        functions=(*chapters(collected), position.travel(sy)),
         relations=rotation.euler_relations(sy, kin),
         rigid_modes=collected.rigid_modes,
+        description=describe(
+            tuple((q.name, sy.vocabulary[q].unit, sy.vocabulary[q].description) for q in sy.coordinates),
+            collected.rigid_modes,
+        ),
     )
 
 

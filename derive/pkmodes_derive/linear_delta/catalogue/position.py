@@ -7,6 +7,28 @@ from sympy import Add, sqrt
 from pkmodes_derive.functions import Argument, Function, Output
 from pkmodes_derive.linear_delta import kinematics
 from pkmodes_derive.linear_delta.catalogue.collected import Collected
+from pkmodes_derive.linear_delta.symbols import Symbols
+
+
+def travel(sy: Symbols) -> Function:
+    """What is left of the travel of each carriage."""
+    margin = tuple(high - low - length for high, low, length in zip(sy.x_max, sy.x_min, sy.l_t, strict=True))
+    return Function(
+        "travel_margin",
+        "Room for the two belt spans of each carriage, whatever the pose.",
+        "equations 36 and 37, added",
+        (),
+        (
+            Output(
+                "margin",
+                (3,),
+                margin,
+                "m",
+                "max - min - l_t for each axis; positive for a robot that can move",
+            ),
+        ),
+        {},
+    )
 
 
 def position(c: Collected) -> list[Function]:

@@ -1,0 +1,259 @@
+"""What a mechanism tells the runtime about itself: its robot file, its poses, and what its functions stand for.
+
+It is emitted as data (``description.json``), so that the runtime reads robot files, checks poses, names parameter
+paths and reports without knowing any mechanism by name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
+
+from pkmodes_derive.effect import Effect
+
+
+@dataclass(frozen=True)
+class Named:
+    """A component of the pose, a coordinate or a direction.
+
+    Attributes
+    ----------
+    name : str
+    unit : str
+        SI unit.
+    description : str
+        A noun phrase.
+    """
+
+    name: str
+    unit: str
+    description: str
+
+
+@dataclass(frozen=True)
+class Key:
+    """A key of a table of the robot file.
+
+    Attributes
+    ----------
+    name : str
+    kind : str
+        ``quantity``; ``vector`` of quantities; ``pair`` of quantities, the lower one first; ``direction``, a unit
+        vector that is normalised on reading; ``choice``, one of some numbers, which is its value; ``one_of``, one of
+        some numbers, whose place has a 1 in the field; ``signs``, a list of numbers each +1 or -1.
+    field : str
+        Of the generated `Parameters`; empty for a constant that an effect takes.
+    index : tuple of int
+        Where in the field, after the index of a repeated table.
+    dimension : str
+        Of a quantity, in the words of messages: ``mass``, ``length``, ``moment of inertia`` ...
+    description : str
+        A noun phrase.
+    elements : tuple of str
+        Names of the elements of a vector or pair, in paths.
+    choices : tuple of int
+    at_least, above, at_most : float, optional
+        Bounds of each quantity in SI units.
+    default : float, optional
+        In SI units; without one the key is needed.
+    effect : str
+        The parameter of an effect that takes this value, ``<effect>.<parameter>``.
+    signed : bool
+        Whether a quantity may have either sign, or be zero.
+    suspected : bool
+        Whether it is a candidate where it has no standard deviation; what belongs to a whole is not.
+    """
+
+    name: str
+    kind: str
+    field: str
+    dimension: str
+    description: str
+    index: tuple[int, ...] = ()
+    elements: tuple[str, ...] = ()
+    choices: tuple[int, ...] = ()
+    at_least: float | None = None
+    above: float | None = None
+    at_most: float | None = None
+    default: float | None = None
+    effect: str = ""
+    signed: bool = False
+    suspected: bool = True
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table of the robot file.
+
+    Attributes
+    ----------
+    name : str
+    description : str
+    keys : tuple of Key
+    count : int
+        Of a repeated table, ``[[axis]]``; 0 for a single one.
+    shared_by : str
+        The repeated table that takes these values, each entry of which may override them; empty for none.
+    """
+
+    name: str
+    description: str
+    keys: tuple[Key, ...]
+    count: int = 0
+    shared_by: str = ""
+
+
+@dataclass(frozen=True)
+class Whole:
+    """Several numbers that one path moves together.
+
+    Attributes
+    ----------
+    path : str
+    kind : str
+        ``span``: both ends of every pair evenly apart; ``radius``: every vector along itself.  The value is that of
+        the first.
+    field, unit : str
+    description : str
+    """
+
+    path: str
+    kind: str
+    field: str
+    unit: str
+    description: str
+
+
+@dataclass(frozen=True)
+class Margin:
+    """Something that a pose needs, as a function that is positive where it is so.
+
+    Attributes
+    ----------
+    code : str
+        What `reason` says: ``reachable``, ``singular``, ``limits``.  Margins are asked in their order.
+    function, output : str and int
+        Of the generated model, and which of its results.
+    rule : str
+        ``at_least_zero``, ``above_zero``, or ``at_most_limit`` of a condition number.
+    meaning : str
+        What a pose without it is, in a few words.
+    sentence : str
+        The same with ``{0}``, ``{1}`` for the names of the place of the smallest margin and ``{missing}`` or
+        ``{value}`` for its size.
+    remedy : str
+    names : tuple of tuple of str
+        For each axis of the result, what its places are called.
+    unit : str
+    """
+
+    code: str
+    function: str
+    output: int
+    rule: str
+    meaning: str
+    sentence: str
+    remedy: str
+    names: tuple[tuple[str, ...], ...] = ()
+    unit: str = "m"
+
+
+@dataclass(frozen=True)
+class Requirement:
+    """Something that a robot needs, whatever its pose, as a function of its parameters.
+
+    Attributes
+    ----------
+    function : str
+        Of the generated model; one entry for each of the places.
+    rule : str
+        ``at_least_zero`` or ``above_zero``.
+    places : tuple of str
+        Paths of the robot file, one for each entry.
+    sentence : str
+        With ``{missing}`` for what is missing.
+    remedy : str
+    unit : str
+    """
+
+    function: str
+    rule: str
+    places: tuple[str, ...]
+    sentence: str
+    remedy: str
+    unit: str
+
+
+@dataclass(frozen=True)
+class Description:
+    """A mechanism.
+
+    Attributes
+    ----------
+    mechanism, title : str
+    pose : tuple of Named
+        Components of a pose.
+    pose_is : str
+        What a pose is, such as "platform centre in the base frame".
+    coordinates : tuple of Named
+        The generalised coordinates without effects.
+    independent : tuple of str
+        Those of them that the pose determines and that move the platform.
+    independent_are : str
+        What they are, in the plural.
+    directions : tuple of str
+        Components of the platform's motion.
+    drives : tuple of Named
+        What the static torques act on.
+    rigid_modes : int
+        Motions that strain nothing elastic.
+    tables : tuple of Table
+    wholes : tuple of Whole
+    margins : tuple of Margin
+    requirements : tuple of Requirement
+    sample : mapping
+        Parameters of a robot without any symmetry, by field: what checks evaluate.
+    """
+
+    mechanism: str
+    title: str
+    pose: tuple[Named, ...]
+    pose_is: str
+    coordinates: tuple[Named, ...]
+    independent: tuple[str, ...]
+    independent_are: str
+    directions: tuple[str, ...]
+    drives: tuple[Named, ...]
+    rigid_modes: int
+    tables: tuple[Table, ...]
+    wholes: tuple[Whole, ...]
+    margins: tuple[Margin, ...]
+    requirements: tuple[Requirement, ...] = ()
+    sample: Mapping[str, object] = field(default_factory=dict)
+
+
+def as_data(description: Description, effects: tuple[Effect, ...]) -> dict[str, object]:
+    """The description with the effects that apply, as it is written."""
+    return {**asdict(description), "effects": [_effect(effect) for effect in effects]}
+
+
+def _effect(effect: Effect) -> dict[str, object]:
+    return {
+        "name": effect.name,
+        "sentence": effect.sentence,
+        "grounds": effect.grounds,
+        "coordinates": [
+            {"name": name, "unit": effect.coordinate_unit, "description": effect.coordinate_description}
+            for name in effect.coordinates
+        ],
+        "parameters": [
+            {
+                "name": p.name,
+                "unit": p.unit,
+                "description": p.description,
+                "greater_than": p.greater_than,
+                "fitted": p.fitted,
+            }
+            for p in effect.parameters
+        ],
+    }

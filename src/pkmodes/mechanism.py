@@ -1,0 +1,338 @@
+"""A mechanism as the runtime sees it: what it says about itself, and its generated functions.
+
+Everything that differs between mechanisms comes from here: the description that is generated with the code
+(``description.json``) and the modules beside it.  No other module knows a mechanism by name.
+"""
+
+from __future__ import annotations
+
+import difflib
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache, cached_property
+from importlib import import_module
+from importlib.resources import files
+from types import ModuleType
+from typing import Any
+
+from pkmodes.errors import PkmodesError, shown
+
+#: The package of the generated models.
+GENERATED = "pkmodes_generated"
+DESCRIPTION = "description.json"
+
+
+@dataclass(frozen=True)
+class Named:
+    """A component of the pose, a coordinate or a drive: name, SI unit and a noun phrase."""
+
+    name: str
+    unit: str
+    description: str
+
+
+@dataclass(frozen=True)
+class Key:
+    """A key of a table of the robot file.
+
+    Attributes
+    ----------
+    name, kind : str
+        The kind is ``quantity``; ``vector`` of quantities; ``pair`` of quantities, the lower one first;
+        ``direction``, a unit vector that is normalised on reading; ``choice``, one of some numbers; ``one_of``, one
+        of some numbers, whose place has a 1 in the field; ``signs``, numbers that are each +1 or -1.
+    field : str
+        Of the generated `Parameters`; empty for a constant that an effect takes.
+    dimension, description : str
+    index : tuple of int
+        Where in the field, after the index of a repeated table.
+    elements : tuple of str
+        Names of the elements of a vector or pair, in paths.
+    choices : tuple of int
+    at_least, above, at_most : float or None
+        Bounds in SI units.
+    default : float or None
+        In SI units; without one the key is needed.
+    effect : str
+        The parameter of an effect that takes this value, ``<effect>.<parameter>``; empty for none.
+    signed : bool
+        Whether a quantity may have either sign, or be zero.
+    suspected : bool
+        Whether it is a candidate where it has no standard deviation.
+    """
+
+    name: str
+    kind: str
+    field: str
+    dimension: str
+    description: str
+    index: tuple[int, ...]
+    elements: tuple[str, ...]
+    choices: tuple[int, ...]
+    at_least: float | None
+    above: float | None
+    at_most: float | None
+    default: float | None
+    effect: str
+    signed: bool
+    suspected: bool
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table of the robot file: ``count`` times if repeated, else 0; perhaps shared by the entries of another."""
+
+    name: str
+    description: str
+    keys: tuple[Key, ...]
+    count: int
+    shared_by: str
+
+    def key(self, name: str) -> Key:
+        """The key of a name."""
+        return next(key for key in self.keys if key.name == name)
+
+
+@dataclass(frozen=True)
+class Whole:
+    """Several numbers that one path moves together: pairs as ``span``, vectors as ``radius``."""
+
+    path: str
+    kind: str
+    field: str
+    unit: str
+    description: str
+
+
+@dataclass(frozen=True)
+class Margin:
+    """Something that a pose needs, as one result of a generated function.
+
+    Attributes
+    ----------
+    code, meaning : str
+        What `reason` says of a pose without it, and what that means.
+    function : str
+    output : int
+    rule : str
+        ``at_least_zero``, ``above_zero``, or ``at_most_limit`` of a condition number.
+    sentence : str
+        With ``{0}``, ``{1}`` for the names of the place of the smallest, and ``{missing}`` or ``{value}``.
+    remedy : str
+    names : tuple of tuple of str
+        What the places of each axis of the result are called.
+    unit : str
+    """
+
+    code: str
+    function: str
+    output: int
+    rule: str
+    meaning: str
+    sentence: str
+    remedy: str
+    names: tuple[tuple[str, ...], ...]
+    unit: str
+
+
+@dataclass(frozen=True)
+class Requirement:
+    """Something that a robot needs at any pose: a function of its parameters, an entry for each of the places."""
+
+    function: str
+    rule: str
+    places: tuple[str, ...]
+    sentence: str
+    remedy: str
+    unit: str
+
+
+@dataclass(frozen=True)
+class EffectParameter:
+    """A parameter of an effect; its null value is 0, otherwise it is greater than the bound."""
+
+    name: str
+    unit: str
+    description: str
+    greater_than: float
+    fitted: bool
+
+
+@dataclass(frozen=True)
+class Effect:
+    """An effect that applies to the mechanism.
+
+    Attributes
+    ----------
+    name, sentence : str
+    grounds : bool
+        Whether it ties the platform to ground, so that no rigid-body mode is left.
+    coordinates : tuple of Named
+        That it releases.
+    parameters : tuple of EffectParameter
+    """
+
+    name: str
+    sentence: str
+    grounds: bool
+    coordinates: tuple[Named, ...]
+    parameters: tuple[EffectParameter, ...]
+
+    @property
+    def fitted(self) -> tuple[EffectParameter, ...]:
+        """Parameters that can be estimated from measurements."""
+        return tuple(parameter for parameter in self.parameters if parameter.fitted)
+
+
+@dataclass(frozen=True, eq=False)
+class Mechanism:
+    """A mechanism: its description and its generated functions.
+
+    Attributes
+    ----------
+    name, title : str
+    pose : tuple of Named
+        Components of a pose; their names are columns of measurement files.
+    pose_is : str
+        What a pose is.
+    coordinates : tuple of Named
+        Without effects.
+    independent : tuple of str
+        Coordinates that the pose determines and that move the platform.
+    independent_are : str
+    directions : tuple of str
+        Components of the platform's motion.
+    drives : tuple of Named
+        What the static torques act on.
+    rigid_modes : int
+        Of the model without effects.
+    tables : tuple of Table
+    wholes : tuple of Whole
+    margins : tuple of Margin
+    requirements : tuple of Requirement
+    effects : mapping of str to Effect
+        Those that apply, in the order of the generated model.
+    sample : mapping of str to number or nested list
+        Parameters of a robot without any symmetry.
+    """
+
+    name: str
+    title: str
+    pose: tuple[Named, ...]
+    pose_is: str
+    coordinates: tuple[Named, ...]
+    independent: tuple[str, ...]
+    independent_are: str
+    directions: tuple[str, ...]
+    drives: tuple[Named, ...]
+    rigid_modes: int
+    tables: tuple[Table, ...]
+    wholes: tuple[Whole, ...]
+    margins: tuple[Margin, ...]
+    requirements: tuple[Requirement, ...]
+    effects: dict[str, Effect]
+    sample: dict[str, Any]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return mechanism, (self.name,)
+
+    @cached_property
+    def model(self) -> ModuleType:
+        """The generated model without effects."""
+        return import_module(f"{GENERATED}.{self.name}")
+
+    @cached_property
+    def extended(self) -> ModuleType:
+        """The generated model with effects."""
+        return import_module(f"{GENERATED}.{self.name}.extended")
+
+    @property
+    def repeated(self) -> Table:
+        """The repeated table: axes, belt paths."""
+        return next(table for table in self.tables if table.count)
+
+    def table(self, name: str) -> Table:
+        """The table of a name."""
+        return next(table for table in self.tables if table.name == name)
+
+    @property
+    def shared(self) -> tuple[Table, ...]:
+        """Tables that the entries of the repeated one share and may override."""
+        return tuple(table for table in self.tables if table.shared_by)
+
+    def keys(self) -> Iterator[tuple[Table, Key]]:
+        """Every key with its table."""
+        return ((table, key) for table in self.tables for key in table.keys)
+
+
+def names() -> tuple[str, ...]:
+    """Every mechanism that was generated."""
+    folder = files(GENERATED)
+    return tuple(sorted(entry.name for entry in folder.iterdir() if (entry / DESCRIPTION).is_file()))
+
+
+@cache
+def mechanism(name: str) -> Mechanism:
+    """The mechanism of a name.
+
+    Raises
+    ------
+    PkmodesError
+        If there is none, with the nearest.
+    """
+    known = names()
+    if name not in known:
+        nearest = difflib.get_close_matches(str(name), known, n=1)
+        remedy = f'did you mean "{nearest[0]}"?' if nearest else f"known are: {', '.join(known)}"
+        raise PkmodesError(f"unknown mechanism {shown(name)}", "mechanism", remedy)
+    return _described(json.loads((files(GENERATED) / name / DESCRIPTION).read_text(encoding="utf-8")))
+
+
+def _described(data: dict[str, Any]) -> Mechanism:
+    effects = [
+        Effect(
+            e["name"],
+            e["sentence"],
+            e["grounds"],
+            tuple(Named(**q) for q in e["coordinates"]),
+            tuple(EffectParameter(**p) for p in e["parameters"]),
+        )
+        for e in data["effects"]
+    ]
+    return Mechanism(
+        name=data["mechanism"],
+        title=data["title"],
+        pose=tuple(Named(**c) for c in data["pose"]),
+        pose_is=data["pose_is"],
+        coordinates=tuple(Named(**q) for q in data["coordinates"]),
+        independent=tuple(data["independent"]),
+        independent_are=data["independent_are"],
+        directions=tuple(data["directions"]),
+        drives=tuple(Named(**d) for d in data["drives"]),
+        rigid_modes=data["rigid_modes"],
+        tables=tuple(
+            Table(
+                t["name"],
+                t["description"],
+                tuple(Key(**_tuples(key)) for key in t["keys"]),
+                t["count"],
+                t["shared_by"],
+            )
+            for t in data["tables"]
+        ),
+        wholes=tuple(Whole(**w) for w in data["wholes"]),
+        margins=tuple(Margin(**_tuples(m)) for m in data["margins"]),
+        requirements=tuple(Requirement(**_tuples(r)) for r in data["requirements"]),
+        effects={effect.name: effect for effect in effects},
+        sample=data["sample"],
+    )
+
+
+def _tuples(data: dict[str, Any]) -> dict[str, Any]:
+    """The same with tuples in place of lists."""
+
+    def frozen(value: Any) -> Any:
+        return tuple(map(frozen, value)) if isinstance(value, list) else value
+
+    return {name: frozen(value) for name, value in data.items()}
