@@ -9,8 +9,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 
-from pkmodes_derive.effect import Effect
-
 
 @dataclass(frozen=True)
 class Named:
@@ -185,6 +183,28 @@ class Requirement:
 
 
 @dataclass(frozen=True)
+class EffectParameterData:
+    """A parameter of an effect; its null value is 0, otherwise it is greater than the bound."""
+
+    name: str
+    unit: str
+    description: str
+    greater_than: float | None
+    fitted: bool
+
+
+@dataclass(frozen=True)
+class EffectData:
+    """An effect that applies to the mechanism, with the coordinates that it releases."""
+
+    name: str
+    sentence: str
+    grounds: bool
+    coordinates: tuple[Named, ...]
+    parameters: tuple[EffectParameterData, ...]
+
+
+@dataclass(frozen=True)
 class Description:
     """A mechanism.
 
@@ -211,6 +231,9 @@ class Description:
     wholes : tuple of Whole
     margins : tuple of Margin
     requirements : tuple of Requirement
+    effects : tuple of EffectData
+    opposite : mapping
+        Fields of the parameters that occur only in their difference from another one: the opposite derivatives.
     sample : mapping
         Parameters of a robot without any symmetry, by field: what checks evaluate.
     """
@@ -229,31 +252,11 @@ class Description:
     wholes: tuple[Whole, ...]
     margins: tuple[Margin, ...]
     requirements: tuple[Requirement, ...] = ()
+    effects: tuple[EffectData, ...] = ()
+    opposite: Mapping[str, str] = field(default_factory=dict)
     sample: Mapping[str, object] = field(default_factory=dict)
 
 
-def as_data(description: Description, effects: tuple[Effect, ...]) -> dict[str, object]:
-    """The description with the effects that apply, as it is written."""
-    return {**asdict(description), "effects": [_effect(effect) for effect in effects]}
-
-
-def _effect(effect: Effect) -> dict[str, object]:
-    return {
-        "name": effect.name,
-        "sentence": effect.sentence,
-        "grounds": effect.grounds,
-        "coordinates": [
-            {"name": name, "unit": effect.coordinate_unit, "description": effect.coordinate_description}
-            for name in effect.coordinates
-        ],
-        "parameters": [
-            {
-                "name": p.name,
-                "unit": p.unit,
-                "description": p.description,
-                "greater_than": p.greater_than,
-                "fitted": p.fitted,
-            }
-            for p in effect.parameters
-        ],
-    }
+def as_data(description: Description) -> dict[str, object]:
+    """The description as it is written."""
+    return asdict(description)

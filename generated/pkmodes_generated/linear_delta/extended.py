@@ -11,27 +11,27 @@ Names in the code, for axis j, pulley or span k (or carriage k, l of a derivativ
 t1, t2, ... are subexpressions that several values share:
 
 * x_j [m]: position of carriage j along its rail
+* r_j_i [m]: platform joint j seen from the origin of rail j, component i
+* s_j_i [m]: linkage vector j, from carriage to platform joint, component i
+* a_j [m]: coordinate of platform joint j along rail j
+* w_j_i [m]: vector from rail j to platform joint j, perpendicular to it, component i
+* w2_j [m^2]: squared distance of platform joint j from rail j
+* tau_st_j [N m]: static torque on the driven pulley of axis j
+* I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
 * l_f_j_k [m]: free length of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
     carriage to pulley 1)
 * k_j_k [N/m]: stiffness of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
     carriage to pulley 1)
-* r_j_i [m]: platform joint j seen from the origin of rail j, component i
-* s_j_i [m]: linkage vector j, from carriage to platform joint, component i
-* a_j [m]: coordinate of platform joint j along rail j
-* w_j_i [m]: vector from rail j square to platform joint j, component i
-* w2_j [m^2]: squared distance of platform joint j from rail j
-* D_r_j [m]: entry of D_r for axis j: linkage vector along the rail
+* D_r_j [m]: entry of D_r for axis j: linkage vector along the motion of its joint
 * A_i_j [m^2]: adjugate of D_l, entry i, j
 * det_D_l [m^3]: determinant of D_l
 * D_p_i_k [1]: platform Jacobian, dp_i/dx_k
 * D_delta_i_k [1]: platform Jacobian, dp_i/ddelta_k
-* U_j_i_k [1]: derivative of linkage vector j, component i, by x_k
-* I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
+* U_j_i_k [1]: derivative of linkage vector j, component i, with respect to x_k
 * mu_j [N/m]: static force in linkage j divided by its length, positive in compression
-* G_j [N]: gradient of the gravitational potential energy by x_j
-* tau_st_j [N m]: static torque on the driven pulley of axis j
+* G_j [N]: gradient of the gravitational potential energy with respect to x_j
 * det_j [N^2 m]: determinant of the equilibrium of axis j
-* theta_j_k_st [rad]: static rotation of pulley k of axis j from the unstrained belts
+* theta_j_k_st [rad]: static rotation of pulley k of axis j, from unstrained transmissions
 * mu_1_by_m_p [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
     positive in compression; by: platform mass
 * mu_2_by_m_p [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
@@ -753,7 +753,7 @@ COORDINATE_UNITS = (
 #: The effects: name, sentence, whether it ties the platform to ground, released coordinates, and parameters
 #: as (name, unit, description, exclusive lower bound, whether it can be fitted).
 EFFECTS = (
-    ('axis_belt_stiffness', 'the belts of the three axes are not equally stiff', False, (),
+    ('axis_belt_stiffness', 'the belts of the axes are not equally stiff', False, (),
      (('factor_1', '1', 'relative change of the belt stiffness of axis 1', -1.0, True),
       ('factor_2', '1', 'relative change of the belt stiffness of axis 2', -1.0, True),
       ('factor_3', '1', 'relative change of the belt stiffness of axis 3', -1.0, True))),
@@ -866,14 +866,14 @@ VALUE_SENSITIVITIES = (
     ('gear_ratio', (2,), ((5, 5), (5, 11), (8, 8), (8, 11), (11, 11)), ()),
     ('limits', (0, 0), ((0, 0), (0, 6), (0, 15), (3, 3), (3, 6), (6, 6), (6, 15), (15, 15)),
      ((0, 0), (0, 6), (0, 15), (3, 3), (3, 6), (6, 6), (6, 15), (15, 15))),
-    ('limits', (1, 0), ((1, 1), (1, 7), (1, 16), (4, 4), (4, 7), (7, 7), (7, 16), (16, 16)),
-     ((1, 1), (1, 7), (1, 16), (4, 4), (4, 7), (7, 7), (7, 16), (16, 16))),
-    ('limits', (2, 0), ((2, 2), (2, 8), (2, 17), (5, 5), (5, 8), (8, 8), (8, 17), (17, 17)),
-     ((2, 2), (2, 8), (2, 17), (5, 5), (5, 8), (8, 8), (8, 17), (17, 17))),
     ('limits', (0, 1), ((0, 0), (0, 3), (0, 15), (3, 3), (3, 6), (3, 15), (6, 6), (15, 15)),
      ((0, 0), (0, 3), (0, 15), (3, 3), (3, 6), (3, 15), (6, 6), (15, 15))),
+    ('limits', (1, 0), ((1, 1), (1, 7), (1, 16), (4, 4), (4, 7), (7, 7), (7, 16), (16, 16)),
+     ((1, 1), (1, 7), (1, 16), (4, 4), (4, 7), (7, 7), (7, 16), (16, 16))),
     ('limits', (1, 1), ((1, 1), (1, 4), (1, 16), (4, 4), (4, 7), (4, 16), (7, 7), (16, 16)),
      ((1, 1), (1, 4), (1, 16), (4, 4), (4, 7), (4, 16), (7, 7), (16, 16))),
+    ('limits', (2, 0), ((2, 2), (2, 8), (2, 17), (5, 5), (5, 8), (8, 8), (8, 17), (17, 17)),
+     ((2, 2), (2, 8), (2, 17), (5, 5), (5, 8), (8, 8), (8, 17), (17, 17))),
     ('limits', (2, 1), ((2, 2), (2, 5), (2, 17), (5, 5), (5, 8), (5, 17), (8, 8), (17, 17)),
      ((2, 2), (2, 5), (2, 17), (5, 5), (5, 8), (5, 17), (8, 8), (17, 17))),
     ('axis_belt_stiffness_factor_1', (), (),
@@ -910,7 +910,7 @@ VALUE_SENSITIVITIES = (
     ('frame_compliance_mass', (), ((18, 18), (19, 19), (20, 20)), ()),
 )
 
-#: The same for the geometry, which moves the carriages.
+#: The same for the geometry.
 GEOMETRY_SENSITIVITIES = (
     ('joint', (0, 0),
      ((0, 0), (0, 1), (0, 2), (0, 3), (0, 6), (0, 12), (0, 13), (0, 14), (0, 18), (0, 19), (0, 20),
@@ -1291,14 +1291,14 @@ def extended_matrices(p, parameters, effects):
     t11 = I_m_1*i_g_1**2
     t12 = I_G + t11
     I_1_1 = I_p_1 + d_1_1*t12
+    I_1_2 = I_p_1 + d_1_2*t12
     t13 = I_m_2*i_g_2**2
     t14 = I_G + t13
     I_2_1 = I_p_2 + d_2_1*t14
+    I_2_2 = I_p_2 + d_2_2*t14
     t15 = I_m_3*i_g_3**2
     t16 = I_G + t15
     I_3_1 = I_p_3 + d_3_1*t16
-    I_1_2 = I_p_1 + d_1_2*t12
-    I_2_2 = I_p_2 + d_2_2*t14
     I_3_2 = I_p_3 + d_3_2*t16
     l_f_1_1 = x_max_1 - x_min_1
     t17 = k_sp_1*w_b_1*(a_B_1 + 1)
@@ -2116,7 +2116,7 @@ def joint_stiffness(effects):
 
 
 def extended_static_equilibrium(p, parameters, effects):
-    """Torques and pulley rotations that hold the pose, the effects' weights and belts included.
+    """Torques and rotations that hold the pose, the effects' weights and changes of stiffness included.
 
     Parameters
     ----------
@@ -2130,9 +2130,9 @@ def extended_static_equilibrium(p, parameters, effects):
     Returns
     -------
     tau_st : array, shape (..., 3) [N m]
-        Torques on the driven pulleys.
+        Torques on the driven rotors.
     theta_st : array, shape (..., 6) [rad]
-        Rotations from the unstrained belts.
+        Rotations from unstrained transmissions.
 
     Notes
     -----
@@ -2262,6 +2262,14 @@ def extended_static_equilibrium(p, parameters, effects):
         -D_p_x_1*t18 - D_p_y_1*t19 - D_p_z_1*t20 - g_x*(m_t_1*n_1_x + n_1_x*t14) - g_y*(m_t_1*n_1_y
         + n_1_y*t14) - g_z*(m_t_1*n_1_z + n_1_z*t14)
     )
+    G_2 = (
+        -D_p_x_2*t18 - D_p_y_2*t19 - D_p_z_2*t20 - g_x*(m_t_2*n_2_x + n_2_x*t15) - g_y*(m_t_2*n_2_y
+        + n_2_y*t15) - g_z*(m_t_2*n_2_z + n_2_z*t15)
+    )
+    G_3 = (
+        -D_p_x_3*t18 - D_p_y_3*t19 - D_p_z_3*t20 - g_x*(m_t_3*n_3_x + n_3_x*t16) - g_y*(m_t_3*n_3_y
+        + n_3_y*t16) - g_z*(m_t_3*n_3_z + n_3_z*t16)
+    )
     t21 = R_p_1**2
     t22 = k_1_1*t21
     t23 = k_1_3*t21
@@ -2272,40 +2280,32 @@ def extended_static_equilibrium(p, parameters, effects):
     t27 = G_1/det_1
     theta_1_1_st = -t26*t27
     theta_1_2_st = t24*t27
-    t28 = R_p_1*k_1_1*(-R_p_1*theta_1_1_st + R_p_1*theta_1_2_st)
-    tau_st_1 = d_1_1*(t23*theta_1_1_st - t28) + d_1_2*(t25*theta_1_2_st + t28)
-    G_2 = (
-        -D_p_x_2*t18 - D_p_y_2*t19 - D_p_z_2*t20 - g_x*(m_t_2*n_2_x + n_2_x*t15) - g_y*(m_t_2*n_2_y
-        + n_2_y*t15) - g_z*(m_t_2*n_2_z + n_2_z*t15)
-    )
-    t29 = R_p_2**2
-    t30 = k_2_1*t29
-    t31 = k_2_3*t29
-    t32 = -d_2_1*t30 + d_2_2*(t30 + t31)
-    t33 = k_2_2*t29
-    t34 = d_2_1*(t30 + t33) - d_2_2*t30
-    det_2 = R_p_2*k_2_2*t32 - R_p_2*k_2_3*t34
-    t35 = G_2/det_2
-    theta_2_1_st = -t34*t35
-    theta_2_2_st = t32*t35
-    t36 = R_p_2*k_2_1*(-R_p_2*theta_2_1_st + R_p_2*theta_2_2_st)
-    tau_st_2 = d_2_1*(t31*theta_2_1_st - t36) + d_2_2*(t33*theta_2_2_st + t36)
-    G_3 = (
-        -D_p_x_3*t18 - D_p_y_3*t19 - D_p_z_3*t20 - g_x*(m_t_3*n_3_x + n_3_x*t16) - g_y*(m_t_3*n_3_y
-        + n_3_y*t16) - g_z*(m_t_3*n_3_z + n_3_z*t16)
-    )
-    t37 = R_p_3**2
-    t38 = k_3_1*t37
-    t39 = k_3_3*t37
-    t40 = -d_3_1*t38 + d_3_2*(t38 + t39)
-    t41 = k_3_2*t37
-    t42 = d_3_1*(t38 + t41) - d_3_2*t38
-    det_3 = R_p_3*k_3_2*t40 - R_p_3*k_3_3*t42
-    t43 = G_3/det_3
-    theta_3_1_st = -t42*t43
-    theta_3_2_st = t40*t43
+    t28 = R_p_2**2
+    t29 = k_2_1*t28
+    t30 = k_2_3*t28
+    t31 = -d_2_1*t29 + d_2_2*(t29 + t30)
+    t32 = k_2_2*t28
+    t33 = d_2_1*(t29 + t32) - d_2_2*t29
+    det_2 = R_p_2*k_2_2*t31 - R_p_2*k_2_3*t33
+    t34 = G_2/det_2
+    theta_2_1_st = -t33*t34
+    theta_2_2_st = t31*t34
+    t35 = R_p_3**2
+    t36 = k_3_1*t35
+    t37 = k_3_3*t35
+    t38 = -d_3_1*t36 + d_3_2*(t36 + t37)
+    t39 = k_3_2*t35
+    t40 = d_3_1*(t36 + t39) - d_3_2*t36
+    det_3 = R_p_3*k_3_2*t38 - R_p_3*k_3_3*t40
+    t41 = G_3/det_3
+    theta_3_1_st = -t40*t41
+    theta_3_2_st = t38*t41
+    t42 = R_p_1*k_1_1*(-R_p_1*theta_1_1_st + R_p_1*theta_1_2_st)
+    tau_st_1 = d_1_1*(t23*theta_1_1_st - t42) + d_1_2*(t25*theta_1_2_st + t42)
+    t43 = R_p_2*k_2_1*(-R_p_2*theta_2_1_st + R_p_2*theta_2_2_st)
+    tau_st_2 = d_2_1*(t30*theta_2_1_st - t43) + d_2_2*(t32*theta_2_2_st + t43)
     t44 = R_p_3*k_3_1*(-R_p_3*theta_3_1_st + R_p_3*theta_3_2_st)
-    tau_st_3 = d_3_1*(t39*theta_3_1_st - t44) + d_3_2*(t41*theta_3_2_st + t44)
+    tau_st_3 = d_3_1*(t37*theta_3_1_st - t44) + d_3_2*(t39*theta_3_2_st + t44)
     tau_st_out = np.zeros((*batch, 3), dtype)
     tau_st_out[..., 0] = tau_st_1
     tau_st_out[..., 1] = tau_st_2
@@ -2321,7 +2321,7 @@ def extended_static_equilibrium(p, parameters, effects):
 
 
 def value_sensitivities(p, parameters, effects):
-    """Derivatives of M and K by every parameter that moves no carriage, at a fixed platform pose.
+    """Derivatives of M and K by every parameter that moves nothing, at a fixed pose.
 
     The entries of the upper triangles that VALUE_SENSITIVITIES lists, all others being zero.
 
@@ -2933,14 +2933,14 @@ def value_sensitivities(p, parameters, effects):
     t424 = -R_p_1*t320
     t425 = t198*t357
     t426 = t13*t425
-    t427 = -R_p_2*t329
-    t428 = t202*t370
-    t429 = t24*t428
-    t430 = -R_p_3*t338
-    t431 = t205*t383
-    t432 = t35*t431
-    t433 = R_p_1*t323
-    t434 = R_p_2*t332
+    t427 = R_p_1*t323
+    t428 = -R_p_2*t329
+    t429 = t202*t370
+    t430 = t24*t429
+    t431 = R_p_2*t332
+    t432 = -R_p_3*t338
+    t433 = t205*t383
+    t434 = t35*t433
     t435 = R_p_3*t341
     t436 = t11*t346
     t437 = t387*t436
@@ -2985,8 +2985,8 @@ def value_sensitivities(p, parameters, effects):
     t476 = R_p_3*t474
     t477 = R_p_3*t473
     t478 = t425*t460
-    t479 = t428*t466
-    t480 = t431*t472
+    t479 = t429*t466
+    t480 = t433*t472
     M_theta_out = _listed(batch, dtype, (
         t57, t61, t65, t69, t73, t77, D_p_x_1, D_p_y_1, D_p_z_1, t81, t85, t89, t93, t97, D_p_x_2, D_p_y_2,
         D_p_z_2, t101, t105, t109, t113, D_p_x_3, D_p_y_3, D_p_z_3, t117, t121, t125, D_delta_x_1,
@@ -3021,16 +3021,16 @@ def value_sensitivities(p, parameters, effects):
         l_f_3_3*t218 + t219, R_p_3*l_f_3_1*t195, t216, l_f_3_2*t218 + t219, t217, 1, 1, 1, 1, 1, 1, t221,
         t221, t222, t222, t221 + t222, t224, t224, t225, t225, t224 + t225, t227, t227, t228, t228,
         t227 + t228, t230, t230, t231, t231, t230 + t231, t233, t233, t234, t234, t233 + t234, t236, t236,
-        t237, t237, t236 + t237, -t195, -t238, -t195, -t239, -t200, -t240, -t238, -t195, -t195, -t241, -t195,
-        -t242, -t203, -t243, -t241, -t195, -t195, -t244, -t195, -t245, -t206, -t246, -t244, -t195, t195, t238,
-        t195, t240, t200, t238, t239, t195, t195, t241, t195, t243, t203, t241, t242, t195, t195, t244, t195,
-        t246, t206, t244, t245, t195, t249, t251, t252, t249, t255, t257, t258, t255, t261, t263, t264, t261,
-        t198*t248 + t266, (1/6)*t265, t251, t202*t254 + t268, (1/6)*t267, t257, t205*t260 + t270, (1/6)*t269,
-        t263, t198*t247 + t266, t252, t202*t253 + t268, t258, t205*t259 + t270, t264, t249, t255, t261, d_1_1,
-        d_2_1, d_3_1, d_1_2, d_2_2, d_3_2, t57, t61, t65, t69, t73, t77, D_p_x_1, D_p_y_1, D_p_z_1, t81, t85,
-        t89, t93, t97, D_p_x_2, D_p_y_2, D_p_z_2, t101, t105, t109, t113, D_p_x_3, D_p_y_3, D_p_z_3, t117,
-        t121, t125, D_delta_x_1, D_delta_y_1, D_delta_z_1, t129, t133, D_delta_x_2, D_delta_y_2, D_delta_z_2,
-        t137, D_delta_x_3, D_delta_y_3, D_delta_z_3, 1, 1, 1, 1, 1, 1,
+        t237, t237, t236 + t237, -t195, -t238, -t195, -t239, -t200, -t240, -t238, -t195, t195, t238, t195,
+        t240, t200, t238, t239, t195, -t195, -t241, -t195, -t242, -t203, -t243, -t241, -t195, t195, t241,
+        t195, t243, t203, t241, t242, t195, -t195, -t244, -t195, -t245, -t206, -t246, -t244, -t195, t195,
+        t244, t195, t246, t206, t244, t245, t195, t249, t251, t252, t249, t255, t257, t258, t255, t261, t263,
+        t264, t261, t198*t248 + t266, (1/6)*t265, t251, t202*t254 + t268, (1/6)*t267, t257, t205*t260 + t270,
+        (1/6)*t269, t263, t198*t247 + t266, t252, t202*t253 + t268, t258, t205*t259 + t270, t264, t249, t255,
+        t261, d_1_1, d_2_1, d_3_1, d_1_2, d_2_2, d_3_2, t57, t61, t65, t69, t73, t77, D_p_x_1, D_p_y_1,
+        D_p_z_1, t81, t85, t89, t93, t97, D_p_x_2, D_p_y_2, D_p_z_2, t101, t105, t109, t113, D_p_x_3, D_p_y_3,
+        D_p_z_3, t117, t121, t125, D_delta_x_1, D_delta_y_1, D_delta_z_1, t129, t133, D_delta_x_2,
+        D_delta_y_2, D_delta_z_2, t137, D_delta_x_3, D_delta_y_3, D_delta_z_3, 1, 1, 1, 1, 1, 1,
     ))
     K_theta_out = _listed(batch, dtype, (
         mu_1_by_m_p*t271 + mu_2_by_m_p*t272 + mu_3_by_m_p*t273,
@@ -3190,10 +3190,10 @@ def value_sensitivities(p, parameters, effects):
         -t205*t413 + t417, t416, t414, -k_1_3, -k_1_2, k_1_3*t418 + t419, -t419, -k_1_3, k_1_2*t418 + t419,
         -k_1_2, -k_2_3, -k_2_2, k_2_3*t420 + t421, -t421, -k_2_3, k_2_2*t420 + t421, -k_2_2, -k_3_3, -k_3_2,
         k_3_3*t422 + t423, -t423, -k_3_3, k_3_2*t422 + t423, -k_3_2, t320, t424, t320, t426, -t426,
-        t198*t320 + t426, t424, t320, t329, t427, t329, t429, -t429, t202*t329 + t429, t427, t329, t338, t430,
-        t338, t432, -t432, t205*t338 + t432, t430, t338, -t323, t433, -t323, -t198*t323 - t426, t426, t433,
-        -t426, -t323, -t332, t434, -t332, -t202*t332 - t429, t429, t434, -t429, -t332, -t341, t435, -t341,
-        -t205*t341 - t432, t432, t435, -t432, -t341, t440, t441, t442, t440, -t198*t438 + t443, -t443, t441,
+        t198*t320 + t426, t424, t320, -t323, t427, -t323, -t198*t323 - t426, t426, t427, -t426, -t323, t329,
+        t428, t329, t430, -t430, t202*t329 + t430, t428, t329, -t332, t431, -t332, -t202*t332 - t430, t430,
+        t431, -t430, -t332, t338, t432, t338, t434, -t434, t205*t338 + t434, t432, t338, -t341, t435, -t341,
+        -t205*t341 - t434, t434, t435, -t434, -t341, t440, t441, t442, t440, -t198*t438 + t443, -t443, t441,
         -t198*t439 + t443, t442, t440, t448, t449, t450, t448, -t202*t446 + t451, -t451, t449,
         -t202*t447 + t451, t450, t448, t456, t457, t458, t456, -t205*t454 + t459, -t459, t457,
         -t205*t455 + t459, t458, t456, t463, t464, t465, t463, t469, t470, t471, t469, t475, t476, t477, t475,
@@ -3228,10 +3228,10 @@ def value_sensitivities(p, parameters, effects):
 
 
 def geometry_sensitivities(p, parameters, effects):
-    """Derivatives of M and K by the platform joints and link lengths, at a fixed platform pose.
+    """Derivatives of M and K by every parameter that moves the carriage positions, at a fixed pose.
 
-    The entries of the upper triangles that GEOMETRY_SENSITIVITIES lists, all others being zero; by a rail's
-    origin, the opposite of those by its joint.
+    The entries of the upper triangles that GEOMETRY_SENSITIVITIES lists, all others being zero; by the field
+    origin, the opposite of those by joint.
 
     Parameters
     ----------
@@ -3251,7 +3251,7 @@ def geometry_sensitivities(p, parameters, effects):
 
     Notes
     -----
-    Implicit function theorem and chain rule; the carriages follow the parameter.
+    Implicit function theorem and chain rule.
     13291 operations; 64171338 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))

@@ -8,27 +8,27 @@
  * Names in the code, for axis j, pulley or span k (or carriage k, l of a derivative) and component
  * i = x, y, z; t1, t2, ... are subexpressions that several values share:
  *   x_j [m]: position of carriage j along its rail
+ *   r_j_i [m]: platform joint j seen from the origin of rail j, component i
+ *   s_j_i [m]: linkage vector j, from carriage to platform joint, component i
+ *   a_j [m]: coordinate of platform joint j along rail j
+ *   w_j_i [m]: vector from rail j to platform joint j, perpendicular to it, component i
+ *   w2_j [m^2]: squared distance of platform joint j from rail j
+ *   tau_st_j [N m]: static torque on the driven pulley of axis j
+ *   I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
  *   l_f_j_k [m]: free length of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
  *     carriage to pulley 1)
  *   k_j_k [N/m]: stiffness of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
  *     carriage to pulley 1)
- *   r_j_i [m]: platform joint j seen from the origin of rail j, component i
- *   s_j_i [m]: linkage vector j, from carriage to platform joint, component i
- *   a_j [m]: coordinate of platform joint j along rail j
- *   w_j_i [m]: vector from rail j square to platform joint j, component i
- *   w2_j [m^2]: squared distance of platform joint j from rail j
- *   D_r_j [m]: entry of D_r for axis j: linkage vector along the rail
+ *   D_r_j [m]: entry of D_r for axis j: linkage vector along the motion of its joint
  *   A_i_j [m^2]: adjugate of D_l, entry i, j
  *   det_D_l [m^3]: determinant of D_l
  *   D_p_i_k [1]: platform Jacobian, dp_i/dx_k
  *   D_delta_i_k [1]: platform Jacobian, dp_i/ddelta_k
- *   U_j_i_k [1]: derivative of linkage vector j, component i, by x_k
- *   I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
+ *   U_j_i_k [1]: derivative of linkage vector j, component i, with respect to x_k
  *   mu_j [N/m]: static force in linkage j divided by its length, positive in compression
- *   G_j [N]: gradient of the gravitational potential energy by x_j
- *   tau_st_j [N m]: static torque on the driven pulley of axis j
+ *   G_j [N]: gradient of the gravitational potential energy with respect to x_j
  *   det_j [N^2 m]: determinant of the equilibrium of axis j
- *   theta_j_k_st [rad]: static rotation of pulley k of axis j from the unstrained belts
+ *   theta_j_k_st [rad]: static rotation of pulley k of axis j, from unstrained transmissions
  */
 #include "linear_delta_extended.h"
 
@@ -233,14 +233,14 @@ void linear_delta_extended_extended_matrices(const double p[3], const linear_del
     const double t11 = I_m_1*(i_g_1*i_g_1);
     const double t12 = I_G + t11;
     const double I_1_1 = I_p_1 + d_1_1*t12;
+    const double I_1_2 = I_p_1 + d_1_2*t12;
     const double t13 = I_m_2*(i_g_2*i_g_2);
     const double t14 = I_G + t13;
     const double I_2_1 = I_p_2 + d_2_1*t14;
+    const double I_2_2 = I_p_2 + d_2_2*t14;
     const double t15 = I_m_3*(i_g_3*i_g_3);
     const double t16 = I_G + t15;
     const double I_3_1 = I_p_3 + d_3_1*t16;
-    const double I_1_2 = I_p_1 + d_1_2*t12;
-    const double I_2_2 = I_p_2 + d_2_2*t14;
     const double I_3_2 = I_p_3 + d_3_2*t16;
     const double l_f_1_1 = x_max_1 - x_min_1;
     const double t17 = k_sp_1*w_b_1*(a_B_1 + 1);
@@ -2271,6 +2271,12 @@ void linear_delta_extended_extended_static_equilibrium(const double p[3], const 
     const double G_1 =
         -D_p_x_1*t18 - D_p_y_1*t19 - D_p_z_1*t20 - g_x*(m_t_1*n_1_x + n_1_x*t14) - g_y*(m_t_1*n_1_y
         + n_1_y*t14) - g_z*(m_t_1*n_1_z + n_1_z*t14);
+    const double G_2 =
+        -D_p_x_2*t18 - D_p_y_2*t19 - D_p_z_2*t20 - g_x*(m_t_2*n_2_x + n_2_x*t15) - g_y*(m_t_2*n_2_y
+        + n_2_y*t15) - g_z*(m_t_2*n_2_z + n_2_z*t15);
+    const double G_3 =
+        -D_p_x_3*t18 - D_p_y_3*t19 - D_p_z_3*t20 - g_x*(m_t_3*n_3_x + n_3_x*t16) - g_y*(m_t_3*n_3_y
+        + n_3_y*t16) - g_z*(m_t_3*n_3_z + n_3_z*t16);
     const double t21 = (R_p_1*R_p_1);
     const double t22 = k_1_1*t21;
     const double t23 = k_1_3*t21;
@@ -2281,38 +2287,32 @@ void linear_delta_extended_extended_static_equilibrium(const double p[3], const 
     const double t27 = G_1/det_1;
     const double theta_1_1_st = -t26*t27;
     const double theta_1_2_st = t24*t27;
-    const double t28 = R_p_1*k_1_1*(-R_p_1*theta_1_1_st + R_p_1*theta_1_2_st);
-    const double tau_st_1 = d_1_1*(t23*theta_1_1_st - t28) + d_1_2*(t25*theta_1_2_st + t28);
-    const double G_2 =
-        -D_p_x_2*t18 - D_p_y_2*t19 - D_p_z_2*t20 - g_x*(m_t_2*n_2_x + n_2_x*t15) - g_y*(m_t_2*n_2_y
-        + n_2_y*t15) - g_z*(m_t_2*n_2_z + n_2_z*t15);
-    const double t29 = (R_p_2*R_p_2);
-    const double t30 = k_2_1*t29;
-    const double t31 = k_2_3*t29;
-    const double t32 = -d_2_1*t30 + d_2_2*(t30 + t31);
-    const double t33 = k_2_2*t29;
-    const double t34 = d_2_1*(t30 + t33) - d_2_2*t30;
-    const double det_2 = R_p_2*k_2_2*t32 - R_p_2*k_2_3*t34;
-    const double t35 = G_2/det_2;
-    const double theta_2_1_st = -t34*t35;
-    const double theta_2_2_st = t32*t35;
-    const double t36 = R_p_2*k_2_1*(-R_p_2*theta_2_1_st + R_p_2*theta_2_2_st);
-    const double tau_st_2 = d_2_1*(t31*theta_2_1_st - t36) + d_2_2*(t33*theta_2_2_st + t36);
-    const double G_3 =
-        -D_p_x_3*t18 - D_p_y_3*t19 - D_p_z_3*t20 - g_x*(m_t_3*n_3_x + n_3_x*t16) - g_y*(m_t_3*n_3_y
-        + n_3_y*t16) - g_z*(m_t_3*n_3_z + n_3_z*t16);
-    const double t37 = (R_p_3*R_p_3);
-    const double t38 = k_3_1*t37;
-    const double t39 = k_3_3*t37;
-    const double t40 = -d_3_1*t38 + d_3_2*(t38 + t39);
-    const double t41 = k_3_2*t37;
-    const double t42 = d_3_1*(t38 + t41) - d_3_2*t38;
-    const double det_3 = R_p_3*k_3_2*t40 - R_p_3*k_3_3*t42;
-    const double t43 = G_3/det_3;
-    const double theta_3_1_st = -t42*t43;
-    const double theta_3_2_st = t40*t43;
+    const double t28 = (R_p_2*R_p_2);
+    const double t29 = k_2_1*t28;
+    const double t30 = k_2_3*t28;
+    const double t31 = -d_2_1*t29 + d_2_2*(t29 + t30);
+    const double t32 = k_2_2*t28;
+    const double t33 = d_2_1*(t29 + t32) - d_2_2*t29;
+    const double det_2 = R_p_2*k_2_2*t31 - R_p_2*k_2_3*t33;
+    const double t34 = G_2/det_2;
+    const double theta_2_1_st = -t33*t34;
+    const double theta_2_2_st = t31*t34;
+    const double t35 = (R_p_3*R_p_3);
+    const double t36 = k_3_1*t35;
+    const double t37 = k_3_3*t35;
+    const double t38 = -d_3_1*t36 + d_3_2*(t36 + t37);
+    const double t39 = k_3_2*t35;
+    const double t40 = d_3_1*(t36 + t39) - d_3_2*t36;
+    const double det_3 = R_p_3*k_3_2*t38 - R_p_3*k_3_3*t40;
+    const double t41 = G_3/det_3;
+    const double theta_3_1_st = -t40*t41;
+    const double theta_3_2_st = t38*t41;
+    const double t42 = R_p_1*k_1_1*(-R_p_1*theta_1_1_st + R_p_1*theta_1_2_st);
+    const double tau_st_1 = d_1_1*(t23*theta_1_1_st - t42) + d_1_2*(t25*theta_1_2_st + t42);
+    const double t43 = R_p_2*k_2_1*(-R_p_2*theta_2_1_st + R_p_2*theta_2_2_st);
+    const double tau_st_2 = d_2_1*(t30*theta_2_1_st - t43) + d_2_2*(t32*theta_2_2_st + t43);
     const double t44 = R_p_3*k_3_1*(-R_p_3*theta_3_1_st + R_p_3*theta_3_2_st);
-    const double tau_st_3 = d_3_1*(t39*theta_3_1_st - t44) + d_3_2*(t41*theta_3_2_st + t44);
+    const double tau_st_3 = d_3_1*(t37*theta_3_1_st - t44) + d_3_2*(t39*theta_3_2_st + t44);
     tau_st[0] = tau_st_1;
     tau_st[1] = tau_st_2;
     tau_st[2] = tau_st_3;

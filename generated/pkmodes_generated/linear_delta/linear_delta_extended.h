@@ -106,11 +106,11 @@ void linear_delta_extended_extended_platform_motion(const double p[3], const lin
 void linear_delta_extended_joint_stiffness(const linear_delta_effects *effects, double kappa[12], double
     kappa_c[12]);
 
-/* Torques and pulley rotations that hold the pose, the effects' weights and belts included.
+/* Torques and rotations that hold the pose, the effects' weights and changes of stiffness included.
  *
  *   in  p [m]: platform centre in the base frame
- *   out tau_st [N m]: torques on the driven pulleys
- *   out theta_st [rad]: rotations from the unstrained belts
+ *   out tau_st [N m]: torques on the driven rotors
+ *   out theta_st [rad]: rotations from unstrained transmissions
  *
  * Source: equation 44; springs that effects add are relaxed at the pose, and the released joints hold.
  * 382 operations; 127761 with every named value written out.

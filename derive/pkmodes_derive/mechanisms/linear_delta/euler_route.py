@@ -1,6 +1,6 @@
 r"""Rotation of the linkages: the direct route, and the paper's through Euler angles.
 
-The direct route needs no angles: a rod that turns about an axis square to itself has
+The direct route needs no angles: a rod that turns about an axis perpendicular to itself has
 
 .. math:: \omega_j = \frac{s_j \times \dot s_j}{l_{d,j}^2}, \qquad D_{\omega,j} = \frac{s_j \times U_j}{l_{d,j}^2}.
 
@@ -17,17 +17,9 @@ from dataclasses import dataclass
 
 from sympy import Expr, Integer, Matrix, Rational, Symbol, asin, atan2, cos, diff, rot_ccw_axis3, sin, sqrt
 
+from pkmodes_derive.assembly.kinematics import Kinematics
 from pkmodes_derive.functions import Relation
-from pkmodes_derive.linear_delta.kinematics import Kinematics
-from pkmodes_derive.linear_delta.symbols import Symbols
-from pkmodes_derive.vectors import cross
-
-
-def angular_jacobian(sy: Symbols, kinematics: Kinematics, j: int) -> Matrix:
-    """D_omega,j = s_j x U_j / l_d^2, without spin about the rod."""
-    U = kinematics.U[j]
-    columns = [cross(kinematics.s[j], tuple(U[:, k])) for k in range(3)]
-    return Matrix(3, 3, lambda m, k: columns[k][m] / sy.l_d[j] ** 2)
+from pkmodes_derive.machine import Machine
 
 
 @dataclass(frozen=True)
@@ -36,6 +28,8 @@ class EulerRoute:
 
     Attributes
     ----------
+    phi : sympy.Symbol
+        Angle of the joint about z [rad].
     u : tuple of sympy.Symbol
         Components of u_j (equation 5) in the joint's own frame.
     u_of_s : sympy.Matrix
@@ -52,6 +46,7 @@ class EulerRoute:
         Inertia of the rods about their centre of mass, base frame (equation 25, turned).
     """
 
+    phi: Symbol
     u: tuple[Symbol, Symbol, Symbol]
     u_of_s: Matrix
     alpha: Expr
@@ -62,10 +57,15 @@ class EulerRoute:
     inertia: Matrix
 
 
-def euler_route(sy: Symbols, kinematics: Kinematics, j: int) -> EulerRoute:
+def euler_route(machine: Machine, kinematics: Kinematics, j: int) -> EulerRoute:
     """Derive the paper's route for linkage `j` (counted from 0) whose joint is turned by phi_j about z."""
-    u = sy.u[j]
-    R_f = rot_ccw_axis3(sy.phi[j])
+    v, link, place = machine.vocabulary, machine.links[j], {"j": j + 1}
+    what = "angular position of universal joint {j} on the platform"
+    phi = v.declare("phi_{j}", "rad", what, r"\varphi_{j}", **place)
+    u = v.vector(
+        "u_{j}", "m", "carriage {j} seen from its platform joint, in the joint's own frame", "u_{j}", **place
+    )
+    R_f = rot_ccw_axis3(phi)
     # atan2 instead of the printed arctan(-u_2/u_3): equal for u_3 > 0 and right for u_3 < 0 as well.
     alpha, beta = atan2(-u[1], u[2]), asin(u[0] / sqrt(u[0] ** 2 + u[1] ** 2 + u[2] ** 2))
     D_f = Matrix([[diff(angle, component) for component in u] for angle in (alpha, beta, Integer(0))])
@@ -76,17 +76,18 @@ def euler_route(sy: Symbols, kinematics: Kinematics, j: int) -> EulerRoute:
             [0, sin(alpha), cos(beta) * cos(alpha)],
         ]
     )
-    u_of_s = R_f.T * -Matrix(kinematics.s[j])
-    place = dict(zip(u, u_of_s, strict=True))
-    D_omega = R_f * (Psi * D_f).xreplace(place) * (R_f.T * -kinematics.U[j])
-    direction = Matrix(kinematics.s[j]) / sy.l_d[j]
-    inertia = sy.m_d[j] * sy.l_d[j] ** 2 * Rational(1, 12) * (Matrix.eye(3) - direction * direction.T)
-    return EulerRoute(u, u_of_s, alpha, beta, D_f, Psi, D_omega, inertia)
+    u_of_s = R_f.T * -Matrix(link.vector)
+    at = dict(zip(u, u_of_s, strict=True))
+    D_omega = R_f * (Psi * D_f).xreplace(at) * (R_f.T * -kinematics.U[j])
+    direction = Matrix(link.vector) / link.length
+    mass = machine.rods[j].mass
+    inertia = mass * link.length**2 * Rational(1, 12) * (Matrix.eye(3) - direction * direction.T)
+    return EulerRoute(phi, u, u_of_s, alpha, beta, D_f, Psi, D_omega, inertia)
 
 
-def euler_relations(sy: Symbols, kinematics: Kinematics) -> tuple[Relation, ...]:
+def relations(machine: Machine, kinematics: Kinematics) -> tuple[Relation, ...]:
     """The paper's route as it is shown in the documentation, for the first linkage (the others are alike)."""
-    route = euler_route(sy, kinematics, 0)
+    route = euler_route(machine, kinematics, 0)
     return (
         Relation(
             "u_1", route.u_of_s, "Equation 5: carriage seen from the platform joint, in the joint's frame."
@@ -97,7 +98,7 @@ def euler_relations(sy: Symbols, kinematics: Kinematics) -> tuple[Relation, ...]
         Relation(r"\Psi_1", route.Psi, "Equation 21."),
         Relation(
             r"(R_f)_1",
-            rot_ccw_axis3(sy.phi[0]),
+            rot_ccw_axis3(route.phi),
             "The joint's frame; D_omega = R_f Psi D_f D_u (equation 23).",
         ),
         Relation("I_{d,1}", route.inertia, "Equation 25 in the base frame."),
