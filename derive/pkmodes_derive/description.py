@@ -191,6 +191,7 @@ class EffectParameterData:
     description: str
     greater_than: float | None
     fitted: bool
+    optional: bool = False
 
 
 @dataclass(frozen=True)

@@ -20,8 +20,8 @@ replaces all of them: with multipliers :math:`\Phi_s^T \mu = V_s` (the forces th
 
 which is the Hessian of the Lagrangian on the tangent space of the constraints.
 
-Nothing is solved symbolically: the linear systems are closed by their adjugate, entry by entry, whose minors are named
-where they are larger than two by two (`Solver`).
+Nothing is solved symbolically: the linear systems are closed by their adjugate, entry by entry, whose minors are
+named where they are larger than two by two (`Solver`).
 """
 
 from __future__ import annotations

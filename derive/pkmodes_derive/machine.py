@@ -1,7 +1,7 @@
 """A machine: the tables, coordinates and parts that a mechanism declares, and what effects add to them.
 
-A mechanism's function gets an empty machine and declares it, top to bottom.  Then effects are applied, before anything
-is derived: what they refer to are names, whose definitions follow from the whole machine.
+A mechanism's function gets an empty machine and declares it, top to bottom.  Then effects are applied, before
+anything is derived: what they refer to are names, whose definitions follow from the whole machine.
 """
 
 from __future__ import annotations
@@ -180,6 +180,11 @@ class Machine:
         self.pose_is = pose_is
         return found
 
+    def independent_pose(self, coordinates: Sequence[Symbol], pose_is: str) -> None:
+        """A pose that is the independent coordinates themselves."""
+        self.pose, self.pose_is = tuple(coordinates), pose_is
+        self.inverse = {}
+
     def moves_platform(self, coordinates: Sequence[Symbol], argument: str, are: str) -> None:
         """Which coordinates are independent, what the argument with their values is called, and what they are."""
         self.independent, self.argument, self.independent_are = tuple(coordinates), argument, are
@@ -200,14 +205,21 @@ class Machine:
         self.links.append(Link(tuple(vector), length, coordinate))
         return self.links[-1]
 
+    def turns(self, symbol: Symbol, coordinate: Symbol, derivative: Expr) -> None:
+        """State a value that is a function of one independent coordinate alone, by its derivative."""
+        self.chain.rule(symbol, coordinate, derivative)
+        self.turned[symbol] = coordinate, derivative
+
     def rotor(self, coordinate: Symbol, inertia: Expr, name: Symbol | None = None) -> Rotor:
         """A body that turns on a bearing of the frame."""
         self.rotors.append(Rotor(coordinate, inertia, name))
         return self.rotors[-1]
 
-    def drive(self, rotors: Sequence[tuple[Rotor, Expr]], motor: Expr, torque: Symbol) -> None:
+    def drive(
+        self, rotors: Sequence[tuple[Rotor, Expr]], motor: Expr, torque: Symbol, *, winds_up: bool = True
+    ) -> None:
         """A motor with its gearbox on one of some rotors."""
-        self.drives.append(Drive(tuple(rotors), motor, torque))
+        self.drives.append(Drive(tuple(rotors), motor, torque, winds_up))
 
     def belt(self, modulus: Expr, runs: Sequence[Run], clamp: Clamp | None = None) -> None:
         """A belt with its free spans."""

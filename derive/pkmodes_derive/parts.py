@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from sympy import Expr, Integer, Symbol
+from sympy import Expr, S, Symbol
 
 from pkmodes_derive.effect import Coordinate
 
@@ -119,7 +119,7 @@ class Drive:
     motor: Expr
     torque: Symbol
     winds_up: bool = True
-    inertia: Expr = Integer(0)
+    inertia: Expr = S.Zero
     wind_up: list[Coordinate] = field(default_factory=list)
 
 
@@ -162,6 +162,8 @@ class Belt:
     clamp : Clamp or None
     change : sympy.Expr
         Relative change of the modulus by effects.
+    factor : sympy.Expr
+        By which effects multiply the modulus.
     compliance : sympy.Expr
         In series with every span [m/N].
     """
@@ -169,8 +171,9 @@ class Belt:
     modulus: Expr
     runs: tuple[Run, ...]
     clamp: Clamp | None = None
-    change: Expr = Integer(0)
-    compliance: Expr = Integer(0)
+    change: Expr = S.Zero
+    factor: Expr = S.One
+    compliance: Expr = S.Zero
 
 
 @dataclass
@@ -180,4 +183,4 @@ class Reducer:
     stiffness: Symbol
     declared: Expr
     twist: Form
-    change: Expr = Integer(0)
+    change: Expr = S.Zero

@@ -132,6 +132,30 @@ class Declared:
         )
         return symbols
 
+    def ranges(
+        self, keys: Sequence[str], symbol: str, description: str, latex: str
+    ) -> tuple[Symbols, Symbols]:
+        """Ranges of a length, the lower end first, under several keys that share one field; letter i for the key."""
+        v = self._tables._vocabulary
+        ends = tuple(
+            tuple(
+                v.declare(
+                    f"{symbol}_{end}_{{i}}", "m", f"{which} end of {description}", rf"\{end}({latex})", i=key
+                )
+                for key in keys
+            )
+            for end, which in (("min", "lower"), ("max", "upper"))
+        )
+        symbols = tuple(concatenate(*zip(*ends, strict=True)))
+        self._tables.field(self.name, (len(keys), 2), symbols, "m", self.description)
+        for place, key in enumerate(keys):
+            what = description.format(i=key)
+            pair = ("min", "max")
+            self.keys.append(
+                Key(key, "pair", self.name, "length", what, (place,), pair, signed=True, suspected=False)
+            )
+        return ends[0], ends[1]
+
 
 class Repeated(Declared):
     """A table of which there are several; the keys of the tables that its entries share may be overridden in it."""

@@ -213,7 +213,7 @@ def _dynamics(c: Condensed) -> list[Function]:
             f"Mass matrix M in the {c.count}.",
             "equations 24, 30 and 33",
             [c.pose],
-            Output("M", (c.n, c.n), c.M, units_M(c), "symmetric" if m.effects else plain),
+            Output("M", (c.n, c.n), c.M, units_of_mass(c), "symmetric" if m.effects else plain),
         ),
         c.function(
             "velocity_forces",
@@ -300,7 +300,13 @@ def _transmissions(c: Condensed) -> list[Function]:
             "Hessian of the elastic potential energy.",
             "equation 38 differentiated twice",
             [c.pose],
-            Output("H_el", (c.n, c.n), c.K_el, units_K(c), f"d2V_el/dq2, symmetric, {zero} zero eigenvalues"),
+            Output(
+                "H_el",
+                (c.n, c.n),
+                c.K_el,
+                units_of_stiffness(c),
+                f"d2V_el/dq2, symmetric, {zero} zero eigenvalues",
+            ),
         ),
         c.function(
             "static_equilibrium",
@@ -331,8 +337,8 @@ def _transmissions(c: Condensed) -> list[Function]:
 def _modal(c: Condensed) -> list[Function]:
     """Stiffness matrix, alone and with the mass matrix."""
     what = "symmetric; Hessian of V_el + V_g, positive for a restoring force"
-    K = Output("K", (c.n, c.n), c.K, units_K(c), what)
-    M = Output("M", (c.n, c.n), c.M, units_M(c), "mass matrix")
+    K = Output("K", (c.n, c.n), c.K, units_of_stiffness(c), what)
+    M = Output("M", (c.n, c.n), c.M, units_of_mass(c), "mass matrix")
     return [
         c.function(
             "stiffness_matrix",
@@ -354,12 +360,12 @@ def _modal(c: Condensed) -> list[Function]:
     ]
 
 
-def units_M(c: Condensed) -> str:
+def units_of_mass(c: Condensed) -> str:
     """Units of the entries of M."""
     return units(c.machine, "kg", "kg m", "kg m^2")
 
 
-def units_K(c: Condensed) -> str:
+def units_of_stiffness(c: Condensed) -> str:
     """Units of the entries of K."""
     found = {c.machine.vocabulary[q].unit for q in c.machine.all_coordinates}
     return "N/m, N, N m" if len(found) > 1 else "N/m" if "m" in found else "N m"

@@ -1,4 +1,4 @@
-"""Everything derived of a machine, once for all models: kinematics, energies, equilibrium, M and K in all coordinates."""
+"""Everything derived of a machine, once for all models: kinematics, energies, equilibrium, and M and K."""
 
 from __future__ import annotations
 

@@ -258,7 +258,7 @@ def _define_belts(machine: Machine) -> tuple[Symbol, ...]:
     displacements, and no derivative by a displacement passes through them.
     """
     for belt in machine.belts:
-        modulus = belt.modulus * (1 + belt.change)
+        modulus = belt.modulus * (1 + belt.change) * belt.factor
         for run in belt.runs:
             machine.define(run.length, run.free_length)
             # 1/k = l/(w k_sp (1 + a)) + c, so written that c = 0 is no special case.

@@ -282,7 +282,7 @@ def _notes(c: Condensed) -> tuple[str, ...]:
     active = "; ".join(f"{effect.name}: {effect.sentence}" for effect in c.machine.effects)
     notes = [
         f"With effects ({active}).  Coordinates that they add are relative and zero at the pose.  "
-        f"`platform_jacobian` is by the {c.machine.independent_are} alone, `platform_motion` by every coordinate above."
+        f"`platform_jacobian` is by the {c.machine.independent_are} alone, `platform_motion` by every coordinate."
     ]
     if c.massless:
         names = ", ".join(q.name for q in c.massless)
@@ -320,8 +320,8 @@ def _uncondensed(c: Condensed) -> list[Function]:
             "Mass and stiffness matrices in all coordinates: M has rows of zeros, and no inverse.",
             "equation 48, with the effects' energies",
             [c.pose],
-            Output("M", (n, n), flat(c.M_all), chapters.units_M(c), "mass matrix"),
-            Output("K", (n, n), flat(c.K_all), chapters.units_K(c), "stiffness matrix"),
+            Output("M", (n, n), flat(c.M_all), chapters.units_of_mass(c), "mass matrix"),
+            Output("K", (n, n), flat(c.K_all), chapters.units_of_stiffness(c), "stiffness matrix"),
         ),
         c.function(
             "condensation",

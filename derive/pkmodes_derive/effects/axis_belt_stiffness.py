@@ -15,7 +15,7 @@ EFFECT = Effect(
     parts=lambda machine: machine.belts,
     parameters=(
         EffectParameter(
-            "factor_{j}", "1", "relative change of the belt stiffness of axis {j}", "a_B_{j}", "a_{j}", -1.0
+            "factor_{j}", "1", "relative change of the stiffness of belt {j}", "a_B_{j}", "a_{j}", -1.0
         ),
     ),
     apply=apply,

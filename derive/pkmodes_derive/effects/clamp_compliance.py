@@ -21,6 +21,10 @@ EFFECT = Effect(
     parameters=(EffectParameter("compliance", "m/N", "compliance of every belt clamp", "c_K", "c_K"),),
     apply=apply,
     released=Released(
-        "eps_{j}", "m", "displacement of the belt clamp relative to carriage {j}", r"\varepsilon_{j}", order=3
+        "eps_{j}",
+        "m",
+        "displacement of the clamp of belt {j} relative to what it moves",
+        r"\varepsilon_{j}",
+        order=3,
     ),
 )

@@ -17,5 +17,5 @@ EFFECT = Effect(
         EffectParameter("compliance", "rad/(N m)", "compliance of every gearbox, output side", "c_G", "c_G"),
     ),
     apply=apply,
-    released=Released("psi_{j}", "rad", "wind-up of the gearbox of axis {j}", r"\psi_{j}", order=1),
+    released=Released("psi_{j}", "rad", "wind-up of gearbox {j}", r"\psi_{j}", order=1),
 )

@@ -1,8 +1,8 @@
 r"""The linear delta: three carriages on rails in any position, parallelogram linkages, timing belts.
 
-Carriage j runs on :math:`e_j = o_j + x_j n_j`, the platform carries its joint at :math:`c_j = p + b_j`, and the linkage
-between them, :math:`s_j = c_j - e_j`, keeps its length (equations 1 to 3 of the paper).  Each carriage is pulled by a
-belt over two pulleys, one of which a motor drives (equations 28 to 41).
+Carriage j runs on :math:`e_j = o_j + x_j n_j`, the platform carries its joint at :math:`c_j = p + b_j`, and the
+linkage between them, :math:`s_j = c_j - e_j`, keeps its length (equations 1 to 3 of the paper).  Each carriage is
+pulled by a belt over two pulleys, one of which a motor drives (equations 28 to 41).
 """
 
 from __future__ import annotations
