@@ -17,6 +17,7 @@ from compiled import build, call
 from pkmodes.generation import specification
 from pkmodes.robot.effects import CATALOGUE
 from pkmodes.robot.reading import robot_from_document
+from pkmodes_derive import mechanisms
 from pkmodes_derive.emit import product
 from sample_robots import ROBOTS
 
@@ -175,7 +176,7 @@ def test_every_function_is_that_of_a_robot_declared_so(effect: str, tables: dict
     _, module, _ = sample("linear-delta-2022.toml", (effect,))
     declared, _ = generated(robot("linear-delta-2022.toml", (), **tables))
     given = arguments(module, np.random.default_rng(5))
-    product_functions = product.derive("linear_delta").functions
+    product_functions = mechanisms.base("linear_delta").functions
     assert {f.name for f in product_functions} == functions(declared)
     for function in product_functions:
         inputs = [given[a.name] for a in function.arguments]

@@ -7,12 +7,12 @@ import pytest
 
 from broken_module import Broken
 from pkmodes.checking.consistency import Generated, check_consistency, oblique_robot
-from pkmodes_derive.emit import product
+from pkmodes_derive import mechanisms
 from pkmodes_generated import linear_delta
 from sample_robots import random_robot
 
 
-@pytest.mark.parametrize("name", sorted(f.name for f in product.derive("linear_delta").functions))
+@pytest.mark.parametrize("name", sorted(f.name for f in mechanisms.base("linear_delta").functions))
 def test_consistency_finds_one_part_in_a_hundred_million(name: str) -> None:
     """Every derived function: a relative error of 1e-8 in it fails some relation."""
     robot = oblique_robot()
