@@ -17,7 +17,7 @@ from pkmodes_derive.effect import Coordinate, Effect
 from pkmodes_derive.functions import Argument, Output
 from pkmodes_derive.parts import Arm, Belt, Clamp, Drive, Form, Link, PointMass, Reducer, Rod, Rotor, Run
 from pkmodes_derive.tables import Tables
-from pkmodes_derive.vocabulary import AXES, Field, Vector, Vocabulary
+from pkmodes_derive.vocabulary import AXES, Field, Vocabulary
 
 SMALL = "small displacement from the reference configuration: "
 
@@ -99,7 +99,7 @@ class Machine:
         self.vocabulary = Vocabulary()
         self.tables, self.chain = Tables(self.vocabulary), Chain()
         self.inverse: dict[Symbol, Expr] = {}
-        self.gravity: Vector = ()  # type: ignore[assignment]
+        self.gravity: tuple[Symbol, ...] = ()
         self.pose: tuple[Symbol, ...] = ()
         self.pose_is, self.independent_are, self.argument = "", "", ""
         self.dependent: tuple[Symbol, ...] = ()
@@ -173,9 +173,24 @@ class Machine:
         what = "the frame; used by the effect frame_compliance only"
         self.tables.constant("frame", "mass", what, 50.0, "frame_compliance.mass")
 
-    def platform_pose(self, name: str, pose_is: str, latex: str) -> Vector:
+    def vector(
+        self, name: str, unit: str, description: str, latex: str, **index: object
+    ) -> tuple[Symbol, ...]:
+        """The components of a vector in the directions in which the mechanism moves."""
+        return self.vocabulary.vector(name, unit, description, latex, axes=self.directions, **index)
+
+    def vectors(self, name: str, unit: str, description: str, latex: str) -> tuple[tuple[Symbol, ...], ...]:
+        """One vector for each entry of the repeated table, such as an axis; index letter j."""
+        return tuple(self.vector(f"{name}_{{j}}", unit, description, latex, j=j) for j in self.tables.numbers)
+
+    def each(self, name: str, unit: str, description: str, latex: str) -> tuple[Symbol, ...]:
+        """One scalar for each entry of the repeated table; index letter j."""
+        declare = self.vocabulary.declare
+        return tuple(declare(f"{name}_{{j}}", unit, description, latex, j=j) for j in self.tables.numbers)
+
+    def platform_pose(self, name: str, pose_is: str, latex: str) -> tuple[Symbol, ...]:
         """A pose that closures connect with the independent coordinates: the platform's centre."""
-        found = self.vocabulary.vector(name, "m", pose_is, latex)
+        found = self.vector(name, "m", pose_is, latex)
         self.pose = self.dependent = found
         self.pose_is = pose_is
         return found

@@ -61,6 +61,11 @@ class Tables:
         )
         self._added(Declared(self, table, description, 0, "")).keys.append(mass)
 
+    @property
+    def numbers(self) -> range:
+        """Numbers of the entries of the repeated table."""
+        return range(1, max(table.count for table in self._tables) + 1)
+
     def described(self) -> tuple[Table, ...]:
         """The tables as they are described: the repeated one last."""
         ordered = sorted(self._tables, key=lambda table: table.count)

@@ -148,7 +148,7 @@ def _motion(c: Condensed) -> list[Function]:
             ),
         ),
     ]
-    return [*found, *(_links(c) if m.rods else []), *_dynamics(c)]
+    return [*found, *(_links(c) if m.rods and d == 3 else []), *_dynamics(c)]
 
 
 def _links(c: Condensed) -> list[Function]:

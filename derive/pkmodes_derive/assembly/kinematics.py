@@ -20,6 +20,7 @@ from pkmodes_derive import implicit
 from pkmodes_derive.chain import Chain
 from pkmodes_derive.machine import Machine
 from pkmodes_derive.vectors import dot
+from pkmodes_derive.vocabulary import AXES
 
 
 @dataclass(frozen=True)
@@ -118,7 +119,7 @@ def derive(machine: Machine) -> Kinematics:
 
 def _components(machine: Machine) -> tuple[Expr, ...]:
     """The platform's position in the directions in which it moves."""
-    return tuple(machine.platform["xyz".index(axis)] for axis in machine.directions)
+    return tuple(machine.platform[AXES.index(axis)] for axis in machine.directions)
 
 
 def _closure(s: Sequence[Symbol], length: Expr, elongation: Sequence[Symbol]) -> Expr:
@@ -169,8 +170,8 @@ def _jacobian(
 def _link_jacobian(machine: Machine, j: int, independent: tuple[Symbol, ...]) -> Matrix:
     chain, s, n = machine.chain, machine.links[j].vector, len(machine.independent)
     stem = machine.independent[0].name.rsplit("_", 1)[0]
-    U = Matrix.zeros(3, len(independent))
-    for m, axis in enumerate("xyz"):
+    U = Matrix.zeros(len(s), len(independent))
+    for m, axis in enumerate(machine.directions):
         for k, q in enumerate(independent):
             U[m, k] = chain.derivative(s[m], q)
             if k < n:  # along an elongation the link vector moves with the platform: no name of its own
@@ -184,7 +185,7 @@ def _link_jacobian(machine: Machine, j: int, independent: tuple[Symbol, ...]) ->
                     k=k + 1,
                 )
                 U[m, k] = machine.define(name, U[m, k])
-    for m in range(3):
+    for m in range(len(s)):
         for k, q in enumerate(independent):
             chain.rule(s[m], q, U[m, k])
     return U

@@ -36,8 +36,8 @@
  *   det_D_l [m^3]: determinant of D_l
  *   D_p_i_k [m]: platform Jacobian, dp_i/dtheta_k
  *   U_j_i_k [m]: derivative of linkage vector j, component i, with respect to theta_k
- *   f_j_kl [m]: right-hand side of closure j differentiated with respect to theta_k and theta_l
- *   P_i_kl [1]: second derivative of p_i with respect to theta_k and theta_l
+ *   f_j_kl [m^2]: right-hand side of closure j differentiated with respect to theta_k and theta_l
+ *   P_i_kl [m]: second derivative of p_i with respect to theta_k and theta_l
  *   s_dot_j_i [m/s]: rate of change of linkage vector j, component i
  *   D_p_dot_i_k [m/s]: time derivative of dp_i/dtheta_k
  *   mu_j [N/m]: static force in linkage j divided by its length, positive in compression

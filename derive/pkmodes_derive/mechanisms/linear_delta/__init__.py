@@ -135,8 +135,8 @@ def declare(m: Machine) -> None:
     m.moves_platform(x, "x", "carriage positions")
 
     # Closures (equations 1 to 3) -----------------------------------------------------------------------------
-    r = v.vectors_per_axis("r", "m", "platform joint {j} seen from the origin of rail {j}", "r_{j}")
-    s = v.vectors_per_axis("s", "m", "linkage vector {j}, from carriage to platform joint", "s_{j}")
+    r = m.vectors("r", "m", "platform joint {j} seen from the origin of rail {j}", "r_{j}")
+    s = m.vectors("s", "m", "linkage vector {j}, from carriage to platform joint", "s_{j}")
     for j in J:
         m.define_all(r[j], (p[i] + b[j][i] - o[j][i] for i in range(3)))
     for j in J:
@@ -146,11 +146,9 @@ def declare(m: Machine) -> None:
     m.opposite["origin"] = "joint"  # o_j occurs in r_j only
 
     # Inverse kinematics: rail j meets the sphere of radius l_d around platform joint j (section 2.2, after figure 4)
-    along = v.per_axis("a", "m", "coordinate of platform joint {j} along rail {j}", "a_{j}")
-    across = v.vectors_per_axis(
-        "w", "m", "vector from rail {j} to platform joint {j}, perpendicular to it", "w_{j}"
-    )
-    distance2 = v.per_axis("w2", "m^2", "squared distance of platform joint {j} from rail {j}", r"|w_{j}|^2")
+    along = m.each("a", "m", "coordinate of platform joint {j} along rail {j}", "a_{j}")
+    across = m.vectors("w", "m", "vector from rail {j} to platform joint {j}, perpendicular to it", "w_{j}")
+    distance2 = m.each("w2", "m^2", "squared distance of platform joint {j} from rail {j}", r"|w_{j}|^2")
     for j in J:
         m.inverse[along[j]] = dot(n[j], r[j])
         m.inverse.update(zip(across[j], (r[j][i] - along[j] * n[j][i] for i in range(3)), strict=True))
@@ -168,7 +166,7 @@ def declare(m: Machine) -> None:
 
     # Belts, pulleys and motors (equations 28 to 30 and 34 to 41) ---------------------------------------------
     moment = "moment of inertia of pulley {k} of axis {j}, with the motor where it is driven"
-    torque = v.per_axis("tau_st", "N m", "static torque on the driven pulley of axis {j}", r"\tau_{{st,{j}}}")
+    torque = m.each("tau_st", "N m", "static torque on the driven pulley of axis {j}", r"\tau_{{st,{j}}}")
     for j in J:
         rotors = [
             m.rotor(
