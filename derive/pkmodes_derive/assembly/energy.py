@@ -131,7 +131,7 @@ def _scalar(machine: Machine, u: tuple[Expr, ...], w: tuple[Expr, ...]) -> Expr:
     if u == w and (u in machine.units or u in BASIS):
         return Integer(1)
     for unit in machine.units if u == w else ():  # a unit vector times a length
-        factors = {component / e for component, e in zip(u, unit, strict=True)}
+        factors = {component / e for component, e in zip(u, unit, strict=True) if e != 0 or component != 0}
         if len(factors) == 1 and not (factor := factors.pop()).free_symbols & set(unit):
             return factor**2
     return dot(u, w)
