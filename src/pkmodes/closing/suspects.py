@@ -20,6 +20,7 @@ import numpy as np
 from pkmodes.closing import frame
 from pkmodes.diagnosis.problem import Candidate, Parameter
 from pkmodes.errors import PkmodesError, shown
+from pkmodes.mechanism import mechanism
 from pkmodes.robot.effects import CATALOGUE, Effect
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.paths import ParameterPath, paths, resolve
@@ -60,7 +61,7 @@ def suspects(
     if chosen is None:
         candidates += _of_one_axis(robot)
     candidates += _with_another_frame(robot, candidates)
-    of_frame, frames = frame.suspects()
+    of_frame, frames = frame.suspects(mechanism(robot.mechanism))
     of_robot = [name for candidate in candidates if candidate not in frames for name in candidate.parameters]
     names = dict.fromkeys([*nuisances, *of_robot])
     joints = _joints(robot) if candidates else {}
@@ -80,7 +81,9 @@ def _chosen(robot: Robot, chosen: Sequence[str] | None) -> list[Candidate]:
     kinds = {
         "effects": _effects(robot),
         "parameters": _suspected(robot),
-        "measurement": {candidate.name: candidate for candidate in frame.suspects()[1]},
+        "measurement": {
+            candidate.name: candidate for candidate in frame.suspects(mechanism(robot.mechanism))[1]
+        },
     }
     every = {name: candidate for kind in kinds.values() for name, candidate in kind.items()}
     if chosen is None:
