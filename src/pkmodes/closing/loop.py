@@ -21,9 +21,9 @@ from pkmodes.errors import MeasurementError, PkmodesError, shown
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import check_reachable, read_measurements
 from pkmodes.model import Model
+from pkmodes.robot.paths import resolve
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.saving import Correction, save_corrected
-from pkmodes.sensitivity.paths import resolve
 
 
 def read(path: str | Path, band: tuple[float, float] | None = None) -> Measurements:

@@ -13,10 +13,9 @@ from pkmodes.diagnosis.problem import Batch, Candidate, Parameter, Prediction
 from pkmodes.eigen import condensed_eigh
 from pkmodes.evaluation import SystemOfEffects, active_effects
 from pkmodes.poses import MAX_CONDITION, check_poses
-from pkmodes.robot.effects import CATALOGUE
+from pkmodes.robot.paths import ParameterPath, moved
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives, locked_joints
-from pkmodes.sensitivity.paths import ParameterPath, moved
 from pkmodes.sensitivity.shapes import shape_derivatives
 from pkmodes_generated.linear_delta import COORDINATES, RIGID_MODES, extended
 
@@ -300,7 +299,7 @@ def _scattered(values: Array, valid: NDArray[np.bool_]) -> Array:
 
 
 def _rigid(robot: Robot) -> int:
-    grounded = any(CATALOGUE[name].grounds for name in active_effects(robot.effects))
+    grounded = any(robot.kind.effects[name].grounds for name in active_effects(robot.effects))
     return 0 if grounded else RIGID_MODES
 
 

@@ -18,7 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.evaluation import SystemOfEffects
-from pkmodes.sensitivity.paths import ParameterPath, Slot
+from pkmodes.robot.layout import Slot
+from pkmodes.robot.paths import ParameterPath
 from pkmodes_generated.linear_delta import extended
 
 Array = NDArray[np.float64]

@@ -15,10 +15,10 @@ from pkmodes.evaluation import Evaluation, SystemOfEffects, evaluation
 from pkmodes.gathering import Fields, Gathered, Out, chosen_fields
 from pkmodes.poses import CheckedPoses
 from pkmodes.results import ChosenFields
+from pkmodes.robot.paths import ParameterPath, paths, resolve_all
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.sensitivity.modes import ROUNDING, branches, groups, mode_derivatives
-from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
 from pkmodes.solving import solved
 from pkmodes_generated.linear_delta import COORDINATES
 
