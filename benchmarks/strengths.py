@@ -29,9 +29,8 @@ from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
 from pkmodes.mechanism import mechanism
-from pkmodes.robot.effects import CATALOGUE
+from pkmodes.robot.paths import moved, resolve
 from pkmodes.robot.robot import Robot
-from pkmodes.sensitivity.paths import moved, resolve
 from rig import (
     BASE_RIGID,
     POSES,
@@ -57,6 +56,8 @@ from sizes import (
     WRONG_SIZES,
     WRONG_TARGETS,
 )
+
+CATALOGUE = mechanism("linear_delta").effects
 
 #: Standard deviation of ln f, and the modes that are looked for beyond the first three.
 SIGMA, MODES = 0.002, 6

@@ -10,8 +10,9 @@ import numpy as np
 
 from pkmodes.evaluation import SystemOfEffects
 from pkmodes.mechanism import mechanism
-from pkmodes.robot.effects import CATALOGUE
 from pkmodes_generated.linear_delta import Parameters, extended
+
+CATALOGUE = mechanism("linear_delta").effects
 
 mp = mpmath.mp.clone()
 mp.dps = 80
@@ -42,7 +43,7 @@ def exact_modes(parameters: Parameters, effects: Mapping[str, float], p: np.ndar
     K = mp.matrix(K_el.tolist()) + mp.matrix(K_g.tolist())
     for i, coordinate in enumerate(extended.COORDINATES[k] for k in system.free):
         for effect in CATALOGUE.values():
-            if coordinate in effect.coordinates:
+            if coordinate in (q.name for q in effect.coordinates):
                 compliance = mp.mpf(effects.get(f"{effect.name}.compliance", 0.0))
                 K[i, i] += 1 / (
                     compliance + mp.mpf(effects.get(f"{effect.name}.compliance.{coordinate}", 0.0))

@@ -189,7 +189,8 @@ class Requirement:
     places : tuple of str
         Paths of the robot file, one for each entry.
     sentence : str
-        With ``{missing}`` for what is missing.
+        With ``{missing}`` for what is missing, ``{value}`` for the function's value, and paths beside the place, such
+        as ``{limits.min}``, for quantities of the file.
     remedy : str
     unit : str
     """

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.generated import Generated, declared, regular_poses, sample
-from pkmodes.mechanism import Mechanism, mechanism
+from pkmodes.mechanism import Mechanism
 from pkmodes.robot.robot import Robot
 
 Array = NDArray[np.float64]
@@ -145,7 +145,7 @@ class SystemOfEffects:
     @classmethod
     def of(cls, robot: Robot) -> SystemOfEffects:
         """Return that of a robot, whether or not it has effects."""
-        return cls(mechanism(robot.mechanism), robot.parameters, robot.effects)
+        return cls(robot.kind, robot.parameters, robot.effects)
 
     @classmethod
     def stacked(cls, systems: Sequence[SystemOfEffects], count: int) -> SystemOfEffects:
@@ -284,6 +284,6 @@ def _told_apart(effects: Mapping[str, float]) -> tuple[dict[str, float], list[tu
 
 def evaluation(robot: Robot) -> Evaluation:
     """Choose the model of a robot: the base one when every effect is null."""
-    kind = mechanism(robot.mechanism)
+    kind = robot.kind
     active = active_effects(kind, robot.effects)
     return SystemOfEffects.of(robot) if active else BaseEvaluation(kind, robot.parameters)

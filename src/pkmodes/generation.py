@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any
 
 from pkmodes.errors import MissingExtraError, OutputError, shown
 from pkmodes.evaluation import active_effects
-from pkmodes.mechanism import mechanism
 from pkmodes.product_folder import MANIFEST, check_owner, check_place, stale_outputs
 from pkmodes.robot.reading import read_robot
 from pkmodes.robot.robot import Robot
@@ -57,7 +56,7 @@ def specification(robot: Robot, robot_file: str) -> Specification:
         fields={name: _plain(value) for name, value in robot.parameters._asdict().items()}
         | {path.replace(".", "_"): value for path, value in robot.effects.items()},
         values=robot.declared,
-        effects=active_effects(mechanism(robot.mechanism), robot.effects),
+        effects=active_effects(robot.kind, robot.effects),
     )
     return found
 

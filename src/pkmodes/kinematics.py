@@ -14,7 +14,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.errors import PkmodesError, PoseError, shown
 from pkmodes.gathering import Gathered
-from pkmodes.mechanism import mechanism
 from pkmodes.poses import (
     CHUNK,
     MAX_CONDITION,
@@ -59,7 +58,7 @@ class Kinematics:
             raise PkmodesError(f"expected a Robot, found {shown(robot)}", "Model", "use pkmodes.load(path)")
         self.max_condition = largest_condition(max_condition)
         self.robot = robot
-        self.kind = mechanism(robot.mechanism)
+        self.kind = robot.kind
 
     @property
     def reasons(self) -> dict[str, str]:

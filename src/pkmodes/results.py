@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.errors import NotComputedError
-from pkmodes.mechanism import Mechanism, mechanism
+from pkmodes.mechanism import Mechanism
 from pkmodes.poses import CHUNK, explained
 from pkmodes.robot.robot import Robot
 
@@ -206,7 +206,7 @@ class PoseCheck(AtPoses):
         """What is wrong with each pose, and the remedy."""
         found = np.full(self.codes.size, "", dtype=object)
         every, codes = np.flatnonzero(self.codes), self.codes.reshape(-1)
-        kind, points = mechanism(self.robot.mechanism), self.poses.reshape(self.codes.size, -1)
+        kind, points = self.robot.kind, self.poses.reshape(self.codes.size, -1)
         for start in range(0, len(every), CHUNK):
             bad = every[start : start + CHUNK]
             texts = explained(points[bad], codes[bad], kind, self.robot.parameters)

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from pkmodes.eigen import condensed_eigh, natural_frequencies
 from pkmodes.errors import PoseError
 from pkmodes.evaluation import Evaluation, matrices
-from pkmodes.mechanism import mechanism
 from pkmodes.results import CARRIAGES, JOINTS
 from pkmodes.robot.robot import Robot
 
@@ -115,6 +114,6 @@ def fields_of_modes(
     elif OF_MATRICES & set(asked):
         found["mass_matrix"], found["stiffness_matrix"] = matrices(evaluation, p)
     if OF_JOINTS & set(asked):
-        joints = mechanism(robot.mechanism).model.inverse_kinematics(p, robot.parameters)
+        joints = robot.kind.model.inverse_kinematics(p, robot.parameters)
         found |= dict.fromkeys(OF_JOINTS, joints)
     return {name: found[name] for name in asked}

@@ -14,9 +14,9 @@ from mpmath import cholesky, eigsy, matrix, mpf, workdps
 
 import pkmodes
 from pkmodes.evaluation import SystemOfEffects
+from pkmodes.robot.paths import ParameterPath, moved, paths, resolve
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
-from pkmodes.sensitivity.paths import ParameterPath, moved, paths, resolve
 from pkmodes.sensitivity.sensitivities import TOGETHER, Sensitivities
 from pkmodes_generated.linear_delta import extended
 from sample_robots import published, random_robot, tower_printer

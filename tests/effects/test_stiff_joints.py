@@ -17,11 +17,12 @@ from pkmodes.eigen import condensed_eigh, generalised_eigh
 from pkmodes.errors import PoseError
 from pkmodes.evaluation import SystemOfEffects, matrices
 from pkmodes.mechanism import mechanism
-from pkmodes.robot.effects import CATALOGUE
 from sample_robots import Sample, published, random_robot
 from sensitivity_references import robot_of
 
 KIND = mechanism("linear_delta")
+CATALOGUE = KIND.effects
+
 COMPLIANCES = (1e-30, 1e-20, 1e-15, 1e-14, 1e-12, 1e-9, 1e-6)
 RELEASED = tuple(name for name, effect in CATALOGUE.items() if effect.coordinates)
 #: Effects and what multiplies the compliance in each: alone, with the clamp's mass, and several of different sizes.
@@ -140,7 +141,7 @@ def test_sensitivities_equal_eighty_digits(effect: str, compliance: float) -> No
     for t in range(3):
         dM, dK = (mp.matrix(a[t].tolist()) for a in (found.mass_matrix, found.stiffness_matrix))
         if t == 0:
-            places = [model.coordinates.index(q) for q in CATALOGUE[own.split(".")[0]].coordinates]
+            places = [model.coordinates.index(q.name) for q in CATALOGUE[own.split(".")[0]].coordinates]
             dM, dK = mp.zeros(len(rows[0])), mp.zeros(len(rows[0]))
             for i in places:
                 dK[i, i] = -1 / mp.mpf(compliance) ** 2

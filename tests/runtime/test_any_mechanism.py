@@ -23,9 +23,9 @@ from pkmodes.closing.structure import RobotStructure, channels
 from pkmodes.errors import MeasurementError, PkmodesError, PoseError
 from pkmodes.evaluation import SystemOfEffects
 from pkmodes.generated import Generated, sample
+from pkmodes.robot.paths import ParameterPath
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
-from pkmodes.sensitivity.paths import ParameterPath
 
 KIND = known._read("planar_pair")
 SAMPLE = sample(KIND)

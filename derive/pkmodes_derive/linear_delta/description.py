@@ -214,7 +214,7 @@ def requirements() -> tuple[Requirement, ...]:
             "travel_margin",
             "above_zero",
             tuple(f"axis.{j}.limits" for j in THREE),
-            "expected a carriage shorter than its travel, found one that is {missing} too long",
+            "expected a carriage shorter than the travel, found a length of {carriage.length}",
             "check the limits and carriage.length",
             "m",
         ),

@@ -190,14 +190,14 @@ def _executed(texts: dict[str, str]) -> types.ModuleType:
 
 def _checks(module: types.ModuleType, robot: Robot) -> list[Check]:
     """Differences, and equality with the model that pkmodes evaluates."""
-    kind = mechanism(robot.mechanism)
+    kind = robot.kind
     effects = bool(active_effects(kind, robot.effects))
     return [*check_consistency(Generated(module), kind, robot.parameters, effects), *_equality(module, robot)]
 
 
 def _equality(module: types.ModuleType, robot: Robot) -> list[Check]:
     """Constants folded or given as parameters: the same matrices, of the coordinates with inertia and of all."""
-    kind = mechanism(robot.mechanism)
+    kind = robot.kind
     p = regular_poses(Generated(kind.model, robot.parameters), kind, robot.parameters)
     if not len(p):
         return []

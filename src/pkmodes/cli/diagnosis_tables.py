@@ -10,7 +10,6 @@ from rich.console import Console
 from rich.table import Table
 
 from pkmodes.diagnosis.verdict.result import Diagnosis, Error, Row, Value
-from pkmodes.mechanism import mechanism
 from pkmodes.poses import placed
 from pkmodes.robot.robot import Robot
 
@@ -156,7 +155,7 @@ def _remarks(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
     if result.undetectable:
         remarks.append(f"not detectable with these data: {', '.join(result.undetectable)}")
     if result.next_measurement is not None:
-        place = placed(mechanism(robot.mechanism), result.next_measurement.pose, ".4f")
+        place = placed(robot.kind, result.next_measurement.pose, ".4f")
         a, b = result.next_measurement.separates
         sigmas = result.next_measurement.sigmas
         remarks.append(f"measure next at {place}: {a} and {b} differ there by {sigmas:.0f} sigma")

@@ -23,9 +23,9 @@ from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
 from pkmodes.mechanism import Mechanism, mechanism, names
 from pkmodes.model import Model
+from pkmodes.robot.paths import resolve
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.saving import Correction, save_corrected
-from pkmodes.sensitivity.paths import resolve
 
 
 def read(
@@ -49,7 +49,7 @@ def read(
     """
     if not isinstance(path, str | PathLike):
         raise PkmodesError(f"expected a path, found {shown(path)}", "read", "give the name of a CSV file")
-    kinds = [mechanism(name) for name in names()] if robot is None else [mechanism(_robot(robot).mechanism)]
+    kinds = [mechanism(name) for name in names()] if robot is None else [_robot(robot).kind]
     known = {name: unit for kind in kinds for name, unit in channels(kind).items()}
     found = read_measurements(path, known, components=[_components(kind) for kind in kinds])
     if band is None:

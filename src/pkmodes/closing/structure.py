@@ -12,11 +12,11 @@ from pkmodes.closing import frame
 from pkmodes.diagnosis.problem import Batch, Candidate, Parameter, Prediction
 from pkmodes.evaluation import SystemOfEffects
 from pkmodes.generated import declared
-from pkmodes.mechanism import Mechanism, mechanism
+from pkmodes.mechanism import Mechanism
 from pkmodes.poses import MAX_CONDITION, check_poses
+from pkmodes.robot.paths import ParameterPath, moved
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, geometry_of, locked_joints
-from pkmodes.sensitivity.paths import ParameterPath, moved
 from pkmodes.sensitivity.shapes import shape_derivatives
 from pkmodes.solving import solve
 
@@ -88,7 +88,7 @@ class RobotStructure:
         self.robot, self.points = robot, np.asarray(points, dtype=float)
         self.parameters: tuple[Parameter, ...] = tuple(parameters)
         self.candidates: tuple[Candidate, ...] = tuple(candidates)
-        self._kind = mechanism(robot.mechanism)
+        self._kind = robot.kind
         known = channels(self._kind)
         self.channels, self.channel_units = tuple(known), tuple(known.values())
         self._shifts = tuple(

@@ -19,7 +19,8 @@ from numpy.typing import NDArray
 
 from pkmodes.evaluation import SystemOfEffects
 from pkmodes.mechanism import Mechanism
-from pkmodes.sensitivity.paths import ParameterPath, Slot
+from pkmodes.robot.layout import Slot
+from pkmodes.robot.paths import ParameterPath
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]

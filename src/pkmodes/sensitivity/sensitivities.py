@@ -13,13 +13,12 @@ from pkmodes.eigen import has_stiff_joint, magnitude
 from pkmodes.errors import PkmodesError, listed, shown
 from pkmodes.evaluation import Evaluation, SystemOfEffects, evaluation
 from pkmodes.gathering import Fields, Gathered, Out, chosen_fields
-from pkmodes.mechanism import mechanism
 from pkmodes.poses import CheckedPoses
 from pkmodes.results import ChosenFields
+from pkmodes.robot.paths import ParameterPath, paths, resolve_all
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.sensitivity.modes import ROUNDING, branches, groups, mode_derivatives
-from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
 from pkmodes.solving import solved
 
 Array = NDArray[np.float64]
@@ -122,7 +121,7 @@ def _chosen(robot: Robot, parameters: Sequence[str] | None) -> list[ParameterPat
         # A vector of no length has no direction in which a radius could grow; nobody asked for it by name.
         still = {
             whole.path
-            for whole in mechanism(robot.mechanism).wholes
+            for whole in robot.kind.wholes
             if whole.kind == "radius" and not getattr(robot.parameters, whole.field).any(axis=1).all()
         }
         return resolve_all(robot, [path for path in paths(robot) if path not in still])
