@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from sympy import Add, Expr, Integer, Symbol
 
 from pkmodes_derive.chain import Chain
-from pkmodes_derive.description import Margin, Requirement, Whole
+from pkmodes_derive.description import Margin, Requirement, Scale, Whole
 from pkmodes_derive.effect import Coordinate, Effect
 from pkmodes_derive.functions import Argument, Output
 from pkmodes_derive.parts import Arm, Belt, Clamp, Drive, Form, Link, PointMass, Reducer, Rod, Rotor, Run
@@ -73,7 +73,7 @@ class Machine:
         Its parts.
     units : set of tuple
         Vectors whose square is 1.
-    opposite : dict
+    differences : dict
         Fields of the parameters that occur only in their difference from another one.
     turned : dict
         Values that are functions of one independent coordinate alone, with that and their derivative.
@@ -108,7 +108,7 @@ class Machine:
         self.velocities: tuple[Symbol, ...] = ()
         self.displacements: tuple[Symbol, ...] = ()
         self.follows: dict[Symbol, Expr] = {}
-        self.opposite: dict[str, str] = {}
+        self.differences: dict[str, str] = {}
         self.turned: dict[Symbol, tuple[Symbol, Expr]] = {}
         self.units: set[tuple[Expr, ...]] = set()
         self.platform: tuple[Expr, ...] = ()
@@ -133,6 +133,7 @@ class Machine:
         self.wholes: tuple[Whole, ...] = ()
         self.margins: tuple[Margin, ...] = ()
         self.requirements: tuple[Requirement, ...] = ()
+        self.scales: tuple[Scale, ...] = ()
         self.extras: list[Extra] = []
         self.sample: Mapping[str, object] = {}
 

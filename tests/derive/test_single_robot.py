@@ -15,11 +15,13 @@ from scipy.linalg import eigh
 import pkmodes
 from compiled import build, call
 from pkmodes.generation import specification
-from pkmodes.robot.effects import CATALOGUE
+from pkmodes.mechanism import mechanism
 from pkmodes.robot.reading import robot_from_document
 from pkmodes_derive import mechanisms
 from pkmodes_derive.emit import product
 from sample_robots import ROBOTS
+
+CATALOGUE = mechanism("linear_delta").effects
 
 NAMES = tuple(sorted(path.name for path in ROBOTS.glob("*.toml")))
 POSE = np.array([0.6, 0.03, -0.245])

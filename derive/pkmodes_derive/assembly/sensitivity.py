@@ -47,7 +47,7 @@ def geometry(derived: Derived) -> tuple[Symbol, ...]:
 
 def _quantities(machine: Machine) -> list[Symbol]:
     chosen = {key.field for table in machine.tables.described() for key in table.keys if key.kind in CHOICES}
-    left_out = chosen | set(machine.opposite)
+    left_out = chosen | set(machine.differences)
     return [s for field in machine.tables.fields if field.name not in left_out for s in field.symbols]
 
 

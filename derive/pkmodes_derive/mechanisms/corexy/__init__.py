@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from sympy import Expr, Integer, Rational, Symbol, sqrt
 
-from pkmodes_derive.description import Margin, Requirement
+from pkmodes_derive.description import Margin, Requirement, Scale
 from pkmodes_derive.functions import Output
 from pkmodes_derive.machine import Extra, Machine
 from pkmodes_derive.mechanisms.corexy.sample import SAMPLE
@@ -174,6 +174,7 @@ def declare(m: Machine) -> None:
             definitions={},
         ),
     ]
+    m.scales = tuple(Scale(q.name, "pulley_radius", (0,), "R_p") for q in (x, y))
     m.margins = (
         Margin(
             "limits",

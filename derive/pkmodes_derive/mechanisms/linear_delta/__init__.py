@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from sympy import Rational, Symbol, sqrt
 
-from pkmodes_derive.description import Margin, Requirement, Whole
+from pkmodes_derive.description import Margin, Requirement, Scale, Whole
 from pkmodes_derive.functions import Output
 from pkmodes_derive.machine import Extra, Machine
 from pkmodes_derive.mechanisms.linear_delta.euler_route import relations
@@ -143,7 +143,7 @@ def declare(m: Machine) -> None:
         m.define_all(s[j], (r[j][i] - x[j] * n[j][i] for i in range(3)))
         m.unit_vector(n[j])
         m.link(s[j], l_d[j], x[j])
-    m.opposite["origin"] = "joint"  # o_j occurs in r_j only
+    m.differences["origin"] = "joint"  # o_j occurs in r_j only
 
     # Inverse kinematics: rail j meets the sphere of radius l_d around platform joint j (section 2.2, after figure 4)
     along = m.each("a", "m", "coordinate of platform joint {j} along rail {j}", "a_{j}")
@@ -229,13 +229,14 @@ def declare(m: Machine) -> None:
         Whole("axis.span", "span", "limits", "m", "max - min of every axis, both ends moved evenly"),
         Whole("axis.joint_radius", "radius", "joint", "m", "distance of the platform joints from the centre"),
     )
+    m.scales = tuple(Scale(x[j].name, "pulley_radius", (j,), "R_p") for j in J)
     m.margins = _margins()
     m.requirements = (
         Requirement(
             "travel_margin",
             "above_zero",
             tuple(f"axis.{j + 1}.limits" for j in J),
-            "expected a carriage shorter than its travel, found one that is {missing} too long",
+            "expected a carriage shorter than the travel, found a length of {carriage.length}",
             "check the limits and carriage.length",
             "m",
         ),
@@ -282,7 +283,7 @@ def _margins() -> tuple[Margin, ...]:
             0,
             "above_zero",
             "a carriage is beyond its limits: a belt span would not be positive",
-            "carriage {0} is beyond its limits: the belt span {1} would be {missing}",
+            "carriage {0} is beyond its limits: the belt span {1} would be {short}",
             "choose a pose within the travel of the carriages, or check limits and carriage length",
             (
                 three,

@@ -158,7 +158,7 @@ def declare(m: Machine) -> None:
         m.define_all(r[j], (p[i] + b[j][i] - o[j][i] for i in range(3)))
         m.define_all(s[j], (r[j][i] - L_a[j] * d[j][i] for i in range(3)))
         m.link(s[j], l_d[j], theta[j])
-    m.opposite["origin"] = "joint"  # o_j occurs in r_j only
+    m.differences["origin"] = "joint"  # o_j occurs in r_j only
 
     # Inverse kinematics: in the plane of the arm, d_j . r_j = C_j ----------------------------------------------
     A = m.each("A", "m", "component of r_{j} along z_{j}", "A_{j}")
