@@ -40,9 +40,9 @@ def read_effects(
     """
     found: dict[str, Quantity] = {}
     for name, table in tables.items():
-        where = f"{source}: {EFFECTS}.{name if name in kind.effects else shown(name)}"
+        where = f"{source}: {EFFECTS}.{name}"
         if name not in kind.effects:
-            problems.append(_not_there(kind, name, where))
+            problems.append(_not_there(kind, name, source))
         elif not isinstance(table, dict):
             remedy = f"write a table [{EFFECTS}.{name}]"
             problems.append(PkmodesError(f"expected a table, found {shown(table)}", where, remedy))
@@ -51,7 +51,8 @@ def read_effects(
     return found
 
 
-def _not_there(kind: Mechanism, name: str, where: str) -> PkmodesError:
+def _not_there(kind: Mechanism, name: str, source: str) -> PkmodesError:
+    where = f"{source}: {EFFECTS}.{shown(name)}"
     if any(name in mechanism(other).effects for other in names()):
         what = f"the effect {name} does not apply to the mechanism {kind.name}"
         return PkmodesError(what, where, f"those that apply: {', '.join(kind.effects)}")
