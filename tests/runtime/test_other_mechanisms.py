@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import ast
 import copy
 import math
 import pickle
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -280,3 +282,23 @@ def test_a_mechanism_that_is_misspelled_is_refused_with_the_nearest(tmp_path: Pa
     with pytest.raises(RobotFileError, match='unknown mechanism "linear_dleta"') as error:
         read(tmp_path, edited('"linear_delta"', '"linear_dleta"'))
     assert error.match(r'robot\.toml: mechanism\); did you mean "linear_delta"\?')
+
+
+def test_what_reads_robot_files_names_nothing_of_a_mechanism() -> None:
+    """In what it computes with: explanations may give examples, and sentences have words such as joint."""
+    kind = mechanisms.mechanism("linear_delta")
+    named = {kind.name, *kind.effects, *kind.independent}
+    named |= {table.name for table in kind.tables} | {whole.path for whole in kind.wholes}
+    every = [item.key for item in items(kind)]
+    named |= {key.field for key in every} - {"gravity", ""} - {key.kind for key in every}
+    source = Path(__file__).parents[2] / "src/pkmodes"
+    for file in (*sorted((source / "robot").glob("*.py")), source / "closing/suspects.py"):
+        tree = ast.parse(file.read_text(encoding="utf-8"))
+        explained = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+        for node in ast.walk(tree):
+            words: set[str] = set()
+            if isinstance(node, ast.Attribute):
+                words = {node.attr}
+            elif isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in explained:
+                words = set(re.findall(r"\w+", node.value)) if " " not in node.value else set()
+            assert not words & named, (file.name, getattr(node, "lineno", 0), words & named)
