@@ -210,7 +210,6 @@ class EffectParameterData:
     description: str
     greater_than: float | None
     fitted: bool
-    optional: bool = False
 
 
 @dataclass(frozen=True)

@@ -36,8 +36,6 @@ class EffectParameter:
         Physical bound: None when any value is meaningful; the null value itself is always allowed.
     fitted : bool
         Whether it can be estimated from measurements; a declared constant of the machine is not.
-    optional : bool
-        Whether a robot file may leave it out: it is then 0.
     """
 
     name: str
@@ -47,7 +45,6 @@ class EffectParameter:
     latex: str
     greater_than: float | None = 0.0
     fitted: bool = True
-    optional: bool = False
 
     def at(self, place: str) -> EffectParameter:
         """That of one part."""
@@ -152,7 +149,7 @@ class Effect:
             self.grounds,
             tuple(coordinates),
             tuple(
-                EffectParameterData(p.name, p.unit, p.description, p.greater_than, p.fitted, p.optional)
+                EffectParameterData(p.name, p.unit, p.description, p.greater_than, p.fitted)
                 for p in self.parameters
             ),
         )

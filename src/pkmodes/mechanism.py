@@ -7,7 +7,6 @@ Everything that differs between mechanisms comes from here: the description that
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from importlib import import_module
@@ -90,10 +89,6 @@ class Table:
     count: int
     shared_by: str
 
-    def key(self, name: str) -> Key:
-        """The key of a name."""
-        return next(key for key in self.keys if key.name == name)
-
 
 @dataclass(frozen=True)
 class Whole:
@@ -161,7 +156,7 @@ class Requirement:
 
 @dataclass(frozen=True)
 class EffectParameter:
-    """A parameter of an effect: 0 for none, which it is where it may be left out; otherwise above its bound, if any."""
+    """A parameter of an effect: 0 for none, as where it may be left out; otherwise above its bound, if any."""
 
     name: str
     unit: str
@@ -267,24 +262,6 @@ class Mechanism:
     def extended(self) -> ModuleType:
         """The generated model with effects."""
         return import_module(f"{self.package}.extended")
-
-    @property
-    def repeated(self) -> Table:
-        """The repeated table: axes, belt paths."""
-        return next(table for table in self.tables if table.count)
-
-    def table(self, name: str) -> Table:
-        """The table of a name."""
-        return next(table for table in self.tables if table.name == name)
-
-    @property
-    def shared(self) -> tuple[Table, ...]:
-        """Tables that the entries of the repeated one share and may override."""
-        return tuple(table for table in self.tables if table.shared_by)
-
-    def keys(self) -> Iterator[tuple[Table, Key]]:
-        """Every key with its table."""
-        return ((table, key) for table in self.tables for key in table.keys)
 
 
 def names() -> tuple[str, ...]:

@@ -258,7 +258,8 @@ def _parameter(robot: Robot, move: ParameterPath) -> Parameter:
     lower, upper = -np.inf, np.inf
     if move.path.startswith(EFFECTS):
         _, effect, name, *_ = move.path.split(".")
-        lower = next(p.greater_than for p in robot.kind.effects[effect].parameters if p.name == name)
+        least = next(p.greater_than for p in robot.kind.effects[effect].parameters if p.name == name)
+        lower = -np.inf if least is None else least
     elif item is None or not item.key.signed:
         lower = 0.0
         if sigma is None and move.value > 0.0:

@@ -40,9 +40,9 @@ def read_effects(
     """
     found: dict[str, Quantity] = {}
     for name, table in tables.items():
-        where = f"{source}: {EFFECTS}.{name if name in kind.effects else shown(name)}"
+        where = f"{source}: {EFFECTS}.{name}"
         if name not in kind.effects:
-            problems.append(_not_there(kind, name, where))
+            problems.append(_not_there(kind, name, source))
         elif not isinstance(table, dict):
             remedy = f"write a table [{EFFECTS}.{name}]"
             problems.append(PkmodesError(f"expected a table, found {shown(table)}", where, remedy))
@@ -51,7 +51,8 @@ def read_effects(
     return found
 
 
-def _not_there(kind: Mechanism, name: str, where: str) -> PkmodesError:
+def _not_there(kind: Mechanism, name: str, source: str) -> PkmodesError:
+    where = f"{source}: {EFFECTS}.{shown(name)}"
     if any(name in mechanism(other).effects for other in names()):
         what = f"the effect {name} does not apply to the mechanism {kind.name}"
         return PkmodesError(what, where, f"those that apply: {', '.join(kind.effects)}")
@@ -93,8 +94,9 @@ def _value(parameter: EffectParameter, raw: Any) -> Quantity:
     """Zero is the null value and always allowed; otherwise the physical bound holds."""
     dimension = _dimension(parameter.unit)
     quantity = schema.quantity(raw, dimension)
-    if quantity.value != 0.0 and quantity.value <= parameter.greater_than:
-        bound = f"{parameter.greater_than:g}" + ("" if parameter.unit == "1" else f" {parameter.unit}")
+    least = parameter.greater_than
+    if least is not None and quantity.value != 0.0 and quantity.value <= least:
+        bound = f"{least:g}" + ("" if parameter.unit == "1" else f" {parameter.unit}")
         raise schema.RefusedError(
             f"expected {article(dimension)} greater than {bound}, or 0 for none, found {shown(raw)}",
             "check the sign and the number",

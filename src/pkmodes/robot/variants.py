@@ -30,7 +30,7 @@ def with_values(robot: Declaration, values: Mapping[str, Any]) -> Declaration:
         raise PkmodesError(
             f"expected values by path, found {shown(values)}",
             "values",
-            'write such as {"platform.mass": "2 kg"}',
+            'write such as {"frame.mass": "60 kg"}',
         )
     source = robot.source.removesuffix(OTHER_VALUES) + OTHER_VALUES
     changes = _changes(robot, values, source)
@@ -56,7 +56,7 @@ def _changes(robot: Declaration, values: Mapping[str, Any], source: str) -> dict
     for path, raw in values.items():
         if not isinstance(path, str):
             what = f"expected a parameter path, found {shown(path)}"
-            raise PkmodesError(what, "values", 'write such as {"platform.mass": "2 kg"}')
+            raise PkmodesError(what, "values", 'write such as {"frame.mass": "60 kg"}')
         if raw is None or (isinstance(raw, Mapping) and raw.get("value", raw) is None):
             remedy = "give a number or text with a unit; 0 is no effect"
             raise PkmodesError("expected a value, found None", f"{source}: {path}", remedy)
