@@ -16,7 +16,7 @@ import pkmodes_derive
 from pkmodes_derive import linear_delta
 from pkmodes_derive.description import as_data
 from pkmodes_derive.effects import catalogue
-from pkmodes_derive.emit import c_code, manifest, numpy_code
+from pkmodes_derive.emit import c99, manifest, numpy
 from pkmodes_derive.emit.program import Program, arrange
 from pkmodes_derive.emit.provenance import Provenance, pasteable
 from pkmodes_derive.emit.specification import Specification
@@ -24,19 +24,23 @@ from pkmodes_derive.functions import Model
 from pkmodes_derive.specialise import specialise
 
 MECHANISMS = {"linear_delta": linear_delta}
+#: The languages that a model is written in, in the order of their files.
+BACKENDS = (numpy.BACKEND, c99.BACKEND)
 REGENERATE = "python -m pkmodes_derive generate"
 
 
 @cache
 def derive(mechanism: str) -> Model:
     """Derive a mechanism, once in a process."""
-    return MECHANISMS[mechanism].derive()
+    model: Model = MECHANISMS[mechanism].derive()
+    return model
 
 
 @cache
 def derive_extended(mechanism: str) -> Model:
     """Derive a mechanism with every effect, once in a process."""
-    return MECHANISMS[mechanism].derive_extended(catalogue())
+    model: Model = MECHANISMS[mechanism].derive_extended(catalogue())
+    return model
 
 
 @cache
@@ -46,7 +50,8 @@ def derive_single(mechanism: str, effects: tuple[str, ...], zeros: frozenset[tup
     `zeros` are the (field, index) of the robot's parameters that are zero: without inertia a coordinate has no mode.
     """
     chosen = tuple(effect for effect in catalogue() if effect.name in effects)
-    return MECHANISMS[mechanism].derive_single(chosen, zeros)
+    model: Model = MECHANISMS[mechanism].derive_single(chosen, zeros)
+    return model
 
 
 def parametric(mechanism: str) -> dict[str, str]:
@@ -54,21 +59,22 @@ def parametric(mechanism: str) -> dict[str, str]:
     model = derive(mechanism)
     provenance = Provenance(
         name=mechanism,
+        module="model",
         title=f"Dynamics of the mechanism {mechanism}, for a robot given by its parameters.",
         origin=f"the derivation of {mechanism}",
         generator=_generator(),
         command=REGENERATE,
     )
-    texts, programs = _texts(model, provenance, module="model.py")
+    texts, programs = _texts(model, provenance)
     extended_texts, extended_programs = _texts(
         derive_extended(mechanism),
         replace(
             provenance,
             name=f"{mechanism}_extended",
+            module="extended",
             title=f"Dynamics of the mechanism {mechanism} with effects: extended matrices and sensitivities.",
             origin=f"the derivation of {mechanism} and the catalogue of effects",
         ),
-        module="extended.py",
     )
     texts |= extended_texts
     programs |= extended_programs
@@ -107,6 +113,7 @@ def specialised(specification: Specification) -> dict[str, str]:
     name = specification.identifier
     provenance = Provenance(
         name=name,
+        module=name,
         title=f"Dynamics of the robot {specification.name} ({specification.mechanism}), its parameters folded in.",
         origin=f"the robot file of {specification.name}",
         generator=_generator(),
@@ -117,20 +124,16 @@ def specialised(specification: Specification) -> dict[str, str]:
             for field in model.fields
         ),
     )
-    texts, programs = _texts(specialise(model, values), provenance, module=f"{name}.py")
+    texts, programs = _texts(specialise(model, values), provenance)
     texts[manifest.FILE_NAME] = manifest.text(name, specification.mechanism, specification, texts, programs)
     return texts
 
 
-def _texts(model: Model, provenance: Provenance, module: str) -> tuple[dict[str, str], dict[str, Program]]:
+def _texts(model: Model, provenance: Provenance) -> tuple[dict[str, str], dict[str, Program]]:
+    """The files of a model in every language, and the programs that they all print."""
     programs = {function.name: arrange(function) for function in model.functions}
-    source, header = c_code.source_and_header(model, programs, provenance)
-    texts = {
-        module: numpy_code.module(model, programs, provenance),
-        f"{provenance.name}.c": source,
-        f"{provenance.name}.h": header,
-    }
-    return texts, programs
+    texts = [backend.files(model, programs, provenance) for backend in BACKENDS]
+    return {name: text for files in texts for name, text in files.items()}, programs
 
 
 def _generator() -> str:

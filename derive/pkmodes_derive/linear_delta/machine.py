@@ -168,15 +168,15 @@ class Machine:
 
 def _spans(sy: Symbols) -> tuple[tuple[tuple[Symbol, ...], ...], tuple[tuple[Symbol, ...], ...]]:
     """Names of the free lengths and stiffnesses of the spans, [axis][span]."""
-    of_span = "span {k} of belt {j} (1 between the pulleys, 2 from carriage to pulley 2, 3 from carriage to pulley 1)"
+    of_span = "span {s} of belt {j} (1 between the pulleys, 2 from carriage to pulley 2, 3 from carriage to pulley 1)"
     lengths, stiffnesses = (
         tuple(
-            tuple(sy.vocabulary.declare(name, unit, f"{what} {of_span}", latex, j=j, k=k) for k in (1, 2, 3))
+            tuple(sy.vocabulary.declare(name, unit, f"{what} {of_span}", latex, j=j, s=s) for s in (1, 2, 3))
             for j in (1, 2, 3)
         )
         for name, unit, what, latex in (
-            ("l_f_{j}_{k}", "m", "free length of", "l_{{f,{j},{k}}}"),
-            ("k_{j}_{k}", "N/m", "stiffness of", "k_{{{j},{k}}}"),
+            ("l_f_{j}_{s}", "m", "free length of", "l_{{f,{j},{s}}}"),
+            ("k_{j}_{s}", "N/m", "stiffness of", "k_{{{j},{s}}}"),
         )
     )
     return lengths, stiffnesses

@@ -10,7 +10,7 @@ from collections.abc import Sequence, Set
 from pkmodes_derive.effect import Effect
 from pkmodes_derive.functions import FieldGroup, Function, Model, Output
 from pkmodes_derive.linear_delta import energy, kinematics, statics
-from pkmodes_derive.linear_delta.catalogue import chapters
+from pkmodes_derive.linear_delta.catalogue import chapters, position
 from pkmodes_derive.linear_delta.catalogue.collected import Collected, flat
 from pkmodes_derive.linear_delta.machine import Machine
 from pkmodes_derive.linear_delta.symbols import Symbols
@@ -48,7 +48,12 @@ def derive_single(effects: Sequence[Effect], zeros: Set[tuple[str, int]]) -> Mod
             FieldGroup("Parameters", "parameters", sy.fields),
             FieldGroup("Effects", "effects", machine.fields, null=0.0),
         ),
-        functions=(*chapters(c), _platform_motion(c), *(_uncondensed(c) if c.massless else ())),
+        functions=(
+            *chapters(c),
+            position.travel(sy),
+            _platform_motion(c),
+            *(_uncondensed(c) if c.massless else ()),
+        ),
         rigid_modes=c.rigid_modes,
         constants=(
             (

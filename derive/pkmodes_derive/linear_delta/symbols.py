@@ -13,6 +13,15 @@ from sympy import Symbol
 
 from pkmodes_derive.vocabulary import Field, Vector, Vocabulary
 
+#: What the letters of indices count.
+LETTERS = {
+    "j": "axis j",
+    "k": "pulley k, or carriage k of a derivative",
+    "l": "carriage l of a second derivative",
+    "s": "belt span s",
+    "i": "component i = x, y, z",
+}
+
 
 class Symbols:
     """Everything that the derivation of the linear delta names.
@@ -22,7 +31,7 @@ class Symbols:
     """
 
     def __init__(self) -> None:
-        self.vocabulary = v = Vocabulary()
+        self.vocabulary = v = Vocabulary(LETTERS)
         self._declare_parameters(v)
         self.p = v.vector("p", "m", "platform centre in the base frame", "p")
         self.coordinates = self._nine("{q}", "{unit}", "{what}", "{latex}")

@@ -7,13 +7,13 @@ Arrays are batch first: a leading `...` stands for any batch shape, none include
 Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
 frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
 
-Names in the code, for axis j, pulley or span k (or carriage k, l of a derivative) and component i = x, y, z;
-t1, t2, ... are subexpressions that several values share:
+Names in the code, for axis j; pulley k, or carriage k of a derivative; belt span s; component i = x, y, z.
+t1, t2, ... are subexpressions that several values share.
 
 * x_j [m]: position of carriage j along its rail
-* l_f_j_k [m]: free length of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
+* l_f_j_s [m]: free length of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
     carriage to pulley 1)
-* k_j_k [N/m]: stiffness of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
+* k_j_s [N/m]: stiffness of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
     carriage to pulley 1)
 * r_j_i [m]: platform joint j seen from the origin of rail j, component i
 * s_j_i [m]: linkage vector j, from carriage to platform joint, component i
@@ -32,654 +32,7 @@ t1, t2, ... are subexpressions that several values share:
 * tau_st_j [N m]: static torque on the driven pulley of axis j
 * det_j [N^2 m]: determinant of the equilibrium of axis j
 * theta_j_k_st [rad]: static rotation of pulley k of axis j from the unstrained belts
-* mu_1_by_m_p [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: platform mass
-* mu_2_by_m_p [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: platform mass
-* mu_3_by_m_p [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: platform mass
-* mu_1_by_g_x [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: gravitational acceleration, component x
-* mu_2_by_g_x [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: gravitational acceleration, component x
-* mu_3_by_g_x [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: gravitational acceleration, component x
-* mu_1_by_g_y [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: gravitational acceleration, component y
-* mu_2_by_g_y [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: gravitational acceleration, component y
-* mu_3_by_g_y [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: gravitational acceleration, component y
-* mu_1_by_g_z [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: gravitational acceleration, component z
-* mu_2_by_g_z [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: gravitational acceleration, component z
-* mu_3_by_g_z [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: gravitational acceleration, component z
-* mu_1_by_m_d_1 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: mass of linkage 1, both rods together
-* mu_2_by_m_d_1 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: mass of linkage 1, both rods together
-* mu_3_by_m_d_1 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: mass of linkage 1, both rods together
-* mu_1_by_m_d_2 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: mass of linkage 2, both rods together
-* mu_2_by_m_d_2 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: mass of linkage 2, both rods together
-* mu_3_by_m_d_2 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: mass of linkage 2, both rods together
-* mu_1_by_m_d_3 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: mass of linkage 3, both rods together
-* mu_2_by_m_d_3 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: mass of linkage 3, both rods together
-* mu_3_by_m_d_3 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: mass of linkage 3, both rods together
-* mu_1_by_m_L [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: point mass at the platform centre
-* mu_2_by_m_L [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: point mass at the platform centre
-* mu_3_by_m_L [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: point mass at the platform centre
-* x_1_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: position of carriage 1 along its rail; by: joint 1 of
-    the platform seen from its centre, component x
-* s_1_x_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component x; by: joint 1 of the platform seen from its centre, component x
-* s_1_y_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component y; by: joint 1 of the platform seen from its centre, component x
-* s_1_z_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component z; by: joint 1 of the platform seen from its centre, component x
-* D_p_x_1_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: joint 1 of the
-    platform seen from its centre, component x
-* D_p_y_1_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: joint 1 of the
-    platform seen from its centre, component x
-* D_p_z_1_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: joint 1 of the
-    platform seen from its centre, component x
-* D_p_x_2_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: joint 1 of the
-    platform seen from its centre, component x
-* D_p_y_2_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: joint 1 of the
-    platform seen from its centre, component x
-* D_p_z_2_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: joint 1 of the
-    platform seen from its centre, component x
-* D_p_x_3_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: joint 1 of the
-    platform seen from its centre, component x
-* D_p_y_3_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: joint 1 of the
-    platform seen from its centre, component x
-* D_p_z_3_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: joint 1 of the
-    platform seen from its centre, component x
-* D_delta_x_1_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_y_1_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_z_1_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_x_2_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_y_2_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_z_2_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_x_3_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_y_3_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_z_3_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 1
-    of the platform seen from its centre, component x
-* mu_1_by_b_1_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component x
-* mu_2_by_b_1_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component x
-* mu_3_by_b_1_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component x
-* x_1_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: position of carriage 1 along its rail; by: joint 1 of
-    the platform seen from its centre, component y
-* s_1_x_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component x; by: joint 1 of the platform seen from its centre, component y
-* s_1_y_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component y; by: joint 1 of the platform seen from its centre, component y
-* s_1_z_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component z; by: joint 1 of the platform seen from its centre, component y
-* D_p_x_1_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: joint 1 of the
-    platform seen from its centre, component y
-* D_p_y_1_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: joint 1 of the
-    platform seen from its centre, component y
-* D_p_z_1_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: joint 1 of the
-    platform seen from its centre, component y
-* D_p_x_2_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: joint 1 of the
-    platform seen from its centre, component y
-* D_p_y_2_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: joint 1 of the
-    platform seen from its centre, component y
-* D_p_z_2_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: joint 1 of the
-    platform seen from its centre, component y
-* D_p_x_3_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: joint 1 of the
-    platform seen from its centre, component y
-* D_p_y_3_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: joint 1 of the
-    platform seen from its centre, component y
-* D_p_z_3_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: joint 1 of the
-    platform seen from its centre, component y
-* D_delta_x_1_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_y_1_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_z_1_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_x_2_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_y_2_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_z_2_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_x_3_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_y_3_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_z_3_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 1
-    of the platform seen from its centre, component y
-* mu_1_by_b_1_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component y
-* mu_2_by_b_1_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component y
-* mu_3_by_b_1_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component y
-* x_1_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: position of carriage 1 along its rail; by: joint 1 of
-    the platform seen from its centre, component z
-* s_1_x_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component x; by: joint 1 of the platform seen from its centre, component z
-* s_1_y_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component y; by: joint 1 of the platform seen from its centre, component z
-* s_1_z_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component z; by: joint 1 of the platform seen from its centre, component z
-* D_p_x_1_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: joint 1 of the
-    platform seen from its centre, component z
-* D_p_y_1_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: joint 1 of the
-    platform seen from its centre, component z
-* D_p_z_1_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: joint 1 of the
-    platform seen from its centre, component z
-* D_p_x_2_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: joint 1 of the
-    platform seen from its centre, component z
-* D_p_y_2_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: joint 1 of the
-    platform seen from its centre, component z
-* D_p_z_2_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: joint 1 of the
-    platform seen from its centre, component z
-* D_p_x_3_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: joint 1 of the
-    platform seen from its centre, component z
-* D_p_y_3_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: joint 1 of the
-    platform seen from its centre, component z
-* D_p_z_3_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: joint 1 of the
-    platform seen from its centre, component z
-* D_delta_x_1_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_y_1_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_z_1_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_x_2_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_y_2_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_z_2_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_x_3_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_y_3_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_z_3_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 1
-    of the platform seen from its centre, component z
-* mu_1_by_b_1_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component z
-* mu_2_by_b_1_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component z
-* mu_3_by_b_1_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component z
-* x_2_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: position of carriage 2 along its rail; by: joint 2 of
-    the platform seen from its centre, component x
-* s_2_x_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component x; by: joint 2 of the platform seen from its centre, component x
-* s_2_y_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component y; by: joint 2 of the platform seen from its centre, component x
-* s_2_z_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component z; by: joint 2 of the platform seen from its centre, component x
-* D_p_x_1_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: joint 2 of the
-    platform seen from its centre, component x
-* D_p_y_1_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: joint 2 of the
-    platform seen from its centre, component x
-* D_p_z_1_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: joint 2 of the
-    platform seen from its centre, component x
-* D_p_x_2_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: joint 2 of the
-    platform seen from its centre, component x
-* D_p_y_2_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: joint 2 of the
-    platform seen from its centre, component x
-* D_p_z_2_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: joint 2 of the
-    platform seen from its centre, component x
-* D_p_x_3_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: joint 2 of the
-    platform seen from its centre, component x
-* D_p_y_3_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: joint 2 of the
-    platform seen from its centre, component x
-* D_p_z_3_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: joint 2 of the
-    platform seen from its centre, component x
-* D_delta_x_1_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_y_1_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_z_1_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_x_2_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_y_2_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_z_2_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_x_3_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_y_3_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_z_3_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 2
-    of the platform seen from its centre, component x
-* mu_1_by_b_2_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component x
-* mu_2_by_b_2_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component x
-* mu_3_by_b_2_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component x
-* x_2_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: position of carriage 2 along its rail; by: joint 2 of
-    the platform seen from its centre, component y
-* s_2_x_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component x; by: joint 2 of the platform seen from its centre, component y
-* s_2_y_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component y; by: joint 2 of the platform seen from its centre, component y
-* s_2_z_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component z; by: joint 2 of the platform seen from its centre, component y
-* D_p_x_1_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: joint 2 of the
-    platform seen from its centre, component y
-* D_p_y_1_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: joint 2 of the
-    platform seen from its centre, component y
-* D_p_z_1_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: joint 2 of the
-    platform seen from its centre, component y
-* D_p_x_2_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: joint 2 of the
-    platform seen from its centre, component y
-* D_p_y_2_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: joint 2 of the
-    platform seen from its centre, component y
-* D_p_z_2_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: joint 2 of the
-    platform seen from its centre, component y
-* D_p_x_3_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: joint 2 of the
-    platform seen from its centre, component y
-* D_p_y_3_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: joint 2 of the
-    platform seen from its centre, component y
-* D_p_z_3_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: joint 2 of the
-    platform seen from its centre, component y
-* D_delta_x_1_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_y_1_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_z_1_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_x_2_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_y_2_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_z_2_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_x_3_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_y_3_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_z_3_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 2
-    of the platform seen from its centre, component y
-* mu_1_by_b_2_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component y
-* mu_2_by_b_2_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component y
-* mu_3_by_b_2_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component y
-* x_2_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: position of carriage 2 along its rail; by: joint 2 of
-    the platform seen from its centre, component z
-* s_2_x_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component x; by: joint 2 of the platform seen from its centre, component z
-* s_2_y_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component y; by: joint 2 of the platform seen from its centre, component z
-* s_2_z_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component z; by: joint 2 of the platform seen from its centre, component z
-* D_p_x_1_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: joint 2 of the
-    platform seen from its centre, component z
-* D_p_y_1_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: joint 2 of the
-    platform seen from its centre, component z
-* D_p_z_1_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: joint 2 of the
-    platform seen from its centre, component z
-* D_p_x_2_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: joint 2 of the
-    platform seen from its centre, component z
-* D_p_y_2_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: joint 2 of the
-    platform seen from its centre, component z
-* D_p_z_2_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: joint 2 of the
-    platform seen from its centre, component z
-* D_p_x_3_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: joint 2 of the
-    platform seen from its centre, component z
-* D_p_y_3_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: joint 2 of the
-    platform seen from its centre, component z
-* D_p_z_3_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: joint 2 of the
-    platform seen from its centre, component z
-* D_delta_x_1_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_y_1_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_z_1_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_x_2_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_y_2_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_z_2_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_x_3_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_y_3_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_z_3_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 2
-    of the platform seen from its centre, component z
-* mu_1_by_b_2_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component z
-* mu_2_by_b_2_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component z
-* mu_3_by_b_2_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component z
-* x_3_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: position of carriage 3 along its rail; by: joint 3 of
-    the platform seen from its centre, component x
-* s_3_x_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component x; by: joint 3 of the platform seen from its centre, component x
-* s_3_y_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component y; by: joint 3 of the platform seen from its centre, component x
-* s_3_z_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component z; by: joint 3 of the platform seen from its centre, component x
-* D_p_x_1_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: joint 3 of the
-    platform seen from its centre, component x
-* D_p_y_1_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: joint 3 of the
-    platform seen from its centre, component x
-* D_p_z_1_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: joint 3 of the
-    platform seen from its centre, component x
-* D_p_x_2_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: joint 3 of the
-    platform seen from its centre, component x
-* D_p_y_2_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: joint 3 of the
-    platform seen from its centre, component x
-* D_p_z_2_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: joint 3 of the
-    platform seen from its centre, component x
-* D_p_x_3_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: joint 3 of the
-    platform seen from its centre, component x
-* D_p_y_3_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: joint 3 of the
-    platform seen from its centre, component x
-* D_p_z_3_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: joint 3 of the
-    platform seen from its centre, component x
-* D_delta_x_1_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_y_1_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_z_1_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_x_2_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_y_2_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_z_2_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_x_3_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_y_3_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_z_3_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 3
-    of the platform seen from its centre, component x
-* mu_1_by_b_3_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component x
-* mu_2_by_b_3_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component x
-* mu_3_by_b_3_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component x
-* x_3_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: position of carriage 3 along its rail; by: joint 3 of
-    the platform seen from its centre, component y
-* s_3_x_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component x; by: joint 3 of the platform seen from its centre, component y
-* s_3_y_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component y; by: joint 3 of the platform seen from its centre, component y
-* s_3_z_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component z; by: joint 3 of the platform seen from its centre, component y
-* D_p_x_1_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: joint 3 of the
-    platform seen from its centre, component y
-* D_p_y_1_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: joint 3 of the
-    platform seen from its centre, component y
-* D_p_z_1_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: joint 3 of the
-    platform seen from its centre, component y
-* D_p_x_2_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: joint 3 of the
-    platform seen from its centre, component y
-* D_p_y_2_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: joint 3 of the
-    platform seen from its centre, component y
-* D_p_z_2_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: joint 3 of the
-    platform seen from its centre, component y
-* D_p_x_3_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: joint 3 of the
-    platform seen from its centre, component y
-* D_p_y_3_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: joint 3 of the
-    platform seen from its centre, component y
-* D_p_z_3_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: joint 3 of the
-    platform seen from its centre, component y
-* D_delta_x_1_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_y_1_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_z_1_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_x_2_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_y_2_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_z_2_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_x_3_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_y_3_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_z_3_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 3
-    of the platform seen from its centre, component y
-* mu_1_by_b_3_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component y
-* mu_2_by_b_3_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component y
-* mu_3_by_b_3_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component y
-* x_3_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: position of carriage 3 along its rail; by: joint 3 of
-    the platform seen from its centre, component z
-* s_3_x_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component x; by: joint 3 of the platform seen from its centre, component z
-* s_3_y_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component y; by: joint 3 of the platform seen from its centre, component z
-* s_3_z_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component z; by: joint 3 of the platform seen from its centre, component z
-* D_p_x_1_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: joint 3 of the
-    platform seen from its centre, component z
-* D_p_y_1_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: joint 3 of the
-    platform seen from its centre, component z
-* D_p_z_1_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: joint 3 of the
-    platform seen from its centre, component z
-* D_p_x_2_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: joint 3 of the
-    platform seen from its centre, component z
-* D_p_y_2_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: joint 3 of the
-    platform seen from its centre, component z
-* D_p_z_2_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: joint 3 of the
-    platform seen from its centre, component z
-* D_p_x_3_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: joint 3 of the
-    platform seen from its centre, component z
-* D_p_y_3_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: joint 3 of the
-    platform seen from its centre, component z
-* D_p_z_3_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: joint 3 of the
-    platform seen from its centre, component z
-* D_delta_x_1_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_y_1_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_z_1_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_x_2_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_y_2_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_z_2_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_x_3_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_y_3_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_z_3_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 3
-    of the platform seen from its centre, component z
-* mu_1_by_b_3_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component z
-* mu_2_by_b_3_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component z
-* mu_3_by_b_3_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component z
-* x_1_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: position of carriage 1 along its rail; by: length of
-    linkage 1
-* s_1_x_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component x; by: length of linkage 1
-* s_1_y_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component y; by: length of linkage 1
-* s_1_z_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component z; by: length of linkage 1
-* D_p_x_1_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: length of
-    linkage 1
-* D_p_y_1_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: length of
-    linkage 1
-* D_p_z_1_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: length of
-    linkage 1
-* D_p_x_2_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: length of
-    linkage 1
-* D_p_y_2_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: length of
-    linkage 1
-* D_p_z_2_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: length of
-    linkage 1
-* D_p_x_3_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: length of
-    linkage 1
-* D_p_y_3_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: length of
-    linkage 1
-* D_p_z_3_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: length of
-    linkage 1
-* D_delta_x_1_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: length
-    of linkage 1
-* D_delta_y_1_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: length
-    of linkage 1
-* D_delta_z_1_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: length
-    of linkage 1
-* D_delta_x_2_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: length
-    of linkage 1
-* D_delta_y_2_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: length
-    of linkage 1
-* D_delta_z_2_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: length
-    of linkage 1
-* D_delta_x_3_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: length
-    of linkage 1
-* D_delta_y_3_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: length
-    of linkage 1
-* D_delta_z_3_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: length
-    of linkage 1
-* mu_1_by_l_d_1 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: length of linkage 1
-* mu_2_by_l_d_1 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: length of linkage 1
-* mu_3_by_l_d_1 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: length of linkage 1
-* x_2_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: position of carriage 2 along its rail; by: length of
-    linkage 2
-* s_2_x_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component x; by: length of linkage 2
-* s_2_y_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component y; by: length of linkage 2
-* s_2_z_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component z; by: length of linkage 2
-* D_p_x_1_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: length of
-    linkage 2
-* D_p_y_1_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: length of
-    linkage 2
-* D_p_z_1_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: length of
-    linkage 2
-* D_p_x_2_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: length of
-    linkage 2
-* D_p_y_2_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: length of
-    linkage 2
-* D_p_z_2_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: length of
-    linkage 2
-* D_p_x_3_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: length of
-    linkage 2
-* D_p_y_3_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: length of
-    linkage 2
-* D_p_z_3_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: length of
-    linkage 2
-* D_delta_x_1_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: length
-    of linkage 2
-* D_delta_y_1_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: length
-    of linkage 2
-* D_delta_z_1_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: length
-    of linkage 2
-* D_delta_x_2_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: length
-    of linkage 2
-* D_delta_y_2_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: length
-    of linkage 2
-* D_delta_z_2_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: length
-    of linkage 2
-* D_delta_x_3_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: length
-    of linkage 2
-* D_delta_y_3_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: length
-    of linkage 2
-* D_delta_z_3_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: length
-    of linkage 2
-* mu_1_by_l_d_2 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: length of linkage 2
-* mu_2_by_l_d_2 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: length of linkage 2
-* mu_3_by_l_d_2 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: length of linkage 2
-* x_3_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: position of carriage 3 along its rail; by: length of
-    linkage 3
-* s_3_x_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component x; by: length of linkage 3
-* s_3_y_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component y; by: length of linkage 3
-* s_3_z_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component z; by: length of linkage 3
-* D_p_x_1_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: length of
-    linkage 3
-* D_p_y_1_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: length of
-    linkage 3
-* D_p_z_1_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: length of
-    linkage 3
-* D_p_x_2_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: length of
-    linkage 3
-* D_p_y_2_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: length of
-    linkage 3
-* D_p_z_2_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: length of
-    linkage 3
-* D_p_x_3_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: length of
-    linkage 3
-* D_p_y_3_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: length of
-    linkage 3
-* D_p_z_3_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: length of
-    linkage 3
-* D_delta_x_1_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: length
-    of linkage 3
-* D_delta_y_1_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: length
-    of linkage 3
-* D_delta_z_1_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: length
-    of linkage 3
-* D_delta_x_2_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: length
-    of linkage 3
-* D_delta_y_2_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: length
-    of linkage 3
-* D_delta_z_2_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: length
-    of linkage 3
-* D_delta_x_3_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: length
-    of linkage 3
-* D_delta_y_3_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: length
-    of linkage 3
-* D_delta_z_3_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: length
-    of linkage 3
-* mu_1_by_l_d_3 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: length of linkage 3
-* mu_2_by_l_d_3 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: length of linkage 3
-* mu_3_by_l_d_3 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: length of linkage 3
+* X_by_Y [unit of X by unit of Y]: derivative of X by the parameter Y, at a fixed pose
 """
 
 from math import prod
@@ -1150,7 +503,7 @@ def extended_matrices(p, parameters, effects):
     Notes
     -----
     Equations 24 to 48 with the effects' energies; K = K_el + K_g and the joints' stiffnesses.
-    1254 operations; 2335419 with every named value written out.
+    1236 operations; 2335419 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -1262,31 +615,13 @@ def extended_matrices(p, parameters, effects):
     D_delta_z_2 = l_d_2*t9
     D_delta_z_3 = l_d_3*t10
     U_1_x_1 = D_p_x_1 - n_1_x
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - n_1_y
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - n_1_z
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - n_2_x
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - n_2_y
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - n_2_z
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - n_3_x
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - n_3_y
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - n_3_z
     t11 = I_m_1*i_g_1**2
     t12 = I_G + t11
@@ -1360,564 +695,390 @@ def extended_matrices(p, parameters, effects):
     t53 = n_2_x*t52
     t54 = n_2_y*t52
     t55 = n_2_z*t52
-    t56 = D_p_x_1*t53 + D_p_x_2*t41 + D_p_y_1*t54 + D_p_y_2*t44 + D_p_z_1*t55 + D_p_z_2*t47
-    t57 = (1/6)*m_d_3
-    t58 = n_3_x*t57
-    t59 = n_3_y*t57
-    t60 = n_3_z*t57
-    t61 = D_p_x_1*t58 + D_p_x_3*t41 + D_p_y_1*t59 + D_p_y_3*t44 + D_p_z_1*t60 + D_p_z_3*t47
-    t62 = (1/6)*rho_b
-    t63 = R_p_1*t62
-    t64 = l_f_1_3*t63
-    t65 = l_f_1_2*t63
-    t66 = D_delta_x_1*t41 + D_delta_y_1*t44 + D_delta_z_1*t47
-    t67 = D_delta_x_2*t41 + D_delta_y_2*t44 + D_delta_z_2*t47
-    t68 = D_delta_x_3*t41 + D_delta_y_3*t44 + D_delta_z_3*t47
-    t69 = t35 + t52 + t57
-    t70 = D_p_x_1*t69 + m_t_1*n_1_x + n_1_x*t26 + t40
-    t71 = D_p_y_1*t69 + m_t_1*n_1_y + n_1_y*t26 + t43
-    t72 = D_p_z_1*t69 + m_t_1*n_1_z + n_1_z*t26 + t46
-    t73 = D_p_x_2*t39
-    t74 = t53 + t73
-    t75 = D_p_y_2*t39
-    t76 = t54 + t75
-    t77 = D_p_z_2*t39
-    t78 = t55 + t77
-    t79 = l_f_2_2*t48
-    t80 = l_f_2_3*t48
-    t81 = t79 + t80
-    t82 = D_p_x_2*t58 + D_p_x_3*t74 + D_p_y_2*t59 + D_p_y_3*t76 + D_p_z_2*t60 + D_p_z_3*t78
-    t83 = R_p_2*t62
-    t84 = l_f_2_3*t83
-    t85 = l_f_2_2*t83
-    t86 = D_delta_x_1*t74 + D_delta_y_1*t76 + D_delta_z_1*t78
-    t87 = D_delta_x_2*t74 + D_delta_y_2*t76 + D_delta_z_2*t78
-    t88 = D_delta_x_3*t74 + D_delta_y_3*t76 + D_delta_z_3*t78
-    t89 = D_p_x_2*t69 + m_t_2*n_2_x + n_2_x*t27 + t73
-    t90 = D_p_y_2*t69 + m_t_2*n_2_y + n_2_y*t27 + t75
-    t91 = D_p_z_2*t69 + m_t_2*n_2_z + n_2_z*t27 + t77
-    t92 = D_p_x_3*t39
-    t93 = t58 + t92
-    t94 = D_p_y_3*t39
-    t95 = t59 + t94
-    t96 = D_p_z_3*t39
-    t97 = t60 + t96
-    t98 = l_f_3_2*t48
-    t99 = l_f_3_3*t48
-    t100 = t98 + t99
-    t101 = R_p_3*t62
-    t102 = l_f_3_3*t101
-    t103 = l_f_3_2*t101
-    t104 = D_delta_x_1*t93 + D_delta_y_1*t95 + D_delta_z_1*t97
-    t105 = D_delta_x_2*t93 + D_delta_y_2*t95 + D_delta_z_2*t97
-    t106 = D_delta_x_3*t93 + D_delta_y_3*t95 + D_delta_z_3*t97
-    t107 = D_p_x_3*t69 + m_t_3*n_3_x + n_3_x*t28 + t92
-    t108 = D_p_y_3*t69 + m_t_3*n_3_y + n_3_y*t28 + t94
-    t109 = D_p_z_3*t69 + m_t_3*n_3_z + n_3_z*t28 + t96
-    t110 = R_p_1**2
-    t111 = l_f_1_1*t110
-    t112 = t111*t48
-    t113 = t111*t62
-    t114 = d_1_1*t11
-    t115 = R_p_2**2
-    t116 = l_f_2_1*t115
-    t117 = t116*t48
-    t118 = t116*t62
-    t119 = d_2_1*t13
-    t120 = R_p_3**2
-    t121 = l_f_3_1*t120
-    t122 = t121*t48
-    t123 = t121*t62
-    t124 = d_3_1*t15
-    t125 = d_1_2*t11
-    t126 = d_2_2*t13
-    t127 = d_3_2*t15
-    t128 = D_delta_x_1**2
-    t129 = D_delta_y_1**2
-    t130 = D_delta_z_1**2
-    t131 = D_delta_x_1*t39
-    t132 = D_delta_y_1*t39
-    t133 = D_delta_z_1*t39
-    t134 = D_delta_x_2*t131 + D_delta_y_2*t132 + D_delta_z_2*t133
-    t135 = D_delta_x_3*t131 + D_delta_y_3*t132 + D_delta_z_3*t133
-    t136 = D_delta_x_1*t69 + t131
-    t137 = D_delta_y_1*t69 + t132
-    t138 = D_delta_z_1*t69 + t133
-    t139 = D_delta_x_2**2
-    t140 = D_delta_y_2**2
-    t141 = D_delta_z_2**2
-    t142 = D_delta_x_2*t39
-    t143 = D_delta_y_2*t39
-    t144 = D_delta_z_2*t39
-    t145 = D_delta_x_3*t142 + D_delta_y_3*t143 + D_delta_z_3*t144
-    t146 = D_delta_x_2*t69 + t142
-    t147 = D_delta_y_2*t69 + t143
-    t148 = D_delta_z_2*t69 + t144
-    t149 = D_delta_x_3**2
-    t150 = D_delta_y_3**2
-    t151 = D_delta_z_3**2
-    t152 = D_delta_x_3*t39 + D_delta_x_3*t69
-    t153 = D_delta_y_3*t39 + D_delta_y_3*t69
-    t154 = D_delta_z_3*t39 + D_delta_z_3*t69
-    t155 = m_F + m_d_1 + m_d_2 + m_d_3 + m_t_1 + m_t_2 + m_t_3 + t29
-    t156 = k_1_2 + k_1_3
-    t157 = D_p_x_1*k_C
-    t158 = D_p_y_1*k_C
-    t159 = D_p_z_1*k_C
-    t160 = D_p_x_2*t157 + D_p_y_2*t158 + D_p_z_2*t159
-    t161 = D_p_x_3*t157 + D_p_y_3*t158 + D_p_z_3*t159
-    t162 = -R_p_1*k_1_3
-    t163 = -R_p_1*k_1_2
-    t164 = D_delta_x_1*t157 + D_delta_y_1*t158 + D_delta_z_1*t159
-    t165 = D_delta_x_2*t157 + D_delta_y_2*t158 + D_delta_z_2*t159
-    t166 = D_delta_x_3*t157 + D_delta_y_3*t158 + D_delta_z_3*t159
-    t167 = k_2_2 + k_2_3
-    t168 = D_p_x_2*k_C
-    t169 = D_p_y_2*k_C
-    t170 = D_p_z_2*k_C
-    t171 = D_p_x_3*t168 + D_p_y_3*t169 + D_p_z_3*t170
-    t172 = -R_p_2*k_2_3
-    t173 = -R_p_2*k_2_2
-    t174 = D_delta_x_1*t168 + D_delta_y_1*t169 + D_delta_z_1*t170
-    t175 = D_delta_x_2*t168 + D_delta_y_2*t169 + D_delta_z_2*t170
-    t176 = D_delta_x_3*t168 + D_delta_y_3*t169 + D_delta_z_3*t170
-    t177 = k_3_2 + k_3_3
-    t178 = -R_p_3*k_3_3
-    t179 = -R_p_3*k_3_2
-    t180 = D_p_x_3*k_C
-    t181 = D_p_y_3*k_C
-    t182 = D_p_z_3*k_C
-    t183 = D_delta_x_1*t180 + D_delta_y_1*t181 + D_delta_z_1*t182
-    t184 = D_delta_x_2*t180 + D_delta_y_2*t181 + D_delta_z_2*t182
-    t185 = D_delta_x_3*t180 + D_delta_y_3*t181 + D_delta_z_3*t182
-    t186 = k_1_1*t110
-    t187 = k_2_1*t115
-    t188 = k_3_1*t120
-    t189 = D_delta_x_1*k_C
-    t190 = D_delta_y_1*k_C
-    t191 = D_delta_z_1*k_C
-    t192 = D_delta_x_2*t189 + D_delta_y_2*t190 + D_delta_z_2*t191
-    t193 = D_delta_x_3*t189 + D_delta_y_3*t190 + D_delta_z_3*t191
-    t194 = D_delta_x_2*k_C
-    t195 = D_delta_y_2*k_C
-    t196 = D_delta_z_2*k_C
-    t197 = D_delta_x_3*t194 + D_delta_y_3*t195 + D_delta_z_3*t196
-    t198 = D_delta_x_3*k_C
-    t199 = D_delta_y_3*k_C
-    t200 = D_delta_z_3*k_C
-    t201 = U_1_x_1*mu_1
-    t202 = U_1_y_1*mu_1
-    t203 = U_1_z_1*mu_1
-    t204 = U_2_x_1*mu_2
-    t205 = U_2_y_1*mu_2
-    t206 = U_2_z_1*mu_2
-    t207 = U_3_x_1*mu_3
-    t208 = U_3_y_1*mu_3
-    t209 = U_3_z_1*mu_3
-    t210 = (
-        -U_1_x_2*t201 - U_1_y_2*t202 - U_1_z_2*t203 - U_2_x_2*t204 - U_2_y_2*t205 - U_2_z_2*t206
-        - U_3_x_2*t207 - U_3_y_2*t208 - U_3_z_2*t209
-    )
-    t211 = (
-        -U_1_x_3*t201 - U_1_y_3*t202 - U_1_z_3*t203 - U_2_x_3*t204 - U_2_y_3*t205 - U_2_z_3*t206
-        - U_3_x_3*t207 - U_3_y_3*t208 - U_3_z_3*t209
-    )
-    t212 = (
-        -D_delta_x_1*t201 - D_delta_x_1*t204 - D_delta_x_1*t207 - D_delta_y_1*t202 - D_delta_y_1*t205
-        - D_delta_y_1*t208 - D_delta_z_1*t203 - D_delta_z_1*t206 - D_delta_z_1*t209
-    )
-    t213 = (
-        -D_delta_x_2*t201 - D_delta_x_2*t204 - D_delta_x_2*t207 - D_delta_y_2*t202 - D_delta_y_2*t205
-        - D_delta_y_2*t208 - D_delta_z_2*t203 - D_delta_z_2*t206 - D_delta_z_2*t209
-    )
-    t214 = (
-        -D_delta_x_3*t201 - D_delta_x_3*t204 - D_delta_x_3*t207 - D_delta_y_3*t202 - D_delta_y_3*t205
-        - D_delta_y_3*t208 - D_delta_z_3*t203 - D_delta_z_3*t206 - D_delta_z_3*t209
-    )
-    t215 = U_1_x_2*mu_1
-    t216 = U_1_y_2*mu_1
-    t217 = U_1_z_2*mu_1
-    t218 = U_2_x_2*mu_2
-    t219 = U_2_y_2*mu_2
-    t220 = U_2_z_2*mu_2
-    t221 = U_3_x_2*mu_3
-    t222 = U_3_y_2*mu_3
-    t223 = U_3_z_2*mu_3
-    t224 = (
-        -U_1_x_3*t215 - U_1_y_3*t216 - U_1_z_3*t217 - U_2_x_3*t218 - U_2_y_3*t219 - U_2_z_3*t220
-        - U_3_x_3*t221 - U_3_y_3*t222 - U_3_z_3*t223
-    )
-    t225 = (
-        -D_delta_x_1*t215 - D_delta_x_1*t218 - D_delta_x_1*t221 - D_delta_y_1*t216 - D_delta_y_1*t219
-        - D_delta_y_1*t222 - D_delta_z_1*t217 - D_delta_z_1*t220 - D_delta_z_1*t223
-    )
-    t226 = (
-        -D_delta_x_2*t215 - D_delta_x_2*t218 - D_delta_x_2*t221 - D_delta_y_2*t216 - D_delta_y_2*t219
-        - D_delta_y_2*t222 - D_delta_z_2*t217 - D_delta_z_2*t220 - D_delta_z_2*t223
-    )
-    t227 = (
-        -D_delta_x_3*t215 - D_delta_x_3*t218 - D_delta_x_3*t221 - D_delta_y_3*t216 - D_delta_y_3*t219
-        - D_delta_y_3*t222 - D_delta_z_3*t217 - D_delta_z_3*t220 - D_delta_z_3*t223
-    )
-    t228 = U_1_x_3*mu_1
-    t229 = U_2_x_3*mu_2
-    t230 = U_3_x_3*mu_3
-    t231 = U_1_y_3*mu_1
-    t232 = U_2_y_3*mu_2
-    t233 = U_3_y_3*mu_3
-    t234 = U_1_z_3*mu_1
-    t235 = U_2_z_3*mu_2
-    t236 = U_3_z_3*mu_3
-    t237 = (
-        -D_delta_x_1*t228 - D_delta_x_1*t229 - D_delta_x_1*t230 - D_delta_y_1*t231 - D_delta_y_1*t232
-        - D_delta_y_1*t233 - D_delta_z_1*t234 - D_delta_z_1*t235 - D_delta_z_1*t236
-    )
-    t238 = (
-        -D_delta_x_2*t228 - D_delta_x_2*t229 - D_delta_x_2*t230 - D_delta_y_2*t231 - D_delta_y_2*t232
-        - D_delta_y_2*t233 - D_delta_z_2*t234 - D_delta_z_2*t235 - D_delta_z_2*t236
-    )
-    t239 = (
-        -D_delta_x_3*t228 - D_delta_x_3*t229 - D_delta_x_3*t230 - D_delta_y_3*t231 - D_delta_y_3*t232
-        - D_delta_y_3*t233 - D_delta_z_3*t234 - D_delta_z_3*t235 - D_delta_z_3*t236
-    )
-    t240 = D_delta_x_1*D_delta_x_2
-    t241 = D_delta_y_1*D_delta_y_2
-    t242 = D_delta_z_1*D_delta_z_2
-    t243 = (
-        -mu_1*t240 - mu_1*t241 - mu_1*t242 - mu_2*t240 - mu_2*t241 - mu_2*t242 - mu_3*t240 - mu_3*t241
-        - mu_3*t242
-    )
-    t244 = D_delta_x_1*D_delta_x_3
-    t245 = D_delta_y_1*D_delta_y_3
-    t246 = D_delta_z_1*D_delta_z_3
-    t247 = (
-        -mu_1*t244 - mu_1*t245 - mu_1*t246 - mu_2*t244 - mu_2*t245 - mu_2*t246 - mu_3*t244 - mu_3*t245
-        - mu_3*t246
-    )
-    t248 = D_delta_x_2*D_delta_x_3
-    t249 = D_delta_y_2*D_delta_y_3
-    t250 = D_delta_z_2*D_delta_z_3
-    t251 = (
-        -mu_1*t248 - mu_1*t249 - mu_1*t250 - mu_2*t248 - mu_2*t249 - mu_2*t250 - mu_3*t248 - mu_3*t249
-        - mu_3*t250
-    )
+    t56 = (1/6)*m_d_3
+    t57 = n_3_x*t56
+    t58 = n_3_y*t56
+    t59 = n_3_z*t56
+    t60 = (1/6)*rho_b
+    t61 = R_p_1*t60
+    t62 = l_f_1_3*t61
+    t63 = l_f_1_2*t61
+    t64 = t35 + t52 + t56
+    t65 = D_p_x_2*t39
+    t66 = t53 + t65
+    t67 = D_p_y_2*t39
+    t68 = t54 + t67
+    t69 = D_p_z_2*t39
+    t70 = t55 + t69
+    t71 = l_f_2_2*t48
+    t72 = l_f_2_3*t48
+    t73 = t71 + t72
+    t74 = R_p_2*t60
+    t75 = l_f_2_3*t74
+    t76 = l_f_2_2*t74
+    t77 = D_p_x_3*t39
+    t78 = t57 + t77
+    t79 = D_p_y_3*t39
+    t80 = t58 + t79
+    t81 = D_p_z_3*t39
+    t82 = t59 + t81
+    t83 = l_f_3_2*t48
+    t84 = l_f_3_3*t48
+    t85 = t83 + t84
+    t86 = R_p_3*t60
+    t87 = l_f_3_3*t86
+    t88 = l_f_3_2*t86
+    t89 = R_p_1**2
+    t90 = l_f_1_1*t89
+    t91 = t48*t90
+    t92 = d_1_1*t11
+    t93 = R_p_2**2
+    t94 = l_f_2_1*t93
+    t95 = t48*t94
+    t96 = d_2_1*t13
+    t97 = R_p_3**2
+    t98 = l_f_3_1*t97
+    t99 = t48*t98
+    t100 = d_3_1*t15
+    t101 = d_1_2*t11
+    t102 = d_2_2*t13
+    t103 = d_3_2*t15
+    t104 = D_delta_x_1**2
+    t105 = D_delta_y_1**2
+    t106 = D_delta_z_1**2
+    t107 = D_delta_x_1*t39
+    t108 = D_delta_y_1*t39
+    t109 = D_delta_z_1*t39
+    t110 = D_delta_x_2**2
+    t111 = D_delta_y_2**2
+    t112 = D_delta_z_2**2
+    t113 = D_delta_x_2*t39
+    t114 = D_delta_y_2*t39
+    t115 = D_delta_z_2*t39
+    t116 = D_delta_x_3**2
+    t117 = D_delta_y_3**2
+    t118 = D_delta_z_3**2
+    t119 = m_F + m_d_1 + m_d_2 + m_d_3 + m_t_1 + m_t_2 + m_t_3 + t29
+    t120 = D_p_x_1**2
+    t121 = D_p_y_1**2
+    t122 = D_p_z_1**2
+    t123 = k_1_2 + k_1_3
+    t124 = D_p_x_1*k_C
+    t125 = D_p_y_1*k_C
+    t126 = D_p_z_1*k_C
+    t127 = -R_p_1*k_1_3
+    t128 = -R_p_1*k_1_2
+    t129 = D_p_x_2**2
+    t130 = D_p_y_2**2
+    t131 = D_p_z_2**2
+    t132 = k_2_2 + k_2_3
+    t133 = D_p_x_2*k_C
+    t134 = D_p_y_2*k_C
+    t135 = D_p_z_2*k_C
+    t136 = -R_p_2*k_2_3
+    t137 = -R_p_2*k_2_2
+    t138 = D_p_x_3**2
+    t139 = D_p_y_3**2
+    t140 = D_p_z_3**2
+    t141 = k_3_2 + k_3_3
+    t142 = -R_p_3*k_3_3
+    t143 = -R_p_3*k_3_2
+    t144 = D_p_x_3*k_C
+    t145 = D_p_y_3*k_C
+    t146 = D_p_z_3*k_C
+    t147 = k_1_1*t89
+    t148 = k_2_1*t93
+    t149 = k_3_1*t97
+    t150 = D_delta_x_1*k_C
+    t151 = D_delta_y_1*k_C
+    t152 = D_delta_z_1*k_C
+    t153 = D_delta_x_2*k_C
+    t154 = D_delta_y_2*k_C
+    t155 = D_delta_z_2*k_C
+    t156 = D_p_x_1*mu_3
+    t157 = D_p_x_1*mu_2
+    t158 = U_1_x_1*mu_1
+    t159 = D_p_y_1*mu_3
+    t160 = D_p_y_1*mu_2
+    t161 = U_1_y_1*mu_1
+    t162 = D_p_z_1*mu_3
+    t163 = D_p_z_1*mu_2
+    t164 = U_1_z_1*mu_1
+    t165 = D_p_x_2*mu_1
+    t166 = D_p_x_2*mu_3
+    t167 = U_2_x_2*mu_2
+    t168 = D_p_y_2*mu_1
+    t169 = D_p_y_2*mu_3
+    t170 = U_2_y_2*mu_2
+    t171 = D_p_z_2*mu_1
+    t172 = D_p_z_2*mu_3
+    t173 = U_2_z_2*mu_2
+    t174 = D_delta_x_1*D_p_x_3
+    t175 = U_3_x_3*mu_3
+    t176 = D_delta_y_1*D_p_y_3
+    t177 = U_3_y_3*mu_3
+    t178 = D_delta_z_1*D_p_z_3
+    t179 = U_3_z_3*mu_3
+    t180 = D_delta_x_2*D_p_x_3
+    t181 = D_delta_y_2*D_p_y_3
+    t182 = D_delta_z_2*D_p_z_3
+    t183 = D_delta_x_3*D_p_x_3
+    t184 = D_delta_y_3*D_p_y_3
+    t185 = D_delta_z_3*D_p_z_3
+    t186 = D_delta_x_1*D_delta_x_2
+    t187 = D_delta_y_1*D_delta_y_2
+    t188 = D_delta_z_1*D_delta_z_2
+    t189 = D_delta_x_1*D_delta_x_3
+    t190 = D_delta_y_1*D_delta_y_3
+    t191 = D_delta_z_1*D_delta_z_3
+    t192 = D_delta_x_2*D_delta_x_3
+    t193 = D_delta_y_2*D_delta_y_3
+    t194 = D_delta_z_2*D_delta_z_3
     M_out = np.zeros((*batch, 21, 21), dtype)
     M_out[..., 0, 0] = (
         D_p_x_1*t36 + D_p_x_1*t41 + D_p_y_1*t42 + D_p_y_1*t44 + D_p_z_1*t45 + D_p_z_1*t47 + m_t_1 + t34 + t51
     )
-    M_out[..., 0, 1] = t56
-    M_out[..., 0, 2] = t61
-    M_out[..., 0, 3] = t64
-    M_out[..., 0, 6] = t65
-    M_out[..., 0, 12] = t66
-    M_out[..., 0, 13] = t67
-    M_out[..., 0, 14] = t68
-    M_out[..., 0, 15] = t51
-    M_out[..., 0, 18] = t70
-    M_out[..., 0, 19] = t71
-    M_out[..., 0, 20] = t72
-    M_out[..., 1, 0] = t56
+    M_out[..., 0, 1] = M_out[..., 1, 0] = (
+        D_p_x_1*t53 + D_p_x_2*t41 + D_p_y_1*t54 + D_p_y_2*t44 + D_p_z_1*t55 + D_p_z_2*t47
+    )
+    M_out[..., 0, 2] = M_out[..., 2, 0] = (
+        D_p_x_1*t57 + D_p_x_3*t41 + D_p_y_1*t58 + D_p_y_3*t44 + D_p_z_1*t59 + D_p_z_3*t47
+    )
+    M_out[..., 0, 3] = M_out[..., 3, 0] = t62
+    M_out[..., 0, 6] = M_out[..., 6, 0] = t63
+    M_out[..., 0, 12] = M_out[..., 12, 0] = D_delta_x_1*t41 + D_delta_y_1*t44 + D_delta_z_1*t47
+    M_out[..., 0, 13] = M_out[..., 13, 0] = D_delta_x_2*t41 + D_delta_y_2*t44 + D_delta_z_2*t47
+    M_out[..., 0, 14] = M_out[..., 14, 0] = D_delta_x_3*t41 + D_delta_y_3*t44 + D_delta_z_3*t47
+    M_out[..., 0, 15] = M_out[..., 15, 0] = t51
+    M_out[..., 0, 18] = M_out[..., 18, 0] = D_p_x_1*t64 + m_t_1*n_1_x + n_1_x*t26 + t40
+    M_out[..., 0, 19] = M_out[..., 19, 0] = D_p_y_1*t64 + m_t_1*n_1_y + n_1_y*t26 + t43
+    M_out[..., 0, 20] = M_out[..., 20, 0] = D_p_z_1*t64 + m_t_1*n_1_z + n_1_z*t26 + t46
     M_out[..., 1, 1] = (
-        D_p_x_2*t53 + D_p_x_2*t74 + D_p_y_2*t54 + D_p_y_2*t76 + D_p_z_2*t55 + D_p_z_2*t78 + m_t_2 + t37 + t81
+        D_p_x_2*t53 + D_p_x_2*t66 + D_p_y_2*t54 + D_p_y_2*t68 + D_p_z_2*t55 + D_p_z_2*t70 + m_t_2 + t37 + t73
     )
-    M_out[..., 1, 2] = t82
-    M_out[..., 1, 4] = t84
-    M_out[..., 1, 7] = t85
-    M_out[..., 1, 12] = t86
-    M_out[..., 1, 13] = t87
-    M_out[..., 1, 14] = t88
-    M_out[..., 1, 16] = t81
-    M_out[..., 1, 18] = t89
-    M_out[..., 1, 19] = t90
-    M_out[..., 1, 20] = t91
-    M_out[..., 2, 0] = t61
-    M_out[..., 2, 1] = t82
+    M_out[..., 1, 2] = M_out[..., 2, 1] = (
+        D_p_x_2*t57 + D_p_x_3*t66 + D_p_y_2*t58 + D_p_y_3*t68 + D_p_z_2*t59 + D_p_z_3*t70
+    )
+    M_out[..., 1, 4] = M_out[..., 4, 1] = t75
+    M_out[..., 1, 7] = M_out[..., 7, 1] = t76
+    M_out[..., 1, 12] = M_out[..., 12, 1] = D_delta_x_1*t66 + D_delta_y_1*t68 + D_delta_z_1*t70
+    M_out[..., 1, 13] = M_out[..., 13, 1] = D_delta_x_2*t66 + D_delta_y_2*t68 + D_delta_z_2*t70
+    M_out[..., 1, 14] = M_out[..., 14, 1] = D_delta_x_3*t66 + D_delta_y_3*t68 + D_delta_z_3*t70
+    M_out[..., 1, 16] = M_out[..., 16, 1] = t73
+    M_out[..., 1, 18] = M_out[..., 18, 1] = D_p_x_2*t64 + m_t_2*n_2_x + n_2_x*t27 + t65
+    M_out[..., 1, 19] = M_out[..., 19, 1] = D_p_y_2*t64 + m_t_2*n_2_y + n_2_y*t27 + t67
+    M_out[..., 1, 20] = M_out[..., 20, 1] = D_p_z_2*t64 + m_t_2*n_2_z + n_2_z*t27 + t69
     M_out[..., 2, 2] = (
-        D_p_x_3*t58 + D_p_x_3*t93 + D_p_y_3*t59 + D_p_y_3*t95 + D_p_z_3*t60 + D_p_z_3*t97 + m_t_3 + t100 + t38
+        D_p_x_3*t57 + D_p_x_3*t78 + D_p_y_3*t58 + D_p_y_3*t80 + D_p_z_3*t59 + D_p_z_3*t82 + m_t_3 + t38 + t85
     )
-    M_out[..., 2, 5] = t102
-    M_out[..., 2, 8] = t103
-    M_out[..., 2, 12] = t104
-    M_out[..., 2, 13] = t105
-    M_out[..., 2, 14] = t106
-    M_out[..., 2, 17] = t100
-    M_out[..., 2, 18] = t107
-    M_out[..., 2, 19] = t108
-    M_out[..., 2, 20] = t109
-    M_out[..., 3, 0] = t64
-    M_out[..., 3, 3] = I_1_1 + t110*t50 + t112
-    M_out[..., 3, 6] = t113
-    M_out[..., 3, 9] = t114
-    M_out[..., 3, 15] = t64
-    M_out[..., 4, 1] = t84
-    M_out[..., 4, 4] = I_2_1 + t115*t80 + t117
-    M_out[..., 4, 7] = t118
-    M_out[..., 4, 10] = t119
-    M_out[..., 4, 16] = t84
-    M_out[..., 5, 2] = t102
-    M_out[..., 5, 5] = I_3_1 + t120*t99 + t122
-    M_out[..., 5, 8] = t123
-    M_out[..., 5, 11] = t124
-    M_out[..., 5, 17] = t102
-    M_out[..., 6, 0] = t65
-    M_out[..., 6, 3] = t113
-    M_out[..., 6, 6] = I_1_2 + t110*t49 + t112
-    M_out[..., 6, 9] = t125
-    M_out[..., 6, 15] = t65
-    M_out[..., 7, 1] = t85
-    M_out[..., 7, 4] = t118
-    M_out[..., 7, 7] = I_2_2 + t115*t79 + t117
-    M_out[..., 7, 10] = t126
-    M_out[..., 7, 16] = t85
-    M_out[..., 8, 2] = t103
-    M_out[..., 8, 5] = t123
-    M_out[..., 8, 8] = I_3_2 + t120*t98 + t122
-    M_out[..., 8, 11] = t127
-    M_out[..., 8, 17] = t103
-    M_out[..., 9, 3] = t114
-    M_out[..., 9, 6] = t125
-    M_out[..., 9, 9] = t114 + t125
-    M_out[..., 10, 4] = t119
-    M_out[..., 10, 7] = t126
-    M_out[..., 10, 10] = t119 + t126
-    M_out[..., 11, 5] = t124
-    M_out[..., 11, 8] = t127
-    M_out[..., 11, 11] = t124 + t127
-    M_out[..., 12, 0] = t66
-    M_out[..., 12, 1] = t86
-    M_out[..., 12, 2] = t104
-    M_out[..., 12, 12] = t128*t39 + t129*t39 + t130*t39
-    M_out[..., 12, 13] = t134
-    M_out[..., 12, 14] = t135
-    M_out[..., 12, 18] = t136
-    M_out[..., 12, 19] = t137
-    M_out[..., 12, 20] = t138
-    M_out[..., 13, 0] = t67
-    M_out[..., 13, 1] = t87
-    M_out[..., 13, 2] = t105
-    M_out[..., 13, 12] = t134
-    M_out[..., 13, 13] = t139*t39 + t140*t39 + t141*t39
-    M_out[..., 13, 14] = t145
-    M_out[..., 13, 18] = t146
-    M_out[..., 13, 19] = t147
-    M_out[..., 13, 20] = t148
-    M_out[..., 14, 0] = t68
-    M_out[..., 14, 1] = t88
-    M_out[..., 14, 2] = t106
-    M_out[..., 14, 12] = t135
-    M_out[..., 14, 13] = t145
-    M_out[..., 14, 14] = t149*t39 + t150*t39 + t151*t39
-    M_out[..., 14, 18] = t152
-    M_out[..., 14, 19] = t153
-    M_out[..., 14, 20] = t154
-    M_out[..., 15, 0] = t51
-    M_out[..., 15, 3] = t64
-    M_out[..., 15, 6] = t65
+    M_out[..., 2, 5] = M_out[..., 5, 2] = t87
+    M_out[..., 2, 8] = M_out[..., 8, 2] = t88
+    M_out[..., 2, 12] = M_out[..., 12, 2] = D_delta_x_1*t78 + D_delta_y_1*t80 + D_delta_z_1*t82
+    M_out[..., 2, 13] = M_out[..., 13, 2] = D_delta_x_2*t78 + D_delta_y_2*t80 + D_delta_z_2*t82
+    M_out[..., 2, 14] = M_out[..., 14, 2] = D_delta_x_3*t78 + D_delta_y_3*t80 + D_delta_z_3*t82
+    M_out[..., 2, 17] = M_out[..., 17, 2] = t85
+    M_out[..., 2, 18] = M_out[..., 18, 2] = D_p_x_3*t64 + m_t_3*n_3_x + n_3_x*t28 + t77
+    M_out[..., 2, 19] = M_out[..., 19, 2] = D_p_y_3*t64 + m_t_3*n_3_y + n_3_y*t28 + t79
+    M_out[..., 2, 20] = M_out[..., 20, 2] = D_p_z_3*t64 + m_t_3*n_3_z + n_3_z*t28 + t81
+    M_out[..., 3, 3] = I_1_1 + t50*t89 + t91
+    M_out[..., 3, 6] = M_out[..., 6, 3] = t60*t90
+    M_out[..., 3, 9] = M_out[..., 9, 3] = t92
+    M_out[..., 3, 15] = M_out[..., 15, 3] = t62
+    M_out[..., 4, 4] = I_2_1 + t72*t93 + t95
+    M_out[..., 4, 7] = M_out[..., 7, 4] = t60*t94
+    M_out[..., 4, 10] = M_out[..., 10, 4] = t96
+    M_out[..., 4, 16] = M_out[..., 16, 4] = t75
+    M_out[..., 5, 5] = I_3_1 + t84*t97 + t99
+    M_out[..., 5, 8] = M_out[..., 8, 5] = t60*t98
+    M_out[..., 5, 11] = M_out[..., 11, 5] = t100
+    M_out[..., 5, 17] = M_out[..., 17, 5] = t87
+    M_out[..., 6, 6] = I_1_2 + t49*t89 + t91
+    M_out[..., 6, 9] = M_out[..., 9, 6] = t101
+    M_out[..., 6, 15] = M_out[..., 15, 6] = t63
+    M_out[..., 7, 7] = I_2_2 + t71*t93 + t95
+    M_out[..., 7, 10] = M_out[..., 10, 7] = t102
+    M_out[..., 7, 16] = M_out[..., 16, 7] = t76
+    M_out[..., 8, 8] = I_3_2 + t83*t97 + t99
+    M_out[..., 8, 11] = M_out[..., 11, 8] = t103
+    M_out[..., 8, 17] = M_out[..., 17, 8] = t88
+    M_out[..., 9, 9] = t101 + t92
+    M_out[..., 10, 10] = t102 + t96
+    M_out[..., 11, 11] = t100 + t103
+    M_out[..., 12, 12] = t104*t39 + t105*t39 + t106*t39
+    M_out[..., 12, 13] = M_out[..., 13, 12] = D_delta_x_2*t107 + D_delta_y_2*t108 + D_delta_z_2*t109
+    M_out[..., 12, 14] = M_out[..., 14, 12] = D_delta_x_3*t107 + D_delta_y_3*t108 + D_delta_z_3*t109
+    M_out[..., 12, 18] = M_out[..., 18, 12] = D_delta_x_1*t64 + t107
+    M_out[..., 12, 19] = M_out[..., 19, 12] = D_delta_y_1*t64 + t108
+    M_out[..., 12, 20] = M_out[..., 20, 12] = D_delta_z_1*t64 + t109
+    M_out[..., 13, 13] = t110*t39 + t111*t39 + t112*t39
+    M_out[..., 13, 14] = M_out[..., 14, 13] = D_delta_x_3*t113 + D_delta_y_3*t114 + D_delta_z_3*t115
+    M_out[..., 13, 18] = M_out[..., 18, 13] = D_delta_x_2*t64 + t113
+    M_out[..., 13, 19] = M_out[..., 19, 13] = D_delta_y_2*t64 + t114
+    M_out[..., 13, 20] = M_out[..., 20, 13] = D_delta_z_2*t64 + t115
+    M_out[..., 14, 14] = t116*t39 + t117*t39 + t118*t39
+    M_out[..., 14, 18] = M_out[..., 18, 14] = D_delta_x_3*t39 + D_delta_x_3*t64
+    M_out[..., 14, 19] = M_out[..., 19, 14] = D_delta_y_3*t39 + D_delta_y_3*t64
+    M_out[..., 14, 20] = M_out[..., 20, 14] = D_delta_z_3*t39 + D_delta_z_3*t64
     M_out[..., 15, 15] = t51
-    M_out[..., 16, 1] = t81
-    M_out[..., 16, 4] = t84
-    M_out[..., 16, 7] = t85
-    M_out[..., 16, 16] = t81
-    M_out[..., 17, 2] = t100
-    M_out[..., 17, 5] = t102
-    M_out[..., 17, 8] = t103
-    M_out[..., 17, 17] = t100
-    M_out[..., 18, 0] = t70
-    M_out[..., 18, 1] = t89
-    M_out[..., 18, 2] = t107
-    M_out[..., 18, 12] = t136
-    M_out[..., 18, 13] = t146
-    M_out[..., 18, 14] = t152
-    M_out[..., 18, 18] = t155
-    M_out[..., 19, 0] = t71
-    M_out[..., 19, 1] = t90
-    M_out[..., 19, 2] = t108
-    M_out[..., 19, 12] = t137
-    M_out[..., 19, 13] = t147
-    M_out[..., 19, 14] = t153
-    M_out[..., 19, 19] = t155
-    M_out[..., 20, 0] = t72
-    M_out[..., 20, 1] = t91
-    M_out[..., 20, 2] = t109
-    M_out[..., 20, 12] = t138
-    M_out[..., 20, 13] = t148
-    M_out[..., 20, 14] = t154
-    M_out[..., 20, 20] = t155
+    M_out[..., 16, 16] = t73
+    M_out[..., 17, 17] = t85
+    M_out[..., 18, 18] = t119
+    M_out[..., 19, 19] = t119
+    M_out[..., 20, 20] = t119
     K_el_out = np.zeros((*batch, 21, 21), dtype)
-    K_el_out[..., 0, 0] = D_p_x_1**2*k_C + D_p_y_1**2*k_C + D_p_z_1**2*k_C + t156
-    K_el_out[..., 0, 1] = t160
-    K_el_out[..., 0, 2] = t161
-    K_el_out[..., 0, 3] = t162
-    K_el_out[..., 0, 6] = t163
-    K_el_out[..., 0, 12] = t164
-    K_el_out[..., 0, 13] = t165
-    K_el_out[..., 0, 14] = t166
-    K_el_out[..., 0, 15] = t156
-    K_el_out[..., 0, 18] = t157
-    K_el_out[..., 0, 19] = t158
-    K_el_out[..., 0, 20] = t159
-    K_el_out[..., 1, 0] = t160
-    K_el_out[..., 1, 1] = D_p_x_2**2*k_C + D_p_y_2**2*k_C + D_p_z_2**2*k_C + t167
-    K_el_out[..., 1, 2] = t171
-    K_el_out[..., 1, 4] = t172
-    K_el_out[..., 1, 7] = t173
-    K_el_out[..., 1, 12] = t174
-    K_el_out[..., 1, 13] = t175
-    K_el_out[..., 1, 14] = t176
-    K_el_out[..., 1, 16] = t167
-    K_el_out[..., 1, 18] = t168
-    K_el_out[..., 1, 19] = t169
-    K_el_out[..., 1, 20] = t170
-    K_el_out[..., 2, 0] = t161
-    K_el_out[..., 2, 1] = t171
-    K_el_out[..., 2, 2] = D_p_x_3**2*k_C + D_p_y_3**2*k_C + D_p_z_3**2*k_C + t177
-    K_el_out[..., 2, 5] = t178
-    K_el_out[..., 2, 8] = t179
-    K_el_out[..., 2, 12] = t183
-    K_el_out[..., 2, 13] = t184
-    K_el_out[..., 2, 14] = t185
-    K_el_out[..., 2, 17] = t177
-    K_el_out[..., 2, 18] = t180
-    K_el_out[..., 2, 19] = t181
-    K_el_out[..., 2, 20] = t182
-    K_el_out[..., 3, 0] = t162
-    K_el_out[..., 3, 3] = d_1_1*k_S + k_1_3*t110 + t186
-    K_el_out[..., 3, 6] = -t186
-    K_el_out[..., 3, 15] = t162
-    K_el_out[..., 4, 1] = t172
-    K_el_out[..., 4, 4] = d_2_1*k_S + k_2_3*t115 + t187
-    K_el_out[..., 4, 7] = -t187
-    K_el_out[..., 4, 16] = t172
-    K_el_out[..., 5, 2] = t178
-    K_el_out[..., 5, 5] = d_3_1*k_S + k_3_3*t120 + t188
-    K_el_out[..., 5, 8] = -t188
-    K_el_out[..., 5, 17] = t178
-    K_el_out[..., 6, 0] = t163
-    K_el_out[..., 6, 3] = -t186
-    K_el_out[..., 6, 6] = d_1_2*k_S + k_1_2*t110 + t186
-    K_el_out[..., 6, 15] = t163
-    K_el_out[..., 7, 1] = t173
-    K_el_out[..., 7, 4] = -t187
-    K_el_out[..., 7, 7] = d_2_2*k_S + k_2_2*t115 + t187
-    K_el_out[..., 7, 16] = t173
-    K_el_out[..., 8, 2] = t179
-    K_el_out[..., 8, 5] = -t188
-    K_el_out[..., 8, 8] = d_3_2*k_S + k_3_2*t120 + t188
-    K_el_out[..., 8, 17] = t179
-    K_el_out[..., 12, 0] = t164
-    K_el_out[..., 12, 1] = t174
-    K_el_out[..., 12, 2] = t183
-    K_el_out[..., 12, 12] = k_C*t128 + k_C*t129 + k_C*t130
-    K_el_out[..., 12, 13] = t192
-    K_el_out[..., 12, 14] = t193
-    K_el_out[..., 12, 18] = t189
-    K_el_out[..., 12, 19] = t190
-    K_el_out[..., 12, 20] = t191
-    K_el_out[..., 13, 0] = t165
-    K_el_out[..., 13, 1] = t175
-    K_el_out[..., 13, 2] = t184
-    K_el_out[..., 13, 12] = t192
-    K_el_out[..., 13, 13] = k_C*t139 + k_C*t140 + k_C*t141
-    K_el_out[..., 13, 14] = t197
-    K_el_out[..., 13, 18] = t194
-    K_el_out[..., 13, 19] = t195
-    K_el_out[..., 13, 20] = t196
-    K_el_out[..., 14, 0] = t166
-    K_el_out[..., 14, 1] = t176
-    K_el_out[..., 14, 2] = t185
-    K_el_out[..., 14, 12] = t193
-    K_el_out[..., 14, 13] = t197
-    K_el_out[..., 14, 14] = k_C*t149 + k_C*t150 + k_C*t151
-    K_el_out[..., 14, 18] = t198
-    K_el_out[..., 14, 19] = t199
-    K_el_out[..., 14, 20] = t200
-    K_el_out[..., 15, 0] = t156
-    K_el_out[..., 15, 3] = t162
-    K_el_out[..., 15, 6] = t163
-    K_el_out[..., 15, 15] = t156
-    K_el_out[..., 16, 1] = t167
-    K_el_out[..., 16, 4] = t172
-    K_el_out[..., 16, 7] = t173
-    K_el_out[..., 16, 16] = t167
-    K_el_out[..., 17, 2] = t177
-    K_el_out[..., 17, 5] = t178
-    K_el_out[..., 17, 8] = t179
-    K_el_out[..., 17, 17] = t177
-    K_el_out[..., 18, 0] = t157
-    K_el_out[..., 18, 1] = t168
-    K_el_out[..., 18, 2] = t180
-    K_el_out[..., 18, 12] = t189
-    K_el_out[..., 18, 13] = t194
-    K_el_out[..., 18, 14] = t198
+    K_el_out[..., 0, 0] = k_C*t120 + k_C*t121 + k_C*t122 + t123
+    K_el_out[..., 0, 1] = K_el_out[..., 1, 0] = D_p_x_2*t124 + D_p_y_2*t125 + D_p_z_2*t126
+    K_el_out[..., 0, 2] = K_el_out[..., 2, 0] = D_p_x_3*t124 + D_p_y_3*t125 + D_p_z_3*t126
+    K_el_out[..., 0, 3] = K_el_out[..., 3, 0] = t127
+    K_el_out[..., 0, 6] = K_el_out[..., 6, 0] = t128
+    K_el_out[..., 0, 12] = K_el_out[..., 12, 0] = D_delta_x_1*t124 + D_delta_y_1*t125 + D_delta_z_1*t126
+    K_el_out[..., 0, 13] = K_el_out[..., 13, 0] = D_delta_x_2*t124 + D_delta_y_2*t125 + D_delta_z_2*t126
+    K_el_out[..., 0, 14] = K_el_out[..., 14, 0] = D_delta_x_3*t124 + D_delta_y_3*t125 + D_delta_z_3*t126
+    K_el_out[..., 0, 15] = K_el_out[..., 15, 0] = t123
+    K_el_out[..., 0, 18] = K_el_out[..., 18, 0] = t124
+    K_el_out[..., 0, 19] = K_el_out[..., 19, 0] = t125
+    K_el_out[..., 0, 20] = K_el_out[..., 20, 0] = t126
+    K_el_out[..., 1, 1] = k_C*t129 + k_C*t130 + k_C*t131 + t132
+    K_el_out[..., 1, 2] = K_el_out[..., 2, 1] = D_p_x_3*t133 + D_p_y_3*t134 + D_p_z_3*t135
+    K_el_out[..., 1, 4] = K_el_out[..., 4, 1] = t136
+    K_el_out[..., 1, 7] = K_el_out[..., 7, 1] = t137
+    K_el_out[..., 1, 12] = K_el_out[..., 12, 1] = D_delta_x_1*t133 + D_delta_y_1*t134 + D_delta_z_1*t135
+    K_el_out[..., 1, 13] = K_el_out[..., 13, 1] = D_delta_x_2*t133 + D_delta_y_2*t134 + D_delta_z_2*t135
+    K_el_out[..., 1, 14] = K_el_out[..., 14, 1] = D_delta_x_3*t133 + D_delta_y_3*t134 + D_delta_z_3*t135
+    K_el_out[..., 1, 16] = K_el_out[..., 16, 1] = t132
+    K_el_out[..., 1, 18] = K_el_out[..., 18, 1] = t133
+    K_el_out[..., 1, 19] = K_el_out[..., 19, 1] = t134
+    K_el_out[..., 1, 20] = K_el_out[..., 20, 1] = t135
+    K_el_out[..., 2, 2] = k_C*t138 + k_C*t139 + k_C*t140 + t141
+    K_el_out[..., 2, 5] = K_el_out[..., 5, 2] = t142
+    K_el_out[..., 2, 8] = K_el_out[..., 8, 2] = t143
+    K_el_out[..., 2, 12] = K_el_out[..., 12, 2] = D_delta_x_1*t144 + D_delta_y_1*t145 + D_delta_z_1*t146
+    K_el_out[..., 2, 13] = K_el_out[..., 13, 2] = D_delta_x_2*t144 + D_delta_y_2*t145 + D_delta_z_2*t146
+    K_el_out[..., 2, 14] = K_el_out[..., 14, 2] = D_delta_x_3*t144 + D_delta_y_3*t145 + D_delta_z_3*t146
+    K_el_out[..., 2, 17] = K_el_out[..., 17, 2] = t141
+    K_el_out[..., 2, 18] = K_el_out[..., 18, 2] = t144
+    K_el_out[..., 2, 19] = K_el_out[..., 19, 2] = t145
+    K_el_out[..., 2, 20] = K_el_out[..., 20, 2] = t146
+    K_el_out[..., 3, 3] = d_1_1*k_S + k_1_3*t89 + t147
+    K_el_out[..., 3, 6] = K_el_out[..., 6, 3] = -t147
+    K_el_out[..., 3, 15] = K_el_out[..., 15, 3] = t127
+    K_el_out[..., 4, 4] = d_2_1*k_S + k_2_3*t93 + t148
+    K_el_out[..., 4, 7] = K_el_out[..., 7, 4] = -t148
+    K_el_out[..., 4, 16] = K_el_out[..., 16, 4] = t136
+    K_el_out[..., 5, 5] = d_3_1*k_S + k_3_3*t97 + t149
+    K_el_out[..., 5, 8] = K_el_out[..., 8, 5] = -t149
+    K_el_out[..., 5, 17] = K_el_out[..., 17, 5] = t142
+    K_el_out[..., 6, 6] = d_1_2*k_S + k_1_2*t89 + t147
+    K_el_out[..., 6, 15] = K_el_out[..., 15, 6] = t128
+    K_el_out[..., 7, 7] = d_2_2*k_S + k_2_2*t93 + t148
+    K_el_out[..., 7, 16] = K_el_out[..., 16, 7] = t137
+    K_el_out[..., 8, 8] = d_3_2*k_S + k_3_2*t97 + t149
+    K_el_out[..., 8, 17] = K_el_out[..., 17, 8] = t143
+    K_el_out[..., 12, 12] = k_C*t104 + k_C*t105 + k_C*t106
+    K_el_out[..., 12, 13] = K_el_out[..., 13, 12] = D_delta_x_2*t150 + D_delta_y_2*t151 + D_delta_z_2*t152
+    K_el_out[..., 12, 14] = K_el_out[..., 14, 12] = D_delta_x_3*t150 + D_delta_y_3*t151 + D_delta_z_3*t152
+    K_el_out[..., 12, 18] = K_el_out[..., 18, 12] = t150
+    K_el_out[..., 12, 19] = K_el_out[..., 19, 12] = t151
+    K_el_out[..., 12, 20] = K_el_out[..., 20, 12] = t152
+    K_el_out[..., 13, 13] = k_C*t110 + k_C*t111 + k_C*t112
+    K_el_out[..., 13, 14] = K_el_out[..., 14, 13] = D_delta_x_3*t153 + D_delta_y_3*t154 + D_delta_z_3*t155
+    K_el_out[..., 13, 18] = K_el_out[..., 18, 13] = t153
+    K_el_out[..., 13, 19] = K_el_out[..., 19, 13] = t154
+    K_el_out[..., 13, 20] = K_el_out[..., 20, 13] = t155
+    K_el_out[..., 14, 14] = k_C*t116 + k_C*t117 + k_C*t118
+    K_el_out[..., 14, 18] = K_el_out[..., 18, 14] = D_delta_x_3*k_C
+    K_el_out[..., 14, 19] = K_el_out[..., 19, 14] = D_delta_y_3*k_C
+    K_el_out[..., 14, 20] = K_el_out[..., 20, 14] = D_delta_z_3*k_C
+    K_el_out[..., 15, 15] = t123
+    K_el_out[..., 16, 16] = t132
+    K_el_out[..., 17, 17] = t141
     K_el_out[..., 18, 18] = k_C
-    K_el_out[..., 19, 0] = t158
-    K_el_out[..., 19, 1] = t169
-    K_el_out[..., 19, 2] = t181
-    K_el_out[..., 19, 12] = t190
-    K_el_out[..., 19, 13] = t195
-    K_el_out[..., 19, 14] = t199
     K_el_out[..., 19, 19] = k_C
-    K_el_out[..., 20, 0] = t159
-    K_el_out[..., 20, 1] = t170
-    K_el_out[..., 20, 2] = t182
-    K_el_out[..., 20, 12] = t191
-    K_el_out[..., 20, 13] = t196
-    K_el_out[..., 20, 14] = t200
     K_el_out[..., 20, 20] = k_C
     K_g_out = np.zeros((*batch, 21, 21), dtype)
     K_g_out[..., 0, 0] = (
-        -U_1_x_1**2*mu_1 - U_1_y_1**2*mu_1 - U_1_z_1**2*mu_1 - U_2_x_1**2*mu_2 - U_2_y_1**2*mu_2
-        - U_2_z_1**2*mu_2 - U_3_x_1**2*mu_3 - U_3_y_1**2*mu_3 - U_3_z_1**2*mu_3
+        -U_1_x_1**2*mu_1 - U_1_y_1**2*mu_1 - U_1_z_1**2*mu_1 - mu_2*t120 - mu_2*t121 - mu_2*t122 - mu_3*t120
+        - mu_3*t121 - mu_3*t122
     )
-    K_g_out[..., 0, 1] = t210
-    K_g_out[..., 0, 2] = t211
-    K_g_out[..., 0, 12] = t212
-    K_g_out[..., 0, 13] = t213
-    K_g_out[..., 0, 14] = t214
-    K_g_out[..., 1, 0] = t210
+    K_g_out[..., 0, 1] = K_g_out[..., 1, 0] = (
+        -D_p_x_2*t156 - D_p_x_2*t158 - D_p_y_2*t159 - D_p_y_2*t161 - D_p_z_2*t162 - D_p_z_2*t164
+        - U_2_x_2*t157 - U_2_y_2*t160 - U_2_z_2*t163
+    )
+    K_g_out[..., 0, 2] = K_g_out[..., 2, 0] = (
+        -D_p_x_3*t157 - D_p_x_3*t158 - D_p_y_3*t160 - D_p_y_3*t161 - D_p_z_3*t163 - D_p_z_3*t164
+        - U_3_x_3*t156 - U_3_y_3*t159 - U_3_z_3*t162
+    )
+    K_g_out[..., 0, 12] = K_g_out[..., 12, 0] = (
+        -D_delta_x_1*t156 - D_delta_x_1*t157 - D_delta_x_1*t158 - D_delta_y_1*t159 - D_delta_y_1*t160
+        - D_delta_y_1*t161 - D_delta_z_1*t162 - D_delta_z_1*t163 - D_delta_z_1*t164
+    )
+    K_g_out[..., 0, 13] = K_g_out[..., 13, 0] = (
+        -D_delta_x_2*t156 - D_delta_x_2*t157 - D_delta_x_2*t158 - D_delta_y_2*t159 - D_delta_y_2*t160
+        - D_delta_y_2*t161 - D_delta_z_2*t162 - D_delta_z_2*t163 - D_delta_z_2*t164
+    )
+    K_g_out[..., 0, 14] = K_g_out[..., 14, 0] = (
+        -D_delta_x_3*t156 - D_delta_x_3*t157 - D_delta_x_3*t158 - D_delta_y_3*t159 - D_delta_y_3*t160
+        - D_delta_y_3*t161 - D_delta_z_3*t162 - D_delta_z_3*t163 - D_delta_z_3*t164
+    )
     K_g_out[..., 1, 1] = (
-        -U_1_x_2**2*mu_1 - U_1_y_2**2*mu_1 - U_1_z_2**2*mu_1 - U_2_x_2**2*mu_2 - U_2_y_2**2*mu_2
-        - U_2_z_2**2*mu_2 - U_3_x_2**2*mu_3 - U_3_y_2**2*mu_3 - U_3_z_2**2*mu_3
+        -U_2_x_2**2*mu_2 - U_2_y_2**2*mu_2 - U_2_z_2**2*mu_2 - mu_1*t129 - mu_1*t130 - mu_1*t131 - mu_3*t129
+        - mu_3*t130 - mu_3*t131
     )
-    K_g_out[..., 1, 2] = t224
-    K_g_out[..., 1, 12] = t225
-    K_g_out[..., 1, 13] = t226
-    K_g_out[..., 1, 14] = t227
-    K_g_out[..., 2, 0] = t211
-    K_g_out[..., 2, 1] = t224
+    K_g_out[..., 1, 2] = K_g_out[..., 2, 1] = (
+        -D_p_x_3*t165 - D_p_x_3*t167 - D_p_y_3*t168 - D_p_y_3*t170 - D_p_z_3*t171 - D_p_z_3*t173
+        - U_3_x_3*t166 - U_3_y_3*t169 - U_3_z_3*t172
+    )
+    K_g_out[..., 1, 12] = K_g_out[..., 12, 1] = (
+        -D_delta_x_1*t165 - D_delta_x_1*t166 - D_delta_x_1*t167 - D_delta_y_1*t168 - D_delta_y_1*t169
+        - D_delta_y_1*t170 - D_delta_z_1*t171 - D_delta_z_1*t172 - D_delta_z_1*t173
+    )
+    K_g_out[..., 1, 13] = K_g_out[..., 13, 1] = (
+        -D_delta_x_2*t165 - D_delta_x_2*t166 - D_delta_x_2*t167 - D_delta_y_2*t168 - D_delta_y_2*t169
+        - D_delta_y_2*t170 - D_delta_z_2*t171 - D_delta_z_2*t172 - D_delta_z_2*t173
+    )
+    K_g_out[..., 1, 14] = K_g_out[..., 14, 1] = (
+        -D_delta_x_3*t165 - D_delta_x_3*t166 - D_delta_x_3*t167 - D_delta_y_3*t168 - D_delta_y_3*t169
+        - D_delta_y_3*t170 - D_delta_z_3*t171 - D_delta_z_3*t172 - D_delta_z_3*t173
+    )
     K_g_out[..., 2, 2] = (
-        -U_1_x_3**2*mu_1 - U_1_y_3**2*mu_1 - U_1_z_3**2*mu_1 - U_2_x_3**2*mu_2 - U_2_y_3**2*mu_2
-        - U_2_z_3**2*mu_2 - U_3_x_3**2*mu_3 - U_3_y_3**2*mu_3 - U_3_z_3**2*mu_3
+        -U_3_x_3**2*mu_3 - U_3_y_3**2*mu_3 - U_3_z_3**2*mu_3 - mu_1*t138 - mu_1*t139 - mu_1*t140 - mu_2*t138
+        - mu_2*t139 - mu_2*t140
     )
-    K_g_out[..., 2, 12] = t237
-    K_g_out[..., 2, 13] = t238
-    K_g_out[..., 2, 14] = t239
-    K_g_out[..., 12, 0] = t212
-    K_g_out[..., 12, 1] = t225
-    K_g_out[..., 12, 2] = t237
+    K_g_out[..., 2, 12] = K_g_out[..., 12, 2] = (
+        -D_delta_x_1*t175 - D_delta_y_1*t177 - D_delta_z_1*t179 - mu_1*t174 - mu_1*t176 - mu_1*t178
+        - mu_2*t174 - mu_2*t176 - mu_2*t178
+    )
+    K_g_out[..., 2, 13] = K_g_out[..., 13, 2] = (
+        -D_delta_x_2*t175 - D_delta_y_2*t177 - D_delta_z_2*t179 - mu_1*t180 - mu_1*t181 - mu_1*t182
+        - mu_2*t180 - mu_2*t181 - mu_2*t182
+    )
+    K_g_out[..., 2, 14] = K_g_out[..., 14, 2] = (
+        -D_delta_x_3*t175 - D_delta_y_3*t177 - D_delta_z_3*t179 - mu_1*t183 - mu_1*t184 - mu_1*t185
+        - mu_2*t183 - mu_2*t184 - mu_2*t185
+    )
     K_g_out[..., 12, 12] = (
-        -mu_1*t128 - mu_1*t129 - mu_1*t130 + mu_1 - mu_2*t128 - mu_2*t129 - mu_2*t130 - mu_3*t128 - mu_3*t129
-        - mu_3*t130
+        -mu_1*t104 - mu_1*t105 - mu_1*t106 + mu_1 - mu_2*t104 - mu_2*t105 - mu_2*t106 - mu_3*t104 - mu_3*t105
+        - mu_3*t106
     )
-    K_g_out[..., 12, 13] = t243
-    K_g_out[..., 12, 14] = t247
-    K_g_out[..., 13, 0] = t213
-    K_g_out[..., 13, 1] = t226
-    K_g_out[..., 13, 2] = t238
-    K_g_out[..., 13, 12] = t243
+    K_g_out[..., 12, 13] = K_g_out[..., 13, 12] = (
+        -mu_1*t186 - mu_1*t187 - mu_1*t188 - mu_2*t186 - mu_2*t187 - mu_2*t188 - mu_3*t186 - mu_3*t187
+        - mu_3*t188
+    )
+    K_g_out[..., 12, 14] = K_g_out[..., 14, 12] = (
+        -mu_1*t189 - mu_1*t190 - mu_1*t191 - mu_2*t189 - mu_2*t190 - mu_2*t191 - mu_3*t189 - mu_3*t190
+        - mu_3*t191
+    )
     K_g_out[..., 13, 13] = (
-        -mu_1*t139 - mu_1*t140 - mu_1*t141 - mu_2*t139 - mu_2*t140 - mu_2*t141 + mu_2 - mu_3*t139 - mu_3*t140
-        - mu_3*t141
+        -mu_1*t110 - mu_1*t111 - mu_1*t112 - mu_2*t110 - mu_2*t111 - mu_2*t112 + mu_2 - mu_3*t110 - mu_3*t111
+        - mu_3*t112
     )
-    K_g_out[..., 13, 14] = t251
-    K_g_out[..., 14, 0] = t214
-    K_g_out[..., 14, 1] = t227
-    K_g_out[..., 14, 2] = t239
-    K_g_out[..., 14, 12] = t247
-    K_g_out[..., 14, 13] = t251
+    K_g_out[..., 13, 14] = K_g_out[..., 14, 13] = (
+        -mu_1*t192 - mu_1*t193 - mu_1*t194 - mu_2*t192 - mu_2*t193 - mu_2*t194 - mu_3*t192 - mu_3*t193
+        - mu_3*t194
+    )
     K_g_out[..., 14, 14] = (
-        -mu_1*t149 - mu_1*t150 - mu_1*t151 - mu_2*t149 - mu_2*t150 - mu_2*t151 - mu_3*t149 - mu_3*t150
-        - mu_3*t151 + mu_3
+        -mu_1*t116 - mu_1*t117 - mu_1*t118 - mu_2*t116 - mu_2*t117 - mu_2*t118 - mu_3*t116 - mu_3*t117
+        - mu_3*t118 + mu_3
     )
     return M_out, K_el_out, K_g_out
 
@@ -2086,7 +1247,7 @@ def joint_stiffness(effects):
     t6 = -1/c_L**2
     t7 = -1/c_K**2
     t8 = -1/c_F**2
-    kappa_out = np.zeros((*batch, 12), dtype)
+    kappa_out = np.empty((*batch, 12), dtype)
     kappa_out[..., 0] = t1
     kappa_out[..., 1] = t1
     kappa_out[..., 2] = t1
@@ -2099,7 +1260,7 @@ def joint_stiffness(effects):
     kappa_out[..., 9] = t4
     kappa_out[..., 10] = t4
     kappa_out[..., 11] = t4
-    kappa_c_out = np.zeros((*batch, 12), dtype)
+    kappa_c_out = np.empty((*batch, 12), dtype)
     kappa_c_out[..., 0] = t5
     kappa_c_out[..., 1] = t5
     kappa_c_out[..., 2] = t5
@@ -2306,11 +1467,11 @@ def extended_static_equilibrium(p, parameters, effects):
     theta_3_2_st = t40*t43
     t44 = R_p_3*k_3_1*(-R_p_3*theta_3_1_st + R_p_3*theta_3_2_st)
     tau_st_3 = d_3_1*(t39*theta_3_1_st - t44) + d_3_2*(t41*theta_3_2_st + t44)
-    tau_st_out = np.zeros((*batch, 3), dtype)
+    tau_st_out = np.empty((*batch, 3), dtype)
     tau_st_out[..., 0] = tau_st_1
     tau_st_out[..., 1] = tau_st_2
     tau_st_out[..., 2] = tau_st_3
-    theta_st_out = np.zeros((*batch, 6), dtype)
+    theta_st_out = np.empty((*batch, 6), dtype)
     theta_st_out[..., 0] = theta_1_1_st
     theta_st_out[..., 1] = theta_2_1_st
     theta_st_out[..., 2] = theta_3_1_st
@@ -2344,7 +1505,7 @@ def value_sensitivities(p, parameters, effects):
     Notes
     -----
     Chain rule.
-    2407 operations; 5900571 with every named value written out.
+    2245 operations; 5900571 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -2449,31 +1610,13 @@ def value_sensitivities(p, parameters, effects):
     D_delta_z_2 = l_d_2*t9
     D_delta_z_3 = l_d_3*t10
     U_1_x_1 = D_p_x_1 - n_1_x
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - n_1_y
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - n_1_z
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - n_2_x
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - n_2_y
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - n_2_z
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - n_3_x
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - n_3_y
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - n_3_z
     l_f_1_1 = x_max_1 - x_min_1
     t11 = a_B_1 + 1
@@ -2551,15 +1694,6 @@ def value_sensitivities(p, parameters, effects):
     mu_1_by_m_d_1 = t1*(-1/2*t44 - 1/2*t45 - 1/2*t46)
     mu_2_by_m_d_1 = t1*(-1/2*t47 - 1/2*t48 - 1/2*t49)
     mu_3_by_m_d_1 = t1*(-1/2*t50 - 1/2*t51 - 1/2*t52)
-    mu_1_by_m_d_2 = mu_1_by_m_d_1
-    mu_2_by_m_d_2 = mu_2_by_m_d_1
-    mu_3_by_m_d_2 = mu_3_by_m_d_1
-    mu_1_by_m_d_3 = mu_1_by_m_d_1
-    mu_2_by_m_d_3 = mu_2_by_m_d_1
-    mu_3_by_m_d_3 = mu_3_by_m_d_1
-    mu_1_by_m_L = mu_1_by_m_p
-    mu_2_by_m_L = mu_2_by_m_p
-    mu_3_by_m_L = mu_3_by_m_p
     t54 = D_p_x_1**2
     t55 = D_p_y_1**2
     t56 = D_p_z_1**2
@@ -2778,215 +1912,188 @@ def value_sensitivities(p, parameters, effects):
     t269 = l_f_3_1*t205
     t270 = (1/3)*t269
     t271 = -U_1_x_1**2 - U_1_y_1**2 - U_1_z_1**2
-    t272 = -U_2_x_1**2 - U_2_y_1**2 - U_2_z_1**2
-    t273 = -U_3_x_1**2 - U_3_y_1**2 - U_3_z_1**2
-    t274 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2
-    t275 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2
-    t276 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2
-    t277 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3
-    t278 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3
-    t279 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3
-    t280 = -D_delta_x_1*U_1_x_1 - D_delta_y_1*U_1_y_1 - D_delta_z_1*U_1_z_1
-    t281 = -D_delta_x_1*U_2_x_1 - D_delta_y_1*U_2_y_1 - D_delta_z_1*U_2_z_1
-    t282 = -D_delta_x_1*U_3_x_1 - D_delta_y_1*U_3_y_1 - D_delta_z_1*U_3_z_1
-    t283 = -D_delta_x_2*U_1_x_1 - D_delta_y_2*U_1_y_1 - D_delta_z_2*U_1_z_1
-    t284 = -D_delta_x_2*U_2_x_1 - D_delta_y_2*U_2_y_1 - D_delta_z_2*U_2_z_1
-    t285 = -D_delta_x_2*U_3_x_1 - D_delta_y_2*U_3_y_1 - D_delta_z_2*U_3_z_1
-    t286 = -D_delta_x_3*U_1_x_1 - D_delta_y_3*U_1_y_1 - D_delta_z_3*U_1_z_1
-    t287 = -D_delta_x_3*U_2_x_1 - D_delta_y_3*U_2_y_1 - D_delta_z_3*U_2_z_1
-    t288 = -D_delta_x_3*U_3_x_1 - D_delta_y_3*U_3_y_1 - D_delta_z_3*U_3_z_1
-    t289 = -U_1_x_2**2 - U_1_y_2**2 - U_1_z_2**2
-    t290 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2
-    t291 = -U_3_x_2**2 - U_3_y_2**2 - U_3_z_2**2
-    t292 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3
-    t293 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3
-    t294 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3
-    t295 = -D_delta_x_1*U_1_x_2 - D_delta_y_1*U_1_y_2 - D_delta_z_1*U_1_z_2
-    t296 = -D_delta_x_1*U_2_x_2 - D_delta_y_1*U_2_y_2 - D_delta_z_1*U_2_z_2
-    t297 = -D_delta_x_1*U_3_x_2 - D_delta_y_1*U_3_y_2 - D_delta_z_1*U_3_z_2
-    t298 = -D_delta_x_2*U_1_x_2 - D_delta_y_2*U_1_y_2 - D_delta_z_2*U_1_z_2
-    t299 = -D_delta_x_2*U_2_x_2 - D_delta_y_2*U_2_y_2 - D_delta_z_2*U_2_z_2
-    t300 = -D_delta_x_2*U_3_x_2 - D_delta_y_2*U_3_y_2 - D_delta_z_2*U_3_z_2
-    t301 = -D_delta_x_3*U_1_x_2 - D_delta_y_3*U_1_y_2 - D_delta_z_3*U_1_z_2
-    t302 = -D_delta_x_3*U_2_x_2 - D_delta_y_3*U_2_y_2 - D_delta_z_3*U_2_z_2
-    t303 = -D_delta_x_3*U_3_x_2 - D_delta_y_3*U_3_y_2 - D_delta_z_3*U_3_z_2
-    t304 = -U_1_x_3**2 - U_1_y_3**2 - U_1_z_3**2
-    t305 = -U_2_x_3**2 - U_2_y_3**2 - U_2_z_3**2
-    t306 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2
-    t307 = -D_delta_x_1*U_1_x_3 - D_delta_y_1*U_1_y_3 - D_delta_z_1*U_1_z_3
-    t308 = -D_delta_x_1*U_2_x_3 - D_delta_y_1*U_2_y_3 - D_delta_z_1*U_2_z_3
-    t309 = -D_delta_x_1*U_3_x_3 - D_delta_y_1*U_3_y_3 - D_delta_z_1*U_3_z_3
-    t310 = -D_delta_x_2*U_1_x_3 - D_delta_y_2*U_1_y_3 - D_delta_z_2*U_1_z_3
-    t311 = -D_delta_x_2*U_2_x_3 - D_delta_y_2*U_2_y_3 - D_delta_z_2*U_2_z_3
-    t312 = -D_delta_x_2*U_3_x_3 - D_delta_y_2*U_3_y_3 - D_delta_z_2*U_3_z_3
-    t313 = -D_delta_x_3*U_1_x_3 - D_delta_y_3*U_1_y_3 - D_delta_z_3*U_1_z_3
-    t314 = -D_delta_x_3*U_2_x_3 - D_delta_y_3*U_2_y_3 - D_delta_z_3*U_2_z_3
-    t315 = -D_delta_x_3*U_3_x_3 - D_delta_y_3*U_3_y_3 - D_delta_z_3*U_3_z_3
-    t316 = 1 - t117
-    t317 = 1 - t129
-    t318 = 1 - t137
-    t319 = 1.0/(t18**2)
-    t320 = t13*t319
-    t321 = (1/2)*t320
-    t322 = 1.0/(t20**2)
-    t323 = t13*t322
-    t324 = (1/2)*t323
-    t325 = t321 + t324
-    t326 = -R_p_1*t324
-    t327 = -R_p_1*t321
-    t328 = 1.0/(t29**2)
-    t329 = t24*t328
-    t330 = (1/2)*t329
-    t331 = 1.0/(t31**2)
-    t332 = t24*t331
-    t333 = (1/2)*t332
-    t334 = t330 + t333
-    t335 = -R_p_2*t333
-    t336 = -R_p_2*t330
-    t337 = 1.0/(t40**2)
-    t338 = t337*t35
-    t339 = (1/2)*t338
-    t340 = 1.0/(t42**2)
-    t341 = t340*t35
-    t342 = (1/2)*t341
-    t343 = t339 + t342
-    t344 = -R_p_3*t342
-    t345 = -R_p_3*t339
-    t346 = w_b_1**2
-    t347 = t11**2
-    t348 = t346*t347
-    t349 = k_sp_1*t348
-    t350 = c_E*t349
-    t351 = -t11*t21*w_b_1 + t322*t350
-    t352 = c_E*t319
-    t353 = -t11*t19*w_b_1 + t349*t352
-    t354 = -t351 - t353
-    t355 = R_p_1*t351
-    t356 = R_p_1*t353
-    t357 = 1.0/(t15**2)
-    t358 = t198*(t11*t16*w_b_1 - t350*t357)
-    t359 = w_b_2**2
-    t360 = t22**2
-    t361 = t359*t360
-    t362 = k_sp_2*t361
-    t363 = c_E*t362
-    t364 = -t22*t32*w_b_2 + t331*t363
-    t365 = c_E*t328
-    t366 = -t22*t30*w_b_2 + t362*t365
-    t367 = -t364 - t366
-    t368 = R_p_2*t364
-    t369 = R_p_2*t366
-    t370 = 1.0/(t26**2)
-    t371 = t202*(t22*t27*w_b_2 - t363*t370)
-    t372 = w_b_3**2
-    t373 = t33**2
-    t374 = t372*t373
-    t375 = k_sp_3*t374
-    t376 = c_E*t375
-    t377 = -t33*t43*w_b_3 + t340*t376
-    t378 = c_E*t337
-    t379 = -t33*t41*w_b_3 + t375*t378
-    t380 = -t377 - t379
-    t381 = R_p_3*t377
-    t382 = R_p_3*t379
-    t383 = 1.0/(t37**2)
-    t384 = t205*(t33*t38*w_b_3 - t376*t383)
-    t385 = t347*w_b_1
-    t386 = k_sp_1**2
-    t387 = c_E*t386
-    t388 = t385*t387
-    t389 = -k_sp_1*t11*t21 + t322*t388
-    t390 = t352*t386
-    t391 = -k_sp_1*t11*t19 + t385*t390
-    t392 = -t389 - t391
-    t393 = R_p_1*t389
-    t394 = R_p_1*t391
-    t395 = t198*(k_sp_1*t11*t16 - t357*t388)
-    t396 = t360*w_b_2
-    t397 = k_sp_2**2
-    t398 = c_E*t397
-    t399 = t396*t398
-    t400 = -k_sp_2*t22*t32 + t331*t399
-    t401 = t365*t397
-    t402 = -k_sp_2*t22*t30 + t396*t401
-    t403 = -t400 - t402
-    t404 = R_p_2*t400
-    t405 = R_p_2*t402
-    t406 = t202*(k_sp_2*t22*t27 - t370*t399)
-    t407 = t373*w_b_3
-    t408 = k_sp_3**2
-    t409 = c_E*t408
-    t410 = t407*t409
-    t411 = -k_sp_3*t33*t43 + t340*t410
-    t412 = t378*t408
-    t413 = -k_sp_3*t33*t41 + t407*t412
-    t414 = -t411 - t413
-    t415 = R_p_3*t411
-    t416 = R_p_3*t413
-    t417 = t205*(k_sp_3*t33*t38 - t383*t410)
-    t418 = 2*R_p_1
-    t419 = k_1_1*t418
-    t420 = 2*R_p_2
-    t421 = k_2_1*t420
-    t422 = 2*R_p_3
-    t423 = k_3_1*t422
-    t424 = -R_p_1*t320
-    t425 = t198*t357
-    t426 = t13*t425
-    t427 = -R_p_2*t329
-    t428 = t202*t370
-    t429 = t24*t428
-    t430 = -R_p_3*t338
-    t431 = t205*t383
-    t432 = t35*t431
-    t433 = R_p_1*t323
-    t434 = R_p_2*t332
-    t435 = R_p_3*t341
-    t436 = t11*t346
-    t437 = t387*t436
-    t438 = -k_sp_1*t21*w_b_1 + t322*t437
-    t439 = -k_sp_1*t19*w_b_1 + t390*t436
-    t440 = -t438 - t439
-    t441 = R_p_1*t438
-    t442 = R_p_1*t439
-    t443 = t198*(k_sp_1*t16*w_b_1 - t357*t437)
-    t444 = t22*t359
-    t445 = t398*t444
-    t446 = -k_sp_2*t32*w_b_2 + t331*t445
-    t447 = -k_sp_2*t30*w_b_2 + t401*t444
+    t272 = -D_p_x_2*U_1_x_1 - D_p_y_2*U_1_y_1 - D_p_z_2*U_1_z_1
+    t273 = -D_p_x_1*U_2_x_2 - D_p_y_1*U_2_y_2 - D_p_z_1*U_2_z_2
+    t274 = -D_p_x_3*U_1_x_1 - D_p_y_3*U_1_y_1 - D_p_z_3*U_1_z_1
+    t275 = -D_p_x_1*U_3_x_3 - D_p_y_1*U_3_y_3 - D_p_z_1*U_3_z_3
+    t276 = -D_delta_x_1*U_1_x_1 - D_delta_y_1*U_1_y_1 - D_delta_z_1*U_1_z_1
+    t277 = -D_delta_x_2*U_1_x_1 - D_delta_y_2*U_1_y_1 - D_delta_z_2*U_1_z_1
+    t278 = -D_delta_x_3*U_1_x_1 - D_delta_y_3*U_1_y_1 - D_delta_z_3*U_1_z_1
+    t279 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2
+    t280 = -D_p_x_3*U_2_x_2 - D_p_y_3*U_2_y_2 - D_p_z_3*U_2_z_2
+    t281 = -D_p_x_2*U_3_x_3 - D_p_y_2*U_3_y_3 - D_p_z_2*U_3_z_3
+    t282 = -D_delta_x_1*U_2_x_2 - D_delta_y_1*U_2_y_2 - D_delta_z_1*U_2_z_2
+    t283 = -D_delta_x_2*U_2_x_2 - D_delta_y_2*U_2_y_2 - D_delta_z_2*U_2_z_2
+    t284 = -D_delta_x_3*U_2_x_2 - D_delta_y_3*U_2_y_2 - D_delta_z_3*U_2_z_2
+    t285 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2
+    t286 = -D_delta_x_1*U_3_x_3 - D_delta_y_1*U_3_y_3 - D_delta_z_1*U_3_z_3
+    t287 = -D_delta_x_2*U_3_x_3 - D_delta_y_2*U_3_y_3 - D_delta_z_2*U_3_z_3
+    t288 = -D_delta_x_3*U_3_x_3 - D_delta_y_3*U_3_y_3 - D_delta_z_3*U_3_z_3
+    t289 = 1 - t117
+    t290 = 1 - t129
+    t291 = 1 - t137
+    t292 = 1.0/(t18**2)
+    t293 = t13*t292
+    t294 = (1/2)*t293
+    t295 = 1.0/(t20**2)
+    t296 = t13*t295
+    t297 = (1/2)*t296
+    t298 = t294 + t297
+    t299 = -R_p_1*t297
+    t300 = -R_p_1*t294
+    t301 = 1.0/(t29**2)
+    t302 = t24*t301
+    t303 = (1/2)*t302
+    t304 = 1.0/(t31**2)
+    t305 = t24*t304
+    t306 = (1/2)*t305
+    t307 = t303 + t306
+    t308 = -R_p_2*t306
+    t309 = -R_p_2*t303
+    t310 = 1.0/(t40**2)
+    t311 = t310*t35
+    t312 = (1/2)*t311
+    t313 = 1.0/(t42**2)
+    t314 = t313*t35
+    t315 = (1/2)*t314
+    t316 = t312 + t315
+    t317 = -R_p_3*t315
+    t318 = -R_p_3*t312
+    t319 = w_b_1**2
+    t320 = t11**2
+    t321 = t319*t320
+    t322 = k_sp_1*t321
+    t323 = c_E*t322
+    t324 = -t11*t21*w_b_1 + t295*t323
+    t325 = c_E*t292
+    t326 = -t11*t19*w_b_1 + t322*t325
+    t327 = -t324 - t326
+    t328 = R_p_1*t324
+    t329 = R_p_1*t326
+    t330 = 1.0/(t15**2)
+    t331 = t198*(t11*t16*w_b_1 - t323*t330)
+    t332 = w_b_2**2
+    t333 = t22**2
+    t334 = t332*t333
+    t335 = k_sp_2*t334
+    t336 = c_E*t335
+    t337 = -t22*t32*w_b_2 + t304*t336
+    t338 = c_E*t301
+    t339 = -t22*t30*w_b_2 + t335*t338
+    t340 = -t337 - t339
+    t341 = R_p_2*t337
+    t342 = R_p_2*t339
+    t343 = 1.0/(t26**2)
+    t344 = t202*(t22*t27*w_b_2 - t336*t343)
+    t345 = w_b_3**2
+    t346 = t33**2
+    t347 = t345*t346
+    t348 = k_sp_3*t347
+    t349 = c_E*t348
+    t350 = t313*t349 - t33*t43*w_b_3
+    t351 = c_E*t310
+    t352 = -t33*t41*w_b_3 + t348*t351
+    t353 = -t350 - t352
+    t354 = R_p_3*t350
+    t355 = R_p_3*t352
+    t356 = 1.0/(t37**2)
+    t357 = t205*(t33*t38*w_b_3 - t349*t356)
+    t358 = t320*w_b_1
+    t359 = k_sp_1**2
+    t360 = c_E*t359
+    t361 = t358*t360
+    t362 = -k_sp_1*t11*t21 + t295*t361
+    t363 = t325*t359
+    t364 = -k_sp_1*t11*t19 + t358*t363
+    t365 = -t362 - t364
+    t366 = R_p_1*t362
+    t367 = R_p_1*t364
+    t368 = t198*(k_sp_1*t11*t16 - t330*t361)
+    t369 = t333*w_b_2
+    t370 = k_sp_2**2
+    t371 = c_E*t370
+    t372 = t369*t371
+    t373 = -k_sp_2*t22*t32 + t304*t372
+    t374 = t338*t370
+    t375 = -k_sp_2*t22*t30 + t369*t374
+    t376 = -t373 - t375
+    t377 = R_p_2*t373
+    t378 = R_p_2*t375
+    t379 = t202*(k_sp_2*t22*t27 - t343*t372)
+    t380 = t346*w_b_3
+    t381 = k_sp_3**2
+    t382 = c_E*t381
+    t383 = t380*t382
+    t384 = -k_sp_3*t33*t43 + t313*t383
+    t385 = t351*t381
+    t386 = -k_sp_3*t33*t41 + t380*t385
+    t387 = -t384 - t386
+    t388 = R_p_3*t384
+    t389 = R_p_3*t386
+    t390 = t205*(k_sp_3*t33*t38 - t356*t383)
+    t391 = 2*R_p_1
+    t392 = k_1_1*t391
+    t393 = 2*R_p_2
+    t394 = k_2_1*t393
+    t395 = 2*R_p_3
+    t396 = k_3_1*t395
+    t397 = -R_p_1*t293
+    t398 = t198*t330
+    t399 = t13*t398
+    t400 = -R_p_2*t302
+    t401 = t202*t343
+    t402 = t24*t401
+    t403 = -R_p_3*t311
+    t404 = t205*t356
+    t405 = t35*t404
+    t406 = R_p_1*t296
+    t407 = R_p_2*t305
+    t408 = R_p_3*t314
+    t409 = t11*t319
+    t410 = t360*t409
+    t411 = -k_sp_1*t21*w_b_1 + t295*t410
+    t412 = -k_sp_1*t19*w_b_1 + t363*t409
+    t413 = -t411 - t412
+    t414 = R_p_1*t411
+    t415 = R_p_1*t412
+    t416 = t198*(k_sp_1*t16*w_b_1 - t330*t410)
+    t417 = t22*t332
+    t418 = t371*t417
+    t419 = -k_sp_2*t32*w_b_2 + t304*t418
+    t420 = -k_sp_2*t30*w_b_2 + t374*t417
+    t421 = -t419 - t420
+    t422 = R_p_2*t419
+    t423 = R_p_2*t420
+    t424 = t202*(k_sp_2*t27*w_b_2 - t343*t418)
+    t425 = t33*t345
+    t426 = t382*t425
+    t427 = -k_sp_3*t43*w_b_3 + t313*t426
+    t428 = -k_sp_3*t41*w_b_3 + t385*t425
+    t429 = -t427 - t428
+    t430 = R_p_3*t427
+    t431 = R_p_3*t428
+    t432 = t205*(k_sp_3*t38*w_b_3 - t356*t426)
+    t433 = t321*t359
+    t434 = t292*t433
+    t435 = t295*t433
+    t436 = -t434 - t435
+    t437 = R_p_1*t435
+    t438 = R_p_1*t434
+    t439 = t334*t370
+    t440 = t301*t439
+    t441 = t304*t439
+    t442 = -t440 - t441
+    t443 = R_p_2*t441
+    t444 = R_p_2*t440
+    t445 = t347*t381
+    t446 = t310*t445
+    t447 = t313*t445
     t448 = -t446 - t447
-    t449 = R_p_2*t446
-    t450 = R_p_2*t447
-    t451 = t202*(k_sp_2*t27*w_b_2 - t370*t445)
-    t452 = t33*t372
-    t453 = t409*t452
-    t454 = -k_sp_3*t43*w_b_3 + t340*t453
-    t455 = -k_sp_3*t41*w_b_3 + t412*t452
-    t456 = -t454 - t455
-    t457 = R_p_3*t454
-    t458 = R_p_3*t455
-    t459 = t205*(k_sp_3*t38*w_b_3 - t383*t453)
-    t460 = t348*t386
-    t461 = t319*t460
-    t462 = t322*t460
-    t463 = -t461 - t462
-    t464 = R_p_1*t462
-    t465 = R_p_1*t461
-    t466 = t361*t397
-    t467 = t328*t466
-    t468 = t331*t466
-    t469 = -t467 - t468
-    t470 = R_p_2*t468
-    t471 = R_p_2*t467
-    t472 = t374*t408
-    t473 = t337*t472
-    t474 = t340*t472
-    t475 = -t473 - t474
-    t476 = R_p_3*t474
-    t477 = R_p_3*t473
-    t478 = t425*t460
-    t479 = t428*t466
-    t480 = t431*t472
+    t449 = R_p_3*t447
+    t450 = R_p_3*t446
+    t451 = t398*t433
+    t452 = t401*t439
+    t453 = t404*t445
     M_theta_out = _listed(batch, dtype, (
         t57, t61, t65, t69, t73, t77, D_p_x_1, D_p_y_1, D_p_z_1, t81, t85, t89, t93, t97, D_p_x_2, D_p_y_2,
         D_p_z_2, t101, t105, t109, t113, D_p_x_3, D_p_y_3, D_p_z_3, t117, t121, t125, D_delta_x_1,
@@ -3033,196 +2140,196 @@ def value_sensitivities(p, parameters, effects):
         t137, D_delta_x_3, D_delta_y_3, D_delta_z_3, 1, 1, 1, 1, 1, 1,
     ))
     K_theta_out = _listed(batch, dtype, (
-        mu_1_by_m_p*t271 + mu_2_by_m_p*t272 + mu_3_by_m_p*t273,
-        mu_1_by_m_p*t274 + mu_2_by_m_p*t275 + mu_3_by_m_p*t276,
-        mu_1_by_m_p*t277 + mu_2_by_m_p*t278 + mu_3_by_m_p*t279,
-        mu_1_by_m_p*t280 + mu_2_by_m_p*t281 + mu_3_by_m_p*t282,
-        mu_1_by_m_p*t283 + mu_2_by_m_p*t284 + mu_3_by_m_p*t285,
-        mu_1_by_m_p*t286 + mu_2_by_m_p*t287 + mu_3_by_m_p*t288,
-        mu_1_by_m_p*t289 + mu_2_by_m_p*t290 + mu_3_by_m_p*t291,
-        mu_1_by_m_p*t292 + mu_2_by_m_p*t293 + mu_3_by_m_p*t294,
-        mu_1_by_m_p*t295 + mu_2_by_m_p*t296 + mu_3_by_m_p*t297,
-        mu_1_by_m_p*t298 + mu_2_by_m_p*t299 + mu_3_by_m_p*t300,
-        mu_1_by_m_p*t301 + mu_2_by_m_p*t302 + mu_3_by_m_p*t303,
-        mu_1_by_m_p*t304 + mu_2_by_m_p*t305 + mu_3_by_m_p*t306,
-        mu_1_by_m_p*t307 + mu_2_by_m_p*t308 + mu_3_by_m_p*t309,
-        mu_1_by_m_p*t310 + mu_2_by_m_p*t311 + mu_3_by_m_p*t312,
-        mu_1_by_m_p*t313 + mu_2_by_m_p*t314 + mu_3_by_m_p*t315,
-        mu_1_by_m_p*t316 - mu_2_by_m_p*t117 - mu_3_by_m_p*t117,
+        mu_1_by_m_p*t271 - mu_2_by_m_p*t57 - mu_3_by_m_p*t57,
+        mu_1_by_m_p*t272 + mu_2_by_m_p*t273 - mu_3_by_m_p*t61,
+        mu_1_by_m_p*t274 - mu_2_by_m_p*t65 + mu_3_by_m_p*t275,
+        mu_1_by_m_p*t276 - mu_2_by_m_p*t69 - mu_3_by_m_p*t69,
+        mu_1_by_m_p*t277 - mu_2_by_m_p*t73 - mu_3_by_m_p*t73,
+        mu_1_by_m_p*t278 - mu_2_by_m_p*t77 - mu_3_by_m_p*t77,
+        -mu_1_by_m_p*t81 + mu_2_by_m_p*t279 - mu_3_by_m_p*t81,
+        -mu_1_by_m_p*t85 + mu_2_by_m_p*t280 + mu_3_by_m_p*t281,
+        -mu_1_by_m_p*t89 + mu_2_by_m_p*t282 - mu_3_by_m_p*t89,
+        -mu_1_by_m_p*t93 + mu_2_by_m_p*t283 - mu_3_by_m_p*t93,
+        -mu_1_by_m_p*t97 + mu_2_by_m_p*t284 - mu_3_by_m_p*t97,
+        -mu_1_by_m_p*t101 - mu_2_by_m_p*t101 + mu_3_by_m_p*t285,
+        -mu_1_by_m_p*t105 - mu_2_by_m_p*t105 + mu_3_by_m_p*t286,
+        -mu_1_by_m_p*t109 - mu_2_by_m_p*t109 + mu_3_by_m_p*t287,
+        -mu_1_by_m_p*t113 - mu_2_by_m_p*t113 + mu_3_by_m_p*t288,
+        mu_1_by_m_p*t289 - mu_2_by_m_p*t117 - mu_3_by_m_p*t117,
         -mu_1_by_m_p*t121 - mu_2_by_m_p*t121 - mu_3_by_m_p*t121,
         -mu_1_by_m_p*t125 - mu_2_by_m_p*t125 - mu_3_by_m_p*t125,
-        -mu_1_by_m_p*t129 + mu_2_by_m_p*t317 - mu_3_by_m_p*t129,
+        -mu_1_by_m_p*t129 + mu_2_by_m_p*t290 - mu_3_by_m_p*t129,
         -mu_1_by_m_p*t133 - mu_2_by_m_p*t133 - mu_3_by_m_p*t133,
-        -mu_1_by_m_p*t137 - mu_2_by_m_p*t137 + mu_3_by_m_p*t318,
-        mu_1_by_g_x*t271 + mu_2_by_g_x*t272 + mu_3_by_g_x*t273,
-        mu_1_by_g_x*t274 + mu_2_by_g_x*t275 + mu_3_by_g_x*t276,
-        mu_1_by_g_x*t277 + mu_2_by_g_x*t278 + mu_3_by_g_x*t279,
-        mu_1_by_g_x*t280 + mu_2_by_g_x*t281 + mu_3_by_g_x*t282,
-        mu_1_by_g_x*t283 + mu_2_by_g_x*t284 + mu_3_by_g_x*t285,
-        mu_1_by_g_x*t286 + mu_2_by_g_x*t287 + mu_3_by_g_x*t288,
-        mu_1_by_g_x*t289 + mu_2_by_g_x*t290 + mu_3_by_g_x*t291,
-        mu_1_by_g_x*t292 + mu_2_by_g_x*t293 + mu_3_by_g_x*t294,
-        mu_1_by_g_x*t295 + mu_2_by_g_x*t296 + mu_3_by_g_x*t297,
-        mu_1_by_g_x*t298 + mu_2_by_g_x*t299 + mu_3_by_g_x*t300,
-        mu_1_by_g_x*t301 + mu_2_by_g_x*t302 + mu_3_by_g_x*t303,
-        mu_1_by_g_x*t304 + mu_2_by_g_x*t305 + mu_3_by_g_x*t306,
-        mu_1_by_g_x*t307 + mu_2_by_g_x*t308 + mu_3_by_g_x*t309,
-        mu_1_by_g_x*t310 + mu_2_by_g_x*t311 + mu_3_by_g_x*t312,
-        mu_1_by_g_x*t313 + mu_2_by_g_x*t314 + mu_3_by_g_x*t315,
-        mu_1_by_g_x*t316 - mu_2_by_g_x*t117 - mu_3_by_g_x*t117,
+        -mu_1_by_m_p*t137 - mu_2_by_m_p*t137 + mu_3_by_m_p*t291,
+        mu_1_by_g_x*t271 - mu_2_by_g_x*t57 - mu_3_by_g_x*t57,
+        mu_1_by_g_x*t272 + mu_2_by_g_x*t273 - mu_3_by_g_x*t61,
+        mu_1_by_g_x*t274 - mu_2_by_g_x*t65 + mu_3_by_g_x*t275,
+        mu_1_by_g_x*t276 - mu_2_by_g_x*t69 - mu_3_by_g_x*t69,
+        mu_1_by_g_x*t277 - mu_2_by_g_x*t73 - mu_3_by_g_x*t73,
+        mu_1_by_g_x*t278 - mu_2_by_g_x*t77 - mu_3_by_g_x*t77,
+        -mu_1_by_g_x*t81 + mu_2_by_g_x*t279 - mu_3_by_g_x*t81,
+        -mu_1_by_g_x*t85 + mu_2_by_g_x*t280 + mu_3_by_g_x*t281,
+        -mu_1_by_g_x*t89 + mu_2_by_g_x*t282 - mu_3_by_g_x*t89,
+        -mu_1_by_g_x*t93 + mu_2_by_g_x*t283 - mu_3_by_g_x*t93,
+        -mu_1_by_g_x*t97 + mu_2_by_g_x*t284 - mu_3_by_g_x*t97,
+        -mu_1_by_g_x*t101 - mu_2_by_g_x*t101 + mu_3_by_g_x*t285,
+        -mu_1_by_g_x*t105 - mu_2_by_g_x*t105 + mu_3_by_g_x*t286,
+        -mu_1_by_g_x*t109 - mu_2_by_g_x*t109 + mu_3_by_g_x*t287,
+        -mu_1_by_g_x*t113 - mu_2_by_g_x*t113 + mu_3_by_g_x*t288,
+        mu_1_by_g_x*t289 - mu_2_by_g_x*t117 - mu_3_by_g_x*t117,
         -mu_1_by_g_x*t121 - mu_2_by_g_x*t121 - mu_3_by_g_x*t121,
         -mu_1_by_g_x*t125 - mu_2_by_g_x*t125 - mu_3_by_g_x*t125,
-        -mu_1_by_g_x*t129 + mu_2_by_g_x*t317 - mu_3_by_g_x*t129,
+        -mu_1_by_g_x*t129 + mu_2_by_g_x*t290 - mu_3_by_g_x*t129,
         -mu_1_by_g_x*t133 - mu_2_by_g_x*t133 - mu_3_by_g_x*t133,
-        -mu_1_by_g_x*t137 - mu_2_by_g_x*t137 + mu_3_by_g_x*t318,
-        mu_1_by_g_y*t271 + mu_2_by_g_y*t272 + mu_3_by_g_y*t273,
-        mu_1_by_g_y*t274 + mu_2_by_g_y*t275 + mu_3_by_g_y*t276,
-        mu_1_by_g_y*t277 + mu_2_by_g_y*t278 + mu_3_by_g_y*t279,
-        mu_1_by_g_y*t280 + mu_2_by_g_y*t281 + mu_3_by_g_y*t282,
-        mu_1_by_g_y*t283 + mu_2_by_g_y*t284 + mu_3_by_g_y*t285,
-        mu_1_by_g_y*t286 + mu_2_by_g_y*t287 + mu_3_by_g_y*t288,
-        mu_1_by_g_y*t289 + mu_2_by_g_y*t290 + mu_3_by_g_y*t291,
-        mu_1_by_g_y*t292 + mu_2_by_g_y*t293 + mu_3_by_g_y*t294,
-        mu_1_by_g_y*t295 + mu_2_by_g_y*t296 + mu_3_by_g_y*t297,
-        mu_1_by_g_y*t298 + mu_2_by_g_y*t299 + mu_3_by_g_y*t300,
-        mu_1_by_g_y*t301 + mu_2_by_g_y*t302 + mu_3_by_g_y*t303,
-        mu_1_by_g_y*t304 + mu_2_by_g_y*t305 + mu_3_by_g_y*t306,
-        mu_1_by_g_y*t307 + mu_2_by_g_y*t308 + mu_3_by_g_y*t309,
-        mu_1_by_g_y*t310 + mu_2_by_g_y*t311 + mu_3_by_g_y*t312,
-        mu_1_by_g_y*t313 + mu_2_by_g_y*t314 + mu_3_by_g_y*t315,
-        mu_1_by_g_y*t316 - mu_2_by_g_y*t117 - mu_3_by_g_y*t117,
+        -mu_1_by_g_x*t137 - mu_2_by_g_x*t137 + mu_3_by_g_x*t291,
+        mu_1_by_g_y*t271 - mu_2_by_g_y*t57 - mu_3_by_g_y*t57,
+        mu_1_by_g_y*t272 + mu_2_by_g_y*t273 - mu_3_by_g_y*t61,
+        mu_1_by_g_y*t274 - mu_2_by_g_y*t65 + mu_3_by_g_y*t275,
+        mu_1_by_g_y*t276 - mu_2_by_g_y*t69 - mu_3_by_g_y*t69,
+        mu_1_by_g_y*t277 - mu_2_by_g_y*t73 - mu_3_by_g_y*t73,
+        mu_1_by_g_y*t278 - mu_2_by_g_y*t77 - mu_3_by_g_y*t77,
+        -mu_1_by_g_y*t81 + mu_2_by_g_y*t279 - mu_3_by_g_y*t81,
+        -mu_1_by_g_y*t85 + mu_2_by_g_y*t280 + mu_3_by_g_y*t281,
+        -mu_1_by_g_y*t89 + mu_2_by_g_y*t282 - mu_3_by_g_y*t89,
+        -mu_1_by_g_y*t93 + mu_2_by_g_y*t283 - mu_3_by_g_y*t93,
+        -mu_1_by_g_y*t97 + mu_2_by_g_y*t284 - mu_3_by_g_y*t97,
+        -mu_1_by_g_y*t101 - mu_2_by_g_y*t101 + mu_3_by_g_y*t285,
+        -mu_1_by_g_y*t105 - mu_2_by_g_y*t105 + mu_3_by_g_y*t286,
+        -mu_1_by_g_y*t109 - mu_2_by_g_y*t109 + mu_3_by_g_y*t287,
+        -mu_1_by_g_y*t113 - mu_2_by_g_y*t113 + mu_3_by_g_y*t288,
+        mu_1_by_g_y*t289 - mu_2_by_g_y*t117 - mu_3_by_g_y*t117,
         -mu_1_by_g_y*t121 - mu_2_by_g_y*t121 - mu_3_by_g_y*t121,
         -mu_1_by_g_y*t125 - mu_2_by_g_y*t125 - mu_3_by_g_y*t125,
-        -mu_1_by_g_y*t129 + mu_2_by_g_y*t317 - mu_3_by_g_y*t129,
+        -mu_1_by_g_y*t129 + mu_2_by_g_y*t290 - mu_3_by_g_y*t129,
         -mu_1_by_g_y*t133 - mu_2_by_g_y*t133 - mu_3_by_g_y*t133,
-        -mu_1_by_g_y*t137 - mu_2_by_g_y*t137 + mu_3_by_g_y*t318,
-        mu_1_by_g_z*t271 + mu_2_by_g_z*t272 + mu_3_by_g_z*t273,
-        mu_1_by_g_z*t274 + mu_2_by_g_z*t275 + mu_3_by_g_z*t276,
-        mu_1_by_g_z*t277 + mu_2_by_g_z*t278 + mu_3_by_g_z*t279,
-        mu_1_by_g_z*t280 + mu_2_by_g_z*t281 + mu_3_by_g_z*t282,
-        mu_1_by_g_z*t283 + mu_2_by_g_z*t284 + mu_3_by_g_z*t285,
-        mu_1_by_g_z*t286 + mu_2_by_g_z*t287 + mu_3_by_g_z*t288,
-        mu_1_by_g_z*t289 + mu_2_by_g_z*t290 + mu_3_by_g_z*t291,
-        mu_1_by_g_z*t292 + mu_2_by_g_z*t293 + mu_3_by_g_z*t294,
-        mu_1_by_g_z*t295 + mu_2_by_g_z*t296 + mu_3_by_g_z*t297,
-        mu_1_by_g_z*t298 + mu_2_by_g_z*t299 + mu_3_by_g_z*t300,
-        mu_1_by_g_z*t301 + mu_2_by_g_z*t302 + mu_3_by_g_z*t303,
-        mu_1_by_g_z*t304 + mu_2_by_g_z*t305 + mu_3_by_g_z*t306,
-        mu_1_by_g_z*t307 + mu_2_by_g_z*t308 + mu_3_by_g_z*t309,
-        mu_1_by_g_z*t310 + mu_2_by_g_z*t311 + mu_3_by_g_z*t312,
-        mu_1_by_g_z*t313 + mu_2_by_g_z*t314 + mu_3_by_g_z*t315,
-        mu_1_by_g_z*t316 - mu_2_by_g_z*t117 - mu_3_by_g_z*t117,
+        -mu_1_by_g_y*t137 - mu_2_by_g_y*t137 + mu_3_by_g_y*t291,
+        mu_1_by_g_z*t271 - mu_2_by_g_z*t57 - mu_3_by_g_z*t57,
+        mu_1_by_g_z*t272 + mu_2_by_g_z*t273 - mu_3_by_g_z*t61,
+        mu_1_by_g_z*t274 - mu_2_by_g_z*t65 + mu_3_by_g_z*t275,
+        mu_1_by_g_z*t276 - mu_2_by_g_z*t69 - mu_3_by_g_z*t69,
+        mu_1_by_g_z*t277 - mu_2_by_g_z*t73 - mu_3_by_g_z*t73,
+        mu_1_by_g_z*t278 - mu_2_by_g_z*t77 - mu_3_by_g_z*t77,
+        -mu_1_by_g_z*t81 + mu_2_by_g_z*t279 - mu_3_by_g_z*t81,
+        -mu_1_by_g_z*t85 + mu_2_by_g_z*t280 + mu_3_by_g_z*t281,
+        -mu_1_by_g_z*t89 + mu_2_by_g_z*t282 - mu_3_by_g_z*t89,
+        -mu_1_by_g_z*t93 + mu_2_by_g_z*t283 - mu_3_by_g_z*t93,
+        -mu_1_by_g_z*t97 + mu_2_by_g_z*t284 - mu_3_by_g_z*t97,
+        -mu_1_by_g_z*t101 - mu_2_by_g_z*t101 + mu_3_by_g_z*t285,
+        -mu_1_by_g_z*t105 - mu_2_by_g_z*t105 + mu_3_by_g_z*t286,
+        -mu_1_by_g_z*t109 - mu_2_by_g_z*t109 + mu_3_by_g_z*t287,
+        -mu_1_by_g_z*t113 - mu_2_by_g_z*t113 + mu_3_by_g_z*t288,
+        mu_1_by_g_z*t289 - mu_2_by_g_z*t117 - mu_3_by_g_z*t117,
         -mu_1_by_g_z*t121 - mu_2_by_g_z*t121 - mu_3_by_g_z*t121,
         -mu_1_by_g_z*t125 - mu_2_by_g_z*t125 - mu_3_by_g_z*t125,
-        -mu_1_by_g_z*t129 + mu_2_by_g_z*t317 - mu_3_by_g_z*t129,
+        -mu_1_by_g_z*t129 + mu_2_by_g_z*t290 - mu_3_by_g_z*t129,
         -mu_1_by_g_z*t133 - mu_2_by_g_z*t133 - mu_3_by_g_z*t133,
-        -mu_1_by_g_z*t137 - mu_2_by_g_z*t137 + mu_3_by_g_z*t318,
-        mu_1_by_m_d_1*t271 + mu_2_by_m_d_1*t272 + mu_3_by_m_d_1*t273,
-        mu_1_by_m_d_1*t274 + mu_2_by_m_d_1*t275 + mu_3_by_m_d_1*t276,
-        mu_1_by_m_d_1*t277 + mu_2_by_m_d_1*t278 + mu_3_by_m_d_1*t279,
-        mu_1_by_m_d_1*t280 + mu_2_by_m_d_1*t281 + mu_3_by_m_d_1*t282,
-        mu_1_by_m_d_1*t283 + mu_2_by_m_d_1*t284 + mu_3_by_m_d_1*t285,
-        mu_1_by_m_d_1*t286 + mu_2_by_m_d_1*t287 + mu_3_by_m_d_1*t288,
-        mu_1_by_m_d_1*t289 + mu_2_by_m_d_1*t290 + mu_3_by_m_d_1*t291,
-        mu_1_by_m_d_1*t292 + mu_2_by_m_d_1*t293 + mu_3_by_m_d_1*t294,
-        mu_1_by_m_d_1*t295 + mu_2_by_m_d_1*t296 + mu_3_by_m_d_1*t297,
-        mu_1_by_m_d_1*t298 + mu_2_by_m_d_1*t299 + mu_3_by_m_d_1*t300,
-        mu_1_by_m_d_1*t301 + mu_2_by_m_d_1*t302 + mu_3_by_m_d_1*t303,
-        mu_1_by_m_d_1*t304 + mu_2_by_m_d_1*t305 + mu_3_by_m_d_1*t306,
-        mu_1_by_m_d_1*t307 + mu_2_by_m_d_1*t308 + mu_3_by_m_d_1*t309,
-        mu_1_by_m_d_1*t310 + mu_2_by_m_d_1*t311 + mu_3_by_m_d_1*t312,
-        mu_1_by_m_d_1*t313 + mu_2_by_m_d_1*t314 + mu_3_by_m_d_1*t315,
-        mu_1_by_m_d_1*t316 - mu_2_by_m_d_1*t117 - mu_3_by_m_d_1*t117,
+        -mu_1_by_g_z*t137 - mu_2_by_g_z*t137 + mu_3_by_g_z*t291,
+        mu_1_by_m_d_1*t271 - mu_2_by_m_d_1*t57 - mu_3_by_m_d_1*t57,
+        mu_1_by_m_d_1*t272 + mu_2_by_m_d_1*t273 - mu_3_by_m_d_1*t61,
+        mu_1_by_m_d_1*t274 - mu_2_by_m_d_1*t65 + mu_3_by_m_d_1*t275,
+        mu_1_by_m_d_1*t276 - mu_2_by_m_d_1*t69 - mu_3_by_m_d_1*t69,
+        mu_1_by_m_d_1*t277 - mu_2_by_m_d_1*t73 - mu_3_by_m_d_1*t73,
+        mu_1_by_m_d_1*t278 - mu_2_by_m_d_1*t77 - mu_3_by_m_d_1*t77,
+        -mu_1_by_m_d_1*t81 + mu_2_by_m_d_1*t279 - mu_3_by_m_d_1*t81,
+        -mu_1_by_m_d_1*t85 + mu_2_by_m_d_1*t280 + mu_3_by_m_d_1*t281,
+        -mu_1_by_m_d_1*t89 + mu_2_by_m_d_1*t282 - mu_3_by_m_d_1*t89,
+        -mu_1_by_m_d_1*t93 + mu_2_by_m_d_1*t283 - mu_3_by_m_d_1*t93,
+        -mu_1_by_m_d_1*t97 + mu_2_by_m_d_1*t284 - mu_3_by_m_d_1*t97,
+        -mu_1_by_m_d_1*t101 - mu_2_by_m_d_1*t101 + mu_3_by_m_d_1*t285,
+        -mu_1_by_m_d_1*t105 - mu_2_by_m_d_1*t105 + mu_3_by_m_d_1*t286,
+        -mu_1_by_m_d_1*t109 - mu_2_by_m_d_1*t109 + mu_3_by_m_d_1*t287,
+        -mu_1_by_m_d_1*t113 - mu_2_by_m_d_1*t113 + mu_3_by_m_d_1*t288,
+        mu_1_by_m_d_1*t289 - mu_2_by_m_d_1*t117 - mu_3_by_m_d_1*t117,
         -mu_1_by_m_d_1*t121 - mu_2_by_m_d_1*t121 - mu_3_by_m_d_1*t121,
         -mu_1_by_m_d_1*t125 - mu_2_by_m_d_1*t125 - mu_3_by_m_d_1*t125,
-        -mu_1_by_m_d_1*t129 + mu_2_by_m_d_1*t317 - mu_3_by_m_d_1*t129,
+        -mu_1_by_m_d_1*t129 + mu_2_by_m_d_1*t290 - mu_3_by_m_d_1*t129,
         -mu_1_by_m_d_1*t133 - mu_2_by_m_d_1*t133 - mu_3_by_m_d_1*t133,
-        -mu_1_by_m_d_1*t137 - mu_2_by_m_d_1*t137 + mu_3_by_m_d_1*t318,
-        mu_1_by_m_d_2*t271 + mu_2_by_m_d_2*t272 + mu_3_by_m_d_2*t273,
-        mu_1_by_m_d_2*t274 + mu_2_by_m_d_2*t275 + mu_3_by_m_d_2*t276,
-        mu_1_by_m_d_2*t277 + mu_2_by_m_d_2*t278 + mu_3_by_m_d_2*t279,
-        mu_1_by_m_d_2*t280 + mu_2_by_m_d_2*t281 + mu_3_by_m_d_2*t282,
-        mu_1_by_m_d_2*t283 + mu_2_by_m_d_2*t284 + mu_3_by_m_d_2*t285,
-        mu_1_by_m_d_2*t286 + mu_2_by_m_d_2*t287 + mu_3_by_m_d_2*t288,
-        mu_1_by_m_d_2*t289 + mu_2_by_m_d_2*t290 + mu_3_by_m_d_2*t291,
-        mu_1_by_m_d_2*t292 + mu_2_by_m_d_2*t293 + mu_3_by_m_d_2*t294,
-        mu_1_by_m_d_2*t295 + mu_2_by_m_d_2*t296 + mu_3_by_m_d_2*t297,
-        mu_1_by_m_d_2*t298 + mu_2_by_m_d_2*t299 + mu_3_by_m_d_2*t300,
-        mu_1_by_m_d_2*t301 + mu_2_by_m_d_2*t302 + mu_3_by_m_d_2*t303,
-        mu_1_by_m_d_2*t304 + mu_2_by_m_d_2*t305 + mu_3_by_m_d_2*t306,
-        mu_1_by_m_d_2*t307 + mu_2_by_m_d_2*t308 + mu_3_by_m_d_2*t309,
-        mu_1_by_m_d_2*t310 + mu_2_by_m_d_2*t311 + mu_3_by_m_d_2*t312,
-        mu_1_by_m_d_2*t313 + mu_2_by_m_d_2*t314 + mu_3_by_m_d_2*t315,
-        mu_1_by_m_d_2*t316 - mu_2_by_m_d_2*t117 - mu_3_by_m_d_2*t117,
-        -mu_1_by_m_d_2*t121 - mu_2_by_m_d_2*t121 - mu_3_by_m_d_2*t121,
-        -mu_1_by_m_d_2*t125 - mu_2_by_m_d_2*t125 - mu_3_by_m_d_2*t125,
-        -mu_1_by_m_d_2*t129 + mu_2_by_m_d_2*t317 - mu_3_by_m_d_2*t129,
-        -mu_1_by_m_d_2*t133 - mu_2_by_m_d_2*t133 - mu_3_by_m_d_2*t133,
-        -mu_1_by_m_d_2*t137 - mu_2_by_m_d_2*t137 + mu_3_by_m_d_2*t318,
-        mu_1_by_m_d_3*t271 + mu_2_by_m_d_3*t272 + mu_3_by_m_d_3*t273,
-        mu_1_by_m_d_3*t274 + mu_2_by_m_d_3*t275 + mu_3_by_m_d_3*t276,
-        mu_1_by_m_d_3*t277 + mu_2_by_m_d_3*t278 + mu_3_by_m_d_3*t279,
-        mu_1_by_m_d_3*t280 + mu_2_by_m_d_3*t281 + mu_3_by_m_d_3*t282,
-        mu_1_by_m_d_3*t283 + mu_2_by_m_d_3*t284 + mu_3_by_m_d_3*t285,
-        mu_1_by_m_d_3*t286 + mu_2_by_m_d_3*t287 + mu_3_by_m_d_3*t288,
-        mu_1_by_m_d_3*t289 + mu_2_by_m_d_3*t290 + mu_3_by_m_d_3*t291,
-        mu_1_by_m_d_3*t292 + mu_2_by_m_d_3*t293 + mu_3_by_m_d_3*t294,
-        mu_1_by_m_d_3*t295 + mu_2_by_m_d_3*t296 + mu_3_by_m_d_3*t297,
-        mu_1_by_m_d_3*t298 + mu_2_by_m_d_3*t299 + mu_3_by_m_d_3*t300,
-        mu_1_by_m_d_3*t301 + mu_2_by_m_d_3*t302 + mu_3_by_m_d_3*t303,
-        mu_1_by_m_d_3*t304 + mu_2_by_m_d_3*t305 + mu_3_by_m_d_3*t306,
-        mu_1_by_m_d_3*t307 + mu_2_by_m_d_3*t308 + mu_3_by_m_d_3*t309,
-        mu_1_by_m_d_3*t310 + mu_2_by_m_d_3*t311 + mu_3_by_m_d_3*t312,
-        mu_1_by_m_d_3*t313 + mu_2_by_m_d_3*t314 + mu_3_by_m_d_3*t315,
-        mu_1_by_m_d_3*t316 - mu_2_by_m_d_3*t117 - mu_3_by_m_d_3*t117,
-        -mu_1_by_m_d_3*t121 - mu_2_by_m_d_3*t121 - mu_3_by_m_d_3*t121,
-        -mu_1_by_m_d_3*t125 - mu_2_by_m_d_3*t125 - mu_3_by_m_d_3*t125,
-        -mu_1_by_m_d_3*t129 + mu_2_by_m_d_3*t317 - mu_3_by_m_d_3*t129,
-        -mu_1_by_m_d_3*t133 - mu_2_by_m_d_3*t133 - mu_3_by_m_d_3*t133,
-        -mu_1_by_m_d_3*t137 - mu_2_by_m_d_3*t137 + mu_3_by_m_d_3*t318, t325, t326, t327, t325, t198*t324,
-        t326, t198*t321, t327, t325, t334, t335, t336, t334, t202*t333, t335, t202*t330, t336, t334, t343,
-        t344, t345, t343, t205*t342, t344, t205*t339, t345, t343, t354, t355, t356, t354, -t198*t351 + t358,
-        -t358, t355, -t198*t353 + t358, t356, t354, t367, t368, t369, t367, -t202*t364 + t371, -t371, t368,
-        -t202*t366 + t371, t369, t367, t380, t381, t382, t380, -t205*t377 + t384, -t384, t381,
-        -t205*t379 + t384, t382, t380, t392, t393, t394, t392, -t198*t389 + t395, -t395, t393,
-        -t198*t391 + t395, t394, t392, t403, t404, t405, t403, -t202*t400 + t406, -t406, t404,
-        -t202*t402 + t406, t405, t403, t414, t415, t416, t414, -t205*t411 + t417, -t417, t415,
-        -t205*t413 + t417, t416, t414, -k_1_3, -k_1_2, k_1_3*t418 + t419, -t419, -k_1_3, k_1_2*t418 + t419,
-        -k_1_2, -k_2_3, -k_2_2, k_2_3*t420 + t421, -t421, -k_2_3, k_2_2*t420 + t421, -k_2_2, -k_3_3, -k_3_2,
-        k_3_3*t422 + t423, -t423, -k_3_3, k_3_2*t422 + t423, -k_3_2, t320, t424, t320, t426, -t426,
-        t198*t320 + t426, t424, t320, t329, t427, t329, t429, -t429, t202*t329 + t429, t427, t329, t338, t430,
-        t338, t432, -t432, t205*t338 + t432, t430, t338, -t323, t433, -t323, -t198*t323 - t426, t426, t433,
-        -t426, -t323, -t332, t434, -t332, -t202*t332 - t429, t429, t434, -t429, -t332, -t341, t435, -t341,
-        -t205*t341 - t432, t432, t435, -t432, -t341, t440, t441, t442, t440, -t198*t438 + t443, -t443, t441,
-        -t198*t439 + t443, t442, t440, t448, t449, t450, t448, -t202*t446 + t451, -t451, t449,
-        -t202*t447 + t451, t450, t448, t456, t457, t458, t456, -t205*t454 + t459, -t459, t457,
-        -t205*t455 + t459, t458, t456, t463, t464, t465, t463, t469, t470, t471, t469, t475, t476, t477, t475,
-        -t198*t462 - t478, t478, t464, -t202*t468 - t479, t479, t470, -t205*t474 - t480, t480, t476,
-        -t198*t461 - t478, t465, -t202*t467 - t479, t471, -t205*t473 - t480, t477, t463, t469, t475, t57, t61,
+        -mu_1_by_m_d_1*t137 - mu_2_by_m_d_1*t137 + mu_3_by_m_d_1*t291,
+        mu_1_by_m_d_1*t271 - mu_2_by_m_d_1*t57 - mu_3_by_m_d_1*t57,
+        mu_1_by_m_d_1*t272 + mu_2_by_m_d_1*t273 - mu_3_by_m_d_1*t61,
+        mu_1_by_m_d_1*t274 - mu_2_by_m_d_1*t65 + mu_3_by_m_d_1*t275,
+        mu_1_by_m_d_1*t276 - mu_2_by_m_d_1*t69 - mu_3_by_m_d_1*t69,
+        mu_1_by_m_d_1*t277 - mu_2_by_m_d_1*t73 - mu_3_by_m_d_1*t73,
+        mu_1_by_m_d_1*t278 - mu_2_by_m_d_1*t77 - mu_3_by_m_d_1*t77,
+        -mu_1_by_m_d_1*t81 + mu_2_by_m_d_1*t279 - mu_3_by_m_d_1*t81,
+        -mu_1_by_m_d_1*t85 + mu_2_by_m_d_1*t280 + mu_3_by_m_d_1*t281,
+        -mu_1_by_m_d_1*t89 + mu_2_by_m_d_1*t282 - mu_3_by_m_d_1*t89,
+        -mu_1_by_m_d_1*t93 + mu_2_by_m_d_1*t283 - mu_3_by_m_d_1*t93,
+        -mu_1_by_m_d_1*t97 + mu_2_by_m_d_1*t284 - mu_3_by_m_d_1*t97,
+        -mu_1_by_m_d_1*t101 - mu_2_by_m_d_1*t101 + mu_3_by_m_d_1*t285,
+        -mu_1_by_m_d_1*t105 - mu_2_by_m_d_1*t105 + mu_3_by_m_d_1*t286,
+        -mu_1_by_m_d_1*t109 - mu_2_by_m_d_1*t109 + mu_3_by_m_d_1*t287,
+        -mu_1_by_m_d_1*t113 - mu_2_by_m_d_1*t113 + mu_3_by_m_d_1*t288,
+        mu_1_by_m_d_1*t289 - mu_2_by_m_d_1*t117 - mu_3_by_m_d_1*t117,
+        -mu_1_by_m_d_1*t121 - mu_2_by_m_d_1*t121 - mu_3_by_m_d_1*t121,
+        -mu_1_by_m_d_1*t125 - mu_2_by_m_d_1*t125 - mu_3_by_m_d_1*t125,
+        -mu_1_by_m_d_1*t129 + mu_2_by_m_d_1*t290 - mu_3_by_m_d_1*t129,
+        -mu_1_by_m_d_1*t133 - mu_2_by_m_d_1*t133 - mu_3_by_m_d_1*t133,
+        -mu_1_by_m_d_1*t137 - mu_2_by_m_d_1*t137 + mu_3_by_m_d_1*t291,
+        mu_1_by_m_d_1*t271 - mu_2_by_m_d_1*t57 - mu_3_by_m_d_1*t57,
+        mu_1_by_m_d_1*t272 + mu_2_by_m_d_1*t273 - mu_3_by_m_d_1*t61,
+        mu_1_by_m_d_1*t274 - mu_2_by_m_d_1*t65 + mu_3_by_m_d_1*t275,
+        mu_1_by_m_d_1*t276 - mu_2_by_m_d_1*t69 - mu_3_by_m_d_1*t69,
+        mu_1_by_m_d_1*t277 - mu_2_by_m_d_1*t73 - mu_3_by_m_d_1*t73,
+        mu_1_by_m_d_1*t278 - mu_2_by_m_d_1*t77 - mu_3_by_m_d_1*t77,
+        -mu_1_by_m_d_1*t81 + mu_2_by_m_d_1*t279 - mu_3_by_m_d_1*t81,
+        -mu_1_by_m_d_1*t85 + mu_2_by_m_d_1*t280 + mu_3_by_m_d_1*t281,
+        -mu_1_by_m_d_1*t89 + mu_2_by_m_d_1*t282 - mu_3_by_m_d_1*t89,
+        -mu_1_by_m_d_1*t93 + mu_2_by_m_d_1*t283 - mu_3_by_m_d_1*t93,
+        -mu_1_by_m_d_1*t97 + mu_2_by_m_d_1*t284 - mu_3_by_m_d_1*t97,
+        -mu_1_by_m_d_1*t101 - mu_2_by_m_d_1*t101 + mu_3_by_m_d_1*t285,
+        -mu_1_by_m_d_1*t105 - mu_2_by_m_d_1*t105 + mu_3_by_m_d_1*t286,
+        -mu_1_by_m_d_1*t109 - mu_2_by_m_d_1*t109 + mu_3_by_m_d_1*t287,
+        -mu_1_by_m_d_1*t113 - mu_2_by_m_d_1*t113 + mu_3_by_m_d_1*t288,
+        mu_1_by_m_d_1*t289 - mu_2_by_m_d_1*t117 - mu_3_by_m_d_1*t117,
+        -mu_1_by_m_d_1*t121 - mu_2_by_m_d_1*t121 - mu_3_by_m_d_1*t121,
+        -mu_1_by_m_d_1*t125 - mu_2_by_m_d_1*t125 - mu_3_by_m_d_1*t125,
+        -mu_1_by_m_d_1*t129 + mu_2_by_m_d_1*t290 - mu_3_by_m_d_1*t129,
+        -mu_1_by_m_d_1*t133 - mu_2_by_m_d_1*t133 - mu_3_by_m_d_1*t133,
+        -mu_1_by_m_d_1*t137 - mu_2_by_m_d_1*t137 + mu_3_by_m_d_1*t291, t298, t299, t300, t298, t198*t297,
+        t299, t198*t294, t300, t298, t307, t308, t309, t307, t202*t306, t308, t202*t303, t309, t307, t316,
+        t317, t318, t316, t205*t315, t317, t205*t312, t318, t316, t327, t328, t329, t327, -t198*t324 + t331,
+        -t331, t328, -t198*t326 + t331, t329, t327, t340, t341, t342, t340, -t202*t337 + t344, -t344, t341,
+        -t202*t339 + t344, t342, t340, t353, t354, t355, t353, -t205*t350 + t357, -t357, t354,
+        -t205*t352 + t357, t355, t353, t365, t366, t367, t365, -t198*t362 + t368, -t368, t366,
+        -t198*t364 + t368, t367, t365, t376, t377, t378, t376, -t202*t373 + t379, -t379, t377,
+        -t202*t375 + t379, t378, t376, t387, t388, t389, t387, -t205*t384 + t390, -t390, t388,
+        -t205*t386 + t390, t389, t387, -k_1_3, -k_1_2, k_1_3*t391 + t392, -t392, -k_1_3, k_1_2*t391 + t392,
+        -k_1_2, -k_2_3, -k_2_2, k_2_3*t393 + t394, -t394, -k_2_3, k_2_2*t393 + t394, -k_2_2, -k_3_3, -k_3_2,
+        k_3_3*t395 + t396, -t396, -k_3_3, k_3_2*t395 + t396, -k_3_2, t293, t397, t293, t399, -t399,
+        t198*t293 + t399, t397, t293, t302, t400, t302, t402, -t402, t202*t302 + t402, t400, t302, t311, t403,
+        t311, t405, -t405, t205*t311 + t405, t403, t311, -t296, t406, -t296, -t198*t296 - t399, t399, t406,
+        -t399, -t296, -t305, t407, -t305, -t202*t305 - t402, t402, t407, -t402, -t305, -t314, t408, -t314,
+        -t205*t314 - t405, t405, t408, -t405, -t314, t413, t414, t415, t413, -t198*t411 + t416, -t416, t414,
+        -t198*t412 + t416, t415, t413, t421, t422, t423, t421, -t202*t419 + t424, -t424, t422,
+        -t202*t420 + t424, t423, t421, t429, t430, t431, t429, -t205*t427 + t432, -t432, t430,
+        -t205*t428 + t432, t431, t429, t436, t437, t438, t436, t442, t443, t444, t442, t448, t449, t450, t448,
+        -t198*t435 - t451, t451, t437, -t202*t441 - t452, t452, t443, -t205*t447 - t453, t453, t449,
+        -t198*t434 - t451, t438, -t202*t440 - t452, t444, -t205*t446 - t453, t450, t436, t442, t448, t57, t61,
         t65, t69, t73, t77, D_p_x_1, D_p_y_1, D_p_z_1, t81, t85, t89, t93, t97, D_p_x_2, D_p_y_2, D_p_z_2,
         t101, t105, t109, t113, D_p_x_3, D_p_y_3, D_p_z_3, t117, t121, t125, D_delta_x_1, D_delta_y_1,
         D_delta_z_1, t129, t133, D_delta_x_2, D_delta_y_2, D_delta_z_2, t137, D_delta_x_3, D_delta_y_3,
-        D_delta_z_3, 1, 1, 1, mu_1_by_m_L*t271 + mu_2_by_m_L*t272 + mu_3_by_m_L*t273,
-        mu_1_by_m_L*t274 + mu_2_by_m_L*t275 + mu_3_by_m_L*t276,
-        mu_1_by_m_L*t277 + mu_2_by_m_L*t278 + mu_3_by_m_L*t279,
-        mu_1_by_m_L*t280 + mu_2_by_m_L*t281 + mu_3_by_m_L*t282,
-        mu_1_by_m_L*t283 + mu_2_by_m_L*t284 + mu_3_by_m_L*t285,
-        mu_1_by_m_L*t286 + mu_2_by_m_L*t287 + mu_3_by_m_L*t288,
-        mu_1_by_m_L*t289 + mu_2_by_m_L*t290 + mu_3_by_m_L*t291,
-        mu_1_by_m_L*t292 + mu_2_by_m_L*t293 + mu_3_by_m_L*t294,
-        mu_1_by_m_L*t295 + mu_2_by_m_L*t296 + mu_3_by_m_L*t297,
-        mu_1_by_m_L*t298 + mu_2_by_m_L*t299 + mu_3_by_m_L*t300,
-        mu_1_by_m_L*t301 + mu_2_by_m_L*t302 + mu_3_by_m_L*t303,
-        mu_1_by_m_L*t304 + mu_2_by_m_L*t305 + mu_3_by_m_L*t306,
-        mu_1_by_m_L*t307 + mu_2_by_m_L*t308 + mu_3_by_m_L*t309,
-        mu_1_by_m_L*t310 + mu_2_by_m_L*t311 + mu_3_by_m_L*t312,
-        mu_1_by_m_L*t313 + mu_2_by_m_L*t314 + mu_3_by_m_L*t315,
-        mu_1_by_m_L*t316 - mu_2_by_m_L*t117 - mu_3_by_m_L*t117,
-        -mu_1_by_m_L*t121 - mu_2_by_m_L*t121 - mu_3_by_m_L*t121,
-        -mu_1_by_m_L*t125 - mu_2_by_m_L*t125 - mu_3_by_m_L*t125,
-        -mu_1_by_m_L*t129 + mu_2_by_m_L*t317 - mu_3_by_m_L*t129,
-        -mu_1_by_m_L*t133 - mu_2_by_m_L*t133 - mu_3_by_m_L*t133,
-        -mu_1_by_m_L*t137 - mu_2_by_m_L*t137 + mu_3_by_m_L*t318, d_1_1, d_2_1, d_3_1, d_1_2, d_2_2, d_3_2,
+        D_delta_z_3, 1, 1, 1, mu_1_by_m_p*t271 - mu_2_by_m_p*t57 - mu_3_by_m_p*t57,
+        mu_1_by_m_p*t272 + mu_2_by_m_p*t273 - mu_3_by_m_p*t61,
+        mu_1_by_m_p*t274 - mu_2_by_m_p*t65 + mu_3_by_m_p*t275,
+        mu_1_by_m_p*t276 - mu_2_by_m_p*t69 - mu_3_by_m_p*t69,
+        mu_1_by_m_p*t277 - mu_2_by_m_p*t73 - mu_3_by_m_p*t73,
+        mu_1_by_m_p*t278 - mu_2_by_m_p*t77 - mu_3_by_m_p*t77,
+        -mu_1_by_m_p*t81 + mu_2_by_m_p*t279 - mu_3_by_m_p*t81,
+        -mu_1_by_m_p*t85 + mu_2_by_m_p*t280 + mu_3_by_m_p*t281,
+        -mu_1_by_m_p*t89 + mu_2_by_m_p*t282 - mu_3_by_m_p*t89,
+        -mu_1_by_m_p*t93 + mu_2_by_m_p*t283 - mu_3_by_m_p*t93,
+        -mu_1_by_m_p*t97 + mu_2_by_m_p*t284 - mu_3_by_m_p*t97,
+        -mu_1_by_m_p*t101 - mu_2_by_m_p*t101 + mu_3_by_m_p*t285,
+        -mu_1_by_m_p*t105 - mu_2_by_m_p*t105 + mu_3_by_m_p*t286,
+        -mu_1_by_m_p*t109 - mu_2_by_m_p*t109 + mu_3_by_m_p*t287,
+        -mu_1_by_m_p*t113 - mu_2_by_m_p*t113 + mu_3_by_m_p*t288,
+        mu_1_by_m_p*t289 - mu_2_by_m_p*t117 - mu_3_by_m_p*t117,
+        -mu_1_by_m_p*t121 - mu_2_by_m_p*t121 - mu_3_by_m_p*t121,
+        -mu_1_by_m_p*t125 - mu_2_by_m_p*t125 - mu_3_by_m_p*t125,
+        -mu_1_by_m_p*t129 + mu_2_by_m_p*t290 - mu_3_by_m_p*t129,
+        -mu_1_by_m_p*t133 - mu_2_by_m_p*t133 - mu_3_by_m_p*t133,
+        -mu_1_by_m_p*t137 - mu_2_by_m_p*t137 + mu_3_by_m_p*t291, d_1_1, d_2_1, d_3_1, d_1_2, d_2_2, d_3_2,
     ))
     return M_theta_out, K_theta_out
 
@@ -3252,7 +2359,7 @@ def geometry_sensitivities(p, parameters, effects):
     Notes
     -----
     Implicit function theorem and chain rule; the carriages follow the parameter.
-    13291 operations; 64171338 with every named value written out.
+    13219 operations; 64171338 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -3355,31 +2462,13 @@ def geometry_sensitivities(p, parameters, effects):
     D_delta_z_2 = l_d_2*t9
     D_delta_z_3 = l_d_3*t10
     U_1_x_1 = D_p_x_1 - n_1_x
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - n_1_y
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - n_1_z
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - n_2_x
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - n_2_y
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - n_2_z
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - n_3_x
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - n_3_y
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - n_3_z
     t11 = (1/2)*l_t_1
     l_f_1_2 = -t11 + x_1 - x_min_1
@@ -3963,18 +3052,18 @@ def geometry_sensitivities(p, parameters, effects):
     t245 = rho_b*x_3_by_l_d_3
     t246 = t228*t245
     t247 = t231*t245
-    t248 = U_1_x_1*mu_1
+    t248 = D_p_x_1*mu_2
     t249 = 2*D_p_x_1_by_b_1_x
-    t250 = U_2_x_1*mu_2
-    t251 = U_3_x_1*mu_3
-    t252 = U_1_y_1*mu_1
+    t250 = D_p_x_1*mu_3
+    t251 = U_1_x_1*mu_1
+    t252 = D_p_y_1*mu_2
     t253 = 2*D_p_y_1_by_b_1_x
-    t254 = U_2_y_1*mu_2
-    t255 = U_3_y_1*mu_3
-    t256 = U_1_z_1*mu_1
+    t254 = D_p_y_1*mu_3
+    t255 = U_1_y_1*mu_1
+    t256 = D_p_z_1*mu_2
     t257 = 2*D_p_z_1_by_b_1_x
-    t258 = U_2_z_1*mu_2
-    t259 = U_3_z_1*mu_3
+    t258 = D_p_z_1*mu_3
+    t259 = U_1_z_1*mu_1
     t260 = a_B_1 + 1
     t261 = k_sp_1*t260*w_b_1
     t262 = c_E*t261
@@ -3982,335 +3071,323 @@ def geometry_sensitivities(p, parameters, effects):
     t264 = t261*x_1_by_b_1_x
     t265 = t263*t264
     t266 = -U_1_x_1**2 - U_1_y_1**2 - U_1_z_1**2
-    t267 = -U_2_x_1**2 - U_2_y_1**2 - U_2_z_1**2
-    t268 = -U_3_x_1**2 - U_3_y_1**2 - U_3_z_1**2
-    t269 = 1.0/((l_f_1_3 + t262)**2)
-    t270 = U_1_x_2*mu_1
+    t267 = -D_p_x_1**2 - D_p_y_1**2 - D_p_z_1**2
+    t268 = 1.0/((l_f_1_3 + t262)**2)
+    t269 = D_p_x_2*mu_1
+    t270 = D_p_x_2*mu_3
     t271 = U_2_x_2*mu_2
-    t272 = U_3_x_2*mu_3
-    t273 = U_1_y_2*mu_1
+    t272 = D_p_y_2*mu_1
+    t273 = D_p_y_2*mu_3
     t274 = U_2_y_2*mu_2
-    t275 = U_3_y_2*mu_3
-    t276 = U_1_z_2*mu_1
+    t275 = D_p_z_2*mu_1
+    t276 = D_p_z_2*mu_3
     t277 = U_2_z_2*mu_2
-    t278 = U_3_z_2*mu_3
-    t279 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2
-    t280 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2
-    t281 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2
-    t282 = U_1_x_3*mu_1
-    t283 = U_2_x_3*mu_2
-    t284 = U_3_x_3*mu_3
-    t285 = U_1_y_3*mu_1
-    t286 = U_2_y_3*mu_2
-    t287 = U_3_y_3*mu_3
-    t288 = U_1_z_3*mu_1
-    t289 = U_2_z_3*mu_2
-    t290 = U_3_z_3*mu_3
-    t291 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3
-    t292 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3
-    t293 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3
-    t294 = t264*t269
-    t295 = -R_p_1*t294
-    t296 = R_p_1*t265
-    t297 = D_p_x_1_by_b_1_x*k_C
-    t298 = D_p_y_1_by_b_1_x*k_C
-    t299 = D_p_z_1_by_b_1_x*k_C
-    t300 = D_delta_x_1*mu_1
-    t301 = D_delta_x_1*mu_2
-    t302 = D_delta_x_1*mu_3
-    t303 = D_delta_y_1*mu_1
-    t304 = D_delta_y_1*mu_2
-    t305 = D_delta_y_1*mu_3
-    t306 = D_delta_z_1*mu_1
-    t307 = D_delta_z_1*mu_2
-    t308 = D_delta_z_1*mu_3
-    t309 = -D_delta_x_1*U_1_x_1 - D_delta_y_1*U_1_y_1 - D_delta_z_1*U_1_z_1
-    t310 = -D_delta_x_1*U_2_x_1 - D_delta_y_1*U_2_y_1 - D_delta_z_1*U_2_z_1
-    t311 = -D_delta_x_1*U_3_x_1 - D_delta_y_1*U_3_y_1 - D_delta_z_1*U_3_z_1
-    t312 = D_p_x_1*k_C - t248 - t250 - t251
-    t313 = D_p_y_1*k_C - t252 - t254 - t255
-    t314 = D_p_z_1*k_C - t256 - t258 - t259
-    t315 = D_delta_x_2*mu_1
-    t316 = D_delta_x_2*mu_2
-    t317 = D_delta_x_2*mu_3
-    t318 = D_delta_y_2*mu_1
-    t319 = D_delta_y_2*mu_2
-    t320 = D_delta_y_2*mu_3
-    t321 = D_delta_z_2*mu_1
-    t322 = D_delta_z_2*mu_2
-    t323 = D_delta_z_2*mu_3
-    t324 = -D_delta_x_2*U_1_x_1 - D_delta_y_2*U_1_y_1 - D_delta_z_2*U_1_z_1
-    t325 = -D_delta_x_2*U_2_x_1 - D_delta_y_2*U_2_y_1 - D_delta_z_2*U_2_z_1
-    t326 = -D_delta_x_2*U_3_x_1 - D_delta_y_2*U_3_y_1 - D_delta_z_2*U_3_z_1
-    t327 = D_delta_x_3*mu_1
-    t328 = D_delta_x_3*mu_2
-    t329 = D_delta_x_3*mu_3
-    t330 = D_delta_y_3*mu_1
-    t331 = D_delta_y_3*mu_2
-    t332 = D_delta_y_3*mu_3
-    t333 = D_delta_z_3*mu_1
-    t334 = D_delta_z_3*mu_2
-    t335 = D_delta_z_3*mu_3
-    t336 = -D_delta_x_3*U_1_x_1 - D_delta_y_3*U_1_y_1 - D_delta_z_3*U_1_z_1
-    t337 = -D_delta_x_3*U_2_x_1 - D_delta_y_3*U_2_y_1 - D_delta_z_3*U_2_z_1
-    t338 = -D_delta_x_3*U_3_x_1 - D_delta_y_3*U_3_y_1 - D_delta_z_3*U_3_z_1
-    t339 = -t265 + t294
-    t340 = 2*D_p_x_2_by_b_1_x
-    t341 = 2*D_p_y_2_by_b_1_x
-    t342 = 2*D_p_z_2_by_b_1_x
-    t343 = -U_1_x_2**2 - U_1_y_2**2 - U_1_z_2**2
-    t344 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2
-    t345 = -U_3_x_2**2 - U_3_y_2**2 - U_3_z_2**2
-    t346 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3
-    t347 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3
-    t348 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3
-    t349 = D_p_x_2_by_b_1_x*k_C
-    t350 = D_p_y_2_by_b_1_x*k_C
-    t351 = D_p_z_2_by_b_1_x*k_C
-    t352 = -D_delta_x_1*U_1_x_2 - D_delta_y_1*U_1_y_2 - D_delta_z_1*U_1_z_2
-    t353 = -D_delta_x_1*U_2_x_2 - D_delta_y_1*U_2_y_2 - D_delta_z_1*U_2_z_2
-    t354 = -D_delta_x_1*U_3_x_2 - D_delta_y_1*U_3_y_2 - D_delta_z_1*U_3_z_2
-    t355 = D_p_x_2*k_C - t270 - t271 - t272
-    t356 = D_p_y_2*k_C - t273 - t274 - t275
-    t357 = D_p_z_2*k_C - t276 - t277 - t278
-    t358 = -D_delta_x_2*U_1_x_2 - D_delta_y_2*U_1_y_2 - D_delta_z_2*U_1_z_2
-    t359 = -D_delta_x_2*U_2_x_2 - D_delta_y_2*U_2_y_2 - D_delta_z_2*U_2_z_2
-    t360 = -D_delta_x_2*U_3_x_2 - D_delta_y_2*U_3_y_2 - D_delta_z_2*U_3_z_2
-    t361 = -D_delta_x_3*U_1_x_2 - D_delta_y_3*U_1_y_2 - D_delta_z_3*U_1_z_2
-    t362 = -D_delta_x_3*U_2_x_2 - D_delta_y_3*U_2_y_2 - D_delta_z_3*U_2_z_2
-    t363 = -D_delta_x_3*U_3_x_2 - D_delta_y_3*U_3_y_2 - D_delta_z_3*U_3_z_2
-    t364 = 2*D_p_x_3_by_b_1_x
-    t365 = 2*D_p_y_3_by_b_1_x
-    t366 = 2*D_p_z_3_by_b_1_x
-    t367 = -U_1_x_3**2 - U_1_y_3**2 - U_1_z_3**2
-    t368 = -U_2_x_3**2 - U_2_y_3**2 - U_2_z_3**2
-    t369 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2
-    t370 = D_p_x_3_by_b_1_x*k_C
-    t371 = D_p_y_3_by_b_1_x*k_C
-    t372 = D_p_z_3_by_b_1_x*k_C
-    t373 = -D_delta_x_1*U_1_x_3 - D_delta_y_1*U_1_y_3 - D_delta_z_1*U_1_z_3
-    t374 = -D_delta_x_1*U_2_x_3 - D_delta_y_1*U_2_y_3 - D_delta_z_1*U_2_z_3
-    t375 = -D_delta_x_1*U_3_x_3 - D_delta_y_1*U_3_y_3 - D_delta_z_1*U_3_z_3
-    t376 = D_p_x_3*k_C - t282 - t283 - t284
-    t377 = D_p_y_3*k_C - t285 - t286 - t287
-    t378 = D_p_z_3*k_C - t288 - t289 - t290
-    t379 = -D_delta_x_2*U_1_x_3 - D_delta_y_2*U_1_y_3 - D_delta_z_2*U_1_z_3
-    t380 = -D_delta_x_2*U_2_x_3 - D_delta_y_2*U_2_y_3 - D_delta_z_2*U_2_z_3
-    t381 = -D_delta_x_2*U_3_x_3 - D_delta_y_2*U_3_y_3 - D_delta_z_2*U_3_z_3
-    t382 = -D_delta_x_3*U_1_x_3 - D_delta_y_3*U_1_y_3 - D_delta_z_3*U_1_z_3
-    t383 = -D_delta_x_3*U_2_x_3 - D_delta_y_3*U_2_y_3 - D_delta_z_3*U_2_z_3
-    t384 = -D_delta_x_3*U_3_x_3 - D_delta_y_3*U_3_y_3 - D_delta_z_3*U_3_z_3
-    t385 = D_delta_x_1**2 + D_delta_y_1**2 + D_delta_z_1**2
-    t386 = 2*D_delta_x_1*k_C - 2*t300 - 2*t301 - 2*t302
-    t387 = 2*D_delta_y_1*k_C - 2*t303 - 2*t304 - 2*t305
-    t388 = 2*D_delta_z_1*k_C - 2*t306 - 2*t307 - 2*t308
-    t389 = 1 - t385
-    t390 = -D_delta_x_1*D_delta_x_2 - D_delta_y_1*D_delta_y_2 - D_delta_z_1*D_delta_z_2
-    t391 = D_delta_x_2*k_C - t315 - t316 - t317
-    t392 = D_delta_x_1*k_C - t300 - t301 - t302
-    t393 = D_delta_y_2*k_C - t318 - t319 - t320
-    t394 = D_delta_y_1*k_C - t303 - t304 - t305
-    t395 = D_delta_z_2*k_C - t321 - t322 - t323
-    t396 = D_delta_z_1*k_C - t306 - t307 - t308
-    t397 = -D_delta_x_1*D_delta_x_3 - D_delta_y_1*D_delta_y_3 - D_delta_z_1*D_delta_z_3
-    t398 = D_delta_x_3*k_C - t327 - t328 - t329
-    t399 = D_delta_y_3*k_C - t330 - t331 - t332
-    t400 = D_delta_z_3*k_C - t333 - t334 - t335
-    t401 = D_delta_x_2**2 + D_delta_y_2**2 + D_delta_z_2**2
-    t402 = 2*D_delta_x_2*k_C - 2*t315 - 2*t316 - 2*t317
-    t403 = 2*D_delta_y_2*k_C - 2*t318 - 2*t319 - 2*t320
-    t404 = 2*D_delta_z_2*k_C - 2*t321 - 2*t322 - 2*t323
-    t405 = 1 - t401
-    t406 = -D_delta_x_2*D_delta_x_3 - D_delta_y_2*D_delta_y_3 - D_delta_z_2*D_delta_z_3
-    t407 = D_delta_x_3**2 + D_delta_y_3**2 + D_delta_z_3**2
-    t408 = 2*D_delta_x_3*k_C - 2*t327 - 2*t328 - 2*t329
-    t409 = 2*D_delta_y_3*k_C - 2*t330 - 2*t331 - 2*t332
-    t410 = 2*D_delta_z_3*k_C - 2*t333 - 2*t334 - 2*t335
-    t411 = 1 - t407
-    t412 = 2*D_p_x_1_by_b_1_y
-    t413 = 2*D_p_y_1_by_b_1_y
-    t414 = 2*D_p_z_1_by_b_1_y
-    t415 = t261*x_1_by_b_1_y
-    t416 = t263*t415
-    t417 = t269*t415
-    t418 = -R_p_1*t417
-    t419 = R_p_1*t416
-    t420 = D_delta_x_1*k_C
-    t421 = D_delta_y_1*k_C
-    t422 = D_delta_z_1*k_C
-    t423 = D_delta_x_2*k_C
-    t424 = D_delta_y_2*k_C
-    t425 = D_delta_z_2*k_C
-    t426 = D_delta_x_3*k_C
-    t427 = D_delta_y_3*k_C
-    t428 = D_delta_z_3*k_C
-    t429 = -t416 + t417
-    t430 = 2*D_p_x_2_by_b_1_y
-    t431 = 2*D_p_y_2_by_b_1_y
-    t432 = 2*D_p_z_2_by_b_1_y
-    t433 = 2*D_p_x_3_by_b_1_y
-    t434 = 2*D_p_y_3_by_b_1_y
-    t435 = 2*D_p_z_3_by_b_1_y
-    t436 = 2*D_p_x_1_by_b_1_z
-    t437 = 2*D_p_y_1_by_b_1_z
-    t438 = 2*D_p_z_1_by_b_1_z
-    t439 = t261*x_1_by_b_1_z
-    t440 = t263*t439
-    t441 = t269*t439
-    t442 = -R_p_1*t441
-    t443 = R_p_1*t440
-    t444 = -t440 + t441
-    t445 = 2*D_p_x_2_by_b_1_z
-    t446 = 2*D_p_y_2_by_b_1_z
-    t447 = 2*D_p_z_2_by_b_1_z
-    t448 = 2*D_p_x_3_by_b_1_z
-    t449 = 2*D_p_y_3_by_b_1_z
-    t450 = 2*D_p_z_3_by_b_1_z
-    t451 = 2*D_p_x_1_by_b_2_x
-    t452 = 2*D_p_y_1_by_b_2_x
-    t453 = 2*D_p_z_1_by_b_2_x
-    t454 = 2*D_p_x_2_by_b_2_x
-    t455 = 2*D_p_y_2_by_b_2_x
-    t456 = 2*D_p_z_2_by_b_2_x
-    t457 = a_B_2 + 1
-    t458 = k_sp_2*t457*w_b_2
-    t459 = c_E*t458
-    t460 = 1.0/((l_f_2_2 + t459)**2)
-    t461 = t458*x_2_by_b_2_x
-    t462 = t460*t461
-    t463 = 1.0/((l_f_2_3 + t459)**2)
-    t464 = t461*t463
-    t465 = -R_p_2*t464
-    t466 = R_p_2*t462
-    t467 = -t462 + t464
-    t468 = 2*D_p_x_3_by_b_2_x
-    t469 = 2*D_p_y_3_by_b_2_x
-    t470 = 2*D_p_z_3_by_b_2_x
-    t471 = 2*D_p_x_1_by_b_2_y
-    t472 = 2*D_p_y_1_by_b_2_y
-    t473 = 2*D_p_z_1_by_b_2_y
-    t474 = 2*D_p_x_2_by_b_2_y
-    t475 = 2*D_p_y_2_by_b_2_y
-    t476 = 2*D_p_z_2_by_b_2_y
-    t477 = t458*x_2_by_b_2_y
-    t478 = t460*t477
-    t479 = t463*t477
-    t480 = -R_p_2*t479
-    t481 = R_p_2*t478
-    t482 = -t478 + t479
-    t483 = 2*D_p_x_3_by_b_2_y
-    t484 = 2*D_p_y_3_by_b_2_y
-    t485 = 2*D_p_z_3_by_b_2_y
-    t486 = 2*D_p_x_1_by_b_2_z
-    t487 = 2*D_p_y_1_by_b_2_z
-    t488 = 2*D_p_z_1_by_b_2_z
-    t489 = 2*D_p_x_2_by_b_2_z
-    t490 = 2*D_p_y_2_by_b_2_z
-    t491 = 2*D_p_z_2_by_b_2_z
-    t492 = t458*x_2_by_b_2_z
-    t493 = t460*t492
-    t494 = t463*t492
-    t495 = -R_p_2*t494
-    t496 = R_p_2*t493
-    t497 = -t493 + t494
-    t498 = 2*D_p_x_3_by_b_2_z
-    t499 = 2*D_p_y_3_by_b_2_z
-    t500 = 2*D_p_z_3_by_b_2_z
-    t501 = 2*D_p_x_1_by_b_3_x
-    t502 = 2*D_p_y_1_by_b_3_x
-    t503 = 2*D_p_z_1_by_b_3_x
-    t504 = 2*D_p_x_2_by_b_3_x
-    t505 = 2*D_p_y_2_by_b_3_x
-    t506 = 2*D_p_z_2_by_b_3_x
-    t507 = 2*D_p_x_3_by_b_3_x
-    t508 = 2*D_p_y_3_by_b_3_x
-    t509 = 2*D_p_z_3_by_b_3_x
-    t510 = a_B_3 + 1
-    t511 = k_sp_3*t510*w_b_3
-    t512 = c_E*t511
-    t513 = 1.0/((l_f_3_2 + t512)**2)
-    t514 = t511*x_3_by_b_3_x
-    t515 = t513*t514
-    t516 = 1.0/((l_f_3_3 + t512)**2)
-    t517 = t514*t516
-    t518 = -R_p_3*t517
-    t519 = R_p_3*t515
-    t520 = -t515 + t517
-    t521 = 2*D_p_x_1_by_b_3_y
-    t522 = 2*D_p_y_1_by_b_3_y
-    t523 = 2*D_p_z_1_by_b_3_y
-    t524 = 2*D_p_x_2_by_b_3_y
-    t525 = 2*D_p_y_2_by_b_3_y
-    t526 = 2*D_p_z_2_by_b_3_y
-    t527 = 2*D_p_x_3_by_b_3_y
-    t528 = 2*D_p_y_3_by_b_3_y
-    t529 = 2*D_p_z_3_by_b_3_y
-    t530 = t511*x_3_by_b_3_y
-    t531 = t513*t530
-    t532 = t516*t530
-    t533 = -R_p_3*t532
-    t534 = R_p_3*t531
-    t535 = -t531 + t532
-    t536 = 2*D_p_x_1_by_b_3_z
-    t537 = 2*D_p_y_1_by_b_3_z
-    t538 = 2*D_p_z_1_by_b_3_z
-    t539 = 2*D_p_x_2_by_b_3_z
-    t540 = 2*D_p_y_2_by_b_3_z
-    t541 = 2*D_p_z_2_by_b_3_z
-    t542 = 2*D_p_x_3_by_b_3_z
-    t543 = 2*D_p_y_3_by_b_3_z
-    t544 = 2*D_p_z_3_by_b_3_z
-    t545 = t511*x_3_by_b_3_z
-    t546 = t513*t545
-    t547 = t516*t545
-    t548 = -R_p_3*t547
-    t549 = R_p_3*t546
-    t550 = -t546 + t547
-    t551 = 2*D_p_x_1_by_l_d_1
-    t552 = 2*D_p_y_1_by_l_d_1
-    t553 = 2*D_p_z_1_by_l_d_1
-    t554 = t261*x_1_by_l_d_1
-    t555 = t263*t554
-    t556 = t269*t554
-    t557 = -R_p_1*t556
-    t558 = R_p_1*t555
-    t559 = -t555 + t556
-    t560 = 2*D_p_x_2_by_l_d_1
-    t561 = 2*D_p_y_2_by_l_d_1
-    t562 = 2*D_p_z_2_by_l_d_1
-    t563 = 2*D_p_x_3_by_l_d_1
-    t564 = 2*D_p_y_3_by_l_d_1
-    t565 = 2*D_p_z_3_by_l_d_1
-    t566 = 2*D_p_x_1_by_l_d_2
-    t567 = 2*D_p_y_1_by_l_d_2
-    t568 = 2*D_p_z_1_by_l_d_2
-    t569 = 2*D_p_x_2_by_l_d_2
-    t570 = 2*D_p_y_2_by_l_d_2
-    t571 = 2*D_p_z_2_by_l_d_2
-    t572 = t458*x_2_by_l_d_2
-    t573 = t460*t572
-    t574 = t463*t572
-    t575 = -R_p_2*t574
-    t576 = R_p_2*t573
-    t577 = -t573 + t574
-    t578 = 2*D_p_x_3_by_l_d_2
-    t579 = 2*D_p_y_3_by_l_d_2
-    t580 = 2*D_p_z_3_by_l_d_2
-    t581 = 2*D_p_x_1_by_l_d_3
-    t582 = 2*D_p_y_1_by_l_d_3
-    t583 = 2*D_p_z_1_by_l_d_3
-    t584 = 2*D_p_x_2_by_l_d_3
-    t585 = 2*D_p_y_2_by_l_d_3
-    t586 = 2*D_p_z_2_by_l_d_3
-    t587 = 2*D_p_x_3_by_l_d_3
-    t588 = 2*D_p_y_3_by_l_d_3
-    t589 = 2*D_p_z_3_by_l_d_3
-    t590 = t511*x_3_by_l_d_3
-    t591 = t513*t590
-    t592 = t516*t590
-    t593 = -R_p_3*t592
-    t594 = R_p_3*t591
-    t595 = -t591 + t592
+    t278 = -D_p_x_2*U_1_x_1 - D_p_y_2*U_1_y_1 - D_p_z_2*U_1_z_1
+    t279 = -D_p_x_1*U_2_x_2 - D_p_y_1*U_2_y_2 - D_p_z_1*U_2_z_2
+    t280 = -D_p_x_1*D_p_x_2 - D_p_y_1*D_p_y_2 - D_p_z_1*D_p_z_2
+    t281 = D_p_x_3*mu_1
+    t282 = D_p_x_3*mu_2
+    t283 = U_3_x_3*mu_3
+    t284 = D_p_y_3*mu_1
+    t285 = D_p_y_3*mu_2
+    t286 = U_3_y_3*mu_3
+    t287 = D_p_z_3*mu_1
+    t288 = D_p_z_3*mu_2
+    t289 = U_3_z_3*mu_3
+    t290 = -D_p_x_3*U_1_x_1 - D_p_y_3*U_1_y_1 - D_p_z_3*U_1_z_1
+    t291 = -D_p_x_1*D_p_x_3 - D_p_y_1*D_p_y_3 - D_p_z_1*D_p_z_3
+    t292 = -D_p_x_1*U_3_x_3 - D_p_y_1*U_3_y_3 - D_p_z_1*U_3_z_3
+    t293 = t264*t268
+    t294 = -R_p_1*t293
+    t295 = R_p_1*t265
+    t296 = D_p_x_1_by_b_1_x*k_C
+    t297 = D_p_y_1_by_b_1_x*k_C
+    t298 = D_p_z_1_by_b_1_x*k_C
+    t299 = D_delta_x_1*mu_1
+    t300 = D_delta_x_1*mu_2
+    t301 = D_delta_x_1*mu_3
+    t302 = D_delta_y_1*mu_1
+    t303 = D_delta_y_1*mu_2
+    t304 = D_delta_y_1*mu_3
+    t305 = D_delta_z_1*mu_1
+    t306 = D_delta_z_1*mu_2
+    t307 = D_delta_z_1*mu_3
+    t308 = -D_delta_x_1*U_1_x_1 - D_delta_y_1*U_1_y_1 - D_delta_z_1*U_1_z_1
+    t309 = -D_delta_x_1*D_p_x_1 - D_delta_y_1*D_p_y_1 - D_delta_z_1*D_p_z_1
+    t310 = D_p_x_1*k_C - t248 - t250 - t251
+    t311 = D_p_y_1*k_C - t252 - t254 - t255
+    t312 = D_p_z_1*k_C - t256 - t258 - t259
+    t313 = D_delta_x_2*mu_1
+    t314 = D_delta_x_2*mu_2
+    t315 = D_delta_x_2*mu_3
+    t316 = D_delta_y_2*mu_1
+    t317 = D_delta_y_2*mu_2
+    t318 = D_delta_y_2*mu_3
+    t319 = D_delta_z_2*mu_1
+    t320 = D_delta_z_2*mu_2
+    t321 = D_delta_z_2*mu_3
+    t322 = -D_delta_x_2*U_1_x_1 - D_delta_y_2*U_1_y_1 - D_delta_z_2*U_1_z_1
+    t323 = -D_delta_x_2*D_p_x_1 - D_delta_y_2*D_p_y_1 - D_delta_z_2*D_p_z_1
+    t324 = D_delta_x_3*mu_1
+    t325 = D_delta_x_3*mu_2
+    t326 = D_delta_x_3*mu_3
+    t327 = D_delta_y_3*mu_1
+    t328 = D_delta_y_3*mu_2
+    t329 = D_delta_y_3*mu_3
+    t330 = D_delta_z_3*mu_1
+    t331 = D_delta_z_3*mu_2
+    t332 = D_delta_z_3*mu_3
+    t333 = -D_delta_x_3*U_1_x_1 - D_delta_y_3*U_1_y_1 - D_delta_z_3*U_1_z_1
+    t334 = -D_delta_x_3*D_p_x_1 - D_delta_y_3*D_p_y_1 - D_delta_z_3*D_p_z_1
+    t335 = -t265 + t293
+    t336 = 2*D_p_x_2_by_b_1_x
+    t337 = 2*D_p_y_2_by_b_1_x
+    t338 = 2*D_p_z_2_by_b_1_x
+    t339 = -D_p_x_2**2 - D_p_y_2**2 - D_p_z_2**2
+    t340 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2
+    t341 = -D_p_x_2*D_p_x_3 - D_p_y_2*D_p_y_3 - D_p_z_2*D_p_z_3
+    t342 = -D_p_x_3*U_2_x_2 - D_p_y_3*U_2_y_2 - D_p_z_3*U_2_z_2
+    t343 = -D_p_x_2*U_3_x_3 - D_p_y_2*U_3_y_3 - D_p_z_2*U_3_z_3
+    t344 = D_p_x_2_by_b_1_x*k_C
+    t345 = D_p_y_2_by_b_1_x*k_C
+    t346 = D_p_z_2_by_b_1_x*k_C
+    t347 = -D_delta_x_1*D_p_x_2 - D_delta_y_1*D_p_y_2 - D_delta_z_1*D_p_z_2
+    t348 = -D_delta_x_1*U_2_x_2 - D_delta_y_1*U_2_y_2 - D_delta_z_1*U_2_z_2
+    t349 = D_p_x_2*k_C - t269 - t270 - t271
+    t350 = D_p_y_2*k_C - t272 - t273 - t274
+    t351 = D_p_z_2*k_C - t275 - t276 - t277
+    t352 = -D_delta_x_2*D_p_x_2 - D_delta_y_2*D_p_y_2 - D_delta_z_2*D_p_z_2
+    t353 = -D_delta_x_2*U_2_x_2 - D_delta_y_2*U_2_y_2 - D_delta_z_2*U_2_z_2
+    t354 = -D_delta_x_3*D_p_x_2 - D_delta_y_3*D_p_y_2 - D_delta_z_3*D_p_z_2
+    t355 = -D_delta_x_3*U_2_x_2 - D_delta_y_3*U_2_y_2 - D_delta_z_3*U_2_z_2
+    t356 = 2*D_p_x_3_by_b_1_x
+    t357 = 2*D_p_y_3_by_b_1_x
+    t358 = 2*D_p_z_3_by_b_1_x
+    t359 = -D_p_x_3**2 - D_p_y_3**2 - D_p_z_3**2
+    t360 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2
+    t361 = D_p_x_3_by_b_1_x*k_C
+    t362 = D_p_y_3_by_b_1_x*k_C
+    t363 = D_p_z_3_by_b_1_x*k_C
+    t364 = -D_delta_x_1*D_p_x_3 - D_delta_y_1*D_p_y_3 - D_delta_z_1*D_p_z_3
+    t365 = -D_delta_x_1*U_3_x_3 - D_delta_y_1*U_3_y_3 - D_delta_z_1*U_3_z_3
+    t366 = D_p_x_3*k_C - t281 - t282 - t283
+    t367 = D_p_y_3*k_C - t284 - t285 - t286
+    t368 = D_p_z_3*k_C - t287 - t288 - t289
+    t369 = -D_delta_x_2*D_p_x_3 - D_delta_y_2*D_p_y_3 - D_delta_z_2*D_p_z_3
+    t370 = -D_delta_x_2*U_3_x_3 - D_delta_y_2*U_3_y_3 - D_delta_z_2*U_3_z_3
+    t371 = -D_delta_x_3*D_p_x_3 - D_delta_y_3*D_p_y_3 - D_delta_z_3*D_p_z_3
+    t372 = -D_delta_x_3*U_3_x_3 - D_delta_y_3*U_3_y_3 - D_delta_z_3*U_3_z_3
+    t373 = D_delta_x_1**2 + D_delta_y_1**2 + D_delta_z_1**2
+    t374 = 2*D_delta_x_1*k_C - 2*t299 - 2*t300 - 2*t301
+    t375 = 2*D_delta_y_1*k_C - 2*t302 - 2*t303 - 2*t304
+    t376 = 2*D_delta_z_1*k_C - 2*t305 - 2*t306 - 2*t307
+    t377 = 1 - t373
+    t378 = -D_delta_x_1*D_delta_x_2 - D_delta_y_1*D_delta_y_2 - D_delta_z_1*D_delta_z_2
+    t379 = D_delta_x_2*k_C - t313 - t314 - t315
+    t380 = D_delta_x_1*k_C - t299 - t300 - t301
+    t381 = D_delta_y_2*k_C - t316 - t317 - t318
+    t382 = D_delta_y_1*k_C - t302 - t303 - t304
+    t383 = D_delta_z_2*k_C - t319 - t320 - t321
+    t384 = D_delta_z_1*k_C - t305 - t306 - t307
+    t385 = -D_delta_x_1*D_delta_x_3 - D_delta_y_1*D_delta_y_3 - D_delta_z_1*D_delta_z_3
+    t386 = D_delta_x_3*k_C - t324 - t325 - t326
+    t387 = D_delta_y_3*k_C - t327 - t328 - t329
+    t388 = D_delta_z_3*k_C - t330 - t331 - t332
+    t389 = D_delta_x_2**2 + D_delta_y_2**2 + D_delta_z_2**2
+    t390 = 2*D_delta_x_2*k_C - 2*t313 - 2*t314 - 2*t315
+    t391 = 2*D_delta_y_2*k_C - 2*t316 - 2*t317 - 2*t318
+    t392 = 2*D_delta_z_2*k_C - 2*t319 - 2*t320 - 2*t321
+    t393 = 1 - t389
+    t394 = -D_delta_x_2*D_delta_x_3 - D_delta_y_2*D_delta_y_3 - D_delta_z_2*D_delta_z_3
+    t395 = D_delta_x_3**2 + D_delta_y_3**2 + D_delta_z_3**2
+    t396 = 2*D_delta_x_3*k_C - 2*t324 - 2*t325 - 2*t326
+    t397 = 2*D_delta_y_3*k_C - 2*t327 - 2*t328 - 2*t329
+    t398 = 2*D_delta_z_3*k_C - 2*t330 - 2*t331 - 2*t332
+    t399 = 1 - t395
+    t400 = 2*D_p_x_1_by_b_1_y
+    t401 = 2*D_p_y_1_by_b_1_y
+    t402 = 2*D_p_z_1_by_b_1_y
+    t403 = t261*x_1_by_b_1_y
+    t404 = t263*t403
+    t405 = t268*t403
+    t406 = -R_p_1*t405
+    t407 = R_p_1*t404
+    t408 = D_delta_x_1*k_C
+    t409 = D_delta_y_1*k_C
+    t410 = D_delta_z_1*k_C
+    t411 = D_delta_x_2*k_C
+    t412 = D_delta_y_2*k_C
+    t413 = D_delta_z_2*k_C
+    t414 = D_delta_x_3*k_C
+    t415 = D_delta_y_3*k_C
+    t416 = D_delta_z_3*k_C
+    t417 = -t404 + t405
+    t418 = 2*D_p_x_2_by_b_1_y
+    t419 = 2*D_p_y_2_by_b_1_y
+    t420 = 2*D_p_z_2_by_b_1_y
+    t421 = 2*D_p_x_3_by_b_1_y
+    t422 = 2*D_p_y_3_by_b_1_y
+    t423 = 2*D_p_z_3_by_b_1_y
+    t424 = 2*D_p_x_1_by_b_1_z
+    t425 = 2*D_p_y_1_by_b_1_z
+    t426 = 2*D_p_z_1_by_b_1_z
+    t427 = t261*x_1_by_b_1_z
+    t428 = t263*t427
+    t429 = t268*t427
+    t430 = -R_p_1*t429
+    t431 = R_p_1*t428
+    t432 = -t428 + t429
+    t433 = 2*D_p_x_2_by_b_1_z
+    t434 = 2*D_p_y_2_by_b_1_z
+    t435 = 2*D_p_z_2_by_b_1_z
+    t436 = 2*D_p_x_3_by_b_1_z
+    t437 = 2*D_p_y_3_by_b_1_z
+    t438 = 2*D_p_z_3_by_b_1_z
+    t439 = 2*D_p_x_1_by_b_2_x
+    t440 = 2*D_p_y_1_by_b_2_x
+    t441 = 2*D_p_z_1_by_b_2_x
+    t442 = 2*D_p_x_2_by_b_2_x
+    t443 = 2*D_p_y_2_by_b_2_x
+    t444 = 2*D_p_z_2_by_b_2_x
+    t445 = a_B_2 + 1
+    t446 = k_sp_2*t445*w_b_2
+    t447 = c_E*t446
+    t448 = 1.0/((l_f_2_2 + t447)**2)
+    t449 = t446*x_2_by_b_2_x
+    t450 = t448*t449
+    t451 = 1.0/((l_f_2_3 + t447)**2)
+    t452 = t449*t451
+    t453 = -R_p_2*t452
+    t454 = R_p_2*t450
+    t455 = -t450 + t452
+    t456 = 2*D_p_x_3_by_b_2_x
+    t457 = 2*D_p_y_3_by_b_2_x
+    t458 = 2*D_p_z_3_by_b_2_x
+    t459 = 2*D_p_x_1_by_b_2_y
+    t460 = 2*D_p_y_1_by_b_2_y
+    t461 = 2*D_p_z_1_by_b_2_y
+    t462 = 2*D_p_x_2_by_b_2_y
+    t463 = 2*D_p_y_2_by_b_2_y
+    t464 = 2*D_p_z_2_by_b_2_y
+    t465 = t446*x_2_by_b_2_y
+    t466 = t448*t465
+    t467 = t451*t465
+    t468 = -R_p_2*t467
+    t469 = R_p_2*t466
+    t470 = -t466 + t467
+    t471 = 2*D_p_x_3_by_b_2_y
+    t472 = 2*D_p_y_3_by_b_2_y
+    t473 = 2*D_p_z_3_by_b_2_y
+    t474 = 2*D_p_x_1_by_b_2_z
+    t475 = 2*D_p_y_1_by_b_2_z
+    t476 = 2*D_p_z_1_by_b_2_z
+    t477 = 2*D_p_x_2_by_b_2_z
+    t478 = 2*D_p_y_2_by_b_2_z
+    t479 = 2*D_p_z_2_by_b_2_z
+    t480 = t446*x_2_by_b_2_z
+    t481 = t448*t480
+    t482 = t451*t480
+    t483 = -R_p_2*t482
+    t484 = R_p_2*t481
+    t485 = -t481 + t482
+    t486 = 2*D_p_x_3_by_b_2_z
+    t487 = 2*D_p_y_3_by_b_2_z
+    t488 = 2*D_p_z_3_by_b_2_z
+    t489 = 2*D_p_x_1_by_b_3_x
+    t490 = 2*D_p_y_1_by_b_3_x
+    t491 = 2*D_p_z_1_by_b_3_x
+    t492 = 2*D_p_x_2_by_b_3_x
+    t493 = 2*D_p_y_2_by_b_3_x
+    t494 = 2*D_p_z_2_by_b_3_x
+    t495 = 2*D_p_x_3_by_b_3_x
+    t496 = 2*D_p_y_3_by_b_3_x
+    t497 = 2*D_p_z_3_by_b_3_x
+    t498 = a_B_3 + 1
+    t499 = k_sp_3*t498*w_b_3
+    t500 = c_E*t499
+    t501 = 1.0/((l_f_3_2 + t500)**2)
+    t502 = t499*x_3_by_b_3_x
+    t503 = t501*t502
+    t504 = 1.0/((l_f_3_3 + t500)**2)
+    t505 = t502*t504
+    t506 = -R_p_3*t505
+    t507 = R_p_3*t503
+    t508 = -t503 + t505
+    t509 = 2*D_p_x_1_by_b_3_y
+    t510 = 2*D_p_y_1_by_b_3_y
+    t511 = 2*D_p_z_1_by_b_3_y
+    t512 = 2*D_p_x_2_by_b_3_y
+    t513 = 2*D_p_y_2_by_b_3_y
+    t514 = 2*D_p_z_2_by_b_3_y
+    t515 = 2*D_p_x_3_by_b_3_y
+    t516 = 2*D_p_y_3_by_b_3_y
+    t517 = 2*D_p_z_3_by_b_3_y
+    t518 = t499*x_3_by_b_3_y
+    t519 = t501*t518
+    t520 = t504*t518
+    t521 = -R_p_3*t520
+    t522 = R_p_3*t519
+    t523 = -t519 + t520
+    t524 = 2*D_p_x_1_by_b_3_z
+    t525 = 2*D_p_y_1_by_b_3_z
+    t526 = 2*D_p_z_1_by_b_3_z
+    t527 = 2*D_p_x_2_by_b_3_z
+    t528 = 2*D_p_y_2_by_b_3_z
+    t529 = 2*D_p_z_2_by_b_3_z
+    t530 = 2*D_p_x_3_by_b_3_z
+    t531 = 2*D_p_y_3_by_b_3_z
+    t532 = 2*D_p_z_3_by_b_3_z
+    t533 = t499*x_3_by_b_3_z
+    t534 = t501*t533
+    t535 = t504*t533
+    t536 = -R_p_3*t535
+    t537 = R_p_3*t534
+    t538 = -t534 + t535
+    t539 = 2*D_p_x_1_by_l_d_1
+    t540 = 2*D_p_y_1_by_l_d_1
+    t541 = 2*D_p_z_1_by_l_d_1
+    t542 = t261*x_1_by_l_d_1
+    t543 = t263*t542
+    t544 = t268*t542
+    t545 = -R_p_1*t544
+    t546 = R_p_1*t543
+    t547 = -t543 + t544
+    t548 = 2*D_p_x_2_by_l_d_1
+    t549 = 2*D_p_y_2_by_l_d_1
+    t550 = 2*D_p_z_2_by_l_d_1
+    t551 = 2*D_p_x_3_by_l_d_1
+    t552 = 2*D_p_y_3_by_l_d_1
+    t553 = 2*D_p_z_3_by_l_d_1
+    t554 = 2*D_p_x_1_by_l_d_2
+    t555 = 2*D_p_y_1_by_l_d_2
+    t556 = 2*D_p_z_1_by_l_d_2
+    t557 = 2*D_p_x_2_by_l_d_2
+    t558 = 2*D_p_y_2_by_l_d_2
+    t559 = 2*D_p_z_2_by_l_d_2
+    t560 = t446*x_2_by_l_d_2
+    t561 = t448*t560
+    t562 = t451*t560
+    t563 = -R_p_2*t562
+    t564 = R_p_2*t561
+    t565 = -t561 + t562
+    t566 = 2*D_p_x_3_by_l_d_2
+    t567 = 2*D_p_y_3_by_l_d_2
+    t568 = 2*D_p_z_3_by_l_d_2
+    t569 = 2*D_p_x_1_by_l_d_3
+    t570 = 2*D_p_y_1_by_l_d_3
+    t571 = 2*D_p_z_1_by_l_d_3
+    t572 = 2*D_p_x_2_by_l_d_3
+    t573 = 2*D_p_y_2_by_l_d_3
+    t574 = 2*D_p_z_2_by_l_d_3
+    t575 = 2*D_p_x_3_by_l_d_3
+    t576 = 2*D_p_y_3_by_l_d_3
+    t577 = 2*D_p_z_3_by_l_d_3
+    t578 = t499*x_3_by_l_d_3
+    t579 = t501*t578
+    t580 = t504*t578
+    t581 = -R_p_3*t580
+    t582 = R_p_3*t579
+    t583 = -t579 + t580
     M_theta_out = _listed(batch, dtype, (
         D_p_x_1_by_b_1_x*t144 + D_p_y_1_by_b_1_x*t146 + D_p_z_1_by_b_1_x*t148,
         D_p_x_1_by_b_1_x*t151 + D_p_x_2_by_b_1_x*t153 + D_p_y_1_by_b_1_x*t155 + D_p_y_2_by_b_1_x*t156
@@ -4827,1220 +3904,1220 @@ def geometry_sensitivities(p, parameters, effects):
     ))
     K_theta_out = _listed(batch, dtype, (
         2*D_p_x_1*D_p_x_1_by_b_1_x*k_C + 2*D_p_y_1*D_p_y_1_by_b_1_x*k_C + 2*D_p_z_1*D_p_z_1_by_b_1_x*k_C
-        + k_sp_1*t260*t269*w_b_1*x_1_by_b_1_x + mu_1_by_b_1_x*t266 + mu_2_by_b_1_x*t267
-        + mu_3_by_b_1_x*t268 - t248*t249 - t249*t250 - t249*t251 - t252*t253 - t253*t254 - t253*t255
+        + k_sp_1*t260*t268*w_b_1*x_1_by_b_1_x + mu_1_by_b_1_x*t266 + mu_2_by_b_1_x*t267
+        + mu_3_by_b_1_x*t267 - t248*t249 - t249*t250 - t249*t251 - t252*t253 - t253*t254 - t253*t255
         - t256*t257 - t257*t258 - t257*t259 - t265,
-        D_p_x_1*D_p_x_2_by_b_1_x*k_C + D_p_x_1_by_b_1_x*D_p_x_2*k_C - D_p_x_1_by_b_1_x*t270
-        - D_p_x_1_by_b_1_x*t271 - D_p_x_1_by_b_1_x*t272 - D_p_x_2_by_b_1_x*t248 - D_p_x_2_by_b_1_x*t250
+        D_p_x_1*D_p_x_2_by_b_1_x*k_C + D_p_x_1_by_b_1_x*D_p_x_2*k_C - D_p_x_1_by_b_1_x*t269
+        - D_p_x_1_by_b_1_x*t270 - D_p_x_1_by_b_1_x*t271 - D_p_x_2_by_b_1_x*t248 - D_p_x_2_by_b_1_x*t250
         - D_p_x_2_by_b_1_x*t251 + D_p_y_1*D_p_y_2_by_b_1_x*k_C + D_p_y_1_by_b_1_x*D_p_y_2*k_C
-        - D_p_y_1_by_b_1_x*t273 - D_p_y_1_by_b_1_x*t274 - D_p_y_1_by_b_1_x*t275 - D_p_y_2_by_b_1_x*t252
+        - D_p_y_1_by_b_1_x*t272 - D_p_y_1_by_b_1_x*t273 - D_p_y_1_by_b_1_x*t274 - D_p_y_2_by_b_1_x*t252
         - D_p_y_2_by_b_1_x*t254 - D_p_y_2_by_b_1_x*t255 + D_p_z_1*D_p_z_2_by_b_1_x*k_C
-        + D_p_z_1_by_b_1_x*D_p_z_2*k_C - D_p_z_1_by_b_1_x*t276 - D_p_z_1_by_b_1_x*t277
-        - D_p_z_1_by_b_1_x*t278 - D_p_z_2_by_b_1_x*t256 - D_p_z_2_by_b_1_x*t258 - D_p_z_2_by_b_1_x*t259
-        + mu_1_by_b_1_x*t279 + mu_2_by_b_1_x*t280 + mu_3_by_b_1_x*t281,
-        D_p_x_1*D_p_x_3_by_b_1_x*k_C + D_p_x_1_by_b_1_x*D_p_x_3*k_C - D_p_x_1_by_b_1_x*t282
-        - D_p_x_1_by_b_1_x*t283 - D_p_x_1_by_b_1_x*t284 - D_p_x_3_by_b_1_x*t248 - D_p_x_3_by_b_1_x*t250
+        + D_p_z_1_by_b_1_x*D_p_z_2*k_C - D_p_z_1_by_b_1_x*t275 - D_p_z_1_by_b_1_x*t276
+        - D_p_z_1_by_b_1_x*t277 - D_p_z_2_by_b_1_x*t256 - D_p_z_2_by_b_1_x*t258 - D_p_z_2_by_b_1_x*t259
+        + mu_1_by_b_1_x*t278 + mu_2_by_b_1_x*t279 + mu_3_by_b_1_x*t280,
+        D_p_x_1*D_p_x_3_by_b_1_x*k_C + D_p_x_1_by_b_1_x*D_p_x_3*k_C - D_p_x_1_by_b_1_x*t281
+        - D_p_x_1_by_b_1_x*t282 - D_p_x_1_by_b_1_x*t283 - D_p_x_3_by_b_1_x*t248 - D_p_x_3_by_b_1_x*t250
         - D_p_x_3_by_b_1_x*t251 + D_p_y_1*D_p_y_3_by_b_1_x*k_C + D_p_y_1_by_b_1_x*D_p_y_3*k_C
-        - D_p_y_1_by_b_1_x*t285 - D_p_y_1_by_b_1_x*t286 - D_p_y_1_by_b_1_x*t287 - D_p_y_3_by_b_1_x*t252
+        - D_p_y_1_by_b_1_x*t284 - D_p_y_1_by_b_1_x*t285 - D_p_y_1_by_b_1_x*t286 - D_p_y_3_by_b_1_x*t252
         - D_p_y_3_by_b_1_x*t254 - D_p_y_3_by_b_1_x*t255 + D_p_z_1*D_p_z_3_by_b_1_x*k_C
-        + D_p_z_1_by_b_1_x*D_p_z_3*k_C - D_p_z_1_by_b_1_x*t288 - D_p_z_1_by_b_1_x*t289
-        - D_p_z_1_by_b_1_x*t290 - D_p_z_3_by_b_1_x*t256 - D_p_z_3_by_b_1_x*t258 - D_p_z_3_by_b_1_x*t259
-        + mu_1_by_b_1_x*t291 + mu_2_by_b_1_x*t292 + mu_3_by_b_1_x*t293,
-        t295, t296,
-        D_delta_x_1*t297 + D_delta_x_1_by_b_1_x*t312 + D_delta_y_1*t298 + D_delta_y_1_by_b_1_x*t313
-        + D_delta_z_1*t299 + D_delta_z_1_by_b_1_x*t314 - D_p_x_1_by_b_1_x*t300 - D_p_x_1_by_b_1_x*t301
-        - D_p_x_1_by_b_1_x*t302 - D_p_y_1_by_b_1_x*t303 - D_p_y_1_by_b_1_x*t304 - D_p_y_1_by_b_1_x*t305
-        - D_p_z_1_by_b_1_x*t306 - D_p_z_1_by_b_1_x*t307 - D_p_z_1_by_b_1_x*t308 + mu_1_by_b_1_x*t309
-        + mu_2_by_b_1_x*t310 + mu_3_by_b_1_x*t311,
-        D_delta_x_2*t297 + D_delta_x_2_by_b_1_x*t312 + D_delta_y_2*t298 + D_delta_y_2_by_b_1_x*t313
-        + D_delta_z_2*t299 + D_delta_z_2_by_b_1_x*t314 - D_p_x_1_by_b_1_x*t315 - D_p_x_1_by_b_1_x*t316
-        - D_p_x_1_by_b_1_x*t317 - D_p_y_1_by_b_1_x*t318 - D_p_y_1_by_b_1_x*t319 - D_p_y_1_by_b_1_x*t320
-        - D_p_z_1_by_b_1_x*t321 - D_p_z_1_by_b_1_x*t322 - D_p_z_1_by_b_1_x*t323 + mu_1_by_b_1_x*t324
-        + mu_2_by_b_1_x*t325 + mu_3_by_b_1_x*t326,
-        D_delta_x_3*t297 + D_delta_x_3_by_b_1_x*t312 + D_delta_y_3*t298 + D_delta_y_3_by_b_1_x*t313
-        + D_delta_z_3*t299 + D_delta_z_3_by_b_1_x*t314 - D_p_x_1_by_b_1_x*t327 - D_p_x_1_by_b_1_x*t328
-        - D_p_x_1_by_b_1_x*t329 - D_p_y_1_by_b_1_x*t330 - D_p_y_1_by_b_1_x*t331 - D_p_y_1_by_b_1_x*t332
-        - D_p_z_1_by_b_1_x*t333 - D_p_z_1_by_b_1_x*t334 - D_p_z_1_by_b_1_x*t335 + mu_1_by_b_1_x*t336
-        + mu_2_by_b_1_x*t337 + mu_3_by_b_1_x*t338,
-        t339, t297, t298, t299,
+        + D_p_z_1_by_b_1_x*D_p_z_3*k_C - D_p_z_1_by_b_1_x*t287 - D_p_z_1_by_b_1_x*t288
+        - D_p_z_1_by_b_1_x*t289 - D_p_z_3_by_b_1_x*t256 - D_p_z_3_by_b_1_x*t258 - D_p_z_3_by_b_1_x*t259
+        + mu_1_by_b_1_x*t290 + mu_2_by_b_1_x*t291 + mu_3_by_b_1_x*t292,
+        t294, t295,
+        D_delta_x_1*t296 + D_delta_x_1_by_b_1_x*t310 + D_delta_y_1*t297 + D_delta_y_1_by_b_1_x*t311
+        + D_delta_z_1*t298 + D_delta_z_1_by_b_1_x*t312 - D_p_x_1_by_b_1_x*t299 - D_p_x_1_by_b_1_x*t300
+        - D_p_x_1_by_b_1_x*t301 - D_p_y_1_by_b_1_x*t302 - D_p_y_1_by_b_1_x*t303 - D_p_y_1_by_b_1_x*t304
+        - D_p_z_1_by_b_1_x*t305 - D_p_z_1_by_b_1_x*t306 - D_p_z_1_by_b_1_x*t307 + mu_1_by_b_1_x*t308
+        + mu_2_by_b_1_x*t309 + mu_3_by_b_1_x*t309,
+        D_delta_x_2*t296 + D_delta_x_2_by_b_1_x*t310 + D_delta_y_2*t297 + D_delta_y_2_by_b_1_x*t311
+        + D_delta_z_2*t298 + D_delta_z_2_by_b_1_x*t312 - D_p_x_1_by_b_1_x*t313 - D_p_x_1_by_b_1_x*t314
+        - D_p_x_1_by_b_1_x*t315 - D_p_y_1_by_b_1_x*t316 - D_p_y_1_by_b_1_x*t317 - D_p_y_1_by_b_1_x*t318
+        - D_p_z_1_by_b_1_x*t319 - D_p_z_1_by_b_1_x*t320 - D_p_z_1_by_b_1_x*t321 + mu_1_by_b_1_x*t322
+        + mu_2_by_b_1_x*t323 + mu_3_by_b_1_x*t323,
+        D_delta_x_3*t296 + D_delta_x_3_by_b_1_x*t310 + D_delta_y_3*t297 + D_delta_y_3_by_b_1_x*t311
+        + D_delta_z_3*t298 + D_delta_z_3_by_b_1_x*t312 - D_p_x_1_by_b_1_x*t324 - D_p_x_1_by_b_1_x*t325
+        - D_p_x_1_by_b_1_x*t326 - D_p_y_1_by_b_1_x*t327 - D_p_y_1_by_b_1_x*t328 - D_p_y_1_by_b_1_x*t329
+        - D_p_z_1_by_b_1_x*t330 - D_p_z_1_by_b_1_x*t331 - D_p_z_1_by_b_1_x*t332 + mu_1_by_b_1_x*t333
+        + mu_2_by_b_1_x*t334 + mu_3_by_b_1_x*t334,
+        t335, t296, t297, t298,
         2*D_p_x_2*D_p_x_2_by_b_1_x*k_C + 2*D_p_y_2*D_p_y_2_by_b_1_x*k_C + 2*D_p_z_2*D_p_z_2_by_b_1_x*k_C
-        + mu_1_by_b_1_x*t343 + mu_2_by_b_1_x*t344 + mu_3_by_b_1_x*t345 - t270*t340 - t271*t340 - t272*t340
-        - t273*t341 - t274*t341 - t275*t341 - t276*t342 - t277*t342 - t278*t342,
-        D_p_x_2*D_p_x_3_by_b_1_x*k_C + D_p_x_2_by_b_1_x*D_p_x_3*k_C - D_p_x_2_by_b_1_x*t282
-        - D_p_x_2_by_b_1_x*t283 - D_p_x_2_by_b_1_x*t284 - D_p_x_3_by_b_1_x*t270 - D_p_x_3_by_b_1_x*t271
-        - D_p_x_3_by_b_1_x*t272 + D_p_y_2*D_p_y_3_by_b_1_x*k_C + D_p_y_2_by_b_1_x*D_p_y_3*k_C
-        - D_p_y_2_by_b_1_x*t285 - D_p_y_2_by_b_1_x*t286 - D_p_y_2_by_b_1_x*t287 - D_p_y_3_by_b_1_x*t273
-        - D_p_y_3_by_b_1_x*t274 - D_p_y_3_by_b_1_x*t275 + D_p_z_2*D_p_z_3_by_b_1_x*k_C
-        + D_p_z_2_by_b_1_x*D_p_z_3*k_C - D_p_z_2_by_b_1_x*t288 - D_p_z_2_by_b_1_x*t289
-        - D_p_z_2_by_b_1_x*t290 - D_p_z_3_by_b_1_x*t276 - D_p_z_3_by_b_1_x*t277 - D_p_z_3_by_b_1_x*t278
-        + mu_1_by_b_1_x*t346 + mu_2_by_b_1_x*t347 + mu_3_by_b_1_x*t348,
-        D_delta_x_1*t349 + D_delta_x_1_by_b_1_x*t355 + D_delta_y_1*t350 + D_delta_y_1_by_b_1_x*t356
-        + D_delta_z_1*t351 + D_delta_z_1_by_b_1_x*t357 - D_p_x_2_by_b_1_x*t300 - D_p_x_2_by_b_1_x*t301
-        - D_p_x_2_by_b_1_x*t302 - D_p_y_2_by_b_1_x*t303 - D_p_y_2_by_b_1_x*t304 - D_p_y_2_by_b_1_x*t305
-        - D_p_z_2_by_b_1_x*t306 - D_p_z_2_by_b_1_x*t307 - D_p_z_2_by_b_1_x*t308 + mu_1_by_b_1_x*t352
-        + mu_2_by_b_1_x*t353 + mu_3_by_b_1_x*t354,
-        D_delta_x_2*t349 + D_delta_x_2_by_b_1_x*t355 + D_delta_y_2*t350 + D_delta_y_2_by_b_1_x*t356
-        + D_delta_z_2*t351 + D_delta_z_2_by_b_1_x*t357 - D_p_x_2_by_b_1_x*t315 - D_p_x_2_by_b_1_x*t316
-        - D_p_x_2_by_b_1_x*t317 - D_p_y_2_by_b_1_x*t318 - D_p_y_2_by_b_1_x*t319 - D_p_y_2_by_b_1_x*t320
-        - D_p_z_2_by_b_1_x*t321 - D_p_z_2_by_b_1_x*t322 - D_p_z_2_by_b_1_x*t323 + mu_1_by_b_1_x*t358
-        + mu_2_by_b_1_x*t359 + mu_3_by_b_1_x*t360,
-        D_delta_x_3*t349 + D_delta_x_3_by_b_1_x*t355 + D_delta_y_3*t350 + D_delta_y_3_by_b_1_x*t356
-        + D_delta_z_3*t351 + D_delta_z_3_by_b_1_x*t357 - D_p_x_2_by_b_1_x*t327 - D_p_x_2_by_b_1_x*t328
-        - D_p_x_2_by_b_1_x*t329 - D_p_y_2_by_b_1_x*t330 - D_p_y_2_by_b_1_x*t331 - D_p_y_2_by_b_1_x*t332
-        - D_p_z_2_by_b_1_x*t333 - D_p_z_2_by_b_1_x*t334 - D_p_z_2_by_b_1_x*t335 + mu_1_by_b_1_x*t361
-        + mu_2_by_b_1_x*t362 + mu_3_by_b_1_x*t363,
-        t349, t350, t351,
+        + mu_1_by_b_1_x*t339 + mu_2_by_b_1_x*t340 + mu_3_by_b_1_x*t339 - t269*t336 - t270*t336 - t271*t336
+        - t272*t337 - t273*t337 - t274*t337 - t275*t338 - t276*t338 - t277*t338,
+        D_p_x_2*D_p_x_3_by_b_1_x*k_C + D_p_x_2_by_b_1_x*D_p_x_3*k_C - D_p_x_2_by_b_1_x*t281
+        - D_p_x_2_by_b_1_x*t282 - D_p_x_2_by_b_1_x*t283 - D_p_x_3_by_b_1_x*t269 - D_p_x_3_by_b_1_x*t270
+        - D_p_x_3_by_b_1_x*t271 + D_p_y_2*D_p_y_3_by_b_1_x*k_C + D_p_y_2_by_b_1_x*D_p_y_3*k_C
+        - D_p_y_2_by_b_1_x*t284 - D_p_y_2_by_b_1_x*t285 - D_p_y_2_by_b_1_x*t286 - D_p_y_3_by_b_1_x*t272
+        - D_p_y_3_by_b_1_x*t273 - D_p_y_3_by_b_1_x*t274 + D_p_z_2*D_p_z_3_by_b_1_x*k_C
+        + D_p_z_2_by_b_1_x*D_p_z_3*k_C - D_p_z_2_by_b_1_x*t287 - D_p_z_2_by_b_1_x*t288
+        - D_p_z_2_by_b_1_x*t289 - D_p_z_3_by_b_1_x*t275 - D_p_z_3_by_b_1_x*t276 - D_p_z_3_by_b_1_x*t277
+        + mu_1_by_b_1_x*t341 + mu_2_by_b_1_x*t342 + mu_3_by_b_1_x*t343,
+        D_delta_x_1*t344 + D_delta_x_1_by_b_1_x*t349 + D_delta_y_1*t345 + D_delta_y_1_by_b_1_x*t350
+        + D_delta_z_1*t346 + D_delta_z_1_by_b_1_x*t351 - D_p_x_2_by_b_1_x*t299 - D_p_x_2_by_b_1_x*t300
+        - D_p_x_2_by_b_1_x*t301 - D_p_y_2_by_b_1_x*t302 - D_p_y_2_by_b_1_x*t303 - D_p_y_2_by_b_1_x*t304
+        - D_p_z_2_by_b_1_x*t305 - D_p_z_2_by_b_1_x*t306 - D_p_z_2_by_b_1_x*t307 + mu_1_by_b_1_x*t347
+        + mu_2_by_b_1_x*t348 + mu_3_by_b_1_x*t347,
+        D_delta_x_2*t344 + D_delta_x_2_by_b_1_x*t349 + D_delta_y_2*t345 + D_delta_y_2_by_b_1_x*t350
+        + D_delta_z_2*t346 + D_delta_z_2_by_b_1_x*t351 - D_p_x_2_by_b_1_x*t313 - D_p_x_2_by_b_1_x*t314
+        - D_p_x_2_by_b_1_x*t315 - D_p_y_2_by_b_1_x*t316 - D_p_y_2_by_b_1_x*t317 - D_p_y_2_by_b_1_x*t318
+        - D_p_z_2_by_b_1_x*t319 - D_p_z_2_by_b_1_x*t320 - D_p_z_2_by_b_1_x*t321 + mu_1_by_b_1_x*t352
+        + mu_2_by_b_1_x*t353 + mu_3_by_b_1_x*t352,
+        D_delta_x_3*t344 + D_delta_x_3_by_b_1_x*t349 + D_delta_y_3*t345 + D_delta_y_3_by_b_1_x*t350
+        + D_delta_z_3*t346 + D_delta_z_3_by_b_1_x*t351 - D_p_x_2_by_b_1_x*t324 - D_p_x_2_by_b_1_x*t325
+        - D_p_x_2_by_b_1_x*t326 - D_p_y_2_by_b_1_x*t327 - D_p_y_2_by_b_1_x*t328 - D_p_y_2_by_b_1_x*t329
+        - D_p_z_2_by_b_1_x*t330 - D_p_z_2_by_b_1_x*t331 - D_p_z_2_by_b_1_x*t332 + mu_1_by_b_1_x*t354
+        + mu_2_by_b_1_x*t355 + mu_3_by_b_1_x*t354,
+        t344, t345, t346,
         2*D_p_x_3*D_p_x_3_by_b_1_x*k_C + 2*D_p_y_3*D_p_y_3_by_b_1_x*k_C + 2*D_p_z_3*D_p_z_3_by_b_1_x*k_C
-        + mu_1_by_b_1_x*t367 + mu_2_by_b_1_x*t368 + mu_3_by_b_1_x*t369 - t282*t364 - t283*t364 - t284*t364
-        - t285*t365 - t286*t365 - t287*t365 - t288*t366 - t289*t366 - t290*t366,
-        D_delta_x_1*t370 + D_delta_x_1_by_b_1_x*t376 + D_delta_y_1*t371 + D_delta_y_1_by_b_1_x*t377
-        + D_delta_z_1*t372 + D_delta_z_1_by_b_1_x*t378 - D_p_x_3_by_b_1_x*t300 - D_p_x_3_by_b_1_x*t301
-        - D_p_x_3_by_b_1_x*t302 - D_p_y_3_by_b_1_x*t303 - D_p_y_3_by_b_1_x*t304 - D_p_y_3_by_b_1_x*t305
-        - D_p_z_3_by_b_1_x*t306 - D_p_z_3_by_b_1_x*t307 - D_p_z_3_by_b_1_x*t308 + mu_1_by_b_1_x*t373
-        + mu_2_by_b_1_x*t374 + mu_3_by_b_1_x*t375,
-        D_delta_x_2*t370 + D_delta_x_2_by_b_1_x*t376 + D_delta_y_2*t371 + D_delta_y_2_by_b_1_x*t377
-        + D_delta_z_2*t372 + D_delta_z_2_by_b_1_x*t378 - D_p_x_3_by_b_1_x*t315 - D_p_x_3_by_b_1_x*t316
-        - D_p_x_3_by_b_1_x*t317 - D_p_y_3_by_b_1_x*t318 - D_p_y_3_by_b_1_x*t319 - D_p_y_3_by_b_1_x*t320
-        - D_p_z_3_by_b_1_x*t321 - D_p_z_3_by_b_1_x*t322 - D_p_z_3_by_b_1_x*t323 + mu_1_by_b_1_x*t379
-        + mu_2_by_b_1_x*t380 + mu_3_by_b_1_x*t381,
-        D_delta_x_3*t370 + D_delta_x_3_by_b_1_x*t376 + D_delta_y_3*t371 + D_delta_y_3_by_b_1_x*t377
-        + D_delta_z_3*t372 + D_delta_z_3_by_b_1_x*t378 - D_p_x_3_by_b_1_x*t327 - D_p_x_3_by_b_1_x*t328
-        - D_p_x_3_by_b_1_x*t329 - D_p_y_3_by_b_1_x*t330 - D_p_y_3_by_b_1_x*t331 - D_p_y_3_by_b_1_x*t332
-        - D_p_z_3_by_b_1_x*t333 - D_p_z_3_by_b_1_x*t334 - D_p_z_3_by_b_1_x*t335 + mu_1_by_b_1_x*t382
-        + mu_2_by_b_1_x*t383 + mu_3_by_b_1_x*t384,
-        t370, t371, t372, t185*t294, t295, -t185*t265, t296,
-        D_delta_x_1_by_b_1_x*t386 + D_delta_y_1_by_b_1_x*t387 + D_delta_z_1_by_b_1_x*t388
-        + mu_1_by_b_1_x*t389 - mu_2_by_b_1_x*t385 - mu_3_by_b_1_x*t385,
-        D_delta_x_1_by_b_1_x*t391 + D_delta_x_2_by_b_1_x*t392 + D_delta_y_1_by_b_1_x*t393
-        + D_delta_y_2_by_b_1_x*t394 + D_delta_z_1_by_b_1_x*t395 + D_delta_z_2_by_b_1_x*t396
-        + mu_1_by_b_1_x*t390 + mu_2_by_b_1_x*t390 + mu_3_by_b_1_x*t390,
-        D_delta_x_1_by_b_1_x*t398 + D_delta_x_3_by_b_1_x*t392 + D_delta_y_1_by_b_1_x*t399
-        + D_delta_y_3_by_b_1_x*t394 + D_delta_z_1_by_b_1_x*t400 + D_delta_z_3_by_b_1_x*t396
-        + mu_1_by_b_1_x*t397 + mu_2_by_b_1_x*t397 + mu_3_by_b_1_x*t397,
+        + mu_1_by_b_1_x*t359 + mu_2_by_b_1_x*t359 + mu_3_by_b_1_x*t360 - t281*t356 - t282*t356 - t283*t356
+        - t284*t357 - t285*t357 - t286*t357 - t287*t358 - t288*t358 - t289*t358,
+        D_delta_x_1*t361 + D_delta_x_1_by_b_1_x*t366 + D_delta_y_1*t362 + D_delta_y_1_by_b_1_x*t367
+        + D_delta_z_1*t363 + D_delta_z_1_by_b_1_x*t368 - D_p_x_3_by_b_1_x*t299 - D_p_x_3_by_b_1_x*t300
+        - D_p_x_3_by_b_1_x*t301 - D_p_y_3_by_b_1_x*t302 - D_p_y_3_by_b_1_x*t303 - D_p_y_3_by_b_1_x*t304
+        - D_p_z_3_by_b_1_x*t305 - D_p_z_3_by_b_1_x*t306 - D_p_z_3_by_b_1_x*t307 + mu_1_by_b_1_x*t364
+        + mu_2_by_b_1_x*t364 + mu_3_by_b_1_x*t365,
+        D_delta_x_2*t361 + D_delta_x_2_by_b_1_x*t366 + D_delta_y_2*t362 + D_delta_y_2_by_b_1_x*t367
+        + D_delta_z_2*t363 + D_delta_z_2_by_b_1_x*t368 - D_p_x_3_by_b_1_x*t313 - D_p_x_3_by_b_1_x*t314
+        - D_p_x_3_by_b_1_x*t315 - D_p_y_3_by_b_1_x*t316 - D_p_y_3_by_b_1_x*t317 - D_p_y_3_by_b_1_x*t318
+        - D_p_z_3_by_b_1_x*t319 - D_p_z_3_by_b_1_x*t320 - D_p_z_3_by_b_1_x*t321 + mu_1_by_b_1_x*t369
+        + mu_2_by_b_1_x*t369 + mu_3_by_b_1_x*t370,
+        D_delta_x_3*t361 + D_delta_x_3_by_b_1_x*t366 + D_delta_y_3*t362 + D_delta_y_3_by_b_1_x*t367
+        + D_delta_z_3*t363 + D_delta_z_3_by_b_1_x*t368 - D_p_x_3_by_b_1_x*t324 - D_p_x_3_by_b_1_x*t325
+        - D_p_x_3_by_b_1_x*t326 - D_p_y_3_by_b_1_x*t327 - D_p_y_3_by_b_1_x*t328 - D_p_y_3_by_b_1_x*t329
+        - D_p_z_3_by_b_1_x*t330 - D_p_z_3_by_b_1_x*t331 - D_p_z_3_by_b_1_x*t332 + mu_1_by_b_1_x*t371
+        + mu_2_by_b_1_x*t371 + mu_3_by_b_1_x*t372,
+        t361, t362, t363, t185*t293, t294, -t185*t265, t295,
+        D_delta_x_1_by_b_1_x*t374 + D_delta_y_1_by_b_1_x*t375 + D_delta_z_1_by_b_1_x*t376
+        + mu_1_by_b_1_x*t377 - mu_2_by_b_1_x*t373 - mu_3_by_b_1_x*t373,
+        D_delta_x_1_by_b_1_x*t379 + D_delta_x_2_by_b_1_x*t380 + D_delta_y_1_by_b_1_x*t381
+        + D_delta_y_2_by_b_1_x*t382 + D_delta_z_1_by_b_1_x*t383 + D_delta_z_2_by_b_1_x*t384
+        + mu_1_by_b_1_x*t378 + mu_2_by_b_1_x*t378 + mu_3_by_b_1_x*t378,
+        D_delta_x_1_by_b_1_x*t386 + D_delta_x_3_by_b_1_x*t380 + D_delta_y_1_by_b_1_x*t387
+        + D_delta_y_3_by_b_1_x*t382 + D_delta_z_1_by_b_1_x*t388 + D_delta_z_3_by_b_1_x*t384
+        + mu_1_by_b_1_x*t385 + mu_2_by_b_1_x*t385 + mu_3_by_b_1_x*t385,
         D_delta_x_1_by_b_1_x*k_C, D_delta_y_1_by_b_1_x*k_C, D_delta_z_1_by_b_1_x*k_C,
-        D_delta_x_2_by_b_1_x*t402 + D_delta_y_2_by_b_1_x*t403 + D_delta_z_2_by_b_1_x*t404
-        - mu_1_by_b_1_x*t401 + mu_2_by_b_1_x*t405 - mu_3_by_b_1_x*t401,
-        D_delta_x_2_by_b_1_x*t398 + D_delta_x_3_by_b_1_x*t391 + D_delta_y_2_by_b_1_x*t399
-        + D_delta_y_3_by_b_1_x*t393 + D_delta_z_2_by_b_1_x*t400 + D_delta_z_3_by_b_1_x*t395
-        + mu_1_by_b_1_x*t406 + mu_2_by_b_1_x*t406 + mu_3_by_b_1_x*t406,
+        D_delta_x_2_by_b_1_x*t390 + D_delta_y_2_by_b_1_x*t391 + D_delta_z_2_by_b_1_x*t392
+        - mu_1_by_b_1_x*t389 + mu_2_by_b_1_x*t393 - mu_3_by_b_1_x*t389,
+        D_delta_x_2_by_b_1_x*t386 + D_delta_x_3_by_b_1_x*t379 + D_delta_y_2_by_b_1_x*t387
+        + D_delta_y_3_by_b_1_x*t381 + D_delta_z_2_by_b_1_x*t388 + D_delta_z_3_by_b_1_x*t383
+        + mu_1_by_b_1_x*t394 + mu_2_by_b_1_x*t394 + mu_3_by_b_1_x*t394,
         D_delta_x_2_by_b_1_x*k_C, D_delta_y_2_by_b_1_x*k_C, D_delta_z_2_by_b_1_x*k_C,
-        D_delta_x_3_by_b_1_x*t408 + D_delta_y_3_by_b_1_x*t409 + D_delta_z_3_by_b_1_x*t410
-        - mu_1_by_b_1_x*t407 - mu_2_by_b_1_x*t407 + mu_3_by_b_1_x*t411,
-        D_delta_x_3_by_b_1_x*k_C, D_delta_y_3_by_b_1_x*k_C, D_delta_z_3_by_b_1_x*k_C, t339,
+        D_delta_x_3_by_b_1_x*t396 + D_delta_y_3_by_b_1_x*t397 + D_delta_z_3_by_b_1_x*t398
+        - mu_1_by_b_1_x*t395 - mu_2_by_b_1_x*t395 + mu_3_by_b_1_x*t399,
+        D_delta_x_3_by_b_1_x*k_C, D_delta_y_3_by_b_1_x*k_C, D_delta_z_3_by_b_1_x*k_C, t335,
         2*D_p_x_1*D_p_x_1_by_b_1_y*k_C + 2*D_p_y_1*D_p_y_1_by_b_1_y*k_C + 2*D_p_z_1*D_p_z_1_by_b_1_y*k_C
-        + k_sp_1*t260*t269*w_b_1*x_1_by_b_1_y + mu_1_by_b_1_y*t266 + mu_2_by_b_1_y*t267
-        + mu_3_by_b_1_y*t268 - t248*t412 - t250*t412 - t251*t412 - t252*t413 - t254*t413 - t255*t413
-        - t256*t414 - t258*t414 - t259*t414 - t416,
-        D_p_x_1*D_p_x_2_by_b_1_y*k_C + D_p_x_1_by_b_1_y*D_p_x_2*k_C - D_p_x_1_by_b_1_y*t270
-        - D_p_x_1_by_b_1_y*t271 - D_p_x_1_by_b_1_y*t272 - D_p_x_2_by_b_1_y*t248 - D_p_x_2_by_b_1_y*t250
+        + k_sp_1*t260*t268*w_b_1*x_1_by_b_1_y + mu_1_by_b_1_y*t266 + mu_2_by_b_1_y*t267
+        + mu_3_by_b_1_y*t267 - t248*t400 - t250*t400 - t251*t400 - t252*t401 - t254*t401 - t255*t401
+        - t256*t402 - t258*t402 - t259*t402 - t404,
+        D_p_x_1*D_p_x_2_by_b_1_y*k_C + D_p_x_1_by_b_1_y*D_p_x_2*k_C - D_p_x_1_by_b_1_y*t269
+        - D_p_x_1_by_b_1_y*t270 - D_p_x_1_by_b_1_y*t271 - D_p_x_2_by_b_1_y*t248 - D_p_x_2_by_b_1_y*t250
         - D_p_x_2_by_b_1_y*t251 + D_p_y_1*D_p_y_2_by_b_1_y*k_C + D_p_y_1_by_b_1_y*D_p_y_2*k_C
-        - D_p_y_1_by_b_1_y*t273 - D_p_y_1_by_b_1_y*t274 - D_p_y_1_by_b_1_y*t275 - D_p_y_2_by_b_1_y*t252
+        - D_p_y_1_by_b_1_y*t272 - D_p_y_1_by_b_1_y*t273 - D_p_y_1_by_b_1_y*t274 - D_p_y_2_by_b_1_y*t252
         - D_p_y_2_by_b_1_y*t254 - D_p_y_2_by_b_1_y*t255 + D_p_z_1*D_p_z_2_by_b_1_y*k_C
-        + D_p_z_1_by_b_1_y*D_p_z_2*k_C - D_p_z_1_by_b_1_y*t276 - D_p_z_1_by_b_1_y*t277
-        - D_p_z_1_by_b_1_y*t278 - D_p_z_2_by_b_1_y*t256 - D_p_z_2_by_b_1_y*t258 - D_p_z_2_by_b_1_y*t259
-        + mu_1_by_b_1_y*t279 + mu_2_by_b_1_y*t280 + mu_3_by_b_1_y*t281,
-        D_p_x_1*D_p_x_3_by_b_1_y*k_C + D_p_x_1_by_b_1_y*D_p_x_3*k_C - D_p_x_1_by_b_1_y*t282
-        - D_p_x_1_by_b_1_y*t283 - D_p_x_1_by_b_1_y*t284 - D_p_x_3_by_b_1_y*t248 - D_p_x_3_by_b_1_y*t250
+        + D_p_z_1_by_b_1_y*D_p_z_2*k_C - D_p_z_1_by_b_1_y*t275 - D_p_z_1_by_b_1_y*t276
+        - D_p_z_1_by_b_1_y*t277 - D_p_z_2_by_b_1_y*t256 - D_p_z_2_by_b_1_y*t258 - D_p_z_2_by_b_1_y*t259
+        + mu_1_by_b_1_y*t278 + mu_2_by_b_1_y*t279 + mu_3_by_b_1_y*t280,
+        D_p_x_1*D_p_x_3_by_b_1_y*k_C + D_p_x_1_by_b_1_y*D_p_x_3*k_C - D_p_x_1_by_b_1_y*t281
+        - D_p_x_1_by_b_1_y*t282 - D_p_x_1_by_b_1_y*t283 - D_p_x_3_by_b_1_y*t248 - D_p_x_3_by_b_1_y*t250
         - D_p_x_3_by_b_1_y*t251 + D_p_y_1*D_p_y_3_by_b_1_y*k_C + D_p_y_1_by_b_1_y*D_p_y_3*k_C
-        - D_p_y_1_by_b_1_y*t285 - D_p_y_1_by_b_1_y*t286 - D_p_y_1_by_b_1_y*t287 - D_p_y_3_by_b_1_y*t252
+        - D_p_y_1_by_b_1_y*t284 - D_p_y_1_by_b_1_y*t285 - D_p_y_1_by_b_1_y*t286 - D_p_y_3_by_b_1_y*t252
         - D_p_y_3_by_b_1_y*t254 - D_p_y_3_by_b_1_y*t255 + D_p_z_1*D_p_z_3_by_b_1_y*k_C
-        + D_p_z_1_by_b_1_y*D_p_z_3*k_C - D_p_z_1_by_b_1_y*t288 - D_p_z_1_by_b_1_y*t289
-        - D_p_z_1_by_b_1_y*t290 - D_p_z_3_by_b_1_y*t256 - D_p_z_3_by_b_1_y*t258 - D_p_z_3_by_b_1_y*t259
-        + mu_1_by_b_1_y*t291 + mu_2_by_b_1_y*t292 + mu_3_by_b_1_y*t293,
-        t418, t419,
-        D_delta_x_1_by_b_1_y*t312 + D_delta_y_1_by_b_1_y*t313 + D_delta_z_1_by_b_1_y*t314
-        - D_p_x_1_by_b_1_y*t300 - D_p_x_1_by_b_1_y*t301 - D_p_x_1_by_b_1_y*t302 + D_p_x_1_by_b_1_y*t420
-        - D_p_y_1_by_b_1_y*t303 - D_p_y_1_by_b_1_y*t304 - D_p_y_1_by_b_1_y*t305 + D_p_y_1_by_b_1_y*t421
-        - D_p_z_1_by_b_1_y*t306 - D_p_z_1_by_b_1_y*t307 - D_p_z_1_by_b_1_y*t308 + D_p_z_1_by_b_1_y*t422
-        + mu_1_by_b_1_y*t309 + mu_2_by_b_1_y*t310 + mu_3_by_b_1_y*t311,
-        D_delta_x_2_by_b_1_y*t312 + D_delta_y_2_by_b_1_y*t313 + D_delta_z_2_by_b_1_y*t314
-        - D_p_x_1_by_b_1_y*t315 - D_p_x_1_by_b_1_y*t316 - D_p_x_1_by_b_1_y*t317 + D_p_x_1_by_b_1_y*t423
-        - D_p_y_1_by_b_1_y*t318 - D_p_y_1_by_b_1_y*t319 - D_p_y_1_by_b_1_y*t320 + D_p_y_1_by_b_1_y*t424
-        - D_p_z_1_by_b_1_y*t321 - D_p_z_1_by_b_1_y*t322 - D_p_z_1_by_b_1_y*t323 + D_p_z_1_by_b_1_y*t425
-        + mu_1_by_b_1_y*t324 + mu_2_by_b_1_y*t325 + mu_3_by_b_1_y*t326,
-        D_delta_x_3_by_b_1_y*t312 + D_delta_y_3_by_b_1_y*t313 + D_delta_z_3_by_b_1_y*t314
-        - D_p_x_1_by_b_1_y*t327 - D_p_x_1_by_b_1_y*t328 - D_p_x_1_by_b_1_y*t329 + D_p_x_1_by_b_1_y*t426
-        - D_p_y_1_by_b_1_y*t330 - D_p_y_1_by_b_1_y*t331 - D_p_y_1_by_b_1_y*t332 + D_p_y_1_by_b_1_y*t427
-        - D_p_z_1_by_b_1_y*t333 - D_p_z_1_by_b_1_y*t334 - D_p_z_1_by_b_1_y*t335 + D_p_z_1_by_b_1_y*t428
-        + mu_1_by_b_1_y*t336 + mu_2_by_b_1_y*t337 + mu_3_by_b_1_y*t338,
-        t429, D_p_x_1_by_b_1_y*k_C, D_p_y_1_by_b_1_y*k_C, D_p_z_1_by_b_1_y*k_C,
+        + D_p_z_1_by_b_1_y*D_p_z_3*k_C - D_p_z_1_by_b_1_y*t287 - D_p_z_1_by_b_1_y*t288
+        - D_p_z_1_by_b_1_y*t289 - D_p_z_3_by_b_1_y*t256 - D_p_z_3_by_b_1_y*t258 - D_p_z_3_by_b_1_y*t259
+        + mu_1_by_b_1_y*t290 + mu_2_by_b_1_y*t291 + mu_3_by_b_1_y*t292,
+        t406, t407,
+        D_delta_x_1_by_b_1_y*t310 + D_delta_y_1_by_b_1_y*t311 + D_delta_z_1_by_b_1_y*t312
+        - D_p_x_1_by_b_1_y*t299 - D_p_x_1_by_b_1_y*t300 - D_p_x_1_by_b_1_y*t301 + D_p_x_1_by_b_1_y*t408
+        - D_p_y_1_by_b_1_y*t302 - D_p_y_1_by_b_1_y*t303 - D_p_y_1_by_b_1_y*t304 + D_p_y_1_by_b_1_y*t409
+        - D_p_z_1_by_b_1_y*t305 - D_p_z_1_by_b_1_y*t306 - D_p_z_1_by_b_1_y*t307 + D_p_z_1_by_b_1_y*t410
+        + mu_1_by_b_1_y*t308 + mu_2_by_b_1_y*t309 + mu_3_by_b_1_y*t309,
+        D_delta_x_2_by_b_1_y*t310 + D_delta_y_2_by_b_1_y*t311 + D_delta_z_2_by_b_1_y*t312
+        - D_p_x_1_by_b_1_y*t313 - D_p_x_1_by_b_1_y*t314 - D_p_x_1_by_b_1_y*t315 + D_p_x_1_by_b_1_y*t411
+        - D_p_y_1_by_b_1_y*t316 - D_p_y_1_by_b_1_y*t317 - D_p_y_1_by_b_1_y*t318 + D_p_y_1_by_b_1_y*t412
+        - D_p_z_1_by_b_1_y*t319 - D_p_z_1_by_b_1_y*t320 - D_p_z_1_by_b_1_y*t321 + D_p_z_1_by_b_1_y*t413
+        + mu_1_by_b_1_y*t322 + mu_2_by_b_1_y*t323 + mu_3_by_b_1_y*t323,
+        D_delta_x_3_by_b_1_y*t310 + D_delta_y_3_by_b_1_y*t311 + D_delta_z_3_by_b_1_y*t312
+        - D_p_x_1_by_b_1_y*t324 - D_p_x_1_by_b_1_y*t325 - D_p_x_1_by_b_1_y*t326 + D_p_x_1_by_b_1_y*t414
+        - D_p_y_1_by_b_1_y*t327 - D_p_y_1_by_b_1_y*t328 - D_p_y_1_by_b_1_y*t329 + D_p_y_1_by_b_1_y*t415
+        - D_p_z_1_by_b_1_y*t330 - D_p_z_1_by_b_1_y*t331 - D_p_z_1_by_b_1_y*t332 + D_p_z_1_by_b_1_y*t416
+        + mu_1_by_b_1_y*t333 + mu_2_by_b_1_y*t334 + mu_3_by_b_1_y*t334,
+        t417, D_p_x_1_by_b_1_y*k_C, D_p_y_1_by_b_1_y*k_C, D_p_z_1_by_b_1_y*k_C,
         2*D_p_x_2*D_p_x_2_by_b_1_y*k_C + 2*D_p_y_2*D_p_y_2_by_b_1_y*k_C + 2*D_p_z_2*D_p_z_2_by_b_1_y*k_C
-        + mu_1_by_b_1_y*t343 + mu_2_by_b_1_y*t344 + mu_3_by_b_1_y*t345 - t270*t430 - t271*t430 - t272*t430
-        - t273*t431 - t274*t431 - t275*t431 - t276*t432 - t277*t432 - t278*t432,
-        D_p_x_2*D_p_x_3_by_b_1_y*k_C + D_p_x_2_by_b_1_y*D_p_x_3*k_C - D_p_x_2_by_b_1_y*t282
-        - D_p_x_2_by_b_1_y*t283 - D_p_x_2_by_b_1_y*t284 - D_p_x_3_by_b_1_y*t270 - D_p_x_3_by_b_1_y*t271
-        - D_p_x_3_by_b_1_y*t272 + D_p_y_2*D_p_y_3_by_b_1_y*k_C + D_p_y_2_by_b_1_y*D_p_y_3*k_C
-        - D_p_y_2_by_b_1_y*t285 - D_p_y_2_by_b_1_y*t286 - D_p_y_2_by_b_1_y*t287 - D_p_y_3_by_b_1_y*t273
-        - D_p_y_3_by_b_1_y*t274 - D_p_y_3_by_b_1_y*t275 + D_p_z_2*D_p_z_3_by_b_1_y*k_C
-        + D_p_z_2_by_b_1_y*D_p_z_3*k_C - D_p_z_2_by_b_1_y*t288 - D_p_z_2_by_b_1_y*t289
-        - D_p_z_2_by_b_1_y*t290 - D_p_z_3_by_b_1_y*t276 - D_p_z_3_by_b_1_y*t277 - D_p_z_3_by_b_1_y*t278
-        + mu_1_by_b_1_y*t346 + mu_2_by_b_1_y*t347 + mu_3_by_b_1_y*t348,
-        D_delta_x_1_by_b_1_y*t355 + D_delta_y_1_by_b_1_y*t356 + D_delta_z_1_by_b_1_y*t357
-        - D_p_x_2_by_b_1_y*t300 - D_p_x_2_by_b_1_y*t301 - D_p_x_2_by_b_1_y*t302 + D_p_x_2_by_b_1_y*t420
-        - D_p_y_2_by_b_1_y*t303 - D_p_y_2_by_b_1_y*t304 - D_p_y_2_by_b_1_y*t305 + D_p_y_2_by_b_1_y*t421
-        - D_p_z_2_by_b_1_y*t306 - D_p_z_2_by_b_1_y*t307 - D_p_z_2_by_b_1_y*t308 + D_p_z_2_by_b_1_y*t422
-        + mu_1_by_b_1_y*t352 + mu_2_by_b_1_y*t353 + mu_3_by_b_1_y*t354,
-        D_delta_x_2_by_b_1_y*t355 + D_delta_y_2_by_b_1_y*t356 + D_delta_z_2_by_b_1_y*t357
-        - D_p_x_2_by_b_1_y*t315 - D_p_x_2_by_b_1_y*t316 - D_p_x_2_by_b_1_y*t317 + D_p_x_2_by_b_1_y*t423
-        - D_p_y_2_by_b_1_y*t318 - D_p_y_2_by_b_1_y*t319 - D_p_y_2_by_b_1_y*t320 + D_p_y_2_by_b_1_y*t424
-        - D_p_z_2_by_b_1_y*t321 - D_p_z_2_by_b_1_y*t322 - D_p_z_2_by_b_1_y*t323 + D_p_z_2_by_b_1_y*t425
-        + mu_1_by_b_1_y*t358 + mu_2_by_b_1_y*t359 + mu_3_by_b_1_y*t360,
-        D_delta_x_3_by_b_1_y*t355 + D_delta_y_3_by_b_1_y*t356 + D_delta_z_3_by_b_1_y*t357
-        - D_p_x_2_by_b_1_y*t327 - D_p_x_2_by_b_1_y*t328 - D_p_x_2_by_b_1_y*t329 + D_p_x_2_by_b_1_y*t426
-        - D_p_y_2_by_b_1_y*t330 - D_p_y_2_by_b_1_y*t331 - D_p_y_2_by_b_1_y*t332 + D_p_y_2_by_b_1_y*t427
-        - D_p_z_2_by_b_1_y*t333 - D_p_z_2_by_b_1_y*t334 - D_p_z_2_by_b_1_y*t335 + D_p_z_2_by_b_1_y*t428
-        + mu_1_by_b_1_y*t361 + mu_2_by_b_1_y*t362 + mu_3_by_b_1_y*t363,
+        + mu_1_by_b_1_y*t339 + mu_2_by_b_1_y*t340 + mu_3_by_b_1_y*t339 - t269*t418 - t270*t418 - t271*t418
+        - t272*t419 - t273*t419 - t274*t419 - t275*t420 - t276*t420 - t277*t420,
+        D_p_x_2*D_p_x_3_by_b_1_y*k_C + D_p_x_2_by_b_1_y*D_p_x_3*k_C - D_p_x_2_by_b_1_y*t281
+        - D_p_x_2_by_b_1_y*t282 - D_p_x_2_by_b_1_y*t283 - D_p_x_3_by_b_1_y*t269 - D_p_x_3_by_b_1_y*t270
+        - D_p_x_3_by_b_1_y*t271 + D_p_y_2*D_p_y_3_by_b_1_y*k_C + D_p_y_2_by_b_1_y*D_p_y_3*k_C
+        - D_p_y_2_by_b_1_y*t284 - D_p_y_2_by_b_1_y*t285 - D_p_y_2_by_b_1_y*t286 - D_p_y_3_by_b_1_y*t272
+        - D_p_y_3_by_b_1_y*t273 - D_p_y_3_by_b_1_y*t274 + D_p_z_2*D_p_z_3_by_b_1_y*k_C
+        + D_p_z_2_by_b_1_y*D_p_z_3*k_C - D_p_z_2_by_b_1_y*t287 - D_p_z_2_by_b_1_y*t288
+        - D_p_z_2_by_b_1_y*t289 - D_p_z_3_by_b_1_y*t275 - D_p_z_3_by_b_1_y*t276 - D_p_z_3_by_b_1_y*t277
+        + mu_1_by_b_1_y*t341 + mu_2_by_b_1_y*t342 + mu_3_by_b_1_y*t343,
+        D_delta_x_1_by_b_1_y*t349 + D_delta_y_1_by_b_1_y*t350 + D_delta_z_1_by_b_1_y*t351
+        - D_p_x_2_by_b_1_y*t299 - D_p_x_2_by_b_1_y*t300 - D_p_x_2_by_b_1_y*t301 + D_p_x_2_by_b_1_y*t408
+        - D_p_y_2_by_b_1_y*t302 - D_p_y_2_by_b_1_y*t303 - D_p_y_2_by_b_1_y*t304 + D_p_y_2_by_b_1_y*t409
+        - D_p_z_2_by_b_1_y*t305 - D_p_z_2_by_b_1_y*t306 - D_p_z_2_by_b_1_y*t307 + D_p_z_2_by_b_1_y*t410
+        + mu_1_by_b_1_y*t347 + mu_2_by_b_1_y*t348 + mu_3_by_b_1_y*t347,
+        D_delta_x_2_by_b_1_y*t349 + D_delta_y_2_by_b_1_y*t350 + D_delta_z_2_by_b_1_y*t351
+        - D_p_x_2_by_b_1_y*t313 - D_p_x_2_by_b_1_y*t314 - D_p_x_2_by_b_1_y*t315 + D_p_x_2_by_b_1_y*t411
+        - D_p_y_2_by_b_1_y*t316 - D_p_y_2_by_b_1_y*t317 - D_p_y_2_by_b_1_y*t318 + D_p_y_2_by_b_1_y*t412
+        - D_p_z_2_by_b_1_y*t319 - D_p_z_2_by_b_1_y*t320 - D_p_z_2_by_b_1_y*t321 + D_p_z_2_by_b_1_y*t413
+        + mu_1_by_b_1_y*t352 + mu_2_by_b_1_y*t353 + mu_3_by_b_1_y*t352,
+        D_delta_x_3_by_b_1_y*t349 + D_delta_y_3_by_b_1_y*t350 + D_delta_z_3_by_b_1_y*t351
+        - D_p_x_2_by_b_1_y*t324 - D_p_x_2_by_b_1_y*t325 - D_p_x_2_by_b_1_y*t326 + D_p_x_2_by_b_1_y*t414
+        - D_p_y_2_by_b_1_y*t327 - D_p_y_2_by_b_1_y*t328 - D_p_y_2_by_b_1_y*t329 + D_p_y_2_by_b_1_y*t415
+        - D_p_z_2_by_b_1_y*t330 - D_p_z_2_by_b_1_y*t331 - D_p_z_2_by_b_1_y*t332 + D_p_z_2_by_b_1_y*t416
+        + mu_1_by_b_1_y*t354 + mu_2_by_b_1_y*t355 + mu_3_by_b_1_y*t354,
         D_p_x_2_by_b_1_y*k_C, D_p_y_2_by_b_1_y*k_C, D_p_z_2_by_b_1_y*k_C,
         2*D_p_x_3*D_p_x_3_by_b_1_y*k_C + 2*D_p_y_3*D_p_y_3_by_b_1_y*k_C + 2*D_p_z_3*D_p_z_3_by_b_1_y*k_C
-        + mu_1_by_b_1_y*t367 + mu_2_by_b_1_y*t368 + mu_3_by_b_1_y*t369 - t282*t433 - t283*t433 - t284*t433
-        - t285*t434 - t286*t434 - t287*t434 - t288*t435 - t289*t435 - t290*t435,
-        D_delta_x_1_by_b_1_y*t376 + D_delta_y_1_by_b_1_y*t377 + D_delta_z_1_by_b_1_y*t378
-        - D_p_x_3_by_b_1_y*t300 - D_p_x_3_by_b_1_y*t301 - D_p_x_3_by_b_1_y*t302 + D_p_x_3_by_b_1_y*t420
-        - D_p_y_3_by_b_1_y*t303 - D_p_y_3_by_b_1_y*t304 - D_p_y_3_by_b_1_y*t305 + D_p_y_3_by_b_1_y*t421
-        - D_p_z_3_by_b_1_y*t306 - D_p_z_3_by_b_1_y*t307 - D_p_z_3_by_b_1_y*t308 + D_p_z_3_by_b_1_y*t422
-        + mu_1_by_b_1_y*t373 + mu_2_by_b_1_y*t374 + mu_3_by_b_1_y*t375,
-        D_delta_x_2_by_b_1_y*t376 + D_delta_y_2_by_b_1_y*t377 + D_delta_z_2_by_b_1_y*t378
-        - D_p_x_3_by_b_1_y*t315 - D_p_x_3_by_b_1_y*t316 - D_p_x_3_by_b_1_y*t317 + D_p_x_3_by_b_1_y*t423
-        - D_p_y_3_by_b_1_y*t318 - D_p_y_3_by_b_1_y*t319 - D_p_y_3_by_b_1_y*t320 + D_p_y_3_by_b_1_y*t424
-        - D_p_z_3_by_b_1_y*t321 - D_p_z_3_by_b_1_y*t322 - D_p_z_3_by_b_1_y*t323 + D_p_z_3_by_b_1_y*t425
-        + mu_1_by_b_1_y*t379 + mu_2_by_b_1_y*t380 + mu_3_by_b_1_y*t381,
-        D_delta_x_3_by_b_1_y*t376 + D_delta_y_3_by_b_1_y*t377 + D_delta_z_3_by_b_1_y*t378
-        - D_p_x_3_by_b_1_y*t327 - D_p_x_3_by_b_1_y*t328 - D_p_x_3_by_b_1_y*t329 + D_p_x_3_by_b_1_y*t426
-        - D_p_y_3_by_b_1_y*t330 - D_p_y_3_by_b_1_y*t331 - D_p_y_3_by_b_1_y*t332 + D_p_y_3_by_b_1_y*t427
-        - D_p_z_3_by_b_1_y*t333 - D_p_z_3_by_b_1_y*t334 - D_p_z_3_by_b_1_y*t335 + D_p_z_3_by_b_1_y*t428
-        + mu_1_by_b_1_y*t382 + mu_2_by_b_1_y*t383 + mu_3_by_b_1_y*t384,
-        D_p_x_3_by_b_1_y*k_C, D_p_y_3_by_b_1_y*k_C, D_p_z_3_by_b_1_y*k_C, t185*t417, t418, -t185*t416, t419,
-        D_delta_x_1_by_b_1_y*t386 + D_delta_y_1_by_b_1_y*t387 + D_delta_z_1_by_b_1_y*t388
-        + mu_1_by_b_1_y*t389 - mu_2_by_b_1_y*t385 - mu_3_by_b_1_y*t385,
-        D_delta_x_1_by_b_1_y*t391 + D_delta_x_2_by_b_1_y*t392 + D_delta_y_1_by_b_1_y*t393
-        + D_delta_y_2_by_b_1_y*t394 + D_delta_z_1_by_b_1_y*t395 + D_delta_z_2_by_b_1_y*t396
-        + mu_1_by_b_1_y*t390 + mu_2_by_b_1_y*t390 + mu_3_by_b_1_y*t390,
-        D_delta_x_1_by_b_1_y*t398 + D_delta_x_3_by_b_1_y*t392 + D_delta_y_1_by_b_1_y*t399
-        + D_delta_y_3_by_b_1_y*t394 + D_delta_z_1_by_b_1_y*t400 + D_delta_z_3_by_b_1_y*t396
-        + mu_1_by_b_1_y*t397 + mu_2_by_b_1_y*t397 + mu_3_by_b_1_y*t397,
+        + mu_1_by_b_1_y*t359 + mu_2_by_b_1_y*t359 + mu_3_by_b_1_y*t360 - t281*t421 - t282*t421 - t283*t421
+        - t284*t422 - t285*t422 - t286*t422 - t287*t423 - t288*t423 - t289*t423,
+        D_delta_x_1_by_b_1_y*t366 + D_delta_y_1_by_b_1_y*t367 + D_delta_z_1_by_b_1_y*t368
+        - D_p_x_3_by_b_1_y*t299 - D_p_x_3_by_b_1_y*t300 - D_p_x_3_by_b_1_y*t301 + D_p_x_3_by_b_1_y*t408
+        - D_p_y_3_by_b_1_y*t302 - D_p_y_3_by_b_1_y*t303 - D_p_y_3_by_b_1_y*t304 + D_p_y_3_by_b_1_y*t409
+        - D_p_z_3_by_b_1_y*t305 - D_p_z_3_by_b_1_y*t306 - D_p_z_3_by_b_1_y*t307 + D_p_z_3_by_b_1_y*t410
+        + mu_1_by_b_1_y*t364 + mu_2_by_b_1_y*t364 + mu_3_by_b_1_y*t365,
+        D_delta_x_2_by_b_1_y*t366 + D_delta_y_2_by_b_1_y*t367 + D_delta_z_2_by_b_1_y*t368
+        - D_p_x_3_by_b_1_y*t313 - D_p_x_3_by_b_1_y*t314 - D_p_x_3_by_b_1_y*t315 + D_p_x_3_by_b_1_y*t411
+        - D_p_y_3_by_b_1_y*t316 - D_p_y_3_by_b_1_y*t317 - D_p_y_3_by_b_1_y*t318 + D_p_y_3_by_b_1_y*t412
+        - D_p_z_3_by_b_1_y*t319 - D_p_z_3_by_b_1_y*t320 - D_p_z_3_by_b_1_y*t321 + D_p_z_3_by_b_1_y*t413
+        + mu_1_by_b_1_y*t369 + mu_2_by_b_1_y*t369 + mu_3_by_b_1_y*t370,
+        D_delta_x_3_by_b_1_y*t366 + D_delta_y_3_by_b_1_y*t367 + D_delta_z_3_by_b_1_y*t368
+        - D_p_x_3_by_b_1_y*t324 - D_p_x_3_by_b_1_y*t325 - D_p_x_3_by_b_1_y*t326 + D_p_x_3_by_b_1_y*t414
+        - D_p_y_3_by_b_1_y*t327 - D_p_y_3_by_b_1_y*t328 - D_p_y_3_by_b_1_y*t329 + D_p_y_3_by_b_1_y*t415
+        - D_p_z_3_by_b_1_y*t330 - D_p_z_3_by_b_1_y*t331 - D_p_z_3_by_b_1_y*t332 + D_p_z_3_by_b_1_y*t416
+        + mu_1_by_b_1_y*t371 + mu_2_by_b_1_y*t371 + mu_3_by_b_1_y*t372,
+        D_p_x_3_by_b_1_y*k_C, D_p_y_3_by_b_1_y*k_C, D_p_z_3_by_b_1_y*k_C, t185*t405, t406, -t185*t404, t407,
+        D_delta_x_1_by_b_1_y*t374 + D_delta_y_1_by_b_1_y*t375 + D_delta_z_1_by_b_1_y*t376
+        + mu_1_by_b_1_y*t377 - mu_2_by_b_1_y*t373 - mu_3_by_b_1_y*t373,
+        D_delta_x_1_by_b_1_y*t379 + D_delta_x_2_by_b_1_y*t380 + D_delta_y_1_by_b_1_y*t381
+        + D_delta_y_2_by_b_1_y*t382 + D_delta_z_1_by_b_1_y*t383 + D_delta_z_2_by_b_1_y*t384
+        + mu_1_by_b_1_y*t378 + mu_2_by_b_1_y*t378 + mu_3_by_b_1_y*t378,
+        D_delta_x_1_by_b_1_y*t386 + D_delta_x_3_by_b_1_y*t380 + D_delta_y_1_by_b_1_y*t387
+        + D_delta_y_3_by_b_1_y*t382 + D_delta_z_1_by_b_1_y*t388 + D_delta_z_3_by_b_1_y*t384
+        + mu_1_by_b_1_y*t385 + mu_2_by_b_1_y*t385 + mu_3_by_b_1_y*t385,
         D_delta_x_1_by_b_1_y*k_C, D_delta_y_1_by_b_1_y*k_C, D_delta_z_1_by_b_1_y*k_C,
-        D_delta_x_2_by_b_1_y*t402 + D_delta_y_2_by_b_1_y*t403 + D_delta_z_2_by_b_1_y*t404
-        - mu_1_by_b_1_y*t401 + mu_2_by_b_1_y*t405 - mu_3_by_b_1_y*t401,
-        D_delta_x_2_by_b_1_y*t398 + D_delta_x_3_by_b_1_y*t391 + D_delta_y_2_by_b_1_y*t399
-        + D_delta_y_3_by_b_1_y*t393 + D_delta_z_2_by_b_1_y*t400 + D_delta_z_3_by_b_1_y*t395
-        + mu_1_by_b_1_y*t406 + mu_2_by_b_1_y*t406 + mu_3_by_b_1_y*t406,
+        D_delta_x_2_by_b_1_y*t390 + D_delta_y_2_by_b_1_y*t391 + D_delta_z_2_by_b_1_y*t392
+        - mu_1_by_b_1_y*t389 + mu_2_by_b_1_y*t393 - mu_3_by_b_1_y*t389,
+        D_delta_x_2_by_b_1_y*t386 + D_delta_x_3_by_b_1_y*t379 + D_delta_y_2_by_b_1_y*t387
+        + D_delta_y_3_by_b_1_y*t381 + D_delta_z_2_by_b_1_y*t388 + D_delta_z_3_by_b_1_y*t383
+        + mu_1_by_b_1_y*t394 + mu_2_by_b_1_y*t394 + mu_3_by_b_1_y*t394,
         D_delta_x_2_by_b_1_y*k_C, D_delta_y_2_by_b_1_y*k_C, D_delta_z_2_by_b_1_y*k_C,
-        D_delta_x_3_by_b_1_y*t408 + D_delta_y_3_by_b_1_y*t409 + D_delta_z_3_by_b_1_y*t410
-        - mu_1_by_b_1_y*t407 - mu_2_by_b_1_y*t407 + mu_3_by_b_1_y*t411,
-        D_delta_x_3_by_b_1_y*k_C, D_delta_y_3_by_b_1_y*k_C, D_delta_z_3_by_b_1_y*k_C, t429,
+        D_delta_x_3_by_b_1_y*t396 + D_delta_y_3_by_b_1_y*t397 + D_delta_z_3_by_b_1_y*t398
+        - mu_1_by_b_1_y*t395 - mu_2_by_b_1_y*t395 + mu_3_by_b_1_y*t399,
+        D_delta_x_3_by_b_1_y*k_C, D_delta_y_3_by_b_1_y*k_C, D_delta_z_3_by_b_1_y*k_C, t417,
         2*D_p_x_1*D_p_x_1_by_b_1_z*k_C + 2*D_p_y_1*D_p_y_1_by_b_1_z*k_C + 2*D_p_z_1*D_p_z_1_by_b_1_z*k_C
-        + k_sp_1*t260*t269*w_b_1*x_1_by_b_1_z + mu_1_by_b_1_z*t266 + mu_2_by_b_1_z*t267
-        + mu_3_by_b_1_z*t268 - t248*t436 - t250*t436 - t251*t436 - t252*t437 - t254*t437 - t255*t437
-        - t256*t438 - t258*t438 - t259*t438 - t440,
-        D_p_x_1*D_p_x_2_by_b_1_z*k_C + D_p_x_1_by_b_1_z*D_p_x_2*k_C - D_p_x_1_by_b_1_z*t270
-        - D_p_x_1_by_b_1_z*t271 - D_p_x_1_by_b_1_z*t272 - D_p_x_2_by_b_1_z*t248 - D_p_x_2_by_b_1_z*t250
+        + k_sp_1*t260*t268*w_b_1*x_1_by_b_1_z + mu_1_by_b_1_z*t266 + mu_2_by_b_1_z*t267
+        + mu_3_by_b_1_z*t267 - t248*t424 - t250*t424 - t251*t424 - t252*t425 - t254*t425 - t255*t425
+        - t256*t426 - t258*t426 - t259*t426 - t428,
+        D_p_x_1*D_p_x_2_by_b_1_z*k_C + D_p_x_1_by_b_1_z*D_p_x_2*k_C - D_p_x_1_by_b_1_z*t269
+        - D_p_x_1_by_b_1_z*t270 - D_p_x_1_by_b_1_z*t271 - D_p_x_2_by_b_1_z*t248 - D_p_x_2_by_b_1_z*t250
         - D_p_x_2_by_b_1_z*t251 + D_p_y_1*D_p_y_2_by_b_1_z*k_C + D_p_y_1_by_b_1_z*D_p_y_2*k_C
-        - D_p_y_1_by_b_1_z*t273 - D_p_y_1_by_b_1_z*t274 - D_p_y_1_by_b_1_z*t275 - D_p_y_2_by_b_1_z*t252
+        - D_p_y_1_by_b_1_z*t272 - D_p_y_1_by_b_1_z*t273 - D_p_y_1_by_b_1_z*t274 - D_p_y_2_by_b_1_z*t252
         - D_p_y_2_by_b_1_z*t254 - D_p_y_2_by_b_1_z*t255 + D_p_z_1*D_p_z_2_by_b_1_z*k_C
-        + D_p_z_1_by_b_1_z*D_p_z_2*k_C - D_p_z_1_by_b_1_z*t276 - D_p_z_1_by_b_1_z*t277
-        - D_p_z_1_by_b_1_z*t278 - D_p_z_2_by_b_1_z*t256 - D_p_z_2_by_b_1_z*t258 - D_p_z_2_by_b_1_z*t259
-        + mu_1_by_b_1_z*t279 + mu_2_by_b_1_z*t280 + mu_3_by_b_1_z*t281,
-        D_p_x_1*D_p_x_3_by_b_1_z*k_C + D_p_x_1_by_b_1_z*D_p_x_3*k_C - D_p_x_1_by_b_1_z*t282
-        - D_p_x_1_by_b_1_z*t283 - D_p_x_1_by_b_1_z*t284 - D_p_x_3_by_b_1_z*t248 - D_p_x_3_by_b_1_z*t250
+        + D_p_z_1_by_b_1_z*D_p_z_2*k_C - D_p_z_1_by_b_1_z*t275 - D_p_z_1_by_b_1_z*t276
+        - D_p_z_1_by_b_1_z*t277 - D_p_z_2_by_b_1_z*t256 - D_p_z_2_by_b_1_z*t258 - D_p_z_2_by_b_1_z*t259
+        + mu_1_by_b_1_z*t278 + mu_2_by_b_1_z*t279 + mu_3_by_b_1_z*t280,
+        D_p_x_1*D_p_x_3_by_b_1_z*k_C + D_p_x_1_by_b_1_z*D_p_x_3*k_C - D_p_x_1_by_b_1_z*t281
+        - D_p_x_1_by_b_1_z*t282 - D_p_x_1_by_b_1_z*t283 - D_p_x_3_by_b_1_z*t248 - D_p_x_3_by_b_1_z*t250
         - D_p_x_3_by_b_1_z*t251 + D_p_y_1*D_p_y_3_by_b_1_z*k_C + D_p_y_1_by_b_1_z*D_p_y_3*k_C
-        - D_p_y_1_by_b_1_z*t285 - D_p_y_1_by_b_1_z*t286 - D_p_y_1_by_b_1_z*t287 - D_p_y_3_by_b_1_z*t252
+        - D_p_y_1_by_b_1_z*t284 - D_p_y_1_by_b_1_z*t285 - D_p_y_1_by_b_1_z*t286 - D_p_y_3_by_b_1_z*t252
         - D_p_y_3_by_b_1_z*t254 - D_p_y_3_by_b_1_z*t255 + D_p_z_1*D_p_z_3_by_b_1_z*k_C
-        + D_p_z_1_by_b_1_z*D_p_z_3*k_C - D_p_z_1_by_b_1_z*t288 - D_p_z_1_by_b_1_z*t289
-        - D_p_z_1_by_b_1_z*t290 - D_p_z_3_by_b_1_z*t256 - D_p_z_3_by_b_1_z*t258 - D_p_z_3_by_b_1_z*t259
-        + mu_1_by_b_1_z*t291 + mu_2_by_b_1_z*t292 + mu_3_by_b_1_z*t293,
-        t442, t443,
-        D_delta_x_1_by_b_1_z*t312 + D_delta_y_1_by_b_1_z*t313 + D_delta_z_1_by_b_1_z*t314
-        - D_p_x_1_by_b_1_z*t300 - D_p_x_1_by_b_1_z*t301 - D_p_x_1_by_b_1_z*t302 + D_p_x_1_by_b_1_z*t420
-        - D_p_y_1_by_b_1_z*t303 - D_p_y_1_by_b_1_z*t304 - D_p_y_1_by_b_1_z*t305 + D_p_y_1_by_b_1_z*t421
-        - D_p_z_1_by_b_1_z*t306 - D_p_z_1_by_b_1_z*t307 - D_p_z_1_by_b_1_z*t308 + D_p_z_1_by_b_1_z*t422
-        + mu_1_by_b_1_z*t309 + mu_2_by_b_1_z*t310 + mu_3_by_b_1_z*t311,
-        D_delta_x_2_by_b_1_z*t312 + D_delta_y_2_by_b_1_z*t313 + D_delta_z_2_by_b_1_z*t314
-        - D_p_x_1_by_b_1_z*t315 - D_p_x_1_by_b_1_z*t316 - D_p_x_1_by_b_1_z*t317 + D_p_x_1_by_b_1_z*t423
-        - D_p_y_1_by_b_1_z*t318 - D_p_y_1_by_b_1_z*t319 - D_p_y_1_by_b_1_z*t320 + D_p_y_1_by_b_1_z*t424
-        - D_p_z_1_by_b_1_z*t321 - D_p_z_1_by_b_1_z*t322 - D_p_z_1_by_b_1_z*t323 + D_p_z_1_by_b_1_z*t425
-        + mu_1_by_b_1_z*t324 + mu_2_by_b_1_z*t325 + mu_3_by_b_1_z*t326,
-        D_delta_x_3_by_b_1_z*t312 + D_delta_y_3_by_b_1_z*t313 + D_delta_z_3_by_b_1_z*t314
-        - D_p_x_1_by_b_1_z*t327 - D_p_x_1_by_b_1_z*t328 - D_p_x_1_by_b_1_z*t329 + D_p_x_1_by_b_1_z*t426
-        - D_p_y_1_by_b_1_z*t330 - D_p_y_1_by_b_1_z*t331 - D_p_y_1_by_b_1_z*t332 + D_p_y_1_by_b_1_z*t427
-        - D_p_z_1_by_b_1_z*t333 - D_p_z_1_by_b_1_z*t334 - D_p_z_1_by_b_1_z*t335 + D_p_z_1_by_b_1_z*t428
-        + mu_1_by_b_1_z*t336 + mu_2_by_b_1_z*t337 + mu_3_by_b_1_z*t338,
-        t444, D_p_x_1_by_b_1_z*k_C, D_p_y_1_by_b_1_z*k_C, D_p_z_1_by_b_1_z*k_C,
+        + D_p_z_1_by_b_1_z*D_p_z_3*k_C - D_p_z_1_by_b_1_z*t287 - D_p_z_1_by_b_1_z*t288
+        - D_p_z_1_by_b_1_z*t289 - D_p_z_3_by_b_1_z*t256 - D_p_z_3_by_b_1_z*t258 - D_p_z_3_by_b_1_z*t259
+        + mu_1_by_b_1_z*t290 + mu_2_by_b_1_z*t291 + mu_3_by_b_1_z*t292,
+        t430, t431,
+        D_delta_x_1_by_b_1_z*t310 + D_delta_y_1_by_b_1_z*t311 + D_delta_z_1_by_b_1_z*t312
+        - D_p_x_1_by_b_1_z*t299 - D_p_x_1_by_b_1_z*t300 - D_p_x_1_by_b_1_z*t301 + D_p_x_1_by_b_1_z*t408
+        - D_p_y_1_by_b_1_z*t302 - D_p_y_1_by_b_1_z*t303 - D_p_y_1_by_b_1_z*t304 + D_p_y_1_by_b_1_z*t409
+        - D_p_z_1_by_b_1_z*t305 - D_p_z_1_by_b_1_z*t306 - D_p_z_1_by_b_1_z*t307 + D_p_z_1_by_b_1_z*t410
+        + mu_1_by_b_1_z*t308 + mu_2_by_b_1_z*t309 + mu_3_by_b_1_z*t309,
+        D_delta_x_2_by_b_1_z*t310 + D_delta_y_2_by_b_1_z*t311 + D_delta_z_2_by_b_1_z*t312
+        - D_p_x_1_by_b_1_z*t313 - D_p_x_1_by_b_1_z*t314 - D_p_x_1_by_b_1_z*t315 + D_p_x_1_by_b_1_z*t411
+        - D_p_y_1_by_b_1_z*t316 - D_p_y_1_by_b_1_z*t317 - D_p_y_1_by_b_1_z*t318 + D_p_y_1_by_b_1_z*t412
+        - D_p_z_1_by_b_1_z*t319 - D_p_z_1_by_b_1_z*t320 - D_p_z_1_by_b_1_z*t321 + D_p_z_1_by_b_1_z*t413
+        + mu_1_by_b_1_z*t322 + mu_2_by_b_1_z*t323 + mu_3_by_b_1_z*t323,
+        D_delta_x_3_by_b_1_z*t310 + D_delta_y_3_by_b_1_z*t311 + D_delta_z_3_by_b_1_z*t312
+        - D_p_x_1_by_b_1_z*t324 - D_p_x_1_by_b_1_z*t325 - D_p_x_1_by_b_1_z*t326 + D_p_x_1_by_b_1_z*t414
+        - D_p_y_1_by_b_1_z*t327 - D_p_y_1_by_b_1_z*t328 - D_p_y_1_by_b_1_z*t329 + D_p_y_1_by_b_1_z*t415
+        - D_p_z_1_by_b_1_z*t330 - D_p_z_1_by_b_1_z*t331 - D_p_z_1_by_b_1_z*t332 + D_p_z_1_by_b_1_z*t416
+        + mu_1_by_b_1_z*t333 + mu_2_by_b_1_z*t334 + mu_3_by_b_1_z*t334,
+        t432, D_p_x_1_by_b_1_z*k_C, D_p_y_1_by_b_1_z*k_C, D_p_z_1_by_b_1_z*k_C,
         2*D_p_x_2*D_p_x_2_by_b_1_z*k_C + 2*D_p_y_2*D_p_y_2_by_b_1_z*k_C + 2*D_p_z_2*D_p_z_2_by_b_1_z*k_C
-        + mu_1_by_b_1_z*t343 + mu_2_by_b_1_z*t344 + mu_3_by_b_1_z*t345 - t270*t445 - t271*t445 - t272*t445
-        - t273*t446 - t274*t446 - t275*t446 - t276*t447 - t277*t447 - t278*t447,
-        D_p_x_2*D_p_x_3_by_b_1_z*k_C + D_p_x_2_by_b_1_z*D_p_x_3*k_C - D_p_x_2_by_b_1_z*t282
-        - D_p_x_2_by_b_1_z*t283 - D_p_x_2_by_b_1_z*t284 - D_p_x_3_by_b_1_z*t270 - D_p_x_3_by_b_1_z*t271
-        - D_p_x_3_by_b_1_z*t272 + D_p_y_2*D_p_y_3_by_b_1_z*k_C + D_p_y_2_by_b_1_z*D_p_y_3*k_C
-        - D_p_y_2_by_b_1_z*t285 - D_p_y_2_by_b_1_z*t286 - D_p_y_2_by_b_1_z*t287 - D_p_y_3_by_b_1_z*t273
-        - D_p_y_3_by_b_1_z*t274 - D_p_y_3_by_b_1_z*t275 + D_p_z_2*D_p_z_3_by_b_1_z*k_C
-        + D_p_z_2_by_b_1_z*D_p_z_3*k_C - D_p_z_2_by_b_1_z*t288 - D_p_z_2_by_b_1_z*t289
-        - D_p_z_2_by_b_1_z*t290 - D_p_z_3_by_b_1_z*t276 - D_p_z_3_by_b_1_z*t277 - D_p_z_3_by_b_1_z*t278
-        + mu_1_by_b_1_z*t346 + mu_2_by_b_1_z*t347 + mu_3_by_b_1_z*t348,
-        D_delta_x_1_by_b_1_z*t355 + D_delta_y_1_by_b_1_z*t356 + D_delta_z_1_by_b_1_z*t357
-        - D_p_x_2_by_b_1_z*t300 - D_p_x_2_by_b_1_z*t301 - D_p_x_2_by_b_1_z*t302 + D_p_x_2_by_b_1_z*t420
-        - D_p_y_2_by_b_1_z*t303 - D_p_y_2_by_b_1_z*t304 - D_p_y_2_by_b_1_z*t305 + D_p_y_2_by_b_1_z*t421
-        - D_p_z_2_by_b_1_z*t306 - D_p_z_2_by_b_1_z*t307 - D_p_z_2_by_b_1_z*t308 + D_p_z_2_by_b_1_z*t422
-        + mu_1_by_b_1_z*t352 + mu_2_by_b_1_z*t353 + mu_3_by_b_1_z*t354,
-        D_delta_x_2_by_b_1_z*t355 + D_delta_y_2_by_b_1_z*t356 + D_delta_z_2_by_b_1_z*t357
-        - D_p_x_2_by_b_1_z*t315 - D_p_x_2_by_b_1_z*t316 - D_p_x_2_by_b_1_z*t317 + D_p_x_2_by_b_1_z*t423
-        - D_p_y_2_by_b_1_z*t318 - D_p_y_2_by_b_1_z*t319 - D_p_y_2_by_b_1_z*t320 + D_p_y_2_by_b_1_z*t424
-        - D_p_z_2_by_b_1_z*t321 - D_p_z_2_by_b_1_z*t322 - D_p_z_2_by_b_1_z*t323 + D_p_z_2_by_b_1_z*t425
-        + mu_1_by_b_1_z*t358 + mu_2_by_b_1_z*t359 + mu_3_by_b_1_z*t360,
-        D_delta_x_3_by_b_1_z*t355 + D_delta_y_3_by_b_1_z*t356 + D_delta_z_3_by_b_1_z*t357
-        - D_p_x_2_by_b_1_z*t327 - D_p_x_2_by_b_1_z*t328 - D_p_x_2_by_b_1_z*t329 + D_p_x_2_by_b_1_z*t426
-        - D_p_y_2_by_b_1_z*t330 - D_p_y_2_by_b_1_z*t331 - D_p_y_2_by_b_1_z*t332 + D_p_y_2_by_b_1_z*t427
-        - D_p_z_2_by_b_1_z*t333 - D_p_z_2_by_b_1_z*t334 - D_p_z_2_by_b_1_z*t335 + D_p_z_2_by_b_1_z*t428
-        + mu_1_by_b_1_z*t361 + mu_2_by_b_1_z*t362 + mu_3_by_b_1_z*t363,
+        + mu_1_by_b_1_z*t339 + mu_2_by_b_1_z*t340 + mu_3_by_b_1_z*t339 - t269*t433 - t270*t433 - t271*t433
+        - t272*t434 - t273*t434 - t274*t434 - t275*t435 - t276*t435 - t277*t435,
+        D_p_x_2*D_p_x_3_by_b_1_z*k_C + D_p_x_2_by_b_1_z*D_p_x_3*k_C - D_p_x_2_by_b_1_z*t281
+        - D_p_x_2_by_b_1_z*t282 - D_p_x_2_by_b_1_z*t283 - D_p_x_3_by_b_1_z*t269 - D_p_x_3_by_b_1_z*t270
+        - D_p_x_3_by_b_1_z*t271 + D_p_y_2*D_p_y_3_by_b_1_z*k_C + D_p_y_2_by_b_1_z*D_p_y_3*k_C
+        - D_p_y_2_by_b_1_z*t284 - D_p_y_2_by_b_1_z*t285 - D_p_y_2_by_b_1_z*t286 - D_p_y_3_by_b_1_z*t272
+        - D_p_y_3_by_b_1_z*t273 - D_p_y_3_by_b_1_z*t274 + D_p_z_2*D_p_z_3_by_b_1_z*k_C
+        + D_p_z_2_by_b_1_z*D_p_z_3*k_C - D_p_z_2_by_b_1_z*t287 - D_p_z_2_by_b_1_z*t288
+        - D_p_z_2_by_b_1_z*t289 - D_p_z_3_by_b_1_z*t275 - D_p_z_3_by_b_1_z*t276 - D_p_z_3_by_b_1_z*t277
+        + mu_1_by_b_1_z*t341 + mu_2_by_b_1_z*t342 + mu_3_by_b_1_z*t343,
+        D_delta_x_1_by_b_1_z*t349 + D_delta_y_1_by_b_1_z*t350 + D_delta_z_1_by_b_1_z*t351
+        - D_p_x_2_by_b_1_z*t299 - D_p_x_2_by_b_1_z*t300 - D_p_x_2_by_b_1_z*t301 + D_p_x_2_by_b_1_z*t408
+        - D_p_y_2_by_b_1_z*t302 - D_p_y_2_by_b_1_z*t303 - D_p_y_2_by_b_1_z*t304 + D_p_y_2_by_b_1_z*t409
+        - D_p_z_2_by_b_1_z*t305 - D_p_z_2_by_b_1_z*t306 - D_p_z_2_by_b_1_z*t307 + D_p_z_2_by_b_1_z*t410
+        + mu_1_by_b_1_z*t347 + mu_2_by_b_1_z*t348 + mu_3_by_b_1_z*t347,
+        D_delta_x_2_by_b_1_z*t349 + D_delta_y_2_by_b_1_z*t350 + D_delta_z_2_by_b_1_z*t351
+        - D_p_x_2_by_b_1_z*t313 - D_p_x_2_by_b_1_z*t314 - D_p_x_2_by_b_1_z*t315 + D_p_x_2_by_b_1_z*t411
+        - D_p_y_2_by_b_1_z*t316 - D_p_y_2_by_b_1_z*t317 - D_p_y_2_by_b_1_z*t318 + D_p_y_2_by_b_1_z*t412
+        - D_p_z_2_by_b_1_z*t319 - D_p_z_2_by_b_1_z*t320 - D_p_z_2_by_b_1_z*t321 + D_p_z_2_by_b_1_z*t413
+        + mu_1_by_b_1_z*t352 + mu_2_by_b_1_z*t353 + mu_3_by_b_1_z*t352,
+        D_delta_x_3_by_b_1_z*t349 + D_delta_y_3_by_b_1_z*t350 + D_delta_z_3_by_b_1_z*t351
+        - D_p_x_2_by_b_1_z*t324 - D_p_x_2_by_b_1_z*t325 - D_p_x_2_by_b_1_z*t326 + D_p_x_2_by_b_1_z*t414
+        - D_p_y_2_by_b_1_z*t327 - D_p_y_2_by_b_1_z*t328 - D_p_y_2_by_b_1_z*t329 + D_p_y_2_by_b_1_z*t415
+        - D_p_z_2_by_b_1_z*t330 - D_p_z_2_by_b_1_z*t331 - D_p_z_2_by_b_1_z*t332 + D_p_z_2_by_b_1_z*t416
+        + mu_1_by_b_1_z*t354 + mu_2_by_b_1_z*t355 + mu_3_by_b_1_z*t354,
         D_p_x_2_by_b_1_z*k_C, D_p_y_2_by_b_1_z*k_C, D_p_z_2_by_b_1_z*k_C,
         2*D_p_x_3*D_p_x_3_by_b_1_z*k_C + 2*D_p_y_3*D_p_y_3_by_b_1_z*k_C + 2*D_p_z_3*D_p_z_3_by_b_1_z*k_C
-        + mu_1_by_b_1_z*t367 + mu_2_by_b_1_z*t368 + mu_3_by_b_1_z*t369 - t282*t448 - t283*t448 - t284*t448
-        - t285*t449 - t286*t449 - t287*t449 - t288*t450 - t289*t450 - t290*t450,
-        D_delta_x_1_by_b_1_z*t376 + D_delta_y_1_by_b_1_z*t377 + D_delta_z_1_by_b_1_z*t378
-        - D_p_x_3_by_b_1_z*t300 - D_p_x_3_by_b_1_z*t301 - D_p_x_3_by_b_1_z*t302 + D_p_x_3_by_b_1_z*t420
-        - D_p_y_3_by_b_1_z*t303 - D_p_y_3_by_b_1_z*t304 - D_p_y_3_by_b_1_z*t305 + D_p_y_3_by_b_1_z*t421
-        - D_p_z_3_by_b_1_z*t306 - D_p_z_3_by_b_1_z*t307 - D_p_z_3_by_b_1_z*t308 + D_p_z_3_by_b_1_z*t422
-        + mu_1_by_b_1_z*t373 + mu_2_by_b_1_z*t374 + mu_3_by_b_1_z*t375,
-        D_delta_x_2_by_b_1_z*t376 + D_delta_y_2_by_b_1_z*t377 + D_delta_z_2_by_b_1_z*t378
-        - D_p_x_3_by_b_1_z*t315 - D_p_x_3_by_b_1_z*t316 - D_p_x_3_by_b_1_z*t317 + D_p_x_3_by_b_1_z*t423
-        - D_p_y_3_by_b_1_z*t318 - D_p_y_3_by_b_1_z*t319 - D_p_y_3_by_b_1_z*t320 + D_p_y_3_by_b_1_z*t424
-        - D_p_z_3_by_b_1_z*t321 - D_p_z_3_by_b_1_z*t322 - D_p_z_3_by_b_1_z*t323 + D_p_z_3_by_b_1_z*t425
-        + mu_1_by_b_1_z*t379 + mu_2_by_b_1_z*t380 + mu_3_by_b_1_z*t381,
-        D_delta_x_3_by_b_1_z*t376 + D_delta_y_3_by_b_1_z*t377 + D_delta_z_3_by_b_1_z*t378
-        - D_p_x_3_by_b_1_z*t327 - D_p_x_3_by_b_1_z*t328 - D_p_x_3_by_b_1_z*t329 + D_p_x_3_by_b_1_z*t426
-        - D_p_y_3_by_b_1_z*t330 - D_p_y_3_by_b_1_z*t331 - D_p_y_3_by_b_1_z*t332 + D_p_y_3_by_b_1_z*t427
-        - D_p_z_3_by_b_1_z*t333 - D_p_z_3_by_b_1_z*t334 - D_p_z_3_by_b_1_z*t335 + D_p_z_3_by_b_1_z*t428
-        + mu_1_by_b_1_z*t382 + mu_2_by_b_1_z*t383 + mu_3_by_b_1_z*t384,
-        D_p_x_3_by_b_1_z*k_C, D_p_y_3_by_b_1_z*k_C, D_p_z_3_by_b_1_z*k_C, t185*t441, t442, -t185*t440, t443,
-        D_delta_x_1_by_b_1_z*t386 + D_delta_y_1_by_b_1_z*t387 + D_delta_z_1_by_b_1_z*t388
-        + mu_1_by_b_1_z*t389 - mu_2_by_b_1_z*t385 - mu_3_by_b_1_z*t385,
-        D_delta_x_1_by_b_1_z*t391 + D_delta_x_2_by_b_1_z*t392 + D_delta_y_1_by_b_1_z*t393
-        + D_delta_y_2_by_b_1_z*t394 + D_delta_z_1_by_b_1_z*t395 + D_delta_z_2_by_b_1_z*t396
-        + mu_1_by_b_1_z*t390 + mu_2_by_b_1_z*t390 + mu_3_by_b_1_z*t390,
-        D_delta_x_1_by_b_1_z*t398 + D_delta_x_3_by_b_1_z*t392 + D_delta_y_1_by_b_1_z*t399
-        + D_delta_y_3_by_b_1_z*t394 + D_delta_z_1_by_b_1_z*t400 + D_delta_z_3_by_b_1_z*t396
-        + mu_1_by_b_1_z*t397 + mu_2_by_b_1_z*t397 + mu_3_by_b_1_z*t397,
+        + mu_1_by_b_1_z*t359 + mu_2_by_b_1_z*t359 + mu_3_by_b_1_z*t360 - t281*t436 - t282*t436 - t283*t436
+        - t284*t437 - t285*t437 - t286*t437 - t287*t438 - t288*t438 - t289*t438,
+        D_delta_x_1_by_b_1_z*t366 + D_delta_y_1_by_b_1_z*t367 + D_delta_z_1_by_b_1_z*t368
+        - D_p_x_3_by_b_1_z*t299 - D_p_x_3_by_b_1_z*t300 - D_p_x_3_by_b_1_z*t301 + D_p_x_3_by_b_1_z*t408
+        - D_p_y_3_by_b_1_z*t302 - D_p_y_3_by_b_1_z*t303 - D_p_y_3_by_b_1_z*t304 + D_p_y_3_by_b_1_z*t409
+        - D_p_z_3_by_b_1_z*t305 - D_p_z_3_by_b_1_z*t306 - D_p_z_3_by_b_1_z*t307 + D_p_z_3_by_b_1_z*t410
+        + mu_1_by_b_1_z*t364 + mu_2_by_b_1_z*t364 + mu_3_by_b_1_z*t365,
+        D_delta_x_2_by_b_1_z*t366 + D_delta_y_2_by_b_1_z*t367 + D_delta_z_2_by_b_1_z*t368
+        - D_p_x_3_by_b_1_z*t313 - D_p_x_3_by_b_1_z*t314 - D_p_x_3_by_b_1_z*t315 + D_p_x_3_by_b_1_z*t411
+        - D_p_y_3_by_b_1_z*t316 - D_p_y_3_by_b_1_z*t317 - D_p_y_3_by_b_1_z*t318 + D_p_y_3_by_b_1_z*t412
+        - D_p_z_3_by_b_1_z*t319 - D_p_z_3_by_b_1_z*t320 - D_p_z_3_by_b_1_z*t321 + D_p_z_3_by_b_1_z*t413
+        + mu_1_by_b_1_z*t369 + mu_2_by_b_1_z*t369 + mu_3_by_b_1_z*t370,
+        D_delta_x_3_by_b_1_z*t366 + D_delta_y_3_by_b_1_z*t367 + D_delta_z_3_by_b_1_z*t368
+        - D_p_x_3_by_b_1_z*t324 - D_p_x_3_by_b_1_z*t325 - D_p_x_3_by_b_1_z*t326 + D_p_x_3_by_b_1_z*t414
+        - D_p_y_3_by_b_1_z*t327 - D_p_y_3_by_b_1_z*t328 - D_p_y_3_by_b_1_z*t329 + D_p_y_3_by_b_1_z*t415
+        - D_p_z_3_by_b_1_z*t330 - D_p_z_3_by_b_1_z*t331 - D_p_z_3_by_b_1_z*t332 + D_p_z_3_by_b_1_z*t416
+        + mu_1_by_b_1_z*t371 + mu_2_by_b_1_z*t371 + mu_3_by_b_1_z*t372,
+        D_p_x_3_by_b_1_z*k_C, D_p_y_3_by_b_1_z*k_C, D_p_z_3_by_b_1_z*k_C, t185*t429, t430, -t185*t428, t431,
+        D_delta_x_1_by_b_1_z*t374 + D_delta_y_1_by_b_1_z*t375 + D_delta_z_1_by_b_1_z*t376
+        + mu_1_by_b_1_z*t377 - mu_2_by_b_1_z*t373 - mu_3_by_b_1_z*t373,
+        D_delta_x_1_by_b_1_z*t379 + D_delta_x_2_by_b_1_z*t380 + D_delta_y_1_by_b_1_z*t381
+        + D_delta_y_2_by_b_1_z*t382 + D_delta_z_1_by_b_1_z*t383 + D_delta_z_2_by_b_1_z*t384
+        + mu_1_by_b_1_z*t378 + mu_2_by_b_1_z*t378 + mu_3_by_b_1_z*t378,
+        D_delta_x_1_by_b_1_z*t386 + D_delta_x_3_by_b_1_z*t380 + D_delta_y_1_by_b_1_z*t387
+        + D_delta_y_3_by_b_1_z*t382 + D_delta_z_1_by_b_1_z*t388 + D_delta_z_3_by_b_1_z*t384
+        + mu_1_by_b_1_z*t385 + mu_2_by_b_1_z*t385 + mu_3_by_b_1_z*t385,
         D_delta_x_1_by_b_1_z*k_C, D_delta_y_1_by_b_1_z*k_C, D_delta_z_1_by_b_1_z*k_C,
-        D_delta_x_2_by_b_1_z*t402 + D_delta_y_2_by_b_1_z*t403 + D_delta_z_2_by_b_1_z*t404
-        - mu_1_by_b_1_z*t401 + mu_2_by_b_1_z*t405 - mu_3_by_b_1_z*t401,
-        D_delta_x_2_by_b_1_z*t398 + D_delta_x_3_by_b_1_z*t391 + D_delta_y_2_by_b_1_z*t399
-        + D_delta_y_3_by_b_1_z*t393 + D_delta_z_2_by_b_1_z*t400 + D_delta_z_3_by_b_1_z*t395
-        + mu_1_by_b_1_z*t406 + mu_2_by_b_1_z*t406 + mu_3_by_b_1_z*t406,
+        D_delta_x_2_by_b_1_z*t390 + D_delta_y_2_by_b_1_z*t391 + D_delta_z_2_by_b_1_z*t392
+        - mu_1_by_b_1_z*t389 + mu_2_by_b_1_z*t393 - mu_3_by_b_1_z*t389,
+        D_delta_x_2_by_b_1_z*t386 + D_delta_x_3_by_b_1_z*t379 + D_delta_y_2_by_b_1_z*t387
+        + D_delta_y_3_by_b_1_z*t381 + D_delta_z_2_by_b_1_z*t388 + D_delta_z_3_by_b_1_z*t383
+        + mu_1_by_b_1_z*t394 + mu_2_by_b_1_z*t394 + mu_3_by_b_1_z*t394,
         D_delta_x_2_by_b_1_z*k_C, D_delta_y_2_by_b_1_z*k_C, D_delta_z_2_by_b_1_z*k_C,
-        D_delta_x_3_by_b_1_z*t408 + D_delta_y_3_by_b_1_z*t409 + D_delta_z_3_by_b_1_z*t410
-        - mu_1_by_b_1_z*t407 - mu_2_by_b_1_z*t407 + mu_3_by_b_1_z*t411,
-        D_delta_x_3_by_b_1_z*k_C, D_delta_y_3_by_b_1_z*k_C, D_delta_z_3_by_b_1_z*k_C, t444,
+        D_delta_x_3_by_b_1_z*t396 + D_delta_y_3_by_b_1_z*t397 + D_delta_z_3_by_b_1_z*t398
+        - mu_1_by_b_1_z*t395 - mu_2_by_b_1_z*t395 + mu_3_by_b_1_z*t399,
+        D_delta_x_3_by_b_1_z*k_C, D_delta_y_3_by_b_1_z*k_C, D_delta_z_3_by_b_1_z*k_C, t432,
         2*D_p_x_1*D_p_x_1_by_b_2_x*k_C + 2*D_p_y_1*D_p_y_1_by_b_2_x*k_C + 2*D_p_z_1*D_p_z_1_by_b_2_x*k_C
-        + mu_1_by_b_2_x*t266 + mu_2_by_b_2_x*t267 + mu_3_by_b_2_x*t268 - t248*t451 - t250*t451 - t251*t451
-        - t252*t452 - t254*t452 - t255*t452 - t256*t453 - t258*t453 - t259*t453,
-        D_p_x_1*D_p_x_2_by_b_2_x*k_C + D_p_x_1_by_b_2_x*D_p_x_2*k_C - D_p_x_1_by_b_2_x*t270
-        - D_p_x_1_by_b_2_x*t271 - D_p_x_1_by_b_2_x*t272 - D_p_x_2_by_b_2_x*t248 - D_p_x_2_by_b_2_x*t250
+        + mu_1_by_b_2_x*t266 + mu_2_by_b_2_x*t267 + mu_3_by_b_2_x*t267 - t248*t439 - t250*t439 - t251*t439
+        - t252*t440 - t254*t440 - t255*t440 - t256*t441 - t258*t441 - t259*t441,
+        D_p_x_1*D_p_x_2_by_b_2_x*k_C + D_p_x_1_by_b_2_x*D_p_x_2*k_C - D_p_x_1_by_b_2_x*t269
+        - D_p_x_1_by_b_2_x*t270 - D_p_x_1_by_b_2_x*t271 - D_p_x_2_by_b_2_x*t248 - D_p_x_2_by_b_2_x*t250
         - D_p_x_2_by_b_2_x*t251 + D_p_y_1*D_p_y_2_by_b_2_x*k_C + D_p_y_1_by_b_2_x*D_p_y_2*k_C
-        - D_p_y_1_by_b_2_x*t273 - D_p_y_1_by_b_2_x*t274 - D_p_y_1_by_b_2_x*t275 - D_p_y_2_by_b_2_x*t252
+        - D_p_y_1_by_b_2_x*t272 - D_p_y_1_by_b_2_x*t273 - D_p_y_1_by_b_2_x*t274 - D_p_y_2_by_b_2_x*t252
         - D_p_y_2_by_b_2_x*t254 - D_p_y_2_by_b_2_x*t255 + D_p_z_1*D_p_z_2_by_b_2_x*k_C
-        + D_p_z_1_by_b_2_x*D_p_z_2*k_C - D_p_z_1_by_b_2_x*t276 - D_p_z_1_by_b_2_x*t277
-        - D_p_z_1_by_b_2_x*t278 - D_p_z_2_by_b_2_x*t256 - D_p_z_2_by_b_2_x*t258 - D_p_z_2_by_b_2_x*t259
-        + mu_1_by_b_2_x*t279 + mu_2_by_b_2_x*t280 + mu_3_by_b_2_x*t281,
-        D_p_x_1*D_p_x_3_by_b_2_x*k_C + D_p_x_1_by_b_2_x*D_p_x_3*k_C - D_p_x_1_by_b_2_x*t282
-        - D_p_x_1_by_b_2_x*t283 - D_p_x_1_by_b_2_x*t284 - D_p_x_3_by_b_2_x*t248 - D_p_x_3_by_b_2_x*t250
+        + D_p_z_1_by_b_2_x*D_p_z_2*k_C - D_p_z_1_by_b_2_x*t275 - D_p_z_1_by_b_2_x*t276
+        - D_p_z_1_by_b_2_x*t277 - D_p_z_2_by_b_2_x*t256 - D_p_z_2_by_b_2_x*t258 - D_p_z_2_by_b_2_x*t259
+        + mu_1_by_b_2_x*t278 + mu_2_by_b_2_x*t279 + mu_3_by_b_2_x*t280,
+        D_p_x_1*D_p_x_3_by_b_2_x*k_C + D_p_x_1_by_b_2_x*D_p_x_3*k_C - D_p_x_1_by_b_2_x*t281
+        - D_p_x_1_by_b_2_x*t282 - D_p_x_1_by_b_2_x*t283 - D_p_x_3_by_b_2_x*t248 - D_p_x_3_by_b_2_x*t250
         - D_p_x_3_by_b_2_x*t251 + D_p_y_1*D_p_y_3_by_b_2_x*k_C + D_p_y_1_by_b_2_x*D_p_y_3*k_C
-        - D_p_y_1_by_b_2_x*t285 - D_p_y_1_by_b_2_x*t286 - D_p_y_1_by_b_2_x*t287 - D_p_y_3_by_b_2_x*t252
+        - D_p_y_1_by_b_2_x*t284 - D_p_y_1_by_b_2_x*t285 - D_p_y_1_by_b_2_x*t286 - D_p_y_3_by_b_2_x*t252
         - D_p_y_3_by_b_2_x*t254 - D_p_y_3_by_b_2_x*t255 + D_p_z_1*D_p_z_3_by_b_2_x*k_C
-        + D_p_z_1_by_b_2_x*D_p_z_3*k_C - D_p_z_1_by_b_2_x*t288 - D_p_z_1_by_b_2_x*t289
-        - D_p_z_1_by_b_2_x*t290 - D_p_z_3_by_b_2_x*t256 - D_p_z_3_by_b_2_x*t258 - D_p_z_3_by_b_2_x*t259
-        + mu_1_by_b_2_x*t291 + mu_2_by_b_2_x*t292 + mu_3_by_b_2_x*t293,
-        D_delta_x_1_by_b_2_x*t312 + D_delta_y_1_by_b_2_x*t313 + D_delta_z_1_by_b_2_x*t314
-        - D_p_x_1_by_b_2_x*t300 - D_p_x_1_by_b_2_x*t301 - D_p_x_1_by_b_2_x*t302 + D_p_x_1_by_b_2_x*t420
-        - D_p_y_1_by_b_2_x*t303 - D_p_y_1_by_b_2_x*t304 - D_p_y_1_by_b_2_x*t305 + D_p_y_1_by_b_2_x*t421
-        - D_p_z_1_by_b_2_x*t306 - D_p_z_1_by_b_2_x*t307 - D_p_z_1_by_b_2_x*t308 + D_p_z_1_by_b_2_x*t422
-        + mu_1_by_b_2_x*t309 + mu_2_by_b_2_x*t310 + mu_3_by_b_2_x*t311,
-        D_delta_x_2_by_b_2_x*t312 + D_delta_y_2_by_b_2_x*t313 + D_delta_z_2_by_b_2_x*t314
-        - D_p_x_1_by_b_2_x*t315 - D_p_x_1_by_b_2_x*t316 - D_p_x_1_by_b_2_x*t317 + D_p_x_1_by_b_2_x*t423
-        - D_p_y_1_by_b_2_x*t318 - D_p_y_1_by_b_2_x*t319 - D_p_y_1_by_b_2_x*t320 + D_p_y_1_by_b_2_x*t424
-        - D_p_z_1_by_b_2_x*t321 - D_p_z_1_by_b_2_x*t322 - D_p_z_1_by_b_2_x*t323 + D_p_z_1_by_b_2_x*t425
-        + mu_1_by_b_2_x*t324 + mu_2_by_b_2_x*t325 + mu_3_by_b_2_x*t326,
-        D_delta_x_3_by_b_2_x*t312 + D_delta_y_3_by_b_2_x*t313 + D_delta_z_3_by_b_2_x*t314
-        - D_p_x_1_by_b_2_x*t327 - D_p_x_1_by_b_2_x*t328 - D_p_x_1_by_b_2_x*t329 + D_p_x_1_by_b_2_x*t426
-        - D_p_y_1_by_b_2_x*t330 - D_p_y_1_by_b_2_x*t331 - D_p_y_1_by_b_2_x*t332 + D_p_y_1_by_b_2_x*t427
-        - D_p_z_1_by_b_2_x*t333 - D_p_z_1_by_b_2_x*t334 - D_p_z_1_by_b_2_x*t335 + D_p_z_1_by_b_2_x*t428
-        + mu_1_by_b_2_x*t336 + mu_2_by_b_2_x*t337 + mu_3_by_b_2_x*t338,
+        + D_p_z_1_by_b_2_x*D_p_z_3*k_C - D_p_z_1_by_b_2_x*t287 - D_p_z_1_by_b_2_x*t288
+        - D_p_z_1_by_b_2_x*t289 - D_p_z_3_by_b_2_x*t256 - D_p_z_3_by_b_2_x*t258 - D_p_z_3_by_b_2_x*t259
+        + mu_1_by_b_2_x*t290 + mu_2_by_b_2_x*t291 + mu_3_by_b_2_x*t292,
+        D_delta_x_1_by_b_2_x*t310 + D_delta_y_1_by_b_2_x*t311 + D_delta_z_1_by_b_2_x*t312
+        - D_p_x_1_by_b_2_x*t299 - D_p_x_1_by_b_2_x*t300 - D_p_x_1_by_b_2_x*t301 + D_p_x_1_by_b_2_x*t408
+        - D_p_y_1_by_b_2_x*t302 - D_p_y_1_by_b_2_x*t303 - D_p_y_1_by_b_2_x*t304 + D_p_y_1_by_b_2_x*t409
+        - D_p_z_1_by_b_2_x*t305 - D_p_z_1_by_b_2_x*t306 - D_p_z_1_by_b_2_x*t307 + D_p_z_1_by_b_2_x*t410
+        + mu_1_by_b_2_x*t308 + mu_2_by_b_2_x*t309 + mu_3_by_b_2_x*t309,
+        D_delta_x_2_by_b_2_x*t310 + D_delta_y_2_by_b_2_x*t311 + D_delta_z_2_by_b_2_x*t312
+        - D_p_x_1_by_b_2_x*t313 - D_p_x_1_by_b_2_x*t314 - D_p_x_1_by_b_2_x*t315 + D_p_x_1_by_b_2_x*t411
+        - D_p_y_1_by_b_2_x*t316 - D_p_y_1_by_b_2_x*t317 - D_p_y_1_by_b_2_x*t318 + D_p_y_1_by_b_2_x*t412
+        - D_p_z_1_by_b_2_x*t319 - D_p_z_1_by_b_2_x*t320 - D_p_z_1_by_b_2_x*t321 + D_p_z_1_by_b_2_x*t413
+        + mu_1_by_b_2_x*t322 + mu_2_by_b_2_x*t323 + mu_3_by_b_2_x*t323,
+        D_delta_x_3_by_b_2_x*t310 + D_delta_y_3_by_b_2_x*t311 + D_delta_z_3_by_b_2_x*t312
+        - D_p_x_1_by_b_2_x*t324 - D_p_x_1_by_b_2_x*t325 - D_p_x_1_by_b_2_x*t326 + D_p_x_1_by_b_2_x*t414
+        - D_p_y_1_by_b_2_x*t327 - D_p_y_1_by_b_2_x*t328 - D_p_y_1_by_b_2_x*t329 + D_p_y_1_by_b_2_x*t415
+        - D_p_z_1_by_b_2_x*t330 - D_p_z_1_by_b_2_x*t331 - D_p_z_1_by_b_2_x*t332 + D_p_z_1_by_b_2_x*t416
+        + mu_1_by_b_2_x*t333 + mu_2_by_b_2_x*t334 + mu_3_by_b_2_x*t334,
         D_p_x_1_by_b_2_x*k_C, D_p_y_1_by_b_2_x*k_C, D_p_z_1_by_b_2_x*k_C,
         2*D_p_x_2*D_p_x_2_by_b_2_x*k_C + 2*D_p_y_2*D_p_y_2_by_b_2_x*k_C + 2*D_p_z_2*D_p_z_2_by_b_2_x*k_C
-        + k_sp_2*t457*t463*w_b_2*x_2_by_b_2_x + mu_1_by_b_2_x*t343 + mu_2_by_b_2_x*t344
-        + mu_3_by_b_2_x*t345 - t270*t454 - t271*t454 - t272*t454 - t273*t455 - t274*t455 - t275*t455
-        - t276*t456 - t277*t456 - t278*t456 - t462,
-        D_p_x_2*D_p_x_3_by_b_2_x*k_C + D_p_x_2_by_b_2_x*D_p_x_3*k_C - D_p_x_2_by_b_2_x*t282
-        - D_p_x_2_by_b_2_x*t283 - D_p_x_2_by_b_2_x*t284 - D_p_x_3_by_b_2_x*t270 - D_p_x_3_by_b_2_x*t271
-        - D_p_x_3_by_b_2_x*t272 + D_p_y_2*D_p_y_3_by_b_2_x*k_C + D_p_y_2_by_b_2_x*D_p_y_3*k_C
-        - D_p_y_2_by_b_2_x*t285 - D_p_y_2_by_b_2_x*t286 - D_p_y_2_by_b_2_x*t287 - D_p_y_3_by_b_2_x*t273
-        - D_p_y_3_by_b_2_x*t274 - D_p_y_3_by_b_2_x*t275 + D_p_z_2*D_p_z_3_by_b_2_x*k_C
-        + D_p_z_2_by_b_2_x*D_p_z_3*k_C - D_p_z_2_by_b_2_x*t288 - D_p_z_2_by_b_2_x*t289
-        - D_p_z_2_by_b_2_x*t290 - D_p_z_3_by_b_2_x*t276 - D_p_z_3_by_b_2_x*t277 - D_p_z_3_by_b_2_x*t278
-        + mu_1_by_b_2_x*t346 + mu_2_by_b_2_x*t347 + mu_3_by_b_2_x*t348,
-        t465, t466,
-        D_delta_x_1_by_b_2_x*t355 + D_delta_y_1_by_b_2_x*t356 + D_delta_z_1_by_b_2_x*t357
-        - D_p_x_2_by_b_2_x*t300 - D_p_x_2_by_b_2_x*t301 - D_p_x_2_by_b_2_x*t302 + D_p_x_2_by_b_2_x*t420
-        - D_p_y_2_by_b_2_x*t303 - D_p_y_2_by_b_2_x*t304 - D_p_y_2_by_b_2_x*t305 + D_p_y_2_by_b_2_x*t421
-        - D_p_z_2_by_b_2_x*t306 - D_p_z_2_by_b_2_x*t307 - D_p_z_2_by_b_2_x*t308 + D_p_z_2_by_b_2_x*t422
-        + mu_1_by_b_2_x*t352 + mu_2_by_b_2_x*t353 + mu_3_by_b_2_x*t354,
-        D_delta_x_2_by_b_2_x*t355 + D_delta_y_2_by_b_2_x*t356 + D_delta_z_2_by_b_2_x*t357
-        - D_p_x_2_by_b_2_x*t315 - D_p_x_2_by_b_2_x*t316 - D_p_x_2_by_b_2_x*t317 + D_p_x_2_by_b_2_x*t423
-        - D_p_y_2_by_b_2_x*t318 - D_p_y_2_by_b_2_x*t319 - D_p_y_2_by_b_2_x*t320 + D_p_y_2_by_b_2_x*t424
-        - D_p_z_2_by_b_2_x*t321 - D_p_z_2_by_b_2_x*t322 - D_p_z_2_by_b_2_x*t323 + D_p_z_2_by_b_2_x*t425
-        + mu_1_by_b_2_x*t358 + mu_2_by_b_2_x*t359 + mu_3_by_b_2_x*t360,
-        D_delta_x_3_by_b_2_x*t355 + D_delta_y_3_by_b_2_x*t356 + D_delta_z_3_by_b_2_x*t357
-        - D_p_x_2_by_b_2_x*t327 - D_p_x_2_by_b_2_x*t328 - D_p_x_2_by_b_2_x*t329 + D_p_x_2_by_b_2_x*t426
-        - D_p_y_2_by_b_2_x*t330 - D_p_y_2_by_b_2_x*t331 - D_p_y_2_by_b_2_x*t332 + D_p_y_2_by_b_2_x*t427
-        - D_p_z_2_by_b_2_x*t333 - D_p_z_2_by_b_2_x*t334 - D_p_z_2_by_b_2_x*t335 + D_p_z_2_by_b_2_x*t428
-        + mu_1_by_b_2_x*t361 + mu_2_by_b_2_x*t362 + mu_3_by_b_2_x*t363,
-        t467, D_p_x_2_by_b_2_x*k_C, D_p_y_2_by_b_2_x*k_C, D_p_z_2_by_b_2_x*k_C,
+        + k_sp_2*t445*t451*w_b_2*x_2_by_b_2_x + mu_1_by_b_2_x*t339 + mu_2_by_b_2_x*t340
+        + mu_3_by_b_2_x*t339 - t269*t442 - t270*t442 - t271*t442 - t272*t443 - t273*t443 - t274*t443
+        - t275*t444 - t276*t444 - t277*t444 - t450,
+        D_p_x_2*D_p_x_3_by_b_2_x*k_C + D_p_x_2_by_b_2_x*D_p_x_3*k_C - D_p_x_2_by_b_2_x*t281
+        - D_p_x_2_by_b_2_x*t282 - D_p_x_2_by_b_2_x*t283 - D_p_x_3_by_b_2_x*t269 - D_p_x_3_by_b_2_x*t270
+        - D_p_x_3_by_b_2_x*t271 + D_p_y_2*D_p_y_3_by_b_2_x*k_C + D_p_y_2_by_b_2_x*D_p_y_3*k_C
+        - D_p_y_2_by_b_2_x*t284 - D_p_y_2_by_b_2_x*t285 - D_p_y_2_by_b_2_x*t286 - D_p_y_3_by_b_2_x*t272
+        - D_p_y_3_by_b_2_x*t273 - D_p_y_3_by_b_2_x*t274 + D_p_z_2*D_p_z_3_by_b_2_x*k_C
+        + D_p_z_2_by_b_2_x*D_p_z_3*k_C - D_p_z_2_by_b_2_x*t287 - D_p_z_2_by_b_2_x*t288
+        - D_p_z_2_by_b_2_x*t289 - D_p_z_3_by_b_2_x*t275 - D_p_z_3_by_b_2_x*t276 - D_p_z_3_by_b_2_x*t277
+        + mu_1_by_b_2_x*t341 + mu_2_by_b_2_x*t342 + mu_3_by_b_2_x*t343,
+        t453, t454,
+        D_delta_x_1_by_b_2_x*t349 + D_delta_y_1_by_b_2_x*t350 + D_delta_z_1_by_b_2_x*t351
+        - D_p_x_2_by_b_2_x*t299 - D_p_x_2_by_b_2_x*t300 - D_p_x_2_by_b_2_x*t301 + D_p_x_2_by_b_2_x*t408
+        - D_p_y_2_by_b_2_x*t302 - D_p_y_2_by_b_2_x*t303 - D_p_y_2_by_b_2_x*t304 + D_p_y_2_by_b_2_x*t409
+        - D_p_z_2_by_b_2_x*t305 - D_p_z_2_by_b_2_x*t306 - D_p_z_2_by_b_2_x*t307 + D_p_z_2_by_b_2_x*t410
+        + mu_1_by_b_2_x*t347 + mu_2_by_b_2_x*t348 + mu_3_by_b_2_x*t347,
+        D_delta_x_2_by_b_2_x*t349 + D_delta_y_2_by_b_2_x*t350 + D_delta_z_2_by_b_2_x*t351
+        - D_p_x_2_by_b_2_x*t313 - D_p_x_2_by_b_2_x*t314 - D_p_x_2_by_b_2_x*t315 + D_p_x_2_by_b_2_x*t411
+        - D_p_y_2_by_b_2_x*t316 - D_p_y_2_by_b_2_x*t317 - D_p_y_2_by_b_2_x*t318 + D_p_y_2_by_b_2_x*t412
+        - D_p_z_2_by_b_2_x*t319 - D_p_z_2_by_b_2_x*t320 - D_p_z_2_by_b_2_x*t321 + D_p_z_2_by_b_2_x*t413
+        + mu_1_by_b_2_x*t352 + mu_2_by_b_2_x*t353 + mu_3_by_b_2_x*t352,
+        D_delta_x_3_by_b_2_x*t349 + D_delta_y_3_by_b_2_x*t350 + D_delta_z_3_by_b_2_x*t351
+        - D_p_x_2_by_b_2_x*t324 - D_p_x_2_by_b_2_x*t325 - D_p_x_2_by_b_2_x*t326 + D_p_x_2_by_b_2_x*t414
+        - D_p_y_2_by_b_2_x*t327 - D_p_y_2_by_b_2_x*t328 - D_p_y_2_by_b_2_x*t329 + D_p_y_2_by_b_2_x*t415
+        - D_p_z_2_by_b_2_x*t330 - D_p_z_2_by_b_2_x*t331 - D_p_z_2_by_b_2_x*t332 + D_p_z_2_by_b_2_x*t416
+        + mu_1_by_b_2_x*t354 + mu_2_by_b_2_x*t355 + mu_3_by_b_2_x*t354,
+        t455, D_p_x_2_by_b_2_x*k_C, D_p_y_2_by_b_2_x*k_C, D_p_z_2_by_b_2_x*k_C,
         2*D_p_x_3*D_p_x_3_by_b_2_x*k_C + 2*D_p_y_3*D_p_y_3_by_b_2_x*k_C + 2*D_p_z_3*D_p_z_3_by_b_2_x*k_C
-        + mu_1_by_b_2_x*t367 + mu_2_by_b_2_x*t368 + mu_3_by_b_2_x*t369 - t282*t468 - t283*t468 - t284*t468
-        - t285*t469 - t286*t469 - t287*t469 - t288*t470 - t289*t470 - t290*t470,
-        D_delta_x_1_by_b_2_x*t376 + D_delta_y_1_by_b_2_x*t377 + D_delta_z_1_by_b_2_x*t378
-        - D_p_x_3_by_b_2_x*t300 - D_p_x_3_by_b_2_x*t301 - D_p_x_3_by_b_2_x*t302 + D_p_x_3_by_b_2_x*t420
-        - D_p_y_3_by_b_2_x*t303 - D_p_y_3_by_b_2_x*t304 - D_p_y_3_by_b_2_x*t305 + D_p_y_3_by_b_2_x*t421
-        - D_p_z_3_by_b_2_x*t306 - D_p_z_3_by_b_2_x*t307 - D_p_z_3_by_b_2_x*t308 + D_p_z_3_by_b_2_x*t422
-        + mu_1_by_b_2_x*t373 + mu_2_by_b_2_x*t374 + mu_3_by_b_2_x*t375,
-        D_delta_x_2_by_b_2_x*t376 + D_delta_y_2_by_b_2_x*t377 + D_delta_z_2_by_b_2_x*t378
-        - D_p_x_3_by_b_2_x*t315 - D_p_x_3_by_b_2_x*t316 - D_p_x_3_by_b_2_x*t317 + D_p_x_3_by_b_2_x*t423
-        - D_p_y_3_by_b_2_x*t318 - D_p_y_3_by_b_2_x*t319 - D_p_y_3_by_b_2_x*t320 + D_p_y_3_by_b_2_x*t424
-        - D_p_z_3_by_b_2_x*t321 - D_p_z_3_by_b_2_x*t322 - D_p_z_3_by_b_2_x*t323 + D_p_z_3_by_b_2_x*t425
-        + mu_1_by_b_2_x*t379 + mu_2_by_b_2_x*t380 + mu_3_by_b_2_x*t381,
-        D_delta_x_3_by_b_2_x*t376 + D_delta_y_3_by_b_2_x*t377 + D_delta_z_3_by_b_2_x*t378
-        - D_p_x_3_by_b_2_x*t327 - D_p_x_3_by_b_2_x*t328 - D_p_x_3_by_b_2_x*t329 + D_p_x_3_by_b_2_x*t426
-        - D_p_y_3_by_b_2_x*t330 - D_p_y_3_by_b_2_x*t331 - D_p_y_3_by_b_2_x*t332 + D_p_y_3_by_b_2_x*t427
-        - D_p_z_3_by_b_2_x*t333 - D_p_z_3_by_b_2_x*t334 - D_p_z_3_by_b_2_x*t335 + D_p_z_3_by_b_2_x*t428
-        + mu_1_by_b_2_x*t382 + mu_2_by_b_2_x*t383 + mu_3_by_b_2_x*t384,
-        D_p_x_3_by_b_2_x*k_C, D_p_y_3_by_b_2_x*k_C, D_p_z_3_by_b_2_x*k_C, t218*t464, t465, -t218*t462, t466,
-        D_delta_x_1_by_b_2_x*t386 + D_delta_y_1_by_b_2_x*t387 + D_delta_z_1_by_b_2_x*t388
-        + mu_1_by_b_2_x*t389 - mu_2_by_b_2_x*t385 - mu_3_by_b_2_x*t385,
-        D_delta_x_1_by_b_2_x*t391 + D_delta_x_2_by_b_2_x*t392 + D_delta_y_1_by_b_2_x*t393
-        + D_delta_y_2_by_b_2_x*t394 + D_delta_z_1_by_b_2_x*t395 + D_delta_z_2_by_b_2_x*t396
-        + mu_1_by_b_2_x*t390 + mu_2_by_b_2_x*t390 + mu_3_by_b_2_x*t390,
-        D_delta_x_1_by_b_2_x*t398 + D_delta_x_3_by_b_2_x*t392 + D_delta_y_1_by_b_2_x*t399
-        + D_delta_y_3_by_b_2_x*t394 + D_delta_z_1_by_b_2_x*t400 + D_delta_z_3_by_b_2_x*t396
-        + mu_1_by_b_2_x*t397 + mu_2_by_b_2_x*t397 + mu_3_by_b_2_x*t397,
+        + mu_1_by_b_2_x*t359 + mu_2_by_b_2_x*t359 + mu_3_by_b_2_x*t360 - t281*t456 - t282*t456 - t283*t456
+        - t284*t457 - t285*t457 - t286*t457 - t287*t458 - t288*t458 - t289*t458,
+        D_delta_x_1_by_b_2_x*t366 + D_delta_y_1_by_b_2_x*t367 + D_delta_z_1_by_b_2_x*t368
+        - D_p_x_3_by_b_2_x*t299 - D_p_x_3_by_b_2_x*t300 - D_p_x_3_by_b_2_x*t301 + D_p_x_3_by_b_2_x*t408
+        - D_p_y_3_by_b_2_x*t302 - D_p_y_3_by_b_2_x*t303 - D_p_y_3_by_b_2_x*t304 + D_p_y_3_by_b_2_x*t409
+        - D_p_z_3_by_b_2_x*t305 - D_p_z_3_by_b_2_x*t306 - D_p_z_3_by_b_2_x*t307 + D_p_z_3_by_b_2_x*t410
+        + mu_1_by_b_2_x*t364 + mu_2_by_b_2_x*t364 + mu_3_by_b_2_x*t365,
+        D_delta_x_2_by_b_2_x*t366 + D_delta_y_2_by_b_2_x*t367 + D_delta_z_2_by_b_2_x*t368
+        - D_p_x_3_by_b_2_x*t313 - D_p_x_3_by_b_2_x*t314 - D_p_x_3_by_b_2_x*t315 + D_p_x_3_by_b_2_x*t411
+        - D_p_y_3_by_b_2_x*t316 - D_p_y_3_by_b_2_x*t317 - D_p_y_3_by_b_2_x*t318 + D_p_y_3_by_b_2_x*t412
+        - D_p_z_3_by_b_2_x*t319 - D_p_z_3_by_b_2_x*t320 - D_p_z_3_by_b_2_x*t321 + D_p_z_3_by_b_2_x*t413
+        + mu_1_by_b_2_x*t369 + mu_2_by_b_2_x*t369 + mu_3_by_b_2_x*t370,
+        D_delta_x_3_by_b_2_x*t366 + D_delta_y_3_by_b_2_x*t367 + D_delta_z_3_by_b_2_x*t368
+        - D_p_x_3_by_b_2_x*t324 - D_p_x_3_by_b_2_x*t325 - D_p_x_3_by_b_2_x*t326 + D_p_x_3_by_b_2_x*t414
+        - D_p_y_3_by_b_2_x*t327 - D_p_y_3_by_b_2_x*t328 - D_p_y_3_by_b_2_x*t329 + D_p_y_3_by_b_2_x*t415
+        - D_p_z_3_by_b_2_x*t330 - D_p_z_3_by_b_2_x*t331 - D_p_z_3_by_b_2_x*t332 + D_p_z_3_by_b_2_x*t416
+        + mu_1_by_b_2_x*t371 + mu_2_by_b_2_x*t371 + mu_3_by_b_2_x*t372,
+        D_p_x_3_by_b_2_x*k_C, D_p_y_3_by_b_2_x*k_C, D_p_z_3_by_b_2_x*k_C, t218*t452, t453, -t218*t450, t454,
+        D_delta_x_1_by_b_2_x*t374 + D_delta_y_1_by_b_2_x*t375 + D_delta_z_1_by_b_2_x*t376
+        + mu_1_by_b_2_x*t377 - mu_2_by_b_2_x*t373 - mu_3_by_b_2_x*t373,
+        D_delta_x_1_by_b_2_x*t379 + D_delta_x_2_by_b_2_x*t380 + D_delta_y_1_by_b_2_x*t381
+        + D_delta_y_2_by_b_2_x*t382 + D_delta_z_1_by_b_2_x*t383 + D_delta_z_2_by_b_2_x*t384
+        + mu_1_by_b_2_x*t378 + mu_2_by_b_2_x*t378 + mu_3_by_b_2_x*t378,
+        D_delta_x_1_by_b_2_x*t386 + D_delta_x_3_by_b_2_x*t380 + D_delta_y_1_by_b_2_x*t387
+        + D_delta_y_3_by_b_2_x*t382 + D_delta_z_1_by_b_2_x*t388 + D_delta_z_3_by_b_2_x*t384
+        + mu_1_by_b_2_x*t385 + mu_2_by_b_2_x*t385 + mu_3_by_b_2_x*t385,
         D_delta_x_1_by_b_2_x*k_C, D_delta_y_1_by_b_2_x*k_C, D_delta_z_1_by_b_2_x*k_C,
-        D_delta_x_2_by_b_2_x*t402 + D_delta_y_2_by_b_2_x*t403 + D_delta_z_2_by_b_2_x*t404
-        - mu_1_by_b_2_x*t401 + mu_2_by_b_2_x*t405 - mu_3_by_b_2_x*t401,
-        D_delta_x_2_by_b_2_x*t398 + D_delta_x_3_by_b_2_x*t391 + D_delta_y_2_by_b_2_x*t399
-        + D_delta_y_3_by_b_2_x*t393 + D_delta_z_2_by_b_2_x*t400 + D_delta_z_3_by_b_2_x*t395
-        + mu_1_by_b_2_x*t406 + mu_2_by_b_2_x*t406 + mu_3_by_b_2_x*t406,
+        D_delta_x_2_by_b_2_x*t390 + D_delta_y_2_by_b_2_x*t391 + D_delta_z_2_by_b_2_x*t392
+        - mu_1_by_b_2_x*t389 + mu_2_by_b_2_x*t393 - mu_3_by_b_2_x*t389,
+        D_delta_x_2_by_b_2_x*t386 + D_delta_x_3_by_b_2_x*t379 + D_delta_y_2_by_b_2_x*t387
+        + D_delta_y_3_by_b_2_x*t381 + D_delta_z_2_by_b_2_x*t388 + D_delta_z_3_by_b_2_x*t383
+        + mu_1_by_b_2_x*t394 + mu_2_by_b_2_x*t394 + mu_3_by_b_2_x*t394,
         D_delta_x_2_by_b_2_x*k_C, D_delta_y_2_by_b_2_x*k_C, D_delta_z_2_by_b_2_x*k_C,
-        D_delta_x_3_by_b_2_x*t408 + D_delta_y_3_by_b_2_x*t409 + D_delta_z_3_by_b_2_x*t410
-        - mu_1_by_b_2_x*t407 - mu_2_by_b_2_x*t407 + mu_3_by_b_2_x*t411,
-        D_delta_x_3_by_b_2_x*k_C, D_delta_y_3_by_b_2_x*k_C, D_delta_z_3_by_b_2_x*k_C, t467,
+        D_delta_x_3_by_b_2_x*t396 + D_delta_y_3_by_b_2_x*t397 + D_delta_z_3_by_b_2_x*t398
+        - mu_1_by_b_2_x*t395 - mu_2_by_b_2_x*t395 + mu_3_by_b_2_x*t399,
+        D_delta_x_3_by_b_2_x*k_C, D_delta_y_3_by_b_2_x*k_C, D_delta_z_3_by_b_2_x*k_C, t455,
         2*D_p_x_1*D_p_x_1_by_b_2_y*k_C + 2*D_p_y_1*D_p_y_1_by_b_2_y*k_C + 2*D_p_z_1*D_p_z_1_by_b_2_y*k_C
-        + mu_1_by_b_2_y*t266 + mu_2_by_b_2_y*t267 + mu_3_by_b_2_y*t268 - t248*t471 - t250*t471 - t251*t471
-        - t252*t472 - t254*t472 - t255*t472 - t256*t473 - t258*t473 - t259*t473,
-        D_p_x_1*D_p_x_2_by_b_2_y*k_C + D_p_x_1_by_b_2_y*D_p_x_2*k_C - D_p_x_1_by_b_2_y*t270
-        - D_p_x_1_by_b_2_y*t271 - D_p_x_1_by_b_2_y*t272 - D_p_x_2_by_b_2_y*t248 - D_p_x_2_by_b_2_y*t250
+        + mu_1_by_b_2_y*t266 + mu_2_by_b_2_y*t267 + mu_3_by_b_2_y*t267 - t248*t459 - t250*t459 - t251*t459
+        - t252*t460 - t254*t460 - t255*t460 - t256*t461 - t258*t461 - t259*t461,
+        D_p_x_1*D_p_x_2_by_b_2_y*k_C + D_p_x_1_by_b_2_y*D_p_x_2*k_C - D_p_x_1_by_b_2_y*t269
+        - D_p_x_1_by_b_2_y*t270 - D_p_x_1_by_b_2_y*t271 - D_p_x_2_by_b_2_y*t248 - D_p_x_2_by_b_2_y*t250
         - D_p_x_2_by_b_2_y*t251 + D_p_y_1*D_p_y_2_by_b_2_y*k_C + D_p_y_1_by_b_2_y*D_p_y_2*k_C
-        - D_p_y_1_by_b_2_y*t273 - D_p_y_1_by_b_2_y*t274 - D_p_y_1_by_b_2_y*t275 - D_p_y_2_by_b_2_y*t252
+        - D_p_y_1_by_b_2_y*t272 - D_p_y_1_by_b_2_y*t273 - D_p_y_1_by_b_2_y*t274 - D_p_y_2_by_b_2_y*t252
         - D_p_y_2_by_b_2_y*t254 - D_p_y_2_by_b_2_y*t255 + D_p_z_1*D_p_z_2_by_b_2_y*k_C
-        + D_p_z_1_by_b_2_y*D_p_z_2*k_C - D_p_z_1_by_b_2_y*t276 - D_p_z_1_by_b_2_y*t277
-        - D_p_z_1_by_b_2_y*t278 - D_p_z_2_by_b_2_y*t256 - D_p_z_2_by_b_2_y*t258 - D_p_z_2_by_b_2_y*t259
-        + mu_1_by_b_2_y*t279 + mu_2_by_b_2_y*t280 + mu_3_by_b_2_y*t281,
-        D_p_x_1*D_p_x_3_by_b_2_y*k_C + D_p_x_1_by_b_2_y*D_p_x_3*k_C - D_p_x_1_by_b_2_y*t282
-        - D_p_x_1_by_b_2_y*t283 - D_p_x_1_by_b_2_y*t284 - D_p_x_3_by_b_2_y*t248 - D_p_x_3_by_b_2_y*t250
+        + D_p_z_1_by_b_2_y*D_p_z_2*k_C - D_p_z_1_by_b_2_y*t275 - D_p_z_1_by_b_2_y*t276
+        - D_p_z_1_by_b_2_y*t277 - D_p_z_2_by_b_2_y*t256 - D_p_z_2_by_b_2_y*t258 - D_p_z_2_by_b_2_y*t259
+        + mu_1_by_b_2_y*t278 + mu_2_by_b_2_y*t279 + mu_3_by_b_2_y*t280,
+        D_p_x_1*D_p_x_3_by_b_2_y*k_C + D_p_x_1_by_b_2_y*D_p_x_3*k_C - D_p_x_1_by_b_2_y*t281
+        - D_p_x_1_by_b_2_y*t282 - D_p_x_1_by_b_2_y*t283 - D_p_x_3_by_b_2_y*t248 - D_p_x_3_by_b_2_y*t250
         - D_p_x_3_by_b_2_y*t251 + D_p_y_1*D_p_y_3_by_b_2_y*k_C + D_p_y_1_by_b_2_y*D_p_y_3*k_C
-        - D_p_y_1_by_b_2_y*t285 - D_p_y_1_by_b_2_y*t286 - D_p_y_1_by_b_2_y*t287 - D_p_y_3_by_b_2_y*t252
+        - D_p_y_1_by_b_2_y*t284 - D_p_y_1_by_b_2_y*t285 - D_p_y_1_by_b_2_y*t286 - D_p_y_3_by_b_2_y*t252
         - D_p_y_3_by_b_2_y*t254 - D_p_y_3_by_b_2_y*t255 + D_p_z_1*D_p_z_3_by_b_2_y*k_C
-        + D_p_z_1_by_b_2_y*D_p_z_3*k_C - D_p_z_1_by_b_2_y*t288 - D_p_z_1_by_b_2_y*t289
-        - D_p_z_1_by_b_2_y*t290 - D_p_z_3_by_b_2_y*t256 - D_p_z_3_by_b_2_y*t258 - D_p_z_3_by_b_2_y*t259
-        + mu_1_by_b_2_y*t291 + mu_2_by_b_2_y*t292 + mu_3_by_b_2_y*t293,
-        D_delta_x_1_by_b_2_y*t312 + D_delta_y_1_by_b_2_y*t313 + D_delta_z_1_by_b_2_y*t314
-        - D_p_x_1_by_b_2_y*t300 - D_p_x_1_by_b_2_y*t301 - D_p_x_1_by_b_2_y*t302 + D_p_x_1_by_b_2_y*t420
-        - D_p_y_1_by_b_2_y*t303 - D_p_y_1_by_b_2_y*t304 - D_p_y_1_by_b_2_y*t305 + D_p_y_1_by_b_2_y*t421
-        - D_p_z_1_by_b_2_y*t306 - D_p_z_1_by_b_2_y*t307 - D_p_z_1_by_b_2_y*t308 + D_p_z_1_by_b_2_y*t422
-        + mu_1_by_b_2_y*t309 + mu_2_by_b_2_y*t310 + mu_3_by_b_2_y*t311,
-        D_delta_x_2_by_b_2_y*t312 + D_delta_y_2_by_b_2_y*t313 + D_delta_z_2_by_b_2_y*t314
-        - D_p_x_1_by_b_2_y*t315 - D_p_x_1_by_b_2_y*t316 - D_p_x_1_by_b_2_y*t317 + D_p_x_1_by_b_2_y*t423
-        - D_p_y_1_by_b_2_y*t318 - D_p_y_1_by_b_2_y*t319 - D_p_y_1_by_b_2_y*t320 + D_p_y_1_by_b_2_y*t424
-        - D_p_z_1_by_b_2_y*t321 - D_p_z_1_by_b_2_y*t322 - D_p_z_1_by_b_2_y*t323 + D_p_z_1_by_b_2_y*t425
-        + mu_1_by_b_2_y*t324 + mu_2_by_b_2_y*t325 + mu_3_by_b_2_y*t326,
-        D_delta_x_3_by_b_2_y*t312 + D_delta_y_3_by_b_2_y*t313 + D_delta_z_3_by_b_2_y*t314
-        - D_p_x_1_by_b_2_y*t327 - D_p_x_1_by_b_2_y*t328 - D_p_x_1_by_b_2_y*t329 + D_p_x_1_by_b_2_y*t426
-        - D_p_y_1_by_b_2_y*t330 - D_p_y_1_by_b_2_y*t331 - D_p_y_1_by_b_2_y*t332 + D_p_y_1_by_b_2_y*t427
-        - D_p_z_1_by_b_2_y*t333 - D_p_z_1_by_b_2_y*t334 - D_p_z_1_by_b_2_y*t335 + D_p_z_1_by_b_2_y*t428
-        + mu_1_by_b_2_y*t336 + mu_2_by_b_2_y*t337 + mu_3_by_b_2_y*t338,
+        + D_p_z_1_by_b_2_y*D_p_z_3*k_C - D_p_z_1_by_b_2_y*t287 - D_p_z_1_by_b_2_y*t288
+        - D_p_z_1_by_b_2_y*t289 - D_p_z_3_by_b_2_y*t256 - D_p_z_3_by_b_2_y*t258 - D_p_z_3_by_b_2_y*t259
+        + mu_1_by_b_2_y*t290 + mu_2_by_b_2_y*t291 + mu_3_by_b_2_y*t292,
+        D_delta_x_1_by_b_2_y*t310 + D_delta_y_1_by_b_2_y*t311 + D_delta_z_1_by_b_2_y*t312
+        - D_p_x_1_by_b_2_y*t299 - D_p_x_1_by_b_2_y*t300 - D_p_x_1_by_b_2_y*t301 + D_p_x_1_by_b_2_y*t408
+        - D_p_y_1_by_b_2_y*t302 - D_p_y_1_by_b_2_y*t303 - D_p_y_1_by_b_2_y*t304 + D_p_y_1_by_b_2_y*t409
+        - D_p_z_1_by_b_2_y*t305 - D_p_z_1_by_b_2_y*t306 - D_p_z_1_by_b_2_y*t307 + D_p_z_1_by_b_2_y*t410
+        + mu_1_by_b_2_y*t308 + mu_2_by_b_2_y*t309 + mu_3_by_b_2_y*t309,
+        D_delta_x_2_by_b_2_y*t310 + D_delta_y_2_by_b_2_y*t311 + D_delta_z_2_by_b_2_y*t312
+        - D_p_x_1_by_b_2_y*t313 - D_p_x_1_by_b_2_y*t314 - D_p_x_1_by_b_2_y*t315 + D_p_x_1_by_b_2_y*t411
+        - D_p_y_1_by_b_2_y*t316 - D_p_y_1_by_b_2_y*t317 - D_p_y_1_by_b_2_y*t318 + D_p_y_1_by_b_2_y*t412
+        - D_p_z_1_by_b_2_y*t319 - D_p_z_1_by_b_2_y*t320 - D_p_z_1_by_b_2_y*t321 + D_p_z_1_by_b_2_y*t413
+        + mu_1_by_b_2_y*t322 + mu_2_by_b_2_y*t323 + mu_3_by_b_2_y*t323,
+        D_delta_x_3_by_b_2_y*t310 + D_delta_y_3_by_b_2_y*t311 + D_delta_z_3_by_b_2_y*t312
+        - D_p_x_1_by_b_2_y*t324 - D_p_x_1_by_b_2_y*t325 - D_p_x_1_by_b_2_y*t326 + D_p_x_1_by_b_2_y*t414
+        - D_p_y_1_by_b_2_y*t327 - D_p_y_1_by_b_2_y*t328 - D_p_y_1_by_b_2_y*t329 + D_p_y_1_by_b_2_y*t415
+        - D_p_z_1_by_b_2_y*t330 - D_p_z_1_by_b_2_y*t331 - D_p_z_1_by_b_2_y*t332 + D_p_z_1_by_b_2_y*t416
+        + mu_1_by_b_2_y*t333 + mu_2_by_b_2_y*t334 + mu_3_by_b_2_y*t334,
         D_p_x_1_by_b_2_y*k_C, D_p_y_1_by_b_2_y*k_C, D_p_z_1_by_b_2_y*k_C,
         2*D_p_x_2*D_p_x_2_by_b_2_y*k_C + 2*D_p_y_2*D_p_y_2_by_b_2_y*k_C + 2*D_p_z_2*D_p_z_2_by_b_2_y*k_C
-        + k_sp_2*t457*t463*w_b_2*x_2_by_b_2_y + mu_1_by_b_2_y*t343 + mu_2_by_b_2_y*t344
-        + mu_3_by_b_2_y*t345 - t270*t474 - t271*t474 - t272*t474 - t273*t475 - t274*t475 - t275*t475
-        - t276*t476 - t277*t476 - t278*t476 - t478,
-        D_p_x_2*D_p_x_3_by_b_2_y*k_C + D_p_x_2_by_b_2_y*D_p_x_3*k_C - D_p_x_2_by_b_2_y*t282
-        - D_p_x_2_by_b_2_y*t283 - D_p_x_2_by_b_2_y*t284 - D_p_x_3_by_b_2_y*t270 - D_p_x_3_by_b_2_y*t271
-        - D_p_x_3_by_b_2_y*t272 + D_p_y_2*D_p_y_3_by_b_2_y*k_C + D_p_y_2_by_b_2_y*D_p_y_3*k_C
-        - D_p_y_2_by_b_2_y*t285 - D_p_y_2_by_b_2_y*t286 - D_p_y_2_by_b_2_y*t287 - D_p_y_3_by_b_2_y*t273
-        - D_p_y_3_by_b_2_y*t274 - D_p_y_3_by_b_2_y*t275 + D_p_z_2*D_p_z_3_by_b_2_y*k_C
-        + D_p_z_2_by_b_2_y*D_p_z_3*k_C - D_p_z_2_by_b_2_y*t288 - D_p_z_2_by_b_2_y*t289
-        - D_p_z_2_by_b_2_y*t290 - D_p_z_3_by_b_2_y*t276 - D_p_z_3_by_b_2_y*t277 - D_p_z_3_by_b_2_y*t278
-        + mu_1_by_b_2_y*t346 + mu_2_by_b_2_y*t347 + mu_3_by_b_2_y*t348,
-        t480, t481,
-        D_delta_x_1_by_b_2_y*t355 + D_delta_y_1_by_b_2_y*t356 + D_delta_z_1_by_b_2_y*t357
-        - D_p_x_2_by_b_2_y*t300 - D_p_x_2_by_b_2_y*t301 - D_p_x_2_by_b_2_y*t302 + D_p_x_2_by_b_2_y*t420
-        - D_p_y_2_by_b_2_y*t303 - D_p_y_2_by_b_2_y*t304 - D_p_y_2_by_b_2_y*t305 + D_p_y_2_by_b_2_y*t421
-        - D_p_z_2_by_b_2_y*t306 - D_p_z_2_by_b_2_y*t307 - D_p_z_2_by_b_2_y*t308 + D_p_z_2_by_b_2_y*t422
-        + mu_1_by_b_2_y*t352 + mu_2_by_b_2_y*t353 + mu_3_by_b_2_y*t354,
-        D_delta_x_2_by_b_2_y*t355 + D_delta_y_2_by_b_2_y*t356 + D_delta_z_2_by_b_2_y*t357
-        - D_p_x_2_by_b_2_y*t315 - D_p_x_2_by_b_2_y*t316 - D_p_x_2_by_b_2_y*t317 + D_p_x_2_by_b_2_y*t423
-        - D_p_y_2_by_b_2_y*t318 - D_p_y_2_by_b_2_y*t319 - D_p_y_2_by_b_2_y*t320 + D_p_y_2_by_b_2_y*t424
-        - D_p_z_2_by_b_2_y*t321 - D_p_z_2_by_b_2_y*t322 - D_p_z_2_by_b_2_y*t323 + D_p_z_2_by_b_2_y*t425
-        + mu_1_by_b_2_y*t358 + mu_2_by_b_2_y*t359 + mu_3_by_b_2_y*t360,
-        D_delta_x_3_by_b_2_y*t355 + D_delta_y_3_by_b_2_y*t356 + D_delta_z_3_by_b_2_y*t357
-        - D_p_x_2_by_b_2_y*t327 - D_p_x_2_by_b_2_y*t328 - D_p_x_2_by_b_2_y*t329 + D_p_x_2_by_b_2_y*t426
-        - D_p_y_2_by_b_2_y*t330 - D_p_y_2_by_b_2_y*t331 - D_p_y_2_by_b_2_y*t332 + D_p_y_2_by_b_2_y*t427
-        - D_p_z_2_by_b_2_y*t333 - D_p_z_2_by_b_2_y*t334 - D_p_z_2_by_b_2_y*t335 + D_p_z_2_by_b_2_y*t428
-        + mu_1_by_b_2_y*t361 + mu_2_by_b_2_y*t362 + mu_3_by_b_2_y*t363,
-        t482, D_p_x_2_by_b_2_y*k_C, D_p_y_2_by_b_2_y*k_C, D_p_z_2_by_b_2_y*k_C,
+        + k_sp_2*t445*t451*w_b_2*x_2_by_b_2_y + mu_1_by_b_2_y*t339 + mu_2_by_b_2_y*t340
+        + mu_3_by_b_2_y*t339 - t269*t462 - t270*t462 - t271*t462 - t272*t463 - t273*t463 - t274*t463
+        - t275*t464 - t276*t464 - t277*t464 - t466,
+        D_p_x_2*D_p_x_3_by_b_2_y*k_C + D_p_x_2_by_b_2_y*D_p_x_3*k_C - D_p_x_2_by_b_2_y*t281
+        - D_p_x_2_by_b_2_y*t282 - D_p_x_2_by_b_2_y*t283 - D_p_x_3_by_b_2_y*t269 - D_p_x_3_by_b_2_y*t270
+        - D_p_x_3_by_b_2_y*t271 + D_p_y_2*D_p_y_3_by_b_2_y*k_C + D_p_y_2_by_b_2_y*D_p_y_3*k_C
+        - D_p_y_2_by_b_2_y*t284 - D_p_y_2_by_b_2_y*t285 - D_p_y_2_by_b_2_y*t286 - D_p_y_3_by_b_2_y*t272
+        - D_p_y_3_by_b_2_y*t273 - D_p_y_3_by_b_2_y*t274 + D_p_z_2*D_p_z_3_by_b_2_y*k_C
+        + D_p_z_2_by_b_2_y*D_p_z_3*k_C - D_p_z_2_by_b_2_y*t287 - D_p_z_2_by_b_2_y*t288
+        - D_p_z_2_by_b_2_y*t289 - D_p_z_3_by_b_2_y*t275 - D_p_z_3_by_b_2_y*t276 - D_p_z_3_by_b_2_y*t277
+        + mu_1_by_b_2_y*t341 + mu_2_by_b_2_y*t342 + mu_3_by_b_2_y*t343,
+        t468, t469,
+        D_delta_x_1_by_b_2_y*t349 + D_delta_y_1_by_b_2_y*t350 + D_delta_z_1_by_b_2_y*t351
+        - D_p_x_2_by_b_2_y*t299 - D_p_x_2_by_b_2_y*t300 - D_p_x_2_by_b_2_y*t301 + D_p_x_2_by_b_2_y*t408
+        - D_p_y_2_by_b_2_y*t302 - D_p_y_2_by_b_2_y*t303 - D_p_y_2_by_b_2_y*t304 + D_p_y_2_by_b_2_y*t409
+        - D_p_z_2_by_b_2_y*t305 - D_p_z_2_by_b_2_y*t306 - D_p_z_2_by_b_2_y*t307 + D_p_z_2_by_b_2_y*t410
+        + mu_1_by_b_2_y*t347 + mu_2_by_b_2_y*t348 + mu_3_by_b_2_y*t347,
+        D_delta_x_2_by_b_2_y*t349 + D_delta_y_2_by_b_2_y*t350 + D_delta_z_2_by_b_2_y*t351
+        - D_p_x_2_by_b_2_y*t313 - D_p_x_2_by_b_2_y*t314 - D_p_x_2_by_b_2_y*t315 + D_p_x_2_by_b_2_y*t411
+        - D_p_y_2_by_b_2_y*t316 - D_p_y_2_by_b_2_y*t317 - D_p_y_2_by_b_2_y*t318 + D_p_y_2_by_b_2_y*t412
+        - D_p_z_2_by_b_2_y*t319 - D_p_z_2_by_b_2_y*t320 - D_p_z_2_by_b_2_y*t321 + D_p_z_2_by_b_2_y*t413
+        + mu_1_by_b_2_y*t352 + mu_2_by_b_2_y*t353 + mu_3_by_b_2_y*t352,
+        D_delta_x_3_by_b_2_y*t349 + D_delta_y_3_by_b_2_y*t350 + D_delta_z_3_by_b_2_y*t351
+        - D_p_x_2_by_b_2_y*t324 - D_p_x_2_by_b_2_y*t325 - D_p_x_2_by_b_2_y*t326 + D_p_x_2_by_b_2_y*t414
+        - D_p_y_2_by_b_2_y*t327 - D_p_y_2_by_b_2_y*t328 - D_p_y_2_by_b_2_y*t329 + D_p_y_2_by_b_2_y*t415
+        - D_p_z_2_by_b_2_y*t330 - D_p_z_2_by_b_2_y*t331 - D_p_z_2_by_b_2_y*t332 + D_p_z_2_by_b_2_y*t416
+        + mu_1_by_b_2_y*t354 + mu_2_by_b_2_y*t355 + mu_3_by_b_2_y*t354,
+        t470, D_p_x_2_by_b_2_y*k_C, D_p_y_2_by_b_2_y*k_C, D_p_z_2_by_b_2_y*k_C,
         2*D_p_x_3*D_p_x_3_by_b_2_y*k_C + 2*D_p_y_3*D_p_y_3_by_b_2_y*k_C + 2*D_p_z_3*D_p_z_3_by_b_2_y*k_C
-        + mu_1_by_b_2_y*t367 + mu_2_by_b_2_y*t368 + mu_3_by_b_2_y*t369 - t282*t483 - t283*t483 - t284*t483
-        - t285*t484 - t286*t484 - t287*t484 - t288*t485 - t289*t485 - t290*t485,
-        D_delta_x_1_by_b_2_y*t376 + D_delta_y_1_by_b_2_y*t377 + D_delta_z_1_by_b_2_y*t378
-        - D_p_x_3_by_b_2_y*t300 - D_p_x_3_by_b_2_y*t301 - D_p_x_3_by_b_2_y*t302 + D_p_x_3_by_b_2_y*t420
-        - D_p_y_3_by_b_2_y*t303 - D_p_y_3_by_b_2_y*t304 - D_p_y_3_by_b_2_y*t305 + D_p_y_3_by_b_2_y*t421
-        - D_p_z_3_by_b_2_y*t306 - D_p_z_3_by_b_2_y*t307 - D_p_z_3_by_b_2_y*t308 + D_p_z_3_by_b_2_y*t422
-        + mu_1_by_b_2_y*t373 + mu_2_by_b_2_y*t374 + mu_3_by_b_2_y*t375,
-        D_delta_x_2_by_b_2_y*t376 + D_delta_y_2_by_b_2_y*t377 + D_delta_z_2_by_b_2_y*t378
-        - D_p_x_3_by_b_2_y*t315 - D_p_x_3_by_b_2_y*t316 - D_p_x_3_by_b_2_y*t317 + D_p_x_3_by_b_2_y*t423
-        - D_p_y_3_by_b_2_y*t318 - D_p_y_3_by_b_2_y*t319 - D_p_y_3_by_b_2_y*t320 + D_p_y_3_by_b_2_y*t424
-        - D_p_z_3_by_b_2_y*t321 - D_p_z_3_by_b_2_y*t322 - D_p_z_3_by_b_2_y*t323 + D_p_z_3_by_b_2_y*t425
-        + mu_1_by_b_2_y*t379 + mu_2_by_b_2_y*t380 + mu_3_by_b_2_y*t381,
-        D_delta_x_3_by_b_2_y*t376 + D_delta_y_3_by_b_2_y*t377 + D_delta_z_3_by_b_2_y*t378
-        - D_p_x_3_by_b_2_y*t327 - D_p_x_3_by_b_2_y*t328 - D_p_x_3_by_b_2_y*t329 + D_p_x_3_by_b_2_y*t426
-        - D_p_y_3_by_b_2_y*t330 - D_p_y_3_by_b_2_y*t331 - D_p_y_3_by_b_2_y*t332 + D_p_y_3_by_b_2_y*t427
-        - D_p_z_3_by_b_2_y*t333 - D_p_z_3_by_b_2_y*t334 - D_p_z_3_by_b_2_y*t335 + D_p_z_3_by_b_2_y*t428
-        + mu_1_by_b_2_y*t382 + mu_2_by_b_2_y*t383 + mu_3_by_b_2_y*t384,
-        D_p_x_3_by_b_2_y*k_C, D_p_y_3_by_b_2_y*k_C, D_p_z_3_by_b_2_y*k_C, t218*t479, t480, -t218*t478, t481,
-        D_delta_x_1_by_b_2_y*t386 + D_delta_y_1_by_b_2_y*t387 + D_delta_z_1_by_b_2_y*t388
-        + mu_1_by_b_2_y*t389 - mu_2_by_b_2_y*t385 - mu_3_by_b_2_y*t385,
-        D_delta_x_1_by_b_2_y*t391 + D_delta_x_2_by_b_2_y*t392 + D_delta_y_1_by_b_2_y*t393
-        + D_delta_y_2_by_b_2_y*t394 + D_delta_z_1_by_b_2_y*t395 + D_delta_z_2_by_b_2_y*t396
-        + mu_1_by_b_2_y*t390 + mu_2_by_b_2_y*t390 + mu_3_by_b_2_y*t390,
-        D_delta_x_1_by_b_2_y*t398 + D_delta_x_3_by_b_2_y*t392 + D_delta_y_1_by_b_2_y*t399
-        + D_delta_y_3_by_b_2_y*t394 + D_delta_z_1_by_b_2_y*t400 + D_delta_z_3_by_b_2_y*t396
-        + mu_1_by_b_2_y*t397 + mu_2_by_b_2_y*t397 + mu_3_by_b_2_y*t397,
+        + mu_1_by_b_2_y*t359 + mu_2_by_b_2_y*t359 + mu_3_by_b_2_y*t360 - t281*t471 - t282*t471 - t283*t471
+        - t284*t472 - t285*t472 - t286*t472 - t287*t473 - t288*t473 - t289*t473,
+        D_delta_x_1_by_b_2_y*t366 + D_delta_y_1_by_b_2_y*t367 + D_delta_z_1_by_b_2_y*t368
+        - D_p_x_3_by_b_2_y*t299 - D_p_x_3_by_b_2_y*t300 - D_p_x_3_by_b_2_y*t301 + D_p_x_3_by_b_2_y*t408
+        - D_p_y_3_by_b_2_y*t302 - D_p_y_3_by_b_2_y*t303 - D_p_y_3_by_b_2_y*t304 + D_p_y_3_by_b_2_y*t409
+        - D_p_z_3_by_b_2_y*t305 - D_p_z_3_by_b_2_y*t306 - D_p_z_3_by_b_2_y*t307 + D_p_z_3_by_b_2_y*t410
+        + mu_1_by_b_2_y*t364 + mu_2_by_b_2_y*t364 + mu_3_by_b_2_y*t365,
+        D_delta_x_2_by_b_2_y*t366 + D_delta_y_2_by_b_2_y*t367 + D_delta_z_2_by_b_2_y*t368
+        - D_p_x_3_by_b_2_y*t313 - D_p_x_3_by_b_2_y*t314 - D_p_x_3_by_b_2_y*t315 + D_p_x_3_by_b_2_y*t411
+        - D_p_y_3_by_b_2_y*t316 - D_p_y_3_by_b_2_y*t317 - D_p_y_3_by_b_2_y*t318 + D_p_y_3_by_b_2_y*t412
+        - D_p_z_3_by_b_2_y*t319 - D_p_z_3_by_b_2_y*t320 - D_p_z_3_by_b_2_y*t321 + D_p_z_3_by_b_2_y*t413
+        + mu_1_by_b_2_y*t369 + mu_2_by_b_2_y*t369 + mu_3_by_b_2_y*t370,
+        D_delta_x_3_by_b_2_y*t366 + D_delta_y_3_by_b_2_y*t367 + D_delta_z_3_by_b_2_y*t368
+        - D_p_x_3_by_b_2_y*t324 - D_p_x_3_by_b_2_y*t325 - D_p_x_3_by_b_2_y*t326 + D_p_x_3_by_b_2_y*t414
+        - D_p_y_3_by_b_2_y*t327 - D_p_y_3_by_b_2_y*t328 - D_p_y_3_by_b_2_y*t329 + D_p_y_3_by_b_2_y*t415
+        - D_p_z_3_by_b_2_y*t330 - D_p_z_3_by_b_2_y*t331 - D_p_z_3_by_b_2_y*t332 + D_p_z_3_by_b_2_y*t416
+        + mu_1_by_b_2_y*t371 + mu_2_by_b_2_y*t371 + mu_3_by_b_2_y*t372,
+        D_p_x_3_by_b_2_y*k_C, D_p_y_3_by_b_2_y*k_C, D_p_z_3_by_b_2_y*k_C, t218*t467, t468, -t218*t466, t469,
+        D_delta_x_1_by_b_2_y*t374 + D_delta_y_1_by_b_2_y*t375 + D_delta_z_1_by_b_2_y*t376
+        + mu_1_by_b_2_y*t377 - mu_2_by_b_2_y*t373 - mu_3_by_b_2_y*t373,
+        D_delta_x_1_by_b_2_y*t379 + D_delta_x_2_by_b_2_y*t380 + D_delta_y_1_by_b_2_y*t381
+        + D_delta_y_2_by_b_2_y*t382 + D_delta_z_1_by_b_2_y*t383 + D_delta_z_2_by_b_2_y*t384
+        + mu_1_by_b_2_y*t378 + mu_2_by_b_2_y*t378 + mu_3_by_b_2_y*t378,
+        D_delta_x_1_by_b_2_y*t386 + D_delta_x_3_by_b_2_y*t380 + D_delta_y_1_by_b_2_y*t387
+        + D_delta_y_3_by_b_2_y*t382 + D_delta_z_1_by_b_2_y*t388 + D_delta_z_3_by_b_2_y*t384
+        + mu_1_by_b_2_y*t385 + mu_2_by_b_2_y*t385 + mu_3_by_b_2_y*t385,
         D_delta_x_1_by_b_2_y*k_C, D_delta_y_1_by_b_2_y*k_C, D_delta_z_1_by_b_2_y*k_C,
-        D_delta_x_2_by_b_2_y*t402 + D_delta_y_2_by_b_2_y*t403 + D_delta_z_2_by_b_2_y*t404
-        - mu_1_by_b_2_y*t401 + mu_2_by_b_2_y*t405 - mu_3_by_b_2_y*t401,
-        D_delta_x_2_by_b_2_y*t398 + D_delta_x_3_by_b_2_y*t391 + D_delta_y_2_by_b_2_y*t399
-        + D_delta_y_3_by_b_2_y*t393 + D_delta_z_2_by_b_2_y*t400 + D_delta_z_3_by_b_2_y*t395
-        + mu_1_by_b_2_y*t406 + mu_2_by_b_2_y*t406 + mu_3_by_b_2_y*t406,
+        D_delta_x_2_by_b_2_y*t390 + D_delta_y_2_by_b_2_y*t391 + D_delta_z_2_by_b_2_y*t392
+        - mu_1_by_b_2_y*t389 + mu_2_by_b_2_y*t393 - mu_3_by_b_2_y*t389,
+        D_delta_x_2_by_b_2_y*t386 + D_delta_x_3_by_b_2_y*t379 + D_delta_y_2_by_b_2_y*t387
+        + D_delta_y_3_by_b_2_y*t381 + D_delta_z_2_by_b_2_y*t388 + D_delta_z_3_by_b_2_y*t383
+        + mu_1_by_b_2_y*t394 + mu_2_by_b_2_y*t394 + mu_3_by_b_2_y*t394,
         D_delta_x_2_by_b_2_y*k_C, D_delta_y_2_by_b_2_y*k_C, D_delta_z_2_by_b_2_y*k_C,
-        D_delta_x_3_by_b_2_y*t408 + D_delta_y_3_by_b_2_y*t409 + D_delta_z_3_by_b_2_y*t410
-        - mu_1_by_b_2_y*t407 - mu_2_by_b_2_y*t407 + mu_3_by_b_2_y*t411,
-        D_delta_x_3_by_b_2_y*k_C, D_delta_y_3_by_b_2_y*k_C, D_delta_z_3_by_b_2_y*k_C, t482,
+        D_delta_x_3_by_b_2_y*t396 + D_delta_y_3_by_b_2_y*t397 + D_delta_z_3_by_b_2_y*t398
+        - mu_1_by_b_2_y*t395 - mu_2_by_b_2_y*t395 + mu_3_by_b_2_y*t399,
+        D_delta_x_3_by_b_2_y*k_C, D_delta_y_3_by_b_2_y*k_C, D_delta_z_3_by_b_2_y*k_C, t470,
         2*D_p_x_1*D_p_x_1_by_b_2_z*k_C + 2*D_p_y_1*D_p_y_1_by_b_2_z*k_C + 2*D_p_z_1*D_p_z_1_by_b_2_z*k_C
-        + mu_1_by_b_2_z*t266 + mu_2_by_b_2_z*t267 + mu_3_by_b_2_z*t268 - t248*t486 - t250*t486 - t251*t486
-        - t252*t487 - t254*t487 - t255*t487 - t256*t488 - t258*t488 - t259*t488,
-        D_p_x_1*D_p_x_2_by_b_2_z*k_C + D_p_x_1_by_b_2_z*D_p_x_2*k_C - D_p_x_1_by_b_2_z*t270
-        - D_p_x_1_by_b_2_z*t271 - D_p_x_1_by_b_2_z*t272 - D_p_x_2_by_b_2_z*t248 - D_p_x_2_by_b_2_z*t250
+        + mu_1_by_b_2_z*t266 + mu_2_by_b_2_z*t267 + mu_3_by_b_2_z*t267 - t248*t474 - t250*t474 - t251*t474
+        - t252*t475 - t254*t475 - t255*t475 - t256*t476 - t258*t476 - t259*t476,
+        D_p_x_1*D_p_x_2_by_b_2_z*k_C + D_p_x_1_by_b_2_z*D_p_x_2*k_C - D_p_x_1_by_b_2_z*t269
+        - D_p_x_1_by_b_2_z*t270 - D_p_x_1_by_b_2_z*t271 - D_p_x_2_by_b_2_z*t248 - D_p_x_2_by_b_2_z*t250
         - D_p_x_2_by_b_2_z*t251 + D_p_y_1*D_p_y_2_by_b_2_z*k_C + D_p_y_1_by_b_2_z*D_p_y_2*k_C
-        - D_p_y_1_by_b_2_z*t273 - D_p_y_1_by_b_2_z*t274 - D_p_y_1_by_b_2_z*t275 - D_p_y_2_by_b_2_z*t252
+        - D_p_y_1_by_b_2_z*t272 - D_p_y_1_by_b_2_z*t273 - D_p_y_1_by_b_2_z*t274 - D_p_y_2_by_b_2_z*t252
         - D_p_y_2_by_b_2_z*t254 - D_p_y_2_by_b_2_z*t255 + D_p_z_1*D_p_z_2_by_b_2_z*k_C
-        + D_p_z_1_by_b_2_z*D_p_z_2*k_C - D_p_z_1_by_b_2_z*t276 - D_p_z_1_by_b_2_z*t277
-        - D_p_z_1_by_b_2_z*t278 - D_p_z_2_by_b_2_z*t256 - D_p_z_2_by_b_2_z*t258 - D_p_z_2_by_b_2_z*t259
-        + mu_1_by_b_2_z*t279 + mu_2_by_b_2_z*t280 + mu_3_by_b_2_z*t281,
-        D_p_x_1*D_p_x_3_by_b_2_z*k_C + D_p_x_1_by_b_2_z*D_p_x_3*k_C - D_p_x_1_by_b_2_z*t282
-        - D_p_x_1_by_b_2_z*t283 - D_p_x_1_by_b_2_z*t284 - D_p_x_3_by_b_2_z*t248 - D_p_x_3_by_b_2_z*t250
+        + D_p_z_1_by_b_2_z*D_p_z_2*k_C - D_p_z_1_by_b_2_z*t275 - D_p_z_1_by_b_2_z*t276
+        - D_p_z_1_by_b_2_z*t277 - D_p_z_2_by_b_2_z*t256 - D_p_z_2_by_b_2_z*t258 - D_p_z_2_by_b_2_z*t259
+        + mu_1_by_b_2_z*t278 + mu_2_by_b_2_z*t279 + mu_3_by_b_2_z*t280,
+        D_p_x_1*D_p_x_3_by_b_2_z*k_C + D_p_x_1_by_b_2_z*D_p_x_3*k_C - D_p_x_1_by_b_2_z*t281
+        - D_p_x_1_by_b_2_z*t282 - D_p_x_1_by_b_2_z*t283 - D_p_x_3_by_b_2_z*t248 - D_p_x_3_by_b_2_z*t250
         - D_p_x_3_by_b_2_z*t251 + D_p_y_1*D_p_y_3_by_b_2_z*k_C + D_p_y_1_by_b_2_z*D_p_y_3*k_C
-        - D_p_y_1_by_b_2_z*t285 - D_p_y_1_by_b_2_z*t286 - D_p_y_1_by_b_2_z*t287 - D_p_y_3_by_b_2_z*t252
+        - D_p_y_1_by_b_2_z*t284 - D_p_y_1_by_b_2_z*t285 - D_p_y_1_by_b_2_z*t286 - D_p_y_3_by_b_2_z*t252
         - D_p_y_3_by_b_2_z*t254 - D_p_y_3_by_b_2_z*t255 + D_p_z_1*D_p_z_3_by_b_2_z*k_C
-        + D_p_z_1_by_b_2_z*D_p_z_3*k_C - D_p_z_1_by_b_2_z*t288 - D_p_z_1_by_b_2_z*t289
-        - D_p_z_1_by_b_2_z*t290 - D_p_z_3_by_b_2_z*t256 - D_p_z_3_by_b_2_z*t258 - D_p_z_3_by_b_2_z*t259
-        + mu_1_by_b_2_z*t291 + mu_2_by_b_2_z*t292 + mu_3_by_b_2_z*t293,
-        D_delta_x_1_by_b_2_z*t312 + D_delta_y_1_by_b_2_z*t313 + D_delta_z_1_by_b_2_z*t314
-        - D_p_x_1_by_b_2_z*t300 - D_p_x_1_by_b_2_z*t301 - D_p_x_1_by_b_2_z*t302 + D_p_x_1_by_b_2_z*t420
-        - D_p_y_1_by_b_2_z*t303 - D_p_y_1_by_b_2_z*t304 - D_p_y_1_by_b_2_z*t305 + D_p_y_1_by_b_2_z*t421
-        - D_p_z_1_by_b_2_z*t306 - D_p_z_1_by_b_2_z*t307 - D_p_z_1_by_b_2_z*t308 + D_p_z_1_by_b_2_z*t422
-        + mu_1_by_b_2_z*t309 + mu_2_by_b_2_z*t310 + mu_3_by_b_2_z*t311,
-        D_delta_x_2_by_b_2_z*t312 + D_delta_y_2_by_b_2_z*t313 + D_delta_z_2_by_b_2_z*t314
-        - D_p_x_1_by_b_2_z*t315 - D_p_x_1_by_b_2_z*t316 - D_p_x_1_by_b_2_z*t317 + D_p_x_1_by_b_2_z*t423
-        - D_p_y_1_by_b_2_z*t318 - D_p_y_1_by_b_2_z*t319 - D_p_y_1_by_b_2_z*t320 + D_p_y_1_by_b_2_z*t424
-        - D_p_z_1_by_b_2_z*t321 - D_p_z_1_by_b_2_z*t322 - D_p_z_1_by_b_2_z*t323 + D_p_z_1_by_b_2_z*t425
-        + mu_1_by_b_2_z*t324 + mu_2_by_b_2_z*t325 + mu_3_by_b_2_z*t326,
-        D_delta_x_3_by_b_2_z*t312 + D_delta_y_3_by_b_2_z*t313 + D_delta_z_3_by_b_2_z*t314
-        - D_p_x_1_by_b_2_z*t327 - D_p_x_1_by_b_2_z*t328 - D_p_x_1_by_b_2_z*t329 + D_p_x_1_by_b_2_z*t426
-        - D_p_y_1_by_b_2_z*t330 - D_p_y_1_by_b_2_z*t331 - D_p_y_1_by_b_2_z*t332 + D_p_y_1_by_b_2_z*t427
-        - D_p_z_1_by_b_2_z*t333 - D_p_z_1_by_b_2_z*t334 - D_p_z_1_by_b_2_z*t335 + D_p_z_1_by_b_2_z*t428
-        + mu_1_by_b_2_z*t336 + mu_2_by_b_2_z*t337 + mu_3_by_b_2_z*t338,
+        + D_p_z_1_by_b_2_z*D_p_z_3*k_C - D_p_z_1_by_b_2_z*t287 - D_p_z_1_by_b_2_z*t288
+        - D_p_z_1_by_b_2_z*t289 - D_p_z_3_by_b_2_z*t256 - D_p_z_3_by_b_2_z*t258 - D_p_z_3_by_b_2_z*t259
+        + mu_1_by_b_2_z*t290 + mu_2_by_b_2_z*t291 + mu_3_by_b_2_z*t292,
+        D_delta_x_1_by_b_2_z*t310 + D_delta_y_1_by_b_2_z*t311 + D_delta_z_1_by_b_2_z*t312
+        - D_p_x_1_by_b_2_z*t299 - D_p_x_1_by_b_2_z*t300 - D_p_x_1_by_b_2_z*t301 + D_p_x_1_by_b_2_z*t408
+        - D_p_y_1_by_b_2_z*t302 - D_p_y_1_by_b_2_z*t303 - D_p_y_1_by_b_2_z*t304 + D_p_y_1_by_b_2_z*t409
+        - D_p_z_1_by_b_2_z*t305 - D_p_z_1_by_b_2_z*t306 - D_p_z_1_by_b_2_z*t307 + D_p_z_1_by_b_2_z*t410
+        + mu_1_by_b_2_z*t308 + mu_2_by_b_2_z*t309 + mu_3_by_b_2_z*t309,
+        D_delta_x_2_by_b_2_z*t310 + D_delta_y_2_by_b_2_z*t311 + D_delta_z_2_by_b_2_z*t312
+        - D_p_x_1_by_b_2_z*t313 - D_p_x_1_by_b_2_z*t314 - D_p_x_1_by_b_2_z*t315 + D_p_x_1_by_b_2_z*t411
+        - D_p_y_1_by_b_2_z*t316 - D_p_y_1_by_b_2_z*t317 - D_p_y_1_by_b_2_z*t318 + D_p_y_1_by_b_2_z*t412
+        - D_p_z_1_by_b_2_z*t319 - D_p_z_1_by_b_2_z*t320 - D_p_z_1_by_b_2_z*t321 + D_p_z_1_by_b_2_z*t413
+        + mu_1_by_b_2_z*t322 + mu_2_by_b_2_z*t323 + mu_3_by_b_2_z*t323,
+        D_delta_x_3_by_b_2_z*t310 + D_delta_y_3_by_b_2_z*t311 + D_delta_z_3_by_b_2_z*t312
+        - D_p_x_1_by_b_2_z*t324 - D_p_x_1_by_b_2_z*t325 - D_p_x_1_by_b_2_z*t326 + D_p_x_1_by_b_2_z*t414
+        - D_p_y_1_by_b_2_z*t327 - D_p_y_1_by_b_2_z*t328 - D_p_y_1_by_b_2_z*t329 + D_p_y_1_by_b_2_z*t415
+        - D_p_z_1_by_b_2_z*t330 - D_p_z_1_by_b_2_z*t331 - D_p_z_1_by_b_2_z*t332 + D_p_z_1_by_b_2_z*t416
+        + mu_1_by_b_2_z*t333 + mu_2_by_b_2_z*t334 + mu_3_by_b_2_z*t334,
         D_p_x_1_by_b_2_z*k_C, D_p_y_1_by_b_2_z*k_C, D_p_z_1_by_b_2_z*k_C,
         2*D_p_x_2*D_p_x_2_by_b_2_z*k_C + 2*D_p_y_2*D_p_y_2_by_b_2_z*k_C + 2*D_p_z_2*D_p_z_2_by_b_2_z*k_C
-        + k_sp_2*t457*t463*w_b_2*x_2_by_b_2_z + mu_1_by_b_2_z*t343 + mu_2_by_b_2_z*t344
-        + mu_3_by_b_2_z*t345 - t270*t489 - t271*t489 - t272*t489 - t273*t490 - t274*t490 - t275*t490
-        - t276*t491 - t277*t491 - t278*t491 - t493,
-        D_p_x_2*D_p_x_3_by_b_2_z*k_C + D_p_x_2_by_b_2_z*D_p_x_3*k_C - D_p_x_2_by_b_2_z*t282
-        - D_p_x_2_by_b_2_z*t283 - D_p_x_2_by_b_2_z*t284 - D_p_x_3_by_b_2_z*t270 - D_p_x_3_by_b_2_z*t271
-        - D_p_x_3_by_b_2_z*t272 + D_p_y_2*D_p_y_3_by_b_2_z*k_C + D_p_y_2_by_b_2_z*D_p_y_3*k_C
-        - D_p_y_2_by_b_2_z*t285 - D_p_y_2_by_b_2_z*t286 - D_p_y_2_by_b_2_z*t287 - D_p_y_3_by_b_2_z*t273
-        - D_p_y_3_by_b_2_z*t274 - D_p_y_3_by_b_2_z*t275 + D_p_z_2*D_p_z_3_by_b_2_z*k_C
-        + D_p_z_2_by_b_2_z*D_p_z_3*k_C - D_p_z_2_by_b_2_z*t288 - D_p_z_2_by_b_2_z*t289
-        - D_p_z_2_by_b_2_z*t290 - D_p_z_3_by_b_2_z*t276 - D_p_z_3_by_b_2_z*t277 - D_p_z_3_by_b_2_z*t278
-        + mu_1_by_b_2_z*t346 + mu_2_by_b_2_z*t347 + mu_3_by_b_2_z*t348,
-        t495, t496,
-        D_delta_x_1_by_b_2_z*t355 + D_delta_y_1_by_b_2_z*t356 + D_delta_z_1_by_b_2_z*t357
-        - D_p_x_2_by_b_2_z*t300 - D_p_x_2_by_b_2_z*t301 - D_p_x_2_by_b_2_z*t302 + D_p_x_2_by_b_2_z*t420
-        - D_p_y_2_by_b_2_z*t303 - D_p_y_2_by_b_2_z*t304 - D_p_y_2_by_b_2_z*t305 + D_p_y_2_by_b_2_z*t421
-        - D_p_z_2_by_b_2_z*t306 - D_p_z_2_by_b_2_z*t307 - D_p_z_2_by_b_2_z*t308 + D_p_z_2_by_b_2_z*t422
-        + mu_1_by_b_2_z*t352 + mu_2_by_b_2_z*t353 + mu_3_by_b_2_z*t354,
-        D_delta_x_2_by_b_2_z*t355 + D_delta_y_2_by_b_2_z*t356 + D_delta_z_2_by_b_2_z*t357
-        - D_p_x_2_by_b_2_z*t315 - D_p_x_2_by_b_2_z*t316 - D_p_x_2_by_b_2_z*t317 + D_p_x_2_by_b_2_z*t423
-        - D_p_y_2_by_b_2_z*t318 - D_p_y_2_by_b_2_z*t319 - D_p_y_2_by_b_2_z*t320 + D_p_y_2_by_b_2_z*t424
-        - D_p_z_2_by_b_2_z*t321 - D_p_z_2_by_b_2_z*t322 - D_p_z_2_by_b_2_z*t323 + D_p_z_2_by_b_2_z*t425
-        + mu_1_by_b_2_z*t358 + mu_2_by_b_2_z*t359 + mu_3_by_b_2_z*t360,
-        D_delta_x_3_by_b_2_z*t355 + D_delta_y_3_by_b_2_z*t356 + D_delta_z_3_by_b_2_z*t357
-        - D_p_x_2_by_b_2_z*t327 - D_p_x_2_by_b_2_z*t328 - D_p_x_2_by_b_2_z*t329 + D_p_x_2_by_b_2_z*t426
-        - D_p_y_2_by_b_2_z*t330 - D_p_y_2_by_b_2_z*t331 - D_p_y_2_by_b_2_z*t332 + D_p_y_2_by_b_2_z*t427
-        - D_p_z_2_by_b_2_z*t333 - D_p_z_2_by_b_2_z*t334 - D_p_z_2_by_b_2_z*t335 + D_p_z_2_by_b_2_z*t428
-        + mu_1_by_b_2_z*t361 + mu_2_by_b_2_z*t362 + mu_3_by_b_2_z*t363,
-        t497, D_p_x_2_by_b_2_z*k_C, D_p_y_2_by_b_2_z*k_C, D_p_z_2_by_b_2_z*k_C,
+        + k_sp_2*t445*t451*w_b_2*x_2_by_b_2_z + mu_1_by_b_2_z*t339 + mu_2_by_b_2_z*t340
+        + mu_3_by_b_2_z*t339 - t269*t477 - t270*t477 - t271*t477 - t272*t478 - t273*t478 - t274*t478
+        - t275*t479 - t276*t479 - t277*t479 - t481,
+        D_p_x_2*D_p_x_3_by_b_2_z*k_C + D_p_x_2_by_b_2_z*D_p_x_3*k_C - D_p_x_2_by_b_2_z*t281
+        - D_p_x_2_by_b_2_z*t282 - D_p_x_2_by_b_2_z*t283 - D_p_x_3_by_b_2_z*t269 - D_p_x_3_by_b_2_z*t270
+        - D_p_x_3_by_b_2_z*t271 + D_p_y_2*D_p_y_3_by_b_2_z*k_C + D_p_y_2_by_b_2_z*D_p_y_3*k_C
+        - D_p_y_2_by_b_2_z*t284 - D_p_y_2_by_b_2_z*t285 - D_p_y_2_by_b_2_z*t286 - D_p_y_3_by_b_2_z*t272
+        - D_p_y_3_by_b_2_z*t273 - D_p_y_3_by_b_2_z*t274 + D_p_z_2*D_p_z_3_by_b_2_z*k_C
+        + D_p_z_2_by_b_2_z*D_p_z_3*k_C - D_p_z_2_by_b_2_z*t287 - D_p_z_2_by_b_2_z*t288
+        - D_p_z_2_by_b_2_z*t289 - D_p_z_3_by_b_2_z*t275 - D_p_z_3_by_b_2_z*t276 - D_p_z_3_by_b_2_z*t277
+        + mu_1_by_b_2_z*t341 + mu_2_by_b_2_z*t342 + mu_3_by_b_2_z*t343,
+        t483, t484,
+        D_delta_x_1_by_b_2_z*t349 + D_delta_y_1_by_b_2_z*t350 + D_delta_z_1_by_b_2_z*t351
+        - D_p_x_2_by_b_2_z*t299 - D_p_x_2_by_b_2_z*t300 - D_p_x_2_by_b_2_z*t301 + D_p_x_2_by_b_2_z*t408
+        - D_p_y_2_by_b_2_z*t302 - D_p_y_2_by_b_2_z*t303 - D_p_y_2_by_b_2_z*t304 + D_p_y_2_by_b_2_z*t409
+        - D_p_z_2_by_b_2_z*t305 - D_p_z_2_by_b_2_z*t306 - D_p_z_2_by_b_2_z*t307 + D_p_z_2_by_b_2_z*t410
+        + mu_1_by_b_2_z*t347 + mu_2_by_b_2_z*t348 + mu_3_by_b_2_z*t347,
+        D_delta_x_2_by_b_2_z*t349 + D_delta_y_2_by_b_2_z*t350 + D_delta_z_2_by_b_2_z*t351
+        - D_p_x_2_by_b_2_z*t313 - D_p_x_2_by_b_2_z*t314 - D_p_x_2_by_b_2_z*t315 + D_p_x_2_by_b_2_z*t411
+        - D_p_y_2_by_b_2_z*t316 - D_p_y_2_by_b_2_z*t317 - D_p_y_2_by_b_2_z*t318 + D_p_y_2_by_b_2_z*t412
+        - D_p_z_2_by_b_2_z*t319 - D_p_z_2_by_b_2_z*t320 - D_p_z_2_by_b_2_z*t321 + D_p_z_2_by_b_2_z*t413
+        + mu_1_by_b_2_z*t352 + mu_2_by_b_2_z*t353 + mu_3_by_b_2_z*t352,
+        D_delta_x_3_by_b_2_z*t349 + D_delta_y_3_by_b_2_z*t350 + D_delta_z_3_by_b_2_z*t351
+        - D_p_x_2_by_b_2_z*t324 - D_p_x_2_by_b_2_z*t325 - D_p_x_2_by_b_2_z*t326 + D_p_x_2_by_b_2_z*t414
+        - D_p_y_2_by_b_2_z*t327 - D_p_y_2_by_b_2_z*t328 - D_p_y_2_by_b_2_z*t329 + D_p_y_2_by_b_2_z*t415
+        - D_p_z_2_by_b_2_z*t330 - D_p_z_2_by_b_2_z*t331 - D_p_z_2_by_b_2_z*t332 + D_p_z_2_by_b_2_z*t416
+        + mu_1_by_b_2_z*t354 + mu_2_by_b_2_z*t355 + mu_3_by_b_2_z*t354,
+        t485, D_p_x_2_by_b_2_z*k_C, D_p_y_2_by_b_2_z*k_C, D_p_z_2_by_b_2_z*k_C,
         2*D_p_x_3*D_p_x_3_by_b_2_z*k_C + 2*D_p_y_3*D_p_y_3_by_b_2_z*k_C + 2*D_p_z_3*D_p_z_3_by_b_2_z*k_C
-        + mu_1_by_b_2_z*t367 + mu_2_by_b_2_z*t368 + mu_3_by_b_2_z*t369 - t282*t498 - t283*t498 - t284*t498
-        - t285*t499 - t286*t499 - t287*t499 - t288*t500 - t289*t500 - t290*t500,
-        D_delta_x_1_by_b_2_z*t376 + D_delta_y_1_by_b_2_z*t377 + D_delta_z_1_by_b_2_z*t378
-        - D_p_x_3_by_b_2_z*t300 - D_p_x_3_by_b_2_z*t301 - D_p_x_3_by_b_2_z*t302 + D_p_x_3_by_b_2_z*t420
-        - D_p_y_3_by_b_2_z*t303 - D_p_y_3_by_b_2_z*t304 - D_p_y_3_by_b_2_z*t305 + D_p_y_3_by_b_2_z*t421
-        - D_p_z_3_by_b_2_z*t306 - D_p_z_3_by_b_2_z*t307 - D_p_z_3_by_b_2_z*t308 + D_p_z_3_by_b_2_z*t422
-        + mu_1_by_b_2_z*t373 + mu_2_by_b_2_z*t374 + mu_3_by_b_2_z*t375,
-        D_delta_x_2_by_b_2_z*t376 + D_delta_y_2_by_b_2_z*t377 + D_delta_z_2_by_b_2_z*t378
-        - D_p_x_3_by_b_2_z*t315 - D_p_x_3_by_b_2_z*t316 - D_p_x_3_by_b_2_z*t317 + D_p_x_3_by_b_2_z*t423
-        - D_p_y_3_by_b_2_z*t318 - D_p_y_3_by_b_2_z*t319 - D_p_y_3_by_b_2_z*t320 + D_p_y_3_by_b_2_z*t424
-        - D_p_z_3_by_b_2_z*t321 - D_p_z_3_by_b_2_z*t322 - D_p_z_3_by_b_2_z*t323 + D_p_z_3_by_b_2_z*t425
-        + mu_1_by_b_2_z*t379 + mu_2_by_b_2_z*t380 + mu_3_by_b_2_z*t381,
-        D_delta_x_3_by_b_2_z*t376 + D_delta_y_3_by_b_2_z*t377 + D_delta_z_3_by_b_2_z*t378
-        - D_p_x_3_by_b_2_z*t327 - D_p_x_3_by_b_2_z*t328 - D_p_x_3_by_b_2_z*t329 + D_p_x_3_by_b_2_z*t426
-        - D_p_y_3_by_b_2_z*t330 - D_p_y_3_by_b_2_z*t331 - D_p_y_3_by_b_2_z*t332 + D_p_y_3_by_b_2_z*t427
-        - D_p_z_3_by_b_2_z*t333 - D_p_z_3_by_b_2_z*t334 - D_p_z_3_by_b_2_z*t335 + D_p_z_3_by_b_2_z*t428
-        + mu_1_by_b_2_z*t382 + mu_2_by_b_2_z*t383 + mu_3_by_b_2_z*t384,
-        D_p_x_3_by_b_2_z*k_C, D_p_y_3_by_b_2_z*k_C, D_p_z_3_by_b_2_z*k_C, t218*t494, t495, -t218*t493, t496,
-        D_delta_x_1_by_b_2_z*t386 + D_delta_y_1_by_b_2_z*t387 + D_delta_z_1_by_b_2_z*t388
-        + mu_1_by_b_2_z*t389 - mu_2_by_b_2_z*t385 - mu_3_by_b_2_z*t385,
-        D_delta_x_1_by_b_2_z*t391 + D_delta_x_2_by_b_2_z*t392 + D_delta_y_1_by_b_2_z*t393
-        + D_delta_y_2_by_b_2_z*t394 + D_delta_z_1_by_b_2_z*t395 + D_delta_z_2_by_b_2_z*t396
-        + mu_1_by_b_2_z*t390 + mu_2_by_b_2_z*t390 + mu_3_by_b_2_z*t390,
-        D_delta_x_1_by_b_2_z*t398 + D_delta_x_3_by_b_2_z*t392 + D_delta_y_1_by_b_2_z*t399
-        + D_delta_y_3_by_b_2_z*t394 + D_delta_z_1_by_b_2_z*t400 + D_delta_z_3_by_b_2_z*t396
-        + mu_1_by_b_2_z*t397 + mu_2_by_b_2_z*t397 + mu_3_by_b_2_z*t397,
+        + mu_1_by_b_2_z*t359 + mu_2_by_b_2_z*t359 + mu_3_by_b_2_z*t360 - t281*t486 - t282*t486 - t283*t486
+        - t284*t487 - t285*t487 - t286*t487 - t287*t488 - t288*t488 - t289*t488,
+        D_delta_x_1_by_b_2_z*t366 + D_delta_y_1_by_b_2_z*t367 + D_delta_z_1_by_b_2_z*t368
+        - D_p_x_3_by_b_2_z*t299 - D_p_x_3_by_b_2_z*t300 - D_p_x_3_by_b_2_z*t301 + D_p_x_3_by_b_2_z*t408
+        - D_p_y_3_by_b_2_z*t302 - D_p_y_3_by_b_2_z*t303 - D_p_y_3_by_b_2_z*t304 + D_p_y_3_by_b_2_z*t409
+        - D_p_z_3_by_b_2_z*t305 - D_p_z_3_by_b_2_z*t306 - D_p_z_3_by_b_2_z*t307 + D_p_z_3_by_b_2_z*t410
+        + mu_1_by_b_2_z*t364 + mu_2_by_b_2_z*t364 + mu_3_by_b_2_z*t365,
+        D_delta_x_2_by_b_2_z*t366 + D_delta_y_2_by_b_2_z*t367 + D_delta_z_2_by_b_2_z*t368
+        - D_p_x_3_by_b_2_z*t313 - D_p_x_3_by_b_2_z*t314 - D_p_x_3_by_b_2_z*t315 + D_p_x_3_by_b_2_z*t411
+        - D_p_y_3_by_b_2_z*t316 - D_p_y_3_by_b_2_z*t317 - D_p_y_3_by_b_2_z*t318 + D_p_y_3_by_b_2_z*t412
+        - D_p_z_3_by_b_2_z*t319 - D_p_z_3_by_b_2_z*t320 - D_p_z_3_by_b_2_z*t321 + D_p_z_3_by_b_2_z*t413
+        + mu_1_by_b_2_z*t369 + mu_2_by_b_2_z*t369 + mu_3_by_b_2_z*t370,
+        D_delta_x_3_by_b_2_z*t366 + D_delta_y_3_by_b_2_z*t367 + D_delta_z_3_by_b_2_z*t368
+        - D_p_x_3_by_b_2_z*t324 - D_p_x_3_by_b_2_z*t325 - D_p_x_3_by_b_2_z*t326 + D_p_x_3_by_b_2_z*t414
+        - D_p_y_3_by_b_2_z*t327 - D_p_y_3_by_b_2_z*t328 - D_p_y_3_by_b_2_z*t329 + D_p_y_3_by_b_2_z*t415
+        - D_p_z_3_by_b_2_z*t330 - D_p_z_3_by_b_2_z*t331 - D_p_z_3_by_b_2_z*t332 + D_p_z_3_by_b_2_z*t416
+        + mu_1_by_b_2_z*t371 + mu_2_by_b_2_z*t371 + mu_3_by_b_2_z*t372,
+        D_p_x_3_by_b_2_z*k_C, D_p_y_3_by_b_2_z*k_C, D_p_z_3_by_b_2_z*k_C, t218*t482, t483, -t218*t481, t484,
+        D_delta_x_1_by_b_2_z*t374 + D_delta_y_1_by_b_2_z*t375 + D_delta_z_1_by_b_2_z*t376
+        + mu_1_by_b_2_z*t377 - mu_2_by_b_2_z*t373 - mu_3_by_b_2_z*t373,
+        D_delta_x_1_by_b_2_z*t379 + D_delta_x_2_by_b_2_z*t380 + D_delta_y_1_by_b_2_z*t381
+        + D_delta_y_2_by_b_2_z*t382 + D_delta_z_1_by_b_2_z*t383 + D_delta_z_2_by_b_2_z*t384
+        + mu_1_by_b_2_z*t378 + mu_2_by_b_2_z*t378 + mu_3_by_b_2_z*t378,
+        D_delta_x_1_by_b_2_z*t386 + D_delta_x_3_by_b_2_z*t380 + D_delta_y_1_by_b_2_z*t387
+        + D_delta_y_3_by_b_2_z*t382 + D_delta_z_1_by_b_2_z*t388 + D_delta_z_3_by_b_2_z*t384
+        + mu_1_by_b_2_z*t385 + mu_2_by_b_2_z*t385 + mu_3_by_b_2_z*t385,
         D_delta_x_1_by_b_2_z*k_C, D_delta_y_1_by_b_2_z*k_C, D_delta_z_1_by_b_2_z*k_C,
-        D_delta_x_2_by_b_2_z*t402 + D_delta_y_2_by_b_2_z*t403 + D_delta_z_2_by_b_2_z*t404
-        - mu_1_by_b_2_z*t401 + mu_2_by_b_2_z*t405 - mu_3_by_b_2_z*t401,
-        D_delta_x_2_by_b_2_z*t398 + D_delta_x_3_by_b_2_z*t391 + D_delta_y_2_by_b_2_z*t399
-        + D_delta_y_3_by_b_2_z*t393 + D_delta_z_2_by_b_2_z*t400 + D_delta_z_3_by_b_2_z*t395
-        + mu_1_by_b_2_z*t406 + mu_2_by_b_2_z*t406 + mu_3_by_b_2_z*t406,
+        D_delta_x_2_by_b_2_z*t390 + D_delta_y_2_by_b_2_z*t391 + D_delta_z_2_by_b_2_z*t392
+        - mu_1_by_b_2_z*t389 + mu_2_by_b_2_z*t393 - mu_3_by_b_2_z*t389,
+        D_delta_x_2_by_b_2_z*t386 + D_delta_x_3_by_b_2_z*t379 + D_delta_y_2_by_b_2_z*t387
+        + D_delta_y_3_by_b_2_z*t381 + D_delta_z_2_by_b_2_z*t388 + D_delta_z_3_by_b_2_z*t383
+        + mu_1_by_b_2_z*t394 + mu_2_by_b_2_z*t394 + mu_3_by_b_2_z*t394,
         D_delta_x_2_by_b_2_z*k_C, D_delta_y_2_by_b_2_z*k_C, D_delta_z_2_by_b_2_z*k_C,
-        D_delta_x_3_by_b_2_z*t408 + D_delta_y_3_by_b_2_z*t409 + D_delta_z_3_by_b_2_z*t410
-        - mu_1_by_b_2_z*t407 - mu_2_by_b_2_z*t407 + mu_3_by_b_2_z*t411,
-        D_delta_x_3_by_b_2_z*k_C, D_delta_y_3_by_b_2_z*k_C, D_delta_z_3_by_b_2_z*k_C, t497,
+        D_delta_x_3_by_b_2_z*t396 + D_delta_y_3_by_b_2_z*t397 + D_delta_z_3_by_b_2_z*t398
+        - mu_1_by_b_2_z*t395 - mu_2_by_b_2_z*t395 + mu_3_by_b_2_z*t399,
+        D_delta_x_3_by_b_2_z*k_C, D_delta_y_3_by_b_2_z*k_C, D_delta_z_3_by_b_2_z*k_C, t485,
         2*D_p_x_1*D_p_x_1_by_b_3_x*k_C + 2*D_p_y_1*D_p_y_1_by_b_3_x*k_C + 2*D_p_z_1*D_p_z_1_by_b_3_x*k_C
-        + mu_1_by_b_3_x*t266 + mu_2_by_b_3_x*t267 + mu_3_by_b_3_x*t268 - t248*t501 - t250*t501 - t251*t501
-        - t252*t502 - t254*t502 - t255*t502 - t256*t503 - t258*t503 - t259*t503,
-        D_p_x_1*D_p_x_2_by_b_3_x*k_C + D_p_x_1_by_b_3_x*D_p_x_2*k_C - D_p_x_1_by_b_3_x*t270
-        - D_p_x_1_by_b_3_x*t271 - D_p_x_1_by_b_3_x*t272 - D_p_x_2_by_b_3_x*t248 - D_p_x_2_by_b_3_x*t250
+        + mu_1_by_b_3_x*t266 + mu_2_by_b_3_x*t267 + mu_3_by_b_3_x*t267 - t248*t489 - t250*t489 - t251*t489
+        - t252*t490 - t254*t490 - t255*t490 - t256*t491 - t258*t491 - t259*t491,
+        D_p_x_1*D_p_x_2_by_b_3_x*k_C + D_p_x_1_by_b_3_x*D_p_x_2*k_C - D_p_x_1_by_b_3_x*t269
+        - D_p_x_1_by_b_3_x*t270 - D_p_x_1_by_b_3_x*t271 - D_p_x_2_by_b_3_x*t248 - D_p_x_2_by_b_3_x*t250
         - D_p_x_2_by_b_3_x*t251 + D_p_y_1*D_p_y_2_by_b_3_x*k_C + D_p_y_1_by_b_3_x*D_p_y_2*k_C
-        - D_p_y_1_by_b_3_x*t273 - D_p_y_1_by_b_3_x*t274 - D_p_y_1_by_b_3_x*t275 - D_p_y_2_by_b_3_x*t252
+        - D_p_y_1_by_b_3_x*t272 - D_p_y_1_by_b_3_x*t273 - D_p_y_1_by_b_3_x*t274 - D_p_y_2_by_b_3_x*t252
         - D_p_y_2_by_b_3_x*t254 - D_p_y_2_by_b_3_x*t255 + D_p_z_1*D_p_z_2_by_b_3_x*k_C
-        + D_p_z_1_by_b_3_x*D_p_z_2*k_C - D_p_z_1_by_b_3_x*t276 - D_p_z_1_by_b_3_x*t277
-        - D_p_z_1_by_b_3_x*t278 - D_p_z_2_by_b_3_x*t256 - D_p_z_2_by_b_3_x*t258 - D_p_z_2_by_b_3_x*t259
-        + mu_1_by_b_3_x*t279 + mu_2_by_b_3_x*t280 + mu_3_by_b_3_x*t281,
-        D_p_x_1*D_p_x_3_by_b_3_x*k_C + D_p_x_1_by_b_3_x*D_p_x_3*k_C - D_p_x_1_by_b_3_x*t282
-        - D_p_x_1_by_b_3_x*t283 - D_p_x_1_by_b_3_x*t284 - D_p_x_3_by_b_3_x*t248 - D_p_x_3_by_b_3_x*t250
+        + D_p_z_1_by_b_3_x*D_p_z_2*k_C - D_p_z_1_by_b_3_x*t275 - D_p_z_1_by_b_3_x*t276
+        - D_p_z_1_by_b_3_x*t277 - D_p_z_2_by_b_3_x*t256 - D_p_z_2_by_b_3_x*t258 - D_p_z_2_by_b_3_x*t259
+        + mu_1_by_b_3_x*t278 + mu_2_by_b_3_x*t279 + mu_3_by_b_3_x*t280,
+        D_p_x_1*D_p_x_3_by_b_3_x*k_C + D_p_x_1_by_b_3_x*D_p_x_3*k_C - D_p_x_1_by_b_3_x*t281
+        - D_p_x_1_by_b_3_x*t282 - D_p_x_1_by_b_3_x*t283 - D_p_x_3_by_b_3_x*t248 - D_p_x_3_by_b_3_x*t250
         - D_p_x_3_by_b_3_x*t251 + D_p_y_1*D_p_y_3_by_b_3_x*k_C + D_p_y_1_by_b_3_x*D_p_y_3*k_C
-        - D_p_y_1_by_b_3_x*t285 - D_p_y_1_by_b_3_x*t286 - D_p_y_1_by_b_3_x*t287 - D_p_y_3_by_b_3_x*t252
+        - D_p_y_1_by_b_3_x*t284 - D_p_y_1_by_b_3_x*t285 - D_p_y_1_by_b_3_x*t286 - D_p_y_3_by_b_3_x*t252
         - D_p_y_3_by_b_3_x*t254 - D_p_y_3_by_b_3_x*t255 + D_p_z_1*D_p_z_3_by_b_3_x*k_C
-        + D_p_z_1_by_b_3_x*D_p_z_3*k_C - D_p_z_1_by_b_3_x*t288 - D_p_z_1_by_b_3_x*t289
-        - D_p_z_1_by_b_3_x*t290 - D_p_z_3_by_b_3_x*t256 - D_p_z_3_by_b_3_x*t258 - D_p_z_3_by_b_3_x*t259
-        + mu_1_by_b_3_x*t291 + mu_2_by_b_3_x*t292 + mu_3_by_b_3_x*t293,
-        D_delta_x_1_by_b_3_x*t312 + D_delta_y_1_by_b_3_x*t313 + D_delta_z_1_by_b_3_x*t314
-        - D_p_x_1_by_b_3_x*t300 - D_p_x_1_by_b_3_x*t301 - D_p_x_1_by_b_3_x*t302 + D_p_x_1_by_b_3_x*t420
-        - D_p_y_1_by_b_3_x*t303 - D_p_y_1_by_b_3_x*t304 - D_p_y_1_by_b_3_x*t305 + D_p_y_1_by_b_3_x*t421
-        - D_p_z_1_by_b_3_x*t306 - D_p_z_1_by_b_3_x*t307 - D_p_z_1_by_b_3_x*t308 + D_p_z_1_by_b_3_x*t422
-        + mu_1_by_b_3_x*t309 + mu_2_by_b_3_x*t310 + mu_3_by_b_3_x*t311,
-        D_delta_x_2_by_b_3_x*t312 + D_delta_y_2_by_b_3_x*t313 + D_delta_z_2_by_b_3_x*t314
-        - D_p_x_1_by_b_3_x*t315 - D_p_x_1_by_b_3_x*t316 - D_p_x_1_by_b_3_x*t317 + D_p_x_1_by_b_3_x*t423
-        - D_p_y_1_by_b_3_x*t318 - D_p_y_1_by_b_3_x*t319 - D_p_y_1_by_b_3_x*t320 + D_p_y_1_by_b_3_x*t424
-        - D_p_z_1_by_b_3_x*t321 - D_p_z_1_by_b_3_x*t322 - D_p_z_1_by_b_3_x*t323 + D_p_z_1_by_b_3_x*t425
-        + mu_1_by_b_3_x*t324 + mu_2_by_b_3_x*t325 + mu_3_by_b_3_x*t326,
-        D_delta_x_3_by_b_3_x*t312 + D_delta_y_3_by_b_3_x*t313 + D_delta_z_3_by_b_3_x*t314
-        - D_p_x_1_by_b_3_x*t327 - D_p_x_1_by_b_3_x*t328 - D_p_x_1_by_b_3_x*t329 + D_p_x_1_by_b_3_x*t426
-        - D_p_y_1_by_b_3_x*t330 - D_p_y_1_by_b_3_x*t331 - D_p_y_1_by_b_3_x*t332 + D_p_y_1_by_b_3_x*t427
-        - D_p_z_1_by_b_3_x*t333 - D_p_z_1_by_b_3_x*t334 - D_p_z_1_by_b_3_x*t335 + D_p_z_1_by_b_3_x*t428
-        + mu_1_by_b_3_x*t336 + mu_2_by_b_3_x*t337 + mu_3_by_b_3_x*t338,
+        + D_p_z_1_by_b_3_x*D_p_z_3*k_C - D_p_z_1_by_b_3_x*t287 - D_p_z_1_by_b_3_x*t288
+        - D_p_z_1_by_b_3_x*t289 - D_p_z_3_by_b_3_x*t256 - D_p_z_3_by_b_3_x*t258 - D_p_z_3_by_b_3_x*t259
+        + mu_1_by_b_3_x*t290 + mu_2_by_b_3_x*t291 + mu_3_by_b_3_x*t292,
+        D_delta_x_1_by_b_3_x*t310 + D_delta_y_1_by_b_3_x*t311 + D_delta_z_1_by_b_3_x*t312
+        - D_p_x_1_by_b_3_x*t299 - D_p_x_1_by_b_3_x*t300 - D_p_x_1_by_b_3_x*t301 + D_p_x_1_by_b_3_x*t408
+        - D_p_y_1_by_b_3_x*t302 - D_p_y_1_by_b_3_x*t303 - D_p_y_1_by_b_3_x*t304 + D_p_y_1_by_b_3_x*t409
+        - D_p_z_1_by_b_3_x*t305 - D_p_z_1_by_b_3_x*t306 - D_p_z_1_by_b_3_x*t307 + D_p_z_1_by_b_3_x*t410
+        + mu_1_by_b_3_x*t308 + mu_2_by_b_3_x*t309 + mu_3_by_b_3_x*t309,
+        D_delta_x_2_by_b_3_x*t310 + D_delta_y_2_by_b_3_x*t311 + D_delta_z_2_by_b_3_x*t312
+        - D_p_x_1_by_b_3_x*t313 - D_p_x_1_by_b_3_x*t314 - D_p_x_1_by_b_3_x*t315 + D_p_x_1_by_b_3_x*t411
+        - D_p_y_1_by_b_3_x*t316 - D_p_y_1_by_b_3_x*t317 - D_p_y_1_by_b_3_x*t318 + D_p_y_1_by_b_3_x*t412
+        - D_p_z_1_by_b_3_x*t319 - D_p_z_1_by_b_3_x*t320 - D_p_z_1_by_b_3_x*t321 + D_p_z_1_by_b_3_x*t413
+        + mu_1_by_b_3_x*t322 + mu_2_by_b_3_x*t323 + mu_3_by_b_3_x*t323,
+        D_delta_x_3_by_b_3_x*t310 + D_delta_y_3_by_b_3_x*t311 + D_delta_z_3_by_b_3_x*t312
+        - D_p_x_1_by_b_3_x*t324 - D_p_x_1_by_b_3_x*t325 - D_p_x_1_by_b_3_x*t326 + D_p_x_1_by_b_3_x*t414
+        - D_p_y_1_by_b_3_x*t327 - D_p_y_1_by_b_3_x*t328 - D_p_y_1_by_b_3_x*t329 + D_p_y_1_by_b_3_x*t415
+        - D_p_z_1_by_b_3_x*t330 - D_p_z_1_by_b_3_x*t331 - D_p_z_1_by_b_3_x*t332 + D_p_z_1_by_b_3_x*t416
+        + mu_1_by_b_3_x*t333 + mu_2_by_b_3_x*t334 + mu_3_by_b_3_x*t334,
         D_p_x_1_by_b_3_x*k_C, D_p_y_1_by_b_3_x*k_C, D_p_z_1_by_b_3_x*k_C,
         2*D_p_x_2*D_p_x_2_by_b_3_x*k_C + 2*D_p_y_2*D_p_y_2_by_b_3_x*k_C + 2*D_p_z_2*D_p_z_2_by_b_3_x*k_C
-        + mu_1_by_b_3_x*t343 + mu_2_by_b_3_x*t344 + mu_3_by_b_3_x*t345 - t270*t504 - t271*t504 - t272*t504
-        - t273*t505 - t274*t505 - t275*t505 - t276*t506 - t277*t506 - t278*t506,
-        D_p_x_2*D_p_x_3_by_b_3_x*k_C + D_p_x_2_by_b_3_x*D_p_x_3*k_C - D_p_x_2_by_b_3_x*t282
-        - D_p_x_2_by_b_3_x*t283 - D_p_x_2_by_b_3_x*t284 - D_p_x_3_by_b_3_x*t270 - D_p_x_3_by_b_3_x*t271
-        - D_p_x_3_by_b_3_x*t272 + D_p_y_2*D_p_y_3_by_b_3_x*k_C + D_p_y_2_by_b_3_x*D_p_y_3*k_C
-        - D_p_y_2_by_b_3_x*t285 - D_p_y_2_by_b_3_x*t286 - D_p_y_2_by_b_3_x*t287 - D_p_y_3_by_b_3_x*t273
-        - D_p_y_3_by_b_3_x*t274 - D_p_y_3_by_b_3_x*t275 + D_p_z_2*D_p_z_3_by_b_3_x*k_C
-        + D_p_z_2_by_b_3_x*D_p_z_3*k_C - D_p_z_2_by_b_3_x*t288 - D_p_z_2_by_b_3_x*t289
-        - D_p_z_2_by_b_3_x*t290 - D_p_z_3_by_b_3_x*t276 - D_p_z_3_by_b_3_x*t277 - D_p_z_3_by_b_3_x*t278
-        + mu_1_by_b_3_x*t346 + mu_2_by_b_3_x*t347 + mu_3_by_b_3_x*t348,
-        D_delta_x_1_by_b_3_x*t355 + D_delta_y_1_by_b_3_x*t356 + D_delta_z_1_by_b_3_x*t357
-        - D_p_x_2_by_b_3_x*t300 - D_p_x_2_by_b_3_x*t301 - D_p_x_2_by_b_3_x*t302 + D_p_x_2_by_b_3_x*t420
-        - D_p_y_2_by_b_3_x*t303 - D_p_y_2_by_b_3_x*t304 - D_p_y_2_by_b_3_x*t305 + D_p_y_2_by_b_3_x*t421
-        - D_p_z_2_by_b_3_x*t306 - D_p_z_2_by_b_3_x*t307 - D_p_z_2_by_b_3_x*t308 + D_p_z_2_by_b_3_x*t422
-        + mu_1_by_b_3_x*t352 + mu_2_by_b_3_x*t353 + mu_3_by_b_3_x*t354,
-        D_delta_x_2_by_b_3_x*t355 + D_delta_y_2_by_b_3_x*t356 + D_delta_z_2_by_b_3_x*t357
-        - D_p_x_2_by_b_3_x*t315 - D_p_x_2_by_b_3_x*t316 - D_p_x_2_by_b_3_x*t317 + D_p_x_2_by_b_3_x*t423
-        - D_p_y_2_by_b_3_x*t318 - D_p_y_2_by_b_3_x*t319 - D_p_y_2_by_b_3_x*t320 + D_p_y_2_by_b_3_x*t424
-        - D_p_z_2_by_b_3_x*t321 - D_p_z_2_by_b_3_x*t322 - D_p_z_2_by_b_3_x*t323 + D_p_z_2_by_b_3_x*t425
-        + mu_1_by_b_3_x*t358 + mu_2_by_b_3_x*t359 + mu_3_by_b_3_x*t360,
-        D_delta_x_3_by_b_3_x*t355 + D_delta_y_3_by_b_3_x*t356 + D_delta_z_3_by_b_3_x*t357
-        - D_p_x_2_by_b_3_x*t327 - D_p_x_2_by_b_3_x*t328 - D_p_x_2_by_b_3_x*t329 + D_p_x_2_by_b_3_x*t426
-        - D_p_y_2_by_b_3_x*t330 - D_p_y_2_by_b_3_x*t331 - D_p_y_2_by_b_3_x*t332 + D_p_y_2_by_b_3_x*t427
-        - D_p_z_2_by_b_3_x*t333 - D_p_z_2_by_b_3_x*t334 - D_p_z_2_by_b_3_x*t335 + D_p_z_2_by_b_3_x*t428
-        + mu_1_by_b_3_x*t361 + mu_2_by_b_3_x*t362 + mu_3_by_b_3_x*t363,
+        + mu_1_by_b_3_x*t339 + mu_2_by_b_3_x*t340 + mu_3_by_b_3_x*t339 - t269*t492 - t270*t492 - t271*t492
+        - t272*t493 - t273*t493 - t274*t493 - t275*t494 - t276*t494 - t277*t494,
+        D_p_x_2*D_p_x_3_by_b_3_x*k_C + D_p_x_2_by_b_3_x*D_p_x_3*k_C - D_p_x_2_by_b_3_x*t281
+        - D_p_x_2_by_b_3_x*t282 - D_p_x_2_by_b_3_x*t283 - D_p_x_3_by_b_3_x*t269 - D_p_x_3_by_b_3_x*t270
+        - D_p_x_3_by_b_3_x*t271 + D_p_y_2*D_p_y_3_by_b_3_x*k_C + D_p_y_2_by_b_3_x*D_p_y_3*k_C
+        - D_p_y_2_by_b_3_x*t284 - D_p_y_2_by_b_3_x*t285 - D_p_y_2_by_b_3_x*t286 - D_p_y_3_by_b_3_x*t272
+        - D_p_y_3_by_b_3_x*t273 - D_p_y_3_by_b_3_x*t274 + D_p_z_2*D_p_z_3_by_b_3_x*k_C
+        + D_p_z_2_by_b_3_x*D_p_z_3*k_C - D_p_z_2_by_b_3_x*t287 - D_p_z_2_by_b_3_x*t288
+        - D_p_z_2_by_b_3_x*t289 - D_p_z_3_by_b_3_x*t275 - D_p_z_3_by_b_3_x*t276 - D_p_z_3_by_b_3_x*t277
+        + mu_1_by_b_3_x*t341 + mu_2_by_b_3_x*t342 + mu_3_by_b_3_x*t343,
+        D_delta_x_1_by_b_3_x*t349 + D_delta_y_1_by_b_3_x*t350 + D_delta_z_1_by_b_3_x*t351
+        - D_p_x_2_by_b_3_x*t299 - D_p_x_2_by_b_3_x*t300 - D_p_x_2_by_b_3_x*t301 + D_p_x_2_by_b_3_x*t408
+        - D_p_y_2_by_b_3_x*t302 - D_p_y_2_by_b_3_x*t303 - D_p_y_2_by_b_3_x*t304 + D_p_y_2_by_b_3_x*t409
+        - D_p_z_2_by_b_3_x*t305 - D_p_z_2_by_b_3_x*t306 - D_p_z_2_by_b_3_x*t307 + D_p_z_2_by_b_3_x*t410
+        + mu_1_by_b_3_x*t347 + mu_2_by_b_3_x*t348 + mu_3_by_b_3_x*t347,
+        D_delta_x_2_by_b_3_x*t349 + D_delta_y_2_by_b_3_x*t350 + D_delta_z_2_by_b_3_x*t351
+        - D_p_x_2_by_b_3_x*t313 - D_p_x_2_by_b_3_x*t314 - D_p_x_2_by_b_3_x*t315 + D_p_x_2_by_b_3_x*t411
+        - D_p_y_2_by_b_3_x*t316 - D_p_y_2_by_b_3_x*t317 - D_p_y_2_by_b_3_x*t318 + D_p_y_2_by_b_3_x*t412
+        - D_p_z_2_by_b_3_x*t319 - D_p_z_2_by_b_3_x*t320 - D_p_z_2_by_b_3_x*t321 + D_p_z_2_by_b_3_x*t413
+        + mu_1_by_b_3_x*t352 + mu_2_by_b_3_x*t353 + mu_3_by_b_3_x*t352,
+        D_delta_x_3_by_b_3_x*t349 + D_delta_y_3_by_b_3_x*t350 + D_delta_z_3_by_b_3_x*t351
+        - D_p_x_2_by_b_3_x*t324 - D_p_x_2_by_b_3_x*t325 - D_p_x_2_by_b_3_x*t326 + D_p_x_2_by_b_3_x*t414
+        - D_p_y_2_by_b_3_x*t327 - D_p_y_2_by_b_3_x*t328 - D_p_y_2_by_b_3_x*t329 + D_p_y_2_by_b_3_x*t415
+        - D_p_z_2_by_b_3_x*t330 - D_p_z_2_by_b_3_x*t331 - D_p_z_2_by_b_3_x*t332 + D_p_z_2_by_b_3_x*t416
+        + mu_1_by_b_3_x*t354 + mu_2_by_b_3_x*t355 + mu_3_by_b_3_x*t354,
         D_p_x_2_by_b_3_x*k_C, D_p_y_2_by_b_3_x*k_C, D_p_z_2_by_b_3_x*k_C,
         2*D_p_x_3*D_p_x_3_by_b_3_x*k_C + 2*D_p_y_3*D_p_y_3_by_b_3_x*k_C + 2*D_p_z_3*D_p_z_3_by_b_3_x*k_C
-        + k_sp_3*t510*t516*w_b_3*x_3_by_b_3_x + mu_1_by_b_3_x*t367 + mu_2_by_b_3_x*t368
-        + mu_3_by_b_3_x*t369 - t282*t507 - t283*t507 - t284*t507 - t285*t508 - t286*t508 - t287*t508
-        - t288*t509 - t289*t509 - t290*t509 - t515,
-        t518, t519,
-        D_delta_x_1_by_b_3_x*t376 + D_delta_y_1_by_b_3_x*t377 + D_delta_z_1_by_b_3_x*t378
-        - D_p_x_3_by_b_3_x*t300 - D_p_x_3_by_b_3_x*t301 - D_p_x_3_by_b_3_x*t302 + D_p_x_3_by_b_3_x*t420
-        - D_p_y_3_by_b_3_x*t303 - D_p_y_3_by_b_3_x*t304 - D_p_y_3_by_b_3_x*t305 + D_p_y_3_by_b_3_x*t421
-        - D_p_z_3_by_b_3_x*t306 - D_p_z_3_by_b_3_x*t307 - D_p_z_3_by_b_3_x*t308 + D_p_z_3_by_b_3_x*t422
-        + mu_1_by_b_3_x*t373 + mu_2_by_b_3_x*t374 + mu_3_by_b_3_x*t375,
-        D_delta_x_2_by_b_3_x*t376 + D_delta_y_2_by_b_3_x*t377 + D_delta_z_2_by_b_3_x*t378
-        - D_p_x_3_by_b_3_x*t315 - D_p_x_3_by_b_3_x*t316 - D_p_x_3_by_b_3_x*t317 + D_p_x_3_by_b_3_x*t423
-        - D_p_y_3_by_b_3_x*t318 - D_p_y_3_by_b_3_x*t319 - D_p_y_3_by_b_3_x*t320 + D_p_y_3_by_b_3_x*t424
-        - D_p_z_3_by_b_3_x*t321 - D_p_z_3_by_b_3_x*t322 - D_p_z_3_by_b_3_x*t323 + D_p_z_3_by_b_3_x*t425
-        + mu_1_by_b_3_x*t379 + mu_2_by_b_3_x*t380 + mu_3_by_b_3_x*t381,
-        D_delta_x_3_by_b_3_x*t376 + D_delta_y_3_by_b_3_x*t377 + D_delta_z_3_by_b_3_x*t378
-        - D_p_x_3_by_b_3_x*t327 - D_p_x_3_by_b_3_x*t328 - D_p_x_3_by_b_3_x*t329 + D_p_x_3_by_b_3_x*t426
-        - D_p_y_3_by_b_3_x*t330 - D_p_y_3_by_b_3_x*t331 - D_p_y_3_by_b_3_x*t332 + D_p_y_3_by_b_3_x*t427
-        - D_p_z_3_by_b_3_x*t333 - D_p_z_3_by_b_3_x*t334 - D_p_z_3_by_b_3_x*t335 + D_p_z_3_by_b_3_x*t428
-        + mu_1_by_b_3_x*t382 + mu_2_by_b_3_x*t383 + mu_3_by_b_3_x*t384,
-        t520, D_p_x_3_by_b_3_x*k_C, D_p_y_3_by_b_3_x*k_C, D_p_z_3_by_b_3_x*k_C, t230*t517, t518, -t230*t515,
-        t519,
-        D_delta_x_1_by_b_3_x*t386 + D_delta_y_1_by_b_3_x*t387 + D_delta_z_1_by_b_3_x*t388
-        + mu_1_by_b_3_x*t389 - mu_2_by_b_3_x*t385 - mu_3_by_b_3_x*t385,
-        D_delta_x_1_by_b_3_x*t391 + D_delta_x_2_by_b_3_x*t392 + D_delta_y_1_by_b_3_x*t393
-        + D_delta_y_2_by_b_3_x*t394 + D_delta_z_1_by_b_3_x*t395 + D_delta_z_2_by_b_3_x*t396
-        + mu_1_by_b_3_x*t390 + mu_2_by_b_3_x*t390 + mu_3_by_b_3_x*t390,
-        D_delta_x_1_by_b_3_x*t398 + D_delta_x_3_by_b_3_x*t392 + D_delta_y_1_by_b_3_x*t399
-        + D_delta_y_3_by_b_3_x*t394 + D_delta_z_1_by_b_3_x*t400 + D_delta_z_3_by_b_3_x*t396
-        + mu_1_by_b_3_x*t397 + mu_2_by_b_3_x*t397 + mu_3_by_b_3_x*t397,
+        + k_sp_3*t498*t504*w_b_3*x_3_by_b_3_x + mu_1_by_b_3_x*t359 + mu_2_by_b_3_x*t359
+        + mu_3_by_b_3_x*t360 - t281*t495 - t282*t495 - t283*t495 - t284*t496 - t285*t496 - t286*t496
+        - t287*t497 - t288*t497 - t289*t497 - t503,
+        t506, t507,
+        D_delta_x_1_by_b_3_x*t366 + D_delta_y_1_by_b_3_x*t367 + D_delta_z_1_by_b_3_x*t368
+        - D_p_x_3_by_b_3_x*t299 - D_p_x_3_by_b_3_x*t300 - D_p_x_3_by_b_3_x*t301 + D_p_x_3_by_b_3_x*t408
+        - D_p_y_3_by_b_3_x*t302 - D_p_y_3_by_b_3_x*t303 - D_p_y_3_by_b_3_x*t304 + D_p_y_3_by_b_3_x*t409
+        - D_p_z_3_by_b_3_x*t305 - D_p_z_3_by_b_3_x*t306 - D_p_z_3_by_b_3_x*t307 + D_p_z_3_by_b_3_x*t410
+        + mu_1_by_b_3_x*t364 + mu_2_by_b_3_x*t364 + mu_3_by_b_3_x*t365,
+        D_delta_x_2_by_b_3_x*t366 + D_delta_y_2_by_b_3_x*t367 + D_delta_z_2_by_b_3_x*t368
+        - D_p_x_3_by_b_3_x*t313 - D_p_x_3_by_b_3_x*t314 - D_p_x_3_by_b_3_x*t315 + D_p_x_3_by_b_3_x*t411
+        - D_p_y_3_by_b_3_x*t316 - D_p_y_3_by_b_3_x*t317 - D_p_y_3_by_b_3_x*t318 + D_p_y_3_by_b_3_x*t412
+        - D_p_z_3_by_b_3_x*t319 - D_p_z_3_by_b_3_x*t320 - D_p_z_3_by_b_3_x*t321 + D_p_z_3_by_b_3_x*t413
+        + mu_1_by_b_3_x*t369 + mu_2_by_b_3_x*t369 + mu_3_by_b_3_x*t370,
+        D_delta_x_3_by_b_3_x*t366 + D_delta_y_3_by_b_3_x*t367 + D_delta_z_3_by_b_3_x*t368
+        - D_p_x_3_by_b_3_x*t324 - D_p_x_3_by_b_3_x*t325 - D_p_x_3_by_b_3_x*t326 + D_p_x_3_by_b_3_x*t414
+        - D_p_y_3_by_b_3_x*t327 - D_p_y_3_by_b_3_x*t328 - D_p_y_3_by_b_3_x*t329 + D_p_y_3_by_b_3_x*t415
+        - D_p_z_3_by_b_3_x*t330 - D_p_z_3_by_b_3_x*t331 - D_p_z_3_by_b_3_x*t332 + D_p_z_3_by_b_3_x*t416
+        + mu_1_by_b_3_x*t371 + mu_2_by_b_3_x*t371 + mu_3_by_b_3_x*t372,
+        t508, D_p_x_3_by_b_3_x*k_C, D_p_y_3_by_b_3_x*k_C, D_p_z_3_by_b_3_x*k_C, t230*t505, t506, -t230*t503,
+        t507,
+        D_delta_x_1_by_b_3_x*t374 + D_delta_y_1_by_b_3_x*t375 + D_delta_z_1_by_b_3_x*t376
+        + mu_1_by_b_3_x*t377 - mu_2_by_b_3_x*t373 - mu_3_by_b_3_x*t373,
+        D_delta_x_1_by_b_3_x*t379 + D_delta_x_2_by_b_3_x*t380 + D_delta_y_1_by_b_3_x*t381
+        + D_delta_y_2_by_b_3_x*t382 + D_delta_z_1_by_b_3_x*t383 + D_delta_z_2_by_b_3_x*t384
+        + mu_1_by_b_3_x*t378 + mu_2_by_b_3_x*t378 + mu_3_by_b_3_x*t378,
+        D_delta_x_1_by_b_3_x*t386 + D_delta_x_3_by_b_3_x*t380 + D_delta_y_1_by_b_3_x*t387
+        + D_delta_y_3_by_b_3_x*t382 + D_delta_z_1_by_b_3_x*t388 + D_delta_z_3_by_b_3_x*t384
+        + mu_1_by_b_3_x*t385 + mu_2_by_b_3_x*t385 + mu_3_by_b_3_x*t385,
         D_delta_x_1_by_b_3_x*k_C, D_delta_y_1_by_b_3_x*k_C, D_delta_z_1_by_b_3_x*k_C,
-        D_delta_x_2_by_b_3_x*t402 + D_delta_y_2_by_b_3_x*t403 + D_delta_z_2_by_b_3_x*t404
-        - mu_1_by_b_3_x*t401 + mu_2_by_b_3_x*t405 - mu_3_by_b_3_x*t401,
-        D_delta_x_2_by_b_3_x*t398 + D_delta_x_3_by_b_3_x*t391 + D_delta_y_2_by_b_3_x*t399
-        + D_delta_y_3_by_b_3_x*t393 + D_delta_z_2_by_b_3_x*t400 + D_delta_z_3_by_b_3_x*t395
-        + mu_1_by_b_3_x*t406 + mu_2_by_b_3_x*t406 + mu_3_by_b_3_x*t406,
+        D_delta_x_2_by_b_3_x*t390 + D_delta_y_2_by_b_3_x*t391 + D_delta_z_2_by_b_3_x*t392
+        - mu_1_by_b_3_x*t389 + mu_2_by_b_3_x*t393 - mu_3_by_b_3_x*t389,
+        D_delta_x_2_by_b_3_x*t386 + D_delta_x_3_by_b_3_x*t379 + D_delta_y_2_by_b_3_x*t387
+        + D_delta_y_3_by_b_3_x*t381 + D_delta_z_2_by_b_3_x*t388 + D_delta_z_3_by_b_3_x*t383
+        + mu_1_by_b_3_x*t394 + mu_2_by_b_3_x*t394 + mu_3_by_b_3_x*t394,
         D_delta_x_2_by_b_3_x*k_C, D_delta_y_2_by_b_3_x*k_C, D_delta_z_2_by_b_3_x*k_C,
-        D_delta_x_3_by_b_3_x*t408 + D_delta_y_3_by_b_3_x*t409 + D_delta_z_3_by_b_3_x*t410
-        - mu_1_by_b_3_x*t407 - mu_2_by_b_3_x*t407 + mu_3_by_b_3_x*t411,
-        D_delta_x_3_by_b_3_x*k_C, D_delta_y_3_by_b_3_x*k_C, D_delta_z_3_by_b_3_x*k_C, t520,
+        D_delta_x_3_by_b_3_x*t396 + D_delta_y_3_by_b_3_x*t397 + D_delta_z_3_by_b_3_x*t398
+        - mu_1_by_b_3_x*t395 - mu_2_by_b_3_x*t395 + mu_3_by_b_3_x*t399,
+        D_delta_x_3_by_b_3_x*k_C, D_delta_y_3_by_b_3_x*k_C, D_delta_z_3_by_b_3_x*k_C, t508,
         2*D_p_x_1*D_p_x_1_by_b_3_y*k_C + 2*D_p_y_1*D_p_y_1_by_b_3_y*k_C + 2*D_p_z_1*D_p_z_1_by_b_3_y*k_C
-        + mu_1_by_b_3_y*t266 + mu_2_by_b_3_y*t267 + mu_3_by_b_3_y*t268 - t248*t521 - t250*t521 - t251*t521
-        - t252*t522 - t254*t522 - t255*t522 - t256*t523 - t258*t523 - t259*t523,
-        D_p_x_1*D_p_x_2_by_b_3_y*k_C + D_p_x_1_by_b_3_y*D_p_x_2*k_C - D_p_x_1_by_b_3_y*t270
-        - D_p_x_1_by_b_3_y*t271 - D_p_x_1_by_b_3_y*t272 - D_p_x_2_by_b_3_y*t248 - D_p_x_2_by_b_3_y*t250
+        + mu_1_by_b_3_y*t266 + mu_2_by_b_3_y*t267 + mu_3_by_b_3_y*t267 - t248*t509 - t250*t509 - t251*t509
+        - t252*t510 - t254*t510 - t255*t510 - t256*t511 - t258*t511 - t259*t511,
+        D_p_x_1*D_p_x_2_by_b_3_y*k_C + D_p_x_1_by_b_3_y*D_p_x_2*k_C - D_p_x_1_by_b_3_y*t269
+        - D_p_x_1_by_b_3_y*t270 - D_p_x_1_by_b_3_y*t271 - D_p_x_2_by_b_3_y*t248 - D_p_x_2_by_b_3_y*t250
         - D_p_x_2_by_b_3_y*t251 + D_p_y_1*D_p_y_2_by_b_3_y*k_C + D_p_y_1_by_b_3_y*D_p_y_2*k_C
-        - D_p_y_1_by_b_3_y*t273 - D_p_y_1_by_b_3_y*t274 - D_p_y_1_by_b_3_y*t275 - D_p_y_2_by_b_3_y*t252
+        - D_p_y_1_by_b_3_y*t272 - D_p_y_1_by_b_3_y*t273 - D_p_y_1_by_b_3_y*t274 - D_p_y_2_by_b_3_y*t252
         - D_p_y_2_by_b_3_y*t254 - D_p_y_2_by_b_3_y*t255 + D_p_z_1*D_p_z_2_by_b_3_y*k_C
-        + D_p_z_1_by_b_3_y*D_p_z_2*k_C - D_p_z_1_by_b_3_y*t276 - D_p_z_1_by_b_3_y*t277
-        - D_p_z_1_by_b_3_y*t278 - D_p_z_2_by_b_3_y*t256 - D_p_z_2_by_b_3_y*t258 - D_p_z_2_by_b_3_y*t259
-        + mu_1_by_b_3_y*t279 + mu_2_by_b_3_y*t280 + mu_3_by_b_3_y*t281,
-        D_p_x_1*D_p_x_3_by_b_3_y*k_C + D_p_x_1_by_b_3_y*D_p_x_3*k_C - D_p_x_1_by_b_3_y*t282
-        - D_p_x_1_by_b_3_y*t283 - D_p_x_1_by_b_3_y*t284 - D_p_x_3_by_b_3_y*t248 - D_p_x_3_by_b_3_y*t250
+        + D_p_z_1_by_b_3_y*D_p_z_2*k_C - D_p_z_1_by_b_3_y*t275 - D_p_z_1_by_b_3_y*t276
+        - D_p_z_1_by_b_3_y*t277 - D_p_z_2_by_b_3_y*t256 - D_p_z_2_by_b_3_y*t258 - D_p_z_2_by_b_3_y*t259
+        + mu_1_by_b_3_y*t278 + mu_2_by_b_3_y*t279 + mu_3_by_b_3_y*t280,
+        D_p_x_1*D_p_x_3_by_b_3_y*k_C + D_p_x_1_by_b_3_y*D_p_x_3*k_C - D_p_x_1_by_b_3_y*t281
+        - D_p_x_1_by_b_3_y*t282 - D_p_x_1_by_b_3_y*t283 - D_p_x_3_by_b_3_y*t248 - D_p_x_3_by_b_3_y*t250
         - D_p_x_3_by_b_3_y*t251 + D_p_y_1*D_p_y_3_by_b_3_y*k_C + D_p_y_1_by_b_3_y*D_p_y_3*k_C
-        - D_p_y_1_by_b_3_y*t285 - D_p_y_1_by_b_3_y*t286 - D_p_y_1_by_b_3_y*t287 - D_p_y_3_by_b_3_y*t252
+        - D_p_y_1_by_b_3_y*t284 - D_p_y_1_by_b_3_y*t285 - D_p_y_1_by_b_3_y*t286 - D_p_y_3_by_b_3_y*t252
         - D_p_y_3_by_b_3_y*t254 - D_p_y_3_by_b_3_y*t255 + D_p_z_1*D_p_z_3_by_b_3_y*k_C
-        + D_p_z_1_by_b_3_y*D_p_z_3*k_C - D_p_z_1_by_b_3_y*t288 - D_p_z_1_by_b_3_y*t289
-        - D_p_z_1_by_b_3_y*t290 - D_p_z_3_by_b_3_y*t256 - D_p_z_3_by_b_3_y*t258 - D_p_z_3_by_b_3_y*t259
-        + mu_1_by_b_3_y*t291 + mu_2_by_b_3_y*t292 + mu_3_by_b_3_y*t293,
-        D_delta_x_1_by_b_3_y*t312 + D_delta_y_1_by_b_3_y*t313 + D_delta_z_1_by_b_3_y*t314
-        - D_p_x_1_by_b_3_y*t300 - D_p_x_1_by_b_3_y*t301 - D_p_x_1_by_b_3_y*t302 + D_p_x_1_by_b_3_y*t420
-        - D_p_y_1_by_b_3_y*t303 - D_p_y_1_by_b_3_y*t304 - D_p_y_1_by_b_3_y*t305 + D_p_y_1_by_b_3_y*t421
-        - D_p_z_1_by_b_3_y*t306 - D_p_z_1_by_b_3_y*t307 - D_p_z_1_by_b_3_y*t308 + D_p_z_1_by_b_3_y*t422
-        + mu_1_by_b_3_y*t309 + mu_2_by_b_3_y*t310 + mu_3_by_b_3_y*t311,
-        D_delta_x_2_by_b_3_y*t312 + D_delta_y_2_by_b_3_y*t313 + D_delta_z_2_by_b_3_y*t314
-        - D_p_x_1_by_b_3_y*t315 - D_p_x_1_by_b_3_y*t316 - D_p_x_1_by_b_3_y*t317 + D_p_x_1_by_b_3_y*t423
-        - D_p_y_1_by_b_3_y*t318 - D_p_y_1_by_b_3_y*t319 - D_p_y_1_by_b_3_y*t320 + D_p_y_1_by_b_3_y*t424
-        - D_p_z_1_by_b_3_y*t321 - D_p_z_1_by_b_3_y*t322 - D_p_z_1_by_b_3_y*t323 + D_p_z_1_by_b_3_y*t425
-        + mu_1_by_b_3_y*t324 + mu_2_by_b_3_y*t325 + mu_3_by_b_3_y*t326,
-        D_delta_x_3_by_b_3_y*t312 + D_delta_y_3_by_b_3_y*t313 + D_delta_z_3_by_b_3_y*t314
-        - D_p_x_1_by_b_3_y*t327 - D_p_x_1_by_b_3_y*t328 - D_p_x_1_by_b_3_y*t329 + D_p_x_1_by_b_3_y*t426
-        - D_p_y_1_by_b_3_y*t330 - D_p_y_1_by_b_3_y*t331 - D_p_y_1_by_b_3_y*t332 + D_p_y_1_by_b_3_y*t427
-        - D_p_z_1_by_b_3_y*t333 - D_p_z_1_by_b_3_y*t334 - D_p_z_1_by_b_3_y*t335 + D_p_z_1_by_b_3_y*t428
-        + mu_1_by_b_3_y*t336 + mu_2_by_b_3_y*t337 + mu_3_by_b_3_y*t338,
+        + D_p_z_1_by_b_3_y*D_p_z_3*k_C - D_p_z_1_by_b_3_y*t287 - D_p_z_1_by_b_3_y*t288
+        - D_p_z_1_by_b_3_y*t289 - D_p_z_3_by_b_3_y*t256 - D_p_z_3_by_b_3_y*t258 - D_p_z_3_by_b_3_y*t259
+        + mu_1_by_b_3_y*t290 + mu_2_by_b_3_y*t291 + mu_3_by_b_3_y*t292,
+        D_delta_x_1_by_b_3_y*t310 + D_delta_y_1_by_b_3_y*t311 + D_delta_z_1_by_b_3_y*t312
+        - D_p_x_1_by_b_3_y*t299 - D_p_x_1_by_b_3_y*t300 - D_p_x_1_by_b_3_y*t301 + D_p_x_1_by_b_3_y*t408
+        - D_p_y_1_by_b_3_y*t302 - D_p_y_1_by_b_3_y*t303 - D_p_y_1_by_b_3_y*t304 + D_p_y_1_by_b_3_y*t409
+        - D_p_z_1_by_b_3_y*t305 - D_p_z_1_by_b_3_y*t306 - D_p_z_1_by_b_3_y*t307 + D_p_z_1_by_b_3_y*t410
+        + mu_1_by_b_3_y*t308 + mu_2_by_b_3_y*t309 + mu_3_by_b_3_y*t309,
+        D_delta_x_2_by_b_3_y*t310 + D_delta_y_2_by_b_3_y*t311 + D_delta_z_2_by_b_3_y*t312
+        - D_p_x_1_by_b_3_y*t313 - D_p_x_1_by_b_3_y*t314 - D_p_x_1_by_b_3_y*t315 + D_p_x_1_by_b_3_y*t411
+        - D_p_y_1_by_b_3_y*t316 - D_p_y_1_by_b_3_y*t317 - D_p_y_1_by_b_3_y*t318 + D_p_y_1_by_b_3_y*t412
+        - D_p_z_1_by_b_3_y*t319 - D_p_z_1_by_b_3_y*t320 - D_p_z_1_by_b_3_y*t321 + D_p_z_1_by_b_3_y*t413
+        + mu_1_by_b_3_y*t322 + mu_2_by_b_3_y*t323 + mu_3_by_b_3_y*t323,
+        D_delta_x_3_by_b_3_y*t310 + D_delta_y_3_by_b_3_y*t311 + D_delta_z_3_by_b_3_y*t312
+        - D_p_x_1_by_b_3_y*t324 - D_p_x_1_by_b_3_y*t325 - D_p_x_1_by_b_3_y*t326 + D_p_x_1_by_b_3_y*t414
+        - D_p_y_1_by_b_3_y*t327 - D_p_y_1_by_b_3_y*t328 - D_p_y_1_by_b_3_y*t329 + D_p_y_1_by_b_3_y*t415
+        - D_p_z_1_by_b_3_y*t330 - D_p_z_1_by_b_3_y*t331 - D_p_z_1_by_b_3_y*t332 + D_p_z_1_by_b_3_y*t416
+        + mu_1_by_b_3_y*t333 + mu_2_by_b_3_y*t334 + mu_3_by_b_3_y*t334,
         D_p_x_1_by_b_3_y*k_C, D_p_y_1_by_b_3_y*k_C, D_p_z_1_by_b_3_y*k_C,
         2*D_p_x_2*D_p_x_2_by_b_3_y*k_C + 2*D_p_y_2*D_p_y_2_by_b_3_y*k_C + 2*D_p_z_2*D_p_z_2_by_b_3_y*k_C
-        + mu_1_by_b_3_y*t343 + mu_2_by_b_3_y*t344 + mu_3_by_b_3_y*t345 - t270*t524 - t271*t524 - t272*t524
-        - t273*t525 - t274*t525 - t275*t525 - t276*t526 - t277*t526 - t278*t526,
-        D_p_x_2*D_p_x_3_by_b_3_y*k_C + D_p_x_2_by_b_3_y*D_p_x_3*k_C - D_p_x_2_by_b_3_y*t282
-        - D_p_x_2_by_b_3_y*t283 - D_p_x_2_by_b_3_y*t284 - D_p_x_3_by_b_3_y*t270 - D_p_x_3_by_b_3_y*t271
-        - D_p_x_3_by_b_3_y*t272 + D_p_y_2*D_p_y_3_by_b_3_y*k_C + D_p_y_2_by_b_3_y*D_p_y_3*k_C
-        - D_p_y_2_by_b_3_y*t285 - D_p_y_2_by_b_3_y*t286 - D_p_y_2_by_b_3_y*t287 - D_p_y_3_by_b_3_y*t273
-        - D_p_y_3_by_b_3_y*t274 - D_p_y_3_by_b_3_y*t275 + D_p_z_2*D_p_z_3_by_b_3_y*k_C
-        + D_p_z_2_by_b_3_y*D_p_z_3*k_C - D_p_z_2_by_b_3_y*t288 - D_p_z_2_by_b_3_y*t289
-        - D_p_z_2_by_b_3_y*t290 - D_p_z_3_by_b_3_y*t276 - D_p_z_3_by_b_3_y*t277 - D_p_z_3_by_b_3_y*t278
-        + mu_1_by_b_3_y*t346 + mu_2_by_b_3_y*t347 + mu_3_by_b_3_y*t348,
-        D_delta_x_1_by_b_3_y*t355 + D_delta_y_1_by_b_3_y*t356 + D_delta_z_1_by_b_3_y*t357
-        - D_p_x_2_by_b_3_y*t300 - D_p_x_2_by_b_3_y*t301 - D_p_x_2_by_b_3_y*t302 + D_p_x_2_by_b_3_y*t420
-        - D_p_y_2_by_b_3_y*t303 - D_p_y_2_by_b_3_y*t304 - D_p_y_2_by_b_3_y*t305 + D_p_y_2_by_b_3_y*t421
-        - D_p_z_2_by_b_3_y*t306 - D_p_z_2_by_b_3_y*t307 - D_p_z_2_by_b_3_y*t308 + D_p_z_2_by_b_3_y*t422
-        + mu_1_by_b_3_y*t352 + mu_2_by_b_3_y*t353 + mu_3_by_b_3_y*t354,
-        D_delta_x_2_by_b_3_y*t355 + D_delta_y_2_by_b_3_y*t356 + D_delta_z_2_by_b_3_y*t357
-        - D_p_x_2_by_b_3_y*t315 - D_p_x_2_by_b_3_y*t316 - D_p_x_2_by_b_3_y*t317 + D_p_x_2_by_b_3_y*t423
-        - D_p_y_2_by_b_3_y*t318 - D_p_y_2_by_b_3_y*t319 - D_p_y_2_by_b_3_y*t320 + D_p_y_2_by_b_3_y*t424
-        - D_p_z_2_by_b_3_y*t321 - D_p_z_2_by_b_3_y*t322 - D_p_z_2_by_b_3_y*t323 + D_p_z_2_by_b_3_y*t425
-        + mu_1_by_b_3_y*t358 + mu_2_by_b_3_y*t359 + mu_3_by_b_3_y*t360,
-        D_delta_x_3_by_b_3_y*t355 + D_delta_y_3_by_b_3_y*t356 + D_delta_z_3_by_b_3_y*t357
-        - D_p_x_2_by_b_3_y*t327 - D_p_x_2_by_b_3_y*t328 - D_p_x_2_by_b_3_y*t329 + D_p_x_2_by_b_3_y*t426
-        - D_p_y_2_by_b_3_y*t330 - D_p_y_2_by_b_3_y*t331 - D_p_y_2_by_b_3_y*t332 + D_p_y_2_by_b_3_y*t427
-        - D_p_z_2_by_b_3_y*t333 - D_p_z_2_by_b_3_y*t334 - D_p_z_2_by_b_3_y*t335 + D_p_z_2_by_b_3_y*t428
-        + mu_1_by_b_3_y*t361 + mu_2_by_b_3_y*t362 + mu_3_by_b_3_y*t363,
+        + mu_1_by_b_3_y*t339 + mu_2_by_b_3_y*t340 + mu_3_by_b_3_y*t339 - t269*t512 - t270*t512 - t271*t512
+        - t272*t513 - t273*t513 - t274*t513 - t275*t514 - t276*t514 - t277*t514,
+        D_p_x_2*D_p_x_3_by_b_3_y*k_C + D_p_x_2_by_b_3_y*D_p_x_3*k_C - D_p_x_2_by_b_3_y*t281
+        - D_p_x_2_by_b_3_y*t282 - D_p_x_2_by_b_3_y*t283 - D_p_x_3_by_b_3_y*t269 - D_p_x_3_by_b_3_y*t270
+        - D_p_x_3_by_b_3_y*t271 + D_p_y_2*D_p_y_3_by_b_3_y*k_C + D_p_y_2_by_b_3_y*D_p_y_3*k_C
+        - D_p_y_2_by_b_3_y*t284 - D_p_y_2_by_b_3_y*t285 - D_p_y_2_by_b_3_y*t286 - D_p_y_3_by_b_3_y*t272
+        - D_p_y_3_by_b_3_y*t273 - D_p_y_3_by_b_3_y*t274 + D_p_z_2*D_p_z_3_by_b_3_y*k_C
+        + D_p_z_2_by_b_3_y*D_p_z_3*k_C - D_p_z_2_by_b_3_y*t287 - D_p_z_2_by_b_3_y*t288
+        - D_p_z_2_by_b_3_y*t289 - D_p_z_3_by_b_3_y*t275 - D_p_z_3_by_b_3_y*t276 - D_p_z_3_by_b_3_y*t277
+        + mu_1_by_b_3_y*t341 + mu_2_by_b_3_y*t342 + mu_3_by_b_3_y*t343,
+        D_delta_x_1_by_b_3_y*t349 + D_delta_y_1_by_b_3_y*t350 + D_delta_z_1_by_b_3_y*t351
+        - D_p_x_2_by_b_3_y*t299 - D_p_x_2_by_b_3_y*t300 - D_p_x_2_by_b_3_y*t301 + D_p_x_2_by_b_3_y*t408
+        - D_p_y_2_by_b_3_y*t302 - D_p_y_2_by_b_3_y*t303 - D_p_y_2_by_b_3_y*t304 + D_p_y_2_by_b_3_y*t409
+        - D_p_z_2_by_b_3_y*t305 - D_p_z_2_by_b_3_y*t306 - D_p_z_2_by_b_3_y*t307 + D_p_z_2_by_b_3_y*t410
+        + mu_1_by_b_3_y*t347 + mu_2_by_b_3_y*t348 + mu_3_by_b_3_y*t347,
+        D_delta_x_2_by_b_3_y*t349 + D_delta_y_2_by_b_3_y*t350 + D_delta_z_2_by_b_3_y*t351
+        - D_p_x_2_by_b_3_y*t313 - D_p_x_2_by_b_3_y*t314 - D_p_x_2_by_b_3_y*t315 + D_p_x_2_by_b_3_y*t411
+        - D_p_y_2_by_b_3_y*t316 - D_p_y_2_by_b_3_y*t317 - D_p_y_2_by_b_3_y*t318 + D_p_y_2_by_b_3_y*t412
+        - D_p_z_2_by_b_3_y*t319 - D_p_z_2_by_b_3_y*t320 - D_p_z_2_by_b_3_y*t321 + D_p_z_2_by_b_3_y*t413
+        + mu_1_by_b_3_y*t352 + mu_2_by_b_3_y*t353 + mu_3_by_b_3_y*t352,
+        D_delta_x_3_by_b_3_y*t349 + D_delta_y_3_by_b_3_y*t350 + D_delta_z_3_by_b_3_y*t351
+        - D_p_x_2_by_b_3_y*t324 - D_p_x_2_by_b_3_y*t325 - D_p_x_2_by_b_3_y*t326 + D_p_x_2_by_b_3_y*t414
+        - D_p_y_2_by_b_3_y*t327 - D_p_y_2_by_b_3_y*t328 - D_p_y_2_by_b_3_y*t329 + D_p_y_2_by_b_3_y*t415
+        - D_p_z_2_by_b_3_y*t330 - D_p_z_2_by_b_3_y*t331 - D_p_z_2_by_b_3_y*t332 + D_p_z_2_by_b_3_y*t416
+        + mu_1_by_b_3_y*t354 + mu_2_by_b_3_y*t355 + mu_3_by_b_3_y*t354,
         D_p_x_2_by_b_3_y*k_C, D_p_y_2_by_b_3_y*k_C, D_p_z_2_by_b_3_y*k_C,
         2*D_p_x_3*D_p_x_3_by_b_3_y*k_C + 2*D_p_y_3*D_p_y_3_by_b_3_y*k_C + 2*D_p_z_3*D_p_z_3_by_b_3_y*k_C
-        + k_sp_3*t510*t516*w_b_3*x_3_by_b_3_y + mu_1_by_b_3_y*t367 + mu_2_by_b_3_y*t368
-        + mu_3_by_b_3_y*t369 - t282*t527 - t283*t527 - t284*t527 - t285*t528 - t286*t528 - t287*t528
-        - t288*t529 - t289*t529 - t290*t529 - t531,
-        t533, t534,
-        D_delta_x_1_by_b_3_y*t376 + D_delta_y_1_by_b_3_y*t377 + D_delta_z_1_by_b_3_y*t378
-        - D_p_x_3_by_b_3_y*t300 - D_p_x_3_by_b_3_y*t301 - D_p_x_3_by_b_3_y*t302 + D_p_x_3_by_b_3_y*t420
-        - D_p_y_3_by_b_3_y*t303 - D_p_y_3_by_b_3_y*t304 - D_p_y_3_by_b_3_y*t305 + D_p_y_3_by_b_3_y*t421
-        - D_p_z_3_by_b_3_y*t306 - D_p_z_3_by_b_3_y*t307 - D_p_z_3_by_b_3_y*t308 + D_p_z_3_by_b_3_y*t422
-        + mu_1_by_b_3_y*t373 + mu_2_by_b_3_y*t374 + mu_3_by_b_3_y*t375,
-        D_delta_x_2_by_b_3_y*t376 + D_delta_y_2_by_b_3_y*t377 + D_delta_z_2_by_b_3_y*t378
-        - D_p_x_3_by_b_3_y*t315 - D_p_x_3_by_b_3_y*t316 - D_p_x_3_by_b_3_y*t317 + D_p_x_3_by_b_3_y*t423
-        - D_p_y_3_by_b_3_y*t318 - D_p_y_3_by_b_3_y*t319 - D_p_y_3_by_b_3_y*t320 + D_p_y_3_by_b_3_y*t424
-        - D_p_z_3_by_b_3_y*t321 - D_p_z_3_by_b_3_y*t322 - D_p_z_3_by_b_3_y*t323 + D_p_z_3_by_b_3_y*t425
-        + mu_1_by_b_3_y*t379 + mu_2_by_b_3_y*t380 + mu_3_by_b_3_y*t381,
-        D_delta_x_3_by_b_3_y*t376 + D_delta_y_3_by_b_3_y*t377 + D_delta_z_3_by_b_3_y*t378
-        - D_p_x_3_by_b_3_y*t327 - D_p_x_3_by_b_3_y*t328 - D_p_x_3_by_b_3_y*t329 + D_p_x_3_by_b_3_y*t426
-        - D_p_y_3_by_b_3_y*t330 - D_p_y_3_by_b_3_y*t331 - D_p_y_3_by_b_3_y*t332 + D_p_y_3_by_b_3_y*t427
-        - D_p_z_3_by_b_3_y*t333 - D_p_z_3_by_b_3_y*t334 - D_p_z_3_by_b_3_y*t335 + D_p_z_3_by_b_3_y*t428
-        + mu_1_by_b_3_y*t382 + mu_2_by_b_3_y*t383 + mu_3_by_b_3_y*t384,
-        t535, D_p_x_3_by_b_3_y*k_C, D_p_y_3_by_b_3_y*k_C, D_p_z_3_by_b_3_y*k_C, t230*t532, t533, -t230*t531,
-        t534,
-        D_delta_x_1_by_b_3_y*t386 + D_delta_y_1_by_b_3_y*t387 + D_delta_z_1_by_b_3_y*t388
-        + mu_1_by_b_3_y*t389 - mu_2_by_b_3_y*t385 - mu_3_by_b_3_y*t385,
-        D_delta_x_1_by_b_3_y*t391 + D_delta_x_2_by_b_3_y*t392 + D_delta_y_1_by_b_3_y*t393
-        + D_delta_y_2_by_b_3_y*t394 + D_delta_z_1_by_b_3_y*t395 + D_delta_z_2_by_b_3_y*t396
-        + mu_1_by_b_3_y*t390 + mu_2_by_b_3_y*t390 + mu_3_by_b_3_y*t390,
-        D_delta_x_1_by_b_3_y*t398 + D_delta_x_3_by_b_3_y*t392 + D_delta_y_1_by_b_3_y*t399
-        + D_delta_y_3_by_b_3_y*t394 + D_delta_z_1_by_b_3_y*t400 + D_delta_z_3_by_b_3_y*t396
-        + mu_1_by_b_3_y*t397 + mu_2_by_b_3_y*t397 + mu_3_by_b_3_y*t397,
+        + k_sp_3*t498*t504*w_b_3*x_3_by_b_3_y + mu_1_by_b_3_y*t359 + mu_2_by_b_3_y*t359
+        + mu_3_by_b_3_y*t360 - t281*t515 - t282*t515 - t283*t515 - t284*t516 - t285*t516 - t286*t516
+        - t287*t517 - t288*t517 - t289*t517 - t519,
+        t521, t522,
+        D_delta_x_1_by_b_3_y*t366 + D_delta_y_1_by_b_3_y*t367 + D_delta_z_1_by_b_3_y*t368
+        - D_p_x_3_by_b_3_y*t299 - D_p_x_3_by_b_3_y*t300 - D_p_x_3_by_b_3_y*t301 + D_p_x_3_by_b_3_y*t408
+        - D_p_y_3_by_b_3_y*t302 - D_p_y_3_by_b_3_y*t303 - D_p_y_3_by_b_3_y*t304 + D_p_y_3_by_b_3_y*t409
+        - D_p_z_3_by_b_3_y*t305 - D_p_z_3_by_b_3_y*t306 - D_p_z_3_by_b_3_y*t307 + D_p_z_3_by_b_3_y*t410
+        + mu_1_by_b_3_y*t364 + mu_2_by_b_3_y*t364 + mu_3_by_b_3_y*t365,
+        D_delta_x_2_by_b_3_y*t366 + D_delta_y_2_by_b_3_y*t367 + D_delta_z_2_by_b_3_y*t368
+        - D_p_x_3_by_b_3_y*t313 - D_p_x_3_by_b_3_y*t314 - D_p_x_3_by_b_3_y*t315 + D_p_x_3_by_b_3_y*t411
+        - D_p_y_3_by_b_3_y*t316 - D_p_y_3_by_b_3_y*t317 - D_p_y_3_by_b_3_y*t318 + D_p_y_3_by_b_3_y*t412
+        - D_p_z_3_by_b_3_y*t319 - D_p_z_3_by_b_3_y*t320 - D_p_z_3_by_b_3_y*t321 + D_p_z_3_by_b_3_y*t413
+        + mu_1_by_b_3_y*t369 + mu_2_by_b_3_y*t369 + mu_3_by_b_3_y*t370,
+        D_delta_x_3_by_b_3_y*t366 + D_delta_y_3_by_b_3_y*t367 + D_delta_z_3_by_b_3_y*t368
+        - D_p_x_3_by_b_3_y*t324 - D_p_x_3_by_b_3_y*t325 - D_p_x_3_by_b_3_y*t326 + D_p_x_3_by_b_3_y*t414
+        - D_p_y_3_by_b_3_y*t327 - D_p_y_3_by_b_3_y*t328 - D_p_y_3_by_b_3_y*t329 + D_p_y_3_by_b_3_y*t415
+        - D_p_z_3_by_b_3_y*t330 - D_p_z_3_by_b_3_y*t331 - D_p_z_3_by_b_3_y*t332 + D_p_z_3_by_b_3_y*t416
+        + mu_1_by_b_3_y*t371 + mu_2_by_b_3_y*t371 + mu_3_by_b_3_y*t372,
+        t523, D_p_x_3_by_b_3_y*k_C, D_p_y_3_by_b_3_y*k_C, D_p_z_3_by_b_3_y*k_C, t230*t520, t521, -t230*t519,
+        t522,
+        D_delta_x_1_by_b_3_y*t374 + D_delta_y_1_by_b_3_y*t375 + D_delta_z_1_by_b_3_y*t376
+        + mu_1_by_b_3_y*t377 - mu_2_by_b_3_y*t373 - mu_3_by_b_3_y*t373,
+        D_delta_x_1_by_b_3_y*t379 + D_delta_x_2_by_b_3_y*t380 + D_delta_y_1_by_b_3_y*t381
+        + D_delta_y_2_by_b_3_y*t382 + D_delta_z_1_by_b_3_y*t383 + D_delta_z_2_by_b_3_y*t384
+        + mu_1_by_b_3_y*t378 + mu_2_by_b_3_y*t378 + mu_3_by_b_3_y*t378,
+        D_delta_x_1_by_b_3_y*t386 + D_delta_x_3_by_b_3_y*t380 + D_delta_y_1_by_b_3_y*t387
+        + D_delta_y_3_by_b_3_y*t382 + D_delta_z_1_by_b_3_y*t388 + D_delta_z_3_by_b_3_y*t384
+        + mu_1_by_b_3_y*t385 + mu_2_by_b_3_y*t385 + mu_3_by_b_3_y*t385,
         D_delta_x_1_by_b_3_y*k_C, D_delta_y_1_by_b_3_y*k_C, D_delta_z_1_by_b_3_y*k_C,
-        D_delta_x_2_by_b_3_y*t402 + D_delta_y_2_by_b_3_y*t403 + D_delta_z_2_by_b_3_y*t404
-        - mu_1_by_b_3_y*t401 + mu_2_by_b_3_y*t405 - mu_3_by_b_3_y*t401,
-        D_delta_x_2_by_b_3_y*t398 + D_delta_x_3_by_b_3_y*t391 + D_delta_y_2_by_b_3_y*t399
-        + D_delta_y_3_by_b_3_y*t393 + D_delta_z_2_by_b_3_y*t400 + D_delta_z_3_by_b_3_y*t395
-        + mu_1_by_b_3_y*t406 + mu_2_by_b_3_y*t406 + mu_3_by_b_3_y*t406,
+        D_delta_x_2_by_b_3_y*t390 + D_delta_y_2_by_b_3_y*t391 + D_delta_z_2_by_b_3_y*t392
+        - mu_1_by_b_3_y*t389 + mu_2_by_b_3_y*t393 - mu_3_by_b_3_y*t389,
+        D_delta_x_2_by_b_3_y*t386 + D_delta_x_3_by_b_3_y*t379 + D_delta_y_2_by_b_3_y*t387
+        + D_delta_y_3_by_b_3_y*t381 + D_delta_z_2_by_b_3_y*t388 + D_delta_z_3_by_b_3_y*t383
+        + mu_1_by_b_3_y*t394 + mu_2_by_b_3_y*t394 + mu_3_by_b_3_y*t394,
         D_delta_x_2_by_b_3_y*k_C, D_delta_y_2_by_b_3_y*k_C, D_delta_z_2_by_b_3_y*k_C,
-        D_delta_x_3_by_b_3_y*t408 + D_delta_y_3_by_b_3_y*t409 + D_delta_z_3_by_b_3_y*t410
-        - mu_1_by_b_3_y*t407 - mu_2_by_b_3_y*t407 + mu_3_by_b_3_y*t411,
-        D_delta_x_3_by_b_3_y*k_C, D_delta_y_3_by_b_3_y*k_C, D_delta_z_3_by_b_3_y*k_C, t535,
+        D_delta_x_3_by_b_3_y*t396 + D_delta_y_3_by_b_3_y*t397 + D_delta_z_3_by_b_3_y*t398
+        - mu_1_by_b_3_y*t395 - mu_2_by_b_3_y*t395 + mu_3_by_b_3_y*t399,
+        D_delta_x_3_by_b_3_y*k_C, D_delta_y_3_by_b_3_y*k_C, D_delta_z_3_by_b_3_y*k_C, t523,
         2*D_p_x_1*D_p_x_1_by_b_3_z*k_C + 2*D_p_y_1*D_p_y_1_by_b_3_z*k_C + 2*D_p_z_1*D_p_z_1_by_b_3_z*k_C
-        + mu_1_by_b_3_z*t266 + mu_2_by_b_3_z*t267 + mu_3_by_b_3_z*t268 - t248*t536 - t250*t536 - t251*t536
-        - t252*t537 - t254*t537 - t255*t537 - t256*t538 - t258*t538 - t259*t538,
-        D_p_x_1*D_p_x_2_by_b_3_z*k_C + D_p_x_1_by_b_3_z*D_p_x_2*k_C - D_p_x_1_by_b_3_z*t270
-        - D_p_x_1_by_b_3_z*t271 - D_p_x_1_by_b_3_z*t272 - D_p_x_2_by_b_3_z*t248 - D_p_x_2_by_b_3_z*t250
+        + mu_1_by_b_3_z*t266 + mu_2_by_b_3_z*t267 + mu_3_by_b_3_z*t267 - t248*t524 - t250*t524 - t251*t524
+        - t252*t525 - t254*t525 - t255*t525 - t256*t526 - t258*t526 - t259*t526,
+        D_p_x_1*D_p_x_2_by_b_3_z*k_C + D_p_x_1_by_b_3_z*D_p_x_2*k_C - D_p_x_1_by_b_3_z*t269
+        - D_p_x_1_by_b_3_z*t270 - D_p_x_1_by_b_3_z*t271 - D_p_x_2_by_b_3_z*t248 - D_p_x_2_by_b_3_z*t250
         - D_p_x_2_by_b_3_z*t251 + D_p_y_1*D_p_y_2_by_b_3_z*k_C + D_p_y_1_by_b_3_z*D_p_y_2*k_C
-        - D_p_y_1_by_b_3_z*t273 - D_p_y_1_by_b_3_z*t274 - D_p_y_1_by_b_3_z*t275 - D_p_y_2_by_b_3_z*t252
+        - D_p_y_1_by_b_3_z*t272 - D_p_y_1_by_b_3_z*t273 - D_p_y_1_by_b_3_z*t274 - D_p_y_2_by_b_3_z*t252
         - D_p_y_2_by_b_3_z*t254 - D_p_y_2_by_b_3_z*t255 + D_p_z_1*D_p_z_2_by_b_3_z*k_C
-        + D_p_z_1_by_b_3_z*D_p_z_2*k_C - D_p_z_1_by_b_3_z*t276 - D_p_z_1_by_b_3_z*t277
-        - D_p_z_1_by_b_3_z*t278 - D_p_z_2_by_b_3_z*t256 - D_p_z_2_by_b_3_z*t258 - D_p_z_2_by_b_3_z*t259
-        + mu_1_by_b_3_z*t279 + mu_2_by_b_3_z*t280 + mu_3_by_b_3_z*t281,
-        D_p_x_1*D_p_x_3_by_b_3_z*k_C + D_p_x_1_by_b_3_z*D_p_x_3*k_C - D_p_x_1_by_b_3_z*t282
-        - D_p_x_1_by_b_3_z*t283 - D_p_x_1_by_b_3_z*t284 - D_p_x_3_by_b_3_z*t248 - D_p_x_3_by_b_3_z*t250
+        + D_p_z_1_by_b_3_z*D_p_z_2*k_C - D_p_z_1_by_b_3_z*t275 - D_p_z_1_by_b_3_z*t276
+        - D_p_z_1_by_b_3_z*t277 - D_p_z_2_by_b_3_z*t256 - D_p_z_2_by_b_3_z*t258 - D_p_z_2_by_b_3_z*t259
+        + mu_1_by_b_3_z*t278 + mu_2_by_b_3_z*t279 + mu_3_by_b_3_z*t280,
+        D_p_x_1*D_p_x_3_by_b_3_z*k_C + D_p_x_1_by_b_3_z*D_p_x_3*k_C - D_p_x_1_by_b_3_z*t281
+        - D_p_x_1_by_b_3_z*t282 - D_p_x_1_by_b_3_z*t283 - D_p_x_3_by_b_3_z*t248 - D_p_x_3_by_b_3_z*t250
         - D_p_x_3_by_b_3_z*t251 + D_p_y_1*D_p_y_3_by_b_3_z*k_C + D_p_y_1_by_b_3_z*D_p_y_3*k_C
-        - D_p_y_1_by_b_3_z*t285 - D_p_y_1_by_b_3_z*t286 - D_p_y_1_by_b_3_z*t287 - D_p_y_3_by_b_3_z*t252
+        - D_p_y_1_by_b_3_z*t284 - D_p_y_1_by_b_3_z*t285 - D_p_y_1_by_b_3_z*t286 - D_p_y_3_by_b_3_z*t252
         - D_p_y_3_by_b_3_z*t254 - D_p_y_3_by_b_3_z*t255 + D_p_z_1*D_p_z_3_by_b_3_z*k_C
-        + D_p_z_1_by_b_3_z*D_p_z_3*k_C - D_p_z_1_by_b_3_z*t288 - D_p_z_1_by_b_3_z*t289
-        - D_p_z_1_by_b_3_z*t290 - D_p_z_3_by_b_3_z*t256 - D_p_z_3_by_b_3_z*t258 - D_p_z_3_by_b_3_z*t259
-        + mu_1_by_b_3_z*t291 + mu_2_by_b_3_z*t292 + mu_3_by_b_3_z*t293,
-        D_delta_x_1_by_b_3_z*t312 + D_delta_y_1_by_b_3_z*t313 + D_delta_z_1_by_b_3_z*t314
-        - D_p_x_1_by_b_3_z*t300 - D_p_x_1_by_b_3_z*t301 - D_p_x_1_by_b_3_z*t302 + D_p_x_1_by_b_3_z*t420
-        - D_p_y_1_by_b_3_z*t303 - D_p_y_1_by_b_3_z*t304 - D_p_y_1_by_b_3_z*t305 + D_p_y_1_by_b_3_z*t421
-        - D_p_z_1_by_b_3_z*t306 - D_p_z_1_by_b_3_z*t307 - D_p_z_1_by_b_3_z*t308 + D_p_z_1_by_b_3_z*t422
-        + mu_1_by_b_3_z*t309 + mu_2_by_b_3_z*t310 + mu_3_by_b_3_z*t311,
-        D_delta_x_2_by_b_3_z*t312 + D_delta_y_2_by_b_3_z*t313 + D_delta_z_2_by_b_3_z*t314
-        - D_p_x_1_by_b_3_z*t315 - D_p_x_1_by_b_3_z*t316 - D_p_x_1_by_b_3_z*t317 + D_p_x_1_by_b_3_z*t423
-        - D_p_y_1_by_b_3_z*t318 - D_p_y_1_by_b_3_z*t319 - D_p_y_1_by_b_3_z*t320 + D_p_y_1_by_b_3_z*t424
-        - D_p_z_1_by_b_3_z*t321 - D_p_z_1_by_b_3_z*t322 - D_p_z_1_by_b_3_z*t323 + D_p_z_1_by_b_3_z*t425
-        + mu_1_by_b_3_z*t324 + mu_2_by_b_3_z*t325 + mu_3_by_b_3_z*t326,
-        D_delta_x_3_by_b_3_z*t312 + D_delta_y_3_by_b_3_z*t313 + D_delta_z_3_by_b_3_z*t314
-        - D_p_x_1_by_b_3_z*t327 - D_p_x_1_by_b_3_z*t328 - D_p_x_1_by_b_3_z*t329 + D_p_x_1_by_b_3_z*t426
-        - D_p_y_1_by_b_3_z*t330 - D_p_y_1_by_b_3_z*t331 - D_p_y_1_by_b_3_z*t332 + D_p_y_1_by_b_3_z*t427
-        - D_p_z_1_by_b_3_z*t333 - D_p_z_1_by_b_3_z*t334 - D_p_z_1_by_b_3_z*t335 + D_p_z_1_by_b_3_z*t428
-        + mu_1_by_b_3_z*t336 + mu_2_by_b_3_z*t337 + mu_3_by_b_3_z*t338,
+        + D_p_z_1_by_b_3_z*D_p_z_3*k_C - D_p_z_1_by_b_3_z*t287 - D_p_z_1_by_b_3_z*t288
+        - D_p_z_1_by_b_3_z*t289 - D_p_z_3_by_b_3_z*t256 - D_p_z_3_by_b_3_z*t258 - D_p_z_3_by_b_3_z*t259
+        + mu_1_by_b_3_z*t290 + mu_2_by_b_3_z*t291 + mu_3_by_b_3_z*t292,
+        D_delta_x_1_by_b_3_z*t310 + D_delta_y_1_by_b_3_z*t311 + D_delta_z_1_by_b_3_z*t312
+        - D_p_x_1_by_b_3_z*t299 - D_p_x_1_by_b_3_z*t300 - D_p_x_1_by_b_3_z*t301 + D_p_x_1_by_b_3_z*t408
+        - D_p_y_1_by_b_3_z*t302 - D_p_y_1_by_b_3_z*t303 - D_p_y_1_by_b_3_z*t304 + D_p_y_1_by_b_3_z*t409
+        - D_p_z_1_by_b_3_z*t305 - D_p_z_1_by_b_3_z*t306 - D_p_z_1_by_b_3_z*t307 + D_p_z_1_by_b_3_z*t410
+        + mu_1_by_b_3_z*t308 + mu_2_by_b_3_z*t309 + mu_3_by_b_3_z*t309,
+        D_delta_x_2_by_b_3_z*t310 + D_delta_y_2_by_b_3_z*t311 + D_delta_z_2_by_b_3_z*t312
+        - D_p_x_1_by_b_3_z*t313 - D_p_x_1_by_b_3_z*t314 - D_p_x_1_by_b_3_z*t315 + D_p_x_1_by_b_3_z*t411
+        - D_p_y_1_by_b_3_z*t316 - D_p_y_1_by_b_3_z*t317 - D_p_y_1_by_b_3_z*t318 + D_p_y_1_by_b_3_z*t412
+        - D_p_z_1_by_b_3_z*t319 - D_p_z_1_by_b_3_z*t320 - D_p_z_1_by_b_3_z*t321 + D_p_z_1_by_b_3_z*t413
+        + mu_1_by_b_3_z*t322 + mu_2_by_b_3_z*t323 + mu_3_by_b_3_z*t323,
+        D_delta_x_3_by_b_3_z*t310 + D_delta_y_3_by_b_3_z*t311 + D_delta_z_3_by_b_3_z*t312
+        - D_p_x_1_by_b_3_z*t324 - D_p_x_1_by_b_3_z*t325 - D_p_x_1_by_b_3_z*t326 + D_p_x_1_by_b_3_z*t414
+        - D_p_y_1_by_b_3_z*t327 - D_p_y_1_by_b_3_z*t328 - D_p_y_1_by_b_3_z*t329 + D_p_y_1_by_b_3_z*t415
+        - D_p_z_1_by_b_3_z*t330 - D_p_z_1_by_b_3_z*t331 - D_p_z_1_by_b_3_z*t332 + D_p_z_1_by_b_3_z*t416
+        + mu_1_by_b_3_z*t333 + mu_2_by_b_3_z*t334 + mu_3_by_b_3_z*t334,
         D_p_x_1_by_b_3_z*k_C, D_p_y_1_by_b_3_z*k_C, D_p_z_1_by_b_3_z*k_C,
         2*D_p_x_2*D_p_x_2_by_b_3_z*k_C + 2*D_p_y_2*D_p_y_2_by_b_3_z*k_C + 2*D_p_z_2*D_p_z_2_by_b_3_z*k_C
-        + mu_1_by_b_3_z*t343 + mu_2_by_b_3_z*t344 + mu_3_by_b_3_z*t345 - t270*t539 - t271*t539 - t272*t539
-        - t273*t540 - t274*t540 - t275*t540 - t276*t541 - t277*t541 - t278*t541,
-        D_p_x_2*D_p_x_3_by_b_3_z*k_C + D_p_x_2_by_b_3_z*D_p_x_3*k_C - D_p_x_2_by_b_3_z*t282
-        - D_p_x_2_by_b_3_z*t283 - D_p_x_2_by_b_3_z*t284 - D_p_x_3_by_b_3_z*t270 - D_p_x_3_by_b_3_z*t271
-        - D_p_x_3_by_b_3_z*t272 + D_p_y_2*D_p_y_3_by_b_3_z*k_C + D_p_y_2_by_b_3_z*D_p_y_3*k_C
-        - D_p_y_2_by_b_3_z*t285 - D_p_y_2_by_b_3_z*t286 - D_p_y_2_by_b_3_z*t287 - D_p_y_3_by_b_3_z*t273
-        - D_p_y_3_by_b_3_z*t274 - D_p_y_3_by_b_3_z*t275 + D_p_z_2*D_p_z_3_by_b_3_z*k_C
-        + D_p_z_2_by_b_3_z*D_p_z_3*k_C - D_p_z_2_by_b_3_z*t288 - D_p_z_2_by_b_3_z*t289
-        - D_p_z_2_by_b_3_z*t290 - D_p_z_3_by_b_3_z*t276 - D_p_z_3_by_b_3_z*t277 - D_p_z_3_by_b_3_z*t278
-        + mu_1_by_b_3_z*t346 + mu_2_by_b_3_z*t347 + mu_3_by_b_3_z*t348,
-        D_delta_x_1_by_b_3_z*t355 + D_delta_y_1_by_b_3_z*t356 + D_delta_z_1_by_b_3_z*t357
-        - D_p_x_2_by_b_3_z*t300 - D_p_x_2_by_b_3_z*t301 - D_p_x_2_by_b_3_z*t302 + D_p_x_2_by_b_3_z*t420
-        - D_p_y_2_by_b_3_z*t303 - D_p_y_2_by_b_3_z*t304 - D_p_y_2_by_b_3_z*t305 + D_p_y_2_by_b_3_z*t421
-        - D_p_z_2_by_b_3_z*t306 - D_p_z_2_by_b_3_z*t307 - D_p_z_2_by_b_3_z*t308 + D_p_z_2_by_b_3_z*t422
-        + mu_1_by_b_3_z*t352 + mu_2_by_b_3_z*t353 + mu_3_by_b_3_z*t354,
-        D_delta_x_2_by_b_3_z*t355 + D_delta_y_2_by_b_3_z*t356 + D_delta_z_2_by_b_3_z*t357
-        - D_p_x_2_by_b_3_z*t315 - D_p_x_2_by_b_3_z*t316 - D_p_x_2_by_b_3_z*t317 + D_p_x_2_by_b_3_z*t423
-        - D_p_y_2_by_b_3_z*t318 - D_p_y_2_by_b_3_z*t319 - D_p_y_2_by_b_3_z*t320 + D_p_y_2_by_b_3_z*t424
-        - D_p_z_2_by_b_3_z*t321 - D_p_z_2_by_b_3_z*t322 - D_p_z_2_by_b_3_z*t323 + D_p_z_2_by_b_3_z*t425
-        + mu_1_by_b_3_z*t358 + mu_2_by_b_3_z*t359 + mu_3_by_b_3_z*t360,
-        D_delta_x_3_by_b_3_z*t355 + D_delta_y_3_by_b_3_z*t356 + D_delta_z_3_by_b_3_z*t357
-        - D_p_x_2_by_b_3_z*t327 - D_p_x_2_by_b_3_z*t328 - D_p_x_2_by_b_3_z*t329 + D_p_x_2_by_b_3_z*t426
-        - D_p_y_2_by_b_3_z*t330 - D_p_y_2_by_b_3_z*t331 - D_p_y_2_by_b_3_z*t332 + D_p_y_2_by_b_3_z*t427
-        - D_p_z_2_by_b_3_z*t333 - D_p_z_2_by_b_3_z*t334 - D_p_z_2_by_b_3_z*t335 + D_p_z_2_by_b_3_z*t428
-        + mu_1_by_b_3_z*t361 + mu_2_by_b_3_z*t362 + mu_3_by_b_3_z*t363,
+        + mu_1_by_b_3_z*t339 + mu_2_by_b_3_z*t340 + mu_3_by_b_3_z*t339 - t269*t527 - t270*t527 - t271*t527
+        - t272*t528 - t273*t528 - t274*t528 - t275*t529 - t276*t529 - t277*t529,
+        D_p_x_2*D_p_x_3_by_b_3_z*k_C + D_p_x_2_by_b_3_z*D_p_x_3*k_C - D_p_x_2_by_b_3_z*t281
+        - D_p_x_2_by_b_3_z*t282 - D_p_x_2_by_b_3_z*t283 - D_p_x_3_by_b_3_z*t269 - D_p_x_3_by_b_3_z*t270
+        - D_p_x_3_by_b_3_z*t271 + D_p_y_2*D_p_y_3_by_b_3_z*k_C + D_p_y_2_by_b_3_z*D_p_y_3*k_C
+        - D_p_y_2_by_b_3_z*t284 - D_p_y_2_by_b_3_z*t285 - D_p_y_2_by_b_3_z*t286 - D_p_y_3_by_b_3_z*t272
+        - D_p_y_3_by_b_3_z*t273 - D_p_y_3_by_b_3_z*t274 + D_p_z_2*D_p_z_3_by_b_3_z*k_C
+        + D_p_z_2_by_b_3_z*D_p_z_3*k_C - D_p_z_2_by_b_3_z*t287 - D_p_z_2_by_b_3_z*t288
+        - D_p_z_2_by_b_3_z*t289 - D_p_z_3_by_b_3_z*t275 - D_p_z_3_by_b_3_z*t276 - D_p_z_3_by_b_3_z*t277
+        + mu_1_by_b_3_z*t341 + mu_2_by_b_3_z*t342 + mu_3_by_b_3_z*t343,
+        D_delta_x_1_by_b_3_z*t349 + D_delta_y_1_by_b_3_z*t350 + D_delta_z_1_by_b_3_z*t351
+        - D_p_x_2_by_b_3_z*t299 - D_p_x_2_by_b_3_z*t300 - D_p_x_2_by_b_3_z*t301 + D_p_x_2_by_b_3_z*t408
+        - D_p_y_2_by_b_3_z*t302 - D_p_y_2_by_b_3_z*t303 - D_p_y_2_by_b_3_z*t304 + D_p_y_2_by_b_3_z*t409
+        - D_p_z_2_by_b_3_z*t305 - D_p_z_2_by_b_3_z*t306 - D_p_z_2_by_b_3_z*t307 + D_p_z_2_by_b_3_z*t410
+        + mu_1_by_b_3_z*t347 + mu_2_by_b_3_z*t348 + mu_3_by_b_3_z*t347,
+        D_delta_x_2_by_b_3_z*t349 + D_delta_y_2_by_b_3_z*t350 + D_delta_z_2_by_b_3_z*t351
+        - D_p_x_2_by_b_3_z*t313 - D_p_x_2_by_b_3_z*t314 - D_p_x_2_by_b_3_z*t315 + D_p_x_2_by_b_3_z*t411
+        - D_p_y_2_by_b_3_z*t316 - D_p_y_2_by_b_3_z*t317 - D_p_y_2_by_b_3_z*t318 + D_p_y_2_by_b_3_z*t412
+        - D_p_z_2_by_b_3_z*t319 - D_p_z_2_by_b_3_z*t320 - D_p_z_2_by_b_3_z*t321 + D_p_z_2_by_b_3_z*t413
+        + mu_1_by_b_3_z*t352 + mu_2_by_b_3_z*t353 + mu_3_by_b_3_z*t352,
+        D_delta_x_3_by_b_3_z*t349 + D_delta_y_3_by_b_3_z*t350 + D_delta_z_3_by_b_3_z*t351
+        - D_p_x_2_by_b_3_z*t324 - D_p_x_2_by_b_3_z*t325 - D_p_x_2_by_b_3_z*t326 + D_p_x_2_by_b_3_z*t414
+        - D_p_y_2_by_b_3_z*t327 - D_p_y_2_by_b_3_z*t328 - D_p_y_2_by_b_3_z*t329 + D_p_y_2_by_b_3_z*t415
+        - D_p_z_2_by_b_3_z*t330 - D_p_z_2_by_b_3_z*t331 - D_p_z_2_by_b_3_z*t332 + D_p_z_2_by_b_3_z*t416
+        + mu_1_by_b_3_z*t354 + mu_2_by_b_3_z*t355 + mu_3_by_b_3_z*t354,
         D_p_x_2_by_b_3_z*k_C, D_p_y_2_by_b_3_z*k_C, D_p_z_2_by_b_3_z*k_C,
         2*D_p_x_3*D_p_x_3_by_b_3_z*k_C + 2*D_p_y_3*D_p_y_3_by_b_3_z*k_C + 2*D_p_z_3*D_p_z_3_by_b_3_z*k_C
-        + k_sp_3*t510*t516*w_b_3*x_3_by_b_3_z + mu_1_by_b_3_z*t367 + mu_2_by_b_3_z*t368
-        + mu_3_by_b_3_z*t369 - t282*t542 - t283*t542 - t284*t542 - t285*t543 - t286*t543 - t287*t543
-        - t288*t544 - t289*t544 - t290*t544 - t546,
-        t548, t549,
-        D_delta_x_1_by_b_3_z*t376 + D_delta_y_1_by_b_3_z*t377 + D_delta_z_1_by_b_3_z*t378
-        - D_p_x_3_by_b_3_z*t300 - D_p_x_3_by_b_3_z*t301 - D_p_x_3_by_b_3_z*t302 + D_p_x_3_by_b_3_z*t420
-        - D_p_y_3_by_b_3_z*t303 - D_p_y_3_by_b_3_z*t304 - D_p_y_3_by_b_3_z*t305 + D_p_y_3_by_b_3_z*t421
-        - D_p_z_3_by_b_3_z*t306 - D_p_z_3_by_b_3_z*t307 - D_p_z_3_by_b_3_z*t308 + D_p_z_3_by_b_3_z*t422
-        + mu_1_by_b_3_z*t373 + mu_2_by_b_3_z*t374 + mu_3_by_b_3_z*t375,
-        D_delta_x_2_by_b_3_z*t376 + D_delta_y_2_by_b_3_z*t377 + D_delta_z_2_by_b_3_z*t378
-        - D_p_x_3_by_b_3_z*t315 - D_p_x_3_by_b_3_z*t316 - D_p_x_3_by_b_3_z*t317 + D_p_x_3_by_b_3_z*t423
-        - D_p_y_3_by_b_3_z*t318 - D_p_y_3_by_b_3_z*t319 - D_p_y_3_by_b_3_z*t320 + D_p_y_3_by_b_3_z*t424
-        - D_p_z_3_by_b_3_z*t321 - D_p_z_3_by_b_3_z*t322 - D_p_z_3_by_b_3_z*t323 + D_p_z_3_by_b_3_z*t425
-        + mu_1_by_b_3_z*t379 + mu_2_by_b_3_z*t380 + mu_3_by_b_3_z*t381,
-        D_delta_x_3_by_b_3_z*t376 + D_delta_y_3_by_b_3_z*t377 + D_delta_z_3_by_b_3_z*t378
-        - D_p_x_3_by_b_3_z*t327 - D_p_x_3_by_b_3_z*t328 - D_p_x_3_by_b_3_z*t329 + D_p_x_3_by_b_3_z*t426
-        - D_p_y_3_by_b_3_z*t330 - D_p_y_3_by_b_3_z*t331 - D_p_y_3_by_b_3_z*t332 + D_p_y_3_by_b_3_z*t427
-        - D_p_z_3_by_b_3_z*t333 - D_p_z_3_by_b_3_z*t334 - D_p_z_3_by_b_3_z*t335 + D_p_z_3_by_b_3_z*t428
-        + mu_1_by_b_3_z*t382 + mu_2_by_b_3_z*t383 + mu_3_by_b_3_z*t384,
-        t550, D_p_x_3_by_b_3_z*k_C, D_p_y_3_by_b_3_z*k_C, D_p_z_3_by_b_3_z*k_C, t230*t547, t548, -t230*t546,
-        t549,
-        D_delta_x_1_by_b_3_z*t386 + D_delta_y_1_by_b_3_z*t387 + D_delta_z_1_by_b_3_z*t388
-        + mu_1_by_b_3_z*t389 - mu_2_by_b_3_z*t385 - mu_3_by_b_3_z*t385,
-        D_delta_x_1_by_b_3_z*t391 + D_delta_x_2_by_b_3_z*t392 + D_delta_y_1_by_b_3_z*t393
-        + D_delta_y_2_by_b_3_z*t394 + D_delta_z_1_by_b_3_z*t395 + D_delta_z_2_by_b_3_z*t396
-        + mu_1_by_b_3_z*t390 + mu_2_by_b_3_z*t390 + mu_3_by_b_3_z*t390,
-        D_delta_x_1_by_b_3_z*t398 + D_delta_x_3_by_b_3_z*t392 + D_delta_y_1_by_b_3_z*t399
-        + D_delta_y_3_by_b_3_z*t394 + D_delta_z_1_by_b_3_z*t400 + D_delta_z_3_by_b_3_z*t396
-        + mu_1_by_b_3_z*t397 + mu_2_by_b_3_z*t397 + mu_3_by_b_3_z*t397,
+        + k_sp_3*t498*t504*w_b_3*x_3_by_b_3_z + mu_1_by_b_3_z*t359 + mu_2_by_b_3_z*t359
+        + mu_3_by_b_3_z*t360 - t281*t530 - t282*t530 - t283*t530 - t284*t531 - t285*t531 - t286*t531
+        - t287*t532 - t288*t532 - t289*t532 - t534,
+        t536, t537,
+        D_delta_x_1_by_b_3_z*t366 + D_delta_y_1_by_b_3_z*t367 + D_delta_z_1_by_b_3_z*t368
+        - D_p_x_3_by_b_3_z*t299 - D_p_x_3_by_b_3_z*t300 - D_p_x_3_by_b_3_z*t301 + D_p_x_3_by_b_3_z*t408
+        - D_p_y_3_by_b_3_z*t302 - D_p_y_3_by_b_3_z*t303 - D_p_y_3_by_b_3_z*t304 + D_p_y_3_by_b_3_z*t409
+        - D_p_z_3_by_b_3_z*t305 - D_p_z_3_by_b_3_z*t306 - D_p_z_3_by_b_3_z*t307 + D_p_z_3_by_b_3_z*t410
+        + mu_1_by_b_3_z*t364 + mu_2_by_b_3_z*t364 + mu_3_by_b_3_z*t365,
+        D_delta_x_2_by_b_3_z*t366 + D_delta_y_2_by_b_3_z*t367 + D_delta_z_2_by_b_3_z*t368
+        - D_p_x_3_by_b_3_z*t313 - D_p_x_3_by_b_3_z*t314 - D_p_x_3_by_b_3_z*t315 + D_p_x_3_by_b_3_z*t411
+        - D_p_y_3_by_b_3_z*t316 - D_p_y_3_by_b_3_z*t317 - D_p_y_3_by_b_3_z*t318 + D_p_y_3_by_b_3_z*t412
+        - D_p_z_3_by_b_3_z*t319 - D_p_z_3_by_b_3_z*t320 - D_p_z_3_by_b_3_z*t321 + D_p_z_3_by_b_3_z*t413
+        + mu_1_by_b_3_z*t369 + mu_2_by_b_3_z*t369 + mu_3_by_b_3_z*t370,
+        D_delta_x_3_by_b_3_z*t366 + D_delta_y_3_by_b_3_z*t367 + D_delta_z_3_by_b_3_z*t368
+        - D_p_x_3_by_b_3_z*t324 - D_p_x_3_by_b_3_z*t325 - D_p_x_3_by_b_3_z*t326 + D_p_x_3_by_b_3_z*t414
+        - D_p_y_3_by_b_3_z*t327 - D_p_y_3_by_b_3_z*t328 - D_p_y_3_by_b_3_z*t329 + D_p_y_3_by_b_3_z*t415
+        - D_p_z_3_by_b_3_z*t330 - D_p_z_3_by_b_3_z*t331 - D_p_z_3_by_b_3_z*t332 + D_p_z_3_by_b_3_z*t416
+        + mu_1_by_b_3_z*t371 + mu_2_by_b_3_z*t371 + mu_3_by_b_3_z*t372,
+        t538, D_p_x_3_by_b_3_z*k_C, D_p_y_3_by_b_3_z*k_C, D_p_z_3_by_b_3_z*k_C, t230*t535, t536, -t230*t534,
+        t537,
+        D_delta_x_1_by_b_3_z*t374 + D_delta_y_1_by_b_3_z*t375 + D_delta_z_1_by_b_3_z*t376
+        + mu_1_by_b_3_z*t377 - mu_2_by_b_3_z*t373 - mu_3_by_b_3_z*t373,
+        D_delta_x_1_by_b_3_z*t379 + D_delta_x_2_by_b_3_z*t380 + D_delta_y_1_by_b_3_z*t381
+        + D_delta_y_2_by_b_3_z*t382 + D_delta_z_1_by_b_3_z*t383 + D_delta_z_2_by_b_3_z*t384
+        + mu_1_by_b_3_z*t378 + mu_2_by_b_3_z*t378 + mu_3_by_b_3_z*t378,
+        D_delta_x_1_by_b_3_z*t386 + D_delta_x_3_by_b_3_z*t380 + D_delta_y_1_by_b_3_z*t387
+        + D_delta_y_3_by_b_3_z*t382 + D_delta_z_1_by_b_3_z*t388 + D_delta_z_3_by_b_3_z*t384
+        + mu_1_by_b_3_z*t385 + mu_2_by_b_3_z*t385 + mu_3_by_b_3_z*t385,
         D_delta_x_1_by_b_3_z*k_C, D_delta_y_1_by_b_3_z*k_C, D_delta_z_1_by_b_3_z*k_C,
-        D_delta_x_2_by_b_3_z*t402 + D_delta_y_2_by_b_3_z*t403 + D_delta_z_2_by_b_3_z*t404
-        - mu_1_by_b_3_z*t401 + mu_2_by_b_3_z*t405 - mu_3_by_b_3_z*t401,
-        D_delta_x_2_by_b_3_z*t398 + D_delta_x_3_by_b_3_z*t391 + D_delta_y_2_by_b_3_z*t399
-        + D_delta_y_3_by_b_3_z*t393 + D_delta_z_2_by_b_3_z*t400 + D_delta_z_3_by_b_3_z*t395
-        + mu_1_by_b_3_z*t406 + mu_2_by_b_3_z*t406 + mu_3_by_b_3_z*t406,
+        D_delta_x_2_by_b_3_z*t390 + D_delta_y_2_by_b_3_z*t391 + D_delta_z_2_by_b_3_z*t392
+        - mu_1_by_b_3_z*t389 + mu_2_by_b_3_z*t393 - mu_3_by_b_3_z*t389,
+        D_delta_x_2_by_b_3_z*t386 + D_delta_x_3_by_b_3_z*t379 + D_delta_y_2_by_b_3_z*t387
+        + D_delta_y_3_by_b_3_z*t381 + D_delta_z_2_by_b_3_z*t388 + D_delta_z_3_by_b_3_z*t383
+        + mu_1_by_b_3_z*t394 + mu_2_by_b_3_z*t394 + mu_3_by_b_3_z*t394,
         D_delta_x_2_by_b_3_z*k_C, D_delta_y_2_by_b_3_z*k_C, D_delta_z_2_by_b_3_z*k_C,
-        D_delta_x_3_by_b_3_z*t408 + D_delta_y_3_by_b_3_z*t409 + D_delta_z_3_by_b_3_z*t410
-        - mu_1_by_b_3_z*t407 - mu_2_by_b_3_z*t407 + mu_3_by_b_3_z*t411,
-        D_delta_x_3_by_b_3_z*k_C, D_delta_y_3_by_b_3_z*k_C, D_delta_z_3_by_b_3_z*k_C, t550,
+        D_delta_x_3_by_b_3_z*t396 + D_delta_y_3_by_b_3_z*t397 + D_delta_z_3_by_b_3_z*t398
+        - mu_1_by_b_3_z*t395 - mu_2_by_b_3_z*t395 + mu_3_by_b_3_z*t399,
+        D_delta_x_3_by_b_3_z*k_C, D_delta_y_3_by_b_3_z*k_C, D_delta_z_3_by_b_3_z*k_C, t538,
         2*D_p_x_1*D_p_x_1_by_l_d_1*k_C + 2*D_p_y_1*D_p_y_1_by_l_d_1*k_C + 2*D_p_z_1*D_p_z_1_by_l_d_1*k_C
-        + k_sp_1*t260*t269*w_b_1*x_1_by_l_d_1 + mu_1_by_l_d_1*t266 + mu_2_by_l_d_1*t267
-        + mu_3_by_l_d_1*t268 - t248*t551 - t250*t551 - t251*t551 - t252*t552 - t254*t552 - t255*t552
-        - t256*t553 - t258*t553 - t259*t553 - t555,
-        D_p_x_1*D_p_x_2_by_l_d_1*k_C + D_p_x_1_by_l_d_1*D_p_x_2*k_C - D_p_x_1_by_l_d_1*t270
-        - D_p_x_1_by_l_d_1*t271 - D_p_x_1_by_l_d_1*t272 - D_p_x_2_by_l_d_1*t248 - D_p_x_2_by_l_d_1*t250
+        + k_sp_1*t260*t268*w_b_1*x_1_by_l_d_1 + mu_1_by_l_d_1*t266 + mu_2_by_l_d_1*t267
+        + mu_3_by_l_d_1*t267 - t248*t539 - t250*t539 - t251*t539 - t252*t540 - t254*t540 - t255*t540
+        - t256*t541 - t258*t541 - t259*t541 - t543,
+        D_p_x_1*D_p_x_2_by_l_d_1*k_C + D_p_x_1_by_l_d_1*D_p_x_2*k_C - D_p_x_1_by_l_d_1*t269
+        - D_p_x_1_by_l_d_1*t270 - D_p_x_1_by_l_d_1*t271 - D_p_x_2_by_l_d_1*t248 - D_p_x_2_by_l_d_1*t250
         - D_p_x_2_by_l_d_1*t251 + D_p_y_1*D_p_y_2_by_l_d_1*k_C + D_p_y_1_by_l_d_1*D_p_y_2*k_C
-        - D_p_y_1_by_l_d_1*t273 - D_p_y_1_by_l_d_1*t274 - D_p_y_1_by_l_d_1*t275 - D_p_y_2_by_l_d_1*t252
+        - D_p_y_1_by_l_d_1*t272 - D_p_y_1_by_l_d_1*t273 - D_p_y_1_by_l_d_1*t274 - D_p_y_2_by_l_d_1*t252
         - D_p_y_2_by_l_d_1*t254 - D_p_y_2_by_l_d_1*t255 + D_p_z_1*D_p_z_2_by_l_d_1*k_C
-        + D_p_z_1_by_l_d_1*D_p_z_2*k_C - D_p_z_1_by_l_d_1*t276 - D_p_z_1_by_l_d_1*t277
-        - D_p_z_1_by_l_d_1*t278 - D_p_z_2_by_l_d_1*t256 - D_p_z_2_by_l_d_1*t258 - D_p_z_2_by_l_d_1*t259
-        + mu_1_by_l_d_1*t279 + mu_2_by_l_d_1*t280 + mu_3_by_l_d_1*t281,
-        D_p_x_1*D_p_x_3_by_l_d_1*k_C + D_p_x_1_by_l_d_1*D_p_x_3*k_C - D_p_x_1_by_l_d_1*t282
-        - D_p_x_1_by_l_d_1*t283 - D_p_x_1_by_l_d_1*t284 - D_p_x_3_by_l_d_1*t248 - D_p_x_3_by_l_d_1*t250
+        + D_p_z_1_by_l_d_1*D_p_z_2*k_C - D_p_z_1_by_l_d_1*t275 - D_p_z_1_by_l_d_1*t276
+        - D_p_z_1_by_l_d_1*t277 - D_p_z_2_by_l_d_1*t256 - D_p_z_2_by_l_d_1*t258 - D_p_z_2_by_l_d_1*t259
+        + mu_1_by_l_d_1*t278 + mu_2_by_l_d_1*t279 + mu_3_by_l_d_1*t280,
+        D_p_x_1*D_p_x_3_by_l_d_1*k_C + D_p_x_1_by_l_d_1*D_p_x_3*k_C - D_p_x_1_by_l_d_1*t281
+        - D_p_x_1_by_l_d_1*t282 - D_p_x_1_by_l_d_1*t283 - D_p_x_3_by_l_d_1*t248 - D_p_x_3_by_l_d_1*t250
         - D_p_x_3_by_l_d_1*t251 + D_p_y_1*D_p_y_3_by_l_d_1*k_C + D_p_y_1_by_l_d_1*D_p_y_3*k_C
-        - D_p_y_1_by_l_d_1*t285 - D_p_y_1_by_l_d_1*t286 - D_p_y_1_by_l_d_1*t287 - D_p_y_3_by_l_d_1*t252
+        - D_p_y_1_by_l_d_1*t284 - D_p_y_1_by_l_d_1*t285 - D_p_y_1_by_l_d_1*t286 - D_p_y_3_by_l_d_1*t252
         - D_p_y_3_by_l_d_1*t254 - D_p_y_3_by_l_d_1*t255 + D_p_z_1*D_p_z_3_by_l_d_1*k_C
-        + D_p_z_1_by_l_d_1*D_p_z_3*k_C - D_p_z_1_by_l_d_1*t288 - D_p_z_1_by_l_d_1*t289
-        - D_p_z_1_by_l_d_1*t290 - D_p_z_3_by_l_d_1*t256 - D_p_z_3_by_l_d_1*t258 - D_p_z_3_by_l_d_1*t259
-        + mu_1_by_l_d_1*t291 + mu_2_by_l_d_1*t292 + mu_3_by_l_d_1*t293,
-        t557, t558,
-        D_delta_x_1_by_l_d_1*t312 + D_delta_y_1_by_l_d_1*t313 + D_delta_z_1_by_l_d_1*t314
-        - D_p_x_1_by_l_d_1*t300 - D_p_x_1_by_l_d_1*t301 - D_p_x_1_by_l_d_1*t302 + D_p_x_1_by_l_d_1*t420
-        - D_p_y_1_by_l_d_1*t303 - D_p_y_1_by_l_d_1*t304 - D_p_y_1_by_l_d_1*t305 + D_p_y_1_by_l_d_1*t421
-        - D_p_z_1_by_l_d_1*t306 - D_p_z_1_by_l_d_1*t307 - D_p_z_1_by_l_d_1*t308 + D_p_z_1_by_l_d_1*t422
-        + mu_1_by_l_d_1*t309 + mu_2_by_l_d_1*t310 + mu_3_by_l_d_1*t311,
-        D_delta_x_2_by_l_d_1*t312 + D_delta_y_2_by_l_d_1*t313 + D_delta_z_2_by_l_d_1*t314
-        - D_p_x_1_by_l_d_1*t315 - D_p_x_1_by_l_d_1*t316 - D_p_x_1_by_l_d_1*t317 + D_p_x_1_by_l_d_1*t423
-        - D_p_y_1_by_l_d_1*t318 - D_p_y_1_by_l_d_1*t319 - D_p_y_1_by_l_d_1*t320 + D_p_y_1_by_l_d_1*t424
-        - D_p_z_1_by_l_d_1*t321 - D_p_z_1_by_l_d_1*t322 - D_p_z_1_by_l_d_1*t323 + D_p_z_1_by_l_d_1*t425
-        + mu_1_by_l_d_1*t324 + mu_2_by_l_d_1*t325 + mu_3_by_l_d_1*t326,
-        D_delta_x_3_by_l_d_1*t312 + D_delta_y_3_by_l_d_1*t313 + D_delta_z_3_by_l_d_1*t314
-        - D_p_x_1_by_l_d_1*t327 - D_p_x_1_by_l_d_1*t328 - D_p_x_1_by_l_d_1*t329 + D_p_x_1_by_l_d_1*t426
-        - D_p_y_1_by_l_d_1*t330 - D_p_y_1_by_l_d_1*t331 - D_p_y_1_by_l_d_1*t332 + D_p_y_1_by_l_d_1*t427
-        - D_p_z_1_by_l_d_1*t333 - D_p_z_1_by_l_d_1*t334 - D_p_z_1_by_l_d_1*t335 + D_p_z_1_by_l_d_1*t428
-        + mu_1_by_l_d_1*t336 + mu_2_by_l_d_1*t337 + mu_3_by_l_d_1*t338,
-        t559, D_p_x_1_by_l_d_1*k_C, D_p_y_1_by_l_d_1*k_C, D_p_z_1_by_l_d_1*k_C,
+        + D_p_z_1_by_l_d_1*D_p_z_3*k_C - D_p_z_1_by_l_d_1*t287 - D_p_z_1_by_l_d_1*t288
+        - D_p_z_1_by_l_d_1*t289 - D_p_z_3_by_l_d_1*t256 - D_p_z_3_by_l_d_1*t258 - D_p_z_3_by_l_d_1*t259
+        + mu_1_by_l_d_1*t290 + mu_2_by_l_d_1*t291 + mu_3_by_l_d_1*t292,
+        t545, t546,
+        D_delta_x_1_by_l_d_1*t310 + D_delta_y_1_by_l_d_1*t311 + D_delta_z_1_by_l_d_1*t312
+        - D_p_x_1_by_l_d_1*t299 - D_p_x_1_by_l_d_1*t300 - D_p_x_1_by_l_d_1*t301 + D_p_x_1_by_l_d_1*t408
+        - D_p_y_1_by_l_d_1*t302 - D_p_y_1_by_l_d_1*t303 - D_p_y_1_by_l_d_1*t304 + D_p_y_1_by_l_d_1*t409
+        - D_p_z_1_by_l_d_1*t305 - D_p_z_1_by_l_d_1*t306 - D_p_z_1_by_l_d_1*t307 + D_p_z_1_by_l_d_1*t410
+        + mu_1_by_l_d_1*t308 + mu_2_by_l_d_1*t309 + mu_3_by_l_d_1*t309,
+        D_delta_x_2_by_l_d_1*t310 + D_delta_y_2_by_l_d_1*t311 + D_delta_z_2_by_l_d_1*t312
+        - D_p_x_1_by_l_d_1*t313 - D_p_x_1_by_l_d_1*t314 - D_p_x_1_by_l_d_1*t315 + D_p_x_1_by_l_d_1*t411
+        - D_p_y_1_by_l_d_1*t316 - D_p_y_1_by_l_d_1*t317 - D_p_y_1_by_l_d_1*t318 + D_p_y_1_by_l_d_1*t412
+        - D_p_z_1_by_l_d_1*t319 - D_p_z_1_by_l_d_1*t320 - D_p_z_1_by_l_d_1*t321 + D_p_z_1_by_l_d_1*t413
+        + mu_1_by_l_d_1*t322 + mu_2_by_l_d_1*t323 + mu_3_by_l_d_1*t323,
+        D_delta_x_3_by_l_d_1*t310 + D_delta_y_3_by_l_d_1*t311 + D_delta_z_3_by_l_d_1*t312
+        - D_p_x_1_by_l_d_1*t324 - D_p_x_1_by_l_d_1*t325 - D_p_x_1_by_l_d_1*t326 + D_p_x_1_by_l_d_1*t414
+        - D_p_y_1_by_l_d_1*t327 - D_p_y_1_by_l_d_1*t328 - D_p_y_1_by_l_d_1*t329 + D_p_y_1_by_l_d_1*t415
+        - D_p_z_1_by_l_d_1*t330 - D_p_z_1_by_l_d_1*t331 - D_p_z_1_by_l_d_1*t332 + D_p_z_1_by_l_d_1*t416
+        + mu_1_by_l_d_1*t333 + mu_2_by_l_d_1*t334 + mu_3_by_l_d_1*t334,
+        t547, D_p_x_1_by_l_d_1*k_C, D_p_y_1_by_l_d_1*k_C, D_p_z_1_by_l_d_1*k_C,
         2*D_p_x_2*D_p_x_2_by_l_d_1*k_C + 2*D_p_y_2*D_p_y_2_by_l_d_1*k_C + 2*D_p_z_2*D_p_z_2_by_l_d_1*k_C
-        + mu_1_by_l_d_1*t343 + mu_2_by_l_d_1*t344 + mu_3_by_l_d_1*t345 - t270*t560 - t271*t560 - t272*t560
-        - t273*t561 - t274*t561 - t275*t561 - t276*t562 - t277*t562 - t278*t562,
-        D_p_x_2*D_p_x_3_by_l_d_1*k_C + D_p_x_2_by_l_d_1*D_p_x_3*k_C - D_p_x_2_by_l_d_1*t282
-        - D_p_x_2_by_l_d_1*t283 - D_p_x_2_by_l_d_1*t284 - D_p_x_3_by_l_d_1*t270 - D_p_x_3_by_l_d_1*t271
-        - D_p_x_3_by_l_d_1*t272 + D_p_y_2*D_p_y_3_by_l_d_1*k_C + D_p_y_2_by_l_d_1*D_p_y_3*k_C
-        - D_p_y_2_by_l_d_1*t285 - D_p_y_2_by_l_d_1*t286 - D_p_y_2_by_l_d_1*t287 - D_p_y_3_by_l_d_1*t273
-        - D_p_y_3_by_l_d_1*t274 - D_p_y_3_by_l_d_1*t275 + D_p_z_2*D_p_z_3_by_l_d_1*k_C
-        + D_p_z_2_by_l_d_1*D_p_z_3*k_C - D_p_z_2_by_l_d_1*t288 - D_p_z_2_by_l_d_1*t289
-        - D_p_z_2_by_l_d_1*t290 - D_p_z_3_by_l_d_1*t276 - D_p_z_3_by_l_d_1*t277 - D_p_z_3_by_l_d_1*t278
-        + mu_1_by_l_d_1*t346 + mu_2_by_l_d_1*t347 + mu_3_by_l_d_1*t348,
-        D_delta_x_1_by_l_d_1*t355 + D_delta_y_1_by_l_d_1*t356 + D_delta_z_1_by_l_d_1*t357
-        - D_p_x_2_by_l_d_1*t300 - D_p_x_2_by_l_d_1*t301 - D_p_x_2_by_l_d_1*t302 + D_p_x_2_by_l_d_1*t420
-        - D_p_y_2_by_l_d_1*t303 - D_p_y_2_by_l_d_1*t304 - D_p_y_2_by_l_d_1*t305 + D_p_y_2_by_l_d_1*t421
-        - D_p_z_2_by_l_d_1*t306 - D_p_z_2_by_l_d_1*t307 - D_p_z_2_by_l_d_1*t308 + D_p_z_2_by_l_d_1*t422
-        + mu_1_by_l_d_1*t352 + mu_2_by_l_d_1*t353 + mu_3_by_l_d_1*t354,
-        D_delta_x_2_by_l_d_1*t355 + D_delta_y_2_by_l_d_1*t356 + D_delta_z_2_by_l_d_1*t357
-        - D_p_x_2_by_l_d_1*t315 - D_p_x_2_by_l_d_1*t316 - D_p_x_2_by_l_d_1*t317 + D_p_x_2_by_l_d_1*t423
-        - D_p_y_2_by_l_d_1*t318 - D_p_y_2_by_l_d_1*t319 - D_p_y_2_by_l_d_1*t320 + D_p_y_2_by_l_d_1*t424
-        - D_p_z_2_by_l_d_1*t321 - D_p_z_2_by_l_d_1*t322 - D_p_z_2_by_l_d_1*t323 + D_p_z_2_by_l_d_1*t425
-        + mu_1_by_l_d_1*t358 + mu_2_by_l_d_1*t359 + mu_3_by_l_d_1*t360,
-        D_delta_x_3_by_l_d_1*t355 + D_delta_y_3_by_l_d_1*t356 + D_delta_z_3_by_l_d_1*t357
-        - D_p_x_2_by_l_d_1*t327 - D_p_x_2_by_l_d_1*t328 - D_p_x_2_by_l_d_1*t329 + D_p_x_2_by_l_d_1*t426
-        - D_p_y_2_by_l_d_1*t330 - D_p_y_2_by_l_d_1*t331 - D_p_y_2_by_l_d_1*t332 + D_p_y_2_by_l_d_1*t427
-        - D_p_z_2_by_l_d_1*t333 - D_p_z_2_by_l_d_1*t334 - D_p_z_2_by_l_d_1*t335 + D_p_z_2_by_l_d_1*t428
-        + mu_1_by_l_d_1*t361 + mu_2_by_l_d_1*t362 + mu_3_by_l_d_1*t363,
+        + mu_1_by_l_d_1*t339 + mu_2_by_l_d_1*t340 + mu_3_by_l_d_1*t339 - t269*t548 - t270*t548 - t271*t548
+        - t272*t549 - t273*t549 - t274*t549 - t275*t550 - t276*t550 - t277*t550,
+        D_p_x_2*D_p_x_3_by_l_d_1*k_C + D_p_x_2_by_l_d_1*D_p_x_3*k_C - D_p_x_2_by_l_d_1*t281
+        - D_p_x_2_by_l_d_1*t282 - D_p_x_2_by_l_d_1*t283 - D_p_x_3_by_l_d_1*t269 - D_p_x_3_by_l_d_1*t270
+        - D_p_x_3_by_l_d_1*t271 + D_p_y_2*D_p_y_3_by_l_d_1*k_C + D_p_y_2_by_l_d_1*D_p_y_3*k_C
+        - D_p_y_2_by_l_d_1*t284 - D_p_y_2_by_l_d_1*t285 - D_p_y_2_by_l_d_1*t286 - D_p_y_3_by_l_d_1*t272
+        - D_p_y_3_by_l_d_1*t273 - D_p_y_3_by_l_d_1*t274 + D_p_z_2*D_p_z_3_by_l_d_1*k_C
+        + D_p_z_2_by_l_d_1*D_p_z_3*k_C - D_p_z_2_by_l_d_1*t287 - D_p_z_2_by_l_d_1*t288
+        - D_p_z_2_by_l_d_1*t289 - D_p_z_3_by_l_d_1*t275 - D_p_z_3_by_l_d_1*t276 - D_p_z_3_by_l_d_1*t277
+        + mu_1_by_l_d_1*t341 + mu_2_by_l_d_1*t342 + mu_3_by_l_d_1*t343,
+        D_delta_x_1_by_l_d_1*t349 + D_delta_y_1_by_l_d_1*t350 + D_delta_z_1_by_l_d_1*t351
+        - D_p_x_2_by_l_d_1*t299 - D_p_x_2_by_l_d_1*t300 - D_p_x_2_by_l_d_1*t301 + D_p_x_2_by_l_d_1*t408
+        - D_p_y_2_by_l_d_1*t302 - D_p_y_2_by_l_d_1*t303 - D_p_y_2_by_l_d_1*t304 + D_p_y_2_by_l_d_1*t409
+        - D_p_z_2_by_l_d_1*t305 - D_p_z_2_by_l_d_1*t306 - D_p_z_2_by_l_d_1*t307 + D_p_z_2_by_l_d_1*t410
+        + mu_1_by_l_d_1*t347 + mu_2_by_l_d_1*t348 + mu_3_by_l_d_1*t347,
+        D_delta_x_2_by_l_d_1*t349 + D_delta_y_2_by_l_d_1*t350 + D_delta_z_2_by_l_d_1*t351
+        - D_p_x_2_by_l_d_1*t313 - D_p_x_2_by_l_d_1*t314 - D_p_x_2_by_l_d_1*t315 + D_p_x_2_by_l_d_1*t411
+        - D_p_y_2_by_l_d_1*t316 - D_p_y_2_by_l_d_1*t317 - D_p_y_2_by_l_d_1*t318 + D_p_y_2_by_l_d_1*t412
+        - D_p_z_2_by_l_d_1*t319 - D_p_z_2_by_l_d_1*t320 - D_p_z_2_by_l_d_1*t321 + D_p_z_2_by_l_d_1*t413
+        + mu_1_by_l_d_1*t352 + mu_2_by_l_d_1*t353 + mu_3_by_l_d_1*t352,
+        D_delta_x_3_by_l_d_1*t349 + D_delta_y_3_by_l_d_1*t350 + D_delta_z_3_by_l_d_1*t351
+        - D_p_x_2_by_l_d_1*t324 - D_p_x_2_by_l_d_1*t325 - D_p_x_2_by_l_d_1*t326 + D_p_x_2_by_l_d_1*t414
+        - D_p_y_2_by_l_d_1*t327 - D_p_y_2_by_l_d_1*t328 - D_p_y_2_by_l_d_1*t329 + D_p_y_2_by_l_d_1*t415
+        - D_p_z_2_by_l_d_1*t330 - D_p_z_2_by_l_d_1*t331 - D_p_z_2_by_l_d_1*t332 + D_p_z_2_by_l_d_1*t416
+        + mu_1_by_l_d_1*t354 + mu_2_by_l_d_1*t355 + mu_3_by_l_d_1*t354,
         D_p_x_2_by_l_d_1*k_C, D_p_y_2_by_l_d_1*k_C, D_p_z_2_by_l_d_1*k_C,
         2*D_p_x_3*D_p_x_3_by_l_d_1*k_C + 2*D_p_y_3*D_p_y_3_by_l_d_1*k_C + 2*D_p_z_3*D_p_z_3_by_l_d_1*k_C
-        + mu_1_by_l_d_1*t367 + mu_2_by_l_d_1*t368 + mu_3_by_l_d_1*t369 - t282*t563 - t283*t563 - t284*t563
-        - t285*t564 - t286*t564 - t287*t564 - t288*t565 - t289*t565 - t290*t565,
-        D_delta_x_1_by_l_d_1*t376 + D_delta_y_1_by_l_d_1*t377 + D_delta_z_1_by_l_d_1*t378
-        - D_p_x_3_by_l_d_1*t300 - D_p_x_3_by_l_d_1*t301 - D_p_x_3_by_l_d_1*t302 + D_p_x_3_by_l_d_1*t420
-        - D_p_y_3_by_l_d_1*t303 - D_p_y_3_by_l_d_1*t304 - D_p_y_3_by_l_d_1*t305 + D_p_y_3_by_l_d_1*t421
-        - D_p_z_3_by_l_d_1*t306 - D_p_z_3_by_l_d_1*t307 - D_p_z_3_by_l_d_1*t308 + D_p_z_3_by_l_d_1*t422
-        + mu_1_by_l_d_1*t373 + mu_2_by_l_d_1*t374 + mu_3_by_l_d_1*t375,
-        D_delta_x_2_by_l_d_1*t376 + D_delta_y_2_by_l_d_1*t377 + D_delta_z_2_by_l_d_1*t378
-        - D_p_x_3_by_l_d_1*t315 - D_p_x_3_by_l_d_1*t316 - D_p_x_3_by_l_d_1*t317 + D_p_x_3_by_l_d_1*t423
-        - D_p_y_3_by_l_d_1*t318 - D_p_y_3_by_l_d_1*t319 - D_p_y_3_by_l_d_1*t320 + D_p_y_3_by_l_d_1*t424
-        - D_p_z_3_by_l_d_1*t321 - D_p_z_3_by_l_d_1*t322 - D_p_z_3_by_l_d_1*t323 + D_p_z_3_by_l_d_1*t425
-        + mu_1_by_l_d_1*t379 + mu_2_by_l_d_1*t380 + mu_3_by_l_d_1*t381,
-        D_delta_x_3_by_l_d_1*t376 + D_delta_y_3_by_l_d_1*t377 + D_delta_z_3_by_l_d_1*t378
-        - D_p_x_3_by_l_d_1*t327 - D_p_x_3_by_l_d_1*t328 - D_p_x_3_by_l_d_1*t329 + D_p_x_3_by_l_d_1*t426
-        - D_p_y_3_by_l_d_1*t330 - D_p_y_3_by_l_d_1*t331 - D_p_y_3_by_l_d_1*t332 + D_p_y_3_by_l_d_1*t427
-        - D_p_z_3_by_l_d_1*t333 - D_p_z_3_by_l_d_1*t334 - D_p_z_3_by_l_d_1*t335 + D_p_z_3_by_l_d_1*t428
-        + mu_1_by_l_d_1*t382 + mu_2_by_l_d_1*t383 + mu_3_by_l_d_1*t384,
-        D_p_x_3_by_l_d_1*k_C, D_p_y_3_by_l_d_1*k_C, D_p_z_3_by_l_d_1*k_C, t185*t556, t557, -t185*t555, t558,
-        D_delta_x_1_by_l_d_1*t386 + D_delta_y_1_by_l_d_1*t387 + D_delta_z_1_by_l_d_1*t388
-        + mu_1_by_l_d_1*t389 - mu_2_by_l_d_1*t385 - mu_3_by_l_d_1*t385,
-        D_delta_x_1_by_l_d_1*t391 + D_delta_x_2_by_l_d_1*t392 + D_delta_y_1_by_l_d_1*t393
-        + D_delta_y_2_by_l_d_1*t394 + D_delta_z_1_by_l_d_1*t395 + D_delta_z_2_by_l_d_1*t396
-        + mu_1_by_l_d_1*t390 + mu_2_by_l_d_1*t390 + mu_3_by_l_d_1*t390,
-        D_delta_x_1_by_l_d_1*t398 + D_delta_x_3_by_l_d_1*t392 + D_delta_y_1_by_l_d_1*t399
-        + D_delta_y_3_by_l_d_1*t394 + D_delta_z_1_by_l_d_1*t400 + D_delta_z_3_by_l_d_1*t396
-        + mu_1_by_l_d_1*t397 + mu_2_by_l_d_1*t397 + mu_3_by_l_d_1*t397,
+        + mu_1_by_l_d_1*t359 + mu_2_by_l_d_1*t359 + mu_3_by_l_d_1*t360 - t281*t551 - t282*t551 - t283*t551
+        - t284*t552 - t285*t552 - t286*t552 - t287*t553 - t288*t553 - t289*t553,
+        D_delta_x_1_by_l_d_1*t366 + D_delta_y_1_by_l_d_1*t367 + D_delta_z_1_by_l_d_1*t368
+        - D_p_x_3_by_l_d_1*t299 - D_p_x_3_by_l_d_1*t300 - D_p_x_3_by_l_d_1*t301 + D_p_x_3_by_l_d_1*t408
+        - D_p_y_3_by_l_d_1*t302 - D_p_y_3_by_l_d_1*t303 - D_p_y_3_by_l_d_1*t304 + D_p_y_3_by_l_d_1*t409
+        - D_p_z_3_by_l_d_1*t305 - D_p_z_3_by_l_d_1*t306 - D_p_z_3_by_l_d_1*t307 + D_p_z_3_by_l_d_1*t410
+        + mu_1_by_l_d_1*t364 + mu_2_by_l_d_1*t364 + mu_3_by_l_d_1*t365,
+        D_delta_x_2_by_l_d_1*t366 + D_delta_y_2_by_l_d_1*t367 + D_delta_z_2_by_l_d_1*t368
+        - D_p_x_3_by_l_d_1*t313 - D_p_x_3_by_l_d_1*t314 - D_p_x_3_by_l_d_1*t315 + D_p_x_3_by_l_d_1*t411
+        - D_p_y_3_by_l_d_1*t316 - D_p_y_3_by_l_d_1*t317 - D_p_y_3_by_l_d_1*t318 + D_p_y_3_by_l_d_1*t412
+        - D_p_z_3_by_l_d_1*t319 - D_p_z_3_by_l_d_1*t320 - D_p_z_3_by_l_d_1*t321 + D_p_z_3_by_l_d_1*t413
+        + mu_1_by_l_d_1*t369 + mu_2_by_l_d_1*t369 + mu_3_by_l_d_1*t370,
+        D_delta_x_3_by_l_d_1*t366 + D_delta_y_3_by_l_d_1*t367 + D_delta_z_3_by_l_d_1*t368
+        - D_p_x_3_by_l_d_1*t324 - D_p_x_3_by_l_d_1*t325 - D_p_x_3_by_l_d_1*t326 + D_p_x_3_by_l_d_1*t414
+        - D_p_y_3_by_l_d_1*t327 - D_p_y_3_by_l_d_1*t328 - D_p_y_3_by_l_d_1*t329 + D_p_y_3_by_l_d_1*t415
+        - D_p_z_3_by_l_d_1*t330 - D_p_z_3_by_l_d_1*t331 - D_p_z_3_by_l_d_1*t332 + D_p_z_3_by_l_d_1*t416
+        + mu_1_by_l_d_1*t371 + mu_2_by_l_d_1*t371 + mu_3_by_l_d_1*t372,
+        D_p_x_3_by_l_d_1*k_C, D_p_y_3_by_l_d_1*k_C, D_p_z_3_by_l_d_1*k_C, t185*t544, t545, -t185*t543, t546,
+        D_delta_x_1_by_l_d_1*t374 + D_delta_y_1_by_l_d_1*t375 + D_delta_z_1_by_l_d_1*t376
+        + mu_1_by_l_d_1*t377 - mu_2_by_l_d_1*t373 - mu_3_by_l_d_1*t373,
+        D_delta_x_1_by_l_d_1*t379 + D_delta_x_2_by_l_d_1*t380 + D_delta_y_1_by_l_d_1*t381
+        + D_delta_y_2_by_l_d_1*t382 + D_delta_z_1_by_l_d_1*t383 + D_delta_z_2_by_l_d_1*t384
+        + mu_1_by_l_d_1*t378 + mu_2_by_l_d_1*t378 + mu_3_by_l_d_1*t378,
+        D_delta_x_1_by_l_d_1*t386 + D_delta_x_3_by_l_d_1*t380 + D_delta_y_1_by_l_d_1*t387
+        + D_delta_y_3_by_l_d_1*t382 + D_delta_z_1_by_l_d_1*t388 + D_delta_z_3_by_l_d_1*t384
+        + mu_1_by_l_d_1*t385 + mu_2_by_l_d_1*t385 + mu_3_by_l_d_1*t385,
         D_delta_x_1_by_l_d_1*k_C, D_delta_y_1_by_l_d_1*k_C, D_delta_z_1_by_l_d_1*k_C,
-        D_delta_x_2_by_l_d_1*t402 + D_delta_y_2_by_l_d_1*t403 + D_delta_z_2_by_l_d_1*t404
-        - mu_1_by_l_d_1*t401 + mu_2_by_l_d_1*t405 - mu_3_by_l_d_1*t401,
-        D_delta_x_2_by_l_d_1*t398 + D_delta_x_3_by_l_d_1*t391 + D_delta_y_2_by_l_d_1*t399
-        + D_delta_y_3_by_l_d_1*t393 + D_delta_z_2_by_l_d_1*t400 + D_delta_z_3_by_l_d_1*t395
-        + mu_1_by_l_d_1*t406 + mu_2_by_l_d_1*t406 + mu_3_by_l_d_1*t406,
+        D_delta_x_2_by_l_d_1*t390 + D_delta_y_2_by_l_d_1*t391 + D_delta_z_2_by_l_d_1*t392
+        - mu_1_by_l_d_1*t389 + mu_2_by_l_d_1*t393 - mu_3_by_l_d_1*t389,
+        D_delta_x_2_by_l_d_1*t386 + D_delta_x_3_by_l_d_1*t379 + D_delta_y_2_by_l_d_1*t387
+        + D_delta_y_3_by_l_d_1*t381 + D_delta_z_2_by_l_d_1*t388 + D_delta_z_3_by_l_d_1*t383
+        + mu_1_by_l_d_1*t394 + mu_2_by_l_d_1*t394 + mu_3_by_l_d_1*t394,
         D_delta_x_2_by_l_d_1*k_C, D_delta_y_2_by_l_d_1*k_C, D_delta_z_2_by_l_d_1*k_C,
-        D_delta_x_3_by_l_d_1*t408 + D_delta_y_3_by_l_d_1*t409 + D_delta_z_3_by_l_d_1*t410
-        - mu_1_by_l_d_1*t407 - mu_2_by_l_d_1*t407 + mu_3_by_l_d_1*t411,
-        D_delta_x_3_by_l_d_1*k_C, D_delta_y_3_by_l_d_1*k_C, D_delta_z_3_by_l_d_1*k_C, t559,
+        D_delta_x_3_by_l_d_1*t396 + D_delta_y_3_by_l_d_1*t397 + D_delta_z_3_by_l_d_1*t398
+        - mu_1_by_l_d_1*t395 - mu_2_by_l_d_1*t395 + mu_3_by_l_d_1*t399,
+        D_delta_x_3_by_l_d_1*k_C, D_delta_y_3_by_l_d_1*k_C, D_delta_z_3_by_l_d_1*k_C, t547,
         2*D_p_x_1*D_p_x_1_by_l_d_2*k_C + 2*D_p_y_1*D_p_y_1_by_l_d_2*k_C + 2*D_p_z_1*D_p_z_1_by_l_d_2*k_C
-        + mu_1_by_l_d_2*t266 + mu_2_by_l_d_2*t267 + mu_3_by_l_d_2*t268 - t248*t566 - t250*t566 - t251*t566
-        - t252*t567 - t254*t567 - t255*t567 - t256*t568 - t258*t568 - t259*t568,
-        D_p_x_1*D_p_x_2_by_l_d_2*k_C + D_p_x_1_by_l_d_2*D_p_x_2*k_C - D_p_x_1_by_l_d_2*t270
-        - D_p_x_1_by_l_d_2*t271 - D_p_x_1_by_l_d_2*t272 - D_p_x_2_by_l_d_2*t248 - D_p_x_2_by_l_d_2*t250
+        + mu_1_by_l_d_2*t266 + mu_2_by_l_d_2*t267 + mu_3_by_l_d_2*t267 - t248*t554 - t250*t554 - t251*t554
+        - t252*t555 - t254*t555 - t255*t555 - t256*t556 - t258*t556 - t259*t556,
+        D_p_x_1*D_p_x_2_by_l_d_2*k_C + D_p_x_1_by_l_d_2*D_p_x_2*k_C - D_p_x_1_by_l_d_2*t269
+        - D_p_x_1_by_l_d_2*t270 - D_p_x_1_by_l_d_2*t271 - D_p_x_2_by_l_d_2*t248 - D_p_x_2_by_l_d_2*t250
         - D_p_x_2_by_l_d_2*t251 + D_p_y_1*D_p_y_2_by_l_d_2*k_C + D_p_y_1_by_l_d_2*D_p_y_2*k_C
-        - D_p_y_1_by_l_d_2*t273 - D_p_y_1_by_l_d_2*t274 - D_p_y_1_by_l_d_2*t275 - D_p_y_2_by_l_d_2*t252
+        - D_p_y_1_by_l_d_2*t272 - D_p_y_1_by_l_d_2*t273 - D_p_y_1_by_l_d_2*t274 - D_p_y_2_by_l_d_2*t252
         - D_p_y_2_by_l_d_2*t254 - D_p_y_2_by_l_d_2*t255 + D_p_z_1*D_p_z_2_by_l_d_2*k_C
-        + D_p_z_1_by_l_d_2*D_p_z_2*k_C - D_p_z_1_by_l_d_2*t276 - D_p_z_1_by_l_d_2*t277
-        - D_p_z_1_by_l_d_2*t278 - D_p_z_2_by_l_d_2*t256 - D_p_z_2_by_l_d_2*t258 - D_p_z_2_by_l_d_2*t259
-        + mu_1_by_l_d_2*t279 + mu_2_by_l_d_2*t280 + mu_3_by_l_d_2*t281,
-        D_p_x_1*D_p_x_3_by_l_d_2*k_C + D_p_x_1_by_l_d_2*D_p_x_3*k_C - D_p_x_1_by_l_d_2*t282
-        - D_p_x_1_by_l_d_2*t283 - D_p_x_1_by_l_d_2*t284 - D_p_x_3_by_l_d_2*t248 - D_p_x_3_by_l_d_2*t250
+        + D_p_z_1_by_l_d_2*D_p_z_2*k_C - D_p_z_1_by_l_d_2*t275 - D_p_z_1_by_l_d_2*t276
+        - D_p_z_1_by_l_d_2*t277 - D_p_z_2_by_l_d_2*t256 - D_p_z_2_by_l_d_2*t258 - D_p_z_2_by_l_d_2*t259
+        + mu_1_by_l_d_2*t278 + mu_2_by_l_d_2*t279 + mu_3_by_l_d_2*t280,
+        D_p_x_1*D_p_x_3_by_l_d_2*k_C + D_p_x_1_by_l_d_2*D_p_x_3*k_C - D_p_x_1_by_l_d_2*t281
+        - D_p_x_1_by_l_d_2*t282 - D_p_x_1_by_l_d_2*t283 - D_p_x_3_by_l_d_2*t248 - D_p_x_3_by_l_d_2*t250
         - D_p_x_3_by_l_d_2*t251 + D_p_y_1*D_p_y_3_by_l_d_2*k_C + D_p_y_1_by_l_d_2*D_p_y_3*k_C
-        - D_p_y_1_by_l_d_2*t285 - D_p_y_1_by_l_d_2*t286 - D_p_y_1_by_l_d_2*t287 - D_p_y_3_by_l_d_2*t252
+        - D_p_y_1_by_l_d_2*t284 - D_p_y_1_by_l_d_2*t285 - D_p_y_1_by_l_d_2*t286 - D_p_y_3_by_l_d_2*t252
         - D_p_y_3_by_l_d_2*t254 - D_p_y_3_by_l_d_2*t255 + D_p_z_1*D_p_z_3_by_l_d_2*k_C
-        + D_p_z_1_by_l_d_2*D_p_z_3*k_C - D_p_z_1_by_l_d_2*t288 - D_p_z_1_by_l_d_2*t289
-        - D_p_z_1_by_l_d_2*t290 - D_p_z_3_by_l_d_2*t256 - D_p_z_3_by_l_d_2*t258 - D_p_z_3_by_l_d_2*t259
-        + mu_1_by_l_d_2*t291 + mu_2_by_l_d_2*t292 + mu_3_by_l_d_2*t293,
-        D_delta_x_1_by_l_d_2*t312 + D_delta_y_1_by_l_d_2*t313 + D_delta_z_1_by_l_d_2*t314
-        - D_p_x_1_by_l_d_2*t300 - D_p_x_1_by_l_d_2*t301 - D_p_x_1_by_l_d_2*t302 + D_p_x_1_by_l_d_2*t420
-        - D_p_y_1_by_l_d_2*t303 - D_p_y_1_by_l_d_2*t304 - D_p_y_1_by_l_d_2*t305 + D_p_y_1_by_l_d_2*t421
-        - D_p_z_1_by_l_d_2*t306 - D_p_z_1_by_l_d_2*t307 - D_p_z_1_by_l_d_2*t308 + D_p_z_1_by_l_d_2*t422
-        + mu_1_by_l_d_2*t309 + mu_2_by_l_d_2*t310 + mu_3_by_l_d_2*t311,
-        D_delta_x_2_by_l_d_2*t312 + D_delta_y_2_by_l_d_2*t313 + D_delta_z_2_by_l_d_2*t314
-        - D_p_x_1_by_l_d_2*t315 - D_p_x_1_by_l_d_2*t316 - D_p_x_1_by_l_d_2*t317 + D_p_x_1_by_l_d_2*t423
-        - D_p_y_1_by_l_d_2*t318 - D_p_y_1_by_l_d_2*t319 - D_p_y_1_by_l_d_2*t320 + D_p_y_1_by_l_d_2*t424
-        - D_p_z_1_by_l_d_2*t321 - D_p_z_1_by_l_d_2*t322 - D_p_z_1_by_l_d_2*t323 + D_p_z_1_by_l_d_2*t425
-        + mu_1_by_l_d_2*t324 + mu_2_by_l_d_2*t325 + mu_3_by_l_d_2*t326,
-        D_delta_x_3_by_l_d_2*t312 + D_delta_y_3_by_l_d_2*t313 + D_delta_z_3_by_l_d_2*t314
-        - D_p_x_1_by_l_d_2*t327 - D_p_x_1_by_l_d_2*t328 - D_p_x_1_by_l_d_2*t329 + D_p_x_1_by_l_d_2*t426
-        - D_p_y_1_by_l_d_2*t330 - D_p_y_1_by_l_d_2*t331 - D_p_y_1_by_l_d_2*t332 + D_p_y_1_by_l_d_2*t427
-        - D_p_z_1_by_l_d_2*t333 - D_p_z_1_by_l_d_2*t334 - D_p_z_1_by_l_d_2*t335 + D_p_z_1_by_l_d_2*t428
-        + mu_1_by_l_d_2*t336 + mu_2_by_l_d_2*t337 + mu_3_by_l_d_2*t338,
+        + D_p_z_1_by_l_d_2*D_p_z_3*k_C - D_p_z_1_by_l_d_2*t287 - D_p_z_1_by_l_d_2*t288
+        - D_p_z_1_by_l_d_2*t289 - D_p_z_3_by_l_d_2*t256 - D_p_z_3_by_l_d_2*t258 - D_p_z_3_by_l_d_2*t259
+        + mu_1_by_l_d_2*t290 + mu_2_by_l_d_2*t291 + mu_3_by_l_d_2*t292,
+        D_delta_x_1_by_l_d_2*t310 + D_delta_y_1_by_l_d_2*t311 + D_delta_z_1_by_l_d_2*t312
+        - D_p_x_1_by_l_d_2*t299 - D_p_x_1_by_l_d_2*t300 - D_p_x_1_by_l_d_2*t301 + D_p_x_1_by_l_d_2*t408
+        - D_p_y_1_by_l_d_2*t302 - D_p_y_1_by_l_d_2*t303 - D_p_y_1_by_l_d_2*t304 + D_p_y_1_by_l_d_2*t409
+        - D_p_z_1_by_l_d_2*t305 - D_p_z_1_by_l_d_2*t306 - D_p_z_1_by_l_d_2*t307 + D_p_z_1_by_l_d_2*t410
+        + mu_1_by_l_d_2*t308 + mu_2_by_l_d_2*t309 + mu_3_by_l_d_2*t309,
+        D_delta_x_2_by_l_d_2*t310 + D_delta_y_2_by_l_d_2*t311 + D_delta_z_2_by_l_d_2*t312
+        - D_p_x_1_by_l_d_2*t313 - D_p_x_1_by_l_d_2*t314 - D_p_x_1_by_l_d_2*t315 + D_p_x_1_by_l_d_2*t411
+        - D_p_y_1_by_l_d_2*t316 - D_p_y_1_by_l_d_2*t317 - D_p_y_1_by_l_d_2*t318 + D_p_y_1_by_l_d_2*t412
+        - D_p_z_1_by_l_d_2*t319 - D_p_z_1_by_l_d_2*t320 - D_p_z_1_by_l_d_2*t321 + D_p_z_1_by_l_d_2*t413
+        + mu_1_by_l_d_2*t322 + mu_2_by_l_d_2*t323 + mu_3_by_l_d_2*t323,
+        D_delta_x_3_by_l_d_2*t310 + D_delta_y_3_by_l_d_2*t311 + D_delta_z_3_by_l_d_2*t312
+        - D_p_x_1_by_l_d_2*t324 - D_p_x_1_by_l_d_2*t325 - D_p_x_1_by_l_d_2*t326 + D_p_x_1_by_l_d_2*t414
+        - D_p_y_1_by_l_d_2*t327 - D_p_y_1_by_l_d_2*t328 - D_p_y_1_by_l_d_2*t329 + D_p_y_1_by_l_d_2*t415
+        - D_p_z_1_by_l_d_2*t330 - D_p_z_1_by_l_d_2*t331 - D_p_z_1_by_l_d_2*t332 + D_p_z_1_by_l_d_2*t416
+        + mu_1_by_l_d_2*t333 + mu_2_by_l_d_2*t334 + mu_3_by_l_d_2*t334,
         D_p_x_1_by_l_d_2*k_C, D_p_y_1_by_l_d_2*k_C, D_p_z_1_by_l_d_2*k_C,
         2*D_p_x_2*D_p_x_2_by_l_d_2*k_C + 2*D_p_y_2*D_p_y_2_by_l_d_2*k_C + 2*D_p_z_2*D_p_z_2_by_l_d_2*k_C
-        + k_sp_2*t457*t463*w_b_2*x_2_by_l_d_2 + mu_1_by_l_d_2*t343 + mu_2_by_l_d_2*t344
-        + mu_3_by_l_d_2*t345 - t270*t569 - t271*t569 - t272*t569 - t273*t570 - t274*t570 - t275*t570
-        - t276*t571 - t277*t571 - t278*t571 - t573,
-        D_p_x_2*D_p_x_3_by_l_d_2*k_C + D_p_x_2_by_l_d_2*D_p_x_3*k_C - D_p_x_2_by_l_d_2*t282
-        - D_p_x_2_by_l_d_2*t283 - D_p_x_2_by_l_d_2*t284 - D_p_x_3_by_l_d_2*t270 - D_p_x_3_by_l_d_2*t271
-        - D_p_x_3_by_l_d_2*t272 + D_p_y_2*D_p_y_3_by_l_d_2*k_C + D_p_y_2_by_l_d_2*D_p_y_3*k_C
-        - D_p_y_2_by_l_d_2*t285 - D_p_y_2_by_l_d_2*t286 - D_p_y_2_by_l_d_2*t287 - D_p_y_3_by_l_d_2*t273
-        - D_p_y_3_by_l_d_2*t274 - D_p_y_3_by_l_d_2*t275 + D_p_z_2*D_p_z_3_by_l_d_2*k_C
-        + D_p_z_2_by_l_d_2*D_p_z_3*k_C - D_p_z_2_by_l_d_2*t288 - D_p_z_2_by_l_d_2*t289
-        - D_p_z_2_by_l_d_2*t290 - D_p_z_3_by_l_d_2*t276 - D_p_z_3_by_l_d_2*t277 - D_p_z_3_by_l_d_2*t278
-        + mu_1_by_l_d_2*t346 + mu_2_by_l_d_2*t347 + mu_3_by_l_d_2*t348,
-        t575, t576,
-        D_delta_x_1_by_l_d_2*t355 + D_delta_y_1_by_l_d_2*t356 + D_delta_z_1_by_l_d_2*t357
-        - D_p_x_2_by_l_d_2*t300 - D_p_x_2_by_l_d_2*t301 - D_p_x_2_by_l_d_2*t302 + D_p_x_2_by_l_d_2*t420
-        - D_p_y_2_by_l_d_2*t303 - D_p_y_2_by_l_d_2*t304 - D_p_y_2_by_l_d_2*t305 + D_p_y_2_by_l_d_2*t421
-        - D_p_z_2_by_l_d_2*t306 - D_p_z_2_by_l_d_2*t307 - D_p_z_2_by_l_d_2*t308 + D_p_z_2_by_l_d_2*t422
-        + mu_1_by_l_d_2*t352 + mu_2_by_l_d_2*t353 + mu_3_by_l_d_2*t354,
-        D_delta_x_2_by_l_d_2*t355 + D_delta_y_2_by_l_d_2*t356 + D_delta_z_2_by_l_d_2*t357
-        - D_p_x_2_by_l_d_2*t315 - D_p_x_2_by_l_d_2*t316 - D_p_x_2_by_l_d_2*t317 + D_p_x_2_by_l_d_2*t423
-        - D_p_y_2_by_l_d_2*t318 - D_p_y_2_by_l_d_2*t319 - D_p_y_2_by_l_d_2*t320 + D_p_y_2_by_l_d_2*t424
-        - D_p_z_2_by_l_d_2*t321 - D_p_z_2_by_l_d_2*t322 - D_p_z_2_by_l_d_2*t323 + D_p_z_2_by_l_d_2*t425
-        + mu_1_by_l_d_2*t358 + mu_2_by_l_d_2*t359 + mu_3_by_l_d_2*t360,
-        D_delta_x_3_by_l_d_2*t355 + D_delta_y_3_by_l_d_2*t356 + D_delta_z_3_by_l_d_2*t357
-        - D_p_x_2_by_l_d_2*t327 - D_p_x_2_by_l_d_2*t328 - D_p_x_2_by_l_d_2*t329 + D_p_x_2_by_l_d_2*t426
-        - D_p_y_2_by_l_d_2*t330 - D_p_y_2_by_l_d_2*t331 - D_p_y_2_by_l_d_2*t332 + D_p_y_2_by_l_d_2*t427
-        - D_p_z_2_by_l_d_2*t333 - D_p_z_2_by_l_d_2*t334 - D_p_z_2_by_l_d_2*t335 + D_p_z_2_by_l_d_2*t428
-        + mu_1_by_l_d_2*t361 + mu_2_by_l_d_2*t362 + mu_3_by_l_d_2*t363,
-        t577, D_p_x_2_by_l_d_2*k_C, D_p_y_2_by_l_d_2*k_C, D_p_z_2_by_l_d_2*k_C,
+        + k_sp_2*t445*t451*w_b_2*x_2_by_l_d_2 + mu_1_by_l_d_2*t339 + mu_2_by_l_d_2*t340
+        + mu_3_by_l_d_2*t339 - t269*t557 - t270*t557 - t271*t557 - t272*t558 - t273*t558 - t274*t558
+        - t275*t559 - t276*t559 - t277*t559 - t561,
+        D_p_x_2*D_p_x_3_by_l_d_2*k_C + D_p_x_2_by_l_d_2*D_p_x_3*k_C - D_p_x_2_by_l_d_2*t281
+        - D_p_x_2_by_l_d_2*t282 - D_p_x_2_by_l_d_2*t283 - D_p_x_3_by_l_d_2*t269 - D_p_x_3_by_l_d_2*t270
+        - D_p_x_3_by_l_d_2*t271 + D_p_y_2*D_p_y_3_by_l_d_2*k_C + D_p_y_2_by_l_d_2*D_p_y_3*k_C
+        - D_p_y_2_by_l_d_2*t284 - D_p_y_2_by_l_d_2*t285 - D_p_y_2_by_l_d_2*t286 - D_p_y_3_by_l_d_2*t272
+        - D_p_y_3_by_l_d_2*t273 - D_p_y_3_by_l_d_2*t274 + D_p_z_2*D_p_z_3_by_l_d_2*k_C
+        + D_p_z_2_by_l_d_2*D_p_z_3*k_C - D_p_z_2_by_l_d_2*t287 - D_p_z_2_by_l_d_2*t288
+        - D_p_z_2_by_l_d_2*t289 - D_p_z_3_by_l_d_2*t275 - D_p_z_3_by_l_d_2*t276 - D_p_z_3_by_l_d_2*t277
+        + mu_1_by_l_d_2*t341 + mu_2_by_l_d_2*t342 + mu_3_by_l_d_2*t343,
+        t563, t564,
+        D_delta_x_1_by_l_d_2*t349 + D_delta_y_1_by_l_d_2*t350 + D_delta_z_1_by_l_d_2*t351
+        - D_p_x_2_by_l_d_2*t299 - D_p_x_2_by_l_d_2*t300 - D_p_x_2_by_l_d_2*t301 + D_p_x_2_by_l_d_2*t408
+        - D_p_y_2_by_l_d_2*t302 - D_p_y_2_by_l_d_2*t303 - D_p_y_2_by_l_d_2*t304 + D_p_y_2_by_l_d_2*t409
+        - D_p_z_2_by_l_d_2*t305 - D_p_z_2_by_l_d_2*t306 - D_p_z_2_by_l_d_2*t307 + D_p_z_2_by_l_d_2*t410
+        + mu_1_by_l_d_2*t347 + mu_2_by_l_d_2*t348 + mu_3_by_l_d_2*t347,
+        D_delta_x_2_by_l_d_2*t349 + D_delta_y_2_by_l_d_2*t350 + D_delta_z_2_by_l_d_2*t351
+        - D_p_x_2_by_l_d_2*t313 - D_p_x_2_by_l_d_2*t314 - D_p_x_2_by_l_d_2*t315 + D_p_x_2_by_l_d_2*t411
+        - D_p_y_2_by_l_d_2*t316 - D_p_y_2_by_l_d_2*t317 - D_p_y_2_by_l_d_2*t318 + D_p_y_2_by_l_d_2*t412
+        - D_p_z_2_by_l_d_2*t319 - D_p_z_2_by_l_d_2*t320 - D_p_z_2_by_l_d_2*t321 + D_p_z_2_by_l_d_2*t413
+        + mu_1_by_l_d_2*t352 + mu_2_by_l_d_2*t353 + mu_3_by_l_d_2*t352,
+        D_delta_x_3_by_l_d_2*t349 + D_delta_y_3_by_l_d_2*t350 + D_delta_z_3_by_l_d_2*t351
+        - D_p_x_2_by_l_d_2*t324 - D_p_x_2_by_l_d_2*t325 - D_p_x_2_by_l_d_2*t326 + D_p_x_2_by_l_d_2*t414
+        - D_p_y_2_by_l_d_2*t327 - D_p_y_2_by_l_d_2*t328 - D_p_y_2_by_l_d_2*t329 + D_p_y_2_by_l_d_2*t415
+        - D_p_z_2_by_l_d_2*t330 - D_p_z_2_by_l_d_2*t331 - D_p_z_2_by_l_d_2*t332 + D_p_z_2_by_l_d_2*t416
+        + mu_1_by_l_d_2*t354 + mu_2_by_l_d_2*t355 + mu_3_by_l_d_2*t354,
+        t565, D_p_x_2_by_l_d_2*k_C, D_p_y_2_by_l_d_2*k_C, D_p_z_2_by_l_d_2*k_C,
         2*D_p_x_3*D_p_x_3_by_l_d_2*k_C + 2*D_p_y_3*D_p_y_3_by_l_d_2*k_C + 2*D_p_z_3*D_p_z_3_by_l_d_2*k_C
-        + mu_1_by_l_d_2*t367 + mu_2_by_l_d_2*t368 + mu_3_by_l_d_2*t369 - t282*t578 - t283*t578 - t284*t578
-        - t285*t579 - t286*t579 - t287*t579 - t288*t580 - t289*t580 - t290*t580,
-        D_delta_x_1_by_l_d_2*t376 + D_delta_y_1_by_l_d_2*t377 + D_delta_z_1_by_l_d_2*t378
-        - D_p_x_3_by_l_d_2*t300 - D_p_x_3_by_l_d_2*t301 - D_p_x_3_by_l_d_2*t302 + D_p_x_3_by_l_d_2*t420
-        - D_p_y_3_by_l_d_2*t303 - D_p_y_3_by_l_d_2*t304 - D_p_y_3_by_l_d_2*t305 + D_p_y_3_by_l_d_2*t421
-        - D_p_z_3_by_l_d_2*t306 - D_p_z_3_by_l_d_2*t307 - D_p_z_3_by_l_d_2*t308 + D_p_z_3_by_l_d_2*t422
-        + mu_1_by_l_d_2*t373 + mu_2_by_l_d_2*t374 + mu_3_by_l_d_2*t375,
-        D_delta_x_2_by_l_d_2*t376 + D_delta_y_2_by_l_d_2*t377 + D_delta_z_2_by_l_d_2*t378
-        - D_p_x_3_by_l_d_2*t315 - D_p_x_3_by_l_d_2*t316 - D_p_x_3_by_l_d_2*t317 + D_p_x_3_by_l_d_2*t423
-        - D_p_y_3_by_l_d_2*t318 - D_p_y_3_by_l_d_2*t319 - D_p_y_3_by_l_d_2*t320 + D_p_y_3_by_l_d_2*t424
-        - D_p_z_3_by_l_d_2*t321 - D_p_z_3_by_l_d_2*t322 - D_p_z_3_by_l_d_2*t323 + D_p_z_3_by_l_d_2*t425
-        + mu_1_by_l_d_2*t379 + mu_2_by_l_d_2*t380 + mu_3_by_l_d_2*t381,
-        D_delta_x_3_by_l_d_2*t376 + D_delta_y_3_by_l_d_2*t377 + D_delta_z_3_by_l_d_2*t378
-        - D_p_x_3_by_l_d_2*t327 - D_p_x_3_by_l_d_2*t328 - D_p_x_3_by_l_d_2*t329 + D_p_x_3_by_l_d_2*t426
-        - D_p_y_3_by_l_d_2*t330 - D_p_y_3_by_l_d_2*t331 - D_p_y_3_by_l_d_2*t332 + D_p_y_3_by_l_d_2*t427
-        - D_p_z_3_by_l_d_2*t333 - D_p_z_3_by_l_d_2*t334 - D_p_z_3_by_l_d_2*t335 + D_p_z_3_by_l_d_2*t428
-        + mu_1_by_l_d_2*t382 + mu_2_by_l_d_2*t383 + mu_3_by_l_d_2*t384,
-        D_p_x_3_by_l_d_2*k_C, D_p_y_3_by_l_d_2*k_C, D_p_z_3_by_l_d_2*k_C, t218*t574, t575, -t218*t573, t576,
-        D_delta_x_1_by_l_d_2*t386 + D_delta_y_1_by_l_d_2*t387 + D_delta_z_1_by_l_d_2*t388
-        + mu_1_by_l_d_2*t389 - mu_2_by_l_d_2*t385 - mu_3_by_l_d_2*t385,
-        D_delta_x_1_by_l_d_2*t391 + D_delta_x_2_by_l_d_2*t392 + D_delta_y_1_by_l_d_2*t393
-        + D_delta_y_2_by_l_d_2*t394 + D_delta_z_1_by_l_d_2*t395 + D_delta_z_2_by_l_d_2*t396
-        + mu_1_by_l_d_2*t390 + mu_2_by_l_d_2*t390 + mu_3_by_l_d_2*t390,
-        D_delta_x_1_by_l_d_2*t398 + D_delta_x_3_by_l_d_2*t392 + D_delta_y_1_by_l_d_2*t399
-        + D_delta_y_3_by_l_d_2*t394 + D_delta_z_1_by_l_d_2*t400 + D_delta_z_3_by_l_d_2*t396
-        + mu_1_by_l_d_2*t397 + mu_2_by_l_d_2*t397 + mu_3_by_l_d_2*t397,
+        + mu_1_by_l_d_2*t359 + mu_2_by_l_d_2*t359 + mu_3_by_l_d_2*t360 - t281*t566 - t282*t566 - t283*t566
+        - t284*t567 - t285*t567 - t286*t567 - t287*t568 - t288*t568 - t289*t568,
+        D_delta_x_1_by_l_d_2*t366 + D_delta_y_1_by_l_d_2*t367 + D_delta_z_1_by_l_d_2*t368
+        - D_p_x_3_by_l_d_2*t299 - D_p_x_3_by_l_d_2*t300 - D_p_x_3_by_l_d_2*t301 + D_p_x_3_by_l_d_2*t408
+        - D_p_y_3_by_l_d_2*t302 - D_p_y_3_by_l_d_2*t303 - D_p_y_3_by_l_d_2*t304 + D_p_y_3_by_l_d_2*t409
+        - D_p_z_3_by_l_d_2*t305 - D_p_z_3_by_l_d_2*t306 - D_p_z_3_by_l_d_2*t307 + D_p_z_3_by_l_d_2*t410
+        + mu_1_by_l_d_2*t364 + mu_2_by_l_d_2*t364 + mu_3_by_l_d_2*t365,
+        D_delta_x_2_by_l_d_2*t366 + D_delta_y_2_by_l_d_2*t367 + D_delta_z_2_by_l_d_2*t368
+        - D_p_x_3_by_l_d_2*t313 - D_p_x_3_by_l_d_2*t314 - D_p_x_3_by_l_d_2*t315 + D_p_x_3_by_l_d_2*t411
+        - D_p_y_3_by_l_d_2*t316 - D_p_y_3_by_l_d_2*t317 - D_p_y_3_by_l_d_2*t318 + D_p_y_3_by_l_d_2*t412
+        - D_p_z_3_by_l_d_2*t319 - D_p_z_3_by_l_d_2*t320 - D_p_z_3_by_l_d_2*t321 + D_p_z_3_by_l_d_2*t413
+        + mu_1_by_l_d_2*t369 + mu_2_by_l_d_2*t369 + mu_3_by_l_d_2*t370,
+        D_delta_x_3_by_l_d_2*t366 + D_delta_y_3_by_l_d_2*t367 + D_delta_z_3_by_l_d_2*t368
+        - D_p_x_3_by_l_d_2*t324 - D_p_x_3_by_l_d_2*t325 - D_p_x_3_by_l_d_2*t326 + D_p_x_3_by_l_d_2*t414
+        - D_p_y_3_by_l_d_2*t327 - D_p_y_3_by_l_d_2*t328 - D_p_y_3_by_l_d_2*t329 + D_p_y_3_by_l_d_2*t415
+        - D_p_z_3_by_l_d_2*t330 - D_p_z_3_by_l_d_2*t331 - D_p_z_3_by_l_d_2*t332 + D_p_z_3_by_l_d_2*t416
+        + mu_1_by_l_d_2*t371 + mu_2_by_l_d_2*t371 + mu_3_by_l_d_2*t372,
+        D_p_x_3_by_l_d_2*k_C, D_p_y_3_by_l_d_2*k_C, D_p_z_3_by_l_d_2*k_C, t218*t562, t563, -t218*t561, t564,
+        D_delta_x_1_by_l_d_2*t374 + D_delta_y_1_by_l_d_2*t375 + D_delta_z_1_by_l_d_2*t376
+        + mu_1_by_l_d_2*t377 - mu_2_by_l_d_2*t373 - mu_3_by_l_d_2*t373,
+        D_delta_x_1_by_l_d_2*t379 + D_delta_x_2_by_l_d_2*t380 + D_delta_y_1_by_l_d_2*t381
+        + D_delta_y_2_by_l_d_2*t382 + D_delta_z_1_by_l_d_2*t383 + D_delta_z_2_by_l_d_2*t384
+        + mu_1_by_l_d_2*t378 + mu_2_by_l_d_2*t378 + mu_3_by_l_d_2*t378,
+        D_delta_x_1_by_l_d_2*t386 + D_delta_x_3_by_l_d_2*t380 + D_delta_y_1_by_l_d_2*t387
+        + D_delta_y_3_by_l_d_2*t382 + D_delta_z_1_by_l_d_2*t388 + D_delta_z_3_by_l_d_2*t384
+        + mu_1_by_l_d_2*t385 + mu_2_by_l_d_2*t385 + mu_3_by_l_d_2*t385,
         D_delta_x_1_by_l_d_2*k_C, D_delta_y_1_by_l_d_2*k_C, D_delta_z_1_by_l_d_2*k_C,
-        D_delta_x_2_by_l_d_2*t402 + D_delta_y_2_by_l_d_2*t403 + D_delta_z_2_by_l_d_2*t404
-        - mu_1_by_l_d_2*t401 + mu_2_by_l_d_2*t405 - mu_3_by_l_d_2*t401,
-        D_delta_x_2_by_l_d_2*t398 + D_delta_x_3_by_l_d_2*t391 + D_delta_y_2_by_l_d_2*t399
-        + D_delta_y_3_by_l_d_2*t393 + D_delta_z_2_by_l_d_2*t400 + D_delta_z_3_by_l_d_2*t395
-        + mu_1_by_l_d_2*t406 + mu_2_by_l_d_2*t406 + mu_3_by_l_d_2*t406,
+        D_delta_x_2_by_l_d_2*t390 + D_delta_y_2_by_l_d_2*t391 + D_delta_z_2_by_l_d_2*t392
+        - mu_1_by_l_d_2*t389 + mu_2_by_l_d_2*t393 - mu_3_by_l_d_2*t389,
+        D_delta_x_2_by_l_d_2*t386 + D_delta_x_3_by_l_d_2*t379 + D_delta_y_2_by_l_d_2*t387
+        + D_delta_y_3_by_l_d_2*t381 + D_delta_z_2_by_l_d_2*t388 + D_delta_z_3_by_l_d_2*t383
+        + mu_1_by_l_d_2*t394 + mu_2_by_l_d_2*t394 + mu_3_by_l_d_2*t394,
         D_delta_x_2_by_l_d_2*k_C, D_delta_y_2_by_l_d_2*k_C, D_delta_z_2_by_l_d_2*k_C,
-        D_delta_x_3_by_l_d_2*t408 + D_delta_y_3_by_l_d_2*t409 + D_delta_z_3_by_l_d_2*t410
-        - mu_1_by_l_d_2*t407 - mu_2_by_l_d_2*t407 + mu_3_by_l_d_2*t411,
-        D_delta_x_3_by_l_d_2*k_C, D_delta_y_3_by_l_d_2*k_C, D_delta_z_3_by_l_d_2*k_C, t577,
+        D_delta_x_3_by_l_d_2*t396 + D_delta_y_3_by_l_d_2*t397 + D_delta_z_3_by_l_d_2*t398
+        - mu_1_by_l_d_2*t395 - mu_2_by_l_d_2*t395 + mu_3_by_l_d_2*t399,
+        D_delta_x_3_by_l_d_2*k_C, D_delta_y_3_by_l_d_2*k_C, D_delta_z_3_by_l_d_2*k_C, t565,
         2*D_p_x_1*D_p_x_1_by_l_d_3*k_C + 2*D_p_y_1*D_p_y_1_by_l_d_3*k_C + 2*D_p_z_1*D_p_z_1_by_l_d_3*k_C
-        + mu_1_by_l_d_3*t266 + mu_2_by_l_d_3*t267 + mu_3_by_l_d_3*t268 - t248*t581 - t250*t581 - t251*t581
-        - t252*t582 - t254*t582 - t255*t582 - t256*t583 - t258*t583 - t259*t583,
-        D_p_x_1*D_p_x_2_by_l_d_3*k_C + D_p_x_1_by_l_d_3*D_p_x_2*k_C - D_p_x_1_by_l_d_3*t270
-        - D_p_x_1_by_l_d_3*t271 - D_p_x_1_by_l_d_3*t272 - D_p_x_2_by_l_d_3*t248 - D_p_x_2_by_l_d_3*t250
+        + mu_1_by_l_d_3*t266 + mu_2_by_l_d_3*t267 + mu_3_by_l_d_3*t267 - t248*t569 - t250*t569 - t251*t569
+        - t252*t570 - t254*t570 - t255*t570 - t256*t571 - t258*t571 - t259*t571,
+        D_p_x_1*D_p_x_2_by_l_d_3*k_C + D_p_x_1_by_l_d_3*D_p_x_2*k_C - D_p_x_1_by_l_d_3*t269
+        - D_p_x_1_by_l_d_3*t270 - D_p_x_1_by_l_d_3*t271 - D_p_x_2_by_l_d_3*t248 - D_p_x_2_by_l_d_3*t250
         - D_p_x_2_by_l_d_3*t251 + D_p_y_1*D_p_y_2_by_l_d_3*k_C + D_p_y_1_by_l_d_3*D_p_y_2*k_C
-        - D_p_y_1_by_l_d_3*t273 - D_p_y_1_by_l_d_3*t274 - D_p_y_1_by_l_d_3*t275 - D_p_y_2_by_l_d_3*t252
+        - D_p_y_1_by_l_d_3*t272 - D_p_y_1_by_l_d_3*t273 - D_p_y_1_by_l_d_3*t274 - D_p_y_2_by_l_d_3*t252
         - D_p_y_2_by_l_d_3*t254 - D_p_y_2_by_l_d_3*t255 + D_p_z_1*D_p_z_2_by_l_d_3*k_C
-        + D_p_z_1_by_l_d_3*D_p_z_2*k_C - D_p_z_1_by_l_d_3*t276 - D_p_z_1_by_l_d_3*t277
-        - D_p_z_1_by_l_d_3*t278 - D_p_z_2_by_l_d_3*t256 - D_p_z_2_by_l_d_3*t258 - D_p_z_2_by_l_d_3*t259
-        + mu_1_by_l_d_3*t279 + mu_2_by_l_d_3*t280 + mu_3_by_l_d_3*t281,
-        D_p_x_1*D_p_x_3_by_l_d_3*k_C + D_p_x_1_by_l_d_3*D_p_x_3*k_C - D_p_x_1_by_l_d_3*t282
-        - D_p_x_1_by_l_d_3*t283 - D_p_x_1_by_l_d_3*t284 - D_p_x_3_by_l_d_3*t248 - D_p_x_3_by_l_d_3*t250
+        + D_p_z_1_by_l_d_3*D_p_z_2*k_C - D_p_z_1_by_l_d_3*t275 - D_p_z_1_by_l_d_3*t276
+        - D_p_z_1_by_l_d_3*t277 - D_p_z_2_by_l_d_3*t256 - D_p_z_2_by_l_d_3*t258 - D_p_z_2_by_l_d_3*t259
+        + mu_1_by_l_d_3*t278 + mu_2_by_l_d_3*t279 + mu_3_by_l_d_3*t280,
+        D_p_x_1*D_p_x_3_by_l_d_3*k_C + D_p_x_1_by_l_d_3*D_p_x_3*k_C - D_p_x_1_by_l_d_3*t281
+        - D_p_x_1_by_l_d_3*t282 - D_p_x_1_by_l_d_3*t283 - D_p_x_3_by_l_d_3*t248 - D_p_x_3_by_l_d_3*t250
         - D_p_x_3_by_l_d_3*t251 + D_p_y_1*D_p_y_3_by_l_d_3*k_C + D_p_y_1_by_l_d_3*D_p_y_3*k_C
-        - D_p_y_1_by_l_d_3*t285 - D_p_y_1_by_l_d_3*t286 - D_p_y_1_by_l_d_3*t287 - D_p_y_3_by_l_d_3*t252
+        - D_p_y_1_by_l_d_3*t284 - D_p_y_1_by_l_d_3*t285 - D_p_y_1_by_l_d_3*t286 - D_p_y_3_by_l_d_3*t252
         - D_p_y_3_by_l_d_3*t254 - D_p_y_3_by_l_d_3*t255 + D_p_z_1*D_p_z_3_by_l_d_3*k_C
-        + D_p_z_1_by_l_d_3*D_p_z_3*k_C - D_p_z_1_by_l_d_3*t288 - D_p_z_1_by_l_d_3*t289
-        - D_p_z_1_by_l_d_3*t290 - D_p_z_3_by_l_d_3*t256 - D_p_z_3_by_l_d_3*t258 - D_p_z_3_by_l_d_3*t259
-        + mu_1_by_l_d_3*t291 + mu_2_by_l_d_3*t292 + mu_3_by_l_d_3*t293,
-        D_delta_x_1_by_l_d_3*t312 + D_delta_y_1_by_l_d_3*t313 + D_delta_z_1_by_l_d_3*t314
-        - D_p_x_1_by_l_d_3*t300 - D_p_x_1_by_l_d_3*t301 - D_p_x_1_by_l_d_3*t302 + D_p_x_1_by_l_d_3*t420
-        - D_p_y_1_by_l_d_3*t303 - D_p_y_1_by_l_d_3*t304 - D_p_y_1_by_l_d_3*t305 + D_p_y_1_by_l_d_3*t421
-        - D_p_z_1_by_l_d_3*t306 - D_p_z_1_by_l_d_3*t307 - D_p_z_1_by_l_d_3*t308 + D_p_z_1_by_l_d_3*t422
-        + mu_1_by_l_d_3*t309 + mu_2_by_l_d_3*t310 + mu_3_by_l_d_3*t311,
-        D_delta_x_2_by_l_d_3*t312 + D_delta_y_2_by_l_d_3*t313 + D_delta_z_2_by_l_d_3*t314
-        - D_p_x_1_by_l_d_3*t315 - D_p_x_1_by_l_d_3*t316 - D_p_x_1_by_l_d_3*t317 + D_p_x_1_by_l_d_3*t423
-        - D_p_y_1_by_l_d_3*t318 - D_p_y_1_by_l_d_3*t319 - D_p_y_1_by_l_d_3*t320 + D_p_y_1_by_l_d_3*t424
-        - D_p_z_1_by_l_d_3*t321 - D_p_z_1_by_l_d_3*t322 - D_p_z_1_by_l_d_3*t323 + D_p_z_1_by_l_d_3*t425
-        + mu_1_by_l_d_3*t324 + mu_2_by_l_d_3*t325 + mu_3_by_l_d_3*t326,
-        D_delta_x_3_by_l_d_3*t312 + D_delta_y_3_by_l_d_3*t313 + D_delta_z_3_by_l_d_3*t314
-        - D_p_x_1_by_l_d_3*t327 - D_p_x_1_by_l_d_3*t328 - D_p_x_1_by_l_d_3*t329 + D_p_x_1_by_l_d_3*t426
-        - D_p_y_1_by_l_d_3*t330 - D_p_y_1_by_l_d_3*t331 - D_p_y_1_by_l_d_3*t332 + D_p_y_1_by_l_d_3*t427
-        - D_p_z_1_by_l_d_3*t333 - D_p_z_1_by_l_d_3*t334 - D_p_z_1_by_l_d_3*t335 + D_p_z_1_by_l_d_3*t428
-        + mu_1_by_l_d_3*t336 + mu_2_by_l_d_3*t337 + mu_3_by_l_d_3*t338,
+        + D_p_z_1_by_l_d_3*D_p_z_3*k_C - D_p_z_1_by_l_d_3*t287 - D_p_z_1_by_l_d_3*t288
+        - D_p_z_1_by_l_d_3*t289 - D_p_z_3_by_l_d_3*t256 - D_p_z_3_by_l_d_3*t258 - D_p_z_3_by_l_d_3*t259
+        + mu_1_by_l_d_3*t290 + mu_2_by_l_d_3*t291 + mu_3_by_l_d_3*t292,
+        D_delta_x_1_by_l_d_3*t310 + D_delta_y_1_by_l_d_3*t311 + D_delta_z_1_by_l_d_3*t312
+        - D_p_x_1_by_l_d_3*t299 - D_p_x_1_by_l_d_3*t300 - D_p_x_1_by_l_d_3*t301 + D_p_x_1_by_l_d_3*t408
+        - D_p_y_1_by_l_d_3*t302 - D_p_y_1_by_l_d_3*t303 - D_p_y_1_by_l_d_3*t304 + D_p_y_1_by_l_d_3*t409
+        - D_p_z_1_by_l_d_3*t305 - D_p_z_1_by_l_d_3*t306 - D_p_z_1_by_l_d_3*t307 + D_p_z_1_by_l_d_3*t410
+        + mu_1_by_l_d_3*t308 + mu_2_by_l_d_3*t309 + mu_3_by_l_d_3*t309,
+        D_delta_x_2_by_l_d_3*t310 + D_delta_y_2_by_l_d_3*t311 + D_delta_z_2_by_l_d_3*t312
+        - D_p_x_1_by_l_d_3*t313 - D_p_x_1_by_l_d_3*t314 - D_p_x_1_by_l_d_3*t315 + D_p_x_1_by_l_d_3*t411
+        - D_p_y_1_by_l_d_3*t316 - D_p_y_1_by_l_d_3*t317 - D_p_y_1_by_l_d_3*t318 + D_p_y_1_by_l_d_3*t412
+        - D_p_z_1_by_l_d_3*t319 - D_p_z_1_by_l_d_3*t320 - D_p_z_1_by_l_d_3*t321 + D_p_z_1_by_l_d_3*t413
+        + mu_1_by_l_d_3*t322 + mu_2_by_l_d_3*t323 + mu_3_by_l_d_3*t323,
+        D_delta_x_3_by_l_d_3*t310 + D_delta_y_3_by_l_d_3*t311 + D_delta_z_3_by_l_d_3*t312
+        - D_p_x_1_by_l_d_3*t324 - D_p_x_1_by_l_d_3*t325 - D_p_x_1_by_l_d_3*t326 + D_p_x_1_by_l_d_3*t414
+        - D_p_y_1_by_l_d_3*t327 - D_p_y_1_by_l_d_3*t328 - D_p_y_1_by_l_d_3*t329 + D_p_y_1_by_l_d_3*t415
+        - D_p_z_1_by_l_d_3*t330 - D_p_z_1_by_l_d_3*t331 - D_p_z_1_by_l_d_3*t332 + D_p_z_1_by_l_d_3*t416
+        + mu_1_by_l_d_3*t333 + mu_2_by_l_d_3*t334 + mu_3_by_l_d_3*t334,
         D_p_x_1_by_l_d_3*k_C, D_p_y_1_by_l_d_3*k_C, D_p_z_1_by_l_d_3*k_C,
         2*D_p_x_2*D_p_x_2_by_l_d_3*k_C + 2*D_p_y_2*D_p_y_2_by_l_d_3*k_C + 2*D_p_z_2*D_p_z_2_by_l_d_3*k_C
-        + mu_1_by_l_d_3*t343 + mu_2_by_l_d_3*t344 + mu_3_by_l_d_3*t345 - t270*t584 - t271*t584 - t272*t584
-        - t273*t585 - t274*t585 - t275*t585 - t276*t586 - t277*t586 - t278*t586,
-        D_p_x_2*D_p_x_3_by_l_d_3*k_C + D_p_x_2_by_l_d_3*D_p_x_3*k_C - D_p_x_2_by_l_d_3*t282
-        - D_p_x_2_by_l_d_3*t283 - D_p_x_2_by_l_d_3*t284 - D_p_x_3_by_l_d_3*t270 - D_p_x_3_by_l_d_3*t271
-        - D_p_x_3_by_l_d_3*t272 + D_p_y_2*D_p_y_3_by_l_d_3*k_C + D_p_y_2_by_l_d_3*D_p_y_3*k_C
-        - D_p_y_2_by_l_d_3*t285 - D_p_y_2_by_l_d_3*t286 - D_p_y_2_by_l_d_3*t287 - D_p_y_3_by_l_d_3*t273
-        - D_p_y_3_by_l_d_3*t274 - D_p_y_3_by_l_d_3*t275 + D_p_z_2*D_p_z_3_by_l_d_3*k_C
-        + D_p_z_2_by_l_d_3*D_p_z_3*k_C - D_p_z_2_by_l_d_3*t288 - D_p_z_2_by_l_d_3*t289
-        - D_p_z_2_by_l_d_3*t290 - D_p_z_3_by_l_d_3*t276 - D_p_z_3_by_l_d_3*t277 - D_p_z_3_by_l_d_3*t278
-        + mu_1_by_l_d_3*t346 + mu_2_by_l_d_3*t347 + mu_3_by_l_d_3*t348,
-        D_delta_x_1_by_l_d_3*t355 + D_delta_y_1_by_l_d_3*t356 + D_delta_z_1_by_l_d_3*t357
-        - D_p_x_2_by_l_d_3*t300 - D_p_x_2_by_l_d_3*t301 - D_p_x_2_by_l_d_3*t302 + D_p_x_2_by_l_d_3*t420
-        - D_p_y_2_by_l_d_3*t303 - D_p_y_2_by_l_d_3*t304 - D_p_y_2_by_l_d_3*t305 + D_p_y_2_by_l_d_3*t421
-        - D_p_z_2_by_l_d_3*t306 - D_p_z_2_by_l_d_3*t307 - D_p_z_2_by_l_d_3*t308 + D_p_z_2_by_l_d_3*t422
-        + mu_1_by_l_d_3*t352 + mu_2_by_l_d_3*t353 + mu_3_by_l_d_3*t354,
-        D_delta_x_2_by_l_d_3*t355 + D_delta_y_2_by_l_d_3*t356 + D_delta_z_2_by_l_d_3*t357
-        - D_p_x_2_by_l_d_3*t315 - D_p_x_2_by_l_d_3*t316 - D_p_x_2_by_l_d_3*t317 + D_p_x_2_by_l_d_3*t423
-        - D_p_y_2_by_l_d_3*t318 - D_p_y_2_by_l_d_3*t319 - D_p_y_2_by_l_d_3*t320 + D_p_y_2_by_l_d_3*t424
-        - D_p_z_2_by_l_d_3*t321 - D_p_z_2_by_l_d_3*t322 - D_p_z_2_by_l_d_3*t323 + D_p_z_2_by_l_d_3*t425
-        + mu_1_by_l_d_3*t358 + mu_2_by_l_d_3*t359 + mu_3_by_l_d_3*t360,
-        D_delta_x_3_by_l_d_3*t355 + D_delta_y_3_by_l_d_3*t356 + D_delta_z_3_by_l_d_3*t357
-        - D_p_x_2_by_l_d_3*t327 - D_p_x_2_by_l_d_3*t328 - D_p_x_2_by_l_d_3*t329 + D_p_x_2_by_l_d_3*t426
-        - D_p_y_2_by_l_d_3*t330 - D_p_y_2_by_l_d_3*t331 - D_p_y_2_by_l_d_3*t332 + D_p_y_2_by_l_d_3*t427
-        - D_p_z_2_by_l_d_3*t333 - D_p_z_2_by_l_d_3*t334 - D_p_z_2_by_l_d_3*t335 + D_p_z_2_by_l_d_3*t428
-        + mu_1_by_l_d_3*t361 + mu_2_by_l_d_3*t362 + mu_3_by_l_d_3*t363,
+        + mu_1_by_l_d_3*t339 + mu_2_by_l_d_3*t340 + mu_3_by_l_d_3*t339 - t269*t572 - t270*t572 - t271*t572
+        - t272*t573 - t273*t573 - t274*t573 - t275*t574 - t276*t574 - t277*t574,
+        D_p_x_2*D_p_x_3_by_l_d_3*k_C + D_p_x_2_by_l_d_3*D_p_x_3*k_C - D_p_x_2_by_l_d_3*t281
+        - D_p_x_2_by_l_d_3*t282 - D_p_x_2_by_l_d_3*t283 - D_p_x_3_by_l_d_3*t269 - D_p_x_3_by_l_d_3*t270
+        - D_p_x_3_by_l_d_3*t271 + D_p_y_2*D_p_y_3_by_l_d_3*k_C + D_p_y_2_by_l_d_3*D_p_y_3*k_C
+        - D_p_y_2_by_l_d_3*t284 - D_p_y_2_by_l_d_3*t285 - D_p_y_2_by_l_d_3*t286 - D_p_y_3_by_l_d_3*t272
+        - D_p_y_3_by_l_d_3*t273 - D_p_y_3_by_l_d_3*t274 + D_p_z_2*D_p_z_3_by_l_d_3*k_C
+        + D_p_z_2_by_l_d_3*D_p_z_3*k_C - D_p_z_2_by_l_d_3*t287 - D_p_z_2_by_l_d_3*t288
+        - D_p_z_2_by_l_d_3*t289 - D_p_z_3_by_l_d_3*t275 - D_p_z_3_by_l_d_3*t276 - D_p_z_3_by_l_d_3*t277
+        + mu_1_by_l_d_3*t341 + mu_2_by_l_d_3*t342 + mu_3_by_l_d_3*t343,
+        D_delta_x_1_by_l_d_3*t349 + D_delta_y_1_by_l_d_3*t350 + D_delta_z_1_by_l_d_3*t351
+        - D_p_x_2_by_l_d_3*t299 - D_p_x_2_by_l_d_3*t300 - D_p_x_2_by_l_d_3*t301 + D_p_x_2_by_l_d_3*t408
+        - D_p_y_2_by_l_d_3*t302 - D_p_y_2_by_l_d_3*t303 - D_p_y_2_by_l_d_3*t304 + D_p_y_2_by_l_d_3*t409
+        - D_p_z_2_by_l_d_3*t305 - D_p_z_2_by_l_d_3*t306 - D_p_z_2_by_l_d_3*t307 + D_p_z_2_by_l_d_3*t410
+        + mu_1_by_l_d_3*t347 + mu_2_by_l_d_3*t348 + mu_3_by_l_d_3*t347,
+        D_delta_x_2_by_l_d_3*t349 + D_delta_y_2_by_l_d_3*t350 + D_delta_z_2_by_l_d_3*t351
+        - D_p_x_2_by_l_d_3*t313 - D_p_x_2_by_l_d_3*t314 - D_p_x_2_by_l_d_3*t315 + D_p_x_2_by_l_d_3*t411
+        - D_p_y_2_by_l_d_3*t316 - D_p_y_2_by_l_d_3*t317 - D_p_y_2_by_l_d_3*t318 + D_p_y_2_by_l_d_3*t412
+        - D_p_z_2_by_l_d_3*t319 - D_p_z_2_by_l_d_3*t320 - D_p_z_2_by_l_d_3*t321 + D_p_z_2_by_l_d_3*t413
+        + mu_1_by_l_d_3*t352 + mu_2_by_l_d_3*t353 + mu_3_by_l_d_3*t352,
+        D_delta_x_3_by_l_d_3*t349 + D_delta_y_3_by_l_d_3*t350 + D_delta_z_3_by_l_d_3*t351
+        - D_p_x_2_by_l_d_3*t324 - D_p_x_2_by_l_d_3*t325 - D_p_x_2_by_l_d_3*t326 + D_p_x_2_by_l_d_3*t414
+        - D_p_y_2_by_l_d_3*t327 - D_p_y_2_by_l_d_3*t328 - D_p_y_2_by_l_d_3*t329 + D_p_y_2_by_l_d_3*t415
+        - D_p_z_2_by_l_d_3*t330 - D_p_z_2_by_l_d_3*t331 - D_p_z_2_by_l_d_3*t332 + D_p_z_2_by_l_d_3*t416
+        + mu_1_by_l_d_3*t354 + mu_2_by_l_d_3*t355 + mu_3_by_l_d_3*t354,
         D_p_x_2_by_l_d_3*k_C, D_p_y_2_by_l_d_3*k_C, D_p_z_2_by_l_d_3*k_C,
         2*D_p_x_3*D_p_x_3_by_l_d_3*k_C + 2*D_p_y_3*D_p_y_3_by_l_d_3*k_C + 2*D_p_z_3*D_p_z_3_by_l_d_3*k_C
-        + k_sp_3*t510*t516*w_b_3*x_3_by_l_d_3 + mu_1_by_l_d_3*t367 + mu_2_by_l_d_3*t368
-        + mu_3_by_l_d_3*t369 - t282*t587 - t283*t587 - t284*t587 - t285*t588 - t286*t588 - t287*t588
-        - t288*t589 - t289*t589 - t290*t589 - t591,
-        t593, t594,
-        D_delta_x_1_by_l_d_3*t376 + D_delta_y_1_by_l_d_3*t377 + D_delta_z_1_by_l_d_3*t378
-        - D_p_x_3_by_l_d_3*t300 - D_p_x_3_by_l_d_3*t301 - D_p_x_3_by_l_d_3*t302 + D_p_x_3_by_l_d_3*t420
-        - D_p_y_3_by_l_d_3*t303 - D_p_y_3_by_l_d_3*t304 - D_p_y_3_by_l_d_3*t305 + D_p_y_3_by_l_d_3*t421
-        - D_p_z_3_by_l_d_3*t306 - D_p_z_3_by_l_d_3*t307 - D_p_z_3_by_l_d_3*t308 + D_p_z_3_by_l_d_3*t422
-        + mu_1_by_l_d_3*t373 + mu_2_by_l_d_3*t374 + mu_3_by_l_d_3*t375,
-        D_delta_x_2_by_l_d_3*t376 + D_delta_y_2_by_l_d_3*t377 + D_delta_z_2_by_l_d_3*t378
-        - D_p_x_3_by_l_d_3*t315 - D_p_x_3_by_l_d_3*t316 - D_p_x_3_by_l_d_3*t317 + D_p_x_3_by_l_d_3*t423
-        - D_p_y_3_by_l_d_3*t318 - D_p_y_3_by_l_d_3*t319 - D_p_y_3_by_l_d_3*t320 + D_p_y_3_by_l_d_3*t424
-        - D_p_z_3_by_l_d_3*t321 - D_p_z_3_by_l_d_3*t322 - D_p_z_3_by_l_d_3*t323 + D_p_z_3_by_l_d_3*t425
-        + mu_1_by_l_d_3*t379 + mu_2_by_l_d_3*t380 + mu_3_by_l_d_3*t381,
-        D_delta_x_3_by_l_d_3*t376 + D_delta_y_3_by_l_d_3*t377 + D_delta_z_3_by_l_d_3*t378
-        - D_p_x_3_by_l_d_3*t327 - D_p_x_3_by_l_d_3*t328 - D_p_x_3_by_l_d_3*t329 + D_p_x_3_by_l_d_3*t426
-        - D_p_y_3_by_l_d_3*t330 - D_p_y_3_by_l_d_3*t331 - D_p_y_3_by_l_d_3*t332 + D_p_y_3_by_l_d_3*t427
-        - D_p_z_3_by_l_d_3*t333 - D_p_z_3_by_l_d_3*t334 - D_p_z_3_by_l_d_3*t335 + D_p_z_3_by_l_d_3*t428
-        + mu_1_by_l_d_3*t382 + mu_2_by_l_d_3*t383 + mu_3_by_l_d_3*t384,
-        t595, D_p_x_3_by_l_d_3*k_C, D_p_y_3_by_l_d_3*k_C, D_p_z_3_by_l_d_3*k_C, t230*t592, t593, -t230*t591,
-        t594,
-        D_delta_x_1_by_l_d_3*t386 + D_delta_y_1_by_l_d_3*t387 + D_delta_z_1_by_l_d_3*t388
-        + mu_1_by_l_d_3*t389 - mu_2_by_l_d_3*t385 - mu_3_by_l_d_3*t385,
-        D_delta_x_1_by_l_d_3*t391 + D_delta_x_2_by_l_d_3*t392 + D_delta_y_1_by_l_d_3*t393
-        + D_delta_y_2_by_l_d_3*t394 + D_delta_z_1_by_l_d_3*t395 + D_delta_z_2_by_l_d_3*t396
-        + mu_1_by_l_d_3*t390 + mu_2_by_l_d_3*t390 + mu_3_by_l_d_3*t390,
-        D_delta_x_1_by_l_d_3*t398 + D_delta_x_3_by_l_d_3*t392 + D_delta_y_1_by_l_d_3*t399
-        + D_delta_y_3_by_l_d_3*t394 + D_delta_z_1_by_l_d_3*t400 + D_delta_z_3_by_l_d_3*t396
-        + mu_1_by_l_d_3*t397 + mu_2_by_l_d_3*t397 + mu_3_by_l_d_3*t397,
+        + k_sp_3*t498*t504*w_b_3*x_3_by_l_d_3 + mu_1_by_l_d_3*t359 + mu_2_by_l_d_3*t359
+        + mu_3_by_l_d_3*t360 - t281*t575 - t282*t575 - t283*t575 - t284*t576 - t285*t576 - t286*t576
+        - t287*t577 - t288*t577 - t289*t577 - t579,
+        t581, t582,
+        D_delta_x_1_by_l_d_3*t366 + D_delta_y_1_by_l_d_3*t367 + D_delta_z_1_by_l_d_3*t368
+        - D_p_x_3_by_l_d_3*t299 - D_p_x_3_by_l_d_3*t300 - D_p_x_3_by_l_d_3*t301 + D_p_x_3_by_l_d_3*t408
+        - D_p_y_3_by_l_d_3*t302 - D_p_y_3_by_l_d_3*t303 - D_p_y_3_by_l_d_3*t304 + D_p_y_3_by_l_d_3*t409
+        - D_p_z_3_by_l_d_3*t305 - D_p_z_3_by_l_d_3*t306 - D_p_z_3_by_l_d_3*t307 + D_p_z_3_by_l_d_3*t410
+        + mu_1_by_l_d_3*t364 + mu_2_by_l_d_3*t364 + mu_3_by_l_d_3*t365,
+        D_delta_x_2_by_l_d_3*t366 + D_delta_y_2_by_l_d_3*t367 + D_delta_z_2_by_l_d_3*t368
+        - D_p_x_3_by_l_d_3*t313 - D_p_x_3_by_l_d_3*t314 - D_p_x_3_by_l_d_3*t315 + D_p_x_3_by_l_d_3*t411
+        - D_p_y_3_by_l_d_3*t316 - D_p_y_3_by_l_d_3*t317 - D_p_y_3_by_l_d_3*t318 + D_p_y_3_by_l_d_3*t412
+        - D_p_z_3_by_l_d_3*t319 - D_p_z_3_by_l_d_3*t320 - D_p_z_3_by_l_d_3*t321 + D_p_z_3_by_l_d_3*t413
+        + mu_1_by_l_d_3*t369 + mu_2_by_l_d_3*t369 + mu_3_by_l_d_3*t370,
+        D_delta_x_3_by_l_d_3*t366 + D_delta_y_3_by_l_d_3*t367 + D_delta_z_3_by_l_d_3*t368
+        - D_p_x_3_by_l_d_3*t324 - D_p_x_3_by_l_d_3*t325 - D_p_x_3_by_l_d_3*t326 + D_p_x_3_by_l_d_3*t414
+        - D_p_y_3_by_l_d_3*t327 - D_p_y_3_by_l_d_3*t328 - D_p_y_3_by_l_d_3*t329 + D_p_y_3_by_l_d_3*t415
+        - D_p_z_3_by_l_d_3*t330 - D_p_z_3_by_l_d_3*t331 - D_p_z_3_by_l_d_3*t332 + D_p_z_3_by_l_d_3*t416
+        + mu_1_by_l_d_3*t371 + mu_2_by_l_d_3*t371 + mu_3_by_l_d_3*t372,
+        t583, D_p_x_3_by_l_d_3*k_C, D_p_y_3_by_l_d_3*k_C, D_p_z_3_by_l_d_3*k_C, t230*t580, t581, -t230*t579,
+        t582,
+        D_delta_x_1_by_l_d_3*t374 + D_delta_y_1_by_l_d_3*t375 + D_delta_z_1_by_l_d_3*t376
+        + mu_1_by_l_d_3*t377 - mu_2_by_l_d_3*t373 - mu_3_by_l_d_3*t373,
+        D_delta_x_1_by_l_d_3*t379 + D_delta_x_2_by_l_d_3*t380 + D_delta_y_1_by_l_d_3*t381
+        + D_delta_y_2_by_l_d_3*t382 + D_delta_z_1_by_l_d_3*t383 + D_delta_z_2_by_l_d_3*t384
+        + mu_1_by_l_d_3*t378 + mu_2_by_l_d_3*t378 + mu_3_by_l_d_3*t378,
+        D_delta_x_1_by_l_d_3*t386 + D_delta_x_3_by_l_d_3*t380 + D_delta_y_1_by_l_d_3*t387
+        + D_delta_y_3_by_l_d_3*t382 + D_delta_z_1_by_l_d_3*t388 + D_delta_z_3_by_l_d_3*t384
+        + mu_1_by_l_d_3*t385 + mu_2_by_l_d_3*t385 + mu_3_by_l_d_3*t385,
         D_delta_x_1_by_l_d_3*k_C, D_delta_y_1_by_l_d_3*k_C, D_delta_z_1_by_l_d_3*k_C,
-        D_delta_x_2_by_l_d_3*t402 + D_delta_y_2_by_l_d_3*t403 + D_delta_z_2_by_l_d_3*t404
-        - mu_1_by_l_d_3*t401 + mu_2_by_l_d_3*t405 - mu_3_by_l_d_3*t401,
-        D_delta_x_2_by_l_d_3*t398 + D_delta_x_3_by_l_d_3*t391 + D_delta_y_2_by_l_d_3*t399
-        + D_delta_y_3_by_l_d_3*t393 + D_delta_z_2_by_l_d_3*t400 + D_delta_z_3_by_l_d_3*t395
-        + mu_1_by_l_d_3*t406 + mu_2_by_l_d_3*t406 + mu_3_by_l_d_3*t406,
+        D_delta_x_2_by_l_d_3*t390 + D_delta_y_2_by_l_d_3*t391 + D_delta_z_2_by_l_d_3*t392
+        - mu_1_by_l_d_3*t389 + mu_2_by_l_d_3*t393 - mu_3_by_l_d_3*t389,
+        D_delta_x_2_by_l_d_3*t386 + D_delta_x_3_by_l_d_3*t379 + D_delta_y_2_by_l_d_3*t387
+        + D_delta_y_3_by_l_d_3*t381 + D_delta_z_2_by_l_d_3*t388 + D_delta_z_3_by_l_d_3*t383
+        + mu_1_by_l_d_3*t394 + mu_2_by_l_d_3*t394 + mu_3_by_l_d_3*t394,
         D_delta_x_2_by_l_d_3*k_C, D_delta_y_2_by_l_d_3*k_C, D_delta_z_2_by_l_d_3*k_C,
-        D_delta_x_3_by_l_d_3*t408 + D_delta_y_3_by_l_d_3*t409 + D_delta_z_3_by_l_d_3*t410
-        - mu_1_by_l_d_3*t407 - mu_2_by_l_d_3*t407 + mu_3_by_l_d_3*t411,
-        D_delta_x_3_by_l_d_3*k_C, D_delta_y_3_by_l_d_3*k_C, D_delta_z_3_by_l_d_3*k_C, t595,
+        D_delta_x_3_by_l_d_3*t396 + D_delta_y_3_by_l_d_3*t397 + D_delta_z_3_by_l_d_3*t398
+        - mu_1_by_l_d_3*t395 - mu_2_by_l_d_3*t395 + mu_3_by_l_d_3*t399,
+        D_delta_x_3_by_l_d_3*k_C, D_delta_y_3_by_l_d_3*k_C, D_delta_z_3_by_l_d_3*k_C, t583,
     ))
     return M_theta_out, K_theta_out

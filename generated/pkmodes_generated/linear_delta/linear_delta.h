@@ -4,8 +4,9 @@
  *
  * Dynamics of the mechanism linear_delta, for a robot given by its parameters.
  *
- * C99, no allocation, no dependency but sqrt.  Matrices are row-major.  Everything is in SI units and in the
- * base frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
+ * C99, no allocation, no dependency but the C library's mathematics and memset.  Matrices are row-major.
+ * Everything is in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K is
+ * positive for a restoring force.
  * Generalised coordinates, in the order of M and K:
  *   x_1 [m]
  *   x_2 [m]
@@ -104,7 +105,7 @@ void linear_delta_reach_margin(const double p[3], const linear_delta_parameters 
 /* Free lengths of the belt spans.
  *
  *   in  p [m]: platform centre in the base frame
- *   out l_f [m]: free length l_f[j-1, k-1]: k = 1 between the pulleys, 2 carriage to pulley 2, 3 carriage to
+ *   out l_f [m]: free length l_f[j-1, s-1]: s = 1 between the pulleys, 2 carriage to pulley 2, 3 carriage to
  *     pulley 1
  *
  * Source: equations 35 to 37; a carriage is within its limits where its two spans are positive.
@@ -154,7 +155,7 @@ void linear_delta_platform_jacobian(const double p[3], const linear_delta_parame
  *   out D_p_dot [1/s]: d(D_p)/dt while the carriages move
  *
  * Source: equation 17.
- * 339 operations; 660699 with every named value written out.
+ * 330 operations; 660699 with every named value written out.
  */
 void linear_delta_platform_jacobian_rate(const double p[3], const double x_dot[3], const
     linear_delta_parameters *parameters, double D_p_dot[3][3]);
@@ -165,7 +166,7 @@ void linear_delta_platform_jacobian_rate(const double p[3], const double x_dot[3
  *   out P [1/m]: d2p_i/dx_k dx_l as P[i, k, l]
  *
  * Source: equation 49, by the implicit function theorem to second order.
- * 387 operations; 695493 with every named value written out.
+ * 369 operations; 695493 with every named value written out.
  */
 void linear_delta_platform_second_derivatives(const double p[3], const linear_delta_parameters *parameters,
     double P[3][3][3]);
@@ -212,7 +213,7 @@ void linear_delta_mass_matrix(const double p[3], const linear_delta_parameters *
  *   out h [N]: generalised forces on the carriages; the pulleys have none
  *
  * Source: Lagrange's equations, equation 47 without its linearisation.
- * 750 operations; 3553737 with every named value written out.
+ * 711 operations; 3553737 with every named value written out.
  */
 void linear_delta_velocity_forces(const double p[3], const double x_dot[3], const linear_delta_parameters
     *parameters, double h[3]);
@@ -244,7 +245,7 @@ void linear_delta_gravity_gradient(const double p[3], const linear_delta_paramet
  *   out H_g [N/m]: d2V_g/dx_k dx_l, symmetric
  *
  * Source: section 4 and equation 49.
- * 354 operations; 373806 with every named value written out.
+ * 345 operations; 373806 with every named value written out.
  */
 void linear_delta_gravity_hessian(const double p[3], const linear_delta_parameters *parameters, double
     H_g[3][3]);
@@ -252,7 +253,7 @@ void linear_delta_gravity_hessian(const double p[3], const linear_delta_paramete
 /* Stiffnesses of the belt spans.
  *
  *   in  p [m]: platform centre in the base frame
- *   out k [N/m]: k[j-1, k-1], the spans in the order of `belt_spans`
+ *   out k [N/m]: k[j-1, s-1], the spans in the order of `belt_spans`
  *
  * Source: equations 34 to 37.
  * 114 operations; 441 with every named value written out.
@@ -292,7 +293,7 @@ void linear_delta_elastic_gradient(const double p[3], const double delta_q[9], c
  *   out H_el [N/m, N, N m]: d2V_el/dq2, symmetric, three zero eigenvalues
  *
  * Source: equation 38 differentiated twice.
- * 153 operations; 1839 with every named value written out.
+ * 150 operations; 1839 with every named value written out.
  */
 void linear_delta_elastic_hessian(const double p[3], const linear_delta_parameters *parameters, double
     H_el[9][9]);
@@ -315,7 +316,7 @@ void linear_delta_static_equilibrium(const double p[3], const linear_delta_param
  *   out K [N/m, N, N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
  *
  * Source: equations 46 and 48: K = -H_U.
- * 423 operations; 375645 with every named value written out.
+ * 411 operations; 375645 with every named value written out.
  */
 void linear_delta_stiffness_matrix(const double p[3], const linear_delta_parameters *parameters, double
     K[9][9]);
@@ -329,7 +330,7 @@ void linear_delta_stiffness_matrix(const double p[3], const linear_delta_paramet
  *   out K [N/m, N, N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
  *
  * Source: equation 48.
- * 549 operations; 504567 with every named value written out.
+ * 537 operations; 504567 with every named value written out.
  */
 void linear_delta_modal_matrices(const double p[3], const linear_delta_parameters *parameters, double
     M[9][9], double K[9][9]);

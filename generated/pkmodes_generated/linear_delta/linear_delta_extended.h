@@ -4,8 +4,9 @@
  *
  * Dynamics of the mechanism linear_delta with effects: extended matrices and sensitivities.
  *
- * C99, no allocation, no dependency but sqrt.  Matrices are row-major.  Everything is in SI units and in the
- * base frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
+ * C99, no allocation, no dependency but the C library's mathematics and memset.  Matrices are row-major.
+ * Everything is in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K is
+ * positive for a restoring force.
  * Generalised coordinates, in the order of M and K:
  *   x_1 [m]
  *   x_2 [m]
@@ -77,7 +78,7 @@ typedef struct {
  *   out K_g [N/m, N, N m]: Hessian of the gravitational potential energy
  *
  * Source: equations 24 to 48 with the effects' energies; K = K_el + K_g and the joints' stiffnesses.
- * 1254 operations; 2335419 with every named value written out.
+ * 1236 operations; 2335419 with every named value written out.
  */
 void linear_delta_extended_extended_matrices(const double p[3], const linear_delta_parameters *parameters,
     const linear_delta_effects *effects, double M[21][21], double K_el[21][21], double K_g[21][21]);

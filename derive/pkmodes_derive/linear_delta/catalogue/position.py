@@ -89,7 +89,7 @@ def position(c: Collected) -> list[Function]:
                 (3, 3),
                 tuple(span for axis in c.machine.l_f for span in axis),
                 "m",
-                "free length l_f[j-1, k-1]: k = 1 between the pulleys, 2 carriage to pulley 2, "
+                "free length l_f[j-1, s-1]: s = 1 between the pulleys, 2 carriage to pulley 2, "
                 "3 carriage to pulley 1",
             ),
         ),

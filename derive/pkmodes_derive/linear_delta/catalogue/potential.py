@@ -47,7 +47,7 @@ def belts(c: Collected) -> list[Function]:
                 (3, 3),
                 flat(c.machine.k),
                 "N/m",
-                "k[j-1, k-1], the spans in the order of `belt_spans`",
+                "k[j-1, s-1], the spans in the order of `belt_spans`",
             ),
         ),
         c.function(

@@ -6,9 +6,9 @@ from collections.abc import Iterable
 
 from sympy import Basic, Expr, Symbol, latex
 
-from pkmodes_derive.emit.templates import render
+from pkmodes_derive.emit.templating import render
 from pkmodes_derive.functions import Function, Model, Output
-from pkmodes_derive.vocabulary import Quantity, Vocabulary
+from pkmodes_derive.vocabulary import Family, Quantity, Vocabulary
 
 
 def page(model: Model) -> str:
@@ -19,6 +19,7 @@ def page(model: Model) -> str:
     for function in model.functions:
         definitions.update({s: e for s, e in function.definitions.items() if s not in definitions})
     return render(
+        __package__,
         "derivation.md.j2",
         mechanism=model.mechanism,
         parameters=_table(q for q in model.vocabulary if q.symbol in parameters),
@@ -40,20 +41,19 @@ def _table(quantities: Iterable[Quantity]) -> list[tuple[str, str, str, str]]:
     """Rows of (name, first symbol typeset, unit, description), one for each family."""
     rows = {}
     for q in quantities:
-        name, description = q.family
-        rows.setdefault(q.family, (name, q.latex, q.unit, description))
+        rows.setdefault(q.family, (q.family.name, q.latex, q.unit, q.family.description))
     return list(rows.values())
 
 
 def _families(
     definitions: dict[Symbol, Expr], vocabulary: Vocabulary, names: dict[Symbol, str]
 ) -> list[tuple[str, str, str, list[str]]]:
-    groups: dict[tuple[str, str], tuple[str, list[str]]] = {}
+    groups: dict[Family, list[str]] = {}
     for symbol, expression in definitions.items():
         quantity = vocabulary[symbol]
-        _, equations = groups.setdefault(quantity.family, (quantity.unit, []))
+        equations = groups.setdefault(quantity.family, [])
         equations.append(f"{quantity.latex} = {_typeset(expression, names)}")
-    return [(name, unit, description, lines) for (name, description), (unit, lines) in groups.items()]
+    return [(f.name, f.unit, f.description, lines) for f, lines in groups.items()]
 
 
 def _results(function: Function, names: dict[Symbol, str]) -> list[tuple[str, str, str, list[str]]]:
