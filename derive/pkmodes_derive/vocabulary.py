@@ -72,7 +72,10 @@ class Quantity:
 
     def typeset(self, index: Mapping[str, object]) -> str:
         """The LaTeX form with other values of the indices, or with letters."""
-        return self.template.format(**index) if self.index else self.latex
+        if not self.index:
+            return self.latex
+        braced = {letter: f"{{{v}}}" if len(str(v)) > 1 else v for letter, v in index.items()}
+        return self.template.format(**braced)
 
 
 @dataclass(frozen=True)

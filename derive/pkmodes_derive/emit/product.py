@@ -65,8 +65,8 @@ def parametric(mechanism: str) -> dict[str, str]:
         generator=_generator(),
         command=REGENERATE,
     )
-    texts, programs = _texts(model, provenance)
-    extended_texts, extended_programs = _texts(
+    texts, programs = write(model, provenance)
+    extended_texts, extended_programs = write(
         derive_extended(mechanism),
         replace(
             provenance,
@@ -124,13 +124,13 @@ def specialised(specification: Specification) -> dict[str, str]:
             for field in model.fields
         ),
     )
-    texts, programs = _texts(specialise(model, values), provenance)
+    texts, programs = write(specialise(model, values), provenance)
     texts[manifest.FILE_NAME] = manifest.text(name, specification.mechanism, specification, texts, programs)
     return texts
 
 
-def _texts(model: Model, provenance: Provenance) -> tuple[dict[str, str], dict[str, Program]]:
-    """The files of a model in every language, and the programs that they all print."""
+def write(model: Model, provenance: Provenance) -> tuple[dict[str, str], dict[str, Program]]:
+    """Write a model in every language: the texts by file name, and the programs that they all print."""
     programs = {function.name: arrange(function) for function in model.functions}
     texts = [backend.files(model, programs, provenance) for backend in BACKENDS]
     return {name: text for files in texts for name, text in files.items()}, programs

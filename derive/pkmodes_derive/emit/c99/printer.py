@@ -6,6 +6,7 @@ The operations and their order are those of the NumPy code.  Small integer power
 from __future__ import annotations
 
 from math import pi
+from typing import ClassVar
 
 from sympy import Expr, Float, Pow, Rational
 from sympy.printing.c import C99CodePrinter
@@ -13,12 +14,13 @@ from sympy.printing.precedence import PRECEDENCE
 
 HALF = Rational(1, 2)
 LARGEST_PRODUCT = 4
-#: C99 has no names of constants: ``M_PI`` is POSIX.
-SETTINGS = {"strict": True, "math_macros": {}}
 
 
 class C99Printer(C99CodePrinter):  # type: ignore[misc]  # SymPy has no types
     """C99 expressions of type double; an unknown function is refused."""
+
+    #: C99 has no names of constants: ``M_PI`` is POSIX.
+    math_macros: ClassVar[dict[Expr, str]] = {}
 
     def _print_Float(self, expr: Float) -> str:
         return repr(float(expr))
@@ -47,5 +49,5 @@ def expression(value: Expr) -> str:
     PrintMethodNotImplementedError
         If it holds a function that C99 does not have.
     """
-    text: str = C99Printer(SETTINGS).doprint(value)
+    text: str = C99Printer({"strict": True}).doprint(value)
     return text
