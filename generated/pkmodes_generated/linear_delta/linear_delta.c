@@ -46,8 +46,8 @@
 #include <math.h>
 #include <string.h>
 
-void linear_delta_inverse_kinematics(const double p[3], const linear_delta_parameters *parameters, double
-    x[3])
+void linear_delta_inverse_kinematics(const double p[3], const linear_delta_parameters *parameters,
+    double x[3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -117,8 +117,8 @@ void linear_delta_inverse_kinematics(const double p[3], const linear_delta_param
     x[2] = x_3;
 }
 
-void linear_delta_direct_kinematics(const double x[3], double assembly, const linear_delta_parameters
-    *parameters, double p[3])
+void linear_delta_direct_kinematics(const double x[3], double assembly,
+    const linear_delta_parameters *parameters, double p[3])
 {
     const double x_1 = x[0];
     const double x_2 = x[1];
@@ -190,8 +190,8 @@ void linear_delta_direct_kinematics(const double x[3], double assembly, const li
     p[2] = S_1_z + nu_z*t4 + q_z;
 }
 
-void linear_delta_reach_margin(const double p[3], const linear_delta_parameters *parameters, double
-    margin[3])
+void linear_delta_reach_margin(const double p[3], const linear_delta_parameters *parameters,
+    double margin[3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -352,8 +352,8 @@ void linear_delta_belt_spans(const double p[3], const linear_delta_parameters *p
     l_f[2][2] = l_f_3_3;
 }
 
-void linear_delta_constraint_jacobians(const double p[3], const linear_delta_parameters *parameters, double
-    D_l[3][3], double D_r[3][3])
+void linear_delta_constraint_jacobians(const double p[3], const linear_delta_parameters *parameters,
+    double D_l[3][3], double D_r[3][3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -445,8 +445,8 @@ void linear_delta_constraint_jacobians(const double p[3], const linear_delta_par
     D_r[2][2] = D_r_3;
 }
 
-void linear_delta_jacobian_condition(const double p[3], const linear_delta_parameters *parameters, double
-    *determinant, double *condition)
+void linear_delta_jacobian_condition(const double p[3], const linear_delta_parameters *parameters,
+    double *determinant, double *condition)
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -539,8 +539,8 @@ void linear_delta_jacobian_condition(const double p[3], const linear_delta_param
         + (A_z_2*A_z_2)*t1 + (A_z_3*A_z_3)*t1);
 }
 
-void linear_delta_platform_jacobian(const double p[3], const linear_delta_parameters *parameters, double
-    D_p[3][3])
+void linear_delta_platform_jacobian(const double p[3], const linear_delta_parameters *parameters,
+    double D_p[3][3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -651,8 +651,8 @@ void linear_delta_platform_jacobian(const double p[3], const linear_delta_parame
     D_p[2][2] = D_p_z_3;
 }
 
-void linear_delta_platform_jacobian_rate(const double p[3], const double x_dot[3], const
-    linear_delta_parameters *parameters, double D_p_dot[3][3])
+void linear_delta_platform_jacobian_rate(const double p[3], const double x_dot[3],
+    const linear_delta_parameters *parameters, double D_p_dot[3][3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -980,8 +980,8 @@ void linear_delta_platform_second_derivatives(const double p[3], const linear_de
     P[2][2][2] = P_z_33;
 }
 
-void linear_delta_link_jacobians(const double p[3], const linear_delta_parameters *parameters, double
-    D_d[3][3][3], double D_omega[3][3][3])
+void linear_delta_link_jacobians(const double p[3], const linear_delta_parameters *parameters,
+    double D_d[3][3][3], double D_omega[3][3][3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -1161,8 +1161,8 @@ void linear_delta_link_jacobians(const double p[3], const linear_delta_parameter
     D_omega[2][2][2] = t19*(-U_3_x_3*s_3_y + U_3_y_3*s_3_x);
 }
 
-void linear_delta_kinetic_energy(const double p[3], const double q_dot[9], const linear_delta_parameters
-    *parameters, double *T_ss, double *T_t)
+void linear_delta_kinetic_energy(const double p[3], const double q_dot[9],
+    const linear_delta_parameters *parameters, double *T_ss, double *T_t)
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -1495,8 +1495,8 @@ void linear_delta_mass_matrix(const double p[3], const linear_delta_parameters *
     M[8][8] = I_3_2;
 }
 
-void linear_delta_velocity_forces(const double p[3], const double x_dot[3], const linear_delta_parameters
-    *parameters, double h[3])
+void linear_delta_velocity_forces(const double p[3], const double x_dot[3],
+    const linear_delta_parameters *parameters, double h[3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -1738,8 +1738,8 @@ void linear_delta_velocity_forces(const double p[3], const double x_dot[3], cons
         + P_z_33*t41);
 }
 
-void linear_delta_gravity_potential(const double p[3], const linear_delta_parameters *parameters, double
-    *V_g)
+void linear_delta_gravity_potential(const double p[3], const linear_delta_parameters *parameters,
+    double *V_g)
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -1961,8 +1961,8 @@ void linear_delta_gravity_gradient(const double p[3], const linear_delta_paramet
         - g_z*(m_t_3*n_3_z + n_3_z*t7);
 }
 
-void linear_delta_gravity_hessian(const double p[3], const linear_delta_parameters *parameters, double
-    H_g[3][3])
+void linear_delta_gravity_hessian(const double p[3], const linear_delta_parameters *parameters,
+    double H_g[3][3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -2124,8 +2124,8 @@ void linear_delta_gravity_hessian(const double p[3], const linear_delta_paramete
         - mu_1*t26 - mu_2*t24 - mu_2*t25 - mu_2*t26;
 }
 
-void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameters *parameters, double
-    k[3][3])
+void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameters *parameters,
+    double k[3][3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -2240,8 +2240,8 @@ void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameter
     k[2][2] = k_3_3;
 }
 
-void linear_delta_elastic_potential(const double p[3], const double delta_q[9], const linear_delta_parameters
-    *parameters, double *V_el)
+void linear_delta_elastic_potential(const double p[3], const double delta_q[9],
+    const linear_delta_parameters *parameters, double *V_el)
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -2371,8 +2371,8 @@ void linear_delta_elastic_potential(const double p[3], const double delta_q[9], 
         - t7)*(delta_x_3 - t7)) + (1.0/2.0)*k_3_3*((-delta_x_3 + t10)*(-delta_x_3 + t10));
 }
 
-void linear_delta_elastic_gradient(const double p[3], const double delta_q[9], const linear_delta_parameters
-    *parameters, double E[9])
+void linear_delta_elastic_gradient(const double p[3], const double delta_q[9],
+    const linear_delta_parameters *parameters, double E[9])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -2511,8 +2511,8 @@ void linear_delta_elastic_gradient(const double p[3], const double delta_q[9], c
     E[8] = -R_p_3*k_3_2*(delta_x_3 - t14) + t18;
 }
 
-void linear_delta_elastic_hessian(const double p[3], const linear_delta_parameters *parameters, double
-    H_el[9][9])
+void linear_delta_elastic_hessian(const double p[3], const linear_delta_parameters *parameters,
+    double H_el[9][9])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -2646,8 +2646,8 @@ void linear_delta_elastic_hessian(const double p[3], const linear_delta_paramete
     H_el[8][8] = k_3_2*t11 + t12;
 }
 
-void linear_delta_static_equilibrium(const double p[3], const linear_delta_parameters *parameters, double
-    tau_st[3], double theta_st[6])
+void linear_delta_static_equilibrium(const double p[3], const linear_delta_parameters *parameters,
+    double tau_st[3], double theta_st[6])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -2868,8 +2868,8 @@ void linear_delta_static_equilibrium(const double p[3], const linear_delta_param
     theta_st[5] = theta_3_2_st;
 }
 
-void linear_delta_stiffness_matrix(const double p[3], const linear_delta_parameters *parameters, double
-    K[9][9])
+void linear_delta_stiffness_matrix(const double p[3], const linear_delta_parameters *parameters,
+    double K[9][9])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -3095,8 +3095,8 @@ void linear_delta_stiffness_matrix(const double p[3], const linear_delta_paramet
     K[8][8] = k_3_2*t37 + t38;
 }
 
-void linear_delta_modal_matrices(const double p[3], const linear_delta_parameters *parameters, double
-    M[9][9], double K[9][9])
+void linear_delta_modal_matrices(const double p[3], const linear_delta_parameters *parameters,
+    double M[9][9], double K[9][9])
 {
     const double p_x = p[0];
     const double p_y = p[1];

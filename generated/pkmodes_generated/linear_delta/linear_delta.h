@@ -74,8 +74,8 @@ typedef struct {
  * Source: equations 1 to 3: rail j meets the sphere of radius l_d around platform joint j.
  * 84 operations; 201 with every named value written out.
  */
-void linear_delta_inverse_kinematics(const double p[3], const linear_delta_parameters *parameters, double
-    x[3]);
+void linear_delta_inverse_kinematics(const double p[3], const linear_delta_parameters *parameters,
+    double x[3]);
 
 /* Platform centre for given carriage positions.
  *
@@ -88,8 +88,8 @@ void linear_delta_inverse_kinematics(const double p[3], const linear_delta_param
  * Source: equation 3: intersection of three spheres.
  * 123 operations; 4398 with every named value written out.
  */
-void linear_delta_direct_kinematics(const double x[3], double assembly, const linear_delta_parameters
-    *parameters, double p[3]);
+void linear_delta_direct_kinematics(const double x[3], double assembly,
+    const linear_delta_parameters *parameters, double p[3]);
 
 /* How much farther each platform joint could be from its rail.
  *
@@ -99,8 +99,8 @@ void linear_delta_direct_kinematics(const double x[3], double assembly, const li
  * Source: closure of equation 2: a pose is reachable where every margin is at least zero.
  * 75 operations; 159 with every named value written out.
  */
-void linear_delta_reach_margin(const double p[3], const linear_delta_parameters *parameters, double
-    margin[3]);
+void linear_delta_reach_margin(const double p[3], const linear_delta_parameters *parameters,
+    double margin[3]);
 
 /* Free lengths of the belt spans.
  *
@@ -122,8 +122,8 @@ void linear_delta_belt_spans(const double p[3], const linear_delta_parameters *p
  * Source: equations 14 and 15.
  * 117 operations; 1293 with every named value written out.
  */
-void linear_delta_constraint_jacobians(const double p[3], const linear_delta_parameters *parameters, double
-    D_l[3][3], double D_r[3][3]);
+void linear_delta_constraint_jacobians(const double p[3], const linear_delta_parameters *parameters,
+    double D_l[3][3], double D_r[3][3]);
 
 /* Assembly branch and condition number of D_l in the Frobenius norm.
  *
@@ -134,8 +134,8 @@ void linear_delta_constraint_jacobians(const double p[3], const linear_delta_par
  * Source: equation 15; |D_l| |D_l^-1|, between once and three times the condition number in the 2-norm.
  * 184 operations; 14069 with every named value written out.
  */
-void linear_delta_jacobian_condition(const double p[3], const linear_delta_parameters *parameters, double
-    *determinant, double *condition);
+void linear_delta_jacobian_condition(const double p[3], const linear_delta_parameters *parameters,
+    double *determinant, double *condition);
 
 /* Platform Jacobian D_p = D_l^-1 D_r.
  *
@@ -145,8 +145,8 @@ void linear_delta_jacobian_condition(const double p[3], const linear_delta_param
  * Source: equation 15.
  * 162 operations; 14274 with every named value written out.
  */
-void linear_delta_platform_jacobian(const double p[3], const linear_delta_parameters *parameters, double
-    D_p[3][3]);
+void linear_delta_platform_jacobian(const double p[3], const linear_delta_parameters *parameters,
+    double D_p[3][3]);
 
 /* Time derivative of the platform Jacobian.
  *
@@ -157,8 +157,8 @@ void linear_delta_platform_jacobian(const double p[3], const linear_delta_parame
  * Source: equation 17.
  * 330 operations; 660699 with every named value written out.
  */
-void linear_delta_platform_jacobian_rate(const double p[3], const double x_dot[3], const
-    linear_delta_parameters *parameters, double D_p_dot[3][3]);
+void linear_delta_platform_jacobian_rate(const double p[3], const double x_dot[3],
+    const linear_delta_parameters *parameters, double D_p_dot[3][3]);
 
 /* Second derivatives of the platform centre by the carriage positions.
  *
@@ -180,8 +180,8 @@ void linear_delta_platform_second_derivatives(const double p[3], const linear_de
  * Source: equations 16 and 23; the angular velocity without spin about the rod, which carries no energy.
  * 309 operations; 132498 with every named value written out.
  */
-void linear_delta_link_jacobians(const double p[3], const linear_delta_parameters *parameters, double
-    D_d[3][3][3], double D_omega[3][3][3]);
+void linear_delta_link_jacobians(const double p[3], const linear_delta_parameters *parameters,
+    double D_d[3][3][3], double D_omega[3][3][3]);
 
 /* Kinetic energies of the structure and of the transmissions.
  *
@@ -193,8 +193,8 @@ void linear_delta_link_jacobians(const double p[3], const linear_delta_parameter
  * Source: equations 24 and 28.
  * 275 operations; 28717 with every named value written out.
  */
-void linear_delta_kinetic_energy(const double p[3], const double q_dot[9], const linear_delta_parameters
-    *parameters, double *T_ss, double *T_t);
+void linear_delta_kinetic_energy(const double p[3], const double q_dot[9],
+    const linear_delta_parameters *parameters, double *T_ss, double *T_t);
 
 /* Mass matrix M in the nine generalised coordinates.
  *
@@ -215,8 +215,8 @@ void linear_delta_mass_matrix(const double p[3], const linear_delta_parameters *
  * Source: Lagrange's equations, equation 47 without its linearisation.
  * 711 operations; 3553737 with every named value written out.
  */
-void linear_delta_velocity_forces(const double p[3], const double x_dot[3], const linear_delta_parameters
-    *parameters, double h[3]);
+void linear_delta_velocity_forces(const double p[3], const double x_dot[3],
+    const linear_delta_parameters *parameters, double h[3]);
 
 /* Gravitational potential energy V_g, the force function U_g with opposite sign.
  *
@@ -226,8 +226,8 @@ void linear_delta_velocity_forces(const double p[3], const double x_dot[3], cons
  * Source: equation 26, for gravity in any direction; the carriages' weight included.
  * 195 operations; 1368 with every named value written out.
  */
-void linear_delta_gravity_potential(const double p[3], const linear_delta_parameters *parameters, double
-    *V_g);
+void linear_delta_gravity_potential(const double p[3], const linear_delta_parameters *parameters,
+    double *V_g);
 
 /* Gradient of the gravitational potential energy by the carriage positions.
  *
@@ -247,8 +247,8 @@ void linear_delta_gravity_gradient(const double p[3], const linear_delta_paramet
  * Source: section 4 and equation 49.
  * 345 operations; 373806 with every named value written out.
  */
-void linear_delta_gravity_hessian(const double p[3], const linear_delta_parameters *parameters, double
-    H_g[3][3]);
+void linear_delta_gravity_hessian(const double p[3], const linear_delta_parameters *parameters,
+    double H_g[3][3]);
 
 /* Stiffnesses of the belt spans.
  *
@@ -258,8 +258,8 @@ void linear_delta_gravity_hessian(const double p[3], const linear_delta_paramete
  * Source: equations 34 to 37.
  * 114 operations; 441 with every named value written out.
  */
-void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameters *parameters, double
-    k[3][3]);
+void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameters *parameters,
+    double k[3][3]);
 
 /* Elastic potential energy V_el of the belts, the force function U_el with opposite sign.
  *
@@ -271,8 +271,8 @@ void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameter
  * Source: equation 38, summed over the axes.
  * 164 operations; 497 with every named value written out.
  */
-void linear_delta_elastic_potential(const double p[3], const double delta_q[9], const linear_delta_parameters
-    *parameters, double *V_el);
+void linear_delta_elastic_potential(const double p[3], const double delta_q[9],
+    const linear_delta_parameters *parameters, double *V_el);
 
 /* Gradient of the elastic potential energy.
  *
@@ -284,8 +284,8 @@ void linear_delta_elastic_potential(const double p[3], const double delta_q[9], 
  * Source: equation 38 differentiated.
  * 192 operations; 981 with every named value written out.
  */
-void linear_delta_elastic_gradient(const double p[3], const double delta_q[9], const linear_delta_parameters
-    *parameters, double E[9]);
+void linear_delta_elastic_gradient(const double p[3], const double delta_q[9],
+    const linear_delta_parameters *parameters, double E[9]);
 
 /* Hessian of the elastic potential energy.
  *
@@ -295,8 +295,8 @@ void linear_delta_elastic_gradient(const double p[3], const double delta_q[9], c
  * Source: equation 38 differentiated twice.
  * 150 operations; 1839 with every named value written out.
  */
-void linear_delta_elastic_hessian(const double p[3], const linear_delta_parameters *parameters, double
-    H_el[9][9]);
+void linear_delta_elastic_hessian(const double p[3], const linear_delta_parameters *parameters,
+    double H_el[9][9]);
 
 /* Torques and pulley rotations that hold the pose.
  *
@@ -307,8 +307,8 @@ void linear_delta_elastic_hessian(const double p[3], const linear_delta_paramete
  * Source: equation 44, solved for the carriages fixed at the pose.
  * 363 operations; 125757 with every named value written out.
  */
-void linear_delta_static_equilibrium(const double p[3], const linear_delta_parameters *parameters, double
-    tau_st[3], double theta_st[6]);
+void linear_delta_static_equilibrium(const double p[3], const linear_delta_parameters *parameters,
+    double tau_st[3], double theta_st[6]);
 
 /* Stiffness matrix K in the nine generalised coordinates.
  *
@@ -318,8 +318,8 @@ void linear_delta_static_equilibrium(const double p[3], const linear_delta_param
  * Source: equations 46 and 48: K = -H_U.
  * 411 operations; 375645 with every named value written out.
  */
-void linear_delta_stiffness_matrix(const double p[3], const linear_delta_parameters *parameters, double
-    K[9][9]);
+void linear_delta_stiffness_matrix(const double p[3], const linear_delta_parameters *parameters,
+    double K[9][9]);
 
 /* Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.
  *
@@ -332,8 +332,8 @@ void linear_delta_stiffness_matrix(const double p[3], const linear_delta_paramet
  * Source: equation 48.
  * 537 operations; 504567 with every named value written out.
  */
-void linear_delta_modal_matrices(const double p[3], const linear_delta_parameters *parameters, double
-    M[9][9], double K[9][9]);
+void linear_delta_modal_matrices(const double p[3], const linear_delta_parameters *parameters,
+    double M[9][9], double K[9][9]);
 
 /* Room for the two belt spans of each carriage, whatever the pose.
  *

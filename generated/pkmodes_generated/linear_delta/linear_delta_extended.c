@@ -642,8 +642,8 @@ void linear_delta_extended_extended_matrices(const double p[3], const linear_del
         - mu_3*t118 + mu_3;
 }
 
-void linear_delta_extended_extended_platform_motion(const double p[3], const linear_delta_parameters
-    *parameters, double J_p[3][21])
+void linear_delta_extended_extended_platform_motion(const double p[3],
+    const linear_delta_parameters *parameters, double J_p[3][21])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -782,8 +782,8 @@ void linear_delta_extended_extended_platform_motion(const double p[3], const lin
     J_p[2][20] = 1;
 }
 
-void linear_delta_extended_joint_stiffness(const linear_delta_effects *effects, double kappa[12], double
-    kappa_c[12])
+void linear_delta_extended_joint_stiffness(const linear_delta_effects *effects, double kappa[12],
+    double kappa_c[12])
 {
     const double c_G = effects->gearbox_compliance_compliance;
     const double c_L = effects->link_compliance_compliance;
@@ -823,8 +823,9 @@ void linear_delta_extended_joint_stiffness(const linear_delta_effects *effects, 
     kappa_c[11] = t8;
 }
 
-void linear_delta_extended_extended_static_equilibrium(const double p[3], const linear_delta_parameters
-    *parameters, const linear_delta_effects *effects, double tau_st[3], double theta_st[6])
+void linear_delta_extended_extended_static_equilibrium(const double p[3],
+    const linear_delta_parameters *parameters, const linear_delta_effects *effects, double tau_st[3],
+    double theta_st[6])
 {
     const double p_x = p[0];
     const double p_y = p[1];

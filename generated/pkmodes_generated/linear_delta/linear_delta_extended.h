@@ -91,8 +91,8 @@ void linear_delta_extended_extended_matrices(const double p[3], const linear_del
  * Source: equation 15, with what released joints and the frame add.
  * 177 operations; 26586 with every named value written out.
  */
-void linear_delta_extended_extended_platform_motion(const double p[3], const linear_delta_parameters
-    *parameters, double J_p[3][21]);
+void linear_delta_extended_extended_platform_motion(const double p[3],
+    const linear_delta_parameters *parameters, double J_p[3][21]);
 
 /* Stiffnesses of the released joints, to be added to the diagonal of K.
  *
@@ -104,8 +104,8 @@ void linear_delta_extended_extended_platform_motion(const double p[3], const lin
  * Source: energy q^2 / (2 c) of each joint.
  * 16 operations; 48 with every named value written out.
  */
-void linear_delta_extended_joint_stiffness(const linear_delta_effects *effects, double kappa[12], double
-    kappa_c[12]);
+void linear_delta_extended_joint_stiffness(const linear_delta_effects *effects, double kappa[12],
+    double kappa_c[12]);
 
 /* Torques and pulley rotations that hold the pose, the effects' weights and belts included.
  *
@@ -116,8 +116,9 @@ void linear_delta_extended_joint_stiffness(const linear_delta_effects *effects, 
  * Source: equation 44; springs that effects add are relaxed at the pose, and the released joints hold.
  * 382 operations; 127761 with every named value written out.
  */
-void linear_delta_extended_extended_static_equilibrium(const double p[3], const linear_delta_parameters
-    *parameters, const linear_delta_effects *effects, double tau_st[3], double theta_st[6]);
+void linear_delta_extended_extended_static_equilibrium(const double p[3],
+    const linear_delta_parameters *parameters, const linear_delta_effects *effects, double tau_st[3],
+    double theta_st[6]);
 
 #ifdef __cplusplus
 }

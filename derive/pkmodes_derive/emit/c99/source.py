@@ -12,6 +12,9 @@ from pkmodes_derive.emit.provenance import Provenance
 from pkmodes_derive.emit.templating import render
 from pkmodes_derive.functions import FieldGroup, Function, Model, Output
 
+#: A blank at which no line is broken.
+UNBROKEN = "\N{NO-BREAK SPACE}"
+
 
 @dataclass(frozen=True)
 class _Block:
@@ -88,7 +91,10 @@ def _function(
         f"double {o.name}{_brackets(o.shape)}" if o.shape else f"double *{o.name}" for o in function.outputs
     ]
     head = f"void {prefix}_{function.name}("
-    prototype = layout.prose(", ".join(arguments) + ")", "    ", first=head, room=len(";"))
+    # A line ends between arguments, not within one.
+    text = ", ".join(argument.replace(" ", UNBROKEN) for argument in arguments) + ")"
+    lines = layout.prose(text, "    ", first=head, room=len(";"))
+    prototype = [line.replace(UNBROKEN, " ") for line in lines]
     return _Block(_comment(function, program), prototype, _body(function, program, used))
 
 
