@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from pkmodes_derive.emit.latex.families import Families, Formula, Member, grouped
 from pkmodes_derive.functions import Function, Model, Output
-from pkmodes_derive.vocabulary import Quantity, Vocabulary
+from pkmodes_derive.vocabulary import AXES, Quantity, Vocabulary
 
 #: Indices of the entries of an array where nothing names them better.
 LETTERS = ("k", "l", "m")
@@ -68,8 +68,9 @@ def _equations(
         for index, entry in zip(output.indices, output.entries, strict=True)
         if entry != 0 and not (symmetric and index[-2] > index[-1])
     ]
-    # A dimension that counts the generalised coordinates is labelled by them, any other by numbers.
-    labelled = [extent == len(labels) and extent > len(letters) for extent in output.shape]
+    # A dimension that counts the generalised coordinates is labelled by them, any other by numbers; three are also
+    # the components of a vector.
+    labelled = [extent == len(labels) != len(AXES) for extent in output.shape]
     dimensions = [
         _Dimension(letter, labels if by_coordinate else None, "'" * sum(labelled[:d]))
         for d, (letter, by_coordinate) in enumerate(zip(letters, labelled, strict=False))
