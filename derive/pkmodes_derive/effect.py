@@ -132,7 +132,7 @@ class Effect:
         parameters = [
             p.at(place) for p in self.parameters for place in (numbers if "{j}" in p.name else numbers[:1])
         ]
-        places = ()
+        places: tuple[str, ...] = ()
         if self.released:
             places = tuple(map(str, parts)) if self.released.letter == "i" else tuple(numbers)
         return replace(self, parameters=tuple(parameters), places=places)
@@ -140,9 +140,10 @@ class Effect:
     def data(self) -> EffectData:
         """What the runtime has to know of it."""
         coordinates = []
-        for place in self.places if self.released else ():
-            name, text = (t.format(i=place, j=place) for t in (self.released.name, self.released.description))
-            coordinates.append(Named(name, self.released.unit, text))
+        if (q := self.released) is not None:
+            for place in self.places:
+                name, text = (t.format(i=place, j=place) for t in (q.name, q.description))
+                coordinates.append(Named(name, q.unit, text))
         return EffectData(
             self.name,
             self.sentence,

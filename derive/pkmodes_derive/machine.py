@@ -19,6 +19,16 @@ from pkmodes_derive.parts import Arm, Belt, Clamp, Drive, Form, Link, PointMass,
 from pkmodes_derive.tables import Tables
 from pkmodes_derive.vocabulary import AXES, Field, Vocabulary
 
+#: What the letters of indices count.
+LETTERS = {
+    "j": "axis or belt j",
+    "k": "pulley k, or coordinate k of a derivative",
+    "l": "coordinate l of a second derivative",
+    "s": "belt span s",
+    "i": "component i = x, y, z",
+    "r": "rows r of a minor",
+    "c": "columns c of a minor",
+}
 SMALL = "small displacement from the reference configuration: "
 
 
@@ -96,7 +106,7 @@ class Machine:
 
     def __init__(self, name: str, title: str, directions: Sequence[str] = AXES) -> None:
         self.name, self.title, self.directions = name, title, tuple(directions)
-        self.vocabulary = Vocabulary()
+        self.vocabulary = Vocabulary(LETTERS)
         self.tables, self.chain = Tables(self.vocabulary), Chain()
         self.inverse: dict[Symbol, Expr] = {}
         self.gravity: tuple[Symbol, ...] = ()
@@ -350,7 +360,9 @@ class Machine:
 
     def _release(self, effect: Effect) -> tuple[Coordinate, ...]:
         q, found = effect.released, []
-        for place in effect.places if q else ():
+        if q is None:
+            return ()
+        for place in effect.places:
             index, latex = {q.letter: place}, q.latex
             stem = latex.removesuffix(f"_{{{q.letter}}}")
             rate = rf"\dot{{{{{stem}}}}}_{{{q.letter}}}"

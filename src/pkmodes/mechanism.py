@@ -156,14 +156,13 @@ class Requirement:
 
 @dataclass(frozen=True)
 class EffectParameter:
-    """A parameter of an effect: 0 for none, as where it may be left out; otherwise above its bound, if any."""
+    """A parameter of an effect: 0 for none, otherwise above its bound, if there is one."""
 
     name: str
     unit: str
     description: str
     greater_than: float | None
     fitted: bool
-    optional: bool
 
 
 @dataclass(frozen=True)

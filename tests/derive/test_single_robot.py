@@ -89,7 +89,7 @@ def test_the_interface_is_that_of_a_robot_without_effects(effects: tuple[str, ..
     model, module, texts = sample(NAMES[0], effects)
     condensed = "clamp_compliance" in effects and "belt_mass" not in effects
     own = {"platform_motion"} | ({"condensation", "uncondensed_matrices"} if condensed else set())
-    assert len(functions(plain)) == 23
+    assert len(functions(plain)) == 24
     assert functions(module) == functions(plain) | own
     assert prototypes(plain_texts) == functions(plain)
     assert prototypes(texts) == functions(module)

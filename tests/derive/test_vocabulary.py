@@ -51,6 +51,32 @@ def test_incomplete_or_repeated_declarations_are_refused() -> None:
             vocabulary.declare(name, unit, description, latex)
 
 
+def test_an_index_has_a_letter_that_its_name_does_not_have() -> None:
+    vocabulary = Vocabulary()
+    with pytest.raises(ValueError, match="other letters"):
+        vocabulary.declare("k_{j}_{k}", "N/m", "stiffness of span {k} of belt {j}", "k_{{{j}{k}}}", j=1, k=2)
+    vocabulary.declare("k_{j}_{s}", "N/m", "stiffness of span {s} of belt {j}", "k_{{{j}{s}}}", j=1, s=2)
+
+
+def test_derivatives_by_parameters_are_one_family() -> None:
+    vocabulary = Vocabulary()
+    x, m = vocabulary.declare("x", "m", "a length", "x"), vocabulary.declare("m", "kg", "a mass", "m")
+    pairs = [vocabulary[vocabulary.derivative(of, by)] for of, by in ((x, m), (m, x))]
+    assert [q.symbol.name for q in pairs] == ["x_by_m", "m_by_x"]
+    assert [q.unit for q in pairs] == ["(m)/(kg)", "(kg)/(m)"]
+    assert len({q.family for q in pairs}) == 1
+
+
+def test_quantities_are_typeset_with_any_values_or_letters() -> None:
+    vocabulary = Vocabulary()
+    _, quantity = (
+        vocabulary[s] for s in vocabulary.vectors_per_axis("n", "1", "direction {j}", "n_{j}")[1][:2]
+    )
+    assert quantity.latex == quantity.typeset(quantity.index) == "(n_2)_y"
+    assert quantity.typeset({"j": "j", "i": "i"}) == "(n_j)_i"
+    assert quantity.typeset({"j": "j'", "i": "x"}) == "(n_{j'})_x"
+
+
 @cache
 def unit(text: str) -> pint.Unit:
     return UNITS.Unit("dimensionless" if text == "1" else text.replace(" ", "*"))

@@ -148,7 +148,7 @@ def test_another_sympy_version_is_found(copy: Path, capsys: pytest.CaptureFixtur
     assert "another SymPy version: generated with 1.12, installed is 1." in out
 
 
-@pytest.mark.parametrize("source", ["chain.py", "emit/templates/module.py.j2"])
+@pytest.mark.parametrize("source", ["chain.py", "emit/numpy/module.py.j2"])
 def test_a_changed_derivation_or_template_is_found(
     copy: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, source: str
 ) -> None:

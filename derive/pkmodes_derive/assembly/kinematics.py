@@ -213,9 +213,9 @@ def _second_derivatives(
                 machine.define(names[j], forcing[j])
             solution = solver.solve(names)
             for i, axis in enumerate(machine.directions):
-                what, place = f"second derivative of p_{{i}} {by}", {"i": axis, "k": k + 1, "l": m + 1}
+                what, place = f"second derivative of p_{{i}} {by}", {"k": k + 1, "l": m + 1}
                 name = v.declare(
-                    "P_{i}_{k}{l}", _unit(machine, k, "1/m", "m"), what, "(P_{i})_{{{k}{l}}}", **place
+                    "P_{i}_{k}{l}", _unit(machine, k, "1/m", "m"), what, "(P_{i})_{{{k}{l}}}", i=axis, **place
                 )
                 P[i][k, m] = P[i][m, k] = machine.define(name, solution[i])
                 chain.rule(D_p[i, k], q[m], name)

@@ -4,8 +4,9 @@
  *
  * Dynamics of the mechanism corexy, for a robot given by its parameters.
  *
- * C99, no allocation, no dependency but sqrt.  Matrices are row-major.  Everything is in SI units and in the
- * base frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
+ * C99, no allocation, no dependency but the C library's mathematics and memset.  Matrices are row-major.
+ * Everything is in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K is
+ * positive for a restoring force.
  * Generalised coordinates, in the order of M and K:
  *   x [m]
  *   y [m]
@@ -87,7 +88,7 @@ void corexy_crossing_margin(const corexy_parameters *parameters, double margin[1
 /* Free lengths of the belt spans.
  *
  *   in  p [m]: tool head in the base frame
- *   out l_f [m]: free length l_f[j-1, k-1] of span k of belt j
+ *   out l_f [m]: free length l_f[j-1, s-1] of span s of belt j
  *
  * Source: equations 35 to 37; a pose is within the limits where all are positive.
  * 10 operations; 16 with every named value written out.
@@ -133,7 +134,7 @@ void corexy_platform_second_derivatives(const double p[2], double P[2][2][2]);
  *   out T_t [J]: rotors and motors
  *
  * Source: equations 24 and 28.
- * 23 operations; 24 with every named value written out.
+ * 22 operations; 24 with every named value written out.
  */
 void corexy_kinetic_energy(const double p[2], const double q_dot[4], const corexy_parameters *parameters,
     double *T_ss, double *T_t);
@@ -192,7 +193,7 @@ void corexy_gravity_hessian(const double p[2], double H_g[2][2]);
 /* Stiffnesses of the belt spans.
  *
  *   in  p [m]: tool head in the base frame
- *   out k [N/m]: k[j-1, k-1], the spans in the order of `belt_spans`
+ *   out k [N/m]: k[j-1, s-1], the spans in the order of `belt_spans`
  *
  * Source: equations 34 to 37.
  * 16 operations; 24 with every named value written out.
@@ -209,8 +210,8 @@ void corexy_belt_stiffness(const double p[2], const corexy_parameters *parameter
  * Source: equation 38, summed.
  * 37 operations; 59 with every named value written out.
  */
-void corexy_elastic_potential(const double p[2], const double delta_q[4], const corexy_parameters
-    *parameters, double *V_el);
+void corexy_elastic_potential(const double p[2], const double delta_q[4],
+    const corexy_parameters *parameters, double *V_el);
 
 /* Gradient of the elastic potential energy.
  *
@@ -268,8 +269,8 @@ void corexy_stiffness_matrix(const double p[2], const corexy_parameters *paramet
  * Source: equation 48.
  * 74 operations; 317 with every named value written out.
  */
-void corexy_modal_matrices(const double p[2], const corexy_parameters *parameters, double M[4][4], double
-    K[4][4]);
+void corexy_modal_matrices(const double p[2], const corexy_parameters *parameters, double M[4][4],
+    double K[4][4]);
 
 #ifdef __cplusplus
 }

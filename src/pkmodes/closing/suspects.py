@@ -176,7 +176,11 @@ def _effects(robot: Robot) -> dict[str, Candidate]:
     found = {}
     for effect in robot.kind.effects.values():
         names = [f"{EFFECTS}{effect.name}.{p.name}" for p in effect.fitted]
-        if all(robot.quantities[name].sigma is None for name in _declared_parameters(robot, effect)):
+        known = {**robot.constants, **robot.effects}
+        # What is multiplied by a constant that is not there, such as a tension, has no effect.
+        absent = [p for p in effect.parameters if not (p.fitted or known.get(f"{effect.name}.{p.name}"))]
+        suspected = all(robot.quantities[n].sigma is None for n in _declared_parameters(robot, effect))
+        if suspected and not absent:
             found[effect.name] = Candidate(effect.name, tuple(names), effect.sentence)
     return found
 

@@ -244,13 +244,13 @@ def declare(m: Machine) -> None:
     m.sample = SAMPLE
 
 
-def _span(m: Machine, j: int, k: int) -> tuple[Symbol, Symbol]:
+def _span(m: Machine, j: int, s: int) -> tuple[Symbol, Symbol]:
     """Names of the free length and of the stiffness of a belt span."""
-    of = "span {k} of belt {j} (1 between the pulleys, 2 from carriage to pulley 2, 3 from carriage to pulley 1)"
+    of = "span {s} of belt {j} (1 between the pulleys, 2 from carriage to pulley 2, 3 from carriage to pulley 1)"
     declare = m.vocabulary.declare
     return (
-        declare("l_f_{j}_{k}", "m", f"free length of {of}", "l_{{f,{j},{k}}}", j=j, k=k),
-        declare("k_{j}_{k}", "N/m", f"stiffness of {of}", "k_{{{j},{k}}}", j=j, k=k),
+        declare("l_f_{j}_{s}", "m", f"free length of {of}", "l_{{f,{j},{s}}}", j=j, s=s),
+        declare("k_{j}_{s}", "N/m", f"stiffness of {of}", "k_{{{j},{s}}}", j=j, s=s),
     )
 
 
