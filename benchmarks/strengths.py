@@ -22,7 +22,7 @@ from pathlib import Path
 import numpy as np
 
 from pkmodes.closing import loop
-from pkmodes.closing.structure import CHANNELS
+from pkmodes.closing.structure import channels as channels_of
 from pkmodes.diagnosis.diagnose import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
@@ -64,6 +64,7 @@ SIGMA, MODES = 0.002, 6
 PLANS = ("grid", "scattered", "line")
 SEED = 20_221_107
 SHAPES = SENSORS
+CHANNELS = channels_of(mechanism("linear_delta"))
 
 
 @dataclass(frozen=True)
@@ -104,7 +105,7 @@ class Truth:
 NO_WEIGHT = 1e6
 
 
-def measurements(text: str, channels: Sequence[str] = CHANNELS) -> Measurements:
+def measurements(text: str, channels: Sequence[str] = tuple(CHANNELS)) -> Measurements:
     """Read the text of a CSV file."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "modes.csv"

@@ -37,7 +37,7 @@ class Exact(NamedTuple):
 
 def exact_modes(parameters: Parameters, effects: Mapping[str, float], p: np.ndarray) -> Exact:
     """Modes of a robot at a pose: the generated M and K, and the stiffness 1/c of every joint without rounding."""
-    system = SystemOfEffects(parameters, effects)
+    system = SystemOfEffects(mechanism("linear_delta"), parameters, effects)
     joints_free = extended.extended_matrices(p, parameters, system.effects)
     M, K_el, K_g = (a[np.ix_(system.free, system.free)] for a in joints_free)
     K = mp.matrix(K_el.tolist()) + mp.matrix(K_g.tolist())

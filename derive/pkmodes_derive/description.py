@@ -139,8 +139,8 @@ class Margin:
     meaning : str
         What a pose without it is, in a few words.
     sentence : str
-        The same with ``{0}``, ``{1}`` for the names of the place of the smallest margin and ``{missing}`` or
-        ``{value}`` for its size.
+        The same with ``{0}``, ``{1}`` for the names of the place of the smallest margin, and ``{missing}``, what it
+        lacks, ``{short}``, how a length that lacks it is ("0.01 m too short", "of no length"), or ``{value}``.
     remedy : str
     names : tuple of tuple of str
         For each axis of the result, what its places are called.
@@ -156,6 +156,24 @@ class Margin:
     remedy: str
     names: tuple[tuple[str, ...], ...] = ()
     unit: str = "m"
+
+
+@dataclass(frozen=True)
+class Scale:
+    """What a component of a shape is divided by where shapes are shown to a person.
+
+    Attributes
+    ----------
+    coordinate : str
+    field, index : str and tuple of int
+        The number of the generated `Parameters`.
+    symbol : str
+    """
+
+    coordinate: str
+    field: str
+    index: tuple[int, ...]
+    symbol: str
 
 
 @dataclass(frozen=True)
@@ -214,6 +232,10 @@ class Description:
     requirements : tuple of Requirement
     sample : mapping
         Parameters of a robot without any symmetry, by field: what checks evaluate.
+    scales : tuple of Scale
+        For coordinates of another unit than most.
+    differences : tuple of (str, str)
+        A field that enters only by its difference from another one, and that one, which has the sensitivities.
     """
 
     mechanism: str
@@ -231,6 +253,8 @@ class Description:
     margins: tuple[Margin, ...]
     requirements: tuple[Requirement, ...] = ()
     sample: Mapping[str, object] = field(default_factory=dict)
+    scales: tuple[Scale, ...] = ()
+    differences: tuple[tuple[str, str], ...] = ()
 
 
 def as_data(description: Description, effects: tuple[Effect, ...]) -> dict[str, object]:

@@ -7,7 +7,7 @@ Everything that differs between mechanisms comes from here: the description that
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache, cached_property
 from importlib import import_module
 from importlib.resources import files
@@ -114,7 +114,7 @@ class Margin:
     rule : str
         ``at_least_zero``, ``above_zero``, or ``at_most_limit`` of a condition number.
     sentence : str
-        With ``{0}``, ``{1}`` for the names of the place of the smallest, and ``{missing}`` or ``{value}``.
+        With ``{0}``, ``{1}`` for the names of the place of the smallest, ``{missing}``, ``{short}`` and ``{value}``.
     remedy : str
     names : tuple of tuple of str
         What the places of each axis of the result are called.
@@ -130,6 +130,16 @@ class Margin:
     remedy: str
     names: tuple[tuple[str, ...], ...]
     unit: str
+
+
+@dataclass(frozen=True)
+class Scale:
+    """What a coordinate's component of a shape is divided by where a person sees it, and its symbol."""
+
+    coordinate: str
+    field: str
+    index: tuple[int, ...]
+    symbol: str
 
 
 @dataclass(frozen=True)
@@ -213,6 +223,10 @@ class Mechanism:
         Parameters of a robot without any symmetry.
     package : str
         That has the generated functions.
+    scales : tuple of Scale
+        For coordinates of another unit than most.
+    differences : mapping of str to str
+        Fields that enter only by their difference from another one, which has the sensitivities.
     """
 
     name: str
@@ -232,6 +246,8 @@ class Mechanism:
     effects: dict[str, Effect]
     sample: dict[str, Any]
     package: str
+    scales: tuple[Scale, ...] = ()
+    differences: dict[str, str] = field(default_factory=dict)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _read, (self.package,)
@@ -329,6 +345,8 @@ def _described(data: dict[str, Any], package: str) -> Mechanism:
         effects={effect.name: effect for effect in effects},
         sample=data["sample"],
         package=package,
+        scales=tuple(Scale(**_tuples(s)) for s in data["scales"]),
+        differences=dict(data["differences"]),
     )
 
 

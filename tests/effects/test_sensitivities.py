@@ -112,7 +112,7 @@ def case(name: str) -> Case:
 
 
 def system_of(robot: Robot) -> SystemOfEffects:
-    return SystemOfEffects(robot.parameters, robot.effects)
+    return SystemOfEffects.of(robot)
 
 
 def assert_matrices(case: Case, i: int, t: slice, expected: Rates, relative: float, rounding: Array) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pkmodes_derive.description import Description, Key, Margin, Named, Requirement, Table, Whole
+from pkmodes_derive.description import Description, Key, Margin, Named, Requirement, Scale, Table, Whole
 
 XYZ = ("x", "y", "z")
 THREE = ("1", "2", "3")
@@ -193,7 +193,7 @@ def margins() -> tuple[Margin, ...]:
             0,
             "above_zero",
             "a carriage is beyond its limits: a belt span would not be positive",
-            "carriage {0} is beyond its limits: the belt span {1} would be {missing}",
+            "carriage {0} is beyond its limits: the belt span {1} would be {short}",
             "choose a pose within the travel of the carriages, or check limits and carriage length",
             (
                 THREE,
@@ -272,4 +272,6 @@ def describe(coordinates: tuple[tuple[str, str, str], ...], rigid_modes: int) ->
         margins=margins(),
         requirements=requirements(),
         sample=sample(),
+        scales=tuple(Scale(f"x_{j + 1}", "pulley_radius", (j,), "R_p") for j in range(3)),
+        differences=(("origin", "joint"),),
     )

@@ -55,7 +55,7 @@ def suspects(
     if chosen is None:
         candidates += _of_one_entry(robot)
     candidates += _with_another_constant(robot, candidates)
-    of_frame, frames = frame.suspects()
+    of_frame, frames = frame.suspects(robot.kind)
     of_robot = [name for candidate in candidates if candidate not in frames for name in candidate.parameters]
     names = dict.fromkeys([*nuisances, *of_robot])
     joints = _joints(robot) if candidates else {}
@@ -75,7 +75,7 @@ def _chosen(robot: Robot, chosen: Sequence[str] | None) -> list[Candidate]:
     kinds = {
         "effects": _effects(robot),
         "parameters": _suspected(robot),
-        "measurement": {candidate.name: candidate for candidate in frame.suspects()[1]},
+        "measurement": {candidate.name: candidate for candidate in frame.suspects(robot.kind)[1]},
     }
     every = {name: candidate for kind in kinds.values() for name, candidate in kind.items()}
     if chosen is None:
