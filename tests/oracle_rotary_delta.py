@@ -93,9 +93,7 @@ class Loops:
         platform = self.pose
         for _ in range(30):
             links = [combine(combine(platform, 1, self.joint[j]), -1, ends[j]) for j in AXES]
-            excess = [
-                (dot(links[j], links[j]) - (self.link_length[j] + longer[j]) ** 2) / 2 for j in AXES
-            ]
+            excess = [(dot(links[j], links[j]) - (self.link_length[j] + longer[j]) ** 2) / 2 for j in AXES]
             move = solve_three(links, excess)
             platform = combine(platform, -1, move)
             if max(map(abs, move)) < CONVERGED:

@@ -146,7 +146,9 @@ def _corexy(rng: np.random.Generator) -> Sample:
     other = rng.choice([-1.0, 1.0]) * first * [1.0, -1.0]
     lengths = rng.uniform(0.7, 1.1, (2, 2))
     robot = robot._replace(
-        gravity=9.81 * _unit(rng.normal(size=3)), belt_path_direction=np.array([first, other]), belt_path_lengths=lengths
+        gravity=9.81 * _unit(rng.normal(size=3)),
+        belt_path_direction=np.array([first, other]),
+        belt_path_lengths=lengths,
     )
     low, high = robot.workspace.T
     return Sample(robot, low + (high - low) * rng.uniform(0.1, 0.9, 2))

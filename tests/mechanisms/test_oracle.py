@@ -164,9 +164,10 @@ def test_samples_show_every_choice() -> None:
     assert {np.sign(robot.pose[2]) for robot in deltas} == {-1.0, 1.0}
     for j in range(3):
         assert {robot.parameters.branch[j] for robot in deltas} == {-1.0, 1.0}
-    assert {
-        np.sign(model("rotary_delta").jacobian_condition(r.pose, r.parameters)[0]) for r in deltas
-    } == {-1.0, 1.0}
+    assert {np.sign(model("rotary_delta").jacobian_condition(r.pose, r.parameters)[0]) for r in deltas} == {
+        -1.0,
+        1.0,
+    }
     for i in range(2):
         assert len({tuple(robot.parameters.belt_path_direction[i]) for robot in machines}) > 1
     for robot in machines:

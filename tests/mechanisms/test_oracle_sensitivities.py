@@ -33,7 +33,9 @@ def found(name: str, label: str) -> list[tuple[np.ndarray, np.ndarray]]:
     robot, generated, chosen = sample(name, SEED), extended(name), effects(name, (label,))
     by_value = generated.value_sensitivities(robot.pose, robot.parameters, chosen)
     everything = (robot.pose, robot.parameters, chosen)
-    by_geometry = generated.geometry_sensitivities(*everything[: 3 if generated.GEOMETRY_SENSITIVITIES else 1])
+    by_geometry = generated.geometry_sensitivities(
+        *everything[: 3 if generated.GEOMETRY_SENSITIVITIES else 1]
+    )
     result = []
     for entries, parameters in (
         (by_value, generated.VALUE_SENSITIVITIES),
@@ -59,12 +61,12 @@ def matrices(it: HighPrecision) -> tuple[np.ndarray, np.ndarray]:
 def expected(name: str, label: str, field: str, index: tuple[int, ...]) -> list[np.ndarray]:
     """Central differences of the oracle: exact to some 20 digits."""
     robot = sample(name, SEED)
-    values, active = (
-        exact_values(group._asdict()) for group in (robot.parameters, effects(name, (label,)))
-    )
+    values, active = (exact_values(group._asdict()) for group in (robot.parameters, effects(name, (label,))))
     sides = []
     for step in (STEP, -STEP):
-        moved = [shifted(group, field, index, step) if field in group else group for group in (values, active)]
+        moved = [
+            shifted(group, field, index, step) if field in group else group for group in (values, active)
+        ]
         sides.append(matrices(ORACLES[name](*moved, robot.pose)))
     return [((ahead - behind) / (2 * STEP)).astype(float) for ahead, behind in zip(*sides, strict=True)]
 
@@ -95,12 +97,15 @@ def test_every_number_of_the_parameters_is_listed_once(name: str, label: str) ->
     numbers = {(f, i) for f, v in robot.parameters._asdict().items() for i in np.ndindex(np.shape(v))}
     numbers |= {(field, ()) for field in chosen._fields}
     left = {f for f, _ in numbers - {tuple(entry[:2]) for entry in listed(name)}}
-    assert left == {
-        "rotary_delta": {"origin", "axis", "zero", "branch"}
-        | {"link_compliance_compliance", "frame_compliance_compliance"},
-        "corexy": {"belt_path_direction"}
-        | {f"{joint}_compliance_compliance" for joint in ("gearbox", "clamp", "frame")},
-    }[name]
+    assert (
+        left
+        == {
+            "rotary_delta": {"origin", "axis", "zero", "branch"}
+            | {"link_compliance_compliance", "frame_compliance_compliance"},
+            "corexy": {"belt_path_direction"}
+            | {f"{joint}_compliance_compliance" for joint in ("gearbox", "clamp", "frame")},
+        }[name]
+    )
     assert len(listed(name)) == len({tuple(entry[:2]) for entry in listed(name)})
 
 

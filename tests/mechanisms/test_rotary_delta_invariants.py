@@ -124,7 +124,9 @@ def test_modes_at_the_centre_come_in_pairs() -> None:
     gaps, size = np.diff(values[3:]), values[-1]
     assert (gaps < SAME * size).sum() == 1
     assert (gaps > 1e-3 * size).sum() == 1
-    assert (np.diff(values[:3]) < SAME * size).sum() >= 1  # rigid ones: gravity alone, some 1e-5 of the largest
+    assert (
+        np.diff(values[:3]) < SAME * size
+    ).sum() >= 1  # rigid ones: gravity alone, some 1e-5 of the largest
     assert (np.diff(eigenvalues(clavel(ASIDE))[3:]) > 1e-3 * size).all()
 
 
