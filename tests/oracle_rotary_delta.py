@@ -73,8 +73,8 @@ class Loops:
         joint = combine(self.pose, 1, self.joint[j])
         for _ in range(30):
             link = combine(joint, -1, self.arm(j, theta, self.arm_length[j]))
-            moved = [c for c in self.ray(j, theta + mp.pi / 2)]
-            slope = -2 * self.arm_length[j] * dot(link, moved)
+            ahead = self.ray(j, theta + mp.pi / 2)
+            slope = -2 * self.arm_length[j] * dot(link, ahead)
             step = (dot(link, link) - self.link_length[j] ** 2) / slope
             theta -= step
             if abs(step) < CONVERGED:

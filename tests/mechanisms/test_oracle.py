@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from coordinate_blocks import kinds, worst
 from high_precision_mechanisms import Reference
 from sample_mechanisms import (
     NAMES,
@@ -40,32 +41,6 @@ def condition(name: str, seed: int) -> float:
     return float(model(name).jacobian_condition(robot.pose, robot.parameters)[1])
 
 
-def blocks(name: str) -> list[np.ndarray]:
-    """Indices of coordinates of one kind: by their names without the number or direction."""
-    kinds: dict[str, list[int]] = {}
-    for i, coordinate in enumerate(extended(name).COORDINATES):
-        kinds.setdefault(coordinate.rsplit("_", 1)[0] if "_" in coordinate else "pose", []).append(i)
-    return [np.array(indices) for indices in kinds.values()]
-
-
-def worst(found: np.ndarray, expected: np.ndarray, kinds: list[np.ndarray]) -> float:
-    """Largest error of any block, relative to the largest entry of the block; a block of zeros is exactly so.
-
-    Block by block, because units differ, and gravity's part must not hide behind the springs'.
-    """
-    assert found.shape == expected.shape
-    errors = [0.0]
-    for rows in kinds:
-        for columns in kinds:
-            a, b = found[np.ix_(rows, columns)], expected[np.ix_(rows, columns)]
-            size = np.abs(b).max()
-            if size < 1e-18:  # differences of 60 digits leave 1e-24 of a zero
-                assert not a.any()
-            else:
-                errors.append(float(np.abs(a - b).max() / size))
-    return max(errors)
-
-
 CHOICES = [
     (name, label)
     for name in NAMES
@@ -84,11 +59,11 @@ def test_extended_model_agrees_with_the_oracle(name: str, label: str, seed: int)
     robot, chosen = sample(name, seed), effects(name, chosen_effects(label))
     expected: Reference = reference(name, seed, chosen)
     generated, tolerance = extended(name), ROUNDING * condition(name, seed)
-    kinds = blocks(name)
+    blocks = kinds(generated.COORDINATES)
     M, K_el, K_g = generated.extended_matrices(robot.pose, robot.parameters, chosen)
-    assert worst(M, expected.M, kinds) < tolerance
-    assert worst(K_el, expected.K_el, kinds) < tolerance
-    assert worst(K_g, expected.K_g, kinds) < tolerance
+    assert worst(M, expected.M, blocks) < tolerance
+    assert worst(K_el, expected.K_el, blocks) < tolerance
+    assert worst(K_g, expected.K_g, blocks) < tolerance
     for matrix in (M, K_el, K_g):
         np.testing.assert_array_equal(matrix, matrix.T)
 
@@ -108,14 +83,14 @@ def test_base_model_agrees_with_the_oracle(name: str, seed: int) -> None:
     robot, generated = sample(name, seed), model(name)
     expected, tolerance = reference(name, seed, effects(name)), ROUNDING * condition(name, seed)
     n = len(generated.COORDINATES)
-    kinds = [k for k in blocks(name) if k.max() < n]
+    blocks = kinds(generated.COORDINATES)
     M, K = (matrix[:n, :n] for matrix in (expected.M, expected.K_el + expected.K_g))
     given = robot.pose, robot.parameters
-    assert worst(generated.mass_matrix(*given), M, kinds) < tolerance
-    assert worst(generated.stiffness_matrix(*given), K, kinds) < tolerance
-    assert worst(generated.elastic_hessian(*given), expected.K_el[:n, :n], kinds) < tolerance
+    assert worst(generated.mass_matrix(*given), M, blocks) < tolerance
+    assert worst(generated.stiffness_matrix(*given), K, blocks) < tolerance
+    assert worst(generated.elastic_hessian(*given), expected.K_el[:n, :n], blocks) < tolerance
     for found, other in zip(generated.modal_matrices(*given), (M, K), strict=True):
-        assert worst(found, other, kinds) < tolerance
+        assert worst(found, other, blocks) < tolerance
     for found, other in zip(
         generated.static_equilibrium(*given), (expected.torques, expected.displacements), strict=True
     ):
@@ -142,7 +117,8 @@ def test_released_joints_are_springs_of_their_compliance(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_names_are_those_of_the_contract(name: str) -> None:
-    assert extended(name).COORDINATES == oracle(name, sample(name, 0), effects(name)).coordinates
+    expected = oracle(name, sample(name, 0), effects(name)).coordinates
+    assert expected == extended(name).COORDINATES
     applying = {
         "rotary_delta": {
             *("payload", "gearbox_inertia", "servo_stiffness", "cable_stiffness"),

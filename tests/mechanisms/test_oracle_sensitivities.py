@@ -11,8 +11,9 @@ from functools import cache
 import numpy as np
 import pytest
 
+from coordinate_blocks import kinds, worst
 from high_precision_mechanisms import STEP, HighPrecision, exact_values, shifted
-from sample_mechanisms import NAMES, ORACLES, description, effects, extended, sample
+from sample_mechanisms import NAMES, ORACLES, effects, extended, sample
 
 #: A generated derivative has some hundred terms behind one more solution with the loops' matrix than M and K, whose
 #: condition numbers are 7 to 11 here; relative to the largest entry of a block of coordinates.
@@ -71,28 +72,9 @@ def expected(name: str, label: str, field: str, index: tuple[int, ...]) -> list[
     return [((ahead - behind) / (2 * STEP)).astype(float) for ahead, behind in zip(*sides, strict=True)]
 
 
-def worst(name: str, one: np.ndarray, other: np.ndarray) -> float:
-    """Largest error relative to the largest entry of its block: base, drives and each kind of released joint."""
-    base = [c["name"] for c in description(name)["coordinates"]]
-    kinds = [len(description(name)["independent"]), len(base)]
-    released = extended(name).COORDINATES[len(base) :]
-    starts = [len(base) + i for i, c in enumerate(released) if c.endswith(("_1", "_x"))]
-    edges = [0, *kinds, *starts[1:], len(base) + len(released)]
-    errors = []
-    for top, bottom in zip(edges, edges[1:], strict=False):
-        for left, right in zip(edges, edges[1:], strict=False):
-            a, b = one[top:bottom, left:right], other[top:bottom, left:right]
-            size = np.abs(b).max()
-            if size < 1e-16:  # of entries of 1e3 at most, differences of 60 digits leave 1e-20
-                assert not a.any()
-            else:
-                errors.append(float(np.abs(a - b).max() / size))
-    return max(errors, default=0.0)
-
-
 @pytest.mark.parametrize(("name", "label"), CHOICES)
 def test_every_number_of_the_parameters_is_listed_once(name: str, label: str) -> None:
-    """But directions and branches, which are not fitted, the compliances of joints, and the opposite of the joints."""
+    """But directions and branches, which are not fitted, the joints' compliances, and origins (see below)."""
     robot, chosen = sample(name, SEED), effects(name, (label,))
     numbers = {(f, i) for f, v in robot.parameters._asdict().items() for i in np.ndindex(np.shape(v))}
     numbers |= {(field, ()) for field in chosen._fields}
@@ -116,7 +98,7 @@ def test_derivative_agrees_with_differences_of_the_oracle(name: str, label: str,
     field, index, *_ = listed(name)[k]
     pairs = zip(found(name, label)[k], expected(name, label, field, index), strict=True)
     for one, other in pairs:
-        assert worst(name, one, other) < ROUNDING, (field, index)
+        assert worst(one, other, kinds(extended(name).COORDINATES)) < ROUNDING, (field, index)
 
 
 @pytest.mark.parametrize("index", list(np.ndindex(3, 3)))
@@ -124,4 +106,4 @@ def test_an_origin_counts_as_its_joint_with_opposite_sign(index: tuple[int, ...]
     name, label = "rotary_delta", ""
     k = [tuple(entry[:2]) for entry in listed(name)].index(("joint", index))
     for one, other in zip(found(name, label)[k], expected(name, label, "origin", index), strict=True):
-        assert worst(name, -one, other) < ROUNDING
+        assert worst(-one, other, kinds(extended(name).COORDINATES)) < ROUNDING

@@ -219,8 +219,9 @@ def test_gravity_hessian_of_orthogonal_links_is_that_of_pendulums(seed: int) -> 
     """Arm k moves the platform by L_k theta_k across the other links, and each link j then holds it back.
 
     Along base axis j that is by -(L_k theta_k)^2 / (2 s_j l_j), with s_j = 1 where the platform is ahead of the end
-    of arm j, and -1 where it is behind.  The platform and half of each link go with it.  The end of arm k itself moves by -L_k theta_k^2 / 2 along the arm, with half of its
-    link, and its centre of mass in proportion; the platform does not feel this, because the arm is across its link.
+    of arm j, and -1 where it is behind.  The platform and half of each link go with it.  The end of arm k itself
+    moves by -L_k theta_k^2 / 2 along the arm, with half of its link, and its centre of mass in proportion; the
+    platform does not feel this, because the arm is across its link.
     """
     rng = np.random.default_rng(seed)
     gravity = rng.normal(size=3)
