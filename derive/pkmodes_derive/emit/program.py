@@ -63,10 +63,14 @@ class Program:
     operations_written_out: int
     operations: int
 
-    def groups(self, groups: Sequence[FieldGroup]) -> list[FieldGroup]:
-        """Those groups of parameters that the program takes: what it needs."""
+    def groups(self, function: Function, groups: Sequence[FieldGroup]) -> list[FieldGroup]:
+        """Those groups of parameters that the program takes: what it needs.
+
+        A function of the pose takes the robot's parameters in every mechanism, needed or not.
+        """
         inputs = set(self.inputs)
-        return [g for g in groups if any(inputs & set(field.symbols) for field in g.fields)]
+        always = groups[:1] if function.arguments else ()
+        return [g for g in groups if g in always or any(inputs & set(field.symbols) for field in g.fields)]
 
 
 def arrange(function: Function) -> Program:

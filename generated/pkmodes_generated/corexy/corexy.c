@@ -21,10 +21,11 @@
 #include <math.h>
 #include <string.h>
 
-void corexy_inverse_kinematics(const double p[2], double xy[2])
+void corexy_inverse_kinematics(const double p[2], const corexy_parameters *parameters, double xy[2])
 {
     const double x = p[0];
     const double y = p[1];
+    (void)parameters;
     xy[0] = x;
     xy[1] = y;
 }
@@ -104,24 +105,29 @@ void corexy_belt_spans(const double p[2], const corexy_parameters *parameters, d
     l_f[1][1] = l_f_2_2;
 }
 
-void corexy_platform_jacobian(const double p[2], double D_p[2][2])
+void corexy_platform_jacobian(const double p[2], const corexy_parameters *parameters, double D_p[2][2])
 {
     (void)p;
+    (void)parameters;
     memset(D_p, 0, sizeof(double[2][2]));
     D_p[0][0] = 1;
     D_p[1][1] = 1;
 }
 
-void corexy_platform_jacobian_rate(const double p[2], const double xy_dot[2], double D_p_dot[2][2])
+void corexy_platform_jacobian_rate(const double p[2], const double xy_dot[2],
+    const corexy_parameters *parameters, double D_p_dot[2][2])
 {
     (void)p;
     (void)xy_dot;
+    (void)parameters;
     memset(D_p_dot, 0, sizeof(double[2][2]));
 }
 
-void corexy_platform_second_derivatives(const double p[2], double P[2][2][2])
+void corexy_platform_second_derivatives(const double p[2], const corexy_parameters *parameters,
+    double P[2][2][2])
 {
     (void)p;
+    (void)parameters;
     memset(P, 0, sizeof(double[2][2][2]));
 }
 
@@ -168,10 +174,12 @@ void corexy_mass_matrix(const double p[2], const corexy_parameters *parameters, 
     M[3][3] = I_2;
 }
 
-void corexy_velocity_forces(const double p[2], const double xy_dot[2], double h[2])
+void corexy_velocity_forces(const double p[2], const double xy_dot[2], const corexy_parameters *parameters,
+    double h[2])
 {
     (void)p;
     (void)xy_dot;
+    (void)parameters;
     memset(h, 0, sizeof(double[2]));
 }
 
@@ -197,9 +205,10 @@ void corexy_gravity_gradient(const double p[2], const corexy_parameters *paramet
     G[1] = -g_y*(m_g + m_h);
 }
 
-void corexy_gravity_hessian(const double p[2], double H_g[2][2])
+void corexy_gravity_hessian(const double p[2], const corexy_parameters *parameters, double H_g[2][2])
 {
     (void)p;
+    (void)parameters;
     memset(H_g, 0, sizeof(double[2][2]));
 }
 

@@ -55,7 +55,7 @@ typedef struct {
  * Source: they are the pose.
  * 0 operations; 0 with every named value written out.
  */
-void corexy_inverse_kinematics(const double p[2], double xy[2]);
+void corexy_inverse_kinematics(const double p[2], const corexy_parameters *parameters, double xy[2]);
 
 /* How far the tool head is from the ends of its travel.
  *
@@ -103,7 +103,7 @@ void corexy_belt_spans(const double p[2], const corexy_parameters *parameters, d
  * Source: equation 15.
  * 0 operations; 0 with every named value written out.
  */
-void corexy_platform_jacobian(const double p[2], double D_p[2][2]);
+void corexy_platform_jacobian(const double p[2], const corexy_parameters *parameters, double D_p[2][2]);
 
 /* Time derivative of the platform Jacobian.
  *
@@ -114,7 +114,8 @@ void corexy_platform_jacobian(const double p[2], double D_p[2][2]);
  * Source: equation 17.
  * 0 operations; 0 with every named value written out.
  */
-void corexy_platform_jacobian_rate(const double p[2], const double xy_dot[2], double D_p_dot[2][2]);
+void corexy_platform_jacobian_rate(const double p[2], const double xy_dot[2],
+    const corexy_parameters *parameters, double D_p_dot[2][2]);
 
 /* Second derivatives of the platform with respect to the positions.
  *
@@ -124,7 +125,8 @@ void corexy_platform_jacobian_rate(const double p[2], const double xy_dot[2], do
  * Source: equation 49, by the implicit function theorem to second order.
  * 0 operations; 0 with every named value written out.
  */
-void corexy_platform_second_derivatives(const double p[2], double P[2][2][2]);
+void corexy_platform_second_derivatives(const double p[2], const corexy_parameters *parameters,
+    double P[2][2][2]);
 
 /* Kinetic energies of the structure and of the transmissions.
  *
@@ -158,7 +160,8 @@ void corexy_mass_matrix(const double p[2], const corexy_parameters *parameters, 
  * Source: Lagrange's equations, equation 47 without its linearisation.
  * 0 operations; 0 with every named value written out.
  */
-void corexy_velocity_forces(const double p[2], const double xy_dot[2], double h[2]);
+void corexy_velocity_forces(const double p[2], const double xy_dot[2], const corexy_parameters *parameters,
+    double h[2]);
 
 /* Gravitational potential energy V_g, the force function U_g with opposite sign.
  *
@@ -188,7 +191,7 @@ void corexy_gravity_gradient(const double p[2], const corexy_parameters *paramet
  * Source: section 4 and equation 49.
  * 0 operations; 0 with every named value written out.
  */
-void corexy_gravity_hessian(const double p[2], double H_g[2][2]);
+void corexy_gravity_hessian(const double p[2], const corexy_parameters *parameters, double H_g[2][2]);
 
 /* Stiffnesses of the belt spans.
  *

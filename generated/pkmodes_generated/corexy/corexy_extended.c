@@ -165,9 +165,11 @@ void corexy_extended_extended_matrices(const double p[2], const corexy_parameter
     memset(K_g, 0, sizeof(double[10][10]));
 }
 
-void corexy_extended_extended_platform_motion(const double p[2], double J_p[2][10])
+void corexy_extended_extended_platform_motion(const double p[2], const corexy_parameters *parameters,
+    double J_p[2][10])
 {
     (void)p;
+    (void)parameters;
     memset(J_p, 0, sizeof(double[2][10]));
     J_p[0][0] = 1;
     J_p[0][8] = 1;

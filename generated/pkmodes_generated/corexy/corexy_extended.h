@@ -80,7 +80,8 @@ void corexy_extended_extended_matrices(const double p[2], const corexy_parameter
  * Source: equation 15, with what released joints and the frame add.
  * 0 operations; 0 with every named value written out.
  */
-void corexy_extended_extended_platform_motion(const double p[2], double J_p[2][10]);
+void corexy_extended_extended_platform_motion(const double p[2], const corexy_parameters *parameters,
+    double J_p[2][10]);
 
 /* Stiffnesses of the released joints, to be added to the diagonal of K.
  *

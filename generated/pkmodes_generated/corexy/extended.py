@@ -400,13 +400,15 @@ def extended_matrices(p, parameters, effects):
     return M_out, K_el_out, K_g_out
 
 
-def extended_platform_motion(p):
+def extended_platform_motion(p, parameters):
     """Absolute motion of the platform centre by the coordinates.
 
     Parameters
     ----------
     p : array, shape (..., 2) [m]
         Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
 
     Returns
     -------
@@ -860,7 +862,7 @@ def value_sensitivities(p, parameters, effects):
     return M_theta_out, K_theta_out
 
 
-def geometry_sensitivities(p):
+def geometry_sensitivities(p, parameters):
     """Derivatives of M and K by every parameter that moves the positions, at a fixed pose.
 
     The entries of the upper triangles that GEOMETRY_SENSITIVITIES lists, all others being zero.
@@ -869,6 +871,8 @@ def geometry_sensitivities(p):
     ----------
     p : array, shape (..., 2) [m]
         Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
 
     Returns
     -------

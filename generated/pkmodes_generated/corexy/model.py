@@ -133,13 +133,15 @@ def _batch(*arrays):
     return np.broadcast_shapes(*map(np.shape, arrays)), np.result_type(float, *arrays)
 
 
-def inverse_kinematics(p):
+def inverse_kinematics(p, parameters):
     """Positions at a pose.
 
     Parameters
     ----------
     p : array, shape (..., 2) [m]
         Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
 
     Returns
     -------
@@ -291,13 +293,15 @@ def belt_spans(p, parameters):
     return l_f_out
 
 
-def platform_jacobian(p):
+def platform_jacobian(p, parameters):
     """Platform Jacobian D_p.
 
     Parameters
     ----------
     p : array, shape (..., 2) [m]
         Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
 
     Returns
     -------
@@ -317,7 +321,7 @@ def platform_jacobian(p):
     return D_p_out
 
 
-def platform_jacobian_rate(p, xy_dot):
+def platform_jacobian_rate(p, xy_dot, parameters):
     """Time derivative of the platform Jacobian.
 
     Parameters
@@ -326,6 +330,8 @@ def platform_jacobian_rate(p, xy_dot):
         Tool head in the base frame.
     xy_dot : array, shape (..., 2) [m/s]
         Velocities.
+    parameters : Parameters
+        The robot's parameters.
 
     Returns
     -------
@@ -344,13 +350,15 @@ def platform_jacobian_rate(p, xy_dot):
     return D_p_dot_out
 
 
-def platform_second_derivatives(p):
+def platform_second_derivatives(p, parameters):
     """Second derivatives of the platform with respect to the positions.
 
     Parameters
     ----------
     p : array, shape (..., 2) [m]
         Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
 
     Returns
     -------
@@ -447,7 +455,7 @@ def mass_matrix(p, parameters):
     return M_out
 
 
-def velocity_forces(p, xy_dot):
+def velocity_forces(p, xy_dot, parameters):
     """Coriolis and centrifugal forces h of M_ss xy_ddot + h + grad V = Q.
 
     Parameters
@@ -456,6 +464,8 @@ def velocity_forces(p, xy_dot):
         Tool head in the base frame.
     xy_dot : array, shape (..., 2) [m/s]
         Velocities.
+    parameters : Parameters
+        The robot's parameters.
 
     Returns
     -------
@@ -535,13 +545,15 @@ def gravity_gradient(p, parameters):
     return G_out
 
 
-def gravity_hessian(p):
+def gravity_hessian(p, parameters):
     """Hessian of the gravitational potential energy with respect to the positions.
 
     Parameters
     ----------
     p : array, shape (..., 2) [m]
         Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
 
     Returns
     -------

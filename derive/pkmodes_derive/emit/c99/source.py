@@ -81,7 +81,7 @@ def _cleared(program: Program) -> bool:
 def _function(
     function: Function, program: Program, model: Model, groups: Sequence[FieldGroup], prefix: str
 ) -> _Block:
-    used = program.groups(groups)
+    used = program.groups(function, groups)
     arguments = [
         f"double {a.name}" if a.scalar else f"const double {a.name}[{len(a.symbols)}]"
         for a in function.arguments
@@ -122,6 +122,8 @@ def _body(function: Function, program: Program, groups: Sequence[FieldGroup]) ->
         if not inputs & set(argument.symbols):
             lines.append(f"    (void){argument.name};")
     for group in groups:
+        if not any(inputs & set(field.symbols) for field in group.fields):
+            lines.append(f"    (void){group.argument};")
         for field in group.fields:
             for index, symbol in zip(field.indices, field.symbols, strict=True):
                 if symbol in inputs:

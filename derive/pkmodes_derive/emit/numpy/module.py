@@ -94,7 +94,7 @@ def _field_text(field: Field) -> list[str]:
 
 
 def _function(function: Function, program: Program, groups: Sequence[FieldGroup]) -> _Block:
-    used = program.groups(groups)
+    used = program.groups(function, groups)
     names = [argument.name for argument in function.arguments] + [group.argument for group in used]
     return _Block(
         function.name,
