@@ -13,8 +13,9 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.generated import Generated, declared, regular_poses, sample
+from pkmodes.generated import Generated
 from pkmodes.mechanism import Mechanism
+from pkmodes.regular import declared, regular_poses, sample
 from pkmodes.robot.robot import Robot
 
 Array = NDArray[np.float64]
@@ -61,14 +62,14 @@ class BaseEvaluation:
     """The base model, without effects."""
 
     def __init__(self, kind: Mechanism, parameters: Any) -> None:
-        self._kind, self._parameters = kind, parameters
+        self._kind, self._generated = kind, Generated(kind.model, parameters)
         self.coordinates = tuple(q.name for q in kind.coordinates)
         self.first = len(self.coordinates)
         self.rigid_modes = kind.rigid_modes
 
     def all_coordinates(self, p: Array) -> tuple[Array, Array]:
         """M and K, each (N, n, n)."""
-        M, K = self._kind.model.modal_matrices(p, self._parameters)
+        M, K = self._generated.modal_matrices(p)
         return M, K
 
     def free_part(self, matrix: Array) -> Array:
@@ -85,12 +86,12 @@ class BaseEvaluation:
         rows = [pose.index(name) for name in self._kind.directions]
         columns = [self.coordinates.index(name) for name in self._kind.independent]
         motion = np.zeros((*p.shape[:-1], len(rows), len(self.coordinates)))
-        motion[..., columns] = self._kind.model.platform_jacobian(p, self._parameters)[..., rows, :]
+        motion[..., columns] = self._generated.platform_jacobian(p)[..., rows, :]
         return motion
 
     def statics(self, p: Array) -> tuple[Array, Array]:
         """Torques (N, drives) [N m] and static values of the coordinates that are not independent (N, ...)."""
-        torques, values = self._kind.model.static_equilibrium(p, self._parameters)
+        torques, values = self._generated.static_equilibrium(p)
         return torques, values
 
 
@@ -182,7 +183,7 @@ class SystemOfEffects:
 
     def without_springs(self, p: Array) -> tuple[Array, Array]:
         """M and K in all coordinates without the springs of any released joint."""
-        M, K_el, K_g = self._single(self.kind.extended.extended_matrices, p)
+        M, K_el, K_g = self._single("extended_matrices", p)
         return M, K_el + K_g
 
     def derivatives(self, p: Array, *, geometry: bool) -> tuple[Array, Array]:
@@ -190,9 +191,9 @@ class SystemOfEffects:
 
         Those by the geometry come last and take most of the time: zeros where they are not asked for.
         """
-        M_theta, K_theta = self._single(self.kind.extended.value_sensitivities, p)
+        M_theta, K_theta = self._single("value_sensitivities", p)
         if geometry:
-            also = self._single(self.kind.extended.geometry_sensitivities, p)
+            also = self._single("geometry_sensitivities", p)
         else:
             also = tuple(np.zeros((len(p), count)) for count in self._entries_of_geometry())
         return np.hstack([M_theta, also[0]]), np.hstack([K_theta, also[1]])
@@ -203,7 +204,7 @@ class SystemOfEffects:
         By complex step, which is exact to rounding: the generated functions take complex poses.
         """
         moved = p + STEP * 1j * np.eye(p.shape[-1])[:, None]
-        M, K_el, K_g = self.kind.extended.extended_matrices(moved, self.parameters, self.effects)
+        M, K_el, K_g = self._generated.extended_matrices(moved)
         dM, dK = (np.moveaxis(np.imag(a) / STEP, 0, 1) for a in (M, K_el + K_g))
         return dM, dK
 
@@ -213,7 +214,7 @@ class SystemOfEffects:
         inertias = {key.field for key in declared(self.kind) if key.dimension in INERTIAS}
         plain = plain._replace(**{name: getattr(self.parameters, name) for name in inertias})
         p = regular_poses(Generated(self.kind.model, plain), self.kind, plain, 1)
-        M, _, _ = self.kind.extended.extended_matrices(p[0], plain, self.effects)
+        M, _, _ = Generated(self.kind.extended, plain, self.effects).extended_matrices(p[0])
         found: NDArray[np.bool_] = (M == 0.0).all(axis=0)[self.free]
         found[: self.first] = False
         return found
@@ -225,22 +226,25 @@ class SystemOfEffects:
     def motion_of_all(self, p: Array, parameters: Any = None) -> Array:
         """The same by all coordinates, (N, directions, e), perhaps of the robot with other parameters."""
         given = self.parameters if parameters is None else parameters
-        return np.asarray(self.kind.extended.extended_platform_motion(p, given))
+        return np.asarray(Generated(self.kind.extended, given).extended_platform_motion(p))
 
     def statics(self, p: Array) -> tuple[Array, Array]:
         """Torques (N, drives) [N m] and static values of the coordinates that are not independent (N, ...)."""
-        torques, values = self.kind.extended.extended_static_equilibrium(p, self.parameters, self.effects)
+        torques, values = self._generated.extended_static_equilibrium(p)
         return torques, values
 
     def _entries_of_geometry(self) -> tuple[int, int]:
         listed = self.kind.extended.GEOMETRY_SENSITIVITIES
         return sum(len(entry[2]) for entry in listed), sum(len(entry[3]) for entry in listed)
 
-    def _single(self, function: Callable[..., tuple[Array, ...]], p: Array) -> tuple[Array, ...]:
+    @property
+    def _generated(self) -> Generated:
+        return Generated(self.kind.extended, self.parameters, self.effects)
+
+    def _single(self, name: str, p: Array) -> tuple[Array, ...]:
         """One pose is evaluated in numbers, which is several times faster than in arrays of one."""
-        if len(p) == 1:
-            return tuple(found[None] for found in function(p[0], self.parameters, self.effects))
-        return function(p, self.parameters, self.effects)
+        function: Callable[[Array], tuple[Array, ...]] = getattr(self._generated, name)
+        return tuple(found[None] for found in function(p[0])) if len(p) == 1 else function(p)
 
 
 def matrices(system: Evaluation, p: Array) -> tuple[Array, Array]:

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.errors import PkmodesError, PoseError, shown
 from pkmodes.gathering import Gathered
+from pkmodes.generated import Generated
 from pkmodes.poses import (
     CHUNK,
     MAX_CONDITION,
@@ -59,6 +60,7 @@ class Kinematics:
         self.max_condition = largest_condition(max_condition)
         self.robot = robot
         self.kind = robot.kind
+        self._generated = Generated(self.kind.model, robot.parameters)
 
     @property
     def reasons(self) -> dict[str, str]:
@@ -142,7 +144,7 @@ class Kinematics:
         size, names = len(self.kind.independent), ", ".join(self.kind.independent)
         q, batch = as_points(positions, what, size, f"give {names} in SI units")
         with np.errstate(all="ignore"):
-            p: Array = function(q, assembly, self.robot.parameters)
+            p: Array = function(q, assembly)
         bad = ~np.isfinite(p).all(axis=-1)
         if bad.any():
             index = int(np.argmax(bad))
@@ -171,16 +173,14 @@ class Kinematics:
 
     def _function(self, name: str) -> Callable[..., Any]:
         """A function of the base model that not every mechanism has."""
-        found = getattr(self.kind.model, name, None)
-        if found is None:
+        if not self._generated.has(name):
             what = f"the mechanism {self.kind.name} has no {name.replace('_', ' ')} to be chosen"
             raise PkmodesError(what, self.robot.source, "begin with poses: Model.inverse_kinematics")
-        return found  # type: ignore[no-any-return]
+        return getattr(self._generated, name)  # type: ignore[no-any-return]
 
     def _at(self, poses: ArrayLike, on_error: OnError, name: str) -> tuple[Array, ...]:
         """Results of a function of the base model, in the shape of the poses."""
-        function, checked = getattr(self.kind.model, name), self._check(poses, on_error)
-        return self._evaluate(lambda p: function(p, self.robot.parameters), checked)
+        return self._evaluate(getattr(self._generated, name), self._check(poses, on_error))
 
     @staticmethod
     def _evaluate(function: Callable[[Array], Any], checked: CheckedPoses) -> tuple[Array, ...]:

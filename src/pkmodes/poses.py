@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.errors import PkmodesError, PoseError, shown
+from pkmodes.generated import Generated
 from pkmodes.mechanism import Margin, Mechanism
 
 Array = NDArray[np.float64]
@@ -216,9 +217,9 @@ def _in_words(kind: Mechanism) -> str:
     return f"poses [{names}] in {unit}: {kind.pose_is}"
 
 
-def margin_of(module: Any, margin: Margin, *arguments: Any) -> Array:
+def margin_of(generated: Generated, margin: Margin, points: Array) -> Array:
     """One of a mechanism's margins at poses: of a function with several results the one that is meant."""
-    found = getattr(module, margin.function)(*arguments)
+    found = getattr(generated, margin.function)(points)
     return np.asarray(found[margin.output] if isinstance(found, tuple) else found)
 
 
@@ -227,9 +228,10 @@ def _codes(
 ) -> NDArray[np.int8]:
     """The first of what a mechanism asks that each pose lacks, as an index into `codes_of`."""
     with np.errstate(all="ignore"):  # the margins say what is wrong; a NaN compares false and so fails
+        generated = Generated(kind.model, parameters)
         failed = [~np.isfinite(points).all(axis=-1)]
         for margin in kind.margins:
-            values = margin_of(kind.model, margin, points, parameters).reshape(len(points), -1)
+            values = margin_of(generated, margin, points).reshape(len(points), -1)
             failed.append(~_holds(margin, values, max_condition).all(axis=-1))
     return np.select(failed, range(1, len(failed) + 1), 0).astype(np.int8)
 
@@ -256,7 +258,8 @@ def explained(
         The robot.
     """
     with np.errstate(all="ignore"):
-        values = [margin_of(kind.model, margin, points, parameters) for margin in kind.margins]
+        generated = Generated(kind.model, parameters)
+        values = [margin_of(generated, margin, points) for margin in kind.margins]
     return [
         ("expected finite coordinates, found NaN or infinity", "give finite coordinates")
         if code == 1

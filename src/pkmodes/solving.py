@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from pkmodes.eigen import condensed_eigh, natural_frequencies
 from pkmodes.errors import PoseError
 from pkmodes.evaluation import Evaluation, matrices
+from pkmodes.generated import Generated
 from pkmodes.results import CARRIAGES, JOINTS
 from pkmodes.robot.robot import Robot
 
@@ -114,6 +115,6 @@ def fields_of_modes(
     elif OF_MATRICES & set(asked):
         found["mass_matrix"], found["stiffness_matrix"] = matrices(evaluation, p)
     if OF_JOINTS & set(asked):
-        joints = robot.kind.model.inverse_kinematics(p, robot.parameters)
+        joints = Generated(robot.kind.model, robot.parameters).inverse_kinematics(p)
         found |= dict.fromkeys(OF_JOINTS, joints)
     return {name: found[name] for name in asked}

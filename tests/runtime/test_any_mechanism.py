@@ -22,7 +22,8 @@ from pkmodes.closing.poses import check_measured
 from pkmodes.closing.structure import RobotStructure, channels
 from pkmodes.errors import MeasurementError, PkmodesError, PoseError
 from pkmodes.evaluation import SystemOfEffects
-from pkmodes.generated import Generated, sample
+from pkmodes.generated import Generated
+from pkmodes.regular import sample
 from pkmodes.robot.paths import ParameterPath
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives

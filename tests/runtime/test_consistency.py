@@ -7,8 +7,9 @@ import pytest
 
 from broken_module import Broken
 from pkmodes.checking.consistency import check_consistency
-from pkmodes.generated import Generated, sample
+from pkmodes.generated import Generated
 from pkmodes.mechanism import mechanism
+from pkmodes.regular import sample
 from pkmodes_derive import mechanisms
 from pkmodes_generated import linear_delta
 from sample_robots import random_robot

@@ -20,11 +20,12 @@ from scipy.linalg import eigh
 
 import pkmodes
 from broken_module import Broken
-from pkmodes import evaluation, writing
+from pkmodes import writing
 from pkmodes.checking import products
 from pkmodes.checking.consistency import Check
 from pkmodes.cli import run
 from pkmodes.generation import REQUIREMENTS, specification
+from pkmodes.mechanism import mechanism
 from pkmodes.robot.reading import read_robot
 from pkmodes_derive.emit import manifest, product
 from robot_text import PUBLISHED, published
@@ -349,7 +350,8 @@ def test_current_but_inconsistent_code_fails(
 def test_a_specialised_model_that_differs_from_the_parametric_one_fails(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(evaluation, "generated", Broken("modal_matrices", 1 + 1e-9))
+    kind = mechanism("linear_delta")
+    monkeypatch.setitem(vars(kind), "model", Broken("modal_matrices", 1 + 1e-9))
     assert run(["check", str(PUBLISHED)]) == 1
     assert "M of the parametric model: relative error 1.0e-09" in capsys.readouterr().out
 

@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 
 from pkmodes.checking.own import own_relations
 from pkmodes.checking.relations import Derivative, Relation, State, relations
-from pkmodes.generated import Generated, regular_poses
+from pkmodes.generated import Generated
 from pkmodes.mechanism import Mechanism
+from pkmodes.regular import regular_poses
 
 Array = NDArray[np.float64]
 

@@ -16,11 +16,12 @@ from pkmodes.checking.consistency import Check, check_consistency
 from pkmodes.checking.recorded import recorded_robot
 from pkmodes.errors import PkmodesError, shown
 from pkmodes.evaluation import active_effects, evaluation, matrices
-from pkmodes.generated import Generated, regular_poses, sample
+from pkmodes.generated import Generated
 from pkmodes.generation import derivation, specification
 from pkmodes.mechanism import mechanism, names
 from pkmodes.pasting import pasted
 from pkmodes.product_folder import MANIFEST
+from pkmodes.regular import regular_poses, sample
 from pkmodes.robot.reading import read_robot
 from pkmodes.robot.robot import Robot
 

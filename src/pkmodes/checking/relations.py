@@ -15,8 +15,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.generated import Generated, travel
+from pkmodes.generated import Generated
 from pkmodes.mechanism import Mechanism
+from pkmodes.regular import travel
 
 Array = NDArray[np.float64]
 Derivative = Callable[[Callable[[Array], Array], Array, float], Array]
@@ -71,9 +72,14 @@ class State:
         self.positions: Array = generated.inverse_kinematics(pose)
 
     @cached_property
+    def travel(self) -> float:
+        """The smallest travel of an independent coordinate."""
+        return float(np.ptp(travel(self.kind, self.parameters), axis=-1).min())
+
+    @cached_property
     def step(self) -> float:
         """Step of differences in the independent coordinates: a small part of their travel and of a bend."""
-        size = float(np.ptp(travel(self.kind, self.parameters), axis=-1).min())
+        size = self.travel
         if self.generated.has("platform_second_derivatives"):
             bend = float(np.abs(self.generated.platform_second_derivatives(self.pose)).max())
             straight = float(np.abs(self.generated.platform_jacobian(self.pose)).max())
@@ -105,7 +111,7 @@ class State:
     def unstrained(self, pose: Array) -> Array:
         """How all coordinates move with the independent ones while nothing is strained, (n, k)."""
         others = [i for i in range(self.base) if i not in self.places]
-        H = self.kind.model.elastic_hessian(pose, self.parameters)
+        H = Generated(self.kind.model, self.parameters).elastic_hessian(pose)
         found = np.zeros((self.generated.coordinates, len(self.places)), dtype=H.dtype)
         found[self.places] = np.eye(len(self.places))
         found[others] = -np.linalg.solve(H[np.ix_(others, others)], H[np.ix_(others, self.places)])
@@ -200,7 +206,9 @@ def _inertia(at: State) -> Iterator[Relation]:
 
     dM, rates = at.rate(reduced), _velocities(at)
     forces = (dM @ rates) @ rates - 0.5 * np.einsum("klm,k,l->m", dM, rates, rates)
-    yield "velocity forces", g.velocity_forces(p, rates), forces, float(np.abs(dM).max())
+    # An inertia that does not change leaves rounding only, of itself by what the coordinates travel.
+    weight = max(float(np.abs(dM).max()), float(np.abs(reduced(p)).max()) / at.travel)
+    yield "velocity forces", g.velocity_forces(p, rates), forces, weight
 
 
 def _statics(at: State) -> Iterator[Relation]:

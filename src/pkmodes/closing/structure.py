@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from pkmodes.closing import frame
 from pkmodes.diagnosis.problem import Batch, Candidate, Parameter, Prediction
 from pkmodes.evaluation import SystemOfEffects
-from pkmodes.generated import declared
 from pkmodes.mechanism import Mechanism
 from pkmodes.poses import MAX_CONDITION, check_poses
+from pkmodes.regular import declared
 from pkmodes.robot.paths import ParameterPath, moved
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, geometry_of, locked_joints
