@@ -6,6 +6,7 @@ import argparse
 from importlib.resources import files
 from pathlib import Path
 
+from pkmodes_derive import mechanisms
 from pkmodes_derive.emit import latex, product
 
 ROOT = Path(__file__).parents[2]
@@ -18,13 +19,13 @@ def main() -> None:
     generate = commands.add_parser("generate", help="write the parametric model of every mechanism")
     generate.add_argument("--out", type=Path, default=Path(str(files("pkmodes_generated"))))
     page = commands.add_parser("latex", help="write every derived quantity of a mechanism in LaTeX")
-    page.add_argument("--mechanism", choices=sorted(product.MECHANISMS), default="linear_delta")
+    page.add_argument("--mechanism", choices=mechanisms.names(), default="linear_delta")
     page.add_argument("--out", type=Path, default=ROOT / "docs" / "derivation.md")
     arguments = parser.parse_args()
     if arguments.command == "latex":
-        _write(arguments.out, latex.page(product.derive(arguments.mechanism)))
+        _write(arguments.out, latex.page(mechanisms.base(arguments.mechanism)))
         return
-    for mechanism in product.MECHANISMS:
+    for mechanism in mechanisms.names():
         for name, text in product.parametric(mechanism).items():
             _write(arguments.out / mechanism / name, text)
 

@@ -9,8 +9,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 
-from pkmodes_derive.effect import Effect
-
 
 @dataclass(frozen=True)
 class Named:
@@ -139,8 +137,8 @@ class Margin:
     meaning : str
         What a pose without it is, in a few words.
     sentence : str
-        The same with ``{0}``, ``{1}`` for the names of the place of the smallest margin and ``{missing}`` or
-        ``{value}`` for its size.
+        The same with ``{0}``, ``{1}`` for the names of the place of the smallest margin, and ``{missing}``, what it
+        lacks, ``{short}``, how a length that lacks it is ("0.01 m too short", "of no length"), or ``{value}``.
     remedy : str
     names : tuple of tuple of str
         For each axis of the result, what its places are called.
@@ -159,6 +157,24 @@ class Margin:
 
 
 @dataclass(frozen=True)
+class Scale:
+    """What a component of a shape is divided by where shapes are shown to a person.
+
+    Attributes
+    ----------
+    coordinate : str
+    field, index : str and tuple of int
+        The number of the generated `Parameters`.
+    symbol : str
+    """
+
+    coordinate: str
+    field: str
+    index: tuple[int, ...]
+    symbol: str
+
+
+@dataclass(frozen=True)
 class Requirement:
     """Something that a robot needs, whatever its pose, as a function of its parameters.
 
@@ -171,7 +187,8 @@ class Requirement:
     places : tuple of str
         Paths of the robot file, one for each entry.
     sentence : str
-        With ``{missing}`` for what is missing.
+        With ``{missing}`` for what is missing, ``{value}`` for the function's value, and paths beside the place, such
+        as ``{limits.min}``, for quantities of the file.
     remedy : str
     unit : str
     """
@@ -182,6 +199,29 @@ class Requirement:
     sentence: str
     remedy: str
     unit: str
+
+
+@dataclass(frozen=True)
+class EffectParameterData:
+    """A parameter of an effect; its null value is 0, otherwise it is greater than the bound."""
+
+    name: str
+    unit: str
+    description: str
+    greater_than: float | None
+    fitted: bool
+    optional: bool = False
+
+
+@dataclass(frozen=True)
+class EffectData:
+    """An effect that applies to the mechanism, with the coordinates that it releases."""
+
+    name: str
+    sentence: str
+    grounds: bool
+    coordinates: tuple[Named, ...]
+    parameters: tuple[EffectParameterData, ...]
 
 
 @dataclass(frozen=True)
@@ -211,8 +251,13 @@ class Description:
     wholes : tuple of Whole
     margins : tuple of Margin
     requirements : tuple of Requirement
+    effects : tuple of EffectData
     sample : mapping
         Parameters of a robot without any symmetry, by field: what checks evaluate.
+    scales : tuple of Scale
+        For coordinates of another unit than most.
+    differences : tuple of (str, str)
+        A field that enters only by its difference from another one, and that one, which has the sensitivities.
     """
 
     mechanism: str
@@ -229,31 +274,12 @@ class Description:
     wholes: tuple[Whole, ...]
     margins: tuple[Margin, ...]
     requirements: tuple[Requirement, ...] = ()
+    effects: tuple[EffectData, ...] = ()
     sample: Mapping[str, object] = field(default_factory=dict)
+    scales: tuple[Scale, ...] = ()
+    differences: tuple[tuple[str, str], ...] = ()
 
 
-def as_data(description: Description, effects: tuple[Effect, ...]) -> dict[str, object]:
-    """The description with the effects that apply, as it is written."""
-    return {**asdict(description), "effects": [_effect(effect) for effect in effects]}
-
-
-def _effect(effect: Effect) -> dict[str, object]:
-    return {
-        "name": effect.name,
-        "sentence": effect.sentence,
-        "grounds": effect.grounds,
-        "coordinates": [
-            {"name": name, "unit": effect.coordinate_unit, "description": effect.coordinate_description}
-            for name in effect.coordinates
-        ],
-        "parameters": [
-            {
-                "name": p.name,
-                "unit": p.unit,
-                "description": p.description,
-                "greater_than": p.greater_than,
-                "fitted": p.fitted,
-            }
-            for p in effect.parameters
-        ],
-    }
+def as_data(description: Description) -> dict[str, object]:
+    """The description as it is written."""
+    return asdict(description)

@@ -2,15 +2,20 @@
 
 A *term* adds energy, or changes a stiffness.  A *released coordinate* frees a joint that the base model
 locks: its parameter is a compliance, and the spring of that joint, energy q^2 / (2 c), is the same for all.
+
+Effects are written against parts (belts, drives, links, the platform, the frame), so that one file serves every
+mechanism that has them; where there are none, the effect does not apply.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 from sympy import Symbol
+
+from pkmodes_derive.description import EffectData, EffectParameterData, Named
 
 
 @dataclass(frozen=True)
@@ -20,7 +25,7 @@ class EffectParameter:
     Attributes
     ----------
     name : str
-        As in the robot file, ``[effects.<effect>] <name> = ...``.
+        As in the robot file, ``[effects.<effect>] <name> = ...``; with ``{j}`` there is one for each part.
     unit : str
         SI unit.
     description : str
@@ -31,6 +36,8 @@ class EffectParameter:
         Physical bound: None when any value is meaningful; the null value itself is always allowed.
     fitted : bool
         Whether it can be estimated from measurements; a declared constant of the machine is not.
+    optional : bool
+        Whether a robot file may leave it out: it is then 0.
     """
 
     name: str
@@ -40,6 +47,13 @@ class EffectParameter:
     latex: str
     greater_than: float | None = 0.0
     fitted: bool = True
+    optional: bool = False
+
+    def at(self, place: str) -> EffectParameter:
+        """That of one part."""
+        texts = (self.name, self.description, self.symbol, self.latex)
+        name, description, symbol, latex = (text.format(j=place) for text in texts)
+        return replace(self, name=name, description=description, symbol=symbol, latex=latex)
 
 
 @dataclass(frozen=True)
@@ -48,6 +62,31 @@ class Coordinate:
 
     position: Symbol
     rate: Symbol
+
+
+@dataclass(frozen=True)
+class Released:
+    """The coordinates that an effect releases, one for each part.
+
+    Attributes
+    ----------
+    name, description, latex : str
+        With the letter ``{j}`` for the number of a part, or ``{i}`` for a direction.
+    unit : str
+    order : int
+        Where they stand among those of other effects.
+    """
+
+    name: str
+    unit: str
+    description: str
+    latex: str
+    order: int
+
+    @property
+    def letter(self) -> str:
+        """The letter of the index."""
+        return "i" if "{i}" in self.name else "j"
 
 
 @dataclass(frozen=True)
@@ -60,27 +99,60 @@ class Effect:
         As in the robot file.
     sentence : str
         What it says about the machine, for a person.
+    parts : callable
+        ``parts(machine)`` are those of the machine that it acts on; without any it does not apply.
     parameters : tuple of EffectParameter
         A released effect has a ``compliance``, which the spring of its coordinates takes.
     apply : callable
         ``apply(machine, parameters, released)`` adds the effect to a machine: parameters by name, the released
         coordinates in order.
-    coordinates : tuple of str
-        Names of the released coordinates; empty for a term.
-    coordinate_unit, coordinate_description : str
-        Unit and noun phrase of the released coordinates.
-    order : int
-        Where its coordinates stand among those of other effects.
+    released : Released or None
+        None for a term.
     grounds : bool
         Whether it ties the platform to ground, so that no rigid-body mode is left.
+    places : tuple of str
+        Indices of the released coordinates, once it is that `on` a machine.
     """
 
     name: str
     sentence: str
+    parts: Callable[[Any], Sequence[object]]
     parameters: tuple[EffectParameter, ...]
     apply: Callable[[Any, Mapping[str, Symbol], tuple[Coordinate, ...]], None]
-    coordinates: tuple[str, ...] = ()
-    coordinate_unit: str = ""
-    coordinate_description: str = ""
-    order: int = 0
+    released: Released | None = None
     grounds: bool = False
+    places: tuple[str, ...] = ()
+
+    @property
+    def order(self) -> int:
+        """Where its coordinates stand among those of other effects."""
+        return self.released.order if self.released else 0
+
+    def on(self, machine: Any) -> Effect:
+        """The effect with the parameters and coordinates that it has on a machine."""
+        parts = self.parts(machine)
+        numbers = [str(number) for number in range(1, len(parts) + 1)]
+        parameters = [
+            p.at(place) for p in self.parameters for place in (numbers if "{j}" in p.name else numbers[:1])
+        ]
+        places = ()
+        if self.released:
+            places = tuple(map(str, parts)) if self.released.letter == "i" else tuple(numbers)
+        return replace(self, parameters=tuple(parameters), places=places)
+
+    def data(self) -> EffectData:
+        """What the runtime has to know of it."""
+        coordinates = []
+        for place in self.places if self.released else ():
+            name, text = (t.format(i=place, j=place) for t in (self.released.name, self.released.description))
+            coordinates.append(Named(name, self.released.unit, text))
+        return EffectData(
+            self.name,
+            self.sentence,
+            self.grounds,
+            tuple(coordinates),
+            tuple(
+                EffectParameterData(p.name, p.unit, p.description, p.greater_than, p.fitted, p.optional)
+                for p in self.parameters
+            ),
+        )

@@ -13,7 +13,6 @@ from math import prod
 
 from sympy import Basic, Expr, Symbol
 
-from pkmodes_derive.description import Description
 from pkmodes_derive.vocabulary import Field, Vocabulary
 
 
@@ -162,8 +161,6 @@ class Model:
         What a program needs to know about the model, as literals of Python.
     notes : tuple of str
         What a person must know who uses the code, one paragraph each.
-    description : Description, optional
-        What the runtime has to know of the mechanism.
     """
 
     mechanism: str
@@ -175,7 +172,6 @@ class Model:
     rigid_modes: int | None = None
     constants: tuple[tuple[str, str, tuple[object, ...]], ...] = field(repr=False, default=())
     notes: tuple[str, ...] = field(repr=False, default=())
-    description: Description | None = field(repr=False, default=None)
 
     @property
     def fields(self) -> tuple[Field, ...]:

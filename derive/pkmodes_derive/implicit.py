@@ -20,16 +20,18 @@ replaces all of them: with multipliers :math:`\Phi_s^T \mu = V_s` (the forces th
 
 which is the Hessian of the Lagrangian on the tangent space of the constraints.
 
-Nothing is solved symbolically: the small linear systems are closed by their adjugate, entry by entry.
+Nothing is solved symbolically: the linear systems are closed by their adjugate, entry by entry, whose minors are
+named where they are larger than two by two (`Solver`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sympy import Add, Expr, Matrix, Symbol
+from sympy import Add, Expr, Integer, Matrix, Symbol
 
 from pkmodes_derive.chain import Chain
+from pkmodes_derive.vocabulary import Vocabulary
 
 
 def first_order(
@@ -57,11 +59,6 @@ def second_order_forcing(
     ]
 
 
-def multipliers(adjugate: Matrix, determinant: Expr, gradient: Sequence[Expr]) -> list[Expr]:
-    """Return mu of Phi_s^T mu = V_s for three closures; `adjugate` and `determinant` are those of Phi_s."""
-    return solve_3x3(adjugate.T, determinant, gradient)
-
-
 def constrained_hessian(
     potential: Expr,
     closures: Sequence[Expr],
@@ -75,6 +72,79 @@ def constrained_hessian(
     return chain.hessian(lagrangian, independent, hold=(*mu, *jacobian))
 
 
+class Solver:
+    """Solves systems with Phi_s by its adjugate and determinant, which it names.
+
+    Parameters
+    ----------
+    matrix : sympy.Matrix
+        Phi_s, square.
+    vocabulary : Vocabulary
+    chain : Chain
+        Gets the names.
+    directions : sequence of str
+        Of the dependent coordinates, for the names.
+
+    Attributes
+    ----------
+    adjugate : sympy.Matrix
+    determinant : sympy.Symbol
+    """
+
+    def __init__(
+        self, matrix: Matrix, vocabulary: Vocabulary, chain: Chain, directions: Sequence[str]
+    ) -> None:
+        n = matrix.shape[0]
+        self._matrix, self._vocabulary, self._chain = matrix, vocabulary, chain
+        self._minors: dict[tuple[tuple[int, ...], tuple[int, ...]], Expr] = {}
+        self.adjugate = Matrix.zeros(n, n)
+        for j in range(n):
+            for m, axis in enumerate(directions):
+                unit = {2: "m", 3: "m^2"}.get(n, f"m^{n - 1}")
+                name = vocabulary.declare(
+                    "A_{i}_{j}", unit, "adjugate of D_l, entry {i}, {j}", "A_{{{i}{j}}}", i=axis, j=j + 1
+                )
+                self.adjugate[m, j] = chain.define(name, self._cofactor(j, m))
+        self.determinant = vocabulary.declare("det_D_l", f"m^{n}", "determinant of D_l", r"\det D_l")
+        chain.define(self.determinant, Add(*(matrix[0, m] * self.adjugate[m, 0] for m in range(n))))
+
+    def solve(self, right_hand_side: Sequence[Expr]) -> list[Expr]:
+        """Solve Phi_s y = b."""
+        return solve(self.adjugate, self.determinant, right_hand_side)
+
+    def multipliers(self, gradient: Sequence[Expr]) -> list[Expr]:
+        """Return mu of Phi_s^T mu = V_s."""
+        return solve(self.adjugate.T, self.determinant, gradient)
+
+    def _cofactor(self, row: int, column: int) -> Expr:
+        n = self._matrix.shape[0]
+        if n == 3:
+            return cofactor(self._matrix, row, column)
+        rows, columns = (tuple(i for i in range(n) if i != gone) for gone in (row, column))
+        return (-1) ** (row + column) * self._minor(rows, columns)
+
+    def _minor(self, rows: tuple[int, ...], columns: tuple[int, ...]) -> Expr:
+        """Determinant of some rows and columns, by the first of the rows; those that several share are named."""
+        if not rows:
+            return Integer(1)
+        if (rows, columns) not in self._minors:
+            parts = (
+                (-1) ** k * self._matrix[rows[0], m] * self._minor(rows[1:], columns[:k] + columns[k + 1 :])
+                for k, m in enumerate(columns)
+            )
+            expression = Add(*parts)
+            if 2 <= len(rows) < self._matrix.shape[0] - 1:
+                places = ("".join(str(i + 1) for i in some) for some in (rows, columns))
+                index = dict(zip(("r", "c"), places, strict=True))
+                what = "minor of D_l, rows {r} and columns {c}"
+                name = self._vocabulary.declare(
+                    "minor_{r}_{c}", f"m^{len(rows)}", what, "|D_l|_{{{r},{c}}}", **index
+                )
+                expression = self._chain.define(name, expression)
+            self._minors[rows, columns] = expression
+        return self._minors[rows, columns]
+
+
 def cofactor(matrix: Matrix, row: int, column: int) -> Expr:
     """Cofactor of a 3-by-3 matrix: the cyclic form carries its own sign."""
     r1, r2 = (row + 1) % 3, (row + 2) % 3
@@ -82,9 +152,10 @@ def cofactor(matrix: Matrix, row: int, column: int) -> Expr:
     return matrix[r1, c1] * matrix[r2, c2] - matrix[r1, c2] * matrix[r2, c1]
 
 
-def solve_3x3(adjugate: Matrix, determinant: Expr, right_hand_side: Sequence[Expr]) -> list[Expr]:
-    """Solve a 3-by-3 system whose adjugate and determinant are already named."""
+def solve(adjugate: Matrix, determinant: Expr, right_hand_side: Sequence[Expr]) -> list[Expr]:
+    """Solve a system whose adjugate and determinant are already named."""
+    n = adjugate.shape[0]
     return [
-        Add(*(adjugate[row, column] * right_hand_side[column] for column in range(3))) / determinant
-        for row in range(3)
+        Add(*(adjugate[row, column] * right_hand_side[column] for column in range(n))) / determinant
+        for row in range(n)
     ]

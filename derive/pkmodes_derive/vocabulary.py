@@ -7,7 +7,7 @@ the parameter tables and the LaTeX page read units and descriptions from it, so 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import product
 from typing import NamedTuple
@@ -15,7 +15,6 @@ from typing import NamedTuple
 from sympy import Symbol
 
 AXES = ("x", "y", "z")
-Vector = tuple[Symbol, Symbol, Symbol]
 
 
 class Family(NamedTuple):
@@ -164,9 +163,18 @@ class Vocabulary:
         self._quantities[symbol] = replace(self._quantities[symbol], family=DERIVATIVES)
         return symbol
 
-    def vector(self, name: str, unit: str, description: str, latex: str, **index: object) -> Vector:
-        """Declare the x, y and z components of a vector in the base frame; index letter i."""
-        x, y, z = (
+    def vector(
+        self,
+        name: str,
+        unit: str,
+        description: str,
+        latex: str,
+        *,
+        axes: Sequence[str] = AXES,
+        **index: object,
+    ) -> tuple[Symbol, ...]:
+        """Declare the components of a vector in the base frame, by default x, y and z; index letter i."""
+        return tuple(
             self.declare(
                 f"{name}_{{i}}",
                 unit,
@@ -175,20 +183,8 @@ class Vocabulary:
                 **index,
                 i=axis,
             )
-            for axis in AXES
+            for axis in axes
         )
-        return x, y, z
-
-    def per_axis(self, name: str, unit: str, description: str, latex: str) -> Vector:
-        """Declare one scalar for each of the three axes; ``{j}`` in the texts becomes the axis number."""
-        first, second, third = (
-            self.declare(f"{name}_{{j}}", unit, description, latex, j=j) for j in (1, 2, 3)
-        )
-        return first, second, third
-
-    def vectors_per_axis(self, name: str, unit: str, description: str, latex: str) -> tuple[Vector, ...]:
-        """Declare one vector for each of the three axes."""
-        return tuple(self.vector(f"{name}_{{j}}", unit, description, latex, j=j) for j in (1, 2, 3))
 
     def __getitem__(self, symbol: Symbol) -> Quantity:
         return self._quantities[symbol]

@@ -13,24 +13,26 @@ from pathlib import Path
 
 import pytest
 
+from pkmodes_derive import mechanisms
 from pkmodes_derive.emit import latex, layout, product
 from pkmodes_derive.emit.program import arrange
 from pkmodes_derive.emit.specification import Specification
 from pkmodes_derive.functions import Function
 
 ROOT = Path(__file__).parents[2]
-MODEL = product.derive("linear_delta")
+MODEL = mechanisms.base("linear_delta")
 TEXTS = product.parametric("linear_delta")
 DIGEST = """
 import hashlib, json, sys
 from pathlib import Path
 from pkmodes.generation import specification
 from pkmodes.robot.reading import read_robot
+from pkmodes_derive import mechanisms
 from pkmodes_derive.emit import latex, product
 texts = dict(product.parametric("linear_delta"))
 robot = read_robot(sys.argv[1])
 texts.update({f"robot/{k}": v for k, v in product.specialised(specification(robot, "robot.toml")).items()})
-texts["latex"] = latex.page(product.derive("linear_delta"))
+texts["latex"] = latex.page(mechanisms.base("linear_delta"))
 print(hashlib.sha256(json.dumps(texts, sort_keys=True).encode()).hexdigest())
 """
 

@@ -64,7 +64,7 @@ def expect_one_line(process: subprocess.Popen[bytes]) -> None:
         "pkmodes.model",
         "pkmodes.robot",
         "pint",
-        "pydantic",
+        "tomllib",
         "rich",
     ],
 )

@@ -25,5 +25,5 @@ def catalogue() -> tuple[Effect, ...]:
             )
         found[effect.name] = effect
     return tuple(
-        sorted(found.values(), key=lambda effect: (bool(effect.coordinates), effect.order, effect.name))
+        sorted(found.values(), key=lambda effect: (effect.released is not None, effect.order, effect.name))
     )

@@ -5,13 +5,14 @@ from pkmodes_derive.effect import Effect, EffectParameter
 
 def apply(machine, parameters, released):
     """Put the compliance in series with every span: 1/k = l/(w k_sp (1 + a_j)) + c."""
-    for j in range(3):
-        machine.span_compliance[j] += parameters["compliance"]
+    for belt in machine.belts:
+        belt.compliance += parameters["compliance"]
 
 
 EFFECT = Effect(
     name="belt_end_compliance",
     sentence="the belts yield at their teeth and clamps too",
+    parts=lambda machine: machine.belts,
     parameters=(
         EffectParameter("compliance", "m/N", "compliance in series with every free span", "c_E", "c_E"),
     ),

@@ -10,15 +10,17 @@ def apply(machine, parameters, released):
 
     A closed loop's weight does no work, so there is no potential energy.
     """
-    for j in range(3):
-        for length, (a, b) in zip(machine.l_f[j], machine.span_end_rates(j), strict=True):
-            span_mass = parameters["linear_density"] * length
+    for belt in machine.belts:
+        for run in belt.runs:
+            a, b = (machine.rate(*end) for end in run.ends)
+            span_mass = parameters["linear_density"] * run.length
             machine.add_kinetic(Rational(1, 6) * span_mass * (a**2 + a * b + b**2))
 
 
 EFFECT = Effect(
     name="belt_mass",
     sentence="the belts are not massless",
+    parts=lambda machine: machine.belts,
     parameters=(
         EffectParameter("linear_density", "kg/m", "mass of a belt by its length", "rho_b", r"\rho_b"),
     ),

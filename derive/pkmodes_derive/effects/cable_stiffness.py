@@ -8,13 +8,14 @@ from pkmodes_derive.vectors import dot
 
 def apply(machine, parameters, released):
     """Add the spring on the platform's absolute displacement, relaxed at the pose."""
-    displacement = machine.platform_displacement
+    displacement = machine.delta_p
     machine.add_elastic(Rational(1, 2) * parameters["stiffness"] * dot(displacement, displacement))
 
 
 EFFECT = Effect(
     name="cable_stiffness",
     sentence="a cable or hose ties the platform to ground",
+    parts=lambda machine: machine.directions,
     parameters=(
         EffectParameter(
             "stiffness", "N/m", "isotropic stiffness from the platform centre to ground", "k_C", "k_C"

@@ -1,21 +1,30 @@
 """Clamp compliance: the belt's clamp moves relative to its carriage; the clamp itself has no mass."""
 
-from pkmodes_derive.effect import Effect, EffectParameter
+from pkmodes_derive.effect import Effect, EffectParameter, Released
+
+
+def clamps(machine):
+    """Those of all belts."""
+    return [belt.clamp for belt in machine.belts if belt.clamp is not None]
 
 
 def apply(machine, parameters, released):
     """End the two spans at the carriage at x_j + eps_j."""
-    for j in range(3):
-        machine.clamp[j].append(released[j])
+    for clamp, coordinate in zip(clamps(machine), released, strict=True):
+        clamp.released.append(coordinate)
 
 
 EFFECT = Effect(
     name="clamp_compliance",
     sentence="the belts' clamps yield on their carriages",
+    parts=clamps,
     parameters=(EffectParameter("compliance", "m/N", "compliance of every belt clamp", "c_K", "c_K"),),
     apply=apply,
-    coordinates=("eps_1", "eps_2", "eps_3"),
-    coordinate_unit="m",
-    coordinate_description="displacement of the belt clamp relative to carriage",
-    order=3,
+    released=Released(
+        "eps_{j}",
+        "m",
+        "displacement of the clamp of belt {j} relative to what it moves",
+        r"\varepsilon_{j}",
+        order=3,
+    ),
 )

@@ -2,7 +2,7 @@
 
 from sympy import Rational
 
-from pkmodes_derive.effect import Effect, EffectParameter
+from pkmodes_derive.effect import Effect, EffectParameter, Released
 from pkmodes_derive.vectors import dot
 
 
@@ -17,13 +17,11 @@ def apply(machine, parameters, released):
 EFFECT = Effect(
     name="frame_compliance",
     sentence="the frame moves",
+    parts=lambda machine: machine.directions,
     parameters=(
         EffectParameter("compliance", "m/N", "isotropic compliance of the frame", "c_F", "c_F"),
         EffectParameter("mass", "kg", "mass of the frame", "m_F", "m_F", fitted=False),
     ),
     apply=apply,
-    coordinates=("u_x", "u_y", "u_z"),
-    coordinate_unit="m",
-    coordinate_description="displacement of the frame along",
-    order=4,
+    released=Released("u_{i}", "m", "displacement of the frame along {i}", "u_{i}", order=4),
 )

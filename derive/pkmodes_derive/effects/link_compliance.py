@@ -1,21 +1,19 @@
 """Link compliance: axial elongation of every linkage; its mass still follows its two ends."""
 
-from pkmodes_derive.effect import Effect, EffectParameter
+from pkmodes_derive.effect import Effect, EffectParameter, Released
 
 
 def apply(machine, parameters, released):
     """Close the loop at the distance l_d + delta_j."""
-    for j in range(3):
-        machine.elongation[j].append(released[j])
+    for link, coordinate in zip(machine.links, released, strict=True):
+        link.elongation.append(coordinate)
 
 
 EFFECT = Effect(
     name="link_compliance",
     sentence="the linkages stretch",
+    parts=lambda machine: machine.links,
     parameters=(EffectParameter("compliance", "m/N", "axial compliance of every linkage", "c_L", "c_L"),),
     apply=apply,
-    coordinates=("delta_1", "delta_2", "delta_3"),
-    coordinate_unit="m",
-    coordinate_description="axial elongation of linkage",
-    order=2,
+    released=Released("delta_{j}", "m", "axial elongation of linkage {j}", r"\delta_{j}", order=2),
 )

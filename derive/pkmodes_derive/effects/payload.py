@@ -16,6 +16,7 @@ def apply(machine, parameters, released):
 EFFECT = Effect(
     name="payload",
     sentence="the platform carries a mass that is not declared",
+    parts=lambda machine: machine.directions,
     parameters=(EffectParameter("mass", "kg", "point mass at the platform centre", "m_L", "m_L"),),
     apply=apply,
 )

@@ -7,14 +7,16 @@ from pkmodes_derive.effect import Effect, EffectParameter
 
 def apply(machine, parameters, released):
     """Add the spring on the driven pulley of each axis, relaxed at the pose."""
-    for j in range(3):
-        for selected, rotation in zip(machine.drive[j], machine.pulley_displacements(j), strict=True):
-            machine.add_elastic(Rational(1, 2) * parameters["stiffness"] * selected * rotation**2)
+    for drive in machine.drives:
+        for rotor, selected in drive.rotors:
+            energy = Rational(1, 2) * parameters["stiffness"] * selected * machine.rotation(rotor) ** 2
+            machine.add_elastic(energy)
 
 
 EFFECT = Effect(
     name="servo_stiffness",
     sentence="the position loops hold the driven pulleys",
+    parts=lambda machine: machine.drives,
     parameters=(
         EffectParameter(
             "stiffness", "N m/rad", "torsional stiffness to ground at every driven pulley", "k_S", "k_S"

@@ -8,14 +8,12 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
-from functools import cache
 
 import sympy
 
 import pkmodes_derive
-from pkmodes_derive import linear_delta
+from pkmodes_derive import mechanisms
 from pkmodes_derive.description import as_data
-from pkmodes_derive.effects import catalogue
 from pkmodes_derive.emit import c99, manifest, numpy
 from pkmodes_derive.emit.program import Program, arrange
 from pkmodes_derive.emit.provenance import Provenance, pasteable
@@ -23,40 +21,14 @@ from pkmodes_derive.emit.specification import Specification
 from pkmodes_derive.functions import Model
 from pkmodes_derive.specialise import specialise
 
-MECHANISMS = {"linear_delta": linear_delta}
 #: The languages that a model is written in, in the order of their files.
 BACKENDS = (numpy.BACKEND, c99.BACKEND)
 REGENERATE = "python -m pkmodes_derive generate"
 
 
-@cache
-def derive(mechanism: str) -> Model:
-    """Derive a mechanism, once in a process."""
-    model: Model = MECHANISMS[mechanism].derive()
-    return model
-
-
-@cache
-def derive_extended(mechanism: str) -> Model:
-    """Derive a mechanism with every effect, once in a process."""
-    model: Model = MECHANISMS[mechanism].derive_extended(catalogue())
-    return model
-
-
-@cache
-def derive_single(mechanism: str, effects: tuple[str, ...], zeros: frozenset[tuple[str, int]]) -> Model:
-    """Derive a mechanism with some effects, by name, for one robot; once in a process.
-
-    `zeros` are the (field, index) of the robot's parameters that are zero: without inertia a coordinate has no mode.
-    """
-    chosen = tuple(effect for effect in catalogue() if effect.name in effects)
-    model: Model = MECHANISMS[mechanism].derive_single(chosen, zeros)
-    return model
-
-
 def parametric(mechanism: str) -> dict[str, str]:
     """Build the parametric model of a mechanism: texts by file name."""
-    model = derive(mechanism)
+    model = mechanisms.base(mechanism)
     provenance = Provenance(
         name=mechanism,
         module="model",
@@ -67,7 +39,7 @@ def parametric(mechanism: str) -> dict[str, str]:
     )
     texts, programs = write(model, provenance)
     extended_texts, extended_programs = write(
-        derive_extended(mechanism),
+        mechanisms.extended(mechanism),
         replace(
             provenance,
             name=f"{mechanism}_extended",
@@ -78,9 +50,8 @@ def parametric(mechanism: str) -> dict[str, str]:
     )
     texts |= extended_texts
     programs |= extended_programs
-    if model.description is not None:
-        data = as_data(model.description, catalogue())
-        texts["description.json"] = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
+    data = as_data(mechanisms.description(mechanism))
+    texts["description.json"] = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
     texts["__init__.py"] = (
         f'"""Generated model of the mechanism {mechanism}: see `model`."""\n\n'
         f"from pkmodes_generated.{mechanism}.model import *  # noqa: F403\n"
@@ -92,14 +63,16 @@ def parametric(mechanism: str) -> dict[str, str]:
 def of_robot(specification: Specification) -> Model:
     """The model of a robot, its parameters not yet folded in: the base one, or one with its effects."""
     if not specification.effects:
-        return derive(specification.mechanism)
+        base: Model = mechanisms.base(specification.mechanism)
+        return base
     zeros = frozenset(
         (name, i)
         for name, value in specification.fields.items()
         for i, entry in enumerate(_flat(value))
         if entry == 0.0
     )
-    return derive_single(specification.mechanism, specification.effects, zeros)
+    single: Model = mechanisms.single(specification.mechanism, specification.effects, zeros)
+    return single
 
 
 def specialised(specification: Specification) -> dict[str, str]:

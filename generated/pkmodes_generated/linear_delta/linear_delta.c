@@ -5,34 +5,20 @@
  * Dynamics of the mechanism linear_delta, for a robot given by its parameters.
  * The header describes every function.
  *
- * Names in the code, for axis j; pulley k, or carriage k of a derivative; carriage l of a second derivative;
- * belt span s; component i = x, y, z.  t1, t2, ... are subexpressions that several values share.
+ * Names in the code, for axis j; pulley k, or carriage k of a derivative; coordinate l of a second
+ * derivative; belt span s; component i = x, y, z.  t1, t2, ... are subexpressions that several values share.
  *   x_j [m]: position of carriage j along its rail
- *   v_p_i [m/s]: velocity of the platform, component i
+ *   r_j_i [m]: platform joint j seen from the origin of rail j, component i
+ *   s_j_i [m]: linkage vector j, from carriage to platform joint, component i
+ *   a_j [m]: coordinate of platform joint j along rail j
+ *   w_j_i [m]: vector from rail j to platform joint j, perpendicular to it, component i
+ *   w2_j [m^2]: squared distance of platform joint j from rail j
+ *   tau_st_j [N m]: static torque on the driven pulley of axis j
+ *   I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
  *   l_f_j_s [m]: free length of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
  *     carriage to pulley 1)
  *   k_j_s [N/m]: stiffness of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
  *     carriage to pulley 1)
- *   r_j_i [m]: platform joint j seen from the origin of rail j, component i
- *   s_j_i [m]: linkage vector j, from carriage to platform joint, component i
- *   a_j [m]: coordinate of platform joint j along rail j
- *   w_j_i [m]: vector from rail j square to platform joint j, component i
- *   w2_j [m^2]: squared distance of platform joint j from rail j
- *   D_r_j [m]: entry of D_r for axis j: linkage vector along the rail
- *   A_i_j [m^2]: adjugate of D_l, entry i, j
- *   det_D_l [m^3]: determinant of D_l
- *   D_p_i_k [1]: platform Jacobian, dp_i/dx_k
- *   U_j_i_k [1]: derivative of linkage vector j, component i, by x_k
- *   f_j_kl [1]: right-hand side of closure j differentiated by x_k and x_l
- *   P_i_kl [1/m]: second derivative of p_i by x_k and x_l
- *   I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
- *   s_dot_j_i [m/s]: rate of change of linkage vector j, component i
- *   D_p_dot_i_k [1/s]: time derivative of dp_i/dx_k
- *   mu_j [N/m]: static force in linkage j divided by its length, positive in compression
- *   G_j [N]: gradient of the gravitational potential energy by x_j
- *   tau_st_j [N m]: static torque on the driven pulley of axis j
- *   det_j [N^2 m]: determinant of the equilibrium of axis j
- *   theta_j_k_st [rad]: static rotation of pulley k of axis j from the unstrained belts
  *   S_j_i [m]: centre of sphere j, on which the platform centre lies, component i
  *   alpha_i [m]: vector between the sphere centres 1 and 2, component i
  *   beta_i [m]: vector between the sphere centres 1 and 3, component i
@@ -40,6 +26,20 @@
  *   nu2 [m^4]: squared length of the normal
  *   h_j [m^2]: product of p - S_1 with the vector between sphere centres 1 and j
  *   q_i [m]: foot of the perpendicular on the plane of the centres, seen from S_1, component i
+ *   v_p_i [m/s]: velocity of the platform, component i
+ *   D_r_j [m]: entry of D_r for axis j: linkage vector along the motion of its joint
+ *   A_i_j [m^2]: adjugate of D_l, entry i, j
+ *   det_D_l [m^3]: determinant of D_l
+ *   D_p_i_k [1]: platform Jacobian, dp_i/dx_k
+ *   U_j_i_k [1]: derivative of linkage vector j, component i, with respect to x_k
+ *   f_j_kl [1]: right-hand side of closure j differentiated with respect to x_k and x_l
+ *   P_i_kl [1/m]: second derivative of p_i with respect to x_k and x_l
+ *   s_dot_j_i [m/s]: rate of change of linkage vector j, component i
+ *   D_p_dot_i_k [1/s]: time derivative of dp_i/dx_k
+ *   mu_j [N/m]: static force in linkage j divided by its length, positive in compression
+ *   G_j [N]: gradient of the gravitational potential energy with respect to x_j
+ *   det_j [N^2 m]: determinant of the equilibrium of axis j
+ *   theta_j_k_st [rad]: static rotation of pulley k of axis j, from unstrained transmissions
  */
 #include "linear_delta.h"
 
@@ -117,6 +117,87 @@ void linear_delta_inverse_kinematics(const double p[3], const linear_delta_param
     x[2] = x_3;
 }
 
+void linear_delta_reach_margin(const double p[3], const linear_delta_parameters *parameters,
+    double margin[3])
+{
+    const double p_x = p[0];
+    const double p_y = p[1];
+    const double p_z = p[2];
+    const double o_1_x = parameters->origin[0][0];
+    const double o_1_y = parameters->origin[0][1];
+    const double o_1_z = parameters->origin[0][2];
+    const double o_2_x = parameters->origin[1][0];
+    const double o_2_y = parameters->origin[1][1];
+    const double o_2_z = parameters->origin[1][2];
+    const double o_3_x = parameters->origin[2][0];
+    const double o_3_y = parameters->origin[2][1];
+    const double o_3_z = parameters->origin[2][2];
+    const double n_1_x = parameters->direction[0][0];
+    const double n_1_y = parameters->direction[0][1];
+    const double n_1_z = parameters->direction[0][2];
+    const double n_2_x = parameters->direction[1][0];
+    const double n_2_y = parameters->direction[1][1];
+    const double n_2_z = parameters->direction[1][2];
+    const double n_3_x = parameters->direction[2][0];
+    const double n_3_y = parameters->direction[2][1];
+    const double n_3_z = parameters->direction[2][2];
+    const double b_1_x = parameters->joint[0][0];
+    const double b_1_y = parameters->joint[0][1];
+    const double b_1_z = parameters->joint[0][2];
+    const double b_2_x = parameters->joint[1][0];
+    const double b_2_y = parameters->joint[1][1];
+    const double b_2_z = parameters->joint[1][2];
+    const double b_3_x = parameters->joint[2][0];
+    const double b_3_y = parameters->joint[2][1];
+    const double b_3_z = parameters->joint[2][2];
+    const double l_d_1 = parameters->link_length[0];
+    const double l_d_2 = parameters->link_length[1];
+    const double l_d_3 = parameters->link_length[2];
+    const double r_1_x = b_1_x - o_1_x + p_x;
+    const double r_1_y = b_1_y - o_1_y + p_y;
+    const double r_1_z = b_1_z - o_1_z + p_z;
+    const double r_2_x = b_2_x - o_2_x + p_x;
+    const double r_2_y = b_2_y - o_2_y + p_y;
+    const double r_2_z = b_2_z - o_2_z + p_z;
+    const double r_3_x = b_3_x - o_3_x + p_x;
+    const double r_3_y = b_3_y - o_3_y + p_y;
+    const double r_3_z = b_3_z - o_3_z + p_z;
+    const double a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z;
+    const double w_1_x = -a_1*n_1_x + r_1_x;
+    const double w_1_y = -a_1*n_1_y + r_1_y;
+    const double w_1_z = -a_1*n_1_z + r_1_z;
+    const double w2_1 = (w_1_x*w_1_x) + (w_1_y*w_1_y) + (w_1_z*w_1_z);
+    const double a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z;
+    const double w_2_x = -a_2*n_2_x + r_2_x;
+    const double w_2_y = -a_2*n_2_y + r_2_y;
+    const double w_2_z = -a_2*n_2_z + r_2_z;
+    const double w2_2 = (w_2_x*w_2_x) + (w_2_y*w_2_y) + (w_2_z*w_2_z);
+    const double a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z;
+    const double w_3_x = -a_3*n_3_x + r_3_x;
+    const double w_3_y = -a_3*n_3_y + r_3_y;
+    const double w_3_z = -a_3*n_3_z + r_3_z;
+    const double w2_3 = (w_3_x*w_3_x) + (w_3_y*w_3_y) + (w_3_z*w_3_z);
+    margin[0] = l_d_1 - sqrt(w2_1);
+    margin[1] = l_d_2 - sqrt(w2_2);
+    margin[2] = l_d_3 - sqrt(w2_3);
+}
+
+void linear_delta_travel_margin(const linear_delta_parameters *parameters, double margin[3])
+{
+    const double l_t_1 = parameters->carriage_length[0];
+    const double l_t_2 = parameters->carriage_length[1];
+    const double l_t_3 = parameters->carriage_length[2];
+    const double x_min_1 = parameters->limits[0][0];
+    const double x_max_1 = parameters->limits[0][1];
+    const double x_min_2 = parameters->limits[1][0];
+    const double x_max_2 = parameters->limits[1][1];
+    const double x_min_3 = parameters->limits[2][0];
+    const double x_max_3 = parameters->limits[2][1];
+    margin[0] = -l_t_1 + x_max_1 - x_min_1;
+    margin[1] = -l_t_2 + x_max_2 - x_min_2;
+    margin[2] = -l_t_3 + x_max_3 - x_min_3;
+}
+
 void linear_delta_direct_kinematics(const double x[3], double assembly,
     const linear_delta_parameters *parameters, double p[3])
 {
@@ -188,71 +269,6 @@ void linear_delta_direct_kinematics(const double x[3], double assembly,
     p[0] = S_1_x + nu_x*t4 + q_x;
     p[1] = S_1_y + nu_y*t4 + q_y;
     p[2] = S_1_z + nu_z*t4 + q_z;
-}
-
-void linear_delta_reach_margin(const double p[3], const linear_delta_parameters *parameters,
-    double margin[3])
-{
-    const double p_x = p[0];
-    const double p_y = p[1];
-    const double p_z = p[2];
-    const double o_1_x = parameters->origin[0][0];
-    const double o_1_y = parameters->origin[0][1];
-    const double o_1_z = parameters->origin[0][2];
-    const double o_2_x = parameters->origin[1][0];
-    const double o_2_y = parameters->origin[1][1];
-    const double o_2_z = parameters->origin[1][2];
-    const double o_3_x = parameters->origin[2][0];
-    const double o_3_y = parameters->origin[2][1];
-    const double o_3_z = parameters->origin[2][2];
-    const double n_1_x = parameters->direction[0][0];
-    const double n_1_y = parameters->direction[0][1];
-    const double n_1_z = parameters->direction[0][2];
-    const double n_2_x = parameters->direction[1][0];
-    const double n_2_y = parameters->direction[1][1];
-    const double n_2_z = parameters->direction[1][2];
-    const double n_3_x = parameters->direction[2][0];
-    const double n_3_y = parameters->direction[2][1];
-    const double n_3_z = parameters->direction[2][2];
-    const double b_1_x = parameters->joint[0][0];
-    const double b_1_y = parameters->joint[0][1];
-    const double b_1_z = parameters->joint[0][2];
-    const double b_2_x = parameters->joint[1][0];
-    const double b_2_y = parameters->joint[1][1];
-    const double b_2_z = parameters->joint[1][2];
-    const double b_3_x = parameters->joint[2][0];
-    const double b_3_y = parameters->joint[2][1];
-    const double b_3_z = parameters->joint[2][2];
-    const double l_d_1 = parameters->link_length[0];
-    const double l_d_2 = parameters->link_length[1];
-    const double l_d_3 = parameters->link_length[2];
-    const double r_1_x = b_1_x - o_1_x + p_x;
-    const double r_1_y = b_1_y - o_1_y + p_y;
-    const double r_1_z = b_1_z - o_1_z + p_z;
-    const double r_2_x = b_2_x - o_2_x + p_x;
-    const double r_2_y = b_2_y - o_2_y + p_y;
-    const double r_2_z = b_2_z - o_2_z + p_z;
-    const double r_3_x = b_3_x - o_3_x + p_x;
-    const double r_3_y = b_3_y - o_3_y + p_y;
-    const double r_3_z = b_3_z - o_3_z + p_z;
-    const double a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z;
-    const double w_1_x = -a_1*n_1_x + r_1_x;
-    const double w_1_y = -a_1*n_1_y + r_1_y;
-    const double w_1_z = -a_1*n_1_z + r_1_z;
-    const double w2_1 = (w_1_x*w_1_x) + (w_1_y*w_1_y) + (w_1_z*w_1_z);
-    const double a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z;
-    const double w_2_x = -a_2*n_2_x + r_2_x;
-    const double w_2_y = -a_2*n_2_y + r_2_y;
-    const double w_2_z = -a_2*n_2_z + r_2_z;
-    const double w2_2 = (w_2_x*w_2_x) + (w_2_y*w_2_y) + (w_2_z*w_2_z);
-    const double a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z;
-    const double w_3_x = -a_3*n_3_x + r_3_x;
-    const double w_3_y = -a_3*n_3_y + r_3_y;
-    const double w_3_z = -a_3*n_3_z + r_3_z;
-    const double w2_3 = (w_3_x*w_3_x) + (w_3_y*w_3_y) + (w_3_z*w_3_z);
-    margin[0] = l_d_1 - sqrt(w2_1);
-    margin[1] = l_d_2 - sqrt(w2_2);
-    margin[2] = l_d_3 - sqrt(w2_3);
 }
 
 void linear_delta_belt_spans(const double p[3], const linear_delta_parameters *parameters, double l_f[3][3])
@@ -1295,12 +1311,12 @@ void linear_delta_kinetic_energy(const double p[3], const double q_dot[9],
     const double D_p_z_3 = A_z_3*t4;
     const double t5 = I_m_1*(i_g_1*i_g_1);
     const double I_1_1 = I_p_1 + d_1_1*t5;
+    const double I_1_2 = I_p_1 + d_1_2*t5;
     const double t6 = I_m_2*(i_g_2*i_g_2);
     const double I_2_1 = I_p_2 + d_2_1*t6;
+    const double I_2_2 = I_p_2 + d_2_2*t6;
     const double t7 = I_m_3*(i_g_3*i_g_3);
     const double I_3_1 = I_p_3 + d_3_1*t7;
-    const double I_1_2 = I_p_1 + d_1_2*t5;
-    const double I_2_2 = I_p_2 + d_2_2*t6;
     const double I_3_2 = I_p_3 + d_3_2*t7;
     const double v_p_x = D_p_x_1*x_1_dot + D_p_x_2*x_2_dot + D_p_x_3*x_3_dot;
     const double v_p_y = D_p_y_1*x_1_dot + D_p_y_2*x_2_dot + D_p_y_3*x_3_dot;
@@ -1449,12 +1465,12 @@ void linear_delta_mass_matrix(const double p[3], const linear_delta_parameters *
     const double D_p_z_3 = A_z_3*t4;
     const double t5 = I_m_1*(i_g_1*i_g_1);
     const double I_1_1 = I_p_1 + d_1_1*t5;
+    const double I_1_2 = I_p_1 + d_1_2*t5;
     const double t6 = I_m_2*(i_g_2*i_g_2);
     const double I_2_1 = I_p_2 + d_2_1*t6;
+    const double I_2_2 = I_p_2 + d_2_2*t6;
     const double t7 = I_m_3*(i_g_3*i_g_3);
     const double I_3_1 = I_p_3 + d_3_1*t7;
-    const double I_1_2 = I_p_1 + d_1_2*t5;
-    const double I_2_2 = I_p_2 + d_2_2*t6;
     const double I_3_2 = I_p_3 + d_3_2*t7;
     const double t8 = (1.0/3.0)*m_d_1;
     const double t9 = (1.0/6.0)*m_d_1;
@@ -2815,6 +2831,12 @@ void linear_delta_static_equilibrium(const double p[3], const linear_delta_param
     const double G_1 =
         -D_p_x_1*t15 - D_p_y_1*t16 - D_p_z_1*t17 - g_x*(m_t_1*n_1_x + n_1_x*t11) - g_y*(m_t_1*n_1_y
         + n_1_y*t11) - g_z*(m_t_1*n_1_z + n_1_z*t11);
+    const double G_2 =
+        -D_p_x_2*t15 - D_p_y_2*t16 - D_p_z_2*t17 - g_x*(m_t_2*n_2_x + n_2_x*t12) - g_y*(m_t_2*n_2_y
+        + n_2_y*t12) - g_z*(m_t_2*n_2_z + n_2_z*t12);
+    const double G_3 =
+        -D_p_x_3*t15 - D_p_y_3*t16 - D_p_z_3*t17 - g_x*(m_t_3*n_3_x + n_3_x*t13) - g_y*(m_t_3*n_3_y
+        + n_3_y*t13) - g_z*(m_t_3*n_3_z + n_3_z*t13);
     const double t18 = (R_p_1*R_p_1);
     const double t19 = k_1_1*t18;
     const double t20 = k_1_3*t18;
@@ -2825,38 +2847,32 @@ void linear_delta_static_equilibrium(const double p[3], const linear_delta_param
     const double t24 = G_1/det_1;
     const double theta_1_1_st = -t23*t24;
     const double theta_1_2_st = t21*t24;
-    const double t25 = R_p_1*k_1_1*(-R_p_1*theta_1_1_st + R_p_1*theta_1_2_st);
-    const double tau_st_1 = d_1_1*(t20*theta_1_1_st - t25) + d_1_2*(t22*theta_1_2_st + t25);
-    const double G_2 =
-        -D_p_x_2*t15 - D_p_y_2*t16 - D_p_z_2*t17 - g_x*(m_t_2*n_2_x + n_2_x*t12) - g_y*(m_t_2*n_2_y
-        + n_2_y*t12) - g_z*(m_t_2*n_2_z + n_2_z*t12);
-    const double t26 = (R_p_2*R_p_2);
-    const double t27 = k_2_1*t26;
-    const double t28 = k_2_3*t26;
-    const double t29 = -d_2_1*t27 + d_2_2*(t27 + t28);
-    const double t30 = k_2_2*t26;
-    const double t31 = d_2_1*(t27 + t30) - d_2_2*t27;
-    const double det_2 = R_p_2*k_2_2*t29 - R_p_2*k_2_3*t31;
-    const double t32 = G_2/det_2;
-    const double theta_2_1_st = -t31*t32;
-    const double theta_2_2_st = t29*t32;
-    const double t33 = R_p_2*k_2_1*(-R_p_2*theta_2_1_st + R_p_2*theta_2_2_st);
-    const double tau_st_2 = d_2_1*(t28*theta_2_1_st - t33) + d_2_2*(t30*theta_2_2_st + t33);
-    const double G_3 =
-        -D_p_x_3*t15 - D_p_y_3*t16 - D_p_z_3*t17 - g_x*(m_t_3*n_3_x + n_3_x*t13) - g_y*(m_t_3*n_3_y
-        + n_3_y*t13) - g_z*(m_t_3*n_3_z + n_3_z*t13);
-    const double t34 = (R_p_3*R_p_3);
-    const double t35 = k_3_1*t34;
-    const double t36 = k_3_3*t34;
-    const double t37 = -d_3_1*t35 + d_3_2*(t35 + t36);
-    const double t38 = k_3_2*t34;
-    const double t39 = d_3_1*(t35 + t38) - d_3_2*t35;
-    const double det_3 = R_p_3*k_3_2*t37 - R_p_3*k_3_3*t39;
-    const double t40 = G_3/det_3;
-    const double theta_3_1_st = -t39*t40;
-    const double theta_3_2_st = t37*t40;
+    const double t25 = (R_p_2*R_p_2);
+    const double t26 = k_2_1*t25;
+    const double t27 = k_2_3*t25;
+    const double t28 = -d_2_1*t26 + d_2_2*(t26 + t27);
+    const double t29 = k_2_2*t25;
+    const double t30 = d_2_1*(t26 + t29) - d_2_2*t26;
+    const double det_2 = R_p_2*k_2_2*t28 - R_p_2*k_2_3*t30;
+    const double t31 = G_2/det_2;
+    const double theta_2_1_st = -t30*t31;
+    const double theta_2_2_st = t28*t31;
+    const double t32 = (R_p_3*R_p_3);
+    const double t33 = k_3_1*t32;
+    const double t34 = k_3_3*t32;
+    const double t35 = -d_3_1*t33 + d_3_2*(t33 + t34);
+    const double t36 = k_3_2*t32;
+    const double t37 = d_3_1*(t33 + t36) - d_3_2*t33;
+    const double det_3 = R_p_3*k_3_2*t35 - R_p_3*k_3_3*t37;
+    const double t38 = G_3/det_3;
+    const double theta_3_1_st = -t37*t38;
+    const double theta_3_2_st = t35*t38;
+    const double t39 = R_p_1*k_1_1*(-R_p_1*theta_1_1_st + R_p_1*theta_1_2_st);
+    const double tau_st_1 = d_1_1*(t20*theta_1_1_st - t39) + d_1_2*(t22*theta_1_2_st + t39);
+    const double t40 = R_p_2*k_2_1*(-R_p_2*theta_2_1_st + R_p_2*theta_2_2_st);
+    const double tau_st_2 = d_2_1*(t27*theta_2_1_st - t40) + d_2_2*(t29*theta_2_2_st + t40);
     const double t41 = R_p_3*k_3_1*(-R_p_3*theta_3_1_st + R_p_3*theta_3_2_st);
-    const double tau_st_3 = d_3_1*(t36*theta_3_1_st - t41) + d_3_2*(t38*theta_3_2_st + t41);
+    const double tau_st_3 = d_3_1*(t34*theta_3_1_st - t41) + d_3_2*(t36*theta_3_2_st + t41);
     tau_st[0] = tau_st_1;
     tau_st[1] = tau_st_2;
     tau_st[2] = tau_st_3;
@@ -3250,12 +3266,12 @@ void linear_delta_modal_matrices(const double p[3], const linear_delta_parameter
     const double U_3_z_3 = D_p_z_3 - n_3_z;
     const double t5 = I_m_1*(i_g_1*i_g_1);
     const double I_1_1 = I_p_1 + d_1_1*t5;
+    const double I_1_2 = I_p_1 + d_1_2*t5;
     const double t6 = I_m_2*(i_g_2*i_g_2);
     const double I_2_1 = I_p_2 + d_2_1*t6;
+    const double I_2_2 = I_p_2 + d_2_2*t6;
     const double t7 = I_m_3*(i_g_3*i_g_3);
     const double I_3_1 = I_p_3 + d_3_1*t7;
-    const double I_1_2 = I_p_1 + d_1_2*t5;
-    const double I_2_2 = I_p_2 + d_2_2*t6;
     const double I_3_2 = I_p_3 + d_3_2*t7;
     const double l_f_1_1 = x_max_1 - x_min_1;
     const double t8 = k_sp_1*w_b_1;
@@ -3384,20 +3400,4 @@ void linear_delta_modal_matrices(const double p[3], const linear_delta_parameter
     K[6][6] = k_1_2*t58 + t59;
     K[7][7] = k_2_2*t60 + t61;
     K[8][8] = k_3_2*t62 + t63;
-}
-
-void linear_delta_travel_margin(const linear_delta_parameters *parameters, double margin[3])
-{
-    const double l_t_1 = parameters->carriage_length[0];
-    const double l_t_2 = parameters->carriage_length[1];
-    const double l_t_3 = parameters->carriage_length[2];
-    const double x_min_1 = parameters->limits[0][0];
-    const double x_max_1 = parameters->limits[0][1];
-    const double x_min_2 = parameters->limits[1][0];
-    const double x_max_2 = parameters->limits[1][1];
-    const double x_min_3 = parameters->limits[2][0];
-    const double x_max_3 = parameters->limits[2][1];
-    margin[0] = -l_t_1 + x_max_1 - x_min_1;
-    margin[1] = -l_t_2 + x_max_2 - x_min_2;
-    margin[2] = -l_t_3 + x_max_3 - x_min_3;
 }

@@ -26,58 +26,78 @@ extern "C" {
 #endif
 
 typedef struct {
-    /* [kg] platform mass m_p */
+    /* [kg] platform mass */
     double platform_mass;
     /* [m/s^2] gravitational acceleration g, base frame */
     double gravity[3];
-    /* [m] o_j, the point of rail j where x_j = 0; one row for each axis */
+    /* [m] point of rail j where x_j = 0 */
     double origin[3][3];
-    /* [1] n_j, unit vector along rail j; one row for each axis */
+    /* [1] unit vector along rail j */
     double direction[3][3];
-    /* [m] b_j = c_j - p, platform joint seen from the platform centre */
+    /* [m] joint j of the platform seen from its centre */
     double joint[3][3];
-    /* [m] length l_d of each linkage */
+    /* [m] length of linkage j */
     double link_length[3];
-    /* [kg] mass m_d of each linkage, both rods together */
+    /* [kg] mass of linkage j, both rods together */
     double link_mass[3];
-    /* [kg] mass m_t of each carriage */
+    /* [kg] mass of carriage j */
     double carriage_mass[3];
-    /* [m] length l_t of each carriage along its rail */
+    /* [m] length of carriage j along its rail */
     double carriage_length[3];
-    /* [N/m] specific stiffness k_sp of each belt */
+    /* [N/m] specific stiffness of belt j: k = w_b k_sp / free length */
     double belt_specific_stiffness[3];
-    /* [m] width w_b of each belt */
+    /* [m] width of belt j */
     double belt_width[3];
-    /* [m] radius R_p of the pulleys of each axis */
+    /* [m] radius of the pulleys of axis j */
     double pulley_radius[3];
-    /* [kg m^2] moment of inertia I_p of each of the two pulleys */
+    /* [kg m^2] moment of inertia of each pulley of axis j */
     double pulley_inertia[3];
-    /* [kg m^2] moment of inertia of each motor, at its shaft */
+    /* [kg m^2] moment of inertia of motor j at the motor shaft */
     double motor_inertia[3];
-    /* [1] gear ratio, motor over driven pulley */
+    /* [1] gear ratio of axis j, motor over driven pulley */
     double gear_ratio[3];
-    /* [1] 1 where the motor drives pulley k of axis j, else 0; one row for each axis */
+    /* [1] 1 where the motor drives pulley k of axis j, else 0 */
     double drive[3][2];
     /* [m] min(x_j), max(x_j): pulley 2 sits at min, pulley 1 at max */
     double limits[3][2];
-    /* [1] +1: carriage ahead of the platform joint along n_j; -1: behind */
+    /* [1] branch of axis j: +1 the carriage is ahead of the platform joint along the rail, -1 behind */
     double branch[3];
 } linear_delta_parameters;
 
-/* Carriage positions that put the platform centre at p.
+/* Carriage positions at a pose.
  *
- * Not a number where a platform joint is farther from its rail than the link is long (see `reach_margin`).
+ * Not a number out of reach (see `reach_margin`).
  *
  *   in  p [m]: platform centre in the base frame
  *   out x [m]: carriage positions x_1, x_2, x_3
  *
- * Source: equations 1 to 3: rail j meets the sphere of radius l_d around platform joint j.
+ * Source: equations 1 to 3.
  * 84 operations; 201 with every named value written out.
  */
 void linear_delta_inverse_kinematics(const double p[3], const linear_delta_parameters *parameters,
     double x[3]);
 
-/* Platform centre for given carriage positions.
+/* How much farther each platform joint could be from its rail.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out margin [m]: link length minus distance of the platform joint from its rail, for each axis
+ *
+ * Source: closure of equation 2: a pose is reachable where every margin is at least zero.
+ * 75 operations; 159 with every named value written out.
+ */
+void linear_delta_reach_margin(const double p[3], const linear_delta_parameters *parameters,
+    double margin[3]);
+
+/* Room for the two belt spans of each carriage, whatever the pose.
+ *
+ *   out margin [m]: max - min - l_t for each axis; positive for a robot that can move
+ *
+ * Source: equations 36 and 37, added.
+ * 6 operations; 6 with every named value written out.
+ */
+void linear_delta_travel_margin(const linear_delta_parameters *parameters, double margin[3]);
+
+/* Platform centre in the base frame for given carriage positions.
  *
  * Not a number where the three spheres do not meet.
  *
@@ -91,24 +111,12 @@ void linear_delta_inverse_kinematics(const double p[3], const linear_delta_param
 void linear_delta_direct_kinematics(const double x[3], double assembly,
     const linear_delta_parameters *parameters, double p[3]);
 
-/* How much farther each platform joint could be from its rail.
- *
- *   in  p [m]: platform centre in the base frame
- *   out margin [m]: link length minus distance of the platform joint from its rail, for each axis
- *
- * Source: closure of equation 2: a pose is reachable where every margin is at least zero.
- * 75 operations; 159 with every named value written out.
- */
-void linear_delta_reach_margin(const double p[3], const linear_delta_parameters *parameters,
-    double margin[3]);
-
 /* Free lengths of the belt spans.
  *
  *   in  p [m]: platform centre in the base frame
- *   out l_f [m]: free length l_f[j-1, s-1]: s = 1 between the pulleys, 2 carriage to pulley 2, 3 carriage to
- *     pulley 1
+ *   out l_f [m]: free length l_f[j-1, s-1] of span s of belt j
  *
- * Source: equations 35 to 37; a carriage is within its limits where its two spans are positive.
+ * Source: equations 35 to 37; a pose is within the limits where all are positive.
  * 102 operations; 423 with every named value written out.
  */
 void linear_delta_belt_spans(const double p[3], const linear_delta_parameters *parameters, double l_f[3][3]);
@@ -117,7 +125,7 @@ void linear_delta_belt_spans(const double p[3], const linear_delta_parameters *p
  *
  *   in  p [m]: platform centre in the base frame
  *   out D_l [m]: row j: linkage vector c_j - e_j in the base frame
- *   out D_r [m]: diagonal: component of the linkage vector along rail j
+ *   out D_r [m]: diagonal: component of linkage vector j along the motion of its joint
  *
  * Source: equations 14 and 15.
  * 117 operations; 1293 with every named value written out.
@@ -140,7 +148,7 @@ void linear_delta_jacobian_condition(const double p[3], const linear_delta_param
 /* Platform Jacobian D_p = D_l^-1 D_r.
  *
  *   in  p [m]: platform centre in the base frame
- *   out D_p [1]: dp_i/dx_k, base frame
+ *   out D_p [1]: dp_i/dq_k, base frame
  *
  * Source: equation 15.
  * 162 operations; 14274 with every named value written out.
@@ -152,7 +160,7 @@ void linear_delta_platform_jacobian(const double p[3], const linear_delta_parame
  *
  *   in  p [m]: platform centre in the base frame
  *   in  x_dot [m/s]: carriage velocities
- *   out D_p_dot [1/s]: d(D_p)/dt while the carriages move
+ *   out D_p_dot [1/s]: d(D_p)/dt, with x_dot
  *
  * Source: equation 17.
  * 330 operations; 660699 with every named value written out.
@@ -160,10 +168,10 @@ void linear_delta_platform_jacobian(const double p[3], const linear_delta_parame
 void linear_delta_platform_jacobian_rate(const double p[3], const double x_dot[3],
     const linear_delta_parameters *parameters, double D_p_dot[3][3]);
 
-/* Second derivatives of the platform centre by the carriage positions.
+/* Second derivatives of the platform with respect to the carriage positions.
  *
  *   in  p [m]: platform centre in the base frame
- *   out P [1/m]: d2p_i/dx_k dx_l as P[i, k, l]
+ *   out P [1/m]: d2p_i/dq_k dq_l as P[i, k, l]
  *
  * Source: equation 49, by the implicit function theorem to second order.
  * 369 operations; 695493 with every named value written out.
@@ -187,8 +195,8 @@ void linear_delta_link_jacobians(const double p[3], const linear_delta_parameter
  *
  *   in  p [m]: platform centre in the base frame
  *   in  q_dot [m/s, rad/s]: rates of the nine generalised coordinates
- *   out T_ss [J]: carriages, linkages and platform
- *   out T_t [J]: pulleys and motors
+ *   out T_ss [J]: platform and what moves it
+ *   out T_t [J]: rotors and motors
  *
  * Source: equations 24 and 28.
  * 275 operations; 28717 with every named value written out.
@@ -210,7 +218,7 @@ void linear_delta_mass_matrix(const double p[3], const linear_delta_parameters *
  *
  *   in  p [m]: platform centre in the base frame
  *   in  x_dot [m/s]: carriage velocities
- *   out h [N]: generalised forces on the carriages; the pulleys have none
+ *   out h [N]: generalised forces on the carriage coordinates
  *
  * Source: Lagrange's equations, equation 47 without its linearisation.
  * 711 operations; 3553737 with every named value written out.
@@ -223,26 +231,26 @@ void linear_delta_velocity_forces(const double p[3], const double x_dot[3],
  *   in  p [m]: platform centre in the base frame
  *   out V_g [J]: zero at the origin of the base frame
  *
- * Source: equation 26, for gravity in any direction; the carriages' weight included.
+ * Source: equation 26, for gravity in any direction and every body that moves.
  * 195 operations; 1368 with every named value written out.
  */
 void linear_delta_gravity_potential(const double p[3], const linear_delta_parameters *parameters,
     double *V_g);
 
-/* Gradient of the gravitational potential energy by the carriage positions.
+/* Gradient of the gravitational potential energy with respect to the carriage positions.
  *
  *   in  p [m]: platform centre in the base frame
- *   out G [N]: dV_g/dx_k
+ *   out G [N]: dV_g/dq_k
  *
  * Source: equation 27.
  * 234 operations; 14409 with every named value written out.
  */
 void linear_delta_gravity_gradient(const double p[3], const linear_delta_parameters *parameters, double G[3]);
 
-/* Hessian of the gravitational potential energy by the carriage positions.
+/* Hessian of the gravitational potential energy with respect to the carriage positions.
  *
  *   in  p [m]: platform centre in the base frame
- *   out H_g [N/m]: d2V_g/dx_k dx_l, symmetric
+ *   out H_g [N/m]: d2V_g/dq_k dq_l, symmetric
  *
  * Source: section 4 and equation 49.
  * 345 operations; 373806 with every named value written out.
@@ -261,14 +269,14 @@ void linear_delta_gravity_hessian(const double p[3], const linear_delta_paramete
 void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameters *parameters,
     double k[3][3]);
 
-/* Elastic potential energy V_el of the belts, the force function U_el with opposite sign.
+/* Elastic potential energy V_el of the transmissions, the force function U_el with opposite sign.
  *
  *   in  p [m]: platform centre in the base frame
  *   in  delta_q [m, rad]: small displacements of the nine generalised coordinates from the reference
  *     configuration at p
  *   out V_el [J]: zero in the reference configuration
  *
- * Source: equation 38, summed over the axes.
+ * Source: equation 38, summed.
  * 164 operations; 497 with every named value written out.
  */
 void linear_delta_elastic_potential(const double p[3], const double delta_q[9],
@@ -298,13 +306,13 @@ void linear_delta_elastic_gradient(const double p[3], const double delta_q[9],
 void linear_delta_elastic_hessian(const double p[3], const linear_delta_parameters *parameters,
     double H_el[9][9]);
 
-/* Torques and pulley rotations that hold the pose.
+/* Torques of the drives, and the rotations that go with them, that hold the pose.
  *
  *   in  p [m]: platform centre in the base frame
- *   out tau_st [N m]: torques on the driven pulleys, positive with theta
- *   out theta_st [rad]: rotations from the unstrained belts, in the order of the coordinates theta
+ *   out tau_st [N m]: torques on the driven rotors, positive with their rotation
+ *   out theta_st [rad]: rotations from unstrained transmissions, in the order of the coordinates
  *
- * Source: equation 44, solved for the carriages fixed at the pose.
+ * Source: equation 44, solved at the pose.
  * 363 operations; 125757 with every named value written out.
  */
 void linear_delta_static_equilibrium(const double p[3], const linear_delta_parameters *parameters,
@@ -334,15 +342,6 @@ void linear_delta_stiffness_matrix(const double p[3], const linear_delta_paramet
  */
 void linear_delta_modal_matrices(const double p[3], const linear_delta_parameters *parameters,
     double M[9][9], double K[9][9]);
-
-/* Room for the two belt spans of each carriage, whatever the pose.
- *
- *   out margin [m]: max - min - l_t for each axis; positive for a robot that can move
- *
- * Source: equations 36 and 37, added.
- * 6 operations; 6 with every named value written out.
- */
-void linear_delta_travel_margin(const linear_delta_parameters *parameters, double margin[3]);
 
 #ifdef __cplusplus
 }

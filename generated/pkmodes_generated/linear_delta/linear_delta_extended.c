@@ -8,27 +8,27 @@
  * Names in the code, for axis j; pulley k, or carriage k of a derivative; belt span s; component i = x, y, z.
  * t1, t2, ... are subexpressions that several values share.
  *   x_j [m]: position of carriage j along its rail
+ *   r_j_i [m]: platform joint j seen from the origin of rail j, component i
+ *   s_j_i [m]: linkage vector j, from carriage to platform joint, component i
+ *   a_j [m]: coordinate of platform joint j along rail j
+ *   w_j_i [m]: vector from rail j to platform joint j, perpendicular to it, component i
+ *   w2_j [m^2]: squared distance of platform joint j from rail j
+ *   tau_st_j [N m]: static torque on the driven pulley of axis j
+ *   I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
  *   l_f_j_s [m]: free length of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
  *     carriage to pulley 1)
  *   k_j_s [N/m]: stiffness of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
  *     carriage to pulley 1)
- *   r_j_i [m]: platform joint j seen from the origin of rail j, component i
- *   s_j_i [m]: linkage vector j, from carriage to platform joint, component i
- *   a_j [m]: coordinate of platform joint j along rail j
- *   w_j_i [m]: vector from rail j square to platform joint j, component i
- *   w2_j [m^2]: squared distance of platform joint j from rail j
- *   D_r_j [m]: entry of D_r for axis j: linkage vector along the rail
+ *   D_r_j [m]: entry of D_r for axis j: linkage vector along the motion of its joint
  *   A_i_j [m^2]: adjugate of D_l, entry i, j
  *   det_D_l [m^3]: determinant of D_l
  *   D_p_i_k [1]: platform Jacobian, dp_i/dx_k
  *   D_delta_i_k [1]: platform Jacobian, dp_i/ddelta_k
- *   U_j_i_k [1]: derivative of linkage vector j, component i, by x_k
- *   I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
+ *   U_j_i_k [1]: derivative of linkage vector j, component i, with respect to x_k
  *   mu_j [N/m]: static force in linkage j divided by its length, positive in compression
- *   G_j [N]: gradient of the gravitational potential energy by x_j
- *   tau_st_j [N m]: static torque on the driven pulley of axis j
+ *   G_j [N]: gradient of the gravitational potential energy with respect to x_j
  *   det_j [N^2 m]: determinant of the equilibrium of axis j
- *   theta_j_k_st [rad]: static rotation of pulley k of axis j from the unstrained belts
+ *   theta_j_k_st [rad]: static rotation of pulley k of axis j, from unstrained transmissions
  */
 #include "linear_delta_extended.h"
 
@@ -122,6 +122,8 @@ void linear_delta_extended_extended_matrices(const double p[3], const linear_del
     const double a_B_3 = effects->axis_belt_stiffness_factor_3;
     const double c_E = effects->belt_end_compliance_compliance;
     const double rho_b = effects->belt_mass_linear_density;
+    const double c_T = effects->belt_tension_stiffness_coefficient;
+    const double F_T = effects->belt_tension_stiffness_tension;
     const double k_C = effects->cable_stiffness_stiffness;
     const double I_G = effects->gearbox_inertia_inertia;
     const double m_L = effects->payload_mass;
@@ -216,430 +218,435 @@ void linear_delta_extended_extended_matrices(const double p[3], const linear_del
     const double t11 = I_m_1*(i_g_1*i_g_1);
     const double t12 = I_G + t11;
     const double I_1_1 = I_p_1 + d_1_1*t12;
+    const double I_1_2 = I_p_1 + d_1_2*t12;
     const double t13 = I_m_2*(i_g_2*i_g_2);
     const double t14 = I_G + t13;
     const double I_2_1 = I_p_2 + d_2_1*t14;
+    const double I_2_2 = I_p_2 + d_2_2*t14;
     const double t15 = I_m_3*(i_g_3*i_g_3);
     const double t16 = I_G + t15;
     const double I_3_1 = I_p_3 + d_3_1*t16;
-    const double I_1_2 = I_p_1 + d_1_2*t12;
-    const double I_2_2 = I_p_2 + d_2_2*t14;
     const double I_3_2 = I_p_3 + d_3_2*t16;
     const double l_f_1_1 = x_max_1 - x_min_1;
-    const double t17 = k_sp_1*w_b_1*(a_B_1 + 1);
+    const double t17 = F_T*c_T + 1;
     const double t18 = c_E*t17;
-    const double k_1_1 = t17/(l_f_1_1 + t18);
-    const double t19 = (1.0/2.0)*l_t_1;
-    const double l_f_1_2 = -t19 + x_1 - x_min_1;
-    const double k_1_2 = t17/(l_f_1_2 + t18);
-    const double l_f_1_3 = -t19 - x_1 + x_max_1;
-    const double k_1_3 = t17/(l_f_1_3 + t18);
+    const double t19 = k_sp_1*w_b_1*(a_B_1 + 1);
+    const double t20 = t18*t19;
+    const double t21 = t17*t19;
+    const double k_1_1 = t21/(l_f_1_1 + t20);
+    const double t22 = (1.0/2.0)*l_t_1;
+    const double l_f_1_2 = -t22 + x_1 - x_min_1;
+    const double k_1_2 = t21/(l_f_1_2 + t20);
+    const double l_f_1_3 = -t22 - x_1 + x_max_1;
+    const double k_1_3 = t21/(l_f_1_3 + t20);
     const double l_f_2_1 = x_max_2 - x_min_2;
-    const double t20 = k_sp_2*w_b_2*(a_B_2 + 1);
-    const double t21 = c_E*t20;
-    const double k_2_1 = t20/(l_f_2_1 + t21);
-    const double t22 = (1.0/2.0)*l_t_2;
-    const double l_f_2_2 = -t22 + x_2 - x_min_2;
-    const double k_2_2 = t20/(l_f_2_2 + t21);
-    const double l_f_2_3 = -t22 - x_2 + x_max_2;
-    const double k_2_3 = t20/(l_f_2_3 + t21);
+    const double t23 = k_sp_2*w_b_2*(a_B_2 + 1);
+    const double t24 = t18*t23;
+    const double t25 = t17*t23;
+    const double k_2_1 = t25/(l_f_2_1 + t24);
+    const double t26 = (1.0/2.0)*l_t_2;
+    const double l_f_2_2 = -t26 + x_2 - x_min_2;
+    const double k_2_2 = t25/(l_f_2_2 + t24);
+    const double l_f_2_3 = -t26 - x_2 + x_max_2;
+    const double k_2_3 = t25/(l_f_2_3 + t24);
     const double l_f_3_1 = x_max_3 - x_min_3;
-    const double t23 = k_sp_3*w_b_3*(a_B_3 + 1);
-    const double t24 = c_E*t23;
-    const double k_3_1 = t23/(l_f_3_1 + t24);
-    const double t25 = (1.0/2.0)*l_t_3;
-    const double l_f_3_2 = -t25 + x_3 - x_min_3;
-    const double k_3_2 = t23/(l_f_3_2 + t24);
-    const double l_f_3_3 = -t25 - x_3 + x_max_3;
-    const double k_3_3 = t23/(l_f_3_3 + t24);
-    const double t26 = (1.0/2.0)*m_d_1;
-    const double t27 = (1.0/2.0)*m_d_2;
-    const double t28 = (1.0/2.0)*m_d_3;
-    const double t29 = m_L + m_p;
-    const double t30 = t26 + t27 + t28 + t29;
-    const double t31 = g_x*t30;
-    const double t32 = g_y*t30;
-    const double t33 = g_z*t30;
-    const double mu_1 = t1*(-A_x_1*t31 - A_y_1*t32 - A_z_1*t33);
-    const double mu_2 = t1*(-A_x_2*t31 - A_y_2*t32 - A_z_2*t33);
-    const double mu_3 = t1*(-A_x_3*t31 - A_y_3*t32 - A_z_3*t33);
-    const double t34 = (1.0/3.0)*m_d_1;
-    const double t35 = (1.0/6.0)*m_d_1;
-    const double t36 = n_1_x*t35;
-    const double t37 = (1.0/3.0)*m_d_2;
-    const double t38 = (1.0/3.0)*m_d_3;
-    const double t39 = t29 + t34 + t37 + t38;
-    const double t40 = D_p_x_1*t39;
-    const double t41 = t36 + t40;
-    const double t42 = n_1_y*t35;
-    const double t43 = D_p_y_1*t39;
-    const double t44 = t42 + t43;
-    const double t45 = n_1_z*t35;
-    const double t46 = D_p_z_1*t39;
-    const double t47 = t45 + t46;
-    const double t48 = (1.0/3.0)*rho_b;
-    const double t49 = l_f_1_2*t48;
-    const double t50 = l_f_1_3*t48;
-    const double t51 = t49 + t50;
-    const double t52 = (1.0/6.0)*m_d_2;
-    const double t53 = n_2_x*t52;
-    const double t54 = n_2_y*t52;
-    const double t55 = n_2_z*t52;
-    const double t56 = (1.0/6.0)*m_d_3;
-    const double t57 = n_3_x*t56;
-    const double t58 = n_3_y*t56;
-    const double t59 = n_3_z*t56;
-    const double t60 = (1.0/6.0)*rho_b;
-    const double t61 = R_p_1*t60;
-    const double t62 = l_f_1_3*t61;
-    const double t63 = l_f_1_2*t61;
-    const double t64 = t35 + t52 + t56;
-    const double t65 = D_p_x_2*t39;
-    const double t66 = t53 + t65;
-    const double t67 = D_p_y_2*t39;
-    const double t68 = t54 + t67;
-    const double t69 = D_p_z_2*t39;
-    const double t70 = t55 + t69;
-    const double t71 = l_f_2_2*t48;
-    const double t72 = l_f_2_3*t48;
-    const double t73 = t71 + t72;
-    const double t74 = R_p_2*t60;
-    const double t75 = l_f_2_3*t74;
-    const double t76 = l_f_2_2*t74;
-    const double t77 = D_p_x_3*t39;
-    const double t78 = t57 + t77;
-    const double t79 = D_p_y_3*t39;
-    const double t80 = t58 + t79;
-    const double t81 = D_p_z_3*t39;
-    const double t82 = t59 + t81;
-    const double t83 = l_f_3_2*t48;
-    const double t84 = l_f_3_3*t48;
-    const double t85 = t83 + t84;
-    const double t86 = R_p_3*t60;
-    const double t87 = l_f_3_3*t86;
-    const double t88 = l_f_3_2*t86;
-    const double t89 = (R_p_1*R_p_1);
-    const double t90 = l_f_1_1*t89;
-    const double t91 = t48*t90;
-    const double t92 = d_1_1*t11;
-    const double t93 = (R_p_2*R_p_2);
-    const double t94 = l_f_2_1*t93;
-    const double t95 = t48*t94;
-    const double t96 = d_2_1*t13;
-    const double t97 = (R_p_3*R_p_3);
-    const double t98 = l_f_3_1*t97;
-    const double t99 = t48*t98;
-    const double t100 = d_3_1*t15;
-    const double t101 = d_1_2*t11;
-    const double t102 = d_2_2*t13;
-    const double t103 = d_3_2*t15;
-    const double t104 = (D_delta_x_1*D_delta_x_1);
-    const double t105 = (D_delta_y_1*D_delta_y_1);
-    const double t106 = (D_delta_z_1*D_delta_z_1);
-    const double t107 = D_delta_x_1*t39;
-    const double t108 = D_delta_y_1*t39;
-    const double t109 = D_delta_z_1*t39;
-    const double t110 = (D_delta_x_2*D_delta_x_2);
-    const double t111 = (D_delta_y_2*D_delta_y_2);
-    const double t112 = (D_delta_z_2*D_delta_z_2);
-    const double t113 = D_delta_x_2*t39;
-    const double t114 = D_delta_y_2*t39;
-    const double t115 = D_delta_z_2*t39;
-    const double t116 = (D_delta_x_3*D_delta_x_3);
-    const double t117 = (D_delta_y_3*D_delta_y_3);
-    const double t118 = (D_delta_z_3*D_delta_z_3);
-    const double t119 = m_F + m_d_1 + m_d_2 + m_d_3 + m_t_1 + m_t_2 + m_t_3 + t29;
-    const double t120 = (D_p_x_1*D_p_x_1);
-    const double t121 = (D_p_y_1*D_p_y_1);
-    const double t122 = (D_p_z_1*D_p_z_1);
-    const double t123 = k_1_2 + k_1_3;
-    const double t124 = D_p_x_1*k_C;
-    const double t125 = D_p_y_1*k_C;
-    const double t126 = D_p_z_1*k_C;
-    const double t127 = -R_p_1*k_1_3;
-    const double t128 = -R_p_1*k_1_2;
-    const double t129 = (D_p_x_2*D_p_x_2);
-    const double t130 = (D_p_y_2*D_p_y_2);
-    const double t131 = (D_p_z_2*D_p_z_2);
-    const double t132 = k_2_2 + k_2_3;
-    const double t133 = D_p_x_2*k_C;
-    const double t134 = D_p_y_2*k_C;
-    const double t135 = D_p_z_2*k_C;
-    const double t136 = -R_p_2*k_2_3;
-    const double t137 = -R_p_2*k_2_2;
-    const double t138 = (D_p_x_3*D_p_x_3);
-    const double t139 = (D_p_y_3*D_p_y_3);
-    const double t140 = (D_p_z_3*D_p_z_3);
-    const double t141 = k_3_2 + k_3_3;
-    const double t142 = -R_p_3*k_3_3;
-    const double t143 = -R_p_3*k_3_2;
-    const double t144 = D_p_x_3*k_C;
-    const double t145 = D_p_y_3*k_C;
-    const double t146 = D_p_z_3*k_C;
-    const double t147 = k_1_1*t89;
-    const double t148 = k_2_1*t93;
-    const double t149 = k_3_1*t97;
-    const double t150 = D_delta_x_1*k_C;
-    const double t151 = D_delta_y_1*k_C;
-    const double t152 = D_delta_z_1*k_C;
-    const double t153 = D_delta_x_2*k_C;
-    const double t154 = D_delta_y_2*k_C;
-    const double t155 = D_delta_z_2*k_C;
-    const double t156 = D_p_x_1*mu_3;
-    const double t157 = D_p_x_1*mu_2;
-    const double t158 = U_1_x_1*mu_1;
-    const double t159 = D_p_y_1*mu_3;
-    const double t160 = D_p_y_1*mu_2;
-    const double t161 = U_1_y_1*mu_1;
-    const double t162 = D_p_z_1*mu_3;
-    const double t163 = D_p_z_1*mu_2;
-    const double t164 = U_1_z_1*mu_1;
-    const double t165 = D_p_x_2*mu_1;
-    const double t166 = D_p_x_2*mu_3;
-    const double t167 = U_2_x_2*mu_2;
-    const double t168 = D_p_y_2*mu_1;
-    const double t169 = D_p_y_2*mu_3;
-    const double t170 = U_2_y_2*mu_2;
-    const double t171 = D_p_z_2*mu_1;
-    const double t172 = D_p_z_2*mu_3;
-    const double t173 = U_2_z_2*mu_2;
-    const double t174 = D_delta_x_1*D_p_x_3;
-    const double t175 = U_3_x_3*mu_3;
-    const double t176 = D_delta_y_1*D_p_y_3;
-    const double t177 = U_3_y_3*mu_3;
-    const double t178 = D_delta_z_1*D_p_z_3;
-    const double t179 = U_3_z_3*mu_3;
-    const double t180 = D_delta_x_2*D_p_x_3;
-    const double t181 = D_delta_y_2*D_p_y_3;
-    const double t182 = D_delta_z_2*D_p_z_3;
-    const double t183 = D_delta_x_3*D_p_x_3;
-    const double t184 = D_delta_y_3*D_p_y_3;
-    const double t185 = D_delta_z_3*D_p_z_3;
-    const double t186 = D_delta_x_1*D_delta_x_2;
-    const double t187 = D_delta_y_1*D_delta_y_2;
-    const double t188 = D_delta_z_1*D_delta_z_2;
-    const double t189 = D_delta_x_1*D_delta_x_3;
-    const double t190 = D_delta_y_1*D_delta_y_3;
-    const double t191 = D_delta_z_1*D_delta_z_3;
-    const double t192 = D_delta_x_2*D_delta_x_3;
-    const double t193 = D_delta_y_2*D_delta_y_3;
-    const double t194 = D_delta_z_2*D_delta_z_3;
+    const double t27 = k_sp_3*w_b_3*(a_B_3 + 1);
+    const double t28 = t18*t27;
+    const double t29 = t17*t27;
+    const double k_3_1 = t29/(l_f_3_1 + t28);
+    const double t30 = (1.0/2.0)*l_t_3;
+    const double l_f_3_2 = -t30 + x_3 - x_min_3;
+    const double k_3_2 = t29/(l_f_3_2 + t28);
+    const double l_f_3_3 = -t30 - x_3 + x_max_3;
+    const double k_3_3 = t29/(l_f_3_3 + t28);
+    const double t31 = (1.0/2.0)*m_d_1;
+    const double t32 = (1.0/2.0)*m_d_2;
+    const double t33 = (1.0/2.0)*m_d_3;
+    const double t34 = m_L + m_p;
+    const double t35 = t31 + t32 + t33 + t34;
+    const double t36 = g_x*t35;
+    const double t37 = g_y*t35;
+    const double t38 = g_z*t35;
+    const double mu_1 = t1*(-A_x_1*t36 - A_y_1*t37 - A_z_1*t38);
+    const double mu_2 = t1*(-A_x_2*t36 - A_y_2*t37 - A_z_2*t38);
+    const double mu_3 = t1*(-A_x_3*t36 - A_y_3*t37 - A_z_3*t38);
+    const double t39 = (1.0/3.0)*m_d_1;
+    const double t40 = (1.0/6.0)*m_d_1;
+    const double t41 = n_1_x*t40;
+    const double t42 = (1.0/3.0)*m_d_2;
+    const double t43 = (1.0/3.0)*m_d_3;
+    const double t44 = t34 + t39 + t42 + t43;
+    const double t45 = D_p_x_1*t44;
+    const double t46 = t41 + t45;
+    const double t47 = n_1_y*t40;
+    const double t48 = D_p_y_1*t44;
+    const double t49 = t47 + t48;
+    const double t50 = n_1_z*t40;
+    const double t51 = D_p_z_1*t44;
+    const double t52 = t50 + t51;
+    const double t53 = (1.0/3.0)*rho_b;
+    const double t54 = l_f_1_2*t53;
+    const double t55 = l_f_1_3*t53;
+    const double t56 = t54 + t55;
+    const double t57 = (1.0/6.0)*m_d_2;
+    const double t58 = n_2_x*t57;
+    const double t59 = n_2_y*t57;
+    const double t60 = n_2_z*t57;
+    const double t61 = (1.0/6.0)*m_d_3;
+    const double t62 = n_3_x*t61;
+    const double t63 = n_3_y*t61;
+    const double t64 = n_3_z*t61;
+    const double t65 = (1.0/6.0)*rho_b;
+    const double t66 = R_p_1*t65;
+    const double t67 = l_f_1_3*t66;
+    const double t68 = l_f_1_2*t66;
+    const double t69 = t40 + t57 + t61;
+    const double t70 = D_p_x_2*t44;
+    const double t71 = t58 + t70;
+    const double t72 = D_p_y_2*t44;
+    const double t73 = t59 + t72;
+    const double t74 = D_p_z_2*t44;
+    const double t75 = t60 + t74;
+    const double t76 = l_f_2_2*t53;
+    const double t77 = l_f_2_3*t53;
+    const double t78 = t76 + t77;
+    const double t79 = R_p_2*t65;
+    const double t80 = l_f_2_3*t79;
+    const double t81 = l_f_2_2*t79;
+    const double t82 = D_p_x_3*t44;
+    const double t83 = t62 + t82;
+    const double t84 = D_p_y_3*t44;
+    const double t85 = t63 + t84;
+    const double t86 = D_p_z_3*t44;
+    const double t87 = t64 + t86;
+    const double t88 = l_f_3_2*t53;
+    const double t89 = l_f_3_3*t53;
+    const double t90 = t88 + t89;
+    const double t91 = R_p_3*t65;
+    const double t92 = l_f_3_3*t91;
+    const double t93 = l_f_3_2*t91;
+    const double t94 = (R_p_1*R_p_1);
+    const double t95 = l_f_1_1*t94;
+    const double t96 = t53*t95;
+    const double t97 = d_1_1*t11;
+    const double t98 = (R_p_2*R_p_2);
+    const double t99 = l_f_2_1*t98;
+    const double t100 = t53*t99;
+    const double t101 = d_2_1*t13;
+    const double t102 = (R_p_3*R_p_3);
+    const double t103 = l_f_3_1*t102;
+    const double t104 = t103*t53;
+    const double t105 = d_3_1*t15;
+    const double t106 = d_1_2*t11;
+    const double t107 = d_2_2*t13;
+    const double t108 = d_3_2*t15;
+    const double t109 = (D_delta_x_1*D_delta_x_1);
+    const double t110 = (D_delta_y_1*D_delta_y_1);
+    const double t111 = (D_delta_z_1*D_delta_z_1);
+    const double t112 = D_delta_x_1*t44;
+    const double t113 = D_delta_y_1*t44;
+    const double t114 = D_delta_z_1*t44;
+    const double t115 = (D_delta_x_2*D_delta_x_2);
+    const double t116 = (D_delta_y_2*D_delta_y_2);
+    const double t117 = (D_delta_z_2*D_delta_z_2);
+    const double t118 = D_delta_x_2*t44;
+    const double t119 = D_delta_y_2*t44;
+    const double t120 = D_delta_z_2*t44;
+    const double t121 = (D_delta_x_3*D_delta_x_3);
+    const double t122 = (D_delta_y_3*D_delta_y_3);
+    const double t123 = (D_delta_z_3*D_delta_z_3);
+    const double t124 = m_F + m_d_1 + m_d_2 + m_d_3 + m_t_1 + m_t_2 + m_t_3 + t34;
+    const double t125 = (D_p_x_1*D_p_x_1);
+    const double t126 = (D_p_y_1*D_p_y_1);
+    const double t127 = (D_p_z_1*D_p_z_1);
+    const double t128 = k_1_2 + k_1_3;
+    const double t129 = D_p_x_1*k_C;
+    const double t130 = D_p_y_1*k_C;
+    const double t131 = D_p_z_1*k_C;
+    const double t132 = -R_p_1*k_1_3;
+    const double t133 = -R_p_1*k_1_2;
+    const double t134 = (D_p_x_2*D_p_x_2);
+    const double t135 = (D_p_y_2*D_p_y_2);
+    const double t136 = (D_p_z_2*D_p_z_2);
+    const double t137 = k_2_2 + k_2_3;
+    const double t138 = D_p_x_2*k_C;
+    const double t139 = D_p_y_2*k_C;
+    const double t140 = D_p_z_2*k_C;
+    const double t141 = -R_p_2*k_2_3;
+    const double t142 = -R_p_2*k_2_2;
+    const double t143 = (D_p_x_3*D_p_x_3);
+    const double t144 = (D_p_y_3*D_p_y_3);
+    const double t145 = (D_p_z_3*D_p_z_3);
+    const double t146 = k_3_2 + k_3_3;
+    const double t147 = -R_p_3*k_3_3;
+    const double t148 = -R_p_3*k_3_2;
+    const double t149 = D_p_x_3*k_C;
+    const double t150 = D_p_y_3*k_C;
+    const double t151 = D_p_z_3*k_C;
+    const double t152 = k_1_1*t94;
+    const double t153 = k_2_1*t98;
+    const double t154 = k_3_1*t102;
+    const double t155 = D_delta_x_1*k_C;
+    const double t156 = D_delta_y_1*k_C;
+    const double t157 = D_delta_z_1*k_C;
+    const double t158 = D_delta_x_2*k_C;
+    const double t159 = D_delta_y_2*k_C;
+    const double t160 = D_delta_z_2*k_C;
+    const double t161 = D_p_x_1*mu_3;
+    const double t162 = D_p_x_1*mu_2;
+    const double t163 = U_1_x_1*mu_1;
+    const double t164 = D_p_y_1*mu_3;
+    const double t165 = D_p_y_1*mu_2;
+    const double t166 = U_1_y_1*mu_1;
+    const double t167 = D_p_z_1*mu_3;
+    const double t168 = D_p_z_1*mu_2;
+    const double t169 = U_1_z_1*mu_1;
+    const double t170 = D_p_x_2*mu_1;
+    const double t171 = D_p_x_2*mu_3;
+    const double t172 = U_2_x_2*mu_2;
+    const double t173 = D_p_y_2*mu_1;
+    const double t174 = D_p_y_2*mu_3;
+    const double t175 = U_2_y_2*mu_2;
+    const double t176 = D_p_z_2*mu_1;
+    const double t177 = D_p_z_2*mu_3;
+    const double t178 = U_2_z_2*mu_2;
+    const double t179 = D_delta_x_1*D_p_x_3;
+    const double t180 = U_3_x_3*mu_3;
+    const double t181 = D_delta_y_1*D_p_y_3;
+    const double t182 = U_3_y_3*mu_3;
+    const double t183 = D_delta_z_1*D_p_z_3;
+    const double t184 = U_3_z_3*mu_3;
+    const double t185 = D_delta_x_2*D_p_x_3;
+    const double t186 = D_delta_y_2*D_p_y_3;
+    const double t187 = D_delta_z_2*D_p_z_3;
+    const double t188 = D_delta_x_3*D_p_x_3;
+    const double t189 = D_delta_y_3*D_p_y_3;
+    const double t190 = D_delta_z_3*D_p_z_3;
+    const double t191 = D_delta_x_1*D_delta_x_2;
+    const double t192 = D_delta_y_1*D_delta_y_2;
+    const double t193 = D_delta_z_1*D_delta_z_2;
+    const double t194 = D_delta_x_1*D_delta_x_3;
+    const double t195 = D_delta_y_1*D_delta_y_3;
+    const double t196 = D_delta_z_1*D_delta_z_3;
+    const double t197 = D_delta_x_2*D_delta_x_3;
+    const double t198 = D_delta_y_2*D_delta_y_3;
+    const double t199 = D_delta_z_2*D_delta_z_3;
     memset(M, 0, sizeof(double[21][21]));
     M[0][0] =
-        D_p_x_1*t36 + D_p_x_1*t41 + D_p_y_1*t42 + D_p_y_1*t44 + D_p_z_1*t45 + D_p_z_1*t47 + m_t_1 + t34 + t51;
-    M[0][1] = M[1][0] = D_p_x_1*t53 + D_p_x_2*t41 + D_p_y_1*t54 + D_p_y_2*t44 + D_p_z_1*t55 + D_p_z_2*t47;
-    M[0][2] = M[2][0] = D_p_x_1*t57 + D_p_x_3*t41 + D_p_y_1*t58 + D_p_y_3*t44 + D_p_z_1*t59 + D_p_z_3*t47;
-    M[0][3] = M[3][0] = t62;
-    M[0][6] = M[6][0] = t63;
-    M[0][12] = M[12][0] = D_delta_x_1*t41 + D_delta_y_1*t44 + D_delta_z_1*t47;
-    M[0][13] = M[13][0] = D_delta_x_2*t41 + D_delta_y_2*t44 + D_delta_z_2*t47;
-    M[0][14] = M[14][0] = D_delta_x_3*t41 + D_delta_y_3*t44 + D_delta_z_3*t47;
-    M[0][15] = M[15][0] = t51;
-    M[0][18] = M[18][0] = D_p_x_1*t64 + m_t_1*n_1_x + n_1_x*t26 + t40;
-    M[0][19] = M[19][0] = D_p_y_1*t64 + m_t_1*n_1_y + n_1_y*t26 + t43;
-    M[0][20] = M[20][0] = D_p_z_1*t64 + m_t_1*n_1_z + n_1_z*t26 + t46;
+        D_p_x_1*t41 + D_p_x_1*t46 + D_p_y_1*t47 + D_p_y_1*t49 + D_p_z_1*t50 + D_p_z_1*t52 + m_t_1 + t39 + t56;
+    M[0][1] = M[1][0] = D_p_x_1*t58 + D_p_x_2*t46 + D_p_y_1*t59 + D_p_y_2*t49 + D_p_z_1*t60 + D_p_z_2*t52;
+    M[0][2] = M[2][0] = D_p_x_1*t62 + D_p_x_3*t46 + D_p_y_1*t63 + D_p_y_3*t49 + D_p_z_1*t64 + D_p_z_3*t52;
+    M[0][3] = M[3][0] = t67;
+    M[0][6] = M[6][0] = t68;
+    M[0][12] = M[12][0] = D_delta_x_1*t46 + D_delta_y_1*t49 + D_delta_z_1*t52;
+    M[0][13] = M[13][0] = D_delta_x_2*t46 + D_delta_y_2*t49 + D_delta_z_2*t52;
+    M[0][14] = M[14][0] = D_delta_x_3*t46 + D_delta_y_3*t49 + D_delta_z_3*t52;
+    M[0][15] = M[15][0] = t56;
+    M[0][18] = M[18][0] = D_p_x_1*t69 + m_t_1*n_1_x + n_1_x*t31 + t45;
+    M[0][19] = M[19][0] = D_p_y_1*t69 + m_t_1*n_1_y + n_1_y*t31 + t48;
+    M[0][20] = M[20][0] = D_p_z_1*t69 + m_t_1*n_1_z + n_1_z*t31 + t51;
     M[1][1] =
-        D_p_x_2*t53 + D_p_x_2*t66 + D_p_y_2*t54 + D_p_y_2*t68 + D_p_z_2*t55 + D_p_z_2*t70 + m_t_2 + t37 + t73;
-    M[1][2] = M[2][1] = D_p_x_2*t57 + D_p_x_3*t66 + D_p_y_2*t58 + D_p_y_3*t68 + D_p_z_2*t59 + D_p_z_3*t70;
-    M[1][4] = M[4][1] = t75;
-    M[1][7] = M[7][1] = t76;
-    M[1][12] = M[12][1] = D_delta_x_1*t66 + D_delta_y_1*t68 + D_delta_z_1*t70;
-    M[1][13] = M[13][1] = D_delta_x_2*t66 + D_delta_y_2*t68 + D_delta_z_2*t70;
-    M[1][14] = M[14][1] = D_delta_x_3*t66 + D_delta_y_3*t68 + D_delta_z_3*t70;
-    M[1][16] = M[16][1] = t73;
-    M[1][18] = M[18][1] = D_p_x_2*t64 + m_t_2*n_2_x + n_2_x*t27 + t65;
-    M[1][19] = M[19][1] = D_p_y_2*t64 + m_t_2*n_2_y + n_2_y*t27 + t67;
-    M[1][20] = M[20][1] = D_p_z_2*t64 + m_t_2*n_2_z + n_2_z*t27 + t69;
+        D_p_x_2*t58 + D_p_x_2*t71 + D_p_y_2*t59 + D_p_y_2*t73 + D_p_z_2*t60 + D_p_z_2*t75 + m_t_2 + t42 + t78;
+    M[1][2] = M[2][1] = D_p_x_2*t62 + D_p_x_3*t71 + D_p_y_2*t63 + D_p_y_3*t73 + D_p_z_2*t64 + D_p_z_3*t75;
+    M[1][4] = M[4][1] = t80;
+    M[1][7] = M[7][1] = t81;
+    M[1][12] = M[12][1] = D_delta_x_1*t71 + D_delta_y_1*t73 + D_delta_z_1*t75;
+    M[1][13] = M[13][1] = D_delta_x_2*t71 + D_delta_y_2*t73 + D_delta_z_2*t75;
+    M[1][14] = M[14][1] = D_delta_x_3*t71 + D_delta_y_3*t73 + D_delta_z_3*t75;
+    M[1][16] = M[16][1] = t78;
+    M[1][18] = M[18][1] = D_p_x_2*t69 + m_t_2*n_2_x + n_2_x*t32 + t70;
+    M[1][19] = M[19][1] = D_p_y_2*t69 + m_t_2*n_2_y + n_2_y*t32 + t72;
+    M[1][20] = M[20][1] = D_p_z_2*t69 + m_t_2*n_2_z + n_2_z*t32 + t74;
     M[2][2] =
-        D_p_x_3*t57 + D_p_x_3*t78 + D_p_y_3*t58 + D_p_y_3*t80 + D_p_z_3*t59 + D_p_z_3*t82 + m_t_3 + t38 + t85;
-    M[2][5] = M[5][2] = t87;
-    M[2][8] = M[8][2] = t88;
-    M[2][12] = M[12][2] = D_delta_x_1*t78 + D_delta_y_1*t80 + D_delta_z_1*t82;
-    M[2][13] = M[13][2] = D_delta_x_2*t78 + D_delta_y_2*t80 + D_delta_z_2*t82;
-    M[2][14] = M[14][2] = D_delta_x_3*t78 + D_delta_y_3*t80 + D_delta_z_3*t82;
-    M[2][17] = M[17][2] = t85;
-    M[2][18] = M[18][2] = D_p_x_3*t64 + m_t_3*n_3_x + n_3_x*t28 + t77;
-    M[2][19] = M[19][2] = D_p_y_3*t64 + m_t_3*n_3_y + n_3_y*t28 + t79;
-    M[2][20] = M[20][2] = D_p_z_3*t64 + m_t_3*n_3_z + n_3_z*t28 + t81;
-    M[3][3] = I_1_1 + t50*t89 + t91;
-    M[3][6] = M[6][3] = t60*t90;
-    M[3][9] = M[9][3] = t92;
-    M[3][15] = M[15][3] = t62;
-    M[4][4] = I_2_1 + t72*t93 + t95;
-    M[4][7] = M[7][4] = t60*t94;
-    M[4][10] = M[10][4] = t96;
-    M[4][16] = M[16][4] = t75;
-    M[5][5] = I_3_1 + t84*t97 + t99;
-    M[5][8] = M[8][5] = t60*t98;
-    M[5][11] = M[11][5] = t100;
-    M[5][17] = M[17][5] = t87;
-    M[6][6] = I_1_2 + t49*t89 + t91;
-    M[6][9] = M[9][6] = t101;
-    M[6][15] = M[15][6] = t63;
-    M[7][7] = I_2_2 + t71*t93 + t95;
-    M[7][10] = M[10][7] = t102;
-    M[7][16] = M[16][7] = t76;
-    M[8][8] = I_3_2 + t83*t97 + t99;
-    M[8][11] = M[11][8] = t103;
-    M[8][17] = M[17][8] = t88;
-    M[9][9] = t101 + t92;
-    M[10][10] = t102 + t96;
-    M[11][11] = t100 + t103;
-    M[12][12] = t104*t39 + t105*t39 + t106*t39;
-    M[12][13] = M[13][12] = D_delta_x_2*t107 + D_delta_y_2*t108 + D_delta_z_2*t109;
-    M[12][14] = M[14][12] = D_delta_x_3*t107 + D_delta_y_3*t108 + D_delta_z_3*t109;
-    M[12][18] = M[18][12] = D_delta_x_1*t64 + t107;
-    M[12][19] = M[19][12] = D_delta_y_1*t64 + t108;
-    M[12][20] = M[20][12] = D_delta_z_1*t64 + t109;
-    M[13][13] = t110*t39 + t111*t39 + t112*t39;
-    M[13][14] = M[14][13] = D_delta_x_3*t113 + D_delta_y_3*t114 + D_delta_z_3*t115;
-    M[13][18] = M[18][13] = D_delta_x_2*t64 + t113;
-    M[13][19] = M[19][13] = D_delta_y_2*t64 + t114;
-    M[13][20] = M[20][13] = D_delta_z_2*t64 + t115;
-    M[14][14] = t116*t39 + t117*t39 + t118*t39;
-    M[14][18] = M[18][14] = D_delta_x_3*t39 + D_delta_x_3*t64;
-    M[14][19] = M[19][14] = D_delta_y_3*t39 + D_delta_y_3*t64;
-    M[14][20] = M[20][14] = D_delta_z_3*t39 + D_delta_z_3*t64;
-    M[15][15] = t51;
-    M[16][16] = t73;
-    M[17][17] = t85;
-    M[18][18] = t119;
-    M[19][19] = t119;
-    M[20][20] = t119;
+        D_p_x_3*t62 + D_p_x_3*t83 + D_p_y_3*t63 + D_p_y_3*t85 + D_p_z_3*t64 + D_p_z_3*t87 + m_t_3 + t43 + t90;
+    M[2][5] = M[5][2] = t92;
+    M[2][8] = M[8][2] = t93;
+    M[2][12] = M[12][2] = D_delta_x_1*t83 + D_delta_y_1*t85 + D_delta_z_1*t87;
+    M[2][13] = M[13][2] = D_delta_x_2*t83 + D_delta_y_2*t85 + D_delta_z_2*t87;
+    M[2][14] = M[14][2] = D_delta_x_3*t83 + D_delta_y_3*t85 + D_delta_z_3*t87;
+    M[2][17] = M[17][2] = t90;
+    M[2][18] = M[18][2] = D_p_x_3*t69 + m_t_3*n_3_x + n_3_x*t33 + t82;
+    M[2][19] = M[19][2] = D_p_y_3*t69 + m_t_3*n_3_y + n_3_y*t33 + t84;
+    M[2][20] = M[20][2] = D_p_z_3*t69 + m_t_3*n_3_z + n_3_z*t33 + t86;
+    M[3][3] = I_1_1 + t55*t94 + t96;
+    M[3][6] = M[6][3] = t65*t95;
+    M[3][9] = M[9][3] = t97;
+    M[3][15] = M[15][3] = t67;
+    M[4][4] = I_2_1 + t100 + t77*t98;
+    M[4][7] = M[7][4] = t65*t99;
+    M[4][10] = M[10][4] = t101;
+    M[4][16] = M[16][4] = t80;
+    M[5][5] = I_3_1 + t102*t89 + t104;
+    M[5][8] = M[8][5] = t103*t65;
+    M[5][11] = M[11][5] = t105;
+    M[5][17] = M[17][5] = t92;
+    M[6][6] = I_1_2 + t54*t94 + t96;
+    M[6][9] = M[9][6] = t106;
+    M[6][15] = M[15][6] = t68;
+    M[7][7] = I_2_2 + t100 + t76*t98;
+    M[7][10] = M[10][7] = t107;
+    M[7][16] = M[16][7] = t81;
+    M[8][8] = I_3_2 + t102*t88 + t104;
+    M[8][11] = M[11][8] = t108;
+    M[8][17] = M[17][8] = t93;
+    M[9][9] = t106 + t97;
+    M[10][10] = t101 + t107;
+    M[11][11] = t105 + t108;
+    M[12][12] = t109*t44 + t110*t44 + t111*t44;
+    M[12][13] = M[13][12] = D_delta_x_2*t112 + D_delta_y_2*t113 + D_delta_z_2*t114;
+    M[12][14] = M[14][12] = D_delta_x_3*t112 + D_delta_y_3*t113 + D_delta_z_3*t114;
+    M[12][18] = M[18][12] = D_delta_x_1*t69 + t112;
+    M[12][19] = M[19][12] = D_delta_y_1*t69 + t113;
+    M[12][20] = M[20][12] = D_delta_z_1*t69 + t114;
+    M[13][13] = t115*t44 + t116*t44 + t117*t44;
+    M[13][14] = M[14][13] = D_delta_x_3*t118 + D_delta_y_3*t119 + D_delta_z_3*t120;
+    M[13][18] = M[18][13] = D_delta_x_2*t69 + t118;
+    M[13][19] = M[19][13] = D_delta_y_2*t69 + t119;
+    M[13][20] = M[20][13] = D_delta_z_2*t69 + t120;
+    M[14][14] = t121*t44 + t122*t44 + t123*t44;
+    M[14][18] = M[18][14] = D_delta_x_3*t44 + D_delta_x_3*t69;
+    M[14][19] = M[19][14] = D_delta_y_3*t44 + D_delta_y_3*t69;
+    M[14][20] = M[20][14] = D_delta_z_3*t44 + D_delta_z_3*t69;
+    M[15][15] = t56;
+    M[16][16] = t78;
+    M[17][17] = t90;
+    M[18][18] = t124;
+    M[19][19] = t124;
+    M[20][20] = t124;
     memset(K_el, 0, sizeof(double[21][21]));
-    K_el[0][0] = k_C*t120 + k_C*t121 + k_C*t122 + t123;
-    K_el[0][1] = K_el[1][0] = D_p_x_2*t124 + D_p_y_2*t125 + D_p_z_2*t126;
-    K_el[0][2] = K_el[2][0] = D_p_x_3*t124 + D_p_y_3*t125 + D_p_z_3*t126;
-    K_el[0][3] = K_el[3][0] = t127;
-    K_el[0][6] = K_el[6][0] = t128;
-    K_el[0][12] = K_el[12][0] = D_delta_x_1*t124 + D_delta_y_1*t125 + D_delta_z_1*t126;
-    K_el[0][13] = K_el[13][0] = D_delta_x_2*t124 + D_delta_y_2*t125 + D_delta_z_2*t126;
-    K_el[0][14] = K_el[14][0] = D_delta_x_3*t124 + D_delta_y_3*t125 + D_delta_z_3*t126;
-    K_el[0][15] = K_el[15][0] = t123;
-    K_el[0][18] = K_el[18][0] = t124;
-    K_el[0][19] = K_el[19][0] = t125;
-    K_el[0][20] = K_el[20][0] = t126;
-    K_el[1][1] = k_C*t129 + k_C*t130 + k_C*t131 + t132;
-    K_el[1][2] = K_el[2][1] = D_p_x_3*t133 + D_p_y_3*t134 + D_p_z_3*t135;
-    K_el[1][4] = K_el[4][1] = t136;
-    K_el[1][7] = K_el[7][1] = t137;
-    K_el[1][12] = K_el[12][1] = D_delta_x_1*t133 + D_delta_y_1*t134 + D_delta_z_1*t135;
-    K_el[1][13] = K_el[13][1] = D_delta_x_2*t133 + D_delta_y_2*t134 + D_delta_z_2*t135;
-    K_el[1][14] = K_el[14][1] = D_delta_x_3*t133 + D_delta_y_3*t134 + D_delta_z_3*t135;
-    K_el[1][16] = K_el[16][1] = t132;
-    K_el[1][18] = K_el[18][1] = t133;
-    K_el[1][19] = K_el[19][1] = t134;
-    K_el[1][20] = K_el[20][1] = t135;
-    K_el[2][2] = k_C*t138 + k_C*t139 + k_C*t140 + t141;
-    K_el[2][5] = K_el[5][2] = t142;
-    K_el[2][8] = K_el[8][2] = t143;
-    K_el[2][12] = K_el[12][2] = D_delta_x_1*t144 + D_delta_y_1*t145 + D_delta_z_1*t146;
-    K_el[2][13] = K_el[13][2] = D_delta_x_2*t144 + D_delta_y_2*t145 + D_delta_z_2*t146;
-    K_el[2][14] = K_el[14][2] = D_delta_x_3*t144 + D_delta_y_3*t145 + D_delta_z_3*t146;
-    K_el[2][17] = K_el[17][2] = t141;
-    K_el[2][18] = K_el[18][2] = t144;
-    K_el[2][19] = K_el[19][2] = t145;
-    K_el[2][20] = K_el[20][2] = t146;
-    K_el[3][3] = d_1_1*k_S + k_1_3*t89 + t147;
-    K_el[3][6] = K_el[6][3] = -t147;
-    K_el[3][15] = K_el[15][3] = t127;
-    K_el[4][4] = d_2_1*k_S + k_2_3*t93 + t148;
-    K_el[4][7] = K_el[7][4] = -t148;
-    K_el[4][16] = K_el[16][4] = t136;
-    K_el[5][5] = d_3_1*k_S + k_3_3*t97 + t149;
-    K_el[5][8] = K_el[8][5] = -t149;
-    K_el[5][17] = K_el[17][5] = t142;
-    K_el[6][6] = d_1_2*k_S + k_1_2*t89 + t147;
-    K_el[6][15] = K_el[15][6] = t128;
-    K_el[7][7] = d_2_2*k_S + k_2_2*t93 + t148;
-    K_el[7][16] = K_el[16][7] = t137;
-    K_el[8][8] = d_3_2*k_S + k_3_2*t97 + t149;
-    K_el[8][17] = K_el[17][8] = t143;
-    K_el[12][12] = k_C*t104 + k_C*t105 + k_C*t106;
-    K_el[12][13] = K_el[13][12] = D_delta_x_2*t150 + D_delta_y_2*t151 + D_delta_z_2*t152;
-    K_el[12][14] = K_el[14][12] = D_delta_x_3*t150 + D_delta_y_3*t151 + D_delta_z_3*t152;
-    K_el[12][18] = K_el[18][12] = t150;
-    K_el[12][19] = K_el[19][12] = t151;
-    K_el[12][20] = K_el[20][12] = t152;
-    K_el[13][13] = k_C*t110 + k_C*t111 + k_C*t112;
-    K_el[13][14] = K_el[14][13] = D_delta_x_3*t153 + D_delta_y_3*t154 + D_delta_z_3*t155;
-    K_el[13][18] = K_el[18][13] = t153;
-    K_el[13][19] = K_el[19][13] = t154;
-    K_el[13][20] = K_el[20][13] = t155;
-    K_el[14][14] = k_C*t116 + k_C*t117 + k_C*t118;
+    K_el[0][0] = k_C*t125 + k_C*t126 + k_C*t127 + t128;
+    K_el[0][1] = K_el[1][0] = D_p_x_2*t129 + D_p_y_2*t130 + D_p_z_2*t131;
+    K_el[0][2] = K_el[2][0] = D_p_x_3*t129 + D_p_y_3*t130 + D_p_z_3*t131;
+    K_el[0][3] = K_el[3][0] = t132;
+    K_el[0][6] = K_el[6][0] = t133;
+    K_el[0][12] = K_el[12][0] = D_delta_x_1*t129 + D_delta_y_1*t130 + D_delta_z_1*t131;
+    K_el[0][13] = K_el[13][0] = D_delta_x_2*t129 + D_delta_y_2*t130 + D_delta_z_2*t131;
+    K_el[0][14] = K_el[14][0] = D_delta_x_3*t129 + D_delta_y_3*t130 + D_delta_z_3*t131;
+    K_el[0][15] = K_el[15][0] = t128;
+    K_el[0][18] = K_el[18][0] = t129;
+    K_el[0][19] = K_el[19][0] = t130;
+    K_el[0][20] = K_el[20][0] = t131;
+    K_el[1][1] = k_C*t134 + k_C*t135 + k_C*t136 + t137;
+    K_el[1][2] = K_el[2][1] = D_p_x_3*t138 + D_p_y_3*t139 + D_p_z_3*t140;
+    K_el[1][4] = K_el[4][1] = t141;
+    K_el[1][7] = K_el[7][1] = t142;
+    K_el[1][12] = K_el[12][1] = D_delta_x_1*t138 + D_delta_y_1*t139 + D_delta_z_1*t140;
+    K_el[1][13] = K_el[13][1] = D_delta_x_2*t138 + D_delta_y_2*t139 + D_delta_z_2*t140;
+    K_el[1][14] = K_el[14][1] = D_delta_x_3*t138 + D_delta_y_3*t139 + D_delta_z_3*t140;
+    K_el[1][16] = K_el[16][1] = t137;
+    K_el[1][18] = K_el[18][1] = t138;
+    K_el[1][19] = K_el[19][1] = t139;
+    K_el[1][20] = K_el[20][1] = t140;
+    K_el[2][2] = k_C*t143 + k_C*t144 + k_C*t145 + t146;
+    K_el[2][5] = K_el[5][2] = t147;
+    K_el[2][8] = K_el[8][2] = t148;
+    K_el[2][12] = K_el[12][2] = D_delta_x_1*t149 + D_delta_y_1*t150 + D_delta_z_1*t151;
+    K_el[2][13] = K_el[13][2] = D_delta_x_2*t149 + D_delta_y_2*t150 + D_delta_z_2*t151;
+    K_el[2][14] = K_el[14][2] = D_delta_x_3*t149 + D_delta_y_3*t150 + D_delta_z_3*t151;
+    K_el[2][17] = K_el[17][2] = t146;
+    K_el[2][18] = K_el[18][2] = t149;
+    K_el[2][19] = K_el[19][2] = t150;
+    K_el[2][20] = K_el[20][2] = t151;
+    K_el[3][3] = d_1_1*k_S + k_1_3*t94 + t152;
+    K_el[3][6] = K_el[6][3] = -t152;
+    K_el[3][15] = K_el[15][3] = t132;
+    K_el[4][4] = d_2_1*k_S + k_2_3*t98 + t153;
+    K_el[4][7] = K_el[7][4] = -t153;
+    K_el[4][16] = K_el[16][4] = t141;
+    K_el[5][5] = d_3_1*k_S + k_3_3*t102 + t154;
+    K_el[5][8] = K_el[8][5] = -t154;
+    K_el[5][17] = K_el[17][5] = t147;
+    K_el[6][6] = d_1_2*k_S + k_1_2*t94 + t152;
+    K_el[6][15] = K_el[15][6] = t133;
+    K_el[7][7] = d_2_2*k_S + k_2_2*t98 + t153;
+    K_el[7][16] = K_el[16][7] = t142;
+    K_el[8][8] = d_3_2*k_S + k_3_2*t102 + t154;
+    K_el[8][17] = K_el[17][8] = t148;
+    K_el[12][12] = k_C*t109 + k_C*t110 + k_C*t111;
+    K_el[12][13] = K_el[13][12] = D_delta_x_2*t155 + D_delta_y_2*t156 + D_delta_z_2*t157;
+    K_el[12][14] = K_el[14][12] = D_delta_x_3*t155 + D_delta_y_3*t156 + D_delta_z_3*t157;
+    K_el[12][18] = K_el[18][12] = t155;
+    K_el[12][19] = K_el[19][12] = t156;
+    K_el[12][20] = K_el[20][12] = t157;
+    K_el[13][13] = k_C*t115 + k_C*t116 + k_C*t117;
+    K_el[13][14] = K_el[14][13] = D_delta_x_3*t158 + D_delta_y_3*t159 + D_delta_z_3*t160;
+    K_el[13][18] = K_el[18][13] = t158;
+    K_el[13][19] = K_el[19][13] = t159;
+    K_el[13][20] = K_el[20][13] = t160;
+    K_el[14][14] = k_C*t121 + k_C*t122 + k_C*t123;
     K_el[14][18] = K_el[18][14] = D_delta_x_3*k_C;
     K_el[14][19] = K_el[19][14] = D_delta_y_3*k_C;
     K_el[14][20] = K_el[20][14] = D_delta_z_3*k_C;
-    K_el[15][15] = t123;
-    K_el[16][16] = t132;
-    K_el[17][17] = t141;
+    K_el[15][15] = t128;
+    K_el[16][16] = t137;
+    K_el[17][17] = t146;
     K_el[18][18] = k_C;
     K_el[19][19] = k_C;
     K_el[20][20] = k_C;
     memset(K_g, 0, sizeof(double[21][21]));
     K_g[0][0] =
-        -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 - mu_2*t120 - mu_2*t121
-        - mu_2*t122 - mu_3*t120 - mu_3*t121 - mu_3*t122;
+        -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 - mu_2*t125 - mu_2*t126
+        - mu_2*t127 - mu_3*t125 - mu_3*t126 - mu_3*t127;
     K_g[0][1] = K_g[1][0] =
-        -D_p_x_2*t156 - D_p_x_2*t158 - D_p_y_2*t159 - D_p_y_2*t161 - D_p_z_2*t162 - D_p_z_2*t164
-        - U_2_x_2*t157 - U_2_y_2*t160 - U_2_z_2*t163;
+        -D_p_x_2*t161 - D_p_x_2*t163 - D_p_y_2*t164 - D_p_y_2*t166 - D_p_z_2*t167 - D_p_z_2*t169
+        - U_2_x_2*t162 - U_2_y_2*t165 - U_2_z_2*t168;
     K_g[0][2] = K_g[2][0] =
-        -D_p_x_3*t157 - D_p_x_3*t158 - D_p_y_3*t160 - D_p_y_3*t161 - D_p_z_3*t163 - D_p_z_3*t164
-        - U_3_x_3*t156 - U_3_y_3*t159 - U_3_z_3*t162;
+        -D_p_x_3*t162 - D_p_x_3*t163 - D_p_y_3*t165 - D_p_y_3*t166 - D_p_z_3*t168 - D_p_z_3*t169
+        - U_3_x_3*t161 - U_3_y_3*t164 - U_3_z_3*t167;
     K_g[0][12] = K_g[12][0] =
-        -D_delta_x_1*t156 - D_delta_x_1*t157 - D_delta_x_1*t158 - D_delta_y_1*t159 - D_delta_y_1*t160
-        - D_delta_y_1*t161 - D_delta_z_1*t162 - D_delta_z_1*t163 - D_delta_z_1*t164;
+        -D_delta_x_1*t161 - D_delta_x_1*t162 - D_delta_x_1*t163 - D_delta_y_1*t164 - D_delta_y_1*t165
+        - D_delta_y_1*t166 - D_delta_z_1*t167 - D_delta_z_1*t168 - D_delta_z_1*t169;
     K_g[0][13] = K_g[13][0] =
-        -D_delta_x_2*t156 - D_delta_x_2*t157 - D_delta_x_2*t158 - D_delta_y_2*t159 - D_delta_y_2*t160
-        - D_delta_y_2*t161 - D_delta_z_2*t162 - D_delta_z_2*t163 - D_delta_z_2*t164;
+        -D_delta_x_2*t161 - D_delta_x_2*t162 - D_delta_x_2*t163 - D_delta_y_2*t164 - D_delta_y_2*t165
+        - D_delta_y_2*t166 - D_delta_z_2*t167 - D_delta_z_2*t168 - D_delta_z_2*t169;
     K_g[0][14] = K_g[14][0] =
-        -D_delta_x_3*t156 - D_delta_x_3*t157 - D_delta_x_3*t158 - D_delta_y_3*t159 - D_delta_y_3*t160
-        - D_delta_y_3*t161 - D_delta_z_3*t162 - D_delta_z_3*t163 - D_delta_z_3*t164;
+        -D_delta_x_3*t161 - D_delta_x_3*t162 - D_delta_x_3*t163 - D_delta_y_3*t164 - D_delta_y_3*t165
+        - D_delta_y_3*t166 - D_delta_z_3*t167 - D_delta_z_3*t168 - D_delta_z_3*t169;
     K_g[1][1] =
-        -(U_2_x_2*U_2_x_2)*mu_2 - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 - mu_1*t129 - mu_1*t130
-        - mu_1*t131 - mu_3*t129 - mu_3*t130 - mu_3*t131;
+        -(U_2_x_2*U_2_x_2)*mu_2 - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 - mu_1*t134 - mu_1*t135
+        - mu_1*t136 - mu_3*t134 - mu_3*t135 - mu_3*t136;
     K_g[1][2] = K_g[2][1] =
-        -D_p_x_3*t165 - D_p_x_3*t167 - D_p_y_3*t168 - D_p_y_3*t170 - D_p_z_3*t171 - D_p_z_3*t173
-        - U_3_x_3*t166 - U_3_y_3*t169 - U_3_z_3*t172;
+        -D_p_x_3*t170 - D_p_x_3*t172 - D_p_y_3*t173 - D_p_y_3*t175 - D_p_z_3*t176 - D_p_z_3*t178
+        - U_3_x_3*t171 - U_3_y_3*t174 - U_3_z_3*t177;
     K_g[1][12] = K_g[12][1] =
-        -D_delta_x_1*t165 - D_delta_x_1*t166 - D_delta_x_1*t167 - D_delta_y_1*t168 - D_delta_y_1*t169
-        - D_delta_y_1*t170 - D_delta_z_1*t171 - D_delta_z_1*t172 - D_delta_z_1*t173;
+        -D_delta_x_1*t170 - D_delta_x_1*t171 - D_delta_x_1*t172 - D_delta_y_1*t173 - D_delta_y_1*t174
+        - D_delta_y_1*t175 - D_delta_z_1*t176 - D_delta_z_1*t177 - D_delta_z_1*t178;
     K_g[1][13] = K_g[13][1] =
-        -D_delta_x_2*t165 - D_delta_x_2*t166 - D_delta_x_2*t167 - D_delta_y_2*t168 - D_delta_y_2*t169
-        - D_delta_y_2*t170 - D_delta_z_2*t171 - D_delta_z_2*t172 - D_delta_z_2*t173;
+        -D_delta_x_2*t170 - D_delta_x_2*t171 - D_delta_x_2*t172 - D_delta_y_2*t173 - D_delta_y_2*t174
+        - D_delta_y_2*t175 - D_delta_z_2*t176 - D_delta_z_2*t177 - D_delta_z_2*t178;
     K_g[1][14] = K_g[14][1] =
-        -D_delta_x_3*t165 - D_delta_x_3*t166 - D_delta_x_3*t167 - D_delta_y_3*t168 - D_delta_y_3*t169
-        - D_delta_y_3*t170 - D_delta_z_3*t171 - D_delta_z_3*t172 - D_delta_z_3*t173;
+        -D_delta_x_3*t170 - D_delta_x_3*t171 - D_delta_x_3*t172 - D_delta_y_3*t173 - D_delta_y_3*t174
+        - D_delta_y_3*t175 - D_delta_z_3*t176 - D_delta_z_3*t177 - D_delta_z_3*t178;
     K_g[2][2] =
-        -(U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3 - (U_3_z_3*U_3_z_3)*mu_3 - mu_1*t138 - mu_1*t139
-        - mu_1*t140 - mu_2*t138 - mu_2*t139 - mu_2*t140;
+        -(U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3 - (U_3_z_3*U_3_z_3)*mu_3 - mu_1*t143 - mu_1*t144
+        - mu_1*t145 - mu_2*t143 - mu_2*t144 - mu_2*t145;
     K_g[2][12] = K_g[12][2] =
-        -D_delta_x_1*t175 - D_delta_y_1*t177 - D_delta_z_1*t179 - mu_1*t174 - mu_1*t176 - mu_1*t178
-        - mu_2*t174 - mu_2*t176 - mu_2*t178;
+        -D_delta_x_1*t180 - D_delta_y_1*t182 - D_delta_z_1*t184 - mu_1*t179 - mu_1*t181 - mu_1*t183
+        - mu_2*t179 - mu_2*t181 - mu_2*t183;
     K_g[2][13] = K_g[13][2] =
-        -D_delta_x_2*t175 - D_delta_y_2*t177 - D_delta_z_2*t179 - mu_1*t180 - mu_1*t181 - mu_1*t182
-        - mu_2*t180 - mu_2*t181 - mu_2*t182;
+        -D_delta_x_2*t180 - D_delta_y_2*t182 - D_delta_z_2*t184 - mu_1*t185 - mu_1*t186 - mu_1*t187
+        - mu_2*t185 - mu_2*t186 - mu_2*t187;
     K_g[2][14] = K_g[14][2] =
-        -D_delta_x_3*t175 - D_delta_y_3*t177 - D_delta_z_3*t179 - mu_1*t183 - mu_1*t184 - mu_1*t185
-        - mu_2*t183 - mu_2*t184 - mu_2*t185;
+        -D_delta_x_3*t180 - D_delta_y_3*t182 - D_delta_z_3*t184 - mu_1*t188 - mu_1*t189 - mu_1*t190
+        - mu_2*t188 - mu_2*t189 - mu_2*t190;
     K_g[12][12] =
-        -mu_1*t104 - mu_1*t105 - mu_1*t106 + mu_1 - mu_2*t104 - mu_2*t105 - mu_2*t106 - mu_3*t104 - mu_3*t105
-        - mu_3*t106;
+        -mu_1*t109 - mu_1*t110 - mu_1*t111 + mu_1 - mu_2*t109 - mu_2*t110 - mu_2*t111 - mu_3*t109 - mu_3*t110
+        - mu_3*t111;
     K_g[12][13] = K_g[13][12] =
-        -mu_1*t186 - mu_1*t187 - mu_1*t188 - mu_2*t186 - mu_2*t187 - mu_2*t188 - mu_3*t186 - mu_3*t187
-        - mu_3*t188;
+        -mu_1*t191 - mu_1*t192 - mu_1*t193 - mu_2*t191 - mu_2*t192 - mu_2*t193 - mu_3*t191 - mu_3*t192
+        - mu_3*t193;
     K_g[12][14] = K_g[14][12] =
-        -mu_1*t189 - mu_1*t190 - mu_1*t191 - mu_2*t189 - mu_2*t190 - mu_2*t191 - mu_3*t189 - mu_3*t190
-        - mu_3*t191;
+        -mu_1*t194 - mu_1*t195 - mu_1*t196 - mu_2*t194 - mu_2*t195 - mu_2*t196 - mu_3*t194 - mu_3*t195
+        - mu_3*t196;
     K_g[13][13] =
-        -mu_1*t110 - mu_1*t111 - mu_1*t112 - mu_2*t110 - mu_2*t111 - mu_2*t112 + mu_2 - mu_3*t110 - mu_3*t111
-        - mu_3*t112;
+        -mu_1*t115 - mu_1*t116 - mu_1*t117 - mu_2*t115 - mu_2*t116 - mu_2*t117 + mu_2 - mu_3*t115 - mu_3*t116
+        - mu_3*t117;
     K_g[13][14] = K_g[14][13] =
-        -mu_1*t192 - mu_1*t193 - mu_1*t194 - mu_2*t192 - mu_2*t193 - mu_2*t194 - mu_3*t192 - mu_3*t193
-        - mu_3*t194;
+        -mu_1*t197 - mu_1*t198 - mu_1*t199 - mu_2*t197 - mu_2*t198 - mu_2*t199 - mu_3*t197 - mu_3*t198
+        - mu_3*t199;
     K_g[14][14] =
-        -mu_1*t116 - mu_1*t117 - mu_1*t118 - mu_2*t116 - mu_2*t117 - mu_2*t118 - mu_3*t116 - mu_3*t117
-        - mu_3*t118 + mu_3;
+        -mu_1*t121 - mu_1*t122 - mu_1*t123 - mu_2*t121 - mu_2*t122 - mu_2*t123 - mu_3*t121 - mu_3*t122
+        - mu_3*t123 + mu_3;
 }
 
 void linear_delta_extended_extended_platform_motion(const double p[3],
@@ -901,6 +908,8 @@ void linear_delta_extended_extended_static_equilibrium(const double p[3],
     const double a_B_2 = effects->axis_belt_stiffness_factor_2;
     const double a_B_3 = effects->axis_belt_stiffness_factor_3;
     const double c_E = effects->belt_end_compliance_compliance;
+    const double c_T = effects->belt_tension_stiffness_coefficient;
+    const double F_T = effects->belt_tension_stiffness_tension;
     const double m_L = effects->payload_mass;
     const double r_1_x = b_1_x - o_1_x + p_x;
     const double r_1_y = b_1_y - o_1_y + p_y;
@@ -965,84 +974,89 @@ void linear_delta_extended_extended_static_equilibrium(const double p[3],
     const double D_p_z_2 = A_z_2*t3;
     const double D_p_z_3 = A_z_3*t4;
     const double l_f_1_1 = x_max_1 - x_min_1;
-    const double t5 = k_sp_1*w_b_1*(a_B_1 + 1);
+    const double t5 = F_T*c_T + 1;
     const double t6 = c_E*t5;
-    const double k_1_1 = t5/(l_f_1_1 + t6);
-    const double t7 = (1.0/2.0)*l_t_1;
-    const double l_f_1_2 = -t7 + x_1 - x_min_1;
-    const double k_1_2 = t5/(l_f_1_2 + t6);
-    const double l_f_1_3 = -t7 - x_1 + x_max_1;
-    const double k_1_3 = t5/(l_f_1_3 + t6);
+    const double t7 = k_sp_1*w_b_1*(a_B_1 + 1);
+    const double t8 = t6*t7;
+    const double t9 = t5*t7;
+    const double k_1_1 = t9/(l_f_1_1 + t8);
+    const double t10 = (1.0/2.0)*l_t_1;
+    const double l_f_1_2 = -t10 + x_1 - x_min_1;
+    const double k_1_2 = t9/(l_f_1_2 + t8);
+    const double l_f_1_3 = -t10 - x_1 + x_max_1;
+    const double k_1_3 = t9/(l_f_1_3 + t8);
     const double l_f_2_1 = x_max_2 - x_min_2;
-    const double t8 = k_sp_2*w_b_2*(a_B_2 + 1);
-    const double t9 = c_E*t8;
-    const double k_2_1 = t8/(l_f_2_1 + t9);
-    const double t10 = (1.0/2.0)*l_t_2;
-    const double l_f_2_2 = -t10 + x_2 - x_min_2;
-    const double k_2_2 = t8/(l_f_2_2 + t9);
-    const double l_f_2_3 = -t10 - x_2 + x_max_2;
-    const double k_2_3 = t8/(l_f_2_3 + t9);
+    const double t11 = k_sp_2*w_b_2*(a_B_2 + 1);
+    const double t12 = t11*t6;
+    const double t13 = t11*t5;
+    const double k_2_1 = t13/(l_f_2_1 + t12);
+    const double t14 = (1.0/2.0)*l_t_2;
+    const double l_f_2_2 = -t14 + x_2 - x_min_2;
+    const double k_2_2 = t13/(l_f_2_2 + t12);
+    const double l_f_2_3 = -t14 - x_2 + x_max_2;
+    const double k_2_3 = t13/(l_f_2_3 + t12);
     const double l_f_3_1 = x_max_3 - x_min_3;
-    const double t11 = k_sp_3*w_b_3*(a_B_3 + 1);
-    const double t12 = c_E*t11;
-    const double k_3_1 = t11/(l_f_3_1 + t12);
-    const double t13 = (1.0/2.0)*l_t_3;
-    const double l_f_3_2 = -t13 + x_3 - x_min_3;
-    const double k_3_2 = t11/(l_f_3_2 + t12);
-    const double l_f_3_3 = -t13 - x_3 + x_max_3;
-    const double k_3_3 = t11/(l_f_3_3 + t12);
-    const double t14 = (1.0/2.0)*m_d_1;
-    const double t15 = (1.0/2.0)*m_d_2;
-    const double t16 = (1.0/2.0)*m_d_3;
-    const double t17 = m_L + m_p + t14 + t15 + t16;
-    const double t18 = g_x*t17;
-    const double t19 = g_y*t17;
-    const double t20 = g_z*t17;
+    const double t15 = k_sp_3*w_b_3*(a_B_3 + 1);
+    const double t16 = t15*t6;
+    const double t17 = t15*t5;
+    const double k_3_1 = t17/(l_f_3_1 + t16);
+    const double t18 = (1.0/2.0)*l_t_3;
+    const double l_f_3_2 = -t18 + x_3 - x_min_3;
+    const double k_3_2 = t17/(l_f_3_2 + t16);
+    const double l_f_3_3 = -t18 - x_3 + x_max_3;
+    const double k_3_3 = t17/(l_f_3_3 + t16);
+    const double t19 = (1.0/2.0)*m_d_1;
+    const double t20 = (1.0/2.0)*m_d_2;
+    const double t21 = (1.0/2.0)*m_d_3;
+    const double t22 = m_L + m_p + t19 + t20 + t21;
+    const double t23 = g_x*t22;
+    const double t24 = g_y*t22;
+    const double t25 = g_z*t22;
     const double G_1 =
-        -D_p_x_1*t18 - D_p_y_1*t19 - D_p_z_1*t20 - g_x*(m_t_1*n_1_x + n_1_x*t14) - g_y*(m_t_1*n_1_y
-        + n_1_y*t14) - g_z*(m_t_1*n_1_z + n_1_z*t14);
-    const double t21 = (R_p_1*R_p_1);
-    const double t22 = k_1_1*t21;
-    const double t23 = k_1_3*t21;
-    const double t24 = -d_1_1*t22 + d_1_2*(t22 + t23);
-    const double t25 = k_1_2*t21;
-    const double t26 = d_1_1*(t22 + t25) - d_1_2*t22;
-    const double det_1 = R_p_1*k_1_2*t24 - R_p_1*k_1_3*t26;
-    const double t27 = G_1/det_1;
-    const double theta_1_1_st = -t26*t27;
-    const double theta_1_2_st = t24*t27;
-    const double t28 = R_p_1*k_1_1*(-R_p_1*theta_1_1_st + R_p_1*theta_1_2_st);
-    const double tau_st_1 = d_1_1*(t23*theta_1_1_st - t28) + d_1_2*(t25*theta_1_2_st + t28);
+        -D_p_x_1*t23 - D_p_y_1*t24 - D_p_z_1*t25 - g_x*(m_t_1*n_1_x + n_1_x*t19) - g_y*(m_t_1*n_1_y
+        + n_1_y*t19) - g_z*(m_t_1*n_1_z + n_1_z*t19);
     const double G_2 =
-        -D_p_x_2*t18 - D_p_y_2*t19 - D_p_z_2*t20 - g_x*(m_t_2*n_2_x + n_2_x*t15) - g_y*(m_t_2*n_2_y
-        + n_2_y*t15) - g_z*(m_t_2*n_2_z + n_2_z*t15);
-    const double t29 = (R_p_2*R_p_2);
-    const double t30 = k_2_1*t29;
-    const double t31 = k_2_3*t29;
-    const double t32 = -d_2_1*t30 + d_2_2*(t30 + t31);
-    const double t33 = k_2_2*t29;
-    const double t34 = d_2_1*(t30 + t33) - d_2_2*t30;
-    const double det_2 = R_p_2*k_2_2*t32 - R_p_2*k_2_3*t34;
-    const double t35 = G_2/det_2;
-    const double theta_2_1_st = -t34*t35;
-    const double theta_2_2_st = t32*t35;
-    const double t36 = R_p_2*k_2_1*(-R_p_2*theta_2_1_st + R_p_2*theta_2_2_st);
-    const double tau_st_2 = d_2_1*(t31*theta_2_1_st - t36) + d_2_2*(t33*theta_2_2_st + t36);
+        -D_p_x_2*t23 - D_p_y_2*t24 - D_p_z_2*t25 - g_x*(m_t_2*n_2_x + n_2_x*t20) - g_y*(m_t_2*n_2_y
+        + n_2_y*t20) - g_z*(m_t_2*n_2_z + n_2_z*t20);
     const double G_3 =
-        -D_p_x_3*t18 - D_p_y_3*t19 - D_p_z_3*t20 - g_x*(m_t_3*n_3_x + n_3_x*t16) - g_y*(m_t_3*n_3_y
-        + n_3_y*t16) - g_z*(m_t_3*n_3_z + n_3_z*t16);
-    const double t37 = (R_p_3*R_p_3);
-    const double t38 = k_3_1*t37;
-    const double t39 = k_3_3*t37;
-    const double t40 = -d_3_1*t38 + d_3_2*(t38 + t39);
-    const double t41 = k_3_2*t37;
-    const double t42 = d_3_1*(t38 + t41) - d_3_2*t38;
-    const double det_3 = R_p_3*k_3_2*t40 - R_p_3*k_3_3*t42;
-    const double t43 = G_3/det_3;
-    const double theta_3_1_st = -t42*t43;
-    const double theta_3_2_st = t40*t43;
-    const double t44 = R_p_3*k_3_1*(-R_p_3*theta_3_1_st + R_p_3*theta_3_2_st);
-    const double tau_st_3 = d_3_1*(t39*theta_3_1_st - t44) + d_3_2*(t41*theta_3_2_st + t44);
+        -D_p_x_3*t23 - D_p_y_3*t24 - D_p_z_3*t25 - g_x*(m_t_3*n_3_x + n_3_x*t21) - g_y*(m_t_3*n_3_y
+        + n_3_y*t21) - g_z*(m_t_3*n_3_z + n_3_z*t21);
+    const double t26 = (R_p_1*R_p_1);
+    const double t27 = k_1_1*t26;
+    const double t28 = k_1_3*t26;
+    const double t29 = -d_1_1*t27 + d_1_2*(t27 + t28);
+    const double t30 = k_1_2*t26;
+    const double t31 = d_1_1*(t27 + t30) - d_1_2*t27;
+    const double det_1 = R_p_1*k_1_2*t29 - R_p_1*k_1_3*t31;
+    const double t32 = G_1/det_1;
+    const double theta_1_1_st = -t31*t32;
+    const double theta_1_2_st = t29*t32;
+    const double t33 = (R_p_2*R_p_2);
+    const double t34 = k_2_1*t33;
+    const double t35 = k_2_3*t33;
+    const double t36 = -d_2_1*t34 + d_2_2*(t34 + t35);
+    const double t37 = k_2_2*t33;
+    const double t38 = d_2_1*(t34 + t37) - d_2_2*t34;
+    const double det_2 = R_p_2*k_2_2*t36 - R_p_2*k_2_3*t38;
+    const double t39 = G_2/det_2;
+    const double theta_2_1_st = -t38*t39;
+    const double theta_2_2_st = t36*t39;
+    const double t40 = (R_p_3*R_p_3);
+    const double t41 = k_3_1*t40;
+    const double t42 = k_3_3*t40;
+    const double t43 = -d_3_1*t41 + d_3_2*(t41 + t42);
+    const double t44 = k_3_2*t40;
+    const double t45 = d_3_1*(t41 + t44) - d_3_2*t41;
+    const double det_3 = R_p_3*k_3_2*t43 - R_p_3*k_3_3*t45;
+    const double t46 = G_3/det_3;
+    const double theta_3_1_st = -t45*t46;
+    const double theta_3_2_st = t43*t46;
+    const double t47 = R_p_1*k_1_1*(-R_p_1*theta_1_1_st + R_p_1*theta_1_2_st);
+    const double tau_st_1 = d_1_1*(t28*theta_1_1_st - t47) + d_1_2*(t30*theta_1_2_st + t47);
+    const double t48 = R_p_2*k_2_1*(-R_p_2*theta_2_1_st + R_p_2*theta_2_2_st);
+    const double tau_st_2 = d_2_1*(t35*theta_2_1_st - t48) + d_2_2*(t37*theta_2_2_st + t48);
+    const double t49 = R_p_3*k_3_1*(-R_p_3*theta_3_1_st + R_p_3*theta_3_2_st);
+    const double tau_st_3 = d_3_1*(t42*theta_3_1_st - t49) + d_3_2*(t44*theta_3_2_st + t49);
     tau_st[0] = tau_st_1;
     tau_st[1] = tau_st_2;
     tau_st[2] = tau_st_3;

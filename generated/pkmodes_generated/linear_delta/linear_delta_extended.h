@@ -40,16 +40,20 @@ extern "C" {
 #endif
 
 typedef struct {
-    /* [1] relative change of the belt stiffness of axis 1 */
+    /* [1] relative change of the stiffness of belt 1 */
     double axis_belt_stiffness_factor_1;
-    /* [1] relative change of the belt stiffness of axis 2 */
+    /* [1] relative change of the stiffness of belt 2 */
     double axis_belt_stiffness_factor_2;
-    /* [1] relative change of the belt stiffness of axis 3 */
+    /* [1] relative change of the stiffness of belt 3 */
     double axis_belt_stiffness_factor_3;
     /* [m/N] compliance in series with every free span */
     double belt_end_compliance_compliance;
     /* [kg/m] mass of a belt by its length */
     double belt_mass_linear_density;
+    /* [1/N] relative change of the belt stiffness with tension */
+    double belt_tension_stiffness_coefficient;
+    /* [N] tension of every belt, from a measurement */
+    double belt_tension_stiffness_tension;
     /* [N/m] isotropic stiffness from the platform centre to ground */
     double cable_stiffness_stiffness;
     /* [kg m^2] extra inertia on every driven pulley */
@@ -78,7 +82,7 @@ typedef struct {
  *   out K_g [N/m, N, N m]: Hessian of the gravitational potential energy
  *
  * Source: equations 24 to 48 with the effects' energies; K = K_el + K_g and the joints' stiffnesses.
- * 1236 operations; 2335419 with every named value written out.
+ * 1242 operations; 2335815 with every named value written out.
  */
 void linear_delta_extended_extended_matrices(const double p[3], const linear_delta_parameters *parameters,
     const linear_delta_effects *effects, double M[21][21], double K_el[21][21], double K_g[21][21]);
@@ -107,14 +111,14 @@ void linear_delta_extended_extended_platform_motion(const double p[3],
 void linear_delta_extended_joint_stiffness(const linear_delta_effects *effects, double kappa[12],
     double kappa_c[12]);
 
-/* Torques and pulley rotations that hold the pose, the effects' weights and belts included.
+/* Torques and rotations that hold the pose, the effects' weights and changes of stiffness included.
  *
  *   in  p [m]: platform centre in the base frame
- *   out tau_st [N m]: torques on the driven pulleys
- *   out theta_st [rad]: rotations from the unstrained belts
+ *   out tau_st [N m]: torques on the driven rotors
+ *   out theta_st [rad]: rotations from unstrained transmissions
  *
  * Source: equation 44; springs that effects add are relaxed at the pose, and the released joints hold.
- * 382 operations; 127761 with every named value written out.
+ * 388 operations; 129417 with every named value written out.
  */
 void linear_delta_extended_extended_static_equilibrium(const double p[3],
     const linear_delta_parameters *parameters, const linear_delta_effects *effects, double tau_st[3],

@@ -7,35 +7,21 @@ Arrays are batch first: a leading `...` stands for any batch shape, none include
 Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
 frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
 
-Names in the code, for axis j; pulley k, or carriage k of a derivative; carriage l of a second derivative;
+Names in the code, for axis j; pulley k, or carriage k of a derivative; coordinate l of a second derivative;
 belt span s; component i = x, y, z.  t1, t2, ... are subexpressions that several values share.
 
 * x_j [m]: position of carriage j along its rail
-* v_p_i [m/s]: velocity of the platform, component i
+* r_j_i [m]: platform joint j seen from the origin of rail j, component i
+* s_j_i [m]: linkage vector j, from carriage to platform joint, component i
+* a_j [m]: coordinate of platform joint j along rail j
+* w_j_i [m]: vector from rail j to platform joint j, perpendicular to it, component i
+* w2_j [m^2]: squared distance of platform joint j from rail j
+* tau_st_j [N m]: static torque on the driven pulley of axis j
+* I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
 * l_f_j_s [m]: free length of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
     carriage to pulley 1)
 * k_j_s [N/m]: stiffness of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
     carriage to pulley 1)
-* r_j_i [m]: platform joint j seen from the origin of rail j, component i
-* s_j_i [m]: linkage vector j, from carriage to platform joint, component i
-* a_j [m]: coordinate of platform joint j along rail j
-* w_j_i [m]: vector from rail j square to platform joint j, component i
-* w2_j [m^2]: squared distance of platform joint j from rail j
-* D_r_j [m]: entry of D_r for axis j: linkage vector along the rail
-* A_i_j [m^2]: adjugate of D_l, entry i, j
-* det_D_l [m^3]: determinant of D_l
-* D_p_i_k [1]: platform Jacobian, dp_i/dx_k
-* U_j_i_k [1]: derivative of linkage vector j, component i, by x_k
-* f_j_kl [1]: right-hand side of closure j differentiated by x_k and x_l
-* P_i_kl [1/m]: second derivative of p_i by x_k and x_l
-* I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
-* s_dot_j_i [m/s]: rate of change of linkage vector j, component i
-* D_p_dot_i_k [1/s]: time derivative of dp_i/dx_k
-* mu_j [N/m]: static force in linkage j divided by its length, positive in compression
-* G_j [N]: gradient of the gravitational potential energy by x_j
-* tau_st_j [N m]: static torque on the driven pulley of axis j
-* det_j [N^2 m]: determinant of the equilibrium of axis j
-* theta_j_k_st [rad]: static rotation of pulley k of axis j from the unstrained belts
 * S_j_i [m]: centre of sphere j, on which the platform centre lies, component i
 * alpha_i [m]: vector between the sphere centres 1 and 2, component i
 * beta_i [m]: vector between the sphere centres 1 and 3, component i
@@ -43,6 +29,20 @@ belt span s; component i = x, y, z.  t1, t2, ... are subexpressions that several
 * nu2 [m^4]: squared length of the normal
 * h_j [m^2]: product of p - S_1 with the vector between sphere centres 1 and j
 * q_i [m]: foot of the perpendicular on the plane of the centres, seen from S_1, component i
+* v_p_i [m/s]: velocity of the platform, component i
+* D_r_j [m]: entry of D_r for axis j: linkage vector along the motion of its joint
+* A_i_j [m^2]: adjugate of D_l, entry i, j
+* det_D_l [m^3]: determinant of D_l
+* D_p_i_k [1]: platform Jacobian, dp_i/dx_k
+* U_j_i_k [1]: derivative of linkage vector j, component i, with respect to x_k
+* f_j_kl [1]: right-hand side of closure j differentiated with respect to x_k and x_l
+* P_i_kl [1/m]: second derivative of p_i with respect to x_k and x_l
+* s_dot_j_i [m/s]: rate of change of linkage vector j, component i
+* D_p_dot_i_k [1/s]: time derivative of dp_i/dx_k
+* mu_j [N/m]: static force in linkage j divided by its length, positive in compression
+* G_j [N]: gradient of the gravitational potential energy with respect to x_j
+* det_j [N^2 m]: determinant of the equilibrium of axis j
+* theta_j_k_st [rad]: static rotation of pulley k of axis j, from unstrained transmissions
 """
 
 from math import prod
@@ -115,41 +115,41 @@ class Parameters(NamedTuple):
     Attributes
     ----------
     platform_mass : float or array, shape (...) [kg]
-        Platform mass m_p.
+        Platform mass.
     gravity : array, shape (..., 3) [m/s^2]
         Gravitational acceleration g, base frame.
     origin : array, shape (..., 3, 3) [m]
-        o_j, the point of rail j where x_j = 0; one row for each axis.
+        Point of rail j where x_j = 0.
     direction : array, shape (..., 3, 3) [1]
-        n_j, unit vector along rail j; one row for each axis.
+        Unit vector along rail j.
     joint : array, shape (..., 3, 3) [m]
-        b_j = c_j - p, platform joint seen from the platform centre.
+        Joint j of the platform seen from its centre.
     link_length : array, shape (..., 3) [m]
-        Length l_d of each linkage.
+        Length of linkage j.
     link_mass : array, shape (..., 3) [kg]
-        Mass m_d of each linkage, both rods together.
+        Mass of linkage j, both rods together.
     carriage_mass : array, shape (..., 3) [kg]
-        Mass m_t of each carriage.
+        Mass of carriage j.
     carriage_length : array, shape (..., 3) [m]
-        Length l_t of each carriage along its rail.
+        Length of carriage j along its rail.
     belt_specific_stiffness : array, shape (..., 3) [N/m]
-        Specific stiffness k_sp of each belt.
+        Specific stiffness of belt j: k = w_b k_sp / free length.
     belt_width : array, shape (..., 3) [m]
-        Width w_b of each belt.
+        Width of belt j.
     pulley_radius : array, shape (..., 3) [m]
-        Radius R_p of the pulleys of each axis.
+        Radius of the pulleys of axis j.
     pulley_inertia : array, shape (..., 3) [kg m^2]
-        Moment of inertia I_p of each of the two pulleys.
+        Moment of inertia of each pulley of axis j.
     motor_inertia : array, shape (..., 3) [kg m^2]
-        Moment of inertia of each motor, at its shaft.
+        Moment of inertia of motor j at the motor shaft.
     gear_ratio : array, shape (..., 3) [1]
-        Gear ratio, motor over driven pulley.
+        Gear ratio of axis j, motor over driven pulley.
     drive : array, shape (..., 3, 2) [1]
-        1 where the motor drives pulley k of axis j, else 0; one row for each axis.
+        1 where the motor drives pulley k of axis j, else 0.
     limits : array, shape (..., 3, 2) [m]
         min(x_j), max(x_j): pulley 2 sits at min, pulley 1 at max.
     branch : array, shape (..., 3) [1]
-        +1: carriage ahead of the platform joint along n_j; -1: behind.
+        Branch of axis j: +1 the carriage is ahead of the platform joint along the rail, -1 behind.
     """
 
     platform_mass: float
@@ -191,9 +191,9 @@ def _batch(*arrays):
 
 
 def inverse_kinematics(p, parameters):
-    """Carriage positions that put the platform centre at p.
+    """Carriage positions at a pose.
 
-    Not a number where a platform joint is farther from its rail than the link is long (see `reach_margin`).
+    Not a number out of reach (see `reach_margin`).
 
     Parameters
     ----------
@@ -209,7 +209,7 @@ def inverse_kinematics(p, parameters):
 
     Notes
     -----
-    Equations 1 to 3: rail j meets the sphere of radius l_d around platform joint j.
+    Equations 1 to 3.
     84 operations; 201 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
@@ -253,8 +253,93 @@ def inverse_kinematics(p, parameters):
     return x_out
 
 
+def reach_margin(p, parameters):
+    """How much farther each platform joint could be from its rail.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    margin : array, shape (..., 3) [m]
+        Link length minus distance of the platform joint from its rail, for each axis.
+
+    Notes
+    -----
+    Closure of equation 2: a pose is reachable where every margin is at least zero.
+    75 operations; 159 with every named value written out.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    batch, dtype = _batch(p_x, o_1_x, n_1_x, b_1_x, l_d_1)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    margin_out = np.empty((*batch, 3), dtype)
+    margin_out[..., 0] = l_d_1 - np.sqrt(w2_1)
+    margin_out[..., 1] = l_d_2 - np.sqrt(w2_2)
+    margin_out[..., 2] = l_d_3 - np.sqrt(w2_3)
+    return margin_out
+
+
+def travel_margin(parameters):
+    """Room for the two belt spans of each carriage, whatever the pose.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    margin : array, shape (..., 3) [m]
+        Max - min - l_t for each axis; positive for a robot that can move.
+
+    Notes
+    -----
+    Equations 36 and 37, added.
+    6 operations; 6 with every named value written out.
+    """
+    l_t_1, l_t_2, l_t_3 = _entries(parameters.carriage_length, (3,))
+    x_min_1, x_max_1, x_min_2, x_max_2, x_min_3, x_max_3 = _entries(parameters.limits, (3, 2))
+    batch, dtype = _batch(l_t_1, x_min_1)
+    margin_out = np.empty((*batch, 3), dtype)
+    margin_out[..., 0] = -l_t_1 + x_max_1 - x_min_1
+    margin_out[..., 1] = -l_t_2 + x_max_2 - x_min_2
+    margin_out[..., 2] = -l_t_3 + x_max_3 - x_min_3
+    return margin_out
+
+
 def direct_kinematics(x, assembly, parameters):
-    """Platform centre for given carriage positions.
+    """Platform centre in the base frame for given carriage positions.
 
     Not a number where the three spheres do not meet.
 
@@ -319,63 +404,6 @@ def direct_kinematics(x, assembly, parameters):
     return p_out
 
 
-def reach_margin(p, parameters):
-    """How much farther each platform joint could be from its rail.
-
-    Parameters
-    ----------
-    p : array, shape (..., 3) [m]
-        Platform centre in the base frame.
-    parameters : Parameters
-        The robot's parameters.
-
-    Returns
-    -------
-    margin : array, shape (..., 3) [m]
-        Link length minus distance of the platform joint from its rail, for each axis.
-
-    Notes
-    -----
-    Closure of equation 2: a pose is reachable where every margin is at least zero.
-    75 operations; 159 with every named value written out.
-    """
-    p_x, p_y, p_z = _entries(p, (3,))
-    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
-    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
-    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
-    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
-    batch, dtype = _batch(p_x, o_1_x, n_1_x, b_1_x, l_d_1)
-    r_1_x = b_1_x - o_1_x + p_x
-    r_1_y = b_1_y - o_1_y + p_y
-    r_1_z = b_1_z - o_1_z + p_z
-    r_2_x = b_2_x - o_2_x + p_x
-    r_2_y = b_2_y - o_2_y + p_y
-    r_2_z = b_2_z - o_2_z + p_z
-    r_3_x = b_3_x - o_3_x + p_x
-    r_3_y = b_3_y - o_3_y + p_y
-    r_3_z = b_3_z - o_3_z + p_z
-    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
-    w_1_x = -a_1*n_1_x + r_1_x
-    w_1_y = -a_1*n_1_y + r_1_y
-    w_1_z = -a_1*n_1_z + r_1_z
-    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
-    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
-    w_2_x = -a_2*n_2_x + r_2_x
-    w_2_y = -a_2*n_2_y + r_2_y
-    w_2_z = -a_2*n_2_z + r_2_z
-    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
-    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
-    w_3_x = -a_3*n_3_x + r_3_x
-    w_3_y = -a_3*n_3_y + r_3_y
-    w_3_z = -a_3*n_3_z + r_3_z
-    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
-    margin_out = np.empty((*batch, 3), dtype)
-    margin_out[..., 0] = l_d_1 - np.sqrt(w2_1)
-    margin_out[..., 1] = l_d_2 - np.sqrt(w2_2)
-    margin_out[..., 2] = l_d_3 - np.sqrt(w2_3)
-    return margin_out
-
-
 def belt_spans(p, parameters):
     """Free lengths of the belt spans.
 
@@ -389,11 +417,11 @@ def belt_spans(p, parameters):
     Returns
     -------
     l_f : array, shape (..., 3, 3) [m]
-        Free length l_f[j-1, s-1]: s = 1 between the pulleys, 2 carriage to pulley 2, 3 carriage to pulley 1.
+        Free length l_f[j-1, s-1] of span s of belt j.
 
     Notes
     -----
-    Equations 35 to 37; a carriage is within its limits where its two spans are positive.
+    Equations 35 to 37; a pose is within the limits where all are positive.
     102 operations; 423 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
@@ -472,7 +500,7 @@ def constraint_jacobians(p, parameters):
     D_l : array, shape (..., 3, 3) [m]
         Row j: linkage vector c_j - e_j in the base frame.
     D_r : array, shape (..., 3, 3) [m]
-        Diagonal: component of the linkage vector along rail j.
+        Diagonal: component of linkage vector j along the motion of its joint.
 
     Notes
     -----
@@ -642,7 +670,7 @@ def platform_jacobian(p, parameters):
     Returns
     -------
     D_p : array, shape (..., 3, 3) [1]
-        dp_i/dx_k, base frame.
+        dp_i/dq_k, base frame.
 
     Notes
     -----
@@ -746,7 +774,7 @@ def platform_jacobian_rate(p, x_dot, parameters):
     Returns
     -------
     D_p_dot : array, shape (..., 3, 3) [1/s]
-        d(D_p)/dt while the carriages move.
+        d(D_p)/dt, with x_dot.
 
     Notes
     -----
@@ -891,7 +919,7 @@ def platform_jacobian_rate(p, x_dot, parameters):
 
 
 def platform_second_derivatives(p, parameters):
-    """Second derivatives of the platform centre by the carriage positions.
+    """Second derivatives of the platform with respect to the carriage positions.
 
     Parameters
     ----------
@@ -903,7 +931,7 @@ def platform_second_derivatives(p, parameters):
     Returns
     -------
     P : array, shape (..., 3, 3, 3) [1/m]
-        d2p_i/dx_k dx_l as P[i, k, l].
+        d2p_i/dq_k dq_l as P[i, k, l].
 
     Notes
     -----
@@ -1232,9 +1260,9 @@ def kinetic_energy(p, q_dot, parameters):
     Returns
     -------
     T_ss : array, shape (...) [J]
-        Carriages, linkages and platform.
+        Platform and what moves it.
     T_t : array, shape (...) [J]
-        Pulleys and motors.
+        Rotors and motors.
 
     Notes
     -----
@@ -1324,12 +1352,12 @@ def kinetic_energy(p, q_dot, parameters):
     D_p_z_3 = A_z_3*t4
     t5 = I_m_1*i_g_1**2
     I_1_1 = I_p_1 + d_1_1*t5
+    I_1_2 = I_p_1 + d_1_2*t5
     t6 = I_m_2*i_g_2**2
     I_2_1 = I_p_2 + d_2_1*t6
+    I_2_2 = I_p_2 + d_2_2*t6
     t7 = I_m_3*i_g_3**2
     I_3_1 = I_p_3 + d_3_1*t7
-    I_1_2 = I_p_1 + d_1_2*t5
-    I_2_2 = I_p_2 + d_2_2*t6
     I_3_2 = I_p_3 + d_3_2*t7
     v_p_x = D_p_x_1*x_1_dot + D_p_x_2*x_2_dot + D_p_x_3*x_3_dot
     v_p_y = D_p_y_1*x_1_dot + D_p_y_2*x_2_dot + D_p_y_3*x_3_dot
@@ -1457,12 +1485,12 @@ def mass_matrix(p, parameters):
     D_p_z_3 = A_z_3*t4
     t5 = I_m_1*i_g_1**2
     I_1_1 = I_p_1 + d_1_1*t5
+    I_1_2 = I_p_1 + d_1_2*t5
     t6 = I_m_2*i_g_2**2
     I_2_1 = I_p_2 + d_2_1*t6
+    I_2_2 = I_p_2 + d_2_2*t6
     t7 = I_m_3*i_g_3**2
     I_3_1 = I_p_3 + d_3_1*t7
-    I_1_2 = I_p_1 + d_1_2*t5
-    I_2_2 = I_p_2 + d_2_2*t6
     I_3_2 = I_p_3 + d_3_2*t7
     t8 = (1/3)*m_d_1
     t9 = (1/6)*m_d_1
@@ -1530,7 +1558,7 @@ def velocity_forces(p, x_dot, parameters):
     Returns
     -------
     h : array, shape (..., 3) [N]
-        Generalised forces on the carriages; the pulleys have none.
+        Generalised forces on the carriage coordinates.
 
     Notes
     -----
@@ -1767,7 +1795,7 @@ def gravity_potential(p, parameters):
 
     Notes
     -----
-    Equation 26, for gravity in any direction; the carriages' weight included.
+    Equation 26, for gravity in any direction and every body that moves.
     195 operations; 1368 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
@@ -1831,7 +1859,7 @@ def gravity_potential(p, parameters):
 
 
 def gravity_gradient(p, parameters):
-    """Gradient of the gravitational potential energy by the carriage positions.
+    """Gradient of the gravitational potential energy with respect to the carriage positions.
 
     Parameters
     ----------
@@ -1843,7 +1871,7 @@ def gravity_gradient(p, parameters):
     Returns
     -------
     G : array, shape (..., 3) [N]
-        dV_g/dx_k.
+        dV_g/dq_k.
 
     Notes
     -----
@@ -1947,7 +1975,7 @@ def gravity_gradient(p, parameters):
 
 
 def gravity_hessian(p, parameters):
-    """Hessian of the gravitational potential energy by the carriage positions.
+    """Hessian of the gravitational potential energy with respect to the carriage positions.
 
     Parameters
     ----------
@@ -1959,7 +1987,7 @@ def gravity_hessian(p, parameters):
     Returns
     -------
     H_g : array, shape (..., 3, 3) [N/m]
-        d2V_g/dx_k dx_l, symmetric.
+        d2V_g/dq_k dq_l, symmetric.
 
     Notes
     -----
@@ -2197,7 +2225,7 @@ def belt_stiffness(p, parameters):
 
 
 def elastic_potential(p, delta_q, parameters):
-    """Elastic potential energy V_el of the belts, the force function U_el with opposite sign.
+    """Elastic potential energy V_el of the transmissions, the force function U_el with opposite sign.
 
     Parameters
     ----------
@@ -2215,7 +2243,7 @@ def elastic_potential(p, delta_q, parameters):
 
     Notes
     -----
-    Equation 38, summed over the axes.
+    Equation 38, summed.
     164 operations; 497 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
@@ -2528,7 +2556,7 @@ def elastic_hessian(p, parameters):
 
 
 def static_equilibrium(p, parameters):
-    """Torques and pulley rotations that hold the pose.
+    """Torques of the drives, and the rotations that go with them, that hold the pose.
 
     Parameters
     ----------
@@ -2540,13 +2568,13 @@ def static_equilibrium(p, parameters):
     Returns
     -------
     tau_st : array, shape (..., 3) [N m]
-        Torques on the driven pulleys, positive with theta.
+        Torques on the driven rotors, positive with their rotation.
     theta_st : array, shape (..., 6) [rad]
-        Rotations from the unstrained belts, in the order of the coordinates theta.
+        Rotations from unstrained transmissions, in the order of the coordinates.
 
     Notes
     -----
-    Equation 44, solved for the carriages fixed at the pose.
+    Equation 44, solved at the pose.
     363 operations; 125757 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
@@ -2664,6 +2692,14 @@ def static_equilibrium(p, parameters):
         -D_p_x_1*t15 - D_p_y_1*t16 - D_p_z_1*t17 - g_x*(m_t_1*n_1_x + n_1_x*t11) - g_y*(m_t_1*n_1_y
         + n_1_y*t11) - g_z*(m_t_1*n_1_z + n_1_z*t11)
     )
+    G_2 = (
+        -D_p_x_2*t15 - D_p_y_2*t16 - D_p_z_2*t17 - g_x*(m_t_2*n_2_x + n_2_x*t12) - g_y*(m_t_2*n_2_y
+        + n_2_y*t12) - g_z*(m_t_2*n_2_z + n_2_z*t12)
+    )
+    G_3 = (
+        -D_p_x_3*t15 - D_p_y_3*t16 - D_p_z_3*t17 - g_x*(m_t_3*n_3_x + n_3_x*t13) - g_y*(m_t_3*n_3_y
+        + n_3_y*t13) - g_z*(m_t_3*n_3_z + n_3_z*t13)
+    )
     t18 = R_p_1**2
     t19 = k_1_1*t18
     t20 = k_1_3*t18
@@ -2674,40 +2710,32 @@ def static_equilibrium(p, parameters):
     t24 = G_1/det_1
     theta_1_1_st = -t23*t24
     theta_1_2_st = t21*t24
-    t25 = R_p_1*k_1_1*(-R_p_1*theta_1_1_st + R_p_1*theta_1_2_st)
-    tau_st_1 = d_1_1*(t20*theta_1_1_st - t25) + d_1_2*(t22*theta_1_2_st + t25)
-    G_2 = (
-        -D_p_x_2*t15 - D_p_y_2*t16 - D_p_z_2*t17 - g_x*(m_t_2*n_2_x + n_2_x*t12) - g_y*(m_t_2*n_2_y
-        + n_2_y*t12) - g_z*(m_t_2*n_2_z + n_2_z*t12)
-    )
-    t26 = R_p_2**2
-    t27 = k_2_1*t26
-    t28 = k_2_3*t26
-    t29 = -d_2_1*t27 + d_2_2*(t27 + t28)
-    t30 = k_2_2*t26
-    t31 = d_2_1*(t27 + t30) - d_2_2*t27
-    det_2 = R_p_2*k_2_2*t29 - R_p_2*k_2_3*t31
-    t32 = G_2/det_2
-    theta_2_1_st = -t31*t32
-    theta_2_2_st = t29*t32
-    t33 = R_p_2*k_2_1*(-R_p_2*theta_2_1_st + R_p_2*theta_2_2_st)
-    tau_st_2 = d_2_1*(t28*theta_2_1_st - t33) + d_2_2*(t30*theta_2_2_st + t33)
-    G_3 = (
-        -D_p_x_3*t15 - D_p_y_3*t16 - D_p_z_3*t17 - g_x*(m_t_3*n_3_x + n_3_x*t13) - g_y*(m_t_3*n_3_y
-        + n_3_y*t13) - g_z*(m_t_3*n_3_z + n_3_z*t13)
-    )
-    t34 = R_p_3**2
-    t35 = k_3_1*t34
-    t36 = k_3_3*t34
-    t37 = -d_3_1*t35 + d_3_2*(t35 + t36)
-    t38 = k_3_2*t34
-    t39 = d_3_1*(t35 + t38) - d_3_2*t35
-    det_3 = R_p_3*k_3_2*t37 - R_p_3*k_3_3*t39
-    t40 = G_3/det_3
-    theta_3_1_st = -t39*t40
-    theta_3_2_st = t37*t40
+    t25 = R_p_2**2
+    t26 = k_2_1*t25
+    t27 = k_2_3*t25
+    t28 = -d_2_1*t26 + d_2_2*(t26 + t27)
+    t29 = k_2_2*t25
+    t30 = d_2_1*(t26 + t29) - d_2_2*t26
+    det_2 = R_p_2*k_2_2*t28 - R_p_2*k_2_3*t30
+    t31 = G_2/det_2
+    theta_2_1_st = -t30*t31
+    theta_2_2_st = t28*t31
+    t32 = R_p_3**2
+    t33 = k_3_1*t32
+    t34 = k_3_3*t32
+    t35 = -d_3_1*t33 + d_3_2*(t33 + t34)
+    t36 = k_3_2*t32
+    t37 = d_3_1*(t33 + t36) - d_3_2*t33
+    det_3 = R_p_3*k_3_2*t35 - R_p_3*k_3_3*t37
+    t38 = G_3/det_3
+    theta_3_1_st = -t37*t38
+    theta_3_2_st = t35*t38
+    t39 = R_p_1*k_1_1*(-R_p_1*theta_1_1_st + R_p_1*theta_1_2_st)
+    tau_st_1 = d_1_1*(t20*theta_1_1_st - t39) + d_1_2*(t22*theta_1_2_st + t39)
+    t40 = R_p_2*k_2_1*(-R_p_2*theta_2_1_st + R_p_2*theta_2_2_st)
+    tau_st_2 = d_2_1*(t27*theta_2_1_st - t40) + d_2_2*(t29*theta_2_2_st + t40)
     t41 = R_p_3*k_3_1*(-R_p_3*theta_3_1_st + R_p_3*theta_3_2_st)
-    tau_st_3 = d_3_1*(t36*theta_3_1_st - t41) + d_3_2*(t38*theta_3_2_st + t41)
+    tau_st_3 = d_3_1*(t34*theta_3_1_st - t41) + d_3_2*(t36*theta_3_2_st + t41)
     tau_st_out = np.empty((*batch, 3), dtype)
     tau_st_out[..., 0] = tau_st_1
     tau_st_out[..., 1] = tau_st_2
@@ -3046,12 +3074,12 @@ def modal_matrices(p, parameters):
     U_3_z_3 = D_p_z_3 - n_3_z
     t5 = I_m_1*i_g_1**2
     I_1_1 = I_p_1 + d_1_1*t5
+    I_1_2 = I_p_1 + d_1_2*t5
     t6 = I_m_2*i_g_2**2
     I_2_1 = I_p_2 + d_2_1*t6
+    I_2_2 = I_p_2 + d_2_2*t6
     t7 = I_m_3*i_g_3**2
     I_3_1 = I_p_3 + d_3_1*t7
-    I_1_2 = I_p_1 + d_1_2*t5
-    I_2_2 = I_p_2 + d_2_2*t6
     I_3_2 = I_p_3 + d_3_2*t7
     l_f_1_1 = x_max_1 - x_min_1
     t8 = k_sp_1*w_b_1
@@ -3198,31 +3226,3 @@ def modal_matrices(p, parameters):
     K_out[..., 7, 7] = k_2_2*t60 + t61
     K_out[..., 8, 8] = k_3_2*t62 + t63
     return M_out, K_out
-
-
-def travel_margin(parameters):
-    """Room for the two belt spans of each carriage, whatever the pose.
-
-    Parameters
-    ----------
-    parameters : Parameters
-        The robot's parameters.
-
-    Returns
-    -------
-    margin : array, shape (..., 3) [m]
-        Max - min - l_t for each axis; positive for a robot that can move.
-
-    Notes
-    -----
-    Equations 36 and 37, added.
-    6 operations; 6 with every named value written out.
-    """
-    l_t_1, l_t_2, l_t_3 = _entries(parameters.carriage_length, (3,))
-    x_min_1, x_max_1, x_min_2, x_max_2, x_min_3, x_max_3 = _entries(parameters.limits, (3, 2))
-    batch, dtype = _batch(l_t_1, x_min_1)
-    margin_out = np.empty((*batch, 3), dtype)
-    margin_out[..., 0] = -l_t_1 + x_max_1 - x_min_1
-    margin_out[..., 1] = -l_t_2 + x_max_2 - x_min_2
-    margin_out[..., 2] = -l_t_3 + x_max_3 - x_min_3
-    return margin_out

@@ -1,0 +1,371 @@
+"""The functions of a model, with effects or without, each with its equation: nothing is derived here."""
+
+from __future__ import annotations
+
+from sympy import Add, Matrix, Rational, sqrt
+
+from pkmodes_derive import lagrangian
+from pkmodes_derive.assembly.condensed import Condensed
+from pkmodes_derive.assembly.derived import flat, units
+from pkmodes_derive.functions import Function, Output
+from pkmodes_derive.machine import Extra
+from pkmodes_derive.vectors import cross
+
+HALF = Rational(1, 2)
+
+
+def chapters(c: Condensed) -> tuple[Function, ...]:
+    """Every function of a model."""
+    return (
+        *_position(c),
+        *_motion(c),
+        *_gravity(c),
+        *_transmissions(c),
+        *_modal(c),
+    )
+
+
+def extra(c: Condensed, e: Extra) -> Function:
+    """A function of the mechanism's own."""
+    if e.definitions is None:
+        arguments = [c.pose] if e.arguments is None else e.arguments
+        return c.function(e.name, e.summary, e.source, arguments, *e.outputs, details=e.details)
+    return Function(e.name, e.summary, e.source, e.arguments or (), e.outputs, e.definitions, e.details)
+
+
+def _by(c: Condensed) -> str:
+    """With respect to what the platform moves."""
+    return f"with respect to the {c.machine.independent_are}"
+
+
+def _unit(c: Condensed, of_metre: str, of_radian: str) -> str:
+    return of_metre if c.machine.vocabulary[c.machine.independent[0]].unit == "m" else of_radian
+
+
+def _position(c: Condensed) -> list[Function]:
+    """Positions and the limits of the workspace."""
+    m, n = c.machine, len(c.machine.independent)
+    what = f"{m.independent_are} {', '.join(q.name for q in m.independent)}"
+    found = [
+        c.function(
+            "inverse_kinematics",
+            f"{m.independent_are.capitalize()} at a pose.",
+            "equations 1 to 3" if m.links else "they are the pose",
+            [c.pose],
+            Output(m.argument, (n,), m.independent, _unit(c, "m", "rad"), what),
+            details="Not a number out of reach (see `reach_margin`)." if m.links else "",
+        ),
+        *(extra(c, e) for e in m.extras),
+    ]
+    if m.belts:
+        runs = tuple(tuple(run.length for run in belt.runs) for belt in m.belts)
+        names = "free length l_f[j-1, s-1] of span s of belt j"
+        found.append(
+            c.function(
+                "belt_spans",
+                "Free lengths of the belt spans.",
+                "equations 35 to 37; a pose is within the limits where all are positive",
+                [c.pose],
+                Output("l_f", (len(runs), len(runs[0])), flat(runs), "m", names),
+            )
+        )
+    return found + (_closures(c) if m.links else [])
+
+
+def _closures(c: Condensed) -> list[Function]:
+    kin, n = c.kin, len(c.machine.independent)
+    assert kin.solver is not None
+    # Entry by entry, because SymPy would write the root of det^2 as |det|, which has no complex step.
+    inverse_norm2 = Add(*((entry / kin.solver.determinant) ** 2 for entry in kin.solver.adjugate))
+    jacobian_norm2 = Add(*(entry**2 for entry in kin.D_l))
+    q = c.machine.argument
+    return [
+        c.function(
+            "constraint_jacobians",
+            f"Constraint Jacobians D_l and D_r of D_l p_dot = D_r {q}_dot.",
+            "equations 14 and 15",
+            [c.pose],
+            Output("D_l", (n, n), tuple(kin.D_l), "m", "row j: linkage vector c_j - e_j in the base frame"),
+            Output(
+                "D_r",
+                (n, n),
+                tuple(kin.D_r),
+                _unit(c, "m", "m^2"),
+                "diagonal: component of linkage vector j along the motion of its joint",
+            ),
+        ),
+        c.function(
+            "jacobian_condition",
+            "Assembly branch and condition number of D_l in the Frobenius norm.",
+            "equation 15; |D_l| |D_l^-1|, between once and three times the condition number in the 2-norm",
+            [c.pose],
+            Output(
+                "determinant",
+                (),
+                (kin.solver.determinant,),
+                c.machine.vocabulary[kin.solver.determinant].unit,
+                "det D_l; its sign is the assembly branch",
+            ),
+            Output(
+                "condition",
+                (),
+                (sqrt(jacobian_norm2 * inverse_norm2),),
+                "1",
+                f"Frobenius condition number, at least {n}",
+            ),
+        ),
+    ]
+
+
+def _motion(c: Condensed) -> list[Function]:
+    """Velocities, accelerations and kinetic energy."""
+    m, kin, energies = c.machine, c.kin, c.energies
+    n, d, q = len(m.independent), len(m.directions), m.argument
+    found = [
+        c.function(
+            "platform_jacobian",
+            "Platform Jacobian D_p" + (" = D_l^-1 D_r." if m.links else "."),
+            "equation 15",
+            [c.pose],
+            Output("D_p", (d, n), tuple(kin.D_p), _unit(c, "1", "m"), "dp_i/dq_k, base frame"),
+        ),
+        c.function(
+            "platform_jacobian_rate",
+            "Time derivative of the platform Jacobian.",
+            "equation 17",
+            [c.pose, c.free_rates],
+            Output(
+                "D_p_dot", (d, n), flat(energies.D_p_dot), _unit(c, "1/s", "m/s"), f"d(D_p)/dt, with {q}_dot"
+            ),
+        ),
+        c.function(
+            "platform_second_derivatives",
+            f"Second derivatives of the platform {_by(c)}.",
+            "equation 49, by the implicit function theorem to second order",
+            [c.pose],
+            Output(
+                "P", (d, n, n), flat(map(tuple, kin.P)), _unit(c, "1/m", "m"), "d2p_i/dq_k dq_l as P[i, k, l]"
+            ),
+        ),
+    ]
+    return [*found, *(_links(c) if m.rods and d == 3 else []), *_dynamics(c)]
+
+
+def _links(c: Condensed) -> list[Function]:
+    m, n = c.machine, len(c.machine.independent)
+    D_d = [_midpoint_jacobian(c, j) for j in range(len(m.rods))]
+    D_omega = [_angular_jacobian(c, j) for j in range(len(m.links))]
+    q = m.argument
+    return [
+        c.function(
+            "link_jacobians",
+            "Jacobians of the linkages: centre of mass and angular velocity.",
+            "equations 16 and 23; the angular velocity without spin about the rod, which carries no energy",
+            [c.pose],
+            Output(
+                "D_d",
+                (len(D_d), 3, n),
+                flat(map(tuple, D_d)),
+                _unit(c, "1", "m"),
+                f"velocity of the centre of linkage j by {q}_dot",
+            ),
+            Output(
+                "D_omega",
+                (len(D_omega), 3, n),
+                flat(map(tuple, D_omega)),
+                _unit(c, "1/m", "1"),
+                f"angular velocity of linkage j by {q}_dot",
+            ),
+        )
+    ]
+
+
+def _midpoint_jacobian(c: Condensed, j: int) -> Matrix:
+    """Equation 16 with W_c = W_t: the centre of mass is midway."""
+    first, _ = c.machine.rods[j].ends
+    n = len(c.machine.independent)
+    moved = Matrix(3, n, lambda m, k: c.kin.chain.derivative(first[m], c.machine.independent[k]))
+    return Matrix(3, n, lambda m, k: (c.kin.D_p[m, k] + moved[m, k]) * HALF)
+
+
+def _angular_jacobian(c: Condensed, j: int) -> Matrix:
+    """D_omega,j = s_j x U_j / l_d^2, without spin about the rod."""
+    link, U, n = c.machine.links[j], c.kin.U[j], len(c.machine.independent)
+    columns = [cross(link.vector, tuple(U[:, k])) for k in range(n)]
+    return Matrix(3, n, lambda m, k: columns[k][m] / link.length**2)
+
+
+def _dynamics(c: Condensed) -> list[Function]:
+    m, energies, n = c.machine, c.energies, len(c.machine.independent)
+    plain = f"symmetric; M_ss ({n} by {n}) and the diagonal M_t" if m.links and not m.arms else "symmetric"
+    velocities = tuple(m.velocities[i] for i in c.derived.free)
+    return [
+        c.function(
+            "kinetic_energy",
+            "Kinetic energies of the structure and of the transmissions.",
+            "equations 24 and 28",
+            [c.pose, c.q_dot],
+            Output("T_ss", (), (energies.T_ss,), "J", "platform and what moves it"),
+            Output("T_t", (), (energies.T_t,), "J", "rotors and motors"),
+        ),
+        c.function(
+            "mass_matrix",
+            f"Mass matrix M in the {c.count}.",
+            "equations 24, 30 and 33",
+            [c.pose],
+            Output("M", (c.n, c.n), c.M, units_of_mass(c), "symmetric" if m.effects else plain),
+        ),
+        c.function(
+            "velocity_forces",
+            f"Coriolis and centrifugal forces h of M_ss {m.argument}_ddot + h + grad V = Q.",
+            "Lagrange's equations, equation 47 without its linearisation",
+            [c.pose, c.free_rates],
+            Output(
+                "h",
+                (n,),
+                tuple(lagrangian.velocity_forces(c.moving_energy, m.independent, velocities, c.kin.chain)),
+                _unit(c, "N", "N m"),
+                f"generalised forces on the {m.independent_are.rsplit(' ', 1)[0]} coordinates",
+            ),
+            details="While released joints hold and nothing stretches." if m.effects else "",
+            known=c.locked,
+        ),
+    ]
+
+
+def _gravity(c: Condensed) -> list[Function]:
+    """Gravitational potential energy and its derivatives."""
+    n, by = len(c.machine.independent), _by(c)
+    return [
+        c.function(
+            "gravity_potential",
+            "Gravitational potential energy V_g, the force function U_g with opposite sign.",
+            "equation 26, for gravity in any direction and every body that moves",
+            [c.pose],
+            Output("V_g", (), (c.energies.V_g,), "J", "zero at the origin of the base frame"),
+            known=c.locked,
+        ),
+        c.function(
+            "gravity_gradient",
+            f"Gradient of the gravitational potential energy {by}.",
+            "equation 27",
+            [c.pose],
+            Output("G", (n,), tuple(c.equilibrium.gravity_gradient), _unit(c, "N", "N m"), "dV_g/dq_k"),
+        ),
+        c.function(
+            "gravity_hessian",
+            f"Hessian of the gravitational potential energy {by}.",
+            "section 4 and equation 49",
+            [c.pose],
+            Output("H_g", (n, n), c.K_g, _unit(c, "N/m", "N m"), "d2V_g/dq_k dq_l, symmetric"),
+        ),
+    ]
+
+
+def _transmissions(c: Condensed) -> list[Function]:
+    """Belts and reducers: stiffness, elastic potential energy and static equilibrium."""
+    m, found = c.machine, []
+    rotations = c.equilibrium.rotations
+    if m.belts:
+        k = tuple(tuple(run.stiffness for run in belt.runs) for belt in m.belts)
+        shape, what = (len(k), len(k[0])), "k[j-1, s-1], the spans in the order of `belt_spans`"
+        found.append(
+            c.function(
+                "belt_stiffness",
+                "Stiffnesses of the belt spans.",
+                "equations 34 to 37",
+                [c.pose],
+                Output("k", shape, flat(k), "N/m", what),
+            )
+        )
+    force = ", ".join({"m": "N", "rad": "N m"}[u] for u in c.delta_q.unit.split(", "))
+    zero = {0: "no", 2: "two", 3: "three"}.get(c.rigid_modes, str(c.rigid_modes))
+    return found + [
+        c.function(
+            "elastic_potential",
+            "Elastic potential energy V_el of the transmissions, the force function U_el with opposite sign.",
+            "equation 38, summed",
+            [c.pose, c.delta_q],
+            Output("V_el", (), (c.V_el,), "J", "zero in the reference configuration"),
+        ),
+        c.function(
+            "elastic_gradient",
+            "Gradient of the elastic potential energy.",
+            "equation 38 differentiated",
+            [c.pose, c.delta_q],
+            Output("E", (c.n,), c.elastic_gradient, force, "dV_el/dq"),
+        ),
+        c.function(
+            "elastic_hessian",
+            "Hessian of the elastic potential energy.",
+            "equation 38 differentiated twice",
+            [c.pose],
+            Output(
+                "H_el",
+                (c.n, c.n),
+                c.K_el,
+                units_of_stiffness(c),
+                f"d2V_el/dq2, symmetric, {zero} zero eigenvalues",
+            ),
+        ),
+        c.function(
+            "static_equilibrium",
+            "Torques of the drives, and the rotations that go with them, that hold the pose.",
+            "equation 44, solved at the pose",
+            [c.pose],
+            Output(
+                "tau_st",
+                (len(m.drives),),
+                c.equilibrium.torques,
+                "N m",
+                "torques on the driven rotors, positive with their rotation",
+            ),
+            Output(
+                "theta_st",
+                (len(rotations),),
+                rotations,
+                "rad",
+                "rotations from unstrained transmissions, in the order of the coordinates",
+            ),
+            details="Springs that effects add are relaxed at the pose, and released joints hold."
+            if m.effects
+            else "",
+        ),
+    ]
+
+
+def _modal(c: Condensed) -> list[Function]:
+    """Stiffness matrix, alone and with the mass matrix."""
+    what = "symmetric; Hessian of V_el + V_g, positive for a restoring force"
+    K = Output("K", (c.n, c.n), c.K, units_of_stiffness(c), what)
+    M = Output("M", (c.n, c.n), c.M, units_of_mass(c), "mass matrix")
+    return [
+        c.function(
+            "stiffness_matrix",
+            f"Stiffness matrix K in the {c.count}.",
+            "equations 46 and 48: K = -H_U",
+            [c.pose],
+            K,
+        ),
+        c.function(
+            "modal_matrices",
+            "Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.",
+            "equation 48",
+            [c.pose],
+            M,
+            K,
+            details="Common intermediate values are evaluated once, which makes this the function to call "
+            "for an eigenproblem.",
+        ),
+    ]
+
+
+def units_of_mass(c: Condensed) -> str:
+    """Units of the entries of M."""
+    return units(c.machine, "kg", "kg m", "kg m^2")
+
+
+def units_of_stiffness(c: Condensed) -> str:
+    """Units of the entries of K."""
+    found = {c.machine.vocabulary[q].unit for q in c.machine.all_coordinates}
+    return "N/m, N, N m" if len(found) > 1 else "N/m" if "m" in found else "N m"

@@ -1,0 +1,147 @@
+"""A derived machine in the coordinates with inertia: what the functions of a model without free joints draw on."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence, Set
+from dataclasses import replace
+from functools import cached_property
+
+from sympy import Add, Expr, Integer, Matrix, Symbol, default_sort_key, prime
+
+from pkmodes_derive import condensation
+from pkmodes_derive.assembly.derived import Derived, added, flat
+from pkmodes_derive.functions import Argument, Function, Output
+
+COUNTS = {2: "two", 3: "three", 4: "four", 5: "five", 6: "six", 7: "seven", 8: "eight", 9: "nine"}
+
+
+class Condensed:
+    """What the chapters of a model draw on: derived quantities, arguments, and M and K.
+
+    Parameters
+    ----------
+    derived : Derived
+        With or without effects.
+    zeros : set of sympy.Symbol
+        Parameters that are zero: released coordinates that have no inertia for them are condensed.
+
+    Attributes
+    ----------
+    coordinates, rates, displacements : tuple of sympy.Symbol
+        Of the coordinates with inertia, which every function has.
+    M, K_el, K : tuple of sympy.Expr
+        In the coordinates with inertia, row by row; K_el with the springs of released joints.
+    K_g : tuple of sympy.Expr
+        Gravity, by the independent coordinates.
+    M_all, K_all : list of lists
+        In all coordinates, with the springs.
+    condensation : list of lists
+        All coordinates by those with inertia, one row each.
+    V_el : sympy.Expr
+        Elastic energy, the springs of released joints included.
+    """
+
+    def __init__(self, derived: Derived, zeros: Set[Symbol] = frozenset()) -> None:
+        self.derived = d = derived
+        self.machine, self.kin, self.energies, self.equilibrium = d.machine, d.kin, d.energies, d.equilibrium
+        self.definitions = d.kin.definitions
+        self._matrices(zeros)
+        machine, count = self.machine, COUNTS.get(self.n, str(self.n))
+        self.count = f"{count} generalised coordinates"
+        coordinate_units = dict.fromkeys(machine.vocabulary[q].unit for q in self.coordinates)
+        self.pose = d.pose
+        free = tuple(machine.velocities[i] for i in d.free)
+        unit = machine.vocabulary[free[0]].unit
+        of = machine.independent_are.rsplit(" ", 1)
+        what = f"{of[0]} velocities" if len(of) > 1 else "velocities"
+        self.free_rates = Argument(f"{machine.argument}_dot", free, unit, what)
+        self.q_dot = Argument(
+            "q_dot", self.rates, ", ".join(f"{u}/s" for u in coordinate_units), f"rates of the {self.count}"
+        )
+        self.delta_q = Argument(
+            "delta_q",
+            self.displacements,
+            ", ".join(coordinate_units),
+            f"small displacements of the {self.count} from the reference configuration at p",
+        )
+
+    def _matrices(self, zeros: Set[Symbol]) -> None:
+        """M and K in all coordinates, and with those condensed that have no inertia."""
+        d, machine, energies = self.derived, self.machine, self.energies
+        self.V_el = Add(energies.V_el, *energies.V_r)
+        K_el = d.kin.chain.hessian(self.V_el, machine.small, hold=d.hold) if machine.released else d.K_el
+        null = dict.fromkeys(zeros, Integer(0))
+        every = range(len(machine.small))
+        massless = [i for i in every if i >= machine.base and not any(e.xreplace(null) for e in d.M[i])]
+        kept = [i for i in every if i not in massless]
+        self.massless, self.n = tuple(machine.all_coordinates[i] for i in massless), len(kept)
+        self.coordinates, self.rates, self.displacements = (
+            tuple(symbols[i] for i in kept)
+            for symbols in (machine.all_coordinates, machine.rates, machine.small)
+        )
+        # Gravity acts on what has a mass: a massless coordinate follows elastic forces alone.
+        self.condensation = condensation.follow(K_el, kept, massless)
+        self._at_rest = {machine.rates[i]: Integer(0) for i in massless}
+        self._following = {
+            machine.small[i]: Add(
+                *(f * q for f, q in zip(self.condensation[i], self.displacements, strict=True))
+            )
+            for i in massless
+        }
+        self.M_all, self.K_all = d.M, added(K_el, d.K_g)
+        condensed = condensation.condensed(K_el, kept, massless, self.condensation)
+        self.M = tuple(d.M[k][m] for k in kept for m in kept)
+        self.K_el = flat(condensed)
+        free = range(len(machine.independent))
+        self.K_g = tuple(self.equilibrium.gravity_hessian[k][m] for k in free for m in free)
+        self.K = flat(added(condensed, [[d.K_g[k][m] for m in kept] for k in kept]))
+
+    @property
+    def elastic_gradient(self) -> tuple[Expr, ...]:
+        """Where the massless coordinates are in equilibrium, they add nothing to the gradient by the others."""
+        return tuple(self.kin.chain.derivative(self.V_el, q, self.derived.hold) for q in self.displacements)
+
+    @property
+    def locked(self) -> dict[Symbol, Expr]:
+        """Released joints at rest, in the reference configuration."""
+        return dict.fromkeys((s for c in self.machine.released for s in (c.position, c.rate)), Integer(0))
+
+    @property
+    def moving_energy(self) -> Expr:
+        """Kinetic energy of the structure while the platform moves and nothing stretches."""
+        machine = self.machine
+        rate = dict(zip(machine.coordinates, machine.velocities, strict=True))
+        turning = {rate[q]: form.xreplace(rate) for q, form in machine.follows.items()}
+        return self.energies.T_ss.xreplace({**turning, **self.locked})
+
+    @cached_property
+    def rigid_modes(self) -> int:
+        """Nullity of the elastic Hessian, for values without a relation between them: an exact rank."""
+        symbols = sorted({s for entry in self.K_el for s in entry.free_symbols}, key=default_sort_key)
+        values = {symbol: Integer(prime(i)) for i, symbol in enumerate(symbols, start=1)}
+        hessian = Matrix(self.n, self.n, [entry.xreplace(values) for entry in self.K_el])
+        return self.n - int(hessian.rank())
+
+    def function(
+        self,
+        name: str,
+        summary: str,
+        source: str,
+        arguments: Sequence[Argument],
+        *outputs: Output,
+        details: str = "",
+        known: Mapping[Symbol, Expr] | None = None,
+    ) -> Function:
+        """A function of the pose, with the definitions that all of them share.
+
+        Rates and displacements of massless coordinates are not arguments: they are what they have to be, as are
+        others that are `known`.
+        """
+        known = {**self._at_rest, **self._following, **(known or {})}
+        if not known:
+            return Function(name, summary, source, tuple(arguments), outputs, self.definitions, details)
+        given = tuple(
+            replace(o, entries=tuple(entry.xreplace(known) for entry in o.entries)) for o in outputs
+        )
+        definitions = {s: e.xreplace(known) for s, e in self.definitions.items()}
+        return Function(name, summary, source, tuple(arguments), given, definitions, details)

@@ -1,0 +1,102 @@
+"""Everything derived of a machine, once for all models: kinematics, energies, equilibrium, and M and K."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from sympy import Add, Expr, Integer, Symbol
+
+from pkmodes_derive import lagrangian
+from pkmodes_derive.assembly import energy, kinematics, statics
+from pkmodes_derive.functions import Argument
+from pkmodes_derive.machine import Machine
+
+Rows = Sequence[Sequence[Expr]]
+
+
+@dataclass(frozen=True)
+class Derived:
+    """A machine with what is derived of it.
+
+    Attributes
+    ----------
+    machine : Machine
+    kin, energies, equilibrium
+    M, K_el, K_g : list of lists
+        In all coordinates, released ones included, without the springs of released joints.
+    hold : tuple of sympy.Symbol
+        What small displacements leave as it is in the reference configuration: Jacobian and stiffnesses.
+    """
+
+    machine: Machine
+    kin: kinematics.Kinematics
+    energies: energy.Energies
+    equilibrium: statics.Statics
+    M: list[list[Expr]]
+    K_el: list[list[Expr]]
+    K_g: list[list[Expr]]
+    hold: tuple[Symbol, ...]
+
+    @property
+    def pose(self) -> Argument:
+        """The argument of a function of the pose."""
+        return Argument(
+            "p", self.machine.pose, self.machine.vocabulary[self.machine.pose[0]].unit, self.machine.pose_is
+        )
+
+    @property
+    def free(self) -> tuple[int, ...]:
+        """Places of the independent coordinates among all."""
+        return tuple(self.machine.coordinates.index(q) for q in self.machine.independent)
+
+    def platform_motion(self, rates: Sequence[Symbol]) -> list[list[Expr]]:
+        """Absolute motion of the platform by some rates."""
+        return [[self.kin.chain.derivative(v, rate) for rate in rates] for v in self.machine.v_p]
+
+
+def derive(machine: Machine) -> Derived:
+    """Derive everything."""
+    kin = kinematics.derive(machine)
+    energies = energy.derive(machine, kin)
+    equilibrium = statics.derive(machine, kin, energies)
+    hold = (*(d for d in kin.D if d.is_Symbol), *energies.stiffnesses)
+    return Derived(
+        machine,
+        kin,
+        energies,
+        equilibrium,
+        lagrangian.mass_matrix(energies.T_ss + energies.T_t, machine.rates, kin.chain),
+        kin.chain.hessian(energies.V_el, machine.small, hold=hold),
+        _placed(machine, kin, equilibrium.gravity_hessian),
+        hold,
+    )
+
+
+def _placed(machine: Machine, kin: kinematics.Kinematics, block: Rows) -> list[list[Expr]]:
+    """The Hessian of gravity in the coordinates that move the closures, in all coordinates."""
+    every = machine.all_coordinates
+    index = [every.index(q) for q in kin.independent]
+    placed = [[Integer(0)] * len(every) for _ in every]
+    for row, k in zip(block, index, strict=True):
+        for entry, m in zip(row, index, strict=True):
+            placed[k][m] = entry
+    return placed
+
+
+def added(a: Rows, b: Rows) -> list[list[Expr]]:
+    """Sum of two matrices."""
+    return [[Add(x, y) for x, y in zip(*rows, strict=True)] for rows in zip(a, b, strict=True)]
+
+
+def flat(rows: Rows) -> tuple[Expr, ...]:
+    """Entries of a nested array, row by row."""
+    return tuple(entry for row in rows for entry in row)
+
+
+def units(machine: Machine, translation: str, both: str, rotation: str) -> str:
+    """Units of the entries of a matrix, of which there are those that the coordinates have."""
+    found = {machine.vocabulary[q].unit for q in machine.all_coordinates}
+    mixed = both if len(found) > 1 and machine.released else ""
+    parts = [translation if "m" in found else "", mixed, rotation if "rad" in found else ""]
+    return ", ".join(part for part in parts if part)

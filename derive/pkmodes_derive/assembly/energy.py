@@ -1,0 +1,284 @@
+r"""Kinetic and potential energies of a machine's parts, as a person would write them.
+
+Everything that the modal analysis needs follows from these expressions by differentiation:
+
+* T_ss of the structure (equation 24): point masses; slender rods, of which one whose ends move with v_e and v_c has
+  :math:`\tfrac{m}{6}(v_e \cdot v_e + v_e \cdot v_c + v_c \cdot v_c)`, translation and rotation together; arms;
+* T_t of rotors and motors (equations 28 to 30);
+* V_g (equation 26 with the sign of a potential energy);
+* V_el of belts and reducers about a reference configuration (equations 34 to 41).
+
+Effects add energies of their own, and coordinates that were locked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from sympy import Add, Expr, Integer, Rational, Symbol, collect, diff, expand
+
+from pkmodes_derive.assembly.kinematics import Kinematics
+from pkmodes_derive.machine import Machine
+from pkmodes_derive.vectors import dot
+from pkmodes_derive.vocabulary import AXES
+
+HALF, SIXTH = Rational(1, 2), Rational(1, 6)
+#: A velocity: rates, each with the vector that it is multiplied by.
+Velocity = list[tuple[Expr, tuple[Expr, ...]]]
+BASIS = tuple(tuple(Integer(i == k) for k in range(3)) for i in range(3))
+
+
+@dataclass(frozen=True)
+class Energies:
+    """The energies [J] and the named values that they are written in.
+
+    Attributes
+    ----------
+    T_ss, T_t : sympy.Expr
+        Kinetic energy of the structure and of the transmissions.
+    V_g : sympy.Expr
+        Gravitational potential energy.
+    V_el : sympy.Expr
+        Elastic potential energy of the transmissions and of what effects add, in small displacements from the
+        reference configuration; without the springs of released coordinates.
+    V_transmissions : sympy.Expr
+        The part of V_el that static rotations strain.
+    V_r : tuple of sympy.Expr
+        Energy of the spring of each released coordinate.
+    D_p_dot : tuple of tuple
+        Time derivative of the platform Jacobian (equation 17), index [direction][k-1].
+    stiffnesses : tuple of sympy.Symbol
+        Of belt runs and reducers, in the reference configuration.
+    """
+
+    T_ss: Expr
+    T_t: Expr
+    V_g: Expr
+    V_el: Expr
+    V_transmissions: Expr
+    V_r: tuple[Expr, ...]
+    D_p_dot: tuple[tuple[Expr, ...], ...]
+    stiffnesses: tuple[Symbol, ...]
+
+
+def derive(machine: Machine, kinematics: Kinematics) -> Energies:
+    """Write the energies; named values are defined in the chain of `kinematics`."""
+    inertias = _rotor_inertias(machine)
+    stiffnesses = (*_define_belts(machine), *_define_reducers(machine))
+    _define_platform_motion(machine, kinematics)
+    D_p_dot = _jacobian_rate(machine, kinematics)
+    for m, row in enumerate(D_p_dot if machine.links else ()):
+        for q, rate in zip(machine.independent, row, strict=True):
+            # d(v_p)/dq_k = sum_l P_kl qdot_l, which is column k of the time derivative of D_p (equation 49).
+            kinematics.chain.rule(machine.v_p[m], q, rate)
+    transmissions = _elastic(machine)
+    springs = zip(machine.released, machine.compliances, strict=True)
+    return Energies(
+        T_ss=_structure(machine),
+        T_t=_transmissions(machine, inertias),
+        V_g=_gravity(machine),
+        V_el=Add(transmissions, *machine.elastic),
+        V_transmissions=transmissions,
+        V_r=tuple(HALF * q.position**2 / c for q, c in springs),
+        D_p_dot=D_p_dot,
+        stiffnesses=stiffnesses,
+    )
+
+
+def _define_platform_motion(machine: Machine, kinematics: Kinematics) -> None:
+    """Velocity and, where effects need it, small displacement of the platform: D times the coordinates."""
+    places = [machine.coordinates.index(q) for q in machine.independent]
+    elongations = [c for link in machine.links for c in link.elongation]
+    rates = [*(machine.velocities[i] for i in places), *(c.rate for c in elongations)]
+    small = [*(machine.displacements[i] for i in places), *(c.position for c in elongations)]
+    for i in range(len(machine.directions)):
+        row, frame = kinematics.D[i, :], machine.frame[i]
+        moved = Add(*(d * rate for d, rate in zip(row, rates, strict=True)), *(c.rate for c in frame))
+        machine.define(machine.v_p[i], moved)
+        if machine.delta_p:
+            displaced = Add(*(d * q for d, q in zip(row, small, strict=True)), *(c.position for c in frame))
+            machine.define(machine.delta_p[i], displaced)
+
+
+def _velocity(machine: Machine, position: Sequence[Expr]) -> Velocity:
+    """Absolute velocity of a point that is fixed on a body."""
+    if not any(
+        (a - b).free_symbols - _constants(machine) for a, b in zip(position, machine.platform, strict=True)
+    ):
+        return [(v, BASIS[AXES.index(axis)]) for v, axis in zip(machine.v_p, machine.directions, strict=True)]
+    found: Velocity = []
+    for q in machine.independent:
+        rate = machine.velocities[machine.coordinates.index(q)]
+        along = tuple(machine.chain.derivative(component, q) for component in position)
+        if any(along):
+            found.append((rate, along))
+    frame = zip(machine.frame_rate, BASIS, strict=True)
+    return [*found, *((rate, axis) for rate, axis in frame if rate != 0)]
+
+
+def _constants(machine: Machine) -> set[Symbol]:
+    """Symbols that no motion changes."""
+    return {symbol for field in machine.tables.fields for symbol in field.symbols}
+
+
+def _product(machine: Machine, a: Velocity, b: Velocity) -> Expr:
+    """Scalar product of two velocities; the square of a unit vector is 1."""
+    return Add(*(p * q * _scalar(machine, u, w) for p, u in a for q, w in b))
+
+
+def _scalar(machine: Machine, u: tuple[Expr, ...], w: tuple[Expr, ...]) -> Expr:
+    if u == w and (u in machine.units or u in BASIS):
+        return Integer(1)
+    for unit in machine.units if u == w else ():  # a unit vector times a length
+        factors = {component / e for component, e in zip(u, unit, strict=True) if e != 0 or component != 0}
+        if len(factors) == 1 and not (factor := factors.pop()).free_symbols & set(unit):
+            return factor**2
+    return dot(u, w)
+
+
+def _structure(machine: Machine) -> Expr:
+    T = Add(*machine.kinetic)
+    for body in machine.points:
+        v = _velocity(machine, body.position)
+        T += HALF * body.mass * _product(machine, v, v)
+    for rod in machine.rods:
+        v_e, v_c = (_velocity(machine, end) for end in rod.ends)
+        pairs = ((v_e, v_e), (v_e, v_c), (v_c, v_c))
+        T += SIXTH * rod.mass * Add(*(_product(machine, a, b) for a, b in pairs))
+    for arm in machine.arms:
+        rate = machine.velocities[machine.coordinates.index(arm.angle)]
+        along = tuple(machine.chain.derivative(component, arm.angle) for component in arm.centre)
+        u = machine.frame_rate
+        T += HALF * arm.inertia * rate**2 + arm.mass * (rate * dot(along, u) + HALF * dot(u, u))
+    # One coefficient for each product of velocities: the apparent mass that a person would name.
+    v_p = machine.v_p
+    return collect(expand(T), [c**2 for c in v_p] + list(v_p))
+
+
+def _transmissions(machine: Machine, inertias: Sequence[Expr]) -> Expr:
+    """Rotors, and the motor on the driven one; a wind-up turns the motor further than the rotor."""
+    rate = dict(zip(machine.coordinates, machine.velocities, strict=True))
+    T = Add(
+        *(HALF * moment * rate[r.coordinate] ** 2 for moment, r in zip(inertias, machine.rotors, strict=True))
+    )
+    for drive in machine.drives:
+        wind_up = Add(*(c.rate for c in drive.wind_up))
+        for rotor, driven in drive.rotors:
+            T += driven * drive.motor * (rate[rotor.coordinate] * wind_up + HALF * wind_up**2)
+    return T
+
+
+def _jacobian_rate(machine: Machine, kinematics: Kinematics) -> tuple[tuple[Expr, ...], ...]:
+    """Equation 17: D_p_dot = D_l^-1 (D_r_dot - D_l_dot D_p), with the rows of D_l_dot the rates of s_j."""
+    n = len(machine.independent)
+    if kinematics.solver is None:
+        return tuple((Integer(0),) * n for _ in machine.directions)
+    v, chain, q = machine.vocabulary, machine.chain, machine.independent
+    q_dot = [machine.velocities[machine.coordinates.index(one)] for one in q]
+    s_dot = []
+    for j, link in enumerate(machine.links):
+        what = "rate of change of linkage vector {j}"
+        s_dot.append(machine.vector("s_dot_{j}", "m/s", what, r"\dot{{s}}_{j}", j=j + 1))
+        for m in range(len(link.vector)):
+            rates = (chain.derivative(link.vector[m], q[k]) * q_dot[k] for k in range(n))
+            machine.define(s_dot[j][m], Add(*rates))
+    stem = q[0].name.rsplit("_", 1)[0]
+    unit = {"m": "1/s", "rad": "m/s"}[v[q[0]].unit]
+    names = tuple(
+        tuple(
+            v.declare(
+                "D_p_dot_{i}_{k}",
+                unit,
+                f"time derivative of dp_{{i}}/d{stem}_{{k}}",
+                r"(\dot{{D}}_p)_{{{i}{k}}}",
+                i=axis,
+                k=k + 1,
+            )
+            for k in range(n)
+        )
+        for axis in machine.directions
+    )
+    for k in range(n):
+        right = []
+        for j, link in enumerate(machine.links):
+            own = chain.definitions[kinematics.D_r[j, j]]
+            rate = _rate_of_own(machine, own, link.vector, s_dot[j], q[j], q_dot[j]) if j == k else 0
+            right.append(rate - dot(s_dot[j], tuple(kinematics.D_p[:, k])))
+        for m, component in enumerate(kinematics.solver.solve(right)):
+            machine.define(names[m][k], component)
+    return names
+
+
+def _rate_of_own(
+    machine: Machine, own: Expr, s: Sequence[Symbol], s_dot: Sequence[Symbol], q: Symbol, q_dot: Symbol
+) -> Expr:
+    """Time derivative of an entry of D_r, by the rates of its link vector and of its own coordinate."""
+    by_vector = Add(*(diff(own, component) * rate for component, rate in zip(s, s_dot, strict=True)))
+    return by_vector + machine.chain.derivative(own, q, hold=s) * q_dot
+
+
+def _gravity(machine: Machine) -> Expr:
+    """V_g = -g . sum m r, rods with their weight midway (equations 4 and 26)."""
+    frame = machine.frame_position
+    bodies = [(body.mass, body.position) for body in machine.points]
+    bodies += [(arm.mass, arm.centre) for arm in machine.arms]
+    for rod in machine.rods:
+        midway = tuple((a + b) * HALF for a, b in zip(*rod.ends, strict=True))
+        bodies.append((rod.mass, midway))
+    moment = [
+        Add(
+            *(mass * (position[m] + frame[m]) for mass, position in bodies),
+            *(mass * position[m] for mass, position in machine.weights),
+        )
+        for m in range(3)
+    ]
+    return -dot(
+        machine.gravity, tuple(collect(expand(component), list(machine.dependent)) for component in moment)
+    )
+
+
+def _rotor_inertias(machine: Machine) -> list[Expr]:
+    """Motor and gearbox turn rigidly with the driven rotor (after equation 30)."""
+    found: list[Expr] = []
+    for rotor in machine.rotors:
+        moment = rotor.inertia
+        for drive in machine.drives:
+            moment += Add(
+                *(driven * (drive.motor + drive.inertia) for r, driven in drive.rotors if r is rotor)
+            )
+        found.append(moment if rotor.name is None else machine.define(rotor.name, moment))
+    return found
+
+
+def _define_belts(machine: Machine) -> tuple[Symbol, ...]:
+    """Free lengths and stiffnesses of the spans (equations 34 to 37), in the reference configuration.
+
+    Small displacements leave the stiffnesses constant (the paper, before equation 38): V_el is written in
+    displacements, and no derivative by a displacement passes through them.
+    """
+    for belt in machine.belts:
+        modulus = belt.modulus * (1 + belt.change) * belt.factor
+        for run in belt.runs:
+            machine.define(run.length, run.free_length)
+            # 1/k = l/(w k_sp (1 + a)) + c, so written that c = 0 is no special case.
+            machine.define(run.stiffness, modulus / (run.length + belt.compliance * modulus))
+    return tuple(run.stiffness for belt in machine.belts for run in belt.runs)
+
+
+def _define_reducers(machine: Machine) -> tuple[Symbol, ...]:
+    for reducer in machine.reducers:
+        machine.define(reducer.stiffness, reducer.declared * (1 + reducer.change))
+    return tuple(reducer.stiffness for reducer in machine.reducers)
+
+
+def _elastic(machine: Machine) -> Expr:
+    """Equation 38 with the sign of a potential energy, and reducers."""
+    V = []
+    for belt in machine.belts:
+        for run in belt.runs:
+            a, b = (machine.displacement(*end) for end in run.ends)
+            V.append(HALF * run.stiffness * (a - b) ** 2)
+    for reducer in machine.reducers:
+        V.append(HALF * reducer.stiffness * machine.displacement(reducer.twist) ** 2)
+    return Add(*V)

@@ -1,0 +1,224 @@
+r"""Kinematics: closures and their derivatives to second order, by the implicit function theorem.
+
+A rigid link with vector s_j, from the joint of its independent coordinate to the platform's, keeps its length:
+
+.. math:: \Phi_j = \tfrac12 \left(s_j \cdot s_j - l_{d,j}^2\right) = 0.
+
+The theorem gives the platform Jacobian D_p = D_l^{-1} D_r (equations 12 to 15) and the second derivatives of the
+platform that replace the time derivative of D_p in equation 49.  Without links the platform is where the independent
+coordinates are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from sympy import Add, Expr, Integer, Matrix, Rational, Symbol
+
+from pkmodes_derive import implicit
+from pkmodes_derive.chain import Chain
+from pkmodes_derive.machine import Machine
+from pkmodes_derive.vectors import dot
+from pkmodes_derive.vocabulary import AXES
+
+
+@dataclass(frozen=True)
+class Kinematics:
+    """The named results; entries are symbols defined in `chain`.
+
+    Attributes
+    ----------
+    chain : Chain
+        Definitions as functions of coordinates and platform, and the rules dp/dq = D, dD_p/dq = P.
+    inverse : dict
+        The definitions that give the independent coordinates from the pose.
+    closures : list of sympy.Expr
+        Phi_j, of as many links as dependent coordinates; empty without links.
+    solver : implicit.Solver or None
+        Of systems with D_l = Phi_s; None without links.
+    D_l : sympy.Matrix
+        Phi_s.
+    D_r : sympy.Matrix
+        -Phi_q for the independent coordinates, diagonal: each link has one of its own.
+    D_p : sympy.Matrix
+        Platform Jacobian by the independent coordinates.
+    U : tuple of sympy.Matrix
+        U_j = ds_j/dq, the Jacobian of link vector j, by `independent`.
+    P : tuple of sympy.Matrix
+        Second derivatives of the platform by the independent coordinates.
+    independent : tuple of sympy.Symbol
+        Coordinates that move the closures: the machine's, then the elongations where they are released.
+    right : sympy.Matrix
+        -Phi_q for all of them; its first columns are D_r.
+    D : sympy.Matrix
+        dp/dq for all of them; its first columns are D_p.
+    reference : dict
+        Released coordinates in the reference configuration.
+    """
+
+    chain: Chain
+    inverse: dict[Symbol, Expr]
+    closures: list[Expr]
+    solver: implicit.Solver | None
+    D_l: Matrix
+    D_r: Matrix
+    D_p: Matrix
+    U: tuple[Matrix, ...]
+    P: tuple[Matrix, ...]
+    independent: tuple[Symbol, ...]
+    right: Matrix
+    D: Matrix
+    reference: dict[Symbol, Expr]
+
+    @property
+    def definitions(self) -> dict[Symbol, Expr]:
+        """Definitions in an order in which they can be evaluated when the pose is the input."""
+        chain, first = self.chain.definitions, {}
+
+        def take(symbols: set[Symbol]) -> None:
+            for symbol in chain:
+                if symbol in symbols and symbol not in first:
+                    take(chain[symbol].free_symbols)
+                    first[symbol] = chain[symbol]
+
+        take({s for expression in self.inverse.values() for s in expression.free_symbols})
+        return {**first, **self.inverse, **chain}
+
+
+def derive(machine: Machine) -> Kinematics:
+    """Derive the kinematics; the derivative rules for the platform and D_p are left in the machine's chain."""
+    chain = machine.chain
+    elongations = tuple(c.position for link in machine.links for c in link.elongation)
+    independent = (*machine.independent, *elongations)
+    reference: dict[Symbol, Expr] = dict.fromkeys(elongations, Integer(0))
+    n = len(machine.independent)
+    if not machine.links:
+        D = Matrix([[chain.derivative(c, q) for q in independent] for c in _components(machine)])
+        empty = Matrix.zeros(0, n)
+        zero = tuple(Matrix.zeros(n, n) for _ in machine.directions)
+        inverse = machine.inverse
+        return Kinematics(
+            chain, inverse, [], None, empty, empty, D, (), zero, independent, empty, D, reference
+        )
+    closures = [
+        _closure(link.vector, link.length, [c.position for c in link.elongation]) for link in machine.links
+    ]
+    D_l, right = implicit.first_order(closures, independent, machine.dependent, chain)
+    right = right.xreplace(reference)  # released coordinates are zero in the reference configuration
+    D_r = _own(machine, right, n)
+    solver = implicit.Solver(D_l, machine.vocabulary, chain, machine.directions)
+    D = _jacobian(machine, solver, right, independent)
+    D_p = D[:, :n]
+    U = tuple(_link_jacobian(machine, j, independent) for j in range(len(machine.links)))
+    P = _second_derivatives(machine, closures, D_p, solver)
+    return Kinematics(
+        chain, machine.inverse, closures, solver, D_l, D_r, D_p, U, P, independent, right, D, reference
+    )
+
+
+def _components(machine: Machine) -> tuple[Expr, ...]:
+    """The platform's position in the directions in which it moves."""
+    return tuple(machine.platform[AXES.index(axis)] for axis in machine.directions)
+
+
+def _closure(s: Sequence[Symbol], length: Expr, elongation: Sequence[Symbol]) -> Expr:
+    return (dot(s, s) - Add(length, *elongation) ** 2) * Rational(1, 2)
+
+
+def _own(machine: Machine, right: Matrix, n: int) -> Matrix:
+    """D_r, its diagonal named."""
+    D_r = Matrix.zeros(len(machine.links), n)
+    for j in range(n):
+        name = machine.vocabulary.declare(
+            "D_r_{j}",
+            _unit(machine, j, "m", "m^2"),
+            "entry of D_r for axis {j}: linkage vector along the motion of its joint",
+            "(D_r)_{{{j}{j}}}",
+            j=j + 1,
+        )
+        right[j, j] = D_r[j, j] = machine.define(name, right[j, j])
+    return D_r
+
+
+def _unit(machine: Machine, j: int, for_length: str, for_angle: str) -> str:
+    """A unit, by what an independent coordinate is."""
+    return for_length if machine.vocabulary[machine.independent[j]].unit == "m" else for_angle
+
+
+def _jacobian(
+    machine: Machine, solver: implicit.Solver, right: Matrix, independent: tuple[Symbol, ...]
+) -> Matrix:
+    v, n = machine.vocabulary, len(machine.independent)
+    stem = machine.independent[0].name.rsplit("_", 1)[0]
+    D = Matrix.zeros(len(machine.dependent), len(independent))
+    columns = [solver.solve(tuple(right[:, k])) for k in range(len(independent))]
+    for m, axis in enumerate(machine.directions):
+        for k, q in enumerate(independent):
+            if k < n:
+                what = f"platform Jacobian, dp_{{i}}/d{stem}_{{k}}"
+                unit = _unit(machine, k, "1", "m")
+                name = v.declare("D_p_{i}_{k}", unit, what, "(D_p)_{{{i}{k}}}", i=axis, k=k + 1)
+            else:
+                what = "platform Jacobian, dp_{i}/ddelta_{k}"
+                name = v.declare("D_delta_{i}_{k}", "1", what, r"(D_\delta)_{{{i}{k}}}", i=axis, k=k - n + 1)
+            D[m, k] = machine.define(name, columns[k][m])
+            machine.chain.rule(machine.dependent[m], q, name)
+    return D
+
+
+def _link_jacobian(machine: Machine, j: int, independent: tuple[Symbol, ...]) -> Matrix:
+    chain, s, n = machine.chain, machine.links[j].vector, len(machine.independent)
+    stem = machine.independent[0].name.rsplit("_", 1)[0]
+    U = Matrix.zeros(len(s), len(independent))
+    for m, axis in enumerate(machine.directions):
+        for k, q in enumerate(independent):
+            U[m, k] = chain.derivative(s[m], q)
+            if k < n:  # along an elongation the link vector moves with the platform: no name of its own
+                name = machine.vocabulary.declare(
+                    "U_{j}_{i}_{k}",
+                    _unit(machine, k, "1", "m"),
+                    f"derivative of linkage vector {{j}}, component {{i}}, with respect to {stem}_{{k}}",
+                    "(U_{j})_{{{i}{k}}}",
+                    j=j + 1,
+                    i=axis,
+                    k=k + 1,
+                )
+                U[m, k] = machine.define(name, U[m, k])
+    for m in range(len(s)):
+        for k, q in enumerate(independent):
+            chain.rule(s[m], q, U[m, k])
+    return U
+
+
+def _second_derivatives(
+    machine: Machine, closures: list[Expr], D_p: Matrix, solver: implicit.Solver
+) -> tuple[Matrix, ...]:
+    v, chain, q = machine.vocabulary, machine.chain, machine.independent
+    n, stem = len(q), machine.independent[0].name.rsplit("_", 1)[0]
+    by = f"with respect to {stem}_{{k}} and {stem}_{{l}}"
+    P = tuple(Matrix.zeros(n, n) for _ in machine.dependent)
+    for k in range(n):
+        for m in range(k, n):
+            forcing = implicit.second_order_forcing(closures, q[k], q[m], chain, jacobian=tuple(D_p))
+            names = []
+            for j in range(len(closures)):
+                what = f"right-hand side of closure {{j}} differentiated {by}"
+                place = {"j": j + 1, "k": k + 1, "l": m + 1}
+                names.append(
+                    v.declare(
+                        "f_{j}_{k}{l}", _unit(machine, k, "1", "m^2"), what, "(f_{j})_{{{k}{l}}}", **place
+                    )
+                )
+                machine.define(names[j], forcing[j])
+            solution = solver.solve(names)
+            for i, axis in enumerate(machine.directions):
+                what, place = f"second derivative of p_{{i}} {by}", {"i": axis, "k": k + 1, "l": m + 1}
+                name = v.declare(
+                    "P_{i}_{k}{l}", _unit(machine, k, "1/m", "m"), what, "(P_{i})_{{{k}{l}}}", **place
+                )
+                P[i][k, m] = P[i][m, k] = machine.define(name, solution[i])
+                chain.rule(D_p[i, k], q[m], name)
+                if m != k:
+                    chain.rule(D_p[i, m], q[k], name)
+    return P

@@ -1,0 +1,340 @@
+"""The three models of a mechanism: without effects, with all of them, and that of one robot with some."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence, Set
+
+from sympy import Expr, Symbol, diff
+
+from pkmodes_derive.assembly import chapters, sensitivity
+from pkmodes_derive.assembly.condensed import Condensed
+from pkmodes_derive.assembly.derived import Derived, added, derive, flat, units
+from pkmodes_derive.assembly.kinematics import Kinematics
+from pkmodes_derive.description import Description, Named
+from pkmodes_derive.effect import Effect
+from pkmodes_derive.functions import FieldGroup, Function, Model, Output, Relation
+from pkmodes_derive.machine import Machine
+
+Relations = Callable[[Machine, Kinematics], tuple[Relation, ...]]
+Places = tuple[tuple[int, int], ...]
+
+
+def parameters(machine: Machine) -> FieldGroup:
+    """The parameters as arrays."""
+    return FieldGroup("Parameters", "parameters", tuple(machine.tables.fields))
+
+
+def base(machine: Machine, relations: Relations | None = None) -> Model:
+    """The model without effects; `relations` are results to be shown beside it."""
+    derived = derive(machine)
+    c = Condensed(derived)
+    v = machine.vocabulary
+    return Model(
+        mechanism=machine.name,
+        coordinates=tuple((q.name, v[q].unit) for q in machine.coordinates),
+        vocabulary=v,
+        groups=(parameters(machine),),
+        functions=chapters.chapters(c),
+        relations=relations(machine, derived.kin) if relations else (),
+        rigid_modes=c.rigid_modes,
+    )
+
+
+def describe(machine: Machine, rigid_modes: int | None) -> Description:
+    """What the runtime has to know of a mechanism, given with every effect that applies."""
+    v = machine.vocabulary
+    named = tuple(Named(q.name, v[q].unit, v[q].description) for q in machine.coordinates)
+    pose = tuple(
+        Named(axis, v[q].unit, f"{axis} of the {machine.pose_is}")
+        for axis, q in zip(machine.directions, machine.pose, strict=True)
+    )
+    return Description(
+        mechanism=machine.name,
+        title=machine.title,
+        pose=pose,
+        pose_is=machine.pose_is,
+        coordinates=named,
+        independent=tuple(q.name for q in machine.independent),
+        independent_are=machine.independent_are,
+        directions=machine.directions,
+        drives=tuple(
+            Named(str(j), "N m", v[drive.torque].description.removeprefix("static torque on the "))
+            for j, drive in enumerate(machine.drives, start=1)
+        ),
+        rigid_modes=rigid_modes or 0,
+        tables=machine.tables.described(),
+        wholes=machine.wholes,
+        margins=machine.margins,
+        requirements=machine.requirements,
+        effects=tuple(effect.data() for effect in machine.effects),
+        scales=machine.scales,
+        differences=tuple(machine.differences.items()),
+        sample=machine.sample,
+    )
+
+
+def extended(machine: Machine) -> Model:
+    """The model with every effect that was applied: extended M and K, and their derivatives by every parameter.
+
+    The base model is the leading block: released coordinates are relative, so locking one is deleting its row
+    and column.  M and K are those of free joints; the stiffness 1/c of each released joint is added to the
+    diagonal of K by whoever knows which joints are released.
+    """
+    d, v = derive(machine), machine.vocabulary
+    place = {
+        symbol: (field.name, index)
+        for field in (*machine.tables.fields, *machine.effect_fields)
+        for symbol, index in zip(field.symbols, field.indices, strict=True)
+    }
+    of_geometry = sensitivity.geometry(d)
+    of_values = sensitivity.values(machine, of_geometry)
+    functions, constants = [], []
+    for name, title, source, some, also, comment in (
+        (
+            "value_sensitivities",
+            "Derivatives of M and K by every parameter that moves nothing, at a fixed pose.",
+            "chain rule",
+            of_values,
+            "",
+            "By which parameters the derivatives are taken: field of Parameters or Effects, index in it, and the "
+            "(row, column) of the entries of M and of K that depend on it, in the upper triangle.",
+        ),
+        (
+            "geometry_sensitivities",
+            f"Derivatives of M and K by every parameter that moves the {machine.independent_are}, at a fixed pose.",
+            "implicit function theorem and chain rule",
+            of_geometry,
+            "".join(
+                f"; by the field {field}, the opposite of those by {other}"
+                for field, other in machine.differences.items()
+            ),
+            "The same for the geometry.",
+        ),
+    ):
+        function, places = _sensitivities(d, name, title, source, some, also)
+        functions.append(function)
+        listed = tuple((*place[theta], *entries) for theta, entries in zip(some, places, strict=True))
+        constants.append((comment, name.upper(), listed))
+    return Model(
+        mechanism=machine.name,
+        coordinates=tuple((q.name, v[q].unit) for q in machine.all_coordinates),
+        vocabulary=v,
+        groups=(
+            FieldGroup("Parameters", "parameters", tuple(machine.tables.fields), declared=False),
+            FieldGroup("Effects", "effects", machine.effect_fields, null=0.0),
+        ),
+        functions=(_matrices(d), _motion(d), _joints(d), _static_equilibrium(d), *functions),
+        constants=(
+            (
+                "The effects: name, sentence, whether it ties the platform to ground, released coordinates, and "
+                "parameters as (name, unit, description, exclusive lower bound, whether it can be fitted).",
+                "EFFECTS",
+                tuple(_listed_effect(effect) for effect in machine.effects),
+            ),
+            *constants,
+        ),
+    )
+
+
+def _listed_effect(effect: Effect) -> tuple[object, ...]:
+    data = effect.data()
+    described = tuple((p.name, p.unit, p.description, p.greater_than, p.fitted) for p in data.parameters)
+    return (data.name, data.sentence, data.grounds, tuple(q.name for q in data.coordinates), described)
+
+
+def _matrices(d: Derived) -> Function:
+    n = len(d.machine.rates)
+    shape, K = (n, n), units(d.machine, "N/m", "N", "N m")
+    return Function(
+        "extended_matrices",
+        "Mass and stiffness matrices in the base and all released coordinates, joints free.",
+        "equations 24 to 48 with the effects' energies; K = K_el + K_g and the joints' stiffnesses",
+        (d.pose,),
+        (
+            Output(
+                "M",
+                shape,
+                flat(d.M),
+                units(d.machine, "kg", "kg m", "kg m^2"),
+                "mass matrix; the base model's is the leading block",
+            ),
+            Output("K_el", shape, flat(d.K_el), K, "elastic stiffness, released joints free"),
+            Output("K_g", shape, flat(d.K_g), K, "Hessian of the gravitational potential energy"),
+        ),
+        d.kin.definitions,
+    )
+
+
+def _motion(d: Derived) -> Function:
+    """The absolute motion of the platform."""
+    rows = d.platform_motion(d.machine.rates)
+    shape = (len(rows), len(d.machine.rates))
+    return Function(
+        "extended_platform_motion",
+        "Absolute motion of the platform centre by the coordinates.",
+        "equation 15, with what released joints and the frame add",
+        (d.pose,),
+        (Output("J_p", shape, flat(rows), "1, m", "dp_i/dq_k, base frame"),),
+        d.kin.definitions,
+    )
+
+
+def _joints(d: Derived) -> Function:
+    positions = [c.position for c in d.machine.released]
+    stiffness = [diff(energy, q, q) for energy, q in zip(d.energies.V_r, positions, strict=True)]
+    rates = [diff(k, c) for k, c in zip(stiffness, d.machine.compliances, strict=True)]
+    n = len(positions)
+    return Function(
+        "joint_stiffness",
+        "Stiffnesses of the released joints, to be added to the diagonal of K.",
+        "energy q^2 / (2 c) of each joint",
+        (),
+        (
+            Output("kappa", (n,), tuple(stiffness), "N/m, N m", "in the order of the released coordinates"),
+            Output("kappa_c", (n,), tuple(rates), "N^2/m^2, N^2 m^2", "derivatives by the compliances"),
+        ),
+        {},
+        "Infinite for a compliance of zero: a locked joint.",
+    )
+
+
+def _static_equilibrium(d: Derived) -> Function:
+    """Equation 44."""
+    torques, rotations = d.equilibrium.torques, d.equilibrium.rotations
+    return Function(
+        "extended_static_equilibrium",
+        "Torques and rotations that hold the pose, the effects' weights and changes of stiffness included.",
+        "equation 44; springs that effects add are relaxed at the pose, and the released joints hold",
+        (d.pose,),
+        (
+            Output("tau_st", (len(torques),), torques, "N m", "torques on the driven rotors"),
+            Output(
+                "theta_st", (len(rotations),), rotations, "rad", "rotations from unstrained transmissions"
+            ),
+        ),
+        d.kin.definitions,
+    )
+
+
+def _sensitivities(
+    d: Derived, name: str, title: str, source: str, by: Sequence[Symbol], also: str
+) -> tuple[Function, tuple[tuple[Places, Places], ...]]:
+    """The derivatives, and for each parameter which entries of M and of K they are."""
+    chain = sensitivity.PoseChain(d, by)
+    dM, dK = (chain.derivatives(matrix) for matrix in (d.M, added(d.K_el, d.K_g)))
+    function = Function(
+        name,
+        title,
+        source,
+        (d.pose,),
+        (
+            _listed("M_theta", dM, "unit of M by that of the parameter", "dM/dtheta"),
+            _listed("K_theta", dK, "unit of K by that of the parameter", "dK/dtheta"),
+        ),
+        chain.chain.definitions,
+        f"The entries of the upper triangles that {name.upper()} lists, all others being zero{also}.",
+        in_c=False,
+    )
+    return function, tuple(zip(map(tuple, dM), map(tuple, dK), strict=True))
+
+
+def _listed(
+    name: str, derivatives: Sequence[dict[tuple[int, int], Expr]], unit: str, description: str
+) -> Output:
+    entries = tuple(entry for matrix in derivatives for entry in matrix.values())
+    return Output(name, (len(entries),), entries, unit, description, listed=True)
+
+
+def single(machine: Machine, zeros: Set[tuple[str, int]]) -> Model:
+    """The model of one robot with effects: the functions of the base model, in its own coordinates, and a few more.
+
+    Coordinates that have no inertia are condensed, exactly, so that the matrices are those of an eigenproblem.
+
+    Parameters
+    ----------
+    machine : Machine
+        With the active effects.
+    zeros : set of (field, index)
+        Parameters that are zero for this robot.
+    """
+    fields = (*machine.tables.fields, *machine.effect_fields)
+    absent = {s for field in fields for i, s in enumerate(field.symbols) if (field.name, i) in zeros}
+    c, v = Condensed(derive(machine), absent), machine.vocabulary
+    every = tuple(q.name for q in machine.all_coordinates)
+    listed = (
+        "All coordinates, those without inertia included, as `condensation` has them.",
+        "ALL_COORDINATES",
+        every,
+    )
+    return Model(
+        mechanism=machine.name,
+        coordinates=tuple((q.name, v[q].unit) for q in c.coordinates),
+        vocabulary=v,
+        groups=(parameters(machine), FieldGroup("Effects", "effects", machine.effect_fields, null=0.0)),
+        functions=(*chapters.chapters(c), _platform_motion(c), *(_uncondensed(c) if c.massless else ())),
+        rigid_modes=c.rigid_modes,
+        constants=(listed,) if c.massless else (),
+        notes=_notes(c),
+    )
+
+
+def _notes(c: Condensed) -> tuple[str, ...]:
+    """What the effects change in the use of the code."""
+    active = "; ".join(f"{effect.name}: {effect.sentence}" for effect in c.machine.effects)
+    notes = [
+        f"With effects ({active}).  Coordinates that they add are relative and zero at the pose.  "
+        f"`platform_jacobian` is by the {c.machine.independent_are} alone, `platform_motion` by every coordinate."
+    ]
+    if c.massless:
+        names = ", ".join(q.name for q in c.massless)
+        every = ", ".join(q.name for q in c.machine.all_coordinates)
+        notes.append(
+            f"Without inertia: {names}.  They follow the others without delay and add no mode, so all functions "
+            "have the coordinates above only; M is positive definite, and K is what is felt with the others in "
+            "equilibrium (condensed exactly)."
+        )
+        notes.append(
+            f"In all {len(every.split(', '))} coordinates ({every}): the matrices by `uncondensed_matrices`, M with "
+            "rows of zeros, which no eigen-solver takes; a shape by `condensation` times the shape of the others."
+        )
+    return tuple(notes)
+
+
+def _platform_motion(c: Condensed) -> Function:
+    """The absolute motion of the platform: what moves it has its mass, so no massless coordinate does."""
+    rows = c.derived.platform_motion(c.rates)
+    return c.function(
+        "platform_motion",
+        "Absolute motion of the platform centre by the coordinates.",
+        "equation 15, with what released joints and the frame add",
+        [c.pose],
+        Output("J_p", (len(rows), c.n), flat(rows), "1, m", "dp_i/dq_k, base frame"),
+    )
+
+
+def _uncondensed(c: Condensed) -> list[Function]:
+    """The matrices with every coordinate, and how those without inertia follow."""
+    n = len(c.machine.all_coordinates)
+    return [
+        c.function(
+            "uncondensed_matrices",
+            "Mass and stiffness matrices in all coordinates: M has rows of zeros, and no inverse.",
+            "equation 48, with the effects' energies",
+            [c.pose],
+            Output("M", (n, n), flat(c.M_all), chapters.units_of_mass(c), "mass matrix"),
+            Output("K", (n, n), flat(c.K_all), chapters.units_of_stiffness(c), "stiffness matrix"),
+        ),
+        c.function(
+            "condensation",
+            "All coordinates by those with inertia.",
+            "K_rr x_r + K_rq x_q = 0 for the coordinates r without inertia",
+            [c.pose],
+            Output(
+                "T",
+                (n, c.n),
+                flat(c.condensation),
+                "1, m, 1/m",
+                "all coordinates are T times those with inertia; T^T K T of the uncondensed K is the condensed one",
+            ),
+        ),
+    ]

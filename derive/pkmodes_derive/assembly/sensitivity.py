@@ -1,0 +1,125 @@
+r"""Exact derivatives of M and K with respect to every parameter, at a fixed pose.
+
+With the pose held, a parameter moves the independent coordinates by inverse kinematics, and with them links, belts
+and link forces.  Three quantities are given by the implicit function theorem once more, so that nothing has
+to be differentiated through square roots and inverses: with theta a parameter,
+
+.. math::
+    \frac{dq_j}{d\theta} = \frac{\Phi_{j,\theta}}{(D_r)_{jj}}, \qquad
+    D_l \frac{dD}{d\theta} = \frac{d(-\Phi_q)}{d\theta} - \frac{dD_l}{d\theta} D, \qquad
+    D_l^T \frac{d\mu}{d\theta} = \frac{dV_p}{d\theta} - \frac{dD_l^T}{d\theta} \mu .
+
+Everything else is the chain rule over named values.  Where the parameter moves nothing, most of it is zero:
+those parameters have a function of their own, which is several times shorter than that of the geometry.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from sympy import Add, Expr, Symbol, diff
+
+from pkmodes_derive.assembly.derived import Derived
+from pkmodes_derive.chain import Chain
+from pkmodes_derive.machine import Machine
+
+
+def values(machine: Machine, moving: Sequence[Symbol]) -> tuple[Symbol, ...]:
+    """Parameters by which M and K are differentiated and that move nothing, in the order of the arrays.
+
+    Directions, branches and driven pulleys are choices, not quantities.  The compliances of released joints are
+    not in M and K but in the springs that are added to K.
+    """
+    springs = set(machine.compliances)
+    of_effects = (s for field in machine.effect_fields for s in field.symbols if s not in springs)
+    return (*(s for s in _quantities(machine) if s not in moving), *of_effects)
+
+
+def geometry(derived: Derived) -> tuple[Symbol, ...]:
+    """Parameters that move the independent coordinates.
+
+    What enters only through its difference from another quantity, as a rail's origin from the platform joint, has the
+    opposite derivatives.
+    """
+    closures = {s for phi in derived.kin.closures for s in derived.kin.chain.expand(phi).free_symbols}
+    return tuple(s for s in _quantities(derived.machine) if s in closures)
+
+
+def _quantities(machine: Machine) -> list[Symbol]:
+    chosen = {key.field for table in machine.tables.described() for key in table.keys if key.kind in CHOICES}
+    left_out = chosen | set(machine.differences)
+    return [s for field in machine.tables.fields if field.name not in left_out for s in field.symbols]
+
+
+#: Kinds of keys that are choices, and have no derivatives.
+CHOICES = ("direction", "choice", "one_of", "signs")
+
+
+class PoseChain:
+    """The chain rule at a fixed pose: definitions as they are evaluated, rules by the theorem above."""
+
+    def __init__(self, derived: Derived, parameters: Sequence[Symbol]) -> None:
+        self.derived, self.parameters = derived, tuple(parameters)
+        self.chain = Chain()
+        for symbol, expression in derived.kin.definitions.items():
+            self.chain.define(symbol, expression)
+        for theta in self.parameters:
+            self._follow(theta)
+
+    def derivatives(self, matrix: Sequence[Sequence[Expr]]) -> list[dict[tuple[int, int], Expr]]:
+        """Derivatives of a symmetric matrix by every parameter: entries of its upper triangle that are not zero."""
+        n = len(matrix)
+        found = []
+        for theta in self.parameters:
+            upper = {
+                (k, m): self.chain.derivative(matrix[k][m], theta) for k in range(n) for m in range(k, n)
+            }
+            found.append({place: entry for place, entry in upper.items() if entry != 0})
+        return found
+
+    def _follow(self, theta: Symbol) -> None:
+        """State how independent coordinates, Jacobian and link forces follow a parameter."""
+        machine, kin, chain = self.derived.machine, self.derived.kin, self.chain
+        if kin.solver is None:
+            return
+        free = machine.independent
+        held = (*free, *machine.turned)
+        rates = [chain.derivative(phi, theta, hold=held) for phi in kin.closures]
+        for j, rate in enumerate(rates):
+            if rate != 0:
+                rate = rate.xreplace(kin.reference)
+                moved = self._name(free[j], theta, rate / kin.D_r[j, j])
+                chain.rule(free[j], theta, moved)
+            else:
+                moved = rate
+            for symbol, (q, derivative) in machine.turned.items():
+                if q == free[j]:  # what is a function of the coordinate alone
+                    chain.rule(symbol, theta, derivative * moved)
+        s = [link.vector for link in machine.links]
+        s_rate = [[self._name(c, theta, chain.derivative(c, theta)) for c in vector] for vector in s]
+        for k in range(len(kin.independent)):
+            right = [
+                chain.derivative(kin.right[j, k], theta)
+                - Add(*(s_rate[j][m] * kin.D[m, k] for m in range(len(machine.dependent))))
+                for j in range(len(s))
+            ]
+            for m, solution in enumerate(kin.solver.solve(right)):
+                self._state(kin.D[m, k], theta, solution)
+        mu = self.derived.equilibrium.force_densities
+        gradient = [diff(self.derived.energies.V_g, component) for component in machine.dependent]
+        right = [
+            chain.derivative(gradient[m], theta) - Add(*(s_rate[j][m] * mu[j] for j in range(len(s))))
+            for m in range(len(gradient))
+        ]
+        for j, solution in enumerate(kin.solver.multipliers(right)):
+            self._state(mu[j], theta, solution)
+
+    def _state(self, symbol: Symbol, theta: Symbol, derivative: Expr) -> None:
+        # A rule of zero is stated as well: it keeps the chain from following the definition instead.
+        self.chain.rule(symbol, theta, self._name(symbol, theta, derivative))
+
+    def _name(self, symbol: Symbol, theta: Symbol, derivative: Expr) -> Expr:
+        if derivative == 0:
+            return derivative
+        name = self.derived.machine.vocabulary.derivative(symbol, theta)
+        return self.chain.define(name, derivative)

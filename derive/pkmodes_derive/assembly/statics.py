@@ -1,0 +1,198 @@
+r"""Static equilibrium at a given pose: equation 44.
+
+The independent coordinates hold the pose, so their displacements are zero; the displacements of all others and the
+torques of the drives are unknown.  With G the gradient of the gravitational potential energy by the independent
+coordinates and E the gradient of the elastic one, linear in the unknown displacements,
+
+.. math:: G_j + E_{q_j} = 0, \qquad E_{\vartheta, free} = 0, \qquad \tau = E_{\vartheta, driven}.
+
+The unknowns fall into blocks that share no equation: one axis each, or two crossed belts together.  Links carry the
+forces mu_j s_j that hold platform and links up, with D_l^T mu = dV_g/dp; they give the gravity Hessian its geometric
+stiffness (`implicit.constrained_hessian`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from sympy import Add, Expr, Integer, Matrix, Symbol, diff
+
+from pkmodes_derive import implicit, lagrangian
+from pkmodes_derive.assembly.energy import Energies
+from pkmodes_derive.assembly.kinematics import Kinematics
+from pkmodes_derive.machine import Machine
+
+
+@dataclass(frozen=True)
+class Statics:
+    """Named results of the equilibrium.
+
+    Attributes
+    ----------
+    gravity_gradient : list
+        dV_g/dq_j of the independent coordinates.
+    gravity_hessian : list of lists
+        d2V_g/dq_k dq_l along the constraints, of the coordinates that move the closures.
+    force_densities : tuple
+        mu_j [N/m]: the force in link j is mu_j s_j.
+    rotations : tuple
+        Displacements of the other coordinates from unstrained transmissions, in their order.
+    torques : tuple
+        Of the drives [N m], positive with their rotors.
+    """
+
+    gravity_gradient: list[Expr]
+    gravity_hessian: list[list[Expr]]
+    force_densities: tuple[Symbol, ...]
+    rotations: tuple[Symbol, ...]
+    torques: tuple[Symbol, ...]
+
+
+@dataclass(frozen=True)
+class _Equation:
+    """A linear equation: derivatives by the unknowns, and what stands on the right."""
+
+    row: dict[Symbol, Expr]
+    right: Expr
+    unit: str
+
+
+def derive(machine: Machine, kinematics: Kinematics, energies: Energies) -> Statics:
+    """Solve equation 44 in closed form, block by block, and name the solution in the chain of `kinematics`."""
+    chain = kinematics.chain
+    gravity = lagrangian.gradient(energies.V_g, machine.independent, chain)
+    mu = _force_densities(machine, kinematics, energies)
+    hessian = implicit.constrained_hessian(
+        energies.V_g, kinematics.closures, mu, kinematics.independent, tuple(kinematics.D), chain
+    )
+    places = [machine.coordinates.index(q) for q in machine.independent]
+    # The independent coordinates and released joints hold the pose.
+    fixed = (*(machine.displacements[i] for i in places), *(c.position for c in machine.released))
+    at_pose = dict.fromkeys(fixed, Integer(0))
+    hessian = [[entry.xreplace(at_pose) for entry in row] for row in hessian]
+    # Springs that effects add are relaxed at the pose: only the transmissions are strained.
+    elastic = [diff(energies.V_transmissions, q).xreplace(at_pose) for q in machine.displacements]
+    forces = _name_forces(machine, gravity)
+    unknown = [q for i, q in enumerate(machine.displacements) if i not in places]
+    equations = [_equation(elastic[i], -forces[k], unknown, "N") for k, i in enumerate(places)]
+    equations += [_equation(row, Integer(0), unknown, "N m") for row in _undriven(machine, elastic)]
+    rotations: dict[Symbol, Symbol] = {}
+    for number, (some, block) in enumerate(_blocks(equations, unknown), start=1):
+        rotations |= _solved(machine, number, some, block)
+    torques = tuple(drive.torque for drive in machine.drives)
+    for drive in machine.drives:
+        by_rotor = (driven * elastic[machine.coordinates.index(r.coordinate)] for r, driven in drive.rotors)
+        chain.define(drive.torque, Add(*by_rotor).xreplace(rotations))
+    return Statics(gravity, hessian, mu, tuple(rotations[angle] for angle in unknown), torques)
+
+
+def _name_forces(machine: Machine, gravity: Sequence[Expr]) -> list[Symbol]:
+    v = machine.vocabulary
+    forces = []
+    for j, (q, value) in enumerate(zip(machine.independent, gravity, strict=True), start=1):
+        unit = {"m": "N", "rad": "N m"}[v[q].unit]
+        what = f"gradient of the gravitational potential energy with respect to {q.name.replace(f'_{j}', '_{j}')}"
+        forces.append(machine.define(v.declare("G_{j}", unit, what, "G_{j}", j=j), value))
+    return forces
+
+
+def _undriven(machine: Machine, elastic: Sequence[Expr]) -> list[Expr]:
+    """Torques that must vanish: of two rotors, that on the one that is not driven."""
+    rows = []
+    for drive in machine.drives:
+        if len(drive.rotors) == 2:
+            (first, drives_first), (second, drives_second) = drive.rotors
+            a, b = (elastic[machine.coordinates.index(r.coordinate)] for r in (first, second))
+            rows.append(drives_second * a + drives_first * b)
+    return rows
+
+
+def _equation(row: Expr, right: Expr, unknown: Sequence[Symbol], unit: str) -> _Equation:
+    return _Equation({q: factor for q in unknown if (factor := diff(row, q)) != 0}, right, unit)
+
+
+def _blocks(
+    equations: Sequence[_Equation], unknown: Sequence[Symbol]
+) -> list[tuple[list[Symbol], list[_Equation]]]:
+    """Unknowns with the equations in which they occur, those together that share one."""
+    groups: list[set[Symbol]] = []
+    for equation in equations:
+        joined = set(equation.row)
+        for group in [g for g in groups if g & joined]:
+            groups.remove(group)
+            joined |= group
+        groups.append(joined)
+    found = []
+    for group in sorted(groups, key=lambda g: min(unknown.index(q) for q in g)):
+        some = [q for q in unknown if q in group]
+        found.append((some, [equation for equation in equations if set(equation.row) & group]))
+    return found
+
+
+def _solved(
+    machine: Machine, number: int, unknown: Sequence[Symbol], equations: Sequence[_Equation]
+) -> dict[Symbol, Symbol]:
+    """Names of the solution of one block, by Cramer's rule."""
+    v, n = machine.vocabulary, len(unknown)
+    if len(equations) != n:
+        raise ValueError(
+            f"{machine.name}: {len(equations)} equations of equilibrium for {n} unknown rotations"
+        )
+    matrix = Matrix([[e.row.get(q, Integer(0)) for q in unknown] for e in equations])
+    right = [e.right for e in equations]
+    if n == 1:
+        values = [right[0] / matrix[0, 0]]
+    else:
+        units = [e.unit for e in equations]
+        metres = sum(unit == "N m" for unit in units)
+        unit = f"N^{n}" + (" m" if metres == 1 else f" m^{metres}" if metres else "")
+        what = "determinant of the equilibrium of axis {j}" if len(machine.drives) > 1 else "determinant"
+        determinant = v.declare("det_{j}", unit, what, r"\Delta_{j}", j=number)
+        if n == 2:
+            (a, b), (c, d) = matrix.tolist()
+            machine.define(determinant, a * d - b * c)
+            numerators = [right[0] * d - right[1] * b, a * right[1] - c * right[0]]
+        else:
+            machine.define(determinant, matrix.det(method="berkowitz"))
+            numerators = list(matrix.adjugate() * Matrix(right))
+        values = [numerator / determinant for numerator in numerators]
+    found = {}
+    for q, value in zip(unknown, values, strict=True):
+        coordinate = machine.coordinates[machine.displacements.index(q)]
+        found[q] = machine.define(_static_name(machine, coordinate), value)
+    return found
+
+
+def _static_name(machine: Machine, coordinate: Symbol) -> Symbol:
+    quantity = machine.vocabulary[coordinate]
+    stem, *index = coordinate.name.split("_")
+    letters = dict(zip("jk", index, strict=False))
+    name = "_".join([stem, *(f"{{{letter}}}" for letter in letters), "st"])
+    what = quantity.family[1]
+    for letter in letters:
+        what = what.replace(f" {letter} ", f" {{{letter}}} ").replace(f" {letter}", f" {{{letter}}}")
+    indices = ",".join([*(f"{{{letter}}}" for letter in letters), "st"])
+    tex = {"theta": r"\vartheta", "phi": r"\varphi"}.get(stem, stem)
+    return machine.vocabulary.declare(
+        name,
+        quantity.unit,
+        f"static {what}, from unstrained transmissions",
+        f"{tex}_{{{{{indices}}}}}",
+        **letters,
+    )
+
+
+def _force_densities(machine: Machine, kinematics: Kinematics, energies: Energies) -> tuple[Symbol, ...]:
+    """Name mu of D_l^T mu = dV_g/dp, the independent coordinates held."""
+    if kinematics.solver is None:
+        return ()
+    what = "static force in linkage {j} divided by its length, positive in compression"
+    names = tuple(
+        machine.vocabulary.declare("mu_{j}", "N/m", what, r"\mu_{j}", j=j)
+        for j in range(1, len(machine.links) + 1)
+    )
+    gradient = [diff(energies.V_g, component) for component in machine.dependent]
+    for name, value in zip(names, kinematics.solver.multipliers(gradient), strict=True):
+        machine.define(name, value)
+    return names

@@ -1,0 +1,31 @@
+"""Belt tension stiffness: cords straighten and teeth seat, so that a belt is the stiffer the more it is tensioned."""
+
+from pkmodes_derive.effect import Effect, EffectParameter
+
+
+def apply(machine, parameters, released):
+    """Multiply the specific stiffness of every belt by 1 + coefficient * tension."""
+    for belt in machine.belts:
+        belt.factor *= 1 + parameters["coefficient"] * parameters["tension"]
+
+
+EFFECT = Effect(
+    name="belt_tension_stiffness",
+    sentence="the belts are the stiffer the more they are tensioned",
+    parts=lambda machine: machine.belts,
+    parameters=(
+        EffectParameter(
+            "coefficient", "1/N", "relative change of the belt stiffness with tension", "c_T", "c_T", None
+        ),
+        EffectParameter(
+            "tension",
+            "N",
+            "tension of every belt, from a measurement",
+            "F_T",
+            "F_T",
+            fitted=False,
+            optional=True,
+        ),
+    ),
+    apply=apply,
+)

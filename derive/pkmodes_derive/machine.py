@@ -1,0 +1,374 @@
+"""A machine: the tables, coordinates and parts that a mechanism declares, and what effects add to them.
+
+A mechanism's function gets an empty machine and declares it, top to bottom.  Then effects are applied, before
+anything is derived: what they refer to are names, whose definitions follow from the whole machine.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from sympy import Add, Expr, Integer, Symbol
+
+from pkmodes_derive.chain import Chain
+from pkmodes_derive.description import Margin, Requirement, Scale, Whole
+from pkmodes_derive.effect import Coordinate, Effect
+from pkmodes_derive.functions import Argument, Output
+from pkmodes_derive.parts import Arm, Belt, Clamp, Drive, Form, Link, PointMass, Reducer, Rod, Rotor, Run
+from pkmodes_derive.tables import Tables
+from pkmodes_derive.vocabulary import AXES, Field, Vocabulary
+
+#: What the letters of indices count; a mechanism may say it in its own words.
+LETTERS = {
+    "j": "axis j",
+    "k": "coordinate k of a derivative",
+    "l": "coordinate l of a second derivative",
+    "s": "belt span s",
+    "i": "component i = x, y, z",
+}
+SMALL = "small displacement from the reference configuration: "
+
+
+@dataclass(frozen=True)
+class Extra:
+    """A function of a mechanism beside those of every mechanism.
+
+    Attributes
+    ----------
+    name, summary, source, details : str
+        As of `Function`.
+    outputs : tuple of Output
+    arguments : tuple of Argument, optional
+        By default the pose.
+    definitions : mapping, optional
+        By default those of the chain and the inverse kinematics.
+    """
+
+    name: str
+    summary: str
+    source: str
+    outputs: tuple[Output, ...]
+    details: str = ""
+    arguments: tuple[Argument, ...] | None = None
+    definitions: Mapping[Symbol, Expr] | None = None
+
+
+class Machine:
+    """What a mechanism declares, and effects read and change.
+
+    Attributes
+    ----------
+    name, title : str
+    vocabulary : Vocabulary
+    tables : Tables
+    chain : Chain
+        Named values as functions of coordinates and parameters.
+    inverse : dict
+        The independent coordinates, and values that go with them, as functions of the pose.
+    gravity : tuple of sympy.Symbol
+        Acceleration [m/s^2].
+    pose : tuple of sympy.Symbol
+    dependent : tuple of sympy.Symbol
+        Coordinates of the platform that closures determine.
+    independent : tuple of sympy.Symbol
+        Coordinates that move the platform.
+    coordinates, velocities, displacements : tuple of sympy.Symbol
+        All generalised coordinates without effects, their rates and small displacements.
+    follows : dict
+        What the other coordinates do while nothing stretches: their rates.
+    points, rods, arms, links, rotors, drives, belts, reducers : lists
+        Its parts.
+    units : set of tuple
+        Vectors whose square is 1.
+    differences : dict
+        Fields of the parameters that occur only in their difference from another one.
+    turned : dict
+        Values that are functions of one independent coordinate alone, with that and their derivative.
+    directions : tuple of str
+        In which the platform and the frame move.
+    frame : list of lists of Coordinate
+        Released coordinates of the frame, for each direction.
+    v_p, delta_p : tuple of sympy.Symbol
+        Absolute velocity and small displacement of the platform.
+    kinetic, elastic : lists of sympy.Expr
+        Energies [J] that effects add: quadratic forms of rates, and of small displacements.
+    weights : list of (mass, position)
+        Bodies that effects add, for gravity.
+    released : tuple of Coordinate
+    compliances : tuple of sympy.Symbol
+        For each released coordinate, that of its spring.
+    effects : tuple of Effect
+        Those that were applied, with the names that they have here.
+    """
+
+    def __init__(self, name: str, title: str, directions: Sequence[str] = AXES) -> None:
+        self.name, self.title, self.directions = name, title, tuple(directions)
+        self.vocabulary = Vocabulary(LETTERS)
+        self.tables, self.chain = Tables(self.vocabulary), Chain()
+        self.inverse: dict[Symbol, Expr] = {}
+        self.gravity: tuple[Symbol, ...] = ()
+        self.pose: tuple[Symbol, ...] = ()
+        self.pose_is, self.independent_are, self.argument = "", "", ""
+        self.dependent: tuple[Symbol, ...] = ()
+        self.independent: tuple[Symbol, ...] = ()
+        self.coordinates: tuple[Symbol, ...] = ()
+        self.velocities: tuple[Symbol, ...] = ()
+        self.displacements: tuple[Symbol, ...] = ()
+        self.follows: dict[Symbol, Expr] = {}
+        self.differences: dict[str, str] = {}
+        self.turned: dict[Symbol, tuple[Symbol, Expr]] = {}
+        self.units: set[tuple[Expr, ...]] = set()
+        self.platform: tuple[Expr, ...] = ()
+        self.points: list[PointMass] = []
+        self.rods: list[Rod] = []
+        self.arms: list[Arm] = []
+        self.links: list[Link] = []
+        self.rotors: list[Rotor] = []
+        self.drives: list[Drive] = []
+        self.belts: list[Belt] = []
+        self.reducers: list[Reducer] = []
+        self.frame: list[list[Coordinate]] = [[] for _ in self.directions]
+        self.v_p: tuple[Symbol, ...] = ()
+        self.delta_p: tuple[Symbol, ...] = ()
+        self.kinetic: list[Expr] = []
+        self.elastic: list[Expr] = []
+        self.weights: list[tuple[Expr, Sequence[Expr]]] = []
+        self.released: tuple[Coordinate, ...] = ()
+        self.compliances: tuple[Symbol, ...] = ()
+        self.effects: tuple[Effect, ...] = ()
+        self.effect_fields: tuple[Field, ...] = ()
+        self.wholes: tuple[Whole, ...] = ()
+        self.margins: tuple[Margin, ...] = ()
+        self.requirements: tuple[Requirement, ...] = ()
+        self.scales: tuple[Scale, ...] = ()
+        self.extras: list[Extra] = []
+        self.sample: Mapping[str, object] = {}
+
+    # Declarations of a mechanism ---------------------------------------------------------------------------
+
+    def define(self, symbol: Symbol, expression: Expr) -> Symbol:
+        """Name an expression in coordinates and parameters."""
+        return self.chain.define(symbol, expression)
+
+    def define_all(self, symbols: Iterable[Symbol], expressions: Iterable[Expr]) -> None:
+        """Name several."""
+        for symbol, expression in zip(symbols, expressions, strict=True):
+            self.define(symbol, expression)
+
+    def generalised(self, *groups: Sequence[tuple[str, str, str, str, Mapping[str, object]]]) -> None:
+        """Declare all generalised coordinates in their order: (name, unit, description, LaTeX, indices) of each."""
+
+        def declared(before: str, after: str, per: str, what: str, tex: str) -> tuple[Symbol, ...]:
+            return tuple(
+                self.vocabulary.declare(
+                    f"{before}{name}{after}", f"{unit}{per}", f"{what}{description}", tex % latex, **index
+                )
+                for group in groups
+                for name, unit, description, latex, index in group
+            )
+
+        self.coordinates = declared("", "", "", "", "%s")
+        self.velocities = declared("", "_dot", "/s", "rate of change: ", r"\dot%s")
+        self.displacements = declared("delta_", "", "", SMALL, r"\Delta %s")
+
+    def add_gravity(self) -> None:
+        """Gravity, which every robot file states."""
+        self.gravity = self.vocabulary.vector("g", "m/s^2", "gravitational acceleration", "g")
+        self.tables.field("gravity", (3,), self.gravity, "m/s^2", "gravitational acceleration g, base frame")
+
+    def add_frame(self) -> None:
+        """The frame's mass, which only the effect of a moving frame takes."""
+        what = "the frame; used by the effect frame_compliance only"
+        self.tables.constant("frame", "mass", what, 50.0, "frame_compliance.mass")
+
+    def vector(
+        self, name: str, unit: str, description: str, latex: str, **index: object
+    ) -> tuple[Symbol, ...]:
+        """The components of a vector in the directions in which the mechanism moves."""
+        return self.vocabulary.vector(name, unit, description, latex, axes=self.directions, **index)
+
+    def vectors(self, name: str, unit: str, description: str, latex: str) -> tuple[tuple[Symbol, ...], ...]:
+        """One vector for each entry of the repeated table, such as an axis; index letter j."""
+        return tuple(self.vector(f"{name}_{{j}}", unit, description, latex, j=j) for j in self.tables.numbers)
+
+    def each(self, name: str, unit: str, description: str, latex: str) -> tuple[Symbol, ...]:
+        """One scalar for each entry of the repeated table; index letter j."""
+        declare = self.vocabulary.declare
+        return tuple(declare(f"{name}_{{j}}", unit, description, latex, j=j) for j in self.tables.numbers)
+
+    def platform_pose(self, name: str, pose_is: str, latex: str) -> tuple[Symbol, ...]:
+        """A pose that closures connect with the independent coordinates: the platform's centre."""
+        found = self.vector(name, "m", pose_is, latex)
+        self.pose = self.dependent = found
+        self.pose_is = pose_is
+        return found
+
+    def independent_pose(self, coordinates: Sequence[Symbol], pose_is: str) -> None:
+        """A pose that is the independent coordinates themselves."""
+        self.pose, self.pose_is = tuple(coordinates), pose_is
+        self.inverse = {}
+
+    def moves_platform(self, coordinates: Sequence[Symbol], argument: str, are: str) -> None:
+        """Which coordinates are independent, what the argument with their values is called, and what they are."""
+        self.independent, self.argument, self.independent_are = tuple(coordinates), argument, are
+
+    @property
+    def independent_argument(self) -> Argument:
+        """Values of the independent coordinates."""
+        unit = self.vocabulary[self.independent[0]].unit
+        names = ", ".join(q.name for q in self.independent)
+        return Argument(self.argument, self.independent, unit, f"{self.independent_are} {names}")
+
+    def unit_vector(self, vector: Sequence[Symbol]) -> None:
+        """A vector whose square is 1."""
+        self.units.add(tuple(vector))
+
+    def link(self, vector: Sequence[Symbol], length: Expr, coordinate: Symbol) -> Link:
+        """Close a loop by a rigid link."""
+        self.links.append(Link(tuple(vector), length, coordinate))
+        return self.links[-1]
+
+    def turns(self, symbol: Symbol, coordinate: Symbol, derivative: Expr) -> None:
+        """State a value that is a function of one independent coordinate alone, by its derivative."""
+        self.chain.rule(symbol, coordinate, derivative)
+        self.turned[symbol] = coordinate, derivative
+
+    def rotor(self, coordinate: Symbol, inertia: Expr, name: Symbol | None = None) -> Rotor:
+        """A body that turns on a bearing of the frame."""
+        self.rotors.append(Rotor(coordinate, inertia, name))
+        return self.rotors[-1]
+
+    def drive(
+        self, rotors: Sequence[tuple[Rotor, Expr]], motor: Expr, torque: Symbol, *, winds_up: bool = True
+    ) -> None:
+        """A motor with its gearbox on one of some rotors."""
+        self.drives.append(Drive(tuple(rotors), motor, torque, winds_up))
+
+    def belt(self, modulus: Expr, runs: Sequence[Run], clamp: Clamp | None = None) -> None:
+        """A belt with its free spans."""
+        self.belts.append(Belt(modulus, tuple(runs), clamp))
+
+    # What effects and the assembler ask ------------------------------------------------------------------------
+
+    @property
+    def base(self) -> int:
+        """How many coordinates there are without effects."""
+        return len(self.coordinates)
+
+    @property
+    def rates(self) -> tuple[Symbol, ...]:
+        """Of all coordinates, released ones included."""
+        return (*self.velocities, *(c.rate for c in self.released))
+
+    @property
+    def small(self) -> tuple[Symbol, ...]:
+        """Small displacements of all coordinates: a released one is its own."""
+        return (*self.displacements, *(c.position for c in self.released))
+
+    @property
+    def all_coordinates(self) -> tuple[Symbol, ...]:
+        """The released ones too."""
+        return (*self.coordinates, *(c.position for c in self.released))
+
+    def rate(self, form: Form, clamp: Clamp | None = None) -> Expr:
+        """How fast a linear form changes."""
+        return self._evaluated(form, self.velocities, [c.rate for c in clamp.released] if clamp else [])
+
+    def displacement(self, form: Form, clamp: Clamp | None = None) -> Expr:
+        """A linear form in small displacements."""
+        return self._evaluated(
+            form, self.displacements, [c.position for c in clamp.released] if clamp else []
+        )
+
+    def _evaluated(self, form: Form, values: Sequence[Symbol], released: Sequence[Symbol]) -> Expr:
+        of = dict(zip(self.coordinates, values, strict=True))
+        return Add(*(factor * of[q] for q, factor in form.items()), *released)
+
+    def rotation(self, rotor: Rotor) -> Symbol:
+        """Small rotation of a rotor, counted from 0 [rad]."""
+        return self.displacements[self.coordinates.index(rotor.coordinate)]
+
+    @property
+    def frame_rate(self) -> tuple[Expr, ...]:
+        """Velocity of the frame in the base frame, three components [m/s]."""
+        return self._of_frame(lambda c: c.rate)
+
+    @property
+    def frame_position(self) -> tuple[Expr, ...]:
+        """Displacement of the frame, three components [m]."""
+        return self._of_frame(lambda c: c.position)
+
+    def _of_frame(self, of: Callable[[Coordinate], Symbol]) -> tuple[Expr, ...]:
+        moved = {axis: Add(*map(of, each)) for axis, each in zip(self.directions, self.frame, strict=True)}
+        return tuple(moved.get(axis, Integer(0)) for axis in AXES)
+
+    @property
+    def platform_position(self) -> tuple[Expr, ...]:
+        """Absolute position of the platform, on the frame and with it."""
+        return tuple(Add(c, u) for c, u in zip(self.platform, self.frame_position, strict=True))
+
+    def add_kinetic(self, energy: Expr) -> None:
+        """Add kinetic energy, a quadratic form of rates."""
+        self.kinetic.append(energy)
+
+    def add_elastic(self, energy: Expr) -> None:
+        """Add elastic energy, a quadratic form of small displacements."""
+        self.elastic.append(energy)
+
+    def add_weight(self, mass: Expr, position: Sequence[Expr]) -> None:
+        """Add a body on which gravity acts."""
+        self.weights.append((mass, position))
+
+    # Effects -------------------------------------------------------------------------------------------------
+
+    def finish(self) -> None:
+        """Name what belongs to the platform, once it is declared."""
+        self.v_p = self._platform("v_p", "m/s", "velocity of the platform", r"(\dot{{p}})_{i}")
+
+    def apply(self, effects: Sequence[Effect]) -> None:
+        """Add effects; those that do not apply are an error of the caller."""
+        if not effects:
+            return
+        self.delta_p = self._platform(
+            "delta_p", "m", "small displacement of the platform from the pose", r"(\Delta p)_{i}"
+        )
+        self.effects = tuple(effect.on(self) for effect in effects)
+        # Two passes: effects see every released coordinate, whichever of them is applied first.
+        prepared = [(effect, self._parameters(effect), self._release(effect)) for effect in self.effects]
+        for _, parameters, released in prepared:
+            if released:
+                self.compliances += (parameters["compliance"],) * len(released)
+        for effect, parameters, released in sorted(prepared, key=lambda item: not item[2]):
+            effect.apply(self, parameters, released)
+
+    def _platform(self, name: str, unit: str, description: str, latex: str) -> tuple[Symbol, ...]:
+        return tuple(
+            self.vocabulary.declare(f"{name}_{{i}}", unit, f"{description}, component {{i}}", latex, i=axis)
+            for axis in self.directions
+        )
+
+    def _parameters(self, effect: Effect) -> dict[str, Symbol]:
+        symbols = {}
+        for p in effect.parameters:
+            symbols[p.name] = self.vocabulary.declare(p.symbol, p.unit, p.description, p.latex)
+            name = f"{effect.name}_{p.name}"
+            self.effect_fields += (Field(name, (), (symbols[p.name],), p.unit, p.description),)
+        return symbols
+
+    def _release(self, effect: Effect) -> tuple[Coordinate, ...]:
+        q, found = effect.released, []
+        for place in effect.places if q else ():
+            index, latex = {q.letter: place}, q.latex
+            stem = latex.removesuffix(f"_{{{q.letter}}}")
+            rate = rf"\dot{{{{{stem}}}}}_{{{q.letter}}}"
+            found.append(
+                Coordinate(
+                    self.vocabulary.declare(q.name, q.unit, q.description, latex, **index),
+                    self.vocabulary.declare(
+                        f"{q.name}_dot", f"{q.unit}/s", f"rate of change: {q.description}", rate, **index
+                    ),
+                )
+            )
+        self.released += tuple(found)
+        return tuple(found)

@@ -1,0 +1,21 @@
+"""A CoreXY without symmetry: its belts differ in everything, and its plane is not level.
+
+Terms that vanish or cancel in a real machine do not do so in this one: it is what checks evaluate.
+"""
+
+from __future__ import annotations
+
+SAMPLE: dict[str, object] = {
+    "toolhead_mass": 0.5,
+    "gantry_mass": 0.7,
+    "gravity": [1.1, -2.3, -9.2],
+    "belt_path_direction": [[1.0, -1.0], [-1.0, -1.0]],
+    "belt_path_lengths": [[0.47, 0.75], [0.8, 0.73]],
+    "belt_specific_stiffness": [2.6e6, 2.3e6],
+    "belt_width": [0.006, 0.009],
+    "pulley_radius": [0.00637, 0.0075],
+    "pulley_inertia": [2e-7, 3e-7],
+    "motor_inertia": [5.4e-6, 6.1e-6],
+    "gear_ratio": [1.0, 1.5],
+    "workspace": [[0.0, 0.3], [0.01, 0.31]],
+}

@@ -1,0 +1,186 @@
+"""Parts that a mechanism is made of; effects change them, and the assembler takes their energies.
+
+Positions are written in coordinates and named values.  How a belt, rotor or spring moves is a linear form in the
+coordinates: what it does in small displacements it does in rates.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from sympy import Expr, S, Symbol
+
+from pkmodes_derive.effect import Coordinate
+
+#: A displacement or rate, linear in coordinates: what each is multiplied by.
+Form = Mapping[Symbol, Expr]
+Position = Sequence[Expr]
+
+
+@dataclass
+class PointMass:
+    """A body that translates: mass [kg] and position [m] of its centre."""
+
+    mass: Expr
+    position: Position
+
+
+@dataclass
+class Rod:
+    """A uniform slender rod: mass [kg] and the positions [m] of both ends."""
+
+    mass: Expr
+    ends: tuple[Position, Position]
+
+
+@dataclass
+class Arm:
+    """A body that turns about a fixed axis.
+
+    Attributes
+    ----------
+    mass, inertia : sympy.Expr
+        Mass [kg], and moment of inertia about the axis [kg m^2].
+    angle : sympy.Symbol
+        Its coordinate.
+    centre : sequence of sympy.Expr
+        Position of its centre of mass [m].
+    """
+
+    mass: Expr
+    inertia: Expr
+    angle: Symbol
+    centre: Position
+
+
+@dataclass
+class Link:
+    """A rigid link between an independent coordinate's joint and the platform: it closes a loop.
+
+    Attributes
+    ----------
+    vector : tuple of sympy.Symbol
+        From that joint to the platform's [m], named in the chain.
+    length : sympy.Expr
+        As declared [m].
+    coordinate : sympy.Symbol
+        The independent coordinate that it belongs to.
+    elongation : list of Coordinate
+        Released coordinates that lengthen it.
+    """
+
+    vector: tuple[Symbol, ...]
+    length: Expr
+    coordinate: Symbol
+    elongation: list[Coordinate] = field(default_factory=list)
+
+
+@dataclass
+class Rotor:
+    """A body that turns on a bearing of the frame.
+
+    Attributes
+    ----------
+    coordinate : sympy.Symbol
+        Its rotation.
+    inertia : sympy.Expr
+        Without what drives it [kg m^2].
+    name : sympy.Symbol or None
+        How inertia and drive together are named; None leaves them as they are.
+    """
+
+    coordinate: Symbol
+    inertia: Expr
+    name: Symbol | None = None
+
+
+@dataclass
+class Drive:
+    """A motor with its gearbox, which turns one of some rotors.
+
+    Attributes
+    ----------
+    rotors : tuple of (Rotor, sympy.Expr)
+        Those that it may turn, and 1 for the one that it does, else 0.
+    motor : sympy.Expr
+        Moment of inertia of the motor, reflected to the rotor [kg m^2].
+    torque : sympy.Symbol
+        Names the static torque on the rotor.
+    inertia : sympy.Expr
+        What effects add to the rotor [kg m^2].
+    winds_up : bool
+        Whether a gearbox that yields is told from what follows it.
+    wind_up : list of Coordinate
+        Released coordinates by which the motor turns further than the rotor.
+    """
+
+    rotors: tuple[tuple[Rotor, Expr], ...]
+    motor: Expr
+    torque: Symbol
+    winds_up: bool = True
+    inertia: Expr = S.Zero
+    wind_up: list[Coordinate] = field(default_factory=list)
+
+
+@dataclass
+class Clamp:
+    """Where a belt is fastened to what it moves: released coordinates move it relative to that."""
+
+    released: list[Coordinate] = field(default_factory=list)
+
+
+@dataclass
+class Run:
+    """A free span of a belt.
+
+    Attributes
+    ----------
+    length, stiffness : sympy.Symbol
+        Names of its free length [m] and of its stiffness [N/m].
+    free_length : sympy.Expr
+        In the reference configuration [m].
+    ends : tuple of (Form, Clamp or None)
+        How both ends move along it.
+    """
+
+    length: Symbol
+    stiffness: Symbol
+    free_length: Expr
+    ends: tuple[tuple[Form, Clamp | None], tuple[Form, Clamp | None]]
+
+
+@dataclass
+class Belt:
+    """A belt with its free spans.
+
+    Attributes
+    ----------
+    modulus : sympy.Expr
+        Stiffness times free length, as declared [N].
+    runs : tuple of Run
+    clamp : Clamp or None
+    change : sympy.Expr
+        Relative change of the modulus by effects.
+    factor : sympy.Expr
+        By which effects multiply the modulus.
+    compliance : sympy.Expr
+        In series with every span [m/N].
+    """
+
+    modulus: Expr
+    runs: tuple[Run, ...]
+    clamp: Clamp | None = None
+    change: Expr = S.Zero
+    factor: Expr = S.One
+    compliance: Expr = S.Zero
+
+
+@dataclass
+class Reducer:
+    """A torsional spring between two coordinates [N m/rad]; the stiffness is named."""
+
+    stiffness: Symbol
+    declared: Expr
+    twist: Form
+    change: Expr = S.Zero

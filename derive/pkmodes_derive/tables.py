@@ -1,0 +1,277 @@
+"""Tables of a robot file: each key declares its symbols, its place in the generated parameters, and its description.
+
+A mechanism states a quantity once, with the paper's letter, unit and bounds; the schema of the robot file, the
+parameter paths, the arrays of the generated code and the glossary follow.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import chain as concatenate
+from typing import TypeVar
+
+from sympy import Symbol
+
+from pkmodes_derive.description import Key, Table
+from pkmodes_derive.vocabulary import AXES, Field, Vocabulary
+
+#: SI units of the dimensions, in the words of messages.
+UNITS = {
+    "mass": "kg",
+    "length": "m",
+    "angle": "rad",
+    "number": "1",
+    "moment of inertia": "kg m^2",
+    "specific stiffness": "N/m",
+    "torsional stiffness": "N m/rad",
+    "acceleration": "m/s^2",
+}
+Symbols = tuple[Symbol, ...]
+AnyTable = TypeVar("AnyTable", bound="Declared")
+
+
+class Tables:
+    """The tables of one mechanism's robot file, in the order in which they were declared."""
+
+    def __init__(self, vocabulary: Vocabulary) -> None:
+        self._vocabulary = vocabulary
+        self._tables: list[Declared] = []
+        self.fields: list[Field] = []
+
+    def single(self, name: str, description: str) -> Declared:
+        """A table that occurs once."""
+        return self._added(Declared(self, name, description, 0, ""))
+
+    def repeated(self, name: str, count: int, description: str) -> Repeated:
+        """A table of which there are several, with index letter j."""
+        return self._added(Repeated(self, name, description, count, ""))
+
+    def constant(self, table: str, key: str, description: str, default: float, effect: str) -> None:
+        """A mass that only an effect takes, with a default."""
+        mass = Key(
+            key,
+            "quantity",
+            "",
+            "mass",
+            description,
+            above=0.0,
+            default=default,
+            effect=effect,
+            suspected=False,
+        )
+        self._added(Declared(self, table, description, 0, "")).keys.append(mass)
+
+    @property
+    def numbers(self) -> range:
+        """Numbers of the entries of the repeated table."""
+        return range(1, max(table.count for table in self._tables) + 1)
+
+    def described(self) -> tuple[Table, ...]:
+        """The tables as they are described: the repeated one last."""
+        ordered = sorted(self._tables, key=lambda table: table.count)
+        return tuple(Table(t.name, t.description, tuple(t.keys), t.count, t.shared_by) for t in ordered)
+
+    def declare(self, name: str, unit: str, description: str, latex: str, count: int) -> Symbols:
+        """One symbol, or one for each entry of a repeated table."""
+        if not count:
+            return (self._vocabulary.declare(name, unit, description, latex),)
+        return tuple(
+            self._vocabulary.declare(f"{name}_{{j}}", unit, description, latex, j=j)
+            for j in range(1, count + 1)
+        )
+
+    def vectors(
+        self, name: str, unit: str, description: str, latex: str, count: int, axes: Sequence[str] = AXES
+    ) -> tuple[Symbols, ...]:
+        """The components of one vector for each entry of a repeated table."""
+        vector = self._vocabulary.vector
+        return tuple(
+            vector(f"{name}_{{j}}", unit, description, latex, axes=axes, j=j) for j in range(1, count + 1)
+        )
+
+    def field(
+        self, name: str, shape: tuple[int, ...], symbols: Sequence[Symbol], unit: str, description: str
+    ) -> None:
+        """An array of the generated parameters."""
+        self.fields.append(Field(name, shape, tuple(symbols), unit, description.format(j="j")))
+
+    def _added(self, table: AnyTable) -> AnyTable:
+        self._tables.append(table)
+        return table
+
+
+class Declared:
+    """A table whose keys are declared one by one."""
+
+    def __init__(self, tables: Tables, name: str, description: str, count: int, shared_by: str) -> None:
+        self.name, self.description, self.count, self.shared_by = name, description, count, shared_by
+        self.keys: list[Key] = []
+        self._tables, self._entries = tables, count
+
+    def quantity(
+        self,
+        key: str,
+        symbol: str,
+        dimension: str,
+        description: str,
+        *,
+        latex: str = "",
+        field: str = "",
+        at_least: float | None = None,
+        above: float | None = None,
+        signed: bool = False,
+    ) -> Symbols:
+        """A quantity; of a shared table one for each entry that shares it."""
+        name, unit = field or f"{self.name}_{key}", UNITS[dimension]
+        symbols = self._tables.declare(symbol, unit, description, latex or symbol, self._entries)
+        self._tables.field(name, (self._entries,) if self._entries else (), symbols, unit, description)
+        self.keys.append(
+            Key(
+                key,
+                "quantity",
+                name,
+                dimension,
+                description.format(j="j"),
+                at_least=at_least,
+                above=above,
+                signed=signed,
+            )
+        )
+        return symbols
+
+    def ranges(
+        self, keys: Sequence[str], symbol: str, description: str, latex: str
+    ) -> tuple[Symbols, Symbols]:
+        """Ranges of a length, the lower end first, under several keys that share one field; letter i for the key."""
+        v = self._tables._vocabulary
+        ends = tuple(
+            tuple(
+                v.declare(
+                    f"{symbol}_{end}_{{i}}", "m", f"{which} end of {description}", rf"\{end}({latex})", i=key
+                )
+                for key in keys
+            )
+            for end, which in (("min", "lower"), ("max", "upper"))
+        )
+        symbols = tuple(concatenate(*zip(*ends, strict=True)))
+        self._tables.field(self.name, (len(keys), 2), symbols, "m", self.description)
+        for place, key in enumerate(keys):
+            what = description.format(i=key)
+            pair = ("min", "max")
+            self.keys.append(
+                Key(key, "pair", self.name, "length", what, (place,), pair, signed=True, suspected=False)
+            )
+        return ends[0], ends[1]
+
+
+class Repeated(Declared):
+    """A table of which there are several; the keys of the tables that its entries share may be overridden in it."""
+
+    def shared(self, name: str, description: str) -> Declared:
+        """A table that the entries share."""
+        table = self._tables._added(Declared(self._tables, name, description, 0, self.name))
+        table._entries = self.count
+        return table
+
+    def vector(
+        self, key: str, symbol: str, description: str, latex: str, axes: Sequence[str] = AXES
+    ) -> tuple[Symbols, ...]:
+        """A position in the base frame."""
+        symbols = self._tables.vectors(symbol, "m", description, latex, self.count, axes)
+        self._tables.field(key, (self.count, len(axes)), tuple(concatenate(*symbols)), "m", description)
+        self._add(key, "vector", key, "length", description, elements=tuple(axes), signed=True)
+        return symbols
+
+    def direction(self, key: str, symbol: str, description: str, latex: str) -> tuple[Symbols, ...]:
+        """A unit vector."""
+        symbols = self._tables.vectors(symbol, "1", description, latex, self.count)
+        self._tables.field(key, (self.count, 3), tuple(concatenate(*symbols)), "1", description)
+        self._add(key, "direction", key, "number", description)
+        return symbols
+
+    def pair(
+        self,
+        key: str,
+        low: tuple[str, str, str],
+        high: tuple[str, str, str],
+        dimension: str,
+        description: str,
+        **bounds: float,
+    ) -> tuple[Symbols, Symbols]:
+        """A range, the lower end first; both ends as symbol, description and LaTeX form."""
+        unit = UNITS[dimension]
+        ends = tuple(
+            self._tables.declare(symbol, unit, what, tex, self.count) for symbol, what, tex in (low, high)
+        )
+        self._tables.field(
+            key, (self.count, 2), tuple(concatenate(*zip(*ends, strict=True))), unit, description
+        )
+        self._add(key, "pair", key, dimension, description, elements=("min", "max"), signed=True, **bounds)
+        return ends[0], ends[1]
+
+    def lengths(self, key: str, symbol: str, count: int, description: str, latex: str) -> tuple[Symbols, ...]:
+        """Several positive lengths of each entry, with index letter k."""
+        return self._several(key, "vector", symbol, "length", count, description, latex, above=0.0)
+
+    def signs(self, key: str, symbol: str, count: int, description: str, latex: str) -> tuple[Symbols, ...]:
+        """Several numbers of each entry that are +1 or -1, with index letter k."""
+        return self._several(key, "signs", symbol, "number", count, description, latex, choices=(1, -1))
+
+    def choice(
+        self, key: str, symbol: str, choices: tuple[int, ...], description: str, latex: str
+    ) -> Symbols:
+        """One of some numbers."""
+        symbols = self._tables.declare(symbol, "1", description, latex, self.count)
+        self._tables.field(key, (self.count,), symbols, "1", description)
+        self._add(key, "choice", key, "number", description, choices=choices)
+        return symbols
+
+    def one_of(
+        self,
+        key: str,
+        field: str,
+        symbol: str,
+        choices: tuple[int, ...],
+        what: str,
+        description: str,
+        latex: str,
+    ) -> tuple[Symbols, ...]:
+        """One of some numbers k: symbols that are 1 for the one that was chosen, else 0."""
+        v, places = self._tables._vocabulary, range(1, self.count + 1)
+        symbols = tuple(
+            tuple(v.declare(f"{symbol}_{{j}}_{{k}}", "1", description, latex, j=j, k=k) for k in choices)
+            for j in places
+        )
+        shape = (self.count, len(choices))
+        self._tables.field(field, shape, tuple(concatenate(*symbols)), "1", description.format(j="j", k="k"))
+        self._add(key, "one_of", field, "number", what, choices=choices)
+        return symbols
+
+    def _several(
+        self,
+        key: str,
+        kind: str,
+        symbol: str,
+        dimension: str,
+        count: int,
+        description: str,
+        latex: str,
+        *,
+        above: float | None = None,
+        choices: tuple[int, ...] = (),
+    ) -> tuple[Symbols, ...]:
+        v, unit, numbers = self._tables._vocabulary, UNITS[dimension], range(1, count + 1)
+        symbols = tuple(
+            tuple(v.declare(f"{symbol}_{{j}}_{{k}}", unit, description, latex, j=j, k=k) for k in numbers)
+            for j in range(1, self.count + 1)
+        )
+        name = key if key != "lengths" and key != "direction" else f"{self.name}_{key}"
+        text = description.format(j="j", k="k")
+        self._tables.field(name, (self.count, count), tuple(concatenate(*symbols)), unit, text)
+        elements = tuple(map(str, numbers))
+        self._add(key, kind, name, dimension, text, elements=elements, above=above, choices=choices)
+        return symbols
+
+    def _add(self, key: str, kind: str, field: str, dimension: str, description: str, **more: object) -> None:
+        make: Callable[..., Key] = Key
+        self.keys.append(make(key, kind, field, dimension, description.format(j="j", k="k"), **more))

@@ -1,0 +1,567 @@
+/* Generated from the derivation of corexy.
+ * By pkmodes_derive 0.1.0 with SymPy 1.14.0.
+ * Do not edit: regenerate with `python -m pkmodes_derive generate`.
+ *
+ * Dynamics of the mechanism corexy, for a robot given by its parameters.
+ * The header describes every function.
+ *
+ * Names in the code, for belt j; run s of a belt.  t1, t2, ... are subexpressions that several values share.
+ *   tau_st_j [N m]: static torque on motor pulley j
+ *   I_j [kg m^2]: moment of inertia of motor pulley j, with the motor
+ *   l_f_j_s [m]: free length of run s of belt j
+ *   k_j_s [N/m]: stiffness of run s of belt j
+ *   G_j [N]: gradient of the gravitational potential energy with respect to x
+ *   G_j [N]: gradient of the gravitational potential energy with respect to y
+ *   det_j [N^2]: determinant of the equilibrium of axis j
+ *   theta_j_st [rad]: static rotation of motor pulley j, from unstrained transmissions
+ */
+#include "corexy.h"
+
+#include <math.h>
+#include <string.h>
+
+void corexy_inverse_kinematics(const double p[2], double xy[2])
+{
+    const double x = p[0];
+    const double y = p[1];
+    xy[0] = x;
+    xy[1] = y;
+}
+
+void corexy_travel_margin(const double p[2], const corexy_parameters *parameters, double margin[2][2])
+{
+    const double x = p[0];
+    const double y = p[1];
+    const double travel_min_x = parameters->workspace[0][0];
+    const double travel_max_x = parameters->workspace[0][1];
+    const double travel_min_y = parameters->workspace[1][0];
+    const double travel_max_y = parameters->workspace[1][1];
+    margin[0][0] = -travel_min_x + x;
+    margin[0][1] = travel_max_x - x;
+    margin[1][0] = -travel_min_y + y;
+    margin[1][1] = travel_max_y - y;
+}
+
+void corexy_run_margin(const corexy_parameters *parameters, double margin[2][2])
+{
+    const double g_1_1 = parameters->belt_path_direction[0][0];
+    const double g_1_2 = parameters->belt_path_direction[0][1];
+    const double g_2_1 = parameters->belt_path_direction[1][0];
+    const double g_2_2 = parameters->belt_path_direction[1][1];
+    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const double travel_min_x = parameters->workspace[0][0];
+    const double travel_max_x = parameters->workspace[0][1];
+    const double travel_min_y = parameters->workspace[1][0];
+    const double travel_max_y = parameters->workspace[1][1];
+    const double t1 = (1.0/2.0)*travel_max_x + (1.0/2.0)*travel_min_x;
+    const double t2 = (1.0/2.0)*travel_max_y + (1.0/2.0)*travel_min_y;
+    const double t3 = g_1_1*t1 + g_1_2*t2;
+    const double t4 = (1.0/2.0)*travel_max_x;
+    const double t5 = (1.0/2.0)*travel_max_y;
+    const double t6 = -t4 - t5 + (1.0/2.0)*travel_min_x + (1.0/2.0)*travel_min_y;
+    const double t7 = t4 + t5 - 1.0/2.0*travel_min_x - 1.0/2.0*travel_min_y;
+    const double t8 = g_2_1*t1 + g_2_2*t2;
+    margin[0][0] = l_0_1_1 + t3 + t6;
+    margin[0][1] = l_0_1_2 - t3 - t7;
+    margin[1][0] = l_0_2_1 + t6 + t8;
+    margin[1][1] = l_0_2_2 - t7 - t8;
+}
+
+void corexy_crossing_margin(const corexy_parameters *parameters, double margin[1])
+{
+    const double g_1_1 = parameters->belt_path_direction[0][0];
+    const double g_1_2 = parameters->belt_path_direction[0][1];
+    const double g_2_1 = parameters->belt_path_direction[1][0];
+    const double g_2_2 = parameters->belt_path_direction[1][1];
+    margin[0] = fabs(g_1_1*g_2_2 - g_1_2*g_2_1) - 1;
+}
+
+void corexy_belt_spans(const double p[2], const corexy_parameters *parameters, double l_f[2][2])
+{
+    const double x = p[0];
+    const double y = p[1];
+    const double g_1_1 = parameters->belt_path_direction[0][0];
+    const double g_1_2 = parameters->belt_path_direction[0][1];
+    const double g_2_1 = parameters->belt_path_direction[1][0];
+    const double g_2_2 = parameters->belt_path_direction[1][1];
+    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const double t1 = g_1_1*x + g_1_2*y;
+    const double l_f_1_1 = l_0_1_1 + t1;
+    const double l_f_1_2 = l_0_1_2 - t1;
+    const double t2 = g_2_1*x + g_2_2*y;
+    const double l_f_2_1 = l_0_2_1 + t2;
+    const double l_f_2_2 = l_0_2_2 - t2;
+    l_f[0][0] = l_f_1_1;
+    l_f[0][1] = l_f_1_2;
+    l_f[1][0] = l_f_2_1;
+    l_f[1][1] = l_f_2_2;
+}
+
+void corexy_platform_jacobian(const double p[2], double D_p[2][2])
+{
+    (void)p;
+    memset(D_p, 0, sizeof(double[2][2]));
+    D_p[0][0] = 1;
+    D_p[1][1] = 1;
+}
+
+void corexy_platform_jacobian_rate(const double p[2], const double xy_dot[2], double D_p_dot[2][2])
+{
+    (void)p;
+    (void)xy_dot;
+    memset(D_p_dot, 0, sizeof(double[2][2]));
+}
+
+void corexy_platform_second_derivatives(const double p[2], double P[2][2][2])
+{
+    (void)p;
+    memset(P, 0, sizeof(double[2][2][2]));
+}
+
+void corexy_kinetic_energy(const double p[2], const double q_dot[4], const corexy_parameters *parameters,
+    double *T_ss, double *T_t)
+{
+    (void)p;
+    const double x_dot = q_dot[0];
+    const double y_dot = q_dot[1];
+    const double theta_1_dot = q_dot[2];
+    const double theta_2_dot = q_dot[3];
+    const double m_h = parameters->toolhead_mass;
+    const double m_g = parameters->gantry_mass;
+    const double I_p_1 = parameters->pulley_inertia[0];
+    const double I_p_2 = parameters->pulley_inertia[1];
+    const double I_m_1 = parameters->motor_inertia[0];
+    const double I_m_2 = parameters->motor_inertia[1];
+    const double i_g_1 = parameters->gear_ratio[0];
+    const double i_g_2 = parameters->gear_ratio[1];
+    const double I_1 = I_m_1*(i_g_1*i_g_1) + I_p_1;
+    const double I_2 = I_m_2*(i_g_2*i_g_2) + I_p_2;
+    const double t1 = (1.0/2.0)*(y_dot*y_dot);
+    *T_ss = m_g*t1 + m_h*t1 + (1.0/2.0)*m_h*(x_dot*x_dot);
+    *T_t = (1.0/2.0)*I_1*(theta_1_dot*theta_1_dot) + (1.0/2.0)*I_2*(theta_2_dot*theta_2_dot);
+}
+
+void corexy_mass_matrix(const double p[2], const corexy_parameters *parameters, double M[4][4])
+{
+    (void)p;
+    const double m_h = parameters->toolhead_mass;
+    const double m_g = parameters->gantry_mass;
+    const double I_p_1 = parameters->pulley_inertia[0];
+    const double I_p_2 = parameters->pulley_inertia[1];
+    const double I_m_1 = parameters->motor_inertia[0];
+    const double I_m_2 = parameters->motor_inertia[1];
+    const double i_g_1 = parameters->gear_ratio[0];
+    const double i_g_2 = parameters->gear_ratio[1];
+    const double I_1 = I_m_1*(i_g_1*i_g_1) + I_p_1;
+    const double I_2 = I_m_2*(i_g_2*i_g_2) + I_p_2;
+    memset(M, 0, sizeof(double[4][4]));
+    M[0][0] = m_h;
+    M[1][1] = m_g + m_h;
+    M[2][2] = I_1;
+    M[3][3] = I_2;
+}
+
+void corexy_velocity_forces(const double p[2], const double xy_dot[2], double h[2])
+{
+    (void)p;
+    (void)xy_dot;
+    memset(h, 0, sizeof(double[2]));
+}
+
+void corexy_gravity_potential(const double p[2], const corexy_parameters *parameters, double *V_g)
+{
+    const double x = p[0];
+    const double y = p[1];
+    const double m_h = parameters->toolhead_mass;
+    const double m_g = parameters->gantry_mass;
+    const double g_x = parameters->gravity[0];
+    const double g_y = parameters->gravity[1];
+    *V_g = -g_x*m_h*x - g_y*(m_g*y + m_h*y);
+}
+
+void corexy_gravity_gradient(const double p[2], const corexy_parameters *parameters, double G[2])
+{
+    (void)p;
+    const double m_h = parameters->toolhead_mass;
+    const double m_g = parameters->gantry_mass;
+    const double g_x = parameters->gravity[0];
+    const double g_y = parameters->gravity[1];
+    G[0] = -g_x*m_h;
+    G[1] = -g_y*(m_g + m_h);
+}
+
+void corexy_gravity_hessian(const double p[2], double H_g[2][2])
+{
+    (void)p;
+    memset(H_g, 0, sizeof(double[2][2]));
+}
+
+void corexy_belt_stiffness(const double p[2], const corexy_parameters *parameters, double k[2][2])
+{
+    const double x = p[0];
+    const double y = p[1];
+    const double g_1_1 = parameters->belt_path_direction[0][0];
+    const double g_1_2 = parameters->belt_path_direction[0][1];
+    const double g_2_1 = parameters->belt_path_direction[1][0];
+    const double g_2_2 = parameters->belt_path_direction[1][1];
+    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const double k_sp_1 = parameters->belt_specific_stiffness[0];
+    const double k_sp_2 = parameters->belt_specific_stiffness[1];
+    const double w_b_1 = parameters->belt_width[0];
+    const double w_b_2 = parameters->belt_width[1];
+    const double t1 = g_1_1*x + g_1_2*y;
+    const double l_f_1_1 = l_0_1_1 + t1;
+    const double t2 = k_sp_1*w_b_1;
+    const double k_1_1 = t2/l_f_1_1;
+    const double l_f_1_2 = l_0_1_2 - t1;
+    const double k_1_2 = t2/l_f_1_2;
+    const double t3 = g_2_1*x + g_2_2*y;
+    const double l_f_2_1 = l_0_2_1 + t3;
+    const double t4 = k_sp_2*w_b_2;
+    const double k_2_1 = t4/l_f_2_1;
+    const double l_f_2_2 = l_0_2_2 - t3;
+    const double k_2_2 = t4/l_f_2_2;
+    k[0][0] = k_1_1;
+    k[0][1] = k_1_2;
+    k[1][0] = k_2_1;
+    k[1][1] = k_2_2;
+}
+
+void corexy_elastic_potential(const double p[2], const double delta_q[4],
+    const corexy_parameters *parameters, double *V_el)
+{
+    const double x = p[0];
+    const double y = p[1];
+    const double delta_x = delta_q[0];
+    const double delta_y = delta_q[1];
+    const double delta_theta_1 = delta_q[2];
+    const double delta_theta_2 = delta_q[3];
+    const double g_1_1 = parameters->belt_path_direction[0][0];
+    const double g_1_2 = parameters->belt_path_direction[0][1];
+    const double g_2_1 = parameters->belt_path_direction[1][0];
+    const double g_2_2 = parameters->belt_path_direction[1][1];
+    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const double k_sp_1 = parameters->belt_specific_stiffness[0];
+    const double k_sp_2 = parameters->belt_specific_stiffness[1];
+    const double w_b_1 = parameters->belt_width[0];
+    const double w_b_2 = parameters->belt_width[1];
+    const double R_p_1 = parameters->pulley_radius[0];
+    const double R_p_2 = parameters->pulley_radius[1];
+    const double t1 = g_1_1*x + g_1_2*y;
+    const double l_f_1_1 = l_0_1_1 + t1;
+    const double t2 = k_sp_1*w_b_1;
+    const double k_1_1 = t2/l_f_1_1;
+    const double l_f_1_2 = l_0_1_2 - t1;
+    const double k_1_2 = t2/l_f_1_2;
+    const double t3 = g_2_1*x + g_2_2*y;
+    const double l_f_2_1 = l_0_2_1 + t3;
+    const double t4 = k_sp_2*w_b_2;
+    const double k_2_1 = t4/l_f_2_1;
+    const double l_f_2_2 = l_0_2_2 - t3;
+    const double k_2_2 = t4/l_f_2_2;
+    const double t5 =
+        (1.0/2.0)*((R_p_1*delta_theta_1 + delta_x*g_1_1 + delta_y*g_1_2)*(R_p_1*delta_theta_1 + delta_x*g_1_1
+        + delta_y*g_1_2));
+    const double t6 =
+        (1.0/2.0)*((R_p_2*delta_theta_2 + delta_x*g_2_1 + delta_y*g_2_2)*(R_p_2*delta_theta_2 + delta_x*g_2_1
+        + delta_y*g_2_2));
+    *V_el = k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6;
+}
+
+void corexy_elastic_gradient(const double p[2], const double delta_q[4], const corexy_parameters *parameters,
+    double E[4])
+{
+    const double x = p[0];
+    const double y = p[1];
+    const double delta_x = delta_q[0];
+    const double delta_y = delta_q[1];
+    const double delta_theta_1 = delta_q[2];
+    const double delta_theta_2 = delta_q[3];
+    const double g_1_1 = parameters->belt_path_direction[0][0];
+    const double g_1_2 = parameters->belt_path_direction[0][1];
+    const double g_2_1 = parameters->belt_path_direction[1][0];
+    const double g_2_2 = parameters->belt_path_direction[1][1];
+    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const double k_sp_1 = parameters->belt_specific_stiffness[0];
+    const double k_sp_2 = parameters->belt_specific_stiffness[1];
+    const double w_b_1 = parameters->belt_width[0];
+    const double w_b_2 = parameters->belt_width[1];
+    const double R_p_1 = parameters->pulley_radius[0];
+    const double R_p_2 = parameters->pulley_radius[1];
+    const double t1 = g_1_1*x + g_1_2*y;
+    const double l_f_1_1 = l_0_1_1 + t1;
+    const double t2 = k_sp_1*w_b_1;
+    const double k_1_1 = t2/l_f_1_1;
+    const double l_f_1_2 = l_0_1_2 - t1;
+    const double k_1_2 = t2/l_f_1_2;
+    const double t3 = g_2_1*x + g_2_2*y;
+    const double l_f_2_1 = l_0_2_1 + t3;
+    const double t4 = k_sp_2*w_b_2;
+    const double k_2_1 = t4/l_f_2_1;
+    const double l_f_2_2 = l_0_2_2 - t3;
+    const double k_2_2 = t4/l_f_2_2;
+    const double t5 = R_p_1*delta_theta_1 + delta_x*g_1_1 + delta_y*g_1_2;
+    const double t6 = g_1_1*t5;
+    const double t7 = R_p_2*delta_theta_2 + delta_x*g_2_1 + delta_y*g_2_2;
+    const double t8 = g_2_1*t7;
+    const double t9 = g_1_2*t5;
+    const double t10 = g_2_2*t7;
+    const double t11 = R_p_1*t5;
+    const double t12 = R_p_2*t7;
+    E[0] = k_1_1*t6 + k_1_2*t6 + k_2_1*t8 + k_2_2*t8;
+    E[1] = k_1_1*t9 + k_1_2*t9 + k_2_1*t10 + k_2_2*t10;
+    E[2] = k_1_1*t11 + k_1_2*t11;
+    E[3] = k_2_1*t12 + k_2_2*t12;
+}
+
+void corexy_elastic_hessian(const double p[2], const corexy_parameters *parameters, double H_el[4][4])
+{
+    const double x = p[0];
+    const double y = p[1];
+    const double g_1_1 = parameters->belt_path_direction[0][0];
+    const double g_1_2 = parameters->belt_path_direction[0][1];
+    const double g_2_1 = parameters->belt_path_direction[1][0];
+    const double g_2_2 = parameters->belt_path_direction[1][1];
+    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const double k_sp_1 = parameters->belt_specific_stiffness[0];
+    const double k_sp_2 = parameters->belt_specific_stiffness[1];
+    const double w_b_1 = parameters->belt_width[0];
+    const double w_b_2 = parameters->belt_width[1];
+    const double R_p_1 = parameters->pulley_radius[0];
+    const double R_p_2 = parameters->pulley_radius[1];
+    const double t1 = g_1_1*x + g_1_2*y;
+    const double l_f_1_1 = l_0_1_1 + t1;
+    const double t2 = k_sp_1*w_b_1;
+    const double k_1_1 = t2/l_f_1_1;
+    const double l_f_1_2 = l_0_1_2 - t1;
+    const double k_1_2 = t2/l_f_1_2;
+    const double t3 = g_2_1*x + g_2_2*y;
+    const double l_f_2_1 = l_0_2_1 + t3;
+    const double t4 = k_sp_2*w_b_2;
+    const double k_2_1 = t4/l_f_2_1;
+    const double l_f_2_2 = l_0_2_2 - t3;
+    const double k_2_2 = t4/l_f_2_2;
+    const double t5 = (g_1_1*g_1_1);
+    const double t6 = (g_2_1*g_2_1);
+    const double t7 = g_1_1*g_1_2;
+    const double t8 = g_2_1*g_2_2;
+    const double t9 = R_p_1*g_1_1;
+    const double t10 = R_p_2*g_2_1;
+    const double t11 = (g_1_2*g_1_2);
+    const double t12 = (g_2_2*g_2_2);
+    const double t13 = R_p_1*g_1_2;
+    const double t14 = R_p_2*g_2_2;
+    const double t15 = (R_p_1*R_p_1);
+    const double t16 = (R_p_2*R_p_2);
+    memset(H_el, 0, sizeof(double[4][4]));
+    H_el[0][0] = k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6;
+    H_el[0][1] = H_el[1][0] = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8;
+    H_el[0][2] = H_el[2][0] = k_1_1*t9 + k_1_2*t9;
+    H_el[0][3] = H_el[3][0] = k_2_1*t10 + k_2_2*t10;
+    H_el[1][1] = k_1_1*t11 + k_1_2*t11 + k_2_1*t12 + k_2_2*t12;
+    H_el[1][2] = H_el[2][1] = k_1_1*t13 + k_1_2*t13;
+    H_el[1][3] = H_el[3][1] = k_2_1*t14 + k_2_2*t14;
+    H_el[2][2] = k_1_1*t15 + k_1_2*t15;
+    H_el[3][3] = k_2_1*t16 + k_2_2*t16;
+}
+
+void corexy_static_equilibrium(const double p[2], const corexy_parameters *parameters, double tau_st[2],
+    double theta_st[2])
+{
+    const double x = p[0];
+    const double y = p[1];
+    const double m_h = parameters->toolhead_mass;
+    const double m_g = parameters->gantry_mass;
+    const double g_x = parameters->gravity[0];
+    const double g_y = parameters->gravity[1];
+    const double g_1_1 = parameters->belt_path_direction[0][0];
+    const double g_1_2 = parameters->belt_path_direction[0][1];
+    const double g_2_1 = parameters->belt_path_direction[1][0];
+    const double g_2_2 = parameters->belt_path_direction[1][1];
+    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const double k_sp_1 = parameters->belt_specific_stiffness[0];
+    const double k_sp_2 = parameters->belt_specific_stiffness[1];
+    const double w_b_1 = parameters->belt_width[0];
+    const double w_b_2 = parameters->belt_width[1];
+    const double R_p_1 = parameters->pulley_radius[0];
+    const double R_p_2 = parameters->pulley_radius[1];
+    const double t1 = g_1_1*x + g_1_2*y;
+    const double l_f_1_1 = l_0_1_1 + t1;
+    const double t2 = k_sp_1*w_b_1;
+    const double k_1_1 = t2/l_f_1_1;
+    const double l_f_1_2 = l_0_1_2 - t1;
+    const double k_1_2 = t2/l_f_1_2;
+    const double t3 = g_2_1*x + g_2_2*y;
+    const double l_f_2_1 = l_0_2_1 + t3;
+    const double t4 = k_sp_2*w_b_2;
+    const double k_2_1 = t4/l_f_2_1;
+    const double l_f_2_2 = l_0_2_2 - t3;
+    const double k_2_2 = t4/l_f_2_2;
+    const double G_1 = -g_x*m_h;
+    const double G_2 = -g_y*(m_g + m_h);
+    const double t5 = R_p_2*g_2_1;
+    const double t6 = k_2_1*t5 + k_2_2*t5;
+    const double t7 = R_p_1*g_1_1;
+    const double t8 = k_1_1*t7 + k_1_2*t7;
+    const double t9 = R_p_2*g_2_2;
+    const double t10 = k_2_1*t9 + k_2_2*t9;
+    const double t11 = R_p_1*g_1_2;
+    const double t12 = k_1_1*t11 + k_1_2*t11;
+    const double det_1 = t10*t8 - t12*t6;
+    const double t13 = 1.0/det_1;
+    const double theta_1_st = t13*(-G_1*t10 + G_2*t6);
+    const double theta_2_st = t13*(G_1*t12 - G_2*t8);
+    const double t14 = (R_p_1*R_p_1)*theta_1_st;
+    const double tau_st_1 = k_1_1*t14 + k_1_2*t14;
+    const double t15 = (R_p_2*R_p_2)*theta_2_st;
+    const double tau_st_2 = k_2_1*t15 + k_2_2*t15;
+    tau_st[0] = tau_st_1;
+    tau_st[1] = tau_st_2;
+    theta_st[0] = theta_1_st;
+    theta_st[1] = theta_2_st;
+}
+
+void corexy_stiffness_matrix(const double p[2], const corexy_parameters *parameters, double K[4][4])
+{
+    const double x = p[0];
+    const double y = p[1];
+    const double g_1_1 = parameters->belt_path_direction[0][0];
+    const double g_1_2 = parameters->belt_path_direction[0][1];
+    const double g_2_1 = parameters->belt_path_direction[1][0];
+    const double g_2_2 = parameters->belt_path_direction[1][1];
+    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const double k_sp_1 = parameters->belt_specific_stiffness[0];
+    const double k_sp_2 = parameters->belt_specific_stiffness[1];
+    const double w_b_1 = parameters->belt_width[0];
+    const double w_b_2 = parameters->belt_width[1];
+    const double R_p_1 = parameters->pulley_radius[0];
+    const double R_p_2 = parameters->pulley_radius[1];
+    const double t1 = g_1_1*x + g_1_2*y;
+    const double l_f_1_1 = l_0_1_1 + t1;
+    const double t2 = k_sp_1*w_b_1;
+    const double k_1_1 = t2/l_f_1_1;
+    const double l_f_1_2 = l_0_1_2 - t1;
+    const double k_1_2 = t2/l_f_1_2;
+    const double t3 = g_2_1*x + g_2_2*y;
+    const double l_f_2_1 = l_0_2_1 + t3;
+    const double t4 = k_sp_2*w_b_2;
+    const double k_2_1 = t4/l_f_2_1;
+    const double l_f_2_2 = l_0_2_2 - t3;
+    const double k_2_2 = t4/l_f_2_2;
+    const double t5 = (g_1_1*g_1_1);
+    const double t6 = (g_2_1*g_2_1);
+    const double t7 = g_1_1*g_1_2;
+    const double t8 = g_2_1*g_2_2;
+    const double t9 = R_p_1*g_1_1;
+    const double t10 = R_p_2*g_2_1;
+    const double t11 = (g_1_2*g_1_2);
+    const double t12 = (g_2_2*g_2_2);
+    const double t13 = R_p_1*g_1_2;
+    const double t14 = R_p_2*g_2_2;
+    const double t15 = (R_p_1*R_p_1);
+    const double t16 = (R_p_2*R_p_2);
+    memset(K, 0, sizeof(double[4][4]));
+    K[0][0] = k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6;
+    K[0][1] = K[1][0] = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8;
+    K[0][2] = K[2][0] = k_1_1*t9 + k_1_2*t9;
+    K[0][3] = K[3][0] = k_2_1*t10 + k_2_2*t10;
+    K[1][1] = k_1_1*t11 + k_1_2*t11 + k_2_1*t12 + k_2_2*t12;
+    K[1][2] = K[2][1] = k_1_1*t13 + k_1_2*t13;
+    K[1][3] = K[3][1] = k_2_1*t14 + k_2_2*t14;
+    K[2][2] = k_1_1*t15 + k_1_2*t15;
+    K[3][3] = k_2_1*t16 + k_2_2*t16;
+}
+
+void corexy_modal_matrices(const double p[2], const corexy_parameters *parameters, double M[4][4],
+    double K[4][4])
+{
+    const double x = p[0];
+    const double y = p[1];
+    const double m_h = parameters->toolhead_mass;
+    const double m_g = parameters->gantry_mass;
+    const double g_1_1 = parameters->belt_path_direction[0][0];
+    const double g_1_2 = parameters->belt_path_direction[0][1];
+    const double g_2_1 = parameters->belt_path_direction[1][0];
+    const double g_2_2 = parameters->belt_path_direction[1][1];
+    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const double k_sp_1 = parameters->belt_specific_stiffness[0];
+    const double k_sp_2 = parameters->belt_specific_stiffness[1];
+    const double w_b_1 = parameters->belt_width[0];
+    const double w_b_2 = parameters->belt_width[1];
+    const double R_p_1 = parameters->pulley_radius[0];
+    const double R_p_2 = parameters->pulley_radius[1];
+    const double I_p_1 = parameters->pulley_inertia[0];
+    const double I_p_2 = parameters->pulley_inertia[1];
+    const double I_m_1 = parameters->motor_inertia[0];
+    const double I_m_2 = parameters->motor_inertia[1];
+    const double i_g_1 = parameters->gear_ratio[0];
+    const double i_g_2 = parameters->gear_ratio[1];
+    const double I_1 = I_m_1*(i_g_1*i_g_1) + I_p_1;
+    const double I_2 = I_m_2*(i_g_2*i_g_2) + I_p_2;
+    const double t1 = g_1_1*x + g_1_2*y;
+    const double l_f_1_1 = l_0_1_1 + t1;
+    const double t2 = k_sp_1*w_b_1;
+    const double k_1_1 = t2/l_f_1_1;
+    const double l_f_1_2 = l_0_1_2 - t1;
+    const double k_1_2 = t2/l_f_1_2;
+    const double t3 = g_2_1*x + g_2_2*y;
+    const double l_f_2_1 = l_0_2_1 + t3;
+    const double t4 = k_sp_2*w_b_2;
+    const double k_2_1 = t4/l_f_2_1;
+    const double l_f_2_2 = l_0_2_2 - t3;
+    const double k_2_2 = t4/l_f_2_2;
+    const double t5 = (g_1_1*g_1_1);
+    const double t6 = (g_2_1*g_2_1);
+    const double t7 = g_1_1*g_1_2;
+    const double t8 = g_2_1*g_2_2;
+    const double t9 = R_p_1*g_1_1;
+    const double t10 = R_p_2*g_2_1;
+    const double t11 = (g_1_2*g_1_2);
+    const double t12 = (g_2_2*g_2_2);
+    const double t13 = R_p_1*g_1_2;
+    const double t14 = R_p_2*g_2_2;
+    const double t15 = (R_p_1*R_p_1);
+    const double t16 = (R_p_2*R_p_2);
+    memset(M, 0, sizeof(double[4][4]));
+    M[0][0] = m_h;
+    M[1][1] = m_g + m_h;
+    M[2][2] = I_1;
+    M[3][3] = I_2;
+    memset(K, 0, sizeof(double[4][4]));
+    K[0][0] = k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6;
+    K[0][1] = K[1][0] = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8;
+    K[0][2] = K[2][0] = k_1_1*t9 + k_1_2*t9;
+    K[0][3] = K[3][0] = k_2_1*t10 + k_2_2*t10;
+    K[1][1] = k_1_1*t11 + k_1_2*t11 + k_2_1*t12 + k_2_2*t12;
+    K[1][2] = K[2][1] = k_1_1*t13 + k_1_2*t13;
+    K[1][3] = K[3][1] = k_2_1*t14 + k_2_2*t14;
+    K[2][2] = k_1_1*t15 + k_1_2*t15;
+    K[3][3] = k_2_1*t16 + k_2_2*t16;
+}

@@ -1,0 +1,279 @@
+/* Generated from the derivation of corexy.
+ * By pkmodes_derive 0.1.0 with SymPy 1.14.0.
+ * Do not edit: regenerate with `python -m pkmodes_derive generate`.
+ *
+ * Dynamics of the mechanism corexy, for a robot given by its parameters.
+ *
+ * C99, no allocation, no dependency but the C library's mathematics and memset.  Matrices are row-major.
+ * Everything is in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K is
+ * positive for a restoring force.
+ * Generalised coordinates, in the order of M and K:
+ *   x [m]
+ *   y [m]
+ *   theta_1 [rad]
+ *   theta_2 [rad]
+ */
+#ifndef COREXY_H
+#define COREXY_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+    /* [kg] mass of the tool head */
+    double toolhead_mass;
+    /* [kg] mass of the gantry */
+    double gantry_mass;
+    /* [m/s^2] gravitational acceleration g, base frame */
+    double gravity[3];
+    /* [1] run 1 of belt j grows (+1) or shrinks along component k */
+    double belt_path_direction[2][2];
+    /* [m] free length of run k of belt j with the tool head at x = y = 0 */
+    double belt_path_lengths[2][2];
+    /* [N/m] specific stiffness of belt j: k = w_b k_sp / free length */
+    double belt_specific_stiffness[2];
+    /* [m] width of belt j */
+    double belt_width[2];
+    /* [m] radius of motor pulley j */
+    double pulley_radius[2];
+    /* [kg m^2] moment of inertia of motor pulley j */
+    double pulley_inertia[2];
+    /* [kg m^2] moment of inertia of motor j at its shaft */
+    double motor_inertia[2];
+    /* [1] gear ratio of motor j, motor over pulley */
+    double gear_ratio[2];
+    /* [m] travel of the tool head */
+    double workspace[2][2];
+} corexy_parameters;
+
+/* Positions at a pose.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   out xy [m]: positions x, y
+ *
+ * Source: they are the pose.
+ * 0 operations; 0 with every named value written out.
+ */
+void corexy_inverse_kinematics(const double p[2], double xy[2]);
+
+/* How far the tool head is from the ends of its travel.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   out margin [m]: for x and y: above the lower end, and below the upper one
+ *
+ * Source: both ends of the workspace.
+ * 4 operations; 4 with every named value written out.
+ */
+void corexy_travel_margin(const double p[2], const corexy_parameters *parameters, double margin[2][2]);
+
+/* The shortest free length of each run in the whole workspace.
+ *
+ *   out margin [m]: for runs 1 and 2 of each belt; positive
+ *
+ * Source: the runs' lengths are linear in x and y, so the least is at a corner.
+ * 32 operations; 64 with every named value written out.
+ */
+void corexy_run_margin(const corexy_parameters *parameters, double margin[2][2]);
+
+/* Whether the two belts pull in independent directions.
+ *
+ *   out margin [1]: positive where they do
+ *
+ * Source: determinant of the two directions, which is 0 or 2.
+ * 5 operations; 5 with every named value written out.
+ */
+void corexy_crossing_margin(const corexy_parameters *parameters, double margin[1]);
+
+/* Free lengths of the belt spans.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   out l_f [m]: free length l_f[j-1, s-1] of span s of belt j
+ *
+ * Source: equations 35 to 37; a pose is within the limits where all are positive.
+ * 10 operations; 16 with every named value written out.
+ */
+void corexy_belt_spans(const double p[2], const corexy_parameters *parameters, double l_f[2][2]);
+
+/* Platform Jacobian D_p.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   out D_p [1]: dp_i/dq_k, base frame
+ *
+ * Source: equation 15.
+ * 0 operations; 0 with every named value written out.
+ */
+void corexy_platform_jacobian(const double p[2], double D_p[2][2]);
+
+/* Time derivative of the platform Jacobian.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   in  xy_dot [m/s]: velocities
+ *   out D_p_dot [1/s]: d(D_p)/dt, with xy_dot
+ *
+ * Source: equation 17.
+ * 0 operations; 0 with every named value written out.
+ */
+void corexy_platform_jacobian_rate(const double p[2], const double xy_dot[2], double D_p_dot[2][2]);
+
+/* Second derivatives of the platform with respect to the positions.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   out P [1/m]: d2p_i/dq_k dq_l as P[i, k, l]
+ *
+ * Source: equation 49, by the implicit function theorem to second order.
+ * 0 operations; 0 with every named value written out.
+ */
+void corexy_platform_second_derivatives(const double p[2], double P[2][2][2]);
+
+/* Kinetic energies of the structure and of the transmissions.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   in  q_dot [m/s, rad/s]: rates of the four generalised coordinates
+ *   out T_ss [J]: platform and what moves it
+ *   out T_t [J]: rotors and motors
+ *
+ * Source: equations 24 and 28.
+ * 22 operations; 24 with every named value written out.
+ */
+void corexy_kinetic_energy(const double p[2], const double q_dot[4], const corexy_parameters *parameters,
+    double *T_ss, double *T_t);
+
+/* Mass matrix M in the four generalised coordinates.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   out M [kg, kg m^2]: symmetric
+ *
+ * Source: equations 24, 30 and 33.
+ * 7 operations; 7 with every named value written out.
+ */
+void corexy_mass_matrix(const double p[2], const corexy_parameters *parameters, double M[4][4]);
+
+/* Coriolis and centrifugal forces h of M_ss xy_ddot + h + grad V = Q.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   in  xy_dot [m/s]: velocities
+ *   out h [N]: generalised forces on the positions coordinates
+ *
+ * Source: Lagrange's equations, equation 47 without its linearisation.
+ * 0 operations; 0 with every named value written out.
+ */
+void corexy_velocity_forces(const double p[2], const double xy_dot[2], double h[2]);
+
+/* Gravitational potential energy V_g, the force function U_g with opposite sign.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   out V_g [J]: zero at the origin of the base frame
+ *
+ * Source: equation 26, for gravity in any direction and every body that moves.
+ * 8 operations; 8 with every named value written out.
+ */
+void corexy_gravity_potential(const double p[2], const corexy_parameters *parameters, double *V_g);
+
+/* Gradient of the gravitational potential energy with respect to the positions.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   out G [N]: dV_g/dq_k
+ *
+ * Source: equation 27.
+ * 5 operations; 5 with every named value written out.
+ */
+void corexy_gravity_gradient(const double p[2], const corexy_parameters *parameters, double G[2]);
+
+/* Hessian of the gravitational potential energy with respect to the positions.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   out H_g [N/m]: d2V_g/dq_k dq_l, symmetric
+ *
+ * Source: section 4 and equation 49.
+ * 0 operations; 0 with every named value written out.
+ */
+void corexy_gravity_hessian(const double p[2], double H_g[2][2]);
+
+/* Stiffnesses of the belt spans.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   out k [N/m]: k[j-1, s-1], the spans in the order of `belt_spans`
+ *
+ * Source: equations 34 to 37.
+ * 16 operations; 24 with every named value written out.
+ */
+void corexy_belt_stiffness(const double p[2], const corexy_parameters *parameters, double k[2][2]);
+
+/* Elastic potential energy V_el of the transmissions, the force function U_el with opposite sign.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   in  delta_q [m, rad]: small displacements of the four generalised coordinates from the reference
+ *     configuration at p
+ *   out V_el [J]: zero in the reference configuration
+ *
+ * Source: equation 38, summed.
+ * 37 operations; 59 with every named value written out.
+ */
+void corexy_elastic_potential(const double p[2], const double delta_q[4],
+    const corexy_parameters *parameters, double *V_el);
+
+/* Gradient of the elastic potential energy.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   in  delta_q [m, rad]: small displacements of the four generalised coordinates from the reference
+ *     configuration at p
+ *   out E [N, N m]: dV_el/dq
+ *
+ * Source: equation 38 differentiated.
+ * 52 operations; 164 with every named value written out.
+ */
+void corexy_elastic_gradient(const double p[2], const double delta_q[4], const corexy_parameters *parameters,
+    double E[4]);
+
+/* Hessian of the elastic potential energy.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   out H_el [N/m, N, N m]: d2V_el/dq2, symmetric, two zero eigenvalues
+ *
+ * Source: equation 38 differentiated twice.
+ * 67 operations; 310 with every named value written out.
+ */
+void corexy_elastic_hessian(const double p[2], const corexy_parameters *parameters, double H_el[4][4]);
+
+/* Torques of the drives, and the rotations that go with them, that hold the pose.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   out tau_st [N m]: torques on the driven rotors, positive with their rotation
+ *   out theta_st [rad]: rotations from unstrained transmissions, in the order of the coordinates
+ *
+ * Source: equation 44, solved at the pose.
+ * 59 operations; 722 with every named value written out.
+ */
+void corexy_static_equilibrium(const double p[2], const corexy_parameters *parameters, double tau_st[2],
+    double theta_st[2]);
+
+/* Stiffness matrix K in the four generalised coordinates.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   out K [N/m, N, N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
+ *
+ * Source: equations 46 and 48: K = -H_U.
+ * 67 operations; 310 with every named value written out.
+ */
+void corexy_stiffness_matrix(const double p[2], const corexy_parameters *parameters, double K[4][4]);
+
+/* Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.
+ *
+ * Common intermediate values are evaluated once, which makes this the function to call for an eigenproblem.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   out M [kg, kg m^2]: mass matrix
+ *   out K [N/m, N, N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
+ *
+ * Source: equation 48.
+ * 74 operations; 317 with every named value written out.
+ */
+void corexy_modal_matrices(const double p[2], const corexy_parameters *parameters, double M[4][4],
+    double K[4][4]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,113 @@
+/* Generated from the derivation of corexy and the catalogue of effects.
+ * By pkmodes_derive 0.1.0 with SymPy 1.14.0.
+ * Do not edit: regenerate with `python -m pkmodes_derive generate`.
+ *
+ * Dynamics of the mechanism corexy with effects: extended matrices and sensitivities.
+ *
+ * C99, no allocation, no dependency but the C library's mathematics and memset.  Matrices are row-major.
+ * Everything is in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K is
+ * positive for a restoring force.
+ * Generalised coordinates, in the order of M and K:
+ *   x [m]
+ *   y [m]
+ *   theta_1 [rad]
+ *   theta_2 [rad]
+ *   psi_1 [rad]
+ *   psi_2 [rad]
+ *   eps_1 [m]
+ *   eps_2 [m]
+ *   u_x [m]
+ *   u_y [m]
+ */
+#ifndef COREXY_EXTENDED_H
+#define COREXY_EXTENDED_H
+
+#include "corexy.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+    /* [1] relative change of the stiffness of belt 1 */
+    double axis_belt_stiffness_factor_1;
+    /* [1] relative change of the stiffness of belt 2 */
+    double axis_belt_stiffness_factor_2;
+    /* [m/N] compliance in series with every free span */
+    double belt_end_compliance_compliance;
+    /* [kg/m] mass of a belt by its length */
+    double belt_mass_linear_density;
+    /* [1/N] relative change of the belt stiffness with tension */
+    double belt_tension_stiffness_coefficient;
+    /* [N] tension of every belt, from a measurement */
+    double belt_tension_stiffness_tension;
+    /* [N/m] isotropic stiffness from the platform centre to ground */
+    double cable_stiffness_stiffness;
+    /* [kg m^2] extra inertia on every driven pulley */
+    double gearbox_inertia_inertia;
+    /* [kg] point mass at the platform centre */
+    double payload_mass;
+    /* [N m/rad] torsional stiffness to ground at every driven pulley */
+    double servo_stiffness_stiffness;
+    /* [rad/(N m)] compliance of every gearbox, output side */
+    double gearbox_compliance_compliance;
+    /* [m/N] compliance of every belt clamp */
+    double clamp_compliance_compliance;
+    /* [m/N] isotropic compliance of the frame */
+    double frame_compliance_compliance;
+    /* [kg] mass of the frame */
+    double frame_compliance_mass;
+} corexy_effects;
+
+/* Mass and stiffness matrices in the base and all released coordinates, joints free.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   out M [kg, kg m, kg m^2]: mass matrix; the base model's is the leading block
+ *   out K_el [N/m, N, N m]: elastic stiffness, released joints free
+ *   out K_g [N/m, N, N m]: Hessian of the gravitational potential energy
+ *
+ * Source: equations 24 to 48 with the effects' energies; K = K_el + K_g and the joints' stiffnesses.
+ * 188 operations; 1919 with every named value written out.
+ */
+void corexy_extended_extended_matrices(const double p[2], const corexy_parameters *parameters,
+    const corexy_effects *effects, double M[10][10], double K_el[10][10], double K_g[10][10]);
+
+/* Absolute motion of the platform centre by the coordinates.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   out J_p [1, m]: dp_i/dq_k, base frame
+ *
+ * Source: equation 15, with what released joints and the frame add.
+ * 0 operations; 0 with every named value written out.
+ */
+void corexy_extended_extended_platform_motion(const double p[2], double J_p[2][10]);
+
+/* Stiffnesses of the released joints, to be added to the diagonal of K.
+ *
+ * Infinite for a compliance of zero: a locked joint.
+ *
+ *   out kappa [N/m, N m]: in the order of the released coordinates
+ *   out kappa_c [N^2/m^2, N^2 m^2]: derivatives by the compliances
+ *
+ * Source: energy q^2 / (2 c) of each joint.
+ * 12 operations; 24 with every named value written out.
+ */
+void corexy_extended_joint_stiffness(const corexy_effects *effects, double kappa[6], double kappa_c[6]);
+
+/* Torques and rotations that hold the pose, the effects' weights and changes of stiffness included.
+ *
+ *   in  p [m]: tool head in the base frame
+ *   out tau_st [N m]: torques on the driven rotors
+ *   out theta_st [rad]: rotations from unstrained transmissions
+ *
+ * Source: equation 44; springs that effects add are relaxed at the pose, and the released joints hold.
+ * 75 operations; 1722 with every named value written out.
+ */
+void corexy_extended_extended_static_equilibrium(const double p[2], const corexy_parameters *parameters,
+    const corexy_effects *effects, double tau_st[2], double theta_st[2]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,991 @@
+# Generated from the derivation of corexy.
+# By pkmodes_derive 0.1.0 with SymPy 1.14.0.
+# Do not edit: regenerate with `python -m pkmodes_derive generate`.
+"""Dynamics of the mechanism corexy, for a robot given by its parameters.
+
+Arrays are batch first: a leading `...` stands for any batch shape, none included, and arguments broadcast.
+Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
+frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
+
+Names in the code, for belt j; run s of a belt.  t1, t2, ... are subexpressions that several values share.
+
+* tau_st_j [N m]: static torque on motor pulley j
+* I_j [kg m^2]: moment of inertia of motor pulley j, with the motor
+* l_f_j_s [m]: free length of run s of belt j
+* k_j_s [N/m]: stiffness of run s of belt j
+* G_j [N]: gradient of the gravitational potential energy with respect to x
+* G_j [N]: gradient of the gravitational potential energy with respect to y
+* det_j [N^2]: determinant of the equilibrium of axis j
+* theta_j_st [rad]: static rotation of motor pulley j, from unstrained transmissions
+"""
+
+from math import prod
+from typing import NamedTuple
+
+import numpy as np
+
+__all__ = [
+    "COORDINATES",
+    "COORDINATE_UNITS",
+    "Parameters",
+    "RIGID_MODES",
+    "belt_spans",
+    "belt_stiffness",
+    "crossing_margin",
+    "elastic_gradient",
+    "elastic_hessian",
+    "elastic_potential",
+    "gravity_gradient",
+    "gravity_hessian",
+    "gravity_potential",
+    "inverse_kinematics",
+    "kinetic_energy",
+    "mass_matrix",
+    "modal_matrices",
+    "platform_jacobian",
+    "platform_jacobian_rate",
+    "platform_second_derivatives",
+    "run_margin",
+    "static_equilibrium",
+    "stiffness_matrix",
+    "travel_margin",
+    "velocity_forces",
+]
+
+#: Generalised coordinates, in the order of M and K, and their units.
+COORDINATES = (
+    "x",
+    "y",
+    "theta_1",
+    "theta_2",
+)
+COORDINATE_UNITS = (
+    "m",
+    "m",
+    "rad",
+    "rad",
+)
+
+#: Number of motions that strain nothing elastic, for any pose and parameters.
+RIGID_MODES = 2
+
+
+class Parameters(NamedTuple):
+    """Parameters of a robot; every field may have leading batch axes of its own.
+
+    Attributes
+    ----------
+    toolhead_mass : float or array, shape (...) [kg]
+        Mass of the tool head.
+    gantry_mass : float or array, shape (...) [kg]
+        Mass of the gantry.
+    gravity : array, shape (..., 3) [m/s^2]
+        Gravitational acceleration g, base frame.
+    belt_path_direction : array, shape (..., 2, 2) [1]
+        Run 1 of belt j grows (+1) or shrinks along component k.
+    belt_path_lengths : array, shape (..., 2, 2) [m]
+        Free length of run k of belt j with the tool head at x = y = 0.
+    belt_specific_stiffness : array, shape (..., 2) [N/m]
+        Specific stiffness of belt j: k = w_b k_sp / free length.
+    belt_width : array, shape (..., 2) [m]
+        Width of belt j.
+    pulley_radius : array, shape (..., 2) [m]
+        Radius of motor pulley j.
+    pulley_inertia : array, shape (..., 2) [kg m^2]
+        Moment of inertia of motor pulley j.
+    motor_inertia : array, shape (..., 2) [kg m^2]
+        Moment of inertia of motor j at its shaft.
+    gear_ratio : array, shape (..., 2) [1]
+        Gear ratio of motor j, motor over pulley.
+    workspace : array, shape (..., 2, 2) [m]
+        Travel of the tool head.
+    """
+
+    toolhead_mass: float
+    gantry_mass: float
+    gravity: np.ndarray
+    belt_path_direction: np.ndarray
+    belt_path_lengths: np.ndarray
+    belt_specific_stiffness: np.ndarray
+    belt_width: np.ndarray
+    pulley_radius: np.ndarray
+    pulley_inertia: np.ndarray
+    motor_inertia: np.ndarray
+    gear_ratio: np.ndarray
+    workspace: np.ndarray
+
+
+def _entries(array, shape):
+    """Entries of an array of shape (..., *shape), row by row; numbers where there is no batch."""
+    array = np.asarray(array)
+    array = array.astype(np.result_type(float, array), copy=False)
+    batch = array.ndim - len(shape)
+    if batch < 0 or array.shape[batch:] != shape:
+        expected = ", ".join(map(str, ("...", *shape)))
+        raise ValueError(f"expected an array of shape ({expected}), found shape {array.shape}")
+    count = prod(shape)
+    flat = array.reshape(*array.shape[:batch], count)
+    return tuple(flat[..., i][()] for i in range(count))
+
+
+def _batch(*arrays):
+    """Common batch shape and type of the arguments."""
+    return np.broadcast_shapes(*map(np.shape, arrays)), np.result_type(float, *arrays)
+
+
+def inverse_kinematics(p):
+    """Positions at a pose.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+
+    Returns
+    -------
+    xy : array, shape (..., 2) [m]
+        Positions x, y.
+
+    Notes
+    -----
+    They are the pose.
+    0 operations; 0 with every named value written out.
+    """
+    x, y = _entries(p, (2,))
+    batch, dtype = _batch(x)
+    xy_out = np.empty((*batch, 2), dtype)
+    xy_out[..., 0] = x
+    xy_out[..., 1] = y
+    return xy_out
+
+
+def travel_margin(p, parameters):
+    """How far the tool head is from the ends of its travel.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    margin : array, shape (..., 2, 2) [m]
+        For x and y: above the lower end, and below the upper one.
+
+    Notes
+    -----
+    Both ends of the workspace.
+    4 operations; 4 with every named value written out.
+    """
+    x, y = _entries(p, (2,))
+    travel_min_x, travel_max_x, travel_min_y, travel_max_y = _entries(parameters.workspace, (2, 2))
+    batch, dtype = _batch(x, travel_min_x)
+    margin_out = np.empty((*batch, 2, 2), dtype)
+    margin_out[..., 0, 0] = -travel_min_x + x
+    margin_out[..., 0, 1] = travel_max_x - x
+    margin_out[..., 1, 0] = -travel_min_y + y
+    margin_out[..., 1, 1] = travel_max_y - y
+    return margin_out
+
+
+def run_margin(parameters):
+    """The shortest free length of each run in the whole workspace.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    margin : array, shape (..., 2, 2) [m]
+        For runs 1 and 2 of each belt; positive.
+
+    Notes
+    -----
+    The runs' lengths are linear in x and y, so the least is at a corner.
+    32 operations; 64 with every named value written out.
+    """
+    g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
+    l_0_1_1, l_0_1_2, l_0_2_1, l_0_2_2 = _entries(parameters.belt_path_lengths, (2, 2))
+    travel_min_x, travel_max_x, travel_min_y, travel_max_y = _entries(parameters.workspace, (2, 2))
+    batch, dtype = _batch(g_1_1, l_0_1_1, travel_min_x)
+    t1 = (1/2)*travel_max_x + (1/2)*travel_min_x
+    t2 = (1/2)*travel_max_y + (1/2)*travel_min_y
+    t3 = g_1_1*t1 + g_1_2*t2
+    t4 = (1/2)*travel_max_x
+    t5 = (1/2)*travel_max_y
+    t6 = -t4 - t5 + (1/2)*travel_min_x + (1/2)*travel_min_y
+    t7 = t4 + t5 - 1/2*travel_min_x - 1/2*travel_min_y
+    t8 = g_2_1*t1 + g_2_2*t2
+    margin_out = np.empty((*batch, 2, 2), dtype)
+    margin_out[..., 0, 0] = l_0_1_1 + t3 + t6
+    margin_out[..., 0, 1] = l_0_1_2 - t3 - t7
+    margin_out[..., 1, 0] = l_0_2_1 + t6 + t8
+    margin_out[..., 1, 1] = l_0_2_2 - t7 - t8
+    return margin_out
+
+
+def crossing_margin(parameters):
+    """Whether the two belts pull in independent directions.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    margin : array, shape (..., 1) [1]
+        Positive where they do.
+
+    Notes
+    -----
+    Determinant of the two directions, which is 0 or 2.
+    5 operations; 5 with every named value written out.
+    """
+    g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
+    batch, dtype = _batch(g_1_1)
+    margin_out = np.empty((*batch, 1), dtype)
+    margin_out[..., 0] = np.abs(g_1_1*g_2_2 - g_1_2*g_2_1) - 1
+    return margin_out
+
+
+def belt_spans(p, parameters):
+    """Free lengths of the belt spans.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    l_f : array, shape (..., 2, 2) [m]
+        Free length l_f[j-1, s-1] of span s of belt j.
+
+    Notes
+    -----
+    Equations 35 to 37; a pose is within the limits where all are positive.
+    10 operations; 16 with every named value written out.
+    """
+    x, y = _entries(p, (2,))
+    g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
+    l_0_1_1, l_0_1_2, l_0_2_1, l_0_2_2 = _entries(parameters.belt_path_lengths, (2, 2))
+    batch, dtype = _batch(x, g_1_1, l_0_1_1)
+    t1 = g_1_1*x + g_1_2*y
+    l_f_1_1 = l_0_1_1 + t1
+    l_f_1_2 = l_0_1_2 - t1
+    t2 = g_2_1*x + g_2_2*y
+    l_f_2_1 = l_0_2_1 + t2
+    l_f_2_2 = l_0_2_2 - t2
+    l_f_out = np.empty((*batch, 2, 2), dtype)
+    l_f_out[..., 0, 0] = l_f_1_1
+    l_f_out[..., 0, 1] = l_f_1_2
+    l_f_out[..., 1, 0] = l_f_2_1
+    l_f_out[..., 1, 1] = l_f_2_2
+    return l_f_out
+
+
+def platform_jacobian(p):
+    """Platform Jacobian D_p.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+
+    Returns
+    -------
+    D_p : array, shape (..., 2, 2) [1]
+        dp_i/dq_k, base frame.
+
+    Notes
+    -----
+    Equation 15.
+    0 operations; 0 with every named value written out.
+    """
+    x, _ = _entries(p, (2,))
+    batch, dtype = _batch(x)
+    D_p_out = np.zeros((*batch, 2, 2), dtype)
+    D_p_out[..., 0, 0] = 1
+    D_p_out[..., 1, 1] = 1
+    return D_p_out
+
+
+def platform_jacobian_rate(p, xy_dot):
+    """Time derivative of the platform Jacobian.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+    xy_dot : array, shape (..., 2) [m/s]
+        Velocities.
+
+    Returns
+    -------
+    D_p_dot : array, shape (..., 2, 2) [1/s]
+        d(D_p)/dt, with xy_dot.
+
+    Notes
+    -----
+    Equation 17.
+    0 operations; 0 with every named value written out.
+    """
+    x, _ = _entries(p, (2,))
+    x_dot, _ = _entries(xy_dot, (2,))
+    batch, dtype = _batch(x, x_dot)
+    D_p_dot_out = np.zeros((*batch, 2, 2), dtype)
+    return D_p_dot_out
+
+
+def platform_second_derivatives(p):
+    """Second derivatives of the platform with respect to the positions.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+
+    Returns
+    -------
+    P : array, shape (..., 2, 2, 2) [1/m]
+        d2p_i/dq_k dq_l as P[i, k, l].
+
+    Notes
+    -----
+    Equation 49, by the implicit function theorem to second order.
+    0 operations; 0 with every named value written out.
+    """
+    x, _ = _entries(p, (2,))
+    batch, dtype = _batch(x)
+    P_out = np.zeros((*batch, 2, 2, 2), dtype)
+    return P_out
+
+
+def kinetic_energy(p, q_dot, parameters):
+    """Kinetic energies of the structure and of the transmissions.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+    q_dot : array, shape (..., 4) [m/s, rad/s]
+        Rates of the four generalised coordinates.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    T_ss : array, shape (...) [J]
+        Platform and what moves it.
+    T_t : array, shape (...) [J]
+        Rotors and motors.
+
+    Notes
+    -----
+    Equations 24 and 28.
+    22 operations; 24 with every named value written out.
+    """
+    x, _ = _entries(p, (2,))
+    x_dot, y_dot, theta_1_dot, theta_2_dot = _entries(q_dot, (4,))
+    (m_h,) = _entries(parameters.toolhead_mass, ())
+    (m_g,) = _entries(parameters.gantry_mass, ())
+    I_p_1, I_p_2 = _entries(parameters.pulley_inertia, (2,))
+    I_m_1, I_m_2 = _entries(parameters.motor_inertia, (2,))
+    i_g_1, i_g_2 = _entries(parameters.gear_ratio, (2,))
+    batch, dtype = _batch(x, x_dot, m_h, m_g, I_p_1, I_m_1, i_g_1)
+    I_1 = I_m_1*i_g_1**2 + I_p_1
+    I_2 = I_m_2*i_g_2**2 + I_p_2
+    t1 = (1/2)*y_dot**2
+    T_ss_out = np.empty(batch, dtype)
+    T_ss_out[...] = m_g*t1 + m_h*t1 + (1/2)*m_h*x_dot**2
+    T_t_out = np.empty(batch, dtype)
+    T_t_out[...] = (1/2)*I_1*theta_1_dot**2 + (1/2)*I_2*theta_2_dot**2
+    return T_ss_out[()], T_t_out[()]
+
+
+def mass_matrix(p, parameters):
+    """Mass matrix M in the four generalised coordinates.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    M : array, shape (..., 4, 4) [kg, kg m^2]
+        Symmetric.
+
+    Notes
+    -----
+    Equations 24, 30 and 33.
+    7 operations; 7 with every named value written out.
+    """
+    x, _ = _entries(p, (2,))
+    (m_h,) = _entries(parameters.toolhead_mass, ())
+    (m_g,) = _entries(parameters.gantry_mass, ())
+    I_p_1, I_p_2 = _entries(parameters.pulley_inertia, (2,))
+    I_m_1, I_m_2 = _entries(parameters.motor_inertia, (2,))
+    i_g_1, i_g_2 = _entries(parameters.gear_ratio, (2,))
+    batch, dtype = _batch(x, m_h, m_g, I_p_1, I_m_1, i_g_1)
+    I_1 = I_m_1*i_g_1**2 + I_p_1
+    I_2 = I_m_2*i_g_2**2 + I_p_2
+    M_out = np.zeros((*batch, 4, 4), dtype)
+    M_out[..., 0, 0] = m_h
+    M_out[..., 1, 1] = m_g + m_h
+    M_out[..., 2, 2] = I_1
+    M_out[..., 3, 3] = I_2
+    return M_out
+
+
+def velocity_forces(p, xy_dot):
+    """Coriolis and centrifugal forces h of M_ss xy_ddot + h + grad V = Q.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+    xy_dot : array, shape (..., 2) [m/s]
+        Velocities.
+
+    Returns
+    -------
+    h : array, shape (..., 2) [N]
+        Generalised forces on the positions coordinates.
+
+    Notes
+    -----
+    Lagrange's equations, equation 47 without its linearisation.
+    0 operations; 0 with every named value written out.
+    """
+    x, _ = _entries(p, (2,))
+    x_dot, _ = _entries(xy_dot, (2,))
+    batch, dtype = _batch(x, x_dot)
+    h_out = np.zeros((*batch, 2), dtype)
+    return h_out
+
+
+def gravity_potential(p, parameters):
+    """Gravitational potential energy V_g, the force function U_g with opposite sign.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    V_g : array, shape (...) [J]
+        Zero at the origin of the base frame.
+
+    Notes
+    -----
+    Equation 26, for gravity in any direction and every body that moves.
+    8 operations; 8 with every named value written out.
+    """
+    x, y = _entries(p, (2,))
+    (m_h,) = _entries(parameters.toolhead_mass, ())
+    (m_g,) = _entries(parameters.gantry_mass, ())
+    g_x, g_y, _ = _entries(parameters.gravity, (3,))
+    batch, dtype = _batch(x, m_h, m_g, g_x)
+    V_g_out = np.empty(batch, dtype)
+    V_g_out[...] = -g_x*m_h*x - g_y*(m_g*y + m_h*y)
+    return V_g_out[()]
+
+
+def gravity_gradient(p, parameters):
+    """Gradient of the gravitational potential energy with respect to the positions.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    G : array, shape (..., 2) [N]
+        dV_g/dq_k.
+
+    Notes
+    -----
+    Equation 27.
+    5 operations; 5 with every named value written out.
+    """
+    x, _ = _entries(p, (2,))
+    (m_h,) = _entries(parameters.toolhead_mass, ())
+    (m_g,) = _entries(parameters.gantry_mass, ())
+    g_x, g_y, _ = _entries(parameters.gravity, (3,))
+    batch, dtype = _batch(x, m_h, m_g, g_x)
+    G_out = np.empty((*batch, 2), dtype)
+    G_out[..., 0] = -g_x*m_h
+    G_out[..., 1] = -g_y*(m_g + m_h)
+    return G_out
+
+
+def gravity_hessian(p):
+    """Hessian of the gravitational potential energy with respect to the positions.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+
+    Returns
+    -------
+    H_g : array, shape (..., 2, 2) [N/m]
+        d2V_g/dq_k dq_l, symmetric.
+
+    Notes
+    -----
+    Section 4 and equation 49.
+    0 operations; 0 with every named value written out.
+    """
+    x, _ = _entries(p, (2,))
+    batch, dtype = _batch(x)
+    H_g_out = np.zeros((*batch, 2, 2), dtype)
+    return H_g_out
+
+
+def belt_stiffness(p, parameters):
+    """Stiffnesses of the belt spans.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    k : array, shape (..., 2, 2) [N/m]
+        k[j-1, s-1], the spans in the order of `belt_spans`.
+
+    Notes
+    -----
+    Equations 34 to 37.
+    16 operations; 24 with every named value written out.
+    """
+    x, y = _entries(p, (2,))
+    g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
+    l_0_1_1, l_0_1_2, l_0_2_1, l_0_2_2 = _entries(parameters.belt_path_lengths, (2, 2))
+    k_sp_1, k_sp_2 = _entries(parameters.belt_specific_stiffness, (2,))
+    w_b_1, w_b_2 = _entries(parameters.belt_width, (2,))
+    batch, dtype = _batch(x, g_1_1, l_0_1_1, k_sp_1, w_b_1)
+    t1 = g_1_1*x + g_1_2*y
+    l_f_1_1 = l_0_1_1 + t1
+    t2 = k_sp_1*w_b_1
+    k_1_1 = t2/l_f_1_1
+    l_f_1_2 = l_0_1_2 - t1
+    k_1_2 = t2/l_f_1_2
+    t3 = g_2_1*x + g_2_2*y
+    l_f_2_1 = l_0_2_1 + t3
+    t4 = k_sp_2*w_b_2
+    k_2_1 = t4/l_f_2_1
+    l_f_2_2 = l_0_2_2 - t3
+    k_2_2 = t4/l_f_2_2
+    k_out = np.empty((*batch, 2, 2), dtype)
+    k_out[..., 0, 0] = k_1_1
+    k_out[..., 0, 1] = k_1_2
+    k_out[..., 1, 0] = k_2_1
+    k_out[..., 1, 1] = k_2_2
+    return k_out
+
+
+def elastic_potential(p, delta_q, parameters):
+    """Elastic potential energy V_el of the transmissions, the force function U_el with opposite sign.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+    delta_q : array, shape (..., 4) [m, rad]
+        Small displacements of the four generalised coordinates from the reference configuration at p.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    V_el : array, shape (...) [J]
+        Zero in the reference configuration.
+
+    Notes
+    -----
+    Equation 38, summed.
+    37 operations; 59 with every named value written out.
+    """
+    x, y = _entries(p, (2,))
+    delta_x, delta_y, delta_theta_1, delta_theta_2 = _entries(delta_q, (4,))
+    g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
+    l_0_1_1, l_0_1_2, l_0_2_1, l_0_2_2 = _entries(parameters.belt_path_lengths, (2, 2))
+    k_sp_1, k_sp_2 = _entries(parameters.belt_specific_stiffness, (2,))
+    w_b_1, w_b_2 = _entries(parameters.belt_width, (2,))
+    R_p_1, R_p_2 = _entries(parameters.pulley_radius, (2,))
+    batch, dtype = _batch(x, delta_x, g_1_1, l_0_1_1, k_sp_1, w_b_1, R_p_1)
+    t1 = g_1_1*x + g_1_2*y
+    l_f_1_1 = l_0_1_1 + t1
+    t2 = k_sp_1*w_b_1
+    k_1_1 = t2/l_f_1_1
+    l_f_1_2 = l_0_1_2 - t1
+    k_1_2 = t2/l_f_1_2
+    t3 = g_2_1*x + g_2_2*y
+    l_f_2_1 = l_0_2_1 + t3
+    t4 = k_sp_2*w_b_2
+    k_2_1 = t4/l_f_2_1
+    l_f_2_2 = l_0_2_2 - t3
+    k_2_2 = t4/l_f_2_2
+    t5 = (1/2)*(R_p_1*delta_theta_1 + delta_x*g_1_1 + delta_y*g_1_2)**2
+    t6 = (1/2)*(R_p_2*delta_theta_2 + delta_x*g_2_1 + delta_y*g_2_2)**2
+    V_el_out = np.empty(batch, dtype)
+    V_el_out[...] = k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6
+    return V_el_out[()]
+
+
+def elastic_gradient(p, delta_q, parameters):
+    """Gradient of the elastic potential energy.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+    delta_q : array, shape (..., 4) [m, rad]
+        Small displacements of the four generalised coordinates from the reference configuration at p.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    E : array, shape (..., 4) [N, N m]
+        dV_el/dq.
+
+    Notes
+    -----
+    Equation 38 differentiated.
+    52 operations; 164 with every named value written out.
+    """
+    x, y = _entries(p, (2,))
+    delta_x, delta_y, delta_theta_1, delta_theta_2 = _entries(delta_q, (4,))
+    g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
+    l_0_1_1, l_0_1_2, l_0_2_1, l_0_2_2 = _entries(parameters.belt_path_lengths, (2, 2))
+    k_sp_1, k_sp_2 = _entries(parameters.belt_specific_stiffness, (2,))
+    w_b_1, w_b_2 = _entries(parameters.belt_width, (2,))
+    R_p_1, R_p_2 = _entries(parameters.pulley_radius, (2,))
+    batch, dtype = _batch(x, delta_x, g_1_1, l_0_1_1, k_sp_1, w_b_1, R_p_1)
+    t1 = g_1_1*x + g_1_2*y
+    l_f_1_1 = l_0_1_1 + t1
+    t2 = k_sp_1*w_b_1
+    k_1_1 = t2/l_f_1_1
+    l_f_1_2 = l_0_1_2 - t1
+    k_1_2 = t2/l_f_1_2
+    t3 = g_2_1*x + g_2_2*y
+    l_f_2_1 = l_0_2_1 + t3
+    t4 = k_sp_2*w_b_2
+    k_2_1 = t4/l_f_2_1
+    l_f_2_2 = l_0_2_2 - t3
+    k_2_2 = t4/l_f_2_2
+    t5 = R_p_1*delta_theta_1 + delta_x*g_1_1 + delta_y*g_1_2
+    t6 = g_1_1*t5
+    t7 = R_p_2*delta_theta_2 + delta_x*g_2_1 + delta_y*g_2_2
+    t8 = g_2_1*t7
+    t9 = g_1_2*t5
+    t10 = g_2_2*t7
+    t11 = R_p_1*t5
+    t12 = R_p_2*t7
+    E_out = np.empty((*batch, 4), dtype)
+    E_out[..., 0] = k_1_1*t6 + k_1_2*t6 + k_2_1*t8 + k_2_2*t8
+    E_out[..., 1] = k_1_1*t9 + k_1_2*t9 + k_2_1*t10 + k_2_2*t10
+    E_out[..., 2] = k_1_1*t11 + k_1_2*t11
+    E_out[..., 3] = k_2_1*t12 + k_2_2*t12
+    return E_out
+
+
+def elastic_hessian(p, parameters):
+    """Hessian of the elastic potential energy.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    H_el : array, shape (..., 4, 4) [N/m, N, N m]
+        d2V_el/dq2, symmetric, two zero eigenvalues.
+
+    Notes
+    -----
+    Equation 38 differentiated twice.
+    67 operations; 310 with every named value written out.
+    """
+    x, y = _entries(p, (2,))
+    g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
+    l_0_1_1, l_0_1_2, l_0_2_1, l_0_2_2 = _entries(parameters.belt_path_lengths, (2, 2))
+    k_sp_1, k_sp_2 = _entries(parameters.belt_specific_stiffness, (2,))
+    w_b_1, w_b_2 = _entries(parameters.belt_width, (2,))
+    R_p_1, R_p_2 = _entries(parameters.pulley_radius, (2,))
+    batch, dtype = _batch(x, g_1_1, l_0_1_1, k_sp_1, w_b_1, R_p_1)
+    t1 = g_1_1*x + g_1_2*y
+    l_f_1_1 = l_0_1_1 + t1
+    t2 = k_sp_1*w_b_1
+    k_1_1 = t2/l_f_1_1
+    l_f_1_2 = l_0_1_2 - t1
+    k_1_2 = t2/l_f_1_2
+    t3 = g_2_1*x + g_2_2*y
+    l_f_2_1 = l_0_2_1 + t3
+    t4 = k_sp_2*w_b_2
+    k_2_1 = t4/l_f_2_1
+    l_f_2_2 = l_0_2_2 - t3
+    k_2_2 = t4/l_f_2_2
+    t5 = g_1_1**2
+    t6 = g_2_1**2
+    t7 = g_1_1*g_1_2
+    t8 = g_2_1*g_2_2
+    t9 = R_p_1*g_1_1
+    t10 = R_p_2*g_2_1
+    t11 = g_1_2**2
+    t12 = g_2_2**2
+    t13 = R_p_1*g_1_2
+    t14 = R_p_2*g_2_2
+    t15 = R_p_1**2
+    t16 = R_p_2**2
+    H_el_out = np.zeros((*batch, 4, 4), dtype)
+    H_el_out[..., 0, 0] = k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6
+    H_el_out[..., 0, 1] = H_el_out[..., 1, 0] = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8
+    H_el_out[..., 0, 2] = H_el_out[..., 2, 0] = k_1_1*t9 + k_1_2*t9
+    H_el_out[..., 0, 3] = H_el_out[..., 3, 0] = k_2_1*t10 + k_2_2*t10
+    H_el_out[..., 1, 1] = k_1_1*t11 + k_1_2*t11 + k_2_1*t12 + k_2_2*t12
+    H_el_out[..., 1, 2] = H_el_out[..., 2, 1] = k_1_1*t13 + k_1_2*t13
+    H_el_out[..., 1, 3] = H_el_out[..., 3, 1] = k_2_1*t14 + k_2_2*t14
+    H_el_out[..., 2, 2] = k_1_1*t15 + k_1_2*t15
+    H_el_out[..., 3, 3] = k_2_1*t16 + k_2_2*t16
+    return H_el_out
+
+
+def static_equilibrium(p, parameters):
+    """Torques of the drives, and the rotations that go with them, that hold the pose.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    tau_st : array, shape (..., 2) [N m]
+        Torques on the driven rotors, positive with their rotation.
+    theta_st : array, shape (..., 2) [rad]
+        Rotations from unstrained transmissions, in the order of the coordinates.
+
+    Notes
+    -----
+    Equation 44, solved at the pose.
+    59 operations; 722 with every named value written out.
+    """
+    x, y = _entries(p, (2,))
+    (m_h,) = _entries(parameters.toolhead_mass, ())
+    (m_g,) = _entries(parameters.gantry_mass, ())
+    g_x, g_y, _ = _entries(parameters.gravity, (3,))
+    g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
+    l_0_1_1, l_0_1_2, l_0_2_1, l_0_2_2 = _entries(parameters.belt_path_lengths, (2, 2))
+    k_sp_1, k_sp_2 = _entries(parameters.belt_specific_stiffness, (2,))
+    w_b_1, w_b_2 = _entries(parameters.belt_width, (2,))
+    R_p_1, R_p_2 = _entries(parameters.pulley_radius, (2,))
+    batch, dtype = _batch(x, m_h, m_g, g_x, g_1_1, l_0_1_1, k_sp_1, w_b_1, R_p_1)
+    t1 = g_1_1*x + g_1_2*y
+    l_f_1_1 = l_0_1_1 + t1
+    t2 = k_sp_1*w_b_1
+    k_1_1 = t2/l_f_1_1
+    l_f_1_2 = l_0_1_2 - t1
+    k_1_2 = t2/l_f_1_2
+    t3 = g_2_1*x + g_2_2*y
+    l_f_2_1 = l_0_2_1 + t3
+    t4 = k_sp_2*w_b_2
+    k_2_1 = t4/l_f_2_1
+    l_f_2_2 = l_0_2_2 - t3
+    k_2_2 = t4/l_f_2_2
+    G_1 = -g_x*m_h
+    G_2 = -g_y*(m_g + m_h)
+    t5 = R_p_2*g_2_1
+    t6 = k_2_1*t5 + k_2_2*t5
+    t7 = R_p_1*g_1_1
+    t8 = k_1_1*t7 + k_1_2*t7
+    t9 = R_p_2*g_2_2
+    t10 = k_2_1*t9 + k_2_2*t9
+    t11 = R_p_1*g_1_2
+    t12 = k_1_1*t11 + k_1_2*t11
+    det_1 = t10*t8 - t12*t6
+    t13 = 1.0/det_1
+    theta_1_st = t13*(-G_1*t10 + G_2*t6)
+    theta_2_st = t13*(G_1*t12 - G_2*t8)
+    t14 = R_p_1**2*theta_1_st
+    tau_st_1 = k_1_1*t14 + k_1_2*t14
+    t15 = R_p_2**2*theta_2_st
+    tau_st_2 = k_2_1*t15 + k_2_2*t15
+    tau_st_out = np.empty((*batch, 2), dtype)
+    tau_st_out[..., 0] = tau_st_1
+    tau_st_out[..., 1] = tau_st_2
+    theta_st_out = np.empty((*batch, 2), dtype)
+    theta_st_out[..., 0] = theta_1_st
+    theta_st_out[..., 1] = theta_2_st
+    return tau_st_out, theta_st_out
+
+
+def stiffness_matrix(p, parameters):
+    """Stiffness matrix K in the four generalised coordinates.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    K : array, shape (..., 4, 4) [N/m, N, N m]
+        Symmetric; Hessian of V_el + V_g, positive for a restoring force.
+
+    Notes
+    -----
+    Equations 46 and 48: K = -H_U.
+    67 operations; 310 with every named value written out.
+    """
+    x, y = _entries(p, (2,))
+    g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
+    l_0_1_1, l_0_1_2, l_0_2_1, l_0_2_2 = _entries(parameters.belt_path_lengths, (2, 2))
+    k_sp_1, k_sp_2 = _entries(parameters.belt_specific_stiffness, (2,))
+    w_b_1, w_b_2 = _entries(parameters.belt_width, (2,))
+    R_p_1, R_p_2 = _entries(parameters.pulley_radius, (2,))
+    batch, dtype = _batch(x, g_1_1, l_0_1_1, k_sp_1, w_b_1, R_p_1)
+    t1 = g_1_1*x + g_1_2*y
+    l_f_1_1 = l_0_1_1 + t1
+    t2 = k_sp_1*w_b_1
+    k_1_1 = t2/l_f_1_1
+    l_f_1_2 = l_0_1_2 - t1
+    k_1_2 = t2/l_f_1_2
+    t3 = g_2_1*x + g_2_2*y
+    l_f_2_1 = l_0_2_1 + t3
+    t4 = k_sp_2*w_b_2
+    k_2_1 = t4/l_f_2_1
+    l_f_2_2 = l_0_2_2 - t3
+    k_2_2 = t4/l_f_2_2
+    t5 = g_1_1**2
+    t6 = g_2_1**2
+    t7 = g_1_1*g_1_2
+    t8 = g_2_1*g_2_2
+    t9 = R_p_1*g_1_1
+    t10 = R_p_2*g_2_1
+    t11 = g_1_2**2
+    t12 = g_2_2**2
+    t13 = R_p_1*g_1_2
+    t14 = R_p_2*g_2_2
+    t15 = R_p_1**2
+    t16 = R_p_2**2
+    K_out = np.zeros((*batch, 4, 4), dtype)
+    K_out[..., 0, 0] = k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6
+    K_out[..., 0, 1] = K_out[..., 1, 0] = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8
+    K_out[..., 0, 2] = K_out[..., 2, 0] = k_1_1*t9 + k_1_2*t9
+    K_out[..., 0, 3] = K_out[..., 3, 0] = k_2_1*t10 + k_2_2*t10
+    K_out[..., 1, 1] = k_1_1*t11 + k_1_2*t11 + k_2_1*t12 + k_2_2*t12
+    K_out[..., 1, 2] = K_out[..., 2, 1] = k_1_1*t13 + k_1_2*t13
+    K_out[..., 1, 3] = K_out[..., 3, 1] = k_2_1*t14 + k_2_2*t14
+    K_out[..., 2, 2] = k_1_1*t15 + k_1_2*t15
+    K_out[..., 3, 3] = k_2_1*t16 + k_2_2*t16
+    return K_out
+
+
+def modal_matrices(p, parameters):
+    """Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.
+
+    Common intermediate values are evaluated once, which makes this the function to call for an eigenproblem.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    M : array, shape (..., 4, 4) [kg, kg m^2]
+        Mass matrix.
+    K : array, shape (..., 4, 4) [N/m, N, N m]
+        Symmetric; Hessian of V_el + V_g, positive for a restoring force.
+
+    Notes
+    -----
+    Equation 48.
+    74 operations; 317 with every named value written out.
+    """
+    x, y = _entries(p, (2,))
+    (m_h,) = _entries(parameters.toolhead_mass, ())
+    (m_g,) = _entries(parameters.gantry_mass, ())
+    g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
+    l_0_1_1, l_0_1_2, l_0_2_1, l_0_2_2 = _entries(parameters.belt_path_lengths, (2, 2))
+    k_sp_1, k_sp_2 = _entries(parameters.belt_specific_stiffness, (2,))
+    w_b_1, w_b_2 = _entries(parameters.belt_width, (2,))
+    R_p_1, R_p_2 = _entries(parameters.pulley_radius, (2,))
+    I_p_1, I_p_2 = _entries(parameters.pulley_inertia, (2,))
+    I_m_1, I_m_2 = _entries(parameters.motor_inertia, (2,))
+    i_g_1, i_g_2 = _entries(parameters.gear_ratio, (2,))
+    batch, dtype = _batch(x, m_h, m_g, g_1_1, l_0_1_1, k_sp_1, w_b_1, R_p_1, I_p_1, I_m_1, i_g_1)
+    I_1 = I_m_1*i_g_1**2 + I_p_1
+    I_2 = I_m_2*i_g_2**2 + I_p_2
+    t1 = g_1_1*x + g_1_2*y
+    l_f_1_1 = l_0_1_1 + t1
+    t2 = k_sp_1*w_b_1
+    k_1_1 = t2/l_f_1_1
+    l_f_1_2 = l_0_1_2 - t1
+    k_1_2 = t2/l_f_1_2
+    t3 = g_2_1*x + g_2_2*y
+    l_f_2_1 = l_0_2_1 + t3
+    t4 = k_sp_2*w_b_2
+    k_2_1 = t4/l_f_2_1
+    l_f_2_2 = l_0_2_2 - t3
+    k_2_2 = t4/l_f_2_2
+    t5 = g_1_1**2
+    t6 = g_2_1**2
+    t7 = g_1_1*g_1_2
+    t8 = g_2_1*g_2_2
+    t9 = R_p_1*g_1_1
+    t10 = R_p_2*g_2_1
+    t11 = g_1_2**2
+    t12 = g_2_2**2
+    t13 = R_p_1*g_1_2
+    t14 = R_p_2*g_2_2
+    t15 = R_p_1**2
+    t16 = R_p_2**2
+    M_out = np.zeros((*batch, 4, 4), dtype)
+    M_out[..., 0, 0] = m_h
+    M_out[..., 1, 1] = m_g + m_h
+    M_out[..., 2, 2] = I_1
+    M_out[..., 3, 3] = I_2
+    K_out = np.zeros((*batch, 4, 4), dtype)
+    K_out[..., 0, 0] = k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6
+    K_out[..., 0, 1] = K_out[..., 1, 0] = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8
+    K_out[..., 0, 2] = K_out[..., 2, 0] = k_1_1*t9 + k_1_2*t9
+    K_out[..., 0, 3] = K_out[..., 3, 0] = k_2_1*t10 + k_2_2*t10
+    K_out[..., 1, 1] = k_1_1*t11 + k_1_2*t11 + k_2_1*t12 + k_2_2*t12
+    K_out[..., 1, 2] = K_out[..., 2, 1] = k_1_1*t13 + k_1_2*t13
+    K_out[..., 1, 3] = K_out[..., 3, 1] = k_2_1*t14 + k_2_2*t14
+    K_out[..., 2, 2] = k_1_1*t15 + k_1_2*t15
+    K_out[..., 3, 3] = k_2_1*t16 + k_2_2*t16
+    return M_out, K_out

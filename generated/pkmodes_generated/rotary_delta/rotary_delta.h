@@ -1,0 +1,344 @@
+/* Generated from the derivation of rotary_delta.
+ * By pkmodes_derive 0.1.0 with SymPy 1.14.0.
+ * Do not edit: regenerate with `python -m pkmodes_derive generate`.
+ *
+ * Dynamics of the mechanism rotary_delta, for a robot given by its parameters.
+ *
+ * C99, no allocation, no dependency but the C library's mathematics and memset.  Matrices are row-major.
+ * Everything is in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K is
+ * positive for a restoring force.
+ * Generalised coordinates, in the order of M and K:
+ *   theta_1 [rad]
+ *   theta_2 [rad]
+ *   theta_3 [rad]
+ *   phi_1 [rad]
+ *   phi_2 [rad]
+ *   phi_3 [rad]
+ */
+#ifndef ROTARY_DELTA_H
+#define ROTARY_DELTA_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+    /* [kg] platform mass */
+    double platform_mass;
+    /* [m/s^2] gravitational acceleration g, base frame */
+    double gravity[3];
+    /* [m] point of the axis of arm j from which the arm starts */
+    double origin[3][3];
+    /* [1] unit vector of rotation of arm j */
+    double axis[3][3];
+    /* [1] direction of arm j at theta_j = 0 */
+    double zero[3][3];
+    /* [m] joint j of the platform seen from its centre */
+    double joint[3][3];
+    /* [m] length of arm j, to the joint of the linkage */
+    double arm_length[3];
+    /* [kg] mass of arm j */
+    double arm_mass[3];
+    /* [m] distance of the centre of mass of arm j from its axis, along the arm */
+    double arm_center[3];
+    /* [kg m^2] moment of inertia of arm j about its axis */
+    double arm_inertia[3];
+    /* [m] length of linkage j */
+    double link_length[3];
+    /* [kg] mass of linkage j, both rods together */
+    double link_mass[3];
+    /* [N m/rad] torsional stiffness of reducer j, seen at the arm */
+    double reducer_stiffness[3];
+    /* [kg m^2] moment of inertia of motor j at its shaft */
+    double motor_inertia[3];
+    /* [1] gear ratio of axis j, motor over arm */
+    double gear_ratio[3];
+    /* [rad] min(theta_j), max(theta_j) */
+    double limits[3][2];
+    /* [1] branch of axis j: +1 or -1, on which side the arm bends */
+    double branch[3];
+} rotary_delta_parameters;
+
+/* Arm angles at a pose.
+ *
+ * Not a number out of reach (see `reach_margin`).
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out theta [rad]: arm angles theta_1, theta_2, theta_3
+ *
+ * Source: equations 1 to 3.
+ * 162 operations; 855 with every named value written out.
+ */
+void rotary_delta_inverse_kinematics(const double p[3], const rotary_delta_parameters *parameters,
+    double theta[3]);
+
+/* How much farther each arm's plane lets the platform joint be.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out margin [m]: at least zero where it is so, for each axis
+ *
+ * Source: a pose is reachable where every margin is at least zero.
+ * 129 operations; 165 with every named value written out.
+ */
+void rotary_delta_reach_margin(const double p[3], const rotary_delta_parameters *parameters,
+    double margin[3]);
+
+/* How far each arm is from its limits.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out margin [rad]: at least zero where it is so, for each axis
+ *
+ * Source: both ends of the limits.
+ * 168 operations; 1716 with every named value written out.
+ */
+void rotary_delta_limit_margin(const double p[3], const rotary_delta_parameters *parameters,
+    double margin[3][2]);
+
+/* How nearly perpendicular to its axis each arm is at zero.
+ *
+ *   out margin [1]: 1e-6 less the cosine of the angle between the two, without its sign
+ *
+ * Source: |a_j . z_j| is at most 1e-6.
+ * 24 operations; 24 with every named value written out.
+ */
+void rotary_delta_perpendicular_margin(const rotary_delta_parameters *parameters, double margin[3]);
+
+/* What the moment of inertia of each arm has beyond that of a point at its centre of mass.
+ *
+ *   out margin [kg m^2]: at least zero for a body
+ *
+ * Source: the parallel axis theorem.
+ * 9 operations; 9 with every named value written out.
+ */
+void rotary_delta_inertia_margin(const rotary_delta_parameters *parameters, double margin[3]);
+
+/* Platform centre in the base frame for given arm angles.
+ *
+ * Not a number where the three spheres do not meet.
+ *
+ *   in  theta [rad]: arm angles theta_1, theta_2, theta_3
+ *   in  assembly [1]: assembly branch, +1 or -1: the sign of det D_l at the wanted platform centre
+ *   out p [m]: platform centre in the base frame
+ *
+ * Source: equation 3: intersection of three spheres.
+ * 183 operations; 12486 with every named value written out.
+ */
+void rotary_delta_direct_kinematics(const double theta[3], double assembly,
+    const rotary_delta_parameters *parameters, double p[3]);
+
+/* Constraint Jacobians D_l and D_r of D_l p_dot = D_r theta_dot.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out D_l [m]: row j: linkage vector c_j - e_j in the base frame
+ *   out D_r [m^2]: diagonal: component of linkage vector j along the motion of its joint
+ *
+ * Source: equations 14 and 15.
+ * 255 operations; 7926 with every named value written out.
+ */
+void rotary_delta_constraint_jacobians(const double p[3], const rotary_delta_parameters *parameters,
+    double D_l[3][3], double D_r[3][3]);
+
+/* Assembly branch and condition number of D_l in the Frobenius norm.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out determinant [m^3]: det D_l; its sign is the assembly branch
+ *   out condition [1]: Frobenius condition number, at least 3
+ *
+ * Source: equation 15; |D_l| |D_l^-1|, between once and three times the condition number in the 2-norm.
+ * 286 operations; 57554 with every named value written out.
+ */
+void rotary_delta_jacobian_condition(const double p[3], const rotary_delta_parameters *parameters,
+    double *determinant, double *condition);
+
+/* Platform Jacobian D_p = D_l^-1 D_r.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out D_p [m]: dp_i/dq_k, base frame
+ *
+ * Source: equation 15.
+ * 300 operations; 66285 with every named value written out.
+ */
+void rotary_delta_platform_jacobian(const double p[3], const rotary_delta_parameters *parameters,
+    double D_p[3][3]);
+
+/* Time derivative of the platform Jacobian.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   in  theta_dot [rad/s]: arm velocities
+ *   out D_p_dot [m/s]: d(D_p)/dt, with theta_dot
+ *
+ * Source: equation 17.
+ * 492 operations; 3110535 with every named value written out.
+ */
+void rotary_delta_platform_jacobian_rate(const double p[3], const double theta_dot[3],
+    const rotary_delta_parameters *parameters, double D_p_dot[3][3]);
+
+/* Second derivatives of the platform with respect to the arm angles.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out P [m]: d2p_i/dq_k dq_l as P[i, k, l]
+ *
+ * Source: equation 49, by the implicit function theorem to second order.
+ * 525 operations; 3253689 with every named value written out.
+ */
+void rotary_delta_platform_second_derivatives(const double p[3], const rotary_delta_parameters *parameters,
+    double P[3][3][3]);
+
+/* Jacobians of the linkages: centre of mass and angular velocity.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out D_d [m]: velocity of the centre of linkage j by theta_dot
+ *   out D_omega [1]: angular velocity of linkage j by theta_dot
+ *
+ * Source: equations 16 and 23; the angular velocity without spin about the rod, which carries no energy.
+ * 447 operations; 620496 with every named value written out.
+ */
+void rotary_delta_link_jacobians(const double p[3], const rotary_delta_parameters *parameters,
+    double D_d[3][3][3], double D_omega[3][3][3]);
+
+/* Kinetic energies of the structure and of the transmissions.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   in  q_dot [rad/s]: rates of the six generalised coordinates
+ *   out T_ss [J]: platform and what moves it
+ *   out T_t [J]: rotors and motors
+ *
+ * Source: equations 24 and 28.
+ * 392 operations; 135334 with every named value written out.
+ */
+void rotary_delta_kinetic_energy(const double p[3], const double q_dot[6],
+    const rotary_delta_parameters *parameters, double *T_ss, double *T_t);
+
+/* Mass matrix M in the six generalised coordinates.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out M [kg m^2]: symmetric
+ *
+ * Source: equations 24, 30 and 33.
+ * 417 operations; 612723 with every named value written out.
+ */
+void rotary_delta_mass_matrix(const double p[3], const rotary_delta_parameters *parameters, double M[6][6]);
+
+/* Coriolis and centrifugal forces h of M_ss theta_ddot + h + grad V = Q.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   in  theta_dot [rad/s]: arm velocities
+ *   out h [N m]: generalised forces on the arm coordinates
+ *
+ * Source: Lagrange's equations, equation 47 without its linearisation.
+ * 987 operations; 17338074 with every named value written out.
+ */
+void rotary_delta_velocity_forces(const double p[3], const double theta_dot[3],
+    const rotary_delta_parameters *parameters, double h[3]);
+
+/* Gravitational potential energy V_g, the force function U_g with opposite sign.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out V_g [J]: zero at the origin of the base frame
+ *
+ * Source: equation 26, for gravity in any direction and every body that moves.
+ * 297 operations; 5382 with every named value written out.
+ */
+void rotary_delta_gravity_potential(const double p[3], const rotary_delta_parameters *parameters,
+    double *V_g);
+
+/* Gradient of the gravitational potential energy with respect to the arm angles.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out G [N m]: dV_g/dq_k
+ *
+ * Source: equation 27.
+ * 363 operations; 69039 with every named value written out.
+ */
+void rotary_delta_gravity_gradient(const double p[3], const rotary_delta_parameters *parameters, double G[3]);
+
+/* Hessian of the gravitational potential energy with respect to the arm angles.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out H_g [N m]: d2V_g/dq_k dq_l, symmetric
+ *
+ * Source: section 4 and equation 49.
+ * 543 operations; 1734630 with every named value written out.
+ */
+void rotary_delta_gravity_hessian(const double p[3], const rotary_delta_parameters *parameters,
+    double H_g[3][3]);
+
+/* Elastic potential energy V_el of the transmissions, the force function U_el with opposite sign.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   in  delta_q [rad]: small displacements of the six generalised coordinates from the reference
+ *     configuration at p
+ *   out V_el [J]: zero in the reference configuration
+ *
+ * Source: equation 38, summed.
+ * 14 operations; 14 with every named value written out.
+ */
+void rotary_delta_elastic_potential(const double p[3], const double delta_q[6],
+    const rotary_delta_parameters *parameters, double *V_el);
+
+/* Gradient of the elastic potential energy.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   in  delta_q [rad]: small displacements of the six generalised coordinates from the reference
+ *     configuration at p
+ *   out E [N m]: dV_el/dq
+ *
+ * Source: equation 38 differentiated.
+ * 21 operations; 30 with every named value written out.
+ */
+void rotary_delta_elastic_gradient(const double p[3], const double delta_q[6],
+    const rotary_delta_parameters *parameters, double E[6]);
+
+/* Hessian of the elastic potential energy.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out H_el [N m]: d2V_el/dq2, symmetric, three zero eigenvalues
+ *
+ * Source: equation 38 differentiated twice.
+ * 3 operations; 6 with every named value written out.
+ */
+void rotary_delta_elastic_hessian(const double p[3], const rotary_delta_parameters *parameters,
+    double H_el[6][6]);
+
+/* Torques of the drives, and the rotations that go with them, that hold the pose.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out tau_st [N m]: torques on the driven rotors, positive with their rotation
+ *   out theta_st [rad]: rotations from unstrained transmissions, in the order of the coordinates
+ *
+ * Source: equation 44, solved at the pose.
+ * 369 operations; 138087 with every named value written out.
+ */
+void rotary_delta_static_equilibrium(const double p[3], const rotary_delta_parameters *parameters,
+    double tau_st[3], double theta_st[3]);
+
+/* Stiffness matrix K in the six generalised coordinates.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out K [N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
+ *
+ * Source: equations 46 and 48: K = -H_U.
+ * 549 operations; 1734639 with every named value written out.
+ */
+void rotary_delta_stiffness_matrix(const double p[3], const rotary_delta_parameters *parameters,
+    double K[6][6]);
+
+/* Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.
+ *
+ * Common intermediate values are evaluated once, which makes this the function to call for an eigenproblem.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out M [kg m^2]: mass matrix
+ *   out K [N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
+ *
+ * Source: equation 48.
+ * 666 operations; 2347362 with every named value written out.
+ */
+void rotary_delta_modal_matrices(const double p[3], const rotary_delta_parameters *parameters,
+    double M[6][6], double K[6][6]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,110 @@
+/* Generated from the derivation of rotary_delta and the catalogue of effects.
+ * By pkmodes_derive 0.1.0 with SymPy 1.14.0.
+ * Do not edit: regenerate with `python -m pkmodes_derive generate`.
+ *
+ * Dynamics of the mechanism rotary_delta with effects: extended matrices and sensitivities.
+ *
+ * C99, no allocation, no dependency but the C library's mathematics and memset.  Matrices are row-major.
+ * Everything is in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K is
+ * positive for a restoring force.
+ * Generalised coordinates, in the order of M and K:
+ *   theta_1 [rad]
+ *   theta_2 [rad]
+ *   theta_3 [rad]
+ *   phi_1 [rad]
+ *   phi_2 [rad]
+ *   phi_3 [rad]
+ *   delta_1 [m]
+ *   delta_2 [m]
+ *   delta_3 [m]
+ *   u_x [m]
+ *   u_y [m]
+ *   u_z [m]
+ */
+#ifndef ROTARY_DELTA_EXTENDED_H
+#define ROTARY_DELTA_EXTENDED_H
+
+#include "rotary_delta.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+    /* [1] relative change of the stiffness of reducer 1 */
+    double axis_reducer_stiffness_factor_1;
+    /* [1] relative change of the stiffness of reducer 2 */
+    double axis_reducer_stiffness_factor_2;
+    /* [1] relative change of the stiffness of reducer 3 */
+    double axis_reducer_stiffness_factor_3;
+    /* [N/m] isotropic stiffness from the platform centre to ground */
+    double cable_stiffness_stiffness;
+    /* [kg m^2] extra inertia on every driven pulley */
+    double gearbox_inertia_inertia;
+    /* [kg] point mass at the platform centre */
+    double payload_mass;
+    /* [N m/rad] torsional stiffness to ground at every driven pulley */
+    double servo_stiffness_stiffness;
+    /* [m/N] axial compliance of every linkage */
+    double link_compliance_compliance;
+    /* [m/N] isotropic compliance of the frame */
+    double frame_compliance_compliance;
+    /* [kg] mass of the frame */
+    double frame_compliance_mass;
+} rotary_delta_effects;
+
+/* Mass and stiffness matrices in the base and all released coordinates, joints free.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out M [kg, kg m, kg m^2]: mass matrix; the base model's is the leading block
+ *   out K_el [N/m, N, N m]: elastic stiffness, released joints free
+ *   out K_g [N/m, N, N m]: Hessian of the gravitational potential energy
+ *
+ * Source: equations 24 to 48 with the effects' energies; K = K_el + K_g and the joints' stiffnesses.
+ * 1282 operations; 10153161 with every named value written out.
+ */
+void rotary_delta_extended_extended_matrices(const double p[3], const rotary_delta_parameters *parameters,
+    const rotary_delta_effects *effects, double M[12][12], double K_el[12][12], double K_g[12][12]);
+
+/* Absolute motion of the platform centre by the coordinates.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out J_p [1, m]: dp_i/dq_k, base frame
+ *
+ * Source: equation 15, with what released joints and the frame add.
+ * 315 operations; 116730 with every named value written out.
+ */
+void rotary_delta_extended_extended_platform_motion(const double p[3],
+    const rotary_delta_parameters *parameters, double J_p[3][12]);
+
+/* Stiffnesses of the released joints, to be added to the diagonal of K.
+ *
+ * Infinite for a compliance of zero: a locked joint.
+ *
+ *   out kappa [N/m, N m]: in the order of the released coordinates
+ *   out kappa_c [N^2/m^2, N^2 m^2]: derivatives by the compliances
+ *
+ * Source: energy q^2 / (2 c) of each joint.
+ * 8 operations; 24 with every named value written out.
+ */
+void rotary_delta_extended_joint_stiffness(const rotary_delta_effects *effects, double kappa[6],
+    double kappa_c[6]);
+
+/* Torques and rotations that hold the pose, the effects' weights and changes of stiffness included.
+ *
+ *   in  p [m]: platform centre in the base frame
+ *   out tau_st [N m]: torques on the driven rotors
+ *   out theta_st [rad]: rotations from unstrained transmissions
+ *
+ * Source: equation 44; springs that effects add are relaxed at the pose, and the released joints hold.
+ * 376 operations; 138123 with every named value written out.
+ */
+void rotary_delta_extended_extended_static_equilibrium(const double p[3],
+    const rotary_delta_parameters *parameters, const rotary_delta_effects *effects, double tau_st[3],
+    double theta_st[3]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
