@@ -19,10 +19,10 @@ from pkmodes_derive.parts import Arm, Belt, Clamp, Drive, Form, Link, PointMass,
 from pkmodes_derive.tables import Tables
 from pkmodes_derive.vocabulary import AXES, Field, Vocabulary
 
-#: What the letters of indices count.
+#: What the letters of indices count; a mechanism may say it in its own words.
 LETTERS = {
-    "j": "axis or belt j",
-    "k": "pulley k, or coordinate k of a derivative",
+    "j": "axis j",
+    "k": "coordinate k of a derivative",
     "l": "coordinate l of a second derivative",
     "s": "belt span s",
     "i": "component i = x, y, z",

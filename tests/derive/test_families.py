@@ -11,9 +11,9 @@ from pkmodes_derive.emit.latex.families import Families, Member
 from pkmodes_derive.vocabulary import AXES, Vocabulary
 
 VOCABULARY = Vocabulary()
-A = VOCABULARY.per_axis("a", "m", "a length of axis {j}", "a_{j}")
-B = VOCABULARY.per_axis("b", "m", "another length of axis {j}", "b_{j}")
-N = VOCABULARY.vectors_per_axis("n", "1", "a direction of axis {j}", "n_{j}")
+A = [VOCABULARY.declare("a_{j}", "m", "a length of axis {j}", "a_{j}", j=j) for j in (1, 2, 3)]
+B = [VOCABULARY.declare("b_{j}", "m", "another length of axis {j}", "b_{j}", j=j) for j in (1, 2, 3)]
+N = [VOCABULARY.vector("n_{j}", "1", "a direction of axis {j}", "n_{j}", j=j) for j in (1, 2, 3)]
 C = VOCABULARY.declare("c", "m", "one length", "c")
 J = (1, 2, 3)
 

@@ -69,9 +69,7 @@ def test_derivatives_by_parameters_are_one_family() -> None:
 
 def test_quantities_are_typeset_with_any_values_or_letters() -> None:
     vocabulary = Vocabulary()
-    _, quantity = (
-        vocabulary[s] for s in vocabulary.vectors_per_axis("n", "1", "direction {j}", "n_{j}")[1][:2]
-    )
+    quantity = vocabulary[vocabulary.vector("n_{j}", "1", "direction {j}", "n_{j}", j=2)[1]]
     assert quantity.latex == quantity.typeset(quantity.index) == "(n_2)_y"
     assert quantity.typeset({"j": "j", "i": "i"}) == "(n_j)_i"
     assert quantity.typeset({"j": "j'", "i": "x"}) == "(n_{j'})_x"

@@ -63,14 +63,16 @@ def parametric(mechanism: str) -> dict[str, str]:
 def of_robot(specification: Specification) -> Model:
     """The model of a robot, its parameters not yet folded in: the base one, or one with its effects."""
     if not specification.effects:
-        return mechanisms.base(specification.mechanism)
+        base: Model = mechanisms.base(specification.mechanism)
+        return base
     zeros = frozenset(
         (name, i)
         for name, value in specification.fields.items()
         for i, entry in enumerate(_flat(value))
         if entry == 0.0
     )
-    return mechanisms.single(specification.mechanism, specification.effects, zeros)
+    single: Model = mechanisms.single(specification.mechanism, specification.effects, zeros)
+    return single
 
 
 def specialised(specification: Specification) -> dict[str, str]:

@@ -5,8 +5,7 @@
  * Dynamics of the mechanism corexy, for a robot given by its parameters.
  * The header describes every function.
  *
- * Names in the code, for axis or belt j; belt span s.  t1, t2, ... are subexpressions that several values
- * share.
+ * Names in the code, for belt j; run s of a belt.  t1, t2, ... are subexpressions that several values share.
  *   tau_st_j [N m]: static torque on motor pulley j
  *   I_j [kg m^2]: moment of inertia of motor pulley j, with the motor
  *   l_f_j_s [m]: free length of run s of belt j

@@ -7,7 +7,7 @@ Arrays are batch first: a leading `...` stands for any batch shape, none include
 Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
 frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
 
-Names in the code, for axis or belt j; belt span s.  t1, t2, ... are subexpressions that several values share.
+Names in the code, for belt j; run s of a belt.  t1, t2, ... are subexpressions that several values share.
 
 * tau_st_j [N m]: static torque on motor pulley j
 * I_j [kg m^2]: moment of inertia of motor pulley j, with the motor

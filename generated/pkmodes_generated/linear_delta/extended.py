@@ -7,8 +7,8 @@ Arrays are batch first: a leading `...` stands for any batch shape, none include
 Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
 frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
 
-Names in the code, for axis or belt j; pulley k, or coordinate k of a derivative; belt span s; component i =
-x, y, z.  t1, t2, ... are subexpressions that several values share.
+Names in the code, for axis j; pulley k, or carriage k of a derivative; belt span s; component i = x, y, z.
+t1, t2, ... are subexpressions that several values share.
 
 * x_j [m]: position of carriage j along its rail
 * r_j_i [m]: platform joint j seen from the origin of rail j, component i

@@ -5,7 +5,7 @@
  * Dynamics of the mechanism linear_delta, for a robot given by its parameters.
  * The header describes every function.
  *
- * Names in the code, for axis or belt j; pulley k, or coordinate k of a derivative; coordinate l of a second
+ * Names in the code, for axis j; pulley k, or carriage k of a derivative; coordinate l of a second
  * derivative; belt span s; component i = x, y, z.  t1, t2, ... are subexpressions that several values share.
  *   x_j [m]: position of carriage j along its rail
  *   r_j_i [m]: platform joint j seen from the origin of rail j, component i

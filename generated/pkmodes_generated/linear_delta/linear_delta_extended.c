@@ -5,8 +5,8 @@
  * Dynamics of the mechanism linear_delta with effects: extended matrices and sensitivities.
  * The header describes every function.
  *
- * Names in the code, for axis or belt j; pulley k, or coordinate k of a derivative; belt span s; component i
- * = x, y, z.  t1, t2, ... are subexpressions that several values share.
+ * Names in the code, for axis j; pulley k, or carriage k of a derivative; belt span s; component i = x, y, z.
+ * t1, t2, ... are subexpressions that several values share.
  *   x_j [m]: position of carriage j along its rail
  *   r_j_i [m]: platform joint j seen from the origin of rail j, component i
  *   s_j_i [m]: linkage vector j, from carriage to platform joint, component i

@@ -7,8 +7,8 @@ Arrays are batch first: a leading `...` stands for any batch shape, none include
 Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
 frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
 
-Names in the code, for axis or belt j; pulley k, or coordinate k of a derivative; component i = x, y, z.  t1,
-t2, ... are subexpressions that several values share.
+Names in the code, for axis j; coordinate k of a derivative; component i = x, y, z.  t1, t2, ... are
+subexpressions that several values share.
 
 * y_j_i [1]: direction of arm j at a right angle: a_j times z_j, component i
 * c_j [1]: cosine of theta_j

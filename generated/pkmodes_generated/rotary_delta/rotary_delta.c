@@ -5,8 +5,8 @@
  * Dynamics of the mechanism rotary_delta, for a robot given by its parameters.
  * The header describes every function.
  *
- * Names in the code, for axis or belt j; pulley k, or coordinate k of a derivative; coordinate l of a second
- * derivative; component i = x, y, z.  t1, t2, ... are subexpressions that several values share.
+ * Names in the code, for axis j; coordinate k of a derivative; coordinate l of a second derivative; component
+ * i = x, y, z.  t1, t2, ... are subexpressions that several values share.
  *   theta_j [rad]: angle of arm j
  *   y_j_i [1]: direction of arm j at a right angle: a_j times z_j, component i
  *   c_j [1]: cosine of theta_j

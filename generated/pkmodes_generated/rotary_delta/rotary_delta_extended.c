@@ -5,8 +5,8 @@
  * Dynamics of the mechanism rotary_delta with effects: extended matrices and sensitivities.
  * The header describes every function.
  *
- * Names in the code, for axis or belt j; pulley k, or coordinate k of a derivative; component i = x, y, z.
- * t1, t2, ... are subexpressions that several values share.
+ * Names in the code, for axis j; coordinate k of a derivative; component i = x, y, z.  t1, t2, ... are
+ * subexpressions that several values share.
  *   y_j_i [1]: direction of arm j at a right angle: a_j times z_j, component i
  *   c_j [1]: cosine of theta_j
  *   sn_j [1]: sine of theta_j

@@ -26,6 +26,7 @@ HALF = Rational(1, 2)
 def declare(m: Machine) -> None:
     """Declare the CoreXY."""
     v = m.vocabulary
+    v.letters |= {"j": "belt j", "s": "run s of a belt", "i": "component i = x, y"}
 
     # The robot file -----------------------------------------------------------------------------------------
     (m_h,) = m.tables.single("toolhead", "the tool head").quantity(

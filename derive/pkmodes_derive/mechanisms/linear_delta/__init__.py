@@ -30,6 +30,7 @@ HALF = Rational(1, 2)
 def declare(m: Machine) -> None:
     """Declare the linear delta."""
     v = m.vocabulary
+    v.letters["k"] = "pulley k, or carriage k of a derivative"
 
     # The robot file -----------------------------------------------------------------------------------------
     m_p = m.tables.single("platform", "the moving platform").quantity(
