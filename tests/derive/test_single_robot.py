@@ -21,17 +21,22 @@ from pkmodes_derive import mechanisms
 from pkmodes_derive.emit import product
 from sample_robots import ROBOTS
 
-CATALOGUE = mechanism("linear_delta").effects
-
-NAMES = tuple(sorted(path.name for path in ROBOTS.glob("*.toml")))
+ROBOT = "linear-delta-2022.toml"
 POSE = np.array([0.6, 0.03, -0.245])
+POSES = {
+    "linear_delta": POSE,
+    "rotary_delta": np.array([0.05, 0.03, -0.6]),
+    "corexy": np.array([0.1, 0.22]),
+}
 VALUES: dict[str, dict[str, float]] = {
     "payload": {"mass": 0.35},
     "belt_mass": {"linear_density": 0.06},
     "gearbox_inertia": {"inertia": 2e-4},
     "servo_stiffness": {"stiffness": 500.0},
     "belt_end_compliance": {"compliance": 1e-7},
-    "axis_belt_stiffness": {"factor_1": 0.05, "factor_2": -0.1, "factor_3": 0.02},
+    "axis_belt_stiffness": {"factor_1": 0.05, "factor_2": -0.1},
+    "axis_reducer_stiffness": {"factor_1": 0.05, "factor_2": -0.1, "factor_3": 0.02},
+    "belt_tension_stiffness": {"coefficient": 0.01, "tension": 20.0},
     "cable_stiffness": {"stiffness": 1000.0},
     "gearbox_compliance": {"compliance": 1e-3},
     "link_compliance": {"compliance": 1e-7},
@@ -44,12 +49,15 @@ COMBINATIONS = (
     ("payload", "gearbox_compliance", "clamp_compliance"),
     ("cable_stiffness", "clamp_compliance", "frame_compliance"),
 )
-LABELS = ["+".join(names) for names in COMBINATIONS]
 
 
 @cache
 def document(name: str) -> dict:
     return tomllib.loads((ROBOTS / name).read_text(encoding="utf-8"))
+
+
+def applies(effects: tuple[str, ...], name: str) -> bool:
+    return set(effects) <= mechanism(document(name)["mechanism"]).effects.keys()
 
 
 def robot(name: str, effects: tuple[str, ...], **tables: dict) -> pkmodes.Model:
@@ -71,6 +79,17 @@ def sample(name: str, effects: tuple[str, ...]) -> tuple[pkmodes.Model, types.Mo
     return model, *generated(model)
 
 
+NAMES = tuple(sorted(path.name for path in ROBOTS.glob("*.toml")))
+#: Of the linear delta, and of a robot of each kind.
+COMBINED = [pytest.param(c, id="+".join(c)) for c in COMBINATIONS if applies(c, ROBOT)]
+CASES = [
+    pytest.param(name, effects, id=f"{name}-{'+'.join(effects)}")
+    for name in NAMES
+    for effects in COMBINATIONS
+    if applies(effects, name)
+]
+
+
 def functions(module: types.ModuleType) -> set[str]:
     return {name for name in module.__all__ if name.islower()}
 
@@ -80,13 +99,15 @@ def prototypes(texts: dict[str, str]) -> set[str]:
 
 
 def test_every_effect_has_a_case_here() -> None:
-    assert VALUES.keys() == CATALOGUE.keys()
+    assert VALUES.keys() == {
+        effect for name in NAMES for effect in mechanism(document(name)["mechanism"]).effects
+    }
 
 
-@pytest.mark.parametrize("effects", COMBINATIONS, ids=LABELS)
+@pytest.mark.parametrize("effects", COMBINED)
 def test_the_interface_is_that_of_a_robot_without_effects(effects: tuple[str, ...]) -> None:
-    _, plain, plain_texts = sample(NAMES[0], ())
-    model, module, texts = sample(NAMES[0], effects)
+    _, plain, plain_texts = sample(ROBOT, ())
+    model, module, texts = sample(ROBOT, effects)
     condensed = "clamp_compliance" in effects and "belt_mass" not in effects
     own = {"platform_motion"} | ({"condensation", "uncondensed_matrices"} if condensed else set())
     assert len(functions(plain)) == 24
@@ -98,23 +119,23 @@ def test_the_interface_is_that_of_a_robot_without_effects(effects: tuple[str, ..
     assert len(module.COORDINATE_UNITS) == len(module.COORDINATES)
 
 
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("effects", COMBINATIONS, ids=LABELS)
+@pytest.mark.parametrize(("name", "effects"), CASES)
 def test_the_eigenproblem_is_that_of_modes(name: str, effects: tuple[str, ...]) -> None:
     """By a solver that knows nothing of massless coordinates; shapes are those of `modes`, platform included."""
     model, module, texts = sample(name, effects)
-    M, K = module.modal_matrices(POSE)
+    pose = POSES[model.robot.mechanism]
+    M, K = module.modal_matrices(pose)
     np.linalg.cholesky(M)
     n = len(module.COORDINATES)
     assert M.shape == K.shape == (n, n)
     assert f"double M[{n}][{n}], double K[{n}][{n}]" in re.sub(r"\s+", " ", texts["sample.h"])
     eigenvalues, vectors = eigh(K, M)
-    expected = model.modes(POSE)
+    expected = model.modes(pose)
     rigid = expected.rigid_modes
     found = np.sqrt(np.abs(eigenvalues)) / (2.0 * np.pi)
     np.testing.assert_allclose(found[rigid:], expected.frequencies[rigid:], rtol=1e-10)
     # Symmetric robots have repeated modes, so whole sums of shapes are compared: the flexibility.
-    every = module.condensation(POSE) if hasattr(module, "condensation") else np.eye(n)
+    every = module.condensation(pose) if hasattr(module, "condensation") else np.eye(n)
     order = module.ALL_COORDINATES if hasattr(module, "condensation") else module.COORDINATES
     assert list(order) == list(model.coordinates)
     flexibility = [(s[:, rigid:] / v[rigid:]) @ s[:, rigid:].T for s, v in (
@@ -123,7 +144,7 @@ def test_the_eigenproblem_is_that_of_modes(name: str, effects: tuple[str, ...]) 
     )]  # fmt: skip
     size = np.sqrt(np.diagonal(flexibility[1]))
     np.testing.assert_array_less(np.abs(flexibility[0] - flexibility[1]), 1e-8 * np.outer(size, size))
-    motion = module.platform_motion(POSE) @ vectors[:, rigid:]
+    motion = module.platform_motion(pose) @ vectors[:, rigid:]
     of_modes = expected.platform_shapes[rigid:].T
     np.testing.assert_allclose(
         (motion / eigenvalues[rigid:]) @ motion.T,
@@ -150,9 +171,9 @@ def results(function: object, inputs: list) -> tuple[np.ndarray, ...]:
     return found if isinstance(found, tuple) else (found,)
 
 
-@pytest.mark.parametrize("effects", COMBINATIONS[7:], ids=LABELS[7:])
+@pytest.mark.parametrize("effects", COMBINED[7:])
 def test_c_equals_numpy(tmp_path: Path, effects: tuple[str, ...]) -> None:
-    model, module, texts = sample(NAMES[0], effects)
+    model, module, texts = sample(ROBOT, effects)
     library = build(tmp_path, "sample", texts)
     given = arguments(module, np.random.default_rng(4))
     for function in product.of_robot(specification(model.robot, "sample.toml")).functions:
@@ -194,7 +215,7 @@ def test_every_function_is_that_of_a_robot_declared_so(effect: str, tables: dict
 
 def test_massless_clamps_take_the_least_elastic_energy() -> None:
     """The condensed energy is the least over the clamps' displacements: the others' energy at any of them is more."""
-    _, module, _ = sample(NAMES[0], ("clamp_compliance",))
+    _, module, _ = sample(ROBOT, ("clamp_compliance",))
     _, K = module.uncondensed_matrices(POSE)
     gravity = np.zeros_like(K)
     gravity[:3, :3] = module.gravity_hessian(POSE)
