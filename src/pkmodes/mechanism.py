@@ -7,6 +7,7 @@ Everything that differs between mechanisms comes from here: the description that
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from importlib import import_module
@@ -314,7 +315,7 @@ def _described(data: dict[str, Any], package: str) -> Mechanism:
             e["sentence"],
             e["grounds"],
             tuple(Named(**q) for q in e["coordinates"]),
-            tuple(EffectParameter(**p) for p in e["parameters"]),
+            tuple(_parameter(p) for p in e["parameters"]),
         )
         for e in data["effects"]
     ]
@@ -348,6 +349,12 @@ def _described(data: dict[str, Any], package: str) -> Mechanism:
         scales=tuple(Scale(**_tuples(s)) for s in data["scales"]),
         differences=dict(data["differences"]),
     )
+
+
+def _parameter(data: dict[str, Any]) -> EffectParameter:
+    """A parameter of an effect; JSON has no infinity for one that may have any value."""
+    bound = data["greater_than"]
+    return EffectParameter(**{**data, "greater_than": -math.inf if bound is None else bound})
 
 
 def _tuples(data: dict[str, Any]) -> dict[str, Any]:

@@ -95,7 +95,9 @@ def _print(model: Model, result: Modes, statics: Statics) -> None:
         (model.kind.independent_are, result.joint_positions, units[model.kind.independent[0]]),
         ("static torques", statics.torques, drive),
     ):
-        console.print(f"{label} [{unit}]: {', '.join(f'{v:.4f}' for v in values)}", markup=False)
+        console.print(
+            f"{label} [{unit}]: {', '.join(f'{round(v, 4) + 0.0:.4f}' for v in values)}", markup=False
+        )
 
 
 def _frequency(value: float) -> str:

@@ -36,8 +36,8 @@ NOTHING, NOTHING_BY_UNIT = 1e-9, 1e-15
 @click.option(
     "--parameters",
     metavar="PATHS",
-    help="Quantities such as platform.mass, axis.1.belt.width or effects.payload.mass, separated by commas; by "
-    "default all that can vary.",
+    help="Quantities such as platform.mass, link.length or effects.payload.mass, separated by commas; by default all "
+    "that can vary.",
 )
 @json_option
 def sensitivities(robot: Path, pose: str, parameters: str | None, json_file: str | None) -> None:

@@ -118,7 +118,7 @@ def _varying(robot: Robot) -> list[str]:
 
 
 def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
-    """A candidate that is not suspected by default, such as the belt of one axis."""
+    """A candidate that is not suspected by default, such as a value of one axis."""
     path = name.removeprefix(PREFIX)
     effects = robot.kind.effects
     if name in effects:
