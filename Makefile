@@ -48,7 +48,7 @@ benchmark: $(VENV)/.dev
 	$(BIN)/python benchmarks/large_models.py
 
 suites: $(VENV)/.dev  ## rates of the diagnosis on the virtual test rig, twenty minutes on two cores
-	$(BIN)/python benchmarks/diagnosis.py --seed 20261203 --out docs/diagnosis-measured.md
+	$(BIN)/python benchmarks/diagnosis.py --seed 20261204 --out docs/diagnosis-measured.md
 
 clean:
 	rm -rf $(VENV) build

@@ -1,6 +1,6 @@
 """Measure the diagnosis on the virtual test rig: run the suites, and write what came out as tables.
 
-    python benchmarks/diagnosis.py --seed 20261203 --out docs/diagnosis-measured.md         # `make suites`
+    python benchmarks/diagnosis.py --seed 20261204 --out docs/diagnosis-measured.md         # `make suites`
     python benchmarks/diagnosis.py --only "two effects" --limit 6           # a few cases, tables on stdout
 
 `suites` has the cases, `judging` how they are judged, and `requirements` what they must show.
@@ -32,7 +32,7 @@ from strengths import SEED
 from suites import SUITES, Case, Outcome, failed, run
 
 #: Seeds whose cases were looked at while the diagnosis was developed.
-SEEN = f"{SEED}, 101 to 120, 20261121, 20261122, 20261130, 20261201 and 20261202"
+SEEN = f"{SEED}, 101 to 120, 20261121, 20261122, 20261130, 20261201, 20261202 and 20261203"
 STATES = ("named", "partly", "wrong", "abstained", "adequate", "failed")
 #: Suites with a single cause each, measured as laboratories do, and those of what is hard about measurements.
 REALISTIC = ("one effect, realistic", "wrong parameter, realistic", "modes missed")

@@ -22,15 +22,15 @@ from pathlib import Path
 import numpy as np
 
 from pkmodes.closing import loop
-from pkmodes.closing.structure import CHANNELS
+from pkmodes.closing.structure import channels as channels_of
 from pkmodes.diagnosis.diagnose import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
-from pkmodes.robot.effects import CATALOGUE
+from pkmodes.mechanism import mechanism
+from pkmodes.robot.paths import moved, resolve
 from pkmodes.robot.robot import Robot
-from pkmodes.sensitivity.paths import moved, resolve
 from rig import (
     BASE_RIGID,
     POSES,
@@ -57,11 +57,14 @@ from sizes import (
     WRONG_TARGETS,
 )
 
+CATALOGUE = mechanism("linear_delta").effects
+
 #: Standard deviation of ln f, and the modes that are looked for beyond the first three.
 SIGMA, MODES = 0.002, 6
 PLANS = ("grid", "scattered", "line")
 SEED = 20_221_107
 SHAPES = SENSORS
+CHANNELS = channels_of(mechanism("linear_delta"))
 
 
 @dataclass(frozen=True)
@@ -102,7 +105,7 @@ class Truth:
 NO_WEIGHT = 1e6
 
 
-def measurements(text: str, channels: Sequence[str] = CHANNELS) -> Measurements:
+def measurements(text: str, channels: Sequence[str] = tuple(CHANNELS)) -> Measurements:
     """Read the text of a CSV file."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "modes.csv"

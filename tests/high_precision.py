@@ -9,8 +9,10 @@ import mpmath
 import numpy as np
 
 from pkmodes.evaluation import SystemOfEffects
-from pkmodes.robot.effects import CATALOGUE
+from pkmodes.mechanism import mechanism
 from pkmodes_generated.linear_delta import Parameters, extended
+
+CATALOGUE = mechanism("linear_delta").effects
 
 mp = mpmath.mp.clone()
 mp.dps = 80
@@ -35,13 +37,13 @@ class Exact(NamedTuple):
 
 def exact_modes(parameters: Parameters, effects: Mapping[str, float], p: np.ndarray) -> Exact:
     """Modes of a robot at a pose: the generated M and K, and the stiffness 1/c of every joint without rounding."""
-    system = SystemOfEffects(parameters, effects)
+    system = SystemOfEffects(mechanism("linear_delta"), parameters, effects)
     joints_free = extended.extended_matrices(p, parameters, system.effects)
     M, K_el, K_g = (a[np.ix_(system.free, system.free)] for a in joints_free)
     K = mp.matrix(K_el.tolist()) + mp.matrix(K_g.tolist())
     for i, coordinate in enumerate(extended.COORDINATES[k] for k in system.free):
         for effect in CATALOGUE.values():
-            if coordinate in effect.coordinates:
+            if coordinate in (q.name for q in effect.coordinates):
                 compliance = mp.mpf(effects.get(f"{effect.name}.compliance", 0.0))
                 K[i, i] += 1 / (
                     compliance + mp.mpf(effects.get(f"{effect.name}.compliance.{coordinate}", 0.0))

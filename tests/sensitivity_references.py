@@ -16,11 +16,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import pkmodes
-from pkmodes.robot.effects import CATALOGUE
+from pkmodes.mechanism import mechanism
+from pkmodes.robot.paths import ParameterPath, moved
 from pkmodes.robot.reading import robot_from_document
 from pkmodes.robot.robot import Robot
-from pkmodes.sensitivity.paths import ParameterPath, moved
 from pkmodes_generated.linear_delta import Parameters, extended
+
+CATALOGUE = mechanism("linear_delta").effects
 
 Array = np.ndarray
 #: Shared tables of the robot file, and their fields in the generated model.
@@ -38,7 +40,7 @@ TABLES = {
 }
 #: Compliances of the released joints, and their coordinates.
 JOINTS = {
-    f"{effect.name}.{effect.parameters[0].name}": effect.coordinates
+    f"{effect.name}.{effect.parameters[0].name}": tuple(q.name for q in effect.coordinates)
     for effect in CATALOGUE.values()
     if effect.coordinates
 }

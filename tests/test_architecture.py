@@ -14,6 +14,8 @@ ROOT = Path(__file__).parents[1]
 STANDARD = sys.stdlib_module_names
 #: Parts of the runtime that may reach the derivation, and only from inside functions.
 BRIDGE = {"src/pkmodes/generation.py"}
+#: Parts that load what belongs to a mechanism by its name.
+BY_MECHANISM = {"src/pkmodes/mechanism.py", "src/pkmodes/checking/own.py"}
 
 
 def imports(file: Path, *, top_level_only: bool = False) -> set[str]:
@@ -56,9 +58,9 @@ def test_the_runtime_reaches_the_derivation_through_one_module() -> None:
             assert "pkmodes_derive" in text
 
 
-def test_only_the_bridge_imports_dynamically() -> None:
+def test_only_the_bridge_and_the_mechanisms_are_imported_by_name() -> None:
     for file in files("src"):
-        if file.relative_to(ROOT).as_posix() not in BRIDGE:
+        if file.relative_to(ROOT).as_posix() not in BRIDGE | BY_MECHANISM:
             names = {
                 node.id
                 for node in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
@@ -68,7 +70,7 @@ def test_only_the_bridge_imports_dynamically() -> None:
 
 
 def test_the_runtime_is_light_to_import() -> None:
-    """What takes long is loaded when it is needed: SymPy for generating, pint and pydantic for reading."""
+    """What takes long is loaded when it is needed: SymPy for generating, pint for reading units."""
     code = "import sys, pkmodes; pkmodes.load; print(sorted({m.split('.')[0] for m in sys.modules}))"
     path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
     run = subprocess.run(
@@ -80,15 +82,15 @@ def test_the_runtime_is_light_to_import() -> None:
     )
     loaded = set(ast.literal_eval(run.stdout))
     assert "numpy" in loaded
-    assert not loaded & {"sympy", "jinja2", "pint", "pydantic", "click", "rich", "scipy", "pkmodes_derive"}
+    assert not loaded & {"sympy", "jinja2", "pint", "click", "rich", "scipy", "pkmodes_derive"}
 
 
 #: Which parts of the runtime each part may import, besides errors and itself: nothing points back.
 LAYERS = {
     "diagnosis": {"measured", "eigen"},
-    "measured": {"model", "poses", "robot"},
-    "sensitivity": {"robot", "evaluation", "eigen", "poses", "gathering", "results", "solving"},
-    "robot": {"writing"},
+    "measured": {"robot"},
+    "sensitivity": {"robot", "mechanism", "evaluation", "eigen", "poses", "gathering", "results", "solving"},
+    "robot": {"writing", "mechanism"},
 }
 
 
@@ -101,9 +103,28 @@ def test_the_engine_knows_no_robots(layer: str) -> None:
         assert parts <= LAYERS[layer] | {layer, "errors"}, file
 
 
+#: Where a mechanism may be named: what is checked of it alone.
+OF_ONE = ROOT / "src/pkmodes/mechanisms"
+
+
+def test_the_runtime_knows_no_mechanism_by_name() -> None:
+    """Neither its name nor its generated package: what differs between mechanisms is in their descriptions."""
+    generated = ROOT / "generated/pkmodes_generated"
+    names = [folder.parent.name for folder in generated.glob("*/description.json")]
+    assert "linear_delta" in names
+    for file in files("src"):
+        place = file.relative_to(ROOT).as_posix()
+        if OF_ONE not in file.parents:
+            text = file.read_text(encoding="utf-8")
+            assert not [name for name in names if name in text], place
+            assert "pkmodes_generated" not in imports(file), place
+
+
 def test_templates_contain_no_mathematics() -> None:
     """No operator of arithmetic in what a template computes: it may only place text."""
-    for template in sorted((ROOT / "derive/pkmodes_derive/emit/templates").glob("*.j2")):
+    templates = sorted((ROOT / "derive/pkmodes_derive/emit").rglob("*.j2"))
+    assert templates
+    for template in templates:
         text = template.read_text(encoding="utf-8")
         for opening, closing in (("{{", "}}"), ("{%", "%}")):
             for part in text.split(opening)[1:]:

@@ -12,10 +12,12 @@ from pkmodes.closing import frame
 from pkmodes.closing.loop import corrections
 from pkmodes.closing.structure import RobotStructure
 from pkmodes.closing.suspects import suspects
+from pkmodes.mechanism import mechanism
 from rig_measurements import measure
 from rig_robots import POSES, read
 
 ROBOT = "tower"
+KIND = mechanism("linear_delta")
 POINTS = np.array(POSES[ROBOT]["grid"])
 
 
@@ -53,7 +55,7 @@ def test_poses_that_are_turned_are_said_to_be(tmp_path: Path) -> None:
     assert "measurement:yaw" in found.effects[0].members
 
 
-@pytest.mark.parametrize("name", list(frame.PARAMETERS))
+@pytest.mark.parametrize("name", list(frame.parameters(KIND)))
 def test_rates_by_the_frame_are_those_of_differences(name: str) -> None:
     robot = read(ROBOT)
     structure = RobotStructure(robot, POINTS[:4], *suspects(robot))
@@ -73,8 +75,8 @@ def test_rates_by_the_frame_are_those_of_differences(name: str) -> None:
 def test_poses_are_turned_first_and_then_shifted() -> None:
     points = np.array([[1.0, 0.0, 0.5]])
     values = {"measurement.yaw": np.pi / 2, "measurement.offset.x": 0.1}
-    assert frame.true_points(points, values) == pytest.approx(np.array([[0.1, 1.0, 0.5]]))
-    assert frame.rate("measurement.yaw", points, values) == pytest.approx(np.array([[-1.0, 0.0, 0.0]]))
+    assert frame.true_points(KIND, points, values) == pytest.approx(np.array([[0.1, 1.0, 0.5]]))
+    assert frame.rate(KIND, "measurement.yaw", points, values) == pytest.approx(np.array([[-1.0, 0.0, 0.0]]))
 
 
 def test_a_component_of_gravity_that_is_zero_is_no_suspect() -> None:

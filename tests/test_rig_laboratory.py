@@ -8,7 +8,8 @@ from functools import cache
 import numpy as np
 import pytest
 
-from pkmodes.closing.structure import CHANNELS
+from pkmodes.closing.structure import channels
+from pkmodes.mechanism import mechanism
 from rig_engine import TrueModes, true_modes
 from rig_laboratory import SENSORS, Laboratory, seen
 from rig_measurements import exact, identified, measure_modes, written
@@ -194,7 +195,7 @@ def test_poses_are_displaced_as_a_whole() -> None:
 def test_every_mistake_changes_the_file(mistake: str) -> None:
     before, after = before_and_after(mistake)
     assert before != after
-    assert set(SENSORS) <= set(CHANNELS)
+    assert set(SENSORS) <= set(channels(mechanism("linear_delta")))
 
 
 def test_rows_that_are_written_again_are_the_same() -> None:

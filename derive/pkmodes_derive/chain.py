@@ -26,6 +26,7 @@ class Chain:
         self._definitions: dict[Symbol, Expr] = {}
         self._rules: dict[tuple[Symbol, Symbol], Expr] = {}
         self._cache: dict[tuple[Symbol, Symbol, frozenset[Symbol]], Expr] = {}
+        self._partials: dict[tuple[Expr, Symbol], Expr] = {}
 
     @property
     def definitions(self) -> Mapping[Symbol, Expr]:
@@ -85,8 +86,14 @@ class Chain:
         for symbol in sorted(expression.free_symbols, key=default_sort_key):
             inner = self._symbol_derivative(symbol, variable, hold)
             if inner != 0:
-                terms.append(diff(expression, symbol) * inner)
+                terms.append(self._partial(expression, symbol) * inner)
         return Add(*terms)
+
+    def _partial(self, expression: Expr, symbol: Symbol) -> Expr:
+        # The same for every variable of a total derivative, and where SymPy spends its time.
+        if (expression, symbol) not in self._partials:
+            self._partials[expression, symbol] = diff(expression, symbol)
+        return self._partials[expression, symbol]
 
     def _symbol_derivative(self, symbol: Symbol, variable: Symbol, hold: frozenset[Symbol]) -> Expr:
         if symbol == variable:

@@ -137,8 +137,8 @@ class Margin:
     meaning : str
         What a pose without it is, in a few words.
     sentence : str
-        The same with ``{0}``, ``{1}`` for the names of the place of the smallest margin and ``{missing}`` or
-        ``{value}`` for its size.
+        The same with ``{0}``, ``{1}`` for the names of the place of the smallest margin, and ``{missing}``, what it
+        lacks, ``{short}``, how a length that lacks it is ("0.01 m too short", "of no length"), or ``{value}``.
     remedy : str
     names : tuple of tuple of str
         For each axis of the result, what its places are called.
@@ -157,6 +157,24 @@ class Margin:
 
 
 @dataclass(frozen=True)
+class Scale:
+    """What a component of a shape is divided by where shapes are shown to a person.
+
+    Attributes
+    ----------
+    coordinate : str
+    field, index : str and tuple of int
+        The number of the generated `Parameters`.
+    symbol : str
+    """
+
+    coordinate: str
+    field: str
+    index: tuple[int, ...]
+    symbol: str
+
+
+@dataclass(frozen=True)
 class Requirement:
     """Something that a robot needs, whatever its pose, as a function of its parameters.
 
@@ -169,7 +187,8 @@ class Requirement:
     places : tuple of str
         Paths of the robot file, one for each entry.
     sentence : str
-        With ``{missing}`` for what is missing.
+        With ``{missing}`` for what is missing, ``{value}`` for the function's value, and paths beside the place, such
+        as ``{limits.min}``, for quantities of the file.
     remedy : str
     unit : str
     """
@@ -191,7 +210,6 @@ class EffectParameterData:
     description: str
     greater_than: float | None
     fitted: bool
-    optional: bool = False
 
 
 @dataclass(frozen=True)
@@ -233,10 +251,12 @@ class Description:
     margins : tuple of Margin
     requirements : tuple of Requirement
     effects : tuple of EffectData
-    opposite : mapping
-        Fields of the parameters that occur only in their difference from another one: the opposite derivatives.
     sample : mapping
         Parameters of a robot without any symmetry, by field: what checks evaluate.
+    scales : tuple of Scale
+        For coordinates of another unit than most.
+    differences : tuple of (str, str)
+        A field that enters only by its difference from another one, and that one, which has the sensitivities.
     """
 
     mechanism: str
@@ -254,8 +274,9 @@ class Description:
     margins: tuple[Margin, ...]
     requirements: tuple[Requirement, ...] = ()
     effects: tuple[EffectData, ...] = ()
-    opposite: Mapping[str, str] = field(default_factory=dict)
     sample: Mapping[str, object] = field(default_factory=dict)
+    scales: tuple[Scale, ...] = ()
+    differences: tuple[tuple[str, str], ...] = ()
 
 
 def as_data(description: Description) -> dict[str, object]:

@@ -36,8 +36,6 @@ class EffectParameter:
         Physical bound: None when any value is meaningful; the null value itself is always allowed.
     fitted : bool
         Whether it can be estimated from measurements; a declared constant of the machine is not.
-    optional : bool
-        Whether a robot file may leave it out: it is then 0.
     """
 
     name: str
@@ -47,7 +45,6 @@ class EffectParameter:
     latex: str
     greater_than: float | None = 0.0
     fitted: bool = True
-    optional: bool = False
 
     def at(self, place: str) -> EffectParameter:
         """That of one part."""
@@ -135,7 +132,7 @@ class Effect:
         parameters = [
             p.at(place) for p in self.parameters for place in (numbers if "{j}" in p.name else numbers[:1])
         ]
-        places = ()
+        places: tuple[str, ...] = ()
         if self.released:
             places = tuple(map(str, parts)) if self.released.letter == "i" else tuple(numbers)
         return replace(self, parameters=tuple(parameters), places=places)
@@ -143,16 +140,17 @@ class Effect:
     def data(self) -> EffectData:
         """What the runtime has to know of it."""
         coordinates = []
-        for place in self.places if self.released else ():
-            name, text = (t.format(i=place, j=place) for t in (self.released.name, self.released.description))
-            coordinates.append(Named(name, self.released.unit, text))
+        if (q := self.released) is not None:
+            for place in self.places:
+                name, text = (t.format(i=place, j=place) for t in (q.name, q.description))
+                coordinates.append(Named(name, q.unit, text))
         return EffectData(
             self.name,
             self.sentence,
             self.grounds,
             tuple(coordinates),
             tuple(
-                EffectParameterData(p.name, p.unit, p.description, p.greater_than, p.fitted, p.optional)
+                EffectParameterData(p.name, p.unit, p.description, p.greater_than, p.fitted)
                 for p in self.parameters
             ),
         )

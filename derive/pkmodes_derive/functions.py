@@ -8,11 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from itertools import product
 from math import prod
 
 from sympy import Basic, Expr, Symbol
 
 from pkmodes_derive.vocabulary import Field, Vocabulary
+
+
+def mirrored(index: tuple[int, ...]) -> tuple[int, ...]:
+    """The index with its last two exchanged."""
+    *first, row, column = index
+    return (*first, column, row)
 
 
 @dataclass(frozen=True)
@@ -43,6 +50,19 @@ class Output:
     def __post_init__(self) -> None:
         if prod(self.shape) != len(self.entries):
             raise ValueError(f"output {self.name}: {len(self.entries)} entries for shape {self.shape}")
+
+    @property
+    def indices(self) -> list[tuple[int, ...]]:
+        """Index of each entry, in their order."""
+        return list(product(*(range(extent) for extent in self.shape)))
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether exchanging the last two indices changes no entry: a symmetric matrix, or several."""
+        if len(self.shape) < 2 or self.shape[-1] != self.shape[-2]:
+            return False
+        entry = dict(zip(self.indices, self.entries, strict=True))
+        return all(entry[mirrored(index)] == value for index, value in entry.items())
 
 
 @dataclass(frozen=True)

@@ -12,13 +12,23 @@ from dataclasses import dataclass
 from sympy import Add, Expr, Integer, Symbol
 
 from pkmodes_derive.chain import Chain
-from pkmodes_derive.description import Margin, Requirement, Whole
+from pkmodes_derive.description import Margin, Requirement, Scale, Whole
 from pkmodes_derive.effect import Coordinate, Effect
 from pkmodes_derive.functions import Argument, Output
 from pkmodes_derive.parts import Arm, Belt, Clamp, Drive, Form, Link, PointMass, Reducer, Rod, Rotor, Run
 from pkmodes_derive.tables import Tables
-from pkmodes_derive.vocabulary import AXES, Field, Vector, Vocabulary
+from pkmodes_derive.vocabulary import AXES, Field, Vocabulary
 
+#: What the letters of indices count.
+LETTERS = {
+    "j": "axis or belt j",
+    "k": "pulley k, or coordinate k of a derivative",
+    "l": "coordinate l of a second derivative",
+    "s": "belt span s",
+    "i": "component i = x, y, z",
+    "r": "rows r of a minor",
+    "c": "columns c of a minor",
+}
 SMALL = "small displacement from the reference configuration: "
 
 
@@ -73,7 +83,7 @@ class Machine:
         Its parts.
     units : set of tuple
         Vectors whose square is 1.
-    opposite : dict
+    differences : dict
         Fields of the parameters that occur only in their difference from another one.
     turned : dict
         Values that are functions of one independent coordinate alone, with that and their derivative.
@@ -96,10 +106,10 @@ class Machine:
 
     def __init__(self, name: str, title: str, directions: Sequence[str] = AXES) -> None:
         self.name, self.title, self.directions = name, title, tuple(directions)
-        self.vocabulary = Vocabulary()
+        self.vocabulary = Vocabulary(LETTERS)
         self.tables, self.chain = Tables(self.vocabulary), Chain()
         self.inverse: dict[Symbol, Expr] = {}
-        self.gravity: Vector = ()  # type: ignore[assignment]
+        self.gravity: tuple[Symbol, ...] = ()
         self.pose: tuple[Symbol, ...] = ()
         self.pose_is, self.independent_are, self.argument = "", "", ""
         self.dependent: tuple[Symbol, ...] = ()
@@ -108,7 +118,7 @@ class Machine:
         self.velocities: tuple[Symbol, ...] = ()
         self.displacements: tuple[Symbol, ...] = ()
         self.follows: dict[Symbol, Expr] = {}
-        self.opposite: dict[str, str] = {}
+        self.differences: dict[str, str] = {}
         self.turned: dict[Symbol, tuple[Symbol, Expr]] = {}
         self.units: set[tuple[Expr, ...]] = set()
         self.platform: tuple[Expr, ...] = ()
@@ -133,6 +143,7 @@ class Machine:
         self.wholes: tuple[Whole, ...] = ()
         self.margins: tuple[Margin, ...] = ()
         self.requirements: tuple[Requirement, ...] = ()
+        self.scales: tuple[Scale, ...] = ()
         self.extras: list[Extra] = []
         self.sample: Mapping[str, object] = {}
 
@@ -173,9 +184,24 @@ class Machine:
         what = "the frame; used by the effect frame_compliance only"
         self.tables.constant("frame", "mass", what, 50.0, "frame_compliance.mass")
 
-    def platform_pose(self, name: str, pose_is: str, latex: str) -> Vector:
+    def vector(
+        self, name: str, unit: str, description: str, latex: str, **index: object
+    ) -> tuple[Symbol, ...]:
+        """The components of a vector in the directions in which the mechanism moves."""
+        return self.vocabulary.vector(name, unit, description, latex, axes=self.directions, **index)
+
+    def vectors(self, name: str, unit: str, description: str, latex: str) -> tuple[tuple[Symbol, ...], ...]:
+        """One vector for each entry of the repeated table, such as an axis; index letter j."""
+        return tuple(self.vector(f"{name}_{{j}}", unit, description, latex, j=j) for j in self.tables.numbers)
+
+    def each(self, name: str, unit: str, description: str, latex: str) -> tuple[Symbol, ...]:
+        """One scalar for each entry of the repeated table; index letter j."""
+        declare = self.vocabulary.declare
+        return tuple(declare(f"{name}_{{j}}", unit, description, latex, j=j) for j in self.tables.numbers)
+
+    def platform_pose(self, name: str, pose_is: str, latex: str) -> tuple[Symbol, ...]:
         """A pose that closures connect with the independent coordinates: the platform's centre."""
-        found = self.vocabulary.vector(name, "m", pose_is, latex)
+        found = self.vector(name, "m", pose_is, latex)
         self.pose = self.dependent = found
         self.pose_is = pose_is
         return found
@@ -334,7 +360,9 @@ class Machine:
 
     def _release(self, effect: Effect) -> tuple[Coordinate, ...]:
         q, found = effect.released, []
-        for place in effect.places if q else ():
+        if q is None:
+            return ()
+        for place in effect.places:
             index, latex = {q.letter: place}, q.latex
             stem = latex.removesuffix(f"_{{{q.letter}}}")
             rate = rf"\dot{{{{{stem}}}}}_{{{q.letter}}}"

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from sympy import Expr, Float, Integer, Symbol
 
-from pkmodes_derive.functions import Function, Model, Output
+from pkmodes_derive.functions import Function, Model
 
 
 def number(value: float) -> Expr:
@@ -35,11 +35,12 @@ def specialise(model: Model, values: Mapping[str, float]) -> Model:
         If a parameter has no value.
     """
     constants = {symbol: number(values[symbol.name]) for field in model.fields for symbol in field.symbols}
-    return replace(model, functions=tuple(_fold(function, constants) for function in model.functions))
+    return replace(model, functions=tuple(fold(function, constants) for function in model.functions))
 
 
-def _fold(function: Function, constants: Mapping[Symbol, Expr]) -> Function:
-    known: dict[Symbol, Expr] = dict(constants)
+def fold(function: Function, known: Mapping[Symbol, Expr] | None = None) -> Function:
+    """Put in what is known, and let definitions that are a number or another name disappear into their uses."""
+    known = dict(known or {})
     definitions: dict[Symbol, Expr] = {}
     for symbol, expression in function.definitions.items():
         folded = expression.xreplace(known)
@@ -48,7 +49,7 @@ def _fold(function: Function, constants: Mapping[Symbol, Expr]) -> Function:
         else:
             definitions[symbol] = folded
     outputs = tuple(
-        Output(o.name, o.shape, tuple(e.xreplace(known) for e in o.entries), o.unit, o.description)
-        for o in function.outputs
+        replace(output, entries=tuple(entry.xreplace(known) for entry in output.entries))
+        for output in function.outputs
     )
     return replace(function, definitions=definitions, outputs=outputs)

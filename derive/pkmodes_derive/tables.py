@@ -61,6 +61,11 @@ class Tables:
         )
         self._added(Declared(self, table, description, 0, "")).keys.append(mass)
 
+    @property
+    def numbers(self) -> range:
+        """Numbers of the entries of the repeated table."""
+        return range(1, max(table.count for table in self._tables) + 1)
+
     def described(self) -> tuple[Table, ...]:
         """The tables as they are described: the repeated one last."""
         ordered = sorted(self._tables, key=lambda table: table.count)
@@ -75,11 +80,13 @@ class Tables:
             for j in range(1, count + 1)
         )
 
-    def vectors(self, name: str, unit: str, description: str, latex: str, count: int) -> tuple[Symbols, ...]:
-        """The x, y and z components of one vector for each entry of a repeated table."""
+    def vectors(
+        self, name: str, unit: str, description: str, latex: str, count: int, axes: Sequence[str] = AXES
+    ) -> tuple[Symbols, ...]:
+        """The components of one vector for each entry of a repeated table."""
+        vector = self._vocabulary.vector
         return tuple(
-            self._vocabulary.vector(f"{name}_{{j}}", unit, description, latex, j=j)
-            for j in range(1, count + 1)
+            vector(f"{name}_{{j}}", unit, description, latex, axes=axes, j=j) for j in range(1, count + 1)
         )
 
     def field(
@@ -166,11 +173,13 @@ class Repeated(Declared):
         table._entries = self.count
         return table
 
-    def vector(self, key: str, symbol: str, description: str, latex: str) -> tuple[Symbols, ...]:
+    def vector(
+        self, key: str, symbol: str, description: str, latex: str, axes: Sequence[str] = AXES
+    ) -> tuple[Symbols, ...]:
         """A position in the base frame."""
-        symbols = self._tables.vectors(symbol, "m", description, latex, self.count)
-        self._tables.field(key, (self.count, 3), tuple(concatenate(*symbols)), "m", description)
-        self._add(key, "vector", key, "length", description, elements=AXES, signed=True)
+        symbols = self._tables.vectors(symbol, "m", description, latex, self.count, axes)
+        self._tables.field(key, (self.count, len(axes)), tuple(concatenate(*symbols)), "m", description)
+        self._add(key, "vector", key, "length", description, elements=tuple(axes), signed=True)
         return symbols
 
     def direction(self, key: str, symbol: str, description: str, latex: str) -> tuple[Symbols, ...]:

@@ -28,7 +28,7 @@ def spheres(m: Machine, centres: Sequence[Sequence[Expr]], lengths: Sequence[Sym
     assembly = v.declare(
         "assembly", "1", "assembly branch: +1 or -1, the sign of det D_l", r"\operatorname{sgn}\det D_l"
     )
-    S = v.vectors_per_axis("S", "m", "centre of sphere {j}, on which the platform centre lies", "S_{j}")
+    S = m.vectors("S", "m", "centre of sphere {j}, on which the platform centre lies", "S_{j}")
     alpha = v.vector("alpha", "m", "vector between the sphere centres 1 and 2", r"\alpha")
     beta = v.vector("beta", "m", "vector between the sphere centres 1 and 3", r"\beta")
     nu = v.vector("nu", "m^2", "normal of the plane of the sphere centres", r"\nu")

@@ -6,14 +6,37 @@ the parameter tables and the LaTeX page read units and descriptions from it, so 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import product
+from typing import NamedTuple
 
 from sympy import Symbol
 
 AXES = ("x", "y", "z")
-Vector = tuple[Symbol, Symbol, Symbol]
+
+
+class Family(NamedTuple):
+    """Quantities that differ in their indices only: one entry of a glossary.
+
+    Attributes
+    ----------
+    name, description : str
+        With the indices as letters.
+    unit : str
+        SI unit of all members, or what it is made of.
+    """
+
+    name: str
+    description: str
+    unit: str
+
+
+#: Derivatives of named values by parameters: hundreds of members, one meaning.
+DERIVATIVES = Family(
+    "X_by_Y", "derivative of X by the parameter Y, at a fixed pose", "unit of X by unit of Y"
+)
 
 
 @dataclass(frozen=True)
@@ -30,15 +53,28 @@ class Quantity:
         A noun phrase that a reader of the generated code understands.
     latex : str
         How the symbol is typeset; the paper's symbol where it has one.
-    family : tuple of (str, str)
-        Name and description with the indices as letters, the same for all members: the glossary's entry.
+    family : Family
+        What it is, with the indices as letters.
+    index : mapping of str to object
+        Value of each index by its letter, in order.
+    template : str
+        The LaTeX form with ``{letter}`` for each index.
     """
 
     symbol: Symbol
     unit: str
     description: str
     latex: str
-    family: tuple[str, str]
+    family: Family
+    index: Mapping[str, object] = field(default_factory=dict)
+    template: str = ""
+
+    def typeset(self, index: Mapping[str, object]) -> str:
+        """The LaTeX form with other values of the indices, or with letters."""
+        if not self.index:
+            return self.latex
+        braced = {letter: f"{{{v}}}" if len(str(v)) > 1 else v for letter, v in index.items()}
+        return self.template.format(**braced)
 
 
 @dataclass(frozen=True)
@@ -70,9 +106,16 @@ class Field:
 
 
 class Vocabulary:
-    """The symbols of one mechanism, in the order in which they were declared."""
+    """The symbols of one mechanism, in the order in which they were declared.
 
-    def __init__(self) -> None:
+    Parameters
+    ----------
+    letters : mapping of str to str
+        What each index letter counts, as in "axis j".
+    """
+
+    def __init__(self, letters: Mapping[str, str] | None = None) -> None:
+        self.letters = dict(letters or {})
         self._quantities: dict[Symbol, Quantity] = {}
 
     def declare(self, name: str, unit: str, description: str, latex: str, **index: object) -> Symbol:
@@ -88,24 +131,50 @@ class Vocabulary:
         Raises
         ------
         ValueError
-            If the name is taken, or if unit, description or LaTeX form is empty.
+            If the name is taken, if unit, description or LaTeX form is empty, or if the letter of an index is a
+            word of the name as well.
         """
-        family = (name, description)
+        family, template = Family(name, description, unit), latex
         if index:
+            if index.keys() & set(re.sub(r"\{\w\}", "", name).split("_")):
+                raise ValueError(
+                    f"the indices of {name!r} need other letters than those that it is named with"
+                )
             letters = {letter: letter for letter in index}
-            family = (name.format(**letters), description.format(**letters))
+            family = Family(name.format(**letters), description.format(**letters), unit)
             name, description, latex = (text.format(**index) for text in (name, description, latex))
         if not (name.isidentifier() and unit and description and latex):
             raise ValueError(f"symbol {name!r} needs an identifier, a unit, a description and a LaTeX form")
         symbol = Symbol(name, real=True)
         if symbol in self._quantities:
             raise ValueError(f"symbol {name!r} is declared twice")
-        self._quantities[symbol] = Quantity(symbol, unit, description, latex, family)
+        self._quantities[symbol] = Quantity(symbol, unit, description, latex, family, index, template)
         return symbol
 
-    def vector(self, name: str, unit: str, description: str, latex: str, **index: object) -> Vector:
-        """Declare the x, y and z components of a vector in the base frame; index letter i."""
-        x, y, z = (
+    def derivative(self, of: Symbol, by: Symbol) -> Symbol:
+        """Declare the derivative of a named value by a parameter at a fixed pose; all of them are one family."""
+        value, parameter = self[of], self[by]
+        symbol = self.declare(
+            f"{of.name}_by_{by.name}",
+            f"({value.unit})/({parameter.unit})",
+            f"derivative at a fixed pose of: {value.description}; by: {parameter.description}",
+            rf"\frac{{d {value.latex}}}{{d {parameter.latex}}}",
+        )
+        self._quantities[symbol] = replace(self._quantities[symbol], family=DERIVATIVES)
+        return symbol
+
+    def vector(
+        self,
+        name: str,
+        unit: str,
+        description: str,
+        latex: str,
+        *,
+        axes: Sequence[str] = AXES,
+        **index: object,
+    ) -> tuple[Symbol, ...]:
+        """Declare the components of a vector in the base frame, by default x, y and z; index letter i."""
+        return tuple(
             self.declare(
                 f"{name}_{{i}}",
                 unit,
@@ -114,20 +183,8 @@ class Vocabulary:
                 **index,
                 i=axis,
             )
-            for axis in AXES
+            for axis in axes
         )
-        return x, y, z
-
-    def per_axis(self, name: str, unit: str, description: str, latex: str) -> Vector:
-        """Declare one scalar for each of the three axes; ``{j}`` in the texts becomes the axis number."""
-        first, second, third = (
-            self.declare(f"{name}_{{j}}", unit, description, latex, j=j) for j in (1, 2, 3)
-        )
-        return first, second, third
-
-    def vectors_per_axis(self, name: str, unit: str, description: str, latex: str) -> tuple[Vector, ...]:
-        """Declare one vector for each of the three axes."""
-        return tuple(self.vector(f"{name}_{{j}}", unit, description, latex, j=j) for j in (1, 2, 3))
 
     def __getitem__(self, symbol: Symbol) -> Quantity:
         return self._quantities[symbol]

@@ -4,22 +4,10 @@
 an array of poses.  Coordinates, signs and frames are stated in docs/model.md.
 """
 
+# ruff: noqa: F403, F405 - type checkers see where the names come from, and nothing is loaded
 TYPE_CHECKING = False  # as in typing, without loading it
 if TYPE_CHECKING:
-    from pkmodes.public import (
-        Model,
-        Modes,
-        NotComputedError,
-        PkmodesError,
-        PoseCheck,
-        PoseError,
-        Quantity,
-        Robot,
-        RobotFileError,
-        Statics,
-        load,
-        read_robot,
-    )
+    from pkmodes.public import *
 
 __version__ = "0.1.0"
 

@@ -13,10 +13,16 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes_generated import linear_delta as generated
-from pkmodes_generated.linear_delta import Parameters
+from pkmodes.generated import Generated
+from pkmodes.mechanism import Mechanism
+from pkmodes.regular import declared, regular_poses, sample
+from pkmodes.robot.robot import Robot
 
 Array = NDArray[np.float64]
+#: What inertias are quantities of.
+INERTIAS = ("mass", "moment of inertia")
+#: Of complex differences, which have no cancellation.
+STEP = 1e-30
 
 
 class Evaluation(Protocol):
@@ -26,83 +32,103 @@ class Evaluation(Protocol):
     ----------
     coordinates : tuple of str
         Names of the n generalised coordinates.
+    first : int
+        The first coordinate of a released joint: so many there are without effects.
     rigid_modes : int
         Modes that strain nothing elastic.
     """
 
     coordinates: tuple[str, ...]
+    first: int
     rigid_modes: int
 
-    def matrices(self, p: Array) -> tuple[Array, Array]:
-        """M and K, each (N, n, n)."""
+    def all_coordinates(self, p: Array) -> tuple[Array, Array]:
+        """M and K with the coordinates of locked joints, if the model has such, each (N, e, e)."""
+
+    def free_part(self, matrix: Array) -> Array:
+        """The part of such a matrix that belongs to `coordinates`, (N, n, n)."""
 
     def massless(self) -> NDArray[np.bool_]:
         """Which coordinates have no inertia at any pose, (n,): where no pose is given to tell by M."""
 
     def platform_motion(self, p: Array) -> Array:
-        """Absolute motion of the platform by the coordinates, (N, 3, n)."""
+        """Absolute motion of the platform by the coordinates, (N, directions, n)."""
 
     def statics(self, p: Array) -> tuple[Array, Array]:
-        """Torques (N, 3) [N m] and pulley rotations (N, 6) [rad]."""
+        """Torques (N, drives) [N m] and static values of the coordinates that are not independent (N, ...)."""
 
 
 class BaseEvaluation:
-    """The base model: nine coordinates."""
+    """The base model, without effects."""
 
-    def __init__(self, parameters: Parameters) -> None:
-        self._parameters = parameters
-        self.coordinates: tuple[str, ...] = generated.COORDINATES
-        self.rigid_modes: int = generated.RIGID_MODES
+    def __init__(self, kind: Mechanism, parameters: Any) -> None:
+        self._kind, self._generated = kind, Generated(kind.model, parameters)
+        self.coordinates = tuple(q.name for q in kind.coordinates)
+        self.first = len(self.coordinates)
+        self.rigid_modes = kind.rigid_modes
 
-    def matrices(self, p: Array) -> tuple[Array, Array]:
+    def all_coordinates(self, p: Array) -> tuple[Array, Array]:
         """M and K, each (N, n, n)."""
-        M, K = generated.modal_matrices(p, self._parameters)
+        M, K = self._generated.modal_matrices(p)
         return M, K
+
+    def free_part(self, matrix: Array) -> Array:
+        """All of it."""
+        return matrix
 
     def massless(self) -> NDArray[np.bool_]:
         """None of them: without inertia in the base coordinates there is no eigenproblem."""
         return np.zeros(len(self.coordinates), dtype=bool)
 
     def platform_motion(self, p: Array) -> Array:
-        """Absolute motion of the platform by the coordinates, (N, 3, n)."""
-        motion = np.zeros((*p.shape, len(self.coordinates)))
-        motion[..., :3] = generated.platform_jacobian(p, self._parameters)
+        """Absolute motion of the platform by the coordinates, (N, directions, n)."""
+        pose = [component.name for component in self._kind.pose]
+        rows = [pose.index(name) for name in self._kind.directions]
+        columns = [self.coordinates.index(name) for name in self._kind.independent]
+        motion = np.zeros((*p.shape[:-1], len(rows), len(self.coordinates)))
+        motion[..., columns] = self._generated.platform_jacobian(p)[..., rows, :]
         return motion
 
     def statics(self, p: Array) -> tuple[Array, Array]:
-        """Torques (N, 3) [N m] and pulley rotations (N, 6) [rad]."""
-        torques, rotations = generated.static_equilibrium(p, self._parameters)
-        return torques, rotations
+        """Torques (N, drives) [N m] and static values of the coordinates that are not independent (N, ...)."""
+        torques, values = self._generated.static_equilibrium(p)
+        return torques, values
 
 
 class SystemOfEffects:
-    """The extended matrices of one robot, and which of their coordinates are free.
+    """The extended model of one robot, with the coordinates of the released joints that are not locked.
 
     Parameters
     ----------
+    kind : Mechanism
     parameters : Parameters
+        The robot, as the generated model takes it.
     effects : mapping of str to float
         By ``<effect>.<parameter>``; a compliance that one joint has beyond the others of its effect by
         ``<effect>.<parameter>.<coordinate>``, such as ``gearbox_compliance.compliance.psi_2``.
 
     Attributes
     ----------
+    kind : Mechanism
     parameters, effects : Parameters and Effects
         Of the generated model.
     free : ndarray of int, shape (n,)
         Coordinates that are not locked, in the extended model.
+    coordinates : tuple of str, length n
+        Their names.
+    first, rigid_modes : int
+        As `Evaluation` has them.
     joints, joint_rates : ndarray, shape (e,)
         Stiffnesses of the released joints, and their derivatives by the compliances, zero where there is none.
         Of several robots (`stacked`), (N, e) for their N poses.
     """
 
-    def __init__(self, parameters: Parameters, effects: Mapping[str, float]) -> None:
-        from pkmodes_generated.linear_delta import extended
-
-        self._generated, self.parameters = extended, parameters
+    def __init__(self, kind: Mechanism, parameters: Any, effects: Mapping[str, float]) -> None:
+        self.kind, self.parameters = kind, parameters
+        extended = kind.extended
         shared, single = _told_apart(effects)
         self.effects = extended.Effects(**shared)
-        base = len(generated.COORDINATES)
+        base = self.first = len(kind.coordinates)
         with np.errstate(divide="ignore"):
             stiffness, rates = extended.joint_stiffness(self.effects)
             for coordinate, name, value in single:
@@ -113,6 +139,14 @@ class SystemOfEffects:
         self.free = np.concatenate([np.arange(base), base + np.flatnonzero(free)])
         self.joints = np.concatenate([np.zeros(base), np.where(free, stiffness, 0.0)])
         self.joint_rates = np.concatenate([np.zeros(base), np.where(free, rates, 0.0)])
+        self.coordinates: tuple[str, ...] = tuple(extended.COORDINATES[i] for i in self.free)
+        grounded = any(kind.effects[name].grounds for name in active_effects(kind, effects))
+        self.rigid_modes = 0 if grounded else kind.rigid_modes
+
+    @classmethod
+    def of(cls, robot: Robot) -> SystemOfEffects:
+        """Return that of a robot, whether or not it has effects."""
+        return cls(robot.kind, robot.parameters, robot.effects)
 
     @classmethod
     def stacked(cls, systems: Sequence[SystemOfEffects], count: int) -> SystemOfEffects:
@@ -121,7 +155,7 @@ class SystemOfEffects:
         Parameters
         ----------
         systems : sequence of SystemOfEffects
-            With the same free coordinates.
+            With the same free coordinates and rigid-body modes.
         count : int
             Poses of each.
         """
@@ -142,9 +176,14 @@ class SystemOfEffects:
         K[..., diagonal, diagonal] += self.joints
         return M, K
 
+    def free_part(self, matrix: Array) -> Array:
+        """The rows and columns of the coordinates that are not locked."""
+        rows, columns = np.ix_(self.free, self.free)
+        return matrix[..., rows, columns]
+
     def without_springs(self, p: Array) -> tuple[Array, Array]:
-        """The same without the springs of any released joint."""
-        M, K_el, K_g = self._single(self._generated.extended_matrices, p)
+        """M and K in all coordinates without the springs of any released joint."""
+        M, K_el, K_g = self._single("extended_matrices", p)
         return M, K_el + K_g
 
     def derivatives(self, p: Array, *, geometry: bool) -> tuple[Array, Array]:
@@ -152,79 +191,75 @@ class SystemOfEffects:
 
         Those by the geometry come last and take most of the time: zeros where they are not asked for.
         """
-        M_theta, K_theta = self._single(self._generated.value_sensitivities, p)
+        M_theta, K_theta = self._single("value_sensitivities", p)
         if geometry:
-            also = self._single(self._generated.geometry_sensitivities, p)
+            also = self._single("geometry_sensitivities", p)
         else:
             also = tuple(np.zeros((len(p), count)) for count in self._entries_of_geometry())
         return np.hstack([M_theta, also[0]]), np.hstack([K_theta, also[1]])
 
-    def _entries_of_geometry(self) -> tuple[int, int]:
-        listed = self._generated.GEOMETRY_SENSITIVITIES
-        return sum(len(entry[2]) for entry in listed), sum(len(entry[3]) for entry in listed)
+    def by_pose(self, p: Array) -> tuple[Array, Array]:
+        """Derivatives of M and K in all coordinates by the components of the pose, each (N, d, e, e).
 
-    def _single(self, function: Callable[..., tuple[Array, ...]], p: Array) -> tuple[Array, ...]:
-        """One pose is evaluated in numbers, which is several times faster than in arrays of one."""
-        if p.shape == (1, 3):
-            return tuple(found[None] for found in function(p[0], self.parameters, self.effects))
-        return function(p, self.parameters, self.effects)
-
-
-class ExtendedEvaluation:
-    """The extended model with the coordinates of the released joints that are not locked."""
-
-    def __init__(self, parameters: Parameters, effects: Mapping[str, float]) -> None:
-        from pkmodes_generated.linear_delta import extended
-
-        self._generated, self._parameters = extended, parameters
-        self._system = SystemOfEffects(parameters, effects)
-        self.coordinates = tuple(extended.COORDINATES[i] for i in self._system.free)
-        active = active_effects(effects)
-        grounded = any(grounds and name in active for name, _, grounds, *_ in extended.EFFECTS)
-        self.rigid_modes = 0 if grounded else generated.RIGID_MODES
-
-    def matrices(self, p: Array) -> tuple[Array, Array]:
-        """M and K, each (N, n, n)."""
-        M, K = self._system.all_coordinates(p)
-        rows, columns = np.ix_(self._system.free, self._system.free)
-        return M[..., rows, columns], K[..., rows, columns]
+        By complex step, which is exact to rounding: the generated functions take complex poses.
+        """
+        moved = p + STEP * 1j * np.eye(p.shape[-1])[:, None]
+        M, K_el, K_g = self._generated.extended_matrices(moved)
+        dM, dK = (np.moveaxis(np.imag(a) / STEP, 0, 1) for a in (M, K_el + K_g))
+        return dM, dK
 
     def massless(self) -> NDArray[np.bool_]:
-        """Which released coordinates have no inertia: at any pose those of a plain geometry, masses as they are."""
-        plain = self._parameters._replace(
-            origin=np.zeros((3, 3)), direction=np.eye(3), joint=np.zeros((3, 3)), link_length=np.ones(3)
-        )
-        plain = plain._replace(limits=np.tile([-2.0, 2.0], (3, 1)), carriage_length=np.zeros(3))
-        M, _, _ = self._generated.extended_matrices(np.zeros(3), plain, self._system.effects)
-        found: NDArray[np.bool_] = (M == 0.0).all(axis=0)[self._system.free]
-        found[: len(generated.COORDINATES)] = False
+        """Which released coordinates have no inertia: at any pose those of any geometry, masses as they are."""
+        plain = sample(self.kind)
+        inertias = {key.field for key in declared(self.kind) if key.dimension in INERTIAS}
+        plain = plain._replace(**{name: getattr(self.parameters, name) for name in inertias})
+        p = regular_poses(Generated(self.kind.model, plain), self.kind, plain, 1)
+        M, _, _ = Generated(self.kind.extended, plain, self.effects).extended_matrices(p[0])
+        found: NDArray[np.bool_] = (M == 0.0).all(axis=0)[self.free]
+        found[: self.first] = False
         return found
 
     def platform_motion(self, p: Array) -> Array:
-        """Absolute motion of the platform by the coordinates, (N, 3, n)."""
-        motion = self._generated.extended_platform_motion(p, self._parameters)
-        found: Array = motion[..., self._system.free]
-        return found
+        """Absolute motion of the platform by the coordinates, (N, directions, n)."""
+        return self.motion_of_all(p)[..., self.free]
+
+    def motion_of_all(self, p: Array, parameters: Any = None) -> Array:
+        """The same by all coordinates, (N, directions, e), perhaps of the robot with other parameters."""
+        given = self.parameters if parameters is None else parameters
+        return np.asarray(Generated(self.kind.extended, given).extended_platform_motion(p))
 
     def statics(self, p: Array) -> tuple[Array, Array]:
-        """Torques (N, 3) [N m] and pulley rotations (N, 6) [rad]."""
-        torques, rotations = self._generated.extended_static_equilibrium(
-            p, self._parameters, self._system.effects
-        )
-        return torques, rotations
+        """Torques (N, drives) [N m] and static values of the coordinates that are not independent (N, ...)."""
+        torques, values = self._generated.extended_static_equilibrium(p)
+        return torques, values
+
+    def _entries_of_geometry(self) -> tuple[int, int]:
+        listed = self.kind.extended.GEOMETRY_SENSITIVITIES
+        return sum(len(entry[2]) for entry in listed), sum(len(entry[3]) for entry in listed)
+
+    @property
+    def _generated(self) -> Generated:
+        return Generated(self.kind.extended, self.parameters, self.effects)
+
+    def _single(self, name: str, p: Array) -> tuple[Array, ...]:
+        """One pose is evaluated in numbers, which is several times faster than in arrays of one."""
+        function: Callable[[Array], tuple[Array, ...]] = getattr(self._generated, name)
+        return tuple(found[None] for found in function(p[0])) if len(p) == 1 else function(p)
 
 
-def active_effects(effects: Mapping[str, float]) -> tuple[str, ...]:
+def matrices(system: Evaluation, p: Array) -> tuple[Array, Array]:
+    """M and K of the coordinates that are free, each (N, n, n)."""
+    M, K = (system.free_part(matrix) for matrix in system.all_coordinates(p))
+    return M, K
+
+
+def active_effects(kind: Mechanism, effects: Mapping[str, float]) -> tuple[str, ...]:
     """Names of the effects that are not null; constants such as a frame's mass make none active."""
     present = {".".join(path.split(".")[:2]) for path, value in effects.items() if value != 0.0}
-    if not present:
-        return ()
-    from pkmodes_generated.linear_delta import extended
-
     return tuple(
-        name
-        for name, *_, described in extended.EFFECTS
-        if any(fitted and f"{name}.{parameter}" in present for parameter, *_, fitted in described)
+        effect.name
+        for effect in kind.effects.values()
+        if any(f"{effect.name}.{parameter.name}" in present for parameter in effect.fitted)
     )
 
 
@@ -251,6 +286,8 @@ def _told_apart(effects: Mapping[str, float]) -> tuple[dict[str, float], list[tu
     return shared, single
 
 
-def evaluation(parameters: Parameters, effects: Mapping[str, float]) -> Evaluation:
-    """Choose the model: the base one when every effect is null."""
-    return ExtendedEvaluation(parameters, effects) if active_effects(effects) else BaseEvaluation(parameters)
+def evaluation(robot: Robot) -> Evaluation:
+    """Choose the model of a robot: the base one when every effect is null."""
+    kind = robot.kind
+    active = active_effects(kind, robot.effects)
+    return SystemOfEffects.of(robot) if active else BaseEvaluation(kind, robot.parameters)

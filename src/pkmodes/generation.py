@@ -56,7 +56,7 @@ def specification(robot: Robot, robot_file: str) -> Specification:
         fields={name: _plain(value) for name, value in robot.parameters._asdict().items()}
         | {path.replace(".", "_"): value for path, value in robot.effects.items()},
         values=robot.declared,
-        effects=active_effects(robot.effects),
+        effects=active_effects(robot.kind, robot.effects),
     )
     return found
 

@@ -1,6 +1,7 @@
-"""Kinematics of one robot at poses: which can be evaluated, carriages, assemblies, the platform's Jacobian.
+"""Kinematics of one robot at poses: which can be evaluated, joint positions, assemblies, the platform's Jacobian.
 
-Effects leave them as they are: the generated base model answers for every robot.
+Effects leave them as they are: the generated base model answers for every robot.  What is said of poses, of
+``on_error`` and of errors in `Kinematics` holds for each of the methods.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.errors import PkmodesError, PoseError, shown
 from pkmodes.gathering import Gathered
+from pkmodes.generated import Generated
 from pkmodes.poses import (
     CHUNK,
     MAX_CONDITION,
@@ -21,10 +23,10 @@ from pkmodes.poses import (
     as_points,
     check_poses,
     largest_condition,
+    reasons,
 )
 from pkmodes.results import PoseCheck
 from pkmodes.robot.robot import Robot
-from pkmodes_generated import linear_delta as generated
 
 Array = NDArray[np.float64]
 
@@ -36,7 +38,20 @@ class Kinematics:
     ----------
     robot : Robot
     max_condition : float
-        Poses where the condition number of D_l is larger are refused as singular.
+        Poses where the condition number of the mechanism is larger are refused as singular.
+
+    Attributes
+    ----------
+    robot : Robot
+    kind : Mechanism
+        What the mechanism says about itself.
+
+    Notes
+    -----
+    ``poses`` is one pose of shape (d,) or an array of shape (..., d), in SI units, with the components of the
+    mechanism's poses (`kind.pose`); results have the same leading axes.  With ``on_error="raise"`` a pose that
+    cannot be evaluated is a `PoseError`, that of the first such pose; with ``"nan"`` it gives NaN.  An array that is
+    not one of poses is a `PoseError` in any case.
     """
 
     def __init__(self, robot: Robot, max_condition: float = MAX_CONDITION) -> None:
@@ -44,24 +59,21 @@ class Kinematics:
             raise PkmodesError(f"expected a Robot, found {shown(robot)}", "Model", "use pkmodes.load(path)")
         self.max_condition = largest_condition(max_condition)
         self.robot = robot
+        self.kind = robot.kind
+        self._generated = Generated(self.kind.model, robot.parameters)
+
+    @property
+    def reasons(self) -> dict[str, str]:
+        """Why a pose cannot be evaluated: each code that ``reason`` may have, and what it means."""
+        return reasons(self.kind)
 
     def check(self, poses: ArrayLike) -> PoseCheck:
         """Which poses can be evaluated, and why the others cannot.
-
-        Parameters
-        ----------
-        poses : array_like, shape (3,) or (..., 3)
-            Platform centres in the base frame [m].
 
         Returns
         -------
         PoseCheck
             ``valid``, ``reason`` and ``sentences``, with the leading axes of the poses.
-
-        Raises
-        ------
-        PoseError
-            If the array is not one of poses.
 
         Examples
         --------
@@ -74,105 +86,73 @@ class Kinematics:
         checked = self._check(poses, "nan")
         return PoseCheck(
             codes=checked.codes.reshape(checked.batch),
-            poses=checked.points.reshape((*checked.batch, 3)),
-            parameters=self.robot.parameters,
+            known=checked.known,
+            poses=checked.points.reshape((*checked.batch, -1)),
+            robot=self.robot,
         )
 
     def platform_jacobian(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
-        """Platform Jacobian D_p = dp/dx (equation 15).
-
-        Parameters
-        ----------
-        poses : array_like, shape (3,) or (..., 3)
-            Platform centres in the base frame [m].
-        on_error : {"raise", "nan"}
-            As for `modes`.
+        """Platform Jacobian D_p = dp/dq (equation 15).
 
         Returns
         -------
-        ndarray, shape (..., 3, 3)
-            Dimensionless; rows x, y, z of the base frame, one column for each carriage.
-
-        Raises
-        ------
-        PoseError
-            As `modes` does.
+        ndarray, shape (..., d, k)
+            A row for each component of the pose, a column for each independent coordinate.
         """
-        checked = self._check(poses, on_error)
-        (D_p,) = self._evaluate(self._base(generated.platform_jacobian), checked)
+        (D_p,) = self._at(poses, on_error, "platform_jacobian")
         return D_p
 
     def inverse_kinematics(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
-        """Carriage positions on the branch that the robot file gives (equations 1 to 3).
-
-        Parameters
-        ----------
-        poses : array_like, shape (3,) or (..., 3)
-            Platform centres in the base frame [m].
-        on_error : {"raise", "nan"}
-            As for `modes`.
+        """Independent coordinates on the branch that the robot file gives (equations 1 to 3).
 
         Returns
         -------
-        ndarray, shape (..., 3)
-            x_1, x_2, x_3 [m].
-
-        Raises
-        ------
-        PoseError
-            As `modes` does.
+        ndarray, shape (..., k)
+            In SI units, in the order of `kind.independent`.
         """
-        checked = self._check(poses, on_error)
-        (x,) = self._evaluate(self._base(generated.inverse_kinematics), checked)
-        return x
+        (q,) = self._at(poses, on_error, "inverse_kinematics")
+        return q
 
-    def direct_kinematics(self, carriages: ArrayLike, assembly: int) -> Array:
-        """Platform centre [m] for carriage positions of shape (3,) or (..., 3).
+    def direct_kinematics(self, positions: ArrayLike, assembly: int) -> Array:
+        """Pose for values of the independent coordinates.
 
         Parameters
         ----------
-        carriages : array_like, shape (3,) or (..., 3)
-            x_1, x_2, x_3 [m].
+        positions : array_like, shape (k,) or (..., k)
+            In the order of `kind.independent`, in SI units.
         assembly : {1, -1}
             Assembly branch, see `assembly`.
 
         Returns
         -------
-        ndarray, shape (3,) or (..., 3)
-            Platform centres in the base frame [m]; the limits of the carriages are not looked at.
+        ndarray, shape (d,) or (..., d)
+            Poses; limits are not looked at.
 
         Raises
         ------
         PoseError
-            If the carriages are so far apart, or so close, that the links do not meet.
+            If the links do not meet.
+        PkmodesError
+            If the mechanism has no such function.
         """
+        function = self._function("direct_kinematics")
         if not (isinstance(assembly, int | float | np.integer) and assembly in (1, -1)):
             raise PoseError(
                 f"expected assembly 1 or -1, found {shown(assembly)}", "assembly", "choose a branch"
             )
-        x, batch = as_points(carriages, "carriages", "give positions x_1, x_2, x_3 in metres")
+        what = self.kind.independent_are
+        size, names = len(self.kind.independent), ", ".join(self.kind.independent)
+        q, batch = as_points(positions, what, size, f"give {names} in SI units")
         with np.errstate(all="ignore"):
-            p: Array = generated.direct_kinematics(x, assembly, self.robot.parameters)
+            p: Array = function(q, assembly)
         bad = ~np.isfinite(p).all(axis=-1)
         if bad.any():
             index = int(np.argmax(bad))
-            raise PoseError(
-                "the three links do not meet",
-                f"carriages {index}",
-                "choose carriage positions that assemble",
-                index,
-            )
-        return p.reshape((*batch, 3))
+            raise PoseError("the links do not meet", f"{what} {index}", f"choose {what} that assemble", index)
+        return p.reshape((*batch, -1))
 
     def assembly(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
         """Assembly branch of each pose: the sign of det D_l (equation 15).
-
-        Parameters
-        ----------
-        poses : array_like, shape (3,) or (..., 3)
-            Platform centres in the base frame [m].
-        on_error : {"raise", "nan"}
-            As for `modes`.
 
         Returns
         -------
@@ -181,19 +161,26 @@ class Kinematics:
 
         Raises
         ------
-        PoseError
-            As `modes` does.
+        PkmodesError
+            If the mechanism assembles in one way only.
         """
-        checked = self._check(poses, on_error)
-        determinant, _ = self._evaluate(self._base(generated.jacobian_condition), checked)
+        self._function("direct_kinematics")
+        determinant, _ = self._at(poses, on_error, "jacobian_condition")
         return np.sign(determinant)
 
     def _check(self, poses: ArrayLike, on_error: OnError) -> CheckedPoses:
-        return check_poses(poses, self.robot.parameters, on_error, self.max_condition)
+        return check_poses(poses, self.kind, self.robot.parameters, on_error, self.max_condition)
 
-    def _base(self, function: Callable[..., Any]) -> Callable[[Array], Any]:
-        """A function of the base model for this robot: effects leave the kinematics as they are."""
-        return lambda p: function(p, self.robot.parameters)
+    def _function(self, name: str) -> Callable[..., Any]:
+        """A function of the base model that not every mechanism has."""
+        if not self._generated.has(name):
+            what = f"the mechanism {self.kind.name} has no {name.replace('_', ' ')} to be chosen"
+            raise PkmodesError(what, self.robot.source, "begin with poses: Model.inverse_kinematics")
+        return getattr(self._generated, name)  # type: ignore[no-any-return]
+
+    def _at(self, poses: ArrayLike, on_error: OnError, name: str) -> tuple[Array, ...]:
+        """Results of a function of the base model, in the shape of the poses."""
+        return self._evaluate(getattr(self._generated, name), self._check(poses, on_error))
 
     @staticmethod
     def _evaluate(function: Callable[[Array], Any], checked: CheckedPoses) -> tuple[Array, ...]:

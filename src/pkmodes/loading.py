@@ -1,33 +1,13 @@
-"""From a robot file to a robot or its evaluator.
-
-Reading units and schemas costs more than the rest of the package together, so it is imported when a file is
-read and not before.
-"""
+"""From a robot file to a robot or its evaluator."""
 
 from __future__ import annotations
 
 from os import PathLike
 
 from pkmodes.model import Model
-from pkmodes.robot.robot import Robot
+from pkmodes.robot.reading import read_robot
 
-
-def read_robot(path: str | PathLike[str]) -> Robot:
-    """Read and validate a robot file.
-
-    Parameters
-    ----------
-    path : path-like
-        A robot file (docs/robot-file.md).
-
-    Raises
-    ------
-    RobotFileError
-        If the file cannot be read or anything in it is wrong.
-    """
-    from pkmodes.robot import reading
-
-    return reading.read_robot(path)
+__all__ = ["load", "read_robot"]
 
 
 def load(path: str | PathLike[str]) -> Model:

@@ -6,21 +6,21 @@ Everything that differs between mechanisms comes from here: the description that
 
 from __future__ import annotations
 
-import difflib
 import json
-from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache, cached_property
 from importlib import import_module
 from importlib.resources import files
 from types import ModuleType
 from typing import Any
 
-from pkmodes.errors import PkmodesError, shown
+from pkmodes.errors import PkmodesError, nearest, shown
 
 #: The package of the generated models.
 GENERATED = "pkmodes_generated"
 DESCRIPTION = "description.json"
+#: Packages of mechanisms that are not among them, by the mechanism's name: see `add`.
+_added: dict[str, str] = {}
 
 
 @dataclass(frozen=True)
@@ -89,10 +89,6 @@ class Table:
     count: int
     shared_by: str
 
-    def key(self, name: str) -> Key:
-        """The key of a name."""
-        return next(key for key in self.keys if key.name == name)
-
 
 @dataclass(frozen=True)
 class Whole:
@@ -118,7 +114,7 @@ class Margin:
     rule : str
         ``at_least_zero``, ``above_zero``, or ``at_most_limit`` of a condition number.
     sentence : str
-        With ``{0}``, ``{1}`` for the names of the place of the smallest, and ``{missing}`` or ``{value}``.
+        With ``{0}``, ``{1}`` for the names of the place of the smallest, ``{missing}``, ``{short}`` and ``{value}``.
     remedy : str
     names : tuple of tuple of str
         What the places of each axis of the result are called.
@@ -137,6 +133,16 @@ class Margin:
 
 
 @dataclass(frozen=True)
+class Scale:
+    """What a coordinate's component of a shape is divided by where a person sees it, and its symbol."""
+
+    coordinate: str
+    field: str
+    index: tuple[int, ...]
+    symbol: str
+
+
+@dataclass(frozen=True)
 class Requirement:
     """Something that a robot needs at any pose: a function of its parameters, an entry for each of the places."""
 
@@ -150,12 +156,12 @@ class Requirement:
 
 @dataclass(frozen=True)
 class EffectParameter:
-    """A parameter of an effect; its null value is 0, otherwise it is greater than the bound."""
+    """A parameter of an effect: 0 for none, otherwise above its bound, if there is one."""
 
     name: str
     unit: str
     description: str
-    greater_than: float
+    greater_than: float | None
     fitted: bool
 
 
@@ -215,6 +221,12 @@ class Mechanism:
         Those that apply, in the order of the generated model.
     sample : mapping of str to number or nested list
         Parameters of a robot without any symmetry.
+    package : str
+        That has the generated functions.
+    scales : tuple of Scale
+        For coordinates of another unit than most.
+    differences : mapping of str to str
+        Fields that enter only by their difference from another one, which has the sensitivities.
     """
 
     name: str
@@ -233,46 +245,29 @@ class Mechanism:
     requirements: tuple[Requirement, ...]
     effects: dict[str, Effect]
     sample: dict[str, Any]
+    package: str
+    scales: tuple[Scale, ...] = ()
+    differences: dict[str, str] = field(default_factory=dict)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return mechanism, (self.name,)
+        return _read, (self.package,)
 
     @cached_property
     def model(self) -> ModuleType:
         """The generated model without effects."""
-        return import_module(f"{GENERATED}.{self.name}")
+        return import_module(self.package)
 
     @cached_property
     def extended(self) -> ModuleType:
         """The generated model with effects."""
-        return import_module(f"{GENERATED}.{self.name}.extended")
-
-    @property
-    def repeated(self) -> Table:
-        """The repeated table: axes, belt paths."""
-        return next(table for table in self.tables if table.count)
-
-    def table(self, name: str) -> Table:
-        """The table of a name."""
-        return next(table for table in self.tables if table.name == name)
-
-    @property
-    def shared(self) -> tuple[Table, ...]:
-        """Tables that the entries of the repeated one share and may override."""
-        return tuple(table for table in self.tables if table.shared_by)
-
-    def keys(self) -> Iterator[tuple[Table, Key]]:
-        """Every key with its table."""
-        return ((table, key) for table in self.tables for key in table.keys)
+        return import_module(f"{self.package}.extended")
 
 
 def names() -> tuple[str, ...]:
-    """Every mechanism that was generated."""
-    folder = files(GENERATED)
-    return tuple(sorted(entry.name for entry in folder.iterdir() if (entry / DESCRIPTION).is_file()))
+    """Every mechanism that is known."""
+    return tuple(sorted({*_generated(), *_added}))
 
 
-@cache
 def mechanism(name: str) -> Mechanism:
     """The mechanism of a name.
 
@@ -281,15 +276,38 @@ def mechanism(name: str) -> Mechanism:
     PkmodesError
         If there is none, with the nearest.
     """
-    known = names()
-    if name not in known:
-        nearest = difflib.get_close_matches(str(name), known, n=1)
-        remedy = f'did you mean "{nearest[0]}"?' if nearest else f"known are: {', '.join(known)}"
-        raise PkmodesError(f"unknown mechanism {shown(name)}", "mechanism", remedy)
-    return _described(json.loads((files(GENERATED) / name / DESCRIPTION).read_text(encoding="utf-8")))
+    if name in _added:
+        return _read(_added[name])
+    if name in _generated():
+        return _read(f"{GENERATED}.{name}")
+    remedy = nearest(name, names())
+    raise PkmodesError(f"unknown mechanism {shown(name)}", "mechanism", remedy)
 
 
-def _described(data: dict[str, Any]) -> Mechanism:
+def add(package: str) -> Mechanism:
+    """Make a mechanism known whose description and functions were generated into a package of their own.
+
+    Parameters
+    ----------
+    package : str
+        Its name, as one would import it; it has a ``description.json`` and a module ``extended``.
+    """
+    found = _read(package)
+    _added[found.name] = package
+    return found
+
+
+@cache
+def _generated() -> tuple[str, ...]:
+    return tuple(entry.name for entry in files(GENERATED).iterdir() if (entry / DESCRIPTION).is_file())
+
+
+@cache
+def _read(package: str) -> Mechanism:
+    return _described(json.loads((files(package) / DESCRIPTION).read_text(encoding="utf-8")), package)
+
+
+def _described(data: dict[str, Any], package: str) -> Mechanism:
     effects = [
         Effect(
             e["name"],
@@ -326,6 +344,9 @@ def _described(data: dict[str, Any]) -> Mechanism:
         requirements=tuple(Requirement(**_tuples(r)) for r in data["requirements"]),
         effects={effect.name: effect for effect in effects},
         sample=data["sample"],
+        package=package,
+        scales=tuple(Scale(**_tuples(s)) for s in data["scales"]),
+        differences=dict(data["differences"]),
     )
 
 

@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.evaluation import evaluation
+from pkmodes.evaluation import evaluation, matrices
 from pkmodes.gathering import Fields, Gathered, Out, chosen_fields
 from pkmodes.kinematics import Kinematics
 from pkmodes.poses import CHUNK, MAX_CONDITION, OnError
-from pkmodes.results import Modes, Statics
+from pkmodes.results import CARRIAGES, JOINTS, Modes, Statics
 from pkmodes.robot.robot import Robot
 from pkmodes.solving import fields_of_modes
 
@@ -29,26 +29,30 @@ Array = NDArray[np.float64]
 class Model(Kinematics):
     """Evaluator of one robot.
 
-    Every method takes one pose of shape (3,) or an array of shape (..., 3), platform centres in the base
-    frame in metres, and returns arrays with the same leading axes.
+    Every method takes one pose of shape (d,) or an array of shape (..., d), in SI units and with the components of
+    the mechanism's poses, and returns arrays with the same leading axes.  With ``on_error="raise"`` a pose that
+    cannot be evaluated is a `PoseError`, that of the first such pose; with ``"nan"`` it gives NaN.  An array that is
+    not one of poses is a `PoseError` in any case.
 
     Parameters
     ----------
     robot : Robot
         From `pkmodes.read_robot`; `pkmodes.load` makes the model of a robot file directly.
     max_condition : float
-        Poses where the condition number of D_l is larger are refused as singular.
+        Poses where the condition number of the mechanism is larger are refused as singular.
 
     Attributes
     ----------
     robot : Robot
+    kind : Mechanism
+        What the mechanism says about itself: components of a pose, coordinates, drives.
     coordinates : tuple of str
         Names of the generalised coordinates (docs/model.md).
     """
 
     def __init__(self, robot: Robot, max_condition: float = MAX_CONDITION) -> None:
         super().__init__(robot, max_condition)
-        self._evaluation = evaluation(robot.parameters, robot.effects)
+        self._evaluation = evaluation(robot)
         self.coordinates = self._evaluation.coordinates
 
     def __repr__(self) -> str:
@@ -69,8 +73,8 @@ class Model(Kinematics):
 
         Parameters
         ----------
-        poses : array_like, shape (3,) or (..., 3)
-            Platform centres [m].
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
         on_error : {"raise", "nan"}
             With "nan", a pose that cannot be evaluated gives NaN, ``valid`` False, and a ``reason``.
         fields : sequence of str, optional
@@ -86,8 +90,6 @@ class Model(Kinematics):
 
         Raises
         ------
-        PoseError
-            If the array is not one of poses; with ``on_error="raise"``, for the first bad pose.
         PkmodesError
             If a field is unknown, or an array of `out` has another shape or type or cannot be written to.
 
@@ -101,15 +103,21 @@ class Model(Kinematics):
         >>> modes.reason
         array(['', 'limits'], dtype='<U9')
         """
-        asked = chosen_fields(fields, out, Modes.FIELDS)
+        asked = chosen_fields(fields, out, Modes.fields_of(self.kind))
         checked = self._check(poses, on_error)
         gathered = Gathered(checked, out)
+        # Of two names for one thing, the older one needs no array of its own unless the caller gives one.
+        same = {JOINTS, CARRIAGES} <= set(asked) and CARRIAGES not in (out or ())
+        computed = [name for name in asked if not (same and name == CARRIAGES)]
         for where, p in checked.parts(CHUNK):
-            gathered.put(where, fields_of_modes(self.robot, self._evaluation, p, asked))
+            gathered.put(where, fields_of_modes(self.robot, self._evaluation, p, computed))
+        if same:
+            gathered.arrays[CARRIAGES] = gathered.arrays[JOINTS]
         return Modes(
             codes=checked.codes.reshape(checked.batch),
+            known=checked.known,
             arrays=gathered.arrays,
-            poses=checked.points.reshape((*checked.batch, 3)),
+            poses=checked.points.reshape((*checked.batch, -1)),
             coordinates=self.coordinates,
             rigid_modes=self._evaluation.rigid_modes,
         )
@@ -121,9 +129,7 @@ class Model(Kinematics):
 
         Parameters
         ----------
-        poses : array_like, shape (3,) or (..., 3)
-            Platform centres [m].
-        on_error : {"raise", "nan"}
+        poses, on_error
             As for `modes`; `check` says why a pose gives NaN.
         out : ndarray of float, shape (..., m), optional
             To be filled in place, and returned.
@@ -132,11 +138,6 @@ class Model(Kinematics):
         -------
         ndarray, shape (..., m)
             sqrt(abs(lambda)) / (2 pi) with the sign of lambda [Hz], the rigid-body modes first.
-
-        Raises
-        ------
-        PoseError, PkmodesError
-            As `modes` does.
         """
         given = None if out is None else {"frequencies": out}
         return self.modes(poses, on_error, fields=("frequencies",), out=given).frequencies
@@ -144,50 +145,20 @@ class Model(Kinematics):
     def matrices(self, poses: ArrayLike, on_error: OnError = "raise") -> tuple[Array, Array]:
         """Mass and stiffness matrices (equations 33 and 48).
 
-        Parameters
-        ----------
-        poses : array_like, shape (3,) or (..., 3)
-            Platform centres in the base frame [m].
-        on_error : {"raise", "nan"}
-            As for `modes`.
-
         Returns
         -------
         M, K : ndarray, shape (..., n, n)
             In SI units and in the order of `coordinates`; NaN where a pose could not be evaluated.
-
-        Raises
-        ------
-        PoseError
-            As `modes` does.
         """
         checked = self._check(poses, on_error)
-        M, K = self._evaluate(self._evaluation.matrices, checked)
+        M, K = self._evaluate(lambda p: matrices(self._evaluation, p), checked)
         return M, K
 
     def statics(self, poses: ArrayLike, on_error: OnError = "raise") -> Statics:
-        """Torques and pulley rotations that hold the pose (equation 44).
-
-        Parameters
-        ----------
-        poses : array_like, shape (3,) or (..., 3)
-            Platform centres in the base frame [m].
-        on_error : {"raise", "nan"}
-            As for `modes`.
-
-        Returns
-        -------
-        Statics
-            Torques [N m] and rotations [rad].
-
-        Raises
-        ------
-        PoseError
-            As `modes` does.
-        """
+        """Torques and rotations that hold the pose (equation 44)."""
         checked = self._check(poses, on_error)
         torques, rotations = self._evaluate(self._evaluation.statics, checked)
-        return Statics(checked.codes.reshape(checked.batch), torques, rotations)
+        return Statics(checked.codes.reshape(checked.batch), checked.known, torques, rotations)
 
     def sensitivities(
         self,
@@ -203,19 +174,15 @@ class Model(Kinematics):
 
         Parameters
         ----------
-        poses : array_like, shape (3,) or (..., 3)
-            Platform centres in the base frame [m].
+        poses, on_error, out
+            As for `modes`.
         parameters : sequence of str, optional
             Parameter paths (docs/sensitivities.md); by default all that the robot has and every effect's.
         close : float
             Modes whose eigenvalues differ by less than this fraction are one group.
-        on_error : {"raise", "nan"}
-            As for `modes`.
         fields : sequence of str, optional
             Which of `Sensitivities.FIELDS` to compute and to keep; by default all, or those of `out`.  Without
             ``"shapes"`` and the matrices it takes a quarter of the time.
-        out : mapping of str to ndarray, optional
-            As for `modes`: arrays to be filled in place, by field.
 
         Returns
         -------
@@ -226,8 +193,6 @@ class Model(Kinematics):
         ------
         PkmodesError
             If a path is unknown, with the nearest one; if a field or an array of `out` is refused as in `modes`.
-        PoseError
-            As `modes` does.
         """
         from pkmodes.sensitivity.sensitivities import sensitivities
 

@@ -1,42 +1,54 @@
-"""Poses at the boundary: shape, numbers, reach, limits and singularity, checked before anything is solved.
+"""Poses at the boundary: shape, numbers, and what the mechanism needs of them, checked before anything is solved.
 
-The margins come from the generated model; here they are only compared with zero and put into words.
+The margins come from the generated model and their sentences from the mechanism's description; here they are only
+compared with their bounds and put into words.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.errors import PkmodesError, PoseError, shown
-from pkmodes_generated import linear_delta as generated
-from pkmodes_generated.linear_delta import Parameters
+from pkmodes.generated import Generated
+from pkmodes.mechanism import Margin, Mechanism
 
+Array = NDArray[np.float64]
 OnError = Literal["raise", "nan"]
 #: Places of some poses among all of them.
 Where = slice | NDArray[np.intp]
 
-#: Beyond this Frobenius condition number of D_l, D_p has lost six digits, and rigid links are no model.
+#: Beyond this condition number the platform's Jacobian has lost six digits, and rigid links are no model.
 MAX_CONDITION = 1e6
 
 #: Poses evaluated together: as many as keep the matrices and the temporaries in the cache.
 CHUNK = 2048
 
-#: Why a pose cannot be evaluated, in the order in which it is asked: a short code, and what it means.
-REASONS: dict[str, str] = {
-    "finite": "a coordinate is NaN or infinite",
-    "reachable": "the pose is out of reach: a link is too short",
-    "singular": "the pose is singular",
-    "limits": "a carriage is beyond its limits: a belt span would not be positive",
-}
-#: What the numbers of `CheckedPoses.codes` stand for: 0 is a pose that can be evaluated.
-CODES: tuple[str, ...] = ("", *REASONS)
+#: What is asked of every pose before the margins of its mechanism, and what a pose without it is.
+FINITE = ("finite", "a coordinate is NaN or infinite")
+IN_WORDS = {"m": "metres", "rad": "radians"}
 
-SPANS = ("between its pulleys", "between its carriage and pulley 2", "between its carriage and pulley 1")
+
+def reasons(kind: Mechanism) -> dict[str, str]:
+    """Why a pose cannot be evaluated, in the order in which it is asked: a short code, and what it means.
+
+    Parameters
+    ----------
+    kind : Mechanism
+    """
+    found = dict([FINITE])
+    for margin in kind.margins:
+        found.setdefault(margin.code, margin.meaning)
+    return found
+
+
+def codes_of(kind: Mechanism) -> tuple[str, ...]:
+    """What the numbers of `CheckedPoses.codes` stand for: 0 is a pose that can be evaluated."""
+    return ("", FINITE[0], *(margin.code for margin in kind.margins))
 
 
 @dataclass(frozen=True)
@@ -45,17 +57,20 @@ class CheckedPoses:
 
     Attributes
     ----------
-    points : ndarray, shape (N, 3)
-        Platform centres [m].
+    points : ndarray, shape (N, d)
+        Poses, d components each, in SI units.
     codes : ndarray of int8, shape (N,)
-        Which of them can be evaluated, and why the others cannot: indices into `CODES`.
+        Which of them can be evaluated, and why the others cannot: indices into `known`.
     batch : tuple of int
         Shape of the poses as the caller gave them, without the last axis.
+    known : tuple of str
+        What the codes stand for.
     """
 
     points: NDArray[np.float64]
     codes: NDArray[np.int8]
     batch: tuple[int, ...]
+    known: tuple[str, ...]
 
     @property
     def valid(self) -> NDArray[np.bool_]:
@@ -63,7 +78,7 @@ class CheckedPoses:
         return np.asarray(self.codes == 0)
 
     def parts(self, size: int, *, even: bool = False) -> Iterator[tuple[Where, NDArray[np.float64]]]:
-        """Give the valid poses part by part: where they are among all, and the poses, (n, 3).
+        """Give the valid poses part by part: where they are among all, and the poses, (n, d).
 
         One empty part when there are none: what is evaluated at it has the right shapes.
 
@@ -90,7 +105,8 @@ class CheckedPoses:
 
 def check_poses(
     poses: ArrayLike,
-    parameters: Parameters,
+    kind: Mechanism,
+    parameters: Any,
     on_error: OnError = "raise",
     max_condition: float = MAX_CONDITION,
 ) -> CheckedPoses:
@@ -98,20 +114,21 @@ def check_poses(
 
     Parameters
     ----------
-    poses : array_like, shape (3,) or (..., 3)
-        Platform centres in the base frame [m].
+    poses : array_like, shape (d,) or (..., d)
+        In SI units; the components are those of the mechanism's poses.
+    kind : Mechanism
     parameters : Parameters
-        The robot.
+        The robot, as the generated model takes it.
     on_error : {"raise", "nan"}
         Whether a pose that cannot be evaluated is an error or is marked invalid.
     max_condition : float
-        Largest condition number of D_l that counts as regular.
+        Largest condition number that counts as regular.
 
     Raises
     ------
     PoseError
-        If the array is not one of poses; with ``on_error="raise"`` also if a pose is not finite, out of
-        reach, singular, or has a carriage beyond its limits.
+        If the array is not one of poses; with ``on_error="raise"`` also if a pose is not finite or lacks what the
+        mechanism needs.
     """
     if not (isinstance(on_error, str) and on_error in ("raise", "nan")):
         raise PoseError(
@@ -119,26 +136,27 @@ def check_poses(
             "on_error",
             "choose one of the two",
         )
-    points, batch = as_points(poses, "poses", "give platform centres [x, y, z] in metres")
+    points, batch = as_points(poses, "poses", len(kind.pose), f"give {_in_words(kind)}")
     codes = np.empty(len(points), dtype=np.int8)
     for start in range(0, len(points), CHUNK):
         part = slice(start, start + CHUNK)
-        codes[part] = _codes(points[part], parameters, max_condition)
+        codes[part] = _codes(points[part], kind, parameters, max_condition)
     if on_error == "raise" and codes.any():
         index = int(np.argmax(codes != 0))
         one = slice(index, index + 1)
-        ((what, remedy),) = explained(points[one], codes[one], parameters)
-        position = ", ".join(f"{c:.6g}" for c in points[index])
+        ((what, remedy),) = explained(points[one], codes[one], kind, parameters)
         bad = int(np.count_nonzero(codes))
-        where = f"pose {index} at [{position}] m" + (f", the first of {bad} bad poses" if bad > 1 else "")
+        where = f"pose {index} at {placed(kind, points[index])}" + (
+            f", the first of {bad} bad poses" if bad > 1 else ""
+        )
         if len(points) > 1:
             remedy += ', or ask for NaN in its place with on_error="nan"'
         raise PoseError(what, where, remedy, index)
-    return CheckedPoses(points, codes, batch)
+    return CheckedPoses(points, codes, batch, codes_of(kind))
 
 
 def largest_condition(given: float) -> float:
-    """Check the largest condition number of D_l that counts as regular.
+    """Check the largest condition number that counts as regular.
 
     Raises
     ------
@@ -150,18 +168,20 @@ def largest_condition(given: float) -> float:
         raise PkmodesError(
             f"expected a positive number, found {shown(given)}",
             "max_condition",
-            f"give the largest condition number of D_l to accept, such as {MAX_CONDITION:g}",
+            f"give the largest condition number to accept, such as {MAX_CONDITION:g}",
         )
     return given
 
 
-def as_points(given: ArrayLike, name: str, remedy: str) -> tuple[NDArray[np.float64], tuple[int, ...]]:
-    """Check an array of triples; return it as (N, 3), and its shape without the last axis.
+def as_points(
+    given: ArrayLike, name: str, size: int, remedy: str
+) -> tuple[NDArray[np.float64], tuple[int, ...]]:
+    """Check an array of tuples of numbers; return it as (N, size), and its shape without the last axis.
 
     Raises
     ------
     PoseError
-        If it is not a non-empty array of real numbers of shape (3,) or (..., 3); `name` and `remedy` say so.
+        If it is not a non-empty array of real numbers of shape (size,) or (..., size); `name` and `remedy` say so.
     """
     try:
         if np.ma.is_masked(given):
@@ -172,69 +192,93 @@ def as_points(given: ArrayLike, name: str, remedy: str) -> tuple[NDArray[np.floa
         array = array.astype(float)
     except Exception as error:  # what is not an array may raise anything on the way to become one
         raise PoseError(f"expected an array of numbers, found {error}", name, remedy) from None
-    if array.ndim == 0 or array.shape[-1] != 3:
-        raise PoseError(f"expected {name} of shape (3,) or (N, 3), found {array.shape}", name, remedy)
+    if array.ndim == 0 or array.shape[-1] != size:
+        what = f"expected {name} of shape ({size},) or (N, {size}), found {array.shape}"
+        raise PoseError(what, name, remedy)
     if array.size == 0:
         raise PoseError(f"expected at least one pose, found an array of shape {array.shape}", name, remedy)
-    return array.reshape(-1, 3), array.shape[:-1]
+    return array.reshape(-1, size), array.shape[:-1]
 
 
-def _codes(points: NDArray[np.float64], parameters: Parameters, max_condition: float) -> NDArray[np.int8]:
-    """The first of the `REASONS` that holds for each pose, as an index into `CODES`."""
+def placed(kind: Mechanism, point: Sequence[float] | Array, digits: str = ".6g") -> str:
+    """A pose as messages and tables show it, such as ``[0.6, 0, -0.245] m``."""
+    numbers = [format(float(value), digits) for value in point]
+    units = [component.unit for component in kind.pose]
+    if len(set(units)) == 1:
+        return f"[{', '.join(numbers)}] {units[0]}"
+    return f"[{', '.join(f'{number} {unit}' for number, unit in zip(numbers, units, strict=True))}]"
+
+
+def _in_words(kind: Mechanism) -> str:
+    """What poses consist of, for a remedy."""
+    units = {component.unit for component in kind.pose}
+    names = ", ".join(component.name for component in kind.pose)
+    unit = IN_WORDS.get(units.pop(), "SI units") if len(units) == 1 else "SI units"
+    return f"poses [{names}] in {unit}: {kind.pose_is}"
+
+
+def margin_of(generated: Generated, margin: Margin, points: Array) -> Array:
+    """One of a mechanism's margins at poses: of a function with several results the one that is meant."""
+    found = getattr(generated, margin.function)(points)
+    return np.asarray(found[margin.output] if isinstance(found, tuple) else found)
+
+
+def _codes(
+    points: NDArray[np.float64], kind: Mechanism, parameters: Any, max_condition: float
+) -> NDArray[np.int8]:
+    """The first of what a mechanism asks that each pose lacks, as an index into `codes_of`."""
     with np.errstate(all="ignore"):  # the margins say what is wrong; a NaN compares false and so fails
-        finite = np.isfinite(points).all(axis=-1)
-        reachable = (generated.reach_margin(points, parameters) >= 0.0).all(axis=-1)
-        _, condition = generated.jacobian_condition(points, parameters)
-        spans = (generated.belt_spans(points, parameters) > 0.0).all(axis=(-2, -1))
-    failed = [~finite, ~reachable, ~(condition <= max_condition), ~spans]
-    return np.select(failed, range(1, len(CODES)), 0).astype(np.int8)
+        generated = Generated(kind.model, parameters)
+        failed = [~np.isfinite(points).all(axis=-1)]
+        for margin in kind.margins:
+            values = margin_of(generated, margin, points).reshape(len(points), -1)
+            failed.append(~_holds(margin, values, max_condition).all(axis=-1))
+    return np.select(failed, range(1, len(failed) + 1), 0).astype(np.int8)
+
+
+def _holds(margin: Margin, values: Array, max_condition: float) -> NDArray[np.bool_]:
+    if margin.rule == "at_most_limit":
+        return np.asarray(values <= max_condition)
+    return np.asarray(values > 0.0 if margin.rule == "above_zero" else values >= 0.0)
 
 
 def explained(
-    points: NDArray[np.float64], codes: NDArray[np.int8], parameters: Parameters
+    points: NDArray[np.float64], codes: NDArray[np.int8], kind: Mechanism, parameters: Any
 ) -> list[tuple[str, str]]:
     """What is wrong with poses that cannot be evaluated, and the remedy.
 
     Parameters
     ----------
-    points : ndarray, shape (N, 3)
-        Platform centres [m].
+    points : ndarray, shape (N, d)
+        Poses.
     codes : ndarray of int8, shape (N,)
         Why, from `check_poses`; none is 0.
+    kind : Mechanism
     parameters : Parameters
         The robot.
     """
     with np.errstate(all="ignore"):
-        reach = generated.reach_margin(points, parameters)
-        _, condition = generated.jacobian_condition(points, parameters)
-        spans = generated.belt_spans(points, parameters)
+        generated = Generated(kind.model, parameters)
+        values = [margin_of(generated, margin, points) for margin in kind.margins]
     return [
-        _sentence(CODES[code], *margins)
-        for code, *margins in zip(codes.tolist(), reach, condition, spans, strict=True)
+        ("expected finite coordinates, found NaN or infinity", "give finite coordinates")
+        if code == 1
+        else _sentence(kind.margins[code - 2], values[code - 2][i])
+        for i, code in enumerate(codes.tolist())
     ]
 
 
-def _sentence(
-    code: str, reach: NDArray[np.float64], condition: float, spans: NDArray[np.float64]
-) -> tuple[str, str]:
-    if code == "finite":
-        return "expected finite coordinates, found NaN or infinity", "give finite coordinates"
-    if code == "reachable":
-        j = int(np.argmin(reach))
-        missing = f"{-reach[j]:.4g} m" if np.isfinite(reach[j]) else "far"
-        return (
-            f"the pose is out of reach: link {j + 1} is {missing} too short",
-            "choose a pose closer to the rails",
-        )
-    if code == "singular":
-        condition = np.inf if np.isnan(condition) else condition
-        return (
-            f"the pose is singular: the condition number of D_l is {condition:.3g}",
-            "choose a pose farther from the singularity",
-        )
-    j, k = divmod(int(np.argmin(spans)), spans.shape[1])
-    where = "of no length" if spans[j, k] == 0.0 else f"{-spans[j, k]:.4g} m too short"
-    return (
-        f"carriage {j + 1} is beyond its limits: the belt span {SPANS[k]} would be {where}",
-        "choose a pose within the travel of the carriages, or check limits and carriage length",
+def _sentence(margin: Margin, values: Array) -> tuple[str, str]:
+    """What is wrong with a pose that lacks a margin, (...) at this pose, and the remedy."""
+    if margin.rule == "at_most_limit":
+        value = float(values.max())  # NaN where there is one
+        return margin.sentence.format(value=f"{np.inf if np.isnan(value) else value:.3g}"), margin.remedy
+    place = np.unravel_index(int(np.argmin(values)), values.shape)
+    lacking = -float(values[place])
+    size = f"{lacking:.4g} {margin.unit}".removesuffix(" 1")
+    what = margin.sentence.format(
+        *(names[i] for names, i in zip(margin.names, place, strict=True)),
+        missing=size if np.isfinite(lacking) else "far",
+        short="of no length" if lacking == 0.0 else f"{size} too short",
     )
+    return what, margin.remedy

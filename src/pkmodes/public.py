@@ -1,23 +1,14 @@
-"""What `pkmodes` offers to a program: the names that the package itself hands on when the first is asked for."""
+"""What `pkmodes` offers to a program, loaded together: the package itself says which names these are."""
 
-from pkmodes.errors import NotComputedError, PkmodesError, PoseError, RobotFileError
-from pkmodes.loading import load, read_robot
-from pkmodes.model import Model
-from pkmodes.results import Modes, PoseCheck, Statics
-from pkmodes.robot.robot import Robot
-from pkmodes.robot.units import Quantity
-
-__all__ = [
-    "Model",
-    "Modes",
-    "NotComputedError",
-    "PkmodesError",
-    "PoseCheck",
-    "PoseError",
-    "Quantity",
-    "Robot",
-    "RobotFileError",
-    "Statics",
-    "load",
-    "read_robot",
-]
+from pkmodes.errors import NotComputedError as NotComputedError
+from pkmodes.errors import PkmodesError as PkmodesError
+from pkmodes.errors import PoseError as PoseError
+from pkmodes.errors import RobotFileError as RobotFileError
+from pkmodes.loading import load as load
+from pkmodes.loading import read_robot as read_robot
+from pkmodes.model import Model as Model
+from pkmodes.results import Modes as Modes
+from pkmodes.results import PoseCheck as PoseCheck
+from pkmodes.results import Statics as Statics
+from pkmodes.robot.robot import Robot as Robot
+from pkmodes.robot.units import Quantity as Quantity

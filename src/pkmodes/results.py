@@ -11,10 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.errors import NotComputedError
-from pkmodes.poses import CHUNK, CODES, explained
-from pkmodes_generated.linear_delta import Parameters
+from pkmodes.mechanism import Mechanism
+from pkmodes.poses import CHUNK, explained
+from pkmodes.robot.robot import Robot
 
 Array = NDArray[np.float64]
+#: The independent coordinates, and their older name where they are positions of carriages.
+JOINTS, CARRIAGES = "joint_positions", "carriage_positions"
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -24,15 +27,18 @@ class AtPoses:
     Attributes
     ----------
     codes : ndarray of int8, shape (...)
-        What `valid` and `reason` say, as indices into `pkmodes.poses.CODES`.
+        What `valid` and `reason` say, as indices into `known`.
+    known : tuple of str
+        What the codes stand for: ``""`` for a pose that can be evaluated.
     valid : ndarray of bool, shape (...)
         Which poses could be evaluated.
     reason : ndarray of str, shape (...)
-        Why the others could not: ``"finite"``, ``"reachable"``, ``"singular"``, ``"limits"``
-        (`pkmodes.poses.REASONS` has a sentence for each), ``""`` where valid.  For a single pose a string.
+        Why the others could not: ``"finite"``, or a code of what the mechanism needs, such as ``"limits"``
+        (`pkmodes.Model.reasons` has a sentence for each), ``""`` where valid.  For a single pose a string.
     """
 
     codes: NDArray[np.int8]
+    known: tuple[str, ...]
 
     @cached_property
     def valid(self) -> NDArray[np.bool_]:
@@ -42,7 +48,7 @@ class AtPoses:
     @cached_property
     def reason(self) -> NDArray[np.str_]:
         """Why the others could not, as a short code."""
-        found: NDArray[np.str_] = np.array(CODES)[self.codes]
+        found: NDArray[np.str_] = np.array(self.known)[self.codes]
         return found
 
 
@@ -80,15 +86,15 @@ class ChosenFields(AtPoses):
 class Modes(ChosenFields):
     """Small vibrations about the static equilibrium at each pose.
 
-    The leading axes are those of the poses: none for a single pose of shape (3,), (N,) for poses of shape
-    (N, 3).  n is the number of coordinates, 9 for the base model; m, the number of modes, is n less the
-    coordinates without inertia.  Modes are sorted by eigenvalue, the rigid-body ones first.  Entries of poses
+    The leading axes are those of the poses: none for a single pose of shape (d,), (N,) for poses of shape
+    (N, d).  n is the number of coordinates; m, the number of modes, is n less the coordinates without inertia.
+    Modes are sorted by eigenvalue, the rigid-body ones first.  Entries of poses
     that could not be evaluated are NaN.
 
     Attributes
     ----------
-    poses : ndarray, shape (..., 3)
-        Platform centres [m], base frame.
+    poses : ndarray, shape (..., d)
+        The components of the mechanism's poses, in SI units.
     coordinates : tuple of str, length n
         Names of the generalised coordinates, in the order of the matrices.
     rigid_modes : int
@@ -96,16 +102,18 @@ class Modes(ChosenFields):
     valid : ndarray of bool, shape (...)
         Which poses could be evaluated.
     reason : ndarray of str, shape (...)
-        Why the others could not (`pkmodes.poses.REASONS`), ``""`` where valid; for a single pose a string.
+        Why the others could not (`pkmodes.Model.reasons`), ``""`` where valid; for a single pose a string.
     frequencies : ndarray, shape (..., m)
         sqrt(abs(lambda)) / (2 pi) with the sign of lambda [Hz].
     shapes : ndarray, shape (..., m, n)
         ``shapes[..., i, :]`` is mode i, mass-normalised (phi^T M phi = 1) with a deterministic sign.
-    platform_shapes : ndarray, shape (..., m, 3)
-        Absolute motion of the platform centre in each mode, base frame: D_p times the carriage components, and
-        what released joints and the frame add.
-    carriage_positions : ndarray, shape (..., 3)
-        x_1, x_2, x_3 [m].
+    platform_shapes : ndarray, shape (..., m, directions)
+        Absolute motion of the platform centre in each mode, base frame, by the pose's linear components: D_p times
+        the components of the independent coordinates, and what released joints and the frame add.
+    joint_positions : ndarray, shape (..., k)
+        The independent coordinates, which follow from the pose.
+    carriage_positions : ndarray, shape (..., k)
+        The same, where they are positions of carriages.
     mass_matrix, stiffness_matrix : ndarray, shape (..., n, n)
         M and K in SI units.
 
@@ -119,7 +127,8 @@ class Modes(ChosenFields):
         "frequencies",
         "shapes",
         "platform_shapes",
-        "carriage_positions",
+        JOINTS,
+        CARRIAGES,
         "mass_matrix",
         "stiffness_matrix",
     )
@@ -131,9 +140,16 @@ class Modes(ChosenFields):
     frequencies: Array = field(init=False)
     shapes: Array = field(init=False)
     platform_shapes: Array = field(init=False)
+    joint_positions: Array = field(init=False)
     carriage_positions: Array = field(init=False)
     mass_matrix: Array = field(init=False)
     stiffness_matrix: Array = field(init=False)
+
+    @classmethod
+    def fields_of(cls, kind: Mechanism) -> tuple[str, ...]:
+        """Those of `FIELDS` that there are for a mechanism."""
+        carriages = kind.independent_are.replace(" ", "_") == CARRIAGES
+        return tuple(name for name in cls.FIELDS if carriages or name != CARRIAGES)
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,18 +158,25 @@ class Statics(AtPoses):
 
     Attributes
     ----------
-    torques : ndarray, shape (..., 3)
-        Torques on the driven pulleys of axes 1 to 3 [N m], positive with theta.
-    pulley_rotations : ndarray, shape (..., 6)
-        Rotations from the unstrained belts [rad], in the order of the coordinates theta.
+    torques : ndarray, shape (..., drives)
+        Torques of the drives, in their order [N m], each positive with its coordinate.
+    rotations : ndarray, shape (..., n - k)
+        What the coordinates that are not independent turn from the unstrained transmissions [rad], in their order.
+    pulley_rotations : ndarray
+        The older name of the rotations.
     valid : ndarray of bool, shape (...)
         Which poses could be evaluated.
     reason : ndarray of str, shape (...)
-        Why the others could not (`pkmodes.poses.REASONS`), ``""`` where valid; for a single pose a string.
+        Why the others could not (`pkmodes.Model.reasons`), ``""`` where valid; for a single pose a string.
     """
 
     torques: Array
-    pulley_rotations: Array
+    rotations: Array
+
+    @property
+    def pulley_rotations(self) -> Array:
+        """The older name of the rotations."""
+        return self.rotations
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -162,34 +185,36 @@ class PoseCheck(AtPoses):
 
     Attributes
     ----------
-    poses : ndarray, shape (..., 3)
-        Platform centres [m], base frame.
+    poses : ndarray, shape (..., d)
+        The components of the mechanism's poses, in SI units.
+    robot : Robot
+        The robot that was asked.
     valid : ndarray of bool, shape (...)
         Which of them can be evaluated.
     reason : ndarray of str, shape (...)
-        Why the others cannot: ``"finite"``, ``"reachable"``, ``"singular"``, ``"limits"``, ``""`` where valid; for a
-        single pose a string.
+        Why the others cannot (`pkmodes.Model.reasons`), ``""`` where valid; for a single pose a string.
     sentences : ndarray of object, shape (...)
         What is wrong with each pose, as a string with numbers and a remedy, ``""`` where valid; for a single pose a
         string.
     """
 
     poses: Array
-    parameters: Parameters
+    robot: Robot
 
     @cached_property
     def sentences(self) -> NDArray[np.object_]:
         """What is wrong with each pose, and the remedy."""
         found = np.full(self.codes.size, "", dtype=object)
         every, codes = np.flatnonzero(self.codes), self.codes.reshape(-1)
+        kind, points = self.robot.kind, self.poses.reshape(self.codes.size, -1)
         for start in range(0, len(every), CHUNK):
             bad = every[start : start + CHUNK]
-            texts = explained(self.poses.reshape(-1, 3)[bad], codes[bad], self.parameters)
+            texts = explained(points[bad], codes[bad], kind, self.robot.parameters)
             found[bad] = [f"{what}; {remedy}" for what, remedy in texts]
         shaped: NDArray[np.object_] = found.reshape(self.codes.shape)[()]
         return shaped
 
     def __repr__(self) -> str:
-        counts = {code: int(np.count_nonzero(self.codes == i)) for i, code in enumerate(CODES) if code}
+        counts = {code: int(np.count_nonzero(self.reason == code)) for code in self.known if code}
         found = "".join(f", {count} {code}" for code, count in counts.items() if count)
         return f"PoseCheck({np.count_nonzero(self.valid)} of {self.valid.size} valid{found})"

@@ -10,37 +10,61 @@ from numpy.typing import NDArray
 
 from pkmodes.eigen import condensed_eigh, natural_frequencies
 from pkmodes.errors import PoseError
-from pkmodes.evaluation import Evaluation
+from pkmodes.evaluation import Evaluation, matrices
+from pkmodes.generated import Generated
+from pkmodes.results import CARRIAGES, JOINTS
 from pkmodes.robot.robot import Robot
-from pkmodes_generated import linear_delta as generated
 
 Array = NDArray[np.float64]
-#: Eigenvalues come with an error of some 1e-16 of those of the belts: below this fraction of them, a frequency of
+#: Eigenvalues come with an error of some 1e-16 of the largest ones: below this fraction of them, a frequency of
 #: vibration has lost the nine digits that it should have.
 RESOLVED = 1e-7
 OF_MATRICES = frozenset({"mass_matrix", "stiffness_matrix"})
 OF_MODES = frozenset({"frequencies", "shapes", "platform_shapes"})
+OF_JOINTS = frozenset({JOINTS, CARRIAGES})
 
 
 class Solved(NamedTuple):
-    """M, K (N, n, n), eigenvalues (N, m) and shapes (N, m, n) of N poses."""
+    """Matrices and modes of N poses.
+
+    Attributes
+    ----------
+    M, K : ndarray, shape (N, n, n)
+    eigenvalues, shapes : ndarray, shapes (N, m) and (N, m, n)
+    every : tuple of ndarray, each (N, e, e)
+        M and K with the coordinates of locked joints.
+    """
 
     M: Array
     K: Array
     eigenvalues: Array
     shapes: Array
+    every: tuple[Array, Array]
 
 
-def solved(evaluation: Evaluation, p: Array, source: str) -> Solved:
-    """Solve the eigenproblem at some poses.
+def solve(evaluation: Evaluation, p: Array) -> Solved:
+    """Evaluate the matrices at some poses and solve the eigenproblem.
 
     Parameters
     ----------
     evaluation : Evaluation
-    p : ndarray, shape (N, 3)
-        Platform centres that can be evaluated [m]; there may be none.
-    source : str
-        The robot, for messages.
+    p : ndarray, shape (N, d)
+        Poses that can be evaluated; there may be none.
+
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        If M is not positive definite.
+    """
+    every = evaluation.all_coordinates(p)
+    M, K = (evaluation.free_part(matrix) for matrix in every)
+    massless = None if len(p) else evaluation.massless()
+    eigenvalues, shapes = condensed_eigh(M, K, evaluation.first, evaluation.rigid_modes, massless)
+    return Solved(M, K, eigenvalues, shapes, every)
+
+
+def solved(evaluation: Evaluation, p: Array, source: str) -> Solved:
+    """Solve as `solve` does, and refuse what is no machine; `source` names the robot in messages.
 
     Raises
     ------
@@ -48,22 +72,18 @@ def solved(evaluation: Evaluation, p: Array, source: str) -> Solved:
         If M is not positive definite, the eigenvalues are not finite, or a released joint is so soft that its
         frequency is lost in rounding.
     """
-    first, rigid = len(generated.COORDINATES), evaluation.rigid_modes
-    M, K = evaluation.matrices(p)
-    massless = None if len(p) else evaluation.massless()
     try:
-        eigenvalues, shapes = condensed_eigh(M, K, first, rigid, massless)
+        found = solve(evaluation, p)
     except np.linalg.LinAlgError:
         raise PoseError(
-            "the mass matrix is not positive definite",
-            source,
-            "give every body that moves a mass: platform or links, carriages, pulleys",
+            "the mass matrix is not positive definite", source, "give every body that moves a mass"
         ) from None
-    if not np.isfinite(eigenvalues).all():
+    if not np.isfinite(found.eigenvalues).all():
         raise PoseError("the eigenvalues are not finite", source, "check the robot's magnitudes")
-    if rigid and M.shape[-1] > first:
-        _check_resolved(eigenvalues, first, rigid, source)
-    return Solved(M, K, eigenvalues, shapes)
+    first, rigid = evaluation.first, evaluation.rigid_modes
+    if rigid and found.M.shape[-1] > first:
+        _check_resolved(found.eigenvalues, first, rigid, source)
+    return found
 
 
 def _check_resolved(eigenvalues: Array, first: int, rigid: int, source: str) -> None:
@@ -81,19 +101,20 @@ def _check_resolved(eigenvalues: Array, first: int, rigid: int, source: str) -> 
 def fields_of_modes(
     robot: Robot, evaluation: Evaluation, p: Array, asked: Collection[str]
 ) -> dict[str, Array]:
-    """Evaluate those fields of `pkmodes.Modes` that are asked for, at poses (N, 3) that can be evaluated.
+    """Evaluate those fields of `pkmodes.Modes` that are asked for, at poses (N, d) that can be evaluated.
 
     The route to a field is the same whatever else is asked for, and so are its digits.
     """
     found: dict[str, Array] = {}
     if OF_MODES & set(asked):
-        M, K, eigenvalues, shapes = solved(evaluation, p, robot.source)
-        found = {"mass_matrix": M, "stiffness_matrix": K, "shapes": shapes}
-        found["frequencies"] = natural_frequencies(eigenvalues)
+        at = solved(evaluation, p, robot.source)
+        found = {"mass_matrix": at.M, "stiffness_matrix": at.K, "shapes": at.shapes}
+        found["frequencies"] = natural_frequencies(at.eigenvalues)
         if "platform_shapes" in asked:
-            found["platform_shapes"] = shapes @ np.swapaxes(evaluation.platform_motion(p), -1, -2)
+            found["platform_shapes"] = at.shapes @ np.swapaxes(evaluation.platform_motion(p), -1, -2)
     elif OF_MATRICES & set(asked):
-        found["mass_matrix"], found["stiffness_matrix"] = evaluation.matrices(p)
-    if "carriage_positions" in asked:
-        found["carriage_positions"] = generated.inverse_kinematics(p, robot.parameters)
+        found["mass_matrix"], found["stiffness_matrix"] = matrices(evaluation, p)
+    if OF_JOINTS & set(asked):
+        joints = Generated(robot.kind.model, robot.parameters).inverse_kinematics(p)
+        found |= dict.fromkeys(OF_JOINTS, joints)
     return {name: found[name] for name in asked}

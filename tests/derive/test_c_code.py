@@ -16,13 +16,14 @@ import pytest
 from compiled import build, call
 from pkmodes.generation import specification
 from pkmodes.robot.robot import Robot
+from pkmodes_derive import mechanisms
 from pkmodes_derive.emit import product
 from pkmodes_derive.functions import Function
 from pkmodes_generated import linear_delta
 from pkmodes_generated.linear_delta import Parameters
 from sample_robots import random_robot
 
-MODEL = product.derive("linear_delta")
+MODEL = mechanisms.base("linear_delta")
 
 
 def function(name: str) -> Function:

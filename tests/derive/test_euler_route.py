@@ -2,18 +2,25 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 import pytest
 from sympy import Matrix, lambdify
 
-from pkmodes_derive.linear_delta import kinematics, rotation
-from pkmodes_derive.linear_delta.machine import Machine
-from pkmodes_derive.linear_delta.symbols import Symbols
+from pkmodes_derive import mechanisms
+from pkmodes_derive.assembly import kinematics
+from pkmodes_derive.mechanisms.linear_delta.euler_route import EulerRoute, euler_route
 from pkmodes_generated import linear_delta
 from sample_robots import random_robot
 
-sy = Symbols()
-KIN = kinematics.derive(Machine(sy))
+MACHINE = mechanisms.machine("linear_delta")
+KIN = kinematics.derive(MACHINE)
+
+
+@cache
+def route_of(j: int) -> EulerRoute:
+    return euler_route(MACHINE, KIN, j)
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -48,9 +55,9 @@ def evaluate(
     j: int, s: np.ndarray, pose: np.ndarray, parameters: linear_delta.Parameters, phi: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """D_omega and inertia of linkage j by the paper's route; s_j and U_j from the closures."""
-    route = rotation.euler_route(sy, KIN, j)
+    route, link, mass = route_of(j), MACHINE.links[j], MACHINE.rods[j].mass
     U = linear_delta.platform_jacobian(pose, parameters) - np.outer(parameters.direction[j], np.eye(3)[j])
-    arguments = [*KIN.s[j], *KIN.U[j], sy.l_d[j], sy.m_d[j], sy.phi[j]]
+    arguments = [*link.vector, *KIN.U[j], link.length, mass, route.phi]
     function = lambdify(arguments, [route.D_omega, route.inertia])
     values = function(*s, *U.ravel(), parameters.link_length[j], parameters.link_mass[j], phi)
     by_angles, inertia = (np.array(m, dtype=float) for m in values)
@@ -65,7 +72,7 @@ def amplification(s: np.ndarray, phi: float, length: float) -> float:
 
 def test_angles_reproduce_the_direction_of_the_rod() -> None:
     """The rod is the third axis of the frame turned by alpha about x, then by beta about y'."""
-    route = rotation.euler_route(sy, KIN, 0)
+    route = route_of(0)
     direction = Matrix([route.Psi[0, 2], route.Psi[1, 2], route.Psi[2, 2]])
     evaluate = lambdify(route.u, list(direction))
     rng = np.random.default_rng(7)
@@ -74,7 +81,7 @@ def test_angles_reproduce_the_direction_of_the_rod() -> None:
         np.testing.assert_allclose(evaluate(*u), u / np.linalg.norm(u), rtol=0, atol=1e-14)
 
 
-def test_angular_velocity_is_square_to_the_rod_and_moves_its_end() -> None:
+def test_angular_velocity_is_perpendicular_to_the_rod_and_moves_its_end() -> None:
     parameters, pose = random_robot(np.random.default_rng(71))
     D_l, _ = linear_delta.constraint_jacobians(pose, parameters)
     _, D_omega = linear_delta.link_jacobians(pose, parameters)

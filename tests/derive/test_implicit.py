@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import pytest
 from sympy import Matrix, Rational, Symbol, diff, simplify, solve, symbols
 
 from pkmodes_derive import implicit
 from pkmodes_derive.chain import Chain
+from pkmodes_derive.vocabulary import Vocabulary
 
 q1, q2 = symbols("q1 q2", real=True)
 s1, s2, s3 = symbols("s1 s2 s3", real=True)
@@ -43,11 +45,24 @@ def test_first_and_second_derivatives_equal_those_of_the_explicit_solution() -> 
             assert simplify(found - expected) == Matrix.zeros(3, 1)
 
 
-def test_cofactors_and_the_closed_solution_invert_a_matrix() -> None:
+def test_cofactors_of_three_by_three_are_those_of_sympy() -> None:
     A = Matrix(3, 3, symbols("a:9", real=True))
     adjugate = Matrix(3, 3, lambda i, k: implicit.cofactor(A, k, i))
     assert (adjugate - A.adjugate()).expand() == Matrix.zeros(3, 3)
-    b = symbols("b:3", real=True)
-    solution = implicit.solve_3x3(adjugate, A.det(), b)
-    residual = A * Matrix(solution) - Matrix(b)
-    assert residual.applyfunc(simplify) == Matrix.zeros(3, 1)
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 4, 6])
+def test_systems_of_any_size_are_solved_with_named_minors(n: int) -> None:
+    """Against SymPy's own solution in rational numbers; both of the matrix and of its transpose."""
+    chain, entries = Chain(), symbols(f"a:{n * n}", real=True)
+    solver = implicit.Solver(Matrix(n, n, entries), Vocabulary(), chain, [f"s{i}" for i in range(n)])
+    numbers = [
+        Rational((7 * i * i + 3 * i + 1) % 11, 1 + i % 3) + (i % (n + 1) == 0) * 9 for i in range(n * n)
+    ]
+    values = dict(zip(entries, numbers, strict=True))
+    A, b = Matrix(n, n, numbers), Matrix([Rational(k + 1, k + 2) for k in range(n)])
+    assert A.det() != 0
+    for symbol, expression in chain.definitions.items():
+        values[symbol] = expression.xreplace(values)
+    for found, matrix in ((solver.solve(list(b)), A), (solver.multipliers(list(b)), A.T)):
+        assert Matrix([y.xreplace(values) for y in found]) == matrix.LUsolve(b)

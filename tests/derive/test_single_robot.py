@@ -15,10 +15,13 @@ from scipy.linalg import eigh
 import pkmodes
 from compiled import build, call
 from pkmodes.generation import specification
-from pkmodes.robot.effects import CATALOGUE
+from pkmodes.mechanism import mechanism
 from pkmodes.robot.reading import robot_from_document
+from pkmodes_derive import mechanisms
 from pkmodes_derive.emit import product
 from sample_robots import ROBOTS
+
+CATALOGUE = mechanism("linear_delta").effects
 
 NAMES = tuple(sorted(path.name for path in ROBOTS.glob("*.toml")))
 POSE = np.array([0.6, 0.03, -0.245])
@@ -86,7 +89,7 @@ def test_the_interface_is_that_of_a_robot_without_effects(effects: tuple[str, ..
     model, module, texts = sample(NAMES[0], effects)
     condensed = "clamp_compliance" in effects and "belt_mass" not in effects
     own = {"platform_motion"} | ({"condensation", "uncondensed_matrices"} if condensed else set())
-    assert len(functions(plain)) == 23
+    assert len(functions(plain)) == 24
     assert functions(module) == functions(plain) | own
     assert prototypes(plain_texts) == functions(plain)
     assert prototypes(texts) == functions(module)
@@ -175,7 +178,7 @@ def test_every_function_is_that_of_a_robot_declared_so(effect: str, tables: dict
     _, module, _ = sample("linear-delta-2022.toml", (effect,))
     declared, _ = generated(robot("linear-delta-2022.toml", (), **tables))
     given = arguments(module, np.random.default_rng(5))
-    product_functions = product.derive("linear_delta").functions
+    product_functions = mechanisms.base("linear_delta").functions
     assert {f.name for f in product_functions} == functions(declared)
     for function in product_functions:
         inputs = [given[a.name] for a in function.arguments]

@@ -6,13 +6,18 @@ from functools import cache
 
 import pint
 import pytest
-from sympy import Abs, Add, Expr, Mul, Number, Pow, Symbol, sympify
+from sympy import Abs, Add, Expr, Mul, Number, Pow, Symbol, atan2, cos, sin, sympify
 
-from pkmodes_derive.functions import Function
-from pkmodes_derive.linear_delta import derive
+from pkmodes_derive import mechanisms
+from pkmodes_derive.functions import Function, Model
 from pkmodes_derive.vocabulary import Field, Vocabulary
 
-MODEL = derive()
+MODELS = {name: mechanisms.base(name) for name in mechanisms.names()}
+FUNCTIONS = [
+    pytest.param(model, function, id=f"{name}-{function.name}")
+    for name, model in MODELS.items()
+    for function in model.functions
+]
 UNITS = pint.UnitRegistry()
 
 
@@ -23,10 +28,10 @@ def symbols_of(function: Function) -> set[Symbol]:
     return used | arguments | set(function.definitions)
 
 
-@pytest.mark.parametrize("function", MODEL.functions, ids=lambda f: f.name)
-def test_every_symbol_has_a_unit_and_a_description(function: Function) -> None:
+@pytest.mark.parametrize(("model", "function"), FUNCTIONS)
+def test_every_symbol_has_a_unit_and_a_description(model: Model, function: Function) -> None:
     for symbol in symbols_of(function):
-        quantity = MODEL.vocabulary[symbol]
+        quantity = model.vocabulary[symbol]
         assert quantity.unit
         assert len(quantity.description.split()) >= 2
         assert quantity.latex
@@ -46,31 +51,62 @@ def test_incomplete_or_repeated_declarations_are_refused() -> None:
             vocabulary.declare(name, unit, description, latex)
 
 
+def test_an_index_has_a_letter_that_its_name_does_not_have() -> None:
+    vocabulary = Vocabulary()
+    with pytest.raises(ValueError, match="other letters"):
+        vocabulary.declare("k_{j}_{k}", "N/m", "stiffness of span {k} of belt {j}", "k_{{{j}{k}}}", j=1, k=2)
+    vocabulary.declare("k_{j}_{s}", "N/m", "stiffness of span {s} of belt {j}", "k_{{{j}{s}}}", j=1, s=2)
+
+
+def test_derivatives_by_parameters_are_one_family() -> None:
+    vocabulary = Vocabulary()
+    x, m = vocabulary.declare("x", "m", "a length", "x"), vocabulary.declare("m", "kg", "a mass", "m")
+    pairs = [vocabulary[vocabulary.derivative(of, by)] for of, by in ((x, m), (m, x))]
+    assert [q.symbol.name for q in pairs] == ["x_by_m", "m_by_x"]
+    assert [q.unit for q in pairs] == ["(m)/(kg)", "(kg)/(m)"]
+    assert len({q.family for q in pairs}) == 1
+
+
+def test_quantities_are_typeset_with_any_values_or_letters() -> None:
+    vocabulary = Vocabulary()
+    _, quantity = (
+        vocabulary[s] for s in vocabulary.vectors_per_axis("n", "1", "direction {j}", "n_{j}")[1][:2]
+    )
+    assert quantity.latex == quantity.typeset(quantity.index) == "(n_2)_y"
+    assert quantity.typeset({"j": "j", "i": "i"}) == "(n_j)_i"
+    assert quantity.typeset({"j": "j'", "i": "x"}) == "(n_{j'})_x"
+
+
 @cache
 def unit(text: str) -> pint.Unit:
     return UNITS.Unit("dimensionless" if text == "1" else text.replace(" ", "*"))
 
 
-def dimension(expression: Expr) -> dict | None:
+def dimension(expression: Expr, v: Vocabulary) -> dict | None:
     """Dimension of an expression, None for a zero or a bare number; an inconsistent sum raises."""
     if isinstance(expression, Symbol):
-        return dict(unit(MODEL.vocabulary[expression].unit).dimensionality)
+        return dict(unit(v[expression].unit).dimensionality)
     if isinstance(expression, Number):
         return None
     if isinstance(expression, Add):
-        found = [dimension(term) for term in expression.args]
+        found = [dimension(term, v) for term in expression.args]
         assert all(clean(d) == clean(found[0]) for d in found), expression
         return found[0]
     if isinstance(expression, Mul):
         total: dict = {}
         for factor in expression.args:
-            for key, power in (dimension(factor) or {}).items():
+            for key, power in (dimension(factor, v) or {}).items():
                 total[key] = total.get(key, 0) + power
         return total
     if isinstance(expression, Abs):
-        return dimension(expression.args[0])
+        return dimension(expression.args[0], v)
     if isinstance(expression, Pow):
-        return {k: p * float(expression.exp) for k, p in (dimension(expression.base) or {}).items()}
+        return {k: p * float(expression.exp) for k, p in (dimension(expression.base, v) or {}).items()}
+    if isinstance(expression, sin | cos | atan2):
+        arguments = [clean(dimension(argument, v)) for argument in expression.args]
+        assert all(a == arguments[0] for a in arguments), expression
+        assert isinstance(expression, atan2) or not arguments[0], expression
+        return {}
     raise AssertionError(f"no rule for the dimension of {expression.func}")
 
 
@@ -78,35 +114,43 @@ def clean(d: dict | None) -> dict:
     return {k: round(float(p), 9) for k, p in (d or {}).items() if abs(p) > 1e-9}
 
 
-def test_every_definition_has_the_dimension_of_its_unit() -> None:
-    definitions = {s: e for function in MODEL.functions for s, e in function.definitions.items()}
+@pytest.mark.parametrize("model", MODELS.values(), ids=MODELS)
+def test_every_definition_has_the_dimension_of_its_unit(model: Model) -> None:
+    v = model.vocabulary
+    definitions = {s: e for function in model.functions for s, e in function.definitions.items()}
     for symbol, expression in definitions.items():
-        assert clean(dimension(expression)) == clean(dimension(symbol)), symbol
+        assert clean(dimension(expression, v)) == clean(dimension(symbol, v)), symbol
 
 
-@pytest.mark.parametrize("function", MODEL.functions, ids=lambda f: f.name)
-def test_every_result_has_the_dimension_of_its_unit(function: Function) -> None:
+@pytest.mark.parametrize(("model", "function"), FUNCTIONS)
+def test_every_result_has_the_dimension_of_its_unit(model: Model, function: Function) -> None:
     for output in function.outputs:
         allowed = [clean(dict(unit(u.strip()).dimensionality)) for u in output.unit.split(",")]
         for entry in output.entries:
             if entry != 0:
-                assert clean(dimension(entry)) in allowed, (output.name, entry)
+                assert clean(dimension(entry, model.vocabulary)) in allowed, (output.name, entry)
 
 
-@pytest.mark.parametrize("function", MODEL.functions, ids=lambda f: f.name)
-def test_arguments_have_the_units_of_their_symbols_and_functions_a_source(function: Function) -> None:
+@pytest.mark.parametrize(("model", "function"), FUNCTIONS)
+def test_arguments_have_the_units_of_their_symbols_and_functions_a_source(
+    model: Model, function: Function
+) -> None:
     assert len(function.source.split()) >= 2
     for argument in function.arguments:
         declared = [u.strip() for u in argument.unit.split(",")]
-        assert {MODEL.vocabulary[s].unit for s in argument.symbols} == set(declared), argument.name
+        assert {model.vocabulary[s].unit for s in argument.symbols} == set(declared), argument.name
 
 
-@pytest.mark.parametrize("field", MODEL.fields, ids=lambda f: f.name)
-def test_fields_have_the_unit_of_their_symbols(field: Field) -> None:
-    assert {MODEL.vocabulary[s].unit for s in field.symbols} == {field.unit}
+@pytest.mark.parametrize(
+    ("model", "field"),
+    [pytest.param(m, f, id=f"{name}-{f.name}") for name, m in MODELS.items() for f in m.fields],
+)
+def test_fields_have_the_unit_of_their_symbols(model: Model, field: Field) -> None:
+    assert {model.vocabulary[s].unit for s in field.symbols} == {field.unit}
 
 
 def test_relations_that_are_shown_use_declared_symbols_of_the_right_dimension() -> None:
-    used = {s for relation in MODEL.relations for s in relation.expression.free_symbols}
-    units = {MODEL.vocabulary[s].family[0]: MODEL.vocabulary[s].unit for s in used}
+    model = MODELS["linear_delta"]
+    used = {s for relation in model.relations for s in relation.expression.free_symbols}
+    units = {model.vocabulary[s].family[0]: model.vocabulary[s].unit for s in used}
     assert units == {"phi_j": "rad", "u_j_i": "m", "s_j_i": "m", "l_d_j": "m", "m_d_j": "kg"}

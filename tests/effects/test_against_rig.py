@@ -16,9 +16,11 @@ import pytest
 
 import pkmodes
 from mujoco_engine import Engine
-from pkmodes.robot.effects import CATALOGUE
+from pkmodes.mechanism import mechanism
 from rig_engine import EFFECTS, OUTSIDE, Rig, TrueModes, true_modes
 from rig_robots import POSES, ROBOTS, read
+
+CATALOGUE = mechanism("linear_delta").effects
 
 #: Entries of M and K by the roots of their diagonals.  Worst found: 3e-15.
 EXACT = 1e-13

@@ -8,11 +8,12 @@ from pathlib import Path
 import numpy as np
 
 from compiled import build, call
+from pkmodes_derive import mechanisms
 from pkmodes_derive.emit import product
 from pkmodes_generated.linear_delta import extended
 from sample_robots import random_robot
 
-MODEL = product.derive_extended("linear_delta")
+MODEL = mechanisms.extended("linear_delta")
 NAME = "linear_delta_extended"
 
 

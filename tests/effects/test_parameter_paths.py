@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import pkmodes
+from pkmodes.robot.paths import moved, paths, resolve
 from pkmodes.robot.reading import robot_from_document
 from pkmodes.robot.robot import Robot
-from pkmodes.sensitivity.paths import moved, paths, resolve
 from pkmodes_generated.linear_delta import Parameters
 from robot_text import edited, published
 

@@ -13,8 +13,10 @@ import pytest
 import pkmodes
 from pkmodes.cli import run
 from pkmodes.errors import RobotFileError
-from pkmodes.robot.effects import CATALOGUE
+from pkmodes.mechanism import mechanism
 from robot_text import PUBLISHED, published
+
+CATALOGUE = mechanism("linear_delta").effects
 
 POSE = [0.6, 0.03, -0.245]
 VALUES = {
@@ -65,7 +67,7 @@ def test_null_values_are_the_base_model(tmp_path: Path, name: str) -> None:
 @pytest.mark.parametrize("name", list(VALUES))
 def test_each_effect_changes_the_frequencies_and_lists_its_coordinates(tmp_path: Path, name: str) -> None:
     found, base = load(tmp_path, table(name, VALUES[name])).modes(POSE), pkmodes.load(PUBLISHED).modes(POSE)
-    assert found.coordinates == base.coordinates + CATALOGUE[name].coordinates
+    assert found.coordinates == (*base.coordinates, *(q.name for q in CATALOGUE[name].coordinates))
     assert found.rigid_modes == (0 if CATALOGUE[name].grounds else 3)
     added = 0 if name == "clamp_compliance" else len(CATALOGUE[name].coordinates)
     assert found.frequencies.shape == (9 + added,)
@@ -80,7 +82,7 @@ def test_each_effect_changes_the_frequencies_and_lists_its_coordinates(tmp_path:
 @pytest.mark.parametrize("pair", list(combinations(VALUES, 2)), ids="+".join)
 def test_any_two_effects_solve_their_eigenproblem(tmp_path: Path, pair: tuple[str, str]) -> None:
     found = load(tmp_path, *(table(name, VALUES[name]) for name in pair)).modes(POSE)
-    order = [q for name in CATALOGUE if name in pair for q in CATALOGUE[name].coordinates]
+    order = [q.name for name in CATALOGUE if name in pair for q in CATALOGUE[name].coordinates]
     assert list(found.coordinates[9:]) == order
     M, K, shapes = found.mass_matrix, found.stiffness_matrix, found.shapes
     eigenvalues = np.sign(found.frequencies) * (2 * np.pi * found.frequencies) ** 2
@@ -158,7 +160,7 @@ def test_the_command_line_evaluates_effects(tmp_path: Path, capsys: pytest.Captu
     load(tmp_path, *(table(name, values) for name, values in VALUES.items()))
     assert run(["modes", str(tmp_path / "robot.toml"), "--pose", "0.6,0.03,-0.245", "--json", "-"]) == 0
     content = json.loads(capsys.readouterr().out)
-    assert content["coordinates"][9:] == [q for effect in CATALOGUE.values() for q in effect.coordinates]
+    assert content["coordinates"][9:] == [q.name for effect in CATALOGUE.values() for q in effect.coordinates]
     assert content["rigid_modes"] == 0
     assert run(["modes", str(tmp_path / "robot.toml"), "--pose", "0.6,0.03,-0.245"]) == 0
     out = capsys.readouterr().out

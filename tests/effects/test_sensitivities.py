@@ -14,9 +14,9 @@ from mpmath import cholesky, eigsy, matrix, mpf, workdps
 
 import pkmodes
 from pkmodes.evaluation import SystemOfEffects
+from pkmodes.robot.paths import ParameterPath, moved, paths, resolve
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
-from pkmodes.sensitivity.paths import ParameterPath, moved, paths, resolve
 from pkmodes.sensitivity.sensitivities import TOGETHER, Sensitivities
 from pkmodes_generated.linear_delta import extended
 from sample_robots import published, random_robot, tower_printer
@@ -112,7 +112,7 @@ def case(name: str) -> Case:
 
 
 def system_of(robot: Robot) -> SystemOfEffects:
-    return SystemOfEffects(robot.parameters, robot.effects)
+    return SystemOfEffects.of(robot)
 
 
 def assert_matrices(case: Case, i: int, t: slice, expected: Rates, relative: float, rounding: Array) -> None:

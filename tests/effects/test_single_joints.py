@@ -12,8 +12,8 @@ import pkmodes
 from pkmodes.closing.structure import RobotStructure
 from pkmodes.closing.suspects import suspects
 from pkmodes.errors import PkmodesError
+from pkmodes.robot.paths import moved, resolve
 from pkmodes.robot.units import Quantity
-from pkmodes.sensitivity.paths import moved, resolve
 from rig_engine import true_modes
 from rig_robots import POSES, ROBOTS, read
 from robot_text import PUBLISHED, edited
@@ -139,9 +139,7 @@ def test_a_shared_value_with_a_sigma_is_refitted_for_all_axes_and_not_suspected_
     robot = read("published")
     assert robot.quantities["motor.inertia"].sigma
     assert not any("motor.inertia" in c.name for c in suspects(robot)[1])
-    with pytest.raises(
-        PkmodesError, match=r"motor.inertia is refitted for all axes together.*declare axis\.2"
-    ):
+    with pytest.raises(PkmodesError, match=r"motor.inertia is refitted for all together.*declare axis\.2"):
         suspects(robot, ["parameter:axis.2.motor.inertia"])
 
 

@@ -15,10 +15,13 @@ import pkmodes
 from high_precision import Exact, exact_derivatives, exact_modes, mp
 from pkmodes.eigen import condensed_eigh, generalised_eigh
 from pkmodes.errors import PoseError
-from pkmodes.evaluation import ExtendedEvaluation
-from pkmodes.robot.effects import CATALOGUE
+from pkmodes.evaluation import SystemOfEffects, matrices
+from pkmodes.mechanism import mechanism
 from sample_robots import Sample, published, random_robot
 from sensitivity_references import robot_of
+
+KIND = mechanism("linear_delta")
+CATALOGUE = KIND.effects
 
 COMPLIANCES = (1e-30, 1e-20, 1e-15, 1e-14, 1e-12, 1e-9, 1e-6)
 RELEASED = tuple(name for name, effect in CATALOGUE.items() if effect.coordinates)
@@ -69,8 +72,8 @@ def effects_of(case: str, compliance: float) -> dict[str, float]:
 def solve(name: str, effects: dict[str, float]) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
     """Eigenvalues and shapes of the package at a pose, M, and the number of rigid modes."""
     parameters, p = sample(name)
-    evaluation = ExtendedEvaluation(parameters, effects)
-    M, K = evaluation.matrices(p[None])
+    evaluation = SystemOfEffects(KIND, parameters, effects)
+    M, K = matrices(evaluation, p[None])
     eigenvalues, shapes = condensed_eigh(M, K, 9, evaluation.rigid_modes)
     return eigenvalues[0], shapes[0], M[0], evaluation.rigid_modes
 
@@ -138,7 +141,7 @@ def test_sensitivities_equal_eighty_digits(effect: str, compliance: float) -> No
     for t in range(3):
         dM, dK = (mp.matrix(a[t].tolist()) for a in (found.mass_matrix, found.stiffness_matrix))
         if t == 0:
-            places = [model.coordinates.index(q) for q in CATALOGUE[own.split(".")[0]].coordinates]
+            places = [model.coordinates.index(q.name) for q in CATALOGUE[own.split(".")[0]].coordinates]
             dM, dK = mp.zeros(len(rows[0])), mp.zeros(len(rows[0]))
             for i in places:
                 dK[i, i] = -1 / mp.mpf(compliance) ** 2
@@ -188,7 +191,8 @@ def test_motor_and_pulley_swing_against_each_other_on_a_stiff_gearbox(name: str)
 def test_the_symmetric_solver_alone_would_lose_them() -> None:
     """What the graded form is for; without this the tests above would say nothing."""
     parameters, p = sample("published")
-    M, K = ExtendedEvaluation(parameters, {"gearbox_compliance.compliance": 1e-15}).matrices(p[None])
+    system = SystemOfEffects(KIND, parameters, {"gearbox_compliance.compliance": 1e-15})
+    M, K = matrices(system, p[None])
     exact = exact_modes(parameters, {"gearbox_compliance.compliance": 1e-15}, p).values()
     assert (np.abs(generalised_eigh(M, K)[0][0] / exact - 1.0)[3:9] > 1e-3).any()
 
@@ -197,8 +201,8 @@ def test_the_symmetric_solver_alone_would_lose_them() -> None:
 def test_joints_of_usual_stiffness_are_solved_as_ever(compliance: float) -> None:
     """To the last bit, and in one go for a whole batch."""
     parameters, p = sample("published")
-    evaluation = ExtendedEvaluation(parameters, {"gearbox_compliance.compliance": compliance})
-    M, K = evaluation.matrices(p + np.linspace(0.0, 0.05, 7)[:, None])
+    evaluation = SystemOfEffects(KIND, parameters, {"gearbox_compliance.compliance": compliance})
+    M, K = matrices(evaluation, p + np.linspace(0.0, 0.05, 7)[:, None])
     for found, expected in zip(condensed_eigh(M, K, 9, 3), generalised_eigh(M, K), strict=True):
         np.testing.assert_array_equal(found, expected)
 

@@ -14,9 +14,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import pkmodes
+from pkmodes.closing.poses import check_measured
 from pkmodes.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.reading import check_reachable, read_measurements
+from pkmodes.measured.reading import read_measurements
 from robot_text import PUBLISHED
 
 CHANNELS = ("x_1", "x_2", "x_3", "theta_1_1", "theta_2_1", "p_x", "p_y", "p_z")
@@ -250,20 +251,20 @@ def test_positions_in_millimetres_are_recognised(tmp_path: Path) -> None:
         (HEADER.replace("x,y,z", "x [mm],y [mm],z [mm]"), "0.6,0,-0.245", "look like metres"),
     ):
         with pytest.raises(MeasurementError) as error:
-            check_reachable(read(tmp_path, f"{header}\nA,{place},55.5,0.1\nA,{place},60,0.1\n"), model)
+            check_measured(read(tmp_path, f"{header}\nA,{place},55.5,0.1\nA,{place},60,0.1\n"), model)
         assert remedy in error.value.remedy
     mixed = read(tmp_path, f"{HEADER}\nA,600,0,-245,55.5,0.1\nB,0.6,0,-0.245,60,0.1\n")
     with pytest.raises(MeasurementError, match="out of reach"):
-        check_reachable(mixed, model)
+        check_measured(mixed, model)
 
 
 def test_a_pose_that_the_robot_cannot_take_is_refused(tmp_path: Path) -> None:
     model = pkmodes.load(PUBLISHED)
-    check_reachable(read(tmp_path, f"{HEADER}\n{ROW}\n"), model)
+    check_measured(read(tmp_path, f"{HEADER}\n{ROW}\n"), model)
     for place, reason in (("0.6,0,-0.5", "out of reach: link"), ("0.1,0,-0.245", "beyond its limits")):
         found = read(tmp_path, f"{HEADER}\n{ROW}\n# far\nC 3,{place},50,0.1\nC 3,{place},60,0.1\n")
         with pytest.raises(MeasurementError) as error:
-            check_reachable(found, model)
+            check_measured(found, model)
         line = str(error.value)
         assert f"{tmp_path / 'modes.csv'}: line 4, columns x, y and z)" in line
         assert f'"C 3" at [{place.replace(",", ", ")}] m' in line
@@ -271,9 +272,9 @@ def test_a_pose_that_the_robot_cannot_take_is_refused(tmp_path: Path) -> None:
         assert str(PUBLISHED) in error.value.remedy
     found = read(tmp_path, f"{HEADER}\nC,9,9,9,1,0.1\n{ROW}\nD,0.6,0,9,2,0.1\n")
     with pytest.raises(MeasurementError, match="line 2, columns x, y and z, the first of 2 bad poses"):
-        check_reachable(found, model)
-    check_reachable(found.at([1]), model)
-    check_reachable(found.at([]), model)
+        check_measured(found, model)
+    check_measured(found.at([1]), model)
+    check_measured(found.at([]), model)
 
 
 def test_a_part_of_the_poses_keeps_rows_and_numbers_poses_anew(tmp_path: Path) -> None:

@@ -313,7 +313,7 @@ def test_bad_rows_are_refused_with_their_place(
         ("cable_stiffness", ["the effect cable_stiffness is known exactly"]),
         ("servo_stiffness", ["the effect servo_stiffness is refitted already"]),
         ("parameter:effects.servo_stiffness.stiffness", ["is refitted already"]),
-        ("parameter:axis.joint_radius", ["a joint at the platform's centre", "axis.1.joint.x"]),
+        ("parameter:axis.joint_radius", ["a joint that is zero has no direction", "axis.1.joint.x"]),
         ("", ['expected names separated by commas, found "" (--candidates)']),
         (" , ", ["expected names separated by commas", "(--candidates)"]),
     ],

@@ -25,6 +25,7 @@ KEYS = {
     "frequencies_hz",
     "shapes",
     "platform_shapes",
+    "joint_positions",
     "carriage_positions",
     "mass_matrix",
     "stiffness_matrix",
@@ -51,6 +52,10 @@ def test_json_holds_exactly_the_promised_keys(tmp_path: Path) -> None:
     np.testing.assert_array_equal(content["mass_matrix"], result.mass_matrix)
     np.testing.assert_array_equal(content["static_torques"], model.statics([0.6, 0.03, -0.245]).torques)
     assert np.shape(content["platform_shapes"]) == (9, 3)
+    np.testing.assert_array_equal(content["carriage_positions"], result.joint_positions)
+    assert content["joint_positions"] == dict(
+        zip(("x_1", "x_2", "x_3"), content["carriage_positions"], strict=True)
+    )
 
 
 def test_json_to_standard_output_is_nothing_but_json(capsys: pytest.CaptureFixture[str]) -> None:
@@ -78,7 +83,7 @@ def test_a_pose_may_be_given_with_units(capsys: pytest.CaptureFixture[str]) -> N
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["modes", ROBOT, "--pose", "0.6,0"], "expected three coordinates X,Y,Z, found 2 (--pose)"),
+        (["modes", ROBOT, "--pose", "0.6,0"], "expected 3 components X,Y,Z, found 2 (--pose)"),
         (
             ["modes", ROBOT, "--pose", "0.6,0,zero"],
             'found "zero", which does not begin with a number (--pose)',

@@ -6,35 +6,40 @@ import numpy as np
 import pytest
 
 from broken_module import Broken
-from pkmodes.checking.consistency import Generated, check_consistency, oblique_robot
-from pkmodes_derive.emit import product
+from pkmodes.checking.consistency import check_consistency
+from pkmodes.generated import Generated
+from pkmodes.mechanism import mechanism
+from pkmodes.regular import sample
+from pkmodes_derive import mechanisms
 from pkmodes_generated import linear_delta
 from sample_robots import random_robot
 
+KIND = mechanism("linear_delta")
 
-@pytest.mark.parametrize("name", sorted(f.name for f in product.derive("linear_delta").functions))
+
+@pytest.mark.parametrize("name", sorted(f.name for f in mechanisms.base("linear_delta").functions))
 def test_consistency_finds_one_part_in_a_hundred_million(name: str) -> None:
     """Every derived function: a relative error of 1e-8 in it fails some relation."""
-    robot = oblique_robot()
-    checks = check_consistency(Generated(Broken(name, 1 + 1e-8), robot), robot)
+    robot = sample(KIND)
+    checks = check_consistency(Generated(Broken(name, 1 + 1e-8), robot), KIND, robot)
     assert not all(one.holds for one in checks)
 
 
 @pytest.mark.parametrize("seed", range(5000, 5040))
 def test_consistency_raises_no_false_alarm(seed: int) -> None:
     robot, _ = random_robot(np.random.default_rng(seed))
-    wrong = [one for one in check_consistency(Generated(linear_delta, robot), robot) if not one.holds]
+    wrong = [one for one in check_consistency(Generated(linear_delta, robot), KIND, robot) if not one.holds]
     assert wrong == []
 
 
 @pytest.mark.parametrize("scale", [0.01, 1.0, 100.0])
 def test_consistency_does_not_depend_on_the_size_of_the_robot(scale: float) -> None:
-    robot = oblique_robot()
+    robot = sample(KIND)
     names = ("origin", "joint", "link_length", "carriage_length", "limits", "pulley_radius", "belt_width")
     scaled = robot._replace(**{name: scale * getattr(robot, name) for name in names})
-    assert all(one.holds for one in check_consistency(Generated(linear_delta, scaled), scaled))
+    assert all(one.holds for one in check_consistency(Generated(linear_delta, scaled), KIND, scaled))
 
 
 def test_consistency_needs_a_regular_pose() -> None:
-    robot = oblique_robot()._replace(link_length=np.full(3, 0.01))
-    assert [one.holds for one in check_consistency(Generated(linear_delta, robot), robot)] == [False]
+    robot = sample(KIND)._replace(link_length=np.full(3, 0.01))
+    assert [one.holds for one in check_consistency(Generated(linear_delta, robot), KIND, robot)] == [False]

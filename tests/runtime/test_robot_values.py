@@ -16,8 +16,8 @@ from hypothesis import strategies as st
 
 import pkmodes
 from pkmodes.errors import PoseError, RobotFileError
+from pkmodes.robot.paths import moved, paths, resolve
 from pkmodes.robot.units import Quantity
-from pkmodes.sensitivity.paths import moved, paths, resolve
 from robot_text import PUBLISHED, edited, published
 
 POSE = [0.6, 0.03, -0.245]

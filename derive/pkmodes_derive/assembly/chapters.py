@@ -59,7 +59,7 @@ def _position(c: Condensed) -> list[Function]:
     ]
     if m.belts:
         runs = tuple(tuple(run.length for run in belt.runs) for belt in m.belts)
-        names = "free length l_f[j-1, k-1] of span k of belt j"
+        names = "free length l_f[j-1, s-1] of span s of belt j"
         found.append(
             c.function(
                 "belt_spans",
@@ -144,11 +144,15 @@ def _motion(c: Condensed) -> list[Function]:
             "equation 49, by the implicit function theorem to second order",
             [c.pose],
             Output(
-                "P", (d, n, n), flat(map(tuple, kin.P)), _unit(c, "1/m", "m"), "d2p_i/dq_k dq_l as P[i, k, l]"
+                "P",
+                (d, n, n),
+                flat([tuple(of) for of in kin.P]),
+                _unit(c, "1/m", "m"),
+                "d2p_i/dq_k dq_l as P[i, k, l]",
             ),
         ),
     ]
-    return [*found, *(_links(c) if m.rods else []), *_dynamics(c)]
+    return [*found, *(_links(c) if m.rods and d == 3 else []), *_dynamics(c)]
 
 
 def _links(c: Condensed) -> list[Function]:
@@ -165,14 +169,14 @@ def _links(c: Condensed) -> list[Function]:
             Output(
                 "D_d",
                 (len(D_d), 3, n),
-                flat(map(tuple, D_d)),
+                flat([tuple(of) for of in D_d]),
                 _unit(c, "1", "m"),
                 f"velocity of the centre of linkage j by {q}_dot",
             ),
             Output(
                 "D_omega",
                 (len(D_omega), 3, n),
-                flat(map(tuple, D_omega)),
+                flat([tuple(of) for of in D_omega]),
                 _unit(c, "1/m", "1"),
                 f"angular velocity of linkage j by {q}_dot",
             ),
@@ -268,7 +272,7 @@ def _transmissions(c: Condensed) -> list[Function]:
     rotations = c.equilibrium.rotations
     if m.belts:
         k = tuple(tuple(run.stiffness for run in belt.runs) for belt in m.belts)
-        shape, what = (len(k), len(k[0])), "k[j-1, k-1], the spans in the order of `belt_spans`"
+        shape, what = (len(k), len(k[0])), "k[j-1, s-1], the spans in the order of `belt_spans`"
         found.append(
             c.function(
                 "belt_stiffness",

@@ -131,7 +131,7 @@ def _scalar(machine: Machine, u: tuple[Expr, ...], w: tuple[Expr, ...]) -> Expr:
     if u == w and (u in machine.units or u in BASIS):
         return Integer(1)
     for unit in machine.units if u == w else ():  # a unit vector times a length
-        factors = {component / e for component, e in zip(u, unit, strict=True)}
+        factors = {component / e for component, e in zip(u, unit, strict=True) if e != 0 or component != 0}
         if len(factors) == 1 and not (factor := factors.pop()).free_symbols & set(unit):
             return factor**2
     return dot(u, w)
@@ -179,8 +179,8 @@ def _jacobian_rate(machine: Machine, kinematics: Kinematics) -> tuple[tuple[Expr
     s_dot = []
     for j, link in enumerate(machine.links):
         what = "rate of change of linkage vector {j}"
-        s_dot.append(v.vector("s_dot_{j}", "m/s", what, r"\dot{{s}}_{j}", j=j + 1))
-        for m in range(3):
+        s_dot.append(machine.vector("s_dot_{j}", "m/s", what, r"\dot{{s}}_{j}", j=j + 1))
+        for m in range(len(link.vector)):
             rates = (chain.derivative(link.vector[m], q[k]) * q_dot[k] for k in range(n))
             machine.define(s_dot[j][m], Add(*rates))
     stem = q[0].name.rsplit("_", 1)[0]

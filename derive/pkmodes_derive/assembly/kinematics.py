@@ -20,6 +20,7 @@ from pkmodes_derive import implicit
 from pkmodes_derive.chain import Chain
 from pkmodes_derive.machine import Machine
 from pkmodes_derive.vectors import dot
+from pkmodes_derive.vocabulary import AXES
 
 
 @dataclass(frozen=True)
@@ -118,7 +119,7 @@ def derive(machine: Machine) -> Kinematics:
 
 def _components(machine: Machine) -> tuple[Expr, ...]:
     """The platform's position in the directions in which it moves."""
-    return tuple(machine.platform["xyz".index(axis)] for axis in machine.directions)
+    return tuple(machine.platform[AXES.index(axis)] for axis in machine.directions)
 
 
 def _closure(s: Sequence[Symbol], length: Expr, elongation: Sequence[Symbol]) -> Expr:
@@ -131,7 +132,7 @@ def _own(machine: Machine, right: Matrix, n: int) -> Matrix:
     for j in range(n):
         name = machine.vocabulary.declare(
             "D_r_{j}",
-            _unit(machine, j, "m^2"),
+            _unit(machine, j, "m", "m^2"),
             "entry of D_r for axis {j}: linkage vector along the motion of its joint",
             "(D_r)_{{{j}{j}}}",
             j=j + 1,
@@ -140,10 +141,9 @@ def _own(machine: Machine, right: Matrix, n: int) -> Matrix:
     return D_r
 
 
-def _unit(machine: Machine, j: int, unit: str) -> str:
-    """A unit, by that of an independent coordinate."""
-    of = machine.vocabulary[machine.independent[j]].unit
-    return {"m": {"m^2": "m", "m": "1", "1": "1/m"}, "rad": {"m^2": "m^2", "m": "m", "1": "1"}}[of][unit]
+def _unit(machine: Machine, j: int, for_length: str, for_angle: str) -> str:
+    """A unit, by what an independent coordinate is."""
+    return for_length if machine.vocabulary[machine.independent[j]].unit == "m" else for_angle
 
 
 def _jacobian(
@@ -157,7 +157,7 @@ def _jacobian(
         for k, q in enumerate(independent):
             if k < n:
                 what = f"platform Jacobian, dp_{{i}}/d{stem}_{{k}}"
-                unit = _unit(machine, k, "m")
+                unit = _unit(machine, k, "1", "m")
                 name = v.declare("D_p_{i}_{k}", unit, what, "(D_p)_{{{i}{k}}}", i=axis, k=k + 1)
             else:
                 what = "platform Jacobian, dp_{i}/ddelta_{k}"
@@ -170,14 +170,14 @@ def _jacobian(
 def _link_jacobian(machine: Machine, j: int, independent: tuple[Symbol, ...]) -> Matrix:
     chain, s, n = machine.chain, machine.links[j].vector, len(machine.independent)
     stem = machine.independent[0].name.rsplit("_", 1)[0]
-    U = Matrix.zeros(3, len(independent))
-    for m, axis in enumerate("xyz"):
+    U = Matrix.zeros(len(s), len(independent))
+    for m, axis in enumerate(machine.directions):
         for k, q in enumerate(independent):
             U[m, k] = chain.derivative(s[m], q)
             if k < n:  # along an elongation the link vector moves with the platform: no name of its own
                 name = machine.vocabulary.declare(
                     "U_{j}_{i}_{k}",
-                    _unit(machine, k, "m"),
+                    _unit(machine, k, "1", "m"),
                     f"derivative of linkage vector {{j}}, component {{i}}, with respect to {stem}_{{k}}",
                     "(U_{j})_{{{i}{k}}}",
                     j=j + 1,
@@ -185,7 +185,7 @@ def _link_jacobian(machine: Machine, j: int, independent: tuple[Symbol, ...]) ->
                     k=k + 1,
                 )
                 U[m, k] = machine.define(name, U[m, k])
-    for m in range(3):
+    for m in range(len(s)):
         for k, q in enumerate(independent):
             chain.rule(s[m], q, U[m, k])
     return U
@@ -206,13 +206,17 @@ def _second_derivatives(
                 what = f"right-hand side of closure {{j}} differentiated {by}"
                 place = {"j": j + 1, "k": k + 1, "l": m + 1}
                 names.append(
-                    v.declare("f_{j}_{k}{l}", _unit(machine, k, "m"), what, "(f_{j})_{{{k}{l}}}", **place)
+                    v.declare(
+                        "f_{j}_{k}{l}", _unit(machine, k, "1", "m^2"), what, "(f_{j})_{{{k}{l}}}", **place
+                    )
                 )
                 machine.define(names[j], forcing[j])
             solution = solver.solve(names)
             for i, axis in enumerate(machine.directions):
-                what, place = f"second derivative of p_{{i}} {by}", {"i": axis, "k": k + 1, "l": m + 1}
-                name = v.declare("P_{i}_{k}{l}", _unit(machine, k, "1"), what, "(P_{i})_{{{k}{l}}}", **place)
+                what, place = f"second derivative of p_{{i}} {by}", {"k": k + 1, "l": m + 1}
+                name = v.declare(
+                    "P_{i}_{k}{l}", _unit(machine, k, "1/m", "m"), what, "(P_{i})_{{{k}{l}}}", i=axis, **place
+                )
                 P[i][k, m] = P[i][m, k] = machine.define(name, solution[i])
                 chain.rule(D_p[i, k], q[m], name)
                 if m != k:

@@ -67,7 +67,8 @@ def describe(machine: Machine, rigid_modes: int | None) -> Description:
         margins=machine.margins,
         requirements=machine.requirements,
         effects=tuple(effect.data() for effect in machine.effects),
-        opposite=dict(machine.opposite),
+        scales=machine.scales,
+        differences=tuple(machine.differences.items()),
         sample=machine.sample,
     )
 
@@ -105,7 +106,7 @@ def extended(machine: Machine) -> Model:
             of_geometry,
             "".join(
                 f"; by the field {field}, the opposite of those by {other}"
-                for field, other in machine.opposite.items()
+                for field, other in machine.differences.items()
             ),
             "The same for the geometry.",
         ),

@@ -47,7 +47,7 @@ def geometry(derived: Derived) -> tuple[Symbol, ...]:
 
 def _quantities(machine: Machine) -> list[Symbol]:
     chosen = {key.field for table in machine.tables.described() for key in table.keys if key.kind in CHOICES}
-    left_out = chosen | set(machine.opposite)
+    left_out = chosen | set(machine.differences)
     return [s for field in machine.tables.fields if field.name not in left_out for s in field.symbols]
 
 
@@ -121,12 +121,5 @@ class PoseChain:
     def _name(self, symbol: Symbol, theta: Symbol, derivative: Expr) -> Expr:
         if derivative == 0:
             return derivative
-        v = self.derived.machine.vocabulary
-        of, by = v[symbol], v[theta]
-        name = v.declare(
-            f"{symbol.name}_by_{theta.name}",
-            f"({of.unit})/({by.unit})",
-            f"derivative at a fixed pose of: {of.description}; by: {by.description}",
-            rf"\frac{{d {of.latex}}}{{d {by.latex}}}",
-        )
+        name = self.derived.machine.vocabulary.derivative(symbol, theta)
         return self.chain.define(name, derivative)

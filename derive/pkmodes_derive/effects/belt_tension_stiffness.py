@@ -24,7 +24,6 @@ EFFECT = Effect(
             "F_T",
             "F_T",
             fitted=False,
-            optional=True,
         ),
     ),
     apply=apply,

@@ -68,8 +68,8 @@ def listing(entries: Iterable[str], indent: str) -> list[str]:
 
 def _break_before_operators(expression: str) -> list[str]:
     """Split at the blanks around + and - so that each piece begins with its operator."""
-    words, pieces = expression.split(" "), []
-    for word in words:
+    pieces: list[str] = []
+    for word in expression.split(" "):
         if pieces and pieces[-1] in ("+", "-"):
             pieces[-1] += f" {word}"
         else:

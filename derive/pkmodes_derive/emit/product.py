@@ -14,13 +14,15 @@ import sympy
 import pkmodes_derive
 from pkmodes_derive import mechanisms
 from pkmodes_derive.description import as_data
-from pkmodes_derive.emit import c_code, manifest, numpy_code
+from pkmodes_derive.emit import c99, manifest, numpy
 from pkmodes_derive.emit.program import Program, arrange
 from pkmodes_derive.emit.provenance import Provenance, pasteable
 from pkmodes_derive.emit.specification import Specification
 from pkmodes_derive.functions import Model
 from pkmodes_derive.specialise import specialise
 
+#: The languages that a model is written in, in the order of their files.
+BACKENDS = (numpy.BACKEND, c99.BACKEND)
 REGENERATE = "python -m pkmodes_derive generate"
 
 
@@ -29,21 +31,22 @@ def parametric(mechanism: str) -> dict[str, str]:
     model = mechanisms.base(mechanism)
     provenance = Provenance(
         name=mechanism,
+        module="model",
         title=f"Dynamics of the mechanism {mechanism}, for a robot given by its parameters.",
         origin=f"the derivation of {mechanism}",
         generator=_generator(),
         command=REGENERATE,
     )
-    texts, programs = _texts(model, provenance, module="model.py")
-    extended_texts, extended_programs = _texts(
+    texts, programs = write(model, provenance)
+    extended_texts, extended_programs = write(
         mechanisms.extended(mechanism),
         replace(
             provenance,
             name=f"{mechanism}_extended",
+            module="extended",
             title=f"Dynamics of the mechanism {mechanism} with effects: extended matrices and sensitivities.",
             origin=f"the derivation of {mechanism} and the catalogue of effects",
         ),
-        module="extended.py",
     )
     texts |= extended_texts
     programs |= extended_programs
@@ -81,6 +84,7 @@ def specialised(specification: Specification) -> dict[str, str]:
     name = specification.identifier
     provenance = Provenance(
         name=name,
+        module=name,
         title=f"Dynamics of the robot {specification.name} ({specification.mechanism}), its parameters folded in.",
         origin=f"the robot file of {specification.name}",
         generator=_generator(),
@@ -91,20 +95,16 @@ def specialised(specification: Specification) -> dict[str, str]:
             for field in model.fields
         ),
     )
-    texts, programs = _texts(specialise(model, values), provenance, module=f"{name}.py")
+    texts, programs = write(specialise(model, values), provenance)
     texts[manifest.FILE_NAME] = manifest.text(name, specification.mechanism, specification, texts, programs)
     return texts
 
 
-def _texts(model: Model, provenance: Provenance, module: str) -> tuple[dict[str, str], dict[str, Program]]:
+def write(model: Model, provenance: Provenance) -> tuple[dict[str, str], dict[str, Program]]:
+    """Write a model in every language: the texts by file name, and the programs that they all print."""
     programs = {function.name: arrange(function) for function in model.functions}
-    source, header = c_code.source_and_header(model, programs, provenance)
-    texts = {
-        module: numpy_code.module(model, programs, provenance),
-        f"{provenance.name}.c": source,
-        f"{provenance.name}.h": header,
-    }
-    return texts, programs
+    texts = [backend.files(model, programs, provenance) for backend in BACKENDS]
+    return {name: text for files in texts for name, text in files.items()}, programs
 
 
 def _generator() -> str:

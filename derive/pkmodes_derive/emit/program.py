@@ -2,17 +2,41 @@
 
 All languages print the same program, so they compute the same numbers.  Common subexpressions are found
 once over all expressions together (`sympy.cse`); the names that the derivation gave are kept, and only what
-is left over gets a number.
+is left over gets a number.  A name for what has a name already is no step, a symmetric matrix is evaluated in
+its upper triangle, and structural zeros are no values.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
 
 from sympy import Expr, Symbol, count_ops, cse, default_sort_key, preorder_traversal
 
-from pkmodes_derive.functions import Function, Output
+from pkmodes_derive.functions import FieldGroup, Function, Output, mirrored
+from pkmodes_derive.specialise import fold
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A value of an output, and the index of each place that takes it: two in a symmetric matrix."""
+
+    value: Expr
+    places: tuple[tuple[int, ...], ...]
+
+
+@dataclass(frozen=True)
+class Result:
+    """An output with its values; all other entries are zero."""
+
+    output: Output
+    entries: tuple[Entry, ...]
+
+    @property
+    def has_zeros(self) -> bool:
+        """Whether there are entries without a value."""
+        return sum(len(entry.places) for entry in self.entries) < len(self.output.entries)
 
 
 @dataclass(frozen=True)
@@ -25,8 +49,8 @@ class Program:
         Symbols that are neither defined in `steps` nor constants: arguments and parameters, sorted.
     steps : tuple of (sympy.Symbol, sympy.Expr)
         Assignments; each uses inputs and earlier steps only.
-    results : tuple of (Output, tuple of sympy.Expr)
-        The outputs; entries are short expressions in inputs and steps.
+    results : tuple of Result
+        The outputs; values are short expressions in inputs and steps.
     operations_written_out : int
         Operations if every named value were written out wherever it is used.
     operations : int
@@ -35,50 +59,86 @@ class Program:
 
     inputs: tuple[Symbol, ...]
     steps: tuple[tuple[Symbol, Expr], ...]
-    results: tuple[tuple[Output, tuple[Expr, ...]], ...]
+    results: tuple[Result, ...]
     operations_written_out: int
     operations: int
+
+    def groups(self, function: Function, groups: Sequence[FieldGroup]) -> list[FieldGroup]:
+        """Those groups of parameters that the program takes: what it needs.
+
+        A function of the pose takes the robot's parameters in every mechanism, needed or not.
+        """
+        inputs = set(self.inputs)
+        always = groups[:1] if function.arguments else ()
+        return [g for g in groups if g in always or any(inputs & set(field.symbols) for field in g.fields)]
 
 
 def arrange(function: Function) -> Program:
     """Select what `function` needs, share common subexpressions, and put the steps in order."""
-    names = _needed(function)
-    entries = [entry for output in function.outputs for entry in output.entries]
-    before = _written_out(function.definitions, entries)
-    shared, reduced = cse([function.definitions[name] for name in names] + entries, order="canonical")
-    expressions = dict(shared)
-    named = dict(zip(names, reduced[: len(names)], strict=True))
+    before = _written_out(function)
+    needed = {name: function.definitions[name] for name in _needed(function)}
+    function = fold(replace(function, definitions=needed))
+    names = list(function.definitions)
+    outputs = [Result(output, _entries(output)) for output in function.outputs]
+    values = [entry.value for result in outputs for entry in result.entries]
+    shared, reduced = cse([function.definitions[name] for name in names] + values, order="canonical")
+    named, expressions, values = _renamed(names, shared, reduced)
+    order = _topological(expressions, named, values)
+    kept = set(named)
+    number = {
+        s: Symbol(f"t{i}", real=True) for i, s in enumerate((s for s in order if s not in kept), start=1)
+    }
+    steps = tuple((number.get(s, s), expressions[s].xreplace(number)) for s in order)
+    values = [value.xreplace(number) for value in values]
+    defined = {s for s, _ in steps}
+    used = {s for e in [*(e for _, e in steps), *values] for s in e.free_symbols}
+    return Program(
+        inputs=tuple(sorted(used - defined, key=default_sort_key)),
+        steps=steps,
+        results=_filled(outputs, values),
+        operations_written_out=before,
+        operations=sum(_operations(e) for e in [*(e for _, e in steps), *values]),
+    )
 
-    # A shared subexpression that is all of a named value takes that value's name.
+
+def _entries(output: Output) -> tuple[Entry, ...]:
+    """What has to be evaluated: not the zeros of an array, and of a symmetric matrix the upper triangle."""
+    symmetric, found = output.symmetric, []
+    for index, value in zip(output.indices, output.entries, strict=True):
+        if value == 0 and not output.listed:
+            continue
+        if symmetric and index[-2] != index[-1]:
+            if index[-2] < index[-1]:
+                found.append(Entry(value, (index, mirrored(index))))
+        else:
+            found.append(Entry(value, (index,)))
+    return tuple(found)
+
+
+def _renamed(
+    names: Sequence[Symbol], shared: Sequence[tuple[Symbol, Expr]], reduced: Sequence[Expr]
+) -> tuple[list[Symbol], dict[Symbol, Expr], list[Expr]]:
+    """Named values, the expressions of all steps, and results, where a name is better than a number."""
+    expressions = dict(shared)
+    named: dict[Symbol, Expr] = {}
     alias: dict[Symbol, Symbol] = {}
-    for name, expression in named.items():
-        if expression in expressions and expression not in alias:
+    for name, expression in zip(names, reduced, strict=False):
+        # A shared subexpression that is all of a named value takes that value's name; of two, the first.
+        if expression not in expressions:
+            named[name] = expression
+        elif expression in alias:
+            alias[name] = alias[expression]
+        else:
             alias[expression] = name
             named[name] = expressions[expression]
     # A sign is not worth a name: SymPy shares -r, but r - a reads better than -a - t1 with t1 = -r.
-    inline = dict(alias)
+    inline: dict[Symbol, Expr] = dict(alias)
     for s, e in shared:
         if (-e).is_Symbol:
             inline[s] = -(-e).xreplace(alias)
     expressions = {s: e.xreplace(inline) for s, e in expressions.items() if s not in inline}
     expressions.update({name: e.xreplace(inline) for name, e in named.items()})
-    results = [entry.xreplace(inline) for entry in reduced[len(names) :]]
-
-    order = _topological(expressions, names, results)
-    number = {
-        s: Symbol(f"t{i}", real=True) for i, s in enumerate((s for s in order if s not in named), start=1)
-    }
-    steps = tuple((number.get(s, s), expressions[s].xreplace(number)) for s in order)
-    results = [entry.xreplace(number) for entry in results]
-    defined = {s for s, _ in steps}
-    used = {s for e in [*(e for _, e in steps), *results] for s in e.free_symbols}
-    return Program(
-        inputs=tuple(sorted(used - defined, key=default_sort_key)),
-        steps=steps,
-        results=tuple(_regroup(function.outputs, results)),
-        operations_written_out=before,
-        operations=sum(int(count_ops(e)) for e in [*(e for _, e in steps), *results]),
-    )
+    return list(named), expressions, [value.xreplace(inline) for value in reduced[len(names) :]]
 
 
 def _needed(function: Function) -> list[Symbol]:
@@ -92,20 +152,30 @@ def _needed(function: Function) -> list[Symbol]:
     return needed[::-1]
 
 
-def _written_out(definitions: Mapping[Symbol, Expr], entries: list[Expr]) -> int:
+@cache
+def _operations(expression: Expr) -> int:
+    return int(count_ops(expression))
+
+
+@cache
+def _names(expression: Expr) -> tuple[Symbol, ...]:
+    """Symbols of an expression, each as often as it stands there."""
+    return tuple(node for node in preorder_traversal(expression) if isinstance(node, Symbol))
+
+
+def _written_out(function: Function) -> int:
     cost: dict[Symbol, int] = {}
 
     def count(expression: Expr) -> int:
-        names = (node for node in preorder_traversal(expression) if isinstance(node, Symbol))
-        return int(count_ops(expression)) + sum(cost.get(name, 0) for name in names)
+        return _operations(expression) + sum(cost.get(name, 0) for name in _names(expression))
 
-    for symbol, expression in definitions.items():
-        cost[symbol] = count(expression)
-    return sum(count(entry) for entry in entries)
+    for symbol in _needed(function):
+        cost[symbol] = count(function.definitions[symbol])
+    return sum(count(entry) for output in function.outputs for entry in output.entries)
 
 
 def _topological(
-    expressions: Mapping[Symbol, Expr], names: list[Symbol], results: list[Expr]
+    expressions: Mapping[Symbol, Expr], names: Sequence[Symbol], results: Sequence[Expr]
 ) -> list[Symbol]:
     """Named values in the order of the derivation, each shared subexpression just before its first use."""
     order: dict[Symbol, None] = {}
@@ -126,10 +196,9 @@ def _topological(
     return list(order)
 
 
-def _regroup(outputs: tuple[Output, ...], entries: list[Expr]) -> list[tuple[Output, tuple[Expr, ...]]]:
-    groups, start = [], 0
-    for output in outputs:
-        stop = start + len(output.entries)
-        groups.append((output, tuple(entries[start:stop])))
-        start = stop
-    return groups
+def _filled(results: Sequence[Result], values: Sequence[Expr]) -> tuple[Result, ...]:
+    """The results with the values that are left after sharing, in the same order."""
+    left = iter(values)
+    return tuple(
+        Result(r.output, tuple(Entry(next(left), entry.places) for entry in r.entries)) for r in results
+    )

@@ -46,7 +46,9 @@ class Provenance:
     Attributes
     ----------
     name : str
-        Module name; also the prefix of C names.
+        Prefix of C names, and name of the C files.
+    module : str
+        Name of the Python module.
     title : str
         First line of the module docstring.
     origin : str
@@ -62,6 +64,7 @@ class Provenance:
     """
 
     name: str
+    module: str
     title: str
     origin: str
     generator: str

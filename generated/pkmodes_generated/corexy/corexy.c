@@ -5,13 +5,12 @@
  * Dynamics of the mechanism corexy, for a robot given by its parameters.
  * The header describes every function.
  *
- * Names in the code, for axis j, pulley or span k (or carriage k, l of a derivative) and component
- * i = x, y, z; t1, t2, ... are subexpressions that several values share:
+ * Names in the code, for axis or belt j; belt span s.  t1, t2, ... are subexpressions that several values
+ * share.
  *   tau_st_j [N m]: static torque on motor pulley j
  *   I_j [kg m^2]: moment of inertia of motor pulley j, with the motor
- *   l_f_j_k [m]: free length of run k of belt j
- *   k_j_k [N/m]: stiffness of run k of belt j
- *   v_p_i [m/s]: velocity of the platform, component i
+ *   l_f_j_s [m]: free length of run s of belt j
+ *   k_j_s [N/m]: stiffness of run s of belt j
  *   G_j [N]: gradient of the gravitational potential energy with respect to x
  *   G_j [N]: gradient of the gravitational potential energy with respect to y
  *   det_j [N^2]: determinant of the equilibrium of axis j
@@ -20,11 +19,13 @@
 #include "corexy.h"
 
 #include <math.h>
+#include <string.h>
 
-void corexy_inverse_kinematics(const double p[2], double xy[2])
+void corexy_inverse_kinematics(const double p[2], const corexy_parameters *parameters, double xy[2])
 {
     const double x = p[0];
     const double y = p[1];
+    (void)parameters;
     xy[0] = x;
     xy[1] = y;
 }
@@ -104,36 +105,30 @@ void corexy_belt_spans(const double p[2], const corexy_parameters *parameters, d
     l_f[1][1] = l_f_2_2;
 }
 
-void corexy_platform_jacobian(const double p[2], double D_p[2][2])
+void corexy_platform_jacobian(const double p[2], const corexy_parameters *parameters, double D_p[2][2])
 {
     (void)p;
+    (void)parameters;
+    memset(D_p, 0, sizeof(double[2][2]));
     D_p[0][0] = 1;
-    D_p[0][1] = 0;
-    D_p[1][0] = 0;
     D_p[1][1] = 1;
 }
 
-void corexy_platform_jacobian_rate(const double p[2], const double xy_dot[2], double D_p_dot[2][2])
+void corexy_platform_jacobian_rate(const double p[2], const double xy_dot[2],
+    const corexy_parameters *parameters, double D_p_dot[2][2])
 {
     (void)p;
     (void)xy_dot;
-    D_p_dot[0][0] = 0;
-    D_p_dot[0][1] = 0;
-    D_p_dot[1][0] = 0;
-    D_p_dot[1][1] = 0;
+    (void)parameters;
+    memset(D_p_dot, 0, sizeof(double[2][2]));
 }
 
-void corexy_platform_second_derivatives(const double p[2], double P[2][2][2])
+void corexy_platform_second_derivatives(const double p[2], const corexy_parameters *parameters,
+    double P[2][2][2])
 {
     (void)p;
-    P[0][0][0] = 0;
-    P[0][0][1] = 0;
-    P[0][1][0] = 0;
-    P[0][1][1] = 0;
-    P[1][0][0] = 0;
-    P[1][0][1] = 0;
-    P[1][1][0] = 0;
-    P[1][1][1] = 0;
+    (void)parameters;
+    memset(P, 0, sizeof(double[2][2][2]));
 }
 
 void corexy_kinetic_energy(const double p[2], const double q_dot[4], const corexy_parameters *parameters,
@@ -154,10 +149,8 @@ void corexy_kinetic_energy(const double p[2], const double q_dot[4], const corex
     const double i_g_2 = parameters->gear_ratio[1];
     const double I_1 = I_m_1*(i_g_1*i_g_1) + I_p_1;
     const double I_2 = I_m_2*(i_g_2*i_g_2) + I_p_2;
-    const double v_p_x = x_dot;
-    const double v_p_y = y_dot;
-    const double t1 = (1.0/2.0)*m_h;
-    *T_ss = (1.0/2.0)*m_g*(y_dot*y_dot) + t1*(v_p_x*v_p_x) + t1*(v_p_y*v_p_y);
+    const double t1 = (1.0/2.0)*(y_dot*y_dot);
+    *T_ss = m_g*t1 + m_h*t1 + (1.0/2.0)*m_h*(x_dot*x_dot);
     *T_t = (1.0/2.0)*I_1*(theta_1_dot*theta_1_dot) + (1.0/2.0)*I_2*(theta_2_dot*theta_2_dot);
 }
 
@@ -174,30 +167,20 @@ void corexy_mass_matrix(const double p[2], const corexy_parameters *parameters, 
     const double i_g_2 = parameters->gear_ratio[1];
     const double I_1 = I_m_1*(i_g_1*i_g_1) + I_p_1;
     const double I_2 = I_m_2*(i_g_2*i_g_2) + I_p_2;
+    memset(M, 0, sizeof(double[4][4]));
     M[0][0] = m_h;
-    M[0][1] = 0;
-    M[0][2] = 0;
-    M[0][3] = 0;
-    M[1][0] = 0;
     M[1][1] = m_g + m_h;
-    M[1][2] = 0;
-    M[1][3] = 0;
-    M[2][0] = 0;
-    M[2][1] = 0;
     M[2][2] = I_1;
-    M[2][3] = 0;
-    M[3][0] = 0;
-    M[3][1] = 0;
-    M[3][2] = 0;
     M[3][3] = I_2;
 }
 
-void corexy_velocity_forces(const double p[2], const double xy_dot[2], double h[2])
+void corexy_velocity_forces(const double p[2], const double xy_dot[2], const corexy_parameters *parameters,
+    double h[2])
 {
     (void)p;
     (void)xy_dot;
-    h[0] = 0;
-    h[1] = 0;
+    (void)parameters;
+    memset(h, 0, sizeof(double[2]));
 }
 
 void corexy_gravity_potential(const double p[2], const corexy_parameters *parameters, double *V_g)
@@ -222,13 +205,11 @@ void corexy_gravity_gradient(const double p[2], const corexy_parameters *paramet
     G[1] = -g_y*(m_g + m_h);
 }
 
-void corexy_gravity_hessian(const double p[2], double H_g[2][2])
+void corexy_gravity_hessian(const double p[2], const corexy_parameters *parameters, double H_g[2][2])
 {
     (void)p;
-    H_g[0][0] = 0;
-    H_g[0][1] = 0;
-    H_g[1][0] = 0;
-    H_g[1][1] = 0;
+    (void)parameters;
+    memset(H_g, 0, sizeof(double[2][2]));
 }
 
 void corexy_belt_stiffness(const double p[2], const corexy_parameters *parameters, double k[2][2])
@@ -265,8 +246,8 @@ void corexy_belt_stiffness(const double p[2], const corexy_parameters *parameter
     k[1][1] = k_2_2;
 }
 
-void corexy_elastic_potential(const double p[2], const double delta_q[4], const corexy_parameters
-    *parameters, double *V_el)
+void corexy_elastic_potential(const double p[2], const double delta_q[4],
+    const corexy_parameters *parameters, double *V_el)
 {
     const double x = p[0];
     const double y = p[1];
@@ -392,35 +373,24 @@ void corexy_elastic_hessian(const double p[2], const corexy_parameters *paramete
     const double t6 = (g_2_1*g_2_1);
     const double t7 = g_1_1*g_1_2;
     const double t8 = g_2_1*g_2_2;
-    const double t9 = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8;
-    const double t10 = R_p_1*g_1_1;
-    const double t11 = k_1_1*t10 + k_1_2*t10;
-    const double t12 = R_p_2*g_2_1;
-    const double t13 = k_2_1*t12 + k_2_2*t12;
-    const double t14 = (g_1_2*g_1_2);
-    const double t15 = (g_2_2*g_2_2);
-    const double t16 = R_p_1*g_1_2;
-    const double t17 = k_1_1*t16 + k_1_2*t16;
-    const double t18 = R_p_2*g_2_2;
-    const double t19 = k_2_1*t18 + k_2_2*t18;
-    const double t20 = (R_p_1*R_p_1);
-    const double t21 = (R_p_2*R_p_2);
+    const double t9 = R_p_1*g_1_1;
+    const double t10 = R_p_2*g_2_1;
+    const double t11 = (g_1_2*g_1_2);
+    const double t12 = (g_2_2*g_2_2);
+    const double t13 = R_p_1*g_1_2;
+    const double t14 = R_p_2*g_2_2;
+    const double t15 = (R_p_1*R_p_1);
+    const double t16 = (R_p_2*R_p_2);
+    memset(H_el, 0, sizeof(double[4][4]));
     H_el[0][0] = k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6;
-    H_el[0][1] = t9;
-    H_el[0][2] = t11;
-    H_el[0][3] = t13;
-    H_el[1][0] = t9;
-    H_el[1][1] = k_1_1*t14 + k_1_2*t14 + k_2_1*t15 + k_2_2*t15;
-    H_el[1][2] = t17;
-    H_el[1][3] = t19;
-    H_el[2][0] = t11;
-    H_el[2][1] = t17;
-    H_el[2][2] = k_1_1*t20 + k_1_2*t20;
-    H_el[2][3] = 0;
-    H_el[3][0] = t13;
-    H_el[3][1] = t19;
-    H_el[3][2] = 0;
-    H_el[3][3] = k_2_1*t21 + k_2_2*t21;
+    H_el[0][1] = H_el[1][0] = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8;
+    H_el[0][2] = H_el[2][0] = k_1_1*t9 + k_1_2*t9;
+    H_el[0][3] = H_el[3][0] = k_2_1*t10 + k_2_2*t10;
+    H_el[1][1] = k_1_1*t11 + k_1_2*t11 + k_2_1*t12 + k_2_2*t12;
+    H_el[1][2] = H_el[2][1] = k_1_1*t13 + k_1_2*t13;
+    H_el[1][3] = H_el[3][1] = k_2_1*t14 + k_2_2*t14;
+    H_el[2][2] = k_1_1*t15 + k_1_2*t15;
+    H_el[3][3] = k_2_1*t16 + k_2_2*t16;
 }
 
 void corexy_static_equilibrium(const double p[2], const corexy_parameters *parameters, double tau_st[2],
@@ -516,39 +486,28 @@ void corexy_stiffness_matrix(const double p[2], const corexy_parameters *paramet
     const double t6 = (g_2_1*g_2_1);
     const double t7 = g_1_1*g_1_2;
     const double t8 = g_2_1*g_2_2;
-    const double t9 = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8;
-    const double t10 = R_p_1*g_1_1;
-    const double t11 = k_1_1*t10 + k_1_2*t10;
-    const double t12 = R_p_2*g_2_1;
-    const double t13 = k_2_1*t12 + k_2_2*t12;
-    const double t14 = (g_1_2*g_1_2);
-    const double t15 = (g_2_2*g_2_2);
-    const double t16 = R_p_1*g_1_2;
-    const double t17 = k_1_1*t16 + k_1_2*t16;
-    const double t18 = R_p_2*g_2_2;
-    const double t19 = k_2_1*t18 + k_2_2*t18;
-    const double t20 = (R_p_1*R_p_1);
-    const double t21 = (R_p_2*R_p_2);
+    const double t9 = R_p_1*g_1_1;
+    const double t10 = R_p_2*g_2_1;
+    const double t11 = (g_1_2*g_1_2);
+    const double t12 = (g_2_2*g_2_2);
+    const double t13 = R_p_1*g_1_2;
+    const double t14 = R_p_2*g_2_2;
+    const double t15 = (R_p_1*R_p_1);
+    const double t16 = (R_p_2*R_p_2);
+    memset(K, 0, sizeof(double[4][4]));
     K[0][0] = k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6;
-    K[0][1] = t9;
-    K[0][2] = t11;
-    K[0][3] = t13;
-    K[1][0] = t9;
-    K[1][1] = k_1_1*t14 + k_1_2*t14 + k_2_1*t15 + k_2_2*t15;
-    K[1][2] = t17;
-    K[1][3] = t19;
-    K[2][0] = t11;
-    K[2][1] = t17;
-    K[2][2] = k_1_1*t20 + k_1_2*t20;
-    K[2][3] = 0;
-    K[3][0] = t13;
-    K[3][1] = t19;
-    K[3][2] = 0;
-    K[3][3] = k_2_1*t21 + k_2_2*t21;
+    K[0][1] = K[1][0] = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8;
+    K[0][2] = K[2][0] = k_1_1*t9 + k_1_2*t9;
+    K[0][3] = K[3][0] = k_2_1*t10 + k_2_2*t10;
+    K[1][1] = k_1_1*t11 + k_1_2*t11 + k_2_1*t12 + k_2_2*t12;
+    K[1][2] = K[2][1] = k_1_1*t13 + k_1_2*t13;
+    K[1][3] = K[3][1] = k_2_1*t14 + k_2_2*t14;
+    K[2][2] = k_1_1*t15 + k_1_2*t15;
+    K[3][3] = k_2_1*t16 + k_2_2*t16;
 }
 
-void corexy_modal_matrices(const double p[2], const corexy_parameters *parameters, double M[4][4], double
-    K[4][4])
+void corexy_modal_matrices(const double p[2], const corexy_parameters *parameters, double M[4][4],
+    double K[4][4])
 {
     const double x = p[0];
     const double y = p[1];
@@ -592,49 +551,27 @@ void corexy_modal_matrices(const double p[2], const corexy_parameters *parameter
     const double t6 = (g_2_1*g_2_1);
     const double t7 = g_1_1*g_1_2;
     const double t8 = g_2_1*g_2_2;
-    const double t9 = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8;
-    const double t10 = R_p_1*g_1_1;
-    const double t11 = k_1_1*t10 + k_1_2*t10;
-    const double t12 = R_p_2*g_2_1;
-    const double t13 = k_2_1*t12 + k_2_2*t12;
-    const double t14 = (g_1_2*g_1_2);
-    const double t15 = (g_2_2*g_2_2);
-    const double t16 = R_p_1*g_1_2;
-    const double t17 = k_1_1*t16 + k_1_2*t16;
-    const double t18 = R_p_2*g_2_2;
-    const double t19 = k_2_1*t18 + k_2_2*t18;
-    const double t20 = (R_p_1*R_p_1);
-    const double t21 = (R_p_2*R_p_2);
+    const double t9 = R_p_1*g_1_1;
+    const double t10 = R_p_2*g_2_1;
+    const double t11 = (g_1_2*g_1_2);
+    const double t12 = (g_2_2*g_2_2);
+    const double t13 = R_p_1*g_1_2;
+    const double t14 = R_p_2*g_2_2;
+    const double t15 = (R_p_1*R_p_1);
+    const double t16 = (R_p_2*R_p_2);
+    memset(M, 0, sizeof(double[4][4]));
     M[0][0] = m_h;
-    M[0][1] = 0;
-    M[0][2] = 0;
-    M[0][3] = 0;
-    M[1][0] = 0;
     M[1][1] = m_g + m_h;
-    M[1][2] = 0;
-    M[1][3] = 0;
-    M[2][0] = 0;
-    M[2][1] = 0;
     M[2][2] = I_1;
-    M[2][3] = 0;
-    M[3][0] = 0;
-    M[3][1] = 0;
-    M[3][2] = 0;
     M[3][3] = I_2;
+    memset(K, 0, sizeof(double[4][4]));
     K[0][0] = k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6;
-    K[0][1] = t9;
-    K[0][2] = t11;
-    K[0][3] = t13;
-    K[1][0] = t9;
-    K[1][1] = k_1_1*t14 + k_1_2*t14 + k_2_1*t15 + k_2_2*t15;
-    K[1][2] = t17;
-    K[1][3] = t19;
-    K[2][0] = t11;
-    K[2][1] = t17;
-    K[2][2] = k_1_1*t20 + k_1_2*t20;
-    K[2][3] = 0;
-    K[3][0] = t13;
-    K[3][1] = t19;
-    K[3][2] = 0;
-    K[3][3] = k_2_1*t21 + k_2_2*t21;
+    K[0][1] = K[1][0] = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8;
+    K[0][2] = K[2][0] = k_1_1*t9 + k_1_2*t9;
+    K[0][3] = K[3][0] = k_2_1*t10 + k_2_2*t10;
+    K[1][1] = k_1_1*t11 + k_1_2*t11 + k_2_1*t12 + k_2_2*t12;
+    K[1][2] = K[2][1] = k_1_1*t13 + k_1_2*t13;
+    K[1][3] = K[3][1] = k_2_1*t14 + k_2_2*t14;
+    K[2][2] = k_1_1*t15 + k_1_2*t15;
+    K[3][3] = k_2_1*t16 + k_2_2*t16;
 }

@@ -4,8 +4,9 @@
  *
  * Dynamics of the mechanism corexy, for a robot given by its parameters.
  *
- * C99, no allocation, no dependency but sqrt.  Matrices are row-major.  Everything is in SI units and in the
- * base frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
+ * C99, no allocation, no dependency but the C library's mathematics and memset.  Matrices are row-major.
+ * Everything is in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K is
+ * positive for a restoring force.
  * Generalised coordinates, in the order of M and K:
  *   x [m]
  *   y [m]
@@ -54,7 +55,7 @@ typedef struct {
  * Source: they are the pose.
  * 0 operations; 0 with every named value written out.
  */
-void corexy_inverse_kinematics(const double p[2], double xy[2]);
+void corexy_inverse_kinematics(const double p[2], const corexy_parameters *parameters, double xy[2]);
 
 /* How far the tool head is from the ends of its travel.
  *
@@ -87,7 +88,7 @@ void corexy_crossing_margin(const corexy_parameters *parameters, double margin[1
 /* Free lengths of the belt spans.
  *
  *   in  p [m]: tool head in the base frame
- *   out l_f [m]: free length l_f[j-1, k-1] of span k of belt j
+ *   out l_f [m]: free length l_f[j-1, s-1] of span s of belt j
  *
  * Source: equations 35 to 37; a pose is within the limits where all are positive.
  * 10 operations; 16 with every named value written out.
@@ -102,7 +103,7 @@ void corexy_belt_spans(const double p[2], const corexy_parameters *parameters, d
  * Source: equation 15.
  * 0 operations; 0 with every named value written out.
  */
-void corexy_platform_jacobian(const double p[2], double D_p[2][2]);
+void corexy_platform_jacobian(const double p[2], const corexy_parameters *parameters, double D_p[2][2]);
 
 /* Time derivative of the platform Jacobian.
  *
@@ -113,7 +114,8 @@ void corexy_platform_jacobian(const double p[2], double D_p[2][2]);
  * Source: equation 17.
  * 0 operations; 0 with every named value written out.
  */
-void corexy_platform_jacobian_rate(const double p[2], const double xy_dot[2], double D_p_dot[2][2]);
+void corexy_platform_jacobian_rate(const double p[2], const double xy_dot[2],
+    const corexy_parameters *parameters, double D_p_dot[2][2]);
 
 /* Second derivatives of the platform with respect to the positions.
  *
@@ -123,7 +125,8 @@ void corexy_platform_jacobian_rate(const double p[2], const double xy_dot[2], do
  * Source: equation 49, by the implicit function theorem to second order.
  * 0 operations; 0 with every named value written out.
  */
-void corexy_platform_second_derivatives(const double p[2], double P[2][2][2]);
+void corexy_platform_second_derivatives(const double p[2], const corexy_parameters *parameters,
+    double P[2][2][2]);
 
 /* Kinetic energies of the structure and of the transmissions.
  *
@@ -133,7 +136,7 @@ void corexy_platform_second_derivatives(const double p[2], double P[2][2][2]);
  *   out T_t [J]: rotors and motors
  *
  * Source: equations 24 and 28.
- * 23 operations; 24 with every named value written out.
+ * 22 operations; 24 with every named value written out.
  */
 void corexy_kinetic_energy(const double p[2], const double q_dot[4], const corexy_parameters *parameters,
     double *T_ss, double *T_t);
@@ -157,7 +160,8 @@ void corexy_mass_matrix(const double p[2], const corexy_parameters *parameters, 
  * Source: Lagrange's equations, equation 47 without its linearisation.
  * 0 operations; 0 with every named value written out.
  */
-void corexy_velocity_forces(const double p[2], const double xy_dot[2], double h[2]);
+void corexy_velocity_forces(const double p[2], const double xy_dot[2], const corexy_parameters *parameters,
+    double h[2]);
 
 /* Gravitational potential energy V_g, the force function U_g with opposite sign.
  *
@@ -187,12 +191,12 @@ void corexy_gravity_gradient(const double p[2], const corexy_parameters *paramet
  * Source: section 4 and equation 49.
  * 0 operations; 0 with every named value written out.
  */
-void corexy_gravity_hessian(const double p[2], double H_g[2][2]);
+void corexy_gravity_hessian(const double p[2], const corexy_parameters *parameters, double H_g[2][2]);
 
 /* Stiffnesses of the belt spans.
  *
  *   in  p [m]: tool head in the base frame
- *   out k [N/m]: k[j-1, k-1], the spans in the order of `belt_spans`
+ *   out k [N/m]: k[j-1, s-1], the spans in the order of `belt_spans`
  *
  * Source: equations 34 to 37.
  * 16 operations; 24 with every named value written out.
@@ -209,8 +213,8 @@ void corexy_belt_stiffness(const double p[2], const corexy_parameters *parameter
  * Source: equation 38, summed.
  * 37 operations; 59 with every named value written out.
  */
-void corexy_elastic_potential(const double p[2], const double delta_q[4], const corexy_parameters
-    *parameters, double *V_el);
+void corexy_elastic_potential(const double p[2], const double delta_q[4],
+    const corexy_parameters *parameters, double *V_el);
 
 /* Gradient of the elastic potential energy.
  *
@@ -268,8 +272,8 @@ void corexy_stiffness_matrix(const double p[2], const corexy_parameters *paramet
  * Source: equation 48.
  * 74 operations; 317 with every named value written out.
  */
-void corexy_modal_matrices(const double p[2], const corexy_parameters *parameters, double M[4][4], double
-    K[4][4]);
+void corexy_modal_matrices(const double p[2], const corexy_parameters *parameters, double M[4][4],
+    double K[4][4]);
 
 #ifdef __cplusplus
 }

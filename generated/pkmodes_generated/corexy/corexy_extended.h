@@ -4,8 +4,9 @@
  *
  * Dynamics of the mechanism corexy with effects: extended matrices and sensitivities.
  *
- * C99, no allocation, no dependency but sqrt.  Matrices are row-major.  Everything is in SI units and in the
- * base frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
+ * C99, no allocation, no dependency but the C library's mathematics and memset.  Matrices are row-major.
+ * Everything is in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K is
+ * positive for a restoring force.
  * Generalised coordinates, in the order of M and K:
  *   x [m]
  *   y [m]
@@ -68,8 +69,8 @@ typedef struct {
  * Source: equations 24 to 48 with the effects' energies; K = K_el + K_g and the joints' stiffnesses.
  * 188 operations; 1919 with every named value written out.
  */
-void corexy_extended_extended_matrices(const double p[2], const corexy_parameters *parameters, const
-    corexy_effects *effects, double M[10][10], double K_el[10][10], double K_g[10][10]);
+void corexy_extended_extended_matrices(const double p[2], const corexy_parameters *parameters,
+    const corexy_effects *effects, double M[10][10], double K_el[10][10], double K_g[10][10]);
 
 /* Absolute motion of the platform centre by the coordinates.
  *
@@ -79,7 +80,8 @@ void corexy_extended_extended_matrices(const double p[2], const corexy_parameter
  * Source: equation 15, with what released joints and the frame add.
  * 0 operations; 0 with every named value written out.
  */
-void corexy_extended_extended_platform_motion(const double p[2], double J_p[2][10]);
+void corexy_extended_extended_platform_motion(const double p[2], const corexy_parameters *parameters,
+    double J_p[2][10]);
 
 /* Stiffnesses of the released joints, to be added to the diagonal of K.
  *

@@ -7,13 +7,12 @@ Arrays are batch first: a leading `...` stands for any batch shape, none include
 Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
 frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
 
-Names in the code, for axis j, pulley or span k (or carriage k, l of a derivative) and component i = x, y, z;
-t1, t2, ... are subexpressions that several values share:
+Names in the code, for axis or belt j; belt span s.  t1, t2, ... are subexpressions that several values share.
 
 * tau_st_j [N m]: static torque on motor pulley j
 * I_j [kg m^2]: moment of inertia of motor pulley j, with the motor
-* l_f_j_k [m]: free length of run k of belt j
-* k_j_k [N/m]: stiffness of run k of belt j
+* l_f_j_s [m]: free length of run s of belt j
+* k_j_s [N/m]: stiffness of run s of belt j
 * G_j [N]: gradient of the gravitational potential energy with respect to x
 * G_j [N]: gradient of the gravitational potential energy with respect to y
 * det_j [N^2]: determinant of the equilibrium of axis j
@@ -328,136 +327,88 @@ def extended_matrices(p, parameters, effects):
     t22 = g_1_1*t16
     t23 = g_2_1*t18
     t24 = g_2_1*t19
-    t25 = g_1_2*t21 + g_1_2*t22 + g_2_2*t23 + g_2_2*t24
-    t26 = (1/6)*rho_b
-    t27 = R_p_1*t26
-    t28 = l_f_1_1*t27
-    t29 = l_f_1_2*t27
-    t30 = -g_1_1*t28 - g_1_1*t29
-    t31 = R_p_2*t26
-    t32 = l_f_2_1*t31
-    t33 = l_f_2_2*t31
-    t34 = -g_2_1*t32 - g_2_1*t33
-    t35 = t21 + t22
-    t36 = t23 + t24
-    t37 = g_1_2**2
-    t38 = g_2_2**2
-    t39 = m_g + t20
-    t40 = -g_1_2*t28 - g_1_2*t29
-    t41 = -g_2_2*t32 - g_2_2*t33
-    t42 = g_1_2*t15 + g_1_2*t16
-    t43 = g_2_2*t18 + g_2_2*t19
-    t44 = R_p_1**2
-    t45 = -t28 - t29
-    t46 = R_p_2**2
-    t47 = -t32 - t33
-    t48 = m_F + t39
-    t49 = g_1_1*k_1_1
-    t50 = g_1_1*k_1_2
-    t51 = g_2_1*k_2_1
-    t52 = g_2_1*k_2_2
-    t53 = g_1_2*t49 + g_1_2*t50 + g_2_2*t51 + g_2_2*t52
-    t54 = R_p_1*t49 + R_p_1*t50
-    t55 = R_p_2*t51 + R_p_2*t52
-    t56 = t49 + t50
-    t57 = t51 + t52
-    t58 = g_1_2*k_1_1
-    t59 = g_1_2*k_1_2
-    t60 = R_p_1*t58 + R_p_1*t59
-    t61 = g_2_2*k_2_1
-    t62 = g_2_2*k_2_2
-    t63 = R_p_2*t61 + R_p_2*t62
-    t64 = t58 + t59
-    t65 = t61 + t62
-    t66 = R_p_1*k_1_1 + R_p_1*k_1_2
-    t67 = R_p_2*k_2_1 + R_p_2*k_2_2
+    t25 = (1/6)*rho_b
+    t26 = R_p_1*t25
+    t27 = l_f_1_1*t26
+    t28 = l_f_1_2*t26
+    t29 = R_p_2*t25
+    t30 = l_f_2_1*t29
+    t31 = l_f_2_2*t29
+    t32 = g_1_2**2
+    t33 = g_2_2**2
+    t34 = m_g + t20
+    t35 = R_p_1**2
+    t36 = R_p_2**2
+    t37 = m_F + t34
+    t38 = g_1_1*k_1_1
+    t39 = g_1_1*k_1_2
+    t40 = g_2_1*k_2_1
+    t41 = g_2_1*k_2_2
+    t42 = g_1_2*k_1_1
+    t43 = g_1_2*k_1_2
+    t44 = g_2_2*k_2_1
+    t45 = g_2_2*k_2_2
     M_out = np.zeros((*batch, 10, 10), dtype)
     M_out[..., 0, 0] = t13*t15 + t13*t16 + t17*t18 + t17*t19 + t20
-    M_out[..., 0, 1] = t25
-    M_out[..., 0, 2] = t30
-    M_out[..., 0, 3] = t34
-    M_out[..., 0, 6] = t35
-    M_out[..., 0, 7] = t36
-    M_out[..., 0, 8] = t20
-    M_out[..., 1, 0] = t25
-    M_out[..., 1, 1] = t15*t37 + t16*t37 + t18*t38 + t19*t38 + t39
-    M_out[..., 1, 2] = t40
-    M_out[..., 1, 3] = t41
-    M_out[..., 1, 6] = t42
-    M_out[..., 1, 7] = t43
-    M_out[..., 1, 9] = t39
-    M_out[..., 2, 0] = t30
-    M_out[..., 2, 1] = t40
-    M_out[..., 2, 2] = I_1 + t15*t44 + t16*t44
-    M_out[..., 2, 4] = t1
-    M_out[..., 2, 6] = t45
-    M_out[..., 3, 0] = t34
-    M_out[..., 3, 1] = t41
-    M_out[..., 3, 3] = I_2 + t18*t46 + t19*t46
-    M_out[..., 3, 5] = t2
-    M_out[..., 3, 7] = t47
-    M_out[..., 4, 2] = t1
+    M_out[..., 0, 1] = M_out[..., 1, 0] = g_1_2*t21 + g_1_2*t22 + g_2_2*t23 + g_2_2*t24
+    M_out[..., 0, 2] = M_out[..., 2, 0] = -g_1_1*t27 - g_1_1*t28
+    M_out[..., 0, 3] = M_out[..., 3, 0] = -g_2_1*t30 - g_2_1*t31
+    M_out[..., 0, 6] = M_out[..., 6, 0] = t21 + t22
+    M_out[..., 0, 7] = M_out[..., 7, 0] = t23 + t24
+    M_out[..., 0, 8] = M_out[..., 8, 0] = t20
+    M_out[..., 1, 1] = t15*t32 + t16*t32 + t18*t33 + t19*t33 + t34
+    M_out[..., 1, 2] = M_out[..., 2, 1] = -g_1_2*t27 - g_1_2*t28
+    M_out[..., 1, 3] = M_out[..., 3, 1] = -g_2_2*t30 - g_2_2*t31
+    M_out[..., 1, 6] = M_out[..., 6, 1] = g_1_2*t15 + g_1_2*t16
+    M_out[..., 1, 7] = M_out[..., 7, 1] = g_2_2*t18 + g_2_2*t19
+    M_out[..., 1, 9] = M_out[..., 9, 1] = t34
+    M_out[..., 2, 2] = I_1 + t15*t35 + t16*t35
+    M_out[..., 2, 4] = M_out[..., 4, 2] = t1
+    M_out[..., 2, 6] = M_out[..., 6, 2] = -t27 - t28
+    M_out[..., 3, 3] = I_2 + t18*t36 + t19*t36
+    M_out[..., 3, 5] = M_out[..., 5, 3] = t2
+    M_out[..., 3, 7] = M_out[..., 7, 3] = -t30 - t31
     M_out[..., 4, 4] = t1
-    M_out[..., 5, 3] = t2
     M_out[..., 5, 5] = t2
-    M_out[..., 6, 0] = t35
-    M_out[..., 6, 1] = t42
-    M_out[..., 6, 2] = t45
     M_out[..., 6, 6] = t15 + t16
-    M_out[..., 7, 0] = t36
-    M_out[..., 7, 1] = t43
-    M_out[..., 7, 3] = t47
     M_out[..., 7, 7] = t18 + t19
-    M_out[..., 8, 0] = t20
-    M_out[..., 8, 8] = t48
-    M_out[..., 9, 1] = t39
-    M_out[..., 9, 9] = t48
+    M_out[..., 8, 8] = t37
+    M_out[..., 9, 9] = t37
     K_el_out = np.zeros((*batch, 10, 10), dtype)
     K_el_out[..., 0, 0] = k_1_1*t13 + k_1_2*t13 + k_2_1*t17 + k_2_2*t17 + k_C
-    K_el_out[..., 0, 1] = t53
-    K_el_out[..., 0, 2] = t54
-    K_el_out[..., 0, 3] = t55
-    K_el_out[..., 0, 6] = t56
-    K_el_out[..., 0, 7] = t57
-    K_el_out[..., 0, 8] = k_C
-    K_el_out[..., 1, 0] = t53
-    K_el_out[..., 1, 1] = k_1_1*t37 + k_1_2*t37 + k_2_1*t38 + k_2_2*t38 + k_C
-    K_el_out[..., 1, 2] = t60
-    K_el_out[..., 1, 3] = t63
-    K_el_out[..., 1, 6] = t64
-    K_el_out[..., 1, 7] = t65
-    K_el_out[..., 1, 9] = k_C
-    K_el_out[..., 2, 0] = t54
-    K_el_out[..., 2, 1] = t60
-    K_el_out[..., 2, 2] = k_1_1*t44 + k_1_2*t44 + k_S
-    K_el_out[..., 2, 6] = t66
-    K_el_out[..., 3, 0] = t55
-    K_el_out[..., 3, 1] = t63
-    K_el_out[..., 3, 3] = k_2_1*t46 + k_2_2*t46 + k_S
-    K_el_out[..., 3, 7] = t67
-    K_el_out[..., 6, 0] = t56
-    K_el_out[..., 6, 1] = t64
-    K_el_out[..., 6, 2] = t66
+    K_el_out[..., 0, 1] = K_el_out[..., 1, 0] = g_1_2*t38 + g_1_2*t39 + g_2_2*t40 + g_2_2*t41
+    K_el_out[..., 0, 2] = K_el_out[..., 2, 0] = R_p_1*t38 + R_p_1*t39
+    K_el_out[..., 0, 3] = K_el_out[..., 3, 0] = R_p_2*t40 + R_p_2*t41
+    K_el_out[..., 0, 6] = K_el_out[..., 6, 0] = t38 + t39
+    K_el_out[..., 0, 7] = K_el_out[..., 7, 0] = t40 + t41
+    K_el_out[..., 0, 8] = K_el_out[..., 8, 0] = k_C
+    K_el_out[..., 1, 1] = k_1_1*t32 + k_1_2*t32 + k_2_1*t33 + k_2_2*t33 + k_C
+    K_el_out[..., 1, 2] = K_el_out[..., 2, 1] = R_p_1*t42 + R_p_1*t43
+    K_el_out[..., 1, 3] = K_el_out[..., 3, 1] = R_p_2*t44 + R_p_2*t45
+    K_el_out[..., 1, 6] = K_el_out[..., 6, 1] = t42 + t43
+    K_el_out[..., 1, 7] = K_el_out[..., 7, 1] = t44 + t45
+    K_el_out[..., 1, 9] = K_el_out[..., 9, 1] = k_C
+    K_el_out[..., 2, 2] = k_1_1*t35 + k_1_2*t35 + k_S
+    K_el_out[..., 2, 6] = K_el_out[..., 6, 2] = R_p_1*k_1_1 + R_p_1*k_1_2
+    K_el_out[..., 3, 3] = k_2_1*t36 + k_2_2*t36 + k_S
+    K_el_out[..., 3, 7] = K_el_out[..., 7, 3] = R_p_2*k_2_1 + R_p_2*k_2_2
     K_el_out[..., 6, 6] = k_1_1 + k_1_2
-    K_el_out[..., 7, 0] = t57
-    K_el_out[..., 7, 1] = t65
-    K_el_out[..., 7, 3] = t67
     K_el_out[..., 7, 7] = k_2_1 + k_2_2
-    K_el_out[..., 8, 0] = k_C
     K_el_out[..., 8, 8] = k_C
-    K_el_out[..., 9, 1] = k_C
     K_el_out[..., 9, 9] = k_C
     K_g_out = np.zeros((*batch, 10, 10), dtype)
     return M_out, K_el_out, K_g_out
 
 
-def extended_platform_motion(p):
+def extended_platform_motion(p, parameters):
     """Absolute motion of the platform centre by the coordinates.
 
     Parameters
     ----------
     p : array, shape (..., 2) [m]
         Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
 
     Returns
     -------
@@ -511,14 +462,14 @@ def joint_stiffness(effects):
     t4 = -1/c_G**2
     t5 = -1/c_K**2
     t6 = -1/c_F**2
-    kappa_out = np.zeros((*batch, 6), dtype)
+    kappa_out = np.empty((*batch, 6), dtype)
     kappa_out[..., 0] = t1
     kappa_out[..., 1] = t1
     kappa_out[..., 2] = t2
     kappa_out[..., 3] = t2
     kappa_out[..., 4] = t3
     kappa_out[..., 5] = t3
-    kappa_c_out = np.zeros((*batch, 6), dtype)
+    kappa_c_out = np.empty((*batch, 6), dtype)
     kappa_c_out[..., 0] = t4
     kappa_c_out[..., 1] = t4
     kappa_c_out[..., 2] = t5
@@ -606,10 +557,10 @@ def extended_static_equilibrium(p, parameters, effects):
     tau_st_1 = k_1_1*t21 + k_1_2*t21
     t22 = R_p_2**2*theta_2_st
     tau_st_2 = k_2_1*t22 + k_2_2*t22
-    tau_st_out = np.zeros((*batch, 2), dtype)
+    tau_st_out = np.empty((*batch, 2), dtype)
     tau_st_out[..., 0] = tau_st_1
     tau_st_out[..., 1] = tau_st_2
-    theta_st_out = np.zeros((*batch, 2), dtype)
+    theta_st_out = np.empty((*batch, 2), dtype)
     theta_st_out[..., 0] = theta_1_st
     theta_st_out[..., 1] = theta_2_st
     return tau_st_out, theta_st_out
@@ -911,7 +862,7 @@ def value_sensitivities(p, parameters, effects):
     return M_theta_out, K_theta_out
 
 
-def geometry_sensitivities(p):
+def geometry_sensitivities(p, parameters):
     """Derivatives of M and K by every parameter that moves the positions, at a fixed pose.
 
     The entries of the upper triangles that GEOMETRY_SENSITIVITIES lists, all others being zero.
@@ -920,6 +871,8 @@ def geometry_sensitivities(p):
     ----------
     p : array, shape (..., 2) [m]
         Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
 
     Returns
     -------

@@ -7,14 +7,12 @@ Arrays are batch first: a leading `...` stands for any batch shape, none include
 Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
 frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
 
-Names in the code, for axis j, pulley or span k (or carriage k, l of a derivative) and component i = x, y, z;
-t1, t2, ... are subexpressions that several values share:
+Names in the code, for axis or belt j; belt span s.  t1, t2, ... are subexpressions that several values share.
 
 * tau_st_j [N m]: static torque on motor pulley j
 * I_j [kg m^2]: moment of inertia of motor pulley j, with the motor
-* l_f_j_k [m]: free length of run k of belt j
-* k_j_k [N/m]: stiffness of run k of belt j
-* v_p_i [m/s]: velocity of the platform, component i
+* l_f_j_s [m]: free length of run s of belt j
+* k_j_s [N/m]: stiffness of run s of belt j
 * G_j [N]: gradient of the gravitational potential energy with respect to x
 * G_j [N]: gradient of the gravitational potential energy with respect to y
 * det_j [N^2]: determinant of the equilibrium of axis j
@@ -135,13 +133,15 @@ def _batch(*arrays):
     return np.broadcast_shapes(*map(np.shape, arrays)), np.result_type(float, *arrays)
 
 
-def inverse_kinematics(p):
+def inverse_kinematics(p, parameters):
     """Positions at a pose.
 
     Parameters
     ----------
     p : array, shape (..., 2) [m]
         Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
 
     Returns
     -------
@@ -155,7 +155,7 @@ def inverse_kinematics(p):
     """
     x, y = _entries(p, (2,))
     batch, dtype = _batch(x)
-    xy_out = np.zeros((*batch, 2), dtype)
+    xy_out = np.empty((*batch, 2), dtype)
     xy_out[..., 0] = x
     xy_out[..., 1] = y
     return xy_out
@@ -184,7 +184,7 @@ def travel_margin(p, parameters):
     x, y = _entries(p, (2,))
     travel_min_x, travel_max_x, travel_min_y, travel_max_y = _entries(parameters.workspace, (2, 2))
     batch, dtype = _batch(x, travel_min_x)
-    margin_out = np.zeros((*batch, 2, 2), dtype)
+    margin_out = np.empty((*batch, 2, 2), dtype)
     margin_out[..., 0, 0] = -travel_min_x + x
     margin_out[..., 0, 1] = travel_max_x - x
     margin_out[..., 1, 0] = -travel_min_y + y
@@ -222,7 +222,7 @@ def run_margin(parameters):
     t6 = -t4 - t5 + (1/2)*travel_min_x + (1/2)*travel_min_y
     t7 = t4 + t5 - 1/2*travel_min_x - 1/2*travel_min_y
     t8 = g_2_1*t1 + g_2_2*t2
-    margin_out = np.zeros((*batch, 2, 2), dtype)
+    margin_out = np.empty((*batch, 2, 2), dtype)
     margin_out[..., 0, 0] = l_0_1_1 + t3 + t6
     margin_out[..., 0, 1] = l_0_1_2 - t3 - t7
     margin_out[..., 1, 0] = l_0_2_1 + t6 + t8
@@ -250,8 +250,8 @@ def crossing_margin(parameters):
     """
     g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
     batch, dtype = _batch(g_1_1)
-    margin_out = np.zeros((*batch, 1), dtype)
-    margin_out[..., 0] = abs(g_1_1*g_2_2 - g_1_2*g_2_1) - 1
+    margin_out = np.empty((*batch, 1), dtype)
+    margin_out[..., 0] = np.abs(g_1_1*g_2_2 - g_1_2*g_2_1) - 1
     return margin_out
 
 
@@ -268,7 +268,7 @@ def belt_spans(p, parameters):
     Returns
     -------
     l_f : array, shape (..., 2, 2) [m]
-        Free length l_f[j-1, k-1] of span k of belt j.
+        Free length l_f[j-1, s-1] of span s of belt j.
 
     Notes
     -----
@@ -285,7 +285,7 @@ def belt_spans(p, parameters):
     t2 = g_2_1*x + g_2_2*y
     l_f_2_1 = l_0_2_1 + t2
     l_f_2_2 = l_0_2_2 - t2
-    l_f_out = np.zeros((*batch, 2, 2), dtype)
+    l_f_out = np.empty((*batch, 2, 2), dtype)
     l_f_out[..., 0, 0] = l_f_1_1
     l_f_out[..., 0, 1] = l_f_1_2
     l_f_out[..., 1, 0] = l_f_2_1
@@ -293,13 +293,15 @@ def belt_spans(p, parameters):
     return l_f_out
 
 
-def platform_jacobian(p):
+def platform_jacobian(p, parameters):
     """Platform Jacobian D_p.
 
     Parameters
     ----------
     p : array, shape (..., 2) [m]
         Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
 
     Returns
     -------
@@ -319,7 +321,7 @@ def platform_jacobian(p):
     return D_p_out
 
 
-def platform_jacobian_rate(p, xy_dot):
+def platform_jacobian_rate(p, xy_dot, parameters):
     """Time derivative of the platform Jacobian.
 
     Parameters
@@ -328,6 +330,8 @@ def platform_jacobian_rate(p, xy_dot):
         Tool head in the base frame.
     xy_dot : array, shape (..., 2) [m/s]
         Velocities.
+    parameters : Parameters
+        The robot's parameters.
 
     Returns
     -------
@@ -346,13 +350,15 @@ def platform_jacobian_rate(p, xy_dot):
     return D_p_dot_out
 
 
-def platform_second_derivatives(p):
+def platform_second_derivatives(p, parameters):
     """Second derivatives of the platform with respect to the positions.
 
     Parameters
     ----------
     p : array, shape (..., 2) [m]
         Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
 
     Returns
     -------
@@ -392,7 +398,7 @@ def kinetic_energy(p, q_dot, parameters):
     Notes
     -----
     Equations 24 and 28.
-    23 operations; 24 with every named value written out.
+    22 operations; 24 with every named value written out.
     """
     x, _ = _entries(p, (2,))
     x_dot, y_dot, theta_1_dot, theta_2_dot = _entries(q_dot, (4,))
@@ -404,12 +410,10 @@ def kinetic_energy(p, q_dot, parameters):
     batch, dtype = _batch(x, x_dot, m_h, m_g, I_p_1, I_m_1, i_g_1)
     I_1 = I_m_1*i_g_1**2 + I_p_1
     I_2 = I_m_2*i_g_2**2 + I_p_2
-    v_p_x = x_dot
-    v_p_y = y_dot
-    t1 = (1/2)*m_h
-    T_ss_out = np.zeros(batch, dtype)
-    T_ss_out[...] = (1/2)*m_g*y_dot**2 + t1*v_p_x**2 + t1*v_p_y**2
-    T_t_out = np.zeros(batch, dtype)
+    t1 = (1/2)*y_dot**2
+    T_ss_out = np.empty(batch, dtype)
+    T_ss_out[...] = m_g*t1 + m_h*t1 + (1/2)*m_h*x_dot**2
+    T_t_out = np.empty(batch, dtype)
     T_t_out[...] = (1/2)*I_1*theta_1_dot**2 + (1/2)*I_2*theta_2_dot**2
     return T_ss_out[()], T_t_out[()]
 
@@ -451,7 +455,7 @@ def mass_matrix(p, parameters):
     return M_out
 
 
-def velocity_forces(p, xy_dot):
+def velocity_forces(p, xy_dot, parameters):
     """Coriolis and centrifugal forces h of M_ss xy_ddot + h + grad V = Q.
 
     Parameters
@@ -460,6 +464,8 @@ def velocity_forces(p, xy_dot):
         Tool head in the base frame.
     xy_dot : array, shape (..., 2) [m/s]
         Velocities.
+    parameters : Parameters
+        The robot's parameters.
 
     Returns
     -------
@@ -503,7 +509,7 @@ def gravity_potential(p, parameters):
     (m_g,) = _entries(parameters.gantry_mass, ())
     g_x, g_y, _ = _entries(parameters.gravity, (3,))
     batch, dtype = _batch(x, m_h, m_g, g_x)
-    V_g_out = np.zeros(batch, dtype)
+    V_g_out = np.empty(batch, dtype)
     V_g_out[...] = -g_x*m_h*x - g_y*(m_g*y + m_h*y)
     return V_g_out[()]
 
@@ -533,19 +539,21 @@ def gravity_gradient(p, parameters):
     (m_g,) = _entries(parameters.gantry_mass, ())
     g_x, g_y, _ = _entries(parameters.gravity, (3,))
     batch, dtype = _batch(x, m_h, m_g, g_x)
-    G_out = np.zeros((*batch, 2), dtype)
+    G_out = np.empty((*batch, 2), dtype)
     G_out[..., 0] = -g_x*m_h
     G_out[..., 1] = -g_y*(m_g + m_h)
     return G_out
 
 
-def gravity_hessian(p):
+def gravity_hessian(p, parameters):
     """Hessian of the gravitational potential energy with respect to the positions.
 
     Parameters
     ----------
     p : array, shape (..., 2) [m]
         Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
 
     Returns
     -------
@@ -576,7 +584,7 @@ def belt_stiffness(p, parameters):
     Returns
     -------
     k : array, shape (..., 2, 2) [N/m]
-        k[j-1, k-1], the spans in the order of `belt_spans`.
+        k[j-1, s-1], the spans in the order of `belt_spans`.
 
     Notes
     -----
@@ -601,7 +609,7 @@ def belt_stiffness(p, parameters):
     k_2_1 = t4/l_f_2_1
     l_f_2_2 = l_0_2_2 - t3
     k_2_2 = t4/l_f_2_2
-    k_out = np.zeros((*batch, 2, 2), dtype)
+    k_out = np.empty((*batch, 2, 2), dtype)
     k_out[..., 0, 0] = k_1_1
     k_out[..., 0, 1] = k_1_2
     k_out[..., 1, 0] = k_2_1
@@ -653,7 +661,7 @@ def elastic_potential(p, delta_q, parameters):
     k_2_2 = t4/l_f_2_2
     t5 = (1/2)*(R_p_1*delta_theta_1 + delta_x*g_1_1 + delta_y*g_1_2)**2
     t6 = (1/2)*(R_p_2*delta_theta_2 + delta_x*g_2_1 + delta_y*g_2_2)**2
-    V_el_out = np.zeros(batch, dtype)
+    V_el_out = np.empty(batch, dtype)
     V_el_out[...] = k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6
     return V_el_out[()]
 
@@ -708,7 +716,7 @@ def elastic_gradient(p, delta_q, parameters):
     t10 = g_2_2*t7
     t11 = R_p_1*t5
     t12 = R_p_2*t7
-    E_out = np.zeros((*batch, 4), dtype)
+    E_out = np.empty((*batch, 4), dtype)
     E_out[..., 0] = k_1_1*t6 + k_1_2*t6 + k_2_1*t8 + k_2_2*t8
     E_out[..., 1] = k_1_1*t9 + k_1_2*t9 + k_2_1*t10 + k_2_2*t10
     E_out[..., 2] = k_1_1*t11 + k_1_2*t11
@@ -759,34 +767,24 @@ def elastic_hessian(p, parameters):
     t6 = g_2_1**2
     t7 = g_1_1*g_1_2
     t8 = g_2_1*g_2_2
-    t9 = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8
-    t10 = R_p_1*g_1_1
-    t11 = k_1_1*t10 + k_1_2*t10
-    t12 = R_p_2*g_2_1
-    t13 = k_2_1*t12 + k_2_2*t12
-    t14 = g_1_2**2
-    t15 = g_2_2**2
-    t16 = R_p_1*g_1_2
-    t17 = k_1_1*t16 + k_1_2*t16
-    t18 = R_p_2*g_2_2
-    t19 = k_2_1*t18 + k_2_2*t18
-    t20 = R_p_1**2
-    t21 = R_p_2**2
+    t9 = R_p_1*g_1_1
+    t10 = R_p_2*g_2_1
+    t11 = g_1_2**2
+    t12 = g_2_2**2
+    t13 = R_p_1*g_1_2
+    t14 = R_p_2*g_2_2
+    t15 = R_p_1**2
+    t16 = R_p_2**2
     H_el_out = np.zeros((*batch, 4, 4), dtype)
     H_el_out[..., 0, 0] = k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6
-    H_el_out[..., 0, 1] = t9
-    H_el_out[..., 0, 2] = t11
-    H_el_out[..., 0, 3] = t13
-    H_el_out[..., 1, 0] = t9
-    H_el_out[..., 1, 1] = k_1_1*t14 + k_1_2*t14 + k_2_1*t15 + k_2_2*t15
-    H_el_out[..., 1, 2] = t17
-    H_el_out[..., 1, 3] = t19
-    H_el_out[..., 2, 0] = t11
-    H_el_out[..., 2, 1] = t17
-    H_el_out[..., 2, 2] = k_1_1*t20 + k_1_2*t20
-    H_el_out[..., 3, 0] = t13
-    H_el_out[..., 3, 1] = t19
-    H_el_out[..., 3, 3] = k_2_1*t21 + k_2_2*t21
+    H_el_out[..., 0, 1] = H_el_out[..., 1, 0] = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8
+    H_el_out[..., 0, 2] = H_el_out[..., 2, 0] = k_1_1*t9 + k_1_2*t9
+    H_el_out[..., 0, 3] = H_el_out[..., 3, 0] = k_2_1*t10 + k_2_2*t10
+    H_el_out[..., 1, 1] = k_1_1*t11 + k_1_2*t11 + k_2_1*t12 + k_2_2*t12
+    H_el_out[..., 1, 2] = H_el_out[..., 2, 1] = k_1_1*t13 + k_1_2*t13
+    H_el_out[..., 1, 3] = H_el_out[..., 3, 1] = k_2_1*t14 + k_2_2*t14
+    H_el_out[..., 2, 2] = k_1_1*t15 + k_1_2*t15
+    H_el_out[..., 3, 3] = k_2_1*t16 + k_2_2*t16
     return H_el_out
 
 
@@ -852,10 +850,10 @@ def static_equilibrium(p, parameters):
     tau_st_1 = k_1_1*t14 + k_1_2*t14
     t15 = R_p_2**2*theta_2_st
     tau_st_2 = k_2_1*t15 + k_2_2*t15
-    tau_st_out = np.zeros((*batch, 2), dtype)
+    tau_st_out = np.empty((*batch, 2), dtype)
     tau_st_out[..., 0] = tau_st_1
     tau_st_out[..., 1] = tau_st_2
-    theta_st_out = np.zeros((*batch, 2), dtype)
+    theta_st_out = np.empty((*batch, 2), dtype)
     theta_st_out[..., 0] = theta_1_st
     theta_st_out[..., 1] = theta_2_st
     return tau_st_out, theta_st_out
@@ -904,34 +902,24 @@ def stiffness_matrix(p, parameters):
     t6 = g_2_1**2
     t7 = g_1_1*g_1_2
     t8 = g_2_1*g_2_2
-    t9 = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8
-    t10 = R_p_1*g_1_1
-    t11 = k_1_1*t10 + k_1_2*t10
-    t12 = R_p_2*g_2_1
-    t13 = k_2_1*t12 + k_2_2*t12
-    t14 = g_1_2**2
-    t15 = g_2_2**2
-    t16 = R_p_1*g_1_2
-    t17 = k_1_1*t16 + k_1_2*t16
-    t18 = R_p_2*g_2_2
-    t19 = k_2_1*t18 + k_2_2*t18
-    t20 = R_p_1**2
-    t21 = R_p_2**2
+    t9 = R_p_1*g_1_1
+    t10 = R_p_2*g_2_1
+    t11 = g_1_2**2
+    t12 = g_2_2**2
+    t13 = R_p_1*g_1_2
+    t14 = R_p_2*g_2_2
+    t15 = R_p_1**2
+    t16 = R_p_2**2
     K_out = np.zeros((*batch, 4, 4), dtype)
     K_out[..., 0, 0] = k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6
-    K_out[..., 0, 1] = t9
-    K_out[..., 0, 2] = t11
-    K_out[..., 0, 3] = t13
-    K_out[..., 1, 0] = t9
-    K_out[..., 1, 1] = k_1_1*t14 + k_1_2*t14 + k_2_1*t15 + k_2_2*t15
-    K_out[..., 1, 2] = t17
-    K_out[..., 1, 3] = t19
-    K_out[..., 2, 0] = t11
-    K_out[..., 2, 1] = t17
-    K_out[..., 2, 2] = k_1_1*t20 + k_1_2*t20
-    K_out[..., 3, 0] = t13
-    K_out[..., 3, 1] = t19
-    K_out[..., 3, 3] = k_2_1*t21 + k_2_2*t21
+    K_out[..., 0, 1] = K_out[..., 1, 0] = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8
+    K_out[..., 0, 2] = K_out[..., 2, 0] = k_1_1*t9 + k_1_2*t9
+    K_out[..., 0, 3] = K_out[..., 3, 0] = k_2_1*t10 + k_2_2*t10
+    K_out[..., 1, 1] = k_1_1*t11 + k_1_2*t11 + k_2_1*t12 + k_2_2*t12
+    K_out[..., 1, 2] = K_out[..., 2, 1] = k_1_1*t13 + k_1_2*t13
+    K_out[..., 1, 3] = K_out[..., 3, 1] = k_2_1*t14 + k_2_2*t14
+    K_out[..., 2, 2] = k_1_1*t15 + k_1_2*t15
+    K_out[..., 3, 3] = k_2_1*t16 + k_2_2*t16
     return K_out
 
 
@@ -989,19 +977,14 @@ def modal_matrices(p, parameters):
     t6 = g_2_1**2
     t7 = g_1_1*g_1_2
     t8 = g_2_1*g_2_2
-    t9 = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8
-    t10 = R_p_1*g_1_1
-    t11 = k_1_1*t10 + k_1_2*t10
-    t12 = R_p_2*g_2_1
-    t13 = k_2_1*t12 + k_2_2*t12
-    t14 = g_1_2**2
-    t15 = g_2_2**2
-    t16 = R_p_1*g_1_2
-    t17 = k_1_1*t16 + k_1_2*t16
-    t18 = R_p_2*g_2_2
-    t19 = k_2_1*t18 + k_2_2*t18
-    t20 = R_p_1**2
-    t21 = R_p_2**2
+    t9 = R_p_1*g_1_1
+    t10 = R_p_2*g_2_1
+    t11 = g_1_2**2
+    t12 = g_2_2**2
+    t13 = R_p_1*g_1_2
+    t14 = R_p_2*g_2_2
+    t15 = R_p_1**2
+    t16 = R_p_2**2
     M_out = np.zeros((*batch, 4, 4), dtype)
     M_out[..., 0, 0] = m_h
     M_out[..., 1, 1] = m_g + m_h
@@ -1009,17 +992,12 @@ def modal_matrices(p, parameters):
     M_out[..., 3, 3] = I_2
     K_out = np.zeros((*batch, 4, 4), dtype)
     K_out[..., 0, 0] = k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6
-    K_out[..., 0, 1] = t9
-    K_out[..., 0, 2] = t11
-    K_out[..., 0, 3] = t13
-    K_out[..., 1, 0] = t9
-    K_out[..., 1, 1] = k_1_1*t14 + k_1_2*t14 + k_2_1*t15 + k_2_2*t15
-    K_out[..., 1, 2] = t17
-    K_out[..., 1, 3] = t19
-    K_out[..., 2, 0] = t11
-    K_out[..., 2, 1] = t17
-    K_out[..., 2, 2] = k_1_1*t20 + k_1_2*t20
-    K_out[..., 3, 0] = t13
-    K_out[..., 3, 1] = t19
-    K_out[..., 3, 3] = k_2_1*t21 + k_2_2*t21
+    K_out[..., 0, 1] = K_out[..., 1, 0] = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8
+    K_out[..., 0, 2] = K_out[..., 2, 0] = k_1_1*t9 + k_1_2*t9
+    K_out[..., 0, 3] = K_out[..., 3, 0] = k_2_1*t10 + k_2_2*t10
+    K_out[..., 1, 1] = k_1_1*t11 + k_1_2*t11 + k_2_1*t12 + k_2_2*t12
+    K_out[..., 1, 2] = K_out[..., 2, 1] = k_1_1*t13 + k_1_2*t13
+    K_out[..., 1, 3] = K_out[..., 3, 1] = k_2_1*t14 + k_2_2*t14
+    K_out[..., 2, 2] = k_1_1*t15 + k_1_2*t15
+    K_out[..., 3, 3] = k_2_1*t16 + k_2_2*t16
     return M_out, K_out

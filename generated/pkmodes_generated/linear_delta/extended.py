@@ -7,8 +7,8 @@ Arrays are batch first: a leading `...` stands for any batch shape, none include
 Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
 frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
 
-Names in the code, for axis j, pulley or span k (or carriage k, l of a derivative) and component i = x, y, z;
-t1, t2, ... are subexpressions that several values share:
+Names in the code, for axis or belt j; pulley k, or coordinate k of a derivative; belt span s; component i =
+x, y, z.  t1, t2, ... are subexpressions that several values share.
 
 * x_j [m]: position of carriage j along its rail
 * r_j_i [m]: platform joint j seen from the origin of rail j, component i
@@ -18,9 +18,9 @@ t1, t2, ... are subexpressions that several values share:
 * w2_j [m^2]: squared distance of platform joint j from rail j
 * tau_st_j [N m]: static torque on the driven pulley of axis j
 * I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
-* l_f_j_k [m]: free length of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
+* l_f_j_s [m]: free length of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
     carriage to pulley 1)
-* k_j_k [N/m]: stiffness of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
+* k_j_s [N/m]: stiffness of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
     carriage to pulley 1)
 * D_r_j [m]: entry of D_r for axis j: linkage vector along the motion of its joint
 * A_i_j [m^2]: adjugate of D_l, entry i, j
@@ -32,654 +32,7 @@ t1, t2, ... are subexpressions that several values share:
 * G_j [N]: gradient of the gravitational potential energy with respect to x_j
 * det_j [N^2 m]: determinant of the equilibrium of axis j
 * theta_j_k_st [rad]: static rotation of pulley k of axis j, from unstrained transmissions
-* mu_1_by_m_p [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: platform mass
-* mu_2_by_m_p [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: platform mass
-* mu_3_by_m_p [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: platform mass
-* mu_1_by_g_x [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: gravitational acceleration, component x
-* mu_2_by_g_x [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: gravitational acceleration, component x
-* mu_3_by_g_x [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: gravitational acceleration, component x
-* mu_1_by_g_y [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: gravitational acceleration, component y
-* mu_2_by_g_y [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: gravitational acceleration, component y
-* mu_3_by_g_y [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: gravitational acceleration, component y
-* mu_1_by_g_z [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: gravitational acceleration, component z
-* mu_2_by_g_z [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: gravitational acceleration, component z
-* mu_3_by_g_z [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: gravitational acceleration, component z
-* mu_1_by_m_d_1 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: mass of linkage 1, both rods together
-* mu_2_by_m_d_1 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: mass of linkage 1, both rods together
-* mu_3_by_m_d_1 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: mass of linkage 1, both rods together
-* mu_1_by_m_d_2 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: mass of linkage 2, both rods together
-* mu_2_by_m_d_2 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: mass of linkage 2, both rods together
-* mu_3_by_m_d_2 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: mass of linkage 2, both rods together
-* mu_1_by_m_d_3 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: mass of linkage 3, both rods together
-* mu_2_by_m_d_3 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: mass of linkage 3, both rods together
-* mu_3_by_m_d_3 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: mass of linkage 3, both rods together
-* mu_1_by_m_L [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: point mass at the platform centre
-* mu_2_by_m_L [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: point mass at the platform centre
-* mu_3_by_m_L [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: point mass at the platform centre
-* x_1_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: position of carriage 1 along its rail; by: joint 1 of
-    the platform seen from its centre, component x
-* s_1_x_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component x; by: joint 1 of the platform seen from its centre, component x
-* s_1_y_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component y; by: joint 1 of the platform seen from its centre, component x
-* s_1_z_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component z; by: joint 1 of the platform seen from its centre, component x
-* D_p_x_1_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: joint 1 of the
-    platform seen from its centre, component x
-* D_p_y_1_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: joint 1 of the
-    platform seen from its centre, component x
-* D_p_z_1_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: joint 1 of the
-    platform seen from its centre, component x
-* D_p_x_2_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: joint 1 of the
-    platform seen from its centre, component x
-* D_p_y_2_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: joint 1 of the
-    platform seen from its centre, component x
-* D_p_z_2_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: joint 1 of the
-    platform seen from its centre, component x
-* D_p_x_3_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: joint 1 of the
-    platform seen from its centre, component x
-* D_p_y_3_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: joint 1 of the
-    platform seen from its centre, component x
-* D_p_z_3_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: joint 1 of the
-    platform seen from its centre, component x
-* D_delta_x_1_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_y_1_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_z_1_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_x_2_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_y_2_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_z_2_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_x_3_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_y_3_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_z_3_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 1
-    of the platform seen from its centre, component x
-* mu_1_by_b_1_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component x
-* mu_2_by_b_1_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component x
-* mu_3_by_b_1_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component x
-* x_1_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: position of carriage 1 along its rail; by: joint 1 of
-    the platform seen from its centre, component y
-* s_1_x_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component x; by: joint 1 of the platform seen from its centre, component y
-* s_1_y_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component y; by: joint 1 of the platform seen from its centre, component y
-* s_1_z_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component z; by: joint 1 of the platform seen from its centre, component y
-* D_p_x_1_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: joint 1 of the
-    platform seen from its centre, component y
-* D_p_y_1_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: joint 1 of the
-    platform seen from its centre, component y
-* D_p_z_1_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: joint 1 of the
-    platform seen from its centre, component y
-* D_p_x_2_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: joint 1 of the
-    platform seen from its centre, component y
-* D_p_y_2_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: joint 1 of the
-    platform seen from its centre, component y
-* D_p_z_2_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: joint 1 of the
-    platform seen from its centre, component y
-* D_p_x_3_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: joint 1 of the
-    platform seen from its centre, component y
-* D_p_y_3_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: joint 1 of the
-    platform seen from its centre, component y
-* D_p_z_3_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: joint 1 of the
-    platform seen from its centre, component y
-* D_delta_x_1_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_y_1_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_z_1_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_x_2_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_y_2_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_z_2_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_x_3_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_y_3_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_z_3_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 1
-    of the platform seen from its centre, component y
-* mu_1_by_b_1_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component y
-* mu_2_by_b_1_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component y
-* mu_3_by_b_1_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component y
-* x_1_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: position of carriage 1 along its rail; by: joint 1 of
-    the platform seen from its centre, component z
-* s_1_x_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component x; by: joint 1 of the platform seen from its centre, component z
-* s_1_y_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component y; by: joint 1 of the platform seen from its centre, component z
-* s_1_z_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component z; by: joint 1 of the platform seen from its centre, component z
-* D_p_x_1_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: joint 1 of the
-    platform seen from its centre, component z
-* D_p_y_1_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: joint 1 of the
-    platform seen from its centre, component z
-* D_p_z_1_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: joint 1 of the
-    platform seen from its centre, component z
-* D_p_x_2_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: joint 1 of the
-    platform seen from its centre, component z
-* D_p_y_2_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: joint 1 of the
-    platform seen from its centre, component z
-* D_p_z_2_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: joint 1 of the
-    platform seen from its centre, component z
-* D_p_x_3_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: joint 1 of the
-    platform seen from its centre, component z
-* D_p_y_3_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: joint 1 of the
-    platform seen from its centre, component z
-* D_p_z_3_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: joint 1 of the
-    platform seen from its centre, component z
-* D_delta_x_1_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_y_1_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_z_1_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_x_2_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_y_2_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_z_2_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_x_3_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_y_3_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_z_3_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 1
-    of the platform seen from its centre, component z
-* mu_1_by_b_1_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component z
-* mu_2_by_b_1_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component z
-* mu_3_by_b_1_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component z
-* x_2_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: position of carriage 2 along its rail; by: joint 2 of
-    the platform seen from its centre, component x
-* s_2_x_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component x; by: joint 2 of the platform seen from its centre, component x
-* s_2_y_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component y; by: joint 2 of the platform seen from its centre, component x
-* s_2_z_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component z; by: joint 2 of the platform seen from its centre, component x
-* D_p_x_1_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: joint 2 of the
-    platform seen from its centre, component x
-* D_p_y_1_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: joint 2 of the
-    platform seen from its centre, component x
-* D_p_z_1_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: joint 2 of the
-    platform seen from its centre, component x
-* D_p_x_2_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: joint 2 of the
-    platform seen from its centre, component x
-* D_p_y_2_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: joint 2 of the
-    platform seen from its centre, component x
-* D_p_z_2_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: joint 2 of the
-    platform seen from its centre, component x
-* D_p_x_3_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: joint 2 of the
-    platform seen from its centre, component x
-* D_p_y_3_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: joint 2 of the
-    platform seen from its centre, component x
-* D_p_z_3_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: joint 2 of the
-    platform seen from its centre, component x
-* D_delta_x_1_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_y_1_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_z_1_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_x_2_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_y_2_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_z_2_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_x_3_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_y_3_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_z_3_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 2
-    of the platform seen from its centre, component x
-* mu_1_by_b_2_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component x
-* mu_2_by_b_2_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component x
-* mu_3_by_b_2_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component x
-* x_2_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: position of carriage 2 along its rail; by: joint 2 of
-    the platform seen from its centre, component y
-* s_2_x_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component x; by: joint 2 of the platform seen from its centre, component y
-* s_2_y_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component y; by: joint 2 of the platform seen from its centre, component y
-* s_2_z_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component z; by: joint 2 of the platform seen from its centre, component y
-* D_p_x_1_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: joint 2 of the
-    platform seen from its centre, component y
-* D_p_y_1_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: joint 2 of the
-    platform seen from its centre, component y
-* D_p_z_1_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: joint 2 of the
-    platform seen from its centre, component y
-* D_p_x_2_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: joint 2 of the
-    platform seen from its centre, component y
-* D_p_y_2_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: joint 2 of the
-    platform seen from its centre, component y
-* D_p_z_2_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: joint 2 of the
-    platform seen from its centre, component y
-* D_p_x_3_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: joint 2 of the
-    platform seen from its centre, component y
-* D_p_y_3_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: joint 2 of the
-    platform seen from its centre, component y
-* D_p_z_3_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: joint 2 of the
-    platform seen from its centre, component y
-* D_delta_x_1_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_y_1_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_z_1_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_x_2_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_y_2_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_z_2_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_x_3_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_y_3_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_z_3_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 2
-    of the platform seen from its centre, component y
-* mu_1_by_b_2_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component y
-* mu_2_by_b_2_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component y
-* mu_3_by_b_2_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component y
-* x_2_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: position of carriage 2 along its rail; by: joint 2 of
-    the platform seen from its centre, component z
-* s_2_x_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component x; by: joint 2 of the platform seen from its centre, component z
-* s_2_y_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component y; by: joint 2 of the platform seen from its centre, component z
-* s_2_z_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component z; by: joint 2 of the platform seen from its centre, component z
-* D_p_x_1_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: joint 2 of the
-    platform seen from its centre, component z
-* D_p_y_1_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: joint 2 of the
-    platform seen from its centre, component z
-* D_p_z_1_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: joint 2 of the
-    platform seen from its centre, component z
-* D_p_x_2_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: joint 2 of the
-    platform seen from its centre, component z
-* D_p_y_2_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: joint 2 of the
-    platform seen from its centre, component z
-* D_p_z_2_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: joint 2 of the
-    platform seen from its centre, component z
-* D_p_x_3_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: joint 2 of the
-    platform seen from its centre, component z
-* D_p_y_3_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: joint 2 of the
-    platform seen from its centre, component z
-* D_p_z_3_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: joint 2 of the
-    platform seen from its centre, component z
-* D_delta_x_1_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_y_1_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_z_1_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_x_2_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_y_2_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_z_2_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_x_3_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_y_3_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_z_3_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 2
-    of the platform seen from its centre, component z
-* mu_1_by_b_2_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component z
-* mu_2_by_b_2_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component z
-* mu_3_by_b_2_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component z
-* x_3_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: position of carriage 3 along its rail; by: joint 3 of
-    the platform seen from its centre, component x
-* s_3_x_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component x; by: joint 3 of the platform seen from its centre, component x
-* s_3_y_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component y; by: joint 3 of the platform seen from its centre, component x
-* s_3_z_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component z; by: joint 3 of the platform seen from its centre, component x
-* D_p_x_1_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: joint 3 of the
-    platform seen from its centre, component x
-* D_p_y_1_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: joint 3 of the
-    platform seen from its centre, component x
-* D_p_z_1_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: joint 3 of the
-    platform seen from its centre, component x
-* D_p_x_2_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: joint 3 of the
-    platform seen from its centre, component x
-* D_p_y_2_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: joint 3 of the
-    platform seen from its centre, component x
-* D_p_z_2_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: joint 3 of the
-    platform seen from its centre, component x
-* D_p_x_3_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: joint 3 of the
-    platform seen from its centre, component x
-* D_p_y_3_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: joint 3 of the
-    platform seen from its centre, component x
-* D_p_z_3_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: joint 3 of the
-    platform seen from its centre, component x
-* D_delta_x_1_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_y_1_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_z_1_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_x_2_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_y_2_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_z_2_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_x_3_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_y_3_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_z_3_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 3
-    of the platform seen from its centre, component x
-* mu_1_by_b_3_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component x
-* mu_2_by_b_3_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component x
-* mu_3_by_b_3_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component x
-* x_3_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: position of carriage 3 along its rail; by: joint 3 of
-    the platform seen from its centre, component y
-* s_3_x_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component x; by: joint 3 of the platform seen from its centre, component y
-* s_3_y_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component y; by: joint 3 of the platform seen from its centre, component y
-* s_3_z_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component z; by: joint 3 of the platform seen from its centre, component y
-* D_p_x_1_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: joint 3 of the
-    platform seen from its centre, component y
-* D_p_y_1_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: joint 3 of the
-    platform seen from its centre, component y
-* D_p_z_1_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: joint 3 of the
-    platform seen from its centre, component y
-* D_p_x_2_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: joint 3 of the
-    platform seen from its centre, component y
-* D_p_y_2_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: joint 3 of the
-    platform seen from its centre, component y
-* D_p_z_2_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: joint 3 of the
-    platform seen from its centre, component y
-* D_p_x_3_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: joint 3 of the
-    platform seen from its centre, component y
-* D_p_y_3_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: joint 3 of the
-    platform seen from its centre, component y
-* D_p_z_3_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: joint 3 of the
-    platform seen from its centre, component y
-* D_delta_x_1_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_y_1_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_z_1_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_x_2_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_y_2_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_z_2_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_x_3_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_y_3_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_z_3_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 3
-    of the platform seen from its centre, component y
-* mu_1_by_b_3_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component y
-* mu_2_by_b_3_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component y
-* mu_3_by_b_3_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component y
-* x_3_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: position of carriage 3 along its rail; by: joint 3 of
-    the platform seen from its centre, component z
-* s_3_x_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component x; by: joint 3 of the platform seen from its centre, component z
-* s_3_y_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component y; by: joint 3 of the platform seen from its centre, component z
-* s_3_z_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component z; by: joint 3 of the platform seen from its centre, component z
-* D_p_x_1_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: joint 3 of the
-    platform seen from its centre, component z
-* D_p_y_1_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: joint 3 of the
-    platform seen from its centre, component z
-* D_p_z_1_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: joint 3 of the
-    platform seen from its centre, component z
-* D_p_x_2_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: joint 3 of the
-    platform seen from its centre, component z
-* D_p_y_2_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: joint 3 of the
-    platform seen from its centre, component z
-* D_p_z_2_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: joint 3 of the
-    platform seen from its centre, component z
-* D_p_x_3_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: joint 3 of the
-    platform seen from its centre, component z
-* D_p_y_3_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: joint 3 of the
-    platform seen from its centre, component z
-* D_p_z_3_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: joint 3 of the
-    platform seen from its centre, component z
-* D_delta_x_1_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_y_1_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_z_1_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_x_2_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_y_2_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_z_2_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_x_3_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_y_3_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_z_3_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 3
-    of the platform seen from its centre, component z
-* mu_1_by_b_3_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component z
-* mu_2_by_b_3_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component z
-* mu_3_by_b_3_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component z
-* x_1_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: position of carriage 1 along its rail; by: length of
-    linkage 1
-* s_1_x_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component x; by: length of linkage 1
-* s_1_y_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component y; by: length of linkage 1
-* s_1_z_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from carriage to platform joint,
-    component z; by: length of linkage 1
-* D_p_x_1_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: length of
-    linkage 1
-* D_p_y_1_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: length of
-    linkage 1
-* D_p_z_1_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: length of
-    linkage 1
-* D_p_x_2_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: length of
-    linkage 1
-* D_p_y_2_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: length of
-    linkage 1
-* D_p_z_2_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: length of
-    linkage 1
-* D_p_x_3_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: length of
-    linkage 1
-* D_p_y_3_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: length of
-    linkage 1
-* D_p_z_3_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: length of
-    linkage 1
-* D_delta_x_1_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: length
-    of linkage 1
-* D_delta_y_1_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: length
-    of linkage 1
-* D_delta_z_1_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: length
-    of linkage 1
-* D_delta_x_2_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: length
-    of linkage 1
-* D_delta_y_2_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: length
-    of linkage 1
-* D_delta_z_2_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: length
-    of linkage 1
-* D_delta_x_3_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: length
-    of linkage 1
-* D_delta_y_3_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: length
-    of linkage 1
-* D_delta_z_3_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: length
-    of linkage 1
-* mu_1_by_l_d_1 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: length of linkage 1
-* mu_2_by_l_d_1 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: length of linkage 1
-* mu_3_by_l_d_1 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: length of linkage 1
-* x_2_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: position of carriage 2 along its rail; by: length of
-    linkage 2
-* s_2_x_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component x; by: length of linkage 2
-* s_2_y_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component y; by: length of linkage 2
-* s_2_z_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from carriage to platform joint,
-    component z; by: length of linkage 2
-* D_p_x_1_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: length of
-    linkage 2
-* D_p_y_1_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: length of
-    linkage 2
-* D_p_z_1_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: length of
-    linkage 2
-* D_p_x_2_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: length of
-    linkage 2
-* D_p_y_2_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: length of
-    linkage 2
-* D_p_z_2_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: length of
-    linkage 2
-* D_p_x_3_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: length of
-    linkage 2
-* D_p_y_3_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: length of
-    linkage 2
-* D_p_z_3_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: length of
-    linkage 2
-* D_delta_x_1_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: length
-    of linkage 2
-* D_delta_y_1_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: length
-    of linkage 2
-* D_delta_z_1_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: length
-    of linkage 2
-* D_delta_x_2_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: length
-    of linkage 2
-* D_delta_y_2_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: length
-    of linkage 2
-* D_delta_z_2_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: length
-    of linkage 2
-* D_delta_x_3_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: length
-    of linkage 2
-* D_delta_y_3_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: length
-    of linkage 2
-* D_delta_z_3_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: length
-    of linkage 2
-* mu_1_by_l_d_2 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: length of linkage 2
-* mu_2_by_l_d_2 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: length of linkage 2
-* mu_3_by_l_d_2 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: length of linkage 2
-* x_3_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: position of carriage 3 along its rail; by: length of
-    linkage 3
-* s_3_x_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component x; by: length of linkage 3
-* s_3_y_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component y; by: length of linkage 3
-* s_3_z_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from carriage to platform joint,
-    component z; by: length of linkage 3
-* D_p_x_1_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_1; by: length of
-    linkage 3
-* D_p_y_1_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_1; by: length of
-    linkage 3
-* D_p_z_1_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_1; by: length of
-    linkage 3
-* D_p_x_2_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_2; by: length of
-    linkage 3
-* D_p_y_2_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_2; by: length of
-    linkage 3
-* D_p_z_2_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_2; by: length of
-    linkage 3
-* D_p_x_3_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dx_3; by: length of
-    linkage 3
-* D_p_y_3_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dx_3; by: length of
-    linkage 3
-* D_p_z_3_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dx_3; by: length of
-    linkage 3
-* D_delta_x_1_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: length
-    of linkage 3
-* D_delta_y_1_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: length
-    of linkage 3
-* D_delta_z_1_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: length
-    of linkage 3
-* D_delta_x_2_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: length
-    of linkage 3
-* D_delta_y_2_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: length
-    of linkage 3
-* D_delta_z_2_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: length
-    of linkage 3
-* D_delta_x_3_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: length
-    of linkage 3
-* D_delta_y_3_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: length
-    of linkage 3
-* D_delta_z_3_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: length
-    of linkage 3
-* mu_1_by_l_d_3 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: length of linkage 3
-* mu_2_by_l_d_3 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: length of linkage 3
-* mu_3_by_l_d_3 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: length of linkage 3
+* X_by_Y [unit of X by unit of Y]: derivative of X by the parameter Y, at a fixed pose
 """
 
 from math import prod
@@ -1167,7 +520,7 @@ def extended_matrices(p, parameters, effects):
     Notes
     -----
     Equations 24 to 48 with the effects' energies; K = K_el + K_g and the joints' stiffnesses.
-    1260 operations; 2335815 with every named value written out.
+    1242 operations; 2335815 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -1281,31 +634,13 @@ def extended_matrices(p, parameters, effects):
     D_delta_z_2 = l_d_2*t9
     D_delta_z_3 = l_d_3*t10
     U_1_x_1 = D_p_x_1 - n_1_x
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - n_1_y
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - n_1_z
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - n_2_x
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - n_2_y
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - n_2_z
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - n_3_x
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - n_3_y
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - n_3_z
     t11 = I_m_1*i_g_1**2
     t12 = I_G + t11
@@ -1384,565 +719,390 @@ def extended_matrices(p, parameters, effects):
     t58 = n_2_x*t57
     t59 = n_2_y*t57
     t60 = n_2_z*t57
-    t61 = D_p_x_1*t58 + D_p_x_2*t46 + D_p_y_1*t59 + D_p_y_2*t49 + D_p_z_1*t60 + D_p_z_2*t52
-    t62 = (1/6)*m_d_3
-    t63 = n_3_x*t62
-    t64 = n_3_y*t62
-    t65 = n_3_z*t62
-    t66 = D_p_x_1*t63 + D_p_x_3*t46 + D_p_y_1*t64 + D_p_y_3*t49 + D_p_z_1*t65 + D_p_z_3*t52
-    t67 = (1/6)*rho_b
-    t68 = R_p_1*t67
-    t69 = l_f_1_3*t68
-    t70 = l_f_1_2*t68
-    t71 = D_delta_x_1*t46 + D_delta_y_1*t49 + D_delta_z_1*t52
-    t72 = D_delta_x_2*t46 + D_delta_y_2*t49 + D_delta_z_2*t52
-    t73 = D_delta_x_3*t46 + D_delta_y_3*t49 + D_delta_z_3*t52
-    t74 = t40 + t57 + t62
-    t75 = D_p_x_1*t74 + m_t_1*n_1_x + n_1_x*t31 + t45
-    t76 = D_p_y_1*t74 + m_t_1*n_1_y + n_1_y*t31 + t48
-    t77 = D_p_z_1*t74 + m_t_1*n_1_z + n_1_z*t31 + t51
-    t78 = D_p_x_2*t44
-    t79 = t58 + t78
-    t80 = D_p_y_2*t44
-    t81 = t59 + t80
-    t82 = D_p_z_2*t44
-    t83 = t60 + t82
-    t84 = l_f_2_2*t53
-    t85 = l_f_2_3*t53
-    t86 = t84 + t85
-    t87 = D_p_x_2*t63 + D_p_x_3*t79 + D_p_y_2*t64 + D_p_y_3*t81 + D_p_z_2*t65 + D_p_z_3*t83
-    t88 = R_p_2*t67
-    t89 = l_f_2_3*t88
-    t90 = l_f_2_2*t88
-    t91 = D_delta_x_1*t79 + D_delta_y_1*t81 + D_delta_z_1*t83
-    t92 = D_delta_x_2*t79 + D_delta_y_2*t81 + D_delta_z_2*t83
-    t93 = D_delta_x_3*t79 + D_delta_y_3*t81 + D_delta_z_3*t83
-    t94 = D_p_x_2*t74 + m_t_2*n_2_x + n_2_x*t32 + t78
-    t95 = D_p_y_2*t74 + m_t_2*n_2_y + n_2_y*t32 + t80
-    t96 = D_p_z_2*t74 + m_t_2*n_2_z + n_2_z*t32 + t82
-    t97 = D_p_x_3*t44
-    t98 = t63 + t97
-    t99 = D_p_y_3*t44
-    t100 = t64 + t99
-    t101 = D_p_z_3*t44
-    t102 = t101 + t65
-    t103 = l_f_3_2*t53
-    t104 = l_f_3_3*t53
-    t105 = t103 + t104
-    t106 = R_p_3*t67
-    t107 = l_f_3_3*t106
-    t108 = l_f_3_2*t106
-    t109 = D_delta_x_1*t98 + D_delta_y_1*t100 + D_delta_z_1*t102
-    t110 = D_delta_x_2*t98 + D_delta_y_2*t100 + D_delta_z_2*t102
-    t111 = D_delta_x_3*t98 + D_delta_y_3*t100 + D_delta_z_3*t102
-    t112 = D_p_x_3*t74 + m_t_3*n_3_x + n_3_x*t33 + t97
-    t113 = D_p_y_3*t74 + m_t_3*n_3_y + n_3_y*t33 + t99
-    t114 = D_p_z_3*t74 + m_t_3*n_3_z + n_3_z*t33 + t101
-    t115 = R_p_1**2
-    t116 = l_f_1_1*t115
-    t117 = t116*t53
-    t118 = t116*t67
-    t119 = d_1_1*t11
-    t120 = R_p_2**2
-    t121 = l_f_2_1*t120
-    t122 = t121*t53
-    t123 = t121*t67
-    t124 = d_2_1*t13
-    t125 = R_p_3**2
-    t126 = l_f_3_1*t125
-    t127 = t126*t53
-    t128 = t126*t67
-    t129 = d_3_1*t15
-    t130 = d_1_2*t11
-    t131 = d_2_2*t13
-    t132 = d_3_2*t15
-    t133 = D_delta_x_1**2
-    t134 = D_delta_y_1**2
-    t135 = D_delta_z_1**2
-    t136 = D_delta_x_1*t44
-    t137 = D_delta_y_1*t44
-    t138 = D_delta_z_1*t44
-    t139 = D_delta_x_2*t136 + D_delta_y_2*t137 + D_delta_z_2*t138
-    t140 = D_delta_x_3*t136 + D_delta_y_3*t137 + D_delta_z_3*t138
-    t141 = D_delta_x_1*t74 + t136
-    t142 = D_delta_y_1*t74 + t137
-    t143 = D_delta_z_1*t74 + t138
-    t144 = D_delta_x_2**2
-    t145 = D_delta_y_2**2
-    t146 = D_delta_z_2**2
-    t147 = D_delta_x_2*t44
-    t148 = D_delta_y_2*t44
-    t149 = D_delta_z_2*t44
-    t150 = D_delta_x_3*t147 + D_delta_y_3*t148 + D_delta_z_3*t149
-    t151 = D_delta_x_2*t74 + t147
-    t152 = D_delta_y_2*t74 + t148
-    t153 = D_delta_z_2*t74 + t149
-    t154 = D_delta_x_3**2
-    t155 = D_delta_y_3**2
-    t156 = D_delta_z_3**2
-    t157 = D_delta_x_3*t44 + D_delta_x_3*t74
-    t158 = D_delta_y_3*t44 + D_delta_y_3*t74
-    t159 = D_delta_z_3*t44 + D_delta_z_3*t74
-    t160 = m_F + m_d_1 + m_d_2 + m_d_3 + m_t_1 + m_t_2 + m_t_3 + t34
-    t161 = k_1_2 + k_1_3
-    t162 = D_p_x_1*k_C
-    t163 = D_p_y_1*k_C
-    t164 = D_p_z_1*k_C
-    t165 = D_p_x_2*t162 + D_p_y_2*t163 + D_p_z_2*t164
-    t166 = D_p_x_3*t162 + D_p_y_3*t163 + D_p_z_3*t164
-    t167 = -R_p_1*k_1_3
-    t168 = -R_p_1*k_1_2
-    t169 = D_delta_x_1*t162 + D_delta_y_1*t163 + D_delta_z_1*t164
-    t170 = D_delta_x_2*t162 + D_delta_y_2*t163 + D_delta_z_2*t164
-    t171 = D_delta_x_3*t162 + D_delta_y_3*t163 + D_delta_z_3*t164
-    t172 = k_2_2 + k_2_3
-    t173 = D_p_x_2*k_C
-    t174 = D_p_y_2*k_C
-    t175 = D_p_z_2*k_C
-    t176 = D_p_x_3*t173 + D_p_y_3*t174 + D_p_z_3*t175
-    t177 = -R_p_2*k_2_3
-    t178 = -R_p_2*k_2_2
-    t179 = D_delta_x_1*t173 + D_delta_y_1*t174 + D_delta_z_1*t175
-    t180 = D_delta_x_2*t173 + D_delta_y_2*t174 + D_delta_z_2*t175
-    t181 = D_delta_x_3*t173 + D_delta_y_3*t174 + D_delta_z_3*t175
-    t182 = k_3_2 + k_3_3
-    t183 = -R_p_3*k_3_3
-    t184 = -R_p_3*k_3_2
-    t185 = D_p_x_3*k_C
-    t186 = D_p_y_3*k_C
-    t187 = D_p_z_3*k_C
-    t188 = D_delta_x_1*t185 + D_delta_y_1*t186 + D_delta_z_1*t187
-    t189 = D_delta_x_2*t185 + D_delta_y_2*t186 + D_delta_z_2*t187
-    t190 = D_delta_x_3*t185 + D_delta_y_3*t186 + D_delta_z_3*t187
-    t191 = k_1_1*t115
-    t192 = k_2_1*t120
-    t193 = k_3_1*t125
-    t194 = D_delta_x_1*k_C
-    t195 = D_delta_y_1*k_C
-    t196 = D_delta_z_1*k_C
-    t197 = D_delta_x_2*t194 + D_delta_y_2*t195 + D_delta_z_2*t196
-    t198 = D_delta_x_3*t194 + D_delta_y_3*t195 + D_delta_z_3*t196
-    t199 = D_delta_x_2*k_C
-    t200 = D_delta_y_2*k_C
-    t201 = D_delta_z_2*k_C
-    t202 = D_delta_x_3*t199 + D_delta_y_3*t200 + D_delta_z_3*t201
-    t203 = D_delta_x_3*k_C
-    t204 = D_delta_y_3*k_C
-    t205 = D_delta_z_3*k_C
-    t206 = U_1_x_1*mu_1
-    t207 = U_1_y_1*mu_1
-    t208 = U_1_z_1*mu_1
-    t209 = U_2_x_1*mu_2
-    t210 = U_2_y_1*mu_2
-    t211 = U_2_z_1*mu_2
-    t212 = U_3_x_1*mu_3
-    t213 = U_3_y_1*mu_3
-    t214 = U_3_z_1*mu_3
-    t215 = (
-        -U_1_x_2*t206 - U_1_y_2*t207 - U_1_z_2*t208 - U_2_x_2*t209 - U_2_y_2*t210 - U_2_z_2*t211
-        - U_3_x_2*t212 - U_3_y_2*t213 - U_3_z_2*t214
-    )
-    t216 = (
-        -U_1_x_3*t206 - U_1_y_3*t207 - U_1_z_3*t208 - U_2_x_3*t209 - U_2_y_3*t210 - U_2_z_3*t211
-        - U_3_x_3*t212 - U_3_y_3*t213 - U_3_z_3*t214
-    )
-    t217 = (
-        -D_delta_x_1*t206 - D_delta_x_1*t209 - D_delta_x_1*t212 - D_delta_y_1*t207 - D_delta_y_1*t210
-        - D_delta_y_1*t213 - D_delta_z_1*t208 - D_delta_z_1*t211 - D_delta_z_1*t214
-    )
-    t218 = (
-        -D_delta_x_2*t206 - D_delta_x_2*t209 - D_delta_x_2*t212 - D_delta_y_2*t207 - D_delta_y_2*t210
-        - D_delta_y_2*t213 - D_delta_z_2*t208 - D_delta_z_2*t211 - D_delta_z_2*t214
-    )
-    t219 = (
-        -D_delta_x_3*t206 - D_delta_x_3*t209 - D_delta_x_3*t212 - D_delta_y_3*t207 - D_delta_y_3*t210
-        - D_delta_y_3*t213 - D_delta_z_3*t208 - D_delta_z_3*t211 - D_delta_z_3*t214
-    )
-    t220 = U_1_x_2*mu_1
-    t221 = U_1_y_2*mu_1
-    t222 = U_1_z_2*mu_1
-    t223 = U_2_x_2*mu_2
-    t224 = U_2_y_2*mu_2
-    t225 = U_2_z_2*mu_2
-    t226 = U_3_x_2*mu_3
-    t227 = U_3_y_2*mu_3
-    t228 = U_3_z_2*mu_3
-    t229 = (
-        -U_1_x_3*t220 - U_1_y_3*t221 - U_1_z_3*t222 - U_2_x_3*t223 - U_2_y_3*t224 - U_2_z_3*t225
-        - U_3_x_3*t226 - U_3_y_3*t227 - U_3_z_3*t228
-    )
-    t230 = (
-        -D_delta_x_1*t220 - D_delta_x_1*t223 - D_delta_x_1*t226 - D_delta_y_1*t221 - D_delta_y_1*t224
-        - D_delta_y_1*t227 - D_delta_z_1*t222 - D_delta_z_1*t225 - D_delta_z_1*t228
-    )
-    t231 = (
-        -D_delta_x_2*t220 - D_delta_x_2*t223 - D_delta_x_2*t226 - D_delta_y_2*t221 - D_delta_y_2*t224
-        - D_delta_y_2*t227 - D_delta_z_2*t222 - D_delta_z_2*t225 - D_delta_z_2*t228
-    )
-    t232 = (
-        -D_delta_x_3*t220 - D_delta_x_3*t223 - D_delta_x_3*t226 - D_delta_y_3*t221 - D_delta_y_3*t224
-        - D_delta_y_3*t227 - D_delta_z_3*t222 - D_delta_z_3*t225 - D_delta_z_3*t228
-    )
-    t233 = U_1_x_3*mu_1
-    t234 = U_2_x_3*mu_2
-    t235 = U_3_x_3*mu_3
-    t236 = U_1_y_3*mu_1
-    t237 = U_2_y_3*mu_2
-    t238 = U_3_y_3*mu_3
-    t239 = U_1_z_3*mu_1
-    t240 = U_2_z_3*mu_2
-    t241 = U_3_z_3*mu_3
-    t242 = (
-        -D_delta_x_1*t233 - D_delta_x_1*t234 - D_delta_x_1*t235 - D_delta_y_1*t236 - D_delta_y_1*t237
-        - D_delta_y_1*t238 - D_delta_z_1*t239 - D_delta_z_1*t240 - D_delta_z_1*t241
-    )
-    t243 = (
-        -D_delta_x_2*t233 - D_delta_x_2*t234 - D_delta_x_2*t235 - D_delta_y_2*t236 - D_delta_y_2*t237
-        - D_delta_y_2*t238 - D_delta_z_2*t239 - D_delta_z_2*t240 - D_delta_z_2*t241
-    )
-    t244 = (
-        -D_delta_x_3*t233 - D_delta_x_3*t234 - D_delta_x_3*t235 - D_delta_y_3*t236 - D_delta_y_3*t237
-        - D_delta_y_3*t238 - D_delta_z_3*t239 - D_delta_z_3*t240 - D_delta_z_3*t241
-    )
-    t245 = D_delta_x_1*D_delta_x_2
-    t246 = D_delta_y_1*D_delta_y_2
-    t247 = D_delta_z_1*D_delta_z_2
-    t248 = (
-        -mu_1*t245 - mu_1*t246 - mu_1*t247 - mu_2*t245 - mu_2*t246 - mu_2*t247 - mu_3*t245 - mu_3*t246
-        - mu_3*t247
-    )
-    t249 = D_delta_x_1*D_delta_x_3
-    t250 = D_delta_y_1*D_delta_y_3
-    t251 = D_delta_z_1*D_delta_z_3
-    t252 = (
-        -mu_1*t249 - mu_1*t250 - mu_1*t251 - mu_2*t249 - mu_2*t250 - mu_2*t251 - mu_3*t249 - mu_3*t250
-        - mu_3*t251
-    )
-    t253 = D_delta_x_2*D_delta_x_3
-    t254 = D_delta_y_2*D_delta_y_3
-    t255 = D_delta_z_2*D_delta_z_3
-    t256 = (
-        -mu_1*t253 - mu_1*t254 - mu_1*t255 - mu_2*t253 - mu_2*t254 - mu_2*t255 - mu_3*t253 - mu_3*t254
-        - mu_3*t255
-    )
+    t61 = (1/6)*m_d_3
+    t62 = n_3_x*t61
+    t63 = n_3_y*t61
+    t64 = n_3_z*t61
+    t65 = (1/6)*rho_b
+    t66 = R_p_1*t65
+    t67 = l_f_1_3*t66
+    t68 = l_f_1_2*t66
+    t69 = t40 + t57 + t61
+    t70 = D_p_x_2*t44
+    t71 = t58 + t70
+    t72 = D_p_y_2*t44
+    t73 = t59 + t72
+    t74 = D_p_z_2*t44
+    t75 = t60 + t74
+    t76 = l_f_2_2*t53
+    t77 = l_f_2_3*t53
+    t78 = t76 + t77
+    t79 = R_p_2*t65
+    t80 = l_f_2_3*t79
+    t81 = l_f_2_2*t79
+    t82 = D_p_x_3*t44
+    t83 = t62 + t82
+    t84 = D_p_y_3*t44
+    t85 = t63 + t84
+    t86 = D_p_z_3*t44
+    t87 = t64 + t86
+    t88 = l_f_3_2*t53
+    t89 = l_f_3_3*t53
+    t90 = t88 + t89
+    t91 = R_p_3*t65
+    t92 = l_f_3_3*t91
+    t93 = l_f_3_2*t91
+    t94 = R_p_1**2
+    t95 = l_f_1_1*t94
+    t96 = t53*t95
+    t97 = d_1_1*t11
+    t98 = R_p_2**2
+    t99 = l_f_2_1*t98
+    t100 = t53*t99
+    t101 = d_2_1*t13
+    t102 = R_p_3**2
+    t103 = l_f_3_1*t102
+    t104 = t103*t53
+    t105 = d_3_1*t15
+    t106 = d_1_2*t11
+    t107 = d_2_2*t13
+    t108 = d_3_2*t15
+    t109 = D_delta_x_1**2
+    t110 = D_delta_y_1**2
+    t111 = D_delta_z_1**2
+    t112 = D_delta_x_1*t44
+    t113 = D_delta_y_1*t44
+    t114 = D_delta_z_1*t44
+    t115 = D_delta_x_2**2
+    t116 = D_delta_y_2**2
+    t117 = D_delta_z_2**2
+    t118 = D_delta_x_2*t44
+    t119 = D_delta_y_2*t44
+    t120 = D_delta_z_2*t44
+    t121 = D_delta_x_3**2
+    t122 = D_delta_y_3**2
+    t123 = D_delta_z_3**2
+    t124 = m_F + m_d_1 + m_d_2 + m_d_3 + m_t_1 + m_t_2 + m_t_3 + t34
+    t125 = D_p_x_1**2
+    t126 = D_p_y_1**2
+    t127 = D_p_z_1**2
+    t128 = k_1_2 + k_1_3
+    t129 = D_p_x_1*k_C
+    t130 = D_p_y_1*k_C
+    t131 = D_p_z_1*k_C
+    t132 = -R_p_1*k_1_3
+    t133 = -R_p_1*k_1_2
+    t134 = D_p_x_2**2
+    t135 = D_p_y_2**2
+    t136 = D_p_z_2**2
+    t137 = k_2_2 + k_2_3
+    t138 = D_p_x_2*k_C
+    t139 = D_p_y_2*k_C
+    t140 = D_p_z_2*k_C
+    t141 = -R_p_2*k_2_3
+    t142 = -R_p_2*k_2_2
+    t143 = D_p_x_3**2
+    t144 = D_p_y_3**2
+    t145 = D_p_z_3**2
+    t146 = k_3_2 + k_3_3
+    t147 = -R_p_3*k_3_3
+    t148 = -R_p_3*k_3_2
+    t149 = D_p_x_3*k_C
+    t150 = D_p_y_3*k_C
+    t151 = D_p_z_3*k_C
+    t152 = k_1_1*t94
+    t153 = k_2_1*t98
+    t154 = k_3_1*t102
+    t155 = D_delta_x_1*k_C
+    t156 = D_delta_y_1*k_C
+    t157 = D_delta_z_1*k_C
+    t158 = D_delta_x_2*k_C
+    t159 = D_delta_y_2*k_C
+    t160 = D_delta_z_2*k_C
+    t161 = D_p_x_1*mu_3
+    t162 = D_p_x_1*mu_2
+    t163 = U_1_x_1*mu_1
+    t164 = D_p_y_1*mu_3
+    t165 = D_p_y_1*mu_2
+    t166 = U_1_y_1*mu_1
+    t167 = D_p_z_1*mu_3
+    t168 = D_p_z_1*mu_2
+    t169 = U_1_z_1*mu_1
+    t170 = D_p_x_2*mu_1
+    t171 = D_p_x_2*mu_3
+    t172 = U_2_x_2*mu_2
+    t173 = D_p_y_2*mu_1
+    t174 = D_p_y_2*mu_3
+    t175 = U_2_y_2*mu_2
+    t176 = D_p_z_2*mu_1
+    t177 = D_p_z_2*mu_3
+    t178 = U_2_z_2*mu_2
+    t179 = D_delta_x_1*D_p_x_3
+    t180 = U_3_x_3*mu_3
+    t181 = D_delta_y_1*D_p_y_3
+    t182 = U_3_y_3*mu_3
+    t183 = D_delta_z_1*D_p_z_3
+    t184 = U_3_z_3*mu_3
+    t185 = D_delta_x_2*D_p_x_3
+    t186 = D_delta_y_2*D_p_y_3
+    t187 = D_delta_z_2*D_p_z_3
+    t188 = D_delta_x_3*D_p_x_3
+    t189 = D_delta_y_3*D_p_y_3
+    t190 = D_delta_z_3*D_p_z_3
+    t191 = D_delta_x_1*D_delta_x_2
+    t192 = D_delta_y_1*D_delta_y_2
+    t193 = D_delta_z_1*D_delta_z_2
+    t194 = D_delta_x_1*D_delta_x_3
+    t195 = D_delta_y_1*D_delta_y_3
+    t196 = D_delta_z_1*D_delta_z_3
+    t197 = D_delta_x_2*D_delta_x_3
+    t198 = D_delta_y_2*D_delta_y_3
+    t199 = D_delta_z_2*D_delta_z_3
     M_out = np.zeros((*batch, 21, 21), dtype)
     M_out[..., 0, 0] = (
         D_p_x_1*t41 + D_p_x_1*t46 + D_p_y_1*t47 + D_p_y_1*t49 + D_p_z_1*t50 + D_p_z_1*t52 + m_t_1 + t39 + t56
     )
-    M_out[..., 0, 1] = t61
-    M_out[..., 0, 2] = t66
-    M_out[..., 0, 3] = t69
-    M_out[..., 0, 6] = t70
-    M_out[..., 0, 12] = t71
-    M_out[..., 0, 13] = t72
-    M_out[..., 0, 14] = t73
-    M_out[..., 0, 15] = t56
-    M_out[..., 0, 18] = t75
-    M_out[..., 0, 19] = t76
-    M_out[..., 0, 20] = t77
-    M_out[..., 1, 0] = t61
+    M_out[..., 0, 1] = M_out[..., 1, 0] = (
+        D_p_x_1*t58 + D_p_x_2*t46 + D_p_y_1*t59 + D_p_y_2*t49 + D_p_z_1*t60 + D_p_z_2*t52
+    )
+    M_out[..., 0, 2] = M_out[..., 2, 0] = (
+        D_p_x_1*t62 + D_p_x_3*t46 + D_p_y_1*t63 + D_p_y_3*t49 + D_p_z_1*t64 + D_p_z_3*t52
+    )
+    M_out[..., 0, 3] = M_out[..., 3, 0] = t67
+    M_out[..., 0, 6] = M_out[..., 6, 0] = t68
+    M_out[..., 0, 12] = M_out[..., 12, 0] = D_delta_x_1*t46 + D_delta_y_1*t49 + D_delta_z_1*t52
+    M_out[..., 0, 13] = M_out[..., 13, 0] = D_delta_x_2*t46 + D_delta_y_2*t49 + D_delta_z_2*t52
+    M_out[..., 0, 14] = M_out[..., 14, 0] = D_delta_x_3*t46 + D_delta_y_3*t49 + D_delta_z_3*t52
+    M_out[..., 0, 15] = M_out[..., 15, 0] = t56
+    M_out[..., 0, 18] = M_out[..., 18, 0] = D_p_x_1*t69 + m_t_1*n_1_x + n_1_x*t31 + t45
+    M_out[..., 0, 19] = M_out[..., 19, 0] = D_p_y_1*t69 + m_t_1*n_1_y + n_1_y*t31 + t48
+    M_out[..., 0, 20] = M_out[..., 20, 0] = D_p_z_1*t69 + m_t_1*n_1_z + n_1_z*t31 + t51
     M_out[..., 1, 1] = (
-        D_p_x_2*t58 + D_p_x_2*t79 + D_p_y_2*t59 + D_p_y_2*t81 + D_p_z_2*t60 + D_p_z_2*t83 + m_t_2 + t42 + t86
+        D_p_x_2*t58 + D_p_x_2*t71 + D_p_y_2*t59 + D_p_y_2*t73 + D_p_z_2*t60 + D_p_z_2*t75 + m_t_2 + t42 + t78
     )
-    M_out[..., 1, 2] = t87
-    M_out[..., 1, 4] = t89
-    M_out[..., 1, 7] = t90
-    M_out[..., 1, 12] = t91
-    M_out[..., 1, 13] = t92
-    M_out[..., 1, 14] = t93
-    M_out[..., 1, 16] = t86
-    M_out[..., 1, 18] = t94
-    M_out[..., 1, 19] = t95
-    M_out[..., 1, 20] = t96
-    M_out[..., 2, 0] = t66
-    M_out[..., 2, 1] = t87
+    M_out[..., 1, 2] = M_out[..., 2, 1] = (
+        D_p_x_2*t62 + D_p_x_3*t71 + D_p_y_2*t63 + D_p_y_3*t73 + D_p_z_2*t64 + D_p_z_3*t75
+    )
+    M_out[..., 1, 4] = M_out[..., 4, 1] = t80
+    M_out[..., 1, 7] = M_out[..., 7, 1] = t81
+    M_out[..., 1, 12] = M_out[..., 12, 1] = D_delta_x_1*t71 + D_delta_y_1*t73 + D_delta_z_1*t75
+    M_out[..., 1, 13] = M_out[..., 13, 1] = D_delta_x_2*t71 + D_delta_y_2*t73 + D_delta_z_2*t75
+    M_out[..., 1, 14] = M_out[..., 14, 1] = D_delta_x_3*t71 + D_delta_y_3*t73 + D_delta_z_3*t75
+    M_out[..., 1, 16] = M_out[..., 16, 1] = t78
+    M_out[..., 1, 18] = M_out[..., 18, 1] = D_p_x_2*t69 + m_t_2*n_2_x + n_2_x*t32 + t70
+    M_out[..., 1, 19] = M_out[..., 19, 1] = D_p_y_2*t69 + m_t_2*n_2_y + n_2_y*t32 + t72
+    M_out[..., 1, 20] = M_out[..., 20, 1] = D_p_z_2*t69 + m_t_2*n_2_z + n_2_z*t32 + t74
     M_out[..., 2, 2] = (
-        D_p_x_3*t63 + D_p_x_3*t98 + D_p_y_3*t100 + D_p_y_3*t64 + D_p_z_3*t102 + D_p_z_3*t65 + m_t_3 + t105
-        + t43
+        D_p_x_3*t62 + D_p_x_3*t83 + D_p_y_3*t63 + D_p_y_3*t85 + D_p_z_3*t64 + D_p_z_3*t87 + m_t_3 + t43 + t90
     )
-    M_out[..., 2, 5] = t107
-    M_out[..., 2, 8] = t108
-    M_out[..., 2, 12] = t109
-    M_out[..., 2, 13] = t110
-    M_out[..., 2, 14] = t111
-    M_out[..., 2, 17] = t105
-    M_out[..., 2, 18] = t112
-    M_out[..., 2, 19] = t113
-    M_out[..., 2, 20] = t114
-    M_out[..., 3, 0] = t69
-    M_out[..., 3, 3] = I_1_1 + t115*t55 + t117
-    M_out[..., 3, 6] = t118
-    M_out[..., 3, 9] = t119
-    M_out[..., 3, 15] = t69
-    M_out[..., 4, 1] = t89
-    M_out[..., 4, 4] = I_2_1 + t120*t85 + t122
-    M_out[..., 4, 7] = t123
-    M_out[..., 4, 10] = t124
-    M_out[..., 4, 16] = t89
-    M_out[..., 5, 2] = t107
-    M_out[..., 5, 5] = I_3_1 + t104*t125 + t127
-    M_out[..., 5, 8] = t128
-    M_out[..., 5, 11] = t129
-    M_out[..., 5, 17] = t107
-    M_out[..., 6, 0] = t70
-    M_out[..., 6, 3] = t118
-    M_out[..., 6, 6] = I_1_2 + t115*t54 + t117
-    M_out[..., 6, 9] = t130
-    M_out[..., 6, 15] = t70
-    M_out[..., 7, 1] = t90
-    M_out[..., 7, 4] = t123
-    M_out[..., 7, 7] = I_2_2 + t120*t84 + t122
-    M_out[..., 7, 10] = t131
-    M_out[..., 7, 16] = t90
-    M_out[..., 8, 2] = t108
-    M_out[..., 8, 5] = t128
-    M_out[..., 8, 8] = I_3_2 + t103*t125 + t127
-    M_out[..., 8, 11] = t132
-    M_out[..., 8, 17] = t108
-    M_out[..., 9, 3] = t119
-    M_out[..., 9, 6] = t130
-    M_out[..., 9, 9] = t119 + t130
-    M_out[..., 10, 4] = t124
-    M_out[..., 10, 7] = t131
-    M_out[..., 10, 10] = t124 + t131
-    M_out[..., 11, 5] = t129
-    M_out[..., 11, 8] = t132
-    M_out[..., 11, 11] = t129 + t132
-    M_out[..., 12, 0] = t71
-    M_out[..., 12, 1] = t91
-    M_out[..., 12, 2] = t109
-    M_out[..., 12, 12] = t133*t44 + t134*t44 + t135*t44
-    M_out[..., 12, 13] = t139
-    M_out[..., 12, 14] = t140
-    M_out[..., 12, 18] = t141
-    M_out[..., 12, 19] = t142
-    M_out[..., 12, 20] = t143
-    M_out[..., 13, 0] = t72
-    M_out[..., 13, 1] = t92
-    M_out[..., 13, 2] = t110
-    M_out[..., 13, 12] = t139
-    M_out[..., 13, 13] = t144*t44 + t145*t44 + t146*t44
-    M_out[..., 13, 14] = t150
-    M_out[..., 13, 18] = t151
-    M_out[..., 13, 19] = t152
-    M_out[..., 13, 20] = t153
-    M_out[..., 14, 0] = t73
-    M_out[..., 14, 1] = t93
-    M_out[..., 14, 2] = t111
-    M_out[..., 14, 12] = t140
-    M_out[..., 14, 13] = t150
-    M_out[..., 14, 14] = t154*t44 + t155*t44 + t156*t44
-    M_out[..., 14, 18] = t157
-    M_out[..., 14, 19] = t158
-    M_out[..., 14, 20] = t159
-    M_out[..., 15, 0] = t56
-    M_out[..., 15, 3] = t69
-    M_out[..., 15, 6] = t70
+    M_out[..., 2, 5] = M_out[..., 5, 2] = t92
+    M_out[..., 2, 8] = M_out[..., 8, 2] = t93
+    M_out[..., 2, 12] = M_out[..., 12, 2] = D_delta_x_1*t83 + D_delta_y_1*t85 + D_delta_z_1*t87
+    M_out[..., 2, 13] = M_out[..., 13, 2] = D_delta_x_2*t83 + D_delta_y_2*t85 + D_delta_z_2*t87
+    M_out[..., 2, 14] = M_out[..., 14, 2] = D_delta_x_3*t83 + D_delta_y_3*t85 + D_delta_z_3*t87
+    M_out[..., 2, 17] = M_out[..., 17, 2] = t90
+    M_out[..., 2, 18] = M_out[..., 18, 2] = D_p_x_3*t69 + m_t_3*n_3_x + n_3_x*t33 + t82
+    M_out[..., 2, 19] = M_out[..., 19, 2] = D_p_y_3*t69 + m_t_3*n_3_y + n_3_y*t33 + t84
+    M_out[..., 2, 20] = M_out[..., 20, 2] = D_p_z_3*t69 + m_t_3*n_3_z + n_3_z*t33 + t86
+    M_out[..., 3, 3] = I_1_1 + t55*t94 + t96
+    M_out[..., 3, 6] = M_out[..., 6, 3] = t65*t95
+    M_out[..., 3, 9] = M_out[..., 9, 3] = t97
+    M_out[..., 3, 15] = M_out[..., 15, 3] = t67
+    M_out[..., 4, 4] = I_2_1 + t100 + t77*t98
+    M_out[..., 4, 7] = M_out[..., 7, 4] = t65*t99
+    M_out[..., 4, 10] = M_out[..., 10, 4] = t101
+    M_out[..., 4, 16] = M_out[..., 16, 4] = t80
+    M_out[..., 5, 5] = I_3_1 + t102*t89 + t104
+    M_out[..., 5, 8] = M_out[..., 8, 5] = t103*t65
+    M_out[..., 5, 11] = M_out[..., 11, 5] = t105
+    M_out[..., 5, 17] = M_out[..., 17, 5] = t92
+    M_out[..., 6, 6] = I_1_2 + t54*t94 + t96
+    M_out[..., 6, 9] = M_out[..., 9, 6] = t106
+    M_out[..., 6, 15] = M_out[..., 15, 6] = t68
+    M_out[..., 7, 7] = I_2_2 + t100 + t76*t98
+    M_out[..., 7, 10] = M_out[..., 10, 7] = t107
+    M_out[..., 7, 16] = M_out[..., 16, 7] = t81
+    M_out[..., 8, 8] = I_3_2 + t102*t88 + t104
+    M_out[..., 8, 11] = M_out[..., 11, 8] = t108
+    M_out[..., 8, 17] = M_out[..., 17, 8] = t93
+    M_out[..., 9, 9] = t106 + t97
+    M_out[..., 10, 10] = t101 + t107
+    M_out[..., 11, 11] = t105 + t108
+    M_out[..., 12, 12] = t109*t44 + t110*t44 + t111*t44
+    M_out[..., 12, 13] = M_out[..., 13, 12] = D_delta_x_2*t112 + D_delta_y_2*t113 + D_delta_z_2*t114
+    M_out[..., 12, 14] = M_out[..., 14, 12] = D_delta_x_3*t112 + D_delta_y_3*t113 + D_delta_z_3*t114
+    M_out[..., 12, 18] = M_out[..., 18, 12] = D_delta_x_1*t69 + t112
+    M_out[..., 12, 19] = M_out[..., 19, 12] = D_delta_y_1*t69 + t113
+    M_out[..., 12, 20] = M_out[..., 20, 12] = D_delta_z_1*t69 + t114
+    M_out[..., 13, 13] = t115*t44 + t116*t44 + t117*t44
+    M_out[..., 13, 14] = M_out[..., 14, 13] = D_delta_x_3*t118 + D_delta_y_3*t119 + D_delta_z_3*t120
+    M_out[..., 13, 18] = M_out[..., 18, 13] = D_delta_x_2*t69 + t118
+    M_out[..., 13, 19] = M_out[..., 19, 13] = D_delta_y_2*t69 + t119
+    M_out[..., 13, 20] = M_out[..., 20, 13] = D_delta_z_2*t69 + t120
+    M_out[..., 14, 14] = t121*t44 + t122*t44 + t123*t44
+    M_out[..., 14, 18] = M_out[..., 18, 14] = D_delta_x_3*t44 + D_delta_x_3*t69
+    M_out[..., 14, 19] = M_out[..., 19, 14] = D_delta_y_3*t44 + D_delta_y_3*t69
+    M_out[..., 14, 20] = M_out[..., 20, 14] = D_delta_z_3*t44 + D_delta_z_3*t69
     M_out[..., 15, 15] = t56
-    M_out[..., 16, 1] = t86
-    M_out[..., 16, 4] = t89
-    M_out[..., 16, 7] = t90
-    M_out[..., 16, 16] = t86
-    M_out[..., 17, 2] = t105
-    M_out[..., 17, 5] = t107
-    M_out[..., 17, 8] = t108
-    M_out[..., 17, 17] = t105
-    M_out[..., 18, 0] = t75
-    M_out[..., 18, 1] = t94
-    M_out[..., 18, 2] = t112
-    M_out[..., 18, 12] = t141
-    M_out[..., 18, 13] = t151
-    M_out[..., 18, 14] = t157
-    M_out[..., 18, 18] = t160
-    M_out[..., 19, 0] = t76
-    M_out[..., 19, 1] = t95
-    M_out[..., 19, 2] = t113
-    M_out[..., 19, 12] = t142
-    M_out[..., 19, 13] = t152
-    M_out[..., 19, 14] = t158
-    M_out[..., 19, 19] = t160
-    M_out[..., 20, 0] = t77
-    M_out[..., 20, 1] = t96
-    M_out[..., 20, 2] = t114
-    M_out[..., 20, 12] = t143
-    M_out[..., 20, 13] = t153
-    M_out[..., 20, 14] = t159
-    M_out[..., 20, 20] = t160
+    M_out[..., 16, 16] = t78
+    M_out[..., 17, 17] = t90
+    M_out[..., 18, 18] = t124
+    M_out[..., 19, 19] = t124
+    M_out[..., 20, 20] = t124
     K_el_out = np.zeros((*batch, 21, 21), dtype)
-    K_el_out[..., 0, 0] = D_p_x_1**2*k_C + D_p_y_1**2*k_C + D_p_z_1**2*k_C + t161
-    K_el_out[..., 0, 1] = t165
-    K_el_out[..., 0, 2] = t166
-    K_el_out[..., 0, 3] = t167
-    K_el_out[..., 0, 6] = t168
-    K_el_out[..., 0, 12] = t169
-    K_el_out[..., 0, 13] = t170
-    K_el_out[..., 0, 14] = t171
-    K_el_out[..., 0, 15] = t161
-    K_el_out[..., 0, 18] = t162
-    K_el_out[..., 0, 19] = t163
-    K_el_out[..., 0, 20] = t164
-    K_el_out[..., 1, 0] = t165
-    K_el_out[..., 1, 1] = D_p_x_2**2*k_C + D_p_y_2**2*k_C + D_p_z_2**2*k_C + t172
-    K_el_out[..., 1, 2] = t176
-    K_el_out[..., 1, 4] = t177
-    K_el_out[..., 1, 7] = t178
-    K_el_out[..., 1, 12] = t179
-    K_el_out[..., 1, 13] = t180
-    K_el_out[..., 1, 14] = t181
-    K_el_out[..., 1, 16] = t172
-    K_el_out[..., 1, 18] = t173
-    K_el_out[..., 1, 19] = t174
-    K_el_out[..., 1, 20] = t175
-    K_el_out[..., 2, 0] = t166
-    K_el_out[..., 2, 1] = t176
-    K_el_out[..., 2, 2] = D_p_x_3**2*k_C + D_p_y_3**2*k_C + D_p_z_3**2*k_C + t182
-    K_el_out[..., 2, 5] = t183
-    K_el_out[..., 2, 8] = t184
-    K_el_out[..., 2, 12] = t188
-    K_el_out[..., 2, 13] = t189
-    K_el_out[..., 2, 14] = t190
-    K_el_out[..., 2, 17] = t182
-    K_el_out[..., 2, 18] = t185
-    K_el_out[..., 2, 19] = t186
-    K_el_out[..., 2, 20] = t187
-    K_el_out[..., 3, 0] = t167
-    K_el_out[..., 3, 3] = d_1_1*k_S + k_1_3*t115 + t191
-    K_el_out[..., 3, 6] = -t191
-    K_el_out[..., 3, 15] = t167
-    K_el_out[..., 4, 1] = t177
-    K_el_out[..., 4, 4] = d_2_1*k_S + k_2_3*t120 + t192
-    K_el_out[..., 4, 7] = -t192
-    K_el_out[..., 4, 16] = t177
-    K_el_out[..., 5, 2] = t183
-    K_el_out[..., 5, 5] = d_3_1*k_S + k_3_3*t125 + t193
-    K_el_out[..., 5, 8] = -t193
-    K_el_out[..., 5, 17] = t183
-    K_el_out[..., 6, 0] = t168
-    K_el_out[..., 6, 3] = -t191
-    K_el_out[..., 6, 6] = d_1_2*k_S + k_1_2*t115 + t191
-    K_el_out[..., 6, 15] = t168
-    K_el_out[..., 7, 1] = t178
-    K_el_out[..., 7, 4] = -t192
-    K_el_out[..., 7, 7] = d_2_2*k_S + k_2_2*t120 + t192
-    K_el_out[..., 7, 16] = t178
-    K_el_out[..., 8, 2] = t184
-    K_el_out[..., 8, 5] = -t193
-    K_el_out[..., 8, 8] = d_3_2*k_S + k_3_2*t125 + t193
-    K_el_out[..., 8, 17] = t184
-    K_el_out[..., 12, 0] = t169
-    K_el_out[..., 12, 1] = t179
-    K_el_out[..., 12, 2] = t188
-    K_el_out[..., 12, 12] = k_C*t133 + k_C*t134 + k_C*t135
-    K_el_out[..., 12, 13] = t197
-    K_el_out[..., 12, 14] = t198
-    K_el_out[..., 12, 18] = t194
-    K_el_out[..., 12, 19] = t195
-    K_el_out[..., 12, 20] = t196
-    K_el_out[..., 13, 0] = t170
-    K_el_out[..., 13, 1] = t180
-    K_el_out[..., 13, 2] = t189
-    K_el_out[..., 13, 12] = t197
-    K_el_out[..., 13, 13] = k_C*t144 + k_C*t145 + k_C*t146
-    K_el_out[..., 13, 14] = t202
-    K_el_out[..., 13, 18] = t199
-    K_el_out[..., 13, 19] = t200
-    K_el_out[..., 13, 20] = t201
-    K_el_out[..., 14, 0] = t171
-    K_el_out[..., 14, 1] = t181
-    K_el_out[..., 14, 2] = t190
-    K_el_out[..., 14, 12] = t198
-    K_el_out[..., 14, 13] = t202
-    K_el_out[..., 14, 14] = k_C*t154 + k_C*t155 + k_C*t156
-    K_el_out[..., 14, 18] = t203
-    K_el_out[..., 14, 19] = t204
-    K_el_out[..., 14, 20] = t205
-    K_el_out[..., 15, 0] = t161
-    K_el_out[..., 15, 3] = t167
-    K_el_out[..., 15, 6] = t168
-    K_el_out[..., 15, 15] = t161
-    K_el_out[..., 16, 1] = t172
-    K_el_out[..., 16, 4] = t177
-    K_el_out[..., 16, 7] = t178
-    K_el_out[..., 16, 16] = t172
-    K_el_out[..., 17, 2] = t182
-    K_el_out[..., 17, 5] = t183
-    K_el_out[..., 17, 8] = t184
-    K_el_out[..., 17, 17] = t182
-    K_el_out[..., 18, 0] = t162
-    K_el_out[..., 18, 1] = t173
-    K_el_out[..., 18, 2] = t185
-    K_el_out[..., 18, 12] = t194
-    K_el_out[..., 18, 13] = t199
-    K_el_out[..., 18, 14] = t203
+    K_el_out[..., 0, 0] = k_C*t125 + k_C*t126 + k_C*t127 + t128
+    K_el_out[..., 0, 1] = K_el_out[..., 1, 0] = D_p_x_2*t129 + D_p_y_2*t130 + D_p_z_2*t131
+    K_el_out[..., 0, 2] = K_el_out[..., 2, 0] = D_p_x_3*t129 + D_p_y_3*t130 + D_p_z_3*t131
+    K_el_out[..., 0, 3] = K_el_out[..., 3, 0] = t132
+    K_el_out[..., 0, 6] = K_el_out[..., 6, 0] = t133
+    K_el_out[..., 0, 12] = K_el_out[..., 12, 0] = D_delta_x_1*t129 + D_delta_y_1*t130 + D_delta_z_1*t131
+    K_el_out[..., 0, 13] = K_el_out[..., 13, 0] = D_delta_x_2*t129 + D_delta_y_2*t130 + D_delta_z_2*t131
+    K_el_out[..., 0, 14] = K_el_out[..., 14, 0] = D_delta_x_3*t129 + D_delta_y_3*t130 + D_delta_z_3*t131
+    K_el_out[..., 0, 15] = K_el_out[..., 15, 0] = t128
+    K_el_out[..., 0, 18] = K_el_out[..., 18, 0] = t129
+    K_el_out[..., 0, 19] = K_el_out[..., 19, 0] = t130
+    K_el_out[..., 0, 20] = K_el_out[..., 20, 0] = t131
+    K_el_out[..., 1, 1] = k_C*t134 + k_C*t135 + k_C*t136 + t137
+    K_el_out[..., 1, 2] = K_el_out[..., 2, 1] = D_p_x_3*t138 + D_p_y_3*t139 + D_p_z_3*t140
+    K_el_out[..., 1, 4] = K_el_out[..., 4, 1] = t141
+    K_el_out[..., 1, 7] = K_el_out[..., 7, 1] = t142
+    K_el_out[..., 1, 12] = K_el_out[..., 12, 1] = D_delta_x_1*t138 + D_delta_y_1*t139 + D_delta_z_1*t140
+    K_el_out[..., 1, 13] = K_el_out[..., 13, 1] = D_delta_x_2*t138 + D_delta_y_2*t139 + D_delta_z_2*t140
+    K_el_out[..., 1, 14] = K_el_out[..., 14, 1] = D_delta_x_3*t138 + D_delta_y_3*t139 + D_delta_z_3*t140
+    K_el_out[..., 1, 16] = K_el_out[..., 16, 1] = t137
+    K_el_out[..., 1, 18] = K_el_out[..., 18, 1] = t138
+    K_el_out[..., 1, 19] = K_el_out[..., 19, 1] = t139
+    K_el_out[..., 1, 20] = K_el_out[..., 20, 1] = t140
+    K_el_out[..., 2, 2] = k_C*t143 + k_C*t144 + k_C*t145 + t146
+    K_el_out[..., 2, 5] = K_el_out[..., 5, 2] = t147
+    K_el_out[..., 2, 8] = K_el_out[..., 8, 2] = t148
+    K_el_out[..., 2, 12] = K_el_out[..., 12, 2] = D_delta_x_1*t149 + D_delta_y_1*t150 + D_delta_z_1*t151
+    K_el_out[..., 2, 13] = K_el_out[..., 13, 2] = D_delta_x_2*t149 + D_delta_y_2*t150 + D_delta_z_2*t151
+    K_el_out[..., 2, 14] = K_el_out[..., 14, 2] = D_delta_x_3*t149 + D_delta_y_3*t150 + D_delta_z_3*t151
+    K_el_out[..., 2, 17] = K_el_out[..., 17, 2] = t146
+    K_el_out[..., 2, 18] = K_el_out[..., 18, 2] = t149
+    K_el_out[..., 2, 19] = K_el_out[..., 19, 2] = t150
+    K_el_out[..., 2, 20] = K_el_out[..., 20, 2] = t151
+    K_el_out[..., 3, 3] = d_1_1*k_S + k_1_3*t94 + t152
+    K_el_out[..., 3, 6] = K_el_out[..., 6, 3] = -t152
+    K_el_out[..., 3, 15] = K_el_out[..., 15, 3] = t132
+    K_el_out[..., 4, 4] = d_2_1*k_S + k_2_3*t98 + t153
+    K_el_out[..., 4, 7] = K_el_out[..., 7, 4] = -t153
+    K_el_out[..., 4, 16] = K_el_out[..., 16, 4] = t141
+    K_el_out[..., 5, 5] = d_3_1*k_S + k_3_3*t102 + t154
+    K_el_out[..., 5, 8] = K_el_out[..., 8, 5] = -t154
+    K_el_out[..., 5, 17] = K_el_out[..., 17, 5] = t147
+    K_el_out[..., 6, 6] = d_1_2*k_S + k_1_2*t94 + t152
+    K_el_out[..., 6, 15] = K_el_out[..., 15, 6] = t133
+    K_el_out[..., 7, 7] = d_2_2*k_S + k_2_2*t98 + t153
+    K_el_out[..., 7, 16] = K_el_out[..., 16, 7] = t142
+    K_el_out[..., 8, 8] = d_3_2*k_S + k_3_2*t102 + t154
+    K_el_out[..., 8, 17] = K_el_out[..., 17, 8] = t148
+    K_el_out[..., 12, 12] = k_C*t109 + k_C*t110 + k_C*t111
+    K_el_out[..., 12, 13] = K_el_out[..., 13, 12] = D_delta_x_2*t155 + D_delta_y_2*t156 + D_delta_z_2*t157
+    K_el_out[..., 12, 14] = K_el_out[..., 14, 12] = D_delta_x_3*t155 + D_delta_y_3*t156 + D_delta_z_3*t157
+    K_el_out[..., 12, 18] = K_el_out[..., 18, 12] = t155
+    K_el_out[..., 12, 19] = K_el_out[..., 19, 12] = t156
+    K_el_out[..., 12, 20] = K_el_out[..., 20, 12] = t157
+    K_el_out[..., 13, 13] = k_C*t115 + k_C*t116 + k_C*t117
+    K_el_out[..., 13, 14] = K_el_out[..., 14, 13] = D_delta_x_3*t158 + D_delta_y_3*t159 + D_delta_z_3*t160
+    K_el_out[..., 13, 18] = K_el_out[..., 18, 13] = t158
+    K_el_out[..., 13, 19] = K_el_out[..., 19, 13] = t159
+    K_el_out[..., 13, 20] = K_el_out[..., 20, 13] = t160
+    K_el_out[..., 14, 14] = k_C*t121 + k_C*t122 + k_C*t123
+    K_el_out[..., 14, 18] = K_el_out[..., 18, 14] = D_delta_x_3*k_C
+    K_el_out[..., 14, 19] = K_el_out[..., 19, 14] = D_delta_y_3*k_C
+    K_el_out[..., 14, 20] = K_el_out[..., 20, 14] = D_delta_z_3*k_C
+    K_el_out[..., 15, 15] = t128
+    K_el_out[..., 16, 16] = t137
+    K_el_out[..., 17, 17] = t146
     K_el_out[..., 18, 18] = k_C
-    K_el_out[..., 19, 0] = t163
-    K_el_out[..., 19, 1] = t174
-    K_el_out[..., 19, 2] = t186
-    K_el_out[..., 19, 12] = t195
-    K_el_out[..., 19, 13] = t200
-    K_el_out[..., 19, 14] = t204
     K_el_out[..., 19, 19] = k_C
-    K_el_out[..., 20, 0] = t164
-    K_el_out[..., 20, 1] = t175
-    K_el_out[..., 20, 2] = t187
-    K_el_out[..., 20, 12] = t196
-    K_el_out[..., 20, 13] = t201
-    K_el_out[..., 20, 14] = t205
     K_el_out[..., 20, 20] = k_C
     K_g_out = np.zeros((*batch, 21, 21), dtype)
     K_g_out[..., 0, 0] = (
-        -U_1_x_1**2*mu_1 - U_1_y_1**2*mu_1 - U_1_z_1**2*mu_1 - U_2_x_1**2*mu_2 - U_2_y_1**2*mu_2
-        - U_2_z_1**2*mu_2 - U_3_x_1**2*mu_3 - U_3_y_1**2*mu_3 - U_3_z_1**2*mu_3
+        -U_1_x_1**2*mu_1 - U_1_y_1**2*mu_1 - U_1_z_1**2*mu_1 - mu_2*t125 - mu_2*t126 - mu_2*t127 - mu_3*t125
+        - mu_3*t126 - mu_3*t127
     )
-    K_g_out[..., 0, 1] = t215
-    K_g_out[..., 0, 2] = t216
-    K_g_out[..., 0, 12] = t217
-    K_g_out[..., 0, 13] = t218
-    K_g_out[..., 0, 14] = t219
-    K_g_out[..., 1, 0] = t215
+    K_g_out[..., 0, 1] = K_g_out[..., 1, 0] = (
+        -D_p_x_2*t161 - D_p_x_2*t163 - D_p_y_2*t164 - D_p_y_2*t166 - D_p_z_2*t167 - D_p_z_2*t169
+        - U_2_x_2*t162 - U_2_y_2*t165 - U_2_z_2*t168
+    )
+    K_g_out[..., 0, 2] = K_g_out[..., 2, 0] = (
+        -D_p_x_3*t162 - D_p_x_3*t163 - D_p_y_3*t165 - D_p_y_3*t166 - D_p_z_3*t168 - D_p_z_3*t169
+        - U_3_x_3*t161 - U_3_y_3*t164 - U_3_z_3*t167
+    )
+    K_g_out[..., 0, 12] = K_g_out[..., 12, 0] = (
+        -D_delta_x_1*t161 - D_delta_x_1*t162 - D_delta_x_1*t163 - D_delta_y_1*t164 - D_delta_y_1*t165
+        - D_delta_y_1*t166 - D_delta_z_1*t167 - D_delta_z_1*t168 - D_delta_z_1*t169
+    )
+    K_g_out[..., 0, 13] = K_g_out[..., 13, 0] = (
+        -D_delta_x_2*t161 - D_delta_x_2*t162 - D_delta_x_2*t163 - D_delta_y_2*t164 - D_delta_y_2*t165
+        - D_delta_y_2*t166 - D_delta_z_2*t167 - D_delta_z_2*t168 - D_delta_z_2*t169
+    )
+    K_g_out[..., 0, 14] = K_g_out[..., 14, 0] = (
+        -D_delta_x_3*t161 - D_delta_x_3*t162 - D_delta_x_3*t163 - D_delta_y_3*t164 - D_delta_y_3*t165
+        - D_delta_y_3*t166 - D_delta_z_3*t167 - D_delta_z_3*t168 - D_delta_z_3*t169
+    )
     K_g_out[..., 1, 1] = (
-        -U_1_x_2**2*mu_1 - U_1_y_2**2*mu_1 - U_1_z_2**2*mu_1 - U_2_x_2**2*mu_2 - U_2_y_2**2*mu_2
-        - U_2_z_2**2*mu_2 - U_3_x_2**2*mu_3 - U_3_y_2**2*mu_3 - U_3_z_2**2*mu_3
+        -U_2_x_2**2*mu_2 - U_2_y_2**2*mu_2 - U_2_z_2**2*mu_2 - mu_1*t134 - mu_1*t135 - mu_1*t136 - mu_3*t134
+        - mu_3*t135 - mu_3*t136
     )
-    K_g_out[..., 1, 2] = t229
-    K_g_out[..., 1, 12] = t230
-    K_g_out[..., 1, 13] = t231
-    K_g_out[..., 1, 14] = t232
-    K_g_out[..., 2, 0] = t216
-    K_g_out[..., 2, 1] = t229
+    K_g_out[..., 1, 2] = K_g_out[..., 2, 1] = (
+        -D_p_x_3*t170 - D_p_x_3*t172 - D_p_y_3*t173 - D_p_y_3*t175 - D_p_z_3*t176 - D_p_z_3*t178
+        - U_3_x_3*t171 - U_3_y_3*t174 - U_3_z_3*t177
+    )
+    K_g_out[..., 1, 12] = K_g_out[..., 12, 1] = (
+        -D_delta_x_1*t170 - D_delta_x_1*t171 - D_delta_x_1*t172 - D_delta_y_1*t173 - D_delta_y_1*t174
+        - D_delta_y_1*t175 - D_delta_z_1*t176 - D_delta_z_1*t177 - D_delta_z_1*t178
+    )
+    K_g_out[..., 1, 13] = K_g_out[..., 13, 1] = (
+        -D_delta_x_2*t170 - D_delta_x_2*t171 - D_delta_x_2*t172 - D_delta_y_2*t173 - D_delta_y_2*t174
+        - D_delta_y_2*t175 - D_delta_z_2*t176 - D_delta_z_2*t177 - D_delta_z_2*t178
+    )
+    K_g_out[..., 1, 14] = K_g_out[..., 14, 1] = (
+        -D_delta_x_3*t170 - D_delta_x_3*t171 - D_delta_x_3*t172 - D_delta_y_3*t173 - D_delta_y_3*t174
+        - D_delta_y_3*t175 - D_delta_z_3*t176 - D_delta_z_3*t177 - D_delta_z_3*t178
+    )
     K_g_out[..., 2, 2] = (
-        -U_1_x_3**2*mu_1 - U_1_y_3**2*mu_1 - U_1_z_3**2*mu_1 - U_2_x_3**2*mu_2 - U_2_y_3**2*mu_2
-        - U_2_z_3**2*mu_2 - U_3_x_3**2*mu_3 - U_3_y_3**2*mu_3 - U_3_z_3**2*mu_3
+        -U_3_x_3**2*mu_3 - U_3_y_3**2*mu_3 - U_3_z_3**2*mu_3 - mu_1*t143 - mu_1*t144 - mu_1*t145 - mu_2*t143
+        - mu_2*t144 - mu_2*t145
     )
-    K_g_out[..., 2, 12] = t242
-    K_g_out[..., 2, 13] = t243
-    K_g_out[..., 2, 14] = t244
-    K_g_out[..., 12, 0] = t217
-    K_g_out[..., 12, 1] = t230
-    K_g_out[..., 12, 2] = t242
+    K_g_out[..., 2, 12] = K_g_out[..., 12, 2] = (
+        -D_delta_x_1*t180 - D_delta_y_1*t182 - D_delta_z_1*t184 - mu_1*t179 - mu_1*t181 - mu_1*t183
+        - mu_2*t179 - mu_2*t181 - mu_2*t183
+    )
+    K_g_out[..., 2, 13] = K_g_out[..., 13, 2] = (
+        -D_delta_x_2*t180 - D_delta_y_2*t182 - D_delta_z_2*t184 - mu_1*t185 - mu_1*t186 - mu_1*t187
+        - mu_2*t185 - mu_2*t186 - mu_2*t187
+    )
+    K_g_out[..., 2, 14] = K_g_out[..., 14, 2] = (
+        -D_delta_x_3*t180 - D_delta_y_3*t182 - D_delta_z_3*t184 - mu_1*t188 - mu_1*t189 - mu_1*t190
+        - mu_2*t188 - mu_2*t189 - mu_2*t190
+    )
     K_g_out[..., 12, 12] = (
-        -mu_1*t133 - mu_1*t134 - mu_1*t135 + mu_1 - mu_2*t133 - mu_2*t134 - mu_2*t135 - mu_3*t133 - mu_3*t134
-        - mu_3*t135
+        -mu_1*t109 - mu_1*t110 - mu_1*t111 + mu_1 - mu_2*t109 - mu_2*t110 - mu_2*t111 - mu_3*t109 - mu_3*t110
+        - mu_3*t111
     )
-    K_g_out[..., 12, 13] = t248
-    K_g_out[..., 12, 14] = t252
-    K_g_out[..., 13, 0] = t218
-    K_g_out[..., 13, 1] = t231
-    K_g_out[..., 13, 2] = t243
-    K_g_out[..., 13, 12] = t248
+    K_g_out[..., 12, 13] = K_g_out[..., 13, 12] = (
+        -mu_1*t191 - mu_1*t192 - mu_1*t193 - mu_2*t191 - mu_2*t192 - mu_2*t193 - mu_3*t191 - mu_3*t192
+        - mu_3*t193
+    )
+    K_g_out[..., 12, 14] = K_g_out[..., 14, 12] = (
+        -mu_1*t194 - mu_1*t195 - mu_1*t196 - mu_2*t194 - mu_2*t195 - mu_2*t196 - mu_3*t194 - mu_3*t195
+        - mu_3*t196
+    )
     K_g_out[..., 13, 13] = (
-        -mu_1*t144 - mu_1*t145 - mu_1*t146 - mu_2*t144 - mu_2*t145 - mu_2*t146 + mu_2 - mu_3*t144 - mu_3*t145
-        - mu_3*t146
+        -mu_1*t115 - mu_1*t116 - mu_1*t117 - mu_2*t115 - mu_2*t116 - mu_2*t117 + mu_2 - mu_3*t115 - mu_3*t116
+        - mu_3*t117
     )
-    K_g_out[..., 13, 14] = t256
-    K_g_out[..., 14, 0] = t219
-    K_g_out[..., 14, 1] = t232
-    K_g_out[..., 14, 2] = t244
-    K_g_out[..., 14, 12] = t252
-    K_g_out[..., 14, 13] = t256
+    K_g_out[..., 13, 14] = K_g_out[..., 14, 13] = (
+        -mu_1*t197 - mu_1*t198 - mu_1*t199 - mu_2*t197 - mu_2*t198 - mu_2*t199 - mu_3*t197 - mu_3*t198
+        - mu_3*t199
+    )
     K_g_out[..., 14, 14] = (
-        -mu_1*t154 - mu_1*t155 - mu_1*t156 - mu_2*t154 - mu_2*t155 - mu_2*t156 - mu_3*t154 - mu_3*t155
-        - mu_3*t156 + mu_3
+        -mu_1*t121 - mu_1*t122 - mu_1*t123 - mu_2*t121 - mu_2*t122 - mu_2*t123 - mu_3*t121 - mu_3*t122
+        - mu_3*t123 + mu_3
     )
     return M_out, K_el_out, K_g_out
 
@@ -2111,7 +1271,7 @@ def joint_stiffness(effects):
     t6 = -1/c_L**2
     t7 = -1/c_K**2
     t8 = -1/c_F**2
-    kappa_out = np.zeros((*batch, 12), dtype)
+    kappa_out = np.empty((*batch, 12), dtype)
     kappa_out[..., 0] = t1
     kappa_out[..., 1] = t1
     kappa_out[..., 2] = t1
@@ -2124,7 +1284,7 @@ def joint_stiffness(effects):
     kappa_out[..., 9] = t4
     kappa_out[..., 10] = t4
     kappa_out[..., 11] = t4
-    kappa_c_out = np.zeros((*batch, 12), dtype)
+    kappa_c_out = np.empty((*batch, 12), dtype)
     kappa_c_out[..., 0] = t5
     kappa_c_out[..., 1] = t5
     kappa_c_out[..., 2] = t5
@@ -2338,11 +1498,11 @@ def extended_static_equilibrium(p, parameters, effects):
     tau_st_2 = d_2_1*(t35*theta_2_1_st - t48) + d_2_2*(t37*theta_2_2_st + t48)
     t49 = R_p_3*k_3_1*(-R_p_3*theta_3_1_st + R_p_3*theta_3_2_st)
     tau_st_3 = d_3_1*(t42*theta_3_1_st - t49) + d_3_2*(t44*theta_3_2_st + t49)
-    tau_st_out = np.zeros((*batch, 3), dtype)
+    tau_st_out = np.empty((*batch, 3), dtype)
     tau_st_out[..., 0] = tau_st_1
     tau_st_out[..., 1] = tau_st_2
     tau_st_out[..., 2] = tau_st_3
-    theta_st_out = np.zeros((*batch, 6), dtype)
+    theta_st_out = np.empty((*batch, 6), dtype)
     theta_st_out[..., 0] = theta_1_1_st
     theta_st_out[..., 1] = theta_2_1_st
     theta_st_out[..., 2] = theta_3_1_st
@@ -2376,7 +1536,7 @@ def value_sensitivities(p, parameters, effects):
     Notes
     -----
     Chain rule.
-    2634 operations; 5916753 with every named value written out.
+    2472 operations; 5916753 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -2483,31 +1643,13 @@ def value_sensitivities(p, parameters, effects):
     D_delta_z_2 = l_d_2*t9
     D_delta_z_3 = l_d_3*t10
     U_1_x_1 = D_p_x_1 - n_1_x
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - n_1_y
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - n_1_z
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - n_2_x
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - n_2_y
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - n_2_z
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - n_3_x
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - n_3_y
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - n_3_z
     l_f_1_1 = x_max_1 - x_min_1
     t11 = a_B_1 + 1
@@ -2586,15 +1728,6 @@ def value_sensitivities(p, parameters, effects):
     mu_1_by_m_d_1 = t1*(-1/2*t45 - 1/2*t46 - 1/2*t47)
     mu_2_by_m_d_1 = t1*(-1/2*t48 - 1/2*t49 - 1/2*t50)
     mu_3_by_m_d_1 = t1*(-1/2*t51 - 1/2*t52 - 1/2*t53)
-    mu_1_by_m_d_2 = mu_1_by_m_d_1
-    mu_2_by_m_d_2 = mu_2_by_m_d_1
-    mu_3_by_m_d_2 = mu_3_by_m_d_1
-    mu_1_by_m_d_3 = mu_1_by_m_d_1
-    mu_2_by_m_d_3 = mu_2_by_m_d_1
-    mu_3_by_m_d_3 = mu_3_by_m_d_1
-    mu_1_by_m_L = mu_1_by_m_p
-    mu_2_by_m_L = mu_2_by_m_p
-    mu_3_by_m_L = mu_3_by_m_p
     t55 = D_p_x_1**2
     t56 = D_p_y_1**2
     t57 = D_p_z_1**2
@@ -2813,272 +1946,245 @@ def value_sensitivities(p, parameters, effects):
     t270 = l_f_3_1*t206
     t271 = (1/3)*t270
     t272 = -U_1_x_1**2 - U_1_y_1**2 - U_1_z_1**2
-    t273 = -U_2_x_1**2 - U_2_y_1**2 - U_2_z_1**2
-    t274 = -U_3_x_1**2 - U_3_y_1**2 - U_3_z_1**2
-    t275 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2
-    t276 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2
-    t277 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2
-    t278 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3
-    t279 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3
-    t280 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3
-    t281 = -D_delta_x_1*U_1_x_1 - D_delta_y_1*U_1_y_1 - D_delta_z_1*U_1_z_1
-    t282 = -D_delta_x_1*U_2_x_1 - D_delta_y_1*U_2_y_1 - D_delta_z_1*U_2_z_1
-    t283 = -D_delta_x_1*U_3_x_1 - D_delta_y_1*U_3_y_1 - D_delta_z_1*U_3_z_1
-    t284 = -D_delta_x_2*U_1_x_1 - D_delta_y_2*U_1_y_1 - D_delta_z_2*U_1_z_1
-    t285 = -D_delta_x_2*U_2_x_1 - D_delta_y_2*U_2_y_1 - D_delta_z_2*U_2_z_1
-    t286 = -D_delta_x_2*U_3_x_1 - D_delta_y_2*U_3_y_1 - D_delta_z_2*U_3_z_1
-    t287 = -D_delta_x_3*U_1_x_1 - D_delta_y_3*U_1_y_1 - D_delta_z_3*U_1_z_1
-    t288 = -D_delta_x_3*U_2_x_1 - D_delta_y_3*U_2_y_1 - D_delta_z_3*U_2_z_1
-    t289 = -D_delta_x_3*U_3_x_1 - D_delta_y_3*U_3_y_1 - D_delta_z_3*U_3_z_1
-    t290 = -U_1_x_2**2 - U_1_y_2**2 - U_1_z_2**2
-    t291 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2
-    t292 = -U_3_x_2**2 - U_3_y_2**2 - U_3_z_2**2
-    t293 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3
-    t294 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3
-    t295 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3
-    t296 = -D_delta_x_1*U_1_x_2 - D_delta_y_1*U_1_y_2 - D_delta_z_1*U_1_z_2
-    t297 = -D_delta_x_1*U_2_x_2 - D_delta_y_1*U_2_y_2 - D_delta_z_1*U_2_z_2
-    t298 = -D_delta_x_1*U_3_x_2 - D_delta_y_1*U_3_y_2 - D_delta_z_1*U_3_z_2
-    t299 = -D_delta_x_2*U_1_x_2 - D_delta_y_2*U_1_y_2 - D_delta_z_2*U_1_z_2
-    t300 = -D_delta_x_2*U_2_x_2 - D_delta_y_2*U_2_y_2 - D_delta_z_2*U_2_z_2
-    t301 = -D_delta_x_2*U_3_x_2 - D_delta_y_2*U_3_y_2 - D_delta_z_2*U_3_z_2
-    t302 = -D_delta_x_3*U_1_x_2 - D_delta_y_3*U_1_y_2 - D_delta_z_3*U_1_z_2
-    t303 = -D_delta_x_3*U_2_x_2 - D_delta_y_3*U_2_y_2 - D_delta_z_3*U_2_z_2
-    t304 = -D_delta_x_3*U_3_x_2 - D_delta_y_3*U_3_y_2 - D_delta_z_3*U_3_z_2
-    t305 = -U_1_x_3**2 - U_1_y_3**2 - U_1_z_3**2
-    t306 = -U_2_x_3**2 - U_2_y_3**2 - U_2_z_3**2
-    t307 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2
-    t308 = -D_delta_x_1*U_1_x_3 - D_delta_y_1*U_1_y_3 - D_delta_z_1*U_1_z_3
-    t309 = -D_delta_x_1*U_2_x_3 - D_delta_y_1*U_2_y_3 - D_delta_z_1*U_2_z_3
-    t310 = -D_delta_x_1*U_3_x_3 - D_delta_y_1*U_3_y_3 - D_delta_z_1*U_3_z_3
-    t311 = -D_delta_x_2*U_1_x_3 - D_delta_y_2*U_1_y_3 - D_delta_z_2*U_1_z_3
-    t312 = -D_delta_x_2*U_2_x_3 - D_delta_y_2*U_2_y_3 - D_delta_z_2*U_2_z_3
-    t313 = -D_delta_x_2*U_3_x_3 - D_delta_y_2*U_3_y_3 - D_delta_z_2*U_3_z_3
-    t314 = -D_delta_x_3*U_1_x_3 - D_delta_y_3*U_1_y_3 - D_delta_z_3*U_1_z_3
-    t315 = -D_delta_x_3*U_2_x_3 - D_delta_y_3*U_2_y_3 - D_delta_z_3*U_2_z_3
-    t316 = -D_delta_x_3*U_3_x_3 - D_delta_y_3*U_3_y_3 - D_delta_z_3*U_3_z_3
-    t317 = 1 - t118
-    t318 = 1 - t130
-    t319 = 1 - t138
-    t320 = 1.0/(t19**2)
-    t321 = t14*t320
-    t322 = (1/2)*t321
-    t323 = 1.0/(t21**2)
-    t324 = t14*t323
-    t325 = (1/2)*t324
-    t326 = t322 + t325
-    t327 = -R_p_1*t325
-    t328 = -R_p_1*t322
-    t329 = 1.0/(t30**2)
-    t330 = t25*t329
-    t331 = (1/2)*t330
-    t332 = 1.0/(t32**2)
-    t333 = t25*t332
-    t334 = (1/2)*t333
-    t335 = t331 + t334
-    t336 = -R_p_2*t334
-    t337 = -R_p_2*t331
-    t338 = 1.0/(t41**2)
-    t339 = t338*t36
-    t340 = (1/2)*t339
-    t341 = 1.0/(t43**2)
-    t342 = t341*t36
-    t343 = (1/2)*t342
-    t344 = t340 + t343
-    t345 = -R_p_3*t343
-    t346 = -R_p_3*t340
-    t347 = w_b_1**2
-    t348 = t11**2
-    t349 = t12**2
-    t350 = t347*t348*t349
-    t351 = k_sp_1*t350
-    t352 = c_E*t351
-    t353 = -t11*t12*t22*w_b_1 + t323*t352
-    t354 = c_E*t320
-    t355 = -t11*t12*t20*w_b_1 + t351*t354
-    t356 = -t353 - t355
-    t357 = R_p_1*t353
-    t358 = R_p_1*t355
-    t359 = 1.0/(t16**2)
-    t360 = t199*(t11*t12*t17*w_b_1 - t352*t359)
-    t361 = w_b_2**2
-    t362 = t23**2
-    t363 = t349*t361*t362
-    t364 = k_sp_2*t363
-    t365 = c_E*t364
-    t366 = -t12*t23*t33*w_b_2 + t332*t365
-    t367 = c_E*t329
-    t368 = -t12*t23*t31*w_b_2 + t364*t367
-    t369 = -t366 - t368
-    t370 = R_p_2*t366
-    t371 = R_p_2*t368
-    t372 = 1.0/(t27**2)
-    t373 = t203*(t12*t23*t28*w_b_2 - t365*t372)
-    t374 = w_b_3**2
-    t375 = t34**2
-    t376 = t349*t374*t375
-    t377 = k_sp_3*t376
-    t378 = c_E*t377
-    t379 = -t12*t34*t44*w_b_3 + t341*t378
-    t380 = c_E*t338
-    t381 = -t12*t34*t42*w_b_3 + t377*t380
-    t382 = -t379 - t381
-    t383 = R_p_3*t379
-    t384 = R_p_3*t381
-    t385 = 1.0/(t38**2)
-    t386 = t206*(t12*t34*t39*w_b_3 - t378*t385)
-    t387 = t348*w_b_1
-    t388 = k_sp_1**2
-    t389 = t349*t388
-    t390 = c_E*t389
-    t391 = t387*t390
-    t392 = -k_sp_1*t11*t12*t22 + t323*t391
-    t393 = t354*t389
-    t394 = -k_sp_1*t11*t12*t20 + t387*t393
-    t395 = -t392 - t394
-    t396 = R_p_1*t392
-    t397 = R_p_1*t394
-    t398 = t199*(k_sp_1*t11*t12*t17 - t359*t391)
-    t399 = t362*w_b_2
-    t400 = k_sp_2**2
-    t401 = t349*t400
-    t402 = c_E*t401
-    t403 = t399*t402
-    t404 = -k_sp_2*t12*t23*t33 + t332*t403
-    t405 = t367*t401
-    t406 = -k_sp_2*t12*t23*t31 + t399*t405
-    t407 = -t404 - t406
-    t408 = R_p_2*t404
-    t409 = R_p_2*t406
-    t410 = t203*(k_sp_2*t12*t23*t28 - t372*t403)
-    t411 = t375*w_b_3
-    t412 = k_sp_3**2
-    t413 = t349*t412
-    t414 = c_E*t413
-    t415 = t411*t414
-    t416 = -k_sp_3*t12*t34*t44 + t341*t415
-    t417 = t380*t413
-    t418 = -k_sp_3*t12*t34*t42 + t411*t417
-    t419 = -t416 - t418
-    t420 = R_p_3*t416
-    t421 = R_p_3*t418
-    t422 = t206*(k_sp_3*t12*t34*t39 - t385*t415)
-    t423 = 2*R_p_1
-    t424 = k_1_1*t423
-    t425 = 2*R_p_2
-    t426 = k_2_1*t425
-    t427 = 2*R_p_3
-    t428 = k_3_1*t427
-    t429 = -R_p_1*t321
-    t430 = t199*t359
-    t431 = t14*t430
-    t432 = R_p_1*t324
-    t433 = -R_p_2*t330
-    t434 = t203*t372
-    t435 = t25*t434
-    t436 = R_p_2*t333
-    t437 = -R_p_3*t339
-    t438 = t206*t385
-    t439 = t36*t438
-    t440 = R_p_3*t342
-    t441 = t11*t347
-    t442 = t390*t441
-    t443 = -k_sp_1*t12*t22*w_b_1 + t323*t442
-    t444 = -k_sp_1*t12*t20*w_b_1 + t393*t441
-    t445 = -t443 - t444
-    t446 = R_p_1*t443
-    t447 = R_p_1*t444
-    t448 = t199*(k_sp_1*t12*t17*w_b_1 - t359*t442)
-    t449 = t23*t361
-    t450 = t402*t449
-    t451 = -k_sp_2*t12*t33*w_b_2 + t332*t450
-    t452 = -k_sp_2*t12*t31*w_b_2 + t405*t449
+    t273 = -D_p_x_2*U_1_x_1 - D_p_y_2*U_1_y_1 - D_p_z_2*U_1_z_1
+    t274 = -D_p_x_1*U_2_x_2 - D_p_y_1*U_2_y_2 - D_p_z_1*U_2_z_2
+    t275 = -D_p_x_3*U_1_x_1 - D_p_y_3*U_1_y_1 - D_p_z_3*U_1_z_1
+    t276 = -D_p_x_1*U_3_x_3 - D_p_y_1*U_3_y_3 - D_p_z_1*U_3_z_3
+    t277 = -D_delta_x_1*U_1_x_1 - D_delta_y_1*U_1_y_1 - D_delta_z_1*U_1_z_1
+    t278 = -D_delta_x_2*U_1_x_1 - D_delta_y_2*U_1_y_1 - D_delta_z_2*U_1_z_1
+    t279 = -D_delta_x_3*U_1_x_1 - D_delta_y_3*U_1_y_1 - D_delta_z_3*U_1_z_1
+    t280 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2
+    t281 = -D_p_x_3*U_2_x_2 - D_p_y_3*U_2_y_2 - D_p_z_3*U_2_z_2
+    t282 = -D_p_x_2*U_3_x_3 - D_p_y_2*U_3_y_3 - D_p_z_2*U_3_z_3
+    t283 = -D_delta_x_1*U_2_x_2 - D_delta_y_1*U_2_y_2 - D_delta_z_1*U_2_z_2
+    t284 = -D_delta_x_2*U_2_x_2 - D_delta_y_2*U_2_y_2 - D_delta_z_2*U_2_z_2
+    t285 = -D_delta_x_3*U_2_x_2 - D_delta_y_3*U_2_y_2 - D_delta_z_3*U_2_z_2
+    t286 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2
+    t287 = -D_delta_x_1*U_3_x_3 - D_delta_y_1*U_3_y_3 - D_delta_z_1*U_3_z_3
+    t288 = -D_delta_x_2*U_3_x_3 - D_delta_y_2*U_3_y_3 - D_delta_z_2*U_3_z_3
+    t289 = -D_delta_x_3*U_3_x_3 - D_delta_y_3*U_3_y_3 - D_delta_z_3*U_3_z_3
+    t290 = 1 - t118
+    t291 = 1 - t130
+    t292 = 1 - t138
+    t293 = 1.0/(t19**2)
+    t294 = t14*t293
+    t295 = (1/2)*t294
+    t296 = 1.0/(t21**2)
+    t297 = t14*t296
+    t298 = (1/2)*t297
+    t299 = t295 + t298
+    t300 = -R_p_1*t298
+    t301 = -R_p_1*t295
+    t302 = 1.0/(t30**2)
+    t303 = t25*t302
+    t304 = (1/2)*t303
+    t305 = 1.0/(t32**2)
+    t306 = t25*t305
+    t307 = (1/2)*t306
+    t308 = t304 + t307
+    t309 = -R_p_2*t307
+    t310 = -R_p_2*t304
+    t311 = 1.0/(t41**2)
+    t312 = t311*t36
+    t313 = (1/2)*t312
+    t314 = 1.0/(t43**2)
+    t315 = t314*t36
+    t316 = (1/2)*t315
+    t317 = t313 + t316
+    t318 = -R_p_3*t316
+    t319 = -R_p_3*t313
+    t320 = w_b_1**2
+    t321 = t11**2
+    t322 = t12**2
+    t323 = t320*t321*t322
+    t324 = k_sp_1*t323
+    t325 = c_E*t324
+    t326 = -t11*t12*t22*w_b_1 + t296*t325
+    t327 = c_E*t293
+    t328 = -t11*t12*t20*w_b_1 + t324*t327
+    t329 = -t326 - t328
+    t330 = R_p_1*t326
+    t331 = R_p_1*t328
+    t332 = 1.0/(t16**2)
+    t333 = t199*(t11*t12*t17*w_b_1 - t325*t332)
+    t334 = w_b_2**2
+    t335 = t23**2
+    t336 = t322*t334*t335
+    t337 = k_sp_2*t336
+    t338 = c_E*t337
+    t339 = -t12*t23*t33*w_b_2 + t305*t338
+    t340 = c_E*t302
+    t341 = -t12*t23*t31*w_b_2 + t337*t340
+    t342 = -t339 - t341
+    t343 = R_p_2*t339
+    t344 = R_p_2*t341
+    t345 = 1.0/(t27**2)
+    t346 = t203*(t12*t23*t28*w_b_2 - t338*t345)
+    t347 = w_b_3**2
+    t348 = t34**2
+    t349 = t322*t347*t348
+    t350 = k_sp_3*t349
+    t351 = c_E*t350
+    t352 = -t12*t34*t44*w_b_3 + t314*t351
+    t353 = c_E*t311
+    t354 = -t12*t34*t42*w_b_3 + t350*t353
+    t355 = -t352 - t354
+    t356 = R_p_3*t352
+    t357 = R_p_3*t354
+    t358 = 1.0/(t38**2)
+    t359 = t206*(t12*t34*t39*w_b_3 - t351*t358)
+    t360 = t321*w_b_1
+    t361 = k_sp_1**2
+    t362 = t322*t361
+    t363 = c_E*t362
+    t364 = t360*t363
+    t365 = -k_sp_1*t11*t12*t22 + t296*t364
+    t366 = t327*t362
+    t367 = -k_sp_1*t11*t12*t20 + t360*t366
+    t368 = -t365 - t367
+    t369 = R_p_1*t365
+    t370 = R_p_1*t367
+    t371 = t199*(k_sp_1*t11*t12*t17 - t332*t364)
+    t372 = t335*w_b_2
+    t373 = k_sp_2**2
+    t374 = t322*t373
+    t375 = c_E*t374
+    t376 = t372*t375
+    t377 = -k_sp_2*t12*t23*t33 + t305*t376
+    t378 = t340*t374
+    t379 = -k_sp_2*t12*t23*t31 + t372*t378
+    t380 = -t377 - t379
+    t381 = R_p_2*t377
+    t382 = R_p_2*t379
+    t383 = t203*(k_sp_2*t12*t23*t28 - t345*t376)
+    t384 = t348*w_b_3
+    t385 = k_sp_3**2
+    t386 = t322*t385
+    t387 = c_E*t386
+    t388 = t384*t387
+    t389 = -k_sp_3*t12*t34*t44 + t314*t388
+    t390 = t353*t386
+    t391 = -k_sp_3*t12*t34*t42 + t384*t390
+    t392 = -t389 - t391
+    t393 = R_p_3*t389
+    t394 = R_p_3*t391
+    t395 = t206*(k_sp_3*t12*t34*t39 - t358*t388)
+    t396 = 2*R_p_1
+    t397 = k_1_1*t396
+    t398 = 2*R_p_2
+    t399 = k_2_1*t398
+    t400 = 2*R_p_3
+    t401 = k_3_1*t400
+    t402 = -R_p_1*t294
+    t403 = t199*t332
+    t404 = t14*t403
+    t405 = R_p_1*t297
+    t406 = -R_p_2*t303
+    t407 = t203*t345
+    t408 = t25*t407
+    t409 = R_p_2*t306
+    t410 = -R_p_3*t312
+    t411 = t206*t358
+    t412 = t36*t411
+    t413 = R_p_3*t315
+    t414 = t11*t320
+    t415 = t363*t414
+    t416 = -k_sp_1*t12*t22*w_b_1 + t296*t415
+    t417 = -k_sp_1*t12*t20*w_b_1 + t366*t414
+    t418 = -t416 - t417
+    t419 = R_p_1*t416
+    t420 = R_p_1*t417
+    t421 = t199*(k_sp_1*t12*t17*w_b_1 - t332*t415)
+    t422 = t23*t334
+    t423 = t375*t422
+    t424 = -k_sp_2*t12*t33*w_b_2 + t305*t423
+    t425 = -k_sp_2*t12*t31*w_b_2 + t378*t422
+    t426 = -t424 - t425
+    t427 = R_p_2*t424
+    t428 = R_p_2*t425
+    t429 = t203*(k_sp_2*t12*t28*w_b_2 - t345*t423)
+    t430 = t34*t347
+    t431 = t387*t430
+    t432 = -k_sp_3*t12*t44*w_b_3 + t314*t431
+    t433 = -k_sp_3*t12*t42*w_b_3 + t390*t430
+    t434 = -t432 - t433
+    t435 = R_p_3*t432
+    t436 = R_p_3*t433
+    t437 = t206*(k_sp_3*t12*t39*w_b_3 - t358*t431)
+    t438 = t323*t361
+    t439 = t293*t438
+    t440 = t296*t438
+    t441 = -t439 - t440
+    t442 = R_p_1*t440
+    t443 = R_p_1*t439
+    t444 = t336*t373
+    t445 = t302*t444
+    t446 = t305*t444
+    t447 = -t445 - t446
+    t448 = R_p_2*t446
+    t449 = R_p_2*t445
+    t450 = t349*t385
+    t451 = t311*t450
+    t452 = t314*t450
     t453 = -t451 - t452
-    t454 = R_p_2*t451
-    t455 = R_p_2*t452
-    t456 = t203*(k_sp_2*t12*t28*w_b_2 - t372*t450)
-    t457 = t34*t374
-    t458 = t414*t457
-    t459 = -k_sp_3*t12*t44*w_b_3 + t341*t458
-    t460 = -k_sp_3*t12*t42*w_b_3 + t417*t457
-    t461 = -t459 - t460
-    t462 = R_p_3*t459
-    t463 = R_p_3*t460
-    t464 = t206*(k_sp_3*t12*t39*w_b_3 - t385*t458)
-    t465 = t350*t388
-    t466 = t320*t465
-    t467 = t323*t465
-    t468 = -t466 - t467
-    t469 = R_p_1*t467
-    t470 = R_p_1*t466
-    t471 = t363*t400
-    t472 = t329*t471
-    t473 = t332*t471
-    t474 = -t472 - t473
-    t475 = R_p_2*t473
-    t476 = R_p_2*t472
-    t477 = t376*t412
-    t478 = t338*t477
-    t479 = t341*t477
-    t480 = -t478 - t479
-    t481 = R_p_3*t479
-    t482 = R_p_3*t478
-    t483 = t430*t465
-    t484 = t434*t471
-    t485 = t438*t477
-    t486 = F_T*t12
-    t487 = t347*t348*t388
-    t488 = t486*t487
+    t454 = R_p_3*t452
+    t455 = R_p_3*t451
+    t456 = t403*t438
+    t457 = t407*t444
+    t458 = t411*t450
+    t459 = F_T*t12
+    t460 = t320*t321*t361
+    t461 = t459*t460
+    t462 = c_E*t461
+    t463 = -F_T*k_sp_1*t11*t22*w_b_1 + t296*t462
+    t464 = -F_T*k_sp_1*t11*t20*w_b_1 + t327*t461
+    t465 = -t463 - t464
+    t466 = R_p_1*t463
+    t467 = R_p_1*t464
+    t468 = t334*t335*t373
+    t469 = t459*t468
+    t470 = c_E*t469
+    t471 = -F_T*k_sp_2*t23*t33*w_b_2 + t305*t470
+    t472 = -F_T*k_sp_2*t23*t31*w_b_2 + t340*t469
+    t473 = -t471 - t472
+    t474 = R_p_2*t471
+    t475 = R_p_2*t472
+    t476 = t347*t348*t385
+    t477 = t459*t476
+    t478 = c_E*t477
+    t479 = -F_T*k_sp_3*t34*t44*w_b_3 + t314*t478
+    t480 = -F_T*k_sp_3*t34*t42*w_b_3 + t353*t477
+    t481 = -t479 - t480
+    t482 = R_p_3*t479
+    t483 = R_p_3*t480
+    t484 = t199*(F_T*k_sp_1*t11*t17*w_b_1 - t332*t462)
+    t485 = t203*(F_T*k_sp_2*t23*t28*w_b_2 - t345*t470)
+    t486 = t206*(F_T*k_sp_3*t34*t39*w_b_3 - t358*t478)
+    t487 = c_T*t12
+    t488 = t460*t487
     t489 = c_E*t488
-    t490 = -F_T*k_sp_1*t11*t22*w_b_1 + t323*t489
-    t491 = -F_T*k_sp_1*t11*t20*w_b_1 + t354*t488
+    t490 = -c_T*k_sp_1*t11*t22*w_b_1 + t296*t489
+    t491 = -c_T*k_sp_1*t11*t20*w_b_1 + t327*t488
     t492 = -t490 - t491
     t493 = R_p_1*t490
     t494 = R_p_1*t491
-    t495 = t361*t362*t400
-    t496 = t486*t495
-    t497 = c_E*t496
-    t498 = -F_T*k_sp_2*t23*t33*w_b_2 + t332*t497
-    t499 = -F_T*k_sp_2*t23*t31*w_b_2 + t367*t496
-    t500 = -t498 - t499
+    t495 = t468*t487
+    t496 = c_E*t495
+    t497 = -c_T*k_sp_2*t23*t33*w_b_2 + t305*t496
+    t498 = -c_T*k_sp_2*t23*t31*w_b_2 + t340*t495
+    t499 = -t497 - t498
+    t500 = R_p_2*t497
     t501 = R_p_2*t498
-    t502 = R_p_2*t499
-    t503 = t374*t375*t412
-    t504 = t486*t503
-    t505 = c_E*t504
-    t506 = -F_T*k_sp_3*t34*t44*w_b_3 + t341*t505
-    t507 = -F_T*k_sp_3*t34*t42*w_b_3 + t380*t504
-    t508 = -t506 - t507
-    t509 = R_p_3*t506
-    t510 = R_p_3*t507
-    t511 = t199*(F_T*k_sp_1*t11*t17*w_b_1 - t359*t489)
-    t512 = t203*(F_T*k_sp_2*t23*t28*w_b_2 - t372*t497)
-    t513 = t206*(F_T*k_sp_3*t34*t39*w_b_3 - t385*t505)
-    t514 = c_T*t12
-    t515 = t487*t514
-    t516 = c_E*t515
-    t517 = -c_T*k_sp_1*t11*t22*w_b_1 + t323*t516
-    t518 = -c_T*k_sp_1*t11*t20*w_b_1 + t354*t515
-    t519 = -t517 - t518
-    t520 = R_p_1*t517
-    t521 = R_p_1*t518
-    t522 = t495*t514
-    t523 = c_E*t522
-    t524 = -c_T*k_sp_2*t23*t33*w_b_2 + t332*t523
-    t525 = -c_T*k_sp_2*t23*t31*w_b_2 + t367*t522
-    t526 = -t524 - t525
-    t527 = R_p_2*t524
-    t528 = R_p_2*t525
-    t529 = t503*t514
-    t530 = c_E*t529
-    t531 = -c_T*k_sp_3*t34*t44*w_b_3 + t341*t530
-    t532 = -c_T*k_sp_3*t34*t42*w_b_3 + t380*t529
-    t533 = -t531 - t532
-    t534 = R_p_3*t531
-    t535 = R_p_3*t532
-    t536 = t199*(c_T*k_sp_1*t11*t17*w_b_1 - t359*t516)
-    t537 = t203*(c_T*k_sp_2*t23*t28*w_b_2 - t372*t523)
-    t538 = t206*(c_T*k_sp_3*t34*t39*w_b_3 - t385*t530)
+    t502 = t476*t487
+    t503 = c_E*t502
+    t504 = -c_T*k_sp_3*t34*t44*w_b_3 + t314*t503
+    t505 = -c_T*k_sp_3*t34*t42*w_b_3 + t353*t502
+    t506 = -t504 - t505
+    t507 = R_p_3*t504
+    t508 = R_p_3*t505
+    t509 = t199*(c_T*k_sp_1*t11*t17*w_b_1 - t332*t489)
+    t510 = t203*(c_T*k_sp_2*t23*t28*w_b_2 - t345*t496)
+    t511 = t206*(c_T*k_sp_3*t34*t39*w_b_3 - t358*t503)
     M_theta_out = _listed(batch, dtype, (
         t58, t62, t66, t70, t74, t78, D_p_x_1, D_p_y_1, D_p_z_1, t82, t86, t90, t94, t98, D_p_x_2, D_p_y_2,
         D_p_z_2, t102, t106, t110, t114, D_p_x_3, D_p_y_3, D_p_z_3, t118, t122, t126, D_delta_x_1,
@@ -3125,202 +2231,202 @@ def value_sensitivities(p, parameters, effects):
         D_delta_y_2, D_delta_z_2, t138, D_delta_x_3, D_delta_y_3, D_delta_z_3, 1, 1, 1, 1, 1, 1,
     ))
     K_theta_out = _listed(batch, dtype, (
-        mu_1_by_m_p*t272 + mu_2_by_m_p*t273 + mu_3_by_m_p*t274,
-        mu_1_by_m_p*t275 + mu_2_by_m_p*t276 + mu_3_by_m_p*t277,
-        mu_1_by_m_p*t278 + mu_2_by_m_p*t279 + mu_3_by_m_p*t280,
-        mu_1_by_m_p*t281 + mu_2_by_m_p*t282 + mu_3_by_m_p*t283,
-        mu_1_by_m_p*t284 + mu_2_by_m_p*t285 + mu_3_by_m_p*t286,
-        mu_1_by_m_p*t287 + mu_2_by_m_p*t288 + mu_3_by_m_p*t289,
-        mu_1_by_m_p*t290 + mu_2_by_m_p*t291 + mu_3_by_m_p*t292,
-        mu_1_by_m_p*t293 + mu_2_by_m_p*t294 + mu_3_by_m_p*t295,
-        mu_1_by_m_p*t296 + mu_2_by_m_p*t297 + mu_3_by_m_p*t298,
-        mu_1_by_m_p*t299 + mu_2_by_m_p*t300 + mu_3_by_m_p*t301,
-        mu_1_by_m_p*t302 + mu_2_by_m_p*t303 + mu_3_by_m_p*t304,
-        mu_1_by_m_p*t305 + mu_2_by_m_p*t306 + mu_3_by_m_p*t307,
-        mu_1_by_m_p*t308 + mu_2_by_m_p*t309 + mu_3_by_m_p*t310,
-        mu_1_by_m_p*t311 + mu_2_by_m_p*t312 + mu_3_by_m_p*t313,
-        mu_1_by_m_p*t314 + mu_2_by_m_p*t315 + mu_3_by_m_p*t316,
-        mu_1_by_m_p*t317 - mu_2_by_m_p*t118 - mu_3_by_m_p*t118,
+        mu_1_by_m_p*t272 - mu_2_by_m_p*t58 - mu_3_by_m_p*t58,
+        mu_1_by_m_p*t273 + mu_2_by_m_p*t274 - mu_3_by_m_p*t62,
+        mu_1_by_m_p*t275 - mu_2_by_m_p*t66 + mu_3_by_m_p*t276,
+        mu_1_by_m_p*t277 - mu_2_by_m_p*t70 - mu_3_by_m_p*t70,
+        mu_1_by_m_p*t278 - mu_2_by_m_p*t74 - mu_3_by_m_p*t74,
+        mu_1_by_m_p*t279 - mu_2_by_m_p*t78 - mu_3_by_m_p*t78,
+        -mu_1_by_m_p*t82 + mu_2_by_m_p*t280 - mu_3_by_m_p*t82,
+        -mu_1_by_m_p*t86 + mu_2_by_m_p*t281 + mu_3_by_m_p*t282,
+        -mu_1_by_m_p*t90 + mu_2_by_m_p*t283 - mu_3_by_m_p*t90,
+        -mu_1_by_m_p*t94 + mu_2_by_m_p*t284 - mu_3_by_m_p*t94,
+        -mu_1_by_m_p*t98 + mu_2_by_m_p*t285 - mu_3_by_m_p*t98,
+        -mu_1_by_m_p*t102 - mu_2_by_m_p*t102 + mu_3_by_m_p*t286,
+        -mu_1_by_m_p*t106 - mu_2_by_m_p*t106 + mu_3_by_m_p*t287,
+        -mu_1_by_m_p*t110 - mu_2_by_m_p*t110 + mu_3_by_m_p*t288,
+        -mu_1_by_m_p*t114 - mu_2_by_m_p*t114 + mu_3_by_m_p*t289,
+        mu_1_by_m_p*t290 - mu_2_by_m_p*t118 - mu_3_by_m_p*t118,
         -mu_1_by_m_p*t122 - mu_2_by_m_p*t122 - mu_3_by_m_p*t122,
         -mu_1_by_m_p*t126 - mu_2_by_m_p*t126 - mu_3_by_m_p*t126,
-        -mu_1_by_m_p*t130 + mu_2_by_m_p*t318 - mu_3_by_m_p*t130,
+        -mu_1_by_m_p*t130 + mu_2_by_m_p*t291 - mu_3_by_m_p*t130,
         -mu_1_by_m_p*t134 - mu_2_by_m_p*t134 - mu_3_by_m_p*t134,
-        -mu_1_by_m_p*t138 - mu_2_by_m_p*t138 + mu_3_by_m_p*t319,
-        mu_1_by_g_x*t272 + mu_2_by_g_x*t273 + mu_3_by_g_x*t274,
-        mu_1_by_g_x*t275 + mu_2_by_g_x*t276 + mu_3_by_g_x*t277,
-        mu_1_by_g_x*t278 + mu_2_by_g_x*t279 + mu_3_by_g_x*t280,
-        mu_1_by_g_x*t281 + mu_2_by_g_x*t282 + mu_3_by_g_x*t283,
-        mu_1_by_g_x*t284 + mu_2_by_g_x*t285 + mu_3_by_g_x*t286,
-        mu_1_by_g_x*t287 + mu_2_by_g_x*t288 + mu_3_by_g_x*t289,
-        mu_1_by_g_x*t290 + mu_2_by_g_x*t291 + mu_3_by_g_x*t292,
-        mu_1_by_g_x*t293 + mu_2_by_g_x*t294 + mu_3_by_g_x*t295,
-        mu_1_by_g_x*t296 + mu_2_by_g_x*t297 + mu_3_by_g_x*t298,
-        mu_1_by_g_x*t299 + mu_2_by_g_x*t300 + mu_3_by_g_x*t301,
-        mu_1_by_g_x*t302 + mu_2_by_g_x*t303 + mu_3_by_g_x*t304,
-        mu_1_by_g_x*t305 + mu_2_by_g_x*t306 + mu_3_by_g_x*t307,
-        mu_1_by_g_x*t308 + mu_2_by_g_x*t309 + mu_3_by_g_x*t310,
-        mu_1_by_g_x*t311 + mu_2_by_g_x*t312 + mu_3_by_g_x*t313,
-        mu_1_by_g_x*t314 + mu_2_by_g_x*t315 + mu_3_by_g_x*t316,
-        mu_1_by_g_x*t317 - mu_2_by_g_x*t118 - mu_3_by_g_x*t118,
+        -mu_1_by_m_p*t138 - mu_2_by_m_p*t138 + mu_3_by_m_p*t292,
+        mu_1_by_g_x*t272 - mu_2_by_g_x*t58 - mu_3_by_g_x*t58,
+        mu_1_by_g_x*t273 + mu_2_by_g_x*t274 - mu_3_by_g_x*t62,
+        mu_1_by_g_x*t275 - mu_2_by_g_x*t66 + mu_3_by_g_x*t276,
+        mu_1_by_g_x*t277 - mu_2_by_g_x*t70 - mu_3_by_g_x*t70,
+        mu_1_by_g_x*t278 - mu_2_by_g_x*t74 - mu_3_by_g_x*t74,
+        mu_1_by_g_x*t279 - mu_2_by_g_x*t78 - mu_3_by_g_x*t78,
+        -mu_1_by_g_x*t82 + mu_2_by_g_x*t280 - mu_3_by_g_x*t82,
+        -mu_1_by_g_x*t86 + mu_2_by_g_x*t281 + mu_3_by_g_x*t282,
+        -mu_1_by_g_x*t90 + mu_2_by_g_x*t283 - mu_3_by_g_x*t90,
+        -mu_1_by_g_x*t94 + mu_2_by_g_x*t284 - mu_3_by_g_x*t94,
+        -mu_1_by_g_x*t98 + mu_2_by_g_x*t285 - mu_3_by_g_x*t98,
+        -mu_1_by_g_x*t102 - mu_2_by_g_x*t102 + mu_3_by_g_x*t286,
+        -mu_1_by_g_x*t106 - mu_2_by_g_x*t106 + mu_3_by_g_x*t287,
+        -mu_1_by_g_x*t110 - mu_2_by_g_x*t110 + mu_3_by_g_x*t288,
+        -mu_1_by_g_x*t114 - mu_2_by_g_x*t114 + mu_3_by_g_x*t289,
+        mu_1_by_g_x*t290 - mu_2_by_g_x*t118 - mu_3_by_g_x*t118,
         -mu_1_by_g_x*t122 - mu_2_by_g_x*t122 - mu_3_by_g_x*t122,
         -mu_1_by_g_x*t126 - mu_2_by_g_x*t126 - mu_3_by_g_x*t126,
-        -mu_1_by_g_x*t130 + mu_2_by_g_x*t318 - mu_3_by_g_x*t130,
+        -mu_1_by_g_x*t130 + mu_2_by_g_x*t291 - mu_3_by_g_x*t130,
         -mu_1_by_g_x*t134 - mu_2_by_g_x*t134 - mu_3_by_g_x*t134,
-        -mu_1_by_g_x*t138 - mu_2_by_g_x*t138 + mu_3_by_g_x*t319,
-        mu_1_by_g_y*t272 + mu_2_by_g_y*t273 + mu_3_by_g_y*t274,
-        mu_1_by_g_y*t275 + mu_2_by_g_y*t276 + mu_3_by_g_y*t277,
-        mu_1_by_g_y*t278 + mu_2_by_g_y*t279 + mu_3_by_g_y*t280,
-        mu_1_by_g_y*t281 + mu_2_by_g_y*t282 + mu_3_by_g_y*t283,
-        mu_1_by_g_y*t284 + mu_2_by_g_y*t285 + mu_3_by_g_y*t286,
-        mu_1_by_g_y*t287 + mu_2_by_g_y*t288 + mu_3_by_g_y*t289,
-        mu_1_by_g_y*t290 + mu_2_by_g_y*t291 + mu_3_by_g_y*t292,
-        mu_1_by_g_y*t293 + mu_2_by_g_y*t294 + mu_3_by_g_y*t295,
-        mu_1_by_g_y*t296 + mu_2_by_g_y*t297 + mu_3_by_g_y*t298,
-        mu_1_by_g_y*t299 + mu_2_by_g_y*t300 + mu_3_by_g_y*t301,
-        mu_1_by_g_y*t302 + mu_2_by_g_y*t303 + mu_3_by_g_y*t304,
-        mu_1_by_g_y*t305 + mu_2_by_g_y*t306 + mu_3_by_g_y*t307,
-        mu_1_by_g_y*t308 + mu_2_by_g_y*t309 + mu_3_by_g_y*t310,
-        mu_1_by_g_y*t311 + mu_2_by_g_y*t312 + mu_3_by_g_y*t313,
-        mu_1_by_g_y*t314 + mu_2_by_g_y*t315 + mu_3_by_g_y*t316,
-        mu_1_by_g_y*t317 - mu_2_by_g_y*t118 - mu_3_by_g_y*t118,
+        -mu_1_by_g_x*t138 - mu_2_by_g_x*t138 + mu_3_by_g_x*t292,
+        mu_1_by_g_y*t272 - mu_2_by_g_y*t58 - mu_3_by_g_y*t58,
+        mu_1_by_g_y*t273 + mu_2_by_g_y*t274 - mu_3_by_g_y*t62,
+        mu_1_by_g_y*t275 - mu_2_by_g_y*t66 + mu_3_by_g_y*t276,
+        mu_1_by_g_y*t277 - mu_2_by_g_y*t70 - mu_3_by_g_y*t70,
+        mu_1_by_g_y*t278 - mu_2_by_g_y*t74 - mu_3_by_g_y*t74,
+        mu_1_by_g_y*t279 - mu_2_by_g_y*t78 - mu_3_by_g_y*t78,
+        -mu_1_by_g_y*t82 + mu_2_by_g_y*t280 - mu_3_by_g_y*t82,
+        -mu_1_by_g_y*t86 + mu_2_by_g_y*t281 + mu_3_by_g_y*t282,
+        -mu_1_by_g_y*t90 + mu_2_by_g_y*t283 - mu_3_by_g_y*t90,
+        -mu_1_by_g_y*t94 + mu_2_by_g_y*t284 - mu_3_by_g_y*t94,
+        -mu_1_by_g_y*t98 + mu_2_by_g_y*t285 - mu_3_by_g_y*t98,
+        -mu_1_by_g_y*t102 - mu_2_by_g_y*t102 + mu_3_by_g_y*t286,
+        -mu_1_by_g_y*t106 - mu_2_by_g_y*t106 + mu_3_by_g_y*t287,
+        -mu_1_by_g_y*t110 - mu_2_by_g_y*t110 + mu_3_by_g_y*t288,
+        -mu_1_by_g_y*t114 - mu_2_by_g_y*t114 + mu_3_by_g_y*t289,
+        mu_1_by_g_y*t290 - mu_2_by_g_y*t118 - mu_3_by_g_y*t118,
         -mu_1_by_g_y*t122 - mu_2_by_g_y*t122 - mu_3_by_g_y*t122,
         -mu_1_by_g_y*t126 - mu_2_by_g_y*t126 - mu_3_by_g_y*t126,
-        -mu_1_by_g_y*t130 + mu_2_by_g_y*t318 - mu_3_by_g_y*t130,
+        -mu_1_by_g_y*t130 + mu_2_by_g_y*t291 - mu_3_by_g_y*t130,
         -mu_1_by_g_y*t134 - mu_2_by_g_y*t134 - mu_3_by_g_y*t134,
-        -mu_1_by_g_y*t138 - mu_2_by_g_y*t138 + mu_3_by_g_y*t319,
-        mu_1_by_g_z*t272 + mu_2_by_g_z*t273 + mu_3_by_g_z*t274,
-        mu_1_by_g_z*t275 + mu_2_by_g_z*t276 + mu_3_by_g_z*t277,
-        mu_1_by_g_z*t278 + mu_2_by_g_z*t279 + mu_3_by_g_z*t280,
-        mu_1_by_g_z*t281 + mu_2_by_g_z*t282 + mu_3_by_g_z*t283,
-        mu_1_by_g_z*t284 + mu_2_by_g_z*t285 + mu_3_by_g_z*t286,
-        mu_1_by_g_z*t287 + mu_2_by_g_z*t288 + mu_3_by_g_z*t289,
-        mu_1_by_g_z*t290 + mu_2_by_g_z*t291 + mu_3_by_g_z*t292,
-        mu_1_by_g_z*t293 + mu_2_by_g_z*t294 + mu_3_by_g_z*t295,
-        mu_1_by_g_z*t296 + mu_2_by_g_z*t297 + mu_3_by_g_z*t298,
-        mu_1_by_g_z*t299 + mu_2_by_g_z*t300 + mu_3_by_g_z*t301,
-        mu_1_by_g_z*t302 + mu_2_by_g_z*t303 + mu_3_by_g_z*t304,
-        mu_1_by_g_z*t305 + mu_2_by_g_z*t306 + mu_3_by_g_z*t307,
-        mu_1_by_g_z*t308 + mu_2_by_g_z*t309 + mu_3_by_g_z*t310,
-        mu_1_by_g_z*t311 + mu_2_by_g_z*t312 + mu_3_by_g_z*t313,
-        mu_1_by_g_z*t314 + mu_2_by_g_z*t315 + mu_3_by_g_z*t316,
-        mu_1_by_g_z*t317 - mu_2_by_g_z*t118 - mu_3_by_g_z*t118,
+        -mu_1_by_g_y*t138 - mu_2_by_g_y*t138 + mu_3_by_g_y*t292,
+        mu_1_by_g_z*t272 - mu_2_by_g_z*t58 - mu_3_by_g_z*t58,
+        mu_1_by_g_z*t273 + mu_2_by_g_z*t274 - mu_3_by_g_z*t62,
+        mu_1_by_g_z*t275 - mu_2_by_g_z*t66 + mu_3_by_g_z*t276,
+        mu_1_by_g_z*t277 - mu_2_by_g_z*t70 - mu_3_by_g_z*t70,
+        mu_1_by_g_z*t278 - mu_2_by_g_z*t74 - mu_3_by_g_z*t74,
+        mu_1_by_g_z*t279 - mu_2_by_g_z*t78 - mu_3_by_g_z*t78,
+        -mu_1_by_g_z*t82 + mu_2_by_g_z*t280 - mu_3_by_g_z*t82,
+        -mu_1_by_g_z*t86 + mu_2_by_g_z*t281 + mu_3_by_g_z*t282,
+        -mu_1_by_g_z*t90 + mu_2_by_g_z*t283 - mu_3_by_g_z*t90,
+        -mu_1_by_g_z*t94 + mu_2_by_g_z*t284 - mu_3_by_g_z*t94,
+        -mu_1_by_g_z*t98 + mu_2_by_g_z*t285 - mu_3_by_g_z*t98,
+        -mu_1_by_g_z*t102 - mu_2_by_g_z*t102 + mu_3_by_g_z*t286,
+        -mu_1_by_g_z*t106 - mu_2_by_g_z*t106 + mu_3_by_g_z*t287,
+        -mu_1_by_g_z*t110 - mu_2_by_g_z*t110 + mu_3_by_g_z*t288,
+        -mu_1_by_g_z*t114 - mu_2_by_g_z*t114 + mu_3_by_g_z*t289,
+        mu_1_by_g_z*t290 - mu_2_by_g_z*t118 - mu_3_by_g_z*t118,
         -mu_1_by_g_z*t122 - mu_2_by_g_z*t122 - mu_3_by_g_z*t122,
         -mu_1_by_g_z*t126 - mu_2_by_g_z*t126 - mu_3_by_g_z*t126,
-        -mu_1_by_g_z*t130 + mu_2_by_g_z*t318 - mu_3_by_g_z*t130,
+        -mu_1_by_g_z*t130 + mu_2_by_g_z*t291 - mu_3_by_g_z*t130,
         -mu_1_by_g_z*t134 - mu_2_by_g_z*t134 - mu_3_by_g_z*t134,
-        -mu_1_by_g_z*t138 - mu_2_by_g_z*t138 + mu_3_by_g_z*t319,
-        mu_1_by_m_d_1*t272 + mu_2_by_m_d_1*t273 + mu_3_by_m_d_1*t274,
-        mu_1_by_m_d_1*t275 + mu_2_by_m_d_1*t276 + mu_3_by_m_d_1*t277,
-        mu_1_by_m_d_1*t278 + mu_2_by_m_d_1*t279 + mu_3_by_m_d_1*t280,
-        mu_1_by_m_d_1*t281 + mu_2_by_m_d_1*t282 + mu_3_by_m_d_1*t283,
-        mu_1_by_m_d_1*t284 + mu_2_by_m_d_1*t285 + mu_3_by_m_d_1*t286,
-        mu_1_by_m_d_1*t287 + mu_2_by_m_d_1*t288 + mu_3_by_m_d_1*t289,
-        mu_1_by_m_d_1*t290 + mu_2_by_m_d_1*t291 + mu_3_by_m_d_1*t292,
-        mu_1_by_m_d_1*t293 + mu_2_by_m_d_1*t294 + mu_3_by_m_d_1*t295,
-        mu_1_by_m_d_1*t296 + mu_2_by_m_d_1*t297 + mu_3_by_m_d_1*t298,
-        mu_1_by_m_d_1*t299 + mu_2_by_m_d_1*t300 + mu_3_by_m_d_1*t301,
-        mu_1_by_m_d_1*t302 + mu_2_by_m_d_1*t303 + mu_3_by_m_d_1*t304,
-        mu_1_by_m_d_1*t305 + mu_2_by_m_d_1*t306 + mu_3_by_m_d_1*t307,
-        mu_1_by_m_d_1*t308 + mu_2_by_m_d_1*t309 + mu_3_by_m_d_1*t310,
-        mu_1_by_m_d_1*t311 + mu_2_by_m_d_1*t312 + mu_3_by_m_d_1*t313,
-        mu_1_by_m_d_1*t314 + mu_2_by_m_d_1*t315 + mu_3_by_m_d_1*t316,
-        mu_1_by_m_d_1*t317 - mu_2_by_m_d_1*t118 - mu_3_by_m_d_1*t118,
+        -mu_1_by_g_z*t138 - mu_2_by_g_z*t138 + mu_3_by_g_z*t292,
+        mu_1_by_m_d_1*t272 - mu_2_by_m_d_1*t58 - mu_3_by_m_d_1*t58,
+        mu_1_by_m_d_1*t273 + mu_2_by_m_d_1*t274 - mu_3_by_m_d_1*t62,
+        mu_1_by_m_d_1*t275 - mu_2_by_m_d_1*t66 + mu_3_by_m_d_1*t276,
+        mu_1_by_m_d_1*t277 - mu_2_by_m_d_1*t70 - mu_3_by_m_d_1*t70,
+        mu_1_by_m_d_1*t278 - mu_2_by_m_d_1*t74 - mu_3_by_m_d_1*t74,
+        mu_1_by_m_d_1*t279 - mu_2_by_m_d_1*t78 - mu_3_by_m_d_1*t78,
+        -mu_1_by_m_d_1*t82 + mu_2_by_m_d_1*t280 - mu_3_by_m_d_1*t82,
+        -mu_1_by_m_d_1*t86 + mu_2_by_m_d_1*t281 + mu_3_by_m_d_1*t282,
+        -mu_1_by_m_d_1*t90 + mu_2_by_m_d_1*t283 - mu_3_by_m_d_1*t90,
+        -mu_1_by_m_d_1*t94 + mu_2_by_m_d_1*t284 - mu_3_by_m_d_1*t94,
+        -mu_1_by_m_d_1*t98 + mu_2_by_m_d_1*t285 - mu_3_by_m_d_1*t98,
+        -mu_1_by_m_d_1*t102 - mu_2_by_m_d_1*t102 + mu_3_by_m_d_1*t286,
+        -mu_1_by_m_d_1*t106 - mu_2_by_m_d_1*t106 + mu_3_by_m_d_1*t287,
+        -mu_1_by_m_d_1*t110 - mu_2_by_m_d_1*t110 + mu_3_by_m_d_1*t288,
+        -mu_1_by_m_d_1*t114 - mu_2_by_m_d_1*t114 + mu_3_by_m_d_1*t289,
+        mu_1_by_m_d_1*t290 - mu_2_by_m_d_1*t118 - mu_3_by_m_d_1*t118,
         -mu_1_by_m_d_1*t122 - mu_2_by_m_d_1*t122 - mu_3_by_m_d_1*t122,
         -mu_1_by_m_d_1*t126 - mu_2_by_m_d_1*t126 - mu_3_by_m_d_1*t126,
-        -mu_1_by_m_d_1*t130 + mu_2_by_m_d_1*t318 - mu_3_by_m_d_1*t130,
+        -mu_1_by_m_d_1*t130 + mu_2_by_m_d_1*t291 - mu_3_by_m_d_1*t130,
         -mu_1_by_m_d_1*t134 - mu_2_by_m_d_1*t134 - mu_3_by_m_d_1*t134,
-        -mu_1_by_m_d_1*t138 - mu_2_by_m_d_1*t138 + mu_3_by_m_d_1*t319,
-        mu_1_by_m_d_2*t272 + mu_2_by_m_d_2*t273 + mu_3_by_m_d_2*t274,
-        mu_1_by_m_d_2*t275 + mu_2_by_m_d_2*t276 + mu_3_by_m_d_2*t277,
-        mu_1_by_m_d_2*t278 + mu_2_by_m_d_2*t279 + mu_3_by_m_d_2*t280,
-        mu_1_by_m_d_2*t281 + mu_2_by_m_d_2*t282 + mu_3_by_m_d_2*t283,
-        mu_1_by_m_d_2*t284 + mu_2_by_m_d_2*t285 + mu_3_by_m_d_2*t286,
-        mu_1_by_m_d_2*t287 + mu_2_by_m_d_2*t288 + mu_3_by_m_d_2*t289,
-        mu_1_by_m_d_2*t290 + mu_2_by_m_d_2*t291 + mu_3_by_m_d_2*t292,
-        mu_1_by_m_d_2*t293 + mu_2_by_m_d_2*t294 + mu_3_by_m_d_2*t295,
-        mu_1_by_m_d_2*t296 + mu_2_by_m_d_2*t297 + mu_3_by_m_d_2*t298,
-        mu_1_by_m_d_2*t299 + mu_2_by_m_d_2*t300 + mu_3_by_m_d_2*t301,
-        mu_1_by_m_d_2*t302 + mu_2_by_m_d_2*t303 + mu_3_by_m_d_2*t304,
-        mu_1_by_m_d_2*t305 + mu_2_by_m_d_2*t306 + mu_3_by_m_d_2*t307,
-        mu_1_by_m_d_2*t308 + mu_2_by_m_d_2*t309 + mu_3_by_m_d_2*t310,
-        mu_1_by_m_d_2*t311 + mu_2_by_m_d_2*t312 + mu_3_by_m_d_2*t313,
-        mu_1_by_m_d_2*t314 + mu_2_by_m_d_2*t315 + mu_3_by_m_d_2*t316,
-        mu_1_by_m_d_2*t317 - mu_2_by_m_d_2*t118 - mu_3_by_m_d_2*t118,
-        -mu_1_by_m_d_2*t122 - mu_2_by_m_d_2*t122 - mu_3_by_m_d_2*t122,
-        -mu_1_by_m_d_2*t126 - mu_2_by_m_d_2*t126 - mu_3_by_m_d_2*t126,
-        -mu_1_by_m_d_2*t130 + mu_2_by_m_d_2*t318 - mu_3_by_m_d_2*t130,
-        -mu_1_by_m_d_2*t134 - mu_2_by_m_d_2*t134 - mu_3_by_m_d_2*t134,
-        -mu_1_by_m_d_2*t138 - mu_2_by_m_d_2*t138 + mu_3_by_m_d_2*t319,
-        mu_1_by_m_d_3*t272 + mu_2_by_m_d_3*t273 + mu_3_by_m_d_3*t274,
-        mu_1_by_m_d_3*t275 + mu_2_by_m_d_3*t276 + mu_3_by_m_d_3*t277,
-        mu_1_by_m_d_3*t278 + mu_2_by_m_d_3*t279 + mu_3_by_m_d_3*t280,
-        mu_1_by_m_d_3*t281 + mu_2_by_m_d_3*t282 + mu_3_by_m_d_3*t283,
-        mu_1_by_m_d_3*t284 + mu_2_by_m_d_3*t285 + mu_3_by_m_d_3*t286,
-        mu_1_by_m_d_3*t287 + mu_2_by_m_d_3*t288 + mu_3_by_m_d_3*t289,
-        mu_1_by_m_d_3*t290 + mu_2_by_m_d_3*t291 + mu_3_by_m_d_3*t292,
-        mu_1_by_m_d_3*t293 + mu_2_by_m_d_3*t294 + mu_3_by_m_d_3*t295,
-        mu_1_by_m_d_3*t296 + mu_2_by_m_d_3*t297 + mu_3_by_m_d_3*t298,
-        mu_1_by_m_d_3*t299 + mu_2_by_m_d_3*t300 + mu_3_by_m_d_3*t301,
-        mu_1_by_m_d_3*t302 + mu_2_by_m_d_3*t303 + mu_3_by_m_d_3*t304,
-        mu_1_by_m_d_3*t305 + mu_2_by_m_d_3*t306 + mu_3_by_m_d_3*t307,
-        mu_1_by_m_d_3*t308 + mu_2_by_m_d_3*t309 + mu_3_by_m_d_3*t310,
-        mu_1_by_m_d_3*t311 + mu_2_by_m_d_3*t312 + mu_3_by_m_d_3*t313,
-        mu_1_by_m_d_3*t314 + mu_2_by_m_d_3*t315 + mu_3_by_m_d_3*t316,
-        mu_1_by_m_d_3*t317 - mu_2_by_m_d_3*t118 - mu_3_by_m_d_3*t118,
-        -mu_1_by_m_d_3*t122 - mu_2_by_m_d_3*t122 - mu_3_by_m_d_3*t122,
-        -mu_1_by_m_d_3*t126 - mu_2_by_m_d_3*t126 - mu_3_by_m_d_3*t126,
-        -mu_1_by_m_d_3*t130 + mu_2_by_m_d_3*t318 - mu_3_by_m_d_3*t130,
-        -mu_1_by_m_d_3*t134 - mu_2_by_m_d_3*t134 - mu_3_by_m_d_3*t134,
-        -mu_1_by_m_d_3*t138 - mu_2_by_m_d_3*t138 + mu_3_by_m_d_3*t319, t326, t327, t328, t326, t199*t325,
-        t327, t199*t322, t328, t326, t335, t336, t337, t335, t203*t334, t336, t203*t331, t337, t335, t344,
-        t345, t346, t344, t206*t343, t345, t206*t340, t346, t344, t356, t357, t358, t356, -t199*t353 + t360,
-        -t360, t357, -t199*t355 + t360, t358, t356, t369, t370, t371, t369, -t203*t366 + t373, -t373, t370,
-        -t203*t368 + t373, t371, t369, t382, t383, t384, t382, -t206*t379 + t386, -t386, t383,
-        -t206*t381 + t386, t384, t382, t395, t396, t397, t395, -t199*t392 + t398, -t398, t396,
-        -t199*t394 + t398, t397, t395, t407, t408, t409, t407, -t203*t404 + t410, -t410, t408,
-        -t203*t406 + t410, t409, t407, t419, t420, t421, t419, -t206*t416 + t422, -t422, t420,
-        -t206*t418 + t422, t421, t419, -k_1_3, -k_1_2, k_1_3*t423 + t424, -t424, -k_1_3, k_1_2*t423 + t424,
-        -k_1_2, -k_2_3, -k_2_2, k_2_3*t425 + t426, -t426, -k_2_3, k_2_2*t425 + t426, -k_2_2, -k_3_3, -k_3_2,
-        k_3_3*t427 + t428, -t428, -k_3_3, k_3_2*t427 + t428, -k_3_2, t321, t429, t321, t431, -t431,
-        t199*t321 + t431, t429, t321, -t324, t432, -t324, -t199*t324 - t431, t431, t432, -t431, -t324, t330,
-        t433, t330, t435, -t435, t203*t330 + t435, t433, t330, -t333, t436, -t333, -t203*t333 - t435, t435,
-        t436, -t435, -t333, t339, t437, t339, t439, -t439, t206*t339 + t439, t437, t339, -t342, t440, -t342,
-        -t206*t342 - t439, t439, t440, -t439, -t342, t445, t446, t447, t445, -t199*t443 + t448, -t448, t446,
-        -t199*t444 + t448, t447, t445, t453, t454, t455, t453, -t203*t451 + t456, -t456, t454,
-        -t203*t452 + t456, t455, t453, t461, t462, t463, t461, -t206*t459 + t464, -t464, t462,
-        -t206*t460 + t464, t463, t461, t468, t469, t470, t468, t474, t475, t476, t474, t480, t481, t482, t480,
-        -t199*t467 - t483, t483, t469, -t203*t473 - t484, t484, t475, -t206*t479 - t485, t485, t481,
-        -t199*t466 - t483, t470, -t203*t472 - t484, t476, -t206*t478 - t485, t482, t468, t474, t480, t492,
-        t493, t494, t492, t500, t501, t502, t500, t508, t509, t510, t508, -t199*t490 + t511, -t511, t493,
-        -t203*t498 + t512, -t512, t501, -t206*t506 + t513, -t513, t509, -t199*t491 + t511, t494,
-        -t203*t499 + t512, t502, -t206*t507 + t513, t510, t492, t500, t508, t519, t520, t521, t519, t526,
-        t527, t528, t526, t533, t534, t535, t533, -t199*t517 + t536, -t536, t520, -t203*t524 + t537, -t537,
-        t527, -t206*t531 + t538, -t538, t534, -t199*t518 + t536, t521, -t203*t525 + t537, t528,
-        -t206*t532 + t538, t535, t519, t526, t533, t58, t62, t66, t70, t74, t78, D_p_x_1, D_p_y_1, D_p_z_1,
+        -mu_1_by_m_d_1*t138 - mu_2_by_m_d_1*t138 + mu_3_by_m_d_1*t292,
+        mu_1_by_m_d_1*t272 - mu_2_by_m_d_1*t58 - mu_3_by_m_d_1*t58,
+        mu_1_by_m_d_1*t273 + mu_2_by_m_d_1*t274 - mu_3_by_m_d_1*t62,
+        mu_1_by_m_d_1*t275 - mu_2_by_m_d_1*t66 + mu_3_by_m_d_1*t276,
+        mu_1_by_m_d_1*t277 - mu_2_by_m_d_1*t70 - mu_3_by_m_d_1*t70,
+        mu_1_by_m_d_1*t278 - mu_2_by_m_d_1*t74 - mu_3_by_m_d_1*t74,
+        mu_1_by_m_d_1*t279 - mu_2_by_m_d_1*t78 - mu_3_by_m_d_1*t78,
+        -mu_1_by_m_d_1*t82 + mu_2_by_m_d_1*t280 - mu_3_by_m_d_1*t82,
+        -mu_1_by_m_d_1*t86 + mu_2_by_m_d_1*t281 + mu_3_by_m_d_1*t282,
+        -mu_1_by_m_d_1*t90 + mu_2_by_m_d_1*t283 - mu_3_by_m_d_1*t90,
+        -mu_1_by_m_d_1*t94 + mu_2_by_m_d_1*t284 - mu_3_by_m_d_1*t94,
+        -mu_1_by_m_d_1*t98 + mu_2_by_m_d_1*t285 - mu_3_by_m_d_1*t98,
+        -mu_1_by_m_d_1*t102 - mu_2_by_m_d_1*t102 + mu_3_by_m_d_1*t286,
+        -mu_1_by_m_d_1*t106 - mu_2_by_m_d_1*t106 + mu_3_by_m_d_1*t287,
+        -mu_1_by_m_d_1*t110 - mu_2_by_m_d_1*t110 + mu_3_by_m_d_1*t288,
+        -mu_1_by_m_d_1*t114 - mu_2_by_m_d_1*t114 + mu_3_by_m_d_1*t289,
+        mu_1_by_m_d_1*t290 - mu_2_by_m_d_1*t118 - mu_3_by_m_d_1*t118,
+        -mu_1_by_m_d_1*t122 - mu_2_by_m_d_1*t122 - mu_3_by_m_d_1*t122,
+        -mu_1_by_m_d_1*t126 - mu_2_by_m_d_1*t126 - mu_3_by_m_d_1*t126,
+        -mu_1_by_m_d_1*t130 + mu_2_by_m_d_1*t291 - mu_3_by_m_d_1*t130,
+        -mu_1_by_m_d_1*t134 - mu_2_by_m_d_1*t134 - mu_3_by_m_d_1*t134,
+        -mu_1_by_m_d_1*t138 - mu_2_by_m_d_1*t138 + mu_3_by_m_d_1*t292,
+        mu_1_by_m_d_1*t272 - mu_2_by_m_d_1*t58 - mu_3_by_m_d_1*t58,
+        mu_1_by_m_d_1*t273 + mu_2_by_m_d_1*t274 - mu_3_by_m_d_1*t62,
+        mu_1_by_m_d_1*t275 - mu_2_by_m_d_1*t66 + mu_3_by_m_d_1*t276,
+        mu_1_by_m_d_1*t277 - mu_2_by_m_d_1*t70 - mu_3_by_m_d_1*t70,
+        mu_1_by_m_d_1*t278 - mu_2_by_m_d_1*t74 - mu_3_by_m_d_1*t74,
+        mu_1_by_m_d_1*t279 - mu_2_by_m_d_1*t78 - mu_3_by_m_d_1*t78,
+        -mu_1_by_m_d_1*t82 + mu_2_by_m_d_1*t280 - mu_3_by_m_d_1*t82,
+        -mu_1_by_m_d_1*t86 + mu_2_by_m_d_1*t281 + mu_3_by_m_d_1*t282,
+        -mu_1_by_m_d_1*t90 + mu_2_by_m_d_1*t283 - mu_3_by_m_d_1*t90,
+        -mu_1_by_m_d_1*t94 + mu_2_by_m_d_1*t284 - mu_3_by_m_d_1*t94,
+        -mu_1_by_m_d_1*t98 + mu_2_by_m_d_1*t285 - mu_3_by_m_d_1*t98,
+        -mu_1_by_m_d_1*t102 - mu_2_by_m_d_1*t102 + mu_3_by_m_d_1*t286,
+        -mu_1_by_m_d_1*t106 - mu_2_by_m_d_1*t106 + mu_3_by_m_d_1*t287,
+        -mu_1_by_m_d_1*t110 - mu_2_by_m_d_1*t110 + mu_3_by_m_d_1*t288,
+        -mu_1_by_m_d_1*t114 - mu_2_by_m_d_1*t114 + mu_3_by_m_d_1*t289,
+        mu_1_by_m_d_1*t290 - mu_2_by_m_d_1*t118 - mu_3_by_m_d_1*t118,
+        -mu_1_by_m_d_1*t122 - mu_2_by_m_d_1*t122 - mu_3_by_m_d_1*t122,
+        -mu_1_by_m_d_1*t126 - mu_2_by_m_d_1*t126 - mu_3_by_m_d_1*t126,
+        -mu_1_by_m_d_1*t130 + mu_2_by_m_d_1*t291 - mu_3_by_m_d_1*t130,
+        -mu_1_by_m_d_1*t134 - mu_2_by_m_d_1*t134 - mu_3_by_m_d_1*t134,
+        -mu_1_by_m_d_1*t138 - mu_2_by_m_d_1*t138 + mu_3_by_m_d_1*t292, t299, t300, t301, t299, t199*t298,
+        t300, t199*t295, t301, t299, t308, t309, t310, t308, t203*t307, t309, t203*t304, t310, t308, t317,
+        t318, t319, t317, t206*t316, t318, t206*t313, t319, t317, t329, t330, t331, t329, -t199*t326 + t333,
+        -t333, t330, -t199*t328 + t333, t331, t329, t342, t343, t344, t342, -t203*t339 + t346, -t346, t343,
+        -t203*t341 + t346, t344, t342, t355, t356, t357, t355, -t206*t352 + t359, -t359, t356,
+        -t206*t354 + t359, t357, t355, t368, t369, t370, t368, -t199*t365 + t371, -t371, t369,
+        -t199*t367 + t371, t370, t368, t380, t381, t382, t380, -t203*t377 + t383, -t383, t381,
+        -t203*t379 + t383, t382, t380, t392, t393, t394, t392, -t206*t389 + t395, -t395, t393,
+        -t206*t391 + t395, t394, t392, -k_1_3, -k_1_2, k_1_3*t396 + t397, -t397, -k_1_3, k_1_2*t396 + t397,
+        -k_1_2, -k_2_3, -k_2_2, k_2_3*t398 + t399, -t399, -k_2_3, k_2_2*t398 + t399, -k_2_2, -k_3_3, -k_3_2,
+        k_3_3*t400 + t401, -t401, -k_3_3, k_3_2*t400 + t401, -k_3_2, t294, t402, t294, t404, -t404,
+        t199*t294 + t404, t402, t294, -t297, t405, -t297, -t199*t297 - t404, t404, t405, -t404, -t297, t303,
+        t406, t303, t408, -t408, t203*t303 + t408, t406, t303, -t306, t409, -t306, -t203*t306 - t408, t408,
+        t409, -t408, -t306, t312, t410, t312, t412, -t412, t206*t312 + t412, t410, t312, -t315, t413, -t315,
+        -t206*t315 - t412, t412, t413, -t412, -t315, t418, t419, t420, t418, -t199*t416 + t421, -t421, t419,
+        -t199*t417 + t421, t420, t418, t426, t427, t428, t426, -t203*t424 + t429, -t429, t427,
+        -t203*t425 + t429, t428, t426, t434, t435, t436, t434, -t206*t432 + t437, -t437, t435,
+        -t206*t433 + t437, t436, t434, t441, t442, t443, t441, t447, t448, t449, t447, t453, t454, t455, t453,
+        -t199*t440 - t456, t456, t442, -t203*t446 - t457, t457, t448, -t206*t452 - t458, t458, t454,
+        -t199*t439 - t456, t443, -t203*t445 - t457, t449, -t206*t451 - t458, t455, t441, t447, t453, t465,
+        t466, t467, t465, t473, t474, t475, t473, t481, t482, t483, t481, -t199*t463 + t484, -t484, t466,
+        -t203*t471 + t485, -t485, t474, -t206*t479 + t486, -t486, t482, -t199*t464 + t484, t467,
+        -t203*t472 + t485, t475, -t206*t480 + t486, t483, t465, t473, t481, t492, t493, t494, t492, t499,
+        t500, t501, t499, t506, t507, t508, t506, -t199*t490 + t509, -t509, t493, -t203*t497 + t510, -t510,
+        t500, -t206*t504 + t511, -t511, t507, -t199*t491 + t509, t494, -t203*t498 + t510, t501,
+        -t206*t505 + t511, t508, t492, t499, t506, t58, t62, t66, t70, t74, t78, D_p_x_1, D_p_y_1, D_p_z_1,
         t82, t86, t90, t94, t98, D_p_x_2, D_p_y_2, D_p_z_2, t102, t106, t110, t114, D_p_x_3, D_p_y_3, D_p_z_3,
         t118, t122, t126, D_delta_x_1, D_delta_y_1, D_delta_z_1, t130, t134, D_delta_x_2, D_delta_y_2,
         D_delta_z_2, t138, D_delta_x_3, D_delta_y_3, D_delta_z_3, 1, 1, 1,
-        mu_1_by_m_L*t272 + mu_2_by_m_L*t273 + mu_3_by_m_L*t274,
-        mu_1_by_m_L*t275 + mu_2_by_m_L*t276 + mu_3_by_m_L*t277,
-        mu_1_by_m_L*t278 + mu_2_by_m_L*t279 + mu_3_by_m_L*t280,
-        mu_1_by_m_L*t281 + mu_2_by_m_L*t282 + mu_3_by_m_L*t283,
-        mu_1_by_m_L*t284 + mu_2_by_m_L*t285 + mu_3_by_m_L*t286,
-        mu_1_by_m_L*t287 + mu_2_by_m_L*t288 + mu_3_by_m_L*t289,
-        mu_1_by_m_L*t290 + mu_2_by_m_L*t291 + mu_3_by_m_L*t292,
-        mu_1_by_m_L*t293 + mu_2_by_m_L*t294 + mu_3_by_m_L*t295,
-        mu_1_by_m_L*t296 + mu_2_by_m_L*t297 + mu_3_by_m_L*t298,
-        mu_1_by_m_L*t299 + mu_2_by_m_L*t300 + mu_3_by_m_L*t301,
-        mu_1_by_m_L*t302 + mu_2_by_m_L*t303 + mu_3_by_m_L*t304,
-        mu_1_by_m_L*t305 + mu_2_by_m_L*t306 + mu_3_by_m_L*t307,
-        mu_1_by_m_L*t308 + mu_2_by_m_L*t309 + mu_3_by_m_L*t310,
-        mu_1_by_m_L*t311 + mu_2_by_m_L*t312 + mu_3_by_m_L*t313,
-        mu_1_by_m_L*t314 + mu_2_by_m_L*t315 + mu_3_by_m_L*t316,
-        mu_1_by_m_L*t317 - mu_2_by_m_L*t118 - mu_3_by_m_L*t118,
-        -mu_1_by_m_L*t122 - mu_2_by_m_L*t122 - mu_3_by_m_L*t122,
-        -mu_1_by_m_L*t126 - mu_2_by_m_L*t126 - mu_3_by_m_L*t126,
-        -mu_1_by_m_L*t130 + mu_2_by_m_L*t318 - mu_3_by_m_L*t130,
-        -mu_1_by_m_L*t134 - mu_2_by_m_L*t134 - mu_3_by_m_L*t134,
-        -mu_1_by_m_L*t138 - mu_2_by_m_L*t138 + mu_3_by_m_L*t319, d_1_1, d_2_1, d_3_1, d_1_2, d_2_2, d_3_2,
+        mu_1_by_m_p*t272 - mu_2_by_m_p*t58 - mu_3_by_m_p*t58,
+        mu_1_by_m_p*t273 + mu_2_by_m_p*t274 - mu_3_by_m_p*t62,
+        mu_1_by_m_p*t275 - mu_2_by_m_p*t66 + mu_3_by_m_p*t276,
+        mu_1_by_m_p*t277 - mu_2_by_m_p*t70 - mu_3_by_m_p*t70,
+        mu_1_by_m_p*t278 - mu_2_by_m_p*t74 - mu_3_by_m_p*t74,
+        mu_1_by_m_p*t279 - mu_2_by_m_p*t78 - mu_3_by_m_p*t78,
+        -mu_1_by_m_p*t82 + mu_2_by_m_p*t280 - mu_3_by_m_p*t82,
+        -mu_1_by_m_p*t86 + mu_2_by_m_p*t281 + mu_3_by_m_p*t282,
+        -mu_1_by_m_p*t90 + mu_2_by_m_p*t283 - mu_3_by_m_p*t90,
+        -mu_1_by_m_p*t94 + mu_2_by_m_p*t284 - mu_3_by_m_p*t94,
+        -mu_1_by_m_p*t98 + mu_2_by_m_p*t285 - mu_3_by_m_p*t98,
+        -mu_1_by_m_p*t102 - mu_2_by_m_p*t102 + mu_3_by_m_p*t286,
+        -mu_1_by_m_p*t106 - mu_2_by_m_p*t106 + mu_3_by_m_p*t287,
+        -mu_1_by_m_p*t110 - mu_2_by_m_p*t110 + mu_3_by_m_p*t288,
+        -mu_1_by_m_p*t114 - mu_2_by_m_p*t114 + mu_3_by_m_p*t289,
+        mu_1_by_m_p*t290 - mu_2_by_m_p*t118 - mu_3_by_m_p*t118,
+        -mu_1_by_m_p*t122 - mu_2_by_m_p*t122 - mu_3_by_m_p*t122,
+        -mu_1_by_m_p*t126 - mu_2_by_m_p*t126 - mu_3_by_m_p*t126,
+        -mu_1_by_m_p*t130 + mu_2_by_m_p*t291 - mu_3_by_m_p*t130,
+        -mu_1_by_m_p*t134 - mu_2_by_m_p*t134 - mu_3_by_m_p*t134,
+        -mu_1_by_m_p*t138 - mu_2_by_m_p*t138 + mu_3_by_m_p*t292, d_1_1, d_2_1, d_3_1, d_1_2, d_2_2, d_3_2,
     ))
     return M_theta_out, K_theta_out
 
@@ -3350,7 +2456,7 @@ def geometry_sensitivities(p, parameters, effects):
     Notes
     -----
     Implicit function theorem and chain rule.
-    13309 operations; 64172202 with every named value written out.
+    13237 operations; 64172202 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -3455,31 +2561,13 @@ def geometry_sensitivities(p, parameters, effects):
     D_delta_z_2 = l_d_2*t9
     D_delta_z_3 = l_d_3*t10
     U_1_x_1 = D_p_x_1 - n_1_x
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - n_1_y
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - n_1_z
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - n_2_x
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - n_2_y
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - n_2_z
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - n_3_x
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - n_3_y
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - n_3_z
     t11 = (1/2)*l_t_1
     l_f_1_2 = -t11 + x_1 - x_min_1
@@ -4063,359 +3151,347 @@ def geometry_sensitivities(p, parameters, effects):
     t245 = rho_b*x_3_by_l_d_3
     t246 = t228*t245
     t247 = t231*t245
-    t248 = U_1_x_1*mu_1
+    t248 = D_p_x_1*mu_2
     t249 = 2*D_p_x_1_by_b_1_x
-    t250 = U_2_x_1*mu_2
-    t251 = U_3_x_1*mu_3
-    t252 = U_1_y_1*mu_1
+    t250 = D_p_x_1*mu_3
+    t251 = U_1_x_1*mu_1
+    t252 = D_p_y_1*mu_2
     t253 = 2*D_p_y_1_by_b_1_x
-    t254 = U_2_y_1*mu_2
-    t255 = U_3_y_1*mu_3
-    t256 = U_1_z_1*mu_1
+    t254 = D_p_y_1*mu_3
+    t255 = U_1_y_1*mu_1
+    t256 = D_p_z_1*mu_2
     t257 = 2*D_p_z_1_by_b_1_x
-    t258 = U_2_z_1*mu_2
-    t259 = U_3_z_1*mu_3
+    t258 = D_p_z_1*mu_3
+    t259 = U_1_z_1*mu_1
     t260 = -U_1_x_1**2 - U_1_y_1**2 - U_1_z_1**2
-    t261 = -U_2_x_1**2 - U_2_y_1**2 - U_2_z_1**2
-    t262 = -U_3_x_1**2 - U_3_y_1**2 - U_3_z_1**2
-    t263 = F_T*c_T + 1
-    t264 = a_B_1 + 1
-    t265 = c_E*t263
-    t266 = k_sp_1*t264*w_b_1
-    t267 = t265*t266
-    t268 = 1.0/((l_f_1_2 + t267)**2)
-    t269 = t263*t266
-    t270 = t269*x_1_by_b_1_x
-    t271 = t268*t270
-    t272 = 1.0/((l_f_1_3 + t267)**2)
-    t273 = U_1_x_2*mu_1
+    t261 = -D_p_x_1**2 - D_p_y_1**2 - D_p_z_1**2
+    t262 = F_T*c_T + 1
+    t263 = a_B_1 + 1
+    t264 = c_E*t262
+    t265 = k_sp_1*t263*w_b_1
+    t266 = t264*t265
+    t267 = 1.0/((l_f_1_2 + t266)**2)
+    t268 = t262*t265
+    t269 = t268*x_1_by_b_1_x
+    t270 = t267*t269
+    t271 = 1.0/((l_f_1_3 + t266)**2)
+    t272 = D_p_x_2*mu_1
+    t273 = D_p_x_2*mu_3
     t274 = U_2_x_2*mu_2
-    t275 = U_3_x_2*mu_3
-    t276 = U_1_y_2*mu_1
+    t275 = D_p_y_2*mu_1
+    t276 = D_p_y_2*mu_3
     t277 = U_2_y_2*mu_2
-    t278 = U_3_y_2*mu_3
-    t279 = U_1_z_2*mu_1
+    t278 = D_p_z_2*mu_1
+    t279 = D_p_z_2*mu_3
     t280 = U_2_z_2*mu_2
-    t281 = U_3_z_2*mu_3
-    t282 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2
-    t283 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2
-    t284 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2
-    t285 = U_1_x_3*mu_1
-    t286 = U_2_x_3*mu_2
-    t287 = U_3_x_3*mu_3
-    t288 = U_1_y_3*mu_1
-    t289 = U_2_y_3*mu_2
-    t290 = U_3_y_3*mu_3
-    t291 = U_1_z_3*mu_1
-    t292 = U_2_z_3*mu_2
-    t293 = U_3_z_3*mu_3
-    t294 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3
-    t295 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3
-    t296 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3
-    t297 = t270*t272
-    t298 = -R_p_1*t297
-    t299 = R_p_1*t271
-    t300 = D_p_x_1_by_b_1_x*k_C
-    t301 = D_p_y_1_by_b_1_x*k_C
-    t302 = D_p_z_1_by_b_1_x*k_C
-    t303 = D_delta_x_1*mu_1
-    t304 = D_delta_x_1*mu_2
-    t305 = D_delta_x_1*mu_3
-    t306 = D_delta_y_1*mu_1
-    t307 = D_delta_y_1*mu_2
-    t308 = D_delta_y_1*mu_3
-    t309 = D_delta_z_1*mu_1
-    t310 = D_delta_z_1*mu_2
-    t311 = D_delta_z_1*mu_3
-    t312 = -D_delta_x_1*U_1_x_1 - D_delta_y_1*U_1_y_1 - D_delta_z_1*U_1_z_1
-    t313 = -D_delta_x_1*U_2_x_1 - D_delta_y_1*U_2_y_1 - D_delta_z_1*U_2_z_1
-    t314 = -D_delta_x_1*U_3_x_1 - D_delta_y_1*U_3_y_1 - D_delta_z_1*U_3_z_1
-    t315 = D_p_x_1*k_C - t248 - t250 - t251
-    t316 = D_p_y_1*k_C - t252 - t254 - t255
-    t317 = D_p_z_1*k_C - t256 - t258 - t259
-    t318 = D_delta_x_2*mu_1
-    t319 = D_delta_x_2*mu_2
-    t320 = D_delta_x_2*mu_3
-    t321 = D_delta_y_2*mu_1
-    t322 = D_delta_y_2*mu_2
-    t323 = D_delta_y_2*mu_3
-    t324 = D_delta_z_2*mu_1
-    t325 = D_delta_z_2*mu_2
-    t326 = D_delta_z_2*mu_3
-    t327 = -D_delta_x_2*U_1_x_1 - D_delta_y_2*U_1_y_1 - D_delta_z_2*U_1_z_1
-    t328 = -D_delta_x_2*U_2_x_1 - D_delta_y_2*U_2_y_1 - D_delta_z_2*U_2_z_1
-    t329 = -D_delta_x_2*U_3_x_1 - D_delta_y_2*U_3_y_1 - D_delta_z_2*U_3_z_1
-    t330 = D_delta_x_3*mu_1
-    t331 = D_delta_x_3*mu_2
-    t332 = D_delta_x_3*mu_3
-    t333 = D_delta_y_3*mu_1
-    t334 = D_delta_y_3*mu_2
-    t335 = D_delta_y_3*mu_3
-    t336 = D_delta_z_3*mu_1
-    t337 = D_delta_z_3*mu_2
-    t338 = D_delta_z_3*mu_3
-    t339 = -D_delta_x_3*U_1_x_1 - D_delta_y_3*U_1_y_1 - D_delta_z_3*U_1_z_1
-    t340 = -D_delta_x_3*U_2_x_1 - D_delta_y_3*U_2_y_1 - D_delta_z_3*U_2_z_1
-    t341 = -D_delta_x_3*U_3_x_1 - D_delta_y_3*U_3_y_1 - D_delta_z_3*U_3_z_1
-    t342 = -t271 + t297
-    t343 = 2*D_p_x_2_by_b_1_x
-    t344 = 2*D_p_y_2_by_b_1_x
-    t345 = 2*D_p_z_2_by_b_1_x
-    t346 = -U_1_x_2**2 - U_1_y_2**2 - U_1_z_2**2
-    t347 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2
-    t348 = -U_3_x_2**2 - U_3_y_2**2 - U_3_z_2**2
-    t349 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3
-    t350 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3
-    t351 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3
-    t352 = D_p_x_2_by_b_1_x*k_C
-    t353 = D_p_y_2_by_b_1_x*k_C
-    t354 = D_p_z_2_by_b_1_x*k_C
-    t355 = -D_delta_x_1*U_1_x_2 - D_delta_y_1*U_1_y_2 - D_delta_z_1*U_1_z_2
-    t356 = -D_delta_x_1*U_2_x_2 - D_delta_y_1*U_2_y_2 - D_delta_z_1*U_2_z_2
-    t357 = -D_delta_x_1*U_3_x_2 - D_delta_y_1*U_3_y_2 - D_delta_z_1*U_3_z_2
-    t358 = D_p_x_2*k_C - t273 - t274 - t275
-    t359 = D_p_y_2*k_C - t276 - t277 - t278
-    t360 = D_p_z_2*k_C - t279 - t280 - t281
-    t361 = -D_delta_x_2*U_1_x_2 - D_delta_y_2*U_1_y_2 - D_delta_z_2*U_1_z_2
-    t362 = -D_delta_x_2*U_2_x_2 - D_delta_y_2*U_2_y_2 - D_delta_z_2*U_2_z_2
-    t363 = -D_delta_x_2*U_3_x_2 - D_delta_y_2*U_3_y_2 - D_delta_z_2*U_3_z_2
-    t364 = -D_delta_x_3*U_1_x_2 - D_delta_y_3*U_1_y_2 - D_delta_z_3*U_1_z_2
-    t365 = -D_delta_x_3*U_2_x_2 - D_delta_y_3*U_2_y_2 - D_delta_z_3*U_2_z_2
-    t366 = -D_delta_x_3*U_3_x_2 - D_delta_y_3*U_3_y_2 - D_delta_z_3*U_3_z_2
-    t367 = 2*D_p_x_3_by_b_1_x
-    t368 = 2*D_p_y_3_by_b_1_x
-    t369 = 2*D_p_z_3_by_b_1_x
-    t370 = -U_1_x_3**2 - U_1_y_3**2 - U_1_z_3**2
-    t371 = -U_2_x_3**2 - U_2_y_3**2 - U_2_z_3**2
-    t372 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2
-    t373 = D_p_x_3_by_b_1_x*k_C
-    t374 = D_p_y_3_by_b_1_x*k_C
-    t375 = D_p_z_3_by_b_1_x*k_C
-    t376 = -D_delta_x_1*U_1_x_3 - D_delta_y_1*U_1_y_3 - D_delta_z_1*U_1_z_3
-    t377 = -D_delta_x_1*U_2_x_3 - D_delta_y_1*U_2_y_3 - D_delta_z_1*U_2_z_3
-    t378 = -D_delta_x_1*U_3_x_3 - D_delta_y_1*U_3_y_3 - D_delta_z_1*U_3_z_3
-    t379 = D_p_x_3*k_C - t285 - t286 - t287
-    t380 = D_p_y_3*k_C - t288 - t289 - t290
-    t381 = D_p_z_3*k_C - t291 - t292 - t293
-    t382 = -D_delta_x_2*U_1_x_3 - D_delta_y_2*U_1_y_3 - D_delta_z_2*U_1_z_3
-    t383 = -D_delta_x_2*U_2_x_3 - D_delta_y_2*U_2_y_3 - D_delta_z_2*U_2_z_3
-    t384 = -D_delta_x_2*U_3_x_3 - D_delta_y_2*U_3_y_3 - D_delta_z_2*U_3_z_3
-    t385 = -D_delta_x_3*U_1_x_3 - D_delta_y_3*U_1_y_3 - D_delta_z_3*U_1_z_3
-    t386 = -D_delta_x_3*U_2_x_3 - D_delta_y_3*U_2_y_3 - D_delta_z_3*U_2_z_3
-    t387 = -D_delta_x_3*U_3_x_3 - D_delta_y_3*U_3_y_3 - D_delta_z_3*U_3_z_3
-    t388 = D_delta_x_1**2 + D_delta_y_1**2 + D_delta_z_1**2
-    t389 = 2*D_delta_x_1*k_C - 2*t303 - 2*t304 - 2*t305
-    t390 = 2*D_delta_y_1*k_C - 2*t306 - 2*t307 - 2*t308
-    t391 = 2*D_delta_z_1*k_C - 2*t309 - 2*t310 - 2*t311
-    t392 = 1 - t388
-    t393 = -D_delta_x_1*D_delta_x_2 - D_delta_y_1*D_delta_y_2 - D_delta_z_1*D_delta_z_2
-    t394 = D_delta_x_2*k_C - t318 - t319 - t320
-    t395 = D_delta_x_1*k_C - t303 - t304 - t305
-    t396 = D_delta_y_2*k_C - t321 - t322 - t323
-    t397 = D_delta_y_1*k_C - t306 - t307 - t308
-    t398 = D_delta_z_2*k_C - t324 - t325 - t326
-    t399 = D_delta_z_1*k_C - t309 - t310 - t311
-    t400 = -D_delta_x_1*D_delta_x_3 - D_delta_y_1*D_delta_y_3 - D_delta_z_1*D_delta_z_3
-    t401 = D_delta_x_3*k_C - t330 - t331 - t332
-    t402 = D_delta_y_3*k_C - t333 - t334 - t335
-    t403 = D_delta_z_3*k_C - t336 - t337 - t338
-    t404 = D_delta_x_2**2 + D_delta_y_2**2 + D_delta_z_2**2
-    t405 = 2*D_delta_x_2*k_C - 2*t318 - 2*t319 - 2*t320
-    t406 = 2*D_delta_y_2*k_C - 2*t321 - 2*t322 - 2*t323
-    t407 = 2*D_delta_z_2*k_C - 2*t324 - 2*t325 - 2*t326
-    t408 = 1 - t404
-    t409 = -D_delta_x_2*D_delta_x_3 - D_delta_y_2*D_delta_y_3 - D_delta_z_2*D_delta_z_3
-    t410 = D_delta_x_3**2 + D_delta_y_3**2 + D_delta_z_3**2
-    t411 = 2*D_delta_x_3*k_C - 2*t330 - 2*t331 - 2*t332
-    t412 = 2*D_delta_y_3*k_C - 2*t333 - 2*t334 - 2*t335
-    t413 = 2*D_delta_z_3*k_C - 2*t336 - 2*t337 - 2*t338
-    t414 = 1 - t410
-    t415 = 2*D_p_x_1_by_b_1_y
-    t416 = 2*D_p_y_1_by_b_1_y
-    t417 = 2*D_p_z_1_by_b_1_y
-    t418 = t269*x_1_by_b_1_y
-    t419 = t268*t418
-    t420 = t272*t418
-    t421 = -R_p_1*t420
-    t422 = R_p_1*t419
-    t423 = D_delta_x_1*k_C
-    t424 = D_delta_y_1*k_C
-    t425 = D_delta_z_1*k_C
-    t426 = D_delta_x_2*k_C
-    t427 = D_delta_y_2*k_C
-    t428 = D_delta_z_2*k_C
-    t429 = D_delta_x_3*k_C
-    t430 = D_delta_y_3*k_C
-    t431 = D_delta_z_3*k_C
-    t432 = -t419 + t420
-    t433 = 2*D_p_x_2_by_b_1_y
-    t434 = 2*D_p_y_2_by_b_1_y
-    t435 = 2*D_p_z_2_by_b_1_y
-    t436 = 2*D_p_x_3_by_b_1_y
-    t437 = 2*D_p_y_3_by_b_1_y
-    t438 = 2*D_p_z_3_by_b_1_y
-    t439 = 2*D_p_x_1_by_b_1_z
-    t440 = 2*D_p_y_1_by_b_1_z
-    t441 = 2*D_p_z_1_by_b_1_z
-    t442 = t269*x_1_by_b_1_z
-    t443 = t268*t442
-    t444 = t272*t442
-    t445 = -R_p_1*t444
-    t446 = R_p_1*t443
-    t447 = -t443 + t444
-    t448 = 2*D_p_x_2_by_b_1_z
-    t449 = 2*D_p_y_2_by_b_1_z
-    t450 = 2*D_p_z_2_by_b_1_z
-    t451 = 2*D_p_x_3_by_b_1_z
-    t452 = 2*D_p_y_3_by_b_1_z
-    t453 = 2*D_p_z_3_by_b_1_z
-    t454 = 2*D_p_x_1_by_b_2_x
-    t455 = 2*D_p_y_1_by_b_2_x
-    t456 = 2*D_p_z_1_by_b_2_x
-    t457 = 2*D_p_x_2_by_b_2_x
-    t458 = 2*D_p_y_2_by_b_2_x
-    t459 = 2*D_p_z_2_by_b_2_x
-    t460 = a_B_2 + 1
-    t461 = k_sp_2*t460*w_b_2
-    t462 = t265*t461
-    t463 = 1.0/((l_f_2_2 + t462)**2)
-    t464 = t263*t461
-    t465 = t464*x_2_by_b_2_x
-    t466 = t463*t465
-    t467 = 1.0/((l_f_2_3 + t462)**2)
-    t468 = t465*t467
-    t469 = -R_p_2*t468
-    t470 = R_p_2*t466
-    t471 = -t466 + t468
-    t472 = 2*D_p_x_3_by_b_2_x
-    t473 = 2*D_p_y_3_by_b_2_x
-    t474 = 2*D_p_z_3_by_b_2_x
-    t475 = 2*D_p_x_1_by_b_2_y
-    t476 = 2*D_p_y_1_by_b_2_y
-    t477 = 2*D_p_z_1_by_b_2_y
-    t478 = 2*D_p_x_2_by_b_2_y
-    t479 = 2*D_p_y_2_by_b_2_y
-    t480 = 2*D_p_z_2_by_b_2_y
-    t481 = t464*x_2_by_b_2_y
-    t482 = t463*t481
-    t483 = t467*t481
-    t484 = -R_p_2*t483
-    t485 = R_p_2*t482
-    t486 = -t482 + t483
-    t487 = 2*D_p_x_3_by_b_2_y
-    t488 = 2*D_p_y_3_by_b_2_y
-    t489 = 2*D_p_z_3_by_b_2_y
-    t490 = 2*D_p_x_1_by_b_2_z
-    t491 = 2*D_p_y_1_by_b_2_z
-    t492 = 2*D_p_z_1_by_b_2_z
-    t493 = 2*D_p_x_2_by_b_2_z
-    t494 = 2*D_p_y_2_by_b_2_z
-    t495 = 2*D_p_z_2_by_b_2_z
-    t496 = t464*x_2_by_b_2_z
-    t497 = t463*t496
-    t498 = t467*t496
-    t499 = -R_p_2*t498
-    t500 = R_p_2*t497
-    t501 = -t497 + t498
-    t502 = 2*D_p_x_3_by_b_2_z
-    t503 = 2*D_p_y_3_by_b_2_z
-    t504 = 2*D_p_z_3_by_b_2_z
-    t505 = 2*D_p_x_1_by_b_3_x
-    t506 = 2*D_p_y_1_by_b_3_x
-    t507 = 2*D_p_z_1_by_b_3_x
-    t508 = 2*D_p_x_2_by_b_3_x
-    t509 = 2*D_p_y_2_by_b_3_x
-    t510 = 2*D_p_z_2_by_b_3_x
-    t511 = 2*D_p_x_3_by_b_3_x
-    t512 = 2*D_p_y_3_by_b_3_x
-    t513 = 2*D_p_z_3_by_b_3_x
-    t514 = a_B_3 + 1
-    t515 = k_sp_3*t514*w_b_3
-    t516 = t265*t515
-    t517 = 1.0/((l_f_3_2 + t516)**2)
-    t518 = t263*t515
-    t519 = t518*x_3_by_b_3_x
-    t520 = t517*t519
-    t521 = 1.0/((l_f_3_3 + t516)**2)
-    t522 = t519*t521
-    t523 = -R_p_3*t522
-    t524 = R_p_3*t520
-    t525 = -t520 + t522
-    t526 = 2*D_p_x_1_by_b_3_y
-    t527 = 2*D_p_y_1_by_b_3_y
-    t528 = 2*D_p_z_1_by_b_3_y
-    t529 = 2*D_p_x_2_by_b_3_y
-    t530 = 2*D_p_y_2_by_b_3_y
-    t531 = 2*D_p_z_2_by_b_3_y
-    t532 = 2*D_p_x_3_by_b_3_y
-    t533 = 2*D_p_y_3_by_b_3_y
-    t534 = 2*D_p_z_3_by_b_3_y
-    t535 = t518*x_3_by_b_3_y
-    t536 = t517*t535
-    t537 = t521*t535
-    t538 = -R_p_3*t537
-    t539 = R_p_3*t536
-    t540 = -t536 + t537
-    t541 = 2*D_p_x_1_by_b_3_z
-    t542 = 2*D_p_y_1_by_b_3_z
-    t543 = 2*D_p_z_1_by_b_3_z
-    t544 = 2*D_p_x_2_by_b_3_z
-    t545 = 2*D_p_y_2_by_b_3_z
-    t546 = 2*D_p_z_2_by_b_3_z
-    t547 = 2*D_p_x_3_by_b_3_z
-    t548 = 2*D_p_y_3_by_b_3_z
-    t549 = 2*D_p_z_3_by_b_3_z
-    t550 = t518*x_3_by_b_3_z
-    t551 = t517*t550
-    t552 = t521*t550
-    t553 = -R_p_3*t552
-    t554 = R_p_3*t551
-    t555 = -t551 + t552
-    t556 = 2*D_p_x_1_by_l_d_1
-    t557 = 2*D_p_y_1_by_l_d_1
-    t558 = 2*D_p_z_1_by_l_d_1
-    t559 = t269*x_1_by_l_d_1
-    t560 = t268*t559
-    t561 = t272*t559
-    t562 = -R_p_1*t561
-    t563 = R_p_1*t560
-    t564 = -t560 + t561
-    t565 = 2*D_p_x_2_by_l_d_1
-    t566 = 2*D_p_y_2_by_l_d_1
-    t567 = 2*D_p_z_2_by_l_d_1
-    t568 = 2*D_p_x_3_by_l_d_1
-    t569 = 2*D_p_y_3_by_l_d_1
-    t570 = 2*D_p_z_3_by_l_d_1
-    t571 = 2*D_p_x_1_by_l_d_2
-    t572 = 2*D_p_y_1_by_l_d_2
-    t573 = 2*D_p_z_1_by_l_d_2
-    t574 = 2*D_p_x_2_by_l_d_2
-    t575 = 2*D_p_y_2_by_l_d_2
-    t576 = 2*D_p_z_2_by_l_d_2
-    t577 = t464*x_2_by_l_d_2
-    t578 = t463*t577
-    t579 = t467*t577
-    t580 = -R_p_2*t579
-    t581 = R_p_2*t578
-    t582 = -t578 + t579
-    t583 = 2*D_p_x_3_by_l_d_2
-    t584 = 2*D_p_y_3_by_l_d_2
-    t585 = 2*D_p_z_3_by_l_d_2
-    t586 = 2*D_p_x_1_by_l_d_3
-    t587 = 2*D_p_y_1_by_l_d_3
-    t588 = 2*D_p_z_1_by_l_d_3
-    t589 = 2*D_p_x_2_by_l_d_3
-    t590 = 2*D_p_y_2_by_l_d_3
-    t591 = 2*D_p_z_2_by_l_d_3
-    t592 = 2*D_p_x_3_by_l_d_3
-    t593 = 2*D_p_y_3_by_l_d_3
-    t594 = 2*D_p_z_3_by_l_d_3
-    t595 = t518*x_3_by_l_d_3
-    t596 = t517*t595
-    t597 = t521*t595
-    t598 = -R_p_3*t597
-    t599 = R_p_3*t596
-    t600 = -t596 + t597
+    t281 = -D_p_x_2*U_1_x_1 - D_p_y_2*U_1_y_1 - D_p_z_2*U_1_z_1
+    t282 = -D_p_x_1*U_2_x_2 - D_p_y_1*U_2_y_2 - D_p_z_1*U_2_z_2
+    t283 = -D_p_x_1*D_p_x_2 - D_p_y_1*D_p_y_2 - D_p_z_1*D_p_z_2
+    t284 = D_p_x_3*mu_1
+    t285 = D_p_x_3*mu_2
+    t286 = U_3_x_3*mu_3
+    t287 = D_p_y_3*mu_1
+    t288 = D_p_y_3*mu_2
+    t289 = U_3_y_3*mu_3
+    t290 = D_p_z_3*mu_1
+    t291 = D_p_z_3*mu_2
+    t292 = U_3_z_3*mu_3
+    t293 = -D_p_x_3*U_1_x_1 - D_p_y_3*U_1_y_1 - D_p_z_3*U_1_z_1
+    t294 = -D_p_x_1*D_p_x_3 - D_p_y_1*D_p_y_3 - D_p_z_1*D_p_z_3
+    t295 = -D_p_x_1*U_3_x_3 - D_p_y_1*U_3_y_3 - D_p_z_1*U_3_z_3
+    t296 = t269*t271
+    t297 = -R_p_1*t296
+    t298 = R_p_1*t270
+    t299 = D_p_x_1_by_b_1_x*k_C
+    t300 = D_p_y_1_by_b_1_x*k_C
+    t301 = D_p_z_1_by_b_1_x*k_C
+    t302 = D_delta_x_1*mu_1
+    t303 = D_delta_x_1*mu_2
+    t304 = D_delta_x_1*mu_3
+    t305 = D_delta_y_1*mu_1
+    t306 = D_delta_y_1*mu_2
+    t307 = D_delta_y_1*mu_3
+    t308 = D_delta_z_1*mu_1
+    t309 = D_delta_z_1*mu_2
+    t310 = D_delta_z_1*mu_3
+    t311 = -D_delta_x_1*U_1_x_1 - D_delta_y_1*U_1_y_1 - D_delta_z_1*U_1_z_1
+    t312 = -D_delta_x_1*D_p_x_1 - D_delta_y_1*D_p_y_1 - D_delta_z_1*D_p_z_1
+    t313 = D_p_x_1*k_C - t248 - t250 - t251
+    t314 = D_p_y_1*k_C - t252 - t254 - t255
+    t315 = D_p_z_1*k_C - t256 - t258 - t259
+    t316 = D_delta_x_2*mu_1
+    t317 = D_delta_x_2*mu_2
+    t318 = D_delta_x_2*mu_3
+    t319 = D_delta_y_2*mu_1
+    t320 = D_delta_y_2*mu_2
+    t321 = D_delta_y_2*mu_3
+    t322 = D_delta_z_2*mu_1
+    t323 = D_delta_z_2*mu_2
+    t324 = D_delta_z_2*mu_3
+    t325 = -D_delta_x_2*U_1_x_1 - D_delta_y_2*U_1_y_1 - D_delta_z_2*U_1_z_1
+    t326 = -D_delta_x_2*D_p_x_1 - D_delta_y_2*D_p_y_1 - D_delta_z_2*D_p_z_1
+    t327 = D_delta_x_3*mu_1
+    t328 = D_delta_x_3*mu_2
+    t329 = D_delta_x_3*mu_3
+    t330 = D_delta_y_3*mu_1
+    t331 = D_delta_y_3*mu_2
+    t332 = D_delta_y_3*mu_3
+    t333 = D_delta_z_3*mu_1
+    t334 = D_delta_z_3*mu_2
+    t335 = D_delta_z_3*mu_3
+    t336 = -D_delta_x_3*U_1_x_1 - D_delta_y_3*U_1_y_1 - D_delta_z_3*U_1_z_1
+    t337 = -D_delta_x_3*D_p_x_1 - D_delta_y_3*D_p_y_1 - D_delta_z_3*D_p_z_1
+    t338 = -t270 + t296
+    t339 = 2*D_p_x_2_by_b_1_x
+    t340 = 2*D_p_y_2_by_b_1_x
+    t341 = 2*D_p_z_2_by_b_1_x
+    t342 = -D_p_x_2**2 - D_p_y_2**2 - D_p_z_2**2
+    t343 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2
+    t344 = -D_p_x_2*D_p_x_3 - D_p_y_2*D_p_y_3 - D_p_z_2*D_p_z_3
+    t345 = -D_p_x_3*U_2_x_2 - D_p_y_3*U_2_y_2 - D_p_z_3*U_2_z_2
+    t346 = -D_p_x_2*U_3_x_3 - D_p_y_2*U_3_y_3 - D_p_z_2*U_3_z_3
+    t347 = D_p_x_2_by_b_1_x*k_C
+    t348 = D_p_y_2_by_b_1_x*k_C
+    t349 = D_p_z_2_by_b_1_x*k_C
+    t350 = -D_delta_x_1*D_p_x_2 - D_delta_y_1*D_p_y_2 - D_delta_z_1*D_p_z_2
+    t351 = -D_delta_x_1*U_2_x_2 - D_delta_y_1*U_2_y_2 - D_delta_z_1*U_2_z_2
+    t352 = D_p_x_2*k_C - t272 - t273 - t274
+    t353 = D_p_y_2*k_C - t275 - t276 - t277
+    t354 = D_p_z_2*k_C - t278 - t279 - t280
+    t355 = -D_delta_x_2*D_p_x_2 - D_delta_y_2*D_p_y_2 - D_delta_z_2*D_p_z_2
+    t356 = -D_delta_x_2*U_2_x_2 - D_delta_y_2*U_2_y_2 - D_delta_z_2*U_2_z_2
+    t357 = -D_delta_x_3*D_p_x_2 - D_delta_y_3*D_p_y_2 - D_delta_z_3*D_p_z_2
+    t358 = -D_delta_x_3*U_2_x_2 - D_delta_y_3*U_2_y_2 - D_delta_z_3*U_2_z_2
+    t359 = 2*D_p_x_3_by_b_1_x
+    t360 = 2*D_p_y_3_by_b_1_x
+    t361 = 2*D_p_z_3_by_b_1_x
+    t362 = -D_p_x_3**2 - D_p_y_3**2 - D_p_z_3**2
+    t363 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2
+    t364 = D_p_x_3_by_b_1_x*k_C
+    t365 = D_p_y_3_by_b_1_x*k_C
+    t366 = D_p_z_3_by_b_1_x*k_C
+    t367 = -D_delta_x_1*D_p_x_3 - D_delta_y_1*D_p_y_3 - D_delta_z_1*D_p_z_3
+    t368 = -D_delta_x_1*U_3_x_3 - D_delta_y_1*U_3_y_3 - D_delta_z_1*U_3_z_3
+    t369 = D_p_x_3*k_C - t284 - t285 - t286
+    t370 = D_p_y_3*k_C - t287 - t288 - t289
+    t371 = D_p_z_3*k_C - t290 - t291 - t292
+    t372 = -D_delta_x_2*D_p_x_3 - D_delta_y_2*D_p_y_3 - D_delta_z_2*D_p_z_3
+    t373 = -D_delta_x_2*U_3_x_3 - D_delta_y_2*U_3_y_3 - D_delta_z_2*U_3_z_3
+    t374 = -D_delta_x_3*D_p_x_3 - D_delta_y_3*D_p_y_3 - D_delta_z_3*D_p_z_3
+    t375 = -D_delta_x_3*U_3_x_3 - D_delta_y_3*U_3_y_3 - D_delta_z_3*U_3_z_3
+    t376 = D_delta_x_1**2 + D_delta_y_1**2 + D_delta_z_1**2
+    t377 = 2*D_delta_x_1*k_C - 2*t302 - 2*t303 - 2*t304
+    t378 = 2*D_delta_y_1*k_C - 2*t305 - 2*t306 - 2*t307
+    t379 = 2*D_delta_z_1*k_C - 2*t308 - 2*t309 - 2*t310
+    t380 = 1 - t376
+    t381 = -D_delta_x_1*D_delta_x_2 - D_delta_y_1*D_delta_y_2 - D_delta_z_1*D_delta_z_2
+    t382 = D_delta_x_2*k_C - t316 - t317 - t318
+    t383 = D_delta_x_1*k_C - t302 - t303 - t304
+    t384 = D_delta_y_2*k_C - t319 - t320 - t321
+    t385 = D_delta_y_1*k_C - t305 - t306 - t307
+    t386 = D_delta_z_2*k_C - t322 - t323 - t324
+    t387 = D_delta_z_1*k_C - t308 - t309 - t310
+    t388 = -D_delta_x_1*D_delta_x_3 - D_delta_y_1*D_delta_y_3 - D_delta_z_1*D_delta_z_3
+    t389 = D_delta_x_3*k_C - t327 - t328 - t329
+    t390 = D_delta_y_3*k_C - t330 - t331 - t332
+    t391 = D_delta_z_3*k_C - t333 - t334 - t335
+    t392 = D_delta_x_2**2 + D_delta_y_2**2 + D_delta_z_2**2
+    t393 = 2*D_delta_x_2*k_C - 2*t316 - 2*t317 - 2*t318
+    t394 = 2*D_delta_y_2*k_C - 2*t319 - 2*t320 - 2*t321
+    t395 = 2*D_delta_z_2*k_C - 2*t322 - 2*t323 - 2*t324
+    t396 = 1 - t392
+    t397 = -D_delta_x_2*D_delta_x_3 - D_delta_y_2*D_delta_y_3 - D_delta_z_2*D_delta_z_3
+    t398 = D_delta_x_3**2 + D_delta_y_3**2 + D_delta_z_3**2
+    t399 = 2*D_delta_x_3*k_C - 2*t327 - 2*t328 - 2*t329
+    t400 = 2*D_delta_y_3*k_C - 2*t330 - 2*t331 - 2*t332
+    t401 = 2*D_delta_z_3*k_C - 2*t333 - 2*t334 - 2*t335
+    t402 = 1 - t398
+    t403 = 2*D_p_x_1_by_b_1_y
+    t404 = 2*D_p_y_1_by_b_1_y
+    t405 = 2*D_p_z_1_by_b_1_y
+    t406 = t268*x_1_by_b_1_y
+    t407 = t267*t406
+    t408 = t271*t406
+    t409 = -R_p_1*t408
+    t410 = R_p_1*t407
+    t411 = D_delta_x_1*k_C
+    t412 = D_delta_y_1*k_C
+    t413 = D_delta_z_1*k_C
+    t414 = D_delta_x_2*k_C
+    t415 = D_delta_y_2*k_C
+    t416 = D_delta_z_2*k_C
+    t417 = D_delta_x_3*k_C
+    t418 = D_delta_y_3*k_C
+    t419 = D_delta_z_3*k_C
+    t420 = -t407 + t408
+    t421 = 2*D_p_x_2_by_b_1_y
+    t422 = 2*D_p_y_2_by_b_1_y
+    t423 = 2*D_p_z_2_by_b_1_y
+    t424 = 2*D_p_x_3_by_b_1_y
+    t425 = 2*D_p_y_3_by_b_1_y
+    t426 = 2*D_p_z_3_by_b_1_y
+    t427 = 2*D_p_x_1_by_b_1_z
+    t428 = 2*D_p_y_1_by_b_1_z
+    t429 = 2*D_p_z_1_by_b_1_z
+    t430 = t268*x_1_by_b_1_z
+    t431 = t267*t430
+    t432 = t271*t430
+    t433 = -R_p_1*t432
+    t434 = R_p_1*t431
+    t435 = -t431 + t432
+    t436 = 2*D_p_x_2_by_b_1_z
+    t437 = 2*D_p_y_2_by_b_1_z
+    t438 = 2*D_p_z_2_by_b_1_z
+    t439 = 2*D_p_x_3_by_b_1_z
+    t440 = 2*D_p_y_3_by_b_1_z
+    t441 = 2*D_p_z_3_by_b_1_z
+    t442 = 2*D_p_x_1_by_b_2_x
+    t443 = 2*D_p_y_1_by_b_2_x
+    t444 = 2*D_p_z_1_by_b_2_x
+    t445 = 2*D_p_x_2_by_b_2_x
+    t446 = 2*D_p_y_2_by_b_2_x
+    t447 = 2*D_p_z_2_by_b_2_x
+    t448 = a_B_2 + 1
+    t449 = k_sp_2*t448*w_b_2
+    t450 = t264*t449
+    t451 = 1.0/((l_f_2_2 + t450)**2)
+    t452 = t262*t449
+    t453 = t452*x_2_by_b_2_x
+    t454 = t451*t453
+    t455 = 1.0/((l_f_2_3 + t450)**2)
+    t456 = t453*t455
+    t457 = -R_p_2*t456
+    t458 = R_p_2*t454
+    t459 = -t454 + t456
+    t460 = 2*D_p_x_3_by_b_2_x
+    t461 = 2*D_p_y_3_by_b_2_x
+    t462 = 2*D_p_z_3_by_b_2_x
+    t463 = 2*D_p_x_1_by_b_2_y
+    t464 = 2*D_p_y_1_by_b_2_y
+    t465 = 2*D_p_z_1_by_b_2_y
+    t466 = 2*D_p_x_2_by_b_2_y
+    t467 = 2*D_p_y_2_by_b_2_y
+    t468 = 2*D_p_z_2_by_b_2_y
+    t469 = t452*x_2_by_b_2_y
+    t470 = t451*t469
+    t471 = t455*t469
+    t472 = -R_p_2*t471
+    t473 = R_p_2*t470
+    t474 = -t470 + t471
+    t475 = 2*D_p_x_3_by_b_2_y
+    t476 = 2*D_p_y_3_by_b_2_y
+    t477 = 2*D_p_z_3_by_b_2_y
+    t478 = 2*D_p_x_1_by_b_2_z
+    t479 = 2*D_p_y_1_by_b_2_z
+    t480 = 2*D_p_z_1_by_b_2_z
+    t481 = 2*D_p_x_2_by_b_2_z
+    t482 = 2*D_p_y_2_by_b_2_z
+    t483 = 2*D_p_z_2_by_b_2_z
+    t484 = t452*x_2_by_b_2_z
+    t485 = t451*t484
+    t486 = t455*t484
+    t487 = -R_p_2*t486
+    t488 = R_p_2*t485
+    t489 = -t485 + t486
+    t490 = 2*D_p_x_3_by_b_2_z
+    t491 = 2*D_p_y_3_by_b_2_z
+    t492 = 2*D_p_z_3_by_b_2_z
+    t493 = 2*D_p_x_1_by_b_3_x
+    t494 = 2*D_p_y_1_by_b_3_x
+    t495 = 2*D_p_z_1_by_b_3_x
+    t496 = 2*D_p_x_2_by_b_3_x
+    t497 = 2*D_p_y_2_by_b_3_x
+    t498 = 2*D_p_z_2_by_b_3_x
+    t499 = 2*D_p_x_3_by_b_3_x
+    t500 = 2*D_p_y_3_by_b_3_x
+    t501 = 2*D_p_z_3_by_b_3_x
+    t502 = a_B_3 + 1
+    t503 = k_sp_3*t502*w_b_3
+    t504 = t264*t503
+    t505 = 1.0/((l_f_3_2 + t504)**2)
+    t506 = t262*t503
+    t507 = t506*x_3_by_b_3_x
+    t508 = t505*t507
+    t509 = 1.0/((l_f_3_3 + t504)**2)
+    t510 = t507*t509
+    t511 = -R_p_3*t510
+    t512 = R_p_3*t508
+    t513 = -t508 + t510
+    t514 = 2*D_p_x_1_by_b_3_y
+    t515 = 2*D_p_y_1_by_b_3_y
+    t516 = 2*D_p_z_1_by_b_3_y
+    t517 = 2*D_p_x_2_by_b_3_y
+    t518 = 2*D_p_y_2_by_b_3_y
+    t519 = 2*D_p_z_2_by_b_3_y
+    t520 = 2*D_p_x_3_by_b_3_y
+    t521 = 2*D_p_y_3_by_b_3_y
+    t522 = 2*D_p_z_3_by_b_3_y
+    t523 = t506*x_3_by_b_3_y
+    t524 = t505*t523
+    t525 = t509*t523
+    t526 = -R_p_3*t525
+    t527 = R_p_3*t524
+    t528 = -t524 + t525
+    t529 = 2*D_p_x_1_by_b_3_z
+    t530 = 2*D_p_y_1_by_b_3_z
+    t531 = 2*D_p_z_1_by_b_3_z
+    t532 = 2*D_p_x_2_by_b_3_z
+    t533 = 2*D_p_y_2_by_b_3_z
+    t534 = 2*D_p_z_2_by_b_3_z
+    t535 = 2*D_p_x_3_by_b_3_z
+    t536 = 2*D_p_y_3_by_b_3_z
+    t537 = 2*D_p_z_3_by_b_3_z
+    t538 = t506*x_3_by_b_3_z
+    t539 = t505*t538
+    t540 = t509*t538
+    t541 = -R_p_3*t540
+    t542 = R_p_3*t539
+    t543 = -t539 + t540
+    t544 = 2*D_p_x_1_by_l_d_1
+    t545 = 2*D_p_y_1_by_l_d_1
+    t546 = 2*D_p_z_1_by_l_d_1
+    t547 = t268*x_1_by_l_d_1
+    t548 = t267*t547
+    t549 = t271*t547
+    t550 = -R_p_1*t549
+    t551 = R_p_1*t548
+    t552 = -t548 + t549
+    t553 = 2*D_p_x_2_by_l_d_1
+    t554 = 2*D_p_y_2_by_l_d_1
+    t555 = 2*D_p_z_2_by_l_d_1
+    t556 = 2*D_p_x_3_by_l_d_1
+    t557 = 2*D_p_y_3_by_l_d_1
+    t558 = 2*D_p_z_3_by_l_d_1
+    t559 = 2*D_p_x_1_by_l_d_2
+    t560 = 2*D_p_y_1_by_l_d_2
+    t561 = 2*D_p_z_1_by_l_d_2
+    t562 = 2*D_p_x_2_by_l_d_2
+    t563 = 2*D_p_y_2_by_l_d_2
+    t564 = 2*D_p_z_2_by_l_d_2
+    t565 = t452*x_2_by_l_d_2
+    t566 = t451*t565
+    t567 = t455*t565
+    t568 = -R_p_2*t567
+    t569 = R_p_2*t566
+    t570 = -t566 + t567
+    t571 = 2*D_p_x_3_by_l_d_2
+    t572 = 2*D_p_y_3_by_l_d_2
+    t573 = 2*D_p_z_3_by_l_d_2
+    t574 = 2*D_p_x_1_by_l_d_3
+    t575 = 2*D_p_y_1_by_l_d_3
+    t576 = 2*D_p_z_1_by_l_d_3
+    t577 = 2*D_p_x_2_by_l_d_3
+    t578 = 2*D_p_y_2_by_l_d_3
+    t579 = 2*D_p_z_2_by_l_d_3
+    t580 = 2*D_p_x_3_by_l_d_3
+    t581 = 2*D_p_y_3_by_l_d_3
+    t582 = 2*D_p_z_3_by_l_d_3
+    t583 = t506*x_3_by_l_d_3
+    t584 = t505*t583
+    t585 = t509*t583
+    t586 = -R_p_3*t585
+    t587 = R_p_3*t584
+    t588 = -t584 + t585
     M_theta_out = _listed(batch, dtype, (
         D_p_x_1_by_b_1_x*t144 + D_p_y_1_by_b_1_x*t146 + D_p_z_1_by_b_1_x*t148,
         D_p_x_1_by_b_1_x*t151 + D_p_x_2_by_b_1_x*t153 + D_p_y_1_by_b_1_x*t155 + D_p_y_2_by_b_1_x*t156
@@ -4932,1220 +4008,1220 @@ def geometry_sensitivities(p, parameters, effects):
     ))
     K_theta_out = _listed(batch, dtype, (
         2*D_p_x_1*D_p_x_1_by_b_1_x*k_C + 2*D_p_y_1*D_p_y_1_by_b_1_x*k_C + 2*D_p_z_1*D_p_z_1_by_b_1_x*k_C
-        + k_sp_1*t263*t264*t272*w_b_1*x_1_by_b_1_x + mu_1_by_b_1_x*t260 + mu_2_by_b_1_x*t261
-        + mu_3_by_b_1_x*t262 - t248*t249 - t249*t250 - t249*t251 - t252*t253 - t253*t254 - t253*t255
-        - t256*t257 - t257*t258 - t257*t259 - t271,
-        D_p_x_1*D_p_x_2_by_b_1_x*k_C + D_p_x_1_by_b_1_x*D_p_x_2*k_C - D_p_x_1_by_b_1_x*t273
-        - D_p_x_1_by_b_1_x*t274 - D_p_x_1_by_b_1_x*t275 - D_p_x_2_by_b_1_x*t248 - D_p_x_2_by_b_1_x*t250
+        + k_sp_1*t262*t263*t271*w_b_1*x_1_by_b_1_x + mu_1_by_b_1_x*t260 + mu_2_by_b_1_x*t261
+        + mu_3_by_b_1_x*t261 - t248*t249 - t249*t250 - t249*t251 - t252*t253 - t253*t254 - t253*t255
+        - t256*t257 - t257*t258 - t257*t259 - t270,
+        D_p_x_1*D_p_x_2_by_b_1_x*k_C + D_p_x_1_by_b_1_x*D_p_x_2*k_C - D_p_x_1_by_b_1_x*t272
+        - D_p_x_1_by_b_1_x*t273 - D_p_x_1_by_b_1_x*t274 - D_p_x_2_by_b_1_x*t248 - D_p_x_2_by_b_1_x*t250
         - D_p_x_2_by_b_1_x*t251 + D_p_y_1*D_p_y_2_by_b_1_x*k_C + D_p_y_1_by_b_1_x*D_p_y_2*k_C
-        - D_p_y_1_by_b_1_x*t276 - D_p_y_1_by_b_1_x*t277 - D_p_y_1_by_b_1_x*t278 - D_p_y_2_by_b_1_x*t252
+        - D_p_y_1_by_b_1_x*t275 - D_p_y_1_by_b_1_x*t276 - D_p_y_1_by_b_1_x*t277 - D_p_y_2_by_b_1_x*t252
         - D_p_y_2_by_b_1_x*t254 - D_p_y_2_by_b_1_x*t255 + D_p_z_1*D_p_z_2_by_b_1_x*k_C
-        + D_p_z_1_by_b_1_x*D_p_z_2*k_C - D_p_z_1_by_b_1_x*t279 - D_p_z_1_by_b_1_x*t280
-        - D_p_z_1_by_b_1_x*t281 - D_p_z_2_by_b_1_x*t256 - D_p_z_2_by_b_1_x*t258 - D_p_z_2_by_b_1_x*t259
-        + mu_1_by_b_1_x*t282 + mu_2_by_b_1_x*t283 + mu_3_by_b_1_x*t284,
-        D_p_x_1*D_p_x_3_by_b_1_x*k_C + D_p_x_1_by_b_1_x*D_p_x_3*k_C - D_p_x_1_by_b_1_x*t285
-        - D_p_x_1_by_b_1_x*t286 - D_p_x_1_by_b_1_x*t287 - D_p_x_3_by_b_1_x*t248 - D_p_x_3_by_b_1_x*t250
+        + D_p_z_1_by_b_1_x*D_p_z_2*k_C - D_p_z_1_by_b_1_x*t278 - D_p_z_1_by_b_1_x*t279
+        - D_p_z_1_by_b_1_x*t280 - D_p_z_2_by_b_1_x*t256 - D_p_z_2_by_b_1_x*t258 - D_p_z_2_by_b_1_x*t259
+        + mu_1_by_b_1_x*t281 + mu_2_by_b_1_x*t282 + mu_3_by_b_1_x*t283,
+        D_p_x_1*D_p_x_3_by_b_1_x*k_C + D_p_x_1_by_b_1_x*D_p_x_3*k_C - D_p_x_1_by_b_1_x*t284
+        - D_p_x_1_by_b_1_x*t285 - D_p_x_1_by_b_1_x*t286 - D_p_x_3_by_b_1_x*t248 - D_p_x_3_by_b_1_x*t250
         - D_p_x_3_by_b_1_x*t251 + D_p_y_1*D_p_y_3_by_b_1_x*k_C + D_p_y_1_by_b_1_x*D_p_y_3*k_C
-        - D_p_y_1_by_b_1_x*t288 - D_p_y_1_by_b_1_x*t289 - D_p_y_1_by_b_1_x*t290 - D_p_y_3_by_b_1_x*t252
+        - D_p_y_1_by_b_1_x*t287 - D_p_y_1_by_b_1_x*t288 - D_p_y_1_by_b_1_x*t289 - D_p_y_3_by_b_1_x*t252
         - D_p_y_3_by_b_1_x*t254 - D_p_y_3_by_b_1_x*t255 + D_p_z_1*D_p_z_3_by_b_1_x*k_C
-        + D_p_z_1_by_b_1_x*D_p_z_3*k_C - D_p_z_1_by_b_1_x*t291 - D_p_z_1_by_b_1_x*t292
-        - D_p_z_1_by_b_1_x*t293 - D_p_z_3_by_b_1_x*t256 - D_p_z_3_by_b_1_x*t258 - D_p_z_3_by_b_1_x*t259
-        + mu_1_by_b_1_x*t294 + mu_2_by_b_1_x*t295 + mu_3_by_b_1_x*t296,
-        t298, t299,
-        D_delta_x_1*t300 + D_delta_x_1_by_b_1_x*t315 + D_delta_y_1*t301 + D_delta_y_1_by_b_1_x*t316
-        + D_delta_z_1*t302 + D_delta_z_1_by_b_1_x*t317 - D_p_x_1_by_b_1_x*t303 - D_p_x_1_by_b_1_x*t304
-        - D_p_x_1_by_b_1_x*t305 - D_p_y_1_by_b_1_x*t306 - D_p_y_1_by_b_1_x*t307 - D_p_y_1_by_b_1_x*t308
-        - D_p_z_1_by_b_1_x*t309 - D_p_z_1_by_b_1_x*t310 - D_p_z_1_by_b_1_x*t311 + mu_1_by_b_1_x*t312
-        + mu_2_by_b_1_x*t313 + mu_3_by_b_1_x*t314,
-        D_delta_x_2*t300 + D_delta_x_2_by_b_1_x*t315 + D_delta_y_2*t301 + D_delta_y_2_by_b_1_x*t316
-        + D_delta_z_2*t302 + D_delta_z_2_by_b_1_x*t317 - D_p_x_1_by_b_1_x*t318 - D_p_x_1_by_b_1_x*t319
-        - D_p_x_1_by_b_1_x*t320 - D_p_y_1_by_b_1_x*t321 - D_p_y_1_by_b_1_x*t322 - D_p_y_1_by_b_1_x*t323
-        - D_p_z_1_by_b_1_x*t324 - D_p_z_1_by_b_1_x*t325 - D_p_z_1_by_b_1_x*t326 + mu_1_by_b_1_x*t327
-        + mu_2_by_b_1_x*t328 + mu_3_by_b_1_x*t329,
-        D_delta_x_3*t300 + D_delta_x_3_by_b_1_x*t315 + D_delta_y_3*t301 + D_delta_y_3_by_b_1_x*t316
-        + D_delta_z_3*t302 + D_delta_z_3_by_b_1_x*t317 - D_p_x_1_by_b_1_x*t330 - D_p_x_1_by_b_1_x*t331
-        - D_p_x_1_by_b_1_x*t332 - D_p_y_1_by_b_1_x*t333 - D_p_y_1_by_b_1_x*t334 - D_p_y_1_by_b_1_x*t335
-        - D_p_z_1_by_b_1_x*t336 - D_p_z_1_by_b_1_x*t337 - D_p_z_1_by_b_1_x*t338 + mu_1_by_b_1_x*t339
-        + mu_2_by_b_1_x*t340 + mu_3_by_b_1_x*t341,
-        t342, t300, t301, t302,
+        + D_p_z_1_by_b_1_x*D_p_z_3*k_C - D_p_z_1_by_b_1_x*t290 - D_p_z_1_by_b_1_x*t291
+        - D_p_z_1_by_b_1_x*t292 - D_p_z_3_by_b_1_x*t256 - D_p_z_3_by_b_1_x*t258 - D_p_z_3_by_b_1_x*t259
+        + mu_1_by_b_1_x*t293 + mu_2_by_b_1_x*t294 + mu_3_by_b_1_x*t295,
+        t297, t298,
+        D_delta_x_1*t299 + D_delta_x_1_by_b_1_x*t313 + D_delta_y_1*t300 + D_delta_y_1_by_b_1_x*t314
+        + D_delta_z_1*t301 + D_delta_z_1_by_b_1_x*t315 - D_p_x_1_by_b_1_x*t302 - D_p_x_1_by_b_1_x*t303
+        - D_p_x_1_by_b_1_x*t304 - D_p_y_1_by_b_1_x*t305 - D_p_y_1_by_b_1_x*t306 - D_p_y_1_by_b_1_x*t307
+        - D_p_z_1_by_b_1_x*t308 - D_p_z_1_by_b_1_x*t309 - D_p_z_1_by_b_1_x*t310 + mu_1_by_b_1_x*t311
+        + mu_2_by_b_1_x*t312 + mu_3_by_b_1_x*t312,
+        D_delta_x_2*t299 + D_delta_x_2_by_b_1_x*t313 + D_delta_y_2*t300 + D_delta_y_2_by_b_1_x*t314
+        + D_delta_z_2*t301 + D_delta_z_2_by_b_1_x*t315 - D_p_x_1_by_b_1_x*t316 - D_p_x_1_by_b_1_x*t317
+        - D_p_x_1_by_b_1_x*t318 - D_p_y_1_by_b_1_x*t319 - D_p_y_1_by_b_1_x*t320 - D_p_y_1_by_b_1_x*t321
+        - D_p_z_1_by_b_1_x*t322 - D_p_z_1_by_b_1_x*t323 - D_p_z_1_by_b_1_x*t324 + mu_1_by_b_1_x*t325
+        + mu_2_by_b_1_x*t326 + mu_3_by_b_1_x*t326,
+        D_delta_x_3*t299 + D_delta_x_3_by_b_1_x*t313 + D_delta_y_3*t300 + D_delta_y_3_by_b_1_x*t314
+        + D_delta_z_3*t301 + D_delta_z_3_by_b_1_x*t315 - D_p_x_1_by_b_1_x*t327 - D_p_x_1_by_b_1_x*t328
+        - D_p_x_1_by_b_1_x*t329 - D_p_y_1_by_b_1_x*t330 - D_p_y_1_by_b_1_x*t331 - D_p_y_1_by_b_1_x*t332
+        - D_p_z_1_by_b_1_x*t333 - D_p_z_1_by_b_1_x*t334 - D_p_z_1_by_b_1_x*t335 + mu_1_by_b_1_x*t336
+        + mu_2_by_b_1_x*t337 + mu_3_by_b_1_x*t337,
+        t338, t299, t300, t301,
         2*D_p_x_2*D_p_x_2_by_b_1_x*k_C + 2*D_p_y_2*D_p_y_2_by_b_1_x*k_C + 2*D_p_z_2*D_p_z_2_by_b_1_x*k_C
-        + mu_1_by_b_1_x*t346 + mu_2_by_b_1_x*t347 + mu_3_by_b_1_x*t348 - t273*t343 - t274*t343 - t275*t343
-        - t276*t344 - t277*t344 - t278*t344 - t279*t345 - t280*t345 - t281*t345,
-        D_p_x_2*D_p_x_3_by_b_1_x*k_C + D_p_x_2_by_b_1_x*D_p_x_3*k_C - D_p_x_2_by_b_1_x*t285
-        - D_p_x_2_by_b_1_x*t286 - D_p_x_2_by_b_1_x*t287 - D_p_x_3_by_b_1_x*t273 - D_p_x_3_by_b_1_x*t274
-        - D_p_x_3_by_b_1_x*t275 + D_p_y_2*D_p_y_3_by_b_1_x*k_C + D_p_y_2_by_b_1_x*D_p_y_3*k_C
-        - D_p_y_2_by_b_1_x*t288 - D_p_y_2_by_b_1_x*t289 - D_p_y_2_by_b_1_x*t290 - D_p_y_3_by_b_1_x*t276
-        - D_p_y_3_by_b_1_x*t277 - D_p_y_3_by_b_1_x*t278 + D_p_z_2*D_p_z_3_by_b_1_x*k_C
-        + D_p_z_2_by_b_1_x*D_p_z_3*k_C - D_p_z_2_by_b_1_x*t291 - D_p_z_2_by_b_1_x*t292
-        - D_p_z_2_by_b_1_x*t293 - D_p_z_3_by_b_1_x*t279 - D_p_z_3_by_b_1_x*t280 - D_p_z_3_by_b_1_x*t281
-        + mu_1_by_b_1_x*t349 + mu_2_by_b_1_x*t350 + mu_3_by_b_1_x*t351,
-        D_delta_x_1*t352 + D_delta_x_1_by_b_1_x*t358 + D_delta_y_1*t353 + D_delta_y_1_by_b_1_x*t359
-        + D_delta_z_1*t354 + D_delta_z_1_by_b_1_x*t360 - D_p_x_2_by_b_1_x*t303 - D_p_x_2_by_b_1_x*t304
-        - D_p_x_2_by_b_1_x*t305 - D_p_y_2_by_b_1_x*t306 - D_p_y_2_by_b_1_x*t307 - D_p_y_2_by_b_1_x*t308
-        - D_p_z_2_by_b_1_x*t309 - D_p_z_2_by_b_1_x*t310 - D_p_z_2_by_b_1_x*t311 + mu_1_by_b_1_x*t355
-        + mu_2_by_b_1_x*t356 + mu_3_by_b_1_x*t357,
-        D_delta_x_2*t352 + D_delta_x_2_by_b_1_x*t358 + D_delta_y_2*t353 + D_delta_y_2_by_b_1_x*t359
-        + D_delta_z_2*t354 + D_delta_z_2_by_b_1_x*t360 - D_p_x_2_by_b_1_x*t318 - D_p_x_2_by_b_1_x*t319
-        - D_p_x_2_by_b_1_x*t320 - D_p_y_2_by_b_1_x*t321 - D_p_y_2_by_b_1_x*t322 - D_p_y_2_by_b_1_x*t323
-        - D_p_z_2_by_b_1_x*t324 - D_p_z_2_by_b_1_x*t325 - D_p_z_2_by_b_1_x*t326 + mu_1_by_b_1_x*t361
-        + mu_2_by_b_1_x*t362 + mu_3_by_b_1_x*t363,
-        D_delta_x_3*t352 + D_delta_x_3_by_b_1_x*t358 + D_delta_y_3*t353 + D_delta_y_3_by_b_1_x*t359
-        + D_delta_z_3*t354 + D_delta_z_3_by_b_1_x*t360 - D_p_x_2_by_b_1_x*t330 - D_p_x_2_by_b_1_x*t331
-        - D_p_x_2_by_b_1_x*t332 - D_p_y_2_by_b_1_x*t333 - D_p_y_2_by_b_1_x*t334 - D_p_y_2_by_b_1_x*t335
-        - D_p_z_2_by_b_1_x*t336 - D_p_z_2_by_b_1_x*t337 - D_p_z_2_by_b_1_x*t338 + mu_1_by_b_1_x*t364
-        + mu_2_by_b_1_x*t365 + mu_3_by_b_1_x*t366,
-        t352, t353, t354,
+        + mu_1_by_b_1_x*t342 + mu_2_by_b_1_x*t343 + mu_3_by_b_1_x*t342 - t272*t339 - t273*t339 - t274*t339
+        - t275*t340 - t276*t340 - t277*t340 - t278*t341 - t279*t341 - t280*t341,
+        D_p_x_2*D_p_x_3_by_b_1_x*k_C + D_p_x_2_by_b_1_x*D_p_x_3*k_C - D_p_x_2_by_b_1_x*t284
+        - D_p_x_2_by_b_1_x*t285 - D_p_x_2_by_b_1_x*t286 - D_p_x_3_by_b_1_x*t272 - D_p_x_3_by_b_1_x*t273
+        - D_p_x_3_by_b_1_x*t274 + D_p_y_2*D_p_y_3_by_b_1_x*k_C + D_p_y_2_by_b_1_x*D_p_y_3*k_C
+        - D_p_y_2_by_b_1_x*t287 - D_p_y_2_by_b_1_x*t288 - D_p_y_2_by_b_1_x*t289 - D_p_y_3_by_b_1_x*t275
+        - D_p_y_3_by_b_1_x*t276 - D_p_y_3_by_b_1_x*t277 + D_p_z_2*D_p_z_3_by_b_1_x*k_C
+        + D_p_z_2_by_b_1_x*D_p_z_3*k_C - D_p_z_2_by_b_1_x*t290 - D_p_z_2_by_b_1_x*t291
+        - D_p_z_2_by_b_1_x*t292 - D_p_z_3_by_b_1_x*t278 - D_p_z_3_by_b_1_x*t279 - D_p_z_3_by_b_1_x*t280
+        + mu_1_by_b_1_x*t344 + mu_2_by_b_1_x*t345 + mu_3_by_b_1_x*t346,
+        D_delta_x_1*t347 + D_delta_x_1_by_b_1_x*t352 + D_delta_y_1*t348 + D_delta_y_1_by_b_1_x*t353
+        + D_delta_z_1*t349 + D_delta_z_1_by_b_1_x*t354 - D_p_x_2_by_b_1_x*t302 - D_p_x_2_by_b_1_x*t303
+        - D_p_x_2_by_b_1_x*t304 - D_p_y_2_by_b_1_x*t305 - D_p_y_2_by_b_1_x*t306 - D_p_y_2_by_b_1_x*t307
+        - D_p_z_2_by_b_1_x*t308 - D_p_z_2_by_b_1_x*t309 - D_p_z_2_by_b_1_x*t310 + mu_1_by_b_1_x*t350
+        + mu_2_by_b_1_x*t351 + mu_3_by_b_1_x*t350,
+        D_delta_x_2*t347 + D_delta_x_2_by_b_1_x*t352 + D_delta_y_2*t348 + D_delta_y_2_by_b_1_x*t353
+        + D_delta_z_2*t349 + D_delta_z_2_by_b_1_x*t354 - D_p_x_2_by_b_1_x*t316 - D_p_x_2_by_b_1_x*t317
+        - D_p_x_2_by_b_1_x*t318 - D_p_y_2_by_b_1_x*t319 - D_p_y_2_by_b_1_x*t320 - D_p_y_2_by_b_1_x*t321
+        - D_p_z_2_by_b_1_x*t322 - D_p_z_2_by_b_1_x*t323 - D_p_z_2_by_b_1_x*t324 + mu_1_by_b_1_x*t355
+        + mu_2_by_b_1_x*t356 + mu_3_by_b_1_x*t355,
+        D_delta_x_3*t347 + D_delta_x_3_by_b_1_x*t352 + D_delta_y_3*t348 + D_delta_y_3_by_b_1_x*t353
+        + D_delta_z_3*t349 + D_delta_z_3_by_b_1_x*t354 - D_p_x_2_by_b_1_x*t327 - D_p_x_2_by_b_1_x*t328
+        - D_p_x_2_by_b_1_x*t329 - D_p_y_2_by_b_1_x*t330 - D_p_y_2_by_b_1_x*t331 - D_p_y_2_by_b_1_x*t332
+        - D_p_z_2_by_b_1_x*t333 - D_p_z_2_by_b_1_x*t334 - D_p_z_2_by_b_1_x*t335 + mu_1_by_b_1_x*t357
+        + mu_2_by_b_1_x*t358 + mu_3_by_b_1_x*t357,
+        t347, t348, t349,
         2*D_p_x_3*D_p_x_3_by_b_1_x*k_C + 2*D_p_y_3*D_p_y_3_by_b_1_x*k_C + 2*D_p_z_3*D_p_z_3_by_b_1_x*k_C
-        + mu_1_by_b_1_x*t370 + mu_2_by_b_1_x*t371 + mu_3_by_b_1_x*t372 - t285*t367 - t286*t367 - t287*t367
-        - t288*t368 - t289*t368 - t290*t368 - t291*t369 - t292*t369 - t293*t369,
-        D_delta_x_1*t373 + D_delta_x_1_by_b_1_x*t379 + D_delta_y_1*t374 + D_delta_y_1_by_b_1_x*t380
-        + D_delta_z_1*t375 + D_delta_z_1_by_b_1_x*t381 - D_p_x_3_by_b_1_x*t303 - D_p_x_3_by_b_1_x*t304
-        - D_p_x_3_by_b_1_x*t305 - D_p_y_3_by_b_1_x*t306 - D_p_y_3_by_b_1_x*t307 - D_p_y_3_by_b_1_x*t308
-        - D_p_z_3_by_b_1_x*t309 - D_p_z_3_by_b_1_x*t310 - D_p_z_3_by_b_1_x*t311 + mu_1_by_b_1_x*t376
-        + mu_2_by_b_1_x*t377 + mu_3_by_b_1_x*t378,
-        D_delta_x_2*t373 + D_delta_x_2_by_b_1_x*t379 + D_delta_y_2*t374 + D_delta_y_2_by_b_1_x*t380
-        + D_delta_z_2*t375 + D_delta_z_2_by_b_1_x*t381 - D_p_x_3_by_b_1_x*t318 - D_p_x_3_by_b_1_x*t319
-        - D_p_x_3_by_b_1_x*t320 - D_p_y_3_by_b_1_x*t321 - D_p_y_3_by_b_1_x*t322 - D_p_y_3_by_b_1_x*t323
-        - D_p_z_3_by_b_1_x*t324 - D_p_z_3_by_b_1_x*t325 - D_p_z_3_by_b_1_x*t326 + mu_1_by_b_1_x*t382
-        + mu_2_by_b_1_x*t383 + mu_3_by_b_1_x*t384,
-        D_delta_x_3*t373 + D_delta_x_3_by_b_1_x*t379 + D_delta_y_3*t374 + D_delta_y_3_by_b_1_x*t380
-        + D_delta_z_3*t375 + D_delta_z_3_by_b_1_x*t381 - D_p_x_3_by_b_1_x*t330 - D_p_x_3_by_b_1_x*t331
-        - D_p_x_3_by_b_1_x*t332 - D_p_y_3_by_b_1_x*t333 - D_p_y_3_by_b_1_x*t334 - D_p_y_3_by_b_1_x*t335
-        - D_p_z_3_by_b_1_x*t336 - D_p_z_3_by_b_1_x*t337 - D_p_z_3_by_b_1_x*t338 + mu_1_by_b_1_x*t385
-        + mu_2_by_b_1_x*t386 + mu_3_by_b_1_x*t387,
-        t373, t374, t375, t185*t297, t298, -t185*t271, t299,
-        D_delta_x_1_by_b_1_x*t389 + D_delta_y_1_by_b_1_x*t390 + D_delta_z_1_by_b_1_x*t391
-        + mu_1_by_b_1_x*t392 - mu_2_by_b_1_x*t388 - mu_3_by_b_1_x*t388,
-        D_delta_x_1_by_b_1_x*t394 + D_delta_x_2_by_b_1_x*t395 + D_delta_y_1_by_b_1_x*t396
-        + D_delta_y_2_by_b_1_x*t397 + D_delta_z_1_by_b_1_x*t398 + D_delta_z_2_by_b_1_x*t399
-        + mu_1_by_b_1_x*t393 + mu_2_by_b_1_x*t393 + mu_3_by_b_1_x*t393,
-        D_delta_x_1_by_b_1_x*t401 + D_delta_x_3_by_b_1_x*t395 + D_delta_y_1_by_b_1_x*t402
-        + D_delta_y_3_by_b_1_x*t397 + D_delta_z_1_by_b_1_x*t403 + D_delta_z_3_by_b_1_x*t399
-        + mu_1_by_b_1_x*t400 + mu_2_by_b_1_x*t400 + mu_3_by_b_1_x*t400,
+        + mu_1_by_b_1_x*t362 + mu_2_by_b_1_x*t362 + mu_3_by_b_1_x*t363 - t284*t359 - t285*t359 - t286*t359
+        - t287*t360 - t288*t360 - t289*t360 - t290*t361 - t291*t361 - t292*t361,
+        D_delta_x_1*t364 + D_delta_x_1_by_b_1_x*t369 + D_delta_y_1*t365 + D_delta_y_1_by_b_1_x*t370
+        + D_delta_z_1*t366 + D_delta_z_1_by_b_1_x*t371 - D_p_x_3_by_b_1_x*t302 - D_p_x_3_by_b_1_x*t303
+        - D_p_x_3_by_b_1_x*t304 - D_p_y_3_by_b_1_x*t305 - D_p_y_3_by_b_1_x*t306 - D_p_y_3_by_b_1_x*t307
+        - D_p_z_3_by_b_1_x*t308 - D_p_z_3_by_b_1_x*t309 - D_p_z_3_by_b_1_x*t310 + mu_1_by_b_1_x*t367
+        + mu_2_by_b_1_x*t367 + mu_3_by_b_1_x*t368,
+        D_delta_x_2*t364 + D_delta_x_2_by_b_1_x*t369 + D_delta_y_2*t365 + D_delta_y_2_by_b_1_x*t370
+        + D_delta_z_2*t366 + D_delta_z_2_by_b_1_x*t371 - D_p_x_3_by_b_1_x*t316 - D_p_x_3_by_b_1_x*t317
+        - D_p_x_3_by_b_1_x*t318 - D_p_y_3_by_b_1_x*t319 - D_p_y_3_by_b_1_x*t320 - D_p_y_3_by_b_1_x*t321
+        - D_p_z_3_by_b_1_x*t322 - D_p_z_3_by_b_1_x*t323 - D_p_z_3_by_b_1_x*t324 + mu_1_by_b_1_x*t372
+        + mu_2_by_b_1_x*t372 + mu_3_by_b_1_x*t373,
+        D_delta_x_3*t364 + D_delta_x_3_by_b_1_x*t369 + D_delta_y_3*t365 + D_delta_y_3_by_b_1_x*t370
+        + D_delta_z_3*t366 + D_delta_z_3_by_b_1_x*t371 - D_p_x_3_by_b_1_x*t327 - D_p_x_3_by_b_1_x*t328
+        - D_p_x_3_by_b_1_x*t329 - D_p_y_3_by_b_1_x*t330 - D_p_y_3_by_b_1_x*t331 - D_p_y_3_by_b_1_x*t332
+        - D_p_z_3_by_b_1_x*t333 - D_p_z_3_by_b_1_x*t334 - D_p_z_3_by_b_1_x*t335 + mu_1_by_b_1_x*t374
+        + mu_2_by_b_1_x*t374 + mu_3_by_b_1_x*t375,
+        t364, t365, t366, t185*t296, t297, -t185*t270, t298,
+        D_delta_x_1_by_b_1_x*t377 + D_delta_y_1_by_b_1_x*t378 + D_delta_z_1_by_b_1_x*t379
+        + mu_1_by_b_1_x*t380 - mu_2_by_b_1_x*t376 - mu_3_by_b_1_x*t376,
+        D_delta_x_1_by_b_1_x*t382 + D_delta_x_2_by_b_1_x*t383 + D_delta_y_1_by_b_1_x*t384
+        + D_delta_y_2_by_b_1_x*t385 + D_delta_z_1_by_b_1_x*t386 + D_delta_z_2_by_b_1_x*t387
+        + mu_1_by_b_1_x*t381 + mu_2_by_b_1_x*t381 + mu_3_by_b_1_x*t381,
+        D_delta_x_1_by_b_1_x*t389 + D_delta_x_3_by_b_1_x*t383 + D_delta_y_1_by_b_1_x*t390
+        + D_delta_y_3_by_b_1_x*t385 + D_delta_z_1_by_b_1_x*t391 + D_delta_z_3_by_b_1_x*t387
+        + mu_1_by_b_1_x*t388 + mu_2_by_b_1_x*t388 + mu_3_by_b_1_x*t388,
         D_delta_x_1_by_b_1_x*k_C, D_delta_y_1_by_b_1_x*k_C, D_delta_z_1_by_b_1_x*k_C,
-        D_delta_x_2_by_b_1_x*t405 + D_delta_y_2_by_b_1_x*t406 + D_delta_z_2_by_b_1_x*t407
-        - mu_1_by_b_1_x*t404 + mu_2_by_b_1_x*t408 - mu_3_by_b_1_x*t404,
-        D_delta_x_2_by_b_1_x*t401 + D_delta_x_3_by_b_1_x*t394 + D_delta_y_2_by_b_1_x*t402
-        + D_delta_y_3_by_b_1_x*t396 + D_delta_z_2_by_b_1_x*t403 + D_delta_z_3_by_b_1_x*t398
-        + mu_1_by_b_1_x*t409 + mu_2_by_b_1_x*t409 + mu_3_by_b_1_x*t409,
+        D_delta_x_2_by_b_1_x*t393 + D_delta_y_2_by_b_1_x*t394 + D_delta_z_2_by_b_1_x*t395
+        - mu_1_by_b_1_x*t392 + mu_2_by_b_1_x*t396 - mu_3_by_b_1_x*t392,
+        D_delta_x_2_by_b_1_x*t389 + D_delta_x_3_by_b_1_x*t382 + D_delta_y_2_by_b_1_x*t390
+        + D_delta_y_3_by_b_1_x*t384 + D_delta_z_2_by_b_1_x*t391 + D_delta_z_3_by_b_1_x*t386
+        + mu_1_by_b_1_x*t397 + mu_2_by_b_1_x*t397 + mu_3_by_b_1_x*t397,
         D_delta_x_2_by_b_1_x*k_C, D_delta_y_2_by_b_1_x*k_C, D_delta_z_2_by_b_1_x*k_C,
-        D_delta_x_3_by_b_1_x*t411 + D_delta_y_3_by_b_1_x*t412 + D_delta_z_3_by_b_1_x*t413
-        - mu_1_by_b_1_x*t410 - mu_2_by_b_1_x*t410 + mu_3_by_b_1_x*t414,
-        D_delta_x_3_by_b_1_x*k_C, D_delta_y_3_by_b_1_x*k_C, D_delta_z_3_by_b_1_x*k_C, t342,
+        D_delta_x_3_by_b_1_x*t399 + D_delta_y_3_by_b_1_x*t400 + D_delta_z_3_by_b_1_x*t401
+        - mu_1_by_b_1_x*t398 - mu_2_by_b_1_x*t398 + mu_3_by_b_1_x*t402,
+        D_delta_x_3_by_b_1_x*k_C, D_delta_y_3_by_b_1_x*k_C, D_delta_z_3_by_b_1_x*k_C, t338,
         2*D_p_x_1*D_p_x_1_by_b_1_y*k_C + 2*D_p_y_1*D_p_y_1_by_b_1_y*k_C + 2*D_p_z_1*D_p_z_1_by_b_1_y*k_C
-        + k_sp_1*t263*t264*t272*w_b_1*x_1_by_b_1_y + mu_1_by_b_1_y*t260 + mu_2_by_b_1_y*t261
-        + mu_3_by_b_1_y*t262 - t248*t415 - t250*t415 - t251*t415 - t252*t416 - t254*t416 - t255*t416
-        - t256*t417 - t258*t417 - t259*t417 - t419,
-        D_p_x_1*D_p_x_2_by_b_1_y*k_C + D_p_x_1_by_b_1_y*D_p_x_2*k_C - D_p_x_1_by_b_1_y*t273
-        - D_p_x_1_by_b_1_y*t274 - D_p_x_1_by_b_1_y*t275 - D_p_x_2_by_b_1_y*t248 - D_p_x_2_by_b_1_y*t250
+        + k_sp_1*t262*t263*t271*w_b_1*x_1_by_b_1_y + mu_1_by_b_1_y*t260 + mu_2_by_b_1_y*t261
+        + mu_3_by_b_1_y*t261 - t248*t403 - t250*t403 - t251*t403 - t252*t404 - t254*t404 - t255*t404
+        - t256*t405 - t258*t405 - t259*t405 - t407,
+        D_p_x_1*D_p_x_2_by_b_1_y*k_C + D_p_x_1_by_b_1_y*D_p_x_2*k_C - D_p_x_1_by_b_1_y*t272
+        - D_p_x_1_by_b_1_y*t273 - D_p_x_1_by_b_1_y*t274 - D_p_x_2_by_b_1_y*t248 - D_p_x_2_by_b_1_y*t250
         - D_p_x_2_by_b_1_y*t251 + D_p_y_1*D_p_y_2_by_b_1_y*k_C + D_p_y_1_by_b_1_y*D_p_y_2*k_C
-        - D_p_y_1_by_b_1_y*t276 - D_p_y_1_by_b_1_y*t277 - D_p_y_1_by_b_1_y*t278 - D_p_y_2_by_b_1_y*t252
+        - D_p_y_1_by_b_1_y*t275 - D_p_y_1_by_b_1_y*t276 - D_p_y_1_by_b_1_y*t277 - D_p_y_2_by_b_1_y*t252
         - D_p_y_2_by_b_1_y*t254 - D_p_y_2_by_b_1_y*t255 + D_p_z_1*D_p_z_2_by_b_1_y*k_C
-        + D_p_z_1_by_b_1_y*D_p_z_2*k_C - D_p_z_1_by_b_1_y*t279 - D_p_z_1_by_b_1_y*t280
-        - D_p_z_1_by_b_1_y*t281 - D_p_z_2_by_b_1_y*t256 - D_p_z_2_by_b_1_y*t258 - D_p_z_2_by_b_1_y*t259
-        + mu_1_by_b_1_y*t282 + mu_2_by_b_1_y*t283 + mu_3_by_b_1_y*t284,
-        D_p_x_1*D_p_x_3_by_b_1_y*k_C + D_p_x_1_by_b_1_y*D_p_x_3*k_C - D_p_x_1_by_b_1_y*t285
-        - D_p_x_1_by_b_1_y*t286 - D_p_x_1_by_b_1_y*t287 - D_p_x_3_by_b_1_y*t248 - D_p_x_3_by_b_1_y*t250
+        + D_p_z_1_by_b_1_y*D_p_z_2*k_C - D_p_z_1_by_b_1_y*t278 - D_p_z_1_by_b_1_y*t279
+        - D_p_z_1_by_b_1_y*t280 - D_p_z_2_by_b_1_y*t256 - D_p_z_2_by_b_1_y*t258 - D_p_z_2_by_b_1_y*t259
+        + mu_1_by_b_1_y*t281 + mu_2_by_b_1_y*t282 + mu_3_by_b_1_y*t283,
+        D_p_x_1*D_p_x_3_by_b_1_y*k_C + D_p_x_1_by_b_1_y*D_p_x_3*k_C - D_p_x_1_by_b_1_y*t284
+        - D_p_x_1_by_b_1_y*t285 - D_p_x_1_by_b_1_y*t286 - D_p_x_3_by_b_1_y*t248 - D_p_x_3_by_b_1_y*t250
         - D_p_x_3_by_b_1_y*t251 + D_p_y_1*D_p_y_3_by_b_1_y*k_C + D_p_y_1_by_b_1_y*D_p_y_3*k_C
-        - D_p_y_1_by_b_1_y*t288 - D_p_y_1_by_b_1_y*t289 - D_p_y_1_by_b_1_y*t290 - D_p_y_3_by_b_1_y*t252
+        - D_p_y_1_by_b_1_y*t287 - D_p_y_1_by_b_1_y*t288 - D_p_y_1_by_b_1_y*t289 - D_p_y_3_by_b_1_y*t252
         - D_p_y_3_by_b_1_y*t254 - D_p_y_3_by_b_1_y*t255 + D_p_z_1*D_p_z_3_by_b_1_y*k_C
-        + D_p_z_1_by_b_1_y*D_p_z_3*k_C - D_p_z_1_by_b_1_y*t291 - D_p_z_1_by_b_1_y*t292
-        - D_p_z_1_by_b_1_y*t293 - D_p_z_3_by_b_1_y*t256 - D_p_z_3_by_b_1_y*t258 - D_p_z_3_by_b_1_y*t259
-        + mu_1_by_b_1_y*t294 + mu_2_by_b_1_y*t295 + mu_3_by_b_1_y*t296,
-        t421, t422,
-        D_delta_x_1_by_b_1_y*t315 + D_delta_y_1_by_b_1_y*t316 + D_delta_z_1_by_b_1_y*t317
-        - D_p_x_1_by_b_1_y*t303 - D_p_x_1_by_b_1_y*t304 - D_p_x_1_by_b_1_y*t305 + D_p_x_1_by_b_1_y*t423
-        - D_p_y_1_by_b_1_y*t306 - D_p_y_1_by_b_1_y*t307 - D_p_y_1_by_b_1_y*t308 + D_p_y_1_by_b_1_y*t424
-        - D_p_z_1_by_b_1_y*t309 - D_p_z_1_by_b_1_y*t310 - D_p_z_1_by_b_1_y*t311 + D_p_z_1_by_b_1_y*t425
-        + mu_1_by_b_1_y*t312 + mu_2_by_b_1_y*t313 + mu_3_by_b_1_y*t314,
-        D_delta_x_2_by_b_1_y*t315 + D_delta_y_2_by_b_1_y*t316 + D_delta_z_2_by_b_1_y*t317
-        - D_p_x_1_by_b_1_y*t318 - D_p_x_1_by_b_1_y*t319 - D_p_x_1_by_b_1_y*t320 + D_p_x_1_by_b_1_y*t426
-        - D_p_y_1_by_b_1_y*t321 - D_p_y_1_by_b_1_y*t322 - D_p_y_1_by_b_1_y*t323 + D_p_y_1_by_b_1_y*t427
-        - D_p_z_1_by_b_1_y*t324 - D_p_z_1_by_b_1_y*t325 - D_p_z_1_by_b_1_y*t326 + D_p_z_1_by_b_1_y*t428
-        + mu_1_by_b_1_y*t327 + mu_2_by_b_1_y*t328 + mu_3_by_b_1_y*t329,
-        D_delta_x_3_by_b_1_y*t315 + D_delta_y_3_by_b_1_y*t316 + D_delta_z_3_by_b_1_y*t317
-        - D_p_x_1_by_b_1_y*t330 - D_p_x_1_by_b_1_y*t331 - D_p_x_1_by_b_1_y*t332 + D_p_x_1_by_b_1_y*t429
-        - D_p_y_1_by_b_1_y*t333 - D_p_y_1_by_b_1_y*t334 - D_p_y_1_by_b_1_y*t335 + D_p_y_1_by_b_1_y*t430
-        - D_p_z_1_by_b_1_y*t336 - D_p_z_1_by_b_1_y*t337 - D_p_z_1_by_b_1_y*t338 + D_p_z_1_by_b_1_y*t431
-        + mu_1_by_b_1_y*t339 + mu_2_by_b_1_y*t340 + mu_3_by_b_1_y*t341,
-        t432, D_p_x_1_by_b_1_y*k_C, D_p_y_1_by_b_1_y*k_C, D_p_z_1_by_b_1_y*k_C,
+        + D_p_z_1_by_b_1_y*D_p_z_3*k_C - D_p_z_1_by_b_1_y*t290 - D_p_z_1_by_b_1_y*t291
+        - D_p_z_1_by_b_1_y*t292 - D_p_z_3_by_b_1_y*t256 - D_p_z_3_by_b_1_y*t258 - D_p_z_3_by_b_1_y*t259
+        + mu_1_by_b_1_y*t293 + mu_2_by_b_1_y*t294 + mu_3_by_b_1_y*t295,
+        t409, t410,
+        D_delta_x_1_by_b_1_y*t313 + D_delta_y_1_by_b_1_y*t314 + D_delta_z_1_by_b_1_y*t315
+        - D_p_x_1_by_b_1_y*t302 - D_p_x_1_by_b_1_y*t303 - D_p_x_1_by_b_1_y*t304 + D_p_x_1_by_b_1_y*t411
+        - D_p_y_1_by_b_1_y*t305 - D_p_y_1_by_b_1_y*t306 - D_p_y_1_by_b_1_y*t307 + D_p_y_1_by_b_1_y*t412
+        - D_p_z_1_by_b_1_y*t308 - D_p_z_1_by_b_1_y*t309 - D_p_z_1_by_b_1_y*t310 + D_p_z_1_by_b_1_y*t413
+        + mu_1_by_b_1_y*t311 + mu_2_by_b_1_y*t312 + mu_3_by_b_1_y*t312,
+        D_delta_x_2_by_b_1_y*t313 + D_delta_y_2_by_b_1_y*t314 + D_delta_z_2_by_b_1_y*t315
+        - D_p_x_1_by_b_1_y*t316 - D_p_x_1_by_b_1_y*t317 - D_p_x_1_by_b_1_y*t318 + D_p_x_1_by_b_1_y*t414
+        - D_p_y_1_by_b_1_y*t319 - D_p_y_1_by_b_1_y*t320 - D_p_y_1_by_b_1_y*t321 + D_p_y_1_by_b_1_y*t415
+        - D_p_z_1_by_b_1_y*t322 - D_p_z_1_by_b_1_y*t323 - D_p_z_1_by_b_1_y*t324 + D_p_z_1_by_b_1_y*t416
+        + mu_1_by_b_1_y*t325 + mu_2_by_b_1_y*t326 + mu_3_by_b_1_y*t326,
+        D_delta_x_3_by_b_1_y*t313 + D_delta_y_3_by_b_1_y*t314 + D_delta_z_3_by_b_1_y*t315
+        - D_p_x_1_by_b_1_y*t327 - D_p_x_1_by_b_1_y*t328 - D_p_x_1_by_b_1_y*t329 + D_p_x_1_by_b_1_y*t417
+        - D_p_y_1_by_b_1_y*t330 - D_p_y_1_by_b_1_y*t331 - D_p_y_1_by_b_1_y*t332 + D_p_y_1_by_b_1_y*t418
+        - D_p_z_1_by_b_1_y*t333 - D_p_z_1_by_b_1_y*t334 - D_p_z_1_by_b_1_y*t335 + D_p_z_1_by_b_1_y*t419
+        + mu_1_by_b_1_y*t336 + mu_2_by_b_1_y*t337 + mu_3_by_b_1_y*t337,
+        t420, D_p_x_1_by_b_1_y*k_C, D_p_y_1_by_b_1_y*k_C, D_p_z_1_by_b_1_y*k_C,
         2*D_p_x_2*D_p_x_2_by_b_1_y*k_C + 2*D_p_y_2*D_p_y_2_by_b_1_y*k_C + 2*D_p_z_2*D_p_z_2_by_b_1_y*k_C
-        + mu_1_by_b_1_y*t346 + mu_2_by_b_1_y*t347 + mu_3_by_b_1_y*t348 - t273*t433 - t274*t433 - t275*t433
-        - t276*t434 - t277*t434 - t278*t434 - t279*t435 - t280*t435 - t281*t435,
-        D_p_x_2*D_p_x_3_by_b_1_y*k_C + D_p_x_2_by_b_1_y*D_p_x_3*k_C - D_p_x_2_by_b_1_y*t285
-        - D_p_x_2_by_b_1_y*t286 - D_p_x_2_by_b_1_y*t287 - D_p_x_3_by_b_1_y*t273 - D_p_x_3_by_b_1_y*t274
-        - D_p_x_3_by_b_1_y*t275 + D_p_y_2*D_p_y_3_by_b_1_y*k_C + D_p_y_2_by_b_1_y*D_p_y_3*k_C
-        - D_p_y_2_by_b_1_y*t288 - D_p_y_2_by_b_1_y*t289 - D_p_y_2_by_b_1_y*t290 - D_p_y_3_by_b_1_y*t276
-        - D_p_y_3_by_b_1_y*t277 - D_p_y_3_by_b_1_y*t278 + D_p_z_2*D_p_z_3_by_b_1_y*k_C
-        + D_p_z_2_by_b_1_y*D_p_z_3*k_C - D_p_z_2_by_b_1_y*t291 - D_p_z_2_by_b_1_y*t292
-        - D_p_z_2_by_b_1_y*t293 - D_p_z_3_by_b_1_y*t279 - D_p_z_3_by_b_1_y*t280 - D_p_z_3_by_b_1_y*t281
-        + mu_1_by_b_1_y*t349 + mu_2_by_b_1_y*t350 + mu_3_by_b_1_y*t351,
-        D_delta_x_1_by_b_1_y*t358 + D_delta_y_1_by_b_1_y*t359 + D_delta_z_1_by_b_1_y*t360
-        - D_p_x_2_by_b_1_y*t303 - D_p_x_2_by_b_1_y*t304 - D_p_x_2_by_b_1_y*t305 + D_p_x_2_by_b_1_y*t423
-        - D_p_y_2_by_b_1_y*t306 - D_p_y_2_by_b_1_y*t307 - D_p_y_2_by_b_1_y*t308 + D_p_y_2_by_b_1_y*t424
-        - D_p_z_2_by_b_1_y*t309 - D_p_z_2_by_b_1_y*t310 - D_p_z_2_by_b_1_y*t311 + D_p_z_2_by_b_1_y*t425
-        + mu_1_by_b_1_y*t355 + mu_2_by_b_1_y*t356 + mu_3_by_b_1_y*t357,
-        D_delta_x_2_by_b_1_y*t358 + D_delta_y_2_by_b_1_y*t359 + D_delta_z_2_by_b_1_y*t360
-        - D_p_x_2_by_b_1_y*t318 - D_p_x_2_by_b_1_y*t319 - D_p_x_2_by_b_1_y*t320 + D_p_x_2_by_b_1_y*t426
-        - D_p_y_2_by_b_1_y*t321 - D_p_y_2_by_b_1_y*t322 - D_p_y_2_by_b_1_y*t323 + D_p_y_2_by_b_1_y*t427
-        - D_p_z_2_by_b_1_y*t324 - D_p_z_2_by_b_1_y*t325 - D_p_z_2_by_b_1_y*t326 + D_p_z_2_by_b_1_y*t428
-        + mu_1_by_b_1_y*t361 + mu_2_by_b_1_y*t362 + mu_3_by_b_1_y*t363,
-        D_delta_x_3_by_b_1_y*t358 + D_delta_y_3_by_b_1_y*t359 + D_delta_z_3_by_b_1_y*t360
-        - D_p_x_2_by_b_1_y*t330 - D_p_x_2_by_b_1_y*t331 - D_p_x_2_by_b_1_y*t332 + D_p_x_2_by_b_1_y*t429
-        - D_p_y_2_by_b_1_y*t333 - D_p_y_2_by_b_1_y*t334 - D_p_y_2_by_b_1_y*t335 + D_p_y_2_by_b_1_y*t430
-        - D_p_z_2_by_b_1_y*t336 - D_p_z_2_by_b_1_y*t337 - D_p_z_2_by_b_1_y*t338 + D_p_z_2_by_b_1_y*t431
-        + mu_1_by_b_1_y*t364 + mu_2_by_b_1_y*t365 + mu_3_by_b_1_y*t366,
+        + mu_1_by_b_1_y*t342 + mu_2_by_b_1_y*t343 + mu_3_by_b_1_y*t342 - t272*t421 - t273*t421 - t274*t421
+        - t275*t422 - t276*t422 - t277*t422 - t278*t423 - t279*t423 - t280*t423,
+        D_p_x_2*D_p_x_3_by_b_1_y*k_C + D_p_x_2_by_b_1_y*D_p_x_3*k_C - D_p_x_2_by_b_1_y*t284
+        - D_p_x_2_by_b_1_y*t285 - D_p_x_2_by_b_1_y*t286 - D_p_x_3_by_b_1_y*t272 - D_p_x_3_by_b_1_y*t273
+        - D_p_x_3_by_b_1_y*t274 + D_p_y_2*D_p_y_3_by_b_1_y*k_C + D_p_y_2_by_b_1_y*D_p_y_3*k_C
+        - D_p_y_2_by_b_1_y*t287 - D_p_y_2_by_b_1_y*t288 - D_p_y_2_by_b_1_y*t289 - D_p_y_3_by_b_1_y*t275
+        - D_p_y_3_by_b_1_y*t276 - D_p_y_3_by_b_1_y*t277 + D_p_z_2*D_p_z_3_by_b_1_y*k_C
+        + D_p_z_2_by_b_1_y*D_p_z_3*k_C - D_p_z_2_by_b_1_y*t290 - D_p_z_2_by_b_1_y*t291
+        - D_p_z_2_by_b_1_y*t292 - D_p_z_3_by_b_1_y*t278 - D_p_z_3_by_b_1_y*t279 - D_p_z_3_by_b_1_y*t280
+        + mu_1_by_b_1_y*t344 + mu_2_by_b_1_y*t345 + mu_3_by_b_1_y*t346,
+        D_delta_x_1_by_b_1_y*t352 + D_delta_y_1_by_b_1_y*t353 + D_delta_z_1_by_b_1_y*t354
+        - D_p_x_2_by_b_1_y*t302 - D_p_x_2_by_b_1_y*t303 - D_p_x_2_by_b_1_y*t304 + D_p_x_2_by_b_1_y*t411
+        - D_p_y_2_by_b_1_y*t305 - D_p_y_2_by_b_1_y*t306 - D_p_y_2_by_b_1_y*t307 + D_p_y_2_by_b_1_y*t412
+        - D_p_z_2_by_b_1_y*t308 - D_p_z_2_by_b_1_y*t309 - D_p_z_2_by_b_1_y*t310 + D_p_z_2_by_b_1_y*t413
+        + mu_1_by_b_1_y*t350 + mu_2_by_b_1_y*t351 + mu_3_by_b_1_y*t350,
+        D_delta_x_2_by_b_1_y*t352 + D_delta_y_2_by_b_1_y*t353 + D_delta_z_2_by_b_1_y*t354
+        - D_p_x_2_by_b_1_y*t316 - D_p_x_2_by_b_1_y*t317 - D_p_x_2_by_b_1_y*t318 + D_p_x_2_by_b_1_y*t414
+        - D_p_y_2_by_b_1_y*t319 - D_p_y_2_by_b_1_y*t320 - D_p_y_2_by_b_1_y*t321 + D_p_y_2_by_b_1_y*t415
+        - D_p_z_2_by_b_1_y*t322 - D_p_z_2_by_b_1_y*t323 - D_p_z_2_by_b_1_y*t324 + D_p_z_2_by_b_1_y*t416
+        + mu_1_by_b_1_y*t355 + mu_2_by_b_1_y*t356 + mu_3_by_b_1_y*t355,
+        D_delta_x_3_by_b_1_y*t352 + D_delta_y_3_by_b_1_y*t353 + D_delta_z_3_by_b_1_y*t354
+        - D_p_x_2_by_b_1_y*t327 - D_p_x_2_by_b_1_y*t328 - D_p_x_2_by_b_1_y*t329 + D_p_x_2_by_b_1_y*t417
+        - D_p_y_2_by_b_1_y*t330 - D_p_y_2_by_b_1_y*t331 - D_p_y_2_by_b_1_y*t332 + D_p_y_2_by_b_1_y*t418
+        - D_p_z_2_by_b_1_y*t333 - D_p_z_2_by_b_1_y*t334 - D_p_z_2_by_b_1_y*t335 + D_p_z_2_by_b_1_y*t419
+        + mu_1_by_b_1_y*t357 + mu_2_by_b_1_y*t358 + mu_3_by_b_1_y*t357,
         D_p_x_2_by_b_1_y*k_C, D_p_y_2_by_b_1_y*k_C, D_p_z_2_by_b_1_y*k_C,
         2*D_p_x_3*D_p_x_3_by_b_1_y*k_C + 2*D_p_y_3*D_p_y_3_by_b_1_y*k_C + 2*D_p_z_3*D_p_z_3_by_b_1_y*k_C
-        + mu_1_by_b_1_y*t370 + mu_2_by_b_1_y*t371 + mu_3_by_b_1_y*t372 - t285*t436 - t286*t436 - t287*t436
-        - t288*t437 - t289*t437 - t290*t437 - t291*t438 - t292*t438 - t293*t438,
-        D_delta_x_1_by_b_1_y*t379 + D_delta_y_1_by_b_1_y*t380 + D_delta_z_1_by_b_1_y*t381
-        - D_p_x_3_by_b_1_y*t303 - D_p_x_3_by_b_1_y*t304 - D_p_x_3_by_b_1_y*t305 + D_p_x_3_by_b_1_y*t423
-        - D_p_y_3_by_b_1_y*t306 - D_p_y_3_by_b_1_y*t307 - D_p_y_3_by_b_1_y*t308 + D_p_y_3_by_b_1_y*t424
-        - D_p_z_3_by_b_1_y*t309 - D_p_z_3_by_b_1_y*t310 - D_p_z_3_by_b_1_y*t311 + D_p_z_3_by_b_1_y*t425
-        + mu_1_by_b_1_y*t376 + mu_2_by_b_1_y*t377 + mu_3_by_b_1_y*t378,
-        D_delta_x_2_by_b_1_y*t379 + D_delta_y_2_by_b_1_y*t380 + D_delta_z_2_by_b_1_y*t381
-        - D_p_x_3_by_b_1_y*t318 - D_p_x_3_by_b_1_y*t319 - D_p_x_3_by_b_1_y*t320 + D_p_x_3_by_b_1_y*t426
-        - D_p_y_3_by_b_1_y*t321 - D_p_y_3_by_b_1_y*t322 - D_p_y_3_by_b_1_y*t323 + D_p_y_3_by_b_1_y*t427
-        - D_p_z_3_by_b_1_y*t324 - D_p_z_3_by_b_1_y*t325 - D_p_z_3_by_b_1_y*t326 + D_p_z_3_by_b_1_y*t428
-        + mu_1_by_b_1_y*t382 + mu_2_by_b_1_y*t383 + mu_3_by_b_1_y*t384,
-        D_delta_x_3_by_b_1_y*t379 + D_delta_y_3_by_b_1_y*t380 + D_delta_z_3_by_b_1_y*t381
-        - D_p_x_3_by_b_1_y*t330 - D_p_x_3_by_b_1_y*t331 - D_p_x_3_by_b_1_y*t332 + D_p_x_3_by_b_1_y*t429
-        - D_p_y_3_by_b_1_y*t333 - D_p_y_3_by_b_1_y*t334 - D_p_y_3_by_b_1_y*t335 + D_p_y_3_by_b_1_y*t430
-        - D_p_z_3_by_b_1_y*t336 - D_p_z_3_by_b_1_y*t337 - D_p_z_3_by_b_1_y*t338 + D_p_z_3_by_b_1_y*t431
-        + mu_1_by_b_1_y*t385 + mu_2_by_b_1_y*t386 + mu_3_by_b_1_y*t387,
-        D_p_x_3_by_b_1_y*k_C, D_p_y_3_by_b_1_y*k_C, D_p_z_3_by_b_1_y*k_C, t185*t420, t421, -t185*t419, t422,
-        D_delta_x_1_by_b_1_y*t389 + D_delta_y_1_by_b_1_y*t390 + D_delta_z_1_by_b_1_y*t391
-        + mu_1_by_b_1_y*t392 - mu_2_by_b_1_y*t388 - mu_3_by_b_1_y*t388,
-        D_delta_x_1_by_b_1_y*t394 + D_delta_x_2_by_b_1_y*t395 + D_delta_y_1_by_b_1_y*t396
-        + D_delta_y_2_by_b_1_y*t397 + D_delta_z_1_by_b_1_y*t398 + D_delta_z_2_by_b_1_y*t399
-        + mu_1_by_b_1_y*t393 + mu_2_by_b_1_y*t393 + mu_3_by_b_1_y*t393,
-        D_delta_x_1_by_b_1_y*t401 + D_delta_x_3_by_b_1_y*t395 + D_delta_y_1_by_b_1_y*t402
-        + D_delta_y_3_by_b_1_y*t397 + D_delta_z_1_by_b_1_y*t403 + D_delta_z_3_by_b_1_y*t399
-        + mu_1_by_b_1_y*t400 + mu_2_by_b_1_y*t400 + mu_3_by_b_1_y*t400,
+        + mu_1_by_b_1_y*t362 + mu_2_by_b_1_y*t362 + mu_3_by_b_1_y*t363 - t284*t424 - t285*t424 - t286*t424
+        - t287*t425 - t288*t425 - t289*t425 - t290*t426 - t291*t426 - t292*t426,
+        D_delta_x_1_by_b_1_y*t369 + D_delta_y_1_by_b_1_y*t370 + D_delta_z_1_by_b_1_y*t371
+        - D_p_x_3_by_b_1_y*t302 - D_p_x_3_by_b_1_y*t303 - D_p_x_3_by_b_1_y*t304 + D_p_x_3_by_b_1_y*t411
+        - D_p_y_3_by_b_1_y*t305 - D_p_y_3_by_b_1_y*t306 - D_p_y_3_by_b_1_y*t307 + D_p_y_3_by_b_1_y*t412
+        - D_p_z_3_by_b_1_y*t308 - D_p_z_3_by_b_1_y*t309 - D_p_z_3_by_b_1_y*t310 + D_p_z_3_by_b_1_y*t413
+        + mu_1_by_b_1_y*t367 + mu_2_by_b_1_y*t367 + mu_3_by_b_1_y*t368,
+        D_delta_x_2_by_b_1_y*t369 + D_delta_y_2_by_b_1_y*t370 + D_delta_z_2_by_b_1_y*t371
+        - D_p_x_3_by_b_1_y*t316 - D_p_x_3_by_b_1_y*t317 - D_p_x_3_by_b_1_y*t318 + D_p_x_3_by_b_1_y*t414
+        - D_p_y_3_by_b_1_y*t319 - D_p_y_3_by_b_1_y*t320 - D_p_y_3_by_b_1_y*t321 + D_p_y_3_by_b_1_y*t415
+        - D_p_z_3_by_b_1_y*t322 - D_p_z_3_by_b_1_y*t323 - D_p_z_3_by_b_1_y*t324 + D_p_z_3_by_b_1_y*t416
+        + mu_1_by_b_1_y*t372 + mu_2_by_b_1_y*t372 + mu_3_by_b_1_y*t373,
+        D_delta_x_3_by_b_1_y*t369 + D_delta_y_3_by_b_1_y*t370 + D_delta_z_3_by_b_1_y*t371
+        - D_p_x_3_by_b_1_y*t327 - D_p_x_3_by_b_1_y*t328 - D_p_x_3_by_b_1_y*t329 + D_p_x_3_by_b_1_y*t417
+        - D_p_y_3_by_b_1_y*t330 - D_p_y_3_by_b_1_y*t331 - D_p_y_3_by_b_1_y*t332 + D_p_y_3_by_b_1_y*t418
+        - D_p_z_3_by_b_1_y*t333 - D_p_z_3_by_b_1_y*t334 - D_p_z_3_by_b_1_y*t335 + D_p_z_3_by_b_1_y*t419
+        + mu_1_by_b_1_y*t374 + mu_2_by_b_1_y*t374 + mu_3_by_b_1_y*t375,
+        D_p_x_3_by_b_1_y*k_C, D_p_y_3_by_b_1_y*k_C, D_p_z_3_by_b_1_y*k_C, t185*t408, t409, -t185*t407, t410,
+        D_delta_x_1_by_b_1_y*t377 + D_delta_y_1_by_b_1_y*t378 + D_delta_z_1_by_b_1_y*t379
+        + mu_1_by_b_1_y*t380 - mu_2_by_b_1_y*t376 - mu_3_by_b_1_y*t376,
+        D_delta_x_1_by_b_1_y*t382 + D_delta_x_2_by_b_1_y*t383 + D_delta_y_1_by_b_1_y*t384
+        + D_delta_y_2_by_b_1_y*t385 + D_delta_z_1_by_b_1_y*t386 + D_delta_z_2_by_b_1_y*t387
+        + mu_1_by_b_1_y*t381 + mu_2_by_b_1_y*t381 + mu_3_by_b_1_y*t381,
+        D_delta_x_1_by_b_1_y*t389 + D_delta_x_3_by_b_1_y*t383 + D_delta_y_1_by_b_1_y*t390
+        + D_delta_y_3_by_b_1_y*t385 + D_delta_z_1_by_b_1_y*t391 + D_delta_z_3_by_b_1_y*t387
+        + mu_1_by_b_1_y*t388 + mu_2_by_b_1_y*t388 + mu_3_by_b_1_y*t388,
         D_delta_x_1_by_b_1_y*k_C, D_delta_y_1_by_b_1_y*k_C, D_delta_z_1_by_b_1_y*k_C,
-        D_delta_x_2_by_b_1_y*t405 + D_delta_y_2_by_b_1_y*t406 + D_delta_z_2_by_b_1_y*t407
-        - mu_1_by_b_1_y*t404 + mu_2_by_b_1_y*t408 - mu_3_by_b_1_y*t404,
-        D_delta_x_2_by_b_1_y*t401 + D_delta_x_3_by_b_1_y*t394 + D_delta_y_2_by_b_1_y*t402
-        + D_delta_y_3_by_b_1_y*t396 + D_delta_z_2_by_b_1_y*t403 + D_delta_z_3_by_b_1_y*t398
-        + mu_1_by_b_1_y*t409 + mu_2_by_b_1_y*t409 + mu_3_by_b_1_y*t409,
+        D_delta_x_2_by_b_1_y*t393 + D_delta_y_2_by_b_1_y*t394 + D_delta_z_2_by_b_1_y*t395
+        - mu_1_by_b_1_y*t392 + mu_2_by_b_1_y*t396 - mu_3_by_b_1_y*t392,
+        D_delta_x_2_by_b_1_y*t389 + D_delta_x_3_by_b_1_y*t382 + D_delta_y_2_by_b_1_y*t390
+        + D_delta_y_3_by_b_1_y*t384 + D_delta_z_2_by_b_1_y*t391 + D_delta_z_3_by_b_1_y*t386
+        + mu_1_by_b_1_y*t397 + mu_2_by_b_1_y*t397 + mu_3_by_b_1_y*t397,
         D_delta_x_2_by_b_1_y*k_C, D_delta_y_2_by_b_1_y*k_C, D_delta_z_2_by_b_1_y*k_C,
-        D_delta_x_3_by_b_1_y*t411 + D_delta_y_3_by_b_1_y*t412 + D_delta_z_3_by_b_1_y*t413
-        - mu_1_by_b_1_y*t410 - mu_2_by_b_1_y*t410 + mu_3_by_b_1_y*t414,
-        D_delta_x_3_by_b_1_y*k_C, D_delta_y_3_by_b_1_y*k_C, D_delta_z_3_by_b_1_y*k_C, t432,
+        D_delta_x_3_by_b_1_y*t399 + D_delta_y_3_by_b_1_y*t400 + D_delta_z_3_by_b_1_y*t401
+        - mu_1_by_b_1_y*t398 - mu_2_by_b_1_y*t398 + mu_3_by_b_1_y*t402,
+        D_delta_x_3_by_b_1_y*k_C, D_delta_y_3_by_b_1_y*k_C, D_delta_z_3_by_b_1_y*k_C, t420,
         2*D_p_x_1*D_p_x_1_by_b_1_z*k_C + 2*D_p_y_1*D_p_y_1_by_b_1_z*k_C + 2*D_p_z_1*D_p_z_1_by_b_1_z*k_C
-        + k_sp_1*t263*t264*t272*w_b_1*x_1_by_b_1_z + mu_1_by_b_1_z*t260 + mu_2_by_b_1_z*t261
-        + mu_3_by_b_1_z*t262 - t248*t439 - t250*t439 - t251*t439 - t252*t440 - t254*t440 - t255*t440
-        - t256*t441 - t258*t441 - t259*t441 - t443,
-        D_p_x_1*D_p_x_2_by_b_1_z*k_C + D_p_x_1_by_b_1_z*D_p_x_2*k_C - D_p_x_1_by_b_1_z*t273
-        - D_p_x_1_by_b_1_z*t274 - D_p_x_1_by_b_1_z*t275 - D_p_x_2_by_b_1_z*t248 - D_p_x_2_by_b_1_z*t250
+        + k_sp_1*t262*t263*t271*w_b_1*x_1_by_b_1_z + mu_1_by_b_1_z*t260 + mu_2_by_b_1_z*t261
+        + mu_3_by_b_1_z*t261 - t248*t427 - t250*t427 - t251*t427 - t252*t428 - t254*t428 - t255*t428
+        - t256*t429 - t258*t429 - t259*t429 - t431,
+        D_p_x_1*D_p_x_2_by_b_1_z*k_C + D_p_x_1_by_b_1_z*D_p_x_2*k_C - D_p_x_1_by_b_1_z*t272
+        - D_p_x_1_by_b_1_z*t273 - D_p_x_1_by_b_1_z*t274 - D_p_x_2_by_b_1_z*t248 - D_p_x_2_by_b_1_z*t250
         - D_p_x_2_by_b_1_z*t251 + D_p_y_1*D_p_y_2_by_b_1_z*k_C + D_p_y_1_by_b_1_z*D_p_y_2*k_C
-        - D_p_y_1_by_b_1_z*t276 - D_p_y_1_by_b_1_z*t277 - D_p_y_1_by_b_1_z*t278 - D_p_y_2_by_b_1_z*t252
+        - D_p_y_1_by_b_1_z*t275 - D_p_y_1_by_b_1_z*t276 - D_p_y_1_by_b_1_z*t277 - D_p_y_2_by_b_1_z*t252
         - D_p_y_2_by_b_1_z*t254 - D_p_y_2_by_b_1_z*t255 + D_p_z_1*D_p_z_2_by_b_1_z*k_C
-        + D_p_z_1_by_b_1_z*D_p_z_2*k_C - D_p_z_1_by_b_1_z*t279 - D_p_z_1_by_b_1_z*t280
-        - D_p_z_1_by_b_1_z*t281 - D_p_z_2_by_b_1_z*t256 - D_p_z_2_by_b_1_z*t258 - D_p_z_2_by_b_1_z*t259
-        + mu_1_by_b_1_z*t282 + mu_2_by_b_1_z*t283 + mu_3_by_b_1_z*t284,
-        D_p_x_1*D_p_x_3_by_b_1_z*k_C + D_p_x_1_by_b_1_z*D_p_x_3*k_C - D_p_x_1_by_b_1_z*t285
-        - D_p_x_1_by_b_1_z*t286 - D_p_x_1_by_b_1_z*t287 - D_p_x_3_by_b_1_z*t248 - D_p_x_3_by_b_1_z*t250
+        + D_p_z_1_by_b_1_z*D_p_z_2*k_C - D_p_z_1_by_b_1_z*t278 - D_p_z_1_by_b_1_z*t279
+        - D_p_z_1_by_b_1_z*t280 - D_p_z_2_by_b_1_z*t256 - D_p_z_2_by_b_1_z*t258 - D_p_z_2_by_b_1_z*t259
+        + mu_1_by_b_1_z*t281 + mu_2_by_b_1_z*t282 + mu_3_by_b_1_z*t283,
+        D_p_x_1*D_p_x_3_by_b_1_z*k_C + D_p_x_1_by_b_1_z*D_p_x_3*k_C - D_p_x_1_by_b_1_z*t284
+        - D_p_x_1_by_b_1_z*t285 - D_p_x_1_by_b_1_z*t286 - D_p_x_3_by_b_1_z*t248 - D_p_x_3_by_b_1_z*t250
         - D_p_x_3_by_b_1_z*t251 + D_p_y_1*D_p_y_3_by_b_1_z*k_C + D_p_y_1_by_b_1_z*D_p_y_3*k_C
-        - D_p_y_1_by_b_1_z*t288 - D_p_y_1_by_b_1_z*t289 - D_p_y_1_by_b_1_z*t290 - D_p_y_3_by_b_1_z*t252
+        - D_p_y_1_by_b_1_z*t287 - D_p_y_1_by_b_1_z*t288 - D_p_y_1_by_b_1_z*t289 - D_p_y_3_by_b_1_z*t252
         - D_p_y_3_by_b_1_z*t254 - D_p_y_3_by_b_1_z*t255 + D_p_z_1*D_p_z_3_by_b_1_z*k_C
-        + D_p_z_1_by_b_1_z*D_p_z_3*k_C - D_p_z_1_by_b_1_z*t291 - D_p_z_1_by_b_1_z*t292
-        - D_p_z_1_by_b_1_z*t293 - D_p_z_3_by_b_1_z*t256 - D_p_z_3_by_b_1_z*t258 - D_p_z_3_by_b_1_z*t259
-        + mu_1_by_b_1_z*t294 + mu_2_by_b_1_z*t295 + mu_3_by_b_1_z*t296,
-        t445, t446,
-        D_delta_x_1_by_b_1_z*t315 + D_delta_y_1_by_b_1_z*t316 + D_delta_z_1_by_b_1_z*t317
-        - D_p_x_1_by_b_1_z*t303 - D_p_x_1_by_b_1_z*t304 - D_p_x_1_by_b_1_z*t305 + D_p_x_1_by_b_1_z*t423
-        - D_p_y_1_by_b_1_z*t306 - D_p_y_1_by_b_1_z*t307 - D_p_y_1_by_b_1_z*t308 + D_p_y_1_by_b_1_z*t424
-        - D_p_z_1_by_b_1_z*t309 - D_p_z_1_by_b_1_z*t310 - D_p_z_1_by_b_1_z*t311 + D_p_z_1_by_b_1_z*t425
-        + mu_1_by_b_1_z*t312 + mu_2_by_b_1_z*t313 + mu_3_by_b_1_z*t314,
-        D_delta_x_2_by_b_1_z*t315 + D_delta_y_2_by_b_1_z*t316 + D_delta_z_2_by_b_1_z*t317
-        - D_p_x_1_by_b_1_z*t318 - D_p_x_1_by_b_1_z*t319 - D_p_x_1_by_b_1_z*t320 + D_p_x_1_by_b_1_z*t426
-        - D_p_y_1_by_b_1_z*t321 - D_p_y_1_by_b_1_z*t322 - D_p_y_1_by_b_1_z*t323 + D_p_y_1_by_b_1_z*t427
-        - D_p_z_1_by_b_1_z*t324 - D_p_z_1_by_b_1_z*t325 - D_p_z_1_by_b_1_z*t326 + D_p_z_1_by_b_1_z*t428
-        + mu_1_by_b_1_z*t327 + mu_2_by_b_1_z*t328 + mu_3_by_b_1_z*t329,
-        D_delta_x_3_by_b_1_z*t315 + D_delta_y_3_by_b_1_z*t316 + D_delta_z_3_by_b_1_z*t317
-        - D_p_x_1_by_b_1_z*t330 - D_p_x_1_by_b_1_z*t331 - D_p_x_1_by_b_1_z*t332 + D_p_x_1_by_b_1_z*t429
-        - D_p_y_1_by_b_1_z*t333 - D_p_y_1_by_b_1_z*t334 - D_p_y_1_by_b_1_z*t335 + D_p_y_1_by_b_1_z*t430
-        - D_p_z_1_by_b_1_z*t336 - D_p_z_1_by_b_1_z*t337 - D_p_z_1_by_b_1_z*t338 + D_p_z_1_by_b_1_z*t431
-        + mu_1_by_b_1_z*t339 + mu_2_by_b_1_z*t340 + mu_3_by_b_1_z*t341,
-        t447, D_p_x_1_by_b_1_z*k_C, D_p_y_1_by_b_1_z*k_C, D_p_z_1_by_b_1_z*k_C,
+        + D_p_z_1_by_b_1_z*D_p_z_3*k_C - D_p_z_1_by_b_1_z*t290 - D_p_z_1_by_b_1_z*t291
+        - D_p_z_1_by_b_1_z*t292 - D_p_z_3_by_b_1_z*t256 - D_p_z_3_by_b_1_z*t258 - D_p_z_3_by_b_1_z*t259
+        + mu_1_by_b_1_z*t293 + mu_2_by_b_1_z*t294 + mu_3_by_b_1_z*t295,
+        t433, t434,
+        D_delta_x_1_by_b_1_z*t313 + D_delta_y_1_by_b_1_z*t314 + D_delta_z_1_by_b_1_z*t315
+        - D_p_x_1_by_b_1_z*t302 - D_p_x_1_by_b_1_z*t303 - D_p_x_1_by_b_1_z*t304 + D_p_x_1_by_b_1_z*t411
+        - D_p_y_1_by_b_1_z*t305 - D_p_y_1_by_b_1_z*t306 - D_p_y_1_by_b_1_z*t307 + D_p_y_1_by_b_1_z*t412
+        - D_p_z_1_by_b_1_z*t308 - D_p_z_1_by_b_1_z*t309 - D_p_z_1_by_b_1_z*t310 + D_p_z_1_by_b_1_z*t413
+        + mu_1_by_b_1_z*t311 + mu_2_by_b_1_z*t312 + mu_3_by_b_1_z*t312,
+        D_delta_x_2_by_b_1_z*t313 + D_delta_y_2_by_b_1_z*t314 + D_delta_z_2_by_b_1_z*t315
+        - D_p_x_1_by_b_1_z*t316 - D_p_x_1_by_b_1_z*t317 - D_p_x_1_by_b_1_z*t318 + D_p_x_1_by_b_1_z*t414
+        - D_p_y_1_by_b_1_z*t319 - D_p_y_1_by_b_1_z*t320 - D_p_y_1_by_b_1_z*t321 + D_p_y_1_by_b_1_z*t415
+        - D_p_z_1_by_b_1_z*t322 - D_p_z_1_by_b_1_z*t323 - D_p_z_1_by_b_1_z*t324 + D_p_z_1_by_b_1_z*t416
+        + mu_1_by_b_1_z*t325 + mu_2_by_b_1_z*t326 + mu_3_by_b_1_z*t326,
+        D_delta_x_3_by_b_1_z*t313 + D_delta_y_3_by_b_1_z*t314 + D_delta_z_3_by_b_1_z*t315
+        - D_p_x_1_by_b_1_z*t327 - D_p_x_1_by_b_1_z*t328 - D_p_x_1_by_b_1_z*t329 + D_p_x_1_by_b_1_z*t417
+        - D_p_y_1_by_b_1_z*t330 - D_p_y_1_by_b_1_z*t331 - D_p_y_1_by_b_1_z*t332 + D_p_y_1_by_b_1_z*t418
+        - D_p_z_1_by_b_1_z*t333 - D_p_z_1_by_b_1_z*t334 - D_p_z_1_by_b_1_z*t335 + D_p_z_1_by_b_1_z*t419
+        + mu_1_by_b_1_z*t336 + mu_2_by_b_1_z*t337 + mu_3_by_b_1_z*t337,
+        t435, D_p_x_1_by_b_1_z*k_C, D_p_y_1_by_b_1_z*k_C, D_p_z_1_by_b_1_z*k_C,
         2*D_p_x_2*D_p_x_2_by_b_1_z*k_C + 2*D_p_y_2*D_p_y_2_by_b_1_z*k_C + 2*D_p_z_2*D_p_z_2_by_b_1_z*k_C
-        + mu_1_by_b_1_z*t346 + mu_2_by_b_1_z*t347 + mu_3_by_b_1_z*t348 - t273*t448 - t274*t448 - t275*t448
-        - t276*t449 - t277*t449 - t278*t449 - t279*t450 - t280*t450 - t281*t450,
-        D_p_x_2*D_p_x_3_by_b_1_z*k_C + D_p_x_2_by_b_1_z*D_p_x_3*k_C - D_p_x_2_by_b_1_z*t285
-        - D_p_x_2_by_b_1_z*t286 - D_p_x_2_by_b_1_z*t287 - D_p_x_3_by_b_1_z*t273 - D_p_x_3_by_b_1_z*t274
-        - D_p_x_3_by_b_1_z*t275 + D_p_y_2*D_p_y_3_by_b_1_z*k_C + D_p_y_2_by_b_1_z*D_p_y_3*k_C
-        - D_p_y_2_by_b_1_z*t288 - D_p_y_2_by_b_1_z*t289 - D_p_y_2_by_b_1_z*t290 - D_p_y_3_by_b_1_z*t276
-        - D_p_y_3_by_b_1_z*t277 - D_p_y_3_by_b_1_z*t278 + D_p_z_2*D_p_z_3_by_b_1_z*k_C
-        + D_p_z_2_by_b_1_z*D_p_z_3*k_C - D_p_z_2_by_b_1_z*t291 - D_p_z_2_by_b_1_z*t292
-        - D_p_z_2_by_b_1_z*t293 - D_p_z_3_by_b_1_z*t279 - D_p_z_3_by_b_1_z*t280 - D_p_z_3_by_b_1_z*t281
-        + mu_1_by_b_1_z*t349 + mu_2_by_b_1_z*t350 + mu_3_by_b_1_z*t351,
-        D_delta_x_1_by_b_1_z*t358 + D_delta_y_1_by_b_1_z*t359 + D_delta_z_1_by_b_1_z*t360
-        - D_p_x_2_by_b_1_z*t303 - D_p_x_2_by_b_1_z*t304 - D_p_x_2_by_b_1_z*t305 + D_p_x_2_by_b_1_z*t423
-        - D_p_y_2_by_b_1_z*t306 - D_p_y_2_by_b_1_z*t307 - D_p_y_2_by_b_1_z*t308 + D_p_y_2_by_b_1_z*t424
-        - D_p_z_2_by_b_1_z*t309 - D_p_z_2_by_b_1_z*t310 - D_p_z_2_by_b_1_z*t311 + D_p_z_2_by_b_1_z*t425
-        + mu_1_by_b_1_z*t355 + mu_2_by_b_1_z*t356 + mu_3_by_b_1_z*t357,
-        D_delta_x_2_by_b_1_z*t358 + D_delta_y_2_by_b_1_z*t359 + D_delta_z_2_by_b_1_z*t360
-        - D_p_x_2_by_b_1_z*t318 - D_p_x_2_by_b_1_z*t319 - D_p_x_2_by_b_1_z*t320 + D_p_x_2_by_b_1_z*t426
-        - D_p_y_2_by_b_1_z*t321 - D_p_y_2_by_b_1_z*t322 - D_p_y_2_by_b_1_z*t323 + D_p_y_2_by_b_1_z*t427
-        - D_p_z_2_by_b_1_z*t324 - D_p_z_2_by_b_1_z*t325 - D_p_z_2_by_b_1_z*t326 + D_p_z_2_by_b_1_z*t428
-        + mu_1_by_b_1_z*t361 + mu_2_by_b_1_z*t362 + mu_3_by_b_1_z*t363,
-        D_delta_x_3_by_b_1_z*t358 + D_delta_y_3_by_b_1_z*t359 + D_delta_z_3_by_b_1_z*t360
-        - D_p_x_2_by_b_1_z*t330 - D_p_x_2_by_b_1_z*t331 - D_p_x_2_by_b_1_z*t332 + D_p_x_2_by_b_1_z*t429
-        - D_p_y_2_by_b_1_z*t333 - D_p_y_2_by_b_1_z*t334 - D_p_y_2_by_b_1_z*t335 + D_p_y_2_by_b_1_z*t430
-        - D_p_z_2_by_b_1_z*t336 - D_p_z_2_by_b_1_z*t337 - D_p_z_2_by_b_1_z*t338 + D_p_z_2_by_b_1_z*t431
-        + mu_1_by_b_1_z*t364 + mu_2_by_b_1_z*t365 + mu_3_by_b_1_z*t366,
+        + mu_1_by_b_1_z*t342 + mu_2_by_b_1_z*t343 + mu_3_by_b_1_z*t342 - t272*t436 - t273*t436 - t274*t436
+        - t275*t437 - t276*t437 - t277*t437 - t278*t438 - t279*t438 - t280*t438,
+        D_p_x_2*D_p_x_3_by_b_1_z*k_C + D_p_x_2_by_b_1_z*D_p_x_3*k_C - D_p_x_2_by_b_1_z*t284
+        - D_p_x_2_by_b_1_z*t285 - D_p_x_2_by_b_1_z*t286 - D_p_x_3_by_b_1_z*t272 - D_p_x_3_by_b_1_z*t273
+        - D_p_x_3_by_b_1_z*t274 + D_p_y_2*D_p_y_3_by_b_1_z*k_C + D_p_y_2_by_b_1_z*D_p_y_3*k_C
+        - D_p_y_2_by_b_1_z*t287 - D_p_y_2_by_b_1_z*t288 - D_p_y_2_by_b_1_z*t289 - D_p_y_3_by_b_1_z*t275
+        - D_p_y_3_by_b_1_z*t276 - D_p_y_3_by_b_1_z*t277 + D_p_z_2*D_p_z_3_by_b_1_z*k_C
+        + D_p_z_2_by_b_1_z*D_p_z_3*k_C - D_p_z_2_by_b_1_z*t290 - D_p_z_2_by_b_1_z*t291
+        - D_p_z_2_by_b_1_z*t292 - D_p_z_3_by_b_1_z*t278 - D_p_z_3_by_b_1_z*t279 - D_p_z_3_by_b_1_z*t280
+        + mu_1_by_b_1_z*t344 + mu_2_by_b_1_z*t345 + mu_3_by_b_1_z*t346,
+        D_delta_x_1_by_b_1_z*t352 + D_delta_y_1_by_b_1_z*t353 + D_delta_z_1_by_b_1_z*t354
+        - D_p_x_2_by_b_1_z*t302 - D_p_x_2_by_b_1_z*t303 - D_p_x_2_by_b_1_z*t304 + D_p_x_2_by_b_1_z*t411
+        - D_p_y_2_by_b_1_z*t305 - D_p_y_2_by_b_1_z*t306 - D_p_y_2_by_b_1_z*t307 + D_p_y_2_by_b_1_z*t412
+        - D_p_z_2_by_b_1_z*t308 - D_p_z_2_by_b_1_z*t309 - D_p_z_2_by_b_1_z*t310 + D_p_z_2_by_b_1_z*t413
+        + mu_1_by_b_1_z*t350 + mu_2_by_b_1_z*t351 + mu_3_by_b_1_z*t350,
+        D_delta_x_2_by_b_1_z*t352 + D_delta_y_2_by_b_1_z*t353 + D_delta_z_2_by_b_1_z*t354
+        - D_p_x_2_by_b_1_z*t316 - D_p_x_2_by_b_1_z*t317 - D_p_x_2_by_b_1_z*t318 + D_p_x_2_by_b_1_z*t414
+        - D_p_y_2_by_b_1_z*t319 - D_p_y_2_by_b_1_z*t320 - D_p_y_2_by_b_1_z*t321 + D_p_y_2_by_b_1_z*t415
+        - D_p_z_2_by_b_1_z*t322 - D_p_z_2_by_b_1_z*t323 - D_p_z_2_by_b_1_z*t324 + D_p_z_2_by_b_1_z*t416
+        + mu_1_by_b_1_z*t355 + mu_2_by_b_1_z*t356 + mu_3_by_b_1_z*t355,
+        D_delta_x_3_by_b_1_z*t352 + D_delta_y_3_by_b_1_z*t353 + D_delta_z_3_by_b_1_z*t354
+        - D_p_x_2_by_b_1_z*t327 - D_p_x_2_by_b_1_z*t328 - D_p_x_2_by_b_1_z*t329 + D_p_x_2_by_b_1_z*t417
+        - D_p_y_2_by_b_1_z*t330 - D_p_y_2_by_b_1_z*t331 - D_p_y_2_by_b_1_z*t332 + D_p_y_2_by_b_1_z*t418
+        - D_p_z_2_by_b_1_z*t333 - D_p_z_2_by_b_1_z*t334 - D_p_z_2_by_b_1_z*t335 + D_p_z_2_by_b_1_z*t419
+        + mu_1_by_b_1_z*t357 + mu_2_by_b_1_z*t358 + mu_3_by_b_1_z*t357,
         D_p_x_2_by_b_1_z*k_C, D_p_y_2_by_b_1_z*k_C, D_p_z_2_by_b_1_z*k_C,
         2*D_p_x_3*D_p_x_3_by_b_1_z*k_C + 2*D_p_y_3*D_p_y_3_by_b_1_z*k_C + 2*D_p_z_3*D_p_z_3_by_b_1_z*k_C
-        + mu_1_by_b_1_z*t370 + mu_2_by_b_1_z*t371 + mu_3_by_b_1_z*t372 - t285*t451 - t286*t451 - t287*t451
-        - t288*t452 - t289*t452 - t290*t452 - t291*t453 - t292*t453 - t293*t453,
-        D_delta_x_1_by_b_1_z*t379 + D_delta_y_1_by_b_1_z*t380 + D_delta_z_1_by_b_1_z*t381
-        - D_p_x_3_by_b_1_z*t303 - D_p_x_3_by_b_1_z*t304 - D_p_x_3_by_b_1_z*t305 + D_p_x_3_by_b_1_z*t423
-        - D_p_y_3_by_b_1_z*t306 - D_p_y_3_by_b_1_z*t307 - D_p_y_3_by_b_1_z*t308 + D_p_y_3_by_b_1_z*t424
-        - D_p_z_3_by_b_1_z*t309 - D_p_z_3_by_b_1_z*t310 - D_p_z_3_by_b_1_z*t311 + D_p_z_3_by_b_1_z*t425
-        + mu_1_by_b_1_z*t376 + mu_2_by_b_1_z*t377 + mu_3_by_b_1_z*t378,
-        D_delta_x_2_by_b_1_z*t379 + D_delta_y_2_by_b_1_z*t380 + D_delta_z_2_by_b_1_z*t381
-        - D_p_x_3_by_b_1_z*t318 - D_p_x_3_by_b_1_z*t319 - D_p_x_3_by_b_1_z*t320 + D_p_x_3_by_b_1_z*t426
-        - D_p_y_3_by_b_1_z*t321 - D_p_y_3_by_b_1_z*t322 - D_p_y_3_by_b_1_z*t323 + D_p_y_3_by_b_1_z*t427
-        - D_p_z_3_by_b_1_z*t324 - D_p_z_3_by_b_1_z*t325 - D_p_z_3_by_b_1_z*t326 + D_p_z_3_by_b_1_z*t428
-        + mu_1_by_b_1_z*t382 + mu_2_by_b_1_z*t383 + mu_3_by_b_1_z*t384,
-        D_delta_x_3_by_b_1_z*t379 + D_delta_y_3_by_b_1_z*t380 + D_delta_z_3_by_b_1_z*t381
-        - D_p_x_3_by_b_1_z*t330 - D_p_x_3_by_b_1_z*t331 - D_p_x_3_by_b_1_z*t332 + D_p_x_3_by_b_1_z*t429
-        - D_p_y_3_by_b_1_z*t333 - D_p_y_3_by_b_1_z*t334 - D_p_y_3_by_b_1_z*t335 + D_p_y_3_by_b_1_z*t430
-        - D_p_z_3_by_b_1_z*t336 - D_p_z_3_by_b_1_z*t337 - D_p_z_3_by_b_1_z*t338 + D_p_z_3_by_b_1_z*t431
-        + mu_1_by_b_1_z*t385 + mu_2_by_b_1_z*t386 + mu_3_by_b_1_z*t387,
-        D_p_x_3_by_b_1_z*k_C, D_p_y_3_by_b_1_z*k_C, D_p_z_3_by_b_1_z*k_C, t185*t444, t445, -t185*t443, t446,
-        D_delta_x_1_by_b_1_z*t389 + D_delta_y_1_by_b_1_z*t390 + D_delta_z_1_by_b_1_z*t391
-        + mu_1_by_b_1_z*t392 - mu_2_by_b_1_z*t388 - mu_3_by_b_1_z*t388,
-        D_delta_x_1_by_b_1_z*t394 + D_delta_x_2_by_b_1_z*t395 + D_delta_y_1_by_b_1_z*t396
-        + D_delta_y_2_by_b_1_z*t397 + D_delta_z_1_by_b_1_z*t398 + D_delta_z_2_by_b_1_z*t399
-        + mu_1_by_b_1_z*t393 + mu_2_by_b_1_z*t393 + mu_3_by_b_1_z*t393,
-        D_delta_x_1_by_b_1_z*t401 + D_delta_x_3_by_b_1_z*t395 + D_delta_y_1_by_b_1_z*t402
-        + D_delta_y_3_by_b_1_z*t397 + D_delta_z_1_by_b_1_z*t403 + D_delta_z_3_by_b_1_z*t399
-        + mu_1_by_b_1_z*t400 + mu_2_by_b_1_z*t400 + mu_3_by_b_1_z*t400,
+        + mu_1_by_b_1_z*t362 + mu_2_by_b_1_z*t362 + mu_3_by_b_1_z*t363 - t284*t439 - t285*t439 - t286*t439
+        - t287*t440 - t288*t440 - t289*t440 - t290*t441 - t291*t441 - t292*t441,
+        D_delta_x_1_by_b_1_z*t369 + D_delta_y_1_by_b_1_z*t370 + D_delta_z_1_by_b_1_z*t371
+        - D_p_x_3_by_b_1_z*t302 - D_p_x_3_by_b_1_z*t303 - D_p_x_3_by_b_1_z*t304 + D_p_x_3_by_b_1_z*t411
+        - D_p_y_3_by_b_1_z*t305 - D_p_y_3_by_b_1_z*t306 - D_p_y_3_by_b_1_z*t307 + D_p_y_3_by_b_1_z*t412
+        - D_p_z_3_by_b_1_z*t308 - D_p_z_3_by_b_1_z*t309 - D_p_z_3_by_b_1_z*t310 + D_p_z_3_by_b_1_z*t413
+        + mu_1_by_b_1_z*t367 + mu_2_by_b_1_z*t367 + mu_3_by_b_1_z*t368,
+        D_delta_x_2_by_b_1_z*t369 + D_delta_y_2_by_b_1_z*t370 + D_delta_z_2_by_b_1_z*t371
+        - D_p_x_3_by_b_1_z*t316 - D_p_x_3_by_b_1_z*t317 - D_p_x_3_by_b_1_z*t318 + D_p_x_3_by_b_1_z*t414
+        - D_p_y_3_by_b_1_z*t319 - D_p_y_3_by_b_1_z*t320 - D_p_y_3_by_b_1_z*t321 + D_p_y_3_by_b_1_z*t415
+        - D_p_z_3_by_b_1_z*t322 - D_p_z_3_by_b_1_z*t323 - D_p_z_3_by_b_1_z*t324 + D_p_z_3_by_b_1_z*t416
+        + mu_1_by_b_1_z*t372 + mu_2_by_b_1_z*t372 + mu_3_by_b_1_z*t373,
+        D_delta_x_3_by_b_1_z*t369 + D_delta_y_3_by_b_1_z*t370 + D_delta_z_3_by_b_1_z*t371
+        - D_p_x_3_by_b_1_z*t327 - D_p_x_3_by_b_1_z*t328 - D_p_x_3_by_b_1_z*t329 + D_p_x_3_by_b_1_z*t417
+        - D_p_y_3_by_b_1_z*t330 - D_p_y_3_by_b_1_z*t331 - D_p_y_3_by_b_1_z*t332 + D_p_y_3_by_b_1_z*t418
+        - D_p_z_3_by_b_1_z*t333 - D_p_z_3_by_b_1_z*t334 - D_p_z_3_by_b_1_z*t335 + D_p_z_3_by_b_1_z*t419
+        + mu_1_by_b_1_z*t374 + mu_2_by_b_1_z*t374 + mu_3_by_b_1_z*t375,
+        D_p_x_3_by_b_1_z*k_C, D_p_y_3_by_b_1_z*k_C, D_p_z_3_by_b_1_z*k_C, t185*t432, t433, -t185*t431, t434,
+        D_delta_x_1_by_b_1_z*t377 + D_delta_y_1_by_b_1_z*t378 + D_delta_z_1_by_b_1_z*t379
+        + mu_1_by_b_1_z*t380 - mu_2_by_b_1_z*t376 - mu_3_by_b_1_z*t376,
+        D_delta_x_1_by_b_1_z*t382 + D_delta_x_2_by_b_1_z*t383 + D_delta_y_1_by_b_1_z*t384
+        + D_delta_y_2_by_b_1_z*t385 + D_delta_z_1_by_b_1_z*t386 + D_delta_z_2_by_b_1_z*t387
+        + mu_1_by_b_1_z*t381 + mu_2_by_b_1_z*t381 + mu_3_by_b_1_z*t381,
+        D_delta_x_1_by_b_1_z*t389 + D_delta_x_3_by_b_1_z*t383 + D_delta_y_1_by_b_1_z*t390
+        + D_delta_y_3_by_b_1_z*t385 + D_delta_z_1_by_b_1_z*t391 + D_delta_z_3_by_b_1_z*t387
+        + mu_1_by_b_1_z*t388 + mu_2_by_b_1_z*t388 + mu_3_by_b_1_z*t388,
         D_delta_x_1_by_b_1_z*k_C, D_delta_y_1_by_b_1_z*k_C, D_delta_z_1_by_b_1_z*k_C,
-        D_delta_x_2_by_b_1_z*t405 + D_delta_y_2_by_b_1_z*t406 + D_delta_z_2_by_b_1_z*t407
-        - mu_1_by_b_1_z*t404 + mu_2_by_b_1_z*t408 - mu_3_by_b_1_z*t404,
-        D_delta_x_2_by_b_1_z*t401 + D_delta_x_3_by_b_1_z*t394 + D_delta_y_2_by_b_1_z*t402
-        + D_delta_y_3_by_b_1_z*t396 + D_delta_z_2_by_b_1_z*t403 + D_delta_z_3_by_b_1_z*t398
-        + mu_1_by_b_1_z*t409 + mu_2_by_b_1_z*t409 + mu_3_by_b_1_z*t409,
+        D_delta_x_2_by_b_1_z*t393 + D_delta_y_2_by_b_1_z*t394 + D_delta_z_2_by_b_1_z*t395
+        - mu_1_by_b_1_z*t392 + mu_2_by_b_1_z*t396 - mu_3_by_b_1_z*t392,
+        D_delta_x_2_by_b_1_z*t389 + D_delta_x_3_by_b_1_z*t382 + D_delta_y_2_by_b_1_z*t390
+        + D_delta_y_3_by_b_1_z*t384 + D_delta_z_2_by_b_1_z*t391 + D_delta_z_3_by_b_1_z*t386
+        + mu_1_by_b_1_z*t397 + mu_2_by_b_1_z*t397 + mu_3_by_b_1_z*t397,
         D_delta_x_2_by_b_1_z*k_C, D_delta_y_2_by_b_1_z*k_C, D_delta_z_2_by_b_1_z*k_C,
-        D_delta_x_3_by_b_1_z*t411 + D_delta_y_3_by_b_1_z*t412 + D_delta_z_3_by_b_1_z*t413
-        - mu_1_by_b_1_z*t410 - mu_2_by_b_1_z*t410 + mu_3_by_b_1_z*t414,
-        D_delta_x_3_by_b_1_z*k_C, D_delta_y_3_by_b_1_z*k_C, D_delta_z_3_by_b_1_z*k_C, t447,
+        D_delta_x_3_by_b_1_z*t399 + D_delta_y_3_by_b_1_z*t400 + D_delta_z_3_by_b_1_z*t401
+        - mu_1_by_b_1_z*t398 - mu_2_by_b_1_z*t398 + mu_3_by_b_1_z*t402,
+        D_delta_x_3_by_b_1_z*k_C, D_delta_y_3_by_b_1_z*k_C, D_delta_z_3_by_b_1_z*k_C, t435,
         2*D_p_x_1*D_p_x_1_by_b_2_x*k_C + 2*D_p_y_1*D_p_y_1_by_b_2_x*k_C + 2*D_p_z_1*D_p_z_1_by_b_2_x*k_C
-        + mu_1_by_b_2_x*t260 + mu_2_by_b_2_x*t261 + mu_3_by_b_2_x*t262 - t248*t454 - t250*t454 - t251*t454
-        - t252*t455 - t254*t455 - t255*t455 - t256*t456 - t258*t456 - t259*t456,
-        D_p_x_1*D_p_x_2_by_b_2_x*k_C + D_p_x_1_by_b_2_x*D_p_x_2*k_C - D_p_x_1_by_b_2_x*t273
-        - D_p_x_1_by_b_2_x*t274 - D_p_x_1_by_b_2_x*t275 - D_p_x_2_by_b_2_x*t248 - D_p_x_2_by_b_2_x*t250
+        + mu_1_by_b_2_x*t260 + mu_2_by_b_2_x*t261 + mu_3_by_b_2_x*t261 - t248*t442 - t250*t442 - t251*t442
+        - t252*t443 - t254*t443 - t255*t443 - t256*t444 - t258*t444 - t259*t444,
+        D_p_x_1*D_p_x_2_by_b_2_x*k_C + D_p_x_1_by_b_2_x*D_p_x_2*k_C - D_p_x_1_by_b_2_x*t272
+        - D_p_x_1_by_b_2_x*t273 - D_p_x_1_by_b_2_x*t274 - D_p_x_2_by_b_2_x*t248 - D_p_x_2_by_b_2_x*t250
         - D_p_x_2_by_b_2_x*t251 + D_p_y_1*D_p_y_2_by_b_2_x*k_C + D_p_y_1_by_b_2_x*D_p_y_2*k_C
-        - D_p_y_1_by_b_2_x*t276 - D_p_y_1_by_b_2_x*t277 - D_p_y_1_by_b_2_x*t278 - D_p_y_2_by_b_2_x*t252
+        - D_p_y_1_by_b_2_x*t275 - D_p_y_1_by_b_2_x*t276 - D_p_y_1_by_b_2_x*t277 - D_p_y_2_by_b_2_x*t252
         - D_p_y_2_by_b_2_x*t254 - D_p_y_2_by_b_2_x*t255 + D_p_z_1*D_p_z_2_by_b_2_x*k_C
-        + D_p_z_1_by_b_2_x*D_p_z_2*k_C - D_p_z_1_by_b_2_x*t279 - D_p_z_1_by_b_2_x*t280
-        - D_p_z_1_by_b_2_x*t281 - D_p_z_2_by_b_2_x*t256 - D_p_z_2_by_b_2_x*t258 - D_p_z_2_by_b_2_x*t259
-        + mu_1_by_b_2_x*t282 + mu_2_by_b_2_x*t283 + mu_3_by_b_2_x*t284,
-        D_p_x_1*D_p_x_3_by_b_2_x*k_C + D_p_x_1_by_b_2_x*D_p_x_3*k_C - D_p_x_1_by_b_2_x*t285
-        - D_p_x_1_by_b_2_x*t286 - D_p_x_1_by_b_2_x*t287 - D_p_x_3_by_b_2_x*t248 - D_p_x_3_by_b_2_x*t250
+        + D_p_z_1_by_b_2_x*D_p_z_2*k_C - D_p_z_1_by_b_2_x*t278 - D_p_z_1_by_b_2_x*t279
+        - D_p_z_1_by_b_2_x*t280 - D_p_z_2_by_b_2_x*t256 - D_p_z_2_by_b_2_x*t258 - D_p_z_2_by_b_2_x*t259
+        + mu_1_by_b_2_x*t281 + mu_2_by_b_2_x*t282 + mu_3_by_b_2_x*t283,
+        D_p_x_1*D_p_x_3_by_b_2_x*k_C + D_p_x_1_by_b_2_x*D_p_x_3*k_C - D_p_x_1_by_b_2_x*t284
+        - D_p_x_1_by_b_2_x*t285 - D_p_x_1_by_b_2_x*t286 - D_p_x_3_by_b_2_x*t248 - D_p_x_3_by_b_2_x*t250
         - D_p_x_3_by_b_2_x*t251 + D_p_y_1*D_p_y_3_by_b_2_x*k_C + D_p_y_1_by_b_2_x*D_p_y_3*k_C
-        - D_p_y_1_by_b_2_x*t288 - D_p_y_1_by_b_2_x*t289 - D_p_y_1_by_b_2_x*t290 - D_p_y_3_by_b_2_x*t252
+        - D_p_y_1_by_b_2_x*t287 - D_p_y_1_by_b_2_x*t288 - D_p_y_1_by_b_2_x*t289 - D_p_y_3_by_b_2_x*t252
         - D_p_y_3_by_b_2_x*t254 - D_p_y_3_by_b_2_x*t255 + D_p_z_1*D_p_z_3_by_b_2_x*k_C
-        + D_p_z_1_by_b_2_x*D_p_z_3*k_C - D_p_z_1_by_b_2_x*t291 - D_p_z_1_by_b_2_x*t292
-        - D_p_z_1_by_b_2_x*t293 - D_p_z_3_by_b_2_x*t256 - D_p_z_3_by_b_2_x*t258 - D_p_z_3_by_b_2_x*t259
-        + mu_1_by_b_2_x*t294 + mu_2_by_b_2_x*t295 + mu_3_by_b_2_x*t296,
-        D_delta_x_1_by_b_2_x*t315 + D_delta_y_1_by_b_2_x*t316 + D_delta_z_1_by_b_2_x*t317
-        - D_p_x_1_by_b_2_x*t303 - D_p_x_1_by_b_2_x*t304 - D_p_x_1_by_b_2_x*t305 + D_p_x_1_by_b_2_x*t423
-        - D_p_y_1_by_b_2_x*t306 - D_p_y_1_by_b_2_x*t307 - D_p_y_1_by_b_2_x*t308 + D_p_y_1_by_b_2_x*t424
-        - D_p_z_1_by_b_2_x*t309 - D_p_z_1_by_b_2_x*t310 - D_p_z_1_by_b_2_x*t311 + D_p_z_1_by_b_2_x*t425
-        + mu_1_by_b_2_x*t312 + mu_2_by_b_2_x*t313 + mu_3_by_b_2_x*t314,
-        D_delta_x_2_by_b_2_x*t315 + D_delta_y_2_by_b_2_x*t316 + D_delta_z_2_by_b_2_x*t317
-        - D_p_x_1_by_b_2_x*t318 - D_p_x_1_by_b_2_x*t319 - D_p_x_1_by_b_2_x*t320 + D_p_x_1_by_b_2_x*t426
-        - D_p_y_1_by_b_2_x*t321 - D_p_y_1_by_b_2_x*t322 - D_p_y_1_by_b_2_x*t323 + D_p_y_1_by_b_2_x*t427
-        - D_p_z_1_by_b_2_x*t324 - D_p_z_1_by_b_2_x*t325 - D_p_z_1_by_b_2_x*t326 + D_p_z_1_by_b_2_x*t428
-        + mu_1_by_b_2_x*t327 + mu_2_by_b_2_x*t328 + mu_3_by_b_2_x*t329,
-        D_delta_x_3_by_b_2_x*t315 + D_delta_y_3_by_b_2_x*t316 + D_delta_z_3_by_b_2_x*t317
-        - D_p_x_1_by_b_2_x*t330 - D_p_x_1_by_b_2_x*t331 - D_p_x_1_by_b_2_x*t332 + D_p_x_1_by_b_2_x*t429
-        - D_p_y_1_by_b_2_x*t333 - D_p_y_1_by_b_2_x*t334 - D_p_y_1_by_b_2_x*t335 + D_p_y_1_by_b_2_x*t430
-        - D_p_z_1_by_b_2_x*t336 - D_p_z_1_by_b_2_x*t337 - D_p_z_1_by_b_2_x*t338 + D_p_z_1_by_b_2_x*t431
-        + mu_1_by_b_2_x*t339 + mu_2_by_b_2_x*t340 + mu_3_by_b_2_x*t341,
+        + D_p_z_1_by_b_2_x*D_p_z_3*k_C - D_p_z_1_by_b_2_x*t290 - D_p_z_1_by_b_2_x*t291
+        - D_p_z_1_by_b_2_x*t292 - D_p_z_3_by_b_2_x*t256 - D_p_z_3_by_b_2_x*t258 - D_p_z_3_by_b_2_x*t259
+        + mu_1_by_b_2_x*t293 + mu_2_by_b_2_x*t294 + mu_3_by_b_2_x*t295,
+        D_delta_x_1_by_b_2_x*t313 + D_delta_y_1_by_b_2_x*t314 + D_delta_z_1_by_b_2_x*t315
+        - D_p_x_1_by_b_2_x*t302 - D_p_x_1_by_b_2_x*t303 - D_p_x_1_by_b_2_x*t304 + D_p_x_1_by_b_2_x*t411
+        - D_p_y_1_by_b_2_x*t305 - D_p_y_1_by_b_2_x*t306 - D_p_y_1_by_b_2_x*t307 + D_p_y_1_by_b_2_x*t412
+        - D_p_z_1_by_b_2_x*t308 - D_p_z_1_by_b_2_x*t309 - D_p_z_1_by_b_2_x*t310 + D_p_z_1_by_b_2_x*t413
+        + mu_1_by_b_2_x*t311 + mu_2_by_b_2_x*t312 + mu_3_by_b_2_x*t312,
+        D_delta_x_2_by_b_2_x*t313 + D_delta_y_2_by_b_2_x*t314 + D_delta_z_2_by_b_2_x*t315
+        - D_p_x_1_by_b_2_x*t316 - D_p_x_1_by_b_2_x*t317 - D_p_x_1_by_b_2_x*t318 + D_p_x_1_by_b_2_x*t414
+        - D_p_y_1_by_b_2_x*t319 - D_p_y_1_by_b_2_x*t320 - D_p_y_1_by_b_2_x*t321 + D_p_y_1_by_b_2_x*t415
+        - D_p_z_1_by_b_2_x*t322 - D_p_z_1_by_b_2_x*t323 - D_p_z_1_by_b_2_x*t324 + D_p_z_1_by_b_2_x*t416
+        + mu_1_by_b_2_x*t325 + mu_2_by_b_2_x*t326 + mu_3_by_b_2_x*t326,
+        D_delta_x_3_by_b_2_x*t313 + D_delta_y_3_by_b_2_x*t314 + D_delta_z_3_by_b_2_x*t315
+        - D_p_x_1_by_b_2_x*t327 - D_p_x_1_by_b_2_x*t328 - D_p_x_1_by_b_2_x*t329 + D_p_x_1_by_b_2_x*t417
+        - D_p_y_1_by_b_2_x*t330 - D_p_y_1_by_b_2_x*t331 - D_p_y_1_by_b_2_x*t332 + D_p_y_1_by_b_2_x*t418
+        - D_p_z_1_by_b_2_x*t333 - D_p_z_1_by_b_2_x*t334 - D_p_z_1_by_b_2_x*t335 + D_p_z_1_by_b_2_x*t419
+        + mu_1_by_b_2_x*t336 + mu_2_by_b_2_x*t337 + mu_3_by_b_2_x*t337,
         D_p_x_1_by_b_2_x*k_C, D_p_y_1_by_b_2_x*k_C, D_p_z_1_by_b_2_x*k_C,
         2*D_p_x_2*D_p_x_2_by_b_2_x*k_C + 2*D_p_y_2*D_p_y_2_by_b_2_x*k_C + 2*D_p_z_2*D_p_z_2_by_b_2_x*k_C
-        + k_sp_2*t263*t460*t467*w_b_2*x_2_by_b_2_x + mu_1_by_b_2_x*t346 + mu_2_by_b_2_x*t347
-        + mu_3_by_b_2_x*t348 - t273*t457 - t274*t457 - t275*t457 - t276*t458 - t277*t458 - t278*t458
-        - t279*t459 - t280*t459 - t281*t459 - t466,
-        D_p_x_2*D_p_x_3_by_b_2_x*k_C + D_p_x_2_by_b_2_x*D_p_x_3*k_C - D_p_x_2_by_b_2_x*t285
-        - D_p_x_2_by_b_2_x*t286 - D_p_x_2_by_b_2_x*t287 - D_p_x_3_by_b_2_x*t273 - D_p_x_3_by_b_2_x*t274
-        - D_p_x_3_by_b_2_x*t275 + D_p_y_2*D_p_y_3_by_b_2_x*k_C + D_p_y_2_by_b_2_x*D_p_y_3*k_C
-        - D_p_y_2_by_b_2_x*t288 - D_p_y_2_by_b_2_x*t289 - D_p_y_2_by_b_2_x*t290 - D_p_y_3_by_b_2_x*t276
-        - D_p_y_3_by_b_2_x*t277 - D_p_y_3_by_b_2_x*t278 + D_p_z_2*D_p_z_3_by_b_2_x*k_C
-        + D_p_z_2_by_b_2_x*D_p_z_3*k_C - D_p_z_2_by_b_2_x*t291 - D_p_z_2_by_b_2_x*t292
-        - D_p_z_2_by_b_2_x*t293 - D_p_z_3_by_b_2_x*t279 - D_p_z_3_by_b_2_x*t280 - D_p_z_3_by_b_2_x*t281
-        + mu_1_by_b_2_x*t349 + mu_2_by_b_2_x*t350 + mu_3_by_b_2_x*t351,
-        t469, t470,
-        D_delta_x_1_by_b_2_x*t358 + D_delta_y_1_by_b_2_x*t359 + D_delta_z_1_by_b_2_x*t360
-        - D_p_x_2_by_b_2_x*t303 - D_p_x_2_by_b_2_x*t304 - D_p_x_2_by_b_2_x*t305 + D_p_x_2_by_b_2_x*t423
-        - D_p_y_2_by_b_2_x*t306 - D_p_y_2_by_b_2_x*t307 - D_p_y_2_by_b_2_x*t308 + D_p_y_2_by_b_2_x*t424
-        - D_p_z_2_by_b_2_x*t309 - D_p_z_2_by_b_2_x*t310 - D_p_z_2_by_b_2_x*t311 + D_p_z_2_by_b_2_x*t425
-        + mu_1_by_b_2_x*t355 + mu_2_by_b_2_x*t356 + mu_3_by_b_2_x*t357,
-        D_delta_x_2_by_b_2_x*t358 + D_delta_y_2_by_b_2_x*t359 + D_delta_z_2_by_b_2_x*t360
-        - D_p_x_2_by_b_2_x*t318 - D_p_x_2_by_b_2_x*t319 - D_p_x_2_by_b_2_x*t320 + D_p_x_2_by_b_2_x*t426
-        - D_p_y_2_by_b_2_x*t321 - D_p_y_2_by_b_2_x*t322 - D_p_y_2_by_b_2_x*t323 + D_p_y_2_by_b_2_x*t427
-        - D_p_z_2_by_b_2_x*t324 - D_p_z_2_by_b_2_x*t325 - D_p_z_2_by_b_2_x*t326 + D_p_z_2_by_b_2_x*t428
-        + mu_1_by_b_2_x*t361 + mu_2_by_b_2_x*t362 + mu_3_by_b_2_x*t363,
-        D_delta_x_3_by_b_2_x*t358 + D_delta_y_3_by_b_2_x*t359 + D_delta_z_3_by_b_2_x*t360
-        - D_p_x_2_by_b_2_x*t330 - D_p_x_2_by_b_2_x*t331 - D_p_x_2_by_b_2_x*t332 + D_p_x_2_by_b_2_x*t429
-        - D_p_y_2_by_b_2_x*t333 - D_p_y_2_by_b_2_x*t334 - D_p_y_2_by_b_2_x*t335 + D_p_y_2_by_b_2_x*t430
-        - D_p_z_2_by_b_2_x*t336 - D_p_z_2_by_b_2_x*t337 - D_p_z_2_by_b_2_x*t338 + D_p_z_2_by_b_2_x*t431
-        + mu_1_by_b_2_x*t364 + mu_2_by_b_2_x*t365 + mu_3_by_b_2_x*t366,
-        t471, D_p_x_2_by_b_2_x*k_C, D_p_y_2_by_b_2_x*k_C, D_p_z_2_by_b_2_x*k_C,
+        + k_sp_2*t262*t448*t455*w_b_2*x_2_by_b_2_x + mu_1_by_b_2_x*t342 + mu_2_by_b_2_x*t343
+        + mu_3_by_b_2_x*t342 - t272*t445 - t273*t445 - t274*t445 - t275*t446 - t276*t446 - t277*t446
+        - t278*t447 - t279*t447 - t280*t447 - t454,
+        D_p_x_2*D_p_x_3_by_b_2_x*k_C + D_p_x_2_by_b_2_x*D_p_x_3*k_C - D_p_x_2_by_b_2_x*t284
+        - D_p_x_2_by_b_2_x*t285 - D_p_x_2_by_b_2_x*t286 - D_p_x_3_by_b_2_x*t272 - D_p_x_3_by_b_2_x*t273
+        - D_p_x_3_by_b_2_x*t274 + D_p_y_2*D_p_y_3_by_b_2_x*k_C + D_p_y_2_by_b_2_x*D_p_y_3*k_C
+        - D_p_y_2_by_b_2_x*t287 - D_p_y_2_by_b_2_x*t288 - D_p_y_2_by_b_2_x*t289 - D_p_y_3_by_b_2_x*t275
+        - D_p_y_3_by_b_2_x*t276 - D_p_y_3_by_b_2_x*t277 + D_p_z_2*D_p_z_3_by_b_2_x*k_C
+        + D_p_z_2_by_b_2_x*D_p_z_3*k_C - D_p_z_2_by_b_2_x*t290 - D_p_z_2_by_b_2_x*t291
+        - D_p_z_2_by_b_2_x*t292 - D_p_z_3_by_b_2_x*t278 - D_p_z_3_by_b_2_x*t279 - D_p_z_3_by_b_2_x*t280
+        + mu_1_by_b_2_x*t344 + mu_2_by_b_2_x*t345 + mu_3_by_b_2_x*t346,
+        t457, t458,
+        D_delta_x_1_by_b_2_x*t352 + D_delta_y_1_by_b_2_x*t353 + D_delta_z_1_by_b_2_x*t354
+        - D_p_x_2_by_b_2_x*t302 - D_p_x_2_by_b_2_x*t303 - D_p_x_2_by_b_2_x*t304 + D_p_x_2_by_b_2_x*t411
+        - D_p_y_2_by_b_2_x*t305 - D_p_y_2_by_b_2_x*t306 - D_p_y_2_by_b_2_x*t307 + D_p_y_2_by_b_2_x*t412
+        - D_p_z_2_by_b_2_x*t308 - D_p_z_2_by_b_2_x*t309 - D_p_z_2_by_b_2_x*t310 + D_p_z_2_by_b_2_x*t413
+        + mu_1_by_b_2_x*t350 + mu_2_by_b_2_x*t351 + mu_3_by_b_2_x*t350,
+        D_delta_x_2_by_b_2_x*t352 + D_delta_y_2_by_b_2_x*t353 + D_delta_z_2_by_b_2_x*t354
+        - D_p_x_2_by_b_2_x*t316 - D_p_x_2_by_b_2_x*t317 - D_p_x_2_by_b_2_x*t318 + D_p_x_2_by_b_2_x*t414
+        - D_p_y_2_by_b_2_x*t319 - D_p_y_2_by_b_2_x*t320 - D_p_y_2_by_b_2_x*t321 + D_p_y_2_by_b_2_x*t415
+        - D_p_z_2_by_b_2_x*t322 - D_p_z_2_by_b_2_x*t323 - D_p_z_2_by_b_2_x*t324 + D_p_z_2_by_b_2_x*t416
+        + mu_1_by_b_2_x*t355 + mu_2_by_b_2_x*t356 + mu_3_by_b_2_x*t355,
+        D_delta_x_3_by_b_2_x*t352 + D_delta_y_3_by_b_2_x*t353 + D_delta_z_3_by_b_2_x*t354
+        - D_p_x_2_by_b_2_x*t327 - D_p_x_2_by_b_2_x*t328 - D_p_x_2_by_b_2_x*t329 + D_p_x_2_by_b_2_x*t417
+        - D_p_y_2_by_b_2_x*t330 - D_p_y_2_by_b_2_x*t331 - D_p_y_2_by_b_2_x*t332 + D_p_y_2_by_b_2_x*t418
+        - D_p_z_2_by_b_2_x*t333 - D_p_z_2_by_b_2_x*t334 - D_p_z_2_by_b_2_x*t335 + D_p_z_2_by_b_2_x*t419
+        + mu_1_by_b_2_x*t357 + mu_2_by_b_2_x*t358 + mu_3_by_b_2_x*t357,
+        t459, D_p_x_2_by_b_2_x*k_C, D_p_y_2_by_b_2_x*k_C, D_p_z_2_by_b_2_x*k_C,
         2*D_p_x_3*D_p_x_3_by_b_2_x*k_C + 2*D_p_y_3*D_p_y_3_by_b_2_x*k_C + 2*D_p_z_3*D_p_z_3_by_b_2_x*k_C
-        + mu_1_by_b_2_x*t370 + mu_2_by_b_2_x*t371 + mu_3_by_b_2_x*t372 - t285*t472 - t286*t472 - t287*t472
-        - t288*t473 - t289*t473 - t290*t473 - t291*t474 - t292*t474 - t293*t474,
-        D_delta_x_1_by_b_2_x*t379 + D_delta_y_1_by_b_2_x*t380 + D_delta_z_1_by_b_2_x*t381
-        - D_p_x_3_by_b_2_x*t303 - D_p_x_3_by_b_2_x*t304 - D_p_x_3_by_b_2_x*t305 + D_p_x_3_by_b_2_x*t423
-        - D_p_y_3_by_b_2_x*t306 - D_p_y_3_by_b_2_x*t307 - D_p_y_3_by_b_2_x*t308 + D_p_y_3_by_b_2_x*t424
-        - D_p_z_3_by_b_2_x*t309 - D_p_z_3_by_b_2_x*t310 - D_p_z_3_by_b_2_x*t311 + D_p_z_3_by_b_2_x*t425
-        + mu_1_by_b_2_x*t376 + mu_2_by_b_2_x*t377 + mu_3_by_b_2_x*t378,
-        D_delta_x_2_by_b_2_x*t379 + D_delta_y_2_by_b_2_x*t380 + D_delta_z_2_by_b_2_x*t381
-        - D_p_x_3_by_b_2_x*t318 - D_p_x_3_by_b_2_x*t319 - D_p_x_3_by_b_2_x*t320 + D_p_x_3_by_b_2_x*t426
-        - D_p_y_3_by_b_2_x*t321 - D_p_y_3_by_b_2_x*t322 - D_p_y_3_by_b_2_x*t323 + D_p_y_3_by_b_2_x*t427
-        - D_p_z_3_by_b_2_x*t324 - D_p_z_3_by_b_2_x*t325 - D_p_z_3_by_b_2_x*t326 + D_p_z_3_by_b_2_x*t428
-        + mu_1_by_b_2_x*t382 + mu_2_by_b_2_x*t383 + mu_3_by_b_2_x*t384,
-        D_delta_x_3_by_b_2_x*t379 + D_delta_y_3_by_b_2_x*t380 + D_delta_z_3_by_b_2_x*t381
-        - D_p_x_3_by_b_2_x*t330 - D_p_x_3_by_b_2_x*t331 - D_p_x_3_by_b_2_x*t332 + D_p_x_3_by_b_2_x*t429
-        - D_p_y_3_by_b_2_x*t333 - D_p_y_3_by_b_2_x*t334 - D_p_y_3_by_b_2_x*t335 + D_p_y_3_by_b_2_x*t430
-        - D_p_z_3_by_b_2_x*t336 - D_p_z_3_by_b_2_x*t337 - D_p_z_3_by_b_2_x*t338 + D_p_z_3_by_b_2_x*t431
-        + mu_1_by_b_2_x*t385 + mu_2_by_b_2_x*t386 + mu_3_by_b_2_x*t387,
-        D_p_x_3_by_b_2_x*k_C, D_p_y_3_by_b_2_x*k_C, D_p_z_3_by_b_2_x*k_C, t218*t468, t469, -t218*t466, t470,
-        D_delta_x_1_by_b_2_x*t389 + D_delta_y_1_by_b_2_x*t390 + D_delta_z_1_by_b_2_x*t391
-        + mu_1_by_b_2_x*t392 - mu_2_by_b_2_x*t388 - mu_3_by_b_2_x*t388,
-        D_delta_x_1_by_b_2_x*t394 + D_delta_x_2_by_b_2_x*t395 + D_delta_y_1_by_b_2_x*t396
-        + D_delta_y_2_by_b_2_x*t397 + D_delta_z_1_by_b_2_x*t398 + D_delta_z_2_by_b_2_x*t399
-        + mu_1_by_b_2_x*t393 + mu_2_by_b_2_x*t393 + mu_3_by_b_2_x*t393,
-        D_delta_x_1_by_b_2_x*t401 + D_delta_x_3_by_b_2_x*t395 + D_delta_y_1_by_b_2_x*t402
-        + D_delta_y_3_by_b_2_x*t397 + D_delta_z_1_by_b_2_x*t403 + D_delta_z_3_by_b_2_x*t399
-        + mu_1_by_b_2_x*t400 + mu_2_by_b_2_x*t400 + mu_3_by_b_2_x*t400,
+        + mu_1_by_b_2_x*t362 + mu_2_by_b_2_x*t362 + mu_3_by_b_2_x*t363 - t284*t460 - t285*t460 - t286*t460
+        - t287*t461 - t288*t461 - t289*t461 - t290*t462 - t291*t462 - t292*t462,
+        D_delta_x_1_by_b_2_x*t369 + D_delta_y_1_by_b_2_x*t370 + D_delta_z_1_by_b_2_x*t371
+        - D_p_x_3_by_b_2_x*t302 - D_p_x_3_by_b_2_x*t303 - D_p_x_3_by_b_2_x*t304 + D_p_x_3_by_b_2_x*t411
+        - D_p_y_3_by_b_2_x*t305 - D_p_y_3_by_b_2_x*t306 - D_p_y_3_by_b_2_x*t307 + D_p_y_3_by_b_2_x*t412
+        - D_p_z_3_by_b_2_x*t308 - D_p_z_3_by_b_2_x*t309 - D_p_z_3_by_b_2_x*t310 + D_p_z_3_by_b_2_x*t413
+        + mu_1_by_b_2_x*t367 + mu_2_by_b_2_x*t367 + mu_3_by_b_2_x*t368,
+        D_delta_x_2_by_b_2_x*t369 + D_delta_y_2_by_b_2_x*t370 + D_delta_z_2_by_b_2_x*t371
+        - D_p_x_3_by_b_2_x*t316 - D_p_x_3_by_b_2_x*t317 - D_p_x_3_by_b_2_x*t318 + D_p_x_3_by_b_2_x*t414
+        - D_p_y_3_by_b_2_x*t319 - D_p_y_3_by_b_2_x*t320 - D_p_y_3_by_b_2_x*t321 + D_p_y_3_by_b_2_x*t415
+        - D_p_z_3_by_b_2_x*t322 - D_p_z_3_by_b_2_x*t323 - D_p_z_3_by_b_2_x*t324 + D_p_z_3_by_b_2_x*t416
+        + mu_1_by_b_2_x*t372 + mu_2_by_b_2_x*t372 + mu_3_by_b_2_x*t373,
+        D_delta_x_3_by_b_2_x*t369 + D_delta_y_3_by_b_2_x*t370 + D_delta_z_3_by_b_2_x*t371
+        - D_p_x_3_by_b_2_x*t327 - D_p_x_3_by_b_2_x*t328 - D_p_x_3_by_b_2_x*t329 + D_p_x_3_by_b_2_x*t417
+        - D_p_y_3_by_b_2_x*t330 - D_p_y_3_by_b_2_x*t331 - D_p_y_3_by_b_2_x*t332 + D_p_y_3_by_b_2_x*t418
+        - D_p_z_3_by_b_2_x*t333 - D_p_z_3_by_b_2_x*t334 - D_p_z_3_by_b_2_x*t335 + D_p_z_3_by_b_2_x*t419
+        + mu_1_by_b_2_x*t374 + mu_2_by_b_2_x*t374 + mu_3_by_b_2_x*t375,
+        D_p_x_3_by_b_2_x*k_C, D_p_y_3_by_b_2_x*k_C, D_p_z_3_by_b_2_x*k_C, t218*t456, t457, -t218*t454, t458,
+        D_delta_x_1_by_b_2_x*t377 + D_delta_y_1_by_b_2_x*t378 + D_delta_z_1_by_b_2_x*t379
+        + mu_1_by_b_2_x*t380 - mu_2_by_b_2_x*t376 - mu_3_by_b_2_x*t376,
+        D_delta_x_1_by_b_2_x*t382 + D_delta_x_2_by_b_2_x*t383 + D_delta_y_1_by_b_2_x*t384
+        + D_delta_y_2_by_b_2_x*t385 + D_delta_z_1_by_b_2_x*t386 + D_delta_z_2_by_b_2_x*t387
+        + mu_1_by_b_2_x*t381 + mu_2_by_b_2_x*t381 + mu_3_by_b_2_x*t381,
+        D_delta_x_1_by_b_2_x*t389 + D_delta_x_3_by_b_2_x*t383 + D_delta_y_1_by_b_2_x*t390
+        + D_delta_y_3_by_b_2_x*t385 + D_delta_z_1_by_b_2_x*t391 + D_delta_z_3_by_b_2_x*t387
+        + mu_1_by_b_2_x*t388 + mu_2_by_b_2_x*t388 + mu_3_by_b_2_x*t388,
         D_delta_x_1_by_b_2_x*k_C, D_delta_y_1_by_b_2_x*k_C, D_delta_z_1_by_b_2_x*k_C,
-        D_delta_x_2_by_b_2_x*t405 + D_delta_y_2_by_b_2_x*t406 + D_delta_z_2_by_b_2_x*t407
-        - mu_1_by_b_2_x*t404 + mu_2_by_b_2_x*t408 - mu_3_by_b_2_x*t404,
-        D_delta_x_2_by_b_2_x*t401 + D_delta_x_3_by_b_2_x*t394 + D_delta_y_2_by_b_2_x*t402
-        + D_delta_y_3_by_b_2_x*t396 + D_delta_z_2_by_b_2_x*t403 + D_delta_z_3_by_b_2_x*t398
-        + mu_1_by_b_2_x*t409 + mu_2_by_b_2_x*t409 + mu_3_by_b_2_x*t409,
+        D_delta_x_2_by_b_2_x*t393 + D_delta_y_2_by_b_2_x*t394 + D_delta_z_2_by_b_2_x*t395
+        - mu_1_by_b_2_x*t392 + mu_2_by_b_2_x*t396 - mu_3_by_b_2_x*t392,
+        D_delta_x_2_by_b_2_x*t389 + D_delta_x_3_by_b_2_x*t382 + D_delta_y_2_by_b_2_x*t390
+        + D_delta_y_3_by_b_2_x*t384 + D_delta_z_2_by_b_2_x*t391 + D_delta_z_3_by_b_2_x*t386
+        + mu_1_by_b_2_x*t397 + mu_2_by_b_2_x*t397 + mu_3_by_b_2_x*t397,
         D_delta_x_2_by_b_2_x*k_C, D_delta_y_2_by_b_2_x*k_C, D_delta_z_2_by_b_2_x*k_C,
-        D_delta_x_3_by_b_2_x*t411 + D_delta_y_3_by_b_2_x*t412 + D_delta_z_3_by_b_2_x*t413
-        - mu_1_by_b_2_x*t410 - mu_2_by_b_2_x*t410 + mu_3_by_b_2_x*t414,
-        D_delta_x_3_by_b_2_x*k_C, D_delta_y_3_by_b_2_x*k_C, D_delta_z_3_by_b_2_x*k_C, t471,
+        D_delta_x_3_by_b_2_x*t399 + D_delta_y_3_by_b_2_x*t400 + D_delta_z_3_by_b_2_x*t401
+        - mu_1_by_b_2_x*t398 - mu_2_by_b_2_x*t398 + mu_3_by_b_2_x*t402,
+        D_delta_x_3_by_b_2_x*k_C, D_delta_y_3_by_b_2_x*k_C, D_delta_z_3_by_b_2_x*k_C, t459,
         2*D_p_x_1*D_p_x_1_by_b_2_y*k_C + 2*D_p_y_1*D_p_y_1_by_b_2_y*k_C + 2*D_p_z_1*D_p_z_1_by_b_2_y*k_C
-        + mu_1_by_b_2_y*t260 + mu_2_by_b_2_y*t261 + mu_3_by_b_2_y*t262 - t248*t475 - t250*t475 - t251*t475
-        - t252*t476 - t254*t476 - t255*t476 - t256*t477 - t258*t477 - t259*t477,
-        D_p_x_1*D_p_x_2_by_b_2_y*k_C + D_p_x_1_by_b_2_y*D_p_x_2*k_C - D_p_x_1_by_b_2_y*t273
-        - D_p_x_1_by_b_2_y*t274 - D_p_x_1_by_b_2_y*t275 - D_p_x_2_by_b_2_y*t248 - D_p_x_2_by_b_2_y*t250
+        + mu_1_by_b_2_y*t260 + mu_2_by_b_2_y*t261 + mu_3_by_b_2_y*t261 - t248*t463 - t250*t463 - t251*t463
+        - t252*t464 - t254*t464 - t255*t464 - t256*t465 - t258*t465 - t259*t465,
+        D_p_x_1*D_p_x_2_by_b_2_y*k_C + D_p_x_1_by_b_2_y*D_p_x_2*k_C - D_p_x_1_by_b_2_y*t272
+        - D_p_x_1_by_b_2_y*t273 - D_p_x_1_by_b_2_y*t274 - D_p_x_2_by_b_2_y*t248 - D_p_x_2_by_b_2_y*t250
         - D_p_x_2_by_b_2_y*t251 + D_p_y_1*D_p_y_2_by_b_2_y*k_C + D_p_y_1_by_b_2_y*D_p_y_2*k_C
-        - D_p_y_1_by_b_2_y*t276 - D_p_y_1_by_b_2_y*t277 - D_p_y_1_by_b_2_y*t278 - D_p_y_2_by_b_2_y*t252
+        - D_p_y_1_by_b_2_y*t275 - D_p_y_1_by_b_2_y*t276 - D_p_y_1_by_b_2_y*t277 - D_p_y_2_by_b_2_y*t252
         - D_p_y_2_by_b_2_y*t254 - D_p_y_2_by_b_2_y*t255 + D_p_z_1*D_p_z_2_by_b_2_y*k_C
-        + D_p_z_1_by_b_2_y*D_p_z_2*k_C - D_p_z_1_by_b_2_y*t279 - D_p_z_1_by_b_2_y*t280
-        - D_p_z_1_by_b_2_y*t281 - D_p_z_2_by_b_2_y*t256 - D_p_z_2_by_b_2_y*t258 - D_p_z_2_by_b_2_y*t259
-        + mu_1_by_b_2_y*t282 + mu_2_by_b_2_y*t283 + mu_3_by_b_2_y*t284,
-        D_p_x_1*D_p_x_3_by_b_2_y*k_C + D_p_x_1_by_b_2_y*D_p_x_3*k_C - D_p_x_1_by_b_2_y*t285
-        - D_p_x_1_by_b_2_y*t286 - D_p_x_1_by_b_2_y*t287 - D_p_x_3_by_b_2_y*t248 - D_p_x_3_by_b_2_y*t250
+        + D_p_z_1_by_b_2_y*D_p_z_2*k_C - D_p_z_1_by_b_2_y*t278 - D_p_z_1_by_b_2_y*t279
+        - D_p_z_1_by_b_2_y*t280 - D_p_z_2_by_b_2_y*t256 - D_p_z_2_by_b_2_y*t258 - D_p_z_2_by_b_2_y*t259
+        + mu_1_by_b_2_y*t281 + mu_2_by_b_2_y*t282 + mu_3_by_b_2_y*t283,
+        D_p_x_1*D_p_x_3_by_b_2_y*k_C + D_p_x_1_by_b_2_y*D_p_x_3*k_C - D_p_x_1_by_b_2_y*t284
+        - D_p_x_1_by_b_2_y*t285 - D_p_x_1_by_b_2_y*t286 - D_p_x_3_by_b_2_y*t248 - D_p_x_3_by_b_2_y*t250
         - D_p_x_3_by_b_2_y*t251 + D_p_y_1*D_p_y_3_by_b_2_y*k_C + D_p_y_1_by_b_2_y*D_p_y_3*k_C
-        - D_p_y_1_by_b_2_y*t288 - D_p_y_1_by_b_2_y*t289 - D_p_y_1_by_b_2_y*t290 - D_p_y_3_by_b_2_y*t252
+        - D_p_y_1_by_b_2_y*t287 - D_p_y_1_by_b_2_y*t288 - D_p_y_1_by_b_2_y*t289 - D_p_y_3_by_b_2_y*t252
         - D_p_y_3_by_b_2_y*t254 - D_p_y_3_by_b_2_y*t255 + D_p_z_1*D_p_z_3_by_b_2_y*k_C
-        + D_p_z_1_by_b_2_y*D_p_z_3*k_C - D_p_z_1_by_b_2_y*t291 - D_p_z_1_by_b_2_y*t292
-        - D_p_z_1_by_b_2_y*t293 - D_p_z_3_by_b_2_y*t256 - D_p_z_3_by_b_2_y*t258 - D_p_z_3_by_b_2_y*t259
-        + mu_1_by_b_2_y*t294 + mu_2_by_b_2_y*t295 + mu_3_by_b_2_y*t296,
-        D_delta_x_1_by_b_2_y*t315 + D_delta_y_1_by_b_2_y*t316 + D_delta_z_1_by_b_2_y*t317
-        - D_p_x_1_by_b_2_y*t303 - D_p_x_1_by_b_2_y*t304 - D_p_x_1_by_b_2_y*t305 + D_p_x_1_by_b_2_y*t423
-        - D_p_y_1_by_b_2_y*t306 - D_p_y_1_by_b_2_y*t307 - D_p_y_1_by_b_2_y*t308 + D_p_y_1_by_b_2_y*t424
-        - D_p_z_1_by_b_2_y*t309 - D_p_z_1_by_b_2_y*t310 - D_p_z_1_by_b_2_y*t311 + D_p_z_1_by_b_2_y*t425
-        + mu_1_by_b_2_y*t312 + mu_2_by_b_2_y*t313 + mu_3_by_b_2_y*t314,
-        D_delta_x_2_by_b_2_y*t315 + D_delta_y_2_by_b_2_y*t316 + D_delta_z_2_by_b_2_y*t317
-        - D_p_x_1_by_b_2_y*t318 - D_p_x_1_by_b_2_y*t319 - D_p_x_1_by_b_2_y*t320 + D_p_x_1_by_b_2_y*t426
-        - D_p_y_1_by_b_2_y*t321 - D_p_y_1_by_b_2_y*t322 - D_p_y_1_by_b_2_y*t323 + D_p_y_1_by_b_2_y*t427
-        - D_p_z_1_by_b_2_y*t324 - D_p_z_1_by_b_2_y*t325 - D_p_z_1_by_b_2_y*t326 + D_p_z_1_by_b_2_y*t428
-        + mu_1_by_b_2_y*t327 + mu_2_by_b_2_y*t328 + mu_3_by_b_2_y*t329,
-        D_delta_x_3_by_b_2_y*t315 + D_delta_y_3_by_b_2_y*t316 + D_delta_z_3_by_b_2_y*t317
-        - D_p_x_1_by_b_2_y*t330 - D_p_x_1_by_b_2_y*t331 - D_p_x_1_by_b_2_y*t332 + D_p_x_1_by_b_2_y*t429
-        - D_p_y_1_by_b_2_y*t333 - D_p_y_1_by_b_2_y*t334 - D_p_y_1_by_b_2_y*t335 + D_p_y_1_by_b_2_y*t430
-        - D_p_z_1_by_b_2_y*t336 - D_p_z_1_by_b_2_y*t337 - D_p_z_1_by_b_2_y*t338 + D_p_z_1_by_b_2_y*t431
-        + mu_1_by_b_2_y*t339 + mu_2_by_b_2_y*t340 + mu_3_by_b_2_y*t341,
+        + D_p_z_1_by_b_2_y*D_p_z_3*k_C - D_p_z_1_by_b_2_y*t290 - D_p_z_1_by_b_2_y*t291
+        - D_p_z_1_by_b_2_y*t292 - D_p_z_3_by_b_2_y*t256 - D_p_z_3_by_b_2_y*t258 - D_p_z_3_by_b_2_y*t259
+        + mu_1_by_b_2_y*t293 + mu_2_by_b_2_y*t294 + mu_3_by_b_2_y*t295,
+        D_delta_x_1_by_b_2_y*t313 + D_delta_y_1_by_b_2_y*t314 + D_delta_z_1_by_b_2_y*t315
+        - D_p_x_1_by_b_2_y*t302 - D_p_x_1_by_b_2_y*t303 - D_p_x_1_by_b_2_y*t304 + D_p_x_1_by_b_2_y*t411
+        - D_p_y_1_by_b_2_y*t305 - D_p_y_1_by_b_2_y*t306 - D_p_y_1_by_b_2_y*t307 + D_p_y_1_by_b_2_y*t412
+        - D_p_z_1_by_b_2_y*t308 - D_p_z_1_by_b_2_y*t309 - D_p_z_1_by_b_2_y*t310 + D_p_z_1_by_b_2_y*t413
+        + mu_1_by_b_2_y*t311 + mu_2_by_b_2_y*t312 + mu_3_by_b_2_y*t312,
+        D_delta_x_2_by_b_2_y*t313 + D_delta_y_2_by_b_2_y*t314 + D_delta_z_2_by_b_2_y*t315
+        - D_p_x_1_by_b_2_y*t316 - D_p_x_1_by_b_2_y*t317 - D_p_x_1_by_b_2_y*t318 + D_p_x_1_by_b_2_y*t414
+        - D_p_y_1_by_b_2_y*t319 - D_p_y_1_by_b_2_y*t320 - D_p_y_1_by_b_2_y*t321 + D_p_y_1_by_b_2_y*t415
+        - D_p_z_1_by_b_2_y*t322 - D_p_z_1_by_b_2_y*t323 - D_p_z_1_by_b_2_y*t324 + D_p_z_1_by_b_2_y*t416
+        + mu_1_by_b_2_y*t325 + mu_2_by_b_2_y*t326 + mu_3_by_b_2_y*t326,
+        D_delta_x_3_by_b_2_y*t313 + D_delta_y_3_by_b_2_y*t314 + D_delta_z_3_by_b_2_y*t315
+        - D_p_x_1_by_b_2_y*t327 - D_p_x_1_by_b_2_y*t328 - D_p_x_1_by_b_2_y*t329 + D_p_x_1_by_b_2_y*t417
+        - D_p_y_1_by_b_2_y*t330 - D_p_y_1_by_b_2_y*t331 - D_p_y_1_by_b_2_y*t332 + D_p_y_1_by_b_2_y*t418
+        - D_p_z_1_by_b_2_y*t333 - D_p_z_1_by_b_2_y*t334 - D_p_z_1_by_b_2_y*t335 + D_p_z_1_by_b_2_y*t419
+        + mu_1_by_b_2_y*t336 + mu_2_by_b_2_y*t337 + mu_3_by_b_2_y*t337,
         D_p_x_1_by_b_2_y*k_C, D_p_y_1_by_b_2_y*k_C, D_p_z_1_by_b_2_y*k_C,
         2*D_p_x_2*D_p_x_2_by_b_2_y*k_C + 2*D_p_y_2*D_p_y_2_by_b_2_y*k_C + 2*D_p_z_2*D_p_z_2_by_b_2_y*k_C
-        + k_sp_2*t263*t460*t467*w_b_2*x_2_by_b_2_y + mu_1_by_b_2_y*t346 + mu_2_by_b_2_y*t347
-        + mu_3_by_b_2_y*t348 - t273*t478 - t274*t478 - t275*t478 - t276*t479 - t277*t479 - t278*t479
-        - t279*t480 - t280*t480 - t281*t480 - t482,
-        D_p_x_2*D_p_x_3_by_b_2_y*k_C + D_p_x_2_by_b_2_y*D_p_x_3*k_C - D_p_x_2_by_b_2_y*t285
-        - D_p_x_2_by_b_2_y*t286 - D_p_x_2_by_b_2_y*t287 - D_p_x_3_by_b_2_y*t273 - D_p_x_3_by_b_2_y*t274
-        - D_p_x_3_by_b_2_y*t275 + D_p_y_2*D_p_y_3_by_b_2_y*k_C + D_p_y_2_by_b_2_y*D_p_y_3*k_C
-        - D_p_y_2_by_b_2_y*t288 - D_p_y_2_by_b_2_y*t289 - D_p_y_2_by_b_2_y*t290 - D_p_y_3_by_b_2_y*t276
-        - D_p_y_3_by_b_2_y*t277 - D_p_y_3_by_b_2_y*t278 + D_p_z_2*D_p_z_3_by_b_2_y*k_C
-        + D_p_z_2_by_b_2_y*D_p_z_3*k_C - D_p_z_2_by_b_2_y*t291 - D_p_z_2_by_b_2_y*t292
-        - D_p_z_2_by_b_2_y*t293 - D_p_z_3_by_b_2_y*t279 - D_p_z_3_by_b_2_y*t280 - D_p_z_3_by_b_2_y*t281
-        + mu_1_by_b_2_y*t349 + mu_2_by_b_2_y*t350 + mu_3_by_b_2_y*t351,
-        t484, t485,
-        D_delta_x_1_by_b_2_y*t358 + D_delta_y_1_by_b_2_y*t359 + D_delta_z_1_by_b_2_y*t360
-        - D_p_x_2_by_b_2_y*t303 - D_p_x_2_by_b_2_y*t304 - D_p_x_2_by_b_2_y*t305 + D_p_x_2_by_b_2_y*t423
-        - D_p_y_2_by_b_2_y*t306 - D_p_y_2_by_b_2_y*t307 - D_p_y_2_by_b_2_y*t308 + D_p_y_2_by_b_2_y*t424
-        - D_p_z_2_by_b_2_y*t309 - D_p_z_2_by_b_2_y*t310 - D_p_z_2_by_b_2_y*t311 + D_p_z_2_by_b_2_y*t425
-        + mu_1_by_b_2_y*t355 + mu_2_by_b_2_y*t356 + mu_3_by_b_2_y*t357,
-        D_delta_x_2_by_b_2_y*t358 + D_delta_y_2_by_b_2_y*t359 + D_delta_z_2_by_b_2_y*t360
-        - D_p_x_2_by_b_2_y*t318 - D_p_x_2_by_b_2_y*t319 - D_p_x_2_by_b_2_y*t320 + D_p_x_2_by_b_2_y*t426
-        - D_p_y_2_by_b_2_y*t321 - D_p_y_2_by_b_2_y*t322 - D_p_y_2_by_b_2_y*t323 + D_p_y_2_by_b_2_y*t427
-        - D_p_z_2_by_b_2_y*t324 - D_p_z_2_by_b_2_y*t325 - D_p_z_2_by_b_2_y*t326 + D_p_z_2_by_b_2_y*t428
-        + mu_1_by_b_2_y*t361 + mu_2_by_b_2_y*t362 + mu_3_by_b_2_y*t363,
-        D_delta_x_3_by_b_2_y*t358 + D_delta_y_3_by_b_2_y*t359 + D_delta_z_3_by_b_2_y*t360
-        - D_p_x_2_by_b_2_y*t330 - D_p_x_2_by_b_2_y*t331 - D_p_x_2_by_b_2_y*t332 + D_p_x_2_by_b_2_y*t429
-        - D_p_y_2_by_b_2_y*t333 - D_p_y_2_by_b_2_y*t334 - D_p_y_2_by_b_2_y*t335 + D_p_y_2_by_b_2_y*t430
-        - D_p_z_2_by_b_2_y*t336 - D_p_z_2_by_b_2_y*t337 - D_p_z_2_by_b_2_y*t338 + D_p_z_2_by_b_2_y*t431
-        + mu_1_by_b_2_y*t364 + mu_2_by_b_2_y*t365 + mu_3_by_b_2_y*t366,
-        t486, D_p_x_2_by_b_2_y*k_C, D_p_y_2_by_b_2_y*k_C, D_p_z_2_by_b_2_y*k_C,
+        + k_sp_2*t262*t448*t455*w_b_2*x_2_by_b_2_y + mu_1_by_b_2_y*t342 + mu_2_by_b_2_y*t343
+        + mu_3_by_b_2_y*t342 - t272*t466 - t273*t466 - t274*t466 - t275*t467 - t276*t467 - t277*t467
+        - t278*t468 - t279*t468 - t280*t468 - t470,
+        D_p_x_2*D_p_x_3_by_b_2_y*k_C + D_p_x_2_by_b_2_y*D_p_x_3*k_C - D_p_x_2_by_b_2_y*t284
+        - D_p_x_2_by_b_2_y*t285 - D_p_x_2_by_b_2_y*t286 - D_p_x_3_by_b_2_y*t272 - D_p_x_3_by_b_2_y*t273
+        - D_p_x_3_by_b_2_y*t274 + D_p_y_2*D_p_y_3_by_b_2_y*k_C + D_p_y_2_by_b_2_y*D_p_y_3*k_C
+        - D_p_y_2_by_b_2_y*t287 - D_p_y_2_by_b_2_y*t288 - D_p_y_2_by_b_2_y*t289 - D_p_y_3_by_b_2_y*t275
+        - D_p_y_3_by_b_2_y*t276 - D_p_y_3_by_b_2_y*t277 + D_p_z_2*D_p_z_3_by_b_2_y*k_C
+        + D_p_z_2_by_b_2_y*D_p_z_3*k_C - D_p_z_2_by_b_2_y*t290 - D_p_z_2_by_b_2_y*t291
+        - D_p_z_2_by_b_2_y*t292 - D_p_z_3_by_b_2_y*t278 - D_p_z_3_by_b_2_y*t279 - D_p_z_3_by_b_2_y*t280
+        + mu_1_by_b_2_y*t344 + mu_2_by_b_2_y*t345 + mu_3_by_b_2_y*t346,
+        t472, t473,
+        D_delta_x_1_by_b_2_y*t352 + D_delta_y_1_by_b_2_y*t353 + D_delta_z_1_by_b_2_y*t354
+        - D_p_x_2_by_b_2_y*t302 - D_p_x_2_by_b_2_y*t303 - D_p_x_2_by_b_2_y*t304 + D_p_x_2_by_b_2_y*t411
+        - D_p_y_2_by_b_2_y*t305 - D_p_y_2_by_b_2_y*t306 - D_p_y_2_by_b_2_y*t307 + D_p_y_2_by_b_2_y*t412
+        - D_p_z_2_by_b_2_y*t308 - D_p_z_2_by_b_2_y*t309 - D_p_z_2_by_b_2_y*t310 + D_p_z_2_by_b_2_y*t413
+        + mu_1_by_b_2_y*t350 + mu_2_by_b_2_y*t351 + mu_3_by_b_2_y*t350,
+        D_delta_x_2_by_b_2_y*t352 + D_delta_y_2_by_b_2_y*t353 + D_delta_z_2_by_b_2_y*t354
+        - D_p_x_2_by_b_2_y*t316 - D_p_x_2_by_b_2_y*t317 - D_p_x_2_by_b_2_y*t318 + D_p_x_2_by_b_2_y*t414
+        - D_p_y_2_by_b_2_y*t319 - D_p_y_2_by_b_2_y*t320 - D_p_y_2_by_b_2_y*t321 + D_p_y_2_by_b_2_y*t415
+        - D_p_z_2_by_b_2_y*t322 - D_p_z_2_by_b_2_y*t323 - D_p_z_2_by_b_2_y*t324 + D_p_z_2_by_b_2_y*t416
+        + mu_1_by_b_2_y*t355 + mu_2_by_b_2_y*t356 + mu_3_by_b_2_y*t355,
+        D_delta_x_3_by_b_2_y*t352 + D_delta_y_3_by_b_2_y*t353 + D_delta_z_3_by_b_2_y*t354
+        - D_p_x_2_by_b_2_y*t327 - D_p_x_2_by_b_2_y*t328 - D_p_x_2_by_b_2_y*t329 + D_p_x_2_by_b_2_y*t417
+        - D_p_y_2_by_b_2_y*t330 - D_p_y_2_by_b_2_y*t331 - D_p_y_2_by_b_2_y*t332 + D_p_y_2_by_b_2_y*t418
+        - D_p_z_2_by_b_2_y*t333 - D_p_z_2_by_b_2_y*t334 - D_p_z_2_by_b_2_y*t335 + D_p_z_2_by_b_2_y*t419
+        + mu_1_by_b_2_y*t357 + mu_2_by_b_2_y*t358 + mu_3_by_b_2_y*t357,
+        t474, D_p_x_2_by_b_2_y*k_C, D_p_y_2_by_b_2_y*k_C, D_p_z_2_by_b_2_y*k_C,
         2*D_p_x_3*D_p_x_3_by_b_2_y*k_C + 2*D_p_y_3*D_p_y_3_by_b_2_y*k_C + 2*D_p_z_3*D_p_z_3_by_b_2_y*k_C
-        + mu_1_by_b_2_y*t370 + mu_2_by_b_2_y*t371 + mu_3_by_b_2_y*t372 - t285*t487 - t286*t487 - t287*t487
-        - t288*t488 - t289*t488 - t290*t488 - t291*t489 - t292*t489 - t293*t489,
-        D_delta_x_1_by_b_2_y*t379 + D_delta_y_1_by_b_2_y*t380 + D_delta_z_1_by_b_2_y*t381
-        - D_p_x_3_by_b_2_y*t303 - D_p_x_3_by_b_2_y*t304 - D_p_x_3_by_b_2_y*t305 + D_p_x_3_by_b_2_y*t423
-        - D_p_y_3_by_b_2_y*t306 - D_p_y_3_by_b_2_y*t307 - D_p_y_3_by_b_2_y*t308 + D_p_y_3_by_b_2_y*t424
-        - D_p_z_3_by_b_2_y*t309 - D_p_z_3_by_b_2_y*t310 - D_p_z_3_by_b_2_y*t311 + D_p_z_3_by_b_2_y*t425
-        + mu_1_by_b_2_y*t376 + mu_2_by_b_2_y*t377 + mu_3_by_b_2_y*t378,
-        D_delta_x_2_by_b_2_y*t379 + D_delta_y_2_by_b_2_y*t380 + D_delta_z_2_by_b_2_y*t381
-        - D_p_x_3_by_b_2_y*t318 - D_p_x_3_by_b_2_y*t319 - D_p_x_3_by_b_2_y*t320 + D_p_x_3_by_b_2_y*t426
-        - D_p_y_3_by_b_2_y*t321 - D_p_y_3_by_b_2_y*t322 - D_p_y_3_by_b_2_y*t323 + D_p_y_3_by_b_2_y*t427
-        - D_p_z_3_by_b_2_y*t324 - D_p_z_3_by_b_2_y*t325 - D_p_z_3_by_b_2_y*t326 + D_p_z_3_by_b_2_y*t428
-        + mu_1_by_b_2_y*t382 + mu_2_by_b_2_y*t383 + mu_3_by_b_2_y*t384,
-        D_delta_x_3_by_b_2_y*t379 + D_delta_y_3_by_b_2_y*t380 + D_delta_z_3_by_b_2_y*t381
-        - D_p_x_3_by_b_2_y*t330 - D_p_x_3_by_b_2_y*t331 - D_p_x_3_by_b_2_y*t332 + D_p_x_3_by_b_2_y*t429
-        - D_p_y_3_by_b_2_y*t333 - D_p_y_3_by_b_2_y*t334 - D_p_y_3_by_b_2_y*t335 + D_p_y_3_by_b_2_y*t430
-        - D_p_z_3_by_b_2_y*t336 - D_p_z_3_by_b_2_y*t337 - D_p_z_3_by_b_2_y*t338 + D_p_z_3_by_b_2_y*t431
-        + mu_1_by_b_2_y*t385 + mu_2_by_b_2_y*t386 + mu_3_by_b_2_y*t387,
-        D_p_x_3_by_b_2_y*k_C, D_p_y_3_by_b_2_y*k_C, D_p_z_3_by_b_2_y*k_C, t218*t483, t484, -t218*t482, t485,
-        D_delta_x_1_by_b_2_y*t389 + D_delta_y_1_by_b_2_y*t390 + D_delta_z_1_by_b_2_y*t391
-        + mu_1_by_b_2_y*t392 - mu_2_by_b_2_y*t388 - mu_3_by_b_2_y*t388,
-        D_delta_x_1_by_b_2_y*t394 + D_delta_x_2_by_b_2_y*t395 + D_delta_y_1_by_b_2_y*t396
-        + D_delta_y_2_by_b_2_y*t397 + D_delta_z_1_by_b_2_y*t398 + D_delta_z_2_by_b_2_y*t399
-        + mu_1_by_b_2_y*t393 + mu_2_by_b_2_y*t393 + mu_3_by_b_2_y*t393,
-        D_delta_x_1_by_b_2_y*t401 + D_delta_x_3_by_b_2_y*t395 + D_delta_y_1_by_b_2_y*t402
-        + D_delta_y_3_by_b_2_y*t397 + D_delta_z_1_by_b_2_y*t403 + D_delta_z_3_by_b_2_y*t399
-        + mu_1_by_b_2_y*t400 + mu_2_by_b_2_y*t400 + mu_3_by_b_2_y*t400,
+        + mu_1_by_b_2_y*t362 + mu_2_by_b_2_y*t362 + mu_3_by_b_2_y*t363 - t284*t475 - t285*t475 - t286*t475
+        - t287*t476 - t288*t476 - t289*t476 - t290*t477 - t291*t477 - t292*t477,
+        D_delta_x_1_by_b_2_y*t369 + D_delta_y_1_by_b_2_y*t370 + D_delta_z_1_by_b_2_y*t371
+        - D_p_x_3_by_b_2_y*t302 - D_p_x_3_by_b_2_y*t303 - D_p_x_3_by_b_2_y*t304 + D_p_x_3_by_b_2_y*t411
+        - D_p_y_3_by_b_2_y*t305 - D_p_y_3_by_b_2_y*t306 - D_p_y_3_by_b_2_y*t307 + D_p_y_3_by_b_2_y*t412
+        - D_p_z_3_by_b_2_y*t308 - D_p_z_3_by_b_2_y*t309 - D_p_z_3_by_b_2_y*t310 + D_p_z_3_by_b_2_y*t413
+        + mu_1_by_b_2_y*t367 + mu_2_by_b_2_y*t367 + mu_3_by_b_2_y*t368,
+        D_delta_x_2_by_b_2_y*t369 + D_delta_y_2_by_b_2_y*t370 + D_delta_z_2_by_b_2_y*t371
+        - D_p_x_3_by_b_2_y*t316 - D_p_x_3_by_b_2_y*t317 - D_p_x_3_by_b_2_y*t318 + D_p_x_3_by_b_2_y*t414
+        - D_p_y_3_by_b_2_y*t319 - D_p_y_3_by_b_2_y*t320 - D_p_y_3_by_b_2_y*t321 + D_p_y_3_by_b_2_y*t415
+        - D_p_z_3_by_b_2_y*t322 - D_p_z_3_by_b_2_y*t323 - D_p_z_3_by_b_2_y*t324 + D_p_z_3_by_b_2_y*t416
+        + mu_1_by_b_2_y*t372 + mu_2_by_b_2_y*t372 + mu_3_by_b_2_y*t373,
+        D_delta_x_3_by_b_2_y*t369 + D_delta_y_3_by_b_2_y*t370 + D_delta_z_3_by_b_2_y*t371
+        - D_p_x_3_by_b_2_y*t327 - D_p_x_3_by_b_2_y*t328 - D_p_x_3_by_b_2_y*t329 + D_p_x_3_by_b_2_y*t417
+        - D_p_y_3_by_b_2_y*t330 - D_p_y_3_by_b_2_y*t331 - D_p_y_3_by_b_2_y*t332 + D_p_y_3_by_b_2_y*t418
+        - D_p_z_3_by_b_2_y*t333 - D_p_z_3_by_b_2_y*t334 - D_p_z_3_by_b_2_y*t335 + D_p_z_3_by_b_2_y*t419
+        + mu_1_by_b_2_y*t374 + mu_2_by_b_2_y*t374 + mu_3_by_b_2_y*t375,
+        D_p_x_3_by_b_2_y*k_C, D_p_y_3_by_b_2_y*k_C, D_p_z_3_by_b_2_y*k_C, t218*t471, t472, -t218*t470, t473,
+        D_delta_x_1_by_b_2_y*t377 + D_delta_y_1_by_b_2_y*t378 + D_delta_z_1_by_b_2_y*t379
+        + mu_1_by_b_2_y*t380 - mu_2_by_b_2_y*t376 - mu_3_by_b_2_y*t376,
+        D_delta_x_1_by_b_2_y*t382 + D_delta_x_2_by_b_2_y*t383 + D_delta_y_1_by_b_2_y*t384
+        + D_delta_y_2_by_b_2_y*t385 + D_delta_z_1_by_b_2_y*t386 + D_delta_z_2_by_b_2_y*t387
+        + mu_1_by_b_2_y*t381 + mu_2_by_b_2_y*t381 + mu_3_by_b_2_y*t381,
+        D_delta_x_1_by_b_2_y*t389 + D_delta_x_3_by_b_2_y*t383 + D_delta_y_1_by_b_2_y*t390
+        + D_delta_y_3_by_b_2_y*t385 + D_delta_z_1_by_b_2_y*t391 + D_delta_z_3_by_b_2_y*t387
+        + mu_1_by_b_2_y*t388 + mu_2_by_b_2_y*t388 + mu_3_by_b_2_y*t388,
         D_delta_x_1_by_b_2_y*k_C, D_delta_y_1_by_b_2_y*k_C, D_delta_z_1_by_b_2_y*k_C,
-        D_delta_x_2_by_b_2_y*t405 + D_delta_y_2_by_b_2_y*t406 + D_delta_z_2_by_b_2_y*t407
-        - mu_1_by_b_2_y*t404 + mu_2_by_b_2_y*t408 - mu_3_by_b_2_y*t404,
-        D_delta_x_2_by_b_2_y*t401 + D_delta_x_3_by_b_2_y*t394 + D_delta_y_2_by_b_2_y*t402
-        + D_delta_y_3_by_b_2_y*t396 + D_delta_z_2_by_b_2_y*t403 + D_delta_z_3_by_b_2_y*t398
-        + mu_1_by_b_2_y*t409 + mu_2_by_b_2_y*t409 + mu_3_by_b_2_y*t409,
+        D_delta_x_2_by_b_2_y*t393 + D_delta_y_2_by_b_2_y*t394 + D_delta_z_2_by_b_2_y*t395
+        - mu_1_by_b_2_y*t392 + mu_2_by_b_2_y*t396 - mu_3_by_b_2_y*t392,
+        D_delta_x_2_by_b_2_y*t389 + D_delta_x_3_by_b_2_y*t382 + D_delta_y_2_by_b_2_y*t390
+        + D_delta_y_3_by_b_2_y*t384 + D_delta_z_2_by_b_2_y*t391 + D_delta_z_3_by_b_2_y*t386
+        + mu_1_by_b_2_y*t397 + mu_2_by_b_2_y*t397 + mu_3_by_b_2_y*t397,
         D_delta_x_2_by_b_2_y*k_C, D_delta_y_2_by_b_2_y*k_C, D_delta_z_2_by_b_2_y*k_C,
-        D_delta_x_3_by_b_2_y*t411 + D_delta_y_3_by_b_2_y*t412 + D_delta_z_3_by_b_2_y*t413
-        - mu_1_by_b_2_y*t410 - mu_2_by_b_2_y*t410 + mu_3_by_b_2_y*t414,
-        D_delta_x_3_by_b_2_y*k_C, D_delta_y_3_by_b_2_y*k_C, D_delta_z_3_by_b_2_y*k_C, t486,
+        D_delta_x_3_by_b_2_y*t399 + D_delta_y_3_by_b_2_y*t400 + D_delta_z_3_by_b_2_y*t401
+        - mu_1_by_b_2_y*t398 - mu_2_by_b_2_y*t398 + mu_3_by_b_2_y*t402,
+        D_delta_x_3_by_b_2_y*k_C, D_delta_y_3_by_b_2_y*k_C, D_delta_z_3_by_b_2_y*k_C, t474,
         2*D_p_x_1*D_p_x_1_by_b_2_z*k_C + 2*D_p_y_1*D_p_y_1_by_b_2_z*k_C + 2*D_p_z_1*D_p_z_1_by_b_2_z*k_C
-        + mu_1_by_b_2_z*t260 + mu_2_by_b_2_z*t261 + mu_3_by_b_2_z*t262 - t248*t490 - t250*t490 - t251*t490
-        - t252*t491 - t254*t491 - t255*t491 - t256*t492 - t258*t492 - t259*t492,
-        D_p_x_1*D_p_x_2_by_b_2_z*k_C + D_p_x_1_by_b_2_z*D_p_x_2*k_C - D_p_x_1_by_b_2_z*t273
-        - D_p_x_1_by_b_2_z*t274 - D_p_x_1_by_b_2_z*t275 - D_p_x_2_by_b_2_z*t248 - D_p_x_2_by_b_2_z*t250
+        + mu_1_by_b_2_z*t260 + mu_2_by_b_2_z*t261 + mu_3_by_b_2_z*t261 - t248*t478 - t250*t478 - t251*t478
+        - t252*t479 - t254*t479 - t255*t479 - t256*t480 - t258*t480 - t259*t480,
+        D_p_x_1*D_p_x_2_by_b_2_z*k_C + D_p_x_1_by_b_2_z*D_p_x_2*k_C - D_p_x_1_by_b_2_z*t272
+        - D_p_x_1_by_b_2_z*t273 - D_p_x_1_by_b_2_z*t274 - D_p_x_2_by_b_2_z*t248 - D_p_x_2_by_b_2_z*t250
         - D_p_x_2_by_b_2_z*t251 + D_p_y_1*D_p_y_2_by_b_2_z*k_C + D_p_y_1_by_b_2_z*D_p_y_2*k_C
-        - D_p_y_1_by_b_2_z*t276 - D_p_y_1_by_b_2_z*t277 - D_p_y_1_by_b_2_z*t278 - D_p_y_2_by_b_2_z*t252
+        - D_p_y_1_by_b_2_z*t275 - D_p_y_1_by_b_2_z*t276 - D_p_y_1_by_b_2_z*t277 - D_p_y_2_by_b_2_z*t252
         - D_p_y_2_by_b_2_z*t254 - D_p_y_2_by_b_2_z*t255 + D_p_z_1*D_p_z_2_by_b_2_z*k_C
-        + D_p_z_1_by_b_2_z*D_p_z_2*k_C - D_p_z_1_by_b_2_z*t279 - D_p_z_1_by_b_2_z*t280
-        - D_p_z_1_by_b_2_z*t281 - D_p_z_2_by_b_2_z*t256 - D_p_z_2_by_b_2_z*t258 - D_p_z_2_by_b_2_z*t259
-        + mu_1_by_b_2_z*t282 + mu_2_by_b_2_z*t283 + mu_3_by_b_2_z*t284,
-        D_p_x_1*D_p_x_3_by_b_2_z*k_C + D_p_x_1_by_b_2_z*D_p_x_3*k_C - D_p_x_1_by_b_2_z*t285
-        - D_p_x_1_by_b_2_z*t286 - D_p_x_1_by_b_2_z*t287 - D_p_x_3_by_b_2_z*t248 - D_p_x_3_by_b_2_z*t250
+        + D_p_z_1_by_b_2_z*D_p_z_2*k_C - D_p_z_1_by_b_2_z*t278 - D_p_z_1_by_b_2_z*t279
+        - D_p_z_1_by_b_2_z*t280 - D_p_z_2_by_b_2_z*t256 - D_p_z_2_by_b_2_z*t258 - D_p_z_2_by_b_2_z*t259
+        + mu_1_by_b_2_z*t281 + mu_2_by_b_2_z*t282 + mu_3_by_b_2_z*t283,
+        D_p_x_1*D_p_x_3_by_b_2_z*k_C + D_p_x_1_by_b_2_z*D_p_x_3*k_C - D_p_x_1_by_b_2_z*t284
+        - D_p_x_1_by_b_2_z*t285 - D_p_x_1_by_b_2_z*t286 - D_p_x_3_by_b_2_z*t248 - D_p_x_3_by_b_2_z*t250
         - D_p_x_3_by_b_2_z*t251 + D_p_y_1*D_p_y_3_by_b_2_z*k_C + D_p_y_1_by_b_2_z*D_p_y_3*k_C
-        - D_p_y_1_by_b_2_z*t288 - D_p_y_1_by_b_2_z*t289 - D_p_y_1_by_b_2_z*t290 - D_p_y_3_by_b_2_z*t252
+        - D_p_y_1_by_b_2_z*t287 - D_p_y_1_by_b_2_z*t288 - D_p_y_1_by_b_2_z*t289 - D_p_y_3_by_b_2_z*t252
         - D_p_y_3_by_b_2_z*t254 - D_p_y_3_by_b_2_z*t255 + D_p_z_1*D_p_z_3_by_b_2_z*k_C
-        + D_p_z_1_by_b_2_z*D_p_z_3*k_C - D_p_z_1_by_b_2_z*t291 - D_p_z_1_by_b_2_z*t292
-        - D_p_z_1_by_b_2_z*t293 - D_p_z_3_by_b_2_z*t256 - D_p_z_3_by_b_2_z*t258 - D_p_z_3_by_b_2_z*t259
-        + mu_1_by_b_2_z*t294 + mu_2_by_b_2_z*t295 + mu_3_by_b_2_z*t296,
-        D_delta_x_1_by_b_2_z*t315 + D_delta_y_1_by_b_2_z*t316 + D_delta_z_1_by_b_2_z*t317
-        - D_p_x_1_by_b_2_z*t303 - D_p_x_1_by_b_2_z*t304 - D_p_x_1_by_b_2_z*t305 + D_p_x_1_by_b_2_z*t423
-        - D_p_y_1_by_b_2_z*t306 - D_p_y_1_by_b_2_z*t307 - D_p_y_1_by_b_2_z*t308 + D_p_y_1_by_b_2_z*t424
-        - D_p_z_1_by_b_2_z*t309 - D_p_z_1_by_b_2_z*t310 - D_p_z_1_by_b_2_z*t311 + D_p_z_1_by_b_2_z*t425
-        + mu_1_by_b_2_z*t312 + mu_2_by_b_2_z*t313 + mu_3_by_b_2_z*t314,
-        D_delta_x_2_by_b_2_z*t315 + D_delta_y_2_by_b_2_z*t316 + D_delta_z_2_by_b_2_z*t317
-        - D_p_x_1_by_b_2_z*t318 - D_p_x_1_by_b_2_z*t319 - D_p_x_1_by_b_2_z*t320 + D_p_x_1_by_b_2_z*t426
-        - D_p_y_1_by_b_2_z*t321 - D_p_y_1_by_b_2_z*t322 - D_p_y_1_by_b_2_z*t323 + D_p_y_1_by_b_2_z*t427
-        - D_p_z_1_by_b_2_z*t324 - D_p_z_1_by_b_2_z*t325 - D_p_z_1_by_b_2_z*t326 + D_p_z_1_by_b_2_z*t428
-        + mu_1_by_b_2_z*t327 + mu_2_by_b_2_z*t328 + mu_3_by_b_2_z*t329,
-        D_delta_x_3_by_b_2_z*t315 + D_delta_y_3_by_b_2_z*t316 + D_delta_z_3_by_b_2_z*t317
-        - D_p_x_1_by_b_2_z*t330 - D_p_x_1_by_b_2_z*t331 - D_p_x_1_by_b_2_z*t332 + D_p_x_1_by_b_2_z*t429
-        - D_p_y_1_by_b_2_z*t333 - D_p_y_1_by_b_2_z*t334 - D_p_y_1_by_b_2_z*t335 + D_p_y_1_by_b_2_z*t430
-        - D_p_z_1_by_b_2_z*t336 - D_p_z_1_by_b_2_z*t337 - D_p_z_1_by_b_2_z*t338 + D_p_z_1_by_b_2_z*t431
-        + mu_1_by_b_2_z*t339 + mu_2_by_b_2_z*t340 + mu_3_by_b_2_z*t341,
+        + D_p_z_1_by_b_2_z*D_p_z_3*k_C - D_p_z_1_by_b_2_z*t290 - D_p_z_1_by_b_2_z*t291
+        - D_p_z_1_by_b_2_z*t292 - D_p_z_3_by_b_2_z*t256 - D_p_z_3_by_b_2_z*t258 - D_p_z_3_by_b_2_z*t259
+        + mu_1_by_b_2_z*t293 + mu_2_by_b_2_z*t294 + mu_3_by_b_2_z*t295,
+        D_delta_x_1_by_b_2_z*t313 + D_delta_y_1_by_b_2_z*t314 + D_delta_z_1_by_b_2_z*t315
+        - D_p_x_1_by_b_2_z*t302 - D_p_x_1_by_b_2_z*t303 - D_p_x_1_by_b_2_z*t304 + D_p_x_1_by_b_2_z*t411
+        - D_p_y_1_by_b_2_z*t305 - D_p_y_1_by_b_2_z*t306 - D_p_y_1_by_b_2_z*t307 + D_p_y_1_by_b_2_z*t412
+        - D_p_z_1_by_b_2_z*t308 - D_p_z_1_by_b_2_z*t309 - D_p_z_1_by_b_2_z*t310 + D_p_z_1_by_b_2_z*t413
+        + mu_1_by_b_2_z*t311 + mu_2_by_b_2_z*t312 + mu_3_by_b_2_z*t312,
+        D_delta_x_2_by_b_2_z*t313 + D_delta_y_2_by_b_2_z*t314 + D_delta_z_2_by_b_2_z*t315
+        - D_p_x_1_by_b_2_z*t316 - D_p_x_1_by_b_2_z*t317 - D_p_x_1_by_b_2_z*t318 + D_p_x_1_by_b_2_z*t414
+        - D_p_y_1_by_b_2_z*t319 - D_p_y_1_by_b_2_z*t320 - D_p_y_1_by_b_2_z*t321 + D_p_y_1_by_b_2_z*t415
+        - D_p_z_1_by_b_2_z*t322 - D_p_z_1_by_b_2_z*t323 - D_p_z_1_by_b_2_z*t324 + D_p_z_1_by_b_2_z*t416
+        + mu_1_by_b_2_z*t325 + mu_2_by_b_2_z*t326 + mu_3_by_b_2_z*t326,
+        D_delta_x_3_by_b_2_z*t313 + D_delta_y_3_by_b_2_z*t314 + D_delta_z_3_by_b_2_z*t315
+        - D_p_x_1_by_b_2_z*t327 - D_p_x_1_by_b_2_z*t328 - D_p_x_1_by_b_2_z*t329 + D_p_x_1_by_b_2_z*t417
+        - D_p_y_1_by_b_2_z*t330 - D_p_y_1_by_b_2_z*t331 - D_p_y_1_by_b_2_z*t332 + D_p_y_1_by_b_2_z*t418
+        - D_p_z_1_by_b_2_z*t333 - D_p_z_1_by_b_2_z*t334 - D_p_z_1_by_b_2_z*t335 + D_p_z_1_by_b_2_z*t419
+        + mu_1_by_b_2_z*t336 + mu_2_by_b_2_z*t337 + mu_3_by_b_2_z*t337,
         D_p_x_1_by_b_2_z*k_C, D_p_y_1_by_b_2_z*k_C, D_p_z_1_by_b_2_z*k_C,
         2*D_p_x_2*D_p_x_2_by_b_2_z*k_C + 2*D_p_y_2*D_p_y_2_by_b_2_z*k_C + 2*D_p_z_2*D_p_z_2_by_b_2_z*k_C
-        + k_sp_2*t263*t460*t467*w_b_2*x_2_by_b_2_z + mu_1_by_b_2_z*t346 + mu_2_by_b_2_z*t347
-        + mu_3_by_b_2_z*t348 - t273*t493 - t274*t493 - t275*t493 - t276*t494 - t277*t494 - t278*t494
-        - t279*t495 - t280*t495 - t281*t495 - t497,
-        D_p_x_2*D_p_x_3_by_b_2_z*k_C + D_p_x_2_by_b_2_z*D_p_x_3*k_C - D_p_x_2_by_b_2_z*t285
-        - D_p_x_2_by_b_2_z*t286 - D_p_x_2_by_b_2_z*t287 - D_p_x_3_by_b_2_z*t273 - D_p_x_3_by_b_2_z*t274
-        - D_p_x_3_by_b_2_z*t275 + D_p_y_2*D_p_y_3_by_b_2_z*k_C + D_p_y_2_by_b_2_z*D_p_y_3*k_C
-        - D_p_y_2_by_b_2_z*t288 - D_p_y_2_by_b_2_z*t289 - D_p_y_2_by_b_2_z*t290 - D_p_y_3_by_b_2_z*t276
-        - D_p_y_3_by_b_2_z*t277 - D_p_y_3_by_b_2_z*t278 + D_p_z_2*D_p_z_3_by_b_2_z*k_C
-        + D_p_z_2_by_b_2_z*D_p_z_3*k_C - D_p_z_2_by_b_2_z*t291 - D_p_z_2_by_b_2_z*t292
-        - D_p_z_2_by_b_2_z*t293 - D_p_z_3_by_b_2_z*t279 - D_p_z_3_by_b_2_z*t280 - D_p_z_3_by_b_2_z*t281
-        + mu_1_by_b_2_z*t349 + mu_2_by_b_2_z*t350 + mu_3_by_b_2_z*t351,
-        t499, t500,
-        D_delta_x_1_by_b_2_z*t358 + D_delta_y_1_by_b_2_z*t359 + D_delta_z_1_by_b_2_z*t360
-        - D_p_x_2_by_b_2_z*t303 - D_p_x_2_by_b_2_z*t304 - D_p_x_2_by_b_2_z*t305 + D_p_x_2_by_b_2_z*t423
-        - D_p_y_2_by_b_2_z*t306 - D_p_y_2_by_b_2_z*t307 - D_p_y_2_by_b_2_z*t308 + D_p_y_2_by_b_2_z*t424
-        - D_p_z_2_by_b_2_z*t309 - D_p_z_2_by_b_2_z*t310 - D_p_z_2_by_b_2_z*t311 + D_p_z_2_by_b_2_z*t425
-        + mu_1_by_b_2_z*t355 + mu_2_by_b_2_z*t356 + mu_3_by_b_2_z*t357,
-        D_delta_x_2_by_b_2_z*t358 + D_delta_y_2_by_b_2_z*t359 + D_delta_z_2_by_b_2_z*t360
-        - D_p_x_2_by_b_2_z*t318 - D_p_x_2_by_b_2_z*t319 - D_p_x_2_by_b_2_z*t320 + D_p_x_2_by_b_2_z*t426
-        - D_p_y_2_by_b_2_z*t321 - D_p_y_2_by_b_2_z*t322 - D_p_y_2_by_b_2_z*t323 + D_p_y_2_by_b_2_z*t427
-        - D_p_z_2_by_b_2_z*t324 - D_p_z_2_by_b_2_z*t325 - D_p_z_2_by_b_2_z*t326 + D_p_z_2_by_b_2_z*t428
-        + mu_1_by_b_2_z*t361 + mu_2_by_b_2_z*t362 + mu_3_by_b_2_z*t363,
-        D_delta_x_3_by_b_2_z*t358 + D_delta_y_3_by_b_2_z*t359 + D_delta_z_3_by_b_2_z*t360
-        - D_p_x_2_by_b_2_z*t330 - D_p_x_2_by_b_2_z*t331 - D_p_x_2_by_b_2_z*t332 + D_p_x_2_by_b_2_z*t429
-        - D_p_y_2_by_b_2_z*t333 - D_p_y_2_by_b_2_z*t334 - D_p_y_2_by_b_2_z*t335 + D_p_y_2_by_b_2_z*t430
-        - D_p_z_2_by_b_2_z*t336 - D_p_z_2_by_b_2_z*t337 - D_p_z_2_by_b_2_z*t338 + D_p_z_2_by_b_2_z*t431
-        + mu_1_by_b_2_z*t364 + mu_2_by_b_2_z*t365 + mu_3_by_b_2_z*t366,
-        t501, D_p_x_2_by_b_2_z*k_C, D_p_y_2_by_b_2_z*k_C, D_p_z_2_by_b_2_z*k_C,
+        + k_sp_2*t262*t448*t455*w_b_2*x_2_by_b_2_z + mu_1_by_b_2_z*t342 + mu_2_by_b_2_z*t343
+        + mu_3_by_b_2_z*t342 - t272*t481 - t273*t481 - t274*t481 - t275*t482 - t276*t482 - t277*t482
+        - t278*t483 - t279*t483 - t280*t483 - t485,
+        D_p_x_2*D_p_x_3_by_b_2_z*k_C + D_p_x_2_by_b_2_z*D_p_x_3*k_C - D_p_x_2_by_b_2_z*t284
+        - D_p_x_2_by_b_2_z*t285 - D_p_x_2_by_b_2_z*t286 - D_p_x_3_by_b_2_z*t272 - D_p_x_3_by_b_2_z*t273
+        - D_p_x_3_by_b_2_z*t274 + D_p_y_2*D_p_y_3_by_b_2_z*k_C + D_p_y_2_by_b_2_z*D_p_y_3*k_C
+        - D_p_y_2_by_b_2_z*t287 - D_p_y_2_by_b_2_z*t288 - D_p_y_2_by_b_2_z*t289 - D_p_y_3_by_b_2_z*t275
+        - D_p_y_3_by_b_2_z*t276 - D_p_y_3_by_b_2_z*t277 + D_p_z_2*D_p_z_3_by_b_2_z*k_C
+        + D_p_z_2_by_b_2_z*D_p_z_3*k_C - D_p_z_2_by_b_2_z*t290 - D_p_z_2_by_b_2_z*t291
+        - D_p_z_2_by_b_2_z*t292 - D_p_z_3_by_b_2_z*t278 - D_p_z_3_by_b_2_z*t279 - D_p_z_3_by_b_2_z*t280
+        + mu_1_by_b_2_z*t344 + mu_2_by_b_2_z*t345 + mu_3_by_b_2_z*t346,
+        t487, t488,
+        D_delta_x_1_by_b_2_z*t352 + D_delta_y_1_by_b_2_z*t353 + D_delta_z_1_by_b_2_z*t354
+        - D_p_x_2_by_b_2_z*t302 - D_p_x_2_by_b_2_z*t303 - D_p_x_2_by_b_2_z*t304 + D_p_x_2_by_b_2_z*t411
+        - D_p_y_2_by_b_2_z*t305 - D_p_y_2_by_b_2_z*t306 - D_p_y_2_by_b_2_z*t307 + D_p_y_2_by_b_2_z*t412
+        - D_p_z_2_by_b_2_z*t308 - D_p_z_2_by_b_2_z*t309 - D_p_z_2_by_b_2_z*t310 + D_p_z_2_by_b_2_z*t413
+        + mu_1_by_b_2_z*t350 + mu_2_by_b_2_z*t351 + mu_3_by_b_2_z*t350,
+        D_delta_x_2_by_b_2_z*t352 + D_delta_y_2_by_b_2_z*t353 + D_delta_z_2_by_b_2_z*t354
+        - D_p_x_2_by_b_2_z*t316 - D_p_x_2_by_b_2_z*t317 - D_p_x_2_by_b_2_z*t318 + D_p_x_2_by_b_2_z*t414
+        - D_p_y_2_by_b_2_z*t319 - D_p_y_2_by_b_2_z*t320 - D_p_y_2_by_b_2_z*t321 + D_p_y_2_by_b_2_z*t415
+        - D_p_z_2_by_b_2_z*t322 - D_p_z_2_by_b_2_z*t323 - D_p_z_2_by_b_2_z*t324 + D_p_z_2_by_b_2_z*t416
+        + mu_1_by_b_2_z*t355 + mu_2_by_b_2_z*t356 + mu_3_by_b_2_z*t355,
+        D_delta_x_3_by_b_2_z*t352 + D_delta_y_3_by_b_2_z*t353 + D_delta_z_3_by_b_2_z*t354
+        - D_p_x_2_by_b_2_z*t327 - D_p_x_2_by_b_2_z*t328 - D_p_x_2_by_b_2_z*t329 + D_p_x_2_by_b_2_z*t417
+        - D_p_y_2_by_b_2_z*t330 - D_p_y_2_by_b_2_z*t331 - D_p_y_2_by_b_2_z*t332 + D_p_y_2_by_b_2_z*t418
+        - D_p_z_2_by_b_2_z*t333 - D_p_z_2_by_b_2_z*t334 - D_p_z_2_by_b_2_z*t335 + D_p_z_2_by_b_2_z*t419
+        + mu_1_by_b_2_z*t357 + mu_2_by_b_2_z*t358 + mu_3_by_b_2_z*t357,
+        t489, D_p_x_2_by_b_2_z*k_C, D_p_y_2_by_b_2_z*k_C, D_p_z_2_by_b_2_z*k_C,
         2*D_p_x_3*D_p_x_3_by_b_2_z*k_C + 2*D_p_y_3*D_p_y_3_by_b_2_z*k_C + 2*D_p_z_3*D_p_z_3_by_b_2_z*k_C
-        + mu_1_by_b_2_z*t370 + mu_2_by_b_2_z*t371 + mu_3_by_b_2_z*t372 - t285*t502 - t286*t502 - t287*t502
-        - t288*t503 - t289*t503 - t290*t503 - t291*t504 - t292*t504 - t293*t504,
-        D_delta_x_1_by_b_2_z*t379 + D_delta_y_1_by_b_2_z*t380 + D_delta_z_1_by_b_2_z*t381
-        - D_p_x_3_by_b_2_z*t303 - D_p_x_3_by_b_2_z*t304 - D_p_x_3_by_b_2_z*t305 + D_p_x_3_by_b_2_z*t423
-        - D_p_y_3_by_b_2_z*t306 - D_p_y_3_by_b_2_z*t307 - D_p_y_3_by_b_2_z*t308 + D_p_y_3_by_b_2_z*t424
-        - D_p_z_3_by_b_2_z*t309 - D_p_z_3_by_b_2_z*t310 - D_p_z_3_by_b_2_z*t311 + D_p_z_3_by_b_2_z*t425
-        + mu_1_by_b_2_z*t376 + mu_2_by_b_2_z*t377 + mu_3_by_b_2_z*t378,
-        D_delta_x_2_by_b_2_z*t379 + D_delta_y_2_by_b_2_z*t380 + D_delta_z_2_by_b_2_z*t381
-        - D_p_x_3_by_b_2_z*t318 - D_p_x_3_by_b_2_z*t319 - D_p_x_3_by_b_2_z*t320 + D_p_x_3_by_b_2_z*t426
-        - D_p_y_3_by_b_2_z*t321 - D_p_y_3_by_b_2_z*t322 - D_p_y_3_by_b_2_z*t323 + D_p_y_3_by_b_2_z*t427
-        - D_p_z_3_by_b_2_z*t324 - D_p_z_3_by_b_2_z*t325 - D_p_z_3_by_b_2_z*t326 + D_p_z_3_by_b_2_z*t428
-        + mu_1_by_b_2_z*t382 + mu_2_by_b_2_z*t383 + mu_3_by_b_2_z*t384,
-        D_delta_x_3_by_b_2_z*t379 + D_delta_y_3_by_b_2_z*t380 + D_delta_z_3_by_b_2_z*t381
-        - D_p_x_3_by_b_2_z*t330 - D_p_x_3_by_b_2_z*t331 - D_p_x_3_by_b_2_z*t332 + D_p_x_3_by_b_2_z*t429
-        - D_p_y_3_by_b_2_z*t333 - D_p_y_3_by_b_2_z*t334 - D_p_y_3_by_b_2_z*t335 + D_p_y_3_by_b_2_z*t430
-        - D_p_z_3_by_b_2_z*t336 - D_p_z_3_by_b_2_z*t337 - D_p_z_3_by_b_2_z*t338 + D_p_z_3_by_b_2_z*t431
-        + mu_1_by_b_2_z*t385 + mu_2_by_b_2_z*t386 + mu_3_by_b_2_z*t387,
-        D_p_x_3_by_b_2_z*k_C, D_p_y_3_by_b_2_z*k_C, D_p_z_3_by_b_2_z*k_C, t218*t498, t499, -t218*t497, t500,
-        D_delta_x_1_by_b_2_z*t389 + D_delta_y_1_by_b_2_z*t390 + D_delta_z_1_by_b_2_z*t391
-        + mu_1_by_b_2_z*t392 - mu_2_by_b_2_z*t388 - mu_3_by_b_2_z*t388,
-        D_delta_x_1_by_b_2_z*t394 + D_delta_x_2_by_b_2_z*t395 + D_delta_y_1_by_b_2_z*t396
-        + D_delta_y_2_by_b_2_z*t397 + D_delta_z_1_by_b_2_z*t398 + D_delta_z_2_by_b_2_z*t399
-        + mu_1_by_b_2_z*t393 + mu_2_by_b_2_z*t393 + mu_3_by_b_2_z*t393,
-        D_delta_x_1_by_b_2_z*t401 + D_delta_x_3_by_b_2_z*t395 + D_delta_y_1_by_b_2_z*t402
-        + D_delta_y_3_by_b_2_z*t397 + D_delta_z_1_by_b_2_z*t403 + D_delta_z_3_by_b_2_z*t399
-        + mu_1_by_b_2_z*t400 + mu_2_by_b_2_z*t400 + mu_3_by_b_2_z*t400,
+        + mu_1_by_b_2_z*t362 + mu_2_by_b_2_z*t362 + mu_3_by_b_2_z*t363 - t284*t490 - t285*t490 - t286*t490
+        - t287*t491 - t288*t491 - t289*t491 - t290*t492 - t291*t492 - t292*t492,
+        D_delta_x_1_by_b_2_z*t369 + D_delta_y_1_by_b_2_z*t370 + D_delta_z_1_by_b_2_z*t371
+        - D_p_x_3_by_b_2_z*t302 - D_p_x_3_by_b_2_z*t303 - D_p_x_3_by_b_2_z*t304 + D_p_x_3_by_b_2_z*t411
+        - D_p_y_3_by_b_2_z*t305 - D_p_y_3_by_b_2_z*t306 - D_p_y_3_by_b_2_z*t307 + D_p_y_3_by_b_2_z*t412
+        - D_p_z_3_by_b_2_z*t308 - D_p_z_3_by_b_2_z*t309 - D_p_z_3_by_b_2_z*t310 + D_p_z_3_by_b_2_z*t413
+        + mu_1_by_b_2_z*t367 + mu_2_by_b_2_z*t367 + mu_3_by_b_2_z*t368,
+        D_delta_x_2_by_b_2_z*t369 + D_delta_y_2_by_b_2_z*t370 + D_delta_z_2_by_b_2_z*t371
+        - D_p_x_3_by_b_2_z*t316 - D_p_x_3_by_b_2_z*t317 - D_p_x_3_by_b_2_z*t318 + D_p_x_3_by_b_2_z*t414
+        - D_p_y_3_by_b_2_z*t319 - D_p_y_3_by_b_2_z*t320 - D_p_y_3_by_b_2_z*t321 + D_p_y_3_by_b_2_z*t415
+        - D_p_z_3_by_b_2_z*t322 - D_p_z_3_by_b_2_z*t323 - D_p_z_3_by_b_2_z*t324 + D_p_z_3_by_b_2_z*t416
+        + mu_1_by_b_2_z*t372 + mu_2_by_b_2_z*t372 + mu_3_by_b_2_z*t373,
+        D_delta_x_3_by_b_2_z*t369 + D_delta_y_3_by_b_2_z*t370 + D_delta_z_3_by_b_2_z*t371
+        - D_p_x_3_by_b_2_z*t327 - D_p_x_3_by_b_2_z*t328 - D_p_x_3_by_b_2_z*t329 + D_p_x_3_by_b_2_z*t417
+        - D_p_y_3_by_b_2_z*t330 - D_p_y_3_by_b_2_z*t331 - D_p_y_3_by_b_2_z*t332 + D_p_y_3_by_b_2_z*t418
+        - D_p_z_3_by_b_2_z*t333 - D_p_z_3_by_b_2_z*t334 - D_p_z_3_by_b_2_z*t335 + D_p_z_3_by_b_2_z*t419
+        + mu_1_by_b_2_z*t374 + mu_2_by_b_2_z*t374 + mu_3_by_b_2_z*t375,
+        D_p_x_3_by_b_2_z*k_C, D_p_y_3_by_b_2_z*k_C, D_p_z_3_by_b_2_z*k_C, t218*t486, t487, -t218*t485, t488,
+        D_delta_x_1_by_b_2_z*t377 + D_delta_y_1_by_b_2_z*t378 + D_delta_z_1_by_b_2_z*t379
+        + mu_1_by_b_2_z*t380 - mu_2_by_b_2_z*t376 - mu_3_by_b_2_z*t376,
+        D_delta_x_1_by_b_2_z*t382 + D_delta_x_2_by_b_2_z*t383 + D_delta_y_1_by_b_2_z*t384
+        + D_delta_y_2_by_b_2_z*t385 + D_delta_z_1_by_b_2_z*t386 + D_delta_z_2_by_b_2_z*t387
+        + mu_1_by_b_2_z*t381 + mu_2_by_b_2_z*t381 + mu_3_by_b_2_z*t381,
+        D_delta_x_1_by_b_2_z*t389 + D_delta_x_3_by_b_2_z*t383 + D_delta_y_1_by_b_2_z*t390
+        + D_delta_y_3_by_b_2_z*t385 + D_delta_z_1_by_b_2_z*t391 + D_delta_z_3_by_b_2_z*t387
+        + mu_1_by_b_2_z*t388 + mu_2_by_b_2_z*t388 + mu_3_by_b_2_z*t388,
         D_delta_x_1_by_b_2_z*k_C, D_delta_y_1_by_b_2_z*k_C, D_delta_z_1_by_b_2_z*k_C,
-        D_delta_x_2_by_b_2_z*t405 + D_delta_y_2_by_b_2_z*t406 + D_delta_z_2_by_b_2_z*t407
-        - mu_1_by_b_2_z*t404 + mu_2_by_b_2_z*t408 - mu_3_by_b_2_z*t404,
-        D_delta_x_2_by_b_2_z*t401 + D_delta_x_3_by_b_2_z*t394 + D_delta_y_2_by_b_2_z*t402
-        + D_delta_y_3_by_b_2_z*t396 + D_delta_z_2_by_b_2_z*t403 + D_delta_z_3_by_b_2_z*t398
-        + mu_1_by_b_2_z*t409 + mu_2_by_b_2_z*t409 + mu_3_by_b_2_z*t409,
+        D_delta_x_2_by_b_2_z*t393 + D_delta_y_2_by_b_2_z*t394 + D_delta_z_2_by_b_2_z*t395
+        - mu_1_by_b_2_z*t392 + mu_2_by_b_2_z*t396 - mu_3_by_b_2_z*t392,
+        D_delta_x_2_by_b_2_z*t389 + D_delta_x_3_by_b_2_z*t382 + D_delta_y_2_by_b_2_z*t390
+        + D_delta_y_3_by_b_2_z*t384 + D_delta_z_2_by_b_2_z*t391 + D_delta_z_3_by_b_2_z*t386
+        + mu_1_by_b_2_z*t397 + mu_2_by_b_2_z*t397 + mu_3_by_b_2_z*t397,
         D_delta_x_2_by_b_2_z*k_C, D_delta_y_2_by_b_2_z*k_C, D_delta_z_2_by_b_2_z*k_C,
-        D_delta_x_3_by_b_2_z*t411 + D_delta_y_3_by_b_2_z*t412 + D_delta_z_3_by_b_2_z*t413
-        - mu_1_by_b_2_z*t410 - mu_2_by_b_2_z*t410 + mu_3_by_b_2_z*t414,
-        D_delta_x_3_by_b_2_z*k_C, D_delta_y_3_by_b_2_z*k_C, D_delta_z_3_by_b_2_z*k_C, t501,
+        D_delta_x_3_by_b_2_z*t399 + D_delta_y_3_by_b_2_z*t400 + D_delta_z_3_by_b_2_z*t401
+        - mu_1_by_b_2_z*t398 - mu_2_by_b_2_z*t398 + mu_3_by_b_2_z*t402,
+        D_delta_x_3_by_b_2_z*k_C, D_delta_y_3_by_b_2_z*k_C, D_delta_z_3_by_b_2_z*k_C, t489,
         2*D_p_x_1*D_p_x_1_by_b_3_x*k_C + 2*D_p_y_1*D_p_y_1_by_b_3_x*k_C + 2*D_p_z_1*D_p_z_1_by_b_3_x*k_C
-        + mu_1_by_b_3_x*t260 + mu_2_by_b_3_x*t261 + mu_3_by_b_3_x*t262 - t248*t505 - t250*t505 - t251*t505
-        - t252*t506 - t254*t506 - t255*t506 - t256*t507 - t258*t507 - t259*t507,
-        D_p_x_1*D_p_x_2_by_b_3_x*k_C + D_p_x_1_by_b_3_x*D_p_x_2*k_C - D_p_x_1_by_b_3_x*t273
-        - D_p_x_1_by_b_3_x*t274 - D_p_x_1_by_b_3_x*t275 - D_p_x_2_by_b_3_x*t248 - D_p_x_2_by_b_3_x*t250
+        + mu_1_by_b_3_x*t260 + mu_2_by_b_3_x*t261 + mu_3_by_b_3_x*t261 - t248*t493 - t250*t493 - t251*t493
+        - t252*t494 - t254*t494 - t255*t494 - t256*t495 - t258*t495 - t259*t495,
+        D_p_x_1*D_p_x_2_by_b_3_x*k_C + D_p_x_1_by_b_3_x*D_p_x_2*k_C - D_p_x_1_by_b_3_x*t272
+        - D_p_x_1_by_b_3_x*t273 - D_p_x_1_by_b_3_x*t274 - D_p_x_2_by_b_3_x*t248 - D_p_x_2_by_b_3_x*t250
         - D_p_x_2_by_b_3_x*t251 + D_p_y_1*D_p_y_2_by_b_3_x*k_C + D_p_y_1_by_b_3_x*D_p_y_2*k_C
-        - D_p_y_1_by_b_3_x*t276 - D_p_y_1_by_b_3_x*t277 - D_p_y_1_by_b_3_x*t278 - D_p_y_2_by_b_3_x*t252
+        - D_p_y_1_by_b_3_x*t275 - D_p_y_1_by_b_3_x*t276 - D_p_y_1_by_b_3_x*t277 - D_p_y_2_by_b_3_x*t252
         - D_p_y_2_by_b_3_x*t254 - D_p_y_2_by_b_3_x*t255 + D_p_z_1*D_p_z_2_by_b_3_x*k_C
-        + D_p_z_1_by_b_3_x*D_p_z_2*k_C - D_p_z_1_by_b_3_x*t279 - D_p_z_1_by_b_3_x*t280
-        - D_p_z_1_by_b_3_x*t281 - D_p_z_2_by_b_3_x*t256 - D_p_z_2_by_b_3_x*t258 - D_p_z_2_by_b_3_x*t259
-        + mu_1_by_b_3_x*t282 + mu_2_by_b_3_x*t283 + mu_3_by_b_3_x*t284,
-        D_p_x_1*D_p_x_3_by_b_3_x*k_C + D_p_x_1_by_b_3_x*D_p_x_3*k_C - D_p_x_1_by_b_3_x*t285
-        - D_p_x_1_by_b_3_x*t286 - D_p_x_1_by_b_3_x*t287 - D_p_x_3_by_b_3_x*t248 - D_p_x_3_by_b_3_x*t250
+        + D_p_z_1_by_b_3_x*D_p_z_2*k_C - D_p_z_1_by_b_3_x*t278 - D_p_z_1_by_b_3_x*t279
+        - D_p_z_1_by_b_3_x*t280 - D_p_z_2_by_b_3_x*t256 - D_p_z_2_by_b_3_x*t258 - D_p_z_2_by_b_3_x*t259
+        + mu_1_by_b_3_x*t281 + mu_2_by_b_3_x*t282 + mu_3_by_b_3_x*t283,
+        D_p_x_1*D_p_x_3_by_b_3_x*k_C + D_p_x_1_by_b_3_x*D_p_x_3*k_C - D_p_x_1_by_b_3_x*t284
+        - D_p_x_1_by_b_3_x*t285 - D_p_x_1_by_b_3_x*t286 - D_p_x_3_by_b_3_x*t248 - D_p_x_3_by_b_3_x*t250
         - D_p_x_3_by_b_3_x*t251 + D_p_y_1*D_p_y_3_by_b_3_x*k_C + D_p_y_1_by_b_3_x*D_p_y_3*k_C
-        - D_p_y_1_by_b_3_x*t288 - D_p_y_1_by_b_3_x*t289 - D_p_y_1_by_b_3_x*t290 - D_p_y_3_by_b_3_x*t252
+        - D_p_y_1_by_b_3_x*t287 - D_p_y_1_by_b_3_x*t288 - D_p_y_1_by_b_3_x*t289 - D_p_y_3_by_b_3_x*t252
         - D_p_y_3_by_b_3_x*t254 - D_p_y_3_by_b_3_x*t255 + D_p_z_1*D_p_z_3_by_b_3_x*k_C
-        + D_p_z_1_by_b_3_x*D_p_z_3*k_C - D_p_z_1_by_b_3_x*t291 - D_p_z_1_by_b_3_x*t292
-        - D_p_z_1_by_b_3_x*t293 - D_p_z_3_by_b_3_x*t256 - D_p_z_3_by_b_3_x*t258 - D_p_z_3_by_b_3_x*t259
-        + mu_1_by_b_3_x*t294 + mu_2_by_b_3_x*t295 + mu_3_by_b_3_x*t296,
-        D_delta_x_1_by_b_3_x*t315 + D_delta_y_1_by_b_3_x*t316 + D_delta_z_1_by_b_3_x*t317
-        - D_p_x_1_by_b_3_x*t303 - D_p_x_1_by_b_3_x*t304 - D_p_x_1_by_b_3_x*t305 + D_p_x_1_by_b_3_x*t423
-        - D_p_y_1_by_b_3_x*t306 - D_p_y_1_by_b_3_x*t307 - D_p_y_1_by_b_3_x*t308 + D_p_y_1_by_b_3_x*t424
-        - D_p_z_1_by_b_3_x*t309 - D_p_z_1_by_b_3_x*t310 - D_p_z_1_by_b_3_x*t311 + D_p_z_1_by_b_3_x*t425
-        + mu_1_by_b_3_x*t312 + mu_2_by_b_3_x*t313 + mu_3_by_b_3_x*t314,
-        D_delta_x_2_by_b_3_x*t315 + D_delta_y_2_by_b_3_x*t316 + D_delta_z_2_by_b_3_x*t317
-        - D_p_x_1_by_b_3_x*t318 - D_p_x_1_by_b_3_x*t319 - D_p_x_1_by_b_3_x*t320 + D_p_x_1_by_b_3_x*t426
-        - D_p_y_1_by_b_3_x*t321 - D_p_y_1_by_b_3_x*t322 - D_p_y_1_by_b_3_x*t323 + D_p_y_1_by_b_3_x*t427
-        - D_p_z_1_by_b_3_x*t324 - D_p_z_1_by_b_3_x*t325 - D_p_z_1_by_b_3_x*t326 + D_p_z_1_by_b_3_x*t428
-        + mu_1_by_b_3_x*t327 + mu_2_by_b_3_x*t328 + mu_3_by_b_3_x*t329,
-        D_delta_x_3_by_b_3_x*t315 + D_delta_y_3_by_b_3_x*t316 + D_delta_z_3_by_b_3_x*t317
-        - D_p_x_1_by_b_3_x*t330 - D_p_x_1_by_b_3_x*t331 - D_p_x_1_by_b_3_x*t332 + D_p_x_1_by_b_3_x*t429
-        - D_p_y_1_by_b_3_x*t333 - D_p_y_1_by_b_3_x*t334 - D_p_y_1_by_b_3_x*t335 + D_p_y_1_by_b_3_x*t430
-        - D_p_z_1_by_b_3_x*t336 - D_p_z_1_by_b_3_x*t337 - D_p_z_1_by_b_3_x*t338 + D_p_z_1_by_b_3_x*t431
-        + mu_1_by_b_3_x*t339 + mu_2_by_b_3_x*t340 + mu_3_by_b_3_x*t341,
+        + D_p_z_1_by_b_3_x*D_p_z_3*k_C - D_p_z_1_by_b_3_x*t290 - D_p_z_1_by_b_3_x*t291
+        - D_p_z_1_by_b_3_x*t292 - D_p_z_3_by_b_3_x*t256 - D_p_z_3_by_b_3_x*t258 - D_p_z_3_by_b_3_x*t259
+        + mu_1_by_b_3_x*t293 + mu_2_by_b_3_x*t294 + mu_3_by_b_3_x*t295,
+        D_delta_x_1_by_b_3_x*t313 + D_delta_y_1_by_b_3_x*t314 + D_delta_z_1_by_b_3_x*t315
+        - D_p_x_1_by_b_3_x*t302 - D_p_x_1_by_b_3_x*t303 - D_p_x_1_by_b_3_x*t304 + D_p_x_1_by_b_3_x*t411
+        - D_p_y_1_by_b_3_x*t305 - D_p_y_1_by_b_3_x*t306 - D_p_y_1_by_b_3_x*t307 + D_p_y_1_by_b_3_x*t412
+        - D_p_z_1_by_b_3_x*t308 - D_p_z_1_by_b_3_x*t309 - D_p_z_1_by_b_3_x*t310 + D_p_z_1_by_b_3_x*t413
+        + mu_1_by_b_3_x*t311 + mu_2_by_b_3_x*t312 + mu_3_by_b_3_x*t312,
+        D_delta_x_2_by_b_3_x*t313 + D_delta_y_2_by_b_3_x*t314 + D_delta_z_2_by_b_3_x*t315
+        - D_p_x_1_by_b_3_x*t316 - D_p_x_1_by_b_3_x*t317 - D_p_x_1_by_b_3_x*t318 + D_p_x_1_by_b_3_x*t414
+        - D_p_y_1_by_b_3_x*t319 - D_p_y_1_by_b_3_x*t320 - D_p_y_1_by_b_3_x*t321 + D_p_y_1_by_b_3_x*t415
+        - D_p_z_1_by_b_3_x*t322 - D_p_z_1_by_b_3_x*t323 - D_p_z_1_by_b_3_x*t324 + D_p_z_1_by_b_3_x*t416
+        + mu_1_by_b_3_x*t325 + mu_2_by_b_3_x*t326 + mu_3_by_b_3_x*t326,
+        D_delta_x_3_by_b_3_x*t313 + D_delta_y_3_by_b_3_x*t314 + D_delta_z_3_by_b_3_x*t315
+        - D_p_x_1_by_b_3_x*t327 - D_p_x_1_by_b_3_x*t328 - D_p_x_1_by_b_3_x*t329 + D_p_x_1_by_b_3_x*t417
+        - D_p_y_1_by_b_3_x*t330 - D_p_y_1_by_b_3_x*t331 - D_p_y_1_by_b_3_x*t332 + D_p_y_1_by_b_3_x*t418
+        - D_p_z_1_by_b_3_x*t333 - D_p_z_1_by_b_3_x*t334 - D_p_z_1_by_b_3_x*t335 + D_p_z_1_by_b_3_x*t419
+        + mu_1_by_b_3_x*t336 + mu_2_by_b_3_x*t337 + mu_3_by_b_3_x*t337,
         D_p_x_1_by_b_3_x*k_C, D_p_y_1_by_b_3_x*k_C, D_p_z_1_by_b_3_x*k_C,
         2*D_p_x_2*D_p_x_2_by_b_3_x*k_C + 2*D_p_y_2*D_p_y_2_by_b_3_x*k_C + 2*D_p_z_2*D_p_z_2_by_b_3_x*k_C
-        + mu_1_by_b_3_x*t346 + mu_2_by_b_3_x*t347 + mu_3_by_b_3_x*t348 - t273*t508 - t274*t508 - t275*t508
-        - t276*t509 - t277*t509 - t278*t509 - t279*t510 - t280*t510 - t281*t510,
-        D_p_x_2*D_p_x_3_by_b_3_x*k_C + D_p_x_2_by_b_3_x*D_p_x_3*k_C - D_p_x_2_by_b_3_x*t285
-        - D_p_x_2_by_b_3_x*t286 - D_p_x_2_by_b_3_x*t287 - D_p_x_3_by_b_3_x*t273 - D_p_x_3_by_b_3_x*t274
-        - D_p_x_3_by_b_3_x*t275 + D_p_y_2*D_p_y_3_by_b_3_x*k_C + D_p_y_2_by_b_3_x*D_p_y_3*k_C
-        - D_p_y_2_by_b_3_x*t288 - D_p_y_2_by_b_3_x*t289 - D_p_y_2_by_b_3_x*t290 - D_p_y_3_by_b_3_x*t276
-        - D_p_y_3_by_b_3_x*t277 - D_p_y_3_by_b_3_x*t278 + D_p_z_2*D_p_z_3_by_b_3_x*k_C
-        + D_p_z_2_by_b_3_x*D_p_z_3*k_C - D_p_z_2_by_b_3_x*t291 - D_p_z_2_by_b_3_x*t292
-        - D_p_z_2_by_b_3_x*t293 - D_p_z_3_by_b_3_x*t279 - D_p_z_3_by_b_3_x*t280 - D_p_z_3_by_b_3_x*t281
-        + mu_1_by_b_3_x*t349 + mu_2_by_b_3_x*t350 + mu_3_by_b_3_x*t351,
-        D_delta_x_1_by_b_3_x*t358 + D_delta_y_1_by_b_3_x*t359 + D_delta_z_1_by_b_3_x*t360
-        - D_p_x_2_by_b_3_x*t303 - D_p_x_2_by_b_3_x*t304 - D_p_x_2_by_b_3_x*t305 + D_p_x_2_by_b_3_x*t423
-        - D_p_y_2_by_b_3_x*t306 - D_p_y_2_by_b_3_x*t307 - D_p_y_2_by_b_3_x*t308 + D_p_y_2_by_b_3_x*t424
-        - D_p_z_2_by_b_3_x*t309 - D_p_z_2_by_b_3_x*t310 - D_p_z_2_by_b_3_x*t311 + D_p_z_2_by_b_3_x*t425
-        + mu_1_by_b_3_x*t355 + mu_2_by_b_3_x*t356 + mu_3_by_b_3_x*t357,
-        D_delta_x_2_by_b_3_x*t358 + D_delta_y_2_by_b_3_x*t359 + D_delta_z_2_by_b_3_x*t360
-        - D_p_x_2_by_b_3_x*t318 - D_p_x_2_by_b_3_x*t319 - D_p_x_2_by_b_3_x*t320 + D_p_x_2_by_b_3_x*t426
-        - D_p_y_2_by_b_3_x*t321 - D_p_y_2_by_b_3_x*t322 - D_p_y_2_by_b_3_x*t323 + D_p_y_2_by_b_3_x*t427
-        - D_p_z_2_by_b_3_x*t324 - D_p_z_2_by_b_3_x*t325 - D_p_z_2_by_b_3_x*t326 + D_p_z_2_by_b_3_x*t428
-        + mu_1_by_b_3_x*t361 + mu_2_by_b_3_x*t362 + mu_3_by_b_3_x*t363,
-        D_delta_x_3_by_b_3_x*t358 + D_delta_y_3_by_b_3_x*t359 + D_delta_z_3_by_b_3_x*t360
-        - D_p_x_2_by_b_3_x*t330 - D_p_x_2_by_b_3_x*t331 - D_p_x_2_by_b_3_x*t332 + D_p_x_2_by_b_3_x*t429
-        - D_p_y_2_by_b_3_x*t333 - D_p_y_2_by_b_3_x*t334 - D_p_y_2_by_b_3_x*t335 + D_p_y_2_by_b_3_x*t430
-        - D_p_z_2_by_b_3_x*t336 - D_p_z_2_by_b_3_x*t337 - D_p_z_2_by_b_3_x*t338 + D_p_z_2_by_b_3_x*t431
-        + mu_1_by_b_3_x*t364 + mu_2_by_b_3_x*t365 + mu_3_by_b_3_x*t366,
+        + mu_1_by_b_3_x*t342 + mu_2_by_b_3_x*t343 + mu_3_by_b_3_x*t342 - t272*t496 - t273*t496 - t274*t496
+        - t275*t497 - t276*t497 - t277*t497 - t278*t498 - t279*t498 - t280*t498,
+        D_p_x_2*D_p_x_3_by_b_3_x*k_C + D_p_x_2_by_b_3_x*D_p_x_3*k_C - D_p_x_2_by_b_3_x*t284
+        - D_p_x_2_by_b_3_x*t285 - D_p_x_2_by_b_3_x*t286 - D_p_x_3_by_b_3_x*t272 - D_p_x_3_by_b_3_x*t273
+        - D_p_x_3_by_b_3_x*t274 + D_p_y_2*D_p_y_3_by_b_3_x*k_C + D_p_y_2_by_b_3_x*D_p_y_3*k_C
+        - D_p_y_2_by_b_3_x*t287 - D_p_y_2_by_b_3_x*t288 - D_p_y_2_by_b_3_x*t289 - D_p_y_3_by_b_3_x*t275
+        - D_p_y_3_by_b_3_x*t276 - D_p_y_3_by_b_3_x*t277 + D_p_z_2*D_p_z_3_by_b_3_x*k_C
+        + D_p_z_2_by_b_3_x*D_p_z_3*k_C - D_p_z_2_by_b_3_x*t290 - D_p_z_2_by_b_3_x*t291
+        - D_p_z_2_by_b_3_x*t292 - D_p_z_3_by_b_3_x*t278 - D_p_z_3_by_b_3_x*t279 - D_p_z_3_by_b_3_x*t280
+        + mu_1_by_b_3_x*t344 + mu_2_by_b_3_x*t345 + mu_3_by_b_3_x*t346,
+        D_delta_x_1_by_b_3_x*t352 + D_delta_y_1_by_b_3_x*t353 + D_delta_z_1_by_b_3_x*t354
+        - D_p_x_2_by_b_3_x*t302 - D_p_x_2_by_b_3_x*t303 - D_p_x_2_by_b_3_x*t304 + D_p_x_2_by_b_3_x*t411
+        - D_p_y_2_by_b_3_x*t305 - D_p_y_2_by_b_3_x*t306 - D_p_y_2_by_b_3_x*t307 + D_p_y_2_by_b_3_x*t412
+        - D_p_z_2_by_b_3_x*t308 - D_p_z_2_by_b_3_x*t309 - D_p_z_2_by_b_3_x*t310 + D_p_z_2_by_b_3_x*t413
+        + mu_1_by_b_3_x*t350 + mu_2_by_b_3_x*t351 + mu_3_by_b_3_x*t350,
+        D_delta_x_2_by_b_3_x*t352 + D_delta_y_2_by_b_3_x*t353 + D_delta_z_2_by_b_3_x*t354
+        - D_p_x_2_by_b_3_x*t316 - D_p_x_2_by_b_3_x*t317 - D_p_x_2_by_b_3_x*t318 + D_p_x_2_by_b_3_x*t414
+        - D_p_y_2_by_b_3_x*t319 - D_p_y_2_by_b_3_x*t320 - D_p_y_2_by_b_3_x*t321 + D_p_y_2_by_b_3_x*t415
+        - D_p_z_2_by_b_3_x*t322 - D_p_z_2_by_b_3_x*t323 - D_p_z_2_by_b_3_x*t324 + D_p_z_2_by_b_3_x*t416
+        + mu_1_by_b_3_x*t355 + mu_2_by_b_3_x*t356 + mu_3_by_b_3_x*t355,
+        D_delta_x_3_by_b_3_x*t352 + D_delta_y_3_by_b_3_x*t353 + D_delta_z_3_by_b_3_x*t354
+        - D_p_x_2_by_b_3_x*t327 - D_p_x_2_by_b_3_x*t328 - D_p_x_2_by_b_3_x*t329 + D_p_x_2_by_b_3_x*t417
+        - D_p_y_2_by_b_3_x*t330 - D_p_y_2_by_b_3_x*t331 - D_p_y_2_by_b_3_x*t332 + D_p_y_2_by_b_3_x*t418
+        - D_p_z_2_by_b_3_x*t333 - D_p_z_2_by_b_3_x*t334 - D_p_z_2_by_b_3_x*t335 + D_p_z_2_by_b_3_x*t419
+        + mu_1_by_b_3_x*t357 + mu_2_by_b_3_x*t358 + mu_3_by_b_3_x*t357,
         D_p_x_2_by_b_3_x*k_C, D_p_y_2_by_b_3_x*k_C, D_p_z_2_by_b_3_x*k_C,
         2*D_p_x_3*D_p_x_3_by_b_3_x*k_C + 2*D_p_y_3*D_p_y_3_by_b_3_x*k_C + 2*D_p_z_3*D_p_z_3_by_b_3_x*k_C
-        + k_sp_3*t263*t514*t521*w_b_3*x_3_by_b_3_x + mu_1_by_b_3_x*t370 + mu_2_by_b_3_x*t371
-        + mu_3_by_b_3_x*t372 - t285*t511 - t286*t511 - t287*t511 - t288*t512 - t289*t512 - t290*t512
-        - t291*t513 - t292*t513 - t293*t513 - t520,
-        t523, t524,
-        D_delta_x_1_by_b_3_x*t379 + D_delta_y_1_by_b_3_x*t380 + D_delta_z_1_by_b_3_x*t381
-        - D_p_x_3_by_b_3_x*t303 - D_p_x_3_by_b_3_x*t304 - D_p_x_3_by_b_3_x*t305 + D_p_x_3_by_b_3_x*t423
-        - D_p_y_3_by_b_3_x*t306 - D_p_y_3_by_b_3_x*t307 - D_p_y_3_by_b_3_x*t308 + D_p_y_3_by_b_3_x*t424
-        - D_p_z_3_by_b_3_x*t309 - D_p_z_3_by_b_3_x*t310 - D_p_z_3_by_b_3_x*t311 + D_p_z_3_by_b_3_x*t425
-        + mu_1_by_b_3_x*t376 + mu_2_by_b_3_x*t377 + mu_3_by_b_3_x*t378,
-        D_delta_x_2_by_b_3_x*t379 + D_delta_y_2_by_b_3_x*t380 + D_delta_z_2_by_b_3_x*t381
-        - D_p_x_3_by_b_3_x*t318 - D_p_x_3_by_b_3_x*t319 - D_p_x_3_by_b_3_x*t320 + D_p_x_3_by_b_3_x*t426
-        - D_p_y_3_by_b_3_x*t321 - D_p_y_3_by_b_3_x*t322 - D_p_y_3_by_b_3_x*t323 + D_p_y_3_by_b_3_x*t427
-        - D_p_z_3_by_b_3_x*t324 - D_p_z_3_by_b_3_x*t325 - D_p_z_3_by_b_3_x*t326 + D_p_z_3_by_b_3_x*t428
-        + mu_1_by_b_3_x*t382 + mu_2_by_b_3_x*t383 + mu_3_by_b_3_x*t384,
-        D_delta_x_3_by_b_3_x*t379 + D_delta_y_3_by_b_3_x*t380 + D_delta_z_3_by_b_3_x*t381
-        - D_p_x_3_by_b_3_x*t330 - D_p_x_3_by_b_3_x*t331 - D_p_x_3_by_b_3_x*t332 + D_p_x_3_by_b_3_x*t429
-        - D_p_y_3_by_b_3_x*t333 - D_p_y_3_by_b_3_x*t334 - D_p_y_3_by_b_3_x*t335 + D_p_y_3_by_b_3_x*t430
-        - D_p_z_3_by_b_3_x*t336 - D_p_z_3_by_b_3_x*t337 - D_p_z_3_by_b_3_x*t338 + D_p_z_3_by_b_3_x*t431
-        + mu_1_by_b_3_x*t385 + mu_2_by_b_3_x*t386 + mu_3_by_b_3_x*t387,
-        t525, D_p_x_3_by_b_3_x*k_C, D_p_y_3_by_b_3_x*k_C, D_p_z_3_by_b_3_x*k_C, t230*t522, t523, -t230*t520,
-        t524,
-        D_delta_x_1_by_b_3_x*t389 + D_delta_y_1_by_b_3_x*t390 + D_delta_z_1_by_b_3_x*t391
-        + mu_1_by_b_3_x*t392 - mu_2_by_b_3_x*t388 - mu_3_by_b_3_x*t388,
-        D_delta_x_1_by_b_3_x*t394 + D_delta_x_2_by_b_3_x*t395 + D_delta_y_1_by_b_3_x*t396
-        + D_delta_y_2_by_b_3_x*t397 + D_delta_z_1_by_b_3_x*t398 + D_delta_z_2_by_b_3_x*t399
-        + mu_1_by_b_3_x*t393 + mu_2_by_b_3_x*t393 + mu_3_by_b_3_x*t393,
-        D_delta_x_1_by_b_3_x*t401 + D_delta_x_3_by_b_3_x*t395 + D_delta_y_1_by_b_3_x*t402
-        + D_delta_y_3_by_b_3_x*t397 + D_delta_z_1_by_b_3_x*t403 + D_delta_z_3_by_b_3_x*t399
-        + mu_1_by_b_3_x*t400 + mu_2_by_b_3_x*t400 + mu_3_by_b_3_x*t400,
+        + k_sp_3*t262*t502*t509*w_b_3*x_3_by_b_3_x + mu_1_by_b_3_x*t362 + mu_2_by_b_3_x*t362
+        + mu_3_by_b_3_x*t363 - t284*t499 - t285*t499 - t286*t499 - t287*t500 - t288*t500 - t289*t500
+        - t290*t501 - t291*t501 - t292*t501 - t508,
+        t511, t512,
+        D_delta_x_1_by_b_3_x*t369 + D_delta_y_1_by_b_3_x*t370 + D_delta_z_1_by_b_3_x*t371
+        - D_p_x_3_by_b_3_x*t302 - D_p_x_3_by_b_3_x*t303 - D_p_x_3_by_b_3_x*t304 + D_p_x_3_by_b_3_x*t411
+        - D_p_y_3_by_b_3_x*t305 - D_p_y_3_by_b_3_x*t306 - D_p_y_3_by_b_3_x*t307 + D_p_y_3_by_b_3_x*t412
+        - D_p_z_3_by_b_3_x*t308 - D_p_z_3_by_b_3_x*t309 - D_p_z_3_by_b_3_x*t310 + D_p_z_3_by_b_3_x*t413
+        + mu_1_by_b_3_x*t367 + mu_2_by_b_3_x*t367 + mu_3_by_b_3_x*t368,
+        D_delta_x_2_by_b_3_x*t369 + D_delta_y_2_by_b_3_x*t370 + D_delta_z_2_by_b_3_x*t371
+        - D_p_x_3_by_b_3_x*t316 - D_p_x_3_by_b_3_x*t317 - D_p_x_3_by_b_3_x*t318 + D_p_x_3_by_b_3_x*t414
+        - D_p_y_3_by_b_3_x*t319 - D_p_y_3_by_b_3_x*t320 - D_p_y_3_by_b_3_x*t321 + D_p_y_3_by_b_3_x*t415
+        - D_p_z_3_by_b_3_x*t322 - D_p_z_3_by_b_3_x*t323 - D_p_z_3_by_b_3_x*t324 + D_p_z_3_by_b_3_x*t416
+        + mu_1_by_b_3_x*t372 + mu_2_by_b_3_x*t372 + mu_3_by_b_3_x*t373,
+        D_delta_x_3_by_b_3_x*t369 + D_delta_y_3_by_b_3_x*t370 + D_delta_z_3_by_b_3_x*t371
+        - D_p_x_3_by_b_3_x*t327 - D_p_x_3_by_b_3_x*t328 - D_p_x_3_by_b_3_x*t329 + D_p_x_3_by_b_3_x*t417
+        - D_p_y_3_by_b_3_x*t330 - D_p_y_3_by_b_3_x*t331 - D_p_y_3_by_b_3_x*t332 + D_p_y_3_by_b_3_x*t418
+        - D_p_z_3_by_b_3_x*t333 - D_p_z_3_by_b_3_x*t334 - D_p_z_3_by_b_3_x*t335 + D_p_z_3_by_b_3_x*t419
+        + mu_1_by_b_3_x*t374 + mu_2_by_b_3_x*t374 + mu_3_by_b_3_x*t375,
+        t513, D_p_x_3_by_b_3_x*k_C, D_p_y_3_by_b_3_x*k_C, D_p_z_3_by_b_3_x*k_C, t230*t510, t511, -t230*t508,
+        t512,
+        D_delta_x_1_by_b_3_x*t377 + D_delta_y_1_by_b_3_x*t378 + D_delta_z_1_by_b_3_x*t379
+        + mu_1_by_b_3_x*t380 - mu_2_by_b_3_x*t376 - mu_3_by_b_3_x*t376,
+        D_delta_x_1_by_b_3_x*t382 + D_delta_x_2_by_b_3_x*t383 + D_delta_y_1_by_b_3_x*t384
+        + D_delta_y_2_by_b_3_x*t385 + D_delta_z_1_by_b_3_x*t386 + D_delta_z_2_by_b_3_x*t387
+        + mu_1_by_b_3_x*t381 + mu_2_by_b_3_x*t381 + mu_3_by_b_3_x*t381,
+        D_delta_x_1_by_b_3_x*t389 + D_delta_x_3_by_b_3_x*t383 + D_delta_y_1_by_b_3_x*t390
+        + D_delta_y_3_by_b_3_x*t385 + D_delta_z_1_by_b_3_x*t391 + D_delta_z_3_by_b_3_x*t387
+        + mu_1_by_b_3_x*t388 + mu_2_by_b_3_x*t388 + mu_3_by_b_3_x*t388,
         D_delta_x_1_by_b_3_x*k_C, D_delta_y_1_by_b_3_x*k_C, D_delta_z_1_by_b_3_x*k_C,
-        D_delta_x_2_by_b_3_x*t405 + D_delta_y_2_by_b_3_x*t406 + D_delta_z_2_by_b_3_x*t407
-        - mu_1_by_b_3_x*t404 + mu_2_by_b_3_x*t408 - mu_3_by_b_3_x*t404,
-        D_delta_x_2_by_b_3_x*t401 + D_delta_x_3_by_b_3_x*t394 + D_delta_y_2_by_b_3_x*t402
-        + D_delta_y_3_by_b_3_x*t396 + D_delta_z_2_by_b_3_x*t403 + D_delta_z_3_by_b_3_x*t398
-        + mu_1_by_b_3_x*t409 + mu_2_by_b_3_x*t409 + mu_3_by_b_3_x*t409,
+        D_delta_x_2_by_b_3_x*t393 + D_delta_y_2_by_b_3_x*t394 + D_delta_z_2_by_b_3_x*t395
+        - mu_1_by_b_3_x*t392 + mu_2_by_b_3_x*t396 - mu_3_by_b_3_x*t392,
+        D_delta_x_2_by_b_3_x*t389 + D_delta_x_3_by_b_3_x*t382 + D_delta_y_2_by_b_3_x*t390
+        + D_delta_y_3_by_b_3_x*t384 + D_delta_z_2_by_b_3_x*t391 + D_delta_z_3_by_b_3_x*t386
+        + mu_1_by_b_3_x*t397 + mu_2_by_b_3_x*t397 + mu_3_by_b_3_x*t397,
         D_delta_x_2_by_b_3_x*k_C, D_delta_y_2_by_b_3_x*k_C, D_delta_z_2_by_b_3_x*k_C,
-        D_delta_x_3_by_b_3_x*t411 + D_delta_y_3_by_b_3_x*t412 + D_delta_z_3_by_b_3_x*t413
-        - mu_1_by_b_3_x*t410 - mu_2_by_b_3_x*t410 + mu_3_by_b_3_x*t414,
-        D_delta_x_3_by_b_3_x*k_C, D_delta_y_3_by_b_3_x*k_C, D_delta_z_3_by_b_3_x*k_C, t525,
+        D_delta_x_3_by_b_3_x*t399 + D_delta_y_3_by_b_3_x*t400 + D_delta_z_3_by_b_3_x*t401
+        - mu_1_by_b_3_x*t398 - mu_2_by_b_3_x*t398 + mu_3_by_b_3_x*t402,
+        D_delta_x_3_by_b_3_x*k_C, D_delta_y_3_by_b_3_x*k_C, D_delta_z_3_by_b_3_x*k_C, t513,
         2*D_p_x_1*D_p_x_1_by_b_3_y*k_C + 2*D_p_y_1*D_p_y_1_by_b_3_y*k_C + 2*D_p_z_1*D_p_z_1_by_b_3_y*k_C
-        + mu_1_by_b_3_y*t260 + mu_2_by_b_3_y*t261 + mu_3_by_b_3_y*t262 - t248*t526 - t250*t526 - t251*t526
-        - t252*t527 - t254*t527 - t255*t527 - t256*t528 - t258*t528 - t259*t528,
-        D_p_x_1*D_p_x_2_by_b_3_y*k_C + D_p_x_1_by_b_3_y*D_p_x_2*k_C - D_p_x_1_by_b_3_y*t273
-        - D_p_x_1_by_b_3_y*t274 - D_p_x_1_by_b_3_y*t275 - D_p_x_2_by_b_3_y*t248 - D_p_x_2_by_b_3_y*t250
+        + mu_1_by_b_3_y*t260 + mu_2_by_b_3_y*t261 + mu_3_by_b_3_y*t261 - t248*t514 - t250*t514 - t251*t514
+        - t252*t515 - t254*t515 - t255*t515 - t256*t516 - t258*t516 - t259*t516,
+        D_p_x_1*D_p_x_2_by_b_3_y*k_C + D_p_x_1_by_b_3_y*D_p_x_2*k_C - D_p_x_1_by_b_3_y*t272
+        - D_p_x_1_by_b_3_y*t273 - D_p_x_1_by_b_3_y*t274 - D_p_x_2_by_b_3_y*t248 - D_p_x_2_by_b_3_y*t250
         - D_p_x_2_by_b_3_y*t251 + D_p_y_1*D_p_y_2_by_b_3_y*k_C + D_p_y_1_by_b_3_y*D_p_y_2*k_C
-        - D_p_y_1_by_b_3_y*t276 - D_p_y_1_by_b_3_y*t277 - D_p_y_1_by_b_3_y*t278 - D_p_y_2_by_b_3_y*t252
+        - D_p_y_1_by_b_3_y*t275 - D_p_y_1_by_b_3_y*t276 - D_p_y_1_by_b_3_y*t277 - D_p_y_2_by_b_3_y*t252
         - D_p_y_2_by_b_3_y*t254 - D_p_y_2_by_b_3_y*t255 + D_p_z_1*D_p_z_2_by_b_3_y*k_C
-        + D_p_z_1_by_b_3_y*D_p_z_2*k_C - D_p_z_1_by_b_3_y*t279 - D_p_z_1_by_b_3_y*t280
-        - D_p_z_1_by_b_3_y*t281 - D_p_z_2_by_b_3_y*t256 - D_p_z_2_by_b_3_y*t258 - D_p_z_2_by_b_3_y*t259
-        + mu_1_by_b_3_y*t282 + mu_2_by_b_3_y*t283 + mu_3_by_b_3_y*t284,
-        D_p_x_1*D_p_x_3_by_b_3_y*k_C + D_p_x_1_by_b_3_y*D_p_x_3*k_C - D_p_x_1_by_b_3_y*t285
-        - D_p_x_1_by_b_3_y*t286 - D_p_x_1_by_b_3_y*t287 - D_p_x_3_by_b_3_y*t248 - D_p_x_3_by_b_3_y*t250
+        + D_p_z_1_by_b_3_y*D_p_z_2*k_C - D_p_z_1_by_b_3_y*t278 - D_p_z_1_by_b_3_y*t279
+        - D_p_z_1_by_b_3_y*t280 - D_p_z_2_by_b_3_y*t256 - D_p_z_2_by_b_3_y*t258 - D_p_z_2_by_b_3_y*t259
+        + mu_1_by_b_3_y*t281 + mu_2_by_b_3_y*t282 + mu_3_by_b_3_y*t283,
+        D_p_x_1*D_p_x_3_by_b_3_y*k_C + D_p_x_1_by_b_3_y*D_p_x_3*k_C - D_p_x_1_by_b_3_y*t284
+        - D_p_x_1_by_b_3_y*t285 - D_p_x_1_by_b_3_y*t286 - D_p_x_3_by_b_3_y*t248 - D_p_x_3_by_b_3_y*t250
         - D_p_x_3_by_b_3_y*t251 + D_p_y_1*D_p_y_3_by_b_3_y*k_C + D_p_y_1_by_b_3_y*D_p_y_3*k_C
-        - D_p_y_1_by_b_3_y*t288 - D_p_y_1_by_b_3_y*t289 - D_p_y_1_by_b_3_y*t290 - D_p_y_3_by_b_3_y*t252
+        - D_p_y_1_by_b_3_y*t287 - D_p_y_1_by_b_3_y*t288 - D_p_y_1_by_b_3_y*t289 - D_p_y_3_by_b_3_y*t252
         - D_p_y_3_by_b_3_y*t254 - D_p_y_3_by_b_3_y*t255 + D_p_z_1*D_p_z_3_by_b_3_y*k_C
-        + D_p_z_1_by_b_3_y*D_p_z_3*k_C - D_p_z_1_by_b_3_y*t291 - D_p_z_1_by_b_3_y*t292
-        - D_p_z_1_by_b_3_y*t293 - D_p_z_3_by_b_3_y*t256 - D_p_z_3_by_b_3_y*t258 - D_p_z_3_by_b_3_y*t259
-        + mu_1_by_b_3_y*t294 + mu_2_by_b_3_y*t295 + mu_3_by_b_3_y*t296,
-        D_delta_x_1_by_b_3_y*t315 + D_delta_y_1_by_b_3_y*t316 + D_delta_z_1_by_b_3_y*t317
-        - D_p_x_1_by_b_3_y*t303 - D_p_x_1_by_b_3_y*t304 - D_p_x_1_by_b_3_y*t305 + D_p_x_1_by_b_3_y*t423
-        - D_p_y_1_by_b_3_y*t306 - D_p_y_1_by_b_3_y*t307 - D_p_y_1_by_b_3_y*t308 + D_p_y_1_by_b_3_y*t424
-        - D_p_z_1_by_b_3_y*t309 - D_p_z_1_by_b_3_y*t310 - D_p_z_1_by_b_3_y*t311 + D_p_z_1_by_b_3_y*t425
-        + mu_1_by_b_3_y*t312 + mu_2_by_b_3_y*t313 + mu_3_by_b_3_y*t314,
-        D_delta_x_2_by_b_3_y*t315 + D_delta_y_2_by_b_3_y*t316 + D_delta_z_2_by_b_3_y*t317
-        - D_p_x_1_by_b_3_y*t318 - D_p_x_1_by_b_3_y*t319 - D_p_x_1_by_b_3_y*t320 + D_p_x_1_by_b_3_y*t426
-        - D_p_y_1_by_b_3_y*t321 - D_p_y_1_by_b_3_y*t322 - D_p_y_1_by_b_3_y*t323 + D_p_y_1_by_b_3_y*t427
-        - D_p_z_1_by_b_3_y*t324 - D_p_z_1_by_b_3_y*t325 - D_p_z_1_by_b_3_y*t326 + D_p_z_1_by_b_3_y*t428
-        + mu_1_by_b_3_y*t327 + mu_2_by_b_3_y*t328 + mu_3_by_b_3_y*t329,
-        D_delta_x_3_by_b_3_y*t315 + D_delta_y_3_by_b_3_y*t316 + D_delta_z_3_by_b_3_y*t317
-        - D_p_x_1_by_b_3_y*t330 - D_p_x_1_by_b_3_y*t331 - D_p_x_1_by_b_3_y*t332 + D_p_x_1_by_b_3_y*t429
-        - D_p_y_1_by_b_3_y*t333 - D_p_y_1_by_b_3_y*t334 - D_p_y_1_by_b_3_y*t335 + D_p_y_1_by_b_3_y*t430
-        - D_p_z_1_by_b_3_y*t336 - D_p_z_1_by_b_3_y*t337 - D_p_z_1_by_b_3_y*t338 + D_p_z_1_by_b_3_y*t431
-        + mu_1_by_b_3_y*t339 + mu_2_by_b_3_y*t340 + mu_3_by_b_3_y*t341,
+        + D_p_z_1_by_b_3_y*D_p_z_3*k_C - D_p_z_1_by_b_3_y*t290 - D_p_z_1_by_b_3_y*t291
+        - D_p_z_1_by_b_3_y*t292 - D_p_z_3_by_b_3_y*t256 - D_p_z_3_by_b_3_y*t258 - D_p_z_3_by_b_3_y*t259
+        + mu_1_by_b_3_y*t293 + mu_2_by_b_3_y*t294 + mu_3_by_b_3_y*t295,
+        D_delta_x_1_by_b_3_y*t313 + D_delta_y_1_by_b_3_y*t314 + D_delta_z_1_by_b_3_y*t315
+        - D_p_x_1_by_b_3_y*t302 - D_p_x_1_by_b_3_y*t303 - D_p_x_1_by_b_3_y*t304 + D_p_x_1_by_b_3_y*t411
+        - D_p_y_1_by_b_3_y*t305 - D_p_y_1_by_b_3_y*t306 - D_p_y_1_by_b_3_y*t307 + D_p_y_1_by_b_3_y*t412
+        - D_p_z_1_by_b_3_y*t308 - D_p_z_1_by_b_3_y*t309 - D_p_z_1_by_b_3_y*t310 + D_p_z_1_by_b_3_y*t413
+        + mu_1_by_b_3_y*t311 + mu_2_by_b_3_y*t312 + mu_3_by_b_3_y*t312,
+        D_delta_x_2_by_b_3_y*t313 + D_delta_y_2_by_b_3_y*t314 + D_delta_z_2_by_b_3_y*t315
+        - D_p_x_1_by_b_3_y*t316 - D_p_x_1_by_b_3_y*t317 - D_p_x_1_by_b_3_y*t318 + D_p_x_1_by_b_3_y*t414
+        - D_p_y_1_by_b_3_y*t319 - D_p_y_1_by_b_3_y*t320 - D_p_y_1_by_b_3_y*t321 + D_p_y_1_by_b_3_y*t415
+        - D_p_z_1_by_b_3_y*t322 - D_p_z_1_by_b_3_y*t323 - D_p_z_1_by_b_3_y*t324 + D_p_z_1_by_b_3_y*t416
+        + mu_1_by_b_3_y*t325 + mu_2_by_b_3_y*t326 + mu_3_by_b_3_y*t326,
+        D_delta_x_3_by_b_3_y*t313 + D_delta_y_3_by_b_3_y*t314 + D_delta_z_3_by_b_3_y*t315
+        - D_p_x_1_by_b_3_y*t327 - D_p_x_1_by_b_3_y*t328 - D_p_x_1_by_b_3_y*t329 + D_p_x_1_by_b_3_y*t417
+        - D_p_y_1_by_b_3_y*t330 - D_p_y_1_by_b_3_y*t331 - D_p_y_1_by_b_3_y*t332 + D_p_y_1_by_b_3_y*t418
+        - D_p_z_1_by_b_3_y*t333 - D_p_z_1_by_b_3_y*t334 - D_p_z_1_by_b_3_y*t335 + D_p_z_1_by_b_3_y*t419
+        + mu_1_by_b_3_y*t336 + mu_2_by_b_3_y*t337 + mu_3_by_b_3_y*t337,
         D_p_x_1_by_b_3_y*k_C, D_p_y_1_by_b_3_y*k_C, D_p_z_1_by_b_3_y*k_C,
         2*D_p_x_2*D_p_x_2_by_b_3_y*k_C + 2*D_p_y_2*D_p_y_2_by_b_3_y*k_C + 2*D_p_z_2*D_p_z_2_by_b_3_y*k_C
-        + mu_1_by_b_3_y*t346 + mu_2_by_b_3_y*t347 + mu_3_by_b_3_y*t348 - t273*t529 - t274*t529 - t275*t529
-        - t276*t530 - t277*t530 - t278*t530 - t279*t531 - t280*t531 - t281*t531,
-        D_p_x_2*D_p_x_3_by_b_3_y*k_C + D_p_x_2_by_b_3_y*D_p_x_3*k_C - D_p_x_2_by_b_3_y*t285
-        - D_p_x_2_by_b_3_y*t286 - D_p_x_2_by_b_3_y*t287 - D_p_x_3_by_b_3_y*t273 - D_p_x_3_by_b_3_y*t274
-        - D_p_x_3_by_b_3_y*t275 + D_p_y_2*D_p_y_3_by_b_3_y*k_C + D_p_y_2_by_b_3_y*D_p_y_3*k_C
-        - D_p_y_2_by_b_3_y*t288 - D_p_y_2_by_b_3_y*t289 - D_p_y_2_by_b_3_y*t290 - D_p_y_3_by_b_3_y*t276
-        - D_p_y_3_by_b_3_y*t277 - D_p_y_3_by_b_3_y*t278 + D_p_z_2*D_p_z_3_by_b_3_y*k_C
-        + D_p_z_2_by_b_3_y*D_p_z_3*k_C - D_p_z_2_by_b_3_y*t291 - D_p_z_2_by_b_3_y*t292
-        - D_p_z_2_by_b_3_y*t293 - D_p_z_3_by_b_3_y*t279 - D_p_z_3_by_b_3_y*t280 - D_p_z_3_by_b_3_y*t281
-        + mu_1_by_b_3_y*t349 + mu_2_by_b_3_y*t350 + mu_3_by_b_3_y*t351,
-        D_delta_x_1_by_b_3_y*t358 + D_delta_y_1_by_b_3_y*t359 + D_delta_z_1_by_b_3_y*t360
-        - D_p_x_2_by_b_3_y*t303 - D_p_x_2_by_b_3_y*t304 - D_p_x_2_by_b_3_y*t305 + D_p_x_2_by_b_3_y*t423
-        - D_p_y_2_by_b_3_y*t306 - D_p_y_2_by_b_3_y*t307 - D_p_y_2_by_b_3_y*t308 + D_p_y_2_by_b_3_y*t424
-        - D_p_z_2_by_b_3_y*t309 - D_p_z_2_by_b_3_y*t310 - D_p_z_2_by_b_3_y*t311 + D_p_z_2_by_b_3_y*t425
-        + mu_1_by_b_3_y*t355 + mu_2_by_b_3_y*t356 + mu_3_by_b_3_y*t357,
-        D_delta_x_2_by_b_3_y*t358 + D_delta_y_2_by_b_3_y*t359 + D_delta_z_2_by_b_3_y*t360
-        - D_p_x_2_by_b_3_y*t318 - D_p_x_2_by_b_3_y*t319 - D_p_x_2_by_b_3_y*t320 + D_p_x_2_by_b_3_y*t426
-        - D_p_y_2_by_b_3_y*t321 - D_p_y_2_by_b_3_y*t322 - D_p_y_2_by_b_3_y*t323 + D_p_y_2_by_b_3_y*t427
-        - D_p_z_2_by_b_3_y*t324 - D_p_z_2_by_b_3_y*t325 - D_p_z_2_by_b_3_y*t326 + D_p_z_2_by_b_3_y*t428
-        + mu_1_by_b_3_y*t361 + mu_2_by_b_3_y*t362 + mu_3_by_b_3_y*t363,
-        D_delta_x_3_by_b_3_y*t358 + D_delta_y_3_by_b_3_y*t359 + D_delta_z_3_by_b_3_y*t360
-        - D_p_x_2_by_b_3_y*t330 - D_p_x_2_by_b_3_y*t331 - D_p_x_2_by_b_3_y*t332 + D_p_x_2_by_b_3_y*t429
-        - D_p_y_2_by_b_3_y*t333 - D_p_y_2_by_b_3_y*t334 - D_p_y_2_by_b_3_y*t335 + D_p_y_2_by_b_3_y*t430
-        - D_p_z_2_by_b_3_y*t336 - D_p_z_2_by_b_3_y*t337 - D_p_z_2_by_b_3_y*t338 + D_p_z_2_by_b_3_y*t431
-        + mu_1_by_b_3_y*t364 + mu_2_by_b_3_y*t365 + mu_3_by_b_3_y*t366,
+        + mu_1_by_b_3_y*t342 + mu_2_by_b_3_y*t343 + mu_3_by_b_3_y*t342 - t272*t517 - t273*t517 - t274*t517
+        - t275*t518 - t276*t518 - t277*t518 - t278*t519 - t279*t519 - t280*t519,
+        D_p_x_2*D_p_x_3_by_b_3_y*k_C + D_p_x_2_by_b_3_y*D_p_x_3*k_C - D_p_x_2_by_b_3_y*t284
+        - D_p_x_2_by_b_3_y*t285 - D_p_x_2_by_b_3_y*t286 - D_p_x_3_by_b_3_y*t272 - D_p_x_3_by_b_3_y*t273
+        - D_p_x_3_by_b_3_y*t274 + D_p_y_2*D_p_y_3_by_b_3_y*k_C + D_p_y_2_by_b_3_y*D_p_y_3*k_C
+        - D_p_y_2_by_b_3_y*t287 - D_p_y_2_by_b_3_y*t288 - D_p_y_2_by_b_3_y*t289 - D_p_y_3_by_b_3_y*t275
+        - D_p_y_3_by_b_3_y*t276 - D_p_y_3_by_b_3_y*t277 + D_p_z_2*D_p_z_3_by_b_3_y*k_C
+        + D_p_z_2_by_b_3_y*D_p_z_3*k_C - D_p_z_2_by_b_3_y*t290 - D_p_z_2_by_b_3_y*t291
+        - D_p_z_2_by_b_3_y*t292 - D_p_z_3_by_b_3_y*t278 - D_p_z_3_by_b_3_y*t279 - D_p_z_3_by_b_3_y*t280
+        + mu_1_by_b_3_y*t344 + mu_2_by_b_3_y*t345 + mu_3_by_b_3_y*t346,
+        D_delta_x_1_by_b_3_y*t352 + D_delta_y_1_by_b_3_y*t353 + D_delta_z_1_by_b_3_y*t354
+        - D_p_x_2_by_b_3_y*t302 - D_p_x_2_by_b_3_y*t303 - D_p_x_2_by_b_3_y*t304 + D_p_x_2_by_b_3_y*t411
+        - D_p_y_2_by_b_3_y*t305 - D_p_y_2_by_b_3_y*t306 - D_p_y_2_by_b_3_y*t307 + D_p_y_2_by_b_3_y*t412
+        - D_p_z_2_by_b_3_y*t308 - D_p_z_2_by_b_3_y*t309 - D_p_z_2_by_b_3_y*t310 + D_p_z_2_by_b_3_y*t413
+        + mu_1_by_b_3_y*t350 + mu_2_by_b_3_y*t351 + mu_3_by_b_3_y*t350,
+        D_delta_x_2_by_b_3_y*t352 + D_delta_y_2_by_b_3_y*t353 + D_delta_z_2_by_b_3_y*t354
+        - D_p_x_2_by_b_3_y*t316 - D_p_x_2_by_b_3_y*t317 - D_p_x_2_by_b_3_y*t318 + D_p_x_2_by_b_3_y*t414
+        - D_p_y_2_by_b_3_y*t319 - D_p_y_2_by_b_3_y*t320 - D_p_y_2_by_b_3_y*t321 + D_p_y_2_by_b_3_y*t415
+        - D_p_z_2_by_b_3_y*t322 - D_p_z_2_by_b_3_y*t323 - D_p_z_2_by_b_3_y*t324 + D_p_z_2_by_b_3_y*t416
+        + mu_1_by_b_3_y*t355 + mu_2_by_b_3_y*t356 + mu_3_by_b_3_y*t355,
+        D_delta_x_3_by_b_3_y*t352 + D_delta_y_3_by_b_3_y*t353 + D_delta_z_3_by_b_3_y*t354
+        - D_p_x_2_by_b_3_y*t327 - D_p_x_2_by_b_3_y*t328 - D_p_x_2_by_b_3_y*t329 + D_p_x_2_by_b_3_y*t417
+        - D_p_y_2_by_b_3_y*t330 - D_p_y_2_by_b_3_y*t331 - D_p_y_2_by_b_3_y*t332 + D_p_y_2_by_b_3_y*t418
+        - D_p_z_2_by_b_3_y*t333 - D_p_z_2_by_b_3_y*t334 - D_p_z_2_by_b_3_y*t335 + D_p_z_2_by_b_3_y*t419
+        + mu_1_by_b_3_y*t357 + mu_2_by_b_3_y*t358 + mu_3_by_b_3_y*t357,
         D_p_x_2_by_b_3_y*k_C, D_p_y_2_by_b_3_y*k_C, D_p_z_2_by_b_3_y*k_C,
         2*D_p_x_3*D_p_x_3_by_b_3_y*k_C + 2*D_p_y_3*D_p_y_3_by_b_3_y*k_C + 2*D_p_z_3*D_p_z_3_by_b_3_y*k_C
-        + k_sp_3*t263*t514*t521*w_b_3*x_3_by_b_3_y + mu_1_by_b_3_y*t370 + mu_2_by_b_3_y*t371
-        + mu_3_by_b_3_y*t372 - t285*t532 - t286*t532 - t287*t532 - t288*t533 - t289*t533 - t290*t533
-        - t291*t534 - t292*t534 - t293*t534 - t536,
-        t538, t539,
-        D_delta_x_1_by_b_3_y*t379 + D_delta_y_1_by_b_3_y*t380 + D_delta_z_1_by_b_3_y*t381
-        - D_p_x_3_by_b_3_y*t303 - D_p_x_3_by_b_3_y*t304 - D_p_x_3_by_b_3_y*t305 + D_p_x_3_by_b_3_y*t423
-        - D_p_y_3_by_b_3_y*t306 - D_p_y_3_by_b_3_y*t307 - D_p_y_3_by_b_3_y*t308 + D_p_y_3_by_b_3_y*t424
-        - D_p_z_3_by_b_3_y*t309 - D_p_z_3_by_b_3_y*t310 - D_p_z_3_by_b_3_y*t311 + D_p_z_3_by_b_3_y*t425
-        + mu_1_by_b_3_y*t376 + mu_2_by_b_3_y*t377 + mu_3_by_b_3_y*t378,
-        D_delta_x_2_by_b_3_y*t379 + D_delta_y_2_by_b_3_y*t380 + D_delta_z_2_by_b_3_y*t381
-        - D_p_x_3_by_b_3_y*t318 - D_p_x_3_by_b_3_y*t319 - D_p_x_3_by_b_3_y*t320 + D_p_x_3_by_b_3_y*t426
-        - D_p_y_3_by_b_3_y*t321 - D_p_y_3_by_b_3_y*t322 - D_p_y_3_by_b_3_y*t323 + D_p_y_3_by_b_3_y*t427
-        - D_p_z_3_by_b_3_y*t324 - D_p_z_3_by_b_3_y*t325 - D_p_z_3_by_b_3_y*t326 + D_p_z_3_by_b_3_y*t428
-        + mu_1_by_b_3_y*t382 + mu_2_by_b_3_y*t383 + mu_3_by_b_3_y*t384,
-        D_delta_x_3_by_b_3_y*t379 + D_delta_y_3_by_b_3_y*t380 + D_delta_z_3_by_b_3_y*t381
-        - D_p_x_3_by_b_3_y*t330 - D_p_x_3_by_b_3_y*t331 - D_p_x_3_by_b_3_y*t332 + D_p_x_3_by_b_3_y*t429
-        - D_p_y_3_by_b_3_y*t333 - D_p_y_3_by_b_3_y*t334 - D_p_y_3_by_b_3_y*t335 + D_p_y_3_by_b_3_y*t430
-        - D_p_z_3_by_b_3_y*t336 - D_p_z_3_by_b_3_y*t337 - D_p_z_3_by_b_3_y*t338 + D_p_z_3_by_b_3_y*t431
-        + mu_1_by_b_3_y*t385 + mu_2_by_b_3_y*t386 + mu_3_by_b_3_y*t387,
-        t540, D_p_x_3_by_b_3_y*k_C, D_p_y_3_by_b_3_y*k_C, D_p_z_3_by_b_3_y*k_C, t230*t537, t538, -t230*t536,
-        t539,
-        D_delta_x_1_by_b_3_y*t389 + D_delta_y_1_by_b_3_y*t390 + D_delta_z_1_by_b_3_y*t391
-        + mu_1_by_b_3_y*t392 - mu_2_by_b_3_y*t388 - mu_3_by_b_3_y*t388,
-        D_delta_x_1_by_b_3_y*t394 + D_delta_x_2_by_b_3_y*t395 + D_delta_y_1_by_b_3_y*t396
-        + D_delta_y_2_by_b_3_y*t397 + D_delta_z_1_by_b_3_y*t398 + D_delta_z_2_by_b_3_y*t399
-        + mu_1_by_b_3_y*t393 + mu_2_by_b_3_y*t393 + mu_3_by_b_3_y*t393,
-        D_delta_x_1_by_b_3_y*t401 + D_delta_x_3_by_b_3_y*t395 + D_delta_y_1_by_b_3_y*t402
-        + D_delta_y_3_by_b_3_y*t397 + D_delta_z_1_by_b_3_y*t403 + D_delta_z_3_by_b_3_y*t399
-        + mu_1_by_b_3_y*t400 + mu_2_by_b_3_y*t400 + mu_3_by_b_3_y*t400,
+        + k_sp_3*t262*t502*t509*w_b_3*x_3_by_b_3_y + mu_1_by_b_3_y*t362 + mu_2_by_b_3_y*t362
+        + mu_3_by_b_3_y*t363 - t284*t520 - t285*t520 - t286*t520 - t287*t521 - t288*t521 - t289*t521
+        - t290*t522 - t291*t522 - t292*t522 - t524,
+        t526, t527,
+        D_delta_x_1_by_b_3_y*t369 + D_delta_y_1_by_b_3_y*t370 + D_delta_z_1_by_b_3_y*t371
+        - D_p_x_3_by_b_3_y*t302 - D_p_x_3_by_b_3_y*t303 - D_p_x_3_by_b_3_y*t304 + D_p_x_3_by_b_3_y*t411
+        - D_p_y_3_by_b_3_y*t305 - D_p_y_3_by_b_3_y*t306 - D_p_y_3_by_b_3_y*t307 + D_p_y_3_by_b_3_y*t412
+        - D_p_z_3_by_b_3_y*t308 - D_p_z_3_by_b_3_y*t309 - D_p_z_3_by_b_3_y*t310 + D_p_z_3_by_b_3_y*t413
+        + mu_1_by_b_3_y*t367 + mu_2_by_b_3_y*t367 + mu_3_by_b_3_y*t368,
+        D_delta_x_2_by_b_3_y*t369 + D_delta_y_2_by_b_3_y*t370 + D_delta_z_2_by_b_3_y*t371
+        - D_p_x_3_by_b_3_y*t316 - D_p_x_3_by_b_3_y*t317 - D_p_x_3_by_b_3_y*t318 + D_p_x_3_by_b_3_y*t414
+        - D_p_y_3_by_b_3_y*t319 - D_p_y_3_by_b_3_y*t320 - D_p_y_3_by_b_3_y*t321 + D_p_y_3_by_b_3_y*t415
+        - D_p_z_3_by_b_3_y*t322 - D_p_z_3_by_b_3_y*t323 - D_p_z_3_by_b_3_y*t324 + D_p_z_3_by_b_3_y*t416
+        + mu_1_by_b_3_y*t372 + mu_2_by_b_3_y*t372 + mu_3_by_b_3_y*t373,
+        D_delta_x_3_by_b_3_y*t369 + D_delta_y_3_by_b_3_y*t370 + D_delta_z_3_by_b_3_y*t371
+        - D_p_x_3_by_b_3_y*t327 - D_p_x_3_by_b_3_y*t328 - D_p_x_3_by_b_3_y*t329 + D_p_x_3_by_b_3_y*t417
+        - D_p_y_3_by_b_3_y*t330 - D_p_y_3_by_b_3_y*t331 - D_p_y_3_by_b_3_y*t332 + D_p_y_3_by_b_3_y*t418
+        - D_p_z_3_by_b_3_y*t333 - D_p_z_3_by_b_3_y*t334 - D_p_z_3_by_b_3_y*t335 + D_p_z_3_by_b_3_y*t419
+        + mu_1_by_b_3_y*t374 + mu_2_by_b_3_y*t374 + mu_3_by_b_3_y*t375,
+        t528, D_p_x_3_by_b_3_y*k_C, D_p_y_3_by_b_3_y*k_C, D_p_z_3_by_b_3_y*k_C, t230*t525, t526, -t230*t524,
+        t527,
+        D_delta_x_1_by_b_3_y*t377 + D_delta_y_1_by_b_3_y*t378 + D_delta_z_1_by_b_3_y*t379
+        + mu_1_by_b_3_y*t380 - mu_2_by_b_3_y*t376 - mu_3_by_b_3_y*t376,
+        D_delta_x_1_by_b_3_y*t382 + D_delta_x_2_by_b_3_y*t383 + D_delta_y_1_by_b_3_y*t384
+        + D_delta_y_2_by_b_3_y*t385 + D_delta_z_1_by_b_3_y*t386 + D_delta_z_2_by_b_3_y*t387
+        + mu_1_by_b_3_y*t381 + mu_2_by_b_3_y*t381 + mu_3_by_b_3_y*t381,
+        D_delta_x_1_by_b_3_y*t389 + D_delta_x_3_by_b_3_y*t383 + D_delta_y_1_by_b_3_y*t390
+        + D_delta_y_3_by_b_3_y*t385 + D_delta_z_1_by_b_3_y*t391 + D_delta_z_3_by_b_3_y*t387
+        + mu_1_by_b_3_y*t388 + mu_2_by_b_3_y*t388 + mu_3_by_b_3_y*t388,
         D_delta_x_1_by_b_3_y*k_C, D_delta_y_1_by_b_3_y*k_C, D_delta_z_1_by_b_3_y*k_C,
-        D_delta_x_2_by_b_3_y*t405 + D_delta_y_2_by_b_3_y*t406 + D_delta_z_2_by_b_3_y*t407
-        - mu_1_by_b_3_y*t404 + mu_2_by_b_3_y*t408 - mu_3_by_b_3_y*t404,
-        D_delta_x_2_by_b_3_y*t401 + D_delta_x_3_by_b_3_y*t394 + D_delta_y_2_by_b_3_y*t402
-        + D_delta_y_3_by_b_3_y*t396 + D_delta_z_2_by_b_3_y*t403 + D_delta_z_3_by_b_3_y*t398
-        + mu_1_by_b_3_y*t409 + mu_2_by_b_3_y*t409 + mu_3_by_b_3_y*t409,
+        D_delta_x_2_by_b_3_y*t393 + D_delta_y_2_by_b_3_y*t394 + D_delta_z_2_by_b_3_y*t395
+        - mu_1_by_b_3_y*t392 + mu_2_by_b_3_y*t396 - mu_3_by_b_3_y*t392,
+        D_delta_x_2_by_b_3_y*t389 + D_delta_x_3_by_b_3_y*t382 + D_delta_y_2_by_b_3_y*t390
+        + D_delta_y_3_by_b_3_y*t384 + D_delta_z_2_by_b_3_y*t391 + D_delta_z_3_by_b_3_y*t386
+        + mu_1_by_b_3_y*t397 + mu_2_by_b_3_y*t397 + mu_3_by_b_3_y*t397,
         D_delta_x_2_by_b_3_y*k_C, D_delta_y_2_by_b_3_y*k_C, D_delta_z_2_by_b_3_y*k_C,
-        D_delta_x_3_by_b_3_y*t411 + D_delta_y_3_by_b_3_y*t412 + D_delta_z_3_by_b_3_y*t413
-        - mu_1_by_b_3_y*t410 - mu_2_by_b_3_y*t410 + mu_3_by_b_3_y*t414,
-        D_delta_x_3_by_b_3_y*k_C, D_delta_y_3_by_b_3_y*k_C, D_delta_z_3_by_b_3_y*k_C, t540,
+        D_delta_x_3_by_b_3_y*t399 + D_delta_y_3_by_b_3_y*t400 + D_delta_z_3_by_b_3_y*t401
+        - mu_1_by_b_3_y*t398 - mu_2_by_b_3_y*t398 + mu_3_by_b_3_y*t402,
+        D_delta_x_3_by_b_3_y*k_C, D_delta_y_3_by_b_3_y*k_C, D_delta_z_3_by_b_3_y*k_C, t528,
         2*D_p_x_1*D_p_x_1_by_b_3_z*k_C + 2*D_p_y_1*D_p_y_1_by_b_3_z*k_C + 2*D_p_z_1*D_p_z_1_by_b_3_z*k_C
-        + mu_1_by_b_3_z*t260 + mu_2_by_b_3_z*t261 + mu_3_by_b_3_z*t262 - t248*t541 - t250*t541 - t251*t541
-        - t252*t542 - t254*t542 - t255*t542 - t256*t543 - t258*t543 - t259*t543,
-        D_p_x_1*D_p_x_2_by_b_3_z*k_C + D_p_x_1_by_b_3_z*D_p_x_2*k_C - D_p_x_1_by_b_3_z*t273
-        - D_p_x_1_by_b_3_z*t274 - D_p_x_1_by_b_3_z*t275 - D_p_x_2_by_b_3_z*t248 - D_p_x_2_by_b_3_z*t250
+        + mu_1_by_b_3_z*t260 + mu_2_by_b_3_z*t261 + mu_3_by_b_3_z*t261 - t248*t529 - t250*t529 - t251*t529
+        - t252*t530 - t254*t530 - t255*t530 - t256*t531 - t258*t531 - t259*t531,
+        D_p_x_1*D_p_x_2_by_b_3_z*k_C + D_p_x_1_by_b_3_z*D_p_x_2*k_C - D_p_x_1_by_b_3_z*t272
+        - D_p_x_1_by_b_3_z*t273 - D_p_x_1_by_b_3_z*t274 - D_p_x_2_by_b_3_z*t248 - D_p_x_2_by_b_3_z*t250
         - D_p_x_2_by_b_3_z*t251 + D_p_y_1*D_p_y_2_by_b_3_z*k_C + D_p_y_1_by_b_3_z*D_p_y_2*k_C
-        - D_p_y_1_by_b_3_z*t276 - D_p_y_1_by_b_3_z*t277 - D_p_y_1_by_b_3_z*t278 - D_p_y_2_by_b_3_z*t252
+        - D_p_y_1_by_b_3_z*t275 - D_p_y_1_by_b_3_z*t276 - D_p_y_1_by_b_3_z*t277 - D_p_y_2_by_b_3_z*t252
         - D_p_y_2_by_b_3_z*t254 - D_p_y_2_by_b_3_z*t255 + D_p_z_1*D_p_z_2_by_b_3_z*k_C
-        + D_p_z_1_by_b_3_z*D_p_z_2*k_C - D_p_z_1_by_b_3_z*t279 - D_p_z_1_by_b_3_z*t280
-        - D_p_z_1_by_b_3_z*t281 - D_p_z_2_by_b_3_z*t256 - D_p_z_2_by_b_3_z*t258 - D_p_z_2_by_b_3_z*t259
-        + mu_1_by_b_3_z*t282 + mu_2_by_b_3_z*t283 + mu_3_by_b_3_z*t284,
-        D_p_x_1*D_p_x_3_by_b_3_z*k_C + D_p_x_1_by_b_3_z*D_p_x_3*k_C - D_p_x_1_by_b_3_z*t285
-        - D_p_x_1_by_b_3_z*t286 - D_p_x_1_by_b_3_z*t287 - D_p_x_3_by_b_3_z*t248 - D_p_x_3_by_b_3_z*t250
+        + D_p_z_1_by_b_3_z*D_p_z_2*k_C - D_p_z_1_by_b_3_z*t278 - D_p_z_1_by_b_3_z*t279
+        - D_p_z_1_by_b_3_z*t280 - D_p_z_2_by_b_3_z*t256 - D_p_z_2_by_b_3_z*t258 - D_p_z_2_by_b_3_z*t259
+        + mu_1_by_b_3_z*t281 + mu_2_by_b_3_z*t282 + mu_3_by_b_3_z*t283,
+        D_p_x_1*D_p_x_3_by_b_3_z*k_C + D_p_x_1_by_b_3_z*D_p_x_3*k_C - D_p_x_1_by_b_3_z*t284
+        - D_p_x_1_by_b_3_z*t285 - D_p_x_1_by_b_3_z*t286 - D_p_x_3_by_b_3_z*t248 - D_p_x_3_by_b_3_z*t250
         - D_p_x_3_by_b_3_z*t251 + D_p_y_1*D_p_y_3_by_b_3_z*k_C + D_p_y_1_by_b_3_z*D_p_y_3*k_C
-        - D_p_y_1_by_b_3_z*t288 - D_p_y_1_by_b_3_z*t289 - D_p_y_1_by_b_3_z*t290 - D_p_y_3_by_b_3_z*t252
+        - D_p_y_1_by_b_3_z*t287 - D_p_y_1_by_b_3_z*t288 - D_p_y_1_by_b_3_z*t289 - D_p_y_3_by_b_3_z*t252
         - D_p_y_3_by_b_3_z*t254 - D_p_y_3_by_b_3_z*t255 + D_p_z_1*D_p_z_3_by_b_3_z*k_C
-        + D_p_z_1_by_b_3_z*D_p_z_3*k_C - D_p_z_1_by_b_3_z*t291 - D_p_z_1_by_b_3_z*t292
-        - D_p_z_1_by_b_3_z*t293 - D_p_z_3_by_b_3_z*t256 - D_p_z_3_by_b_3_z*t258 - D_p_z_3_by_b_3_z*t259
-        + mu_1_by_b_3_z*t294 + mu_2_by_b_3_z*t295 + mu_3_by_b_3_z*t296,
-        D_delta_x_1_by_b_3_z*t315 + D_delta_y_1_by_b_3_z*t316 + D_delta_z_1_by_b_3_z*t317
-        - D_p_x_1_by_b_3_z*t303 - D_p_x_1_by_b_3_z*t304 - D_p_x_1_by_b_3_z*t305 + D_p_x_1_by_b_3_z*t423
-        - D_p_y_1_by_b_3_z*t306 - D_p_y_1_by_b_3_z*t307 - D_p_y_1_by_b_3_z*t308 + D_p_y_1_by_b_3_z*t424
-        - D_p_z_1_by_b_3_z*t309 - D_p_z_1_by_b_3_z*t310 - D_p_z_1_by_b_3_z*t311 + D_p_z_1_by_b_3_z*t425
-        + mu_1_by_b_3_z*t312 + mu_2_by_b_3_z*t313 + mu_3_by_b_3_z*t314,
-        D_delta_x_2_by_b_3_z*t315 + D_delta_y_2_by_b_3_z*t316 + D_delta_z_2_by_b_3_z*t317
-        - D_p_x_1_by_b_3_z*t318 - D_p_x_1_by_b_3_z*t319 - D_p_x_1_by_b_3_z*t320 + D_p_x_1_by_b_3_z*t426
-        - D_p_y_1_by_b_3_z*t321 - D_p_y_1_by_b_3_z*t322 - D_p_y_1_by_b_3_z*t323 + D_p_y_1_by_b_3_z*t427
-        - D_p_z_1_by_b_3_z*t324 - D_p_z_1_by_b_3_z*t325 - D_p_z_1_by_b_3_z*t326 + D_p_z_1_by_b_3_z*t428
-        + mu_1_by_b_3_z*t327 + mu_2_by_b_3_z*t328 + mu_3_by_b_3_z*t329,
-        D_delta_x_3_by_b_3_z*t315 + D_delta_y_3_by_b_3_z*t316 + D_delta_z_3_by_b_3_z*t317
-        - D_p_x_1_by_b_3_z*t330 - D_p_x_1_by_b_3_z*t331 - D_p_x_1_by_b_3_z*t332 + D_p_x_1_by_b_3_z*t429
-        - D_p_y_1_by_b_3_z*t333 - D_p_y_1_by_b_3_z*t334 - D_p_y_1_by_b_3_z*t335 + D_p_y_1_by_b_3_z*t430
-        - D_p_z_1_by_b_3_z*t336 - D_p_z_1_by_b_3_z*t337 - D_p_z_1_by_b_3_z*t338 + D_p_z_1_by_b_3_z*t431
-        + mu_1_by_b_3_z*t339 + mu_2_by_b_3_z*t340 + mu_3_by_b_3_z*t341,
+        + D_p_z_1_by_b_3_z*D_p_z_3*k_C - D_p_z_1_by_b_3_z*t290 - D_p_z_1_by_b_3_z*t291
+        - D_p_z_1_by_b_3_z*t292 - D_p_z_3_by_b_3_z*t256 - D_p_z_3_by_b_3_z*t258 - D_p_z_3_by_b_3_z*t259
+        + mu_1_by_b_3_z*t293 + mu_2_by_b_3_z*t294 + mu_3_by_b_3_z*t295,
+        D_delta_x_1_by_b_3_z*t313 + D_delta_y_1_by_b_3_z*t314 + D_delta_z_1_by_b_3_z*t315
+        - D_p_x_1_by_b_3_z*t302 - D_p_x_1_by_b_3_z*t303 - D_p_x_1_by_b_3_z*t304 + D_p_x_1_by_b_3_z*t411
+        - D_p_y_1_by_b_3_z*t305 - D_p_y_1_by_b_3_z*t306 - D_p_y_1_by_b_3_z*t307 + D_p_y_1_by_b_3_z*t412
+        - D_p_z_1_by_b_3_z*t308 - D_p_z_1_by_b_3_z*t309 - D_p_z_1_by_b_3_z*t310 + D_p_z_1_by_b_3_z*t413
+        + mu_1_by_b_3_z*t311 + mu_2_by_b_3_z*t312 + mu_3_by_b_3_z*t312,
+        D_delta_x_2_by_b_3_z*t313 + D_delta_y_2_by_b_3_z*t314 + D_delta_z_2_by_b_3_z*t315
+        - D_p_x_1_by_b_3_z*t316 - D_p_x_1_by_b_3_z*t317 - D_p_x_1_by_b_3_z*t318 + D_p_x_1_by_b_3_z*t414
+        - D_p_y_1_by_b_3_z*t319 - D_p_y_1_by_b_3_z*t320 - D_p_y_1_by_b_3_z*t321 + D_p_y_1_by_b_3_z*t415
+        - D_p_z_1_by_b_3_z*t322 - D_p_z_1_by_b_3_z*t323 - D_p_z_1_by_b_3_z*t324 + D_p_z_1_by_b_3_z*t416
+        + mu_1_by_b_3_z*t325 + mu_2_by_b_3_z*t326 + mu_3_by_b_3_z*t326,
+        D_delta_x_3_by_b_3_z*t313 + D_delta_y_3_by_b_3_z*t314 + D_delta_z_3_by_b_3_z*t315
+        - D_p_x_1_by_b_3_z*t327 - D_p_x_1_by_b_3_z*t328 - D_p_x_1_by_b_3_z*t329 + D_p_x_1_by_b_3_z*t417
+        - D_p_y_1_by_b_3_z*t330 - D_p_y_1_by_b_3_z*t331 - D_p_y_1_by_b_3_z*t332 + D_p_y_1_by_b_3_z*t418
+        - D_p_z_1_by_b_3_z*t333 - D_p_z_1_by_b_3_z*t334 - D_p_z_1_by_b_3_z*t335 + D_p_z_1_by_b_3_z*t419
+        + mu_1_by_b_3_z*t336 + mu_2_by_b_3_z*t337 + mu_3_by_b_3_z*t337,
         D_p_x_1_by_b_3_z*k_C, D_p_y_1_by_b_3_z*k_C, D_p_z_1_by_b_3_z*k_C,
         2*D_p_x_2*D_p_x_2_by_b_3_z*k_C + 2*D_p_y_2*D_p_y_2_by_b_3_z*k_C + 2*D_p_z_2*D_p_z_2_by_b_3_z*k_C
-        + mu_1_by_b_3_z*t346 + mu_2_by_b_3_z*t347 + mu_3_by_b_3_z*t348 - t273*t544 - t274*t544 - t275*t544
-        - t276*t545 - t277*t545 - t278*t545 - t279*t546 - t280*t546 - t281*t546,
-        D_p_x_2*D_p_x_3_by_b_3_z*k_C + D_p_x_2_by_b_3_z*D_p_x_3*k_C - D_p_x_2_by_b_3_z*t285
-        - D_p_x_2_by_b_3_z*t286 - D_p_x_2_by_b_3_z*t287 - D_p_x_3_by_b_3_z*t273 - D_p_x_3_by_b_3_z*t274
-        - D_p_x_3_by_b_3_z*t275 + D_p_y_2*D_p_y_3_by_b_3_z*k_C + D_p_y_2_by_b_3_z*D_p_y_3*k_C
-        - D_p_y_2_by_b_3_z*t288 - D_p_y_2_by_b_3_z*t289 - D_p_y_2_by_b_3_z*t290 - D_p_y_3_by_b_3_z*t276
-        - D_p_y_3_by_b_3_z*t277 - D_p_y_3_by_b_3_z*t278 + D_p_z_2*D_p_z_3_by_b_3_z*k_C
-        + D_p_z_2_by_b_3_z*D_p_z_3*k_C - D_p_z_2_by_b_3_z*t291 - D_p_z_2_by_b_3_z*t292
-        - D_p_z_2_by_b_3_z*t293 - D_p_z_3_by_b_3_z*t279 - D_p_z_3_by_b_3_z*t280 - D_p_z_3_by_b_3_z*t281
-        + mu_1_by_b_3_z*t349 + mu_2_by_b_3_z*t350 + mu_3_by_b_3_z*t351,
-        D_delta_x_1_by_b_3_z*t358 + D_delta_y_1_by_b_3_z*t359 + D_delta_z_1_by_b_3_z*t360
-        - D_p_x_2_by_b_3_z*t303 - D_p_x_2_by_b_3_z*t304 - D_p_x_2_by_b_3_z*t305 + D_p_x_2_by_b_3_z*t423
-        - D_p_y_2_by_b_3_z*t306 - D_p_y_2_by_b_3_z*t307 - D_p_y_2_by_b_3_z*t308 + D_p_y_2_by_b_3_z*t424
-        - D_p_z_2_by_b_3_z*t309 - D_p_z_2_by_b_3_z*t310 - D_p_z_2_by_b_3_z*t311 + D_p_z_2_by_b_3_z*t425
-        + mu_1_by_b_3_z*t355 + mu_2_by_b_3_z*t356 + mu_3_by_b_3_z*t357,
-        D_delta_x_2_by_b_3_z*t358 + D_delta_y_2_by_b_3_z*t359 + D_delta_z_2_by_b_3_z*t360
-        - D_p_x_2_by_b_3_z*t318 - D_p_x_2_by_b_3_z*t319 - D_p_x_2_by_b_3_z*t320 + D_p_x_2_by_b_3_z*t426
-        - D_p_y_2_by_b_3_z*t321 - D_p_y_2_by_b_3_z*t322 - D_p_y_2_by_b_3_z*t323 + D_p_y_2_by_b_3_z*t427
-        - D_p_z_2_by_b_3_z*t324 - D_p_z_2_by_b_3_z*t325 - D_p_z_2_by_b_3_z*t326 + D_p_z_2_by_b_3_z*t428
-        + mu_1_by_b_3_z*t361 + mu_2_by_b_3_z*t362 + mu_3_by_b_3_z*t363,
-        D_delta_x_3_by_b_3_z*t358 + D_delta_y_3_by_b_3_z*t359 + D_delta_z_3_by_b_3_z*t360
-        - D_p_x_2_by_b_3_z*t330 - D_p_x_2_by_b_3_z*t331 - D_p_x_2_by_b_3_z*t332 + D_p_x_2_by_b_3_z*t429
-        - D_p_y_2_by_b_3_z*t333 - D_p_y_2_by_b_3_z*t334 - D_p_y_2_by_b_3_z*t335 + D_p_y_2_by_b_3_z*t430
-        - D_p_z_2_by_b_3_z*t336 - D_p_z_2_by_b_3_z*t337 - D_p_z_2_by_b_3_z*t338 + D_p_z_2_by_b_3_z*t431
-        + mu_1_by_b_3_z*t364 + mu_2_by_b_3_z*t365 + mu_3_by_b_3_z*t366,
+        + mu_1_by_b_3_z*t342 + mu_2_by_b_3_z*t343 + mu_3_by_b_3_z*t342 - t272*t532 - t273*t532 - t274*t532
+        - t275*t533 - t276*t533 - t277*t533 - t278*t534 - t279*t534 - t280*t534,
+        D_p_x_2*D_p_x_3_by_b_3_z*k_C + D_p_x_2_by_b_3_z*D_p_x_3*k_C - D_p_x_2_by_b_3_z*t284
+        - D_p_x_2_by_b_3_z*t285 - D_p_x_2_by_b_3_z*t286 - D_p_x_3_by_b_3_z*t272 - D_p_x_3_by_b_3_z*t273
+        - D_p_x_3_by_b_3_z*t274 + D_p_y_2*D_p_y_3_by_b_3_z*k_C + D_p_y_2_by_b_3_z*D_p_y_3*k_C
+        - D_p_y_2_by_b_3_z*t287 - D_p_y_2_by_b_3_z*t288 - D_p_y_2_by_b_3_z*t289 - D_p_y_3_by_b_3_z*t275
+        - D_p_y_3_by_b_3_z*t276 - D_p_y_3_by_b_3_z*t277 + D_p_z_2*D_p_z_3_by_b_3_z*k_C
+        + D_p_z_2_by_b_3_z*D_p_z_3*k_C - D_p_z_2_by_b_3_z*t290 - D_p_z_2_by_b_3_z*t291
+        - D_p_z_2_by_b_3_z*t292 - D_p_z_3_by_b_3_z*t278 - D_p_z_3_by_b_3_z*t279 - D_p_z_3_by_b_3_z*t280
+        + mu_1_by_b_3_z*t344 + mu_2_by_b_3_z*t345 + mu_3_by_b_3_z*t346,
+        D_delta_x_1_by_b_3_z*t352 + D_delta_y_1_by_b_3_z*t353 + D_delta_z_1_by_b_3_z*t354
+        - D_p_x_2_by_b_3_z*t302 - D_p_x_2_by_b_3_z*t303 - D_p_x_2_by_b_3_z*t304 + D_p_x_2_by_b_3_z*t411
+        - D_p_y_2_by_b_3_z*t305 - D_p_y_2_by_b_3_z*t306 - D_p_y_2_by_b_3_z*t307 + D_p_y_2_by_b_3_z*t412
+        - D_p_z_2_by_b_3_z*t308 - D_p_z_2_by_b_3_z*t309 - D_p_z_2_by_b_3_z*t310 + D_p_z_2_by_b_3_z*t413
+        + mu_1_by_b_3_z*t350 + mu_2_by_b_3_z*t351 + mu_3_by_b_3_z*t350,
+        D_delta_x_2_by_b_3_z*t352 + D_delta_y_2_by_b_3_z*t353 + D_delta_z_2_by_b_3_z*t354
+        - D_p_x_2_by_b_3_z*t316 - D_p_x_2_by_b_3_z*t317 - D_p_x_2_by_b_3_z*t318 + D_p_x_2_by_b_3_z*t414
+        - D_p_y_2_by_b_3_z*t319 - D_p_y_2_by_b_3_z*t320 - D_p_y_2_by_b_3_z*t321 + D_p_y_2_by_b_3_z*t415
+        - D_p_z_2_by_b_3_z*t322 - D_p_z_2_by_b_3_z*t323 - D_p_z_2_by_b_3_z*t324 + D_p_z_2_by_b_3_z*t416
+        + mu_1_by_b_3_z*t355 + mu_2_by_b_3_z*t356 + mu_3_by_b_3_z*t355,
+        D_delta_x_3_by_b_3_z*t352 + D_delta_y_3_by_b_3_z*t353 + D_delta_z_3_by_b_3_z*t354
+        - D_p_x_2_by_b_3_z*t327 - D_p_x_2_by_b_3_z*t328 - D_p_x_2_by_b_3_z*t329 + D_p_x_2_by_b_3_z*t417
+        - D_p_y_2_by_b_3_z*t330 - D_p_y_2_by_b_3_z*t331 - D_p_y_2_by_b_3_z*t332 + D_p_y_2_by_b_3_z*t418
+        - D_p_z_2_by_b_3_z*t333 - D_p_z_2_by_b_3_z*t334 - D_p_z_2_by_b_3_z*t335 + D_p_z_2_by_b_3_z*t419
+        + mu_1_by_b_3_z*t357 + mu_2_by_b_3_z*t358 + mu_3_by_b_3_z*t357,
         D_p_x_2_by_b_3_z*k_C, D_p_y_2_by_b_3_z*k_C, D_p_z_2_by_b_3_z*k_C,
         2*D_p_x_3*D_p_x_3_by_b_3_z*k_C + 2*D_p_y_3*D_p_y_3_by_b_3_z*k_C + 2*D_p_z_3*D_p_z_3_by_b_3_z*k_C
-        + k_sp_3*t263*t514*t521*w_b_3*x_3_by_b_3_z + mu_1_by_b_3_z*t370 + mu_2_by_b_3_z*t371
-        + mu_3_by_b_3_z*t372 - t285*t547 - t286*t547 - t287*t547 - t288*t548 - t289*t548 - t290*t548
-        - t291*t549 - t292*t549 - t293*t549 - t551,
-        t553, t554,
-        D_delta_x_1_by_b_3_z*t379 + D_delta_y_1_by_b_3_z*t380 + D_delta_z_1_by_b_3_z*t381
-        - D_p_x_3_by_b_3_z*t303 - D_p_x_3_by_b_3_z*t304 - D_p_x_3_by_b_3_z*t305 + D_p_x_3_by_b_3_z*t423
-        - D_p_y_3_by_b_3_z*t306 - D_p_y_3_by_b_3_z*t307 - D_p_y_3_by_b_3_z*t308 + D_p_y_3_by_b_3_z*t424
-        - D_p_z_3_by_b_3_z*t309 - D_p_z_3_by_b_3_z*t310 - D_p_z_3_by_b_3_z*t311 + D_p_z_3_by_b_3_z*t425
-        + mu_1_by_b_3_z*t376 + mu_2_by_b_3_z*t377 + mu_3_by_b_3_z*t378,
-        D_delta_x_2_by_b_3_z*t379 + D_delta_y_2_by_b_3_z*t380 + D_delta_z_2_by_b_3_z*t381
-        - D_p_x_3_by_b_3_z*t318 - D_p_x_3_by_b_3_z*t319 - D_p_x_3_by_b_3_z*t320 + D_p_x_3_by_b_3_z*t426
-        - D_p_y_3_by_b_3_z*t321 - D_p_y_3_by_b_3_z*t322 - D_p_y_3_by_b_3_z*t323 + D_p_y_3_by_b_3_z*t427
-        - D_p_z_3_by_b_3_z*t324 - D_p_z_3_by_b_3_z*t325 - D_p_z_3_by_b_3_z*t326 + D_p_z_3_by_b_3_z*t428
-        + mu_1_by_b_3_z*t382 + mu_2_by_b_3_z*t383 + mu_3_by_b_3_z*t384,
-        D_delta_x_3_by_b_3_z*t379 + D_delta_y_3_by_b_3_z*t380 + D_delta_z_3_by_b_3_z*t381
-        - D_p_x_3_by_b_3_z*t330 - D_p_x_3_by_b_3_z*t331 - D_p_x_3_by_b_3_z*t332 + D_p_x_3_by_b_3_z*t429
-        - D_p_y_3_by_b_3_z*t333 - D_p_y_3_by_b_3_z*t334 - D_p_y_3_by_b_3_z*t335 + D_p_y_3_by_b_3_z*t430
-        - D_p_z_3_by_b_3_z*t336 - D_p_z_3_by_b_3_z*t337 - D_p_z_3_by_b_3_z*t338 + D_p_z_3_by_b_3_z*t431
-        + mu_1_by_b_3_z*t385 + mu_2_by_b_3_z*t386 + mu_3_by_b_3_z*t387,
-        t555, D_p_x_3_by_b_3_z*k_C, D_p_y_3_by_b_3_z*k_C, D_p_z_3_by_b_3_z*k_C, t230*t552, t553, -t230*t551,
-        t554,
-        D_delta_x_1_by_b_3_z*t389 + D_delta_y_1_by_b_3_z*t390 + D_delta_z_1_by_b_3_z*t391
-        + mu_1_by_b_3_z*t392 - mu_2_by_b_3_z*t388 - mu_3_by_b_3_z*t388,
-        D_delta_x_1_by_b_3_z*t394 + D_delta_x_2_by_b_3_z*t395 + D_delta_y_1_by_b_3_z*t396
-        + D_delta_y_2_by_b_3_z*t397 + D_delta_z_1_by_b_3_z*t398 + D_delta_z_2_by_b_3_z*t399
-        + mu_1_by_b_3_z*t393 + mu_2_by_b_3_z*t393 + mu_3_by_b_3_z*t393,
-        D_delta_x_1_by_b_3_z*t401 + D_delta_x_3_by_b_3_z*t395 + D_delta_y_1_by_b_3_z*t402
-        + D_delta_y_3_by_b_3_z*t397 + D_delta_z_1_by_b_3_z*t403 + D_delta_z_3_by_b_3_z*t399
-        + mu_1_by_b_3_z*t400 + mu_2_by_b_3_z*t400 + mu_3_by_b_3_z*t400,
+        + k_sp_3*t262*t502*t509*w_b_3*x_3_by_b_3_z + mu_1_by_b_3_z*t362 + mu_2_by_b_3_z*t362
+        + mu_3_by_b_3_z*t363 - t284*t535 - t285*t535 - t286*t535 - t287*t536 - t288*t536 - t289*t536
+        - t290*t537 - t291*t537 - t292*t537 - t539,
+        t541, t542,
+        D_delta_x_1_by_b_3_z*t369 + D_delta_y_1_by_b_3_z*t370 + D_delta_z_1_by_b_3_z*t371
+        - D_p_x_3_by_b_3_z*t302 - D_p_x_3_by_b_3_z*t303 - D_p_x_3_by_b_3_z*t304 + D_p_x_3_by_b_3_z*t411
+        - D_p_y_3_by_b_3_z*t305 - D_p_y_3_by_b_3_z*t306 - D_p_y_3_by_b_3_z*t307 + D_p_y_3_by_b_3_z*t412
+        - D_p_z_3_by_b_3_z*t308 - D_p_z_3_by_b_3_z*t309 - D_p_z_3_by_b_3_z*t310 + D_p_z_3_by_b_3_z*t413
+        + mu_1_by_b_3_z*t367 + mu_2_by_b_3_z*t367 + mu_3_by_b_3_z*t368,
+        D_delta_x_2_by_b_3_z*t369 + D_delta_y_2_by_b_3_z*t370 + D_delta_z_2_by_b_3_z*t371
+        - D_p_x_3_by_b_3_z*t316 - D_p_x_3_by_b_3_z*t317 - D_p_x_3_by_b_3_z*t318 + D_p_x_3_by_b_3_z*t414
+        - D_p_y_3_by_b_3_z*t319 - D_p_y_3_by_b_3_z*t320 - D_p_y_3_by_b_3_z*t321 + D_p_y_3_by_b_3_z*t415
+        - D_p_z_3_by_b_3_z*t322 - D_p_z_3_by_b_3_z*t323 - D_p_z_3_by_b_3_z*t324 + D_p_z_3_by_b_3_z*t416
+        + mu_1_by_b_3_z*t372 + mu_2_by_b_3_z*t372 + mu_3_by_b_3_z*t373,
+        D_delta_x_3_by_b_3_z*t369 + D_delta_y_3_by_b_3_z*t370 + D_delta_z_3_by_b_3_z*t371
+        - D_p_x_3_by_b_3_z*t327 - D_p_x_3_by_b_3_z*t328 - D_p_x_3_by_b_3_z*t329 + D_p_x_3_by_b_3_z*t417
+        - D_p_y_3_by_b_3_z*t330 - D_p_y_3_by_b_3_z*t331 - D_p_y_3_by_b_3_z*t332 + D_p_y_3_by_b_3_z*t418
+        - D_p_z_3_by_b_3_z*t333 - D_p_z_3_by_b_3_z*t334 - D_p_z_3_by_b_3_z*t335 + D_p_z_3_by_b_3_z*t419
+        + mu_1_by_b_3_z*t374 + mu_2_by_b_3_z*t374 + mu_3_by_b_3_z*t375,
+        t543, D_p_x_3_by_b_3_z*k_C, D_p_y_3_by_b_3_z*k_C, D_p_z_3_by_b_3_z*k_C, t230*t540, t541, -t230*t539,
+        t542,
+        D_delta_x_1_by_b_3_z*t377 + D_delta_y_1_by_b_3_z*t378 + D_delta_z_1_by_b_3_z*t379
+        + mu_1_by_b_3_z*t380 - mu_2_by_b_3_z*t376 - mu_3_by_b_3_z*t376,
+        D_delta_x_1_by_b_3_z*t382 + D_delta_x_2_by_b_3_z*t383 + D_delta_y_1_by_b_3_z*t384
+        + D_delta_y_2_by_b_3_z*t385 + D_delta_z_1_by_b_3_z*t386 + D_delta_z_2_by_b_3_z*t387
+        + mu_1_by_b_3_z*t381 + mu_2_by_b_3_z*t381 + mu_3_by_b_3_z*t381,
+        D_delta_x_1_by_b_3_z*t389 + D_delta_x_3_by_b_3_z*t383 + D_delta_y_1_by_b_3_z*t390
+        + D_delta_y_3_by_b_3_z*t385 + D_delta_z_1_by_b_3_z*t391 + D_delta_z_3_by_b_3_z*t387
+        + mu_1_by_b_3_z*t388 + mu_2_by_b_3_z*t388 + mu_3_by_b_3_z*t388,
         D_delta_x_1_by_b_3_z*k_C, D_delta_y_1_by_b_3_z*k_C, D_delta_z_1_by_b_3_z*k_C,
-        D_delta_x_2_by_b_3_z*t405 + D_delta_y_2_by_b_3_z*t406 + D_delta_z_2_by_b_3_z*t407
-        - mu_1_by_b_3_z*t404 + mu_2_by_b_3_z*t408 - mu_3_by_b_3_z*t404,
-        D_delta_x_2_by_b_3_z*t401 + D_delta_x_3_by_b_3_z*t394 + D_delta_y_2_by_b_3_z*t402
-        + D_delta_y_3_by_b_3_z*t396 + D_delta_z_2_by_b_3_z*t403 + D_delta_z_3_by_b_3_z*t398
-        + mu_1_by_b_3_z*t409 + mu_2_by_b_3_z*t409 + mu_3_by_b_3_z*t409,
+        D_delta_x_2_by_b_3_z*t393 + D_delta_y_2_by_b_3_z*t394 + D_delta_z_2_by_b_3_z*t395
+        - mu_1_by_b_3_z*t392 + mu_2_by_b_3_z*t396 - mu_3_by_b_3_z*t392,
+        D_delta_x_2_by_b_3_z*t389 + D_delta_x_3_by_b_3_z*t382 + D_delta_y_2_by_b_3_z*t390
+        + D_delta_y_3_by_b_3_z*t384 + D_delta_z_2_by_b_3_z*t391 + D_delta_z_3_by_b_3_z*t386
+        + mu_1_by_b_3_z*t397 + mu_2_by_b_3_z*t397 + mu_3_by_b_3_z*t397,
         D_delta_x_2_by_b_3_z*k_C, D_delta_y_2_by_b_3_z*k_C, D_delta_z_2_by_b_3_z*k_C,
-        D_delta_x_3_by_b_3_z*t411 + D_delta_y_3_by_b_3_z*t412 + D_delta_z_3_by_b_3_z*t413
-        - mu_1_by_b_3_z*t410 - mu_2_by_b_3_z*t410 + mu_3_by_b_3_z*t414,
-        D_delta_x_3_by_b_3_z*k_C, D_delta_y_3_by_b_3_z*k_C, D_delta_z_3_by_b_3_z*k_C, t555,
+        D_delta_x_3_by_b_3_z*t399 + D_delta_y_3_by_b_3_z*t400 + D_delta_z_3_by_b_3_z*t401
+        - mu_1_by_b_3_z*t398 - mu_2_by_b_3_z*t398 + mu_3_by_b_3_z*t402,
+        D_delta_x_3_by_b_3_z*k_C, D_delta_y_3_by_b_3_z*k_C, D_delta_z_3_by_b_3_z*k_C, t543,
         2*D_p_x_1*D_p_x_1_by_l_d_1*k_C + 2*D_p_y_1*D_p_y_1_by_l_d_1*k_C + 2*D_p_z_1*D_p_z_1_by_l_d_1*k_C
-        + k_sp_1*t263*t264*t272*w_b_1*x_1_by_l_d_1 + mu_1_by_l_d_1*t260 + mu_2_by_l_d_1*t261
-        + mu_3_by_l_d_1*t262 - t248*t556 - t250*t556 - t251*t556 - t252*t557 - t254*t557 - t255*t557
-        - t256*t558 - t258*t558 - t259*t558 - t560,
-        D_p_x_1*D_p_x_2_by_l_d_1*k_C + D_p_x_1_by_l_d_1*D_p_x_2*k_C - D_p_x_1_by_l_d_1*t273
-        - D_p_x_1_by_l_d_1*t274 - D_p_x_1_by_l_d_1*t275 - D_p_x_2_by_l_d_1*t248 - D_p_x_2_by_l_d_1*t250
+        + k_sp_1*t262*t263*t271*w_b_1*x_1_by_l_d_1 + mu_1_by_l_d_1*t260 + mu_2_by_l_d_1*t261
+        + mu_3_by_l_d_1*t261 - t248*t544 - t250*t544 - t251*t544 - t252*t545 - t254*t545 - t255*t545
+        - t256*t546 - t258*t546 - t259*t546 - t548,
+        D_p_x_1*D_p_x_2_by_l_d_1*k_C + D_p_x_1_by_l_d_1*D_p_x_2*k_C - D_p_x_1_by_l_d_1*t272
+        - D_p_x_1_by_l_d_1*t273 - D_p_x_1_by_l_d_1*t274 - D_p_x_2_by_l_d_1*t248 - D_p_x_2_by_l_d_1*t250
         - D_p_x_2_by_l_d_1*t251 + D_p_y_1*D_p_y_2_by_l_d_1*k_C + D_p_y_1_by_l_d_1*D_p_y_2*k_C
-        - D_p_y_1_by_l_d_1*t276 - D_p_y_1_by_l_d_1*t277 - D_p_y_1_by_l_d_1*t278 - D_p_y_2_by_l_d_1*t252
+        - D_p_y_1_by_l_d_1*t275 - D_p_y_1_by_l_d_1*t276 - D_p_y_1_by_l_d_1*t277 - D_p_y_2_by_l_d_1*t252
         - D_p_y_2_by_l_d_1*t254 - D_p_y_2_by_l_d_1*t255 + D_p_z_1*D_p_z_2_by_l_d_1*k_C
-        + D_p_z_1_by_l_d_1*D_p_z_2*k_C - D_p_z_1_by_l_d_1*t279 - D_p_z_1_by_l_d_1*t280
-        - D_p_z_1_by_l_d_1*t281 - D_p_z_2_by_l_d_1*t256 - D_p_z_2_by_l_d_1*t258 - D_p_z_2_by_l_d_1*t259
-        + mu_1_by_l_d_1*t282 + mu_2_by_l_d_1*t283 + mu_3_by_l_d_1*t284,
-        D_p_x_1*D_p_x_3_by_l_d_1*k_C + D_p_x_1_by_l_d_1*D_p_x_3*k_C - D_p_x_1_by_l_d_1*t285
-        - D_p_x_1_by_l_d_1*t286 - D_p_x_1_by_l_d_1*t287 - D_p_x_3_by_l_d_1*t248 - D_p_x_3_by_l_d_1*t250
+        + D_p_z_1_by_l_d_1*D_p_z_2*k_C - D_p_z_1_by_l_d_1*t278 - D_p_z_1_by_l_d_1*t279
+        - D_p_z_1_by_l_d_1*t280 - D_p_z_2_by_l_d_1*t256 - D_p_z_2_by_l_d_1*t258 - D_p_z_2_by_l_d_1*t259
+        + mu_1_by_l_d_1*t281 + mu_2_by_l_d_1*t282 + mu_3_by_l_d_1*t283,
+        D_p_x_1*D_p_x_3_by_l_d_1*k_C + D_p_x_1_by_l_d_1*D_p_x_3*k_C - D_p_x_1_by_l_d_1*t284
+        - D_p_x_1_by_l_d_1*t285 - D_p_x_1_by_l_d_1*t286 - D_p_x_3_by_l_d_1*t248 - D_p_x_3_by_l_d_1*t250
         - D_p_x_3_by_l_d_1*t251 + D_p_y_1*D_p_y_3_by_l_d_1*k_C + D_p_y_1_by_l_d_1*D_p_y_3*k_C
-        - D_p_y_1_by_l_d_1*t288 - D_p_y_1_by_l_d_1*t289 - D_p_y_1_by_l_d_1*t290 - D_p_y_3_by_l_d_1*t252
+        - D_p_y_1_by_l_d_1*t287 - D_p_y_1_by_l_d_1*t288 - D_p_y_1_by_l_d_1*t289 - D_p_y_3_by_l_d_1*t252
         - D_p_y_3_by_l_d_1*t254 - D_p_y_3_by_l_d_1*t255 + D_p_z_1*D_p_z_3_by_l_d_1*k_C
-        + D_p_z_1_by_l_d_1*D_p_z_3*k_C - D_p_z_1_by_l_d_1*t291 - D_p_z_1_by_l_d_1*t292
-        - D_p_z_1_by_l_d_1*t293 - D_p_z_3_by_l_d_1*t256 - D_p_z_3_by_l_d_1*t258 - D_p_z_3_by_l_d_1*t259
-        + mu_1_by_l_d_1*t294 + mu_2_by_l_d_1*t295 + mu_3_by_l_d_1*t296,
-        t562, t563,
-        D_delta_x_1_by_l_d_1*t315 + D_delta_y_1_by_l_d_1*t316 + D_delta_z_1_by_l_d_1*t317
-        - D_p_x_1_by_l_d_1*t303 - D_p_x_1_by_l_d_1*t304 - D_p_x_1_by_l_d_1*t305 + D_p_x_1_by_l_d_1*t423
-        - D_p_y_1_by_l_d_1*t306 - D_p_y_1_by_l_d_1*t307 - D_p_y_1_by_l_d_1*t308 + D_p_y_1_by_l_d_1*t424
-        - D_p_z_1_by_l_d_1*t309 - D_p_z_1_by_l_d_1*t310 - D_p_z_1_by_l_d_1*t311 + D_p_z_1_by_l_d_1*t425
-        + mu_1_by_l_d_1*t312 + mu_2_by_l_d_1*t313 + mu_3_by_l_d_1*t314,
-        D_delta_x_2_by_l_d_1*t315 + D_delta_y_2_by_l_d_1*t316 + D_delta_z_2_by_l_d_1*t317
-        - D_p_x_1_by_l_d_1*t318 - D_p_x_1_by_l_d_1*t319 - D_p_x_1_by_l_d_1*t320 + D_p_x_1_by_l_d_1*t426
-        - D_p_y_1_by_l_d_1*t321 - D_p_y_1_by_l_d_1*t322 - D_p_y_1_by_l_d_1*t323 + D_p_y_1_by_l_d_1*t427
-        - D_p_z_1_by_l_d_1*t324 - D_p_z_1_by_l_d_1*t325 - D_p_z_1_by_l_d_1*t326 + D_p_z_1_by_l_d_1*t428
-        + mu_1_by_l_d_1*t327 + mu_2_by_l_d_1*t328 + mu_3_by_l_d_1*t329,
-        D_delta_x_3_by_l_d_1*t315 + D_delta_y_3_by_l_d_1*t316 + D_delta_z_3_by_l_d_1*t317
-        - D_p_x_1_by_l_d_1*t330 - D_p_x_1_by_l_d_1*t331 - D_p_x_1_by_l_d_1*t332 + D_p_x_1_by_l_d_1*t429
-        - D_p_y_1_by_l_d_1*t333 - D_p_y_1_by_l_d_1*t334 - D_p_y_1_by_l_d_1*t335 + D_p_y_1_by_l_d_1*t430
-        - D_p_z_1_by_l_d_1*t336 - D_p_z_1_by_l_d_1*t337 - D_p_z_1_by_l_d_1*t338 + D_p_z_1_by_l_d_1*t431
-        + mu_1_by_l_d_1*t339 + mu_2_by_l_d_1*t340 + mu_3_by_l_d_1*t341,
-        t564, D_p_x_1_by_l_d_1*k_C, D_p_y_1_by_l_d_1*k_C, D_p_z_1_by_l_d_1*k_C,
+        + D_p_z_1_by_l_d_1*D_p_z_3*k_C - D_p_z_1_by_l_d_1*t290 - D_p_z_1_by_l_d_1*t291
+        - D_p_z_1_by_l_d_1*t292 - D_p_z_3_by_l_d_1*t256 - D_p_z_3_by_l_d_1*t258 - D_p_z_3_by_l_d_1*t259
+        + mu_1_by_l_d_1*t293 + mu_2_by_l_d_1*t294 + mu_3_by_l_d_1*t295,
+        t550, t551,
+        D_delta_x_1_by_l_d_1*t313 + D_delta_y_1_by_l_d_1*t314 + D_delta_z_1_by_l_d_1*t315
+        - D_p_x_1_by_l_d_1*t302 - D_p_x_1_by_l_d_1*t303 - D_p_x_1_by_l_d_1*t304 + D_p_x_1_by_l_d_1*t411
+        - D_p_y_1_by_l_d_1*t305 - D_p_y_1_by_l_d_1*t306 - D_p_y_1_by_l_d_1*t307 + D_p_y_1_by_l_d_1*t412
+        - D_p_z_1_by_l_d_1*t308 - D_p_z_1_by_l_d_1*t309 - D_p_z_1_by_l_d_1*t310 + D_p_z_1_by_l_d_1*t413
+        + mu_1_by_l_d_1*t311 + mu_2_by_l_d_1*t312 + mu_3_by_l_d_1*t312,
+        D_delta_x_2_by_l_d_1*t313 + D_delta_y_2_by_l_d_1*t314 + D_delta_z_2_by_l_d_1*t315
+        - D_p_x_1_by_l_d_1*t316 - D_p_x_1_by_l_d_1*t317 - D_p_x_1_by_l_d_1*t318 + D_p_x_1_by_l_d_1*t414
+        - D_p_y_1_by_l_d_1*t319 - D_p_y_1_by_l_d_1*t320 - D_p_y_1_by_l_d_1*t321 + D_p_y_1_by_l_d_1*t415
+        - D_p_z_1_by_l_d_1*t322 - D_p_z_1_by_l_d_1*t323 - D_p_z_1_by_l_d_1*t324 + D_p_z_1_by_l_d_1*t416
+        + mu_1_by_l_d_1*t325 + mu_2_by_l_d_1*t326 + mu_3_by_l_d_1*t326,
+        D_delta_x_3_by_l_d_1*t313 + D_delta_y_3_by_l_d_1*t314 + D_delta_z_3_by_l_d_1*t315
+        - D_p_x_1_by_l_d_1*t327 - D_p_x_1_by_l_d_1*t328 - D_p_x_1_by_l_d_1*t329 + D_p_x_1_by_l_d_1*t417
+        - D_p_y_1_by_l_d_1*t330 - D_p_y_1_by_l_d_1*t331 - D_p_y_1_by_l_d_1*t332 + D_p_y_1_by_l_d_1*t418
+        - D_p_z_1_by_l_d_1*t333 - D_p_z_1_by_l_d_1*t334 - D_p_z_1_by_l_d_1*t335 + D_p_z_1_by_l_d_1*t419
+        + mu_1_by_l_d_1*t336 + mu_2_by_l_d_1*t337 + mu_3_by_l_d_1*t337,
+        t552, D_p_x_1_by_l_d_1*k_C, D_p_y_1_by_l_d_1*k_C, D_p_z_1_by_l_d_1*k_C,
         2*D_p_x_2*D_p_x_2_by_l_d_1*k_C + 2*D_p_y_2*D_p_y_2_by_l_d_1*k_C + 2*D_p_z_2*D_p_z_2_by_l_d_1*k_C
-        + mu_1_by_l_d_1*t346 + mu_2_by_l_d_1*t347 + mu_3_by_l_d_1*t348 - t273*t565 - t274*t565 - t275*t565
-        - t276*t566 - t277*t566 - t278*t566 - t279*t567 - t280*t567 - t281*t567,
-        D_p_x_2*D_p_x_3_by_l_d_1*k_C + D_p_x_2_by_l_d_1*D_p_x_3*k_C - D_p_x_2_by_l_d_1*t285
-        - D_p_x_2_by_l_d_1*t286 - D_p_x_2_by_l_d_1*t287 - D_p_x_3_by_l_d_1*t273 - D_p_x_3_by_l_d_1*t274
-        - D_p_x_3_by_l_d_1*t275 + D_p_y_2*D_p_y_3_by_l_d_1*k_C + D_p_y_2_by_l_d_1*D_p_y_3*k_C
-        - D_p_y_2_by_l_d_1*t288 - D_p_y_2_by_l_d_1*t289 - D_p_y_2_by_l_d_1*t290 - D_p_y_3_by_l_d_1*t276
-        - D_p_y_3_by_l_d_1*t277 - D_p_y_3_by_l_d_1*t278 + D_p_z_2*D_p_z_3_by_l_d_1*k_C
-        + D_p_z_2_by_l_d_1*D_p_z_3*k_C - D_p_z_2_by_l_d_1*t291 - D_p_z_2_by_l_d_1*t292
-        - D_p_z_2_by_l_d_1*t293 - D_p_z_3_by_l_d_1*t279 - D_p_z_3_by_l_d_1*t280 - D_p_z_3_by_l_d_1*t281
-        + mu_1_by_l_d_1*t349 + mu_2_by_l_d_1*t350 + mu_3_by_l_d_1*t351,
-        D_delta_x_1_by_l_d_1*t358 + D_delta_y_1_by_l_d_1*t359 + D_delta_z_1_by_l_d_1*t360
-        - D_p_x_2_by_l_d_1*t303 - D_p_x_2_by_l_d_1*t304 - D_p_x_2_by_l_d_1*t305 + D_p_x_2_by_l_d_1*t423
-        - D_p_y_2_by_l_d_1*t306 - D_p_y_2_by_l_d_1*t307 - D_p_y_2_by_l_d_1*t308 + D_p_y_2_by_l_d_1*t424
-        - D_p_z_2_by_l_d_1*t309 - D_p_z_2_by_l_d_1*t310 - D_p_z_2_by_l_d_1*t311 + D_p_z_2_by_l_d_1*t425
-        + mu_1_by_l_d_1*t355 + mu_2_by_l_d_1*t356 + mu_3_by_l_d_1*t357,
-        D_delta_x_2_by_l_d_1*t358 + D_delta_y_2_by_l_d_1*t359 + D_delta_z_2_by_l_d_1*t360
-        - D_p_x_2_by_l_d_1*t318 - D_p_x_2_by_l_d_1*t319 - D_p_x_2_by_l_d_1*t320 + D_p_x_2_by_l_d_1*t426
-        - D_p_y_2_by_l_d_1*t321 - D_p_y_2_by_l_d_1*t322 - D_p_y_2_by_l_d_1*t323 + D_p_y_2_by_l_d_1*t427
-        - D_p_z_2_by_l_d_1*t324 - D_p_z_2_by_l_d_1*t325 - D_p_z_2_by_l_d_1*t326 + D_p_z_2_by_l_d_1*t428
-        + mu_1_by_l_d_1*t361 + mu_2_by_l_d_1*t362 + mu_3_by_l_d_1*t363,
-        D_delta_x_3_by_l_d_1*t358 + D_delta_y_3_by_l_d_1*t359 + D_delta_z_3_by_l_d_1*t360
-        - D_p_x_2_by_l_d_1*t330 - D_p_x_2_by_l_d_1*t331 - D_p_x_2_by_l_d_1*t332 + D_p_x_2_by_l_d_1*t429
-        - D_p_y_2_by_l_d_1*t333 - D_p_y_2_by_l_d_1*t334 - D_p_y_2_by_l_d_1*t335 + D_p_y_2_by_l_d_1*t430
-        - D_p_z_2_by_l_d_1*t336 - D_p_z_2_by_l_d_1*t337 - D_p_z_2_by_l_d_1*t338 + D_p_z_2_by_l_d_1*t431
-        + mu_1_by_l_d_1*t364 + mu_2_by_l_d_1*t365 + mu_3_by_l_d_1*t366,
+        + mu_1_by_l_d_1*t342 + mu_2_by_l_d_1*t343 + mu_3_by_l_d_1*t342 - t272*t553 - t273*t553 - t274*t553
+        - t275*t554 - t276*t554 - t277*t554 - t278*t555 - t279*t555 - t280*t555,
+        D_p_x_2*D_p_x_3_by_l_d_1*k_C + D_p_x_2_by_l_d_1*D_p_x_3*k_C - D_p_x_2_by_l_d_1*t284
+        - D_p_x_2_by_l_d_1*t285 - D_p_x_2_by_l_d_1*t286 - D_p_x_3_by_l_d_1*t272 - D_p_x_3_by_l_d_1*t273
+        - D_p_x_3_by_l_d_1*t274 + D_p_y_2*D_p_y_3_by_l_d_1*k_C + D_p_y_2_by_l_d_1*D_p_y_3*k_C
+        - D_p_y_2_by_l_d_1*t287 - D_p_y_2_by_l_d_1*t288 - D_p_y_2_by_l_d_1*t289 - D_p_y_3_by_l_d_1*t275
+        - D_p_y_3_by_l_d_1*t276 - D_p_y_3_by_l_d_1*t277 + D_p_z_2*D_p_z_3_by_l_d_1*k_C
+        + D_p_z_2_by_l_d_1*D_p_z_3*k_C - D_p_z_2_by_l_d_1*t290 - D_p_z_2_by_l_d_1*t291
+        - D_p_z_2_by_l_d_1*t292 - D_p_z_3_by_l_d_1*t278 - D_p_z_3_by_l_d_1*t279 - D_p_z_3_by_l_d_1*t280
+        + mu_1_by_l_d_1*t344 + mu_2_by_l_d_1*t345 + mu_3_by_l_d_1*t346,
+        D_delta_x_1_by_l_d_1*t352 + D_delta_y_1_by_l_d_1*t353 + D_delta_z_1_by_l_d_1*t354
+        - D_p_x_2_by_l_d_1*t302 - D_p_x_2_by_l_d_1*t303 - D_p_x_2_by_l_d_1*t304 + D_p_x_2_by_l_d_1*t411
+        - D_p_y_2_by_l_d_1*t305 - D_p_y_2_by_l_d_1*t306 - D_p_y_2_by_l_d_1*t307 + D_p_y_2_by_l_d_1*t412
+        - D_p_z_2_by_l_d_1*t308 - D_p_z_2_by_l_d_1*t309 - D_p_z_2_by_l_d_1*t310 + D_p_z_2_by_l_d_1*t413
+        + mu_1_by_l_d_1*t350 + mu_2_by_l_d_1*t351 + mu_3_by_l_d_1*t350,
+        D_delta_x_2_by_l_d_1*t352 + D_delta_y_2_by_l_d_1*t353 + D_delta_z_2_by_l_d_1*t354
+        - D_p_x_2_by_l_d_1*t316 - D_p_x_2_by_l_d_1*t317 - D_p_x_2_by_l_d_1*t318 + D_p_x_2_by_l_d_1*t414
+        - D_p_y_2_by_l_d_1*t319 - D_p_y_2_by_l_d_1*t320 - D_p_y_2_by_l_d_1*t321 + D_p_y_2_by_l_d_1*t415
+        - D_p_z_2_by_l_d_1*t322 - D_p_z_2_by_l_d_1*t323 - D_p_z_2_by_l_d_1*t324 + D_p_z_2_by_l_d_1*t416
+        + mu_1_by_l_d_1*t355 + mu_2_by_l_d_1*t356 + mu_3_by_l_d_1*t355,
+        D_delta_x_3_by_l_d_1*t352 + D_delta_y_3_by_l_d_1*t353 + D_delta_z_3_by_l_d_1*t354
+        - D_p_x_2_by_l_d_1*t327 - D_p_x_2_by_l_d_1*t328 - D_p_x_2_by_l_d_1*t329 + D_p_x_2_by_l_d_1*t417
+        - D_p_y_2_by_l_d_1*t330 - D_p_y_2_by_l_d_1*t331 - D_p_y_2_by_l_d_1*t332 + D_p_y_2_by_l_d_1*t418
+        - D_p_z_2_by_l_d_1*t333 - D_p_z_2_by_l_d_1*t334 - D_p_z_2_by_l_d_1*t335 + D_p_z_2_by_l_d_1*t419
+        + mu_1_by_l_d_1*t357 + mu_2_by_l_d_1*t358 + mu_3_by_l_d_1*t357,
         D_p_x_2_by_l_d_1*k_C, D_p_y_2_by_l_d_1*k_C, D_p_z_2_by_l_d_1*k_C,
         2*D_p_x_3*D_p_x_3_by_l_d_1*k_C + 2*D_p_y_3*D_p_y_3_by_l_d_1*k_C + 2*D_p_z_3*D_p_z_3_by_l_d_1*k_C
-        + mu_1_by_l_d_1*t370 + mu_2_by_l_d_1*t371 + mu_3_by_l_d_1*t372 - t285*t568 - t286*t568 - t287*t568
-        - t288*t569 - t289*t569 - t290*t569 - t291*t570 - t292*t570 - t293*t570,
-        D_delta_x_1_by_l_d_1*t379 + D_delta_y_1_by_l_d_1*t380 + D_delta_z_1_by_l_d_1*t381
-        - D_p_x_3_by_l_d_1*t303 - D_p_x_3_by_l_d_1*t304 - D_p_x_3_by_l_d_1*t305 + D_p_x_3_by_l_d_1*t423
-        - D_p_y_3_by_l_d_1*t306 - D_p_y_3_by_l_d_1*t307 - D_p_y_3_by_l_d_1*t308 + D_p_y_3_by_l_d_1*t424
-        - D_p_z_3_by_l_d_1*t309 - D_p_z_3_by_l_d_1*t310 - D_p_z_3_by_l_d_1*t311 + D_p_z_3_by_l_d_1*t425
-        + mu_1_by_l_d_1*t376 + mu_2_by_l_d_1*t377 + mu_3_by_l_d_1*t378,
-        D_delta_x_2_by_l_d_1*t379 + D_delta_y_2_by_l_d_1*t380 + D_delta_z_2_by_l_d_1*t381
-        - D_p_x_3_by_l_d_1*t318 - D_p_x_3_by_l_d_1*t319 - D_p_x_3_by_l_d_1*t320 + D_p_x_3_by_l_d_1*t426
-        - D_p_y_3_by_l_d_1*t321 - D_p_y_3_by_l_d_1*t322 - D_p_y_3_by_l_d_1*t323 + D_p_y_3_by_l_d_1*t427
-        - D_p_z_3_by_l_d_1*t324 - D_p_z_3_by_l_d_1*t325 - D_p_z_3_by_l_d_1*t326 + D_p_z_3_by_l_d_1*t428
-        + mu_1_by_l_d_1*t382 + mu_2_by_l_d_1*t383 + mu_3_by_l_d_1*t384,
-        D_delta_x_3_by_l_d_1*t379 + D_delta_y_3_by_l_d_1*t380 + D_delta_z_3_by_l_d_1*t381
-        - D_p_x_3_by_l_d_1*t330 - D_p_x_3_by_l_d_1*t331 - D_p_x_3_by_l_d_1*t332 + D_p_x_3_by_l_d_1*t429
-        - D_p_y_3_by_l_d_1*t333 - D_p_y_3_by_l_d_1*t334 - D_p_y_3_by_l_d_1*t335 + D_p_y_3_by_l_d_1*t430
-        - D_p_z_3_by_l_d_1*t336 - D_p_z_3_by_l_d_1*t337 - D_p_z_3_by_l_d_1*t338 + D_p_z_3_by_l_d_1*t431
-        + mu_1_by_l_d_1*t385 + mu_2_by_l_d_1*t386 + mu_3_by_l_d_1*t387,
-        D_p_x_3_by_l_d_1*k_C, D_p_y_3_by_l_d_1*k_C, D_p_z_3_by_l_d_1*k_C, t185*t561, t562, -t185*t560, t563,
-        D_delta_x_1_by_l_d_1*t389 + D_delta_y_1_by_l_d_1*t390 + D_delta_z_1_by_l_d_1*t391
-        + mu_1_by_l_d_1*t392 - mu_2_by_l_d_1*t388 - mu_3_by_l_d_1*t388,
-        D_delta_x_1_by_l_d_1*t394 + D_delta_x_2_by_l_d_1*t395 + D_delta_y_1_by_l_d_1*t396
-        + D_delta_y_2_by_l_d_1*t397 + D_delta_z_1_by_l_d_1*t398 + D_delta_z_2_by_l_d_1*t399
-        + mu_1_by_l_d_1*t393 + mu_2_by_l_d_1*t393 + mu_3_by_l_d_1*t393,
-        D_delta_x_1_by_l_d_1*t401 + D_delta_x_3_by_l_d_1*t395 + D_delta_y_1_by_l_d_1*t402
-        + D_delta_y_3_by_l_d_1*t397 + D_delta_z_1_by_l_d_1*t403 + D_delta_z_3_by_l_d_1*t399
-        + mu_1_by_l_d_1*t400 + mu_2_by_l_d_1*t400 + mu_3_by_l_d_1*t400,
+        + mu_1_by_l_d_1*t362 + mu_2_by_l_d_1*t362 + mu_3_by_l_d_1*t363 - t284*t556 - t285*t556 - t286*t556
+        - t287*t557 - t288*t557 - t289*t557 - t290*t558 - t291*t558 - t292*t558,
+        D_delta_x_1_by_l_d_1*t369 + D_delta_y_1_by_l_d_1*t370 + D_delta_z_1_by_l_d_1*t371
+        - D_p_x_3_by_l_d_1*t302 - D_p_x_3_by_l_d_1*t303 - D_p_x_3_by_l_d_1*t304 + D_p_x_3_by_l_d_1*t411
+        - D_p_y_3_by_l_d_1*t305 - D_p_y_3_by_l_d_1*t306 - D_p_y_3_by_l_d_1*t307 + D_p_y_3_by_l_d_1*t412
+        - D_p_z_3_by_l_d_1*t308 - D_p_z_3_by_l_d_1*t309 - D_p_z_3_by_l_d_1*t310 + D_p_z_3_by_l_d_1*t413
+        + mu_1_by_l_d_1*t367 + mu_2_by_l_d_1*t367 + mu_3_by_l_d_1*t368,
+        D_delta_x_2_by_l_d_1*t369 + D_delta_y_2_by_l_d_1*t370 + D_delta_z_2_by_l_d_1*t371
+        - D_p_x_3_by_l_d_1*t316 - D_p_x_3_by_l_d_1*t317 - D_p_x_3_by_l_d_1*t318 + D_p_x_3_by_l_d_1*t414
+        - D_p_y_3_by_l_d_1*t319 - D_p_y_3_by_l_d_1*t320 - D_p_y_3_by_l_d_1*t321 + D_p_y_3_by_l_d_1*t415
+        - D_p_z_3_by_l_d_1*t322 - D_p_z_3_by_l_d_1*t323 - D_p_z_3_by_l_d_1*t324 + D_p_z_3_by_l_d_1*t416
+        + mu_1_by_l_d_1*t372 + mu_2_by_l_d_1*t372 + mu_3_by_l_d_1*t373,
+        D_delta_x_3_by_l_d_1*t369 + D_delta_y_3_by_l_d_1*t370 + D_delta_z_3_by_l_d_1*t371
+        - D_p_x_3_by_l_d_1*t327 - D_p_x_3_by_l_d_1*t328 - D_p_x_3_by_l_d_1*t329 + D_p_x_3_by_l_d_1*t417
+        - D_p_y_3_by_l_d_1*t330 - D_p_y_3_by_l_d_1*t331 - D_p_y_3_by_l_d_1*t332 + D_p_y_3_by_l_d_1*t418
+        - D_p_z_3_by_l_d_1*t333 - D_p_z_3_by_l_d_1*t334 - D_p_z_3_by_l_d_1*t335 + D_p_z_3_by_l_d_1*t419
+        + mu_1_by_l_d_1*t374 + mu_2_by_l_d_1*t374 + mu_3_by_l_d_1*t375,
+        D_p_x_3_by_l_d_1*k_C, D_p_y_3_by_l_d_1*k_C, D_p_z_3_by_l_d_1*k_C, t185*t549, t550, -t185*t548, t551,
+        D_delta_x_1_by_l_d_1*t377 + D_delta_y_1_by_l_d_1*t378 + D_delta_z_1_by_l_d_1*t379
+        + mu_1_by_l_d_1*t380 - mu_2_by_l_d_1*t376 - mu_3_by_l_d_1*t376,
+        D_delta_x_1_by_l_d_1*t382 + D_delta_x_2_by_l_d_1*t383 + D_delta_y_1_by_l_d_1*t384
+        + D_delta_y_2_by_l_d_1*t385 + D_delta_z_1_by_l_d_1*t386 + D_delta_z_2_by_l_d_1*t387
+        + mu_1_by_l_d_1*t381 + mu_2_by_l_d_1*t381 + mu_3_by_l_d_1*t381,
+        D_delta_x_1_by_l_d_1*t389 + D_delta_x_3_by_l_d_1*t383 + D_delta_y_1_by_l_d_1*t390
+        + D_delta_y_3_by_l_d_1*t385 + D_delta_z_1_by_l_d_1*t391 + D_delta_z_3_by_l_d_1*t387
+        + mu_1_by_l_d_1*t388 + mu_2_by_l_d_1*t388 + mu_3_by_l_d_1*t388,
         D_delta_x_1_by_l_d_1*k_C, D_delta_y_1_by_l_d_1*k_C, D_delta_z_1_by_l_d_1*k_C,
-        D_delta_x_2_by_l_d_1*t405 + D_delta_y_2_by_l_d_1*t406 + D_delta_z_2_by_l_d_1*t407
-        - mu_1_by_l_d_1*t404 + mu_2_by_l_d_1*t408 - mu_3_by_l_d_1*t404,
-        D_delta_x_2_by_l_d_1*t401 + D_delta_x_3_by_l_d_1*t394 + D_delta_y_2_by_l_d_1*t402
-        + D_delta_y_3_by_l_d_1*t396 + D_delta_z_2_by_l_d_1*t403 + D_delta_z_3_by_l_d_1*t398
-        + mu_1_by_l_d_1*t409 + mu_2_by_l_d_1*t409 + mu_3_by_l_d_1*t409,
+        D_delta_x_2_by_l_d_1*t393 + D_delta_y_2_by_l_d_1*t394 + D_delta_z_2_by_l_d_1*t395
+        - mu_1_by_l_d_1*t392 + mu_2_by_l_d_1*t396 - mu_3_by_l_d_1*t392,
+        D_delta_x_2_by_l_d_1*t389 + D_delta_x_3_by_l_d_1*t382 + D_delta_y_2_by_l_d_1*t390
+        + D_delta_y_3_by_l_d_1*t384 + D_delta_z_2_by_l_d_1*t391 + D_delta_z_3_by_l_d_1*t386
+        + mu_1_by_l_d_1*t397 + mu_2_by_l_d_1*t397 + mu_3_by_l_d_1*t397,
         D_delta_x_2_by_l_d_1*k_C, D_delta_y_2_by_l_d_1*k_C, D_delta_z_2_by_l_d_1*k_C,
-        D_delta_x_3_by_l_d_1*t411 + D_delta_y_3_by_l_d_1*t412 + D_delta_z_3_by_l_d_1*t413
-        - mu_1_by_l_d_1*t410 - mu_2_by_l_d_1*t410 + mu_3_by_l_d_1*t414,
-        D_delta_x_3_by_l_d_1*k_C, D_delta_y_3_by_l_d_1*k_C, D_delta_z_3_by_l_d_1*k_C, t564,
+        D_delta_x_3_by_l_d_1*t399 + D_delta_y_3_by_l_d_1*t400 + D_delta_z_3_by_l_d_1*t401
+        - mu_1_by_l_d_1*t398 - mu_2_by_l_d_1*t398 + mu_3_by_l_d_1*t402,
+        D_delta_x_3_by_l_d_1*k_C, D_delta_y_3_by_l_d_1*k_C, D_delta_z_3_by_l_d_1*k_C, t552,
         2*D_p_x_1*D_p_x_1_by_l_d_2*k_C + 2*D_p_y_1*D_p_y_1_by_l_d_2*k_C + 2*D_p_z_1*D_p_z_1_by_l_d_2*k_C
-        + mu_1_by_l_d_2*t260 + mu_2_by_l_d_2*t261 + mu_3_by_l_d_2*t262 - t248*t571 - t250*t571 - t251*t571
-        - t252*t572 - t254*t572 - t255*t572 - t256*t573 - t258*t573 - t259*t573,
-        D_p_x_1*D_p_x_2_by_l_d_2*k_C + D_p_x_1_by_l_d_2*D_p_x_2*k_C - D_p_x_1_by_l_d_2*t273
-        - D_p_x_1_by_l_d_2*t274 - D_p_x_1_by_l_d_2*t275 - D_p_x_2_by_l_d_2*t248 - D_p_x_2_by_l_d_2*t250
+        + mu_1_by_l_d_2*t260 + mu_2_by_l_d_2*t261 + mu_3_by_l_d_2*t261 - t248*t559 - t250*t559 - t251*t559
+        - t252*t560 - t254*t560 - t255*t560 - t256*t561 - t258*t561 - t259*t561,
+        D_p_x_1*D_p_x_2_by_l_d_2*k_C + D_p_x_1_by_l_d_2*D_p_x_2*k_C - D_p_x_1_by_l_d_2*t272
+        - D_p_x_1_by_l_d_2*t273 - D_p_x_1_by_l_d_2*t274 - D_p_x_2_by_l_d_2*t248 - D_p_x_2_by_l_d_2*t250
         - D_p_x_2_by_l_d_2*t251 + D_p_y_1*D_p_y_2_by_l_d_2*k_C + D_p_y_1_by_l_d_2*D_p_y_2*k_C
-        - D_p_y_1_by_l_d_2*t276 - D_p_y_1_by_l_d_2*t277 - D_p_y_1_by_l_d_2*t278 - D_p_y_2_by_l_d_2*t252
+        - D_p_y_1_by_l_d_2*t275 - D_p_y_1_by_l_d_2*t276 - D_p_y_1_by_l_d_2*t277 - D_p_y_2_by_l_d_2*t252
         - D_p_y_2_by_l_d_2*t254 - D_p_y_2_by_l_d_2*t255 + D_p_z_1*D_p_z_2_by_l_d_2*k_C
-        + D_p_z_1_by_l_d_2*D_p_z_2*k_C - D_p_z_1_by_l_d_2*t279 - D_p_z_1_by_l_d_2*t280
-        - D_p_z_1_by_l_d_2*t281 - D_p_z_2_by_l_d_2*t256 - D_p_z_2_by_l_d_2*t258 - D_p_z_2_by_l_d_2*t259
-        + mu_1_by_l_d_2*t282 + mu_2_by_l_d_2*t283 + mu_3_by_l_d_2*t284,
-        D_p_x_1*D_p_x_3_by_l_d_2*k_C + D_p_x_1_by_l_d_2*D_p_x_3*k_C - D_p_x_1_by_l_d_2*t285
-        - D_p_x_1_by_l_d_2*t286 - D_p_x_1_by_l_d_2*t287 - D_p_x_3_by_l_d_2*t248 - D_p_x_3_by_l_d_2*t250
+        + D_p_z_1_by_l_d_2*D_p_z_2*k_C - D_p_z_1_by_l_d_2*t278 - D_p_z_1_by_l_d_2*t279
+        - D_p_z_1_by_l_d_2*t280 - D_p_z_2_by_l_d_2*t256 - D_p_z_2_by_l_d_2*t258 - D_p_z_2_by_l_d_2*t259
+        + mu_1_by_l_d_2*t281 + mu_2_by_l_d_2*t282 + mu_3_by_l_d_2*t283,
+        D_p_x_1*D_p_x_3_by_l_d_2*k_C + D_p_x_1_by_l_d_2*D_p_x_3*k_C - D_p_x_1_by_l_d_2*t284
+        - D_p_x_1_by_l_d_2*t285 - D_p_x_1_by_l_d_2*t286 - D_p_x_3_by_l_d_2*t248 - D_p_x_3_by_l_d_2*t250
         - D_p_x_3_by_l_d_2*t251 + D_p_y_1*D_p_y_3_by_l_d_2*k_C + D_p_y_1_by_l_d_2*D_p_y_3*k_C
-        - D_p_y_1_by_l_d_2*t288 - D_p_y_1_by_l_d_2*t289 - D_p_y_1_by_l_d_2*t290 - D_p_y_3_by_l_d_2*t252
+        - D_p_y_1_by_l_d_2*t287 - D_p_y_1_by_l_d_2*t288 - D_p_y_1_by_l_d_2*t289 - D_p_y_3_by_l_d_2*t252
         - D_p_y_3_by_l_d_2*t254 - D_p_y_3_by_l_d_2*t255 + D_p_z_1*D_p_z_3_by_l_d_2*k_C
-        + D_p_z_1_by_l_d_2*D_p_z_3*k_C - D_p_z_1_by_l_d_2*t291 - D_p_z_1_by_l_d_2*t292
-        - D_p_z_1_by_l_d_2*t293 - D_p_z_3_by_l_d_2*t256 - D_p_z_3_by_l_d_2*t258 - D_p_z_3_by_l_d_2*t259
-        + mu_1_by_l_d_2*t294 + mu_2_by_l_d_2*t295 + mu_3_by_l_d_2*t296,
-        D_delta_x_1_by_l_d_2*t315 + D_delta_y_1_by_l_d_2*t316 + D_delta_z_1_by_l_d_2*t317
-        - D_p_x_1_by_l_d_2*t303 - D_p_x_1_by_l_d_2*t304 - D_p_x_1_by_l_d_2*t305 + D_p_x_1_by_l_d_2*t423
-        - D_p_y_1_by_l_d_2*t306 - D_p_y_1_by_l_d_2*t307 - D_p_y_1_by_l_d_2*t308 + D_p_y_1_by_l_d_2*t424
-        - D_p_z_1_by_l_d_2*t309 - D_p_z_1_by_l_d_2*t310 - D_p_z_1_by_l_d_2*t311 + D_p_z_1_by_l_d_2*t425
-        + mu_1_by_l_d_2*t312 + mu_2_by_l_d_2*t313 + mu_3_by_l_d_2*t314,
-        D_delta_x_2_by_l_d_2*t315 + D_delta_y_2_by_l_d_2*t316 + D_delta_z_2_by_l_d_2*t317
-        - D_p_x_1_by_l_d_2*t318 - D_p_x_1_by_l_d_2*t319 - D_p_x_1_by_l_d_2*t320 + D_p_x_1_by_l_d_2*t426
-        - D_p_y_1_by_l_d_2*t321 - D_p_y_1_by_l_d_2*t322 - D_p_y_1_by_l_d_2*t323 + D_p_y_1_by_l_d_2*t427
-        - D_p_z_1_by_l_d_2*t324 - D_p_z_1_by_l_d_2*t325 - D_p_z_1_by_l_d_2*t326 + D_p_z_1_by_l_d_2*t428
-        + mu_1_by_l_d_2*t327 + mu_2_by_l_d_2*t328 + mu_3_by_l_d_2*t329,
-        D_delta_x_3_by_l_d_2*t315 + D_delta_y_3_by_l_d_2*t316 + D_delta_z_3_by_l_d_2*t317
-        - D_p_x_1_by_l_d_2*t330 - D_p_x_1_by_l_d_2*t331 - D_p_x_1_by_l_d_2*t332 + D_p_x_1_by_l_d_2*t429
-        - D_p_y_1_by_l_d_2*t333 - D_p_y_1_by_l_d_2*t334 - D_p_y_1_by_l_d_2*t335 + D_p_y_1_by_l_d_2*t430
-        - D_p_z_1_by_l_d_2*t336 - D_p_z_1_by_l_d_2*t337 - D_p_z_1_by_l_d_2*t338 + D_p_z_1_by_l_d_2*t431
-        + mu_1_by_l_d_2*t339 + mu_2_by_l_d_2*t340 + mu_3_by_l_d_2*t341,
+        + D_p_z_1_by_l_d_2*D_p_z_3*k_C - D_p_z_1_by_l_d_2*t290 - D_p_z_1_by_l_d_2*t291
+        - D_p_z_1_by_l_d_2*t292 - D_p_z_3_by_l_d_2*t256 - D_p_z_3_by_l_d_2*t258 - D_p_z_3_by_l_d_2*t259
+        + mu_1_by_l_d_2*t293 + mu_2_by_l_d_2*t294 + mu_3_by_l_d_2*t295,
+        D_delta_x_1_by_l_d_2*t313 + D_delta_y_1_by_l_d_2*t314 + D_delta_z_1_by_l_d_2*t315
+        - D_p_x_1_by_l_d_2*t302 - D_p_x_1_by_l_d_2*t303 - D_p_x_1_by_l_d_2*t304 + D_p_x_1_by_l_d_2*t411
+        - D_p_y_1_by_l_d_2*t305 - D_p_y_1_by_l_d_2*t306 - D_p_y_1_by_l_d_2*t307 + D_p_y_1_by_l_d_2*t412
+        - D_p_z_1_by_l_d_2*t308 - D_p_z_1_by_l_d_2*t309 - D_p_z_1_by_l_d_2*t310 + D_p_z_1_by_l_d_2*t413
+        + mu_1_by_l_d_2*t311 + mu_2_by_l_d_2*t312 + mu_3_by_l_d_2*t312,
+        D_delta_x_2_by_l_d_2*t313 + D_delta_y_2_by_l_d_2*t314 + D_delta_z_2_by_l_d_2*t315
+        - D_p_x_1_by_l_d_2*t316 - D_p_x_1_by_l_d_2*t317 - D_p_x_1_by_l_d_2*t318 + D_p_x_1_by_l_d_2*t414
+        - D_p_y_1_by_l_d_2*t319 - D_p_y_1_by_l_d_2*t320 - D_p_y_1_by_l_d_2*t321 + D_p_y_1_by_l_d_2*t415
+        - D_p_z_1_by_l_d_2*t322 - D_p_z_1_by_l_d_2*t323 - D_p_z_1_by_l_d_2*t324 + D_p_z_1_by_l_d_2*t416
+        + mu_1_by_l_d_2*t325 + mu_2_by_l_d_2*t326 + mu_3_by_l_d_2*t326,
+        D_delta_x_3_by_l_d_2*t313 + D_delta_y_3_by_l_d_2*t314 + D_delta_z_3_by_l_d_2*t315
+        - D_p_x_1_by_l_d_2*t327 - D_p_x_1_by_l_d_2*t328 - D_p_x_1_by_l_d_2*t329 + D_p_x_1_by_l_d_2*t417
+        - D_p_y_1_by_l_d_2*t330 - D_p_y_1_by_l_d_2*t331 - D_p_y_1_by_l_d_2*t332 + D_p_y_1_by_l_d_2*t418
+        - D_p_z_1_by_l_d_2*t333 - D_p_z_1_by_l_d_2*t334 - D_p_z_1_by_l_d_2*t335 + D_p_z_1_by_l_d_2*t419
+        + mu_1_by_l_d_2*t336 + mu_2_by_l_d_2*t337 + mu_3_by_l_d_2*t337,
         D_p_x_1_by_l_d_2*k_C, D_p_y_1_by_l_d_2*k_C, D_p_z_1_by_l_d_2*k_C,
         2*D_p_x_2*D_p_x_2_by_l_d_2*k_C + 2*D_p_y_2*D_p_y_2_by_l_d_2*k_C + 2*D_p_z_2*D_p_z_2_by_l_d_2*k_C
-        + k_sp_2*t263*t460*t467*w_b_2*x_2_by_l_d_2 + mu_1_by_l_d_2*t346 + mu_2_by_l_d_2*t347
-        + mu_3_by_l_d_2*t348 - t273*t574 - t274*t574 - t275*t574 - t276*t575 - t277*t575 - t278*t575
-        - t279*t576 - t280*t576 - t281*t576 - t578,
-        D_p_x_2*D_p_x_3_by_l_d_2*k_C + D_p_x_2_by_l_d_2*D_p_x_3*k_C - D_p_x_2_by_l_d_2*t285
-        - D_p_x_2_by_l_d_2*t286 - D_p_x_2_by_l_d_2*t287 - D_p_x_3_by_l_d_2*t273 - D_p_x_3_by_l_d_2*t274
-        - D_p_x_3_by_l_d_2*t275 + D_p_y_2*D_p_y_3_by_l_d_2*k_C + D_p_y_2_by_l_d_2*D_p_y_3*k_C
-        - D_p_y_2_by_l_d_2*t288 - D_p_y_2_by_l_d_2*t289 - D_p_y_2_by_l_d_2*t290 - D_p_y_3_by_l_d_2*t276
-        - D_p_y_3_by_l_d_2*t277 - D_p_y_3_by_l_d_2*t278 + D_p_z_2*D_p_z_3_by_l_d_2*k_C
-        + D_p_z_2_by_l_d_2*D_p_z_3*k_C - D_p_z_2_by_l_d_2*t291 - D_p_z_2_by_l_d_2*t292
-        - D_p_z_2_by_l_d_2*t293 - D_p_z_3_by_l_d_2*t279 - D_p_z_3_by_l_d_2*t280 - D_p_z_3_by_l_d_2*t281
-        + mu_1_by_l_d_2*t349 + mu_2_by_l_d_2*t350 + mu_3_by_l_d_2*t351,
-        t580, t581,
-        D_delta_x_1_by_l_d_2*t358 + D_delta_y_1_by_l_d_2*t359 + D_delta_z_1_by_l_d_2*t360
-        - D_p_x_2_by_l_d_2*t303 - D_p_x_2_by_l_d_2*t304 - D_p_x_2_by_l_d_2*t305 + D_p_x_2_by_l_d_2*t423
-        - D_p_y_2_by_l_d_2*t306 - D_p_y_2_by_l_d_2*t307 - D_p_y_2_by_l_d_2*t308 + D_p_y_2_by_l_d_2*t424
-        - D_p_z_2_by_l_d_2*t309 - D_p_z_2_by_l_d_2*t310 - D_p_z_2_by_l_d_2*t311 + D_p_z_2_by_l_d_2*t425
-        + mu_1_by_l_d_2*t355 + mu_2_by_l_d_2*t356 + mu_3_by_l_d_2*t357,
-        D_delta_x_2_by_l_d_2*t358 + D_delta_y_2_by_l_d_2*t359 + D_delta_z_2_by_l_d_2*t360
-        - D_p_x_2_by_l_d_2*t318 - D_p_x_2_by_l_d_2*t319 - D_p_x_2_by_l_d_2*t320 + D_p_x_2_by_l_d_2*t426
-        - D_p_y_2_by_l_d_2*t321 - D_p_y_2_by_l_d_2*t322 - D_p_y_2_by_l_d_2*t323 + D_p_y_2_by_l_d_2*t427
-        - D_p_z_2_by_l_d_2*t324 - D_p_z_2_by_l_d_2*t325 - D_p_z_2_by_l_d_2*t326 + D_p_z_2_by_l_d_2*t428
-        + mu_1_by_l_d_2*t361 + mu_2_by_l_d_2*t362 + mu_3_by_l_d_2*t363,
-        D_delta_x_3_by_l_d_2*t358 + D_delta_y_3_by_l_d_2*t359 + D_delta_z_3_by_l_d_2*t360
-        - D_p_x_2_by_l_d_2*t330 - D_p_x_2_by_l_d_2*t331 - D_p_x_2_by_l_d_2*t332 + D_p_x_2_by_l_d_2*t429
-        - D_p_y_2_by_l_d_2*t333 - D_p_y_2_by_l_d_2*t334 - D_p_y_2_by_l_d_2*t335 + D_p_y_2_by_l_d_2*t430
-        - D_p_z_2_by_l_d_2*t336 - D_p_z_2_by_l_d_2*t337 - D_p_z_2_by_l_d_2*t338 + D_p_z_2_by_l_d_2*t431
-        + mu_1_by_l_d_2*t364 + mu_2_by_l_d_2*t365 + mu_3_by_l_d_2*t366,
-        t582, D_p_x_2_by_l_d_2*k_C, D_p_y_2_by_l_d_2*k_C, D_p_z_2_by_l_d_2*k_C,
+        + k_sp_2*t262*t448*t455*w_b_2*x_2_by_l_d_2 + mu_1_by_l_d_2*t342 + mu_2_by_l_d_2*t343
+        + mu_3_by_l_d_2*t342 - t272*t562 - t273*t562 - t274*t562 - t275*t563 - t276*t563 - t277*t563
+        - t278*t564 - t279*t564 - t280*t564 - t566,
+        D_p_x_2*D_p_x_3_by_l_d_2*k_C + D_p_x_2_by_l_d_2*D_p_x_3*k_C - D_p_x_2_by_l_d_2*t284
+        - D_p_x_2_by_l_d_2*t285 - D_p_x_2_by_l_d_2*t286 - D_p_x_3_by_l_d_2*t272 - D_p_x_3_by_l_d_2*t273
+        - D_p_x_3_by_l_d_2*t274 + D_p_y_2*D_p_y_3_by_l_d_2*k_C + D_p_y_2_by_l_d_2*D_p_y_3*k_C
+        - D_p_y_2_by_l_d_2*t287 - D_p_y_2_by_l_d_2*t288 - D_p_y_2_by_l_d_2*t289 - D_p_y_3_by_l_d_2*t275
+        - D_p_y_3_by_l_d_2*t276 - D_p_y_3_by_l_d_2*t277 + D_p_z_2*D_p_z_3_by_l_d_2*k_C
+        + D_p_z_2_by_l_d_2*D_p_z_3*k_C - D_p_z_2_by_l_d_2*t290 - D_p_z_2_by_l_d_2*t291
+        - D_p_z_2_by_l_d_2*t292 - D_p_z_3_by_l_d_2*t278 - D_p_z_3_by_l_d_2*t279 - D_p_z_3_by_l_d_2*t280
+        + mu_1_by_l_d_2*t344 + mu_2_by_l_d_2*t345 + mu_3_by_l_d_2*t346,
+        t568, t569,
+        D_delta_x_1_by_l_d_2*t352 + D_delta_y_1_by_l_d_2*t353 + D_delta_z_1_by_l_d_2*t354
+        - D_p_x_2_by_l_d_2*t302 - D_p_x_2_by_l_d_2*t303 - D_p_x_2_by_l_d_2*t304 + D_p_x_2_by_l_d_2*t411
+        - D_p_y_2_by_l_d_2*t305 - D_p_y_2_by_l_d_2*t306 - D_p_y_2_by_l_d_2*t307 + D_p_y_2_by_l_d_2*t412
+        - D_p_z_2_by_l_d_2*t308 - D_p_z_2_by_l_d_2*t309 - D_p_z_2_by_l_d_2*t310 + D_p_z_2_by_l_d_2*t413
+        + mu_1_by_l_d_2*t350 + mu_2_by_l_d_2*t351 + mu_3_by_l_d_2*t350,
+        D_delta_x_2_by_l_d_2*t352 + D_delta_y_2_by_l_d_2*t353 + D_delta_z_2_by_l_d_2*t354
+        - D_p_x_2_by_l_d_2*t316 - D_p_x_2_by_l_d_2*t317 - D_p_x_2_by_l_d_2*t318 + D_p_x_2_by_l_d_2*t414
+        - D_p_y_2_by_l_d_2*t319 - D_p_y_2_by_l_d_2*t320 - D_p_y_2_by_l_d_2*t321 + D_p_y_2_by_l_d_2*t415
+        - D_p_z_2_by_l_d_2*t322 - D_p_z_2_by_l_d_2*t323 - D_p_z_2_by_l_d_2*t324 + D_p_z_2_by_l_d_2*t416
+        + mu_1_by_l_d_2*t355 + mu_2_by_l_d_2*t356 + mu_3_by_l_d_2*t355,
+        D_delta_x_3_by_l_d_2*t352 + D_delta_y_3_by_l_d_2*t353 + D_delta_z_3_by_l_d_2*t354
+        - D_p_x_2_by_l_d_2*t327 - D_p_x_2_by_l_d_2*t328 - D_p_x_2_by_l_d_2*t329 + D_p_x_2_by_l_d_2*t417
+        - D_p_y_2_by_l_d_2*t330 - D_p_y_2_by_l_d_2*t331 - D_p_y_2_by_l_d_2*t332 + D_p_y_2_by_l_d_2*t418
+        - D_p_z_2_by_l_d_2*t333 - D_p_z_2_by_l_d_2*t334 - D_p_z_2_by_l_d_2*t335 + D_p_z_2_by_l_d_2*t419
+        + mu_1_by_l_d_2*t357 + mu_2_by_l_d_2*t358 + mu_3_by_l_d_2*t357,
+        t570, D_p_x_2_by_l_d_2*k_C, D_p_y_2_by_l_d_2*k_C, D_p_z_2_by_l_d_2*k_C,
         2*D_p_x_3*D_p_x_3_by_l_d_2*k_C + 2*D_p_y_3*D_p_y_3_by_l_d_2*k_C + 2*D_p_z_3*D_p_z_3_by_l_d_2*k_C
-        + mu_1_by_l_d_2*t370 + mu_2_by_l_d_2*t371 + mu_3_by_l_d_2*t372 - t285*t583 - t286*t583 - t287*t583
-        - t288*t584 - t289*t584 - t290*t584 - t291*t585 - t292*t585 - t293*t585,
-        D_delta_x_1_by_l_d_2*t379 + D_delta_y_1_by_l_d_2*t380 + D_delta_z_1_by_l_d_2*t381
-        - D_p_x_3_by_l_d_2*t303 - D_p_x_3_by_l_d_2*t304 - D_p_x_3_by_l_d_2*t305 + D_p_x_3_by_l_d_2*t423
-        - D_p_y_3_by_l_d_2*t306 - D_p_y_3_by_l_d_2*t307 - D_p_y_3_by_l_d_2*t308 + D_p_y_3_by_l_d_2*t424
-        - D_p_z_3_by_l_d_2*t309 - D_p_z_3_by_l_d_2*t310 - D_p_z_3_by_l_d_2*t311 + D_p_z_3_by_l_d_2*t425
-        + mu_1_by_l_d_2*t376 + mu_2_by_l_d_2*t377 + mu_3_by_l_d_2*t378,
-        D_delta_x_2_by_l_d_2*t379 + D_delta_y_2_by_l_d_2*t380 + D_delta_z_2_by_l_d_2*t381
-        - D_p_x_3_by_l_d_2*t318 - D_p_x_3_by_l_d_2*t319 - D_p_x_3_by_l_d_2*t320 + D_p_x_3_by_l_d_2*t426
-        - D_p_y_3_by_l_d_2*t321 - D_p_y_3_by_l_d_2*t322 - D_p_y_3_by_l_d_2*t323 + D_p_y_3_by_l_d_2*t427
-        - D_p_z_3_by_l_d_2*t324 - D_p_z_3_by_l_d_2*t325 - D_p_z_3_by_l_d_2*t326 + D_p_z_3_by_l_d_2*t428
-        + mu_1_by_l_d_2*t382 + mu_2_by_l_d_2*t383 + mu_3_by_l_d_2*t384,
-        D_delta_x_3_by_l_d_2*t379 + D_delta_y_3_by_l_d_2*t380 + D_delta_z_3_by_l_d_2*t381
-        - D_p_x_3_by_l_d_2*t330 - D_p_x_3_by_l_d_2*t331 - D_p_x_3_by_l_d_2*t332 + D_p_x_3_by_l_d_2*t429
-        - D_p_y_3_by_l_d_2*t333 - D_p_y_3_by_l_d_2*t334 - D_p_y_3_by_l_d_2*t335 + D_p_y_3_by_l_d_2*t430
-        - D_p_z_3_by_l_d_2*t336 - D_p_z_3_by_l_d_2*t337 - D_p_z_3_by_l_d_2*t338 + D_p_z_3_by_l_d_2*t431
-        + mu_1_by_l_d_2*t385 + mu_2_by_l_d_2*t386 + mu_3_by_l_d_2*t387,
-        D_p_x_3_by_l_d_2*k_C, D_p_y_3_by_l_d_2*k_C, D_p_z_3_by_l_d_2*k_C, t218*t579, t580, -t218*t578, t581,
-        D_delta_x_1_by_l_d_2*t389 + D_delta_y_1_by_l_d_2*t390 + D_delta_z_1_by_l_d_2*t391
-        + mu_1_by_l_d_2*t392 - mu_2_by_l_d_2*t388 - mu_3_by_l_d_2*t388,
-        D_delta_x_1_by_l_d_2*t394 + D_delta_x_2_by_l_d_2*t395 + D_delta_y_1_by_l_d_2*t396
-        + D_delta_y_2_by_l_d_2*t397 + D_delta_z_1_by_l_d_2*t398 + D_delta_z_2_by_l_d_2*t399
-        + mu_1_by_l_d_2*t393 + mu_2_by_l_d_2*t393 + mu_3_by_l_d_2*t393,
-        D_delta_x_1_by_l_d_2*t401 + D_delta_x_3_by_l_d_2*t395 + D_delta_y_1_by_l_d_2*t402
-        + D_delta_y_3_by_l_d_2*t397 + D_delta_z_1_by_l_d_2*t403 + D_delta_z_3_by_l_d_2*t399
-        + mu_1_by_l_d_2*t400 + mu_2_by_l_d_2*t400 + mu_3_by_l_d_2*t400,
+        + mu_1_by_l_d_2*t362 + mu_2_by_l_d_2*t362 + mu_3_by_l_d_2*t363 - t284*t571 - t285*t571 - t286*t571
+        - t287*t572 - t288*t572 - t289*t572 - t290*t573 - t291*t573 - t292*t573,
+        D_delta_x_1_by_l_d_2*t369 + D_delta_y_1_by_l_d_2*t370 + D_delta_z_1_by_l_d_2*t371
+        - D_p_x_3_by_l_d_2*t302 - D_p_x_3_by_l_d_2*t303 - D_p_x_3_by_l_d_2*t304 + D_p_x_3_by_l_d_2*t411
+        - D_p_y_3_by_l_d_2*t305 - D_p_y_3_by_l_d_2*t306 - D_p_y_3_by_l_d_2*t307 + D_p_y_3_by_l_d_2*t412
+        - D_p_z_3_by_l_d_2*t308 - D_p_z_3_by_l_d_2*t309 - D_p_z_3_by_l_d_2*t310 + D_p_z_3_by_l_d_2*t413
+        + mu_1_by_l_d_2*t367 + mu_2_by_l_d_2*t367 + mu_3_by_l_d_2*t368,
+        D_delta_x_2_by_l_d_2*t369 + D_delta_y_2_by_l_d_2*t370 + D_delta_z_2_by_l_d_2*t371
+        - D_p_x_3_by_l_d_2*t316 - D_p_x_3_by_l_d_2*t317 - D_p_x_3_by_l_d_2*t318 + D_p_x_3_by_l_d_2*t414
+        - D_p_y_3_by_l_d_2*t319 - D_p_y_3_by_l_d_2*t320 - D_p_y_3_by_l_d_2*t321 + D_p_y_3_by_l_d_2*t415
+        - D_p_z_3_by_l_d_2*t322 - D_p_z_3_by_l_d_2*t323 - D_p_z_3_by_l_d_2*t324 + D_p_z_3_by_l_d_2*t416
+        + mu_1_by_l_d_2*t372 + mu_2_by_l_d_2*t372 + mu_3_by_l_d_2*t373,
+        D_delta_x_3_by_l_d_2*t369 + D_delta_y_3_by_l_d_2*t370 + D_delta_z_3_by_l_d_2*t371
+        - D_p_x_3_by_l_d_2*t327 - D_p_x_3_by_l_d_2*t328 - D_p_x_3_by_l_d_2*t329 + D_p_x_3_by_l_d_2*t417
+        - D_p_y_3_by_l_d_2*t330 - D_p_y_3_by_l_d_2*t331 - D_p_y_3_by_l_d_2*t332 + D_p_y_3_by_l_d_2*t418
+        - D_p_z_3_by_l_d_2*t333 - D_p_z_3_by_l_d_2*t334 - D_p_z_3_by_l_d_2*t335 + D_p_z_3_by_l_d_2*t419
+        + mu_1_by_l_d_2*t374 + mu_2_by_l_d_2*t374 + mu_3_by_l_d_2*t375,
+        D_p_x_3_by_l_d_2*k_C, D_p_y_3_by_l_d_2*k_C, D_p_z_3_by_l_d_2*k_C, t218*t567, t568, -t218*t566, t569,
+        D_delta_x_1_by_l_d_2*t377 + D_delta_y_1_by_l_d_2*t378 + D_delta_z_1_by_l_d_2*t379
+        + mu_1_by_l_d_2*t380 - mu_2_by_l_d_2*t376 - mu_3_by_l_d_2*t376,
+        D_delta_x_1_by_l_d_2*t382 + D_delta_x_2_by_l_d_2*t383 + D_delta_y_1_by_l_d_2*t384
+        + D_delta_y_2_by_l_d_2*t385 + D_delta_z_1_by_l_d_2*t386 + D_delta_z_2_by_l_d_2*t387
+        + mu_1_by_l_d_2*t381 + mu_2_by_l_d_2*t381 + mu_3_by_l_d_2*t381,
+        D_delta_x_1_by_l_d_2*t389 + D_delta_x_3_by_l_d_2*t383 + D_delta_y_1_by_l_d_2*t390
+        + D_delta_y_3_by_l_d_2*t385 + D_delta_z_1_by_l_d_2*t391 + D_delta_z_3_by_l_d_2*t387
+        + mu_1_by_l_d_2*t388 + mu_2_by_l_d_2*t388 + mu_3_by_l_d_2*t388,
         D_delta_x_1_by_l_d_2*k_C, D_delta_y_1_by_l_d_2*k_C, D_delta_z_1_by_l_d_2*k_C,
-        D_delta_x_2_by_l_d_2*t405 + D_delta_y_2_by_l_d_2*t406 + D_delta_z_2_by_l_d_2*t407
-        - mu_1_by_l_d_2*t404 + mu_2_by_l_d_2*t408 - mu_3_by_l_d_2*t404,
-        D_delta_x_2_by_l_d_2*t401 + D_delta_x_3_by_l_d_2*t394 + D_delta_y_2_by_l_d_2*t402
-        + D_delta_y_3_by_l_d_2*t396 + D_delta_z_2_by_l_d_2*t403 + D_delta_z_3_by_l_d_2*t398
-        + mu_1_by_l_d_2*t409 + mu_2_by_l_d_2*t409 + mu_3_by_l_d_2*t409,
+        D_delta_x_2_by_l_d_2*t393 + D_delta_y_2_by_l_d_2*t394 + D_delta_z_2_by_l_d_2*t395
+        - mu_1_by_l_d_2*t392 + mu_2_by_l_d_2*t396 - mu_3_by_l_d_2*t392,
+        D_delta_x_2_by_l_d_2*t389 + D_delta_x_3_by_l_d_2*t382 + D_delta_y_2_by_l_d_2*t390
+        + D_delta_y_3_by_l_d_2*t384 + D_delta_z_2_by_l_d_2*t391 + D_delta_z_3_by_l_d_2*t386
+        + mu_1_by_l_d_2*t397 + mu_2_by_l_d_2*t397 + mu_3_by_l_d_2*t397,
         D_delta_x_2_by_l_d_2*k_C, D_delta_y_2_by_l_d_2*k_C, D_delta_z_2_by_l_d_2*k_C,
-        D_delta_x_3_by_l_d_2*t411 + D_delta_y_3_by_l_d_2*t412 + D_delta_z_3_by_l_d_2*t413
-        - mu_1_by_l_d_2*t410 - mu_2_by_l_d_2*t410 + mu_3_by_l_d_2*t414,
-        D_delta_x_3_by_l_d_2*k_C, D_delta_y_3_by_l_d_2*k_C, D_delta_z_3_by_l_d_2*k_C, t582,
+        D_delta_x_3_by_l_d_2*t399 + D_delta_y_3_by_l_d_2*t400 + D_delta_z_3_by_l_d_2*t401
+        - mu_1_by_l_d_2*t398 - mu_2_by_l_d_2*t398 + mu_3_by_l_d_2*t402,
+        D_delta_x_3_by_l_d_2*k_C, D_delta_y_3_by_l_d_2*k_C, D_delta_z_3_by_l_d_2*k_C, t570,
         2*D_p_x_1*D_p_x_1_by_l_d_3*k_C + 2*D_p_y_1*D_p_y_1_by_l_d_3*k_C + 2*D_p_z_1*D_p_z_1_by_l_d_3*k_C
-        + mu_1_by_l_d_3*t260 + mu_2_by_l_d_3*t261 + mu_3_by_l_d_3*t262 - t248*t586 - t250*t586 - t251*t586
-        - t252*t587 - t254*t587 - t255*t587 - t256*t588 - t258*t588 - t259*t588,
-        D_p_x_1*D_p_x_2_by_l_d_3*k_C + D_p_x_1_by_l_d_3*D_p_x_2*k_C - D_p_x_1_by_l_d_3*t273
-        - D_p_x_1_by_l_d_3*t274 - D_p_x_1_by_l_d_3*t275 - D_p_x_2_by_l_d_3*t248 - D_p_x_2_by_l_d_3*t250
+        + mu_1_by_l_d_3*t260 + mu_2_by_l_d_3*t261 + mu_3_by_l_d_3*t261 - t248*t574 - t250*t574 - t251*t574
+        - t252*t575 - t254*t575 - t255*t575 - t256*t576 - t258*t576 - t259*t576,
+        D_p_x_1*D_p_x_2_by_l_d_3*k_C + D_p_x_1_by_l_d_3*D_p_x_2*k_C - D_p_x_1_by_l_d_3*t272
+        - D_p_x_1_by_l_d_3*t273 - D_p_x_1_by_l_d_3*t274 - D_p_x_2_by_l_d_3*t248 - D_p_x_2_by_l_d_3*t250
         - D_p_x_2_by_l_d_3*t251 + D_p_y_1*D_p_y_2_by_l_d_3*k_C + D_p_y_1_by_l_d_3*D_p_y_2*k_C
-        - D_p_y_1_by_l_d_3*t276 - D_p_y_1_by_l_d_3*t277 - D_p_y_1_by_l_d_3*t278 - D_p_y_2_by_l_d_3*t252
+        - D_p_y_1_by_l_d_3*t275 - D_p_y_1_by_l_d_3*t276 - D_p_y_1_by_l_d_3*t277 - D_p_y_2_by_l_d_3*t252
         - D_p_y_2_by_l_d_3*t254 - D_p_y_2_by_l_d_3*t255 + D_p_z_1*D_p_z_2_by_l_d_3*k_C
-        + D_p_z_1_by_l_d_3*D_p_z_2*k_C - D_p_z_1_by_l_d_3*t279 - D_p_z_1_by_l_d_3*t280
-        - D_p_z_1_by_l_d_3*t281 - D_p_z_2_by_l_d_3*t256 - D_p_z_2_by_l_d_3*t258 - D_p_z_2_by_l_d_3*t259
-        + mu_1_by_l_d_3*t282 + mu_2_by_l_d_3*t283 + mu_3_by_l_d_3*t284,
-        D_p_x_1*D_p_x_3_by_l_d_3*k_C + D_p_x_1_by_l_d_3*D_p_x_3*k_C - D_p_x_1_by_l_d_3*t285
-        - D_p_x_1_by_l_d_3*t286 - D_p_x_1_by_l_d_3*t287 - D_p_x_3_by_l_d_3*t248 - D_p_x_3_by_l_d_3*t250
+        + D_p_z_1_by_l_d_3*D_p_z_2*k_C - D_p_z_1_by_l_d_3*t278 - D_p_z_1_by_l_d_3*t279
+        - D_p_z_1_by_l_d_3*t280 - D_p_z_2_by_l_d_3*t256 - D_p_z_2_by_l_d_3*t258 - D_p_z_2_by_l_d_3*t259
+        + mu_1_by_l_d_3*t281 + mu_2_by_l_d_3*t282 + mu_3_by_l_d_3*t283,
+        D_p_x_1*D_p_x_3_by_l_d_3*k_C + D_p_x_1_by_l_d_3*D_p_x_3*k_C - D_p_x_1_by_l_d_3*t284
+        - D_p_x_1_by_l_d_3*t285 - D_p_x_1_by_l_d_3*t286 - D_p_x_3_by_l_d_3*t248 - D_p_x_3_by_l_d_3*t250
         - D_p_x_3_by_l_d_3*t251 + D_p_y_1*D_p_y_3_by_l_d_3*k_C + D_p_y_1_by_l_d_3*D_p_y_3*k_C
-        - D_p_y_1_by_l_d_3*t288 - D_p_y_1_by_l_d_3*t289 - D_p_y_1_by_l_d_3*t290 - D_p_y_3_by_l_d_3*t252
+        - D_p_y_1_by_l_d_3*t287 - D_p_y_1_by_l_d_3*t288 - D_p_y_1_by_l_d_3*t289 - D_p_y_3_by_l_d_3*t252
         - D_p_y_3_by_l_d_3*t254 - D_p_y_3_by_l_d_3*t255 + D_p_z_1*D_p_z_3_by_l_d_3*k_C
-        + D_p_z_1_by_l_d_3*D_p_z_3*k_C - D_p_z_1_by_l_d_3*t291 - D_p_z_1_by_l_d_3*t292
-        - D_p_z_1_by_l_d_3*t293 - D_p_z_3_by_l_d_3*t256 - D_p_z_3_by_l_d_3*t258 - D_p_z_3_by_l_d_3*t259
-        + mu_1_by_l_d_3*t294 + mu_2_by_l_d_3*t295 + mu_3_by_l_d_3*t296,
-        D_delta_x_1_by_l_d_3*t315 + D_delta_y_1_by_l_d_3*t316 + D_delta_z_1_by_l_d_3*t317
-        - D_p_x_1_by_l_d_3*t303 - D_p_x_1_by_l_d_3*t304 - D_p_x_1_by_l_d_3*t305 + D_p_x_1_by_l_d_3*t423
-        - D_p_y_1_by_l_d_3*t306 - D_p_y_1_by_l_d_3*t307 - D_p_y_1_by_l_d_3*t308 + D_p_y_1_by_l_d_3*t424
-        - D_p_z_1_by_l_d_3*t309 - D_p_z_1_by_l_d_3*t310 - D_p_z_1_by_l_d_3*t311 + D_p_z_1_by_l_d_3*t425
-        + mu_1_by_l_d_3*t312 + mu_2_by_l_d_3*t313 + mu_3_by_l_d_3*t314,
-        D_delta_x_2_by_l_d_3*t315 + D_delta_y_2_by_l_d_3*t316 + D_delta_z_2_by_l_d_3*t317
-        - D_p_x_1_by_l_d_3*t318 - D_p_x_1_by_l_d_3*t319 - D_p_x_1_by_l_d_3*t320 + D_p_x_1_by_l_d_3*t426
-        - D_p_y_1_by_l_d_3*t321 - D_p_y_1_by_l_d_3*t322 - D_p_y_1_by_l_d_3*t323 + D_p_y_1_by_l_d_3*t427
-        - D_p_z_1_by_l_d_3*t324 - D_p_z_1_by_l_d_3*t325 - D_p_z_1_by_l_d_3*t326 + D_p_z_1_by_l_d_3*t428
-        + mu_1_by_l_d_3*t327 + mu_2_by_l_d_3*t328 + mu_3_by_l_d_3*t329,
-        D_delta_x_3_by_l_d_3*t315 + D_delta_y_3_by_l_d_3*t316 + D_delta_z_3_by_l_d_3*t317
-        - D_p_x_1_by_l_d_3*t330 - D_p_x_1_by_l_d_3*t331 - D_p_x_1_by_l_d_3*t332 + D_p_x_1_by_l_d_3*t429
-        - D_p_y_1_by_l_d_3*t333 - D_p_y_1_by_l_d_3*t334 - D_p_y_1_by_l_d_3*t335 + D_p_y_1_by_l_d_3*t430
-        - D_p_z_1_by_l_d_3*t336 - D_p_z_1_by_l_d_3*t337 - D_p_z_1_by_l_d_3*t338 + D_p_z_1_by_l_d_3*t431
-        + mu_1_by_l_d_3*t339 + mu_2_by_l_d_3*t340 + mu_3_by_l_d_3*t341,
+        + D_p_z_1_by_l_d_3*D_p_z_3*k_C - D_p_z_1_by_l_d_3*t290 - D_p_z_1_by_l_d_3*t291
+        - D_p_z_1_by_l_d_3*t292 - D_p_z_3_by_l_d_3*t256 - D_p_z_3_by_l_d_3*t258 - D_p_z_3_by_l_d_3*t259
+        + mu_1_by_l_d_3*t293 + mu_2_by_l_d_3*t294 + mu_3_by_l_d_3*t295,
+        D_delta_x_1_by_l_d_3*t313 + D_delta_y_1_by_l_d_3*t314 + D_delta_z_1_by_l_d_3*t315
+        - D_p_x_1_by_l_d_3*t302 - D_p_x_1_by_l_d_3*t303 - D_p_x_1_by_l_d_3*t304 + D_p_x_1_by_l_d_3*t411
+        - D_p_y_1_by_l_d_3*t305 - D_p_y_1_by_l_d_3*t306 - D_p_y_1_by_l_d_3*t307 + D_p_y_1_by_l_d_3*t412
+        - D_p_z_1_by_l_d_3*t308 - D_p_z_1_by_l_d_3*t309 - D_p_z_1_by_l_d_3*t310 + D_p_z_1_by_l_d_3*t413
+        + mu_1_by_l_d_3*t311 + mu_2_by_l_d_3*t312 + mu_3_by_l_d_3*t312,
+        D_delta_x_2_by_l_d_3*t313 + D_delta_y_2_by_l_d_3*t314 + D_delta_z_2_by_l_d_3*t315
+        - D_p_x_1_by_l_d_3*t316 - D_p_x_1_by_l_d_3*t317 - D_p_x_1_by_l_d_3*t318 + D_p_x_1_by_l_d_3*t414
+        - D_p_y_1_by_l_d_3*t319 - D_p_y_1_by_l_d_3*t320 - D_p_y_1_by_l_d_3*t321 + D_p_y_1_by_l_d_3*t415
+        - D_p_z_1_by_l_d_3*t322 - D_p_z_1_by_l_d_3*t323 - D_p_z_1_by_l_d_3*t324 + D_p_z_1_by_l_d_3*t416
+        + mu_1_by_l_d_3*t325 + mu_2_by_l_d_3*t326 + mu_3_by_l_d_3*t326,
+        D_delta_x_3_by_l_d_3*t313 + D_delta_y_3_by_l_d_3*t314 + D_delta_z_3_by_l_d_3*t315
+        - D_p_x_1_by_l_d_3*t327 - D_p_x_1_by_l_d_3*t328 - D_p_x_1_by_l_d_3*t329 + D_p_x_1_by_l_d_3*t417
+        - D_p_y_1_by_l_d_3*t330 - D_p_y_1_by_l_d_3*t331 - D_p_y_1_by_l_d_3*t332 + D_p_y_1_by_l_d_3*t418
+        - D_p_z_1_by_l_d_3*t333 - D_p_z_1_by_l_d_3*t334 - D_p_z_1_by_l_d_3*t335 + D_p_z_1_by_l_d_3*t419
+        + mu_1_by_l_d_3*t336 + mu_2_by_l_d_3*t337 + mu_3_by_l_d_3*t337,
         D_p_x_1_by_l_d_3*k_C, D_p_y_1_by_l_d_3*k_C, D_p_z_1_by_l_d_3*k_C,
         2*D_p_x_2*D_p_x_2_by_l_d_3*k_C + 2*D_p_y_2*D_p_y_2_by_l_d_3*k_C + 2*D_p_z_2*D_p_z_2_by_l_d_3*k_C
-        + mu_1_by_l_d_3*t346 + mu_2_by_l_d_3*t347 + mu_3_by_l_d_3*t348 - t273*t589 - t274*t589 - t275*t589
-        - t276*t590 - t277*t590 - t278*t590 - t279*t591 - t280*t591 - t281*t591,
-        D_p_x_2*D_p_x_3_by_l_d_3*k_C + D_p_x_2_by_l_d_3*D_p_x_3*k_C - D_p_x_2_by_l_d_3*t285
-        - D_p_x_2_by_l_d_3*t286 - D_p_x_2_by_l_d_3*t287 - D_p_x_3_by_l_d_3*t273 - D_p_x_3_by_l_d_3*t274
-        - D_p_x_3_by_l_d_3*t275 + D_p_y_2*D_p_y_3_by_l_d_3*k_C + D_p_y_2_by_l_d_3*D_p_y_3*k_C
-        - D_p_y_2_by_l_d_3*t288 - D_p_y_2_by_l_d_3*t289 - D_p_y_2_by_l_d_3*t290 - D_p_y_3_by_l_d_3*t276
-        - D_p_y_3_by_l_d_3*t277 - D_p_y_3_by_l_d_3*t278 + D_p_z_2*D_p_z_3_by_l_d_3*k_C
-        + D_p_z_2_by_l_d_3*D_p_z_3*k_C - D_p_z_2_by_l_d_3*t291 - D_p_z_2_by_l_d_3*t292
-        - D_p_z_2_by_l_d_3*t293 - D_p_z_3_by_l_d_3*t279 - D_p_z_3_by_l_d_3*t280 - D_p_z_3_by_l_d_3*t281
-        + mu_1_by_l_d_3*t349 + mu_2_by_l_d_3*t350 + mu_3_by_l_d_3*t351,
-        D_delta_x_1_by_l_d_3*t358 + D_delta_y_1_by_l_d_3*t359 + D_delta_z_1_by_l_d_3*t360
-        - D_p_x_2_by_l_d_3*t303 - D_p_x_2_by_l_d_3*t304 - D_p_x_2_by_l_d_3*t305 + D_p_x_2_by_l_d_3*t423
-        - D_p_y_2_by_l_d_3*t306 - D_p_y_2_by_l_d_3*t307 - D_p_y_2_by_l_d_3*t308 + D_p_y_2_by_l_d_3*t424
-        - D_p_z_2_by_l_d_3*t309 - D_p_z_2_by_l_d_3*t310 - D_p_z_2_by_l_d_3*t311 + D_p_z_2_by_l_d_3*t425
-        + mu_1_by_l_d_3*t355 + mu_2_by_l_d_3*t356 + mu_3_by_l_d_3*t357,
-        D_delta_x_2_by_l_d_3*t358 + D_delta_y_2_by_l_d_3*t359 + D_delta_z_2_by_l_d_3*t360
-        - D_p_x_2_by_l_d_3*t318 - D_p_x_2_by_l_d_3*t319 - D_p_x_2_by_l_d_3*t320 + D_p_x_2_by_l_d_3*t426
-        - D_p_y_2_by_l_d_3*t321 - D_p_y_2_by_l_d_3*t322 - D_p_y_2_by_l_d_3*t323 + D_p_y_2_by_l_d_3*t427
-        - D_p_z_2_by_l_d_3*t324 - D_p_z_2_by_l_d_3*t325 - D_p_z_2_by_l_d_3*t326 + D_p_z_2_by_l_d_3*t428
-        + mu_1_by_l_d_3*t361 + mu_2_by_l_d_3*t362 + mu_3_by_l_d_3*t363,
-        D_delta_x_3_by_l_d_3*t358 + D_delta_y_3_by_l_d_3*t359 + D_delta_z_3_by_l_d_3*t360
-        - D_p_x_2_by_l_d_3*t330 - D_p_x_2_by_l_d_3*t331 - D_p_x_2_by_l_d_3*t332 + D_p_x_2_by_l_d_3*t429
-        - D_p_y_2_by_l_d_3*t333 - D_p_y_2_by_l_d_3*t334 - D_p_y_2_by_l_d_3*t335 + D_p_y_2_by_l_d_3*t430
-        - D_p_z_2_by_l_d_3*t336 - D_p_z_2_by_l_d_3*t337 - D_p_z_2_by_l_d_3*t338 + D_p_z_2_by_l_d_3*t431
-        + mu_1_by_l_d_3*t364 + mu_2_by_l_d_3*t365 + mu_3_by_l_d_3*t366,
+        + mu_1_by_l_d_3*t342 + mu_2_by_l_d_3*t343 + mu_3_by_l_d_3*t342 - t272*t577 - t273*t577 - t274*t577
+        - t275*t578 - t276*t578 - t277*t578 - t278*t579 - t279*t579 - t280*t579,
+        D_p_x_2*D_p_x_3_by_l_d_3*k_C + D_p_x_2_by_l_d_3*D_p_x_3*k_C - D_p_x_2_by_l_d_3*t284
+        - D_p_x_2_by_l_d_3*t285 - D_p_x_2_by_l_d_3*t286 - D_p_x_3_by_l_d_3*t272 - D_p_x_3_by_l_d_3*t273
+        - D_p_x_3_by_l_d_3*t274 + D_p_y_2*D_p_y_3_by_l_d_3*k_C + D_p_y_2_by_l_d_3*D_p_y_3*k_C
+        - D_p_y_2_by_l_d_3*t287 - D_p_y_2_by_l_d_3*t288 - D_p_y_2_by_l_d_3*t289 - D_p_y_3_by_l_d_3*t275
+        - D_p_y_3_by_l_d_3*t276 - D_p_y_3_by_l_d_3*t277 + D_p_z_2*D_p_z_3_by_l_d_3*k_C
+        + D_p_z_2_by_l_d_3*D_p_z_3*k_C - D_p_z_2_by_l_d_3*t290 - D_p_z_2_by_l_d_3*t291
+        - D_p_z_2_by_l_d_3*t292 - D_p_z_3_by_l_d_3*t278 - D_p_z_3_by_l_d_3*t279 - D_p_z_3_by_l_d_3*t280
+        + mu_1_by_l_d_3*t344 + mu_2_by_l_d_3*t345 + mu_3_by_l_d_3*t346,
+        D_delta_x_1_by_l_d_3*t352 + D_delta_y_1_by_l_d_3*t353 + D_delta_z_1_by_l_d_3*t354
+        - D_p_x_2_by_l_d_3*t302 - D_p_x_2_by_l_d_3*t303 - D_p_x_2_by_l_d_3*t304 + D_p_x_2_by_l_d_3*t411
+        - D_p_y_2_by_l_d_3*t305 - D_p_y_2_by_l_d_3*t306 - D_p_y_2_by_l_d_3*t307 + D_p_y_2_by_l_d_3*t412
+        - D_p_z_2_by_l_d_3*t308 - D_p_z_2_by_l_d_3*t309 - D_p_z_2_by_l_d_3*t310 + D_p_z_2_by_l_d_3*t413
+        + mu_1_by_l_d_3*t350 + mu_2_by_l_d_3*t351 + mu_3_by_l_d_3*t350,
+        D_delta_x_2_by_l_d_3*t352 + D_delta_y_2_by_l_d_3*t353 + D_delta_z_2_by_l_d_3*t354
+        - D_p_x_2_by_l_d_3*t316 - D_p_x_2_by_l_d_3*t317 - D_p_x_2_by_l_d_3*t318 + D_p_x_2_by_l_d_3*t414
+        - D_p_y_2_by_l_d_3*t319 - D_p_y_2_by_l_d_3*t320 - D_p_y_2_by_l_d_3*t321 + D_p_y_2_by_l_d_3*t415
+        - D_p_z_2_by_l_d_3*t322 - D_p_z_2_by_l_d_3*t323 - D_p_z_2_by_l_d_3*t324 + D_p_z_2_by_l_d_3*t416
+        + mu_1_by_l_d_3*t355 + mu_2_by_l_d_3*t356 + mu_3_by_l_d_3*t355,
+        D_delta_x_3_by_l_d_3*t352 + D_delta_y_3_by_l_d_3*t353 + D_delta_z_3_by_l_d_3*t354
+        - D_p_x_2_by_l_d_3*t327 - D_p_x_2_by_l_d_3*t328 - D_p_x_2_by_l_d_3*t329 + D_p_x_2_by_l_d_3*t417
+        - D_p_y_2_by_l_d_3*t330 - D_p_y_2_by_l_d_3*t331 - D_p_y_2_by_l_d_3*t332 + D_p_y_2_by_l_d_3*t418
+        - D_p_z_2_by_l_d_3*t333 - D_p_z_2_by_l_d_3*t334 - D_p_z_2_by_l_d_3*t335 + D_p_z_2_by_l_d_3*t419
+        + mu_1_by_l_d_3*t357 + mu_2_by_l_d_3*t358 + mu_3_by_l_d_3*t357,
         D_p_x_2_by_l_d_3*k_C, D_p_y_2_by_l_d_3*k_C, D_p_z_2_by_l_d_3*k_C,
         2*D_p_x_3*D_p_x_3_by_l_d_3*k_C + 2*D_p_y_3*D_p_y_3_by_l_d_3*k_C + 2*D_p_z_3*D_p_z_3_by_l_d_3*k_C
-        + k_sp_3*t263*t514*t521*w_b_3*x_3_by_l_d_3 + mu_1_by_l_d_3*t370 + mu_2_by_l_d_3*t371
-        + mu_3_by_l_d_3*t372 - t285*t592 - t286*t592 - t287*t592 - t288*t593 - t289*t593 - t290*t593
-        - t291*t594 - t292*t594 - t293*t594 - t596,
-        t598, t599,
-        D_delta_x_1_by_l_d_3*t379 + D_delta_y_1_by_l_d_3*t380 + D_delta_z_1_by_l_d_3*t381
-        - D_p_x_3_by_l_d_3*t303 - D_p_x_3_by_l_d_3*t304 - D_p_x_3_by_l_d_3*t305 + D_p_x_3_by_l_d_3*t423
-        - D_p_y_3_by_l_d_3*t306 - D_p_y_3_by_l_d_3*t307 - D_p_y_3_by_l_d_3*t308 + D_p_y_3_by_l_d_3*t424
-        - D_p_z_3_by_l_d_3*t309 - D_p_z_3_by_l_d_3*t310 - D_p_z_3_by_l_d_3*t311 + D_p_z_3_by_l_d_3*t425
-        + mu_1_by_l_d_3*t376 + mu_2_by_l_d_3*t377 + mu_3_by_l_d_3*t378,
-        D_delta_x_2_by_l_d_3*t379 + D_delta_y_2_by_l_d_3*t380 + D_delta_z_2_by_l_d_3*t381
-        - D_p_x_3_by_l_d_3*t318 - D_p_x_3_by_l_d_3*t319 - D_p_x_3_by_l_d_3*t320 + D_p_x_3_by_l_d_3*t426
-        - D_p_y_3_by_l_d_3*t321 - D_p_y_3_by_l_d_3*t322 - D_p_y_3_by_l_d_3*t323 + D_p_y_3_by_l_d_3*t427
-        - D_p_z_3_by_l_d_3*t324 - D_p_z_3_by_l_d_3*t325 - D_p_z_3_by_l_d_3*t326 + D_p_z_3_by_l_d_3*t428
-        + mu_1_by_l_d_3*t382 + mu_2_by_l_d_3*t383 + mu_3_by_l_d_3*t384,
-        D_delta_x_3_by_l_d_3*t379 + D_delta_y_3_by_l_d_3*t380 + D_delta_z_3_by_l_d_3*t381
-        - D_p_x_3_by_l_d_3*t330 - D_p_x_3_by_l_d_3*t331 - D_p_x_3_by_l_d_3*t332 + D_p_x_3_by_l_d_3*t429
-        - D_p_y_3_by_l_d_3*t333 - D_p_y_3_by_l_d_3*t334 - D_p_y_3_by_l_d_3*t335 + D_p_y_3_by_l_d_3*t430
-        - D_p_z_3_by_l_d_3*t336 - D_p_z_3_by_l_d_3*t337 - D_p_z_3_by_l_d_3*t338 + D_p_z_3_by_l_d_3*t431
-        + mu_1_by_l_d_3*t385 + mu_2_by_l_d_3*t386 + mu_3_by_l_d_3*t387,
-        t600, D_p_x_3_by_l_d_3*k_C, D_p_y_3_by_l_d_3*k_C, D_p_z_3_by_l_d_3*k_C, t230*t597, t598, -t230*t596,
-        t599,
-        D_delta_x_1_by_l_d_3*t389 + D_delta_y_1_by_l_d_3*t390 + D_delta_z_1_by_l_d_3*t391
-        + mu_1_by_l_d_3*t392 - mu_2_by_l_d_3*t388 - mu_3_by_l_d_3*t388,
-        D_delta_x_1_by_l_d_3*t394 + D_delta_x_2_by_l_d_3*t395 + D_delta_y_1_by_l_d_3*t396
-        + D_delta_y_2_by_l_d_3*t397 + D_delta_z_1_by_l_d_3*t398 + D_delta_z_2_by_l_d_3*t399
-        + mu_1_by_l_d_3*t393 + mu_2_by_l_d_3*t393 + mu_3_by_l_d_3*t393,
-        D_delta_x_1_by_l_d_3*t401 + D_delta_x_3_by_l_d_3*t395 + D_delta_y_1_by_l_d_3*t402
-        + D_delta_y_3_by_l_d_3*t397 + D_delta_z_1_by_l_d_3*t403 + D_delta_z_3_by_l_d_3*t399
-        + mu_1_by_l_d_3*t400 + mu_2_by_l_d_3*t400 + mu_3_by_l_d_3*t400,
+        + k_sp_3*t262*t502*t509*w_b_3*x_3_by_l_d_3 + mu_1_by_l_d_3*t362 + mu_2_by_l_d_3*t362
+        + mu_3_by_l_d_3*t363 - t284*t580 - t285*t580 - t286*t580 - t287*t581 - t288*t581 - t289*t581
+        - t290*t582 - t291*t582 - t292*t582 - t584,
+        t586, t587,
+        D_delta_x_1_by_l_d_3*t369 + D_delta_y_1_by_l_d_3*t370 + D_delta_z_1_by_l_d_3*t371
+        - D_p_x_3_by_l_d_3*t302 - D_p_x_3_by_l_d_3*t303 - D_p_x_3_by_l_d_3*t304 + D_p_x_3_by_l_d_3*t411
+        - D_p_y_3_by_l_d_3*t305 - D_p_y_3_by_l_d_3*t306 - D_p_y_3_by_l_d_3*t307 + D_p_y_3_by_l_d_3*t412
+        - D_p_z_3_by_l_d_3*t308 - D_p_z_3_by_l_d_3*t309 - D_p_z_3_by_l_d_3*t310 + D_p_z_3_by_l_d_3*t413
+        + mu_1_by_l_d_3*t367 + mu_2_by_l_d_3*t367 + mu_3_by_l_d_3*t368,
+        D_delta_x_2_by_l_d_3*t369 + D_delta_y_2_by_l_d_3*t370 + D_delta_z_2_by_l_d_3*t371
+        - D_p_x_3_by_l_d_3*t316 - D_p_x_3_by_l_d_3*t317 - D_p_x_3_by_l_d_3*t318 + D_p_x_3_by_l_d_3*t414
+        - D_p_y_3_by_l_d_3*t319 - D_p_y_3_by_l_d_3*t320 - D_p_y_3_by_l_d_3*t321 + D_p_y_3_by_l_d_3*t415
+        - D_p_z_3_by_l_d_3*t322 - D_p_z_3_by_l_d_3*t323 - D_p_z_3_by_l_d_3*t324 + D_p_z_3_by_l_d_3*t416
+        + mu_1_by_l_d_3*t372 + mu_2_by_l_d_3*t372 + mu_3_by_l_d_3*t373,
+        D_delta_x_3_by_l_d_3*t369 + D_delta_y_3_by_l_d_3*t370 + D_delta_z_3_by_l_d_3*t371
+        - D_p_x_3_by_l_d_3*t327 - D_p_x_3_by_l_d_3*t328 - D_p_x_3_by_l_d_3*t329 + D_p_x_3_by_l_d_3*t417
+        - D_p_y_3_by_l_d_3*t330 - D_p_y_3_by_l_d_3*t331 - D_p_y_3_by_l_d_3*t332 + D_p_y_3_by_l_d_3*t418
+        - D_p_z_3_by_l_d_3*t333 - D_p_z_3_by_l_d_3*t334 - D_p_z_3_by_l_d_3*t335 + D_p_z_3_by_l_d_3*t419
+        + mu_1_by_l_d_3*t374 + mu_2_by_l_d_3*t374 + mu_3_by_l_d_3*t375,
+        t588, D_p_x_3_by_l_d_3*k_C, D_p_y_3_by_l_d_3*k_C, D_p_z_3_by_l_d_3*k_C, t230*t585, t586, -t230*t584,
+        t587,
+        D_delta_x_1_by_l_d_3*t377 + D_delta_y_1_by_l_d_3*t378 + D_delta_z_1_by_l_d_3*t379
+        + mu_1_by_l_d_3*t380 - mu_2_by_l_d_3*t376 - mu_3_by_l_d_3*t376,
+        D_delta_x_1_by_l_d_3*t382 + D_delta_x_2_by_l_d_3*t383 + D_delta_y_1_by_l_d_3*t384
+        + D_delta_y_2_by_l_d_3*t385 + D_delta_z_1_by_l_d_3*t386 + D_delta_z_2_by_l_d_3*t387
+        + mu_1_by_l_d_3*t381 + mu_2_by_l_d_3*t381 + mu_3_by_l_d_3*t381,
+        D_delta_x_1_by_l_d_3*t389 + D_delta_x_3_by_l_d_3*t383 + D_delta_y_1_by_l_d_3*t390
+        + D_delta_y_3_by_l_d_3*t385 + D_delta_z_1_by_l_d_3*t391 + D_delta_z_3_by_l_d_3*t387
+        + mu_1_by_l_d_3*t388 + mu_2_by_l_d_3*t388 + mu_3_by_l_d_3*t388,
         D_delta_x_1_by_l_d_3*k_C, D_delta_y_1_by_l_d_3*k_C, D_delta_z_1_by_l_d_3*k_C,
-        D_delta_x_2_by_l_d_3*t405 + D_delta_y_2_by_l_d_3*t406 + D_delta_z_2_by_l_d_3*t407
-        - mu_1_by_l_d_3*t404 + mu_2_by_l_d_3*t408 - mu_3_by_l_d_3*t404,
-        D_delta_x_2_by_l_d_3*t401 + D_delta_x_3_by_l_d_3*t394 + D_delta_y_2_by_l_d_3*t402
-        + D_delta_y_3_by_l_d_3*t396 + D_delta_z_2_by_l_d_3*t403 + D_delta_z_3_by_l_d_3*t398
-        + mu_1_by_l_d_3*t409 + mu_2_by_l_d_3*t409 + mu_3_by_l_d_3*t409,
+        D_delta_x_2_by_l_d_3*t393 + D_delta_y_2_by_l_d_3*t394 + D_delta_z_2_by_l_d_3*t395
+        - mu_1_by_l_d_3*t392 + mu_2_by_l_d_3*t396 - mu_3_by_l_d_3*t392,
+        D_delta_x_2_by_l_d_3*t389 + D_delta_x_3_by_l_d_3*t382 + D_delta_y_2_by_l_d_3*t390
+        + D_delta_y_3_by_l_d_3*t384 + D_delta_z_2_by_l_d_3*t391 + D_delta_z_3_by_l_d_3*t386
+        + mu_1_by_l_d_3*t397 + mu_2_by_l_d_3*t397 + mu_3_by_l_d_3*t397,
         D_delta_x_2_by_l_d_3*k_C, D_delta_y_2_by_l_d_3*k_C, D_delta_z_2_by_l_d_3*k_C,
-        D_delta_x_3_by_l_d_3*t411 + D_delta_y_3_by_l_d_3*t412 + D_delta_z_3_by_l_d_3*t413
-        - mu_1_by_l_d_3*t410 - mu_2_by_l_d_3*t410 + mu_3_by_l_d_3*t414,
-        D_delta_x_3_by_l_d_3*k_C, D_delta_y_3_by_l_d_3*k_C, D_delta_z_3_by_l_d_3*k_C, t600,
+        D_delta_x_3_by_l_d_3*t399 + D_delta_y_3_by_l_d_3*t400 + D_delta_z_3_by_l_d_3*t401
+        - mu_1_by_l_d_3*t398 - mu_2_by_l_d_3*t398 + mu_3_by_l_d_3*t402,
+        D_delta_x_3_by_l_d_3*k_C, D_delta_y_3_by_l_d_3*k_C, D_delta_z_3_by_l_d_3*k_C, t588,
     ))
     return M_theta_out, K_theta_out

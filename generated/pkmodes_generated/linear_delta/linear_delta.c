@@ -5,8 +5,8 @@
  * Dynamics of the mechanism linear_delta, for a robot given by its parameters.
  * The header describes every function.
  *
- * Names in the code, for axis j, pulley or span k (or carriage k, l of a derivative) and component
- * i = x, y, z; t1, t2, ... are subexpressions that several values share:
+ * Names in the code, for axis or belt j; pulley k, or coordinate k of a derivative; coordinate l of a second
+ * derivative; belt span s; component i = x, y, z.  t1, t2, ... are subexpressions that several values share.
  *   x_j [m]: position of carriage j along its rail
  *   r_j_i [m]: platform joint j seen from the origin of rail j, component i
  *   s_j_i [m]: linkage vector j, from carriage to platform joint, component i
@@ -15,9 +15,9 @@
  *   w2_j [m^2]: squared distance of platform joint j from rail j
  *   tau_st_j [N m]: static torque on the driven pulley of axis j
  *   I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
- *   l_f_j_k [m]: free length of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
+ *   l_f_j_s [m]: free length of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
  *     carriage to pulley 1)
- *   k_j_k [N/m]: stiffness of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
+ *   k_j_s [N/m]: stiffness of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
  *     carriage to pulley 1)
  *   S_j_i [m]: centre of sphere j, on which the platform centre lies, component i
  *   alpha_i [m]: vector between the sphere centres 1 and 2, component i
@@ -44,9 +44,10 @@
 #include "linear_delta.h"
 
 #include <math.h>
+#include <string.h>
 
-void linear_delta_inverse_kinematics(const double p[3], const linear_delta_parameters *parameters, double
-    x[3])
+void linear_delta_inverse_kinematics(const double p[3], const linear_delta_parameters *parameters,
+    double x[3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -116,8 +117,8 @@ void linear_delta_inverse_kinematics(const double p[3], const linear_delta_param
     x[2] = x_3;
 }
 
-void linear_delta_reach_margin(const double p[3], const linear_delta_parameters *parameters, double
-    margin[3])
+void linear_delta_reach_margin(const double p[3], const linear_delta_parameters *parameters,
+    double margin[3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -197,8 +198,8 @@ void linear_delta_travel_margin(const linear_delta_parameters *parameters, doubl
     margin[2] = -l_t_3 + x_max_3 - x_min_3;
 }
 
-void linear_delta_direct_kinematics(const double x[3], double assembly, const linear_delta_parameters
-    *parameters, double p[3])
+void linear_delta_direct_kinematics(const double x[3], double assembly,
+    const linear_delta_parameters *parameters, double p[3])
 {
     const double x_1 = x[0];
     const double x_2 = x[1];
@@ -367,8 +368,8 @@ void linear_delta_belt_spans(const double p[3], const linear_delta_parameters *p
     l_f[2][2] = l_f_3_3;
 }
 
-void linear_delta_constraint_jacobians(const double p[3], const linear_delta_parameters *parameters, double
-    D_l[3][3], double D_r[3][3])
+void linear_delta_constraint_jacobians(const double p[3], const linear_delta_parameters *parameters,
+    double D_l[3][3], double D_r[3][3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -454,19 +455,14 @@ void linear_delta_constraint_jacobians(const double p[3], const linear_delta_par
     D_l[2][0] = s_3_x;
     D_l[2][1] = s_3_y;
     D_l[2][2] = s_3_z;
+    memset(D_r, 0, sizeof(double[3][3]));
     D_r[0][0] = D_r_1;
-    D_r[0][1] = 0;
-    D_r[0][2] = 0;
-    D_r[1][0] = 0;
     D_r[1][1] = D_r_2;
-    D_r[1][2] = 0;
-    D_r[2][0] = 0;
-    D_r[2][1] = 0;
     D_r[2][2] = D_r_3;
 }
 
-void linear_delta_jacobian_condition(const double p[3], const linear_delta_parameters *parameters, double
-    *determinant, double *condition)
+void linear_delta_jacobian_condition(const double p[3], const linear_delta_parameters *parameters,
+    double *determinant, double *condition)
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -559,8 +555,8 @@ void linear_delta_jacobian_condition(const double p[3], const linear_delta_param
         + (A_z_2*A_z_2)*t1 + (A_z_3*A_z_3)*t1);
 }
 
-void linear_delta_platform_jacobian(const double p[3], const linear_delta_parameters *parameters, double
-    D_p[3][3])
+void linear_delta_platform_jacobian(const double p[3], const linear_delta_parameters *parameters,
+    double D_p[3][3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -671,8 +667,8 @@ void linear_delta_platform_jacobian(const double p[3], const linear_delta_parame
     D_p[2][2] = D_p_z_3;
 }
 
-void linear_delta_platform_jacobian_rate(const double p[3], const double x_dot[3], const
-    linear_delta_parameters *parameters, double D_p_dot[3][3])
+void linear_delta_platform_jacobian_rate(const double p[3], const double x_dot[3],
+    const linear_delta_parameters *parameters, double D_p_dot[3][3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -776,65 +772,56 @@ void linear_delta_platform_jacobian_rate(const double p[3], const double x_dot[3
     const double D_p_z_2 = A_z_2*t3;
     const double D_p_z_3 = A_z_3*t4;
     const double U_1_x_1 = D_p_x_1 - n_1_x;
-    const double U_1_x_2 = D_p_x_2;
-    const double U_1_x_3 = D_p_x_3;
     const double U_1_y_1 = D_p_y_1 - n_1_y;
-    const double U_1_y_2 = D_p_y_2;
-    const double U_1_y_3 = D_p_y_3;
     const double U_1_z_1 = D_p_z_1 - n_1_z;
-    const double U_1_z_2 = D_p_z_2;
-    const double U_1_z_3 = D_p_z_3;
-    const double U_2_x_1 = D_p_x_1;
     const double U_2_x_2 = D_p_x_2 - n_2_x;
-    const double U_2_x_3 = D_p_x_3;
-    const double U_2_y_1 = D_p_y_1;
     const double U_2_y_2 = D_p_y_2 - n_2_y;
-    const double U_2_y_3 = D_p_y_3;
-    const double U_2_z_1 = D_p_z_1;
     const double U_2_z_2 = D_p_z_2 - n_2_z;
-    const double U_2_z_3 = D_p_z_3;
-    const double U_3_x_1 = D_p_x_1;
-    const double U_3_x_2 = D_p_x_2;
     const double U_3_x_3 = D_p_x_3 - n_3_x;
-    const double U_3_y_1 = D_p_y_1;
-    const double U_3_y_2 = D_p_y_2;
     const double U_3_y_3 = D_p_y_3 - n_3_y;
-    const double U_3_z_1 = D_p_z_1;
-    const double U_3_z_2 = D_p_z_2;
     const double U_3_z_3 = D_p_z_3 - n_3_z;
-    const double s_dot_1_x = U_1_x_1*x_1_dot + U_1_x_2*x_2_dot + U_1_x_3*x_3_dot;
-    const double s_dot_1_y = U_1_y_1*x_1_dot + U_1_y_2*x_2_dot + U_1_y_3*x_3_dot;
-    const double s_dot_1_z = U_1_z_1*x_1_dot + U_1_z_2*x_2_dot + U_1_z_3*x_3_dot;
-    const double s_dot_2_x = U_2_x_1*x_1_dot + U_2_x_2*x_2_dot + U_2_x_3*x_3_dot;
-    const double s_dot_2_y = U_2_y_1*x_1_dot + U_2_y_2*x_2_dot + U_2_y_3*x_3_dot;
-    const double s_dot_2_z = U_2_z_1*x_1_dot + U_2_z_2*x_2_dot + U_2_z_3*x_3_dot;
-    const double s_dot_3_x = U_3_x_1*x_1_dot + U_3_x_2*x_2_dot + U_3_x_3*x_3_dot;
-    const double s_dot_3_y = U_3_y_1*x_1_dot + U_3_y_2*x_2_dot + U_3_y_3*x_3_dot;
-    const double s_dot_3_z = U_3_z_1*x_1_dot + U_3_z_2*x_2_dot + U_3_z_3*x_3_dot;
-    const double t5 = -D_p_x_1*s_dot_2_x - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z;
-    const double t6 = -D_p_x_1*s_dot_3_x - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z;
-    const double t7 =
+    const double t5 = D_p_x_2*x_2_dot;
+    const double t6 = D_p_x_3*x_3_dot;
+    const double s_dot_1_x = U_1_x_1*x_1_dot + t5 + t6;
+    const double t7 = D_p_y_2*x_2_dot;
+    const double t8 = D_p_y_3*x_3_dot;
+    const double s_dot_1_y = U_1_y_1*x_1_dot + t7 + t8;
+    const double t9 = D_p_z_2*x_2_dot;
+    const double t10 = D_p_z_3*x_3_dot;
+    const double s_dot_1_z = U_1_z_1*x_1_dot + t10 + t9;
+    const double t11 = D_p_x_1*x_1_dot;
+    const double s_dot_2_x = U_2_x_2*x_2_dot + t11 + t6;
+    const double t12 = D_p_y_1*x_1_dot;
+    const double s_dot_2_y = U_2_y_2*x_2_dot + t12 + t8;
+    const double t13 = D_p_z_1*x_1_dot;
+    const double s_dot_2_z = U_2_z_2*x_2_dot + t10 + t13;
+    const double s_dot_3_x = U_3_x_3*x_3_dot + t11 + t5;
+    const double s_dot_3_y = U_3_y_3*x_3_dot + t12 + t7;
+    const double s_dot_3_z = U_3_z_3*x_3_dot + t13 + t9;
+    const double t14 = -D_p_x_1*s_dot_2_x - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z;
+    const double t15 = -D_p_x_1*s_dot_3_x - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z;
+    const double t16 =
         -D_p_x_1*s_dot_1_x - D_p_y_1*s_dot_1_y - D_p_z_1*s_dot_1_z + n_1_x*s_dot_1_x + n_1_y*s_dot_1_y
         + n_1_z*s_dot_1_z;
-    const double D_p_dot_x_1 = t1*(A_x_1*t7 + A_x_2*t5 + A_x_3*t6);
-    const double D_p_dot_y_1 = t1*(A_y_1*t7 + A_y_2*t5 + A_y_3*t6);
-    const double D_p_dot_z_1 = t1*(A_z_1*t7 + A_z_2*t5 + A_z_3*t6);
-    const double t8 = -D_p_x_2*s_dot_1_x - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z;
-    const double t9 = -D_p_x_2*s_dot_3_x - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z;
-    const double t10 =
+    const double D_p_dot_x_1 = t1*(A_x_1*t16 + A_x_2*t14 + A_x_3*t15);
+    const double D_p_dot_y_1 = t1*(A_y_1*t16 + A_y_2*t14 + A_y_3*t15);
+    const double D_p_dot_z_1 = t1*(A_z_1*t16 + A_z_2*t14 + A_z_3*t15);
+    const double t17 = -D_p_x_2*s_dot_1_x - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z;
+    const double t18 = -D_p_x_2*s_dot_3_x - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z;
+    const double t19 =
         -D_p_x_2*s_dot_2_x - D_p_y_2*s_dot_2_y - D_p_z_2*s_dot_2_z + n_2_x*s_dot_2_x + n_2_y*s_dot_2_y
         + n_2_z*s_dot_2_z;
-    const double D_p_dot_x_2 = t1*(A_x_1*t8 + A_x_2*t10 + A_x_3*t9);
-    const double D_p_dot_y_2 = t1*(A_y_1*t8 + A_y_2*t10 + A_y_3*t9);
-    const double D_p_dot_z_2 = t1*(A_z_1*t8 + A_z_2*t10 + A_z_3*t9);
-    const double t11 = -D_p_x_3*s_dot_1_x - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z;
-    const double t12 = -D_p_x_3*s_dot_2_x - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z;
-    const double t13 =
+    const double D_p_dot_x_2 = t1*(A_x_1*t17 + A_x_2*t19 + A_x_3*t18);
+    const double D_p_dot_y_2 = t1*(A_y_1*t17 + A_y_2*t19 + A_y_3*t18);
+    const double D_p_dot_z_2 = t1*(A_z_1*t17 + A_z_2*t19 + A_z_3*t18);
+    const double t20 = -D_p_x_3*s_dot_1_x - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z;
+    const double t21 = -D_p_x_3*s_dot_2_x - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z;
+    const double t22 =
         -D_p_x_3*s_dot_3_x - D_p_y_3*s_dot_3_y - D_p_z_3*s_dot_3_z + n_3_x*s_dot_3_x + n_3_y*s_dot_3_y
         + n_3_z*s_dot_3_z;
-    const double D_p_dot_x_3 = t1*(A_x_1*t11 + A_x_2*t12 + A_x_3*t13);
-    const double D_p_dot_y_3 = t1*(A_y_1*t11 + A_y_2*t12 + A_y_3*t13);
-    const double D_p_dot_z_3 = t1*(A_z_1*t11 + A_z_2*t12 + A_z_3*t13);
+    const double D_p_dot_x_3 = t1*(A_x_1*t20 + A_x_2*t21 + A_x_3*t22);
+    const double D_p_dot_y_3 = t1*(A_y_1*t20 + A_y_2*t21 + A_y_3*t22);
+    const double D_p_dot_z_3 = t1*(A_z_1*t20 + A_z_2*t21 + A_z_3*t22);
     D_p_dot[0][0] = D_p_dot_x_1;
     D_p_dot[0][1] = D_p_dot_x_2;
     D_p_dot[0][2] = D_p_dot_x_3;
@@ -948,99 +935,69 @@ void linear_delta_platform_second_derivatives(const double p[3], const linear_de
     const double D_p_z_2 = A_z_2*t3;
     const double D_p_z_3 = A_z_3*t4;
     const double U_1_x_1 = D_p_x_1 - n_1_x;
-    const double U_1_x_2 = D_p_x_2;
-    const double U_1_x_3 = D_p_x_3;
     const double U_1_y_1 = D_p_y_1 - n_1_y;
-    const double U_1_y_2 = D_p_y_2;
-    const double U_1_y_3 = D_p_y_3;
     const double U_1_z_1 = D_p_z_1 - n_1_z;
-    const double U_1_z_2 = D_p_z_2;
-    const double U_1_z_3 = D_p_z_3;
-    const double U_2_x_1 = D_p_x_1;
     const double U_2_x_2 = D_p_x_2 - n_2_x;
-    const double U_2_x_3 = D_p_x_3;
-    const double U_2_y_1 = D_p_y_1;
     const double U_2_y_2 = D_p_y_2 - n_2_y;
-    const double U_2_y_3 = D_p_y_3;
-    const double U_2_z_1 = D_p_z_1;
     const double U_2_z_2 = D_p_z_2 - n_2_z;
-    const double U_2_z_3 = D_p_z_3;
-    const double U_3_x_1 = D_p_x_1;
-    const double U_3_x_2 = D_p_x_2;
     const double U_3_x_3 = D_p_x_3 - n_3_x;
-    const double U_3_y_1 = D_p_y_1;
-    const double U_3_y_2 = D_p_y_2;
     const double U_3_y_3 = D_p_y_3 - n_3_y;
-    const double U_3_z_1 = D_p_z_1;
-    const double U_3_z_2 = D_p_z_2;
     const double U_3_z_3 = D_p_z_3 - n_3_z;
     const double f_1_11 = -(U_1_x_1*U_1_x_1) - (U_1_y_1*U_1_y_1) - (U_1_z_1*U_1_z_1);
-    const double f_2_11 = -(U_2_x_1*U_2_x_1) - (U_2_y_1*U_2_y_1) - (U_2_z_1*U_2_z_1);
-    const double f_3_11 = -(U_3_x_1*U_3_x_1) - (U_3_y_1*U_3_y_1) - (U_3_z_1*U_3_z_1);
-    const double P_x_11 = t1*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_3_11);
-    const double P_y_11 = t1*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_3_11);
-    const double P_z_11 = t1*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_3_11);
-    const double f_1_12 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2;
-    const double f_2_12 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2;
-    const double f_3_12 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2;
+    const double f_2_11 = -(D_p_x_1*D_p_x_1) - (D_p_y_1*D_p_y_1) - (D_p_z_1*D_p_z_1);
+    const double P_x_11 = t1*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_2_11);
+    const double P_y_11 = t1*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_2_11);
+    const double P_z_11 = t1*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_2_11);
+    const double f_1_12 = -D_p_x_2*U_1_x_1 - D_p_y_2*U_1_y_1 - D_p_z_2*U_1_z_1;
+    const double f_2_12 = -D_p_x_1*U_2_x_2 - D_p_y_1*U_2_y_2 - D_p_z_1*U_2_z_2;
+    const double f_3_12 = -D_p_x_1*D_p_x_2 - D_p_y_1*D_p_y_2 - D_p_z_1*D_p_z_2;
     const double P_x_12 = t1*(A_x_1*f_1_12 + A_x_2*f_2_12 + A_x_3*f_3_12);
     const double P_y_12 = t1*(A_y_1*f_1_12 + A_y_2*f_2_12 + A_y_3*f_3_12);
     const double P_z_12 = t1*(A_z_1*f_1_12 + A_z_2*f_2_12 + A_z_3*f_3_12);
-    const double f_1_13 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3;
-    const double f_2_13 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3;
-    const double f_3_13 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3;
+    const double f_1_13 = -D_p_x_3*U_1_x_1 - D_p_y_3*U_1_y_1 - D_p_z_3*U_1_z_1;
+    const double f_2_13 = -D_p_x_1*D_p_x_3 - D_p_y_1*D_p_y_3 - D_p_z_1*D_p_z_3;
+    const double f_3_13 = -D_p_x_1*U_3_x_3 - D_p_y_1*U_3_y_3 - D_p_z_1*U_3_z_3;
     const double P_x_13 = t1*(A_x_1*f_1_13 + A_x_2*f_2_13 + A_x_3*f_3_13);
     const double P_y_13 = t1*(A_y_1*f_1_13 + A_y_2*f_2_13 + A_y_3*f_3_13);
     const double P_z_13 = t1*(A_z_1*f_1_13 + A_z_2*f_2_13 + A_z_3*f_3_13);
-    const double f_1_22 = -(U_1_x_2*U_1_x_2) - (U_1_y_2*U_1_y_2) - (U_1_z_2*U_1_z_2);
+    const double f_1_22 = -(D_p_x_2*D_p_x_2) - (D_p_y_2*D_p_y_2) - (D_p_z_2*D_p_z_2);
     const double f_2_22 = -(U_2_x_2*U_2_x_2) - (U_2_y_2*U_2_y_2) - (U_2_z_2*U_2_z_2);
-    const double f_3_22 = -(U_3_x_2*U_3_x_2) - (U_3_y_2*U_3_y_2) - (U_3_z_2*U_3_z_2);
-    const double P_x_22 = t1*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_3_22);
-    const double P_y_22 = t1*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_3_22);
-    const double P_z_22 = t1*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_3_22);
-    const double f_1_23 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3;
-    const double f_2_23 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3;
-    const double f_3_23 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3;
+    const double P_x_22 = t1*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_1_22);
+    const double P_y_22 = t1*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_1_22);
+    const double P_z_22 = t1*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_1_22);
+    const double f_1_23 = -D_p_x_2*D_p_x_3 - D_p_y_2*D_p_y_3 - D_p_z_2*D_p_z_3;
+    const double f_2_23 = -D_p_x_3*U_2_x_2 - D_p_y_3*U_2_y_2 - D_p_z_3*U_2_z_2;
+    const double f_3_23 = -D_p_x_2*U_3_x_3 - D_p_y_2*U_3_y_3 - D_p_z_2*U_3_z_3;
     const double P_x_23 = t1*(A_x_1*f_1_23 + A_x_2*f_2_23 + A_x_3*f_3_23);
     const double P_y_23 = t1*(A_y_1*f_1_23 + A_y_2*f_2_23 + A_y_3*f_3_23);
     const double P_z_23 = t1*(A_z_1*f_1_23 + A_z_2*f_2_23 + A_z_3*f_3_23);
-    const double f_1_33 = -(U_1_x_3*U_1_x_3) - (U_1_y_3*U_1_y_3) - (U_1_z_3*U_1_z_3);
-    const double f_2_33 = -(U_2_x_3*U_2_x_3) - (U_2_y_3*U_2_y_3) - (U_2_z_3*U_2_z_3);
+    const double f_1_33 = -(D_p_x_3*D_p_x_3) - (D_p_y_3*D_p_y_3) - (D_p_z_3*D_p_z_3);
     const double f_3_33 = -(U_3_x_3*U_3_x_3) - (U_3_y_3*U_3_y_3) - (U_3_z_3*U_3_z_3);
-    const double P_x_33 = t1*(A_x_1*f_1_33 + A_x_2*f_2_33 + A_x_3*f_3_33);
-    const double P_y_33 = t1*(A_y_1*f_1_33 + A_y_2*f_2_33 + A_y_3*f_3_33);
-    const double P_z_33 = t1*(A_z_1*f_1_33 + A_z_2*f_2_33 + A_z_3*f_3_33);
+    const double P_x_33 = t1*(A_x_1*f_1_33 + A_x_2*f_1_33 + A_x_3*f_3_33);
+    const double P_y_33 = t1*(A_y_1*f_1_33 + A_y_2*f_1_33 + A_y_3*f_3_33);
+    const double P_z_33 = t1*(A_z_1*f_1_33 + A_z_2*f_1_33 + A_z_3*f_3_33);
     P[0][0][0] = P_x_11;
-    P[0][0][1] = P_x_12;
-    P[0][0][2] = P_x_13;
-    P[0][1][0] = P_x_12;
+    P[0][0][1] = P[0][1][0] = P_x_12;
+    P[0][0][2] = P[0][2][0] = P_x_13;
     P[0][1][1] = P_x_22;
-    P[0][1][2] = P_x_23;
-    P[0][2][0] = P_x_13;
-    P[0][2][1] = P_x_23;
+    P[0][1][2] = P[0][2][1] = P_x_23;
     P[0][2][2] = P_x_33;
     P[1][0][0] = P_y_11;
-    P[1][0][1] = P_y_12;
-    P[1][0][2] = P_y_13;
-    P[1][1][0] = P_y_12;
+    P[1][0][1] = P[1][1][0] = P_y_12;
+    P[1][0][2] = P[1][2][0] = P_y_13;
     P[1][1][1] = P_y_22;
-    P[1][1][2] = P_y_23;
-    P[1][2][0] = P_y_13;
-    P[1][2][1] = P_y_23;
+    P[1][1][2] = P[1][2][1] = P_y_23;
     P[1][2][2] = P_y_33;
     P[2][0][0] = P_z_11;
-    P[2][0][1] = P_z_12;
-    P[2][0][2] = P_z_13;
-    P[2][1][0] = P_z_12;
+    P[2][0][1] = P[2][1][0] = P_z_12;
+    P[2][0][2] = P[2][2][0] = P_z_13;
     P[2][1][1] = P_z_22;
-    P[2][1][2] = P_z_23;
-    P[2][2][0] = P_z_13;
-    P[2][2][1] = P_z_23;
+    P[2][1][2] = P[2][2][1] = P_z_23;
     P[2][2][2] = P_z_33;
 }
 
-void linear_delta_link_jacobians(const double p[3], const linear_delta_parameters *parameters, double
-    D_d[3][3][3], double D_omega[3][3][3])
+void linear_delta_link_jacobians(const double p[3], const linear_delta_parameters *parameters,
+    double D_d[3][3][3], double D_omega[3][3][3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -1144,31 +1101,13 @@ void linear_delta_link_jacobians(const double p[3], const linear_delta_parameter
     const double D_p_z_2 = A_z_2*t6;
     const double D_p_z_3 = A_z_3*t7;
     const double U_1_x_1 = D_p_x_1 - n_1_x;
-    const double U_1_x_2 = D_p_x_2;
-    const double U_1_x_3 = D_p_x_3;
     const double U_1_y_1 = D_p_y_1 - n_1_y;
-    const double U_1_y_2 = D_p_y_2;
-    const double U_1_y_3 = D_p_y_3;
     const double U_1_z_1 = D_p_z_1 - n_1_z;
-    const double U_1_z_2 = D_p_z_2;
-    const double U_1_z_3 = D_p_z_3;
-    const double U_2_x_1 = D_p_x_1;
     const double U_2_x_2 = D_p_x_2 - n_2_x;
-    const double U_2_x_3 = D_p_x_3;
-    const double U_2_y_1 = D_p_y_1;
     const double U_2_y_2 = D_p_y_2 - n_2_y;
-    const double U_2_y_3 = D_p_y_3;
-    const double U_2_z_1 = D_p_z_1;
     const double U_2_z_2 = D_p_z_2 - n_2_z;
-    const double U_2_z_3 = D_p_z_3;
-    const double U_3_x_1 = D_p_x_1;
-    const double U_3_x_2 = D_p_x_2;
     const double U_3_x_3 = D_p_x_3 - n_3_x;
-    const double U_3_y_1 = D_p_y_1;
-    const double U_3_y_2 = D_p_y_2;
     const double U_3_y_3 = D_p_y_3 - n_3_y;
-    const double U_3_z_1 = D_p_z_1;
-    const double U_3_z_2 = D_p_z_2;
     const double U_3_z_3 = D_p_z_3 - n_3_z;
     const double t8 = (1.0/2.0)*D_p_x_1;
     const double t9 = (1.0/2.0)*D_p_x_2;
@@ -1210,36 +1149,36 @@ void linear_delta_link_jacobians(const double p[3], const linear_delta_parameter
     D_d[2][2][1] = t15;
     D_d[2][2][2] = (1.0/2.0)*n_3_z + t16;
     D_omega[0][0][0] = t17*(-U_1_y_1*s_1_z + U_1_z_1*s_1_y);
-    D_omega[0][0][1] = t17*(-U_1_y_2*s_1_z + U_1_z_2*s_1_y);
-    D_omega[0][0][2] = t17*(-U_1_y_3*s_1_z + U_1_z_3*s_1_y);
+    D_omega[0][0][1] = t17*(-D_p_y_2*s_1_z + D_p_z_2*s_1_y);
+    D_omega[0][0][2] = t17*(-D_p_y_3*s_1_z + D_p_z_3*s_1_y);
     D_omega[0][1][0] = t17*(U_1_x_1*s_1_z - U_1_z_1*s_1_x);
-    D_omega[0][1][1] = t17*(U_1_x_2*s_1_z - U_1_z_2*s_1_x);
-    D_omega[0][1][2] = t17*(U_1_x_3*s_1_z - U_1_z_3*s_1_x);
+    D_omega[0][1][1] = t17*(D_p_x_2*s_1_z - D_p_z_2*s_1_x);
+    D_omega[0][1][2] = t17*(D_p_x_3*s_1_z - D_p_z_3*s_1_x);
     D_omega[0][2][0] = t17*(-U_1_x_1*s_1_y + U_1_y_1*s_1_x);
-    D_omega[0][2][1] = t17*(-U_1_x_2*s_1_y + U_1_y_2*s_1_x);
-    D_omega[0][2][2] = t17*(-U_1_x_3*s_1_y + U_1_y_3*s_1_x);
-    D_omega[1][0][0] = t18*(-U_2_y_1*s_2_z + U_2_z_1*s_2_y);
+    D_omega[0][2][1] = t17*(-D_p_x_2*s_1_y + D_p_y_2*s_1_x);
+    D_omega[0][2][2] = t17*(-D_p_x_3*s_1_y + D_p_y_3*s_1_x);
+    D_omega[1][0][0] = t18*(-D_p_y_1*s_2_z + D_p_z_1*s_2_y);
     D_omega[1][0][1] = t18*(-U_2_y_2*s_2_z + U_2_z_2*s_2_y);
-    D_omega[1][0][2] = t18*(-U_2_y_3*s_2_z + U_2_z_3*s_2_y);
-    D_omega[1][1][0] = t18*(U_2_x_1*s_2_z - U_2_z_1*s_2_x);
+    D_omega[1][0][2] = t18*(-D_p_y_3*s_2_z + D_p_z_3*s_2_y);
+    D_omega[1][1][0] = t18*(D_p_x_1*s_2_z - D_p_z_1*s_2_x);
     D_omega[1][1][1] = t18*(U_2_x_2*s_2_z - U_2_z_2*s_2_x);
-    D_omega[1][1][2] = t18*(U_2_x_3*s_2_z - U_2_z_3*s_2_x);
-    D_omega[1][2][0] = t18*(-U_2_x_1*s_2_y + U_2_y_1*s_2_x);
+    D_omega[1][1][2] = t18*(D_p_x_3*s_2_z - D_p_z_3*s_2_x);
+    D_omega[1][2][0] = t18*(-D_p_x_1*s_2_y + D_p_y_1*s_2_x);
     D_omega[1][2][1] = t18*(-U_2_x_2*s_2_y + U_2_y_2*s_2_x);
-    D_omega[1][2][2] = t18*(-U_2_x_3*s_2_y + U_2_y_3*s_2_x);
-    D_omega[2][0][0] = t19*(-U_3_y_1*s_3_z + U_3_z_1*s_3_y);
-    D_omega[2][0][1] = t19*(-U_3_y_2*s_3_z + U_3_z_2*s_3_y);
+    D_omega[1][2][2] = t18*(-D_p_x_3*s_2_y + D_p_y_3*s_2_x);
+    D_omega[2][0][0] = t19*(-D_p_y_1*s_3_z + D_p_z_1*s_3_y);
+    D_omega[2][0][1] = t19*(-D_p_y_2*s_3_z + D_p_z_2*s_3_y);
     D_omega[2][0][2] = t19*(-U_3_y_3*s_3_z + U_3_z_3*s_3_y);
-    D_omega[2][1][0] = t19*(U_3_x_1*s_3_z - U_3_z_1*s_3_x);
-    D_omega[2][1][1] = t19*(U_3_x_2*s_3_z - U_3_z_2*s_3_x);
+    D_omega[2][1][0] = t19*(D_p_x_1*s_3_z - D_p_z_1*s_3_x);
+    D_omega[2][1][1] = t19*(D_p_x_2*s_3_z - D_p_z_2*s_3_x);
     D_omega[2][1][2] = t19*(U_3_x_3*s_3_z - U_3_z_3*s_3_x);
-    D_omega[2][2][0] = t19*(-U_3_x_1*s_3_y + U_3_y_1*s_3_x);
-    D_omega[2][2][1] = t19*(-U_3_x_2*s_3_y + U_3_y_2*s_3_x);
+    D_omega[2][2][0] = t19*(-D_p_x_1*s_3_y + D_p_y_1*s_3_x);
+    D_omega[2][2][1] = t19*(-D_p_x_2*s_3_y + D_p_y_2*s_3_x);
     D_omega[2][2][2] = t19*(-U_3_x_3*s_3_y + U_3_y_3*s_3_x);
 }
 
-void linear_delta_kinetic_energy(const double p[3], const double q_dot[9], const linear_delta_parameters
-    *parameters, double *T_ss, double *T_t)
+void linear_delta_kinetic_energy(const double p[3], const double q_dot[9],
+    const linear_delta_parameters *parameters, double *T_ss, double *T_t)
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -1548,103 +1487,32 @@ void linear_delta_mass_matrix(const double p[3], const linear_delta_parameters *
     const double t20 = n_2_x*t19;
     const double t21 = n_2_y*t19;
     const double t22 = n_2_z*t19;
-    const double t23 = D_p_x_1*t20 + D_p_x_2*t16 + D_p_y_1*t21 + D_p_y_2*t17 + D_p_z_1*t22 + D_p_z_2*t18;
-    const double t24 = (1.0/6.0)*m_d_3;
-    const double t25 = n_3_x*t24;
-    const double t26 = n_3_y*t24;
-    const double t27 = n_3_z*t24;
-    const double t28 = D_p_x_1*t25 + D_p_x_3*t16 + D_p_y_1*t26 + D_p_y_3*t17 + D_p_z_1*t27 + D_p_z_3*t18;
-    const double t29 = D_p_x_2*t15 + t20;
-    const double t30 = D_p_y_2*t15 + t21;
-    const double t31 = D_p_z_2*t15 + t22;
-    const double t32 = D_p_x_2*t25 + D_p_x_3*t29 + D_p_y_2*t26 + D_p_y_3*t30 + D_p_z_2*t27 + D_p_z_3*t31;
+    const double t23 = (1.0/6.0)*m_d_3;
+    const double t24 = n_3_x*t23;
+    const double t25 = n_3_y*t23;
+    const double t26 = n_3_z*t23;
+    const double t27 = D_p_x_2*t15 + t20;
+    const double t28 = D_p_y_2*t15 + t21;
+    const double t29 = D_p_z_2*t15 + t22;
+    memset(M, 0, sizeof(double[9][9]));
     M[0][0] = D_p_x_1*t10 + D_p_x_1*t16 + D_p_y_1*t11 + D_p_y_1*t17 + D_p_z_1*t12 + D_p_z_1*t18 + m_t_1 + t8;
-    M[0][1] = t23;
-    M[0][2] = t28;
-    M[0][3] = 0;
-    M[0][4] = 0;
-    M[0][5] = 0;
-    M[0][6] = 0;
-    M[0][7] = 0;
-    M[0][8] = 0;
-    M[1][0] = t23;
-    M[1][1] = D_p_x_2*t20 + D_p_x_2*t29 + D_p_y_2*t21 + D_p_y_2*t30 + D_p_z_2*t22 + D_p_z_2*t31 + m_t_2 + t13;
-    M[1][2] = t32;
-    M[1][3] = 0;
-    M[1][4] = 0;
-    M[1][5] = 0;
-    M[1][6] = 0;
-    M[1][7] = 0;
-    M[1][8] = 0;
-    M[2][0] = t28;
-    M[2][1] = t32;
+    M[0][1] = M[1][0] = D_p_x_1*t20 + D_p_x_2*t16 + D_p_y_1*t21 + D_p_y_2*t17 + D_p_z_1*t22 + D_p_z_2*t18;
+    M[0][2] = M[2][0] = D_p_x_1*t24 + D_p_x_3*t16 + D_p_y_1*t25 + D_p_y_3*t17 + D_p_z_1*t26 + D_p_z_3*t18;
+    M[1][1] = D_p_x_2*t20 + D_p_x_2*t27 + D_p_y_2*t21 + D_p_y_2*t28 + D_p_z_2*t22 + D_p_z_2*t29 + m_t_2 + t13;
+    M[1][2] = M[2][1] = D_p_x_2*t24 + D_p_x_3*t27 + D_p_y_2*t25 + D_p_y_3*t28 + D_p_z_2*t26 + D_p_z_3*t29;
     M[2][2] =
-        D_p_x_3*t25 + D_p_x_3*(D_p_x_3*t15 + t25) + D_p_y_3*t26 + D_p_y_3*(D_p_y_3*t15 + t26) + D_p_z_3*t27
-        + D_p_z_3*(D_p_z_3*t15 + t27) + m_t_3 + t14;
-    M[2][3] = 0;
-    M[2][4] = 0;
-    M[2][5] = 0;
-    M[2][6] = 0;
-    M[2][7] = 0;
-    M[2][8] = 0;
-    M[3][0] = 0;
-    M[3][1] = 0;
-    M[3][2] = 0;
+        D_p_x_3*t24 + D_p_x_3*(D_p_x_3*t15 + t24) + D_p_y_3*t25 + D_p_y_3*(D_p_y_3*t15 + t25) + D_p_z_3*t26
+        + D_p_z_3*(D_p_z_3*t15 + t26) + m_t_3 + t14;
     M[3][3] = I_1_1;
-    M[3][4] = 0;
-    M[3][5] = 0;
-    M[3][6] = 0;
-    M[3][7] = 0;
-    M[3][8] = 0;
-    M[4][0] = 0;
-    M[4][1] = 0;
-    M[4][2] = 0;
-    M[4][3] = 0;
     M[4][4] = I_2_1;
-    M[4][5] = 0;
-    M[4][6] = 0;
-    M[4][7] = 0;
-    M[4][8] = 0;
-    M[5][0] = 0;
-    M[5][1] = 0;
-    M[5][2] = 0;
-    M[5][3] = 0;
-    M[5][4] = 0;
     M[5][5] = I_3_1;
-    M[5][6] = 0;
-    M[5][7] = 0;
-    M[5][8] = 0;
-    M[6][0] = 0;
-    M[6][1] = 0;
-    M[6][2] = 0;
-    M[6][3] = 0;
-    M[6][4] = 0;
-    M[6][5] = 0;
     M[6][6] = I_1_2;
-    M[6][7] = 0;
-    M[6][8] = 0;
-    M[7][0] = 0;
-    M[7][1] = 0;
-    M[7][2] = 0;
-    M[7][3] = 0;
-    M[7][4] = 0;
-    M[7][5] = 0;
-    M[7][6] = 0;
     M[7][7] = I_2_2;
-    M[7][8] = 0;
-    M[8][0] = 0;
-    M[8][1] = 0;
-    M[8][2] = 0;
-    M[8][3] = 0;
-    M[8][4] = 0;
-    M[8][5] = 0;
-    M[8][6] = 0;
-    M[8][7] = 0;
     M[8][8] = I_3_2;
 }
 
-void linear_delta_velocity_forces(const double p[3], const double x_dot[3], const linear_delta_parameters
-    *parameters, double h[3])
+void linear_delta_velocity_forces(const double p[3], const double x_dot[3],
+    const linear_delta_parameters *parameters, double h[3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -1752,151 +1620,142 @@ void linear_delta_velocity_forces(const double p[3], const double x_dot[3], cons
     const double D_p_z_2 = A_z_2*t3;
     const double D_p_z_3 = A_z_3*t4;
     const double U_1_x_1 = D_p_x_1 - n_1_x;
-    const double U_1_x_2 = D_p_x_2;
-    const double U_1_x_3 = D_p_x_3;
     const double U_1_y_1 = D_p_y_1 - n_1_y;
-    const double U_1_y_2 = D_p_y_2;
-    const double U_1_y_3 = D_p_y_3;
     const double U_1_z_1 = D_p_z_1 - n_1_z;
-    const double U_1_z_2 = D_p_z_2;
-    const double U_1_z_3 = D_p_z_3;
-    const double U_2_x_1 = D_p_x_1;
     const double U_2_x_2 = D_p_x_2 - n_2_x;
-    const double U_2_x_3 = D_p_x_3;
-    const double U_2_y_1 = D_p_y_1;
     const double U_2_y_2 = D_p_y_2 - n_2_y;
-    const double U_2_y_3 = D_p_y_3;
-    const double U_2_z_1 = D_p_z_1;
     const double U_2_z_2 = D_p_z_2 - n_2_z;
-    const double U_2_z_3 = D_p_z_3;
-    const double U_3_x_1 = D_p_x_1;
-    const double U_3_x_2 = D_p_x_2;
     const double U_3_x_3 = D_p_x_3 - n_3_x;
-    const double U_3_y_1 = D_p_y_1;
-    const double U_3_y_2 = D_p_y_2;
     const double U_3_y_3 = D_p_y_3 - n_3_y;
-    const double U_3_z_1 = D_p_z_1;
-    const double U_3_z_2 = D_p_z_2;
     const double U_3_z_3 = D_p_z_3 - n_3_z;
     const double f_1_11 = -(U_1_x_1*U_1_x_1) - (U_1_y_1*U_1_y_1) - (U_1_z_1*U_1_z_1);
-    const double f_2_11 = -(U_2_x_1*U_2_x_1) - (U_2_y_1*U_2_y_1) - (U_2_z_1*U_2_z_1);
-    const double f_3_11 = -(U_3_x_1*U_3_x_1) - (U_3_y_1*U_3_y_1) - (U_3_z_1*U_3_z_1);
-    const double P_x_11 = t1*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_3_11);
-    const double P_y_11 = t1*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_3_11);
-    const double P_z_11 = t1*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_3_11);
-    const double f_1_12 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2;
-    const double f_2_12 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2;
-    const double f_3_12 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2;
+    const double f_2_11 = -(D_p_x_1*D_p_x_1) - (D_p_y_1*D_p_y_1) - (D_p_z_1*D_p_z_1);
+    const double P_x_11 = t1*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_2_11);
+    const double P_y_11 = t1*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_2_11);
+    const double P_z_11 = t1*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_2_11);
+    const double f_1_12 = -D_p_x_2*U_1_x_1 - D_p_y_2*U_1_y_1 - D_p_z_2*U_1_z_1;
+    const double f_2_12 = -D_p_x_1*U_2_x_2 - D_p_y_1*U_2_y_2 - D_p_z_1*U_2_z_2;
+    const double f_3_12 = -D_p_x_1*D_p_x_2 - D_p_y_1*D_p_y_2 - D_p_z_1*D_p_z_2;
     const double P_x_12 = t1*(A_x_1*f_1_12 + A_x_2*f_2_12 + A_x_3*f_3_12);
     const double P_y_12 = t1*(A_y_1*f_1_12 + A_y_2*f_2_12 + A_y_3*f_3_12);
     const double P_z_12 = t1*(A_z_1*f_1_12 + A_z_2*f_2_12 + A_z_3*f_3_12);
-    const double f_1_13 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3;
-    const double f_2_13 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3;
-    const double f_3_13 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3;
+    const double f_1_13 = -D_p_x_3*U_1_x_1 - D_p_y_3*U_1_y_1 - D_p_z_3*U_1_z_1;
+    const double f_2_13 = -D_p_x_1*D_p_x_3 - D_p_y_1*D_p_y_3 - D_p_z_1*D_p_z_3;
+    const double f_3_13 = -D_p_x_1*U_3_x_3 - D_p_y_1*U_3_y_3 - D_p_z_1*U_3_z_3;
     const double P_x_13 = t1*(A_x_1*f_1_13 + A_x_2*f_2_13 + A_x_3*f_3_13);
     const double P_y_13 = t1*(A_y_1*f_1_13 + A_y_2*f_2_13 + A_y_3*f_3_13);
     const double P_z_13 = t1*(A_z_1*f_1_13 + A_z_2*f_2_13 + A_z_3*f_3_13);
-    const double f_1_22 = -(U_1_x_2*U_1_x_2) - (U_1_y_2*U_1_y_2) - (U_1_z_2*U_1_z_2);
+    const double f_1_22 = -(D_p_x_2*D_p_x_2) - (D_p_y_2*D_p_y_2) - (D_p_z_2*D_p_z_2);
     const double f_2_22 = -(U_2_x_2*U_2_x_2) - (U_2_y_2*U_2_y_2) - (U_2_z_2*U_2_z_2);
-    const double f_3_22 = -(U_3_x_2*U_3_x_2) - (U_3_y_2*U_3_y_2) - (U_3_z_2*U_3_z_2);
-    const double P_x_22 = t1*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_3_22);
-    const double P_y_22 = t1*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_3_22);
-    const double P_z_22 = t1*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_3_22);
-    const double f_1_23 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3;
-    const double f_2_23 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3;
-    const double f_3_23 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3;
+    const double P_x_22 = t1*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_1_22);
+    const double P_y_22 = t1*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_1_22);
+    const double P_z_22 = t1*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_1_22);
+    const double f_1_23 = -D_p_x_2*D_p_x_3 - D_p_y_2*D_p_y_3 - D_p_z_2*D_p_z_3;
+    const double f_2_23 = -D_p_x_3*U_2_x_2 - D_p_y_3*U_2_y_2 - D_p_z_3*U_2_z_2;
+    const double f_3_23 = -D_p_x_2*U_3_x_3 - D_p_y_2*U_3_y_3 - D_p_z_2*U_3_z_3;
     const double P_x_23 = t1*(A_x_1*f_1_23 + A_x_2*f_2_23 + A_x_3*f_3_23);
     const double P_y_23 = t1*(A_y_1*f_1_23 + A_y_2*f_2_23 + A_y_3*f_3_23);
     const double P_z_23 = t1*(A_z_1*f_1_23 + A_z_2*f_2_23 + A_z_3*f_3_23);
-    const double f_1_33 = -(U_1_x_3*U_1_x_3) - (U_1_y_3*U_1_y_3) - (U_1_z_3*U_1_z_3);
-    const double f_2_33 = -(U_2_x_3*U_2_x_3) - (U_2_y_3*U_2_y_3) - (U_2_z_3*U_2_z_3);
+    const double f_1_33 = -(D_p_x_3*D_p_x_3) - (D_p_y_3*D_p_y_3) - (D_p_z_3*D_p_z_3);
     const double f_3_33 = -(U_3_x_3*U_3_x_3) - (U_3_y_3*U_3_y_3) - (U_3_z_3*U_3_z_3);
-    const double P_x_33 = t1*(A_x_1*f_1_33 + A_x_2*f_2_33 + A_x_3*f_3_33);
-    const double P_y_33 = t1*(A_y_1*f_1_33 + A_y_2*f_2_33 + A_y_3*f_3_33);
-    const double P_z_33 = t1*(A_z_1*f_1_33 + A_z_2*f_2_33 + A_z_3*f_3_33);
-    const double v_p_x = D_p_x_1*x_1_dot + D_p_x_2*x_2_dot + D_p_x_3*x_3_dot;
-    const double v_p_y = D_p_y_1*x_1_dot + D_p_y_2*x_2_dot + D_p_y_3*x_3_dot;
-    const double v_p_z = D_p_z_1*x_1_dot + D_p_z_2*x_2_dot + D_p_z_3*x_3_dot;
-    const double s_dot_1_x = U_1_x_1*x_1_dot + U_1_x_2*x_2_dot + U_1_x_3*x_3_dot;
-    const double s_dot_1_y = U_1_y_1*x_1_dot + U_1_y_2*x_2_dot + U_1_y_3*x_3_dot;
-    const double s_dot_1_z = U_1_z_1*x_1_dot + U_1_z_2*x_2_dot + U_1_z_3*x_3_dot;
-    const double s_dot_2_x = U_2_x_1*x_1_dot + U_2_x_2*x_2_dot + U_2_x_3*x_3_dot;
-    const double s_dot_2_y = U_2_y_1*x_1_dot + U_2_y_2*x_2_dot + U_2_y_3*x_3_dot;
-    const double s_dot_2_z = U_2_z_1*x_1_dot + U_2_z_2*x_2_dot + U_2_z_3*x_3_dot;
-    const double s_dot_3_x = U_3_x_1*x_1_dot + U_3_x_2*x_2_dot + U_3_x_3*x_3_dot;
-    const double s_dot_3_y = U_3_y_1*x_1_dot + U_3_y_2*x_2_dot + U_3_y_3*x_3_dot;
-    const double s_dot_3_z = U_3_z_1*x_1_dot + U_3_z_2*x_2_dot + U_3_z_3*x_3_dot;
-    const double t5 = -D_p_x_1*s_dot_2_x - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z;
-    const double t6 = -D_p_x_1*s_dot_3_x - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z;
-    const double t7 =
+    const double P_x_33 = t1*(A_x_1*f_1_33 + A_x_2*f_1_33 + A_x_3*f_3_33);
+    const double P_y_33 = t1*(A_y_1*f_1_33 + A_y_2*f_1_33 + A_y_3*f_3_33);
+    const double P_z_33 = t1*(A_z_1*f_1_33 + A_z_2*f_1_33 + A_z_3*f_3_33);
+    const double t5 = D_p_x_1*x_1_dot;
+    const double t6 = D_p_x_2*x_2_dot;
+    const double t7 = D_p_x_3*x_3_dot;
+    const double t8 = t6 + t7;
+    const double v_p_x = t5 + t8;
+    const double t9 = D_p_y_1*x_1_dot;
+    const double t10 = D_p_y_2*x_2_dot;
+    const double t11 = D_p_y_3*x_3_dot;
+    const double t12 = t10 + t11;
+    const double v_p_y = t12 + t9;
+    const double t13 = D_p_z_1*x_1_dot;
+    const double t14 = D_p_z_2*x_2_dot;
+    const double t15 = D_p_z_3*x_3_dot;
+    const double t16 = t14 + t15;
+    const double v_p_z = t13 + t16;
+    const double s_dot_1_x = U_1_x_1*x_1_dot + t8;
+    const double s_dot_1_y = U_1_y_1*x_1_dot + t12;
+    const double s_dot_1_z = U_1_z_1*x_1_dot + t16;
+    const double s_dot_2_x = U_2_x_2*x_2_dot + t5 + t7;
+    const double s_dot_2_y = U_2_y_2*x_2_dot + t11 + t9;
+    const double s_dot_2_z = U_2_z_2*x_2_dot + t13 + t15;
+    const double s_dot_3_x = U_3_x_3*x_3_dot + t5 + t6;
+    const double s_dot_3_y = U_3_y_3*x_3_dot + t10 + t9;
+    const double s_dot_3_z = U_3_z_3*x_3_dot + t13 + t14;
+    const double t17 = -D_p_x_1*s_dot_2_x - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z;
+    const double t18 = -D_p_x_1*s_dot_3_x - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z;
+    const double t19 =
         -D_p_x_1*s_dot_1_x - D_p_y_1*s_dot_1_y - D_p_z_1*s_dot_1_z + n_1_x*s_dot_1_x + n_1_y*s_dot_1_y
         + n_1_z*s_dot_1_z;
-    const double D_p_dot_x_1 = t1*(A_x_1*t7 + A_x_2*t5 + A_x_3*t6);
-    const double D_p_dot_y_1 = t1*(A_y_1*t7 + A_y_2*t5 + A_y_3*t6);
-    const double D_p_dot_z_1 = t1*(A_z_1*t7 + A_z_2*t5 + A_z_3*t6);
-    const double t8 = -D_p_x_2*s_dot_1_x - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z;
-    const double t9 = -D_p_x_2*s_dot_3_x - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z;
-    const double t10 =
+    const double D_p_dot_x_1 = t1*(A_x_1*t19 + A_x_2*t17 + A_x_3*t18);
+    const double D_p_dot_y_1 = t1*(A_y_1*t19 + A_y_2*t17 + A_y_3*t18);
+    const double D_p_dot_z_1 = t1*(A_z_1*t19 + A_z_2*t17 + A_z_3*t18);
+    const double t20 = -D_p_x_2*s_dot_1_x - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z;
+    const double t21 = -D_p_x_2*s_dot_3_x - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z;
+    const double t22 =
         -D_p_x_2*s_dot_2_x - D_p_y_2*s_dot_2_y - D_p_z_2*s_dot_2_z + n_2_x*s_dot_2_x + n_2_y*s_dot_2_y
         + n_2_z*s_dot_2_z;
-    const double D_p_dot_x_2 = t1*(A_x_1*t8 + A_x_2*t10 + A_x_3*t9);
-    const double D_p_dot_y_2 = t1*(A_y_1*t8 + A_y_2*t10 + A_y_3*t9);
-    const double D_p_dot_z_2 = t1*(A_z_1*t8 + A_z_2*t10 + A_z_3*t9);
-    const double t11 = -D_p_x_3*s_dot_1_x - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z;
-    const double t12 = -D_p_x_3*s_dot_2_x - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z;
-    const double t13 =
+    const double D_p_dot_x_2 = t1*(A_x_1*t20 + A_x_2*t22 + A_x_3*t21);
+    const double D_p_dot_y_2 = t1*(A_y_1*t20 + A_y_2*t22 + A_y_3*t21);
+    const double D_p_dot_z_2 = t1*(A_z_1*t20 + A_z_2*t22 + A_z_3*t21);
+    const double t23 = -D_p_x_3*s_dot_1_x - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z;
+    const double t24 = -D_p_x_3*s_dot_2_x - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z;
+    const double t25 =
         -D_p_x_3*s_dot_3_x - D_p_y_3*s_dot_3_y - D_p_z_3*s_dot_3_z + n_3_x*s_dot_3_x + n_3_y*s_dot_3_y
         + n_3_z*s_dot_3_z;
-    const double D_p_dot_x_3 = t1*(A_x_1*t11 + A_x_2*t12 + A_x_3*t13);
-    const double D_p_dot_y_3 = t1*(A_y_1*t11 + A_y_2*t12 + A_y_3*t13);
-    const double D_p_dot_z_3 = t1*(A_z_1*t11 + A_z_2*t12 + A_z_3*t13);
-    const double t14 = (1.0/6.0)*m_d_1;
-    const double t15 = n_1_x*t14;
-    const double t16 = (1.0/6.0)*m_d_2;
-    const double t17 = n_2_x*t16;
-    const double t18 = (1.0/6.0)*m_d_3;
-    const double t19 = n_3_x*t18;
-    const double t20 = m_p + 2*t14 + 2*t16 + 2*t18;
-    const double t21 = t15*x_1_dot + t17*x_2_dot + t19*x_3_dot + t20*v_p_x;
-    const double t22 = n_1_y*t14;
-    const double t23 = n_2_y*t16;
-    const double t24 = n_3_y*t18;
-    const double t25 = t20*v_p_y + t22*x_1_dot + t23*x_2_dot + t24*x_3_dot;
-    const double t26 = n_1_z*t14;
-    const double t27 = n_2_z*t16;
-    const double t28 = n_3_z*t18;
-    const double t29 = t20*v_p_z + t26*x_1_dot + t27*x_2_dot + t28*x_3_dot;
-    const double t30 = (1.0/3.0)*m_d_1 + (1.0/3.0)*m_d_2 + (1.0/3.0)*m_d_3 + m_p;
-    const double t31 = D_p_x_1*t30 + t15;
-    const double t32 = D_p_y_1*t30 + t22;
-    const double t33 = D_p_z_1*t30 + t26;
-    const double t34 = P_x_12*t21 + P_y_12*t25 + P_z_12*t29;
-    const double t35 = P_x_13*t21 + P_y_13*t25 + P_z_13*t29;
-    const double t36 = D_p_x_2*t30 + t17;
-    const double t37 = D_p_y_2*t30 + t23;
-    const double t38 = D_p_z_2*t30 + t27;
-    const double t39 = P_x_23*t21 + P_y_23*t25 + P_z_23*t29;
-    const double t40 = D_p_x_3*t30 + t19;
-    const double t41 = D_p_y_3*t30 + t24;
-    const double t42 = D_p_z_3*t30 + t28;
+    const double D_p_dot_x_3 = t1*(A_x_1*t23 + A_x_2*t24 + A_x_3*t25);
+    const double D_p_dot_y_3 = t1*(A_y_1*t23 + A_y_2*t24 + A_y_3*t25);
+    const double D_p_dot_z_3 = t1*(A_z_1*t23 + A_z_2*t24 + A_z_3*t25);
+    const double t26 = (1.0/6.0)*m_d_1;
+    const double t27 = n_1_x*t26;
+    const double t28 = (1.0/6.0)*m_d_2;
+    const double t29 = n_2_x*t28;
+    const double t30 = (1.0/6.0)*m_d_3;
+    const double t31 = n_3_x*t30;
+    const double t32 = m_p + 2*t26 + 2*t28 + 2*t30;
+    const double t33 = t27*x_1_dot + t29*x_2_dot + t31*x_3_dot + t32*v_p_x;
+    const double t34 = n_1_y*t26;
+    const double t35 = n_2_y*t28;
+    const double t36 = n_3_y*t30;
+    const double t37 = t32*v_p_y + t34*x_1_dot + t35*x_2_dot + t36*x_3_dot;
+    const double t38 = n_1_z*t26;
+    const double t39 = n_2_z*t28;
+    const double t40 = n_3_z*t30;
+    const double t41 = t32*v_p_z + t38*x_1_dot + t39*x_2_dot + t40*x_3_dot;
+    const double t42 = (1.0/3.0)*m_d_1 + (1.0/3.0)*m_d_2 + (1.0/3.0)*m_d_3 + m_p;
+    const double t43 = D_p_x_1*t42 + t27;
+    const double t44 = D_p_y_1*t42 + t34;
+    const double t45 = D_p_z_1*t42 + t38;
+    const double t46 = P_x_12*t33 + P_y_12*t37 + P_z_12*t41;
+    const double t47 = P_x_13*t33 + P_y_13*t37 + P_z_13*t41;
+    const double t48 = D_p_x_2*t42 + t29;
+    const double t49 = D_p_y_2*t42 + t35;
+    const double t50 = D_p_z_2*t42 + t39;
+    const double t51 = P_x_23*t33 + P_y_23*t37 + P_z_23*t41;
+    const double t52 = D_p_x_3*t42 + t31;
+    const double t53 = D_p_y_3*t42 + t36;
+    const double t54 = D_p_z_3*t42 + t40;
     h[0] =
-        -D_p_dot_x_1*t21 - D_p_dot_y_1*t25 - D_p_dot_z_1*t29 + x_1_dot*(D_p_dot_x_1*t31 + D_p_dot_y_1*t32
-        + D_p_dot_z_1*t33 + P_x_11*t21 + P_y_11*t25 + P_z_11*t29) + x_2_dot*(D_p_dot_x_2*t31
-        + D_p_dot_y_2*t32 + D_p_dot_z_2*t33 + t34) + x_3_dot*(D_p_dot_x_3*t31 + D_p_dot_y_3*t32
-        + D_p_dot_z_3*t33 + t35);
+        -D_p_dot_x_1*t33 - D_p_dot_y_1*t37 - D_p_dot_z_1*t41 + x_1_dot*(D_p_dot_x_1*t43 + D_p_dot_y_1*t44
+        + D_p_dot_z_1*t45 + P_x_11*t33 + P_y_11*t37 + P_z_11*t41) + x_2_dot*(D_p_dot_x_2*t43
+        + D_p_dot_y_2*t44 + D_p_dot_z_2*t45 + t46) + x_3_dot*(D_p_dot_x_3*t43 + D_p_dot_y_3*t44
+        + D_p_dot_z_3*t45 + t47);
     h[1] =
-        -D_p_dot_x_2*t21 - D_p_dot_y_2*t25 - D_p_dot_z_2*t29 + x_1_dot*(D_p_dot_x_1*t36 + D_p_dot_y_1*t37
-        + D_p_dot_z_1*t38 + t34) + x_2_dot*(D_p_dot_x_2*t36 + D_p_dot_y_2*t37 + D_p_dot_z_2*t38 + P_x_22*t21
-        + P_y_22*t25 + P_z_22*t29) + x_3_dot*(D_p_dot_x_3*t36 + D_p_dot_y_3*t37 + D_p_dot_z_3*t38 + t39);
+        -D_p_dot_x_2*t33 - D_p_dot_y_2*t37 - D_p_dot_z_2*t41 + x_1_dot*(D_p_dot_x_1*t48 + D_p_dot_y_1*t49
+        + D_p_dot_z_1*t50 + t46) + x_2_dot*(D_p_dot_x_2*t48 + D_p_dot_y_2*t49 + D_p_dot_z_2*t50 + P_x_22*t33
+        + P_y_22*t37 + P_z_22*t41) + x_3_dot*(D_p_dot_x_3*t48 + D_p_dot_y_3*t49 + D_p_dot_z_3*t50 + t51);
     h[2] =
-        -D_p_dot_x_3*t21 - D_p_dot_y_3*t25 - D_p_dot_z_3*t29 + x_1_dot*(D_p_dot_x_1*t40 + D_p_dot_y_1*t41
-        + D_p_dot_z_1*t42 + t35) + x_2_dot*(D_p_dot_x_2*t40 + D_p_dot_y_2*t41 + D_p_dot_z_2*t42 + t39)
-        + x_3_dot*(D_p_dot_x_3*t40 + D_p_dot_y_3*t41 + D_p_dot_z_3*t42 + P_x_33*t21 + P_y_33*t25
-        + P_z_33*t29);
+        -D_p_dot_x_3*t33 - D_p_dot_y_3*t37 - D_p_dot_z_3*t41 + x_1_dot*(D_p_dot_x_1*t52 + D_p_dot_y_1*t53
+        + D_p_dot_z_1*t54 + t47) + x_2_dot*(D_p_dot_x_2*t52 + D_p_dot_y_2*t53 + D_p_dot_z_2*t54 + t51)
+        + x_3_dot*(D_p_dot_x_3*t52 + D_p_dot_y_3*t53 + D_p_dot_z_3*t54 + P_x_33*t33 + P_y_33*t37
+        + P_z_33*t41);
 }
 
-void linear_delta_gravity_potential(const double p[3], const linear_delta_parameters *parameters, double
-    *V_g)
+void linear_delta_gravity_potential(const double p[3], const linear_delta_parameters *parameters,
+    double *V_g)
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -2118,8 +1977,8 @@ void linear_delta_gravity_gradient(const double p[3], const linear_delta_paramet
         - g_z*(m_t_3*n_3_z + n_3_z*t7);
 }
 
-void linear_delta_gravity_hessian(const double p[3], const linear_delta_parameters *parameters, double
-    H_g[3][3])
+void linear_delta_gravity_hessian(const double p[3], const linear_delta_parameters *parameters,
+    double H_g[3][3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -2227,31 +2086,13 @@ void linear_delta_gravity_hessian(const double p[3], const linear_delta_paramete
     const double D_p_z_2 = A_z_2*t3;
     const double D_p_z_3 = A_z_3*t4;
     const double U_1_x_1 = D_p_x_1 - n_1_x;
-    const double U_1_x_2 = D_p_x_2;
-    const double U_1_x_3 = D_p_x_3;
     const double U_1_y_1 = D_p_y_1 - n_1_y;
-    const double U_1_y_2 = D_p_y_2;
-    const double U_1_y_3 = D_p_y_3;
     const double U_1_z_1 = D_p_z_1 - n_1_z;
-    const double U_1_z_2 = D_p_z_2;
-    const double U_1_z_3 = D_p_z_3;
-    const double U_2_x_1 = D_p_x_1;
     const double U_2_x_2 = D_p_x_2 - n_2_x;
-    const double U_2_x_3 = D_p_x_3;
-    const double U_2_y_1 = D_p_y_1;
     const double U_2_y_2 = D_p_y_2 - n_2_y;
-    const double U_2_y_3 = D_p_y_3;
-    const double U_2_z_1 = D_p_z_1;
     const double U_2_z_2 = D_p_z_2 - n_2_z;
-    const double U_2_z_3 = D_p_z_3;
-    const double U_3_x_1 = D_p_x_1;
-    const double U_3_x_2 = D_p_x_2;
     const double U_3_x_3 = D_p_x_3 - n_3_x;
-    const double U_3_y_1 = D_p_y_1;
-    const double U_3_y_2 = D_p_y_2;
     const double U_3_y_3 = D_p_y_3 - n_3_y;
-    const double U_3_z_1 = D_p_z_1;
-    const double U_3_z_2 = D_p_z_2;
     const double U_3_z_3 = D_p_z_3 - n_3_z;
     const double t5 = (1.0/2.0)*m_d_1 + (1.0/2.0)*m_d_2 + (1.0/2.0)*m_d_3 + m_p;
     const double t6 = g_x*t5;
@@ -2260,47 +2101,47 @@ void linear_delta_gravity_hessian(const double p[3], const linear_delta_paramete
     const double mu_1 = t1*(-A_x_1*t6 - A_y_1*t7 - A_z_1*t8);
     const double mu_2 = t1*(-A_x_2*t6 - A_y_2*t7 - A_z_2*t8);
     const double mu_3 = t1*(-A_x_3*t6 - A_y_3*t7 - A_z_3*t8);
-    const double t9 = U_1_x_1*mu_1;
-    const double t10 = U_1_y_1*mu_1;
-    const double t11 = U_1_z_1*mu_1;
-    const double t12 = U_2_x_1*mu_2;
-    const double t13 = U_2_y_1*mu_2;
-    const double t14 = U_2_z_1*mu_2;
-    const double t15 = U_3_x_1*mu_3;
-    const double t16 = U_3_y_1*mu_3;
-    const double t17 = U_3_z_1*mu_3;
-    const double t18 =
-        -U_1_x_2*t9 - U_1_y_2*t10 - U_1_z_2*t11 - U_2_x_2*t12 - U_2_y_2*t13 - U_2_z_2*t14 - U_3_x_2*t15
-        - U_3_y_2*t16 - U_3_z_2*t17;
-    const double t19 =
-        -U_1_x_3*t9 - U_1_y_3*t10 - U_1_z_3*t11 - U_2_x_3*t12 - U_2_y_3*t13 - U_2_z_3*t14 - U_3_x_3*t15
-        - U_3_y_3*t16 - U_3_z_3*t17;
-    const double t20 =
-        -U_1_x_2*U_1_x_3*mu_1 - U_1_y_2*U_1_y_3*mu_1 - U_1_z_2*U_1_z_3*mu_1 - U_2_x_2*U_2_x_3*mu_2
-        - U_2_y_2*U_2_y_3*mu_2 - U_2_z_2*U_2_z_3*mu_2 - U_3_x_2*U_3_x_3*mu_3 - U_3_y_2*U_3_y_3*mu_3
-        - U_3_z_2*U_3_z_3*mu_3;
+    const double t9 = (D_p_x_1*D_p_x_1);
+    const double t10 = (D_p_y_1*D_p_y_1);
+    const double t11 = (D_p_z_1*D_p_z_1);
+    const double t12 = D_p_x_1*mu_3;
+    const double t13 = D_p_x_1*mu_2;
+    const double t14 = U_1_x_1*mu_1;
+    const double t15 = D_p_y_1*mu_3;
+    const double t16 = D_p_y_1*mu_2;
+    const double t17 = U_1_y_1*mu_1;
+    const double t18 = D_p_z_1*mu_3;
+    const double t19 = D_p_z_1*mu_2;
+    const double t20 = U_1_z_1*mu_1;
+    const double t21 = (D_p_x_2*D_p_x_2);
+    const double t22 = (D_p_y_2*D_p_y_2);
+    const double t23 = (D_p_z_2*D_p_z_2);
+    const double t24 = (D_p_x_3*D_p_x_3);
+    const double t25 = (D_p_y_3*D_p_y_3);
+    const double t26 = (D_p_z_3*D_p_z_3);
     H_g[0][0] =
-        -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 - (U_2_x_1*U_2_x_1)*mu_2
-        - (U_2_y_1*U_2_y_1)*mu_2 - (U_2_z_1*U_2_z_1)*mu_2 - (U_3_x_1*U_3_x_1)*mu_3 - (U_3_y_1*U_3_y_1)*mu_3
-        - (U_3_z_1*U_3_z_1)*mu_3;
-    H_g[0][1] = t18;
-    H_g[0][2] = t19;
-    H_g[1][0] = t18;
+        -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 - mu_2*t10 - mu_2*t11
+        - mu_2*t9 - mu_3*t10 - mu_3*t11 - mu_3*t9;
+    H_g[0][1] = H_g[1][0] =
+        -D_p_x_2*t12 - D_p_x_2*t14 - D_p_y_2*t15 - D_p_y_2*t17 - D_p_z_2*t18 - D_p_z_2*t20 - U_2_x_2*t13
+        - U_2_y_2*t16 - U_2_z_2*t19;
+    H_g[0][2] = H_g[2][0] =
+        -D_p_x_3*t13 - D_p_x_3*t14 - D_p_y_3*t16 - D_p_y_3*t17 - D_p_z_3*t19 - D_p_z_3*t20 - U_3_x_3*t12
+        - U_3_y_3*t15 - U_3_z_3*t18;
     H_g[1][1] =
-        -(U_1_x_2*U_1_x_2)*mu_1 - (U_1_y_2*U_1_y_2)*mu_1 - (U_1_z_2*U_1_z_2)*mu_1 - (U_2_x_2*U_2_x_2)*mu_2
-        - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 - (U_3_x_2*U_3_x_2)*mu_3 - (U_3_y_2*U_3_y_2)*mu_3
-        - (U_3_z_2*U_3_z_2)*mu_3;
-    H_g[1][2] = t20;
-    H_g[2][0] = t19;
-    H_g[2][1] = t20;
+        -(U_2_x_2*U_2_x_2)*mu_2 - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 - mu_1*t21 - mu_1*t22
+        - mu_1*t23 - mu_3*t21 - mu_3*t22 - mu_3*t23;
+    H_g[1][2] = H_g[2][1] =
+        -D_p_x_2*D_p_x_3*mu_1 - D_p_x_2*U_3_x_3*mu_3 - D_p_x_3*U_2_x_2*mu_2 - D_p_y_2*D_p_y_3*mu_1
+        - D_p_y_2*U_3_y_3*mu_3 - D_p_y_3*U_2_y_2*mu_2 - D_p_z_2*D_p_z_3*mu_1 - D_p_z_2*U_3_z_3*mu_3
+        - D_p_z_3*U_2_z_2*mu_2;
     H_g[2][2] =
-        -(U_1_x_3*U_1_x_3)*mu_1 - (U_1_y_3*U_1_y_3)*mu_1 - (U_1_z_3*U_1_z_3)*mu_1 - (U_2_x_3*U_2_x_3)*mu_2
-        - (U_2_y_3*U_2_y_3)*mu_2 - (U_2_z_3*U_2_z_3)*mu_2 - (U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3
-        - (U_3_z_3*U_3_z_3)*mu_3;
+        -(U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3 - (U_3_z_3*U_3_z_3)*mu_3 - mu_1*t24 - mu_1*t25
+        - mu_1*t26 - mu_2*t24 - mu_2*t25 - mu_2*t26;
 }
 
-void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameters *parameters, double
-    k[3][3])
+void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameters *parameters,
+    double k[3][3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -2415,8 +2256,8 @@ void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameter
     k[2][2] = k_3_3;
 }
 
-void linear_delta_elastic_potential(const double p[3], const double delta_q[9], const linear_delta_parameters
-    *parameters, double *V_el)
+void linear_delta_elastic_potential(const double p[3], const double delta_q[9],
+    const linear_delta_parameters *parameters, double *V_el)
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -2546,8 +2387,8 @@ void linear_delta_elastic_potential(const double p[3], const double delta_q[9], 
         - t7)*(delta_x_3 - t7)) + (1.0/2.0)*k_3_3*((-delta_x_3 + t10)*(-delta_x_3 + t10));
 }
 
-void linear_delta_elastic_gradient(const double p[3], const double delta_q[9], const linear_delta_parameters
-    *parameters, double E[9])
+void linear_delta_elastic_gradient(const double p[3], const double delta_q[9],
+    const linear_delta_parameters *parameters, double E[9])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -2686,8 +2527,8 @@ void linear_delta_elastic_gradient(const double p[3], const double delta_q[9], c
     E[8] = -R_p_3*k_3_2*(delta_x_3 - t14) + t18;
 }
 
-void linear_delta_elastic_hessian(const double p[3], const linear_delta_parameters *parameters, double
-    H_el[9][9])
+void linear_delta_elastic_hessian(const double p[3], const linear_delta_parameters *parameters,
+    double H_el[9][9])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -2794,103 +2635,35 @@ void linear_delta_elastic_hessian(const double p[3], const linear_delta_paramete
     const double k_3_2 = t5/l_f_3_2;
     const double l_f_3_3 = -t6 - x_3 + x_max_3;
     const double k_3_3 = t5/l_f_3_3;
-    const double t7 = -R_p_1*k_1_3;
-    const double t8 = -R_p_1*k_1_2;
-    const double t9 = -R_p_2*k_2_3;
-    const double t10 = -R_p_2*k_2_2;
-    const double t11 = -R_p_3*k_3_3;
-    const double t12 = -R_p_3*k_3_2;
-    const double t13 = (R_p_1*R_p_1);
-    const double t14 = k_1_1*t13;
-    const double t15 = (R_p_2*R_p_2);
-    const double t16 = k_2_1*t15;
-    const double t17 = (R_p_3*R_p_3);
-    const double t18 = k_3_1*t17;
+    const double t7 = (R_p_1*R_p_1);
+    const double t8 = k_1_1*t7;
+    const double t9 = (R_p_2*R_p_2);
+    const double t10 = k_2_1*t9;
+    const double t11 = (R_p_3*R_p_3);
+    const double t12 = k_3_1*t11;
+    memset(H_el, 0, sizeof(double[9][9]));
     H_el[0][0] = k_1_2 + k_1_3;
-    H_el[0][1] = 0;
-    H_el[0][2] = 0;
-    H_el[0][3] = t7;
-    H_el[0][4] = 0;
-    H_el[0][5] = 0;
-    H_el[0][6] = t8;
-    H_el[0][7] = 0;
-    H_el[0][8] = 0;
-    H_el[1][0] = 0;
+    H_el[0][3] = H_el[3][0] = -R_p_1*k_1_3;
+    H_el[0][6] = H_el[6][0] = -R_p_1*k_1_2;
     H_el[1][1] = k_2_2 + k_2_3;
-    H_el[1][2] = 0;
-    H_el[1][3] = 0;
-    H_el[1][4] = t9;
-    H_el[1][5] = 0;
-    H_el[1][6] = 0;
-    H_el[1][7] = t10;
-    H_el[1][8] = 0;
-    H_el[2][0] = 0;
-    H_el[2][1] = 0;
+    H_el[1][4] = H_el[4][1] = -R_p_2*k_2_3;
+    H_el[1][7] = H_el[7][1] = -R_p_2*k_2_2;
     H_el[2][2] = k_3_2 + k_3_3;
-    H_el[2][3] = 0;
-    H_el[2][4] = 0;
-    H_el[2][5] = t11;
-    H_el[2][6] = 0;
-    H_el[2][7] = 0;
-    H_el[2][8] = t12;
-    H_el[3][0] = t7;
-    H_el[3][1] = 0;
-    H_el[3][2] = 0;
-    H_el[3][3] = k_1_3*t13 + t14;
-    H_el[3][4] = 0;
-    H_el[3][5] = 0;
-    H_el[3][6] = -t14;
-    H_el[3][7] = 0;
-    H_el[3][8] = 0;
-    H_el[4][0] = 0;
-    H_el[4][1] = t9;
-    H_el[4][2] = 0;
-    H_el[4][3] = 0;
-    H_el[4][4] = k_2_3*t15 + t16;
-    H_el[4][5] = 0;
-    H_el[4][6] = 0;
-    H_el[4][7] = -t16;
-    H_el[4][8] = 0;
-    H_el[5][0] = 0;
-    H_el[5][1] = 0;
-    H_el[5][2] = t11;
-    H_el[5][3] = 0;
-    H_el[5][4] = 0;
-    H_el[5][5] = k_3_3*t17 + t18;
-    H_el[5][6] = 0;
-    H_el[5][7] = 0;
-    H_el[5][8] = -t18;
-    H_el[6][0] = t8;
-    H_el[6][1] = 0;
-    H_el[6][2] = 0;
-    H_el[6][3] = -t14;
-    H_el[6][4] = 0;
-    H_el[6][5] = 0;
-    H_el[6][6] = k_1_2*t13 + t14;
-    H_el[6][7] = 0;
-    H_el[6][8] = 0;
-    H_el[7][0] = 0;
-    H_el[7][1] = t10;
-    H_el[7][2] = 0;
-    H_el[7][3] = 0;
-    H_el[7][4] = -t16;
-    H_el[7][5] = 0;
-    H_el[7][6] = 0;
-    H_el[7][7] = k_2_2*t15 + t16;
-    H_el[7][8] = 0;
-    H_el[8][0] = 0;
-    H_el[8][1] = 0;
-    H_el[8][2] = t12;
-    H_el[8][3] = 0;
-    H_el[8][4] = 0;
-    H_el[8][5] = -t18;
-    H_el[8][6] = 0;
-    H_el[8][7] = 0;
-    H_el[8][8] = k_3_2*t17 + t18;
+    H_el[2][5] = H_el[5][2] = -R_p_3*k_3_3;
+    H_el[2][8] = H_el[8][2] = -R_p_3*k_3_2;
+    H_el[3][3] = k_1_3*t7 + t8;
+    H_el[3][6] = H_el[6][3] = -t8;
+    H_el[4][4] = k_2_3*t9 + t10;
+    H_el[4][7] = H_el[7][4] = -t10;
+    H_el[5][5] = k_3_3*t11 + t12;
+    H_el[5][8] = H_el[8][5] = -t12;
+    H_el[6][6] = k_1_2*t7 + t8;
+    H_el[7][7] = k_2_2*t9 + t10;
+    H_el[8][8] = k_3_2*t11 + t12;
 }
 
-void linear_delta_static_equilibrium(const double p[3], const linear_delta_parameters *parameters, double
-    tau_st[3], double theta_st[6])
+void linear_delta_static_equilibrium(const double p[3], const linear_delta_parameters *parameters,
+    double tau_st[3], double theta_st[6])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -3111,8 +2884,8 @@ void linear_delta_static_equilibrium(const double p[3], const linear_delta_param
     theta_st[5] = theta_3_2_st;
 }
 
-void linear_delta_stiffness_matrix(const double p[3], const linear_delta_parameters *parameters, double
-    K[9][9])
+void linear_delta_stiffness_matrix(const double p[3], const linear_delta_parameters *parameters,
+    double K[9][9])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -3238,31 +3011,13 @@ void linear_delta_stiffness_matrix(const double p[3], const linear_delta_paramet
     const double D_p_z_2 = A_z_2*t3;
     const double D_p_z_3 = A_z_3*t4;
     const double U_1_x_1 = D_p_x_1 - n_1_x;
-    const double U_1_x_2 = D_p_x_2;
-    const double U_1_x_3 = D_p_x_3;
     const double U_1_y_1 = D_p_y_1 - n_1_y;
-    const double U_1_y_2 = D_p_y_2;
-    const double U_1_y_3 = D_p_y_3;
     const double U_1_z_1 = D_p_z_1 - n_1_z;
-    const double U_1_z_2 = D_p_z_2;
-    const double U_1_z_3 = D_p_z_3;
-    const double U_2_x_1 = D_p_x_1;
     const double U_2_x_2 = D_p_x_2 - n_2_x;
-    const double U_2_x_3 = D_p_x_3;
-    const double U_2_y_1 = D_p_y_1;
     const double U_2_y_2 = D_p_y_2 - n_2_y;
-    const double U_2_y_3 = D_p_y_3;
-    const double U_2_z_1 = D_p_z_1;
     const double U_2_z_2 = D_p_z_2 - n_2_z;
-    const double U_2_z_3 = D_p_z_3;
-    const double U_3_x_1 = D_p_x_1;
-    const double U_3_x_2 = D_p_x_2;
     const double U_3_x_3 = D_p_x_3 - n_3_x;
-    const double U_3_y_1 = D_p_y_1;
-    const double U_3_y_2 = D_p_y_2;
     const double U_3_y_3 = D_p_y_3 - n_3_y;
-    const double U_3_z_1 = D_p_z_1;
-    const double U_3_z_2 = D_p_z_2;
     const double U_3_z_3 = D_p_z_3 - n_3_z;
     const double l_f_1_1 = x_max_1 - x_min_1;
     const double t5 = k_sp_1*w_b_1;
@@ -3295,131 +3050,69 @@ void linear_delta_stiffness_matrix(const double p[3], const linear_delta_paramet
     const double mu_1 = t1*(-A_x_1*t12 - A_y_1*t13 - A_z_1*t14);
     const double mu_2 = t1*(-A_x_2*t12 - A_y_2*t13 - A_z_2*t14);
     const double mu_3 = t1*(-A_x_3*t12 - A_y_3*t13 - A_z_3*t14);
-    const double t15 = U_1_x_1*mu_1;
-    const double t16 = U_1_y_1*mu_1;
-    const double t17 = U_1_z_1*mu_1;
-    const double t18 = U_2_x_1*mu_2;
-    const double t19 = U_2_y_1*mu_2;
-    const double t20 = U_2_z_1*mu_2;
-    const double t21 = U_3_x_1*mu_3;
-    const double t22 = U_3_y_1*mu_3;
-    const double t23 = U_3_z_1*mu_3;
-    const double t24 =
-        -U_1_x_2*t15 - U_1_y_2*t16 - U_1_z_2*t17 - U_2_x_2*t18 - U_2_y_2*t19 - U_2_z_2*t20 - U_3_x_2*t21
-        - U_3_y_2*t22 - U_3_z_2*t23;
-    const double t25 =
-        -U_1_x_3*t15 - U_1_y_3*t16 - U_1_z_3*t17 - U_2_x_3*t18 - U_2_y_3*t19 - U_2_z_3*t20 - U_3_x_3*t21
-        - U_3_y_3*t22 - U_3_z_3*t23;
-    const double t26 = -R_p_1*k_1_3;
-    const double t27 = -R_p_1*k_1_2;
-    const double t28 =
-        -U_1_x_2*U_1_x_3*mu_1 - U_1_y_2*U_1_y_3*mu_1 - U_1_z_2*U_1_z_3*mu_1 - U_2_x_2*U_2_x_3*mu_2
-        - U_2_y_2*U_2_y_3*mu_2 - U_2_z_2*U_2_z_3*mu_2 - U_3_x_2*U_3_x_3*mu_3 - U_3_y_2*U_3_y_3*mu_3
-        - U_3_z_2*U_3_z_3*mu_3;
-    const double t29 = -R_p_2*k_2_3;
-    const double t30 = -R_p_2*k_2_2;
-    const double t31 = -R_p_3*k_3_3;
-    const double t32 = -R_p_3*k_3_2;
+    const double t15 = (D_p_x_1*D_p_x_1);
+    const double t16 = (D_p_y_1*D_p_y_1);
+    const double t17 = (D_p_z_1*D_p_z_1);
+    const double t18 = D_p_x_1*mu_3;
+    const double t19 = D_p_x_1*mu_2;
+    const double t20 = U_1_x_1*mu_1;
+    const double t21 = D_p_y_1*mu_3;
+    const double t22 = D_p_y_1*mu_2;
+    const double t23 = U_1_y_1*mu_1;
+    const double t24 = D_p_z_1*mu_3;
+    const double t25 = D_p_z_1*mu_2;
+    const double t26 = U_1_z_1*mu_1;
+    const double t27 = (D_p_x_2*D_p_x_2);
+    const double t28 = (D_p_y_2*D_p_y_2);
+    const double t29 = (D_p_z_2*D_p_z_2);
+    const double t30 = (D_p_x_3*D_p_x_3);
+    const double t31 = (D_p_y_3*D_p_y_3);
+    const double t32 = (D_p_z_3*D_p_z_3);
     const double t33 = (R_p_1*R_p_1);
     const double t34 = k_1_1*t33;
     const double t35 = (R_p_2*R_p_2);
     const double t36 = k_2_1*t35;
     const double t37 = (R_p_3*R_p_3);
     const double t38 = k_3_1*t37;
+    memset(K, 0, sizeof(double[9][9]));
     K[0][0] =
-        -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 - (U_2_x_1*U_2_x_1)*mu_2
-        - (U_2_y_1*U_2_y_1)*mu_2 - (U_2_z_1*U_2_z_1)*mu_2 - (U_3_x_1*U_3_x_1)*mu_3 - (U_3_y_1*U_3_y_1)*mu_3
-        - (U_3_z_1*U_3_z_1)*mu_3 + k_1_2 + k_1_3;
-    K[0][1] = t24;
-    K[0][2] = t25;
-    K[0][3] = t26;
-    K[0][4] = 0;
-    K[0][5] = 0;
-    K[0][6] = t27;
-    K[0][7] = 0;
-    K[0][8] = 0;
-    K[1][0] = t24;
+        -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 + k_1_2 + k_1_3 - mu_2*t15
+        - mu_2*t16 - mu_2*t17 - mu_3*t15 - mu_3*t16 - mu_3*t17;
+    K[0][1] = K[1][0] =
+        -D_p_x_2*t18 - D_p_x_2*t20 - D_p_y_2*t21 - D_p_y_2*t23 - D_p_z_2*t24 - D_p_z_2*t26 - U_2_x_2*t19
+        - U_2_y_2*t22 - U_2_z_2*t25;
+    K[0][2] = K[2][0] =
+        -D_p_x_3*t19 - D_p_x_3*t20 - D_p_y_3*t22 - D_p_y_3*t23 - D_p_z_3*t25 - D_p_z_3*t26 - U_3_x_3*t18
+        - U_3_y_3*t21 - U_3_z_3*t24;
+    K[0][3] = K[3][0] = -R_p_1*k_1_3;
+    K[0][6] = K[6][0] = -R_p_1*k_1_2;
     K[1][1] =
-        -(U_1_x_2*U_1_x_2)*mu_1 - (U_1_y_2*U_1_y_2)*mu_1 - (U_1_z_2*U_1_z_2)*mu_1 - (U_2_x_2*U_2_x_2)*mu_2
-        - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 - (U_3_x_2*U_3_x_2)*mu_3 - (U_3_y_2*U_3_y_2)*mu_3
-        - (U_3_z_2*U_3_z_2)*mu_3 + k_2_2 + k_2_3;
-    K[1][2] = t28;
-    K[1][3] = 0;
-    K[1][4] = t29;
-    K[1][5] = 0;
-    K[1][6] = 0;
-    K[1][7] = t30;
-    K[1][8] = 0;
-    K[2][0] = t25;
-    K[2][1] = t28;
+        -(U_2_x_2*U_2_x_2)*mu_2 - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 + k_2_2 + k_2_3 - mu_1*t27
+        - mu_1*t28 - mu_1*t29 - mu_3*t27 - mu_3*t28 - mu_3*t29;
+    K[1][2] = K[2][1] =
+        -D_p_x_2*D_p_x_3*mu_1 - D_p_x_2*U_3_x_3*mu_3 - D_p_x_3*U_2_x_2*mu_2 - D_p_y_2*D_p_y_3*mu_1
+        - D_p_y_2*U_3_y_3*mu_3 - D_p_y_3*U_2_y_2*mu_2 - D_p_z_2*D_p_z_3*mu_1 - D_p_z_2*U_3_z_3*mu_3
+        - D_p_z_3*U_2_z_2*mu_2;
+    K[1][4] = K[4][1] = -R_p_2*k_2_3;
+    K[1][7] = K[7][1] = -R_p_2*k_2_2;
     K[2][2] =
-        -(U_1_x_3*U_1_x_3)*mu_1 - (U_1_y_3*U_1_y_3)*mu_1 - (U_1_z_3*U_1_z_3)*mu_1 - (U_2_x_3*U_2_x_3)*mu_2
-        - (U_2_y_3*U_2_y_3)*mu_2 - (U_2_z_3*U_2_z_3)*mu_2 - (U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3
-        - (U_3_z_3*U_3_z_3)*mu_3 + k_3_2 + k_3_3;
-    K[2][3] = 0;
-    K[2][4] = 0;
-    K[2][5] = t31;
-    K[2][6] = 0;
-    K[2][7] = 0;
-    K[2][8] = t32;
-    K[3][0] = t26;
-    K[3][1] = 0;
-    K[3][2] = 0;
+        -(U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3 - (U_3_z_3*U_3_z_3)*mu_3 + k_3_2 + k_3_3 - mu_1*t30
+        - mu_1*t31 - mu_1*t32 - mu_2*t30 - mu_2*t31 - mu_2*t32;
+    K[2][5] = K[5][2] = -R_p_3*k_3_3;
+    K[2][8] = K[8][2] = -R_p_3*k_3_2;
     K[3][3] = k_1_3*t33 + t34;
-    K[3][4] = 0;
-    K[3][5] = 0;
-    K[3][6] = -t34;
-    K[3][7] = 0;
-    K[3][8] = 0;
-    K[4][0] = 0;
-    K[4][1] = t29;
-    K[4][2] = 0;
-    K[4][3] = 0;
+    K[3][6] = K[6][3] = -t34;
     K[4][4] = k_2_3*t35 + t36;
-    K[4][5] = 0;
-    K[4][6] = 0;
-    K[4][7] = -t36;
-    K[4][8] = 0;
-    K[5][0] = 0;
-    K[5][1] = 0;
-    K[5][2] = t31;
-    K[5][3] = 0;
-    K[5][4] = 0;
+    K[4][7] = K[7][4] = -t36;
     K[5][5] = k_3_3*t37 + t38;
-    K[5][6] = 0;
-    K[5][7] = 0;
-    K[5][8] = -t38;
-    K[6][0] = t27;
-    K[6][1] = 0;
-    K[6][2] = 0;
-    K[6][3] = -t34;
-    K[6][4] = 0;
-    K[6][5] = 0;
+    K[5][8] = K[8][5] = -t38;
     K[6][6] = k_1_2*t33 + t34;
-    K[6][7] = 0;
-    K[6][8] = 0;
-    K[7][0] = 0;
-    K[7][1] = t30;
-    K[7][2] = 0;
-    K[7][3] = 0;
-    K[7][4] = -t36;
-    K[7][5] = 0;
-    K[7][6] = 0;
     K[7][7] = k_2_2*t35 + t36;
-    K[7][8] = 0;
-    K[8][0] = 0;
-    K[8][1] = 0;
-    K[8][2] = t32;
-    K[8][3] = 0;
-    K[8][4] = 0;
-    K[8][5] = -t38;
-    K[8][6] = 0;
-    K[8][7] = 0;
     K[8][8] = k_3_2*t37 + t38;
 }
 
-void linear_delta_modal_matrices(const double p[3], const linear_delta_parameters *parameters, double
-    M[9][9], double K[9][9])
+void linear_delta_modal_matrices(const double p[3], const linear_delta_parameters *parameters,
+    double M[9][9], double K[9][9])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -3563,31 +3256,13 @@ void linear_delta_modal_matrices(const double p[3], const linear_delta_parameter
     const double D_p_z_2 = A_z_2*t3;
     const double D_p_z_3 = A_z_3*t4;
     const double U_1_x_1 = D_p_x_1 - n_1_x;
-    const double U_1_x_2 = D_p_x_2;
-    const double U_1_x_3 = D_p_x_3;
     const double U_1_y_1 = D_p_y_1 - n_1_y;
-    const double U_1_y_2 = D_p_y_2;
-    const double U_1_y_3 = D_p_y_3;
     const double U_1_z_1 = D_p_z_1 - n_1_z;
-    const double U_1_z_2 = D_p_z_2;
-    const double U_1_z_3 = D_p_z_3;
-    const double U_2_x_1 = D_p_x_1;
     const double U_2_x_2 = D_p_x_2 - n_2_x;
-    const double U_2_x_3 = D_p_x_3;
-    const double U_2_y_1 = D_p_y_1;
     const double U_2_y_2 = D_p_y_2 - n_2_y;
-    const double U_2_y_3 = D_p_y_3;
-    const double U_2_z_1 = D_p_z_1;
     const double U_2_z_2 = D_p_z_2 - n_2_z;
-    const double U_2_z_3 = D_p_z_3;
-    const double U_3_x_1 = D_p_x_1;
-    const double U_3_x_2 = D_p_x_2;
     const double U_3_x_3 = D_p_x_3 - n_3_x;
-    const double U_3_y_1 = D_p_y_1;
-    const double U_3_y_2 = D_p_y_2;
     const double U_3_y_3 = D_p_y_3 - n_3_y;
-    const double U_3_z_1 = D_p_z_1;
-    const double U_3_z_2 = D_p_z_2;
     const double U_3_z_3 = D_p_z_3 - n_3_z;
     const double t5 = I_m_1*(i_g_1*i_g_1);
     const double I_1_1 = I_p_1 + d_1_1*t5;
@@ -3644,218 +3319,85 @@ void linear_delta_modal_matrices(const double p[3], const linear_delta_parameter
     const double t30 = n_2_x*t29;
     const double t31 = n_2_y*t29;
     const double t32 = n_2_z*t29;
-    const double t33 = D_p_x_1*t30 + D_p_x_2*t26 + D_p_y_1*t31 + D_p_y_2*t27 + D_p_z_1*t32 + D_p_z_2*t28;
-    const double t34 = (1.0/6.0)*m_d_3;
-    const double t35 = n_3_x*t34;
-    const double t36 = n_3_y*t34;
-    const double t37 = n_3_z*t34;
-    const double t38 = D_p_x_1*t35 + D_p_x_3*t26 + D_p_y_1*t36 + D_p_y_3*t27 + D_p_z_1*t37 + D_p_z_3*t28;
-    const double t39 = D_p_x_2*t25 + t30;
-    const double t40 = D_p_y_2*t25 + t31;
-    const double t41 = D_p_z_2*t25 + t32;
-    const double t42 = D_p_x_2*t35 + D_p_x_3*t39 + D_p_y_2*t36 + D_p_y_3*t40 + D_p_z_2*t37 + D_p_z_3*t41;
-    const double t43 = U_1_x_1*mu_1;
-    const double t44 = U_1_y_1*mu_1;
-    const double t45 = U_1_z_1*mu_1;
-    const double t46 = U_2_x_1*mu_2;
-    const double t47 = U_2_y_1*mu_2;
-    const double t48 = U_2_z_1*mu_2;
-    const double t49 = U_3_x_1*mu_3;
-    const double t50 = U_3_y_1*mu_3;
-    const double t51 = U_3_z_1*mu_3;
-    const double t52 =
-        -U_1_x_2*t43 - U_1_y_2*t44 - U_1_z_2*t45 - U_2_x_2*t46 - U_2_y_2*t47 - U_2_z_2*t48 - U_3_x_2*t49
-        - U_3_y_2*t50 - U_3_z_2*t51;
-    const double t53 =
-        -U_1_x_3*t43 - U_1_y_3*t44 - U_1_z_3*t45 - U_2_x_3*t46 - U_2_y_3*t47 - U_2_z_3*t48 - U_3_x_3*t49
-        - U_3_y_3*t50 - U_3_z_3*t51;
-    const double t54 = -R_p_1*k_1_3;
-    const double t55 = -R_p_1*k_1_2;
-    const double t56 =
-        -U_1_x_2*U_1_x_3*mu_1 - U_1_y_2*U_1_y_3*mu_1 - U_1_z_2*U_1_z_3*mu_1 - U_2_x_2*U_2_x_3*mu_2
-        - U_2_y_2*U_2_y_3*mu_2 - U_2_z_2*U_2_z_3*mu_2 - U_3_x_2*U_3_x_3*mu_3 - U_3_y_2*U_3_y_3*mu_3
-        - U_3_z_2*U_3_z_3*mu_3;
-    const double t57 = -R_p_2*k_2_3;
-    const double t58 = -R_p_2*k_2_2;
-    const double t59 = -R_p_3*k_3_3;
-    const double t60 = -R_p_3*k_3_2;
-    const double t61 = (R_p_1*R_p_1);
-    const double t62 = k_1_1*t61;
-    const double t63 = (R_p_2*R_p_2);
-    const double t64 = k_2_1*t63;
-    const double t65 = (R_p_3*R_p_3);
-    const double t66 = k_3_1*t65;
+    const double t33 = (1.0/6.0)*m_d_3;
+    const double t34 = n_3_x*t33;
+    const double t35 = n_3_y*t33;
+    const double t36 = n_3_z*t33;
+    const double t37 = D_p_x_2*t25 + t30;
+    const double t38 = D_p_y_2*t25 + t31;
+    const double t39 = D_p_z_2*t25 + t32;
+    const double t40 = (D_p_x_1*D_p_x_1);
+    const double t41 = (D_p_y_1*D_p_y_1);
+    const double t42 = (D_p_z_1*D_p_z_1);
+    const double t43 = D_p_x_1*mu_3;
+    const double t44 = D_p_x_1*mu_2;
+    const double t45 = U_1_x_1*mu_1;
+    const double t46 = D_p_y_1*mu_3;
+    const double t47 = D_p_y_1*mu_2;
+    const double t48 = U_1_y_1*mu_1;
+    const double t49 = D_p_z_1*mu_3;
+    const double t50 = D_p_z_1*mu_2;
+    const double t51 = U_1_z_1*mu_1;
+    const double t52 = (D_p_x_2*D_p_x_2);
+    const double t53 = (D_p_y_2*D_p_y_2);
+    const double t54 = (D_p_z_2*D_p_z_2);
+    const double t55 = (D_p_x_3*D_p_x_3);
+    const double t56 = (D_p_y_3*D_p_y_3);
+    const double t57 = (D_p_z_3*D_p_z_3);
+    const double t58 = (R_p_1*R_p_1);
+    const double t59 = k_1_1*t58;
+    const double t60 = (R_p_2*R_p_2);
+    const double t61 = k_2_1*t60;
+    const double t62 = (R_p_3*R_p_3);
+    const double t63 = k_3_1*t62;
+    memset(M, 0, sizeof(double[9][9]));
     M[0][0] = D_p_x_1*t20 + D_p_x_1*t26 + D_p_y_1*t21 + D_p_y_1*t27 + D_p_z_1*t22 + D_p_z_1*t28 + m_t_1 + t18;
-    M[0][1] = t33;
-    M[0][2] = t38;
-    M[0][3] = 0;
-    M[0][4] = 0;
-    M[0][5] = 0;
-    M[0][6] = 0;
-    M[0][7] = 0;
-    M[0][8] = 0;
-    M[1][0] = t33;
-    M[1][1] = D_p_x_2*t30 + D_p_x_2*t39 + D_p_y_2*t31 + D_p_y_2*t40 + D_p_z_2*t32 + D_p_z_2*t41 + m_t_2 + t23;
-    M[1][2] = t42;
-    M[1][3] = 0;
-    M[1][4] = 0;
-    M[1][5] = 0;
-    M[1][6] = 0;
-    M[1][7] = 0;
-    M[1][8] = 0;
-    M[2][0] = t38;
-    M[2][1] = t42;
+    M[0][1] = M[1][0] = D_p_x_1*t30 + D_p_x_2*t26 + D_p_y_1*t31 + D_p_y_2*t27 + D_p_z_1*t32 + D_p_z_2*t28;
+    M[0][2] = M[2][0] = D_p_x_1*t34 + D_p_x_3*t26 + D_p_y_1*t35 + D_p_y_3*t27 + D_p_z_1*t36 + D_p_z_3*t28;
+    M[1][1] = D_p_x_2*t30 + D_p_x_2*t37 + D_p_y_2*t31 + D_p_y_2*t38 + D_p_z_2*t32 + D_p_z_2*t39 + m_t_2 + t23;
+    M[1][2] = M[2][1] = D_p_x_2*t34 + D_p_x_3*t37 + D_p_y_2*t35 + D_p_y_3*t38 + D_p_z_2*t36 + D_p_z_3*t39;
     M[2][2] =
-        D_p_x_3*t35 + D_p_x_3*(D_p_x_3*t25 + t35) + D_p_y_3*t36 + D_p_y_3*(D_p_y_3*t25 + t36) + D_p_z_3*t37
-        + D_p_z_3*(D_p_z_3*t25 + t37) + m_t_3 + t24;
-    M[2][3] = 0;
-    M[2][4] = 0;
-    M[2][5] = 0;
-    M[2][6] = 0;
-    M[2][7] = 0;
-    M[2][8] = 0;
-    M[3][0] = 0;
-    M[3][1] = 0;
-    M[3][2] = 0;
+        D_p_x_3*t34 + D_p_x_3*(D_p_x_3*t25 + t34) + D_p_y_3*t35 + D_p_y_3*(D_p_y_3*t25 + t35) + D_p_z_3*t36
+        + D_p_z_3*(D_p_z_3*t25 + t36) + m_t_3 + t24;
     M[3][3] = I_1_1;
-    M[3][4] = 0;
-    M[3][5] = 0;
-    M[3][6] = 0;
-    M[3][7] = 0;
-    M[3][8] = 0;
-    M[4][0] = 0;
-    M[4][1] = 0;
-    M[4][2] = 0;
-    M[4][3] = 0;
     M[4][4] = I_2_1;
-    M[4][5] = 0;
-    M[4][6] = 0;
-    M[4][7] = 0;
-    M[4][8] = 0;
-    M[5][0] = 0;
-    M[5][1] = 0;
-    M[5][2] = 0;
-    M[5][3] = 0;
-    M[5][4] = 0;
     M[5][5] = I_3_1;
-    M[5][6] = 0;
-    M[5][7] = 0;
-    M[5][8] = 0;
-    M[6][0] = 0;
-    M[6][1] = 0;
-    M[6][2] = 0;
-    M[6][3] = 0;
-    M[6][4] = 0;
-    M[6][5] = 0;
     M[6][6] = I_1_2;
-    M[6][7] = 0;
-    M[6][8] = 0;
-    M[7][0] = 0;
-    M[7][1] = 0;
-    M[7][2] = 0;
-    M[7][3] = 0;
-    M[7][4] = 0;
-    M[7][5] = 0;
-    M[7][6] = 0;
     M[7][7] = I_2_2;
-    M[7][8] = 0;
-    M[8][0] = 0;
-    M[8][1] = 0;
-    M[8][2] = 0;
-    M[8][3] = 0;
-    M[8][4] = 0;
-    M[8][5] = 0;
-    M[8][6] = 0;
-    M[8][7] = 0;
     M[8][8] = I_3_2;
+    memset(K, 0, sizeof(double[9][9]));
     K[0][0] =
-        -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 - (U_2_x_1*U_2_x_1)*mu_2
-        - (U_2_y_1*U_2_y_1)*mu_2 - (U_2_z_1*U_2_z_1)*mu_2 - (U_3_x_1*U_3_x_1)*mu_3 - (U_3_y_1*U_3_y_1)*mu_3
-        - (U_3_z_1*U_3_z_1)*mu_3 + k_1_2 + k_1_3;
-    K[0][1] = t52;
-    K[0][2] = t53;
-    K[0][3] = t54;
-    K[0][4] = 0;
-    K[0][5] = 0;
-    K[0][6] = t55;
-    K[0][7] = 0;
-    K[0][8] = 0;
-    K[1][0] = t52;
+        -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 + k_1_2 + k_1_3 - mu_2*t40
+        - mu_2*t41 - mu_2*t42 - mu_3*t40 - mu_3*t41 - mu_3*t42;
+    K[0][1] = K[1][0] =
+        -D_p_x_2*t43 - D_p_x_2*t45 - D_p_y_2*t46 - D_p_y_2*t48 - D_p_z_2*t49 - D_p_z_2*t51 - U_2_x_2*t44
+        - U_2_y_2*t47 - U_2_z_2*t50;
+    K[0][2] = K[2][0] =
+        -D_p_x_3*t44 - D_p_x_3*t45 - D_p_y_3*t47 - D_p_y_3*t48 - D_p_z_3*t50 - D_p_z_3*t51 - U_3_x_3*t43
+        - U_3_y_3*t46 - U_3_z_3*t49;
+    K[0][3] = K[3][0] = -R_p_1*k_1_3;
+    K[0][6] = K[6][0] = -R_p_1*k_1_2;
     K[1][1] =
-        -(U_1_x_2*U_1_x_2)*mu_1 - (U_1_y_2*U_1_y_2)*mu_1 - (U_1_z_2*U_1_z_2)*mu_1 - (U_2_x_2*U_2_x_2)*mu_2
-        - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 - (U_3_x_2*U_3_x_2)*mu_3 - (U_3_y_2*U_3_y_2)*mu_3
-        - (U_3_z_2*U_3_z_2)*mu_3 + k_2_2 + k_2_3;
-    K[1][2] = t56;
-    K[1][3] = 0;
-    K[1][4] = t57;
-    K[1][5] = 0;
-    K[1][6] = 0;
-    K[1][7] = t58;
-    K[1][8] = 0;
-    K[2][0] = t53;
-    K[2][1] = t56;
+        -(U_2_x_2*U_2_x_2)*mu_2 - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 + k_2_2 + k_2_3 - mu_1*t52
+        - mu_1*t53 - mu_1*t54 - mu_3*t52 - mu_3*t53 - mu_3*t54;
+    K[1][2] = K[2][1] =
+        -D_p_x_2*D_p_x_3*mu_1 - D_p_x_2*U_3_x_3*mu_3 - D_p_x_3*U_2_x_2*mu_2 - D_p_y_2*D_p_y_3*mu_1
+        - D_p_y_2*U_3_y_3*mu_3 - D_p_y_3*U_2_y_2*mu_2 - D_p_z_2*D_p_z_3*mu_1 - D_p_z_2*U_3_z_3*mu_3
+        - D_p_z_3*U_2_z_2*mu_2;
+    K[1][4] = K[4][1] = -R_p_2*k_2_3;
+    K[1][7] = K[7][1] = -R_p_2*k_2_2;
     K[2][2] =
-        -(U_1_x_3*U_1_x_3)*mu_1 - (U_1_y_3*U_1_y_3)*mu_1 - (U_1_z_3*U_1_z_3)*mu_1 - (U_2_x_3*U_2_x_3)*mu_2
-        - (U_2_y_3*U_2_y_3)*mu_2 - (U_2_z_3*U_2_z_3)*mu_2 - (U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3
-        - (U_3_z_3*U_3_z_3)*mu_3 + k_3_2 + k_3_3;
-    K[2][3] = 0;
-    K[2][4] = 0;
-    K[2][5] = t59;
-    K[2][6] = 0;
-    K[2][7] = 0;
-    K[2][8] = t60;
-    K[3][0] = t54;
-    K[3][1] = 0;
-    K[3][2] = 0;
-    K[3][3] = k_1_3*t61 + t62;
-    K[3][4] = 0;
-    K[3][5] = 0;
-    K[3][6] = -t62;
-    K[3][7] = 0;
-    K[3][8] = 0;
-    K[4][0] = 0;
-    K[4][1] = t57;
-    K[4][2] = 0;
-    K[4][3] = 0;
-    K[4][4] = k_2_3*t63 + t64;
-    K[4][5] = 0;
-    K[4][6] = 0;
-    K[4][7] = -t64;
-    K[4][8] = 0;
-    K[5][0] = 0;
-    K[5][1] = 0;
-    K[5][2] = t59;
-    K[5][3] = 0;
-    K[5][4] = 0;
-    K[5][5] = k_3_3*t65 + t66;
-    K[5][6] = 0;
-    K[5][7] = 0;
-    K[5][8] = -t66;
-    K[6][0] = t55;
-    K[6][1] = 0;
-    K[6][2] = 0;
-    K[6][3] = -t62;
-    K[6][4] = 0;
-    K[6][5] = 0;
-    K[6][6] = k_1_2*t61 + t62;
-    K[6][7] = 0;
-    K[6][8] = 0;
-    K[7][0] = 0;
-    K[7][1] = t58;
-    K[7][2] = 0;
-    K[7][3] = 0;
-    K[7][4] = -t64;
-    K[7][5] = 0;
-    K[7][6] = 0;
-    K[7][7] = k_2_2*t63 + t64;
-    K[7][8] = 0;
-    K[8][0] = 0;
-    K[8][1] = 0;
-    K[8][2] = t60;
-    K[8][3] = 0;
-    K[8][4] = 0;
-    K[8][5] = -t66;
-    K[8][6] = 0;
-    K[8][7] = 0;
-    K[8][8] = k_3_2*t65 + t66;
+        -(U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3 - (U_3_z_3*U_3_z_3)*mu_3 + k_3_2 + k_3_3 - mu_1*t55
+        - mu_1*t56 - mu_1*t57 - mu_2*t55 - mu_2*t56 - mu_2*t57;
+    K[2][5] = K[5][2] = -R_p_3*k_3_3;
+    K[2][8] = K[8][2] = -R_p_3*k_3_2;
+    K[3][3] = k_1_3*t58 + t59;
+    K[3][6] = K[6][3] = -t59;
+    K[4][4] = k_2_3*t60 + t61;
+    K[4][7] = K[7][4] = -t61;
+    K[5][5] = k_3_3*t62 + t63;
+    K[5][8] = K[8][5] = -t63;
+    K[6][6] = k_1_2*t58 + t59;
+    K[7][7] = k_2_2*t60 + t61;
+    K[8][8] = k_3_2*t62 + t63;
 }

@@ -4,8 +4,9 @@
  *
  * Dynamics of the mechanism linear_delta, for a robot given by its parameters.
  *
- * C99, no allocation, no dependency but sqrt.  Matrices are row-major.  Everything is in SI units and in the
- * base frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
+ * C99, no allocation, no dependency but the C library's mathematics and memset.  Matrices are row-major.
+ * Everything is in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K is
+ * positive for a restoring force.
  * Generalised coordinates, in the order of M and K:
  *   x_1 [m]
  *   x_2 [m]
@@ -73,8 +74,8 @@ typedef struct {
  * Source: equations 1 to 3.
  * 84 operations; 201 with every named value written out.
  */
-void linear_delta_inverse_kinematics(const double p[3], const linear_delta_parameters *parameters, double
-    x[3]);
+void linear_delta_inverse_kinematics(const double p[3], const linear_delta_parameters *parameters,
+    double x[3]);
 
 /* How much farther each platform joint could be from its rail.
  *
@@ -84,8 +85,8 @@ void linear_delta_inverse_kinematics(const double p[3], const linear_delta_param
  * Source: closure of equation 2: a pose is reachable where every margin is at least zero.
  * 75 operations; 159 with every named value written out.
  */
-void linear_delta_reach_margin(const double p[3], const linear_delta_parameters *parameters, double
-    margin[3]);
+void linear_delta_reach_margin(const double p[3], const linear_delta_parameters *parameters,
+    double margin[3]);
 
 /* Room for the two belt spans of each carriage, whatever the pose.
  *
@@ -107,13 +108,13 @@ void linear_delta_travel_margin(const linear_delta_parameters *parameters, doubl
  * Source: equation 3: intersection of three spheres.
  * 123 operations; 4398 with every named value written out.
  */
-void linear_delta_direct_kinematics(const double x[3], double assembly, const linear_delta_parameters
-    *parameters, double p[3]);
+void linear_delta_direct_kinematics(const double x[3], double assembly,
+    const linear_delta_parameters *parameters, double p[3]);
 
 /* Free lengths of the belt spans.
  *
  *   in  p [m]: platform centre in the base frame
- *   out l_f [m]: free length l_f[j-1, k-1] of span k of belt j
+ *   out l_f [m]: free length l_f[j-1, s-1] of span s of belt j
  *
  * Source: equations 35 to 37; a pose is within the limits where all are positive.
  * 102 operations; 423 with every named value written out.
@@ -129,8 +130,8 @@ void linear_delta_belt_spans(const double p[3], const linear_delta_parameters *p
  * Source: equations 14 and 15.
  * 117 operations; 1293 with every named value written out.
  */
-void linear_delta_constraint_jacobians(const double p[3], const linear_delta_parameters *parameters, double
-    D_l[3][3], double D_r[3][3]);
+void linear_delta_constraint_jacobians(const double p[3], const linear_delta_parameters *parameters,
+    double D_l[3][3], double D_r[3][3]);
 
 /* Assembly branch and condition number of D_l in the Frobenius norm.
  *
@@ -141,8 +142,8 @@ void linear_delta_constraint_jacobians(const double p[3], const linear_delta_par
  * Source: equation 15; |D_l| |D_l^-1|, between once and three times the condition number in the 2-norm.
  * 184 operations; 14069 with every named value written out.
  */
-void linear_delta_jacobian_condition(const double p[3], const linear_delta_parameters *parameters, double
-    *determinant, double *condition);
+void linear_delta_jacobian_condition(const double p[3], const linear_delta_parameters *parameters,
+    double *determinant, double *condition);
 
 /* Platform Jacobian D_p = D_l^-1 D_r.
  *
@@ -152,8 +153,8 @@ void linear_delta_jacobian_condition(const double p[3], const linear_delta_param
  * Source: equation 15.
  * 162 operations; 14274 with every named value written out.
  */
-void linear_delta_platform_jacobian(const double p[3], const linear_delta_parameters *parameters, double
-    D_p[3][3]);
+void linear_delta_platform_jacobian(const double p[3], const linear_delta_parameters *parameters,
+    double D_p[3][3]);
 
 /* Time derivative of the platform Jacobian.
  *
@@ -162,10 +163,10 @@ void linear_delta_platform_jacobian(const double p[3], const linear_delta_parame
  *   out D_p_dot [1/s]: d(D_p)/dt, with x_dot
  *
  * Source: equation 17.
- * 339 operations; 660699 with every named value written out.
+ * 330 operations; 660699 with every named value written out.
  */
-void linear_delta_platform_jacobian_rate(const double p[3], const double x_dot[3], const
-    linear_delta_parameters *parameters, double D_p_dot[3][3]);
+void linear_delta_platform_jacobian_rate(const double p[3], const double x_dot[3],
+    const linear_delta_parameters *parameters, double D_p_dot[3][3]);
 
 /* Second derivatives of the platform with respect to the carriage positions.
  *
@@ -173,7 +174,7 @@ void linear_delta_platform_jacobian_rate(const double p[3], const double x_dot[3
  *   out P [1/m]: d2p_i/dq_k dq_l as P[i, k, l]
  *
  * Source: equation 49, by the implicit function theorem to second order.
- * 387 operations; 695493 with every named value written out.
+ * 369 operations; 695493 with every named value written out.
  */
 void linear_delta_platform_second_derivatives(const double p[3], const linear_delta_parameters *parameters,
     double P[3][3][3]);
@@ -187,8 +188,8 @@ void linear_delta_platform_second_derivatives(const double p[3], const linear_de
  * Source: equations 16 and 23; the angular velocity without spin about the rod, which carries no energy.
  * 309 operations; 132498 with every named value written out.
  */
-void linear_delta_link_jacobians(const double p[3], const linear_delta_parameters *parameters, double
-    D_d[3][3][3], double D_omega[3][3][3]);
+void linear_delta_link_jacobians(const double p[3], const linear_delta_parameters *parameters,
+    double D_d[3][3][3], double D_omega[3][3][3]);
 
 /* Kinetic energies of the structure and of the transmissions.
  *
@@ -200,8 +201,8 @@ void linear_delta_link_jacobians(const double p[3], const linear_delta_parameter
  * Source: equations 24 and 28.
  * 275 operations; 28717 with every named value written out.
  */
-void linear_delta_kinetic_energy(const double p[3], const double q_dot[9], const linear_delta_parameters
-    *parameters, double *T_ss, double *T_t);
+void linear_delta_kinetic_energy(const double p[3], const double q_dot[9],
+    const linear_delta_parameters *parameters, double *T_ss, double *T_t);
 
 /* Mass matrix M in the nine generalised coordinates.
  *
@@ -220,10 +221,10 @@ void linear_delta_mass_matrix(const double p[3], const linear_delta_parameters *
  *   out h [N]: generalised forces on the carriage coordinates
  *
  * Source: Lagrange's equations, equation 47 without its linearisation.
- * 750 operations; 3553737 with every named value written out.
+ * 711 operations; 3553737 with every named value written out.
  */
-void linear_delta_velocity_forces(const double p[3], const double x_dot[3], const linear_delta_parameters
-    *parameters, double h[3]);
+void linear_delta_velocity_forces(const double p[3], const double x_dot[3],
+    const linear_delta_parameters *parameters, double h[3]);
 
 /* Gravitational potential energy V_g, the force function U_g with opposite sign.
  *
@@ -233,8 +234,8 @@ void linear_delta_velocity_forces(const double p[3], const double x_dot[3], cons
  * Source: equation 26, for gravity in any direction and every body that moves.
  * 195 operations; 1368 with every named value written out.
  */
-void linear_delta_gravity_potential(const double p[3], const linear_delta_parameters *parameters, double
-    *V_g);
+void linear_delta_gravity_potential(const double p[3], const linear_delta_parameters *parameters,
+    double *V_g);
 
 /* Gradient of the gravitational potential energy with respect to the carriage positions.
  *
@@ -252,21 +253,21 @@ void linear_delta_gravity_gradient(const double p[3], const linear_delta_paramet
  *   out H_g [N/m]: d2V_g/dq_k dq_l, symmetric
  *
  * Source: section 4 and equation 49.
- * 354 operations; 373806 with every named value written out.
+ * 345 operations; 373806 with every named value written out.
  */
-void linear_delta_gravity_hessian(const double p[3], const linear_delta_parameters *parameters, double
-    H_g[3][3]);
+void linear_delta_gravity_hessian(const double p[3], const linear_delta_parameters *parameters,
+    double H_g[3][3]);
 
 /* Stiffnesses of the belt spans.
  *
  *   in  p [m]: platform centre in the base frame
- *   out k [N/m]: k[j-1, k-1], the spans in the order of `belt_spans`
+ *   out k [N/m]: k[j-1, s-1], the spans in the order of `belt_spans`
  *
  * Source: equations 34 to 37.
  * 114 operations; 441 with every named value written out.
  */
-void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameters *parameters, double
-    k[3][3]);
+void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameters *parameters,
+    double k[3][3]);
 
 /* Elastic potential energy V_el of the transmissions, the force function U_el with opposite sign.
  *
@@ -278,8 +279,8 @@ void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameter
  * Source: equation 38, summed.
  * 164 operations; 497 with every named value written out.
  */
-void linear_delta_elastic_potential(const double p[3], const double delta_q[9], const linear_delta_parameters
-    *parameters, double *V_el);
+void linear_delta_elastic_potential(const double p[3], const double delta_q[9],
+    const linear_delta_parameters *parameters, double *V_el);
 
 /* Gradient of the elastic potential energy.
  *
@@ -291,8 +292,8 @@ void linear_delta_elastic_potential(const double p[3], const double delta_q[9], 
  * Source: equation 38 differentiated.
  * 192 operations; 981 with every named value written out.
  */
-void linear_delta_elastic_gradient(const double p[3], const double delta_q[9], const linear_delta_parameters
-    *parameters, double E[9]);
+void linear_delta_elastic_gradient(const double p[3], const double delta_q[9],
+    const linear_delta_parameters *parameters, double E[9]);
 
 /* Hessian of the elastic potential energy.
  *
@@ -300,10 +301,10 @@ void linear_delta_elastic_gradient(const double p[3], const double delta_q[9], c
  *   out H_el [N/m, N, N m]: d2V_el/dq2, symmetric, three zero eigenvalues
  *
  * Source: equation 38 differentiated twice.
- * 153 operations; 1839 with every named value written out.
+ * 150 operations; 1839 with every named value written out.
  */
-void linear_delta_elastic_hessian(const double p[3], const linear_delta_parameters *parameters, double
-    H_el[9][9]);
+void linear_delta_elastic_hessian(const double p[3], const linear_delta_parameters *parameters,
+    double H_el[9][9]);
 
 /* Torques of the drives, and the rotations that go with them, that hold the pose.
  *
@@ -314,8 +315,8 @@ void linear_delta_elastic_hessian(const double p[3], const linear_delta_paramete
  * Source: equation 44, solved at the pose.
  * 363 operations; 125757 with every named value written out.
  */
-void linear_delta_static_equilibrium(const double p[3], const linear_delta_parameters *parameters, double
-    tau_st[3], double theta_st[6]);
+void linear_delta_static_equilibrium(const double p[3], const linear_delta_parameters *parameters,
+    double tau_st[3], double theta_st[6]);
 
 /* Stiffness matrix K in the nine generalised coordinates.
  *
@@ -323,10 +324,10 @@ void linear_delta_static_equilibrium(const double p[3], const linear_delta_param
  *   out K [N/m, N, N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
  *
  * Source: equations 46 and 48: K = -H_U.
- * 423 operations; 375645 with every named value written out.
+ * 411 operations; 375645 with every named value written out.
  */
-void linear_delta_stiffness_matrix(const double p[3], const linear_delta_parameters *parameters, double
-    K[9][9]);
+void linear_delta_stiffness_matrix(const double p[3], const linear_delta_parameters *parameters,
+    double K[9][9]);
 
 /* Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.
  *
@@ -337,10 +338,10 @@ void linear_delta_stiffness_matrix(const double p[3], const linear_delta_paramet
  *   out K [N/m, N, N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
  *
  * Source: equation 48.
- * 549 operations; 504567 with every named value written out.
+ * 537 operations; 504567 with every named value written out.
  */
-void linear_delta_modal_matrices(const double p[3], const linear_delta_parameters *parameters, double
-    M[9][9], double K[9][9]);
+void linear_delta_modal_matrices(const double p[3], const linear_delta_parameters *parameters,
+    double M[9][9], double K[9][9]);
 
 #ifdef __cplusplus
 }

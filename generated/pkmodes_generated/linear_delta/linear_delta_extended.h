@@ -4,8 +4,9 @@
  *
  * Dynamics of the mechanism linear_delta with effects: extended matrices and sensitivities.
  *
- * C99, no allocation, no dependency but sqrt.  Matrices are row-major.  Everything is in SI units and in the
- * base frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
+ * C99, no allocation, no dependency but the C library's mathematics and memset.  Matrices are row-major.
+ * Everything is in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K is
+ * positive for a restoring force.
  * Generalised coordinates, in the order of M and K:
  *   x_1 [m]
  *   x_2 [m]
@@ -81,7 +82,7 @@ typedef struct {
  *   out K_g [N/m, N, N m]: Hessian of the gravitational potential energy
  *
  * Source: equations 24 to 48 with the effects' energies; K = K_el + K_g and the joints' stiffnesses.
- * 1260 operations; 2335815 with every named value written out.
+ * 1242 operations; 2335815 with every named value written out.
  */
 void linear_delta_extended_extended_matrices(const double p[3], const linear_delta_parameters *parameters,
     const linear_delta_effects *effects, double M[21][21], double K_el[21][21], double K_g[21][21]);
@@ -94,8 +95,8 @@ void linear_delta_extended_extended_matrices(const double p[3], const linear_del
  * Source: equation 15, with what released joints and the frame add.
  * 177 operations; 26586 with every named value written out.
  */
-void linear_delta_extended_extended_platform_motion(const double p[3], const linear_delta_parameters
-    *parameters, double J_p[3][21]);
+void linear_delta_extended_extended_platform_motion(const double p[3],
+    const linear_delta_parameters *parameters, double J_p[3][21]);
 
 /* Stiffnesses of the released joints, to be added to the diagonal of K.
  *
@@ -107,8 +108,8 @@ void linear_delta_extended_extended_platform_motion(const double p[3], const lin
  * Source: energy q^2 / (2 c) of each joint.
  * 16 operations; 48 with every named value written out.
  */
-void linear_delta_extended_joint_stiffness(const linear_delta_effects *effects, double kappa[12], double
-    kappa_c[12]);
+void linear_delta_extended_joint_stiffness(const linear_delta_effects *effects, double kappa[12],
+    double kappa_c[12]);
 
 /* Torques and rotations that hold the pose, the effects' weights and changes of stiffness included.
  *
@@ -119,8 +120,9 @@ void linear_delta_extended_joint_stiffness(const linear_delta_effects *effects, 
  * Source: equation 44; springs that effects add are relaxed at the pose, and the released joints hold.
  * 388 operations; 129417 with every named value written out.
  */
-void linear_delta_extended_extended_static_equilibrium(const double p[3], const linear_delta_parameters
-    *parameters, const linear_delta_effects *effects, double tau_st[3], double theta_st[6]);
+void linear_delta_extended_extended_static_equilibrium(const double p[3],
+    const linear_delta_parameters *parameters, const linear_delta_effects *effects, double tau_st[3],
+    double theta_st[6]);
 
 #ifdef __cplusplus
 }

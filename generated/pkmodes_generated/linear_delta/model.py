@@ -7,8 +7,8 @@ Arrays are batch first: a leading `...` stands for any batch shape, none include
 Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
 frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
 
-Names in the code, for axis j, pulley or span k (or carriage k, l of a derivative) and component i = x, y, z;
-t1, t2, ... are subexpressions that several values share:
+Names in the code, for axis or belt j; pulley k, or coordinate k of a derivative; coordinate l of a second
+derivative; belt span s; component i = x, y, z.  t1, t2, ... are subexpressions that several values share.
 
 * x_j [m]: position of carriage j along its rail
 * r_j_i [m]: platform joint j seen from the origin of rail j, component i
@@ -18,9 +18,9 @@ t1, t2, ... are subexpressions that several values share:
 * w2_j [m^2]: squared distance of platform joint j from rail j
 * tau_st_j [N m]: static torque on the driven pulley of axis j
 * I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
-* l_f_j_k [m]: free length of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
+* l_f_j_s [m]: free length of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
     carriage to pulley 1)
-* k_j_k [N/m]: stiffness of span k of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
+* k_j_s [N/m]: stiffness of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
     carriage to pulley 1)
 * S_j_i [m]: centre of sphere j, on which the platform centre lies, component i
 * alpha_i [m]: vector between the sphere centres 1 and 2, component i
@@ -246,7 +246,7 @@ def inverse_kinematics(p, parameters):
     w_3_z = -a_3*n_3_z + r_3_z
     w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
     x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
-    x_out = np.zeros((*batch, 3), dtype)
+    x_out = np.empty((*batch, 3), dtype)
     x_out[..., 0] = x_1
     x_out[..., 1] = x_2
     x_out[..., 2] = x_3
@@ -303,7 +303,7 @@ def reach_margin(p, parameters):
     w_3_y = -a_3*n_3_y + r_3_y
     w_3_z = -a_3*n_3_z + r_3_z
     w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
-    margin_out = np.zeros((*batch, 3), dtype)
+    margin_out = np.empty((*batch, 3), dtype)
     margin_out[..., 0] = l_d_1 - np.sqrt(w2_1)
     margin_out[..., 1] = l_d_2 - np.sqrt(w2_2)
     margin_out[..., 2] = l_d_3 - np.sqrt(w2_3)
@@ -331,7 +331,7 @@ def travel_margin(parameters):
     l_t_1, l_t_2, l_t_3 = _entries(parameters.carriage_length, (3,))
     x_min_1, x_max_1, x_min_2, x_max_2, x_min_3, x_max_3 = _entries(parameters.limits, (3, 2))
     batch, dtype = _batch(l_t_1, x_min_1)
-    margin_out = np.zeros((*batch, 3), dtype)
+    margin_out = np.empty((*batch, 3), dtype)
     margin_out[..., 0] = -l_t_1 + x_max_1 - x_min_1
     margin_out[..., 1] = -l_t_2 + x_max_2 - x_min_2
     margin_out[..., 2] = -l_t_3 + x_max_3 - x_min_3
@@ -397,7 +397,7 @@ def direct_kinematics(x, assembly, parameters):
     q_y = t3*(h_2*(-beta_x*nu_z + beta_z*nu_x) + h_3*(alpha_x*nu_z - alpha_z*nu_x))
     q_z = t3*(h_2*(beta_x*nu_y - beta_y*nu_x) + h_3*(-alpha_x*nu_y + alpha_y*nu_x))
     t4 = assembly*np.sqrt(t3*(-q_x**2 - q_y**2 - q_z**2 + t1))
-    p_out = np.zeros((*batch, 3), dtype)
+    p_out = np.empty((*batch, 3), dtype)
     p_out[..., 0] = S_1_x + nu_x*t4 + q_x
     p_out[..., 1] = S_1_y + nu_y*t4 + q_y
     p_out[..., 2] = S_1_z + nu_z*t4 + q_z
@@ -417,7 +417,7 @@ def belt_spans(p, parameters):
     Returns
     -------
     l_f : array, shape (..., 3, 3) [m]
-        Free length l_f[j-1, k-1] of span k of belt j.
+        Free length l_f[j-1, s-1] of span s of belt j.
 
     Notes
     -----
@@ -472,7 +472,7 @@ def belt_spans(p, parameters):
     t3 = (1/2)*l_t_3
     l_f_3_2 = -t3 + x_3 - x_min_3
     l_f_3_3 = -t3 - x_3 + x_max_3
-    l_f_out = np.zeros((*batch, 3, 3), dtype)
+    l_f_out = np.empty((*batch, 3, 3), dtype)
     l_f_out[..., 0, 0] = l_f_1_1
     l_f_out[..., 0, 1] = l_f_1_2
     l_f_out[..., 0, 2] = l_f_1_3
@@ -553,7 +553,7 @@ def constraint_jacobians(p, parameters):
     D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z
     D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z
     D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z
-    D_l_out = np.zeros((*batch, 3, 3), dtype)
+    D_l_out = np.empty((*batch, 3, 3), dtype)
     D_l_out[..., 0, 0] = s_1_x
     D_l_out[..., 0, 1] = s_1_y
     D_l_out[..., 0, 2] = s_1_z
@@ -646,9 +646,9 @@ def jacobian_condition(p, parameters):
     A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x
     det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z
     t1 = 1.0/(det_D_l**2)
-    determinant_out = np.zeros(batch, dtype)
+    determinant_out = np.empty(batch, dtype)
     determinant_out[...] = det_D_l
-    condition_out = np.zeros(batch, dtype)
+    condition_out = np.empty(batch, dtype)
     condition_out[...] = (
         np.sqrt(s_1_x**2 + s_1_y**2 + s_1_z**2 + s_2_x**2 + s_2_y**2 + s_2_z**2 + s_3_x**2 + s_3_y**2
         + s_3_z**2)*np.sqrt(A_x_1**2*t1 + A_x_2**2*t1 + A_x_3**2*t1 + A_y_1**2*t1 + A_y_2**2*t1 + A_y_3**2*t1
@@ -746,7 +746,7 @@ def platform_jacobian(p, parameters):
     D_p_z_1 = A_z_1*t2
     D_p_z_2 = A_z_2*t3
     D_p_z_3 = A_z_3*t4
-    D_p_out = np.zeros((*batch, 3, 3), dtype)
+    D_p_out = np.empty((*batch, 3, 3), dtype)
     D_p_out[..., 0, 0] = D_p_x_1
     D_p_out[..., 0, 1] = D_p_x_2
     D_p_out[..., 0, 2] = D_p_x_3
@@ -779,7 +779,7 @@ def platform_jacobian_rate(p, x_dot, parameters):
     Notes
     -----
     Equation 17.
-    339 operations; 660699 with every named value written out.
+    330 operations; 660699 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     x_1_dot, x_2_dot, x_3_dot = _entries(x_dot, (3,))
@@ -852,69 +852,60 @@ def platform_jacobian_rate(p, x_dot, parameters):
     D_p_z_2 = A_z_2*t3
     D_p_z_3 = A_z_3*t4
     U_1_x_1 = D_p_x_1 - n_1_x
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - n_1_y
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - n_1_z
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - n_2_x
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - n_2_y
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - n_2_z
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - n_3_x
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - n_3_y
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - n_3_z
-    s_dot_1_x = U_1_x_1*x_1_dot + U_1_x_2*x_2_dot + U_1_x_3*x_3_dot
-    s_dot_1_y = U_1_y_1*x_1_dot + U_1_y_2*x_2_dot + U_1_y_3*x_3_dot
-    s_dot_1_z = U_1_z_1*x_1_dot + U_1_z_2*x_2_dot + U_1_z_3*x_3_dot
-    s_dot_2_x = U_2_x_1*x_1_dot + U_2_x_2*x_2_dot + U_2_x_3*x_3_dot
-    s_dot_2_y = U_2_y_1*x_1_dot + U_2_y_2*x_2_dot + U_2_y_3*x_3_dot
-    s_dot_2_z = U_2_z_1*x_1_dot + U_2_z_2*x_2_dot + U_2_z_3*x_3_dot
-    s_dot_3_x = U_3_x_1*x_1_dot + U_3_x_2*x_2_dot + U_3_x_3*x_3_dot
-    s_dot_3_y = U_3_y_1*x_1_dot + U_3_y_2*x_2_dot + U_3_y_3*x_3_dot
-    s_dot_3_z = U_3_z_1*x_1_dot + U_3_z_2*x_2_dot + U_3_z_3*x_3_dot
-    t5 = -D_p_x_1*s_dot_2_x - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z
-    t6 = -D_p_x_1*s_dot_3_x - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z
-    t7 = (
+    t5 = D_p_x_2*x_2_dot
+    t6 = D_p_x_3*x_3_dot
+    s_dot_1_x = U_1_x_1*x_1_dot + t5 + t6
+    t7 = D_p_y_2*x_2_dot
+    t8 = D_p_y_3*x_3_dot
+    s_dot_1_y = U_1_y_1*x_1_dot + t7 + t8
+    t9 = D_p_z_2*x_2_dot
+    t10 = D_p_z_3*x_3_dot
+    s_dot_1_z = U_1_z_1*x_1_dot + t10 + t9
+    t11 = D_p_x_1*x_1_dot
+    s_dot_2_x = U_2_x_2*x_2_dot + t11 + t6
+    t12 = D_p_y_1*x_1_dot
+    s_dot_2_y = U_2_y_2*x_2_dot + t12 + t8
+    t13 = D_p_z_1*x_1_dot
+    s_dot_2_z = U_2_z_2*x_2_dot + t10 + t13
+    s_dot_3_x = U_3_x_3*x_3_dot + t11 + t5
+    s_dot_3_y = U_3_y_3*x_3_dot + t12 + t7
+    s_dot_3_z = U_3_z_3*x_3_dot + t13 + t9
+    t14 = -D_p_x_1*s_dot_2_x - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z
+    t15 = -D_p_x_1*s_dot_3_x - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z
+    t16 = (
         -D_p_x_1*s_dot_1_x - D_p_y_1*s_dot_1_y - D_p_z_1*s_dot_1_z + n_1_x*s_dot_1_x + n_1_y*s_dot_1_y
         + n_1_z*s_dot_1_z
     )
-    D_p_dot_x_1 = t1*(A_x_1*t7 + A_x_2*t5 + A_x_3*t6)
-    D_p_dot_y_1 = t1*(A_y_1*t7 + A_y_2*t5 + A_y_3*t6)
-    D_p_dot_z_1 = t1*(A_z_1*t7 + A_z_2*t5 + A_z_3*t6)
-    t8 = -D_p_x_2*s_dot_1_x - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z
-    t9 = -D_p_x_2*s_dot_3_x - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z
-    t10 = (
+    D_p_dot_x_1 = t1*(A_x_1*t16 + A_x_2*t14 + A_x_3*t15)
+    D_p_dot_y_1 = t1*(A_y_1*t16 + A_y_2*t14 + A_y_3*t15)
+    D_p_dot_z_1 = t1*(A_z_1*t16 + A_z_2*t14 + A_z_3*t15)
+    t17 = -D_p_x_2*s_dot_1_x - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z
+    t18 = -D_p_x_2*s_dot_3_x - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z
+    t19 = (
         -D_p_x_2*s_dot_2_x - D_p_y_2*s_dot_2_y - D_p_z_2*s_dot_2_z + n_2_x*s_dot_2_x + n_2_y*s_dot_2_y
         + n_2_z*s_dot_2_z
     )
-    D_p_dot_x_2 = t1*(A_x_1*t8 + A_x_2*t10 + A_x_3*t9)
-    D_p_dot_y_2 = t1*(A_y_1*t8 + A_y_2*t10 + A_y_3*t9)
-    D_p_dot_z_2 = t1*(A_z_1*t8 + A_z_2*t10 + A_z_3*t9)
-    t11 = -D_p_x_3*s_dot_1_x - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z
-    t12 = -D_p_x_3*s_dot_2_x - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z
-    t13 = (
+    D_p_dot_x_2 = t1*(A_x_1*t17 + A_x_2*t19 + A_x_3*t18)
+    D_p_dot_y_2 = t1*(A_y_1*t17 + A_y_2*t19 + A_y_3*t18)
+    D_p_dot_z_2 = t1*(A_z_1*t17 + A_z_2*t19 + A_z_3*t18)
+    t20 = -D_p_x_3*s_dot_1_x - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z
+    t21 = -D_p_x_3*s_dot_2_x - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z
+    t22 = (
         -D_p_x_3*s_dot_3_x - D_p_y_3*s_dot_3_y - D_p_z_3*s_dot_3_z + n_3_x*s_dot_3_x + n_3_y*s_dot_3_y
         + n_3_z*s_dot_3_z
     )
-    D_p_dot_x_3 = t1*(A_x_1*t11 + A_x_2*t12 + A_x_3*t13)
-    D_p_dot_y_3 = t1*(A_y_1*t11 + A_y_2*t12 + A_y_3*t13)
-    D_p_dot_z_3 = t1*(A_z_1*t11 + A_z_2*t12 + A_z_3*t13)
-    D_p_dot_out = np.zeros((*batch, 3, 3), dtype)
+    D_p_dot_x_3 = t1*(A_x_1*t20 + A_x_2*t21 + A_x_3*t22)
+    D_p_dot_y_3 = t1*(A_y_1*t20 + A_y_2*t21 + A_y_3*t22)
+    D_p_dot_z_3 = t1*(A_z_1*t20 + A_z_2*t21 + A_z_3*t22)
+    D_p_dot_out = np.empty((*batch, 3, 3), dtype)
     D_p_dot_out[..., 0, 0] = D_p_dot_x_1
     D_p_dot_out[..., 0, 1] = D_p_dot_x_2
     D_p_dot_out[..., 0, 2] = D_p_dot_x_3
@@ -945,7 +936,7 @@ def platform_second_derivatives(p, parameters):
     Notes
     -----
     Equation 49, by the implicit function theorem to second order.
-    387 operations; 695493 with every named value written out.
+    369 operations; 695493 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -1017,95 +1008,65 @@ def platform_second_derivatives(p, parameters):
     D_p_z_2 = A_z_2*t3
     D_p_z_3 = A_z_3*t4
     U_1_x_1 = D_p_x_1 - n_1_x
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - n_1_y
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - n_1_z
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - n_2_x
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - n_2_y
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - n_2_z
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - n_3_x
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - n_3_y
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - n_3_z
     f_1_11 = -U_1_x_1**2 - U_1_y_1**2 - U_1_z_1**2
-    f_2_11 = -U_2_x_1**2 - U_2_y_1**2 - U_2_z_1**2
-    f_3_11 = -U_3_x_1**2 - U_3_y_1**2 - U_3_z_1**2
-    P_x_11 = t1*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_3_11)
-    P_y_11 = t1*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_3_11)
-    P_z_11 = t1*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_3_11)
-    f_1_12 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2
-    f_2_12 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2
-    f_3_12 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2
+    f_2_11 = -D_p_x_1**2 - D_p_y_1**2 - D_p_z_1**2
+    P_x_11 = t1*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_2_11)
+    P_y_11 = t1*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_2_11)
+    P_z_11 = t1*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_2_11)
+    f_1_12 = -D_p_x_2*U_1_x_1 - D_p_y_2*U_1_y_1 - D_p_z_2*U_1_z_1
+    f_2_12 = -D_p_x_1*U_2_x_2 - D_p_y_1*U_2_y_2 - D_p_z_1*U_2_z_2
+    f_3_12 = -D_p_x_1*D_p_x_2 - D_p_y_1*D_p_y_2 - D_p_z_1*D_p_z_2
     P_x_12 = t1*(A_x_1*f_1_12 + A_x_2*f_2_12 + A_x_3*f_3_12)
     P_y_12 = t1*(A_y_1*f_1_12 + A_y_2*f_2_12 + A_y_3*f_3_12)
     P_z_12 = t1*(A_z_1*f_1_12 + A_z_2*f_2_12 + A_z_3*f_3_12)
-    f_1_13 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3
-    f_2_13 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3
-    f_3_13 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3
+    f_1_13 = -D_p_x_3*U_1_x_1 - D_p_y_3*U_1_y_1 - D_p_z_3*U_1_z_1
+    f_2_13 = -D_p_x_1*D_p_x_3 - D_p_y_1*D_p_y_3 - D_p_z_1*D_p_z_3
+    f_3_13 = -D_p_x_1*U_3_x_3 - D_p_y_1*U_3_y_3 - D_p_z_1*U_3_z_3
     P_x_13 = t1*(A_x_1*f_1_13 + A_x_2*f_2_13 + A_x_3*f_3_13)
     P_y_13 = t1*(A_y_1*f_1_13 + A_y_2*f_2_13 + A_y_3*f_3_13)
     P_z_13 = t1*(A_z_1*f_1_13 + A_z_2*f_2_13 + A_z_3*f_3_13)
-    f_1_22 = -U_1_x_2**2 - U_1_y_2**2 - U_1_z_2**2
+    f_1_22 = -D_p_x_2**2 - D_p_y_2**2 - D_p_z_2**2
     f_2_22 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2
-    f_3_22 = -U_3_x_2**2 - U_3_y_2**2 - U_3_z_2**2
-    P_x_22 = t1*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_3_22)
-    P_y_22 = t1*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_3_22)
-    P_z_22 = t1*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_3_22)
-    f_1_23 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3
-    f_2_23 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3
-    f_3_23 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3
+    P_x_22 = t1*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_1_22)
+    P_y_22 = t1*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_1_22)
+    P_z_22 = t1*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_1_22)
+    f_1_23 = -D_p_x_2*D_p_x_3 - D_p_y_2*D_p_y_3 - D_p_z_2*D_p_z_3
+    f_2_23 = -D_p_x_3*U_2_x_2 - D_p_y_3*U_2_y_2 - D_p_z_3*U_2_z_2
+    f_3_23 = -D_p_x_2*U_3_x_3 - D_p_y_2*U_3_y_3 - D_p_z_2*U_3_z_3
     P_x_23 = t1*(A_x_1*f_1_23 + A_x_2*f_2_23 + A_x_3*f_3_23)
     P_y_23 = t1*(A_y_1*f_1_23 + A_y_2*f_2_23 + A_y_3*f_3_23)
     P_z_23 = t1*(A_z_1*f_1_23 + A_z_2*f_2_23 + A_z_3*f_3_23)
-    f_1_33 = -U_1_x_3**2 - U_1_y_3**2 - U_1_z_3**2
-    f_2_33 = -U_2_x_3**2 - U_2_y_3**2 - U_2_z_3**2
+    f_1_33 = -D_p_x_3**2 - D_p_y_3**2 - D_p_z_3**2
     f_3_33 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2
-    P_x_33 = t1*(A_x_1*f_1_33 + A_x_2*f_2_33 + A_x_3*f_3_33)
-    P_y_33 = t1*(A_y_1*f_1_33 + A_y_2*f_2_33 + A_y_3*f_3_33)
-    P_z_33 = t1*(A_z_1*f_1_33 + A_z_2*f_2_33 + A_z_3*f_3_33)
-    P_out = np.zeros((*batch, 3, 3, 3), dtype)
+    P_x_33 = t1*(A_x_1*f_1_33 + A_x_2*f_1_33 + A_x_3*f_3_33)
+    P_y_33 = t1*(A_y_1*f_1_33 + A_y_2*f_1_33 + A_y_3*f_3_33)
+    P_z_33 = t1*(A_z_1*f_1_33 + A_z_2*f_1_33 + A_z_3*f_3_33)
+    P_out = np.empty((*batch, 3, 3, 3), dtype)
     P_out[..., 0, 0, 0] = P_x_11
-    P_out[..., 0, 0, 1] = P_x_12
-    P_out[..., 0, 0, 2] = P_x_13
-    P_out[..., 0, 1, 0] = P_x_12
+    P_out[..., 0, 0, 1] = P_out[..., 0, 1, 0] = P_x_12
+    P_out[..., 0, 0, 2] = P_out[..., 0, 2, 0] = P_x_13
     P_out[..., 0, 1, 1] = P_x_22
-    P_out[..., 0, 1, 2] = P_x_23
-    P_out[..., 0, 2, 0] = P_x_13
-    P_out[..., 0, 2, 1] = P_x_23
+    P_out[..., 0, 1, 2] = P_out[..., 0, 2, 1] = P_x_23
     P_out[..., 0, 2, 2] = P_x_33
     P_out[..., 1, 0, 0] = P_y_11
-    P_out[..., 1, 0, 1] = P_y_12
-    P_out[..., 1, 0, 2] = P_y_13
-    P_out[..., 1, 1, 0] = P_y_12
+    P_out[..., 1, 0, 1] = P_out[..., 1, 1, 0] = P_y_12
+    P_out[..., 1, 0, 2] = P_out[..., 1, 2, 0] = P_y_13
     P_out[..., 1, 1, 1] = P_y_22
-    P_out[..., 1, 1, 2] = P_y_23
-    P_out[..., 1, 2, 0] = P_y_13
-    P_out[..., 1, 2, 1] = P_y_23
+    P_out[..., 1, 1, 2] = P_out[..., 1, 2, 1] = P_y_23
     P_out[..., 1, 2, 2] = P_y_33
     P_out[..., 2, 0, 0] = P_z_11
-    P_out[..., 2, 0, 1] = P_z_12
-    P_out[..., 2, 0, 2] = P_z_13
-    P_out[..., 2, 1, 0] = P_z_12
+    P_out[..., 2, 0, 1] = P_out[..., 2, 1, 0] = P_z_12
+    P_out[..., 2, 0, 2] = P_out[..., 2, 2, 0] = P_z_13
     P_out[..., 2, 1, 1] = P_z_22
-    P_out[..., 2, 1, 2] = P_z_23
-    P_out[..., 2, 2, 0] = P_z_13
-    P_out[..., 2, 2, 1] = P_z_23
+    P_out[..., 2, 1, 2] = P_out[..., 2, 2, 1] = P_z_23
     P_out[..., 2, 2, 2] = P_z_33
     return P_out
 
@@ -1205,31 +1166,13 @@ def link_jacobians(p, parameters):
     D_p_z_2 = A_z_2*t6
     D_p_z_3 = A_z_3*t7
     U_1_x_1 = D_p_x_1 - n_1_x
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - n_1_y
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - n_1_z
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - n_2_x
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - n_2_y
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - n_2_z
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - n_3_x
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - n_3_y
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - n_3_z
     t8 = (1/2)*D_p_x_1
     t9 = (1/2)*D_p_x_2
@@ -1243,7 +1186,7 @@ def link_jacobians(p, parameters):
     t17 = 1.0/t1
     t18 = 1.0/t2
     t19 = 1.0/t3
-    D_d_out = np.zeros((*batch, 3, 3, 3), dtype)
+    D_d_out = np.empty((*batch, 3, 3, 3), dtype)
     D_d_out[..., 0, 0, 0] = (1/2)*n_1_x + t8
     D_d_out[..., 0, 0, 1] = t9
     D_d_out[..., 0, 0, 2] = t10
@@ -1271,33 +1214,33 @@ def link_jacobians(p, parameters):
     D_d_out[..., 2, 2, 0] = t14
     D_d_out[..., 2, 2, 1] = t15
     D_d_out[..., 2, 2, 2] = (1/2)*n_3_z + t16
-    D_omega_out = np.zeros((*batch, 3, 3, 3), dtype)
+    D_omega_out = np.empty((*batch, 3, 3, 3), dtype)
     D_omega_out[..., 0, 0, 0] = t17*(-U_1_y_1*s_1_z + U_1_z_1*s_1_y)
-    D_omega_out[..., 0, 0, 1] = t17*(-U_1_y_2*s_1_z + U_1_z_2*s_1_y)
-    D_omega_out[..., 0, 0, 2] = t17*(-U_1_y_3*s_1_z + U_1_z_3*s_1_y)
+    D_omega_out[..., 0, 0, 1] = t17*(-D_p_y_2*s_1_z + D_p_z_2*s_1_y)
+    D_omega_out[..., 0, 0, 2] = t17*(-D_p_y_3*s_1_z + D_p_z_3*s_1_y)
     D_omega_out[..., 0, 1, 0] = t17*(U_1_x_1*s_1_z - U_1_z_1*s_1_x)
-    D_omega_out[..., 0, 1, 1] = t17*(U_1_x_2*s_1_z - U_1_z_2*s_1_x)
-    D_omega_out[..., 0, 1, 2] = t17*(U_1_x_3*s_1_z - U_1_z_3*s_1_x)
+    D_omega_out[..., 0, 1, 1] = t17*(D_p_x_2*s_1_z - D_p_z_2*s_1_x)
+    D_omega_out[..., 0, 1, 2] = t17*(D_p_x_3*s_1_z - D_p_z_3*s_1_x)
     D_omega_out[..., 0, 2, 0] = t17*(-U_1_x_1*s_1_y + U_1_y_1*s_1_x)
-    D_omega_out[..., 0, 2, 1] = t17*(-U_1_x_2*s_1_y + U_1_y_2*s_1_x)
-    D_omega_out[..., 0, 2, 2] = t17*(-U_1_x_3*s_1_y + U_1_y_3*s_1_x)
-    D_omega_out[..., 1, 0, 0] = t18*(-U_2_y_1*s_2_z + U_2_z_1*s_2_y)
+    D_omega_out[..., 0, 2, 1] = t17*(-D_p_x_2*s_1_y + D_p_y_2*s_1_x)
+    D_omega_out[..., 0, 2, 2] = t17*(-D_p_x_3*s_1_y + D_p_y_3*s_1_x)
+    D_omega_out[..., 1, 0, 0] = t18*(-D_p_y_1*s_2_z + D_p_z_1*s_2_y)
     D_omega_out[..., 1, 0, 1] = t18*(-U_2_y_2*s_2_z + U_2_z_2*s_2_y)
-    D_omega_out[..., 1, 0, 2] = t18*(-U_2_y_3*s_2_z + U_2_z_3*s_2_y)
-    D_omega_out[..., 1, 1, 0] = t18*(U_2_x_1*s_2_z - U_2_z_1*s_2_x)
+    D_omega_out[..., 1, 0, 2] = t18*(-D_p_y_3*s_2_z + D_p_z_3*s_2_y)
+    D_omega_out[..., 1, 1, 0] = t18*(D_p_x_1*s_2_z - D_p_z_1*s_2_x)
     D_omega_out[..., 1, 1, 1] = t18*(U_2_x_2*s_2_z - U_2_z_2*s_2_x)
-    D_omega_out[..., 1, 1, 2] = t18*(U_2_x_3*s_2_z - U_2_z_3*s_2_x)
-    D_omega_out[..., 1, 2, 0] = t18*(-U_2_x_1*s_2_y + U_2_y_1*s_2_x)
+    D_omega_out[..., 1, 1, 2] = t18*(D_p_x_3*s_2_z - D_p_z_3*s_2_x)
+    D_omega_out[..., 1, 2, 0] = t18*(-D_p_x_1*s_2_y + D_p_y_1*s_2_x)
     D_omega_out[..., 1, 2, 1] = t18*(-U_2_x_2*s_2_y + U_2_y_2*s_2_x)
-    D_omega_out[..., 1, 2, 2] = t18*(-U_2_x_3*s_2_y + U_2_y_3*s_2_x)
-    D_omega_out[..., 2, 0, 0] = t19*(-U_3_y_1*s_3_z + U_3_z_1*s_3_y)
-    D_omega_out[..., 2, 0, 1] = t19*(-U_3_y_2*s_3_z + U_3_z_2*s_3_y)
+    D_omega_out[..., 1, 2, 2] = t18*(-D_p_x_3*s_2_y + D_p_y_3*s_2_x)
+    D_omega_out[..., 2, 0, 0] = t19*(-D_p_y_1*s_3_z + D_p_z_1*s_3_y)
+    D_omega_out[..., 2, 0, 1] = t19*(-D_p_y_2*s_3_z + D_p_z_2*s_3_y)
     D_omega_out[..., 2, 0, 2] = t19*(-U_3_y_3*s_3_z + U_3_z_3*s_3_y)
-    D_omega_out[..., 2, 1, 0] = t19*(U_3_x_1*s_3_z - U_3_z_1*s_3_x)
-    D_omega_out[..., 2, 1, 1] = t19*(U_3_x_2*s_3_z - U_3_z_2*s_3_x)
+    D_omega_out[..., 2, 1, 0] = t19*(D_p_x_1*s_3_z - D_p_z_1*s_3_x)
+    D_omega_out[..., 2, 1, 1] = t19*(D_p_x_2*s_3_z - D_p_z_2*s_3_x)
     D_omega_out[..., 2, 1, 2] = t19*(U_3_x_3*s_3_z - U_3_z_3*s_3_x)
-    D_omega_out[..., 2, 2, 0] = t19*(-U_3_x_1*s_3_y + U_3_y_1*s_3_x)
-    D_omega_out[..., 2, 2, 1] = t19*(-U_3_x_2*s_3_y + U_3_y_2*s_3_x)
+    D_omega_out[..., 2, 2, 0] = t19*(-D_p_x_1*s_3_y + D_p_y_1*s_3_x)
+    D_omega_out[..., 2, 2, 1] = t19*(-D_p_x_2*s_3_y + D_p_y_2*s_3_x)
     D_omega_out[..., 2, 2, 2] = t19*(-U_3_x_3*s_3_y + U_3_y_3*s_3_x)
     return D_d_out, D_omega_out
 
@@ -1429,13 +1372,13 @@ def kinetic_energy(p, q_dot, parameters):
     t15 = t9*x_1_dot
     t16 = t11*x_2_dot
     t17 = t13*x_3_dot
-    T_ss_out = np.zeros(batch, dtype)
+    T_ss_out = np.empty(batch, dtype)
     T_ss_out[...] = (
         (1/2)*m_t_1*t8 + (1/2)*m_t_2*t10 + (1/2)*m_t_3*t12 + t10*t11 + t12*t13 + t14*v_p_x**2 + t14*v_p_y**2
         + t14*v_p_z**2 + t8*t9 + v_p_x*(n_1_x*t15 + n_2_x*t16 + n_3_x*t17) + v_p_y*(n_1_y*t15 + n_2_y*t16
         + n_3_y*t17) + v_p_z*(n_1_z*t15 + n_2_z*t16 + n_3_z*t17)
     )
-    T_t_out = np.zeros(batch, dtype)
+    T_t_out = np.empty(batch, dtype)
     T_t_out[...] = (
         (1/2)*I_1_1*theta_1_1_dot**2 + (1/2)*I_1_2*theta_1_2_dot**2 + (1/2)*I_2_1*theta_2_1_dot**2
         + (1/2)*I_2_2*theta_2_2_dot**2 + (1/2)*I_3_1*theta_3_1_dot**2 + (1/2)*I_3_2*theta_3_2_dot**2
@@ -1564,32 +1507,32 @@ def mass_matrix(p, parameters):
     t20 = n_2_x*t19
     t21 = n_2_y*t19
     t22 = n_2_z*t19
-    t23 = D_p_x_1*t20 + D_p_x_2*t16 + D_p_y_1*t21 + D_p_y_2*t17 + D_p_z_1*t22 + D_p_z_2*t18
-    t24 = (1/6)*m_d_3
-    t25 = n_3_x*t24
-    t26 = n_3_y*t24
-    t27 = n_3_z*t24
-    t28 = D_p_x_1*t25 + D_p_x_3*t16 + D_p_y_1*t26 + D_p_y_3*t17 + D_p_z_1*t27 + D_p_z_3*t18
-    t29 = D_p_x_2*t15 + t20
-    t30 = D_p_y_2*t15 + t21
-    t31 = D_p_z_2*t15 + t22
-    t32 = D_p_x_2*t25 + D_p_x_3*t29 + D_p_y_2*t26 + D_p_y_3*t30 + D_p_z_2*t27 + D_p_z_3*t31
+    t23 = (1/6)*m_d_3
+    t24 = n_3_x*t23
+    t25 = n_3_y*t23
+    t26 = n_3_z*t23
+    t27 = D_p_x_2*t15 + t20
+    t28 = D_p_y_2*t15 + t21
+    t29 = D_p_z_2*t15 + t22
     M_out = np.zeros((*batch, 9, 9), dtype)
     M_out[..., 0, 0] = (
         D_p_x_1*t10 + D_p_x_1*t16 + D_p_y_1*t11 + D_p_y_1*t17 + D_p_z_1*t12 + D_p_z_1*t18 + m_t_1 + t8
     )
-    M_out[..., 0, 1] = t23
-    M_out[..., 0, 2] = t28
-    M_out[..., 1, 0] = t23
-    M_out[..., 1, 1] = (
-        D_p_x_2*t20 + D_p_x_2*t29 + D_p_y_2*t21 + D_p_y_2*t30 + D_p_z_2*t22 + D_p_z_2*t31 + m_t_2 + t13
+    M_out[..., 0, 1] = M_out[..., 1, 0] = (
+        D_p_x_1*t20 + D_p_x_2*t16 + D_p_y_1*t21 + D_p_y_2*t17 + D_p_z_1*t22 + D_p_z_2*t18
     )
-    M_out[..., 1, 2] = t32
-    M_out[..., 2, 0] = t28
-    M_out[..., 2, 1] = t32
+    M_out[..., 0, 2] = M_out[..., 2, 0] = (
+        D_p_x_1*t24 + D_p_x_3*t16 + D_p_y_1*t25 + D_p_y_3*t17 + D_p_z_1*t26 + D_p_z_3*t18
+    )
+    M_out[..., 1, 1] = (
+        D_p_x_2*t20 + D_p_x_2*t27 + D_p_y_2*t21 + D_p_y_2*t28 + D_p_z_2*t22 + D_p_z_2*t29 + m_t_2 + t13
+    )
+    M_out[..., 1, 2] = M_out[..., 2, 1] = (
+        D_p_x_2*t24 + D_p_x_3*t27 + D_p_y_2*t25 + D_p_y_3*t28 + D_p_z_2*t26 + D_p_z_3*t29
+    )
     M_out[..., 2, 2] = (
-        D_p_x_3*t25 + D_p_x_3*(D_p_x_3*t15 + t25) + D_p_y_3*t26 + D_p_y_3*(D_p_y_3*t15 + t26) + D_p_z_3*t27
-        + D_p_z_3*(D_p_z_3*t15 + t27) + m_t_3 + t14
+        D_p_x_3*t24 + D_p_x_3*(D_p_x_3*t15 + t24) + D_p_y_3*t25 + D_p_y_3*(D_p_y_3*t15 + t25) + D_p_z_3*t26
+        + D_p_z_3*(D_p_z_3*t15 + t26) + m_t_3 + t14
     )
     M_out[..., 3, 3] = I_1_1
     M_out[..., 4, 4] = I_2_1
@@ -1620,7 +1563,7 @@ def velocity_forces(p, x_dot, parameters):
     Notes
     -----
     Lagrange's equations, equation 47 without its linearisation.
-    750 operations; 3553737 with every named value written out.
+    711 operations; 3553737 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     x_1_dot, x_2_dot, x_3_dot = _entries(x_dot, (3,))
@@ -1695,151 +1638,142 @@ def velocity_forces(p, x_dot, parameters):
     D_p_z_2 = A_z_2*t3
     D_p_z_3 = A_z_3*t4
     U_1_x_1 = D_p_x_1 - n_1_x
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - n_1_y
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - n_1_z
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - n_2_x
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - n_2_y
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - n_2_z
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - n_3_x
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - n_3_y
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - n_3_z
     f_1_11 = -U_1_x_1**2 - U_1_y_1**2 - U_1_z_1**2
-    f_2_11 = -U_2_x_1**2 - U_2_y_1**2 - U_2_z_1**2
-    f_3_11 = -U_3_x_1**2 - U_3_y_1**2 - U_3_z_1**2
-    P_x_11 = t1*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_3_11)
-    P_y_11 = t1*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_3_11)
-    P_z_11 = t1*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_3_11)
-    f_1_12 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2
-    f_2_12 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2
-    f_3_12 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2
+    f_2_11 = -D_p_x_1**2 - D_p_y_1**2 - D_p_z_1**2
+    P_x_11 = t1*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_2_11)
+    P_y_11 = t1*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_2_11)
+    P_z_11 = t1*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_2_11)
+    f_1_12 = -D_p_x_2*U_1_x_1 - D_p_y_2*U_1_y_1 - D_p_z_2*U_1_z_1
+    f_2_12 = -D_p_x_1*U_2_x_2 - D_p_y_1*U_2_y_2 - D_p_z_1*U_2_z_2
+    f_3_12 = -D_p_x_1*D_p_x_2 - D_p_y_1*D_p_y_2 - D_p_z_1*D_p_z_2
     P_x_12 = t1*(A_x_1*f_1_12 + A_x_2*f_2_12 + A_x_3*f_3_12)
     P_y_12 = t1*(A_y_1*f_1_12 + A_y_2*f_2_12 + A_y_3*f_3_12)
     P_z_12 = t1*(A_z_1*f_1_12 + A_z_2*f_2_12 + A_z_3*f_3_12)
-    f_1_13 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3
-    f_2_13 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3
-    f_3_13 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3
+    f_1_13 = -D_p_x_3*U_1_x_1 - D_p_y_3*U_1_y_1 - D_p_z_3*U_1_z_1
+    f_2_13 = -D_p_x_1*D_p_x_3 - D_p_y_1*D_p_y_3 - D_p_z_1*D_p_z_3
+    f_3_13 = -D_p_x_1*U_3_x_3 - D_p_y_1*U_3_y_3 - D_p_z_1*U_3_z_3
     P_x_13 = t1*(A_x_1*f_1_13 + A_x_2*f_2_13 + A_x_3*f_3_13)
     P_y_13 = t1*(A_y_1*f_1_13 + A_y_2*f_2_13 + A_y_3*f_3_13)
     P_z_13 = t1*(A_z_1*f_1_13 + A_z_2*f_2_13 + A_z_3*f_3_13)
-    f_1_22 = -U_1_x_2**2 - U_1_y_2**2 - U_1_z_2**2
+    f_1_22 = -D_p_x_2**2 - D_p_y_2**2 - D_p_z_2**2
     f_2_22 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2
-    f_3_22 = -U_3_x_2**2 - U_3_y_2**2 - U_3_z_2**2
-    P_x_22 = t1*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_3_22)
-    P_y_22 = t1*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_3_22)
-    P_z_22 = t1*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_3_22)
-    f_1_23 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3
-    f_2_23 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3
-    f_3_23 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3
+    P_x_22 = t1*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_1_22)
+    P_y_22 = t1*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_1_22)
+    P_z_22 = t1*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_1_22)
+    f_1_23 = -D_p_x_2*D_p_x_3 - D_p_y_2*D_p_y_3 - D_p_z_2*D_p_z_3
+    f_2_23 = -D_p_x_3*U_2_x_2 - D_p_y_3*U_2_y_2 - D_p_z_3*U_2_z_2
+    f_3_23 = -D_p_x_2*U_3_x_3 - D_p_y_2*U_3_y_3 - D_p_z_2*U_3_z_3
     P_x_23 = t1*(A_x_1*f_1_23 + A_x_2*f_2_23 + A_x_3*f_3_23)
     P_y_23 = t1*(A_y_1*f_1_23 + A_y_2*f_2_23 + A_y_3*f_3_23)
     P_z_23 = t1*(A_z_1*f_1_23 + A_z_2*f_2_23 + A_z_3*f_3_23)
-    f_1_33 = -U_1_x_3**2 - U_1_y_3**2 - U_1_z_3**2
-    f_2_33 = -U_2_x_3**2 - U_2_y_3**2 - U_2_z_3**2
+    f_1_33 = -D_p_x_3**2 - D_p_y_3**2 - D_p_z_3**2
     f_3_33 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2
-    P_x_33 = t1*(A_x_1*f_1_33 + A_x_2*f_2_33 + A_x_3*f_3_33)
-    P_y_33 = t1*(A_y_1*f_1_33 + A_y_2*f_2_33 + A_y_3*f_3_33)
-    P_z_33 = t1*(A_z_1*f_1_33 + A_z_2*f_2_33 + A_z_3*f_3_33)
-    v_p_x = D_p_x_1*x_1_dot + D_p_x_2*x_2_dot + D_p_x_3*x_3_dot
-    v_p_y = D_p_y_1*x_1_dot + D_p_y_2*x_2_dot + D_p_y_3*x_3_dot
-    v_p_z = D_p_z_1*x_1_dot + D_p_z_2*x_2_dot + D_p_z_3*x_3_dot
-    s_dot_1_x = U_1_x_1*x_1_dot + U_1_x_2*x_2_dot + U_1_x_3*x_3_dot
-    s_dot_1_y = U_1_y_1*x_1_dot + U_1_y_2*x_2_dot + U_1_y_3*x_3_dot
-    s_dot_1_z = U_1_z_1*x_1_dot + U_1_z_2*x_2_dot + U_1_z_3*x_3_dot
-    s_dot_2_x = U_2_x_1*x_1_dot + U_2_x_2*x_2_dot + U_2_x_3*x_3_dot
-    s_dot_2_y = U_2_y_1*x_1_dot + U_2_y_2*x_2_dot + U_2_y_3*x_3_dot
-    s_dot_2_z = U_2_z_1*x_1_dot + U_2_z_2*x_2_dot + U_2_z_3*x_3_dot
-    s_dot_3_x = U_3_x_1*x_1_dot + U_3_x_2*x_2_dot + U_3_x_3*x_3_dot
-    s_dot_3_y = U_3_y_1*x_1_dot + U_3_y_2*x_2_dot + U_3_y_3*x_3_dot
-    s_dot_3_z = U_3_z_1*x_1_dot + U_3_z_2*x_2_dot + U_3_z_3*x_3_dot
-    t5 = -D_p_x_1*s_dot_2_x - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z
-    t6 = -D_p_x_1*s_dot_3_x - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z
-    t7 = (
+    P_x_33 = t1*(A_x_1*f_1_33 + A_x_2*f_1_33 + A_x_3*f_3_33)
+    P_y_33 = t1*(A_y_1*f_1_33 + A_y_2*f_1_33 + A_y_3*f_3_33)
+    P_z_33 = t1*(A_z_1*f_1_33 + A_z_2*f_1_33 + A_z_3*f_3_33)
+    t5 = D_p_x_1*x_1_dot
+    t6 = D_p_x_2*x_2_dot
+    t7 = D_p_x_3*x_3_dot
+    t8 = t6 + t7
+    v_p_x = t5 + t8
+    t9 = D_p_y_1*x_1_dot
+    t10 = D_p_y_2*x_2_dot
+    t11 = D_p_y_3*x_3_dot
+    t12 = t10 + t11
+    v_p_y = t12 + t9
+    t13 = D_p_z_1*x_1_dot
+    t14 = D_p_z_2*x_2_dot
+    t15 = D_p_z_3*x_3_dot
+    t16 = t14 + t15
+    v_p_z = t13 + t16
+    s_dot_1_x = U_1_x_1*x_1_dot + t8
+    s_dot_1_y = U_1_y_1*x_1_dot + t12
+    s_dot_1_z = U_1_z_1*x_1_dot + t16
+    s_dot_2_x = U_2_x_2*x_2_dot + t5 + t7
+    s_dot_2_y = U_2_y_2*x_2_dot + t11 + t9
+    s_dot_2_z = U_2_z_2*x_2_dot + t13 + t15
+    s_dot_3_x = U_3_x_3*x_3_dot + t5 + t6
+    s_dot_3_y = U_3_y_3*x_3_dot + t10 + t9
+    s_dot_3_z = U_3_z_3*x_3_dot + t13 + t14
+    t17 = -D_p_x_1*s_dot_2_x - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z
+    t18 = -D_p_x_1*s_dot_3_x - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z
+    t19 = (
         -D_p_x_1*s_dot_1_x - D_p_y_1*s_dot_1_y - D_p_z_1*s_dot_1_z + n_1_x*s_dot_1_x + n_1_y*s_dot_1_y
         + n_1_z*s_dot_1_z
     )
-    D_p_dot_x_1 = t1*(A_x_1*t7 + A_x_2*t5 + A_x_3*t6)
-    D_p_dot_y_1 = t1*(A_y_1*t7 + A_y_2*t5 + A_y_3*t6)
-    D_p_dot_z_1 = t1*(A_z_1*t7 + A_z_2*t5 + A_z_3*t6)
-    t8 = -D_p_x_2*s_dot_1_x - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z
-    t9 = -D_p_x_2*s_dot_3_x - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z
-    t10 = (
+    D_p_dot_x_1 = t1*(A_x_1*t19 + A_x_2*t17 + A_x_3*t18)
+    D_p_dot_y_1 = t1*(A_y_1*t19 + A_y_2*t17 + A_y_3*t18)
+    D_p_dot_z_1 = t1*(A_z_1*t19 + A_z_2*t17 + A_z_3*t18)
+    t20 = -D_p_x_2*s_dot_1_x - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z
+    t21 = -D_p_x_2*s_dot_3_x - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z
+    t22 = (
         -D_p_x_2*s_dot_2_x - D_p_y_2*s_dot_2_y - D_p_z_2*s_dot_2_z + n_2_x*s_dot_2_x + n_2_y*s_dot_2_y
         + n_2_z*s_dot_2_z
     )
-    D_p_dot_x_2 = t1*(A_x_1*t8 + A_x_2*t10 + A_x_3*t9)
-    D_p_dot_y_2 = t1*(A_y_1*t8 + A_y_2*t10 + A_y_3*t9)
-    D_p_dot_z_2 = t1*(A_z_1*t8 + A_z_2*t10 + A_z_3*t9)
-    t11 = -D_p_x_3*s_dot_1_x - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z
-    t12 = -D_p_x_3*s_dot_2_x - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z
-    t13 = (
+    D_p_dot_x_2 = t1*(A_x_1*t20 + A_x_2*t22 + A_x_3*t21)
+    D_p_dot_y_2 = t1*(A_y_1*t20 + A_y_2*t22 + A_y_3*t21)
+    D_p_dot_z_2 = t1*(A_z_1*t20 + A_z_2*t22 + A_z_3*t21)
+    t23 = -D_p_x_3*s_dot_1_x - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z
+    t24 = -D_p_x_3*s_dot_2_x - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z
+    t25 = (
         -D_p_x_3*s_dot_3_x - D_p_y_3*s_dot_3_y - D_p_z_3*s_dot_3_z + n_3_x*s_dot_3_x + n_3_y*s_dot_3_y
         + n_3_z*s_dot_3_z
     )
-    D_p_dot_x_3 = t1*(A_x_1*t11 + A_x_2*t12 + A_x_3*t13)
-    D_p_dot_y_3 = t1*(A_y_1*t11 + A_y_2*t12 + A_y_3*t13)
-    D_p_dot_z_3 = t1*(A_z_1*t11 + A_z_2*t12 + A_z_3*t13)
-    t14 = (1/6)*m_d_1
-    t15 = n_1_x*t14
-    t16 = (1/6)*m_d_2
-    t17 = n_2_x*t16
-    t18 = (1/6)*m_d_3
-    t19 = n_3_x*t18
-    t20 = m_p + 2*t14 + 2*t16 + 2*t18
-    t21 = t15*x_1_dot + t17*x_2_dot + t19*x_3_dot + t20*v_p_x
-    t22 = n_1_y*t14
-    t23 = n_2_y*t16
-    t24 = n_3_y*t18
-    t25 = t20*v_p_y + t22*x_1_dot + t23*x_2_dot + t24*x_3_dot
-    t26 = n_1_z*t14
-    t27 = n_2_z*t16
-    t28 = n_3_z*t18
-    t29 = t20*v_p_z + t26*x_1_dot + t27*x_2_dot + t28*x_3_dot
-    t30 = (1/3)*m_d_1 + (1/3)*m_d_2 + (1/3)*m_d_3 + m_p
-    t31 = D_p_x_1*t30 + t15
-    t32 = D_p_y_1*t30 + t22
-    t33 = D_p_z_1*t30 + t26
-    t34 = P_x_12*t21 + P_y_12*t25 + P_z_12*t29
-    t35 = P_x_13*t21 + P_y_13*t25 + P_z_13*t29
-    t36 = D_p_x_2*t30 + t17
-    t37 = D_p_y_2*t30 + t23
-    t38 = D_p_z_2*t30 + t27
-    t39 = P_x_23*t21 + P_y_23*t25 + P_z_23*t29
-    t40 = D_p_x_3*t30 + t19
-    t41 = D_p_y_3*t30 + t24
-    t42 = D_p_z_3*t30 + t28
-    h_out = np.zeros((*batch, 3), dtype)
+    D_p_dot_x_3 = t1*(A_x_1*t23 + A_x_2*t24 + A_x_3*t25)
+    D_p_dot_y_3 = t1*(A_y_1*t23 + A_y_2*t24 + A_y_3*t25)
+    D_p_dot_z_3 = t1*(A_z_1*t23 + A_z_2*t24 + A_z_3*t25)
+    t26 = (1/6)*m_d_1
+    t27 = n_1_x*t26
+    t28 = (1/6)*m_d_2
+    t29 = n_2_x*t28
+    t30 = (1/6)*m_d_3
+    t31 = n_3_x*t30
+    t32 = m_p + 2*t26 + 2*t28 + 2*t30
+    t33 = t27*x_1_dot + t29*x_2_dot + t31*x_3_dot + t32*v_p_x
+    t34 = n_1_y*t26
+    t35 = n_2_y*t28
+    t36 = n_3_y*t30
+    t37 = t32*v_p_y + t34*x_1_dot + t35*x_2_dot + t36*x_3_dot
+    t38 = n_1_z*t26
+    t39 = n_2_z*t28
+    t40 = n_3_z*t30
+    t41 = t32*v_p_z + t38*x_1_dot + t39*x_2_dot + t40*x_3_dot
+    t42 = (1/3)*m_d_1 + (1/3)*m_d_2 + (1/3)*m_d_3 + m_p
+    t43 = D_p_x_1*t42 + t27
+    t44 = D_p_y_1*t42 + t34
+    t45 = D_p_z_1*t42 + t38
+    t46 = P_x_12*t33 + P_y_12*t37 + P_z_12*t41
+    t47 = P_x_13*t33 + P_y_13*t37 + P_z_13*t41
+    t48 = D_p_x_2*t42 + t29
+    t49 = D_p_y_2*t42 + t35
+    t50 = D_p_z_2*t42 + t39
+    t51 = P_x_23*t33 + P_y_23*t37 + P_z_23*t41
+    t52 = D_p_x_3*t42 + t31
+    t53 = D_p_y_3*t42 + t36
+    t54 = D_p_z_3*t42 + t40
+    h_out = np.empty((*batch, 3), dtype)
     h_out[..., 0] = (
-        -D_p_dot_x_1*t21 - D_p_dot_y_1*t25 - D_p_dot_z_1*t29 + x_1_dot*(D_p_dot_x_1*t31 + D_p_dot_y_1*t32
-        + D_p_dot_z_1*t33 + P_x_11*t21 + P_y_11*t25 + P_z_11*t29) + x_2_dot*(D_p_dot_x_2*t31 + D_p_dot_y_2*t32
-        + D_p_dot_z_2*t33 + t34) + x_3_dot*(D_p_dot_x_3*t31 + D_p_dot_y_3*t32 + D_p_dot_z_3*t33 + t35)
+        -D_p_dot_x_1*t33 - D_p_dot_y_1*t37 - D_p_dot_z_1*t41 + x_1_dot*(D_p_dot_x_1*t43 + D_p_dot_y_1*t44
+        + D_p_dot_z_1*t45 + P_x_11*t33 + P_y_11*t37 + P_z_11*t41) + x_2_dot*(D_p_dot_x_2*t43 + D_p_dot_y_2*t44
+        + D_p_dot_z_2*t45 + t46) + x_3_dot*(D_p_dot_x_3*t43 + D_p_dot_y_3*t44 + D_p_dot_z_3*t45 + t47)
     )
     h_out[..., 1] = (
-        -D_p_dot_x_2*t21 - D_p_dot_y_2*t25 - D_p_dot_z_2*t29 + x_1_dot*(D_p_dot_x_1*t36 + D_p_dot_y_1*t37
-        + D_p_dot_z_1*t38 + t34) + x_2_dot*(D_p_dot_x_2*t36 + D_p_dot_y_2*t37 + D_p_dot_z_2*t38 + P_x_22*t21
-        + P_y_22*t25 + P_z_22*t29) + x_3_dot*(D_p_dot_x_3*t36 + D_p_dot_y_3*t37 + D_p_dot_z_3*t38 + t39)
+        -D_p_dot_x_2*t33 - D_p_dot_y_2*t37 - D_p_dot_z_2*t41 + x_1_dot*(D_p_dot_x_1*t48 + D_p_dot_y_1*t49
+        + D_p_dot_z_1*t50 + t46) + x_2_dot*(D_p_dot_x_2*t48 + D_p_dot_y_2*t49 + D_p_dot_z_2*t50 + P_x_22*t33
+        + P_y_22*t37 + P_z_22*t41) + x_3_dot*(D_p_dot_x_3*t48 + D_p_dot_y_3*t49 + D_p_dot_z_3*t50 + t51)
     )
     h_out[..., 2] = (
-        -D_p_dot_x_3*t21 - D_p_dot_y_3*t25 - D_p_dot_z_3*t29 + x_1_dot*(D_p_dot_x_1*t40 + D_p_dot_y_1*t41
-        + D_p_dot_z_1*t42 + t35) + x_2_dot*(D_p_dot_x_2*t40 + D_p_dot_y_2*t41 + D_p_dot_z_2*t42 + t39)
-        + x_3_dot*(D_p_dot_x_3*t40 + D_p_dot_y_3*t41 + D_p_dot_z_3*t42 + P_x_33*t21 + P_y_33*t25 + P_z_33*t29)
+        -D_p_dot_x_3*t33 - D_p_dot_y_3*t37 - D_p_dot_z_3*t41 + x_1_dot*(D_p_dot_x_1*t52 + D_p_dot_y_1*t53
+        + D_p_dot_z_1*t54 + t47) + x_2_dot*(D_p_dot_x_2*t52 + D_p_dot_y_2*t53 + D_p_dot_z_2*t54 + t51)
+        + x_3_dot*(D_p_dot_x_3*t52 + D_p_dot_y_3*t53 + D_p_dot_z_3*t54 + P_x_33*t33 + P_y_33*t37 + P_z_33*t41)
     )
     return h_out
 
@@ -1912,7 +1846,7 @@ def gravity_potential(p, parameters):
     t8 = t2*x_2
     t9 = t3*x_3
     t10 = m_p + t1 + t2 + t3
-    V_g_out = np.zeros(batch, dtype)
+    V_g_out = np.empty(batch, dtype)
     V_g_out[...] = (
         -g_x*(b_1_x*t1 + b_2_x*t2 + b_3_x*t3 + m_t_1*o_1_x + m_t_2*o_2_x + m_t_3*o_3_x + n_1_x*t4 + n_1_x*t7
         + n_2_x*t5 + n_2_x*t8 + n_3_x*t6 + n_3_x*t9 + o_1_x*t1 + o_2_x*t2 + o_3_x*t3 + p_x*t10)
@@ -2024,7 +1958,7 @@ def gravity_gradient(p, parameters):
     t9 = g_x*t8
     t10 = g_y*t8
     t11 = g_z*t8
-    G_out = np.zeros((*batch, 3), dtype)
+    G_out = np.empty((*batch, 3), dtype)
     G_out[..., 0] = (
         -D_p_x_1*t9 - D_p_y_1*t10 - D_p_z_1*t11 - g_x*(m_t_1*n_1_x + n_1_x*t5) - g_y*(m_t_1*n_1_y + n_1_y*t5)
         - g_z*(m_t_1*n_1_z + n_1_z*t5)
@@ -2058,7 +1992,7 @@ def gravity_hessian(p, parameters):
     Notes
     -----
     Section 4 and equation 49.
-    354 operations; 373806 with every named value written out.
+    345 operations; 373806 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -2133,31 +2067,13 @@ def gravity_hessian(p, parameters):
     D_p_z_2 = A_z_2*t3
     D_p_z_3 = A_z_3*t4
     U_1_x_1 = D_p_x_1 - n_1_x
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - n_1_y
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - n_1_z
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - n_2_x
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - n_2_y
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - n_2_z
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - n_3_x
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - n_3_y
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - n_3_z
     t5 = (1/2)*m_d_1 + (1/2)*m_d_2 + (1/2)*m_d_3 + m_p
     t6 = g_x*t5
@@ -2166,46 +2082,49 @@ def gravity_hessian(p, parameters):
     mu_1 = t1*(-A_x_1*t6 - A_y_1*t7 - A_z_1*t8)
     mu_2 = t1*(-A_x_2*t6 - A_y_2*t7 - A_z_2*t8)
     mu_3 = t1*(-A_x_3*t6 - A_y_3*t7 - A_z_3*t8)
-    t9 = U_1_x_1*mu_1
-    t10 = U_1_y_1*mu_1
-    t11 = U_1_z_1*mu_1
-    t12 = U_2_x_1*mu_2
-    t13 = U_2_y_1*mu_2
-    t14 = U_2_z_1*mu_2
-    t15 = U_3_x_1*mu_3
-    t16 = U_3_y_1*mu_3
-    t17 = U_3_z_1*mu_3
-    t18 = (
-        -U_1_x_2*t9 - U_1_y_2*t10 - U_1_z_2*t11 - U_2_x_2*t12 - U_2_y_2*t13 - U_2_z_2*t14 - U_3_x_2*t15
-        - U_3_y_2*t16 - U_3_z_2*t17
-    )
-    t19 = (
-        -U_1_x_3*t9 - U_1_y_3*t10 - U_1_z_3*t11 - U_2_x_3*t12 - U_2_y_3*t13 - U_2_z_3*t14 - U_3_x_3*t15
-        - U_3_y_3*t16 - U_3_z_3*t17
-    )
-    t20 = (
-        -U_1_x_2*U_1_x_3*mu_1 - U_1_y_2*U_1_y_3*mu_1 - U_1_z_2*U_1_z_3*mu_1 - U_2_x_2*U_2_x_3*mu_2
-        - U_2_y_2*U_2_y_3*mu_2 - U_2_z_2*U_2_z_3*mu_2 - U_3_x_2*U_3_x_3*mu_3 - U_3_y_2*U_3_y_3*mu_3
-        - U_3_z_2*U_3_z_3*mu_3
-    )
-    H_g_out = np.zeros((*batch, 3, 3), dtype)
+    t9 = D_p_x_1**2
+    t10 = D_p_y_1**2
+    t11 = D_p_z_1**2
+    t12 = D_p_x_1*mu_3
+    t13 = D_p_x_1*mu_2
+    t14 = U_1_x_1*mu_1
+    t15 = D_p_y_1*mu_3
+    t16 = D_p_y_1*mu_2
+    t17 = U_1_y_1*mu_1
+    t18 = D_p_z_1*mu_3
+    t19 = D_p_z_1*mu_2
+    t20 = U_1_z_1*mu_1
+    t21 = D_p_x_2**2
+    t22 = D_p_y_2**2
+    t23 = D_p_z_2**2
+    t24 = D_p_x_3**2
+    t25 = D_p_y_3**2
+    t26 = D_p_z_3**2
+    H_g_out = np.empty((*batch, 3, 3), dtype)
     H_g_out[..., 0, 0] = (
-        -U_1_x_1**2*mu_1 - U_1_y_1**2*mu_1 - U_1_z_1**2*mu_1 - U_2_x_1**2*mu_2 - U_2_y_1**2*mu_2
-        - U_2_z_1**2*mu_2 - U_3_x_1**2*mu_3 - U_3_y_1**2*mu_3 - U_3_z_1**2*mu_3
+        -U_1_x_1**2*mu_1 - U_1_y_1**2*mu_1 - U_1_z_1**2*mu_1 - mu_2*t10 - mu_2*t11 - mu_2*t9 - mu_3*t10
+        - mu_3*t11 - mu_3*t9
     )
-    H_g_out[..., 0, 1] = t18
-    H_g_out[..., 0, 2] = t19
-    H_g_out[..., 1, 0] = t18
+    H_g_out[..., 0, 1] = H_g_out[..., 1, 0] = (
+        -D_p_x_2*t12 - D_p_x_2*t14 - D_p_y_2*t15 - D_p_y_2*t17 - D_p_z_2*t18 - D_p_z_2*t20 - U_2_x_2*t13
+        - U_2_y_2*t16 - U_2_z_2*t19
+    )
+    H_g_out[..., 0, 2] = H_g_out[..., 2, 0] = (
+        -D_p_x_3*t13 - D_p_x_3*t14 - D_p_y_3*t16 - D_p_y_3*t17 - D_p_z_3*t19 - D_p_z_3*t20 - U_3_x_3*t12
+        - U_3_y_3*t15 - U_3_z_3*t18
+    )
     H_g_out[..., 1, 1] = (
-        -U_1_x_2**2*mu_1 - U_1_y_2**2*mu_1 - U_1_z_2**2*mu_1 - U_2_x_2**2*mu_2 - U_2_y_2**2*mu_2
-        - U_2_z_2**2*mu_2 - U_3_x_2**2*mu_3 - U_3_y_2**2*mu_3 - U_3_z_2**2*mu_3
+        -U_2_x_2**2*mu_2 - U_2_y_2**2*mu_2 - U_2_z_2**2*mu_2 - mu_1*t21 - mu_1*t22 - mu_1*t23 - mu_3*t21
+        - mu_3*t22 - mu_3*t23
     )
-    H_g_out[..., 1, 2] = t20
-    H_g_out[..., 2, 0] = t19
-    H_g_out[..., 2, 1] = t20
+    H_g_out[..., 1, 2] = H_g_out[..., 2, 1] = (
+        -D_p_x_2*D_p_x_3*mu_1 - D_p_x_2*U_3_x_3*mu_3 - D_p_x_3*U_2_x_2*mu_2 - D_p_y_2*D_p_y_3*mu_1
+        - D_p_y_2*U_3_y_3*mu_3 - D_p_y_3*U_2_y_2*mu_2 - D_p_z_2*D_p_z_3*mu_1 - D_p_z_2*U_3_z_3*mu_3
+        - D_p_z_3*U_2_z_2*mu_2
+    )
     H_g_out[..., 2, 2] = (
-        -U_1_x_3**2*mu_1 - U_1_y_3**2*mu_1 - U_1_z_3**2*mu_1 - U_2_x_3**2*mu_2 - U_2_y_3**2*mu_2
-        - U_2_z_3**2*mu_2 - U_3_x_3**2*mu_3 - U_3_y_3**2*mu_3 - U_3_z_3**2*mu_3
+        -U_3_x_3**2*mu_3 - U_3_y_3**2*mu_3 - U_3_z_3**2*mu_3 - mu_1*t24 - mu_1*t25 - mu_1*t26 - mu_2*t24
+        - mu_2*t25 - mu_2*t26
     )
     return H_g_out
 
@@ -2223,7 +2142,7 @@ def belt_stiffness(p, parameters):
     Returns
     -------
     k : array, shape (..., 3, 3) [N/m]
-        k[j-1, k-1], the spans in the order of `belt_spans`.
+        k[j-1, s-1], the spans in the order of `belt_spans`.
 
     Notes
     -----
@@ -2292,7 +2211,7 @@ def belt_stiffness(p, parameters):
     k_3_2 = t5/l_f_3_2
     l_f_3_3 = -t6 - x_3 + x_max_3
     k_3_3 = t5/l_f_3_3
-    k_out = np.zeros((*batch, 3, 3), dtype)
+    k_out = np.empty((*batch, 3, 3), dtype)
     k_out[..., 0, 0] = k_1_1
     k_out[..., 0, 1] = k_1_2
     k_out[..., 0, 2] = k_1_3
@@ -2401,7 +2320,7 @@ def elastic_potential(p, delta_q, parameters):
     t10 = R_p_3*delta_theta_3_1
     t11 = R_p_1*delta_theta_1_2
     t12 = R_p_2*delta_theta_2_2
-    V_el_out = np.zeros(batch, dtype)
+    V_el_out = np.empty(batch, dtype)
     V_el_out[...] = (
         (1/2)*k_1_1*(t11 - t8)**2 + (1/2)*k_1_2*(delta_x_1 - t11)**2 + (1/2)*k_1_3*(-delta_x_1 + t8)**2
         + (1/2)*k_2_1*(t12 - t9)**2 + (1/2)*k_2_2*(delta_x_2 - t12)**2 + (1/2)*k_2_3*(-delta_x_2 + t9)**2
@@ -2512,7 +2431,7 @@ def elastic_gradient(p, delta_q, parameters):
     t16 = R_p_1*k_1_1*(t8 - t9)
     t17 = R_p_2*k_2_1*(t10 - t11)
     t18 = R_p_3*k_3_1*(t14 - t15)
-    E_out = np.zeros((*batch, 9), dtype)
+    E_out = np.empty((*batch, 9), dtype)
     E_out[..., 0] = (1/2)*k_1_2*(-t7 - 2*t8) + (1/2)*k_1_3*(-t7 - 2*t9)
     E_out[..., 1] = (1/2)*k_2_2*(-2*t10 - t12) + (1/2)*k_2_3*(-2*t11 - t12)
     E_out[..., 2] = (1/2)*k_3_2*(-t13 - 2*t14) + (1/2)*k_3_3*(-t13 - 2*t15)
@@ -2543,7 +2462,7 @@ def elastic_hessian(p, parameters):
     Notes
     -----
     Equation 38 differentiated twice.
-    153 operations; 1839 with every named value written out.
+    150 operations; 1839 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -2608,46 +2527,31 @@ def elastic_hessian(p, parameters):
     k_3_2 = t5/l_f_3_2
     l_f_3_3 = -t6 - x_3 + x_max_3
     k_3_3 = t5/l_f_3_3
-    t7 = -R_p_1*k_1_3
-    t8 = -R_p_1*k_1_2
-    t9 = -R_p_2*k_2_3
-    t10 = -R_p_2*k_2_2
-    t11 = -R_p_3*k_3_3
-    t12 = -R_p_3*k_3_2
-    t13 = R_p_1**2
-    t14 = k_1_1*t13
-    t15 = R_p_2**2
-    t16 = k_2_1*t15
-    t17 = R_p_3**2
-    t18 = k_3_1*t17
+    t7 = R_p_1**2
+    t8 = k_1_1*t7
+    t9 = R_p_2**2
+    t10 = k_2_1*t9
+    t11 = R_p_3**2
+    t12 = k_3_1*t11
     H_el_out = np.zeros((*batch, 9, 9), dtype)
     H_el_out[..., 0, 0] = k_1_2 + k_1_3
-    H_el_out[..., 0, 3] = t7
-    H_el_out[..., 0, 6] = t8
+    H_el_out[..., 0, 3] = H_el_out[..., 3, 0] = -R_p_1*k_1_3
+    H_el_out[..., 0, 6] = H_el_out[..., 6, 0] = -R_p_1*k_1_2
     H_el_out[..., 1, 1] = k_2_2 + k_2_3
-    H_el_out[..., 1, 4] = t9
-    H_el_out[..., 1, 7] = t10
+    H_el_out[..., 1, 4] = H_el_out[..., 4, 1] = -R_p_2*k_2_3
+    H_el_out[..., 1, 7] = H_el_out[..., 7, 1] = -R_p_2*k_2_2
     H_el_out[..., 2, 2] = k_3_2 + k_3_3
-    H_el_out[..., 2, 5] = t11
-    H_el_out[..., 2, 8] = t12
-    H_el_out[..., 3, 0] = t7
-    H_el_out[..., 3, 3] = k_1_3*t13 + t14
-    H_el_out[..., 3, 6] = -t14
-    H_el_out[..., 4, 1] = t9
-    H_el_out[..., 4, 4] = k_2_3*t15 + t16
-    H_el_out[..., 4, 7] = -t16
-    H_el_out[..., 5, 2] = t11
-    H_el_out[..., 5, 5] = k_3_3*t17 + t18
-    H_el_out[..., 5, 8] = -t18
-    H_el_out[..., 6, 0] = t8
-    H_el_out[..., 6, 3] = -t14
-    H_el_out[..., 6, 6] = k_1_2*t13 + t14
-    H_el_out[..., 7, 1] = t10
-    H_el_out[..., 7, 4] = -t16
-    H_el_out[..., 7, 7] = k_2_2*t15 + t16
-    H_el_out[..., 8, 2] = t12
-    H_el_out[..., 8, 5] = -t18
-    H_el_out[..., 8, 8] = k_3_2*t17 + t18
+    H_el_out[..., 2, 5] = H_el_out[..., 5, 2] = -R_p_3*k_3_3
+    H_el_out[..., 2, 8] = H_el_out[..., 8, 2] = -R_p_3*k_3_2
+    H_el_out[..., 3, 3] = k_1_3*t7 + t8
+    H_el_out[..., 3, 6] = H_el_out[..., 6, 3] = -t8
+    H_el_out[..., 4, 4] = k_2_3*t9 + t10
+    H_el_out[..., 4, 7] = H_el_out[..., 7, 4] = -t10
+    H_el_out[..., 5, 5] = k_3_3*t11 + t12
+    H_el_out[..., 5, 8] = H_el_out[..., 8, 5] = -t12
+    H_el_out[..., 6, 6] = k_1_2*t7 + t8
+    H_el_out[..., 7, 7] = k_2_2*t9 + t10
+    H_el_out[..., 8, 8] = k_3_2*t11 + t12
     return H_el_out
 
 
@@ -2832,11 +2736,11 @@ def static_equilibrium(p, parameters):
     tau_st_2 = d_2_1*(t27*theta_2_1_st - t40) + d_2_2*(t29*theta_2_2_st + t40)
     t41 = R_p_3*k_3_1*(-R_p_3*theta_3_1_st + R_p_3*theta_3_2_st)
     tau_st_3 = d_3_1*(t34*theta_3_1_st - t41) + d_3_2*(t36*theta_3_2_st + t41)
-    tau_st_out = np.zeros((*batch, 3), dtype)
+    tau_st_out = np.empty((*batch, 3), dtype)
     tau_st_out[..., 0] = tau_st_1
     tau_st_out[..., 1] = tau_st_2
     tau_st_out[..., 2] = tau_st_3
-    theta_st_out = np.zeros((*batch, 6), dtype)
+    theta_st_out = np.empty((*batch, 6), dtype)
     theta_st_out[..., 0] = theta_1_1_st
     theta_st_out[..., 1] = theta_2_1_st
     theta_st_out[..., 2] = theta_3_1_st
@@ -2864,7 +2768,7 @@ def stiffness_matrix(p, parameters):
     Notes
     -----
     Equations 46 and 48: K = -H_U.
-    423 operations; 375645 with every named value written out.
+    411 operations; 375645 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -2945,31 +2849,13 @@ def stiffness_matrix(p, parameters):
     D_p_z_2 = A_z_2*t3
     D_p_z_3 = A_z_3*t4
     U_1_x_1 = D_p_x_1 - n_1_x
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - n_1_y
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - n_1_z
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - n_2_x
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - n_2_y
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - n_2_z
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - n_3_x
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - n_3_y
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - n_3_z
     l_f_1_1 = x_max_1 - x_min_1
     t5 = k_sp_1*w_b_1
@@ -3002,34 +2888,24 @@ def stiffness_matrix(p, parameters):
     mu_1 = t1*(-A_x_1*t12 - A_y_1*t13 - A_z_1*t14)
     mu_2 = t1*(-A_x_2*t12 - A_y_2*t13 - A_z_2*t14)
     mu_3 = t1*(-A_x_3*t12 - A_y_3*t13 - A_z_3*t14)
-    t15 = U_1_x_1*mu_1
-    t16 = U_1_y_1*mu_1
-    t17 = U_1_z_1*mu_1
-    t18 = U_2_x_1*mu_2
-    t19 = U_2_y_1*mu_2
-    t20 = U_2_z_1*mu_2
-    t21 = U_3_x_1*mu_3
-    t22 = U_3_y_1*mu_3
-    t23 = U_3_z_1*mu_3
-    t24 = (
-        -U_1_x_2*t15 - U_1_y_2*t16 - U_1_z_2*t17 - U_2_x_2*t18 - U_2_y_2*t19 - U_2_z_2*t20 - U_3_x_2*t21
-        - U_3_y_2*t22 - U_3_z_2*t23
-    )
-    t25 = (
-        -U_1_x_3*t15 - U_1_y_3*t16 - U_1_z_3*t17 - U_2_x_3*t18 - U_2_y_3*t19 - U_2_z_3*t20 - U_3_x_3*t21
-        - U_3_y_3*t22 - U_3_z_3*t23
-    )
-    t26 = -R_p_1*k_1_3
-    t27 = -R_p_1*k_1_2
-    t28 = (
-        -U_1_x_2*U_1_x_3*mu_1 - U_1_y_2*U_1_y_3*mu_1 - U_1_z_2*U_1_z_3*mu_1 - U_2_x_2*U_2_x_3*mu_2
-        - U_2_y_2*U_2_y_3*mu_2 - U_2_z_2*U_2_z_3*mu_2 - U_3_x_2*U_3_x_3*mu_3 - U_3_y_2*U_3_y_3*mu_3
-        - U_3_z_2*U_3_z_3*mu_3
-    )
-    t29 = -R_p_2*k_2_3
-    t30 = -R_p_2*k_2_2
-    t31 = -R_p_3*k_3_3
-    t32 = -R_p_3*k_3_2
+    t15 = D_p_x_1**2
+    t16 = D_p_y_1**2
+    t17 = D_p_z_1**2
+    t18 = D_p_x_1*mu_3
+    t19 = D_p_x_1*mu_2
+    t20 = U_1_x_1*mu_1
+    t21 = D_p_y_1*mu_3
+    t22 = D_p_y_1*mu_2
+    t23 = U_1_y_1*mu_1
+    t24 = D_p_z_1*mu_3
+    t25 = D_p_z_1*mu_2
+    t26 = U_1_z_1*mu_1
+    t27 = D_p_x_2**2
+    t28 = D_p_y_2**2
+    t29 = D_p_z_2**2
+    t30 = D_p_x_3**2
+    t31 = D_p_y_3**2
+    t32 = D_p_z_3**2
     t33 = R_p_1**2
     t34 = k_1_1*t33
     t35 = R_p_2**2
@@ -3038,46 +2914,44 @@ def stiffness_matrix(p, parameters):
     t38 = k_3_1*t37
     K_out = np.zeros((*batch, 9, 9), dtype)
     K_out[..., 0, 0] = (
-        -U_1_x_1**2*mu_1 - U_1_y_1**2*mu_1 - U_1_z_1**2*mu_1 - U_2_x_1**2*mu_2 - U_2_y_1**2*mu_2
-        - U_2_z_1**2*mu_2 - U_3_x_1**2*mu_3 - U_3_y_1**2*mu_3 - U_3_z_1**2*mu_3 + k_1_2 + k_1_3
+        -U_1_x_1**2*mu_1 - U_1_y_1**2*mu_1 - U_1_z_1**2*mu_1 + k_1_2 + k_1_3 - mu_2*t15 - mu_2*t16 - mu_2*t17
+        - mu_3*t15 - mu_3*t16 - mu_3*t17
     )
-    K_out[..., 0, 1] = t24
-    K_out[..., 0, 2] = t25
-    K_out[..., 0, 3] = t26
-    K_out[..., 0, 6] = t27
-    K_out[..., 1, 0] = t24
+    K_out[..., 0, 1] = K_out[..., 1, 0] = (
+        -D_p_x_2*t18 - D_p_x_2*t20 - D_p_y_2*t21 - D_p_y_2*t23 - D_p_z_2*t24 - D_p_z_2*t26 - U_2_x_2*t19
+        - U_2_y_2*t22 - U_2_z_2*t25
+    )
+    K_out[..., 0, 2] = K_out[..., 2, 0] = (
+        -D_p_x_3*t19 - D_p_x_3*t20 - D_p_y_3*t22 - D_p_y_3*t23 - D_p_z_3*t25 - D_p_z_3*t26 - U_3_x_3*t18
+        - U_3_y_3*t21 - U_3_z_3*t24
+    )
+    K_out[..., 0, 3] = K_out[..., 3, 0] = -R_p_1*k_1_3
+    K_out[..., 0, 6] = K_out[..., 6, 0] = -R_p_1*k_1_2
     K_out[..., 1, 1] = (
-        -U_1_x_2**2*mu_1 - U_1_y_2**2*mu_1 - U_1_z_2**2*mu_1 - U_2_x_2**2*mu_2 - U_2_y_2**2*mu_2
-        - U_2_z_2**2*mu_2 - U_3_x_2**2*mu_3 - U_3_y_2**2*mu_3 - U_3_z_2**2*mu_3 + k_2_2 + k_2_3
+        -U_2_x_2**2*mu_2 - U_2_y_2**2*mu_2 - U_2_z_2**2*mu_2 + k_2_2 + k_2_3 - mu_1*t27 - mu_1*t28 - mu_1*t29
+        - mu_3*t27 - mu_3*t28 - mu_3*t29
     )
-    K_out[..., 1, 2] = t28
-    K_out[..., 1, 4] = t29
-    K_out[..., 1, 7] = t30
-    K_out[..., 2, 0] = t25
-    K_out[..., 2, 1] = t28
+    K_out[..., 1, 2] = K_out[..., 2, 1] = (
+        -D_p_x_2*D_p_x_3*mu_1 - D_p_x_2*U_3_x_3*mu_3 - D_p_x_3*U_2_x_2*mu_2 - D_p_y_2*D_p_y_3*mu_1
+        - D_p_y_2*U_3_y_3*mu_3 - D_p_y_3*U_2_y_2*mu_2 - D_p_z_2*D_p_z_3*mu_1 - D_p_z_2*U_3_z_3*mu_3
+        - D_p_z_3*U_2_z_2*mu_2
+    )
+    K_out[..., 1, 4] = K_out[..., 4, 1] = -R_p_2*k_2_3
+    K_out[..., 1, 7] = K_out[..., 7, 1] = -R_p_2*k_2_2
     K_out[..., 2, 2] = (
-        -U_1_x_3**2*mu_1 - U_1_y_3**2*mu_1 - U_1_z_3**2*mu_1 - U_2_x_3**2*mu_2 - U_2_y_3**2*mu_2
-        - U_2_z_3**2*mu_2 - U_3_x_3**2*mu_3 - U_3_y_3**2*mu_3 - U_3_z_3**2*mu_3 + k_3_2 + k_3_3
+        -U_3_x_3**2*mu_3 - U_3_y_3**2*mu_3 - U_3_z_3**2*mu_3 + k_3_2 + k_3_3 - mu_1*t30 - mu_1*t31 - mu_1*t32
+        - mu_2*t30 - mu_2*t31 - mu_2*t32
     )
-    K_out[..., 2, 5] = t31
-    K_out[..., 2, 8] = t32
-    K_out[..., 3, 0] = t26
+    K_out[..., 2, 5] = K_out[..., 5, 2] = -R_p_3*k_3_3
+    K_out[..., 2, 8] = K_out[..., 8, 2] = -R_p_3*k_3_2
     K_out[..., 3, 3] = k_1_3*t33 + t34
-    K_out[..., 3, 6] = -t34
-    K_out[..., 4, 1] = t29
+    K_out[..., 3, 6] = K_out[..., 6, 3] = -t34
     K_out[..., 4, 4] = k_2_3*t35 + t36
-    K_out[..., 4, 7] = -t36
-    K_out[..., 5, 2] = t31
+    K_out[..., 4, 7] = K_out[..., 7, 4] = -t36
     K_out[..., 5, 5] = k_3_3*t37 + t38
-    K_out[..., 5, 8] = -t38
-    K_out[..., 6, 0] = t27
-    K_out[..., 6, 3] = -t34
+    K_out[..., 5, 8] = K_out[..., 8, 5] = -t38
     K_out[..., 6, 6] = k_1_2*t33 + t34
-    K_out[..., 7, 1] = t30
-    K_out[..., 7, 4] = -t36
     K_out[..., 7, 7] = k_2_2*t35 + t36
-    K_out[..., 8, 2] = t32
-    K_out[..., 8, 5] = -t38
     K_out[..., 8, 8] = k_3_2*t37 + t38
     return K_out
 
@@ -3104,7 +2978,7 @@ def modal_matrices(p, parameters):
     Notes
     -----
     Equation 48.
-    549 operations; 504567 with every named value written out.
+    537 operations; 504567 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -3190,31 +3064,13 @@ def modal_matrices(p, parameters):
     D_p_z_2 = A_z_2*t3
     D_p_z_3 = A_z_3*t4
     U_1_x_1 = D_p_x_1 - n_1_x
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - n_1_y
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - n_1_z
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - n_2_x
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - n_2_y
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - n_2_z
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - n_3_x
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - n_3_y
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - n_3_z
     t5 = I_m_1*i_g_1**2
     I_1_1 = I_p_1 + d_1_1*t5
@@ -3271,66 +3127,56 @@ def modal_matrices(p, parameters):
     t30 = n_2_x*t29
     t31 = n_2_y*t29
     t32 = n_2_z*t29
-    t33 = D_p_x_1*t30 + D_p_x_2*t26 + D_p_y_1*t31 + D_p_y_2*t27 + D_p_z_1*t32 + D_p_z_2*t28
-    t34 = (1/6)*m_d_3
-    t35 = n_3_x*t34
-    t36 = n_3_y*t34
-    t37 = n_3_z*t34
-    t38 = D_p_x_1*t35 + D_p_x_3*t26 + D_p_y_1*t36 + D_p_y_3*t27 + D_p_z_1*t37 + D_p_z_3*t28
-    t39 = D_p_x_2*t25 + t30
-    t40 = D_p_y_2*t25 + t31
-    t41 = D_p_z_2*t25 + t32
-    t42 = D_p_x_2*t35 + D_p_x_3*t39 + D_p_y_2*t36 + D_p_y_3*t40 + D_p_z_2*t37 + D_p_z_3*t41
-    t43 = U_1_x_1*mu_1
-    t44 = U_1_y_1*mu_1
-    t45 = U_1_z_1*mu_1
-    t46 = U_2_x_1*mu_2
-    t47 = U_2_y_1*mu_2
-    t48 = U_2_z_1*mu_2
-    t49 = U_3_x_1*mu_3
-    t50 = U_3_y_1*mu_3
-    t51 = U_3_z_1*mu_3
-    t52 = (
-        -U_1_x_2*t43 - U_1_y_2*t44 - U_1_z_2*t45 - U_2_x_2*t46 - U_2_y_2*t47 - U_2_z_2*t48 - U_3_x_2*t49
-        - U_3_y_2*t50 - U_3_z_2*t51
-    )
-    t53 = (
-        -U_1_x_3*t43 - U_1_y_3*t44 - U_1_z_3*t45 - U_2_x_3*t46 - U_2_y_3*t47 - U_2_z_3*t48 - U_3_x_3*t49
-        - U_3_y_3*t50 - U_3_z_3*t51
-    )
-    t54 = -R_p_1*k_1_3
-    t55 = -R_p_1*k_1_2
-    t56 = (
-        -U_1_x_2*U_1_x_3*mu_1 - U_1_y_2*U_1_y_3*mu_1 - U_1_z_2*U_1_z_3*mu_1 - U_2_x_2*U_2_x_3*mu_2
-        - U_2_y_2*U_2_y_3*mu_2 - U_2_z_2*U_2_z_3*mu_2 - U_3_x_2*U_3_x_3*mu_3 - U_3_y_2*U_3_y_3*mu_3
-        - U_3_z_2*U_3_z_3*mu_3
-    )
-    t57 = -R_p_2*k_2_3
-    t58 = -R_p_2*k_2_2
-    t59 = -R_p_3*k_3_3
-    t60 = -R_p_3*k_3_2
-    t61 = R_p_1**2
-    t62 = k_1_1*t61
-    t63 = R_p_2**2
-    t64 = k_2_1*t63
-    t65 = R_p_3**2
-    t66 = k_3_1*t65
+    t33 = (1/6)*m_d_3
+    t34 = n_3_x*t33
+    t35 = n_3_y*t33
+    t36 = n_3_z*t33
+    t37 = D_p_x_2*t25 + t30
+    t38 = D_p_y_2*t25 + t31
+    t39 = D_p_z_2*t25 + t32
+    t40 = D_p_x_1**2
+    t41 = D_p_y_1**2
+    t42 = D_p_z_1**2
+    t43 = D_p_x_1*mu_3
+    t44 = D_p_x_1*mu_2
+    t45 = U_1_x_1*mu_1
+    t46 = D_p_y_1*mu_3
+    t47 = D_p_y_1*mu_2
+    t48 = U_1_y_1*mu_1
+    t49 = D_p_z_1*mu_3
+    t50 = D_p_z_1*mu_2
+    t51 = U_1_z_1*mu_1
+    t52 = D_p_x_2**2
+    t53 = D_p_y_2**2
+    t54 = D_p_z_2**2
+    t55 = D_p_x_3**2
+    t56 = D_p_y_3**2
+    t57 = D_p_z_3**2
+    t58 = R_p_1**2
+    t59 = k_1_1*t58
+    t60 = R_p_2**2
+    t61 = k_2_1*t60
+    t62 = R_p_3**2
+    t63 = k_3_1*t62
     M_out = np.zeros((*batch, 9, 9), dtype)
     M_out[..., 0, 0] = (
         D_p_x_1*t20 + D_p_x_1*t26 + D_p_y_1*t21 + D_p_y_1*t27 + D_p_z_1*t22 + D_p_z_1*t28 + m_t_1 + t18
     )
-    M_out[..., 0, 1] = t33
-    M_out[..., 0, 2] = t38
-    M_out[..., 1, 0] = t33
-    M_out[..., 1, 1] = (
-        D_p_x_2*t30 + D_p_x_2*t39 + D_p_y_2*t31 + D_p_y_2*t40 + D_p_z_2*t32 + D_p_z_2*t41 + m_t_2 + t23
+    M_out[..., 0, 1] = M_out[..., 1, 0] = (
+        D_p_x_1*t30 + D_p_x_2*t26 + D_p_y_1*t31 + D_p_y_2*t27 + D_p_z_1*t32 + D_p_z_2*t28
     )
-    M_out[..., 1, 2] = t42
-    M_out[..., 2, 0] = t38
-    M_out[..., 2, 1] = t42
+    M_out[..., 0, 2] = M_out[..., 2, 0] = (
+        D_p_x_1*t34 + D_p_x_3*t26 + D_p_y_1*t35 + D_p_y_3*t27 + D_p_z_1*t36 + D_p_z_3*t28
+    )
+    M_out[..., 1, 1] = (
+        D_p_x_2*t30 + D_p_x_2*t37 + D_p_y_2*t31 + D_p_y_2*t38 + D_p_z_2*t32 + D_p_z_2*t39 + m_t_2 + t23
+    )
+    M_out[..., 1, 2] = M_out[..., 2, 1] = (
+        D_p_x_2*t34 + D_p_x_3*t37 + D_p_y_2*t35 + D_p_y_3*t38 + D_p_z_2*t36 + D_p_z_3*t39
+    )
     M_out[..., 2, 2] = (
-        D_p_x_3*t35 + D_p_x_3*(D_p_x_3*t25 + t35) + D_p_y_3*t36 + D_p_y_3*(D_p_y_3*t25 + t36) + D_p_z_3*t37
-        + D_p_z_3*(D_p_z_3*t25 + t37) + m_t_3 + t24
+        D_p_x_3*t34 + D_p_x_3*(D_p_x_3*t25 + t34) + D_p_y_3*t35 + D_p_y_3*(D_p_y_3*t25 + t35) + D_p_z_3*t36
+        + D_p_z_3*(D_p_z_3*t25 + t36) + m_t_3 + t24
     )
     M_out[..., 3, 3] = I_1_1
     M_out[..., 4, 4] = I_2_1
@@ -3340,45 +3186,43 @@ def modal_matrices(p, parameters):
     M_out[..., 8, 8] = I_3_2
     K_out = np.zeros((*batch, 9, 9), dtype)
     K_out[..., 0, 0] = (
-        -U_1_x_1**2*mu_1 - U_1_y_1**2*mu_1 - U_1_z_1**2*mu_1 - U_2_x_1**2*mu_2 - U_2_y_1**2*mu_2
-        - U_2_z_1**2*mu_2 - U_3_x_1**2*mu_3 - U_3_y_1**2*mu_3 - U_3_z_1**2*mu_3 + k_1_2 + k_1_3
+        -U_1_x_1**2*mu_1 - U_1_y_1**2*mu_1 - U_1_z_1**2*mu_1 + k_1_2 + k_1_3 - mu_2*t40 - mu_2*t41 - mu_2*t42
+        - mu_3*t40 - mu_3*t41 - mu_3*t42
     )
-    K_out[..., 0, 1] = t52
-    K_out[..., 0, 2] = t53
-    K_out[..., 0, 3] = t54
-    K_out[..., 0, 6] = t55
-    K_out[..., 1, 0] = t52
+    K_out[..., 0, 1] = K_out[..., 1, 0] = (
+        -D_p_x_2*t43 - D_p_x_2*t45 - D_p_y_2*t46 - D_p_y_2*t48 - D_p_z_2*t49 - D_p_z_2*t51 - U_2_x_2*t44
+        - U_2_y_2*t47 - U_2_z_2*t50
+    )
+    K_out[..., 0, 2] = K_out[..., 2, 0] = (
+        -D_p_x_3*t44 - D_p_x_3*t45 - D_p_y_3*t47 - D_p_y_3*t48 - D_p_z_3*t50 - D_p_z_3*t51 - U_3_x_3*t43
+        - U_3_y_3*t46 - U_3_z_3*t49
+    )
+    K_out[..., 0, 3] = K_out[..., 3, 0] = -R_p_1*k_1_3
+    K_out[..., 0, 6] = K_out[..., 6, 0] = -R_p_1*k_1_2
     K_out[..., 1, 1] = (
-        -U_1_x_2**2*mu_1 - U_1_y_2**2*mu_1 - U_1_z_2**2*mu_1 - U_2_x_2**2*mu_2 - U_2_y_2**2*mu_2
-        - U_2_z_2**2*mu_2 - U_3_x_2**2*mu_3 - U_3_y_2**2*mu_3 - U_3_z_2**2*mu_3 + k_2_2 + k_2_3
+        -U_2_x_2**2*mu_2 - U_2_y_2**2*mu_2 - U_2_z_2**2*mu_2 + k_2_2 + k_2_3 - mu_1*t52 - mu_1*t53 - mu_1*t54
+        - mu_3*t52 - mu_3*t53 - mu_3*t54
     )
-    K_out[..., 1, 2] = t56
-    K_out[..., 1, 4] = t57
-    K_out[..., 1, 7] = t58
-    K_out[..., 2, 0] = t53
-    K_out[..., 2, 1] = t56
+    K_out[..., 1, 2] = K_out[..., 2, 1] = (
+        -D_p_x_2*D_p_x_3*mu_1 - D_p_x_2*U_3_x_3*mu_3 - D_p_x_3*U_2_x_2*mu_2 - D_p_y_2*D_p_y_3*mu_1
+        - D_p_y_2*U_3_y_3*mu_3 - D_p_y_3*U_2_y_2*mu_2 - D_p_z_2*D_p_z_3*mu_1 - D_p_z_2*U_3_z_3*mu_3
+        - D_p_z_3*U_2_z_2*mu_2
+    )
+    K_out[..., 1, 4] = K_out[..., 4, 1] = -R_p_2*k_2_3
+    K_out[..., 1, 7] = K_out[..., 7, 1] = -R_p_2*k_2_2
     K_out[..., 2, 2] = (
-        -U_1_x_3**2*mu_1 - U_1_y_3**2*mu_1 - U_1_z_3**2*mu_1 - U_2_x_3**2*mu_2 - U_2_y_3**2*mu_2
-        - U_2_z_3**2*mu_2 - U_3_x_3**2*mu_3 - U_3_y_3**2*mu_3 - U_3_z_3**2*mu_3 + k_3_2 + k_3_3
+        -U_3_x_3**2*mu_3 - U_3_y_3**2*mu_3 - U_3_z_3**2*mu_3 + k_3_2 + k_3_3 - mu_1*t55 - mu_1*t56 - mu_1*t57
+        - mu_2*t55 - mu_2*t56 - mu_2*t57
     )
-    K_out[..., 2, 5] = t59
-    K_out[..., 2, 8] = t60
-    K_out[..., 3, 0] = t54
-    K_out[..., 3, 3] = k_1_3*t61 + t62
-    K_out[..., 3, 6] = -t62
-    K_out[..., 4, 1] = t57
-    K_out[..., 4, 4] = k_2_3*t63 + t64
-    K_out[..., 4, 7] = -t64
-    K_out[..., 5, 2] = t59
-    K_out[..., 5, 5] = k_3_3*t65 + t66
-    K_out[..., 5, 8] = -t66
-    K_out[..., 6, 0] = t55
-    K_out[..., 6, 3] = -t62
-    K_out[..., 6, 6] = k_1_2*t61 + t62
-    K_out[..., 7, 1] = t58
-    K_out[..., 7, 4] = -t64
-    K_out[..., 7, 7] = k_2_2*t63 + t64
-    K_out[..., 8, 2] = t60
-    K_out[..., 8, 5] = -t66
-    K_out[..., 8, 8] = k_3_2*t65 + t66
+    K_out[..., 2, 5] = K_out[..., 5, 2] = -R_p_3*k_3_3
+    K_out[..., 2, 8] = K_out[..., 8, 2] = -R_p_3*k_3_2
+    K_out[..., 3, 3] = k_1_3*t58 + t59
+    K_out[..., 3, 6] = K_out[..., 6, 3] = -t59
+    K_out[..., 4, 4] = k_2_3*t60 + t61
+    K_out[..., 4, 7] = K_out[..., 7, 4] = -t61
+    K_out[..., 5, 5] = k_3_3*t62 + t63
+    K_out[..., 5, 8] = K_out[..., 8, 5] = -t63
+    K_out[..., 6, 6] = k_1_2*t58 + t59
+    K_out[..., 7, 7] = k_2_2*t60 + t61
+    K_out[..., 8, 8] = k_3_2*t62 + t63
     return M_out, K_out

@@ -7,8 +7,8 @@ Arrays are batch first: a leading `...` stands for any batch shape, none include
 Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
 frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
 
-Names in the code, for axis j, pulley or span k (or carriage k, l of a derivative) and component i = x, y, z;
-t1, t2, ... are subexpressions that several values share:
+Names in the code, for axis or belt j; pulley k, or coordinate k of a derivative; component i = x, y, z.  t1,
+t2, ... are subexpressions that several values share.
 
 * y_j_i [1]: direction of arm j at a right angle: a_j times z_j, component i
 * c_j [1]: cosine of theta_j
@@ -34,801 +34,7 @@ t1, t2, ... are subexpressions that several values share:
 * mu_j [N/m]: static force in linkage j divided by its length, positive in compression
 * G_j [N m]: gradient of the gravitational potential energy with respect to theta_j
 * phi_j_st [rad]: static angle of motor j divided by the gear ratio, from unstrained transmissions
-* mu_1_by_m_p [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: platform mass
-* mu_2_by_m_p [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: platform mass
-* mu_3_by_m_p [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: platform mass
-* mu_1_by_g_x [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: gravitational acceleration, component x
-* mu_2_by_g_x [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: gravitational acceleration, component x
-* mu_3_by_g_x [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: gravitational acceleration, component x
-* mu_1_by_g_y [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: gravitational acceleration, component y
-* mu_2_by_g_y [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: gravitational acceleration, component y
-* mu_3_by_g_y [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: gravitational acceleration, component y
-* mu_1_by_g_z [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: gravitational acceleration, component z
-* mu_2_by_g_z [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: gravitational acceleration, component z
-* mu_3_by_g_z [(N/m)/(m/s^2)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: gravitational acceleration, component z
-* mu_1_by_m_d_1 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: mass of linkage 1, both rods together
-* mu_2_by_m_d_1 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: mass of linkage 1, both rods together
-* mu_3_by_m_d_1 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: mass of linkage 1, both rods together
-* mu_1_by_m_d_2 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: mass of linkage 2, both rods together
-* mu_2_by_m_d_2 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: mass of linkage 2, both rods together
-* mu_3_by_m_d_2 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: mass of linkage 2, both rods together
-* mu_1_by_m_d_3 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: mass of linkage 3, both rods together
-* mu_2_by_m_d_3 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: mass of linkage 3, both rods together
-* mu_3_by_m_d_3 [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: mass of linkage 3, both rods together
-* mu_1_by_m_L [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: point mass at the platform centre
-* mu_2_by_m_L [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: point mass at the platform centre
-* mu_3_by_m_L [(N/m)/(kg)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: point mass at the platform centre
-* theta_1_by_b_1_x [(rad)/(m)]: derivative at a fixed pose of: angle of arm 1; by: joint 1 of the platform
-    seen from its centre, component x
-* s_1_x_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from arm to platform joint,
-    component x; by: joint 1 of the platform seen from its centre, component x
-* s_1_y_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from arm to platform joint,
-    component y; by: joint 1 of the platform seen from its centre, component x
-* s_1_z_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from arm to platform joint,
-    component z; by: joint 1 of the platform seen from its centre, component x
-* D_p_x_1_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_1; by: joint 1 of
-    the platform seen from its centre, component x
-* D_p_y_1_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_1; by: joint 1 of
-    the platform seen from its centre, component x
-* D_p_z_1_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_1; by: joint 1 of
-    the platform seen from its centre, component x
-* D_p_x_2_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_2; by: joint 1 of
-    the platform seen from its centre, component x
-* D_p_y_2_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_2; by: joint 1 of
-    the platform seen from its centre, component x
-* D_p_z_2_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_2; by: joint 1 of
-    the platform seen from its centre, component x
-* D_p_x_3_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_3; by: joint 1 of
-    the platform seen from its centre, component x
-* D_p_y_3_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_3; by: joint 1 of
-    the platform seen from its centre, component x
-* D_p_z_3_by_b_1_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_3; by: joint 1 of
-    the platform seen from its centre, component x
-* D_delta_x_1_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_y_1_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_z_1_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_x_2_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_y_2_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_z_2_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_x_3_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_y_3_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 1
-    of the platform seen from its centre, component x
-* D_delta_z_3_by_b_1_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 1
-    of the platform seen from its centre, component x
-* mu_1_by_b_1_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component x
-* mu_2_by_b_1_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component x
-* mu_3_by_b_1_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component x
-* theta_1_by_b_1_y [(rad)/(m)]: derivative at a fixed pose of: angle of arm 1; by: joint 1 of the platform
-    seen from its centre, component y
-* s_1_x_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from arm to platform joint,
-    component x; by: joint 1 of the platform seen from its centre, component y
-* s_1_y_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from arm to platform joint,
-    component y; by: joint 1 of the platform seen from its centre, component y
-* s_1_z_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from arm to platform joint,
-    component z; by: joint 1 of the platform seen from its centre, component y
-* D_p_x_1_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_1; by: joint 1 of
-    the platform seen from its centre, component y
-* D_p_y_1_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_1; by: joint 1 of
-    the platform seen from its centre, component y
-* D_p_z_1_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_1; by: joint 1 of
-    the platform seen from its centre, component y
-* D_p_x_2_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_2; by: joint 1 of
-    the platform seen from its centre, component y
-* D_p_y_2_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_2; by: joint 1 of
-    the platform seen from its centre, component y
-* D_p_z_2_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_2; by: joint 1 of
-    the platform seen from its centre, component y
-* D_p_x_3_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_3; by: joint 1 of
-    the platform seen from its centre, component y
-* D_p_y_3_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_3; by: joint 1 of
-    the platform seen from its centre, component y
-* D_p_z_3_by_b_1_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_3; by: joint 1 of
-    the platform seen from its centre, component y
-* D_delta_x_1_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_y_1_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_z_1_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_x_2_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_y_2_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_z_2_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_x_3_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_y_3_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 1
-    of the platform seen from its centre, component y
-* D_delta_z_3_by_b_1_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 1
-    of the platform seen from its centre, component y
-* mu_1_by_b_1_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component y
-* mu_2_by_b_1_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component y
-* mu_3_by_b_1_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component y
-* theta_1_by_b_1_z [(rad)/(m)]: derivative at a fixed pose of: angle of arm 1; by: joint 1 of the platform
-    seen from its centre, component z
-* s_1_x_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from arm to platform joint,
-    component x; by: joint 1 of the platform seen from its centre, component z
-* s_1_y_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from arm to platform joint,
-    component y; by: joint 1 of the platform seen from its centre, component z
-* s_1_z_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from arm to platform joint,
-    component z; by: joint 1 of the platform seen from its centre, component z
-* D_p_x_1_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_1; by: joint 1 of
-    the platform seen from its centre, component z
-* D_p_y_1_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_1; by: joint 1 of
-    the platform seen from its centre, component z
-* D_p_z_1_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_1; by: joint 1 of
-    the platform seen from its centre, component z
-* D_p_x_2_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_2; by: joint 1 of
-    the platform seen from its centre, component z
-* D_p_y_2_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_2; by: joint 1 of
-    the platform seen from its centre, component z
-* D_p_z_2_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_2; by: joint 1 of
-    the platform seen from its centre, component z
-* D_p_x_3_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_3; by: joint 1 of
-    the platform seen from its centre, component z
-* D_p_y_3_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_3; by: joint 1 of
-    the platform seen from its centre, component z
-* D_p_z_3_by_b_1_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_3; by: joint 1 of
-    the platform seen from its centre, component z
-* D_delta_x_1_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_y_1_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_z_1_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_x_2_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_y_2_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_z_2_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_x_3_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_y_3_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 1
-    of the platform seen from its centre, component z
-* D_delta_z_3_by_b_1_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 1
-    of the platform seen from its centre, component z
-* mu_1_by_b_1_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component z
-* mu_2_by_b_1_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component z
-* mu_3_by_b_1_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 1 of the platform seen from its centre, component z
-* theta_2_by_b_2_x [(rad)/(m)]: derivative at a fixed pose of: angle of arm 2; by: joint 2 of the platform
-    seen from its centre, component x
-* s_2_x_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from arm to platform joint,
-    component x; by: joint 2 of the platform seen from its centre, component x
-* s_2_y_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from arm to platform joint,
-    component y; by: joint 2 of the platform seen from its centre, component x
-* s_2_z_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from arm to platform joint,
-    component z; by: joint 2 of the platform seen from its centre, component x
-* D_p_x_1_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_1; by: joint 2 of
-    the platform seen from its centre, component x
-* D_p_y_1_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_1; by: joint 2 of
-    the platform seen from its centre, component x
-* D_p_z_1_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_1; by: joint 2 of
-    the platform seen from its centre, component x
-* D_p_x_2_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_2; by: joint 2 of
-    the platform seen from its centre, component x
-* D_p_y_2_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_2; by: joint 2 of
-    the platform seen from its centre, component x
-* D_p_z_2_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_2; by: joint 2 of
-    the platform seen from its centre, component x
-* D_p_x_3_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_3; by: joint 2 of
-    the platform seen from its centre, component x
-* D_p_y_3_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_3; by: joint 2 of
-    the platform seen from its centre, component x
-* D_p_z_3_by_b_2_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_3; by: joint 2 of
-    the platform seen from its centre, component x
-* D_delta_x_1_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_y_1_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_z_1_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_x_2_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_y_2_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_z_2_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_x_3_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_y_3_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 2
-    of the platform seen from its centre, component x
-* D_delta_z_3_by_b_2_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 2
-    of the platform seen from its centre, component x
-* mu_1_by_b_2_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component x
-* mu_2_by_b_2_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component x
-* mu_3_by_b_2_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component x
-* theta_2_by_b_2_y [(rad)/(m)]: derivative at a fixed pose of: angle of arm 2; by: joint 2 of the platform
-    seen from its centre, component y
-* s_2_x_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from arm to platform joint,
-    component x; by: joint 2 of the platform seen from its centre, component y
-* s_2_y_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from arm to platform joint,
-    component y; by: joint 2 of the platform seen from its centre, component y
-* s_2_z_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from arm to platform joint,
-    component z; by: joint 2 of the platform seen from its centre, component y
-* D_p_x_1_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_1; by: joint 2 of
-    the platform seen from its centre, component y
-* D_p_y_1_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_1; by: joint 2 of
-    the platform seen from its centre, component y
-* D_p_z_1_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_1; by: joint 2 of
-    the platform seen from its centre, component y
-* D_p_x_2_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_2; by: joint 2 of
-    the platform seen from its centre, component y
-* D_p_y_2_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_2; by: joint 2 of
-    the platform seen from its centre, component y
-* D_p_z_2_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_2; by: joint 2 of
-    the platform seen from its centre, component y
-* D_p_x_3_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_3; by: joint 2 of
-    the platform seen from its centre, component y
-* D_p_y_3_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_3; by: joint 2 of
-    the platform seen from its centre, component y
-* D_p_z_3_by_b_2_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_3; by: joint 2 of
-    the platform seen from its centre, component y
-* D_delta_x_1_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_y_1_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_z_1_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_x_2_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_y_2_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_z_2_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_x_3_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_y_3_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 2
-    of the platform seen from its centre, component y
-* D_delta_z_3_by_b_2_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 2
-    of the platform seen from its centre, component y
-* mu_1_by_b_2_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component y
-* mu_2_by_b_2_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component y
-* mu_3_by_b_2_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component y
-* theta_2_by_b_2_z [(rad)/(m)]: derivative at a fixed pose of: angle of arm 2; by: joint 2 of the platform
-    seen from its centre, component z
-* s_2_x_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from arm to platform joint,
-    component x; by: joint 2 of the platform seen from its centre, component z
-* s_2_y_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from arm to platform joint,
-    component y; by: joint 2 of the platform seen from its centre, component z
-* s_2_z_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from arm to platform joint,
-    component z; by: joint 2 of the platform seen from its centre, component z
-* D_p_x_1_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_1; by: joint 2 of
-    the platform seen from its centre, component z
-* D_p_y_1_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_1; by: joint 2 of
-    the platform seen from its centre, component z
-* D_p_z_1_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_1; by: joint 2 of
-    the platform seen from its centre, component z
-* D_p_x_2_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_2; by: joint 2 of
-    the platform seen from its centre, component z
-* D_p_y_2_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_2; by: joint 2 of
-    the platform seen from its centre, component z
-* D_p_z_2_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_2; by: joint 2 of
-    the platform seen from its centre, component z
-* D_p_x_3_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_3; by: joint 2 of
-    the platform seen from its centre, component z
-* D_p_y_3_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_3; by: joint 2 of
-    the platform seen from its centre, component z
-* D_p_z_3_by_b_2_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_3; by: joint 2 of
-    the platform seen from its centre, component z
-* D_delta_x_1_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_y_1_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_z_1_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_x_2_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_y_2_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_z_2_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_x_3_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_y_3_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 2
-    of the platform seen from its centre, component z
-* D_delta_z_3_by_b_2_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 2
-    of the platform seen from its centre, component z
-* mu_1_by_b_2_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component z
-* mu_2_by_b_2_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component z
-* mu_3_by_b_2_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 2 of the platform seen from its centre, component z
-* theta_3_by_b_3_x [(rad)/(m)]: derivative at a fixed pose of: angle of arm 3; by: joint 3 of the platform
-    seen from its centre, component x
-* s_3_x_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from arm to platform joint,
-    component x; by: joint 3 of the platform seen from its centre, component x
-* s_3_y_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from arm to platform joint,
-    component y; by: joint 3 of the platform seen from its centre, component x
-* s_3_z_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from arm to platform joint,
-    component z; by: joint 3 of the platform seen from its centre, component x
-* D_p_x_1_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_1; by: joint 3 of
-    the platform seen from its centre, component x
-* D_p_y_1_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_1; by: joint 3 of
-    the platform seen from its centre, component x
-* D_p_z_1_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_1; by: joint 3 of
-    the platform seen from its centre, component x
-* D_p_x_2_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_2; by: joint 3 of
-    the platform seen from its centre, component x
-* D_p_y_2_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_2; by: joint 3 of
-    the platform seen from its centre, component x
-* D_p_z_2_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_2; by: joint 3 of
-    the platform seen from its centre, component x
-* D_p_x_3_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_3; by: joint 3 of
-    the platform seen from its centre, component x
-* D_p_y_3_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_3; by: joint 3 of
-    the platform seen from its centre, component x
-* D_p_z_3_by_b_3_x [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_3; by: joint 3 of
-    the platform seen from its centre, component x
-* D_delta_x_1_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_y_1_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_z_1_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_x_2_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_y_2_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_z_2_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_x_3_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_y_3_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 3
-    of the platform seen from its centre, component x
-* D_delta_z_3_by_b_3_x [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 3
-    of the platform seen from its centre, component x
-* mu_1_by_b_3_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component x
-* mu_2_by_b_3_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component x
-* mu_3_by_b_3_x [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component x
-* theta_3_by_b_3_y [(rad)/(m)]: derivative at a fixed pose of: angle of arm 3; by: joint 3 of the platform
-    seen from its centre, component y
-* s_3_x_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from arm to platform joint,
-    component x; by: joint 3 of the platform seen from its centre, component y
-* s_3_y_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from arm to platform joint,
-    component y; by: joint 3 of the platform seen from its centre, component y
-* s_3_z_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from arm to platform joint,
-    component z; by: joint 3 of the platform seen from its centre, component y
-* D_p_x_1_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_1; by: joint 3 of
-    the platform seen from its centre, component y
-* D_p_y_1_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_1; by: joint 3 of
-    the platform seen from its centre, component y
-* D_p_z_1_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_1; by: joint 3 of
-    the platform seen from its centre, component y
-* D_p_x_2_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_2; by: joint 3 of
-    the platform seen from its centre, component y
-* D_p_y_2_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_2; by: joint 3 of
-    the platform seen from its centre, component y
-* D_p_z_2_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_2; by: joint 3 of
-    the platform seen from its centre, component y
-* D_p_x_3_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_3; by: joint 3 of
-    the platform seen from its centre, component y
-* D_p_y_3_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_3; by: joint 3 of
-    the platform seen from its centre, component y
-* D_p_z_3_by_b_3_y [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_3; by: joint 3 of
-    the platform seen from its centre, component y
-* D_delta_x_1_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_y_1_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_z_1_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_x_2_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_y_2_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_z_2_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_x_3_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_y_3_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 3
-    of the platform seen from its centre, component y
-* D_delta_z_3_by_b_3_y [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 3
-    of the platform seen from its centre, component y
-* mu_1_by_b_3_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component y
-* mu_2_by_b_3_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component y
-* mu_3_by_b_3_y [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component y
-* theta_3_by_b_3_z [(rad)/(m)]: derivative at a fixed pose of: angle of arm 3; by: joint 3 of the platform
-    seen from its centre, component z
-* s_3_x_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from arm to platform joint,
-    component x; by: joint 3 of the platform seen from its centre, component z
-* s_3_y_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from arm to platform joint,
-    component y; by: joint 3 of the platform seen from its centre, component z
-* s_3_z_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from arm to platform joint,
-    component z; by: joint 3 of the platform seen from its centre, component z
-* D_p_x_1_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_1; by: joint 3 of
-    the platform seen from its centre, component z
-* D_p_y_1_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_1; by: joint 3 of
-    the platform seen from its centre, component z
-* D_p_z_1_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_1; by: joint 3 of
-    the platform seen from its centre, component z
-* D_p_x_2_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_2; by: joint 3 of
-    the platform seen from its centre, component z
-* D_p_y_2_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_2; by: joint 3 of
-    the platform seen from its centre, component z
-* D_p_z_2_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_2; by: joint 3 of
-    the platform seen from its centre, component z
-* D_p_x_3_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_3; by: joint 3 of
-    the platform seen from its centre, component z
-* D_p_y_3_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_3; by: joint 3 of
-    the platform seen from its centre, component z
-* D_p_z_3_by_b_3_z [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_3; by: joint 3 of
-    the platform seen from its centre, component z
-* D_delta_x_1_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_y_1_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_z_1_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_x_2_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_y_2_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_z_2_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_x_3_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_y_3_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: joint 3
-    of the platform seen from its centre, component z
-* D_delta_z_3_by_b_3_z [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: joint 3
-    of the platform seen from its centre, component z
-* mu_1_by_b_3_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component z
-* mu_2_by_b_3_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component z
-* mu_3_by_b_3_z [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: joint 3 of the platform seen from its centre, component z
-* theta_1_by_L_a_1 [(rad)/(m)]: derivative at a fixed pose of: angle of arm 1; by: length of arm 1, to the
-    joint of the linkage
-* s_1_x_by_L_a_1 [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from arm to platform joint,
-    component x; by: length of arm 1, to the joint of the linkage
-* s_1_y_by_L_a_1 [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from arm to platform joint,
-    component y; by: length of arm 1, to the joint of the linkage
-* s_1_z_by_L_a_1 [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from arm to platform joint,
-    component z; by: length of arm 1, to the joint of the linkage
-* D_p_x_1_by_L_a_1 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_1; by: length of
-    arm 1, to the joint of the linkage
-* D_p_y_1_by_L_a_1 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_1; by: length of
-    arm 1, to the joint of the linkage
-* D_p_z_1_by_L_a_1 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_1; by: length of
-    arm 1, to the joint of the linkage
-* D_p_x_2_by_L_a_1 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_2; by: length of
-    arm 1, to the joint of the linkage
-* D_p_y_2_by_L_a_1 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_2; by: length of
-    arm 1, to the joint of the linkage
-* D_p_z_2_by_L_a_1 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_2; by: length of
-    arm 1, to the joint of the linkage
-* D_p_x_3_by_L_a_1 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_3; by: length of
-    arm 1, to the joint of the linkage
-* D_p_y_3_by_L_a_1 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_3; by: length of
-    arm 1, to the joint of the linkage
-* D_p_z_3_by_L_a_1 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_3; by: length of
-    arm 1, to the joint of the linkage
-* D_delta_x_1_by_L_a_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: length
-    of arm 1, to the joint of the linkage
-* D_delta_y_1_by_L_a_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: length
-    of arm 1, to the joint of the linkage
-* D_delta_z_1_by_L_a_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: length
-    of arm 1, to the joint of the linkage
-* D_delta_x_2_by_L_a_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: length
-    of arm 1, to the joint of the linkage
-* D_delta_y_2_by_L_a_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: length
-    of arm 1, to the joint of the linkage
-* D_delta_z_2_by_L_a_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: length
-    of arm 1, to the joint of the linkage
-* D_delta_x_3_by_L_a_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: length
-    of arm 1, to the joint of the linkage
-* D_delta_y_3_by_L_a_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: length
-    of arm 1, to the joint of the linkage
-* D_delta_z_3_by_L_a_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: length
-    of arm 1, to the joint of the linkage
-* mu_1_by_L_a_1 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: length of arm 1, to the joint of the linkage
-* mu_2_by_L_a_1 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: length of arm 1, to the joint of the linkage
-* mu_3_by_L_a_1 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: length of arm 1, to the joint of the linkage
-* theta_2_by_L_a_2 [(rad)/(m)]: derivative at a fixed pose of: angle of arm 2; by: length of arm 2, to the
-    joint of the linkage
-* s_2_x_by_L_a_2 [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from arm to platform joint,
-    component x; by: length of arm 2, to the joint of the linkage
-* s_2_y_by_L_a_2 [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from arm to platform joint,
-    component y; by: length of arm 2, to the joint of the linkage
-* s_2_z_by_L_a_2 [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from arm to platform joint,
-    component z; by: length of arm 2, to the joint of the linkage
-* D_p_x_1_by_L_a_2 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_1; by: length of
-    arm 2, to the joint of the linkage
-* D_p_y_1_by_L_a_2 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_1; by: length of
-    arm 2, to the joint of the linkage
-* D_p_z_1_by_L_a_2 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_1; by: length of
-    arm 2, to the joint of the linkage
-* D_p_x_2_by_L_a_2 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_2; by: length of
-    arm 2, to the joint of the linkage
-* D_p_y_2_by_L_a_2 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_2; by: length of
-    arm 2, to the joint of the linkage
-* D_p_z_2_by_L_a_2 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_2; by: length of
-    arm 2, to the joint of the linkage
-* D_p_x_3_by_L_a_2 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_3; by: length of
-    arm 2, to the joint of the linkage
-* D_p_y_3_by_L_a_2 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_3; by: length of
-    arm 2, to the joint of the linkage
-* D_p_z_3_by_L_a_2 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_3; by: length of
-    arm 2, to the joint of the linkage
-* D_delta_x_1_by_L_a_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: length
-    of arm 2, to the joint of the linkage
-* D_delta_y_1_by_L_a_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: length
-    of arm 2, to the joint of the linkage
-* D_delta_z_1_by_L_a_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: length
-    of arm 2, to the joint of the linkage
-* D_delta_x_2_by_L_a_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: length
-    of arm 2, to the joint of the linkage
-* D_delta_y_2_by_L_a_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: length
-    of arm 2, to the joint of the linkage
-* D_delta_z_2_by_L_a_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: length
-    of arm 2, to the joint of the linkage
-* D_delta_x_3_by_L_a_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: length
-    of arm 2, to the joint of the linkage
-* D_delta_y_3_by_L_a_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: length
-    of arm 2, to the joint of the linkage
-* D_delta_z_3_by_L_a_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: length
-    of arm 2, to the joint of the linkage
-* mu_1_by_L_a_2 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: length of arm 2, to the joint of the linkage
-* mu_2_by_L_a_2 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: length of arm 2, to the joint of the linkage
-* mu_3_by_L_a_2 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: length of arm 2, to the joint of the linkage
-* theta_3_by_L_a_3 [(rad)/(m)]: derivative at a fixed pose of: angle of arm 3; by: length of arm 3, to the
-    joint of the linkage
-* s_3_x_by_L_a_3 [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from arm to platform joint,
-    component x; by: length of arm 3, to the joint of the linkage
-* s_3_y_by_L_a_3 [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from arm to platform joint,
-    component y; by: length of arm 3, to the joint of the linkage
-* s_3_z_by_L_a_3 [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from arm to platform joint,
-    component z; by: length of arm 3, to the joint of the linkage
-* D_p_x_1_by_L_a_3 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_1; by: length of
-    arm 3, to the joint of the linkage
-* D_p_y_1_by_L_a_3 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_1; by: length of
-    arm 3, to the joint of the linkage
-* D_p_z_1_by_L_a_3 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_1; by: length of
-    arm 3, to the joint of the linkage
-* D_p_x_2_by_L_a_3 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_2; by: length of
-    arm 3, to the joint of the linkage
-* D_p_y_2_by_L_a_3 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_2; by: length of
-    arm 3, to the joint of the linkage
-* D_p_z_2_by_L_a_3 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_2; by: length of
-    arm 3, to the joint of the linkage
-* D_p_x_3_by_L_a_3 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_3; by: length of
-    arm 3, to the joint of the linkage
-* D_p_y_3_by_L_a_3 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_3; by: length of
-    arm 3, to the joint of the linkage
-* D_p_z_3_by_L_a_3 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_3; by: length of
-    arm 3, to the joint of the linkage
-* D_delta_x_1_by_L_a_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: length
-    of arm 3, to the joint of the linkage
-* D_delta_y_1_by_L_a_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: length
-    of arm 3, to the joint of the linkage
-* D_delta_z_1_by_L_a_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: length
-    of arm 3, to the joint of the linkage
-* D_delta_x_2_by_L_a_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: length
-    of arm 3, to the joint of the linkage
-* D_delta_y_2_by_L_a_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: length
-    of arm 3, to the joint of the linkage
-* D_delta_z_2_by_L_a_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: length
-    of arm 3, to the joint of the linkage
-* D_delta_x_3_by_L_a_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: length
-    of arm 3, to the joint of the linkage
-* D_delta_y_3_by_L_a_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: length
-    of arm 3, to the joint of the linkage
-* D_delta_z_3_by_L_a_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: length
-    of arm 3, to the joint of the linkage
-* mu_1_by_L_a_3 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: length of arm 3, to the joint of the linkage
-* mu_2_by_L_a_3 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: length of arm 3, to the joint of the linkage
-* mu_3_by_L_a_3 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: length of arm 3, to the joint of the linkage
-* theta_1_by_l_d_1 [(rad)/(m)]: derivative at a fixed pose of: angle of arm 1; by: length of linkage 1
-* s_1_x_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from arm to platform joint,
-    component x; by: length of linkage 1
-* s_1_y_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from arm to platform joint,
-    component y; by: length of linkage 1
-* s_1_z_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: linkage vector 1, from arm to platform joint,
-    component z; by: length of linkage 1
-* D_p_x_1_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_1; by: length of
-    linkage 1
-* D_p_y_1_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_1; by: length of
-    linkage 1
-* D_p_z_1_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_1; by: length of
-    linkage 1
-* D_p_x_2_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_2; by: length of
-    linkage 1
-* D_p_y_2_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_2; by: length of
-    linkage 1
-* D_p_z_2_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_2; by: length of
-    linkage 1
-* D_p_x_3_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_3; by: length of
-    linkage 1
-* D_p_y_3_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_3; by: length of
-    linkage 1
-* D_p_z_3_by_l_d_1 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_3; by: length of
-    linkage 1
-* D_delta_x_1_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: length
-    of linkage 1
-* D_delta_y_1_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: length
-    of linkage 1
-* D_delta_z_1_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: length
-    of linkage 1
-* D_delta_x_2_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: length
-    of linkage 1
-* D_delta_y_2_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: length
-    of linkage 1
-* D_delta_z_2_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: length
-    of linkage 1
-* D_delta_x_3_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: length
-    of linkage 1
-* D_delta_y_3_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: length
-    of linkage 1
-* D_delta_z_3_by_l_d_1 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: length
-    of linkage 1
-* mu_1_by_l_d_1 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: length of linkage 1
-* mu_2_by_l_d_1 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: length of linkage 1
-* mu_3_by_l_d_1 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: length of linkage 1
-* theta_2_by_l_d_2 [(rad)/(m)]: derivative at a fixed pose of: angle of arm 2; by: length of linkage 2
-* s_2_x_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from arm to platform joint,
-    component x; by: length of linkage 2
-* s_2_y_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from arm to platform joint,
-    component y; by: length of linkage 2
-* s_2_z_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: linkage vector 2, from arm to platform joint,
-    component z; by: length of linkage 2
-* D_p_x_1_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_1; by: length of
-    linkage 2
-* D_p_y_1_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_1; by: length of
-    linkage 2
-* D_p_z_1_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_1; by: length of
-    linkage 2
-* D_p_x_2_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_2; by: length of
-    linkage 2
-* D_p_y_2_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_2; by: length of
-    linkage 2
-* D_p_z_2_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_2; by: length of
-    linkage 2
-* D_p_x_3_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_3; by: length of
-    linkage 2
-* D_p_y_3_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_3; by: length of
-    linkage 2
-* D_p_z_3_by_l_d_2 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_3; by: length of
-    linkage 2
-* D_delta_x_1_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: length
-    of linkage 2
-* D_delta_y_1_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: length
-    of linkage 2
-* D_delta_z_1_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: length
-    of linkage 2
-* D_delta_x_2_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: length
-    of linkage 2
-* D_delta_y_2_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: length
-    of linkage 2
-* D_delta_z_2_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: length
-    of linkage 2
-* D_delta_x_3_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: length
-    of linkage 2
-* D_delta_y_3_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: length
-    of linkage 2
-* D_delta_z_3_by_l_d_2 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: length
-    of linkage 2
-* mu_1_by_l_d_2 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: length of linkage 2
-* mu_2_by_l_d_2 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: length of linkage 2
-* mu_3_by_l_d_2 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: length of linkage 2
-* theta_3_by_l_d_3 [(rad)/(m)]: derivative at a fixed pose of: angle of arm 3; by: length of linkage 3
-* s_3_x_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from arm to platform joint,
-    component x; by: length of linkage 3
-* s_3_y_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from arm to platform joint,
-    component y; by: length of linkage 3
-* s_3_z_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: linkage vector 3, from arm to platform joint,
-    component z; by: length of linkage 3
-* D_p_x_1_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_1; by: length of
-    linkage 3
-* D_p_y_1_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_1; by: length of
-    linkage 3
-* D_p_z_1_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_1; by: length of
-    linkage 3
-* D_p_x_2_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_2; by: length of
-    linkage 3
-* D_p_y_2_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_2; by: length of
-    linkage 3
-* D_p_z_2_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_2; by: length of
-    linkage 3
-* D_p_x_3_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/dtheta_3; by: length of
-    linkage 3
-* D_p_y_3_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/dtheta_3; by: length of
-    linkage 3
-* D_p_z_3_by_l_d_3 [(m)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/dtheta_3; by: length of
-    linkage 3
-* D_delta_x_1_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_1; by: length
-    of linkage 3
-* D_delta_y_1_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_1; by: length
-    of linkage 3
-* D_delta_z_1_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_1; by: length
-    of linkage 3
-* D_delta_x_2_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_2; by: length
-    of linkage 3
-* D_delta_y_2_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_2; by: length
-    of linkage 3
-* D_delta_z_2_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_2; by: length
-    of linkage 3
-* D_delta_x_3_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_x/ddelta_3; by: length
-    of linkage 3
-* D_delta_y_3_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_y/ddelta_3; by: length
-    of linkage 3
-* D_delta_z_3_by_l_d_3 [(1)/(m)]: derivative at a fixed pose of: platform Jacobian, dp_z/ddelta_3; by: length
-    of linkage 3
-* mu_1_by_l_d_3 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 1 divided by its length,
-    positive in compression; by: length of linkage 3
-* mu_2_by_l_d_3 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 2 divided by its length,
-    positive in compression; by: length of linkage 3
-* mu_3_by_l_d_3 [(N/m)/(m)]: derivative at a fixed pose of: static force in linkage 3 divided by its length,
-    positive in compression; by: length of linkage 3
+* X_by_Y [unit of X by unit of Y]: derivative of X by the parameter Y, at a fixed pose
 """
 
 from math import prod
@@ -1218,7 +424,7 @@ def extended_matrices(p, parameters, effects):
     Notes
     -----
     Equations 24 to 48 with the effects' energies; K = K_el + K_g and the joints' stiffnesses.
-    1300 operations; 10153161 with every named value written out.
+    1282 operations; 10153161 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -1379,31 +585,13 @@ def extended_matrices(p, parameters, effects):
     D_delta_z_2 = l_d_2*t33
     D_delta_z_3 = l_d_3*t34
     U_1_x_1 = D_p_x_1 - t16
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - t17
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - t18
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - t19
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - t20
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - t21
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - t22
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - t23
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - t24
     I_1 = I_G + I_m_1*i_g_1**2
     I_2 = I_G + I_m_2*i_g_2**2
@@ -1440,434 +628,302 @@ def extended_matrices(p, parameters, effects):
     t58 = t19*t57
     t59 = t20*t57
     t60 = t21*t57
-    t61 = D_p_x_1*t58 + D_p_x_2*t52 + D_p_y_1*t59 + D_p_y_2*t54 + D_p_z_1*t60 + D_p_z_2*t56
-    t62 = (1/6)*m_d_3
-    t63 = t22*t62
-    t64 = t23*t62
-    t65 = t24*t62
-    t66 = D_p_x_1*t63 + D_p_x_3*t52 + D_p_y_1*t64 + D_p_y_3*t54 + D_p_z_1*t65 + D_p_z_3*t56
-    t67 = D_delta_x_1*t52 + D_delta_y_1*t54 + D_delta_z_1*t56
-    t68 = D_delta_x_2*t52 + D_delta_y_2*t54 + D_delta_z_2*t56
-    t69 = D_delta_x_3*t52 + D_delta_y_3*t54 + D_delta_z_3*t56
-    t70 = m_a_1*r_a_1
-    t71 = t44 + t57 + t62
-    t72 = D_p_x_1*t71 + t16*t35 + t51 + t70*t_1_x
-    t73 = D_p_y_1*t71 + t17*t35 + t53 + t70*t_1_y
-    t74 = D_p_z_1*t71 + t18*t35 + t55 + t70*t_1_z
-    t75 = D_p_x_2*t50
-    t76 = t58 + t75
-    t77 = D_p_y_2*t50
-    t78 = t59 + t77
-    t79 = D_p_z_2*t50
-    t80 = t60 + t79
-    t81 = D_p_x_2*t63 + D_p_x_3*t76 + D_p_y_2*t64 + D_p_y_3*t78 + D_p_z_2*t65 + D_p_z_3*t80
-    t82 = D_delta_x_1*t76 + D_delta_y_1*t78 + D_delta_z_1*t80
-    t83 = D_delta_x_2*t76 + D_delta_y_2*t78 + D_delta_z_2*t80
-    t84 = D_delta_x_3*t76 + D_delta_y_3*t78 + D_delta_z_3*t80
-    t85 = m_a_2*r_a_2
-    t86 = D_p_x_2*t71 + t19*t36 + t75 + t85*t_2_x
-    t87 = D_p_y_2*t71 + t20*t36 + t77 + t85*t_2_y
-    t88 = D_p_z_2*t71 + t21*t36 + t79 + t85*t_2_z
-    t89 = D_p_x_3*t50
-    t90 = t63 + t89
-    t91 = D_p_y_3*t50
-    t92 = t64 + t91
-    t93 = D_p_z_3*t50
-    t94 = t65 + t93
-    t95 = D_delta_x_1*t90 + D_delta_y_1*t92 + D_delta_z_1*t94
-    t96 = D_delta_x_2*t90 + D_delta_y_2*t92 + D_delta_z_2*t94
-    t97 = D_delta_x_3*t90 + D_delta_y_3*t92 + D_delta_z_3*t94
-    t98 = m_a_3*r_a_3
-    t99 = D_p_x_3*t71 + t22*t37 + t89 + t98*t_3_x
-    t100 = D_p_y_3*t71 + t23*t37 + t91 + t98*t_3_y
-    t101 = D_p_z_3*t71 + t24*t37 + t93 + t98*t_3_z
-    t102 = D_delta_x_1**2
-    t103 = D_delta_y_1**2
-    t104 = D_delta_z_1**2
-    t105 = D_delta_x_1*t50
-    t106 = D_delta_y_1*t50
-    t107 = D_delta_z_1*t50
-    t108 = D_delta_x_2*t105 + D_delta_y_2*t106 + D_delta_z_2*t107
-    t109 = D_delta_x_3*t105 + D_delta_y_3*t106 + D_delta_z_3*t107
-    t110 = D_delta_x_1*t71 + t105
-    t111 = D_delta_y_1*t71 + t106
-    t112 = D_delta_z_1*t71 + t107
-    t113 = D_delta_x_2**2
-    t114 = D_delta_y_2**2
-    t115 = D_delta_z_2**2
-    t116 = D_delta_x_2*t50
-    t117 = D_delta_y_2*t50
-    t118 = D_delta_z_2*t50
-    t119 = D_delta_x_3*t116 + D_delta_y_3*t117 + D_delta_z_3*t118
-    t120 = D_delta_x_2*t71 + t116
-    t121 = D_delta_y_2*t71 + t117
-    t122 = D_delta_z_2*t71 + t118
-    t123 = D_delta_x_3**2
-    t124 = D_delta_y_3**2
-    t125 = D_delta_z_3**2
-    t126 = D_delta_x_3*t50 + D_delta_x_3*t71
-    t127 = D_delta_y_3*t50 + D_delta_y_3*t71
-    t128 = D_delta_z_3*t50 + D_delta_z_3*t71
-    t129 = m_F + m_a_1 + m_a_2 + m_a_3 + m_d_1 + m_d_2 + m_d_3 + t38
-    t130 = D_p_x_1*k_C
-    t131 = D_p_y_1*k_C
-    t132 = D_p_z_1*k_C
-    t133 = D_p_x_2*t130 + D_p_y_2*t131 + D_p_z_2*t132
-    t134 = D_p_x_3*t130 + D_p_y_3*t131 + D_p_z_3*t132
-    t135 = D_delta_x_1*t130 + D_delta_y_1*t131 + D_delta_z_1*t132
-    t136 = D_delta_x_2*t130 + D_delta_y_2*t131 + D_delta_z_2*t132
-    t137 = D_delta_x_3*t130 + D_delta_y_3*t131 + D_delta_z_3*t132
-    t138 = D_p_x_2*k_C
-    t139 = D_p_y_2*k_C
-    t140 = D_p_z_2*k_C
-    t141 = D_p_x_3*t138 + D_p_y_3*t139 + D_p_z_3*t140
-    t142 = D_delta_x_1*t138 + D_delta_y_1*t139 + D_delta_z_1*t140
-    t143 = D_delta_x_2*t138 + D_delta_y_2*t139 + D_delta_z_2*t140
-    t144 = D_delta_x_3*t138 + D_delta_y_3*t139 + D_delta_z_3*t140
-    t145 = D_p_x_3*k_C
-    t146 = D_p_y_3*k_C
-    t147 = D_p_z_3*k_C
-    t148 = D_delta_x_1*t145 + D_delta_y_1*t146 + D_delta_z_1*t147
-    t149 = D_delta_x_2*t145 + D_delta_y_2*t146 + D_delta_z_2*t147
-    t150 = D_delta_x_3*t145 + D_delta_y_3*t146 + D_delta_z_3*t147
-    t151 = D_delta_x_1*k_C
-    t152 = D_delta_y_1*k_C
-    t153 = D_delta_z_1*k_C
-    t154 = D_delta_x_2*t151 + D_delta_y_2*t152 + D_delta_z_2*t153
-    t155 = D_delta_x_3*t151 + D_delta_y_3*t152 + D_delta_z_3*t153
-    t156 = D_delta_x_2*k_C
-    t157 = D_delta_y_2*k_C
-    t158 = D_delta_z_2*k_C
-    t159 = D_delta_x_3*t156 + D_delta_y_3*t157 + D_delta_z_3*t158
-    t160 = D_delta_x_3*k_C
-    t161 = D_delta_y_3*k_C
-    t162 = D_delta_z_3*k_C
-    t163 = L_a_1*t35 + t70
-    t164 = U_1_x_1*mu_1
-    t165 = U_1_y_1*mu_1
-    t166 = U_1_z_1*mu_1
-    t167 = U_2_x_1*mu_2
-    t168 = U_2_y_1*mu_2
-    t169 = U_2_z_1*mu_2
-    t170 = U_3_x_1*mu_3
-    t171 = U_3_y_1*mu_3
-    t172 = U_3_z_1*mu_3
-    t173 = (
-        -U_1_x_2*t164 - U_1_y_2*t165 - U_1_z_2*t166 - U_2_x_2*t167 - U_2_y_2*t168 - U_2_z_2*t169
-        - U_3_x_2*t170 - U_3_y_2*t171 - U_3_z_2*t172
-    )
-    t174 = (
-        -U_1_x_3*t164 - U_1_y_3*t165 - U_1_z_3*t166 - U_2_x_3*t167 - U_2_y_3*t168 - U_2_z_3*t169
-        - U_3_x_3*t170 - U_3_y_3*t171 - U_3_z_3*t172
-    )
-    t175 = (
-        -D_delta_x_1*t164 - D_delta_x_1*t167 - D_delta_x_1*t170 - D_delta_y_1*t165 - D_delta_y_1*t168
-        - D_delta_y_1*t171 - D_delta_z_1*t166 - D_delta_z_1*t169 - D_delta_z_1*t172
-    )
-    t176 = (
-        -D_delta_x_2*t164 - D_delta_x_2*t167 - D_delta_x_2*t170 - D_delta_y_2*t165 - D_delta_y_2*t168
-        - D_delta_y_2*t171 - D_delta_z_2*t166 - D_delta_z_2*t169 - D_delta_z_2*t172
-    )
-    t177 = (
-        -D_delta_x_3*t164 - D_delta_x_3*t167 - D_delta_x_3*t170 - D_delta_y_3*t165 - D_delta_y_3*t168
-        - D_delta_y_3*t171 - D_delta_z_3*t166 - D_delta_z_3*t169 - D_delta_z_3*t172
-    )
-    t178 = L_a_2*t36 + t85
-    t179 = U_1_x_2*mu_1
-    t180 = U_1_y_2*mu_1
-    t181 = U_1_z_2*mu_1
-    t182 = U_2_x_2*mu_2
-    t183 = U_2_y_2*mu_2
-    t184 = U_2_z_2*mu_2
-    t185 = U_3_x_2*mu_3
-    t186 = U_3_y_2*mu_3
-    t187 = U_3_z_2*mu_3
-    t188 = (
-        -U_1_x_3*t179 - U_1_y_3*t180 - U_1_z_3*t181 - U_2_x_3*t182 - U_2_y_3*t183 - U_2_z_3*t184
-        - U_3_x_3*t185 - U_3_y_3*t186 - U_3_z_3*t187
-    )
-    t189 = (
-        -D_delta_x_1*t179 - D_delta_x_1*t182 - D_delta_x_1*t185 - D_delta_y_1*t180 - D_delta_y_1*t183
-        - D_delta_y_1*t186 - D_delta_z_1*t181 - D_delta_z_1*t184 - D_delta_z_1*t187
-    )
-    t190 = (
-        -D_delta_x_2*t179 - D_delta_x_2*t182 - D_delta_x_2*t185 - D_delta_y_2*t180 - D_delta_y_2*t183
-        - D_delta_y_2*t186 - D_delta_z_2*t181 - D_delta_z_2*t184 - D_delta_z_2*t187
-    )
-    t191 = (
-        -D_delta_x_3*t179 - D_delta_x_3*t182 - D_delta_x_3*t185 - D_delta_y_3*t180 - D_delta_y_3*t183
-        - D_delta_y_3*t186 - D_delta_z_3*t181 - D_delta_z_3*t184 - D_delta_z_3*t187
-    )
-    t192 = L_a_3*t37 + t98
-    t193 = U_1_x_3*mu_1
-    t194 = U_2_x_3*mu_2
-    t195 = U_3_x_3*mu_3
-    t196 = U_1_y_3*mu_1
-    t197 = U_2_y_3*mu_2
-    t198 = U_3_y_3*mu_3
-    t199 = U_1_z_3*mu_1
-    t200 = U_2_z_3*mu_2
-    t201 = U_3_z_3*mu_3
-    t202 = (
-        -D_delta_x_1*t193 - D_delta_x_1*t194 - D_delta_x_1*t195 - D_delta_y_1*t196 - D_delta_y_1*t197
-        - D_delta_y_1*t198 - D_delta_z_1*t199 - D_delta_z_1*t200 - D_delta_z_1*t201
-    )
-    t203 = (
-        -D_delta_x_2*t193 - D_delta_x_2*t194 - D_delta_x_2*t195 - D_delta_y_2*t196 - D_delta_y_2*t197
-        - D_delta_y_2*t198 - D_delta_z_2*t199 - D_delta_z_2*t200 - D_delta_z_2*t201
-    )
-    t204 = (
-        -D_delta_x_3*t193 - D_delta_x_3*t194 - D_delta_x_3*t195 - D_delta_y_3*t196 - D_delta_y_3*t197
-        - D_delta_y_3*t198 - D_delta_z_3*t199 - D_delta_z_3*t200 - D_delta_z_3*t201
-    )
-    t205 = D_delta_x_1*D_delta_x_2
-    t206 = D_delta_y_1*D_delta_y_2
-    t207 = D_delta_z_1*D_delta_z_2
-    t208 = (
-        -mu_1*t205 - mu_1*t206 - mu_1*t207 - mu_2*t205 - mu_2*t206 - mu_2*t207 - mu_3*t205 - mu_3*t206
-        - mu_3*t207
-    )
-    t209 = D_delta_x_1*D_delta_x_3
-    t210 = D_delta_y_1*D_delta_y_3
-    t211 = D_delta_z_1*D_delta_z_3
-    t212 = (
-        -mu_1*t209 - mu_1*t210 - mu_1*t211 - mu_2*t209 - mu_2*t210 - mu_2*t211 - mu_3*t209 - mu_3*t210
-        - mu_3*t211
-    )
-    t213 = D_delta_x_2*D_delta_x_3
-    t214 = D_delta_y_2*D_delta_y_3
-    t215 = D_delta_z_2*D_delta_z_3
-    t216 = (
-        -mu_1*t213 - mu_1*t214 - mu_1*t215 - mu_2*t213 - mu_2*t214 - mu_2*t215 - mu_3*t213 - mu_3*t214
-        - mu_3*t215
-    )
+    t61 = (1/6)*m_d_3
+    t62 = t22*t61
+    t63 = t23*t61
+    t64 = t24*t61
+    t65 = m_a_1*r_a_1
+    t66 = t44 + t57 + t61
+    t67 = D_p_x_2*t50
+    t68 = t58 + t67
+    t69 = D_p_y_2*t50
+    t70 = t59 + t69
+    t71 = D_p_z_2*t50
+    t72 = t60 + t71
+    t73 = m_a_2*r_a_2
+    t74 = D_p_x_3*t50
+    t75 = t62 + t74
+    t76 = D_p_y_3*t50
+    t77 = t63 + t76
+    t78 = D_p_z_3*t50
+    t79 = t64 + t78
+    t80 = m_a_3*r_a_3
+    t81 = D_delta_x_1**2
+    t82 = D_delta_y_1**2
+    t83 = D_delta_z_1**2
+    t84 = D_delta_x_1*t50
+    t85 = D_delta_y_1*t50
+    t86 = D_delta_z_1*t50
+    t87 = D_delta_x_2**2
+    t88 = D_delta_y_2**2
+    t89 = D_delta_z_2**2
+    t90 = D_delta_x_2*t50
+    t91 = D_delta_y_2*t50
+    t92 = D_delta_z_2*t50
+    t93 = D_delta_x_3**2
+    t94 = D_delta_y_3**2
+    t95 = D_delta_z_3**2
+    t96 = m_F + m_a_1 + m_a_2 + m_a_3 + m_d_1 + m_d_2 + m_d_3 + t38
+    t97 = D_p_x_1**2
+    t98 = D_p_y_1**2
+    t99 = D_p_z_1**2
+    t100 = D_p_y_1*k_C
+    t101 = D_p_z_1*k_C
+    t102 = D_p_x_1*k_C
+    t103 = D_p_x_2**2
+    t104 = D_p_y_2**2
+    t105 = D_p_z_2**2
+    t106 = D_p_x_2*k_C
+    t107 = D_p_y_2*k_C
+    t108 = D_p_z_2*k_C
+    t109 = D_p_x_3**2
+    t110 = D_p_y_3**2
+    t111 = D_p_z_3**2
+    t112 = D_p_x_3*k_C
+    t113 = D_p_y_3*k_C
+    t114 = D_p_z_3*k_C
+    t115 = D_delta_x_1*k_C
+    t116 = D_delta_y_1*k_C
+    t117 = D_delta_z_1*k_C
+    t118 = D_delta_x_2*k_C
+    t119 = D_delta_y_2*k_C
+    t120 = D_delta_z_2*k_C
+    t121 = L_a_1*t35 + t65
+    t122 = D_p_x_1*mu_3
+    t123 = D_p_x_1*mu_2
+    t124 = U_1_x_1*mu_1
+    t125 = D_p_y_1*mu_3
+    t126 = D_p_y_1*mu_2
+    t127 = U_1_y_1*mu_1
+    t128 = D_p_z_1*mu_3
+    t129 = D_p_z_1*mu_2
+    t130 = U_1_z_1*mu_1
+    t131 = L_a_2*t36 + t73
+    t132 = D_p_x_2*mu_1
+    t133 = D_p_x_2*mu_3
+    t134 = U_2_x_2*mu_2
+    t135 = D_p_y_2*mu_1
+    t136 = D_p_y_2*mu_3
+    t137 = U_2_y_2*mu_2
+    t138 = D_p_z_2*mu_1
+    t139 = D_p_z_2*mu_3
+    t140 = U_2_z_2*mu_2
+    t141 = L_a_3*t37 + t80
+    t142 = D_delta_x_1*D_p_x_3
+    t143 = U_3_x_3*mu_3
+    t144 = D_delta_y_1*D_p_y_3
+    t145 = U_3_y_3*mu_3
+    t146 = D_delta_z_1*D_p_z_3
+    t147 = U_3_z_3*mu_3
+    t148 = D_delta_x_2*D_p_x_3
+    t149 = D_delta_y_2*D_p_y_3
+    t150 = D_delta_z_2*D_p_z_3
+    t151 = D_delta_x_3*D_p_x_3
+    t152 = D_delta_y_3*D_p_y_3
+    t153 = D_delta_z_3*D_p_z_3
+    t154 = D_delta_x_1*D_delta_x_2
+    t155 = D_delta_y_1*D_delta_y_2
+    t156 = D_delta_z_1*D_delta_z_2
+    t157 = D_delta_x_1*D_delta_x_3
+    t158 = D_delta_y_1*D_delta_y_3
+    t159 = D_delta_z_1*D_delta_z_3
+    t160 = D_delta_x_2*D_delta_x_3
+    t161 = D_delta_y_2*D_delta_y_3
+    t162 = D_delta_z_2*D_delta_z_3
     M_out = np.zeros((*batch, 12, 12), dtype)
     M_out[..., 0, 0] = (
         D_p_x_1*t45 + D_p_x_1*t52 + D_p_y_1*t46 + D_p_y_1*t54 + D_p_z_1*t47 + D_p_z_1*t56 + I_a_1 + t1*t43
     )
-    M_out[..., 0, 1] = t61
-    M_out[..., 0, 2] = t66
-    M_out[..., 0, 6] = t67
-    M_out[..., 0, 7] = t68
-    M_out[..., 0, 8] = t69
-    M_out[..., 0, 9] = t72
-    M_out[..., 0, 10] = t73
-    M_out[..., 0, 11] = t74
-    M_out[..., 1, 0] = t61
+    M_out[..., 0, 1] = M_out[..., 1, 0] = (
+        D_p_x_1*t58 + D_p_x_2*t52 + D_p_y_1*t59 + D_p_y_2*t54 + D_p_z_1*t60 + D_p_z_2*t56
+    )
+    M_out[..., 0, 2] = M_out[..., 2, 0] = (
+        D_p_x_1*t62 + D_p_x_3*t52 + D_p_y_1*t63 + D_p_y_3*t54 + D_p_z_1*t64 + D_p_z_3*t56
+    )
+    M_out[..., 0, 6] = M_out[..., 6, 0] = D_delta_x_1*t52 + D_delta_y_1*t54 + D_delta_z_1*t56
+    M_out[..., 0, 7] = M_out[..., 7, 0] = D_delta_x_2*t52 + D_delta_y_2*t54 + D_delta_z_2*t56
+    M_out[..., 0, 8] = M_out[..., 8, 0] = D_delta_x_3*t52 + D_delta_y_3*t54 + D_delta_z_3*t56
+    M_out[..., 0, 9] = M_out[..., 9, 0] = D_p_x_1*t66 + t16*t35 + t51 + t65*t_1_x
+    M_out[..., 0, 10] = M_out[..., 10, 0] = D_p_y_1*t66 + t17*t35 + t53 + t65*t_1_y
+    M_out[..., 0, 11] = M_out[..., 11, 0] = D_p_z_1*t66 + t18*t35 + t55 + t65*t_1_z
     M_out[..., 1, 1] = (
-        D_p_x_2*t58 + D_p_x_2*t76 + D_p_y_2*t59 + D_p_y_2*t78 + D_p_z_2*t60 + D_p_z_2*t80 + I_a_2 + t3*t48
+        D_p_x_2*t58 + D_p_x_2*t68 + D_p_y_2*t59 + D_p_y_2*t70 + D_p_z_2*t60 + D_p_z_2*t72 + I_a_2 + t3*t48
     )
-    M_out[..., 1, 2] = t81
-    M_out[..., 1, 6] = t82
-    M_out[..., 1, 7] = t83
-    M_out[..., 1, 8] = t84
-    M_out[..., 1, 9] = t86
-    M_out[..., 1, 10] = t87
-    M_out[..., 1, 11] = t88
-    M_out[..., 2, 0] = t66
-    M_out[..., 2, 1] = t81
+    M_out[..., 1, 2] = M_out[..., 2, 1] = (
+        D_p_x_2*t62 + D_p_x_3*t68 + D_p_y_2*t63 + D_p_y_3*t70 + D_p_z_2*t64 + D_p_z_3*t72
+    )
+    M_out[..., 1, 6] = M_out[..., 6, 1] = D_delta_x_1*t68 + D_delta_y_1*t70 + D_delta_z_1*t72
+    M_out[..., 1, 7] = M_out[..., 7, 1] = D_delta_x_2*t68 + D_delta_y_2*t70 + D_delta_z_2*t72
+    M_out[..., 1, 8] = M_out[..., 8, 1] = D_delta_x_3*t68 + D_delta_y_3*t70 + D_delta_z_3*t72
+    M_out[..., 1, 9] = M_out[..., 9, 1] = D_p_x_2*t66 + t19*t36 + t67 + t73*t_2_x
+    M_out[..., 1, 10] = M_out[..., 10, 1] = D_p_y_2*t66 + t20*t36 + t69 + t73*t_2_y
+    M_out[..., 1, 11] = M_out[..., 11, 1] = D_p_z_2*t66 + t21*t36 + t71 + t73*t_2_z
     M_out[..., 2, 2] = (
-        D_p_x_3*t63 + D_p_x_3*t90 + D_p_y_3*t64 + D_p_y_3*t92 + D_p_z_3*t65 + D_p_z_3*t94 + I_a_3 + t49*t5
+        D_p_x_3*t62 + D_p_x_3*t75 + D_p_y_3*t63 + D_p_y_3*t77 + D_p_z_3*t64 + D_p_z_3*t79 + I_a_3 + t49*t5
     )
-    M_out[..., 2, 6] = t95
-    M_out[..., 2, 7] = t96
-    M_out[..., 2, 8] = t97
-    M_out[..., 2, 9] = t99
-    M_out[..., 2, 10] = t100
-    M_out[..., 2, 11] = t101
+    M_out[..., 2, 6] = M_out[..., 6, 2] = D_delta_x_1*t75 + D_delta_y_1*t77 + D_delta_z_1*t79
+    M_out[..., 2, 7] = M_out[..., 7, 2] = D_delta_x_2*t75 + D_delta_y_2*t77 + D_delta_z_2*t79
+    M_out[..., 2, 8] = M_out[..., 8, 2] = D_delta_x_3*t75 + D_delta_y_3*t77 + D_delta_z_3*t79
+    M_out[..., 2, 9] = M_out[..., 9, 2] = D_p_x_3*t66 + t22*t37 + t74 + t80*t_3_x
+    M_out[..., 2, 10] = M_out[..., 10, 2] = D_p_y_3*t66 + t23*t37 + t76 + t80*t_3_y
+    M_out[..., 2, 11] = M_out[..., 11, 2] = D_p_z_3*t66 + t24*t37 + t78 + t80*t_3_z
     M_out[..., 3, 3] = I_1
     M_out[..., 4, 4] = I_2
     M_out[..., 5, 5] = I_3
-    M_out[..., 6, 0] = t67
-    M_out[..., 6, 1] = t82
-    M_out[..., 6, 2] = t95
-    M_out[..., 6, 6] = t102*t50 + t103*t50 + t104*t50
-    M_out[..., 6, 7] = t108
-    M_out[..., 6, 8] = t109
-    M_out[..., 6, 9] = t110
-    M_out[..., 6, 10] = t111
-    M_out[..., 6, 11] = t112
-    M_out[..., 7, 0] = t68
-    M_out[..., 7, 1] = t83
-    M_out[..., 7, 2] = t96
-    M_out[..., 7, 6] = t108
-    M_out[..., 7, 7] = t113*t50 + t114*t50 + t115*t50
-    M_out[..., 7, 8] = t119
-    M_out[..., 7, 9] = t120
-    M_out[..., 7, 10] = t121
-    M_out[..., 7, 11] = t122
-    M_out[..., 8, 0] = t69
-    M_out[..., 8, 1] = t84
-    M_out[..., 8, 2] = t97
-    M_out[..., 8, 6] = t109
-    M_out[..., 8, 7] = t119
-    M_out[..., 8, 8] = t123*t50 + t124*t50 + t125*t50
-    M_out[..., 8, 9] = t126
-    M_out[..., 8, 10] = t127
-    M_out[..., 8, 11] = t128
-    M_out[..., 9, 0] = t72
-    M_out[..., 9, 1] = t86
-    M_out[..., 9, 2] = t99
-    M_out[..., 9, 6] = t110
-    M_out[..., 9, 7] = t120
-    M_out[..., 9, 8] = t126
-    M_out[..., 9, 9] = t129
-    M_out[..., 10, 0] = t73
-    M_out[..., 10, 1] = t87
-    M_out[..., 10, 2] = t100
-    M_out[..., 10, 6] = t111
-    M_out[..., 10, 7] = t121
-    M_out[..., 10, 8] = t127
-    M_out[..., 10, 10] = t129
-    M_out[..., 11, 0] = t74
-    M_out[..., 11, 1] = t88
-    M_out[..., 11, 2] = t101
-    M_out[..., 11, 6] = t112
-    M_out[..., 11, 7] = t122
-    M_out[..., 11, 8] = t128
-    M_out[..., 11, 11] = t129
+    M_out[..., 6, 6] = t50*t81 + t50*t82 + t50*t83
+    M_out[..., 6, 7] = M_out[..., 7, 6] = D_delta_x_2*t84 + D_delta_y_2*t85 + D_delta_z_2*t86
+    M_out[..., 6, 8] = M_out[..., 8, 6] = D_delta_x_3*t84 + D_delta_y_3*t85 + D_delta_z_3*t86
+    M_out[..., 6, 9] = M_out[..., 9, 6] = D_delta_x_1*t66 + t84
+    M_out[..., 6, 10] = M_out[..., 10, 6] = D_delta_y_1*t66 + t85
+    M_out[..., 6, 11] = M_out[..., 11, 6] = D_delta_z_1*t66 + t86
+    M_out[..., 7, 7] = t50*t87 + t50*t88 + t50*t89
+    M_out[..., 7, 8] = M_out[..., 8, 7] = D_delta_x_3*t90 + D_delta_y_3*t91 + D_delta_z_3*t92
+    M_out[..., 7, 9] = M_out[..., 9, 7] = D_delta_x_2*t66 + t90
+    M_out[..., 7, 10] = M_out[..., 10, 7] = D_delta_y_2*t66 + t91
+    M_out[..., 7, 11] = M_out[..., 11, 7] = D_delta_z_2*t66 + t92
+    M_out[..., 8, 8] = t50*t93 + t50*t94 + t50*t95
+    M_out[..., 8, 9] = M_out[..., 9, 8] = D_delta_x_3*t50 + D_delta_x_3*t66
+    M_out[..., 8, 10] = M_out[..., 10, 8] = D_delta_y_3*t50 + D_delta_y_3*t66
+    M_out[..., 8, 11] = M_out[..., 11, 8] = D_delta_z_3*t50 + D_delta_z_3*t66
+    M_out[..., 9, 9] = t96
+    M_out[..., 10, 10] = t96
+    M_out[..., 11, 11] = t96
     K_el_out = np.zeros((*batch, 12, 12), dtype)
-    K_el_out[..., 0, 0] = D_p_x_1**2*k_C + D_p_y_1**2*k_C + D_p_z_1**2*k_C + k_1
-    K_el_out[..., 0, 1] = t133
-    K_el_out[..., 0, 2] = t134
-    K_el_out[..., 0, 3] = -k_1
-    K_el_out[..., 0, 6] = t135
-    K_el_out[..., 0, 7] = t136
-    K_el_out[..., 0, 8] = t137
-    K_el_out[..., 0, 9] = t130
-    K_el_out[..., 0, 10] = t131
-    K_el_out[..., 0, 11] = t132
-    K_el_out[..., 1, 0] = t133
-    K_el_out[..., 1, 1] = D_p_x_2**2*k_C + D_p_y_2**2*k_C + D_p_z_2**2*k_C + k_2
-    K_el_out[..., 1, 2] = t141
-    K_el_out[..., 1, 4] = -k_2
-    K_el_out[..., 1, 6] = t142
-    K_el_out[..., 1, 7] = t143
-    K_el_out[..., 1, 8] = t144
-    K_el_out[..., 1, 9] = t138
-    K_el_out[..., 1, 10] = t139
-    K_el_out[..., 1, 11] = t140
-    K_el_out[..., 2, 0] = t134
-    K_el_out[..., 2, 1] = t141
-    K_el_out[..., 2, 2] = D_p_x_3**2*k_C + D_p_y_3**2*k_C + D_p_z_3**2*k_C + k_3
-    K_el_out[..., 2, 5] = -k_3
-    K_el_out[..., 2, 6] = t148
-    K_el_out[..., 2, 7] = t149
-    K_el_out[..., 2, 8] = t150
-    K_el_out[..., 2, 9] = t145
-    K_el_out[..., 2, 10] = t146
-    K_el_out[..., 2, 11] = t147
-    K_el_out[..., 3, 0] = -k_1
+    K_el_out[..., 0, 0] = k_1 + k_C*t97 + k_C*t98 + k_C*t99
+    K_el_out[..., 0, 1] = K_el_out[..., 1, 0] = D_p_x_2*t102 + D_p_y_2*t100 + D_p_z_2*t101
+    K_el_out[..., 0, 2] = K_el_out[..., 2, 0] = D_p_x_3*t102 + D_p_y_3*t100 + D_p_z_3*t101
+    K_el_out[..., 0, 3] = K_el_out[..., 3, 0] = -k_1
+    K_el_out[..., 0, 6] = K_el_out[..., 6, 0] = D_delta_x_1*t102 + D_delta_y_1*t100 + D_delta_z_1*t101
+    K_el_out[..., 0, 7] = K_el_out[..., 7, 0] = D_delta_x_2*t102 + D_delta_y_2*t100 + D_delta_z_2*t101
+    K_el_out[..., 0, 8] = K_el_out[..., 8, 0] = D_delta_x_3*t102 + D_delta_y_3*t100 + D_delta_z_3*t101
+    K_el_out[..., 0, 9] = K_el_out[..., 9, 0] = t102
+    K_el_out[..., 0, 10] = K_el_out[..., 10, 0] = t100
+    K_el_out[..., 0, 11] = K_el_out[..., 11, 0] = t101
+    K_el_out[..., 1, 1] = k_2 + k_C*t103 + k_C*t104 + k_C*t105
+    K_el_out[..., 1, 2] = K_el_out[..., 2, 1] = D_p_x_3*t106 + D_p_y_3*t107 + D_p_z_3*t108
+    K_el_out[..., 1, 4] = K_el_out[..., 4, 1] = -k_2
+    K_el_out[..., 1, 6] = K_el_out[..., 6, 1] = D_delta_x_1*t106 + D_delta_y_1*t107 + D_delta_z_1*t108
+    K_el_out[..., 1, 7] = K_el_out[..., 7, 1] = D_delta_x_2*t106 + D_delta_y_2*t107 + D_delta_z_2*t108
+    K_el_out[..., 1, 8] = K_el_out[..., 8, 1] = D_delta_x_3*t106 + D_delta_y_3*t107 + D_delta_z_3*t108
+    K_el_out[..., 1, 9] = K_el_out[..., 9, 1] = t106
+    K_el_out[..., 1, 10] = K_el_out[..., 10, 1] = t107
+    K_el_out[..., 1, 11] = K_el_out[..., 11, 1] = t108
+    K_el_out[..., 2, 2] = k_3 + k_C*t109 + k_C*t110 + k_C*t111
+    K_el_out[..., 2, 5] = K_el_out[..., 5, 2] = -k_3
+    K_el_out[..., 2, 6] = K_el_out[..., 6, 2] = D_delta_x_1*t112 + D_delta_y_1*t113 + D_delta_z_1*t114
+    K_el_out[..., 2, 7] = K_el_out[..., 7, 2] = D_delta_x_2*t112 + D_delta_y_2*t113 + D_delta_z_2*t114
+    K_el_out[..., 2, 8] = K_el_out[..., 8, 2] = D_delta_x_3*t112 + D_delta_y_3*t113 + D_delta_z_3*t114
+    K_el_out[..., 2, 9] = K_el_out[..., 9, 2] = t112
+    K_el_out[..., 2, 10] = K_el_out[..., 10, 2] = t113
+    K_el_out[..., 2, 11] = K_el_out[..., 11, 2] = t114
     K_el_out[..., 3, 3] = k_1 + k_S
-    K_el_out[..., 4, 1] = -k_2
     K_el_out[..., 4, 4] = k_2 + k_S
-    K_el_out[..., 5, 2] = -k_3
     K_el_out[..., 5, 5] = k_3 + k_S
-    K_el_out[..., 6, 0] = t135
-    K_el_out[..., 6, 1] = t142
-    K_el_out[..., 6, 2] = t148
-    K_el_out[..., 6, 6] = k_C*t102 + k_C*t103 + k_C*t104
-    K_el_out[..., 6, 7] = t154
-    K_el_out[..., 6, 8] = t155
-    K_el_out[..., 6, 9] = t151
-    K_el_out[..., 6, 10] = t152
-    K_el_out[..., 6, 11] = t153
-    K_el_out[..., 7, 0] = t136
-    K_el_out[..., 7, 1] = t143
-    K_el_out[..., 7, 2] = t149
-    K_el_out[..., 7, 6] = t154
-    K_el_out[..., 7, 7] = k_C*t113 + k_C*t114 + k_C*t115
-    K_el_out[..., 7, 8] = t159
-    K_el_out[..., 7, 9] = t156
-    K_el_out[..., 7, 10] = t157
-    K_el_out[..., 7, 11] = t158
-    K_el_out[..., 8, 0] = t137
-    K_el_out[..., 8, 1] = t144
-    K_el_out[..., 8, 2] = t150
-    K_el_out[..., 8, 6] = t155
-    K_el_out[..., 8, 7] = t159
-    K_el_out[..., 8, 8] = k_C*t123 + k_C*t124 + k_C*t125
-    K_el_out[..., 8, 9] = t160
-    K_el_out[..., 8, 10] = t161
-    K_el_out[..., 8, 11] = t162
-    K_el_out[..., 9, 0] = t130
-    K_el_out[..., 9, 1] = t138
-    K_el_out[..., 9, 2] = t145
-    K_el_out[..., 9, 6] = t151
-    K_el_out[..., 9, 7] = t156
-    K_el_out[..., 9, 8] = t160
+    K_el_out[..., 6, 6] = k_C*t81 + k_C*t82 + k_C*t83
+    K_el_out[..., 6, 7] = K_el_out[..., 7, 6] = D_delta_x_2*t115 + D_delta_y_2*t116 + D_delta_z_2*t117
+    K_el_out[..., 6, 8] = K_el_out[..., 8, 6] = D_delta_x_3*t115 + D_delta_y_3*t116 + D_delta_z_3*t117
+    K_el_out[..., 6, 9] = K_el_out[..., 9, 6] = t115
+    K_el_out[..., 6, 10] = K_el_out[..., 10, 6] = t116
+    K_el_out[..., 6, 11] = K_el_out[..., 11, 6] = t117
+    K_el_out[..., 7, 7] = k_C*t87 + k_C*t88 + k_C*t89
+    K_el_out[..., 7, 8] = K_el_out[..., 8, 7] = D_delta_x_3*t118 + D_delta_y_3*t119 + D_delta_z_3*t120
+    K_el_out[..., 7, 9] = K_el_out[..., 9, 7] = t118
+    K_el_out[..., 7, 10] = K_el_out[..., 10, 7] = t119
+    K_el_out[..., 7, 11] = K_el_out[..., 11, 7] = t120
+    K_el_out[..., 8, 8] = k_C*t93 + k_C*t94 + k_C*t95
+    K_el_out[..., 8, 9] = K_el_out[..., 9, 8] = D_delta_x_3*k_C
+    K_el_out[..., 8, 10] = K_el_out[..., 10, 8] = D_delta_y_3*k_C
+    K_el_out[..., 8, 11] = K_el_out[..., 11, 8] = D_delta_z_3*k_C
     K_el_out[..., 9, 9] = k_C
-    K_el_out[..., 10, 0] = t131
-    K_el_out[..., 10, 1] = t139
-    K_el_out[..., 10, 2] = t146
-    K_el_out[..., 10, 6] = t152
-    K_el_out[..., 10, 7] = t157
-    K_el_out[..., 10, 8] = t161
     K_el_out[..., 10, 10] = k_C
-    K_el_out[..., 11, 0] = t132
-    K_el_out[..., 11, 1] = t140
-    K_el_out[..., 11, 2] = t147
-    K_el_out[..., 11, 6] = t153
-    K_el_out[..., 11, 7] = t158
-    K_el_out[..., 11, 8] = t162
     K_el_out[..., 11, 11] = k_C
     K_g_out = np.zeros((*batch, 12, 12), dtype)
     K_g_out[..., 0, 0] = (
-        -U_1_x_1**2*mu_1 - U_1_y_1**2*mu_1 - U_1_z_1**2*mu_1 - U_2_x_1**2*mu_2 - U_2_y_1**2*mu_2
-        - U_2_z_1**2*mu_2 - U_3_x_1**2*mu_3 - U_3_y_1**2*mu_3 - U_3_z_1**2*mu_3 + d_1_x*g_x*t163
-        + d_1_y*g_y*t163 + d_1_z*g_z*t163 - mu_1*s_1_x*t7 - mu_1*s_1_y*t8 - mu_1*s_1_z*t9
+        -U_1_x_1**2*mu_1 - U_1_y_1**2*mu_1 - U_1_z_1**2*mu_1 + d_1_x*g_x*t121 + d_1_y*g_y*t121
+        + d_1_z*g_z*t121 - mu_1*s_1_x*t7 - mu_1*s_1_y*t8 - mu_1*s_1_z*t9 - mu_2*t97 - mu_2*t98 - mu_2*t99
+        - mu_3*t97 - mu_3*t98 - mu_3*t99
     )
-    K_g_out[..., 0, 1] = t173
-    K_g_out[..., 0, 2] = t174
-    K_g_out[..., 0, 6] = t175
-    K_g_out[..., 0, 7] = t176
-    K_g_out[..., 0, 8] = t177
-    K_g_out[..., 1, 0] = t173
+    K_g_out[..., 0, 1] = K_g_out[..., 1, 0] = (
+        -D_p_x_2*t122 - D_p_x_2*t124 - D_p_y_2*t125 - D_p_y_2*t127 - D_p_z_2*t128 - D_p_z_2*t130
+        - U_2_x_2*t123 - U_2_y_2*t126 - U_2_z_2*t129
+    )
+    K_g_out[..., 0, 2] = K_g_out[..., 2, 0] = (
+        -D_p_x_3*t123 - D_p_x_3*t124 - D_p_y_3*t126 - D_p_y_3*t127 - D_p_z_3*t129 - D_p_z_3*t130
+        - U_3_x_3*t122 - U_3_y_3*t125 - U_3_z_3*t128
+    )
+    K_g_out[..., 0, 6] = K_g_out[..., 6, 0] = (
+        -D_delta_x_1*t122 - D_delta_x_1*t123 - D_delta_x_1*t124 - D_delta_y_1*t125 - D_delta_y_1*t126
+        - D_delta_y_1*t127 - D_delta_z_1*t128 - D_delta_z_1*t129 - D_delta_z_1*t130
+    )
+    K_g_out[..., 0, 7] = K_g_out[..., 7, 0] = (
+        -D_delta_x_2*t122 - D_delta_x_2*t123 - D_delta_x_2*t124 - D_delta_y_2*t125 - D_delta_y_2*t126
+        - D_delta_y_2*t127 - D_delta_z_2*t128 - D_delta_z_2*t129 - D_delta_z_2*t130
+    )
+    K_g_out[..., 0, 8] = K_g_out[..., 8, 0] = (
+        -D_delta_x_3*t122 - D_delta_x_3*t123 - D_delta_x_3*t124 - D_delta_y_3*t125 - D_delta_y_3*t126
+        - D_delta_y_3*t127 - D_delta_z_3*t128 - D_delta_z_3*t129 - D_delta_z_3*t130
+    )
     K_g_out[..., 1, 1] = (
-        -U_1_x_2**2*mu_1 - U_1_y_2**2*mu_1 - U_1_z_2**2*mu_1 - U_2_x_2**2*mu_2 - U_2_y_2**2*mu_2
-        - U_2_z_2**2*mu_2 - U_3_x_2**2*mu_3 - U_3_y_2**2*mu_3 - U_3_z_2**2*mu_3 + d_2_x*g_x*t178
-        + d_2_y*g_y*t178 + d_2_z*g_z*t178 - mu_2*s_2_x*t10 - mu_2*s_2_y*t11 - mu_2*s_2_z*t12
+        -U_2_x_2**2*mu_2 - U_2_y_2**2*mu_2 - U_2_z_2**2*mu_2 + d_2_x*g_x*t131 + d_2_y*g_y*t131
+        + d_2_z*g_z*t131 - mu_1*t103 - mu_1*t104 - mu_1*t105 - mu_2*s_2_x*t10 - mu_2*s_2_y*t11
+        - mu_2*s_2_z*t12 - mu_3*t103 - mu_3*t104 - mu_3*t105
     )
-    K_g_out[..., 1, 2] = t188
-    K_g_out[..., 1, 6] = t189
-    K_g_out[..., 1, 7] = t190
-    K_g_out[..., 1, 8] = t191
-    K_g_out[..., 2, 0] = t174
-    K_g_out[..., 2, 1] = t188
+    K_g_out[..., 1, 2] = K_g_out[..., 2, 1] = (
+        -D_p_x_3*t132 - D_p_x_3*t134 - D_p_y_3*t135 - D_p_y_3*t137 - D_p_z_3*t138 - D_p_z_3*t140
+        - U_3_x_3*t133 - U_3_y_3*t136 - U_3_z_3*t139
+    )
+    K_g_out[..., 1, 6] = K_g_out[..., 6, 1] = (
+        -D_delta_x_1*t132 - D_delta_x_1*t133 - D_delta_x_1*t134 - D_delta_y_1*t135 - D_delta_y_1*t136
+        - D_delta_y_1*t137 - D_delta_z_1*t138 - D_delta_z_1*t139 - D_delta_z_1*t140
+    )
+    K_g_out[..., 1, 7] = K_g_out[..., 7, 1] = (
+        -D_delta_x_2*t132 - D_delta_x_2*t133 - D_delta_x_2*t134 - D_delta_y_2*t135 - D_delta_y_2*t136
+        - D_delta_y_2*t137 - D_delta_z_2*t138 - D_delta_z_2*t139 - D_delta_z_2*t140
+    )
+    K_g_out[..., 1, 8] = K_g_out[..., 8, 1] = (
+        -D_delta_x_3*t132 - D_delta_x_3*t133 - D_delta_x_3*t134 - D_delta_y_3*t135 - D_delta_y_3*t136
+        - D_delta_y_3*t137 - D_delta_z_3*t138 - D_delta_z_3*t139 - D_delta_z_3*t140
+    )
     K_g_out[..., 2, 2] = (
-        -U_1_x_3**2*mu_1 - U_1_y_3**2*mu_1 - U_1_z_3**2*mu_1 - U_2_x_3**2*mu_2 - U_2_y_3**2*mu_2
-        - U_2_z_3**2*mu_2 - U_3_x_3**2*mu_3 - U_3_y_3**2*mu_3 - U_3_z_3**2*mu_3 + d_3_x*g_x*t192
-        + d_3_y*g_y*t192 + d_3_z*g_z*t192 - mu_3*s_3_x*t13 - mu_3*s_3_y*t14 - mu_3*s_3_z*t15
+        -U_3_x_3**2*mu_3 - U_3_y_3**2*mu_3 - U_3_z_3**2*mu_3 + d_3_x*g_x*t141 + d_3_y*g_y*t141
+        + d_3_z*g_z*t141 - mu_1*t109 - mu_1*t110 - mu_1*t111 - mu_2*t109 - mu_2*t110 - mu_2*t111
+        - mu_3*s_3_x*t13 - mu_3*s_3_y*t14 - mu_3*s_3_z*t15
     )
-    K_g_out[..., 2, 6] = t202
-    K_g_out[..., 2, 7] = t203
-    K_g_out[..., 2, 8] = t204
-    K_g_out[..., 6, 0] = t175
-    K_g_out[..., 6, 1] = t189
-    K_g_out[..., 6, 2] = t202
+    K_g_out[..., 2, 6] = K_g_out[..., 6, 2] = (
+        -D_delta_x_1*t143 - D_delta_y_1*t145 - D_delta_z_1*t147 - mu_1*t142 - mu_1*t144 - mu_1*t146
+        - mu_2*t142 - mu_2*t144 - mu_2*t146
+    )
+    K_g_out[..., 2, 7] = K_g_out[..., 7, 2] = (
+        -D_delta_x_2*t143 - D_delta_y_2*t145 - D_delta_z_2*t147 - mu_1*t148 - mu_1*t149 - mu_1*t150
+        - mu_2*t148 - mu_2*t149 - mu_2*t150
+    )
+    K_g_out[..., 2, 8] = K_g_out[..., 8, 2] = (
+        -D_delta_x_3*t143 - D_delta_y_3*t145 - D_delta_z_3*t147 - mu_1*t151 - mu_1*t152 - mu_1*t153
+        - mu_2*t151 - mu_2*t152 - mu_2*t153
+    )
     K_g_out[..., 6, 6] = (
-        -mu_1*t102 - mu_1*t103 - mu_1*t104 + mu_1 - mu_2*t102 - mu_2*t103 - mu_2*t104 - mu_3*t102 - mu_3*t103
-        - mu_3*t104
+        -mu_1*t81 - mu_1*t82 - mu_1*t83 + mu_1 - mu_2*t81 - mu_2*t82 - mu_2*t83 - mu_3*t81 - mu_3*t82
+        - mu_3*t83
     )
-    K_g_out[..., 6, 7] = t208
-    K_g_out[..., 6, 8] = t212
-    K_g_out[..., 7, 0] = t176
-    K_g_out[..., 7, 1] = t190
-    K_g_out[..., 7, 2] = t203
-    K_g_out[..., 7, 6] = t208
+    K_g_out[..., 6, 7] = K_g_out[..., 7, 6] = (
+        -mu_1*t154 - mu_1*t155 - mu_1*t156 - mu_2*t154 - mu_2*t155 - mu_2*t156 - mu_3*t154 - mu_3*t155
+        - mu_3*t156
+    )
+    K_g_out[..., 6, 8] = K_g_out[..., 8, 6] = (
+        -mu_1*t157 - mu_1*t158 - mu_1*t159 - mu_2*t157 - mu_2*t158 - mu_2*t159 - mu_3*t157 - mu_3*t158
+        - mu_3*t159
+    )
     K_g_out[..., 7, 7] = (
-        -mu_1*t113 - mu_1*t114 - mu_1*t115 - mu_2*t113 - mu_2*t114 - mu_2*t115 + mu_2 - mu_3*t113 - mu_3*t114
-        - mu_3*t115
+        -mu_1*t87 - mu_1*t88 - mu_1*t89 - mu_2*t87 - mu_2*t88 - mu_2*t89 + mu_2 - mu_3*t87 - mu_3*t88
+        - mu_3*t89
     )
-    K_g_out[..., 7, 8] = t216
-    K_g_out[..., 8, 0] = t177
-    K_g_out[..., 8, 1] = t191
-    K_g_out[..., 8, 2] = t204
-    K_g_out[..., 8, 6] = t212
-    K_g_out[..., 8, 7] = t216
+    K_g_out[..., 7, 8] = K_g_out[..., 8, 7] = (
+        -mu_1*t160 - mu_1*t161 - mu_1*t162 - mu_2*t160 - mu_2*t161 - mu_2*t162 - mu_3*t160 - mu_3*t161
+        - mu_3*t162
+    )
     K_g_out[..., 8, 8] = (
-        -mu_1*t123 - mu_1*t124 - mu_1*t125 - mu_2*t123 - mu_2*t124 - mu_2*t125 - mu_3*t123 - mu_3*t124
-        - mu_3*t125 + mu_3
+        -mu_1*t93 - mu_1*t94 - mu_1*t95 - mu_2*t93 - mu_2*t94 - mu_2*t95 - mu_3*t93 - mu_3*t94 - mu_3*t95
+        + mu_3
     )
     return M_out, K_el_out, K_g_out
 
@@ -2065,14 +1121,14 @@ def joint_stiffness(effects):
     t2 = 1.0/c_F
     t3 = -1/c_L**2
     t4 = -1/c_F**2
-    kappa_out = np.zeros((*batch, 6), dtype)
+    kappa_out = np.empty((*batch, 6), dtype)
     kappa_out[..., 0] = t1
     kappa_out[..., 1] = t1
     kappa_out[..., 2] = t1
     kappa_out[..., 3] = t2
     kappa_out[..., 4] = t2
     kappa_out[..., 5] = t2
-    kappa_c_out = np.zeros((*batch, 6), dtype)
+    kappa_c_out = np.empty((*batch, 6), dtype)
     kappa_c_out[..., 0] = t3
     kappa_c_out[..., 1] = t3
     kappa_c_out[..., 2] = t3
@@ -2243,11 +1299,11 @@ def extended_static_equilibrium(p, parameters, effects):
     tau_st_1 = k_1*phi_1_st
     tau_st_2 = k_2*phi_2_st
     tau_st_3 = k_3*phi_3_st
-    tau_st_out = np.zeros((*batch, 3), dtype)
+    tau_st_out = np.empty((*batch, 3), dtype)
     tau_st_out[..., 0] = tau_st_1
     tau_st_out[..., 1] = tau_st_2
     tau_st_out[..., 2] = tau_st_3
-    theta_st_out = np.zeros((*batch, 3), dtype)
+    theta_st_out = np.empty((*batch, 3), dtype)
     theta_st_out[..., 0] = phi_1_st
     theta_st_out[..., 1] = phi_2_st
     theta_st_out[..., 2] = phi_3_st
@@ -2278,7 +1334,7 @@ def value_sensitivities(p, parameters, effects):
     Notes
     -----
     Chain rule.
-    2051 operations; 25692087 with every named value written out.
+    1889 operations; 25692087 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -2434,31 +1490,13 @@ def value_sensitivities(p, parameters, effects):
     D_delta_z_2 = l_d_2*t33
     D_delta_z_3 = l_d_3*t34
     U_1_x_1 = D_p_x_1 - t16
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - t17
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - t18
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - t19
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - t20
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - t21
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - t22
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - t23
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - t24
     t35 = A_x_1*g_x
     t36 = A_y_1*g_y
@@ -2488,15 +1526,6 @@ def value_sensitivities(p, parameters, effects):
     mu_1_by_m_d_1 = t25*(-1/2*t35 - 1/2*t36 - 1/2*t37)
     mu_2_by_m_d_1 = t25*(-1/2*t38 - 1/2*t39 - 1/2*t40)
     mu_3_by_m_d_1 = t25*(-1/2*t41 - 1/2*t42 - 1/2*t43)
-    mu_1_by_m_d_2 = mu_1_by_m_d_1
-    mu_2_by_m_d_2 = mu_2_by_m_d_1
-    mu_3_by_m_d_2 = mu_3_by_m_d_1
-    mu_1_by_m_d_3 = mu_1_by_m_d_1
-    mu_2_by_m_d_3 = mu_2_by_m_d_1
-    mu_3_by_m_d_3 = mu_3_by_m_d_1
-    mu_1_by_m_L = mu_1_by_m_p
-    mu_2_by_m_L = mu_2_by_m_p
-    mu_3_by_m_L = mu_3_by_m_p
     t48 = D_p_x_1**2
     t49 = D_p_y_1**2
     t50 = D_p_z_1**2
@@ -2638,72 +1667,45 @@ def value_sensitivities(p, parameters, effects):
     t186 = (1/3)*D_p_x_3 + t183
     t187 = (1/3)*D_p_y_3 + t184
     t188 = (1/3)*D_p_z_3 + t185
-    t189 = -U_2_x_1**2 - U_2_y_1**2 - U_2_z_1**2
-    t190 = -U_3_x_1**2 - U_3_y_1**2 - U_3_z_1**2
-    t191 = -U_1_x_1**2 - U_1_y_1**2 - U_1_z_1**2 - s_1_x*t7 - s_1_y*t8 - s_1_z*t9
-    t192 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2
-    t193 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2
-    t194 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2
-    t195 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3
-    t196 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3
-    t197 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3
-    t198 = -D_delta_x_1*U_1_x_1 - D_delta_y_1*U_1_y_1 - D_delta_z_1*U_1_z_1
-    t199 = -D_delta_x_1*U_2_x_1 - D_delta_y_1*U_2_y_1 - D_delta_z_1*U_2_z_1
-    t200 = -D_delta_x_1*U_3_x_1 - D_delta_y_1*U_3_y_1 - D_delta_z_1*U_3_z_1
-    t201 = -D_delta_x_2*U_1_x_1 - D_delta_y_2*U_1_y_1 - D_delta_z_2*U_1_z_1
-    t202 = -D_delta_x_2*U_2_x_1 - D_delta_y_2*U_2_y_1 - D_delta_z_2*U_2_z_1
-    t203 = -D_delta_x_2*U_3_x_1 - D_delta_y_2*U_3_y_1 - D_delta_z_2*U_3_z_1
-    t204 = -D_delta_x_3*U_1_x_1 - D_delta_y_3*U_1_y_1 - D_delta_z_3*U_1_z_1
-    t205 = -D_delta_x_3*U_2_x_1 - D_delta_y_3*U_2_y_1 - D_delta_z_3*U_2_z_1
-    t206 = -D_delta_x_3*U_3_x_1 - D_delta_y_3*U_3_y_1 - D_delta_z_3*U_3_z_1
-    t207 = -U_1_x_2**2 - U_1_y_2**2 - U_1_z_2**2
-    t208 = -U_3_x_2**2 - U_3_y_2**2 - U_3_z_2**2
-    t209 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2 - s_2_x*t10 - s_2_y*t11 - s_2_z*t12
-    t210 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3
-    t211 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3
-    t212 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3
-    t213 = -D_delta_x_1*U_1_x_2 - D_delta_y_1*U_1_y_2 - D_delta_z_1*U_1_z_2
-    t214 = -D_delta_x_1*U_2_x_2 - D_delta_y_1*U_2_y_2 - D_delta_z_1*U_2_z_2
-    t215 = -D_delta_x_1*U_3_x_2 - D_delta_y_1*U_3_y_2 - D_delta_z_1*U_3_z_2
-    t216 = -D_delta_x_2*U_1_x_2 - D_delta_y_2*U_1_y_2 - D_delta_z_2*U_1_z_2
-    t217 = -D_delta_x_2*U_2_x_2 - D_delta_y_2*U_2_y_2 - D_delta_z_2*U_2_z_2
-    t218 = -D_delta_x_2*U_3_x_2 - D_delta_y_2*U_3_y_2 - D_delta_z_2*U_3_z_2
-    t219 = -D_delta_x_3*U_1_x_2 - D_delta_y_3*U_1_y_2 - D_delta_z_3*U_1_z_2
-    t220 = -D_delta_x_3*U_2_x_2 - D_delta_y_3*U_2_y_2 - D_delta_z_3*U_2_z_2
-    t221 = -D_delta_x_3*U_3_x_2 - D_delta_y_3*U_3_y_2 - D_delta_z_3*U_3_z_2
-    t222 = -U_1_x_3**2 - U_1_y_3**2 - U_1_z_3**2
-    t223 = -U_2_x_3**2 - U_2_y_3**2 - U_2_z_3**2
-    t224 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2 - s_3_x*t13 - s_3_y*t14 - s_3_z*t15
-    t225 = -D_delta_x_1*U_1_x_3 - D_delta_y_1*U_1_y_3 - D_delta_z_1*U_1_z_3
-    t226 = -D_delta_x_1*U_2_x_3 - D_delta_y_1*U_2_y_3 - D_delta_z_1*U_2_z_3
-    t227 = -D_delta_x_1*U_3_x_3 - D_delta_y_1*U_3_y_3 - D_delta_z_1*U_3_z_3
-    t228 = -D_delta_x_2*U_1_x_3 - D_delta_y_2*U_1_y_3 - D_delta_z_2*U_1_z_3
-    t229 = -D_delta_x_2*U_2_x_3 - D_delta_y_2*U_2_y_3 - D_delta_z_2*U_2_z_3
-    t230 = -D_delta_x_2*U_3_x_3 - D_delta_y_2*U_3_y_3 - D_delta_z_2*U_3_z_3
-    t231 = -D_delta_x_3*U_1_x_3 - D_delta_y_3*U_1_y_3 - D_delta_z_3*U_1_z_3
-    t232 = -D_delta_x_3*U_2_x_3 - D_delta_y_3*U_2_y_3 - D_delta_z_3*U_2_z_3
-    t233 = -D_delta_x_3*U_3_x_3 - D_delta_y_3*U_3_y_3 - D_delta_z_3*U_3_z_3
-    t234 = 1 - t111
-    t235 = 1 - t123
-    t236 = 1 - t131
-    t237 = L_a_1*t44 + m_a_1*r_a_1
-    t238 = L_a_2*t45 + m_a_2*r_a_2
-    t239 = L_a_3*t46 + m_a_3*r_a_3
-    t240 = d_1_x*g_x
-    t241 = d_1_y*g_y
-    t242 = d_1_z*g_z
-    t243 = d_2_x*g_x
-    t244 = d_2_y*g_y
-    t245 = d_2_z*g_z
-    t246 = d_3_x*g_x
-    t247 = d_3_y*g_y
-    t248 = d_3_z*g_z
-    t249 = (1/2)*g_x
-    t250 = (1/2)*g_y
-    t251 = (1/2)*g_z
-    t252 = a_R_1 + 1
-    t253 = a_R_2 + 1
-    t254 = a_R_3 + 1
+    t189 = -U_1_x_1**2 - U_1_y_1**2 - U_1_z_1**2 - s_1_x*t7 - s_1_y*t8 - s_1_z*t9
+    t190 = -D_p_x_2*U_1_x_1 - D_p_y_2*U_1_y_1 - D_p_z_2*U_1_z_1
+    t191 = -D_p_x_1*U_2_x_2 - D_p_y_1*U_2_y_2 - D_p_z_1*U_2_z_2
+    t192 = -D_p_x_3*U_1_x_1 - D_p_y_3*U_1_y_1 - D_p_z_3*U_1_z_1
+    t193 = -D_p_x_1*U_3_x_3 - D_p_y_1*U_3_y_3 - D_p_z_1*U_3_z_3
+    t194 = -D_delta_x_1*U_1_x_1 - D_delta_y_1*U_1_y_1 - D_delta_z_1*U_1_z_1
+    t195 = -D_delta_x_2*U_1_x_1 - D_delta_y_2*U_1_y_1 - D_delta_z_2*U_1_z_1
+    t196 = -D_delta_x_3*U_1_x_1 - D_delta_y_3*U_1_y_1 - D_delta_z_3*U_1_z_1
+    t197 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2 - s_2_x*t10 - s_2_y*t11 - s_2_z*t12
+    t198 = -D_p_x_3*U_2_x_2 - D_p_y_3*U_2_y_2 - D_p_z_3*U_2_z_2
+    t199 = -D_p_x_2*U_3_x_3 - D_p_y_2*U_3_y_3 - D_p_z_2*U_3_z_3
+    t200 = -D_delta_x_1*U_2_x_2 - D_delta_y_1*U_2_y_2 - D_delta_z_1*U_2_z_2
+    t201 = -D_delta_x_2*U_2_x_2 - D_delta_y_2*U_2_y_2 - D_delta_z_2*U_2_z_2
+    t202 = -D_delta_x_3*U_2_x_2 - D_delta_y_3*U_2_y_2 - D_delta_z_3*U_2_z_2
+    t203 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2 - s_3_x*t13 - s_3_y*t14 - s_3_z*t15
+    t204 = -D_delta_x_1*U_3_x_3 - D_delta_y_1*U_3_y_3 - D_delta_z_1*U_3_z_3
+    t205 = -D_delta_x_2*U_3_x_3 - D_delta_y_2*U_3_y_3 - D_delta_z_2*U_3_z_3
+    t206 = -D_delta_x_3*U_3_x_3 - D_delta_y_3*U_3_y_3 - D_delta_z_3*U_3_z_3
+    t207 = 1 - t111
+    t208 = 1 - t123
+    t209 = 1 - t131
+    t210 = L_a_1*t44 + m_a_1*r_a_1
+    t211 = L_a_2*t45 + m_a_2*r_a_2
+    t212 = L_a_3*t46 + m_a_3*r_a_3
+    t213 = d_1_x*g_x
+    t214 = d_1_y*g_y
+    t215 = d_1_z*g_z
+    t216 = d_2_x*g_x
+    t217 = d_2_y*g_y
+    t218 = d_2_z*g_z
+    t219 = d_3_x*g_x
+    t220 = d_3_y*g_y
+    t221 = d_3_z*g_z
+    t222 = (1/2)*g_x
+    t223 = (1/2)*g_y
+    t224 = (1/2)*g_z
+    t225 = a_R_1 + 1
+    t226 = a_R_2 + 1
+    t227 = a_R_3 + 1
     M_theta_out = _listed(batch, dtype, (
         t51, t55, t59, t63, t67, t71, D_p_x_1, D_p_y_1, D_p_z_1, t75, t79, t83, t87, t91, D_p_x_2, D_p_y_2,
         D_p_z_2, t95, t99, t103, t107, D_p_x_3, D_p_y_3, D_p_z_3, t111, t115, t119, D_delta_x_1, D_delta_y_1,
@@ -2739,181 +1741,181 @@ def value_sensitivities(p, parameters, effects):
         D_delta_z_3, 1, 1, 1, 1, 1, 1,
     ))
     K_theta_out = _listed(batch, dtype, (
-        mu_1_by_m_p*t191 + mu_2_by_m_p*t189 + mu_3_by_m_p*t190,
-        mu_1_by_m_p*t192 + mu_2_by_m_p*t193 + mu_3_by_m_p*t194,
-        mu_1_by_m_p*t195 + mu_2_by_m_p*t196 + mu_3_by_m_p*t197,
-        mu_1_by_m_p*t198 + mu_2_by_m_p*t199 + mu_3_by_m_p*t200,
-        mu_1_by_m_p*t201 + mu_2_by_m_p*t202 + mu_3_by_m_p*t203,
-        mu_1_by_m_p*t204 + mu_2_by_m_p*t205 + mu_3_by_m_p*t206,
-        mu_1_by_m_p*t207 + mu_2_by_m_p*t209 + mu_3_by_m_p*t208,
-        mu_1_by_m_p*t210 + mu_2_by_m_p*t211 + mu_3_by_m_p*t212,
-        mu_1_by_m_p*t213 + mu_2_by_m_p*t214 + mu_3_by_m_p*t215,
-        mu_1_by_m_p*t216 + mu_2_by_m_p*t217 + mu_3_by_m_p*t218,
-        mu_1_by_m_p*t219 + mu_2_by_m_p*t220 + mu_3_by_m_p*t221,
-        mu_1_by_m_p*t222 + mu_2_by_m_p*t223 + mu_3_by_m_p*t224,
-        mu_1_by_m_p*t225 + mu_2_by_m_p*t226 + mu_3_by_m_p*t227,
-        mu_1_by_m_p*t228 + mu_2_by_m_p*t229 + mu_3_by_m_p*t230,
-        mu_1_by_m_p*t231 + mu_2_by_m_p*t232 + mu_3_by_m_p*t233,
-        mu_1_by_m_p*t234 - mu_2_by_m_p*t111 - mu_3_by_m_p*t111,
+        mu_1_by_m_p*t189 - mu_2_by_m_p*t51 - mu_3_by_m_p*t51,
+        mu_1_by_m_p*t190 + mu_2_by_m_p*t191 - mu_3_by_m_p*t55,
+        mu_1_by_m_p*t192 - mu_2_by_m_p*t59 + mu_3_by_m_p*t193,
+        mu_1_by_m_p*t194 - mu_2_by_m_p*t63 - mu_3_by_m_p*t63,
+        mu_1_by_m_p*t195 - mu_2_by_m_p*t67 - mu_3_by_m_p*t67,
+        mu_1_by_m_p*t196 - mu_2_by_m_p*t71 - mu_3_by_m_p*t71,
+        -mu_1_by_m_p*t75 + mu_2_by_m_p*t197 - mu_3_by_m_p*t75,
+        -mu_1_by_m_p*t79 + mu_2_by_m_p*t198 + mu_3_by_m_p*t199,
+        -mu_1_by_m_p*t83 + mu_2_by_m_p*t200 - mu_3_by_m_p*t83,
+        -mu_1_by_m_p*t87 + mu_2_by_m_p*t201 - mu_3_by_m_p*t87,
+        -mu_1_by_m_p*t91 + mu_2_by_m_p*t202 - mu_3_by_m_p*t91,
+        -mu_1_by_m_p*t95 - mu_2_by_m_p*t95 + mu_3_by_m_p*t203,
+        -mu_1_by_m_p*t99 - mu_2_by_m_p*t99 + mu_3_by_m_p*t204,
+        -mu_1_by_m_p*t103 - mu_2_by_m_p*t103 + mu_3_by_m_p*t205,
+        -mu_1_by_m_p*t107 - mu_2_by_m_p*t107 + mu_3_by_m_p*t206,
+        mu_1_by_m_p*t207 - mu_2_by_m_p*t111 - mu_3_by_m_p*t111,
         -mu_1_by_m_p*t115 - mu_2_by_m_p*t115 - mu_3_by_m_p*t115,
         -mu_1_by_m_p*t119 - mu_2_by_m_p*t119 - mu_3_by_m_p*t119,
-        -mu_1_by_m_p*t123 + mu_2_by_m_p*t235 - mu_3_by_m_p*t123,
+        -mu_1_by_m_p*t123 + mu_2_by_m_p*t208 - mu_3_by_m_p*t123,
         -mu_1_by_m_p*t127 - mu_2_by_m_p*t127 - mu_3_by_m_p*t127,
-        -mu_1_by_m_p*t131 - mu_2_by_m_p*t131 + mu_3_by_m_p*t236,
-        d_1_x*t237 + mu_1_by_g_x*t191 + mu_2_by_g_x*t189 + mu_3_by_g_x*t190,
-        mu_1_by_g_x*t192 + mu_2_by_g_x*t193 + mu_3_by_g_x*t194,
-        mu_1_by_g_x*t195 + mu_2_by_g_x*t196 + mu_3_by_g_x*t197,
-        mu_1_by_g_x*t198 + mu_2_by_g_x*t199 + mu_3_by_g_x*t200,
-        mu_1_by_g_x*t201 + mu_2_by_g_x*t202 + mu_3_by_g_x*t203,
-        mu_1_by_g_x*t204 + mu_2_by_g_x*t205 + mu_3_by_g_x*t206,
-        d_2_x*t238 + mu_1_by_g_x*t207 + mu_2_by_g_x*t209 + mu_3_by_g_x*t208,
-        mu_1_by_g_x*t210 + mu_2_by_g_x*t211 + mu_3_by_g_x*t212,
-        mu_1_by_g_x*t213 + mu_2_by_g_x*t214 + mu_3_by_g_x*t215,
-        mu_1_by_g_x*t216 + mu_2_by_g_x*t217 + mu_3_by_g_x*t218,
-        mu_1_by_g_x*t219 + mu_2_by_g_x*t220 + mu_3_by_g_x*t221,
-        d_3_x*t239 + mu_1_by_g_x*t222 + mu_2_by_g_x*t223 + mu_3_by_g_x*t224,
-        mu_1_by_g_x*t225 + mu_2_by_g_x*t226 + mu_3_by_g_x*t227,
-        mu_1_by_g_x*t228 + mu_2_by_g_x*t229 + mu_3_by_g_x*t230,
-        mu_1_by_g_x*t231 + mu_2_by_g_x*t232 + mu_3_by_g_x*t233,
-        mu_1_by_g_x*t234 - mu_2_by_g_x*t111 - mu_3_by_g_x*t111,
+        -mu_1_by_m_p*t131 - mu_2_by_m_p*t131 + mu_3_by_m_p*t209,
+        d_1_x*t210 + mu_1_by_g_x*t189 - mu_2_by_g_x*t51 - mu_3_by_g_x*t51,
+        mu_1_by_g_x*t190 + mu_2_by_g_x*t191 - mu_3_by_g_x*t55,
+        mu_1_by_g_x*t192 - mu_2_by_g_x*t59 + mu_3_by_g_x*t193,
+        mu_1_by_g_x*t194 - mu_2_by_g_x*t63 - mu_3_by_g_x*t63,
+        mu_1_by_g_x*t195 - mu_2_by_g_x*t67 - mu_3_by_g_x*t67,
+        mu_1_by_g_x*t196 - mu_2_by_g_x*t71 - mu_3_by_g_x*t71,
+        d_2_x*t211 - mu_1_by_g_x*t75 + mu_2_by_g_x*t197 - mu_3_by_g_x*t75,
+        -mu_1_by_g_x*t79 + mu_2_by_g_x*t198 + mu_3_by_g_x*t199,
+        -mu_1_by_g_x*t83 + mu_2_by_g_x*t200 - mu_3_by_g_x*t83,
+        -mu_1_by_g_x*t87 + mu_2_by_g_x*t201 - mu_3_by_g_x*t87,
+        -mu_1_by_g_x*t91 + mu_2_by_g_x*t202 - mu_3_by_g_x*t91,
+        d_3_x*t212 - mu_1_by_g_x*t95 - mu_2_by_g_x*t95 + mu_3_by_g_x*t203,
+        -mu_1_by_g_x*t99 - mu_2_by_g_x*t99 + mu_3_by_g_x*t204,
+        -mu_1_by_g_x*t103 - mu_2_by_g_x*t103 + mu_3_by_g_x*t205,
+        -mu_1_by_g_x*t107 - mu_2_by_g_x*t107 + mu_3_by_g_x*t206,
+        mu_1_by_g_x*t207 - mu_2_by_g_x*t111 - mu_3_by_g_x*t111,
         -mu_1_by_g_x*t115 - mu_2_by_g_x*t115 - mu_3_by_g_x*t115,
         -mu_1_by_g_x*t119 - mu_2_by_g_x*t119 - mu_3_by_g_x*t119,
-        -mu_1_by_g_x*t123 + mu_2_by_g_x*t235 - mu_3_by_g_x*t123,
+        -mu_1_by_g_x*t123 + mu_2_by_g_x*t208 - mu_3_by_g_x*t123,
         -mu_1_by_g_x*t127 - mu_2_by_g_x*t127 - mu_3_by_g_x*t127,
-        -mu_1_by_g_x*t131 - mu_2_by_g_x*t131 + mu_3_by_g_x*t236,
-        d_1_y*t237 + mu_1_by_g_y*t191 + mu_2_by_g_y*t189 + mu_3_by_g_y*t190,
-        mu_1_by_g_y*t192 + mu_2_by_g_y*t193 + mu_3_by_g_y*t194,
-        mu_1_by_g_y*t195 + mu_2_by_g_y*t196 + mu_3_by_g_y*t197,
-        mu_1_by_g_y*t198 + mu_2_by_g_y*t199 + mu_3_by_g_y*t200,
-        mu_1_by_g_y*t201 + mu_2_by_g_y*t202 + mu_3_by_g_y*t203,
-        mu_1_by_g_y*t204 + mu_2_by_g_y*t205 + mu_3_by_g_y*t206,
-        d_2_y*t238 + mu_1_by_g_y*t207 + mu_2_by_g_y*t209 + mu_3_by_g_y*t208,
-        mu_1_by_g_y*t210 + mu_2_by_g_y*t211 + mu_3_by_g_y*t212,
-        mu_1_by_g_y*t213 + mu_2_by_g_y*t214 + mu_3_by_g_y*t215,
-        mu_1_by_g_y*t216 + mu_2_by_g_y*t217 + mu_3_by_g_y*t218,
-        mu_1_by_g_y*t219 + mu_2_by_g_y*t220 + mu_3_by_g_y*t221,
-        d_3_y*t239 + mu_1_by_g_y*t222 + mu_2_by_g_y*t223 + mu_3_by_g_y*t224,
-        mu_1_by_g_y*t225 + mu_2_by_g_y*t226 + mu_3_by_g_y*t227,
-        mu_1_by_g_y*t228 + mu_2_by_g_y*t229 + mu_3_by_g_y*t230,
-        mu_1_by_g_y*t231 + mu_2_by_g_y*t232 + mu_3_by_g_y*t233,
-        mu_1_by_g_y*t234 - mu_2_by_g_y*t111 - mu_3_by_g_y*t111,
+        -mu_1_by_g_x*t131 - mu_2_by_g_x*t131 + mu_3_by_g_x*t209,
+        d_1_y*t210 + mu_1_by_g_y*t189 - mu_2_by_g_y*t51 - mu_3_by_g_y*t51,
+        mu_1_by_g_y*t190 + mu_2_by_g_y*t191 - mu_3_by_g_y*t55,
+        mu_1_by_g_y*t192 - mu_2_by_g_y*t59 + mu_3_by_g_y*t193,
+        mu_1_by_g_y*t194 - mu_2_by_g_y*t63 - mu_3_by_g_y*t63,
+        mu_1_by_g_y*t195 - mu_2_by_g_y*t67 - mu_3_by_g_y*t67,
+        mu_1_by_g_y*t196 - mu_2_by_g_y*t71 - mu_3_by_g_y*t71,
+        d_2_y*t211 - mu_1_by_g_y*t75 + mu_2_by_g_y*t197 - mu_3_by_g_y*t75,
+        -mu_1_by_g_y*t79 + mu_2_by_g_y*t198 + mu_3_by_g_y*t199,
+        -mu_1_by_g_y*t83 + mu_2_by_g_y*t200 - mu_3_by_g_y*t83,
+        -mu_1_by_g_y*t87 + mu_2_by_g_y*t201 - mu_3_by_g_y*t87,
+        -mu_1_by_g_y*t91 + mu_2_by_g_y*t202 - mu_3_by_g_y*t91,
+        d_3_y*t212 - mu_1_by_g_y*t95 - mu_2_by_g_y*t95 + mu_3_by_g_y*t203,
+        -mu_1_by_g_y*t99 - mu_2_by_g_y*t99 + mu_3_by_g_y*t204,
+        -mu_1_by_g_y*t103 - mu_2_by_g_y*t103 + mu_3_by_g_y*t205,
+        -mu_1_by_g_y*t107 - mu_2_by_g_y*t107 + mu_3_by_g_y*t206,
+        mu_1_by_g_y*t207 - mu_2_by_g_y*t111 - mu_3_by_g_y*t111,
         -mu_1_by_g_y*t115 - mu_2_by_g_y*t115 - mu_3_by_g_y*t115,
         -mu_1_by_g_y*t119 - mu_2_by_g_y*t119 - mu_3_by_g_y*t119,
-        -mu_1_by_g_y*t123 + mu_2_by_g_y*t235 - mu_3_by_g_y*t123,
+        -mu_1_by_g_y*t123 + mu_2_by_g_y*t208 - mu_3_by_g_y*t123,
         -mu_1_by_g_y*t127 - mu_2_by_g_y*t127 - mu_3_by_g_y*t127,
-        -mu_1_by_g_y*t131 - mu_2_by_g_y*t131 + mu_3_by_g_y*t236,
-        d_1_z*t237 + mu_1_by_g_z*t191 + mu_2_by_g_z*t189 + mu_3_by_g_z*t190,
-        mu_1_by_g_z*t192 + mu_2_by_g_z*t193 + mu_3_by_g_z*t194,
-        mu_1_by_g_z*t195 + mu_2_by_g_z*t196 + mu_3_by_g_z*t197,
-        mu_1_by_g_z*t198 + mu_2_by_g_z*t199 + mu_3_by_g_z*t200,
-        mu_1_by_g_z*t201 + mu_2_by_g_z*t202 + mu_3_by_g_z*t203,
-        mu_1_by_g_z*t204 + mu_2_by_g_z*t205 + mu_3_by_g_z*t206,
-        d_2_z*t238 + mu_1_by_g_z*t207 + mu_2_by_g_z*t209 + mu_3_by_g_z*t208,
-        mu_1_by_g_z*t210 + mu_2_by_g_z*t211 + mu_3_by_g_z*t212,
-        mu_1_by_g_z*t213 + mu_2_by_g_z*t214 + mu_3_by_g_z*t215,
-        mu_1_by_g_z*t216 + mu_2_by_g_z*t217 + mu_3_by_g_z*t218,
-        mu_1_by_g_z*t219 + mu_2_by_g_z*t220 + mu_3_by_g_z*t221,
-        d_3_z*t239 + mu_1_by_g_z*t222 + mu_2_by_g_z*t223 + mu_3_by_g_z*t224,
-        mu_1_by_g_z*t225 + mu_2_by_g_z*t226 + mu_3_by_g_z*t227,
-        mu_1_by_g_z*t228 + mu_2_by_g_z*t229 + mu_3_by_g_z*t230,
-        mu_1_by_g_z*t231 + mu_2_by_g_z*t232 + mu_3_by_g_z*t233,
-        mu_1_by_g_z*t234 - mu_2_by_g_z*t111 - mu_3_by_g_z*t111,
+        -mu_1_by_g_y*t131 - mu_2_by_g_y*t131 + mu_3_by_g_y*t209,
+        d_1_z*t210 + mu_1_by_g_z*t189 - mu_2_by_g_z*t51 - mu_3_by_g_z*t51,
+        mu_1_by_g_z*t190 + mu_2_by_g_z*t191 - mu_3_by_g_z*t55,
+        mu_1_by_g_z*t192 - mu_2_by_g_z*t59 + mu_3_by_g_z*t193,
+        mu_1_by_g_z*t194 - mu_2_by_g_z*t63 - mu_3_by_g_z*t63,
+        mu_1_by_g_z*t195 - mu_2_by_g_z*t67 - mu_3_by_g_z*t67,
+        mu_1_by_g_z*t196 - mu_2_by_g_z*t71 - mu_3_by_g_z*t71,
+        d_2_z*t211 - mu_1_by_g_z*t75 + mu_2_by_g_z*t197 - mu_3_by_g_z*t75,
+        -mu_1_by_g_z*t79 + mu_2_by_g_z*t198 + mu_3_by_g_z*t199,
+        -mu_1_by_g_z*t83 + mu_2_by_g_z*t200 - mu_3_by_g_z*t83,
+        -mu_1_by_g_z*t87 + mu_2_by_g_z*t201 - mu_3_by_g_z*t87,
+        -mu_1_by_g_z*t91 + mu_2_by_g_z*t202 - mu_3_by_g_z*t91,
+        d_3_z*t212 - mu_1_by_g_z*t95 - mu_2_by_g_z*t95 + mu_3_by_g_z*t203,
+        -mu_1_by_g_z*t99 - mu_2_by_g_z*t99 + mu_3_by_g_z*t204,
+        -mu_1_by_g_z*t103 - mu_2_by_g_z*t103 + mu_3_by_g_z*t205,
+        -mu_1_by_g_z*t107 - mu_2_by_g_z*t107 + mu_3_by_g_z*t206,
+        mu_1_by_g_z*t207 - mu_2_by_g_z*t111 - mu_3_by_g_z*t111,
         -mu_1_by_g_z*t115 - mu_2_by_g_z*t115 - mu_3_by_g_z*t115,
         -mu_1_by_g_z*t119 - mu_2_by_g_z*t119 - mu_3_by_g_z*t119,
-        -mu_1_by_g_z*t123 + mu_2_by_g_z*t235 - mu_3_by_g_z*t123,
+        -mu_1_by_g_z*t123 + mu_2_by_g_z*t208 - mu_3_by_g_z*t123,
         -mu_1_by_g_z*t127 - mu_2_by_g_z*t127 - mu_3_by_g_z*t127,
-        -mu_1_by_g_z*t131 - mu_2_by_g_z*t131 + mu_3_by_g_z*t236, r_a_1*t240 + r_a_1*t241 + r_a_1*t242,
-        r_a_2*t243 + r_a_2*t244 + r_a_2*t245, r_a_3*t246 + r_a_3*t247 + r_a_3*t248,
-        m_a_1*t240 + m_a_1*t241 + m_a_1*t242, m_a_2*t243 + m_a_2*t244 + m_a_2*t245,
-        m_a_3*t246 + m_a_3*t247 + m_a_3*t248,
-        mu_1_by_m_d_1*t191 + mu_2_by_m_d_1*t189 + mu_3_by_m_d_1*t190 + t249*t7 + t250*t8 + t251*t9,
-        mu_1_by_m_d_1*t192 + mu_2_by_m_d_1*t193 + mu_3_by_m_d_1*t194,
-        mu_1_by_m_d_1*t195 + mu_2_by_m_d_1*t196 + mu_3_by_m_d_1*t197,
-        mu_1_by_m_d_1*t198 + mu_2_by_m_d_1*t199 + mu_3_by_m_d_1*t200,
-        mu_1_by_m_d_1*t201 + mu_2_by_m_d_1*t202 + mu_3_by_m_d_1*t203,
-        mu_1_by_m_d_1*t204 + mu_2_by_m_d_1*t205 + mu_3_by_m_d_1*t206,
-        mu_1_by_m_d_1*t207 + mu_2_by_m_d_1*t209 + mu_3_by_m_d_1*t208,
-        mu_1_by_m_d_1*t210 + mu_2_by_m_d_1*t211 + mu_3_by_m_d_1*t212,
-        mu_1_by_m_d_1*t213 + mu_2_by_m_d_1*t214 + mu_3_by_m_d_1*t215,
-        mu_1_by_m_d_1*t216 + mu_2_by_m_d_1*t217 + mu_3_by_m_d_1*t218,
-        mu_1_by_m_d_1*t219 + mu_2_by_m_d_1*t220 + mu_3_by_m_d_1*t221,
-        mu_1_by_m_d_1*t222 + mu_2_by_m_d_1*t223 + mu_3_by_m_d_1*t224,
-        mu_1_by_m_d_1*t225 + mu_2_by_m_d_1*t226 + mu_3_by_m_d_1*t227,
-        mu_1_by_m_d_1*t228 + mu_2_by_m_d_1*t229 + mu_3_by_m_d_1*t230,
-        mu_1_by_m_d_1*t231 + mu_2_by_m_d_1*t232 + mu_3_by_m_d_1*t233,
-        mu_1_by_m_d_1*t234 - mu_2_by_m_d_1*t111 - mu_3_by_m_d_1*t111,
+        -mu_1_by_g_z*t131 - mu_2_by_g_z*t131 + mu_3_by_g_z*t209, r_a_1*t213 + r_a_1*t214 + r_a_1*t215,
+        r_a_2*t216 + r_a_2*t217 + r_a_2*t218, r_a_3*t219 + r_a_3*t220 + r_a_3*t221,
+        m_a_1*t213 + m_a_1*t214 + m_a_1*t215, m_a_2*t216 + m_a_2*t217 + m_a_2*t218,
+        m_a_3*t219 + m_a_3*t220 + m_a_3*t221,
+        mu_1_by_m_d_1*t189 - mu_2_by_m_d_1*t51 - mu_3_by_m_d_1*t51 + t222*t7 + t223*t8 + t224*t9,
+        mu_1_by_m_d_1*t190 + mu_2_by_m_d_1*t191 - mu_3_by_m_d_1*t55,
+        mu_1_by_m_d_1*t192 - mu_2_by_m_d_1*t59 + mu_3_by_m_d_1*t193,
+        mu_1_by_m_d_1*t194 - mu_2_by_m_d_1*t63 - mu_3_by_m_d_1*t63,
+        mu_1_by_m_d_1*t195 - mu_2_by_m_d_1*t67 - mu_3_by_m_d_1*t67,
+        mu_1_by_m_d_1*t196 - mu_2_by_m_d_1*t71 - mu_3_by_m_d_1*t71,
+        -mu_1_by_m_d_1*t75 + mu_2_by_m_d_1*t197 - mu_3_by_m_d_1*t75,
+        -mu_1_by_m_d_1*t79 + mu_2_by_m_d_1*t198 + mu_3_by_m_d_1*t199,
+        -mu_1_by_m_d_1*t83 + mu_2_by_m_d_1*t200 - mu_3_by_m_d_1*t83,
+        -mu_1_by_m_d_1*t87 + mu_2_by_m_d_1*t201 - mu_3_by_m_d_1*t87,
+        -mu_1_by_m_d_1*t91 + mu_2_by_m_d_1*t202 - mu_3_by_m_d_1*t91,
+        -mu_1_by_m_d_1*t95 - mu_2_by_m_d_1*t95 + mu_3_by_m_d_1*t203,
+        -mu_1_by_m_d_1*t99 - mu_2_by_m_d_1*t99 + mu_3_by_m_d_1*t204,
+        -mu_1_by_m_d_1*t103 - mu_2_by_m_d_1*t103 + mu_3_by_m_d_1*t205,
+        -mu_1_by_m_d_1*t107 - mu_2_by_m_d_1*t107 + mu_3_by_m_d_1*t206,
+        mu_1_by_m_d_1*t207 - mu_2_by_m_d_1*t111 - mu_3_by_m_d_1*t111,
         -mu_1_by_m_d_1*t115 - mu_2_by_m_d_1*t115 - mu_3_by_m_d_1*t115,
         -mu_1_by_m_d_1*t119 - mu_2_by_m_d_1*t119 - mu_3_by_m_d_1*t119,
-        -mu_1_by_m_d_1*t123 + mu_2_by_m_d_1*t235 - mu_3_by_m_d_1*t123,
+        -mu_1_by_m_d_1*t123 + mu_2_by_m_d_1*t208 - mu_3_by_m_d_1*t123,
         -mu_1_by_m_d_1*t127 - mu_2_by_m_d_1*t127 - mu_3_by_m_d_1*t127,
-        -mu_1_by_m_d_1*t131 - mu_2_by_m_d_1*t131 + mu_3_by_m_d_1*t236,
-        mu_1_by_m_d_2*t191 + mu_2_by_m_d_2*t189 + mu_3_by_m_d_2*t190,
-        mu_1_by_m_d_2*t192 + mu_2_by_m_d_2*t193 + mu_3_by_m_d_2*t194,
-        mu_1_by_m_d_2*t195 + mu_2_by_m_d_2*t196 + mu_3_by_m_d_2*t197,
-        mu_1_by_m_d_2*t198 + mu_2_by_m_d_2*t199 + mu_3_by_m_d_2*t200,
-        mu_1_by_m_d_2*t201 + mu_2_by_m_d_2*t202 + mu_3_by_m_d_2*t203,
-        mu_1_by_m_d_2*t204 + mu_2_by_m_d_2*t205 + mu_3_by_m_d_2*t206,
-        mu_1_by_m_d_2*t207 + mu_2_by_m_d_2*t209 + mu_3_by_m_d_2*t208 + t10*t249 + t11*t250 + t12*t251,
-        mu_1_by_m_d_2*t210 + mu_2_by_m_d_2*t211 + mu_3_by_m_d_2*t212,
-        mu_1_by_m_d_2*t213 + mu_2_by_m_d_2*t214 + mu_3_by_m_d_2*t215,
-        mu_1_by_m_d_2*t216 + mu_2_by_m_d_2*t217 + mu_3_by_m_d_2*t218,
-        mu_1_by_m_d_2*t219 + mu_2_by_m_d_2*t220 + mu_3_by_m_d_2*t221,
-        mu_1_by_m_d_2*t222 + mu_2_by_m_d_2*t223 + mu_3_by_m_d_2*t224,
-        mu_1_by_m_d_2*t225 + mu_2_by_m_d_2*t226 + mu_3_by_m_d_2*t227,
-        mu_1_by_m_d_2*t228 + mu_2_by_m_d_2*t229 + mu_3_by_m_d_2*t230,
-        mu_1_by_m_d_2*t231 + mu_2_by_m_d_2*t232 + mu_3_by_m_d_2*t233,
-        mu_1_by_m_d_2*t234 - mu_2_by_m_d_2*t111 - mu_3_by_m_d_2*t111,
-        -mu_1_by_m_d_2*t115 - mu_2_by_m_d_2*t115 - mu_3_by_m_d_2*t115,
-        -mu_1_by_m_d_2*t119 - mu_2_by_m_d_2*t119 - mu_3_by_m_d_2*t119,
-        -mu_1_by_m_d_2*t123 + mu_2_by_m_d_2*t235 - mu_3_by_m_d_2*t123,
-        -mu_1_by_m_d_2*t127 - mu_2_by_m_d_2*t127 - mu_3_by_m_d_2*t127,
-        -mu_1_by_m_d_2*t131 - mu_2_by_m_d_2*t131 + mu_3_by_m_d_2*t236,
-        mu_1_by_m_d_3*t191 + mu_2_by_m_d_3*t189 + mu_3_by_m_d_3*t190,
-        mu_1_by_m_d_3*t192 + mu_2_by_m_d_3*t193 + mu_3_by_m_d_3*t194,
-        mu_1_by_m_d_3*t195 + mu_2_by_m_d_3*t196 + mu_3_by_m_d_3*t197,
-        mu_1_by_m_d_3*t198 + mu_2_by_m_d_3*t199 + mu_3_by_m_d_3*t200,
-        mu_1_by_m_d_3*t201 + mu_2_by_m_d_3*t202 + mu_3_by_m_d_3*t203,
-        mu_1_by_m_d_3*t204 + mu_2_by_m_d_3*t205 + mu_3_by_m_d_3*t206,
-        mu_1_by_m_d_3*t207 + mu_2_by_m_d_3*t209 + mu_3_by_m_d_3*t208,
-        mu_1_by_m_d_3*t210 + mu_2_by_m_d_3*t211 + mu_3_by_m_d_3*t212,
-        mu_1_by_m_d_3*t213 + mu_2_by_m_d_3*t214 + mu_3_by_m_d_3*t215,
-        mu_1_by_m_d_3*t216 + mu_2_by_m_d_3*t217 + mu_3_by_m_d_3*t218,
-        mu_1_by_m_d_3*t219 + mu_2_by_m_d_3*t220 + mu_3_by_m_d_3*t221,
-        mu_1_by_m_d_3*t222 + mu_2_by_m_d_3*t223 + mu_3_by_m_d_3*t224 + t13*t249 + t14*t250 + t15*t251,
-        mu_1_by_m_d_3*t225 + mu_2_by_m_d_3*t226 + mu_3_by_m_d_3*t227,
-        mu_1_by_m_d_3*t228 + mu_2_by_m_d_3*t229 + mu_3_by_m_d_3*t230,
-        mu_1_by_m_d_3*t231 + mu_2_by_m_d_3*t232 + mu_3_by_m_d_3*t233,
-        mu_1_by_m_d_3*t234 - mu_2_by_m_d_3*t111 - mu_3_by_m_d_3*t111,
-        -mu_1_by_m_d_3*t115 - mu_2_by_m_d_3*t115 - mu_3_by_m_d_3*t115,
-        -mu_1_by_m_d_3*t119 - mu_2_by_m_d_3*t119 - mu_3_by_m_d_3*t119,
-        -mu_1_by_m_d_3*t123 + mu_2_by_m_d_3*t235 - mu_3_by_m_d_3*t123,
-        -mu_1_by_m_d_3*t127 - mu_2_by_m_d_3*t127 - mu_3_by_m_d_3*t127,
-        -mu_1_by_m_d_3*t131 - mu_2_by_m_d_3*t131 + mu_3_by_m_d_3*t236, t252, -t252, t252, t253, -t253, t253,
-        t254, -t254, t254, k_r_1, -k_r_1, k_r_1, k_r_2, -k_r_2, k_r_2, k_r_3, -k_r_3, k_r_3, t51, t55, t59,
+        -mu_1_by_m_d_1*t131 - mu_2_by_m_d_1*t131 + mu_3_by_m_d_1*t209,
+        mu_1_by_m_d_1*t189 - mu_2_by_m_d_1*t51 - mu_3_by_m_d_1*t51,
+        mu_1_by_m_d_1*t190 + mu_2_by_m_d_1*t191 - mu_3_by_m_d_1*t55,
+        mu_1_by_m_d_1*t192 - mu_2_by_m_d_1*t59 + mu_3_by_m_d_1*t193,
+        mu_1_by_m_d_1*t194 - mu_2_by_m_d_1*t63 - mu_3_by_m_d_1*t63,
+        mu_1_by_m_d_1*t195 - mu_2_by_m_d_1*t67 - mu_3_by_m_d_1*t67,
+        mu_1_by_m_d_1*t196 - mu_2_by_m_d_1*t71 - mu_3_by_m_d_1*t71,
+        -mu_1_by_m_d_1*t75 + mu_2_by_m_d_1*t197 - mu_3_by_m_d_1*t75 + t10*t222 + t11*t223 + t12*t224,
+        -mu_1_by_m_d_1*t79 + mu_2_by_m_d_1*t198 + mu_3_by_m_d_1*t199,
+        -mu_1_by_m_d_1*t83 + mu_2_by_m_d_1*t200 - mu_3_by_m_d_1*t83,
+        -mu_1_by_m_d_1*t87 + mu_2_by_m_d_1*t201 - mu_3_by_m_d_1*t87,
+        -mu_1_by_m_d_1*t91 + mu_2_by_m_d_1*t202 - mu_3_by_m_d_1*t91,
+        -mu_1_by_m_d_1*t95 - mu_2_by_m_d_1*t95 + mu_3_by_m_d_1*t203,
+        -mu_1_by_m_d_1*t99 - mu_2_by_m_d_1*t99 + mu_3_by_m_d_1*t204,
+        -mu_1_by_m_d_1*t103 - mu_2_by_m_d_1*t103 + mu_3_by_m_d_1*t205,
+        -mu_1_by_m_d_1*t107 - mu_2_by_m_d_1*t107 + mu_3_by_m_d_1*t206,
+        mu_1_by_m_d_1*t207 - mu_2_by_m_d_1*t111 - mu_3_by_m_d_1*t111,
+        -mu_1_by_m_d_1*t115 - mu_2_by_m_d_1*t115 - mu_3_by_m_d_1*t115,
+        -mu_1_by_m_d_1*t119 - mu_2_by_m_d_1*t119 - mu_3_by_m_d_1*t119,
+        -mu_1_by_m_d_1*t123 + mu_2_by_m_d_1*t208 - mu_3_by_m_d_1*t123,
+        -mu_1_by_m_d_1*t127 - mu_2_by_m_d_1*t127 - mu_3_by_m_d_1*t127,
+        -mu_1_by_m_d_1*t131 - mu_2_by_m_d_1*t131 + mu_3_by_m_d_1*t209,
+        mu_1_by_m_d_1*t189 - mu_2_by_m_d_1*t51 - mu_3_by_m_d_1*t51,
+        mu_1_by_m_d_1*t190 + mu_2_by_m_d_1*t191 - mu_3_by_m_d_1*t55,
+        mu_1_by_m_d_1*t192 - mu_2_by_m_d_1*t59 + mu_3_by_m_d_1*t193,
+        mu_1_by_m_d_1*t194 - mu_2_by_m_d_1*t63 - mu_3_by_m_d_1*t63,
+        mu_1_by_m_d_1*t195 - mu_2_by_m_d_1*t67 - mu_3_by_m_d_1*t67,
+        mu_1_by_m_d_1*t196 - mu_2_by_m_d_1*t71 - mu_3_by_m_d_1*t71,
+        -mu_1_by_m_d_1*t75 + mu_2_by_m_d_1*t197 - mu_3_by_m_d_1*t75,
+        -mu_1_by_m_d_1*t79 + mu_2_by_m_d_1*t198 + mu_3_by_m_d_1*t199,
+        -mu_1_by_m_d_1*t83 + mu_2_by_m_d_1*t200 - mu_3_by_m_d_1*t83,
+        -mu_1_by_m_d_1*t87 + mu_2_by_m_d_1*t201 - mu_3_by_m_d_1*t87,
+        -mu_1_by_m_d_1*t91 + mu_2_by_m_d_1*t202 - mu_3_by_m_d_1*t91,
+        -mu_1_by_m_d_1*t95 - mu_2_by_m_d_1*t95 + mu_3_by_m_d_1*t203 + t13*t222 + t14*t223 + t15*t224,
+        -mu_1_by_m_d_1*t99 - mu_2_by_m_d_1*t99 + mu_3_by_m_d_1*t204,
+        -mu_1_by_m_d_1*t103 - mu_2_by_m_d_1*t103 + mu_3_by_m_d_1*t205,
+        -mu_1_by_m_d_1*t107 - mu_2_by_m_d_1*t107 + mu_3_by_m_d_1*t206,
+        mu_1_by_m_d_1*t207 - mu_2_by_m_d_1*t111 - mu_3_by_m_d_1*t111,
+        -mu_1_by_m_d_1*t115 - mu_2_by_m_d_1*t115 - mu_3_by_m_d_1*t115,
+        -mu_1_by_m_d_1*t119 - mu_2_by_m_d_1*t119 - mu_3_by_m_d_1*t119,
+        -mu_1_by_m_d_1*t123 + mu_2_by_m_d_1*t208 - mu_3_by_m_d_1*t123,
+        -mu_1_by_m_d_1*t127 - mu_2_by_m_d_1*t127 - mu_3_by_m_d_1*t127,
+        -mu_1_by_m_d_1*t131 - mu_2_by_m_d_1*t131 + mu_3_by_m_d_1*t209, t225, -t225, t225, t226, -t226, t226,
+        t227, -t227, t227, k_r_1, -k_r_1, k_r_1, k_r_2, -k_r_2, k_r_2, k_r_3, -k_r_3, k_r_3, t51, t55, t59,
         t63, t67, t71, D_p_x_1, D_p_y_1, D_p_z_1, t75, t79, t83, t87, t91, D_p_x_2, D_p_y_2, D_p_z_2, t95,
         t99, t103, t107, D_p_x_3, D_p_y_3, D_p_z_3, t111, t115, t119, D_delta_x_1, D_delta_y_1, D_delta_z_1,
         t123, t127, D_delta_x_2, D_delta_y_2, D_delta_z_2, t131, D_delta_x_3, D_delta_y_3, D_delta_z_3, 1, 1,
-        1, mu_1_by_m_L*t191 + mu_2_by_m_L*t189 + mu_3_by_m_L*t190,
-        mu_1_by_m_L*t192 + mu_2_by_m_L*t193 + mu_3_by_m_L*t194,
-        mu_1_by_m_L*t195 + mu_2_by_m_L*t196 + mu_3_by_m_L*t197,
-        mu_1_by_m_L*t198 + mu_2_by_m_L*t199 + mu_3_by_m_L*t200,
-        mu_1_by_m_L*t201 + mu_2_by_m_L*t202 + mu_3_by_m_L*t203,
-        mu_1_by_m_L*t204 + mu_2_by_m_L*t205 + mu_3_by_m_L*t206,
-        mu_1_by_m_L*t207 + mu_2_by_m_L*t209 + mu_3_by_m_L*t208,
-        mu_1_by_m_L*t210 + mu_2_by_m_L*t211 + mu_3_by_m_L*t212,
-        mu_1_by_m_L*t213 + mu_2_by_m_L*t214 + mu_3_by_m_L*t215,
-        mu_1_by_m_L*t216 + mu_2_by_m_L*t217 + mu_3_by_m_L*t218,
-        mu_1_by_m_L*t219 + mu_2_by_m_L*t220 + mu_3_by_m_L*t221,
-        mu_1_by_m_L*t222 + mu_2_by_m_L*t223 + mu_3_by_m_L*t224,
-        mu_1_by_m_L*t225 + mu_2_by_m_L*t226 + mu_3_by_m_L*t227,
-        mu_1_by_m_L*t228 + mu_2_by_m_L*t229 + mu_3_by_m_L*t230,
-        mu_1_by_m_L*t231 + mu_2_by_m_L*t232 + mu_3_by_m_L*t233,
-        mu_1_by_m_L*t234 - mu_2_by_m_L*t111 - mu_3_by_m_L*t111,
-        -mu_1_by_m_L*t115 - mu_2_by_m_L*t115 - mu_3_by_m_L*t115,
-        -mu_1_by_m_L*t119 - mu_2_by_m_L*t119 - mu_3_by_m_L*t119,
-        -mu_1_by_m_L*t123 + mu_2_by_m_L*t235 - mu_3_by_m_L*t123,
-        -mu_1_by_m_L*t127 - mu_2_by_m_L*t127 - mu_3_by_m_L*t127,
-        -mu_1_by_m_L*t131 - mu_2_by_m_L*t131 + mu_3_by_m_L*t236, 1, 1, 1,
+        1, mu_1_by_m_p*t189 - mu_2_by_m_p*t51 - mu_3_by_m_p*t51,
+        mu_1_by_m_p*t190 + mu_2_by_m_p*t191 - mu_3_by_m_p*t55,
+        mu_1_by_m_p*t192 - mu_2_by_m_p*t59 + mu_3_by_m_p*t193,
+        mu_1_by_m_p*t194 - mu_2_by_m_p*t63 - mu_3_by_m_p*t63,
+        mu_1_by_m_p*t195 - mu_2_by_m_p*t67 - mu_3_by_m_p*t67,
+        mu_1_by_m_p*t196 - mu_2_by_m_p*t71 - mu_3_by_m_p*t71,
+        -mu_1_by_m_p*t75 + mu_2_by_m_p*t197 - mu_3_by_m_p*t75,
+        -mu_1_by_m_p*t79 + mu_2_by_m_p*t198 + mu_3_by_m_p*t199,
+        -mu_1_by_m_p*t83 + mu_2_by_m_p*t200 - mu_3_by_m_p*t83,
+        -mu_1_by_m_p*t87 + mu_2_by_m_p*t201 - mu_3_by_m_p*t87,
+        -mu_1_by_m_p*t91 + mu_2_by_m_p*t202 - mu_3_by_m_p*t91,
+        -mu_1_by_m_p*t95 - mu_2_by_m_p*t95 + mu_3_by_m_p*t203,
+        -mu_1_by_m_p*t99 - mu_2_by_m_p*t99 + mu_3_by_m_p*t204,
+        -mu_1_by_m_p*t103 - mu_2_by_m_p*t103 + mu_3_by_m_p*t205,
+        -mu_1_by_m_p*t107 - mu_2_by_m_p*t107 + mu_3_by_m_p*t206,
+        mu_1_by_m_p*t207 - mu_2_by_m_p*t111 - mu_3_by_m_p*t111,
+        -mu_1_by_m_p*t115 - mu_2_by_m_p*t115 - mu_3_by_m_p*t115,
+        -mu_1_by_m_p*t119 - mu_2_by_m_p*t119 - mu_3_by_m_p*t119,
+        -mu_1_by_m_p*t123 + mu_2_by_m_p*t208 - mu_3_by_m_p*t123,
+        -mu_1_by_m_p*t127 - mu_2_by_m_p*t127 - mu_3_by_m_p*t127,
+        -mu_1_by_m_p*t131 - mu_2_by_m_p*t131 + mu_3_by_m_p*t209, 1, 1, 1,
     ))
     return M_theta_out, K_theta_out
 
@@ -2943,7 +1945,7 @@ def geometry_sensitivities(p, parameters, effects):
     Notes
     -----
     Implicit function theorem and chain rule.
-    17539 operations; 402222801 with every named value written out.
+    17467 operations; 402222801 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -3094,31 +2096,13 @@ def geometry_sensitivities(p, parameters, effects):
     D_delta_z_2 = l_d_2*t33
     D_delta_z_3 = l_d_3*t34
     U_1_x_1 = D_p_x_1 - t16
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - t17
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - t18
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - t19
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - t20
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - t21
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - t22
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - t23
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - t24
     t35 = (1/2)*m_d_1
     t36 = (1/2)*m_d_2
@@ -3923,16 +2907,16 @@ def geometry_sensitivities(p, parameters, effects):
     t409 = t343*theta_3_by_l_d_3
     t410 = D_p_x_1*k_C
     t411 = 2*D_p_x_1_by_b_1_x
-    t412 = U_2_x_1*mu_2
-    t413 = U_3_x_1*mu_3
+    t412 = D_p_x_1*mu_2
+    t413 = D_p_x_1*mu_3
     t414 = D_p_y_1*k_C
     t415 = 2*D_p_y_1_by_b_1_x
-    t416 = U_2_y_1*mu_2
-    t417 = U_3_y_1*mu_3
+    t416 = D_p_y_1*mu_2
+    t417 = D_p_y_1*mu_3
     t418 = D_p_z_1*k_C
     t419 = 2*D_p_z_1_by_b_1_x
-    t420 = U_2_z_1*mu_2
-    t421 = U_3_z_1*mu_3
+    t420 = D_p_z_1*mu_2
+    t421 = D_p_z_1*mu_3
     t422 = mu_1*t48
     t423 = d_1_y*t_1_y
     t424 = d_1_z*t_1_z
@@ -3946,383 +2930,371 @@ def geometry_sensitivities(p, parameters, effects):
     t432 = U_1_z_1*mu_1
     t433 = 2*t432
     t434 = mu_1*t7
-    t435 = -U_2_x_1**2 - U_2_y_1**2 - U_2_z_1**2
-    t436 = -U_3_x_1**2 - U_3_y_1**2 - U_3_z_1**2
-    t437 = L_a_1*mu_1
-    t438 = g_x*t260 - s_1_x*t437
-    t439 = t438*t_1_x
-    t440 = g_y*t260 - s_1_y*t437
-    t441 = t440*t_1_y
-    t442 = g_z*t260 - s_1_z*t437
-    t443 = t442*t_1_z
-    t444 = -U_1_x_1**2 - U_1_y_1**2 - U_1_z_1**2 - t44 - t45 - t46
+    t435 = -D_p_x_1**2 - D_p_y_1**2 - D_p_z_1**2
+    t436 = L_a_1*mu_1
+    t437 = g_x*t260 - s_1_x*t436
+    t438 = t437*t_1_x
+    t439 = g_y*t260 - s_1_y*t436
+    t440 = t439*t_1_y
+    t441 = g_z*t260 - s_1_z*t436
+    t442 = t441*t_1_z
+    t443 = -U_1_x_1**2 - U_1_y_1**2 - U_1_z_1**2 - t44 - t45 - t46
+    t444 = D_p_x_2*mu_3
     t445 = U_2_x_2*mu_2
-    t446 = U_3_x_2*mu_3
+    t446 = D_p_y_2*mu_3
     t447 = U_2_y_2*mu_2
-    t448 = U_3_y_2*mu_3
+    t448 = D_p_z_2*mu_3
     t449 = U_2_z_2*mu_2
-    t450 = U_3_z_2*mu_3
-    t451 = U_1_x_2*mu_1
-    t452 = U_1_y_2*mu_1
-    t453 = U_1_z_2*mu_1
-    t454 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2
-    t455 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2
-    t456 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2
-    t457 = U_2_x_3*mu_2
-    t458 = U_3_x_3*mu_3
-    t459 = U_2_y_3*mu_2
-    t460 = U_3_y_3*mu_3
-    t461 = U_2_z_3*mu_2
-    t462 = U_3_z_3*mu_3
-    t463 = U_1_x_3*mu_1
-    t464 = U_1_y_3*mu_1
-    t465 = U_1_z_3*mu_1
-    t466 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3
-    t467 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3
-    t468 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3
-    t469 = D_p_x_1_by_b_1_x*k_C
-    t470 = D_p_y_1_by_b_1_x*k_C
-    t471 = D_p_z_1_by_b_1_x*k_C
-    t472 = D_delta_x_1*mu_2
-    t473 = D_delta_x_1*mu_3
-    t474 = D_delta_y_1*mu_2
-    t475 = D_delta_y_1*mu_3
-    t476 = D_delta_z_1*mu_2
-    t477 = D_delta_z_1*mu_3
-    t478 = D_delta_x_1*mu_1
-    t479 = D_delta_y_1*mu_1
-    t480 = D_delta_z_1*mu_1
-    t481 = -D_delta_x_1*U_1_x_1 - D_delta_y_1*U_1_y_1 - D_delta_z_1*U_1_z_1
-    t482 = -D_delta_x_1*U_2_x_1 - D_delta_y_1*U_2_y_1 - D_delta_z_1*U_2_z_1
-    t483 = -D_delta_x_1*U_3_x_1 - D_delta_y_1*U_3_y_1 - D_delta_z_1*U_3_z_1
-    t484 = D_p_x_1*k_C - t412 - t413 - t426
-    t485 = D_p_y_1*k_C - t416 - t417 - t429
-    t486 = D_p_z_1*k_C - t420 - t421 - t432
-    t487 = D_delta_x_2*mu_2
-    t488 = D_delta_x_2*mu_3
-    t489 = D_delta_y_2*mu_2
-    t490 = D_delta_y_2*mu_3
-    t491 = D_delta_z_2*mu_2
-    t492 = D_delta_z_2*mu_3
-    t493 = D_delta_x_2*mu_1
-    t494 = D_delta_y_2*mu_1
-    t495 = D_delta_z_2*mu_1
-    t496 = -D_delta_x_2*U_1_x_1 - D_delta_y_2*U_1_y_1 - D_delta_z_2*U_1_z_1
-    t497 = -D_delta_x_2*U_2_x_1 - D_delta_y_2*U_2_y_1 - D_delta_z_2*U_2_z_1
-    t498 = -D_delta_x_2*U_3_x_1 - D_delta_y_2*U_3_y_1 - D_delta_z_2*U_3_z_1
-    t499 = D_delta_x_3*mu_2
-    t500 = D_delta_x_3*mu_3
-    t501 = D_delta_y_3*mu_2
-    t502 = D_delta_y_3*mu_3
-    t503 = D_delta_z_3*mu_2
-    t504 = D_delta_z_3*mu_3
-    t505 = D_delta_x_3*mu_1
-    t506 = D_delta_y_3*mu_1
-    t507 = D_delta_z_3*mu_1
-    t508 = -D_delta_x_3*U_1_x_1 - D_delta_y_3*U_1_y_1 - D_delta_z_3*U_1_z_1
-    t509 = -D_delta_x_3*U_2_x_1 - D_delta_y_3*U_2_y_1 - D_delta_z_3*U_2_z_1
-    t510 = -D_delta_x_3*U_3_x_1 - D_delta_y_3*U_3_y_1 - D_delta_z_3*U_3_z_1
-    t511 = 2*D_p_x_2_by_b_1_x
-    t512 = 2*D_p_y_2_by_b_1_x
-    t513 = 2*D_p_z_2_by_b_1_x
-    t514 = -U_1_x_2**2 - U_1_y_2**2 - U_1_z_2**2
-    t515 = -U_3_x_2**2 - U_3_y_2**2 - U_3_z_2**2
-    t516 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2 - t82 - t83 - t84
-    t517 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3
-    t518 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3
-    t519 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3
-    t520 = D_p_x_2_by_b_1_x*k_C
-    t521 = D_p_y_2_by_b_1_x*k_C
-    t522 = D_p_z_2_by_b_1_x*k_C
-    t523 = -D_delta_x_1*U_1_x_2 - D_delta_y_1*U_1_y_2 - D_delta_z_1*U_1_z_2
-    t524 = -D_delta_x_1*U_2_x_2 - D_delta_y_1*U_2_y_2 - D_delta_z_1*U_2_z_2
-    t525 = -D_delta_x_1*U_3_x_2 - D_delta_y_1*U_3_y_2 - D_delta_z_1*U_3_z_2
-    t526 = D_p_x_2*k_C - t445 - t446 - t451
-    t527 = D_p_y_2*k_C - t447 - t448 - t452
-    t528 = D_p_z_2*k_C - t449 - t450 - t453
-    t529 = -D_delta_x_2*U_1_x_2 - D_delta_y_2*U_1_y_2 - D_delta_z_2*U_1_z_2
-    t530 = -D_delta_x_2*U_2_x_2 - D_delta_y_2*U_2_y_2 - D_delta_z_2*U_2_z_2
-    t531 = -D_delta_x_2*U_3_x_2 - D_delta_y_2*U_3_y_2 - D_delta_z_2*U_3_z_2
-    t532 = -D_delta_x_3*U_1_x_2 - D_delta_y_3*U_1_y_2 - D_delta_z_3*U_1_z_2
-    t533 = -D_delta_x_3*U_2_x_2 - D_delta_y_3*U_2_y_2 - D_delta_z_3*U_2_z_2
-    t534 = -D_delta_x_3*U_3_x_2 - D_delta_y_3*U_3_y_2 - D_delta_z_3*U_3_z_2
-    t535 = 2*D_p_x_3_by_b_1_x
-    t536 = 2*D_p_y_3_by_b_1_x
-    t537 = 2*D_p_z_3_by_b_1_x
-    t538 = -U_1_x_3**2 - U_1_y_3**2 - U_1_z_3**2
-    t539 = -U_2_x_3**2 - U_2_y_3**2 - U_2_z_3**2
-    t540 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2 - t120 - t121 - t122
-    t541 = D_p_x_3_by_b_1_x*k_C
-    t542 = D_p_y_3_by_b_1_x*k_C
-    t543 = D_p_z_3_by_b_1_x*k_C
-    t544 = -D_delta_x_1*U_1_x_3 - D_delta_y_1*U_1_y_3 - D_delta_z_1*U_1_z_3
-    t545 = -D_delta_x_1*U_2_x_3 - D_delta_y_1*U_2_y_3 - D_delta_z_1*U_2_z_3
-    t546 = -D_delta_x_1*U_3_x_3 - D_delta_y_1*U_3_y_3 - D_delta_z_1*U_3_z_3
-    t547 = D_p_x_3*k_C - t457 - t458 - t463
-    t548 = D_p_y_3*k_C - t459 - t460 - t464
-    t549 = D_p_z_3*k_C - t461 - t462 - t465
-    t550 = -D_delta_x_2*U_1_x_3 - D_delta_y_2*U_1_y_3 - D_delta_z_2*U_1_z_3
-    t551 = -D_delta_x_2*U_2_x_3 - D_delta_y_2*U_2_y_3 - D_delta_z_2*U_2_z_3
-    t552 = -D_delta_x_2*U_3_x_3 - D_delta_y_2*U_3_y_3 - D_delta_z_2*U_3_z_3
-    t553 = -D_delta_x_3*U_1_x_3 - D_delta_y_3*U_1_y_3 - D_delta_z_3*U_1_z_3
-    t554 = -D_delta_x_3*U_2_x_3 - D_delta_y_3*U_2_y_3 - D_delta_z_3*U_2_z_3
-    t555 = -D_delta_x_3*U_3_x_3 - D_delta_y_3*U_3_y_3 - D_delta_z_3*U_3_z_3
-    t556 = D_delta_x_1**2 + D_delta_y_1**2 + D_delta_z_1**2
-    t557 = 2*D_delta_x_1*k_C - 2*t472 - 2*t473 - 2*t478
-    t558 = 2*D_delta_y_1*k_C - 2*t474 - 2*t475 - 2*t479
-    t559 = 2*D_delta_z_1*k_C - 2*t476 - 2*t477 - 2*t480
-    t560 = 1 - t556
-    t561 = -D_delta_x_1*D_delta_x_2 - D_delta_y_1*D_delta_y_2 - D_delta_z_1*D_delta_z_2
-    t562 = D_delta_x_2*k_C - t487 - t488 - t493
-    t563 = D_delta_x_1*k_C - t472 - t473 - t478
-    t564 = D_delta_y_2*k_C - t489 - t490 - t494
-    t565 = D_delta_y_1*k_C - t474 - t475 - t479
-    t566 = D_delta_z_2*k_C - t491 - t492 - t495
-    t567 = D_delta_z_1*k_C - t476 - t477 - t480
-    t568 = -D_delta_x_1*D_delta_x_3 - D_delta_y_1*D_delta_y_3 - D_delta_z_1*D_delta_z_3
-    t569 = D_delta_x_3*k_C - t499 - t500 - t505
-    t570 = D_delta_y_3*k_C - t501 - t502 - t506
-    t571 = D_delta_z_3*k_C - t503 - t504 - t507
-    t572 = D_delta_x_2**2 + D_delta_y_2**2 + D_delta_z_2**2
-    t573 = 2*D_delta_x_2*k_C - 2*t487 - 2*t488 - 2*t493
-    t574 = 2*D_delta_y_2*k_C - 2*t489 - 2*t490 - 2*t494
-    t575 = 2*D_delta_z_2*k_C - 2*t491 - 2*t492 - 2*t495
-    t576 = 1 - t572
-    t577 = -D_delta_x_2*D_delta_x_3 - D_delta_y_2*D_delta_y_3 - D_delta_z_2*D_delta_z_3
-    t578 = D_delta_x_3**2 + D_delta_y_3**2 + D_delta_z_3**2
-    t579 = 2*D_delta_x_3*k_C - 2*t499 - 2*t500 - 2*t505
-    t580 = 2*D_delta_y_3*k_C - 2*t501 - 2*t502 - 2*t506
-    t581 = 2*D_delta_z_3*k_C - 2*t503 - 2*t504 - 2*t507
-    t582 = 1 - t578
-    t583 = 2*D_p_x_1_by_b_1_y
-    t584 = 2*D_p_y_1_by_b_1_y
-    t585 = 2*D_p_z_1_by_b_1_y
-    t586 = mu_1*t60
-    t587 = d_1_x*t_1_x
-    t588 = D_p_x_1_by_b_1_y + t295
-    t589 = D_p_y_1_by_b_1_y + t296
-    t590 = D_p_z_1_by_b_1_y + t297
-    t591 = mu_1*t8
-    t592 = D_delta_x_1*k_C
-    t593 = D_delta_y_1*k_C
-    t594 = D_delta_z_1*k_C
-    t595 = D_delta_x_2*k_C
-    t596 = D_delta_y_2*k_C
-    t597 = D_delta_z_2*k_C
-    t598 = D_delta_x_3*k_C
-    t599 = D_delta_y_3*k_C
-    t600 = D_delta_z_3*k_C
-    t601 = 2*D_p_x_2_by_b_1_y
-    t602 = 2*D_p_y_2_by_b_1_y
-    t603 = 2*D_p_z_2_by_b_1_y
-    t604 = 2*D_p_x_3_by_b_1_y
-    t605 = 2*D_p_y_3_by_b_1_y
-    t606 = 2*D_p_z_3_by_b_1_y
-    t607 = 2*D_p_x_1_by_b_1_z
-    t608 = 2*D_p_y_1_by_b_1_z
-    t609 = 2*D_p_z_1_by_b_1_z
-    t610 = mu_1*t70
-    t611 = D_p_x_1_by_b_1_z + t302
-    t612 = D_p_y_1_by_b_1_z + t303
-    t613 = D_p_z_1_by_b_1_z + t304
-    t614 = mu_1*t9
-    t615 = 2*D_p_x_2_by_b_1_z
-    t616 = 2*D_p_y_2_by_b_1_z
-    t617 = 2*D_p_z_2_by_b_1_z
-    t618 = 2*D_p_x_3_by_b_1_z
-    t619 = 2*D_p_y_3_by_b_1_z
-    t620 = 2*D_p_z_3_by_b_1_z
-    t621 = 2*D_p_x_1_by_b_2_x
-    t622 = 2*D_p_y_1_by_b_2_x
-    t623 = 2*D_p_z_1_by_b_2_x
-    t624 = D_p_x_2_by_b_2_x + t309
-    t625 = D_p_y_2_by_b_2_x + t311
-    t626 = D_p_z_2_by_b_2_x + t313
-    t627 = D_p_x_2*k_C
-    t628 = 2*D_p_x_2_by_b_2_x
-    t629 = D_p_y_2*k_C
-    t630 = 2*D_p_y_2_by_b_2_x
-    t631 = D_p_z_2*k_C
-    t632 = 2*D_p_z_2_by_b_2_x
-    t633 = mu_2*t86
-    t634 = d_2_y*t_2_y
-    t635 = d_2_z*t_2_z
-    t636 = 2*t445
-    t637 = 2*t447
-    t638 = 2*t449
-    t639 = mu_2*t10
-    t640 = L_a_2*mu_2
-    t641 = g_x*t318 - s_2_x*t640
-    t642 = t641*t_2_x
-    t643 = g_y*t318 - s_2_y*t640
-    t644 = t643*t_2_y
-    t645 = g_z*t318 - s_2_z*t640
-    t646 = t645*t_2_z
-    t647 = 2*D_p_x_3_by_b_2_x
-    t648 = 2*D_p_y_3_by_b_2_x
-    t649 = 2*D_p_z_3_by_b_2_x
-    t650 = 2*D_p_x_1_by_b_2_y
-    t651 = 2*D_p_y_1_by_b_2_y
-    t652 = 2*D_p_z_1_by_b_2_y
-    t653 = D_p_x_2_by_b_2_y + t320
-    t654 = D_p_y_2_by_b_2_y + t322
-    t655 = D_p_z_2_by_b_2_y + t324
-    t656 = 2*D_p_x_2_by_b_2_y
-    t657 = 2*D_p_y_2_by_b_2_y
-    t658 = 2*D_p_z_2_by_b_2_y
-    t659 = mu_2*t98
-    t660 = d_2_x*t_2_x
-    t661 = mu_2*t11
-    t662 = 2*D_p_x_3_by_b_2_y
-    t663 = 2*D_p_y_3_by_b_2_y
-    t664 = 2*D_p_z_3_by_b_2_y
-    t665 = 2*D_p_x_1_by_b_2_z
-    t666 = 2*D_p_y_1_by_b_2_z
-    t667 = 2*D_p_z_1_by_b_2_z
-    t668 = D_p_x_2_by_b_2_z + t327
-    t669 = D_p_y_2_by_b_2_z + t329
-    t670 = D_p_z_2_by_b_2_z + t331
-    t671 = 2*D_p_x_2_by_b_2_z
-    t672 = 2*D_p_y_2_by_b_2_z
-    t673 = 2*D_p_z_2_by_b_2_z
-    t674 = mu_2*t108
-    t675 = mu_2*t12
-    t676 = 2*D_p_x_3_by_b_2_z
-    t677 = 2*D_p_y_3_by_b_2_z
-    t678 = 2*D_p_z_3_by_b_2_z
-    t679 = 2*D_p_x_1_by_b_3_x
-    t680 = 2*D_p_y_1_by_b_3_x
-    t681 = 2*D_p_z_1_by_b_3_x
-    t682 = D_p_x_3_by_b_3_x + t334
-    t683 = D_p_y_3_by_b_3_x + t336
-    t684 = D_p_z_3_by_b_3_x + t338
-    t685 = 2*D_p_x_2_by_b_3_x
-    t686 = 2*D_p_y_2_by_b_3_x
-    t687 = 2*D_p_z_2_by_b_3_x
-    t688 = D_p_x_3*k_C
-    t689 = 2*D_p_x_3_by_b_3_x
-    t690 = D_p_y_3*k_C
-    t691 = 2*D_p_y_3_by_b_3_x
-    t692 = D_p_z_3*k_C
-    t693 = 2*D_p_z_3_by_b_3_x
-    t694 = mu_3*t124
-    t695 = d_3_y*t_3_y
-    t696 = d_3_z*t_3_z
-    t697 = 2*t458
-    t698 = 2*t460
-    t699 = 2*t462
-    t700 = mu_3*t13
-    t701 = L_a_3*mu_3
-    t702 = g_x*t343 - s_3_x*t701
-    t703 = t702*t_3_x
-    t704 = g_y*t343 - s_3_y*t701
-    t705 = t704*t_3_y
-    t706 = g_z*t343 - s_3_z*t701
-    t707 = t706*t_3_z
-    t708 = 2*D_p_x_1_by_b_3_y
-    t709 = 2*D_p_y_1_by_b_3_y
-    t710 = 2*D_p_z_1_by_b_3_y
-    t711 = D_p_x_3_by_b_3_y + t345
-    t712 = D_p_y_3_by_b_3_y + t347
-    t713 = D_p_z_3_by_b_3_y + t349
-    t714 = 2*D_p_x_2_by_b_3_y
-    t715 = 2*D_p_y_2_by_b_3_y
-    t716 = 2*D_p_z_2_by_b_3_y
-    t717 = 2*D_p_x_3_by_b_3_y
-    t718 = 2*D_p_y_3_by_b_3_y
-    t719 = 2*D_p_z_3_by_b_3_y
-    t720 = mu_3*t136
-    t721 = d_3_x*t_3_x
-    t722 = mu_3*t14
-    t723 = 2*D_p_x_1_by_b_3_z
-    t724 = 2*D_p_y_1_by_b_3_z
-    t725 = 2*D_p_z_1_by_b_3_z
-    t726 = D_p_x_3_by_b_3_z + t352
-    t727 = D_p_y_3_by_b_3_z + t354
-    t728 = D_p_z_3_by_b_3_z + t356
-    t729 = 2*D_p_x_2_by_b_3_z
-    t730 = 2*D_p_y_2_by_b_3_z
-    t731 = 2*D_p_z_2_by_b_3_z
-    t732 = 2*D_p_x_3_by_b_3_z
-    t733 = 2*D_p_y_3_by_b_3_z
-    t734 = 2*D_p_z_3_by_b_3_z
-    t735 = mu_3*t146
-    t736 = mu_3*t15
-    t737 = 2*D_p_x_1_by_L_a_1
-    t738 = 2*D_p_y_1_by_L_a_1
-    t739 = 2*D_p_z_1_by_L_a_1
-    t740 = D_p_x_1_by_L_a_1 + t359 - t_1_x
-    t741 = D_p_y_1_by_L_a_1 + t360 - t_1_y
-    t742 = D_p_z_1_by_L_a_1 + t361 - t_1_z
-    t743 = 2*D_p_x_2_by_L_a_1
-    t744 = 2*D_p_y_2_by_L_a_1
-    t745 = 2*D_p_z_2_by_L_a_1
-    t746 = 2*D_p_x_3_by_L_a_1
-    t747 = 2*D_p_y_3_by_L_a_1
-    t748 = 2*D_p_z_3_by_L_a_1
-    t749 = 2*D_p_x_1_by_L_a_2
-    t750 = 2*D_p_y_1_by_L_a_2
-    t751 = 2*D_p_z_1_by_L_a_2
-    t752 = D_p_x_2_by_L_a_2 + t372 - t_2_x
-    t753 = D_p_y_2_by_L_a_2 + t374 - t_2_y
-    t754 = D_p_z_2_by_L_a_2 + t376 - t_2_z
-    t755 = 2*D_p_x_2_by_L_a_2
-    t756 = 2*D_p_y_2_by_L_a_2
-    t757 = 2*D_p_z_2_by_L_a_2
-    t758 = 2*D_p_x_3_by_L_a_2
-    t759 = 2*D_p_y_3_by_L_a_2
-    t760 = 2*D_p_z_3_by_L_a_2
-    t761 = 2*D_p_x_1_by_L_a_3
-    t762 = 2*D_p_y_1_by_L_a_3
-    t763 = 2*D_p_z_1_by_L_a_3
-    t764 = D_p_x_3_by_L_a_3 + t382 - t_3_x
-    t765 = D_p_y_3_by_L_a_3 + t384 - t_3_y
-    t766 = D_p_z_3_by_L_a_3 + t386 - t_3_z
-    t767 = 2*D_p_x_2_by_L_a_3
-    t768 = 2*D_p_y_2_by_L_a_3
-    t769 = 2*D_p_z_2_by_L_a_3
-    t770 = 2*D_p_x_3_by_L_a_3
-    t771 = 2*D_p_y_3_by_L_a_3
-    t772 = 2*D_p_z_3_by_L_a_3
-    t773 = 2*D_p_x_1_by_l_d_1
-    t774 = 2*D_p_y_1_by_l_d_1
-    t775 = 2*D_p_z_1_by_l_d_1
-    t776 = mu_1*t190
-    t777 = D_p_x_1_by_l_d_1 + t389
-    t778 = D_p_y_1_by_l_d_1 + t390
-    t779 = D_p_z_1_by_l_d_1 + t391
-    t780 = 2*D_p_x_2_by_l_d_1
-    t781 = 2*D_p_y_2_by_l_d_1
-    t782 = 2*D_p_z_2_by_l_d_1
-    t783 = 2*D_p_x_3_by_l_d_1
-    t784 = 2*D_p_y_3_by_l_d_1
-    t785 = 2*D_p_z_3_by_l_d_1
-    t786 = 2*D_p_x_1_by_l_d_2
-    t787 = 2*D_p_y_1_by_l_d_2
-    t788 = 2*D_p_z_1_by_l_d_2
-    t789 = D_p_x_2_by_l_d_2 + t396
-    t790 = D_p_y_2_by_l_d_2 + t398
-    t791 = D_p_z_2_by_l_d_2 + t400
-    t792 = 2*D_p_x_2_by_l_d_2
-    t793 = 2*D_p_y_2_by_l_d_2
-    t794 = 2*D_p_z_2_by_l_d_2
-    t795 = mu_2*t201
-    t796 = 2*D_p_x_3_by_l_d_2
-    t797 = 2*D_p_y_3_by_l_d_2
-    t798 = 2*D_p_z_3_by_l_d_2
-    t799 = 2*D_p_x_1_by_l_d_3
-    t800 = 2*D_p_y_1_by_l_d_3
-    t801 = 2*D_p_z_1_by_l_d_3
-    t802 = D_p_x_3_by_l_d_3 + t403
-    t803 = D_p_y_3_by_l_d_3 + t405
-    t804 = D_p_z_3_by_l_d_3 + t407
-    t805 = 2*D_p_x_2_by_l_d_3
-    t806 = 2*D_p_y_2_by_l_d_3
-    t807 = 2*D_p_z_2_by_l_d_3
-    t808 = 2*D_p_x_3_by_l_d_3
-    t809 = 2*D_p_y_3_by_l_d_3
-    t810 = 2*D_p_z_3_by_l_d_3
-    t811 = mu_3*t212
+    t450 = D_p_x_2*mu_1
+    t451 = D_p_y_2*mu_1
+    t452 = D_p_z_2*mu_1
+    t453 = -D_p_x_2*U_1_x_1 - D_p_y_2*U_1_y_1 - D_p_z_2*U_1_z_1
+    t454 = -D_p_x_1*U_2_x_2 - D_p_y_1*U_2_y_2 - D_p_z_1*U_2_z_2
+    t455 = -D_p_x_1*D_p_x_2 - D_p_y_1*D_p_y_2 - D_p_z_1*D_p_z_2
+    t456 = D_p_x_3*mu_2
+    t457 = U_3_x_3*mu_3
+    t458 = D_p_y_3*mu_2
+    t459 = U_3_y_3*mu_3
+    t460 = D_p_z_3*mu_2
+    t461 = U_3_z_3*mu_3
+    t462 = D_p_x_3*mu_1
+    t463 = D_p_y_3*mu_1
+    t464 = D_p_z_3*mu_1
+    t465 = -D_p_x_3*U_1_x_1 - D_p_y_3*U_1_y_1 - D_p_z_3*U_1_z_1
+    t466 = -D_p_x_1*D_p_x_3 - D_p_y_1*D_p_y_3 - D_p_z_1*D_p_z_3
+    t467 = -D_p_x_1*U_3_x_3 - D_p_y_1*U_3_y_3 - D_p_z_1*U_3_z_3
+    t468 = D_p_x_1_by_b_1_x*k_C
+    t469 = D_p_y_1_by_b_1_x*k_C
+    t470 = D_p_z_1_by_b_1_x*k_C
+    t471 = D_delta_x_1*mu_2
+    t472 = D_delta_x_1*mu_3
+    t473 = D_delta_y_1*mu_2
+    t474 = D_delta_y_1*mu_3
+    t475 = D_delta_z_1*mu_2
+    t476 = D_delta_z_1*mu_3
+    t477 = D_delta_x_1*mu_1
+    t478 = D_delta_y_1*mu_1
+    t479 = D_delta_z_1*mu_1
+    t480 = -D_delta_x_1*U_1_x_1 - D_delta_y_1*U_1_y_1 - D_delta_z_1*U_1_z_1
+    t481 = -D_delta_x_1*D_p_x_1 - D_delta_y_1*D_p_y_1 - D_delta_z_1*D_p_z_1
+    t482 = D_p_x_1*k_C - t412 - t413 - t426
+    t483 = D_p_y_1*k_C - t416 - t417 - t429
+    t484 = D_p_z_1*k_C - t420 - t421 - t432
+    t485 = D_delta_x_2*mu_2
+    t486 = D_delta_x_2*mu_3
+    t487 = D_delta_y_2*mu_2
+    t488 = D_delta_y_2*mu_3
+    t489 = D_delta_z_2*mu_2
+    t490 = D_delta_z_2*mu_3
+    t491 = D_delta_x_2*mu_1
+    t492 = D_delta_y_2*mu_1
+    t493 = D_delta_z_2*mu_1
+    t494 = -D_delta_x_2*U_1_x_1 - D_delta_y_2*U_1_y_1 - D_delta_z_2*U_1_z_1
+    t495 = -D_delta_x_2*D_p_x_1 - D_delta_y_2*D_p_y_1 - D_delta_z_2*D_p_z_1
+    t496 = D_delta_x_3*mu_2
+    t497 = D_delta_x_3*mu_3
+    t498 = D_delta_y_3*mu_2
+    t499 = D_delta_y_3*mu_3
+    t500 = D_delta_z_3*mu_2
+    t501 = D_delta_z_3*mu_3
+    t502 = D_delta_x_3*mu_1
+    t503 = D_delta_y_3*mu_1
+    t504 = D_delta_z_3*mu_1
+    t505 = -D_delta_x_3*U_1_x_1 - D_delta_y_3*U_1_y_1 - D_delta_z_3*U_1_z_1
+    t506 = -D_delta_x_3*D_p_x_1 - D_delta_y_3*D_p_y_1 - D_delta_z_3*D_p_z_1
+    t507 = 2*D_p_x_2_by_b_1_x
+    t508 = 2*D_p_y_2_by_b_1_x
+    t509 = 2*D_p_z_2_by_b_1_x
+    t510 = -D_p_x_2**2 - D_p_y_2**2 - D_p_z_2**2
+    t511 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2 - t82 - t83 - t84
+    t512 = -D_p_x_2*D_p_x_3 - D_p_y_2*D_p_y_3 - D_p_z_2*D_p_z_3
+    t513 = -D_p_x_3*U_2_x_2 - D_p_y_3*U_2_y_2 - D_p_z_3*U_2_z_2
+    t514 = -D_p_x_2*U_3_x_3 - D_p_y_2*U_3_y_3 - D_p_z_2*U_3_z_3
+    t515 = D_p_x_2_by_b_1_x*k_C
+    t516 = D_p_y_2_by_b_1_x*k_C
+    t517 = D_p_z_2_by_b_1_x*k_C
+    t518 = -D_delta_x_1*D_p_x_2 - D_delta_y_1*D_p_y_2 - D_delta_z_1*D_p_z_2
+    t519 = -D_delta_x_1*U_2_x_2 - D_delta_y_1*U_2_y_2 - D_delta_z_1*U_2_z_2
+    t520 = D_p_x_2*k_C - t444 - t445 - t450
+    t521 = D_p_y_2*k_C - t446 - t447 - t451
+    t522 = D_p_z_2*k_C - t448 - t449 - t452
+    t523 = -D_delta_x_2*D_p_x_2 - D_delta_y_2*D_p_y_2 - D_delta_z_2*D_p_z_2
+    t524 = -D_delta_x_2*U_2_x_2 - D_delta_y_2*U_2_y_2 - D_delta_z_2*U_2_z_2
+    t525 = -D_delta_x_3*D_p_x_2 - D_delta_y_3*D_p_y_2 - D_delta_z_3*D_p_z_2
+    t526 = -D_delta_x_3*U_2_x_2 - D_delta_y_3*U_2_y_2 - D_delta_z_3*U_2_z_2
+    t527 = 2*D_p_x_3_by_b_1_x
+    t528 = 2*D_p_y_3_by_b_1_x
+    t529 = 2*D_p_z_3_by_b_1_x
+    t530 = -D_p_x_3**2 - D_p_y_3**2 - D_p_z_3**2
+    t531 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2 - t120 - t121 - t122
+    t532 = D_p_x_3_by_b_1_x*k_C
+    t533 = D_p_y_3_by_b_1_x*k_C
+    t534 = D_p_z_3_by_b_1_x*k_C
+    t535 = -D_delta_x_1*D_p_x_3 - D_delta_y_1*D_p_y_3 - D_delta_z_1*D_p_z_3
+    t536 = -D_delta_x_1*U_3_x_3 - D_delta_y_1*U_3_y_3 - D_delta_z_1*U_3_z_3
+    t537 = D_p_x_3*k_C - t456 - t457 - t462
+    t538 = D_p_y_3*k_C - t458 - t459 - t463
+    t539 = D_p_z_3*k_C - t460 - t461 - t464
+    t540 = -D_delta_x_2*D_p_x_3 - D_delta_y_2*D_p_y_3 - D_delta_z_2*D_p_z_3
+    t541 = -D_delta_x_2*U_3_x_3 - D_delta_y_2*U_3_y_3 - D_delta_z_2*U_3_z_3
+    t542 = -D_delta_x_3*D_p_x_3 - D_delta_y_3*D_p_y_3 - D_delta_z_3*D_p_z_3
+    t543 = -D_delta_x_3*U_3_x_3 - D_delta_y_3*U_3_y_3 - D_delta_z_3*U_3_z_3
+    t544 = D_delta_x_1**2 + D_delta_y_1**2 + D_delta_z_1**2
+    t545 = 2*D_delta_x_1*k_C - 2*t471 - 2*t472 - 2*t477
+    t546 = 2*D_delta_y_1*k_C - 2*t473 - 2*t474 - 2*t478
+    t547 = 2*D_delta_z_1*k_C - 2*t475 - 2*t476 - 2*t479
+    t548 = 1 - t544
+    t549 = -D_delta_x_1*D_delta_x_2 - D_delta_y_1*D_delta_y_2 - D_delta_z_1*D_delta_z_2
+    t550 = D_delta_x_2*k_C - t485 - t486 - t491
+    t551 = D_delta_x_1*k_C - t471 - t472 - t477
+    t552 = D_delta_y_2*k_C - t487 - t488 - t492
+    t553 = D_delta_y_1*k_C - t473 - t474 - t478
+    t554 = D_delta_z_2*k_C - t489 - t490 - t493
+    t555 = D_delta_z_1*k_C - t475 - t476 - t479
+    t556 = -D_delta_x_1*D_delta_x_3 - D_delta_y_1*D_delta_y_3 - D_delta_z_1*D_delta_z_3
+    t557 = D_delta_x_3*k_C - t496 - t497 - t502
+    t558 = D_delta_y_3*k_C - t498 - t499 - t503
+    t559 = D_delta_z_3*k_C - t500 - t501 - t504
+    t560 = D_delta_x_2**2 + D_delta_y_2**2 + D_delta_z_2**2
+    t561 = 2*D_delta_x_2*k_C - 2*t485 - 2*t486 - 2*t491
+    t562 = 2*D_delta_y_2*k_C - 2*t487 - 2*t488 - 2*t492
+    t563 = 2*D_delta_z_2*k_C - 2*t489 - 2*t490 - 2*t493
+    t564 = 1 - t560
+    t565 = -D_delta_x_2*D_delta_x_3 - D_delta_y_2*D_delta_y_3 - D_delta_z_2*D_delta_z_3
+    t566 = D_delta_x_3**2 + D_delta_y_3**2 + D_delta_z_3**2
+    t567 = 2*D_delta_x_3*k_C - 2*t496 - 2*t497 - 2*t502
+    t568 = 2*D_delta_y_3*k_C - 2*t498 - 2*t499 - 2*t503
+    t569 = 2*D_delta_z_3*k_C - 2*t500 - 2*t501 - 2*t504
+    t570 = 1 - t566
+    t571 = 2*D_p_x_1_by_b_1_y
+    t572 = 2*D_p_y_1_by_b_1_y
+    t573 = 2*D_p_z_1_by_b_1_y
+    t574 = mu_1*t60
+    t575 = d_1_x*t_1_x
+    t576 = D_p_x_1_by_b_1_y + t295
+    t577 = D_p_y_1_by_b_1_y + t296
+    t578 = D_p_z_1_by_b_1_y + t297
+    t579 = mu_1*t8
+    t580 = D_delta_x_1*k_C
+    t581 = D_delta_y_1*k_C
+    t582 = D_delta_z_1*k_C
+    t583 = D_delta_x_2*k_C
+    t584 = D_delta_y_2*k_C
+    t585 = D_delta_z_2*k_C
+    t586 = D_delta_x_3*k_C
+    t587 = D_delta_y_3*k_C
+    t588 = D_delta_z_3*k_C
+    t589 = 2*D_p_x_2_by_b_1_y
+    t590 = 2*D_p_y_2_by_b_1_y
+    t591 = 2*D_p_z_2_by_b_1_y
+    t592 = 2*D_p_x_3_by_b_1_y
+    t593 = 2*D_p_y_3_by_b_1_y
+    t594 = 2*D_p_z_3_by_b_1_y
+    t595 = 2*D_p_x_1_by_b_1_z
+    t596 = 2*D_p_y_1_by_b_1_z
+    t597 = 2*D_p_z_1_by_b_1_z
+    t598 = mu_1*t70
+    t599 = D_p_x_1_by_b_1_z + t302
+    t600 = D_p_y_1_by_b_1_z + t303
+    t601 = D_p_z_1_by_b_1_z + t304
+    t602 = mu_1*t9
+    t603 = 2*D_p_x_2_by_b_1_z
+    t604 = 2*D_p_y_2_by_b_1_z
+    t605 = 2*D_p_z_2_by_b_1_z
+    t606 = 2*D_p_x_3_by_b_1_z
+    t607 = 2*D_p_y_3_by_b_1_z
+    t608 = 2*D_p_z_3_by_b_1_z
+    t609 = 2*D_p_x_1_by_b_2_x
+    t610 = 2*D_p_y_1_by_b_2_x
+    t611 = 2*D_p_z_1_by_b_2_x
+    t612 = D_p_x_2_by_b_2_x + t309
+    t613 = D_p_y_2_by_b_2_x + t311
+    t614 = D_p_z_2_by_b_2_x + t313
+    t615 = D_p_x_2*k_C
+    t616 = 2*D_p_x_2_by_b_2_x
+    t617 = D_p_y_2*k_C
+    t618 = 2*D_p_y_2_by_b_2_x
+    t619 = D_p_z_2*k_C
+    t620 = 2*D_p_z_2_by_b_2_x
+    t621 = mu_2*t86
+    t622 = d_2_y*t_2_y
+    t623 = d_2_z*t_2_z
+    t624 = 2*t445
+    t625 = 2*t447
+    t626 = 2*t449
+    t627 = mu_2*t10
+    t628 = L_a_2*mu_2
+    t629 = g_x*t318 - s_2_x*t628
+    t630 = t629*t_2_x
+    t631 = g_y*t318 - s_2_y*t628
+    t632 = t631*t_2_y
+    t633 = g_z*t318 - s_2_z*t628
+    t634 = t633*t_2_z
+    t635 = 2*D_p_x_3_by_b_2_x
+    t636 = 2*D_p_y_3_by_b_2_x
+    t637 = 2*D_p_z_3_by_b_2_x
+    t638 = 2*D_p_x_1_by_b_2_y
+    t639 = 2*D_p_y_1_by_b_2_y
+    t640 = 2*D_p_z_1_by_b_2_y
+    t641 = D_p_x_2_by_b_2_y + t320
+    t642 = D_p_y_2_by_b_2_y + t322
+    t643 = D_p_z_2_by_b_2_y + t324
+    t644 = 2*D_p_x_2_by_b_2_y
+    t645 = 2*D_p_y_2_by_b_2_y
+    t646 = 2*D_p_z_2_by_b_2_y
+    t647 = mu_2*t98
+    t648 = d_2_x*t_2_x
+    t649 = mu_2*t11
+    t650 = 2*D_p_x_3_by_b_2_y
+    t651 = 2*D_p_y_3_by_b_2_y
+    t652 = 2*D_p_z_3_by_b_2_y
+    t653 = 2*D_p_x_1_by_b_2_z
+    t654 = 2*D_p_y_1_by_b_2_z
+    t655 = 2*D_p_z_1_by_b_2_z
+    t656 = D_p_x_2_by_b_2_z + t327
+    t657 = D_p_y_2_by_b_2_z + t329
+    t658 = D_p_z_2_by_b_2_z + t331
+    t659 = 2*D_p_x_2_by_b_2_z
+    t660 = 2*D_p_y_2_by_b_2_z
+    t661 = 2*D_p_z_2_by_b_2_z
+    t662 = mu_2*t108
+    t663 = mu_2*t12
+    t664 = 2*D_p_x_3_by_b_2_z
+    t665 = 2*D_p_y_3_by_b_2_z
+    t666 = 2*D_p_z_3_by_b_2_z
+    t667 = 2*D_p_x_1_by_b_3_x
+    t668 = 2*D_p_y_1_by_b_3_x
+    t669 = 2*D_p_z_1_by_b_3_x
+    t670 = D_p_x_3_by_b_3_x + t334
+    t671 = D_p_y_3_by_b_3_x + t336
+    t672 = D_p_z_3_by_b_3_x + t338
+    t673 = 2*D_p_x_2_by_b_3_x
+    t674 = 2*D_p_y_2_by_b_3_x
+    t675 = 2*D_p_z_2_by_b_3_x
+    t676 = D_p_x_3*k_C
+    t677 = 2*D_p_x_3_by_b_3_x
+    t678 = D_p_y_3*k_C
+    t679 = 2*D_p_y_3_by_b_3_x
+    t680 = D_p_z_3*k_C
+    t681 = 2*D_p_z_3_by_b_3_x
+    t682 = mu_3*t124
+    t683 = d_3_y*t_3_y
+    t684 = d_3_z*t_3_z
+    t685 = 2*t457
+    t686 = 2*t459
+    t687 = 2*t461
+    t688 = mu_3*t13
+    t689 = L_a_3*mu_3
+    t690 = g_x*t343 - s_3_x*t689
+    t691 = t690*t_3_x
+    t692 = g_y*t343 - s_3_y*t689
+    t693 = t692*t_3_y
+    t694 = g_z*t343 - s_3_z*t689
+    t695 = t694*t_3_z
+    t696 = 2*D_p_x_1_by_b_3_y
+    t697 = 2*D_p_y_1_by_b_3_y
+    t698 = 2*D_p_z_1_by_b_3_y
+    t699 = D_p_x_3_by_b_3_y + t345
+    t700 = D_p_y_3_by_b_3_y + t347
+    t701 = D_p_z_3_by_b_3_y + t349
+    t702 = 2*D_p_x_2_by_b_3_y
+    t703 = 2*D_p_y_2_by_b_3_y
+    t704 = 2*D_p_z_2_by_b_3_y
+    t705 = 2*D_p_x_3_by_b_3_y
+    t706 = 2*D_p_y_3_by_b_3_y
+    t707 = 2*D_p_z_3_by_b_3_y
+    t708 = mu_3*t136
+    t709 = d_3_x*t_3_x
+    t710 = mu_3*t14
+    t711 = 2*D_p_x_1_by_b_3_z
+    t712 = 2*D_p_y_1_by_b_3_z
+    t713 = 2*D_p_z_1_by_b_3_z
+    t714 = D_p_x_3_by_b_3_z + t352
+    t715 = D_p_y_3_by_b_3_z + t354
+    t716 = D_p_z_3_by_b_3_z + t356
+    t717 = 2*D_p_x_2_by_b_3_z
+    t718 = 2*D_p_y_2_by_b_3_z
+    t719 = 2*D_p_z_2_by_b_3_z
+    t720 = 2*D_p_x_3_by_b_3_z
+    t721 = 2*D_p_y_3_by_b_3_z
+    t722 = 2*D_p_z_3_by_b_3_z
+    t723 = mu_3*t146
+    t724 = mu_3*t15
+    t725 = 2*D_p_x_1_by_L_a_1
+    t726 = 2*D_p_y_1_by_L_a_1
+    t727 = 2*D_p_z_1_by_L_a_1
+    t728 = D_p_x_1_by_L_a_1 + t359 - t_1_x
+    t729 = D_p_y_1_by_L_a_1 + t360 - t_1_y
+    t730 = D_p_z_1_by_L_a_1 + t361 - t_1_z
+    t731 = 2*D_p_x_2_by_L_a_1
+    t732 = 2*D_p_y_2_by_L_a_1
+    t733 = 2*D_p_z_2_by_L_a_1
+    t734 = 2*D_p_x_3_by_L_a_1
+    t735 = 2*D_p_y_3_by_L_a_1
+    t736 = 2*D_p_z_3_by_L_a_1
+    t737 = 2*D_p_x_1_by_L_a_2
+    t738 = 2*D_p_y_1_by_L_a_2
+    t739 = 2*D_p_z_1_by_L_a_2
+    t740 = D_p_x_2_by_L_a_2 + t372 - t_2_x
+    t741 = D_p_y_2_by_L_a_2 + t374 - t_2_y
+    t742 = D_p_z_2_by_L_a_2 + t376 - t_2_z
+    t743 = 2*D_p_x_2_by_L_a_2
+    t744 = 2*D_p_y_2_by_L_a_2
+    t745 = 2*D_p_z_2_by_L_a_2
+    t746 = 2*D_p_x_3_by_L_a_2
+    t747 = 2*D_p_y_3_by_L_a_2
+    t748 = 2*D_p_z_3_by_L_a_2
+    t749 = 2*D_p_x_1_by_L_a_3
+    t750 = 2*D_p_y_1_by_L_a_3
+    t751 = 2*D_p_z_1_by_L_a_3
+    t752 = D_p_x_3_by_L_a_3 + t382 - t_3_x
+    t753 = D_p_y_3_by_L_a_3 + t384 - t_3_y
+    t754 = D_p_z_3_by_L_a_3 + t386 - t_3_z
+    t755 = 2*D_p_x_2_by_L_a_3
+    t756 = 2*D_p_y_2_by_L_a_3
+    t757 = 2*D_p_z_2_by_L_a_3
+    t758 = 2*D_p_x_3_by_L_a_3
+    t759 = 2*D_p_y_3_by_L_a_3
+    t760 = 2*D_p_z_3_by_L_a_3
+    t761 = 2*D_p_x_1_by_l_d_1
+    t762 = 2*D_p_y_1_by_l_d_1
+    t763 = 2*D_p_z_1_by_l_d_1
+    t764 = mu_1*t190
+    t765 = D_p_x_1_by_l_d_1 + t389
+    t766 = D_p_y_1_by_l_d_1 + t390
+    t767 = D_p_z_1_by_l_d_1 + t391
+    t768 = 2*D_p_x_2_by_l_d_1
+    t769 = 2*D_p_y_2_by_l_d_1
+    t770 = 2*D_p_z_2_by_l_d_1
+    t771 = 2*D_p_x_3_by_l_d_1
+    t772 = 2*D_p_y_3_by_l_d_1
+    t773 = 2*D_p_z_3_by_l_d_1
+    t774 = 2*D_p_x_1_by_l_d_2
+    t775 = 2*D_p_y_1_by_l_d_2
+    t776 = 2*D_p_z_1_by_l_d_2
+    t777 = D_p_x_2_by_l_d_2 + t396
+    t778 = D_p_y_2_by_l_d_2 + t398
+    t779 = D_p_z_2_by_l_d_2 + t400
+    t780 = 2*D_p_x_2_by_l_d_2
+    t781 = 2*D_p_y_2_by_l_d_2
+    t782 = 2*D_p_z_2_by_l_d_2
+    t783 = mu_2*t201
+    t784 = 2*D_p_x_3_by_l_d_2
+    t785 = 2*D_p_y_3_by_l_d_2
+    t786 = 2*D_p_z_3_by_l_d_2
+    t787 = 2*D_p_x_1_by_l_d_3
+    t788 = 2*D_p_y_1_by_l_d_3
+    t789 = 2*D_p_z_1_by_l_d_3
+    t790 = D_p_x_3_by_l_d_3 + t403
+    t791 = D_p_y_3_by_l_d_3 + t405
+    t792 = D_p_z_3_by_l_d_3 + t407
+    t793 = 2*D_p_x_2_by_l_d_3
+    t794 = 2*D_p_y_2_by_l_d_3
+    t795 = 2*D_p_z_2_by_l_d_3
+    t796 = 2*D_p_x_3_by_l_d_3
+    t797 = 2*D_p_y_3_by_l_d_3
+    t798 = 2*D_p_z_3_by_l_d_3
+    t799 = mu_3*t212
     M_theta_out = _listed(batch, dtype, (
         D_p_x_1_by_b_1_x*t231 + D_p_y_1_by_b_1_x*t233 + D_p_z_1_by_b_1_x*t235 - t220*t222 - t223*t224
         - t225*t226,
@@ -5070,1499 +4042,1499 @@ def geometry_sensitivities(p, parameters, effects):
         D_delta_x_3_by_l_d_3*t39, D_delta_y_3_by_l_d_3*t39, D_delta_z_3_by_l_d_3*t39,
     ))
     K_theta_out = _listed(batch, dtype, (
-        mu_1_by_b_1_x*t444 + mu_2_by_b_1_x*t435 + mu_3_by_b_1_x*t436 - s_1_x_by_b_1_x*t434 + t410*t411
+        mu_1_by_b_1_x*t443 + mu_2_by_b_1_x*t435 + mu_3_by_b_1_x*t435 - s_1_x_by_b_1_x*t434 + t410*t411
         - t411*t412 - t411*t413 + t414*t415 - t415*t416 - t415*t417 + t418*t419 - t419*t420 - t419*t421
-        + t422*t423 + t422*t424 - t425*t427 - t428*t430 - t431*t433 + t439*theta_1_by_b_1_x
-        + t441*theta_1_by_b_1_x + t443*theta_1_by_b_1_x,
-        D_p_x_1*D_p_x_2_by_b_1_x*k_C + D_p_x_1_by_b_1_x*D_p_x_2*k_C - D_p_x_1_by_b_1_x*t445
-        - D_p_x_1_by_b_1_x*t446 - D_p_x_2_by_b_1_x*t412 - D_p_x_2_by_b_1_x*t413 - D_p_x_2_by_b_1_x*t426
-        + D_p_y_1*D_p_y_2_by_b_1_x*k_C + D_p_y_1_by_b_1_x*D_p_y_2*k_C - D_p_y_1_by_b_1_x*t447
-        - D_p_y_1_by_b_1_x*t448 - D_p_y_2_by_b_1_x*t416 - D_p_y_2_by_b_1_x*t417 - D_p_y_2_by_b_1_x*t429
-        + D_p_z_1*D_p_z_2_by_b_1_x*k_C + D_p_z_1_by_b_1_x*D_p_z_2*k_C - D_p_z_1_by_b_1_x*t449
-        - D_p_z_1_by_b_1_x*t450 - D_p_z_2_by_b_1_x*t420 - D_p_z_2_by_b_1_x*t421 - D_p_z_2_by_b_1_x*t432
-        + mu_1_by_b_1_x*t454 + mu_2_by_b_1_x*t455 + mu_3_by_b_1_x*t456 - t425*t451 - t428*t452 - t431*t453,
-        D_p_x_1*D_p_x_3_by_b_1_x*k_C + D_p_x_1_by_b_1_x*D_p_x_3*k_C - D_p_x_1_by_b_1_x*t457
-        - D_p_x_1_by_b_1_x*t458 - D_p_x_3_by_b_1_x*t412 - D_p_x_3_by_b_1_x*t413 - D_p_x_3_by_b_1_x*t426
-        + D_p_y_1*D_p_y_3_by_b_1_x*k_C + D_p_y_1_by_b_1_x*D_p_y_3*k_C - D_p_y_1_by_b_1_x*t459
-        - D_p_y_1_by_b_1_x*t460 - D_p_y_3_by_b_1_x*t416 - D_p_y_3_by_b_1_x*t417 - D_p_y_3_by_b_1_x*t429
-        + D_p_z_1*D_p_z_3_by_b_1_x*k_C + D_p_z_1_by_b_1_x*D_p_z_3*k_C - D_p_z_1_by_b_1_x*t461
-        - D_p_z_1_by_b_1_x*t462 - D_p_z_3_by_b_1_x*t420 - D_p_z_3_by_b_1_x*t421 - D_p_z_3_by_b_1_x*t432
-        + mu_1_by_b_1_x*t466 + mu_2_by_b_1_x*t467 + mu_3_by_b_1_x*t468 - t425*t463 - t428*t464 - t431*t465,
-        D_delta_x_1*t469 + D_delta_x_1_by_b_1_x*t484 + D_delta_y_1*t470 + D_delta_y_1_by_b_1_x*t485
-        + D_delta_z_1*t471 + D_delta_z_1_by_b_1_x*t486 - D_p_x_1_by_b_1_x*t472 - D_p_x_1_by_b_1_x*t473
-        - D_p_y_1_by_b_1_x*t474 - D_p_y_1_by_b_1_x*t475 - D_p_z_1_by_b_1_x*t476 - D_p_z_1_by_b_1_x*t477
-        + mu_1_by_b_1_x*t481 + mu_2_by_b_1_x*t482 + mu_3_by_b_1_x*t483 - t425*t478 - t428*t479 - t431*t480,
-        D_delta_x_2*t469 + D_delta_x_2_by_b_1_x*t484 + D_delta_y_2*t470 + D_delta_y_2_by_b_1_x*t485
-        + D_delta_z_2*t471 + D_delta_z_2_by_b_1_x*t486 - D_p_x_1_by_b_1_x*t487 - D_p_x_1_by_b_1_x*t488
-        - D_p_y_1_by_b_1_x*t489 - D_p_y_1_by_b_1_x*t490 - D_p_z_1_by_b_1_x*t491 - D_p_z_1_by_b_1_x*t492
-        + mu_1_by_b_1_x*t496 + mu_2_by_b_1_x*t497 + mu_3_by_b_1_x*t498 - t425*t493 - t428*t494 - t431*t495,
-        D_delta_x_3*t469 + D_delta_x_3_by_b_1_x*t484 + D_delta_y_3*t470 + D_delta_y_3_by_b_1_x*t485
-        + D_delta_z_3*t471 + D_delta_z_3_by_b_1_x*t486 - D_p_x_1_by_b_1_x*t499 - D_p_x_1_by_b_1_x*t500
-        - D_p_y_1_by_b_1_x*t501 - D_p_y_1_by_b_1_x*t502 - D_p_z_1_by_b_1_x*t503 - D_p_z_1_by_b_1_x*t504
-        + mu_1_by_b_1_x*t508 + mu_2_by_b_1_x*t509 + mu_3_by_b_1_x*t510 - t425*t505 - t428*t506 - t431*t507,
-        t469, t470, t471,
+        + t422*t423 + t422*t424 - t425*t427 - t428*t430 - t431*t433 + t438*theta_1_by_b_1_x
+        + t440*theta_1_by_b_1_x + t442*theta_1_by_b_1_x,
+        D_p_x_1*D_p_x_2_by_b_1_x*k_C + D_p_x_1_by_b_1_x*D_p_x_2*k_C - D_p_x_1_by_b_1_x*t444
+        - D_p_x_1_by_b_1_x*t445 - D_p_x_2_by_b_1_x*t412 - D_p_x_2_by_b_1_x*t413 - D_p_x_2_by_b_1_x*t426
+        + D_p_y_1*D_p_y_2_by_b_1_x*k_C + D_p_y_1_by_b_1_x*D_p_y_2*k_C - D_p_y_1_by_b_1_x*t446
+        - D_p_y_1_by_b_1_x*t447 - D_p_y_2_by_b_1_x*t416 - D_p_y_2_by_b_1_x*t417 - D_p_y_2_by_b_1_x*t429
+        + D_p_z_1*D_p_z_2_by_b_1_x*k_C + D_p_z_1_by_b_1_x*D_p_z_2*k_C - D_p_z_1_by_b_1_x*t448
+        - D_p_z_1_by_b_1_x*t449 - D_p_z_2_by_b_1_x*t420 - D_p_z_2_by_b_1_x*t421 - D_p_z_2_by_b_1_x*t432
+        + mu_1_by_b_1_x*t453 + mu_2_by_b_1_x*t454 + mu_3_by_b_1_x*t455 - t425*t450 - t428*t451 - t431*t452,
+        D_p_x_1*D_p_x_3_by_b_1_x*k_C + D_p_x_1_by_b_1_x*D_p_x_3*k_C - D_p_x_1_by_b_1_x*t456
+        - D_p_x_1_by_b_1_x*t457 - D_p_x_3_by_b_1_x*t412 - D_p_x_3_by_b_1_x*t413 - D_p_x_3_by_b_1_x*t426
+        + D_p_y_1*D_p_y_3_by_b_1_x*k_C + D_p_y_1_by_b_1_x*D_p_y_3*k_C - D_p_y_1_by_b_1_x*t458
+        - D_p_y_1_by_b_1_x*t459 - D_p_y_3_by_b_1_x*t416 - D_p_y_3_by_b_1_x*t417 - D_p_y_3_by_b_1_x*t429
+        + D_p_z_1*D_p_z_3_by_b_1_x*k_C + D_p_z_1_by_b_1_x*D_p_z_3*k_C - D_p_z_1_by_b_1_x*t460
+        - D_p_z_1_by_b_1_x*t461 - D_p_z_3_by_b_1_x*t420 - D_p_z_3_by_b_1_x*t421 - D_p_z_3_by_b_1_x*t432
+        + mu_1_by_b_1_x*t465 + mu_2_by_b_1_x*t466 + mu_3_by_b_1_x*t467 - t425*t462 - t428*t463 - t431*t464,
+        D_delta_x_1*t468 + D_delta_x_1_by_b_1_x*t482 + D_delta_y_1*t469 + D_delta_y_1_by_b_1_x*t483
+        + D_delta_z_1*t470 + D_delta_z_1_by_b_1_x*t484 - D_p_x_1_by_b_1_x*t471 - D_p_x_1_by_b_1_x*t472
+        - D_p_y_1_by_b_1_x*t473 - D_p_y_1_by_b_1_x*t474 - D_p_z_1_by_b_1_x*t475 - D_p_z_1_by_b_1_x*t476
+        + mu_1_by_b_1_x*t480 + mu_2_by_b_1_x*t481 + mu_3_by_b_1_x*t481 - t425*t477 - t428*t478 - t431*t479,
+        D_delta_x_2*t468 + D_delta_x_2_by_b_1_x*t482 + D_delta_y_2*t469 + D_delta_y_2_by_b_1_x*t483
+        + D_delta_z_2*t470 + D_delta_z_2_by_b_1_x*t484 - D_p_x_1_by_b_1_x*t485 - D_p_x_1_by_b_1_x*t486
+        - D_p_y_1_by_b_1_x*t487 - D_p_y_1_by_b_1_x*t488 - D_p_z_1_by_b_1_x*t489 - D_p_z_1_by_b_1_x*t490
+        + mu_1_by_b_1_x*t494 + mu_2_by_b_1_x*t495 + mu_3_by_b_1_x*t495 - t425*t491 - t428*t492 - t431*t493,
+        D_delta_x_3*t468 + D_delta_x_3_by_b_1_x*t482 + D_delta_y_3*t469 + D_delta_y_3_by_b_1_x*t483
+        + D_delta_z_3*t470 + D_delta_z_3_by_b_1_x*t484 - D_p_x_1_by_b_1_x*t496 - D_p_x_1_by_b_1_x*t497
+        - D_p_y_1_by_b_1_x*t498 - D_p_y_1_by_b_1_x*t499 - D_p_z_1_by_b_1_x*t500 - D_p_z_1_by_b_1_x*t501
+        + mu_1_by_b_1_x*t505 + mu_2_by_b_1_x*t506 + mu_3_by_b_1_x*t506 - t425*t502 - t428*t503 - t431*t504,
+        t468, t469, t470,
         2*D_p_x_2*D_p_x_2_by_b_1_x*k_C + 2*D_p_y_2*D_p_y_2_by_b_1_x*k_C + 2*D_p_z_2*D_p_z_2_by_b_1_x*k_C
-        + mu_1_by_b_1_x*t514 + mu_2_by_b_1_x*t516 + mu_3_by_b_1_x*t515 - t445*t511 - t446*t511 - t447*t512
-        - t448*t512 - t449*t513 - t450*t513 - t451*t511 - t452*t512 - t453*t513,
-        D_p_x_2*D_p_x_3_by_b_1_x*k_C + D_p_x_2_by_b_1_x*D_p_x_3*k_C - D_p_x_2_by_b_1_x*t457
-        - D_p_x_2_by_b_1_x*t458 - D_p_x_2_by_b_1_x*t463 - D_p_x_3_by_b_1_x*t445 - D_p_x_3_by_b_1_x*t446
-        - D_p_x_3_by_b_1_x*t451 + D_p_y_2*D_p_y_3_by_b_1_x*k_C + D_p_y_2_by_b_1_x*D_p_y_3*k_C
-        - D_p_y_2_by_b_1_x*t459 - D_p_y_2_by_b_1_x*t460 - D_p_y_2_by_b_1_x*t464 - D_p_y_3_by_b_1_x*t447
-        - D_p_y_3_by_b_1_x*t448 - D_p_y_3_by_b_1_x*t452 + D_p_z_2*D_p_z_3_by_b_1_x*k_C
-        + D_p_z_2_by_b_1_x*D_p_z_3*k_C - D_p_z_2_by_b_1_x*t461 - D_p_z_2_by_b_1_x*t462
-        - D_p_z_2_by_b_1_x*t465 - D_p_z_3_by_b_1_x*t449 - D_p_z_3_by_b_1_x*t450 - D_p_z_3_by_b_1_x*t453
-        + mu_1_by_b_1_x*t517 + mu_2_by_b_1_x*t518 + mu_3_by_b_1_x*t519,
-        D_delta_x_1*t520 + D_delta_x_1_by_b_1_x*t526 + D_delta_y_1*t521 + D_delta_y_1_by_b_1_x*t527
-        + D_delta_z_1*t522 + D_delta_z_1_by_b_1_x*t528 - D_p_x_2_by_b_1_x*t472 - D_p_x_2_by_b_1_x*t473
-        - D_p_x_2_by_b_1_x*t478 - D_p_y_2_by_b_1_x*t474 - D_p_y_2_by_b_1_x*t475 - D_p_y_2_by_b_1_x*t479
-        - D_p_z_2_by_b_1_x*t476 - D_p_z_2_by_b_1_x*t477 - D_p_z_2_by_b_1_x*t480 + mu_1_by_b_1_x*t523
-        + mu_2_by_b_1_x*t524 + mu_3_by_b_1_x*t525,
-        D_delta_x_2*t520 + D_delta_x_2_by_b_1_x*t526 + D_delta_y_2*t521 + D_delta_y_2_by_b_1_x*t527
-        + D_delta_z_2*t522 + D_delta_z_2_by_b_1_x*t528 - D_p_x_2_by_b_1_x*t487 - D_p_x_2_by_b_1_x*t488
-        - D_p_x_2_by_b_1_x*t493 - D_p_y_2_by_b_1_x*t489 - D_p_y_2_by_b_1_x*t490 - D_p_y_2_by_b_1_x*t494
-        - D_p_z_2_by_b_1_x*t491 - D_p_z_2_by_b_1_x*t492 - D_p_z_2_by_b_1_x*t495 + mu_1_by_b_1_x*t529
-        + mu_2_by_b_1_x*t530 + mu_3_by_b_1_x*t531,
-        D_delta_x_3*t520 + D_delta_x_3_by_b_1_x*t526 + D_delta_y_3*t521 + D_delta_y_3_by_b_1_x*t527
-        + D_delta_z_3*t522 + D_delta_z_3_by_b_1_x*t528 - D_p_x_2_by_b_1_x*t499 - D_p_x_2_by_b_1_x*t500
-        - D_p_x_2_by_b_1_x*t505 - D_p_y_2_by_b_1_x*t501 - D_p_y_2_by_b_1_x*t502 - D_p_y_2_by_b_1_x*t506
-        - D_p_z_2_by_b_1_x*t503 - D_p_z_2_by_b_1_x*t504 - D_p_z_2_by_b_1_x*t507 + mu_1_by_b_1_x*t532
-        + mu_2_by_b_1_x*t533 + mu_3_by_b_1_x*t534,
-        t520, t521, t522,
+        + mu_1_by_b_1_x*t510 + mu_2_by_b_1_x*t511 + mu_3_by_b_1_x*t510 - t444*t507 - t445*t507 - t446*t508
+        - t447*t508 - t448*t509 - t449*t509 - t450*t507 - t451*t508 - t452*t509,
+        D_p_x_2*D_p_x_3_by_b_1_x*k_C + D_p_x_2_by_b_1_x*D_p_x_3*k_C - D_p_x_2_by_b_1_x*t456
+        - D_p_x_2_by_b_1_x*t457 - D_p_x_2_by_b_1_x*t462 - D_p_x_3_by_b_1_x*t444 - D_p_x_3_by_b_1_x*t445
+        - D_p_x_3_by_b_1_x*t450 + D_p_y_2*D_p_y_3_by_b_1_x*k_C + D_p_y_2_by_b_1_x*D_p_y_3*k_C
+        - D_p_y_2_by_b_1_x*t458 - D_p_y_2_by_b_1_x*t459 - D_p_y_2_by_b_1_x*t463 - D_p_y_3_by_b_1_x*t446
+        - D_p_y_3_by_b_1_x*t447 - D_p_y_3_by_b_1_x*t451 + D_p_z_2*D_p_z_3_by_b_1_x*k_C
+        + D_p_z_2_by_b_1_x*D_p_z_3*k_C - D_p_z_2_by_b_1_x*t460 - D_p_z_2_by_b_1_x*t461
+        - D_p_z_2_by_b_1_x*t464 - D_p_z_3_by_b_1_x*t448 - D_p_z_3_by_b_1_x*t449 - D_p_z_3_by_b_1_x*t452
+        + mu_1_by_b_1_x*t512 + mu_2_by_b_1_x*t513 + mu_3_by_b_1_x*t514,
+        D_delta_x_1*t515 + D_delta_x_1_by_b_1_x*t520 + D_delta_y_1*t516 + D_delta_y_1_by_b_1_x*t521
+        + D_delta_z_1*t517 + D_delta_z_1_by_b_1_x*t522 - D_p_x_2_by_b_1_x*t471 - D_p_x_2_by_b_1_x*t472
+        - D_p_x_2_by_b_1_x*t477 - D_p_y_2_by_b_1_x*t473 - D_p_y_2_by_b_1_x*t474 - D_p_y_2_by_b_1_x*t478
+        - D_p_z_2_by_b_1_x*t475 - D_p_z_2_by_b_1_x*t476 - D_p_z_2_by_b_1_x*t479 + mu_1_by_b_1_x*t518
+        + mu_2_by_b_1_x*t519 + mu_3_by_b_1_x*t518,
+        D_delta_x_2*t515 + D_delta_x_2_by_b_1_x*t520 + D_delta_y_2*t516 + D_delta_y_2_by_b_1_x*t521
+        + D_delta_z_2*t517 + D_delta_z_2_by_b_1_x*t522 - D_p_x_2_by_b_1_x*t485 - D_p_x_2_by_b_1_x*t486
+        - D_p_x_2_by_b_1_x*t491 - D_p_y_2_by_b_1_x*t487 - D_p_y_2_by_b_1_x*t488 - D_p_y_2_by_b_1_x*t492
+        - D_p_z_2_by_b_1_x*t489 - D_p_z_2_by_b_1_x*t490 - D_p_z_2_by_b_1_x*t493 + mu_1_by_b_1_x*t523
+        + mu_2_by_b_1_x*t524 + mu_3_by_b_1_x*t523,
+        D_delta_x_3*t515 + D_delta_x_3_by_b_1_x*t520 + D_delta_y_3*t516 + D_delta_y_3_by_b_1_x*t521
+        + D_delta_z_3*t517 + D_delta_z_3_by_b_1_x*t522 - D_p_x_2_by_b_1_x*t496 - D_p_x_2_by_b_1_x*t497
+        - D_p_x_2_by_b_1_x*t502 - D_p_y_2_by_b_1_x*t498 - D_p_y_2_by_b_1_x*t499 - D_p_y_2_by_b_1_x*t503
+        - D_p_z_2_by_b_1_x*t500 - D_p_z_2_by_b_1_x*t501 - D_p_z_2_by_b_1_x*t504 + mu_1_by_b_1_x*t525
+        + mu_2_by_b_1_x*t526 + mu_3_by_b_1_x*t525,
+        t515, t516, t517,
         2*D_p_x_3*D_p_x_3_by_b_1_x*k_C + 2*D_p_y_3*D_p_y_3_by_b_1_x*k_C + 2*D_p_z_3*D_p_z_3_by_b_1_x*k_C
-        + mu_1_by_b_1_x*t538 + mu_2_by_b_1_x*t539 + mu_3_by_b_1_x*t540 - t457*t535 - t458*t535 - t459*t536
-        - t460*t536 - t461*t537 - t462*t537 - t463*t535 - t464*t536 - t465*t537,
-        D_delta_x_1*t541 + D_delta_x_1_by_b_1_x*t547 + D_delta_y_1*t542 + D_delta_y_1_by_b_1_x*t548
-        + D_delta_z_1*t543 + D_delta_z_1_by_b_1_x*t549 - D_p_x_3_by_b_1_x*t472 - D_p_x_3_by_b_1_x*t473
-        - D_p_x_3_by_b_1_x*t478 - D_p_y_3_by_b_1_x*t474 - D_p_y_3_by_b_1_x*t475 - D_p_y_3_by_b_1_x*t479
-        - D_p_z_3_by_b_1_x*t476 - D_p_z_3_by_b_1_x*t477 - D_p_z_3_by_b_1_x*t480 + mu_1_by_b_1_x*t544
-        + mu_2_by_b_1_x*t545 + mu_3_by_b_1_x*t546,
-        D_delta_x_2*t541 + D_delta_x_2_by_b_1_x*t547 + D_delta_y_2*t542 + D_delta_y_2_by_b_1_x*t548
-        + D_delta_z_2*t543 + D_delta_z_2_by_b_1_x*t549 - D_p_x_3_by_b_1_x*t487 - D_p_x_3_by_b_1_x*t488
-        - D_p_x_3_by_b_1_x*t493 - D_p_y_3_by_b_1_x*t489 - D_p_y_3_by_b_1_x*t490 - D_p_y_3_by_b_1_x*t494
-        - D_p_z_3_by_b_1_x*t491 - D_p_z_3_by_b_1_x*t492 - D_p_z_3_by_b_1_x*t495 + mu_1_by_b_1_x*t550
-        + mu_2_by_b_1_x*t551 + mu_3_by_b_1_x*t552,
-        D_delta_x_3*t541 + D_delta_x_3_by_b_1_x*t547 + D_delta_y_3*t542 + D_delta_y_3_by_b_1_x*t548
-        + D_delta_z_3*t543 + D_delta_z_3_by_b_1_x*t549 - D_p_x_3_by_b_1_x*t499 - D_p_x_3_by_b_1_x*t500
-        - D_p_x_3_by_b_1_x*t505 - D_p_y_3_by_b_1_x*t501 - D_p_y_3_by_b_1_x*t502 - D_p_y_3_by_b_1_x*t506
-        - D_p_z_3_by_b_1_x*t503 - D_p_z_3_by_b_1_x*t504 - D_p_z_3_by_b_1_x*t507 + mu_1_by_b_1_x*t553
-        + mu_2_by_b_1_x*t554 + mu_3_by_b_1_x*t555,
-        t541, t542, t543,
-        D_delta_x_1_by_b_1_x*t557 + D_delta_y_1_by_b_1_x*t558 + D_delta_z_1_by_b_1_x*t559
-        + mu_1_by_b_1_x*t560 - mu_2_by_b_1_x*t556 - mu_3_by_b_1_x*t556,
-        D_delta_x_1_by_b_1_x*t562 + D_delta_x_2_by_b_1_x*t563 + D_delta_y_1_by_b_1_x*t564
-        + D_delta_y_2_by_b_1_x*t565 + D_delta_z_1_by_b_1_x*t566 + D_delta_z_2_by_b_1_x*t567
-        + mu_1_by_b_1_x*t561 + mu_2_by_b_1_x*t561 + mu_3_by_b_1_x*t561,
-        D_delta_x_1_by_b_1_x*t569 + D_delta_x_3_by_b_1_x*t563 + D_delta_y_1_by_b_1_x*t570
-        + D_delta_y_3_by_b_1_x*t565 + D_delta_z_1_by_b_1_x*t571 + D_delta_z_3_by_b_1_x*t567
-        + mu_1_by_b_1_x*t568 + mu_2_by_b_1_x*t568 + mu_3_by_b_1_x*t568,
+        + mu_1_by_b_1_x*t530 + mu_2_by_b_1_x*t530 + mu_3_by_b_1_x*t531 - t456*t527 - t457*t527 - t458*t528
+        - t459*t528 - t460*t529 - t461*t529 - t462*t527 - t463*t528 - t464*t529,
+        D_delta_x_1*t532 + D_delta_x_1_by_b_1_x*t537 + D_delta_y_1*t533 + D_delta_y_1_by_b_1_x*t538
+        + D_delta_z_1*t534 + D_delta_z_1_by_b_1_x*t539 - D_p_x_3_by_b_1_x*t471 - D_p_x_3_by_b_1_x*t472
+        - D_p_x_3_by_b_1_x*t477 - D_p_y_3_by_b_1_x*t473 - D_p_y_3_by_b_1_x*t474 - D_p_y_3_by_b_1_x*t478
+        - D_p_z_3_by_b_1_x*t475 - D_p_z_3_by_b_1_x*t476 - D_p_z_3_by_b_1_x*t479 + mu_1_by_b_1_x*t535
+        + mu_2_by_b_1_x*t535 + mu_3_by_b_1_x*t536,
+        D_delta_x_2*t532 + D_delta_x_2_by_b_1_x*t537 + D_delta_y_2*t533 + D_delta_y_2_by_b_1_x*t538
+        + D_delta_z_2*t534 + D_delta_z_2_by_b_1_x*t539 - D_p_x_3_by_b_1_x*t485 - D_p_x_3_by_b_1_x*t486
+        - D_p_x_3_by_b_1_x*t491 - D_p_y_3_by_b_1_x*t487 - D_p_y_3_by_b_1_x*t488 - D_p_y_3_by_b_1_x*t492
+        - D_p_z_3_by_b_1_x*t489 - D_p_z_3_by_b_1_x*t490 - D_p_z_3_by_b_1_x*t493 + mu_1_by_b_1_x*t540
+        + mu_2_by_b_1_x*t540 + mu_3_by_b_1_x*t541,
+        D_delta_x_3*t532 + D_delta_x_3_by_b_1_x*t537 + D_delta_y_3*t533 + D_delta_y_3_by_b_1_x*t538
+        + D_delta_z_3*t534 + D_delta_z_3_by_b_1_x*t539 - D_p_x_3_by_b_1_x*t496 - D_p_x_3_by_b_1_x*t497
+        - D_p_x_3_by_b_1_x*t502 - D_p_y_3_by_b_1_x*t498 - D_p_y_3_by_b_1_x*t499 - D_p_y_3_by_b_1_x*t503
+        - D_p_z_3_by_b_1_x*t500 - D_p_z_3_by_b_1_x*t501 - D_p_z_3_by_b_1_x*t504 + mu_1_by_b_1_x*t542
+        + mu_2_by_b_1_x*t542 + mu_3_by_b_1_x*t543,
+        t532, t533, t534,
+        D_delta_x_1_by_b_1_x*t545 + D_delta_y_1_by_b_1_x*t546 + D_delta_z_1_by_b_1_x*t547
+        + mu_1_by_b_1_x*t548 - mu_2_by_b_1_x*t544 - mu_3_by_b_1_x*t544,
+        D_delta_x_1_by_b_1_x*t550 + D_delta_x_2_by_b_1_x*t551 + D_delta_y_1_by_b_1_x*t552
+        + D_delta_y_2_by_b_1_x*t553 + D_delta_z_1_by_b_1_x*t554 + D_delta_z_2_by_b_1_x*t555
+        + mu_1_by_b_1_x*t549 + mu_2_by_b_1_x*t549 + mu_3_by_b_1_x*t549,
+        D_delta_x_1_by_b_1_x*t557 + D_delta_x_3_by_b_1_x*t551 + D_delta_y_1_by_b_1_x*t558
+        + D_delta_y_3_by_b_1_x*t553 + D_delta_z_1_by_b_1_x*t559 + D_delta_z_3_by_b_1_x*t555
+        + mu_1_by_b_1_x*t556 + mu_2_by_b_1_x*t556 + mu_3_by_b_1_x*t556,
         D_delta_x_1_by_b_1_x*k_C, D_delta_y_1_by_b_1_x*k_C, D_delta_z_1_by_b_1_x*k_C,
-        D_delta_x_2_by_b_1_x*t573 + D_delta_y_2_by_b_1_x*t574 + D_delta_z_2_by_b_1_x*t575
-        - mu_1_by_b_1_x*t572 + mu_2_by_b_1_x*t576 - mu_3_by_b_1_x*t572,
-        D_delta_x_2_by_b_1_x*t569 + D_delta_x_3_by_b_1_x*t562 + D_delta_y_2_by_b_1_x*t570
-        + D_delta_y_3_by_b_1_x*t564 + D_delta_z_2_by_b_1_x*t571 + D_delta_z_3_by_b_1_x*t566
-        + mu_1_by_b_1_x*t577 + mu_2_by_b_1_x*t577 + mu_3_by_b_1_x*t577,
+        D_delta_x_2_by_b_1_x*t561 + D_delta_y_2_by_b_1_x*t562 + D_delta_z_2_by_b_1_x*t563
+        - mu_1_by_b_1_x*t560 + mu_2_by_b_1_x*t564 - mu_3_by_b_1_x*t560,
+        D_delta_x_2_by_b_1_x*t557 + D_delta_x_3_by_b_1_x*t550 + D_delta_y_2_by_b_1_x*t558
+        + D_delta_y_3_by_b_1_x*t552 + D_delta_z_2_by_b_1_x*t559 + D_delta_z_3_by_b_1_x*t554
+        + mu_1_by_b_1_x*t565 + mu_2_by_b_1_x*t565 + mu_3_by_b_1_x*t565,
         D_delta_x_2_by_b_1_x*k_C, D_delta_y_2_by_b_1_x*k_C, D_delta_z_2_by_b_1_x*k_C,
-        D_delta_x_3_by_b_1_x*t579 + D_delta_y_3_by_b_1_x*t580 + D_delta_z_3_by_b_1_x*t581
-        - mu_1_by_b_1_x*t578 - mu_2_by_b_1_x*t578 + mu_3_by_b_1_x*t582,
+        D_delta_x_3_by_b_1_x*t567 + D_delta_y_3_by_b_1_x*t568 + D_delta_z_3_by_b_1_x*t569
+        - mu_1_by_b_1_x*t566 - mu_2_by_b_1_x*t566 + mu_3_by_b_1_x*t570,
         D_delta_x_3_by_b_1_x*k_C, D_delta_y_3_by_b_1_x*k_C, D_delta_z_3_by_b_1_x*k_C,
-        mu_1_by_b_1_y*t444 + mu_2_by_b_1_y*t435 + mu_3_by_b_1_y*t436 - s_1_y_by_b_1_y*t591 + t410*t583
-        - t412*t583 - t413*t583 + t414*t584 - t416*t584 - t417*t584 + t418*t585 - t420*t585 - t421*t585
-        + t424*t586 - t427*t588 - t430*t589 - t433*t590 + t439*theta_1_by_b_1_y + t441*theta_1_by_b_1_y
-        + t443*theta_1_by_b_1_y + t586*t587,
-        D_p_x_1*D_p_x_2_by_b_1_y*k_C + D_p_x_1_by_b_1_y*D_p_x_2*k_C - D_p_x_1_by_b_1_y*t445
-        - D_p_x_1_by_b_1_y*t446 - D_p_x_2_by_b_1_y*t412 - D_p_x_2_by_b_1_y*t413 - D_p_x_2_by_b_1_y*t426
-        + D_p_y_1*D_p_y_2_by_b_1_y*k_C + D_p_y_1_by_b_1_y*D_p_y_2*k_C - D_p_y_1_by_b_1_y*t447
-        - D_p_y_1_by_b_1_y*t448 - D_p_y_2_by_b_1_y*t416 - D_p_y_2_by_b_1_y*t417 - D_p_y_2_by_b_1_y*t429
-        + D_p_z_1*D_p_z_2_by_b_1_y*k_C + D_p_z_1_by_b_1_y*D_p_z_2*k_C - D_p_z_1_by_b_1_y*t449
-        - D_p_z_1_by_b_1_y*t450 - D_p_z_2_by_b_1_y*t420 - D_p_z_2_by_b_1_y*t421 - D_p_z_2_by_b_1_y*t432
-        + mu_1_by_b_1_y*t454 + mu_2_by_b_1_y*t455 + mu_3_by_b_1_y*t456 - t451*t588 - t452*t589 - t453*t590,
-        D_p_x_1*D_p_x_3_by_b_1_y*k_C + D_p_x_1_by_b_1_y*D_p_x_3*k_C - D_p_x_1_by_b_1_y*t457
-        - D_p_x_1_by_b_1_y*t458 - D_p_x_3_by_b_1_y*t412 - D_p_x_3_by_b_1_y*t413 - D_p_x_3_by_b_1_y*t426
-        + D_p_y_1*D_p_y_3_by_b_1_y*k_C + D_p_y_1_by_b_1_y*D_p_y_3*k_C - D_p_y_1_by_b_1_y*t459
-        - D_p_y_1_by_b_1_y*t460 - D_p_y_3_by_b_1_y*t416 - D_p_y_3_by_b_1_y*t417 - D_p_y_3_by_b_1_y*t429
-        + D_p_z_1*D_p_z_3_by_b_1_y*k_C + D_p_z_1_by_b_1_y*D_p_z_3*k_C - D_p_z_1_by_b_1_y*t461
-        - D_p_z_1_by_b_1_y*t462 - D_p_z_3_by_b_1_y*t420 - D_p_z_3_by_b_1_y*t421 - D_p_z_3_by_b_1_y*t432
-        + mu_1_by_b_1_y*t466 + mu_2_by_b_1_y*t467 + mu_3_by_b_1_y*t468 - t463*t588 - t464*t589 - t465*t590,
-        D_delta_x_1_by_b_1_y*t484 + D_delta_y_1_by_b_1_y*t485 + D_delta_z_1_by_b_1_y*t486
-        - D_p_x_1_by_b_1_y*t472 - D_p_x_1_by_b_1_y*t473 + D_p_x_1_by_b_1_y*t592 - D_p_y_1_by_b_1_y*t474
-        - D_p_y_1_by_b_1_y*t475 + D_p_y_1_by_b_1_y*t593 - D_p_z_1_by_b_1_y*t476 - D_p_z_1_by_b_1_y*t477
-        + D_p_z_1_by_b_1_y*t594 + mu_1_by_b_1_y*t481 + mu_2_by_b_1_y*t482 + mu_3_by_b_1_y*t483 - t478*t588
-        - t479*t589 - t480*t590,
-        D_delta_x_2_by_b_1_y*t484 + D_delta_y_2_by_b_1_y*t485 + D_delta_z_2_by_b_1_y*t486
-        - D_p_x_1_by_b_1_y*t487 - D_p_x_1_by_b_1_y*t488 + D_p_x_1_by_b_1_y*t595 - D_p_y_1_by_b_1_y*t489
-        - D_p_y_1_by_b_1_y*t490 + D_p_y_1_by_b_1_y*t596 - D_p_z_1_by_b_1_y*t491 - D_p_z_1_by_b_1_y*t492
-        + D_p_z_1_by_b_1_y*t597 + mu_1_by_b_1_y*t496 + mu_2_by_b_1_y*t497 + mu_3_by_b_1_y*t498 - t493*t588
-        - t494*t589 - t495*t590,
-        D_delta_x_3_by_b_1_y*t484 + D_delta_y_3_by_b_1_y*t485 + D_delta_z_3_by_b_1_y*t486
-        - D_p_x_1_by_b_1_y*t499 - D_p_x_1_by_b_1_y*t500 + D_p_x_1_by_b_1_y*t598 - D_p_y_1_by_b_1_y*t501
-        - D_p_y_1_by_b_1_y*t502 + D_p_y_1_by_b_1_y*t599 - D_p_z_1_by_b_1_y*t503 - D_p_z_1_by_b_1_y*t504
-        + D_p_z_1_by_b_1_y*t600 + mu_1_by_b_1_y*t508 + mu_2_by_b_1_y*t509 + mu_3_by_b_1_y*t510 - t505*t588
-        - t506*t589 - t507*t590,
+        mu_1_by_b_1_y*t443 + mu_2_by_b_1_y*t435 + mu_3_by_b_1_y*t435 - s_1_y_by_b_1_y*t579 + t410*t571
+        - t412*t571 - t413*t571 + t414*t572 - t416*t572 - t417*t572 + t418*t573 - t420*t573 - t421*t573
+        + t424*t574 - t427*t576 - t430*t577 - t433*t578 + t438*theta_1_by_b_1_y + t440*theta_1_by_b_1_y
+        + t442*theta_1_by_b_1_y + t574*t575,
+        D_p_x_1*D_p_x_2_by_b_1_y*k_C + D_p_x_1_by_b_1_y*D_p_x_2*k_C - D_p_x_1_by_b_1_y*t444
+        - D_p_x_1_by_b_1_y*t445 - D_p_x_2_by_b_1_y*t412 - D_p_x_2_by_b_1_y*t413 - D_p_x_2_by_b_1_y*t426
+        + D_p_y_1*D_p_y_2_by_b_1_y*k_C + D_p_y_1_by_b_1_y*D_p_y_2*k_C - D_p_y_1_by_b_1_y*t446
+        - D_p_y_1_by_b_1_y*t447 - D_p_y_2_by_b_1_y*t416 - D_p_y_2_by_b_1_y*t417 - D_p_y_2_by_b_1_y*t429
+        + D_p_z_1*D_p_z_2_by_b_1_y*k_C + D_p_z_1_by_b_1_y*D_p_z_2*k_C - D_p_z_1_by_b_1_y*t448
+        - D_p_z_1_by_b_1_y*t449 - D_p_z_2_by_b_1_y*t420 - D_p_z_2_by_b_1_y*t421 - D_p_z_2_by_b_1_y*t432
+        + mu_1_by_b_1_y*t453 + mu_2_by_b_1_y*t454 + mu_3_by_b_1_y*t455 - t450*t576 - t451*t577 - t452*t578,
+        D_p_x_1*D_p_x_3_by_b_1_y*k_C + D_p_x_1_by_b_1_y*D_p_x_3*k_C - D_p_x_1_by_b_1_y*t456
+        - D_p_x_1_by_b_1_y*t457 - D_p_x_3_by_b_1_y*t412 - D_p_x_3_by_b_1_y*t413 - D_p_x_3_by_b_1_y*t426
+        + D_p_y_1*D_p_y_3_by_b_1_y*k_C + D_p_y_1_by_b_1_y*D_p_y_3*k_C - D_p_y_1_by_b_1_y*t458
+        - D_p_y_1_by_b_1_y*t459 - D_p_y_3_by_b_1_y*t416 - D_p_y_3_by_b_1_y*t417 - D_p_y_3_by_b_1_y*t429
+        + D_p_z_1*D_p_z_3_by_b_1_y*k_C + D_p_z_1_by_b_1_y*D_p_z_3*k_C - D_p_z_1_by_b_1_y*t460
+        - D_p_z_1_by_b_1_y*t461 - D_p_z_3_by_b_1_y*t420 - D_p_z_3_by_b_1_y*t421 - D_p_z_3_by_b_1_y*t432
+        + mu_1_by_b_1_y*t465 + mu_2_by_b_1_y*t466 + mu_3_by_b_1_y*t467 - t462*t576 - t463*t577 - t464*t578,
+        D_delta_x_1_by_b_1_y*t482 + D_delta_y_1_by_b_1_y*t483 + D_delta_z_1_by_b_1_y*t484
+        - D_p_x_1_by_b_1_y*t471 - D_p_x_1_by_b_1_y*t472 + D_p_x_1_by_b_1_y*t580 - D_p_y_1_by_b_1_y*t473
+        - D_p_y_1_by_b_1_y*t474 + D_p_y_1_by_b_1_y*t581 - D_p_z_1_by_b_1_y*t475 - D_p_z_1_by_b_1_y*t476
+        + D_p_z_1_by_b_1_y*t582 + mu_1_by_b_1_y*t480 + mu_2_by_b_1_y*t481 + mu_3_by_b_1_y*t481 - t477*t576
+        - t478*t577 - t479*t578,
+        D_delta_x_2_by_b_1_y*t482 + D_delta_y_2_by_b_1_y*t483 + D_delta_z_2_by_b_1_y*t484
+        - D_p_x_1_by_b_1_y*t485 - D_p_x_1_by_b_1_y*t486 + D_p_x_1_by_b_1_y*t583 - D_p_y_1_by_b_1_y*t487
+        - D_p_y_1_by_b_1_y*t488 + D_p_y_1_by_b_1_y*t584 - D_p_z_1_by_b_1_y*t489 - D_p_z_1_by_b_1_y*t490
+        + D_p_z_1_by_b_1_y*t585 + mu_1_by_b_1_y*t494 + mu_2_by_b_1_y*t495 + mu_3_by_b_1_y*t495 - t491*t576
+        - t492*t577 - t493*t578,
+        D_delta_x_3_by_b_1_y*t482 + D_delta_y_3_by_b_1_y*t483 + D_delta_z_3_by_b_1_y*t484
+        - D_p_x_1_by_b_1_y*t496 - D_p_x_1_by_b_1_y*t497 + D_p_x_1_by_b_1_y*t586 - D_p_y_1_by_b_1_y*t498
+        - D_p_y_1_by_b_1_y*t499 + D_p_y_1_by_b_1_y*t587 - D_p_z_1_by_b_1_y*t500 - D_p_z_1_by_b_1_y*t501
+        + D_p_z_1_by_b_1_y*t588 + mu_1_by_b_1_y*t505 + mu_2_by_b_1_y*t506 + mu_3_by_b_1_y*t506 - t502*t576
+        - t503*t577 - t504*t578,
         D_p_x_1_by_b_1_y*k_C, D_p_y_1_by_b_1_y*k_C, D_p_z_1_by_b_1_y*k_C,
         2*D_p_x_2*D_p_x_2_by_b_1_y*k_C + 2*D_p_y_2*D_p_y_2_by_b_1_y*k_C + 2*D_p_z_2*D_p_z_2_by_b_1_y*k_C
-        + mu_1_by_b_1_y*t514 + mu_2_by_b_1_y*t516 + mu_3_by_b_1_y*t515 - t445*t601 - t446*t601 - t447*t602
-        - t448*t602 - t449*t603 - t450*t603 - t451*t601 - t452*t602 - t453*t603,
-        D_p_x_2*D_p_x_3_by_b_1_y*k_C + D_p_x_2_by_b_1_y*D_p_x_3*k_C - D_p_x_2_by_b_1_y*t457
-        - D_p_x_2_by_b_1_y*t458 - D_p_x_2_by_b_1_y*t463 - D_p_x_3_by_b_1_y*t445 - D_p_x_3_by_b_1_y*t446
-        - D_p_x_3_by_b_1_y*t451 + D_p_y_2*D_p_y_3_by_b_1_y*k_C + D_p_y_2_by_b_1_y*D_p_y_3*k_C
-        - D_p_y_2_by_b_1_y*t459 - D_p_y_2_by_b_1_y*t460 - D_p_y_2_by_b_1_y*t464 - D_p_y_3_by_b_1_y*t447
-        - D_p_y_3_by_b_1_y*t448 - D_p_y_3_by_b_1_y*t452 + D_p_z_2*D_p_z_3_by_b_1_y*k_C
-        + D_p_z_2_by_b_1_y*D_p_z_3*k_C - D_p_z_2_by_b_1_y*t461 - D_p_z_2_by_b_1_y*t462
-        - D_p_z_2_by_b_1_y*t465 - D_p_z_3_by_b_1_y*t449 - D_p_z_3_by_b_1_y*t450 - D_p_z_3_by_b_1_y*t453
-        + mu_1_by_b_1_y*t517 + mu_2_by_b_1_y*t518 + mu_3_by_b_1_y*t519,
-        D_delta_x_1_by_b_1_y*t526 + D_delta_y_1_by_b_1_y*t527 + D_delta_z_1_by_b_1_y*t528
-        - D_p_x_2_by_b_1_y*t472 - D_p_x_2_by_b_1_y*t473 - D_p_x_2_by_b_1_y*t478 + D_p_x_2_by_b_1_y*t592
-        - D_p_y_2_by_b_1_y*t474 - D_p_y_2_by_b_1_y*t475 - D_p_y_2_by_b_1_y*t479 + D_p_y_2_by_b_1_y*t593
-        - D_p_z_2_by_b_1_y*t476 - D_p_z_2_by_b_1_y*t477 - D_p_z_2_by_b_1_y*t480 + D_p_z_2_by_b_1_y*t594
-        + mu_1_by_b_1_y*t523 + mu_2_by_b_1_y*t524 + mu_3_by_b_1_y*t525,
-        D_delta_x_2_by_b_1_y*t526 + D_delta_y_2_by_b_1_y*t527 + D_delta_z_2_by_b_1_y*t528
-        - D_p_x_2_by_b_1_y*t487 - D_p_x_2_by_b_1_y*t488 - D_p_x_2_by_b_1_y*t493 + D_p_x_2_by_b_1_y*t595
-        - D_p_y_2_by_b_1_y*t489 - D_p_y_2_by_b_1_y*t490 - D_p_y_2_by_b_1_y*t494 + D_p_y_2_by_b_1_y*t596
-        - D_p_z_2_by_b_1_y*t491 - D_p_z_2_by_b_1_y*t492 - D_p_z_2_by_b_1_y*t495 + D_p_z_2_by_b_1_y*t597
-        + mu_1_by_b_1_y*t529 + mu_2_by_b_1_y*t530 + mu_3_by_b_1_y*t531,
-        D_delta_x_3_by_b_1_y*t526 + D_delta_y_3_by_b_1_y*t527 + D_delta_z_3_by_b_1_y*t528
-        - D_p_x_2_by_b_1_y*t499 - D_p_x_2_by_b_1_y*t500 - D_p_x_2_by_b_1_y*t505 + D_p_x_2_by_b_1_y*t598
-        - D_p_y_2_by_b_1_y*t501 - D_p_y_2_by_b_1_y*t502 - D_p_y_2_by_b_1_y*t506 + D_p_y_2_by_b_1_y*t599
-        - D_p_z_2_by_b_1_y*t503 - D_p_z_2_by_b_1_y*t504 - D_p_z_2_by_b_1_y*t507 + D_p_z_2_by_b_1_y*t600
-        + mu_1_by_b_1_y*t532 + mu_2_by_b_1_y*t533 + mu_3_by_b_1_y*t534,
+        + mu_1_by_b_1_y*t510 + mu_2_by_b_1_y*t511 + mu_3_by_b_1_y*t510 - t444*t589 - t445*t589 - t446*t590
+        - t447*t590 - t448*t591 - t449*t591 - t450*t589 - t451*t590 - t452*t591,
+        D_p_x_2*D_p_x_3_by_b_1_y*k_C + D_p_x_2_by_b_1_y*D_p_x_3*k_C - D_p_x_2_by_b_1_y*t456
+        - D_p_x_2_by_b_1_y*t457 - D_p_x_2_by_b_1_y*t462 - D_p_x_3_by_b_1_y*t444 - D_p_x_3_by_b_1_y*t445
+        - D_p_x_3_by_b_1_y*t450 + D_p_y_2*D_p_y_3_by_b_1_y*k_C + D_p_y_2_by_b_1_y*D_p_y_3*k_C
+        - D_p_y_2_by_b_1_y*t458 - D_p_y_2_by_b_1_y*t459 - D_p_y_2_by_b_1_y*t463 - D_p_y_3_by_b_1_y*t446
+        - D_p_y_3_by_b_1_y*t447 - D_p_y_3_by_b_1_y*t451 + D_p_z_2*D_p_z_3_by_b_1_y*k_C
+        + D_p_z_2_by_b_1_y*D_p_z_3*k_C - D_p_z_2_by_b_1_y*t460 - D_p_z_2_by_b_1_y*t461
+        - D_p_z_2_by_b_1_y*t464 - D_p_z_3_by_b_1_y*t448 - D_p_z_3_by_b_1_y*t449 - D_p_z_3_by_b_1_y*t452
+        + mu_1_by_b_1_y*t512 + mu_2_by_b_1_y*t513 + mu_3_by_b_1_y*t514,
+        D_delta_x_1_by_b_1_y*t520 + D_delta_y_1_by_b_1_y*t521 + D_delta_z_1_by_b_1_y*t522
+        - D_p_x_2_by_b_1_y*t471 - D_p_x_2_by_b_1_y*t472 - D_p_x_2_by_b_1_y*t477 + D_p_x_2_by_b_1_y*t580
+        - D_p_y_2_by_b_1_y*t473 - D_p_y_2_by_b_1_y*t474 - D_p_y_2_by_b_1_y*t478 + D_p_y_2_by_b_1_y*t581
+        - D_p_z_2_by_b_1_y*t475 - D_p_z_2_by_b_1_y*t476 - D_p_z_2_by_b_1_y*t479 + D_p_z_2_by_b_1_y*t582
+        + mu_1_by_b_1_y*t518 + mu_2_by_b_1_y*t519 + mu_3_by_b_1_y*t518,
+        D_delta_x_2_by_b_1_y*t520 + D_delta_y_2_by_b_1_y*t521 + D_delta_z_2_by_b_1_y*t522
+        - D_p_x_2_by_b_1_y*t485 - D_p_x_2_by_b_1_y*t486 - D_p_x_2_by_b_1_y*t491 + D_p_x_2_by_b_1_y*t583
+        - D_p_y_2_by_b_1_y*t487 - D_p_y_2_by_b_1_y*t488 - D_p_y_2_by_b_1_y*t492 + D_p_y_2_by_b_1_y*t584
+        - D_p_z_2_by_b_1_y*t489 - D_p_z_2_by_b_1_y*t490 - D_p_z_2_by_b_1_y*t493 + D_p_z_2_by_b_1_y*t585
+        + mu_1_by_b_1_y*t523 + mu_2_by_b_1_y*t524 + mu_3_by_b_1_y*t523,
+        D_delta_x_3_by_b_1_y*t520 + D_delta_y_3_by_b_1_y*t521 + D_delta_z_3_by_b_1_y*t522
+        - D_p_x_2_by_b_1_y*t496 - D_p_x_2_by_b_1_y*t497 - D_p_x_2_by_b_1_y*t502 + D_p_x_2_by_b_1_y*t586
+        - D_p_y_2_by_b_1_y*t498 - D_p_y_2_by_b_1_y*t499 - D_p_y_2_by_b_1_y*t503 + D_p_y_2_by_b_1_y*t587
+        - D_p_z_2_by_b_1_y*t500 - D_p_z_2_by_b_1_y*t501 - D_p_z_2_by_b_1_y*t504 + D_p_z_2_by_b_1_y*t588
+        + mu_1_by_b_1_y*t525 + mu_2_by_b_1_y*t526 + mu_3_by_b_1_y*t525,
         D_p_x_2_by_b_1_y*k_C, D_p_y_2_by_b_1_y*k_C, D_p_z_2_by_b_1_y*k_C,
         2*D_p_x_3*D_p_x_3_by_b_1_y*k_C + 2*D_p_y_3*D_p_y_3_by_b_1_y*k_C + 2*D_p_z_3*D_p_z_3_by_b_1_y*k_C
-        + mu_1_by_b_1_y*t538 + mu_2_by_b_1_y*t539 + mu_3_by_b_1_y*t540 - t457*t604 - t458*t604 - t459*t605
-        - t460*t605 - t461*t606 - t462*t606 - t463*t604 - t464*t605 - t465*t606,
-        D_delta_x_1_by_b_1_y*t547 + D_delta_y_1_by_b_1_y*t548 + D_delta_z_1_by_b_1_y*t549
-        - D_p_x_3_by_b_1_y*t472 - D_p_x_3_by_b_1_y*t473 - D_p_x_3_by_b_1_y*t478 + D_p_x_3_by_b_1_y*t592
-        - D_p_y_3_by_b_1_y*t474 - D_p_y_3_by_b_1_y*t475 - D_p_y_3_by_b_1_y*t479 + D_p_y_3_by_b_1_y*t593
-        - D_p_z_3_by_b_1_y*t476 - D_p_z_3_by_b_1_y*t477 - D_p_z_3_by_b_1_y*t480 + D_p_z_3_by_b_1_y*t594
-        + mu_1_by_b_1_y*t544 + mu_2_by_b_1_y*t545 + mu_3_by_b_1_y*t546,
-        D_delta_x_2_by_b_1_y*t547 + D_delta_y_2_by_b_1_y*t548 + D_delta_z_2_by_b_1_y*t549
-        - D_p_x_3_by_b_1_y*t487 - D_p_x_3_by_b_1_y*t488 - D_p_x_3_by_b_1_y*t493 + D_p_x_3_by_b_1_y*t595
-        - D_p_y_3_by_b_1_y*t489 - D_p_y_3_by_b_1_y*t490 - D_p_y_3_by_b_1_y*t494 + D_p_y_3_by_b_1_y*t596
-        - D_p_z_3_by_b_1_y*t491 - D_p_z_3_by_b_1_y*t492 - D_p_z_3_by_b_1_y*t495 + D_p_z_3_by_b_1_y*t597
-        + mu_1_by_b_1_y*t550 + mu_2_by_b_1_y*t551 + mu_3_by_b_1_y*t552,
-        D_delta_x_3_by_b_1_y*t547 + D_delta_y_3_by_b_1_y*t548 + D_delta_z_3_by_b_1_y*t549
-        - D_p_x_3_by_b_1_y*t499 - D_p_x_3_by_b_1_y*t500 - D_p_x_3_by_b_1_y*t505 + D_p_x_3_by_b_1_y*t598
-        - D_p_y_3_by_b_1_y*t501 - D_p_y_3_by_b_1_y*t502 - D_p_y_3_by_b_1_y*t506 + D_p_y_3_by_b_1_y*t599
-        - D_p_z_3_by_b_1_y*t503 - D_p_z_3_by_b_1_y*t504 - D_p_z_3_by_b_1_y*t507 + D_p_z_3_by_b_1_y*t600
-        + mu_1_by_b_1_y*t553 + mu_2_by_b_1_y*t554 + mu_3_by_b_1_y*t555,
+        + mu_1_by_b_1_y*t530 + mu_2_by_b_1_y*t530 + mu_3_by_b_1_y*t531 - t456*t592 - t457*t592 - t458*t593
+        - t459*t593 - t460*t594 - t461*t594 - t462*t592 - t463*t593 - t464*t594,
+        D_delta_x_1_by_b_1_y*t537 + D_delta_y_1_by_b_1_y*t538 + D_delta_z_1_by_b_1_y*t539
+        - D_p_x_3_by_b_1_y*t471 - D_p_x_3_by_b_1_y*t472 - D_p_x_3_by_b_1_y*t477 + D_p_x_3_by_b_1_y*t580
+        - D_p_y_3_by_b_1_y*t473 - D_p_y_3_by_b_1_y*t474 - D_p_y_3_by_b_1_y*t478 + D_p_y_3_by_b_1_y*t581
+        - D_p_z_3_by_b_1_y*t475 - D_p_z_3_by_b_1_y*t476 - D_p_z_3_by_b_1_y*t479 + D_p_z_3_by_b_1_y*t582
+        + mu_1_by_b_1_y*t535 + mu_2_by_b_1_y*t535 + mu_3_by_b_1_y*t536,
+        D_delta_x_2_by_b_1_y*t537 + D_delta_y_2_by_b_1_y*t538 + D_delta_z_2_by_b_1_y*t539
+        - D_p_x_3_by_b_1_y*t485 - D_p_x_3_by_b_1_y*t486 - D_p_x_3_by_b_1_y*t491 + D_p_x_3_by_b_1_y*t583
+        - D_p_y_3_by_b_1_y*t487 - D_p_y_3_by_b_1_y*t488 - D_p_y_3_by_b_1_y*t492 + D_p_y_3_by_b_1_y*t584
+        - D_p_z_3_by_b_1_y*t489 - D_p_z_3_by_b_1_y*t490 - D_p_z_3_by_b_1_y*t493 + D_p_z_3_by_b_1_y*t585
+        + mu_1_by_b_1_y*t540 + mu_2_by_b_1_y*t540 + mu_3_by_b_1_y*t541,
+        D_delta_x_3_by_b_1_y*t537 + D_delta_y_3_by_b_1_y*t538 + D_delta_z_3_by_b_1_y*t539
+        - D_p_x_3_by_b_1_y*t496 - D_p_x_3_by_b_1_y*t497 - D_p_x_3_by_b_1_y*t502 + D_p_x_3_by_b_1_y*t586
+        - D_p_y_3_by_b_1_y*t498 - D_p_y_3_by_b_1_y*t499 - D_p_y_3_by_b_1_y*t503 + D_p_y_3_by_b_1_y*t587
+        - D_p_z_3_by_b_1_y*t500 - D_p_z_3_by_b_1_y*t501 - D_p_z_3_by_b_1_y*t504 + D_p_z_3_by_b_1_y*t588
+        + mu_1_by_b_1_y*t542 + mu_2_by_b_1_y*t542 + mu_3_by_b_1_y*t543,
         D_p_x_3_by_b_1_y*k_C, D_p_y_3_by_b_1_y*k_C, D_p_z_3_by_b_1_y*k_C,
-        D_delta_x_1_by_b_1_y*t557 + D_delta_y_1_by_b_1_y*t558 + D_delta_z_1_by_b_1_y*t559
-        + mu_1_by_b_1_y*t560 - mu_2_by_b_1_y*t556 - mu_3_by_b_1_y*t556,
-        D_delta_x_1_by_b_1_y*t562 + D_delta_x_2_by_b_1_y*t563 + D_delta_y_1_by_b_1_y*t564
-        + D_delta_y_2_by_b_1_y*t565 + D_delta_z_1_by_b_1_y*t566 + D_delta_z_2_by_b_1_y*t567
-        + mu_1_by_b_1_y*t561 + mu_2_by_b_1_y*t561 + mu_3_by_b_1_y*t561,
-        D_delta_x_1_by_b_1_y*t569 + D_delta_x_3_by_b_1_y*t563 + D_delta_y_1_by_b_1_y*t570
-        + D_delta_y_3_by_b_1_y*t565 + D_delta_z_1_by_b_1_y*t571 + D_delta_z_3_by_b_1_y*t567
-        + mu_1_by_b_1_y*t568 + mu_2_by_b_1_y*t568 + mu_3_by_b_1_y*t568,
+        D_delta_x_1_by_b_1_y*t545 + D_delta_y_1_by_b_1_y*t546 + D_delta_z_1_by_b_1_y*t547
+        + mu_1_by_b_1_y*t548 - mu_2_by_b_1_y*t544 - mu_3_by_b_1_y*t544,
+        D_delta_x_1_by_b_1_y*t550 + D_delta_x_2_by_b_1_y*t551 + D_delta_y_1_by_b_1_y*t552
+        + D_delta_y_2_by_b_1_y*t553 + D_delta_z_1_by_b_1_y*t554 + D_delta_z_2_by_b_1_y*t555
+        + mu_1_by_b_1_y*t549 + mu_2_by_b_1_y*t549 + mu_3_by_b_1_y*t549,
+        D_delta_x_1_by_b_1_y*t557 + D_delta_x_3_by_b_1_y*t551 + D_delta_y_1_by_b_1_y*t558
+        + D_delta_y_3_by_b_1_y*t553 + D_delta_z_1_by_b_1_y*t559 + D_delta_z_3_by_b_1_y*t555
+        + mu_1_by_b_1_y*t556 + mu_2_by_b_1_y*t556 + mu_3_by_b_1_y*t556,
         D_delta_x_1_by_b_1_y*k_C, D_delta_y_1_by_b_1_y*k_C, D_delta_z_1_by_b_1_y*k_C,
-        D_delta_x_2_by_b_1_y*t573 + D_delta_y_2_by_b_1_y*t574 + D_delta_z_2_by_b_1_y*t575
-        - mu_1_by_b_1_y*t572 + mu_2_by_b_1_y*t576 - mu_3_by_b_1_y*t572,
-        D_delta_x_2_by_b_1_y*t569 + D_delta_x_3_by_b_1_y*t562 + D_delta_y_2_by_b_1_y*t570
-        + D_delta_y_3_by_b_1_y*t564 + D_delta_z_2_by_b_1_y*t571 + D_delta_z_3_by_b_1_y*t566
-        + mu_1_by_b_1_y*t577 + mu_2_by_b_1_y*t577 + mu_3_by_b_1_y*t577,
+        D_delta_x_2_by_b_1_y*t561 + D_delta_y_2_by_b_1_y*t562 + D_delta_z_2_by_b_1_y*t563
+        - mu_1_by_b_1_y*t560 + mu_2_by_b_1_y*t564 - mu_3_by_b_1_y*t560,
+        D_delta_x_2_by_b_1_y*t557 + D_delta_x_3_by_b_1_y*t550 + D_delta_y_2_by_b_1_y*t558
+        + D_delta_y_3_by_b_1_y*t552 + D_delta_z_2_by_b_1_y*t559 + D_delta_z_3_by_b_1_y*t554
+        + mu_1_by_b_1_y*t565 + mu_2_by_b_1_y*t565 + mu_3_by_b_1_y*t565,
         D_delta_x_2_by_b_1_y*k_C, D_delta_y_2_by_b_1_y*k_C, D_delta_z_2_by_b_1_y*k_C,
-        D_delta_x_3_by_b_1_y*t579 + D_delta_y_3_by_b_1_y*t580 + D_delta_z_3_by_b_1_y*t581
-        - mu_1_by_b_1_y*t578 - mu_2_by_b_1_y*t578 + mu_3_by_b_1_y*t582,
+        D_delta_x_3_by_b_1_y*t567 + D_delta_y_3_by_b_1_y*t568 + D_delta_z_3_by_b_1_y*t569
+        - mu_1_by_b_1_y*t566 - mu_2_by_b_1_y*t566 + mu_3_by_b_1_y*t570,
         D_delta_x_3_by_b_1_y*k_C, D_delta_y_3_by_b_1_y*k_C, D_delta_z_3_by_b_1_y*k_C,
-        mu_1_by_b_1_z*t444 + mu_2_by_b_1_z*t435 + mu_3_by_b_1_z*t436 - s_1_z_by_b_1_z*t614 + t410*t607
-        - t412*t607 - t413*t607 + t414*t608 - t416*t608 - t417*t608 + t418*t609 - t420*t609 - t421*t609
-        + t423*t610 - t427*t611 - t430*t612 - t433*t613 + t439*theta_1_by_b_1_z + t441*theta_1_by_b_1_z
-        + t443*theta_1_by_b_1_z + t587*t610,
-        D_p_x_1*D_p_x_2_by_b_1_z*k_C + D_p_x_1_by_b_1_z*D_p_x_2*k_C - D_p_x_1_by_b_1_z*t445
-        - D_p_x_1_by_b_1_z*t446 - D_p_x_2_by_b_1_z*t412 - D_p_x_2_by_b_1_z*t413 - D_p_x_2_by_b_1_z*t426
-        + D_p_y_1*D_p_y_2_by_b_1_z*k_C + D_p_y_1_by_b_1_z*D_p_y_2*k_C - D_p_y_1_by_b_1_z*t447
-        - D_p_y_1_by_b_1_z*t448 - D_p_y_2_by_b_1_z*t416 - D_p_y_2_by_b_1_z*t417 - D_p_y_2_by_b_1_z*t429
-        + D_p_z_1*D_p_z_2_by_b_1_z*k_C + D_p_z_1_by_b_1_z*D_p_z_2*k_C - D_p_z_1_by_b_1_z*t449
-        - D_p_z_1_by_b_1_z*t450 - D_p_z_2_by_b_1_z*t420 - D_p_z_2_by_b_1_z*t421 - D_p_z_2_by_b_1_z*t432
-        + mu_1_by_b_1_z*t454 + mu_2_by_b_1_z*t455 + mu_3_by_b_1_z*t456 - t451*t611 - t452*t612 - t453*t613,
-        D_p_x_1*D_p_x_3_by_b_1_z*k_C + D_p_x_1_by_b_1_z*D_p_x_3*k_C - D_p_x_1_by_b_1_z*t457
-        - D_p_x_1_by_b_1_z*t458 - D_p_x_3_by_b_1_z*t412 - D_p_x_3_by_b_1_z*t413 - D_p_x_3_by_b_1_z*t426
-        + D_p_y_1*D_p_y_3_by_b_1_z*k_C + D_p_y_1_by_b_1_z*D_p_y_3*k_C - D_p_y_1_by_b_1_z*t459
-        - D_p_y_1_by_b_1_z*t460 - D_p_y_3_by_b_1_z*t416 - D_p_y_3_by_b_1_z*t417 - D_p_y_3_by_b_1_z*t429
-        + D_p_z_1*D_p_z_3_by_b_1_z*k_C + D_p_z_1_by_b_1_z*D_p_z_3*k_C - D_p_z_1_by_b_1_z*t461
-        - D_p_z_1_by_b_1_z*t462 - D_p_z_3_by_b_1_z*t420 - D_p_z_3_by_b_1_z*t421 - D_p_z_3_by_b_1_z*t432
-        + mu_1_by_b_1_z*t466 + mu_2_by_b_1_z*t467 + mu_3_by_b_1_z*t468 - t463*t611 - t464*t612 - t465*t613,
-        D_delta_x_1_by_b_1_z*t484 + D_delta_y_1_by_b_1_z*t485 + D_delta_z_1_by_b_1_z*t486
-        - D_p_x_1_by_b_1_z*t472 - D_p_x_1_by_b_1_z*t473 + D_p_x_1_by_b_1_z*t592 - D_p_y_1_by_b_1_z*t474
-        - D_p_y_1_by_b_1_z*t475 + D_p_y_1_by_b_1_z*t593 - D_p_z_1_by_b_1_z*t476 - D_p_z_1_by_b_1_z*t477
-        + D_p_z_1_by_b_1_z*t594 + mu_1_by_b_1_z*t481 + mu_2_by_b_1_z*t482 + mu_3_by_b_1_z*t483 - t478*t611
-        - t479*t612 - t480*t613,
-        D_delta_x_2_by_b_1_z*t484 + D_delta_y_2_by_b_1_z*t485 + D_delta_z_2_by_b_1_z*t486
-        - D_p_x_1_by_b_1_z*t487 - D_p_x_1_by_b_1_z*t488 + D_p_x_1_by_b_1_z*t595 - D_p_y_1_by_b_1_z*t489
-        - D_p_y_1_by_b_1_z*t490 + D_p_y_1_by_b_1_z*t596 - D_p_z_1_by_b_1_z*t491 - D_p_z_1_by_b_1_z*t492
-        + D_p_z_1_by_b_1_z*t597 + mu_1_by_b_1_z*t496 + mu_2_by_b_1_z*t497 + mu_3_by_b_1_z*t498 - t493*t611
-        - t494*t612 - t495*t613,
-        D_delta_x_3_by_b_1_z*t484 + D_delta_y_3_by_b_1_z*t485 + D_delta_z_3_by_b_1_z*t486
-        - D_p_x_1_by_b_1_z*t499 - D_p_x_1_by_b_1_z*t500 + D_p_x_1_by_b_1_z*t598 - D_p_y_1_by_b_1_z*t501
-        - D_p_y_1_by_b_1_z*t502 + D_p_y_1_by_b_1_z*t599 - D_p_z_1_by_b_1_z*t503 - D_p_z_1_by_b_1_z*t504
-        + D_p_z_1_by_b_1_z*t600 + mu_1_by_b_1_z*t508 + mu_2_by_b_1_z*t509 + mu_3_by_b_1_z*t510 - t505*t611
-        - t506*t612 - t507*t613,
+        mu_1_by_b_1_z*t443 + mu_2_by_b_1_z*t435 + mu_3_by_b_1_z*t435 - s_1_z_by_b_1_z*t602 + t410*t595
+        - t412*t595 - t413*t595 + t414*t596 - t416*t596 - t417*t596 + t418*t597 - t420*t597 - t421*t597
+        + t423*t598 - t427*t599 - t430*t600 - t433*t601 + t438*theta_1_by_b_1_z + t440*theta_1_by_b_1_z
+        + t442*theta_1_by_b_1_z + t575*t598,
+        D_p_x_1*D_p_x_2_by_b_1_z*k_C + D_p_x_1_by_b_1_z*D_p_x_2*k_C - D_p_x_1_by_b_1_z*t444
+        - D_p_x_1_by_b_1_z*t445 - D_p_x_2_by_b_1_z*t412 - D_p_x_2_by_b_1_z*t413 - D_p_x_2_by_b_1_z*t426
+        + D_p_y_1*D_p_y_2_by_b_1_z*k_C + D_p_y_1_by_b_1_z*D_p_y_2*k_C - D_p_y_1_by_b_1_z*t446
+        - D_p_y_1_by_b_1_z*t447 - D_p_y_2_by_b_1_z*t416 - D_p_y_2_by_b_1_z*t417 - D_p_y_2_by_b_1_z*t429
+        + D_p_z_1*D_p_z_2_by_b_1_z*k_C + D_p_z_1_by_b_1_z*D_p_z_2*k_C - D_p_z_1_by_b_1_z*t448
+        - D_p_z_1_by_b_1_z*t449 - D_p_z_2_by_b_1_z*t420 - D_p_z_2_by_b_1_z*t421 - D_p_z_2_by_b_1_z*t432
+        + mu_1_by_b_1_z*t453 + mu_2_by_b_1_z*t454 + mu_3_by_b_1_z*t455 - t450*t599 - t451*t600 - t452*t601,
+        D_p_x_1*D_p_x_3_by_b_1_z*k_C + D_p_x_1_by_b_1_z*D_p_x_3*k_C - D_p_x_1_by_b_1_z*t456
+        - D_p_x_1_by_b_1_z*t457 - D_p_x_3_by_b_1_z*t412 - D_p_x_3_by_b_1_z*t413 - D_p_x_3_by_b_1_z*t426
+        + D_p_y_1*D_p_y_3_by_b_1_z*k_C + D_p_y_1_by_b_1_z*D_p_y_3*k_C - D_p_y_1_by_b_1_z*t458
+        - D_p_y_1_by_b_1_z*t459 - D_p_y_3_by_b_1_z*t416 - D_p_y_3_by_b_1_z*t417 - D_p_y_3_by_b_1_z*t429
+        + D_p_z_1*D_p_z_3_by_b_1_z*k_C + D_p_z_1_by_b_1_z*D_p_z_3*k_C - D_p_z_1_by_b_1_z*t460
+        - D_p_z_1_by_b_1_z*t461 - D_p_z_3_by_b_1_z*t420 - D_p_z_3_by_b_1_z*t421 - D_p_z_3_by_b_1_z*t432
+        + mu_1_by_b_1_z*t465 + mu_2_by_b_1_z*t466 + mu_3_by_b_1_z*t467 - t462*t599 - t463*t600 - t464*t601,
+        D_delta_x_1_by_b_1_z*t482 + D_delta_y_1_by_b_1_z*t483 + D_delta_z_1_by_b_1_z*t484
+        - D_p_x_1_by_b_1_z*t471 - D_p_x_1_by_b_1_z*t472 + D_p_x_1_by_b_1_z*t580 - D_p_y_1_by_b_1_z*t473
+        - D_p_y_1_by_b_1_z*t474 + D_p_y_1_by_b_1_z*t581 - D_p_z_1_by_b_1_z*t475 - D_p_z_1_by_b_1_z*t476
+        + D_p_z_1_by_b_1_z*t582 + mu_1_by_b_1_z*t480 + mu_2_by_b_1_z*t481 + mu_3_by_b_1_z*t481 - t477*t599
+        - t478*t600 - t479*t601,
+        D_delta_x_2_by_b_1_z*t482 + D_delta_y_2_by_b_1_z*t483 + D_delta_z_2_by_b_1_z*t484
+        - D_p_x_1_by_b_1_z*t485 - D_p_x_1_by_b_1_z*t486 + D_p_x_1_by_b_1_z*t583 - D_p_y_1_by_b_1_z*t487
+        - D_p_y_1_by_b_1_z*t488 + D_p_y_1_by_b_1_z*t584 - D_p_z_1_by_b_1_z*t489 - D_p_z_1_by_b_1_z*t490
+        + D_p_z_1_by_b_1_z*t585 + mu_1_by_b_1_z*t494 + mu_2_by_b_1_z*t495 + mu_3_by_b_1_z*t495 - t491*t599
+        - t492*t600 - t493*t601,
+        D_delta_x_3_by_b_1_z*t482 + D_delta_y_3_by_b_1_z*t483 + D_delta_z_3_by_b_1_z*t484
+        - D_p_x_1_by_b_1_z*t496 - D_p_x_1_by_b_1_z*t497 + D_p_x_1_by_b_1_z*t586 - D_p_y_1_by_b_1_z*t498
+        - D_p_y_1_by_b_1_z*t499 + D_p_y_1_by_b_1_z*t587 - D_p_z_1_by_b_1_z*t500 - D_p_z_1_by_b_1_z*t501
+        + D_p_z_1_by_b_1_z*t588 + mu_1_by_b_1_z*t505 + mu_2_by_b_1_z*t506 + mu_3_by_b_1_z*t506 - t502*t599
+        - t503*t600 - t504*t601,
         D_p_x_1_by_b_1_z*k_C, D_p_y_1_by_b_1_z*k_C, D_p_z_1_by_b_1_z*k_C,
         2*D_p_x_2*D_p_x_2_by_b_1_z*k_C + 2*D_p_y_2*D_p_y_2_by_b_1_z*k_C + 2*D_p_z_2*D_p_z_2_by_b_1_z*k_C
-        + mu_1_by_b_1_z*t514 + mu_2_by_b_1_z*t516 + mu_3_by_b_1_z*t515 - t445*t615 - t446*t615 - t447*t616
-        - t448*t616 - t449*t617 - t450*t617 - t451*t615 - t452*t616 - t453*t617,
-        D_p_x_2*D_p_x_3_by_b_1_z*k_C + D_p_x_2_by_b_1_z*D_p_x_3*k_C - D_p_x_2_by_b_1_z*t457
-        - D_p_x_2_by_b_1_z*t458 - D_p_x_2_by_b_1_z*t463 - D_p_x_3_by_b_1_z*t445 - D_p_x_3_by_b_1_z*t446
-        - D_p_x_3_by_b_1_z*t451 + D_p_y_2*D_p_y_3_by_b_1_z*k_C + D_p_y_2_by_b_1_z*D_p_y_3*k_C
-        - D_p_y_2_by_b_1_z*t459 - D_p_y_2_by_b_1_z*t460 - D_p_y_2_by_b_1_z*t464 - D_p_y_3_by_b_1_z*t447
-        - D_p_y_3_by_b_1_z*t448 - D_p_y_3_by_b_1_z*t452 + D_p_z_2*D_p_z_3_by_b_1_z*k_C
-        + D_p_z_2_by_b_1_z*D_p_z_3*k_C - D_p_z_2_by_b_1_z*t461 - D_p_z_2_by_b_1_z*t462
-        - D_p_z_2_by_b_1_z*t465 - D_p_z_3_by_b_1_z*t449 - D_p_z_3_by_b_1_z*t450 - D_p_z_3_by_b_1_z*t453
-        + mu_1_by_b_1_z*t517 + mu_2_by_b_1_z*t518 + mu_3_by_b_1_z*t519,
-        D_delta_x_1_by_b_1_z*t526 + D_delta_y_1_by_b_1_z*t527 + D_delta_z_1_by_b_1_z*t528
-        - D_p_x_2_by_b_1_z*t472 - D_p_x_2_by_b_1_z*t473 - D_p_x_2_by_b_1_z*t478 + D_p_x_2_by_b_1_z*t592
-        - D_p_y_2_by_b_1_z*t474 - D_p_y_2_by_b_1_z*t475 - D_p_y_2_by_b_1_z*t479 + D_p_y_2_by_b_1_z*t593
-        - D_p_z_2_by_b_1_z*t476 - D_p_z_2_by_b_1_z*t477 - D_p_z_2_by_b_1_z*t480 + D_p_z_2_by_b_1_z*t594
-        + mu_1_by_b_1_z*t523 + mu_2_by_b_1_z*t524 + mu_3_by_b_1_z*t525,
-        D_delta_x_2_by_b_1_z*t526 + D_delta_y_2_by_b_1_z*t527 + D_delta_z_2_by_b_1_z*t528
-        - D_p_x_2_by_b_1_z*t487 - D_p_x_2_by_b_1_z*t488 - D_p_x_2_by_b_1_z*t493 + D_p_x_2_by_b_1_z*t595
-        - D_p_y_2_by_b_1_z*t489 - D_p_y_2_by_b_1_z*t490 - D_p_y_2_by_b_1_z*t494 + D_p_y_2_by_b_1_z*t596
-        - D_p_z_2_by_b_1_z*t491 - D_p_z_2_by_b_1_z*t492 - D_p_z_2_by_b_1_z*t495 + D_p_z_2_by_b_1_z*t597
-        + mu_1_by_b_1_z*t529 + mu_2_by_b_1_z*t530 + mu_3_by_b_1_z*t531,
-        D_delta_x_3_by_b_1_z*t526 + D_delta_y_3_by_b_1_z*t527 + D_delta_z_3_by_b_1_z*t528
-        - D_p_x_2_by_b_1_z*t499 - D_p_x_2_by_b_1_z*t500 - D_p_x_2_by_b_1_z*t505 + D_p_x_2_by_b_1_z*t598
-        - D_p_y_2_by_b_1_z*t501 - D_p_y_2_by_b_1_z*t502 - D_p_y_2_by_b_1_z*t506 + D_p_y_2_by_b_1_z*t599
-        - D_p_z_2_by_b_1_z*t503 - D_p_z_2_by_b_1_z*t504 - D_p_z_2_by_b_1_z*t507 + D_p_z_2_by_b_1_z*t600
-        + mu_1_by_b_1_z*t532 + mu_2_by_b_1_z*t533 + mu_3_by_b_1_z*t534,
+        + mu_1_by_b_1_z*t510 + mu_2_by_b_1_z*t511 + mu_3_by_b_1_z*t510 - t444*t603 - t445*t603 - t446*t604
+        - t447*t604 - t448*t605 - t449*t605 - t450*t603 - t451*t604 - t452*t605,
+        D_p_x_2*D_p_x_3_by_b_1_z*k_C + D_p_x_2_by_b_1_z*D_p_x_3*k_C - D_p_x_2_by_b_1_z*t456
+        - D_p_x_2_by_b_1_z*t457 - D_p_x_2_by_b_1_z*t462 - D_p_x_3_by_b_1_z*t444 - D_p_x_3_by_b_1_z*t445
+        - D_p_x_3_by_b_1_z*t450 + D_p_y_2*D_p_y_3_by_b_1_z*k_C + D_p_y_2_by_b_1_z*D_p_y_3*k_C
+        - D_p_y_2_by_b_1_z*t458 - D_p_y_2_by_b_1_z*t459 - D_p_y_2_by_b_1_z*t463 - D_p_y_3_by_b_1_z*t446
+        - D_p_y_3_by_b_1_z*t447 - D_p_y_3_by_b_1_z*t451 + D_p_z_2*D_p_z_3_by_b_1_z*k_C
+        + D_p_z_2_by_b_1_z*D_p_z_3*k_C - D_p_z_2_by_b_1_z*t460 - D_p_z_2_by_b_1_z*t461
+        - D_p_z_2_by_b_1_z*t464 - D_p_z_3_by_b_1_z*t448 - D_p_z_3_by_b_1_z*t449 - D_p_z_3_by_b_1_z*t452
+        + mu_1_by_b_1_z*t512 + mu_2_by_b_1_z*t513 + mu_3_by_b_1_z*t514,
+        D_delta_x_1_by_b_1_z*t520 + D_delta_y_1_by_b_1_z*t521 + D_delta_z_1_by_b_1_z*t522
+        - D_p_x_2_by_b_1_z*t471 - D_p_x_2_by_b_1_z*t472 - D_p_x_2_by_b_1_z*t477 + D_p_x_2_by_b_1_z*t580
+        - D_p_y_2_by_b_1_z*t473 - D_p_y_2_by_b_1_z*t474 - D_p_y_2_by_b_1_z*t478 + D_p_y_2_by_b_1_z*t581
+        - D_p_z_2_by_b_1_z*t475 - D_p_z_2_by_b_1_z*t476 - D_p_z_2_by_b_1_z*t479 + D_p_z_2_by_b_1_z*t582
+        + mu_1_by_b_1_z*t518 + mu_2_by_b_1_z*t519 + mu_3_by_b_1_z*t518,
+        D_delta_x_2_by_b_1_z*t520 + D_delta_y_2_by_b_1_z*t521 + D_delta_z_2_by_b_1_z*t522
+        - D_p_x_2_by_b_1_z*t485 - D_p_x_2_by_b_1_z*t486 - D_p_x_2_by_b_1_z*t491 + D_p_x_2_by_b_1_z*t583
+        - D_p_y_2_by_b_1_z*t487 - D_p_y_2_by_b_1_z*t488 - D_p_y_2_by_b_1_z*t492 + D_p_y_2_by_b_1_z*t584
+        - D_p_z_2_by_b_1_z*t489 - D_p_z_2_by_b_1_z*t490 - D_p_z_2_by_b_1_z*t493 + D_p_z_2_by_b_1_z*t585
+        + mu_1_by_b_1_z*t523 + mu_2_by_b_1_z*t524 + mu_3_by_b_1_z*t523,
+        D_delta_x_3_by_b_1_z*t520 + D_delta_y_3_by_b_1_z*t521 + D_delta_z_3_by_b_1_z*t522
+        - D_p_x_2_by_b_1_z*t496 - D_p_x_2_by_b_1_z*t497 - D_p_x_2_by_b_1_z*t502 + D_p_x_2_by_b_1_z*t586
+        - D_p_y_2_by_b_1_z*t498 - D_p_y_2_by_b_1_z*t499 - D_p_y_2_by_b_1_z*t503 + D_p_y_2_by_b_1_z*t587
+        - D_p_z_2_by_b_1_z*t500 - D_p_z_2_by_b_1_z*t501 - D_p_z_2_by_b_1_z*t504 + D_p_z_2_by_b_1_z*t588
+        + mu_1_by_b_1_z*t525 + mu_2_by_b_1_z*t526 + mu_3_by_b_1_z*t525,
         D_p_x_2_by_b_1_z*k_C, D_p_y_2_by_b_1_z*k_C, D_p_z_2_by_b_1_z*k_C,
         2*D_p_x_3*D_p_x_3_by_b_1_z*k_C + 2*D_p_y_3*D_p_y_3_by_b_1_z*k_C + 2*D_p_z_3*D_p_z_3_by_b_1_z*k_C
-        + mu_1_by_b_1_z*t538 + mu_2_by_b_1_z*t539 + mu_3_by_b_1_z*t540 - t457*t618 - t458*t618 - t459*t619
-        - t460*t619 - t461*t620 - t462*t620 - t463*t618 - t464*t619 - t465*t620,
-        D_delta_x_1_by_b_1_z*t547 + D_delta_y_1_by_b_1_z*t548 + D_delta_z_1_by_b_1_z*t549
-        - D_p_x_3_by_b_1_z*t472 - D_p_x_3_by_b_1_z*t473 - D_p_x_3_by_b_1_z*t478 + D_p_x_3_by_b_1_z*t592
-        - D_p_y_3_by_b_1_z*t474 - D_p_y_3_by_b_1_z*t475 - D_p_y_3_by_b_1_z*t479 + D_p_y_3_by_b_1_z*t593
-        - D_p_z_3_by_b_1_z*t476 - D_p_z_3_by_b_1_z*t477 - D_p_z_3_by_b_1_z*t480 + D_p_z_3_by_b_1_z*t594
-        + mu_1_by_b_1_z*t544 + mu_2_by_b_1_z*t545 + mu_3_by_b_1_z*t546,
-        D_delta_x_2_by_b_1_z*t547 + D_delta_y_2_by_b_1_z*t548 + D_delta_z_2_by_b_1_z*t549
-        - D_p_x_3_by_b_1_z*t487 - D_p_x_3_by_b_1_z*t488 - D_p_x_3_by_b_1_z*t493 + D_p_x_3_by_b_1_z*t595
-        - D_p_y_3_by_b_1_z*t489 - D_p_y_3_by_b_1_z*t490 - D_p_y_3_by_b_1_z*t494 + D_p_y_3_by_b_1_z*t596
-        - D_p_z_3_by_b_1_z*t491 - D_p_z_3_by_b_1_z*t492 - D_p_z_3_by_b_1_z*t495 + D_p_z_3_by_b_1_z*t597
-        + mu_1_by_b_1_z*t550 + mu_2_by_b_1_z*t551 + mu_3_by_b_1_z*t552,
-        D_delta_x_3_by_b_1_z*t547 + D_delta_y_3_by_b_1_z*t548 + D_delta_z_3_by_b_1_z*t549
-        - D_p_x_3_by_b_1_z*t499 - D_p_x_3_by_b_1_z*t500 - D_p_x_3_by_b_1_z*t505 + D_p_x_3_by_b_1_z*t598
-        - D_p_y_3_by_b_1_z*t501 - D_p_y_3_by_b_1_z*t502 - D_p_y_3_by_b_1_z*t506 + D_p_y_3_by_b_1_z*t599
-        - D_p_z_3_by_b_1_z*t503 - D_p_z_3_by_b_1_z*t504 - D_p_z_3_by_b_1_z*t507 + D_p_z_3_by_b_1_z*t600
-        + mu_1_by_b_1_z*t553 + mu_2_by_b_1_z*t554 + mu_3_by_b_1_z*t555,
+        + mu_1_by_b_1_z*t530 + mu_2_by_b_1_z*t530 + mu_3_by_b_1_z*t531 - t456*t606 - t457*t606 - t458*t607
+        - t459*t607 - t460*t608 - t461*t608 - t462*t606 - t463*t607 - t464*t608,
+        D_delta_x_1_by_b_1_z*t537 + D_delta_y_1_by_b_1_z*t538 + D_delta_z_1_by_b_1_z*t539
+        - D_p_x_3_by_b_1_z*t471 - D_p_x_3_by_b_1_z*t472 - D_p_x_3_by_b_1_z*t477 + D_p_x_3_by_b_1_z*t580
+        - D_p_y_3_by_b_1_z*t473 - D_p_y_3_by_b_1_z*t474 - D_p_y_3_by_b_1_z*t478 + D_p_y_3_by_b_1_z*t581
+        - D_p_z_3_by_b_1_z*t475 - D_p_z_3_by_b_1_z*t476 - D_p_z_3_by_b_1_z*t479 + D_p_z_3_by_b_1_z*t582
+        + mu_1_by_b_1_z*t535 + mu_2_by_b_1_z*t535 + mu_3_by_b_1_z*t536,
+        D_delta_x_2_by_b_1_z*t537 + D_delta_y_2_by_b_1_z*t538 + D_delta_z_2_by_b_1_z*t539
+        - D_p_x_3_by_b_1_z*t485 - D_p_x_3_by_b_1_z*t486 - D_p_x_3_by_b_1_z*t491 + D_p_x_3_by_b_1_z*t583
+        - D_p_y_3_by_b_1_z*t487 - D_p_y_3_by_b_1_z*t488 - D_p_y_3_by_b_1_z*t492 + D_p_y_3_by_b_1_z*t584
+        - D_p_z_3_by_b_1_z*t489 - D_p_z_3_by_b_1_z*t490 - D_p_z_3_by_b_1_z*t493 + D_p_z_3_by_b_1_z*t585
+        + mu_1_by_b_1_z*t540 + mu_2_by_b_1_z*t540 + mu_3_by_b_1_z*t541,
+        D_delta_x_3_by_b_1_z*t537 + D_delta_y_3_by_b_1_z*t538 + D_delta_z_3_by_b_1_z*t539
+        - D_p_x_3_by_b_1_z*t496 - D_p_x_3_by_b_1_z*t497 - D_p_x_3_by_b_1_z*t502 + D_p_x_3_by_b_1_z*t586
+        - D_p_y_3_by_b_1_z*t498 - D_p_y_3_by_b_1_z*t499 - D_p_y_3_by_b_1_z*t503 + D_p_y_3_by_b_1_z*t587
+        - D_p_z_3_by_b_1_z*t500 - D_p_z_3_by_b_1_z*t501 - D_p_z_3_by_b_1_z*t504 + D_p_z_3_by_b_1_z*t588
+        + mu_1_by_b_1_z*t542 + mu_2_by_b_1_z*t542 + mu_3_by_b_1_z*t543,
         D_p_x_3_by_b_1_z*k_C, D_p_y_3_by_b_1_z*k_C, D_p_z_3_by_b_1_z*k_C,
-        D_delta_x_1_by_b_1_z*t557 + D_delta_y_1_by_b_1_z*t558 + D_delta_z_1_by_b_1_z*t559
-        + mu_1_by_b_1_z*t560 - mu_2_by_b_1_z*t556 - mu_3_by_b_1_z*t556,
-        D_delta_x_1_by_b_1_z*t562 + D_delta_x_2_by_b_1_z*t563 + D_delta_y_1_by_b_1_z*t564
-        + D_delta_y_2_by_b_1_z*t565 + D_delta_z_1_by_b_1_z*t566 + D_delta_z_2_by_b_1_z*t567
-        + mu_1_by_b_1_z*t561 + mu_2_by_b_1_z*t561 + mu_3_by_b_1_z*t561,
-        D_delta_x_1_by_b_1_z*t569 + D_delta_x_3_by_b_1_z*t563 + D_delta_y_1_by_b_1_z*t570
-        + D_delta_y_3_by_b_1_z*t565 + D_delta_z_1_by_b_1_z*t571 + D_delta_z_3_by_b_1_z*t567
-        + mu_1_by_b_1_z*t568 + mu_2_by_b_1_z*t568 + mu_3_by_b_1_z*t568,
+        D_delta_x_1_by_b_1_z*t545 + D_delta_y_1_by_b_1_z*t546 + D_delta_z_1_by_b_1_z*t547
+        + mu_1_by_b_1_z*t548 - mu_2_by_b_1_z*t544 - mu_3_by_b_1_z*t544,
+        D_delta_x_1_by_b_1_z*t550 + D_delta_x_2_by_b_1_z*t551 + D_delta_y_1_by_b_1_z*t552
+        + D_delta_y_2_by_b_1_z*t553 + D_delta_z_1_by_b_1_z*t554 + D_delta_z_2_by_b_1_z*t555
+        + mu_1_by_b_1_z*t549 + mu_2_by_b_1_z*t549 + mu_3_by_b_1_z*t549,
+        D_delta_x_1_by_b_1_z*t557 + D_delta_x_3_by_b_1_z*t551 + D_delta_y_1_by_b_1_z*t558
+        + D_delta_y_3_by_b_1_z*t553 + D_delta_z_1_by_b_1_z*t559 + D_delta_z_3_by_b_1_z*t555
+        + mu_1_by_b_1_z*t556 + mu_2_by_b_1_z*t556 + mu_3_by_b_1_z*t556,
         D_delta_x_1_by_b_1_z*k_C, D_delta_y_1_by_b_1_z*k_C, D_delta_z_1_by_b_1_z*k_C,
-        D_delta_x_2_by_b_1_z*t573 + D_delta_y_2_by_b_1_z*t574 + D_delta_z_2_by_b_1_z*t575
-        - mu_1_by_b_1_z*t572 + mu_2_by_b_1_z*t576 - mu_3_by_b_1_z*t572,
-        D_delta_x_2_by_b_1_z*t569 + D_delta_x_3_by_b_1_z*t562 + D_delta_y_2_by_b_1_z*t570
-        + D_delta_y_3_by_b_1_z*t564 + D_delta_z_2_by_b_1_z*t571 + D_delta_z_3_by_b_1_z*t566
-        + mu_1_by_b_1_z*t577 + mu_2_by_b_1_z*t577 + mu_3_by_b_1_z*t577,
+        D_delta_x_2_by_b_1_z*t561 + D_delta_y_2_by_b_1_z*t562 + D_delta_z_2_by_b_1_z*t563
+        - mu_1_by_b_1_z*t560 + mu_2_by_b_1_z*t564 - mu_3_by_b_1_z*t560,
+        D_delta_x_2_by_b_1_z*t557 + D_delta_x_3_by_b_1_z*t550 + D_delta_y_2_by_b_1_z*t558
+        + D_delta_y_3_by_b_1_z*t552 + D_delta_z_2_by_b_1_z*t559 + D_delta_z_3_by_b_1_z*t554
+        + mu_1_by_b_1_z*t565 + mu_2_by_b_1_z*t565 + mu_3_by_b_1_z*t565,
         D_delta_x_2_by_b_1_z*k_C, D_delta_y_2_by_b_1_z*k_C, D_delta_z_2_by_b_1_z*k_C,
-        D_delta_x_3_by_b_1_z*t579 + D_delta_y_3_by_b_1_z*t580 + D_delta_z_3_by_b_1_z*t581
-        - mu_1_by_b_1_z*t578 - mu_2_by_b_1_z*t578 + mu_3_by_b_1_z*t582,
+        D_delta_x_3_by_b_1_z*t567 + D_delta_y_3_by_b_1_z*t568 + D_delta_z_3_by_b_1_z*t569
+        - mu_1_by_b_1_z*t566 - mu_2_by_b_1_z*t566 + mu_3_by_b_1_z*t570,
         D_delta_x_3_by_b_1_z*k_C, D_delta_y_3_by_b_1_z*k_C, D_delta_z_3_by_b_1_z*k_C,
         2*D_p_x_1*D_p_x_1_by_b_2_x*k_C - D_p_x_1_by_b_2_x*t427 + 2*D_p_y_1*D_p_y_1_by_b_2_x*k_C
         - D_p_y_1_by_b_2_x*t430 + 2*D_p_z_1*D_p_z_1_by_b_2_x*k_C - D_p_z_1_by_b_2_x*t433
-        + mu_1_by_b_2_x*t444 + mu_2_by_b_2_x*t435 + mu_3_by_b_2_x*t436 - t412*t621 - t413*t621 - t416*t622
-        - t417*t622 - t420*t623 - t421*t623,
-        D_p_x_1*D_p_x_2_by_b_2_x*k_C + D_p_x_1_by_b_2_x*D_p_x_2*k_C - D_p_x_1_by_b_2_x*t445
-        - D_p_x_1_by_b_2_x*t446 - D_p_x_1_by_b_2_x*t451 - D_p_x_2_by_b_2_x*t413 - D_p_x_2_by_b_2_x*t426
-        + D_p_y_1*D_p_y_2_by_b_2_x*k_C + D_p_y_1_by_b_2_x*D_p_y_2*k_C - D_p_y_1_by_b_2_x*t447
-        - D_p_y_1_by_b_2_x*t448 - D_p_y_1_by_b_2_x*t452 - D_p_y_2_by_b_2_x*t417 - D_p_y_2_by_b_2_x*t429
-        + D_p_z_1*D_p_z_2_by_b_2_x*k_C + D_p_z_1_by_b_2_x*D_p_z_2*k_C - D_p_z_1_by_b_2_x*t449
-        - D_p_z_1_by_b_2_x*t450 - D_p_z_1_by_b_2_x*t453 - D_p_z_2_by_b_2_x*t421 - D_p_z_2_by_b_2_x*t432
-        + mu_1_by_b_2_x*t454 + mu_2_by_b_2_x*t455 + mu_3_by_b_2_x*t456 - t412*t624 - t416*t625 - t420*t626,
-        D_p_x_1*D_p_x_3_by_b_2_x*k_C + D_p_x_1_by_b_2_x*D_p_x_3*k_C - D_p_x_1_by_b_2_x*t457
-        - D_p_x_1_by_b_2_x*t458 - D_p_x_1_by_b_2_x*t463 - D_p_x_3_by_b_2_x*t412 - D_p_x_3_by_b_2_x*t413
+        + mu_1_by_b_2_x*t443 + mu_2_by_b_2_x*t435 + mu_3_by_b_2_x*t435 - t412*t609 - t413*t609 - t416*t610
+        - t417*t610 - t420*t611 - t421*t611,
+        D_p_x_1*D_p_x_2_by_b_2_x*k_C + D_p_x_1_by_b_2_x*D_p_x_2*k_C - D_p_x_1_by_b_2_x*t444
+        - D_p_x_1_by_b_2_x*t445 - D_p_x_1_by_b_2_x*t450 - D_p_x_2_by_b_2_x*t413 - D_p_x_2_by_b_2_x*t426
+        + D_p_y_1*D_p_y_2_by_b_2_x*k_C + D_p_y_1_by_b_2_x*D_p_y_2*k_C - D_p_y_1_by_b_2_x*t446
+        - D_p_y_1_by_b_2_x*t447 - D_p_y_1_by_b_2_x*t451 - D_p_y_2_by_b_2_x*t417 - D_p_y_2_by_b_2_x*t429
+        + D_p_z_1*D_p_z_2_by_b_2_x*k_C + D_p_z_1_by_b_2_x*D_p_z_2*k_C - D_p_z_1_by_b_2_x*t448
+        - D_p_z_1_by_b_2_x*t449 - D_p_z_1_by_b_2_x*t452 - D_p_z_2_by_b_2_x*t421 - D_p_z_2_by_b_2_x*t432
+        + mu_1_by_b_2_x*t453 + mu_2_by_b_2_x*t454 + mu_3_by_b_2_x*t455 - t412*t612 - t416*t613 - t420*t614,
+        D_p_x_1*D_p_x_3_by_b_2_x*k_C + D_p_x_1_by_b_2_x*D_p_x_3*k_C - D_p_x_1_by_b_2_x*t456
+        - D_p_x_1_by_b_2_x*t457 - D_p_x_1_by_b_2_x*t462 - D_p_x_3_by_b_2_x*t412 - D_p_x_3_by_b_2_x*t413
         - D_p_x_3_by_b_2_x*t426 + D_p_y_1*D_p_y_3_by_b_2_x*k_C + D_p_y_1_by_b_2_x*D_p_y_3*k_C
-        - D_p_y_1_by_b_2_x*t459 - D_p_y_1_by_b_2_x*t460 - D_p_y_1_by_b_2_x*t464 - D_p_y_3_by_b_2_x*t416
+        - D_p_y_1_by_b_2_x*t458 - D_p_y_1_by_b_2_x*t459 - D_p_y_1_by_b_2_x*t463 - D_p_y_3_by_b_2_x*t416
         - D_p_y_3_by_b_2_x*t417 - D_p_y_3_by_b_2_x*t429 + D_p_z_1*D_p_z_3_by_b_2_x*k_C
-        + D_p_z_1_by_b_2_x*D_p_z_3*k_C - D_p_z_1_by_b_2_x*t461 - D_p_z_1_by_b_2_x*t462
-        - D_p_z_1_by_b_2_x*t465 - D_p_z_3_by_b_2_x*t420 - D_p_z_3_by_b_2_x*t421 - D_p_z_3_by_b_2_x*t432
-        + mu_1_by_b_2_x*t466 + mu_2_by_b_2_x*t467 + mu_3_by_b_2_x*t468,
-        D_delta_x_1_by_b_2_x*t484 + D_delta_y_1_by_b_2_x*t485 + D_delta_z_1_by_b_2_x*t486
-        - D_p_x_1_by_b_2_x*t472 - D_p_x_1_by_b_2_x*t473 - D_p_x_1_by_b_2_x*t478 + D_p_x_1_by_b_2_x*t592
-        - D_p_y_1_by_b_2_x*t474 - D_p_y_1_by_b_2_x*t475 - D_p_y_1_by_b_2_x*t479 + D_p_y_1_by_b_2_x*t593
-        - D_p_z_1_by_b_2_x*t476 - D_p_z_1_by_b_2_x*t477 - D_p_z_1_by_b_2_x*t480 + D_p_z_1_by_b_2_x*t594
-        + mu_1_by_b_2_x*t481 + mu_2_by_b_2_x*t482 + mu_3_by_b_2_x*t483,
-        D_delta_x_2_by_b_2_x*t484 + D_delta_y_2_by_b_2_x*t485 + D_delta_z_2_by_b_2_x*t486
-        - D_p_x_1_by_b_2_x*t487 - D_p_x_1_by_b_2_x*t488 - D_p_x_1_by_b_2_x*t493 + D_p_x_1_by_b_2_x*t595
-        - D_p_y_1_by_b_2_x*t489 - D_p_y_1_by_b_2_x*t490 - D_p_y_1_by_b_2_x*t494 + D_p_y_1_by_b_2_x*t596
-        - D_p_z_1_by_b_2_x*t491 - D_p_z_1_by_b_2_x*t492 - D_p_z_1_by_b_2_x*t495 + D_p_z_1_by_b_2_x*t597
-        + mu_1_by_b_2_x*t496 + mu_2_by_b_2_x*t497 + mu_3_by_b_2_x*t498,
-        D_delta_x_3_by_b_2_x*t484 + D_delta_y_3_by_b_2_x*t485 + D_delta_z_3_by_b_2_x*t486
-        - D_p_x_1_by_b_2_x*t499 - D_p_x_1_by_b_2_x*t500 - D_p_x_1_by_b_2_x*t505 + D_p_x_1_by_b_2_x*t598
-        - D_p_y_1_by_b_2_x*t501 - D_p_y_1_by_b_2_x*t502 - D_p_y_1_by_b_2_x*t506 + D_p_y_1_by_b_2_x*t599
-        - D_p_z_1_by_b_2_x*t503 - D_p_z_1_by_b_2_x*t504 - D_p_z_1_by_b_2_x*t507 + D_p_z_1_by_b_2_x*t600
-        + mu_1_by_b_2_x*t508 + mu_2_by_b_2_x*t509 + mu_3_by_b_2_x*t510,
+        + D_p_z_1_by_b_2_x*D_p_z_3*k_C - D_p_z_1_by_b_2_x*t460 - D_p_z_1_by_b_2_x*t461
+        - D_p_z_1_by_b_2_x*t464 - D_p_z_3_by_b_2_x*t420 - D_p_z_3_by_b_2_x*t421 - D_p_z_3_by_b_2_x*t432
+        + mu_1_by_b_2_x*t465 + mu_2_by_b_2_x*t466 + mu_3_by_b_2_x*t467,
+        D_delta_x_1_by_b_2_x*t482 + D_delta_y_1_by_b_2_x*t483 + D_delta_z_1_by_b_2_x*t484
+        - D_p_x_1_by_b_2_x*t471 - D_p_x_1_by_b_2_x*t472 - D_p_x_1_by_b_2_x*t477 + D_p_x_1_by_b_2_x*t580
+        - D_p_y_1_by_b_2_x*t473 - D_p_y_1_by_b_2_x*t474 - D_p_y_1_by_b_2_x*t478 + D_p_y_1_by_b_2_x*t581
+        - D_p_z_1_by_b_2_x*t475 - D_p_z_1_by_b_2_x*t476 - D_p_z_1_by_b_2_x*t479 + D_p_z_1_by_b_2_x*t582
+        + mu_1_by_b_2_x*t480 + mu_2_by_b_2_x*t481 + mu_3_by_b_2_x*t481,
+        D_delta_x_2_by_b_2_x*t482 + D_delta_y_2_by_b_2_x*t483 + D_delta_z_2_by_b_2_x*t484
+        - D_p_x_1_by_b_2_x*t485 - D_p_x_1_by_b_2_x*t486 - D_p_x_1_by_b_2_x*t491 + D_p_x_1_by_b_2_x*t583
+        - D_p_y_1_by_b_2_x*t487 - D_p_y_1_by_b_2_x*t488 - D_p_y_1_by_b_2_x*t492 + D_p_y_1_by_b_2_x*t584
+        - D_p_z_1_by_b_2_x*t489 - D_p_z_1_by_b_2_x*t490 - D_p_z_1_by_b_2_x*t493 + D_p_z_1_by_b_2_x*t585
+        + mu_1_by_b_2_x*t494 + mu_2_by_b_2_x*t495 + mu_3_by_b_2_x*t495,
+        D_delta_x_3_by_b_2_x*t482 + D_delta_y_3_by_b_2_x*t483 + D_delta_z_3_by_b_2_x*t484
+        - D_p_x_1_by_b_2_x*t496 - D_p_x_1_by_b_2_x*t497 - D_p_x_1_by_b_2_x*t502 + D_p_x_1_by_b_2_x*t586
+        - D_p_y_1_by_b_2_x*t498 - D_p_y_1_by_b_2_x*t499 - D_p_y_1_by_b_2_x*t503 + D_p_y_1_by_b_2_x*t587
+        - D_p_z_1_by_b_2_x*t500 - D_p_z_1_by_b_2_x*t501 - D_p_z_1_by_b_2_x*t504 + D_p_z_1_by_b_2_x*t588
+        + mu_1_by_b_2_x*t505 + mu_2_by_b_2_x*t506 + mu_3_by_b_2_x*t506,
         D_p_x_1_by_b_2_x*k_C, D_p_y_1_by_b_2_x*k_C, D_p_z_1_by_b_2_x*k_C,
-        mu_1_by_b_2_x*t514 + mu_2_by_b_2_x*t516 + mu_3_by_b_2_x*t515 - s_2_x_by_b_2_x*t639 - t446*t628
-        - t448*t630 - t450*t632 - t451*t628 - t452*t630 - t453*t632 - t624*t636 - t625*t637 - t626*t638
-        + t627*t628 + t629*t630 + t631*t632 + t633*t634 + t633*t635 + t642*theta_2_by_b_2_x
-        + t644*theta_2_by_b_2_x + t646*theta_2_by_b_2_x,
-        D_p_x_2*D_p_x_3_by_b_2_x*k_C + D_p_x_2_by_b_2_x*D_p_x_3*k_C - D_p_x_2_by_b_2_x*t458
-        - D_p_x_2_by_b_2_x*t463 - D_p_x_3_by_b_2_x*t445 - D_p_x_3_by_b_2_x*t446 - D_p_x_3_by_b_2_x*t451
-        + D_p_y_2*D_p_y_3_by_b_2_x*k_C + D_p_y_2_by_b_2_x*D_p_y_3*k_C - D_p_y_2_by_b_2_x*t460
-        - D_p_y_2_by_b_2_x*t464 - D_p_y_3_by_b_2_x*t447 - D_p_y_3_by_b_2_x*t448 - D_p_y_3_by_b_2_x*t452
-        + D_p_z_2*D_p_z_3_by_b_2_x*k_C + D_p_z_2_by_b_2_x*D_p_z_3*k_C - D_p_z_2_by_b_2_x*t462
-        - D_p_z_2_by_b_2_x*t465 - D_p_z_3_by_b_2_x*t449 - D_p_z_3_by_b_2_x*t450 - D_p_z_3_by_b_2_x*t453
-        + mu_1_by_b_2_x*t517 + mu_2_by_b_2_x*t518 + mu_3_by_b_2_x*t519 - t457*t624 - t459*t625 - t461*t626,
-        D_delta_x_1_by_b_2_x*t526 + D_delta_y_1_by_b_2_x*t527 + D_delta_z_1_by_b_2_x*t528
-        - D_p_x_2_by_b_2_x*t473 - D_p_x_2_by_b_2_x*t478 + D_p_x_2_by_b_2_x*t592 - D_p_y_2_by_b_2_x*t475
-        - D_p_y_2_by_b_2_x*t479 + D_p_y_2_by_b_2_x*t593 - D_p_z_2_by_b_2_x*t477 - D_p_z_2_by_b_2_x*t480
-        + D_p_z_2_by_b_2_x*t594 + mu_1_by_b_2_x*t523 + mu_2_by_b_2_x*t524 + mu_3_by_b_2_x*t525 - t472*t624
-        - t474*t625 - t476*t626,
-        D_delta_x_2_by_b_2_x*t526 + D_delta_y_2_by_b_2_x*t527 + D_delta_z_2_by_b_2_x*t528
-        - D_p_x_2_by_b_2_x*t488 - D_p_x_2_by_b_2_x*t493 + D_p_x_2_by_b_2_x*t595 - D_p_y_2_by_b_2_x*t490
-        - D_p_y_2_by_b_2_x*t494 + D_p_y_2_by_b_2_x*t596 - D_p_z_2_by_b_2_x*t492 - D_p_z_2_by_b_2_x*t495
-        + D_p_z_2_by_b_2_x*t597 + mu_1_by_b_2_x*t529 + mu_2_by_b_2_x*t530 + mu_3_by_b_2_x*t531 - t487*t624
-        - t489*t625 - t491*t626,
-        D_delta_x_3_by_b_2_x*t526 + D_delta_y_3_by_b_2_x*t527 + D_delta_z_3_by_b_2_x*t528
-        - D_p_x_2_by_b_2_x*t500 - D_p_x_2_by_b_2_x*t505 + D_p_x_2_by_b_2_x*t598 - D_p_y_2_by_b_2_x*t502
-        - D_p_y_2_by_b_2_x*t506 + D_p_y_2_by_b_2_x*t599 - D_p_z_2_by_b_2_x*t504 - D_p_z_2_by_b_2_x*t507
-        + D_p_z_2_by_b_2_x*t600 + mu_1_by_b_2_x*t532 + mu_2_by_b_2_x*t533 + mu_3_by_b_2_x*t534 - t499*t624
-        - t501*t625 - t503*t626,
+        mu_1_by_b_2_x*t510 + mu_2_by_b_2_x*t511 + mu_3_by_b_2_x*t510 - s_2_x_by_b_2_x*t627 - t444*t616
+        - t446*t618 - t448*t620 - t450*t616 - t451*t618 - t452*t620 - t612*t624 - t613*t625 - t614*t626
+        + t615*t616 + t617*t618 + t619*t620 + t621*t622 + t621*t623 + t630*theta_2_by_b_2_x
+        + t632*theta_2_by_b_2_x + t634*theta_2_by_b_2_x,
+        D_p_x_2*D_p_x_3_by_b_2_x*k_C + D_p_x_2_by_b_2_x*D_p_x_3*k_C - D_p_x_2_by_b_2_x*t457
+        - D_p_x_2_by_b_2_x*t462 - D_p_x_3_by_b_2_x*t444 - D_p_x_3_by_b_2_x*t445 - D_p_x_3_by_b_2_x*t450
+        + D_p_y_2*D_p_y_3_by_b_2_x*k_C + D_p_y_2_by_b_2_x*D_p_y_3*k_C - D_p_y_2_by_b_2_x*t459
+        - D_p_y_2_by_b_2_x*t463 - D_p_y_3_by_b_2_x*t446 - D_p_y_3_by_b_2_x*t447 - D_p_y_3_by_b_2_x*t451
+        + D_p_z_2*D_p_z_3_by_b_2_x*k_C + D_p_z_2_by_b_2_x*D_p_z_3*k_C - D_p_z_2_by_b_2_x*t461
+        - D_p_z_2_by_b_2_x*t464 - D_p_z_3_by_b_2_x*t448 - D_p_z_3_by_b_2_x*t449 - D_p_z_3_by_b_2_x*t452
+        + mu_1_by_b_2_x*t512 + mu_2_by_b_2_x*t513 + mu_3_by_b_2_x*t514 - t456*t612 - t458*t613 - t460*t614,
+        D_delta_x_1_by_b_2_x*t520 + D_delta_y_1_by_b_2_x*t521 + D_delta_z_1_by_b_2_x*t522
+        - D_p_x_2_by_b_2_x*t472 - D_p_x_2_by_b_2_x*t477 + D_p_x_2_by_b_2_x*t580 - D_p_y_2_by_b_2_x*t474
+        - D_p_y_2_by_b_2_x*t478 + D_p_y_2_by_b_2_x*t581 - D_p_z_2_by_b_2_x*t476 - D_p_z_2_by_b_2_x*t479
+        + D_p_z_2_by_b_2_x*t582 + mu_1_by_b_2_x*t518 + mu_2_by_b_2_x*t519 + mu_3_by_b_2_x*t518 - t471*t612
+        - t473*t613 - t475*t614,
+        D_delta_x_2_by_b_2_x*t520 + D_delta_y_2_by_b_2_x*t521 + D_delta_z_2_by_b_2_x*t522
+        - D_p_x_2_by_b_2_x*t486 - D_p_x_2_by_b_2_x*t491 + D_p_x_2_by_b_2_x*t583 - D_p_y_2_by_b_2_x*t488
+        - D_p_y_2_by_b_2_x*t492 + D_p_y_2_by_b_2_x*t584 - D_p_z_2_by_b_2_x*t490 - D_p_z_2_by_b_2_x*t493
+        + D_p_z_2_by_b_2_x*t585 + mu_1_by_b_2_x*t523 + mu_2_by_b_2_x*t524 + mu_3_by_b_2_x*t523 - t485*t612
+        - t487*t613 - t489*t614,
+        D_delta_x_3_by_b_2_x*t520 + D_delta_y_3_by_b_2_x*t521 + D_delta_z_3_by_b_2_x*t522
+        - D_p_x_2_by_b_2_x*t497 - D_p_x_2_by_b_2_x*t502 + D_p_x_2_by_b_2_x*t586 - D_p_y_2_by_b_2_x*t499
+        - D_p_y_2_by_b_2_x*t503 + D_p_y_2_by_b_2_x*t587 - D_p_z_2_by_b_2_x*t501 - D_p_z_2_by_b_2_x*t504
+        + D_p_z_2_by_b_2_x*t588 + mu_1_by_b_2_x*t525 + mu_2_by_b_2_x*t526 + mu_3_by_b_2_x*t525 - t496*t612
+        - t498*t613 - t500*t614,
         D_p_x_2_by_b_2_x*k_C, D_p_y_2_by_b_2_x*k_C, D_p_z_2_by_b_2_x*k_C,
         2*D_p_x_3*D_p_x_3_by_b_2_x*k_C + 2*D_p_y_3*D_p_y_3_by_b_2_x*k_C + 2*D_p_z_3*D_p_z_3_by_b_2_x*k_C
-        + mu_1_by_b_2_x*t538 + mu_2_by_b_2_x*t539 + mu_3_by_b_2_x*t540 - t457*t647 - t458*t647 - t459*t648
-        - t460*t648 - t461*t649 - t462*t649 - t463*t647 - t464*t648 - t465*t649,
-        D_delta_x_1_by_b_2_x*t547 + D_delta_y_1_by_b_2_x*t548 + D_delta_z_1_by_b_2_x*t549
-        - D_p_x_3_by_b_2_x*t472 - D_p_x_3_by_b_2_x*t473 - D_p_x_3_by_b_2_x*t478 + D_p_x_3_by_b_2_x*t592
-        - D_p_y_3_by_b_2_x*t474 - D_p_y_3_by_b_2_x*t475 - D_p_y_3_by_b_2_x*t479 + D_p_y_3_by_b_2_x*t593
-        - D_p_z_3_by_b_2_x*t476 - D_p_z_3_by_b_2_x*t477 - D_p_z_3_by_b_2_x*t480 + D_p_z_3_by_b_2_x*t594
-        + mu_1_by_b_2_x*t544 + mu_2_by_b_2_x*t545 + mu_3_by_b_2_x*t546,
-        D_delta_x_2_by_b_2_x*t547 + D_delta_y_2_by_b_2_x*t548 + D_delta_z_2_by_b_2_x*t549
-        - D_p_x_3_by_b_2_x*t487 - D_p_x_3_by_b_2_x*t488 - D_p_x_3_by_b_2_x*t493 + D_p_x_3_by_b_2_x*t595
-        - D_p_y_3_by_b_2_x*t489 - D_p_y_3_by_b_2_x*t490 - D_p_y_3_by_b_2_x*t494 + D_p_y_3_by_b_2_x*t596
-        - D_p_z_3_by_b_2_x*t491 - D_p_z_3_by_b_2_x*t492 - D_p_z_3_by_b_2_x*t495 + D_p_z_3_by_b_2_x*t597
-        + mu_1_by_b_2_x*t550 + mu_2_by_b_2_x*t551 + mu_3_by_b_2_x*t552,
-        D_delta_x_3_by_b_2_x*t547 + D_delta_y_3_by_b_2_x*t548 + D_delta_z_3_by_b_2_x*t549
-        - D_p_x_3_by_b_2_x*t499 - D_p_x_3_by_b_2_x*t500 - D_p_x_3_by_b_2_x*t505 + D_p_x_3_by_b_2_x*t598
-        - D_p_y_3_by_b_2_x*t501 - D_p_y_3_by_b_2_x*t502 - D_p_y_3_by_b_2_x*t506 + D_p_y_3_by_b_2_x*t599
-        - D_p_z_3_by_b_2_x*t503 - D_p_z_3_by_b_2_x*t504 - D_p_z_3_by_b_2_x*t507 + D_p_z_3_by_b_2_x*t600
-        + mu_1_by_b_2_x*t553 + mu_2_by_b_2_x*t554 + mu_3_by_b_2_x*t555,
+        + mu_1_by_b_2_x*t530 + mu_2_by_b_2_x*t530 + mu_3_by_b_2_x*t531 - t456*t635 - t457*t635 - t458*t636
+        - t459*t636 - t460*t637 - t461*t637 - t462*t635 - t463*t636 - t464*t637,
+        D_delta_x_1_by_b_2_x*t537 + D_delta_y_1_by_b_2_x*t538 + D_delta_z_1_by_b_2_x*t539
+        - D_p_x_3_by_b_2_x*t471 - D_p_x_3_by_b_2_x*t472 - D_p_x_3_by_b_2_x*t477 + D_p_x_3_by_b_2_x*t580
+        - D_p_y_3_by_b_2_x*t473 - D_p_y_3_by_b_2_x*t474 - D_p_y_3_by_b_2_x*t478 + D_p_y_3_by_b_2_x*t581
+        - D_p_z_3_by_b_2_x*t475 - D_p_z_3_by_b_2_x*t476 - D_p_z_3_by_b_2_x*t479 + D_p_z_3_by_b_2_x*t582
+        + mu_1_by_b_2_x*t535 + mu_2_by_b_2_x*t535 + mu_3_by_b_2_x*t536,
+        D_delta_x_2_by_b_2_x*t537 + D_delta_y_2_by_b_2_x*t538 + D_delta_z_2_by_b_2_x*t539
+        - D_p_x_3_by_b_2_x*t485 - D_p_x_3_by_b_2_x*t486 - D_p_x_3_by_b_2_x*t491 + D_p_x_3_by_b_2_x*t583
+        - D_p_y_3_by_b_2_x*t487 - D_p_y_3_by_b_2_x*t488 - D_p_y_3_by_b_2_x*t492 + D_p_y_3_by_b_2_x*t584
+        - D_p_z_3_by_b_2_x*t489 - D_p_z_3_by_b_2_x*t490 - D_p_z_3_by_b_2_x*t493 + D_p_z_3_by_b_2_x*t585
+        + mu_1_by_b_2_x*t540 + mu_2_by_b_2_x*t540 + mu_3_by_b_2_x*t541,
+        D_delta_x_3_by_b_2_x*t537 + D_delta_y_3_by_b_2_x*t538 + D_delta_z_3_by_b_2_x*t539
+        - D_p_x_3_by_b_2_x*t496 - D_p_x_3_by_b_2_x*t497 - D_p_x_3_by_b_2_x*t502 + D_p_x_3_by_b_2_x*t586
+        - D_p_y_3_by_b_2_x*t498 - D_p_y_3_by_b_2_x*t499 - D_p_y_3_by_b_2_x*t503 + D_p_y_3_by_b_2_x*t587
+        - D_p_z_3_by_b_2_x*t500 - D_p_z_3_by_b_2_x*t501 - D_p_z_3_by_b_2_x*t504 + D_p_z_3_by_b_2_x*t588
+        + mu_1_by_b_2_x*t542 + mu_2_by_b_2_x*t542 + mu_3_by_b_2_x*t543,
         D_p_x_3_by_b_2_x*k_C, D_p_y_3_by_b_2_x*k_C, D_p_z_3_by_b_2_x*k_C,
-        D_delta_x_1_by_b_2_x*t557 + D_delta_y_1_by_b_2_x*t558 + D_delta_z_1_by_b_2_x*t559
-        + mu_1_by_b_2_x*t560 - mu_2_by_b_2_x*t556 - mu_3_by_b_2_x*t556,
-        D_delta_x_1_by_b_2_x*t562 + D_delta_x_2_by_b_2_x*t563 + D_delta_y_1_by_b_2_x*t564
-        + D_delta_y_2_by_b_2_x*t565 + D_delta_z_1_by_b_2_x*t566 + D_delta_z_2_by_b_2_x*t567
-        + mu_1_by_b_2_x*t561 + mu_2_by_b_2_x*t561 + mu_3_by_b_2_x*t561,
-        D_delta_x_1_by_b_2_x*t569 + D_delta_x_3_by_b_2_x*t563 + D_delta_y_1_by_b_2_x*t570
-        + D_delta_y_3_by_b_2_x*t565 + D_delta_z_1_by_b_2_x*t571 + D_delta_z_3_by_b_2_x*t567
-        + mu_1_by_b_2_x*t568 + mu_2_by_b_2_x*t568 + mu_3_by_b_2_x*t568,
+        D_delta_x_1_by_b_2_x*t545 + D_delta_y_1_by_b_2_x*t546 + D_delta_z_1_by_b_2_x*t547
+        + mu_1_by_b_2_x*t548 - mu_2_by_b_2_x*t544 - mu_3_by_b_2_x*t544,
+        D_delta_x_1_by_b_2_x*t550 + D_delta_x_2_by_b_2_x*t551 + D_delta_y_1_by_b_2_x*t552
+        + D_delta_y_2_by_b_2_x*t553 + D_delta_z_1_by_b_2_x*t554 + D_delta_z_2_by_b_2_x*t555
+        + mu_1_by_b_2_x*t549 + mu_2_by_b_2_x*t549 + mu_3_by_b_2_x*t549,
+        D_delta_x_1_by_b_2_x*t557 + D_delta_x_3_by_b_2_x*t551 + D_delta_y_1_by_b_2_x*t558
+        + D_delta_y_3_by_b_2_x*t553 + D_delta_z_1_by_b_2_x*t559 + D_delta_z_3_by_b_2_x*t555
+        + mu_1_by_b_2_x*t556 + mu_2_by_b_2_x*t556 + mu_3_by_b_2_x*t556,
         D_delta_x_1_by_b_2_x*k_C, D_delta_y_1_by_b_2_x*k_C, D_delta_z_1_by_b_2_x*k_C,
-        D_delta_x_2_by_b_2_x*t573 + D_delta_y_2_by_b_2_x*t574 + D_delta_z_2_by_b_2_x*t575
-        - mu_1_by_b_2_x*t572 + mu_2_by_b_2_x*t576 - mu_3_by_b_2_x*t572,
-        D_delta_x_2_by_b_2_x*t569 + D_delta_x_3_by_b_2_x*t562 + D_delta_y_2_by_b_2_x*t570
-        + D_delta_y_3_by_b_2_x*t564 + D_delta_z_2_by_b_2_x*t571 + D_delta_z_3_by_b_2_x*t566
-        + mu_1_by_b_2_x*t577 + mu_2_by_b_2_x*t577 + mu_3_by_b_2_x*t577,
+        D_delta_x_2_by_b_2_x*t561 + D_delta_y_2_by_b_2_x*t562 + D_delta_z_2_by_b_2_x*t563
+        - mu_1_by_b_2_x*t560 + mu_2_by_b_2_x*t564 - mu_3_by_b_2_x*t560,
+        D_delta_x_2_by_b_2_x*t557 + D_delta_x_3_by_b_2_x*t550 + D_delta_y_2_by_b_2_x*t558
+        + D_delta_y_3_by_b_2_x*t552 + D_delta_z_2_by_b_2_x*t559 + D_delta_z_3_by_b_2_x*t554
+        + mu_1_by_b_2_x*t565 + mu_2_by_b_2_x*t565 + mu_3_by_b_2_x*t565,
         D_delta_x_2_by_b_2_x*k_C, D_delta_y_2_by_b_2_x*k_C, D_delta_z_2_by_b_2_x*k_C,
-        D_delta_x_3_by_b_2_x*t579 + D_delta_y_3_by_b_2_x*t580 + D_delta_z_3_by_b_2_x*t581
-        - mu_1_by_b_2_x*t578 - mu_2_by_b_2_x*t578 + mu_3_by_b_2_x*t582,
+        D_delta_x_3_by_b_2_x*t567 + D_delta_y_3_by_b_2_x*t568 + D_delta_z_3_by_b_2_x*t569
+        - mu_1_by_b_2_x*t566 - mu_2_by_b_2_x*t566 + mu_3_by_b_2_x*t570,
         D_delta_x_3_by_b_2_x*k_C, D_delta_y_3_by_b_2_x*k_C, D_delta_z_3_by_b_2_x*k_C,
         2*D_p_x_1*D_p_x_1_by_b_2_y*k_C - D_p_x_1_by_b_2_y*t427 + 2*D_p_y_1*D_p_y_1_by_b_2_y*k_C
         - D_p_y_1_by_b_2_y*t430 + 2*D_p_z_1*D_p_z_1_by_b_2_y*k_C - D_p_z_1_by_b_2_y*t433
-        + mu_1_by_b_2_y*t444 + mu_2_by_b_2_y*t435 + mu_3_by_b_2_y*t436 - t412*t650 - t413*t650 - t416*t651
-        - t417*t651 - t420*t652 - t421*t652,
-        D_p_x_1*D_p_x_2_by_b_2_y*k_C + D_p_x_1_by_b_2_y*D_p_x_2*k_C - D_p_x_1_by_b_2_y*t445
-        - D_p_x_1_by_b_2_y*t446 - D_p_x_1_by_b_2_y*t451 - D_p_x_2_by_b_2_y*t413 - D_p_x_2_by_b_2_y*t426
-        + D_p_y_1*D_p_y_2_by_b_2_y*k_C + D_p_y_1_by_b_2_y*D_p_y_2*k_C - D_p_y_1_by_b_2_y*t447
-        - D_p_y_1_by_b_2_y*t448 - D_p_y_1_by_b_2_y*t452 - D_p_y_2_by_b_2_y*t417 - D_p_y_2_by_b_2_y*t429
-        + D_p_z_1*D_p_z_2_by_b_2_y*k_C + D_p_z_1_by_b_2_y*D_p_z_2*k_C - D_p_z_1_by_b_2_y*t449
-        - D_p_z_1_by_b_2_y*t450 - D_p_z_1_by_b_2_y*t453 - D_p_z_2_by_b_2_y*t421 - D_p_z_2_by_b_2_y*t432
-        + mu_1_by_b_2_y*t454 + mu_2_by_b_2_y*t455 + mu_3_by_b_2_y*t456 - t412*t653 - t416*t654 - t420*t655,
-        D_p_x_1*D_p_x_3_by_b_2_y*k_C + D_p_x_1_by_b_2_y*D_p_x_3*k_C - D_p_x_1_by_b_2_y*t457
-        - D_p_x_1_by_b_2_y*t458 - D_p_x_1_by_b_2_y*t463 - D_p_x_3_by_b_2_y*t412 - D_p_x_3_by_b_2_y*t413
+        + mu_1_by_b_2_y*t443 + mu_2_by_b_2_y*t435 + mu_3_by_b_2_y*t435 - t412*t638 - t413*t638 - t416*t639
+        - t417*t639 - t420*t640 - t421*t640,
+        D_p_x_1*D_p_x_2_by_b_2_y*k_C + D_p_x_1_by_b_2_y*D_p_x_2*k_C - D_p_x_1_by_b_2_y*t444
+        - D_p_x_1_by_b_2_y*t445 - D_p_x_1_by_b_2_y*t450 - D_p_x_2_by_b_2_y*t413 - D_p_x_2_by_b_2_y*t426
+        + D_p_y_1*D_p_y_2_by_b_2_y*k_C + D_p_y_1_by_b_2_y*D_p_y_2*k_C - D_p_y_1_by_b_2_y*t446
+        - D_p_y_1_by_b_2_y*t447 - D_p_y_1_by_b_2_y*t451 - D_p_y_2_by_b_2_y*t417 - D_p_y_2_by_b_2_y*t429
+        + D_p_z_1*D_p_z_2_by_b_2_y*k_C + D_p_z_1_by_b_2_y*D_p_z_2*k_C - D_p_z_1_by_b_2_y*t448
+        - D_p_z_1_by_b_2_y*t449 - D_p_z_1_by_b_2_y*t452 - D_p_z_2_by_b_2_y*t421 - D_p_z_2_by_b_2_y*t432
+        + mu_1_by_b_2_y*t453 + mu_2_by_b_2_y*t454 + mu_3_by_b_2_y*t455 - t412*t641 - t416*t642 - t420*t643,
+        D_p_x_1*D_p_x_3_by_b_2_y*k_C + D_p_x_1_by_b_2_y*D_p_x_3*k_C - D_p_x_1_by_b_2_y*t456
+        - D_p_x_1_by_b_2_y*t457 - D_p_x_1_by_b_2_y*t462 - D_p_x_3_by_b_2_y*t412 - D_p_x_3_by_b_2_y*t413
         - D_p_x_3_by_b_2_y*t426 + D_p_y_1*D_p_y_3_by_b_2_y*k_C + D_p_y_1_by_b_2_y*D_p_y_3*k_C
-        - D_p_y_1_by_b_2_y*t459 - D_p_y_1_by_b_2_y*t460 - D_p_y_1_by_b_2_y*t464 - D_p_y_3_by_b_2_y*t416
+        - D_p_y_1_by_b_2_y*t458 - D_p_y_1_by_b_2_y*t459 - D_p_y_1_by_b_2_y*t463 - D_p_y_3_by_b_2_y*t416
         - D_p_y_3_by_b_2_y*t417 - D_p_y_3_by_b_2_y*t429 + D_p_z_1*D_p_z_3_by_b_2_y*k_C
-        + D_p_z_1_by_b_2_y*D_p_z_3*k_C - D_p_z_1_by_b_2_y*t461 - D_p_z_1_by_b_2_y*t462
-        - D_p_z_1_by_b_2_y*t465 - D_p_z_3_by_b_2_y*t420 - D_p_z_3_by_b_2_y*t421 - D_p_z_3_by_b_2_y*t432
-        + mu_1_by_b_2_y*t466 + mu_2_by_b_2_y*t467 + mu_3_by_b_2_y*t468,
-        D_delta_x_1_by_b_2_y*t484 + D_delta_y_1_by_b_2_y*t485 + D_delta_z_1_by_b_2_y*t486
-        - D_p_x_1_by_b_2_y*t472 - D_p_x_1_by_b_2_y*t473 - D_p_x_1_by_b_2_y*t478 + D_p_x_1_by_b_2_y*t592
-        - D_p_y_1_by_b_2_y*t474 - D_p_y_1_by_b_2_y*t475 - D_p_y_1_by_b_2_y*t479 + D_p_y_1_by_b_2_y*t593
-        - D_p_z_1_by_b_2_y*t476 - D_p_z_1_by_b_2_y*t477 - D_p_z_1_by_b_2_y*t480 + D_p_z_1_by_b_2_y*t594
-        + mu_1_by_b_2_y*t481 + mu_2_by_b_2_y*t482 + mu_3_by_b_2_y*t483,
-        D_delta_x_2_by_b_2_y*t484 + D_delta_y_2_by_b_2_y*t485 + D_delta_z_2_by_b_2_y*t486
-        - D_p_x_1_by_b_2_y*t487 - D_p_x_1_by_b_2_y*t488 - D_p_x_1_by_b_2_y*t493 + D_p_x_1_by_b_2_y*t595
-        - D_p_y_1_by_b_2_y*t489 - D_p_y_1_by_b_2_y*t490 - D_p_y_1_by_b_2_y*t494 + D_p_y_1_by_b_2_y*t596
-        - D_p_z_1_by_b_2_y*t491 - D_p_z_1_by_b_2_y*t492 - D_p_z_1_by_b_2_y*t495 + D_p_z_1_by_b_2_y*t597
-        + mu_1_by_b_2_y*t496 + mu_2_by_b_2_y*t497 + mu_3_by_b_2_y*t498,
-        D_delta_x_3_by_b_2_y*t484 + D_delta_y_3_by_b_2_y*t485 + D_delta_z_3_by_b_2_y*t486
-        - D_p_x_1_by_b_2_y*t499 - D_p_x_1_by_b_2_y*t500 - D_p_x_1_by_b_2_y*t505 + D_p_x_1_by_b_2_y*t598
-        - D_p_y_1_by_b_2_y*t501 - D_p_y_1_by_b_2_y*t502 - D_p_y_1_by_b_2_y*t506 + D_p_y_1_by_b_2_y*t599
-        - D_p_z_1_by_b_2_y*t503 - D_p_z_1_by_b_2_y*t504 - D_p_z_1_by_b_2_y*t507 + D_p_z_1_by_b_2_y*t600
-        + mu_1_by_b_2_y*t508 + mu_2_by_b_2_y*t509 + mu_3_by_b_2_y*t510,
+        + D_p_z_1_by_b_2_y*D_p_z_3*k_C - D_p_z_1_by_b_2_y*t460 - D_p_z_1_by_b_2_y*t461
+        - D_p_z_1_by_b_2_y*t464 - D_p_z_3_by_b_2_y*t420 - D_p_z_3_by_b_2_y*t421 - D_p_z_3_by_b_2_y*t432
+        + mu_1_by_b_2_y*t465 + mu_2_by_b_2_y*t466 + mu_3_by_b_2_y*t467,
+        D_delta_x_1_by_b_2_y*t482 + D_delta_y_1_by_b_2_y*t483 + D_delta_z_1_by_b_2_y*t484
+        - D_p_x_1_by_b_2_y*t471 - D_p_x_1_by_b_2_y*t472 - D_p_x_1_by_b_2_y*t477 + D_p_x_1_by_b_2_y*t580
+        - D_p_y_1_by_b_2_y*t473 - D_p_y_1_by_b_2_y*t474 - D_p_y_1_by_b_2_y*t478 + D_p_y_1_by_b_2_y*t581
+        - D_p_z_1_by_b_2_y*t475 - D_p_z_1_by_b_2_y*t476 - D_p_z_1_by_b_2_y*t479 + D_p_z_1_by_b_2_y*t582
+        + mu_1_by_b_2_y*t480 + mu_2_by_b_2_y*t481 + mu_3_by_b_2_y*t481,
+        D_delta_x_2_by_b_2_y*t482 + D_delta_y_2_by_b_2_y*t483 + D_delta_z_2_by_b_2_y*t484
+        - D_p_x_1_by_b_2_y*t485 - D_p_x_1_by_b_2_y*t486 - D_p_x_1_by_b_2_y*t491 + D_p_x_1_by_b_2_y*t583
+        - D_p_y_1_by_b_2_y*t487 - D_p_y_1_by_b_2_y*t488 - D_p_y_1_by_b_2_y*t492 + D_p_y_1_by_b_2_y*t584
+        - D_p_z_1_by_b_2_y*t489 - D_p_z_1_by_b_2_y*t490 - D_p_z_1_by_b_2_y*t493 + D_p_z_1_by_b_2_y*t585
+        + mu_1_by_b_2_y*t494 + mu_2_by_b_2_y*t495 + mu_3_by_b_2_y*t495,
+        D_delta_x_3_by_b_2_y*t482 + D_delta_y_3_by_b_2_y*t483 + D_delta_z_3_by_b_2_y*t484
+        - D_p_x_1_by_b_2_y*t496 - D_p_x_1_by_b_2_y*t497 - D_p_x_1_by_b_2_y*t502 + D_p_x_1_by_b_2_y*t586
+        - D_p_y_1_by_b_2_y*t498 - D_p_y_1_by_b_2_y*t499 - D_p_y_1_by_b_2_y*t503 + D_p_y_1_by_b_2_y*t587
+        - D_p_z_1_by_b_2_y*t500 - D_p_z_1_by_b_2_y*t501 - D_p_z_1_by_b_2_y*t504 + D_p_z_1_by_b_2_y*t588
+        + mu_1_by_b_2_y*t505 + mu_2_by_b_2_y*t506 + mu_3_by_b_2_y*t506,
         D_p_x_1_by_b_2_y*k_C, D_p_y_1_by_b_2_y*k_C, D_p_z_1_by_b_2_y*k_C,
-        mu_1_by_b_2_y*t514 + mu_2_by_b_2_y*t516 + mu_3_by_b_2_y*t515 - s_2_y_by_b_2_y*t661 - t446*t656
-        - t448*t657 - t450*t658 - t451*t656 - t452*t657 - t453*t658 + t627*t656 + t629*t657 + t631*t658
-        + t635*t659 - t636*t653 - t637*t654 - t638*t655 + t642*theta_2_by_b_2_y + t644*theta_2_by_b_2_y
-        + t646*theta_2_by_b_2_y + t659*t660,
-        D_p_x_2*D_p_x_3_by_b_2_y*k_C + D_p_x_2_by_b_2_y*D_p_x_3*k_C - D_p_x_2_by_b_2_y*t458
-        - D_p_x_2_by_b_2_y*t463 - D_p_x_3_by_b_2_y*t445 - D_p_x_3_by_b_2_y*t446 - D_p_x_3_by_b_2_y*t451
-        + D_p_y_2*D_p_y_3_by_b_2_y*k_C + D_p_y_2_by_b_2_y*D_p_y_3*k_C - D_p_y_2_by_b_2_y*t460
-        - D_p_y_2_by_b_2_y*t464 - D_p_y_3_by_b_2_y*t447 - D_p_y_3_by_b_2_y*t448 - D_p_y_3_by_b_2_y*t452
-        + D_p_z_2*D_p_z_3_by_b_2_y*k_C + D_p_z_2_by_b_2_y*D_p_z_3*k_C - D_p_z_2_by_b_2_y*t462
-        - D_p_z_2_by_b_2_y*t465 - D_p_z_3_by_b_2_y*t449 - D_p_z_3_by_b_2_y*t450 - D_p_z_3_by_b_2_y*t453
-        + mu_1_by_b_2_y*t517 + mu_2_by_b_2_y*t518 + mu_3_by_b_2_y*t519 - t457*t653 - t459*t654 - t461*t655,
-        D_delta_x_1_by_b_2_y*t526 + D_delta_y_1_by_b_2_y*t527 + D_delta_z_1_by_b_2_y*t528
-        - D_p_x_2_by_b_2_y*t473 - D_p_x_2_by_b_2_y*t478 + D_p_x_2_by_b_2_y*t592 - D_p_y_2_by_b_2_y*t475
-        - D_p_y_2_by_b_2_y*t479 + D_p_y_2_by_b_2_y*t593 - D_p_z_2_by_b_2_y*t477 - D_p_z_2_by_b_2_y*t480
-        + D_p_z_2_by_b_2_y*t594 + mu_1_by_b_2_y*t523 + mu_2_by_b_2_y*t524 + mu_3_by_b_2_y*t525 - t472*t653
-        - t474*t654 - t476*t655,
-        D_delta_x_2_by_b_2_y*t526 + D_delta_y_2_by_b_2_y*t527 + D_delta_z_2_by_b_2_y*t528
-        - D_p_x_2_by_b_2_y*t488 - D_p_x_2_by_b_2_y*t493 + D_p_x_2_by_b_2_y*t595 - D_p_y_2_by_b_2_y*t490
-        - D_p_y_2_by_b_2_y*t494 + D_p_y_2_by_b_2_y*t596 - D_p_z_2_by_b_2_y*t492 - D_p_z_2_by_b_2_y*t495
-        + D_p_z_2_by_b_2_y*t597 + mu_1_by_b_2_y*t529 + mu_2_by_b_2_y*t530 + mu_3_by_b_2_y*t531 - t487*t653
-        - t489*t654 - t491*t655,
-        D_delta_x_3_by_b_2_y*t526 + D_delta_y_3_by_b_2_y*t527 + D_delta_z_3_by_b_2_y*t528
-        - D_p_x_2_by_b_2_y*t500 - D_p_x_2_by_b_2_y*t505 + D_p_x_2_by_b_2_y*t598 - D_p_y_2_by_b_2_y*t502
-        - D_p_y_2_by_b_2_y*t506 + D_p_y_2_by_b_2_y*t599 - D_p_z_2_by_b_2_y*t504 - D_p_z_2_by_b_2_y*t507
-        + D_p_z_2_by_b_2_y*t600 + mu_1_by_b_2_y*t532 + mu_2_by_b_2_y*t533 + mu_3_by_b_2_y*t534 - t499*t653
-        - t501*t654 - t503*t655,
+        mu_1_by_b_2_y*t510 + mu_2_by_b_2_y*t511 + mu_3_by_b_2_y*t510 - s_2_y_by_b_2_y*t649 - t444*t644
+        - t446*t645 - t448*t646 - t450*t644 - t451*t645 - t452*t646 + t615*t644 + t617*t645 + t619*t646
+        + t623*t647 - t624*t641 - t625*t642 - t626*t643 + t630*theta_2_by_b_2_y + t632*theta_2_by_b_2_y
+        + t634*theta_2_by_b_2_y + t647*t648,
+        D_p_x_2*D_p_x_3_by_b_2_y*k_C + D_p_x_2_by_b_2_y*D_p_x_3*k_C - D_p_x_2_by_b_2_y*t457
+        - D_p_x_2_by_b_2_y*t462 - D_p_x_3_by_b_2_y*t444 - D_p_x_3_by_b_2_y*t445 - D_p_x_3_by_b_2_y*t450
+        + D_p_y_2*D_p_y_3_by_b_2_y*k_C + D_p_y_2_by_b_2_y*D_p_y_3*k_C - D_p_y_2_by_b_2_y*t459
+        - D_p_y_2_by_b_2_y*t463 - D_p_y_3_by_b_2_y*t446 - D_p_y_3_by_b_2_y*t447 - D_p_y_3_by_b_2_y*t451
+        + D_p_z_2*D_p_z_3_by_b_2_y*k_C + D_p_z_2_by_b_2_y*D_p_z_3*k_C - D_p_z_2_by_b_2_y*t461
+        - D_p_z_2_by_b_2_y*t464 - D_p_z_3_by_b_2_y*t448 - D_p_z_3_by_b_2_y*t449 - D_p_z_3_by_b_2_y*t452
+        + mu_1_by_b_2_y*t512 + mu_2_by_b_2_y*t513 + mu_3_by_b_2_y*t514 - t456*t641 - t458*t642 - t460*t643,
+        D_delta_x_1_by_b_2_y*t520 + D_delta_y_1_by_b_2_y*t521 + D_delta_z_1_by_b_2_y*t522
+        - D_p_x_2_by_b_2_y*t472 - D_p_x_2_by_b_2_y*t477 + D_p_x_2_by_b_2_y*t580 - D_p_y_2_by_b_2_y*t474
+        - D_p_y_2_by_b_2_y*t478 + D_p_y_2_by_b_2_y*t581 - D_p_z_2_by_b_2_y*t476 - D_p_z_2_by_b_2_y*t479
+        + D_p_z_2_by_b_2_y*t582 + mu_1_by_b_2_y*t518 + mu_2_by_b_2_y*t519 + mu_3_by_b_2_y*t518 - t471*t641
+        - t473*t642 - t475*t643,
+        D_delta_x_2_by_b_2_y*t520 + D_delta_y_2_by_b_2_y*t521 + D_delta_z_2_by_b_2_y*t522
+        - D_p_x_2_by_b_2_y*t486 - D_p_x_2_by_b_2_y*t491 + D_p_x_2_by_b_2_y*t583 - D_p_y_2_by_b_2_y*t488
+        - D_p_y_2_by_b_2_y*t492 + D_p_y_2_by_b_2_y*t584 - D_p_z_2_by_b_2_y*t490 - D_p_z_2_by_b_2_y*t493
+        + D_p_z_2_by_b_2_y*t585 + mu_1_by_b_2_y*t523 + mu_2_by_b_2_y*t524 + mu_3_by_b_2_y*t523 - t485*t641
+        - t487*t642 - t489*t643,
+        D_delta_x_3_by_b_2_y*t520 + D_delta_y_3_by_b_2_y*t521 + D_delta_z_3_by_b_2_y*t522
+        - D_p_x_2_by_b_2_y*t497 - D_p_x_2_by_b_2_y*t502 + D_p_x_2_by_b_2_y*t586 - D_p_y_2_by_b_2_y*t499
+        - D_p_y_2_by_b_2_y*t503 + D_p_y_2_by_b_2_y*t587 - D_p_z_2_by_b_2_y*t501 - D_p_z_2_by_b_2_y*t504
+        + D_p_z_2_by_b_2_y*t588 + mu_1_by_b_2_y*t525 + mu_2_by_b_2_y*t526 + mu_3_by_b_2_y*t525 - t496*t641
+        - t498*t642 - t500*t643,
         D_p_x_2_by_b_2_y*k_C, D_p_y_2_by_b_2_y*k_C, D_p_z_2_by_b_2_y*k_C,
         2*D_p_x_3*D_p_x_3_by_b_2_y*k_C + 2*D_p_y_3*D_p_y_3_by_b_2_y*k_C + 2*D_p_z_3*D_p_z_3_by_b_2_y*k_C
-        + mu_1_by_b_2_y*t538 + mu_2_by_b_2_y*t539 + mu_3_by_b_2_y*t540 - t457*t662 - t458*t662 - t459*t663
-        - t460*t663 - t461*t664 - t462*t664 - t463*t662 - t464*t663 - t465*t664,
-        D_delta_x_1_by_b_2_y*t547 + D_delta_y_1_by_b_2_y*t548 + D_delta_z_1_by_b_2_y*t549
-        - D_p_x_3_by_b_2_y*t472 - D_p_x_3_by_b_2_y*t473 - D_p_x_3_by_b_2_y*t478 + D_p_x_3_by_b_2_y*t592
-        - D_p_y_3_by_b_2_y*t474 - D_p_y_3_by_b_2_y*t475 - D_p_y_3_by_b_2_y*t479 + D_p_y_3_by_b_2_y*t593
-        - D_p_z_3_by_b_2_y*t476 - D_p_z_3_by_b_2_y*t477 - D_p_z_3_by_b_2_y*t480 + D_p_z_3_by_b_2_y*t594
-        + mu_1_by_b_2_y*t544 + mu_2_by_b_2_y*t545 + mu_3_by_b_2_y*t546,
-        D_delta_x_2_by_b_2_y*t547 + D_delta_y_2_by_b_2_y*t548 + D_delta_z_2_by_b_2_y*t549
-        - D_p_x_3_by_b_2_y*t487 - D_p_x_3_by_b_2_y*t488 - D_p_x_3_by_b_2_y*t493 + D_p_x_3_by_b_2_y*t595
-        - D_p_y_3_by_b_2_y*t489 - D_p_y_3_by_b_2_y*t490 - D_p_y_3_by_b_2_y*t494 + D_p_y_3_by_b_2_y*t596
-        - D_p_z_3_by_b_2_y*t491 - D_p_z_3_by_b_2_y*t492 - D_p_z_3_by_b_2_y*t495 + D_p_z_3_by_b_2_y*t597
-        + mu_1_by_b_2_y*t550 + mu_2_by_b_2_y*t551 + mu_3_by_b_2_y*t552,
-        D_delta_x_3_by_b_2_y*t547 + D_delta_y_3_by_b_2_y*t548 + D_delta_z_3_by_b_2_y*t549
-        - D_p_x_3_by_b_2_y*t499 - D_p_x_3_by_b_2_y*t500 - D_p_x_3_by_b_2_y*t505 + D_p_x_3_by_b_2_y*t598
-        - D_p_y_3_by_b_2_y*t501 - D_p_y_3_by_b_2_y*t502 - D_p_y_3_by_b_2_y*t506 + D_p_y_3_by_b_2_y*t599
-        - D_p_z_3_by_b_2_y*t503 - D_p_z_3_by_b_2_y*t504 - D_p_z_3_by_b_2_y*t507 + D_p_z_3_by_b_2_y*t600
-        + mu_1_by_b_2_y*t553 + mu_2_by_b_2_y*t554 + mu_3_by_b_2_y*t555,
+        + mu_1_by_b_2_y*t530 + mu_2_by_b_2_y*t530 + mu_3_by_b_2_y*t531 - t456*t650 - t457*t650 - t458*t651
+        - t459*t651 - t460*t652 - t461*t652 - t462*t650 - t463*t651 - t464*t652,
+        D_delta_x_1_by_b_2_y*t537 + D_delta_y_1_by_b_2_y*t538 + D_delta_z_1_by_b_2_y*t539
+        - D_p_x_3_by_b_2_y*t471 - D_p_x_3_by_b_2_y*t472 - D_p_x_3_by_b_2_y*t477 + D_p_x_3_by_b_2_y*t580
+        - D_p_y_3_by_b_2_y*t473 - D_p_y_3_by_b_2_y*t474 - D_p_y_3_by_b_2_y*t478 + D_p_y_3_by_b_2_y*t581
+        - D_p_z_3_by_b_2_y*t475 - D_p_z_3_by_b_2_y*t476 - D_p_z_3_by_b_2_y*t479 + D_p_z_3_by_b_2_y*t582
+        + mu_1_by_b_2_y*t535 + mu_2_by_b_2_y*t535 + mu_3_by_b_2_y*t536,
+        D_delta_x_2_by_b_2_y*t537 + D_delta_y_2_by_b_2_y*t538 + D_delta_z_2_by_b_2_y*t539
+        - D_p_x_3_by_b_2_y*t485 - D_p_x_3_by_b_2_y*t486 - D_p_x_3_by_b_2_y*t491 + D_p_x_3_by_b_2_y*t583
+        - D_p_y_3_by_b_2_y*t487 - D_p_y_3_by_b_2_y*t488 - D_p_y_3_by_b_2_y*t492 + D_p_y_3_by_b_2_y*t584
+        - D_p_z_3_by_b_2_y*t489 - D_p_z_3_by_b_2_y*t490 - D_p_z_3_by_b_2_y*t493 + D_p_z_3_by_b_2_y*t585
+        + mu_1_by_b_2_y*t540 + mu_2_by_b_2_y*t540 + mu_3_by_b_2_y*t541,
+        D_delta_x_3_by_b_2_y*t537 + D_delta_y_3_by_b_2_y*t538 + D_delta_z_3_by_b_2_y*t539
+        - D_p_x_3_by_b_2_y*t496 - D_p_x_3_by_b_2_y*t497 - D_p_x_3_by_b_2_y*t502 + D_p_x_3_by_b_2_y*t586
+        - D_p_y_3_by_b_2_y*t498 - D_p_y_3_by_b_2_y*t499 - D_p_y_3_by_b_2_y*t503 + D_p_y_3_by_b_2_y*t587
+        - D_p_z_3_by_b_2_y*t500 - D_p_z_3_by_b_2_y*t501 - D_p_z_3_by_b_2_y*t504 + D_p_z_3_by_b_2_y*t588
+        + mu_1_by_b_2_y*t542 + mu_2_by_b_2_y*t542 + mu_3_by_b_2_y*t543,
         D_p_x_3_by_b_2_y*k_C, D_p_y_3_by_b_2_y*k_C, D_p_z_3_by_b_2_y*k_C,
-        D_delta_x_1_by_b_2_y*t557 + D_delta_y_1_by_b_2_y*t558 + D_delta_z_1_by_b_2_y*t559
-        + mu_1_by_b_2_y*t560 - mu_2_by_b_2_y*t556 - mu_3_by_b_2_y*t556,
-        D_delta_x_1_by_b_2_y*t562 + D_delta_x_2_by_b_2_y*t563 + D_delta_y_1_by_b_2_y*t564
-        + D_delta_y_2_by_b_2_y*t565 + D_delta_z_1_by_b_2_y*t566 + D_delta_z_2_by_b_2_y*t567
-        + mu_1_by_b_2_y*t561 + mu_2_by_b_2_y*t561 + mu_3_by_b_2_y*t561,
-        D_delta_x_1_by_b_2_y*t569 + D_delta_x_3_by_b_2_y*t563 + D_delta_y_1_by_b_2_y*t570
-        + D_delta_y_3_by_b_2_y*t565 + D_delta_z_1_by_b_2_y*t571 + D_delta_z_3_by_b_2_y*t567
-        + mu_1_by_b_2_y*t568 + mu_2_by_b_2_y*t568 + mu_3_by_b_2_y*t568,
+        D_delta_x_1_by_b_2_y*t545 + D_delta_y_1_by_b_2_y*t546 + D_delta_z_1_by_b_2_y*t547
+        + mu_1_by_b_2_y*t548 - mu_2_by_b_2_y*t544 - mu_3_by_b_2_y*t544,
+        D_delta_x_1_by_b_2_y*t550 + D_delta_x_2_by_b_2_y*t551 + D_delta_y_1_by_b_2_y*t552
+        + D_delta_y_2_by_b_2_y*t553 + D_delta_z_1_by_b_2_y*t554 + D_delta_z_2_by_b_2_y*t555
+        + mu_1_by_b_2_y*t549 + mu_2_by_b_2_y*t549 + mu_3_by_b_2_y*t549,
+        D_delta_x_1_by_b_2_y*t557 + D_delta_x_3_by_b_2_y*t551 + D_delta_y_1_by_b_2_y*t558
+        + D_delta_y_3_by_b_2_y*t553 + D_delta_z_1_by_b_2_y*t559 + D_delta_z_3_by_b_2_y*t555
+        + mu_1_by_b_2_y*t556 + mu_2_by_b_2_y*t556 + mu_3_by_b_2_y*t556,
         D_delta_x_1_by_b_2_y*k_C, D_delta_y_1_by_b_2_y*k_C, D_delta_z_1_by_b_2_y*k_C,
-        D_delta_x_2_by_b_2_y*t573 + D_delta_y_2_by_b_2_y*t574 + D_delta_z_2_by_b_2_y*t575
-        - mu_1_by_b_2_y*t572 + mu_2_by_b_2_y*t576 - mu_3_by_b_2_y*t572,
-        D_delta_x_2_by_b_2_y*t569 + D_delta_x_3_by_b_2_y*t562 + D_delta_y_2_by_b_2_y*t570
-        + D_delta_y_3_by_b_2_y*t564 + D_delta_z_2_by_b_2_y*t571 + D_delta_z_3_by_b_2_y*t566
-        + mu_1_by_b_2_y*t577 + mu_2_by_b_2_y*t577 + mu_3_by_b_2_y*t577,
+        D_delta_x_2_by_b_2_y*t561 + D_delta_y_2_by_b_2_y*t562 + D_delta_z_2_by_b_2_y*t563
+        - mu_1_by_b_2_y*t560 + mu_2_by_b_2_y*t564 - mu_3_by_b_2_y*t560,
+        D_delta_x_2_by_b_2_y*t557 + D_delta_x_3_by_b_2_y*t550 + D_delta_y_2_by_b_2_y*t558
+        + D_delta_y_3_by_b_2_y*t552 + D_delta_z_2_by_b_2_y*t559 + D_delta_z_3_by_b_2_y*t554
+        + mu_1_by_b_2_y*t565 + mu_2_by_b_2_y*t565 + mu_3_by_b_2_y*t565,
         D_delta_x_2_by_b_2_y*k_C, D_delta_y_2_by_b_2_y*k_C, D_delta_z_2_by_b_2_y*k_C,
-        D_delta_x_3_by_b_2_y*t579 + D_delta_y_3_by_b_2_y*t580 + D_delta_z_3_by_b_2_y*t581
-        - mu_1_by_b_2_y*t578 - mu_2_by_b_2_y*t578 + mu_3_by_b_2_y*t582,
+        D_delta_x_3_by_b_2_y*t567 + D_delta_y_3_by_b_2_y*t568 + D_delta_z_3_by_b_2_y*t569
+        - mu_1_by_b_2_y*t566 - mu_2_by_b_2_y*t566 + mu_3_by_b_2_y*t570,
         D_delta_x_3_by_b_2_y*k_C, D_delta_y_3_by_b_2_y*k_C, D_delta_z_3_by_b_2_y*k_C,
         2*D_p_x_1*D_p_x_1_by_b_2_z*k_C - D_p_x_1_by_b_2_z*t427 + 2*D_p_y_1*D_p_y_1_by_b_2_z*k_C
         - D_p_y_1_by_b_2_z*t430 + 2*D_p_z_1*D_p_z_1_by_b_2_z*k_C - D_p_z_1_by_b_2_z*t433
-        + mu_1_by_b_2_z*t444 + mu_2_by_b_2_z*t435 + mu_3_by_b_2_z*t436 - t412*t665 - t413*t665 - t416*t666
-        - t417*t666 - t420*t667 - t421*t667,
-        D_p_x_1*D_p_x_2_by_b_2_z*k_C + D_p_x_1_by_b_2_z*D_p_x_2*k_C - D_p_x_1_by_b_2_z*t445
-        - D_p_x_1_by_b_2_z*t446 - D_p_x_1_by_b_2_z*t451 - D_p_x_2_by_b_2_z*t413 - D_p_x_2_by_b_2_z*t426
-        + D_p_y_1*D_p_y_2_by_b_2_z*k_C + D_p_y_1_by_b_2_z*D_p_y_2*k_C - D_p_y_1_by_b_2_z*t447
-        - D_p_y_1_by_b_2_z*t448 - D_p_y_1_by_b_2_z*t452 - D_p_y_2_by_b_2_z*t417 - D_p_y_2_by_b_2_z*t429
-        + D_p_z_1*D_p_z_2_by_b_2_z*k_C + D_p_z_1_by_b_2_z*D_p_z_2*k_C - D_p_z_1_by_b_2_z*t449
-        - D_p_z_1_by_b_2_z*t450 - D_p_z_1_by_b_2_z*t453 - D_p_z_2_by_b_2_z*t421 - D_p_z_2_by_b_2_z*t432
-        + mu_1_by_b_2_z*t454 + mu_2_by_b_2_z*t455 + mu_3_by_b_2_z*t456 - t412*t668 - t416*t669 - t420*t670,
-        D_p_x_1*D_p_x_3_by_b_2_z*k_C + D_p_x_1_by_b_2_z*D_p_x_3*k_C - D_p_x_1_by_b_2_z*t457
-        - D_p_x_1_by_b_2_z*t458 - D_p_x_1_by_b_2_z*t463 - D_p_x_3_by_b_2_z*t412 - D_p_x_3_by_b_2_z*t413
+        + mu_1_by_b_2_z*t443 + mu_2_by_b_2_z*t435 + mu_3_by_b_2_z*t435 - t412*t653 - t413*t653 - t416*t654
+        - t417*t654 - t420*t655 - t421*t655,
+        D_p_x_1*D_p_x_2_by_b_2_z*k_C + D_p_x_1_by_b_2_z*D_p_x_2*k_C - D_p_x_1_by_b_2_z*t444
+        - D_p_x_1_by_b_2_z*t445 - D_p_x_1_by_b_2_z*t450 - D_p_x_2_by_b_2_z*t413 - D_p_x_2_by_b_2_z*t426
+        + D_p_y_1*D_p_y_2_by_b_2_z*k_C + D_p_y_1_by_b_2_z*D_p_y_2*k_C - D_p_y_1_by_b_2_z*t446
+        - D_p_y_1_by_b_2_z*t447 - D_p_y_1_by_b_2_z*t451 - D_p_y_2_by_b_2_z*t417 - D_p_y_2_by_b_2_z*t429
+        + D_p_z_1*D_p_z_2_by_b_2_z*k_C + D_p_z_1_by_b_2_z*D_p_z_2*k_C - D_p_z_1_by_b_2_z*t448
+        - D_p_z_1_by_b_2_z*t449 - D_p_z_1_by_b_2_z*t452 - D_p_z_2_by_b_2_z*t421 - D_p_z_2_by_b_2_z*t432
+        + mu_1_by_b_2_z*t453 + mu_2_by_b_2_z*t454 + mu_3_by_b_2_z*t455 - t412*t656 - t416*t657 - t420*t658,
+        D_p_x_1*D_p_x_3_by_b_2_z*k_C + D_p_x_1_by_b_2_z*D_p_x_3*k_C - D_p_x_1_by_b_2_z*t456
+        - D_p_x_1_by_b_2_z*t457 - D_p_x_1_by_b_2_z*t462 - D_p_x_3_by_b_2_z*t412 - D_p_x_3_by_b_2_z*t413
         - D_p_x_3_by_b_2_z*t426 + D_p_y_1*D_p_y_3_by_b_2_z*k_C + D_p_y_1_by_b_2_z*D_p_y_3*k_C
-        - D_p_y_1_by_b_2_z*t459 - D_p_y_1_by_b_2_z*t460 - D_p_y_1_by_b_2_z*t464 - D_p_y_3_by_b_2_z*t416
+        - D_p_y_1_by_b_2_z*t458 - D_p_y_1_by_b_2_z*t459 - D_p_y_1_by_b_2_z*t463 - D_p_y_3_by_b_2_z*t416
         - D_p_y_3_by_b_2_z*t417 - D_p_y_3_by_b_2_z*t429 + D_p_z_1*D_p_z_3_by_b_2_z*k_C
-        + D_p_z_1_by_b_2_z*D_p_z_3*k_C - D_p_z_1_by_b_2_z*t461 - D_p_z_1_by_b_2_z*t462
-        - D_p_z_1_by_b_2_z*t465 - D_p_z_3_by_b_2_z*t420 - D_p_z_3_by_b_2_z*t421 - D_p_z_3_by_b_2_z*t432
-        + mu_1_by_b_2_z*t466 + mu_2_by_b_2_z*t467 + mu_3_by_b_2_z*t468,
-        D_delta_x_1_by_b_2_z*t484 + D_delta_y_1_by_b_2_z*t485 + D_delta_z_1_by_b_2_z*t486
-        - D_p_x_1_by_b_2_z*t472 - D_p_x_1_by_b_2_z*t473 - D_p_x_1_by_b_2_z*t478 + D_p_x_1_by_b_2_z*t592
-        - D_p_y_1_by_b_2_z*t474 - D_p_y_1_by_b_2_z*t475 - D_p_y_1_by_b_2_z*t479 + D_p_y_1_by_b_2_z*t593
-        - D_p_z_1_by_b_2_z*t476 - D_p_z_1_by_b_2_z*t477 - D_p_z_1_by_b_2_z*t480 + D_p_z_1_by_b_2_z*t594
-        + mu_1_by_b_2_z*t481 + mu_2_by_b_2_z*t482 + mu_3_by_b_2_z*t483,
-        D_delta_x_2_by_b_2_z*t484 + D_delta_y_2_by_b_2_z*t485 + D_delta_z_2_by_b_2_z*t486
-        - D_p_x_1_by_b_2_z*t487 - D_p_x_1_by_b_2_z*t488 - D_p_x_1_by_b_2_z*t493 + D_p_x_1_by_b_2_z*t595
-        - D_p_y_1_by_b_2_z*t489 - D_p_y_1_by_b_2_z*t490 - D_p_y_1_by_b_2_z*t494 + D_p_y_1_by_b_2_z*t596
-        - D_p_z_1_by_b_2_z*t491 - D_p_z_1_by_b_2_z*t492 - D_p_z_1_by_b_2_z*t495 + D_p_z_1_by_b_2_z*t597
-        + mu_1_by_b_2_z*t496 + mu_2_by_b_2_z*t497 + mu_3_by_b_2_z*t498,
-        D_delta_x_3_by_b_2_z*t484 + D_delta_y_3_by_b_2_z*t485 + D_delta_z_3_by_b_2_z*t486
-        - D_p_x_1_by_b_2_z*t499 - D_p_x_1_by_b_2_z*t500 - D_p_x_1_by_b_2_z*t505 + D_p_x_1_by_b_2_z*t598
-        - D_p_y_1_by_b_2_z*t501 - D_p_y_1_by_b_2_z*t502 - D_p_y_1_by_b_2_z*t506 + D_p_y_1_by_b_2_z*t599
-        - D_p_z_1_by_b_2_z*t503 - D_p_z_1_by_b_2_z*t504 - D_p_z_1_by_b_2_z*t507 + D_p_z_1_by_b_2_z*t600
-        + mu_1_by_b_2_z*t508 + mu_2_by_b_2_z*t509 + mu_3_by_b_2_z*t510,
+        + D_p_z_1_by_b_2_z*D_p_z_3*k_C - D_p_z_1_by_b_2_z*t460 - D_p_z_1_by_b_2_z*t461
+        - D_p_z_1_by_b_2_z*t464 - D_p_z_3_by_b_2_z*t420 - D_p_z_3_by_b_2_z*t421 - D_p_z_3_by_b_2_z*t432
+        + mu_1_by_b_2_z*t465 + mu_2_by_b_2_z*t466 + mu_3_by_b_2_z*t467,
+        D_delta_x_1_by_b_2_z*t482 + D_delta_y_1_by_b_2_z*t483 + D_delta_z_1_by_b_2_z*t484
+        - D_p_x_1_by_b_2_z*t471 - D_p_x_1_by_b_2_z*t472 - D_p_x_1_by_b_2_z*t477 + D_p_x_1_by_b_2_z*t580
+        - D_p_y_1_by_b_2_z*t473 - D_p_y_1_by_b_2_z*t474 - D_p_y_1_by_b_2_z*t478 + D_p_y_1_by_b_2_z*t581
+        - D_p_z_1_by_b_2_z*t475 - D_p_z_1_by_b_2_z*t476 - D_p_z_1_by_b_2_z*t479 + D_p_z_1_by_b_2_z*t582
+        + mu_1_by_b_2_z*t480 + mu_2_by_b_2_z*t481 + mu_3_by_b_2_z*t481,
+        D_delta_x_2_by_b_2_z*t482 + D_delta_y_2_by_b_2_z*t483 + D_delta_z_2_by_b_2_z*t484
+        - D_p_x_1_by_b_2_z*t485 - D_p_x_1_by_b_2_z*t486 - D_p_x_1_by_b_2_z*t491 + D_p_x_1_by_b_2_z*t583
+        - D_p_y_1_by_b_2_z*t487 - D_p_y_1_by_b_2_z*t488 - D_p_y_1_by_b_2_z*t492 + D_p_y_1_by_b_2_z*t584
+        - D_p_z_1_by_b_2_z*t489 - D_p_z_1_by_b_2_z*t490 - D_p_z_1_by_b_2_z*t493 + D_p_z_1_by_b_2_z*t585
+        + mu_1_by_b_2_z*t494 + mu_2_by_b_2_z*t495 + mu_3_by_b_2_z*t495,
+        D_delta_x_3_by_b_2_z*t482 + D_delta_y_3_by_b_2_z*t483 + D_delta_z_3_by_b_2_z*t484
+        - D_p_x_1_by_b_2_z*t496 - D_p_x_1_by_b_2_z*t497 - D_p_x_1_by_b_2_z*t502 + D_p_x_1_by_b_2_z*t586
+        - D_p_y_1_by_b_2_z*t498 - D_p_y_1_by_b_2_z*t499 - D_p_y_1_by_b_2_z*t503 + D_p_y_1_by_b_2_z*t587
+        - D_p_z_1_by_b_2_z*t500 - D_p_z_1_by_b_2_z*t501 - D_p_z_1_by_b_2_z*t504 + D_p_z_1_by_b_2_z*t588
+        + mu_1_by_b_2_z*t505 + mu_2_by_b_2_z*t506 + mu_3_by_b_2_z*t506,
         D_p_x_1_by_b_2_z*k_C, D_p_y_1_by_b_2_z*k_C, D_p_z_1_by_b_2_z*k_C,
-        mu_1_by_b_2_z*t514 + mu_2_by_b_2_z*t516 + mu_3_by_b_2_z*t515 - s_2_z_by_b_2_z*t675 - t446*t671
-        - t448*t672 - t450*t673 - t451*t671 - t452*t672 - t453*t673 + t627*t671 + t629*t672 + t631*t673
-        + t634*t674 - t636*t668 - t637*t669 - t638*t670 + t642*theta_2_by_b_2_z + t644*theta_2_by_b_2_z
-        + t646*theta_2_by_b_2_z + t660*t674,
-        D_p_x_2*D_p_x_3_by_b_2_z*k_C + D_p_x_2_by_b_2_z*D_p_x_3*k_C - D_p_x_2_by_b_2_z*t458
-        - D_p_x_2_by_b_2_z*t463 - D_p_x_3_by_b_2_z*t445 - D_p_x_3_by_b_2_z*t446 - D_p_x_3_by_b_2_z*t451
-        + D_p_y_2*D_p_y_3_by_b_2_z*k_C + D_p_y_2_by_b_2_z*D_p_y_3*k_C - D_p_y_2_by_b_2_z*t460
-        - D_p_y_2_by_b_2_z*t464 - D_p_y_3_by_b_2_z*t447 - D_p_y_3_by_b_2_z*t448 - D_p_y_3_by_b_2_z*t452
-        + D_p_z_2*D_p_z_3_by_b_2_z*k_C + D_p_z_2_by_b_2_z*D_p_z_3*k_C - D_p_z_2_by_b_2_z*t462
-        - D_p_z_2_by_b_2_z*t465 - D_p_z_3_by_b_2_z*t449 - D_p_z_3_by_b_2_z*t450 - D_p_z_3_by_b_2_z*t453
-        + mu_1_by_b_2_z*t517 + mu_2_by_b_2_z*t518 + mu_3_by_b_2_z*t519 - t457*t668 - t459*t669 - t461*t670,
-        D_delta_x_1_by_b_2_z*t526 + D_delta_y_1_by_b_2_z*t527 + D_delta_z_1_by_b_2_z*t528
-        - D_p_x_2_by_b_2_z*t473 - D_p_x_2_by_b_2_z*t478 + D_p_x_2_by_b_2_z*t592 - D_p_y_2_by_b_2_z*t475
-        - D_p_y_2_by_b_2_z*t479 + D_p_y_2_by_b_2_z*t593 - D_p_z_2_by_b_2_z*t477 - D_p_z_2_by_b_2_z*t480
-        + D_p_z_2_by_b_2_z*t594 + mu_1_by_b_2_z*t523 + mu_2_by_b_2_z*t524 + mu_3_by_b_2_z*t525 - t472*t668
-        - t474*t669 - t476*t670,
-        D_delta_x_2_by_b_2_z*t526 + D_delta_y_2_by_b_2_z*t527 + D_delta_z_2_by_b_2_z*t528
-        - D_p_x_2_by_b_2_z*t488 - D_p_x_2_by_b_2_z*t493 + D_p_x_2_by_b_2_z*t595 - D_p_y_2_by_b_2_z*t490
-        - D_p_y_2_by_b_2_z*t494 + D_p_y_2_by_b_2_z*t596 - D_p_z_2_by_b_2_z*t492 - D_p_z_2_by_b_2_z*t495
-        + D_p_z_2_by_b_2_z*t597 + mu_1_by_b_2_z*t529 + mu_2_by_b_2_z*t530 + mu_3_by_b_2_z*t531 - t487*t668
-        - t489*t669 - t491*t670,
-        D_delta_x_3_by_b_2_z*t526 + D_delta_y_3_by_b_2_z*t527 + D_delta_z_3_by_b_2_z*t528
-        - D_p_x_2_by_b_2_z*t500 - D_p_x_2_by_b_2_z*t505 + D_p_x_2_by_b_2_z*t598 - D_p_y_2_by_b_2_z*t502
-        - D_p_y_2_by_b_2_z*t506 + D_p_y_2_by_b_2_z*t599 - D_p_z_2_by_b_2_z*t504 - D_p_z_2_by_b_2_z*t507
-        + D_p_z_2_by_b_2_z*t600 + mu_1_by_b_2_z*t532 + mu_2_by_b_2_z*t533 + mu_3_by_b_2_z*t534 - t499*t668
-        - t501*t669 - t503*t670,
+        mu_1_by_b_2_z*t510 + mu_2_by_b_2_z*t511 + mu_3_by_b_2_z*t510 - s_2_z_by_b_2_z*t663 - t444*t659
+        - t446*t660 - t448*t661 - t450*t659 - t451*t660 - t452*t661 + t615*t659 + t617*t660 + t619*t661
+        + t622*t662 - t624*t656 - t625*t657 - t626*t658 + t630*theta_2_by_b_2_z + t632*theta_2_by_b_2_z
+        + t634*theta_2_by_b_2_z + t648*t662,
+        D_p_x_2*D_p_x_3_by_b_2_z*k_C + D_p_x_2_by_b_2_z*D_p_x_3*k_C - D_p_x_2_by_b_2_z*t457
+        - D_p_x_2_by_b_2_z*t462 - D_p_x_3_by_b_2_z*t444 - D_p_x_3_by_b_2_z*t445 - D_p_x_3_by_b_2_z*t450
+        + D_p_y_2*D_p_y_3_by_b_2_z*k_C + D_p_y_2_by_b_2_z*D_p_y_3*k_C - D_p_y_2_by_b_2_z*t459
+        - D_p_y_2_by_b_2_z*t463 - D_p_y_3_by_b_2_z*t446 - D_p_y_3_by_b_2_z*t447 - D_p_y_3_by_b_2_z*t451
+        + D_p_z_2*D_p_z_3_by_b_2_z*k_C + D_p_z_2_by_b_2_z*D_p_z_3*k_C - D_p_z_2_by_b_2_z*t461
+        - D_p_z_2_by_b_2_z*t464 - D_p_z_3_by_b_2_z*t448 - D_p_z_3_by_b_2_z*t449 - D_p_z_3_by_b_2_z*t452
+        + mu_1_by_b_2_z*t512 + mu_2_by_b_2_z*t513 + mu_3_by_b_2_z*t514 - t456*t656 - t458*t657 - t460*t658,
+        D_delta_x_1_by_b_2_z*t520 + D_delta_y_1_by_b_2_z*t521 + D_delta_z_1_by_b_2_z*t522
+        - D_p_x_2_by_b_2_z*t472 - D_p_x_2_by_b_2_z*t477 + D_p_x_2_by_b_2_z*t580 - D_p_y_2_by_b_2_z*t474
+        - D_p_y_2_by_b_2_z*t478 + D_p_y_2_by_b_2_z*t581 - D_p_z_2_by_b_2_z*t476 - D_p_z_2_by_b_2_z*t479
+        + D_p_z_2_by_b_2_z*t582 + mu_1_by_b_2_z*t518 + mu_2_by_b_2_z*t519 + mu_3_by_b_2_z*t518 - t471*t656
+        - t473*t657 - t475*t658,
+        D_delta_x_2_by_b_2_z*t520 + D_delta_y_2_by_b_2_z*t521 + D_delta_z_2_by_b_2_z*t522
+        - D_p_x_2_by_b_2_z*t486 - D_p_x_2_by_b_2_z*t491 + D_p_x_2_by_b_2_z*t583 - D_p_y_2_by_b_2_z*t488
+        - D_p_y_2_by_b_2_z*t492 + D_p_y_2_by_b_2_z*t584 - D_p_z_2_by_b_2_z*t490 - D_p_z_2_by_b_2_z*t493
+        + D_p_z_2_by_b_2_z*t585 + mu_1_by_b_2_z*t523 + mu_2_by_b_2_z*t524 + mu_3_by_b_2_z*t523 - t485*t656
+        - t487*t657 - t489*t658,
+        D_delta_x_3_by_b_2_z*t520 + D_delta_y_3_by_b_2_z*t521 + D_delta_z_3_by_b_2_z*t522
+        - D_p_x_2_by_b_2_z*t497 - D_p_x_2_by_b_2_z*t502 + D_p_x_2_by_b_2_z*t586 - D_p_y_2_by_b_2_z*t499
+        - D_p_y_2_by_b_2_z*t503 + D_p_y_2_by_b_2_z*t587 - D_p_z_2_by_b_2_z*t501 - D_p_z_2_by_b_2_z*t504
+        + D_p_z_2_by_b_2_z*t588 + mu_1_by_b_2_z*t525 + mu_2_by_b_2_z*t526 + mu_3_by_b_2_z*t525 - t496*t656
+        - t498*t657 - t500*t658,
         D_p_x_2_by_b_2_z*k_C, D_p_y_2_by_b_2_z*k_C, D_p_z_2_by_b_2_z*k_C,
         2*D_p_x_3*D_p_x_3_by_b_2_z*k_C + 2*D_p_y_3*D_p_y_3_by_b_2_z*k_C + 2*D_p_z_3*D_p_z_3_by_b_2_z*k_C
-        + mu_1_by_b_2_z*t538 + mu_2_by_b_2_z*t539 + mu_3_by_b_2_z*t540 - t457*t676 - t458*t676 - t459*t677
-        - t460*t677 - t461*t678 - t462*t678 - t463*t676 - t464*t677 - t465*t678,
-        D_delta_x_1_by_b_2_z*t547 + D_delta_y_1_by_b_2_z*t548 + D_delta_z_1_by_b_2_z*t549
-        - D_p_x_3_by_b_2_z*t472 - D_p_x_3_by_b_2_z*t473 - D_p_x_3_by_b_2_z*t478 + D_p_x_3_by_b_2_z*t592
-        - D_p_y_3_by_b_2_z*t474 - D_p_y_3_by_b_2_z*t475 - D_p_y_3_by_b_2_z*t479 + D_p_y_3_by_b_2_z*t593
-        - D_p_z_3_by_b_2_z*t476 - D_p_z_3_by_b_2_z*t477 - D_p_z_3_by_b_2_z*t480 + D_p_z_3_by_b_2_z*t594
-        + mu_1_by_b_2_z*t544 + mu_2_by_b_2_z*t545 + mu_3_by_b_2_z*t546,
-        D_delta_x_2_by_b_2_z*t547 + D_delta_y_2_by_b_2_z*t548 + D_delta_z_2_by_b_2_z*t549
-        - D_p_x_3_by_b_2_z*t487 - D_p_x_3_by_b_2_z*t488 - D_p_x_3_by_b_2_z*t493 + D_p_x_3_by_b_2_z*t595
-        - D_p_y_3_by_b_2_z*t489 - D_p_y_3_by_b_2_z*t490 - D_p_y_3_by_b_2_z*t494 + D_p_y_3_by_b_2_z*t596
-        - D_p_z_3_by_b_2_z*t491 - D_p_z_3_by_b_2_z*t492 - D_p_z_3_by_b_2_z*t495 + D_p_z_3_by_b_2_z*t597
-        + mu_1_by_b_2_z*t550 + mu_2_by_b_2_z*t551 + mu_3_by_b_2_z*t552,
-        D_delta_x_3_by_b_2_z*t547 + D_delta_y_3_by_b_2_z*t548 + D_delta_z_3_by_b_2_z*t549
-        - D_p_x_3_by_b_2_z*t499 - D_p_x_3_by_b_2_z*t500 - D_p_x_3_by_b_2_z*t505 + D_p_x_3_by_b_2_z*t598
-        - D_p_y_3_by_b_2_z*t501 - D_p_y_3_by_b_2_z*t502 - D_p_y_3_by_b_2_z*t506 + D_p_y_3_by_b_2_z*t599
-        - D_p_z_3_by_b_2_z*t503 - D_p_z_3_by_b_2_z*t504 - D_p_z_3_by_b_2_z*t507 + D_p_z_3_by_b_2_z*t600
-        + mu_1_by_b_2_z*t553 + mu_2_by_b_2_z*t554 + mu_3_by_b_2_z*t555,
+        + mu_1_by_b_2_z*t530 + mu_2_by_b_2_z*t530 + mu_3_by_b_2_z*t531 - t456*t664 - t457*t664 - t458*t665
+        - t459*t665 - t460*t666 - t461*t666 - t462*t664 - t463*t665 - t464*t666,
+        D_delta_x_1_by_b_2_z*t537 + D_delta_y_1_by_b_2_z*t538 + D_delta_z_1_by_b_2_z*t539
+        - D_p_x_3_by_b_2_z*t471 - D_p_x_3_by_b_2_z*t472 - D_p_x_3_by_b_2_z*t477 + D_p_x_3_by_b_2_z*t580
+        - D_p_y_3_by_b_2_z*t473 - D_p_y_3_by_b_2_z*t474 - D_p_y_3_by_b_2_z*t478 + D_p_y_3_by_b_2_z*t581
+        - D_p_z_3_by_b_2_z*t475 - D_p_z_3_by_b_2_z*t476 - D_p_z_3_by_b_2_z*t479 + D_p_z_3_by_b_2_z*t582
+        + mu_1_by_b_2_z*t535 + mu_2_by_b_2_z*t535 + mu_3_by_b_2_z*t536,
+        D_delta_x_2_by_b_2_z*t537 + D_delta_y_2_by_b_2_z*t538 + D_delta_z_2_by_b_2_z*t539
+        - D_p_x_3_by_b_2_z*t485 - D_p_x_3_by_b_2_z*t486 - D_p_x_3_by_b_2_z*t491 + D_p_x_3_by_b_2_z*t583
+        - D_p_y_3_by_b_2_z*t487 - D_p_y_3_by_b_2_z*t488 - D_p_y_3_by_b_2_z*t492 + D_p_y_3_by_b_2_z*t584
+        - D_p_z_3_by_b_2_z*t489 - D_p_z_3_by_b_2_z*t490 - D_p_z_3_by_b_2_z*t493 + D_p_z_3_by_b_2_z*t585
+        + mu_1_by_b_2_z*t540 + mu_2_by_b_2_z*t540 + mu_3_by_b_2_z*t541,
+        D_delta_x_3_by_b_2_z*t537 + D_delta_y_3_by_b_2_z*t538 + D_delta_z_3_by_b_2_z*t539
+        - D_p_x_3_by_b_2_z*t496 - D_p_x_3_by_b_2_z*t497 - D_p_x_3_by_b_2_z*t502 + D_p_x_3_by_b_2_z*t586
+        - D_p_y_3_by_b_2_z*t498 - D_p_y_3_by_b_2_z*t499 - D_p_y_3_by_b_2_z*t503 + D_p_y_3_by_b_2_z*t587
+        - D_p_z_3_by_b_2_z*t500 - D_p_z_3_by_b_2_z*t501 - D_p_z_3_by_b_2_z*t504 + D_p_z_3_by_b_2_z*t588
+        + mu_1_by_b_2_z*t542 + mu_2_by_b_2_z*t542 + mu_3_by_b_2_z*t543,
         D_p_x_3_by_b_2_z*k_C, D_p_y_3_by_b_2_z*k_C, D_p_z_3_by_b_2_z*k_C,
-        D_delta_x_1_by_b_2_z*t557 + D_delta_y_1_by_b_2_z*t558 + D_delta_z_1_by_b_2_z*t559
-        + mu_1_by_b_2_z*t560 - mu_2_by_b_2_z*t556 - mu_3_by_b_2_z*t556,
-        D_delta_x_1_by_b_2_z*t562 + D_delta_x_2_by_b_2_z*t563 + D_delta_y_1_by_b_2_z*t564
-        + D_delta_y_2_by_b_2_z*t565 + D_delta_z_1_by_b_2_z*t566 + D_delta_z_2_by_b_2_z*t567
-        + mu_1_by_b_2_z*t561 + mu_2_by_b_2_z*t561 + mu_3_by_b_2_z*t561,
-        D_delta_x_1_by_b_2_z*t569 + D_delta_x_3_by_b_2_z*t563 + D_delta_y_1_by_b_2_z*t570
-        + D_delta_y_3_by_b_2_z*t565 + D_delta_z_1_by_b_2_z*t571 + D_delta_z_3_by_b_2_z*t567
-        + mu_1_by_b_2_z*t568 + mu_2_by_b_2_z*t568 + mu_3_by_b_2_z*t568,
+        D_delta_x_1_by_b_2_z*t545 + D_delta_y_1_by_b_2_z*t546 + D_delta_z_1_by_b_2_z*t547
+        + mu_1_by_b_2_z*t548 - mu_2_by_b_2_z*t544 - mu_3_by_b_2_z*t544,
+        D_delta_x_1_by_b_2_z*t550 + D_delta_x_2_by_b_2_z*t551 + D_delta_y_1_by_b_2_z*t552
+        + D_delta_y_2_by_b_2_z*t553 + D_delta_z_1_by_b_2_z*t554 + D_delta_z_2_by_b_2_z*t555
+        + mu_1_by_b_2_z*t549 + mu_2_by_b_2_z*t549 + mu_3_by_b_2_z*t549,
+        D_delta_x_1_by_b_2_z*t557 + D_delta_x_3_by_b_2_z*t551 + D_delta_y_1_by_b_2_z*t558
+        + D_delta_y_3_by_b_2_z*t553 + D_delta_z_1_by_b_2_z*t559 + D_delta_z_3_by_b_2_z*t555
+        + mu_1_by_b_2_z*t556 + mu_2_by_b_2_z*t556 + mu_3_by_b_2_z*t556,
         D_delta_x_1_by_b_2_z*k_C, D_delta_y_1_by_b_2_z*k_C, D_delta_z_1_by_b_2_z*k_C,
-        D_delta_x_2_by_b_2_z*t573 + D_delta_y_2_by_b_2_z*t574 + D_delta_z_2_by_b_2_z*t575
-        - mu_1_by_b_2_z*t572 + mu_2_by_b_2_z*t576 - mu_3_by_b_2_z*t572,
-        D_delta_x_2_by_b_2_z*t569 + D_delta_x_3_by_b_2_z*t562 + D_delta_y_2_by_b_2_z*t570
-        + D_delta_y_3_by_b_2_z*t564 + D_delta_z_2_by_b_2_z*t571 + D_delta_z_3_by_b_2_z*t566
-        + mu_1_by_b_2_z*t577 + mu_2_by_b_2_z*t577 + mu_3_by_b_2_z*t577,
+        D_delta_x_2_by_b_2_z*t561 + D_delta_y_2_by_b_2_z*t562 + D_delta_z_2_by_b_2_z*t563
+        - mu_1_by_b_2_z*t560 + mu_2_by_b_2_z*t564 - mu_3_by_b_2_z*t560,
+        D_delta_x_2_by_b_2_z*t557 + D_delta_x_3_by_b_2_z*t550 + D_delta_y_2_by_b_2_z*t558
+        + D_delta_y_3_by_b_2_z*t552 + D_delta_z_2_by_b_2_z*t559 + D_delta_z_3_by_b_2_z*t554
+        + mu_1_by_b_2_z*t565 + mu_2_by_b_2_z*t565 + mu_3_by_b_2_z*t565,
         D_delta_x_2_by_b_2_z*k_C, D_delta_y_2_by_b_2_z*k_C, D_delta_z_2_by_b_2_z*k_C,
-        D_delta_x_3_by_b_2_z*t579 + D_delta_y_3_by_b_2_z*t580 + D_delta_z_3_by_b_2_z*t581
-        - mu_1_by_b_2_z*t578 - mu_2_by_b_2_z*t578 + mu_3_by_b_2_z*t582,
+        D_delta_x_3_by_b_2_z*t567 + D_delta_y_3_by_b_2_z*t568 + D_delta_z_3_by_b_2_z*t569
+        - mu_1_by_b_2_z*t566 - mu_2_by_b_2_z*t566 + mu_3_by_b_2_z*t570,
         D_delta_x_3_by_b_2_z*k_C, D_delta_y_3_by_b_2_z*k_C, D_delta_z_3_by_b_2_z*k_C,
         2*D_p_x_1*D_p_x_1_by_b_3_x*k_C - D_p_x_1_by_b_3_x*t427 + 2*D_p_y_1*D_p_y_1_by_b_3_x*k_C
         - D_p_y_1_by_b_3_x*t430 + 2*D_p_z_1*D_p_z_1_by_b_3_x*k_C - D_p_z_1_by_b_3_x*t433
-        + mu_1_by_b_3_x*t444 + mu_2_by_b_3_x*t435 + mu_3_by_b_3_x*t436 - t412*t679 - t413*t679 - t416*t680
-        - t417*t680 - t420*t681 - t421*t681,
-        D_p_x_1*D_p_x_2_by_b_3_x*k_C + D_p_x_1_by_b_3_x*D_p_x_2*k_C - D_p_x_1_by_b_3_x*t445
-        - D_p_x_1_by_b_3_x*t446 - D_p_x_1_by_b_3_x*t451 - D_p_x_2_by_b_3_x*t412 - D_p_x_2_by_b_3_x*t413
+        + mu_1_by_b_3_x*t443 + mu_2_by_b_3_x*t435 + mu_3_by_b_3_x*t435 - t412*t667 - t413*t667 - t416*t668
+        - t417*t668 - t420*t669 - t421*t669,
+        D_p_x_1*D_p_x_2_by_b_3_x*k_C + D_p_x_1_by_b_3_x*D_p_x_2*k_C - D_p_x_1_by_b_3_x*t444
+        - D_p_x_1_by_b_3_x*t445 - D_p_x_1_by_b_3_x*t450 - D_p_x_2_by_b_3_x*t412 - D_p_x_2_by_b_3_x*t413
         - D_p_x_2_by_b_3_x*t426 + D_p_y_1*D_p_y_2_by_b_3_x*k_C + D_p_y_1_by_b_3_x*D_p_y_2*k_C
-        - D_p_y_1_by_b_3_x*t447 - D_p_y_1_by_b_3_x*t448 - D_p_y_1_by_b_3_x*t452 - D_p_y_2_by_b_3_x*t416
+        - D_p_y_1_by_b_3_x*t446 - D_p_y_1_by_b_3_x*t447 - D_p_y_1_by_b_3_x*t451 - D_p_y_2_by_b_3_x*t416
         - D_p_y_2_by_b_3_x*t417 - D_p_y_2_by_b_3_x*t429 + D_p_z_1*D_p_z_2_by_b_3_x*k_C
-        + D_p_z_1_by_b_3_x*D_p_z_2*k_C - D_p_z_1_by_b_3_x*t449 - D_p_z_1_by_b_3_x*t450
-        - D_p_z_1_by_b_3_x*t453 - D_p_z_2_by_b_3_x*t420 - D_p_z_2_by_b_3_x*t421 - D_p_z_2_by_b_3_x*t432
-        + mu_1_by_b_3_x*t454 + mu_2_by_b_3_x*t455 + mu_3_by_b_3_x*t456,
-        D_p_x_1*D_p_x_3_by_b_3_x*k_C + D_p_x_1_by_b_3_x*D_p_x_3*k_C - D_p_x_1_by_b_3_x*t457
-        - D_p_x_1_by_b_3_x*t458 - D_p_x_1_by_b_3_x*t463 - D_p_x_3_by_b_3_x*t412 - D_p_x_3_by_b_3_x*t426
-        + D_p_y_1*D_p_y_3_by_b_3_x*k_C + D_p_y_1_by_b_3_x*D_p_y_3*k_C - D_p_y_1_by_b_3_x*t459
-        - D_p_y_1_by_b_3_x*t460 - D_p_y_1_by_b_3_x*t464 - D_p_y_3_by_b_3_x*t416 - D_p_y_3_by_b_3_x*t429
-        + D_p_z_1*D_p_z_3_by_b_3_x*k_C + D_p_z_1_by_b_3_x*D_p_z_3*k_C - D_p_z_1_by_b_3_x*t461
-        - D_p_z_1_by_b_3_x*t462 - D_p_z_1_by_b_3_x*t465 - D_p_z_3_by_b_3_x*t420 - D_p_z_3_by_b_3_x*t432
-        + mu_1_by_b_3_x*t466 + mu_2_by_b_3_x*t467 + mu_3_by_b_3_x*t468 - t413*t682 - t417*t683 - t421*t684,
-        D_delta_x_1_by_b_3_x*t484 + D_delta_y_1_by_b_3_x*t485 + D_delta_z_1_by_b_3_x*t486
-        - D_p_x_1_by_b_3_x*t472 - D_p_x_1_by_b_3_x*t473 - D_p_x_1_by_b_3_x*t478 + D_p_x_1_by_b_3_x*t592
-        - D_p_y_1_by_b_3_x*t474 - D_p_y_1_by_b_3_x*t475 - D_p_y_1_by_b_3_x*t479 + D_p_y_1_by_b_3_x*t593
-        - D_p_z_1_by_b_3_x*t476 - D_p_z_1_by_b_3_x*t477 - D_p_z_1_by_b_3_x*t480 + D_p_z_1_by_b_3_x*t594
-        + mu_1_by_b_3_x*t481 + mu_2_by_b_3_x*t482 + mu_3_by_b_3_x*t483,
-        D_delta_x_2_by_b_3_x*t484 + D_delta_y_2_by_b_3_x*t485 + D_delta_z_2_by_b_3_x*t486
-        - D_p_x_1_by_b_3_x*t487 - D_p_x_1_by_b_3_x*t488 - D_p_x_1_by_b_3_x*t493 + D_p_x_1_by_b_3_x*t595
-        - D_p_y_1_by_b_3_x*t489 - D_p_y_1_by_b_3_x*t490 - D_p_y_1_by_b_3_x*t494 + D_p_y_1_by_b_3_x*t596
-        - D_p_z_1_by_b_3_x*t491 - D_p_z_1_by_b_3_x*t492 - D_p_z_1_by_b_3_x*t495 + D_p_z_1_by_b_3_x*t597
-        + mu_1_by_b_3_x*t496 + mu_2_by_b_3_x*t497 + mu_3_by_b_3_x*t498,
-        D_delta_x_3_by_b_3_x*t484 + D_delta_y_3_by_b_3_x*t485 + D_delta_z_3_by_b_3_x*t486
-        - D_p_x_1_by_b_3_x*t499 - D_p_x_1_by_b_3_x*t500 - D_p_x_1_by_b_3_x*t505 + D_p_x_1_by_b_3_x*t598
-        - D_p_y_1_by_b_3_x*t501 - D_p_y_1_by_b_3_x*t502 - D_p_y_1_by_b_3_x*t506 + D_p_y_1_by_b_3_x*t599
-        - D_p_z_1_by_b_3_x*t503 - D_p_z_1_by_b_3_x*t504 - D_p_z_1_by_b_3_x*t507 + D_p_z_1_by_b_3_x*t600
-        + mu_1_by_b_3_x*t508 + mu_2_by_b_3_x*t509 + mu_3_by_b_3_x*t510,
+        + D_p_z_1_by_b_3_x*D_p_z_2*k_C - D_p_z_1_by_b_3_x*t448 - D_p_z_1_by_b_3_x*t449
+        - D_p_z_1_by_b_3_x*t452 - D_p_z_2_by_b_3_x*t420 - D_p_z_2_by_b_3_x*t421 - D_p_z_2_by_b_3_x*t432
+        + mu_1_by_b_3_x*t453 + mu_2_by_b_3_x*t454 + mu_3_by_b_3_x*t455,
+        D_p_x_1*D_p_x_3_by_b_3_x*k_C + D_p_x_1_by_b_3_x*D_p_x_3*k_C - D_p_x_1_by_b_3_x*t456
+        - D_p_x_1_by_b_3_x*t457 - D_p_x_1_by_b_3_x*t462 - D_p_x_3_by_b_3_x*t412 - D_p_x_3_by_b_3_x*t426
+        + D_p_y_1*D_p_y_3_by_b_3_x*k_C + D_p_y_1_by_b_3_x*D_p_y_3*k_C - D_p_y_1_by_b_3_x*t458
+        - D_p_y_1_by_b_3_x*t459 - D_p_y_1_by_b_3_x*t463 - D_p_y_3_by_b_3_x*t416 - D_p_y_3_by_b_3_x*t429
+        + D_p_z_1*D_p_z_3_by_b_3_x*k_C + D_p_z_1_by_b_3_x*D_p_z_3*k_C - D_p_z_1_by_b_3_x*t460
+        - D_p_z_1_by_b_3_x*t461 - D_p_z_1_by_b_3_x*t464 - D_p_z_3_by_b_3_x*t420 - D_p_z_3_by_b_3_x*t432
+        + mu_1_by_b_3_x*t465 + mu_2_by_b_3_x*t466 + mu_3_by_b_3_x*t467 - t413*t670 - t417*t671 - t421*t672,
+        D_delta_x_1_by_b_3_x*t482 + D_delta_y_1_by_b_3_x*t483 + D_delta_z_1_by_b_3_x*t484
+        - D_p_x_1_by_b_3_x*t471 - D_p_x_1_by_b_3_x*t472 - D_p_x_1_by_b_3_x*t477 + D_p_x_1_by_b_3_x*t580
+        - D_p_y_1_by_b_3_x*t473 - D_p_y_1_by_b_3_x*t474 - D_p_y_1_by_b_3_x*t478 + D_p_y_1_by_b_3_x*t581
+        - D_p_z_1_by_b_3_x*t475 - D_p_z_1_by_b_3_x*t476 - D_p_z_1_by_b_3_x*t479 + D_p_z_1_by_b_3_x*t582
+        + mu_1_by_b_3_x*t480 + mu_2_by_b_3_x*t481 + mu_3_by_b_3_x*t481,
+        D_delta_x_2_by_b_3_x*t482 + D_delta_y_2_by_b_3_x*t483 + D_delta_z_2_by_b_3_x*t484
+        - D_p_x_1_by_b_3_x*t485 - D_p_x_1_by_b_3_x*t486 - D_p_x_1_by_b_3_x*t491 + D_p_x_1_by_b_3_x*t583
+        - D_p_y_1_by_b_3_x*t487 - D_p_y_1_by_b_3_x*t488 - D_p_y_1_by_b_3_x*t492 + D_p_y_1_by_b_3_x*t584
+        - D_p_z_1_by_b_3_x*t489 - D_p_z_1_by_b_3_x*t490 - D_p_z_1_by_b_3_x*t493 + D_p_z_1_by_b_3_x*t585
+        + mu_1_by_b_3_x*t494 + mu_2_by_b_3_x*t495 + mu_3_by_b_3_x*t495,
+        D_delta_x_3_by_b_3_x*t482 + D_delta_y_3_by_b_3_x*t483 + D_delta_z_3_by_b_3_x*t484
+        - D_p_x_1_by_b_3_x*t496 - D_p_x_1_by_b_3_x*t497 - D_p_x_1_by_b_3_x*t502 + D_p_x_1_by_b_3_x*t586
+        - D_p_y_1_by_b_3_x*t498 - D_p_y_1_by_b_3_x*t499 - D_p_y_1_by_b_3_x*t503 + D_p_y_1_by_b_3_x*t587
+        - D_p_z_1_by_b_3_x*t500 - D_p_z_1_by_b_3_x*t501 - D_p_z_1_by_b_3_x*t504 + D_p_z_1_by_b_3_x*t588
+        + mu_1_by_b_3_x*t505 + mu_2_by_b_3_x*t506 + mu_3_by_b_3_x*t506,
         D_p_x_1_by_b_3_x*k_C, D_p_y_1_by_b_3_x*k_C, D_p_z_1_by_b_3_x*k_C,
-        2*D_p_x_2*D_p_x_2_by_b_3_x*k_C - D_p_x_2_by_b_3_x*t636 + 2*D_p_y_2*D_p_y_2_by_b_3_x*k_C
-        - D_p_y_2_by_b_3_x*t637 + 2*D_p_z_2*D_p_z_2_by_b_3_x*k_C - D_p_z_2_by_b_3_x*t638
-        + mu_1_by_b_3_x*t514 + mu_2_by_b_3_x*t516 + mu_3_by_b_3_x*t515 - t446*t685 - t448*t686 - t450*t687
-        - t451*t685 - t452*t686 - t453*t687,
-        D_p_x_2*D_p_x_3_by_b_3_x*k_C + D_p_x_2_by_b_3_x*D_p_x_3*k_C - D_p_x_2_by_b_3_x*t457
-        - D_p_x_2_by_b_3_x*t458 - D_p_x_2_by_b_3_x*t463 - D_p_x_3_by_b_3_x*t445 - D_p_x_3_by_b_3_x*t451
-        + D_p_y_2*D_p_y_3_by_b_3_x*k_C + D_p_y_2_by_b_3_x*D_p_y_3*k_C - D_p_y_2_by_b_3_x*t459
-        - D_p_y_2_by_b_3_x*t460 - D_p_y_2_by_b_3_x*t464 - D_p_y_3_by_b_3_x*t447 - D_p_y_3_by_b_3_x*t452
-        + D_p_z_2*D_p_z_3_by_b_3_x*k_C + D_p_z_2_by_b_3_x*D_p_z_3*k_C - D_p_z_2_by_b_3_x*t461
-        - D_p_z_2_by_b_3_x*t462 - D_p_z_2_by_b_3_x*t465 - D_p_z_3_by_b_3_x*t449 - D_p_z_3_by_b_3_x*t453
-        + mu_1_by_b_3_x*t517 + mu_2_by_b_3_x*t518 + mu_3_by_b_3_x*t519 - t446*t682 - t448*t683 - t450*t684,
-        D_delta_x_1_by_b_3_x*t526 + D_delta_y_1_by_b_3_x*t527 + D_delta_z_1_by_b_3_x*t528
-        - D_p_x_2_by_b_3_x*t472 - D_p_x_2_by_b_3_x*t473 - D_p_x_2_by_b_3_x*t478 + D_p_x_2_by_b_3_x*t592
-        - D_p_y_2_by_b_3_x*t474 - D_p_y_2_by_b_3_x*t475 - D_p_y_2_by_b_3_x*t479 + D_p_y_2_by_b_3_x*t593
-        - D_p_z_2_by_b_3_x*t476 - D_p_z_2_by_b_3_x*t477 - D_p_z_2_by_b_3_x*t480 + D_p_z_2_by_b_3_x*t594
-        + mu_1_by_b_3_x*t523 + mu_2_by_b_3_x*t524 + mu_3_by_b_3_x*t525,
-        D_delta_x_2_by_b_3_x*t526 + D_delta_y_2_by_b_3_x*t527 + D_delta_z_2_by_b_3_x*t528
-        - D_p_x_2_by_b_3_x*t487 - D_p_x_2_by_b_3_x*t488 - D_p_x_2_by_b_3_x*t493 + D_p_x_2_by_b_3_x*t595
-        - D_p_y_2_by_b_3_x*t489 - D_p_y_2_by_b_3_x*t490 - D_p_y_2_by_b_3_x*t494 + D_p_y_2_by_b_3_x*t596
-        - D_p_z_2_by_b_3_x*t491 - D_p_z_2_by_b_3_x*t492 - D_p_z_2_by_b_3_x*t495 + D_p_z_2_by_b_3_x*t597
-        + mu_1_by_b_3_x*t529 + mu_2_by_b_3_x*t530 + mu_3_by_b_3_x*t531,
-        D_delta_x_3_by_b_3_x*t526 + D_delta_y_3_by_b_3_x*t527 + D_delta_z_3_by_b_3_x*t528
-        - D_p_x_2_by_b_3_x*t499 - D_p_x_2_by_b_3_x*t500 - D_p_x_2_by_b_3_x*t505 + D_p_x_2_by_b_3_x*t598
-        - D_p_y_2_by_b_3_x*t501 - D_p_y_2_by_b_3_x*t502 - D_p_y_2_by_b_3_x*t506 + D_p_y_2_by_b_3_x*t599
-        - D_p_z_2_by_b_3_x*t503 - D_p_z_2_by_b_3_x*t504 - D_p_z_2_by_b_3_x*t507 + D_p_z_2_by_b_3_x*t600
-        + mu_1_by_b_3_x*t532 + mu_2_by_b_3_x*t533 + mu_3_by_b_3_x*t534,
+        2*D_p_x_2*D_p_x_2_by_b_3_x*k_C - D_p_x_2_by_b_3_x*t624 + 2*D_p_y_2*D_p_y_2_by_b_3_x*k_C
+        - D_p_y_2_by_b_3_x*t625 + 2*D_p_z_2*D_p_z_2_by_b_3_x*k_C - D_p_z_2_by_b_3_x*t626
+        + mu_1_by_b_3_x*t510 + mu_2_by_b_3_x*t511 + mu_3_by_b_3_x*t510 - t444*t673 - t446*t674 - t448*t675
+        - t450*t673 - t451*t674 - t452*t675,
+        D_p_x_2*D_p_x_3_by_b_3_x*k_C + D_p_x_2_by_b_3_x*D_p_x_3*k_C - D_p_x_2_by_b_3_x*t456
+        - D_p_x_2_by_b_3_x*t457 - D_p_x_2_by_b_3_x*t462 - D_p_x_3_by_b_3_x*t445 - D_p_x_3_by_b_3_x*t450
+        + D_p_y_2*D_p_y_3_by_b_3_x*k_C + D_p_y_2_by_b_3_x*D_p_y_3*k_C - D_p_y_2_by_b_3_x*t458
+        - D_p_y_2_by_b_3_x*t459 - D_p_y_2_by_b_3_x*t463 - D_p_y_3_by_b_3_x*t447 - D_p_y_3_by_b_3_x*t451
+        + D_p_z_2*D_p_z_3_by_b_3_x*k_C + D_p_z_2_by_b_3_x*D_p_z_3*k_C - D_p_z_2_by_b_3_x*t460
+        - D_p_z_2_by_b_3_x*t461 - D_p_z_2_by_b_3_x*t464 - D_p_z_3_by_b_3_x*t449 - D_p_z_3_by_b_3_x*t452
+        + mu_1_by_b_3_x*t512 + mu_2_by_b_3_x*t513 + mu_3_by_b_3_x*t514 - t444*t670 - t446*t671 - t448*t672,
+        D_delta_x_1_by_b_3_x*t520 + D_delta_y_1_by_b_3_x*t521 + D_delta_z_1_by_b_3_x*t522
+        - D_p_x_2_by_b_3_x*t471 - D_p_x_2_by_b_3_x*t472 - D_p_x_2_by_b_3_x*t477 + D_p_x_2_by_b_3_x*t580
+        - D_p_y_2_by_b_3_x*t473 - D_p_y_2_by_b_3_x*t474 - D_p_y_2_by_b_3_x*t478 + D_p_y_2_by_b_3_x*t581
+        - D_p_z_2_by_b_3_x*t475 - D_p_z_2_by_b_3_x*t476 - D_p_z_2_by_b_3_x*t479 + D_p_z_2_by_b_3_x*t582
+        + mu_1_by_b_3_x*t518 + mu_2_by_b_3_x*t519 + mu_3_by_b_3_x*t518,
+        D_delta_x_2_by_b_3_x*t520 + D_delta_y_2_by_b_3_x*t521 + D_delta_z_2_by_b_3_x*t522
+        - D_p_x_2_by_b_3_x*t485 - D_p_x_2_by_b_3_x*t486 - D_p_x_2_by_b_3_x*t491 + D_p_x_2_by_b_3_x*t583
+        - D_p_y_2_by_b_3_x*t487 - D_p_y_2_by_b_3_x*t488 - D_p_y_2_by_b_3_x*t492 + D_p_y_2_by_b_3_x*t584
+        - D_p_z_2_by_b_3_x*t489 - D_p_z_2_by_b_3_x*t490 - D_p_z_2_by_b_3_x*t493 + D_p_z_2_by_b_3_x*t585
+        + mu_1_by_b_3_x*t523 + mu_2_by_b_3_x*t524 + mu_3_by_b_3_x*t523,
+        D_delta_x_3_by_b_3_x*t520 + D_delta_y_3_by_b_3_x*t521 + D_delta_z_3_by_b_3_x*t522
+        - D_p_x_2_by_b_3_x*t496 - D_p_x_2_by_b_3_x*t497 - D_p_x_2_by_b_3_x*t502 + D_p_x_2_by_b_3_x*t586
+        - D_p_y_2_by_b_3_x*t498 - D_p_y_2_by_b_3_x*t499 - D_p_y_2_by_b_3_x*t503 + D_p_y_2_by_b_3_x*t587
+        - D_p_z_2_by_b_3_x*t500 - D_p_z_2_by_b_3_x*t501 - D_p_z_2_by_b_3_x*t504 + D_p_z_2_by_b_3_x*t588
+        + mu_1_by_b_3_x*t525 + mu_2_by_b_3_x*t526 + mu_3_by_b_3_x*t525,
         D_p_x_2_by_b_3_x*k_C, D_p_y_2_by_b_3_x*k_C, D_p_z_2_by_b_3_x*k_C,
-        mu_1_by_b_3_x*t538 + mu_2_by_b_3_x*t539 + mu_3_by_b_3_x*t540 - s_3_x_by_b_3_x*t700 - t457*t689
-        - t459*t691 - t461*t693 - t463*t689 - t464*t691 - t465*t693 - t682*t697 - t683*t698 - t684*t699
-        + t688*t689 + t690*t691 + t692*t693 + t694*t695 + t694*t696 + t703*theta_3_by_b_3_x
-        + t705*theta_3_by_b_3_x + t707*theta_3_by_b_3_x,
-        D_delta_x_1_by_b_3_x*t547 + D_delta_y_1_by_b_3_x*t548 + D_delta_z_1_by_b_3_x*t549
-        - D_p_x_3_by_b_3_x*t472 - D_p_x_3_by_b_3_x*t478 + D_p_x_3_by_b_3_x*t592 - D_p_y_3_by_b_3_x*t474
-        - D_p_y_3_by_b_3_x*t479 + D_p_y_3_by_b_3_x*t593 - D_p_z_3_by_b_3_x*t476 - D_p_z_3_by_b_3_x*t480
-        + D_p_z_3_by_b_3_x*t594 + mu_1_by_b_3_x*t544 + mu_2_by_b_3_x*t545 + mu_3_by_b_3_x*t546 - t473*t682
-        - t475*t683 - t477*t684,
-        D_delta_x_2_by_b_3_x*t547 + D_delta_y_2_by_b_3_x*t548 + D_delta_z_2_by_b_3_x*t549
-        - D_p_x_3_by_b_3_x*t487 - D_p_x_3_by_b_3_x*t493 + D_p_x_3_by_b_3_x*t595 - D_p_y_3_by_b_3_x*t489
-        - D_p_y_3_by_b_3_x*t494 + D_p_y_3_by_b_3_x*t596 - D_p_z_3_by_b_3_x*t491 - D_p_z_3_by_b_3_x*t495
-        + D_p_z_3_by_b_3_x*t597 + mu_1_by_b_3_x*t550 + mu_2_by_b_3_x*t551 + mu_3_by_b_3_x*t552 - t488*t682
-        - t490*t683 - t492*t684,
-        D_delta_x_3_by_b_3_x*t547 + D_delta_y_3_by_b_3_x*t548 + D_delta_z_3_by_b_3_x*t549
-        - D_p_x_3_by_b_3_x*t499 - D_p_x_3_by_b_3_x*t505 + D_p_x_3_by_b_3_x*t598 - D_p_y_3_by_b_3_x*t501
-        - D_p_y_3_by_b_3_x*t506 + D_p_y_3_by_b_3_x*t599 - D_p_z_3_by_b_3_x*t503 - D_p_z_3_by_b_3_x*t507
-        + D_p_z_3_by_b_3_x*t600 + mu_1_by_b_3_x*t553 + mu_2_by_b_3_x*t554 + mu_3_by_b_3_x*t555 - t500*t682
-        - t502*t683 - t504*t684,
+        mu_1_by_b_3_x*t530 + mu_2_by_b_3_x*t530 + mu_3_by_b_3_x*t531 - s_3_x_by_b_3_x*t688 - t456*t677
+        - t458*t679 - t460*t681 - t462*t677 - t463*t679 - t464*t681 - t670*t685 - t671*t686 - t672*t687
+        + t676*t677 + t678*t679 + t680*t681 + t682*t683 + t682*t684 + t691*theta_3_by_b_3_x
+        + t693*theta_3_by_b_3_x + t695*theta_3_by_b_3_x,
+        D_delta_x_1_by_b_3_x*t537 + D_delta_y_1_by_b_3_x*t538 + D_delta_z_1_by_b_3_x*t539
+        - D_p_x_3_by_b_3_x*t471 - D_p_x_3_by_b_3_x*t477 + D_p_x_3_by_b_3_x*t580 - D_p_y_3_by_b_3_x*t473
+        - D_p_y_3_by_b_3_x*t478 + D_p_y_3_by_b_3_x*t581 - D_p_z_3_by_b_3_x*t475 - D_p_z_3_by_b_3_x*t479
+        + D_p_z_3_by_b_3_x*t582 + mu_1_by_b_3_x*t535 + mu_2_by_b_3_x*t535 + mu_3_by_b_3_x*t536 - t472*t670
+        - t474*t671 - t476*t672,
+        D_delta_x_2_by_b_3_x*t537 + D_delta_y_2_by_b_3_x*t538 + D_delta_z_2_by_b_3_x*t539
+        - D_p_x_3_by_b_3_x*t485 - D_p_x_3_by_b_3_x*t491 + D_p_x_3_by_b_3_x*t583 - D_p_y_3_by_b_3_x*t487
+        - D_p_y_3_by_b_3_x*t492 + D_p_y_3_by_b_3_x*t584 - D_p_z_3_by_b_3_x*t489 - D_p_z_3_by_b_3_x*t493
+        + D_p_z_3_by_b_3_x*t585 + mu_1_by_b_3_x*t540 + mu_2_by_b_3_x*t540 + mu_3_by_b_3_x*t541 - t486*t670
+        - t488*t671 - t490*t672,
+        D_delta_x_3_by_b_3_x*t537 + D_delta_y_3_by_b_3_x*t538 + D_delta_z_3_by_b_3_x*t539
+        - D_p_x_3_by_b_3_x*t496 - D_p_x_3_by_b_3_x*t502 + D_p_x_3_by_b_3_x*t586 - D_p_y_3_by_b_3_x*t498
+        - D_p_y_3_by_b_3_x*t503 + D_p_y_3_by_b_3_x*t587 - D_p_z_3_by_b_3_x*t500 - D_p_z_3_by_b_3_x*t504
+        + D_p_z_3_by_b_3_x*t588 + mu_1_by_b_3_x*t542 + mu_2_by_b_3_x*t542 + mu_3_by_b_3_x*t543 - t497*t670
+        - t499*t671 - t501*t672,
         D_p_x_3_by_b_3_x*k_C, D_p_y_3_by_b_3_x*k_C, D_p_z_3_by_b_3_x*k_C,
-        D_delta_x_1_by_b_3_x*t557 + D_delta_y_1_by_b_3_x*t558 + D_delta_z_1_by_b_3_x*t559
-        + mu_1_by_b_3_x*t560 - mu_2_by_b_3_x*t556 - mu_3_by_b_3_x*t556,
-        D_delta_x_1_by_b_3_x*t562 + D_delta_x_2_by_b_3_x*t563 + D_delta_y_1_by_b_3_x*t564
-        + D_delta_y_2_by_b_3_x*t565 + D_delta_z_1_by_b_3_x*t566 + D_delta_z_2_by_b_3_x*t567
-        + mu_1_by_b_3_x*t561 + mu_2_by_b_3_x*t561 + mu_3_by_b_3_x*t561,
-        D_delta_x_1_by_b_3_x*t569 + D_delta_x_3_by_b_3_x*t563 + D_delta_y_1_by_b_3_x*t570
-        + D_delta_y_3_by_b_3_x*t565 + D_delta_z_1_by_b_3_x*t571 + D_delta_z_3_by_b_3_x*t567
-        + mu_1_by_b_3_x*t568 + mu_2_by_b_3_x*t568 + mu_3_by_b_3_x*t568,
+        D_delta_x_1_by_b_3_x*t545 + D_delta_y_1_by_b_3_x*t546 + D_delta_z_1_by_b_3_x*t547
+        + mu_1_by_b_3_x*t548 - mu_2_by_b_3_x*t544 - mu_3_by_b_3_x*t544,
+        D_delta_x_1_by_b_3_x*t550 + D_delta_x_2_by_b_3_x*t551 + D_delta_y_1_by_b_3_x*t552
+        + D_delta_y_2_by_b_3_x*t553 + D_delta_z_1_by_b_3_x*t554 + D_delta_z_2_by_b_3_x*t555
+        + mu_1_by_b_3_x*t549 + mu_2_by_b_3_x*t549 + mu_3_by_b_3_x*t549,
+        D_delta_x_1_by_b_3_x*t557 + D_delta_x_3_by_b_3_x*t551 + D_delta_y_1_by_b_3_x*t558
+        + D_delta_y_3_by_b_3_x*t553 + D_delta_z_1_by_b_3_x*t559 + D_delta_z_3_by_b_3_x*t555
+        + mu_1_by_b_3_x*t556 + mu_2_by_b_3_x*t556 + mu_3_by_b_3_x*t556,
         D_delta_x_1_by_b_3_x*k_C, D_delta_y_1_by_b_3_x*k_C, D_delta_z_1_by_b_3_x*k_C,
-        D_delta_x_2_by_b_3_x*t573 + D_delta_y_2_by_b_3_x*t574 + D_delta_z_2_by_b_3_x*t575
-        - mu_1_by_b_3_x*t572 + mu_2_by_b_3_x*t576 - mu_3_by_b_3_x*t572,
-        D_delta_x_2_by_b_3_x*t569 + D_delta_x_3_by_b_3_x*t562 + D_delta_y_2_by_b_3_x*t570
-        + D_delta_y_3_by_b_3_x*t564 + D_delta_z_2_by_b_3_x*t571 + D_delta_z_3_by_b_3_x*t566
-        + mu_1_by_b_3_x*t577 + mu_2_by_b_3_x*t577 + mu_3_by_b_3_x*t577,
+        D_delta_x_2_by_b_3_x*t561 + D_delta_y_2_by_b_3_x*t562 + D_delta_z_2_by_b_3_x*t563
+        - mu_1_by_b_3_x*t560 + mu_2_by_b_3_x*t564 - mu_3_by_b_3_x*t560,
+        D_delta_x_2_by_b_3_x*t557 + D_delta_x_3_by_b_3_x*t550 + D_delta_y_2_by_b_3_x*t558
+        + D_delta_y_3_by_b_3_x*t552 + D_delta_z_2_by_b_3_x*t559 + D_delta_z_3_by_b_3_x*t554
+        + mu_1_by_b_3_x*t565 + mu_2_by_b_3_x*t565 + mu_3_by_b_3_x*t565,
         D_delta_x_2_by_b_3_x*k_C, D_delta_y_2_by_b_3_x*k_C, D_delta_z_2_by_b_3_x*k_C,
-        D_delta_x_3_by_b_3_x*t579 + D_delta_y_3_by_b_3_x*t580 + D_delta_z_3_by_b_3_x*t581
-        - mu_1_by_b_3_x*t578 - mu_2_by_b_3_x*t578 + mu_3_by_b_3_x*t582,
+        D_delta_x_3_by_b_3_x*t567 + D_delta_y_3_by_b_3_x*t568 + D_delta_z_3_by_b_3_x*t569
+        - mu_1_by_b_3_x*t566 - mu_2_by_b_3_x*t566 + mu_3_by_b_3_x*t570,
         D_delta_x_3_by_b_3_x*k_C, D_delta_y_3_by_b_3_x*k_C, D_delta_z_3_by_b_3_x*k_C,
         2*D_p_x_1*D_p_x_1_by_b_3_y*k_C - D_p_x_1_by_b_3_y*t427 + 2*D_p_y_1*D_p_y_1_by_b_3_y*k_C
         - D_p_y_1_by_b_3_y*t430 + 2*D_p_z_1*D_p_z_1_by_b_3_y*k_C - D_p_z_1_by_b_3_y*t433
-        + mu_1_by_b_3_y*t444 + mu_2_by_b_3_y*t435 + mu_3_by_b_3_y*t436 - t412*t708 - t413*t708 - t416*t709
-        - t417*t709 - t420*t710 - t421*t710,
-        D_p_x_1*D_p_x_2_by_b_3_y*k_C + D_p_x_1_by_b_3_y*D_p_x_2*k_C - D_p_x_1_by_b_3_y*t445
-        - D_p_x_1_by_b_3_y*t446 - D_p_x_1_by_b_3_y*t451 - D_p_x_2_by_b_3_y*t412 - D_p_x_2_by_b_3_y*t413
+        + mu_1_by_b_3_y*t443 + mu_2_by_b_3_y*t435 + mu_3_by_b_3_y*t435 - t412*t696 - t413*t696 - t416*t697
+        - t417*t697 - t420*t698 - t421*t698,
+        D_p_x_1*D_p_x_2_by_b_3_y*k_C + D_p_x_1_by_b_3_y*D_p_x_2*k_C - D_p_x_1_by_b_3_y*t444
+        - D_p_x_1_by_b_3_y*t445 - D_p_x_1_by_b_3_y*t450 - D_p_x_2_by_b_3_y*t412 - D_p_x_2_by_b_3_y*t413
         - D_p_x_2_by_b_3_y*t426 + D_p_y_1*D_p_y_2_by_b_3_y*k_C + D_p_y_1_by_b_3_y*D_p_y_2*k_C
-        - D_p_y_1_by_b_3_y*t447 - D_p_y_1_by_b_3_y*t448 - D_p_y_1_by_b_3_y*t452 - D_p_y_2_by_b_3_y*t416
+        - D_p_y_1_by_b_3_y*t446 - D_p_y_1_by_b_3_y*t447 - D_p_y_1_by_b_3_y*t451 - D_p_y_2_by_b_3_y*t416
         - D_p_y_2_by_b_3_y*t417 - D_p_y_2_by_b_3_y*t429 + D_p_z_1*D_p_z_2_by_b_3_y*k_C
-        + D_p_z_1_by_b_3_y*D_p_z_2*k_C - D_p_z_1_by_b_3_y*t449 - D_p_z_1_by_b_3_y*t450
-        - D_p_z_1_by_b_3_y*t453 - D_p_z_2_by_b_3_y*t420 - D_p_z_2_by_b_3_y*t421 - D_p_z_2_by_b_3_y*t432
-        + mu_1_by_b_3_y*t454 + mu_2_by_b_3_y*t455 + mu_3_by_b_3_y*t456,
-        D_p_x_1*D_p_x_3_by_b_3_y*k_C + D_p_x_1_by_b_3_y*D_p_x_3*k_C - D_p_x_1_by_b_3_y*t457
-        - D_p_x_1_by_b_3_y*t458 - D_p_x_1_by_b_3_y*t463 - D_p_x_3_by_b_3_y*t412 - D_p_x_3_by_b_3_y*t426
-        + D_p_y_1*D_p_y_3_by_b_3_y*k_C + D_p_y_1_by_b_3_y*D_p_y_3*k_C - D_p_y_1_by_b_3_y*t459
-        - D_p_y_1_by_b_3_y*t460 - D_p_y_1_by_b_3_y*t464 - D_p_y_3_by_b_3_y*t416 - D_p_y_3_by_b_3_y*t429
-        + D_p_z_1*D_p_z_3_by_b_3_y*k_C + D_p_z_1_by_b_3_y*D_p_z_3*k_C - D_p_z_1_by_b_3_y*t461
-        - D_p_z_1_by_b_3_y*t462 - D_p_z_1_by_b_3_y*t465 - D_p_z_3_by_b_3_y*t420 - D_p_z_3_by_b_3_y*t432
-        + mu_1_by_b_3_y*t466 + mu_2_by_b_3_y*t467 + mu_3_by_b_3_y*t468 - t413*t711 - t417*t712 - t421*t713,
-        D_delta_x_1_by_b_3_y*t484 + D_delta_y_1_by_b_3_y*t485 + D_delta_z_1_by_b_3_y*t486
-        - D_p_x_1_by_b_3_y*t472 - D_p_x_1_by_b_3_y*t473 - D_p_x_1_by_b_3_y*t478 + D_p_x_1_by_b_3_y*t592
-        - D_p_y_1_by_b_3_y*t474 - D_p_y_1_by_b_3_y*t475 - D_p_y_1_by_b_3_y*t479 + D_p_y_1_by_b_3_y*t593
-        - D_p_z_1_by_b_3_y*t476 - D_p_z_1_by_b_3_y*t477 - D_p_z_1_by_b_3_y*t480 + D_p_z_1_by_b_3_y*t594
-        + mu_1_by_b_3_y*t481 + mu_2_by_b_3_y*t482 + mu_3_by_b_3_y*t483,
-        D_delta_x_2_by_b_3_y*t484 + D_delta_y_2_by_b_3_y*t485 + D_delta_z_2_by_b_3_y*t486
-        - D_p_x_1_by_b_3_y*t487 - D_p_x_1_by_b_3_y*t488 - D_p_x_1_by_b_3_y*t493 + D_p_x_1_by_b_3_y*t595
-        - D_p_y_1_by_b_3_y*t489 - D_p_y_1_by_b_3_y*t490 - D_p_y_1_by_b_3_y*t494 + D_p_y_1_by_b_3_y*t596
-        - D_p_z_1_by_b_3_y*t491 - D_p_z_1_by_b_3_y*t492 - D_p_z_1_by_b_3_y*t495 + D_p_z_1_by_b_3_y*t597
-        + mu_1_by_b_3_y*t496 + mu_2_by_b_3_y*t497 + mu_3_by_b_3_y*t498,
-        D_delta_x_3_by_b_3_y*t484 + D_delta_y_3_by_b_3_y*t485 + D_delta_z_3_by_b_3_y*t486
-        - D_p_x_1_by_b_3_y*t499 - D_p_x_1_by_b_3_y*t500 - D_p_x_1_by_b_3_y*t505 + D_p_x_1_by_b_3_y*t598
-        - D_p_y_1_by_b_3_y*t501 - D_p_y_1_by_b_3_y*t502 - D_p_y_1_by_b_3_y*t506 + D_p_y_1_by_b_3_y*t599
-        - D_p_z_1_by_b_3_y*t503 - D_p_z_1_by_b_3_y*t504 - D_p_z_1_by_b_3_y*t507 + D_p_z_1_by_b_3_y*t600
-        + mu_1_by_b_3_y*t508 + mu_2_by_b_3_y*t509 + mu_3_by_b_3_y*t510,
+        + D_p_z_1_by_b_3_y*D_p_z_2*k_C - D_p_z_1_by_b_3_y*t448 - D_p_z_1_by_b_3_y*t449
+        - D_p_z_1_by_b_3_y*t452 - D_p_z_2_by_b_3_y*t420 - D_p_z_2_by_b_3_y*t421 - D_p_z_2_by_b_3_y*t432
+        + mu_1_by_b_3_y*t453 + mu_2_by_b_3_y*t454 + mu_3_by_b_3_y*t455,
+        D_p_x_1*D_p_x_3_by_b_3_y*k_C + D_p_x_1_by_b_3_y*D_p_x_3*k_C - D_p_x_1_by_b_3_y*t456
+        - D_p_x_1_by_b_3_y*t457 - D_p_x_1_by_b_3_y*t462 - D_p_x_3_by_b_3_y*t412 - D_p_x_3_by_b_3_y*t426
+        + D_p_y_1*D_p_y_3_by_b_3_y*k_C + D_p_y_1_by_b_3_y*D_p_y_3*k_C - D_p_y_1_by_b_3_y*t458
+        - D_p_y_1_by_b_3_y*t459 - D_p_y_1_by_b_3_y*t463 - D_p_y_3_by_b_3_y*t416 - D_p_y_3_by_b_3_y*t429
+        + D_p_z_1*D_p_z_3_by_b_3_y*k_C + D_p_z_1_by_b_3_y*D_p_z_3*k_C - D_p_z_1_by_b_3_y*t460
+        - D_p_z_1_by_b_3_y*t461 - D_p_z_1_by_b_3_y*t464 - D_p_z_3_by_b_3_y*t420 - D_p_z_3_by_b_3_y*t432
+        + mu_1_by_b_3_y*t465 + mu_2_by_b_3_y*t466 + mu_3_by_b_3_y*t467 - t413*t699 - t417*t700 - t421*t701,
+        D_delta_x_1_by_b_3_y*t482 + D_delta_y_1_by_b_3_y*t483 + D_delta_z_1_by_b_3_y*t484
+        - D_p_x_1_by_b_3_y*t471 - D_p_x_1_by_b_3_y*t472 - D_p_x_1_by_b_3_y*t477 + D_p_x_1_by_b_3_y*t580
+        - D_p_y_1_by_b_3_y*t473 - D_p_y_1_by_b_3_y*t474 - D_p_y_1_by_b_3_y*t478 + D_p_y_1_by_b_3_y*t581
+        - D_p_z_1_by_b_3_y*t475 - D_p_z_1_by_b_3_y*t476 - D_p_z_1_by_b_3_y*t479 + D_p_z_1_by_b_3_y*t582
+        + mu_1_by_b_3_y*t480 + mu_2_by_b_3_y*t481 + mu_3_by_b_3_y*t481,
+        D_delta_x_2_by_b_3_y*t482 + D_delta_y_2_by_b_3_y*t483 + D_delta_z_2_by_b_3_y*t484
+        - D_p_x_1_by_b_3_y*t485 - D_p_x_1_by_b_3_y*t486 - D_p_x_1_by_b_3_y*t491 + D_p_x_1_by_b_3_y*t583
+        - D_p_y_1_by_b_3_y*t487 - D_p_y_1_by_b_3_y*t488 - D_p_y_1_by_b_3_y*t492 + D_p_y_1_by_b_3_y*t584
+        - D_p_z_1_by_b_3_y*t489 - D_p_z_1_by_b_3_y*t490 - D_p_z_1_by_b_3_y*t493 + D_p_z_1_by_b_3_y*t585
+        + mu_1_by_b_3_y*t494 + mu_2_by_b_3_y*t495 + mu_3_by_b_3_y*t495,
+        D_delta_x_3_by_b_3_y*t482 + D_delta_y_3_by_b_3_y*t483 + D_delta_z_3_by_b_3_y*t484
+        - D_p_x_1_by_b_3_y*t496 - D_p_x_1_by_b_3_y*t497 - D_p_x_1_by_b_3_y*t502 + D_p_x_1_by_b_3_y*t586
+        - D_p_y_1_by_b_3_y*t498 - D_p_y_1_by_b_3_y*t499 - D_p_y_1_by_b_3_y*t503 + D_p_y_1_by_b_3_y*t587
+        - D_p_z_1_by_b_3_y*t500 - D_p_z_1_by_b_3_y*t501 - D_p_z_1_by_b_3_y*t504 + D_p_z_1_by_b_3_y*t588
+        + mu_1_by_b_3_y*t505 + mu_2_by_b_3_y*t506 + mu_3_by_b_3_y*t506,
         D_p_x_1_by_b_3_y*k_C, D_p_y_1_by_b_3_y*k_C, D_p_z_1_by_b_3_y*k_C,
-        2*D_p_x_2*D_p_x_2_by_b_3_y*k_C - D_p_x_2_by_b_3_y*t636 + 2*D_p_y_2*D_p_y_2_by_b_3_y*k_C
-        - D_p_y_2_by_b_3_y*t637 + 2*D_p_z_2*D_p_z_2_by_b_3_y*k_C - D_p_z_2_by_b_3_y*t638
-        + mu_1_by_b_3_y*t514 + mu_2_by_b_3_y*t516 + mu_3_by_b_3_y*t515 - t446*t714 - t448*t715 - t450*t716
-        - t451*t714 - t452*t715 - t453*t716,
-        D_p_x_2*D_p_x_3_by_b_3_y*k_C + D_p_x_2_by_b_3_y*D_p_x_3*k_C - D_p_x_2_by_b_3_y*t457
-        - D_p_x_2_by_b_3_y*t458 - D_p_x_2_by_b_3_y*t463 - D_p_x_3_by_b_3_y*t445 - D_p_x_3_by_b_3_y*t451
-        + D_p_y_2*D_p_y_3_by_b_3_y*k_C + D_p_y_2_by_b_3_y*D_p_y_3*k_C - D_p_y_2_by_b_3_y*t459
-        - D_p_y_2_by_b_3_y*t460 - D_p_y_2_by_b_3_y*t464 - D_p_y_3_by_b_3_y*t447 - D_p_y_3_by_b_3_y*t452
-        + D_p_z_2*D_p_z_3_by_b_3_y*k_C + D_p_z_2_by_b_3_y*D_p_z_3*k_C - D_p_z_2_by_b_3_y*t461
-        - D_p_z_2_by_b_3_y*t462 - D_p_z_2_by_b_3_y*t465 - D_p_z_3_by_b_3_y*t449 - D_p_z_3_by_b_3_y*t453
-        + mu_1_by_b_3_y*t517 + mu_2_by_b_3_y*t518 + mu_3_by_b_3_y*t519 - t446*t711 - t448*t712 - t450*t713,
-        D_delta_x_1_by_b_3_y*t526 + D_delta_y_1_by_b_3_y*t527 + D_delta_z_1_by_b_3_y*t528
-        - D_p_x_2_by_b_3_y*t472 - D_p_x_2_by_b_3_y*t473 - D_p_x_2_by_b_3_y*t478 + D_p_x_2_by_b_3_y*t592
-        - D_p_y_2_by_b_3_y*t474 - D_p_y_2_by_b_3_y*t475 - D_p_y_2_by_b_3_y*t479 + D_p_y_2_by_b_3_y*t593
-        - D_p_z_2_by_b_3_y*t476 - D_p_z_2_by_b_3_y*t477 - D_p_z_2_by_b_3_y*t480 + D_p_z_2_by_b_3_y*t594
-        + mu_1_by_b_3_y*t523 + mu_2_by_b_3_y*t524 + mu_3_by_b_3_y*t525,
-        D_delta_x_2_by_b_3_y*t526 + D_delta_y_2_by_b_3_y*t527 + D_delta_z_2_by_b_3_y*t528
-        - D_p_x_2_by_b_3_y*t487 - D_p_x_2_by_b_3_y*t488 - D_p_x_2_by_b_3_y*t493 + D_p_x_2_by_b_3_y*t595
-        - D_p_y_2_by_b_3_y*t489 - D_p_y_2_by_b_3_y*t490 - D_p_y_2_by_b_3_y*t494 + D_p_y_2_by_b_3_y*t596
-        - D_p_z_2_by_b_3_y*t491 - D_p_z_2_by_b_3_y*t492 - D_p_z_2_by_b_3_y*t495 + D_p_z_2_by_b_3_y*t597
-        + mu_1_by_b_3_y*t529 + mu_2_by_b_3_y*t530 + mu_3_by_b_3_y*t531,
-        D_delta_x_3_by_b_3_y*t526 + D_delta_y_3_by_b_3_y*t527 + D_delta_z_3_by_b_3_y*t528
-        - D_p_x_2_by_b_3_y*t499 - D_p_x_2_by_b_3_y*t500 - D_p_x_2_by_b_3_y*t505 + D_p_x_2_by_b_3_y*t598
-        - D_p_y_2_by_b_3_y*t501 - D_p_y_2_by_b_3_y*t502 - D_p_y_2_by_b_3_y*t506 + D_p_y_2_by_b_3_y*t599
-        - D_p_z_2_by_b_3_y*t503 - D_p_z_2_by_b_3_y*t504 - D_p_z_2_by_b_3_y*t507 + D_p_z_2_by_b_3_y*t600
-        + mu_1_by_b_3_y*t532 + mu_2_by_b_3_y*t533 + mu_3_by_b_3_y*t534,
+        2*D_p_x_2*D_p_x_2_by_b_3_y*k_C - D_p_x_2_by_b_3_y*t624 + 2*D_p_y_2*D_p_y_2_by_b_3_y*k_C
+        - D_p_y_2_by_b_3_y*t625 + 2*D_p_z_2*D_p_z_2_by_b_3_y*k_C - D_p_z_2_by_b_3_y*t626
+        + mu_1_by_b_3_y*t510 + mu_2_by_b_3_y*t511 + mu_3_by_b_3_y*t510 - t444*t702 - t446*t703 - t448*t704
+        - t450*t702 - t451*t703 - t452*t704,
+        D_p_x_2*D_p_x_3_by_b_3_y*k_C + D_p_x_2_by_b_3_y*D_p_x_3*k_C - D_p_x_2_by_b_3_y*t456
+        - D_p_x_2_by_b_3_y*t457 - D_p_x_2_by_b_3_y*t462 - D_p_x_3_by_b_3_y*t445 - D_p_x_3_by_b_3_y*t450
+        + D_p_y_2*D_p_y_3_by_b_3_y*k_C + D_p_y_2_by_b_3_y*D_p_y_3*k_C - D_p_y_2_by_b_3_y*t458
+        - D_p_y_2_by_b_3_y*t459 - D_p_y_2_by_b_3_y*t463 - D_p_y_3_by_b_3_y*t447 - D_p_y_3_by_b_3_y*t451
+        + D_p_z_2*D_p_z_3_by_b_3_y*k_C + D_p_z_2_by_b_3_y*D_p_z_3*k_C - D_p_z_2_by_b_3_y*t460
+        - D_p_z_2_by_b_3_y*t461 - D_p_z_2_by_b_3_y*t464 - D_p_z_3_by_b_3_y*t449 - D_p_z_3_by_b_3_y*t452
+        + mu_1_by_b_3_y*t512 + mu_2_by_b_3_y*t513 + mu_3_by_b_3_y*t514 - t444*t699 - t446*t700 - t448*t701,
+        D_delta_x_1_by_b_3_y*t520 + D_delta_y_1_by_b_3_y*t521 + D_delta_z_1_by_b_3_y*t522
+        - D_p_x_2_by_b_3_y*t471 - D_p_x_2_by_b_3_y*t472 - D_p_x_2_by_b_3_y*t477 + D_p_x_2_by_b_3_y*t580
+        - D_p_y_2_by_b_3_y*t473 - D_p_y_2_by_b_3_y*t474 - D_p_y_2_by_b_3_y*t478 + D_p_y_2_by_b_3_y*t581
+        - D_p_z_2_by_b_3_y*t475 - D_p_z_2_by_b_3_y*t476 - D_p_z_2_by_b_3_y*t479 + D_p_z_2_by_b_3_y*t582
+        + mu_1_by_b_3_y*t518 + mu_2_by_b_3_y*t519 + mu_3_by_b_3_y*t518,
+        D_delta_x_2_by_b_3_y*t520 + D_delta_y_2_by_b_3_y*t521 + D_delta_z_2_by_b_3_y*t522
+        - D_p_x_2_by_b_3_y*t485 - D_p_x_2_by_b_3_y*t486 - D_p_x_2_by_b_3_y*t491 + D_p_x_2_by_b_3_y*t583
+        - D_p_y_2_by_b_3_y*t487 - D_p_y_2_by_b_3_y*t488 - D_p_y_2_by_b_3_y*t492 + D_p_y_2_by_b_3_y*t584
+        - D_p_z_2_by_b_3_y*t489 - D_p_z_2_by_b_3_y*t490 - D_p_z_2_by_b_3_y*t493 + D_p_z_2_by_b_3_y*t585
+        + mu_1_by_b_3_y*t523 + mu_2_by_b_3_y*t524 + mu_3_by_b_3_y*t523,
+        D_delta_x_3_by_b_3_y*t520 + D_delta_y_3_by_b_3_y*t521 + D_delta_z_3_by_b_3_y*t522
+        - D_p_x_2_by_b_3_y*t496 - D_p_x_2_by_b_3_y*t497 - D_p_x_2_by_b_3_y*t502 + D_p_x_2_by_b_3_y*t586
+        - D_p_y_2_by_b_3_y*t498 - D_p_y_2_by_b_3_y*t499 - D_p_y_2_by_b_3_y*t503 + D_p_y_2_by_b_3_y*t587
+        - D_p_z_2_by_b_3_y*t500 - D_p_z_2_by_b_3_y*t501 - D_p_z_2_by_b_3_y*t504 + D_p_z_2_by_b_3_y*t588
+        + mu_1_by_b_3_y*t525 + mu_2_by_b_3_y*t526 + mu_3_by_b_3_y*t525,
         D_p_x_2_by_b_3_y*k_C, D_p_y_2_by_b_3_y*k_C, D_p_z_2_by_b_3_y*k_C,
-        mu_1_by_b_3_y*t538 + mu_2_by_b_3_y*t539 + mu_3_by_b_3_y*t540 - s_3_y_by_b_3_y*t722 - t457*t717
-        - t459*t718 - t461*t719 - t463*t717 - t464*t718 - t465*t719 + t688*t717 + t690*t718 + t692*t719
-        + t696*t720 - t697*t711 - t698*t712 - t699*t713 + t703*theta_3_by_b_3_y + t705*theta_3_by_b_3_y
-        + t707*theta_3_by_b_3_y + t720*t721,
-        D_delta_x_1_by_b_3_y*t547 + D_delta_y_1_by_b_3_y*t548 + D_delta_z_1_by_b_3_y*t549
-        - D_p_x_3_by_b_3_y*t472 - D_p_x_3_by_b_3_y*t478 + D_p_x_3_by_b_3_y*t592 - D_p_y_3_by_b_3_y*t474
-        - D_p_y_3_by_b_3_y*t479 + D_p_y_3_by_b_3_y*t593 - D_p_z_3_by_b_3_y*t476 - D_p_z_3_by_b_3_y*t480
-        + D_p_z_3_by_b_3_y*t594 + mu_1_by_b_3_y*t544 + mu_2_by_b_3_y*t545 + mu_3_by_b_3_y*t546 - t473*t711
-        - t475*t712 - t477*t713,
-        D_delta_x_2_by_b_3_y*t547 + D_delta_y_2_by_b_3_y*t548 + D_delta_z_2_by_b_3_y*t549
-        - D_p_x_3_by_b_3_y*t487 - D_p_x_3_by_b_3_y*t493 + D_p_x_3_by_b_3_y*t595 - D_p_y_3_by_b_3_y*t489
-        - D_p_y_3_by_b_3_y*t494 + D_p_y_3_by_b_3_y*t596 - D_p_z_3_by_b_3_y*t491 - D_p_z_3_by_b_3_y*t495
-        + D_p_z_3_by_b_3_y*t597 + mu_1_by_b_3_y*t550 + mu_2_by_b_3_y*t551 + mu_3_by_b_3_y*t552 - t488*t711
-        - t490*t712 - t492*t713,
-        D_delta_x_3_by_b_3_y*t547 + D_delta_y_3_by_b_3_y*t548 + D_delta_z_3_by_b_3_y*t549
-        - D_p_x_3_by_b_3_y*t499 - D_p_x_3_by_b_3_y*t505 + D_p_x_3_by_b_3_y*t598 - D_p_y_3_by_b_3_y*t501
-        - D_p_y_3_by_b_3_y*t506 + D_p_y_3_by_b_3_y*t599 - D_p_z_3_by_b_3_y*t503 - D_p_z_3_by_b_3_y*t507
-        + D_p_z_3_by_b_3_y*t600 + mu_1_by_b_3_y*t553 + mu_2_by_b_3_y*t554 + mu_3_by_b_3_y*t555 - t500*t711
-        - t502*t712 - t504*t713,
+        mu_1_by_b_3_y*t530 + mu_2_by_b_3_y*t530 + mu_3_by_b_3_y*t531 - s_3_y_by_b_3_y*t710 - t456*t705
+        - t458*t706 - t460*t707 - t462*t705 - t463*t706 - t464*t707 + t676*t705 + t678*t706 + t680*t707
+        + t684*t708 - t685*t699 - t686*t700 - t687*t701 + t691*theta_3_by_b_3_y + t693*theta_3_by_b_3_y
+        + t695*theta_3_by_b_3_y + t708*t709,
+        D_delta_x_1_by_b_3_y*t537 + D_delta_y_1_by_b_3_y*t538 + D_delta_z_1_by_b_3_y*t539
+        - D_p_x_3_by_b_3_y*t471 - D_p_x_3_by_b_3_y*t477 + D_p_x_3_by_b_3_y*t580 - D_p_y_3_by_b_3_y*t473
+        - D_p_y_3_by_b_3_y*t478 + D_p_y_3_by_b_3_y*t581 - D_p_z_3_by_b_3_y*t475 - D_p_z_3_by_b_3_y*t479
+        + D_p_z_3_by_b_3_y*t582 + mu_1_by_b_3_y*t535 + mu_2_by_b_3_y*t535 + mu_3_by_b_3_y*t536 - t472*t699
+        - t474*t700 - t476*t701,
+        D_delta_x_2_by_b_3_y*t537 + D_delta_y_2_by_b_3_y*t538 + D_delta_z_2_by_b_3_y*t539
+        - D_p_x_3_by_b_3_y*t485 - D_p_x_3_by_b_3_y*t491 + D_p_x_3_by_b_3_y*t583 - D_p_y_3_by_b_3_y*t487
+        - D_p_y_3_by_b_3_y*t492 + D_p_y_3_by_b_3_y*t584 - D_p_z_3_by_b_3_y*t489 - D_p_z_3_by_b_3_y*t493
+        + D_p_z_3_by_b_3_y*t585 + mu_1_by_b_3_y*t540 + mu_2_by_b_3_y*t540 + mu_3_by_b_3_y*t541 - t486*t699
+        - t488*t700 - t490*t701,
+        D_delta_x_3_by_b_3_y*t537 + D_delta_y_3_by_b_3_y*t538 + D_delta_z_3_by_b_3_y*t539
+        - D_p_x_3_by_b_3_y*t496 - D_p_x_3_by_b_3_y*t502 + D_p_x_3_by_b_3_y*t586 - D_p_y_3_by_b_3_y*t498
+        - D_p_y_3_by_b_3_y*t503 + D_p_y_3_by_b_3_y*t587 - D_p_z_3_by_b_3_y*t500 - D_p_z_3_by_b_3_y*t504
+        + D_p_z_3_by_b_3_y*t588 + mu_1_by_b_3_y*t542 + mu_2_by_b_3_y*t542 + mu_3_by_b_3_y*t543 - t497*t699
+        - t499*t700 - t501*t701,
         D_p_x_3_by_b_3_y*k_C, D_p_y_3_by_b_3_y*k_C, D_p_z_3_by_b_3_y*k_C,
-        D_delta_x_1_by_b_3_y*t557 + D_delta_y_1_by_b_3_y*t558 + D_delta_z_1_by_b_3_y*t559
-        + mu_1_by_b_3_y*t560 - mu_2_by_b_3_y*t556 - mu_3_by_b_3_y*t556,
-        D_delta_x_1_by_b_3_y*t562 + D_delta_x_2_by_b_3_y*t563 + D_delta_y_1_by_b_3_y*t564
-        + D_delta_y_2_by_b_3_y*t565 + D_delta_z_1_by_b_3_y*t566 + D_delta_z_2_by_b_3_y*t567
-        + mu_1_by_b_3_y*t561 + mu_2_by_b_3_y*t561 + mu_3_by_b_3_y*t561,
-        D_delta_x_1_by_b_3_y*t569 + D_delta_x_3_by_b_3_y*t563 + D_delta_y_1_by_b_3_y*t570
-        + D_delta_y_3_by_b_3_y*t565 + D_delta_z_1_by_b_3_y*t571 + D_delta_z_3_by_b_3_y*t567
-        + mu_1_by_b_3_y*t568 + mu_2_by_b_3_y*t568 + mu_3_by_b_3_y*t568,
+        D_delta_x_1_by_b_3_y*t545 + D_delta_y_1_by_b_3_y*t546 + D_delta_z_1_by_b_3_y*t547
+        + mu_1_by_b_3_y*t548 - mu_2_by_b_3_y*t544 - mu_3_by_b_3_y*t544,
+        D_delta_x_1_by_b_3_y*t550 + D_delta_x_2_by_b_3_y*t551 + D_delta_y_1_by_b_3_y*t552
+        + D_delta_y_2_by_b_3_y*t553 + D_delta_z_1_by_b_3_y*t554 + D_delta_z_2_by_b_3_y*t555
+        + mu_1_by_b_3_y*t549 + mu_2_by_b_3_y*t549 + mu_3_by_b_3_y*t549,
+        D_delta_x_1_by_b_3_y*t557 + D_delta_x_3_by_b_3_y*t551 + D_delta_y_1_by_b_3_y*t558
+        + D_delta_y_3_by_b_3_y*t553 + D_delta_z_1_by_b_3_y*t559 + D_delta_z_3_by_b_3_y*t555
+        + mu_1_by_b_3_y*t556 + mu_2_by_b_3_y*t556 + mu_3_by_b_3_y*t556,
         D_delta_x_1_by_b_3_y*k_C, D_delta_y_1_by_b_3_y*k_C, D_delta_z_1_by_b_3_y*k_C,
-        D_delta_x_2_by_b_3_y*t573 + D_delta_y_2_by_b_3_y*t574 + D_delta_z_2_by_b_3_y*t575
-        - mu_1_by_b_3_y*t572 + mu_2_by_b_3_y*t576 - mu_3_by_b_3_y*t572,
-        D_delta_x_2_by_b_3_y*t569 + D_delta_x_3_by_b_3_y*t562 + D_delta_y_2_by_b_3_y*t570
-        + D_delta_y_3_by_b_3_y*t564 + D_delta_z_2_by_b_3_y*t571 + D_delta_z_3_by_b_3_y*t566
-        + mu_1_by_b_3_y*t577 + mu_2_by_b_3_y*t577 + mu_3_by_b_3_y*t577,
+        D_delta_x_2_by_b_3_y*t561 + D_delta_y_2_by_b_3_y*t562 + D_delta_z_2_by_b_3_y*t563
+        - mu_1_by_b_3_y*t560 + mu_2_by_b_3_y*t564 - mu_3_by_b_3_y*t560,
+        D_delta_x_2_by_b_3_y*t557 + D_delta_x_3_by_b_3_y*t550 + D_delta_y_2_by_b_3_y*t558
+        + D_delta_y_3_by_b_3_y*t552 + D_delta_z_2_by_b_3_y*t559 + D_delta_z_3_by_b_3_y*t554
+        + mu_1_by_b_3_y*t565 + mu_2_by_b_3_y*t565 + mu_3_by_b_3_y*t565,
         D_delta_x_2_by_b_3_y*k_C, D_delta_y_2_by_b_3_y*k_C, D_delta_z_2_by_b_3_y*k_C,
-        D_delta_x_3_by_b_3_y*t579 + D_delta_y_3_by_b_3_y*t580 + D_delta_z_3_by_b_3_y*t581
-        - mu_1_by_b_3_y*t578 - mu_2_by_b_3_y*t578 + mu_3_by_b_3_y*t582,
+        D_delta_x_3_by_b_3_y*t567 + D_delta_y_3_by_b_3_y*t568 + D_delta_z_3_by_b_3_y*t569
+        - mu_1_by_b_3_y*t566 - mu_2_by_b_3_y*t566 + mu_3_by_b_3_y*t570,
         D_delta_x_3_by_b_3_y*k_C, D_delta_y_3_by_b_3_y*k_C, D_delta_z_3_by_b_3_y*k_C,
         2*D_p_x_1*D_p_x_1_by_b_3_z*k_C - D_p_x_1_by_b_3_z*t427 + 2*D_p_y_1*D_p_y_1_by_b_3_z*k_C
         - D_p_y_1_by_b_3_z*t430 + 2*D_p_z_1*D_p_z_1_by_b_3_z*k_C - D_p_z_1_by_b_3_z*t433
-        + mu_1_by_b_3_z*t444 + mu_2_by_b_3_z*t435 + mu_3_by_b_3_z*t436 - t412*t723 - t413*t723 - t416*t724
-        - t417*t724 - t420*t725 - t421*t725,
-        D_p_x_1*D_p_x_2_by_b_3_z*k_C + D_p_x_1_by_b_3_z*D_p_x_2*k_C - D_p_x_1_by_b_3_z*t445
-        - D_p_x_1_by_b_3_z*t446 - D_p_x_1_by_b_3_z*t451 - D_p_x_2_by_b_3_z*t412 - D_p_x_2_by_b_3_z*t413
+        + mu_1_by_b_3_z*t443 + mu_2_by_b_3_z*t435 + mu_3_by_b_3_z*t435 - t412*t711 - t413*t711 - t416*t712
+        - t417*t712 - t420*t713 - t421*t713,
+        D_p_x_1*D_p_x_2_by_b_3_z*k_C + D_p_x_1_by_b_3_z*D_p_x_2*k_C - D_p_x_1_by_b_3_z*t444
+        - D_p_x_1_by_b_3_z*t445 - D_p_x_1_by_b_3_z*t450 - D_p_x_2_by_b_3_z*t412 - D_p_x_2_by_b_3_z*t413
         - D_p_x_2_by_b_3_z*t426 + D_p_y_1*D_p_y_2_by_b_3_z*k_C + D_p_y_1_by_b_3_z*D_p_y_2*k_C
-        - D_p_y_1_by_b_3_z*t447 - D_p_y_1_by_b_3_z*t448 - D_p_y_1_by_b_3_z*t452 - D_p_y_2_by_b_3_z*t416
+        - D_p_y_1_by_b_3_z*t446 - D_p_y_1_by_b_3_z*t447 - D_p_y_1_by_b_3_z*t451 - D_p_y_2_by_b_3_z*t416
         - D_p_y_2_by_b_3_z*t417 - D_p_y_2_by_b_3_z*t429 + D_p_z_1*D_p_z_2_by_b_3_z*k_C
-        + D_p_z_1_by_b_3_z*D_p_z_2*k_C - D_p_z_1_by_b_3_z*t449 - D_p_z_1_by_b_3_z*t450
-        - D_p_z_1_by_b_3_z*t453 - D_p_z_2_by_b_3_z*t420 - D_p_z_2_by_b_3_z*t421 - D_p_z_2_by_b_3_z*t432
-        + mu_1_by_b_3_z*t454 + mu_2_by_b_3_z*t455 + mu_3_by_b_3_z*t456,
-        D_p_x_1*D_p_x_3_by_b_3_z*k_C + D_p_x_1_by_b_3_z*D_p_x_3*k_C - D_p_x_1_by_b_3_z*t457
-        - D_p_x_1_by_b_3_z*t458 - D_p_x_1_by_b_3_z*t463 - D_p_x_3_by_b_3_z*t412 - D_p_x_3_by_b_3_z*t426
-        + D_p_y_1*D_p_y_3_by_b_3_z*k_C + D_p_y_1_by_b_3_z*D_p_y_3*k_C - D_p_y_1_by_b_3_z*t459
-        - D_p_y_1_by_b_3_z*t460 - D_p_y_1_by_b_3_z*t464 - D_p_y_3_by_b_3_z*t416 - D_p_y_3_by_b_3_z*t429
-        + D_p_z_1*D_p_z_3_by_b_3_z*k_C + D_p_z_1_by_b_3_z*D_p_z_3*k_C - D_p_z_1_by_b_3_z*t461
-        - D_p_z_1_by_b_3_z*t462 - D_p_z_1_by_b_3_z*t465 - D_p_z_3_by_b_3_z*t420 - D_p_z_3_by_b_3_z*t432
-        + mu_1_by_b_3_z*t466 + mu_2_by_b_3_z*t467 + mu_3_by_b_3_z*t468 - t413*t726 - t417*t727 - t421*t728,
-        D_delta_x_1_by_b_3_z*t484 + D_delta_y_1_by_b_3_z*t485 + D_delta_z_1_by_b_3_z*t486
-        - D_p_x_1_by_b_3_z*t472 - D_p_x_1_by_b_3_z*t473 - D_p_x_1_by_b_3_z*t478 + D_p_x_1_by_b_3_z*t592
-        - D_p_y_1_by_b_3_z*t474 - D_p_y_1_by_b_3_z*t475 - D_p_y_1_by_b_3_z*t479 + D_p_y_1_by_b_3_z*t593
-        - D_p_z_1_by_b_3_z*t476 - D_p_z_1_by_b_3_z*t477 - D_p_z_1_by_b_3_z*t480 + D_p_z_1_by_b_3_z*t594
-        + mu_1_by_b_3_z*t481 + mu_2_by_b_3_z*t482 + mu_3_by_b_3_z*t483,
-        D_delta_x_2_by_b_3_z*t484 + D_delta_y_2_by_b_3_z*t485 + D_delta_z_2_by_b_3_z*t486
-        - D_p_x_1_by_b_3_z*t487 - D_p_x_1_by_b_3_z*t488 - D_p_x_1_by_b_3_z*t493 + D_p_x_1_by_b_3_z*t595
-        - D_p_y_1_by_b_3_z*t489 - D_p_y_1_by_b_3_z*t490 - D_p_y_1_by_b_3_z*t494 + D_p_y_1_by_b_3_z*t596
-        - D_p_z_1_by_b_3_z*t491 - D_p_z_1_by_b_3_z*t492 - D_p_z_1_by_b_3_z*t495 + D_p_z_1_by_b_3_z*t597
-        + mu_1_by_b_3_z*t496 + mu_2_by_b_3_z*t497 + mu_3_by_b_3_z*t498,
-        D_delta_x_3_by_b_3_z*t484 + D_delta_y_3_by_b_3_z*t485 + D_delta_z_3_by_b_3_z*t486
-        - D_p_x_1_by_b_3_z*t499 - D_p_x_1_by_b_3_z*t500 - D_p_x_1_by_b_3_z*t505 + D_p_x_1_by_b_3_z*t598
-        - D_p_y_1_by_b_3_z*t501 - D_p_y_1_by_b_3_z*t502 - D_p_y_1_by_b_3_z*t506 + D_p_y_1_by_b_3_z*t599
-        - D_p_z_1_by_b_3_z*t503 - D_p_z_1_by_b_3_z*t504 - D_p_z_1_by_b_3_z*t507 + D_p_z_1_by_b_3_z*t600
-        + mu_1_by_b_3_z*t508 + mu_2_by_b_3_z*t509 + mu_3_by_b_3_z*t510,
+        + D_p_z_1_by_b_3_z*D_p_z_2*k_C - D_p_z_1_by_b_3_z*t448 - D_p_z_1_by_b_3_z*t449
+        - D_p_z_1_by_b_3_z*t452 - D_p_z_2_by_b_3_z*t420 - D_p_z_2_by_b_3_z*t421 - D_p_z_2_by_b_3_z*t432
+        + mu_1_by_b_3_z*t453 + mu_2_by_b_3_z*t454 + mu_3_by_b_3_z*t455,
+        D_p_x_1*D_p_x_3_by_b_3_z*k_C + D_p_x_1_by_b_3_z*D_p_x_3*k_C - D_p_x_1_by_b_3_z*t456
+        - D_p_x_1_by_b_3_z*t457 - D_p_x_1_by_b_3_z*t462 - D_p_x_3_by_b_3_z*t412 - D_p_x_3_by_b_3_z*t426
+        + D_p_y_1*D_p_y_3_by_b_3_z*k_C + D_p_y_1_by_b_3_z*D_p_y_3*k_C - D_p_y_1_by_b_3_z*t458
+        - D_p_y_1_by_b_3_z*t459 - D_p_y_1_by_b_3_z*t463 - D_p_y_3_by_b_3_z*t416 - D_p_y_3_by_b_3_z*t429
+        + D_p_z_1*D_p_z_3_by_b_3_z*k_C + D_p_z_1_by_b_3_z*D_p_z_3*k_C - D_p_z_1_by_b_3_z*t460
+        - D_p_z_1_by_b_3_z*t461 - D_p_z_1_by_b_3_z*t464 - D_p_z_3_by_b_3_z*t420 - D_p_z_3_by_b_3_z*t432
+        + mu_1_by_b_3_z*t465 + mu_2_by_b_3_z*t466 + mu_3_by_b_3_z*t467 - t413*t714 - t417*t715 - t421*t716,
+        D_delta_x_1_by_b_3_z*t482 + D_delta_y_1_by_b_3_z*t483 + D_delta_z_1_by_b_3_z*t484
+        - D_p_x_1_by_b_3_z*t471 - D_p_x_1_by_b_3_z*t472 - D_p_x_1_by_b_3_z*t477 + D_p_x_1_by_b_3_z*t580
+        - D_p_y_1_by_b_3_z*t473 - D_p_y_1_by_b_3_z*t474 - D_p_y_1_by_b_3_z*t478 + D_p_y_1_by_b_3_z*t581
+        - D_p_z_1_by_b_3_z*t475 - D_p_z_1_by_b_3_z*t476 - D_p_z_1_by_b_3_z*t479 + D_p_z_1_by_b_3_z*t582
+        + mu_1_by_b_3_z*t480 + mu_2_by_b_3_z*t481 + mu_3_by_b_3_z*t481,
+        D_delta_x_2_by_b_3_z*t482 + D_delta_y_2_by_b_3_z*t483 + D_delta_z_2_by_b_3_z*t484
+        - D_p_x_1_by_b_3_z*t485 - D_p_x_1_by_b_3_z*t486 - D_p_x_1_by_b_3_z*t491 + D_p_x_1_by_b_3_z*t583
+        - D_p_y_1_by_b_3_z*t487 - D_p_y_1_by_b_3_z*t488 - D_p_y_1_by_b_3_z*t492 + D_p_y_1_by_b_3_z*t584
+        - D_p_z_1_by_b_3_z*t489 - D_p_z_1_by_b_3_z*t490 - D_p_z_1_by_b_3_z*t493 + D_p_z_1_by_b_3_z*t585
+        + mu_1_by_b_3_z*t494 + mu_2_by_b_3_z*t495 + mu_3_by_b_3_z*t495,
+        D_delta_x_3_by_b_3_z*t482 + D_delta_y_3_by_b_3_z*t483 + D_delta_z_3_by_b_3_z*t484
+        - D_p_x_1_by_b_3_z*t496 - D_p_x_1_by_b_3_z*t497 - D_p_x_1_by_b_3_z*t502 + D_p_x_1_by_b_3_z*t586
+        - D_p_y_1_by_b_3_z*t498 - D_p_y_1_by_b_3_z*t499 - D_p_y_1_by_b_3_z*t503 + D_p_y_1_by_b_3_z*t587
+        - D_p_z_1_by_b_3_z*t500 - D_p_z_1_by_b_3_z*t501 - D_p_z_1_by_b_3_z*t504 + D_p_z_1_by_b_3_z*t588
+        + mu_1_by_b_3_z*t505 + mu_2_by_b_3_z*t506 + mu_3_by_b_3_z*t506,
         D_p_x_1_by_b_3_z*k_C, D_p_y_1_by_b_3_z*k_C, D_p_z_1_by_b_3_z*k_C,
-        2*D_p_x_2*D_p_x_2_by_b_3_z*k_C - D_p_x_2_by_b_3_z*t636 + 2*D_p_y_2*D_p_y_2_by_b_3_z*k_C
-        - D_p_y_2_by_b_3_z*t637 + 2*D_p_z_2*D_p_z_2_by_b_3_z*k_C - D_p_z_2_by_b_3_z*t638
-        + mu_1_by_b_3_z*t514 + mu_2_by_b_3_z*t516 + mu_3_by_b_3_z*t515 - t446*t729 - t448*t730 - t450*t731
-        - t451*t729 - t452*t730 - t453*t731,
-        D_p_x_2*D_p_x_3_by_b_3_z*k_C + D_p_x_2_by_b_3_z*D_p_x_3*k_C - D_p_x_2_by_b_3_z*t457
-        - D_p_x_2_by_b_3_z*t458 - D_p_x_2_by_b_3_z*t463 - D_p_x_3_by_b_3_z*t445 - D_p_x_3_by_b_3_z*t451
-        + D_p_y_2*D_p_y_3_by_b_3_z*k_C + D_p_y_2_by_b_3_z*D_p_y_3*k_C - D_p_y_2_by_b_3_z*t459
-        - D_p_y_2_by_b_3_z*t460 - D_p_y_2_by_b_3_z*t464 - D_p_y_3_by_b_3_z*t447 - D_p_y_3_by_b_3_z*t452
-        + D_p_z_2*D_p_z_3_by_b_3_z*k_C + D_p_z_2_by_b_3_z*D_p_z_3*k_C - D_p_z_2_by_b_3_z*t461
-        - D_p_z_2_by_b_3_z*t462 - D_p_z_2_by_b_3_z*t465 - D_p_z_3_by_b_3_z*t449 - D_p_z_3_by_b_3_z*t453
-        + mu_1_by_b_3_z*t517 + mu_2_by_b_3_z*t518 + mu_3_by_b_3_z*t519 - t446*t726 - t448*t727 - t450*t728,
-        D_delta_x_1_by_b_3_z*t526 + D_delta_y_1_by_b_3_z*t527 + D_delta_z_1_by_b_3_z*t528
-        - D_p_x_2_by_b_3_z*t472 - D_p_x_2_by_b_3_z*t473 - D_p_x_2_by_b_3_z*t478 + D_p_x_2_by_b_3_z*t592
-        - D_p_y_2_by_b_3_z*t474 - D_p_y_2_by_b_3_z*t475 - D_p_y_2_by_b_3_z*t479 + D_p_y_2_by_b_3_z*t593
-        - D_p_z_2_by_b_3_z*t476 - D_p_z_2_by_b_3_z*t477 - D_p_z_2_by_b_3_z*t480 + D_p_z_2_by_b_3_z*t594
-        + mu_1_by_b_3_z*t523 + mu_2_by_b_3_z*t524 + mu_3_by_b_3_z*t525,
-        D_delta_x_2_by_b_3_z*t526 + D_delta_y_2_by_b_3_z*t527 + D_delta_z_2_by_b_3_z*t528
-        - D_p_x_2_by_b_3_z*t487 - D_p_x_2_by_b_3_z*t488 - D_p_x_2_by_b_3_z*t493 + D_p_x_2_by_b_3_z*t595
-        - D_p_y_2_by_b_3_z*t489 - D_p_y_2_by_b_3_z*t490 - D_p_y_2_by_b_3_z*t494 + D_p_y_2_by_b_3_z*t596
-        - D_p_z_2_by_b_3_z*t491 - D_p_z_2_by_b_3_z*t492 - D_p_z_2_by_b_3_z*t495 + D_p_z_2_by_b_3_z*t597
-        + mu_1_by_b_3_z*t529 + mu_2_by_b_3_z*t530 + mu_3_by_b_3_z*t531,
-        D_delta_x_3_by_b_3_z*t526 + D_delta_y_3_by_b_3_z*t527 + D_delta_z_3_by_b_3_z*t528
-        - D_p_x_2_by_b_3_z*t499 - D_p_x_2_by_b_3_z*t500 - D_p_x_2_by_b_3_z*t505 + D_p_x_2_by_b_3_z*t598
-        - D_p_y_2_by_b_3_z*t501 - D_p_y_2_by_b_3_z*t502 - D_p_y_2_by_b_3_z*t506 + D_p_y_2_by_b_3_z*t599
-        - D_p_z_2_by_b_3_z*t503 - D_p_z_2_by_b_3_z*t504 - D_p_z_2_by_b_3_z*t507 + D_p_z_2_by_b_3_z*t600
-        + mu_1_by_b_3_z*t532 + mu_2_by_b_3_z*t533 + mu_3_by_b_3_z*t534,
+        2*D_p_x_2*D_p_x_2_by_b_3_z*k_C - D_p_x_2_by_b_3_z*t624 + 2*D_p_y_2*D_p_y_2_by_b_3_z*k_C
+        - D_p_y_2_by_b_3_z*t625 + 2*D_p_z_2*D_p_z_2_by_b_3_z*k_C - D_p_z_2_by_b_3_z*t626
+        + mu_1_by_b_3_z*t510 + mu_2_by_b_3_z*t511 + mu_3_by_b_3_z*t510 - t444*t717 - t446*t718 - t448*t719
+        - t450*t717 - t451*t718 - t452*t719,
+        D_p_x_2*D_p_x_3_by_b_3_z*k_C + D_p_x_2_by_b_3_z*D_p_x_3*k_C - D_p_x_2_by_b_3_z*t456
+        - D_p_x_2_by_b_3_z*t457 - D_p_x_2_by_b_3_z*t462 - D_p_x_3_by_b_3_z*t445 - D_p_x_3_by_b_3_z*t450
+        + D_p_y_2*D_p_y_3_by_b_3_z*k_C + D_p_y_2_by_b_3_z*D_p_y_3*k_C - D_p_y_2_by_b_3_z*t458
+        - D_p_y_2_by_b_3_z*t459 - D_p_y_2_by_b_3_z*t463 - D_p_y_3_by_b_3_z*t447 - D_p_y_3_by_b_3_z*t451
+        + D_p_z_2*D_p_z_3_by_b_3_z*k_C + D_p_z_2_by_b_3_z*D_p_z_3*k_C - D_p_z_2_by_b_3_z*t460
+        - D_p_z_2_by_b_3_z*t461 - D_p_z_2_by_b_3_z*t464 - D_p_z_3_by_b_3_z*t449 - D_p_z_3_by_b_3_z*t452
+        + mu_1_by_b_3_z*t512 + mu_2_by_b_3_z*t513 + mu_3_by_b_3_z*t514 - t444*t714 - t446*t715 - t448*t716,
+        D_delta_x_1_by_b_3_z*t520 + D_delta_y_1_by_b_3_z*t521 + D_delta_z_1_by_b_3_z*t522
+        - D_p_x_2_by_b_3_z*t471 - D_p_x_2_by_b_3_z*t472 - D_p_x_2_by_b_3_z*t477 + D_p_x_2_by_b_3_z*t580
+        - D_p_y_2_by_b_3_z*t473 - D_p_y_2_by_b_3_z*t474 - D_p_y_2_by_b_3_z*t478 + D_p_y_2_by_b_3_z*t581
+        - D_p_z_2_by_b_3_z*t475 - D_p_z_2_by_b_3_z*t476 - D_p_z_2_by_b_3_z*t479 + D_p_z_2_by_b_3_z*t582
+        + mu_1_by_b_3_z*t518 + mu_2_by_b_3_z*t519 + mu_3_by_b_3_z*t518,
+        D_delta_x_2_by_b_3_z*t520 + D_delta_y_2_by_b_3_z*t521 + D_delta_z_2_by_b_3_z*t522
+        - D_p_x_2_by_b_3_z*t485 - D_p_x_2_by_b_3_z*t486 - D_p_x_2_by_b_3_z*t491 + D_p_x_2_by_b_3_z*t583
+        - D_p_y_2_by_b_3_z*t487 - D_p_y_2_by_b_3_z*t488 - D_p_y_2_by_b_3_z*t492 + D_p_y_2_by_b_3_z*t584
+        - D_p_z_2_by_b_3_z*t489 - D_p_z_2_by_b_3_z*t490 - D_p_z_2_by_b_3_z*t493 + D_p_z_2_by_b_3_z*t585
+        + mu_1_by_b_3_z*t523 + mu_2_by_b_3_z*t524 + mu_3_by_b_3_z*t523,
+        D_delta_x_3_by_b_3_z*t520 + D_delta_y_3_by_b_3_z*t521 + D_delta_z_3_by_b_3_z*t522
+        - D_p_x_2_by_b_3_z*t496 - D_p_x_2_by_b_3_z*t497 - D_p_x_2_by_b_3_z*t502 + D_p_x_2_by_b_3_z*t586
+        - D_p_y_2_by_b_3_z*t498 - D_p_y_2_by_b_3_z*t499 - D_p_y_2_by_b_3_z*t503 + D_p_y_2_by_b_3_z*t587
+        - D_p_z_2_by_b_3_z*t500 - D_p_z_2_by_b_3_z*t501 - D_p_z_2_by_b_3_z*t504 + D_p_z_2_by_b_3_z*t588
+        + mu_1_by_b_3_z*t525 + mu_2_by_b_3_z*t526 + mu_3_by_b_3_z*t525,
         D_p_x_2_by_b_3_z*k_C, D_p_y_2_by_b_3_z*k_C, D_p_z_2_by_b_3_z*k_C,
-        mu_1_by_b_3_z*t538 + mu_2_by_b_3_z*t539 + mu_3_by_b_3_z*t540 - s_3_z_by_b_3_z*t736 - t457*t732
-        - t459*t733 - t461*t734 - t463*t732 - t464*t733 - t465*t734 + t688*t732 + t690*t733 + t692*t734
-        + t695*t735 - t697*t726 - t698*t727 - t699*t728 + t703*theta_3_by_b_3_z + t705*theta_3_by_b_3_z
-        + t707*theta_3_by_b_3_z + t721*t735,
-        D_delta_x_1_by_b_3_z*t547 + D_delta_y_1_by_b_3_z*t548 + D_delta_z_1_by_b_3_z*t549
-        - D_p_x_3_by_b_3_z*t472 - D_p_x_3_by_b_3_z*t478 + D_p_x_3_by_b_3_z*t592 - D_p_y_3_by_b_3_z*t474
-        - D_p_y_3_by_b_3_z*t479 + D_p_y_3_by_b_3_z*t593 - D_p_z_3_by_b_3_z*t476 - D_p_z_3_by_b_3_z*t480
-        + D_p_z_3_by_b_3_z*t594 + mu_1_by_b_3_z*t544 + mu_2_by_b_3_z*t545 + mu_3_by_b_3_z*t546 - t473*t726
-        - t475*t727 - t477*t728,
-        D_delta_x_2_by_b_3_z*t547 + D_delta_y_2_by_b_3_z*t548 + D_delta_z_2_by_b_3_z*t549
-        - D_p_x_3_by_b_3_z*t487 - D_p_x_3_by_b_3_z*t493 + D_p_x_3_by_b_3_z*t595 - D_p_y_3_by_b_3_z*t489
-        - D_p_y_3_by_b_3_z*t494 + D_p_y_3_by_b_3_z*t596 - D_p_z_3_by_b_3_z*t491 - D_p_z_3_by_b_3_z*t495
-        + D_p_z_3_by_b_3_z*t597 + mu_1_by_b_3_z*t550 + mu_2_by_b_3_z*t551 + mu_3_by_b_3_z*t552 - t488*t726
-        - t490*t727 - t492*t728,
-        D_delta_x_3_by_b_3_z*t547 + D_delta_y_3_by_b_3_z*t548 + D_delta_z_3_by_b_3_z*t549
-        - D_p_x_3_by_b_3_z*t499 - D_p_x_3_by_b_3_z*t505 + D_p_x_3_by_b_3_z*t598 - D_p_y_3_by_b_3_z*t501
-        - D_p_y_3_by_b_3_z*t506 + D_p_y_3_by_b_3_z*t599 - D_p_z_3_by_b_3_z*t503 - D_p_z_3_by_b_3_z*t507
-        + D_p_z_3_by_b_3_z*t600 + mu_1_by_b_3_z*t553 + mu_2_by_b_3_z*t554 + mu_3_by_b_3_z*t555 - t500*t726
-        - t502*t727 - t504*t728,
+        mu_1_by_b_3_z*t530 + mu_2_by_b_3_z*t530 + mu_3_by_b_3_z*t531 - s_3_z_by_b_3_z*t724 - t456*t720
+        - t458*t721 - t460*t722 - t462*t720 - t463*t721 - t464*t722 + t676*t720 + t678*t721 + t680*t722
+        + t683*t723 - t685*t714 - t686*t715 - t687*t716 + t691*theta_3_by_b_3_z + t693*theta_3_by_b_3_z
+        + t695*theta_3_by_b_3_z + t709*t723,
+        D_delta_x_1_by_b_3_z*t537 + D_delta_y_1_by_b_3_z*t538 + D_delta_z_1_by_b_3_z*t539
+        - D_p_x_3_by_b_3_z*t471 - D_p_x_3_by_b_3_z*t477 + D_p_x_3_by_b_3_z*t580 - D_p_y_3_by_b_3_z*t473
+        - D_p_y_3_by_b_3_z*t478 + D_p_y_3_by_b_3_z*t581 - D_p_z_3_by_b_3_z*t475 - D_p_z_3_by_b_3_z*t479
+        + D_p_z_3_by_b_3_z*t582 + mu_1_by_b_3_z*t535 + mu_2_by_b_3_z*t535 + mu_3_by_b_3_z*t536 - t472*t714
+        - t474*t715 - t476*t716,
+        D_delta_x_2_by_b_3_z*t537 + D_delta_y_2_by_b_3_z*t538 + D_delta_z_2_by_b_3_z*t539
+        - D_p_x_3_by_b_3_z*t485 - D_p_x_3_by_b_3_z*t491 + D_p_x_3_by_b_3_z*t583 - D_p_y_3_by_b_3_z*t487
+        - D_p_y_3_by_b_3_z*t492 + D_p_y_3_by_b_3_z*t584 - D_p_z_3_by_b_3_z*t489 - D_p_z_3_by_b_3_z*t493
+        + D_p_z_3_by_b_3_z*t585 + mu_1_by_b_3_z*t540 + mu_2_by_b_3_z*t540 + mu_3_by_b_3_z*t541 - t486*t714
+        - t488*t715 - t490*t716,
+        D_delta_x_3_by_b_3_z*t537 + D_delta_y_3_by_b_3_z*t538 + D_delta_z_3_by_b_3_z*t539
+        - D_p_x_3_by_b_3_z*t496 - D_p_x_3_by_b_3_z*t502 + D_p_x_3_by_b_3_z*t586 - D_p_y_3_by_b_3_z*t498
+        - D_p_y_3_by_b_3_z*t503 + D_p_y_3_by_b_3_z*t587 - D_p_z_3_by_b_3_z*t500 - D_p_z_3_by_b_3_z*t504
+        + D_p_z_3_by_b_3_z*t588 + mu_1_by_b_3_z*t542 + mu_2_by_b_3_z*t542 + mu_3_by_b_3_z*t543 - t497*t714
+        - t499*t715 - t501*t716,
         D_p_x_3_by_b_3_z*k_C, D_p_y_3_by_b_3_z*k_C, D_p_z_3_by_b_3_z*k_C,
-        D_delta_x_1_by_b_3_z*t557 + D_delta_y_1_by_b_3_z*t558 + D_delta_z_1_by_b_3_z*t559
-        + mu_1_by_b_3_z*t560 - mu_2_by_b_3_z*t556 - mu_3_by_b_3_z*t556,
-        D_delta_x_1_by_b_3_z*t562 + D_delta_x_2_by_b_3_z*t563 + D_delta_y_1_by_b_3_z*t564
-        + D_delta_y_2_by_b_3_z*t565 + D_delta_z_1_by_b_3_z*t566 + D_delta_z_2_by_b_3_z*t567
-        + mu_1_by_b_3_z*t561 + mu_2_by_b_3_z*t561 + mu_3_by_b_3_z*t561,
-        D_delta_x_1_by_b_3_z*t569 + D_delta_x_3_by_b_3_z*t563 + D_delta_y_1_by_b_3_z*t570
-        + D_delta_y_3_by_b_3_z*t565 + D_delta_z_1_by_b_3_z*t571 + D_delta_z_3_by_b_3_z*t567
-        + mu_1_by_b_3_z*t568 + mu_2_by_b_3_z*t568 + mu_3_by_b_3_z*t568,
+        D_delta_x_1_by_b_3_z*t545 + D_delta_y_1_by_b_3_z*t546 + D_delta_z_1_by_b_3_z*t547
+        + mu_1_by_b_3_z*t548 - mu_2_by_b_3_z*t544 - mu_3_by_b_3_z*t544,
+        D_delta_x_1_by_b_3_z*t550 + D_delta_x_2_by_b_3_z*t551 + D_delta_y_1_by_b_3_z*t552
+        + D_delta_y_2_by_b_3_z*t553 + D_delta_z_1_by_b_3_z*t554 + D_delta_z_2_by_b_3_z*t555
+        + mu_1_by_b_3_z*t549 + mu_2_by_b_3_z*t549 + mu_3_by_b_3_z*t549,
+        D_delta_x_1_by_b_3_z*t557 + D_delta_x_3_by_b_3_z*t551 + D_delta_y_1_by_b_3_z*t558
+        + D_delta_y_3_by_b_3_z*t553 + D_delta_z_1_by_b_3_z*t559 + D_delta_z_3_by_b_3_z*t555
+        + mu_1_by_b_3_z*t556 + mu_2_by_b_3_z*t556 + mu_3_by_b_3_z*t556,
         D_delta_x_1_by_b_3_z*k_C, D_delta_y_1_by_b_3_z*k_C, D_delta_z_1_by_b_3_z*k_C,
-        D_delta_x_2_by_b_3_z*t573 + D_delta_y_2_by_b_3_z*t574 + D_delta_z_2_by_b_3_z*t575
-        - mu_1_by_b_3_z*t572 + mu_2_by_b_3_z*t576 - mu_3_by_b_3_z*t572,
-        D_delta_x_2_by_b_3_z*t569 + D_delta_x_3_by_b_3_z*t562 + D_delta_y_2_by_b_3_z*t570
-        + D_delta_y_3_by_b_3_z*t564 + D_delta_z_2_by_b_3_z*t571 + D_delta_z_3_by_b_3_z*t566
-        + mu_1_by_b_3_z*t577 + mu_2_by_b_3_z*t577 + mu_3_by_b_3_z*t577,
+        D_delta_x_2_by_b_3_z*t561 + D_delta_y_2_by_b_3_z*t562 + D_delta_z_2_by_b_3_z*t563
+        - mu_1_by_b_3_z*t560 + mu_2_by_b_3_z*t564 - mu_3_by_b_3_z*t560,
+        D_delta_x_2_by_b_3_z*t557 + D_delta_x_3_by_b_3_z*t550 + D_delta_y_2_by_b_3_z*t558
+        + D_delta_y_3_by_b_3_z*t552 + D_delta_z_2_by_b_3_z*t559 + D_delta_z_3_by_b_3_z*t554
+        + mu_1_by_b_3_z*t565 + mu_2_by_b_3_z*t565 + mu_3_by_b_3_z*t565,
         D_delta_x_2_by_b_3_z*k_C, D_delta_y_2_by_b_3_z*k_C, D_delta_z_2_by_b_3_z*k_C,
-        D_delta_x_3_by_b_3_z*t579 + D_delta_y_3_by_b_3_z*t580 + D_delta_z_3_by_b_3_z*t581
-        - mu_1_by_b_3_z*t578 - mu_2_by_b_3_z*t578 + mu_3_by_b_3_z*t582,
+        D_delta_x_3_by_b_3_z*t567 + D_delta_y_3_by_b_3_z*t568 + D_delta_z_3_by_b_3_z*t569
+        - mu_1_by_b_3_z*t566 - mu_2_by_b_3_z*t566 + mu_3_by_b_3_z*t570,
         D_delta_x_3_by_b_3_z*k_C, D_delta_y_3_by_b_3_z*k_C, D_delta_z_3_by_b_3_z*k_C,
         2*D_p_x_1*D_p_x_1_by_L_a_1*k_C + 2*D_p_y_1*D_p_y_1_by_L_a_1*k_C + 2*D_p_z_1*D_p_z_1_by_L_a_1*k_C
         + (1/2)*d_1_x*g_x*m_d_1 + (1/2)*d_1_y*g_y*m_d_1 + (1/2)*d_1_z*g_z*m_d_1 - mu_1*t154 - mu_1*t155
-        - mu_1*t156 + mu_1_by_L_a_1*t444 + mu_2_by_L_a_1*t435 + mu_3_by_L_a_1*t436 - s_1_x_by_L_a_1*t434
-        - s_1_y_by_L_a_1*t591 - s_1_z_by_L_a_1*t614 - t412*t737 - t413*t737 - t416*t738 - t417*t738
-        - t420*t739 - t421*t739 - t427*t740 - t430*t741 - t433*t742 + t438*t_1_x*theta_1_by_L_a_1
-        + t440*t_1_y*theta_1_by_L_a_1 + t442*t_1_z*theta_1_by_L_a_1,
-        D_p_x_1*D_p_x_2_by_L_a_1*k_C + D_p_x_1_by_L_a_1*D_p_x_2*k_C - D_p_x_1_by_L_a_1*t445
-        - D_p_x_1_by_L_a_1*t446 - D_p_x_2_by_L_a_1*t412 - D_p_x_2_by_L_a_1*t413 - D_p_x_2_by_L_a_1*t426
-        + D_p_y_1*D_p_y_2_by_L_a_1*k_C + D_p_y_1_by_L_a_1*D_p_y_2*k_C - D_p_y_1_by_L_a_1*t447
-        - D_p_y_1_by_L_a_1*t448 - D_p_y_2_by_L_a_1*t416 - D_p_y_2_by_L_a_1*t417 - D_p_y_2_by_L_a_1*t429
-        + D_p_z_1*D_p_z_2_by_L_a_1*k_C + D_p_z_1_by_L_a_1*D_p_z_2*k_C - D_p_z_1_by_L_a_1*t449
-        - D_p_z_1_by_L_a_1*t450 - D_p_z_2_by_L_a_1*t420 - D_p_z_2_by_L_a_1*t421 - D_p_z_2_by_L_a_1*t432
-        + mu_1_by_L_a_1*t454 + mu_2_by_L_a_1*t455 + mu_3_by_L_a_1*t456 - t451*t740 - t452*t741 - t453*t742,
-        D_p_x_1*D_p_x_3_by_L_a_1*k_C + D_p_x_1_by_L_a_1*D_p_x_3*k_C - D_p_x_1_by_L_a_1*t457
-        - D_p_x_1_by_L_a_1*t458 - D_p_x_3_by_L_a_1*t412 - D_p_x_3_by_L_a_1*t413 - D_p_x_3_by_L_a_1*t426
-        + D_p_y_1*D_p_y_3_by_L_a_1*k_C + D_p_y_1_by_L_a_1*D_p_y_3*k_C - D_p_y_1_by_L_a_1*t459
-        - D_p_y_1_by_L_a_1*t460 - D_p_y_3_by_L_a_1*t416 - D_p_y_3_by_L_a_1*t417 - D_p_y_3_by_L_a_1*t429
-        + D_p_z_1*D_p_z_3_by_L_a_1*k_C + D_p_z_1_by_L_a_1*D_p_z_3*k_C - D_p_z_1_by_L_a_1*t461
-        - D_p_z_1_by_L_a_1*t462 - D_p_z_3_by_L_a_1*t420 - D_p_z_3_by_L_a_1*t421 - D_p_z_3_by_L_a_1*t432
-        + mu_1_by_L_a_1*t466 + mu_2_by_L_a_1*t467 + mu_3_by_L_a_1*t468 - t463*t740 - t464*t741 - t465*t742,
-        D_delta_x_1_by_L_a_1*t484 + D_delta_y_1_by_L_a_1*t485 + D_delta_z_1_by_L_a_1*t486
-        - D_p_x_1_by_L_a_1*t472 - D_p_x_1_by_L_a_1*t473 + D_p_x_1_by_L_a_1*t592 - D_p_y_1_by_L_a_1*t474
-        - D_p_y_1_by_L_a_1*t475 + D_p_y_1_by_L_a_1*t593 - D_p_z_1_by_L_a_1*t476 - D_p_z_1_by_L_a_1*t477
-        + D_p_z_1_by_L_a_1*t594 + mu_1_by_L_a_1*t481 + mu_2_by_L_a_1*t482 + mu_3_by_L_a_1*t483 - t478*t740
-        - t479*t741 - t480*t742,
-        D_delta_x_2_by_L_a_1*t484 + D_delta_y_2_by_L_a_1*t485 + D_delta_z_2_by_L_a_1*t486
-        - D_p_x_1_by_L_a_1*t487 - D_p_x_1_by_L_a_1*t488 + D_p_x_1_by_L_a_1*t595 - D_p_y_1_by_L_a_1*t489
-        - D_p_y_1_by_L_a_1*t490 + D_p_y_1_by_L_a_1*t596 - D_p_z_1_by_L_a_1*t491 - D_p_z_1_by_L_a_1*t492
-        + D_p_z_1_by_L_a_1*t597 + mu_1_by_L_a_1*t496 + mu_2_by_L_a_1*t497 + mu_3_by_L_a_1*t498 - t493*t740
-        - t494*t741 - t495*t742,
-        D_delta_x_3_by_L_a_1*t484 + D_delta_y_3_by_L_a_1*t485 + D_delta_z_3_by_L_a_1*t486
-        - D_p_x_1_by_L_a_1*t499 - D_p_x_1_by_L_a_1*t500 + D_p_x_1_by_L_a_1*t598 - D_p_y_1_by_L_a_1*t501
-        - D_p_y_1_by_L_a_1*t502 + D_p_y_1_by_L_a_1*t599 - D_p_z_1_by_L_a_1*t503 - D_p_z_1_by_L_a_1*t504
-        + D_p_z_1_by_L_a_1*t600 + mu_1_by_L_a_1*t508 + mu_2_by_L_a_1*t509 + mu_3_by_L_a_1*t510 - t505*t740
-        - t506*t741 - t507*t742,
+        - mu_1*t156 + mu_1_by_L_a_1*t443 + mu_2_by_L_a_1*t435 + mu_3_by_L_a_1*t435 - s_1_x_by_L_a_1*t434
+        - s_1_y_by_L_a_1*t579 - s_1_z_by_L_a_1*t602 - t412*t725 - t413*t725 - t416*t726 - t417*t726
+        - t420*t727 - t421*t727 - t427*t728 - t430*t729 - t433*t730 + t437*t_1_x*theta_1_by_L_a_1
+        + t439*t_1_y*theta_1_by_L_a_1 + t441*t_1_z*theta_1_by_L_a_1,
+        D_p_x_1*D_p_x_2_by_L_a_1*k_C + D_p_x_1_by_L_a_1*D_p_x_2*k_C - D_p_x_1_by_L_a_1*t444
+        - D_p_x_1_by_L_a_1*t445 - D_p_x_2_by_L_a_1*t412 - D_p_x_2_by_L_a_1*t413 - D_p_x_2_by_L_a_1*t426
+        + D_p_y_1*D_p_y_2_by_L_a_1*k_C + D_p_y_1_by_L_a_1*D_p_y_2*k_C - D_p_y_1_by_L_a_1*t446
+        - D_p_y_1_by_L_a_1*t447 - D_p_y_2_by_L_a_1*t416 - D_p_y_2_by_L_a_1*t417 - D_p_y_2_by_L_a_1*t429
+        + D_p_z_1*D_p_z_2_by_L_a_1*k_C + D_p_z_1_by_L_a_1*D_p_z_2*k_C - D_p_z_1_by_L_a_1*t448
+        - D_p_z_1_by_L_a_1*t449 - D_p_z_2_by_L_a_1*t420 - D_p_z_2_by_L_a_1*t421 - D_p_z_2_by_L_a_1*t432
+        + mu_1_by_L_a_1*t453 + mu_2_by_L_a_1*t454 + mu_3_by_L_a_1*t455 - t450*t728 - t451*t729 - t452*t730,
+        D_p_x_1*D_p_x_3_by_L_a_1*k_C + D_p_x_1_by_L_a_1*D_p_x_3*k_C - D_p_x_1_by_L_a_1*t456
+        - D_p_x_1_by_L_a_1*t457 - D_p_x_3_by_L_a_1*t412 - D_p_x_3_by_L_a_1*t413 - D_p_x_3_by_L_a_1*t426
+        + D_p_y_1*D_p_y_3_by_L_a_1*k_C + D_p_y_1_by_L_a_1*D_p_y_3*k_C - D_p_y_1_by_L_a_1*t458
+        - D_p_y_1_by_L_a_1*t459 - D_p_y_3_by_L_a_1*t416 - D_p_y_3_by_L_a_1*t417 - D_p_y_3_by_L_a_1*t429
+        + D_p_z_1*D_p_z_3_by_L_a_1*k_C + D_p_z_1_by_L_a_1*D_p_z_3*k_C - D_p_z_1_by_L_a_1*t460
+        - D_p_z_1_by_L_a_1*t461 - D_p_z_3_by_L_a_1*t420 - D_p_z_3_by_L_a_1*t421 - D_p_z_3_by_L_a_1*t432
+        + mu_1_by_L_a_1*t465 + mu_2_by_L_a_1*t466 + mu_3_by_L_a_1*t467 - t462*t728 - t463*t729 - t464*t730,
+        D_delta_x_1_by_L_a_1*t482 + D_delta_y_1_by_L_a_1*t483 + D_delta_z_1_by_L_a_1*t484
+        - D_p_x_1_by_L_a_1*t471 - D_p_x_1_by_L_a_1*t472 + D_p_x_1_by_L_a_1*t580 - D_p_y_1_by_L_a_1*t473
+        - D_p_y_1_by_L_a_1*t474 + D_p_y_1_by_L_a_1*t581 - D_p_z_1_by_L_a_1*t475 - D_p_z_1_by_L_a_1*t476
+        + D_p_z_1_by_L_a_1*t582 + mu_1_by_L_a_1*t480 + mu_2_by_L_a_1*t481 + mu_3_by_L_a_1*t481 - t477*t728
+        - t478*t729 - t479*t730,
+        D_delta_x_2_by_L_a_1*t482 + D_delta_y_2_by_L_a_1*t483 + D_delta_z_2_by_L_a_1*t484
+        - D_p_x_1_by_L_a_1*t485 - D_p_x_1_by_L_a_1*t486 + D_p_x_1_by_L_a_1*t583 - D_p_y_1_by_L_a_1*t487
+        - D_p_y_1_by_L_a_1*t488 + D_p_y_1_by_L_a_1*t584 - D_p_z_1_by_L_a_1*t489 - D_p_z_1_by_L_a_1*t490
+        + D_p_z_1_by_L_a_1*t585 + mu_1_by_L_a_1*t494 + mu_2_by_L_a_1*t495 + mu_3_by_L_a_1*t495 - t491*t728
+        - t492*t729 - t493*t730,
+        D_delta_x_3_by_L_a_1*t482 + D_delta_y_3_by_L_a_1*t483 + D_delta_z_3_by_L_a_1*t484
+        - D_p_x_1_by_L_a_1*t496 - D_p_x_1_by_L_a_1*t497 + D_p_x_1_by_L_a_1*t586 - D_p_y_1_by_L_a_1*t498
+        - D_p_y_1_by_L_a_1*t499 + D_p_y_1_by_L_a_1*t587 - D_p_z_1_by_L_a_1*t500 - D_p_z_1_by_L_a_1*t501
+        + D_p_z_1_by_L_a_1*t588 + mu_1_by_L_a_1*t505 + mu_2_by_L_a_1*t506 + mu_3_by_L_a_1*t506 - t502*t728
+        - t503*t729 - t504*t730,
         D_p_x_1_by_L_a_1*k_C, D_p_y_1_by_L_a_1*k_C, D_p_z_1_by_L_a_1*k_C,
-        2*D_p_x_2*D_p_x_2_by_L_a_1*k_C - D_p_x_2_by_L_a_1*t636 + 2*D_p_y_2*D_p_y_2_by_L_a_1*k_C
-        - D_p_y_2_by_L_a_1*t637 + 2*D_p_z_2*D_p_z_2_by_L_a_1*k_C - D_p_z_2_by_L_a_1*t638
-        + mu_1_by_L_a_1*t514 + mu_2_by_L_a_1*t516 + mu_3_by_L_a_1*t515 - t446*t743 - t448*t744 - t450*t745
-        - t451*t743 - t452*t744 - t453*t745,
-        D_p_x_2*D_p_x_3_by_L_a_1*k_C + D_p_x_2_by_L_a_1*D_p_x_3*k_C - D_p_x_2_by_L_a_1*t457
-        - D_p_x_2_by_L_a_1*t458 - D_p_x_2_by_L_a_1*t463 - D_p_x_3_by_L_a_1*t445 - D_p_x_3_by_L_a_1*t446
-        - D_p_x_3_by_L_a_1*t451 + D_p_y_2*D_p_y_3_by_L_a_1*k_C + D_p_y_2_by_L_a_1*D_p_y_3*k_C
-        - D_p_y_2_by_L_a_1*t459 - D_p_y_2_by_L_a_1*t460 - D_p_y_2_by_L_a_1*t464 - D_p_y_3_by_L_a_1*t447
-        - D_p_y_3_by_L_a_1*t448 - D_p_y_3_by_L_a_1*t452 + D_p_z_2*D_p_z_3_by_L_a_1*k_C
-        + D_p_z_2_by_L_a_1*D_p_z_3*k_C - D_p_z_2_by_L_a_1*t461 - D_p_z_2_by_L_a_1*t462
-        - D_p_z_2_by_L_a_1*t465 - D_p_z_3_by_L_a_1*t449 - D_p_z_3_by_L_a_1*t450 - D_p_z_3_by_L_a_1*t453
-        + mu_1_by_L_a_1*t517 + mu_2_by_L_a_1*t518 + mu_3_by_L_a_1*t519,
-        D_delta_x_1_by_L_a_1*t526 + D_delta_y_1_by_L_a_1*t527 + D_delta_z_1_by_L_a_1*t528
-        - D_p_x_2_by_L_a_1*t472 - D_p_x_2_by_L_a_1*t473 - D_p_x_2_by_L_a_1*t478 + D_p_x_2_by_L_a_1*t592
-        - D_p_y_2_by_L_a_1*t474 - D_p_y_2_by_L_a_1*t475 - D_p_y_2_by_L_a_1*t479 + D_p_y_2_by_L_a_1*t593
-        - D_p_z_2_by_L_a_1*t476 - D_p_z_2_by_L_a_1*t477 - D_p_z_2_by_L_a_1*t480 + D_p_z_2_by_L_a_1*t594
-        + mu_1_by_L_a_1*t523 + mu_2_by_L_a_1*t524 + mu_3_by_L_a_1*t525,
-        D_delta_x_2_by_L_a_1*t526 + D_delta_y_2_by_L_a_1*t527 + D_delta_z_2_by_L_a_1*t528
-        - D_p_x_2_by_L_a_1*t487 - D_p_x_2_by_L_a_1*t488 - D_p_x_2_by_L_a_1*t493 + D_p_x_2_by_L_a_1*t595
-        - D_p_y_2_by_L_a_1*t489 - D_p_y_2_by_L_a_1*t490 - D_p_y_2_by_L_a_1*t494 + D_p_y_2_by_L_a_1*t596
-        - D_p_z_2_by_L_a_1*t491 - D_p_z_2_by_L_a_1*t492 - D_p_z_2_by_L_a_1*t495 + D_p_z_2_by_L_a_1*t597
-        + mu_1_by_L_a_1*t529 + mu_2_by_L_a_1*t530 + mu_3_by_L_a_1*t531,
-        D_delta_x_3_by_L_a_1*t526 + D_delta_y_3_by_L_a_1*t527 + D_delta_z_3_by_L_a_1*t528
-        - D_p_x_2_by_L_a_1*t499 - D_p_x_2_by_L_a_1*t500 - D_p_x_2_by_L_a_1*t505 + D_p_x_2_by_L_a_1*t598
-        - D_p_y_2_by_L_a_1*t501 - D_p_y_2_by_L_a_1*t502 - D_p_y_2_by_L_a_1*t506 + D_p_y_2_by_L_a_1*t599
-        - D_p_z_2_by_L_a_1*t503 - D_p_z_2_by_L_a_1*t504 - D_p_z_2_by_L_a_1*t507 + D_p_z_2_by_L_a_1*t600
-        + mu_1_by_L_a_1*t532 + mu_2_by_L_a_1*t533 + mu_3_by_L_a_1*t534,
+        2*D_p_x_2*D_p_x_2_by_L_a_1*k_C - D_p_x_2_by_L_a_1*t624 + 2*D_p_y_2*D_p_y_2_by_L_a_1*k_C
+        - D_p_y_2_by_L_a_1*t625 + 2*D_p_z_2*D_p_z_2_by_L_a_1*k_C - D_p_z_2_by_L_a_1*t626
+        + mu_1_by_L_a_1*t510 + mu_2_by_L_a_1*t511 + mu_3_by_L_a_1*t510 - t444*t731 - t446*t732 - t448*t733
+        - t450*t731 - t451*t732 - t452*t733,
+        D_p_x_2*D_p_x_3_by_L_a_1*k_C + D_p_x_2_by_L_a_1*D_p_x_3*k_C - D_p_x_2_by_L_a_1*t456
+        - D_p_x_2_by_L_a_1*t457 - D_p_x_2_by_L_a_1*t462 - D_p_x_3_by_L_a_1*t444 - D_p_x_3_by_L_a_1*t445
+        - D_p_x_3_by_L_a_1*t450 + D_p_y_2*D_p_y_3_by_L_a_1*k_C + D_p_y_2_by_L_a_1*D_p_y_3*k_C
+        - D_p_y_2_by_L_a_1*t458 - D_p_y_2_by_L_a_1*t459 - D_p_y_2_by_L_a_1*t463 - D_p_y_3_by_L_a_1*t446
+        - D_p_y_3_by_L_a_1*t447 - D_p_y_3_by_L_a_1*t451 + D_p_z_2*D_p_z_3_by_L_a_1*k_C
+        + D_p_z_2_by_L_a_1*D_p_z_3*k_C - D_p_z_2_by_L_a_1*t460 - D_p_z_2_by_L_a_1*t461
+        - D_p_z_2_by_L_a_1*t464 - D_p_z_3_by_L_a_1*t448 - D_p_z_3_by_L_a_1*t449 - D_p_z_3_by_L_a_1*t452
+        + mu_1_by_L_a_1*t512 + mu_2_by_L_a_1*t513 + mu_3_by_L_a_1*t514,
+        D_delta_x_1_by_L_a_1*t520 + D_delta_y_1_by_L_a_1*t521 + D_delta_z_1_by_L_a_1*t522
+        - D_p_x_2_by_L_a_1*t471 - D_p_x_2_by_L_a_1*t472 - D_p_x_2_by_L_a_1*t477 + D_p_x_2_by_L_a_1*t580
+        - D_p_y_2_by_L_a_1*t473 - D_p_y_2_by_L_a_1*t474 - D_p_y_2_by_L_a_1*t478 + D_p_y_2_by_L_a_1*t581
+        - D_p_z_2_by_L_a_1*t475 - D_p_z_2_by_L_a_1*t476 - D_p_z_2_by_L_a_1*t479 + D_p_z_2_by_L_a_1*t582
+        + mu_1_by_L_a_1*t518 + mu_2_by_L_a_1*t519 + mu_3_by_L_a_1*t518,
+        D_delta_x_2_by_L_a_1*t520 + D_delta_y_2_by_L_a_1*t521 + D_delta_z_2_by_L_a_1*t522
+        - D_p_x_2_by_L_a_1*t485 - D_p_x_2_by_L_a_1*t486 - D_p_x_2_by_L_a_1*t491 + D_p_x_2_by_L_a_1*t583
+        - D_p_y_2_by_L_a_1*t487 - D_p_y_2_by_L_a_1*t488 - D_p_y_2_by_L_a_1*t492 + D_p_y_2_by_L_a_1*t584
+        - D_p_z_2_by_L_a_1*t489 - D_p_z_2_by_L_a_1*t490 - D_p_z_2_by_L_a_1*t493 + D_p_z_2_by_L_a_1*t585
+        + mu_1_by_L_a_1*t523 + mu_2_by_L_a_1*t524 + mu_3_by_L_a_1*t523,
+        D_delta_x_3_by_L_a_1*t520 + D_delta_y_3_by_L_a_1*t521 + D_delta_z_3_by_L_a_1*t522
+        - D_p_x_2_by_L_a_1*t496 - D_p_x_2_by_L_a_1*t497 - D_p_x_2_by_L_a_1*t502 + D_p_x_2_by_L_a_1*t586
+        - D_p_y_2_by_L_a_1*t498 - D_p_y_2_by_L_a_1*t499 - D_p_y_2_by_L_a_1*t503 + D_p_y_2_by_L_a_1*t587
+        - D_p_z_2_by_L_a_1*t500 - D_p_z_2_by_L_a_1*t501 - D_p_z_2_by_L_a_1*t504 + D_p_z_2_by_L_a_1*t588
+        + mu_1_by_L_a_1*t525 + mu_2_by_L_a_1*t526 + mu_3_by_L_a_1*t525,
         D_p_x_2_by_L_a_1*k_C, D_p_y_2_by_L_a_1*k_C, D_p_z_2_by_L_a_1*k_C,
-        2*D_p_x_3*D_p_x_3_by_L_a_1*k_C - D_p_x_3_by_L_a_1*t697 + 2*D_p_y_3*D_p_y_3_by_L_a_1*k_C
-        - D_p_y_3_by_L_a_1*t698 + 2*D_p_z_3*D_p_z_3_by_L_a_1*k_C - D_p_z_3_by_L_a_1*t699
-        + mu_1_by_L_a_1*t538 + mu_2_by_L_a_1*t539 + mu_3_by_L_a_1*t540 - t457*t746 - t459*t747 - t461*t748
-        - t463*t746 - t464*t747 - t465*t748,
-        D_delta_x_1_by_L_a_1*t547 + D_delta_y_1_by_L_a_1*t548 + D_delta_z_1_by_L_a_1*t549
-        - D_p_x_3_by_L_a_1*t472 - D_p_x_3_by_L_a_1*t473 - D_p_x_3_by_L_a_1*t478 + D_p_x_3_by_L_a_1*t592
-        - D_p_y_3_by_L_a_1*t474 - D_p_y_3_by_L_a_1*t475 - D_p_y_3_by_L_a_1*t479 + D_p_y_3_by_L_a_1*t593
-        - D_p_z_3_by_L_a_1*t476 - D_p_z_3_by_L_a_1*t477 - D_p_z_3_by_L_a_1*t480 + D_p_z_3_by_L_a_1*t594
-        + mu_1_by_L_a_1*t544 + mu_2_by_L_a_1*t545 + mu_3_by_L_a_1*t546,
-        D_delta_x_2_by_L_a_1*t547 + D_delta_y_2_by_L_a_1*t548 + D_delta_z_2_by_L_a_1*t549
-        - D_p_x_3_by_L_a_1*t487 - D_p_x_3_by_L_a_1*t488 - D_p_x_3_by_L_a_1*t493 + D_p_x_3_by_L_a_1*t595
-        - D_p_y_3_by_L_a_1*t489 - D_p_y_3_by_L_a_1*t490 - D_p_y_3_by_L_a_1*t494 + D_p_y_3_by_L_a_1*t596
-        - D_p_z_3_by_L_a_1*t491 - D_p_z_3_by_L_a_1*t492 - D_p_z_3_by_L_a_1*t495 + D_p_z_3_by_L_a_1*t597
-        + mu_1_by_L_a_1*t550 + mu_2_by_L_a_1*t551 + mu_3_by_L_a_1*t552,
-        D_delta_x_3_by_L_a_1*t547 + D_delta_y_3_by_L_a_1*t548 + D_delta_z_3_by_L_a_1*t549
-        - D_p_x_3_by_L_a_1*t499 - D_p_x_3_by_L_a_1*t500 - D_p_x_3_by_L_a_1*t505 + D_p_x_3_by_L_a_1*t598
-        - D_p_y_3_by_L_a_1*t501 - D_p_y_3_by_L_a_1*t502 - D_p_y_3_by_L_a_1*t506 + D_p_y_3_by_L_a_1*t599
-        - D_p_z_3_by_L_a_1*t503 - D_p_z_3_by_L_a_1*t504 - D_p_z_3_by_L_a_1*t507 + D_p_z_3_by_L_a_1*t600
-        + mu_1_by_L_a_1*t553 + mu_2_by_L_a_1*t554 + mu_3_by_L_a_1*t555,
+        2*D_p_x_3*D_p_x_3_by_L_a_1*k_C - D_p_x_3_by_L_a_1*t685 + 2*D_p_y_3*D_p_y_3_by_L_a_1*k_C
+        - D_p_y_3_by_L_a_1*t686 + 2*D_p_z_3*D_p_z_3_by_L_a_1*k_C - D_p_z_3_by_L_a_1*t687
+        + mu_1_by_L_a_1*t530 + mu_2_by_L_a_1*t530 + mu_3_by_L_a_1*t531 - t456*t734 - t458*t735 - t460*t736
+        - t462*t734 - t463*t735 - t464*t736,
+        D_delta_x_1_by_L_a_1*t537 + D_delta_y_1_by_L_a_1*t538 + D_delta_z_1_by_L_a_1*t539
+        - D_p_x_3_by_L_a_1*t471 - D_p_x_3_by_L_a_1*t472 - D_p_x_3_by_L_a_1*t477 + D_p_x_3_by_L_a_1*t580
+        - D_p_y_3_by_L_a_1*t473 - D_p_y_3_by_L_a_1*t474 - D_p_y_3_by_L_a_1*t478 + D_p_y_3_by_L_a_1*t581
+        - D_p_z_3_by_L_a_1*t475 - D_p_z_3_by_L_a_1*t476 - D_p_z_3_by_L_a_1*t479 + D_p_z_3_by_L_a_1*t582
+        + mu_1_by_L_a_1*t535 + mu_2_by_L_a_1*t535 + mu_3_by_L_a_1*t536,
+        D_delta_x_2_by_L_a_1*t537 + D_delta_y_2_by_L_a_1*t538 + D_delta_z_2_by_L_a_1*t539
+        - D_p_x_3_by_L_a_1*t485 - D_p_x_3_by_L_a_1*t486 - D_p_x_3_by_L_a_1*t491 + D_p_x_3_by_L_a_1*t583
+        - D_p_y_3_by_L_a_1*t487 - D_p_y_3_by_L_a_1*t488 - D_p_y_3_by_L_a_1*t492 + D_p_y_3_by_L_a_1*t584
+        - D_p_z_3_by_L_a_1*t489 - D_p_z_3_by_L_a_1*t490 - D_p_z_3_by_L_a_1*t493 + D_p_z_3_by_L_a_1*t585
+        + mu_1_by_L_a_1*t540 + mu_2_by_L_a_1*t540 + mu_3_by_L_a_1*t541,
+        D_delta_x_3_by_L_a_1*t537 + D_delta_y_3_by_L_a_1*t538 + D_delta_z_3_by_L_a_1*t539
+        - D_p_x_3_by_L_a_1*t496 - D_p_x_3_by_L_a_1*t497 - D_p_x_3_by_L_a_1*t502 + D_p_x_3_by_L_a_1*t586
+        - D_p_y_3_by_L_a_1*t498 - D_p_y_3_by_L_a_1*t499 - D_p_y_3_by_L_a_1*t503 + D_p_y_3_by_L_a_1*t587
+        - D_p_z_3_by_L_a_1*t500 - D_p_z_3_by_L_a_1*t501 - D_p_z_3_by_L_a_1*t504 + D_p_z_3_by_L_a_1*t588
+        + mu_1_by_L_a_1*t542 + mu_2_by_L_a_1*t542 + mu_3_by_L_a_1*t543,
         D_p_x_3_by_L_a_1*k_C, D_p_y_3_by_L_a_1*k_C, D_p_z_3_by_L_a_1*k_C,
-        D_delta_x_1_by_L_a_1*t557 + D_delta_y_1_by_L_a_1*t558 + D_delta_z_1_by_L_a_1*t559
-        + mu_1_by_L_a_1*t560 - mu_2_by_L_a_1*t556 - mu_3_by_L_a_1*t556,
-        D_delta_x_1_by_L_a_1*t562 + D_delta_x_2_by_L_a_1*t563 + D_delta_y_1_by_L_a_1*t564
-        + D_delta_y_2_by_L_a_1*t565 + D_delta_z_1_by_L_a_1*t566 + D_delta_z_2_by_L_a_1*t567
-        + mu_1_by_L_a_1*t561 + mu_2_by_L_a_1*t561 + mu_3_by_L_a_1*t561,
-        D_delta_x_1_by_L_a_1*t569 + D_delta_x_3_by_L_a_1*t563 + D_delta_y_1_by_L_a_1*t570
-        + D_delta_y_3_by_L_a_1*t565 + D_delta_z_1_by_L_a_1*t571 + D_delta_z_3_by_L_a_1*t567
-        + mu_1_by_L_a_1*t568 + mu_2_by_L_a_1*t568 + mu_3_by_L_a_1*t568,
+        D_delta_x_1_by_L_a_1*t545 + D_delta_y_1_by_L_a_1*t546 + D_delta_z_1_by_L_a_1*t547
+        + mu_1_by_L_a_1*t548 - mu_2_by_L_a_1*t544 - mu_3_by_L_a_1*t544,
+        D_delta_x_1_by_L_a_1*t550 + D_delta_x_2_by_L_a_1*t551 + D_delta_y_1_by_L_a_1*t552
+        + D_delta_y_2_by_L_a_1*t553 + D_delta_z_1_by_L_a_1*t554 + D_delta_z_2_by_L_a_1*t555
+        + mu_1_by_L_a_1*t549 + mu_2_by_L_a_1*t549 + mu_3_by_L_a_1*t549,
+        D_delta_x_1_by_L_a_1*t557 + D_delta_x_3_by_L_a_1*t551 + D_delta_y_1_by_L_a_1*t558
+        + D_delta_y_3_by_L_a_1*t553 + D_delta_z_1_by_L_a_1*t559 + D_delta_z_3_by_L_a_1*t555
+        + mu_1_by_L_a_1*t556 + mu_2_by_L_a_1*t556 + mu_3_by_L_a_1*t556,
         D_delta_x_1_by_L_a_1*k_C, D_delta_y_1_by_L_a_1*k_C, D_delta_z_1_by_L_a_1*k_C,
-        D_delta_x_2_by_L_a_1*t573 + D_delta_y_2_by_L_a_1*t574 + D_delta_z_2_by_L_a_1*t575
-        - mu_1_by_L_a_1*t572 + mu_2_by_L_a_1*t576 - mu_3_by_L_a_1*t572,
-        D_delta_x_2_by_L_a_1*t569 + D_delta_x_3_by_L_a_1*t562 + D_delta_y_2_by_L_a_1*t570
-        + D_delta_y_3_by_L_a_1*t564 + D_delta_z_2_by_L_a_1*t571 + D_delta_z_3_by_L_a_1*t566
-        + mu_1_by_L_a_1*t577 + mu_2_by_L_a_1*t577 + mu_3_by_L_a_1*t577,
+        D_delta_x_2_by_L_a_1*t561 + D_delta_y_2_by_L_a_1*t562 + D_delta_z_2_by_L_a_1*t563
+        - mu_1_by_L_a_1*t560 + mu_2_by_L_a_1*t564 - mu_3_by_L_a_1*t560,
+        D_delta_x_2_by_L_a_1*t557 + D_delta_x_3_by_L_a_1*t550 + D_delta_y_2_by_L_a_1*t558
+        + D_delta_y_3_by_L_a_1*t552 + D_delta_z_2_by_L_a_1*t559 + D_delta_z_3_by_L_a_1*t554
+        + mu_1_by_L_a_1*t565 + mu_2_by_L_a_1*t565 + mu_3_by_L_a_1*t565,
         D_delta_x_2_by_L_a_1*k_C, D_delta_y_2_by_L_a_1*k_C, D_delta_z_2_by_L_a_1*k_C,
-        D_delta_x_3_by_L_a_1*t579 + D_delta_y_3_by_L_a_1*t580 + D_delta_z_3_by_L_a_1*t581
-        - mu_1_by_L_a_1*t578 - mu_2_by_L_a_1*t578 + mu_3_by_L_a_1*t582,
+        D_delta_x_3_by_L_a_1*t567 + D_delta_y_3_by_L_a_1*t568 + D_delta_z_3_by_L_a_1*t569
+        - mu_1_by_L_a_1*t566 - mu_2_by_L_a_1*t566 + mu_3_by_L_a_1*t570,
         D_delta_x_3_by_L_a_1*k_C, D_delta_y_3_by_L_a_1*k_C, D_delta_z_3_by_L_a_1*k_C,
         2*D_p_x_1*D_p_x_1_by_L_a_2*k_C - D_p_x_1_by_L_a_2*t427 + 2*D_p_y_1*D_p_y_1_by_L_a_2*k_C
         - D_p_y_1_by_L_a_2*t430 + 2*D_p_z_1*D_p_z_1_by_L_a_2*k_C - D_p_z_1_by_L_a_2*t433
-        + mu_1_by_L_a_2*t444 + mu_2_by_L_a_2*t435 + mu_3_by_L_a_2*t436 - t412*t749 - t413*t749 - t416*t750
-        - t417*t750 - t420*t751 - t421*t751,
-        D_p_x_1*D_p_x_2_by_L_a_2*k_C + D_p_x_1_by_L_a_2*D_p_x_2*k_C - D_p_x_1_by_L_a_2*t445
-        - D_p_x_1_by_L_a_2*t446 - D_p_x_1_by_L_a_2*t451 - D_p_x_2_by_L_a_2*t413 - D_p_x_2_by_L_a_2*t426
-        + D_p_y_1*D_p_y_2_by_L_a_2*k_C + D_p_y_1_by_L_a_2*D_p_y_2*k_C - D_p_y_1_by_L_a_2*t447
-        - D_p_y_1_by_L_a_2*t448 - D_p_y_1_by_L_a_2*t452 - D_p_y_2_by_L_a_2*t417 - D_p_y_2_by_L_a_2*t429
-        + D_p_z_1*D_p_z_2_by_L_a_2*k_C + D_p_z_1_by_L_a_2*D_p_z_2*k_C - D_p_z_1_by_L_a_2*t449
-        - D_p_z_1_by_L_a_2*t450 - D_p_z_1_by_L_a_2*t453 - D_p_z_2_by_L_a_2*t421 - D_p_z_2_by_L_a_2*t432
-        + mu_1_by_L_a_2*t454 + mu_2_by_L_a_2*t455 + mu_3_by_L_a_2*t456 - t412*t752 - t416*t753 - t420*t754,
-        D_p_x_1*D_p_x_3_by_L_a_2*k_C + D_p_x_1_by_L_a_2*D_p_x_3*k_C - D_p_x_1_by_L_a_2*t457
-        - D_p_x_1_by_L_a_2*t458 - D_p_x_1_by_L_a_2*t463 - D_p_x_3_by_L_a_2*t412 - D_p_x_3_by_L_a_2*t413
+        + mu_1_by_L_a_2*t443 + mu_2_by_L_a_2*t435 + mu_3_by_L_a_2*t435 - t412*t737 - t413*t737 - t416*t738
+        - t417*t738 - t420*t739 - t421*t739,
+        D_p_x_1*D_p_x_2_by_L_a_2*k_C + D_p_x_1_by_L_a_2*D_p_x_2*k_C - D_p_x_1_by_L_a_2*t444
+        - D_p_x_1_by_L_a_2*t445 - D_p_x_1_by_L_a_2*t450 - D_p_x_2_by_L_a_2*t413 - D_p_x_2_by_L_a_2*t426
+        + D_p_y_1*D_p_y_2_by_L_a_2*k_C + D_p_y_1_by_L_a_2*D_p_y_2*k_C - D_p_y_1_by_L_a_2*t446
+        - D_p_y_1_by_L_a_2*t447 - D_p_y_1_by_L_a_2*t451 - D_p_y_2_by_L_a_2*t417 - D_p_y_2_by_L_a_2*t429
+        + D_p_z_1*D_p_z_2_by_L_a_2*k_C + D_p_z_1_by_L_a_2*D_p_z_2*k_C - D_p_z_1_by_L_a_2*t448
+        - D_p_z_1_by_L_a_2*t449 - D_p_z_1_by_L_a_2*t452 - D_p_z_2_by_L_a_2*t421 - D_p_z_2_by_L_a_2*t432
+        + mu_1_by_L_a_2*t453 + mu_2_by_L_a_2*t454 + mu_3_by_L_a_2*t455 - t412*t740 - t416*t741 - t420*t742,
+        D_p_x_1*D_p_x_3_by_L_a_2*k_C + D_p_x_1_by_L_a_2*D_p_x_3*k_C - D_p_x_1_by_L_a_2*t456
+        - D_p_x_1_by_L_a_2*t457 - D_p_x_1_by_L_a_2*t462 - D_p_x_3_by_L_a_2*t412 - D_p_x_3_by_L_a_2*t413
         - D_p_x_3_by_L_a_2*t426 + D_p_y_1*D_p_y_3_by_L_a_2*k_C + D_p_y_1_by_L_a_2*D_p_y_3*k_C
-        - D_p_y_1_by_L_a_2*t459 - D_p_y_1_by_L_a_2*t460 - D_p_y_1_by_L_a_2*t464 - D_p_y_3_by_L_a_2*t416
+        - D_p_y_1_by_L_a_2*t458 - D_p_y_1_by_L_a_2*t459 - D_p_y_1_by_L_a_2*t463 - D_p_y_3_by_L_a_2*t416
         - D_p_y_3_by_L_a_2*t417 - D_p_y_3_by_L_a_2*t429 + D_p_z_1*D_p_z_3_by_L_a_2*k_C
-        + D_p_z_1_by_L_a_2*D_p_z_3*k_C - D_p_z_1_by_L_a_2*t461 - D_p_z_1_by_L_a_2*t462
-        - D_p_z_1_by_L_a_2*t465 - D_p_z_3_by_L_a_2*t420 - D_p_z_3_by_L_a_2*t421 - D_p_z_3_by_L_a_2*t432
-        + mu_1_by_L_a_2*t466 + mu_2_by_L_a_2*t467 + mu_3_by_L_a_2*t468,
-        D_delta_x_1_by_L_a_2*t484 + D_delta_y_1_by_L_a_2*t485 + D_delta_z_1_by_L_a_2*t486
-        - D_p_x_1_by_L_a_2*t472 - D_p_x_1_by_L_a_2*t473 - D_p_x_1_by_L_a_2*t478 + D_p_x_1_by_L_a_2*t592
-        - D_p_y_1_by_L_a_2*t474 - D_p_y_1_by_L_a_2*t475 - D_p_y_1_by_L_a_2*t479 + D_p_y_1_by_L_a_2*t593
-        - D_p_z_1_by_L_a_2*t476 - D_p_z_1_by_L_a_2*t477 - D_p_z_1_by_L_a_2*t480 + D_p_z_1_by_L_a_2*t594
-        + mu_1_by_L_a_2*t481 + mu_2_by_L_a_2*t482 + mu_3_by_L_a_2*t483,
-        D_delta_x_2_by_L_a_2*t484 + D_delta_y_2_by_L_a_2*t485 + D_delta_z_2_by_L_a_2*t486
-        - D_p_x_1_by_L_a_2*t487 - D_p_x_1_by_L_a_2*t488 - D_p_x_1_by_L_a_2*t493 + D_p_x_1_by_L_a_2*t595
-        - D_p_y_1_by_L_a_2*t489 - D_p_y_1_by_L_a_2*t490 - D_p_y_1_by_L_a_2*t494 + D_p_y_1_by_L_a_2*t596
-        - D_p_z_1_by_L_a_2*t491 - D_p_z_1_by_L_a_2*t492 - D_p_z_1_by_L_a_2*t495 + D_p_z_1_by_L_a_2*t597
-        + mu_1_by_L_a_2*t496 + mu_2_by_L_a_2*t497 + mu_3_by_L_a_2*t498,
-        D_delta_x_3_by_L_a_2*t484 + D_delta_y_3_by_L_a_2*t485 + D_delta_z_3_by_L_a_2*t486
-        - D_p_x_1_by_L_a_2*t499 - D_p_x_1_by_L_a_2*t500 - D_p_x_1_by_L_a_2*t505 + D_p_x_1_by_L_a_2*t598
-        - D_p_y_1_by_L_a_2*t501 - D_p_y_1_by_L_a_2*t502 - D_p_y_1_by_L_a_2*t506 + D_p_y_1_by_L_a_2*t599
-        - D_p_z_1_by_L_a_2*t503 - D_p_z_1_by_L_a_2*t504 - D_p_z_1_by_L_a_2*t507 + D_p_z_1_by_L_a_2*t600
-        + mu_1_by_L_a_2*t508 + mu_2_by_L_a_2*t509 + mu_3_by_L_a_2*t510,
+        + D_p_z_1_by_L_a_2*D_p_z_3*k_C - D_p_z_1_by_L_a_2*t460 - D_p_z_1_by_L_a_2*t461
+        - D_p_z_1_by_L_a_2*t464 - D_p_z_3_by_L_a_2*t420 - D_p_z_3_by_L_a_2*t421 - D_p_z_3_by_L_a_2*t432
+        + mu_1_by_L_a_2*t465 + mu_2_by_L_a_2*t466 + mu_3_by_L_a_2*t467,
+        D_delta_x_1_by_L_a_2*t482 + D_delta_y_1_by_L_a_2*t483 + D_delta_z_1_by_L_a_2*t484
+        - D_p_x_1_by_L_a_2*t471 - D_p_x_1_by_L_a_2*t472 - D_p_x_1_by_L_a_2*t477 + D_p_x_1_by_L_a_2*t580
+        - D_p_y_1_by_L_a_2*t473 - D_p_y_1_by_L_a_2*t474 - D_p_y_1_by_L_a_2*t478 + D_p_y_1_by_L_a_2*t581
+        - D_p_z_1_by_L_a_2*t475 - D_p_z_1_by_L_a_2*t476 - D_p_z_1_by_L_a_2*t479 + D_p_z_1_by_L_a_2*t582
+        + mu_1_by_L_a_2*t480 + mu_2_by_L_a_2*t481 + mu_3_by_L_a_2*t481,
+        D_delta_x_2_by_L_a_2*t482 + D_delta_y_2_by_L_a_2*t483 + D_delta_z_2_by_L_a_2*t484
+        - D_p_x_1_by_L_a_2*t485 - D_p_x_1_by_L_a_2*t486 - D_p_x_1_by_L_a_2*t491 + D_p_x_1_by_L_a_2*t583
+        - D_p_y_1_by_L_a_2*t487 - D_p_y_1_by_L_a_2*t488 - D_p_y_1_by_L_a_2*t492 + D_p_y_1_by_L_a_2*t584
+        - D_p_z_1_by_L_a_2*t489 - D_p_z_1_by_L_a_2*t490 - D_p_z_1_by_L_a_2*t493 + D_p_z_1_by_L_a_2*t585
+        + mu_1_by_L_a_2*t494 + mu_2_by_L_a_2*t495 + mu_3_by_L_a_2*t495,
+        D_delta_x_3_by_L_a_2*t482 + D_delta_y_3_by_L_a_2*t483 + D_delta_z_3_by_L_a_2*t484
+        - D_p_x_1_by_L_a_2*t496 - D_p_x_1_by_L_a_2*t497 - D_p_x_1_by_L_a_2*t502 + D_p_x_1_by_L_a_2*t586
+        - D_p_y_1_by_L_a_2*t498 - D_p_y_1_by_L_a_2*t499 - D_p_y_1_by_L_a_2*t503 + D_p_y_1_by_L_a_2*t587
+        - D_p_z_1_by_L_a_2*t500 - D_p_z_1_by_L_a_2*t501 - D_p_z_1_by_L_a_2*t504 + D_p_z_1_by_L_a_2*t588
+        + mu_1_by_L_a_2*t505 + mu_2_by_L_a_2*t506 + mu_3_by_L_a_2*t506,
         D_p_x_1_by_L_a_2*k_C, D_p_y_1_by_L_a_2*k_C, D_p_z_1_by_L_a_2*k_C,
         2*D_p_x_2*D_p_x_2_by_L_a_2*k_C + 2*D_p_y_2*D_p_y_2_by_L_a_2*k_C + 2*D_p_z_2*D_p_z_2_by_L_a_2*k_C
-        + (1/2)*d_2_x*g_x*m_d_2 + (1/2)*d_2_y*g_y*m_d_2 + (1/2)*d_2_z*g_z*m_d_2 + mu_1_by_L_a_2*t514
-        - mu_2*t166 - mu_2*t167 - mu_2*t168 + mu_2_by_L_a_2*t516 + mu_3_by_L_a_2*t515
-        - s_2_x_by_L_a_2*t639 - s_2_y_by_L_a_2*t661 - s_2_z_by_L_a_2*t675 - t446*t755 - t448*t756
-        - t450*t757 - t451*t755 - t452*t756 - t453*t757 - t636*t752 - t637*t753 - t638*t754
-        + t641*t_2_x*theta_2_by_L_a_2 + t643*t_2_y*theta_2_by_L_a_2 + t645*t_2_z*theta_2_by_L_a_2,
-        D_p_x_2*D_p_x_3_by_L_a_2*k_C + D_p_x_2_by_L_a_2*D_p_x_3*k_C - D_p_x_2_by_L_a_2*t458
-        - D_p_x_2_by_L_a_2*t463 - D_p_x_3_by_L_a_2*t445 - D_p_x_3_by_L_a_2*t446 - D_p_x_3_by_L_a_2*t451
-        + D_p_y_2*D_p_y_3_by_L_a_2*k_C + D_p_y_2_by_L_a_2*D_p_y_3*k_C - D_p_y_2_by_L_a_2*t460
-        - D_p_y_2_by_L_a_2*t464 - D_p_y_3_by_L_a_2*t447 - D_p_y_3_by_L_a_2*t448 - D_p_y_3_by_L_a_2*t452
-        + D_p_z_2*D_p_z_3_by_L_a_2*k_C + D_p_z_2_by_L_a_2*D_p_z_3*k_C - D_p_z_2_by_L_a_2*t462
-        - D_p_z_2_by_L_a_2*t465 - D_p_z_3_by_L_a_2*t449 - D_p_z_3_by_L_a_2*t450 - D_p_z_3_by_L_a_2*t453
-        + mu_1_by_L_a_2*t517 + mu_2_by_L_a_2*t518 + mu_3_by_L_a_2*t519 - t457*t752 - t459*t753 - t461*t754,
-        D_delta_x_1_by_L_a_2*t526 + D_delta_y_1_by_L_a_2*t527 + D_delta_z_1_by_L_a_2*t528
-        - D_p_x_2_by_L_a_2*t473 - D_p_x_2_by_L_a_2*t478 + D_p_x_2_by_L_a_2*t592 - D_p_y_2_by_L_a_2*t475
-        - D_p_y_2_by_L_a_2*t479 + D_p_y_2_by_L_a_2*t593 - D_p_z_2_by_L_a_2*t477 - D_p_z_2_by_L_a_2*t480
-        + D_p_z_2_by_L_a_2*t594 + mu_1_by_L_a_2*t523 + mu_2_by_L_a_2*t524 + mu_3_by_L_a_2*t525 - t472*t752
-        - t474*t753 - t476*t754,
-        D_delta_x_2_by_L_a_2*t526 + D_delta_y_2_by_L_a_2*t527 + D_delta_z_2_by_L_a_2*t528
-        - D_p_x_2_by_L_a_2*t488 - D_p_x_2_by_L_a_2*t493 + D_p_x_2_by_L_a_2*t595 - D_p_y_2_by_L_a_2*t490
-        - D_p_y_2_by_L_a_2*t494 + D_p_y_2_by_L_a_2*t596 - D_p_z_2_by_L_a_2*t492 - D_p_z_2_by_L_a_2*t495
-        + D_p_z_2_by_L_a_2*t597 + mu_1_by_L_a_2*t529 + mu_2_by_L_a_2*t530 + mu_3_by_L_a_2*t531 - t487*t752
-        - t489*t753 - t491*t754,
-        D_delta_x_3_by_L_a_2*t526 + D_delta_y_3_by_L_a_2*t527 + D_delta_z_3_by_L_a_2*t528
-        - D_p_x_2_by_L_a_2*t500 - D_p_x_2_by_L_a_2*t505 + D_p_x_2_by_L_a_2*t598 - D_p_y_2_by_L_a_2*t502
-        - D_p_y_2_by_L_a_2*t506 + D_p_y_2_by_L_a_2*t599 - D_p_z_2_by_L_a_2*t504 - D_p_z_2_by_L_a_2*t507
-        + D_p_z_2_by_L_a_2*t600 + mu_1_by_L_a_2*t532 + mu_2_by_L_a_2*t533 + mu_3_by_L_a_2*t534 - t499*t752
-        - t501*t753 - t503*t754,
+        + (1/2)*d_2_x*g_x*m_d_2 + (1/2)*d_2_y*g_y*m_d_2 + (1/2)*d_2_z*g_z*m_d_2 + mu_1_by_L_a_2*t510
+        - mu_2*t166 - mu_2*t167 - mu_2*t168 + mu_2_by_L_a_2*t511 + mu_3_by_L_a_2*t510
+        - s_2_x_by_L_a_2*t627 - s_2_y_by_L_a_2*t649 - s_2_z_by_L_a_2*t663 - t444*t743 - t446*t744
+        - t448*t745 - t450*t743 - t451*t744 - t452*t745 - t624*t740 - t625*t741 - t626*t742
+        + t629*t_2_x*theta_2_by_L_a_2 + t631*t_2_y*theta_2_by_L_a_2 + t633*t_2_z*theta_2_by_L_a_2,
+        D_p_x_2*D_p_x_3_by_L_a_2*k_C + D_p_x_2_by_L_a_2*D_p_x_3*k_C - D_p_x_2_by_L_a_2*t457
+        - D_p_x_2_by_L_a_2*t462 - D_p_x_3_by_L_a_2*t444 - D_p_x_3_by_L_a_2*t445 - D_p_x_3_by_L_a_2*t450
+        + D_p_y_2*D_p_y_3_by_L_a_2*k_C + D_p_y_2_by_L_a_2*D_p_y_3*k_C - D_p_y_2_by_L_a_2*t459
+        - D_p_y_2_by_L_a_2*t463 - D_p_y_3_by_L_a_2*t446 - D_p_y_3_by_L_a_2*t447 - D_p_y_3_by_L_a_2*t451
+        + D_p_z_2*D_p_z_3_by_L_a_2*k_C + D_p_z_2_by_L_a_2*D_p_z_3*k_C - D_p_z_2_by_L_a_2*t461
+        - D_p_z_2_by_L_a_2*t464 - D_p_z_3_by_L_a_2*t448 - D_p_z_3_by_L_a_2*t449 - D_p_z_3_by_L_a_2*t452
+        + mu_1_by_L_a_2*t512 + mu_2_by_L_a_2*t513 + mu_3_by_L_a_2*t514 - t456*t740 - t458*t741 - t460*t742,
+        D_delta_x_1_by_L_a_2*t520 + D_delta_y_1_by_L_a_2*t521 + D_delta_z_1_by_L_a_2*t522
+        - D_p_x_2_by_L_a_2*t472 - D_p_x_2_by_L_a_2*t477 + D_p_x_2_by_L_a_2*t580 - D_p_y_2_by_L_a_2*t474
+        - D_p_y_2_by_L_a_2*t478 + D_p_y_2_by_L_a_2*t581 - D_p_z_2_by_L_a_2*t476 - D_p_z_2_by_L_a_2*t479
+        + D_p_z_2_by_L_a_2*t582 + mu_1_by_L_a_2*t518 + mu_2_by_L_a_2*t519 + mu_3_by_L_a_2*t518 - t471*t740
+        - t473*t741 - t475*t742,
+        D_delta_x_2_by_L_a_2*t520 + D_delta_y_2_by_L_a_2*t521 + D_delta_z_2_by_L_a_2*t522
+        - D_p_x_2_by_L_a_2*t486 - D_p_x_2_by_L_a_2*t491 + D_p_x_2_by_L_a_2*t583 - D_p_y_2_by_L_a_2*t488
+        - D_p_y_2_by_L_a_2*t492 + D_p_y_2_by_L_a_2*t584 - D_p_z_2_by_L_a_2*t490 - D_p_z_2_by_L_a_2*t493
+        + D_p_z_2_by_L_a_2*t585 + mu_1_by_L_a_2*t523 + mu_2_by_L_a_2*t524 + mu_3_by_L_a_2*t523 - t485*t740
+        - t487*t741 - t489*t742,
+        D_delta_x_3_by_L_a_2*t520 + D_delta_y_3_by_L_a_2*t521 + D_delta_z_3_by_L_a_2*t522
+        - D_p_x_2_by_L_a_2*t497 - D_p_x_2_by_L_a_2*t502 + D_p_x_2_by_L_a_2*t586 - D_p_y_2_by_L_a_2*t499
+        - D_p_y_2_by_L_a_2*t503 + D_p_y_2_by_L_a_2*t587 - D_p_z_2_by_L_a_2*t501 - D_p_z_2_by_L_a_2*t504
+        + D_p_z_2_by_L_a_2*t588 + mu_1_by_L_a_2*t525 + mu_2_by_L_a_2*t526 + mu_3_by_L_a_2*t525 - t496*t740
+        - t498*t741 - t500*t742,
         D_p_x_2_by_L_a_2*k_C, D_p_y_2_by_L_a_2*k_C, D_p_z_2_by_L_a_2*k_C,
-        2*D_p_x_3*D_p_x_3_by_L_a_2*k_C - D_p_x_3_by_L_a_2*t697 + 2*D_p_y_3*D_p_y_3_by_L_a_2*k_C
-        - D_p_y_3_by_L_a_2*t698 + 2*D_p_z_3*D_p_z_3_by_L_a_2*k_C - D_p_z_3_by_L_a_2*t699
-        + mu_1_by_L_a_2*t538 + mu_2_by_L_a_2*t539 + mu_3_by_L_a_2*t540 - t457*t758 - t459*t759 - t461*t760
-        - t463*t758 - t464*t759 - t465*t760,
-        D_delta_x_1_by_L_a_2*t547 + D_delta_y_1_by_L_a_2*t548 + D_delta_z_1_by_L_a_2*t549
-        - D_p_x_3_by_L_a_2*t472 - D_p_x_3_by_L_a_2*t473 - D_p_x_3_by_L_a_2*t478 + D_p_x_3_by_L_a_2*t592
-        - D_p_y_3_by_L_a_2*t474 - D_p_y_3_by_L_a_2*t475 - D_p_y_3_by_L_a_2*t479 + D_p_y_3_by_L_a_2*t593
-        - D_p_z_3_by_L_a_2*t476 - D_p_z_3_by_L_a_2*t477 - D_p_z_3_by_L_a_2*t480 + D_p_z_3_by_L_a_2*t594
-        + mu_1_by_L_a_2*t544 + mu_2_by_L_a_2*t545 + mu_3_by_L_a_2*t546,
-        D_delta_x_2_by_L_a_2*t547 + D_delta_y_2_by_L_a_2*t548 + D_delta_z_2_by_L_a_2*t549
-        - D_p_x_3_by_L_a_2*t487 - D_p_x_3_by_L_a_2*t488 - D_p_x_3_by_L_a_2*t493 + D_p_x_3_by_L_a_2*t595
-        - D_p_y_3_by_L_a_2*t489 - D_p_y_3_by_L_a_2*t490 - D_p_y_3_by_L_a_2*t494 + D_p_y_3_by_L_a_2*t596
-        - D_p_z_3_by_L_a_2*t491 - D_p_z_3_by_L_a_2*t492 - D_p_z_3_by_L_a_2*t495 + D_p_z_3_by_L_a_2*t597
-        + mu_1_by_L_a_2*t550 + mu_2_by_L_a_2*t551 + mu_3_by_L_a_2*t552,
-        D_delta_x_3_by_L_a_2*t547 + D_delta_y_3_by_L_a_2*t548 + D_delta_z_3_by_L_a_2*t549
-        - D_p_x_3_by_L_a_2*t499 - D_p_x_3_by_L_a_2*t500 - D_p_x_3_by_L_a_2*t505 + D_p_x_3_by_L_a_2*t598
-        - D_p_y_3_by_L_a_2*t501 - D_p_y_3_by_L_a_2*t502 - D_p_y_3_by_L_a_2*t506 + D_p_y_3_by_L_a_2*t599
-        - D_p_z_3_by_L_a_2*t503 - D_p_z_3_by_L_a_2*t504 - D_p_z_3_by_L_a_2*t507 + D_p_z_3_by_L_a_2*t600
-        + mu_1_by_L_a_2*t553 + mu_2_by_L_a_2*t554 + mu_3_by_L_a_2*t555,
+        2*D_p_x_3*D_p_x_3_by_L_a_2*k_C - D_p_x_3_by_L_a_2*t685 + 2*D_p_y_3*D_p_y_3_by_L_a_2*k_C
+        - D_p_y_3_by_L_a_2*t686 + 2*D_p_z_3*D_p_z_3_by_L_a_2*k_C - D_p_z_3_by_L_a_2*t687
+        + mu_1_by_L_a_2*t530 + mu_2_by_L_a_2*t530 + mu_3_by_L_a_2*t531 - t456*t746 - t458*t747 - t460*t748
+        - t462*t746 - t463*t747 - t464*t748,
+        D_delta_x_1_by_L_a_2*t537 + D_delta_y_1_by_L_a_2*t538 + D_delta_z_1_by_L_a_2*t539
+        - D_p_x_3_by_L_a_2*t471 - D_p_x_3_by_L_a_2*t472 - D_p_x_3_by_L_a_2*t477 + D_p_x_3_by_L_a_2*t580
+        - D_p_y_3_by_L_a_2*t473 - D_p_y_3_by_L_a_2*t474 - D_p_y_3_by_L_a_2*t478 + D_p_y_3_by_L_a_2*t581
+        - D_p_z_3_by_L_a_2*t475 - D_p_z_3_by_L_a_2*t476 - D_p_z_3_by_L_a_2*t479 + D_p_z_3_by_L_a_2*t582
+        + mu_1_by_L_a_2*t535 + mu_2_by_L_a_2*t535 + mu_3_by_L_a_2*t536,
+        D_delta_x_2_by_L_a_2*t537 + D_delta_y_2_by_L_a_2*t538 + D_delta_z_2_by_L_a_2*t539
+        - D_p_x_3_by_L_a_2*t485 - D_p_x_3_by_L_a_2*t486 - D_p_x_3_by_L_a_2*t491 + D_p_x_3_by_L_a_2*t583
+        - D_p_y_3_by_L_a_2*t487 - D_p_y_3_by_L_a_2*t488 - D_p_y_3_by_L_a_2*t492 + D_p_y_3_by_L_a_2*t584
+        - D_p_z_3_by_L_a_2*t489 - D_p_z_3_by_L_a_2*t490 - D_p_z_3_by_L_a_2*t493 + D_p_z_3_by_L_a_2*t585
+        + mu_1_by_L_a_2*t540 + mu_2_by_L_a_2*t540 + mu_3_by_L_a_2*t541,
+        D_delta_x_3_by_L_a_2*t537 + D_delta_y_3_by_L_a_2*t538 + D_delta_z_3_by_L_a_2*t539
+        - D_p_x_3_by_L_a_2*t496 - D_p_x_3_by_L_a_2*t497 - D_p_x_3_by_L_a_2*t502 + D_p_x_3_by_L_a_2*t586
+        - D_p_y_3_by_L_a_2*t498 - D_p_y_3_by_L_a_2*t499 - D_p_y_3_by_L_a_2*t503 + D_p_y_3_by_L_a_2*t587
+        - D_p_z_3_by_L_a_2*t500 - D_p_z_3_by_L_a_2*t501 - D_p_z_3_by_L_a_2*t504 + D_p_z_3_by_L_a_2*t588
+        + mu_1_by_L_a_2*t542 + mu_2_by_L_a_2*t542 + mu_3_by_L_a_2*t543,
         D_p_x_3_by_L_a_2*k_C, D_p_y_3_by_L_a_2*k_C, D_p_z_3_by_L_a_2*k_C,
-        D_delta_x_1_by_L_a_2*t557 + D_delta_y_1_by_L_a_2*t558 + D_delta_z_1_by_L_a_2*t559
-        + mu_1_by_L_a_2*t560 - mu_2_by_L_a_2*t556 - mu_3_by_L_a_2*t556,
-        D_delta_x_1_by_L_a_2*t562 + D_delta_x_2_by_L_a_2*t563 + D_delta_y_1_by_L_a_2*t564
-        + D_delta_y_2_by_L_a_2*t565 + D_delta_z_1_by_L_a_2*t566 + D_delta_z_2_by_L_a_2*t567
-        + mu_1_by_L_a_2*t561 + mu_2_by_L_a_2*t561 + mu_3_by_L_a_2*t561,
-        D_delta_x_1_by_L_a_2*t569 + D_delta_x_3_by_L_a_2*t563 + D_delta_y_1_by_L_a_2*t570
-        + D_delta_y_3_by_L_a_2*t565 + D_delta_z_1_by_L_a_2*t571 + D_delta_z_3_by_L_a_2*t567
-        + mu_1_by_L_a_2*t568 + mu_2_by_L_a_2*t568 + mu_3_by_L_a_2*t568,
+        D_delta_x_1_by_L_a_2*t545 + D_delta_y_1_by_L_a_2*t546 + D_delta_z_1_by_L_a_2*t547
+        + mu_1_by_L_a_2*t548 - mu_2_by_L_a_2*t544 - mu_3_by_L_a_2*t544,
+        D_delta_x_1_by_L_a_2*t550 + D_delta_x_2_by_L_a_2*t551 + D_delta_y_1_by_L_a_2*t552
+        + D_delta_y_2_by_L_a_2*t553 + D_delta_z_1_by_L_a_2*t554 + D_delta_z_2_by_L_a_2*t555
+        + mu_1_by_L_a_2*t549 + mu_2_by_L_a_2*t549 + mu_3_by_L_a_2*t549,
+        D_delta_x_1_by_L_a_2*t557 + D_delta_x_3_by_L_a_2*t551 + D_delta_y_1_by_L_a_2*t558
+        + D_delta_y_3_by_L_a_2*t553 + D_delta_z_1_by_L_a_2*t559 + D_delta_z_3_by_L_a_2*t555
+        + mu_1_by_L_a_2*t556 + mu_2_by_L_a_2*t556 + mu_3_by_L_a_2*t556,
         D_delta_x_1_by_L_a_2*k_C, D_delta_y_1_by_L_a_2*k_C, D_delta_z_1_by_L_a_2*k_C,
-        D_delta_x_2_by_L_a_2*t573 + D_delta_y_2_by_L_a_2*t574 + D_delta_z_2_by_L_a_2*t575
-        - mu_1_by_L_a_2*t572 + mu_2_by_L_a_2*t576 - mu_3_by_L_a_2*t572,
-        D_delta_x_2_by_L_a_2*t569 + D_delta_x_3_by_L_a_2*t562 + D_delta_y_2_by_L_a_2*t570
-        + D_delta_y_3_by_L_a_2*t564 + D_delta_z_2_by_L_a_2*t571 + D_delta_z_3_by_L_a_2*t566
-        + mu_1_by_L_a_2*t577 + mu_2_by_L_a_2*t577 + mu_3_by_L_a_2*t577,
+        D_delta_x_2_by_L_a_2*t561 + D_delta_y_2_by_L_a_2*t562 + D_delta_z_2_by_L_a_2*t563
+        - mu_1_by_L_a_2*t560 + mu_2_by_L_a_2*t564 - mu_3_by_L_a_2*t560,
+        D_delta_x_2_by_L_a_2*t557 + D_delta_x_3_by_L_a_2*t550 + D_delta_y_2_by_L_a_2*t558
+        + D_delta_y_3_by_L_a_2*t552 + D_delta_z_2_by_L_a_2*t559 + D_delta_z_3_by_L_a_2*t554
+        + mu_1_by_L_a_2*t565 + mu_2_by_L_a_2*t565 + mu_3_by_L_a_2*t565,
         D_delta_x_2_by_L_a_2*k_C, D_delta_y_2_by_L_a_2*k_C, D_delta_z_2_by_L_a_2*k_C,
-        D_delta_x_3_by_L_a_2*t579 + D_delta_y_3_by_L_a_2*t580 + D_delta_z_3_by_L_a_2*t581
-        - mu_1_by_L_a_2*t578 - mu_2_by_L_a_2*t578 + mu_3_by_L_a_2*t582,
+        D_delta_x_3_by_L_a_2*t567 + D_delta_y_3_by_L_a_2*t568 + D_delta_z_3_by_L_a_2*t569
+        - mu_1_by_L_a_2*t566 - mu_2_by_L_a_2*t566 + mu_3_by_L_a_2*t570,
         D_delta_x_3_by_L_a_2*k_C, D_delta_y_3_by_L_a_2*k_C, D_delta_z_3_by_L_a_2*k_C,
         2*D_p_x_1*D_p_x_1_by_L_a_3*k_C - D_p_x_1_by_L_a_3*t427 + 2*D_p_y_1*D_p_y_1_by_L_a_3*k_C
         - D_p_y_1_by_L_a_3*t430 + 2*D_p_z_1*D_p_z_1_by_L_a_3*k_C - D_p_z_1_by_L_a_3*t433
-        + mu_1_by_L_a_3*t444 + mu_2_by_L_a_3*t435 + mu_3_by_L_a_3*t436 - t412*t761 - t413*t761 - t416*t762
-        - t417*t762 - t420*t763 - t421*t763,
-        D_p_x_1*D_p_x_2_by_L_a_3*k_C + D_p_x_1_by_L_a_3*D_p_x_2*k_C - D_p_x_1_by_L_a_3*t445
-        - D_p_x_1_by_L_a_3*t446 - D_p_x_1_by_L_a_3*t451 - D_p_x_2_by_L_a_3*t412 - D_p_x_2_by_L_a_3*t413
+        + mu_1_by_L_a_3*t443 + mu_2_by_L_a_3*t435 + mu_3_by_L_a_3*t435 - t412*t749 - t413*t749 - t416*t750
+        - t417*t750 - t420*t751 - t421*t751,
+        D_p_x_1*D_p_x_2_by_L_a_3*k_C + D_p_x_1_by_L_a_3*D_p_x_2*k_C - D_p_x_1_by_L_a_3*t444
+        - D_p_x_1_by_L_a_3*t445 - D_p_x_1_by_L_a_3*t450 - D_p_x_2_by_L_a_3*t412 - D_p_x_2_by_L_a_3*t413
         - D_p_x_2_by_L_a_3*t426 + D_p_y_1*D_p_y_2_by_L_a_3*k_C + D_p_y_1_by_L_a_3*D_p_y_2*k_C
-        - D_p_y_1_by_L_a_3*t447 - D_p_y_1_by_L_a_3*t448 - D_p_y_1_by_L_a_3*t452 - D_p_y_2_by_L_a_3*t416
+        - D_p_y_1_by_L_a_3*t446 - D_p_y_1_by_L_a_3*t447 - D_p_y_1_by_L_a_3*t451 - D_p_y_2_by_L_a_3*t416
         - D_p_y_2_by_L_a_3*t417 - D_p_y_2_by_L_a_3*t429 + D_p_z_1*D_p_z_2_by_L_a_3*k_C
-        + D_p_z_1_by_L_a_3*D_p_z_2*k_C - D_p_z_1_by_L_a_3*t449 - D_p_z_1_by_L_a_3*t450
-        - D_p_z_1_by_L_a_3*t453 - D_p_z_2_by_L_a_3*t420 - D_p_z_2_by_L_a_3*t421 - D_p_z_2_by_L_a_3*t432
-        + mu_1_by_L_a_3*t454 + mu_2_by_L_a_3*t455 + mu_3_by_L_a_3*t456,
-        D_p_x_1*D_p_x_3_by_L_a_3*k_C + D_p_x_1_by_L_a_3*D_p_x_3*k_C - D_p_x_1_by_L_a_3*t457
-        - D_p_x_1_by_L_a_3*t458 - D_p_x_1_by_L_a_3*t463 - D_p_x_3_by_L_a_3*t412 - D_p_x_3_by_L_a_3*t426
-        + D_p_y_1*D_p_y_3_by_L_a_3*k_C + D_p_y_1_by_L_a_3*D_p_y_3*k_C - D_p_y_1_by_L_a_3*t459
-        - D_p_y_1_by_L_a_3*t460 - D_p_y_1_by_L_a_3*t464 - D_p_y_3_by_L_a_3*t416 - D_p_y_3_by_L_a_3*t429
-        + D_p_z_1*D_p_z_3_by_L_a_3*k_C + D_p_z_1_by_L_a_3*D_p_z_3*k_C - D_p_z_1_by_L_a_3*t461
-        - D_p_z_1_by_L_a_3*t462 - D_p_z_1_by_L_a_3*t465 - D_p_z_3_by_L_a_3*t420 - D_p_z_3_by_L_a_3*t432
-        + mu_1_by_L_a_3*t466 + mu_2_by_L_a_3*t467 + mu_3_by_L_a_3*t468 - t413*t764 - t417*t765 - t421*t766,
-        D_delta_x_1_by_L_a_3*t484 + D_delta_y_1_by_L_a_3*t485 + D_delta_z_1_by_L_a_3*t486
-        - D_p_x_1_by_L_a_3*t472 - D_p_x_1_by_L_a_3*t473 - D_p_x_1_by_L_a_3*t478 + D_p_x_1_by_L_a_3*t592
-        - D_p_y_1_by_L_a_3*t474 - D_p_y_1_by_L_a_3*t475 - D_p_y_1_by_L_a_3*t479 + D_p_y_1_by_L_a_3*t593
-        - D_p_z_1_by_L_a_3*t476 - D_p_z_1_by_L_a_3*t477 - D_p_z_1_by_L_a_3*t480 + D_p_z_1_by_L_a_3*t594
-        + mu_1_by_L_a_3*t481 + mu_2_by_L_a_3*t482 + mu_3_by_L_a_3*t483,
-        D_delta_x_2_by_L_a_3*t484 + D_delta_y_2_by_L_a_3*t485 + D_delta_z_2_by_L_a_3*t486
-        - D_p_x_1_by_L_a_3*t487 - D_p_x_1_by_L_a_3*t488 - D_p_x_1_by_L_a_3*t493 + D_p_x_1_by_L_a_3*t595
-        - D_p_y_1_by_L_a_3*t489 - D_p_y_1_by_L_a_3*t490 - D_p_y_1_by_L_a_3*t494 + D_p_y_1_by_L_a_3*t596
-        - D_p_z_1_by_L_a_3*t491 - D_p_z_1_by_L_a_3*t492 - D_p_z_1_by_L_a_3*t495 + D_p_z_1_by_L_a_3*t597
-        + mu_1_by_L_a_3*t496 + mu_2_by_L_a_3*t497 + mu_3_by_L_a_3*t498,
-        D_delta_x_3_by_L_a_3*t484 + D_delta_y_3_by_L_a_3*t485 + D_delta_z_3_by_L_a_3*t486
-        - D_p_x_1_by_L_a_3*t499 - D_p_x_1_by_L_a_3*t500 - D_p_x_1_by_L_a_3*t505 + D_p_x_1_by_L_a_3*t598
-        - D_p_y_1_by_L_a_3*t501 - D_p_y_1_by_L_a_3*t502 - D_p_y_1_by_L_a_3*t506 + D_p_y_1_by_L_a_3*t599
-        - D_p_z_1_by_L_a_3*t503 - D_p_z_1_by_L_a_3*t504 - D_p_z_1_by_L_a_3*t507 + D_p_z_1_by_L_a_3*t600
-        + mu_1_by_L_a_3*t508 + mu_2_by_L_a_3*t509 + mu_3_by_L_a_3*t510,
+        + D_p_z_1_by_L_a_3*D_p_z_2*k_C - D_p_z_1_by_L_a_3*t448 - D_p_z_1_by_L_a_3*t449
+        - D_p_z_1_by_L_a_3*t452 - D_p_z_2_by_L_a_3*t420 - D_p_z_2_by_L_a_3*t421 - D_p_z_2_by_L_a_3*t432
+        + mu_1_by_L_a_3*t453 + mu_2_by_L_a_3*t454 + mu_3_by_L_a_3*t455,
+        D_p_x_1*D_p_x_3_by_L_a_3*k_C + D_p_x_1_by_L_a_3*D_p_x_3*k_C - D_p_x_1_by_L_a_3*t456
+        - D_p_x_1_by_L_a_3*t457 - D_p_x_1_by_L_a_3*t462 - D_p_x_3_by_L_a_3*t412 - D_p_x_3_by_L_a_3*t426
+        + D_p_y_1*D_p_y_3_by_L_a_3*k_C + D_p_y_1_by_L_a_3*D_p_y_3*k_C - D_p_y_1_by_L_a_3*t458
+        - D_p_y_1_by_L_a_3*t459 - D_p_y_1_by_L_a_3*t463 - D_p_y_3_by_L_a_3*t416 - D_p_y_3_by_L_a_3*t429
+        + D_p_z_1*D_p_z_3_by_L_a_3*k_C + D_p_z_1_by_L_a_3*D_p_z_3*k_C - D_p_z_1_by_L_a_3*t460
+        - D_p_z_1_by_L_a_3*t461 - D_p_z_1_by_L_a_3*t464 - D_p_z_3_by_L_a_3*t420 - D_p_z_3_by_L_a_3*t432
+        + mu_1_by_L_a_3*t465 + mu_2_by_L_a_3*t466 + mu_3_by_L_a_3*t467 - t413*t752 - t417*t753 - t421*t754,
+        D_delta_x_1_by_L_a_3*t482 + D_delta_y_1_by_L_a_3*t483 + D_delta_z_1_by_L_a_3*t484
+        - D_p_x_1_by_L_a_3*t471 - D_p_x_1_by_L_a_3*t472 - D_p_x_1_by_L_a_3*t477 + D_p_x_1_by_L_a_3*t580
+        - D_p_y_1_by_L_a_3*t473 - D_p_y_1_by_L_a_3*t474 - D_p_y_1_by_L_a_3*t478 + D_p_y_1_by_L_a_3*t581
+        - D_p_z_1_by_L_a_3*t475 - D_p_z_1_by_L_a_3*t476 - D_p_z_1_by_L_a_3*t479 + D_p_z_1_by_L_a_3*t582
+        + mu_1_by_L_a_3*t480 + mu_2_by_L_a_3*t481 + mu_3_by_L_a_3*t481,
+        D_delta_x_2_by_L_a_3*t482 + D_delta_y_2_by_L_a_3*t483 + D_delta_z_2_by_L_a_3*t484
+        - D_p_x_1_by_L_a_3*t485 - D_p_x_1_by_L_a_3*t486 - D_p_x_1_by_L_a_3*t491 + D_p_x_1_by_L_a_3*t583
+        - D_p_y_1_by_L_a_3*t487 - D_p_y_1_by_L_a_3*t488 - D_p_y_1_by_L_a_3*t492 + D_p_y_1_by_L_a_3*t584
+        - D_p_z_1_by_L_a_3*t489 - D_p_z_1_by_L_a_3*t490 - D_p_z_1_by_L_a_3*t493 + D_p_z_1_by_L_a_3*t585
+        + mu_1_by_L_a_3*t494 + mu_2_by_L_a_3*t495 + mu_3_by_L_a_3*t495,
+        D_delta_x_3_by_L_a_3*t482 + D_delta_y_3_by_L_a_3*t483 + D_delta_z_3_by_L_a_3*t484
+        - D_p_x_1_by_L_a_3*t496 - D_p_x_1_by_L_a_3*t497 - D_p_x_1_by_L_a_3*t502 + D_p_x_1_by_L_a_3*t586
+        - D_p_y_1_by_L_a_3*t498 - D_p_y_1_by_L_a_3*t499 - D_p_y_1_by_L_a_3*t503 + D_p_y_1_by_L_a_3*t587
+        - D_p_z_1_by_L_a_3*t500 - D_p_z_1_by_L_a_3*t501 - D_p_z_1_by_L_a_3*t504 + D_p_z_1_by_L_a_3*t588
+        + mu_1_by_L_a_3*t505 + mu_2_by_L_a_3*t506 + mu_3_by_L_a_3*t506,
         D_p_x_1_by_L_a_3*k_C, D_p_y_1_by_L_a_3*k_C, D_p_z_1_by_L_a_3*k_C,
-        2*D_p_x_2*D_p_x_2_by_L_a_3*k_C - D_p_x_2_by_L_a_3*t636 + 2*D_p_y_2*D_p_y_2_by_L_a_3*k_C
-        - D_p_y_2_by_L_a_3*t637 + 2*D_p_z_2*D_p_z_2_by_L_a_3*k_C - D_p_z_2_by_L_a_3*t638
-        + mu_1_by_L_a_3*t514 + mu_2_by_L_a_3*t516 + mu_3_by_L_a_3*t515 - t446*t767 - t448*t768 - t450*t769
-        - t451*t767 - t452*t768 - t453*t769,
-        D_p_x_2*D_p_x_3_by_L_a_3*k_C + D_p_x_2_by_L_a_3*D_p_x_3*k_C - D_p_x_2_by_L_a_3*t457
-        - D_p_x_2_by_L_a_3*t458 - D_p_x_2_by_L_a_3*t463 - D_p_x_3_by_L_a_3*t445 - D_p_x_3_by_L_a_3*t451
-        + D_p_y_2*D_p_y_3_by_L_a_3*k_C + D_p_y_2_by_L_a_3*D_p_y_3*k_C - D_p_y_2_by_L_a_3*t459
-        - D_p_y_2_by_L_a_3*t460 - D_p_y_2_by_L_a_3*t464 - D_p_y_3_by_L_a_3*t447 - D_p_y_3_by_L_a_3*t452
-        + D_p_z_2*D_p_z_3_by_L_a_3*k_C + D_p_z_2_by_L_a_3*D_p_z_3*k_C - D_p_z_2_by_L_a_3*t461
-        - D_p_z_2_by_L_a_3*t462 - D_p_z_2_by_L_a_3*t465 - D_p_z_3_by_L_a_3*t449 - D_p_z_3_by_L_a_3*t453
-        + mu_1_by_L_a_3*t517 + mu_2_by_L_a_3*t518 + mu_3_by_L_a_3*t519 - t446*t764 - t448*t765 - t450*t766,
-        D_delta_x_1_by_L_a_3*t526 + D_delta_y_1_by_L_a_3*t527 + D_delta_z_1_by_L_a_3*t528
-        - D_p_x_2_by_L_a_3*t472 - D_p_x_2_by_L_a_3*t473 - D_p_x_2_by_L_a_3*t478 + D_p_x_2_by_L_a_3*t592
-        - D_p_y_2_by_L_a_3*t474 - D_p_y_2_by_L_a_3*t475 - D_p_y_2_by_L_a_3*t479 + D_p_y_2_by_L_a_3*t593
-        - D_p_z_2_by_L_a_3*t476 - D_p_z_2_by_L_a_3*t477 - D_p_z_2_by_L_a_3*t480 + D_p_z_2_by_L_a_3*t594
-        + mu_1_by_L_a_3*t523 + mu_2_by_L_a_3*t524 + mu_3_by_L_a_3*t525,
-        D_delta_x_2_by_L_a_3*t526 + D_delta_y_2_by_L_a_3*t527 + D_delta_z_2_by_L_a_3*t528
-        - D_p_x_2_by_L_a_3*t487 - D_p_x_2_by_L_a_3*t488 - D_p_x_2_by_L_a_3*t493 + D_p_x_2_by_L_a_3*t595
-        - D_p_y_2_by_L_a_3*t489 - D_p_y_2_by_L_a_3*t490 - D_p_y_2_by_L_a_3*t494 + D_p_y_2_by_L_a_3*t596
-        - D_p_z_2_by_L_a_3*t491 - D_p_z_2_by_L_a_3*t492 - D_p_z_2_by_L_a_3*t495 + D_p_z_2_by_L_a_3*t597
-        + mu_1_by_L_a_3*t529 + mu_2_by_L_a_3*t530 + mu_3_by_L_a_3*t531,
-        D_delta_x_3_by_L_a_3*t526 + D_delta_y_3_by_L_a_3*t527 + D_delta_z_3_by_L_a_3*t528
-        - D_p_x_2_by_L_a_3*t499 - D_p_x_2_by_L_a_3*t500 - D_p_x_2_by_L_a_3*t505 + D_p_x_2_by_L_a_3*t598
-        - D_p_y_2_by_L_a_3*t501 - D_p_y_2_by_L_a_3*t502 - D_p_y_2_by_L_a_3*t506 + D_p_y_2_by_L_a_3*t599
-        - D_p_z_2_by_L_a_3*t503 - D_p_z_2_by_L_a_3*t504 - D_p_z_2_by_L_a_3*t507 + D_p_z_2_by_L_a_3*t600
-        + mu_1_by_L_a_3*t532 + mu_2_by_L_a_3*t533 + mu_3_by_L_a_3*t534,
+        2*D_p_x_2*D_p_x_2_by_L_a_3*k_C - D_p_x_2_by_L_a_3*t624 + 2*D_p_y_2*D_p_y_2_by_L_a_3*k_C
+        - D_p_y_2_by_L_a_3*t625 + 2*D_p_z_2*D_p_z_2_by_L_a_3*k_C - D_p_z_2_by_L_a_3*t626
+        + mu_1_by_L_a_3*t510 + mu_2_by_L_a_3*t511 + mu_3_by_L_a_3*t510 - t444*t755 - t446*t756 - t448*t757
+        - t450*t755 - t451*t756 - t452*t757,
+        D_p_x_2*D_p_x_3_by_L_a_3*k_C + D_p_x_2_by_L_a_3*D_p_x_3*k_C - D_p_x_2_by_L_a_3*t456
+        - D_p_x_2_by_L_a_3*t457 - D_p_x_2_by_L_a_3*t462 - D_p_x_3_by_L_a_3*t445 - D_p_x_3_by_L_a_3*t450
+        + D_p_y_2*D_p_y_3_by_L_a_3*k_C + D_p_y_2_by_L_a_3*D_p_y_3*k_C - D_p_y_2_by_L_a_3*t458
+        - D_p_y_2_by_L_a_3*t459 - D_p_y_2_by_L_a_3*t463 - D_p_y_3_by_L_a_3*t447 - D_p_y_3_by_L_a_3*t451
+        + D_p_z_2*D_p_z_3_by_L_a_3*k_C + D_p_z_2_by_L_a_3*D_p_z_3*k_C - D_p_z_2_by_L_a_3*t460
+        - D_p_z_2_by_L_a_3*t461 - D_p_z_2_by_L_a_3*t464 - D_p_z_3_by_L_a_3*t449 - D_p_z_3_by_L_a_3*t452
+        + mu_1_by_L_a_3*t512 + mu_2_by_L_a_3*t513 + mu_3_by_L_a_3*t514 - t444*t752 - t446*t753 - t448*t754,
+        D_delta_x_1_by_L_a_3*t520 + D_delta_y_1_by_L_a_3*t521 + D_delta_z_1_by_L_a_3*t522
+        - D_p_x_2_by_L_a_3*t471 - D_p_x_2_by_L_a_3*t472 - D_p_x_2_by_L_a_3*t477 + D_p_x_2_by_L_a_3*t580
+        - D_p_y_2_by_L_a_3*t473 - D_p_y_2_by_L_a_3*t474 - D_p_y_2_by_L_a_3*t478 + D_p_y_2_by_L_a_3*t581
+        - D_p_z_2_by_L_a_3*t475 - D_p_z_2_by_L_a_3*t476 - D_p_z_2_by_L_a_3*t479 + D_p_z_2_by_L_a_3*t582
+        + mu_1_by_L_a_3*t518 + mu_2_by_L_a_3*t519 + mu_3_by_L_a_3*t518,
+        D_delta_x_2_by_L_a_3*t520 + D_delta_y_2_by_L_a_3*t521 + D_delta_z_2_by_L_a_3*t522
+        - D_p_x_2_by_L_a_3*t485 - D_p_x_2_by_L_a_3*t486 - D_p_x_2_by_L_a_3*t491 + D_p_x_2_by_L_a_3*t583
+        - D_p_y_2_by_L_a_3*t487 - D_p_y_2_by_L_a_3*t488 - D_p_y_2_by_L_a_3*t492 + D_p_y_2_by_L_a_3*t584
+        - D_p_z_2_by_L_a_3*t489 - D_p_z_2_by_L_a_3*t490 - D_p_z_2_by_L_a_3*t493 + D_p_z_2_by_L_a_3*t585
+        + mu_1_by_L_a_3*t523 + mu_2_by_L_a_3*t524 + mu_3_by_L_a_3*t523,
+        D_delta_x_3_by_L_a_3*t520 + D_delta_y_3_by_L_a_3*t521 + D_delta_z_3_by_L_a_3*t522
+        - D_p_x_2_by_L_a_3*t496 - D_p_x_2_by_L_a_3*t497 - D_p_x_2_by_L_a_3*t502 + D_p_x_2_by_L_a_3*t586
+        - D_p_y_2_by_L_a_3*t498 - D_p_y_2_by_L_a_3*t499 - D_p_y_2_by_L_a_3*t503 + D_p_y_2_by_L_a_3*t587
+        - D_p_z_2_by_L_a_3*t500 - D_p_z_2_by_L_a_3*t501 - D_p_z_2_by_L_a_3*t504 + D_p_z_2_by_L_a_3*t588
+        + mu_1_by_L_a_3*t525 + mu_2_by_L_a_3*t526 + mu_3_by_L_a_3*t525,
         D_p_x_2_by_L_a_3*k_C, D_p_y_2_by_L_a_3*k_C, D_p_z_2_by_L_a_3*k_C,
         2*D_p_x_3*D_p_x_3_by_L_a_3*k_C + 2*D_p_y_3*D_p_y_3_by_L_a_3*k_C + 2*D_p_z_3*D_p_z_3_by_L_a_3*k_C
-        + (1/2)*d_3_x*g_x*m_d_3 + (1/2)*d_3_y*g_y*m_d_3 + (1/2)*d_3_z*g_z*m_d_3 + mu_1_by_L_a_3*t538
-        + mu_2_by_L_a_3*t539 - mu_3*t178 - mu_3*t179 - mu_3*t180 + mu_3_by_L_a_3*t540
-        - s_3_x_by_L_a_3*t700 - s_3_y_by_L_a_3*t722 - s_3_z_by_L_a_3*t736 - t457*t770 - t459*t771
-        - t461*t772 - t463*t770 - t464*t771 - t465*t772 - t697*t764 - t698*t765 - t699*t766
-        + t702*t_3_x*theta_3_by_L_a_3 + t704*t_3_y*theta_3_by_L_a_3 + t706*t_3_z*theta_3_by_L_a_3,
-        D_delta_x_1_by_L_a_3*t547 + D_delta_y_1_by_L_a_3*t548 + D_delta_z_1_by_L_a_3*t549
-        - D_p_x_3_by_L_a_3*t472 - D_p_x_3_by_L_a_3*t478 + D_p_x_3_by_L_a_3*t592 - D_p_y_3_by_L_a_3*t474
-        - D_p_y_3_by_L_a_3*t479 + D_p_y_3_by_L_a_3*t593 - D_p_z_3_by_L_a_3*t476 - D_p_z_3_by_L_a_3*t480
-        + D_p_z_3_by_L_a_3*t594 + mu_1_by_L_a_3*t544 + mu_2_by_L_a_3*t545 + mu_3_by_L_a_3*t546 - t473*t764
-        - t475*t765 - t477*t766,
-        D_delta_x_2_by_L_a_3*t547 + D_delta_y_2_by_L_a_3*t548 + D_delta_z_2_by_L_a_3*t549
-        - D_p_x_3_by_L_a_3*t487 - D_p_x_3_by_L_a_3*t493 + D_p_x_3_by_L_a_3*t595 - D_p_y_3_by_L_a_3*t489
-        - D_p_y_3_by_L_a_3*t494 + D_p_y_3_by_L_a_3*t596 - D_p_z_3_by_L_a_3*t491 - D_p_z_3_by_L_a_3*t495
-        + D_p_z_3_by_L_a_3*t597 + mu_1_by_L_a_3*t550 + mu_2_by_L_a_3*t551 + mu_3_by_L_a_3*t552 - t488*t764
-        - t490*t765 - t492*t766,
-        D_delta_x_3_by_L_a_3*t547 + D_delta_y_3_by_L_a_3*t548 + D_delta_z_3_by_L_a_3*t549
-        - D_p_x_3_by_L_a_3*t499 - D_p_x_3_by_L_a_3*t505 + D_p_x_3_by_L_a_3*t598 - D_p_y_3_by_L_a_3*t501
-        - D_p_y_3_by_L_a_3*t506 + D_p_y_3_by_L_a_3*t599 - D_p_z_3_by_L_a_3*t503 - D_p_z_3_by_L_a_3*t507
-        + D_p_z_3_by_L_a_3*t600 + mu_1_by_L_a_3*t553 + mu_2_by_L_a_3*t554 + mu_3_by_L_a_3*t555 - t500*t764
-        - t502*t765 - t504*t766,
+        + (1/2)*d_3_x*g_x*m_d_3 + (1/2)*d_3_y*g_y*m_d_3 + (1/2)*d_3_z*g_z*m_d_3 + mu_1_by_L_a_3*t530
+        + mu_2_by_L_a_3*t530 - mu_3*t178 - mu_3*t179 - mu_3*t180 + mu_3_by_L_a_3*t531
+        - s_3_x_by_L_a_3*t688 - s_3_y_by_L_a_3*t710 - s_3_z_by_L_a_3*t724 - t456*t758 - t458*t759
+        - t460*t760 - t462*t758 - t463*t759 - t464*t760 - t685*t752 - t686*t753 - t687*t754
+        + t690*t_3_x*theta_3_by_L_a_3 + t692*t_3_y*theta_3_by_L_a_3 + t694*t_3_z*theta_3_by_L_a_3,
+        D_delta_x_1_by_L_a_3*t537 + D_delta_y_1_by_L_a_3*t538 + D_delta_z_1_by_L_a_3*t539
+        - D_p_x_3_by_L_a_3*t471 - D_p_x_3_by_L_a_3*t477 + D_p_x_3_by_L_a_3*t580 - D_p_y_3_by_L_a_3*t473
+        - D_p_y_3_by_L_a_3*t478 + D_p_y_3_by_L_a_3*t581 - D_p_z_3_by_L_a_3*t475 - D_p_z_3_by_L_a_3*t479
+        + D_p_z_3_by_L_a_3*t582 + mu_1_by_L_a_3*t535 + mu_2_by_L_a_3*t535 + mu_3_by_L_a_3*t536 - t472*t752
+        - t474*t753 - t476*t754,
+        D_delta_x_2_by_L_a_3*t537 + D_delta_y_2_by_L_a_3*t538 + D_delta_z_2_by_L_a_3*t539
+        - D_p_x_3_by_L_a_3*t485 - D_p_x_3_by_L_a_3*t491 + D_p_x_3_by_L_a_3*t583 - D_p_y_3_by_L_a_3*t487
+        - D_p_y_3_by_L_a_3*t492 + D_p_y_3_by_L_a_3*t584 - D_p_z_3_by_L_a_3*t489 - D_p_z_3_by_L_a_3*t493
+        + D_p_z_3_by_L_a_3*t585 + mu_1_by_L_a_3*t540 + mu_2_by_L_a_3*t540 + mu_3_by_L_a_3*t541 - t486*t752
+        - t488*t753 - t490*t754,
+        D_delta_x_3_by_L_a_3*t537 + D_delta_y_3_by_L_a_3*t538 + D_delta_z_3_by_L_a_3*t539
+        - D_p_x_3_by_L_a_3*t496 - D_p_x_3_by_L_a_3*t502 + D_p_x_3_by_L_a_3*t586 - D_p_y_3_by_L_a_3*t498
+        - D_p_y_3_by_L_a_3*t503 + D_p_y_3_by_L_a_3*t587 - D_p_z_3_by_L_a_3*t500 - D_p_z_3_by_L_a_3*t504
+        + D_p_z_3_by_L_a_3*t588 + mu_1_by_L_a_3*t542 + mu_2_by_L_a_3*t542 + mu_3_by_L_a_3*t543 - t497*t752
+        - t499*t753 - t501*t754,
         D_p_x_3_by_L_a_3*k_C, D_p_y_3_by_L_a_3*k_C, D_p_z_3_by_L_a_3*k_C,
-        D_delta_x_1_by_L_a_3*t557 + D_delta_y_1_by_L_a_3*t558 + D_delta_z_1_by_L_a_3*t559
-        + mu_1_by_L_a_3*t560 - mu_2_by_L_a_3*t556 - mu_3_by_L_a_3*t556,
-        D_delta_x_1_by_L_a_3*t562 + D_delta_x_2_by_L_a_3*t563 + D_delta_y_1_by_L_a_3*t564
-        + D_delta_y_2_by_L_a_3*t565 + D_delta_z_1_by_L_a_3*t566 + D_delta_z_2_by_L_a_3*t567
-        + mu_1_by_L_a_3*t561 + mu_2_by_L_a_3*t561 + mu_3_by_L_a_3*t561,
-        D_delta_x_1_by_L_a_3*t569 + D_delta_x_3_by_L_a_3*t563 + D_delta_y_1_by_L_a_3*t570
-        + D_delta_y_3_by_L_a_3*t565 + D_delta_z_1_by_L_a_3*t571 + D_delta_z_3_by_L_a_3*t567
-        + mu_1_by_L_a_3*t568 + mu_2_by_L_a_3*t568 + mu_3_by_L_a_3*t568,
+        D_delta_x_1_by_L_a_3*t545 + D_delta_y_1_by_L_a_3*t546 + D_delta_z_1_by_L_a_3*t547
+        + mu_1_by_L_a_3*t548 - mu_2_by_L_a_3*t544 - mu_3_by_L_a_3*t544,
+        D_delta_x_1_by_L_a_3*t550 + D_delta_x_2_by_L_a_3*t551 + D_delta_y_1_by_L_a_3*t552
+        + D_delta_y_2_by_L_a_3*t553 + D_delta_z_1_by_L_a_3*t554 + D_delta_z_2_by_L_a_3*t555
+        + mu_1_by_L_a_3*t549 + mu_2_by_L_a_3*t549 + mu_3_by_L_a_3*t549,
+        D_delta_x_1_by_L_a_3*t557 + D_delta_x_3_by_L_a_3*t551 + D_delta_y_1_by_L_a_3*t558
+        + D_delta_y_3_by_L_a_3*t553 + D_delta_z_1_by_L_a_3*t559 + D_delta_z_3_by_L_a_3*t555
+        + mu_1_by_L_a_3*t556 + mu_2_by_L_a_3*t556 + mu_3_by_L_a_3*t556,
         D_delta_x_1_by_L_a_3*k_C, D_delta_y_1_by_L_a_3*k_C, D_delta_z_1_by_L_a_3*k_C,
-        D_delta_x_2_by_L_a_3*t573 + D_delta_y_2_by_L_a_3*t574 + D_delta_z_2_by_L_a_3*t575
-        - mu_1_by_L_a_3*t572 + mu_2_by_L_a_3*t576 - mu_3_by_L_a_3*t572,
-        D_delta_x_2_by_L_a_3*t569 + D_delta_x_3_by_L_a_3*t562 + D_delta_y_2_by_L_a_3*t570
-        + D_delta_y_3_by_L_a_3*t564 + D_delta_z_2_by_L_a_3*t571 + D_delta_z_3_by_L_a_3*t566
-        + mu_1_by_L_a_3*t577 + mu_2_by_L_a_3*t577 + mu_3_by_L_a_3*t577,
+        D_delta_x_2_by_L_a_3*t561 + D_delta_y_2_by_L_a_3*t562 + D_delta_z_2_by_L_a_3*t563
+        - mu_1_by_L_a_3*t560 + mu_2_by_L_a_3*t564 - mu_3_by_L_a_3*t560,
+        D_delta_x_2_by_L_a_3*t557 + D_delta_x_3_by_L_a_3*t550 + D_delta_y_2_by_L_a_3*t558
+        + D_delta_y_3_by_L_a_3*t552 + D_delta_z_2_by_L_a_3*t559 + D_delta_z_3_by_L_a_3*t554
+        + mu_1_by_L_a_3*t565 + mu_2_by_L_a_3*t565 + mu_3_by_L_a_3*t565,
         D_delta_x_2_by_L_a_3*k_C, D_delta_y_2_by_L_a_3*k_C, D_delta_z_2_by_L_a_3*k_C,
-        D_delta_x_3_by_L_a_3*t579 + D_delta_y_3_by_L_a_3*t580 + D_delta_z_3_by_L_a_3*t581
-        - mu_1_by_L_a_3*t578 - mu_2_by_L_a_3*t578 + mu_3_by_L_a_3*t582,
+        D_delta_x_3_by_L_a_3*t567 + D_delta_y_3_by_L_a_3*t568 + D_delta_z_3_by_L_a_3*t569
+        - mu_1_by_L_a_3*t566 - mu_2_by_L_a_3*t566 + mu_3_by_L_a_3*t570,
         D_delta_x_3_by_L_a_3*k_C, D_delta_y_3_by_L_a_3*k_C, D_delta_z_3_by_L_a_3*k_C,
-        mu_1_by_l_d_1*t444 + mu_2_by_l_d_1*t435 + mu_3_by_l_d_1*t436 + t410*t773 - t412*t773 - t413*t773
-        + t414*t774 - t416*t774 - t417*t774 + t418*t775 - t420*t775 - t421*t775 + t423*t776 + t424*t776
-        - t427*t777 - t430*t778 - t433*t779 + t439*theta_1_by_l_d_1 + t441*theta_1_by_l_d_1
-        + t443*theta_1_by_l_d_1 + t587*t776,
-        D_p_x_1*D_p_x_2_by_l_d_1*k_C + D_p_x_1_by_l_d_1*D_p_x_2*k_C - D_p_x_1_by_l_d_1*t445
-        - D_p_x_1_by_l_d_1*t446 - D_p_x_2_by_l_d_1*t412 - D_p_x_2_by_l_d_1*t413 - D_p_x_2_by_l_d_1*t426
-        + D_p_y_1*D_p_y_2_by_l_d_1*k_C + D_p_y_1_by_l_d_1*D_p_y_2*k_C - D_p_y_1_by_l_d_1*t447
-        - D_p_y_1_by_l_d_1*t448 - D_p_y_2_by_l_d_1*t416 - D_p_y_2_by_l_d_1*t417 - D_p_y_2_by_l_d_1*t429
-        + D_p_z_1*D_p_z_2_by_l_d_1*k_C + D_p_z_1_by_l_d_1*D_p_z_2*k_C - D_p_z_1_by_l_d_1*t449
-        - D_p_z_1_by_l_d_1*t450 - D_p_z_2_by_l_d_1*t420 - D_p_z_2_by_l_d_1*t421 - D_p_z_2_by_l_d_1*t432
-        + mu_1_by_l_d_1*t454 + mu_2_by_l_d_1*t455 + mu_3_by_l_d_1*t456 - t451*t777 - t452*t778 - t453*t779,
-        D_p_x_1*D_p_x_3_by_l_d_1*k_C + D_p_x_1_by_l_d_1*D_p_x_3*k_C - D_p_x_1_by_l_d_1*t457
-        - D_p_x_1_by_l_d_1*t458 - D_p_x_3_by_l_d_1*t412 - D_p_x_3_by_l_d_1*t413 - D_p_x_3_by_l_d_1*t426
-        + D_p_y_1*D_p_y_3_by_l_d_1*k_C + D_p_y_1_by_l_d_1*D_p_y_3*k_C - D_p_y_1_by_l_d_1*t459
-        - D_p_y_1_by_l_d_1*t460 - D_p_y_3_by_l_d_1*t416 - D_p_y_3_by_l_d_1*t417 - D_p_y_3_by_l_d_1*t429
-        + D_p_z_1*D_p_z_3_by_l_d_1*k_C + D_p_z_1_by_l_d_1*D_p_z_3*k_C - D_p_z_1_by_l_d_1*t461
-        - D_p_z_1_by_l_d_1*t462 - D_p_z_3_by_l_d_1*t420 - D_p_z_3_by_l_d_1*t421 - D_p_z_3_by_l_d_1*t432
-        + mu_1_by_l_d_1*t466 + mu_2_by_l_d_1*t467 + mu_3_by_l_d_1*t468 - t463*t777 - t464*t778 - t465*t779,
-        D_delta_x_1_by_l_d_1*t484 + D_delta_y_1_by_l_d_1*t485 + D_delta_z_1_by_l_d_1*t486
-        - D_p_x_1_by_l_d_1*t472 - D_p_x_1_by_l_d_1*t473 + D_p_x_1_by_l_d_1*t592 - D_p_y_1_by_l_d_1*t474
-        - D_p_y_1_by_l_d_1*t475 + D_p_y_1_by_l_d_1*t593 - D_p_z_1_by_l_d_1*t476 - D_p_z_1_by_l_d_1*t477
-        + D_p_z_1_by_l_d_1*t594 + mu_1_by_l_d_1*t481 + mu_2_by_l_d_1*t482 + mu_3_by_l_d_1*t483 - t478*t777
-        - t479*t778 - t480*t779,
-        D_delta_x_2_by_l_d_1*t484 + D_delta_y_2_by_l_d_1*t485 + D_delta_z_2_by_l_d_1*t486
-        - D_p_x_1_by_l_d_1*t487 - D_p_x_1_by_l_d_1*t488 + D_p_x_1_by_l_d_1*t595 - D_p_y_1_by_l_d_1*t489
-        - D_p_y_1_by_l_d_1*t490 + D_p_y_1_by_l_d_1*t596 - D_p_z_1_by_l_d_1*t491 - D_p_z_1_by_l_d_1*t492
-        + D_p_z_1_by_l_d_1*t597 + mu_1_by_l_d_1*t496 + mu_2_by_l_d_1*t497 + mu_3_by_l_d_1*t498 - t493*t777
-        - t494*t778 - t495*t779,
-        D_delta_x_3_by_l_d_1*t484 + D_delta_y_3_by_l_d_1*t485 + D_delta_z_3_by_l_d_1*t486
-        - D_p_x_1_by_l_d_1*t499 - D_p_x_1_by_l_d_1*t500 + D_p_x_1_by_l_d_1*t598 - D_p_y_1_by_l_d_1*t501
-        - D_p_y_1_by_l_d_1*t502 + D_p_y_1_by_l_d_1*t599 - D_p_z_1_by_l_d_1*t503 - D_p_z_1_by_l_d_1*t504
-        + D_p_z_1_by_l_d_1*t600 + mu_1_by_l_d_1*t508 + mu_2_by_l_d_1*t509 + mu_3_by_l_d_1*t510 - t505*t777
-        - t506*t778 - t507*t779,
+        mu_1_by_l_d_1*t443 + mu_2_by_l_d_1*t435 + mu_3_by_l_d_1*t435 + t410*t761 - t412*t761 - t413*t761
+        + t414*t762 - t416*t762 - t417*t762 + t418*t763 - t420*t763 - t421*t763 + t423*t764 + t424*t764
+        - t427*t765 - t430*t766 - t433*t767 + t438*theta_1_by_l_d_1 + t440*theta_1_by_l_d_1
+        + t442*theta_1_by_l_d_1 + t575*t764,
+        D_p_x_1*D_p_x_2_by_l_d_1*k_C + D_p_x_1_by_l_d_1*D_p_x_2*k_C - D_p_x_1_by_l_d_1*t444
+        - D_p_x_1_by_l_d_1*t445 - D_p_x_2_by_l_d_1*t412 - D_p_x_2_by_l_d_1*t413 - D_p_x_2_by_l_d_1*t426
+        + D_p_y_1*D_p_y_2_by_l_d_1*k_C + D_p_y_1_by_l_d_1*D_p_y_2*k_C - D_p_y_1_by_l_d_1*t446
+        - D_p_y_1_by_l_d_1*t447 - D_p_y_2_by_l_d_1*t416 - D_p_y_2_by_l_d_1*t417 - D_p_y_2_by_l_d_1*t429
+        + D_p_z_1*D_p_z_2_by_l_d_1*k_C + D_p_z_1_by_l_d_1*D_p_z_2*k_C - D_p_z_1_by_l_d_1*t448
+        - D_p_z_1_by_l_d_1*t449 - D_p_z_2_by_l_d_1*t420 - D_p_z_2_by_l_d_1*t421 - D_p_z_2_by_l_d_1*t432
+        + mu_1_by_l_d_1*t453 + mu_2_by_l_d_1*t454 + mu_3_by_l_d_1*t455 - t450*t765 - t451*t766 - t452*t767,
+        D_p_x_1*D_p_x_3_by_l_d_1*k_C + D_p_x_1_by_l_d_1*D_p_x_3*k_C - D_p_x_1_by_l_d_1*t456
+        - D_p_x_1_by_l_d_1*t457 - D_p_x_3_by_l_d_1*t412 - D_p_x_3_by_l_d_1*t413 - D_p_x_3_by_l_d_1*t426
+        + D_p_y_1*D_p_y_3_by_l_d_1*k_C + D_p_y_1_by_l_d_1*D_p_y_3*k_C - D_p_y_1_by_l_d_1*t458
+        - D_p_y_1_by_l_d_1*t459 - D_p_y_3_by_l_d_1*t416 - D_p_y_3_by_l_d_1*t417 - D_p_y_3_by_l_d_1*t429
+        + D_p_z_1*D_p_z_3_by_l_d_1*k_C + D_p_z_1_by_l_d_1*D_p_z_3*k_C - D_p_z_1_by_l_d_1*t460
+        - D_p_z_1_by_l_d_1*t461 - D_p_z_3_by_l_d_1*t420 - D_p_z_3_by_l_d_1*t421 - D_p_z_3_by_l_d_1*t432
+        + mu_1_by_l_d_1*t465 + mu_2_by_l_d_1*t466 + mu_3_by_l_d_1*t467 - t462*t765 - t463*t766 - t464*t767,
+        D_delta_x_1_by_l_d_1*t482 + D_delta_y_1_by_l_d_1*t483 + D_delta_z_1_by_l_d_1*t484
+        - D_p_x_1_by_l_d_1*t471 - D_p_x_1_by_l_d_1*t472 + D_p_x_1_by_l_d_1*t580 - D_p_y_1_by_l_d_1*t473
+        - D_p_y_1_by_l_d_1*t474 + D_p_y_1_by_l_d_1*t581 - D_p_z_1_by_l_d_1*t475 - D_p_z_1_by_l_d_1*t476
+        + D_p_z_1_by_l_d_1*t582 + mu_1_by_l_d_1*t480 + mu_2_by_l_d_1*t481 + mu_3_by_l_d_1*t481 - t477*t765
+        - t478*t766 - t479*t767,
+        D_delta_x_2_by_l_d_1*t482 + D_delta_y_2_by_l_d_1*t483 + D_delta_z_2_by_l_d_1*t484
+        - D_p_x_1_by_l_d_1*t485 - D_p_x_1_by_l_d_1*t486 + D_p_x_1_by_l_d_1*t583 - D_p_y_1_by_l_d_1*t487
+        - D_p_y_1_by_l_d_1*t488 + D_p_y_1_by_l_d_1*t584 - D_p_z_1_by_l_d_1*t489 - D_p_z_1_by_l_d_1*t490
+        + D_p_z_1_by_l_d_1*t585 + mu_1_by_l_d_1*t494 + mu_2_by_l_d_1*t495 + mu_3_by_l_d_1*t495 - t491*t765
+        - t492*t766 - t493*t767,
+        D_delta_x_3_by_l_d_1*t482 + D_delta_y_3_by_l_d_1*t483 + D_delta_z_3_by_l_d_1*t484
+        - D_p_x_1_by_l_d_1*t496 - D_p_x_1_by_l_d_1*t497 + D_p_x_1_by_l_d_1*t586 - D_p_y_1_by_l_d_1*t498
+        - D_p_y_1_by_l_d_1*t499 + D_p_y_1_by_l_d_1*t587 - D_p_z_1_by_l_d_1*t500 - D_p_z_1_by_l_d_1*t501
+        + D_p_z_1_by_l_d_1*t588 + mu_1_by_l_d_1*t505 + mu_2_by_l_d_1*t506 + mu_3_by_l_d_1*t506 - t502*t765
+        - t503*t766 - t504*t767,
         D_p_x_1_by_l_d_1*k_C, D_p_y_1_by_l_d_1*k_C, D_p_z_1_by_l_d_1*k_C,
-        2*D_p_x_2*D_p_x_2_by_l_d_1*k_C - D_p_x_2_by_l_d_1*t636 + 2*D_p_y_2*D_p_y_2_by_l_d_1*k_C
-        - D_p_y_2_by_l_d_1*t637 + 2*D_p_z_2*D_p_z_2_by_l_d_1*k_C - D_p_z_2_by_l_d_1*t638
-        + mu_1_by_l_d_1*t514 + mu_2_by_l_d_1*t516 + mu_3_by_l_d_1*t515 - t446*t780 - t448*t781 - t450*t782
-        - t451*t780 - t452*t781 - t453*t782,
-        D_p_x_2*D_p_x_3_by_l_d_1*k_C + D_p_x_2_by_l_d_1*D_p_x_3*k_C - D_p_x_2_by_l_d_1*t457
-        - D_p_x_2_by_l_d_1*t458 - D_p_x_2_by_l_d_1*t463 - D_p_x_3_by_l_d_1*t445 - D_p_x_3_by_l_d_1*t446
-        - D_p_x_3_by_l_d_1*t451 + D_p_y_2*D_p_y_3_by_l_d_1*k_C + D_p_y_2_by_l_d_1*D_p_y_3*k_C
-        - D_p_y_2_by_l_d_1*t459 - D_p_y_2_by_l_d_1*t460 - D_p_y_2_by_l_d_1*t464 - D_p_y_3_by_l_d_1*t447
-        - D_p_y_3_by_l_d_1*t448 - D_p_y_3_by_l_d_1*t452 + D_p_z_2*D_p_z_3_by_l_d_1*k_C
-        + D_p_z_2_by_l_d_1*D_p_z_3*k_C - D_p_z_2_by_l_d_1*t461 - D_p_z_2_by_l_d_1*t462
-        - D_p_z_2_by_l_d_1*t465 - D_p_z_3_by_l_d_1*t449 - D_p_z_3_by_l_d_1*t450 - D_p_z_3_by_l_d_1*t453
-        + mu_1_by_l_d_1*t517 + mu_2_by_l_d_1*t518 + mu_3_by_l_d_1*t519,
-        D_delta_x_1_by_l_d_1*t526 + D_delta_y_1_by_l_d_1*t527 + D_delta_z_1_by_l_d_1*t528
-        - D_p_x_2_by_l_d_1*t472 - D_p_x_2_by_l_d_1*t473 - D_p_x_2_by_l_d_1*t478 + D_p_x_2_by_l_d_1*t592
-        - D_p_y_2_by_l_d_1*t474 - D_p_y_2_by_l_d_1*t475 - D_p_y_2_by_l_d_1*t479 + D_p_y_2_by_l_d_1*t593
-        - D_p_z_2_by_l_d_1*t476 - D_p_z_2_by_l_d_1*t477 - D_p_z_2_by_l_d_1*t480 + D_p_z_2_by_l_d_1*t594
-        + mu_1_by_l_d_1*t523 + mu_2_by_l_d_1*t524 + mu_3_by_l_d_1*t525,
-        D_delta_x_2_by_l_d_1*t526 + D_delta_y_2_by_l_d_1*t527 + D_delta_z_2_by_l_d_1*t528
-        - D_p_x_2_by_l_d_1*t487 - D_p_x_2_by_l_d_1*t488 - D_p_x_2_by_l_d_1*t493 + D_p_x_2_by_l_d_1*t595
-        - D_p_y_2_by_l_d_1*t489 - D_p_y_2_by_l_d_1*t490 - D_p_y_2_by_l_d_1*t494 + D_p_y_2_by_l_d_1*t596
-        - D_p_z_2_by_l_d_1*t491 - D_p_z_2_by_l_d_1*t492 - D_p_z_2_by_l_d_1*t495 + D_p_z_2_by_l_d_1*t597
-        + mu_1_by_l_d_1*t529 + mu_2_by_l_d_1*t530 + mu_3_by_l_d_1*t531,
-        D_delta_x_3_by_l_d_1*t526 + D_delta_y_3_by_l_d_1*t527 + D_delta_z_3_by_l_d_1*t528
-        - D_p_x_2_by_l_d_1*t499 - D_p_x_2_by_l_d_1*t500 - D_p_x_2_by_l_d_1*t505 + D_p_x_2_by_l_d_1*t598
-        - D_p_y_2_by_l_d_1*t501 - D_p_y_2_by_l_d_1*t502 - D_p_y_2_by_l_d_1*t506 + D_p_y_2_by_l_d_1*t599
-        - D_p_z_2_by_l_d_1*t503 - D_p_z_2_by_l_d_1*t504 - D_p_z_2_by_l_d_1*t507 + D_p_z_2_by_l_d_1*t600
-        + mu_1_by_l_d_1*t532 + mu_2_by_l_d_1*t533 + mu_3_by_l_d_1*t534,
+        2*D_p_x_2*D_p_x_2_by_l_d_1*k_C - D_p_x_2_by_l_d_1*t624 + 2*D_p_y_2*D_p_y_2_by_l_d_1*k_C
+        - D_p_y_2_by_l_d_1*t625 + 2*D_p_z_2*D_p_z_2_by_l_d_1*k_C - D_p_z_2_by_l_d_1*t626
+        + mu_1_by_l_d_1*t510 + mu_2_by_l_d_1*t511 + mu_3_by_l_d_1*t510 - t444*t768 - t446*t769 - t448*t770
+        - t450*t768 - t451*t769 - t452*t770,
+        D_p_x_2*D_p_x_3_by_l_d_1*k_C + D_p_x_2_by_l_d_1*D_p_x_3*k_C - D_p_x_2_by_l_d_1*t456
+        - D_p_x_2_by_l_d_1*t457 - D_p_x_2_by_l_d_1*t462 - D_p_x_3_by_l_d_1*t444 - D_p_x_3_by_l_d_1*t445
+        - D_p_x_3_by_l_d_1*t450 + D_p_y_2*D_p_y_3_by_l_d_1*k_C + D_p_y_2_by_l_d_1*D_p_y_3*k_C
+        - D_p_y_2_by_l_d_1*t458 - D_p_y_2_by_l_d_1*t459 - D_p_y_2_by_l_d_1*t463 - D_p_y_3_by_l_d_1*t446
+        - D_p_y_3_by_l_d_1*t447 - D_p_y_3_by_l_d_1*t451 + D_p_z_2*D_p_z_3_by_l_d_1*k_C
+        + D_p_z_2_by_l_d_1*D_p_z_3*k_C - D_p_z_2_by_l_d_1*t460 - D_p_z_2_by_l_d_1*t461
+        - D_p_z_2_by_l_d_1*t464 - D_p_z_3_by_l_d_1*t448 - D_p_z_3_by_l_d_1*t449 - D_p_z_3_by_l_d_1*t452
+        + mu_1_by_l_d_1*t512 + mu_2_by_l_d_1*t513 + mu_3_by_l_d_1*t514,
+        D_delta_x_1_by_l_d_1*t520 + D_delta_y_1_by_l_d_1*t521 + D_delta_z_1_by_l_d_1*t522
+        - D_p_x_2_by_l_d_1*t471 - D_p_x_2_by_l_d_1*t472 - D_p_x_2_by_l_d_1*t477 + D_p_x_2_by_l_d_1*t580
+        - D_p_y_2_by_l_d_1*t473 - D_p_y_2_by_l_d_1*t474 - D_p_y_2_by_l_d_1*t478 + D_p_y_2_by_l_d_1*t581
+        - D_p_z_2_by_l_d_1*t475 - D_p_z_2_by_l_d_1*t476 - D_p_z_2_by_l_d_1*t479 + D_p_z_2_by_l_d_1*t582
+        + mu_1_by_l_d_1*t518 + mu_2_by_l_d_1*t519 + mu_3_by_l_d_1*t518,
+        D_delta_x_2_by_l_d_1*t520 + D_delta_y_2_by_l_d_1*t521 + D_delta_z_2_by_l_d_1*t522
+        - D_p_x_2_by_l_d_1*t485 - D_p_x_2_by_l_d_1*t486 - D_p_x_2_by_l_d_1*t491 + D_p_x_2_by_l_d_1*t583
+        - D_p_y_2_by_l_d_1*t487 - D_p_y_2_by_l_d_1*t488 - D_p_y_2_by_l_d_1*t492 + D_p_y_2_by_l_d_1*t584
+        - D_p_z_2_by_l_d_1*t489 - D_p_z_2_by_l_d_1*t490 - D_p_z_2_by_l_d_1*t493 + D_p_z_2_by_l_d_1*t585
+        + mu_1_by_l_d_1*t523 + mu_2_by_l_d_1*t524 + mu_3_by_l_d_1*t523,
+        D_delta_x_3_by_l_d_1*t520 + D_delta_y_3_by_l_d_1*t521 + D_delta_z_3_by_l_d_1*t522
+        - D_p_x_2_by_l_d_1*t496 - D_p_x_2_by_l_d_1*t497 - D_p_x_2_by_l_d_1*t502 + D_p_x_2_by_l_d_1*t586
+        - D_p_y_2_by_l_d_1*t498 - D_p_y_2_by_l_d_1*t499 - D_p_y_2_by_l_d_1*t503 + D_p_y_2_by_l_d_1*t587
+        - D_p_z_2_by_l_d_1*t500 - D_p_z_2_by_l_d_1*t501 - D_p_z_2_by_l_d_1*t504 + D_p_z_2_by_l_d_1*t588
+        + mu_1_by_l_d_1*t525 + mu_2_by_l_d_1*t526 + mu_3_by_l_d_1*t525,
         D_p_x_2_by_l_d_1*k_C, D_p_y_2_by_l_d_1*k_C, D_p_z_2_by_l_d_1*k_C,
-        2*D_p_x_3*D_p_x_3_by_l_d_1*k_C - D_p_x_3_by_l_d_1*t697 + 2*D_p_y_3*D_p_y_3_by_l_d_1*k_C
-        - D_p_y_3_by_l_d_1*t698 + 2*D_p_z_3*D_p_z_3_by_l_d_1*k_C - D_p_z_3_by_l_d_1*t699
-        + mu_1_by_l_d_1*t538 + mu_2_by_l_d_1*t539 + mu_3_by_l_d_1*t540 - t457*t783 - t459*t784 - t461*t785
-        - t463*t783 - t464*t784 - t465*t785,
-        D_delta_x_1_by_l_d_1*t547 + D_delta_y_1_by_l_d_1*t548 + D_delta_z_1_by_l_d_1*t549
-        - D_p_x_3_by_l_d_1*t472 - D_p_x_3_by_l_d_1*t473 - D_p_x_3_by_l_d_1*t478 + D_p_x_3_by_l_d_1*t592
-        - D_p_y_3_by_l_d_1*t474 - D_p_y_3_by_l_d_1*t475 - D_p_y_3_by_l_d_1*t479 + D_p_y_3_by_l_d_1*t593
-        - D_p_z_3_by_l_d_1*t476 - D_p_z_3_by_l_d_1*t477 - D_p_z_3_by_l_d_1*t480 + D_p_z_3_by_l_d_1*t594
-        + mu_1_by_l_d_1*t544 + mu_2_by_l_d_1*t545 + mu_3_by_l_d_1*t546,
-        D_delta_x_2_by_l_d_1*t547 + D_delta_y_2_by_l_d_1*t548 + D_delta_z_2_by_l_d_1*t549
-        - D_p_x_3_by_l_d_1*t487 - D_p_x_3_by_l_d_1*t488 - D_p_x_3_by_l_d_1*t493 + D_p_x_3_by_l_d_1*t595
-        - D_p_y_3_by_l_d_1*t489 - D_p_y_3_by_l_d_1*t490 - D_p_y_3_by_l_d_1*t494 + D_p_y_3_by_l_d_1*t596
-        - D_p_z_3_by_l_d_1*t491 - D_p_z_3_by_l_d_1*t492 - D_p_z_3_by_l_d_1*t495 + D_p_z_3_by_l_d_1*t597
-        + mu_1_by_l_d_1*t550 + mu_2_by_l_d_1*t551 + mu_3_by_l_d_1*t552,
-        D_delta_x_3_by_l_d_1*t547 + D_delta_y_3_by_l_d_1*t548 + D_delta_z_3_by_l_d_1*t549
-        - D_p_x_3_by_l_d_1*t499 - D_p_x_3_by_l_d_1*t500 - D_p_x_3_by_l_d_1*t505 + D_p_x_3_by_l_d_1*t598
-        - D_p_y_3_by_l_d_1*t501 - D_p_y_3_by_l_d_1*t502 - D_p_y_3_by_l_d_1*t506 + D_p_y_3_by_l_d_1*t599
-        - D_p_z_3_by_l_d_1*t503 - D_p_z_3_by_l_d_1*t504 - D_p_z_3_by_l_d_1*t507 + D_p_z_3_by_l_d_1*t600
-        + mu_1_by_l_d_1*t553 + mu_2_by_l_d_1*t554 + mu_3_by_l_d_1*t555,
+        2*D_p_x_3*D_p_x_3_by_l_d_1*k_C - D_p_x_3_by_l_d_1*t685 + 2*D_p_y_3*D_p_y_3_by_l_d_1*k_C
+        - D_p_y_3_by_l_d_1*t686 + 2*D_p_z_3*D_p_z_3_by_l_d_1*k_C - D_p_z_3_by_l_d_1*t687
+        + mu_1_by_l_d_1*t530 + mu_2_by_l_d_1*t530 + mu_3_by_l_d_1*t531 - t456*t771 - t458*t772 - t460*t773
+        - t462*t771 - t463*t772 - t464*t773,
+        D_delta_x_1_by_l_d_1*t537 + D_delta_y_1_by_l_d_1*t538 + D_delta_z_1_by_l_d_1*t539
+        - D_p_x_3_by_l_d_1*t471 - D_p_x_3_by_l_d_1*t472 - D_p_x_3_by_l_d_1*t477 + D_p_x_3_by_l_d_1*t580
+        - D_p_y_3_by_l_d_1*t473 - D_p_y_3_by_l_d_1*t474 - D_p_y_3_by_l_d_1*t478 + D_p_y_3_by_l_d_1*t581
+        - D_p_z_3_by_l_d_1*t475 - D_p_z_3_by_l_d_1*t476 - D_p_z_3_by_l_d_1*t479 + D_p_z_3_by_l_d_1*t582
+        + mu_1_by_l_d_1*t535 + mu_2_by_l_d_1*t535 + mu_3_by_l_d_1*t536,
+        D_delta_x_2_by_l_d_1*t537 + D_delta_y_2_by_l_d_1*t538 + D_delta_z_2_by_l_d_1*t539
+        - D_p_x_3_by_l_d_1*t485 - D_p_x_3_by_l_d_1*t486 - D_p_x_3_by_l_d_1*t491 + D_p_x_3_by_l_d_1*t583
+        - D_p_y_3_by_l_d_1*t487 - D_p_y_3_by_l_d_1*t488 - D_p_y_3_by_l_d_1*t492 + D_p_y_3_by_l_d_1*t584
+        - D_p_z_3_by_l_d_1*t489 - D_p_z_3_by_l_d_1*t490 - D_p_z_3_by_l_d_1*t493 + D_p_z_3_by_l_d_1*t585
+        + mu_1_by_l_d_1*t540 + mu_2_by_l_d_1*t540 + mu_3_by_l_d_1*t541,
+        D_delta_x_3_by_l_d_1*t537 + D_delta_y_3_by_l_d_1*t538 + D_delta_z_3_by_l_d_1*t539
+        - D_p_x_3_by_l_d_1*t496 - D_p_x_3_by_l_d_1*t497 - D_p_x_3_by_l_d_1*t502 + D_p_x_3_by_l_d_1*t586
+        - D_p_y_3_by_l_d_1*t498 - D_p_y_3_by_l_d_1*t499 - D_p_y_3_by_l_d_1*t503 + D_p_y_3_by_l_d_1*t587
+        - D_p_z_3_by_l_d_1*t500 - D_p_z_3_by_l_d_1*t501 - D_p_z_3_by_l_d_1*t504 + D_p_z_3_by_l_d_1*t588
+        + mu_1_by_l_d_1*t542 + mu_2_by_l_d_1*t542 + mu_3_by_l_d_1*t543,
         D_p_x_3_by_l_d_1*k_C, D_p_y_3_by_l_d_1*k_C, D_p_z_3_by_l_d_1*k_C,
-        D_delta_x_1_by_l_d_1*t557 + D_delta_y_1_by_l_d_1*t558 + D_delta_z_1_by_l_d_1*t559
-        + mu_1_by_l_d_1*t560 - mu_2_by_l_d_1*t556 - mu_3_by_l_d_1*t556,
-        D_delta_x_1_by_l_d_1*t562 + D_delta_x_2_by_l_d_1*t563 + D_delta_y_1_by_l_d_1*t564
-        + D_delta_y_2_by_l_d_1*t565 + D_delta_z_1_by_l_d_1*t566 + D_delta_z_2_by_l_d_1*t567
-        + mu_1_by_l_d_1*t561 + mu_2_by_l_d_1*t561 + mu_3_by_l_d_1*t561,
-        D_delta_x_1_by_l_d_1*t569 + D_delta_x_3_by_l_d_1*t563 + D_delta_y_1_by_l_d_1*t570
-        + D_delta_y_3_by_l_d_1*t565 + D_delta_z_1_by_l_d_1*t571 + D_delta_z_3_by_l_d_1*t567
-        + mu_1_by_l_d_1*t568 + mu_2_by_l_d_1*t568 + mu_3_by_l_d_1*t568,
+        D_delta_x_1_by_l_d_1*t545 + D_delta_y_1_by_l_d_1*t546 + D_delta_z_1_by_l_d_1*t547
+        + mu_1_by_l_d_1*t548 - mu_2_by_l_d_1*t544 - mu_3_by_l_d_1*t544,
+        D_delta_x_1_by_l_d_1*t550 + D_delta_x_2_by_l_d_1*t551 + D_delta_y_1_by_l_d_1*t552
+        + D_delta_y_2_by_l_d_1*t553 + D_delta_z_1_by_l_d_1*t554 + D_delta_z_2_by_l_d_1*t555
+        + mu_1_by_l_d_1*t549 + mu_2_by_l_d_1*t549 + mu_3_by_l_d_1*t549,
+        D_delta_x_1_by_l_d_1*t557 + D_delta_x_3_by_l_d_1*t551 + D_delta_y_1_by_l_d_1*t558
+        + D_delta_y_3_by_l_d_1*t553 + D_delta_z_1_by_l_d_1*t559 + D_delta_z_3_by_l_d_1*t555
+        + mu_1_by_l_d_1*t556 + mu_2_by_l_d_1*t556 + mu_3_by_l_d_1*t556,
         D_delta_x_1_by_l_d_1*k_C, D_delta_y_1_by_l_d_1*k_C, D_delta_z_1_by_l_d_1*k_C,
-        D_delta_x_2_by_l_d_1*t573 + D_delta_y_2_by_l_d_1*t574 + D_delta_z_2_by_l_d_1*t575
-        - mu_1_by_l_d_1*t572 + mu_2_by_l_d_1*t576 - mu_3_by_l_d_1*t572,
-        D_delta_x_2_by_l_d_1*t569 + D_delta_x_3_by_l_d_1*t562 + D_delta_y_2_by_l_d_1*t570
-        + D_delta_y_3_by_l_d_1*t564 + D_delta_z_2_by_l_d_1*t571 + D_delta_z_3_by_l_d_1*t566
-        + mu_1_by_l_d_1*t577 + mu_2_by_l_d_1*t577 + mu_3_by_l_d_1*t577,
+        D_delta_x_2_by_l_d_1*t561 + D_delta_y_2_by_l_d_1*t562 + D_delta_z_2_by_l_d_1*t563
+        - mu_1_by_l_d_1*t560 + mu_2_by_l_d_1*t564 - mu_3_by_l_d_1*t560,
+        D_delta_x_2_by_l_d_1*t557 + D_delta_x_3_by_l_d_1*t550 + D_delta_y_2_by_l_d_1*t558
+        + D_delta_y_3_by_l_d_1*t552 + D_delta_z_2_by_l_d_1*t559 + D_delta_z_3_by_l_d_1*t554
+        + mu_1_by_l_d_1*t565 + mu_2_by_l_d_1*t565 + mu_3_by_l_d_1*t565,
         D_delta_x_2_by_l_d_1*k_C, D_delta_y_2_by_l_d_1*k_C, D_delta_z_2_by_l_d_1*k_C,
-        D_delta_x_3_by_l_d_1*t579 + D_delta_y_3_by_l_d_1*t580 + D_delta_z_3_by_l_d_1*t581
-        - mu_1_by_l_d_1*t578 - mu_2_by_l_d_1*t578 + mu_3_by_l_d_1*t582,
+        D_delta_x_3_by_l_d_1*t567 + D_delta_y_3_by_l_d_1*t568 + D_delta_z_3_by_l_d_1*t569
+        - mu_1_by_l_d_1*t566 - mu_2_by_l_d_1*t566 + mu_3_by_l_d_1*t570,
         D_delta_x_3_by_l_d_1*k_C, D_delta_y_3_by_l_d_1*k_C, D_delta_z_3_by_l_d_1*k_C,
         2*D_p_x_1*D_p_x_1_by_l_d_2*k_C - D_p_x_1_by_l_d_2*t427 + 2*D_p_y_1*D_p_y_1_by_l_d_2*k_C
         - D_p_y_1_by_l_d_2*t430 + 2*D_p_z_1*D_p_z_1_by_l_d_2*k_C - D_p_z_1_by_l_d_2*t433
-        + mu_1_by_l_d_2*t444 + mu_2_by_l_d_2*t435 + mu_3_by_l_d_2*t436 - t412*t786 - t413*t786 - t416*t787
-        - t417*t787 - t420*t788 - t421*t788,
-        D_p_x_1*D_p_x_2_by_l_d_2*k_C + D_p_x_1_by_l_d_2*D_p_x_2*k_C - D_p_x_1_by_l_d_2*t445
-        - D_p_x_1_by_l_d_2*t446 - D_p_x_1_by_l_d_2*t451 - D_p_x_2_by_l_d_2*t413 - D_p_x_2_by_l_d_2*t426
-        + D_p_y_1*D_p_y_2_by_l_d_2*k_C + D_p_y_1_by_l_d_2*D_p_y_2*k_C - D_p_y_1_by_l_d_2*t447
-        - D_p_y_1_by_l_d_2*t448 - D_p_y_1_by_l_d_2*t452 - D_p_y_2_by_l_d_2*t417 - D_p_y_2_by_l_d_2*t429
-        + D_p_z_1*D_p_z_2_by_l_d_2*k_C + D_p_z_1_by_l_d_2*D_p_z_2*k_C - D_p_z_1_by_l_d_2*t449
-        - D_p_z_1_by_l_d_2*t450 - D_p_z_1_by_l_d_2*t453 - D_p_z_2_by_l_d_2*t421 - D_p_z_2_by_l_d_2*t432
-        + mu_1_by_l_d_2*t454 + mu_2_by_l_d_2*t455 + mu_3_by_l_d_2*t456 - t412*t789 - t416*t790 - t420*t791,
-        D_p_x_1*D_p_x_3_by_l_d_2*k_C + D_p_x_1_by_l_d_2*D_p_x_3*k_C - D_p_x_1_by_l_d_2*t457
-        - D_p_x_1_by_l_d_2*t458 - D_p_x_1_by_l_d_2*t463 - D_p_x_3_by_l_d_2*t412 - D_p_x_3_by_l_d_2*t413
+        + mu_1_by_l_d_2*t443 + mu_2_by_l_d_2*t435 + mu_3_by_l_d_2*t435 - t412*t774 - t413*t774 - t416*t775
+        - t417*t775 - t420*t776 - t421*t776,
+        D_p_x_1*D_p_x_2_by_l_d_2*k_C + D_p_x_1_by_l_d_2*D_p_x_2*k_C - D_p_x_1_by_l_d_2*t444
+        - D_p_x_1_by_l_d_2*t445 - D_p_x_1_by_l_d_2*t450 - D_p_x_2_by_l_d_2*t413 - D_p_x_2_by_l_d_2*t426
+        + D_p_y_1*D_p_y_2_by_l_d_2*k_C + D_p_y_1_by_l_d_2*D_p_y_2*k_C - D_p_y_1_by_l_d_2*t446
+        - D_p_y_1_by_l_d_2*t447 - D_p_y_1_by_l_d_2*t451 - D_p_y_2_by_l_d_2*t417 - D_p_y_2_by_l_d_2*t429
+        + D_p_z_1*D_p_z_2_by_l_d_2*k_C + D_p_z_1_by_l_d_2*D_p_z_2*k_C - D_p_z_1_by_l_d_2*t448
+        - D_p_z_1_by_l_d_2*t449 - D_p_z_1_by_l_d_2*t452 - D_p_z_2_by_l_d_2*t421 - D_p_z_2_by_l_d_2*t432
+        + mu_1_by_l_d_2*t453 + mu_2_by_l_d_2*t454 + mu_3_by_l_d_2*t455 - t412*t777 - t416*t778 - t420*t779,
+        D_p_x_1*D_p_x_3_by_l_d_2*k_C + D_p_x_1_by_l_d_2*D_p_x_3*k_C - D_p_x_1_by_l_d_2*t456
+        - D_p_x_1_by_l_d_2*t457 - D_p_x_1_by_l_d_2*t462 - D_p_x_3_by_l_d_2*t412 - D_p_x_3_by_l_d_2*t413
         - D_p_x_3_by_l_d_2*t426 + D_p_y_1*D_p_y_3_by_l_d_2*k_C + D_p_y_1_by_l_d_2*D_p_y_3*k_C
-        - D_p_y_1_by_l_d_2*t459 - D_p_y_1_by_l_d_2*t460 - D_p_y_1_by_l_d_2*t464 - D_p_y_3_by_l_d_2*t416
+        - D_p_y_1_by_l_d_2*t458 - D_p_y_1_by_l_d_2*t459 - D_p_y_1_by_l_d_2*t463 - D_p_y_3_by_l_d_2*t416
         - D_p_y_3_by_l_d_2*t417 - D_p_y_3_by_l_d_2*t429 + D_p_z_1*D_p_z_3_by_l_d_2*k_C
-        + D_p_z_1_by_l_d_2*D_p_z_3*k_C - D_p_z_1_by_l_d_2*t461 - D_p_z_1_by_l_d_2*t462
-        - D_p_z_1_by_l_d_2*t465 - D_p_z_3_by_l_d_2*t420 - D_p_z_3_by_l_d_2*t421 - D_p_z_3_by_l_d_2*t432
-        + mu_1_by_l_d_2*t466 + mu_2_by_l_d_2*t467 + mu_3_by_l_d_2*t468,
-        D_delta_x_1_by_l_d_2*t484 + D_delta_y_1_by_l_d_2*t485 + D_delta_z_1_by_l_d_2*t486
-        - D_p_x_1_by_l_d_2*t472 - D_p_x_1_by_l_d_2*t473 - D_p_x_1_by_l_d_2*t478 + D_p_x_1_by_l_d_2*t592
-        - D_p_y_1_by_l_d_2*t474 - D_p_y_1_by_l_d_2*t475 - D_p_y_1_by_l_d_2*t479 + D_p_y_1_by_l_d_2*t593
-        - D_p_z_1_by_l_d_2*t476 - D_p_z_1_by_l_d_2*t477 - D_p_z_1_by_l_d_2*t480 + D_p_z_1_by_l_d_2*t594
-        + mu_1_by_l_d_2*t481 + mu_2_by_l_d_2*t482 + mu_3_by_l_d_2*t483,
-        D_delta_x_2_by_l_d_2*t484 + D_delta_y_2_by_l_d_2*t485 + D_delta_z_2_by_l_d_2*t486
-        - D_p_x_1_by_l_d_2*t487 - D_p_x_1_by_l_d_2*t488 - D_p_x_1_by_l_d_2*t493 + D_p_x_1_by_l_d_2*t595
-        - D_p_y_1_by_l_d_2*t489 - D_p_y_1_by_l_d_2*t490 - D_p_y_1_by_l_d_2*t494 + D_p_y_1_by_l_d_2*t596
-        - D_p_z_1_by_l_d_2*t491 - D_p_z_1_by_l_d_2*t492 - D_p_z_1_by_l_d_2*t495 + D_p_z_1_by_l_d_2*t597
-        + mu_1_by_l_d_2*t496 + mu_2_by_l_d_2*t497 + mu_3_by_l_d_2*t498,
-        D_delta_x_3_by_l_d_2*t484 + D_delta_y_3_by_l_d_2*t485 + D_delta_z_3_by_l_d_2*t486
-        - D_p_x_1_by_l_d_2*t499 - D_p_x_1_by_l_d_2*t500 - D_p_x_1_by_l_d_2*t505 + D_p_x_1_by_l_d_2*t598
-        - D_p_y_1_by_l_d_2*t501 - D_p_y_1_by_l_d_2*t502 - D_p_y_1_by_l_d_2*t506 + D_p_y_1_by_l_d_2*t599
-        - D_p_z_1_by_l_d_2*t503 - D_p_z_1_by_l_d_2*t504 - D_p_z_1_by_l_d_2*t507 + D_p_z_1_by_l_d_2*t600
-        + mu_1_by_l_d_2*t508 + mu_2_by_l_d_2*t509 + mu_3_by_l_d_2*t510,
+        + D_p_z_1_by_l_d_2*D_p_z_3*k_C - D_p_z_1_by_l_d_2*t460 - D_p_z_1_by_l_d_2*t461
+        - D_p_z_1_by_l_d_2*t464 - D_p_z_3_by_l_d_2*t420 - D_p_z_3_by_l_d_2*t421 - D_p_z_3_by_l_d_2*t432
+        + mu_1_by_l_d_2*t465 + mu_2_by_l_d_2*t466 + mu_3_by_l_d_2*t467,
+        D_delta_x_1_by_l_d_2*t482 + D_delta_y_1_by_l_d_2*t483 + D_delta_z_1_by_l_d_2*t484
+        - D_p_x_1_by_l_d_2*t471 - D_p_x_1_by_l_d_2*t472 - D_p_x_1_by_l_d_2*t477 + D_p_x_1_by_l_d_2*t580
+        - D_p_y_1_by_l_d_2*t473 - D_p_y_1_by_l_d_2*t474 - D_p_y_1_by_l_d_2*t478 + D_p_y_1_by_l_d_2*t581
+        - D_p_z_1_by_l_d_2*t475 - D_p_z_1_by_l_d_2*t476 - D_p_z_1_by_l_d_2*t479 + D_p_z_1_by_l_d_2*t582
+        + mu_1_by_l_d_2*t480 + mu_2_by_l_d_2*t481 + mu_3_by_l_d_2*t481,
+        D_delta_x_2_by_l_d_2*t482 + D_delta_y_2_by_l_d_2*t483 + D_delta_z_2_by_l_d_2*t484
+        - D_p_x_1_by_l_d_2*t485 - D_p_x_1_by_l_d_2*t486 - D_p_x_1_by_l_d_2*t491 + D_p_x_1_by_l_d_2*t583
+        - D_p_y_1_by_l_d_2*t487 - D_p_y_1_by_l_d_2*t488 - D_p_y_1_by_l_d_2*t492 + D_p_y_1_by_l_d_2*t584
+        - D_p_z_1_by_l_d_2*t489 - D_p_z_1_by_l_d_2*t490 - D_p_z_1_by_l_d_2*t493 + D_p_z_1_by_l_d_2*t585
+        + mu_1_by_l_d_2*t494 + mu_2_by_l_d_2*t495 + mu_3_by_l_d_2*t495,
+        D_delta_x_3_by_l_d_2*t482 + D_delta_y_3_by_l_d_2*t483 + D_delta_z_3_by_l_d_2*t484
+        - D_p_x_1_by_l_d_2*t496 - D_p_x_1_by_l_d_2*t497 - D_p_x_1_by_l_d_2*t502 + D_p_x_1_by_l_d_2*t586
+        - D_p_y_1_by_l_d_2*t498 - D_p_y_1_by_l_d_2*t499 - D_p_y_1_by_l_d_2*t503 + D_p_y_1_by_l_d_2*t587
+        - D_p_z_1_by_l_d_2*t500 - D_p_z_1_by_l_d_2*t501 - D_p_z_1_by_l_d_2*t504 + D_p_z_1_by_l_d_2*t588
+        + mu_1_by_l_d_2*t505 + mu_2_by_l_d_2*t506 + mu_3_by_l_d_2*t506,
         D_p_x_1_by_l_d_2*k_C, D_p_y_1_by_l_d_2*k_C, D_p_z_1_by_l_d_2*k_C,
-        mu_1_by_l_d_2*t514 + mu_2_by_l_d_2*t516 + mu_3_by_l_d_2*t515 - t446*t792 - t448*t793 - t450*t794
-        - t451*t792 - t452*t793 - t453*t794 + t627*t792 + t629*t793 + t631*t794 + t634*t795 + t635*t795
-        - t636*t789 - t637*t790 - t638*t791 + t642*theta_2_by_l_d_2 + t644*theta_2_by_l_d_2
-        + t646*theta_2_by_l_d_2 + t660*t795,
-        D_p_x_2*D_p_x_3_by_l_d_2*k_C + D_p_x_2_by_l_d_2*D_p_x_3*k_C - D_p_x_2_by_l_d_2*t458
-        - D_p_x_2_by_l_d_2*t463 - D_p_x_3_by_l_d_2*t445 - D_p_x_3_by_l_d_2*t446 - D_p_x_3_by_l_d_2*t451
-        + D_p_y_2*D_p_y_3_by_l_d_2*k_C + D_p_y_2_by_l_d_2*D_p_y_3*k_C - D_p_y_2_by_l_d_2*t460
-        - D_p_y_2_by_l_d_2*t464 - D_p_y_3_by_l_d_2*t447 - D_p_y_3_by_l_d_2*t448 - D_p_y_3_by_l_d_2*t452
-        + D_p_z_2*D_p_z_3_by_l_d_2*k_C + D_p_z_2_by_l_d_2*D_p_z_3*k_C - D_p_z_2_by_l_d_2*t462
-        - D_p_z_2_by_l_d_2*t465 - D_p_z_3_by_l_d_2*t449 - D_p_z_3_by_l_d_2*t450 - D_p_z_3_by_l_d_2*t453
-        + mu_1_by_l_d_2*t517 + mu_2_by_l_d_2*t518 + mu_3_by_l_d_2*t519 - t457*t789 - t459*t790 - t461*t791,
-        D_delta_x_1_by_l_d_2*t526 + D_delta_y_1_by_l_d_2*t527 + D_delta_z_1_by_l_d_2*t528
-        - D_p_x_2_by_l_d_2*t473 - D_p_x_2_by_l_d_2*t478 + D_p_x_2_by_l_d_2*t592 - D_p_y_2_by_l_d_2*t475
-        - D_p_y_2_by_l_d_2*t479 + D_p_y_2_by_l_d_2*t593 - D_p_z_2_by_l_d_2*t477 - D_p_z_2_by_l_d_2*t480
-        + D_p_z_2_by_l_d_2*t594 + mu_1_by_l_d_2*t523 + mu_2_by_l_d_2*t524 + mu_3_by_l_d_2*t525 - t472*t789
-        - t474*t790 - t476*t791,
-        D_delta_x_2_by_l_d_2*t526 + D_delta_y_2_by_l_d_2*t527 + D_delta_z_2_by_l_d_2*t528
-        - D_p_x_2_by_l_d_2*t488 - D_p_x_2_by_l_d_2*t493 + D_p_x_2_by_l_d_2*t595 - D_p_y_2_by_l_d_2*t490
-        - D_p_y_2_by_l_d_2*t494 + D_p_y_2_by_l_d_2*t596 - D_p_z_2_by_l_d_2*t492 - D_p_z_2_by_l_d_2*t495
-        + D_p_z_2_by_l_d_2*t597 + mu_1_by_l_d_2*t529 + mu_2_by_l_d_2*t530 + mu_3_by_l_d_2*t531 - t487*t789
-        - t489*t790 - t491*t791,
-        D_delta_x_3_by_l_d_2*t526 + D_delta_y_3_by_l_d_2*t527 + D_delta_z_3_by_l_d_2*t528
-        - D_p_x_2_by_l_d_2*t500 - D_p_x_2_by_l_d_2*t505 + D_p_x_2_by_l_d_2*t598 - D_p_y_2_by_l_d_2*t502
-        - D_p_y_2_by_l_d_2*t506 + D_p_y_2_by_l_d_2*t599 - D_p_z_2_by_l_d_2*t504 - D_p_z_2_by_l_d_2*t507
-        + D_p_z_2_by_l_d_2*t600 + mu_1_by_l_d_2*t532 + mu_2_by_l_d_2*t533 + mu_3_by_l_d_2*t534 - t499*t789
-        - t501*t790 - t503*t791,
+        mu_1_by_l_d_2*t510 + mu_2_by_l_d_2*t511 + mu_3_by_l_d_2*t510 - t444*t780 - t446*t781 - t448*t782
+        - t450*t780 - t451*t781 - t452*t782 + t615*t780 + t617*t781 + t619*t782 + t622*t783 + t623*t783
+        - t624*t777 - t625*t778 - t626*t779 + t630*theta_2_by_l_d_2 + t632*theta_2_by_l_d_2
+        + t634*theta_2_by_l_d_2 + t648*t783,
+        D_p_x_2*D_p_x_3_by_l_d_2*k_C + D_p_x_2_by_l_d_2*D_p_x_3*k_C - D_p_x_2_by_l_d_2*t457
+        - D_p_x_2_by_l_d_2*t462 - D_p_x_3_by_l_d_2*t444 - D_p_x_3_by_l_d_2*t445 - D_p_x_3_by_l_d_2*t450
+        + D_p_y_2*D_p_y_3_by_l_d_2*k_C + D_p_y_2_by_l_d_2*D_p_y_3*k_C - D_p_y_2_by_l_d_2*t459
+        - D_p_y_2_by_l_d_2*t463 - D_p_y_3_by_l_d_2*t446 - D_p_y_3_by_l_d_2*t447 - D_p_y_3_by_l_d_2*t451
+        + D_p_z_2*D_p_z_3_by_l_d_2*k_C + D_p_z_2_by_l_d_2*D_p_z_3*k_C - D_p_z_2_by_l_d_2*t461
+        - D_p_z_2_by_l_d_2*t464 - D_p_z_3_by_l_d_2*t448 - D_p_z_3_by_l_d_2*t449 - D_p_z_3_by_l_d_2*t452
+        + mu_1_by_l_d_2*t512 + mu_2_by_l_d_2*t513 + mu_3_by_l_d_2*t514 - t456*t777 - t458*t778 - t460*t779,
+        D_delta_x_1_by_l_d_2*t520 + D_delta_y_1_by_l_d_2*t521 + D_delta_z_1_by_l_d_2*t522
+        - D_p_x_2_by_l_d_2*t472 - D_p_x_2_by_l_d_2*t477 + D_p_x_2_by_l_d_2*t580 - D_p_y_2_by_l_d_2*t474
+        - D_p_y_2_by_l_d_2*t478 + D_p_y_2_by_l_d_2*t581 - D_p_z_2_by_l_d_2*t476 - D_p_z_2_by_l_d_2*t479
+        + D_p_z_2_by_l_d_2*t582 + mu_1_by_l_d_2*t518 + mu_2_by_l_d_2*t519 + mu_3_by_l_d_2*t518 - t471*t777
+        - t473*t778 - t475*t779,
+        D_delta_x_2_by_l_d_2*t520 + D_delta_y_2_by_l_d_2*t521 + D_delta_z_2_by_l_d_2*t522
+        - D_p_x_2_by_l_d_2*t486 - D_p_x_2_by_l_d_2*t491 + D_p_x_2_by_l_d_2*t583 - D_p_y_2_by_l_d_2*t488
+        - D_p_y_2_by_l_d_2*t492 + D_p_y_2_by_l_d_2*t584 - D_p_z_2_by_l_d_2*t490 - D_p_z_2_by_l_d_2*t493
+        + D_p_z_2_by_l_d_2*t585 + mu_1_by_l_d_2*t523 + mu_2_by_l_d_2*t524 + mu_3_by_l_d_2*t523 - t485*t777
+        - t487*t778 - t489*t779,
+        D_delta_x_3_by_l_d_2*t520 + D_delta_y_3_by_l_d_2*t521 + D_delta_z_3_by_l_d_2*t522
+        - D_p_x_2_by_l_d_2*t497 - D_p_x_2_by_l_d_2*t502 + D_p_x_2_by_l_d_2*t586 - D_p_y_2_by_l_d_2*t499
+        - D_p_y_2_by_l_d_2*t503 + D_p_y_2_by_l_d_2*t587 - D_p_z_2_by_l_d_2*t501 - D_p_z_2_by_l_d_2*t504
+        + D_p_z_2_by_l_d_2*t588 + mu_1_by_l_d_2*t525 + mu_2_by_l_d_2*t526 + mu_3_by_l_d_2*t525 - t496*t777
+        - t498*t778 - t500*t779,
         D_p_x_2_by_l_d_2*k_C, D_p_y_2_by_l_d_2*k_C, D_p_z_2_by_l_d_2*k_C,
-        2*D_p_x_3*D_p_x_3_by_l_d_2*k_C - D_p_x_3_by_l_d_2*t697 + 2*D_p_y_3*D_p_y_3_by_l_d_2*k_C
-        - D_p_y_3_by_l_d_2*t698 + 2*D_p_z_3*D_p_z_3_by_l_d_2*k_C - D_p_z_3_by_l_d_2*t699
-        + mu_1_by_l_d_2*t538 + mu_2_by_l_d_2*t539 + mu_3_by_l_d_2*t540 - t457*t796 - t459*t797 - t461*t798
-        - t463*t796 - t464*t797 - t465*t798,
-        D_delta_x_1_by_l_d_2*t547 + D_delta_y_1_by_l_d_2*t548 + D_delta_z_1_by_l_d_2*t549
-        - D_p_x_3_by_l_d_2*t472 - D_p_x_3_by_l_d_2*t473 - D_p_x_3_by_l_d_2*t478 + D_p_x_3_by_l_d_2*t592
-        - D_p_y_3_by_l_d_2*t474 - D_p_y_3_by_l_d_2*t475 - D_p_y_3_by_l_d_2*t479 + D_p_y_3_by_l_d_2*t593
-        - D_p_z_3_by_l_d_2*t476 - D_p_z_3_by_l_d_2*t477 - D_p_z_3_by_l_d_2*t480 + D_p_z_3_by_l_d_2*t594
-        + mu_1_by_l_d_2*t544 + mu_2_by_l_d_2*t545 + mu_3_by_l_d_2*t546,
-        D_delta_x_2_by_l_d_2*t547 + D_delta_y_2_by_l_d_2*t548 + D_delta_z_2_by_l_d_2*t549
-        - D_p_x_3_by_l_d_2*t487 - D_p_x_3_by_l_d_2*t488 - D_p_x_3_by_l_d_2*t493 + D_p_x_3_by_l_d_2*t595
-        - D_p_y_3_by_l_d_2*t489 - D_p_y_3_by_l_d_2*t490 - D_p_y_3_by_l_d_2*t494 + D_p_y_3_by_l_d_2*t596
-        - D_p_z_3_by_l_d_2*t491 - D_p_z_3_by_l_d_2*t492 - D_p_z_3_by_l_d_2*t495 + D_p_z_3_by_l_d_2*t597
-        + mu_1_by_l_d_2*t550 + mu_2_by_l_d_2*t551 + mu_3_by_l_d_2*t552,
-        D_delta_x_3_by_l_d_2*t547 + D_delta_y_3_by_l_d_2*t548 + D_delta_z_3_by_l_d_2*t549
-        - D_p_x_3_by_l_d_2*t499 - D_p_x_3_by_l_d_2*t500 - D_p_x_3_by_l_d_2*t505 + D_p_x_3_by_l_d_2*t598
-        - D_p_y_3_by_l_d_2*t501 - D_p_y_3_by_l_d_2*t502 - D_p_y_3_by_l_d_2*t506 + D_p_y_3_by_l_d_2*t599
-        - D_p_z_3_by_l_d_2*t503 - D_p_z_3_by_l_d_2*t504 - D_p_z_3_by_l_d_2*t507 + D_p_z_3_by_l_d_2*t600
-        + mu_1_by_l_d_2*t553 + mu_2_by_l_d_2*t554 + mu_3_by_l_d_2*t555,
+        2*D_p_x_3*D_p_x_3_by_l_d_2*k_C - D_p_x_3_by_l_d_2*t685 + 2*D_p_y_3*D_p_y_3_by_l_d_2*k_C
+        - D_p_y_3_by_l_d_2*t686 + 2*D_p_z_3*D_p_z_3_by_l_d_2*k_C - D_p_z_3_by_l_d_2*t687
+        + mu_1_by_l_d_2*t530 + mu_2_by_l_d_2*t530 + mu_3_by_l_d_2*t531 - t456*t784 - t458*t785 - t460*t786
+        - t462*t784 - t463*t785 - t464*t786,
+        D_delta_x_1_by_l_d_2*t537 + D_delta_y_1_by_l_d_2*t538 + D_delta_z_1_by_l_d_2*t539
+        - D_p_x_3_by_l_d_2*t471 - D_p_x_3_by_l_d_2*t472 - D_p_x_3_by_l_d_2*t477 + D_p_x_3_by_l_d_2*t580
+        - D_p_y_3_by_l_d_2*t473 - D_p_y_3_by_l_d_2*t474 - D_p_y_3_by_l_d_2*t478 + D_p_y_3_by_l_d_2*t581
+        - D_p_z_3_by_l_d_2*t475 - D_p_z_3_by_l_d_2*t476 - D_p_z_3_by_l_d_2*t479 + D_p_z_3_by_l_d_2*t582
+        + mu_1_by_l_d_2*t535 + mu_2_by_l_d_2*t535 + mu_3_by_l_d_2*t536,
+        D_delta_x_2_by_l_d_2*t537 + D_delta_y_2_by_l_d_2*t538 + D_delta_z_2_by_l_d_2*t539
+        - D_p_x_3_by_l_d_2*t485 - D_p_x_3_by_l_d_2*t486 - D_p_x_3_by_l_d_2*t491 + D_p_x_3_by_l_d_2*t583
+        - D_p_y_3_by_l_d_2*t487 - D_p_y_3_by_l_d_2*t488 - D_p_y_3_by_l_d_2*t492 + D_p_y_3_by_l_d_2*t584
+        - D_p_z_3_by_l_d_2*t489 - D_p_z_3_by_l_d_2*t490 - D_p_z_3_by_l_d_2*t493 + D_p_z_3_by_l_d_2*t585
+        + mu_1_by_l_d_2*t540 + mu_2_by_l_d_2*t540 + mu_3_by_l_d_2*t541,
+        D_delta_x_3_by_l_d_2*t537 + D_delta_y_3_by_l_d_2*t538 + D_delta_z_3_by_l_d_2*t539
+        - D_p_x_3_by_l_d_2*t496 - D_p_x_3_by_l_d_2*t497 - D_p_x_3_by_l_d_2*t502 + D_p_x_3_by_l_d_2*t586
+        - D_p_y_3_by_l_d_2*t498 - D_p_y_3_by_l_d_2*t499 - D_p_y_3_by_l_d_2*t503 + D_p_y_3_by_l_d_2*t587
+        - D_p_z_3_by_l_d_2*t500 - D_p_z_3_by_l_d_2*t501 - D_p_z_3_by_l_d_2*t504 + D_p_z_3_by_l_d_2*t588
+        + mu_1_by_l_d_2*t542 + mu_2_by_l_d_2*t542 + mu_3_by_l_d_2*t543,
         D_p_x_3_by_l_d_2*k_C, D_p_y_3_by_l_d_2*k_C, D_p_z_3_by_l_d_2*k_C,
-        D_delta_x_1_by_l_d_2*t557 + D_delta_y_1_by_l_d_2*t558 + D_delta_z_1_by_l_d_2*t559
-        + mu_1_by_l_d_2*t560 - mu_2_by_l_d_2*t556 - mu_3_by_l_d_2*t556,
-        D_delta_x_1_by_l_d_2*t562 + D_delta_x_2_by_l_d_2*t563 + D_delta_y_1_by_l_d_2*t564
-        + D_delta_y_2_by_l_d_2*t565 + D_delta_z_1_by_l_d_2*t566 + D_delta_z_2_by_l_d_2*t567
-        + mu_1_by_l_d_2*t561 + mu_2_by_l_d_2*t561 + mu_3_by_l_d_2*t561,
-        D_delta_x_1_by_l_d_2*t569 + D_delta_x_3_by_l_d_2*t563 + D_delta_y_1_by_l_d_2*t570
-        + D_delta_y_3_by_l_d_2*t565 + D_delta_z_1_by_l_d_2*t571 + D_delta_z_3_by_l_d_2*t567
-        + mu_1_by_l_d_2*t568 + mu_2_by_l_d_2*t568 + mu_3_by_l_d_2*t568,
+        D_delta_x_1_by_l_d_2*t545 + D_delta_y_1_by_l_d_2*t546 + D_delta_z_1_by_l_d_2*t547
+        + mu_1_by_l_d_2*t548 - mu_2_by_l_d_2*t544 - mu_3_by_l_d_2*t544,
+        D_delta_x_1_by_l_d_2*t550 + D_delta_x_2_by_l_d_2*t551 + D_delta_y_1_by_l_d_2*t552
+        + D_delta_y_2_by_l_d_2*t553 + D_delta_z_1_by_l_d_2*t554 + D_delta_z_2_by_l_d_2*t555
+        + mu_1_by_l_d_2*t549 + mu_2_by_l_d_2*t549 + mu_3_by_l_d_2*t549,
+        D_delta_x_1_by_l_d_2*t557 + D_delta_x_3_by_l_d_2*t551 + D_delta_y_1_by_l_d_2*t558
+        + D_delta_y_3_by_l_d_2*t553 + D_delta_z_1_by_l_d_2*t559 + D_delta_z_3_by_l_d_2*t555
+        + mu_1_by_l_d_2*t556 + mu_2_by_l_d_2*t556 + mu_3_by_l_d_2*t556,
         D_delta_x_1_by_l_d_2*k_C, D_delta_y_1_by_l_d_2*k_C, D_delta_z_1_by_l_d_2*k_C,
-        D_delta_x_2_by_l_d_2*t573 + D_delta_y_2_by_l_d_2*t574 + D_delta_z_2_by_l_d_2*t575
-        - mu_1_by_l_d_2*t572 + mu_2_by_l_d_2*t576 - mu_3_by_l_d_2*t572,
-        D_delta_x_2_by_l_d_2*t569 + D_delta_x_3_by_l_d_2*t562 + D_delta_y_2_by_l_d_2*t570
-        + D_delta_y_3_by_l_d_2*t564 + D_delta_z_2_by_l_d_2*t571 + D_delta_z_3_by_l_d_2*t566
-        + mu_1_by_l_d_2*t577 + mu_2_by_l_d_2*t577 + mu_3_by_l_d_2*t577,
+        D_delta_x_2_by_l_d_2*t561 + D_delta_y_2_by_l_d_2*t562 + D_delta_z_2_by_l_d_2*t563
+        - mu_1_by_l_d_2*t560 + mu_2_by_l_d_2*t564 - mu_3_by_l_d_2*t560,
+        D_delta_x_2_by_l_d_2*t557 + D_delta_x_3_by_l_d_2*t550 + D_delta_y_2_by_l_d_2*t558
+        + D_delta_y_3_by_l_d_2*t552 + D_delta_z_2_by_l_d_2*t559 + D_delta_z_3_by_l_d_2*t554
+        + mu_1_by_l_d_2*t565 + mu_2_by_l_d_2*t565 + mu_3_by_l_d_2*t565,
         D_delta_x_2_by_l_d_2*k_C, D_delta_y_2_by_l_d_2*k_C, D_delta_z_2_by_l_d_2*k_C,
-        D_delta_x_3_by_l_d_2*t579 + D_delta_y_3_by_l_d_2*t580 + D_delta_z_3_by_l_d_2*t581
-        - mu_1_by_l_d_2*t578 - mu_2_by_l_d_2*t578 + mu_3_by_l_d_2*t582,
+        D_delta_x_3_by_l_d_2*t567 + D_delta_y_3_by_l_d_2*t568 + D_delta_z_3_by_l_d_2*t569
+        - mu_1_by_l_d_2*t566 - mu_2_by_l_d_2*t566 + mu_3_by_l_d_2*t570,
         D_delta_x_3_by_l_d_2*k_C, D_delta_y_3_by_l_d_2*k_C, D_delta_z_3_by_l_d_2*k_C,
         2*D_p_x_1*D_p_x_1_by_l_d_3*k_C - D_p_x_1_by_l_d_3*t427 + 2*D_p_y_1*D_p_y_1_by_l_d_3*k_C
         - D_p_y_1_by_l_d_3*t430 + 2*D_p_z_1*D_p_z_1_by_l_d_3*k_C - D_p_z_1_by_l_d_3*t433
-        + mu_1_by_l_d_3*t444 + mu_2_by_l_d_3*t435 + mu_3_by_l_d_3*t436 - t412*t799 - t413*t799 - t416*t800
-        - t417*t800 - t420*t801 - t421*t801,
-        D_p_x_1*D_p_x_2_by_l_d_3*k_C + D_p_x_1_by_l_d_3*D_p_x_2*k_C - D_p_x_1_by_l_d_3*t445
-        - D_p_x_1_by_l_d_3*t446 - D_p_x_1_by_l_d_3*t451 - D_p_x_2_by_l_d_3*t412 - D_p_x_2_by_l_d_3*t413
+        + mu_1_by_l_d_3*t443 + mu_2_by_l_d_3*t435 + mu_3_by_l_d_3*t435 - t412*t787 - t413*t787 - t416*t788
+        - t417*t788 - t420*t789 - t421*t789,
+        D_p_x_1*D_p_x_2_by_l_d_3*k_C + D_p_x_1_by_l_d_3*D_p_x_2*k_C - D_p_x_1_by_l_d_3*t444
+        - D_p_x_1_by_l_d_3*t445 - D_p_x_1_by_l_d_3*t450 - D_p_x_2_by_l_d_3*t412 - D_p_x_2_by_l_d_3*t413
         - D_p_x_2_by_l_d_3*t426 + D_p_y_1*D_p_y_2_by_l_d_3*k_C + D_p_y_1_by_l_d_3*D_p_y_2*k_C
-        - D_p_y_1_by_l_d_3*t447 - D_p_y_1_by_l_d_3*t448 - D_p_y_1_by_l_d_3*t452 - D_p_y_2_by_l_d_3*t416
+        - D_p_y_1_by_l_d_3*t446 - D_p_y_1_by_l_d_3*t447 - D_p_y_1_by_l_d_3*t451 - D_p_y_2_by_l_d_3*t416
         - D_p_y_2_by_l_d_3*t417 - D_p_y_2_by_l_d_3*t429 + D_p_z_1*D_p_z_2_by_l_d_3*k_C
-        + D_p_z_1_by_l_d_3*D_p_z_2*k_C - D_p_z_1_by_l_d_3*t449 - D_p_z_1_by_l_d_3*t450
-        - D_p_z_1_by_l_d_3*t453 - D_p_z_2_by_l_d_3*t420 - D_p_z_2_by_l_d_3*t421 - D_p_z_2_by_l_d_3*t432
-        + mu_1_by_l_d_3*t454 + mu_2_by_l_d_3*t455 + mu_3_by_l_d_3*t456,
-        D_p_x_1*D_p_x_3_by_l_d_3*k_C + D_p_x_1_by_l_d_3*D_p_x_3*k_C - D_p_x_1_by_l_d_3*t457
-        - D_p_x_1_by_l_d_3*t458 - D_p_x_1_by_l_d_3*t463 - D_p_x_3_by_l_d_3*t412 - D_p_x_3_by_l_d_3*t426
-        + D_p_y_1*D_p_y_3_by_l_d_3*k_C + D_p_y_1_by_l_d_3*D_p_y_3*k_C - D_p_y_1_by_l_d_3*t459
-        - D_p_y_1_by_l_d_3*t460 - D_p_y_1_by_l_d_3*t464 - D_p_y_3_by_l_d_3*t416 - D_p_y_3_by_l_d_3*t429
-        + D_p_z_1*D_p_z_3_by_l_d_3*k_C + D_p_z_1_by_l_d_3*D_p_z_3*k_C - D_p_z_1_by_l_d_3*t461
-        - D_p_z_1_by_l_d_3*t462 - D_p_z_1_by_l_d_3*t465 - D_p_z_3_by_l_d_3*t420 - D_p_z_3_by_l_d_3*t432
-        + mu_1_by_l_d_3*t466 + mu_2_by_l_d_3*t467 + mu_3_by_l_d_3*t468 - t413*t802 - t417*t803 - t421*t804,
-        D_delta_x_1_by_l_d_3*t484 + D_delta_y_1_by_l_d_3*t485 + D_delta_z_1_by_l_d_3*t486
-        - D_p_x_1_by_l_d_3*t472 - D_p_x_1_by_l_d_3*t473 - D_p_x_1_by_l_d_3*t478 + D_p_x_1_by_l_d_3*t592
-        - D_p_y_1_by_l_d_3*t474 - D_p_y_1_by_l_d_3*t475 - D_p_y_1_by_l_d_3*t479 + D_p_y_1_by_l_d_3*t593
-        - D_p_z_1_by_l_d_3*t476 - D_p_z_1_by_l_d_3*t477 - D_p_z_1_by_l_d_3*t480 + D_p_z_1_by_l_d_3*t594
-        + mu_1_by_l_d_3*t481 + mu_2_by_l_d_3*t482 + mu_3_by_l_d_3*t483,
-        D_delta_x_2_by_l_d_3*t484 + D_delta_y_2_by_l_d_3*t485 + D_delta_z_2_by_l_d_3*t486
-        - D_p_x_1_by_l_d_3*t487 - D_p_x_1_by_l_d_3*t488 - D_p_x_1_by_l_d_3*t493 + D_p_x_1_by_l_d_3*t595
-        - D_p_y_1_by_l_d_3*t489 - D_p_y_1_by_l_d_3*t490 - D_p_y_1_by_l_d_3*t494 + D_p_y_1_by_l_d_3*t596
-        - D_p_z_1_by_l_d_3*t491 - D_p_z_1_by_l_d_3*t492 - D_p_z_1_by_l_d_3*t495 + D_p_z_1_by_l_d_3*t597
-        + mu_1_by_l_d_3*t496 + mu_2_by_l_d_3*t497 + mu_3_by_l_d_3*t498,
-        D_delta_x_3_by_l_d_3*t484 + D_delta_y_3_by_l_d_3*t485 + D_delta_z_3_by_l_d_3*t486
-        - D_p_x_1_by_l_d_3*t499 - D_p_x_1_by_l_d_3*t500 - D_p_x_1_by_l_d_3*t505 + D_p_x_1_by_l_d_3*t598
-        - D_p_y_1_by_l_d_3*t501 - D_p_y_1_by_l_d_3*t502 - D_p_y_1_by_l_d_3*t506 + D_p_y_1_by_l_d_3*t599
-        - D_p_z_1_by_l_d_3*t503 - D_p_z_1_by_l_d_3*t504 - D_p_z_1_by_l_d_3*t507 + D_p_z_1_by_l_d_3*t600
-        + mu_1_by_l_d_3*t508 + mu_2_by_l_d_3*t509 + mu_3_by_l_d_3*t510,
+        + D_p_z_1_by_l_d_3*D_p_z_2*k_C - D_p_z_1_by_l_d_3*t448 - D_p_z_1_by_l_d_3*t449
+        - D_p_z_1_by_l_d_3*t452 - D_p_z_2_by_l_d_3*t420 - D_p_z_2_by_l_d_3*t421 - D_p_z_2_by_l_d_3*t432
+        + mu_1_by_l_d_3*t453 + mu_2_by_l_d_3*t454 + mu_3_by_l_d_3*t455,
+        D_p_x_1*D_p_x_3_by_l_d_3*k_C + D_p_x_1_by_l_d_3*D_p_x_3*k_C - D_p_x_1_by_l_d_3*t456
+        - D_p_x_1_by_l_d_3*t457 - D_p_x_1_by_l_d_3*t462 - D_p_x_3_by_l_d_3*t412 - D_p_x_3_by_l_d_3*t426
+        + D_p_y_1*D_p_y_3_by_l_d_3*k_C + D_p_y_1_by_l_d_3*D_p_y_3*k_C - D_p_y_1_by_l_d_3*t458
+        - D_p_y_1_by_l_d_3*t459 - D_p_y_1_by_l_d_3*t463 - D_p_y_3_by_l_d_3*t416 - D_p_y_3_by_l_d_3*t429
+        + D_p_z_1*D_p_z_3_by_l_d_3*k_C + D_p_z_1_by_l_d_3*D_p_z_3*k_C - D_p_z_1_by_l_d_3*t460
+        - D_p_z_1_by_l_d_3*t461 - D_p_z_1_by_l_d_3*t464 - D_p_z_3_by_l_d_3*t420 - D_p_z_3_by_l_d_3*t432
+        + mu_1_by_l_d_3*t465 + mu_2_by_l_d_3*t466 + mu_3_by_l_d_3*t467 - t413*t790 - t417*t791 - t421*t792,
+        D_delta_x_1_by_l_d_3*t482 + D_delta_y_1_by_l_d_3*t483 + D_delta_z_1_by_l_d_3*t484
+        - D_p_x_1_by_l_d_3*t471 - D_p_x_1_by_l_d_3*t472 - D_p_x_1_by_l_d_3*t477 + D_p_x_1_by_l_d_3*t580
+        - D_p_y_1_by_l_d_3*t473 - D_p_y_1_by_l_d_3*t474 - D_p_y_1_by_l_d_3*t478 + D_p_y_1_by_l_d_3*t581
+        - D_p_z_1_by_l_d_3*t475 - D_p_z_1_by_l_d_3*t476 - D_p_z_1_by_l_d_3*t479 + D_p_z_1_by_l_d_3*t582
+        + mu_1_by_l_d_3*t480 + mu_2_by_l_d_3*t481 + mu_3_by_l_d_3*t481,
+        D_delta_x_2_by_l_d_3*t482 + D_delta_y_2_by_l_d_3*t483 + D_delta_z_2_by_l_d_3*t484
+        - D_p_x_1_by_l_d_3*t485 - D_p_x_1_by_l_d_3*t486 - D_p_x_1_by_l_d_3*t491 + D_p_x_1_by_l_d_3*t583
+        - D_p_y_1_by_l_d_3*t487 - D_p_y_1_by_l_d_3*t488 - D_p_y_1_by_l_d_3*t492 + D_p_y_1_by_l_d_3*t584
+        - D_p_z_1_by_l_d_3*t489 - D_p_z_1_by_l_d_3*t490 - D_p_z_1_by_l_d_3*t493 + D_p_z_1_by_l_d_3*t585
+        + mu_1_by_l_d_3*t494 + mu_2_by_l_d_3*t495 + mu_3_by_l_d_3*t495,
+        D_delta_x_3_by_l_d_3*t482 + D_delta_y_3_by_l_d_3*t483 + D_delta_z_3_by_l_d_3*t484
+        - D_p_x_1_by_l_d_3*t496 - D_p_x_1_by_l_d_3*t497 - D_p_x_1_by_l_d_3*t502 + D_p_x_1_by_l_d_3*t586
+        - D_p_y_1_by_l_d_3*t498 - D_p_y_1_by_l_d_3*t499 - D_p_y_1_by_l_d_3*t503 + D_p_y_1_by_l_d_3*t587
+        - D_p_z_1_by_l_d_3*t500 - D_p_z_1_by_l_d_3*t501 - D_p_z_1_by_l_d_3*t504 + D_p_z_1_by_l_d_3*t588
+        + mu_1_by_l_d_3*t505 + mu_2_by_l_d_3*t506 + mu_3_by_l_d_3*t506,
         D_p_x_1_by_l_d_3*k_C, D_p_y_1_by_l_d_3*k_C, D_p_z_1_by_l_d_3*k_C,
-        2*D_p_x_2*D_p_x_2_by_l_d_3*k_C - D_p_x_2_by_l_d_3*t636 + 2*D_p_y_2*D_p_y_2_by_l_d_3*k_C
-        - D_p_y_2_by_l_d_3*t637 + 2*D_p_z_2*D_p_z_2_by_l_d_3*k_C - D_p_z_2_by_l_d_3*t638
-        + mu_1_by_l_d_3*t514 + mu_2_by_l_d_3*t516 + mu_3_by_l_d_3*t515 - t446*t805 - t448*t806 - t450*t807
-        - t451*t805 - t452*t806 - t453*t807,
-        D_p_x_2*D_p_x_3_by_l_d_3*k_C + D_p_x_2_by_l_d_3*D_p_x_3*k_C - D_p_x_2_by_l_d_3*t457
-        - D_p_x_2_by_l_d_3*t458 - D_p_x_2_by_l_d_3*t463 - D_p_x_3_by_l_d_3*t445 - D_p_x_3_by_l_d_3*t451
-        + D_p_y_2*D_p_y_3_by_l_d_3*k_C + D_p_y_2_by_l_d_3*D_p_y_3*k_C - D_p_y_2_by_l_d_3*t459
-        - D_p_y_2_by_l_d_3*t460 - D_p_y_2_by_l_d_3*t464 - D_p_y_3_by_l_d_3*t447 - D_p_y_3_by_l_d_3*t452
-        + D_p_z_2*D_p_z_3_by_l_d_3*k_C + D_p_z_2_by_l_d_3*D_p_z_3*k_C - D_p_z_2_by_l_d_3*t461
-        - D_p_z_2_by_l_d_3*t462 - D_p_z_2_by_l_d_3*t465 - D_p_z_3_by_l_d_3*t449 - D_p_z_3_by_l_d_3*t453
-        + mu_1_by_l_d_3*t517 + mu_2_by_l_d_3*t518 + mu_3_by_l_d_3*t519 - t446*t802 - t448*t803 - t450*t804,
-        D_delta_x_1_by_l_d_3*t526 + D_delta_y_1_by_l_d_3*t527 + D_delta_z_1_by_l_d_3*t528
-        - D_p_x_2_by_l_d_3*t472 - D_p_x_2_by_l_d_3*t473 - D_p_x_2_by_l_d_3*t478 + D_p_x_2_by_l_d_3*t592
-        - D_p_y_2_by_l_d_3*t474 - D_p_y_2_by_l_d_3*t475 - D_p_y_2_by_l_d_3*t479 + D_p_y_2_by_l_d_3*t593
-        - D_p_z_2_by_l_d_3*t476 - D_p_z_2_by_l_d_3*t477 - D_p_z_2_by_l_d_3*t480 + D_p_z_2_by_l_d_3*t594
-        + mu_1_by_l_d_3*t523 + mu_2_by_l_d_3*t524 + mu_3_by_l_d_3*t525,
-        D_delta_x_2_by_l_d_3*t526 + D_delta_y_2_by_l_d_3*t527 + D_delta_z_2_by_l_d_3*t528
-        - D_p_x_2_by_l_d_3*t487 - D_p_x_2_by_l_d_3*t488 - D_p_x_2_by_l_d_3*t493 + D_p_x_2_by_l_d_3*t595
-        - D_p_y_2_by_l_d_3*t489 - D_p_y_2_by_l_d_3*t490 - D_p_y_2_by_l_d_3*t494 + D_p_y_2_by_l_d_3*t596
-        - D_p_z_2_by_l_d_3*t491 - D_p_z_2_by_l_d_3*t492 - D_p_z_2_by_l_d_3*t495 + D_p_z_2_by_l_d_3*t597
-        + mu_1_by_l_d_3*t529 + mu_2_by_l_d_3*t530 + mu_3_by_l_d_3*t531,
-        D_delta_x_3_by_l_d_3*t526 + D_delta_y_3_by_l_d_3*t527 + D_delta_z_3_by_l_d_3*t528
-        - D_p_x_2_by_l_d_3*t499 - D_p_x_2_by_l_d_3*t500 - D_p_x_2_by_l_d_3*t505 + D_p_x_2_by_l_d_3*t598
-        - D_p_y_2_by_l_d_3*t501 - D_p_y_2_by_l_d_3*t502 - D_p_y_2_by_l_d_3*t506 + D_p_y_2_by_l_d_3*t599
-        - D_p_z_2_by_l_d_3*t503 - D_p_z_2_by_l_d_3*t504 - D_p_z_2_by_l_d_3*t507 + D_p_z_2_by_l_d_3*t600
-        + mu_1_by_l_d_3*t532 + mu_2_by_l_d_3*t533 + mu_3_by_l_d_3*t534,
+        2*D_p_x_2*D_p_x_2_by_l_d_3*k_C - D_p_x_2_by_l_d_3*t624 + 2*D_p_y_2*D_p_y_2_by_l_d_3*k_C
+        - D_p_y_2_by_l_d_3*t625 + 2*D_p_z_2*D_p_z_2_by_l_d_3*k_C - D_p_z_2_by_l_d_3*t626
+        + mu_1_by_l_d_3*t510 + mu_2_by_l_d_3*t511 + mu_3_by_l_d_3*t510 - t444*t793 - t446*t794 - t448*t795
+        - t450*t793 - t451*t794 - t452*t795,
+        D_p_x_2*D_p_x_3_by_l_d_3*k_C + D_p_x_2_by_l_d_3*D_p_x_3*k_C - D_p_x_2_by_l_d_3*t456
+        - D_p_x_2_by_l_d_3*t457 - D_p_x_2_by_l_d_3*t462 - D_p_x_3_by_l_d_3*t445 - D_p_x_3_by_l_d_3*t450
+        + D_p_y_2*D_p_y_3_by_l_d_3*k_C + D_p_y_2_by_l_d_3*D_p_y_3*k_C - D_p_y_2_by_l_d_3*t458
+        - D_p_y_2_by_l_d_3*t459 - D_p_y_2_by_l_d_3*t463 - D_p_y_3_by_l_d_3*t447 - D_p_y_3_by_l_d_3*t451
+        + D_p_z_2*D_p_z_3_by_l_d_3*k_C + D_p_z_2_by_l_d_3*D_p_z_3*k_C - D_p_z_2_by_l_d_3*t460
+        - D_p_z_2_by_l_d_3*t461 - D_p_z_2_by_l_d_3*t464 - D_p_z_3_by_l_d_3*t449 - D_p_z_3_by_l_d_3*t452
+        + mu_1_by_l_d_3*t512 + mu_2_by_l_d_3*t513 + mu_3_by_l_d_3*t514 - t444*t790 - t446*t791 - t448*t792,
+        D_delta_x_1_by_l_d_3*t520 + D_delta_y_1_by_l_d_3*t521 + D_delta_z_1_by_l_d_3*t522
+        - D_p_x_2_by_l_d_3*t471 - D_p_x_2_by_l_d_3*t472 - D_p_x_2_by_l_d_3*t477 + D_p_x_2_by_l_d_3*t580
+        - D_p_y_2_by_l_d_3*t473 - D_p_y_2_by_l_d_3*t474 - D_p_y_2_by_l_d_3*t478 + D_p_y_2_by_l_d_3*t581
+        - D_p_z_2_by_l_d_3*t475 - D_p_z_2_by_l_d_3*t476 - D_p_z_2_by_l_d_3*t479 + D_p_z_2_by_l_d_3*t582
+        + mu_1_by_l_d_3*t518 + mu_2_by_l_d_3*t519 + mu_3_by_l_d_3*t518,
+        D_delta_x_2_by_l_d_3*t520 + D_delta_y_2_by_l_d_3*t521 + D_delta_z_2_by_l_d_3*t522
+        - D_p_x_2_by_l_d_3*t485 - D_p_x_2_by_l_d_3*t486 - D_p_x_2_by_l_d_3*t491 + D_p_x_2_by_l_d_3*t583
+        - D_p_y_2_by_l_d_3*t487 - D_p_y_2_by_l_d_3*t488 - D_p_y_2_by_l_d_3*t492 + D_p_y_2_by_l_d_3*t584
+        - D_p_z_2_by_l_d_3*t489 - D_p_z_2_by_l_d_3*t490 - D_p_z_2_by_l_d_3*t493 + D_p_z_2_by_l_d_3*t585
+        + mu_1_by_l_d_3*t523 + mu_2_by_l_d_3*t524 + mu_3_by_l_d_3*t523,
+        D_delta_x_3_by_l_d_3*t520 + D_delta_y_3_by_l_d_3*t521 + D_delta_z_3_by_l_d_3*t522
+        - D_p_x_2_by_l_d_3*t496 - D_p_x_2_by_l_d_3*t497 - D_p_x_2_by_l_d_3*t502 + D_p_x_2_by_l_d_3*t586
+        - D_p_y_2_by_l_d_3*t498 - D_p_y_2_by_l_d_3*t499 - D_p_y_2_by_l_d_3*t503 + D_p_y_2_by_l_d_3*t587
+        - D_p_z_2_by_l_d_3*t500 - D_p_z_2_by_l_d_3*t501 - D_p_z_2_by_l_d_3*t504 + D_p_z_2_by_l_d_3*t588
+        + mu_1_by_l_d_3*t525 + mu_2_by_l_d_3*t526 + mu_3_by_l_d_3*t525,
         D_p_x_2_by_l_d_3*k_C, D_p_y_2_by_l_d_3*k_C, D_p_z_2_by_l_d_3*k_C,
-        mu_1_by_l_d_3*t538 + mu_2_by_l_d_3*t539 + mu_3_by_l_d_3*t540 - t457*t808 - t459*t809 - t461*t810
-        - t463*t808 - t464*t809 - t465*t810 + t688*t808 + t690*t809 + t692*t810 + t695*t811 + t696*t811
-        - t697*t802 - t698*t803 - t699*t804 + t703*theta_3_by_l_d_3 + t705*theta_3_by_l_d_3
-        + t707*theta_3_by_l_d_3 + t721*t811,
-        D_delta_x_1_by_l_d_3*t547 + D_delta_y_1_by_l_d_3*t548 + D_delta_z_1_by_l_d_3*t549
-        - D_p_x_3_by_l_d_3*t472 - D_p_x_3_by_l_d_3*t478 + D_p_x_3_by_l_d_3*t592 - D_p_y_3_by_l_d_3*t474
-        - D_p_y_3_by_l_d_3*t479 + D_p_y_3_by_l_d_3*t593 - D_p_z_3_by_l_d_3*t476 - D_p_z_3_by_l_d_3*t480
-        + D_p_z_3_by_l_d_3*t594 + mu_1_by_l_d_3*t544 + mu_2_by_l_d_3*t545 + mu_3_by_l_d_3*t546 - t473*t802
-        - t475*t803 - t477*t804,
-        D_delta_x_2_by_l_d_3*t547 + D_delta_y_2_by_l_d_3*t548 + D_delta_z_2_by_l_d_3*t549
-        - D_p_x_3_by_l_d_3*t487 - D_p_x_3_by_l_d_3*t493 + D_p_x_3_by_l_d_3*t595 - D_p_y_3_by_l_d_3*t489
-        - D_p_y_3_by_l_d_3*t494 + D_p_y_3_by_l_d_3*t596 - D_p_z_3_by_l_d_3*t491 - D_p_z_3_by_l_d_3*t495
-        + D_p_z_3_by_l_d_3*t597 + mu_1_by_l_d_3*t550 + mu_2_by_l_d_3*t551 + mu_3_by_l_d_3*t552 - t488*t802
-        - t490*t803 - t492*t804,
-        D_delta_x_3_by_l_d_3*t547 + D_delta_y_3_by_l_d_3*t548 + D_delta_z_3_by_l_d_3*t549
-        - D_p_x_3_by_l_d_3*t499 - D_p_x_3_by_l_d_3*t505 + D_p_x_3_by_l_d_3*t598 - D_p_y_3_by_l_d_3*t501
-        - D_p_y_3_by_l_d_3*t506 + D_p_y_3_by_l_d_3*t599 - D_p_z_3_by_l_d_3*t503 - D_p_z_3_by_l_d_3*t507
-        + D_p_z_3_by_l_d_3*t600 + mu_1_by_l_d_3*t553 + mu_2_by_l_d_3*t554 + mu_3_by_l_d_3*t555 - t500*t802
-        - t502*t803 - t504*t804,
+        mu_1_by_l_d_3*t530 + mu_2_by_l_d_3*t530 + mu_3_by_l_d_3*t531 - t456*t796 - t458*t797 - t460*t798
+        - t462*t796 - t463*t797 - t464*t798 + t676*t796 + t678*t797 + t680*t798 + t683*t799 + t684*t799
+        - t685*t790 - t686*t791 - t687*t792 + t691*theta_3_by_l_d_3 + t693*theta_3_by_l_d_3
+        + t695*theta_3_by_l_d_3 + t709*t799,
+        D_delta_x_1_by_l_d_3*t537 + D_delta_y_1_by_l_d_3*t538 + D_delta_z_1_by_l_d_3*t539
+        - D_p_x_3_by_l_d_3*t471 - D_p_x_3_by_l_d_3*t477 + D_p_x_3_by_l_d_3*t580 - D_p_y_3_by_l_d_3*t473
+        - D_p_y_3_by_l_d_3*t478 + D_p_y_3_by_l_d_3*t581 - D_p_z_3_by_l_d_3*t475 - D_p_z_3_by_l_d_3*t479
+        + D_p_z_3_by_l_d_3*t582 + mu_1_by_l_d_3*t535 + mu_2_by_l_d_3*t535 + mu_3_by_l_d_3*t536 - t472*t790
+        - t474*t791 - t476*t792,
+        D_delta_x_2_by_l_d_3*t537 + D_delta_y_2_by_l_d_3*t538 + D_delta_z_2_by_l_d_3*t539
+        - D_p_x_3_by_l_d_3*t485 - D_p_x_3_by_l_d_3*t491 + D_p_x_3_by_l_d_3*t583 - D_p_y_3_by_l_d_3*t487
+        - D_p_y_3_by_l_d_3*t492 + D_p_y_3_by_l_d_3*t584 - D_p_z_3_by_l_d_3*t489 - D_p_z_3_by_l_d_3*t493
+        + D_p_z_3_by_l_d_3*t585 + mu_1_by_l_d_3*t540 + mu_2_by_l_d_3*t540 + mu_3_by_l_d_3*t541 - t486*t790
+        - t488*t791 - t490*t792,
+        D_delta_x_3_by_l_d_3*t537 + D_delta_y_3_by_l_d_3*t538 + D_delta_z_3_by_l_d_3*t539
+        - D_p_x_3_by_l_d_3*t496 - D_p_x_3_by_l_d_3*t502 + D_p_x_3_by_l_d_3*t586 - D_p_y_3_by_l_d_3*t498
+        - D_p_y_3_by_l_d_3*t503 + D_p_y_3_by_l_d_3*t587 - D_p_z_3_by_l_d_3*t500 - D_p_z_3_by_l_d_3*t504
+        + D_p_z_3_by_l_d_3*t588 + mu_1_by_l_d_3*t542 + mu_2_by_l_d_3*t542 + mu_3_by_l_d_3*t543 - t497*t790
+        - t499*t791 - t501*t792,
         D_p_x_3_by_l_d_3*k_C, D_p_y_3_by_l_d_3*k_C, D_p_z_3_by_l_d_3*k_C,
-        D_delta_x_1_by_l_d_3*t557 + D_delta_y_1_by_l_d_3*t558 + D_delta_z_1_by_l_d_3*t559
-        + mu_1_by_l_d_3*t560 - mu_2_by_l_d_3*t556 - mu_3_by_l_d_3*t556,
-        D_delta_x_1_by_l_d_3*t562 + D_delta_x_2_by_l_d_3*t563 + D_delta_y_1_by_l_d_3*t564
-        + D_delta_y_2_by_l_d_3*t565 + D_delta_z_1_by_l_d_3*t566 + D_delta_z_2_by_l_d_3*t567
-        + mu_1_by_l_d_3*t561 + mu_2_by_l_d_3*t561 + mu_3_by_l_d_3*t561,
-        D_delta_x_1_by_l_d_3*t569 + D_delta_x_3_by_l_d_3*t563 + D_delta_y_1_by_l_d_3*t570
-        + D_delta_y_3_by_l_d_3*t565 + D_delta_z_1_by_l_d_3*t571 + D_delta_z_3_by_l_d_3*t567
-        + mu_1_by_l_d_3*t568 + mu_2_by_l_d_3*t568 + mu_3_by_l_d_3*t568,
+        D_delta_x_1_by_l_d_3*t545 + D_delta_y_1_by_l_d_3*t546 + D_delta_z_1_by_l_d_3*t547
+        + mu_1_by_l_d_3*t548 - mu_2_by_l_d_3*t544 - mu_3_by_l_d_3*t544,
+        D_delta_x_1_by_l_d_3*t550 + D_delta_x_2_by_l_d_3*t551 + D_delta_y_1_by_l_d_3*t552
+        + D_delta_y_2_by_l_d_3*t553 + D_delta_z_1_by_l_d_3*t554 + D_delta_z_2_by_l_d_3*t555
+        + mu_1_by_l_d_3*t549 + mu_2_by_l_d_3*t549 + mu_3_by_l_d_3*t549,
+        D_delta_x_1_by_l_d_3*t557 + D_delta_x_3_by_l_d_3*t551 + D_delta_y_1_by_l_d_3*t558
+        + D_delta_y_3_by_l_d_3*t553 + D_delta_z_1_by_l_d_3*t559 + D_delta_z_3_by_l_d_3*t555
+        + mu_1_by_l_d_3*t556 + mu_2_by_l_d_3*t556 + mu_3_by_l_d_3*t556,
         D_delta_x_1_by_l_d_3*k_C, D_delta_y_1_by_l_d_3*k_C, D_delta_z_1_by_l_d_3*k_C,
-        D_delta_x_2_by_l_d_3*t573 + D_delta_y_2_by_l_d_3*t574 + D_delta_z_2_by_l_d_3*t575
-        - mu_1_by_l_d_3*t572 + mu_2_by_l_d_3*t576 - mu_3_by_l_d_3*t572,
-        D_delta_x_2_by_l_d_3*t569 + D_delta_x_3_by_l_d_3*t562 + D_delta_y_2_by_l_d_3*t570
-        + D_delta_y_3_by_l_d_3*t564 + D_delta_z_2_by_l_d_3*t571 + D_delta_z_3_by_l_d_3*t566
-        + mu_1_by_l_d_3*t577 + mu_2_by_l_d_3*t577 + mu_3_by_l_d_3*t577,
+        D_delta_x_2_by_l_d_3*t561 + D_delta_y_2_by_l_d_3*t562 + D_delta_z_2_by_l_d_3*t563
+        - mu_1_by_l_d_3*t560 + mu_2_by_l_d_3*t564 - mu_3_by_l_d_3*t560,
+        D_delta_x_2_by_l_d_3*t557 + D_delta_x_3_by_l_d_3*t550 + D_delta_y_2_by_l_d_3*t558
+        + D_delta_y_3_by_l_d_3*t552 + D_delta_z_2_by_l_d_3*t559 + D_delta_z_3_by_l_d_3*t554
+        + mu_1_by_l_d_3*t565 + mu_2_by_l_d_3*t565 + mu_3_by_l_d_3*t565,
         D_delta_x_2_by_l_d_3*k_C, D_delta_y_2_by_l_d_3*k_C, D_delta_z_2_by_l_d_3*k_C,
-        D_delta_x_3_by_l_d_3*t579 + D_delta_y_3_by_l_d_3*t580 + D_delta_z_3_by_l_d_3*t581
-        - mu_1_by_l_d_3*t578 - mu_2_by_l_d_3*t578 + mu_3_by_l_d_3*t582,
+        D_delta_x_3_by_l_d_3*t567 + D_delta_y_3_by_l_d_3*t568 + D_delta_z_3_by_l_d_3*t569
+        - mu_1_by_l_d_3*t566 - mu_2_by_l_d_3*t566 + mu_3_by_l_d_3*t570,
         D_delta_x_3_by_l_d_3*k_C, D_delta_y_3_by_l_d_3*k_C, D_delta_z_3_by_l_d_3*k_C,
     ))
     return M_theta_out, K_theta_out

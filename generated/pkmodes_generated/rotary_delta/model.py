@@ -7,8 +7,8 @@ Arrays are batch first: a leading `...` stands for any batch shape, none include
 Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
 frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
 
-Names in the code, for axis j, pulley or span k (or carriage k, l of a derivative) and component i = x, y, z;
-t1, t2, ... are subexpressions that several values share:
+Names in the code, for axis or belt j; pulley k, or coordinate k of a derivative; coordinate l of a second
+derivative; component i = x, y, z.  t1, t2, ... are subexpressions that several values share.
 
 * theta_j [rad]: angle of arm j
 * y_j_i [1]: direction of arm j at a right angle: a_j times z_j, component i
@@ -25,7 +25,6 @@ t1, t2, ... are subexpressions that several values share:
 * S_j [m]: component of r_j in that plane, perpendicular to the arm
 * tau_st_j [N m]: static torque on motor j, seen at the arm
 * I_j [kg m^2]: moment of inertia of motor j, seen at the arm
-* k_j [N m/rad]: stiffness of reducer j
 * S_j_i [m]: centre of sphere j, on which the platform centre lies, component i
 * alpha_i [m]: vector between the sphere centres 1 and 2, component i
 * beta_i [m]: vector between the sphere centres 1 and 3, component i
@@ -39,8 +38,8 @@ t1, t2, ... are subexpressions that several values share:
 * det_D_l [m^3]: determinant of D_l
 * D_p_i_k [m]: platform Jacobian, dp_i/dtheta_k
 * U_j_i_k [m]: derivative of linkage vector j, component i, with respect to theta_k
-* f_j_kl [m]: right-hand side of closure j differentiated with respect to theta_k and theta_l
-* P_i_kl [1]: second derivative of p_i with respect to theta_k and theta_l
+* f_j_kl [m^2]: right-hand side of closure j differentiated with respect to theta_k and theta_l
+* P_i_kl [m]: second derivative of p_i with respect to theta_k and theta_l
 * s_dot_j_i [m/s]: rate of change of linkage vector j, component i
 * D_p_dot_i_k [m/s]: time derivative of dp_i/dtheta_k
 * mu_j [N/m]: static force in linkage j divided by its length, positive in compression
@@ -184,6 +183,15 @@ def _batch(*arrays):
     return np.broadcast_shapes(*map(np.shape, arrays)), np.result_type(float, *arrays)
 
 
+def _arctan2(y, x):
+    """np.arctan2; for complex arguments to first order in their imaginary parts, as a complex step needs it."""
+    angle = np.arctan2(np.real(y), np.real(x))
+    if not (np.iscomplexobj(y) or np.iscomplexobj(x)):
+        return angle
+    rate = np.real(x) * np.imag(y) - np.real(y) * np.imag(x)
+    return angle + 1j * rate / (np.real(x) ** 2 + np.real(y) ** 2)
+
+
 def inverse_kinematics(p, parameters):
     """Arm angles at a pose.
 
@@ -241,7 +249,7 @@ def inverse_kinematics(p, parameters):
     t1 = 1.0/rho2_1
     c_1 = t1*(A_1*C_1 - B_1*S_1)
     sn_1 = t1*(A_1*S_1 + B_1*C_1)
-    theta_1 = atan2(sn_1, c_1)
+    theta_1 = _arctan2(sn_1, c_1)
     A_2 = r_2_x*z_2_x + r_2_y*z_2_y + r_2_z*z_2_z
     B_2 = r_2_x*y_2_x + r_2_y*y_2_y + r_2_z*y_2_z
     rho2_2 = A_2**2 + B_2**2
@@ -250,7 +258,7 @@ def inverse_kinematics(p, parameters):
     t2 = 1.0/rho2_2
     c_2 = t2*(A_2*C_2 - B_2*S_2)
     sn_2 = t2*(A_2*S_2 + B_2*C_2)
-    theta_2 = atan2(sn_2, c_2)
+    theta_2 = _arctan2(sn_2, c_2)
     A_3 = r_3_x*z_3_x + r_3_y*z_3_y + r_3_z*z_3_z
     B_3 = r_3_x*y_3_x + r_3_y*y_3_y + r_3_z*y_3_z
     rho2_3 = A_3**2 + B_3**2
@@ -259,8 +267,8 @@ def inverse_kinematics(p, parameters):
     t3 = 1.0/rho2_3
     c_3 = t3*(A_3*C_3 - B_3*S_3)
     sn_3 = t3*(A_3*S_3 + B_3*C_3)
-    theta_3 = atan2(sn_3, c_3)
-    theta_out = np.zeros((*batch, 3), dtype)
+    theta_3 = _arctan2(sn_3, c_3)
+    theta_out = np.empty((*batch, 3), dtype)
     theta_out[..., 0] = theta_1
     theta_out[..., 1] = theta_2
     theta_out[..., 2] = theta_3
@@ -325,10 +333,10 @@ def reach_margin(p, parameters):
     B_3 = r_3_x*y_3_x + r_3_y*y_3_y + r_3_z*y_3_z
     rho2_3 = A_3**2 + B_3**2
     C_3 = (1/2)*(L_a_3**2 - l_d_3**2 + r_3_x**2 + r_3_y**2 + r_3_z**2)/L_a_3
-    margin_out = np.zeros((*batch, 3), dtype)
-    margin_out[..., 0] = np.sqrt(rho2_1) - abs(C_1)
-    margin_out[..., 1] = np.sqrt(rho2_2) - abs(C_2)
-    margin_out[..., 2] = np.sqrt(rho2_3) - abs(C_3)
+    margin_out = np.empty((*batch, 3), dtype)
+    margin_out[..., 0] = np.sqrt(rho2_1) - np.abs(C_1)
+    margin_out[..., 1] = np.sqrt(rho2_2) - np.abs(C_2)
+    margin_out[..., 2] = np.sqrt(rho2_3) - np.abs(C_3)
     return margin_out
 
 
@@ -390,7 +398,7 @@ def limit_margin(p, parameters):
     t1 = 1.0/rho2_1
     c_1 = t1*(A_1*C_1 - B_1*S_1)
     sn_1 = t1*(A_1*S_1 + B_1*C_1)
-    theta_1 = atan2(sn_1, c_1)
+    theta_1 = _arctan2(sn_1, c_1)
     A_2 = r_2_x*z_2_x + r_2_y*z_2_y + r_2_z*z_2_z
     B_2 = r_2_x*y_2_x + r_2_y*y_2_y + r_2_z*y_2_z
     rho2_2 = A_2**2 + B_2**2
@@ -399,7 +407,7 @@ def limit_margin(p, parameters):
     t2 = 1.0/rho2_2
     c_2 = t2*(A_2*C_2 - B_2*S_2)
     sn_2 = t2*(A_2*S_2 + B_2*C_2)
-    theta_2 = atan2(sn_2, c_2)
+    theta_2 = _arctan2(sn_2, c_2)
     A_3 = r_3_x*z_3_x + r_3_y*z_3_y + r_3_z*z_3_z
     B_3 = r_3_x*y_3_x + r_3_y*y_3_y + r_3_z*y_3_z
     rho2_3 = A_3**2 + B_3**2
@@ -408,8 +416,8 @@ def limit_margin(p, parameters):
     t3 = 1.0/rho2_3
     c_3 = t3*(A_3*C_3 - B_3*S_3)
     sn_3 = t3*(A_3*S_3 + B_3*C_3)
-    theta_3 = atan2(sn_3, c_3)
-    margin_out = np.zeros((*batch, 3, 2), dtype)
+    theta_3 = _arctan2(sn_3, c_3)
+    margin_out = np.empty((*batch, 3, 2), dtype)
     margin_out[..., 0, 0] = theta_1 - theta_min_1
     margin_out[..., 0, 1] = -theta_1 + theta_max_1
     margin_out[..., 1, 0] = theta_2 - theta_min_2
@@ -440,10 +448,10 @@ def perpendicular_margin(parameters):
     a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z = _entries(parameters.axis, (3, 3))
     z_1_x, z_1_y, z_1_z, z_2_x, z_2_y, z_2_z, z_3_x, z_3_y, z_3_z = _entries(parameters.zero, (3, 3))
     batch, dtype = _batch(a_1_x, z_1_x)
-    margin_out = np.zeros((*batch, 3), dtype)
-    margin_out[..., 0] = 1/1000000 - abs(a_1_x*z_1_x + a_1_y*z_1_y + a_1_z*z_1_z)
-    margin_out[..., 1] = 1/1000000 - abs(a_2_x*z_2_x + a_2_y*z_2_y + a_2_z*z_2_z)
-    margin_out[..., 2] = 1/1000000 - abs(a_3_x*z_3_x + a_3_y*z_3_y + a_3_z*z_3_z)
+    margin_out = np.empty((*batch, 3), dtype)
+    margin_out[..., 0] = 1/1000000 - np.abs(a_1_x*z_1_x + a_1_y*z_1_y + a_1_z*z_1_z)
+    margin_out[..., 1] = 1/1000000 - np.abs(a_2_x*z_2_x + a_2_y*z_2_y + a_2_z*z_2_z)
+    margin_out[..., 2] = 1/1000000 - np.abs(a_3_x*z_3_x + a_3_y*z_3_y + a_3_z*z_3_z)
     return margin_out
 
 
@@ -469,7 +477,7 @@ def inertia_margin(parameters):
     r_a_1, r_a_2, r_a_3 = _entries(parameters.arm_center, (3,))
     I_a_1, I_a_2, I_a_3 = _entries(parameters.arm_inertia, (3,))
     batch, dtype = _batch(m_a_1, r_a_1, I_a_1)
-    margin_out = np.zeros((*batch, 3), dtype)
+    margin_out = np.empty((*batch, 3), dtype)
     margin_out[..., 0] = I_a_1 - m_a_1*r_a_1**2
     margin_out[..., 1] = I_a_2 - m_a_2*r_a_2**2
     margin_out[..., 2] = I_a_3 - m_a_3*r_a_3**2
@@ -509,18 +517,18 @@ def direct_kinematics(theta, assembly, parameters):
     L_a_1, L_a_2, L_a_3 = _entries(parameters.arm_length, (3,))
     l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
     batch, dtype = _batch(theta_1, assembly, o_1_x, a_1_x, z_1_x, b_1_x, L_a_1, l_d_1)
-    t1 = cos(theta_1)
-    t2 = sin(theta_1)
+    t1 = np.cos(theta_1)
+    t2 = np.sin(theta_1)
     S_1_x = L_a_1*(t1*z_1_x + t2*(a_1_y*z_1_z - a_1_z*z_1_y)) - b_1_x + o_1_x
     S_1_y = L_a_1*(t1*z_1_y + t2*(-a_1_x*z_1_z + a_1_z*z_1_x)) - b_1_y + o_1_y
     S_1_z = L_a_1*(t1*z_1_z + t2*(a_1_x*z_1_y - a_1_y*z_1_x)) - b_1_z + o_1_z
-    t3 = cos(theta_2)
-    t4 = sin(theta_2)
+    t3 = np.cos(theta_2)
+    t4 = np.sin(theta_2)
     S_2_x = L_a_2*(t3*z_2_x + t4*(a_2_y*z_2_z - a_2_z*z_2_y)) - b_2_x + o_2_x
     S_2_y = L_a_2*(t3*z_2_y + t4*(-a_2_x*z_2_z + a_2_z*z_2_x)) - b_2_y + o_2_y
     S_2_z = L_a_2*(t3*z_2_z + t4*(a_2_x*z_2_y - a_2_y*z_2_x)) - b_2_z + o_2_z
-    t5 = cos(theta_3)
-    t6 = sin(theta_3)
+    t5 = np.cos(theta_3)
+    t6 = np.sin(theta_3)
     S_3_x = L_a_3*(t5*z_3_x + t6*(a_3_y*z_3_z - a_3_z*z_3_y)) - b_3_x + o_3_x
     S_3_y = L_a_3*(t5*z_3_y + t6*(-a_3_x*z_3_z + a_3_z*z_3_x)) - b_3_y + o_3_y
     S_3_z = L_a_3*(t5*z_3_z + t6*(a_3_x*z_3_y - a_3_y*z_3_x)) - b_3_z + o_3_z
@@ -543,7 +551,7 @@ def direct_kinematics(theta, assembly, parameters):
     q_y = t9*(h_2*(-beta_x*nu_z + beta_z*nu_x) + h_3*(alpha_x*nu_z - alpha_z*nu_x))
     q_z = t9*(h_2*(beta_x*nu_y - beta_y*nu_x) + h_3*(-alpha_x*nu_y + alpha_y*nu_x))
     t10 = assembly*np.sqrt(t9*(-q_x**2 - q_y**2 - q_z**2 + t7))
-    p_out = np.zeros((*batch, 3), dtype)
+    p_out = np.empty((*batch, 3), dtype)
     p_out[..., 0] = S_1_x + nu_x*t10 + q_x
     p_out[..., 1] = S_1_y + nu_y*t10 + q_y
     p_out[..., 2] = S_1_z + nu_z*t10 + q_z
@@ -653,7 +661,7 @@ def constraint_jacobians(p, parameters):
     D_r_1 = L_a_1*s_1_x*t_1_x + L_a_1*s_1_y*t_1_y + L_a_1*s_1_z*t_1_z
     D_r_2 = L_a_2*s_2_x*t_2_x + L_a_2*s_2_y*t_2_y + L_a_2*s_2_z*t_2_z
     D_r_3 = L_a_3*s_3_x*t_3_x + L_a_3*s_3_y*t_3_y + L_a_3*s_3_z*t_3_z
-    D_l_out = np.zeros((*batch, 3, 3), dtype)
+    D_l_out = np.empty((*batch, 3, 3), dtype)
     D_l_out[..., 0, 0] = s_1_x
     D_l_out[..., 0, 1] = s_1_y
     D_l_out[..., 0, 2] = s_1_z
@@ -772,9 +780,9 @@ def jacobian_condition(p, parameters):
     A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x
     det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z
     t4 = 1.0/(det_D_l**2)
-    determinant_out = np.zeros(batch, dtype)
+    determinant_out = np.empty(batch, dtype)
     determinant_out[...] = det_D_l
-    condition_out = np.zeros(batch, dtype)
+    condition_out = np.empty(batch, dtype)
     condition_out[...] = (
         np.sqrt(s_1_x**2 + s_1_y**2 + s_1_z**2 + s_2_x**2 + s_2_y**2 + s_2_z**2 + s_3_x**2 + s_3_y**2
         + s_3_z**2)*np.sqrt(A_x_1**2*t4 + A_x_2**2*t4 + A_x_3**2*t4 + A_y_1**2*t4 + A_y_2**2*t4 + A_y_3**2*t4
@@ -907,7 +915,7 @@ def platform_jacobian(p, parameters):
     D_p_z_1 = A_z_1*t5
     D_p_z_2 = A_z_2*t6
     D_p_z_3 = A_z_3*t7
-    D_p_out = np.zeros((*batch, 3, 3), dtype)
+    D_p_out = np.empty((*batch, 3, 3), dtype)
     D_p_out[..., 0, 0] = D_p_x_1
     D_p_out[..., 0, 1] = D_p_x_2
     D_p_out[..., 0, 2] = D_p_x_3
@@ -940,7 +948,7 @@ def platform_jacobian_rate(p, theta_dot, parameters):
     Notes
     -----
     Equation 17.
-    501 operations; 3110535 with every named value written out.
+    492 operations; 3110535 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     theta_1_dot, theta_2_dot, theta_3_dot = _entries(theta_dot, (3,))
@@ -1066,69 +1074,60 @@ def platform_jacobian_rate(p, theta_dot, parameters):
     D_p_z_2 = A_z_2*t24
     D_p_z_3 = A_z_3*t25
     U_1_x_1 = D_p_x_1 - t13
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - t14
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - t15
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - t16
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - t17
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - t18
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - t19
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - t20
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - t21
-    s_dot_1_x = U_1_x_1*theta_1_dot + U_1_x_2*theta_2_dot + U_1_x_3*theta_3_dot
-    s_dot_1_y = U_1_y_1*theta_1_dot + U_1_y_2*theta_2_dot + U_1_y_3*theta_3_dot
-    s_dot_1_z = U_1_z_1*theta_1_dot + U_1_z_2*theta_2_dot + U_1_z_3*theta_3_dot
-    s_dot_2_x = U_2_x_1*theta_1_dot + U_2_x_2*theta_2_dot + U_2_x_3*theta_3_dot
-    s_dot_2_y = U_2_y_1*theta_1_dot + U_2_y_2*theta_2_dot + U_2_y_3*theta_3_dot
-    s_dot_2_z = U_2_z_1*theta_1_dot + U_2_z_2*theta_2_dot + U_2_z_3*theta_3_dot
-    s_dot_3_x = U_3_x_1*theta_1_dot + U_3_x_2*theta_2_dot + U_3_x_3*theta_3_dot
-    s_dot_3_y = U_3_y_1*theta_1_dot + U_3_y_2*theta_2_dot + U_3_y_3*theta_3_dot
-    s_dot_3_z = U_3_z_1*theta_1_dot + U_3_z_2*theta_2_dot + U_3_z_3*theta_3_dot
-    t26 = -D_p_x_1*s_dot_2_x - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z
-    t27 = -D_p_x_1*s_dot_3_x - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z
-    t28 = (
+    t26 = D_p_x_2*theta_2_dot
+    t27 = D_p_x_3*theta_3_dot
+    s_dot_1_x = U_1_x_1*theta_1_dot + t26 + t27
+    t28 = D_p_y_2*theta_2_dot
+    t29 = D_p_y_3*theta_3_dot
+    s_dot_1_y = U_1_y_1*theta_1_dot + t28 + t29
+    t30 = D_p_z_2*theta_2_dot
+    t31 = D_p_z_3*theta_3_dot
+    s_dot_1_z = U_1_z_1*theta_1_dot + t30 + t31
+    t32 = D_p_x_1*theta_1_dot
+    s_dot_2_x = U_2_x_2*theta_2_dot + t27 + t32
+    t33 = D_p_y_1*theta_1_dot
+    s_dot_2_y = U_2_y_2*theta_2_dot + t29 + t33
+    t34 = D_p_z_1*theta_1_dot
+    s_dot_2_z = U_2_z_2*theta_2_dot + t31 + t34
+    s_dot_3_x = U_3_x_3*theta_3_dot + t26 + t32
+    s_dot_3_y = U_3_y_3*theta_3_dot + t28 + t33
+    s_dot_3_z = U_3_z_3*theta_3_dot + t30 + t34
+    t35 = -D_p_x_1*s_dot_2_x - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z
+    t36 = -D_p_x_1*s_dot_3_x - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z
+    t37 = (
         -D_p_x_1*s_dot_1_x - D_p_y_1*s_dot_1_y - D_p_z_1*s_dot_1_z + s_dot_1_x*t13 + s_dot_1_y*t14
         + s_dot_1_z*t15 + theta_1_dot*(-s_1_x*t4 - s_1_y*t5 - s_1_z*t6)
     )
-    D_p_dot_x_1 = t22*(A_x_1*t28 + A_x_2*t26 + A_x_3*t27)
-    D_p_dot_y_1 = t22*(A_y_1*t28 + A_y_2*t26 + A_y_3*t27)
-    D_p_dot_z_1 = t22*(A_z_1*t28 + A_z_2*t26 + A_z_3*t27)
-    t29 = -D_p_x_2*s_dot_1_x - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z
-    t30 = -D_p_x_2*s_dot_3_x - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z
-    t31 = (
+    D_p_dot_x_1 = t22*(A_x_1*t37 + A_x_2*t35 + A_x_3*t36)
+    D_p_dot_y_1 = t22*(A_y_1*t37 + A_y_2*t35 + A_y_3*t36)
+    D_p_dot_z_1 = t22*(A_z_1*t37 + A_z_2*t35 + A_z_3*t36)
+    t38 = -D_p_x_2*s_dot_1_x - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z
+    t39 = -D_p_x_2*s_dot_3_x - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z
+    t40 = (
         -D_p_x_2*s_dot_2_x - D_p_y_2*s_dot_2_y - D_p_z_2*s_dot_2_z + s_dot_2_x*t16 + s_dot_2_y*t17
         + s_dot_2_z*t18 + theta_2_dot*(-s_2_x*t7 - s_2_y*t8 - s_2_z*t9)
     )
-    D_p_dot_x_2 = t22*(A_x_1*t29 + A_x_2*t31 + A_x_3*t30)
-    D_p_dot_y_2 = t22*(A_y_1*t29 + A_y_2*t31 + A_y_3*t30)
-    D_p_dot_z_2 = t22*(A_z_1*t29 + A_z_2*t31 + A_z_3*t30)
-    t32 = -D_p_x_3*s_dot_1_x - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z
-    t33 = -D_p_x_3*s_dot_2_x - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z
-    t34 = (
+    D_p_dot_x_2 = t22*(A_x_1*t38 + A_x_2*t40 + A_x_3*t39)
+    D_p_dot_y_2 = t22*(A_y_1*t38 + A_y_2*t40 + A_y_3*t39)
+    D_p_dot_z_2 = t22*(A_z_1*t38 + A_z_2*t40 + A_z_3*t39)
+    t41 = -D_p_x_3*s_dot_1_x - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z
+    t42 = -D_p_x_3*s_dot_2_x - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z
+    t43 = (
         -D_p_x_3*s_dot_3_x - D_p_y_3*s_dot_3_y - D_p_z_3*s_dot_3_z + s_dot_3_x*t19 + s_dot_3_y*t20
         + s_dot_3_z*t21 + theta_3_dot*(-s_3_x*t10 - s_3_y*t11 - s_3_z*t12)
     )
-    D_p_dot_x_3 = t22*(A_x_1*t32 + A_x_2*t33 + A_x_3*t34)
-    D_p_dot_y_3 = t22*(A_y_1*t32 + A_y_2*t33 + A_y_3*t34)
-    D_p_dot_z_3 = t22*(A_z_1*t32 + A_z_2*t33 + A_z_3*t34)
-    D_p_dot_out = np.zeros((*batch, 3, 3), dtype)
+    D_p_dot_x_3 = t22*(A_x_1*t41 + A_x_2*t42 + A_x_3*t43)
+    D_p_dot_y_3 = t22*(A_y_1*t41 + A_y_2*t42 + A_y_3*t43)
+    D_p_dot_z_3 = t22*(A_z_1*t41 + A_z_2*t42 + A_z_3*t43)
+    D_p_dot_out = np.empty((*batch, 3, 3), dtype)
     D_p_dot_out[..., 0, 0] = D_p_dot_x_1
     D_p_dot_out[..., 0, 1] = D_p_dot_x_2
     D_p_dot_out[..., 0, 2] = D_p_dot_x_3
@@ -1159,7 +1158,7 @@ def platform_second_derivatives(p, parameters):
     Notes
     -----
     Equation 49, by the implicit function theorem to second order.
-    543 operations; 3253689 with every named value written out.
+    525 operations; 3253689 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -1284,95 +1283,65 @@ def platform_second_derivatives(p, parameters):
     D_p_z_2 = A_z_2*t24
     D_p_z_3 = A_z_3*t25
     U_1_x_1 = D_p_x_1 - t13
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - t14
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - t15
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - t16
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - t17
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - t18
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - t19
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - t20
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - t21
     f_1_11 = -U_1_x_1**2 - U_1_y_1**2 - U_1_z_1**2 - s_1_x*t4 - s_1_y*t5 - s_1_z*t6
-    f_2_11 = -U_2_x_1**2 - U_2_y_1**2 - U_2_z_1**2
-    f_3_11 = -U_3_x_1**2 - U_3_y_1**2 - U_3_z_1**2
-    P_x_11 = t22*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_3_11)
-    P_y_11 = t22*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_3_11)
-    P_z_11 = t22*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_3_11)
-    f_1_12 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2
-    f_2_12 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2
-    f_3_12 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2
+    f_2_11 = -D_p_x_1**2 - D_p_y_1**2 - D_p_z_1**2
+    P_x_11 = t22*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_2_11)
+    P_y_11 = t22*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_2_11)
+    P_z_11 = t22*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_2_11)
+    f_1_12 = -D_p_x_2*U_1_x_1 - D_p_y_2*U_1_y_1 - D_p_z_2*U_1_z_1
+    f_2_12 = -D_p_x_1*U_2_x_2 - D_p_y_1*U_2_y_2 - D_p_z_1*U_2_z_2
+    f_3_12 = -D_p_x_1*D_p_x_2 - D_p_y_1*D_p_y_2 - D_p_z_1*D_p_z_2
     P_x_12 = t22*(A_x_1*f_1_12 + A_x_2*f_2_12 + A_x_3*f_3_12)
     P_y_12 = t22*(A_y_1*f_1_12 + A_y_2*f_2_12 + A_y_3*f_3_12)
     P_z_12 = t22*(A_z_1*f_1_12 + A_z_2*f_2_12 + A_z_3*f_3_12)
-    f_1_13 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3
-    f_2_13 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3
-    f_3_13 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3
+    f_1_13 = -D_p_x_3*U_1_x_1 - D_p_y_3*U_1_y_1 - D_p_z_3*U_1_z_1
+    f_2_13 = -D_p_x_1*D_p_x_3 - D_p_y_1*D_p_y_3 - D_p_z_1*D_p_z_3
+    f_3_13 = -D_p_x_1*U_3_x_3 - D_p_y_1*U_3_y_3 - D_p_z_1*U_3_z_3
     P_x_13 = t22*(A_x_1*f_1_13 + A_x_2*f_2_13 + A_x_3*f_3_13)
     P_y_13 = t22*(A_y_1*f_1_13 + A_y_2*f_2_13 + A_y_3*f_3_13)
     P_z_13 = t22*(A_z_1*f_1_13 + A_z_2*f_2_13 + A_z_3*f_3_13)
-    f_1_22 = -U_1_x_2**2 - U_1_y_2**2 - U_1_z_2**2
+    f_1_22 = -D_p_x_2**2 - D_p_y_2**2 - D_p_z_2**2
     f_2_22 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2 - s_2_x*t7 - s_2_y*t8 - s_2_z*t9
-    f_3_22 = -U_3_x_2**2 - U_3_y_2**2 - U_3_z_2**2
-    P_x_22 = t22*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_3_22)
-    P_y_22 = t22*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_3_22)
-    P_z_22 = t22*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_3_22)
-    f_1_23 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3
-    f_2_23 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3
-    f_3_23 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3
+    P_x_22 = t22*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_1_22)
+    P_y_22 = t22*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_1_22)
+    P_z_22 = t22*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_1_22)
+    f_1_23 = -D_p_x_2*D_p_x_3 - D_p_y_2*D_p_y_3 - D_p_z_2*D_p_z_3
+    f_2_23 = -D_p_x_3*U_2_x_2 - D_p_y_3*U_2_y_2 - D_p_z_3*U_2_z_2
+    f_3_23 = -D_p_x_2*U_3_x_3 - D_p_y_2*U_3_y_3 - D_p_z_2*U_3_z_3
     P_x_23 = t22*(A_x_1*f_1_23 + A_x_2*f_2_23 + A_x_3*f_3_23)
     P_y_23 = t22*(A_y_1*f_1_23 + A_y_2*f_2_23 + A_y_3*f_3_23)
     P_z_23 = t22*(A_z_1*f_1_23 + A_z_2*f_2_23 + A_z_3*f_3_23)
-    f_1_33 = -U_1_x_3**2 - U_1_y_3**2 - U_1_z_3**2
-    f_2_33 = -U_2_x_3**2 - U_2_y_3**2 - U_2_z_3**2
+    f_1_33 = -D_p_x_3**2 - D_p_y_3**2 - D_p_z_3**2
     f_3_33 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2 - s_3_x*t10 - s_3_y*t11 - s_3_z*t12
-    P_x_33 = t22*(A_x_1*f_1_33 + A_x_2*f_2_33 + A_x_3*f_3_33)
-    P_y_33 = t22*(A_y_1*f_1_33 + A_y_2*f_2_33 + A_y_3*f_3_33)
-    P_z_33 = t22*(A_z_1*f_1_33 + A_z_2*f_2_33 + A_z_3*f_3_33)
-    P_out = np.zeros((*batch, 3, 3, 3), dtype)
+    P_x_33 = t22*(A_x_1*f_1_33 + A_x_2*f_1_33 + A_x_3*f_3_33)
+    P_y_33 = t22*(A_y_1*f_1_33 + A_y_2*f_1_33 + A_y_3*f_3_33)
+    P_z_33 = t22*(A_z_1*f_1_33 + A_z_2*f_1_33 + A_z_3*f_3_33)
+    P_out = np.empty((*batch, 3, 3, 3), dtype)
     P_out[..., 0, 0, 0] = P_x_11
-    P_out[..., 0, 0, 1] = P_x_12
-    P_out[..., 0, 0, 2] = P_x_13
-    P_out[..., 0, 1, 0] = P_x_12
+    P_out[..., 0, 0, 1] = P_out[..., 0, 1, 0] = P_x_12
+    P_out[..., 0, 0, 2] = P_out[..., 0, 2, 0] = P_x_13
     P_out[..., 0, 1, 1] = P_x_22
-    P_out[..., 0, 1, 2] = P_x_23
-    P_out[..., 0, 2, 0] = P_x_13
-    P_out[..., 0, 2, 1] = P_x_23
+    P_out[..., 0, 1, 2] = P_out[..., 0, 2, 1] = P_x_23
     P_out[..., 0, 2, 2] = P_x_33
     P_out[..., 1, 0, 0] = P_y_11
-    P_out[..., 1, 0, 1] = P_y_12
-    P_out[..., 1, 0, 2] = P_y_13
-    P_out[..., 1, 1, 0] = P_y_12
+    P_out[..., 1, 0, 1] = P_out[..., 1, 1, 0] = P_y_12
+    P_out[..., 1, 0, 2] = P_out[..., 1, 2, 0] = P_y_13
     P_out[..., 1, 1, 1] = P_y_22
-    P_out[..., 1, 1, 2] = P_y_23
-    P_out[..., 1, 2, 0] = P_y_13
-    P_out[..., 1, 2, 1] = P_y_23
+    P_out[..., 1, 1, 2] = P_out[..., 1, 2, 1] = P_y_23
     P_out[..., 1, 2, 2] = P_y_33
     P_out[..., 2, 0, 0] = P_z_11
-    P_out[..., 2, 0, 1] = P_z_12
-    P_out[..., 2, 0, 2] = P_z_13
-    P_out[..., 2, 1, 0] = P_z_12
+    P_out[..., 2, 0, 1] = P_out[..., 2, 1, 0] = P_z_12
+    P_out[..., 2, 0, 2] = P_out[..., 2, 2, 0] = P_z_13
     P_out[..., 2, 1, 1] = P_z_22
-    P_out[..., 2, 1, 2] = P_z_23
-    P_out[..., 2, 2, 0] = P_z_13
-    P_out[..., 2, 2, 1] = P_z_23
+    P_out[..., 2, 1, 2] = P_out[..., 2, 2, 1] = P_z_23
     P_out[..., 2, 2, 2] = P_z_33
     return P_out
 
@@ -1516,31 +1485,13 @@ def link_jacobians(p, parameters):
     D_p_z_2 = A_z_2*t18
     D_p_z_3 = A_z_3*t19
     U_1_x_1 = D_p_x_1 - t7
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - t8
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - t9
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - t12
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - t10
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - t11
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - t13
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - t14
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - t15
     t20 = (1/2)*D_p_x_1
     t21 = (1/2)*D_p_x_2
@@ -1554,7 +1505,7 @@ def link_jacobians(p, parameters):
     t29 = 1.0/t1
     t30 = 1.0/t3
     t31 = 1.0/t5
-    D_d_out = np.zeros((*batch, 3, 3, 3), dtype)
+    D_d_out = np.empty((*batch, 3, 3, 3), dtype)
     D_d_out[..., 0, 0, 0] = t20 + (1/2)*t7
     D_d_out[..., 0, 0, 1] = t21
     D_d_out[..., 0, 0, 2] = t22
@@ -1582,33 +1533,33 @@ def link_jacobians(p, parameters):
     D_d_out[..., 2, 2, 0] = t26
     D_d_out[..., 2, 2, 1] = t27
     D_d_out[..., 2, 2, 2] = (1/2)*t15 + t28
-    D_omega_out = np.zeros((*batch, 3, 3, 3), dtype)
+    D_omega_out = np.empty((*batch, 3, 3, 3), dtype)
     D_omega_out[..., 0, 0, 0] = t29*(-U_1_y_1*s_1_z + U_1_z_1*s_1_y)
-    D_omega_out[..., 0, 0, 1] = t29*(-U_1_y_2*s_1_z + U_1_z_2*s_1_y)
-    D_omega_out[..., 0, 0, 2] = t29*(-U_1_y_3*s_1_z + U_1_z_3*s_1_y)
+    D_omega_out[..., 0, 0, 1] = t29*(-D_p_y_2*s_1_z + D_p_z_2*s_1_y)
+    D_omega_out[..., 0, 0, 2] = t29*(-D_p_y_3*s_1_z + D_p_z_3*s_1_y)
     D_omega_out[..., 0, 1, 0] = t29*(U_1_x_1*s_1_z - U_1_z_1*s_1_x)
-    D_omega_out[..., 0, 1, 1] = t29*(U_1_x_2*s_1_z - U_1_z_2*s_1_x)
-    D_omega_out[..., 0, 1, 2] = t29*(U_1_x_3*s_1_z - U_1_z_3*s_1_x)
+    D_omega_out[..., 0, 1, 1] = t29*(D_p_x_2*s_1_z - D_p_z_2*s_1_x)
+    D_omega_out[..., 0, 1, 2] = t29*(D_p_x_3*s_1_z - D_p_z_3*s_1_x)
     D_omega_out[..., 0, 2, 0] = t29*(-U_1_x_1*s_1_y + U_1_y_1*s_1_x)
-    D_omega_out[..., 0, 2, 1] = t29*(-U_1_x_2*s_1_y + U_1_y_2*s_1_x)
-    D_omega_out[..., 0, 2, 2] = t29*(-U_1_x_3*s_1_y + U_1_y_3*s_1_x)
-    D_omega_out[..., 1, 0, 0] = t30*(-U_2_y_1*s_2_z + U_2_z_1*s_2_y)
+    D_omega_out[..., 0, 2, 1] = t29*(-D_p_x_2*s_1_y + D_p_y_2*s_1_x)
+    D_omega_out[..., 0, 2, 2] = t29*(-D_p_x_3*s_1_y + D_p_y_3*s_1_x)
+    D_omega_out[..., 1, 0, 0] = t30*(-D_p_y_1*s_2_z + D_p_z_1*s_2_y)
     D_omega_out[..., 1, 0, 1] = t30*(-U_2_y_2*s_2_z + U_2_z_2*s_2_y)
-    D_omega_out[..., 1, 0, 2] = t30*(-U_2_y_3*s_2_z + U_2_z_3*s_2_y)
-    D_omega_out[..., 1, 1, 0] = t30*(U_2_x_1*s_2_z - U_2_z_1*s_2_x)
+    D_omega_out[..., 1, 0, 2] = t30*(-D_p_y_3*s_2_z + D_p_z_3*s_2_y)
+    D_omega_out[..., 1, 1, 0] = t30*(D_p_x_1*s_2_z - D_p_z_1*s_2_x)
     D_omega_out[..., 1, 1, 1] = t30*(U_2_x_2*s_2_z - U_2_z_2*s_2_x)
-    D_omega_out[..., 1, 1, 2] = t30*(U_2_x_3*s_2_z - U_2_z_3*s_2_x)
-    D_omega_out[..., 1, 2, 0] = t30*(-U_2_x_1*s_2_y + U_2_y_1*s_2_x)
+    D_omega_out[..., 1, 1, 2] = t30*(D_p_x_3*s_2_z - D_p_z_3*s_2_x)
+    D_omega_out[..., 1, 2, 0] = t30*(-D_p_x_1*s_2_y + D_p_y_1*s_2_x)
     D_omega_out[..., 1, 2, 1] = t30*(-U_2_x_2*s_2_y + U_2_y_2*s_2_x)
-    D_omega_out[..., 1, 2, 2] = t30*(-U_2_x_3*s_2_y + U_2_y_3*s_2_x)
-    D_omega_out[..., 2, 0, 0] = t31*(-U_3_y_1*s_3_z + U_3_z_1*s_3_y)
-    D_omega_out[..., 2, 0, 1] = t31*(-U_3_y_2*s_3_z + U_3_z_2*s_3_y)
+    D_omega_out[..., 1, 2, 2] = t30*(-D_p_x_3*s_2_y + D_p_y_3*s_2_x)
+    D_omega_out[..., 2, 0, 0] = t31*(-D_p_y_1*s_3_z + D_p_z_1*s_3_y)
+    D_omega_out[..., 2, 0, 1] = t31*(-D_p_y_2*s_3_z + D_p_z_2*s_3_y)
     D_omega_out[..., 2, 0, 2] = t31*(-U_3_y_3*s_3_z + U_3_z_3*s_3_y)
-    D_omega_out[..., 2, 1, 0] = t31*(U_3_x_1*s_3_z - U_3_z_1*s_3_x)
-    D_omega_out[..., 2, 1, 1] = t31*(U_3_x_2*s_3_z - U_3_z_2*s_3_x)
+    D_omega_out[..., 2, 1, 0] = t31*(D_p_x_1*s_3_z - D_p_z_1*s_3_x)
+    D_omega_out[..., 2, 1, 1] = t31*(D_p_x_2*s_3_z - D_p_z_2*s_3_x)
     D_omega_out[..., 2, 1, 2] = t31*(U_3_x_3*s_3_z - U_3_z_3*s_3_x)
-    D_omega_out[..., 2, 2, 0] = t31*(-U_3_x_1*s_3_y + U_3_y_1*s_3_x)
-    D_omega_out[..., 2, 2, 1] = t31*(-U_3_x_2*s_3_y + U_3_y_2*s_3_x)
+    D_omega_out[..., 2, 2, 0] = t31*(-D_p_x_1*s_3_y + D_p_y_1*s_3_x)
+    D_omega_out[..., 2, 2, 1] = t31*(-D_p_x_2*s_3_y + D_p_y_2*s_3_x)
     D_omega_out[..., 2, 2, 2] = t31*(-U_3_x_3*s_3_y + U_3_y_3*s_3_x)
     return D_d_out, D_omega_out
 
@@ -1776,13 +1727,13 @@ def kinetic_energy(p, q_dot, parameters):
     t27 = t23*theta_1_dot
     t28 = t24*theta_2_dot
     t29 = t25*theta_3_dot
-    T_ss_out = np.zeros(batch, dtype)
+    T_ss_out = np.empty(batch, dtype)
     T_ss_out[...] = (
         (1/2)*I_a_1*t20 + (1/2)*I_a_2*t21 + (1/2)*I_a_3*t22 + t1*t20*t23 + t21*t24*t3 + t22*t25*t5
         + t26*v_p_x**2 + t26*v_p_y**2 + t26*v_p_z**2 + v_p_x*(t12*t28 + t13*t29 + t27*t7) + v_p_y*(t10*t28
         + t14*t29 + t27*t8) + v_p_z*(t11*t28 + t15*t29 + t27*t9)
     )
-    T_t_out = np.zeros(batch, dtype)
+    T_t_out = np.empty(batch, dtype)
     T_t_out[...] = (1/2)*I_1*phi_1_dot**2 + (1/2)*I_2*phi_2_dot**2 + (1/2)*I_3*phi_3_dot**2
     return T_ss_out[()], T_t_out[()]
 
@@ -1947,32 +1898,32 @@ def mass_matrix(p, parameters):
     t32 = t12*t31
     t33 = t10*t31
     t34 = t11*t31
-    t35 = D_p_x_1*t32 + D_p_x_2*t28 + D_p_y_1*t33 + D_p_y_2*t29 + D_p_z_1*t34 + D_p_z_2*t30
-    t36 = (1/6)*m_d_3
-    t37 = t13*t36
-    t38 = t14*t36
-    t39 = t15*t36
-    t40 = D_p_x_1*t37 + D_p_x_3*t28 + D_p_y_1*t38 + D_p_y_3*t29 + D_p_z_1*t39 + D_p_z_3*t30
-    t41 = D_p_x_2*t27 + t32
-    t42 = D_p_y_2*t27 + t33
-    t43 = D_p_z_2*t27 + t34
-    t44 = D_p_x_2*t37 + D_p_x_3*t41 + D_p_y_2*t38 + D_p_y_3*t42 + D_p_z_2*t39 + D_p_z_3*t43
+    t35 = (1/6)*m_d_3
+    t36 = t13*t35
+    t37 = t14*t35
+    t38 = t15*t35
+    t39 = D_p_x_2*t27 + t32
+    t40 = D_p_y_2*t27 + t33
+    t41 = D_p_z_2*t27 + t34
     M_out = np.zeros((*batch, 6, 6), dtype)
     M_out[..., 0, 0] = (
         D_p_x_1*t22 + D_p_x_1*t28 + D_p_y_1*t23 + D_p_y_1*t29 + D_p_z_1*t24 + D_p_z_1*t30 + I_a_1 + t1*t20
     )
-    M_out[..., 0, 1] = t35
-    M_out[..., 0, 2] = t40
-    M_out[..., 1, 0] = t35
-    M_out[..., 1, 1] = (
-        D_p_x_2*t32 + D_p_x_2*t41 + D_p_y_2*t33 + D_p_y_2*t42 + D_p_z_2*t34 + D_p_z_2*t43 + I_a_2 + t25*t3
+    M_out[..., 0, 1] = M_out[..., 1, 0] = (
+        D_p_x_1*t32 + D_p_x_2*t28 + D_p_y_1*t33 + D_p_y_2*t29 + D_p_z_1*t34 + D_p_z_2*t30
     )
-    M_out[..., 1, 2] = t44
-    M_out[..., 2, 0] = t40
-    M_out[..., 2, 1] = t44
+    M_out[..., 0, 2] = M_out[..., 2, 0] = (
+        D_p_x_1*t36 + D_p_x_3*t28 + D_p_y_1*t37 + D_p_y_3*t29 + D_p_z_1*t38 + D_p_z_3*t30
+    )
+    M_out[..., 1, 1] = (
+        D_p_x_2*t32 + D_p_x_2*t39 + D_p_y_2*t33 + D_p_y_2*t40 + D_p_z_2*t34 + D_p_z_2*t41 + I_a_2 + t25*t3
+    )
+    M_out[..., 1, 2] = M_out[..., 2, 1] = (
+        D_p_x_2*t36 + D_p_x_3*t39 + D_p_y_2*t37 + D_p_y_3*t40 + D_p_z_2*t38 + D_p_z_3*t41
+    )
     M_out[..., 2, 2] = (
-        D_p_x_3*t37 + D_p_x_3*(D_p_x_3*t27 + t37) + D_p_y_3*t38 + D_p_y_3*(D_p_y_3*t27 + t38) + D_p_z_3*t39
-        + D_p_z_3*(D_p_z_3*t27 + t39) + I_a_3 + t26*t5
+        D_p_x_3*t36 + D_p_x_3*(D_p_x_3*t27 + t36) + D_p_y_3*t37 + D_p_y_3*(D_p_y_3*t27 + t37) + D_p_z_3*t38
+        + D_p_z_3*(D_p_z_3*t27 + t38) + I_a_3 + t26*t5
     )
     M_out[..., 3, 3] = I_1
     M_out[..., 4, 4] = I_2
@@ -2000,7 +1951,7 @@ def velocity_forces(p, theta_dot, parameters):
     Notes
     -----
     Lagrange's equations, equation 47 without its linearisation.
-    1026 operations; 17338074 with every named value written out.
+    987 operations; 17338074 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     theta_1_dot, theta_2_dot, theta_3_dot = _entries(theta_dot, (3,))
@@ -2128,187 +2079,169 @@ def velocity_forces(p, theta_dot, parameters):
     D_p_z_2 = A_z_2*t24
     D_p_z_3 = A_z_3*t25
     U_1_x_1 = D_p_x_1 - t13
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - t14
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - t15
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - t16
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - t17
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - t18
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - t19
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - t20
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - t21
     t26 = s_1_x*t4 + s_1_y*t5 + s_1_z*t6
     f_1_11 = -U_1_x_1**2 - U_1_y_1**2 - U_1_z_1**2 - t26
-    f_2_11 = -U_2_x_1**2 - U_2_y_1**2 - U_2_z_1**2
-    f_3_11 = -U_3_x_1**2 - U_3_y_1**2 - U_3_z_1**2
-    P_x_11 = t22*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_3_11)
-    P_y_11 = t22*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_3_11)
-    P_z_11 = t22*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_3_11)
-    f_1_12 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2
-    f_2_12 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2
-    f_3_12 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2
+    f_2_11 = -D_p_x_1**2 - D_p_y_1**2 - D_p_z_1**2
+    P_x_11 = t22*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_2_11)
+    P_y_11 = t22*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_2_11)
+    P_z_11 = t22*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_2_11)
+    f_1_12 = -D_p_x_2*U_1_x_1 - D_p_y_2*U_1_y_1 - D_p_z_2*U_1_z_1
+    f_2_12 = -D_p_x_1*U_2_x_2 - D_p_y_1*U_2_y_2 - D_p_z_1*U_2_z_2
+    f_3_12 = -D_p_x_1*D_p_x_2 - D_p_y_1*D_p_y_2 - D_p_z_1*D_p_z_2
     P_x_12 = t22*(A_x_1*f_1_12 + A_x_2*f_2_12 + A_x_3*f_3_12)
     P_y_12 = t22*(A_y_1*f_1_12 + A_y_2*f_2_12 + A_y_3*f_3_12)
     P_z_12 = t22*(A_z_1*f_1_12 + A_z_2*f_2_12 + A_z_3*f_3_12)
-    f_1_13 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3
-    f_2_13 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3
-    f_3_13 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3
+    f_1_13 = -D_p_x_3*U_1_x_1 - D_p_y_3*U_1_y_1 - D_p_z_3*U_1_z_1
+    f_2_13 = -D_p_x_1*D_p_x_3 - D_p_y_1*D_p_y_3 - D_p_z_1*D_p_z_3
+    f_3_13 = -D_p_x_1*U_3_x_3 - D_p_y_1*U_3_y_3 - D_p_z_1*U_3_z_3
     P_x_13 = t22*(A_x_1*f_1_13 + A_x_2*f_2_13 + A_x_3*f_3_13)
     P_y_13 = t22*(A_y_1*f_1_13 + A_y_2*f_2_13 + A_y_3*f_3_13)
     P_z_13 = t22*(A_z_1*f_1_13 + A_z_2*f_2_13 + A_z_3*f_3_13)
-    f_1_22 = -U_1_x_2**2 - U_1_y_2**2 - U_1_z_2**2
+    f_1_22 = -D_p_x_2**2 - D_p_y_2**2 - D_p_z_2**2
     t27 = s_2_x*t7 + s_2_y*t8 + s_2_z*t9
     f_2_22 = -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2 - t27
-    f_3_22 = -U_3_x_2**2 - U_3_y_2**2 - U_3_z_2**2
-    P_x_22 = t22*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_3_22)
-    P_y_22 = t22*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_3_22)
-    P_z_22 = t22*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_3_22)
-    f_1_23 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3
-    f_2_23 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3
-    f_3_23 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3
+    P_x_22 = t22*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_1_22)
+    P_y_22 = t22*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_1_22)
+    P_z_22 = t22*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_1_22)
+    f_1_23 = -D_p_x_2*D_p_x_3 - D_p_y_2*D_p_y_3 - D_p_z_2*D_p_z_3
+    f_2_23 = -D_p_x_3*U_2_x_2 - D_p_y_3*U_2_y_2 - D_p_z_3*U_2_z_2
+    f_3_23 = -D_p_x_2*U_3_x_3 - D_p_y_2*U_3_y_3 - D_p_z_2*U_3_z_3
     P_x_23 = t22*(A_x_1*f_1_23 + A_x_2*f_2_23 + A_x_3*f_3_23)
     P_y_23 = t22*(A_y_1*f_1_23 + A_y_2*f_2_23 + A_y_3*f_3_23)
     P_z_23 = t22*(A_z_1*f_1_23 + A_z_2*f_2_23 + A_z_3*f_3_23)
-    f_1_33 = -U_1_x_3**2 - U_1_y_3**2 - U_1_z_3**2
-    f_2_33 = -U_2_x_3**2 - U_2_y_3**2 - U_2_z_3**2
+    f_1_33 = -D_p_x_3**2 - D_p_y_3**2 - D_p_z_3**2
     t28 = s_3_x*t10 + s_3_y*t11 + s_3_z*t12
     f_3_33 = -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2 - t28
-    P_x_33 = t22*(A_x_1*f_1_33 + A_x_2*f_2_33 + A_x_3*f_3_33)
-    P_y_33 = t22*(A_y_1*f_1_33 + A_y_2*f_2_33 + A_y_3*f_3_33)
-    P_z_33 = t22*(A_z_1*f_1_33 + A_z_2*f_2_33 + A_z_3*f_3_33)
+    P_x_33 = t22*(A_x_1*f_1_33 + A_x_2*f_1_33 + A_x_3*f_3_33)
+    P_y_33 = t22*(A_y_1*f_1_33 + A_y_2*f_1_33 + A_y_3*f_3_33)
+    P_z_33 = t22*(A_z_1*f_1_33 + A_z_2*f_1_33 + A_z_3*f_3_33)
     t29 = D_p_x_1*theta_1_dot
     t30 = D_p_x_2*theta_2_dot
     t31 = D_p_x_3*theta_3_dot
-    v_p_x = t29 + t30 + t31
-    t32 = D_p_y_1*theta_1_dot
-    t33 = D_p_y_2*theta_2_dot
-    t34 = D_p_y_3*theta_3_dot
-    v_p_y = t32 + t33 + t34
-    t35 = D_p_z_1*theta_1_dot
-    t36 = D_p_z_2*theta_2_dot
-    t37 = D_p_z_3*theta_3_dot
-    v_p_z = t35 + t36 + t37
-    s_dot_1_x = U_1_x_1*theta_1_dot + U_1_x_2*theta_2_dot + U_1_x_3*theta_3_dot
-    s_dot_1_y = U_1_y_1*theta_1_dot + U_1_y_2*theta_2_dot + U_1_y_3*theta_3_dot
-    s_dot_1_z = U_1_z_1*theta_1_dot + U_1_z_2*theta_2_dot + U_1_z_3*theta_3_dot
-    s_dot_2_x = U_2_x_1*theta_1_dot + U_2_x_2*theta_2_dot + U_2_x_3*theta_3_dot
-    s_dot_2_y = U_2_y_1*theta_1_dot + U_2_y_2*theta_2_dot + U_2_y_3*theta_3_dot
-    s_dot_2_z = U_2_z_1*theta_1_dot + U_2_z_2*theta_2_dot + U_2_z_3*theta_3_dot
-    s_dot_3_x = U_3_x_1*theta_1_dot + U_3_x_2*theta_2_dot + U_3_x_3*theta_3_dot
-    s_dot_3_y = U_3_y_1*theta_1_dot + U_3_y_2*theta_2_dot + U_3_y_3*theta_3_dot
-    s_dot_3_z = U_3_z_1*theta_1_dot + U_3_z_2*theta_2_dot + U_3_z_3*theta_3_dot
-    t38 = -D_p_x_1*s_dot_2_x - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z
-    t39 = -D_p_x_1*s_dot_3_x - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z
-    t40 = (
+    t32 = t30 + t31
+    v_p_x = t29 + t32
+    t33 = D_p_y_1*theta_1_dot
+    t34 = D_p_y_2*theta_2_dot
+    t35 = D_p_y_3*theta_3_dot
+    t36 = t34 + t35
+    v_p_y = t33 + t36
+    t37 = D_p_z_1*theta_1_dot
+    t38 = D_p_z_2*theta_2_dot
+    t39 = D_p_z_3*theta_3_dot
+    t40 = t38 + t39
+    v_p_z = t37 + t40
+    s_dot_1_x = U_1_x_1*theta_1_dot + t32
+    s_dot_1_y = U_1_y_1*theta_1_dot + t36
+    s_dot_1_z = U_1_z_1*theta_1_dot + t40
+    s_dot_2_x = U_2_x_2*theta_2_dot + t29 + t31
+    s_dot_2_y = U_2_y_2*theta_2_dot + t33 + t35
+    s_dot_2_z = U_2_z_2*theta_2_dot + t37 + t39
+    s_dot_3_x = U_3_x_3*theta_3_dot + t29 + t30
+    s_dot_3_y = U_3_y_3*theta_3_dot + t33 + t34
+    s_dot_3_z = U_3_z_3*theta_3_dot + t37 + t38
+    t41 = -D_p_x_1*s_dot_2_x - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z
+    t42 = -D_p_x_1*s_dot_3_x - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z
+    t43 = (
         -D_p_x_1*s_dot_1_x - D_p_y_1*s_dot_1_y - D_p_z_1*s_dot_1_z + s_dot_1_x*t13 + s_dot_1_y*t14
         + s_dot_1_z*t15 - t26*theta_1_dot
     )
-    D_p_dot_x_1 = t22*(A_x_1*t40 + A_x_2*t38 + A_x_3*t39)
-    D_p_dot_y_1 = t22*(A_y_1*t40 + A_y_2*t38 + A_y_3*t39)
-    D_p_dot_z_1 = t22*(A_z_1*t40 + A_z_2*t38 + A_z_3*t39)
-    t41 = -D_p_x_2*s_dot_1_x - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z
-    t42 = -D_p_x_2*s_dot_3_x - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z
-    t43 = (
+    D_p_dot_x_1 = t22*(A_x_1*t43 + A_x_2*t41 + A_x_3*t42)
+    D_p_dot_y_1 = t22*(A_y_1*t43 + A_y_2*t41 + A_y_3*t42)
+    D_p_dot_z_1 = t22*(A_z_1*t43 + A_z_2*t41 + A_z_3*t42)
+    t44 = -D_p_x_2*s_dot_1_x - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z
+    t45 = -D_p_x_2*s_dot_3_x - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z
+    t46 = (
         -D_p_x_2*s_dot_2_x - D_p_y_2*s_dot_2_y - D_p_z_2*s_dot_2_z + s_dot_2_x*t16 + s_dot_2_y*t17
         + s_dot_2_z*t18 - t27*theta_2_dot
     )
-    D_p_dot_x_2 = t22*(A_x_1*t41 + A_x_2*t43 + A_x_3*t42)
-    D_p_dot_y_2 = t22*(A_y_1*t41 + A_y_2*t43 + A_y_3*t42)
-    D_p_dot_z_2 = t22*(A_z_1*t41 + A_z_2*t43 + A_z_3*t42)
-    t44 = -D_p_x_3*s_dot_1_x - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z
-    t45 = -D_p_x_3*s_dot_2_x - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z
-    t46 = (
+    D_p_dot_x_2 = t22*(A_x_1*t44 + A_x_2*t46 + A_x_3*t45)
+    D_p_dot_y_2 = t22*(A_y_1*t44 + A_y_2*t46 + A_y_3*t45)
+    D_p_dot_z_2 = t22*(A_z_1*t44 + A_z_2*t46 + A_z_3*t45)
+    t47 = -D_p_x_3*s_dot_1_x - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z
+    t48 = -D_p_x_3*s_dot_2_x - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z
+    t49 = (
         -D_p_x_3*s_dot_3_x - D_p_y_3*s_dot_3_y - D_p_z_3*s_dot_3_z + s_dot_3_x*t19 + s_dot_3_y*t20
         + s_dot_3_z*t21 - t28*theta_3_dot
     )
-    D_p_dot_x_3 = t22*(A_x_1*t44 + A_x_2*t45 + A_x_3*t46)
-    D_p_dot_y_3 = t22*(A_y_1*t44 + A_y_2*t45 + A_y_3*t46)
-    D_p_dot_z_3 = t22*(A_z_1*t44 + A_z_2*t45 + A_z_3*t46)
-    t47 = (1/6)*m_d_1
-    t48 = t47*theta_1_dot
-    t49 = t4*t48
-    t50 = t48*t5
-    t51 = t48*t6
-    t52 = t13*t47
-    t53 = (1/6)*m_d_2
-    t54 = t16*t53
-    t55 = (1/6)*m_d_3
-    t56 = t19*t55
-    t57 = m_p + 2*t47 + 2*t53 + 2*t55
-    t58 = t52*theta_1_dot + t54*theta_2_dot + t56*theta_3_dot + t57*v_p_x
-    t59 = t14*t47
-    t60 = t17*t53
-    t61 = t20*t55
-    t62 = t57*v_p_y + t59*theta_1_dot + t60*theta_2_dot + t61*theta_3_dot
-    t63 = t15*t47
-    t64 = t18*t53
-    t65 = t21*t55
-    t66 = t57*v_p_z + t63*theta_1_dot + t64*theta_2_dot + t65*theta_3_dot
-    t67 = (1/3)*m_d_1 + (1/3)*m_d_2 + (1/3)*m_d_3 + m_p
-    t68 = D_p_x_1*t67 + t52
-    t69 = D_p_y_1*t67 + t59
-    t70 = D_p_z_1*t67 + t63
-    t71 = t53*theta_2_dot
-    t72 = t7*t71
-    t73 = t71*t8
-    t74 = t71*t9
-    t75 = P_x_12*t58 + P_y_12*t62 + P_z_12*t66
-    t76 = t55*theta_3_dot
-    t77 = t10*t76
-    t78 = t11*t76
-    t79 = t12*t76
-    t80 = P_x_13*t58 + P_y_13*t62 + P_z_13*t66
-    t81 = L_a_1*t47
-    t82 = D_p_x_2*t67 + t54
-    t83 = D_p_y_2*t67 + t60
-    t84 = D_p_z_2*t67 + t64
-    t85 = P_x_23*t58 + P_y_23*t62 + P_z_23*t66
-    t86 = L_a_2*t53
-    t87 = D_p_x_3*t67 + t56
-    t88 = D_p_y_3*t67 + t61
-    t89 = D_p_z_3*t67 + t65
-    t90 = L_a_3*t55
-    h_out = np.zeros((*batch, 3), dtype)
+    D_p_dot_x_3 = t22*(A_x_1*t47 + A_x_2*t48 + A_x_3*t49)
+    D_p_dot_y_3 = t22*(A_y_1*t47 + A_y_2*t48 + A_y_3*t49)
+    D_p_dot_z_3 = t22*(A_z_1*t47 + A_z_2*t48 + A_z_3*t49)
+    t50 = (1/6)*m_d_1
+    t51 = t50*theta_1_dot
+    t52 = t4*t51
+    t53 = t5*t51
+    t54 = t51*t6
+    t55 = t13*t50
+    t56 = (1/6)*m_d_2
+    t57 = t16*t56
+    t58 = (1/6)*m_d_3
+    t59 = t19*t58
+    t60 = m_p + 2*t50 + 2*t56 + 2*t58
+    t61 = t55*theta_1_dot + t57*theta_2_dot + t59*theta_3_dot + t60*v_p_x
+    t62 = t14*t50
+    t63 = t17*t56
+    t64 = t20*t58
+    t65 = t60*v_p_y + t62*theta_1_dot + t63*theta_2_dot + t64*theta_3_dot
+    t66 = t15*t50
+    t67 = t18*t56
+    t68 = t21*t58
+    t69 = t60*v_p_z + t66*theta_1_dot + t67*theta_2_dot + t68*theta_3_dot
+    t70 = (1/3)*m_d_1 + (1/3)*m_d_2 + (1/3)*m_d_3 + m_p
+    t71 = D_p_x_1*t70 + t55
+    t72 = D_p_y_1*t70 + t62
+    t73 = D_p_z_1*t70 + t66
+    t74 = t56*theta_2_dot
+    t75 = t7*t74
+    t76 = t74*t8
+    t77 = t74*t9
+    t78 = P_x_12*t61 + P_y_12*t65 + P_z_12*t69
+    t79 = t58*theta_3_dot
+    t80 = t10*t79
+    t81 = t11*t79
+    t82 = t12*t79
+    t83 = P_x_13*t61 + P_y_13*t65 + P_z_13*t69
+    t84 = L_a_1*t50
+    t85 = D_p_x_2*t70 + t57
+    t86 = D_p_y_2*t70 + t63
+    t87 = D_p_z_2*t70 + t67
+    t88 = P_x_23*t61 + P_y_23*t65 + P_z_23*t69
+    t89 = L_a_2*t56
+    t90 = D_p_x_3*t70 + t59
+    t91 = D_p_y_3*t70 + t64
+    t92 = D_p_z_3*t70 + t68
+    t93 = L_a_3*t58
+    h_out = np.empty((*batch, 3), dtype)
     h_out[..., 0] = (
-        -D_p_dot_x_1*t58 - D_p_dot_y_1*t62 - D_p_dot_z_1*t66 + t49*v_p_x + t50*v_p_y + t51*v_p_z
-        + theta_1_dot*(D_p_dot_x_1*t68 + D_p_dot_y_1*t69 + D_p_dot_z_1*t70 + P_x_11*t58 + P_y_11*t62
-        + P_z_11*t66 - d_1_x*(t29*t81 + t81*v_p_x) - d_1_y*(t32*t81 + t81*v_p_y) - d_1_z*(t35*t81
-        + t81*v_p_z)) + theta_2_dot*(D_p_dot_x_2*t68 + D_p_dot_y_2*t69 + D_p_dot_z_2*t70 - D_p_x_1*t72
-        - D_p_y_1*t73 - D_p_z_1*t74 + t75) + theta_3_dot*(D_p_dot_x_3*t68 + D_p_dot_y_3*t69 + D_p_dot_z_3*t70
-        - D_p_x_1*t77 - D_p_y_1*t78 - D_p_z_1*t79 + t80)
+        -D_p_dot_x_1*t61 - D_p_dot_y_1*t65 - D_p_dot_z_1*t69 + t52*v_p_x + t53*v_p_y + t54*v_p_z
+        + theta_1_dot*(D_p_dot_x_1*t71 + D_p_dot_y_1*t72 + D_p_dot_z_1*t73 + P_x_11*t61 + P_y_11*t65
+        + P_z_11*t69 - d_1_x*(t29*t84 + t84*v_p_x) - d_1_y*(t33*t84 + t84*v_p_y) - d_1_z*(t37*t84
+        + t84*v_p_z)) + theta_2_dot*(D_p_dot_x_2*t71 + D_p_dot_y_2*t72 + D_p_dot_z_2*t73 - D_p_x_1*t75
+        - D_p_y_1*t76 - D_p_z_1*t77 + t78) + theta_3_dot*(D_p_dot_x_3*t71 + D_p_dot_y_3*t72 + D_p_dot_z_3*t73
+        - D_p_x_1*t80 - D_p_y_1*t81 - D_p_z_1*t82 + t83)
     )
     h_out[..., 1] = (
-        -D_p_dot_x_2*t58 - D_p_dot_y_2*t62 - D_p_dot_z_2*t66 + t72*v_p_x + t73*v_p_y + t74*v_p_z
-        + theta_1_dot*(D_p_dot_x_1*t82 + D_p_dot_y_1*t83 + D_p_dot_z_1*t84 - D_p_x_2*t49 - D_p_y_2*t50
-        - D_p_z_2*t51 + t75) + theta_2_dot*(D_p_dot_x_2*t82 + D_p_dot_y_2*t83 + D_p_dot_z_2*t84 + P_x_22*t58
-        + P_y_22*t62 + P_z_22*t66 - d_2_x*(t30*t86 + t86*v_p_x) - d_2_y*(t33*t86 + t86*v_p_y) - d_2_z*(t36*t86
-        + t86*v_p_z)) + theta_3_dot*(D_p_dot_x_3*t82 + D_p_dot_y_3*t83 + D_p_dot_z_3*t84 - D_p_x_2*t77
-        - D_p_y_2*t78 - D_p_z_2*t79 + t85)
+        -D_p_dot_x_2*t61 - D_p_dot_y_2*t65 - D_p_dot_z_2*t69 + t75*v_p_x + t76*v_p_y + t77*v_p_z
+        + theta_1_dot*(D_p_dot_x_1*t85 + D_p_dot_y_1*t86 + D_p_dot_z_1*t87 - D_p_x_2*t52 - D_p_y_2*t53
+        - D_p_z_2*t54 + t78) + theta_2_dot*(D_p_dot_x_2*t85 + D_p_dot_y_2*t86 + D_p_dot_z_2*t87 + P_x_22*t61
+        + P_y_22*t65 + P_z_22*t69 - d_2_x*(t30*t89 + t89*v_p_x) - d_2_y*(t34*t89 + t89*v_p_y) - d_2_z*(t38*t89
+        + t89*v_p_z)) + theta_3_dot*(D_p_dot_x_3*t85 + D_p_dot_y_3*t86 + D_p_dot_z_3*t87 - D_p_x_2*t80
+        - D_p_y_2*t81 - D_p_z_2*t82 + t88)
     )
     h_out[..., 2] = (
-        -D_p_dot_x_3*t58 - D_p_dot_y_3*t62 - D_p_dot_z_3*t66 + t77*v_p_x + t78*v_p_y + t79*v_p_z
-        + theta_1_dot*(D_p_dot_x_1*t87 + D_p_dot_y_1*t88 + D_p_dot_z_1*t89 - D_p_x_3*t49 - D_p_y_3*t50
-        - D_p_z_3*t51 + t80) + theta_2_dot*(D_p_dot_x_2*t87 + D_p_dot_y_2*t88 + D_p_dot_z_2*t89 - D_p_x_3*t72
-        - D_p_y_3*t73 - D_p_z_3*t74 + t85) + theta_3_dot*(D_p_dot_x_3*t87 + D_p_dot_y_3*t88 + D_p_dot_z_3*t89
-        + P_x_33*t58 + P_y_33*t62 + P_z_33*t66 - d_3_x*(t31*t90 + t90*v_p_x) - d_3_y*(t34*t90 + t90*v_p_y)
-        - d_3_z*(t37*t90 + t90*v_p_z))
+        -D_p_dot_x_3*t61 - D_p_dot_y_3*t65 - D_p_dot_z_3*t69 + t80*v_p_x + t81*v_p_y + t82*v_p_z
+        + theta_1_dot*(D_p_dot_x_1*t90 + D_p_dot_y_1*t91 + D_p_dot_z_1*t92 - D_p_x_3*t52 - D_p_y_3*t53
+        - D_p_z_3*t54 + t83) + theta_2_dot*(D_p_dot_x_2*t90 + D_p_dot_y_2*t91 + D_p_dot_z_2*t92 - D_p_x_3*t75
+        - D_p_y_3*t76 - D_p_z_3*t77 + t88) + theta_3_dot*(D_p_dot_x_3*t90 + D_p_dot_y_3*t91 + D_p_dot_z_3*t92
+        + P_x_33*t61 + P_y_33*t65 + P_z_33*t69 - d_3_x*(t31*t93 + t93*v_p_x) - d_3_y*(t35*t93 + t93*v_p_y)
+        - d_3_z*(t39*t93 + t93*v_p_z))
     )
     return h_out
 
@@ -2409,7 +2342,7 @@ def gravity_potential(p, parameters):
     t11 = m_a_2*r_a_2
     t12 = m_a_3*r_a_3
     t13 = L_a_1*t8
-    V_g_out = np.zeros(batch, dtype)
+    V_g_out = np.empty(batch, dtype)
     V_g_out[...] = (
         -g_x*(b_1_x*t8 + b_2_x*t4 + b_3_x*t6 + d_1_x*t10 + d_1_x*t13 + d_2_x*t11 + d_2_x*t5 + d_3_x*t12
         + d_3_x*t7 + m_a_1*o_1_x + m_a_2*o_2_x + m_a_3*o_3_x + o_1_x*t8 + o_2_x*t4 + o_3_x*t6 + p_x*t9)
@@ -2561,7 +2494,7 @@ def gravity_gradient(p, parameters):
     t15 = L_a_1*t9 + m_a_1*r_a_1
     t16 = L_a_2*t10 + m_a_2*r_a_2
     t17 = L_a_3*t8 + m_a_3*r_a_3
-    G_out = np.zeros((*batch, 3), dtype)
+    G_out = np.empty((*batch, 3), dtype)
     G_out[..., 0] = -D_p_x_1*t12 - D_p_y_1*t13 - D_p_z_1*t14 - g_x*t15*t_1_x - g_y*t15*t_1_y - g_z*t15*t_1_z
     G_out[..., 1] = -D_p_x_2*t12 - D_p_y_2*t13 - D_p_z_2*t14 - g_x*t16*t_2_x - g_y*t16*t_2_y - g_z*t16*t_2_z
     G_out[..., 2] = -D_p_x_3*t12 - D_p_y_3*t13 - D_p_z_3*t14 - g_x*t17*t_3_x - g_y*t17*t_3_y - g_z*t17*t_3_z
@@ -2586,7 +2519,7 @@ def gravity_hessian(p, parameters):
     Notes
     -----
     Section 4 and equation 49.
-    552 operations; 1734630 with every named value written out.
+    543 operations; 1734630 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -2717,31 +2650,13 @@ def gravity_hessian(p, parameters):
     D_p_z_2 = A_z_2*t24
     D_p_z_3 = A_z_3*t25
     U_1_x_1 = D_p_x_1 - t13
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - t14
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - t15
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - t16
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - t17
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - t18
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - t19
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - t20
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - t21
     t26 = (1/2)*m_d_1
     t27 = (1/2)*m_d_2
@@ -2753,52 +2668,55 @@ def gravity_hessian(p, parameters):
     mu_1 = t22*(-A_x_1*t30 - A_y_1*t31 - A_z_1*t32)
     mu_2 = t22*(-A_x_2*t30 - A_y_2*t31 - A_z_2*t32)
     mu_3 = t22*(-A_x_3*t30 - A_y_3*t31 - A_z_3*t32)
-    t33 = L_a_1*t26 + m_a_1*r_a_1
-    t34 = U_1_x_1*mu_1
-    t35 = U_1_y_1*mu_1
-    t36 = U_1_z_1*mu_1
-    t37 = U_2_x_1*mu_2
-    t38 = U_2_y_1*mu_2
-    t39 = U_2_z_1*mu_2
-    t40 = U_3_x_1*mu_3
-    t41 = U_3_y_1*mu_3
-    t42 = U_3_z_1*mu_3
-    t43 = (
-        -U_1_x_2*t34 - U_1_y_2*t35 - U_1_z_2*t36 - U_2_x_2*t37 - U_2_y_2*t38 - U_2_z_2*t39 - U_3_x_2*t40
-        - U_3_y_2*t41 - U_3_z_2*t42
-    )
-    t44 = (
-        -U_1_x_3*t34 - U_1_y_3*t35 - U_1_z_3*t36 - U_2_x_3*t37 - U_2_y_3*t38 - U_2_z_3*t39 - U_3_x_3*t40
-        - U_3_y_3*t41 - U_3_z_3*t42
-    )
-    t45 = L_a_2*t27 + m_a_2*r_a_2
-    t46 = (
-        -U_1_x_2*U_1_x_3*mu_1 - U_1_y_2*U_1_y_3*mu_1 - U_1_z_2*U_1_z_3*mu_1 - U_2_x_2*U_2_x_3*mu_2
-        - U_2_y_2*U_2_y_3*mu_2 - U_2_z_2*U_2_z_3*mu_2 - U_3_x_2*U_3_x_3*mu_3 - U_3_y_2*U_3_y_3*mu_3
-        - U_3_z_2*U_3_z_3*mu_3
-    )
-    t47 = L_a_3*t28 + m_a_3*r_a_3
-    H_g_out = np.zeros((*batch, 3, 3), dtype)
+    t33 = D_p_x_1**2
+    t34 = D_p_y_1**2
+    t35 = D_p_z_1**2
+    t36 = L_a_1*t26 + m_a_1*r_a_1
+    t37 = D_p_x_1*mu_3
+    t38 = D_p_x_1*mu_2
+    t39 = U_1_x_1*mu_1
+    t40 = D_p_y_1*mu_3
+    t41 = D_p_y_1*mu_2
+    t42 = U_1_y_1*mu_1
+    t43 = D_p_z_1*mu_3
+    t44 = D_p_z_1*mu_2
+    t45 = U_1_z_1*mu_1
+    t46 = D_p_x_2**2
+    t47 = D_p_y_2**2
+    t48 = D_p_z_2**2
+    t49 = L_a_2*t27 + m_a_2*r_a_2
+    t50 = D_p_x_3**2
+    t51 = D_p_y_3**2
+    t52 = D_p_z_3**2
+    t53 = L_a_3*t28 + m_a_3*r_a_3
+    H_g_out = np.empty((*batch, 3, 3), dtype)
     H_g_out[..., 0, 0] = (
-        -U_1_x_1**2*mu_1 - U_1_y_1**2*mu_1 - U_1_z_1**2*mu_1 - U_2_x_1**2*mu_2 - U_2_y_1**2*mu_2
-        - U_2_z_1**2*mu_2 - U_3_x_1**2*mu_3 - U_3_y_1**2*mu_3 - U_3_z_1**2*mu_3 + d_1_x*g_x*t33
-        + d_1_y*g_y*t33 + d_1_z*g_z*t33 - mu_1*s_1_x*t4 - mu_1*s_1_y*t5 - mu_1*s_1_z*t6
+        -U_1_x_1**2*mu_1 - U_1_y_1**2*mu_1 - U_1_z_1**2*mu_1 + d_1_x*g_x*t36 + d_1_y*g_y*t36 + d_1_z*g_z*t36
+        - mu_1*s_1_x*t4 - mu_1*s_1_y*t5 - mu_1*s_1_z*t6 - mu_2*t33 - mu_2*t34 - mu_2*t35 - mu_3*t33 - mu_3*t34
+        - mu_3*t35
     )
-    H_g_out[..., 0, 1] = t43
-    H_g_out[..., 0, 2] = t44
-    H_g_out[..., 1, 0] = t43
+    H_g_out[..., 0, 1] = H_g_out[..., 1, 0] = (
+        -D_p_x_2*t37 - D_p_x_2*t39 - D_p_y_2*t40 - D_p_y_2*t42 - D_p_z_2*t43 - D_p_z_2*t45 - U_2_x_2*t38
+        - U_2_y_2*t41 - U_2_z_2*t44
+    )
+    H_g_out[..., 0, 2] = H_g_out[..., 2, 0] = (
+        -D_p_x_3*t38 - D_p_x_3*t39 - D_p_y_3*t41 - D_p_y_3*t42 - D_p_z_3*t44 - D_p_z_3*t45 - U_3_x_3*t37
+        - U_3_y_3*t40 - U_3_z_3*t43
+    )
     H_g_out[..., 1, 1] = (
-        -U_1_x_2**2*mu_1 - U_1_y_2**2*mu_1 - U_1_z_2**2*mu_1 - U_2_x_2**2*mu_2 - U_2_y_2**2*mu_2
-        - U_2_z_2**2*mu_2 - U_3_x_2**2*mu_3 - U_3_y_2**2*mu_3 - U_3_z_2**2*mu_3 + d_2_x*g_x*t45
-        + d_2_y*g_y*t45 + d_2_z*g_z*t45 - mu_2*s_2_x*t7 - mu_2*s_2_y*t8 - mu_2*s_2_z*t9
+        -U_2_x_2**2*mu_2 - U_2_y_2**2*mu_2 - U_2_z_2**2*mu_2 + d_2_x*g_x*t49 + d_2_y*g_y*t49 + d_2_z*g_z*t49
+        - mu_1*t46 - mu_1*t47 - mu_1*t48 - mu_2*s_2_x*t7 - mu_2*s_2_y*t8 - mu_2*s_2_z*t9 - mu_3*t46 - mu_3*t47
+        - mu_3*t48
     )
-    H_g_out[..., 1, 2] = t46
-    H_g_out[..., 2, 0] = t44
-    H_g_out[..., 2, 1] = t46
+    H_g_out[..., 1, 2] = H_g_out[..., 2, 1] = (
+        -D_p_x_2*D_p_x_3*mu_1 - D_p_x_2*U_3_x_3*mu_3 - D_p_x_3*U_2_x_2*mu_2 - D_p_y_2*D_p_y_3*mu_1
+        - D_p_y_2*U_3_y_3*mu_3 - D_p_y_3*U_2_y_2*mu_2 - D_p_z_2*D_p_z_3*mu_1 - D_p_z_2*U_3_z_3*mu_3
+        - D_p_z_3*U_2_z_2*mu_2
+    )
     H_g_out[..., 2, 2] = (
-        -U_1_x_3**2*mu_1 - U_1_y_3**2*mu_1 - U_1_z_3**2*mu_1 - U_2_x_3**2*mu_2 - U_2_y_3**2*mu_2
-        - U_2_z_3**2*mu_2 - U_3_x_3**2*mu_3 - U_3_y_3**2*mu_3 - U_3_z_3**2*mu_3 + d_3_x*g_x*t47
-        + d_3_y*g_y*t47 + d_3_z*g_z*t47 - mu_3*s_3_x*t10 - mu_3*s_3_y*t11 - mu_3*s_3_z*t12
+        -U_3_x_3**2*mu_3 - U_3_y_3**2*mu_3 - U_3_z_3**2*mu_3 + d_3_x*g_x*t53 + d_3_y*g_y*t53 + d_3_z*g_z*t53
+        - mu_1*t50 - mu_1*t51 - mu_1*t52 - mu_2*t50 - mu_2*t51 - mu_2*t52 - mu_3*s_3_x*t10 - mu_3*s_3_y*t11
+        - mu_3*s_3_z*t12
     )
     return H_g_out
 
@@ -2831,13 +2749,10 @@ def elastic_potential(p, delta_q, parameters):
     ) = _entries(delta_q, (6,))
     k_r_1, k_r_2, k_r_3 = _entries(parameters.reducer_stiffness, (3,))
     batch, dtype = _batch(p_x, delta_theta_1, k_r_1)
-    k_1 = k_r_1
-    k_2 = k_r_2
-    k_3 = k_r_3
-    V_el_out = np.zeros(batch, dtype)
+    V_el_out = np.empty(batch, dtype)
     V_el_out[...] = (
-        (1/2)*k_1*(-delta_phi_1 + delta_theta_1)**2 + (1/2)*k_2*(-delta_phi_2 + delta_theta_2)**2
-        + (1/2)*k_3*(-delta_phi_3 + delta_theta_3)**2
+        (1/2)*k_r_1*(-delta_phi_1 + delta_theta_1)**2 + (1/2)*k_r_2*(-delta_phi_2 + delta_theta_2)**2
+        + (1/2)*k_r_3*(-delta_phi_3 + delta_theta_3)**2
     )
     return V_el_out[()]
 
@@ -2870,16 +2785,13 @@ def elastic_gradient(p, delta_q, parameters):
     ) = _entries(delta_q, (6,))
     k_r_1, k_r_2, k_r_3 = _entries(parameters.reducer_stiffness, (3,))
     batch, dtype = _batch(p_x, delta_theta_1, k_r_1)
-    k_1 = k_r_1
-    k_2 = k_r_2
-    k_3 = k_r_3
     t1 = 2*delta_phi_1 - 2*delta_theta_1
-    t2 = (1/2)*k_1
+    t2 = (1/2)*k_r_1
     t3 = 2*delta_phi_2 - 2*delta_theta_2
-    t4 = (1/2)*k_2
+    t4 = (1/2)*k_r_2
     t5 = 2*delta_phi_3 - 2*delta_theta_3
-    t6 = (1/2)*k_3
-    E_out = np.zeros((*batch, 6), dtype)
+    t6 = (1/2)*k_r_3
+    E_out = np.empty((*batch, 6), dtype)
     E_out[..., 0] = -t1*t2
     E_out[..., 1] = -t3*t4
     E_out[..., 2] = -t5*t6
@@ -2907,27 +2819,21 @@ def elastic_hessian(p, parameters):
     Notes
     -----
     Equation 38 differentiated twice.
-    6 operations; 6 with every named value written out.
+    3 operations; 6 with every named value written out.
     """
     p_x, _, _ = _entries(p, (3,))
     k_r_1, k_r_2, k_r_3 = _entries(parameters.reducer_stiffness, (3,))
     batch, dtype = _batch(p_x, k_r_1)
-    k_1 = k_r_1
-    k_2 = k_r_2
-    k_3 = k_r_3
     H_el_out = np.zeros((*batch, 6, 6), dtype)
-    H_el_out[..., 0, 0] = k_1
-    H_el_out[..., 0, 3] = -k_1
-    H_el_out[..., 1, 1] = k_2
-    H_el_out[..., 1, 4] = -k_2
-    H_el_out[..., 2, 2] = k_3
-    H_el_out[..., 2, 5] = -k_3
-    H_el_out[..., 3, 0] = -k_1
-    H_el_out[..., 3, 3] = k_1
-    H_el_out[..., 4, 1] = -k_2
-    H_el_out[..., 4, 4] = k_2
-    H_el_out[..., 5, 2] = -k_3
-    H_el_out[..., 5, 5] = k_3
+    H_el_out[..., 0, 0] = k_r_1
+    H_el_out[..., 0, 3] = H_el_out[..., 3, 0] = -k_r_1
+    H_el_out[..., 1, 1] = k_r_2
+    H_el_out[..., 1, 4] = H_el_out[..., 4, 1] = -k_r_2
+    H_el_out[..., 2, 2] = k_r_3
+    H_el_out[..., 2, 5] = H_el_out[..., 5, 2] = -k_r_3
+    H_el_out[..., 3, 3] = k_r_1
+    H_el_out[..., 4, 4] = k_r_2
+    H_el_out[..., 5, 5] = k_r_3
     return H_el_out
 
 
@@ -3064,9 +2970,6 @@ def static_equilibrium(p, parameters):
     D_p_z_1 = A_z_1*t5
     D_p_z_2 = A_z_2*t6
     D_p_z_3 = A_z_3*t7
-    k_1 = k_r_1
-    k_2 = k_r_2
-    k_3 = k_r_3
     t8 = (1/2)*m_d_3
     t9 = (1/2)*m_d_1
     t10 = (1/2)*m_d_2
@@ -3080,17 +2983,17 @@ def static_equilibrium(p, parameters):
     G_2 = -D_p_x_2*t12 - D_p_y_2*t13 - D_p_z_2*t14 - g_x*t16*t_2_x - g_y*t16*t_2_y - g_z*t16*t_2_z
     t17 = L_a_3*t8 + m_a_3*r_a_3
     G_3 = -D_p_x_3*t12 - D_p_y_3*t13 - D_p_z_3*t14 - g_x*t17*t_3_x - g_y*t17*t_3_y - g_z*t17*t_3_z
-    phi_1_st = G_1/k_1
-    phi_2_st = G_2/k_2
-    phi_3_st = G_3/k_3
-    tau_st_1 = k_1*phi_1_st
-    tau_st_2 = k_2*phi_2_st
-    tau_st_3 = k_3*phi_3_st
-    tau_st_out = np.zeros((*batch, 3), dtype)
+    phi_1_st = G_1/k_r_1
+    phi_2_st = G_2/k_r_2
+    phi_3_st = G_3/k_r_3
+    tau_st_1 = k_r_1*phi_1_st
+    tau_st_2 = k_r_2*phi_2_st
+    tau_st_3 = k_r_3*phi_3_st
+    tau_st_out = np.empty((*batch, 3), dtype)
     tau_st_out[..., 0] = tau_st_1
     tau_st_out[..., 1] = tau_st_2
     tau_st_out[..., 2] = tau_st_3
-    theta_st_out = np.zeros((*batch, 3), dtype)
+    theta_st_out = np.empty((*batch, 3), dtype)
     theta_st_out[..., 0] = phi_1_st
     theta_st_out[..., 1] = phi_2_st
     theta_st_out[..., 2] = phi_3_st
@@ -3115,7 +3018,7 @@ def stiffness_matrix(p, parameters):
     Notes
     -----
     Equations 46 and 48: K = -H_U.
-    561 operations; 1734639 with every named value written out.
+    549 operations; 1734639 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -3247,35 +3150,14 @@ def stiffness_matrix(p, parameters):
     D_p_z_2 = A_z_2*t24
     D_p_z_3 = A_z_3*t25
     U_1_x_1 = D_p_x_1 - t13
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - t14
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - t15
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - t16
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - t17
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - t18
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - t19
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - t20
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - t21
-    k_1 = k_r_1
-    k_2 = k_r_2
-    k_3 = k_r_3
     t26 = (1/2)*m_d_1
     t27 = (1/2)*m_d_2
     t28 = (1/2)*m_d_3
@@ -3286,62 +3168,62 @@ def stiffness_matrix(p, parameters):
     mu_1 = t22*(-A_x_1*t30 - A_y_1*t31 - A_z_1*t32)
     mu_2 = t22*(-A_x_2*t30 - A_y_2*t31 - A_z_2*t32)
     mu_3 = t22*(-A_x_3*t30 - A_y_3*t31 - A_z_3*t32)
-    t33 = L_a_1*t26 + m_a_1*r_a_1
-    t34 = U_1_x_1*mu_1
-    t35 = U_1_y_1*mu_1
-    t36 = U_1_z_1*mu_1
-    t37 = U_2_x_1*mu_2
-    t38 = U_2_y_1*mu_2
-    t39 = U_2_z_1*mu_2
-    t40 = U_3_x_1*mu_3
-    t41 = U_3_y_1*mu_3
-    t42 = U_3_z_1*mu_3
-    t43 = (
-        -U_1_x_2*t34 - U_1_y_2*t35 - U_1_z_2*t36 - U_2_x_2*t37 - U_2_y_2*t38 - U_2_z_2*t39 - U_3_x_2*t40
-        - U_3_y_2*t41 - U_3_z_2*t42
-    )
-    t44 = (
-        -U_1_x_3*t34 - U_1_y_3*t35 - U_1_z_3*t36 - U_2_x_3*t37 - U_2_y_3*t38 - U_2_z_3*t39 - U_3_x_3*t40
-        - U_3_y_3*t41 - U_3_z_3*t42
-    )
-    t45 = L_a_2*t27 + m_a_2*r_a_2
-    t46 = (
-        -U_1_x_2*U_1_x_3*mu_1 - U_1_y_2*U_1_y_3*mu_1 - U_1_z_2*U_1_z_3*mu_1 - U_2_x_2*U_2_x_3*mu_2
-        - U_2_y_2*U_2_y_3*mu_2 - U_2_z_2*U_2_z_3*mu_2 - U_3_x_2*U_3_x_3*mu_3 - U_3_y_2*U_3_y_3*mu_3
-        - U_3_z_2*U_3_z_3*mu_3
-    )
-    t47 = L_a_3*t28 + m_a_3*r_a_3
+    t33 = D_p_x_1**2
+    t34 = D_p_y_1**2
+    t35 = D_p_z_1**2
+    t36 = L_a_1*t26 + m_a_1*r_a_1
+    t37 = D_p_x_1*mu_3
+    t38 = D_p_x_1*mu_2
+    t39 = U_1_x_1*mu_1
+    t40 = D_p_y_1*mu_3
+    t41 = D_p_y_1*mu_2
+    t42 = U_1_y_1*mu_1
+    t43 = D_p_z_1*mu_3
+    t44 = D_p_z_1*mu_2
+    t45 = U_1_z_1*mu_1
+    t46 = D_p_x_2**2
+    t47 = D_p_y_2**2
+    t48 = D_p_z_2**2
+    t49 = L_a_2*t27 + m_a_2*r_a_2
+    t50 = D_p_x_3**2
+    t51 = D_p_y_3**2
+    t52 = D_p_z_3**2
+    t53 = L_a_3*t28 + m_a_3*r_a_3
     K_out = np.zeros((*batch, 6, 6), dtype)
     K_out[..., 0, 0] = (
-        -U_1_x_1**2*mu_1 - U_1_y_1**2*mu_1 - U_1_z_1**2*mu_1 - U_2_x_1**2*mu_2 - U_2_y_1**2*mu_2
-        - U_2_z_1**2*mu_2 - U_3_x_1**2*mu_3 - U_3_y_1**2*mu_3 - U_3_z_1**2*mu_3 + d_1_x*g_x*t33
-        + d_1_y*g_y*t33 + d_1_z*g_z*t33 + k_1 - mu_1*s_1_x*t4 - mu_1*s_1_y*t5 - mu_1*s_1_z*t6
+        -U_1_x_1**2*mu_1 - U_1_y_1**2*mu_1 - U_1_z_1**2*mu_1 + d_1_x*g_x*t36 + d_1_y*g_y*t36 + d_1_z*g_z*t36
+        + k_r_1 - mu_1*s_1_x*t4 - mu_1*s_1_y*t5 - mu_1*s_1_z*t6 - mu_2*t33 - mu_2*t34 - mu_2*t35 - mu_3*t33
+        - mu_3*t34 - mu_3*t35
     )
-    K_out[..., 0, 1] = t43
-    K_out[..., 0, 2] = t44
-    K_out[..., 0, 3] = -k_1
-    K_out[..., 1, 0] = t43
+    K_out[..., 0, 1] = K_out[..., 1, 0] = (
+        -D_p_x_2*t37 - D_p_x_2*t39 - D_p_y_2*t40 - D_p_y_2*t42 - D_p_z_2*t43 - D_p_z_2*t45 - U_2_x_2*t38
+        - U_2_y_2*t41 - U_2_z_2*t44
+    )
+    K_out[..., 0, 2] = K_out[..., 2, 0] = (
+        -D_p_x_3*t38 - D_p_x_3*t39 - D_p_y_3*t41 - D_p_y_3*t42 - D_p_z_3*t44 - D_p_z_3*t45 - U_3_x_3*t37
+        - U_3_y_3*t40 - U_3_z_3*t43
+    )
+    K_out[..., 0, 3] = K_out[..., 3, 0] = -k_r_1
     K_out[..., 1, 1] = (
-        -U_1_x_2**2*mu_1 - U_1_y_2**2*mu_1 - U_1_z_2**2*mu_1 - U_2_x_2**2*mu_2 - U_2_y_2**2*mu_2
-        - U_2_z_2**2*mu_2 - U_3_x_2**2*mu_3 - U_3_y_2**2*mu_3 - U_3_z_2**2*mu_3 + d_2_x*g_x*t45
-        + d_2_y*g_y*t45 + d_2_z*g_z*t45 + k_2 - mu_2*s_2_x*t7 - mu_2*s_2_y*t8 - mu_2*s_2_z*t9
+        -U_2_x_2**2*mu_2 - U_2_y_2**2*mu_2 - U_2_z_2**2*mu_2 + d_2_x*g_x*t49 + d_2_y*g_y*t49 + d_2_z*g_z*t49
+        + k_r_2 - mu_1*t46 - mu_1*t47 - mu_1*t48 - mu_2*s_2_x*t7 - mu_2*s_2_y*t8 - mu_2*s_2_z*t9 - mu_3*t46
+        - mu_3*t47 - mu_3*t48
     )
-    K_out[..., 1, 2] = t46
-    K_out[..., 1, 4] = -k_2
-    K_out[..., 2, 0] = t44
-    K_out[..., 2, 1] = t46
+    K_out[..., 1, 2] = K_out[..., 2, 1] = (
+        -D_p_x_2*D_p_x_3*mu_1 - D_p_x_2*U_3_x_3*mu_3 - D_p_x_3*U_2_x_2*mu_2 - D_p_y_2*D_p_y_3*mu_1
+        - D_p_y_2*U_3_y_3*mu_3 - D_p_y_3*U_2_y_2*mu_2 - D_p_z_2*D_p_z_3*mu_1 - D_p_z_2*U_3_z_3*mu_3
+        - D_p_z_3*U_2_z_2*mu_2
+    )
+    K_out[..., 1, 4] = K_out[..., 4, 1] = -k_r_2
     K_out[..., 2, 2] = (
-        -U_1_x_3**2*mu_1 - U_1_y_3**2*mu_1 - U_1_z_3**2*mu_1 - U_2_x_3**2*mu_2 - U_2_y_3**2*mu_2
-        - U_2_z_3**2*mu_2 - U_3_x_3**2*mu_3 - U_3_y_3**2*mu_3 - U_3_z_3**2*mu_3 + d_3_x*g_x*t47
-        + d_3_y*g_y*t47 + d_3_z*g_z*t47 + k_3 - mu_3*s_3_x*t10 - mu_3*s_3_y*t11 - mu_3*s_3_z*t12
+        -U_3_x_3**2*mu_3 - U_3_y_3**2*mu_3 - U_3_z_3**2*mu_3 + d_3_x*g_x*t53 + d_3_y*g_y*t53 + d_3_z*g_z*t53
+        + k_r_3 - mu_1*t50 - mu_1*t51 - mu_1*t52 - mu_2*t50 - mu_2*t51 - mu_2*t52 - mu_3*s_3_x*t10
+        - mu_3*s_3_y*t11 - mu_3*s_3_z*t12
     )
-    K_out[..., 2, 5] = -k_3
-    K_out[..., 3, 0] = -k_1
-    K_out[..., 3, 3] = k_1
-    K_out[..., 4, 1] = -k_2
-    K_out[..., 4, 4] = k_2
-    K_out[..., 5, 2] = -k_3
-    K_out[..., 5, 5] = k_3
+    K_out[..., 2, 5] = K_out[..., 5, 2] = -k_r_3
+    K_out[..., 3, 3] = k_r_1
+    K_out[..., 4, 4] = k_r_2
+    K_out[..., 5, 5] = k_r_3
     return K_out
 
 
@@ -3367,7 +3249,7 @@ def modal_matrices(p, parameters):
     Notes
     -----
     Equation 48.
-    678 operations; 2347362 with every named value written out.
+    666 operations; 2347362 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -3505,38 +3387,17 @@ def modal_matrices(p, parameters):
     D_p_z_2 = A_z_2*t27
     D_p_z_3 = A_z_3*t28
     U_1_x_1 = D_p_x_1 - t16
-    U_1_x_2 = D_p_x_2
-    U_1_x_3 = D_p_x_3
     U_1_y_1 = D_p_y_1 - t17
-    U_1_y_2 = D_p_y_2
-    U_1_y_3 = D_p_y_3
     U_1_z_1 = D_p_z_1 - t18
-    U_1_z_2 = D_p_z_2
-    U_1_z_3 = D_p_z_3
-    U_2_x_1 = D_p_x_1
     U_2_x_2 = D_p_x_2 - t19
-    U_2_x_3 = D_p_x_3
-    U_2_y_1 = D_p_y_1
     U_2_y_2 = D_p_y_2 - t20
-    U_2_y_3 = D_p_y_3
-    U_2_z_1 = D_p_z_1
     U_2_z_2 = D_p_z_2 - t21
-    U_2_z_3 = D_p_z_3
-    U_3_x_1 = D_p_x_1
-    U_3_x_2 = D_p_x_2
     U_3_x_3 = D_p_x_3 - t22
-    U_3_y_1 = D_p_y_1
-    U_3_y_2 = D_p_y_2
     U_3_y_3 = D_p_y_3 - t23
-    U_3_z_1 = D_p_z_1
-    U_3_z_2 = D_p_z_2
     U_3_z_3 = D_p_z_3 - t24
     I_1 = I_m_1*i_g_1**2
     I_2 = I_m_2*i_g_2**2
     I_3 = I_m_3*i_g_3**2
-    k_1 = k_r_1
-    k_2 = k_r_2
-    k_3 = k_r_3
     t29 = (1/2)*m_d_1
     t30 = (1/2)*m_d_2
     t31 = (1/2)*m_d_3
@@ -3562,90 +3423,90 @@ def modal_matrices(p, parameters):
     t48 = t19*t47
     t49 = t20*t47
     t50 = t21*t47
-    t51 = D_p_x_1*t48 + D_p_x_2*t44 + D_p_y_1*t49 + D_p_y_2*t45 + D_p_z_1*t50 + D_p_z_2*t46
-    t52 = (1/6)*m_d_3
-    t53 = t22*t52
-    t54 = t23*t52
-    t55 = t24*t52
-    t56 = D_p_x_1*t53 + D_p_x_3*t44 + D_p_y_1*t54 + D_p_y_3*t45 + D_p_z_1*t55 + D_p_z_3*t46
-    t57 = D_p_x_2*t43 + t48
-    t58 = D_p_y_2*t43 + t49
-    t59 = D_p_z_2*t43 + t50
-    t60 = D_p_x_2*t53 + D_p_x_3*t57 + D_p_y_2*t54 + D_p_y_3*t58 + D_p_z_2*t55 + D_p_z_3*t59
+    t51 = (1/6)*m_d_3
+    t52 = t22*t51
+    t53 = t23*t51
+    t54 = t24*t51
+    t55 = D_p_x_2*t43 + t48
+    t56 = D_p_y_2*t43 + t49
+    t57 = D_p_z_2*t43 + t50
+    t58 = D_p_x_1**2
+    t59 = D_p_y_1**2
+    t60 = D_p_z_1**2
     t61 = L_a_1*t29 + m_a_1*r_a_1
-    t62 = U_1_x_1*mu_1
-    t63 = U_1_y_1*mu_1
-    t64 = U_1_z_1*mu_1
-    t65 = U_2_x_1*mu_2
-    t66 = U_2_y_1*mu_2
-    t67 = U_2_z_1*mu_2
-    t68 = U_3_x_1*mu_3
-    t69 = U_3_y_1*mu_3
-    t70 = U_3_z_1*mu_3
-    t71 = (
-        -U_1_x_2*t62 - U_1_y_2*t63 - U_1_z_2*t64 - U_2_x_2*t65 - U_2_y_2*t66 - U_2_z_2*t67 - U_3_x_2*t68
-        - U_3_y_2*t69 - U_3_z_2*t70
-    )
-    t72 = (
-        -U_1_x_3*t62 - U_1_y_3*t63 - U_1_z_3*t64 - U_2_x_3*t65 - U_2_y_3*t66 - U_2_z_3*t67 - U_3_x_3*t68
-        - U_3_y_3*t69 - U_3_z_3*t70
-    )
-    t73 = L_a_2*t30 + m_a_2*r_a_2
-    t74 = (
-        -U_1_x_2*U_1_x_3*mu_1 - U_1_y_2*U_1_y_3*mu_1 - U_1_z_2*U_1_z_3*mu_1 - U_2_x_2*U_2_x_3*mu_2
-        - U_2_y_2*U_2_y_3*mu_2 - U_2_z_2*U_2_z_3*mu_2 - U_3_x_2*U_3_x_3*mu_3 - U_3_y_2*U_3_y_3*mu_3
-        - U_3_z_2*U_3_z_3*mu_3
-    )
-    t75 = L_a_3*t31 + m_a_3*r_a_3
+    t62 = D_p_x_1*mu_3
+    t63 = D_p_x_1*mu_2
+    t64 = U_1_x_1*mu_1
+    t65 = D_p_y_1*mu_3
+    t66 = D_p_y_1*mu_2
+    t67 = U_1_y_1*mu_1
+    t68 = D_p_z_1*mu_3
+    t69 = D_p_z_1*mu_2
+    t70 = U_1_z_1*mu_1
+    t71 = D_p_x_2**2
+    t72 = D_p_y_2**2
+    t73 = D_p_z_2**2
+    t74 = L_a_2*t30 + m_a_2*r_a_2
+    t75 = D_p_x_3**2
+    t76 = D_p_y_3**2
+    t77 = D_p_z_3**2
+    t78 = L_a_3*t31 + m_a_3*r_a_3
     M_out = np.zeros((*batch, 6, 6), dtype)
     M_out[..., 0, 0] = (
         D_p_x_1*t38 + D_p_x_1*t44 + D_p_y_1*t39 + D_p_y_1*t45 + D_p_z_1*t40 + D_p_z_1*t46 + I_a_1 + t1*t36
     )
-    M_out[..., 0, 1] = t51
-    M_out[..., 0, 2] = t56
-    M_out[..., 1, 0] = t51
-    M_out[..., 1, 1] = (
-        D_p_x_2*t48 + D_p_x_2*t57 + D_p_y_2*t49 + D_p_y_2*t58 + D_p_z_2*t50 + D_p_z_2*t59 + I_a_2 + t3*t41
+    M_out[..., 0, 1] = M_out[..., 1, 0] = (
+        D_p_x_1*t48 + D_p_x_2*t44 + D_p_y_1*t49 + D_p_y_2*t45 + D_p_z_1*t50 + D_p_z_2*t46
     )
-    M_out[..., 1, 2] = t60
-    M_out[..., 2, 0] = t56
-    M_out[..., 2, 1] = t60
+    M_out[..., 0, 2] = M_out[..., 2, 0] = (
+        D_p_x_1*t52 + D_p_x_3*t44 + D_p_y_1*t53 + D_p_y_3*t45 + D_p_z_1*t54 + D_p_z_3*t46
+    )
+    M_out[..., 1, 1] = (
+        D_p_x_2*t48 + D_p_x_2*t55 + D_p_y_2*t49 + D_p_y_2*t56 + D_p_z_2*t50 + D_p_z_2*t57 + I_a_2 + t3*t41
+    )
+    M_out[..., 1, 2] = M_out[..., 2, 1] = (
+        D_p_x_2*t52 + D_p_x_3*t55 + D_p_y_2*t53 + D_p_y_3*t56 + D_p_z_2*t54 + D_p_z_3*t57
+    )
     M_out[..., 2, 2] = (
-        D_p_x_3*t53 + D_p_x_3*(D_p_x_3*t43 + t53) + D_p_y_3*t54 + D_p_y_3*(D_p_y_3*t43 + t54) + D_p_z_3*t55
-        + D_p_z_3*(D_p_z_3*t43 + t55) + I_a_3 + t42*t5
+        D_p_x_3*t52 + D_p_x_3*(D_p_x_3*t43 + t52) + D_p_y_3*t53 + D_p_y_3*(D_p_y_3*t43 + t53) + D_p_z_3*t54
+        + D_p_z_3*(D_p_z_3*t43 + t54) + I_a_3 + t42*t5
     )
     M_out[..., 3, 3] = I_1
     M_out[..., 4, 4] = I_2
     M_out[..., 5, 5] = I_3
     K_out = np.zeros((*batch, 6, 6), dtype)
     K_out[..., 0, 0] = (
-        -U_1_x_1**2*mu_1 - U_1_y_1**2*mu_1 - U_1_z_1**2*mu_1 - U_2_x_1**2*mu_2 - U_2_y_1**2*mu_2
-        - U_2_z_1**2*mu_2 - U_3_x_1**2*mu_3 - U_3_y_1**2*mu_3 - U_3_z_1**2*mu_3 + d_1_x*g_x*t61
-        + d_1_y*g_y*t61 + d_1_z*g_z*t61 + k_1 - mu_1*s_1_x*t7 - mu_1*s_1_y*t8 - mu_1*s_1_z*t9
+        -U_1_x_1**2*mu_1 - U_1_y_1**2*mu_1 - U_1_z_1**2*mu_1 + d_1_x*g_x*t61 + d_1_y*g_y*t61 + d_1_z*g_z*t61
+        + k_r_1 - mu_1*s_1_x*t7 - mu_1*s_1_y*t8 - mu_1*s_1_z*t9 - mu_2*t58 - mu_2*t59 - mu_2*t60 - mu_3*t58
+        - mu_3*t59 - mu_3*t60
     )
-    K_out[..., 0, 1] = t71
-    K_out[..., 0, 2] = t72
-    K_out[..., 0, 3] = -k_1
-    K_out[..., 1, 0] = t71
+    K_out[..., 0, 1] = K_out[..., 1, 0] = (
+        -D_p_x_2*t62 - D_p_x_2*t64 - D_p_y_2*t65 - D_p_y_2*t67 - D_p_z_2*t68 - D_p_z_2*t70 - U_2_x_2*t63
+        - U_2_y_2*t66 - U_2_z_2*t69
+    )
+    K_out[..., 0, 2] = K_out[..., 2, 0] = (
+        -D_p_x_3*t63 - D_p_x_3*t64 - D_p_y_3*t66 - D_p_y_3*t67 - D_p_z_3*t69 - D_p_z_3*t70 - U_3_x_3*t62
+        - U_3_y_3*t65 - U_3_z_3*t68
+    )
+    K_out[..., 0, 3] = K_out[..., 3, 0] = -k_r_1
     K_out[..., 1, 1] = (
-        -U_1_x_2**2*mu_1 - U_1_y_2**2*mu_1 - U_1_z_2**2*mu_1 - U_2_x_2**2*mu_2 - U_2_y_2**2*mu_2
-        - U_2_z_2**2*mu_2 - U_3_x_2**2*mu_3 - U_3_y_2**2*mu_3 - U_3_z_2**2*mu_3 + d_2_x*g_x*t73
-        + d_2_y*g_y*t73 + d_2_z*g_z*t73 + k_2 - mu_2*s_2_x*t10 - mu_2*s_2_y*t11 - mu_2*s_2_z*t12
+        -U_2_x_2**2*mu_2 - U_2_y_2**2*mu_2 - U_2_z_2**2*mu_2 + d_2_x*g_x*t74 + d_2_y*g_y*t74 + d_2_z*g_z*t74
+        + k_r_2 - mu_1*t71 - mu_1*t72 - mu_1*t73 - mu_2*s_2_x*t10 - mu_2*s_2_y*t11 - mu_2*s_2_z*t12 - mu_3*t71
+        - mu_3*t72 - mu_3*t73
     )
-    K_out[..., 1, 2] = t74
-    K_out[..., 1, 4] = -k_2
-    K_out[..., 2, 0] = t72
-    K_out[..., 2, 1] = t74
+    K_out[..., 1, 2] = K_out[..., 2, 1] = (
+        -D_p_x_2*D_p_x_3*mu_1 - D_p_x_2*U_3_x_3*mu_3 - D_p_x_3*U_2_x_2*mu_2 - D_p_y_2*D_p_y_3*mu_1
+        - D_p_y_2*U_3_y_3*mu_3 - D_p_y_3*U_2_y_2*mu_2 - D_p_z_2*D_p_z_3*mu_1 - D_p_z_2*U_3_z_3*mu_3
+        - D_p_z_3*U_2_z_2*mu_2
+    )
+    K_out[..., 1, 4] = K_out[..., 4, 1] = -k_r_2
     K_out[..., 2, 2] = (
-        -U_1_x_3**2*mu_1 - U_1_y_3**2*mu_1 - U_1_z_3**2*mu_1 - U_2_x_3**2*mu_2 - U_2_y_3**2*mu_2
-        - U_2_z_3**2*mu_2 - U_3_x_3**2*mu_3 - U_3_y_3**2*mu_3 - U_3_z_3**2*mu_3 + d_3_x*g_x*t75
-        + d_3_y*g_y*t75 + d_3_z*g_z*t75 + k_3 - mu_3*s_3_x*t13 - mu_3*s_3_y*t14 - mu_3*s_3_z*t15
+        -U_3_x_3**2*mu_3 - U_3_y_3**2*mu_3 - U_3_z_3**2*mu_3 + d_3_x*g_x*t78 + d_3_y*g_y*t78 + d_3_z*g_z*t78
+        + k_r_3 - mu_1*t75 - mu_1*t76 - mu_1*t77 - mu_2*t75 - mu_2*t76 - mu_2*t77 - mu_3*s_3_x*t13
+        - mu_3*s_3_y*t14 - mu_3*s_3_z*t15
     )
-    K_out[..., 2, 5] = -k_3
-    K_out[..., 3, 0] = -k_1
-    K_out[..., 3, 3] = k_1
-    K_out[..., 4, 1] = -k_2
-    K_out[..., 4, 4] = k_2
-    K_out[..., 5, 2] = -k_3
-    K_out[..., 5, 5] = k_3
+    K_out[..., 2, 5] = K_out[..., 5, 2] = -k_r_3
+    K_out[..., 3, 3] = k_r_1
+    K_out[..., 4, 4] = k_r_2
+    K_out[..., 5, 5] = k_r_3
     return M_out, K_out

@@ -5,8 +5,8 @@
  * Dynamics of the mechanism rotary_delta, for a robot given by its parameters.
  * The header describes every function.
  *
- * Names in the code, for axis j, pulley or span k (or carriage k, l of a derivative) and component
- * i = x, y, z; t1, t2, ... are subexpressions that several values share:
+ * Names in the code, for axis or belt j; pulley k, or coordinate k of a derivative; coordinate l of a second
+ * derivative; component i = x, y, z.  t1, t2, ... are subexpressions that several values share.
  *   theta_j [rad]: angle of arm j
  *   y_j_i [1]: direction of arm j at a right angle: a_j times z_j, component i
  *   c_j [1]: cosine of theta_j
@@ -22,7 +22,6 @@
  *   S_j [m]: component of r_j in that plane, perpendicular to the arm
  *   tau_st_j [N m]: static torque on motor j, seen at the arm
  *   I_j [kg m^2]: moment of inertia of motor j, seen at the arm
- *   k_j [N m/rad]: stiffness of reducer j
  *   S_j_i [m]: centre of sphere j, on which the platform centre lies, component i
  *   alpha_i [m]: vector between the sphere centres 1 and 2, component i
  *   beta_i [m]: vector between the sphere centres 1 and 3, component i
@@ -36,8 +35,8 @@
  *   det_D_l [m^3]: determinant of D_l
  *   D_p_i_k [m]: platform Jacobian, dp_i/dtheta_k
  *   U_j_i_k [m]: derivative of linkage vector j, component i, with respect to theta_k
- *   f_j_kl [m]: right-hand side of closure j differentiated with respect to theta_k and theta_l
- *   P_i_kl [1]: second derivative of p_i with respect to theta_k and theta_l
+ *   f_j_kl [m^2]: right-hand side of closure j differentiated with respect to theta_k and theta_l
+ *   P_i_kl [m]: second derivative of p_i with respect to theta_k and theta_l
  *   s_dot_j_i [m/s]: rate of change of linkage vector j, component i
  *   D_p_dot_i_k [m/s]: time derivative of dp_i/dtheta_k
  *   mu_j [N/m]: static force in linkage j divided by its length, positive in compression
@@ -47,9 +46,10 @@
 #include "rotary_delta.h"
 
 #include <math.h>
+#include <string.h>
 
-void rotary_delta_inverse_kinematics(const double p[3], const rotary_delta_parameters *parameters, double
-    theta[3])
+void rotary_delta_inverse_kinematics(const double p[3], const rotary_delta_parameters *parameters,
+    double theta[3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -152,8 +152,8 @@ void rotary_delta_inverse_kinematics(const double p[3], const rotary_delta_param
     theta[2] = theta_3;
 }
 
-void rotary_delta_reach_margin(const double p[3], const rotary_delta_parameters *parameters, double
-    margin[3])
+void rotary_delta_reach_margin(const double p[3], const rotary_delta_parameters *parameters,
+    double margin[3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -238,8 +238,8 @@ void rotary_delta_reach_margin(const double p[3], const rotary_delta_parameters 
     margin[2] = sqrt(rho2_3) - fabs(C_3);
 }
 
-void rotary_delta_limit_margin(const double p[3], const rotary_delta_parameters *parameters, double
-    margin[3][2])
+void rotary_delta_limit_margin(const double p[3], const rotary_delta_parameters *parameters,
+    double margin[3][2])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -392,8 +392,8 @@ void rotary_delta_inertia_margin(const rotary_delta_parameters *parameters, doub
     margin[2] = I_a_3 - m_a_3*(r_a_3*r_a_3);
 }
 
-void rotary_delta_direct_kinematics(const double theta[3], double assembly, const rotary_delta_parameters
-    *parameters, double p[3])
+void rotary_delta_direct_kinematics(const double theta[3], double assembly,
+    const rotary_delta_parameters *parameters, double p[3])
 {
     const double theta_1 = theta[0];
     const double theta_2 = theta[1];
@@ -483,8 +483,8 @@ void rotary_delta_direct_kinematics(const double theta[3], double assembly, cons
     p[2] = S_1_z + nu_z*t10 + q_z;
 }
 
-void rotary_delta_constraint_jacobians(const double p[3], const rotary_delta_parameters *parameters, double
-    D_l[3][3], double D_r[3][3])
+void rotary_delta_constraint_jacobians(const double p[3], const rotary_delta_parameters *parameters,
+    double D_l[3][3], double D_r[3][3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -618,19 +618,14 @@ void rotary_delta_constraint_jacobians(const double p[3], const rotary_delta_par
     D_l[2][0] = s_3_x;
     D_l[2][1] = s_3_y;
     D_l[2][2] = s_3_z;
+    memset(D_r, 0, sizeof(double[3][3]));
     D_r[0][0] = D_r_1;
-    D_r[0][1] = 0;
-    D_r[0][2] = 0;
-    D_r[1][0] = 0;
     D_r[1][1] = D_r_2;
-    D_r[1][2] = 0;
-    D_r[2][0] = 0;
-    D_r[2][1] = 0;
     D_r[2][2] = D_r_3;
 }
 
-void rotary_delta_jacobian_condition(const double p[3], const rotary_delta_parameters *parameters, double
-    *determinant, double *condition)
+void rotary_delta_jacobian_condition(const double p[3], const rotary_delta_parameters *parameters,
+    double *determinant, double *condition)
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -762,8 +757,8 @@ void rotary_delta_jacobian_condition(const double p[3], const rotary_delta_param
         + (A_z_2*A_z_2)*t4 + (A_z_3*A_z_3)*t4);
 }
 
-void rotary_delta_platform_jacobian(const double p[3], const rotary_delta_parameters *parameters, double
-    D_p[3][3])
+void rotary_delta_platform_jacobian(const double p[3], const rotary_delta_parameters *parameters,
+    double D_p[3][3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -922,8 +917,8 @@ void rotary_delta_platform_jacobian(const double p[3], const rotary_delta_parame
     D_p[2][2] = D_p_z_3;
 }
 
-void rotary_delta_platform_jacobian_rate(const double p[3], const double theta_dot[3], const
-    rotary_delta_parameters *parameters, double D_p_dot[3][3])
+void rotary_delta_platform_jacobian_rate(const double p[3], const double theta_dot[3],
+    const rotary_delta_parameters *parameters, double D_p_dot[3][3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -1093,65 +1088,56 @@ void rotary_delta_platform_jacobian_rate(const double p[3], const double theta_d
     const double D_p_z_2 = A_z_2*t24;
     const double D_p_z_3 = A_z_3*t25;
     const double U_1_x_1 = D_p_x_1 - t13;
-    const double U_1_x_2 = D_p_x_2;
-    const double U_1_x_3 = D_p_x_3;
     const double U_1_y_1 = D_p_y_1 - t14;
-    const double U_1_y_2 = D_p_y_2;
-    const double U_1_y_3 = D_p_y_3;
     const double U_1_z_1 = D_p_z_1 - t15;
-    const double U_1_z_2 = D_p_z_2;
-    const double U_1_z_3 = D_p_z_3;
-    const double U_2_x_1 = D_p_x_1;
     const double U_2_x_2 = D_p_x_2 - t16;
-    const double U_2_x_3 = D_p_x_3;
-    const double U_2_y_1 = D_p_y_1;
     const double U_2_y_2 = D_p_y_2 - t17;
-    const double U_2_y_3 = D_p_y_3;
-    const double U_2_z_1 = D_p_z_1;
     const double U_2_z_2 = D_p_z_2 - t18;
-    const double U_2_z_3 = D_p_z_3;
-    const double U_3_x_1 = D_p_x_1;
-    const double U_3_x_2 = D_p_x_2;
     const double U_3_x_3 = D_p_x_3 - t19;
-    const double U_3_y_1 = D_p_y_1;
-    const double U_3_y_2 = D_p_y_2;
     const double U_3_y_3 = D_p_y_3 - t20;
-    const double U_3_z_1 = D_p_z_1;
-    const double U_3_z_2 = D_p_z_2;
     const double U_3_z_3 = D_p_z_3 - t21;
-    const double s_dot_1_x = U_1_x_1*theta_1_dot + U_1_x_2*theta_2_dot + U_1_x_3*theta_3_dot;
-    const double s_dot_1_y = U_1_y_1*theta_1_dot + U_1_y_2*theta_2_dot + U_1_y_3*theta_3_dot;
-    const double s_dot_1_z = U_1_z_1*theta_1_dot + U_1_z_2*theta_2_dot + U_1_z_3*theta_3_dot;
-    const double s_dot_2_x = U_2_x_1*theta_1_dot + U_2_x_2*theta_2_dot + U_2_x_3*theta_3_dot;
-    const double s_dot_2_y = U_2_y_1*theta_1_dot + U_2_y_2*theta_2_dot + U_2_y_3*theta_3_dot;
-    const double s_dot_2_z = U_2_z_1*theta_1_dot + U_2_z_2*theta_2_dot + U_2_z_3*theta_3_dot;
-    const double s_dot_3_x = U_3_x_1*theta_1_dot + U_3_x_2*theta_2_dot + U_3_x_3*theta_3_dot;
-    const double s_dot_3_y = U_3_y_1*theta_1_dot + U_3_y_2*theta_2_dot + U_3_y_3*theta_3_dot;
-    const double s_dot_3_z = U_3_z_1*theta_1_dot + U_3_z_2*theta_2_dot + U_3_z_3*theta_3_dot;
-    const double t26 = -D_p_x_1*s_dot_2_x - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z;
-    const double t27 = -D_p_x_1*s_dot_3_x - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z;
-    const double t28 =
+    const double t26 = D_p_x_2*theta_2_dot;
+    const double t27 = D_p_x_3*theta_3_dot;
+    const double s_dot_1_x = U_1_x_1*theta_1_dot + t26 + t27;
+    const double t28 = D_p_y_2*theta_2_dot;
+    const double t29 = D_p_y_3*theta_3_dot;
+    const double s_dot_1_y = U_1_y_1*theta_1_dot + t28 + t29;
+    const double t30 = D_p_z_2*theta_2_dot;
+    const double t31 = D_p_z_3*theta_3_dot;
+    const double s_dot_1_z = U_1_z_1*theta_1_dot + t30 + t31;
+    const double t32 = D_p_x_1*theta_1_dot;
+    const double s_dot_2_x = U_2_x_2*theta_2_dot + t27 + t32;
+    const double t33 = D_p_y_1*theta_1_dot;
+    const double s_dot_2_y = U_2_y_2*theta_2_dot + t29 + t33;
+    const double t34 = D_p_z_1*theta_1_dot;
+    const double s_dot_2_z = U_2_z_2*theta_2_dot + t31 + t34;
+    const double s_dot_3_x = U_3_x_3*theta_3_dot + t26 + t32;
+    const double s_dot_3_y = U_3_y_3*theta_3_dot + t28 + t33;
+    const double s_dot_3_z = U_3_z_3*theta_3_dot + t30 + t34;
+    const double t35 = -D_p_x_1*s_dot_2_x - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z;
+    const double t36 = -D_p_x_1*s_dot_3_x - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z;
+    const double t37 =
         -D_p_x_1*s_dot_1_x - D_p_y_1*s_dot_1_y - D_p_z_1*s_dot_1_z + s_dot_1_x*t13 + s_dot_1_y*t14
         + s_dot_1_z*t15 + theta_1_dot*(-s_1_x*t4 - s_1_y*t5 - s_1_z*t6);
-    const double D_p_dot_x_1 = t22*(A_x_1*t28 + A_x_2*t26 + A_x_3*t27);
-    const double D_p_dot_y_1 = t22*(A_y_1*t28 + A_y_2*t26 + A_y_3*t27);
-    const double D_p_dot_z_1 = t22*(A_z_1*t28 + A_z_2*t26 + A_z_3*t27);
-    const double t29 = -D_p_x_2*s_dot_1_x - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z;
-    const double t30 = -D_p_x_2*s_dot_3_x - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z;
-    const double t31 =
+    const double D_p_dot_x_1 = t22*(A_x_1*t37 + A_x_2*t35 + A_x_3*t36);
+    const double D_p_dot_y_1 = t22*(A_y_1*t37 + A_y_2*t35 + A_y_3*t36);
+    const double D_p_dot_z_1 = t22*(A_z_1*t37 + A_z_2*t35 + A_z_3*t36);
+    const double t38 = -D_p_x_2*s_dot_1_x - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z;
+    const double t39 = -D_p_x_2*s_dot_3_x - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z;
+    const double t40 =
         -D_p_x_2*s_dot_2_x - D_p_y_2*s_dot_2_y - D_p_z_2*s_dot_2_z + s_dot_2_x*t16 + s_dot_2_y*t17
         + s_dot_2_z*t18 + theta_2_dot*(-s_2_x*t7 - s_2_y*t8 - s_2_z*t9);
-    const double D_p_dot_x_2 = t22*(A_x_1*t29 + A_x_2*t31 + A_x_3*t30);
-    const double D_p_dot_y_2 = t22*(A_y_1*t29 + A_y_2*t31 + A_y_3*t30);
-    const double D_p_dot_z_2 = t22*(A_z_1*t29 + A_z_2*t31 + A_z_3*t30);
-    const double t32 = -D_p_x_3*s_dot_1_x - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z;
-    const double t33 = -D_p_x_3*s_dot_2_x - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z;
-    const double t34 =
+    const double D_p_dot_x_2 = t22*(A_x_1*t38 + A_x_2*t40 + A_x_3*t39);
+    const double D_p_dot_y_2 = t22*(A_y_1*t38 + A_y_2*t40 + A_y_3*t39);
+    const double D_p_dot_z_2 = t22*(A_z_1*t38 + A_z_2*t40 + A_z_3*t39);
+    const double t41 = -D_p_x_3*s_dot_1_x - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z;
+    const double t42 = -D_p_x_3*s_dot_2_x - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z;
+    const double t43 =
         -D_p_x_3*s_dot_3_x - D_p_y_3*s_dot_3_y - D_p_z_3*s_dot_3_z + s_dot_3_x*t19 + s_dot_3_y*t20
         + s_dot_3_z*t21 + theta_3_dot*(-s_3_x*t10 - s_3_y*t11 - s_3_z*t12);
-    const double D_p_dot_x_3 = t22*(A_x_1*t32 + A_x_2*t33 + A_x_3*t34);
-    const double D_p_dot_y_3 = t22*(A_y_1*t32 + A_y_2*t33 + A_y_3*t34);
-    const double D_p_dot_z_3 = t22*(A_z_1*t32 + A_z_2*t33 + A_z_3*t34);
+    const double D_p_dot_x_3 = t22*(A_x_1*t41 + A_x_2*t42 + A_x_3*t43);
+    const double D_p_dot_y_3 = t22*(A_y_1*t41 + A_y_2*t42 + A_y_3*t43);
+    const double D_p_dot_z_3 = t22*(A_z_1*t41 + A_z_2*t42 + A_z_3*t43);
     D_p_dot[0][0] = D_p_dot_x_1;
     D_p_dot[0][1] = D_p_dot_x_2;
     D_p_dot[0][2] = D_p_dot_x_3;
@@ -1331,102 +1317,72 @@ void rotary_delta_platform_second_derivatives(const double p[3], const rotary_de
     const double D_p_z_2 = A_z_2*t24;
     const double D_p_z_3 = A_z_3*t25;
     const double U_1_x_1 = D_p_x_1 - t13;
-    const double U_1_x_2 = D_p_x_2;
-    const double U_1_x_3 = D_p_x_3;
     const double U_1_y_1 = D_p_y_1 - t14;
-    const double U_1_y_2 = D_p_y_2;
-    const double U_1_y_3 = D_p_y_3;
     const double U_1_z_1 = D_p_z_1 - t15;
-    const double U_1_z_2 = D_p_z_2;
-    const double U_1_z_3 = D_p_z_3;
-    const double U_2_x_1 = D_p_x_1;
     const double U_2_x_2 = D_p_x_2 - t16;
-    const double U_2_x_3 = D_p_x_3;
-    const double U_2_y_1 = D_p_y_1;
     const double U_2_y_2 = D_p_y_2 - t17;
-    const double U_2_y_3 = D_p_y_3;
-    const double U_2_z_1 = D_p_z_1;
     const double U_2_z_2 = D_p_z_2 - t18;
-    const double U_2_z_3 = D_p_z_3;
-    const double U_3_x_1 = D_p_x_1;
-    const double U_3_x_2 = D_p_x_2;
     const double U_3_x_3 = D_p_x_3 - t19;
-    const double U_3_y_1 = D_p_y_1;
-    const double U_3_y_2 = D_p_y_2;
     const double U_3_y_3 = D_p_y_3 - t20;
-    const double U_3_z_1 = D_p_z_1;
-    const double U_3_z_2 = D_p_z_2;
     const double U_3_z_3 = D_p_z_3 - t21;
     const double f_1_11 =
         -(U_1_x_1*U_1_x_1) - (U_1_y_1*U_1_y_1) - (U_1_z_1*U_1_z_1) - s_1_x*t4 - s_1_y*t5 - s_1_z*t6;
-    const double f_2_11 = -(U_2_x_1*U_2_x_1) - (U_2_y_1*U_2_y_1) - (U_2_z_1*U_2_z_1);
-    const double f_3_11 = -(U_3_x_1*U_3_x_1) - (U_3_y_1*U_3_y_1) - (U_3_z_1*U_3_z_1);
-    const double P_x_11 = t22*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_3_11);
-    const double P_y_11 = t22*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_3_11);
-    const double P_z_11 = t22*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_3_11);
-    const double f_1_12 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2;
-    const double f_2_12 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2;
-    const double f_3_12 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2;
+    const double f_2_11 = -(D_p_x_1*D_p_x_1) - (D_p_y_1*D_p_y_1) - (D_p_z_1*D_p_z_1);
+    const double P_x_11 = t22*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_2_11);
+    const double P_y_11 = t22*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_2_11);
+    const double P_z_11 = t22*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_2_11);
+    const double f_1_12 = -D_p_x_2*U_1_x_1 - D_p_y_2*U_1_y_1 - D_p_z_2*U_1_z_1;
+    const double f_2_12 = -D_p_x_1*U_2_x_2 - D_p_y_1*U_2_y_2 - D_p_z_1*U_2_z_2;
+    const double f_3_12 = -D_p_x_1*D_p_x_2 - D_p_y_1*D_p_y_2 - D_p_z_1*D_p_z_2;
     const double P_x_12 = t22*(A_x_1*f_1_12 + A_x_2*f_2_12 + A_x_3*f_3_12);
     const double P_y_12 = t22*(A_y_1*f_1_12 + A_y_2*f_2_12 + A_y_3*f_3_12);
     const double P_z_12 = t22*(A_z_1*f_1_12 + A_z_2*f_2_12 + A_z_3*f_3_12);
-    const double f_1_13 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3;
-    const double f_2_13 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3;
-    const double f_3_13 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3;
+    const double f_1_13 = -D_p_x_3*U_1_x_1 - D_p_y_3*U_1_y_1 - D_p_z_3*U_1_z_1;
+    const double f_2_13 = -D_p_x_1*D_p_x_3 - D_p_y_1*D_p_y_3 - D_p_z_1*D_p_z_3;
+    const double f_3_13 = -D_p_x_1*U_3_x_3 - D_p_y_1*U_3_y_3 - D_p_z_1*U_3_z_3;
     const double P_x_13 = t22*(A_x_1*f_1_13 + A_x_2*f_2_13 + A_x_3*f_3_13);
     const double P_y_13 = t22*(A_y_1*f_1_13 + A_y_2*f_2_13 + A_y_3*f_3_13);
     const double P_z_13 = t22*(A_z_1*f_1_13 + A_z_2*f_2_13 + A_z_3*f_3_13);
-    const double f_1_22 = -(U_1_x_2*U_1_x_2) - (U_1_y_2*U_1_y_2) - (U_1_z_2*U_1_z_2);
+    const double f_1_22 = -(D_p_x_2*D_p_x_2) - (D_p_y_2*D_p_y_2) - (D_p_z_2*D_p_z_2);
     const double f_2_22 =
         -(U_2_x_2*U_2_x_2) - (U_2_y_2*U_2_y_2) - (U_2_z_2*U_2_z_2) - s_2_x*t7 - s_2_y*t8 - s_2_z*t9;
-    const double f_3_22 = -(U_3_x_2*U_3_x_2) - (U_3_y_2*U_3_y_2) - (U_3_z_2*U_3_z_2);
-    const double P_x_22 = t22*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_3_22);
-    const double P_y_22 = t22*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_3_22);
-    const double P_z_22 = t22*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_3_22);
-    const double f_1_23 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3;
-    const double f_2_23 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3;
-    const double f_3_23 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3;
+    const double P_x_22 = t22*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_1_22);
+    const double P_y_22 = t22*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_1_22);
+    const double P_z_22 = t22*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_1_22);
+    const double f_1_23 = -D_p_x_2*D_p_x_3 - D_p_y_2*D_p_y_3 - D_p_z_2*D_p_z_3;
+    const double f_2_23 = -D_p_x_3*U_2_x_2 - D_p_y_3*U_2_y_2 - D_p_z_3*U_2_z_2;
+    const double f_3_23 = -D_p_x_2*U_3_x_3 - D_p_y_2*U_3_y_3 - D_p_z_2*U_3_z_3;
     const double P_x_23 = t22*(A_x_1*f_1_23 + A_x_2*f_2_23 + A_x_3*f_3_23);
     const double P_y_23 = t22*(A_y_1*f_1_23 + A_y_2*f_2_23 + A_y_3*f_3_23);
     const double P_z_23 = t22*(A_z_1*f_1_23 + A_z_2*f_2_23 + A_z_3*f_3_23);
-    const double f_1_33 = -(U_1_x_3*U_1_x_3) - (U_1_y_3*U_1_y_3) - (U_1_z_3*U_1_z_3);
-    const double f_2_33 = -(U_2_x_3*U_2_x_3) - (U_2_y_3*U_2_y_3) - (U_2_z_3*U_2_z_3);
+    const double f_1_33 = -(D_p_x_3*D_p_x_3) - (D_p_y_3*D_p_y_3) - (D_p_z_3*D_p_z_3);
     const double f_3_33 =
         -(U_3_x_3*U_3_x_3) - (U_3_y_3*U_3_y_3) - (U_3_z_3*U_3_z_3) - s_3_x*t10 - s_3_y*t11 - s_3_z*t12;
-    const double P_x_33 = t22*(A_x_1*f_1_33 + A_x_2*f_2_33 + A_x_3*f_3_33);
-    const double P_y_33 = t22*(A_y_1*f_1_33 + A_y_2*f_2_33 + A_y_3*f_3_33);
-    const double P_z_33 = t22*(A_z_1*f_1_33 + A_z_2*f_2_33 + A_z_3*f_3_33);
+    const double P_x_33 = t22*(A_x_1*f_1_33 + A_x_2*f_1_33 + A_x_3*f_3_33);
+    const double P_y_33 = t22*(A_y_1*f_1_33 + A_y_2*f_1_33 + A_y_3*f_3_33);
+    const double P_z_33 = t22*(A_z_1*f_1_33 + A_z_2*f_1_33 + A_z_3*f_3_33);
     P[0][0][0] = P_x_11;
-    P[0][0][1] = P_x_12;
-    P[0][0][2] = P_x_13;
-    P[0][1][0] = P_x_12;
+    P[0][0][1] = P[0][1][0] = P_x_12;
+    P[0][0][2] = P[0][2][0] = P_x_13;
     P[0][1][1] = P_x_22;
-    P[0][1][2] = P_x_23;
-    P[0][2][0] = P_x_13;
-    P[0][2][1] = P_x_23;
+    P[0][1][2] = P[0][2][1] = P_x_23;
     P[0][2][2] = P_x_33;
     P[1][0][0] = P_y_11;
-    P[1][0][1] = P_y_12;
-    P[1][0][2] = P_y_13;
-    P[1][1][0] = P_y_12;
+    P[1][0][1] = P[1][1][0] = P_y_12;
+    P[1][0][2] = P[1][2][0] = P_y_13;
     P[1][1][1] = P_y_22;
-    P[1][1][2] = P_y_23;
-    P[1][2][0] = P_y_13;
-    P[1][2][1] = P_y_23;
+    P[1][1][2] = P[1][2][1] = P_y_23;
     P[1][2][2] = P_y_33;
     P[2][0][0] = P_z_11;
-    P[2][0][1] = P_z_12;
-    P[2][0][2] = P_z_13;
-    P[2][1][0] = P_z_12;
+    P[2][0][1] = P[2][1][0] = P_z_12;
+    P[2][0][2] = P[2][2][0] = P_z_13;
     P[2][1][1] = P_z_22;
-    P[2][1][2] = P_z_23;
-    P[2][2][0] = P_z_13;
-    P[2][2][1] = P_z_23;
+    P[2][1][2] = P[2][2][1] = P_z_23;
     P[2][2][2] = P_z_33;
 }
 
-void rotary_delta_link_jacobians(const double p[3], const rotary_delta_parameters *parameters, double
-    D_d[3][3][3], double D_omega[3][3][3])
+void rotary_delta_link_jacobians(const double p[3], const rotary_delta_parameters *parameters,
+    double D_d[3][3][3], double D_omega[3][3][3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -1584,31 +1540,13 @@ void rotary_delta_link_jacobians(const double p[3], const rotary_delta_parameter
     const double D_p_z_2 = A_z_2*t18;
     const double D_p_z_3 = A_z_3*t19;
     const double U_1_x_1 = D_p_x_1 - t7;
-    const double U_1_x_2 = D_p_x_2;
-    const double U_1_x_3 = D_p_x_3;
     const double U_1_y_1 = D_p_y_1 - t8;
-    const double U_1_y_2 = D_p_y_2;
-    const double U_1_y_3 = D_p_y_3;
     const double U_1_z_1 = D_p_z_1 - t9;
-    const double U_1_z_2 = D_p_z_2;
-    const double U_1_z_3 = D_p_z_3;
-    const double U_2_x_1 = D_p_x_1;
     const double U_2_x_2 = D_p_x_2 - t12;
-    const double U_2_x_3 = D_p_x_3;
-    const double U_2_y_1 = D_p_y_1;
     const double U_2_y_2 = D_p_y_2 - t10;
-    const double U_2_y_3 = D_p_y_3;
-    const double U_2_z_1 = D_p_z_1;
     const double U_2_z_2 = D_p_z_2 - t11;
-    const double U_2_z_3 = D_p_z_3;
-    const double U_3_x_1 = D_p_x_1;
-    const double U_3_x_2 = D_p_x_2;
     const double U_3_x_3 = D_p_x_3 - t13;
-    const double U_3_y_1 = D_p_y_1;
-    const double U_3_y_2 = D_p_y_2;
     const double U_3_y_3 = D_p_y_3 - t14;
-    const double U_3_z_1 = D_p_z_1;
-    const double U_3_z_2 = D_p_z_2;
     const double U_3_z_3 = D_p_z_3 - t15;
     const double t20 = (1.0/2.0)*D_p_x_1;
     const double t21 = (1.0/2.0)*D_p_x_2;
@@ -1650,36 +1588,36 @@ void rotary_delta_link_jacobians(const double p[3], const rotary_delta_parameter
     D_d[2][2][1] = t27;
     D_d[2][2][2] = (1.0/2.0)*t15 + t28;
     D_omega[0][0][0] = t29*(-U_1_y_1*s_1_z + U_1_z_1*s_1_y);
-    D_omega[0][0][1] = t29*(-U_1_y_2*s_1_z + U_1_z_2*s_1_y);
-    D_omega[0][0][2] = t29*(-U_1_y_3*s_1_z + U_1_z_3*s_1_y);
+    D_omega[0][0][1] = t29*(-D_p_y_2*s_1_z + D_p_z_2*s_1_y);
+    D_omega[0][0][2] = t29*(-D_p_y_3*s_1_z + D_p_z_3*s_1_y);
     D_omega[0][1][0] = t29*(U_1_x_1*s_1_z - U_1_z_1*s_1_x);
-    D_omega[0][1][1] = t29*(U_1_x_2*s_1_z - U_1_z_2*s_1_x);
-    D_omega[0][1][2] = t29*(U_1_x_3*s_1_z - U_1_z_3*s_1_x);
+    D_omega[0][1][1] = t29*(D_p_x_2*s_1_z - D_p_z_2*s_1_x);
+    D_omega[0][1][2] = t29*(D_p_x_3*s_1_z - D_p_z_3*s_1_x);
     D_omega[0][2][0] = t29*(-U_1_x_1*s_1_y + U_1_y_1*s_1_x);
-    D_omega[0][2][1] = t29*(-U_1_x_2*s_1_y + U_1_y_2*s_1_x);
-    D_omega[0][2][2] = t29*(-U_1_x_3*s_1_y + U_1_y_3*s_1_x);
-    D_omega[1][0][0] = t30*(-U_2_y_1*s_2_z + U_2_z_1*s_2_y);
+    D_omega[0][2][1] = t29*(-D_p_x_2*s_1_y + D_p_y_2*s_1_x);
+    D_omega[0][2][2] = t29*(-D_p_x_3*s_1_y + D_p_y_3*s_1_x);
+    D_omega[1][0][0] = t30*(-D_p_y_1*s_2_z + D_p_z_1*s_2_y);
     D_omega[1][0][1] = t30*(-U_2_y_2*s_2_z + U_2_z_2*s_2_y);
-    D_omega[1][0][2] = t30*(-U_2_y_3*s_2_z + U_2_z_3*s_2_y);
-    D_omega[1][1][0] = t30*(U_2_x_1*s_2_z - U_2_z_1*s_2_x);
+    D_omega[1][0][2] = t30*(-D_p_y_3*s_2_z + D_p_z_3*s_2_y);
+    D_omega[1][1][0] = t30*(D_p_x_1*s_2_z - D_p_z_1*s_2_x);
     D_omega[1][1][1] = t30*(U_2_x_2*s_2_z - U_2_z_2*s_2_x);
-    D_omega[1][1][2] = t30*(U_2_x_3*s_2_z - U_2_z_3*s_2_x);
-    D_omega[1][2][0] = t30*(-U_2_x_1*s_2_y + U_2_y_1*s_2_x);
+    D_omega[1][1][2] = t30*(D_p_x_3*s_2_z - D_p_z_3*s_2_x);
+    D_omega[1][2][0] = t30*(-D_p_x_1*s_2_y + D_p_y_1*s_2_x);
     D_omega[1][2][1] = t30*(-U_2_x_2*s_2_y + U_2_y_2*s_2_x);
-    D_omega[1][2][2] = t30*(-U_2_x_3*s_2_y + U_2_y_3*s_2_x);
-    D_omega[2][0][0] = t31*(-U_3_y_1*s_3_z + U_3_z_1*s_3_y);
-    D_omega[2][0][1] = t31*(-U_3_y_2*s_3_z + U_3_z_2*s_3_y);
+    D_omega[1][2][2] = t30*(-D_p_x_3*s_2_y + D_p_y_3*s_2_x);
+    D_omega[2][0][0] = t31*(-D_p_y_1*s_3_z + D_p_z_1*s_3_y);
+    D_omega[2][0][1] = t31*(-D_p_y_2*s_3_z + D_p_z_2*s_3_y);
     D_omega[2][0][2] = t31*(-U_3_y_3*s_3_z + U_3_z_3*s_3_y);
-    D_omega[2][1][0] = t31*(U_3_x_1*s_3_z - U_3_z_1*s_3_x);
-    D_omega[2][1][1] = t31*(U_3_x_2*s_3_z - U_3_z_2*s_3_x);
+    D_omega[2][1][0] = t31*(D_p_x_1*s_3_z - D_p_z_1*s_3_x);
+    D_omega[2][1][1] = t31*(D_p_x_2*s_3_z - D_p_z_2*s_3_x);
     D_omega[2][1][2] = t31*(U_3_x_3*s_3_z - U_3_z_3*s_3_x);
-    D_omega[2][2][0] = t31*(-U_3_x_1*s_3_y + U_3_y_1*s_3_x);
-    D_omega[2][2][1] = t31*(-U_3_x_2*s_3_y + U_3_y_2*s_3_x);
+    D_omega[2][2][0] = t31*(-D_p_x_1*s_3_y + D_p_y_1*s_3_x);
+    D_omega[2][2][1] = t31*(-D_p_x_2*s_3_y + D_p_y_2*s_3_x);
     D_omega[2][2][2] = t31*(-U_3_x_3*s_3_y + U_3_y_3*s_3_x);
 }
 
-void rotary_delta_kinetic_energy(const double p[3], const double q_dot[6], const rotary_delta_parameters
-    *parameters, double *T_ss, double *T_t)
+void rotary_delta_kinetic_energy(const double p[3], const double q_dot[6],
+    const rotary_delta_parameters *parameters, double *T_ss, double *T_t)
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -2068,60 +2006,31 @@ void rotary_delta_mass_matrix(const double p[3], const rotary_delta_parameters *
     const double t32 = t12*t31;
     const double t33 = t10*t31;
     const double t34 = t11*t31;
-    const double t35 = D_p_x_1*t32 + D_p_x_2*t28 + D_p_y_1*t33 + D_p_y_2*t29 + D_p_z_1*t34 + D_p_z_2*t30;
-    const double t36 = (1.0/6.0)*m_d_3;
-    const double t37 = t13*t36;
-    const double t38 = t14*t36;
-    const double t39 = t15*t36;
-    const double t40 = D_p_x_1*t37 + D_p_x_3*t28 + D_p_y_1*t38 + D_p_y_3*t29 + D_p_z_1*t39 + D_p_z_3*t30;
-    const double t41 = D_p_x_2*t27 + t32;
-    const double t42 = D_p_y_2*t27 + t33;
-    const double t43 = D_p_z_2*t27 + t34;
-    const double t44 = D_p_x_2*t37 + D_p_x_3*t41 + D_p_y_2*t38 + D_p_y_3*t42 + D_p_z_2*t39 + D_p_z_3*t43;
+    const double t35 = (1.0/6.0)*m_d_3;
+    const double t36 = t13*t35;
+    const double t37 = t14*t35;
+    const double t38 = t15*t35;
+    const double t39 = D_p_x_2*t27 + t32;
+    const double t40 = D_p_y_2*t27 + t33;
+    const double t41 = D_p_z_2*t27 + t34;
+    memset(M, 0, sizeof(double[6][6]));
     M[0][0] =
         D_p_x_1*t22 + D_p_x_1*t28 + D_p_y_1*t23 + D_p_y_1*t29 + D_p_z_1*t24 + D_p_z_1*t30 + I_a_1 + t1*t20;
-    M[0][1] = t35;
-    M[0][2] = t40;
-    M[0][3] = 0;
-    M[0][4] = 0;
-    M[0][5] = 0;
-    M[1][0] = t35;
+    M[0][1] = M[1][0] = D_p_x_1*t32 + D_p_x_2*t28 + D_p_y_1*t33 + D_p_y_2*t29 + D_p_z_1*t34 + D_p_z_2*t30;
+    M[0][2] = M[2][0] = D_p_x_1*t36 + D_p_x_3*t28 + D_p_y_1*t37 + D_p_y_3*t29 + D_p_z_1*t38 + D_p_z_3*t30;
     M[1][1] =
-        D_p_x_2*t32 + D_p_x_2*t41 + D_p_y_2*t33 + D_p_y_2*t42 + D_p_z_2*t34 + D_p_z_2*t43 + I_a_2 + t25*t3;
-    M[1][2] = t44;
-    M[1][3] = 0;
-    M[1][4] = 0;
-    M[1][5] = 0;
-    M[2][0] = t40;
-    M[2][1] = t44;
+        D_p_x_2*t32 + D_p_x_2*t39 + D_p_y_2*t33 + D_p_y_2*t40 + D_p_z_2*t34 + D_p_z_2*t41 + I_a_2 + t25*t3;
+    M[1][2] = M[2][1] = D_p_x_2*t36 + D_p_x_3*t39 + D_p_y_2*t37 + D_p_y_3*t40 + D_p_z_2*t38 + D_p_z_3*t41;
     M[2][2] =
-        D_p_x_3*t37 + D_p_x_3*(D_p_x_3*t27 + t37) + D_p_y_3*t38 + D_p_y_3*(D_p_y_3*t27 + t38) + D_p_z_3*t39
-        + D_p_z_3*(D_p_z_3*t27 + t39) + I_a_3 + t26*t5;
-    M[2][3] = 0;
-    M[2][4] = 0;
-    M[2][5] = 0;
-    M[3][0] = 0;
-    M[3][1] = 0;
-    M[3][2] = 0;
+        D_p_x_3*t36 + D_p_x_3*(D_p_x_3*t27 + t36) + D_p_y_3*t37 + D_p_y_3*(D_p_y_3*t27 + t37) + D_p_z_3*t38
+        + D_p_z_3*(D_p_z_3*t27 + t38) + I_a_3 + t26*t5;
     M[3][3] = I_1;
-    M[3][4] = 0;
-    M[3][5] = 0;
-    M[4][0] = 0;
-    M[4][1] = 0;
-    M[4][2] = 0;
-    M[4][3] = 0;
     M[4][4] = I_2;
-    M[4][5] = 0;
-    M[5][0] = 0;
-    M[5][1] = 0;
-    M[5][2] = 0;
-    M[5][3] = 0;
-    M[5][4] = 0;
     M[5][5] = I_3;
 }
 
-void rotary_delta_velocity_forces(const double p[3], const double theta_dot[3], const rotary_delta_parameters
-    *parameters, double h[3])
+void rotary_delta_velocity_forces(const double p[3], const double theta_dot[3],
+    const rotary_delta_parameters *parameters, double h[3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -2295,185 +2204,167 @@ void rotary_delta_velocity_forces(const double p[3], const double theta_dot[3], 
     const double D_p_z_2 = A_z_2*t24;
     const double D_p_z_3 = A_z_3*t25;
     const double U_1_x_1 = D_p_x_1 - t13;
-    const double U_1_x_2 = D_p_x_2;
-    const double U_1_x_3 = D_p_x_3;
     const double U_1_y_1 = D_p_y_1 - t14;
-    const double U_1_y_2 = D_p_y_2;
-    const double U_1_y_3 = D_p_y_3;
     const double U_1_z_1 = D_p_z_1 - t15;
-    const double U_1_z_2 = D_p_z_2;
-    const double U_1_z_3 = D_p_z_3;
-    const double U_2_x_1 = D_p_x_1;
     const double U_2_x_2 = D_p_x_2 - t16;
-    const double U_2_x_3 = D_p_x_3;
-    const double U_2_y_1 = D_p_y_1;
     const double U_2_y_2 = D_p_y_2 - t17;
-    const double U_2_y_3 = D_p_y_3;
-    const double U_2_z_1 = D_p_z_1;
     const double U_2_z_2 = D_p_z_2 - t18;
-    const double U_2_z_3 = D_p_z_3;
-    const double U_3_x_1 = D_p_x_1;
-    const double U_3_x_2 = D_p_x_2;
     const double U_3_x_3 = D_p_x_3 - t19;
-    const double U_3_y_1 = D_p_y_1;
-    const double U_3_y_2 = D_p_y_2;
     const double U_3_y_3 = D_p_y_3 - t20;
-    const double U_3_z_1 = D_p_z_1;
-    const double U_3_z_2 = D_p_z_2;
     const double U_3_z_3 = D_p_z_3 - t21;
     const double t26 = s_1_x*t4 + s_1_y*t5 + s_1_z*t6;
     const double f_1_11 = -(U_1_x_1*U_1_x_1) - (U_1_y_1*U_1_y_1) - (U_1_z_1*U_1_z_1) - t26;
-    const double f_2_11 = -(U_2_x_1*U_2_x_1) - (U_2_y_1*U_2_y_1) - (U_2_z_1*U_2_z_1);
-    const double f_3_11 = -(U_3_x_1*U_3_x_1) - (U_3_y_1*U_3_y_1) - (U_3_z_1*U_3_z_1);
-    const double P_x_11 = t22*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_3_11);
-    const double P_y_11 = t22*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_3_11);
-    const double P_z_11 = t22*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_3_11);
-    const double f_1_12 = -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2;
-    const double f_2_12 = -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2;
-    const double f_3_12 = -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2;
+    const double f_2_11 = -(D_p_x_1*D_p_x_1) - (D_p_y_1*D_p_y_1) - (D_p_z_1*D_p_z_1);
+    const double P_x_11 = t22*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_2_11);
+    const double P_y_11 = t22*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_2_11);
+    const double P_z_11 = t22*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_2_11);
+    const double f_1_12 = -D_p_x_2*U_1_x_1 - D_p_y_2*U_1_y_1 - D_p_z_2*U_1_z_1;
+    const double f_2_12 = -D_p_x_1*U_2_x_2 - D_p_y_1*U_2_y_2 - D_p_z_1*U_2_z_2;
+    const double f_3_12 = -D_p_x_1*D_p_x_2 - D_p_y_1*D_p_y_2 - D_p_z_1*D_p_z_2;
     const double P_x_12 = t22*(A_x_1*f_1_12 + A_x_2*f_2_12 + A_x_3*f_3_12);
     const double P_y_12 = t22*(A_y_1*f_1_12 + A_y_2*f_2_12 + A_y_3*f_3_12);
     const double P_z_12 = t22*(A_z_1*f_1_12 + A_z_2*f_2_12 + A_z_3*f_3_12);
-    const double f_1_13 = -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3;
-    const double f_2_13 = -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3;
-    const double f_3_13 = -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3;
+    const double f_1_13 = -D_p_x_3*U_1_x_1 - D_p_y_3*U_1_y_1 - D_p_z_3*U_1_z_1;
+    const double f_2_13 = -D_p_x_1*D_p_x_3 - D_p_y_1*D_p_y_3 - D_p_z_1*D_p_z_3;
+    const double f_3_13 = -D_p_x_1*U_3_x_3 - D_p_y_1*U_3_y_3 - D_p_z_1*U_3_z_3;
     const double P_x_13 = t22*(A_x_1*f_1_13 + A_x_2*f_2_13 + A_x_3*f_3_13);
     const double P_y_13 = t22*(A_y_1*f_1_13 + A_y_2*f_2_13 + A_y_3*f_3_13);
     const double P_z_13 = t22*(A_z_1*f_1_13 + A_z_2*f_2_13 + A_z_3*f_3_13);
-    const double f_1_22 = -(U_1_x_2*U_1_x_2) - (U_1_y_2*U_1_y_2) - (U_1_z_2*U_1_z_2);
+    const double f_1_22 = -(D_p_x_2*D_p_x_2) - (D_p_y_2*D_p_y_2) - (D_p_z_2*D_p_z_2);
     const double t27 = s_2_x*t7 + s_2_y*t8 + s_2_z*t9;
     const double f_2_22 = -(U_2_x_2*U_2_x_2) - (U_2_y_2*U_2_y_2) - (U_2_z_2*U_2_z_2) - t27;
-    const double f_3_22 = -(U_3_x_2*U_3_x_2) - (U_3_y_2*U_3_y_2) - (U_3_z_2*U_3_z_2);
-    const double P_x_22 = t22*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_3_22);
-    const double P_y_22 = t22*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_3_22);
-    const double P_z_22 = t22*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_3_22);
-    const double f_1_23 = -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3;
-    const double f_2_23 = -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3;
-    const double f_3_23 = -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3;
+    const double P_x_22 = t22*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_1_22);
+    const double P_y_22 = t22*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_1_22);
+    const double P_z_22 = t22*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_1_22);
+    const double f_1_23 = -D_p_x_2*D_p_x_3 - D_p_y_2*D_p_y_3 - D_p_z_2*D_p_z_3;
+    const double f_2_23 = -D_p_x_3*U_2_x_2 - D_p_y_3*U_2_y_2 - D_p_z_3*U_2_z_2;
+    const double f_3_23 = -D_p_x_2*U_3_x_3 - D_p_y_2*U_3_y_3 - D_p_z_2*U_3_z_3;
     const double P_x_23 = t22*(A_x_1*f_1_23 + A_x_2*f_2_23 + A_x_3*f_3_23);
     const double P_y_23 = t22*(A_y_1*f_1_23 + A_y_2*f_2_23 + A_y_3*f_3_23);
     const double P_z_23 = t22*(A_z_1*f_1_23 + A_z_2*f_2_23 + A_z_3*f_3_23);
-    const double f_1_33 = -(U_1_x_3*U_1_x_3) - (U_1_y_3*U_1_y_3) - (U_1_z_3*U_1_z_3);
-    const double f_2_33 = -(U_2_x_3*U_2_x_3) - (U_2_y_3*U_2_y_3) - (U_2_z_3*U_2_z_3);
+    const double f_1_33 = -(D_p_x_3*D_p_x_3) - (D_p_y_3*D_p_y_3) - (D_p_z_3*D_p_z_3);
     const double t28 = s_3_x*t10 + s_3_y*t11 + s_3_z*t12;
     const double f_3_33 = -(U_3_x_3*U_3_x_3) - (U_3_y_3*U_3_y_3) - (U_3_z_3*U_3_z_3) - t28;
-    const double P_x_33 = t22*(A_x_1*f_1_33 + A_x_2*f_2_33 + A_x_3*f_3_33);
-    const double P_y_33 = t22*(A_y_1*f_1_33 + A_y_2*f_2_33 + A_y_3*f_3_33);
-    const double P_z_33 = t22*(A_z_1*f_1_33 + A_z_2*f_2_33 + A_z_3*f_3_33);
+    const double P_x_33 = t22*(A_x_1*f_1_33 + A_x_2*f_1_33 + A_x_3*f_3_33);
+    const double P_y_33 = t22*(A_y_1*f_1_33 + A_y_2*f_1_33 + A_y_3*f_3_33);
+    const double P_z_33 = t22*(A_z_1*f_1_33 + A_z_2*f_1_33 + A_z_3*f_3_33);
     const double t29 = D_p_x_1*theta_1_dot;
     const double t30 = D_p_x_2*theta_2_dot;
     const double t31 = D_p_x_3*theta_3_dot;
-    const double v_p_x = t29 + t30 + t31;
-    const double t32 = D_p_y_1*theta_1_dot;
-    const double t33 = D_p_y_2*theta_2_dot;
-    const double t34 = D_p_y_3*theta_3_dot;
-    const double v_p_y = t32 + t33 + t34;
-    const double t35 = D_p_z_1*theta_1_dot;
-    const double t36 = D_p_z_2*theta_2_dot;
-    const double t37 = D_p_z_3*theta_3_dot;
-    const double v_p_z = t35 + t36 + t37;
-    const double s_dot_1_x = U_1_x_1*theta_1_dot + U_1_x_2*theta_2_dot + U_1_x_3*theta_3_dot;
-    const double s_dot_1_y = U_1_y_1*theta_1_dot + U_1_y_2*theta_2_dot + U_1_y_3*theta_3_dot;
-    const double s_dot_1_z = U_1_z_1*theta_1_dot + U_1_z_2*theta_2_dot + U_1_z_3*theta_3_dot;
-    const double s_dot_2_x = U_2_x_1*theta_1_dot + U_2_x_2*theta_2_dot + U_2_x_3*theta_3_dot;
-    const double s_dot_2_y = U_2_y_1*theta_1_dot + U_2_y_2*theta_2_dot + U_2_y_3*theta_3_dot;
-    const double s_dot_2_z = U_2_z_1*theta_1_dot + U_2_z_2*theta_2_dot + U_2_z_3*theta_3_dot;
-    const double s_dot_3_x = U_3_x_1*theta_1_dot + U_3_x_2*theta_2_dot + U_3_x_3*theta_3_dot;
-    const double s_dot_3_y = U_3_y_1*theta_1_dot + U_3_y_2*theta_2_dot + U_3_y_3*theta_3_dot;
-    const double s_dot_3_z = U_3_z_1*theta_1_dot + U_3_z_2*theta_2_dot + U_3_z_3*theta_3_dot;
-    const double t38 = -D_p_x_1*s_dot_2_x - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z;
-    const double t39 = -D_p_x_1*s_dot_3_x - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z;
-    const double t40 =
+    const double t32 = t30 + t31;
+    const double v_p_x = t29 + t32;
+    const double t33 = D_p_y_1*theta_1_dot;
+    const double t34 = D_p_y_2*theta_2_dot;
+    const double t35 = D_p_y_3*theta_3_dot;
+    const double t36 = t34 + t35;
+    const double v_p_y = t33 + t36;
+    const double t37 = D_p_z_1*theta_1_dot;
+    const double t38 = D_p_z_2*theta_2_dot;
+    const double t39 = D_p_z_3*theta_3_dot;
+    const double t40 = t38 + t39;
+    const double v_p_z = t37 + t40;
+    const double s_dot_1_x = U_1_x_1*theta_1_dot + t32;
+    const double s_dot_1_y = U_1_y_1*theta_1_dot + t36;
+    const double s_dot_1_z = U_1_z_1*theta_1_dot + t40;
+    const double s_dot_2_x = U_2_x_2*theta_2_dot + t29 + t31;
+    const double s_dot_2_y = U_2_y_2*theta_2_dot + t33 + t35;
+    const double s_dot_2_z = U_2_z_2*theta_2_dot + t37 + t39;
+    const double s_dot_3_x = U_3_x_3*theta_3_dot + t29 + t30;
+    const double s_dot_3_y = U_3_y_3*theta_3_dot + t33 + t34;
+    const double s_dot_3_z = U_3_z_3*theta_3_dot + t37 + t38;
+    const double t41 = -D_p_x_1*s_dot_2_x - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z;
+    const double t42 = -D_p_x_1*s_dot_3_x - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z;
+    const double t43 =
         -D_p_x_1*s_dot_1_x - D_p_y_1*s_dot_1_y - D_p_z_1*s_dot_1_z + s_dot_1_x*t13 + s_dot_1_y*t14
         + s_dot_1_z*t15 - t26*theta_1_dot;
-    const double D_p_dot_x_1 = t22*(A_x_1*t40 + A_x_2*t38 + A_x_3*t39);
-    const double D_p_dot_y_1 = t22*(A_y_1*t40 + A_y_2*t38 + A_y_3*t39);
-    const double D_p_dot_z_1 = t22*(A_z_1*t40 + A_z_2*t38 + A_z_3*t39);
-    const double t41 = -D_p_x_2*s_dot_1_x - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z;
-    const double t42 = -D_p_x_2*s_dot_3_x - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z;
-    const double t43 =
+    const double D_p_dot_x_1 = t22*(A_x_1*t43 + A_x_2*t41 + A_x_3*t42);
+    const double D_p_dot_y_1 = t22*(A_y_1*t43 + A_y_2*t41 + A_y_3*t42);
+    const double D_p_dot_z_1 = t22*(A_z_1*t43 + A_z_2*t41 + A_z_3*t42);
+    const double t44 = -D_p_x_2*s_dot_1_x - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z;
+    const double t45 = -D_p_x_2*s_dot_3_x - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z;
+    const double t46 =
         -D_p_x_2*s_dot_2_x - D_p_y_2*s_dot_2_y - D_p_z_2*s_dot_2_z + s_dot_2_x*t16 + s_dot_2_y*t17
         + s_dot_2_z*t18 - t27*theta_2_dot;
-    const double D_p_dot_x_2 = t22*(A_x_1*t41 + A_x_2*t43 + A_x_3*t42);
-    const double D_p_dot_y_2 = t22*(A_y_1*t41 + A_y_2*t43 + A_y_3*t42);
-    const double D_p_dot_z_2 = t22*(A_z_1*t41 + A_z_2*t43 + A_z_3*t42);
-    const double t44 = -D_p_x_3*s_dot_1_x - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z;
-    const double t45 = -D_p_x_3*s_dot_2_x - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z;
-    const double t46 =
+    const double D_p_dot_x_2 = t22*(A_x_1*t44 + A_x_2*t46 + A_x_3*t45);
+    const double D_p_dot_y_2 = t22*(A_y_1*t44 + A_y_2*t46 + A_y_3*t45);
+    const double D_p_dot_z_2 = t22*(A_z_1*t44 + A_z_2*t46 + A_z_3*t45);
+    const double t47 = -D_p_x_3*s_dot_1_x - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z;
+    const double t48 = -D_p_x_3*s_dot_2_x - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z;
+    const double t49 =
         -D_p_x_3*s_dot_3_x - D_p_y_3*s_dot_3_y - D_p_z_3*s_dot_3_z + s_dot_3_x*t19 + s_dot_3_y*t20
         + s_dot_3_z*t21 - t28*theta_3_dot;
-    const double D_p_dot_x_3 = t22*(A_x_1*t44 + A_x_2*t45 + A_x_3*t46);
-    const double D_p_dot_y_3 = t22*(A_y_1*t44 + A_y_2*t45 + A_y_3*t46);
-    const double D_p_dot_z_3 = t22*(A_z_1*t44 + A_z_2*t45 + A_z_3*t46);
-    const double t47 = (1.0/6.0)*m_d_1;
-    const double t48 = t47*theta_1_dot;
-    const double t49 = t4*t48;
-    const double t50 = t48*t5;
-    const double t51 = t48*t6;
-    const double t52 = t13*t47;
-    const double t53 = (1.0/6.0)*m_d_2;
-    const double t54 = t16*t53;
-    const double t55 = (1.0/6.0)*m_d_3;
-    const double t56 = t19*t55;
-    const double t57 = m_p + 2*t47 + 2*t53 + 2*t55;
-    const double t58 = t52*theta_1_dot + t54*theta_2_dot + t56*theta_3_dot + t57*v_p_x;
-    const double t59 = t14*t47;
-    const double t60 = t17*t53;
-    const double t61 = t20*t55;
-    const double t62 = t57*v_p_y + t59*theta_1_dot + t60*theta_2_dot + t61*theta_3_dot;
-    const double t63 = t15*t47;
-    const double t64 = t18*t53;
-    const double t65 = t21*t55;
-    const double t66 = t57*v_p_z + t63*theta_1_dot + t64*theta_2_dot + t65*theta_3_dot;
-    const double t67 = (1.0/3.0)*m_d_1 + (1.0/3.0)*m_d_2 + (1.0/3.0)*m_d_3 + m_p;
-    const double t68 = D_p_x_1*t67 + t52;
-    const double t69 = D_p_y_1*t67 + t59;
-    const double t70 = D_p_z_1*t67 + t63;
-    const double t71 = t53*theta_2_dot;
-    const double t72 = t7*t71;
-    const double t73 = t71*t8;
-    const double t74 = t71*t9;
-    const double t75 = P_x_12*t58 + P_y_12*t62 + P_z_12*t66;
-    const double t76 = t55*theta_3_dot;
-    const double t77 = t10*t76;
-    const double t78 = t11*t76;
-    const double t79 = t12*t76;
-    const double t80 = P_x_13*t58 + P_y_13*t62 + P_z_13*t66;
-    const double t81 = L_a_1*t47;
-    const double t82 = D_p_x_2*t67 + t54;
-    const double t83 = D_p_y_2*t67 + t60;
-    const double t84 = D_p_z_2*t67 + t64;
-    const double t85 = P_x_23*t58 + P_y_23*t62 + P_z_23*t66;
-    const double t86 = L_a_2*t53;
-    const double t87 = D_p_x_3*t67 + t56;
-    const double t88 = D_p_y_3*t67 + t61;
-    const double t89 = D_p_z_3*t67 + t65;
-    const double t90 = L_a_3*t55;
+    const double D_p_dot_x_3 = t22*(A_x_1*t47 + A_x_2*t48 + A_x_3*t49);
+    const double D_p_dot_y_3 = t22*(A_y_1*t47 + A_y_2*t48 + A_y_3*t49);
+    const double D_p_dot_z_3 = t22*(A_z_1*t47 + A_z_2*t48 + A_z_3*t49);
+    const double t50 = (1.0/6.0)*m_d_1;
+    const double t51 = t50*theta_1_dot;
+    const double t52 = t4*t51;
+    const double t53 = t5*t51;
+    const double t54 = t51*t6;
+    const double t55 = t13*t50;
+    const double t56 = (1.0/6.0)*m_d_2;
+    const double t57 = t16*t56;
+    const double t58 = (1.0/6.0)*m_d_3;
+    const double t59 = t19*t58;
+    const double t60 = m_p + 2*t50 + 2*t56 + 2*t58;
+    const double t61 = t55*theta_1_dot + t57*theta_2_dot + t59*theta_3_dot + t60*v_p_x;
+    const double t62 = t14*t50;
+    const double t63 = t17*t56;
+    const double t64 = t20*t58;
+    const double t65 = t60*v_p_y + t62*theta_1_dot + t63*theta_2_dot + t64*theta_3_dot;
+    const double t66 = t15*t50;
+    const double t67 = t18*t56;
+    const double t68 = t21*t58;
+    const double t69 = t60*v_p_z + t66*theta_1_dot + t67*theta_2_dot + t68*theta_3_dot;
+    const double t70 = (1.0/3.0)*m_d_1 + (1.0/3.0)*m_d_2 + (1.0/3.0)*m_d_3 + m_p;
+    const double t71 = D_p_x_1*t70 + t55;
+    const double t72 = D_p_y_1*t70 + t62;
+    const double t73 = D_p_z_1*t70 + t66;
+    const double t74 = t56*theta_2_dot;
+    const double t75 = t7*t74;
+    const double t76 = t74*t8;
+    const double t77 = t74*t9;
+    const double t78 = P_x_12*t61 + P_y_12*t65 + P_z_12*t69;
+    const double t79 = t58*theta_3_dot;
+    const double t80 = t10*t79;
+    const double t81 = t11*t79;
+    const double t82 = t12*t79;
+    const double t83 = P_x_13*t61 + P_y_13*t65 + P_z_13*t69;
+    const double t84 = L_a_1*t50;
+    const double t85 = D_p_x_2*t70 + t57;
+    const double t86 = D_p_y_2*t70 + t63;
+    const double t87 = D_p_z_2*t70 + t67;
+    const double t88 = P_x_23*t61 + P_y_23*t65 + P_z_23*t69;
+    const double t89 = L_a_2*t56;
+    const double t90 = D_p_x_3*t70 + t59;
+    const double t91 = D_p_y_3*t70 + t64;
+    const double t92 = D_p_z_3*t70 + t68;
+    const double t93 = L_a_3*t58;
     h[0] =
-        -D_p_dot_x_1*t58 - D_p_dot_y_1*t62 - D_p_dot_z_1*t66 + t49*v_p_x + t50*v_p_y + t51*v_p_z
-        + theta_1_dot*(D_p_dot_x_1*t68 + D_p_dot_y_1*t69 + D_p_dot_z_1*t70 + P_x_11*t58 + P_y_11*t62
-        + P_z_11*t66 - d_1_x*(t29*t81 + t81*v_p_x) - d_1_y*(t32*t81 + t81*v_p_y) - d_1_z*(t35*t81
-        + t81*v_p_z)) + theta_2_dot*(D_p_dot_x_2*t68 + D_p_dot_y_2*t69 + D_p_dot_z_2*t70 - D_p_x_1*t72
-        - D_p_y_1*t73 - D_p_z_1*t74 + t75) + theta_3_dot*(D_p_dot_x_3*t68 + D_p_dot_y_3*t69 + D_p_dot_z_3*t70
-        - D_p_x_1*t77 - D_p_y_1*t78 - D_p_z_1*t79 + t80);
+        -D_p_dot_x_1*t61 - D_p_dot_y_1*t65 - D_p_dot_z_1*t69 + t52*v_p_x + t53*v_p_y + t54*v_p_z
+        + theta_1_dot*(D_p_dot_x_1*t71 + D_p_dot_y_1*t72 + D_p_dot_z_1*t73 + P_x_11*t61 + P_y_11*t65
+        + P_z_11*t69 - d_1_x*(t29*t84 + t84*v_p_x) - d_1_y*(t33*t84 + t84*v_p_y) - d_1_z*(t37*t84
+        + t84*v_p_z)) + theta_2_dot*(D_p_dot_x_2*t71 + D_p_dot_y_2*t72 + D_p_dot_z_2*t73 - D_p_x_1*t75
+        - D_p_y_1*t76 - D_p_z_1*t77 + t78) + theta_3_dot*(D_p_dot_x_3*t71 + D_p_dot_y_3*t72 + D_p_dot_z_3*t73
+        - D_p_x_1*t80 - D_p_y_1*t81 - D_p_z_1*t82 + t83);
     h[1] =
-        -D_p_dot_x_2*t58 - D_p_dot_y_2*t62 - D_p_dot_z_2*t66 + t72*v_p_x + t73*v_p_y + t74*v_p_z
-        + theta_1_dot*(D_p_dot_x_1*t82 + D_p_dot_y_1*t83 + D_p_dot_z_1*t84 - D_p_x_2*t49 - D_p_y_2*t50
-        - D_p_z_2*t51 + t75) + theta_2_dot*(D_p_dot_x_2*t82 + D_p_dot_y_2*t83 + D_p_dot_z_2*t84 + P_x_22*t58
-        + P_y_22*t62 + P_z_22*t66 - d_2_x*(t30*t86 + t86*v_p_x) - d_2_y*(t33*t86 + t86*v_p_y)
-        - d_2_z*(t36*t86 + t86*v_p_z)) + theta_3_dot*(D_p_dot_x_3*t82 + D_p_dot_y_3*t83 + D_p_dot_z_3*t84
-        - D_p_x_2*t77 - D_p_y_2*t78 - D_p_z_2*t79 + t85);
+        -D_p_dot_x_2*t61 - D_p_dot_y_2*t65 - D_p_dot_z_2*t69 + t75*v_p_x + t76*v_p_y + t77*v_p_z
+        + theta_1_dot*(D_p_dot_x_1*t85 + D_p_dot_y_1*t86 + D_p_dot_z_1*t87 - D_p_x_2*t52 - D_p_y_2*t53
+        - D_p_z_2*t54 + t78) + theta_2_dot*(D_p_dot_x_2*t85 + D_p_dot_y_2*t86 + D_p_dot_z_2*t87 + P_x_22*t61
+        + P_y_22*t65 + P_z_22*t69 - d_2_x*(t30*t89 + t89*v_p_x) - d_2_y*(t34*t89 + t89*v_p_y)
+        - d_2_z*(t38*t89 + t89*v_p_z)) + theta_3_dot*(D_p_dot_x_3*t85 + D_p_dot_y_3*t86 + D_p_dot_z_3*t87
+        - D_p_x_2*t80 - D_p_y_2*t81 - D_p_z_2*t82 + t88);
     h[2] =
-        -D_p_dot_x_3*t58 - D_p_dot_y_3*t62 - D_p_dot_z_3*t66 + t77*v_p_x + t78*v_p_y + t79*v_p_z
-        + theta_1_dot*(D_p_dot_x_1*t87 + D_p_dot_y_1*t88 + D_p_dot_z_1*t89 - D_p_x_3*t49 - D_p_y_3*t50
-        - D_p_z_3*t51 + t80) + theta_2_dot*(D_p_dot_x_2*t87 + D_p_dot_y_2*t88 + D_p_dot_z_2*t89 - D_p_x_3*t72
-        - D_p_y_3*t73 - D_p_z_3*t74 + t85) + theta_3_dot*(D_p_dot_x_3*t87 + D_p_dot_y_3*t88 + D_p_dot_z_3*t89
-        + P_x_33*t58 + P_y_33*t62 + P_z_33*t66 - d_3_x*(t31*t90 + t90*v_p_x) - d_3_y*(t34*t90 + t90*v_p_y)
-        - d_3_z*(t37*t90 + t90*v_p_z));
+        -D_p_dot_x_3*t61 - D_p_dot_y_3*t65 - D_p_dot_z_3*t69 + t80*v_p_x + t81*v_p_y + t82*v_p_z
+        + theta_1_dot*(D_p_dot_x_1*t90 + D_p_dot_y_1*t91 + D_p_dot_z_1*t92 - D_p_x_3*t52 - D_p_y_3*t53
+        - D_p_z_3*t54 + t83) + theta_2_dot*(D_p_dot_x_2*t90 + D_p_dot_y_2*t91 + D_p_dot_z_2*t92 - D_p_x_3*t75
+        - D_p_y_3*t76 - D_p_z_3*t77 + t88) + theta_3_dot*(D_p_dot_x_3*t90 + D_p_dot_y_3*t91 + D_p_dot_z_3*t92
+        + P_x_33*t61 + P_y_33*t65 + P_z_33*t69 - d_3_x*(t31*t93 + t93*v_p_x) - d_3_y*(t35*t93 + t93*v_p_y)
+        - d_3_z*(t39*t93 + t93*v_p_z));
 }
 
-void rotary_delta_gravity_potential(const double p[3], const rotary_delta_parameters *parameters, double
-    *V_g)
+void rotary_delta_gravity_potential(const double p[3], const rotary_delta_parameters *parameters,
+    double *V_g)
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -2785,8 +2676,8 @@ void rotary_delta_gravity_gradient(const double p[3], const rotary_delta_paramet
     G[2] = -D_p_x_3*t12 - D_p_y_3*t13 - D_p_z_3*t14 - g_x*t17*t_3_x - g_y*t17*t_3_y - g_z*t17*t_3_z;
 }
 
-void rotary_delta_gravity_hessian(const double p[3], const rotary_delta_parameters *parameters, double
-    H_g[3][3])
+void rotary_delta_gravity_hessian(const double p[3], const rotary_delta_parameters *parameters,
+    double H_g[3][3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -2966,31 +2857,13 @@ void rotary_delta_gravity_hessian(const double p[3], const rotary_delta_paramete
     const double D_p_z_2 = A_z_2*t24;
     const double D_p_z_3 = A_z_3*t25;
     const double U_1_x_1 = D_p_x_1 - t13;
-    const double U_1_x_2 = D_p_x_2;
-    const double U_1_x_3 = D_p_x_3;
     const double U_1_y_1 = D_p_y_1 - t14;
-    const double U_1_y_2 = D_p_y_2;
-    const double U_1_y_3 = D_p_y_3;
     const double U_1_z_1 = D_p_z_1 - t15;
-    const double U_1_z_2 = D_p_z_2;
-    const double U_1_z_3 = D_p_z_3;
-    const double U_2_x_1 = D_p_x_1;
     const double U_2_x_2 = D_p_x_2 - t16;
-    const double U_2_x_3 = D_p_x_3;
-    const double U_2_y_1 = D_p_y_1;
     const double U_2_y_2 = D_p_y_2 - t17;
-    const double U_2_y_3 = D_p_y_3;
-    const double U_2_z_1 = D_p_z_1;
     const double U_2_z_2 = D_p_z_2 - t18;
-    const double U_2_z_3 = D_p_z_3;
-    const double U_3_x_1 = D_p_x_1;
-    const double U_3_x_2 = D_p_x_2;
     const double U_3_x_3 = D_p_x_3 - t19;
-    const double U_3_y_1 = D_p_y_1;
-    const double U_3_y_2 = D_p_y_2;
     const double U_3_y_3 = D_p_y_3 - t20;
-    const double U_3_z_1 = D_p_z_1;
-    const double U_3_z_2 = D_p_z_2;
     const double U_3_z_3 = D_p_z_3 - t21;
     const double t26 = (1.0/2.0)*m_d_1;
     const double t27 = (1.0/2.0)*m_d_2;
@@ -3002,53 +2875,53 @@ void rotary_delta_gravity_hessian(const double p[3], const rotary_delta_paramete
     const double mu_1 = t22*(-A_x_1*t30 - A_y_1*t31 - A_z_1*t32);
     const double mu_2 = t22*(-A_x_2*t30 - A_y_2*t31 - A_z_2*t32);
     const double mu_3 = t22*(-A_x_3*t30 - A_y_3*t31 - A_z_3*t32);
-    const double t33 = L_a_1*t26 + m_a_1*r_a_1;
-    const double t34 = U_1_x_1*mu_1;
-    const double t35 = U_1_y_1*mu_1;
-    const double t36 = U_1_z_1*mu_1;
-    const double t37 = U_2_x_1*mu_2;
-    const double t38 = U_2_y_1*mu_2;
-    const double t39 = U_2_z_1*mu_2;
-    const double t40 = U_3_x_1*mu_3;
-    const double t41 = U_3_y_1*mu_3;
-    const double t42 = U_3_z_1*mu_3;
-    const double t43 =
-        -U_1_x_2*t34 - U_1_y_2*t35 - U_1_z_2*t36 - U_2_x_2*t37 - U_2_y_2*t38 - U_2_z_2*t39 - U_3_x_2*t40
-        - U_3_y_2*t41 - U_3_z_2*t42;
-    const double t44 =
-        -U_1_x_3*t34 - U_1_y_3*t35 - U_1_z_3*t36 - U_2_x_3*t37 - U_2_y_3*t38 - U_2_z_3*t39 - U_3_x_3*t40
-        - U_3_y_3*t41 - U_3_z_3*t42;
-    const double t45 = L_a_2*t27 + m_a_2*r_a_2;
-    const double t46 =
-        -U_1_x_2*U_1_x_3*mu_1 - U_1_y_2*U_1_y_3*mu_1 - U_1_z_2*U_1_z_3*mu_1 - U_2_x_2*U_2_x_3*mu_2
-        - U_2_y_2*U_2_y_3*mu_2 - U_2_z_2*U_2_z_3*mu_2 - U_3_x_2*U_3_x_3*mu_3 - U_3_y_2*U_3_y_3*mu_3
-        - U_3_z_2*U_3_z_3*mu_3;
-    const double t47 = L_a_3*t28 + m_a_3*r_a_3;
+    const double t33 = (D_p_x_1*D_p_x_1);
+    const double t34 = (D_p_y_1*D_p_y_1);
+    const double t35 = (D_p_z_1*D_p_z_1);
+    const double t36 = L_a_1*t26 + m_a_1*r_a_1;
+    const double t37 = D_p_x_1*mu_3;
+    const double t38 = D_p_x_1*mu_2;
+    const double t39 = U_1_x_1*mu_1;
+    const double t40 = D_p_y_1*mu_3;
+    const double t41 = D_p_y_1*mu_2;
+    const double t42 = U_1_y_1*mu_1;
+    const double t43 = D_p_z_1*mu_3;
+    const double t44 = D_p_z_1*mu_2;
+    const double t45 = U_1_z_1*mu_1;
+    const double t46 = (D_p_x_2*D_p_x_2);
+    const double t47 = (D_p_y_2*D_p_y_2);
+    const double t48 = (D_p_z_2*D_p_z_2);
+    const double t49 = L_a_2*t27 + m_a_2*r_a_2;
+    const double t50 = (D_p_x_3*D_p_x_3);
+    const double t51 = (D_p_y_3*D_p_y_3);
+    const double t52 = (D_p_z_3*D_p_z_3);
+    const double t53 = L_a_3*t28 + m_a_3*r_a_3;
     H_g[0][0] =
-        -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 - (U_2_x_1*U_2_x_1)*mu_2
-        - (U_2_y_1*U_2_y_1)*mu_2 - (U_2_z_1*U_2_z_1)*mu_2 - (U_3_x_1*U_3_x_1)*mu_3 - (U_3_y_1*U_3_y_1)*mu_3
-        - (U_3_z_1*U_3_z_1)*mu_3 + d_1_x*g_x*t33 + d_1_y*g_y*t33 + d_1_z*g_z*t33 - mu_1*s_1_x*t4
-        - mu_1*s_1_y*t5 - mu_1*s_1_z*t6;
-    H_g[0][1] = t43;
-    H_g[0][2] = t44;
-    H_g[1][0] = t43;
+        -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 + d_1_x*g_x*t36
+        + d_1_y*g_y*t36 + d_1_z*g_z*t36 - mu_1*s_1_x*t4 - mu_1*s_1_y*t5 - mu_1*s_1_z*t6 - mu_2*t33 - mu_2*t34
+        - mu_2*t35 - mu_3*t33 - mu_3*t34 - mu_3*t35;
+    H_g[0][1] = H_g[1][0] =
+        -D_p_x_2*t37 - D_p_x_2*t39 - D_p_y_2*t40 - D_p_y_2*t42 - D_p_z_2*t43 - D_p_z_2*t45 - U_2_x_2*t38
+        - U_2_y_2*t41 - U_2_z_2*t44;
+    H_g[0][2] = H_g[2][0] =
+        -D_p_x_3*t38 - D_p_x_3*t39 - D_p_y_3*t41 - D_p_y_3*t42 - D_p_z_3*t44 - D_p_z_3*t45 - U_3_x_3*t37
+        - U_3_y_3*t40 - U_3_z_3*t43;
     H_g[1][1] =
-        -(U_1_x_2*U_1_x_2)*mu_1 - (U_1_y_2*U_1_y_2)*mu_1 - (U_1_z_2*U_1_z_2)*mu_1 - (U_2_x_2*U_2_x_2)*mu_2
-        - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 - (U_3_x_2*U_3_x_2)*mu_3 - (U_3_y_2*U_3_y_2)*mu_3
-        - (U_3_z_2*U_3_z_2)*mu_3 + d_2_x*g_x*t45 + d_2_y*g_y*t45 + d_2_z*g_z*t45 - mu_2*s_2_x*t7
-        - mu_2*s_2_y*t8 - mu_2*s_2_z*t9;
-    H_g[1][2] = t46;
-    H_g[2][0] = t44;
-    H_g[2][1] = t46;
+        -(U_2_x_2*U_2_x_2)*mu_2 - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 + d_2_x*g_x*t49
+        + d_2_y*g_y*t49 + d_2_z*g_z*t49 - mu_1*t46 - mu_1*t47 - mu_1*t48 - mu_2*s_2_x*t7 - mu_2*s_2_y*t8
+        - mu_2*s_2_z*t9 - mu_3*t46 - mu_3*t47 - mu_3*t48;
+    H_g[1][2] = H_g[2][1] =
+        -D_p_x_2*D_p_x_3*mu_1 - D_p_x_2*U_3_x_3*mu_3 - D_p_x_3*U_2_x_2*mu_2 - D_p_y_2*D_p_y_3*mu_1
+        - D_p_y_2*U_3_y_3*mu_3 - D_p_y_3*U_2_y_2*mu_2 - D_p_z_2*D_p_z_3*mu_1 - D_p_z_2*U_3_z_3*mu_3
+        - D_p_z_3*U_2_z_2*mu_2;
     H_g[2][2] =
-        -(U_1_x_3*U_1_x_3)*mu_1 - (U_1_y_3*U_1_y_3)*mu_1 - (U_1_z_3*U_1_z_3)*mu_1 - (U_2_x_3*U_2_x_3)*mu_2
-        - (U_2_y_3*U_2_y_3)*mu_2 - (U_2_z_3*U_2_z_3)*mu_2 - (U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3
-        - (U_3_z_3*U_3_z_3)*mu_3 + d_3_x*g_x*t47 + d_3_y*g_y*t47 + d_3_z*g_z*t47 - mu_3*s_3_x*t10
-        - mu_3*s_3_y*t11 - mu_3*s_3_z*t12;
+        -(U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3 - (U_3_z_3*U_3_z_3)*mu_3 + d_3_x*g_x*t53
+        + d_3_y*g_y*t53 + d_3_z*g_z*t53 - mu_1*t50 - mu_1*t51 - mu_1*t52 - mu_2*t50 - mu_2*t51 - mu_2*t52
+        - mu_3*s_3_x*t10 - mu_3*s_3_y*t11 - mu_3*s_3_z*t12;
 }
 
-void rotary_delta_elastic_potential(const double p[3], const double delta_q[6], const rotary_delta_parameters
-    *parameters, double *V_el)
+void rotary_delta_elastic_potential(const double p[3], const double delta_q[6],
+    const rotary_delta_parameters *parameters, double *V_el)
 {
     (void)p;
     const double delta_theta_1 = delta_q[0];
@@ -3060,17 +2933,14 @@ void rotary_delta_elastic_potential(const double p[3], const double delta_q[6], 
     const double k_r_1 = parameters->reducer_stiffness[0];
     const double k_r_2 = parameters->reducer_stiffness[1];
     const double k_r_3 = parameters->reducer_stiffness[2];
-    const double k_1 = k_r_1;
-    const double k_2 = k_r_2;
-    const double k_3 = k_r_3;
     *V_el =
-        (1.0/2.0)*k_1*((-delta_phi_1 + delta_theta_1)*(-delta_phi_1 + delta_theta_1))
-        + (1.0/2.0)*k_2*((-delta_phi_2 + delta_theta_2)*(-delta_phi_2 + delta_theta_2))
-        + (1.0/2.0)*k_3*((-delta_phi_3 + delta_theta_3)*(-delta_phi_3 + delta_theta_3));
+        (1.0/2.0)*k_r_1*((-delta_phi_1 + delta_theta_1)*(-delta_phi_1 + delta_theta_1))
+        + (1.0/2.0)*k_r_2*((-delta_phi_2 + delta_theta_2)*(-delta_phi_2 + delta_theta_2))
+        + (1.0/2.0)*k_r_3*((-delta_phi_3 + delta_theta_3)*(-delta_phi_3 + delta_theta_3));
 }
 
-void rotary_delta_elastic_gradient(const double p[3], const double delta_q[6], const rotary_delta_parameters
-    *parameters, double E[6])
+void rotary_delta_elastic_gradient(const double p[3], const double delta_q[6],
+    const rotary_delta_parameters *parameters, double E[6])
 {
     (void)p;
     const double delta_theta_1 = delta_q[0];
@@ -3082,15 +2952,12 @@ void rotary_delta_elastic_gradient(const double p[3], const double delta_q[6], c
     const double k_r_1 = parameters->reducer_stiffness[0];
     const double k_r_2 = parameters->reducer_stiffness[1];
     const double k_r_3 = parameters->reducer_stiffness[2];
-    const double k_1 = k_r_1;
-    const double k_2 = k_r_2;
-    const double k_3 = k_r_3;
     const double t1 = 2*delta_phi_1 - 2*delta_theta_1;
-    const double t2 = (1.0/2.0)*k_1;
+    const double t2 = (1.0/2.0)*k_r_1;
     const double t3 = 2*delta_phi_2 - 2*delta_theta_2;
-    const double t4 = (1.0/2.0)*k_2;
+    const double t4 = (1.0/2.0)*k_r_2;
     const double t5 = 2*delta_phi_3 - 2*delta_theta_3;
-    const double t6 = (1.0/2.0)*k_3;
+    const double t6 = (1.0/2.0)*k_r_3;
     E[0] = -t1*t2;
     E[1] = -t3*t4;
     E[2] = -t5*t6;
@@ -3099,56 +2966,27 @@ void rotary_delta_elastic_gradient(const double p[3], const double delta_q[6], c
     E[5] = t5*t6;
 }
 
-void rotary_delta_elastic_hessian(const double p[3], const rotary_delta_parameters *parameters, double
-    H_el[6][6])
+void rotary_delta_elastic_hessian(const double p[3], const rotary_delta_parameters *parameters,
+    double H_el[6][6])
 {
     (void)p;
     const double k_r_1 = parameters->reducer_stiffness[0];
     const double k_r_2 = parameters->reducer_stiffness[1];
     const double k_r_3 = parameters->reducer_stiffness[2];
-    const double k_1 = k_r_1;
-    const double k_2 = k_r_2;
-    const double k_3 = k_r_3;
-    H_el[0][0] = k_1;
-    H_el[0][1] = 0;
-    H_el[0][2] = 0;
-    H_el[0][3] = -k_1;
-    H_el[0][4] = 0;
-    H_el[0][5] = 0;
-    H_el[1][0] = 0;
-    H_el[1][1] = k_2;
-    H_el[1][2] = 0;
-    H_el[1][3] = 0;
-    H_el[1][4] = -k_2;
-    H_el[1][5] = 0;
-    H_el[2][0] = 0;
-    H_el[2][1] = 0;
-    H_el[2][2] = k_3;
-    H_el[2][3] = 0;
-    H_el[2][4] = 0;
-    H_el[2][5] = -k_3;
-    H_el[3][0] = -k_1;
-    H_el[3][1] = 0;
-    H_el[3][2] = 0;
-    H_el[3][3] = k_1;
-    H_el[3][4] = 0;
-    H_el[3][5] = 0;
-    H_el[4][0] = 0;
-    H_el[4][1] = -k_2;
-    H_el[4][2] = 0;
-    H_el[4][3] = 0;
-    H_el[4][4] = k_2;
-    H_el[4][5] = 0;
-    H_el[5][0] = 0;
-    H_el[5][1] = 0;
-    H_el[5][2] = -k_3;
-    H_el[5][3] = 0;
-    H_el[5][4] = 0;
-    H_el[5][5] = k_3;
+    memset(H_el, 0, sizeof(double[6][6]));
+    H_el[0][0] = k_r_1;
+    H_el[0][3] = H_el[3][0] = -k_r_1;
+    H_el[1][1] = k_r_2;
+    H_el[1][4] = H_el[4][1] = -k_r_2;
+    H_el[2][2] = k_r_3;
+    H_el[2][5] = H_el[5][2] = -k_r_3;
+    H_el[3][3] = k_r_1;
+    H_el[4][4] = k_r_2;
+    H_el[5][5] = k_r_3;
 }
 
-void rotary_delta_static_equilibrium(const double p[3], const rotary_delta_parameters *parameters, double
-    tau_st[3], double theta_st[3])
+void rotary_delta_static_equilibrium(const double p[3], const rotary_delta_parameters *parameters,
+    double tau_st[3], double theta_st[3])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -3312,9 +3150,6 @@ void rotary_delta_static_equilibrium(const double p[3], const rotary_delta_param
     const double D_p_z_1 = A_z_1*t5;
     const double D_p_z_2 = A_z_2*t6;
     const double D_p_z_3 = A_z_3*t7;
-    const double k_1 = k_r_1;
-    const double k_2 = k_r_2;
-    const double k_3 = k_r_3;
     const double t8 = (1.0/2.0)*m_d_3;
     const double t9 = (1.0/2.0)*m_d_1;
     const double t10 = (1.0/2.0)*m_d_2;
@@ -3331,12 +3166,12 @@ void rotary_delta_static_equilibrium(const double p[3], const rotary_delta_param
     const double t17 = L_a_3*t8 + m_a_3*r_a_3;
     const double G_3 =
         -D_p_x_3*t12 - D_p_y_3*t13 - D_p_z_3*t14 - g_x*t17*t_3_x - g_y*t17*t_3_y - g_z*t17*t_3_z;
-    const double phi_1_st = G_1/k_1;
-    const double phi_2_st = G_2/k_2;
-    const double phi_3_st = G_3/k_3;
-    const double tau_st_1 = k_1*phi_1_st;
-    const double tau_st_2 = k_2*phi_2_st;
-    const double tau_st_3 = k_3*phi_3_st;
+    const double phi_1_st = G_1/k_r_1;
+    const double phi_2_st = G_2/k_r_2;
+    const double phi_3_st = G_3/k_r_3;
+    const double tau_st_1 = k_r_1*phi_1_st;
+    const double tau_st_2 = k_r_2*phi_2_st;
+    const double tau_st_3 = k_r_3*phi_3_st;
     tau_st[0] = tau_st_1;
     tau_st[1] = tau_st_2;
     tau_st[2] = tau_st_3;
@@ -3345,8 +3180,8 @@ void rotary_delta_static_equilibrium(const double p[3], const rotary_delta_param
     theta_st[2] = phi_3_st;
 }
 
-void rotary_delta_stiffness_matrix(const double p[3], const rotary_delta_parameters *parameters, double
-    K[6][6])
+void rotary_delta_stiffness_matrix(const double p[3], const rotary_delta_parameters *parameters,
+    double K[6][6])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -3529,35 +3364,14 @@ void rotary_delta_stiffness_matrix(const double p[3], const rotary_delta_paramet
     const double D_p_z_2 = A_z_2*t24;
     const double D_p_z_3 = A_z_3*t25;
     const double U_1_x_1 = D_p_x_1 - t13;
-    const double U_1_x_2 = D_p_x_2;
-    const double U_1_x_3 = D_p_x_3;
     const double U_1_y_1 = D_p_y_1 - t14;
-    const double U_1_y_2 = D_p_y_2;
-    const double U_1_y_3 = D_p_y_3;
     const double U_1_z_1 = D_p_z_1 - t15;
-    const double U_1_z_2 = D_p_z_2;
-    const double U_1_z_3 = D_p_z_3;
-    const double U_2_x_1 = D_p_x_1;
     const double U_2_x_2 = D_p_x_2 - t16;
-    const double U_2_x_3 = D_p_x_3;
-    const double U_2_y_1 = D_p_y_1;
     const double U_2_y_2 = D_p_y_2 - t17;
-    const double U_2_y_3 = D_p_y_3;
-    const double U_2_z_1 = D_p_z_1;
     const double U_2_z_2 = D_p_z_2 - t18;
-    const double U_2_z_3 = D_p_z_3;
-    const double U_3_x_1 = D_p_x_1;
-    const double U_3_x_2 = D_p_x_2;
     const double U_3_x_3 = D_p_x_3 - t19;
-    const double U_3_y_1 = D_p_y_1;
-    const double U_3_y_2 = D_p_y_2;
     const double U_3_y_3 = D_p_y_3 - t20;
-    const double U_3_z_1 = D_p_z_1;
-    const double U_3_z_2 = D_p_z_2;
     const double U_3_z_3 = D_p_z_3 - t21;
-    const double k_1 = k_r_1;
-    const double k_2 = k_r_2;
-    const double k_3 = k_r_3;
     const double t26 = (1.0/2.0)*m_d_1;
     const double t27 = (1.0/2.0)*m_d_2;
     const double t28 = (1.0/2.0)*m_d_3;
@@ -3568,80 +3382,60 @@ void rotary_delta_stiffness_matrix(const double p[3], const rotary_delta_paramet
     const double mu_1 = t22*(-A_x_1*t30 - A_y_1*t31 - A_z_1*t32);
     const double mu_2 = t22*(-A_x_2*t30 - A_y_2*t31 - A_z_2*t32);
     const double mu_3 = t22*(-A_x_3*t30 - A_y_3*t31 - A_z_3*t32);
-    const double t33 = L_a_1*t26 + m_a_1*r_a_1;
-    const double t34 = U_1_x_1*mu_1;
-    const double t35 = U_1_y_1*mu_1;
-    const double t36 = U_1_z_1*mu_1;
-    const double t37 = U_2_x_1*mu_2;
-    const double t38 = U_2_y_1*mu_2;
-    const double t39 = U_2_z_1*mu_2;
-    const double t40 = U_3_x_1*mu_3;
-    const double t41 = U_3_y_1*mu_3;
-    const double t42 = U_3_z_1*mu_3;
-    const double t43 =
-        -U_1_x_2*t34 - U_1_y_2*t35 - U_1_z_2*t36 - U_2_x_2*t37 - U_2_y_2*t38 - U_2_z_2*t39 - U_3_x_2*t40
-        - U_3_y_2*t41 - U_3_z_2*t42;
-    const double t44 =
-        -U_1_x_3*t34 - U_1_y_3*t35 - U_1_z_3*t36 - U_2_x_3*t37 - U_2_y_3*t38 - U_2_z_3*t39 - U_3_x_3*t40
-        - U_3_y_3*t41 - U_3_z_3*t42;
-    const double t45 = L_a_2*t27 + m_a_2*r_a_2;
-    const double t46 =
-        -U_1_x_2*U_1_x_3*mu_1 - U_1_y_2*U_1_y_3*mu_1 - U_1_z_2*U_1_z_3*mu_1 - U_2_x_2*U_2_x_3*mu_2
-        - U_2_y_2*U_2_y_3*mu_2 - U_2_z_2*U_2_z_3*mu_2 - U_3_x_2*U_3_x_3*mu_3 - U_3_y_2*U_3_y_3*mu_3
-        - U_3_z_2*U_3_z_3*mu_3;
-    const double t47 = L_a_3*t28 + m_a_3*r_a_3;
+    const double t33 = (D_p_x_1*D_p_x_1);
+    const double t34 = (D_p_y_1*D_p_y_1);
+    const double t35 = (D_p_z_1*D_p_z_1);
+    const double t36 = L_a_1*t26 + m_a_1*r_a_1;
+    const double t37 = D_p_x_1*mu_3;
+    const double t38 = D_p_x_1*mu_2;
+    const double t39 = U_1_x_1*mu_1;
+    const double t40 = D_p_y_1*mu_3;
+    const double t41 = D_p_y_1*mu_2;
+    const double t42 = U_1_y_1*mu_1;
+    const double t43 = D_p_z_1*mu_3;
+    const double t44 = D_p_z_1*mu_2;
+    const double t45 = U_1_z_1*mu_1;
+    const double t46 = (D_p_x_2*D_p_x_2);
+    const double t47 = (D_p_y_2*D_p_y_2);
+    const double t48 = (D_p_z_2*D_p_z_2);
+    const double t49 = L_a_2*t27 + m_a_2*r_a_2;
+    const double t50 = (D_p_x_3*D_p_x_3);
+    const double t51 = (D_p_y_3*D_p_y_3);
+    const double t52 = (D_p_z_3*D_p_z_3);
+    const double t53 = L_a_3*t28 + m_a_3*r_a_3;
+    memset(K, 0, sizeof(double[6][6]));
     K[0][0] =
-        -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 - (U_2_x_1*U_2_x_1)*mu_2
-        - (U_2_y_1*U_2_y_1)*mu_2 - (U_2_z_1*U_2_z_1)*mu_2 - (U_3_x_1*U_3_x_1)*mu_3 - (U_3_y_1*U_3_y_1)*mu_3
-        - (U_3_z_1*U_3_z_1)*mu_3 + d_1_x*g_x*t33 + d_1_y*g_y*t33 + d_1_z*g_z*t33 + k_1 - mu_1*s_1_x*t4
-        - mu_1*s_1_y*t5 - mu_1*s_1_z*t6;
-    K[0][1] = t43;
-    K[0][2] = t44;
-    K[0][3] = -k_1;
-    K[0][4] = 0;
-    K[0][5] = 0;
-    K[1][0] = t43;
+        -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 + d_1_x*g_x*t36
+        + d_1_y*g_y*t36 + d_1_z*g_z*t36 + k_r_1 - mu_1*s_1_x*t4 - mu_1*s_1_y*t5 - mu_1*s_1_z*t6 - mu_2*t33
+        - mu_2*t34 - mu_2*t35 - mu_3*t33 - mu_3*t34 - mu_3*t35;
+    K[0][1] = K[1][0] =
+        -D_p_x_2*t37 - D_p_x_2*t39 - D_p_y_2*t40 - D_p_y_2*t42 - D_p_z_2*t43 - D_p_z_2*t45 - U_2_x_2*t38
+        - U_2_y_2*t41 - U_2_z_2*t44;
+    K[0][2] = K[2][0] =
+        -D_p_x_3*t38 - D_p_x_3*t39 - D_p_y_3*t41 - D_p_y_3*t42 - D_p_z_3*t44 - D_p_z_3*t45 - U_3_x_3*t37
+        - U_3_y_3*t40 - U_3_z_3*t43;
+    K[0][3] = K[3][0] = -k_r_1;
     K[1][1] =
-        -(U_1_x_2*U_1_x_2)*mu_1 - (U_1_y_2*U_1_y_2)*mu_1 - (U_1_z_2*U_1_z_2)*mu_1 - (U_2_x_2*U_2_x_2)*mu_2
-        - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 - (U_3_x_2*U_3_x_2)*mu_3 - (U_3_y_2*U_3_y_2)*mu_3
-        - (U_3_z_2*U_3_z_2)*mu_3 + d_2_x*g_x*t45 + d_2_y*g_y*t45 + d_2_z*g_z*t45 + k_2 - mu_2*s_2_x*t7
-        - mu_2*s_2_y*t8 - mu_2*s_2_z*t9;
-    K[1][2] = t46;
-    K[1][3] = 0;
-    K[1][4] = -k_2;
-    K[1][5] = 0;
-    K[2][0] = t44;
-    K[2][1] = t46;
+        -(U_2_x_2*U_2_x_2)*mu_2 - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 + d_2_x*g_x*t49
+        + d_2_y*g_y*t49 + d_2_z*g_z*t49 + k_r_2 - mu_1*t46 - mu_1*t47 - mu_1*t48 - mu_2*s_2_x*t7
+        - mu_2*s_2_y*t8 - mu_2*s_2_z*t9 - mu_3*t46 - mu_3*t47 - mu_3*t48;
+    K[1][2] = K[2][1] =
+        -D_p_x_2*D_p_x_3*mu_1 - D_p_x_2*U_3_x_3*mu_3 - D_p_x_3*U_2_x_2*mu_2 - D_p_y_2*D_p_y_3*mu_1
+        - D_p_y_2*U_3_y_3*mu_3 - D_p_y_3*U_2_y_2*mu_2 - D_p_z_2*D_p_z_3*mu_1 - D_p_z_2*U_3_z_3*mu_3
+        - D_p_z_3*U_2_z_2*mu_2;
+    K[1][4] = K[4][1] = -k_r_2;
     K[2][2] =
-        -(U_1_x_3*U_1_x_3)*mu_1 - (U_1_y_3*U_1_y_3)*mu_1 - (U_1_z_3*U_1_z_3)*mu_1 - (U_2_x_3*U_2_x_3)*mu_2
-        - (U_2_y_3*U_2_y_3)*mu_2 - (U_2_z_3*U_2_z_3)*mu_2 - (U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3
-        - (U_3_z_3*U_3_z_3)*mu_3 + d_3_x*g_x*t47 + d_3_y*g_y*t47 + d_3_z*g_z*t47 + k_3 - mu_3*s_3_x*t10
-        - mu_3*s_3_y*t11 - mu_3*s_3_z*t12;
-    K[2][3] = 0;
-    K[2][4] = 0;
-    K[2][5] = -k_3;
-    K[3][0] = -k_1;
-    K[3][1] = 0;
-    K[3][2] = 0;
-    K[3][3] = k_1;
-    K[3][4] = 0;
-    K[3][5] = 0;
-    K[4][0] = 0;
-    K[4][1] = -k_2;
-    K[4][2] = 0;
-    K[4][3] = 0;
-    K[4][4] = k_2;
-    K[4][5] = 0;
-    K[5][0] = 0;
-    K[5][1] = 0;
-    K[5][2] = -k_3;
-    K[5][3] = 0;
-    K[5][4] = 0;
-    K[5][5] = k_3;
+        -(U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3 - (U_3_z_3*U_3_z_3)*mu_3 + d_3_x*g_x*t53
+        + d_3_y*g_y*t53 + d_3_z*g_z*t53 + k_r_3 - mu_1*t50 - mu_1*t51 - mu_1*t52 - mu_2*t50 - mu_2*t51
+        - mu_2*t52 - mu_3*s_3_x*t10 - mu_3*s_3_y*t11 - mu_3*s_3_z*t12;
+    K[2][5] = K[5][2] = -k_r_3;
+    K[3][3] = k_r_1;
+    K[4][4] = k_r_2;
+    K[5][5] = k_r_3;
 }
 
-void rotary_delta_modal_matrices(const double p[3], const rotary_delta_parameters *parameters, double
-    M[6][6], double K[6][6])
+void rotary_delta_modal_matrices(const double p[3], const rotary_delta_parameters *parameters,
+    double M[6][6], double K[6][6])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -3833,38 +3627,17 @@ void rotary_delta_modal_matrices(const double p[3], const rotary_delta_parameter
     const double D_p_z_2 = A_z_2*t27;
     const double D_p_z_3 = A_z_3*t28;
     const double U_1_x_1 = D_p_x_1 - t16;
-    const double U_1_x_2 = D_p_x_2;
-    const double U_1_x_3 = D_p_x_3;
     const double U_1_y_1 = D_p_y_1 - t17;
-    const double U_1_y_2 = D_p_y_2;
-    const double U_1_y_3 = D_p_y_3;
     const double U_1_z_1 = D_p_z_1 - t18;
-    const double U_1_z_2 = D_p_z_2;
-    const double U_1_z_3 = D_p_z_3;
-    const double U_2_x_1 = D_p_x_1;
     const double U_2_x_2 = D_p_x_2 - t19;
-    const double U_2_x_3 = D_p_x_3;
-    const double U_2_y_1 = D_p_y_1;
     const double U_2_y_2 = D_p_y_2 - t20;
-    const double U_2_y_3 = D_p_y_3;
-    const double U_2_z_1 = D_p_z_1;
     const double U_2_z_2 = D_p_z_2 - t21;
-    const double U_2_z_3 = D_p_z_3;
-    const double U_3_x_1 = D_p_x_1;
-    const double U_3_x_2 = D_p_x_2;
     const double U_3_x_3 = D_p_x_3 - t22;
-    const double U_3_y_1 = D_p_y_1;
-    const double U_3_y_2 = D_p_y_2;
     const double U_3_y_3 = D_p_y_3 - t23;
-    const double U_3_z_1 = D_p_z_1;
-    const double U_3_z_2 = D_p_z_2;
     const double U_3_z_3 = D_p_z_3 - t24;
     const double I_1 = I_m_1*(i_g_1*i_g_1);
     const double I_2 = I_m_2*(i_g_2*i_g_2);
     const double I_3 = I_m_3*(i_g_3*i_g_3);
-    const double k_1 = k_r_1;
-    const double k_2 = k_r_2;
-    const double k_3 = k_r_3;
     const double t29 = (1.0/2.0)*m_d_1;
     const double t30 = (1.0/2.0)*m_d_2;
     const double t31 = (1.0/2.0)*m_d_3;
@@ -3890,124 +3663,75 @@ void rotary_delta_modal_matrices(const double p[3], const rotary_delta_parameter
     const double t48 = t19*t47;
     const double t49 = t20*t47;
     const double t50 = t21*t47;
-    const double t51 = D_p_x_1*t48 + D_p_x_2*t44 + D_p_y_1*t49 + D_p_y_2*t45 + D_p_z_1*t50 + D_p_z_2*t46;
-    const double t52 = (1.0/6.0)*m_d_3;
-    const double t53 = t22*t52;
-    const double t54 = t23*t52;
-    const double t55 = t24*t52;
-    const double t56 = D_p_x_1*t53 + D_p_x_3*t44 + D_p_y_1*t54 + D_p_y_3*t45 + D_p_z_1*t55 + D_p_z_3*t46;
-    const double t57 = D_p_x_2*t43 + t48;
-    const double t58 = D_p_y_2*t43 + t49;
-    const double t59 = D_p_z_2*t43 + t50;
-    const double t60 = D_p_x_2*t53 + D_p_x_3*t57 + D_p_y_2*t54 + D_p_y_3*t58 + D_p_z_2*t55 + D_p_z_3*t59;
+    const double t51 = (1.0/6.0)*m_d_3;
+    const double t52 = t22*t51;
+    const double t53 = t23*t51;
+    const double t54 = t24*t51;
+    const double t55 = D_p_x_2*t43 + t48;
+    const double t56 = D_p_y_2*t43 + t49;
+    const double t57 = D_p_z_2*t43 + t50;
+    const double t58 = (D_p_x_1*D_p_x_1);
+    const double t59 = (D_p_y_1*D_p_y_1);
+    const double t60 = (D_p_z_1*D_p_z_1);
     const double t61 = L_a_1*t29 + m_a_1*r_a_1;
-    const double t62 = U_1_x_1*mu_1;
-    const double t63 = U_1_y_1*mu_1;
-    const double t64 = U_1_z_1*mu_1;
-    const double t65 = U_2_x_1*mu_2;
-    const double t66 = U_2_y_1*mu_2;
-    const double t67 = U_2_z_1*mu_2;
-    const double t68 = U_3_x_1*mu_3;
-    const double t69 = U_3_y_1*mu_3;
-    const double t70 = U_3_z_1*mu_3;
-    const double t71 =
-        -U_1_x_2*t62 - U_1_y_2*t63 - U_1_z_2*t64 - U_2_x_2*t65 - U_2_y_2*t66 - U_2_z_2*t67 - U_3_x_2*t68
-        - U_3_y_2*t69 - U_3_z_2*t70;
-    const double t72 =
-        -U_1_x_3*t62 - U_1_y_3*t63 - U_1_z_3*t64 - U_2_x_3*t65 - U_2_y_3*t66 - U_2_z_3*t67 - U_3_x_3*t68
-        - U_3_y_3*t69 - U_3_z_3*t70;
-    const double t73 = L_a_2*t30 + m_a_2*r_a_2;
-    const double t74 =
-        -U_1_x_2*U_1_x_3*mu_1 - U_1_y_2*U_1_y_3*mu_1 - U_1_z_2*U_1_z_3*mu_1 - U_2_x_2*U_2_x_3*mu_2
-        - U_2_y_2*U_2_y_3*mu_2 - U_2_z_2*U_2_z_3*mu_2 - U_3_x_2*U_3_x_3*mu_3 - U_3_y_2*U_3_y_3*mu_3
-        - U_3_z_2*U_3_z_3*mu_3;
-    const double t75 = L_a_3*t31 + m_a_3*r_a_3;
+    const double t62 = D_p_x_1*mu_3;
+    const double t63 = D_p_x_1*mu_2;
+    const double t64 = U_1_x_1*mu_1;
+    const double t65 = D_p_y_1*mu_3;
+    const double t66 = D_p_y_1*mu_2;
+    const double t67 = U_1_y_1*mu_1;
+    const double t68 = D_p_z_1*mu_3;
+    const double t69 = D_p_z_1*mu_2;
+    const double t70 = U_1_z_1*mu_1;
+    const double t71 = (D_p_x_2*D_p_x_2);
+    const double t72 = (D_p_y_2*D_p_y_2);
+    const double t73 = (D_p_z_2*D_p_z_2);
+    const double t74 = L_a_2*t30 + m_a_2*r_a_2;
+    const double t75 = (D_p_x_3*D_p_x_3);
+    const double t76 = (D_p_y_3*D_p_y_3);
+    const double t77 = (D_p_z_3*D_p_z_3);
+    const double t78 = L_a_3*t31 + m_a_3*r_a_3;
+    memset(M, 0, sizeof(double[6][6]));
     M[0][0] =
         D_p_x_1*t38 + D_p_x_1*t44 + D_p_y_1*t39 + D_p_y_1*t45 + D_p_z_1*t40 + D_p_z_1*t46 + I_a_1 + t1*t36;
-    M[0][1] = t51;
-    M[0][2] = t56;
-    M[0][3] = 0;
-    M[0][4] = 0;
-    M[0][5] = 0;
-    M[1][0] = t51;
+    M[0][1] = M[1][0] = D_p_x_1*t48 + D_p_x_2*t44 + D_p_y_1*t49 + D_p_y_2*t45 + D_p_z_1*t50 + D_p_z_2*t46;
+    M[0][2] = M[2][0] = D_p_x_1*t52 + D_p_x_3*t44 + D_p_y_1*t53 + D_p_y_3*t45 + D_p_z_1*t54 + D_p_z_3*t46;
     M[1][1] =
-        D_p_x_2*t48 + D_p_x_2*t57 + D_p_y_2*t49 + D_p_y_2*t58 + D_p_z_2*t50 + D_p_z_2*t59 + I_a_2 + t3*t41;
-    M[1][2] = t60;
-    M[1][3] = 0;
-    M[1][4] = 0;
-    M[1][5] = 0;
-    M[2][0] = t56;
-    M[2][1] = t60;
+        D_p_x_2*t48 + D_p_x_2*t55 + D_p_y_2*t49 + D_p_y_2*t56 + D_p_z_2*t50 + D_p_z_2*t57 + I_a_2 + t3*t41;
+    M[1][2] = M[2][1] = D_p_x_2*t52 + D_p_x_3*t55 + D_p_y_2*t53 + D_p_y_3*t56 + D_p_z_2*t54 + D_p_z_3*t57;
     M[2][2] =
-        D_p_x_3*t53 + D_p_x_3*(D_p_x_3*t43 + t53) + D_p_y_3*t54 + D_p_y_3*(D_p_y_3*t43 + t54) + D_p_z_3*t55
-        + D_p_z_3*(D_p_z_3*t43 + t55) + I_a_3 + t42*t5;
-    M[2][3] = 0;
-    M[2][4] = 0;
-    M[2][5] = 0;
-    M[3][0] = 0;
-    M[3][1] = 0;
-    M[3][2] = 0;
+        D_p_x_3*t52 + D_p_x_3*(D_p_x_3*t43 + t52) + D_p_y_3*t53 + D_p_y_3*(D_p_y_3*t43 + t53) + D_p_z_3*t54
+        + D_p_z_3*(D_p_z_3*t43 + t54) + I_a_3 + t42*t5;
     M[3][3] = I_1;
-    M[3][4] = 0;
-    M[3][5] = 0;
-    M[4][0] = 0;
-    M[4][1] = 0;
-    M[4][2] = 0;
-    M[4][3] = 0;
     M[4][4] = I_2;
-    M[4][5] = 0;
-    M[5][0] = 0;
-    M[5][1] = 0;
-    M[5][2] = 0;
-    M[5][3] = 0;
-    M[5][4] = 0;
     M[5][5] = I_3;
+    memset(K, 0, sizeof(double[6][6]));
     K[0][0] =
-        -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 - (U_2_x_1*U_2_x_1)*mu_2
-        - (U_2_y_1*U_2_y_1)*mu_2 - (U_2_z_1*U_2_z_1)*mu_2 - (U_3_x_1*U_3_x_1)*mu_3 - (U_3_y_1*U_3_y_1)*mu_3
-        - (U_3_z_1*U_3_z_1)*mu_3 + d_1_x*g_x*t61 + d_1_y*g_y*t61 + d_1_z*g_z*t61 + k_1 - mu_1*s_1_x*t7
-        - mu_1*s_1_y*t8 - mu_1*s_1_z*t9;
-    K[0][1] = t71;
-    K[0][2] = t72;
-    K[0][3] = -k_1;
-    K[0][4] = 0;
-    K[0][5] = 0;
-    K[1][0] = t71;
+        -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 + d_1_x*g_x*t61
+        + d_1_y*g_y*t61 + d_1_z*g_z*t61 + k_r_1 - mu_1*s_1_x*t7 - mu_1*s_1_y*t8 - mu_1*s_1_z*t9 - mu_2*t58
+        - mu_2*t59 - mu_2*t60 - mu_3*t58 - mu_3*t59 - mu_3*t60;
+    K[0][1] = K[1][0] =
+        -D_p_x_2*t62 - D_p_x_2*t64 - D_p_y_2*t65 - D_p_y_2*t67 - D_p_z_2*t68 - D_p_z_2*t70 - U_2_x_2*t63
+        - U_2_y_2*t66 - U_2_z_2*t69;
+    K[0][2] = K[2][0] =
+        -D_p_x_3*t63 - D_p_x_3*t64 - D_p_y_3*t66 - D_p_y_3*t67 - D_p_z_3*t69 - D_p_z_3*t70 - U_3_x_3*t62
+        - U_3_y_3*t65 - U_3_z_3*t68;
+    K[0][3] = K[3][0] = -k_r_1;
     K[1][1] =
-        -(U_1_x_2*U_1_x_2)*mu_1 - (U_1_y_2*U_1_y_2)*mu_1 - (U_1_z_2*U_1_z_2)*mu_1 - (U_2_x_2*U_2_x_2)*mu_2
-        - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 - (U_3_x_2*U_3_x_2)*mu_3 - (U_3_y_2*U_3_y_2)*mu_3
-        - (U_3_z_2*U_3_z_2)*mu_3 + d_2_x*g_x*t73 + d_2_y*g_y*t73 + d_2_z*g_z*t73 + k_2 - mu_2*s_2_x*t10
-        - mu_2*s_2_y*t11 - mu_2*s_2_z*t12;
-    K[1][2] = t74;
-    K[1][3] = 0;
-    K[1][4] = -k_2;
-    K[1][5] = 0;
-    K[2][0] = t72;
-    K[2][1] = t74;
+        -(U_2_x_2*U_2_x_2)*mu_2 - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 + d_2_x*g_x*t74
+        + d_2_y*g_y*t74 + d_2_z*g_z*t74 + k_r_2 - mu_1*t71 - mu_1*t72 - mu_1*t73 - mu_2*s_2_x*t10
+        - mu_2*s_2_y*t11 - mu_2*s_2_z*t12 - mu_3*t71 - mu_3*t72 - mu_3*t73;
+    K[1][2] = K[2][1] =
+        -D_p_x_2*D_p_x_3*mu_1 - D_p_x_2*U_3_x_3*mu_3 - D_p_x_3*U_2_x_2*mu_2 - D_p_y_2*D_p_y_3*mu_1
+        - D_p_y_2*U_3_y_3*mu_3 - D_p_y_3*U_2_y_2*mu_2 - D_p_z_2*D_p_z_3*mu_1 - D_p_z_2*U_3_z_3*mu_3
+        - D_p_z_3*U_2_z_2*mu_2;
+    K[1][4] = K[4][1] = -k_r_2;
     K[2][2] =
-        -(U_1_x_3*U_1_x_3)*mu_1 - (U_1_y_3*U_1_y_3)*mu_1 - (U_1_z_3*U_1_z_3)*mu_1 - (U_2_x_3*U_2_x_3)*mu_2
-        - (U_2_y_3*U_2_y_3)*mu_2 - (U_2_z_3*U_2_z_3)*mu_2 - (U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3
-        - (U_3_z_3*U_3_z_3)*mu_3 + d_3_x*g_x*t75 + d_3_y*g_y*t75 + d_3_z*g_z*t75 + k_3 - mu_3*s_3_x*t13
-        - mu_3*s_3_y*t14 - mu_3*s_3_z*t15;
-    K[2][3] = 0;
-    K[2][4] = 0;
-    K[2][5] = -k_3;
-    K[3][0] = -k_1;
-    K[3][1] = 0;
-    K[3][2] = 0;
-    K[3][3] = k_1;
-    K[3][4] = 0;
-    K[3][5] = 0;
-    K[4][0] = 0;
-    K[4][1] = -k_2;
-    K[4][2] = 0;
-    K[4][3] = 0;
-    K[4][4] = k_2;
-    K[4][5] = 0;
-    K[5][0] = 0;
-    K[5][1] = 0;
-    K[5][2] = -k_3;
-    K[5][3] = 0;
-    K[5][4] = 0;
-    K[5][5] = k_3;
+        -(U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3 - (U_3_z_3*U_3_z_3)*mu_3 + d_3_x*g_x*t78
+        + d_3_y*g_y*t78 + d_3_z*g_z*t78 + k_r_3 - mu_1*t75 - mu_1*t76 - mu_1*t77 - mu_2*t75 - mu_2*t76
+        - mu_2*t77 - mu_3*s_3_x*t13 - mu_3*s_3_y*t14 - mu_3*s_3_z*t15;
+    K[2][5] = K[5][2] = -k_r_3;
+    K[3][3] = k_r_1;
+    K[4][4] = k_r_2;
+    K[5][5] = k_r_3;
 }

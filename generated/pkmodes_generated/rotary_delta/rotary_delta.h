@@ -4,8 +4,9 @@
  *
  * Dynamics of the mechanism rotary_delta, for a robot given by its parameters.
  *
- * C99, no allocation, no dependency but sqrt.  Matrices are row-major.  Everything is in SI units and in the
- * base frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
+ * C99, no allocation, no dependency but the C library's mathematics and memset.  Matrices are row-major.
+ * Everything is in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K is
+ * positive for a restoring force.
  * Generalised coordinates, in the order of M and K:
  *   theta_1 [rad]
  *   theta_2 [rad]
@@ -68,8 +69,8 @@ typedef struct {
  * Source: equations 1 to 3.
  * 162 operations; 855 with every named value written out.
  */
-void rotary_delta_inverse_kinematics(const double p[3], const rotary_delta_parameters *parameters, double
-    theta[3]);
+void rotary_delta_inverse_kinematics(const double p[3], const rotary_delta_parameters *parameters,
+    double theta[3]);
 
 /* How much farther each arm's plane lets the platform joint be.
  *
@@ -79,8 +80,8 @@ void rotary_delta_inverse_kinematics(const double p[3], const rotary_delta_param
  * Source: a pose is reachable where every margin is at least zero.
  * 129 operations; 165 with every named value written out.
  */
-void rotary_delta_reach_margin(const double p[3], const rotary_delta_parameters *parameters, double
-    margin[3]);
+void rotary_delta_reach_margin(const double p[3], const rotary_delta_parameters *parameters,
+    double margin[3]);
 
 /* How far each arm is from its limits.
  *
@@ -90,8 +91,8 @@ void rotary_delta_reach_margin(const double p[3], const rotary_delta_parameters 
  * Source: both ends of the limits.
  * 168 operations; 1716 with every named value written out.
  */
-void rotary_delta_limit_margin(const double p[3], const rotary_delta_parameters *parameters, double
-    margin[3][2]);
+void rotary_delta_limit_margin(const double p[3], const rotary_delta_parameters *parameters,
+    double margin[3][2]);
 
 /* How nearly perpendicular to its axis each arm is at zero.
  *
@@ -122,8 +123,8 @@ void rotary_delta_inertia_margin(const rotary_delta_parameters *parameters, doub
  * Source: equation 3: intersection of three spheres.
  * 183 operations; 12486 with every named value written out.
  */
-void rotary_delta_direct_kinematics(const double theta[3], double assembly, const rotary_delta_parameters
-    *parameters, double p[3]);
+void rotary_delta_direct_kinematics(const double theta[3], double assembly,
+    const rotary_delta_parameters *parameters, double p[3]);
 
 /* Constraint Jacobians D_l and D_r of D_l p_dot = D_r theta_dot.
  *
@@ -134,8 +135,8 @@ void rotary_delta_direct_kinematics(const double theta[3], double assembly, cons
  * Source: equations 14 and 15.
  * 255 operations; 7926 with every named value written out.
  */
-void rotary_delta_constraint_jacobians(const double p[3], const rotary_delta_parameters *parameters, double
-    D_l[3][3], double D_r[3][3]);
+void rotary_delta_constraint_jacobians(const double p[3], const rotary_delta_parameters *parameters,
+    double D_l[3][3], double D_r[3][3]);
 
 /* Assembly branch and condition number of D_l in the Frobenius norm.
  *
@@ -146,8 +147,8 @@ void rotary_delta_constraint_jacobians(const double p[3], const rotary_delta_par
  * Source: equation 15; |D_l| |D_l^-1|, between once and three times the condition number in the 2-norm.
  * 286 operations; 57554 with every named value written out.
  */
-void rotary_delta_jacobian_condition(const double p[3], const rotary_delta_parameters *parameters, double
-    *determinant, double *condition);
+void rotary_delta_jacobian_condition(const double p[3], const rotary_delta_parameters *parameters,
+    double *determinant, double *condition);
 
 /* Platform Jacobian D_p = D_l^-1 D_r.
  *
@@ -157,8 +158,8 @@ void rotary_delta_jacobian_condition(const double p[3], const rotary_delta_param
  * Source: equation 15.
  * 300 operations; 66285 with every named value written out.
  */
-void rotary_delta_platform_jacobian(const double p[3], const rotary_delta_parameters *parameters, double
-    D_p[3][3]);
+void rotary_delta_platform_jacobian(const double p[3], const rotary_delta_parameters *parameters,
+    double D_p[3][3]);
 
 /* Time derivative of the platform Jacobian.
  *
@@ -167,10 +168,10 @@ void rotary_delta_platform_jacobian(const double p[3], const rotary_delta_parame
  *   out D_p_dot [m/s]: d(D_p)/dt, with theta_dot
  *
  * Source: equation 17.
- * 501 operations; 3110535 with every named value written out.
+ * 492 operations; 3110535 with every named value written out.
  */
-void rotary_delta_platform_jacobian_rate(const double p[3], const double theta_dot[3], const
-    rotary_delta_parameters *parameters, double D_p_dot[3][3]);
+void rotary_delta_platform_jacobian_rate(const double p[3], const double theta_dot[3],
+    const rotary_delta_parameters *parameters, double D_p_dot[3][3]);
 
 /* Second derivatives of the platform with respect to the arm angles.
  *
@@ -178,7 +179,7 @@ void rotary_delta_platform_jacobian_rate(const double p[3], const double theta_d
  *   out P [m]: d2p_i/dq_k dq_l as P[i, k, l]
  *
  * Source: equation 49, by the implicit function theorem to second order.
- * 543 operations; 3253689 with every named value written out.
+ * 525 operations; 3253689 with every named value written out.
  */
 void rotary_delta_platform_second_derivatives(const double p[3], const rotary_delta_parameters *parameters,
     double P[3][3][3]);
@@ -192,8 +193,8 @@ void rotary_delta_platform_second_derivatives(const double p[3], const rotary_de
  * Source: equations 16 and 23; the angular velocity without spin about the rod, which carries no energy.
  * 447 operations; 620496 with every named value written out.
  */
-void rotary_delta_link_jacobians(const double p[3], const rotary_delta_parameters *parameters, double
-    D_d[3][3][3], double D_omega[3][3][3]);
+void rotary_delta_link_jacobians(const double p[3], const rotary_delta_parameters *parameters,
+    double D_d[3][3][3], double D_omega[3][3][3]);
 
 /* Kinetic energies of the structure and of the transmissions.
  *
@@ -205,8 +206,8 @@ void rotary_delta_link_jacobians(const double p[3], const rotary_delta_parameter
  * Source: equations 24 and 28.
  * 392 operations; 135334 with every named value written out.
  */
-void rotary_delta_kinetic_energy(const double p[3], const double q_dot[6], const rotary_delta_parameters
-    *parameters, double *T_ss, double *T_t);
+void rotary_delta_kinetic_energy(const double p[3], const double q_dot[6],
+    const rotary_delta_parameters *parameters, double *T_ss, double *T_t);
 
 /* Mass matrix M in the six generalised coordinates.
  *
@@ -225,10 +226,10 @@ void rotary_delta_mass_matrix(const double p[3], const rotary_delta_parameters *
  *   out h [N m]: generalised forces on the arm coordinates
  *
  * Source: Lagrange's equations, equation 47 without its linearisation.
- * 1026 operations; 17338074 with every named value written out.
+ * 987 operations; 17338074 with every named value written out.
  */
-void rotary_delta_velocity_forces(const double p[3], const double theta_dot[3], const rotary_delta_parameters
-    *parameters, double h[3]);
+void rotary_delta_velocity_forces(const double p[3], const double theta_dot[3],
+    const rotary_delta_parameters *parameters, double h[3]);
 
 /* Gravitational potential energy V_g, the force function U_g with opposite sign.
  *
@@ -238,8 +239,8 @@ void rotary_delta_velocity_forces(const double p[3], const double theta_dot[3], 
  * Source: equation 26, for gravity in any direction and every body that moves.
  * 297 operations; 5382 with every named value written out.
  */
-void rotary_delta_gravity_potential(const double p[3], const rotary_delta_parameters *parameters, double
-    *V_g);
+void rotary_delta_gravity_potential(const double p[3], const rotary_delta_parameters *parameters,
+    double *V_g);
 
 /* Gradient of the gravitational potential energy with respect to the arm angles.
  *
@@ -257,10 +258,10 @@ void rotary_delta_gravity_gradient(const double p[3], const rotary_delta_paramet
  *   out H_g [N m]: d2V_g/dq_k dq_l, symmetric
  *
  * Source: section 4 and equation 49.
- * 552 operations; 1734630 with every named value written out.
+ * 543 operations; 1734630 with every named value written out.
  */
-void rotary_delta_gravity_hessian(const double p[3], const rotary_delta_parameters *parameters, double
-    H_g[3][3]);
+void rotary_delta_gravity_hessian(const double p[3], const rotary_delta_parameters *parameters,
+    double H_g[3][3]);
 
 /* Elastic potential energy V_el of the transmissions, the force function U_el with opposite sign.
  *
@@ -272,8 +273,8 @@ void rotary_delta_gravity_hessian(const double p[3], const rotary_delta_paramete
  * Source: equation 38, summed.
  * 14 operations; 14 with every named value written out.
  */
-void rotary_delta_elastic_potential(const double p[3], const double delta_q[6], const rotary_delta_parameters
-    *parameters, double *V_el);
+void rotary_delta_elastic_potential(const double p[3], const double delta_q[6],
+    const rotary_delta_parameters *parameters, double *V_el);
 
 /* Gradient of the elastic potential energy.
  *
@@ -285,8 +286,8 @@ void rotary_delta_elastic_potential(const double p[3], const double delta_q[6], 
  * Source: equation 38 differentiated.
  * 21 operations; 30 with every named value written out.
  */
-void rotary_delta_elastic_gradient(const double p[3], const double delta_q[6], const rotary_delta_parameters
-    *parameters, double E[6]);
+void rotary_delta_elastic_gradient(const double p[3], const double delta_q[6],
+    const rotary_delta_parameters *parameters, double E[6]);
 
 /* Hessian of the elastic potential energy.
  *
@@ -294,10 +295,10 @@ void rotary_delta_elastic_gradient(const double p[3], const double delta_q[6], c
  *   out H_el [N m]: d2V_el/dq2, symmetric, three zero eigenvalues
  *
  * Source: equation 38 differentiated twice.
- * 6 operations; 6 with every named value written out.
+ * 3 operations; 6 with every named value written out.
  */
-void rotary_delta_elastic_hessian(const double p[3], const rotary_delta_parameters *parameters, double
-    H_el[6][6]);
+void rotary_delta_elastic_hessian(const double p[3], const rotary_delta_parameters *parameters,
+    double H_el[6][6]);
 
 /* Torques of the drives, and the rotations that go with them, that hold the pose.
  *
@@ -308,8 +309,8 @@ void rotary_delta_elastic_hessian(const double p[3], const rotary_delta_paramete
  * Source: equation 44, solved at the pose.
  * 369 operations; 138087 with every named value written out.
  */
-void rotary_delta_static_equilibrium(const double p[3], const rotary_delta_parameters *parameters, double
-    tau_st[3], double theta_st[3]);
+void rotary_delta_static_equilibrium(const double p[3], const rotary_delta_parameters *parameters,
+    double tau_st[3], double theta_st[3]);
 
 /* Stiffness matrix K in the six generalised coordinates.
  *
@@ -317,10 +318,10 @@ void rotary_delta_static_equilibrium(const double p[3], const rotary_delta_param
  *   out K [N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
  *
  * Source: equations 46 and 48: K = -H_U.
- * 561 operations; 1734639 with every named value written out.
+ * 549 operations; 1734639 with every named value written out.
  */
-void rotary_delta_stiffness_matrix(const double p[3], const rotary_delta_parameters *parameters, double
-    K[6][6]);
+void rotary_delta_stiffness_matrix(const double p[3], const rotary_delta_parameters *parameters,
+    double K[6][6]);
 
 /* Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.
  *
@@ -331,10 +332,10 @@ void rotary_delta_stiffness_matrix(const double p[3], const rotary_delta_paramet
  *   out K [N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
  *
  * Source: equation 48.
- * 678 operations; 2347362 with every named value written out.
+ * 666 operations; 2347362 with every named value written out.
  */
-void rotary_delta_modal_matrices(const double p[3], const rotary_delta_parameters *parameters, double
-    M[6][6], double K[6][6]);
+void rotary_delta_modal_matrices(const double p[3], const rotary_delta_parameters *parameters,
+    double M[6][6], double K[6][6]);
 
 #ifdef __cplusplus
 }

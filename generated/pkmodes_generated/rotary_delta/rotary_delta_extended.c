@@ -5,8 +5,8 @@
  * Dynamics of the mechanism rotary_delta with effects: extended matrices and sensitivities.
  * The header describes every function.
  *
- * Names in the code, for axis j, pulley or span k (or carriage k, l of a derivative) and component
- * i = x, y, z; t1, t2, ... are subexpressions that several values share:
+ * Names in the code, for axis or belt j; pulley k, or coordinate k of a derivative; component i = x, y, z.
+ * t1, t2, ... are subexpressions that several values share.
  *   y_j_i [1]: direction of arm j at a right angle: a_j times z_j, component i
  *   c_j [1]: cosine of theta_j
  *   sn_j [1]: sine of theta_j
@@ -35,6 +35,7 @@
 #include "rotary_delta_extended.h"
 
 #include <math.h>
+#include <string.h>
 
 void rotary_delta_extended_extended_matrices(const double p[3], const rotary_delta_parameters *parameters,
     const rotary_delta_effects *effects, double M[12][12], double K_el[12][12], double K_g[12][12])
@@ -252,31 +253,13 @@ void rotary_delta_extended_extended_matrices(const double p[3], const rotary_del
     const double D_delta_z_2 = l_d_2*t33;
     const double D_delta_z_3 = l_d_3*t34;
     const double U_1_x_1 = D_p_x_1 - t16;
-    const double U_1_x_2 = D_p_x_2;
-    const double U_1_x_3 = D_p_x_3;
     const double U_1_y_1 = D_p_y_1 - t17;
-    const double U_1_y_2 = D_p_y_2;
-    const double U_1_y_3 = D_p_y_3;
     const double U_1_z_1 = D_p_z_1 - t18;
-    const double U_1_z_2 = D_p_z_2;
-    const double U_1_z_3 = D_p_z_3;
-    const double U_2_x_1 = D_p_x_1;
     const double U_2_x_2 = D_p_x_2 - t19;
-    const double U_2_x_3 = D_p_x_3;
-    const double U_2_y_1 = D_p_y_1;
     const double U_2_y_2 = D_p_y_2 - t20;
-    const double U_2_y_3 = D_p_y_3;
-    const double U_2_z_1 = D_p_z_1;
     const double U_2_z_2 = D_p_z_2 - t21;
-    const double U_2_z_3 = D_p_z_3;
-    const double U_3_x_1 = D_p_x_1;
-    const double U_3_x_2 = D_p_x_2;
     const double U_3_x_3 = D_p_x_3 - t22;
-    const double U_3_y_1 = D_p_y_1;
-    const double U_3_y_2 = D_p_y_2;
     const double U_3_y_3 = D_p_y_3 - t23;
-    const double U_3_z_1 = D_p_z_1;
-    const double U_3_z_2 = D_p_z_2;
     const double U_3_z_3 = D_p_z_3 - t24;
     const double I_1 = I_G + I_m_1*(i_g_1*i_g_1);
     const double I_2 = I_G + I_m_2*(i_g_2*i_g_2);
@@ -313,649 +296,277 @@ void rotary_delta_extended_extended_matrices(const double p[3], const rotary_del
     const double t58 = t19*t57;
     const double t59 = t20*t57;
     const double t60 = t21*t57;
-    const double t61 = D_p_x_1*t58 + D_p_x_2*t52 + D_p_y_1*t59 + D_p_y_2*t54 + D_p_z_1*t60 + D_p_z_2*t56;
-    const double t62 = (1.0/6.0)*m_d_3;
-    const double t63 = t22*t62;
-    const double t64 = t23*t62;
-    const double t65 = t24*t62;
-    const double t66 = D_p_x_1*t63 + D_p_x_3*t52 + D_p_y_1*t64 + D_p_y_3*t54 + D_p_z_1*t65 + D_p_z_3*t56;
-    const double t67 = D_delta_x_1*t52 + D_delta_y_1*t54 + D_delta_z_1*t56;
-    const double t68 = D_delta_x_2*t52 + D_delta_y_2*t54 + D_delta_z_2*t56;
-    const double t69 = D_delta_x_3*t52 + D_delta_y_3*t54 + D_delta_z_3*t56;
-    const double t70 = m_a_1*r_a_1;
-    const double t71 = t44 + t57 + t62;
-    const double t72 = D_p_x_1*t71 + t16*t35 + t51 + t70*t_1_x;
-    const double t73 = D_p_y_1*t71 + t17*t35 + t53 + t70*t_1_y;
-    const double t74 = D_p_z_1*t71 + t18*t35 + t55 + t70*t_1_z;
-    const double t75 = D_p_x_2*t50;
-    const double t76 = t58 + t75;
-    const double t77 = D_p_y_2*t50;
-    const double t78 = t59 + t77;
-    const double t79 = D_p_z_2*t50;
-    const double t80 = t60 + t79;
-    const double t81 = D_p_x_2*t63 + D_p_x_3*t76 + D_p_y_2*t64 + D_p_y_3*t78 + D_p_z_2*t65 + D_p_z_3*t80;
-    const double t82 = D_delta_x_1*t76 + D_delta_y_1*t78 + D_delta_z_1*t80;
-    const double t83 = D_delta_x_2*t76 + D_delta_y_2*t78 + D_delta_z_2*t80;
-    const double t84 = D_delta_x_3*t76 + D_delta_y_3*t78 + D_delta_z_3*t80;
-    const double t85 = m_a_2*r_a_2;
-    const double t86 = D_p_x_2*t71 + t19*t36 + t75 + t85*t_2_x;
-    const double t87 = D_p_y_2*t71 + t20*t36 + t77 + t85*t_2_y;
-    const double t88 = D_p_z_2*t71 + t21*t36 + t79 + t85*t_2_z;
-    const double t89 = D_p_x_3*t50;
-    const double t90 = t63 + t89;
-    const double t91 = D_p_y_3*t50;
-    const double t92 = t64 + t91;
-    const double t93 = D_p_z_3*t50;
-    const double t94 = t65 + t93;
-    const double t95 = D_delta_x_1*t90 + D_delta_y_1*t92 + D_delta_z_1*t94;
-    const double t96 = D_delta_x_2*t90 + D_delta_y_2*t92 + D_delta_z_2*t94;
-    const double t97 = D_delta_x_3*t90 + D_delta_y_3*t92 + D_delta_z_3*t94;
-    const double t98 = m_a_3*r_a_3;
-    const double t99 = D_p_x_3*t71 + t22*t37 + t89 + t98*t_3_x;
-    const double t100 = D_p_y_3*t71 + t23*t37 + t91 + t98*t_3_y;
-    const double t101 = D_p_z_3*t71 + t24*t37 + t93 + t98*t_3_z;
-    const double t102 = (D_delta_x_1*D_delta_x_1);
-    const double t103 = (D_delta_y_1*D_delta_y_1);
-    const double t104 = (D_delta_z_1*D_delta_z_1);
-    const double t105 = D_delta_x_1*t50;
-    const double t106 = D_delta_y_1*t50;
-    const double t107 = D_delta_z_1*t50;
-    const double t108 = D_delta_x_2*t105 + D_delta_y_2*t106 + D_delta_z_2*t107;
-    const double t109 = D_delta_x_3*t105 + D_delta_y_3*t106 + D_delta_z_3*t107;
-    const double t110 = D_delta_x_1*t71 + t105;
-    const double t111 = D_delta_y_1*t71 + t106;
-    const double t112 = D_delta_z_1*t71 + t107;
-    const double t113 = (D_delta_x_2*D_delta_x_2);
-    const double t114 = (D_delta_y_2*D_delta_y_2);
-    const double t115 = (D_delta_z_2*D_delta_z_2);
-    const double t116 = D_delta_x_2*t50;
-    const double t117 = D_delta_y_2*t50;
-    const double t118 = D_delta_z_2*t50;
-    const double t119 = D_delta_x_3*t116 + D_delta_y_3*t117 + D_delta_z_3*t118;
-    const double t120 = D_delta_x_2*t71 + t116;
-    const double t121 = D_delta_y_2*t71 + t117;
-    const double t122 = D_delta_z_2*t71 + t118;
-    const double t123 = (D_delta_x_3*D_delta_x_3);
-    const double t124 = (D_delta_y_3*D_delta_y_3);
-    const double t125 = (D_delta_z_3*D_delta_z_3);
-    const double t126 = D_delta_x_3*t50 + D_delta_x_3*t71;
-    const double t127 = D_delta_y_3*t50 + D_delta_y_3*t71;
-    const double t128 = D_delta_z_3*t50 + D_delta_z_3*t71;
-    const double t129 = m_F + m_a_1 + m_a_2 + m_a_3 + m_d_1 + m_d_2 + m_d_3 + t38;
-    const double t130 = D_p_x_1*k_C;
-    const double t131 = D_p_y_1*k_C;
-    const double t132 = D_p_z_1*k_C;
-    const double t133 = D_p_x_2*t130 + D_p_y_2*t131 + D_p_z_2*t132;
-    const double t134 = D_p_x_3*t130 + D_p_y_3*t131 + D_p_z_3*t132;
-    const double t135 = D_delta_x_1*t130 + D_delta_y_1*t131 + D_delta_z_1*t132;
-    const double t136 = D_delta_x_2*t130 + D_delta_y_2*t131 + D_delta_z_2*t132;
-    const double t137 = D_delta_x_3*t130 + D_delta_y_3*t131 + D_delta_z_3*t132;
-    const double t138 = D_p_x_2*k_C;
-    const double t139 = D_p_y_2*k_C;
-    const double t140 = D_p_z_2*k_C;
-    const double t141 = D_p_x_3*t138 + D_p_y_3*t139 + D_p_z_3*t140;
-    const double t142 = D_delta_x_1*t138 + D_delta_y_1*t139 + D_delta_z_1*t140;
-    const double t143 = D_delta_x_2*t138 + D_delta_y_2*t139 + D_delta_z_2*t140;
-    const double t144 = D_delta_x_3*t138 + D_delta_y_3*t139 + D_delta_z_3*t140;
-    const double t145 = D_p_x_3*k_C;
-    const double t146 = D_p_y_3*k_C;
-    const double t147 = D_p_z_3*k_C;
-    const double t148 = D_delta_x_1*t145 + D_delta_y_1*t146 + D_delta_z_1*t147;
-    const double t149 = D_delta_x_2*t145 + D_delta_y_2*t146 + D_delta_z_2*t147;
-    const double t150 = D_delta_x_3*t145 + D_delta_y_3*t146 + D_delta_z_3*t147;
-    const double t151 = D_delta_x_1*k_C;
-    const double t152 = D_delta_y_1*k_C;
-    const double t153 = D_delta_z_1*k_C;
-    const double t154 = D_delta_x_2*t151 + D_delta_y_2*t152 + D_delta_z_2*t153;
-    const double t155 = D_delta_x_3*t151 + D_delta_y_3*t152 + D_delta_z_3*t153;
-    const double t156 = D_delta_x_2*k_C;
-    const double t157 = D_delta_y_2*k_C;
-    const double t158 = D_delta_z_2*k_C;
-    const double t159 = D_delta_x_3*t156 + D_delta_y_3*t157 + D_delta_z_3*t158;
-    const double t160 = D_delta_x_3*k_C;
-    const double t161 = D_delta_y_3*k_C;
-    const double t162 = D_delta_z_3*k_C;
-    const double t163 = L_a_1*t35 + t70;
-    const double t164 = U_1_x_1*mu_1;
-    const double t165 = U_1_y_1*mu_1;
-    const double t166 = U_1_z_1*mu_1;
-    const double t167 = U_2_x_1*mu_2;
-    const double t168 = U_2_y_1*mu_2;
-    const double t169 = U_2_z_1*mu_2;
-    const double t170 = U_3_x_1*mu_3;
-    const double t171 = U_3_y_1*mu_3;
-    const double t172 = U_3_z_1*mu_3;
-    const double t173 =
-        -U_1_x_2*t164 - U_1_y_2*t165 - U_1_z_2*t166 - U_2_x_2*t167 - U_2_y_2*t168 - U_2_z_2*t169
-        - U_3_x_2*t170 - U_3_y_2*t171 - U_3_z_2*t172;
-    const double t174 =
-        -U_1_x_3*t164 - U_1_y_3*t165 - U_1_z_3*t166 - U_2_x_3*t167 - U_2_y_3*t168 - U_2_z_3*t169
-        - U_3_x_3*t170 - U_3_y_3*t171 - U_3_z_3*t172;
-    const double t175 =
-        -D_delta_x_1*t164 - D_delta_x_1*t167 - D_delta_x_1*t170 - D_delta_y_1*t165 - D_delta_y_1*t168
-        - D_delta_y_1*t171 - D_delta_z_1*t166 - D_delta_z_1*t169 - D_delta_z_1*t172;
-    const double t176 =
-        -D_delta_x_2*t164 - D_delta_x_2*t167 - D_delta_x_2*t170 - D_delta_y_2*t165 - D_delta_y_2*t168
-        - D_delta_y_2*t171 - D_delta_z_2*t166 - D_delta_z_2*t169 - D_delta_z_2*t172;
-    const double t177 =
-        -D_delta_x_3*t164 - D_delta_x_3*t167 - D_delta_x_3*t170 - D_delta_y_3*t165 - D_delta_y_3*t168
-        - D_delta_y_3*t171 - D_delta_z_3*t166 - D_delta_z_3*t169 - D_delta_z_3*t172;
-    const double t178 = L_a_2*t36 + t85;
-    const double t179 = U_1_x_2*mu_1;
-    const double t180 = U_1_y_2*mu_1;
-    const double t181 = U_1_z_2*mu_1;
-    const double t182 = U_2_x_2*mu_2;
-    const double t183 = U_2_y_2*mu_2;
-    const double t184 = U_2_z_2*mu_2;
-    const double t185 = U_3_x_2*mu_3;
-    const double t186 = U_3_y_2*mu_3;
-    const double t187 = U_3_z_2*mu_3;
-    const double t188 =
-        -U_1_x_3*t179 - U_1_y_3*t180 - U_1_z_3*t181 - U_2_x_3*t182 - U_2_y_3*t183 - U_2_z_3*t184
-        - U_3_x_3*t185 - U_3_y_3*t186 - U_3_z_3*t187;
-    const double t189 =
-        -D_delta_x_1*t179 - D_delta_x_1*t182 - D_delta_x_1*t185 - D_delta_y_1*t180 - D_delta_y_1*t183
-        - D_delta_y_1*t186 - D_delta_z_1*t181 - D_delta_z_1*t184 - D_delta_z_1*t187;
-    const double t190 =
-        -D_delta_x_2*t179 - D_delta_x_2*t182 - D_delta_x_2*t185 - D_delta_y_2*t180 - D_delta_y_2*t183
-        - D_delta_y_2*t186 - D_delta_z_2*t181 - D_delta_z_2*t184 - D_delta_z_2*t187;
-    const double t191 =
-        -D_delta_x_3*t179 - D_delta_x_3*t182 - D_delta_x_3*t185 - D_delta_y_3*t180 - D_delta_y_3*t183
-        - D_delta_y_3*t186 - D_delta_z_3*t181 - D_delta_z_3*t184 - D_delta_z_3*t187;
-    const double t192 = L_a_3*t37 + t98;
-    const double t193 = U_1_x_3*mu_1;
-    const double t194 = U_2_x_3*mu_2;
-    const double t195 = U_3_x_3*mu_3;
-    const double t196 = U_1_y_3*mu_1;
-    const double t197 = U_2_y_3*mu_2;
-    const double t198 = U_3_y_3*mu_3;
-    const double t199 = U_1_z_3*mu_1;
-    const double t200 = U_2_z_3*mu_2;
-    const double t201 = U_3_z_3*mu_3;
-    const double t202 =
-        -D_delta_x_1*t193 - D_delta_x_1*t194 - D_delta_x_1*t195 - D_delta_y_1*t196 - D_delta_y_1*t197
-        - D_delta_y_1*t198 - D_delta_z_1*t199 - D_delta_z_1*t200 - D_delta_z_1*t201;
-    const double t203 =
-        -D_delta_x_2*t193 - D_delta_x_2*t194 - D_delta_x_2*t195 - D_delta_y_2*t196 - D_delta_y_2*t197
-        - D_delta_y_2*t198 - D_delta_z_2*t199 - D_delta_z_2*t200 - D_delta_z_2*t201;
-    const double t204 =
-        -D_delta_x_3*t193 - D_delta_x_3*t194 - D_delta_x_3*t195 - D_delta_y_3*t196 - D_delta_y_3*t197
-        - D_delta_y_3*t198 - D_delta_z_3*t199 - D_delta_z_3*t200 - D_delta_z_3*t201;
-    const double t205 = D_delta_x_1*D_delta_x_2;
-    const double t206 = D_delta_y_1*D_delta_y_2;
-    const double t207 = D_delta_z_1*D_delta_z_2;
-    const double t208 =
-        -mu_1*t205 - mu_1*t206 - mu_1*t207 - mu_2*t205 - mu_2*t206 - mu_2*t207 - mu_3*t205 - mu_3*t206
-        - mu_3*t207;
-    const double t209 = D_delta_x_1*D_delta_x_3;
-    const double t210 = D_delta_y_1*D_delta_y_3;
-    const double t211 = D_delta_z_1*D_delta_z_3;
-    const double t212 =
-        -mu_1*t209 - mu_1*t210 - mu_1*t211 - mu_2*t209 - mu_2*t210 - mu_2*t211 - mu_3*t209 - mu_3*t210
-        - mu_3*t211;
-    const double t213 = D_delta_x_2*D_delta_x_3;
-    const double t214 = D_delta_y_2*D_delta_y_3;
-    const double t215 = D_delta_z_2*D_delta_z_3;
-    const double t216 =
-        -mu_1*t213 - mu_1*t214 - mu_1*t215 - mu_2*t213 - mu_2*t214 - mu_2*t215 - mu_3*t213 - mu_3*t214
-        - mu_3*t215;
+    const double t61 = (1.0/6.0)*m_d_3;
+    const double t62 = t22*t61;
+    const double t63 = t23*t61;
+    const double t64 = t24*t61;
+    const double t65 = m_a_1*r_a_1;
+    const double t66 = t44 + t57 + t61;
+    const double t67 = D_p_x_2*t50;
+    const double t68 = t58 + t67;
+    const double t69 = D_p_y_2*t50;
+    const double t70 = t59 + t69;
+    const double t71 = D_p_z_2*t50;
+    const double t72 = t60 + t71;
+    const double t73 = m_a_2*r_a_2;
+    const double t74 = D_p_x_3*t50;
+    const double t75 = t62 + t74;
+    const double t76 = D_p_y_3*t50;
+    const double t77 = t63 + t76;
+    const double t78 = D_p_z_3*t50;
+    const double t79 = t64 + t78;
+    const double t80 = m_a_3*r_a_3;
+    const double t81 = (D_delta_x_1*D_delta_x_1);
+    const double t82 = (D_delta_y_1*D_delta_y_1);
+    const double t83 = (D_delta_z_1*D_delta_z_1);
+    const double t84 = D_delta_x_1*t50;
+    const double t85 = D_delta_y_1*t50;
+    const double t86 = D_delta_z_1*t50;
+    const double t87 = (D_delta_x_2*D_delta_x_2);
+    const double t88 = (D_delta_y_2*D_delta_y_2);
+    const double t89 = (D_delta_z_2*D_delta_z_2);
+    const double t90 = D_delta_x_2*t50;
+    const double t91 = D_delta_y_2*t50;
+    const double t92 = D_delta_z_2*t50;
+    const double t93 = (D_delta_x_3*D_delta_x_3);
+    const double t94 = (D_delta_y_3*D_delta_y_3);
+    const double t95 = (D_delta_z_3*D_delta_z_3);
+    const double t96 = m_F + m_a_1 + m_a_2 + m_a_3 + m_d_1 + m_d_2 + m_d_3 + t38;
+    const double t97 = (D_p_x_1*D_p_x_1);
+    const double t98 = (D_p_y_1*D_p_y_1);
+    const double t99 = (D_p_z_1*D_p_z_1);
+    const double t100 = D_p_y_1*k_C;
+    const double t101 = D_p_z_1*k_C;
+    const double t102 = D_p_x_1*k_C;
+    const double t103 = (D_p_x_2*D_p_x_2);
+    const double t104 = (D_p_y_2*D_p_y_2);
+    const double t105 = (D_p_z_2*D_p_z_2);
+    const double t106 = D_p_x_2*k_C;
+    const double t107 = D_p_y_2*k_C;
+    const double t108 = D_p_z_2*k_C;
+    const double t109 = (D_p_x_3*D_p_x_3);
+    const double t110 = (D_p_y_3*D_p_y_3);
+    const double t111 = (D_p_z_3*D_p_z_3);
+    const double t112 = D_p_x_3*k_C;
+    const double t113 = D_p_y_3*k_C;
+    const double t114 = D_p_z_3*k_C;
+    const double t115 = D_delta_x_1*k_C;
+    const double t116 = D_delta_y_1*k_C;
+    const double t117 = D_delta_z_1*k_C;
+    const double t118 = D_delta_x_2*k_C;
+    const double t119 = D_delta_y_2*k_C;
+    const double t120 = D_delta_z_2*k_C;
+    const double t121 = L_a_1*t35 + t65;
+    const double t122 = D_p_x_1*mu_3;
+    const double t123 = D_p_x_1*mu_2;
+    const double t124 = U_1_x_1*mu_1;
+    const double t125 = D_p_y_1*mu_3;
+    const double t126 = D_p_y_1*mu_2;
+    const double t127 = U_1_y_1*mu_1;
+    const double t128 = D_p_z_1*mu_3;
+    const double t129 = D_p_z_1*mu_2;
+    const double t130 = U_1_z_1*mu_1;
+    const double t131 = L_a_2*t36 + t73;
+    const double t132 = D_p_x_2*mu_1;
+    const double t133 = D_p_x_2*mu_3;
+    const double t134 = U_2_x_2*mu_2;
+    const double t135 = D_p_y_2*mu_1;
+    const double t136 = D_p_y_2*mu_3;
+    const double t137 = U_2_y_2*mu_2;
+    const double t138 = D_p_z_2*mu_1;
+    const double t139 = D_p_z_2*mu_3;
+    const double t140 = U_2_z_2*mu_2;
+    const double t141 = L_a_3*t37 + t80;
+    const double t142 = D_delta_x_1*D_p_x_3;
+    const double t143 = U_3_x_3*mu_3;
+    const double t144 = D_delta_y_1*D_p_y_3;
+    const double t145 = U_3_y_3*mu_3;
+    const double t146 = D_delta_z_1*D_p_z_3;
+    const double t147 = U_3_z_3*mu_3;
+    const double t148 = D_delta_x_2*D_p_x_3;
+    const double t149 = D_delta_y_2*D_p_y_3;
+    const double t150 = D_delta_z_2*D_p_z_3;
+    const double t151 = D_delta_x_3*D_p_x_3;
+    const double t152 = D_delta_y_3*D_p_y_3;
+    const double t153 = D_delta_z_3*D_p_z_3;
+    const double t154 = D_delta_x_1*D_delta_x_2;
+    const double t155 = D_delta_y_1*D_delta_y_2;
+    const double t156 = D_delta_z_1*D_delta_z_2;
+    const double t157 = D_delta_x_1*D_delta_x_3;
+    const double t158 = D_delta_y_1*D_delta_y_3;
+    const double t159 = D_delta_z_1*D_delta_z_3;
+    const double t160 = D_delta_x_2*D_delta_x_3;
+    const double t161 = D_delta_y_2*D_delta_y_3;
+    const double t162 = D_delta_z_2*D_delta_z_3;
+    memset(M, 0, sizeof(double[12][12]));
     M[0][0] =
         D_p_x_1*t45 + D_p_x_1*t52 + D_p_y_1*t46 + D_p_y_1*t54 + D_p_z_1*t47 + D_p_z_1*t56 + I_a_1 + t1*t43;
-    M[0][1] = t61;
-    M[0][2] = t66;
-    M[0][3] = 0;
-    M[0][4] = 0;
-    M[0][5] = 0;
-    M[0][6] = t67;
-    M[0][7] = t68;
-    M[0][8] = t69;
-    M[0][9] = t72;
-    M[0][10] = t73;
-    M[0][11] = t74;
-    M[1][0] = t61;
+    M[0][1] = M[1][0] = D_p_x_1*t58 + D_p_x_2*t52 + D_p_y_1*t59 + D_p_y_2*t54 + D_p_z_1*t60 + D_p_z_2*t56;
+    M[0][2] = M[2][0] = D_p_x_1*t62 + D_p_x_3*t52 + D_p_y_1*t63 + D_p_y_3*t54 + D_p_z_1*t64 + D_p_z_3*t56;
+    M[0][6] = M[6][0] = D_delta_x_1*t52 + D_delta_y_1*t54 + D_delta_z_1*t56;
+    M[0][7] = M[7][0] = D_delta_x_2*t52 + D_delta_y_2*t54 + D_delta_z_2*t56;
+    M[0][8] = M[8][0] = D_delta_x_3*t52 + D_delta_y_3*t54 + D_delta_z_3*t56;
+    M[0][9] = M[9][0] = D_p_x_1*t66 + t16*t35 + t51 + t65*t_1_x;
+    M[0][10] = M[10][0] = D_p_y_1*t66 + t17*t35 + t53 + t65*t_1_y;
+    M[0][11] = M[11][0] = D_p_z_1*t66 + t18*t35 + t55 + t65*t_1_z;
     M[1][1] =
-        D_p_x_2*t58 + D_p_x_2*t76 + D_p_y_2*t59 + D_p_y_2*t78 + D_p_z_2*t60 + D_p_z_2*t80 + I_a_2 + t3*t48;
-    M[1][2] = t81;
-    M[1][3] = 0;
-    M[1][4] = 0;
-    M[1][5] = 0;
-    M[1][6] = t82;
-    M[1][7] = t83;
-    M[1][8] = t84;
-    M[1][9] = t86;
-    M[1][10] = t87;
-    M[1][11] = t88;
-    M[2][0] = t66;
-    M[2][1] = t81;
+        D_p_x_2*t58 + D_p_x_2*t68 + D_p_y_2*t59 + D_p_y_2*t70 + D_p_z_2*t60 + D_p_z_2*t72 + I_a_2 + t3*t48;
+    M[1][2] = M[2][1] = D_p_x_2*t62 + D_p_x_3*t68 + D_p_y_2*t63 + D_p_y_3*t70 + D_p_z_2*t64 + D_p_z_3*t72;
+    M[1][6] = M[6][1] = D_delta_x_1*t68 + D_delta_y_1*t70 + D_delta_z_1*t72;
+    M[1][7] = M[7][1] = D_delta_x_2*t68 + D_delta_y_2*t70 + D_delta_z_2*t72;
+    M[1][8] = M[8][1] = D_delta_x_3*t68 + D_delta_y_3*t70 + D_delta_z_3*t72;
+    M[1][9] = M[9][1] = D_p_x_2*t66 + t19*t36 + t67 + t73*t_2_x;
+    M[1][10] = M[10][1] = D_p_y_2*t66 + t20*t36 + t69 + t73*t_2_y;
+    M[1][11] = M[11][1] = D_p_z_2*t66 + t21*t36 + t71 + t73*t_2_z;
     M[2][2] =
-        D_p_x_3*t63 + D_p_x_3*t90 + D_p_y_3*t64 + D_p_y_3*t92 + D_p_z_3*t65 + D_p_z_3*t94 + I_a_3 + t49*t5;
-    M[2][3] = 0;
-    M[2][4] = 0;
-    M[2][5] = 0;
-    M[2][6] = t95;
-    M[2][7] = t96;
-    M[2][8] = t97;
-    M[2][9] = t99;
-    M[2][10] = t100;
-    M[2][11] = t101;
-    M[3][0] = 0;
-    M[3][1] = 0;
-    M[3][2] = 0;
+        D_p_x_3*t62 + D_p_x_3*t75 + D_p_y_3*t63 + D_p_y_3*t77 + D_p_z_3*t64 + D_p_z_3*t79 + I_a_3 + t49*t5;
+    M[2][6] = M[6][2] = D_delta_x_1*t75 + D_delta_y_1*t77 + D_delta_z_1*t79;
+    M[2][7] = M[7][2] = D_delta_x_2*t75 + D_delta_y_2*t77 + D_delta_z_2*t79;
+    M[2][8] = M[8][2] = D_delta_x_3*t75 + D_delta_y_3*t77 + D_delta_z_3*t79;
+    M[2][9] = M[9][2] = D_p_x_3*t66 + t22*t37 + t74 + t80*t_3_x;
+    M[2][10] = M[10][2] = D_p_y_3*t66 + t23*t37 + t76 + t80*t_3_y;
+    M[2][11] = M[11][2] = D_p_z_3*t66 + t24*t37 + t78 + t80*t_3_z;
     M[3][3] = I_1;
-    M[3][4] = 0;
-    M[3][5] = 0;
-    M[3][6] = 0;
-    M[3][7] = 0;
-    M[3][8] = 0;
-    M[3][9] = 0;
-    M[3][10] = 0;
-    M[3][11] = 0;
-    M[4][0] = 0;
-    M[4][1] = 0;
-    M[4][2] = 0;
-    M[4][3] = 0;
     M[4][4] = I_2;
-    M[4][5] = 0;
-    M[4][6] = 0;
-    M[4][7] = 0;
-    M[4][8] = 0;
-    M[4][9] = 0;
-    M[4][10] = 0;
-    M[4][11] = 0;
-    M[5][0] = 0;
-    M[5][1] = 0;
-    M[5][2] = 0;
-    M[5][3] = 0;
-    M[5][4] = 0;
     M[5][5] = I_3;
-    M[5][6] = 0;
-    M[5][7] = 0;
-    M[5][8] = 0;
-    M[5][9] = 0;
-    M[5][10] = 0;
-    M[5][11] = 0;
-    M[6][0] = t67;
-    M[6][1] = t82;
-    M[6][2] = t95;
-    M[6][3] = 0;
-    M[6][4] = 0;
-    M[6][5] = 0;
-    M[6][6] = t102*t50 + t103*t50 + t104*t50;
-    M[6][7] = t108;
-    M[6][8] = t109;
-    M[6][9] = t110;
-    M[6][10] = t111;
-    M[6][11] = t112;
-    M[7][0] = t68;
-    M[7][1] = t83;
-    M[7][2] = t96;
-    M[7][3] = 0;
-    M[7][4] = 0;
-    M[7][5] = 0;
-    M[7][6] = t108;
-    M[7][7] = t113*t50 + t114*t50 + t115*t50;
-    M[7][8] = t119;
-    M[7][9] = t120;
-    M[7][10] = t121;
-    M[7][11] = t122;
-    M[8][0] = t69;
-    M[8][1] = t84;
-    M[8][2] = t97;
-    M[8][3] = 0;
-    M[8][4] = 0;
-    M[8][5] = 0;
-    M[8][6] = t109;
-    M[8][7] = t119;
-    M[8][8] = t123*t50 + t124*t50 + t125*t50;
-    M[8][9] = t126;
-    M[8][10] = t127;
-    M[8][11] = t128;
-    M[9][0] = t72;
-    M[9][1] = t86;
-    M[9][2] = t99;
-    M[9][3] = 0;
-    M[9][4] = 0;
-    M[9][5] = 0;
-    M[9][6] = t110;
-    M[9][7] = t120;
-    M[9][8] = t126;
-    M[9][9] = t129;
-    M[9][10] = 0;
-    M[9][11] = 0;
-    M[10][0] = t73;
-    M[10][1] = t87;
-    M[10][2] = t100;
-    M[10][3] = 0;
-    M[10][4] = 0;
-    M[10][5] = 0;
-    M[10][6] = t111;
-    M[10][7] = t121;
-    M[10][8] = t127;
-    M[10][9] = 0;
-    M[10][10] = t129;
-    M[10][11] = 0;
-    M[11][0] = t74;
-    M[11][1] = t88;
-    M[11][2] = t101;
-    M[11][3] = 0;
-    M[11][4] = 0;
-    M[11][5] = 0;
-    M[11][6] = t112;
-    M[11][7] = t122;
-    M[11][8] = t128;
-    M[11][9] = 0;
-    M[11][10] = 0;
-    M[11][11] = t129;
-    K_el[0][0] = (D_p_x_1*D_p_x_1)*k_C + (D_p_y_1*D_p_y_1)*k_C + (D_p_z_1*D_p_z_1)*k_C + k_1;
-    K_el[0][1] = t133;
-    K_el[0][2] = t134;
-    K_el[0][3] = -k_1;
-    K_el[0][4] = 0;
-    K_el[0][5] = 0;
-    K_el[0][6] = t135;
-    K_el[0][7] = t136;
-    K_el[0][8] = t137;
-    K_el[0][9] = t130;
-    K_el[0][10] = t131;
-    K_el[0][11] = t132;
-    K_el[1][0] = t133;
-    K_el[1][1] = (D_p_x_2*D_p_x_2)*k_C + (D_p_y_2*D_p_y_2)*k_C + (D_p_z_2*D_p_z_2)*k_C + k_2;
-    K_el[1][2] = t141;
-    K_el[1][3] = 0;
-    K_el[1][4] = -k_2;
-    K_el[1][5] = 0;
-    K_el[1][6] = t142;
-    K_el[1][7] = t143;
-    K_el[1][8] = t144;
-    K_el[1][9] = t138;
-    K_el[1][10] = t139;
-    K_el[1][11] = t140;
-    K_el[2][0] = t134;
-    K_el[2][1] = t141;
-    K_el[2][2] = (D_p_x_3*D_p_x_3)*k_C + (D_p_y_3*D_p_y_3)*k_C + (D_p_z_3*D_p_z_3)*k_C + k_3;
-    K_el[2][3] = 0;
-    K_el[2][4] = 0;
-    K_el[2][5] = -k_3;
-    K_el[2][6] = t148;
-    K_el[2][7] = t149;
-    K_el[2][8] = t150;
-    K_el[2][9] = t145;
-    K_el[2][10] = t146;
-    K_el[2][11] = t147;
-    K_el[3][0] = -k_1;
-    K_el[3][1] = 0;
-    K_el[3][2] = 0;
+    M[6][6] = t50*t81 + t50*t82 + t50*t83;
+    M[6][7] = M[7][6] = D_delta_x_2*t84 + D_delta_y_2*t85 + D_delta_z_2*t86;
+    M[6][8] = M[8][6] = D_delta_x_3*t84 + D_delta_y_3*t85 + D_delta_z_3*t86;
+    M[6][9] = M[9][6] = D_delta_x_1*t66 + t84;
+    M[6][10] = M[10][6] = D_delta_y_1*t66 + t85;
+    M[6][11] = M[11][6] = D_delta_z_1*t66 + t86;
+    M[7][7] = t50*t87 + t50*t88 + t50*t89;
+    M[7][8] = M[8][7] = D_delta_x_3*t90 + D_delta_y_3*t91 + D_delta_z_3*t92;
+    M[7][9] = M[9][7] = D_delta_x_2*t66 + t90;
+    M[7][10] = M[10][7] = D_delta_y_2*t66 + t91;
+    M[7][11] = M[11][7] = D_delta_z_2*t66 + t92;
+    M[8][8] = t50*t93 + t50*t94 + t50*t95;
+    M[8][9] = M[9][8] = D_delta_x_3*t50 + D_delta_x_3*t66;
+    M[8][10] = M[10][8] = D_delta_y_3*t50 + D_delta_y_3*t66;
+    M[8][11] = M[11][8] = D_delta_z_3*t50 + D_delta_z_3*t66;
+    M[9][9] = t96;
+    M[10][10] = t96;
+    M[11][11] = t96;
+    memset(K_el, 0, sizeof(double[12][12]));
+    K_el[0][0] = k_1 + k_C*t97 + k_C*t98 + k_C*t99;
+    K_el[0][1] = K_el[1][0] = D_p_x_2*t102 + D_p_y_2*t100 + D_p_z_2*t101;
+    K_el[0][2] = K_el[2][0] = D_p_x_3*t102 + D_p_y_3*t100 + D_p_z_3*t101;
+    K_el[0][3] = K_el[3][0] = -k_1;
+    K_el[0][6] = K_el[6][0] = D_delta_x_1*t102 + D_delta_y_1*t100 + D_delta_z_1*t101;
+    K_el[0][7] = K_el[7][0] = D_delta_x_2*t102 + D_delta_y_2*t100 + D_delta_z_2*t101;
+    K_el[0][8] = K_el[8][0] = D_delta_x_3*t102 + D_delta_y_3*t100 + D_delta_z_3*t101;
+    K_el[0][9] = K_el[9][0] = t102;
+    K_el[0][10] = K_el[10][0] = t100;
+    K_el[0][11] = K_el[11][0] = t101;
+    K_el[1][1] = k_2 + k_C*t103 + k_C*t104 + k_C*t105;
+    K_el[1][2] = K_el[2][1] = D_p_x_3*t106 + D_p_y_3*t107 + D_p_z_3*t108;
+    K_el[1][4] = K_el[4][1] = -k_2;
+    K_el[1][6] = K_el[6][1] = D_delta_x_1*t106 + D_delta_y_1*t107 + D_delta_z_1*t108;
+    K_el[1][7] = K_el[7][1] = D_delta_x_2*t106 + D_delta_y_2*t107 + D_delta_z_2*t108;
+    K_el[1][8] = K_el[8][1] = D_delta_x_3*t106 + D_delta_y_3*t107 + D_delta_z_3*t108;
+    K_el[1][9] = K_el[9][1] = t106;
+    K_el[1][10] = K_el[10][1] = t107;
+    K_el[1][11] = K_el[11][1] = t108;
+    K_el[2][2] = k_3 + k_C*t109 + k_C*t110 + k_C*t111;
+    K_el[2][5] = K_el[5][2] = -k_3;
+    K_el[2][6] = K_el[6][2] = D_delta_x_1*t112 + D_delta_y_1*t113 + D_delta_z_1*t114;
+    K_el[2][7] = K_el[7][2] = D_delta_x_2*t112 + D_delta_y_2*t113 + D_delta_z_2*t114;
+    K_el[2][8] = K_el[8][2] = D_delta_x_3*t112 + D_delta_y_3*t113 + D_delta_z_3*t114;
+    K_el[2][9] = K_el[9][2] = t112;
+    K_el[2][10] = K_el[10][2] = t113;
+    K_el[2][11] = K_el[11][2] = t114;
     K_el[3][3] = k_1 + k_S;
-    K_el[3][4] = 0;
-    K_el[3][5] = 0;
-    K_el[3][6] = 0;
-    K_el[3][7] = 0;
-    K_el[3][8] = 0;
-    K_el[3][9] = 0;
-    K_el[3][10] = 0;
-    K_el[3][11] = 0;
-    K_el[4][0] = 0;
-    K_el[4][1] = -k_2;
-    K_el[4][2] = 0;
-    K_el[4][3] = 0;
     K_el[4][4] = k_2 + k_S;
-    K_el[4][5] = 0;
-    K_el[4][6] = 0;
-    K_el[4][7] = 0;
-    K_el[4][8] = 0;
-    K_el[4][9] = 0;
-    K_el[4][10] = 0;
-    K_el[4][11] = 0;
-    K_el[5][0] = 0;
-    K_el[5][1] = 0;
-    K_el[5][2] = -k_3;
-    K_el[5][3] = 0;
-    K_el[5][4] = 0;
     K_el[5][5] = k_3 + k_S;
-    K_el[5][6] = 0;
-    K_el[5][7] = 0;
-    K_el[5][8] = 0;
-    K_el[5][9] = 0;
-    K_el[5][10] = 0;
-    K_el[5][11] = 0;
-    K_el[6][0] = t135;
-    K_el[6][1] = t142;
-    K_el[6][2] = t148;
-    K_el[6][3] = 0;
-    K_el[6][4] = 0;
-    K_el[6][5] = 0;
-    K_el[6][6] = k_C*t102 + k_C*t103 + k_C*t104;
-    K_el[6][7] = t154;
-    K_el[6][8] = t155;
-    K_el[6][9] = t151;
-    K_el[6][10] = t152;
-    K_el[6][11] = t153;
-    K_el[7][0] = t136;
-    K_el[7][1] = t143;
-    K_el[7][2] = t149;
-    K_el[7][3] = 0;
-    K_el[7][4] = 0;
-    K_el[7][5] = 0;
-    K_el[7][6] = t154;
-    K_el[7][7] = k_C*t113 + k_C*t114 + k_C*t115;
-    K_el[7][8] = t159;
-    K_el[7][9] = t156;
-    K_el[7][10] = t157;
-    K_el[7][11] = t158;
-    K_el[8][0] = t137;
-    K_el[8][1] = t144;
-    K_el[8][2] = t150;
-    K_el[8][3] = 0;
-    K_el[8][4] = 0;
-    K_el[8][5] = 0;
-    K_el[8][6] = t155;
-    K_el[8][7] = t159;
-    K_el[8][8] = k_C*t123 + k_C*t124 + k_C*t125;
-    K_el[8][9] = t160;
-    K_el[8][10] = t161;
-    K_el[8][11] = t162;
-    K_el[9][0] = t130;
-    K_el[9][1] = t138;
-    K_el[9][2] = t145;
-    K_el[9][3] = 0;
-    K_el[9][4] = 0;
-    K_el[9][5] = 0;
-    K_el[9][6] = t151;
-    K_el[9][7] = t156;
-    K_el[9][8] = t160;
+    K_el[6][6] = k_C*t81 + k_C*t82 + k_C*t83;
+    K_el[6][7] = K_el[7][6] = D_delta_x_2*t115 + D_delta_y_2*t116 + D_delta_z_2*t117;
+    K_el[6][8] = K_el[8][6] = D_delta_x_3*t115 + D_delta_y_3*t116 + D_delta_z_3*t117;
+    K_el[6][9] = K_el[9][6] = t115;
+    K_el[6][10] = K_el[10][6] = t116;
+    K_el[6][11] = K_el[11][6] = t117;
+    K_el[7][7] = k_C*t87 + k_C*t88 + k_C*t89;
+    K_el[7][8] = K_el[8][7] = D_delta_x_3*t118 + D_delta_y_3*t119 + D_delta_z_3*t120;
+    K_el[7][9] = K_el[9][7] = t118;
+    K_el[7][10] = K_el[10][7] = t119;
+    K_el[7][11] = K_el[11][7] = t120;
+    K_el[8][8] = k_C*t93 + k_C*t94 + k_C*t95;
+    K_el[8][9] = K_el[9][8] = D_delta_x_3*k_C;
+    K_el[8][10] = K_el[10][8] = D_delta_y_3*k_C;
+    K_el[8][11] = K_el[11][8] = D_delta_z_3*k_C;
     K_el[9][9] = k_C;
-    K_el[9][10] = 0;
-    K_el[9][11] = 0;
-    K_el[10][0] = t131;
-    K_el[10][1] = t139;
-    K_el[10][2] = t146;
-    K_el[10][3] = 0;
-    K_el[10][4] = 0;
-    K_el[10][5] = 0;
-    K_el[10][6] = t152;
-    K_el[10][7] = t157;
-    K_el[10][8] = t161;
-    K_el[10][9] = 0;
     K_el[10][10] = k_C;
-    K_el[10][11] = 0;
-    K_el[11][0] = t132;
-    K_el[11][1] = t140;
-    K_el[11][2] = t147;
-    K_el[11][3] = 0;
-    K_el[11][4] = 0;
-    K_el[11][5] = 0;
-    K_el[11][6] = t153;
-    K_el[11][7] = t158;
-    K_el[11][8] = t162;
-    K_el[11][9] = 0;
-    K_el[11][10] = 0;
     K_el[11][11] = k_C;
+    memset(K_g, 0, sizeof(double[12][12]));
     K_g[0][0] =
-        -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 - (U_2_x_1*U_2_x_1)*mu_2
-        - (U_2_y_1*U_2_y_1)*mu_2 - (U_2_z_1*U_2_z_1)*mu_2 - (U_3_x_1*U_3_x_1)*mu_3 - (U_3_y_1*U_3_y_1)*mu_3
-        - (U_3_z_1*U_3_z_1)*mu_3 + d_1_x*g_x*t163 + d_1_y*g_y*t163 + d_1_z*g_z*t163 - mu_1*s_1_x*t7
-        - mu_1*s_1_y*t8 - mu_1*s_1_z*t9;
-    K_g[0][1] = t173;
-    K_g[0][2] = t174;
-    K_g[0][3] = 0;
-    K_g[0][4] = 0;
-    K_g[0][5] = 0;
-    K_g[0][6] = t175;
-    K_g[0][7] = t176;
-    K_g[0][8] = t177;
-    K_g[0][9] = 0;
-    K_g[0][10] = 0;
-    K_g[0][11] = 0;
-    K_g[1][0] = t173;
+        -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 + d_1_x*g_x*t121
+        + d_1_y*g_y*t121 + d_1_z*g_z*t121 - mu_1*s_1_x*t7 - mu_1*s_1_y*t8 - mu_1*s_1_z*t9 - mu_2*t97
+        - mu_2*t98 - mu_2*t99 - mu_3*t97 - mu_3*t98 - mu_3*t99;
+    K_g[0][1] = K_g[1][0] =
+        -D_p_x_2*t122 - D_p_x_2*t124 - D_p_y_2*t125 - D_p_y_2*t127 - D_p_z_2*t128 - D_p_z_2*t130
+        - U_2_x_2*t123 - U_2_y_2*t126 - U_2_z_2*t129;
+    K_g[0][2] = K_g[2][0] =
+        -D_p_x_3*t123 - D_p_x_3*t124 - D_p_y_3*t126 - D_p_y_3*t127 - D_p_z_3*t129 - D_p_z_3*t130
+        - U_3_x_3*t122 - U_3_y_3*t125 - U_3_z_3*t128;
+    K_g[0][6] = K_g[6][0] =
+        -D_delta_x_1*t122 - D_delta_x_1*t123 - D_delta_x_1*t124 - D_delta_y_1*t125 - D_delta_y_1*t126
+        - D_delta_y_1*t127 - D_delta_z_1*t128 - D_delta_z_1*t129 - D_delta_z_1*t130;
+    K_g[0][7] = K_g[7][0] =
+        -D_delta_x_2*t122 - D_delta_x_2*t123 - D_delta_x_2*t124 - D_delta_y_2*t125 - D_delta_y_2*t126
+        - D_delta_y_2*t127 - D_delta_z_2*t128 - D_delta_z_2*t129 - D_delta_z_2*t130;
+    K_g[0][8] = K_g[8][0] =
+        -D_delta_x_3*t122 - D_delta_x_3*t123 - D_delta_x_3*t124 - D_delta_y_3*t125 - D_delta_y_3*t126
+        - D_delta_y_3*t127 - D_delta_z_3*t128 - D_delta_z_3*t129 - D_delta_z_3*t130;
     K_g[1][1] =
-        -(U_1_x_2*U_1_x_2)*mu_1 - (U_1_y_2*U_1_y_2)*mu_1 - (U_1_z_2*U_1_z_2)*mu_1 - (U_2_x_2*U_2_x_2)*mu_2
-        - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 - (U_3_x_2*U_3_x_2)*mu_3 - (U_3_y_2*U_3_y_2)*mu_3
-        - (U_3_z_2*U_3_z_2)*mu_3 + d_2_x*g_x*t178 + d_2_y*g_y*t178 + d_2_z*g_z*t178 - mu_2*s_2_x*t10
-        - mu_2*s_2_y*t11 - mu_2*s_2_z*t12;
-    K_g[1][2] = t188;
-    K_g[1][3] = 0;
-    K_g[1][4] = 0;
-    K_g[1][5] = 0;
-    K_g[1][6] = t189;
-    K_g[1][7] = t190;
-    K_g[1][8] = t191;
-    K_g[1][9] = 0;
-    K_g[1][10] = 0;
-    K_g[1][11] = 0;
-    K_g[2][0] = t174;
-    K_g[2][1] = t188;
+        -(U_2_x_2*U_2_x_2)*mu_2 - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 + d_2_x*g_x*t131
+        + d_2_y*g_y*t131 + d_2_z*g_z*t131 - mu_1*t103 - mu_1*t104 - mu_1*t105 - mu_2*s_2_x*t10
+        - mu_2*s_2_y*t11 - mu_2*s_2_z*t12 - mu_3*t103 - mu_3*t104 - mu_3*t105;
+    K_g[1][2] = K_g[2][1] =
+        -D_p_x_3*t132 - D_p_x_3*t134 - D_p_y_3*t135 - D_p_y_3*t137 - D_p_z_3*t138 - D_p_z_3*t140
+        - U_3_x_3*t133 - U_3_y_3*t136 - U_3_z_3*t139;
+    K_g[1][6] = K_g[6][1] =
+        -D_delta_x_1*t132 - D_delta_x_1*t133 - D_delta_x_1*t134 - D_delta_y_1*t135 - D_delta_y_1*t136
+        - D_delta_y_1*t137 - D_delta_z_1*t138 - D_delta_z_1*t139 - D_delta_z_1*t140;
+    K_g[1][7] = K_g[7][1] =
+        -D_delta_x_2*t132 - D_delta_x_2*t133 - D_delta_x_2*t134 - D_delta_y_2*t135 - D_delta_y_2*t136
+        - D_delta_y_2*t137 - D_delta_z_2*t138 - D_delta_z_2*t139 - D_delta_z_2*t140;
+    K_g[1][8] = K_g[8][1] =
+        -D_delta_x_3*t132 - D_delta_x_3*t133 - D_delta_x_3*t134 - D_delta_y_3*t135 - D_delta_y_3*t136
+        - D_delta_y_3*t137 - D_delta_z_3*t138 - D_delta_z_3*t139 - D_delta_z_3*t140;
     K_g[2][2] =
-        -(U_1_x_3*U_1_x_3)*mu_1 - (U_1_y_3*U_1_y_3)*mu_1 - (U_1_z_3*U_1_z_3)*mu_1 - (U_2_x_3*U_2_x_3)*mu_2
-        - (U_2_y_3*U_2_y_3)*mu_2 - (U_2_z_3*U_2_z_3)*mu_2 - (U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3
-        - (U_3_z_3*U_3_z_3)*mu_3 + d_3_x*g_x*t192 + d_3_y*g_y*t192 + d_3_z*g_z*t192 - mu_3*s_3_x*t13
-        - mu_3*s_3_y*t14 - mu_3*s_3_z*t15;
-    K_g[2][3] = 0;
-    K_g[2][4] = 0;
-    K_g[2][5] = 0;
-    K_g[2][6] = t202;
-    K_g[2][7] = t203;
-    K_g[2][8] = t204;
-    K_g[2][9] = 0;
-    K_g[2][10] = 0;
-    K_g[2][11] = 0;
-    K_g[3][0] = 0;
-    K_g[3][1] = 0;
-    K_g[3][2] = 0;
-    K_g[3][3] = 0;
-    K_g[3][4] = 0;
-    K_g[3][5] = 0;
-    K_g[3][6] = 0;
-    K_g[3][7] = 0;
-    K_g[3][8] = 0;
-    K_g[3][9] = 0;
-    K_g[3][10] = 0;
-    K_g[3][11] = 0;
-    K_g[4][0] = 0;
-    K_g[4][1] = 0;
-    K_g[4][2] = 0;
-    K_g[4][3] = 0;
-    K_g[4][4] = 0;
-    K_g[4][5] = 0;
-    K_g[4][6] = 0;
-    K_g[4][7] = 0;
-    K_g[4][8] = 0;
-    K_g[4][9] = 0;
-    K_g[4][10] = 0;
-    K_g[4][11] = 0;
-    K_g[5][0] = 0;
-    K_g[5][1] = 0;
-    K_g[5][2] = 0;
-    K_g[5][3] = 0;
-    K_g[5][4] = 0;
-    K_g[5][5] = 0;
-    K_g[5][6] = 0;
-    K_g[5][7] = 0;
-    K_g[5][8] = 0;
-    K_g[5][9] = 0;
-    K_g[5][10] = 0;
-    K_g[5][11] = 0;
-    K_g[6][0] = t175;
-    K_g[6][1] = t189;
-    K_g[6][2] = t202;
-    K_g[6][3] = 0;
-    K_g[6][4] = 0;
-    K_g[6][5] = 0;
+        -(U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3 - (U_3_z_3*U_3_z_3)*mu_3 + d_3_x*g_x*t141
+        + d_3_y*g_y*t141 + d_3_z*g_z*t141 - mu_1*t109 - mu_1*t110 - mu_1*t111 - mu_2*t109 - mu_2*t110
+        - mu_2*t111 - mu_3*s_3_x*t13 - mu_3*s_3_y*t14 - mu_3*s_3_z*t15;
+    K_g[2][6] = K_g[6][2] =
+        -D_delta_x_1*t143 - D_delta_y_1*t145 - D_delta_z_1*t147 - mu_1*t142 - mu_1*t144 - mu_1*t146
+        - mu_2*t142 - mu_2*t144 - mu_2*t146;
+    K_g[2][7] = K_g[7][2] =
+        -D_delta_x_2*t143 - D_delta_y_2*t145 - D_delta_z_2*t147 - mu_1*t148 - mu_1*t149 - mu_1*t150
+        - mu_2*t148 - mu_2*t149 - mu_2*t150;
+    K_g[2][8] = K_g[8][2] =
+        -D_delta_x_3*t143 - D_delta_y_3*t145 - D_delta_z_3*t147 - mu_1*t151 - mu_1*t152 - mu_1*t153
+        - mu_2*t151 - mu_2*t152 - mu_2*t153;
     K_g[6][6] =
-        -mu_1*t102 - mu_1*t103 - mu_1*t104 + mu_1 - mu_2*t102 - mu_2*t103 - mu_2*t104 - mu_3*t102 - mu_3*t103
-        - mu_3*t104;
-    K_g[6][7] = t208;
-    K_g[6][8] = t212;
-    K_g[6][9] = 0;
-    K_g[6][10] = 0;
-    K_g[6][11] = 0;
-    K_g[7][0] = t176;
-    K_g[7][1] = t190;
-    K_g[7][2] = t203;
-    K_g[7][3] = 0;
-    K_g[7][4] = 0;
-    K_g[7][5] = 0;
-    K_g[7][6] = t208;
+        -mu_1*t81 - mu_1*t82 - mu_1*t83 + mu_1 - mu_2*t81 - mu_2*t82 - mu_2*t83 - mu_3*t81 - mu_3*t82
+        - mu_3*t83;
+    K_g[6][7] = K_g[7][6] =
+        -mu_1*t154 - mu_1*t155 - mu_1*t156 - mu_2*t154 - mu_2*t155 - mu_2*t156 - mu_3*t154 - mu_3*t155
+        - mu_3*t156;
+    K_g[6][8] = K_g[8][6] =
+        -mu_1*t157 - mu_1*t158 - mu_1*t159 - mu_2*t157 - mu_2*t158 - mu_2*t159 - mu_3*t157 - mu_3*t158
+        - mu_3*t159;
     K_g[7][7] =
-        -mu_1*t113 - mu_1*t114 - mu_1*t115 - mu_2*t113 - mu_2*t114 - mu_2*t115 + mu_2 - mu_3*t113 - mu_3*t114
-        - mu_3*t115;
-    K_g[7][8] = t216;
-    K_g[7][9] = 0;
-    K_g[7][10] = 0;
-    K_g[7][11] = 0;
-    K_g[8][0] = t177;
-    K_g[8][1] = t191;
-    K_g[8][2] = t204;
-    K_g[8][3] = 0;
-    K_g[8][4] = 0;
-    K_g[8][5] = 0;
-    K_g[8][6] = t212;
-    K_g[8][7] = t216;
+        -mu_1*t87 - mu_1*t88 - mu_1*t89 - mu_2*t87 - mu_2*t88 - mu_2*t89 + mu_2 - mu_3*t87 - mu_3*t88
+        - mu_3*t89;
+    K_g[7][8] = K_g[8][7] =
+        -mu_1*t160 - mu_1*t161 - mu_1*t162 - mu_2*t160 - mu_2*t161 - mu_2*t162 - mu_3*t160 - mu_3*t161
+        - mu_3*t162;
     K_g[8][8] =
-        -mu_1*t123 - mu_1*t124 - mu_1*t125 - mu_2*t123 - mu_2*t124 - mu_2*t125 - mu_3*t123 - mu_3*t124
-        - mu_3*t125 + mu_3;
-    K_g[8][9] = 0;
-    K_g[8][10] = 0;
-    K_g[8][11] = 0;
-    K_g[9][0] = 0;
-    K_g[9][1] = 0;
-    K_g[9][2] = 0;
-    K_g[9][3] = 0;
-    K_g[9][4] = 0;
-    K_g[9][5] = 0;
-    K_g[9][6] = 0;
-    K_g[9][7] = 0;
-    K_g[9][8] = 0;
-    K_g[9][9] = 0;
-    K_g[9][10] = 0;
-    K_g[9][11] = 0;
-    K_g[10][0] = 0;
-    K_g[10][1] = 0;
-    K_g[10][2] = 0;
-    K_g[10][3] = 0;
-    K_g[10][4] = 0;
-    K_g[10][5] = 0;
-    K_g[10][6] = 0;
-    K_g[10][7] = 0;
-    K_g[10][8] = 0;
-    K_g[10][9] = 0;
-    K_g[10][10] = 0;
-    K_g[10][11] = 0;
-    K_g[11][0] = 0;
-    K_g[11][1] = 0;
-    K_g[11][2] = 0;
-    K_g[11][3] = 0;
-    K_g[11][4] = 0;
-    K_g[11][5] = 0;
-    K_g[11][6] = 0;
-    K_g[11][7] = 0;
-    K_g[11][8] = 0;
-    K_g[11][9] = 0;
-    K_g[11][10] = 0;
-    K_g[11][11] = 0;
+        -mu_1*t93 - mu_1*t94 - mu_1*t95 - mu_2*t93 - mu_2*t94 - mu_2*t95 - mu_3*t93 - mu_3*t94 - mu_3*t95
+        + mu_3;
 }
 
-void rotary_delta_extended_extended_platform_motion(const double p[3], const rotary_delta_parameters
-    *parameters, double J_p[3][12])
+void rotary_delta_extended_extended_platform_motion(const double p[3],
+    const rotary_delta_parameters *parameters, double J_p[3][12])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -1118,46 +729,32 @@ void rotary_delta_extended_extended_platform_motion(const double p[3], const rot
     const double D_delta_z_1 = l_d_1*t11;
     const double D_delta_z_2 = l_d_2*t12;
     const double D_delta_z_3 = l_d_3*t13;
+    memset(J_p, 0, sizeof(double[3][12]));
     J_p[0][0] = D_p_x_1;
     J_p[0][1] = D_p_x_2;
     J_p[0][2] = D_p_x_3;
-    J_p[0][3] = 0;
-    J_p[0][4] = 0;
-    J_p[0][5] = 0;
     J_p[0][6] = D_delta_x_1;
     J_p[0][7] = D_delta_x_2;
     J_p[0][8] = D_delta_x_3;
     J_p[0][9] = 1;
-    J_p[0][10] = 0;
-    J_p[0][11] = 0;
     J_p[1][0] = D_p_y_1;
     J_p[1][1] = D_p_y_2;
     J_p[1][2] = D_p_y_3;
-    J_p[1][3] = 0;
-    J_p[1][4] = 0;
-    J_p[1][5] = 0;
     J_p[1][6] = D_delta_y_1;
     J_p[1][7] = D_delta_y_2;
     J_p[1][8] = D_delta_y_3;
-    J_p[1][9] = 0;
     J_p[1][10] = 1;
-    J_p[1][11] = 0;
     J_p[2][0] = D_p_z_1;
     J_p[2][1] = D_p_z_2;
     J_p[2][2] = D_p_z_3;
-    J_p[2][3] = 0;
-    J_p[2][4] = 0;
-    J_p[2][5] = 0;
     J_p[2][6] = D_delta_z_1;
     J_p[2][7] = D_delta_z_2;
     J_p[2][8] = D_delta_z_3;
-    J_p[2][9] = 0;
-    J_p[2][10] = 0;
     J_p[2][11] = 1;
 }
 
-void rotary_delta_extended_joint_stiffness(const rotary_delta_effects *effects, double kappa[6], double
-    kappa_c[6])
+void rotary_delta_extended_joint_stiffness(const rotary_delta_effects *effects, double kappa[6],
+    double kappa_c[6])
 {
     const double c_L = effects->link_compliance_compliance;
     const double c_F = effects->frame_compliance_compliance;
@@ -1179,8 +776,9 @@ void rotary_delta_extended_joint_stiffness(const rotary_delta_effects *effects, 
     kappa_c[5] = t4;
 }
 
-void rotary_delta_extended_extended_static_equilibrium(const double p[3], const rotary_delta_parameters
-    *parameters, const rotary_delta_effects *effects, double tau_st[3], double theta_st[3])
+void rotary_delta_extended_extended_static_equilibrium(const double p[3],
+    const rotary_delta_parameters *parameters, const rotary_delta_effects *effects, double tau_st[3],
+    double theta_st[3])
 {
     const double p_x = p[0];
     const double p_y = p[1];

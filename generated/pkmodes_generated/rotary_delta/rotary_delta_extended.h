@@ -4,8 +4,9 @@
  *
  * Dynamics of the mechanism rotary_delta with effects: extended matrices and sensitivities.
  *
- * C99, no allocation, no dependency but sqrt.  Matrices are row-major.  Everything is in SI units and in the
- * base frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
+ * C99, no allocation, no dependency but the C library's mathematics and memset.  Matrices are row-major.
+ * Everything is in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K is
+ * positive for a restoring force.
  * Generalised coordinates, in the order of M and K:
  *   theta_1 [rad]
  *   theta_2 [rad]
@@ -60,7 +61,7 @@ typedef struct {
  *   out K_g [N/m, N, N m]: Hessian of the gravitational potential energy
  *
  * Source: equations 24 to 48 with the effects' energies; K = K_el + K_g and the joints' stiffnesses.
- * 1300 operations; 10153161 with every named value written out.
+ * 1282 operations; 10153161 with every named value written out.
  */
 void rotary_delta_extended_extended_matrices(const double p[3], const rotary_delta_parameters *parameters,
     const rotary_delta_effects *effects, double M[12][12], double K_el[12][12], double K_g[12][12]);
@@ -73,8 +74,8 @@ void rotary_delta_extended_extended_matrices(const double p[3], const rotary_del
  * Source: equation 15, with what released joints and the frame add.
  * 315 operations; 116730 with every named value written out.
  */
-void rotary_delta_extended_extended_platform_motion(const double p[3], const rotary_delta_parameters
-    *parameters, double J_p[3][12]);
+void rotary_delta_extended_extended_platform_motion(const double p[3],
+    const rotary_delta_parameters *parameters, double J_p[3][12]);
 
 /* Stiffnesses of the released joints, to be added to the diagonal of K.
  *
@@ -86,8 +87,8 @@ void rotary_delta_extended_extended_platform_motion(const double p[3], const rot
  * Source: energy q^2 / (2 c) of each joint.
  * 8 operations; 24 with every named value written out.
  */
-void rotary_delta_extended_joint_stiffness(const rotary_delta_effects *effects, double kappa[6], double
-    kappa_c[6]);
+void rotary_delta_extended_joint_stiffness(const rotary_delta_effects *effects, double kappa[6],
+    double kappa_c[6]);
 
 /* Torques and rotations that hold the pose, the effects' weights and changes of stiffness included.
  *
@@ -98,8 +99,9 @@ void rotary_delta_extended_joint_stiffness(const rotary_delta_effects *effects, 
  * Source: equation 44; springs that effects add are relaxed at the pose, and the released joints hold.
  * 376 operations; 138123 with every named value written out.
  */
-void rotary_delta_extended_extended_static_equilibrium(const double p[3], const rotary_delta_parameters
-    *parameters, const rotary_delta_effects *effects, double tau_st[3], double theta_st[3]);
+void rotary_delta_extended_extended_static_equilibrium(const double p[3],
+    const rotary_delta_parameters *parameters, const rotary_delta_effects *effects, double tau_st[3],
+    double theta_st[3]);
 
 #ifdef __cplusplus
 }

@@ -12,18 +12,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.checking.consistency import Check, Generated, check_consistency, oblique_robot, regular_poses
+from pkmodes.checking.consistency import Check, check_consistency
 from pkmodes.checking.recorded import recorded_robot
 from pkmodes.errors import PkmodesError, shown
-from pkmodes.evaluation import active_effects, evaluation
+from pkmodes.evaluation import active_effects, evaluation, matrices
+from pkmodes.generated import Generated
 from pkmodes.generation import derivation, specification
+from pkmodes.mechanism import mechanism, names
 from pkmodes.pasting import pasted
 from pkmodes.product_folder import MANIFEST
+from pkmodes.regular import regular_poses, sample
 from pkmodes.robot.reading import read_robot
 from pkmodes.robot.robot import Robot
-from pkmodes_generated import linear_delta
 
-MECHANISM = "linear_delta"
 REGENERATE = "python -m pkmodes_derive generate"
 
 Array = NDArray[np.float64]
@@ -59,12 +60,19 @@ class Report:
         return not self.findings and all(check.holds for check in self.checks)
 
 
-def check_committed() -> Report:
-    """Check the parametric model that pkmodes itself evaluates, its derivatives for a robot without symmetry."""
-    folder = Path(str(files(linear_delta)))
-    findings = _findings(folder, derivation("emit.product").parametric(MECHANISM))
-    parameters = oblique_robot()
-    checks = check_consistency(Generated(linear_delta, parameters), parameters)
+def check_committed(name: str) -> Report:
+    """Check a parametric model that pkmodes itself evaluates, its derivatives for a robot without symmetry.
+
+    Parameters
+    ----------
+    name : str
+        The mechanism.
+    """
+    kind = mechanism(name)
+    folder = Path(str(files(kind.package)))
+    findings = _findings(folder, derivation("emit.product").parametric(name))
+    parameters = sample(kind)
+    checks = check_consistency(Generated(kind.model, parameters), kind, parameters)
     return Report(str(folder), findings, checks, REGENERATE if findings else "")
 
 
@@ -83,8 +91,8 @@ def check_folder(folder: Path) -> Report:
     """
     recorded = _manifest(folder)
     product = derivation("emit.product")
-    if "robot" not in recorded and recorded.get("product") == MECHANISM:
-        findings = _findings(folder, product.parametric(MECHANISM))
+    if "robot" not in recorded and recorded.get("product") in names():
+        findings = _findings(folder, product.parametric(recorded["product"]))
         return Report(str(folder), findings, [], REGENERATE if findings else "")
     reference, there = _robot_file(folder, recorded)
     if there:
@@ -183,21 +191,19 @@ def _executed(texts: dict[str, str]) -> types.ModuleType:
 
 def _checks(module: types.ModuleType, robot: Robot) -> list[Check]:
     """Differences, and equality with the model that pkmodes evaluates."""
-    effects = bool(active_effects(robot.effects))
-    parametric = Generated(linear_delta, robot.parameters)
-    return [
-        *check_consistency(Generated(module), robot.parameters, effects),
-        *_equality(module, parametric, robot),
-    ]
+    kind = robot.kind
+    effects = bool(active_effects(kind, robot.effects))
+    return [*check_consistency(Generated(module), kind, robot.parameters, effects), *_equality(module, robot)]
 
 
-def _equality(module: types.ModuleType, parametric: Generated, robot: Robot) -> list[Check]:
+def _equality(module: types.ModuleType, robot: Robot) -> list[Check]:
     """Constants folded or given as parameters: the same matrices, of the coordinates with inertia and of all."""
-    p = regular_poses(parametric, robot.parameters)
+    kind = robot.kind
+    p = regular_poses(Generated(kind.model, robot.parameters), kind, robot.parameters)
     if not len(p):
         return []
-    expected = evaluation(robot.parameters, robot.effects)
-    M, K = expected.matrices(p)
+    expected = evaluation(robot)
+    M, K = matrices(expected, p)
     kept = [expected.coordinates.index(name) for name in module.COORDINATES]
     massless = [i for i in range(M.shape[-1]) if i not in kept]
     every = np.zeros((len(p), M.shape[-1], len(kept)))

@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
-import numpy as np
-
 from pkmodes.errors import PkmodesError
-from pkmodes.robot.reading import COMPONENTS, FRAME_MASS, robot_from_document
+from pkmodes.mechanism import mechanism
+from pkmodes.robot.documents import document_of
+from pkmodes.robot.reading import robot_from_document
 from pkmodes.robot.robot import Robot
-
-#: Elements of a vector, which the manifest has one by one and a robot file as a list.
-VECTORS = {"gravity": COMPONENTS, "origin": COMPONENTS, "joint": COMPONENTS, "limits": ("min", "max")}
 
 
 def recorded_robot(recorded: Mapping[str, Any], place: str) -> Robot:
@@ -33,16 +29,8 @@ def recorded_robot(recorded: Mapping[str, Any], place: str) -> Robot:
     """
     try:
         values = recorded["robot"]["values"]
-        document = {
-            "format": 1,
-            "name": recorded["robot"]["name"],
-            "mechanism": recorded["mechanism"],
-            **_document(values),
-        }
-        robot = robot_from_document(document, place)
-        # As recorded: normalised again, a direction could differ in its last digit.
-        direction = np.array([values[f"axis.{j}.direction"] for j in (1, 2, 3)])
-        robot = replace(robot, parameters=robot.parameters._replace(direction=direction))
+        kind = mechanism(recorded["mechanism"])
+        robot = robot_from_document(document_of(kind, recorded["robot"]["name"], values), place)
         same = robot.declared == values
     except (PkmodesError, LookupError, TypeError, ValueError, AttributeError):
         same = False
@@ -53,21 +41,3 @@ def recorded_robot(recorded: Mapping[str, Any], place: str) -> Robot:
             "put its robot file back, or generate the model again with: pkmodes generate ROBOT.toml --out DIR",
         )
     return robot
-
-
-def _document(values: Mapping[str, Any]) -> dict[str, Any]:
-    """A robot file with these values, by dotted path."""
-    found: dict[str, Any] = {}
-    for path, value in values.items():
-        if path == f"effects.{FRAME_MASS}" and "frame.mass" in values:
-            continue  # declared with the frame: the effect only repeats it
-        *tables, key = path.split(".")
-        table = found
-        for name in tables:
-            table = table.setdefault(name, {})
-        table[key] = value
-    found["axis"] = [found["axis"][number] for number in ("1", "2", "3")]
-    for table in (found, *found["axis"]):
-        for name in VECTORS.keys() & table.keys():
-            table[name] = [table[name][element] for element in VECTORS[name]]
-    return found

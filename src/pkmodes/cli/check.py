@@ -24,7 +24,7 @@ def check(targets: tuple[Path, ...], json_file: str | None) -> int:
     """Check that generated code is current, and that it agrees with finite differences.
 
     A folder written by `pkmodes generate` is compared with a fresh derivation from its robot file; a robot
-    file is derived and its model checked in memory; with no target, the model that pkmodes itself uses is
+    file is derived and its model checked in memory; with no target, the models that pkmodes itself uses are
     checked.  Exit code 1 when something does not hold: the output names the file or field that changed, shows
     the difference and the command that mends it.  Files of your own in the folder are no concern of it.
 
@@ -33,13 +33,12 @@ def check(targets: tuple[Path, ...], json_file: str | None) -> int:
     holds.
     """
     from pkmodes.checking import products
+    from pkmodes.mechanism import names
 
     check_target(json_file, *targets)
-    reports: list[Report] = []
-    for target in targets or (None,):
-        if target is None:
-            reports.append(products.check_committed())
-        elif target.is_dir():
+    reports: list[Report] = [] if targets else [products.check_committed(name) for name in names()]
+    for target in targets:
+        if target.is_dir():
             reports.append(products.check_folder(target))
         elif target.is_file():
             reports.append(products.check_robot(target))

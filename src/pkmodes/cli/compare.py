@@ -44,7 +44,7 @@ def compare(robot: Path, modes: Path, band: str | None, json_file: str | None) -
     from pkmodes.evaluation import evaluation
 
     declared = read_robot(robot)
-    result = closing.compare(declared, closing.read(modes, band_of(band)))
+    result = closing.compare(declared, closing.read(modes, band_of(band), declared))
     content = {
         "robot": declared.name,
         "rms_relative": result.rms_relative,
@@ -57,9 +57,7 @@ def compare(robot: Path, modes: Path, band: str | None, json_file: str | None) -
         if json_file == "-":
             write_json(json_file, content)
         else:
-            _print(
-                declared.name, modes, result, evaluation(declared.parameters, declared.effects).rigid_modes
-            )
+            _print(declared.name, modes, result, evaluation(declared).rigid_modes)
 
 
 def _print(name: str, modes: Path, result: Comparison, rigid: int) -> None:

@@ -94,7 +94,7 @@ def diagnose(
     from pkmodes.cli.diagnosis_tables import show
 
     declared = read_robot(robot)
-    data = closing.read(modes, band_of(band))
+    data = closing.read(modes, band_of(band), declared)
     with _progress() as progress, named_as_options():
         result = closing.diagnose(
             declared,
@@ -115,7 +115,7 @@ def diagnose(
         if json_file == "-":
             write_json(json_file, content)
         else:
-            show(declared.name, result)
+            show(declared, result)
         for path in saved:
             command = f"pkmodes generate {pasted(path)} --out DIR"
             click.echo(f"\nwrote {path}{_chosen(result)}; next: {command}", err=json_file == "-")

@@ -10,6 +10,8 @@ from rich.console import Console
 from rich.table import Table
 
 from pkmodes.diagnosis.verdict.result import Diagnosis, Error, Row, Value
+from pkmodes.poses import placed
+from pkmodes.robot.robot import Robot
 
 #: A table is as wide as its numbers need: it is never cut.
 WIDEST_TABLE = 10_000
@@ -61,17 +63,10 @@ class Terminal:
         self._console.print(table)
 
 
-def show(name: str, result: Diagnosis) -> None:
-    """Print a diagnosis.
-
-    Parameters
-    ----------
-    name : str
-        The robot's name.
-    result : Diagnosis
-    """
+def show(robot: Robot, result: Diagnosis) -> None:
+    """Print the diagnosis of a robot."""
     terminal = Terminal()
-    terminal.heading(f"{name}: {result.verdict}")
+    terminal.heading(f"{robot.name}: {result.verdict}")
     terminal.line(result.reason, "  ")
     for found in result.effects:
         sentence = f": {found.sentence}" if found.sentence else ""
@@ -92,7 +87,7 @@ def show(name: str, result: Diagnosis) -> None:
     if result.refitted:
         terminal.line()
         _refitted(terminal, result)
-    _remarks(terminal, result)
+    _remarks(terminal, robot, result)
 
 
 def p_value(p: float) -> str:
@@ -149,7 +144,7 @@ def _refitted(terminal: Terminal, result: Diagnosis) -> None:
     terminal.table(("uncertain value", "before", "after", "sigma", "unit"), rows, ("uncertain value", "unit"))
 
 
-def _remarks(terminal: Terminal, result: Diagnosis) -> None:
+def _remarks(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
     remarks = []
     if result.outliers:
         remarks.append(f"set aside as outliers: {_listed(result.outliers)}")
@@ -160,10 +155,10 @@ def _remarks(terminal: Terminal, result: Diagnosis) -> None:
     if result.undetectable:
         remarks.append(f"not detectable with these data: {', '.join(result.undetectable)}")
     if result.next_measurement is not None:
-        place = ", ".join(f"{c:.4f}" for c in result.next_measurement.pose)
+        place = placed(robot.kind, result.next_measurement.pose, ".4f")
         a, b = result.next_measurement.separates
         sigmas = result.next_measurement.sigmas
-        remarks.append(f"measure next at [{place}] m: {a} and {b} differ there by {sigmas:.0f} sigma")
+        remarks.append(f"measure next at {place}: {a} and {b} differ there by {sigmas:.0f} sigma")
     remarks += [f"note: {text}" for text in result.notes]
     remarks += _stability(result)
     for remark in remarks:

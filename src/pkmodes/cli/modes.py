@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 from typing import Any
 
@@ -10,25 +9,26 @@ import click
 import numpy as np
 
 from pkmodes.cli.output import check_target, deliver, json_option, to_file, write_json
-from pkmodes.errors import PoseError
+from pkmodes.cli.poses import check_metres, parse_pose, pose_option
 from pkmodes.loading import load
 from pkmodes.model import Model
-from pkmodes.results import Modes, Statics
+from pkmodes.poses import placed
+from pkmodes.results import CARRIAGES, Modes, Statics
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245")
 @click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
-@click.option("--pose", metavar="X,Y,Z", required=True, help="Platform centre, in metres or with units.")
+@pose_option
 @json_option
 def modes(robot: Path, pose: str, json_file: str | None) -> None:
     """Frequencies, shapes, end-effector directions and static torques at a pose.
 
-    Shapes are mass-normalised; the table shows them scaled to their largest component, carriages divided by
-    the pulley radius, as the paper prints them.
+    Shapes are mass-normalised; the table shows them scaled to their largest component, lengths divided by a
+    radius where the other coordinates are angles, as the paper prints them.
     """
     check_target(json_file, robot)
-    point = parse_pose(pose)
     model = load(robot)
+    point = parse_pose(pose, model.kind)
     check_metres(model, pose, point)
     result, statics = model.modes(point), model.statics(point)
     content = as_json(model, result, statics)
@@ -39,65 +39,24 @@ def modes(robot: Path, pose: str, json_file: str | None) -> None:
             _print(model, result, statics)
 
 
-def parse_pose(text: str) -> list[float]:
-    """Read ``X,Y,Z``: bare numbers in metres, or quantities with a unit of length.
-
-    Raises
-    ------
-    PoseError
-        If there are not three lengths.
-    """
-    from pkmodes.robot.units import QuantityError, parse
-
-    parts = text.split(",")
-    if len(parts) != 3:
-        raise PoseError(
-            f"expected three coordinates X,Y,Z, found {len(parts)}", "--pose", "write --pose 0.6,0,-0.245"
-        )
-    point = []
-    for part in parts:
-        try:
-            if "_" in part:  # Python's float() would read 1_0 as 10
-                raise ValueError
-            point.append(float(part))
-        except ValueError:
-            try:
-                point.append(parse(part, "length"))
-            except QuantityError as error:
-                raise PoseError(str(error), "--pose", "write metres, or a number with its unit") from None
-    return point
-
-
-def check_metres(model: Model, text: str, point: list[float]) -> None:
-    """Refuse a pose that would be reached if its bare numbers were millimetres.
-
-    Raises
-    ------
-    PoseError
-        Any other pose that cannot be reached is the model's to refuse.
-    """
-    bare = not any(c.isalpha() for c in re.sub(r"\d[eE]", "", text))
-    if bare and not model.check(point).valid and model.check([c / 1e3 for c in point]).valid:
-        lengths = ",".join(f"{part.strip()} mm" for part in text.split(","))
-        remedy = f'the numbers look like millimetres: write --pose "{lengths}"'
-        raise PoseError(str(model.check(point).sentences).partition(";")[0], "--pose", remedy)
-
-
 def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:
     """The result of one pose with the keys that scripts rely on."""
-    return {
+    found = {
         "robot": model.robot.name,
         "pose": result.poses.tolist(),
         "coordinates": list(result.coordinates),
         "frequencies_hz": result.frequencies.tolist(),
         "shapes": result.shapes.tolist(),
         "platform_shapes": result.platform_shapes.tolist(),
-        "carriage_positions": result.carriage_positions.tolist(),
+        "joint_positions": dict(zip(model.kind.independent, result.joint_positions.tolist(), strict=True)),
         "mass_matrix": result.mass_matrix.tolist(),
         "stiffness_matrix": result.stiffness_matrix.tolist(),
         "static_torques": statics.torques.tolist(),
         "rigid_modes": result.rigid_modes,
     }
+    if CARRIAGES in Modes.fields_of(model.kind):
+        found[CARRIAGES] = result.carriage_positions.tolist()
+    return found
 
 
 def _print(model: Model, result: Modes, statics: Statics) -> None:
@@ -107,30 +66,34 @@ def _print(model: Model, result: Modes, statics: Statics) -> None:
 
     console = Console(highlight=False)
     console.width = max(console.width, 80, 10 + 8 * len(result.frequencies))
-    position = ", ".join(f"{c:g}" for c in result.poses)
-    console.print(f"{model.robot.name} at [{position}] m\n", markup=False)
+    console.print(f"{model.robot.name} at {placed(model.kind, result.poses, 'g')}\n", markup=False)
     numbers = range(1 - result.rigid_modes, len(result.frequencies) - result.rigid_modes + 1)
     table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0))
     table.add_column("mode", no_wrap=True)
     for number in numbers:
         table.add_column(str(number) if number > 0 else "rigid", justify="right", no_wrap=True)
     table.add_row("f [Hz]", *map(_frequency, result.frequencies))
-    scaled = result.shapes.copy()
-    scaled[:, :3] /= model.robot.parameters.pulley_radius
+    scaled, symbols = result.shapes.copy(), {}
+    for scale in model.kind.scales:
+        k = result.coordinates.index(scale.coordinate)
+        scaled[:, k] /= np.asarray(getattr(model.robot.parameters, scale.field))[scale.index]
+        symbols[scale.coordinate] = f"/{scale.symbol}"
     scaled /= np.abs(scaled).max(axis=1, keepdims=True)
     for k, name in enumerate(result.coordinates):
-        table.add_row(f"{name}/R_p" if name.startswith("x_") else name, *map(_component, scaled[:, k]))
+        table.add_row(f"{name}{symbols.get(name, '')}", *map(_component, scaled[:, k]))
     size = np.linalg.norm(result.platform_shapes, axis=1, keepdims=True)
     directions = result.platform_shapes / np.where(size > 0.0, size, 1.0)
-    for k, name in enumerate(("p_x", "p_y", "p_z")):
-        table.add_row(name, *map(_component, directions[:, k]))
+    for k, name in enumerate(model.kind.directions):
+        table.add_row(f"p_{name}", *map(_component, directions[:, k]))
     console.print(table)
     console.print(
         "\np: direction of the platform's motion in each mode, a unit vector in the base frame", markup=False
     )
+    units = {q.name: q.unit for q in model.kind.coordinates}
+    drive = model.kind.drives[0].unit
     for label, values, unit in (
-        ("carriage positions", result.carriage_positions, "m"),
-        ("static torques", statics.torques, "N m"),
+        (model.kind.independent_are, result.joint_positions, units[model.kind.independent[0]]),
+        ("static torques", statics.torques, drive),
     ):
         console.print(f"{label} [{unit}]: {', '.join(f'{v:.4f}' for v in values)}", markup=False)
 

@@ -10,10 +10,11 @@ import click
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.cli.modes import check_metres, parse_pose
 from pkmodes.cli.output import check_target, deliver, json_option, to_file, write_json
+from pkmodes.cli.poses import check_metres, parse_pose, pose_option
 from pkmodes.errors import PkmodesError, shown
 from pkmodes.loading import load
+from pkmodes.poses import placed
 
 if TYPE_CHECKING:
     from pkmodes.model import Model
@@ -31,7 +32,7 @@ NOTHING, NOTHING_BY_UNIT = 1e-9, 1e-15
     "    --parameters platform.mass,axis.span,effects.gearbox_compliance.compliance"
 )
 @click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
-@click.option("--pose", metavar="X,Y,Z", required=True, help="Platform centre, in metres or with units.")
+@pose_option
 @click.option(
     "--parameters",
     metavar="PATHS",
@@ -46,9 +47,9 @@ def sensitivities(robot: Path, pose: str, parameters: str | None, json_file: str
     every other quantity as well; docs/sensitivities.md lists the paths.
     """
     check_target(json_file, robot)
-    point = parse_pose(pose)
     paths = None if parameters is None else _paths(parameters)
     model = load(robot)
+    point = parse_pose(pose, model.kind)
     check_metres(model, pose, point)
     result, found = model.modes(point), model.sensitivities(point, paths)
     relative = _relative(found, result.frequencies)
@@ -123,8 +124,7 @@ def _print(model: Model, result: Modes, found: Sensitivities, relative: Array) -
     rates = np.where(small, 0.0, found.frequencies)[:, rigid:]
     every = list(map(_Line, found.parameters, found.units, values, rates, relative[:, rigid:]))
     lines = sorted((line for line in every if line.rates.any()), key=lambda line: -line.weight)
-    position = ", ".join(f"{c:g}" for c in result.poses)
-    terminal.heading(f"{model.robot.name} at [{position}] m")
+    terminal.heading(f"{model.robot.name} at {placed(model.kind, result.poses, 'g')}")
     modes = [str(number) for number in range(1, len(result.frequencies) - rigid + 1)]
     frequencies = [f"{f:.3f}" for f in result.frequencies[rigid:]]
     present = [line for line in lines if line.value != 0.0]

@@ -1,7 +1,8 @@
 """The measurement frame: poses of a file that are shifted or turned with respect to the robot's.
 
-A wrong zero of the height, or a table that is not parallel to the rails, is in all poses alike.  The true pose is
-taken as the measured one, turned about the base frame's z axis by the yaw, then shifted by the offset.
+A wrong zero of the height, or a table that is not parallel to the machine, is in all poses alike.  The true pose is
+taken as the measured one, turned about the base frame's z axis by the yaw, then shifted by the offset.  Offsets are
+along the linear components of a pose; the yaw turns the first two of them, which span the plane of a planar one.
 """
 
 from __future__ import annotations
@@ -12,45 +13,64 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.diagnosis.problem import Candidate, Parameter
+from pkmodes.mechanism import Mechanism
 
 Array = NDArray[np.float64]
-#: What candidates of the measurement are called.
-PREFIX = "measurement:"
-AXES = ("x", "y", "z")
-#: How far a measurement frame plausibly is from the robot's [m], [rad].
-OFFSET, YAW = 0.02, 0.035
-#: Parameters by name: unit and plausible size.
-PARAMETERS = {f"measurement.offset.{axis}": ("m", OFFSET) for axis in AXES} | {
-    "measurement.yaw": ("rad", YAW)
-}
+#: What parameters of the measurement begin with, and its candidates.
+OF_MEASUREMENT, PREFIX = "measurement.", "measurement:"
+YAW = f"{OF_MEASUREMENT}yaw"
+#: How far a measurement frame plausibly is from the robot's: by the unit of what it moves.
+PLAUSIBLE = {"m": 0.02, "rad": 0.035}
 
 
-def suspects() -> tuple[list[Parameter], list[Candidate]]:
+def parameters(kind: Mechanism) -> dict[str, str]:
+    """Names of the parameters of the frame, and their units."""
+    linear = _linear(kind)
+    yaw = {YAW: "rad"} if len(linear) > 1 else {}
+    return {_offset(kind, i): "m" for i in linear} | yaw
+
+
+def suspects(kind: Mechanism) -> tuple[list[Parameter], list[Candidate]]:
     """Parameters of the frame, and the candidates that suspect them."""
-    parameters = [Parameter(name, 0.0, unit) for name, (unit, _) in PARAMETERS.items()]
-    what = {name: f"all poses are shifted along {name[-1]}" for name in PARAMETERS}
-    what["measurement.yaw"] = "the frame of the poses is turned about z"
+    named = parameters(kind)
+    what = {_offset(kind, i): f"all poses are shifted along {kind.pose[i].name}" for i in _linear(kind)}
+    what[YAW] = "the frame of the poses is turned about z"
     candidates = [
-        Candidate(name.replace("measurement.", PREFIX), (name,), what[name], sigma=(size,))
-        for name, (_, size) in PARAMETERS.items()
+        Candidate(name.replace(OF_MEASUREMENT, PREFIX), (name,), what[name], sigma=(PLAUSIBLE[unit],))
+        for name, unit in named.items()
     ]
-    return parameters, candidates
+    return [Parameter(name, 0.0, unit) for name, unit in named.items()], candidates
 
 
-def true_points(points: Array, values: Mapping[str, float]) -> Array:
-    """Poses with respect to the robot, (P, 3) [m]."""
-    yaw = values.get("measurement.yaw", 0.0)
-    offset = np.array([values.get(f"measurement.offset.{axis}", 0.0) for axis in AXES])
+def true_points(kind: Mechanism, points: Array, values: Mapping[str, float]) -> Array:
+    """Poses with respect to the robot, (P, d)."""
+    offset = np.array([values.get(_offset(kind, i), 0.0) for i in range(len(kind.pose))])
+    yaw = values.get(YAW, 0.0)
     if not yaw:
         return np.asarray(points + offset)
-    c, s = np.cos(yaw), np.sin(yaw)
-    turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+    i, k = _linear(kind)[:2]
+    turn = np.eye(len(kind.pose))
+    turn[i, i] = turn[k, k] = np.cos(yaw)
+    turn[k, i] = np.sin(yaw)
+    turn[i, k] = -turn[k, i]
     return np.asarray(points @ turn.T + offset)
 
 
-def rate(name: str, points: Array, values: Mapping[str, float]) -> Array:
-    """Derivative of the true poses with respect to one of the parameters, (P, 3)."""
-    if name != "measurement.yaw":
-        return np.tile(np.eye(3)[AXES.index(name[-1])], (len(points), 1))
-    turned = true_points(points, {"measurement.yaw": values.get("measurement.yaw", 0.0)})
-    return np.stack([-turned[:, 1], turned[:, 0], np.zeros(len(points))], axis=1)
+def rate(kind: Mechanism, name: str, points: Array, values: Mapping[str, float]) -> Array:
+    """Derivative of the true poses with respect to one of the parameters, (P, d)."""
+    found = np.zeros(points.shape)
+    if name != YAW:
+        found[:, [_offset(kind, i) for i in range(len(kind.pose))].index(name)] = 1.0
+        return found
+    i, k = _linear(kind)[:2]
+    turned = true_points(kind, points, {YAW: values.get(YAW, 0.0)})
+    found[:, i], found[:, k] = -turned[:, k], turned[:, i]
+    return found
+
+
+def _linear(kind: Mechanism) -> list[int]:
+    return [i for i, component in enumerate(kind.pose) if component.unit == "m"]
+
+
+def _offset(kind: Mechanism, component: int) -> str:
+    return f"{OF_MEASUREMENT}offset.{kind.pose[component].name}"

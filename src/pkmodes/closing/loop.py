@@ -9,8 +9,9 @@ from pathlib import Path
 
 from pkmodes import diagnosis
 from pkmodes.closing import frame
+from pkmodes.closing.poses import check_measured
 from pkmodes.closing.priors import with_priors
-from pkmodes.closing.structure import CHANNEL_UNITS, CHANNELS, RobotStructure
+from pkmodes.closing.structure import RobotStructure, channels
 from pkmodes.closing.suspects import suspects
 from pkmodes.diagnosis.arguments import check_measurements
 from pkmodes.diagnosis.compare import Comparison
@@ -19,14 +20,17 @@ from pkmodes.diagnosis.update import Update
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.errors import MeasurementError, PkmodesError, shown
 from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.reading import check_reachable, read_measurements
+from pkmodes.measured.reading import read_measurements
+from pkmodes.mechanism import Mechanism, mechanism, names
 from pkmodes.model import Model
+from pkmodes.robot.paths import resolve
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.saving import Correction, save_corrected
-from pkmodes.sensitivity.paths import resolve
 
 
-def read(path: str | Path, band: tuple[float, float] | None = None) -> Measurements:
+def read(
+    path: str | Path, band: tuple[float, float] | None = None, robot: Robot | Model | None = None
+) -> Measurements:
     """Read the modes measured on a robot.
 
     Parameters
@@ -35,6 +39,8 @@ def read(path: str | Path, band: tuple[float, float] | None = None) -> Measureme
         A CSV file with one row for each identified mode (docs/diagnosis.md, "What goes in").
     band : tuple of two floats, optional
         Lowest and highest frequency that was looked for [Hz], where the file does not say so.
+    robot : Robot or Model, optional
+        Its mechanism says which columns there may be; without one, those of any mechanism.
 
     Raises
     ------
@@ -43,7 +49,9 @@ def read(path: str | Path, band: tuple[float, float] | None = None) -> Measureme
     """
     if not isinstance(path, str | PathLike):
         raise PkmodesError(f"expected a path, found {shown(path)}", "read", "give the name of a CSV file")
-    found = read_measurements(path, dict(zip(CHANNELS, CHANNEL_UNITS, strict=True)))
+    kinds = [mechanism(name) for name in names()] if robot is None else [_robot(robot).kind]
+    known = {name: unit for kind in kinds for name, unit in channels(kind).items()}
+    found = read_measurements(path, known, components=[_components(kind) for kind in kinds])
     if band is None:
         return found
     if found.band not in (None, band):
@@ -51,6 +59,11 @@ def read(path: str | Path, band: tuple[float, float] | None = None) -> Measureme
         what = f"the file states the band {stated}, not {band[0]:g} Hz to {band[1]:g} Hz"
         raise MeasurementError(what, found.source, "leave the band out, or correct the file")
     return replace(found, band=band)
+
+
+def _components(kind: Mechanism) -> dict[str, str]:
+    """Components of a pose and their units: columns of a measurement file."""
+    return {component.name: component.unit for component in kind.pose}
 
 
 def structure(
@@ -64,11 +77,11 @@ def structure(
     Raises
     ------
     PkmodesError
-        If a pose cannot be reached, or a candidate or the name of a prior is unknown.
+        If a pose cannot be reached, or a coordinate, a candidate or the name of a prior is unknown.
     """
     robot = _robot(robot)
     check_measurements(data, "pkmodes.closing.read(path)")
-    check_reachable(data, Model(robot))
+    check_measured(data, Model(robot))
     parameters, found, moves = suspects(robot, candidates)
     if priors is not None:
         found = with_priors(robot, parameters, found, priors)
@@ -175,7 +188,7 @@ def corrections(robot: Robot, found: Diagnosis) -> Mapping[str, Correction]:
     causes = {v.name for finding in found.effects for v in finding.parameters}
     changes = {}
     for value in found.corrected:
-        if value.name in frame.PARAMETERS:
+        if value.name.startswith(frame.OF_MEASUREMENT):
             continue  # a matter of the measurements: the robot is as it was
         note = "found by pkmodes diagnose" if value.name in causes else "refitted by pkmodes diagnose"
         if value.name in robot.quantities or not value.name.startswith("effects."):

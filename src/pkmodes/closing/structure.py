@@ -10,32 +10,39 @@ from numpy.typing import NDArray
 
 from pkmodes.closing import frame
 from pkmodes.diagnosis.problem import Batch, Candidate, Parameter, Prediction
-from pkmodes.eigen import condensed_eigh
-from pkmodes.evaluation import SystemOfEffects, active_effects
+from pkmodes.evaluation import SystemOfEffects
+from pkmodes.mechanism import Mechanism
 from pkmodes.poses import MAX_CONDITION, check_poses
-from pkmodes.robot.effects import CATALOGUE
+from pkmodes.regular import declared
+from pkmodes.robot.paths import ParameterPath, moved
 from pkmodes.robot.robot import Robot
-from pkmodes.sensitivity.matrices import MatrixDerivatives, locked_joints
-from pkmodes.sensitivity.paths import ParameterPath, moved
+from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, geometry_of, locked_joints
 from pkmodes.sensitivity.shapes import shape_derivatives
-from pkmodes_generated.linear_delta import COORDINATES, RIGID_MODES, extended
+from pkmodes.solving import solve
 
 Array = NDArray[np.float64]
-PLATFORM = ("p_x", "p_y", "p_z")
-#: Names of the shape components that a robot has: all coordinates, released ones included, and the platform.
-CHANNELS: tuple[str, ...] = (*extended.COORDINATES, *PLATFORM)
-CHANNEL_UNITS = tuple("rad" if name.startswith(("theta_", "psi_")) else "m" for name in CHANNELS)
-#: Moving the platform is moving its three joints while the rails stay: nothing else of the pose enters.
-SHIFTS = tuple(
-    ParameterPath(f"pose.{name}", 0.0, "m", {("joint", (j, i)): 1.0 for j in range(3)})
-    for i, name in enumerate("xyz")
-)
+#: Prefix of the channels that are the platform's absolute motion.
+PLATFORM = "p_"
 #: Of robots that are evaluated together, some may have fewer parameters than others.
 NOTHING = ParameterPath("", 0.0, "1", {})
-#: Generated parameters that change how the platform follows the carriages, and the step of differences [m].
-GEOMETRY, DIFFERENCE = ("origin", "joint", "link_length"), 1e-6
+#: Step of differences by a parameter, in its unit.
+DIFFERENCE = 1e-6
 #: Where another measurement could be made: draws around the measured poses, and their seed.
 DRAWS, SEED = 400, 7
+#: Kinds of keys of the robot file that say where something is, whatever their dimension.
+WHERE = ("direction", "choice", "signs", "pair")
+
+
+def channels(kind: Mechanism) -> dict[str, str]:
+    """Shape components that a robot has, with their units: all coordinates, released ones included, and the platform.
+
+    Parameters
+    ----------
+    kind : Mechanism
+    """
+    units = {component.name: component.unit for component in kind.pose}
+    found = dict(zip(kind.extended.COORDINATES, kind.extended.COORDINATE_UNITS, strict=True))
+    return found | {f"{PLATFORM}{name}": units[name] for name in kind.directions}
 
 
 class _Solved(NamedTuple):
@@ -64,8 +71,8 @@ class RobotStructure:
     Parameters
     ----------
     robot : Robot
-    points : ndarray, shape (P, 3)
-        Platform centres [m].
+    points : ndarray, shape (P, d)
+        Poses.
     parameters, candidates, moves
         From `pkmodes.closing.suspects.suspects`; parameters of the measurement frame have no move.
     """
@@ -81,7 +88,13 @@ class RobotStructure:
         self.robot, self.points = robot, np.asarray(points, dtype=float)
         self.parameters: tuple[Parameter, ...] = tuple(parameters)
         self.candidates: tuple[Candidate, ...] = tuple(candidates)
-        self.channels, self.channel_units = CHANNELS, CHANNEL_UNITS
+        self._kind = robot.kind
+        known = channels(self._kind)
+        self.channels, self.channel_units = tuple(known), tuple(known.values())
+        self._shifts = tuple(
+            ParameterPath(f"{POSE}.{component.name}", 0.0, component.unit, {(POSE, (i,)): 1.0})
+            for i, component in enumerate(self._kind.pose)
+        )
         self._moves = dict(moves)
         self._last: tuple[bytes, _Solved] | None = None
         self._latest: tuple[object, Prediction] | None = None
@@ -124,13 +137,13 @@ class RobotStructure:
         itself.
         """
         robots = [self.with_values(v) for v in values]
-        where = [frame.true_points(self.points, self._frame(v)) for v in values]
-        systems = [SystemOfEffects(robot.parameters, robot.effects) for robot in robots]
+        where = [frame.true_points(self._kind, self.points, self._frame(v)) for v in values]
+        systems = [SystemOfEffects.of(robot) for robot in robots]
         moves = [self._moved_by(v, some) for v, some in zip(values, by, strict=True)]
         groups: dict[object, list[int]] = {}
         for k, (robot, system) in enumerate(zip(robots, systems, strict=True)):
             apart = locked_joints(system, moves[k].paths) or not self._reachable(robot, where[k]).all()
-            alike = (system.free.tobytes(), _rigid(robot))
+            alike = (system.free.tobytes(), system.rigid_modes)
             groups.setdefault(k if apart else alike, []).append(k)
         found = []
         for some in groups.values():
@@ -151,15 +164,16 @@ class RobotStructure:
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction:
         """Modes at all poses, with derivatives with respect to the platform's position."""
-        return _derived(self._at_values(values), [_Moves(SHIFTS, None)], shape_rates)
+        return _derived(self._at_values(values), [_Moves(self._shifts, None)], shape_rates)
 
     def elsewhere(self, count: int) -> tuple[Array, RobotStructure]:
         """Reachable poses in and around the measured ones, and the robot there."""
         rng = np.random.default_rng(SEED)
         low, high = self.points.min(axis=0), self.points.max(axis=0)
         margin = 0.25 * max(float((high - low).max()), 0.1)
-        drawn = rng.uniform(low - margin, high + margin, (DRAWS, 3))
-        drawn = drawn[check_poses(drawn, self.robot.parameters, "nan", MAX_CONDITION / 1e5).valid][:count]
+        drawn = rng.uniform(low - margin, high + margin, (DRAWS, len(low)))
+        found = check_poses(drawn, self._kind, self.robot.parameters, "nan", MAX_CONDITION / 1e5)
+        drawn = drawn[found.valid][:count]
         return drawn, self.at(drawn)
 
     def _moved_by(self, values: Array, by: Sequence[int]) -> _Moves:
@@ -170,13 +184,13 @@ class RobotStructure:
             return _Moves(paths, None)
         # What moves the frame moves all poses, each by what it is away from the frame's origin.
         known = {path.path: k for k, path in enumerate(paths)}
-        mix = np.zeros((len(self.points), len(paths) + len(SHIFTS), len(by)))
+        mix = np.zeros((len(self.points), len(paths) + len(self._shifts), len(by)))
         for column, name in enumerate(names):
             if name in known:
                 mix[:, known[name], column] = 1.0
             else:
-                mix[:, len(paths) :, column] = frame.rate(name, self.points, self._frame(values))
-        return _Moves((*paths, *SHIFTS), mix)
+                mix[:, len(paths) :, column] = frame.rate(self._kind, name, self.points, self._frame(values))
+        return _Moves((*paths, *self._shifts), mix)
 
     def _frame(self, values: Array) -> dict[str, float]:
         """Values of the parameters of the measurement frame."""
@@ -190,32 +204,29 @@ class RobotStructure:
             self._last is None or self._last[0] != key
         ):  # derivatives are mostly asked for where the modes were
             robot = self.with_values(values)
-            where = frame.true_points(self.points, self._frame(values))
+            where = frame.true_points(self._kind, self.points, self._frame(values))
             valid = self._reachable(robot, where)
-            system = SystemOfEffects(robot.parameters, robot.effects)
+            system = SystemOfEffects.of(robot)
             self._last = key, self._solved([robot], system, where[valid])._replace(valid=valid)
         return self._last[1]
 
     def _solved(self, robots: Sequence[Robot], system: SystemOfEffects, points: Array) -> _Solved:
-        M, K = system.all_coordinates(points)
-        rows, columns = np.ix_(system.free, system.free)
         try:
-            eigenvalues, shapes = condensed_eigh(
-                M[:, rows, columns], K[:, rows, columns], len(COORDINATES), _rigid(robots[0])
-            )
-            channels = _channels(system, points, shapes)
+            at = solve(system, points)
+            every, eigenvalues, shapes = at.every, at.eigenvalues, at.shapes
         except np.linalg.LinAlgError:  # values without inertia where there must be some: no machine
+            every = system.all_coordinates(points)
             eigenvalues = np.full((len(points), len(system.free)), np.nan)
             shapes = np.zeros((*eigenvalues.shape, len(system.free)))
-            channels = np.zeros((*eigenvalues.shape, len(CHANNELS)))
         valid = np.ones(len(points), dtype=bool)
-        return _Solved(tuple(robots), system, valid, points, (M, K), eigenvalues, shapes, channels)
+        at_channels = _at_channels(system, points, shapes)
+        return _Solved(tuple(robots), system, valid, points, every, eigenvalues, shapes, at_channels)
 
     def _reachable(self, robot: Robot, points: Array) -> NDArray[np.bool_]:
         """Which poses this robot reaches; those of the declared one were checked with the measurements."""
-        if _same_geometry(robot, self.robot) and np.array_equal(points, self.points):
+        if _same_geometry(self._kind, robot, self.robot) and np.array_equal(points, self.points):
             return np.ones(len(points), dtype=bool)
-        return check_poses(points, robot.parameters, "nan").valid
+        return check_poses(points, self._kind, robot.parameters, "nan").valid
 
 
 def _derived(at: _Solved, moves: Sequence[_Moves], shape_rates: bool) -> Prediction:
@@ -236,7 +247,7 @@ def _derived(at: _Solved, moves: Sequence[_Moves], shape_rates: bool) -> Predict
         _scattered(at.eigenvalues, at.valid),
         _scattered(rates, at.valid),
         _scattered(at.channels, at.valid),
-        _rigid(at.robots[0]),
+        at.system.rigid_modes,
         None if along is None else _scattered(along, at.valid),
     )
 
@@ -251,12 +262,12 @@ def _mixed(moves: Sequence[_Moves], most: int, poses: int) -> Array:
     return found.reshape(-1, most, columns)
 
 
-def _channels(system: SystemOfEffects, points: Array, shapes: Array) -> Array:
+def _at_channels(system: SystemOfEffects, points: Array, shapes: Array) -> Array:
     """Shapes at the channels, (N, m, C)."""
-    found = np.zeros((*shapes.shape[:2], len(CHANNELS)))
+    directions = len(system.kind.directions)
+    found = np.zeros((*shapes.shape[:2], system.joints.shape[-1] + directions))
     found[..., system.free] = shapes
-    motion = extended.extended_platform_motion(points, system.parameters)[..., system.free]
-    found[..., -3:] = shapes @ np.swapaxes(motion, -1, -2)
+    found[..., -directions:] = shapes @ np.swapaxes(system.platform_motion(points), -1, -2)
     return found
 
 
@@ -264,26 +275,35 @@ def _channel_rates(
     at: _Solved, derivatives: MatrixDerivatives, paths: Sequence[Sequence[ParameterPath]]
 ) -> Array:
     """Derivatives of the shapes at the channels along paths, (N, m, C, T)."""
-    changes = shape_derivatives(derivatives, at.eigenvalues, at.shapes, len(COORDINATES))
-    motion = extended.extended_platform_motion(at.points, at.system.parameters)
+    kind = at.system.kind
+    directions, geometry = len(kind.directions), geometry_of(kind)
+    changes = shape_derivatives(derivatives, at.eigenvalues, at.shapes, at.system.first)
+    motion = at.system.motion_of_all(at.points)
     found = np.zeros((*at.channels.shape, len(paths[0])))
     found[..., : changes.shape[-1], :] = np.moveaxis(changes, 1, -1)
-    found[..., -3:, :] = np.moveaxis(changes @ np.swapaxes(motion, -1, -2)[:, None], 1, -1)
+    found[..., -directions:, :] = np.moveaxis(changes @ np.swapaxes(motion, -1, -2)[:, None], 1, -1)
     each = len(at.points) // len(at.robots)
     for b, robot in enumerate(at.robots):
         part = slice(b * each, (b + 1) * each)
         for t, path in enumerate(paths[b]):
-            # The platform's motion by the coordinates changes with the geometry, too.
-            if any(field in GEOMETRY for field, _ in path.weights):
-                rate = _motion_rate(robot, at.points[part], path)[..., derivatives.free]
-                found[part, :, -3:, t] += at.shapes[part] @ np.swapaxes(rate, -1, -2)
+            # The platform's motion by the coordinates changes with the geometry and the pose, too.
+            if any(field in geometry or field == POSE for field, _ in path.weights):
+                rate = _motion_rate(at.system, robot, at.points[part], path)[..., derivatives.free]
+                found[part, :, -directions:, t] += at.shapes[part] @ np.swapaxes(rate, -1, -2)
     return found
 
 
-def _motion_rate(robot: Robot, points: Array, path: ParameterPath) -> Array:
-    """Derivative of the platform's motion by the coordinates along a path, by differences, (P, 3, e)."""
+def _motion_rate(system: SystemOfEffects, robot: Robot, points: Array, path: ParameterPath) -> Array:
+    """Derivative of the platform's motion by the coordinates along a path, by differences, (P, directions, e)."""
+    shift = np.zeros(points.shape[-1])
+    for (field, index), weight in path.weights.items():
+        if field == POSE:
+            shift[index] = weight
     there, back = (
-        extended.extended_platform_motion(points, moved(robot, [(path, step)]).parameters)
+        system.motion_of_all(
+            points + step * shift,
+            robot.parameters if shift.any() else moved(robot, [(path, step)]).parameters,
+        )
         for step in (DIFFERENCE, -DIFFERENCE)
     )
     found: Array = (there - back) / (2.0 * DIFFERENCE)
@@ -299,11 +319,7 @@ def _scattered(values: Array, valid: NDArray[np.bool_]) -> Array:
     return found
 
 
-def _rigid(robot: Robot) -> int:
-    grounded = any(CATALOGUE[name].grounds for name in active_effects(robot.effects))
-    return 0 if grounded else RIGID_MODES
-
-
-def _same_geometry(a: Robot, b: Robot) -> bool:
-    geometry = ("origin", "joint", "link_length", "limits", "carriage_length")
-    return all(np.array_equal(getattr(a.parameters, name), getattr(b.parameters, name)) for name in geometry)
+def _same_geometry(kind: Mechanism, a: Robot, b: Robot) -> bool:
+    """Whether two robots reach the same poses: nothing else of them enters the margins."""
+    names = {key.field for key in declared(kind) if key.kind in WHERE or key.dimension in ("length", "angle")}
+    return all(np.array_equal(getattr(a.parameters, name), getattr(b.parameters, name)) for name in names)

@@ -1,28 +1,27 @@
 """Parameters and candidate causes of a robot: its nuisances, the catalogue of effects, and suspected values.
 
 A declared value with a standard deviation is a nuisance, one without may be suspected, and one with a standard
-deviation of 0 is known.  Limits and platform joints are suspected as wholes, under ``axis.span`` and
-``axis.joint_radius``.
+deviation of 0 is known.  What belongs to a whole (``axis.span``) is suspected as one, under its path.
 
-What concerns a single axis is remote: a value of one axis where the file gives one for all, and, outside the
+What concerns one of several alike is remote: a value of one axis where the file gives one for all, and, outside the
 catalogue, a compliance of the catalogue in one joint alone, which has no name there.  A compliance of the catalogue
 with another value in each joint is no candidate either, but stands against the one that they share.
 """
 
 from __future__ import annotations
 
-import difflib
-import re
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from pkmodes.closing import frame
 from pkmodes.diagnosis.problem import Candidate, Parameter
-from pkmodes.errors import PkmodesError, shown
-from pkmodes.robot.effects import CATALOGUE, Effect
+from pkmodes.errors import PkmodesError, nearest, shown
+from pkmodes.mechanism import Effect, Whole
+from pkmodes.robot.layout import GRAVITY, by_path, lent, takers
+from pkmodes.robot.paths import ParameterPath, paths, resolve
 from pkmodes.robot.robot import Robot
-from pkmodes.sensitivity.paths import ParameterPath, paths, resolve
+from pkmodes.robot.wholes import items_of, weights_of, wholes
 
 #: How a suspected value is called as a candidate.
 PREFIX = "parameter:"
@@ -31,10 +30,6 @@ EFFECTS = "effects."
 #: A suspected value is looked for between a third and three times what is declared: beyond that the robot file
 #: describes another machine.
 FACTOR = 3.0
-#: Quantities that are suspected as wholes, and the vectors that they stand for.
-WHOLES = {"axis.span": "limits", "axis.joint_radius": "joint"}
-#: Quantities that may have either sign, or be zero.
-SIGNED = ("gravity.", ".origin.", ".joint.", ".limits.")
 
 
 def suspects(
@@ -58,9 +53,9 @@ def suspects(
     nuisances = [path for path in _varying(robot) if robot.quantities[path].sigma]
     candidates = _chosen(robot, chosen)
     if chosen is None:
-        candidates += _of_one_axis(robot)
-    candidates += _with_another_frame(robot, candidates)
-    of_frame, frames = frame.suspects()
+        candidates += _of_one_entry(robot)
+    candidates += _with_another_constant(robot, candidates)
+    of_frame, frames = frame.suspects(robot.kind)
     of_robot = [name for candidate in candidates if candidate not in frames for name in candidate.parameters]
     names = dict.fromkeys([*nuisances, *of_robot])
     joints = _joints(robot) if candidates else {}
@@ -69,7 +64,7 @@ def suspects(
         Candidate(name, (move.path,), f"{name} yields", remote=True, nameable=False)
         for name, move in joints.items()
     ]
-    candidates += _unlike(candidates, joints)
+    candidates += _unlike(robot, candidates, joints)
     suspected = {name for candidate in candidates if candidate in frames for name in candidate.parameters}
     parameters = [_parameter(robot, move) for move in moves]
     parameters += [parameter for parameter in of_frame if parameter.name in suspected]
@@ -80,7 +75,7 @@ def _chosen(robot: Robot, chosen: Sequence[str] | None) -> list[Candidate]:
     kinds = {
         "effects": _effects(robot),
         "parameters": _suspected(robot),
-        "measurement": {candidate.name: candidate for candidate in frame.suspects()[1]},
+        "measurement": {candidate.name: candidate for candidate in frame.suspects(robot.kind)[1]},
     }
     every = {name: candidate for kind in kinds.values() for name, candidate in kind.items()}
     if chosen is None:
@@ -99,45 +94,51 @@ def _chosen(robot: Robot, chosen: Sequence[str] | None) -> list[Candidate]:
     return list(found.values())
 
 
-def _with_another_frame(robot: Robot, candidates: Sequence[Candidate]) -> list[Candidate]:
-    """A moving frame whose declared mass is wrong: its compliance alone would not fit."""
-    mass = robot.quantities.get("frame.mass")
-    name = "frame_compliance"
-    if (mass is not None and mass.sigma is not None) or name not in {c.name for c in candidates}:
-        return []
-    parameters = (f"effects.{name}.compliance", f"effects.{name}.mass")
-    sentence = "the frame yields, and its mass is not the declared one"
-    return [Candidate(f"{name} with another frame.mass", parameters, sentence, remote=True, nameable=False)]
+def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> list[Candidate]:
+    """An effect whose declared constant is wrong, such as the mass of a frame that moves: alone it would not fit."""
+    found = []
+    for borrowed, own in lent(robot.kind).items():
+        _, name, constant = borrowed.split(".")
+        declared = robot.quantities.get(own)
+        if (declared is None or declared.sigma is None) and name in {c.name for c in candidates}:
+            effect = robot.kind.effects[name]
+            parameters = (*(f"{EFFECTS}{name}.{p.name}" for p in effect.fitted), borrowed)
+            sentence = f"{effect.sentence}, and its {constant} is not the declared one"
+            found.append(
+                Candidate(f"{name} with another {own}", parameters, sentence, remote=True, nameable=False)
+            )
+    return found
 
 
 def _varying(robot: Robot) -> list[str]:
-    """Declared values that the robot depends on: not those that every axis overrides, the frame's mass once."""
+    """Declared values that the robot depends on: not those that every entry overrides, lent ones once."""
     known = set(paths(robot))
-    if "frame.mass" in robot.quantities:
-        known.discard("effects.frame_compliance.mass")
+    known -= {borrowed for borrowed, own in lent(robot.kind).items() if own in robot.quantities}
     return [path for path in robot.quantities if path in known]
 
 
 def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
     """A candidate that is not suspected by default, such as the belt of one axis."""
     path = name.removeprefix(PREFIX)
-    if name in CATALOGUE:
-        _refuse_declared(robot, f"the effect {name}", _declared_parameters(robot, CATALOGUE[name]))
+    effects = robot.kind.effects
+    if name in effects:
+        _refuse_declared(robot, f"the effect {name}", _declared_parameters(robot, effects[name]))
     effect = name.removeprefix(EFFECTS).partition(".")[0]
-    if name.startswith(EFFECTS) and effect in CATALOGUE:
+    if name.startswith(EFFECTS) and effect in effects:
         raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", f'did you mean "{effect}"?')
     if name == path or path not in paths(robot):
-        nearest = difflib.get_close_matches(name, [*known, *(f"{PREFIX}{p}" for p in paths(robot))], n=1)
-        remedy = f'did you mean "{nearest[0]}"?' if nearest else "use the names in docs/diagnosis.md"
+        every = [*known, *(f"{PREFIX}{p}" for p in paths(robot))]
+        remedy = nearest(name, every, "use the names in docs/diagnosis.md")
         raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", remedy)
-    _refuse_declared(robot, path, [path, *_elements(robot, path)])
-    shared = re.sub(r"^axis\.[123]\.", "", path)
+    whole, item = wholes(robot.kind).get(path), by_path(robot.kind).get(path)
+    _refuse_declared(robot, path, [path, *(_elements(robot, whole) if whole is not None else ())])
+    shared = item.shared if item is not None else ""
     if (
         path not in robot.quantities
         and shared in robot.quantities
         and robot.quantities[shared].sigma is not None
     ):
-        state = "refitted for all axes together" if robot.quantities[shared].sigma else "known exactly"
+        state = "refitted for all together" if robot.quantities[shared].sigma else "known exactly"
         raise PkmodesError(
             f"{shared} is {state}: the robot file gives a sigma",
             "candidates",
@@ -160,57 +161,64 @@ def _refuse_declared(robot: Robot, what: str, declared: Sequence[str]) -> None:
         )
 
 
-def _elements(robot: Robot, whole: str) -> list[str]:
+def _elements(robot: Robot, whole: Whole) -> list[str]:
     """Paths of the elements of a whole."""
-    return [path for path in robot.quantities if whole in WHOLES and f".{WHOLES[whole]}." in path]
+    return [number.path for item in items_of(robot.kind, whole) for number in item.numbers]
 
 
 def _declared_parameters(robot: Robot, effect: Effect) -> list[str]:
-    names = [f"effects.{effect.name}.{p.name}" for p in effect.parameters if p.fitted]
+    names = [f"{EFFECTS}{effect.name}.{p.name}" for p in effect.fitted]
     return [name for name in names if name in robot.quantities]
 
 
 def _effects(robot: Robot) -> dict[str, Candidate]:
     """Effects that the file does not declare, and those that it declares without a standard deviation."""
     found = {}
-    for effect in CATALOGUE.values():
-        names = [f"effects.{effect.name}.{p.name}" for p in effect.parameters if p.fitted]
-        if all(robot.quantities[name].sigma is None for name in _declared_parameters(robot, effect)):
+    for effect in robot.kind.effects.values():
+        names = [f"{EFFECTS}{effect.name}.{p.name}" for p in effect.fitted]
+        known = {**robot.constants, **robot.effects}
+        # What is multiplied by a constant that is not there, such as a tension, has no effect.
+        absent = [p for p in effect.parameters if not (p.fitted or known.get(f"{effect.name}.{p.name}"))]
+        suspected = all(robot.quantities[n].sigma is None for n in _declared_parameters(robot, effect))
+        if suspected and not absent:
             found[effect.name] = Candidate(effect.name, tuple(names), effect.sentence)
     return found
 
 
 def _suspected(robot: Robot) -> dict[str, Candidate]:
-    """Values without a standard deviation; limits and joints as wholes, the effects under their own names."""
-    others = ("effects.", "frame.")
-    parts = [element for whole in WHOLES for element in _elements(robot, whole)]
+    """Values without a standard deviation; wholes in place of their elements, the effects under their own names."""
+    parts = {element for whole in robot.kind.wholes for element in _elements(robot, whole)}
     found = [
         path
         for path in _varying(robot)
-        if robot.quantities[path].sigma is None
-        and not path.startswith(others)
-        and path not in parts
-        and not (path.startswith("gravity.") and robot.quantities[path].value == 0.0)  # nobody measures it
+        if robot.quantities[path].sigma is None and path not in parts and _may_be_wrong(robot, path)
     ]
-    for whole in WHOLES:
-        present = robot.parameters.joint.any(axis=1).all() or whole != "axis.joint_radius"
-        if present and all(robot.quantities[element].sigma is None for element in _elements(robot, whole)):
-            found.append(whole)
+    for whole in robot.kind.wholes:
+        free = all(robot.quantities[element].sigma is None for element in _elements(robot, whole))
+        if free and weights_of(robot, whole):
+            found.append(whole.path)
     return {
         f"{PREFIX}{path}": Candidate(f"{PREFIX}{path}", (path,), f"the declared value of {path} is wrong")
         for path in found
     }
 
 
-def _of_one_axis(robot: Robot) -> list[Candidate]:
+def _may_be_wrong(robot: Robot, path: str) -> bool:
+    item = by_path(robot.kind).get(path)
+    if item is None or not item.key.suspected:
+        return False
+    return item.key is not GRAVITY or robot.quantities[path].value != 0.0  # nobody measures a 0 of gravity
+
+
+def _of_one_entry(robot: Robot) -> list[Candidate]:
     """Values that the file gives for several axes, of one of them alone; not where a sigma says that it is known."""
     found, known = [], paths(robot)
     for path in known:
-        shared = re.sub(r"^axis\.[123]\.", "", path)
-        if shared != path and path not in robot.quantities and shared in known:
-            following = [j for j in "123" if f"axis.{j}.{shared}" not in robot.quantities]
-            if robot.quantities[shared].sigma is None and len(following) > 1:
-                sentence = f"the value of {path} is not that of the other axes"
+        item = by_path(robot.kind).get(path)
+        if item is not None and item.shared in known and path not in robot.quantities:
+            following = [own for own in takers(robot.kind)[item.shared] if own.path not in robot.quantities]
+            if robot.quantities[item.shared].sigma is None and len(following) > 1:
+                sentence = f"the value of {path} is not that of the others"
                 found.append(Candidate(f"{PREFIX}{path}", (path,), sentence, remote=True))
     return found
 
@@ -218,22 +226,28 @@ def _of_one_axis(robot: Robot) -> list[Candidate]:
 def _joints(robot: Robot) -> dict[str, ParameterPath]:
     """Compliances in single joints: those of the catalogue are in all joints of their kind."""
     found = {}
-    for effect in CATALOGUE.values():
+    for effect in robot.kind.effects.values():
         name, unit = f"{effect.name}.{effect.parameters[0].name}", effect.parameters[0].unit
-        declared = robot.quantities.get(f"effects.{name}")
+        declared = robot.quantities.get(f"{EFFECTS}{name}")
         for q in effect.coordinates if declared is None or declared.sigma != 0.0 else ():
-            slot = (f"{name}.{q}", ())
-            found[f"{effect.name} of {q} alone"] = ParameterPath(
-                f"effects.{name}.{q}", 0.0, unit, {slot: 1.0}
-            )
+            slot = (f"{name}.{q.name}", ())
+            path = ParameterPath(f"{EFFECTS}{name}.{q.name}", 0.0, unit, {slot: 1.0})
+            found[_alone(effect.name, q.name)] = path
     return found
 
 
-def _unlike(candidates: Sequence[Candidate], joints: Mapping[str, ParameterPath]) -> list[Candidate]:
+def _alone(effect: str, coordinate: str) -> str:
+    return f"{effect} of {coordinate} alone"
+
+
+def _unlike(
+    robot: Robot, candidates: Sequence[Candidate], joints: Mapping[str, ParameterPath]
+) -> list[Candidate]:
     """Compliances with another value in each joint, for those candidates that give all joints the same."""
     found = []
-    for name in [candidate.name for candidate in candidates if candidate.name in CATALOGUE]:
-        each = [joint for q in CATALOGUE[name].coordinates if (joint := f"{name} of {q} alone") in joints]
+    effects = robot.kind.effects
+    for name in [candidate.name for candidate in candidates if candidate.name in effects]:
+        each = [joint for q in effects[name].coordinates if (joint := _alone(name, q.name)) in joints]
         if len(each) > 1:
             parameters = tuple(joints[joint].path for joint in each)
             what = f"{name} with another value in each joint"
@@ -244,11 +258,13 @@ def _unlike(candidates: Sequence[Candidate], joints: Mapping[str, ParameterPath]
 def _parameter(robot: Robot, move: ParameterPath) -> Parameter:
     quantity = robot.quantities.get(move.path)
     sigma = quantity.sigma if quantity is not None and quantity.sigma else None
+    item = by_path(robot.kind).get(move.path)
     lower, upper = -np.inf, np.inf
-    if move.path.startswith("effects."):
+    if move.path.startswith(EFFECTS):
         _, effect, name, *_ = move.path.split(".")
-        lower = next(p.greater_than for p in CATALOGUE[effect].parameters if p.name == name)
-    elif not any(part in f".{move.path}" for part in SIGNED):
+        least = next(p.greater_than for p in robot.kind.effects[effect].parameters if p.name == name)
+        lower = -np.inf if least is None else least
+    elif item is None or not item.key.signed:
         lower = 0.0
         if sigma is None and move.value > 0.0:
             lower, upper = move.value / FACTOR, move.value * FACTOR

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int_]
+#: Where a setup is, if nobody says otherwise: a point in space, by its components and their units.
+POSITION: Mapping[str, str] = MappingProxyType({"x": "m", "y": "m", "z": "m"})
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,10 +25,10 @@ class Columns:
         The file, for messages.
     labels : tuple of str, length P
         Labels of the poses in the order of their first rows.
-    points : ndarray, shape (P, 3)
-        Platform centres [m]; zeros for a structure that has no platform.
-    point_sigma : ndarray, shape (P, 3)
-        Standard deviations of the platform centres [m], 0 where they are taken as exact.
+    points : ndarray, shape (P, d)
+        Where the poses are, in SI units; zeros for a structure of which nobody says so.
+    point_sigma : ndarray, shape (P, d)
+        Their standard deviations, 0 where they are taken as exact.
     pose : ndarray of int, shape (R,)
         Index of each row's pose.
     frequency, sigma : ndarray, shape (R,)
@@ -47,6 +51,8 @@ class Columns:
         Lowest and highest frequency at which modes were looked for [Hz]; None where that is not stated.
     unit : str
         Unit of the frequencies in the source, for messages; empty where it says none, which means Hz.
+    components, component_units : tuple of str, length d
+        What the components of a pose are called, and their SI units.
     """
 
     source: str
@@ -65,3 +71,5 @@ class Columns:
     damping_sigma: Array
     band: tuple[float, float] | None
     unit: str = ""
+    components: tuple[str, ...] = tuple(POSITION)
+    component_units: tuple[str, ...] = tuple(POSITION.values())

@@ -13,21 +13,21 @@ from decimal import Decimal
 from typing import NamedTuple, NoReturn
 
 from pkmodes.errors import MeasurementError, shown
-from pkmodes.measured.rules import COMPONENTS, SHAPE
+from pkmodes.measured.rules import SHAPE
 from pkmodes.robot.units import QuantityError, base_units
 
 #: Columns that hold no numbers.
 TEXT = ("pose", "mode")
 ALWAYS = ("pose", "frequency", "sigma")
-SPREADS = tuple(f"sigma_{name}" for name in COMPONENTS)
-#: SI unit of what a column holds; those of shapes are the channels'.
+#: Prefix of the standard deviations of the components of a pose.
+SPREAD = "sigma_"
+#: SI unit of what a column holds; those of poses and shapes are given.
 UNITS = {
     "frequency": "Hz",
     "sigma": "Hz",
     "damping": "1",
     "sigma_damping": "1",
     "sigma_shape": "1",
-    **dict.fromkeys((*COMPONENTS, *SPREADS), "m"),
 }
 SEPARATORS = {";": "semicolons", "\t": "tabs", "|": "bars"}
 EXAMPLES = {"Hz": '"Hz" or "rad/s"', "1": '"%"', "m": '"mm"', "rad": '"deg"'}
@@ -40,16 +40,32 @@ IN_BRACKETS = re.compile(r"(.*?)\s*\[([^\[\]]*)\]")
 
 
 class Column(NamedTuple):
-    """A column: its name without the unit, the header's text, the unit and its factor to SI, None without one."""
+    """A column: its name without the unit, the header's text, the unit and its factor to SI, None without one.
+
+    What a column without a unit is in is ``si``, for messages: empty for ratios.
+    """
 
     name: str
     text: str
     unit: str
     factor: Decimal | None
+    si: str
+
+
+def components_of(
+    cells: Sequence[str], known: Sequence[Mapping[str, str]], channels: Collection[str]
+) -> Mapping[str, str]:
+    """Which components of poses a header has, of several sets: the largest that is there, else what is nearest."""
+    names = {_parted(cell, [f"{SHAPE}{name}" for name in channels])[0] for cell in cells}
+    return max(known, key=lambda each: (names >= each.keys(), len(names & each.keys())))
 
 
 def read_header(
-    cells: Sequence[str], where: str, channels: Collection[str] | Mapping[str, str], positions: bool
+    cells: Sequence[str],
+    where: str,
+    channels: Collection[str] | Mapping[str, str],
+    positions: bool,
+    components: Mapping[str, str],
 ) -> list[Column]:
     """Columns of a header, every one known and none there twice.
 
@@ -61,14 +77,18 @@ def read_header(
     channels : collection of str, or mapping of str to str
         Coordinates that a shape column may name; a mapping gives their SI units.
     positions : bool
-        Whether x, y and z have to be there.
+        Whether the components of the poses have to be there.
+    components : mapping of str to str
+        Their names and SI units.
 
     Raises
     ------
     MeasurementError
     """
-    required = ("pose", *COMPONENTS, "frequency", "sigma") if positions else ALWAYS
-    known = ["pose", *COMPONENTS, "frequency", "sigma", *SPREADS]
+    required = ("pose", *components, "frequency", "sigma") if positions else ALWAYS
+    spreads = {f"{SPREAD}{name}": unit for name, unit in components.items()}
+    units = {**UNITS, **components, **spreads}
+    known = ["pose", *components, "frequency", "sigma", *spreads]
     known += ["damping", "sigma_damping", "mode", "sigma_shape", *(f"{SHAPE}{name}" for name in channels)]
     help_text = f"begin with a header such as {','.join(required)}"
     text = ",".join(cells)
@@ -91,23 +111,24 @@ def read_header(
         if name in names[:i]:
             what = f"the column {shown(name)} is there twice, first as column {names.index(name) + 1}"
             _refuse(what, place, "remove one of them")
-        factor = None if unit is None else _factor(name, unit, place, channels)
-        columns.append(Column(name, cell, unit or "", factor))
+        factor = None if unit is None else _factor(name, unit, place, channels, units)
+        columns.append(Column(name, cell, unit or "", factor, _plain(name, units)))
     for name in required:
         if name not in names:
             _refuse(f'the column "{name}" is missing', where, help_text)
-    placed = [name for name in COMPONENTS if name in names]
+    placed = [name for name in components if name in names]
     for name in names:
-        if name in (*COMPONENTS, *SPREADS) and len(placed) < len(COMPONENTS):
-            missing = next(other for other in COMPONENTS if other not in placed)
+        if name in (*components, *spreads) and len(placed) < len(components):
+            missing = next(other for other in components if other not in placed)
             what = f'the column "{name}" is there, and "{missing}" is not'
-            _refuse(what, where, "give x, y and z, or nothing of a position")
+            every = " and ".join([", ".join(list(components)[:-1]), *list(components)[-1:]])
+            _refuse(what, where, f"give {every}, or nothing of a position")
     return columns
 
 
-def unit_of(name: str) -> str:
+def _plain(name: str, units: Mapping[str, str]) -> str:
     """What a column without a unit is in, for messages; empty for ratios."""
-    return UNITS.get(name, "SI units").replace("1", "")
+    return units.get(name, "SI units").replace("1", "")
 
 
 def frequency_factor(unit: str) -> Decimal:
@@ -151,20 +172,24 @@ def _refuse_unknown(name: str, place: str, known: Sequence[str]) -> NoReturn:
 
 
 def _factor(
-    name: str, unit: str, place: str, channels: Collection[str] | Mapping[str, str]
+    name: str,
+    unit: str,
+    place: str,
+    channels: Collection[str] | Mapping[str, str],
+    units: Mapping[str, str],
 ) -> Decimal | None:
     """What the numbers of a column are multiplied with to be in SI units."""
     if name in TEXT:
         what = f"the column {shown(name)} has a unit, {shown(unit)}, and holds no quantity"
         _refuse(what, place, f'write "{name}" alone')
-    if name in UNITS:
-        allowed: tuple[str, ...] = (UNITS[name],)
+    if name in units:
+        allowed: tuple[str, ...] = (units[name],)
     elif isinstance(channels, Mapping):
         allowed = (channels[name.removeprefix(SHAPE)],)
     else:
         allowed = MOTIONS
     expected = " or ".join(EXAMPLES.get(one, f'"{one}"') for one in allowed)
-    remedy = f"write a unit of that kind, or none for {unit_of(name) or 'a plain ratio'}"
+    remedy = f"write a unit of that kind, or none for {_plain(name, units) or 'a plain ratio'}"
     if name == "sigma" and unit == "%":
         remedy = "multiply by the frequency, and write the result in its unit"
     try:

@@ -7,14 +7,14 @@ the package has to ask again whether a frequency is positive or a label has one 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Never
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from pkmodes.errors import MeasurementError, listed, nearest, shown
-from pkmodes.measured.columns import Array, Columns
+from pkmodes.measured.columns import POSITION, Array, Columns
 from pkmodes.measured.header import frequency_factor
 from pkmodes.measured.rules import (
     SHAPE,
@@ -32,7 +32,17 @@ from pkmodes.robot.units import QuantityError
 DAMPING_SIGMA = 0.2
 #: Arguments of `Measurements.from_rows` that are not called as the columns of a file, by the names of these.
 KEYWORDS = {"sigma_shape": "shape_sigma", "sigma_damping": "damping_sigma", "x": "points", "shape": "shapes"}
-ARGUMENTS = ("points", "point_sigma", "damping", "mode", "shapes", "shape_sigma", "damping_sigma", "band")
+ARGUMENTS = (
+    "points",
+    "point_sigma",
+    "damping",
+    "mode",
+    "shapes",
+    "shape_sigma",
+    "damping_sigma",
+    "band",
+    "components",
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,6 +61,7 @@ class Measurements(Columns):
 
     def __post_init__(self) -> None:
         poses, rows, channels = len(self.labels), np.size(self.pose), len(self.channels)
+        size = len(self.components)
         if len(self.mode) != rows:
             raise MeasurementError(
                 f"expected {rows} mode numbers, found {len(self.mode)}",
@@ -58,8 +69,8 @@ class Measurements(Columns):
                 "give one for each row",
             )
         for name, shape in {
-            "points": (poses, 3),
-            "point_sigma": (poses, 3),
+            "points": (poses, size),
+            "point_sigma": (poses, size),
             "pose": (rows,),
             "frequency": (rows,),
             "sigma": (rows,),
@@ -102,6 +113,7 @@ class Measurements(Columns):
         source: str = "measurements",
         lines: ArrayLike | None = None,
         unit: str = "",
+        components: Mapping[str, str] = POSITION,
         **unknown: Never,
     ) -> Measurements:
         """Build measurements from columns that have one entry for each of R rows.
@@ -112,10 +124,10 @@ class Measurements(Columns):
             Labels: rows with the same label belong together.
         frequency, sigma : array_like, shape (R,)
             Natural frequencies and their standard deviations [Hz].
-        points : array_like, shape (R, 3), optional
-            Platform centre of each row's pose [m]; zeros for a structure that has no platform.
-        point_sigma : array_like, shape (R, 3), optional
-            Standard deviation of the platform centre [m], default 0.
+        points : array_like, shape (R, d), optional
+            Where each row's pose is, in SI units; zeros for a structure of which nobody says so.
+        point_sigma : array_like, shape (R, d), optional
+            Standard deviations of the points, default 0.
         damping : array_like, shape (R,), optional
             Damping ratios, NaN where unknown.
         mode : sequence, length R, optional
@@ -135,6 +147,8 @@ class Measurements(Columns):
             Line of each row in the source, default 1 to R.
         unit : str, optional
             Unit of the frequencies in the source, where it says one, for messages; here they are in Hz.
+        components : mapping of str to str, optional
+            Names of the d components of a point and their SI units; by default a position in space.
 
         Raises
         ------
@@ -159,11 +173,10 @@ class Measurements(Columns):
         labels = listed(pose, "labels", f"{source}: pose", '"P1"', error=MeasurementError)
         names = [str(label) for label in labels]
         rows, shapes = len(names), _by_name(shapes, source)
-        places = np.zeros((rows, 3)) if points is None else _array(points, "points", (rows, 3), source)
+        shape = rows, len(components)
+        places = np.zeros(shape) if points is None else _array(points, "points", shape, source)
         spreads = (
-            np.zeros((rows, 3))
-            if point_sigma is None
-            else _array(point_sigma, "point_sigma", (rows, 3), source)
+            np.zeros(shape) if point_sigma is None else _array(point_sigma, "point_sigma", shape, source)
         )
         columns = [_array(column, f"{SHAPE}{name}", (rows,), source) for name, column in shapes.items()]
         first: dict[str, int] = {}  # row that introduces each label, in the order of the rows
@@ -198,6 +211,8 @@ class Measurements(Columns):
             damping_sigma=np.where(np.isnan(unsure), DAMPING_SIGMA * ratios, unsure),
             band=band,
             unit=unit,
+            components=tuple(components),
+            component_units=tuple(components.values()),
         )
         try:
             found = cls(**vars(columns_of_rows))
@@ -241,8 +256,8 @@ class Measurements(Columns):
             )
         kept = np.sort(chosen)  # labels are in the order of first rows, and so is every part of them
         rows = np.flatnonzero(np.isin(self.pose, kept))
-        return Measurements(
-            source=self.source,
+        return replace(
+            self,
             labels=tuple(self.labels[i] for i in kept),
             points=self.points[kept],
             point_sigma=self.point_sigma[kept],
@@ -252,12 +267,9 @@ class Measurements(Columns):
             damping=self.damping[rows],
             mode=tuple(self.mode[i] for i in rows),
             lines=self.lines[rows],
-            channels=self.channels,
             shapes=self.shapes[rows],
             shape_sigma=self.shape_sigma[rows],
             damping_sigma=self.damping_sigma[rows],
-            band=self.band,
-            unit=self.unit,
         )
 
 

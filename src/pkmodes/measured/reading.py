@@ -2,50 +2,46 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from os import PathLike, fspath
 from pathlib import Path
-from typing import TYPE_CHECKING, NoReturn
+from typing import NoReturn
 
-import numpy as np
-
-from pkmodes.errors import MeasurementError, PoseError, shown
-from pkmodes.measured.header import read_header
+from pkmodes.errors import MeasurementError
+from pkmodes.measured.columns import POSITION
+from pkmodes.measured.header import components_of, read_header
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.table import cells_of, read_lines, read_table
-from pkmodes.poses import check_poses
-
-if TYPE_CHECKING:
-    from pkmodes.model import Model
 
 LARGEST_FILE = 50_000_000
 #: How files of spreadsheets begin: an archive, and the older format of Excel.
 WORKBOOKS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")
-#: What positions in another unit than they are said to be are multiplied with, and what then is to be done.
-OTHER_LENGTHS = {
-    1e-3: "the numbers look like millimetres: write x [mm],y [mm],z [mm] in the header",
-    1e3: "the numbers look like metres, and the header says otherwise: write x,y,z in it",
-}
 
 
 def read_measurements(
-    path: str | PathLike[str], channels: Collection[str] | Mapping[str, str], *, positions: bool = True
+    path: str | PathLike[str],
+    channels: Collection[str] | Mapping[str, str],
+    *,
+    positions: bool = True,
+    components: Sequence[Mapping[str, str]] = (POSITION,),
 ) -> Measurements:
     """Read modal measurements of a machine whose setups are poses.
 
     Parameters
     ----------
     path : path-like
-        A CSV file in UTF-8 with one row for each identified mode: the columns ``pose``, ``x``, ``y``, ``z`` [m],
-        ``frequency``, ``sigma`` [Hz], and where known ``sigma_x``, ``sigma_y``, ``sigma_z`` [m], ``damping``,
-        ``sigma_damping``, ``mode``, ``shape:<coordinate>`` and ``sigma_shape``.  A header may carry a unit,
-        ``frequency [rad/s]``.  A comment line ``# band: 10 Hz, 400 Hz`` says where modes were looked for; other
-        lines that begin with ``#`` are passed over, and so are blank ones.
+        A CSV file in UTF-8 with one row for each identified mode: the columns ``pose``, one for each component of a
+        pose, ``frequency``, ``sigma`` [Hz], and where known ``sigma_<component>``, ``damping``, ``sigma_damping``,
+        ``mode``, ``shape:<coordinate>`` and ``sigma_shape``.  A header may carry a unit, ``frequency [rad/s]``.
+        A comment line ``# band: 10 Hz, 400 Hz`` says where modes were looked for; other lines that begin with ``#``
+        are passed over, and so are blank ones.
     channels : collection of str, or mapping of str to str
         Coordinates that a shape column may name; a mapping gives their SI units, without which a unit of a
         shape column may be one of length or angle.
     positions : bool
-        Whether ``x``, ``y`` and ``z`` have to be there.  Where not, they are there together or not at all.
+        Whether the components of the poses have to be there.  Where not, they are there together or not at all.
+    components : sequence of mapping of str to str
+        What the components may be, each with its SI unit: where there is more than one choice, the header decides.
 
     Returns
     -------
@@ -65,8 +61,10 @@ def read_measurements(
         raise MeasurementError("expected a header and rows, found none", source, remedy)
     number, line = lines.records[0]
     where = f"{source}: line {number}"
-    columns = read_header(cells_of(line, where), where, channels, positions)
-    return read_table(columns, lines, source)
+    cells = cells_of(line, where)
+    chosen = components_of(cells, components, channels)
+    columns = read_header(cells, where, channels, positions, chosen)
+    return read_table(columns, lines, source, chosen)
 
 
 def read_modes(path: str | PathLike[str], channels: Collection[str] | Mapping[str, str]) -> Measurements:
@@ -95,41 +93,6 @@ def read_modes(path: str | PathLike[str], channels: Collection[str] | Mapping[st
         was found.
     """
     return read_measurements(path, channels, positions=False)
-
-
-def check_reachable(measurements: Measurements, model: Model) -> None:
-    """Refuse measurements at poses that the robot cannot take.
-
-    Raises
-    ------
-    MeasurementError
-        If a pose is out of reach, singular, or has a carriage beyond its limits: for the first such pose, with
-        the line of its first row.
-    """
-    if not measurements.labels:
-        return
-    parameters = model.robot.parameters
-    valid = check_poses(measurements.points, parameters, "nan", model.max_condition).valid
-    if valid.all():
-        return
-    first = int(np.argmin(valid))
-    line = measurements.lines[int(np.argmax(measurements.pose == first))]
-    where = f"{measurements.source}: line {line}, columns x, y and z"
-    if (bad := int((~valid).sum())) > 1:
-        where += f", the first of {bad} bad poses"
-    for factor, remedy in OTHER_LENGTHS.items():
-        scaled = check_poses(measurements.points * factor, parameters, "nan", model.max_condition)
-        if scaled.valid.all() and not valid.any():
-            _refuse(f"no pose can be reached, but every one if it is multiplied by {factor:g}", where, remedy)
-    try:
-        check_poses(measurements.points[first], parameters, "raise", model.max_condition)
-    except PoseError as error:
-        position = ", ".join(f"{c:.6g}" for c in measurements.points[first])
-        raise MeasurementError(
-            f"pose {shown(measurements.labels[first])} at [{position}] m cannot be reached: {error.what}",
-            where,
-            f"{error.remedy}; check the row and {model.robot.source}",
-        ) from None
 
 
 def _refuse(what: str, where: str, remedy: str) -> NoReturn:

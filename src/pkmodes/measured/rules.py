@@ -12,7 +12,6 @@ from pkmodes.errors import MeasurementError, shown
 from pkmodes.measured.columns import Array, Columns, Integers
 from pkmodes.robot.units import LARGEST, SMALLEST
 
-COMPONENTS = ("x", "y", "z")
 #: Prefix of the columns that hold mode shapes.
 SHAPE = "shape:"
 
@@ -96,18 +95,12 @@ def value_problems(given: Columns, first: Integers) -> Iterator[Problem]:
             )
 
     # A NaN compares false, and so fails.
-    for k, name in enumerate(COMPONENTS):
+    for k, (name, unit) in enumerate(zip(given.components, given.component_units, strict=True)):
         point, spread = given.points[:, k], given.point_sigma[:, k]
-        yield from broken(
-            name,
-            point,
-            np.abs(point) <= LARGEST,
-            "a finite coordinate",
-            "write the platform centre in metres",
-            first,
-        )
+        remedy = f"write a number in {unit}"
+        yield from broken(name, point, np.abs(point) <= LARGEST, "a finite coordinate", remedy, first)
         good = (spread >= 0.0) & (spread <= LARGEST)
-        expected = "a standard deviation of at least 0 m"
+        expected = f"a standard deviation of at least 0 {unit}"
         yield from broken(f"sigma_{name}", spread, good, expected, "leave it blank when unknown", first)
     frequency, sigma, damping = given.frequency, given.sigma, given.damping
     positive = (frequency >= SMALLEST) & (frequency <= LARGEST)
@@ -186,7 +179,7 @@ def position_problems(found: Columns, points: Array, spreads: Array) -> Iterator
         ("standard deviations", "sigma_", spreads, found.point_sigma),
     ):
         for i, k in np.argwhere(rows != poses[found.pose]):
-            name, number = f"{prefix}{COMPONENTS[k]}", found.pose[i]
+            name, number = f"{prefix}{found.components[k]}", found.pose[i]
             before = int(first[number])
             yield Problem(
                 int(i),

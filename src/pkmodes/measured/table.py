@@ -6,17 +6,16 @@ import csv
 import io
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from decimal import Decimal
 from typing import NamedTuple
 
 import numpy as np
 
 from pkmodes.errors import MeasurementError, shown
-from pkmodes.measured.header import TEXT, Column, frequency_factor, unit_of
+from pkmodes.measured.header import SPREAD, TEXT, Column, frequency_factor
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.rules import (
-    COMPONENTS,
     SHAPE,
     BrokenRuleError,
     Found,
@@ -29,10 +28,8 @@ from pkmodes.robot.units import QuantityError
 
 #: A line for a spreadsheet, which says how the cells are separated.
 SEPARATOR = re.compile(r"\"?sep\s*=\s*(.)\"?[,;\t]*", re.IGNORECASE)
-#: What a blank cell means, in the columns where one is allowed.
-BLANK = {"sigma_x": 0.0, "sigma_y": 0.0, "sigma_z": 0.0, "damping": math.nan}
-#: Columns where none is.
-FILLED = ("pose", *COMPONENTS, "frequency", "sigma")
+#: Columns where no cell may be blank, besides the components of a pose.
+FILLED = ("pose", "frequency", "sigma")
 
 # Stricter than float(): no "nan", no "1_000", no digits of other scripts.
 NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
@@ -136,8 +133,19 @@ def parse_band(text: str, where: str, remedy: str = BAND_HELP) -> tuple[float, f
     return checked_band(limits, where)
 
 
-def read_table(columns: Sequence[Column], lines: Lines, source: str) -> Measurements:
+def read_table(
+    columns: Sequence[Column], lines: Lines, source: str, components: Mapping[str, str]
+) -> Measurements:
     """Convert the cells below the header; every cell that is not what its column holds is a problem of its own.
+
+    Parameters
+    ----------
+    columns : sequence of Column
+    lines : Lines
+    source : str
+        The file.
+    components : mapping of str to str
+        Components of the poses and their units.
 
     Raises
     ------
@@ -148,6 +156,8 @@ def read_table(columns: Sequence[Column], lines: Lines, source: str) -> Measurem
     if not records:
         what = "expected a row for each identified mode, found a header only"
         raise MeasurementError(what, source, "add the rows")
+    blank = {f"{SPREAD}{name}": 0.0 for name in components}  # a pose that is exact
+    filled = {*FILLED, *components}
     numbers_of_lines = np.array([line for line, _ in records])
     texts: dict[str, list[str]] = {name: [] for name in TEXT}
     numbers: dict[str, list[float]] = {column.name: [] for column in columns if column.name not in TEXT}
@@ -166,19 +176,19 @@ def read_table(columns: Sequence[Column], lines: Lines, source: str) -> Measurem
         for column, cell in zip(columns, cells, strict=True):
             if column.name in TEXT:
                 texts[column.name].append(cell)
-            elif not cell and column.name not in FILLED:
-                numbers[column.name].append(BLANK.get(column.name, math.nan))
+            elif not cell and column.name not in filled:
+                numbers[column.name].append(blank.get(column.name, math.nan))
             elif (value := _number(cell, column.factor)) is not None:
                 numbers[column.name].append(value)
             else:
                 what = f"expected a finite number, found {shown(cell) if cell else 'nothing'}"
-                unit = column.unit or unit_of(column.name)
+                unit = column.unit or column.si
                 remedy = f"write a plain number{f' in {unit}' if unit else ''}, with a point for the decimals"
                 problems.append(Problem(row, column.text, what, remedy))
     refuse(problems, source, numbers_of_lines)
     units = {column.name: column.unit for column in columns}
     try:
-        return _measurements(texts, numbers, lines, source, units["frequency"])
+        return _measurements(texts, numbers, lines, source, units["frequency"], components)
     except BrokenRuleError as error:
         what = told(error.problem, lambda found: _as_written(found, columns, records))
         raise MeasurementError(what, error.where, error.remedy) from None
@@ -192,14 +202,18 @@ def _as_written(found: Found, columns: Sequence[Column], records: Sequence[tuple
     if column.factor is None:
         return number
     cell = cells_of(records[found.row][1], "")[place]
-    si = unit_of(column.name)
-    return (
-        f"{cell} {column.unit} ({f'{number} {si}'.strip()})" if si != column.unit else f"{cell} {column.unit}"
-    )
+    if column.si == column.unit:
+        return f"{cell} {column.unit}"
+    return f"{cell} {column.unit} ({f'{number} {column.si}'.strip()})"
 
 
 def _measurements(
-    texts: dict[str, list[str]], numbers: dict[str, list[float]], lines: Lines, source: str, unit: str
+    texts: dict[str, list[str]],
+    numbers: dict[str, list[float]],
+    lines: Lines,
+    source: str,
+    unit: str,
+    components: Mapping[str, str],
 ) -> Measurements:
     """Measurements of the columns of a file, by name; `unit` is what the header says of the frequencies."""
     rows = len(lines.records) - 1
@@ -208,8 +222,9 @@ def _measurements(
         texts["pose"],
         numbers["frequency"],
         numbers["sigma"],
-        points=np.array([numbers.get(name, blank) for name in COMPONENTS]).T,
-        point_sigma=np.array([numbers.get(f"sigma_{name}", blank) for name in COMPONENTS]).T,
+        points=np.array([numbers.get(name, blank) for name in components]).T,
+        point_sigma=np.array([numbers.get(f"{SPREAD}{name}", blank) for name in components]).T,
+        components=components,
         damping=numbers.get("damping"),
         mode=texts["mode"] or None,
         shapes={

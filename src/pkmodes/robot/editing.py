@@ -49,7 +49,7 @@ class TomlText:
             raise OutputError(
                 "cannot edit the robot file and keep its layout",
                 source,
-                "write the [[axis]] tables one after the other, and each table once",
+                "write the entries of a repeated table one after the other, and each table once",
             )
 
     @property

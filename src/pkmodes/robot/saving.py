@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-import re
 import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 
 from pkmodes.errors import RobotFileError, shown
-from pkmodes.robot.corrections import EFFECTS, FRAME_MASS, Correction, Edit, changeable, edits_of, refuse
+from pkmodes.mechanism import Mechanism
+from pkmodes.robot.corrections import Correction, Edit, changeable, edits_of, refuse
 from pkmodes.robot.editing import Keys, TomlText
+from pkmodes.robot.layout import EFFECTS, by_path, lent
 from pkmodes.robot.notation import Notation
 from pkmodes.robot.reading import read_robot, robot_from_document
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.units import Quantity
 from pkmodes.writing import write_file
 
-ELEMENTS = {"x": 0, "y": 1, "z": 2, "min": 0, "max": 1}
 CLOSE, CLOSE_SIGMA = 1e-9, 1e-2  # what so many digits allow; sigmas are written with three
-FRAME_OF_EFFECT = f"{EFFECTS}.frame_compliance.mass"
 BY_HAND = "change the robot file by hand"
 
 __all__ = ["Correction", "corrected_text", "save_corrected"]
@@ -62,15 +61,14 @@ def corrected_text(source: Path, changes: Mapping[str, Correction]) -> str:
         The robot file.
     changes : mapping of str to Correction
         By path: a declared value (``platform.mass``, ``axis.1.origin.x``); an override of one axis
-        (``axis.1.belt.width``); ``frame.mass``; a parameter of an effect (``effects.payload.mass``);
-        ``axis.span``, max - min of axis 1, whose change moves the ends of every axis evenly; or
-        ``axis.joint_radius``, the distance of joint 1 from the centre, whose change holds for all joints.
+        (``axis.1.belt.width``); ``frame.mass``; a parameter of an effect (``effects.payload.mass``); or a whole,
+        such as ``axis.span``: its value is that of the first, and its change holds for all.
 
     Returns
     -------
     str
         In the units of the file.  Lines that hold no changed value are those of the file.  The standard
-        deviation of a whole (``axis.*``) is in a comment, because its elements have none of their own.
+        deviation of a whole is in a comment, because its elements have none of their own.
 
     Raises
     ------
@@ -86,17 +84,17 @@ def corrected_text(source: Path, changes: Mapping[str, Correction]) -> str:
     units = changeable(robot)
     appended: dict[str, dict[str, Edit]] = {}
     for path, edit in edits.items():
-        keys = _keys(path)
+        keys = _keys(robot.kind, path)
         if document.find(keys) is not None:
             _rewrite(document, keys, edit, robot.quantities[path])
         elif _is_appended(document, keys):
             appended.setdefault(path.rpartition(".")[0], {})[path] = edit
         else:
-            document.insert(keys, _new_value(document, path, units[path], edit))
+            document.insert(keys, _new_value(document, robot.kind, path, units[path], edit))
             document.comment(keys, edit.note)
     for table, group in appended.items():
         values = {
-            path.rpartition(".")[2]: _new_value(document, path, units[path], edit)
+            path.rpartition(".")[2]: _new_value(document, robot.kind, path, units[path], edit)
             for path, edit in group.items()
         }
         notes = dict.fromkeys(edit.note for edit in group.values() if edit.note)
@@ -106,20 +104,18 @@ def corrected_text(source: Path, changes: Mapping[str, Correction]) -> str:
     return text
 
 
-def _keys(path: str) -> Keys:
-    """Keys of the document for a dotted path: axes count from 1, elements of vectors have names."""
-    keys: list[str | int] = list(path.split("."))
-    if keys[0] == "axis":
-        keys[1] = int(keys[1]) - 1
-    if keys[-2] in ("gravity", "origin", "joint", "limits"):
-        keys[-1] = ELEMENTS[str(keys[-1])]
-    return tuple(keys)
+def _keys(kind: Mechanism, path: str) -> Keys:
+    """Keys of the document for a dotted path: entries and elements by their index."""
+    item = by_path(kind).get(path)
+    if item is None:  # of an effect
+        return tuple(path.split("."))
+    return next(number.place for number in item.numbers if number.path == path)
 
 
 def _is_appended(document: TomlText, keys: Keys) -> bool:
-    """Whether a value needs a new table that can stand at the end of the file."""
+    """Whether a value needs a new table that can stand at the end of the file: not one of an entry."""
     return (
-        keys[0] in ("frame", EFFECTS)
+        not any(isinstance(key, int) for key in keys)
         and document.find(keys[:-1]) is None
         and not document.is_inline(keys[:1])
     )
@@ -144,9 +140,10 @@ def _rewrite(document: TomlText, keys: Keys, edit: Edit, before: Quantity) -> No
         document.comment(keys, edit.note)
 
 
-def _new_value(document: TomlText, path: str, unit: str, edit: Edit) -> str:
-    """A value that the file did not have: in the notation of what the axes share, or in SI units."""
-    shared = document.find(_keys(re.sub(r"^axis\.\d\.", "", path))) if path.startswith("axis.") else None
+def _new_value(document: TomlText, kind: Mechanism, path: str, unit: str, edit: Edit) -> str:
+    """A value that the file did not have: in the notation of the shared one, or in SI units."""
+    item = by_path(kind).get(path)
+    shared = document.find(_keys(kind, item.shared)) if item is not None and item.shared else None
     shared = shared["value"] if isinstance(shared, dict) else shared
     notation = Notation.si(unit) if shared is None else Notation.of(shared, unit)
     return notation.quantity(edit.value, edit.sigma, edit.digits)
@@ -166,9 +163,10 @@ def _check(text: str, robot: Robot, edits: Mapping[str, Edit]) -> None:
     sigmas = {path: quantity.sigma for path, quantity in robot.quantities.items()}
     sigmas.update({path: edit.sigma for path, edit in edits.items() if edit.sigma is not None})
     changed = set(edits)
-    if FRAME_MASS in edits and FRAME_OF_EFFECT in expected:  # the effect takes it from the frame
-        expected[FRAME_OF_EFFECT], sigmas[FRAME_OF_EFFECT] = expected[FRAME_MASS], sigmas.get(FRAME_MASS)
-        changed.add(FRAME_OF_EFFECT)
+    for borrowed, own in lent(robot.kind).items():
+        if own in edits and borrowed in expected:  # the effect takes it from the table
+            expected[borrowed], sigmas[borrowed] = expected[own], sigmas.get(own)
+            changed.add(borrowed)
     # An effect that is added has all its parameters, those that are not given at their defaults.
     added = tuple(path.rpartition(".")[0] + "." for path in edits if path.startswith(EFFECTS))
     found = {

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from pkmodes.errors import shown
 
 if TYPE_CHECKING:
-    from pint import UnitRegistry
+    from pint import Unit, UnitRegistry
 
 NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.*?)\s*", re.DOTALL)
 # A unit is names, products, quotients and small powers: nothing that could be a computation.
@@ -36,6 +36,9 @@ DIMENSIONS: dict[str, tuple[str, str]] = {
     "compliance": ("m/N", "1e-7 m/N"),
     "torsional compliance": ("rad/(N m)", "1e-4 rad/(N*m)"),
     "linear density": ("kg/m", "0.06 kg/m"),
+    "angle": ("rad", "30 deg"),
+    "force": ("N", "50 N"),
+    "reciprocal force": ("1/N", "1e-3 1/N"),
     "number": ("1", "10"),
 }
 
@@ -115,17 +118,20 @@ def _convert(number: Decimal, unit: str, si_unit: str, expected: str, text: str)
         raise QuantityError(
             f"{expected}, found {shown(text)}, whose unit {shown(unit)} is unknown"
         ) from error
+    target = registry.Unit("dimensionless" if si_unit == "1" else si_unit)
     # Degrees, percent and the like have no dimension, so a dimensional check alone would let them scale.
     scaling = [name for name in found._units if registry.Unit(name).dimensionless and name != "radian"]
+    angles = all(_radians(registry.Unit(name)) == 1 for name in scaling)
+    if angles and _radians(found) == _radians(target):
+        scaling = []
     if scaling or (si_unit == "1" and str(found) != "dimensionless"):
         raise QuantityError(
             f"{expected}, found {shown(text)}, whose unit {shown(unit)} does not belong there"
         )
-    target = registry.Unit("dimensionless" if si_unit == "1" else si_unit)
     try:
         return float(registry.Quantity(number, found).to(target).magnitude)
     except pint.DimensionalityError as error:
-        kind = _dimension_name(str(found.dimensionality))
+        kind = _dimension_name(found)
         raise QuantityError(f"{expected}, found {shown(text)}, which is {article(kind)}") from error
     except (TypeError, ArithmeticError) as error:  # logarithmic units, offsets
         raise QuantityError(f"{expected}, found {shown(text)}, whose unit is not proportional") from error
@@ -157,12 +163,19 @@ def base_units(unit: str) -> tuple[Decimal, Mapping[str, object]]:
     return found.magnitude, dict(found._units)
 
 
-def _dimension_name(dimensionality: str) -> str:
+def _radians(unit: Unit) -> object:
+    """The power of the angle in a unit, which its dimension does not tell."""
+    return _registry().get_root_units(unit)[1]._units.get("radian", 0)
+
+
+def _dimension_name(unit: Unit) -> str:
     registry = _registry()
-    for name in ("length", "mass", "moment of inertia", "acceleration", "stiffness"):
-        if str(registry.Unit(DIMENSIONS[name][0]).dimensionality) == dimensionality:
+    if unit.dimensionless:
+        return "angle" if _radians(unit) == 1 else "number"
+    for name in ("length", "mass", "moment of inertia", "acceleration", "stiffness", "force"):
+        if registry.Unit(DIMENSIONS[name][0]).dimensionality == unit.dimensionality:
             return name
-    return f"quantity of dimension {dimensionality}"
+    return f"quantity of dimension {unit.dimensionality}"
 
 
 def article(noun: str) -> str:

@@ -6,34 +6,31 @@ So there is one set of rules, and what a file would be refused for is refused he
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from pydantic_core import PydanticCustomError
 
 from pkmodes.errors import PkmodesError, nearest, shown
+from pkmodes.mechanism import Whole
 from pkmodes.robot import schema
-from pkmodes.robot.corrections import EFFECTS, FRAME_MASS, changeable
-from pkmodes.robot.reading import SHARED, robot_from_document
-from pkmodes.robot.robot import Robot
+from pkmodes.robot.corrections import changeable
+from pkmodes.robot.declaration import Declaration
+from pkmodes.robot.documents import document_of
+from pkmodes.robot.layout import by_path, lent, takers
 from pkmodes.robot.units import Quantity
-from pkmodes.robot.wholes import joints_of_radius, limits_of_span
+from pkmodes.robot.validation import declaration
+from pkmodes.robot.wholes import elements_of, items_of, wholes
 
-FRAME_COMPLIANCE = f"{EFFECTS}.frame_compliance.compliance"
-FRAME_OF_EFFECT = f"{EFFECTS}.frame_compliance.mass"
-#: Names of the elements of a vector, in their order.
-ELEMENTS = (("x", "y", "z"), ("min", "max"))
 OTHER_VALUES = " with other values"
 
 
-def with_values(robot: Robot, values: Mapping[str, Any]) -> Robot:
-    """Return the robot that a file with these values would declare: see `pkmodes.Robot.with_values`."""
+def with_values(robot: Declaration, values: Mapping[str, Any]) -> Declaration:
+    """Return what a file with these values would declare: see `pkmodes.Robot.with_values`."""
     if not isinstance(values, Mapping):
         raise PkmodesError(
             f"expected values by path, found {shown(values)}",
             "values",
-            'write such as {"platform.mass": "2 kg"}',
+            'write such as {"frame.mass": "60 kg"}',
         )
     source = robot.source.removesuffix(OTHER_VALUES) + OTHER_VALUES
     changes = _changes(robot, values, source)
@@ -44,67 +41,75 @@ def with_values(robot: Robot, values: Mapping[str, Any]) -> Robot:
             robot.source,
             "begin with one that was read",
         )
-    if FRAME_MASS in changes:  # the effect takes it from the frame
-        declared.pop(FRAME_OF_EFFECT, None)
     return _read(robot, {**declared, **changes}, source)
 
 
-def _read(robot: Robot, values: Mapping[str, Any], source: str) -> Robot:
-    """The robot that a file with these values alone would declare."""
-    found = robot_from_document(_document(robot, values), source)
-    # A direction was normalised already, and doing it again could change its last digit.
-    return replace(found, parameters=found.parameters._replace(direction=robot.parameters.direction))
+def _read(robot: Declaration, values: Mapping[str, Any], source: str) -> Declaration:
+    """What a file with these values alone would declare."""
+    return declaration(document_of(robot.kind, robot.name, values), source)
 
 
-def _changes(robot: Robot, values: Mapping[str, Any], source: str) -> dict[str, Any]:
+def _changes(robot: Declaration, values: Mapping[str, Any], source: str) -> dict[str, Any]:
     """The values of the file that change, by path, as a robot file could have them."""
-    framed = FRAME_MASS in robot.quantities or not {*robot.quantities, *values} & {FRAME_COMPLIANCE}
+    owners = {path: own for path, own in lent(robot.kind).items() if _lent_now(robot, values, path, own)}
     found: dict[str, Any] = {}
     for path, raw in values.items():
         if not isinstance(path, str):
             what = f"expected a parameter path, found {shown(path)}"
-            raise PkmodesError(what, "values", 'write such as {"platform.mass": "2 kg"}')
+            raise PkmodesError(what, "values", 'write such as {"frame.mass": "60 kg"}')
         if raw is None or (isinstance(raw, Mapping) and raw.get("value", raw) is None):
             remedy = "give a number or text with a unit; 0 is no effect"
             raise PkmodesError("expected a value, found None", f"{source}: {path}", remedy)
-        shared = path == FRAME_OF_EFFECT and framed  # one mass, which is declared with the frame
-        for element, value in _elements(robot, FRAME_MASS if shared else path, raw, source).items():
-            if element in found or {element, *found} >= {FRAME_MASS, FRAME_OF_EFFECT}:
+        for element, value in _elements(robot, owners.get(path, path), raw, source).items():
+            others = {element, lent(robot.kind).get(element), *_borrowers(robot, element)}
+            if others & found.keys():
                 what = "the value would be changed twice"
                 raise PkmodesError(what, f"{source}: {element}", "change it once")
             found[element] = value
-    before = {FRAME_MASS: robot.quantities.get(FRAME_OF_EFFECT), **robot.quantities}
-    return {path: _with_sigma(raw, before.get(path)) for path, raw in found.items()}
+    before = {own: robot.quantities.get(path) for path, own in lent(robot.kind).items()}
+    return {path: _with_sigma(raw, {**before, **robot.quantities}.get(path)) for path, raw in found.items()}
 
 
-def _elements(robot: Robot, path: str, raw: Any, source: str) -> dict[str, Any]:
+def _lent_now(robot: Declaration, values: Mapping[str, Any], path: str, own: str) -> bool:
+    """Whether the value of an effect's parameter is that of a table: not where the effect declares its own."""
+    effect = path.rpartition(".")[0]
+    others = [name for name in (*robot.quantities, *values) if name != path and _begins(name, effect)]
+    return own in robot.quantities or not others
+
+
+def _begins(name: object, table: str) -> bool:
+    return isinstance(name, str) and name.startswith(f"{table}.")
+
+
+def _borrowers(robot: Declaration, own: str) -> list[str]:
+    return [path for path, owner in lent(robot.kind).items() if owner == own]
+
+
+def _elements(robot: Declaration, path: str, raw: Any, source: str) -> dict[str, Any]:
     """The values of the file that a value by path changes."""
     known = changeable(robot)
     raw = _plain(raw, known.get(path), f"{source}: {path}")
-    if path == "axis.span":
-        return dict(limits_of_span(robot.parameters.limits, _length(raw, path, source)))
-    if path == "axis.joint_radius":
-        return dict(joints_of_radius(robot.parameters.joint, _length(raw, path, source), source))
+    if path in (of_mechanism := wholes(robot.kind)):
+        whole = of_mechanism[path]
+        return dict(elements_of(robot, whole, _value_of_whole(robot, whole, raw, source)))
     if path in known:
         _check_taken(robot, path)
         return {path: raw}
-    names = next((n for n in ELEMENTS if f"{path}.{n[0]}" in known), None)
-    if names is None:
-        if path in robot.declared:
-            what = f"{path} is no quantity: it cannot be changed here"
-            raise PkmodesError(what, robot.source, "change the robot file")
-        vectors = {p.rpartition(".")[0] for p in known if p.rpartition(".")[2] in ("x", "min")}
-        remedy = nearest(path, [*known, *sorted(vectors)], "see docs/sensitivities.md for the paths")
+    item = by_path(robot.kind).get(path)
+    if item is None:
+        vectors = [one.path for one in by_path(robot.kind).values() if one.path not in known and one.numbers]
+        remedy = nearest(path, [*known, *vectors], "see docs/sensitivities.md for the paths")
         raise PkmodesError(f"unknown parameter path {shown(path)}", robot.source, remedy)
-    if not isinstance(raw, list | tuple) or len(raw) != len(names):
+    if not item.numbers:
+        what = f"{path} is no quantity: it cannot be changed here"
+        raise PkmodesError(what, robot.source, "change the robot file")
+    if not isinstance(raw, list | tuple) or len(raw) != len(item.numbers):
         found = f"{len(raw)}" if isinstance(raw, list | tuple) else shown(raw)
-        what = f"expected a list of {len(names)} values, found {found}"
-        raise PkmodesError(what, f"{source}: {path}", f"give {', '.join(names)}")
-    units = [known[f"{path}.{name}"] for name in names]
-    where = [f"{path}.{name}" for name in names]
+        what = f"expected a list of {len(item.numbers)} values, found {found}"
+        raise PkmodesError(what, f"{source}: {path}", f"give {', '.join(item.key.elements)}")
     return {
-        place: _plain(one, unit, f"{source}: {place}")
-        for place, one, unit in zip(where, raw, units, strict=True)
+        number.path: _plain(one, number.unit, f"{source}: {number.path}")
+        for number, one in zip(item.numbers, raw, strict=True)
     }
 
 
@@ -122,28 +127,28 @@ def _plain(raw: Any, unit: str | None, where: str) -> Any:
     return raw
 
 
-def _length(raw: Any, path: str, source: str) -> float:
+def _value_of_whole(robot: Declaration, whole: Whole, raw: Any, source: str) -> float:
     """The value of a whole, which has no standard deviation of its own."""
-    where = f"{source}: {path}"
+    where = f"{source}: {whole.path}"
     if isinstance(raw, Mapping) and raw.get("sigma") is not None:
-        what = f"{path} has no standard deviation: its elements have"
+        what = f"{whole.path} has no standard deviation: its elements have"
         raise PkmodesError(what, where, "give a value alone, and sigma to elements")
     if isinstance(raw, Mapping):
         raw = {key: value for key, value in raw.items() if key != "sigma"}
     try:
-        return schema.quantity(raw, "length", above=0.0).value
-    except PydanticCustomError as error:
-        raise PkmodesError(error.message(), where, (error.context or {})["remedy"]) from None
+        return schema.quantity(raw, items_of(robot.kind, whole)[0].key.dimension, above=0.0).value
+    except schema.RefusedError as error:
+        raise PkmodesError(error.what, where, error.remedy) from None
 
 
-def _check_taken(robot: Robot, path: str) -> None:
-    """A shared value in whose place every axis has its own would change nothing."""
-    table, _, key = path.partition(".")
-    if key in SHARED.get(table, ()) and all(f"axis.{j}.{path}" in robot.quantities for j in (1, 2, 3)):
+def _check_taken(robot: Declaration, path: str) -> None:
+    """A shared value in whose place every entry has its own would change nothing."""
+    own = [item.path for item in takers(robot.kind).get(path, ())]
+    if own and all(taker in robot.quantities for taker in own):
         raise PkmodesError(
-            f"no axis takes the shared value {path}: each has its own",
+            f"no {own[0].partition('.')[0]} takes the shared value {path}: each has its own",
             robot.source,
-            f"change axis.1.{path}, axis.2.{path} and axis.3.{path}",
+            f"change {', '.join(own[:-1])} and {own[-1]}",
         )
 
 
@@ -157,31 +162,9 @@ def _with_sigma(raw: Any, before: Quantity | None) -> Any:
     return table if set(table) != {"value"} else table["value"]
 
 
-def _raw_values(robot: Robot) -> dict[str, Any]:
+def _raw_values(robot: Declaration) -> dict[str, Any]:
     """What the robot declares, by path, as a robot file could have it."""
-    values = {
+    return {
         path: _with_sigma({}, robot.quantities[path]) if path in robot.quantities else value
         for path, value in robot.declared.items()
     }
-    if FRAME_MASS in values:  # the effect takes it from the frame
-        values.pop(FRAME_OF_EFFECT, None)
-    return values
-
-
-def _document(robot: Robot, values: Mapping[str, Any]) -> dict[str, Any]:
-    """The robot file, parsed, that declares these values."""
-    document: dict[str, Any] = {"format": 1, "name": robot.name, "mechanism": robot.mechanism}
-    for path, raw in values.items():
-        *tables, key = path.split(".")
-        table = document
-        for name in tables:
-            table = table.setdefault(name, {})
-        table[key] = raw
-    axes = [document["axis"][j] for j in sorted(document["axis"], key=int)]
-    document["axis"] = axes
-    for table in (document, *axes):
-        for key, value in table.items():
-            names = next((n for n in ELEMENTS if isinstance(value, dict) and set(value) == set(n)), None)
-            if names is not None:
-                table[key] = [value[name] for name in names]
-    return document

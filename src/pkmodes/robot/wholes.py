@@ -1,68 +1,101 @@
-"""Wholes of the three axes, taken apart into the elements that their change moves.
+"""Wholes: several numbers that one path moves together.
 
-`axis.span` moves both ends of every axis evenly, `axis.joint_radius` every joint along its own direction.
+A ``span`` moves both ends of every pair evenly apart, a ``radius`` every vector along itself; the value of a whole is
+that of the first, and the others change as much.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.errors import PkmodesError
+from pkmodes.mechanism import Mechanism, Whole
+from pkmodes.robot.declaration import Declaration
+from pkmodes.robot.layout import Item, Slot, items
 
 Array = NDArray[np.float64]
 
 
-def limits_of_span(limits: Array, span: float) -> dict[str, float]:
-    """Limits by path that give the first axis a span (max - min), and change those of the others as much.
-
-    Parameters
-    ----------
-    limits : ndarray, shape (3, 2)
-        As they are [m].
-    span : float
-        As it shall be [m].
-    """
-    half = (span - float(limits[0, 1] - limits[0, 0])) / 2.0
-    found = {}
-    for j, (low, high) in enumerate(limits.tolist(), start=1):
-        for name, value in (("min", low - half), ("max", high + half)):
-            # Rounding must not leave a limit of 1e-17 m where 0 is meant.
-            found[f"axis.{j}.limits.{name}"] = 0.0 if abs(value) < 1e-12 * (high - low) else value
-    return found
+def wholes(kind: Mechanism) -> dict[str, Whole]:
+    """The wholes of a mechanism by path."""
+    return {whole.path: whole for whole in kind.wholes}
 
 
-def joints_of_radius(joints: Array, radius: float, source: str) -> dict[str, float]:
-    """Elements of the joints by path that put the first at a distance from the centre, and move the others as much.
+def items_of(kind: Mechanism, whole: Whole) -> list[Item]:
+    """The pairs or vectors that a whole moves."""
+    return [item for item in items(kind) if item.key.field == whole.field]
 
-    Parameters
-    ----------
-    joints : ndarray, shape (3, 3)
-        As they are [m].
-    radius : float
-        As that of the first shall be [m].
-    source : str
-        The robot file, for messages.
+
+def value_of(robot: Declaration, whole: Whole) -> float:
+    """The value of a whole in SI units."""
+    first = _vectors(robot, whole)[0]
+    return float(first[1] - first[0]) if whole.kind == "span" else float(np.linalg.norm(first))
+
+
+def weights_of(robot: Declaration, whole: Whole) -> dict[Slot, float]:
+    """How far each number moves when the whole grows by one unit; empty where a vector has no direction."""
+    vectors = _vectors(robot, whole)
+    if whole.kind == "span":
+        rates = np.tile([-0.5, 0.5], (len(vectors), 1))
+    else:
+        norms = np.linalg.norm(vectors, axis=1, keepdims=True)
+        if not norms.all():
+            return {}
+        rates = vectors / norms
+    return {
+        number.slot: rate
+        for item, row in zip(items_of(robot.kind, whole), rates.tolist(), strict=True)
+        for number, rate in zip(item.numbers, row, strict=True)
+        if rate != 0.0 and number.slot is not None
+    }
+
+
+def elements_of(robot: Declaration, whole: Whole, value: float) -> dict[str, float]:
+    """Elements by path that give a whole another value.
 
     Raises
     ------
     PkmodesError
-        If a joint has no direction in which it could move, or would reach the centre.
+        If a vector has no direction in which it could grow, or would shrink to nothing.
     """
-    radii = [math.hypot(*joint) for joint in joints.tolist()]
-    change = radius - radii[0]
-    found = {}
-    for j, (joint, before) in enumerate(zip(joints.tolist(), radii, strict=True), start=1):
-        if before == 0.0 or before + change <= 0.0:
-            reason = "it is 0" if before == 0.0 else f"it would become {before + change:g} m"
-            raise PkmodesError(
-                f"the radius of joint {j} cannot be changed along its direction: {reason}",
-                f"{source}: axis.{j}.joint",
-                "correct the elements of the joint instead",
-            )
-        for name, element in zip("xyz", joint, strict=True):
-            if element != 0.0:
-                found[f"axis.{j}.joint.{name}"] = element * ((before + change) / before)
+    vectors = _vectors(robot, whole).tolist()
+    found: dict[str, float] = {}
+    for item, vector in zip(items_of(robot.kind, whole), vectors, strict=True):
+        if whole.kind == "span":
+            moved = _apart(vector, value - (vectors[0][1] - vectors[0][0]))
+        else:
+            moved = _along(vector, value - math.hypot(*vectors[0]), item, robot.source)
+        for number, before, after in zip(item.numbers, vector, moved, strict=True):
+            if whole.kind == "span" or before != 0.0:
+                found[number.path] = after
     return found
+
+
+def _apart(pair: Sequence[float], change: float) -> list[float]:
+    low, high = pair
+    moved = (low - change / 2.0, high + change / 2.0)
+    # Rounding must not leave a limit of 1e-17 m where 0 is meant.
+    return [0.0 if abs(value) < 1e-12 * (high - low) else value for value in moved]
+
+
+def _along(vector: Sequence[float], change: float, item: Item, source: str) -> list[float]:
+    before = math.hypot(*vector)
+    if before == 0.0 or before + change <= 0.0:
+        name, unit = item.key.name, item.numbers[0].unit
+        reason = "it is 0" if before == 0.0 else f"it would become {before + change:g} {unit}"
+        raise PkmodesError(
+            f"the radius of {name} {(item.entry or 0) + 1} cannot be changed along its direction: {reason}",
+            f"{source}: {item.path}",
+            f"correct the elements of the {name} instead",
+        )
+    return [element * ((before + change) / before) for element in vector]
+
+
+def _vectors(robot: Declaration, whole: Whole) -> Array:
+    """One row for each pair or vector."""
+    field = np.asarray(getattr(robot.parameters, whole.field))
+    return np.array([field[item.index] for item in items_of(robot.kind, whole)])

@@ -12,21 +12,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.evaluation import SystemOfEffects
-from pkmodes.sensitivity.paths import ParameterPath, Slot
-from pkmodes_generated.linear_delta import extended
+from pkmodes.mechanism import Mechanism
+from pkmodes.robot.layout import Slot
+from pkmodes.robot.paths import ParameterPath
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-
-
-#: Generated parameters by which there are derivatives: field, index, entries of M and of K; the geometry comes last.
-LISTED = (*extended.VALUE_SENSITIVITIES, *extended.GEOMETRY_SENSITIVITIES)
+#: Stands in a slot for the pose: its components are not parameters, but what depends on them changes likewise.
+POSE = "pose"
 
 #: What rounding leaves of a spring that was taken out.
 TAKEN_OUT = 1e-12
@@ -46,39 +45,46 @@ class Entries(NamedTuple):
     column: Index
 
 
+def _listed(kind: Mechanism) -> tuple[Any, ...]:
+    """Generated parameters with derivatives: field, index, entries of M and of K; the geometry comes last."""
+    return (*kind.extended.VALUE_SENSITIVITIES, *kind.extended.GEOMETRY_SENSITIVITIES)
+
+
 @cache
-def _slots() -> dict[Slot, int]:
+def _slots(kind: Mechanism) -> dict[Slot, int]:
     """Generated parameters by which there are derivatives; effects by their dotted names."""
-    return {(_dotted(field), index): i for i, (field, index, *_) in enumerate(LISTED)}
+    dotted = {
+        f"{effect.name}_{parameter.name}": f"{effect.name}.{parameter.name}"
+        for effect in kind.effects.values()
+        for parameter in effect.parameters
+    }
+    return {(dotted.get(field, field), index): i for i, (field, index, *_) in enumerate(_listed(kind))}
 
 
 @cache
-def _entries(matrix: int) -> Entries:
-    places = [(i, *place) for i, entry in enumerate(LISTED) for place in entry[2 + matrix]]
-    return Entries(*(np.array(column, dtype=np.intp) for column in zip(*places, strict=True)))
+def _entries(kind: Mechanism, matrix: int) -> Entries:
+    places = [(i, *place) for i, entry in enumerate(_listed(kind)) for place in entry[2 + matrix]]
+    return Entries(*np.array(places, dtype=np.intp).reshape(-1, 3).T)
 
 
 @cache
-def _dotted(field: str) -> str:
-    """Name of a field of the generated effects as the robot file has it."""
-    for name, *_, parameters in extended.EFFECTS:
-        for parameter, *_ in parameters:
-            if field == f"{name}_{parameter}":
-                return f"{name}.{parameter}"
-    return field
-
-
-@cache
-def _joints() -> dict[Slot, tuple[int, ...]]:
+def _joints(kind: Mechanism) -> dict[Slot, tuple[int, ...]]:
     """Coordinates that each compliance releases in the extended model, of all joints or of a single one."""
     found: dict[Slot, tuple[int, ...]] = {}
-    for name, _, _, coordinates, parameters in extended.EFFECTS:
-        place = tuple(extended.COORDINATES.index(q) for q in coordinates)
+    for effect in kind.effects.values():
+        place = tuple(kind.extended.COORDINATES.index(q.name) for q in effect.coordinates)
+        compliance = f"{effect.name}.{effect.parameters[0].name}"
         if place:
-            found[f"{name}.{parameters[0][0]}", ()] = place
-        for q, one in zip(coordinates, place, strict=True):
-            found[f"{name}.{parameters[0][0]}.{q}", ()] = (one,)
+            found[compliance, ()] = place
+        for q, one in zip(effect.coordinates, place, strict=True):
+            found[f"{compliance}.{q.name}", ()] = (one,)
     return found
+
+
+def geometry_of(kind: Mechanism) -> frozenset[str]:
+    """Generated parameters that change how the platform follows the coordinates."""
+    fields = {field for field, *_ in kind.extended.GEOMETRY_SENSITIVITIES}
+    return frozenset(fields | {field for field, other in kind.differences.items() if other in fields})
 
 
 def locked_joints(
@@ -89,7 +95,7 @@ def locked_joints(
     found: dict[int, list[tuple[tuple[int, ...], float]]] = {}
     for t, path in enumerate(paths):
         for slot, weight in path.weights.items():
-            place = tuple(q for q in _joints().get(slot, ()) if q not in free)
+            place = tuple(q for q in _joints(system.kind).get(slot, ()) if q not in free)
             if place:
                 found.setdefault(t, []).append((place, weight))
     return found
@@ -104,8 +110,8 @@ class MatrixDerivatives:
     ----------
     system : SystemOfEffects
         Of B robots, at N / B poses each.
-    p : ndarray, shape (N, 3)
-        Platform centres that can be evaluated [m], those of the first robot first.
+    p : ndarray, shape (N, d)
+        Poses that can be evaluated, those of the first robot first.
     paths : sequence of sequence of ParameterPath, length B
         T of them for each robot.
     matrices : tuple of ndarray, optional
@@ -138,21 +144,25 @@ class MatrixDerivatives:
         shape = len(paths), len(paths[0])
         each = len(p) // shape[0]
         rates = np.atleast_2d(system.joint_rates)[:: each or 1]
-        springs = np.zeros((*shape, self.M.shape[-1]))
-        slots, along, free = _slots(), np.zeros((shape[0], len(_slots()), shape[1])), set(system.free)
+        self._springs, self._each = np.zeros((*shape, self.M.shape[-1])), (shape[0], each)
+        slots, free = _slots(system.kind), set(system.free)
+        along = np.zeros((shape[0], len(slots), shape[1]))
+        self._shift = np.zeros((*shape, p.shape[-1]))
         for b, t in np.ndindex(shape):
-            for (field, index), weight in paths[b][t].weights.items():
-                if (field, index) in _joints():
-                    place = [q for q in _joints()[field, index] if q in free]
-                    springs[b, t, place] += weight * rates[b, place]
-                elif field == "origin":  # it enters only through its difference from the platform joint
-                    along[b, slots["joint", index], t] -= weight
-                else:
-                    along[b, slots[field, index], t] += weight
-        self._springs, self._each = springs, (shape[0], each)
-        self._along = tuple(along[:, _entries(matrix).slot] for matrix in (0, 1))
-        geometry = bool(along[:, len(extended.VALUE_SENSITIVITIES) :].any())
+            for slot, weight in paths[b][t].weights.items():
+                if slot in _joints(system.kind):
+                    place = [q for q in _joints(system.kind)[slot] if q in free]
+                    self._springs[b, t, place] += weight * rates[b, place]
+                elif slot[0] == POSE:
+                    self._shift[b, t, slot[1]] += weight
+                elif slot in slots:
+                    along[b, slots[slot], t] += weight
+                else:  # it enters only through its difference from another one
+                    along[b, slots[system.kind.differences[slot[0]], slot[1]], t] -= weight
+        self._along = tuple(along[:, self._entries(matrix).slot] for matrix in (0, 1))
+        geometry = bool(along[:, len(system.kind.extended.VALUE_SENSITIVITIES) :].any())
         self._values = system.derivatives(p, geometry=geometry)
+        self._by_pose = system.by_pose(p) if self._shift.any() else None
 
     def dense(self, poses: Index | slice = slice(None)) -> tuple[Array, Array]:
         """Evaluate dM and dK by each path, (N, T, n, n), in the free coordinates, at some or all of the poses.
@@ -162,7 +172,7 @@ class MatrixDerivatives:
         robot = np.repeat(np.arange(self._each[0]), self._each[1])[poses]
         found = []
         for matrix in (0, 1):
-            entries = _entries(matrix)
+            entries = self._entries(matrix)
             values = self._values[matrix][poses]
             full = np.zeros((len(values), self._springs.shape[1], *self.M.shape[1:]))
             for t in range(full.shape[1]):
@@ -173,6 +183,8 @@ class MatrixDerivatives:
                 change = (values[:, some] * along[:, some][robot]).T
                 np.add.at(np.moveaxis(full[:, t], 0, -1), (entries.row[some], entries.column[some]), change)
             full += np.swapaxes(np.triu(full, 1), -1, -2)
+            if self._by_pose is not None:
+                full += np.einsum("ntd,ndab->ntab", self._shift[robot], self._by_pose[matrix][poses])
             if matrix == 1:
                 diagonal = np.arange(full.shape[-1])
                 full[..., diagonal, diagonal] += self._springs[robot]
@@ -197,10 +209,14 @@ class MatrixDerivatives:
         parts = []
         for matrix in (0, 1):
             some = self._moving(matrix)
-            row, column = _entries(matrix).row[some], _entries(matrix).column[some]
+            row, column = self._entries(matrix).row[some], self._entries(matrix).column[some]
             both = phi[..., row] * phi[..., column] * np.where(row == column, 1.0, 2.0)
             both *= self._values[matrix][:, None, some]
-            parts.append(self._of_each(both) @ self._along[matrix][:, some])
+            part = self._of_each(both) @ self._along[matrix][:, some]
+            if self._by_pose is not None:
+                moved = np.einsum("nia,ndab,nib->nid", phi, self._by_pose[matrix], phi, optimize=True)
+                part += self._of_each(moved) @ np.swapaxes(self._shift, 1, 2)
+            parts.append(part)
         strained = self._of_each(phi**2) @ np.swapaxes(self._springs, 1, 2)
         found = (parts[1] + strained).reshape(*shapes.shape[:2], self._springs.shape[1])
         found -= eigenvalues[..., None] * parts[0].reshape(found.shape)
@@ -275,6 +291,9 @@ class MatrixDerivatives:
         change = np.einsum("tab,ib->tia", others, shapes)
         change -= eigenvalues[:, None] * np.einsum("tab,ib->tia", dM, shapes)
         return np.asarray(change + left * shapes + factor.T[..., None] * rest)
+
+    def _entries(self, matrix: int) -> Entries:
+        return _entries(self._system.kind, matrix)
 
     def _moving(self, matrix: int) -> Index:
         """Entries of M or K that change along some path."""

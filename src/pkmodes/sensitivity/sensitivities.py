@@ -15,12 +15,11 @@ from pkmodes.evaluation import Evaluation, SystemOfEffects, evaluation
 from pkmodes.gathering import Fields, Gathered, Out, chosen_fields
 from pkmodes.poses import CheckedPoses
 from pkmodes.results import ChosenFields
+from pkmodes.robot.paths import ParameterPath, paths, resolve_all
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.sensitivity.modes import ROUNDING, branches, groups, mode_derivatives
-from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
 from pkmodes.solving import solved
-from pkmodes_generated.linear_delta import COORDINATES
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
@@ -32,7 +31,7 @@ TOGETHER = 64
 class Sensitivities(ChosenFields):
     """Exact derivatives by T parameters, at fixed platform poses.
 
-    The leading axes are those of the poses, then T; n coordinates and m modes as in `pkmodes.Modes`, SI units.
+    The leading dimensions are those of the poses, then T; n coordinates and m modes as in `pkmodes.Modes`, SI units.
     Entries of poses that could not be evaluated are NaN.
 
     Attributes
@@ -46,7 +45,7 @@ class Sensitivities(ChosenFields):
     valid : ndarray of bool, shape (...)
         Which poses could be evaluated.
     reason : ndarray of str, shape (...)
-        Why the others could not (`pkmodes.poses.REASONS`), ``""`` where valid; for a single pose a string.
+        Why the others could not (`pkmodes.Model.reasons`), ``""`` where valid; for a single pose a string.
     mass_matrix, stiffness_matrix : ndarray, shape (..., T, n, n)
         dM/dtheta and dK/dtheta, in units of M and K by that of the parameter.  NaN for the compliance of a
         joint that is locked: it is not in the matrices, but the modes feel it.
@@ -102,13 +101,14 @@ def sensitivities(
     if not (isinstance(close, int | float | np.integer | np.floating) and 0.0 <= close < 1.0):
         raise PkmodesError(f"expected a fraction below 1, found {shown(close)}", "close", "use such as 1e-6")
     asked = chosen_fields(fields, out, Sensitivities.FIELDS)
-    system = evaluation(robot.parameters, robot.effects)
+    system = evaluation(robot)
     gathered = Gathered(poses, out)
     # In parts of even size: a single pose is evaluated in another way, and repeated modes in another basis.
     for where, p in poses.parts(TOGETHER, even=True):
         gathered.put(where, _at(robot, system, p, chosen, float(close), asked))
     return Sensitivities(
         codes=poses.codes.reshape(poses.batch),
+        known=poses.known,
         arrays=gathered.arrays,
         parameters=tuple(path.path for path in chosen),
         units=tuple(path.unit for path in chosen),
@@ -118,9 +118,13 @@ def sensitivities(
 
 def _chosen(robot: Robot, parameters: Sequence[str] | None) -> list[ParameterPath]:
     if parameters is None:
-        # The radius of a joint at the centre has no direction; nobody asked for it by name.
-        radial = robot.parameters.joint.any(axis=1).all()
-        return resolve_all(robot, [path for path in paths(robot) if path != "axis.joint_radius" or radial])
+        # A vector of no length has no direction in which a radius could grow; nobody asked for it by name.
+        still = {
+            whole.path
+            for whole in robot.kind.wholes
+            if whole.kind == "radius" and not getattr(robot.parameters, whole.field).any(axis=1).all()
+        }
+        return resolve_all(robot, [path for path in paths(robot) if path not in still])
     wanted = listed(parameters, "parameter paths", "parameters", '"platform.mass"')
     return resolve_all(robot, wanted)
 
@@ -134,29 +138,34 @@ def _at(
     asked: Collection[str],
 ) -> dict[str, NDArray[Any]]:
     """What is asked for, at some poses."""
-    derivatives = MatrixDerivatives(SystemOfEffects(robot.parameters, robot.effects), p, [chosen])
+    of_modes = {"eigenvalues", "frequencies", "shapes", "groups"} & set(asked)
+    # To the last digit the matrices of `Model.modes`: repeated modes must come out in the same basis.
+    at = solved(system, p, robot.source) if of_modes else None
+    extended = system if isinstance(system, SystemOfEffects) else SystemOfEffects.of(robot)
+    every = at.every if at is not None and extended is system else None
+    derivatives = MatrixDerivatives(extended, p, [chosen], every)
     found: dict[str, NDArray[Any]] = {}
     if {"mass_matrix", "stiffness_matrix", "shapes"} & set(asked):
         found["mass_matrix"], found["stiffness_matrix"] = derivatives.dense()
-    if {"eigenvalues", "frequencies", "shapes", "groups"} & set(asked):
-        # To the last digit the matrices of `Model.modes`: repeated modes must come out in the same basis.
-        M, K, eigenvalues, shapes = solved(system, p, robot.source)
-        sizes = magnitude(eigenvalues, len(COORDINATES), system.rigid_modes)
+    if at is not None:
+        M, K, eigenvalues, shapes, _ = at
+        first = system.first
+        sizes = magnitude(eigenvalues, first, system.rigid_modes)
         group = found["groups"] = groups(eigenvalues, close, sizes)
         if "shapes" in asked:
             both = _changes(derivatives, found["mass_matrix"], found["stiffness_matrix"], eigenvalues, shapes)
             found["eigenvalues"], found["shapes"] = np.empty(both[1].shape), np.empty(both[0].shape)
-            for i, at in enumerate(zip(M, K, eigenvalues, shapes, *both, group, sizes, strict=True)):
-                found["eigenvalues"][i], found["shapes"][i] = mode_derivatives(*at)
+            for i, one in enumerate(zip(M, K, eigenvalues, shapes, *both, group, sizes, strict=True)):
+                found["eigenvalues"][i], found["shapes"][i] = mode_derivatives(*one)
             evaluated = [t for t in range(len(chosen)) if t not in derivatives.locked]
-            stiff = has_stiff_joint(eigenvalues, len(COORDINATES), system.rigid_modes)
+            stiff = has_stiff_joint(eigenvalues, first, system.rigid_modes)
             for i in np.flatnonzero(stiff).tolist():
                 given = eigenvalues[i], shapes[i]
                 dM, dK = found["mass_matrix"][i], found["stiffness_matrix"][i]
                 other = derivatives.stiff_change(i, *given, dM, dK)[evaluated]
                 norm = both[1][i, evaluated]
                 _, turned = mode_derivatives(M[i], K[i], *given, other, norm, group[i], sizes[i])
-                found["shapes"][i, evaluated, len(COORDINATES) :] = turned[:, len(COORDINATES) :]
+                found["shapes"][i, evaluated, first:] = turned[:, first:]
         elif {"eigenvalues", "frequencies"} & set(asked):
             found["eigenvalues"] = _rates(derivatives, eigenvalues, shapes, group)
         if "frequencies" in asked:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from sympy import Expr, Integer, Rational, Symbol, sqrt
 
-from pkmodes_derive.description import Margin, Requirement
+from pkmodes_derive.description import Margin, Requirement, Scale
 from pkmodes_derive.functions import Output
 from pkmodes_derive.machine import Extra, Machine
 from pkmodes_derive.mechanisms.corexy.sample import SAMPLE
@@ -127,12 +127,12 @@ def declare(m: Machine) -> None:
         pull = g_x * x + g_y * y
         runs = []
         for k, free in enumerate((length[i][0] + pull, length[i][1] - pull), start=1):
-            place = {"j": i + 1, "k": k}
+            place = {"j": i + 1, "s": k}
             l_f = v.declare(
-                "l_f_{j}_{k}", "m", "free length of run {k} of belt {j}", "l_{{f,{j},{k}}}", **place
+                "l_f_{j}_{s}", "m", "free length of run {s} of belt {j}", "l_{{f,{j},{s}}}", **place
             )
             stiffness = v.declare(
-                "k_{j}_{k}", "N/m", "stiffness of run {k} of belt {j}", "k_{{{j},{k}}}", **place
+                "k_{j}_{s}", "N/m", "stiffness of run {s} of belt {j}", "k_{{{j},{s}}}", **place
             )
             runs.append(Run(l_f, stiffness, free, (head, rim)))
         m.belt(w_b[i] * k_sp[i], runs, clamp)
@@ -174,6 +174,7 @@ def declare(m: Machine) -> None:
             definitions={},
         ),
     ]
+    m.scales = tuple(Scale(q.name, "pulley_radius", (0,), "R_p") for q in (x, y))
     m.margins = (
         Margin(
             "limits",

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from sympy import Rational, Symbol, sqrt
 
-from pkmodes_derive.description import Margin, Requirement, Whole
+from pkmodes_derive.description import Margin, Requirement, Scale, Whole
 from pkmodes_derive.functions import Output
 from pkmodes_derive.machine import Extra, Machine
 from pkmodes_derive.mechanisms.linear_delta.euler_route import relations
@@ -135,22 +135,20 @@ def declare(m: Machine) -> None:
     m.moves_platform(x, "x", "carriage positions")
 
     # Closures (equations 1 to 3) -----------------------------------------------------------------------------
-    r = v.vectors_per_axis("r", "m", "platform joint {j} seen from the origin of rail {j}", "r_{j}")
-    s = v.vectors_per_axis("s", "m", "linkage vector {j}, from carriage to platform joint", "s_{j}")
+    r = m.vectors("r", "m", "platform joint {j} seen from the origin of rail {j}", "r_{j}")
+    s = m.vectors("s", "m", "linkage vector {j}, from carriage to platform joint", "s_{j}")
     for j in J:
         m.define_all(r[j], (p[i] + b[j][i] - o[j][i] for i in range(3)))
     for j in J:
         m.define_all(s[j], (r[j][i] - x[j] * n[j][i] for i in range(3)))
         m.unit_vector(n[j])
         m.link(s[j], l_d[j], x[j])
-    m.opposite["origin"] = "joint"  # o_j occurs in r_j only
+    m.differences["origin"] = "joint"  # o_j occurs in r_j only
 
     # Inverse kinematics: rail j meets the sphere of radius l_d around platform joint j (section 2.2, after figure 4)
-    along = v.per_axis("a", "m", "coordinate of platform joint {j} along rail {j}", "a_{j}")
-    across = v.vectors_per_axis(
-        "w", "m", "vector from rail {j} to platform joint {j}, perpendicular to it", "w_{j}"
-    )
-    distance2 = v.per_axis("w2", "m^2", "squared distance of platform joint {j} from rail {j}", r"|w_{j}|^2")
+    along = m.each("a", "m", "coordinate of platform joint {j} along rail {j}", "a_{j}")
+    across = m.vectors("w", "m", "vector from rail {j} to platform joint {j}, perpendicular to it", "w_{j}")
+    distance2 = m.each("w2", "m^2", "squared distance of platform joint {j} from rail {j}", r"|w_{j}|^2")
     for j in J:
         m.inverse[along[j]] = dot(n[j], r[j])
         m.inverse.update(zip(across[j], (r[j][i] - along[j] * n[j][i] for i in range(3)), strict=True))
@@ -168,7 +166,7 @@ def declare(m: Machine) -> None:
 
     # Belts, pulleys and motors (equations 28 to 30 and 34 to 41) ---------------------------------------------
     moment = "moment of inertia of pulley {k} of axis {j}, with the motor where it is driven"
-    torque = v.per_axis("tau_st", "N m", "static torque on the driven pulley of axis {j}", r"\tau_{{st,{j}}}")
+    torque = m.each("tau_st", "N m", "static torque on the driven pulley of axis {j}", r"\tau_{{st,{j}}}")
     for j in J:
         rotors = [
             m.rotor(
@@ -231,13 +229,14 @@ def declare(m: Machine) -> None:
         Whole("axis.span", "span", "limits", "m", "max - min of every axis, both ends moved evenly"),
         Whole("axis.joint_radius", "radius", "joint", "m", "distance of the platform joints from the centre"),
     )
+    m.scales = tuple(Scale(x[j].name, "pulley_radius", (j,), "R_p") for j in J)
     m.margins = _margins()
     m.requirements = (
         Requirement(
             "travel_margin",
             "above_zero",
             tuple(f"axis.{j + 1}.limits" for j in J),
-            "expected a carriage shorter than its travel, found one that is {missing} too long",
+            "expected a carriage shorter than the travel, found a length of {carriage.length}",
             "check the limits and carriage.length",
             "m",
         ),
@@ -245,13 +244,13 @@ def declare(m: Machine) -> None:
     m.sample = SAMPLE
 
 
-def _span(m: Machine, j: int, k: int) -> tuple[Symbol, Symbol]:
+def _span(m: Machine, j: int, s: int) -> tuple[Symbol, Symbol]:
     """Names of the free length and of the stiffness of a belt span."""
-    of = "span {k} of belt {j} (1 between the pulleys, 2 from carriage to pulley 2, 3 from carriage to pulley 1)"
+    of = "span {s} of belt {j} (1 between the pulleys, 2 from carriage to pulley 2, 3 from carriage to pulley 1)"
     declare = m.vocabulary.declare
     return (
-        declare("l_f_{j}_{k}", "m", f"free length of {of}", "l_{{f,{j},{k}}}", j=j, k=k),
-        declare("k_{j}_{k}", "N/m", f"stiffness of {of}", "k_{{{j},{k}}}", j=j, k=k),
+        declare("l_f_{j}_{s}", "m", f"free length of {of}", "l_{{f,{j},{s}}}", j=j, s=s),
+        declare("k_{j}_{s}", "N/m", f"stiffness of {of}", "k_{{{j},{s}}}", j=j, s=s),
     )
 
 
@@ -284,7 +283,7 @@ def _margins() -> tuple[Margin, ...]:
             0,
             "above_zero",
             "a carriage is beyond its limits: a belt span would not be positive",
-            "carriage {0} is beyond its limits: the belt span {1} would be {missing}",
+            "carriage {0} is beyond its limits: the belt span {1} would be {short}",
             "choose a pose within the travel of the carriages, or check limits and carriage length",
             (
                 three,

@@ -59,11 +59,11 @@ class EulerRoute:
 
 def euler_route(machine: Machine, kinematics: Kinematics, j: int) -> EulerRoute:
     """Derive the paper's route for linkage `j` (counted from 0) whose joint is turned by phi_j about z."""
-    v, link, place = machine.vocabulary, machine.links[j], {"j": j + 1}
+    v, link = machine.vocabulary, machine.links[j]
     what = "angular position of universal joint {j} on the platform"
-    phi = v.declare("phi_{j}", "rad", what, r"\varphi_{j}", **place)
+    phi = v.declare("phi_{j}", "rad", what, r"\varphi_{j}", j=j + 1)
     u = v.vector(
-        "u_{j}", "m", "carriage {j} seen from its platform joint, in the joint's own frame", "u_{j}", **place
+        "u_{j}", "m", "carriage {j} seen from its platform joint, in the joint's own frame", "u_{j}", j=j + 1
     )
     R_f = rot_ccw_axis3(phi)
     # atan2 instead of the printed arctan(-u_2/u_3): equal for u_3 > 0 and right for u_3 < 0 as well.

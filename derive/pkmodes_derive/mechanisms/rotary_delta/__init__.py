@@ -133,11 +133,11 @@ def declare(m: Machine) -> None:
     m.moves_platform(theta, "theta", "arm angles")
 
     # Arms: direction and its derivative by the angle, both unit vectors ------------------------------------------
-    y = v.vectors_per_axis("y", "1", "direction of arm {j} at a right angle: a_{j} times z_{j}", "y_{j}")
-    c = v.per_axis("c", "1", "cosine of theta_{j}", r"\cos\vartheta_{j}")
-    s_ = v.per_axis("sn", "1", "sine of theta_{j}", r"\sin\vartheta_{j}")
-    d = v.vectors_per_axis("d", "1", "direction of arm {j}", "d_{j}")
-    t = v.vectors_per_axis("t", "1", "direction in which the end of arm {j} moves", "t_{j}")
+    y = m.vectors("y", "1", "direction of arm {j} at a right angle: a_{j} times z_{j}", "y_{j}")
+    c = m.each("c", "1", "cosine of theta_{j}", r"\cos\vartheta_{j}")
+    s_ = m.each("sn", "1", "sine of theta_{j}", r"\sin\vartheta_{j}")
+    d = m.vectors("d", "1", "direction of arm {j}", "d_{j}")
+    t = m.vectors("t", "1", "direction in which the end of arm {j} moves", "t_{j}")
     e = []
     for j in J:
         m.define_all(y[j], cross(a[j], z[j]))
@@ -152,20 +152,20 @@ def declare(m: Machine) -> None:
         e.append(tuple(o[j][i] + L_a[j] * d[j][i] for i in range(3)))
 
     # Closures -----------------------------------------------------------------------------------------------
-    r = v.vectors_per_axis("r", "m", "platform joint {j} seen from the axis of arm {j}", "r_{j}")
-    s = v.vectors_per_axis("s", "m", "linkage vector {j}, from arm to platform joint", "s_{j}")
+    r = m.vectors("r", "m", "platform joint {j} seen from the axis of arm {j}", "r_{j}")
+    s = m.vectors("s", "m", "linkage vector {j}, from arm to platform joint", "s_{j}")
     for j in J:
         m.define_all(r[j], (p[i] + b[j][i] - o[j][i] for i in range(3)))
         m.define_all(s[j], (r[j][i] - L_a[j] * d[j][i] for i in range(3)))
         m.link(s[j], l_d[j], theta[j])
-    m.opposite["origin"] = "joint"  # o_j occurs in r_j only
+    m.differences["origin"] = "joint"  # o_j occurs in r_j only
 
     # Inverse kinematics: in the plane of the arm, d_j . r_j = C_j ----------------------------------------------
-    A = v.per_axis("A", "m", "component of r_{j} along z_{j}", "A_{j}")
-    B = v.per_axis("B", "m", "component of r_{j} along y_{j}", "B_{j}")
-    C = v.per_axis("C", "m", "component of r_{j} along the arm that closes the loop", "C_{j}")
-    rho2 = v.per_axis("rho2", "m^2", "square of the part of r_{j} in the plane of the arm", r"\rho_{j}^2")
-    across = v.per_axis("S", "m", "component of r_{j} in that plane, perpendicular to the arm", "S_{j}")
+    A = m.each("A", "m", "component of r_{j} along z_{j}", "A_{j}")
+    B = m.each("B", "m", "component of r_{j} along y_{j}", "B_{j}")
+    C = m.each("C", "m", "component of r_{j} along the arm that closes the loop", "C_{j}")
+    rho2 = m.each("rho2", "m^2", "square of the part of r_{j} in the plane of the arm", r"\rho_{j}^2")
+    across = m.each("S", "m", "component of r_{j} in that plane, perpendicular to the arm", "S_{j}")
     for j in J:
         m.inverse[A[j]] = dot(r[j], z[j])
         m.inverse[B[j]] = dot(r[j], y[j])
@@ -185,7 +185,7 @@ def declare(m: Machine) -> None:
         m.arms.append(Arm(m_a[j], I_a[j], theta[j], tuple(o[j][i] + r_a[j] * d[j][i] for i in range(3))))
 
     # Reducers and motors --------------------------------------------------------------------------------------
-    torque = v.per_axis("tau_st", "N m", "static torque on motor {j}, seen at the arm", r"\tau_{{st,{j}}}")
+    torque = m.each("tau_st", "N m", "static torque on motor {j}, seen at the arm", r"\tau_{{st,{j}}}")
     for j in J:
         inertia = v.declare(
             "I_{j}", "kg m^2", "moment of inertia of motor {j}, seen at the arm", "I_{j}", j=j + 1

@@ -40,7 +40,7 @@ def more_general(search: Search, final: Fit) -> tuple[Candidate, Candidate] | No
             if general.general_of != cause.name:
                 continue
             scores = score(search.store.fitter, final, [general])
-            if scores.each[0].p_value < search.criteria.gate:
+            if scores.each[0].p_value < search.criteria.surely:
                 return cause, general
     return None
 

@@ -48,8 +48,7 @@ def next_measurement(fitter: Fitter, contested: Sequence[tuple[str, Fit]]) -> Ne
         k = int(np.nanargmax(away))
         if away[k] >= fitter.criteria.worth_measuring and (best is None or away[k] > best.sigmas):
             names = (contested[0][0], name)
-            x, y, z = (float(c) for c in points[k])
-            best = NextMeasurement((x, y, z), names, float(away[k]))
+            best = NextMeasurement(tuple(points[k].tolist()), names, float(away[k]))
     return best
 
 

@@ -128,7 +128,7 @@ class Examined:
 class NextMeasurement:
     """A pose at which two explanations differ most."""
 
-    pose: tuple[float, float, float]
+    pose: tuple[float, ...]
     separates: tuple[str, str]
     sigmas: float
 

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pprint import pformat
 
 from sympy import Symbol
 
-from pkmodes_derive.emit import layout, printers
-from pkmodes_derive.emit.program import Program
+from pkmodes_derive.emit import commentary, layout
+from pkmodes_derive.emit.numpy.printer import ARCTAN2, expression
+from pkmodes_derive.emit.program import Program, Result
 from pkmodes_derive.emit.provenance import Provenance
-from pkmodes_derive.emit.templates import render
+from pkmodes_derive.emit.templating import render
 from pkmodes_derive.functions import FieldGroup, Function, Model
 from pkmodes_derive.vocabulary import Field
 
@@ -26,52 +28,47 @@ class _Block:
     body: list[str]
 
 
-def module(model: Model, programs: dict[str, Program], provenance: Provenance) -> str:
-    """Return the text of the module; `programs` holds one program for each function, by name."""
+def files(model: Model, programs: Mapping[str, Program], provenance: Provenance) -> dict[str, str]:
+    """Return the text of the module by its file name."""
     groups = model.groups if provenance.parametric else ()
-    return render(
+    functions = [_function(f, programs[f.name], groups) for f in model.functions]
+    text = render(
+        __package__,
         "module.py.j2",
         provenance=provenance,
         title=layout.prose(provenance.title, ""),
         notes=[layout.prose(note, "") for note in model.notes],
         constants=[line for text in provenance.constants for line in layout.prose(text, "    ", first="* ")],
-        names=[line for text in glossary(model, programs) for line in layout.prose(text, "    ", first="* ")],
+        indices=layout.prose(commentary.indices(model.vocabulary, programs.values()), ""),
+        names=[
+            line
+            for text in commentary.glossary(model.vocabulary, programs.values())
+            for line in layout.prose(text, "    ", first="* ")
+        ],
         coordinates=[name for name, _ in model.coordinates],
         coordinate_units=[unit for _, unit in model.coordinates],
         rigid_modes=model.rigid_modes,
-        exported=[
-            "COORDINATES",
-            "COORDINATE_UNITS",
-            *(group.name for group in groups if group.declared),
-            *(name for _, name, _ in model.constants),
-            *([] if model.rigid_modes is None else ["RIGID_MODES"]),
-            *sorted(f.name for f in model.functions),
-        ],
+        exported=_exported(model, groups),
         literals=[
             (layout.prose(comment, "#: "), name, _literal(value)) for comment, name, value in model.constants
         ],
-        groups=[
-            (
-                group.name,
-                "" if group.null is None else f" = {group.null}",
-                [
-                    (field.name, "np.ndarray" if field.shape else "float", _field_text(field))
-                    for field in group.fields
-                ],
-            )
-            for group in groups
-            if group.declared
-        ],
+        groups=[_group(group) for group in groups if group.declared],
         listed=any(output.listed for f in model.functions for output in f.outputs),
-        functions=[_function(f, programs[f.name], groups) for f in model.functions],
+        arctan2=any(ARCTAN2 in line for function in functions for line in function.body),
+        functions=functions,
     )
+    return {f"{provenance.module}.py": text}
 
 
-def glossary(model: Model, programs: dict[str, Program]) -> list[str]:
-    """What the named values in the code are: one entry for all members of a family."""
-    used = {symbol for program in programs.values() for symbol, _ in program.steps}
-    families = {q.family: q.unit for q in model.vocabulary if q.symbol in used}
-    return [f"{name} [{unit}]: {description}" for (name, description), unit in families.items()]
+def _exported(model: Model, groups: Sequence[FieldGroup]) -> list[str]:
+    return [
+        "COORDINATES",
+        "COORDINATE_UNITS",
+        *(group.name for group in groups if group.declared),
+        *(name for _, name, _ in model.constants),
+        *([] if model.rigid_modes is None else ["RIGID_MODES"]),
+        *sorted(f.name for f in model.functions),
+    ]
 
 
 def _literal(items: tuple[object, ...]) -> str:
@@ -79,6 +76,12 @@ def _literal(items: tuple[object, ...]) -> str:
     width = layout.WIDTH - 10
     lines = [textwrap.indent(pformat(item, width=width, compact=True), "    ") + "," for item in items]
     return "\n".join(["(", *lines, ")"])
+
+
+def _group(group: FieldGroup) -> tuple[str, str, list[tuple[str, str, list[str]]]]:
+    """Name of the type, default value, and the fields as name, type and text."""
+    fields = [(f.name, "np.ndarray" if f.shape else "float", _field_text(f)) for f in group.fields]
+    return group.name, "" if group.null is None else f" = {group.null}", fields
 
 
 def _field_text(field: Field) -> list[str]:
@@ -90,8 +93,8 @@ def _field_text(field: Field) -> list[str]:
     ]
 
 
-def _function(function: Function, program: Program, groups: tuple[FieldGroup, ...]) -> _Block:
-    used = used_groups(program, groups)
+def _function(function: Function, program: Program, groups: Sequence[FieldGroup]) -> _Block:
+    used = program.groups(function, groups)
     names = [argument.name for argument in function.arguments] + [group.argument for group in used]
     return _Block(
         function.name,
@@ -101,13 +104,7 @@ def _function(function: Function, program: Program, groups: tuple[FieldGroup, ..
     )
 
 
-def used_groups(program: Program, groups: tuple[FieldGroup, ...]) -> list[FieldGroup]:
-    """The groups of parameters that a function takes: those that it needs."""
-    inputs = set(program.inputs)
-    return [group for group in groups if any(inputs & set(field.symbols) for field in group.fields)]
-
-
-def _docstring(function: Function, program: Program, groups: list[FieldGroup]) -> list[str]:
+def _docstring(function: Function, program: Program, groups: Sequence[FieldGroup]) -> list[str]:
     lines = [f'    """{function.summary}', ""]
     if function.details:
         lines += [*layout.prose(function.details, "    "), ""]
@@ -125,17 +122,12 @@ def _docstring(function: Function, program: Program, groups: list[FieldGroup]) -
         lines += layout.prose(_sentence(output.description), " " * 8)
     lines += ["", "    Notes", "    -----"]
     lines += layout.prose(_sentence(function.source), "    ")
-    return [*lines, f"    {operations(program)}", '    """']
+    return [*lines, f"    {commentary.operations(program)}", '    """']
 
 
-def operations(program: Program) -> str:
-    """Sentence about the cost, the same in every language."""
-    return f"{program.operations} operations; {program.operations_written_out} with every named value written out."
-
-
-def _body(function: Function, program: Program, groups: list[FieldGroup]) -> list[str]:
+def _body(function: Function, program: Program, groups: Sequence[FieldGroup]) -> list[str]:
     inputs, lines = set(program.inputs), []
-    representatives = []
+    representatives: list[str] = []
     for argument in function.arguments:
         if argument.scalar:
             source = f"_entries({argument.name}, ())"
@@ -149,29 +141,27 @@ def _body(function: Function, program: Program, groups: list[FieldGroup]) -> lis
                 source = f"_entries({group.argument}.{field.name}, ({shape}))"
                 lines += _unpack(field.symbols, inputs, source, representatives)
     lines += layout.prose(f"{', '.join(representatives)})", " " * 8, first="    batch, dtype = _batch(")
-    for symbol, expression in program.steps:
-        lines += layout.assignment(
-            symbol.name, printers.numpy_expression(expression), "    ", parentheses=True
-        )
-    for output, entries in program.results:
-        if output.listed:
-            lines.append(f"    {_local(output.name)} = _listed(batch, dtype, (")
-            lines += layout.listing(map(printers.numpy_expression, entries), " " * 8)
-            lines.append("    ))")
-            continue
-        shape = ", ".join(["*batch", *map(str, output.shape)])
-        lines.append(
-            f"    {_local(output.name)} = np.zeros({f'({shape})' if output.shape else 'batch'}, dtype)"
-        )
-        for index, entry in zip(_indices(output.shape), entries, strict=True):
-            if entry == 0:
-                continue
-            place = ", ".join(["...", *map(str, index)])
-            lines += layout.assignment(
-                f"{_local(output.name)}[{place}]", printers.numpy_expression(entry), "    ", parentheses=True
-            )
-    results = [_local(o.name) if o.shape else f"{_local(o.name)}[()]" for o, _ in program.results]
-    lines.append(f"    return {', '.join(results)}")
+    for symbol, value in program.steps:
+        lines += layout.assignment(symbol.name, expression(value), "    ", parentheses=True)
+    for result in program.results:
+        lines += _result(result)
+    names = [_local(o.name) if o.shape else f"{_local(o.name)}[()]" for o in function.outputs]
+    lines.append(f"    return {', '.join(names)}")
+    return lines
+
+
+def _result(result: Result) -> list[str]:
+    """Lines that fill the array of one result."""
+    output, name = result.output, _local(result.output.name)
+    if output.listed:
+        entries = layout.listing((expression(entry.value) for entry in result.entries), " " * 8)
+        return [f"    {name} = _listed(batch, dtype, (", *entries, "    ))"]
+    shape = f"({', '.join(['*batch', *map(str, output.shape)])})" if output.shape else "batch"
+    lines = [f"    {name} = np.{'zeros' if result.has_zeros else 'empty'}({shape}, dtype)"]
+    for entry in result.entries:
+        places = (", ".join(["...", *map(str, index)]) for index in entry.places)
+        target = " = ".join(f"{name}[{place}]" for place in places)
+        lines += layout.assignment(target, expression(entry.value), "    ", parentheses=True)
     return lines
 
 
@@ -191,13 +181,6 @@ def _unpack(
 def _local(name: str) -> str:
     """Name of the result array; never that of a scalar."""
     return f"{name}_out"
-
-
-def _indices(shape: tuple[int, ...]) -> list[tuple[int, ...]]:
-    indices: list[tuple[int, ...]] = [()]
-    for extent in shape:
-        indices = [(*index, i) for index in indices for i in range(extent)]
-    return indices
 
 
 def _sentence(text: str) -> str:

@@ -1,0 +1,156 @@
+"""Lay out a model as C99: one source and one header, no allocation, no dependency but the C library."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from pkmodes_derive.emit import commentary, layout
+from pkmodes_derive.emit.c99.printer import expression
+from pkmodes_derive.emit.program import Program, Result
+from pkmodes_derive.emit.provenance import Provenance
+from pkmodes_derive.emit.templating import render
+from pkmodes_derive.functions import FieldGroup, Function, Model, Output
+
+#: A blank at which no line is broken.
+UNBROKEN = "\N{NO-BREAK SPACE}"
+
+
+@dataclass(frozen=True)
+class _Block:
+    """One function as the templates see it: text only."""
+
+    comment: list[str]
+    prototype: list[str]
+    body: list[str]
+
+
+def files(model: Model, programs: Mapping[str, Program], provenance: Provenance) -> dict[str, str]:
+    """Return the texts of source and header by their file names; they hold the functions for controllers."""
+    groups = model.groups if provenance.parametric else ()
+    emitted = [f for f in model.functions if f.in_c]
+    used = {f.name: programs[f.name] for f in emitted}
+    values = {
+        "provenance": provenance,
+        "title": layout.prose(provenance.title, " * "),
+        "guard": f"{provenance.name.upper()}_H",
+        "name": provenance.name,
+        "coordinates": [f" *   {name} [{unit}]" for name, unit in model.coordinates],
+        "notes": [layout.prose(note, " * ") for note in model.notes],
+        "constants": _items(provenance.constants),
+        "indices": layout.prose(commentary.indices(model.vocabulary, used.values()), " * "),
+        "names": _items(commentary.glossary(model.vocabulary, used.values())),
+        "includes": [f"{model.mechanism}.h" for group in groups if not group.declared],
+        "headers": ["math.h", *(["string.h"] if any(map(_cleared, used.values())) else [])],
+        "groups": [
+            (
+                _type(group, model),
+                [
+                    (f"double {f.name}{_brackets(f.shape)};", f"[{f.unit}] {f.description}")
+                    for f in group.fields
+                ],
+            )
+            for group in groups
+            if group.declared
+        ],
+        "functions": [_function(f, used[f.name], model, groups, provenance.name) for f in emitted],
+    }
+    return {
+        f"{provenance.name}.c": render(__package__, "source.c.j2", **values),
+        f"{provenance.name}.h": render(__package__, "header.h.j2", **values),
+    }
+
+
+def _items(texts: Iterable[str]) -> list[str]:
+    return [line for text in texts for line in layout.prose(text, " *     ", first=" *   ")]
+
+
+def _brackets(numbers: Iterable[int]) -> str:
+    """An extent in a declaration, or an index."""
+    return "".join(f"[{n}]" for n in numbers)
+
+
+def _type(group: FieldGroup, model: Model) -> str:
+    return f"{model.mechanism}_{group.argument}"
+
+
+def _cleared(program: Program) -> bool:
+    return any(result.output.shape and result.has_zeros for result in program.results)
+
+
+def _function(
+    function: Function, program: Program, model: Model, groups: Sequence[FieldGroup], prefix: str
+) -> _Block:
+    used = program.groups(function, groups)
+    arguments = [
+        f"double {a.name}" if a.scalar else f"const double {a.name}[{len(a.symbols)}]"
+        for a in function.arguments
+    ]
+    arguments += [f"const {_type(group, model)} *{group.argument}" for group in used]
+    arguments += [
+        f"double {o.name}{_brackets(o.shape)}" if o.shape else f"double *{o.name}" for o in function.outputs
+    ]
+    head = f"void {prefix}_{function.name}("
+    # A line ends between arguments, not within one.
+    text = ", ".join(argument.replace(" ", UNBROKEN) for argument in arguments) + ")"
+    lines = layout.prose(text, "    ", first=head, room=len(";"))
+    prototype = [line.replace(UNBROKEN, " ") for line in lines]
+    return _Block(_comment(function, program), prototype, _body(function, program, used))
+
+
+def _comment(function: Function, program: Program) -> list[str]:
+    lines = [f"/* {function.summary}", " *"]
+    if function.details:
+        lines += [*layout.prose(function.details, " * "), " *"]
+    for argument in function.arguments:
+        lines += layout.prose(
+            f"{argument.name} [{argument.unit}]: {argument.description}", " *     ", " *   in  "
+        )
+    for output in function.outputs:
+        lines += layout.prose(f"{output.name} [{output.unit}]: {output.description}", " *     ", " *   out ")
+    lines += [" *", *layout.prose(f"Source: {function.source}.", " * ")]
+    return [*lines, f" * {commentary.operations(program)}", " */"]
+
+
+def _body(function: Function, program: Program, groups: Sequence[FieldGroup]) -> list[str]:
+    inputs, lines = set(program.inputs), []
+    for argument in function.arguments:
+        for i, symbol in enumerate(argument.symbols):
+            if symbol in inputs and not (argument.scalar and symbol.name == argument.name):
+                place = argument.name if argument.scalar else f"{argument.name}[{i}]"
+                lines.append(f"    const double {symbol.name} = {place};")
+        if not inputs & set(argument.symbols):
+            lines.append(f"    (void){argument.name};")
+    for group in groups:
+        if not any(inputs & set(field.symbols) for field in group.fields):
+            lines.append(f"    (void){group.argument};")
+        for field in group.fields:
+            for index, symbol in zip(field.indices, field.symbols, strict=True):
+                if symbol in inputs:
+                    source = f"{group.argument}->{field.name}{_brackets(index)}"
+                    lines.append(f"    const double {symbol.name} = {source};")
+    for symbol, value in program.steps:
+        lines += layout.assignment(f"const double {symbol.name}", expression(value), "    ", end=";")
+    for result in program.results:
+        lines += _result(result)
+    return lines
+
+
+def _result(result: Result) -> list[str]:
+    """Lines that write one result: zeros at once, then what has a value."""
+    output, lines = result.output, []
+    if result.has_zeros:
+        lines.append(f"    {_zeros(output)};")
+    for entry in result.entries:
+        places = (
+            f"{output.name}{_brackets(index)}" if index else f"*{output.name}" for index in entry.places
+        )
+        lines += layout.assignment(" = ".join(places), expression(entry.value), "    ", end=";")
+    return lines
+
+
+def _zeros(output: Output) -> str:
+    # The size is that of the type: of the argument, a pointer, it would be another.
+    if output.shape:
+        return f"memset({output.name}, 0, sizeof(double{_brackets(output.shape)}))"
+    return f"*{output.name} = 0.0"

@@ -1,0 +1,210 @@
+"""Formulas that differ in their indices only, written once with the indices as letters.
+
+A formula is guessed from one member: each index in it that has the value of one of the member's own indices may
+stand for that index.  It holds if it gives the formula of every other member.  Where none holds, the members are
+split (those with two equal indices and the others, or by the value of an index) and the parts are tried again; what
+is left of a family is spelled out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations, islice, product
+
+from sympy import Expr, Symbol, default_sort_key, preorder_traversal
+
+from pkmodes_derive.vocabulary import AXES, Quantity, Vocabulary
+
+Index = Mapping[str, object]
+#: Guesses that are tried for one part of a family before it is split.
+LARGEST_SEARCH = 2000
+
+
+@dataclass(frozen=True)
+class Member:
+    """One formula of a family: the values of its indices by their letters, and its right-hand side."""
+
+    index: Index
+    expression: Expr
+
+
+@dataclass(frozen=True)
+class Formula:
+    """A formula for one or more members.
+
+    Attributes
+    ----------
+    index : mapping of str to object
+        For each index of the family, the letter or the value that stands on the left-hand side.
+    expression : sympy.Expr
+        The right-hand side; `names` has the LaTeX forms of its symbols.
+    names : mapping of sympy.Symbol to str
+    unequal : tuple of (str, str)
+        Indices that differ, where the formula for equal ones is another.
+    """
+
+    index: Index
+    expression: Expr
+    names: Mapping[Symbol, str]
+    unequal: tuple[tuple[str, str], ...] = ()
+
+
+class Families:
+    """Finds the formulas of families whose members are written in the symbols of a vocabulary."""
+
+    def __init__(self, vocabulary: Vocabulary) -> None:
+        self._vocabulary = vocabulary
+        self._symbols = {(q.family, tuple(q.index.values())): q.symbol for q in vocabulary if q.index}
+
+    def formulas(self, members: Sequence[Member]) -> list[Formula]:
+        """As few formulas as are found for these members, in the order of the members."""
+        return self._formulas(members, True, {})
+
+    def _formulas(
+        self, members: Sequence[Member], whole: bool, known: dict[tuple[int, ...], list[Formula]]
+    ) -> list[Formula]:
+        if len(members) == 1:
+            return [self._spelled(members[0])]
+        part = tuple(map(id, members))
+        if part not in known:
+            found = self._general(members, whole)
+            splits = () if found else _splits(members)
+            tried = ([f for part in parts for f in self._formulas(part, False, known)] for parts in splits)
+            known[part] = [found] if found else min(tried, key=len)
+        return known[part]
+
+    def _spelled(self, member: Member) -> Formula:
+        names = {s: self._vocabulary[s].latex for s in member.expression.free_symbols}
+        return Formula(member.index, member.expression, names)
+
+    def _general(self, members: Sequence[Member], whole: bool) -> Formula | None:
+        """One formula for all members, if there is one."""
+        left = _left(members)
+        letters = [letter for letter, value in left.items() if letter == value]
+        members, sums = _without_common_sums(members)
+        # The more its indices differ, the less there is to guess.
+        first = max(members, key=lambda m: len({m.index[letter] for letter in letters}))
+        symbols = sorted(first.expression.free_symbols - sums.keys(), key=default_sort_key)
+        choices = [list(self._choices(s, first, members, letters)) for s in symbols]
+        others = [m for m in members if m is not first]
+        for indices in islice(product(*choices), LARGEST_SEARCH):
+            guess = dict(zip(symbols, indices, strict=True))
+            if self._holds(guess, first, others):
+                unequal = () if whole else tuple(_unequal(members, left))
+                return self._written(guess, first, sums, left, unequal)
+        return None
+
+    def _choices(
+        self, symbol: Symbol, first: Member, members: Sequence[Member], letters: Sequence[str]
+    ) -> Iterator[Index]:
+        """What the indices of a symbol may stand for: letters or values that every member has a symbol for."""
+        quantity = self._vocabulary[symbol]
+        slots = [
+            # The value first: where every member has it, it is one term of a sum.
+            [value, *(letter for letter in letters if _value(first.index[letter], value) == value)]
+            for value in quantity.index.values()
+        ]
+        for chosen in product(*slots):
+            index = dict(zip(quantity.index, chosen, strict=True))
+            if all(self._symbol(quantity, index, m) in m.expression.free_symbols for m in members):
+                yield index
+
+    def _symbol(self, quantity: Quantity, index: Index, member: Member) -> Symbol | None:
+        """The symbol that a choice means for a member."""
+        if not quantity.index:
+            return quantity.symbol
+        values = (
+            _value(member.index[choice], own)
+            if isinstance(choice, str) and choice in member.index
+            else choice
+            for choice, own in zip(index.values(), quantity.index.values(), strict=True)
+        )
+        return self._symbols.get((quantity.family, tuple(values)))
+
+    def _holds(self, guess: Mapping[Symbol, Index], first: Member, others: list[Member]) -> bool:
+        for member in others:
+            place = {s: self._symbol(self._vocabulary[s], index, member) for s, index in guess.items()}
+            if first.expression.xreplace(place) != member.expression:
+                others.remove(member)  # the next guess is likely to fail here as well
+                others.insert(0, member)
+                return False
+        return True
+
+    def _written(
+        self,
+        guess: Mapping[Symbol, Index],
+        first: Member,
+        sums: Mapping[Symbol, Expr],
+        left: Index,
+        unequal: tuple[tuple[str, str], ...],
+    ) -> Formula:
+        place: dict[Symbol, Expr] = dict(sums)
+        names = {s: self._vocabulary[s].latex for e in sums.values() for s in e.free_symbols}
+        for symbol, index in guess.items():
+            quantity = self._vocabulary[symbol]
+            text = quantity.typeset(index)
+            if text != quantity.latex:
+                place[symbol] = Symbol(f"{quantity.family.name}:{text}", real=True)
+            names[place.get(symbol, symbol)] = text
+        return Formula(left, first.expression.xreplace(place), names, unequal)
+
+
+def _without_common_sums(members: Sequence[Member]) -> tuple[list[Member], dict[Symbol, Expr]]:
+    """Members with a name for each sum that all of them have as a part, and what the names stand for.
+
+    In such a sum an index is what it says; elsewhere in the same formula it may stand for a letter.
+    """
+    parts = [{e for e in preorder_traversal(m.expression) if e.is_Add and e != m.expression} for m in members]
+    common = sorted(set.intersection(*parts), key=default_sort_key)
+    names = {part: Symbol(f"sum {number}", real=True) for number, part in enumerate(common)}
+    named = [Member(m.index, m.expression.xreplace(names)) for m in members]
+    return named, {name: part for part, name in names.items()}
+
+
+def _value(value: object, like: object) -> object:
+    """The value of an index where another counts in numbers or in components."""
+    if like in AXES and isinstance(value, int) and 1 <= value <= len(AXES):
+        return AXES[value - 1]
+    return value
+
+
+def _left(members: Sequence[Member]) -> dict[str, object]:
+    """Left-hand side of a formula for all members: a value that is the same for all, an equal index, or a letter."""
+    left: dict[str, object] = {}
+    for letter, value in members[0].index.items():
+        equal = [a for a in left if left[a] == a and all(m.index[a] == m.index[letter] for m in members)]
+        same = all(m.index[letter] == value for m in members)
+        left[letter] = value if same else equal[0] if equal else letter
+    return left
+
+
+def _unequal(members: Sequence[Member], left: Index) -> Iterator[tuple[str, str]]:
+    free = [letter for letter, value in left.items() if value == letter]
+    for a, b in combinations(free, 2):
+        comparable = {m.index[a] for m in members} & {m.index[b] for m in members}
+        if comparable and all(m.index[a] != m.index[b] for m in members):
+            yield a, b
+
+
+def _splits(members: Sequence[Member]) -> Iterator[list[list[Member]]]:
+    """Ways to split members: by whether two indices are equal, and by the value of an index."""
+    letters = list(members[0].index)
+    keys: list[list[object]] = [
+        [m.index[a] == m.index[b] for m in members] for a, b in combinations(letters, 2)
+    ]
+    keys += [[m.index[letter] for m in members] for letter in letters]
+    for key in keys:
+        parts: dict[object, list[Member]] = {}
+        for value, member in zip(key, members, strict=True):
+            parts.setdefault(value, []).append(member)
+        if len(parts) > 1:
+            yield list(parts.values())
+
+
+def grouped(items: Iterable[tuple[object, Member]]) -> list[list[Member]]:
+    """Members by what they are to be kept apart for, in their order."""
+    groups: dict[object, list[Member]] = {}
+    for key, member in items:
+        groups.setdefault(key, []).append(member)
+    return list(groups.values())

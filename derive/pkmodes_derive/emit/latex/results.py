@@ -1,0 +1,130 @@
+"""What the functions return, entry by entry: entries that differ in their indices only are one formula."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from pkmodes_derive.emit.latex.families import Families, Formula, Member, grouped
+from pkmodes_derive.functions import Function, Model, Output
+from pkmodes_derive.vocabulary import AXES, Quantity, Vocabulary
+
+#: Indices of the entries of an array where nothing names them better.
+LETTERS = ("k", "l", "m")
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A result as the page shows it.
+
+    Attributes
+    ----------
+    name, unit, description : str
+    same_as : str
+        The function that returns the same and is shown before, if there is one.
+    equations : tuple of str
+        Without entries that are zero, and of a symmetric matrix the upper triangle.
+    """
+
+    name: str
+    unit: str
+    description: str
+    same_as: str
+    equations: tuple[str, ...]
+
+
+def results(
+    model: Model, families: Families, equation: Callable[[str, Formula], str]
+) -> list[tuple[Function, list[Shown]]]:
+    """Every function with what it returns."""
+    coordinates = {q.symbol.name: q for q in model.vocabulary}
+    labels = [coordinates[name] for name, _ in model.coordinates]
+    seen: dict[tuple[object, ...], str] = {}
+    found = []
+    for function in model.functions:
+        shown = []
+        for output in function.outputs:
+            same = seen.get((output.shape, output.entries), "")
+            equations = () if same else _equations(output, labels, model.vocabulary, families, equation)
+            seen.setdefault((output.shape, output.entries), f"`{output.name}` of `{function.name}`")
+            shown.append(Shown(output.name, output.unit, output.description, same, equations))
+        found.append((function, shown))
+    return found
+
+
+def _equations(
+    output: Output,
+    labels: list[Quantity],
+    vocabulary: Vocabulary,
+    families: Families,
+    equation: Callable[[str, Formula], str],
+) -> tuple[str, ...]:
+    symbol = rf"\mathtt{{{output.name.replace('_', chr(92) + '_')}}}"
+    letters = _letters(output, vocabulary)
+    symmetric = output.symmetric
+    lines = []
+    entries = [
+        (index, entry)
+        for index, entry in zip(output.indices, output.entries, strict=True)
+        if entry != 0 and not (symmetric and index[-2] > index[-1])
+    ]
+    # A dimension that counts the generalised coordinates is labelled by them, any other by numbers; three are also
+    # the components of a vector.
+    labelled = [extent == len(labels) != len(AXES) for extent in output.shape]
+    dimensions = [
+        _Dimension(letter, labels if by_coordinate else None, "'" * sum(labelled[:d]))
+        for d, (letter, by_coordinate) in enumerate(zip(letters, labelled, strict=False))
+    ]
+    parts = grouped(
+        (
+            tuple(d.kind(i) for d, i in zip(dimensions, index, strict=True)),
+            Member(
+                {k: v for d, i in zip(dimensions, index, strict=True) for k, v in d.index(i).items()}, entry
+            ),
+        )
+        for index, entry in entries
+    )
+    where = {
+        tuple(k for d, i in zip(dimensions, index, strict=True) for k in d.index(i).items()): index
+        for index, _ in entries
+    }
+    for part in parts:
+        first = where[tuple(part[0].index.items())]
+        for formula in families.formulas(part):
+            place = ",".join(d.text(i, formula.index) for d, i in zip(dimensions, first, strict=True))
+            lines.append(equation(f"{symbol}_{{{place}}}" if place else symbol, formula))
+    return tuple(lines)
+
+
+@dataclass(frozen=True)
+class _Dimension:
+    """One index of an array: a number with a letter, or one of the generalised coordinates with its own indices."""
+
+    letter: str
+    labels: list[Quantity] | None
+    prime: str
+
+    def kind(self, place: int) -> object:
+        return self.labels[place].family if self.labels else None
+
+    def index(self, place: int) -> dict[str, object]:
+        if self.labels is None:
+            return {self.letter: place + 1}
+        return {letter + self.prime: value for letter, value in self.labels[place].index.items()}
+
+    def text(self, place: int, index: Mapping[str, object]) -> str:
+        if self.labels is None:
+            return str(index[self.letter])
+        q = self.labels[place]
+        return q.typeset({letter: index[letter + self.prime] for letter in q.index})
+
+
+def _letters(output: Output, vocabulary: Vocabulary) -> tuple[str, ...]:
+    """Those of the quantity that the entries are, where they are one."""
+    quantities = [vocabulary[entry] for entry in output.entries if entry.is_Symbol and entry in vocabulary]
+    kinds = {q.family for q in quantities}
+    if len(quantities) == len(output.entries) and len(kinds) == 1:
+        own = tuple(quantities[0].index)
+        if len(own) == len(output.shape):
+            return own
+    return LETTERS[: len(output.shape)]

@@ -1,0 +1,65 @@
+"""One expression, printed for Python with NumPy; nothing is evaluated here.
+
+Functions are those of NumPy, which take complex arguments, so that a derivative by complex step goes through
+them; the absolute value and the sign have none.  The one that takes no complex arguments, `np.arctan2`, is called
+through a function of the module, which its template has.
+"""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from sympy import Expr, Float, Pow, Rational
+from sympy.printing.precedence import PRECEDENCE
+from sympy.printing.pycode import PythonCodePrinter
+
+HALF = Rational(1, 2)
+#: Name of the function that the module has for itself.
+ARCTAN2 = "_arctan2"
+
+
+class NumPyPrinter(PythonCodePrinter):  # type: ignore[misc]  # SymPy has no types
+    """Python expressions with ``np`` for NumPy; an unknown function is refused."""
+
+    _kf: ClassVar[dict[str, str]] = {
+        "Abs": "np.abs",
+        "acos": "np.arccos",
+        "asin": "np.arcsin",
+        "atan": "np.arctan",
+        "atan2": ARCTAN2,
+        "cos": "np.cos",
+        "exp": "np.exp",
+        "log": "np.log",
+        "sin": "np.sin",
+        "tan": "np.tan",
+    }
+    _kc: ClassVar[dict[str, str]] = {"Pi": "np.pi"}
+
+    def _print_Float(self, expr: Float) -> str:
+        return repr(float(expr))
+
+    def _print_sign(self, expr: Expr) -> str:
+        return f"np.sign({self._print(expr.args[0])})"
+
+    def _print_Pow(self, expr: Pow, rational: bool = False) -> str:
+        base, exponent = expr.as_base_exp()
+        if exponent == HALF:
+            return f"np.sqrt({self._print(base)})"
+        if exponent == -HALF:
+            return f"1.0/np.sqrt({self._print(base)})"
+        if exponent.is_Integer and exponent.is_negative:
+            return f"1.0/{self.parenthesize(Pow(base, -exponent), PRECEDENCE['Pow'])}"
+        text: str = super()._print_Pow(expr, rational=rational)
+        return text
+
+
+def expression(value: Expr) -> str:
+    """Print for NumPy.
+
+    Raises
+    ------
+    PrintMethodNotImplementedError
+        If it holds a function that NumPy is not known to have.
+    """
+    text: str = NumPyPrinter({"strict": True}).doprint(value)
+    return text

@@ -1,0 +1,18 @@
+"""Relations that only one mechanism has: the module of its name in `pkmodes.mechanisms`, where there is one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from importlib import import_module
+from importlib.util import find_spec
+
+from pkmodes.checking.relations import Relation, State
+
+PLACE = "pkmodes.mechanisms"
+
+
+def own_relations(at: State) -> Iterator[Relation]:
+    """Yield the relations at one pose that the mechanism has beyond those that every one has."""
+    place = f"{PLACE}.{at.kind.name}"
+    if find_spec(place) is not None:
+        yield from import_module(place).relations(at)

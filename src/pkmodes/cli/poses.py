@@ -1,0 +1,74 @@
+"""A pose on the command line: its components, separated by commas."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+import click
+
+from pkmodes.errors import PoseError
+
+if TYPE_CHECKING:
+    from pkmodes.mechanism import Mechanism
+    from pkmodes.model import Model
+
+#: What a component of this unit is a quantity of.
+DIMENSIONS = {"m": "length", "rad": "angle"}
+
+pose_option = click.option(
+    "--pose",
+    metavar="X,Y,...",
+    required=True,
+    help="The components of the mechanism's pose, such as the platform centre X,Y,Z: numbers in SI units, or "
+    "quantities with their units.",
+)
+
+
+def parse_pose(text: str, kind: Mechanism) -> list[float]:
+    """Read the components of a pose: bare numbers in SI units, or quantities.
+
+    Raises
+    ------
+    PoseError
+        If there are not as many as the mechanism's poses have, or one of them is no such quantity.
+    """
+    from pkmodes.robot.units import QuantityError, parse
+
+    parts, names = text.split(","), ",".join(component.name for component in kind.pose).upper()
+    if len(parts) != len(kind.pose):
+        what = f"expected {len(kind.pose)} components {names}, found {len(parts)}"
+        raise PoseError(what, "--pose", f"write --pose {names}: {kind.pose_is}")
+    point = []
+    for part, component in zip(parts, kind.pose, strict=True):
+        try:
+            if "_" in part:  # Python's float() would read 1_0 as 10
+                raise ValueError
+            point.append(float(part))
+        except ValueError:
+            try:
+                point.append(parse(part, DIMENSIONS[component.unit]))
+            except QuantityError as error:
+                remedy = f"write a number in {component.unit}, or one with its unit"
+                raise PoseError(str(error), "--pose", remedy) from None
+    return point
+
+
+def check_metres(model: Model, text: str, point: list[float]) -> None:
+    """Refuse a pose that would be reached if its bare lengths were millimetres.
+
+    Raises
+    ------
+    PoseError
+        Any other pose that cannot be reached is the model's to refuse.
+    """
+    lengths = [component.unit == "m" for component in model.kind.pose]
+    smaller = [c / 1e3 if length else c for c, length in zip(point, lengths, strict=True)]
+    bare = not any(c.isalpha() for c in re.sub(r"\d[eE]", "", text))
+    if bare and not model.check(point).valid and model.check(smaller).valid:
+        parts = [part.strip() for part in text.split(",")]
+        given = ",".join(
+            f"{part} mm" if length else part for part, length in zip(parts, lengths, strict=True)
+        )
+        remedy = f'the numbers look like millimetres: write --pose "{given}"'
+        raise PoseError(str(model.check(point).sentences).partition(";")[0], "--pose", remedy)

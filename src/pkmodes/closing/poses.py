@@ -1,0 +1,81 @@
+"""Whether measurements are such as a robot can have: its poses, its coordinates, and that it reaches them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pkmodes.closing.structure import channels
+from pkmodes.errors import MeasurementError, PoseError, nearest, shown
+from pkmodes.measured.measurements import Measurements
+from pkmodes.mechanism import Mechanism
+from pkmodes.model import Model
+from pkmodes.poses import check_poses, placed
+
+#: What lengths in another unit than they are said to be are multiplied with, and what then is to be done.
+OTHER_LENGTHS = {
+    1e-3: "the numbers look like millimetres: write {0} in the header",
+    1e3: "the numbers look like metres, and the header says otherwise: write {1} in it",
+}
+
+
+def check_measured(measurements: Measurements, model: Model) -> None:
+    """Refuse measurements at poses that the robot cannot take, or of what it has not.
+
+    Raises
+    ------
+    MeasurementError
+        If the poses have other components than the mechanism's, a shape has a component at a coordinate that it has
+        not, or a pose cannot be evaluated: for the first such pose, with the line of its first row.
+    """
+    if not measurements.labels:
+        return
+    kind = model.kind
+    names = tuple(component.name for component in kind.pose)
+    if measurements.components != names:
+        what = f"expected poses with {_listed(names)}, found {_listed(measurements.components)}"
+        raise MeasurementError(what, measurements.source, f"give what {model.robot.source} needs")
+    known = channels(kind)
+    for name in measurements.channels:
+        if name not in known:
+            what = f"{shown(name)} names no coordinate of {model.robot.source}"
+            raise MeasurementError(what, measurements.source, nearest(name, known))
+    _check_reachable(measurements, model, names)
+
+
+def _check_reachable(measurements: Measurements, model: Model, names: tuple[str, ...]) -> None:
+    kind, parameters = model.kind, model.robot.parameters
+    valid = check_poses(measurements.points, kind, parameters, "nan", model.max_condition).valid
+    if valid.all():
+        return
+    first = int(np.argmin(valid))
+    line = measurements.lines[int(np.argmax(measurements.pose == first))]
+    where = f"{measurements.source}: line {line}, columns {_listed(names)}"
+    if (bad := int((~valid).sum())) > 1:
+        where += f", the first of {bad} bad poses"
+    for factor, remedy in OTHER_LENGTHS.items():
+        scaled = measurements.points * np.where(_lengths(kind), factor, 1.0)
+        reached = check_poses(scaled, kind, parameters, "nan", model.max_condition).valid
+        if reached.all() and not valid.any():
+            columns = ",".join(
+                f"{name} [mm]" if length else name for name, length in zip(names, _lengths(kind), strict=True)
+            )
+            what = f"no pose can be reached, but every one if it is multiplied by {factor:g}"
+            raise MeasurementError(what, where, remedy.format(columns, ",".join(names)))
+    try:
+        check_poses(measurements.points[first], kind, parameters, "raise", model.max_condition)
+    except PoseError as error:
+        label, place = shown(measurements.labels[first]), placed(kind, measurements.points[first])
+        raise MeasurementError(
+            f"pose {label} at {place} cannot be reached: {error.what}",
+            where,
+            f"{error.remedy}; check the row and {model.robot.source}",
+        ) from None
+
+
+def _lengths(kind: Mechanism) -> list[bool]:
+    return [component.unit == "m" for component in kind.pose]
+
+
+def _listed(names: tuple[str, ...]) -> str:
+    """Names as in a sentence: x, y and z."""
+    return " and ".join([", ".join(names[:-1]), *names[-1:]]) if len(names) > 1 else "".join(names)

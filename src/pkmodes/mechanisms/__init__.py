@@ -1,0 +1,1 @@
+"""What is checked of one mechanism alone: see `pkmodes.checking.consistency`."""

@@ -1,0 +1,97 @@
+"""Poses of a robot at which it can be evaluated, well inside its workspace, and a robot of each mechanism."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.generated import Generated
+from pkmodes.mechanism import Key, Mechanism
+from pkmodes.poses import margin_of
+
+Array = NDArray[np.float64]
+#: Condition number up to which a pose is regular.
+REGULAR = 15.0
+#: A margin of a regular pose, as a fraction of the largest one among all that are drawn.
+INSIDE = 0.02
+#: How many poses are drawn in turn: a narrow workspace takes more.
+DRAWS = (500, 2_000, 8_000, 32_000, 128_000, 512_000)
+SEED = 20220101
+#: How far rotations of a pose are drawn [rad].
+TURNED = 0.5
+
+
+def sample(kind: Mechanism) -> Any:
+    """Parameters of a robot of the mechanism without any symmetry: terms that vanish in a real one do not in it."""
+    values = {name: np.array(v) if isinstance(v, list) else v for name, v in kind.sample.items()}
+    return kind.model.Parameters(**values)
+
+
+def declared(kind: Mechanism) -> list[Key]:
+    """Keys of the robot file whose values are numbers of the generated parameters."""
+    return [key for table in kind.tables for key in table.keys if key.field]
+
+
+def travel(kind: Mechanism, parameters: Any) -> Array:
+    """How far the independent coordinates go, (k, 2): the pairs of numbers in the robot's tables."""
+    pairs = []
+    for key in declared(kind):
+        if key.kind == "pair":
+            place: tuple[Any, ...] = (..., *key.index, slice(None))
+            pairs.append(np.asarray(getattr(parameters, key.field), dtype=float)[place])
+    return np.concatenate([pair.reshape(-1, 2) for pair in pairs])[: len(kind.independent)]
+
+
+def regular_poses(generated: Generated, kind: Mechanism, parameters: Any, wanted: int = 4) -> Array:
+    """Find poses well inside the workspace of a robot.
+
+    Parameters
+    ----------
+    generated : Generated
+        Functions for this robot.
+    kind : Mechanism
+    parameters : Parameters
+    wanted : int
+        How many.
+
+    Returns
+    -------
+    ndarray, shape (N, d)
+        As many as wanted, or as were found.
+    """
+    rng = np.random.default_rng(SEED)
+    found: list[Array] = []
+    with np.errstate(all="ignore"):
+        for draws in DRAWS:
+            p = _drawn(generated, kind, parameters, rng, draws)
+            good = np.isfinite(p).all(axis=-1)
+            for margin in kind.margins:
+                values = margin_of(generated, margin, p).reshape(len(p), -1)
+                if margin.rule == "at_most_limit":
+                    good &= (values < REGULAR).all(axis=-1)
+                else:
+                    good &= (values > INSIDE * np.nanmax(values, initial=0.0)).all(axis=-1)
+            found.append(p[good])
+            if sum(map(len, found)) >= wanted:
+                break
+    return np.concatenate(found)[:wanted]
+
+
+def _drawn(
+    generated: Generated, kind: Mechanism, parameters: Any, rng: np.random.Generator, count: int
+) -> Array:
+    """Draw poses: where the independent coordinates lead, or in a box that the robot cannot leave."""
+    names = tuple(component.name for component in kind.pose)
+    if generated.has("direct_kinematics") or names == kind.independent:
+        low, high = travel(kind, parameters).T
+        q = rng.uniform(low, high, size=(count, len(low)))
+        if names == kind.independent:
+            return q
+        assembly = np.where(np.arange(count) % 2, 1.0, -1.0)
+        return np.asarray(generated.direct_kinematics(q, assembly))
+    lengths = {key.field for key in declared(kind) if key.dimension == "length"}
+    reach = sum(float(np.max(np.abs(getattr(parameters, field)))) for field in lengths)
+    size = np.array([reach if component.unit == "m" else TURNED for component in kind.pose])
+    return rng.uniform(-size, size, size=(count, len(size)))

@@ -1,0 +1,99 @@
+"""What a robot file declares, merged and in SI units."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from pkmodes.mechanism import Mechanism, mechanism
+from pkmodes.robot.layout import OF_QUANTITIES, Item, items
+from pkmodes.robot.units import Quantity
+
+#: The named tuple of the generated model; each mechanism has its own.
+Parameters = Any
+
+
+@dataclass(frozen=True, eq=False)
+class Declaration:
+    """What a robot file declares.
+
+    Declarations are equal when they declare the same: where their files are does not count.
+
+    Attributes
+    ----------
+    name : str
+        The robot's name.
+    mechanism : str
+        The mechanism's name.
+    source : str
+        The robot file, for messages.
+    parameters : Parameters
+        Values of the parameters in SI units, as the generated model takes them.
+    quantities : mapping of str to Quantity
+        Every declared value with its standard deviation, by dotted path (``platform.mass``,
+        ``axis.1.belt.width`` where an axis overrides, ``axis.1.limits.min``, ``gravity.z``).
+    effects : mapping of str to float
+        Parameters of the declared effects in SI units, by ``<effect>.<parameter>``; no file declares them, but a
+        diagnosis tries compliances of single joints too, by ``<effect>.<parameter>.<coordinate>``.
+    constants : mapping of str to float
+        Parameters that effects take from elsewhere in the file and that are never fitted (the frame's mass),
+        whether or not the effect is declared.
+    """
+
+    name: str
+    mechanism: str
+    source: str
+    parameters: Parameters
+    quantities: Mapping[str, Quantity] = field(repr=False)
+    effects: Mapping[str, float] = field(default_factory=dict)
+    constants: Mapping[str, float] = field(default_factory=dict)
+
+    def __eq__(self, other: object) -> bool:
+        return self._content == other._content if isinstance(other, Declaration) else NotImplemented
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        # What is pickled or copied comes back as it was: not to be written to.
+        self.__dict__.update(state)
+        for value in self.parameters:
+            if isinstance(value, np.ndarray):
+                value.flags.writeable = False
+
+    def __hash__(self) -> int:
+        return hash(self._content)
+
+    @property
+    def _content(self) -> tuple[object, ...]:
+        """All but the source, in a form that compares and hashes."""
+        arrays = (np.asarray(value) for value in self.parameters)
+        mappings = (self.quantities, self.effects, self.constants)
+        return (
+            self.name,
+            self.mechanism,
+            tuple((array.shape, *array.ravel().tolist()) for array in arrays),
+            *(frozenset(mapping.items()) for mapping in mappings),
+        )
+
+    @property
+    def kind(self) -> Mechanism:
+        """The mechanism: its description and its generated functions."""
+        return mechanism(self.mechanism)
+
+    @property
+    def declared(self) -> dict[str, object]:
+        """Every declared value by dotted path, in SI units: quantities, and what is chosen, such as a direction."""
+        values: dict[str, object] = {path: quantity.value for path, quantity in self.quantities.items()}
+        for item in items(self.kind):
+            if item.key.kind not in OF_QUANTITIES:
+                values[item.path] = self._chosen(item)
+        return values
+
+    def _chosen(self, item: Item) -> object:
+        value = np.asarray(getattr(self.parameters, item.key.field))[item.index]
+        if item.key.kind == "choice":
+            return int(value)
+        if item.key.kind == "one_of":
+            return item.key.choices[int(np.argmax(value))]
+        return value.tolist() if item.key.kind == "direction" else [int(sign) for sign in value]

@@ -1,0 +1,50 @@
+"""The robot file, parsed, that declares given values: the way back from dotted paths."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from pkmodes.mechanism import Mechanism
+from pkmodes.robot.layout import EFFECTS, items, lent
+from pkmodes.robot.tables import FORMAT
+
+
+def document_of(kind: Mechanism, name: str, values: Mapping[str, Any]) -> dict[str, Any]:
+    """The document of a robot file with these values alone.
+
+    Parameters
+    ----------
+    kind : Mechanism
+    name : str
+        The robot's name.
+    values : mapping of str to value
+        By path, as a file could have them; a vector by its elements, all of them.
+
+    Raises
+    ------
+    KeyError
+        If an element of a vector is missing.
+    """
+    document: dict[str, Any] = {"format": FORMAT, "name": name, "mechanism": kind.name}
+    for table in kind.tables:
+        if table.count:
+            document[table.name] = [{} for _ in range(table.count)]
+    for item in items(kind):
+        elements = [number.path for number in item.numbers if number.path != item.path]
+        if item.path in values:
+            _put(document, item.place, values[item.path])
+        elif any(path in values for path in elements):
+            _put(document, item.place, [values[path] for path in elements])
+    for path, raw in values.items():
+        # What a table lends to an effect is declared with the table: the effect only repeats it.
+        if path.startswith(f"{EFFECTS}.") and lent(kind).get(path) not in values:
+            _put(document, tuple(path.split(".")), raw)
+    return document
+
+
+def _put(document: dict[str, Any], place: tuple[str | int, ...], raw: Any) -> None:
+    node: Any = document
+    for key in place[:-1]:
+        node = node[key] if isinstance(key, int) else node.setdefault(key, {})
+    node[place[-1]] = raw

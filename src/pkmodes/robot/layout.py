@@ -1,0 +1,170 @@
+"""Where a robot file has what: its keys with their dotted paths, and where its numbers go in the generated model.
+
+All of it follows from the description of the mechanism.  Entries of a repeated table count from 1 in paths.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache, cached_property
+
+from pkmodes.mechanism import Key, Mechanism, Table
+from pkmodes.robot.units import DIMENSIONS
+
+#: A number among the generated parameters or effects: its field, and its index in the field.
+Slot = tuple[str, tuple[int, ...]]
+
+EFFECTS = "effects"
+XYZ = ("x", "y", "z")
+#: What every robot file has beside its tables.
+GRAVITY = Key(
+    name="gravity",
+    kind="vector",
+    field="gravity",
+    dimension="acceleration",
+    description="gravitational acceleration in the base frame",
+    index=(),
+    elements=XYZ,
+    choices=(),
+    at_least=None,
+    above=None,
+    at_most=None,
+    default=None,
+    effect="",
+    signed=True,
+    suspected=True,
+)
+#: Kinds of keys whose values are quantities; others are chosen, and have neither unit nor standard deviation.
+OF_QUANTITIES = ("quantity", "vector", "pair")
+
+
+@dataclass(frozen=True)
+class Number:
+    """A quantity of a robot file.
+
+    Attributes
+    ----------
+    path : str
+        Such as ``platform.mass``, ``axis.2.belt.width``, ``axis.1.origin.x``.
+    unit : str
+        SI unit.
+    slot : Slot or None
+        None for what the entries of a repeated table share: it goes where they take it.
+    place : tuple of str and int
+        Keys of the parsed file that lead to it.
+    """
+
+    path: str
+    unit: str
+    slot: Slot | None
+    place: tuple[str | int, ...]
+
+
+@dataclass(frozen=True)
+class Item:
+    """A key of the robot file, once for each table that it is in.
+
+    Attributes
+    ----------
+    path : str
+        Such as ``gravity``, ``belt.width``, ``axis.2.belt.width``, ``axis.1.direction``.
+    key : Key
+    index : tuple of int or None
+        Of its numbers in their field; None for what the entries of a repeated table share.
+    entry : int or None
+        Of the repeated table, from 0.
+    shared : str
+        The path of the value that is taken where this one is not given; empty for none.
+    place : tuple of str and int
+        Keys of the parsed file that lead to it.
+    """
+
+    path: str
+    key: Key
+    index: tuple[int, ...] | None
+    entry: int | None
+    shared: str
+    place: tuple[str | int, ...]
+
+    @cached_property
+    def numbers(self) -> tuple[Number, ...]:
+        """Its quantities; none of what is chosen."""
+        unit = DIMENSIONS[self.key.dimension][0]
+        if self.key.kind == "quantity":
+            return (Number(self.path, unit, self._slot(()), self.place),)
+        if self.key.kind not in OF_QUANTITIES:
+            return ()
+        return tuple(
+            Number(f"{self.path}.{name}", unit, self._slot((i,)), (*self.place, i))
+            for i, name in enumerate(self.key.elements)
+        )
+
+    def _slot(self, element: tuple[int, ...]) -> Slot | None:
+        if not self.key.field:
+            return (self.key.effect, ())
+        return None if self.index is None else (self.key.field, (*self.index, *element))
+
+
+@cache
+def items(kind: Mechanism) -> tuple[Item, ...]:
+    """Every key that a robot file may have, in the order of the file; those of effects are not among them."""
+    return tuple(_items(kind))
+
+
+def _items(kind: Mechanism) -> Iterator[Item]:
+    yield Item(GRAVITY.name, GRAVITY, GRAVITY.index, None, "", (GRAVITY.name,))
+    for table in kind.tables:
+        if table.count:
+            for j in range(table.count):
+                yield from _entry(kind, table, j)
+        else:
+            for key in table.keys:
+                index = None if table.shared_by else key.index
+                yield Item(f"{table.name}.{key.name}", key, index, None, "", (table.name, key.name))
+
+
+def _entry(kind: Mechanism, table: Table, j: int) -> Iterator[Item]:
+    """Keys of an entry of a repeated table: its own, and those that it may have in place of shared ones."""
+    name = f"{table.name}.{j + 1}"
+    for key in table.keys:
+        yield Item(f"{name}.{key.name}", key, (j, *key.index), j, "", (table.name, j, key.name))
+    for other in kind.tables:
+        if other.shared_by == table.name:
+            for key in other.keys:
+                shared = f"{other.name}.{key.name}"
+                place = (table.name, j, other.name, key.name)
+                yield Item(f"{name}.{shared}", key, (j, *key.index), j, shared, place)
+
+
+@cache
+def by_path(kind: Mechanism) -> dict[str, Item]:
+    """The keys, each under its own path and those of its quantities."""
+    found = {item.path: item for item in items(kind)}
+    return found | {number.path: item for item in items(kind) for number in item.numbers}
+
+
+@cache
+def takers(kind: Mechanism) -> dict[str, tuple[Item, ...]]:
+    """By the path of a shared value: the keys that take it where they are not given."""
+    found: dict[str, tuple[Item, ...]] = {}
+    for item in items(kind):
+        if item.shared:
+            found[item.shared] = (*found.get(item.shared, ()), item)
+    return found
+
+
+@cache
+def lent(kind: Mechanism) -> dict[str, str]:
+    """Values of the tables that an effect takes for its own: their paths by that of the effect's parameter."""
+    return {f"{EFFECTS}.{item.key.effect}": item.path for item in items(kind) if item.key.effect}
+
+
+@cache
+def effect_parameters(kind: Mechanism) -> dict[str, str]:
+    """SI units of the parameters of all effects that apply, by path."""
+    return {
+        f"{EFFECTS}.{effect.name}.{parameter.name}": parameter.unit
+        for effect in kind.effects.values()
+        for parameter in effect.parameters
+    }

@@ -1,0 +1,160 @@
+"""Parameter paths: what a person calls a quantity, as a direction in the parameters of the generated model.
+
+A shared value moves for every entry that has none of its own, and a whole moves many numbers at once, pairs evenly
+apart or vectors along their own directions: each path is a straight line in the space of the generated parameters,
+so that values and derivatives along it follow from the same weights.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pkmodes.errors import PkmodesError, nearest, shown
+from pkmodes.robot.layout import EFFECTS, Item, Slot, effect_parameters, items, takers
+from pkmodes.robot.robot import Robot
+from pkmodes.robot.wholes import items_of, value_of, weights_of, wholes
+
+#: What a path moves: its unit, and how far each number.
+Moves = tuple[str, Mapping[Slot, float]]
+
+
+@dataclass(frozen=True)
+class ParameterPath:
+    """A quantity that can vary.
+
+    Attributes
+    ----------
+    path : str
+        Dotted path, such as ``platform.mass``, ``axis.span`` or ``effects.payload.mass``.
+    value : float
+        As declared, SI units.
+    unit : str
+        SI unit, ``"1"`` when dimensionless.
+    weights : mapping of slot to float
+        How far each number of the generated model moves when the quantity moves by one unit.
+    """
+
+    path: str
+    value: float
+    unit: str
+    weights: Mapping[Slot, float]
+
+
+def paths(robot: Robot) -> tuple[str, ...]:
+    """Every path that `resolve` knows for this robot: shared quantities, those of each entry, effects."""
+    return tuple(_known(robot))
+
+
+def resolve(robot: Robot, path: str) -> ParameterPath:
+    """Find what a path stands for.
+
+    Parameters
+    ----------
+    robot : Robot
+        Its declared values are where the path's line begins.
+    path : str
+        Dotted path, see docs/sensitivities.md.
+
+    Raises
+    ------
+    PkmodesError
+        If there is no such quantity, or none that can vary.
+    """
+    return resolve_all(robot, [path])[0]
+
+
+def resolve_all(robot: Robot, wanted: Iterable[str]) -> list[ParameterPath]:
+    """Find what several paths stand for, as `resolve` does."""
+    known = _known(robot)
+    return [_resolved(robot, path, known) for path in wanted]
+
+
+def _resolved(robot: Robot, path: str, known: Mapping[str, Moves]) -> ParameterPath:
+    if not isinstance(path, str):
+        raise PkmodesError(f"expected a parameter path, found {shown(path)}", "parameters", "give strings")
+    if path not in known:
+        remedy = nearest(path, known, "see docs/sensitivities.md for the paths")
+        raise PkmodesError(f"unknown parameter path {shown(path)}", robot.source, remedy)
+    unit, weights = known[path]
+    whole = wholes(robot.kind).get(path)
+    if whole is not None and not weights:
+        item = items_of(robot.kind, whole)[0]
+        what = f"{path} cannot vary: a {item.key.name} that is zero has no direction"
+        raise PkmodesError(what, robot.source, f"use elements such as {item.numbers[0].path}")
+    value = _value(robot, next(iter(weights))) if whole is None else value_of(robot, whole)
+    return ParameterPath(path, value, unit, weights)
+
+
+def moved(robot: Robot, changes: Iterable[tuple[ParameterPath, float]]) -> Robot:
+    """Return the robot with quantities changed by these amounts (not: to these values)."""
+    steps: dict[Slot, float] = {}
+    for path, amount in changes:
+        for slot, weight in path.weights.items():
+            steps[slot] = steps.get(slot, 0.0) + weight * amount
+    arrays: dict[str, np.ndarray] = {}
+    effects = dict(robot.effects)
+    for (field, index), step in steps.items():
+        if field in robot.parameters._fields:
+            if field not in arrays:
+                arrays[field] = np.array(getattr(robot.parameters, field), dtype=float)
+            arrays[field][index] += step
+        else:
+            effects[field] = effects.get(field, robot.constants.get(field, 0.0)) + step
+            effect = field.split(".")[0]
+            for constant, value in robot.constants.items():
+                if constant.split(".")[0] == effect and constant != field:
+                    effects.setdefault(constant, value)
+    values = {field: array if array.shape else float(array) for field, array in arrays.items()}
+    return replace(robot, parameters=robot.parameters._replace(**values), effects=effects)
+
+
+def _value(robot: Robot, slot: Slot) -> float:
+    field, index = slot
+    if field not in robot.parameters._fields:
+        return robot.effects.get(field, robot.constants.get(field, 0.0))
+    return float(np.asarray(getattr(robot.parameters, field))[index])
+
+
+def _known(robot: Robot) -> dict[str, Moves]:
+    whole = {w.path: (w.unit, weights_of(robot, w)) for w in robot.kind.wholes}
+    return {**_common(robot), **whole, **_of_entries(robot), **_of_effects(robot)}
+
+
+def _common(robot: Robot) -> dict[str, Moves]:
+    """Quantities of the robot as a whole, and those that several entries share."""
+    found: dict[str, Moves] = {}
+    shared = takers(robot.kind)
+    for item in items(robot.kind):
+        if item.path in shared:
+            following = [own for own in shared[item.path] if own.path not in robot.quantities]
+            slots = [number.slot for own in following for number in own.numbers]
+            if slots and (item.path in robot.quantities or item.key.default is not None):
+                found[item.path] = (item.numbers[0].unit, {slot: 1.0 for slot in slots if slot is not None})
+        elif item.entry is None:
+            found |= _single(item)
+    return found
+
+
+def _of_entries(robot: Robot) -> dict[str, Moves]:
+    """Quantities of single entries, whether they have a value of their own or take the shared one."""
+    found: dict[str, Moves] = {}
+    of_entries = [item for item in items(robot.kind) if item.entry is not None]
+    for item in sorted(of_entries, key=lambda item: (item.entry, not item.shared)):
+        found |= _single(item)
+    return found
+
+
+def _single(item: Item) -> dict[str, Moves]:
+    return {
+        number.path: (number.unit, {number.slot: 1.0}) for number in item.numbers if number.slot is not None
+    }
+
+
+def _of_effects(robot: Robot) -> dict[str, Moves]:
+    return {
+        path: (unit, {(path.removeprefix(f"{EFFECTS}."), ()): 1.0})
+        for path, unit in effect_parameters(robot.kind).items()
+    }

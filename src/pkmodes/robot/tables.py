@@ -1,0 +1,175 @@
+"""The tables of a parsed robot file, each read for itself: values by path, and everything that is wrong with them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, TypeVar
+
+from pkmodes.errors import PkmodesError, RobotFileError, nearest, shown
+from pkmodes.mechanism import Key, Mechanism, Table, mechanism
+from pkmodes.robot import schema
+from pkmodes.robot.effects import read_effects
+from pkmodes.robot.layout import EFFECTS, GRAVITY, by_path, lent
+from pkmodes.robot.units import DIMENSIONS, Quantity
+
+FORMAT_HELP = "see docs/robot-file.md for the format"
+FORMAT = 1
+#: What every robot file has before its tables.
+HEAD = ("format", "name", "mechanism", GRAVITY.name)
+COUNTS = ("no", "one", "two", "three", "four", "five", "six")
+
+T = TypeVar("T")
+
+
+class Tables:
+    """The tables of a robot file.
+
+    Parameters
+    ----------
+    document : mapping
+        The parsed file.
+    source : str
+        Its name, for messages.
+
+    Attributes
+    ----------
+    name : str
+        The robot's name.
+    kind : Mechanism
+    values : mapping of str to Value
+        By path, as the tables stand: nothing is merged, and no defaults are there.
+    effects : mapping of str to Quantity
+        Of the effects that the file names, by path.
+    problems : list of PkmodesError
+
+    Raises
+    ------
+    RobotFileError
+        If the mechanism is not known: it says which tables there are.
+    """
+
+    def __init__(self, document: Mapping[str, Any], source: str) -> None:
+        self.source = source
+        self.values: dict[str, schema.Value] = {}
+        self.problems: list[PkmodesError] = []
+        self._present(document, "format", lambda raw: schema.choice(raw, (FORMAT,)))
+        self.name = self._present(document, "name", schema.plain_name) or ""
+        kind = self._present(document, "mechanism", self._mechanism)
+        if kind is None:
+            raise RobotFileError(self.problems)
+        self.kind = kind
+        self._key(document, GRAVITY, GRAVITY.name)
+        for table in kind.tables:
+            if table.count:
+                self._repeated(document, table, [t for t in kind.tables if t.shared_by == table.name])
+            elif table.name in document:
+                self._table(document[table.name], table.name, table.keys, needed=not table.shared_by)
+            elif not table.shared_by and any(key.default is None for key in table.keys):
+                self._missing(table.name)
+        self.effects = self._effects(document.get(EFFECTS, {}))
+        self._unknown(document, "", [*HEAD, *(table.name for table in kind.tables), EFFECTS])
+
+    def raise_problems(self) -> None:
+        """Raise the error that has all problems, if there are any."""
+        if self.problems:
+            raise RobotFileError(self.problems)
+
+    def _mechanism(self, raw: Any) -> Mechanism:
+        if not isinstance(raw, str):
+            raise schema.RefusedError(f"expected the name of a mechanism, found {shown(raw)}", FORMAT_HELP)
+        try:
+            return mechanism(raw)
+        except PkmodesError as error:
+            raise schema.RefusedError(error.what, error.remedy) from error
+
+    def _repeated(self, document: Mapping[str, Any], table: Table, overrides: Sequence[Table]) -> None:
+        """The entries of a repeated table, each with what it has in place of shared values."""
+        if table.name not in document:
+            self._missing(table.name)
+            return
+        entries = document[table.name]
+        found = len(entries) if isinstance(entries, list) else shown(entries)
+        if found != table.count:
+            number = COUNTS[table.count] if table.count < len(COUNTS) else str(table.count)
+            self.problem(
+                table.name,
+                f"expected exactly {number} [[{table.name}]] tables, found {found}",
+                f"describe each of the {number} once: {table.description}",
+            )
+        for j, entry in enumerate(entries[: table.count] if isinstance(entries, list) else ()):
+            self._table(entry, f"{table.name}.{j + 1}", table.keys, overrides)
+
+    def _table(
+        self, raw: Any, path: str, keys: Sequence[Key], overrides: Sequence[Table] = (), needed: bool = True
+    ) -> None:
+        if not isinstance(raw, dict):
+            self.problem(path, f"expected a table, found {shown(raw)}", FORMAT_HELP)
+            return
+        for key in keys:
+            self._key(raw, key, f"{path}.{key.name}", needed)
+        for table in overrides:
+            if table.name in raw:
+                self._table(raw[table.name], f"{path}.{table.name}", table.keys, needed=False)
+        self._unknown(raw, path, [*(key.name for key in keys), *(table.name for table in overrides)])
+
+    def _key(self, raw: Mapping[str, Any], key: Key, path: str, needed: bool = True) -> None:
+        if key.name in raw:
+            value = self._read(raw[key.name], path, lambda given: schema.value_of(given, key))
+            if value is not None:
+                self.values[path] = value
+        elif needed and key.default is None:
+            self._missing(path)
+
+    def _effects(self, raw: Any) -> dict[str, Quantity]:
+        """The effects; what a table lends to an effect is declared with the one or the other, but not twice."""
+        if not isinstance(raw, dict):
+            self.problem(EFFECTS, f"expected a table, found {shown(raw)}", FORMAT_HELP)
+            return {}
+        values: dict[str, Quantity] = {}
+        for path, own in lent(self.kind).items():
+            _, effect, name = path.split(".")
+            value, table = self.values.get(own), own.rpartition(".")[0]
+            given = raw.get(effect)
+            if value is not None and isinstance(given, dict) and name in given:
+                what = f"the {name} of the {table} is declared twice"
+                self.problem(path, what, f"keep it in [{table}] and remove it here")
+            value = default_of(by_path(self.kind)[own].key) if value is None else value
+            if isinstance(value, Quantity):
+                values[path] = value
+        return read_effects(self.kind, raw, values, self.source, self.problems)
+
+    def _present(self, document: Mapping[str, Any], key: str, read: Callable[[Any], T]) -> T | None:
+        if key in document:
+            return self._read(document[key], key, read)
+        self._missing(key)
+        return None
+
+    def _read(self, raw: Any, path: str, read: Callable[[Any], T]) -> T | None:
+        try:
+            return read(raw)
+        except schema.RefusedError as error:
+            self.problem(f"{path}.{error.element}" if error.element else path, error.what, error.remedy)
+            return None
+
+    def _missing(self, path: str) -> None:
+        self.problem(path, f"the key {path} is missing", f"add it; {FORMAT_HELP}")
+
+    def _unknown(self, raw: Mapping[str, Any], path: str, known: Sequence[str]) -> None:
+        for key in raw:
+            if key not in known:
+                # Bare where it can be written so in TOML.
+                name = key if re.fullmatch(r"[A-Za-z0-9_-]{1,60}", key) else shown(key)
+                place = f"{path}.{name}" if path else name
+                self.problem(place, f"unknown key {shown(key)}", nearest(key, known))
+
+    def problem(self, path: str, what: str, remedy: str) -> None:
+        """Add what is wrong at a path."""
+        self.problems.append(PkmodesError(what, f"{self.source}: {path}", remedy))
+
+
+def default_of(key: Key) -> Quantity | None:
+    """What a quantity is where the file does not give it, None where it must be given."""
+    if key.default is None:
+        return None
+    return Quantity(key.default, DIMENSIONS[key.dimension][0])

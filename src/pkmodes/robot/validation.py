@@ -1,0 +1,152 @@
+"""From a parsed robot file to what it declares, or to every problem in it, each with its place.
+
+What is shared is merged when nothing is wrong with the tables, because a misspelled key would otherwise be reported
+once more as missing; what a robot needs as a whole is asked when there is nothing missing.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from pkmodes.mechanism import Key, Mechanism, Requirement
+from pkmodes.robot import schema
+from pkmodes.robot.declaration import Declaration, Parameters
+from pkmodes.robot.layout import EFFECTS, items, lent, takers
+from pkmodes.robot.tables import FORMAT_HELP, Tables, default_of
+from pkmodes.robot.units import DIMENSIONS, Quantity, article
+
+Values = Mapping[str, schema.Value]
+
+
+def declaration(document: Mapping[str, Any], source: str) -> Declaration:
+    """Validate a robot file that has been parsed.
+
+    Parameters
+    ----------
+    document : mapping
+    source : str
+        Names it in messages.
+
+    Raises
+    ------
+    RobotFileError
+        With one problem for each thing to mend.
+    """
+    tables = Tables(document, source)
+    tables.raise_problems()
+    kind = tables.kind
+    values = _merged(tables)
+    tables.raise_problems()
+    parameters = _parameters(kind, values)
+    numbers = _quantities(kind, values)
+    for requirement in kind.requirements:
+        _check(requirement, kind, parameters, numbers, tables)
+    tables.raise_problems()
+    constants = {path: tables.effects.get(path) or numbers[own] for path, own in lent(kind).items()}
+    return Declaration(
+        name=tables.name,
+        mechanism=kind.name,
+        source=source,
+        parameters=parameters,
+        quantities={**_quantities(kind, tables.values), **tables.effects},
+        effects=_by_effect(tables.effects),
+        constants=_by_effect(constants),
+    )
+
+
+def _merged(tables: Tables) -> dict[str, schema.Value]:
+    """Values of all keys: shared ones with those that have none of their own, defaults where there is none."""
+    merged: dict[str, schema.Value] = {}
+    for item in items(tables.kind):
+        given = tables.values.get(item.path, tables.values.get(item.shared))
+        value = given if given is not None else default_of(item.key)
+        if value is not None:
+            merged[item.path] = value
+    for shared, own in takers(tables.kind).items():
+        if any(item.path not in merged for item in own):
+            key = own[0].key
+            example = f'expected {article(key.dimension)} such as "{DIMENSIONS[key.dimension][1]}"'
+            tables.problem(shared, f"{example}, found nothing", f"add the key {key.name}; {FORMAT_HELP}")
+    return merged
+
+
+def _parameters(kind: Mechanism, values: Values) -> Parameters:
+    """Every number at its place in the fields of the generated model."""
+    fields: dict[str, dict[tuple[int, ...], float]] = {field: {} for field in kind.model.Parameters._fields}
+    for item in items(kind):
+        if item.key.field and item.index is not None:
+            for element, number in _numbers(item.key, values[item.path]).items():
+                fields[item.key.field][(*item.index, *element)] = number
+    return kind.model.Parameters(**{field: _filled(numbers) for field, numbers in fields.items()})
+
+
+def _numbers(key: Key, value: schema.Value) -> dict[tuple[int, ...], float]:
+    """The numbers of one value by their places in it."""
+    if key.kind == "one_of":
+        return {(i,): float(choice == value) for i, choice in enumerate(key.choices)}
+    if isinstance(value, tuple):
+        return {(i,): _number(element) for i, element in enumerate(value)}
+    return {(): _number(value)}
+
+
+def _number(value: Quantity | float) -> float:
+    return value.value if isinstance(value, Quantity) else float(value)
+
+
+def _filled(numbers: Mapping[tuple[int, ...], float]) -> float | np.ndarray:
+    if () in numbers:
+        return numbers[()]
+    array = np.full(np.max(list(numbers), axis=0) + 1, np.nan)
+    for index, number in numbers.items():
+        array[index] = number
+    array.flags.writeable = False
+    return array
+
+
+def _quantities(kind: Mechanism, values: Values) -> dict[str, Quantity]:
+    """Every quantity by its path, in the order of the format."""
+    found: dict[str, Quantity] = {}
+    for item in items(kind):
+        value = values.get(item.path)
+        elements = value if isinstance(value, tuple) else (value,)
+        of_item = [element for element in elements if isinstance(element, Quantity)]
+        if of_item:
+            found.update(zip((number.path for number in item.numbers), of_item, strict=True))
+    return found
+
+
+def _by_effect(quantities: Mapping[str, Quantity]) -> dict[str, float]:
+    return {path.removeprefix(f"{EFFECTS}."): quantity.value for path, quantity in quantities.items()}
+
+
+def _check(
+    requirement: Requirement,
+    kind: Mechanism,
+    parameters: Parameters,
+    numbers: Mapping[str, Quantity],
+    tables: Tables,
+) -> None:
+    """Add a problem for each place where a requirement does not hold."""
+    margins = np.ravel(getattr(kind.model, requirement.function)(parameters))
+    for place, margin in zip(requirement.places, margins.tolist(), strict=True):
+        if not (margin > 0.0 or (margin == 0.0 and requirement.rule == "at_least_zero")):
+            tables.problem(place, _sentence(requirement, place, margin, numbers), requirement.remedy)
+
+
+def _sentence(requirement: Requirement, place: str, margin: float, numbers: Mapping[str, Quantity]) -> str:
+    """The sentence with its values; ``{limits.min}`` is the value with that path in the table of the place."""
+    values = {
+        "missing": Quantity(-margin, requirement.unit),
+        "value": Quantity(margin, requirement.unit),
+        **{path.removeprefix(f"{place.rpartition('.')[0]}."): number for path, number in numbers.items()},
+    }
+
+    def written(match: re.Match[str]) -> str:
+        found = values[match[1]]
+        return f"{found.value:g}" + ("" if found.unit == "1" else f" {found.unit}")
+
+    return re.sub(r"\{([\w.]+)\}", written, requirement.sentence)
