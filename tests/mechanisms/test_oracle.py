@@ -67,8 +67,7 @@ def test_extended_model_agrees_with_the_oracle(name: str, label: str, seed: int)
     for matrix in (M, K_el, K_g):
         np.testing.assert_array_equal(matrix, matrix.T)
 
-    given = (robot.pose, robot.parameters) if name == "rotary_delta" else (robot.pose,)
-    motion = generated.extended_platform_motion(*given)
+    motion = generated.extended_platform_motion(robot.pose, robot.parameters)
     assert np.abs(motion - expected.platform).max() < tolerance * np.abs(expected.platform).max()
     torques, displacements = generated.extended_static_equilibrium(robot.pose, robot.parameters, chosen)
     assert np.abs(torques - expected.torques).max() < tolerance * np.abs(expected.torques).max()
