@@ -15,7 +15,7 @@ COORDINATES = extended.COORDINATES
 
 
 def symmetric(pose: tuple[float, float], level: bool = True) -> Sample:
-    """A machine whose right half mirrors its left one: at the centre both belts have runs of the same lengths."""
+    """A machine whose right half mirrors its left one: on the centre line both belts have the same runs."""
     q = sample("corexy", 0).parameters
     same = {
         field: np.full(2, getattr(q, field)[0])
@@ -39,7 +39,11 @@ def eigenvalues(robot: Sample) -> np.ndarray:
     return np.asarray(scipy.linalg.eigh(K, M, eigvals_only=True))
 
 
-def test_two_vibrations_of_a_symmetric_machine_at_its_centre() -> None:
+#: On the centre line, and what is left of 600 mm and 600 mm there: 0.45 + 0.15 - 0.2, 0.75 - 0.15 + 0.2.
+CENTRE, RUNS = (0.15, 0.2), (0.4, 0.8)
+
+
+def test_two_vibrations_of_a_symmetric_machine_on_its_centre_line() -> None:
     """Equal belts of stiffness k = w k_sp (1/l_1 + 1/l_2), with g = (1, -1) and (-1, -1).
 
     2 V = k (x - y + R theta_1)^2 + k (-x - y + R theta_2)^2
@@ -50,9 +54,9 @@ def test_two_vibrations_of_a_symmetric_machine_at_its_centre() -> None:
     theta_1 + theta_2.  The beam moves along y only: m is the tool head along x, tool head and gantry along y.
     J = I_p + gear_ratio^2 I_m.  The tool head and both motors running free are the two rigid modes.
     """
-    robot = symmetric((0.15, 0.15))
+    robot = symmetric(CENTRE)
     q = robot.parameters
-    k = q.belt_width[0] * q.belt_specific_stiffness[0] * (1 / 0.45 + 1 / 0.75)
+    k = q.belt_width[0] * q.belt_specific_stiffness[0] * sum(1 / length for length in RUNS)
     rotor = q.pulley_inertia[0] + q.gear_ratio[0] ** 2 * q.motor_inertia[0]
     drive = q.pulley_radius[0] ** 2 / rotor
     along_x = k * (2 / q.toolhead_mass + drive)
@@ -65,13 +69,13 @@ def test_two_vibrations_of_a_symmetric_machine_at_its_centre() -> None:
 
 def test_ends_tension_and_factors_change_the_same_springs() -> None:
     """As above with 1/k = l / (w k_sp (1 + a) (1 + b F)) + c of each run; both runs of a belt side by side."""
-    robot = symmetric((0.15, 0.15))
+    robot = symmetric(CENTRE)
     q = robot.parameters
     chosen = effects("corexy", ("belt_end", "belt_tension"))
     chosen = chosen._replace(axis_belt_stiffness_factor_1=0.2, axis_belt_stiffness_factor_2=0.2)
     unit = q.belt_width[0] * q.belt_specific_stiffness[0] * 1.2
     unit *= 1 + chosen.belt_tension_stiffness_coefficient * chosen.belt_tension_stiffness_tension
-    k = sum(1 / (length / unit + chosen.belt_end_compliance_compliance) for length in (0.45, 0.75))
+    k = sum(1 / (length / unit + chosen.belt_end_compliance_compliance) for length in RUNS)
     M, K_el, K_g = (a[:4, :4] for a in extended.extended_matrices(robot.pose, q, chosen))
     rotor = q.pulley_inertia[0] + q.gear_ratio[0] ** 2 * q.motor_inertia[0]
     drive = q.pulley_radius[0] ** 2 / rotor

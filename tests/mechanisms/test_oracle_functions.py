@@ -226,3 +226,34 @@ def test_a_batch_of_robots_and_poses_is_each_of_them(name: str) -> None:
                 np.testing.assert_allclose(
                     many[i] if np.ndim(many) > np.ndim(single) else many, single, rtol=1e-13, atol=1e-15
                 )
+
+
+#: A margin takes the absolute value of a complex number, which has no derivative.
+REAL = "reach_margin"
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_complex_steps_of_the_pose_are_its_differences(name: str) -> None:
+    """Arguments are taken as they are, not cut to their real part."""
+    robot = sample(name, 1)
+    known, along = given(name, robot), np.linspace(0.6, -0.8, len(robot.pose))
+    moving = 0
+    for key, call in functions(name).items():
+        names = inspect.signature(call).parameters
+        if "p" not in names or key == REAL:
+            continue
+
+        def outputs(p: np.ndarray, call: Any = call, names: Any = names) -> list[np.ndarray]:
+            found = call(**{key: p if key == "p" else known[key] for key in names})
+            return [np.asarray(output) for output in (found if isinstance(found, tuple) else (found,))]
+
+        exactly = [np.imag(output) / 1e-30 for output in outputs(robot.pose + 1e-30j * along)]
+        h = 1e-4
+        sides = zip(outputs(robot.pose + h * along), outputs(robot.pose - h * along), strict=True)
+        for one, (ahead, behind) in zip(exactly, sides, strict=True):
+            difference = (ahead - behind) / (2 * h)
+            # truncation h^2 over lengths of a tenth of a metre, and rounding over the step
+            bound = 1e-5 * np.abs(difference).max() + 1e-11 * np.abs(ahead).max()
+            assert np.abs(one - difference).max() <= bound, key
+            moving += bool(np.abs(one).max() > 0)
+    assert moving >= (12 if name == "rotary_delta" else 6)

@@ -6,6 +6,7 @@ geometry by the oracle's own closure, so that what they contribute is part of th
 
 from __future__ import annotations
 
+import inspect
 from functools import cache
 
 import numpy as np
@@ -33,10 +34,9 @@ def found(name: str, label: str) -> list[tuple[np.ndarray, np.ndarray]]:
     """Generated derivatives of M and K by every listed parameter, whole matrices."""
     robot, generated, chosen = sample(name, SEED), extended(name), effects(name, (label,))
     by_value = generated.value_sensitivities(robot.pose, robot.parameters, chosen)
-    everything = (robot.pose, robot.parameters, chosen)
-    by_geometry = generated.geometry_sensitivities(
-        *everything[: 3 if generated.GEOMETRY_SENSITIVITIES else 1]
-    )
+    known = {"p": robot.pose, "parameters": robot.parameters, "effects": chosen}
+    taken = inspect.signature(generated.geometry_sensitivities).parameters  # without geometry, no effects
+    by_geometry = generated.geometry_sensitivities(**{argument: known[argument] for argument in taken})
     result = []
     for entries, parameters in (
         (by_value, generated.VALUE_SENSITIVITIES),
