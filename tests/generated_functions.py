@@ -21,6 +21,8 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     for name, member in inspect.getmembers(model, inspect.isfunction)
     if member.__module__ == model.__name__ and not name.startswith("_")
 }
+#: That of the robot alone is no function of a pose, and has a test of its own.
+TRAVEL = FUNCTIONS.pop("travel_margin")
 #: Names of the arguments of each, in order.
 SIGNATURES: dict[str, tuple[str, ...]] = {
     name: tuple(inspect.signature(function).parameters) for name, function in FUNCTIONS.items()

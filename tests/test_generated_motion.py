@@ -11,8 +11,9 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from generated_functions import TRAVEL
 from pkmodes_generated.linear_delta import model
-from sample_robots import Sample, sample
+from sample_robots import Sample, random_robot, sample
 
 DURATION = 0.04
 # Of the kinetic energy: the integrator's relative tolerance of 1e-11 with room for some steps that err alike.
@@ -98,3 +99,11 @@ def test_energy_is_not_conserved_without_velocity_forces() -> None:
     robot = sample("random-1")
     motion = Motion(robot, velocity_forces=False)
     assert _drift(motion, motion.integrate(_start(robot))) > 0.01
+
+
+def test_travel_that_is_left_is_that_of_both_spans_of_a_carriage_at_any_pose() -> None:
+    """Equations 36 and 37 added: l_f,2 + l_f,3 = max - min - l_t."""
+    for seed in range(5):
+        parameters, pose = random_robot(np.random.default_rng(seed))
+        spans = model.belt_spans(pose, parameters)
+        np.testing.assert_allclose(TRAVEL(parameters), spans[:, 1] + spans[:, 2], rtol=0, atol=1e-15)

@@ -72,7 +72,7 @@ def test_an_interrupt_while_a_library_is_loaded(tmp_path: Path, how: list[str], 
     expect_one_line(start(tmp_path, how, MODES, INTERRUPT_AT=module))
 
 
-@pytest.mark.parametrize("module", ["scipy", "jinja2", "sympy", "sympy.core", "pkmodes_derive.linear_delta"])
+@pytest.mark.parametrize("module", ["scipy", "jinja2", "sympy", "sympy.core", "pkmodes_derive.mechanisms"])
 def test_an_interrupt_while_the_generator_is_loaded(tmp_path: Path, module: str) -> None:
     expect_one_line(start(tmp_path, STARTS[0], CHECK, INTERRUPT_AT=module))
 

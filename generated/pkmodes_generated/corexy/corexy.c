@@ -77,7 +77,7 @@ void corexy_crossing_margin(const corexy_parameters *parameters, double margin[1
     const double g_1_2 = parameters->belt_path_direction[0][1];
     const double g_2_1 = parameters->belt_path_direction[1][0];
     const double g_2_2 = parameters->belt_path_direction[1][1];
-    margin[0] = fabs(g_1_1*g_2_2 - g_1_2*g_2_1) - 1;
+    margin[0] = ((g_1_1*g_2_2 - g_1_2*g_2_1)*(g_1_1*g_2_2 - g_1_2*g_2_1)) - 1;
 }
 
 void corexy_belt_spans(const double p[2], const corexy_parameters *parameters, double l_f[2][2])

@@ -80,7 +80,7 @@ void corexy_run_margin(const corexy_parameters *parameters, double margin[2][2])
  *
  *   out margin [1]: positive where they do
  *
- * Source: determinant of the two directions, which is 0 or 2.
+ * Source: square of the determinant of the two directions, which is 0 or 4.
  * 5 operations; 5 with every named value written out.
  */
 void corexy_crossing_margin(const corexy_parameters *parameters, double margin[1]);

@@ -245,13 +245,13 @@ def crossing_margin(parameters):
 
     Notes
     -----
-    Determinant of the two directions, which is 0 or 2.
+    Square of the determinant of the two directions, which is 0 or 4.
     5 operations; 5 with every named value written out.
     """
     g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
     batch, dtype = _batch(g_1_1)
     margin_out = np.empty((*batch, 1), dtype)
-    margin_out[..., 0] = np.abs(g_1_1*g_2_2 - g_1_2*g_2_1) - 1
+    margin_out[..., 0] = (g_1_1*g_2_2 - g_1_2*g_2_1)**2 - 1
     return margin_out
 
 

@@ -276,7 +276,7 @@ def inverse_kinematics(p, parameters):
 
 
 def reach_margin(p, parameters):
-    """How much farther each arm's plane lets the platform joint be.
+    """How much longer, and how much shorter, each linkage could be.
 
     Parameters
     ----------
@@ -287,13 +287,13 @@ def reach_margin(p, parameters):
 
     Returns
     -------
-    margin : array, shape (..., 3) [m]
+    margin : array, shape (..., 3, 2) [m]
         At least zero where it is so, for each axis.
 
     Notes
     -----
-    a pose is reachable where every margin is at least zero.
-    129 operations; 165 with every named value written out.
+    The nearest and the farthest point of the arm's circle, seen from the platform joint.
+    141 operations; 330 with every named value written out.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -324,19 +324,25 @@ def reach_margin(p, parameters):
     A_1 = r_1_x*z_1_x + r_1_y*z_1_y + r_1_z*z_1_z
     B_1 = r_1_x*y_1_x + r_1_y*y_1_y + r_1_z*y_1_z
     rho2_1 = A_1**2 + B_1**2
-    C_1 = (1/2)*(L_a_1**2 - l_d_1**2 + r_1_x**2 + r_1_y**2 + r_1_z**2)/L_a_1
     A_2 = r_2_x*z_2_x + r_2_y*z_2_y + r_2_z*z_2_z
     B_2 = r_2_x*y_2_x + r_2_y*y_2_y + r_2_z*y_2_z
     rho2_2 = A_2**2 + B_2**2
-    C_2 = (1/2)*(L_a_2**2 - l_d_2**2 + r_2_x**2 + r_2_y**2 + r_2_z**2)/L_a_2
     A_3 = r_3_x*z_3_x + r_3_y*z_3_y + r_3_z*z_3_z
     B_3 = r_3_x*y_3_x + r_3_y*y_3_y + r_3_z*y_3_z
     rho2_3 = A_3**2 + B_3**2
-    C_3 = (1/2)*(L_a_3**2 - l_d_3**2 + r_3_x**2 + r_3_y**2 + r_3_z**2)/L_a_3
-    margin_out = np.empty((*batch, 3), dtype)
-    margin_out[..., 0] = np.sqrt(rho2_1) - np.abs(C_1)
-    margin_out[..., 1] = np.sqrt(rho2_2) - np.abs(C_2)
-    margin_out[..., 2] = np.sqrt(rho2_3) - np.abs(C_3)
+    t1 = 2*L_a_1*np.sqrt(rho2_1)
+    t2 = L_a_1**2 + r_1_x**2 + r_1_y**2 + r_1_z**2
+    t3 = 2*L_a_2*np.sqrt(rho2_2)
+    t4 = L_a_2**2 + r_2_x**2 + r_2_y**2 + r_2_z**2
+    t5 = 2*L_a_3*np.sqrt(rho2_3)
+    t6 = L_a_3**2 + r_3_x**2 + r_3_y**2 + r_3_z**2
+    margin_out = np.empty((*batch, 3, 2), dtype)
+    margin_out[..., 0, 0] = l_d_1 - np.sqrt(-t1 + t2)
+    margin_out[..., 0, 1] = -l_d_1 + np.sqrt(t1 + t2)
+    margin_out[..., 1, 0] = l_d_2 - np.sqrt(-t3 + t4)
+    margin_out[..., 1, 1] = -l_d_2 + np.sqrt(t3 + t4)
+    margin_out[..., 2, 0] = l_d_3 - np.sqrt(-t5 + t6)
+    margin_out[..., 2, 1] = -l_d_3 + np.sqrt(t5 + t6)
     return margin_out
 
 
@@ -438,20 +444,20 @@ def perpendicular_margin(parameters):
     Returns
     -------
     margin : array, shape (..., 3) [1]
-        1e-6 less the cosine of the angle between the two, without its sign.
+        At least zero where they are.
 
     Notes
     -----
-    |a_j . z_j| is at most 1e-6.
+    |a_j . z_j| is at most 1e-6: its square, less that of a_j . z_j.
     24 operations; 24 with every named value written out.
     """
     a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z = _entries(parameters.axis, (3, 3))
     z_1_x, z_1_y, z_1_z, z_2_x, z_2_y, z_2_z, z_3_x, z_3_y, z_3_z = _entries(parameters.zero, (3, 3))
     batch, dtype = _batch(a_1_x, z_1_x)
     margin_out = np.empty((*batch, 3), dtype)
-    margin_out[..., 0] = 1/1000000 - np.abs(a_1_x*z_1_x + a_1_y*z_1_y + a_1_z*z_1_z)
-    margin_out[..., 1] = 1/1000000 - np.abs(a_2_x*z_2_x + a_2_y*z_2_y + a_2_z*z_2_z)
-    margin_out[..., 2] = 1/1000000 - np.abs(a_3_x*z_3_x + a_3_y*z_3_y + a_3_z*z_3_z)
+    margin_out[..., 0] = 1/1000000000000 - (a_1_x*z_1_x + a_1_y*z_1_y + a_1_z*z_1_z)**2
+    margin_out[..., 1] = 1/1000000000000 - (a_2_x*z_2_x + a_2_y*z_2_y + a_2_z*z_2_z)**2
+    margin_out[..., 2] = 1/1000000000000 - (a_3_x*z_3_x + a_3_y*z_3_y + a_3_z*z_3_z)**2
     return margin_out
 
 

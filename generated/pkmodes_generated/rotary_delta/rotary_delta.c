@@ -153,7 +153,7 @@ void rotary_delta_inverse_kinematics(const double p[3], const rotary_delta_param
 }
 
 void rotary_delta_reach_margin(const double p[3], const rotary_delta_parameters *parameters,
-    double margin[3])
+    double margin[3][2])
 {
     const double p_x = p[0];
     const double p_y = p[1];
@@ -221,21 +221,24 @@ void rotary_delta_reach_margin(const double p[3], const rotary_delta_parameters 
     const double A_1 = r_1_x*z_1_x + r_1_y*z_1_y + r_1_z*z_1_z;
     const double B_1 = r_1_x*y_1_x + r_1_y*y_1_y + r_1_z*y_1_z;
     const double rho2_1 = (A_1*A_1) + (B_1*B_1);
-    const double C_1 =
-        (1.0/2.0)*((L_a_1*L_a_1) - (l_d_1*l_d_1) + (r_1_x*r_1_x) + (r_1_y*r_1_y) + (r_1_z*r_1_z))/L_a_1;
     const double A_2 = r_2_x*z_2_x + r_2_y*z_2_y + r_2_z*z_2_z;
     const double B_2 = r_2_x*y_2_x + r_2_y*y_2_y + r_2_z*y_2_z;
     const double rho2_2 = (A_2*A_2) + (B_2*B_2);
-    const double C_2 =
-        (1.0/2.0)*((L_a_2*L_a_2) - (l_d_2*l_d_2) + (r_2_x*r_2_x) + (r_2_y*r_2_y) + (r_2_z*r_2_z))/L_a_2;
     const double A_3 = r_3_x*z_3_x + r_3_y*z_3_y + r_3_z*z_3_z;
     const double B_3 = r_3_x*y_3_x + r_3_y*y_3_y + r_3_z*y_3_z;
     const double rho2_3 = (A_3*A_3) + (B_3*B_3);
-    const double C_3 =
-        (1.0/2.0)*((L_a_3*L_a_3) - (l_d_3*l_d_3) + (r_3_x*r_3_x) + (r_3_y*r_3_y) + (r_3_z*r_3_z))/L_a_3;
-    margin[0] = sqrt(rho2_1) - fabs(C_1);
-    margin[1] = sqrt(rho2_2) - fabs(C_2);
-    margin[2] = sqrt(rho2_3) - fabs(C_3);
+    const double t1 = 2*L_a_1*sqrt(rho2_1);
+    const double t2 = (L_a_1*L_a_1) + (r_1_x*r_1_x) + (r_1_y*r_1_y) + (r_1_z*r_1_z);
+    const double t3 = 2*L_a_2*sqrt(rho2_2);
+    const double t4 = (L_a_2*L_a_2) + (r_2_x*r_2_x) + (r_2_y*r_2_y) + (r_2_z*r_2_z);
+    const double t5 = 2*L_a_3*sqrt(rho2_3);
+    const double t6 = (L_a_3*L_a_3) + (r_3_x*r_3_x) + (r_3_y*r_3_y) + (r_3_z*r_3_z);
+    margin[0][0] = l_d_1 - sqrt(-t1 + t2);
+    margin[0][1] = -l_d_1 + sqrt(t1 + t2);
+    margin[1][0] = l_d_2 - sqrt(-t3 + t4);
+    margin[1][1] = -l_d_2 + sqrt(t3 + t4);
+    margin[2][0] = l_d_3 - sqrt(-t5 + t6);
+    margin[2][1] = -l_d_3 + sqrt(t5 + t6);
 }
 
 void rotary_delta_limit_margin(const double p[3], const rotary_delta_parameters *parameters,
@@ -371,9 +374,15 @@ void rotary_delta_perpendicular_margin(const rotary_delta_parameters *parameters
     const double z_3_x = parameters->zero[2][0];
     const double z_3_y = parameters->zero[2][1];
     const double z_3_z = parameters->zero[2][2];
-    margin[0] = 1.0/1000000.0 - fabs(a_1_x*z_1_x + a_1_y*z_1_y + a_1_z*z_1_z);
-    margin[1] = 1.0/1000000.0 - fabs(a_2_x*z_2_x + a_2_y*z_2_y + a_2_z*z_2_z);
-    margin[2] = 1.0/1000000.0 - fabs(a_3_x*z_3_x + a_3_y*z_3_y + a_3_z*z_3_z);
+    margin[0] =
+        1.0/1000000000000.0 - ((a_1_x*z_1_x + a_1_y*z_1_y + a_1_z*z_1_z)*(a_1_x*z_1_x + a_1_y*z_1_y
+        + a_1_z*z_1_z));
+    margin[1] =
+        1.0/1000000000000.0 - ((a_2_x*z_2_x + a_2_y*z_2_y + a_2_z*z_2_z)*(a_2_x*z_2_x + a_2_y*z_2_y
+        + a_2_z*z_2_z));
+    margin[2] =
+        1.0/1000000000000.0 - ((a_3_x*z_3_x + a_3_y*z_3_y + a_3_z*z_3_z)*(a_3_x*z_3_x + a_3_y*z_3_y
+        + a_3_z*z_3_z));
 }
 
 void rotary_delta_inertia_margin(const rotary_delta_parameters *parameters, double margin[3])

@@ -72,16 +72,16 @@ typedef struct {
 void rotary_delta_inverse_kinematics(const double p[3], const rotary_delta_parameters *parameters,
     double theta[3]);
 
-/* How much farther each arm's plane lets the platform joint be.
+/* How much longer, and how much shorter, each linkage could be.
  *
  *   in  p [m]: platform centre in the base frame
  *   out margin [m]: at least zero where it is so, for each axis
  *
- * Source: a pose is reachable where every margin is at least zero.
- * 129 operations; 165 with every named value written out.
+ * Source: the nearest and the farthest point of the arm's circle, seen from the platform joint.
+ * 141 operations; 330 with every named value written out.
  */
 void rotary_delta_reach_margin(const double p[3], const rotary_delta_parameters *parameters,
-    double margin[3]);
+    double margin[3][2]);
 
 /* How far each arm is from its limits.
  *
@@ -96,9 +96,9 @@ void rotary_delta_limit_margin(const double p[3], const rotary_delta_parameters 
 
 /* How nearly perpendicular to its axis each arm is at zero.
  *
- *   out margin [1]: 1e-6 less the cosine of the angle between the two, without its sign
+ *   out margin [1]: at least zero where they are
  *
- * Source: |a_j . z_j| is at most 1e-6.
+ * Source: |a_j . z_j| is at most 1e-6: its square, less that of a_j . z_j.
  * 24 operations; 24 with every named value written out.
  */
 void rotary_delta_perpendicular_margin(const rotary_delta_parameters *parameters, double margin[3]);

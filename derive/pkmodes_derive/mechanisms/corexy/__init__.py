@@ -7,7 +7,7 @@ run 1 in by :math:`R\,\delta\vartheta_i`, so that both runs are strained alike.
 
 from __future__ import annotations
 
-from sympy import Expr, Integer, Rational, Symbol, sqrt
+from sympy import Expr, Integer, Rational, Symbol
 
 from pkmodes_derive.description import Margin, Requirement, Scale
 from pkmodes_derive.functions import Output
@@ -146,7 +146,7 @@ def declare(m: Machine) -> None:
         for i in PATHS
         for k, side in enumerate((1, -1))
     ]
-    crossed = sqrt((g[0][0] * g[1][1] - g[0][1] * g[1][0]) ** 2) - 1
+    crossed = (g[0][0] * g[1][1] - g[0][1] * g[1][0]) ** 2 - 1
     m.extras += [
         Extra(
             "travel_margin",
@@ -169,7 +169,7 @@ def declare(m: Machine) -> None:
         Extra(
             "crossing_margin",
             "Whether the two belts pull in independent directions.",
-            "determinant of the two directions, which is 0 or 2",
+            "square of the determinant of the two directions, which is 0 or 4",
             (Output("margin", (1,), (crossed,), "1", "positive where they do"),),
             arguments=(),
             definitions={},

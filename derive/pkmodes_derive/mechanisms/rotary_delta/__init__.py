@@ -8,7 +8,7 @@ divided by the gear ratio is :math:`\varphi_j`, the reducer is a torsional sprin
 
 from __future__ import annotations
 
-from sympy import Rational, Symbol, atan2, cos, sin, sqrt
+from sympy import Expr, Rational, Symbol, atan2, cos, sin, sqrt
 
 from pkmodes_derive.description import Margin, Requirement, Whole
 from pkmodes_derive.functions import Output
@@ -201,10 +201,11 @@ def declare(m: Machine) -> None:
     m.extras += [
         _margin(
             "reach_margin",
-            "How much farther each arm's plane lets the platform joint be.",
-            "a pose is reachable where every margin is at least zero",
-            tuple(sqrt(rho2[j]) - sqrt(C[j] ** 2) for j in J),
+            "How much longer, and how much shorter, each linkage could be.",
+            "the nearest and the farthest point of the arm's circle, seen from the platform joint",
+            tuple(entry for j in J for entry in _reach(r[j], rho2[j], L_a[j], l_d[j])),
             "m",
+            (3, 2),
         ),
         _margin(
             "limit_margin",
@@ -217,14 +218,14 @@ def declare(m: Machine) -> None:
         Extra(
             "perpendicular_margin",
             "How nearly perpendicular to its axis each arm is at zero.",
-            "|a_j . z_j| is at most 1e-6",
+            "|a_j . z_j| is at most 1e-6: its square, less that of a_j . z_j",
             (
                 Output(
                     "margin",
                     (3,),
-                    tuple(PERPENDICULAR - sqrt(dot(a[j], z[j]) ** 2) for j in J),
+                    tuple(PERPENDICULAR**2 - dot(a[j], z[j]) ** 2 for j in J),
                     "1",
-                    "1e-6 less the cosine of the angle between the two, without its sign",
+                    "at least zero where they are",
                 ),
             ),
             arguments=(),
@@ -258,6 +259,12 @@ def declare(m: Machine) -> None:
 
 #: Half a turn [rad], as near as a double comes.
 HALF_TURN = 3.141592653589793
+
+
+def _reach(r: tuple[Symbol, ...], rho2: Symbol, arm: Symbol, link: Symbol) -> tuple[Expr, Expr]:
+    """Length of a linkage beyond the nearest point of its arm's circle, and up to the farthest one."""
+    square, product = dot(r, r) + arm**2, 2 * arm * sqrt(rho2)
+    return link - sqrt(square - product), sqrt(square + product) - link
 
 
 def _direct(
@@ -301,9 +308,9 @@ def _margins() -> tuple[Margin, ...]:
             0,
             "at_least_zero",
             "the pose is out of reach: an arm and its link do not meet the platform",
-            "the pose is out of reach: arm {0} and its link miss the platform joint by {missing}",
-            "choose a pose closer to the base",
-            (three,),
+            "the pose is out of reach: linkage {0} is {missing} {1}",
+            "choose a pose that the arms and links can reach",
+            (three, ("too short", "too long")),
         ),
         Margin(
             "singular",
@@ -335,7 +342,7 @@ def _requirements() -> tuple[Requirement, ...]:
             "perpendicular_margin",
             "at_least_zero",
             tuple(f"axis.{j + 1}.zero" for j in J),
-            "expected a direction perpendicular to the axis, found one that is not: |a . z| is {missing} above 1e-6",
+            "expected a direction perpendicular to the axis, found one with |axis . zero| above 1e-6",
             "give the direction of the arm at theta = 0, perpendicular to axis",
             "1",
         ),
