@@ -14,12 +14,9 @@ import numpy as np
 from buildings import Building
 from cases import ROBOT_NAMES, Case
 from judging import NOTED, POSITIONS
-from pkmodes.mechanism import mechanism
 from rig import MISTAKES, POSES, Laboratory, channels, read
 from sizes import EFFECT_SIZES, OUTSIDE_SIZES
-from strengths import PLANS, SEED, SIGMA, Truth, strangers, with_effect, with_outside
-
-CATALOGUE = mechanism("linear_delta").effects
+from strengths import CATALOGUE, PLANS, SEED, SIGMA, Truth, strangers, with_effect, with_outside
 
 #: Cases of few rows, and of outliers among them: robots, and as many buildings.
 FEW_ROWS, OUTLIERS = 60, 30

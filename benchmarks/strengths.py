@@ -57,7 +57,12 @@ from sizes import (
     WRONG_TARGETS,
 )
 
-CATALOGUE = mechanism("linear_delta").effects
+#: Effects of the suites; one of a tension does nothing on machines whose tension nobody stated.
+CATALOGUE = {
+    name: effect
+    for name, effect in mechanism("linear_delta").effects.items()
+    if name != "belt_tension_stiffness"
+}
 
 #: Standard deviation of ln f, and the modes that are looked for beyond the first three.
 SIGMA, MODES = 0.002, 6

@@ -16,11 +16,8 @@ import hard_suites
 from cases import ROBOT_NAMES, Case, measured
 from judging import Outcome, failed, judged, run
 from pkmodes.closing.suspects import PREFIX
-from pkmodes.mechanism import mechanism
 from sizes import EFFECT_SIZES, OUTSIDE_SIZES, PAIR_SIZES, TARGETS, WRONG_SIZES
-from strengths import PLANS, SHAPES, Truth, pairs, strangers, with_effect, with_outside, with_wrong
-
-CATALOGUE = mechanism("linear_delta").effects
+from strengths import CATALOGUE, PLANS, SHAPES, Truth, pairs, strangers, with_effect, with_outside, with_wrong
 
 __all__ = ["SUITES", "Case", "Outcome", "failed", "judged", "measured", "run"]
 

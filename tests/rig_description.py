@@ -33,6 +33,8 @@ EFFECTS: dict[str, float] = {
     "axis_belt_stiffness.factor_1": 0.0,
     "axis_belt_stiffness.factor_2": 0.0,
     "axis_belt_stiffness.factor_3": 0.0,
+    "belt_tension_stiffness.coefficient": 0.0,
+    "belt_tension_stiffness.tension": 0.0,
     "cable_stiffness.stiffness": 0.0,
     "gearbox_compliance.compliance": 0.0,
     "link_compliance.compliance": 0.0,
@@ -276,6 +278,9 @@ class _Builder:
         """Compliance of a span: the sum of what its pieces yield, and of its ends."""
         specific = self.parameters.belt_specific_stiffness[j] * (
             1 + self.s[f"axis_belt_stiffness.factor_{j + 1}"]
+        )
+        specific *= (
+            1 + self.s["belt_tension_stiffness.coefficient"] * self.s["belt_tension_stiffness.tension"]
         )
         travel = self.parameters.limits[j, 1] - self.parameters.limits[j, 0]
         place = start + length / 2 * (1 + SPAN_NODES)

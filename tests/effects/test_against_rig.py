@@ -37,6 +37,7 @@ STRENGTHS: dict[str, dict[str, float]] = {
     "servo_stiffness": {"stiffness": 40.0},
     "belt_end_compliance": {"compliance": 1e-6},
     "axis_belt_stiffness": {"factor_1": 0.1, "factor_2": -0.2, "factor_3": 0.05},
+    "belt_tension_stiffness": {"coefficient": 0.005, "tension": 40.0},
     "cable_stiffness": {"stiffness": 5e4},
     "gearbox_compliance": {"compliance": 1e-3},
     "link_compliance": {"compliance": 2e-6},

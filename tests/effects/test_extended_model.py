@@ -49,6 +49,7 @@ def test_the_catalogue_has_the_effects_parameters_and_coordinates_of_the_contrac
         "servo_stiffness": ["stiffness"],
         "belt_end_compliance": ["compliance"],
         "axis_belt_stiffness": ["factor_1", "factor_2", "factor_3"],
+        "belt_tension_stiffness": ["coefficient", "tension"],
         "cable_stiffness": ["stiffness"],
         "gearbox_compliance": ["compliance"],
         "link_compliance": ["compliance"],
@@ -253,6 +254,8 @@ TYPICAL = {
     "m/N": 1e-7,
     "rad/(N m)": 1e-4,
     "1": 0.1,
+    "1/N": 0.01,
+    "N": 20.0,
 }
 UNITS = {f"{name}_{p[0]}": p[1] for name, *_, described in extended.EFFECTS for p in described}
 

@@ -26,6 +26,7 @@ VALUES = {
     "servo_stiffness": {"stiffness": "500 N*m/rad"},
     "belt_end_compliance": {"compliance": "1e-7 m/N"},
     "axis_belt_stiffness": {"factor_1": "5 %", "factor_2": "-0.1", "factor_3": "0.02"},
+    "belt_tension_stiffness": {"coefficient": "0.01 1/N", "tension": "20 N"},
     "cable_stiffness": {"stiffness": "1 N/mm"},
     "gearbox_compliance": {"compliance": "1e-3 rad/(N*m)"},
     "link_compliance": {"compliance": "1e-7 m/N"},
