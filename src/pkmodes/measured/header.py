@@ -209,8 +209,9 @@ def _factor(
         if allowed == ("Hz",):
             return frequency_factor(unit)
         factor, powers = base_units(unit)
-        if powers in [base_units(one)[1] for one in allowed]:
-            return factor
+        for si, same in map(base_units, allowed):
+            if powers == same:
+                return factor / si
         problem = f"{shown(unit)} is of another kind"
     except QuantityError as error:
         problem = str(error)
