@@ -19,8 +19,8 @@ ROOT = Path(__file__).parents[1]
 SCHEMAS = {
     path.name.split(".")[0]: path for path in sorted((ROOT / "docs" / "schemas").glob("*.schema.json"))
 }
-#: Keys that only some mechanisms have: every other one is always there.
-OF_SOME = ("carriage_positions",)
+#: Keys that only some mechanisms have, or rows where something is set: every other one is always there.
+OF_SOME = ("carriage_positions", "set")
 LOOP = [str(ROOT / "examples" / "closed_loop" / name) for name in ("robot.toml", "measured.csv")]
 POSE = ["--pose", "0.6,0.03,-0.245"]
 
@@ -116,6 +116,17 @@ def test_compare(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert alone["p_value"] is None
     assert alone["rows"][0]["partner"] is None
     expect_described("compare", alone)
+
+
+def test_what_is_set_is_described(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    header = "pose,x,y,z,frequency,sigma,set:effects.payload.mass"
+    rows = "A,0.6,0,-0.245,55.6,0.1,", "B,0.6,0,-0.245,50,0.1,0.3"
+    (tmp_path / "modes.csv").write_text("\n".join([header, *rows, ""]), encoding="utf-8")
+    files = [str(PUBLISHED), str(tmp_path / "modes.csv")]
+    for command in ("compare", "diagnose"):
+        found = result(capsys, command, *files)
+        assert [row.get("set") for row in found["rows"]] == [None, {"effects.payload.mass": 0.3}]
+        expect_described(command, found)
 
 
 def diagnoses(folder: Path) -> dict[str, list[str]]:

@@ -187,6 +187,45 @@ def test_the_next_measurement_is_where_the_explanations_differ_most() -> None:
     assert found.next_measurement.sigmas == pytest.approx(np.linalg.norm(G[:, 0] * a["a"] - G[:, 1] * b["b"]))
 
 
+@pytest.mark.parametrize(
+    ("loaded", "by"),
+    [
+        (2.0, {"payload": 0.5}),  # twice as far apart as anywhere without it
+        (1.2, {}),  # hardly farther: not worth the work
+        (20.0, {}),  # an explanation says that it is there anyhow, and by how much is unknown
+    ],
+)
+def test_a_load_is_proposed_where_it_separates_far_better(loaded: float, by: dict[str, float]) -> None:
+    model, data = between(0.3, apart=2.0)
+    name = "a" if loaded == 20.0 else "payload"
+
+    def with_first(times: float) -> LogLinear:
+        there = LogLinear(model.base, model.G.copy(), model.parameters, model.candidates)
+        there.G[1, 2] = SIGMA * np.array([3.0 * times, 1.0 * times, 0.0])
+        return there
+
+    class Movable(LogLinear):
+        def elsewhere(self, count: int) -> tuple[np.ndarray, LogLinear]:
+            there = Movable(model.base, with_first(1.0).G, model.parameters, model.candidates)
+            return np.eye(3), there
+
+        def subset(self, setups: Sequence[int]) -> LogLinear:
+            return self
+
+        def loaded(self) -> list[tuple[dict[str, float], LogLinear]]:
+            return [({name: 0.1}, with_first(0.5)), ({name: 0.5}, with_first(loaded))]
+
+    found = checked(Movable(model.base, model.G, model.parameters, model.candidates), data)
+    proposed = found.next_measurement
+    assert proposed is not None
+    assert proposed.pose == (0.0, 1.0, 0.0)
+    assert proposed.load == by
+    content = found.as_json()["next_measurement"]
+    assert isinstance(content, dict)
+    assert content.get("set", {}) == by
+    assert list(content) == ["pose", "separates", "sigmas", *(["set"] if by else [])]
+
+
 def test_causes_that_differ_by_less_than_the_data_show_are_one_class() -> None:
     found = checked(*between(0.3, apart=2.0))
     assert found.verdict == "effect_found"
