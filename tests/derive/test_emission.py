@@ -76,11 +76,12 @@ def test_the_derivation_page_shows_every_function_and_every_named_value() -> Non
 
 
 def test_generated_files_hold_no_date_host_path_or_carriage_return() -> None:
-    for text in TEXTS.values():
+    for name, text in TEXTS.items():
         assert "\r" not in text
         assert str(ROOT) not in text
         assert text.endswith("\n")
-        assert max(map(len, text.splitlines())) <= layout.WIDTH
+        # A sentence of the description is one string: JSON has no other way to write it.
+        assert name == "description.json" or max(map(len, text.splitlines())) <= layout.WIDTH
 
 
 @pytest.mark.parametrize("function", MODEL.functions, ids=lambda f: f.name)
