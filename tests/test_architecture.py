@@ -13,9 +13,13 @@ import pytest
 ROOT = Path(__file__).parents[1]
 STANDARD = sys.stdlib_module_names
 #: Parts of the runtime that may reach the derivation, and only from inside functions.
-BRIDGE = {"src/pkmodes/generation.py"}
+BRIDGE = {"src/pkmodes/derivation.py"}
 #: Parts that load what belongs to a mechanism by its name.
-BY_MECHANISM = {"src/pkmodes/mechanism.py", "src/pkmodes/checking/own.py"}
+BY_MECHANISM = {
+    "src/pkmodes/mechanism.py",
+    "src/pkmodes/mechanism_packages.py",
+    "src/pkmodes/checking/own.py",
+}
 
 
 def imports(file: Path, *, top_level_only: bool = False) -> set[str]:
