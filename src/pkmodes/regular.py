@@ -35,7 +35,7 @@ def declared(kind: Mechanism) -> list[Key]:
 
 
 def travel(kind: Mechanism, parameters: Any) -> Array:
-    """How far the independent coordinates go, (k, 2): the pairs of numbers in the robot's tables, if there are any."""
+    """How far the independent coordinates go, (k, 2): pairs of numbers in the robot's tables, if any."""
     pairs = [np.empty((0, 2))]
     for key in declared(kind):
         if key.kind == "pair":
