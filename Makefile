@@ -40,7 +40,7 @@ generate: $(VENV)/.derive  ## regenerate the committed code
 	$(BIN)/python -m pkmodes_derive generate
 
 docs: $(VENV)/.derive  ## rebuild the derivation's page
-	$(BIN)/python -m pkmodes_derive latex
+	$(BIN)/python -m pkmodes_derive latex --mechanism linear_delta
 
 benchmark: $(VENV)/.dev
 	$(BIN)/python benchmarks/evaluation.py

@@ -13,9 +13,13 @@ import pytest
 ROOT = Path(__file__).parents[1]
 STANDARD = sys.stdlib_module_names
 #: Parts of the runtime that may reach the derivation, and only from inside functions.
-BRIDGE = {"src/pkmodes/generation.py"}
+BRIDGE = {"src/pkmodes/derivation.py"}
 #: Parts that load what belongs to a mechanism by its name.
-BY_MECHANISM = {"src/pkmodes/mechanism.py", "src/pkmodes/checking/own.py"}
+BY_MECHANISM = {
+    "src/pkmodes/mechanism.py",
+    "src/pkmodes/mechanism_packages.py",
+    "src/pkmodes/checking/own.py",
+}
 
 
 def imports(file: Path, *, top_level_only: bool = False) -> set[str]:
@@ -103,21 +107,25 @@ def test_the_engine_knows_no_robots(layer: str) -> None:
         assert parts <= LAYERS[layer] | {layer, "errors"}, file
 
 
-#: Where a mechanism may be named: what is checked of it alone.
-OF_ONE = ROOT / "src/pkmodes/mechanisms"
-
-
-def test_the_runtime_knows_no_mechanism_by_name() -> None:
-    """Neither its name nor its generated package: what differs between mechanisms is in their descriptions."""
-    generated = ROOT / "generated/pkmodes_generated"
-    names = [folder.parent.name for folder in generated.glob("*/description.json")]
+def test_no_mechanism_is_named_outside_its_own_folder() -> None:
+    """Neither in the runtime nor in the derivation: what differs between mechanisms is in their declarations."""
+    names = [
+        folder.parent.name for folder in (ROOT / "generated/pkmodes_generated").glob("*/description.json")
+    ]
     assert "linear_delta" in names
-    for file in files("src"):
+    for file in (file for part in ("src", "derive") for file in sorted((ROOT / part).rglob("*"))):
+        if not file.is_file() or "__pycache__" in file.parts:
+            continue
+        text = file.read_text(encoding="utf-8")
+        # Its own are mechanisms/<name>/ of the derivation, and mechanisms/<name>.py of the checks.
+        own = [name for name in names if name in (file.stem, *file.parts) and "mechanisms" in file.parts]
         place = file.relative_to(ROOT).as_posix()
-        if OF_ONE not in file.parents:
-            text = file.read_text(encoding="utf-8")
-            assert not [name for name in names if name in text], place
-            assert "pkmodes_generated" not in imports(file), place
+        assert not [name for name in names if name in text and name not in own], place
+
+
+def test_the_runtime_imports_no_generated_code_by_its_name() -> None:
+    for file in files("src"):
+        assert "pkmodes_generated" not in imports(file), file
 
 
 def test_templates_contain_no_mathematics() -> None:

@@ -2,8 +2,8 @@
 
 The physics is written once, here, as SymPy expressions; everything that can be derived from it is
 derived.  `vocabulary` names the symbols, `chain` differentiates through named intermediate values,
-`implicit` closes kinematic loops, `lagrangian` forms M and K, `linear_delta` is the first mechanism and
-`emit` writes the code.  Run ``python -m pkmodes_derive --help`` to regenerate the committed code.
+`implicit` closes kinematic loops, `lagrangian` forms M and K, `mechanisms` has what is declared of each machine
+and `emit` writes the code.  Run ``python -m pkmodes_derive --help`` to regenerate the committed code.
 """
 
 __version__ = "0.1.0"

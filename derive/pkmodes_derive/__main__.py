@@ -19,7 +19,7 @@ def main() -> None:
     generate = commands.add_parser("generate", help="write the parametric model of every mechanism")
     generate.add_argument("--out", type=Path, default=Path(str(files("pkmodes_generated"))))
     page = commands.add_parser("latex", help="write every derived quantity of a mechanism in LaTeX")
-    page.add_argument("--mechanism", choices=mechanisms.names(), default="linear_delta")
+    page.add_argument("--mechanism", choices=mechanisms.names(), required=True)
     page.add_argument("--out", type=Path, default=ROOT / "docs" / "derivation.md")
     arguments = parser.parse_args()
     if arguments.command == "latex":

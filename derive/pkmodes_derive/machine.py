@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from sympy import Add, Expr, Integer, Symbol
+from sympy import Add, Expr, Integer, Symbol, sympify
 
 from pkmodes_derive.chain import Chain
 from pkmodes_derive.description import Margin, Requirement, Scale, Whole
@@ -325,7 +325,14 @@ class Machine:
     # Effects -------------------------------------------------------------------------------------------------
 
     def finish(self) -> None:
-        """Name what belongs to the platform, once it is declared."""
+        """Name what belongs to the platform, once it is declared; positions may have plain numbers in them."""
+        self.platform = _exact(self.platform)
+        for point in self.points:
+            point.position = _exact(point.position)
+        for rod in self.rods:
+            rod.ends = _exact(rod.ends[0]), _exact(rod.ends[1])
+        for arm in self.arms:
+            arm.centre = _exact(arm.centre)
         self.v_p = self._platform("v_p", "m/s", "velocity of the platform", r"(\dot{{p}})_{i}")
 
     def apply(self, effects: Sequence[Effect]) -> None:
@@ -376,3 +383,7 @@ class Machine:
             )
         self.released += tuple(found)
         return tuple(found)
+
+
+def _exact(position: Sequence[object]) -> tuple[Expr, ...]:
+    return tuple(sympify(component) for component in position)

@@ -13,7 +13,7 @@ from typing import TypeVar
 from sympy import Symbol
 
 from pkmodes_derive.description import Key, Table
-from pkmodes_derive.vocabulary import AXES, Field, Vocabulary
+from pkmodes_derive.vocabulary import AXES, DeclarationError, Field, Vocabulary
 
 #: SI units of the dimensions, in the words of messages.
 UNITS = {
@@ -26,6 +26,15 @@ UNITS = {
     "torsional stiffness": "N m/rad",
     "acceleration": "m/s^2",
 }
+
+
+def unit_of(dimension: str) -> str:
+    """SI unit of a dimension."""
+    if dimension not in UNITS:
+        raise DeclarationError(f"unknown dimension {dimension!r}", f"there are {', '.join(UNITS)}")
+    return UNITS[dimension]
+
+
 Symbols = tuple[Symbol, ...]
 AnyTable = TypeVar("AnyTable", bound="Declared")
 
@@ -122,7 +131,7 @@ class Declared:
         signed: bool = False,
     ) -> Symbols:
         """A quantity; of a shared table one for each entry that shares it."""
-        name, unit = field or f"{self.name}_{key}", UNITS[dimension]
+        name, unit = field or f"{self.name}_{key}", unit_of(dimension)
         symbols = self._tables.declare(symbol, unit, description, latex or symbol, self._entries)
         self._tables.field(name, (self._entries,) if self._entries else (), symbols, unit, description)
         self.keys.append(
@@ -199,7 +208,7 @@ class Repeated(Declared):
         **bounds: float,
     ) -> tuple[Symbols, Symbols]:
         """A range, the lower end first; both ends as symbol, description and LaTeX form."""
-        unit = UNITS[dimension]
+        unit = unit_of(dimension)
         ends = tuple(
             self._tables.declare(symbol, unit, what, tex, self.count) for symbol, what, tex in (low, high)
         )
@@ -260,7 +269,7 @@ class Repeated(Declared):
         above: float | None = None,
         choices: tuple[int, ...] = (),
     ) -> tuple[Symbols, ...]:
-        v, unit, numbers = self._tables._vocabulary, UNITS[dimension], range(1, count + 1)
+        v, unit, numbers = self._tables._vocabulary, unit_of(dimension), range(1, count + 1)
         symbols = tuple(
             tuple(v.declare(f"{symbol}_{{j}}_{{k}}", unit, description, latex, j=j, k=k) for k in numbers)
             for j in range(1, self.count + 1)

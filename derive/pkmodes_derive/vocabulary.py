@@ -17,6 +17,14 @@ from sympy import Symbol
 AXES = ("x", "y", "z")
 
 
+class DeclarationError(ValueError):
+    """A declaration that cannot stand: what is wrong, and what to do about it."""
+
+    def __init__(self, what: str, remedy: str) -> None:
+        super().__init__(what)
+        self.remedy = remedy
+
+
 class Family(NamedTuple):
     """Quantities that differ in their indices only: one entry of a glossary.
 
@@ -105,6 +113,16 @@ class Field:
         return list(product(*(range(extent) for extent in self.shape)))
 
 
+def _filled(text: str, index: Mapping[str, object]) -> str:
+    try:
+        return text.format(**index)
+    except (LookupError, ValueError):
+        letters = ", ".join(f"{{{letter}}}" for letter in index)
+        raise DeclarationError(
+            f"cannot fill in the indices {letters} of {text!r}", "write all other braces twice"
+        ) from None
+
+
 class Vocabulary:
     """The symbols of one mechanism, in the order in which they were declared.
 
@@ -141,13 +159,16 @@ class Vocabulary:
                     f"the indices of {name!r} need other letters than those that it is named with"
                 )
             letters = {letter: letter for letter in index}
-            family = Family(name.format(**letters), description.format(**letters), unit)
-            name, description, latex = (text.format(**index) for text in (name, description, latex))
+            family = Family(_filled(name, letters), _filled(description, letters), unit)
+            name, description, latex = (_filled(text, index) for text in (name, description, latex))
         if not (name.isidentifier() and unit and description and latex):
             raise ValueError(f"symbol {name!r} needs an identifier, a unit, a description and a LaTeX form")
         symbol = Symbol(name, real=True)
         if symbol in self._quantities:
-            raise ValueError(f"symbol {name!r} is declared twice")
+            raise DeclarationError(
+                f"symbol {name!r} is declared twice",
+                "rename it: another quantity, or an effect, has that name",
+            )
         self._quantities[symbol] = Quantity(symbol, unit, description, latex, family, index, template)
         return symbol
 

@@ -1,55 +1,46 @@
-"""From a robot file to a generated model: the bridge between runtime and derivation.
-
-This is the only module that imports the derivation, and it does so when it is called: ``import pkmodes`` must
-work, and fast, without SymPy.
-"""
+"""From a robot file, and the definition of a user's own mechanism, to generated code in folders."""
 
 from __future__ import annotations
 
 import os
-import shlex
+from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
-from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from pkmodes.errors import MissingExtraError, OutputError, shown
+from pkmodes.derivation import (
+    Definition,
+    define,
+    definition_of,
+    derivation,
+    parametric,
+    read_definition,
+    staged,
+    told,
+)
+from pkmodes.errors import OutputError, PkmodesError, shown
 from pkmodes.evaluation import active_effects
-from pkmodes.product_folder import MANIFEST, check_owner, check_place, stale_outputs
+from pkmodes.mechanism import add_folder
+from pkmodes.mechanism_packages import folder_of
+from pkmodes.product_folder import MANIFEST, check_mechanism, check_owner, check_place, stale_outputs
 from pkmodes.robot.reading import read_robot
 from pkmodes.robot.robot import Robot
 from pkmodes.writing import write_files
 
-#: The extra `derive` of pyproject.toml: named here so that it can be installed without an index that has pkmodes.
-REQUIREMENTS = ("jinja2>=3.1", "sympy==1.14.0")
 
-if TYPE_CHECKING:
-    from pkmodes_derive.emit.specification import Specification
+def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:
+    """What the derivation needs to know of a robot; a mechanism of the user's own is made known to it.
 
-
-def derivation(name: str) -> ModuleType:
-    """Import a module of the derivation.
-
-    Raises
-    ------
-    MissingExtraError
-        If SymPy or Jinja2 is not installed.
+    Parameters
+    ----------
+    robot : Robot
+    robot_file, definition : str
+        How its product refers to the robot file, and to the definition of the mechanism.
     """
-    from importlib import import_module
-
-    try:
-        return import_module(f"pkmodes_derive.{name}")
-    except ModuleNotFoundError as error:
-        raise MissingExtraError(
-            f"{error.name} is not installed; generating and checking code needs it",
-            "optional dependency",
-            f"install it with: pip install {' '.join(map(shlex.quote, REQUIREMENTS))}, "
-            "or in a checkout of pkmodes with: pip install '.[derive]'",
-        ) from None
-
-
-def specification(robot: Robot, robot_file: str) -> Specification:
-    """What the derivation needs to know of a robot; `robot_file` is how its product refers to the file."""
-    found: Specification = derivation("emit.specification").Specification(
+    own = definition_of(robot.kind)
+    if own is not None:
+        define(own)
+    return derivation("emit.specification").Specification(
         name=robot.name,
         mechanism=robot.mechanism,
         robot_file=robot_file,
@@ -57,16 +48,40 @@ def specification(robot: Robot, robot_file: str) -> Specification:
         | {path.replace(".", "_"): value for path, value in robot.effects.items()},
         values=robot.declared,
         effects=active_effects(robot.kind, robot.effects),
+        definition=definition,
     )
-    return found
+
+
+def specialised(specification: Any) -> dict[str, str]:
+    """Derive the model of one robot: texts by file name."""
+    with told():
+        texts: dict[str, str] = derivation("emit.product").specialised(specification)
+    return texts
 
 
 def _plain(value: Any) -> Any:
     return value.tolist() if hasattr(value, "tolist") else value
 
 
-def generate(robot_file: Path, out: Path) -> list[Path]:
-    """Generate the model of one robot.
+@dataclass(frozen=True)
+class _Folder:
+    """A folder of generated code, and the manifest that is in it."""
+
+    place: Path
+    recorded: dict[str, Any] | None
+
+    def write(self, texts: Mapping[str, str]) -> list[Path]:
+        """Write what was generated, and remove what has a former name."""
+        generated = derivation("emit.currency").carries_header
+        stale = [] if self.recorded is None else stale_outputs(self.place, self.recorded, texts, generated)
+        written = write_files(self.place, texts)
+        for path in stale:
+            path.unlink(missing_ok=True)
+        return written
+
+
+def generate(robot_file: Path, out: Path, mechanism: Path | None = None) -> list[Path]:
+    """Generate the model of one robot, and with the definition of a mechanism the mechanism's own.
 
     Parameters
     ----------
@@ -74,6 +89,9 @@ def generate(robot_file: Path, out: Path) -> list[Path]:
         The robot file.
     out : Path
         Folder of the product; made if it is not there.
+    mechanism : Path, optional
+        Of the user's own: a Python file that defines it, whose code is written into the folder of its name in `out`,
+        or a folder that was generated from one.
 
     Returns
     -------
@@ -88,25 +106,52 @@ def generate(robot_file: Path, out: Path) -> list[Path]:
         If the folder cannot be written, is no place for generated files, or holds the model of another robot.
     MissingExtraError
         If SymPy or Jinja2 is not installed.
+    PkmodesError
+        If the definition is wrong.
     """
+    if mechanism is not None and not mechanism.is_dir():
+        return _generate_both(robot_file, out, read_definition(mechanism))
+    if mechanism is not None:
+        add_folder(mechanism)
     robot = read_robot(robot_file)
-    recorded = _recorded(out)
-    reference = relative(robot_file, out)
-    check_place(out, robot_file, recorded)
-    if recorded is not None:
-        check_owner(out, recorded, reference, robot.name)
-    texts = derivation("emit.product").specialised(specification(robot, reference))
-    generated = derivation("emit.currency").carries_header
-    stale = [] if recorded is None else stale_outputs(out, recorded, texts, generated)
-    written = write_files(out, texts)
-    for path in stale:
-        path.unlink(missing_ok=True)
+    folder = _Folder(out, _recorded(out))
+    check_place(out, [robot_file], folder.recorded)
+    folder_of_mechanism = folder_of(robot.kind.package)
+    definition = relative(Path(folder_of_mechanism), out) if folder_of_mechanism else ""
+    return folder.write(_texts(robot, robot_file, folder, definition))
+
+
+def _generate_both(robot_file: Path, out: Path, definition: Definition) -> list[Path]:
+    """The code of a mechanism and the model of a robot; nothing is written unless both can be."""
+    package = out / definition.name
+    inner, outer = _Folder(package, _recorded(package)), _Folder(out, _recorded(out))
+    check_place(out, [robot_file, definition.file, package], outer.recorded)
+    check_place(package, [], inner.recorded)
+    check_mechanism(package, inner.recorded, definition.name)
+    of_mechanism = parametric(definition, relative(definition.file, package))
+    with staged(definition.name, of_mechanism):
+        robot = read_robot(robot_file)
+        if robot.mechanism != definition.name:
+            what = f"the robot is a {robot.mechanism}, not a {definition.name}"
+            remedy = f'write mechanism = "{definition.name}", or leave --mechanism out'
+            raise PkmodesError(what, f"{robot_file}: mechanism", remedy)
+        of_robot = _texts(robot, robot_file, outer, relative(definition.file, out))
+    written = [*inner.write(of_mechanism), *outer.write(of_robot)]
+    add_folder(package)
     return written
 
 
-def relative(robot_file: Path, out: Path) -> str:
-    """The robot file as seen from the product's folder, with forward slashes."""
-    return Path(os.path.relpath(robot_file.resolve(), out.resolve())).as_posix()
+def _texts(robot: Robot, robot_file: Path, folder: _Folder, definition: str) -> dict[str, str]:
+    """The model of a robot, for a folder that is its own."""
+    reference = relative(robot_file, folder.place)
+    if folder.recorded is not None:
+        check_owner(folder.place, folder.recorded, reference, robot.name)
+    return specialised(specification(robot, reference, definition))
+
+
+def relative(source: Path, out: Path) -> str:
+    """A file or folder as seen from the product's folder, with forward slashes."""
+    return Path(os.path.relpath(source.resolve(), out.resolve())).as_posix()
 
 
 def _recorded(folder: Path) -> dict[str, Any] | None:

@@ -8,188 +8,54 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from importlib import import_module
 from importlib.resources import files
+from os import PathLike
 from types import ModuleType
 from typing import Any
 
+from pkmodes.description import (
+    Effect,
+    EffectParameter,
+    Key,
+    Margin,
+    Named,
+    Requirement,
+    Scale,
+    Table,
+    Whole,
+)
 from pkmodes.errors import PkmodesError, nearest, shown
+from pkmodes.mechanism_packages import OPTION, again, folder_of, imported, installed, place_of
+
+__all__ = [
+    "Effect",
+    "EffectParameter",
+    "Key",
+    "Margin",
+    "Mechanism",
+    "Named",
+    "Requirement",
+    "Scale",
+    "Table",
+    "Whole",
+    "add",
+    "add_folder",
+    "meanwhile",
+    "mechanism",
+    "names",
+    "supplied",
+]
 
 #: The package of the generated models.
 GENERATED = "pkmodes_generated"
 DESCRIPTION = "description.json"
 #: Packages of mechanisms that are not among them, by the mechanism's name: see `add`.
 _added: dict[str, str] = {}
-
-
-@dataclass(frozen=True)
-class Named:
-    """A component of the pose, a coordinate or a drive: name, SI unit and a noun phrase."""
-
-    name: str
-    unit: str
-    description: str
-
-
-@dataclass(frozen=True)
-class Key:
-    """A key of a table of the robot file.
-
-    Attributes
-    ----------
-    name, kind : str
-        The kind is ``quantity``; ``vector`` of quantities; ``pair`` of quantities, the lower one first;
-        ``direction``, a unit vector that is normalised on reading; ``choice``, one of some numbers; ``one_of``, one
-        of some numbers, whose place has a 1 in the field; ``signs``, numbers that are each +1 or -1.
-    field : str
-        Of the generated `Parameters`; empty for a constant that an effect takes.
-    dimension, description : str
-    index : tuple of int
-        Where in the field, after the index of a repeated table.
-    elements : tuple of str
-        Names of the elements of a vector or pair, in paths.
-    choices : tuple of int
-    at_least, above, at_most : float or None
-        Bounds in SI units.
-    default : float or None
-        In SI units; without one the key is needed.
-    effect : str
-        The parameter of an effect that takes this value, ``<effect>.<parameter>``; empty for none.
-    signed : bool
-        Whether a quantity may have either sign, or be zero.
-    suspected : bool
-        Whether it is a candidate where it has no standard deviation.
-    """
-
-    name: str
-    kind: str
-    field: str
-    dimension: str
-    description: str
-    index: tuple[int, ...]
-    elements: tuple[str, ...]
-    choices: tuple[int, ...]
-    at_least: float | None
-    above: float | None
-    at_most: float | None
-    default: float | None
-    effect: str
-    signed: bool
-    suspected: bool
-
-
-@dataclass(frozen=True)
-class Table:
-    """A table of the robot file: ``count`` times if repeated, else 0; perhaps shared by the entries of another."""
-
-    name: str
-    description: str
-    keys: tuple[Key, ...]
-    count: int
-    shared_by: str
-
-
-@dataclass(frozen=True)
-class Whole:
-    """Several numbers that one path moves together: pairs as ``span``, vectors as ``radius``."""
-
-    path: str
-    kind: str
-    field: str
-    unit: str
-    description: str
-
-
-@dataclass(frozen=True)
-class Margin:
-    """Something that a pose needs, as one result of a generated function.
-
-    Attributes
-    ----------
-    code, meaning : str
-        What `reason` says of a pose without it, and what that means.
-    function : str
-    output : int
-    rule : str
-        ``at_least_zero``, ``above_zero``, or ``at_most_limit`` of a condition number.
-    sentence : str
-        With ``{0}``, ``{1}`` for the names of the place of the smallest, ``{missing}``, ``{short}`` and ``{value}``.
-    remedy : str
-    names : tuple of tuple of str
-        What the places of each axis of the result are called.
-    unit : str
-    """
-
-    code: str
-    function: str
-    output: int
-    rule: str
-    meaning: str
-    sentence: str
-    remedy: str
-    names: tuple[tuple[str, ...], ...]
-    unit: str
-
-
-@dataclass(frozen=True)
-class Scale:
-    """What a coordinate's component of a shape is divided by where a person sees it, and its symbol."""
-
-    coordinate: str
-    field: str
-    index: tuple[int, ...]
-    symbol: str
-
-
-@dataclass(frozen=True)
-class Requirement:
-    """Something that a robot needs at any pose: a function of its parameters, an entry for each of the places."""
-
-    function: str
-    rule: str
-    places: tuple[str, ...]
-    sentence: str
-    remedy: str
-    unit: str
-
-
-@dataclass(frozen=True)
-class EffectParameter:
-    """A parameter of an effect: 0 for none, otherwise above its bound, if there is one."""
-
-    name: str
-    unit: str
-    description: str
-    greater_than: float | None
-    fitted: bool
-
-
-@dataclass(frozen=True)
-class Effect:
-    """An effect that applies to the mechanism.
-
-    Attributes
-    ----------
-    name, sentence : str
-    grounds : bool
-        Whether it ties the platform to ground, so that no rigid-body mode is left.
-    coordinates : tuple of Named
-        That it releases.
-    parameters : tuple of EffectParameter
-    """
-
-    name: str
-    sentence: str
-    grounds: bool
-    coordinates: tuple[Named, ...]
-    parameters: tuple[EffectParameter, ...]
-
-    @property
-    def fitted(self) -> tuple[EffectParameter, ...]:
-        """Parameters that can be estimated from measurements."""
-        return tuple(parameter for parameter in self.parameters if parameter.fitted)
 
 
 @dataclass(frozen=True, eq=False)
@@ -251,7 +117,7 @@ class Mechanism:
     differences: dict[str, str] = field(default_factory=dict)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _read, (self.package,)
+        return _travelled, (self.package, folder_of(self.package))
 
     @cached_property
     def model(self) -> ModuleType:
@@ -265,8 +131,13 @@ class Mechanism:
 
 
 def names() -> tuple[str, ...]:
-    """Every mechanism that is known."""
-    return tuple(sorted({*_generated(), *_added}))
+    """Every mechanism that is known: generated with pkmodes, added, or installed with a package of its own."""
+    return tuple(sorted({*_generated(), *_added, *installed()}))
+
+
+def supplied() -> tuple[str, ...]:
+    """Those that come with pkmodes."""
+    return tuple(sorted(_generated()))
 
 
 def mechanism(name: str) -> Mechanism:
@@ -275,13 +146,15 @@ def mechanism(name: str) -> Mechanism:
     Raises
     ------
     PkmodesError
-        If there is none, with the nearest.
+        If there is none, with the nearest; or if what was installed under that name cannot be read.
     """
     if name in _added:
         return _read(_added[name])
     if name in _generated():
         return _read(f"{GENERATED}.{name}")
-    remedy = nearest(name, names())
+    if name in installed():
+        return _described_in(installed()[name])
+    remedy = nearest(name, names(), f"known: {', '.join(names())}; add one of your own with {OPTION}")
     raise PkmodesError(f"unknown mechanism {shown(name)}", "mechanism", remedy)
 
 
@@ -292,10 +165,66 @@ def add(package: str) -> Mechanism:
     ----------
     package : str
         Its name, as one would import it; it has a ``description.json`` and a module ``extended``.
+
+    Raises
+    ------
+    PkmodesError
+        If it cannot be imported, or has the name of a mechanism of pkmodes.
     """
-    found = _read(package)
+    found = _described_in(package)
+    if found.name in _generated() and package != f"{GENERATED}.{found.name}":
+        what = f"{shown(found.name)} is a mechanism of pkmodes already"
+        raise PkmodesError(what, place_of(package), "give your own one another name")
     _added[found.name] = package
     return found
+
+
+def add_folder(path: str | PathLike[str]) -> Mechanism:
+    """Make a mechanism known that ``pkmodes generate --mechanism FILE.py ...`` wrote into a folder.
+
+    From then on robot files may name it.  Where the name was added before, what is there now counts.
+
+    Parameters
+    ----------
+    path : path-like
+        The folder of the mechanism, ``DIR/<mechanism>``.
+
+    Raises
+    ------
+    PkmodesError
+        If it is not such a folder, cannot be imported, or has the name of a mechanism of pkmodes.
+    """
+    return add(imported(path))
+
+
+@contextmanager
+def meanwhile(path: str | PathLike[str]) -> Iterator[Mechanism]:
+    """Know the mechanism in a folder for a while."""
+    before = dict(_added)
+    try:
+        yield add_folder(path)
+    finally:
+        _added.clear()
+        _added.update(before)
+
+
+def _travelled(package: str, folder: str | None) -> Mechanism:
+    """A mechanism from another process, where it was known: so it is here."""
+    if folder is not None:
+        package = again(package, folder)
+    found = _read(package)
+    if found.name not in names():
+        _added[found.name] = package
+    return found
+
+
+def _described_in(package: str) -> Mechanism:
+    try:
+        return _read(package)
+    except (ImportError, OSError, ValueError, LookupError, TypeError) as error:
+        what = f"cannot read the description of a mechanism: {type(error).__name__}: {error}"
+        remedy = "generate it again, or name the package that has its description.json"
+        raise PkmodesError(what, place_of(package), remedy) from None
 
 
 @cache

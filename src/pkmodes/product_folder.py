@@ -5,7 +5,7 @@ A user may keep files of their own beside generated ones; nothing here replaces 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -15,8 +15,16 @@ MANIFEST = "manifest.json"
 ELSEWHERE = "name a new or empty folder, such as --out build/my-robot"
 
 
-def check_place(out: Path, robot_file: Path, recorded: Mapping[str, Any] | None) -> None:
+def check_place(out: Path, beside: Sequence[Path], recorded: Mapping[str, Any] | None) -> None:
     """Refuse a folder that is not one for generated files, before anything is derived.
+
+    Parameters
+    ----------
+    out : Path
+    beside : sequence of Path
+        What may lie there: the robot file, and what is looked at for itself.
+    recorded : mapping or None
+        The manifest that is there.
 
     Raises
     ------
@@ -32,11 +40,12 @@ def check_place(out: Path, robot_file: Path, recorded: Mapping[str, Any] | None)
         return
     if (place / ".git").exists():
         raise OutputError("a model is not written into the root of a repository", str(out), ELSEWHERE)
+    allowed = {path.resolve() for path in beside}
     try:
         foreign = sorted(
             entry.name
             for entry in place.iterdir()
-            if not entry.name.startswith(".") and entry.resolve() != robot_file.resolve()
+            if not entry.name.startswith(".") and entry.resolve() not in allowed
         )
     except OSError as error:
         raise OutputError(
@@ -76,6 +85,18 @@ def check_owner(out: Path, recorded: Mapping[str, Any], reference: str, name: st
         str(out),
         "choose another folder, or remove that one",
     )
+
+
+def check_mechanism(folder: Path, recorded: Mapping[str, Any] | None, name: str) -> None:
+    """Refuse a folder that holds another product than the code of a mechanism.
+
+    Raises
+    ------
+    OutputError
+    """
+    if recorded is not None and ("robot" in recorded or recorded.get("product") != name):
+        what = f"the folder holds another product than the code of the mechanism {name}"
+        raise OutputError(what, str(folder), "choose another folder, or remove that one")
 
 
 def stale_outputs(

@@ -35,13 +35,19 @@ def declared(kind: Mechanism) -> list[Key]:
 
 
 def travel(kind: Mechanism, parameters: Any) -> Array:
-    """How far the independent coordinates go, (k, 2): the pairs of numbers in the robot's tables."""
-    pairs = []
+    """How far the independent coordinates go, (k, 2): pairs of numbers in the robot's tables, if any."""
+    pairs = [np.empty((0, 2))]
     for key in declared(kind):
         if key.kind == "pair":
             place: tuple[Any, ...] = (..., *key.index, slice(None))
             pairs.append(np.asarray(getattr(parameters, key.field), dtype=float)[place])
     return np.concatenate([pair.reshape(-1, 2) for pair in pairs])[: len(kind.independent)]
+
+
+def extent(kind: Mechanism, parameters: Any) -> float:
+    """What the robot cannot reach beyond [m]: the sum of its lengths."""
+    lengths = {key.field for key in declared(kind) if key.dimension == "length"}
+    return sum(float(np.max(np.abs(getattr(parameters, field)))) for field in lengths)
 
 
 def regular_poses(generated: Generated, kind: Mechanism, parameters: Any, wanted: int = 4) -> Array:
@@ -84,14 +90,15 @@ def _drawn(
 ) -> Array:
     """Draw poses: where the independent coordinates lead, or in a box that the robot cannot leave."""
     names = tuple(component.name for component in kind.pose)
-    if generated.has("direct_kinematics") or names == kind.independent:
-        low, high = travel(kind, parameters).T
+    ends = travel(kind, parameters)
+    given = len(ends) == len(kind.independent)
+    if given and (generated.has("direct_kinematics") or names == kind.independent):
+        low, high = ends.T
         q = rng.uniform(low, high, size=(count, len(low)))
         if names == kind.independent:
             return q
         assembly = np.where(np.arange(count) % 2, 1.0, -1.0)
         return np.asarray(generated.direct_kinematics(q, assembly))
-    lengths = {key.field for key in declared(kind) if key.dimension == "length"}
-    reach = sum(float(np.max(np.abs(getattr(parameters, field)))) for field in lengths)
+    reach = extent(kind, parameters)
     size = np.array([reach if component.unit == "m" else TURNED for component in kind.pose])
     return rng.uniform(-size, size, size=(count, len(size)))

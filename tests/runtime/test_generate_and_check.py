@@ -24,7 +24,8 @@ from pkmodes import writing
 from pkmodes.checking import products
 from pkmodes.checking.consistency import Check
 from pkmodes.cli import run
-from pkmodes.generation import REQUIREMENTS, specification
+from pkmodes.derivation import REQUIREMENTS
+from pkmodes.generation import specification
 from pkmodes.mechanism import mechanism, names
 from pkmodes.robot.reading import read_robot
 from pkmodes_derive.emit import manifest, product

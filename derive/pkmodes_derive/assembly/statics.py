@@ -22,6 +22,9 @@ from pkmodes_derive import implicit, lagrangian
 from pkmodes_derive.assembly.energy import Energies
 from pkmodes_derive.assembly.kinematics import Kinematics
 from pkmodes_derive.machine import Machine
+from pkmodes_derive.vocabulary import DeclarationError
+
+TIE = "tie each coordinate that moves the platform to that of a drive of its own, by a reducer or a belt"
 
 
 @dataclass(frozen=True)
@@ -77,6 +80,7 @@ def derive(machine: Machine, kinematics: Kinematics, energies: Energies) -> Stat
     unknown = [q for i, q in enumerate(machine.displacements) if i not in places]
     equations = [_equation(elastic[i], -forces[k], unknown, "N") for k, i in enumerate(places)]
     equations += [_equation(row, Integer(0), unknown, "N m") for row in _undriven(machine, elastic)]
+    _check_determined(machine, equations, unknown)
     rotations: dict[Symbol, Symbol] = {}
     for number, (some, block) in enumerate(_blocks(equations, unknown), start=1):
         rotations |= _solved(machine, number, some, block)
@@ -108,6 +112,21 @@ def _undriven(machine: Machine, elastic: Sequence[Expr]) -> list[Expr]:
     return rows
 
 
+def _check_determined(machine: Machine, equations: Sequence[_Equation], unknown: Sequence[Symbol]) -> None:
+    """Every coordinate that moves the platform hangs on a spring, and every other one as well."""
+    for q, equation in zip(machine.independent, equations, strict=False):
+        if not equation.row:
+            raise DeclarationError(f"the equilibrium is not determined: no spring ties {q} to a drive", TIE)
+    for q in unknown:
+        if not any(q in equation.row for equation in equations):
+            name = _coordinate(machine, q).name
+            raise DeclarationError(f"the equilibrium is not determined: no spring holds {name}", TIE)
+
+
+def _coordinate(machine: Machine, displacement: Symbol) -> Symbol:
+    return machine.coordinates[machine.displacements.index(displacement)]
+
+
 def _equation(row: Expr, right: Expr, unknown: Sequence[Symbol], unit: str) -> _Equation:
     return _Equation({q: factor for q in unknown if (factor := diff(row, q)) != 0}, right, unit)
 
@@ -135,11 +154,12 @@ def _solved(
 ) -> dict[Symbol, Symbol]:
     """Names of the solution of one block, by Cramer's rule."""
     v, n = machine.vocabulary, len(unknown)
-    if len(equations) != n:
-        raise ValueError(
-            f"{machine.name}: {len(equations)} equations of equilibrium for {n} unknown rotations"
-        )
     matrix = Matrix([[e.row.get(q, Integer(0)) for q in unknown] for e in equations])
+    if len(equations) != n or matrix.det(method="berkowitz") == 0:
+        names = ", ".join(_coordinate(machine, q).name for q in unknown)
+        raise DeclarationError(
+            f"the equilibrium does not determine {names} ({len(equations)} equations)", TIE
+        )
     right = [e.right for e in equations]
     if n == 1:
         values = [right[0] / matrix[0, 0]]
@@ -159,8 +179,7 @@ def _solved(
         values = [numerator / determinant for numerator in numerators]
     found = {}
     for q, value in zip(unknown, values, strict=True):
-        coordinate = machine.coordinates[machine.displacements.index(q)]
-        found[q] = machine.define(_static_name(machine, coordinate), value)
+        found[q] = machine.define(_static_name(machine, _coordinate(machine, q)), value)
     return found
 
 

@@ -50,8 +50,19 @@ def text(
     specification: Specification | None,
     outputs: Mapping[str, str],
     programs: Mapping[str, Program],
+    definition: tuple[str, str] | None = None,
 ) -> str:
-    """Return the manifest of a product as JSON, keys sorted."""
+    """Return the manifest of a product as JSON, keys sorted.
+
+    Parameters
+    ----------
+    product, mechanism : str
+    specification : Specification or None
+        Of a robot.
+    outputs, programs : mapping
+    definition : tuple of str, optional
+        Of a user's own mechanism: where it comes from, and its text.
+    """
     content: dict[str, object] = {
         "format": FORMAT,
         "product": product,
@@ -64,6 +75,9 @@ def text(
             for name, p in programs.items()
         },
     }
+    if definition is not None:
+        content["definition"] = definition[0]
+        content["sources"] = {**source_digests(), f"{mechanism}.py": digest(definition[1])}
     if specification is not None:
         content["robot"] = {
             "file": specification.robot_file,

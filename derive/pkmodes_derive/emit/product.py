@@ -13,10 +13,11 @@ import sympy
 
 import pkmodes_derive
 from pkmodes_derive import mechanisms
+from pkmodes_derive.definition import FILE_NAME
 from pkmodes_derive.description import as_data
 from pkmodes_derive.emit import c99, manifest, numpy
 from pkmodes_derive.emit.program import Program, arrange
-from pkmodes_derive.emit.provenance import Provenance, pasteable
+from pkmodes_derive.emit.provenance import ANY_ROBOT, Provenance, pasteable
 from pkmodes_derive.emit.specification import Specification
 from pkmodes_derive.functions import Model
 from pkmodes_derive.specialise import specialise
@@ -26,16 +27,26 @@ BACKENDS = (numpy.BACKEND, c99.BACKEND)
 REGENERATE = "python -m pkmodes_derive generate"
 
 
-def parametric(mechanism: str) -> dict[str, str]:
-    """Build the parametric model of a mechanism: texts by file name."""
+def parametric(mechanism: str, definition: str = "") -> dict[str, str]:
+    """Build the parametric model of a mechanism: texts by file name.
+
+    Parameters
+    ----------
+    mechanism : str
+    definition : str
+        Where the file of a user's own mechanism lies, relative to the product.
+    """
     model = mechanisms.base(mechanism)
+    own = mechanisms.source(mechanism)
+    command = f"pkmodes generate --mechanism {pasteable(definition)} {ANY_ROBOT} --out .."
     provenance = Provenance(
         name=mechanism,
         module="model",
         title=f"Dynamics of the mechanism {mechanism}, for a robot given by its parameters.",
         origin=f"the derivation of {mechanism}",
         generator=_generator(),
-        command=REGENERATE,
+        command=REGENERATE if own is None else command,
+        place="" if own is None else ", run in this folder",
     )
     texts, programs = write(model, provenance)
     extended_texts, extended_programs = write(
@@ -54,9 +65,12 @@ def parametric(mechanism: str) -> dict[str, str]:
     texts["description.json"] = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
     texts["__init__.py"] = (
         f'"""Generated model of the mechanism {mechanism}: see `model`."""\n\n'
-        f"from pkmodes_generated.{mechanism}.model import *  # noqa: F403\n"
+        "from .model import *  # noqa: F403\n"  # relative: a user's own may lie anywhere
     )
-    texts[manifest.FILE_NAME] = manifest.text(mechanism, mechanism, None, texts, programs)
+    if own is not None:
+        texts[FILE_NAME] = own
+    origin = None if own is None else (definition, own)
+    texts[manifest.FILE_NAME] = manifest.text(mechanism, mechanism, None, texts, programs, origin)
     return texts
 
 
@@ -83,14 +97,16 @@ def specialised(specification: Specification) -> dict[str, str]:
         for field in model.fields
         for symbol, value in zip(field.symbols, _flat(specification.fields[field.name]), strict=True)
     }
-    name = specification.identifier
+    name, given = specification.identifier, specification.definition
+    option = f"--mechanism {pasteable(given)} " if given else ""
+    own = mechanisms.source(specification.mechanism)
     provenance = Provenance(
         name=name,
         module=name,
         title=f"Dynamics of the robot {specification.name} ({specification.mechanism}), its parameters folded in.",
         origin=f"the robot file of {specification.name}",
         generator=_generator(),
-        command=f"pkmodes generate {pasteable(specification.robot_file)} --out .",
+        command=f"pkmodes generate {option}{pasteable(specification.robot_file)} --out .",
         place=", run in this folder",
         constants=tuple(
             f"{field.name} [{field.unit}] = {_constant(specification.fields[field.name])}: {field.description}"
@@ -98,7 +114,10 @@ def specialised(specification: Specification) -> dict[str, str]:
         ),
     )
     texts, programs = write(specialise(model, values), provenance)
-    texts[manifest.FILE_NAME] = manifest.text(name, specification.mechanism, specification, texts, programs)
+    origin = None if own is None else (given, own)
+    texts[manifest.FILE_NAME] = manifest.text(
+        name, specification.mechanism, specification, texts, programs, origin
+    )
     return texts
 
 

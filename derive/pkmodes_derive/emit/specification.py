@@ -34,6 +34,9 @@ class Specification:
         What the robot file says, by dotted path, in SI units: recorded so that a change can be named.
     effects : tuple of str
         Names of the active effects; their parameters are among the fields, as ``<effect>_<parameter>``.
+    definition : str
+        Where a user's own mechanism comes from, its file or the folder of its code, relative to the product; empty
+        for one that is known without that.
     """
 
     name: str
@@ -42,6 +45,7 @@ class Specification:
     fields: Mapping[str, object]
     values: Mapping[str, object]
     effects: tuple[str, ...] = ()
+    definition: str = ""
 
     @property
     def identifier(self) -> str:

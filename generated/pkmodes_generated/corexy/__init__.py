@@ -1,3 +1,3 @@
 """Generated model of the mechanism corexy: see `model`."""
 
-from pkmodes_generated.corexy.model import *  # noqa: F403
+from .model import *  # noqa: F403

@@ -1,3 +1,3 @@
 """Generated model of the mechanism rotary_delta: see `model`."""
 
-from pkmodes_generated.rotary_delta.model import *  # noqa: F403
+from .model import *  # noqa: F403

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import stat
 import types
-from dataclasses import dataclass, field
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -13,12 +12,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.checking.consistency import Check, check_consistency
+from pkmodes.checking.own_mechanisms import check_definition, check_mechanism
 from pkmodes.checking.recorded import recorded_robot
+from pkmodes.checking.report import Report, findings_of, manifest_of
+from pkmodes.derivation import derivation
 from pkmodes.errors import PkmodesError, shown
 from pkmodes.evaluation import active_effects, evaluation, matrices
 from pkmodes.generated import Generated
-from pkmodes.generation import derivation, specification
-from pkmodes.mechanism import mechanism, names
+from pkmodes.generation import specialised, specification
+from pkmodes.mechanism import meanwhile, mechanism, names, supplied
 from pkmodes.pasting import pasted
 from pkmodes.product_folder import MANIFEST
 from pkmodes.regular import regular_poses, sample
@@ -28,36 +30,6 @@ from pkmodes.robot.robot import Robot
 REGENERATE = "python -m pkmodes_derive generate"
 
 Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class Report:
-    """What was found about one target.
-
-    Attributes
-    ----------
-    target : str
-        What was checked.
-    findings : list
-        Reasons why it is not current (`pkmodes_derive.emit.currency.Finding`); empty when it is.
-    checks : list of Check
-        Finite-difference consistency.
-    mend : str
-        Command that mends what was found, empty when nothing has to be mended.
-    unchecked : tuple of str
-        What could not be checked, and what to do about it.
-    """
-
-    target: str
-    findings: list[Any] = field(default_factory=list)
-    checks: list[Check] = field(default_factory=list)
-    mend: str = ""
-    unchecked: tuple[str, ...] = ()
-
-    @property
-    def holds(self) -> bool:
-        """Whether everything that could be checked is current and consistent."""
-        return not self.findings and all(check.holds for check in self.checks)
 
 
 def check_committed(name: str) -> Report:
@@ -70,7 +42,7 @@ def check_committed(name: str) -> Report:
     """
     kind = mechanism(name)
     folder = Path(str(files(kind.package)))
-    findings = _findings(folder, derivation("emit.product").parametric(name))
+    findings = findings_of(folder, derivation("emit.product").parametric(name))
     parameters = sample(kind)
     checks = check_consistency(Generated(kind.model, parameters), kind, parameters)
     return Report(str(folder), findings, checks, REGENERATE if findings else "")
@@ -89,20 +61,44 @@ def check_folder(folder: Path) -> Report:
     PkmodesError
         If the folder holds no product, its robot file is wrong, or its manifest does not record a robot.
     """
-    recorded = _manifest(folder)
-    product = derivation("emit.product")
-    if "robot" not in recorded and recorded.get("product") in names():
-        findings = _findings(folder, product.parametric(recorded["product"]))
+    recorded = manifest_of(folder)
+    if "robot" not in recorded and recorded.get("product") in supplied():
+        findings = findings_of(folder, derivation("emit.product").parametric(recorded["product"]))
         return Report(str(folder), findings, [], REGENERATE if findings else "")
+    if "definition" not in recorded:
+        return _check_model(folder, recorded)
+    if "robot" not in recorded:
+        return check_mechanism(folder, recorded)
+    name = recorded.get("mechanism")
+    if name in names():
+        return _check_model(folder, recorded)
+    inner = folder / str(name)
+    if not inner.is_dir():
+        what = f"the model is one of the mechanism {shown(name)}, which is not known, and not in this folder either"
+        remedy = "say where the code of the mechanism is: --mechanism DIR/<mechanism>"
+        raise PkmodesError(what, str(folder), remedy)
+    with meanwhile(inner):
+        return _check_model(folder, recorded)
+
+
+def _check_model(folder: Path, recorded: dict[str, Any]) -> Report:
+    """Check the model of a robot whose mechanism is known."""
     reference, there = _robot_file(folder, recorded)
+    definition = str(recorded.get("definition", ""))
+    command = (
+        f"pkmodes generate --mechanism {pasted(folder / definition)}" if definition else "pkmodes generate"
+    )
     if there:
-        robot, command = read_robot(folder / reference), f"pkmodes generate {pasted(folder / reference)}"
+        robot, command = read_robot(folder / reference), f"{command} {pasted(folder / reference)}"
         unchecked = []
     else:
-        robot, command = recorded_robot(recorded, str(folder / MANIFEST)), "pkmodes generate ROBOT.toml"
+        robot, command = recorded_robot(recorded, str(folder / MANIFEST)), f"{command} ROBOT.toml"
         unchecked = [_without_robot_file(folder, reference, robot.name)]
-    texts = product.specialised(specification(robot, reference))
-    findings = _findings(folder, texts)
+    texts = specialised(specification(robot, reference, definition))
+    findings = findings_of(folder, texts)
+    if definition and not (folder / definition).is_dir():
+        changed, left = check_definition(folder, definition, robot.mechanism)
+        findings, unchecked = [*findings, *changed], [*unchecked, *left]
     mend = _mend(folder, findings, f"{command} --out {pasted(folder)}")
     return Report(str(folder), findings, _checks(_executed(texts), robot), mend, tuple(unchecked))
 
@@ -152,33 +148,9 @@ def check_robot(robot_file: Path) -> Report:
         If the robot file is wrong.
     """
     robot = read_robot(robot_file)
-    texts = derivation("emit.product").specialised(specification(robot, robot_file.name))
+    texts = specialised(specification(robot, robot_file.name))
     module = _executed(texts)
     return Report(str(robot_file), [], _checks(module, robot))
-
-
-def _manifest(folder: Path) -> dict[str, object]:
-    place = folder / MANIFEST
-    remedy = "give a folder written by: pkmodes generate ROBOT.toml --out DIR"
-    if not place.is_file():
-        raise PkmodesError("expected a generated model, found no manifest.json", str(folder), remedy)
-    try:
-        content: dict[str, object] = derivation("emit.currency").read_manifest(folder)
-    except (ValueError, OSError) as error:
-        raise PkmodesError(f"the manifest cannot be read: {error}", str(place), remedy) from None
-    return content
-
-
-def _findings(folder: Path, fresh: dict[str, str]) -> list[Any]:
-    currency = derivation("emit.currency")
-    if not (folder / MANIFEST).is_file():
-        return [currency.Finding("missing", "manifest.json", "manifest.json is missing")]
-    try:
-        recorded = currency.read_manifest(folder)
-    except (ValueError, OSError) as error:
-        return [currency.Finding("manifest", "manifest.json", f"manifest.json cannot be read: {error}")]
-    found: list[Any] = currency.compare(folder, recorded, fresh)
-    return found
 
 
 def _executed(texts: dict[str, str]) -> types.ModuleType:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from pkmodes.generated import Generated
 from pkmodes.mechanism import Mechanism
-from pkmodes.regular import travel
+from pkmodes.regular import extent, travel
 
 Array = NDArray[np.float64]
 Derivative = Callable[[Callable[[Array], Array], Array, float], Array]
@@ -73,8 +73,10 @@ class State:
 
     @cached_property
     def travel(self) -> float:
-        """The smallest travel of an independent coordinate."""
-        return float(np.ptp(travel(self.kind, self.parameters), axis=-1).min())
+        """The smallest travel of an independent coordinate; without limits a radian, or the size of the robot."""
+        without = min(1.0, extent(self.kind, self.parameters))
+        ends = travel(self.kind, self.parameters)
+        return float(np.ptp(ends, axis=-1).min()) if len(ends) else without
 
     @cached_property
     def step(self) -> float:

@@ -11,7 +11,7 @@ from pkmodes.cli.output import check_target, deliver, json_option, to_file, writ
 from pkmodes.errors import PkmodesError
 
 if TYPE_CHECKING:
-    from pkmodes.checking.products import Report
+    from pkmodes.checking.report import Report
 
 
 @click.command(
@@ -19,8 +19,14 @@ if TYPE_CHECKING:
     "  pkmodes check robots/linear-delta-2022.toml"
 )
 @click.argument("targets", metavar="[DIR or ROBOT.toml ...]", nargs=-1, type=click.Path(path_type=Path))
+@click.option(
+    "--mechanism",
+    metavar="FOLDER",
+    type=click.Path(path_type=Path),
+    help="A mechanism of your own: the folder that generate --mechanism FILE.py wrote.",
+)
 @json_option
-def check(targets: tuple[Path, ...], json_file: str | None) -> int:
+def check(targets: tuple[Path, ...], mechanism: Path | None, json_file: str | None) -> int:
     """Check that generated code is current, and that it agrees with finite differences.
 
     A folder written by `pkmodes generate` is compared with a fresh derivation from its robot file; a robot
@@ -31,12 +37,17 @@ def check(targets: tuple[Path, ...], json_file: str | None) -> int:
     A folder that was copied without its robot file is checked for everything else, against the values that its
     manifest records.  The output says that the robot file was not checked, and the exit code is 0 if the rest
     holds.
+
+    A mechanism of your own is derived from the definition that lies with its code, which is run for that.
     """
     from pkmodes.checking import products
-    from pkmodes.mechanism import names
+    from pkmodes.mechanism import add_folder, supplied
 
     check_target(json_file, *targets)
-    reports: list[Report] = [] if targets else [products.check_committed(name) for name in names()]
+    if mechanism is not None:
+        add_folder(mechanism)
+        targets = targets or (mechanism,)
+    reports: list[Report] = [] if targets else [products.check_committed(name) for name in supplied()]
     for target in targets:
         if target.is_dir():
             reports.append(products.check_folder(target))

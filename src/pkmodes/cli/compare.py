@@ -15,6 +15,7 @@ from pkmodes.cli.output import (
     check_target,
     deliver,
     json_option,
+    mechanism_option,
     to_file,
     write_json,
 )
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
 @click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
 @click.argument("modes", metavar="MODES.csv", type=click.Path(path_type=Path))
 @band_option
+@mechanism_option
 @json_option
 def compare(robot: Path, modes: Path, band: str | None, json_file: str | None) -> None:
     """Prediction beside measurement, nothing fitted.

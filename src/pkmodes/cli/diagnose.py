@@ -19,6 +19,7 @@ from pkmodes.cli.output import (
     check_target,
     deliver,
     json_option,
+    mechanism_option,
     named_as_options,
     to_file,
     write_json,
@@ -68,6 +69,7 @@ SECONDS = 5.0
     help="Verdicts that give exit code 1, separated by commas, or any for all but adequate; by default none.",
 )
 @band_option
+@mechanism_option
 @json_option
 def diagnose(
     robot: Path,

@@ -8,7 +8,7 @@ from typing import Any
 import click
 import numpy as np
 
-from pkmodes.cli.output import check_target, deliver, json_option, to_file, write_json
+from pkmodes.cli.output import check_target, deliver, json_option, mechanism_option, to_file, write_json
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
 from pkmodes.loading import load
 from pkmodes.model import Model
@@ -19,6 +19,7 @@ from pkmodes.results import CARRIAGES, Modes, Statics
 @click.command(epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245")
 @click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
 @pose_option
+@mechanism_option
 @json_option
 def modes(robot: Path, pose: str, json_file: str | None) -> None:
     """Frequencies, shapes, end-effector directions and static torques at a pose.

@@ -26,6 +26,23 @@ json_option = click.option(
 )
 
 
+def _add_mechanism(_: click.Context, __: click.Parameter, folder: Path | None) -> Path | None:
+    if folder is not None:
+        from pkmodes.mechanism import add_folder
+
+        add_folder(folder)
+    return folder
+
+
+mechanism_option = click.option(
+    "--mechanism",
+    metavar="FOLDER",
+    type=click.Path(path_type=Path),
+    callback=_add_mechanism,
+    expose_value=False,
+    help="A mechanism of your own: the folder that generate --mechanism FILE.py wrote.",
+)
+
 band_option = click.option(
     "--band",
     metavar="LOW,HIGH",

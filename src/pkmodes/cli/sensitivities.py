@@ -10,7 +10,7 @@ import click
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.cli.output import check_target, deliver, json_option, to_file, write_json
+from pkmodes.cli.output import check_target, deliver, json_option, mechanism_option, to_file, write_json
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
 from pkmodes.errors import PkmodesError, shown
 from pkmodes.loading import load
@@ -39,6 +39,7 @@ NOTHING, NOTHING_BY_UNIT = 1e-9, 1e-15
     help="Quantities such as platform.mass, link.length or effects.payload.mass, separated by commas; by default all "
     "that can vary.",
 )
+@mechanism_option
 @json_option
 def sensitivities(robot: Path, pose: str, parameters: str | None, json_file: str | None) -> None:
     """Exact derivatives of the frequencies at a pose by the robot's quantities and by effects, absent ones too.

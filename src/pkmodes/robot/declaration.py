@@ -54,9 +54,13 @@ class Declaration:
     def __eq__(self, other: object) -> bool:
         return self._content == other._content if isinstance(other, Declaration) else NotImplemented
 
+    def __getstate__(self) -> dict[str, Any]:
+        # First the mechanism: where it is not known, parameters would be made of nothing.
+        return {"kind": self.kind, **vars(self)}
+
     def __setstate__(self, state: dict[str, Any]) -> None:
         # What is pickled or copied comes back as it was: not to be written to.
-        self.__dict__.update(state)
+        self.__dict__.update({name: value for name, value in state.items() if name != "kind"})
         for value in self.parameters:
             if isinstance(value, np.ndarray):
                 value.flags.writeable = False

@@ -1,0 +1,237 @@
+"""What a declaration must have, asked before and after anything is derived from it.
+
+The derivation itself would fail on most of this too, far from where the mistake was made.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from difflib import get_close_matches
+from math import prod
+
+from sympy import Expr, Symbol, default_sort_key
+
+from pkmodes_derive.definition import DefinitionError
+from pkmodes_derive.description import Margin, Requirement
+from pkmodes_derive.functions import Function, Model
+from pkmodes_derive.machine import Machine
+from pkmodes_derive.vocabulary import Field
+
+RULES = ("at_least_zero", "above_zero", "at_most_limit")
+
+
+def check_declared(machine: Machine) -> None:
+    """Refuse a machine of which something is missing, or whose parts do not belong together."""
+    for present, what, remedy in (
+        (machine.gravity, "gravity is not declared", "call m.add_gravity()"),
+        (machine.coordinates, "there are no coordinates", "declare them all with m.generalised(...)"),
+        (machine.pose, "there is no pose", "call m.platform_pose(...) or m.independent_pose(...)"),
+        (
+            machine.independent,
+            "no coordinate moves the platform",
+            "say which ones do: m.moves_platform(coordinates, argument, what they are)",
+        ),
+        (len(machine.platform) == 3, "m.platform is not three components", "write such as (*p, Integer(0))"),
+        (machine.drives, "there is no drive", "call m.drive([(rotor, Integer(1))], inertia, torque)"),
+    ):
+        if not present:
+            raise DefinitionError(what, "", remedy)
+    if len(machine.pose) != len(machine.directions):
+        raise DefinitionError(
+            f"the pose has {len(machine.pose)} components, DIRECTIONS {len(machine.directions)}",
+            "",
+            "give the pose one component for each direction",
+        )
+    _check_coordinates(machine)
+    _check_closures(machine)
+    _check_sample(machine)
+
+
+def _check_coordinates(machine: Machine) -> None:
+    """Parts refer to coordinates, and every coordinate goes with the platform."""
+    for where, symbols in _uses(machine):
+        for symbol in symbols:
+            if symbol not in machine.coordinates:
+                raise DefinitionError(
+                    f"{symbol} is no coordinate", where, "declare it with m.generalised(...)"
+                )
+    for q in machine.coordinates:
+        if q not in machine.independent and q not in machine.follows:
+            raise DefinitionError(
+                f"nothing says how {q} moves while nothing stretches",
+                f"m.follows[{q}]",
+                "state it, such as m.follows[phi[j]] = theta[j]",
+            )
+
+
+def _uses(machine: Machine) -> Iterator[tuple[str, Iterable[Symbol]]]:
+    """Where coordinates are named."""
+    yield "m.moves_platform", machine.independent
+    yield "m.follows", machine.follows
+    yield "m.arms", (arm.angle for arm in machine.arms)
+    yield "m.rotor", (rotor.coordinate for rotor in machine.rotors)
+    yield "m.reducers", (q for reducer in machine.reducers for q in reducer.twist)
+    yield "m.belt", (q for belt in machine.belts for run in belt.runs for form, _ in run.ends for q in form)
+
+
+def _check_closures(machine: Machine) -> None:
+    """As many links as the pose has components, each with an independent coordinate of its own."""
+    found, wanted = len(machine.links), len(machine.dependent)
+    if found != wanted:
+        raise DefinitionError(
+            f"{found} links close the loops of a platform with {wanted} components", "m.link", "one for each"
+        )
+    if not wanted:
+        return
+    if tuple(link.coordinate for link in machine.links) != machine.independent:
+        raise DefinitionError(
+            "the links do not belong to the independent coordinates, one to each and in their order",
+            "m.link",
+            f"declare them for {', '.join(q.name for q in machine.independent)}",
+        )
+    for q in machine.independent:
+        if q not in machine.inverse:
+            raise DefinitionError(
+                f"the inverse kinematics does not give {q}", "m.inverse", f"state m.inverse[{q}] by the pose"
+            )
+
+
+def _check_sample(machine: Machine) -> None:
+    """A robot without any symmetry, with a number at each place."""
+    fields = {field.name: field for field in machine.tables.fields}
+    for name, field in fields.items():
+        if name not in machine.sample:
+            raise DefinitionError(
+                f"there is no value for {name}", "m.sample", f"add {_shaped(field)}, in {field.unit}"
+            )
+        if _shape(machine.sample[name]) != field.shape:
+            raise DefinitionError(
+                f"the value of {name} has another shape",
+                "m.sample",
+                f"write {_shaped(field)}, in {field.unit}",
+            )
+    for name in machine.sample:
+        if name not in fields:
+            known = ", ".join(fields)
+            raise DefinitionError(f"no parameter is called {name}", "m.sample", f"there are {known}")
+
+
+def _shape(value: object) -> tuple[int, ...] | None:
+    if not isinstance(value, list | tuple):
+        return () if isinstance(value, int | float) else None
+    inner = {_shape(entry) for entry in value}
+    only = inner.pop() if len(inner) == 1 else None
+    return None if only is None else (len(value), *only)
+
+
+def _shaped(field: Field) -> str:
+    return f"numbers of shape {field.shape}" if field.shape else "one number"
+
+
+def check_model(machine: Machine, model: Model) -> None:
+    """Refuse a model whose margins and requirements ask for what is not there, or that has undefined values."""
+    functions = {function.name: function for function in model.functions}
+    for margin in machine.margins:
+        _check_margin(margin, functions)
+    for requirement in machine.requirements:
+        _check_requirement(requirement, functions)
+    parameters = {symbol for field in model.fields for symbol in field.symbols}
+    for function in model.functions:
+        given = {symbol for argument in function.arguments for symbol in argument.symbols}
+        for symbol in _undefined(function):
+            if symbol not in parameters | given:
+                raise DefinitionError(
+                    f"{symbol} is used in {function.name}, and nothing says what it is",
+                    f"{symbol}: {machine.vocabulary[symbol].description}",
+                    "define it with m.define or m.inverse, or use a parameter of the robot file",
+                )
+    masses = functions["modal_matrices"].outputs[0]
+    for i, (name, _) in enumerate(model.coordinates):
+        if masses.entries[i * (masses.shape[1] + 1)] == 0:
+            raise DefinitionError(
+                f"the coordinate {name} has no inertia", name, "add a body or a rotor that moves with it"
+            )
+
+
+def _undefined(function: Function) -> list[Symbol]:
+    """What a function draws on and its definitions do not give, in the order in which it is met."""
+    found: list[Symbol] = []
+    met: set[Symbol] = set()
+
+    def visit(expression: Expr, above: tuple[Symbol, ...]) -> None:
+        for symbol in _symbols(expression):
+            if symbol in above:
+                circle = " by ".join(s.name for s in (*above[above.index(symbol) :], symbol))
+                raise DefinitionError(f"values are defined in a circle: {circle}", "m.inverse", "part it")
+            if symbol not in met:
+                if symbol in function.definitions:
+                    visit(function.definitions[symbol], (*above, symbol))
+                else:
+                    found.append(symbol)
+                met.add(symbol)
+
+    for output in function.outputs:
+        for entry in output.entries:
+            visit(entry, ())
+    return found
+
+
+def _symbols(expression: Expr) -> list[Symbol]:
+    return sorted(expression.free_symbols, key=default_sort_key)
+
+
+def _check_margin(margin: Margin, functions: dict[str, Function]) -> None:
+    where = f'm.margins, "{margin.code}"'
+    function = _function(margin.function, functions, where)
+    if not 0 <= margin.output < len(function.outputs):
+        raise DefinitionError(
+            f"{margin.function} has no result {margin.output}",
+            where,
+            f"there are {len(function.outputs)}, counted from 0",
+        )
+    if margin.rule not in RULES:
+        raise DefinitionError(f'unknown rule "{margin.rule}"', where, f"write one of {', '.join(RULES)}")
+    shape, named = function.outputs[margin.output].shape, tuple(len(names) for names in margin.names)
+    if shape != named:
+        raise DefinitionError(
+            f"the names are of shape {named}, the result of {margin.function} is of shape {shape}",
+            where,
+            "name each place of each axis of the result",
+        )
+    _check_sentence(margin.sentence, dict.fromkeys(("missing", "short", "value"), ""), len(named), where)
+
+
+def _check_requirement(requirement: Requirement, functions: dict[str, Function]) -> None:
+    where = f'm.requirements, "{requirement.function}"'
+    function = _function(requirement.function, functions, where)
+    if function.arguments:
+        raise DefinitionError(
+            f"{requirement.function} takes a pose, and a requirement is of the robot alone",
+            where,
+            "declare that function with arguments=()",
+        )
+    places = prod(function.outputs[0].shape)
+    if places != len(requirement.places):
+        raise DefinitionError(
+            f"{len(requirement.places)} places for {places} entries of {requirement.function}",
+            where,
+            "give one path of the robot file for each entry",
+        )
+
+
+def _function(name: str, functions: dict[str, Function], where: str) -> Function:
+    if name not in functions:
+        near = get_close_matches(name, functions, n=1)
+        remedy = f'did you mean "{near[0]}"?' if near else f"there are {', '.join(functions)}"
+        raise DefinitionError(f'no function is called "{name}"', where, remedy)
+    return functions[name]
+
+
+def _check_sentence(sentence: str, words: dict[str, str], places: int, where: str) -> None:
+    try:
+        sentence.format(*["" for _ in range(places)], **words)
+    except (LookupError, ValueError):
+        holes = [f"{{{hole}}}" for hole in (*range(places), *words)]
+        raise DefinitionError(
+            f'the sentence "{sentence}" cannot be filled in', where, f"use {', '.join(holes)} only"
+        ) from None

@@ -1,0 +1,74 @@
+"""What is found about generated code: reasons why it is not current, and checks of what it computes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from pkmodes.checking.consistency import Check
+from pkmodes.derivation import derivation
+from pkmodes.errors import PkmodesError
+from pkmodes.product_folder import MANIFEST
+
+
+@dataclass(frozen=True)
+class Report:
+    """What was found about one target.
+
+    Attributes
+    ----------
+    target : str
+        What was checked.
+    findings : list
+        Reasons why it is not current (`pkmodes_derive.emit.currency.Finding`); empty when it is.
+    checks : list of Check
+        Finite-difference consistency.
+    mend : str
+        Command that mends what was found, empty when nothing has to be mended.
+    unchecked : tuple of str
+        What could not be checked, and what to do about it.
+    """
+
+    target: str
+    findings: list[Any] = field(default_factory=list)
+    checks: list[Check] = field(default_factory=list)
+    mend: str = ""
+    unchecked: tuple[str, ...] = ()
+
+    @property
+    def holds(self) -> bool:
+        """Whether everything that could be checked is current and consistent."""
+        return not self.findings and all(check.holds for check in self.checks)
+
+
+def manifest_of(folder: Path) -> dict[str, Any]:
+    """The manifest of a generated folder.
+
+    Raises
+    ------
+    PkmodesError
+        If there is none, or it cannot be read.
+    """
+    place = folder / MANIFEST
+    remedy = "give a folder written by: pkmodes generate ROBOT.toml --out DIR"
+    if not place.is_file():
+        raise PkmodesError("expected a generated model, found no manifest.json", str(folder), remedy)
+    try:
+        content: dict[str, Any] = derivation("emit.currency").read_manifest(folder)
+    except (ValueError, OSError) as error:
+        raise PkmodesError(f"the manifest cannot be read: {error}", str(place), remedy) from None
+    return content
+
+
+def findings_of(folder: Path, fresh: dict[str, str]) -> list[Any]:
+    """Reasons why a folder is not what a fresh derivation gives."""
+    currency = derivation("emit.currency")
+    if not (folder / MANIFEST).is_file():
+        return [currency.Finding("missing", "manifest.json", "manifest.json is missing")]
+    try:
+        recorded = currency.read_manifest(folder)
+    except (ValueError, OSError) as error:
+        return [currency.Finding("manifest", "manifest.json", f"manifest.json cannot be read: {error}")]
+    found: list[Any] = currency.compare(folder, recorded, fresh)
+    return found

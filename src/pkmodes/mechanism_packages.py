@@ -1,0 +1,110 @@
+"""Where the generated code of a user's own mechanism comes from: a folder, or a package that is installed.
+
+A folder is imported under a name that its path and content give, so that two of the same mechanism do not mix, and
+the same one is found again in another process.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import sys
+from functools import cache
+from importlib import import_module
+from importlib.util import module_from_spec, spec_from_file_location
+from os import PathLike
+from pathlib import Path
+
+from pkmodes.errors import PkmodesError
+
+#: Entry points of this group name packages with generated code: ``five_bar = "my_robots.five_bar"``.
+GROUP = "pkmodes.mechanisms"
+OPTION = "--mechanism"
+PREFIX = "pkmodes_folder_"
+DEFINITION = "definition.py"
+FILES = ("__init__.py", "model.py", "extended.py", "description.json")
+GIVE = "give the folder DIR/<mechanism> that is written by: pkmodes generate --mechanism FILE.py ROBOT.toml --out DIR"
+
+_folders: dict[str, str] = {}
+
+
+@cache
+def installed() -> dict[str, str]:
+    """Packages of mechanisms that are installed, by the mechanism's name."""
+    from importlib.metadata import entry_points  # only a name that is not known otherwise takes that long
+
+    return {point.name: point.value for point in entry_points(group=GROUP)}
+
+
+def imported(path: str | PathLike[str]) -> str:
+    """Import a generated folder and return the name of the package.
+
+    Raises
+    ------
+    PkmodesError
+        If it is not one, or raises.
+    """
+    folder = Path(path)
+    _check(folder)
+    content = b"\0".join((folder / name).read_bytes() for name in FILES)
+    folder = folder.resolve()
+    package = (
+        PREFIX + hashlib.sha256(f"{folder}\0".encode("utf-8", "surrogateescape") + content).hexdigest()[:16]
+    )
+    if package not in sys.modules:
+        _import(package, folder)
+    return package
+
+
+def again(package: str, folder: str) -> str:
+    """Import a folder that was imported in another process, unless that was in this one."""
+    return package if package in sys.modules else imported(folder)
+
+
+def folder_of(package: str) -> str | None:
+    """The folder that was imported under that name, None for any other package."""
+    return _folders.get(package)
+
+
+def place_of(package: str) -> str:
+    """Where a package is, for messages."""
+    return _folders.get(package, f"package {package}")
+
+
+def _import(package: str, folder: Path) -> None:
+    spec = spec_from_file_location(package, folder / "__init__.py", submodule_search_locations=[str(folder)])
+    assert spec is not None  # the file is there, and its name ends in .py
+    assert spec.loader is not None
+    module = sys.modules[package] = module_from_spec(spec)
+    try:
+        spec.loader.exec_module(module)
+        import_module(f"{package}.extended")
+    except Exception as error:
+        for name in [name for name in sys.modules if name.startswith(package)]:
+            del sys.modules[name]
+        what = f"the generated code cannot be imported: {type(error).__name__}: {error}"
+        raise PkmodesError(what, str(folder), "generate it again") from None
+    _folders[package] = str(folder)
+
+
+def _check(folder: Path) -> None:
+    """Refuse what is not the folder of a generated mechanism."""
+    if not folder.is_dir():
+        found = "no such folder"
+        if folder.is_file():
+            found = "expected the generated folder of a mechanism, found a file"
+        raise PkmodesError(found, str(folder), GIVE)
+    missing = [name for name in FILES if not (folder / name).is_file()]
+    if missing:
+        what = f"expected the generated folder of a mechanism, and {missing[0]} is missing"
+        raise PkmodesError(what, str(folder), _instead(folder) or GIVE)
+
+
+def _instead(folder: Path) -> str:
+    """What was probably meant where the folder of a robot's model was given."""
+    try:
+        name = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))["mechanism"]
+        within = (folder / name / "description.json").is_file()
+    except (OSError, ValueError, LookupError, TypeError):
+        return ""
+    return f"give the folder of the mechanism in it: {folder / name}" if within else ""
