@@ -23,6 +23,7 @@ from pkmodes.loading import read_robot
 if TYPE_CHECKING:
     from pkmodes.diagnosis import Comparison
     from pkmodes.diagnosis.compare import ComparedRow
+    from pkmodes.robot.robot import Robot
 
 
 @click.command(
@@ -41,7 +42,6 @@ def compare(robot: Path, modes: Path, band: str | None, json_file: str | None) -
     check_order(robot, modes, "pkmodes compare")
     check_target(json_file, robot, modes)
     from pkmodes import closing  # SciPy is loaded only where it is used
-    from pkmodes.evaluation import evaluation
 
     declared = read_robot(robot)
     result = closing.compare(declared, closing.read(modes, band_of(band), declared))
@@ -51,33 +51,42 @@ def compare(robot: Path, modes: Path, band: str | None, json_file: str | None) -
         "chi2_per_dof": result.chi2_per_dof,
         "p_value": result.p_value,
         "unpaired": len(result.unpaired),
-        "rows": [asdict(row) for row in result.rows],
+        "rows": [_as_json(row) for row in result.rows],
     }
     with deliver(to_file(json_file, content)):
         if json_file == "-":
             write_json(json_file, content)
         else:
-            _print(declared.name, modes, result, evaluation(declared).rigid_modes)
+            _print(declared, modes, result)
 
 
-def _print(name: str, modes: Path, result: Comparison, rigid: int) -> None:
-    from pkmodes.cli.diagnosis_tables import Terminal, p_value
+def _as_json(row: ComparedRow) -> dict[str, object]:
+    """A row; the key of what is set only where something is."""
+    content = asdict(row)
+    load = content.pop("load")
+    return {**content, **({"set": load} if load else {})}
+
+
+def _print(robot: Robot, modes: Path, result: Comparison) -> None:
+    from pkmodes.cli.diagnosis_tables import Terminal, p_value, setting
 
     terminal = Terminal()
-    terminal.heading(f"{name} beside {modes}, frequencies in Hz")
+    terminal.heading(f"{robot.name} beside {modes}, frequencies in Hz")
     terminal.line()
     shapes = any(row.mac is not None for row in result.rows)
     numbered = any(row.mode for row in result.rows)
     titles = ["pose", "line", *(["own"] if numbered else []), "mode", "measured", "sigma", "predicted"]
-    titles += ["diff [%]", "sigmas", *(["MAC"] if shapes else [])]
+    loads = any(row.load for row in result.rows)
+    titles += ["diff [%]", "sigmas", *(["MAC"] if shapes else []), *(["set"] if loads else [])]
     poses = {pose: i for i, pose in enumerate(dict.fromkeys(row.pose for row in result.rows))}
     rows, previous = [], None
     for row in sorted(result.rows, key=lambda row: (poses[row.pose], row.measured)):
         cells = [row.pose if row.pose != previous else "", str(row.line), *([row.mode] if numbered else [])]
-        cells += [*_numbers(row, rigid), *([_or_blank(row.mac, ".3f")] if shapes else [])]
+        cells += [*_numbers(row, result.rigid), *([_or_blank(row.mac, ".3f")] if shapes else [])]
+        cells += [setting(robot.kind, row.load) if row.pose != previous else ""] if loads else []
         rows.append(cells)
         previous = row.pose
-    terminal.table(titles, rows, left=("pose", "own"))
+    terminal.table(titles, rows, left=("pose", "own", "set"))
     terminal.line()
     count = len(result.rows)
     terminal.line(

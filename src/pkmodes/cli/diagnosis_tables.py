@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from rich.console import Console
 from rich.table import Table
 
+from pkmodes.closing.load_cases import settable
 from pkmodes.diagnosis.verdict.result import Diagnosis, Error, Row, Value
+from pkmodes.mechanism import Mechanism
 from pkmodes.poses import placed
 from pkmodes.robot.robot import Robot
 
@@ -83,7 +85,7 @@ def show(robot: Robot, result: Diagnosis) -> None:
         terminal.line(f"remains: {' or '.join(group)}", "  ")
     terminal.line()
     _errors(terminal, result)
-    _counts(terminal, result)
+    _counts(terminal, robot, result)
     if result.refitted:
         terminal.line()
         _refitted(terminal, result)
@@ -123,11 +125,16 @@ def _percent(relative: float | None) -> str:
     return "" if relative is None else f"{100.0 * relative:.3f}"
 
 
-def _counts(terminal: Terminal, result: Diagnosis) -> None:
+def _counts(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
     count = sum(not (row.held_out or row.outlier) for row in result.rows)
     held = f" (held out: {', '.join(result.held_out_poses)})" if result.held_out_poses else ""
     terminal.line()
     terminal.line(f"{count} measured mode{'' if count == 1 else 's'} fitted{held}")
+    loads = {setting(robot.kind, row.load): row.pose for row in reversed(result.rows) if row.load}
+    if loads:
+        cases = [f"{load} (pose {pose})" for load, pose in list(loads.items())[::-1]]
+        more = f"; and {len(cases) - MOST_LISTED} more" if len(cases) > MOST_LISTED else ""
+        terminal.line(f"set by the measurements: {'; '.join(cases[:MOST_LISTED])}{more}")
 
 
 def _refitted(terminal: Terminal, result: Diagnosis) -> None:
@@ -158,12 +165,20 @@ def _remarks(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
         place = placed(robot.kind, result.next_measurement.pose, ".4f")
         a, b = result.next_measurement.separates
         sigmas = result.next_measurement.sigmas
+        load = setting(robot.kind, result.next_measurement.load)
+        place += f" with {load}" if load else ""
         remarks.append(f"measure next at {place}: {a} and {b} differ there by {sigmas:.0f} sigma")
     remarks += [f"note: {text}" for text in result.notes]
     remarks += _stability(result)
     for remark in remarks:
         terminal.line()
         terminal.line(remark)
+
+
+def setting(kind: Mechanism, load: Mapping[str, float]) -> str:
+    """What is set at a pose: paths with their values and units."""
+    units = settable(kind)
+    return ", ".join(f"{path} = {value:g} {units[path]}".removesuffix(" 1") for path, value in load.items())
 
 
 def _stability(result: Diagnosis) -> list[str]:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from pkmodes import diagnosis
 from pkmodes.closing import frame
+from pkmodes.closing.load_cases import settable
 from pkmodes.closing.poses import check_measured
 from pkmodes.closing.priors import with_priors
 from pkmodes.closing.structure import RobotStructure, channels
@@ -49,9 +50,14 @@ def read(
     """
     if not isinstance(path, str | PathLike):
         raise PkmodesError(f"expected a path, found {shown(path)}", "read", "give the name of a CSV file")
-    kinds = [mechanism(name) for name in names()] if robot is None else [_robot(robot).kind]
-    known = {name: unit for kind in kinds for name, unit in channels(kind).items()}
-    found = read_measurements(path, known, components=[_components(kind) for kind in kinds])
+    of = None if robot is None else _robot(robot)
+    kinds = [mechanism(name) for name in names()] if of is None else [of.kind]
+    found = read_measurements(
+        path,
+        {name: unit for kind in kinds for name, unit in channels(kind).items()},
+        components=[_components(kind) for kind in kinds],
+        settings={name: unit for kind in kinds for name, unit in settable(kind, of).items()},
+    )
     if band is None:
         return found
     if found.band not in (None, band):
@@ -77,15 +83,16 @@ def structure(
     Raises
     ------
     PkmodesError
-        If a pose cannot be reached, or a coordinate, a candidate or the name of a prior is unknown.
+        If a pose cannot be reached, a value that is set is refused, or a coordinate, a candidate or the name of a
+        prior is unknown.
     """
     robot = _robot(robot)
     check_measurements(data, "pkmodes.closing.read(path)")
-    check_measured(data, Model(robot))
-    parameters, found, moves = suspects(robot, candidates)
+    loads = check_measured(data, Model(robot))
+    parameters, found, moves = suspects(robot, candidates, loads)
     if priors is not None:
         found = with_priors(robot, parameters, found, priors)
-    return RobotStructure(robot, data.points, parameters, found, moves)
+    return RobotStructure(robot, data.points, parameters, found, moves, loads)
 
 
 def _robot(given: Robot | Model) -> Robot:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from pkmodes.closing.load_cases import LoadCases, load_cases, of_columns
 from pkmodes.closing.structure import channels
 from pkmodes.errors import MeasurementError, PoseError, nearest, shown
 from pkmodes.measured.measurements import Measurements
@@ -18,17 +19,23 @@ OTHER_LENGTHS = {
 }
 
 
-def check_measured(measurements: Measurements, model: Model) -> None:
+def check_measured(measurements: Measurements, model: Model) -> LoadCases:
     """Refuse measurements at poses that the robot cannot take, or of what it has not.
+
+    Returns
+    -------
+    LoadCases
+        What is set at the poses.
 
     Raises
     ------
     MeasurementError
         If the poses have other components than the mechanism's, a shape has a component at a coordinate that it has
-        not, or a pose cannot be evaluated: for the first such pose, with the line of its first row.
+        not, a value that is set is refused, or a pose cannot be evaluated: for the first such pose, with the line of
+        its first row.
     """
     if not measurements.labels:
-        return
+        return LoadCases.none(model.robot, 0)
     kind = model.kind
     names = tuple(component.name for component in kind.pose)
     if measurements.components != names:
@@ -39,12 +46,20 @@ def check_measured(measurements: Measurements, model: Model) -> None:
         if name not in known:
             what = f"{shown(name)} names no coordinate of {model.robot.source}"
             raise MeasurementError(what, measurements.source, nearest(name, known))
-    _check_reachable(measurements, model, names)
+    loads = load_cases(model.robot, measurements)
+    _check_reachable(measurements, model, names, loads)
+    return loads
 
 
-def _check_reachable(measurements: Measurements, model: Model, names: tuple[str, ...]) -> None:
+def _check_reachable(
+    measurements: Measurements, model: Model, names: tuple[str, ...], loads: LoadCases
+) -> None:
     kind, parameters = model.kind, model.robot.parameters
-    valid = check_poses(measurements.points, kind, parameters, "nan", model.max_condition).valid
+    valid = np.ones(len(measurements.points), dtype=bool)
+    for c, case in enumerate(loads.cases):
+        rows = np.flatnonzero(loads.of == c)
+        points = measurements.points[rows]
+        valid[rows] = check_poses(points, kind, case.robot.parameters, "nan", model.max_condition).valid
     if valid.all():
         return
     first = int(np.argmin(valid))
@@ -61,14 +76,21 @@ def _check_reachable(measurements: Measurements, model: Model, names: tuple[str,
             )
             what = f"no pose can be reached, but every one if it is multiplied by {factor:g}"
             raise MeasurementError(what, where, remedy.format(columns, ",".join(names)))
+    load = measurements.load(first)
+    robot, remedy = loads.cases[loads.of[first]].robot, f"check the row and {model.robot.source}"
+    if check_poses(measurements.points[first], kind, parameters, "nan", model.max_condition).valid.all():
+        where = where.replace(
+            f"columns {_listed(names)}", of_columns(load)
+        )  # as declared, the robot reaches it
+        remedy = "check the values that are set"
     try:
-        check_poses(measurements.points[first], kind, parameters, "raise", model.max_condition)
+        check_poses(measurements.points[first], kind, robot.parameters, "raise", model.max_condition)
     except PoseError as error:
         label, place = shown(measurements.labels[first]), placed(kind, measurements.points[first])
         raise MeasurementError(
-            f"pose {label} at {place} cannot be reached: {error.what}",
+            f"pose {label} at {place} cannot be reached{' with what is set' if load else ''}: {error.what}",
             where,
-            f"{error.remedy}; check the row and {model.robot.source}",
+            f"{error.remedy}; {remedy}",
         ) from None
 
 

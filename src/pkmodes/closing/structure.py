@@ -9,6 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.closing import frame
+from pkmodes.closing.evaluated import Moves, Solved, derived, joined, reordered, solved
+from pkmodes.closing.load_cases import LoadCase, LoadCases
+from pkmodes.closing.payloads import payloads
 from pkmodes.diagnosis.problem import Batch, Candidate, Parameter, Prediction
 from pkmodes.evaluation import SystemOfEffects
 from pkmodes.mechanism import Mechanism
@@ -16,17 +19,12 @@ from pkmodes.poses import MAX_CONDITION, check_poses
 from pkmodes.regular import declared
 from pkmodes.robot.paths import ParameterPath, moved
 from pkmodes.robot.robot import Robot
-from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, geometry_of, locked_joints
-from pkmodes.sensitivity.shapes import shape_derivatives
-from pkmodes.solving import solve
+from pkmodes.sensitivity.matrices import POSE, locked_joints
 
 Array = NDArray[np.float64]
+Index = NDArray[np.intp]
 #: Prefix of the channels that are the platform's absolute motion.
 PLATFORM = "p_"
-#: Of robots that are evaluated together, some may have fewer parameters than others.
-NOTHING = ParameterPath("", 0.0, "1", {})
-#: Step of differences by a parameter, in its unit.
-DIFFERENCE = 1e-6
 #: Where another measurement could be made: draws around the measured poses, and their seed.
 DRAWS, SEED = 400, 7
 #: Kinds of keys of the robot file that say where something is, whatever their dimension.
@@ -45,24 +43,12 @@ def channels(kind: Mechanism) -> dict[str, str]:
     return found | {f"{PLATFORM}{name}": units[name] for name in kind.directions}
 
 
-class _Solved(NamedTuple):
-    """Modes of a robot, or of several that are alike, at those of its poses that it reaches."""
+class _Part(NamedTuple):
+    """Modes of load cases whose robots are alike: at some setups, by B robots, which are those of some cases."""
 
-    robots: tuple[Robot, ...]
-    system: SystemOfEffects
-    valid: NDArray[np.bool_]
-    points: Array
-    matrices: tuple[Array, Array]
-    eigenvalues: Array
-    shapes: Array
-    channels: Array
-
-
-class _Moves(NamedTuple):
-    """What parameters of one robot move: T paths, and (P, T, k) how much along each of them, where it is not I."""
-
-    paths: tuple[ParameterPath, ...]
-    mix: Array | None
+    rows: Index
+    owners: list[int]
+    at: Solved
 
 
 class RobotStructure:
@@ -75,6 +61,8 @@ class RobotStructure:
         Poses.
     parameters, candidates, moves
         From `pkmodes.closing.suspects.suspects`; parameters of the measurement frame have no move.
+    loads : LoadCases, optional
+        What is set at the poses; by default nothing.
     """
 
     def __init__(
@@ -84,6 +72,7 @@ class RobotStructure:
         parameters: Sequence[Parameter],
         candidates: Sequence[Candidate],
         moves: Mapping[str, ParameterPath],
+        loads: LoadCases | None = None,
     ) -> None:
         self.robot, self.points = robot, np.asarray(points, dtype=float)
         self.parameters: tuple[Parameter, ...] = tuple(parameters)
@@ -96,25 +85,33 @@ class RobotStructure:
             for i, component in enumerate(self._kind.pose)
         )
         self._moves = dict(moves)
-        self._last: tuple[bytes, _Solved] | None = None
+        self._loads = LoadCases.none(robot, len(self.points)) if loads is None else loads
+        self._left = [
+            {name: case.left(path) for name, path in self._moves.items()} for case in self._loads.cases
+        ]
+        self._last: tuple[bytes, list[_Part]] | None = None
         self._latest: tuple[object, Prediction] | None = None
 
-    def at(self, points: Array) -> RobotStructure:
-        """Return the same robot at other poses."""
-        return RobotStructure(self.robot, points, self.parameters, self.candidates, self._moves)
+    @property
+    def settings(self) -> tuple[str, ...]:
+        """Paths of what is set at some of the poses."""
+        return self._loads.settings
+
+    def at(self, points: Array, loads: LoadCases | None = None) -> RobotStructure:
+        """Return the same robot at other poses, as declared, or with load cases."""
+        return RobotStructure(self.robot, points, self.parameters, self.candidates, self._moves, loads)
 
     def subset(self, setups: Sequence[int]) -> RobotStructure:
         """Return the same robot at some of its poses."""
-        return self.at(self.points[list(setups)])
+        return self.at(self.points[list(setups)], self._loads.subset(setups))
 
-    def with_values(self, values: Array) -> Robot:
-        """Return the robot with these values of the parameters."""
-        changes = [
-            (self._moves[p.name], value - self._moves[p.name].value)
-            for p, value in zip(self.parameters, values, strict=True)
-            if p.name in self._moves and value != self._moves[p.name].value
+    def loaded(self) -> list[tuple[dict[str, float], RobotStructure]]:
+        """Return the same robot at its poses with one payload of several sizes, by what is set for it."""
+        every = np.zeros(len(self.points), dtype=np.intp)
+        return [
+            (load, self.at(self.points, LoadCases(tuple(load), (LoadCase.of(self.robot, load),), every)))
+            for load in payloads(self.robot, self.points)
         ]
-        return moved(self.robot, changes)
 
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
         """Modes at all poses, with derivatives with respect to some of the parameters."""
@@ -123,7 +120,12 @@ class RobotStructure:
             self._latest is not None and self._latest[0] == asked
         ):  # a fit asks more than once at the same values
             return self._latest[1]
-        found = _derived(self._at_values(values), [self._moved_by(values, by)], shape_rates)
+        found = self._joined(
+            [
+                (part.rows, derived(part.at, self._moved_by(values, by, part.rows, part.owners), shape_rates))
+                for part in self._at_values(values)
+            ]
+        )
         if by:
             self._latest = asked, found
         return found
@@ -136,38 +138,52 @@ class RobotStructure:
         What differs otherwise, in the joints that are locked or in the poses that can be reached, is evaluated by
         itself.
         """
-        robots = [self.with_values(v) for v in values]
-        where = [frame.true_points(self._kind, self.points, self._frame(v)) for v in values]
-        systems = [SystemOfEffects.of(robot) for robot in robots]
-        moves = [self._moved_by(v, some) for v, some in zip(values, by, strict=True)]
+        robots = [self._robots(v) for v in values]
+        where = [self._where(v) for v in values]
+        systems = [[SystemOfEffects.of(robot) for robot in each] for each in robots]
+        everywhere = np.ones(len(self.points), dtype=bool)
+        rows, owners = self._loads.arranged(range(len(self._loads.cases)), everywhere)
+        moves = [self._moved_by(v, some, rows, owners) for v, some in zip(values, by, strict=True)]
         groups: dict[object, list[int]] = {}
-        for k, (robot, system) in enumerate(zip(robots, systems, strict=True)):
-            apart = locked_joints(system, moves[k].paths) or not self._reachable(robot, where[k]).all()
-            alike = (system.free.tobytes(), system.rigid_modes)
-            groups.setdefault(k if apart else alike, []).append(k)
+        for k, each in enumerate(systems):
+            alike = {self._key(system) for system in each}
+            apart = len(alike) > 1 or not self._reachable(robots[k], where[k]).all()
+            apart = apart or any(
+                locked_joints(each[c], m.paths) for c, m in zip(owners, moves[k], strict=True)
+            )
+            groups.setdefault(k if apart else alike.pop(), []).append(k)
         found = []
         for some in groups.values():
             together = None
             if len(some) > 1:
-                system = SystemOfEffects.stacked([systems[k] for k in some], len(self.points))
-                points = np.concatenate([where[k] for k in some])
-                together = self._solved([robots[k] for k in some], system, points)
+                together = solved(
+                    [robots[k][c] for k in some for c in owners],
+                    [systems[k][c] for k in some for c in owners],
+                    np.concatenate([where[k][rows] for k in some]),
+                )
             if together is None or not np.isfinite(together.eigenvalues).all():
                 found += [
                     Batch(np.array([k]), self.predict(values[k], by[k], shape_rates=shape_rates))
                     for k in some
                 ]
             else:
-                prediction = _derived(together, [moves[k] for k in some], shape_rates)
+                prediction = derived(together, [m for k in some for m in moves[k]], shape_rates)
+                if len(owners) > 1:
+                    back = np.argsort(rows) + len(rows) * np.arange(len(some))[:, None]
+                    prediction = reordered(prediction, back.ravel())
                 found.append(Batch(np.array(some), prediction))
         return found
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction:
         """Modes at all poses, with derivatives with respect to the platform's position."""
-        return _derived(self._at_values(values), [_Moves(self._shifts, None)], shape_rates)
+        moves = Moves(self._shifts, None)
+        parts = self._at_values(values)
+        return self._joined(
+            [(part.rows, derived(part.at, [moves] * len(part.owners), shape_rates)) for part in parts]
+        )
 
     def elsewhere(self, count: int) -> tuple[Array, RobotStructure]:
-        """Reachable poses in and around the measured ones, and the robot there."""
+        """Reachable poses in and around the measured ones, and the robot there, as declared."""
         rng = np.random.default_rng(SEED)
         low, high = self.points.min(axis=0), self.points.max(axis=0)
         margin = 0.25 * max(float((high - low).max()), 0.1)
@@ -176,147 +192,83 @@ class RobotStructure:
         drawn = drawn[found.valid][:count]
         return drawn, self.at(drawn)
 
-    def _moved_by(self, values: Array, by: Sequence[int]) -> _Moves:
-        """What some of the parameters move."""
+    def _moved_by(self, values: Array, by: Sequence[int], rows: Index, owners: Sequence[int]) -> list[Moves]:
+        """What some of the parameters move in the robots of some cases, at as many of the setups each."""
         names = [self.parameters[i].name for i in by]
-        paths = tuple(self._moves[name] for name in names if name in self._moves)
-        if len(paths) == len(names):
-            return _Moves(paths, None)
+        moving = [name for name in names if name in self._moves]
+        paths = {c: tuple(self._left[c][name] for name in moving) for c in dict.fromkeys(owners)}
+        if len(moving) == len(names):
+            return [Moves(paths[c], None) for c in owners]
         # What moves the frame moves all poses, each by what it is away from the frame's origin.
-        known = {path.path: k for k, path in enumerate(paths)}
-        mix = np.zeros((len(self.points), len(paths) + len(self._shifts), len(by)))
+        known = {name: k for k, name in enumerate(moving)}
+        mix = np.zeros((len(self.points), len(moving) + len(self._shifts), len(by)))
         for column, name in enumerate(names):
             if name in known:
                 mix[:, known[name], column] = 1.0
             else:
-                mix[:, len(paths) :, column] = frame.rate(self._kind, name, self.points, self._frame(values))
-        return _Moves((*paths, *self._shifts), mix)
+                mix[:, len(moving) :, column] = frame.rate(self._kind, name, self.points, self._frame(values))
+        with_shifts = {c: (*some, *self._shifts) for c, some in paths.items()}
+        each = rows.reshape(len(owners), -1)
+        return [Moves(with_shifts[c], mix[some]) for c, some in zip(owners, each, strict=True)]
 
     def _frame(self, values: Array) -> dict[str, float]:
         """Values of the parameters of the measurement frame."""
         named = zip(self.parameters, values, strict=True)
         return {p.name: float(value) for p, value in named if p.name not in self._moves}
 
-    def _at_values(self, values: Array) -> _Solved:
-        """Modes for one set of values."""
+    def _where(self, values: Array) -> Array:
+        """The poses with respect to the robot."""
+        return frame.true_points(self._kind, self.points, self._frame(values))
+
+    def _robots(self, values: Array) -> list[Robot]:
+        """The robot of each load case with these values of the parameters."""
+        changed = [
+            (p.name, value - self._moves[p.name].value)
+            for p, value in zip(self.parameters, values, strict=True)
+            if p.name in self._moves and value != self._moves[p.name].value
+        ]
+        cases = zip(self._loads.cases, self._left, strict=True)
+        return [moved(case.robot, [(left[name], step) for name, step in changed]) for case, left in cases]
+
+    def _at_values(self, values: Array) -> list[_Part]:
+        """Modes for one set of values, those of alike robots together."""
         key = values.tobytes()
         if (
             self._last is None or self._last[0] != key
         ):  # derivatives are mostly asked for where the modes were
-            robot = self.with_values(values)
-            where = frame.true_points(self._kind, self.points, self._frame(values))
-            valid = self._reachable(robot, where)
-            system = SystemOfEffects.of(robot)
-            self._last = key, self._solved([robot], system, where[valid])._replace(valid=valid)
+            robots, where = self._robots(values), self._where(values)
+            valid = self._reachable(robots, where)
+            systems = [SystemOfEffects.of(robot) for robot in robots]
+            groups: dict[object, list[int]] = {}
+            for c, system in enumerate(systems):
+                groups.setdefault(self._key(system), []).append(c)
+            parts = []
+            for cases in groups.values():
+                rows, owners = self._loads.arranged(cases, valid)
+                at = solved([robots[c] for c in owners], [systems[c] for c in owners], where[rows])
+                parts.append(_Part(rows, owners, at))
+            self._last = key, parts
         return self._last[1]
 
-    def _solved(self, robots: Sequence[Robot], system: SystemOfEffects, points: Array) -> _Solved:
-        try:
-            at = solve(system, points)
-            every, eigenvalues, shapes = at.every, at.eigenvalues, at.shapes
-        except np.linalg.LinAlgError:  # values without inertia where there must be some: no machine
-            every = system.all_coordinates(points)
-            eigenvalues = np.full((len(points), len(system.free)), np.nan)
-            shapes = np.zeros((*eigenvalues.shape, len(system.free)))
-        valid = np.ones(len(points), dtype=bool)
-        at_channels = _at_channels(system, points, shapes)
-        return _Solved(tuple(robots), system, valid, points, every, eigenvalues, shapes, at_channels)
+    def _joined(self, parts: Sequence[tuple[Index, Prediction]]) -> Prediction:
+        return joined(parts, len(self.points))
 
-    def _reachable(self, robot: Robot, points: Array) -> NDArray[np.bool_]:
-        """Which poses this robot reaches; those of the declared one were checked with the measurements."""
-        if _same_geometry(self._kind, robot, self.robot) and np.array_equal(points, self.points):
-            return np.ones(len(points), dtype=bool)
-        return check_poses(points, self._kind, robot.parameters, "nan").valid
+    def _key(self, system: SystemOfEffects) -> object:
+        """Robots for which this is the same can be evaluated together."""
+        massless = b""
+        if len(self._loads.cases) > 1 and len(system.free) > system.first:
+            massless = system.massless().tobytes()
+        return system.free.tobytes(), system.rigid_modes, massless
 
-
-def _derived(at: _Solved, moves: Sequence[_Moves], shape_rates: bool) -> Prediction:
-    """Modes with their derivatives along what parameters of each robot move."""
-    most = max(len(one.paths) for one in moves)
-    paths = [(*one.paths, *[NOTHING] * (most - len(one.paths))) for one in moves]
-    rates = np.zeros((*at.eigenvalues.shape, most))
-    along = np.zeros((*at.channels.shape, most)) if shape_rates else None
-    if most and np.isfinite(at.eigenvalues).all():
-        derivatives = MatrixDerivatives(at.system, at.points, paths, at.matrices)
-        rates = derivatives.eigenvalues(at.eigenvalues, at.shapes)
-        if along is not None:
-            along = _channel_rates(at, derivatives, paths)
-    if any(one.mix is not None for one in moves):
-        mix = _mixed(moves, most, len(at.valid) // len(moves))[at.valid]
-        rates, along = rates @ mix, None if along is None else along @ mix[:, None]
-    return Prediction(
-        _scattered(at.eigenvalues, at.valid),
-        _scattered(rates, at.valid),
-        _scattered(at.channels, at.valid),
-        at.system.rigid_modes,
-        None if along is None else _scattered(along, at.valid),
-    )
-
-
-def _mixed(moves: Sequence[_Moves], most: int, poses: int) -> Array:
-    """How much each parameter moves along each path, (N, T, k)."""
-    columns = max(len(one.paths) if one.mix is None else one.mix.shape[-1] for one in moves)
-    found = np.zeros((len(moves), poses, most, columns))
-    for one, part in zip(moves, found, strict=True):
-        each = np.eye(len(one.paths)) if one.mix is None else one.mix
-        part[:, : each.shape[-2], : each.shape[-1]] = each
-    return found.reshape(-1, most, columns)
-
-
-def _at_channels(system: SystemOfEffects, points: Array, shapes: Array) -> Array:
-    """Shapes at the channels, (N, m, C)."""
-    directions = len(system.kind.directions)
-    found = np.zeros((*shapes.shape[:2], system.joints.shape[-1] + directions))
-    found[..., system.free] = shapes
-    found[..., -directions:] = shapes @ np.swapaxes(system.platform_motion(points), -1, -2)
-    return found
-
-
-def _channel_rates(
-    at: _Solved, derivatives: MatrixDerivatives, paths: Sequence[Sequence[ParameterPath]]
-) -> Array:
-    """Derivatives of the shapes at the channels along paths, (N, m, C, T)."""
-    kind = at.system.kind
-    directions, geometry = len(kind.directions), geometry_of(kind)
-    changes = shape_derivatives(derivatives, at.eigenvalues, at.shapes, at.system.first)
-    motion = at.system.motion_of_all(at.points)
-    found = np.zeros((*at.channels.shape, len(paths[0])))
-    found[..., : changes.shape[-1], :] = np.moveaxis(changes, 1, -1)
-    found[..., -directions:, :] = np.moveaxis(changes @ np.swapaxes(motion, -1, -2)[:, None], 1, -1)
-    each = len(at.points) // len(at.robots)
-    for b, robot in enumerate(at.robots):
-        part = slice(b * each, (b + 1) * each)
-        for t, path in enumerate(paths[b]):
-            # The platform's motion by the coordinates changes with the geometry and the pose, too.
-            if any(field in geometry or field == POSE for field, _ in path.weights):
-                rate = _motion_rate(at.system, robot, at.points[part], path)[..., derivatives.free]
-                found[part, :, -directions:, t] += at.shapes[part] @ np.swapaxes(rate, -1, -2)
-    return found
-
-
-def _motion_rate(system: SystemOfEffects, robot: Robot, points: Array, path: ParameterPath) -> Array:
-    """Derivative of the platform's motion by the coordinates along a path, by differences, (P, directions, e)."""
-    shift = np.zeros(points.shape[-1])
-    for (field, index), weight in path.weights.items():
-        if field == POSE:
-            shift[index] = weight
-    there, back = (
-        system.motion_of_all(
-            points + step * shift,
-            robot.parameters if shift.any() else moved(robot, [(path, step)]).parameters,
-        )
-        for step in (DIFFERENCE, -DIFFERENCE)
-    )
-    found: Array = (there - back) / (2.0 * DIFFERENCE)
-    return found
-
-
-def _scattered(values: Array, valid: NDArray[np.bool_]) -> Array:
-    """Put the results of reachable poses in their places, NaN in the others."""
-    if valid.all():
-        return values
-    found = np.full((len(valid), *values.shape[1:]), np.nan)
-    found[valid] = values
-    return found
+    def _reachable(self, robots: Sequence[Robot], points: Array) -> NDArray[np.bool_]:
+        """Which poses these robots of the cases reach; those of the declared ones were checked before."""
+        found = np.ones(len(points), dtype=bool)
+        measured = np.array_equal(points, self.points)
+        for c, (robot, case) in enumerate(zip(robots, self._loads.cases, strict=True)):
+            if not (measured and _same_geometry(self._kind, robot, case.robot)):
+                rows = np.flatnonzero(self._loads.of == c)
+                found[rows] = check_poses(points[rows], self._kind, robot.parameters, "nan").valid
+        return found
 
 
 def _same_geometry(kind: Mechanism, a: Robot, b: Robot) -> bool:

@@ -11,10 +11,12 @@ with another value in each joint is no candidate either, but stands against the 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from pkmodes.closing import frame
+from pkmodes.closing.load_cases import LoadCases
 from pkmodes.diagnosis.problem import Candidate, Parameter
 from pkmodes.errors import PkmodesError, nearest, shown
 from pkmodes.mechanism import Effect, Whole
@@ -33,7 +35,7 @@ FACTOR = 3.0
 
 
 def suspects(
-    robot: Robot, chosen: Sequence[str] | None = None
+    robot: Robot, chosen: Sequence[str] | None = None, loads: LoadCases | None = None
 ) -> tuple[list[Parameter], list[Candidate], dict[str, ParameterPath]]:
     """Parameters of the diagnosis, its candidates, and what moves each parameter of the robot.
 
@@ -44,22 +46,31 @@ def suspects(
         Names of candidates: effects, ``parameter:<path>``, ``measurement:<what>``, or the words ``effects``,
         ``parameters`` and ``measurement`` for all of a kind.  By default all effects, every value that may be
         suspected, and the frame of the measurement.
+    loads : LoadCases, optional
+        What the measurements set: a constant that they set makes its effect a candidate, and what they set at every
+        pose is known.
 
     Raises
     ------
     PkmodesError
         If a name is unknown.
     """
+    loads = LoadCases.none(robot, 0) if loads is None else loads
     nuisances = [path for path in _varying(robot) if robot.quantities[path].sigma]
-    candidates = _chosen(robot, chosen)
+    candidates = _chosen(robot, chosen, loads)
     if chosen is None:
         candidates += _of_one_entry(robot)
     candidates += _with_another_constant(robot, candidates)
     of_frame, frames = frame.suspects(robot.kind)
     of_robot = [name for candidate in candidates if candidate not in frames for name in candidate.parameters]
-    names = dict.fromkeys([*nuisances, *of_robot])
+    moves = [resolve(robot, name) for name in dict.fromkeys([*nuisances, *of_robot])]
     joints = _joints(robot) if candidates else {}
-    moves = [*(resolve(robot, name) for name in names), *joints.values()]
+    if loads.settings:
+        known = {move.path for move in moves if loads.always(move)}
+        moves = [move for move in moves if move.path not in known]
+        joints = {name: move for name, move in joints.items() if not loads.always(move)}
+        candidates = _unknown(candidates, known, chosen or ())
+    moves += joints.values()
     candidates += [
         Candidate(name, (move.path,), f"{name} yields", remote=True, nameable=False)
         for name, move in joints.items()
@@ -71,9 +82,22 @@ def suspects(
     return parameters, candidates, {move.path: move for move in moves}
 
 
-def _chosen(robot: Robot, chosen: Sequence[str] | None) -> list[Candidate]:
+def _unknown(candidates: Sequence[Candidate], known: set[str], chosen: Sequence[str]) -> list[Candidate]:
+    """Candidates without parameters that the measurements set at every pose."""
+    found = []
+    for candidate in candidates:
+        left = tuple(name for name in candidate.parameters if name not in known)
+        if not left and candidate.name in chosen:
+            what = f"{' and '.join(candidate.parameters)} is known: the measurements set it at every pose"
+            raise PkmodesError(what, "candidates", f"leave {candidate.name} out")
+        if left == candidate.parameters or (left and not candidate.remote):
+            found.append(replace(candidate, parameters=left))
+    return found
+
+
+def _chosen(robot: Robot, chosen: Sequence[str] | None, loads: LoadCases) -> list[Candidate]:
     kinds = {
-        "effects": _effects(robot),
+        "effects": _effects(robot, loads),
         "parameters": _suspected(robot),
         "measurement": {candidate.name: candidate for candidate in frame.suspects(robot.kind)[1]},
     }
@@ -171,14 +195,15 @@ def _declared_parameters(robot: Robot, effect: Effect) -> list[str]:
     return [name for name in names if name in robot.quantities]
 
 
-def _effects(robot: Robot) -> dict[str, Candidate]:
+def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
     """Effects that the file does not declare, and those that it declares without a standard deviation."""
     found = {}
+    robots = (robot, *(case.robot for case in loads.cases))
+    there = {path for one in robots for path, value in {**one.constants, **one.effects}.items() if value}
     for effect in robot.kind.effects.values():
         names = [f"{EFFECTS}{effect.name}.{p.name}" for p in effect.fitted]
-        known = {**robot.constants, **robot.effects}
-        # What is multiplied by a constant that is not there, such as a tension, has no effect.
-        absent = [p for p in effect.parameters if not (p.fitted or known.get(f"{effect.name}.{p.name}"))]
+        # What is multiplied by a constant that is nowhere, such as a tension, has no effect.
+        absent = [p for p in effect.parameters if not p.fitted and f"{effect.name}.{p.name}" not in there]
         suspected = all(robot.quantities[n].sigma is None for n in _declared_parameters(robot, effect))
         if suspected and not absent:
             found[effect.name] = Candidate(effect.name, tuple(names), effect.sentence)

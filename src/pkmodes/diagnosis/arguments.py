@@ -26,6 +26,10 @@ def check_arguments(structure: Structure, data: Measurements) -> None:
         )
         what = f"{len(data.labels)} setups were measured, and the structure names none"
         raise PkmodesError(what, "setups", f"pass setups=[{labels}] to MatrixStructure")
+    for name in data.settings:
+        if name not in getattr(structure, "settings", ()):
+            what = f"the measurements set {shown(name)}, of which the structure knows nothing"
+            raise PkmodesError(what, data.source, "leave it out, or model it in the setups of the structure")
     for candidate in structure.candidates:
         _check_prior(candidate.name, candidate.sigma, len(candidate.parameters))
 

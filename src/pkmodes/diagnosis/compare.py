@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 from scipy import stats
@@ -35,6 +36,8 @@ class ComparedRow:
         Difference of the logarithms in standard deviations of the measurement, that of its position included.
     mac : float or None
         Modal assurance criterion where shapes were measured.
+    load : mapping of str to float
+        What was set at its pose, by name.
     """
 
     pose: str
@@ -47,6 +50,7 @@ class ComparedRow:
     residual: float | None
     sigmas: float | None
     mac: float | None
+    load: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -62,6 +66,8 @@ class Comparison:
         Of the paired rows with their stated errors.
     notes : tuple of str
         What a person should read: that the frequencies look like those of another unit.
+    rigid : int
+        So many of the model's modes are rigid-body motions, which come first.
     """
 
     rows: tuple[ComparedRow, ...]
@@ -69,6 +75,7 @@ class Comparison:
     chi2_per_dof: float | None
     p_value: float | None
     notes: tuple[str, ...] = ()
+    rigid: int = 0
 
     @property
     def unpaired(self) -> tuple[ComparedRow, ...]:
@@ -106,12 +113,14 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
             residual=float(residual[i]) if paired[i] else None,
             sigmas=float(sigmas[i]) if paired[i] else None,
             mac=None if np.isnan(pairing.mac[i]) else float(pairing.mac[i]),
+            load=data.load(int(data.pose[i])),
         )
         for i in range(len(every))
     )
     notes = tuple(text for text in (other_unit(fitter),) if text)
+    rigid = structure.predict(fitter.declared, ()).rigid
     if not paired.any():
-        return Comparison(rows, None, None, None, notes)
+        return Comparison(rows, None, None, None, notes, rigid)
     count = int(paired.sum())
     return Comparison(
         rows,
@@ -119,4 +128,5 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
         chi2_per_dof=chi2 / count,
         p_value=float(stats.chi2.sf(chi2, count)),
         notes=notes,
+        rigid=rigid,
     )

@@ -159,6 +159,9 @@ class Criteria:
     near: float = 60.0
     #: Standard deviations by which two explanations have to differ at a pose for it to be worth measuring.
     worth_measuring: float = 2.0
+    #: A load is put on for it where it separates them by so many times as much as any pose without one: it is more
+    #: work, and its mass and place have errors of their own.
+    worth_loading: float = 1.5
 
     # Notes -------------------------------------------------------------------------------------------------------
 

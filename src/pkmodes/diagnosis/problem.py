@@ -6,9 +6,9 @@ of a test structure), each with modes of its own; its parameters are the same in
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from typing import NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -100,7 +100,8 @@ class Prediction:
     Attributes
     ----------
     eigenvalues : ndarray, shape (S, m)
-        Ascending [1/s^2]; NaN for a setup that cannot be evaluated with these values.
+        Ascending [1/s^2]; NaN for a setup that cannot be evaluated with these values.  What a setup has less than
+        others is a rigid mode at 0, or stands far above all that could be measured.
     rates : ndarray, shape (S, m, T)
         Their derivatives with respect to the parameters that were asked for.
     shapes : ndarray, shape (S, m, C)
@@ -196,6 +197,14 @@ class Structure(Protocol):
 
     def elsewhere(self, count: int) -> tuple[Array, Structure] | None:
         """Points (count, 3) where the structure could be measured as well, and the structure at these setups."""
+
+
+@runtime_checkable
+class Loadable(Protocol):
+    """A structure in which something could be set to a known value, such as a payload, to measure it again."""
+
+    def loaded(self) -> Sequence[tuple[Mapping[str, float], Structure]]:
+        """Loads, by the names of what is set to which value in all setups, and the structure with each of them."""
 
 
 def one_by_one(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 
 import numpy as np
@@ -53,6 +53,10 @@ class Columns:
         Unit of the frequencies in the source, for messages; empty where it says none, which means Hz.
     components, component_units : tuple of str, length d
         What the components of a pose are called, and their SI units.
+    settings : tuple of str, length K
+        Names of what was set to a known value in some poses: load cases.
+    set_values : ndarray, shape (P, K)
+        Those values in SI units, NaN where a pose has the declared one.
     """
 
     source: str
@@ -73,3 +77,5 @@ class Columns:
     unit: str = ""
     components: tuple[str, ...] = tuple(POSITION)
     component_units: tuple[str, ...] = tuple(POSITION.values())
+    settings: tuple[str, ...] = ()
+    set_values: Array = field(default_factory=lambda: np.empty((0, 0)))

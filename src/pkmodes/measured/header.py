@@ -13,7 +13,7 @@ from decimal import Decimal
 from typing import NamedTuple, NoReturn
 
 from pkmodes.errors import MeasurementError, shown
-from pkmodes.measured.rules import SHAPE
+from pkmodes.measured.rules import SET, SHAPE
 from pkmodes.robot.units import QuantityError, base_units
 
 #: Columns that hold no numbers.
@@ -66,6 +66,7 @@ def read_header(
     channels: Collection[str] | Mapping[str, str],
     positions: bool,
     components: Mapping[str, str],
+    settings: Mapping[str, str],
 ) -> list[Column]:
     """Columns of a header, every one known and none there twice.
 
@@ -80,6 +81,8 @@ def read_header(
         Whether the components of the poses have to be there.
     components : mapping of str to str
         Their names and SI units.
+    settings : mapping of str to str
+        What a column ``set:<path>`` may name, and the SI units.
 
     Raises
     ------
@@ -87,9 +90,10 @@ def read_header(
     """
     required = ("pose", *components, "frequency", "sigma") if positions else ALWAYS
     spreads = {f"{SPREAD}{name}": unit for name, unit in components.items()}
-    units = {**UNITS, **components, **spreads}
+    units = {**UNITS, **components, **spreads, **{f"{SET}{name}": unit for name, unit in settings.items()}}
     known = ["pose", *components, "frequency", "sigma", *spreads]
     known += ["damping", "sigma_damping", "mode", "sigma_shape", *(f"{SHAPE}{name}" for name in channels)]
+    known += [f"{SET}{name}" for name in settings]
     help_text = f"begin with a header such as {','.join(required)}"
     text = ",".join(cells)
     separator = max(SEPARATORS, key=text.count)
@@ -128,7 +132,8 @@ def read_header(
 
 def _plain(name: str, units: Mapping[str, str]) -> str:
     """What a column without a unit is in, for messages; empty for ratios."""
-    return units.get(name, "SI units").replace("1", "")
+    unit = units.get(name, "SI units")
+    return "" if unit == "1" else unit
 
 
 def frequency_factor(unit: str) -> Decimal:
@@ -165,9 +170,17 @@ def _refuse_unknown(name: str, place: str, known: Sequence[str]) -> NoReturn:
     bare = re.sub(r"\s*\(.*\)$", "", name)
     if bare != name and bare in known:
         _refuse(what, place, f"write a unit in square brackets: {bare} [{name[len(bare) :].strip(' ()')}]")
-    nearest = difflib.get_close_matches(name, known, n=1, cutoff=0.5)
+    # There are very many values that can be set: they are for names that begin as theirs, or that are theirs.
+    others = [one for one in known if not one.startswith(SET)]
+    some = [f"{SET}{name}"] if f"{SET}{name}" in known else others
+    otherwise = f"known are: {', '.join(others)}"
+    if name.startswith(SET) and len(others) < len(known):
+        what = f"{shown(name)} names no value that can be set"
+        some = [one for one in known if one.startswith(SET)]
+        otherwise = "see docs/sensitivities.md for the paths"
+    nearest = difflib.get_close_matches(name, some, n=1, cutoff=0.5)
     remedy = "remove it or correct the name: "
-    remedy += f'did you mean "{nearest[0]}"?' if nearest else f"known are: {', '.join(known)}"
+    remedy += f'did you mean "{nearest[0]}"?' if nearest else otherwise
     _refuse(what, place, remedy)
 
 

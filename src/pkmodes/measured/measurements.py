@@ -17,12 +17,14 @@ from pkmodes.errors import MeasurementError, listed, nearest, shown
 from pkmodes.measured.columns import POSITION, Array, Columns
 from pkmodes.measured.header import frequency_factor
 from pkmodes.measured.rules import (
+    SET,
     SHAPE,
     BrokenRuleError,
     checked_band,
     position_problems,
     refuse,
     repetitions,
+    setting_problems,
     text_problems,
     value_problems,
 )
@@ -42,6 +44,7 @@ ARGUMENTS = (
     "damping_sigma",
     "band",
     "components",
+    "settings",
 )
 
 
@@ -62,6 +65,8 @@ class Measurements(Columns):
     def __post_init__(self) -> None:
         poses, rows, channels = len(self.labels), np.size(self.pose), len(self.channels)
         size = len(self.components)
+        if not self.settings:
+            object.__setattr__(self, "set_values", np.empty((poses, 0)))
         if len(self.mode) != rows:
             raise MeasurementError(
                 f"expected {rows} mode numbers, found {len(self.mode)}",
@@ -79,6 +84,7 @@ class Measurements(Columns):
             "shapes": (rows, channels),
             "shape_sigma": (rows,),
             "damping_sigma": (rows,),
+            "set_values": (poses, len(self.settings)),
         }.items():
             whole = name in ("pose", "lines")
             array = _array(getattr(self, name), name, shape, self.source, whole)
@@ -114,6 +120,7 @@ class Measurements(Columns):
         lines: ArrayLike | None = None,
         unit: str = "",
         components: Mapping[str, str] = POSITION,
+        settings: Mapping[str, ArrayLike] | None = None,
         **unknown: Never,
     ) -> Measurements:
         """Build measurements from columns that have one entry for each of R rows.
@@ -149,12 +156,15 @@ class Measurements(Columns):
             Unit of the frequencies in the source, where it says one, for messages; here they are in Hz.
         components : mapping of str to str, optional
             Names of the d components of a point and their SI units; by default a position in space.
+        settings : mapping of str to array_like of shape (R,), optional
+            Values that something is known to have, by its name, in SI units, NaN where it is as declared: the rows of
+            a label agree.
 
         Raises
         ------
         MeasurementError
-            If the columns do not fit together, a number breaks a rule, a label has two positions, or a row is
-            there twice.
+            If the columns do not fit together, a number breaks a rule, a label has two positions or two values of
+            what was set, or a row is there twice.
         """
         for name in unknown:
             what = f"there is no argument {shown(name)}"
@@ -172,13 +182,17 @@ class Measurements(Columns):
             )
         labels = listed(pose, "labels", f"{source}: pose", '"P1"', error=MeasurementError)
         names = [str(label) for label in labels]
-        rows, shapes = len(names), _by_name(shapes, source)
+        rows, shapes = len(names), _by_name(shapes, "shapes", "x_1", source)
         shape = rows, len(components)
         places = np.zeros(shape) if points is None else _array(points, "points", shape, source)
         spreads = (
             np.zeros(shape) if point_sigma is None else _array(point_sigma, "point_sigma", shape, source)
         )
         columns = [_array(column, f"{SHAPE}{name}", (rows,), source) for name, column in shapes.items()]
+        known = _by_name(settings, "settings", "effects.payload.mass", source)
+        loads = np.empty((rows, len(known)))
+        for k, (name, given) in enumerate(known.items()):
+            loads[:, k] = _array(given, f"{SET}{name}", (rows,), source)
         first: dict[str, int] = {}  # row that introduces each label, in the order of the rows
         for i, label in enumerate(names):
             first.setdefault(label, i)
@@ -213,6 +227,8 @@ class Measurements(Columns):
             unit=unit,
             components=tuple(components),
             component_units=tuple(components.values()),
+            settings=tuple(known),
+            set_values=loads[introduced],
         )
         try:
             found = cls(**vars(columns_of_rows))
@@ -222,9 +238,18 @@ class Measurements(Columns):
                 raise
             where = error.where.replace(f"column {name}", f"argument {KEYWORDS[name]}")
             raise MeasurementError(error.what, where, error.remedy) from None
-        problems = [*position_problems(found, places, spreads), *repetitions(found)]
+        problems = [
+            *position_problems(found, places, spreads),
+            *setting_problems(found, loads),
+            *repetitions(found),
+        ]
         refuse(problems, source, found.lines)
         return found
+
+    def load(self, pose: int) -> dict[str, float]:
+        """What was set at a pose, by name, in SI units; nothing of what is as declared."""
+        values = zip(self.settings, self.set_values[pose].tolist(), strict=True)
+        return {name: value for name, value in values if not np.isnan(value)}
 
     def at(self, poses: Sequence[int]) -> Measurements:
         """The measurements of some poses only.
@@ -270,6 +295,7 @@ class Measurements(Columns):
             shapes=self.shapes[rows],
             shape_sigma=self.shape_sigma[rows],
             damping_sigma=self.damping_sigma[rows],
+            set_values=self.set_values[kept],
         )
 
 
@@ -278,16 +304,19 @@ def _for_all(given: ArrayLike, rows: int) -> ArrayLike:
     return np.full(rows, given) if isinstance(given, int | float | np.integer | np.floating) else given
 
 
-def _by_name(shapes: Mapping[str, ArrayLike] | None, source: str) -> Mapping[str, ArrayLike]:
-    if shapes is None:
+def _by_name(
+    given: Mapping[str, ArrayLike] | None, argument: str, example: str, source: str
+) -> Mapping[str, ArrayLike]:
+    if given is None:
         return {}
-    if not isinstance(shapes, Mapping) or not all(isinstance(name, str) for name in shapes):
+    if not isinstance(given, Mapping) or not all(isinstance(name, str) for name in given):
+        what = "components by coordinate" if argument == "shapes" else "values by name"
         raise MeasurementError(
-            f"expected components by coordinate, found {shown(shapes)}",
-            f"{source}: shapes",
-            'write such as {"x_1": [0.5, -0.2]}',
+            f"expected {what}, found {shown(given)}",
+            f"{source}: {argument}",
+            f'write such as {{"{example}": [0.5, -0.2]}}',
         )
-    return shapes
+    return given
 
 
 def _numbers(mode: Sequence[object], source: str) -> list[object]:

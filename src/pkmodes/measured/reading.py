@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from os import PathLike, fspath
 from pathlib import Path
+from types import MappingProxyType
 from typing import NoReturn
 
 from pkmodes.errors import MeasurementError
@@ -24,6 +25,7 @@ def read_measurements(
     *,
     positions: bool = True,
     components: Sequence[Mapping[str, str]] = (POSITION,),
+    settings: Mapping[str, str] = MappingProxyType({}),
 ) -> Measurements:
     """Read modal measurements of a machine whose setups are poses.
 
@@ -32,9 +34,9 @@ def read_measurements(
     path : path-like
         A CSV file in UTF-8 with one row for each identified mode: the columns ``pose``, one for each component of a
         pose, ``frequency``, ``sigma`` [Hz], and where known ``sigma_<component>``, ``damping``, ``sigma_damping``,
-        ``mode``, ``shape:<coordinate>`` and ``sigma_shape``.  A header may carry a unit, ``frequency [rad/s]``.
-        A comment line ``# band: 10 Hz, 400 Hz`` says where modes were looked for; other lines that begin with ``#``
-        are passed over, and so are blank ones.
+        ``mode``, ``shape:<coordinate>``, ``sigma_shape`` and ``set:<path>``.  A header may carry a unit,
+        ``frequency [rad/s]``.  A comment line ``# band: 10 Hz, 400 Hz`` says where modes were looked for; other
+        lines that begin with ``#`` are passed over, and so are blank ones.
     channels : collection of str, or mapping of str to str
         Coordinates that a shape column may name; a mapping gives their SI units, without which a unit of a
         shape column may be one of length or angle.
@@ -42,6 +44,8 @@ def read_measurements(
         Whether the components of the poses have to be there.  Where not, they are there together or not at all.
     components : sequence of mapping of str to str
         What the components may be, each with its SI unit: where there is more than one choice, the header decides.
+    settings : mapping of str to str, optional
+        What a column ``set:<path>`` may name, and the SI units.
 
     Returns
     -------
@@ -63,7 +67,7 @@ def read_measurements(
     where = f"{source}: line {number}"
     cells = cells_of(line, where)
     chosen = components_of(cells, components, channels)
-    columns = read_header(cells, where, channels, positions, chosen)
+    columns = read_header(cells, where, channels, positions, chosen, settings)
     return read_table(columns, lines, source, chosen)
 
 

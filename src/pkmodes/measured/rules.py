@@ -14,6 +14,8 @@ from pkmodes.robot.units import LARGEST, SMALLEST
 
 #: Prefix of the columns that hold mode shapes.
 SHAPE = "shape:"
+#: Prefix of the columns that hold what something was set to.
+SET = "set:"
 
 
 class Found(NamedTuple):
@@ -145,6 +147,12 @@ def value_problems(given: Columns, first: Integers) -> Iterator[Problem]:
         yield from broken(
             f"{SHAPE}{name}", part, good, "a finite shape component", "leave it blank when unknown"
         )
+    for k, name in enumerate(given.settings):
+        part = given.set_values[:, k]
+        good = np.isnan(part) | (np.abs(part) <= LARGEST)
+        yield from broken(
+            f"{SET}{name}", part, good, "a finite value", "leave it blank where it is as declared", first
+        )
     for i in np.flatnonzero((given.shapes == 0.0).any(axis=1) & ~(np.abs(given.shapes) > 0.0).any(axis=1)):
         column = f"{SHAPE}{given.channels[int(np.argmax(given.shapes[i] == 0.0))]}"
         remedy = "leave the components blank where the shape was not measured"
@@ -193,6 +201,24 @@ def position_problems(found: Columns, points: Array, spreads: Array) -> Iterator
                 ),
                 "give every pose a label of its own",
             )
+
+
+def setting_problems(found: Columns, rows: Array) -> Iterator[Problem]:
+    """Rows (R, K) that set something to another value than the first row of their pose does."""
+    first = np.unique(found.pose, return_index=True)[1]
+    poses = found.set_values[found.pose]
+    for i, k in np.argwhere((rows != poses) & ~(np.isnan(rows) & np.isnan(poses))):
+        name, number = f"{SET}{found.settings[k]}", found.pose[i]
+        before = int(first[number])
+        pair = [(before, float(poses[i, k])), (int(i), float(rows[i, k]))]
+        there, here = ("blank" if np.isnan(v) else Found(row, name, v, ".10g") for row, v in pair)
+        what = f"pose {shown(found.labels[number])} has two values: {name} is "
+        yield Problem(
+            int(i),
+            name,
+            (what, there, f" in line {found.lines[before]} and ", here, " here"),
+            "give every load case a label of its own",
+        )
 
 
 def repetitions(found: Columns) -> Iterator[Problem]:

@@ -16,6 +16,7 @@ from pkmodes.errors import MeasurementError, shown
 from pkmodes.measured.header import SPREAD, TEXT, Column, frequency_factor
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.rules import (
+    SET,
     SHAPE,
     BrokenRuleError,
     Found,
@@ -236,6 +237,7 @@ def _measurements(
         source=source,
         lines=np.array([line for line, _ in lines.records[1:]]),
         unit=unit,
+        settings={name.removeprefix(SET): column for name, column in numbers.items() if name.startswith(SET)},
     )
 
 

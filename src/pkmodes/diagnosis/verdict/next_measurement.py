@@ -1,14 +1,14 @@
-"""Where to measure next: the pose at which two explanations that remain differ most."""
+"""Where to measure next: the pose at which two explanations that remain differ most, perhaps with a load on."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
-from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.problem import Array, Loadable, Structure
 from pkmodes.diagnosis.verdict.result import NextMeasurement
 
 #: Poses that are looked at.
@@ -16,7 +16,7 @@ POSES = 80
 
 
 def next_measurement(fitter: Fitter, contested: Sequence[tuple[str, Fit]]) -> NextMeasurement | None:
-    """Propose a pose.
+    """Propose a pose, and a load where that separates far better than any pose alone.
 
     Parameters
     ----------
@@ -35,26 +35,51 @@ def next_measurement(fitter: Fitter, contested: Sequence[tuple[str, Fit]]) -> Ne
     if others is None or not len(others[0]):
         return None
     points, structure = others
+    best = _best(fitter, contested, points, structure, {})
+    for load, loaded in structure.loaded() if isinstance(structure, Loadable) else ():
+        found = _best(fitter, contested, points, loaded, load)
+        gain = 1.0 if best is None or best.load else fitter.criteria.worth_loading
+        if found is not None and (best is None or found.sigmas > gain * best.sigmas):
+            best = found
+    return best
+
+
+def _best(
+    fitter: Fitter,
+    contested: Sequence[tuple[str, Fit]],
+    points: Array,
+    structure: Structure,
+    load: Mapping[str, float],
+) -> NextMeasurement | None:
+    """The pose that separates most, if it is worth measuring."""
     modes = int(np.median(np.bincount(fitter.data.pose)))
     noise = float(np.median(fitter.sigma))
-    predictions = [
-        _lowest(structure.predict(fit.values, ()).log_frequencies, modes, fit) for _, fit in contested
-    ]
+    # What an explanation says is unknown cannot be set to a known value: it would still be there.
+    some = [(name, fit) for name, fit in contested if not load.keys() & _names(fit)]
+    if not some or some[0][1] is not contested[0][1]:
+        return None
+    predictions = [_lowest(structure, fit, modes) for _, fit in some]
     best: NextMeasurement | None = None
-    for (name, _), prediction in zip(contested[1:], predictions[1:], strict=True):
+    for (name, _), prediction in zip(some[1:], predictions[1:], strict=True):
         away = np.sqrt(np.sum(((prediction - predictions[0]) / noise) ** 2, axis=1))
         if not np.isfinite(away).any():
             continue
         k = int(np.nanargmax(away))
         if away[k] >= fitter.criteria.worth_measuring and (best is None or away[k] > best.sigmas):
-            names = (contested[0][0], name)
-            best = NextMeasurement(tuple(points[k].tolist()), names, float(away[k]))
+            names = (some[0][0], name)
+            best = NextMeasurement(tuple(points[k].tolist()), names, float(away[k]), dict(load))
     return best
 
 
-def _lowest(logs: Array, modes: int, fit: Fit) -> Array:
+def _names(fit: Fit) -> set[str]:
+    """Parameters of the causes of a fit."""
+    return {name for cause in fit.causes for name in cause.parameters}
+
+
+def _lowest(structure: Structure, fit: Fit, modes: int) -> Array:
     """The lowest modes that are measured; a formerly rigid one counts when it is paired."""
+    prediction = structure.predict(fit.values, ())
     rigid = fit.prediction.rigid
     paired = fit.pairing.partner[fit.pairing.partner >= 0]
-    first = int(paired.min()) if len(paired) else rigid
-    return logs[:, first : first + modes]
+    first = (int(paired.min()) if len(paired) else rigid) - rigid + prediction.rigid
+    return prediction.log_frequencies[:, first : first + modes]

@@ -256,6 +256,7 @@ class Report:
                 mac=None if np.isnan(last.pairing.mac[i]) else float(last.pairing.mac[i]),
                 held_out=bool(self.is_held[i]),
                 outlier=bool(outlying[i]),
+                load=self.data.load(int(self.data.pose[i])),
             )
             for i in range(len(self.data.lines))
         )

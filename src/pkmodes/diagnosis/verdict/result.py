@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Literal
 
 Verdict = Literal["adequate", "effect_found", "ambiguous", "unexplained", "insufficient_data"]
@@ -88,6 +89,8 @@ class Row:
     mac : float or None
         Of the last stage, where shapes were measured.
     held_out, outlier : bool
+    load : mapping of str to float
+        What was set at its pose, by name.
     """
 
     pose: str
@@ -101,6 +104,7 @@ class Row:
     mac: float | None
     held_out: bool
     outlier: bool
+    load: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -126,11 +130,12 @@ class Examined:
 
 @dataclass(frozen=True)
 class NextMeasurement:
-    """A pose at which two explanations differ most."""
+    """A pose at which two explanations differ most, and what is to be set there to a known value, by name."""
 
     pose: tuple[float, ...]
     separates: tuple[str, str]
     sigmas: float
+    load: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -269,6 +274,7 @@ class Diagnosis:
                 "pose": list(self.next_measurement.pose),
                 "separates": list(self.next_measurement.separates),
                 "sigmas": self.next_measurement.sigmas,
+                **_set(self.next_measurement.load),
             },
             "candidates": [
                 {
@@ -300,10 +306,16 @@ class Diagnosis:
                     "mac": r.mac,
                     "held_out": r.held_out,
                     "outlier": r.outlier,
+                    **_set(r.load),
                 }
                 for r in self.rows
             ],
         }
+
+
+def _set(load: Mapping[str, float]) -> dict[str, object]:
+    """The key of what is set, only where something is."""
+    return {"set": dict(load)} if load else {}
 
 
 def _key(v: Value) -> str:

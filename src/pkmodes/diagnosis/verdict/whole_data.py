@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Array
@@ -61,6 +62,7 @@ def _same_place(report: Report, stage: Stage) -> Iterator[str]:
     ends = np.searchsorted(along, along + NEAR, side="right")
     for place, (i, end) in enumerate(zip(order, ends, strict=True)):
         rest = order[place + 1 : end]
+        rest = rest[_same_load(data.set_values[rest], data.set_values[i])]  # with another one they differ
         apart = np.linalg.norm(data.points[rest] - data.points[i], axis=1)
         for k in rest[apart <= NEAR]:
             one, other = sorted((int(i), int(k)))
@@ -70,6 +72,12 @@ def _same_place(report: Report, stage: Stage) -> Iterator[str]:
                     f"poses {data.labels[one]} and {data.labels[other]} are at the same position, but their "
                     f"frequencies differ by up to {100 * most:.2g} %: is one of them somewhere else?"
                 )
+
+
+def _same_load(values: Array, others: Array) -> NDArray[np.bool_]:
+    """Whether all that is set is the same; NaN is what is as declared."""
+    same: NDArray[np.bool_] = ((values == others) | (np.isnan(values) & np.isnan(others))).all(axis=-1)
+    return same
 
 
 def _errors(report: Report, stage: Stage) -> Array:

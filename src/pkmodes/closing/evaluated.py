@@ -1,0 +1,235 @@
+"""Modes of robots at poses, with their derivatives along parameter paths.
+
+Robots with the same free coordinates are evaluated together; those of other load cases may have more modes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.diagnosis.problem import Prediction
+from pkmodes.evaluation import SystemOfEffects
+from pkmodes.robot.paths import ParameterPath, moved
+from pkmodes.robot.robot import Robot
+from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, geometry_of, locked_joints
+from pkmodes.sensitivity.shapes import shape_derivatives
+from pkmodes.solving import solve
+
+Array = NDArray[np.float64]
+Index = NDArray[np.intp]
+#: Of robots that are evaluated together, some may have fewer parameters than others.
+NOTHING = ParameterPath("", 0.0, "1", {})
+#: Step of differences by a parameter, in its unit.
+DIFFERENCE = 1e-6
+#: A mode that a setup lacks stands far above all others, each of them so many times farther: nothing is near it.
+LACKING, FARTHER = 1e40, 100.0
+
+
+class Moves(NamedTuple):
+    """What parameters of one robot move: T paths, and (n, T, k) how much along each of them, where it is not I."""
+
+    paths: tuple[ParameterPath, ...]
+    mix: Array | None
+
+
+class Solved(NamedTuple):
+    """Modes of B robots that are alike, at n poses each that they reach, those of the first robot first."""
+
+    robots: tuple[Robot, ...]
+    systems: tuple[SystemOfEffects, ...]
+    system: SystemOfEffects
+    points: Array
+    matrices: tuple[Array, Array]
+    eigenvalues: Array
+    shapes: Array
+    channels: Array
+
+    def of(self, robot: int) -> Solved:
+        """Those of one robot."""
+        each = len(self.points) // len(self.robots)
+        part = slice(robot * each, (robot + 1) * each)
+        M, K = self.matrices
+        return Solved(
+            self.robots[robot : robot + 1],
+            self.systems[robot : robot + 1],
+            self.systems[robot],
+            self.points[part],
+            (M[part], K[part]),
+            self.eigenvalues[part],
+            self.shapes[part],
+            self.channels[part],
+        )
+
+
+def solved(robots: Sequence[Robot], systems: Sequence[SystemOfEffects], points: Array) -> Solved:
+    """Solve robots with the same free coordinates together, at (B n, d) poses."""
+    system = SystemOfEffects.stacked(systems, len(points) // len(robots))
+    try:
+        at = solve(system, points)
+        every, eigenvalues, shapes = at.every, at.eigenvalues, at.shapes
+    except np.linalg.LinAlgError:  # values without inertia where there must be some: no machine
+        every = system.all_coordinates(points)
+        eigenvalues = np.full((len(points), len(system.free)), np.nan)
+        shapes = np.zeros((*eigenvalues.shape, len(system.free)))
+    found = _at_channels(system, points, shapes)
+    return Solved(tuple(robots), tuple(systems), system, points, every, eigenvalues, shapes, found)
+
+
+def derived(at: Solved, moves: Sequence[Moves], shape_rates: bool) -> Prediction:
+    """Modes with their derivatives along what parameters of each robot move."""
+    if len(moves) > 1 and any(locked_joints(at.system, one.paths) for one in moves):
+        each = [derived(at.of(b), [one], shape_rates) for b, one in enumerate(moves)]
+        return _concatenated(each)
+    most = max(len(one.paths) for one in moves)
+    filled = {id(one.paths): (*one.paths, *[NOTHING] * (most - len(one.paths))) for one in moves}
+    paths = [filled[id(one.paths)] for one in moves]
+    rates = np.zeros((*at.eigenvalues.shape, most))
+    along = np.zeros((*at.channels.shape, most)) if shape_rates else None
+    if most and np.isfinite(at.eigenvalues).all():
+        derivatives = MatrixDerivatives(at.system, at.points, paths, at.matrices)
+        rates = derivatives.eigenvalues(at.eigenvalues, at.shapes)
+        if along is not None:
+            along = _channel_rates(at, derivatives, paths)
+    if any(one.mix is not None for one in moves):
+        mix = _mixed(moves, most, len(at.points) // len(moves))
+        rates, along = rates @ mix, None if along is None else along @ mix[:, None]
+    return Prediction(at.eigenvalues, rates, at.channels, at.system.rigid_modes, along)
+
+
+def joined(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Prediction:
+    """Modes of all setups from those of some of them; NaN for a setup that is in no part.
+
+    Robots of different load cases may have more modes than others, or fewer rigid ones: rigid modes come first, as
+    many as the most have, and what a setup has less than others stands far above (`LACKING`).
+
+    Parameters
+    ----------
+    parts : sequence of (ndarray of int, Prediction)
+        Setups and their modes.
+    setups : int
+        Number of all.
+    """
+    rows, only = parts[0]
+    if len(parts) == 1 and np.array_equal(rows, np.arange(setups)):
+        return only
+    rigid = max(part.rigid for _, part in parts)
+    count = rigid + max(part.eigenvalues.shape[1] - part.rigid for _, part in parts)
+    eigenvalues = np.full((setups, count), np.nan)
+    found = [np.full((setups, count, *a.shape[2:]), np.nan) for a in (only.rates, only.shapes)]
+    with_rates = only.shape_rates is not None
+    if with_rates:
+        found.append(np.full((setups, count, *np.asarray(only.shape_rates).shape[2:]), np.nan))
+    for rows, part in parts:
+        elastic = part.eigenvalues.shape[1] - part.rigid
+        lacking = LACKING * FARTHER ** np.arange(count - rigid - elastic)
+        place = np.r_[: part.rigid, rigid : rigid + elastic]
+        eigenvalues[np.ix_(rows, np.arange(part.rigid, rigid))] = 0.0
+        eigenvalues[np.ix_(rows, np.arange(rigid + elastic, count))] = lacking
+        eigenvalues[np.ix_(rows, place)] = part.eigenvalues
+        given = [part.rates, part.shapes, *([np.asarray(part.shape_rates)] if with_rates else [])]
+        for whole, some in zip(found, given, strict=True):
+            whole[rows] = 0.0
+            whole[np.ix_(rows, place)] = some
+    return Prediction(eigenvalues, found[0], found[1], rigid, found[2] if with_rates else None)
+
+
+def reordered(prediction: Prediction, rows: Index) -> Prediction:
+    """The same with setups in another order."""
+    along = prediction.shape_rates
+    return replace(
+        prediction,
+        eigenvalues=prediction.eigenvalues[rows],
+        rates=prediction.rates[rows],
+        shapes=prediction.shapes[rows],
+        shape_rates=None if along is None else np.asarray(along)[rows],
+    )
+
+
+def _concatenated(parts: Sequence[Prediction]) -> Prediction:
+    along = [np.asarray(part.shape_rates) for part in parts if part.shape_rates is not None]
+    return Prediction(
+        np.concatenate([part.eigenvalues for part in parts]),
+        np.concatenate([part.rates for part in parts]),
+        np.concatenate([part.shapes for part in parts]),
+        parts[0].rigid,
+        np.concatenate(along) if along else None,
+    )
+
+
+def _mixed(moves: Sequence[Moves], most: int, poses: int) -> Array:
+    """How much each parameter moves along each path, (N, T, k)."""
+    columns = max(len(one.paths) if one.mix is None else one.mix.shape[-1] for one in moves)
+    found = np.zeros((len(moves), poses, most, columns))
+    for one, part in zip(moves, found, strict=True):
+        each = np.eye(len(one.paths)) if one.mix is None else one.mix
+        part[:, : each.shape[-2], : each.shape[-1]] = each
+    return found.reshape(-1, most, columns)
+
+
+def _at_channels(system: SystemOfEffects, points: Array, shapes: Array) -> Array:
+    """Shapes at the channels, (N, m, C)."""
+    directions = len(system.kind.directions)
+    found = np.zeros((*shapes.shape[:2], system.joints.shape[-1] + directions))
+    found[..., system.free] = shapes
+    found[..., -directions:] = shapes @ np.swapaxes(system.platform_motion(points), -1, -2)
+    return found
+
+
+def _channel_rates(
+    at: Solved, derivatives: MatrixDerivatives, paths: Sequence[tuple[ParameterPath, ...]]
+) -> Array:
+    """Derivatives of the shapes at the channels along paths, (N, m, C, T)."""
+    kind = at.system.kind
+    directions, geometry = len(kind.directions), geometry_of(kind)
+    changes = shape_derivatives(derivatives, at.eigenvalues, at.shapes, at.system.first)
+    motion = at.system.motion_of_all(at.points)
+    found = np.zeros((*at.channels.shape, len(paths[0])))
+    found[..., : changes.shape[-1], :] = np.moveaxis(changes, 1, -1)
+    found[..., -directions:, :] = np.moveaxis(changes @ np.swapaxes(motion, -1, -2)[:, None], 1, -1)
+    for robot, some, part in _alike(at, paths):
+        for t, path in enumerate(some):
+            # The platform's motion by the coordinates changes with the geometry and the pose, too.
+            if any(field in geometry or field == POSE for field, _ in path.weights):
+                rate = _motion_rate(at.system, robot, at.points[part], path)[..., derivatives.free]
+                found[part, :, -directions:, t] += at.shapes[part] @ np.swapaxes(rate, -1, -2)
+    return found
+
+
+def _alike(
+    at: Solved, paths: Sequence[tuple[ParameterPath, ...]]
+) -> list[tuple[Robot, tuple[ParameterPath, ...], Index]]:
+    """Robots and their paths, each once, with all poses that they are at."""
+    each = len(at.points) // len(at.robots)
+    groups: dict[tuple[int, int], list[int]] = {}
+    for b, robot in enumerate(at.robots):
+        groups.setdefault((id(robot), id(paths[b])), []).append(b)
+    return [
+        (
+            at.robots[some[0]],
+            paths[some[0]],
+            np.concatenate([np.arange(b * each, (b + 1) * each) for b in some]),
+        )
+        for some in groups.values()
+    ]
+
+
+def _motion_rate(system: SystemOfEffects, robot: Robot, points: Array, path: ParameterPath) -> Array:
+    """Derivative of the platform's motion by the coordinates along a path, by differences, (P, directions, e)."""
+    shift = np.zeros(points.shape[-1])
+    for (field, index), weight in path.weights.items():
+        if field == POSE:
+            shift[index] = weight
+    there, back = (
+        system.motion_of_all(
+            points + step * shift,
+            robot.parameters if shift.any() else moved(robot, [(path, step)]).parameters,
+        )
+        for step in (DIFFERENCE, -DIFFERENCE)
+    )
+    found: Array = (there - back) / (2.0 * DIFFERENCE)
+    return found

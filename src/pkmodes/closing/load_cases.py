@@ -1,0 +1,166 @@
+"""Load cases: values of a robot that are known to be others in some setups, such as a payload that is put on.
+
+What is set in a setup is known there: no parameter moves it, nor the part of a whole or of a shared value that it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.errors import MeasurementError, PkmodesError, nearest, shown
+from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.rules import SET
+from pkmodes.mechanism import Mechanism
+from pkmodes.robot.corrections import changeable
+from pkmodes.robot.layout import Slot, effect_parameters, items
+from pkmodes.robot.paths import ParameterPath, resolve
+from pkmodes.robot.robot import Robot
+
+Index = NDArray[np.intp]
+Known = frozenset[Slot]
+
+
+@dataclass(frozen=True)
+class LoadCase:
+    """A robot with the values that are set, and which numbers of the generated model these are."""
+
+    robot: Robot
+    known: Known = frozenset()
+
+    @classmethod
+    def of(cls, robot: Robot, values: dict[str, float]) -> LoadCase:
+        """The robot with some values, by path.
+
+        Raises
+        ------
+        PkmodesError
+            As `Robot.with_values` does.
+        """
+        if not values:
+            return cls(robot)
+        changed = robot.with_values(values)
+        return cls(changed, frozenset(slot for path in values for slot in resolve(robot, path).weights))
+
+    def left(self, path: ParameterPath) -> ParameterPath:
+        """What a path still moves where some of it is known."""
+        if not self.known:
+            return path
+        weights = {slot: weight for slot, weight in path.weights.items() if not self.knows(slot)}
+        return replace(path, weights=weights)
+
+    def knows(self, slot: Slot) -> bool:
+        """Whether a number is set; a compliance is set for each of its joints."""
+        field, index = slot
+        return slot in self.known or (field.rpartition(".")[0], index) in self.known
+
+
+@dataclass(frozen=True)
+class LoadCases:
+    """Load cases of S setups.
+
+    Attributes
+    ----------
+    settings : tuple of str
+        Paths of what is set in some of the setups.
+    cases : tuple of LoadCase
+        All different.
+    of : ndarray of int, shape (S,)
+        The case of each setup.
+    """
+
+    settings: tuple[str, ...]
+    cases: tuple[LoadCase, ...]
+    of: Index
+
+    @classmethod
+    def none(cls, robot: Robot, setups: int) -> LoadCases:
+        """The robot as declared in all setups."""
+        return cls((), (LoadCase(robot),), np.zeros(setups, dtype=np.intp))
+
+    def subset(self, setups: Sequence[int]) -> LoadCases:
+        """Those of some of the setups."""
+        used, of = np.unique(self.of[list(setups)], return_inverse=True)
+        return LoadCases(self.settings, tuple(self.cases[c] for c in used), of)
+
+    def always(self, path: ParameterPath) -> bool:
+        """Whether all that a path moves is set in every setup."""
+        return all(not case.left(path).weights for case in self.cases)
+
+    def arranged(self, cases: Sequence[int], some: NDArray[np.bool_]) -> tuple[Index, list[int]]:
+        """Setups of some cases, in an order in which as many follow each other for each of the robots.
+
+        Parameters
+        ----------
+        cases : sequence of int
+        some : ndarray of bool, shape (S,)
+            Which setups take part.
+
+        Returns
+        -------
+        rows : ndarray of int, shape (N,)
+            The setups.
+        owners : list of int, length B
+            Cases of the B robots, at N / B setups each.
+        """
+        rows = [np.flatnonzero((self.of == c) & some) for c in cases]
+        if len({len(each) for each in rows}) == 1 and (len(rows[0]) or len(rows) == 1):
+            return np.concatenate(rows), list(cases)
+        every = np.sort(np.concatenate(rows))
+        return every, self.of[every].tolist() if len(every) else [cases[0]]
+
+
+def settable(kind: Mechanism, robot: Robot | None = None) -> dict[str, str]:
+    """Paths that measurements may set, and their SI units: of any robot of a mechanism, or of one."""
+    if robot is not None:
+        return changeable(robot)
+    units = {number.path: number.unit for item in items(kind) for number in item.numbers}
+    return {**units, **effect_parameters(kind), **{whole.path: whole.unit for whole in kind.wholes}}
+
+
+def load_cases(robot: Robot, data: Measurements) -> LoadCases:
+    """The load cases of measurements.
+
+    Raises
+    ------
+    MeasurementError
+        If a path is none of this robot, or a robot file with a value would be refused: for the first row of the
+        first such pose.
+    """
+    if not data.settings:
+        return LoadCases.none(robot, len(data.labels))
+    known = settable(robot.kind, robot)
+    for path in data.settings:
+        if path not in known:
+            what = f"{shown(f'{SET}{path}')} names no value that can be set in {robot.source}"
+            remedy = nearest(path, known, "see docs/sensitivities.md for the paths")
+            raise MeasurementError(what, data.source, remedy)
+    cases: dict[tuple[tuple[str, float], ...], LoadCase] = {}
+    of = []
+    for pose in range(len(data.labels)):
+        values = data.load(pose)
+        key = tuple(values.items())
+        if key not in cases:
+            try:
+                cases[key] = LoadCase.of(robot, values)
+            except PkmodesError as error:
+                raise MeasurementError(error.what, _place(data, pose, error), error.remedy) from None
+        of.append(list(cases).index(key))
+    return LoadCases(data.settings, tuple(cases.values()), np.array(of, dtype=np.intp))
+
+
+def of_columns(values: dict[str, float]) -> str:
+    """The columns that set some values, as in a sentence."""
+    names = [f"{SET}{path}" for path in values]
+    return f"column{'s' if len(names) > 1 else ''} {' and '.join(names)}"
+
+
+def _place(data: Measurements, pose: int, error: PkmodesError) -> str:
+    """Line and column of a value that is refused; of all that are set where what is wrong lies between them."""
+    values, path = data.load(pose), error.where.rpartition(": ")[2]
+    line = data.lines[int(np.argmax(data.pose == pose))]
+    one = {path: values[path]} if path in values else values
+    return f"{data.source}: line {line}, {of_columns(one)}"

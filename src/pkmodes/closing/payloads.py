@@ -1,0 +1,52 @@
+"""Payloads that could be put on for another measurement: plausible ones, by the mass of the platform."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.evaluation import SystemOfEffects
+from pkmodes.robot.layout import EFFECTS, items
+from pkmodes.robot.paths import ParameterPath, resolve
+from pkmodes.robot.robot import Robot
+from pkmodes.sensitivity.matrices import MatrixDerivatives
+
+Array = NDArray[np.float64]
+#: The effect that a known mass on the platform is, and its parameter.
+PAYLOAD = "payload"
+PATH = f"{EFFECTS}.{PAYLOAD}.mass"
+#: Parts of the platform's mass that are tried.
+PARTS = (0.1, 0.3, 1.0)
+#: Digits of a mass that somebody is to put on.
+DIGITS = 3
+
+
+def payloads(robot: Robot, points: Array) -> list[dict[str, float]]:
+    """Payloads as what would be set, beside the declared one; none where the robot has no such effect.
+
+    Parameters
+    ----------
+    robot : Robot
+    points : ndarray, shape (P, d)
+        Poses that can be evaluated.
+    """
+    platform = platform_mass(robot, points)
+    if platform is None:
+        return []
+    there = robot.effects.get(PATH.removeprefix(f"{EFFECTS}."), 0.0)
+    return [{PATH: there + float(f"{part * platform.value:.{DIGITS}g}")} for part in PARTS]
+
+
+def platform_mass(robot: Robot, points: Array) -> ParameterPath | None:
+    """The mass that moves as a payload does, None where there is none."""
+    kind = robot.kind
+    if PAYLOAD not in kind.effects or not len(points):
+        return None
+    names = [item.path for item in items(kind) if item.key.dimension == "mass" and item.index is not None]
+    paths = [resolve(robot, path) for path in (PATH, *names)]
+    dM, dK = MatrixDerivatives(SystemOfEffects.of(robot), points[:1], [paths]).dense()
+    for place, path in enumerate(paths[1:], start=1):
+        alike = (np.allclose(d[0, place], d[0, 0], atol=1e-9 * np.abs(d[0, 0]).max()) for d in (dM, dK))
+        if all(alike):
+            return path
+    return None
