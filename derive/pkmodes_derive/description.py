@@ -221,6 +221,7 @@ class EffectData:
     grounds: bool
     coordinates: tuple[Named, ...]
     parameters: tuple[EffectParameterData, ...]
+    requirements: tuple[Requirement, ...] = ()
 
 
 @dataclass(frozen=True)

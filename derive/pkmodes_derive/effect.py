@@ -13,9 +13,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from sympy import Symbol
+from sympy import Expr, Symbol
 
-from pkmodes_derive.description import EffectData, EffectParameterData, Named
+from pkmodes_derive.description import EffectData, EffectParameterData, Named, Requirement
 
 
 @dataclass(frozen=True)
@@ -51,6 +51,26 @@ class EffectParameter:
         texts = (self.name, self.description, self.symbol, self.latex)
         name, description, symbol, latex = (text.format(j=place) for text in texts)
         return replace(self, name=name, description=description, symbol=symbol, latex=latex)
+
+
+@dataclass(frozen=True)
+class Positive:
+    """Something that must be above zero for an effect to make sense.
+
+    Attributes
+    ----------
+    of : callable
+        ``of(parameters)`` is its expression, parameters by name.
+    place : str
+        The parameter that is named where it is not.
+    sentence, remedy : str
+        With ``{value}``.
+    """
+
+    of: Callable[[Mapping[str, Symbol]], Expr]
+    place: str
+    sentence: str
+    remedy: str
 
 
 @dataclass(frozen=True)
@@ -107,6 +127,8 @@ class Effect:
         None for a term.
     grounds : bool
         Whether it ties the platform to ground, so that no rigid-body mode is left.
+    needs : Positive or None
+        Of its parameters.
     places : tuple of str
         Indices of the released coordinates, once it is that `on` a machine.
     """
@@ -118,6 +140,7 @@ class Effect:
     apply: Callable[[Any, Mapping[str, Symbol], tuple[Coordinate, ...]], None]
     released: Released | None = None
     grounds: bool = False
+    needs: Positive | None = None
     places: tuple[str, ...] = ()
 
     @property
@@ -152,5 +175,16 @@ class Effect:
             tuple(
                 EffectParameterData(p.name, p.unit, p.description, p.greater_than, p.fitted)
                 for p in self.parameters
+            ),
+            self._requirements(),
+        )
+
+    def _requirements(self) -> tuple[Requirement, ...]:
+        if self.needs is None:
+            return ()
+        place = (f"effects.{self.name}.{self.needs.place}",)
+        return (
+            Requirement(
+                f"{self.name}_margin", "above_zero", place, self.needs.sentence, self.needs.remedy, "1"
             ),
         )

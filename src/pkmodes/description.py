@@ -162,6 +162,8 @@ class Effect:
     coordinates : tuple of Named
         That it releases.
     parameters : tuple of EffectParameter
+    requirements : tuple of Requirement
+        What it needs of them: functions of the generated effects.
     """
 
     name: str
@@ -169,6 +171,7 @@ class Effect:
     grounds: bool
     coordinates: tuple[Named, ...]
     parameters: tuple[EffectParameter, ...]
+    requirements: tuple[Requirement, ...] = ()
 
     @property
     def fitted(self) -> tuple[EffectParameter, ...]:

@@ -193,6 +193,12 @@ def test_the_command_line_evaluates_effects(tmp_path: Path, capsys: pytest.Captu
         ),
         ('[effects.payload]\nmass = "1 m"', "which is a length", "effects.payload.mass", "unit"),
         ('[effects.link_compliance]\ncompliance = "-1e-7 m/N"', "greater than 0 m/N", "compliance)", "sign"),
+        (
+            '[effects.belt_tension_stiffness]\ncoefficient = "-0.05 1/N"\ntension = "30 N"',
+            "1 + coefficient * tension above 0, found -0.5",
+            "effects.belt_tension_stiffness.coefficient)",
+            "check coefficient and tension",
+        ),
         ('[effects.axis_belt_stiffness]\nfactor_1 = "-1"', "greater than -1", "factor_1)", "sign"),
         ('[effects.frame_compliance]\nmass = "8 kg"', "compliance is missing", "compliance)", "add it"),
         (

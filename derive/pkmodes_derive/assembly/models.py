@@ -123,7 +123,14 @@ def extended(machine: Machine) -> Model:
             FieldGroup("Parameters", "parameters", tuple(machine.tables.fields), declared=False),
             FieldGroup("Effects", "effects", machine.effect_fields, null=0.0),
         ),
-        functions=(_matrices(d), _motion(d), _joints(d), _static_equilibrium(d), *functions),
+        functions=(
+            _matrices(d),
+            _motion(d),
+            _joints(d),
+            _static_equilibrium(d),
+            *_needs(machine),
+            *functions,
+        ),
         constants=(
             (
                 "The effects: name, sentence, whether it ties the platform to ground, released coordinates, and "
@@ -196,6 +203,23 @@ def _joints(d: Derived) -> Function:
         {},
         "Infinite for a compliance of zero: a locked joint.",
     )
+
+
+def _needs(machine: Machine) -> list[Function]:
+    """What effects need of their parameters."""
+    symbols = {field.name: field.symbols[0] for field in machine.effect_fields}
+    found = []
+    for effect in machine.effects:
+        if effect.needs is not None:
+            of = effect.needs.of({p.name: symbols[f"{effect.name}_{p.name}"] for p in effect.parameters})
+            output = Output("margin", (1,), (of,), "1", "above zero where it makes sense")
+            summary = f"What the effect {effect.name} needs of its parameters."
+            found.append(
+                Function(
+                    f"{effect.name}_margin", summary, "the effect's definition", (), (output,), {}, in_c=False
+                )
+            )
+    return found
 
 
 def _static_equilibrium(d: Derived) -> Function:

@@ -1,6 +1,6 @@
 """Belt tension stiffness: cords straighten and teeth seat, so that a belt is the stiffer the more it is tensioned."""
 
-from pkmodes_derive.effect import Effect, EffectParameter
+from pkmodes_derive.effect import Effect, EffectParameter, Positive
 
 
 def apply(machine, parameters, released):
@@ -27,4 +27,10 @@ EFFECT = Effect(
         ),
     ),
     apply=apply,
+    needs=Positive(
+        lambda parameters: 1 + parameters["coefficient"] * parameters["tension"],
+        "coefficient",
+        "expected 1 + coefficient * tension above 0, found {value}: a belt without stiffness",
+        "check coefficient and tension",
+    ),
 )

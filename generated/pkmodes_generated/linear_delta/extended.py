@@ -47,6 +47,7 @@ __all__ = [
     "EFFECTS",
     "VALUE_SENSITIVITIES",
     "GEOMETRY_SENSITIVITIES",
+    "belt_tension_stiffness_margin",
     "extended_matrices",
     "extended_platform_motion",
     "extended_static_equilibrium",
@@ -1510,6 +1511,32 @@ def extended_static_equilibrium(p, parameters, effects):
     theta_st_out[..., 4] = theta_2_2_st
     theta_st_out[..., 5] = theta_3_2_st
     return tau_st_out, theta_st_out
+
+
+def belt_tension_stiffness_margin(effects):
+    """What the effect belt_tension_stiffness needs of its parameters.
+
+    Parameters
+    ----------
+    effects : Effects
+        The robot's effects.
+
+    Returns
+    -------
+    margin : array, shape (..., 1) [1]
+        Above zero where it makes sense.
+
+    Notes
+    -----
+    The effect's definition.
+    2 operations; 2 with every named value written out.
+    """
+    (c_T,) = _entries(effects.belt_tension_stiffness_coefficient, ())
+    (F_T,) = _entries(effects.belt_tension_stiffness_tension, ())
+    batch, dtype = _batch(c_T, F_T)
+    margin_out = np.empty((*batch, 1), dtype)
+    margin_out[..., 0] = F_T*c_T + 1
+    return margin_out
 
 
 def value_sensitivities(p, parameters, effects):

@@ -44,7 +44,8 @@ def declaration(document: Mapping[str, Any], source: str) -> Declaration:
     parameters = _parameters(kind, values)
     numbers = _quantities(kind, values)
     for requirement in kind.requirements:
-        _check(requirement, kind, parameters, numbers, tables)
+        _check(requirement, getattr(kind.model, requirement.function)(parameters), numbers, tables)
+    _check_effects(kind, tables)
     tables.raise_problems()
     constants = {path: tables.effects.get(path) or numbers[own] for path, own in lent(kind).items()}
     return Declaration(
@@ -123,16 +124,25 @@ def _by_effect(quantities: Mapping[str, Quantity]) -> dict[str, float]:
     return {path.removeprefix(f"{EFFECTS}."): quantity.value for path, quantity in quantities.items()}
 
 
+def _check_effects(kind: Mechanism, tables: Tables) -> None:
+    """What the declared effects need of their parameters."""
+    declared = {path.split(".")[1] for path in tables.effects}
+    for name in [name for name in declared if kind.effects[name].requirements]:
+        own = {path: q for path, q in tables.effects.items() if path.split(".")[1] == name}
+        given = {path.removeprefix(f"{EFFECTS}.").replace(".", "_"): q.value for path, q in own.items()}
+        for requirement in kind.effects[name].requirements:
+            margin = getattr(kind.extended, requirement.function)(kind.extended.Effects(**given))
+            _check(requirement, margin, own, tables)
+
+
 def _check(
     requirement: Requirement,
-    kind: Mechanism,
-    parameters: Parameters,
+    margins: Any,
     numbers: Mapping[str, Quantity],
     tables: Tables,
 ) -> None:
     """Add a problem for each place where a requirement does not hold."""
-    margins = np.ravel(getattr(kind.model, requirement.function)(parameters))
-    for place, margin in zip(requirement.places, margins.tolist(), strict=True):
+    for place, margin in zip(requirement.places, np.ravel(margins).tolist(), strict=True):
         if not (margin > 0.0 or (margin == 0.0 and requirement.rule == "at_least_zero")):
             tables.problem(place, _sentence(requirement, place, margin, numbers), requirement.remedy)
 

@@ -20,6 +20,8 @@ from pkmodes.sensitivity.matrices import MatrixDerivatives
 Array = NDArray[np.float64]
 #: Smallest difference of two eigenvalues, relative to the larger one, that is divided by.
 SMALLEST_GAP = 1e-6
+#: The same relative to the largest of all, below which it is rounding: between rigid modes that nothing holds.
+ROUNDING = float(np.finfo(float).eps)
 
 
 def shape_derivatives(derivatives: MatrixDerivatives, eigenvalues: Array, shapes: Array, first: int) -> Array:
@@ -49,6 +51,7 @@ def shape_derivatives(derivatives: MatrixDerivatives, eigenvalues: Array, shapes
         change[:, t], norm[:, t] = derivatives.locked_change(t, eigenvalues, shapes)
     gap = eigenvalues[:, :, None] - eigenvalues[:, None, :]
     least = SMALLEST_GAP * np.maximum(np.abs(eigenvalues[:, :, None]), np.abs(eigenvalues[:, None, :]))
+    least = np.maximum(least, ROUNDING * np.abs(eigenvalues).max(axis=1)[:, None, None])
     gap = np.where(gap >= 0.0, 1.0, -1.0) * np.maximum(np.abs(gap), np.maximum(least, 1e-300))
     share = change @ np.swapaxes(shapes, -1, -2)[:, None] / gap[:, None]  # (N, T, i, j)
     diagonal = np.arange(shapes.shape[1])

@@ -1,0 +1,23 @@
+"""Derivatives of shapes stay finite where several modes are free, whose eigenvalues are exactly zero."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any, cast
+
+import numpy as np
+
+from pkmodes.sensitivity.shapes import shape_derivatives
+
+
+def test_modes_that_nothing_holds_do_not_overflow() -> None:
+    dM = np.ones((1, 1, 3, 3)) * 1e12
+    still = SimpleNamespace(
+        dense=lambda: (dM, dM),
+        locked=(),
+        free=np.arange(3),
+        M=np.eye(3)[None],
+        K=np.diag([0.0, 0.0, 1e6])[None],
+    )
+    found = shape_derivatives(cast(Any, still), np.array([[0.0, 0.0, 1e6]]), 1e4 * np.eye(3)[None], 3)
+    assert np.isfinite(found).all()
