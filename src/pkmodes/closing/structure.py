@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -13,7 +14,7 @@ from pkmodes.closing.evaluated import Moves, Solved, derived, joined, reordered,
 from pkmodes.closing.load_cases import LoadCase, LoadCases
 from pkmodes.closing.payloads import payloads
 from pkmodes.diagnosis.problem import Batch, Candidate, Parameter, Prediction
-from pkmodes.evaluation import SystemOfEffects
+from pkmodes.evaluation import INERTIAS, SystemOfEffects
 from pkmodes.mechanism import Mechanism
 from pkmodes.poses import MAX_CONDITION, check_poses
 from pkmodes.regular import declared
@@ -89,6 +90,7 @@ class RobotStructure:
         self._left = [
             {name: case.left(path) for name, path in self._moves.items()} for case in self._loads.cases
         ]
+        self._massless: dict[tuple[bytes, bytes], bytes] = {}
         self._last: tuple[bytes, list[_Part]] | None = None
         self._latest: tuple[object, Prediction] | None = None
 
@@ -257,7 +259,12 @@ class RobotStructure:
         """Robots for which this is the same can be evaluated together."""
         massless = b""
         if len(self._loads.cases) > 1 and len(system.free) > system.first:
-            massless = system.massless().tobytes()
+            # What has no inertia follows from which numbers are zero.
+            zeros = [system.effects, *(getattr(system.parameters, name) for name in _inertias(self._kind))]
+            key = system.free.tobytes(), b"".join((np.asarray(v) == 0.0).tobytes() for v in zeros)
+            if key not in self._massless:
+                self._massless[key] = system.massless().tobytes()
+            massless = self._massless[key]
         return system.free.tobytes(), system.rigid_modes, massless
 
     def _reachable(self, robots: Sequence[Robot], points: Array) -> NDArray[np.bool_]:
@@ -271,7 +278,23 @@ class RobotStructure:
         return found
 
 
+@cache
+def _inertias(kind: Mechanism) -> tuple[str, ...]:
+    """Generated parameters that are inertias."""
+    return tuple(dict.fromkeys(key.field for key in declared(kind) if key.dimension in INERTIAS))
+
+
+@cache
+def _geometry(kind: Mechanism) -> tuple[str, ...]:
+    """Generated parameters that say which poses a robot reaches: nothing else of it enters the margins."""
+    keys = [key for key in declared(kind) if key.kind in WHERE or key.dimension in ("length", "angle")]
+    return tuple(dict.fromkeys(key.field for key in keys))
+
+
 def _same_geometry(kind: Mechanism, a: Robot, b: Robot) -> bool:
-    """Whether two robots reach the same poses: nothing else of them enters the margins."""
-    names = {key.field for key in declared(kind) if key.kind in WHERE or key.dimension in ("length", "angle")}
-    return all(np.array_equal(getattr(a.parameters, name), getattr(b.parameters, name)) for name in names)
+    """Whether two robots reach the same poses."""
+    of_a, of_b = a.parameters, b.parameters
+    if of_a is of_b:
+        return True
+    pairs = ((getattr(of_a, name), getattr(of_b, name)) for name in _geometry(kind))
+    return all(one is other or np.array_equal(one, other) for one, other in pairs)
