@@ -191,7 +191,9 @@ def measured(case: MechanismCase) -> tuple[list[Identified], str]:
     """Modes that were found, and the text of their file.  The true uncertain values are drawn from their priors."""
     specimen = case.specimen
     kind, robot = KINDS[specimen.mechanism], robot_of(specimen.mechanism)
-    rng = np.random.default_rng([case.seed, zlib.crc32(f"{specimen.mechanism} {case.suite}".encode()), case.number])
+    rng = np.random.default_rng(
+        [case.seed, zlib.crc32(f"{specimen.mechanism} {case.suite}".encode()), case.number]
+    )
     uncertain = {path: q for path, q in robot.quantities.items() if q.sigma}
     drawn = {path: q.value + q.sigma * rng.standard_normal() for path, q in uncertain.items()}
     points = kind.points[: case.poses]

@@ -16,7 +16,7 @@ import statistics
 import sys
 import time
 import traceback
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from pathlib import Path
@@ -63,16 +63,29 @@ OUTSIDE = {
 }
 #: What ties a robot to ground makes modes measurable that were rigid: its size is chosen by the others.
 TYING = ("servo_stiffness", "cable_stiffness", "directional_cable", "one_servo", "arm_hose")
-#: A mode that an absorber adds shows however light it is: its masses [kg].
-ABSORBERS = {"rotary_delta": [0.01, 0.03], "corexy": [0.02, 0.06]}
+#: A mode that is added shows however little else does: masses of absorbers [kg], and how soft frames are [m/N,
+#: rad/(N m)], so that they move at 200 to 35 Hz.
+ADDING = {
+    "rotary_delta": {
+        "tuned_absorber": [0.01, 0.03],
+        "frame_compliance": [6e-8, 1.4e-7, 4e-7],
+        "rocking_frame": [1e-7, 5e-7],
+    },
+    "corexy": {
+        "tuned_absorber": [0.02, 0.06],
+        "frame_compliance": [3e-8, 6e-8, 1.5e-7],
+        "racking_gantry": [4e-5, 1e-4],
+    },
+}
 #: Where the search for a size starts, in SI units.
 STARTS = {
     "compliance": 1e-11,
     "link_compliance": 1e-10,
     "gearbox_compliance": 1e-6,
     "one_gearbox": 1e-6,
+    "one_link": 1e-9,
+    "one_run": 1e-9,
     "rocking_frame": 1e-9,
-    "racking_gantry": 1e-8,
     "one_servo": 1e-4,
     "servo_stiffness": 1e-4,
 }
@@ -86,7 +99,9 @@ SUITES = ("nothing missing", "one effect", "wrong parameter", "outside the catal
 def cases() -> Iterator[MechanismCase]:
     """Every case."""
     for name in KINDS:
-        yield from (_case("nothing missing", n, Specimen(name), (), "nothing") for n in range(NOTHING_MISSING))
+        yield from (
+            _case("nothing missing", n, Specimen(name), (), "nothing") for n in range(NOTHING_MISSING)
+        )
         for suite in SUITES[1:]:
             places = [(kind, s) for kind, found in SIZES[name][suite].items() for s in found]
             for n, (kind, size) in enumerate(places):
@@ -107,7 +122,7 @@ def _truths(name: str, suite: str, kind: str) -> tuple[str, ...]:
 
 
 def _specimen(name: str, suite: str, kind: str, size: float) -> Specimen:
-    """A robot with one cause of a size; of a wrong value the change."""
+    """Take a robot with one cause of a size; of a wrong value the change."""
     if suite == "wrong parameter":
         return Specimen(name, values={kind: resolve(robot_of(name), kind).value + size})
     if suite == "outside the catalogue":
@@ -129,14 +144,15 @@ def sizes() -> dict[str, dict[str, dict[str, list[float]]]]:
         # What is multiplied by a constant that the file does not give, such as a tension, has no effect.
         effects = [e for e in mechanism(name).effects if e != "belt_tension_stiffness"]
         for kind in (*effects, "one alone"):
-            suites["one effect"][kind] = [_size(name, "one effect", kind, t) for t in TARGETS]
+            given = ADDING[name].get(kind)
+            suites["one effect"][kind] = given or [_size(name, "one effect", kind, t) for t in TARGETS]
         for place, path in enumerate(WRONG[name]):
             sign = -1.0 if place % 2 else 1.0
             found_size = _size(name, "wrong parameter", path, TARGETS[place % 3], sign)
             suites["wrong parameter"][path] = [found_size]
         for kind in OUTSIDE[name]:
-            masses = ABSORBERS[name] if kind == "tuned_absorber" else None
-            suites["outside the catalogue"][kind] = masses or [
+            given = ADDING[name].get(kind)
+            suites["outside the catalogue"][kind] = given or [
                 _size(name, "outside the catalogue", kind, t) for t in OUTSIDE_TARGETS
             ]
     return found
@@ -211,27 +227,27 @@ def _safely(case: MechanismCase) -> MechanismOutcome:
     try:
         return run(case)
     except Exception:
-        return MechanismOutcome(case, "failed", "", (), signal=float("inf"), reason=traceback.format_exc(limit=-8))
+        return MechanismOutcome(
+            case, "failed", "", (), signal=float("inf"), reason=traceback.format_exc(limit=-8)
+        )
 
 
 # Tables ------------------------------------------------------------------------------------------------------
 
 
 def _page(outcomes: list[MechanismOutcome], seconds: float, jobs: int) -> list[str]:
-    groups = {
-        name: [o for o in outcomes if o.case.specimen.mechanism == name] for name in KINDS
-    }
+    groups = {name: [o for o in outcomes if o.case.specimen.mechanism == name] for name in KINDS}
     lines = [
         "# The diagnosis of other mechanisms, measured",
         "",
         "Written by `make suites`; do not edit. `benchmarks/mechanism_suites.py` has the cases, `mechanism_cases.py`",
         "how they are measured and judged; words and requirements are those of docs/diagnosis-measured.md. The rigs",
-        "share no code with the model: MuJoCo for the rotary delta, but loops closed by hand where its links yield or",
-        "its frame rocks, and the contract's formulas for the CoreXY.",
+        "share no code with the model: MuJoCo for the rotary delta, but loops closed by hand where its links yield",
+        "or its frame rocks, and the contract's formulas for the CoreXY.",
         "",
         "`robots/clavel-delta.toml` and `robots/corexy-printer.toml` at 10 to 12 poses, noise of 0.2 %, all modes up",
-        "to 1.25 times the highest of the declared model. Shapes, with 2 % noise, at `theta_1..3` and `p_x..z` of the",
-        "rotary delta and at `x y` and `p_x p_y` of the CoreXY; none in every fifth case. The true values of the",
+        "to 1.25 times the highest of the declared model. Shapes, with 2 % noise, at `theta_1..3` and `p_x..z` of",
+        "the rotary delta and at `x y` and `p_x p_y` of the CoreXY; none in every fifth case. The true values of the",
         "uncertain parameters are drawn from their priors. Every second case is *realistic*: 15 % of its modes are",
         "missed. A CoreXY has two vibration modes at a pose, a rotary delta three.",
         "",
@@ -264,7 +280,9 @@ def _page(outcomes: list[MechanismOutcome], seconds: float, jobs: int) -> list[s
         "",
         "## Clear causes that were not named",
         "",
-        *_listed([o for o in outcomes if o.case.names and o.signal > CLEAR and o.state not in ("named", "wrong")]),
+        *_listed(
+            [o for o in outcomes if o.case.names and o.signal > CLEAR and o.state not in ("named", "wrong")]
+        ),
         "",
         "## Causes outside the catalogue that were taken for nothing",
         "",
@@ -310,7 +328,7 @@ def _real(o: MechanismOutcome) -> str:
     return ", realistic" if o.case.realistic else ""
 
 
-def _confusion(outcomes: Sequence[MechanismOutcome], key) -> list[str]:
+def _confusion(outcomes: Sequence[MechanismOutcome], key: Callable[[MechanismOutcome], str]) -> list[str]:
     states = [s for s in STATES if s != "failed" or any(o.state == s for o in outcomes)]
     groups: dict[str, list[MechanismOutcome]] = {}
     for o in outcomes:

@@ -159,9 +159,7 @@ def corexy(
     return completed(rows, "theta", effects, outside).modes([*locked, *_without(outside)], 4)
 
 
-def completed(
-    rows: Rows, drive: str, effects: Mapping[str, float], outside: Mapping[str, float]
-) -> Rows:
+def completed(rows: Rows, drive: str, effects: Mapping[str, float], outside: Mapping[str, float]) -> Rows:
     """Add what every mechanism may have: at its drives, at its platform, and under its frame."""
     count = len(rows.platform)
     for name in [name for name in rows.names if name.startswith(f"{drive}_")]:
