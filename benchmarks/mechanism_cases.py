@@ -104,12 +104,16 @@ KINDS = {
         ("x", "y", "p_x", "p_y"),
         _spread(12, (0.0, 0.0), (0.3, 0.3)),
         # With rigid shafts only (inertias at theta_i) / radius^2 enters the modes: nobody measures theta_i here.
-        # A belt of another width is a change of the stiffness of each.
+        # A belt of another width is a change of the stiffness of each; and as the stiffness of both is uncertain,
+        # one belt of another width is one that is not as stiff as the other.
         _alike(
             ("gearbox_inertia", *_inertias("", "pulley.inertia", "pulley.radius")),
             _inertias("belt_path.2.", "pulley.inertia", "pulley.radius"),
         )
-        | {"parameter:belt.width": ("axis_belt_stiffness",)},
+        | {
+            "parameter:belt.width": ("axis_belt_stiffness",),
+            "axis_belt_stiffness": tuple(f"parameter:belt_path.{i}.belt.width" for i in (1, 2)),
+        },
     ),
 }
 
