@@ -49,6 +49,7 @@ benchmark: $(VENV)/.dev
 
 suites: $(VENV)/.dev  ## rates of the diagnosis on the virtual test rig, twenty minutes on two cores
 	$(BIN)/python benchmarks/diagnosis.py --seed 20261204 --out docs/diagnosis-measured.md
+	$(BIN)/python benchmarks/mechanism_suites.py --seed 20261205 --out docs/mechanisms-measured.md
 
 clean:
 	rm -rf $(VENV) build

@@ -50,63 +50,63 @@ def _former(name: str, suite: str, outcomes: Sequence[Outcome]) -> Iterator[str]
     """The five suites of the first publication, and their realistic twins."""
     number = len(outcomes)
     if name == "nothing missing":
-        yield _line(suite, "not adequate <= 5 %", number - count(outcomes, "adequate"), number, most=0.05)
+        yield line(suite, "not adequate <= 5 %", number - count(outcomes, "adequate"), number, most=0.05)
     elif name == "two effects":
-        yield _line(suite, "both named >= 70 %", count(outcomes, "named"), number, least=0.70)
-        yield _line(suite, "a wrong one <= 5 %", count(outcomes, "wrong"), number, most=0.05)
+        yield line(suite, "both named >= 70 %", count(outcomes, "named"), number, least=0.70)
+        yield line(suite, "a wrong one <= 5 %", count(outcomes, "wrong"), number, most=0.05)
     elif name == "outside the catalogue":
-        yield _line(suite, "abstained >= 90 %", count(outcomes, "abstained"), number, least=0.90)
+        yield line(suite, "abstained >= 90 %", count(outcomes, "abstained"), number, least=0.90)
     else:
         clear = [o for o in outcomes if o.signal > CLEAR]
         named = [o for o in clear if o.state == "named"]
         what = f"signal > {CLEAR:g}"
-        yield _line(suite, f"{what}: named >= 95 %", len(named), len(clear), least=0.95)
+        yield line(suite, f"{what}: named >= 95 %", len(named), len(clear), least=0.95)
         right = sum(map(_right, named))
-        yield _line(suite, f"{what}: value within 3 sigma >= 95 %", right, len(named), least=0.95)
+        yield line(suite, f"{what}: value within 3 sigma >= 95 %", right, len(named), least=0.95)
 
 
 def _together(name: str, outcomes: Sequence[Outcome]) -> Iterator[str]:
     wrong = count(outcomes, "wrong")
-    yield _line(name, "confident and wrong <= 2 %", wrong, len(outcomes), most=0.02)
+    yield line(name, "confident and wrong <= 2 %", wrong, len(outcomes), most=0.02)
     values = [abs(found - true) / sigma for o in outcomes for _, found, sigma, true in o.values]
     inside = sum(v <= INTERVAL for v in values)
-    yield _line(name, "95 % intervals cover 90-99 %", inside, len(values), 0.90, 0.99)
+    yield line(name, "95 % intervals cover 90-99 %", inside, len(values), 0.90, 0.99)
 
 
 def _few_rows(suite: str, outcomes: Sequence[Outcome]) -> Iterator[str]:
-    yield _line(suite, "confident and wrong: none", count(outcomes, "wrong"), len(outcomes), most=0.0)
+    yield line(suite, "confident and wrong: none", count(outcomes, "wrong"), len(outcomes), most=0.0)
 
 
 def _modes_missed(suite: str, outcomes: Sequence[Outcome]) -> Iterator[str]:
     clear = [o for o in outcomes if o.signal > CLEAR]
     adding = [o for o in clear if o.case.kind in ADDING]
     what = f"signal > {CLEAR:g}"
-    yield _line(suite, f"{what}: named >= 95 %", count(clear, "named"), len(clear), least=0.95)
-    yield _line(
+    yield line(suite, f"{what}: named >= 95 %", count(clear, "named"), len(clear), least=0.95)
+    yield line(
         suite,
         f"{what}, effects that add modes: named >= 95 %",
         count(adding, "named"),
         len(adding),
         least=0.95,
     )
-    yield _line(suite, "confident and wrong <= 2 %", count(outcomes, "wrong"), len(outcomes), most=0.02)
+    yield line(suite, "confident and wrong <= 2 %", count(outcomes, "wrong"), len(outcomes), most=0.02)
 
 
 def _shapes_decide(suite: str, outcomes: Sequence[Outcome]) -> Iterator[str]:
-    yield _line(suite, "confident and wrong <= 2 %", count(outcomes, "wrong"), len(outcomes), most=0.02)
+    yield line(suite, "confident and wrong <= 2 %", count(outcomes, "wrong"), len(outcomes), most=0.02)
     against = [o for o in outcomes if o.mac and o.mac[0] < MAC_CLAIMED and o.mac[1] > MAC_OTHER]
     what = f"claimed with a MAC < {MAC_CLAIMED:g}, the truth all > {MAC_OTHER:g}: none"
-    yield _line(suite, what, len(against), len(outcomes), most=0.0)
+    yield line(suite, what, len(against), len(outcomes), most=0.0)
 
 
 def _outliers(suite: str, outcomes: Sequence[Outcome]) -> Iterator[str]:
-    yield _line(
+    yield line(
         suite, "wrong, or rows set aside blindly <= 2 %", count(outcomes, "wrong"), len(outcomes), most=0.02
     )
 
 
 def _mistakes(suite: str, outcomes: Sequence[Outcome]) -> Iterator[str]:
-    yield _line(
+    yield line(
         suite, "a physical cause claimed: none", sum(o.physical for o in outcomes), len(outcomes), most=0.0
     )
     for kind, what in (
@@ -115,7 +115,7 @@ def _mistakes(suite: str, outcomes: Sequence[Outcome]) -> Iterator[str]:
         ("sigma", "sigma far too large noted >= 90 %"),
     ):
         told = [o for o in outcomes if NOTED.get(o.case.mistake) == kind]
-        yield _line(suite, what, sum(bool(o.noted) for o in told), len(told), least=0.90)
+        yield line(suite, what, sum(bool(o.noted) for o in told), len(told), least=0.90)
 
 
 #: Rules of the other suites, each fixed before its suite was run.
@@ -128,7 +128,7 @@ HARD = {
 }
 
 
-def _line(suite: str, what: str, count: int, of: int, least: float = 0.0, most: float = 1.0) -> str:
+def line(suite: str, what: str, count: int, of: int, least: float = 0.0, most: float = 1.0) -> str:
     if not of:
         return f"| {suite} | {what} | no cases | | |"
     low = stats.beta.ppf(0.025, count, of - count + 1) if count else 0.0

@@ -10,8 +10,10 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 from rig_engine import TrueModes, true_modes
 from rig_laboratory import SENSORS, Laboratory
 from rig_measurements import BASE_RIGID, Identified, exact, identified, measure_modes, written
+from rig_mechanisms import corexy
 from rig_mistakes import MISTAKES, joined, mistaken, parsed
 from rig_robots import POSES, ROBOTS, read
+from rig_rotary_delta import rotary_delta
 from rig_storeys import channels, storey_modes
 
 __all__ = [
@@ -24,6 +26,7 @@ __all__ = [
     "Laboratory",
     "TrueModes",
     "channels",
+    "corexy",
     "exact",
     "identified",
     "joined",
@@ -31,6 +34,7 @@ __all__ = [
     "mistaken",
     "parsed",
     "read",
+    "rotary_delta",
     "storey_modes",
     "true_modes",
     "written",

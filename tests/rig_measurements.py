@@ -112,6 +112,7 @@ def identified(
     sigma_shape: str = "absent",
     sigma_scale: float = 1.0,
     drift: float = 0.0,
+    base_rigid: int = BASE_RIGID,
 ) -> list[Identified]:
     """Find the modes, in any order.
 
@@ -131,12 +132,14 @@ def identified(
         and most modes at a pose, those that were rigid included.
     drift : float
         Relative change of all frequencies from each pose to the next.
+    base_rigid : int
+        Modes of the robot without effects that strain nothing: three, but of another mechanism.
     """
     rows: list[Identified] = []
     most = modes if isinstance(modes, int) else modes[1]
     for index, true in enumerate(modes_list):
         shared = rng.normal(0.0, common)
-        looked_for = _looked_for(true, modes, band, rng)
+        looked_for = _looked_for(true, modes, band, rng, base_rigid)
         chance = _chances(true, looked_for, shapes or sensors, nodes)
         for i, visible in zip(looked_for, chance, strict=True):
             part = sigma * np.exp(rng.normal(0.0, uneven)) if uneven else sigma
@@ -164,8 +167,12 @@ def written(
     labels: Sequence[str] | None = None,
     band: tuple[float, float] | None = None,
     sigma_shape: bool = False,
+    components: Sequence[str] = ("x", "y", "z"),
 ) -> str:
-    """Text of the file of these rows; `band` where it is stated, and whether there is a column ``sigma_shape``."""
+    """Text of the file of these rows; `band` where it is stated, and whether there is a column ``sigma_shape``.
+
+    `components` are those of a pose.
+    """
     text = io.StringIO()
     text.write("# virtual test rig\n")
     if band:
@@ -173,7 +180,7 @@ def written(
     writer = csv.writer(text, lineterminator="\n")
     extra = ["sigma_shape"] if sigma_shape and shapes else []
     columns = [f"shape:{name}" for name in shapes]
-    writer.writerow(["pose", "x", "y", "z", "frequency", "sigma", "mode", *columns, *extra])
+    writer.writerow(["pose", *components, "frequency", "sigma", "mode", *columns, *extra])
     for row in rows:
         label = labels[row.pose] if labels else f"P{row.pose + 1}"
         numbers = [*poses[row.pose], row.frequency, row.stated]
@@ -203,15 +210,16 @@ def _looked_for(
     modes: int | tuple[int, int],
     band: tuple[float, float] | None,
     rng: np.random.Generator,
+    base_rigid: int,
 ) -> list[int]:
     """Modes that the analysis looks for."""
     low, high = band or (0.0, np.inf)
-    tied = [i for i in range(true.rigid, BASE_RIGID) if true.frequencies[i] > LOWEST_FREQUENCY]
+    tied = [i for i in range(true.rigid, base_rigid) if true.frequencies[i] > LOWEST_FREQUENCY]
     if isinstance(modes, int):
-        found = [*tied, *range(BASE_RIGID, min(BASE_RIGID + modes, len(true.frequencies)))]
+        found = [*tied, *range(base_rigid, min(base_rigid + modes, len(true.frequencies)))]
         return [i for i in found if low <= true.frequencies[i] <= high]
     found = [
-        i for i in (*tied, *range(BASE_RIGID, len(true.frequencies))) if low <= true.frequencies[i] <= high
+        i for i in (*tied, *range(base_rigid, len(true.frequencies))) if low <= true.frequencies[i] <= high
     ]
     return found[: int(rng.integers(modes[0], modes[1] + 1))]
 

@@ -1,0 +1,79 @@
+"""Verdicts on the rotary delta and the CoreXY: a few cases of `benchmarks/mechanism_suites.py`.
+
+How often each verdict is right is measured by the whole suites, in docs/mechanisms-measured.md.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.append(str(Path(__file__).resolve().parents[2] / "benchmarks"))
+
+from mechanism_cases import KINDS, MechanismCase, MechanismOutcome, robot_of, run
+from mechanism_sizes import SIZES
+from mechanism_suites import OUTSIDE, SUITES, WRONG, cases
+from pkmodes.closing.suspects import suspects
+
+RIGHT = 3.0
+
+
+def case(mechanism: str, suite: str, kind: str, place: int = -1) -> MechanismCase:
+    """One of the cases of a kind; of several strengths the largest is the last."""
+    found = [c for c in cases() if (c.specimen.mechanism, c.suite, c.kind) == (mechanism, suite, kind)]
+    return found[place]
+
+
+def assert_named(outcome: MechanismOutcome) -> None:
+    assert outcome.state == "named", outcome.reason
+    for name, found, sigma, true in outcome.values:
+        assert abs(found - true) < RIGHT * sigma, name
+
+
+@pytest.mark.parametrize("mechanism", KINDS)
+@pytest.mark.parametrize("number", [0, 1, 4])
+def test_a_robot_that_lacks_nothing_is_adequate(mechanism: str, number: int) -> None:
+    outcome = run(case(mechanism, "nothing missing", "nothing", number))
+    assert outcome.verdict == "adequate", outcome.reason
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "effect"),
+    [
+        ("rotary_delta", "axis_reducer_stiffness"),
+        ("rotary_delta", "link_compliance"),
+        ("rotary_delta", "payload"),
+        ("corexy", "belt_end_compliance"),
+        ("corexy", "cable_stiffness"),
+        ("corexy", "frame_compliance"),
+    ],
+)
+def test_an_effect_is_found_with_its_value(mechanism: str, effect: str) -> None:
+    assert_named(run(case(mechanism, "one effect", effect)))
+
+
+@pytest.mark.parametrize(("mechanism", "path"), [("rotary_delta", "link.length")])
+def test_a_wrong_value_is_found(mechanism: str, path: str) -> None:
+    assert_named(run(case(mechanism, "wrong parameter", path)))
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "kind"), [("rotary_delta", "rocking_frame"), ("corexy", "tuned_absorber")]
+)
+def test_what_is_outside_the_catalogue_is_not_named(mechanism: str, kind: str) -> None:
+    outcome = run(case(mechanism, "outside the catalogue", kind))
+    assert outcome.state == "abstained", outcome.classes
+
+
+@pytest.mark.parametrize("mechanism", KINDS)
+def test_the_suites_have_every_effect_that_is_suspected(mechanism: str) -> None:
+    names = {c.name for c in suspects(robot_of(mechanism))[1]}
+    effects = {e for e in robot_of(mechanism).kind.effects if e in names}
+    assert {
+        c.names[0] for c in cases() if c.specimen.mechanism == mechanism and c.suite == SUITES[1]
+    } == effects
+    assert {f"parameter:{path}" for path in WRONG[mechanism]} <= names
+    assert list(SIZES[mechanism][SUITES[2]]) == list(WRONG[mechanism])
+    assert list(SIZES[mechanism][SUITES[3]]) == list(OUTSIDE[mechanism])
