@@ -54,7 +54,9 @@ def test_an_effect_is_found_with_its_value(mechanism: str, effect: str) -> None:
     assert_named(run(case(mechanism, "one effect", effect)))
 
 
-@pytest.mark.parametrize(("mechanism", "path"), [("rotary_delta", "link.length")])
+@pytest.mark.parametrize(
+    ("mechanism", "path"), [("rotary_delta", "motor.gear_ratio"), ("corexy", "belt_path.1.lengths.1")]
+)
 def test_a_wrong_value_is_found(mechanism: str, path: str) -> None:
     assert_named(run(case(mechanism, "wrong parameter", path)))
 
