@@ -65,7 +65,7 @@ def test_a_wrong_value_is_found(mechanism: str, path: str) -> None:
     ("mechanism", "kind"), [("rotary_delta", "rocking_frame"), ("corexy", "tuned_absorber")]
 )
 def test_what_is_outside_the_catalogue_is_not_named(mechanism: str, kind: str) -> None:
-    outcome = run(case(mechanism, "outside the catalogue", kind))
+    outcome = run(case(mechanism, "outside the catalogue", kind, 0))
     assert outcome.state == "abstained", outcome.classes
 
 
