@@ -54,7 +54,9 @@ def test_an_effect_is_found_with_its_value(mechanism: str, effect: str) -> None:
     assert_named(run(case(mechanism, "one effect", effect)))
 
 
-@pytest.mark.parametrize(("mechanism", "path"), [("rotary_delta", "link.length")])
+@pytest.mark.parametrize(
+    ("mechanism", "path"), [("rotary_delta", "motor.gear_ratio"), ("corexy", "belt_path.1.lengths.1")]
+)
 def test_a_wrong_value_is_found(mechanism: str, path: str) -> None:
     assert_named(run(case(mechanism, "wrong parameter", path)))
 
@@ -63,7 +65,7 @@ def test_a_wrong_value_is_found(mechanism: str, path: str) -> None:
     ("mechanism", "kind"), [("rotary_delta", "rocking_frame"), ("corexy", "tuned_absorber")]
 )
 def test_what_is_outside_the_catalogue_is_not_named(mechanism: str, kind: str) -> None:
-    outcome = run(case(mechanism, "outside the catalogue", kind))
+    outcome = run(case(mechanism, "outside the catalogue", kind, 0))
     assert outcome.state == "abstained", outcome.classes
 
 
