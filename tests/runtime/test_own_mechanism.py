@@ -73,6 +73,7 @@ def test_the_definition_is_short() -> None:
     assert len(DEFINITION.splitlines()) < 120
 
 
+@pytest.mark.slow  # with the fixture
 def test_the_commands_print_what_the_page_shows(place: Path, capsys: pytest.CaptureFixture[str]) -> None:
     printed = {}
     for arguments in COMMANDS[1:]:
