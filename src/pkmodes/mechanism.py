@@ -245,7 +245,7 @@ def _described(data: dict[str, Any], package: str) -> Mechanism:
             e["grounds"],
             tuple(Named(**q) for q in e["coordinates"]),
             tuple(_parameter(p) for p in e["parameters"]),
-            tuple(Requirement(**_tuples(r)) for r in e["requirements"]),
+            tuple(Requirement(**_tuples(r)) for r in e.get("requirements", ())),
         )
         for e in data["effects"]
     ]
