@@ -269,7 +269,7 @@ MISTAKES = {
     "declared twice": (
         '"m_a", "mass"',
         '"m_d", "mass"',
-        r"symbol 'm_d_1' is declared twice \(five_bar.py:31\)",
+        r"symbol 'm_d_1' is declared twice \(five_bar.py:29\)",
     ),
     "taken by an effect": (
         '"m_p", "mass"',
