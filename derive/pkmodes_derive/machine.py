@@ -253,6 +253,16 @@ class Machine:
 
     # What effects and the assembler ask ------------------------------------------------------------------------
 
+    def unit_by(self, coordinate: Symbol, for_length: str, for_angle: str) -> str:
+        """A unit, by what a coordinate is."""
+        unit: str = self.vocabulary[coordinate].unit
+        return for_length if unit == "m" else for_angle
+
+    @property
+    def stem(self) -> str:
+        """What the names of the independent coordinates have in common, as in descriptions of derivatives."""
+        return self.independent[0].name.rsplit("_", 1)[0]
+
     @property
     def base(self) -> int:
         """How many coordinates there are without effects."""

@@ -53,7 +53,7 @@ def codes_of(kind: Mechanism) -> tuple[str, ...]:
 
 @dataclass(frozen=True)
 class CheckedPoses:
-    """Poses that passed the door.
+    """Validated poses.
 
     Attributes
     ----------

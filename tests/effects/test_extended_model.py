@@ -8,13 +8,15 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
+from pkmodes.mechanism import mechanism
 from pkmodes_generated.linear_delta import Parameters, extended, model
 from sample_robots import random_robot
 
 SEEDS = range(4)
 BASE = len(model.COORDINATES)
-NAMES = [name for name, *_ in extended.EFFECTS]
-RELEASED = {name: coordinates for name, _, _, coordinates, _ in extended.EFFECTS if coordinates}
+CATALOGUE = mechanism("linear_delta").effects
+NAMES = list(CATALOGUE)
+RELEASED = {name: tuple(q.name for q in e.coordinates) for name, e in CATALOGUE.items() if e.coordinates}
 
 
 def robot(seed: int) -> tuple[Parameters, np.ndarray]:
@@ -42,7 +44,7 @@ def assert_equal(found: np.ndarray, expected: np.ndarray, digits: float = 1e-13)
 
 
 def test_the_catalogue_has_the_effects_parameters_and_coordinates_of_the_contract() -> None:
-    assert {name: [p[0] for p in parameters] for name, *_, parameters in extended.EFFECTS} == {
+    assert {name: [p.name for p in effect.parameters] for name, effect in CATALOGUE.items()} == {
         "payload": ["mass"],
         "belt_mass": ["linear_density"],
         "gearbox_inertia": ["inertia"],
@@ -257,7 +259,7 @@ TYPICAL = {
     "1/N": 0.01,
     "N": 20.0,
 }
-UNITS = {f"{name}_{p[0]}": p[1] for name, *_, described in extended.EFFECTS for p in described}
+UNITS = {f"{name}_{p.name}": p.unit for name, effect in CATALOGUE.items() for p in effect.parameters}
 
 
 #: Parameters by which there are derivatives, as the two functions list them.

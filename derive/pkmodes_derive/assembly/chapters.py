@@ -6,7 +6,7 @@ from sympy import Add, Matrix, Rational, sqrt
 
 from pkmodes_derive import lagrangian
 from pkmodes_derive.assembly.condensed import Condensed
-from pkmodes_derive.assembly.derived import flat, units
+from pkmodes_derive.assembly.derived import flat, units_of_mass, units_of_stiffness
 from pkmodes_derive.functions import Function, Output
 from pkmodes_derive.machine import Extra
 from pkmodes_derive.vectors import cross
@@ -38,8 +38,8 @@ def _by(c: Condensed) -> str:
     return f"with respect to the {c.machine.independent_are}"
 
 
-def _unit(c: Condensed, of_metre: str, of_radian: str) -> str:
-    return of_metre if c.machine.vocabulary[c.machine.independent[0]].unit == "m" else of_radian
+def _unit(c: Condensed, for_length: str, for_angle: str) -> str:
+    return c.machine.unit_by(c.machine.independent[0], for_length, for_angle)
 
 
 def _position(c: Condensed) -> list[Function]:
@@ -217,7 +217,7 @@ def _dynamics(c: Condensed) -> list[Function]:
             f"Mass matrix M in the {c.count}.",
             "equations 24, 30 and 33",
             [c.pose],
-            Output("M", (c.n, c.n), c.M, units_of_mass(c), "symmetric" if m.effects else plain),
+            Output("M", (c.n, c.n), c.M, units_of_mass(m), "symmetric" if m.effects else plain),
         ),
         c.function(
             "velocity_forces",
@@ -308,7 +308,7 @@ def _transmissions(c: Condensed) -> list[Function]:
                 "H_el",
                 (c.n, c.n),
                 c.K_el,
-                units_of_stiffness(c),
+                units_of_stiffness(m),
                 f"d2V_el/dq2, symmetric, {zero} zero eigenvalues",
             ),
         ),
@@ -340,9 +340,9 @@ def _transmissions(c: Condensed) -> list[Function]:
 
 def _modal(c: Condensed) -> list[Function]:
     """Stiffness matrix, alone and with the mass matrix."""
-    what = "symmetric; Hessian of V_el + V_g, positive for a restoring force"
-    K = Output("K", (c.n, c.n), c.K, units_of_stiffness(c), what)
-    M = Output("M", (c.n, c.n), c.M, units_of_mass(c), "mass matrix")
+    m, what = c.machine, "symmetric; Hessian of V_el + V_g, positive for a restoring force"
+    K = Output("K", (c.n, c.n), c.K, units_of_stiffness(m), what)
+    M = Output("M", (c.n, c.n), c.M, units_of_mass(m), "mass matrix")
     return [
         c.function(
             "stiffness_matrix",
@@ -362,14 +362,3 @@ def _modal(c: Condensed) -> list[Function]:
             "for an eigenproblem.",
         ),
     ]
-
-
-def units_of_mass(c: Condensed) -> str:
-    """Units of the entries of M."""
-    return units(c.machine, "kg", "kg m", "kg m^2")
-
-
-def units_of_stiffness(c: Condensed) -> str:
-    """Units of the entries of K."""
-    found = {c.machine.vocabulary[q].unit for q in c.machine.all_coordinates}
-    return "N/m, N, N m" if len(found) > 1 else "N/m" if "m" in found else "N m"

@@ -69,7 +69,9 @@ class Condensed:
         """M and K in all coordinates, and with those condensed that have no inertia."""
         d, machine, energies = self.derived, self.machine, self.energies
         self.V_el = Add(energies.V_el, *energies.V_r)
-        K_el = d.kin.chain.hessian(self.V_el, machine.small, hold=d.hold) if machine.released else d.K_el
+        K_el = [list(row) for row in d.K_el]
+        for i, compliance in enumerate(machine.compliances, start=machine.base):
+            K_el[i][i] += 1 / compliance  # the spring of a released joint
         null = dict.fromkeys(zeros, Integer(0))
         every = range(len(machine.small))
         massless = [i for i in every if i >= machine.base and not any(e.xreplace(null) for e in d.M[i])]

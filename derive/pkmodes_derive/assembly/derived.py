@@ -94,9 +94,21 @@ def flat(rows: Rows) -> tuple[Expr, ...]:
     return tuple(entry for row in rows for entry in row)
 
 
-def units(machine: Machine, translation: str, both: str, rotation: str) -> str:
-    """Units of the entries of a matrix, of which there are those that the coordinates have."""
+def units_of_mass(machine: Machine) -> str:
+    """Units of the entries of M: released joints alone couple translations with rotations."""
+    return _listed(machine, "kg", "kg m" if machine.released else "", "kg m^2")
+
+
+def units_of_stiffness(machine: Machine) -> str:
+    """Units of the entries of K."""
+    return _listed(machine, "N/m", "N", "N m")
+
+
+def _listed(machine: Machine, translation: str, both: str, rotation: str) -> str:
     found = {machine.vocabulary[q].unit for q in machine.all_coordinates}
-    mixed = both if len(found) > 1 and machine.released else ""
-    parts = [translation if "m" in found else "", mixed, rotation if "rad" in found else ""]
+    parts = [
+        translation if "m" in found else "",
+        both if len(found) > 1 else "",
+        rotation if "rad" in found else "",
+    ]
     return ", ".join(part for part in parts if part)

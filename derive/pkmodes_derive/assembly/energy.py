@@ -183,14 +183,13 @@ def _jacobian_rate(machine: Machine, kinematics: Kinematics) -> tuple[tuple[Expr
         for m in range(len(link.vector)):
             rates = (chain.derivative(link.vector[m], q[k]) * q_dot[k] for k in range(n))
             machine.define(s_dot[j][m], Add(*rates))
-    stem = q[0].name.rsplit("_", 1)[0]
-    unit = {"m": "1/s", "rad": "m/s"}[v[q[0]].unit]
+    unit = machine.unit_by(q[0], "1/s", "m/s")
     names = tuple(
         tuple(
             v.declare(
                 "D_p_dot_{i}_{k}",
                 unit,
-                f"time derivative of dp_{{i}}/d{stem}_{{k}}",
+                f"time derivative of dp_{{i}}/d{machine.stem}_{{k}}",
                 r"(\dot{{D}}_p)_{{{i}{k}}}",
                 i=axis,
                 k=k + 1,

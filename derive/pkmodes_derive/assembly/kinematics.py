@@ -132,7 +132,7 @@ def _own(machine: Machine, right: Matrix, n: int) -> Matrix:
     for j in range(n):
         name = machine.vocabulary.declare(
             "D_r_{j}",
-            _unit(machine, j, "m", "m^2"),
+            machine.unit_by(machine.independent[j], "m", "m^2"),
             "entry of D_r for axis {j}: linkage vector along the motion of its joint",
             "(D_r)_{{{j}{j}}}",
             j=j + 1,
@@ -141,23 +141,17 @@ def _own(machine: Machine, right: Matrix, n: int) -> Matrix:
     return D_r
 
 
-def _unit(machine: Machine, j: int, for_length: str, for_angle: str) -> str:
-    """A unit, by what an independent coordinate is."""
-    return for_length if machine.vocabulary[machine.independent[j]].unit == "m" else for_angle
-
-
 def _jacobian(
     machine: Machine, solver: implicit.Solver, right: Matrix, independent: tuple[Symbol, ...]
 ) -> Matrix:
     v, n = machine.vocabulary, len(machine.independent)
-    stem = machine.independent[0].name.rsplit("_", 1)[0]
     D = Matrix.zeros(len(machine.dependent), len(independent))
     columns = [solver.solve(tuple(right[:, k])) for k in range(len(independent))]
     for m, axis in enumerate(machine.directions):
         for k, q in enumerate(independent):
             if k < n:
-                what = f"platform Jacobian, dp_{{i}}/d{stem}_{{k}}"
-                unit = _unit(machine, k, "1", "m")
+                what = f"platform Jacobian, dp_{{i}}/d{machine.stem}_{{k}}"
+                unit = machine.unit_by(machine.independent[k], "1", "m")
                 name = v.declare("D_p_{i}_{k}", unit, what, "(D_p)_{{{i}{k}}}", i=axis, k=k + 1)
             else:
                 what = "platform Jacobian, dp_{i}/ddelta_{k}"
@@ -169,7 +163,6 @@ def _jacobian(
 
 def _link_jacobian(machine: Machine, j: int, independent: tuple[Symbol, ...]) -> Matrix:
     chain, s, n = machine.chain, machine.links[j].vector, len(machine.independent)
-    stem = machine.independent[0].name.rsplit("_", 1)[0]
     U = Matrix.zeros(len(s), len(independent))
     for m, axis in enumerate(machine.directions):
         for k, q in enumerate(independent):
@@ -177,8 +170,8 @@ def _link_jacobian(machine: Machine, j: int, independent: tuple[Symbol, ...]) ->
             if k < n:  # along an elongation the link vector moves with the platform: no name of its own
                 name = machine.vocabulary.declare(
                     "U_{j}_{i}_{k}",
-                    _unit(machine, k, "1", "m"),
-                    f"derivative of linkage vector {{j}}, component {{i}}, with respect to {stem}_{{k}}",
+                    machine.unit_by(machine.independent[k], "1", "m"),
+                    f"derivative of linkage vector {{j}}, component {{i}}, with respect to {machine.stem}_{{k}}",
                     "(U_{j})_{{{i}{k}}}",
                     j=j + 1,
                     i=axis,
@@ -195,7 +188,7 @@ def _second_derivatives(
     machine: Machine, closures: list[Expr], D_p: Matrix, solver: implicit.Solver
 ) -> tuple[Matrix, ...]:
     v, chain, q = machine.vocabulary, machine.chain, machine.independent
-    n, stem = len(q), machine.independent[0].name.rsplit("_", 1)[0]
+    n, stem = len(q), machine.stem
     by = f"with respect to {stem}_{{k}} and {stem}_{{l}}"
     P = tuple(Matrix.zeros(n, n) for _ in machine.dependent)
     for k in range(n):
@@ -207,7 +200,11 @@ def _second_derivatives(
                 place = {"j": j + 1, "k": k + 1, "l": m + 1}
                 names.append(
                     v.declare(
-                        "f_{j}_{k}{l}", _unit(machine, k, "1", "m^2"), what, "(f_{j})_{{{k}{l}}}", **place
+                        "f_{j}_{k}{l}",
+                        machine.unit_by(machine.independent[k], "1", "m^2"),
+                        what,
+                        "(f_{j})_{{{k}{l}}}",
+                        **place,
                     )
                 )
                 machine.define(names[j], forcing[j])
@@ -215,7 +212,12 @@ def _second_derivatives(
             for i, axis in enumerate(machine.directions):
                 what, place = f"second derivative of p_{{i}} {by}", {"k": k + 1, "l": m + 1}
                 name = v.declare(
-                    "P_{i}_{k}{l}", _unit(machine, k, "1/m", "m"), what, "(P_{i})_{{{k}{l}}}", i=axis, **place
+                    "P_{i}_{k}{l}",
+                    machine.unit_by(machine.independent[k], "1/m", "m"),
+                    what,
+                    "(P_{i})_{{{k}{l}}}",
+                    i=axis,
+                    **place,
                 )
                 P[i][k, m] = P[i][m, k] = machine.define(name, solution[i])
                 chain.rule(D_p[i, k], q[m], name)

@@ -8,10 +8,9 @@ from sympy import Expr, Symbol, diff
 
 from pkmodes_derive.assembly import chapters, sensitivity
 from pkmodes_derive.assembly.condensed import Condensed
-from pkmodes_derive.assembly.derived import Derived, added, derive, flat, units
+from pkmodes_derive.assembly.derived import Derived, added, derive, flat, units_of_mass, units_of_stiffness
 from pkmodes_derive.assembly.kinematics import Kinematics
 from pkmodes_derive.description import Description, Named
-from pkmodes_derive.effect import Effect
 from pkmodes_derive.functions import FieldGroup, Function, Model, Output, Relation
 from pkmodes_derive.machine import Machine
 
@@ -131,27 +130,13 @@ def extended(machine: Machine) -> Model:
             *_needs(machine),
             *functions,
         ),
-        constants=(
-            (
-                "The effects: name, sentence, whether it ties the platform to ground, released coordinates, and "
-                "parameters as (name, unit, description, exclusive lower bound, whether it can be fitted).",
-                "EFFECTS",
-                tuple(_listed_effect(effect) for effect in machine.effects),
-            ),
-            *constants,
-        ),
+        constants=tuple(constants),
     )
-
-
-def _listed_effect(effect: Effect) -> tuple[object, ...]:
-    data = effect.data()
-    described = tuple((p.name, p.unit, p.description, p.greater_than, p.fitted) for p in data.parameters)
-    return (data.name, data.sentence, data.grounds, tuple(q.name for q in data.coordinates), described)
 
 
 def _matrices(d: Derived) -> Function:
     n = len(d.machine.rates)
-    shape, K = (n, n), units(d.machine, "N/m", "N", "N m")
+    shape, K = (n, n), units_of_stiffness(d.machine)
     return Function(
         "extended_matrices",
         "Mass and stiffness matrices in the base and all released coordinates, joints free.",
@@ -162,7 +147,7 @@ def _matrices(d: Derived) -> Function:
                 "M",
                 shape,
                 flat(d.M),
-                units(d.machine, "kg", "kg m", "kg m^2"),
+                units_of_mass(d.machine),
                 "mass matrix; the base model's is the leading block",
             ),
             Output("K_el", shape, flat(d.K_el), K, "elastic stiffness, released joints free"),
@@ -345,8 +330,8 @@ def _uncondensed(c: Condensed) -> list[Function]:
             "Mass and stiffness matrices in all coordinates: M has rows of zeros, and no inverse.",
             "equation 48, with the effects' energies",
             [c.pose],
-            Output("M", (n, n), flat(c.M_all), chapters.units_of_mass(c), "mass matrix"),
-            Output("K", (n, n), flat(c.K_all), chapters.units_of_stiffness(c), "stiffness matrix"),
+            Output("M", (n, n), flat(c.M_all), units_of_mass(c.machine), "mass matrix"),
+            Output("K", (n, n), flat(c.K_all), units_of_stiffness(c.machine), "stiffness matrix"),
         ),
         c.function(
             "condensation",

@@ -95,7 +95,7 @@ def _name_forces(machine: Machine, gravity: Sequence[Expr]) -> list[Symbol]:
     v = machine.vocabulary
     forces = []
     for j, (q, value) in enumerate(zip(machine.independent, gravity, strict=True), start=1):
-        unit = {"m": "N", "rad": "N m"}[v[q].unit]
+        unit = machine.unit_by(q, "N", "N m")
         what = f"gradient of the gravitational potential energy with respect to {q.name.replace(f'_{j}', '_{j}')}"
         forces.append(machine.define(v.declare("G_{j}", unit, what, "G_{j}", j=j), value))
     return forces

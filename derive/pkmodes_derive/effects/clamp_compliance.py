@@ -16,7 +16,7 @@ def apply(machine, parameters, released):
 
 EFFECT = Effect(
     name="clamp_compliance",
-    sentence="the belts' clamps yield on their carriages",
+    sentence="the belts' clamps yield",
     parts=clamps,
     parameters=(EffectParameter("compliance", "m/N", "compliance of every belt clamp", "c_K", "c_K"),),
     apply=apply,

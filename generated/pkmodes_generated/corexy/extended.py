@@ -28,7 +28,6 @@ __all__ = [
     "COORDINATES",
     "COORDINATE_UNITS",
     "Effects",
-    "EFFECTS",
     "VALUE_SENSITIVITIES",
     "GEOMETRY_SENSITIVITIES",
     "belt_tension_stiffness_margin",
@@ -64,36 +63,6 @@ COORDINATE_UNITS = (
     "m",
     "m",
     "m",
-)
-
-#: The effects: name, sentence, whether it ties the platform to ground, released coordinates, and parameters
-#: as (name, unit, description, exclusive lower bound, whether it can be fitted).
-EFFECTS = (
-    ('axis_belt_stiffness', 'the belts of the axes are not equally stiff', False, (),
-     (('factor_1', '1', 'relative change of the stiffness of belt 1', -1.0, True),
-      ('factor_2', '1', 'relative change of the stiffness of belt 2', -1.0, True))),
-    ('belt_end_compliance', 'the belts yield at their teeth and clamps too', False, (),
-     (('compliance', 'm/N', 'compliance in series with every free span', 0.0, True),)),
-    ('belt_mass', 'the belts are not massless', False, (),
-     (('linear_density', 'kg/m', 'mass of a belt by its length', 0.0, True),)),
-    ('belt_tension_stiffness', 'the belts are the stiffer the more they are tensioned', False, (),
-     (('coefficient', '1/N', 'relative change of the belt stiffness with tension', None, True),
-      ('tension', 'N', 'tension of every belt, from a measurement', 0.0, False))),
-    ('cable_stiffness', 'a cable or hose ties the platform to ground', True, (),
-     (('stiffness', 'N/m', 'isotropic stiffness from the platform centre to ground', 0.0, True),)),
-    ('gearbox_inertia', 'the gearboxes have an inertia of their own', False, (),
-     (('inertia', 'kg m^2', 'extra inertia on every driven pulley', 0.0, True),)),
-    ('payload', 'the platform carries a mass that is not declared', False, (),
-     (('mass', 'kg', 'point mass at the platform centre', 0.0, True),)),
-    ('servo_stiffness', 'the position loops hold the driven pulleys', True, (),
-     (('stiffness', 'N m/rad', 'torsional stiffness to ground at every driven pulley', 0.0, True),)),
-    ('gearbox_compliance', 'the gearboxes wind up', False, ('psi_1', 'psi_2'),
-     (('compliance', 'rad/(N m)', 'compliance of every gearbox, output side', 0.0, True),)),
-    ('clamp_compliance', "the belts' clamps yield on their carriages", False, ('eps_1', 'eps_2'),
-     (('compliance', 'm/N', 'compliance of every belt clamp', 0.0, True),)),
-    ('frame_compliance', 'the frame moves', False, ('u_x', 'u_y'),
-     (('compliance', 'm/N', 'isotropic compliance of the frame', 0.0, True),
-      ('mass', 'kg', 'mass of the frame', 0.0, False))),
 )
 
 #: By which parameters the derivatives are taken: field of Parameters or Effects, index in it, and the (row,

@@ -46,7 +46,6 @@ __all__ = [
     "COORDINATES",
     "COORDINATE_UNITS",
     "Effects",
-    "EFFECTS",
     "VALUE_SENSITIVITIES",
     "GEOMETRY_SENSITIVITIES",
     "extended_matrices",
@@ -85,28 +84,6 @@ COORDINATE_UNITS = (
     "m",
     "m",
     "m",
-)
-
-#: The effects: name, sentence, whether it ties the platform to ground, released coordinates, and parameters
-#: as (name, unit, description, exclusive lower bound, whether it can be fitted).
-EFFECTS = (
-    ('axis_reducer_stiffness', 'the reducers of the axes are not equally stiff', False, (),
-     (('factor_1', '1', 'relative change of the stiffness of reducer 1', -1.0, True),
-      ('factor_2', '1', 'relative change of the stiffness of reducer 2', -1.0, True),
-      ('factor_3', '1', 'relative change of the stiffness of reducer 3', -1.0, True))),
-    ('cable_stiffness', 'a cable or hose ties the platform to ground', True, (),
-     (('stiffness', 'N/m', 'isotropic stiffness from the platform centre to ground', 0.0, True),)),
-    ('gearbox_inertia', 'the gearboxes have an inertia of their own', False, (),
-     (('inertia', 'kg m^2', 'extra inertia on every driven pulley', 0.0, True),)),
-    ('payload', 'the platform carries a mass that is not declared', False, (),
-     (('mass', 'kg', 'point mass at the platform centre', 0.0, True),)),
-    ('servo_stiffness', 'the position loops hold the driven pulleys', True, (),
-     (('stiffness', 'N m/rad', 'torsional stiffness to ground at every driven pulley', 0.0, True),)),
-    ('link_compliance', 'the linkages stretch', False, ('delta_1', 'delta_2', 'delta_3'),
-     (('compliance', 'm/N', 'axial compliance of every linkage', 0.0, True),)),
-    ('frame_compliance', 'the frame moves', False, ('u_x', 'u_y', 'u_z'),
-     (('compliance', 'm/N', 'isotropic compliance of the frame', 0.0, True),
-      ('mass', 'kg', 'mass of the frame', 0.0, False))),
 )
 
 #: By which parameters the derivatives are taken: field of Parameters or Effects, index in it, and the (row,

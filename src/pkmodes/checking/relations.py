@@ -169,9 +169,7 @@ def _elastic(at: State) -> Iterator[Relation]:
     g, p, derivative = at.generated, at.pose, at.derivative
     if not g.has("elastic_potential", "elastic_gradient", "elastic_hessian"):
         return
-    rng = np.random.default_rng(SEED)
-    rng.normal(size=len(at.places))
-    moved = 1e-3 * rng.normal(size=g.coordinates)
+    moved = 1e-3 * np.random.default_rng(SEED).normal(size=g.coordinates)
     pull = derivative(lambda d: g.elastic_potential(p, d), moved, at.step)
     yield "elastic gradient", g.elastic_gradient(p, moved), pull, 0.0
     bend = derivative(lambda d: g.elastic_gradient(p, d), moved, at.step)
