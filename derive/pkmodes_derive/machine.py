@@ -261,7 +261,8 @@ class Machine:
     @property
     def stem(self) -> str:
         """What the names of the independent coordinates have in common, as in descriptions of derivatives."""
-        return self.independent[0].name.rsplit("_", 1)[0]
+        first: str = self.independent[0].name
+        return first.rsplit("_", 1)[0]
 
     @property
     def base(self) -> int:
