@@ -16,7 +16,7 @@ CORRECTED := build/workshop-delta
 demo: $(VENV)/.derive  ## the whole loop: derive, generate, solve, compare with measured modes, diagnose, correct
 	$(BIN)/python -m pkmodes generate $(ROBOT) --out $(DEMO)
 	$(BIN)/python -m pkmodes check $(DEMO)
-	$(BIN)/python examples/published_tables/residual.py $(ROBOT) --generated $(DEMO)
+	$(BIN)/python docs/studies/published_tables/residual.py $(ROBOT) --generated $(DEMO)
 	$(BIN)/python -m pkmodes compare $(LOOP)/robot.toml $(LOOP)/measured.csv
 	$(BIN)/python -m pkmodes diagnose $(LOOP)/robot.toml $(LOOP)/measured.csv --save-robot $(CORRECTED).toml
 	$(BIN)/python -m pkmodes generate $(CORRECTED).toml --out $(CORRECTED)

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from pkmodes.diagnosis import Candidate, MatrixStructure, Parameter
-from rig import TrueModes, channels, storey_modes
+from pkmodes_rig import TrueModes, channels, storey_modes
 
 #: A floor and a storey as declared, and the uncertainty of the floors' common mass.
 MASS, STIFFNESS, MASS_SIGMA = 20.0, 4.0e5, 0.005

@@ -14,7 +14,7 @@ import numpy as np
 
 from buildings import Building
 from pkmodes.diagnosis.diagnose import split
-from rig import (
+from pkmodes_rig import (
     POSES,
     ROBOTS,
     SENSORS,
@@ -59,7 +59,7 @@ class Case:
     shapes : tuple of str
         Shape components that are measured, where the case has no laboratory.
     options : mapping
-        Of `rig_measurements.identified`; they replace those of the laboratory.
+        Of `pkmodes_rig.measurements.identified`; they replace those of the laboratory.
     edit : str
         What happens to the rows of the file, see `edited`.
     seed : int
@@ -73,7 +73,7 @@ class Case:
     rows : int
         Rows that the file is thinned to; 0 for all.
     mistake : str
-        One of `rig_mistakes.MISTAKES`.
+        One of `pkmodes_rig.mistakes.MISTAKES`.
     """
 
     suite: str

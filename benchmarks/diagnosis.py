@@ -119,7 +119,7 @@ def _page(outcomes: list[Outcome], seconds: float, jobs: int) -> list[str]:
         "case. The true values of the uncertain parameters are drawn from their priors in every case.",
         "",
         "*Realistic* suites and those of few rows, modes missed and outliers have a laboratory drawn for each case",
-        "(`tests/rig_laboratory.py`): 15 % of the modes missed, more of them at nodes, none outside a band that the",
+        "(`pkmodes_rig.laboratory`): 15 % of the modes missed, more of them at nodes, none outside a band that the",
         "file states in one half of the cases, four to eight modes at a pose, three sensors of six in one case of",
         "five and no shapes in another, shapes with 1 to 5 % noise that is stated, partly stated or not, standard",
         "deviations that differ from row to row and, in one case of four, all stated wrongly by a factor with a",

@@ -14,7 +14,7 @@ import numpy as np
 from buildings import Building
 from cases import ROBOT_NAMES, Case
 from judging import NOTED, POSITIONS
-from rig import MISTAKES, POSES, Laboratory, channels, read
+from pkmodes_rig import MISTAKES, POSES, Laboratory, channels, read
 from sizes import EFFECT_SIZES, OUTSIDE_SIZES
 from strengths import CATALOGUE, PLANS, SEED, SIGMA, Truth, strangers, with_effect, with_outside
 

@@ -12,10 +12,10 @@ import numpy as np
 
 from buildings import Building
 from cases import Case, Trial, tried
-from pkmodes.closing import loop
 from pkmodes.diagnosis import diagnose
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from rig import Laboratory, read
+from pkmodes.updating import loop
+from pkmodes_rig import Laboratory, read
 from strengths import measurements, signal
 
 #: Corrections of the measurement itself, which are no causes in the machine.

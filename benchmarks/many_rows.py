@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 import pkmodes
-from pkmodes import closing
+from pkmodes import updating
 from pkmodes.diagnosis import Measurements
 
 ROBOT = Path(__file__).resolve().parents[1] / "examples" / "closed_loop" / "robot.toml"
@@ -52,7 +52,7 @@ def main() -> None:
     ):
         data = measured(robot, rows, shapes=shapes)
         start = time.perf_counter()
-        (closing.diagnose if what == "diagnose" else closing.compare)(robot, data)
+        (updating.diagnose if what == "diagnose" else updating.compare)(robot, data)
         seconds = time.perf_counter() - start
         peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
         print(

@@ -1,6 +1,6 @@
 """Cases on the rotary delta and the CoreXY: what a specimen is, how it is measured, diagnosed and judged.
 
-The rigs (`tests/rig_mechanisms.py`, `tests/rig_rotary_delta.py`) share no code with the model.  What a signal is says
+The rigs (`pkmodes_rig.corexy`, `pkmodes_rig.rotary_delta`) share no code with the model.  What a signal is says
 `strengths`; measurements are made as for the linear delta, except that all modes are looked for that lie in a band.
 """
 
@@ -18,7 +18,6 @@ from typing import Any
 import numpy as np
 
 from judging import judged
-from pkmodes.closing import loop
 from pkmodes.diagnosis.diagnose import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
@@ -27,7 +26,8 @@ from pkmodes.measured.measurements import Measurements
 from pkmodes.robot.paths import moved, resolve
 from pkmodes.robot.reading import read_robot
 from pkmodes.robot.robot import Robot
-from rig import Identified, TrueModes, corexy, exact, identified, rotary_delta, written
+from pkmodes.updating import loop
+from pkmodes_rig import Identified, TrueModes, corexy, exact, identified, rotary_delta, written
 from strengths import NO_WEIGHT
 
 ROBOTS = Path(__file__).resolve().parents[1] / "robots"

@@ -24,9 +24,9 @@ from pprint import pformat
 
 from mechanism_cases import KINDS, MechanismCase, MechanismOutcome, Specimen, robot_of, run, signal
 from mechanism_sizes import SIZES
-from pkmodes.closing.suspects import PREFIX
 from pkmodes.mechanism import mechanism
 from pkmodes.robot.paths import resolve
+from pkmodes.updating.suspects import PREFIX
 from requirements import CLEAR, INTERVAL, RIGHT, line
 
 #: Robots that lack nothing; every second case of a suite is realistic, every fifth has no shapes.

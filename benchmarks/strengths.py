@@ -21,8 +21,6 @@ from pathlib import Path
 
 import numpy as np
 
-from pkmodes.closing import loop
-from pkmodes.closing.structure import channels as channels_of
 from pkmodes.diagnosis.diagnose import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
@@ -31,7 +29,9 @@ from pkmodes.measured.reading import read_measurements
 from pkmodes.mechanism import mechanism
 from pkmodes.robot.paths import moved, resolve
 from pkmodes.robot.robot import Robot
-from rig import (
+from pkmodes.updating import loop
+from pkmodes.updating.structure import channels as channels_of
+from pkmodes_rig import (
     BASE_RIGID,
     POSES,
     ROBOTS,

@@ -15,7 +15,7 @@ from dataclasses import replace
 import hard_suites
 from cases import ROBOT_NAMES, Case, measured
 from judging import Outcome, failed, judged, run
-from pkmodes.closing.suspects import PREFIX
+from pkmodes.updating.suspects import PREFIX
 from sizes import EFFECT_SIZES, OUTSIDE_SIZES, PAIR_SIZES, TARGETS, WRONG_SIZES
 from strengths import CATALOGUE, PLANS, SHAPES, Truth, pairs, strangers, with_effect, with_outside, with_wrong
 

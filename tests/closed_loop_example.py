@@ -13,8 +13,8 @@ from pathlib import Path
 
 import numpy as np
 
-from rig_measurements import measure
-from rig_robots import POSES, ROBOTS, read
+from pkmodes_rig.measurements import measure
+from pkmodes_rig.robots import POSES, ROBOTS, read
 
 FOLDER = Path(__file__).resolve().parents[1] / "examples" / "closed_loop"
 COMPLIANCE = 2.0e-4  # rad/(N m), of every gearbox

@@ -20,9 +20,9 @@ import pytest
 from scipy.linalg import eigh
 
 import pkmodes_generated.linear_delta as generated
-from mujoco_engine import Engine
 from pkmodes.robot.reading import read_robot
 from pkmodes_generated.linear_delta import Parameters
+from pkmodes_rig.mujoco_engine import Engine
 
 ROBOTS = Path(__file__).parents[1] / "robots"
 

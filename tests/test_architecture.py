@@ -51,7 +51,7 @@ def test_generated_code_imports_numpy_only() -> None:
 
 
 def test_the_runtime_reaches_the_derivation_through_one_module() -> None:
-    for file in files("src"):
+    for file in files("src/pkmodes"):
         text = file.read_text(encoding="utf-8")
         name = file.relative_to(ROOT).as_posix()
         assert "sympy" not in imports(file), name
@@ -63,7 +63,7 @@ def test_the_runtime_reaches_the_derivation_through_one_module() -> None:
 
 
 def test_only_the_bridge_and_the_mechanisms_are_imported_by_name() -> None:
-    for file in files("src"):
+    for file in files("src/pkmodes"):
         if file.relative_to(ROOT).as_posix() not in BRIDGE | BY_MECHANISM:
             names = {
                 node.id
@@ -113,7 +113,7 @@ def test_no_mechanism_is_named_outside_its_own_folder() -> None:
         folder.parent.name for folder in (ROOT / "generated/pkmodes_generated").glob("*/description.json")
     ]
     assert "linear_delta" in names
-    for file in (file for part in ("src", "derive") for file in sorted((ROOT / part).rglob("*"))):
+    for file in (file for part in ("src/pkmodes", "derive") for file in sorted((ROOT / part).rglob("*"))):
         if not file.is_file() or "__pycache__" in file.parts:
             continue
         text = file.read_text(encoding="utf-8")
@@ -124,8 +124,22 @@ def test_no_mechanism_is_named_outside_its_own_folder() -> None:
 
 
 def test_the_runtime_imports_no_generated_code_by_its_name() -> None:
-    for file in files("src"):
+    for file in files("src/pkmodes"):
         assert "pkmodes_generated" not in imports(file), file
+
+
+def test_the_virtual_rig_shares_no_code_with_the_model() -> None:
+    """It reads robot files as a user writes them, and takes a robot's numbers by name; it computes with neither."""
+    for file in files("src/pkmodes_rig"):
+        tree = ast.parse(file.read_text(encoding="utf-8"))
+        taken = {
+            (node.module, alias.name)
+            for node in ast.walk(tree)
+            if isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0].startswith("pkmodes")
+            for alias in node.names
+            if not (node.module or "").startswith("pkmodes_rig")
+        }
+        assert {name for _, name in taken} <= {"Parameters", "Robot", "robot_from_document"}, file
 
 
 def test_templates_contain_no_mathematics() -> None:

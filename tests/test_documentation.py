@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import pkmodes
-from pkmodes import closing
+from pkmodes import updating
 from pkmodes.cli import run
 
 ROOT = Path(__file__).parents[1]
@@ -82,7 +82,7 @@ def test_the_effects_of_the_readme_move_the_first_mode_as_it_says() -> None:
 def test_the_readme_shows_a_measurement_file_that_can_be_read(tmp_path: Path) -> None:
     path = tmp_path / "modes.csv"
     path.write_text(block(README, "pose,x,y,z,"))
-    found, whole = closing.read(path), closing.read(ROOT / "examples/closed_loop/measured.csv")
+    found, whole = updating.read(path), updating.read(ROOT / "examples/closed_loop/measured.csv")
     assert found.channels == whole.channels
     row = whole.pose[0]
     assert whole.labels[row] == found.labels[0]

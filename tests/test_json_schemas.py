@@ -12,7 +12,7 @@ import jsonschema
 import pytest
 
 from pkmodes.cli import cli, run
-from rig_robots import ROBOTS
+from pkmodes_rig.robots import ROBOTS
 from robot_text import PUBLISHED, edited, published
 
 ROOT = Path(__file__).parents[1]

@@ -7,14 +7,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pkmodes import closing
-from pkmodes.closing import frame
-from pkmodes.closing.loop import corrections
-from pkmodes.closing.structure import RobotStructure
-from pkmodes.closing.suspects import suspects
+from pkmodes import updating
 from pkmodes.mechanism import mechanism
-from rig_measurements import measure
-from rig_robots import POSES, read
+from pkmodes.updating import frame
+from pkmodes.updating.loop import corrections
+from pkmodes.updating.structure import RobotStructure
+from pkmodes.updating.suspects import suspects
+from pkmodes_rig.measurements import measure
+from pkmodes_rig.robots import POSES, read
 
 ROBOT = "tower"
 KIND = mechanism("linear_delta")
@@ -37,7 +37,7 @@ def diagnosed(tmp_path: Path, shift: np.ndarray, yaw: float = 0.0):
             lines[k] = ",".join(cells)
     path = tmp_path / "modes.csv"
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    return robot, closing.diagnose(robot, closing.read(path))
+    return robot, updating.diagnose(robot, updating.read(path))
 
 
 def test_poses_that_are_all_too_high_are_said_to_be_and_the_robot_is_left_as_it_is(tmp_path: Path) -> None:

@@ -17,12 +17,12 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.closing import compare, diagnose, read
+from pkmodes.updating import compare, diagnose, read
 from pkmodes_generated import linear_delta
 from robot_text import PUBLISHED
 
 ROOT = Path(__file__).parents[1]
-EXAMPLE = ROOT / "examples/published_tables"
+EXAMPLE = ROOT / "docs/studies/published_tables"
 IDENTIFIED = PUBLISHED.with_name("linear-delta-2022-identified.toml")
 MODES = EXAMPLE / "published-modes.csv"
 PAGE = ROOT / "docs/published-tables.md"

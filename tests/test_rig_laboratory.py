@@ -8,13 +8,13 @@ from functools import cache
 import numpy as np
 import pytest
 
-from pkmodes.closing.structure import channels
 from pkmodes.mechanism import mechanism
-from rig_engine import TrueModes, true_modes
-from rig_laboratory import SENSORS, Laboratory, seen
-from rig_measurements import exact, identified, measure_modes, written
-from rig_mistakes import MISTAKES, mistaken, parsed
-from rig_robots import POSES, read
+from pkmodes.updating.structure import channels
+from pkmodes_rig.engine import TrueModes, true_modes
+from pkmodes_rig.laboratory import SENSORS, Laboratory, seen
+from pkmodes_rig.measurements import exact, identified, measure_modes, written
+from pkmodes_rig.mistakes import MISTAKES, mistaken, parsed
+from pkmodes_rig.robots import POSES, read
 
 POSE = POSES["asymmetric"]["grid"][4]
 

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from pkmodes_generated.linear_delta import belt_spans, jacobian_condition
-from rig_engine import TrueModes, true_modes
-from rig_measurements import measure, measure_modes
-from rig_robots import POSES, ROBOTS, read
+from pkmodes_rig.engine import TrueModes, true_modes
+from pkmodes_rig.measurements import measure, measure_modes
+from pkmodes_rig.robots import POSES, ROBOTS, read
 
 SHAPES = ("x_1", "x_2", "x_3", "p_x", "p_y", "p_z")
 POSE = POSES["published"]["grid"][4]

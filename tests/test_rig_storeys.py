@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from rig_laboratory import Laboratory
-from rig_measurements import identified
-from rig_storeys import channels, storey_modes
+from pkmodes_rig.laboratory import Laboratory
+from pkmodes_rig.measurements import identified
+from pkmodes_rig.storeys import channels, storey_modes
 
 
 @pytest.mark.parametrize("n", [3, 4, 5])

@@ -32,6 +32,10 @@ def __getattr__(name: str) -> object:
 
     What compares with measurements comes alone when it is used: it needs SciPy, which takes longer still.
     """
+    if name == "updating":
+        import pkmodes.updating
+
+        return pkmodes.updating
     if name == "closing":
         import pkmodes.closing
 
@@ -52,4 +56,4 @@ def __getattr__(name: str) -> object:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__, "closing", "diagnosis"})
+    return sorted({*globals(), *__all__, "updating", "diagnosis"})

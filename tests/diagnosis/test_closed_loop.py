@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import closed_loop_example
-from pkmodes import closing, read_robot
+from pkmodes import read_robot, updating
 from pkmodes.diagnosis import diagnose
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -33,8 +33,8 @@ def test_the_example_is_what_the_rig_measures() -> None:
 
 
 def test_the_loop_closes(tmp_path: Path) -> None:
-    robot, data = read_robot(ROBOT), closing.read(MEASURED)
-    found = closing.diagnose(robot, data)
+    robot, data = read_robot(ROBOT), updating.read(MEASURED)
+    found = updating.diagnose(robot, data)
     assert found.verdict == "effect_found", found.reason
     (cause,) = found.effects
     assert cause.name == "gearbox_compliance"
@@ -52,8 +52,8 @@ def test_the_loop_closes(tmp_path: Path) -> None:
     assert found.after.chi2_per_dof < 1.5 < found.refit.chi2_per_dof < found.before.chi2_per_dof
 
     corrected = tmp_path / "corrected.toml"
-    closing.save_robot(robot, found, corrected)
-    again = closing.diagnose(read_robot(corrected), data)
+    updating.save_robot(robot, found, corrected)
+    again = updating.diagnose(read_robot(corrected), data)
     assert again.verdict == "adequate", again.reason
 
 

@@ -11,12 +11,12 @@ import pytest
 from scipy.linalg import eigh
 
 from pkmodes import Robot, read_robot
-from pkmodes.closing import loop
-from pkmodes.closing.structure import RobotStructure
-from pkmodes.closing.suspects import suspects
 from pkmodes.diagnosis import Measurements, Prediction
 from pkmodes.errors import PkmodesError
-from rig_robots import POSES, read
+from pkmodes.updating import loop
+from pkmodes.updating.structure import RobotStructure
+from pkmodes.updating.suspects import suspects
+from pkmodes_rig.robots import POSES, read
 
 COREXY = Path(__file__).parents[2] / "robots" / "corexy-printer.toml"
 PAYLOAD = "effects.payload.mass"

@@ -10,13 +10,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pkmodes.closing.suspects import suspects
 from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, Parameter, diagnose
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.verdict.stability import trials
-from rig_robots import read
+from pkmodes.updating.suspects import suspects
+from pkmodes_rig.robots import read
 from small_structures import SIGMA, LogLinear, logs_measured
 
 SETUPS, MODES = 10, 5

@@ -6,22 +6,17 @@ each verdict is right is measured by the whole suites, in docs/diagnosis-measure
 
 from __future__ import annotations
 
-import sys
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
-from pkmodes.closing import loop
-from pkmodes.diagnosis.verdict.result import Diagnosis, Finding
-from rig_laboratory import Laboratory
-from rig_measurements import Identified
-from rig_robots import read
-
-sys.path.append(str(Path(__file__).resolve().parents[2] / "benchmarks"))
-
 from cases import tried
 from judging import MENTIONS, physical, set_aside_blindly
+from pkmodes.diagnosis.verdict.result import Diagnosis, Finding
+from pkmodes.updating import loop
+from pkmodes_rig.laboratory import Laboratory
+from pkmodes_rig.measurements import Identified
+from pkmodes_rig.robots import read
 from requirements import CLEAR, MAC_CLAIMED, MAC_OTHER
 from strengths import measurements, signal, with_wrong
 from suites import SUITES, Case, Outcome, judged, measured, run

@@ -5,17 +5,12 @@ How often each verdict is right is measured by the whole suites, in docs/mechani
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
-
 import pytest
-
-sys.path.append(str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
 from mechanism_cases import KINDS, MechanismCase, MechanismOutcome, robot_of, run
 from mechanism_sizes import SIZES
 from mechanism_suites import OUTSIDE, SUITES, WRONG, cases
-from pkmodes.closing.suspects import suspects
+from pkmodes.updating.suspects import suspects
 
 RIGHT = 3.0
 

@@ -10,15 +10,15 @@ from scipy import stats
 from scipy.linalg import eigh
 
 import pkmodes
-from pkmodes.closing.structure import RobotStructure, channels
-from pkmodes.closing.suspects import suspects
 from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, Prediction, diagnose
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.shapes import ShapeRows
 from pkmodes.diagnosis.match.pairing import Pairing
-from rig_robots import POSES, read
+from pkmodes.updating.structure import RobotStructure, channels
+from pkmodes.updating.suspects import suspects
+from pkmodes_rig.robots import POSES, read
 
 CRITERIA = Criteria()
 

@@ -15,10 +15,10 @@ import numpy as np
 import pytest
 
 import pkmodes
-from mujoco_engine import Engine
 from pkmodes.mechanism import mechanism
-from rig_engine import EFFECTS, OUTSIDE, Rig, TrueModes, true_modes
-from rig_robots import POSES, ROBOTS, read
+from pkmodes_rig.engine import EFFECTS, OUTSIDE, Rig, TrueModes, true_modes
+from pkmodes_rig.mujoco_engine import Engine
+from pkmodes_rig.robots import POSES, ROBOTS, read
 
 CATALOGUE = mechanism("linear_delta").effects
 

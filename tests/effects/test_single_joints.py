@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.closing.structure import RobotStructure
-from pkmodes.closing.suspects import suspects
 from pkmodes.errors import PkmodesError
 from pkmodes.robot.paths import moved, resolve
 from pkmodes.robot.units import Quantity
-from rig_engine import true_modes
-from rig_robots import POSES, ROBOTS, read
+from pkmodes.updating.structure import RobotStructure
+from pkmodes.updating.suspects import suspects
+from pkmodes_rig.engine import true_modes
+from pkmodes_rig.robots import POSES, ROBOTS, read
 from robot_text import PUBLISHED, edited
 
 JOINT = "gearbox_compliance.compliance.psi_2"

@@ -14,10 +14,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import pkmodes
-from pkmodes.closing.poses import check_measured
 from pkmodes.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
+from pkmodes.updating.poses import check_measured
 from robot_text import PUBLISHED
 
 CHANNELS = ("x_1", "x_2", "x_3", "theta_1_1", "theta_2_1", "p_x", "p_y", "p_z")

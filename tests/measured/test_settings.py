@@ -9,11 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pkmodes import Model, Robot, closing, read_robot
+from pkmodes import Model, Robot, read_robot, updating
 from pkmodes.cli import run
-from pkmodes.closing import loop
 from pkmodes.diagnosis import MatrixStructure, Measurements, Parameter, compare
 from pkmodes.errors import MeasurementError, PkmodesError
+from pkmodes.updating import loop
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 HEADER = "pose,x,y,frequency,sigma"
@@ -30,7 +30,7 @@ def robot() -> Robot:
 def read(folder: Path, text: str, robot: Robot | None) -> Measurements:
     path = folder / "modes.csv"
     path.write_text(text, encoding="utf-8")
-    return closing.read(path, robot=robot)
+    return updating.read(path, robot=robot)
 
 
 def test_values_are_read_in_their_units_and_by_pose(tmp_path: Path, robot: Robot) -> None:
@@ -133,7 +133,7 @@ def test_a_value_that_a_robot_file_could_not_have_is_refused(
 ) -> None:
     text = f"{HEADER},{column}\nA,0.1,0.1,100,0.1,\nB,0.1,0.1,100,0.1,{value}\n"
     data = read(tmp_path, text, robot)
-    for call in (closing.compare, closing.diagnose, closing.update):
+    for call in (updating.compare, updating.diagnose, updating.update):
         with pytest.raises(MeasurementError) as error:
             call(robot, data)
         assert f"{tmp_path / 'modes.csv'}: line 3, column {column}" in str(error.value)
@@ -145,22 +145,22 @@ def test_a_value_with_which_the_pose_cannot_be_reached_is_refused(tmp_path: Path
     row = "0.6,0,-0.245,55,0.1"
     data = read(tmp_path, f"{DELTA},set:link.length [mm]\nA,{row},\nB,{row},200\n", robot)
     with pytest.raises(MeasurementError) as error:
-        closing.compare(robot, data)
+        updating.compare(robot, data)
     assert 'pose "B"' in str(error.value)
     assert "cannot be reached with what is set" in str(error.value)
     assert f"{tmp_path / 'modes.csv'}: line 3, column set:link.length" in str(error.value)
     # A pose that only the robot with what is set reaches.
     far = "0.6,0,-0.45,55,0.1"
     with pytest.raises(MeasurementError, match=r'pose "B" .* cannot be reached'):
-        closing.compare(robot, read(tmp_path, f"{DELTA},set:link.length\nA,{row},\nB,{far},\n", robot))
-    closing.compare(robot, read(tmp_path, f"{DELTA},set:link.length\nA,{row},\nB,{far},0.6\n", robot))
+        updating.compare(robot, read(tmp_path, f"{DELTA},set:link.length\nA,{row},\nB,{far},\n", robot))
+    updating.compare(robot, read(tmp_path, f"{DELTA},set:link.length\nA,{row},\nB,{far},0.6\n", robot))
 
 
 def test_a_value_is_not_set_twice_under_two_names(tmp_path: Path, robot: Robot) -> None:
     names = "set:frame.mass,set:effects.frame_compliance.mass"
     data = read(tmp_path, f"{HEADER},{names}\nA,0.1,0.1,100,0.1,40,50\n", robot)
     with pytest.raises(MeasurementError) as error:
-        closing.compare(robot, data)
+        updating.compare(robot, data)
     assert "would be changed twice" in str(error.value)
     assert "line 2, column" in str(error.value)
 
@@ -168,7 +168,7 @@ def test_a_value_is_not_set_twice_under_two_names(tmp_path: Path, robot: Robot) 
 def test_a_path_of_another_robot_is_refused_where_it_is_used(tmp_path: Path, robot: Robot) -> None:
     data = read(tmp_path, f"{HEADER},set:platform.mass\nA,0.1,0.1,100,0.1,1\n", None)
     with pytest.raises(MeasurementError, match=r'"set:platform\.mass" names no value that can be set in'):
-        closing.compare(robot, data)
+        updating.compare(robot, data)
 
 
 def test_a_structure_that_knows_nothing_of_it_refuses_what_is_set() -> None:
@@ -207,7 +207,7 @@ def test_the_commands_show_what_is_set(
     assert "set by the measurements: effects.payload.mass = 0.2 kg (pose B)" in capsys.readouterr().out
     # As the robot with that payload predicts.
     alone = Model(robot.with_values({PAYLOAD[4:]: 0.2})).frequencies([0.1, 0.1])[2:]
-    found = loop.compare(robot, closing.read(tmp_path / "modes.csv", robot=robot))
+    found = loop.compare(robot, updating.read(tmp_path / "modes.csv", robot=robot))
     assert [row.predicted for row in found.rows[2:]] == pytest.approx(alone.tolist(), rel=1e-12)
     other = read(tmp_path, text.replace(f",{PAYLOAD}", "").replace(",\n", "\n").replace(",0.2", ""), robot)
     assert all(not row.load for row in loop.compare(robot, other).rows)

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import pkmodes
-from rig_mechanisms import OUTSIDE, corexy
-from rig_rotary_delta import by_engine, by_hand, rotary_delta
+from pkmodes_rig.corexy import OUTSIDE, corexy
+from pkmodes_rig.rotary_delta import by_engine, by_hand, rotary_delta
 
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
 FILES = {"rotary_delta": "clavel-delta.toml", "corexy": "corexy-printer.toml"}

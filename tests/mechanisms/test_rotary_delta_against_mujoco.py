@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from mujoco_rotary_delta import Engine
 from pkmodes_generated.rotary_delta import extended, model
+from pkmodes_rig.mujoco_rotary_delta import Engine
 from sample_mechanisms import SEEDS, Sample, sample
 from symmetric_rotary_delta import clavel
 

@@ -12,14 +12,11 @@ import pytest
 
 import pkmodes
 import planar_pair
-from pkmodes import closing, diagnosis
+from pkmodes import diagnosis, updating
 from pkmodes import mechanism as known
 from pkmodes.checking.consistency import check_consistency
 from pkmodes.cli.modes import as_json
 from pkmodes.cli.poses import parse_pose
-from pkmodes.closing import frame
-from pkmodes.closing.poses import check_measured
-from pkmodes.closing.structure import RobotStructure, channels
 from pkmodes.errors import MeasurementError, PkmodesError, PoseError
 from pkmodes.evaluation import SystemOfEffects
 from pkmodes.generated import Generated
@@ -27,6 +24,9 @@ from pkmodes.regular import sample
 from pkmodes.robot.paths import ParameterPath
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
+from pkmodes.updating import frame
+from pkmodes.updating.poses import check_measured
+from pkmodes.updating.structure import RobotStructure, channels
 
 KIND = known._read("planar_pair")
 SAMPLE = sample(KIND)
@@ -191,7 +191,7 @@ def test_measurements_have_the_components_of_the_pose(tmp_path: Path, model: pkm
     header = "pose,x [mm],y [mm],frequency,sigma"
     path.write_text("\n".join([header, *rows]) + "\n", encoding="utf-8")
     for given in (model, None):  # without a robot, the header decides what the components are
-        data = closing.read(path, robot=given)
+        data = updating.read(path, robot=given)
         assert data.components == ("x", "y")
         np.testing.assert_allclose(data.points, POSES)
     check_measured(data, model)
@@ -202,15 +202,15 @@ def test_measurements_have_the_components_of_the_pose(tmp_path: Path, model: pkm
     assert rates.shape == (3, 4, 2)
     path.write_text("pose,x,y,z,frequency,sigma\nA,0.1,0.05,0,30,0.1\n", encoding="utf-8")
     with pytest.raises(MeasurementError, match='unknown column "z"'):
-        closing.read(path, robot=model)
+        updating.read(path, robot=model)
     with pytest.raises(MeasurementError, match="expected poses with x and y, found x, y and z"):
-        check_measured(closing.read(path), model)
+        check_measured(updating.read(path), model)
     path.write_text("pose,x,frequency,sigma,shape:x\nA,0.1,30,0.1,1\n", encoding="utf-8")
     with pytest.raises(MeasurementError, match='the column "y" is missing'):
-        closing.read(path, robot=model)
+        updating.read(path, robot=model)
     path.write_text("pose,x,y,frequency,sigma\nA,100,50,30,0.1\n", encoding="utf-8")
     with pytest.raises(MeasurementError, match=r"write x \[mm\],y \[mm\] in the header"):
-        check_measured(closing.read(path, robot=model), model)
+        check_measured(updating.read(path, robot=model), model)
 
 
 def test_channels_are_the_coordinates_and_the_tool() -> None:

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes import closing
+from pkmodes import updating
 from pkmodes.cli import run
 from pkmodes.errors import MeasurementError, PkmodesError
 
@@ -23,7 +23,7 @@ def test_a_band_is_taken_where_the_file_has_none(capsys: pytest.CaptureFixture[s
     for command in ("compare", "diagnose"):
         assert run([command, *FILES, "--band", "10, 400 Hz", "--json", "-"]) == 0
         assert json.loads(capsys.readouterr().out)["rows"]
-    assert closing.read(FILES[1], (10.0, 400.0)).band == (10.0, 400.0)
+    assert updating.read(FILES[1], (10.0, 400.0)).band == (10.0, 400.0)
 
 
 @pytest.mark.parametrize(
@@ -48,11 +48,11 @@ def test_a_band_that_is_none_or_that_rows_contradict_is_refused(
 def test_a_band_other_than_the_files_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "modes.csv"
     path.write_text("# band: 10 Hz, 400 Hz\n" + Path(FILES[1]).read_text(encoding="utf-8"), encoding="utf-8")
-    assert closing.read(path).band == closing.read(path, (10.0, 400.0)).band == (10.0, 400.0)
+    assert updating.read(path).band == updating.read(path, (10.0, 400.0)).band == (10.0, 400.0)
     with pytest.raises(
         MeasurementError, match="the file states the band 10 Hz to 400 Hz, not 20 Hz to 400 Hz"
     ):
-        closing.read(path, (20.0, 400.0))
+        updating.read(path, (20.0, 400.0))
 
 
 def test_without_a_terminal_a_line_says_every_now_and_then_what_is_done(
@@ -66,21 +66,21 @@ def test_without_a_terminal_a_line_says_every_now_and_then_what_is_done(
 
 
 def test_a_prior_of_a_candidate_enters_a_diagnosis_of_a_robot() -> None:
-    robot, data = pkmodes.read_robot(FILES[0]), closing.read(FILES[1])
+    robot, data = pkmodes.read_robot(FILES[0]), updating.read(FILES[1])
     name = "gearbox_compliance"
-    free = closing.diagnose(robot, data, candidates=[name])
-    held = closing.diagnose(robot, data, candidates=[name], priors={name: 1e-4})
+    free = updating.diagnose(robot, data, candidates=[name])
+    held = updating.diagnose(robot, data, candidates=[name], priors={name: 1e-4})
     (a,), (b,) = (found.effects[0].parameters if found.effects else () for found in (free, held))
     assert b.value < a.value
     assert b.sigma < a.sigma
     with pytest.raises(PkmodesError, match='no candidate "gearbox"') as error:
-        closing.diagnose(robot, data, priors={"gearbox": 1.0})
+        updating.diagnose(robot, data, priors={"gearbox": 1.0})
     assert "gearbox_" in error.value.remedy
 
 
 def test_priors_may_have_units_as_other_values(tmp_path: Path) -> None:
     robot = pkmodes.read_robot(FILES[0])
-    data = closing.read(FILES[1])
+    data = updating.read(FILES[1])
     given = {
         "parameter:link.length": "1 mm",
         "parameter:carriage.mass": "2 %",
@@ -89,7 +89,7 @@ def test_priors_may_have_units_as_other_values(tmp_path: Path) -> None:
         "gearbox_compliance": "1e-6 deg/(N*cm)",
         "measurement:yaw": "1 deg",
     }
-    found = {c.name: c.sigma for c in closing.loop.structure(robot, data, None, given).candidates}
+    found = {c.name: c.sigma for c in updating.loop.structure(robot, data, None, given).candidates}
     expected = [1e-3, 0.02, 0.1, 0.02, 1e-4 * np.pi / 180.0, np.pi / 180.0]
     for name, sigma in zip(given, expected, strict=True):
         assert found[name] == (pytest.approx(sigma, rel=1e-12),), name
@@ -112,30 +112,30 @@ def test_priors_may_have_units_as_other_values(tmp_path: Path) -> None:
     ],
 )
 def test_priors_that_are_none_are_refused(priors: object, what: str) -> None:
-    robot, data = pkmodes.read_robot(FILES[0]), closing.read(FILES[1])
+    robot, data = pkmodes.read_robot(FILES[0]), updating.read(FILES[1])
     with pytest.raises(PkmodesError, match=what):
-        closing.diagnose(robot, data, priors=priors)
+        updating.diagnose(robot, data, priors=priors)
 
 
 def test_a_model_may_stand_for_its_robot(tmp_path: Path) -> None:
-    model, robot, data = pkmodes.load(FILES[0]), pkmodes.read_robot(FILES[0]), closing.read(FILES[1])
-    assert closing.compare(model, data) == closing.compare(robot, data)
-    assert closing.update(model, data).values == closing.update(robot, data).values
-    found = closing.diagnose(model, data, candidates=["gearbox_compliance"])
-    closing.save_robot(model, found, tmp_path / "saved.toml")
+    model, robot, data = pkmodes.load(FILES[0]), pkmodes.read_robot(FILES[0]), updating.read(FILES[1])
+    assert updating.compare(model, data) == updating.compare(robot, data)
+    assert updating.update(model, data).values == updating.update(robot, data).values
+    found = updating.diagnose(model, data, candidates=["gearbox_compliance"])
+    updating.save_robot(model, found, tmp_path / "saved.toml")
     assert pkmodes.read_robot(tmp_path / "saved.toml").effects
 
 
 def test_uncertain_values_of_a_robot_are_updated_together() -> None:
-    robot, data = pkmodes.read_robot(FILES[0]), closing.read(FILES[1])
-    found = closing.update(robot, data)
+    robot, data = pkmodes.read_robot(FILES[0]), updating.read(FILES[1])
+    found = updating.update(robot, data)
     assert {p.name for p in found.parameters} == {n for n, q in robot.quantities.items() if q.sigma}
     assert found.before.rms_relative > found.after.rms_relative
     assert any("something else is missing" in note for note in found.notes)  # the gearboxes wind up
     changed = robot.with_values(
         {"effects.gearbox_compliance.compliance": {"value": "1e-4 rad/(N*m)", "sigma": "50 %"}}
     )
-    better = closing.update(changed, data)
+    better = updating.update(changed, data)
     assert better.values["effects.gearbox_compliance.compliance"] == pytest.approx(1.88e-4, rel=0.15)
     assert not any("something else is missing" in note for note in better.notes)
 
@@ -143,36 +143,39 @@ def test_uncertain_values_of_a_robot_are_updated_together() -> None:
 @pytest.mark.parametrize(
     ("call", "what"),
     [
-        (lambda robot, data: closing.read(3), "expected a path, found 3"),
+        (lambda robot, data: updating.read(3), "expected a path, found 3"),
         (
-            lambda robot, data: closing.diagnose(robot, data, holdout="P1"),
+            lambda robot, data: updating.diagnose(robot, data, holdout="P1"),
             'list of labels to hold out, found "P1"',
         ),
-        (lambda robot, data: closing.diagnose(robot, data, candidates="payload"), "expected a list of names"),
-        (lambda robot, data: closing.update(robot, data, "platform.mass"), "expected a list of names"),
+        (
+            lambda robot, data: updating.diagnose(robot, data, candidates="payload"),
+            "expected a list of names",
+        ),
+        (lambda robot, data: updating.update(robot, data, "platform.mass"), "expected a list of names"),
         *(
             (
                 lambda robot, data, call=call: call(robot, "mine.csv"),
-                'measurements, found "mine.csv" .*closing.read',
+                'measurements, found "mine.csv" .*updating.read',
             )
-            for call in (closing.diagnose, closing.compare, closing.update)
+            for call in (updating.diagnose, updating.compare, updating.update)
         ),
         *(
             (lambda robot, data, call=call: call("R.toml", data), r'read_robot\("R.toml"\)')
-            for call in (closing.diagnose, closing.compare, closing.update)
+            for call in (updating.diagnose, updating.compare, updating.update)
         ),
-        (lambda robot, data: closing.save_robot(None, None, "x"), "expected a robot or a model, found None"),
+        (lambda robot, data: updating.save_robot(None, None, "x"), "expected a robot or a model, found None"),
     ],
 )
 def test_a_text_where_something_else_is_meant_is_refused(call: Callable[..., object], what: str) -> None:
     with pytest.raises(PkmodesError, match=what):
-        call(pkmodes.read_robot(FILES[0]), closing.read(FILES[1]))
+        call(pkmodes.read_robot(FILES[0]), updating.read(FILES[1]))
 
 
 def test_a_robot_that_no_file_has_is_not_saved_as_a_file(tmp_path: Path) -> None:
-    robot, data = pkmodes.read_robot(FILES[0]), closing.read(FILES[1])
+    robot, data = pkmodes.read_robot(FILES[0]), updating.read(FILES[1])
     changed = robot.with_values({"platform.mass": robot.quantities["platform.mass"].value})
-    found = closing.diagnose(changed, data, candidates=["gearbox_compliance"])
+    found = updating.diagnose(changed, data, candidates=["gearbox_compliance"])
     with pytest.raises(PkmodesError, match="expected a robot as a file has it"):
-        closing.save_robot(changed, found, tmp_path / "out.toml")
+        updating.save_robot(changed, found, tmp_path / "out.toml")
     assert not list(tmp_path.iterdir())

@@ -19,8 +19,8 @@ import pytest
 
 import pkmodes
 from pkmodes.cli import run
-from rig_measurements import measure
-from rig_robots import POSES, ROBOTS, read
+from pkmodes_rig.measurements import measure
+from pkmodes_rig.robots import POSES, ROBOTS, read
 from robot_text import PUBLISHED
 
 ROOT = Path(__file__).parents[2]

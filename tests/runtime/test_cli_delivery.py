@@ -12,7 +12,7 @@ from typing import get_args, get_type_hints
 
 import pytest
 
-from pkmodes import closing, read_robot
+from pkmodes import read_robot, updating
 from pkmodes.cli import run, verdicts
 from pkmodes.diagnosis import Diagnosis
 from robot_text import PUBLISHED, published
@@ -81,13 +81,13 @@ def test_an_error_that_nobody_hears_keeps_its_exit_code(place: str) -> None:
 
 @pytest.fixture(scope="module")
 def found() -> Diagnosis:
-    return closing.diagnose(read_robot(ROBOT), closing.read(MODES), candidates=["gearbox_compliance"])
+    return updating.diagnose(read_robot(ROBOT), updating.read(MODES), candidates=["gearbox_compliance"])
 
 
 @pytest.fixture
 def diagnosed(found: Diagnosis, monkeypatch: pytest.MonkeyPatch) -> Diagnosis:
     """The engine has been tested elsewhere; here its answer is given."""
-    monkeypatch.setattr(closing, "diagnose", lambda *_, **__: found)
+    monkeypatch.setattr(updating, "diagnose", lambda *_, **__: found)
     return found
 
 
@@ -134,7 +134,7 @@ def test_the_exit_code_is_what_the_script_asked_for(
     fail_on: str | None,
     failures: set[str],
 ) -> None:
-    monkeypatch.setattr(closing, "diagnose", lambda *_, **__: dataclasses.replace(found, verdict=verdict))
+    monkeypatch.setattr(updating, "diagnose", lambda *_, **__: dataclasses.replace(found, verdict=verdict))
     options = [] if fail_on is None else ["--fail-on", fail_on]
     assert run([*DIAGNOSE, *options]) == (verdict in failures)
     captured = capsys.readouterr()
@@ -154,7 +154,7 @@ def test_the_exit_code_is_what_the_script_asked_for(
 def test_an_unknown_verdict_is_refused_before_anything_is_computed(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], fail_on: str, message: str
 ) -> None:
-    monkeypatch.setattr(closing, "diagnose", lambda *_, **__: pytest.fail("computed"))
+    monkeypatch.setattr(updating, "diagnose", lambda *_, **__: pytest.fail("computed"))
     assert run([*DIAGNOSE, "--fail-on", fail_on]) == 2
     captured = capsys.readouterr()
     assert captured.out == ""

@@ -24,8 +24,8 @@ import pkmodes
 from pkmodes.cli import run
 from pkmodes.diagnosis import Criteria
 from pkmodes.robot.reading import robot_from_document
-from rig_measurements import measure
-from rig_robots import POSES, ROBOTS
+from pkmodes_rig.measurements import measure
+from pkmodes_rig.robots import POSES, ROBOTS
 
 ROOT = Path(__file__).parents[2]
 PUBLISHED, TOWER = ROBOTS["published"], ROBOTS["tower"]

@@ -109,7 +109,7 @@ def test_the_package_is_nearly_free_to_import_and_has_all_its_names() -> None:
     assert all(getattr(pkmodes, name) is getattr(public, name) for name in pkmodes.__all__)
     assert set(pkmodes.__all__) <= set(dir(pkmodes))
     code = (
-        "import pkmodes; pkmodes.closing.diagnose; pkmodes.diagnosis.diagnose; from pkmodes import *; Model"
+        "import pkmodes; pkmodes.updating.diagnose; pkmodes.diagnosis.diagnose; from pkmodes import *; Model"
     )
     subprocess.run([sys.executable, "-c", code], check=True, cwd=ROOT / "src")
     with pytest.raises(AttributeError, match="has no attribute 'nothing'"):

@@ -11,7 +11,7 @@ import pytest
 
 import pkmodes
 from pkmodes.cli import run
-from rig_robots import ROBOTS
+from pkmodes_rig.robots import ROBOTS
 from robot_text import PUBLISHED, edited, published
 
 POSE, POINT = "0.6,0.03,-0.245", [0.6, 0.03, -0.245]

@@ -16,7 +16,6 @@ import pytest
 import pkmodes
 from made_up_mechanisms import ARMS_FILE, GANTRY_FILE, write_package
 from pkmodes import mechanism as mechanisms
-from pkmodes.closing.suspects import suspects
 from pkmodes.errors import PkmodesError, RobotFileError
 from pkmodes.robot.documents import document_of
 from pkmodes.robot.layout import items
@@ -24,6 +23,7 @@ from pkmodes.robot.paths import moved, paths, resolve
 from pkmodes.robot.reading import read_robot, robot_from_document
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.saving import Correction, corrected_text
+from pkmodes.updating.suspects import suspects
 from robot_text import edited
 
 
@@ -295,7 +295,7 @@ def test_what_reads_robot_files_names_nothing_of_a_mechanism() -> None:
     every = [item.key for item in items(kind)]
     named |= {key.field for key in every} - {"gravity", ""} - {key.kind for key in every}
     source = Path(__file__).parents[2] / "src/pkmodes"
-    for file in (*sorted((source / "robot").glob("*.py")), source / "closing/suspects.py"):
+    for file in (*sorted((source / "robot").glob("*.py")), source / "updating/suspects.py"):
         tree = ast.parse(file.read_text(encoding="utf-8"))
         explained = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
         for node in ast.walk(tree):

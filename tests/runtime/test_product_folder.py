@@ -20,7 +20,7 @@ from pkmodes.cli import run
 from pkmodes.errors import OutputError, PkmodesError
 from pkmodes.robot.reading import read_robot
 from pkmodes_derive.emit.provenance import pasteable
-from rig_robots import ROBOTS
+from pkmodes_rig.robots import ROBOTS
 from robot_text import PUBLISHED, published
 
 MODULE = "linear_delta_2022.py"

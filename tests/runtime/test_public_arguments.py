@@ -146,7 +146,7 @@ TWO = Measurements.from_rows(["a", "b"], [0.1, 0.2], [0.01, 0.01])
             ["1 standard deviation, found 2"],
         ),
         ({"candidates": [Candidate("k", ("k",), sigma=(-1.0,))]}, TWO.at([0]), ["above 0, found -1"]),
-        (None, TWO, ["expected a structure, found", "for a robot there is pkmodes.closing"]),
+        (None, TWO, ["expected a structure, found", "for a robot there is pkmodes.updating"]),
         ({}, TWO.at([]), ["found no rows"]),
     ],
 )
@@ -202,7 +202,7 @@ def run(code: str) -> object:
     return ast.literal_eval(found.stdout)
 
 
-@pytest.mark.parametrize("part", ["closing", "diagnosis"])
+@pytest.mark.parametrize("part", ["updating", "diagnosis"])
 def test_what_closes_the_loop_is_there_after_a_plain_import(part: str) -> None:
     code = f"""
 import sys, pkmodes
@@ -224,3 +224,19 @@ def test_examples_print_what_they_say(module: object, monkeypatch: pytest.Monkey
     found = doctest.testmod(module)
     assert found.attempted > 0
     assert found.failed == 0
+
+
+def test_the_former_name_of_updating_still_works_and_says_so() -> None:
+    code = """
+import warnings
+with warnings.catch_warnings(record=True) as caught:
+    warnings.simplefilter("always")
+    from pkmodes.closing import diagnose
+import pkmodes
+print([str(w.message) for w in caught if w.category is DeprecationWarning], diagnose is pkmodes.updating.diagnose)
+"""
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    found = subprocess.run(
+        [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True
+    )
+    assert found.stdout == "['pkmodes.closing is now pkmodes.updating'] True\n"

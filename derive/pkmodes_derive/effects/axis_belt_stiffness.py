@@ -1,9 +1,14 @@
 """Axis belt stiffness: the belts differ from the declared specific stiffness, each in its own way."""
 
-from pkmodes_derive.effect import Effect, EffectParameter
+from collections.abc import Mapping, Sequence
+
+from sympy import Symbol
+
+from pkmodes_derive.effect import Coordinate, Effect, EffectParameter
+from pkmodes_derive.machine import Machine
 
 
-def apply(machine, parameters, released):
+def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
     """Change the specific stiffness of belt j to k_sp (1 + a_j)."""
     for j, belt in enumerate(machine.belts, start=1):
         belt.change += parameters[f"factor_{j}"]

@@ -1,9 +1,14 @@
 """Axis reducer stiffness: the reducers differ from the declared stiffness, each in its own way."""
 
-from pkmodes_derive.effect import Effect, EffectParameter
+from collections.abc import Mapping, Sequence
+
+from sympy import Symbol
+
+from pkmodes_derive.effect import Coordinate, Effect, EffectParameter
+from pkmodes_derive.machine import Machine
 
 
-def apply(machine, parameters, released):
+def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
     """Change the stiffness of reducer j to k_r (1 + a_j)."""
     for j, reducer in enumerate(machine.reducers, start=1):
         reducer.change += parameters[f"factor_{j}"]

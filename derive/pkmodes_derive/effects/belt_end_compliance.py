@@ -1,9 +1,14 @@
 """Belt end compliance: tooth engagement and clamps, in series with every free span whatever its length."""
 
-from pkmodes_derive.effect import Effect, EffectParameter
+from collections.abc import Mapping, Sequence
+
+from sympy import Symbol
+
+from pkmodes_derive.effect import Coordinate, Effect, EffectParameter
+from pkmodes_derive.machine import Machine
 
 
-def apply(machine, parameters, released):
+def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
     """Put the compliance in series with every span: 1/k = l/(w k_sp (1 + a_j)) + c."""
     for belt in machine.belts:
         belt.compliance += parameters["compliance"]

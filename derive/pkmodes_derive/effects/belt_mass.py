@@ -1,11 +1,14 @@
 """Belt mass: the free spans move with a displacement linear between their ends; the wraps are neglected."""
 
-from sympy import Rational
+from collections.abc import Mapping, Sequence
 
-from pkmodes_derive.effect import Effect, EffectParameter
+from sympy import Rational, Symbol
+
+from pkmodes_derive.effect import Coordinate, Effect, EffectParameter
+from pkmodes_derive.machine import Machine
 
 
-def apply(machine, parameters, released):
+def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
     """Add rho l / 6 (a^2 + a b + b^2) for each span with end velocities a and b, relative to the frame.
 
     A closed loop's weight does no work, so there is no potential energy.

@@ -1,9 +1,14 @@
 """Belt tension stiffness: cords straighten and teeth seat, so that a belt is the stiffer the more it is tensioned."""
 
-from pkmodes_derive.effect import Effect, EffectParameter, Positive
+from collections.abc import Mapping, Sequence
+
+from sympy import Symbol
+
+from pkmodes_derive.effect import Coordinate, Effect, EffectParameter, Positive
+from pkmodes_derive.machine import Machine
 
 
-def apply(machine, parameters, released):
+def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
     """Multiply the specific stiffness of every belt by 1 + coefficient * tension."""
     for belt in machine.belts:
         belt.factor *= 1 + parameters["coefficient"] * parameters["tension"]

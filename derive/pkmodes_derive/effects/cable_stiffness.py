@@ -1,12 +1,15 @@
 """Cable stiffness: a hose or cable pulls the platform centre like an isotropic spring to ground."""
 
-from sympy import Rational
+from collections.abc import Mapping, Sequence
 
-from pkmodes_derive.effect import Effect, EffectParameter
+from sympy import Rational, Symbol
+
+from pkmodes_derive.effect import Coordinate, Effect, EffectParameter
+from pkmodes_derive.machine import Machine
 from pkmodes_derive.vectors import dot
 
 
-def apply(machine, parameters, released):
+def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
     """Add the spring on the platform's absolute displacement, relaxed at the pose."""
     displacement = machine.delta_p
     machine.add_elastic(Rational(1, 2) * parameters["stiffness"] * dot(displacement, displacement))

@@ -1,14 +1,20 @@
 """Clamp compliance: the belt's clamp moves relative to its carriage; the clamp itself has no mass."""
 
-from pkmodes_derive.effect import Effect, EffectParameter, Released
+from collections.abc import Mapping, Sequence
+
+from sympy import Symbol
+
+from pkmodes_derive.effect import Coordinate, Effect, EffectParameter, Released
+from pkmodes_derive.machine import Machine
+from pkmodes_derive.parts import Clamp
 
 
-def clamps(machine):
+def clamps(machine: Machine) -> list[Clamp]:
     """Those of all belts."""
     return [belt.clamp for belt in machine.belts if belt.clamp is not None]
 
 
-def apply(machine, parameters, released):
+def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
     """End the two spans at the carriage at x_j + eps_j."""
     for clamp, coordinate in zip(clamps(machine), released, strict=True):
         clamp.released.append(coordinate)

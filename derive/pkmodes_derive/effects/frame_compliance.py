@@ -1,12 +1,15 @@
 """Frame compliance: the frame, with rails and pulley bearings, translates on an isotropic spring."""
 
-from sympy import Rational
+from collections.abc import Mapping, Sequence
 
-from pkmodes_derive.effect import Effect, EffectParameter, Released
+from sympy import Rational, Symbol
+
+from pkmodes_derive.effect import Coordinate, Effect, EffectParameter, Released
+from pkmodes_derive.machine import Machine
 from pkmodes_derive.vectors import dot
 
 
-def apply(machine, parameters, released):
+def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
     """Move every body with the frame, pulley rotation and belts excepted, and add the frame's own mass."""
     for component, coordinate in zip(machine.frame, released, strict=True):
         component.append(coordinate)

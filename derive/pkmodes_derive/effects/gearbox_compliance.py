@@ -1,9 +1,14 @@
 """Gearbox compliance: wind-up between the reflected motor inertia and the driven pulley."""
 
-from pkmodes_derive.effect import Effect, EffectParameter, Released
+from collections.abc import Mapping, Sequence
+
+from sympy import Symbol
+
+from pkmodes_derive.effect import Coordinate, Effect, EffectParameter, Released
+from pkmodes_derive.machine import Machine
 
 
-def apply(machine, parameters, released):
+def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
     """Turn the motor side by theta_driven + psi_j, on the output side of the gearbox."""
     for drive, coordinate in zip(machine.drives, released, strict=True):
         drive.wind_up.append(coordinate)

@@ -1,9 +1,14 @@
 """Gearbox inertia: extra inertia on every driven pulley."""
 
-from pkmodes_derive.effect import Effect, EffectParameter
+from collections.abc import Mapping, Sequence
+
+from sympy import Symbol
+
+from pkmodes_derive.effect import Coordinate, Effect, EffectParameter
+from pkmodes_derive.machine import Machine
 
 
-def apply(machine, parameters, released):
+def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
     """Add the inertia to the driven pulley."""
     for drive in machine.drives:
         drive.inertia += parameters["inertia"]

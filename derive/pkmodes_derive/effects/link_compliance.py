@@ -1,9 +1,14 @@
 """Link compliance: axial elongation of every linkage; its mass still follows its two ends."""
 
-from pkmodes_derive.effect import Effect, EffectParameter, Released
+from collections.abc import Mapping, Sequence
+
+from sympy import Symbol
+
+from pkmodes_derive.effect import Coordinate, Effect, EffectParameter, Released
+from pkmodes_derive.machine import Machine
 
 
-def apply(machine, parameters, released):
+def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
     """Close the loop at the distance l_d + delta_j."""
     for link, coordinate in zip(machine.links, released, strict=True):
         link.elongation.append(coordinate)

@@ -1,12 +1,15 @@
 """Payload: a point mass at the platform centre, with its weight."""
 
-from sympy import Rational
+from collections.abc import Mapping, Sequence
 
-from pkmodes_derive.effect import Effect, EffectParameter
+from sympy import Rational, Symbol
+
+from pkmodes_derive.effect import Coordinate, Effect, EffectParameter
+from pkmodes_derive.machine import Machine
 from pkmodes_derive.vectors import dot
 
 
-def apply(machine, parameters, released):
+def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
     """Add the kinetic energy and the weight."""
     mass = parameters["mass"]
     machine.add_kinetic(Rational(1, 2) * mass * dot(machine.v_p, machine.v_p))

@@ -1,11 +1,14 @@
 """Servo stiffness: the position loop holds every driven pulley to ground like a torsional spring."""
 
-from sympy import Rational
+from collections.abc import Mapping, Sequence
 
-from pkmodes_derive.effect import Effect, EffectParameter
+from sympy import Rational, Symbol
+
+from pkmodes_derive.effect import Coordinate, Effect, EffectParameter
+from pkmodes_derive.machine import Machine
 
 
-def apply(machine, parameters, released):
+def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
     """Add the spring on the driven pulley of each axis, relaxed at the pose."""
     for drive in machine.drives:
         for rotor, selected in drive.rotors:

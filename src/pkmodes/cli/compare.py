@@ -43,10 +43,10 @@ def compare(robot: Path, modes: Path, band: str | None, json_file: str | None) -
     """
     check_order(robot, modes, "pkmodes compare")
     check_target(json_file, robot, modes)
-    from pkmodes import closing  # SciPy is loaded only where it is used
+    from pkmodes import updating  # SciPy is loaded only where it is used
 
     declared = read_robot(robot)
-    result = closing.compare(declared, closing.read(modes, band_of(band), declared))
+    result = updating.compare(declared, updating.read(modes, band_of(band), declared))
     content = {
         "robot": declared.name,
         "rms_relative": result.rms_relative,

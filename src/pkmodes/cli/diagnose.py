@@ -92,13 +92,13 @@ def diagnose(
     names = None if candidates is None else _names(candidates, "--candidates")
     held = None if holdout is None else [] if holdout.strip() == "none" else _names(holdout, "--holdout")
     failures = frozenset() if fail_on is None else failing(_names(fail_on, "--fail-on"))
-    from pkmodes import closing  # SciPy is loaded only where it is used
+    from pkmodes import updating  # SciPy is loaded only where it is used
     from pkmodes.cli.diagnosis_tables import show
 
     declared = read_robot(robot)
-    data = closing.read(modes, band_of(band), declared)
+    data = updating.read(modes, band_of(band), declared)
     with _progress() as progress, named_as_options():
-        result = closing.diagnose(
+        result = updating.diagnose(
             declared,
             data,
             candidates=names,
@@ -109,7 +109,7 @@ def diagnose(
 
     def save() -> None:
         if save_to is not None:
-            closing.save_robot(declared, result, save_to)
+            updating.save_robot(declared, result, save_to)
             saved.append(save_to)
 
     content = result.as_json()

@@ -9,11 +9,11 @@ from collections.abc import Mapping, Sequence
 from rich.console import Console
 from rich.table import Table
 
-from pkmodes.closing.load_cases import settable
 from pkmodes.diagnosis.verdict.result import Diagnosis, Error, Row, Value
 from pkmodes.mechanism import Mechanism
 from pkmodes.poses import placed
 from pkmodes.robot.robot import Robot
+from pkmodes.updating.load_cases import settable
 
 #: A table is as wide as its numbers need: it is never cut.
 WIDEST_TABLE = 10_000

@@ -15,8 +15,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from pkmodes.closing import frame
-from pkmodes.closing.load_cases import LoadCases
 from pkmodes.diagnosis.problem import Candidate, Parameter
 from pkmodes.errors import PkmodesError, nearest, shown
 from pkmodes.mechanism import Effect, Whole
@@ -24,6 +22,8 @@ from pkmodes.robot.layout import GRAVITY, by_path, lent, takers
 from pkmodes.robot.paths import ParameterPath, paths, resolve
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.wholes import items_of, weights_of, wholes
+from pkmodes.updating import frame
+from pkmodes.updating.load_cases import LoadCases
 
 #: How a suspected value is called as a candidate.
 PREFIX = "parameter:"

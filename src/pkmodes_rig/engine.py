@@ -1,6 +1,6 @@
 """The virtual test rig: the true modes of a robot with any effects, those outside the catalogue included.
 
-MuJoCo knows the robot as bodies, joints and springs (`rig_description`) and supplies positions, Jacobians,
+MuJoCo knows the robot as bodies, joints and springs (`pkmodes_rig.description`) and supplies positions, Jacobians,
 inertia, spring forces and accelerations.  What is left to do is to close the loops, to project on the motions that
 they allow, and to solve.  No formula of the derived model is used, and nothing is differenced: the second
 derivatives of the weights' energy are accelerations that the engine has while the coordinates keep their rates.
@@ -16,7 +16,7 @@ import mujoco
 import numpy as np
 
 from pkmodes_generated.linear_delta import Parameters
-from rig_description import AXES, EFFECTS, OUTSIDE, describe
+from pkmodes_rig.description import AXES, EFFECTS, OUTSIDE, describe
 
 __all__ = ["EFFECTS", "OUTSIDE", "Rig", "TrueModes", "true_modes"]
 
@@ -205,7 +205,7 @@ class Rig:
         """
         n = len(self.coordinates)
         moving = [i for i, name in enumerate(self.coordinates) if not name.startswith(WEIGHTLESS)]
-        weighty = np.flatnonzero(self.model.body_mass[1:]) + 1
+        weighty = (np.flatnonzero(self.model.body_mass[1:]) + 1).tolist()
         forces, jacobian = np.zeros(self.model.nv), np.zeros((3, self.model.nv))
         for body in weighty:
             mujoco.mj_jacBodyCom(self.model, self.data, jacobian, None, body)

@@ -15,7 +15,7 @@ import numpy as np
 from pkmodes.robot.reading import robot_from_document
 from pkmodes.robot.robot import Robot
 
-PUBLISHED = Path(__file__).resolve().parent.parent / "robots" / "linear-delta-2022.toml"
+PUBLISHED = Path(__file__).resolve().parents[2] / "robots" / "linear-delta-2022.toml"
 
 #: Values that were measured, by the text that declares them in the published file: relative uncertainty.
 DECLARED = {

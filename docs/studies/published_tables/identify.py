@@ -1,6 +1,6 @@
 """Find the geometry and the poses behind Tables 1 and 2 of the paper, and print the evidence step by step.
 
-    python examples/published_tables/identify.py
+    python docs/studies/published_tables/identify.py
 
 It starts from robots/linear-delta-2022.toml and tables.csv (`identification`), and ends by comparing what it found
 with robots/linear-delta-2022-identified.toml and published-modes.csv, which come from it: exit code 1 if they

@@ -9,10 +9,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.closing import frame
-from pkmodes.closing.evaluated import Moves, Solved, derived, joined, reordered, solved
-from pkmodes.closing.load_cases import LoadCase, LoadCases
-from pkmodes.closing.payloads import payloads
 from pkmodes.diagnosis.problem import Batch, Candidate, Parameter, Prediction
 from pkmodes.evaluation import INERTIAS, SystemOfEffects
 from pkmodes.mechanism import Mechanism
@@ -21,6 +17,10 @@ from pkmodes.regular import declared
 from pkmodes.robot.paths import ParameterPath, moved
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import POSE, locked_joints
+from pkmodes.updating import frame
+from pkmodes.updating.evaluated import Moves, Solved, derived, joined, reordered, solved
+from pkmodes.updating.load_cases import LoadCase, LoadCases
+from pkmodes.updating.payloads import payloads
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
@@ -61,7 +61,7 @@ class RobotStructure:
     points : ndarray, shape (P, d)
         Poses.
     parameters, candidates, moves
-        From `pkmodes.closing.suspects.suspects`; parameters of the measurement frame have no move.
+        From `pkmodes.updating.suspects.suspects`; parameters of the measurement frame have no move.
     loads : LoadCases, optional
         What is set at the poses; by default nothing.
     """

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from pkmodes.closing.load_cases import LoadCases, load_cases, of_columns
-from pkmodes.closing.structure import channels
 from pkmodes.errors import MeasurementError, PoseError, nearest, shown
 from pkmodes.measured.measurements import Measurements
 from pkmodes.mechanism import Mechanism
 from pkmodes.model import Model
 from pkmodes.poses import check_poses, placed
+from pkmodes.updating.load_cases import LoadCases, load_cases, of_columns
+from pkmodes.updating.structure import channels
 
 #: What lengths in another unit than they are said to be are multiplied with, and what then is to be done.
 OTHER_LENGTHS = {

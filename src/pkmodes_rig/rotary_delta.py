@@ -12,9 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from mujoco_rotary_delta import Engine, arm_angles
-from rig_engine import TrueModes
-from rig_mechanisms import Rows, _without, completed
+from pkmodes_rig.engine import TrueModes
+from pkmodes_rig.mujoco_rotary_delta import Engine, arm_angles
+from pkmodes_rig.rows import Rows, completed, without
 
 AXES = range(3)
 #: Step of MuJoCo's eighth-order differences and of the fourth-order ones here [rad, m].
@@ -32,7 +32,7 @@ ROD = ((0.0, 1 / 6), (0.5, 2 / 3), (1.0, 1 / 6))
 def rotary_delta(
     q: Any, p: np.ndarray, effects: Mapping[str, float] = {}, outside: Mapping[str, float] = {}
 ) -> TrueModes:
-    """Modes of a rotary delta at one pose; arguments as for `rig_mechanisms.corexy`."""
+    """Modes of a rotary delta at one pose; arguments as for `corexy`."""
     links = effects.get("link_compliance.compliance", 0.0)
     single, rocking = outside.get("one_link", 0.0), outside.get("rocking_frame", 0.0)
     payload = effects.get("payload.mass", 0.0)
@@ -56,7 +56,7 @@ def rotary_delta(
             rows.spring(rows.row(rock=1.0), 1.0 / rocking)
         else:
             locked.append("rock")
-    return completed(rows, "phi", effects, outside).modes([*locked, *_without(outside)], 6)
+    return completed(rows, "phi", effects, outside).modes([*locked, *without(outside)], 6)
 
 
 def by_engine(q: Any, p: np.ndarray, payload: float = 0.0, hanging: float = 0.0) -> Rows:

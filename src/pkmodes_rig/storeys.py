@@ -14,9 +14,9 @@ import mujoco
 import numpy as np
 from scipy.linalg import eigh
 
-from mujoco_engine import _add as add
-from mujoco_engine import _mass as inertial
-from rig_engine import TrueModes
+from pkmodes_rig.engine import TrueModes
+from pkmodes_rig.mujoco_engine import _add as add
+from pkmodes_rig.mujoco_engine import _mass as inertial
 
 
 def channels(storeys: int) -> tuple[str, ...]:

@@ -8,12 +8,6 @@ from os import PathLike
 from pathlib import Path
 
 from pkmodes import diagnosis
-from pkmodes.closing import frame
-from pkmodes.closing.load_cases import settable
-from pkmodes.closing.poses import check_measured
-from pkmodes.closing.priors import with_priors
-from pkmodes.closing.structure import RobotStructure, channels
-from pkmodes.closing.suspects import suspects
 from pkmodes.diagnosis.arguments import check_measurements
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.search.additions import Progress
@@ -27,6 +21,12 @@ from pkmodes.model import Model
 from pkmodes.robot.paths import resolve
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.saving import Correction, save_corrected
+from pkmodes.updating import frame
+from pkmodes.updating.load_cases import settable
+from pkmodes.updating.poses import check_measured
+from pkmodes.updating.priors import with_priors
+from pkmodes.updating.structure import RobotStructure, channels
+from pkmodes.updating.suspects import suspects
 
 
 def read(
@@ -87,7 +87,7 @@ def structure(
         prior is unknown.
     """
     robot = _robot(robot)
-    check_measurements(data, "pkmodes.closing.read(path)")
+    check_measurements(data, "pkmodes.updating.read(path)")
     loads = check_measured(data, Model(robot))
     parameters, found, moves = suspects(robot, candidates, loads)
     if priors is not None:

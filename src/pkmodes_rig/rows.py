@@ -1,19 +1,17 @@
-"""The virtual test rig for the rotary delta and the CoreXY: true modes with any effects, and with strangers to them.
+"""A robot written down as rows: a spring or an inertia acts on a row, a number for each coordinate.
 
-Nothing here is shared with the derived model.  What a robot has beyond its loops is linear in the coordinates, and is
-written down as rows from the contract: a spring or an inertia acts on a row, a number for each coordinate.  The
-CoreXY is nothing but rows.  Of the rotary delta MuJoCo knows the loops (`rig_rotary_delta`).
+What a robot has beyond its loops is linear in the coordinates and follows from the contract alone; nothing here is
+shared with the derived model.  `corexy` is nothing but rows; `rotary_delta` takes its loops from MuJoCo.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 import numpy as np
 from scipy.linalg import eigh
 
-from rig_engine import RIGID, TrueModes
+from pkmodes_rig.engine import RIGID, TrueModes
 
 #: What each cause outside the catalogue is, and what its strength measures.
 OUTSIDE = {
@@ -31,11 +29,6 @@ OUTSIDE = {
 ALONG = {3: np.array([2.0, 3.0, 6.0]) / 7, 2: np.array([0.6, 0.8])}
 #: Frequency of an absorber by itself [Hz], a little below the lowest vibrations.
 TUNED = {3: 50.0, 2: 90.0}
-#: Length of the beam that yaws [m], and where its middle is.
-BEAM, MIDDLE = 0.4, 0.15
-
-#: Belts of a CoreXY, and three Gauss points of a run: places and shares.
-BELTS = (0, 1)
 
 
 class Rows:
@@ -95,70 +88,6 @@ class Rows:
         )
 
 
-def corexy(
-    q: Any, p: np.ndarray, effects: Mapping[str, float] = {}, outside: Mapping[str, float] = {}
-) -> TrueModes:
-    """Modes of a CoreXY at one pose.
-
-    Parameters
-    ----------
-    q : Parameters
-        One robot, without batch axes.
-    p : array, shape (2)
-    effects : mapping
-        Parameters of the catalogue's effects in SI units, by ``"<effect>.<parameter>"``.
-    outside : mapping
-        Strengths of some of `OUTSIDE`.
-    """
-    released = {
-        "psi": effects.get("gearbox_compliance.compliance", 0.0),
-        "eps": effects.get("clamp_compliance.compliance", 0.0),
-    }
-    frame = effects.get("frame_compliance.compliance", 0.0)
-    names = ["x", "y", "theta_1", "theta_2", "psi_1", "psi_2", "eps_1", "eps_2", "u_x", "u_y"]
-    names += ["absorber", "rack"]
-    lever = p[0] - MIDDLE
-    head = np.zeros((2, len(names)))
-    head[0, [0, 8]], head[1, [1, 9, 11]] = 1.0, (1.0, 1.0, lever)
-    rows = Rows(names, head)
-    beam = [rows.row(u_x=1.0), rows.row(y=1.0, u_y=1.0)]
-    rows.inertia(head, q.toolhead_mass + effects.get("payload.mass", 0.0))
-    rows.inertia(np.array(beam), q.gantry_mass)
-    for i in BELTS:
-        theta, psi, eps = (rows.row(**{f"{name}_{i + 1}": 1.0}) for name in ("theta", "psi", "eps"))
-        rows.inertia(theta, q.pulley_inertia[i])
-        rows.inertia(theta + psi, q.gear_ratio[i] ** 2 * q.motor_inertia[i])
-        g = q.belt_path_direction[i]
-        at_head = rows.row(x=g[0], y=g[1], rack=g[1] * lever) + eps
-        at_pulley = -q.pulley_radius[i] * theta
-        lengths = q.belt_path_lengths[i] + np.array([1.0, -1.0]) * (g @ p)
-        unit = q.belt_width[i] * q.belt_specific_stiffness[i]
-        unit *= 1.0 + effects.get(f"axis_belt_stiffness.factor_{i + 1}", 0.0)
-        for run, length in enumerate(lengths):
-            soft = effects.get("belt_end_compliance.compliance", 0.0)
-            soft += outside.get("one_run", 0.0) if (i, run) == (0, 0) else 0.0
-            rows.spring(at_head - at_pulley, 1.0 / (length / unit + soft))
-            mass = effects.get("belt_mass.linear_density", 0.0) * length
-            rows.inertia(at_head, mass / 6)  # linear between the ends: [[2, 1], [1, 2]] / 6
-            rows.inertia(at_pulley, mass / 6)
-            rows.inertia(at_head + at_pulley, mass / 6)
-        for name, compliance in released.items():
-            own = compliance + (outside.get("one_gearbox", 0.0) if (name, i) == ("psi", 0) else 0.0)
-            if own:
-                rows.spring(rows.row(**{f"{name}_{i + 1}": 1.0}), 1.0 / own)
-    locked = [f"{name}_{i + 1}" for name, compliance in released.items() if not compliance for i in BELTS]
-    if outside.get("one_gearbox"):
-        locked.remove("psi_1")
-    if racking := outside.get("racking_gantry"):
-        rows.inertia(rows.row(rack=1.0), q.gantry_mass * BEAM**2 / 12)
-        rows.spring(rows.row(rack=1.0), 1.0 / racking)
-    else:
-        locked.append("rack")
-    if not frame:
-        locked += ["u_x", "u_y"]
-    return completed(rows, "theta", effects, outside).modes([*locked, *_without(outside)], 4)
-
-
 def completed(rows: Rows, drive: str, effects: Mapping[str, float], outside: Mapping[str, float]) -> Rows:
     """Add what every mechanism may have: at its drives, at its platform, and under its frame."""
     count = len(rows.platform)
@@ -182,5 +111,6 @@ def completed(rows: Rows, drive: str, effects: Mapping[str, float], outside: Map
     return rows
 
 
-def _without(outside: Mapping[str, float]) -> list[str]:
+def without(outside: Mapping[str, float]) -> list[str]:
+    """Coordinates that are locked because no cause outside the catalogue needs them."""
     return [] if outside.get("tuned_absorber") else ["absorber"]

@@ -1,7 +1,7 @@
 """How modal analyses are really done: bands, nodes, few sensors, modes that are missed, and errors stated wrongly.
 
-A `Laboratory` is what one experimenter does in one test.  Its fields are options of `rig_measurements.measure_modes`
-under the same names; `drawn` makes one such as one meets.
+A `Laboratory` is what one experimenter does in one test.  Its fields are options of
+`pkmodes_rig.measurements.measure_modes` under the same names; `drawn` makes one such as one meets.
 """
 
 from __future__ import annotations

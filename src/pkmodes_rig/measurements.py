@@ -1,8 +1,8 @@
 """Measurements as a modal analysis on the virtual test rig would give them: CSV text with noise, gaps and disorder.
 
-The truth comes from `rig_engine`; what is added here is the experimenter: errors of the frequencies, common to a
-pose and not, modes that were missed, shapes of any scale, rows in any order and a numbering that means nothing.
-`rig_laboratory` has what one experimenter does of this, `rig_mistakes` what goes wrong when the file is written.
+The truth comes from `engine`; what is added here is the experimenter: errors of the frequencies, common to a pose and
+not, modes that were missed, shapes of any scale, rows in any order and a numbering that means nothing.
+`laboratory` has what one experimenter does of this, `mistakes` what goes wrong when the file is written.
 """
 
 from __future__ import annotations
@@ -11,12 +11,13 @@ import csv
 import io
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from pkmodes_generated.linear_delta import Parameters
-from rig_engine import TrueModes, true_modes
-from rig_laboratory import SENSORS, seen
+from pkmodes_rig.engine import TrueModes, true_modes
+from pkmodes_rig.laboratory import SENSORS, seen
 
 #: Modes of the robot without effects that strain nothing.
 BASE_RIGID = 3
@@ -59,9 +60,9 @@ def measure(
     *,
     effects: Mapping[str, float] = {},
     outside: Mapping[str, float] = {},
-    **options: object,
+    **options: Any,
 ) -> str:
-    """Measure a robot at poses; `effects` and `outside` as for `rig_engine.true_modes`, the rest as below."""
+    """Measure a robot at poses; `effects` and `outside` as for `pkmodes_rig.engine.true_modes`, the rest as below."""
     modes_list = [true_modes(parameters, p, effects, outside) for p in poses]
     return measure_modes(modes_list, poses, drift=outside.get("thermal_drift", 0.0), **options)
 
@@ -75,7 +76,7 @@ def measure_modes(
     band: tuple[float, float] | None = None,
     band_stated: bool = False,
     sigma_shape: str = "absent",
-    **options: object,
+    **options: Any,
 ) -> str:
     """Measure modes that are known already: computing them is what takes long.
 
@@ -123,7 +124,7 @@ def identified(
     rng : numpy.random.Generator
         Source of every error.
     sigma, uneven, sigma_scale, missing, nodes, band, sensors, shapes, shape_noise, sigma_shape
-        See `rig_laboratory.Laboratory`.
+        See `pkmodes_rig.laboratory.Laboratory`.
     common : float
         Standard deviation of an error that all rows of a pose share, and that the file does not state.
     modes : int or tuple of two ints

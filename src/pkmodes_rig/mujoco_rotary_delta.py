@@ -16,8 +16,8 @@ import xml.etree.ElementTree as ET
 import mujoco
 import numpy as np
 
-from mujoco_engine import FIRST
 from pkmodes_generated.rotary_delta import Parameters
+from pkmodes_rig.mujoco_engine import FIRST
 
 AXES = range(3)
 SIZE = 9

@@ -5,7 +5,7 @@ there, and prints them in the form of Tables 1 and 2 of the paper, differences a
 Then, before and after: robots/linear-delta-2022-identified.toml at the poses of published-modes.csv.  How these
 were found: identify.py.
 
-    python examples/published_tables/residual.py robots/linear-delta-2022.toml
+    python docs/studies/published_tables/residual.py robots/linear-delta-2022.toml
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ Z = -0.245
 # The paper excludes "boundary effects" without saying where they begin.  Assumption: every free span of a
 # belt is at least a tenth of the stroke long.
 SHORTEST_SPAN = 0.12
-IDENTIFIED = Path(__file__).parents[2] / "robots/linear-delta-2022-identified.toml"
+IDENTIFIED = Path(__file__).parents[3] / "robots/linear-delta-2022-identified.toml"
 
 
 def main() -> None:

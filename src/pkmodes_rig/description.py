@@ -16,10 +16,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from mujoco_engine import _add as add
-from mujoco_engine import _mass as inertial
-from mujoco_engine import carriage_positions
 from pkmodes_generated.linear_delta import Parameters
+from pkmodes_rig.mujoco_engine import _add as add
+from pkmodes_rig.mujoco_engine import _mass as inertial
+from pkmodes_rig.mujoco_engine import carriage_positions
 
 AXES = range(3)
 
@@ -262,6 +262,7 @@ class _Builder:
         # Along the belt, from the clamp: the span to pulley 1, the way back to pulley 2, and to the clamp again.
         wrap = np.pi * radius
         starts = lengths[2] + wrap, lengths[2] + lengths[0] + 2 * wrap, 0.0
+        pulls: tuple[tuple[dict[str, float], dict[str, float], dict[str, float]], ...]
         pulls = ((rim_2, rim_1, yields), (clamp, rim_2, yields), (rim_1, clamp, {}))
         for k, (length, start, (ahead, behind, mount)) in enumerate(zip(lengths, starts, pulls, strict=True)):
             elongation = _sum({**ahead, **mount}, behind, 1.0, -1.0)

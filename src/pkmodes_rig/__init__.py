@@ -1,0 +1,36 @@
+"""The virtual test rig: robots measured in a simulated laboratory that shares no code with the model."""
+
+from __future__ import annotations
+
+from pkmodes_rig.corexy import corexy
+from pkmodes_rig.engine import TrueModes, true_modes
+from pkmodes_rig.laboratory import SENSORS, Laboratory
+from pkmodes_rig.measurements import BASE_RIGID, Identified, exact, identified, measure_modes, written
+from pkmodes_rig.mistakes import MISTAKES, joined, mistaken, parsed
+from pkmodes_rig.robots import POSES, ROBOTS, read
+from pkmodes_rig.rotary_delta import rotary_delta
+from pkmodes_rig.storeys import channels, storey_modes
+
+__all__ = [
+    "BASE_RIGID",
+    "MISTAKES",
+    "POSES",
+    "ROBOTS",
+    "SENSORS",
+    "Identified",
+    "Laboratory",
+    "TrueModes",
+    "channels",
+    "corexy",
+    "exact",
+    "identified",
+    "joined",
+    "measure_modes",
+    "mistaken",
+    "parsed",
+    "read",
+    "rotary_delta",
+    "storey_modes",
+    "true_modes",
+    "written",
+]
