@@ -210,7 +210,10 @@ def report(loop: Loop) -> str:
     lines += [f"linear, fitted to measured, on preloads: rms {100 * across:.1f} %", "", "peak [Hz]"]
     rows = table(loop)
     lines += [" | ".join(rows[0]), *(" | ".join(str(cell) for cell in row.values()) for row in rows)]
-    lines += ["", "one spring and two masses, fitted without pkmodes: rms, rms with each setting left out, parameter"]
+    lines += [
+        "",
+        "one spring and two masses, fitted without pkmodes: rms, rms with each setting left out, parameter",
+    ]
     whole = peaks(loop.data["measured"], SLACKEST)
     for name, at in (
         ("measured", peaks(loop.data["measured"])),
