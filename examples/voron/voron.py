@@ -35,7 +35,7 @@ SLACKEST = ((-1.5, 20.0), (-1.0, 24.0))
 MASSES = {"x": 0.502, "y": 0.502 + 0.695}
 #: Pairs of readings of the same setting [Hz].
 REPEATED = ((39.0, 33.0), (23.0, 23.0), (35.0, 28.0))
-#: Relative standard deviations tried beside the stated ones; the repeated readings suggest the larger.
+#: Relative standard deviations tried in addition to the stated ones; the repeated readings suggest the larger.
 WIDER = {"5 %": 0.05, "10 %": 0.1}
 #: Declaration of belts whose stiffness increases linearly with tension.
 LINEAR = '\n[effects.belt_tension_stiffness]\ncoefficient = { value = "0.3 1/N", sigma = "1 1/N" }\n'
