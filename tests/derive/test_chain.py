@@ -1,4 +1,4 @@
-"""Differentiation through named values against SymPy's own differentiation of the written-out expression."""
+"""Differentiation through named values, compared with SymPy's differentiation of the expanded expression."""
 
 from __future__ import annotations
 

@@ -81,7 +81,7 @@ def unit(text: str) -> pint.Unit:
 
 
 def dimension(expression: Expr, v: Vocabulary) -> dict | None:
-    """Dimension of an expression, None for a zero or a bare number; an inconsistent sum raises."""
+    """Return the dimension of an expression, None for a bare number; an inconsistent sum raises."""
     if isinstance(expression, Symbol):
         return dict(unit(v[expression].unit).dimensionality)
     if isinstance(expression, Number):
