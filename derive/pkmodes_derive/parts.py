@@ -163,7 +163,7 @@ class Belt:
     change : sympy.Expr
         Relative change of the modulus by effects.
     factor : sympy.Expr
-        Factor of the modulus by effects.
+        Factor by which effects multiply the modulus.
     compliance : sympy.Expr
         Compliance in series with every span [m/N].
     """

@@ -15,7 +15,7 @@ from sympy import Symbol
 from pkmodes_derive.description import Key, Table
 from pkmodes_derive.vocabulary import AXES, DeclarationError, Field, Vocabulary
 
-#: SI unit of each dimension, which messages name as here.
+#: SI unit of each dimension; messages use these names.
 UNITS = {
     "mass": "kg",
     "length": "m",

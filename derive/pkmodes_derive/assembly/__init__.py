@@ -1,4 +1,4 @@
-"""From a declared machine to everything derived from it, using its parts and closures and no particular mechanism.
+"""Derivation of a declared machine from its parts and closures, independent of the particular mechanism.
 
 `kinematics` closes the loops, `energy` writes the energies of the parts, `statics` solves the equilibrium, `derived`
 collects them with M and K, `condensed` eliminates coordinates without inertia, `sensitivity` differentiates with

@@ -300,7 +300,7 @@ def single(machine: Machine, zeros: Set[tuple[str, int]]) -> Model:
 
 def _notes(c: Condensed) -> tuple[str, ...]:
     """Return notes on how the effects change the use of the code."""
-    active = "; ".join(f"{effect.name}: {effect.sentence}" for effect in c.machine.effects)
+    active = ", ".join(f"{effect.name} ({effect.sentence})" for effect in c.machine.effects)
     notes = [
         f"Active effects: {active}.  The coordinates they add are relative and zero at the pose.  "
         f"`platform_jacobian` is with respect to the {c.machine.independent_are} only, `platform_motion` with "
@@ -314,9 +314,9 @@ def _notes(c: Condensed) -> tuple[str, ...]:
             "functions use only the coordinates above; M is positive definite, and K is condensed exactly."
         )
         notes.append(
-            f"For all {len(every.split(', '))} coordinates ({every}), `uncondensed_matrices` returns the matrices, "
-            "where M is singular and does not suit an eigensolver, and `condensation` times a mode shape returns "
-            "the shape."
+            f"For all {len(every.split(', '))} coordinates ({every}), `uncondensed_matrices` returns M and K; this M "
+            "has zero rows, which eigensolvers reject.  Multiply a mode shape by `condensation` to extend it to all "
+            "coordinates."
         )
     return tuple(notes)
 
@@ -355,7 +355,7 @@ def _uncondensed(c: Condensed) -> list[Function]:
                 (n, c.n),
                 flat(c.condensation),
                 "1, m, 1/m",
-                "all coordinates are T times those with inertia; T^T K T is the condensed stiffness matrix",
+                "all coordinates are T times those with inertia; T^T K T condenses the uncondensed K",
             ),
         ),
     ]

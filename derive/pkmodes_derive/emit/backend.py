@@ -1,4 +1,4 @@
-"""Backends: a language has a name and writes files."""
+"""Backends, one for each language that models are written in."""
 
 from __future__ import annotations
 

@@ -54,7 +54,7 @@ class Program:
     operations_written_out : int
         Operations if every named value were written out wherever it is used.
     operations : int
-        Operations of the program as it stands.
+        Operations of the emitted program.
     """
 
     inputs: tuple[Symbol, ...]
@@ -118,7 +118,7 @@ def _entries(output: Output) -> tuple[Entry, ...]:
 def _renamed(
     names: Sequence[Symbol], shared: Sequence[tuple[Symbol, Expr]], reduced: Sequence[Expr]
 ) -> tuple[list[Symbol], dict[Symbol, Expr], list[Expr]]:
-    """Return named values, the expressions of all steps, and results, with names in place of numbers."""
+    """Return named values, the expressions of all steps, and results, with names in place of numbers if possible."""
     expressions = dict(shared)
     named: dict[Symbol, Expr] = {}
     alias: dict[Symbol, Symbol] = {}

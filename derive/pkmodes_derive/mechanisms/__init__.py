@@ -88,7 +88,7 @@ def _machine(module: ModuleType, name: str, effects: Sequence[Effect]) -> Machin
 
 
 def effects(name: str) -> tuple[Effect, ...]:
-    """Return the effects that apply to a mechanism, which has the parts they act on."""
+    """Return the effects that apply to a mechanism, which are those with parts to act on."""
     bare = machine(name)
     return tuple(effect for effect in catalogue() if effect.parts(bare))
 

@@ -163,7 +163,7 @@ def _without_common_sums(members: Sequence[Member]) -> tuple[list[Member], dict[
 
 
 def _value(value: object, like: object) -> object:
-    """Return the value of an index, as a component (x, y, z) if the index that it is `like` is one."""
+    """Return the value of an index, as a component (x, y, z) if `like` is one."""
     if like in AXES and isinstance(value, int) and 1 <= value <= len(AXES):
         return AXES[value - 1]
     return value

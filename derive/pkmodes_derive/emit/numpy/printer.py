@@ -13,7 +13,7 @@ from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.pycode import PythonCodePrinter
 
 HALF = Rational(1, 2)
-#: Name of that function.
+#: Name of the function that replaces `np.arctan2`.
 ARCTAN2 = "_arctan2"
 
 
