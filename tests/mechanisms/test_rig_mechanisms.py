@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes_rig.corexy import OUTSIDE, corexy
+from pkmodes_rig.corexy import corexy
 from pkmodes_rig.rotary_delta import by_engine, by_hand, rotary_delta
+from pkmodes_rig.rows import OUTSIDE
 
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
 FILES = {"rotary_delta": "clavel-delta.toml", "corexy": "corexy-printer.toml"}
