@@ -1,4 +1,4 @@
-"""Robot files of mechanisms that the package has never seen: all that is asked of them is their description."""
+"""Robot files of mechanisms unknown to the package: their description is all it needs."""
 
 from __future__ import annotations
 
@@ -224,7 +224,7 @@ def test_paths_are_those_of_the_tables(gantry: Robot, arms: Robot) -> None:
             changed = moved(robot, [(path, 0.01)])
             assert resolve(changed, name).value == pytest.approx(path.value + 0.01, rel=1e-12)
         assert set(robot.quantities) <= set(paths(robot))
-    assert resolve(gantry, "belt.width").weights == {("belt_width", (0,)): 1.0}  # the other has its own
+    assert resolve(gantry, "belt.width").weights == {("belt_width", (0,)): 1.0}  # belt 2 has its own
     assert resolve(gantry, "workspace.y.max").weights == {("workspace", (1, 1)): 1.0}
     assert resolve(gantry, "frame.mass").weights == {("frame_compliance.mass", ()): 1.0}
     assert resolve(arms, "axis.joint_radius").value == 0.04
@@ -238,9 +238,9 @@ def test_what_is_suspected_follows_from_the_tables(gantry: Robot, arms: Robot) -
     names = {candidate.name for candidate in candidates}
     assert {"parameter:gantry.mass", "parameter:belt_path.1.lengths.2", "parameter:belt.width"} <= names
     assert {"belt_mass", "frame_compliance with another frame.mass"} <= names
-    assert "belt_tension_stiffness" not in names  # without a tension a coefficient of it does nothing
+    assert "belt_tension_stiffness" not in names  # without a tension its coefficient has no effect
     assert {"parameter:belt_path.2.pulley.radius", "frame_compliance of u_y alone"} <= names
-    # Known, not to be suspected, nothing to be measured, or with a value of its own in the other belt.
+    # Known, not suspected, not measured, or with its own value in the other belt.
     for name in ("toolhead.mass", "frame.mass", "workspace.x.max", "gravity.x", "belt_path.1.belt.width"):
         assert f"parameter:{name}" not in names
     assert parameters[0].name == "toolhead.mass"
@@ -288,7 +288,7 @@ def test_a_mechanism_that_is_misspelled_is_refused_with_the_nearest(tmp_path: Pa
 
 
 def test_what_reads_robot_files_names_nothing_of_a_mechanism() -> None:
-    """In what it computes with: explanations may give examples, and sentences have words such as joint."""
+    """Only in code: explanations may give examples, and sentences contain words such as joint."""
     kind = mechanisms.mechanism("linear_delta")
     named = {kind.name, *kind.effects, *kind.independent}
     named |= {table.name for table in kind.tables} | {whole.path for whole in kind.wholes}
