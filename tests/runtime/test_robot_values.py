@@ -244,21 +244,29 @@ def test_the_mass_of_the_frame_is_one(folder: Path, robot: pkmodes.Robot, rich: 
         ({"effects.paylod.mass": 1}, "unknown parameter path", 'did you mean "effects.payload.mass"'),
         ({"gravitty": 1}, "unknown parameter path", 'did you mean "gravity"'),
         ({"xyzzy": 1}, "unknown parameter path", "see docs"),
-        ({3: 1}, "expected a parameter path, found 3", "write such as"),
-        ({"axis.1.direction": [1, 0, 0]}, "axis.1.direction is no quantity", "change the robot file"),
-        ({"axis.1.branch": -1}, "axis.1.branch is no quantity", "change the robot file"),
+        ({3: 1}, "expected a parameter path, found 3", "for example: "),
+        ({"axis.1.direction": [1, 0, 0]}, "axis.1.direction is not a quantity", "change the robot file"),
+        ({"axis.1.branch": -1}, "axis.1.branch is not a quantity", "change the robot file"),
         ({"platform.mass": -1}, "expected a mass greater than 0 kg, found -1", "check the sign"),
         ({"platform.mass": "1 m"}, 'found "1 m", which is a length', "with its unit"),
         ({"platform.mass": "1.5"}, "which has no unit", "with its unit"),
-        ({"platform.mass": None}, "expected a value, found None", "0 is no effect"),
+        ({"platform.mass": None}, "expected a value, found None", "0 means no effect"),
         ({"frame.mass": {"value": None}}, "expected a value, found None", "give a number"),
         ({"platform.mass": True}, "expected a mass such as", "with its unit"),
         ({"platform.mass": 1j}, "expected a mass such as", "with its unit"),
         ({"platform.mass": np.array([1.0, 2.0])}, "found a list", "with its unit"),
         ({"platform.mass": {"value": 1, "sgima": 1}}, '"sgima"', "write { value"),
-        ({"platform.mass": Quantity(1.0, "m")}, "expected a quantity in kg, found one in m", "same unit"),
-        ({"effects.payload.mass": -0.1}, "or 0 for none", "check the sign"),
-        ({"effects.axis_belt_stiffness.factor_1": -1}, "greater than -1, or 0 for none", "check the sign"),
+        (
+            {"platform.mass": Quantity(1.0, "m")},
+            "expected a quantity in kg, found one in m",
+            "with that unit",
+        ),
+        ({"effects.payload.mass": -0.1}, "or 0 for no effect", "check the sign"),
+        (
+            {"effects.axis_belt_stiffness.factor_1": -1},
+            "greater than -1, or 0 for no effect",
+            "check the sign",
+        ),
         ({"axis.1.limits": ["2 m", "1 m"]}, "expected the lower limit first", "write limits"),
         ({"axis.1.limits.min": "2 m"}, "expected the lower limit first", "write limits"),
         ({"axis.1.origin": [1, 2]}, "expected a list of 3 values, found 2", "give x, y, z"),
@@ -267,11 +275,11 @@ def test_the_mass_of_the_frame_is_one(folder: Path, robot: pkmodes.Robot, rich: 
         ({"axis.span": 0}, "expected a length greater than 0 m", "check the sign"),
         ({"axis.span": "1 kg"}, "which is a mass", "with its unit"),
         ({"axis.span": {"value": 1, "sigma": 0.1}}, "axis.span has no standard deviation", "elements"),
-        ({"axis.span": 1, "axis.2.limits.min": 0}, "would be changed twice", "change it once"),
+        ({"axis.span": 1, "axis.2.limits.min": 0}, "would be changed twice", "change it only once"),
         ({"axis.joint_radius": 0.1}, "cannot be changed along its direction: it is 0", "the elements"),
-        ("platform.mass", 'expected values by path, found "platform.mass"', "write such as"),
-        ([("platform.mass", 1)], "expected values by path, found a list", "write such as"),
-        (None, "expected values by path, found None", "write such as"),
+        ("platform.mass", 'expected values by path, found "platform.mass"', "for example: "),
+        ([("platform.mass", 1)], "expected values by path, found a list", "for example: "),
+        (None, "expected values by path, found None", "for example: "),
     ],
 )
 def test_what_a_file_would_be_refused_for_is_refused(
@@ -292,7 +300,7 @@ def test_a_shared_value_that_no_axis_takes_cannot_be_changed(rich: pkmodes.Robot
 
 def test_a_robot_whose_parameters_were_replaced_is_not_begun_with(robot: pkmodes.Robot) -> None:
     heavier = replace(robot, parameters=robot.parameters._replace(platform_mass=3.0))
-    with pytest.raises(pkmodes.PkmodesError, match="not those that it declares"):
+    with pytest.raises(pkmodes.PkmodesError, match="differ from those that it declares"):
         heavier.with_values({"link.mass": 1})
 
 

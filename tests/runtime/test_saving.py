@@ -422,11 +422,11 @@ def test_windows_ends_of_lines_and_byte_order_marks_are_kept(tmp_path: Path) -> 
         ("platform.mass", Correction(float("nan")), "expected a finite value"),
         ("platform.mass", Correction(1.0, -1.0), "standard deviation of at least 0"),
         ("platform.mass", Correction(1.0, float("inf")), "standard deviation of at least 0"),
-        ("platform.mass", Correction(-1.0), "would be refused: expected a mass greater than 0 kg"),
-        ("platform.mass", Correction(1e99), "would be refused: expected a mass"),
-        ("effects.payload.mass", Correction(-1.0), "would be refused: expected a mass greater than 0 kg"),
+        ("platform.mass", Correction(-1.0), "would be rejected: expected a mass greater than 0 kg"),
+        ("platform.mass", Correction(1e99), "would be rejected: expected a mass"),
+        ("effects.payload.mass", Correction(-1.0), "would be rejected: expected a mass greater than 0 kg"),
         ("axis.joint_radius", Correction(0.1), "joint 1 cannot be changed along its direction: it is 0"),
-        ("axis.span", Correction(-0.1), "would be refused: expected the lower limit first"),
+        ("axis.span", Correction(-0.1), "would be rejected: expected the lower limit first"),
     ],
 )
 def test_what_cannot_be_corrected_is_refused(
