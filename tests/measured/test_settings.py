@@ -62,19 +62,19 @@ def test_values_are_read_in_their_units_and_by_pose(tmp_path: Path, robot: Robot
 @pytest.mark.parametrize(
     ("column", "expected", "remedy"),
     [
-        ("set:effects.payload.mas", "names no value that can be set", 'mean "set:effects.payload.mass"'),
-        ("set:", "names no value that can be set", "docs/sensitivities.md"),
-        ("set:platform.mass", "names no value that can be set", "correct the name"),
-        ("set:belt_path.1.direction", "names no value that can be set", "correct the name"),
+        ("set:effects.payload.mas", "is not a value that can be set", 'mean "set:effects.payload.mass"'),
+        ("set:", "is not a value that can be set", "docs/sensitivities.md"),
+        ("set:platform.mass", "is not a value that can be set", "correct the name"),
+        ("set:belt_path.1.direction", "is not a value that can be set", "correct the name"),
         (
             "set:effects.gearbox_compliance.compliance.psi_1",
-            "names no value",
+            "is not a value",
             "gearbox_compliance.compliance",
         ),
         ("effects.payload.mass", "unknown column", f'mean "{PAYLOAD}"'),
-        (f"{PAYLOAD} [N]", "of another kind", "write a unit of that kind, or none for kg"),
+        (f"{PAYLOAD} [N]", "another kind of unit", "write a unit of that kind, or none for kg"),
         (f"{TENSION} [kgs]", "is unknown", "or none for N"),
-        (f"{PAYLOAD},{PAYLOAD} [g]", "is there twice, first as column 6", "remove one"),
+        (f"{PAYLOAD},{PAYLOAD} [g]", "is repeated, first as column 6", "remove one"),
     ],
 )
 def test_a_column_that_names_nothing_is_refused_with_the_nearest(
@@ -122,7 +122,7 @@ def test_values_that_disagree_are_shown_as_they_were_written(tmp_path: Path, rob
 @pytest.mark.parametrize(
     ("column", "value", "expected"),
     [
-        (PAYLOAD, "-0.1", "expected a mass greater than 0 kg, or 0 for none, found -0.1"),
+        (PAYLOAD, "-0.1", "expected a mass greater than 0 kg, or 0 for no effect, found -0.1"),
         ("set:toolhead.mass", "0", "expected a mass greater than 0 kg"),
         ("set:toolhead.mass", "1e-40", "magnitude"),
         ("set:belt_path.1.lengths.2", "0.1", "one that is 0.2 m too short"),
