@@ -146,7 +146,7 @@ def test_the_exit_code_is_what_the_script_asked_for(
     ("fail_on", "message"),
     [
         ("unexplaned", 'unknown verdict "unexplaned" (--fail-on); did you mean "unexplained"?'),
-        ("xyz", 'unknown verdict "xyz" (--fail-on); choose among adequate, effect_found, '),
+        ("xyz", 'unknown verdict "xyz" (--fail-on); choose from adequate, effect_found, '),
         ("ambiguous,ANY", 'unknown verdict "ANY" (--fail-on); '),
         ("", 'expected names separated by commas, found "" (--fail-on)'),
     ],

@@ -276,7 +276,7 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     ("header", "rows", "parts"),
     [
         (HEADER, [ROW, "far,9,9,9,50,0.1"], ['pose "far" at [9, 9, 9] m', "line 3, columns x, y and z"]),
-        (f"{HEADER},shape:x1", [f"{ROW},1"], ['"shape:x1" names no coordinate', 'did you mean "shape:x_1"?']),
+        (f"{HEADER},shape:x1", [f"{ROW},1"], ['"shape:x1" is not a coordinate', 'did you mean "shape:x_1"?']),
         (HEADER, [ROW, ROW], ["the row repeats line 2", "line 3, column frequency"]),
         (
             HEADER,
@@ -284,10 +284,10 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
             ["standard deviation above 0 Hz, found 0", "line 2, column sigma"],
         ),
         (HEADER, ["A,0.6,0,-0.245,55.5,-1"], ["found -1", "line 2, column sigma"]),
-        (HEADER, ["A,0.6,0,-0.245,0,1"], ["a frequency above 0 Hz", "leave rigid-body modes out"]),
+        (HEADER, ["A,0.6,0,-0.245,0,1"], ["a frequency above 0 Hz", "leave out rigid-body modes"]),
         (HEADER, [ROW, "A,0.61,0,-0.245,60,0.1"], ['pose "A" has two positions', "line 3, column x"]),
         (HEADER, ["A,0.6,0,-0.245,fast,0.1"], ['found "fast"', "line 2, column frequency"]),
-        (HEADER, [], ["found a header only"]),
+        (HEADER, [], ["found only a header"]),
     ],
 )
 def test_bad_rows_are_refused_with_their_place(
@@ -351,9 +351,9 @@ def test_targets_that_cannot_be_written(tmp_path: Path, option: str) -> None:
     for target in (robot, modes, tmp_path / "link.toml"):
         refusal(call(robot, modes, option, target), "would replace its own input", str(target))
     for target, what in {
-        tmp_path: "expected a file, and it is a folder",
+        tmp_path: "expected a file, found a folder",
         tmp_path / "absent" / "result": f"the folder {tmp_path / 'absent'} does not exist (",
-        "/dev/null/result": "/dev/null is no folder",
+        "/dev/null/result": "/dev/null is not a folder",
         "": "expected the name of a file",
     }.items():
         refusal(call(robot, modes, option, target), what, f"({option} ")
@@ -724,9 +724,10 @@ def test_the_table_of_two_causes_and_of_causes_that_look_alike(tmp_path: Path) -
     assert len(effect["class"]) > 1
     name, *others = effect["class"]
     assert (
-        f"wrote {saved} with {name}; for {' or '.join(others)} instead: --candidates {others[0]}; next" in out
+        f"wrote {saved} with {name}; to save it with {' or '.join(others)}: --candidates {others[0]}; next"
+        in out
     )
-    start = out.index("  these data cannot tell it from\n")
+    start = out.index("  these data cannot distinguish it from\n")
     for name in effect["class"][1:]:
         assert re.search(rf"^    {name}\.compliance = \(\S+ \+- \S+\)e-\d\d \S+$", out[start:], re.M)
 

@@ -121,7 +121,7 @@ def test_a_pose_may_be_given_with_units(capsys: pytest.CaptureFixture[str]) -> N
         (["modez"], "no such command 'modez'"),
         (
             ["modes", ROBOT, "--pose", POSE, "--json", "/dev/null/x.json"],
-            "/dev/null is no folder (--json",
+            "/dev/null is not a folder (--json",
         ),
         (["generate", ROBOT], "missing option '--out' (pkmodes generate)"),
         (["generate", "absent.toml", "--out", "x"], "cannot read the robot file"),

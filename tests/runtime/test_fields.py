@@ -96,7 +96,7 @@ def test_digits_do_not_depend_on_the_parts(extended: pkmodes.Model, monkeypatch:
 
 def test_what_was_not_asked_for_says_so(model: pkmodes.Model) -> None:
     modes = model.modes(POSE, fields=["platform_shapes", "frequencies"])
-    with pytest.raises(NotComputedError, match=r"the field shapes was not asked for") as error:
+    with pytest.raises(NotComputedError, match=r"the field shapes was not requested") as error:
         _ = modes.shapes
     assert error.match(r'call Model\.modes with fields=\("frequencies", "shapes", "platform_shapes"\)')
     assert isinstance(error.value, pkmodes.PkmodesError)
@@ -125,7 +125,7 @@ def test_results_are_copied_and_pickled_with_the_fields_that_they_have(model: pk
     ("fields", "what", "remedy"),
     [
         ("frequencies", 'expected a list of fields, found "frequencies"', r'write \["frequencies"\]'),
-        (3, "expected a list of fields, found 3", "write such as"),
+        (3, "expected a list of fields, found 3", "for example: "),
         (["frequency"], 'unknown field "frequency"', 'did you mean "frequencies"'),
         (["zzz"], 'unknown field "zzz"', "known: "),
         ([None], "unknown field None", "known: "),
@@ -200,7 +200,7 @@ SHARED = np.zeros((9, 9))
         ({"frequencies": np.zeros(9, dtype=np.float32)}, "found shape .* and type float32"),
         ({"frequencies": np.zeros(9, dtype=object)}, "type object"),
         ({"frequencies": np.zeros(9, dtype=">f8")}, "type >f8"),
-        ({"frequencies": frozen(9)}, "cannot be written to"),
+        ({"frequencies": frozen(9)}, "the array is read-only"),
         ({"frequencies": [0.0] * 9}, 'expected an ndarray, found "list"'),
         ({"frequencies": None}, "expected an ndarray"),
         ({"frequency": np.zeros(9)}, 'unknown field "frequency"'),
@@ -220,7 +220,7 @@ def test_arrays_that_cannot_be_filled_are_refused(model: pkmodes.Model, out: obj
 
 
 def test_out_is_for_fields_that_are_asked_for(model: pkmodes.Model) -> None:
-    with pytest.raises(pkmodes.PkmodesError, match="the field is not asked for") as error:
+    with pytest.raises(pkmodes.PkmodesError, match="the field is not requested") as error:
         model.modes(POSE, fields=["shapes"], out={"frequencies": np.zeros(9)})
     assert error.match("out: frequencies")
 

@@ -100,7 +100,7 @@ def test_a_changed_robot_file_names_the_field(
     assert code == 1
     assert f"the robot file changed: {field}" in out
     assert "(derived now)" in out, "the difference is shown"
-    assert f"mend it with: pkmodes generate {copy / 'robot.toml'} --out {copy / 'model'}" in out
+    assert f"fix with: pkmodes generate {copy / 'robot.toml'} --out {copy / 'model'}" in out
 
 
 def test_the_mending_command_mends(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -108,7 +108,7 @@ def test_the_mending_command_mends(copy: Path, capsys: pytest.CaptureFixture[str
     edit(copy / "robot.toml", 'name = "linear-delta-2022"', 'name = "heavier"')
     code, out = check(copy, capsys)
     assert code == 1
-    command = out.partition("mend it with: ")[2].split()
+    command = out.partition("fix with: ")[2].split()
     assert run(command[1:]) == 0
     assert check(copy, capsys)[0] == 0
     assert not (copy / "model" / MODULE).exists(), "the module under the former name is gone"
@@ -196,7 +196,7 @@ def test_the_mending_commands_can_be_pasted(tmp_path: Path, capsys: pytest.Captu
     edit(folder / "my robot.toml", "1.5 kg", "1.6 kg")
     shutil.copy(folder / "my model" / MODULE, folder / "my model" / "a copy.py")
     assert run(["check", str(folder / "my model")]) == 1
-    commands = capsys.readouterr().out.rpartition("mend it with: ")[2].strip().split(" && ")
+    commands = capsys.readouterr().out.rpartition("fix with: ")[2].strip().split(" && ")
     remove, generate = (shlex.split(command) for command in commands)
     assert remove == ["rm", str(folder / "my model" / "a copy.py")]
     Path(remove[1]).unlink()
@@ -209,7 +209,7 @@ def test_a_file_that_was_not_generated_is_not_overwritten(
 ) -> None:
     (tmp_path / MODULE).write_text("mine", encoding="utf-8")
     assert run(["generate", str(PUBLISHED), "--out", str(tmp_path)]) == 2
-    assert "no manifest that says it was generated" in capsys.readouterr().err
+    assert "no manifest of a generated model" in capsys.readouterr().err
     assert (tmp_path / MODULE).read_text(encoding="utf-8") == "mine"
 
 

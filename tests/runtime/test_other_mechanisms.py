@@ -128,7 +128,7 @@ def test_an_effect_that_does_not_apply_is_refused_with_those_that_do(tmp_path: P
         RobotFileError, match="link_compliance does not apply to the mechanism made_up_gantry"
     ) as e:
         read(tmp_path, GANTRY_FILE + '[effects.link_compliance]\ncompliance = "1e-7 m/N"\n')
-    assert e.match("those that apply: belt_mass, belt_tension_stiffness, frame_compliance")
+    assert e.match("effects that apply: belt_mass, belt_tension_stiffness, frame_compliance")
 
 
 def test_an_angle_out_of_bounds_is_refused(tmp_path: Path) -> None:
@@ -171,7 +171,7 @@ def test_it_is_changed_as_an_edited_file(tmp_path: Path, gantry: Robot) -> None:
     assert changed == read(tmp_path, text)
     assert changed.parameters.pulley_radius.tolist() == [0.0065, 0.00637]
     for wrong, what in (
-        ({"belt_path.1.direction": [1, 1]}, "belt_path.1.direction is no quantity"),
+        ({"belt_path.1.direction": [1, 1]}, "belt_path.1.direction is not a quantity"),
         ({"belt_path.3.belt.width": 1}, "unknown parameter path"),
         ({"workspace.x.max": 0.9}, "positive in the whole workspace"),
         ({"axis.span": 1}, "unknown parameter path"),

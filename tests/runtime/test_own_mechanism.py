@@ -217,9 +217,9 @@ def test_a_changed_definition_is_found_and_mended(copy: Path, capsys: pytest.Cap
     (copy / "five_bar.py").write_text(changed)
     assert run(["check", "build", "build/five_bar"]) == 1
     out = capsys.readouterr().out
-    assert out.count("the definition changed: five_bar.py is not what this was derived from") == 2
+    assert out.count("the definition changed: five_bar.py differs from the file this was derived from") == 2
     mend = "pkmodes generate --mechanism five_bar.py robot.toml --out build"
-    assert f"mend it with: {mend}\n" in out
+    assert f"fix with: {mend}\n" in out
     assert run(mend.split()[1:]) == 0
     assert run(["check", "--mechanism", "build/five_bar", "build", "build/five_bar"]) == 0
 
@@ -238,7 +238,7 @@ def test_a_folder_that_was_handed_on_alone_is_checked(copy: Path, capsys: pytest
     moved = shutil.move(copy / "build/five_bar", copy / "elsewhere")
     (copy / "five_bar.py").unlink()
     assert run(["check", "--mechanism", moved]) == 0
-    assert 'not checked: whether the definition "../../five_bar.py" still says' in capsys.readouterr().out
+    assert 'not checked: whether the definition "../../five_bar.py" has changed' in capsys.readouterr().out
     assert run(["generate", "--mechanism", moved, "robot.toml", "--out", "other"]) == 0
     assert sorted(path.name for path in (copy / "other").iterdir()) == [
         "manifest.json",
@@ -382,12 +382,12 @@ def test_other_files_in_the_place_of_the_mechanism_are_left_alone(
     (copy / "new" / "five_bar").mkdir(parents=True)
     (copy / "new" / "five_bar" / "notes.txt").write_text("mine")
     arguments = ["generate", "--mechanism", "five_bar.py", "robot.toml", "--out", "new"]
-    assert "the folder holds other things (notes.txt)" in refused(arguments, capsys)
+    assert "the folder contains other files (notes.txt)" in refused(arguments, capsys)
     (copy / "new" / "five_bar" / "notes.txt").unlink()
     assert run(arguments) == 0
     shutil.copytree(copy / "build", copy / "third" / "five_bar")
     arguments[-1] = "third"
-    assert "the folder holds another product" in refused(arguments, capsys)
+    assert "the folder holds generated files other than the code" in refused(arguments, capsys)
 
 
 def test_folders_that_are_none(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -396,7 +396,7 @@ def test_folders_that_are_none(copy: Path, capsys: pytest.CaptureFixture[str]) -
 
     assert "no such folder (nowhere); give the folder DIR/<mechanism>" in said("nowhere")
     assert "found a file (five_bar.py); give the folder DIR/<mechanism>" in said("five_bar.py")
-    assert "give the folder of the mechanism in it: build/five_bar" in said("build")
+    assert "give the mechanism folder inside it: build/five_bar" in said("build")
     file = copy / "build/five_bar/extended.py"
     file.write_text(file.read_text() + "\nraise ValueError('broken')\n")
     assert "the generated code cannot be imported: ValueError: broken" in said("build/five_bar")

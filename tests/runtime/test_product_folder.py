@@ -81,7 +81,7 @@ def test_a_name_that_a_file_of_the_user_has_is_refused(
     (copy / "robot.toml").write_text(published().replace('name = "linear-delta-2022"', 'name = "helper"'))
     before = contents(copy / "model")
     assert run(["generate", str(copy / "robot.toml"), "--out", str(copy / "model")]) == 2
-    assert "helper.c would be replaced, and was not generated" in capsys.readouterr().err
+    assert "helper.c would be replaced, but it was not generated" in capsys.readouterr().err
     assert contents(copy / "model") == before
 
 
@@ -123,7 +123,7 @@ def test_a_folder_with_other_things_is_left_as_it_was(
     (tmp_path / "thesis" / "chapter.tex").write_text("years of work", encoding="utf-8")
     before = contents(tmp_path)
     error = refused(PUBLISHED, tmp_path / "thesis", capsys)
-    assert "the folder holds other things (chapter.tex), and no manifest that says it was generated" in error
+    assert "the folder contains other files (chapter.tex) and no manifest of a generated model" in error
     assert "; name a new or empty folder, such as --out " in error
     assert contents(tmp_path) == before
 
@@ -219,7 +219,7 @@ def test_a_copied_model_is_checked_without_its_robot_file(
 ) -> None:
     assert run(["check", str(vendored)]) == 0
     out = capsys.readouterr().out
-    assert 'not checked: whether the robot file "../robot.toml" still says' in out
+    assert 'not checked: whether the robot file "../robot.toml" has changed' in out
     assert "57 relations agree with finite differences" in out
     assert f"pkmodes generate ROBOT.toml --out {vendored}" in out
     assert f"{vendored}: current\n" not in out
@@ -234,7 +234,7 @@ def test_an_edit_of_a_copied_model_is_found(
     assert run(["check", str(vendored)]) == 1
     out = capsys.readouterr().out
     assert f"{name} was edited by hand" in out
-    assert f"mend it with: pkmodes generate ROBOT.toml --out {vendored}" in out
+    assert f"fix with: pkmodes generate ROBOT.toml --out {vendored}" in out
 
 
 def test_a_missing_output_and_another_derivation_of_a_copied_model_are_found(
