@@ -44,10 +44,10 @@ def check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
         parameters = sample(kind)
         checks = check_consistency(Generated(kind.model, parameters), kind, parameters)
     source = "FILE.py" if unchecked else pasted(folder / reference)
-    mend = (
+    fix = (
         f"pkmodes generate --mechanism {source} ROBOT.toml --out {pasted(folder.parent)}" if findings else ""
     )
-    return Report(str(folder), findings, checks, mend, tuple(unchecked))
+    return Report(str(folder), findings, checks, fix, tuple(unchecked))
 
 
 def check_definition(folder: Path, reference: str, name: str) -> tuple[list[Any], list[str]]:

@@ -68,7 +68,7 @@ def corrected_text(source: Path, changes: Mapping[str, Correction]) -> str:
     -------
     str
         In the units of the file.  Lines without a changed value are unchanged.  The standard deviation of a whole is
-        written in a comment, because it is not one of its elements'.
+        written in a comment, because its elements cannot carry it.
 
     Raises
     ------
