@@ -1,4 +1,4 @@
-"""Modal measurements: what a file means, and what is refused with file, line, column and reason."""
+"""Modal measurements: the meaning of a file, and errors with file, line, column and reason."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def test_optional_columns_may_be_absent_and_columns_are_in_any_order(tmp_path: P
 def test_lines_are_counted_whatever_ends_them(tmp_path: Path, newline: str, mark: str) -> None:
     text = mark + newline.join(["# one", "", HEADER, "", ROW, "A,0.6,0,-0.245,60,0.1"])
     assert read(tmp_path, text).lines.tolist() == [5, 6]
-    # A character that only Python takes for the end of a line does not count as one.
+    # A character that only Python treats as a line ending is not one.
     assert read(tmp_path, text.replace("# one", "# o\x0b\x85\u2028ne")).lines.tolist() == [5, 6]
 
 
@@ -356,7 +356,7 @@ components = st.none() | st.floats(1e-3, 10) | st.floats(-10, -1e-3)
 
 @st.composite
 def tables(draw: st.DrawFn) -> list[tuple[object, ...]]:
-    """Rows of a file that obeys the rules, None where a cell is blank."""
+    """Rows of a valid file, None for a blank cell."""
     points = draw(poses)
     spreads = {label: draw(st.none() | st.floats(0, 1)) for label in points}
     rows = []
@@ -379,7 +379,7 @@ def text_of(rows: list[tuple[object, ...]]) -> str:
 
 
 def plain(found: Measurements) -> list[tuple[object, ...]]:
-    """What was read, as rows of the file."""
+    """Return the measurements as rows of the file."""
 
     def cell(value: float) -> float | None:
         return None if np.isnan(value) else float(value)

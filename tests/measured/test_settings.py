@@ -1,4 +1,4 @@
-"""Columns that set values: what they mean, and what is refused with file, line and column."""
+"""Columns that set values: their meaning, and errors with file, line and column."""
 
 from __future__ import annotations
 
@@ -149,7 +149,7 @@ def test_a_value_with_which_the_pose_cannot_be_reached_is_refused(tmp_path: Path
     assert 'pose "B"' in str(error.value)
     assert "cannot be reached with what is set" in str(error.value)
     assert f"{tmp_path / 'modes.csv'}: line 3, column set:link.length" in str(error.value)
-    # A pose that only the robot with what is set reaches.
+    # A pose that only the robot with the set values reaches.
     far = "0.6,0,-0.45,55,0.1"
     with pytest.raises(MeasurementError, match=r'pose "B" .* cannot be reached'):
         updating.compare(robot, read(tmp_path, f"{DELTA},set:link.length\nA,{row},\nB,{far},\n", robot))
@@ -205,7 +205,7 @@ def test_the_commands_show_what_is_set(
     assert [row.get("set") for row in rows] == [None, None, *[{PAYLOAD[4:]: 0.2}] * 2]
     assert run(["diagnose", *files, "--candidates", "belt_mass"]) == 0
     assert "set by the measurements: effects.payload.mass = 0.2 kg (pose B)" in capsys.readouterr().out
-    # As the robot with that payload predicts.
+    # As predicted by the robot with that payload.
     alone = Model(robot.with_values({PAYLOAD[4:]: 0.2})).frequencies([0.1, 0.1])[2:]
     found = loop.compare(robot, updating.read(tmp_path / "modes.csv", robot=robot))
     assert [row.predicted for row in found.rows[2:]] == pytest.approx(alone.tolist(), rel=1e-12)

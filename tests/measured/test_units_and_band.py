@@ -1,4 +1,4 @@
-"""Measurement files in other units, the band in which modes were looked for, and files without positions."""
+"""Measurement files in other units, the band in which modes were identified, and files without positions."""
 
 from __future__ import annotations
 
@@ -135,7 +135,7 @@ def test_a_bad_number_is_told_with_the_unit_that_was_expected(tmp_path: Path) ->
     line = refusal(tmp_path, f"{HEADER.replace(',x', ',x [mm]')}\nA,600 mm,0,0,5,0.1\n")
     assert "line 2, column x [mm])" in line
     assert "plain number in mm" in line
-    # Beyond the doubles only after the conversion, and far beyond the decimals before it.
+    # Out of range for doubles only after the conversion, and far out of range for decimals before it.
     for text in ("1e307", "1e999", "1e99999999999999999999"):
         assert "finite" in refusal(tmp_path, f"{HEADER},shape:x_1 [Em]\n{ROW},{text}\n")
     assert "only zeros" in refusal(tmp_path, f"{HEADER},shape:x_1 [mm]\n{ROW},1e-99999999999999999999\n")
@@ -193,7 +193,7 @@ KINDS = {
 
 @st.composite
 def files(draw: st.DrawFn) -> tuple[str, dict[str, list[float]]]:
-    """A file in any units, and what it says in SI units."""
+    """A file in any units, and its content in SI units."""
     units = {name: draw(st.none() | st.sampled_from(sorted(UNITS[kind]))) for name, kind in KINDS.items()}
     factors = {name: UNITS[KINDS[name]][unit] if unit else 1.0 for name, unit in units.items()}
     names = draw(st.permutations(["pose", *KINDS]))
@@ -330,7 +330,7 @@ def test_a_row_outside_the_band_contradicts_it(tmp_path: Path) -> None:
     assert Measurements.from_rows(["a"], [10.0], [0.1], band=(5, 20)).band == (5.0, 20.0)
 
 
-# Structures that are no robots -----------------------------------------------------------------------------
+# Structures other than robots ------------------------------------------------------------------------------
 
 
 def test_a_structure_without_positions_is_measured_at_labels_alone(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""``pkmodes compare``: prediction beside measurement, for scripts and for a person."""
+"""``pkmodes compare``: prediction and measurement, for scripts and for people."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ ROW = "A,0.6,0,-0.245,55.5,0.1"
 
 
 class Answer(NamedTuple):
-    """What a command gave."""
+    """Exit code and output of a command."""
 
     code: int
     out: str
@@ -42,7 +42,7 @@ class Answer(NamedTuple):
 
     @property
     def table(self) -> list[list[str]]:
-        """Cells of the rows of the table, after its titles."""
+        """Return the cells of the table's rows below its titles."""
         lines = self.out.splitlines()
         assert lines[2].startswith("pose ")
         return [line.split() for line in lines[3 : lines.index("", 3)]]
@@ -57,7 +57,7 @@ def call(*arguments: object) -> Answer:
 
 @cache
 def measured(poses: int = 3, shapes: bool = True, servo: float = 0.0) -> str:
-    """What the virtual rig measures on the published robot."""
+    """Measurements of the published robot on the virtual rig."""
     return measure(
         read("published").parameters,
         POSES["published"]["scattered"][:poses],
@@ -117,7 +117,7 @@ def test_json_holds_the_result_and_every_row(tmp_path: Path) -> None:
 
 
 def test_an_uncertain_position_widens_every_error(tmp_path: Path) -> None:
-    """By the slope of each mode along x, here from differences of the model; the modes of a pose err together."""
+    """By the slope of each mode along x, here from differences of the model; the modes of a pose share an error."""
     rows, sigma_x = rows_of(measured()), 0.002
     uncertain = [{**row, "sigma_x": str(sigma_x)} for row in rows]
     plain = call(PUBLISHED, write(tmp_path, csv_of(rows)), "--json", "-").json

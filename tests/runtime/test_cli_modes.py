@@ -1,4 +1,4 @@
-"""The command line's promises: JSON keys, error lines, exit codes; ``pkmodes modes``."""
+"""The contract of the command line, JSON keys, error lines and exit codes, and ``pkmodes modes``."""
 
 from __future__ import annotations
 

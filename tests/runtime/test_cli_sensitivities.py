@@ -1,4 +1,4 @@
-"""``pkmodes sensitivities``: derivatives against differences of other robot files, units, order, and mistakes."""
+"""``pkmodes sensitivities``: derivatives against differences between robot files, units, order, errors."""
 
 from __future__ import annotations
 
@@ -117,7 +117,7 @@ def test_the_table_is_sorted_by_what_a_percent_does(capsys: pytest.CaptureFixtur
     assert [*rows] == [*order, "effects.payload.mass"]
     assert rows["platform.mass"][:2] == ["1.5", "kg"]
     assert rows["effects.payload.mass"][:2] == ["0", "kg"]
-    # A mass on the platform is more platform.
+    # A payload acts like additional platform mass.
     assert rows["effects.payload.mass"][2:] == rows["platform.mass"][2:]
     assert "no frequency depends on: frame.mass" in out
     model = pkmodes.load(PUBLISHED)
@@ -135,7 +135,7 @@ def test_every_quantity_is_in_the_table_once(capsys: pytest.CaptureFixture[str])
 
 
 def test_modes_that_coincide_are_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """On the axis of a tower printer, modes come in pairs."""
+    """On the axis of symmetry of a tower printer, modes come in pairs."""
     (tmp_path / "tower.toml").write_text(ROBOTS["tower"], encoding="utf-8")
     found = pkmodes.load(tmp_path / "tower.toml").modes([0.0, 0.0, 0.2]).frequencies[3:]
     pairs = [i + 1 for i in range(5) if np.isclose(found[i], found[i + 1], rtol=1e-9)]

@@ -1,4 +1,4 @@
-"""Fields of results: only what is asked for is computed and kept, in arrays of the caller's if wanted."""
+"""Fields of results: only requested fields are computed and kept, optionally in arrays of the caller."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def extended(model: pkmodes.Model) -> pkmodes.Model:
 
 @pytest.fixture(scope="module")
 def tower(tmp_path_factory: pytest.TempPathFactory) -> pkmodes.Model:
-    """A printer with three vertical rails alike: on its axis, modes come in pairs."""
+    """A printer with three identical vertical rails: on its axis, modes come in pairs."""
     axes = ""
     for x, y in ((1.0, 0.0), (-0.5, 0.75**0.5), (-0.5, -(0.75**0.5))):
         axes += f"""
@@ -142,7 +142,7 @@ def test_fields_that_are_not_there_are_refused(
 
 
 def places(shape: tuple[int, ...]) -> list[np.ndarray]:
-    """Arrays to be filled: in one piece, in Fortran's order, and parts of larger ones."""
+    """Arrays to fill: contiguous, in Fortran order, and views of larger ones."""
     large = np.full((*(2 * n for n in shape),), 7.0)
     return [np.empty(shape), np.empty(shape, order="F"), large[tuple(slice(None, None, 2) for _ in shape)]]
 
@@ -244,7 +244,7 @@ def test_rates_of_the_frequencies_alone_are_those_of_differences(
 
 @pytest.mark.parametrize(("which", "pose"), [("model", POSE), ("extended", POSE), ("tower", CENTRE)])
 def test_both_routes_to_the_rates_agree(which: str, pose: np.ndarray, request: pytest.FixtureRequest) -> None:
-    """To rounding: one sums whole matrices, the other the entries that change."""
+    """Up to rounding: one sums whole matrices, the other only the entries that change."""
     model = request.getfixturevalue(which)
     poses = np.concatenate([around(pose, 3), pose[None], around(pose, 2)])
     everything = model.sensitivities(poses)
@@ -287,7 +287,7 @@ def peak(call: Callable[[], object]) -> int:
 def test_a_pose_takes_the_memory_of_its_result(
     model: pkmodes.Model, fields: tuple[str, ...] | None, numbers: int
 ) -> None:
-    """Beside what is asked for, there are a copy of the pose, three numbers, and some bytes of bookkeeping."""
+    """Besides the requested fields, a pose takes its copy, three numbers, and some bytes of bookkeeping."""
     some, more = (around(POSE, n) for n in (6000, 18000))
     peaks = [peak(lambda p=p: model.modes(p, fields=fields)) for p in (some, more)]
     assert (peaks[1] - peaks[0]) / 12000 < 8 * (numbers + 3) + 20

@@ -1,4 +1,4 @@
-"""``pkmodes generate`` and ``pkmodes check``: what stands alone, and what makes a model not current."""
+"""``pkmodes generate`` and ``pkmodes check``: standalone output, and what makes a model out of date."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def edit(path: Path, old: str, new: str) -> None:
 
 
 def test_the_generated_module_stands_alone(pristine: Path) -> None:
-    """It is imported by an interpreter that sees NumPy and nothing of this project."""
+    """It is imported by an interpreter that has NumPy but not this project."""
     code = (
         "import sys, json; sys.path.insert(0, '.'); import linear_delta_2022 as m; "
         "M, K = m.modal_matrices([0.6, 0.03, -0.245]); "
@@ -226,7 +226,7 @@ def test_a_tampered_manifest_is_refused(
 
 
 def test_names_and_paths_cannot_become_code(tmp_path: Path) -> None:
-    """The schema refuses such names; the emission does not rely on it."""
+    """The schema rejects such names; the code generator does not rely on that."""
     robot = read_robot(PUBLISHED)
     nasty = 'a"""; raise SystemExit; """*/ int x; /* \\N{foo}\n\x00'
     texts = product.specialised(specification(dataclasses.replace(robot, name=nasty), f"{nasty}.toml"))
@@ -363,7 +363,7 @@ CLAMP = '\n[effects.clamp_compliance]\ncompliance = "1e-7 m/N"\n'
 def test_a_model_with_a_massless_clamp_has_an_eigenproblem(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """What a newcomer does: generate, import, solve with SciPy."""
+    """The steps of a new user: generate, import, solve with SciPy."""
     (tmp_path / "robot.toml").write_text(published() + CLAMP, encoding="utf-8")
     assert run(["generate", str(tmp_path / "robot.toml"), "--out", str(tmp_path / "model")]) == 0
     assert run(["check", str(tmp_path / "model")]) == 0

@@ -1,4 +1,4 @@
-"""Robot files of mechanisms that the package has never seen: all that is asked of them is their description."""
+"""Robot files of mechanisms unknown to the package, which only needs their description."""
 
 from __future__ import annotations
 
@@ -240,7 +240,7 @@ def test_what_is_suspected_follows_from_the_tables(gantry: Robot, arms: Robot) -
     assert {"belt_mass", "frame_compliance with another frame.mass"} <= names
     assert "belt_tension_stiffness" not in names  # without a tension a coefficient of it does nothing
     assert {"parameter:belt_path.2.pulley.radius", "frame_compliance of u_y alone"} <= names
-    # Known, not to be suspected, nothing to be measured, or with a value of its own in the other belt.
+    # Known exactly, not suspected, not measurable, or overridden for the other belt.
     for name in ("toolhead.mass", "frame.mass", "workspace.x.max", "gravity.x", "belt_path.1.belt.width"):
         assert f"parameter:{name}" not in names
     assert parameters[0].name == "toolhead.mass"
@@ -288,7 +288,7 @@ def test_a_mechanism_that_is_misspelled_is_refused_with_the_nearest(tmp_path: Pa
 
 
 def test_what_reads_robot_files_names_nothing_of_a_mechanism() -> None:
-    """In what it computes with: explanations may give examples, and sentences have words such as joint."""
+    """In the code only: docstrings may give examples, and sentences contain words such as joint."""
     kind = mechanisms.mechanism("linear_delta")
     named = {kind.name, *kind.effects, *kind.independent}
     named |= {table.name for table in kind.tables} | {whole.path for whole in kind.wholes}

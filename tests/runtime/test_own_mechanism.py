@@ -1,4 +1,4 @@
-"""docs/adding-a-mechanism.md, carried out: a mechanism outside the repository goes through every command."""
+"""The steps of docs/adding-a-mechanism.md: a mechanism outside the repository works with every command."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ POSE = np.array([0.03, -0.42])
 
 @pytest.fixture(scope="module")
 def place(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    """A folder with the files of the page, after the first of its commands."""
+    """A folder with the files of the page, after its first command."""
     folder = tmp_path_factory.mktemp("own")
     (folder / "five_bar.py").write_text(DEFINITION, encoding="utf-8")
     (folder / "robot.toml").write_text(ROBOT, encoding="utf-8")
@@ -46,7 +46,7 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
 
 @pytest.fixture
 def copy(place: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A copy of it to be changed."""
+    """A copy of it that may be changed."""
     shutil.copytree(place, tmp_path, dirs_exist_ok=True)
     monkeypatch.setattr(known, "_added", {})
     monkeypatch.chdir(tmp_path)
@@ -60,13 +60,13 @@ def model(place: Path) -> pkmodes.Model:
 
 
 def refused(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> str:
-    """What a command says that cannot be carried out."""
+    """Return the error of a command that fails."""
     capsys.readouterr()
     assert run(arguments) == 2
     return capsys.readouterr().err
 
 
-# What the page promises.
+# Statements of the page.
 
 
 def test_the_definition_is_short() -> None:
@@ -160,7 +160,7 @@ def test_a_wrong_value_is_found(place: Path, tmp_path: Path) -> None:
     assert run(["compare", *arguments]) == 0
 
 
-# Other processes, other ways to make it known.
+# Other processes, other ways to register it.
 
 
 @pytest.mark.parametrize("method", ["fork", "spawn"])
@@ -249,7 +249,7 @@ def test_a_folder_that_was_handed_on_alone_is_checked(copy: Path, capsys: pytest
     assert "--mechanism DIR/<mechanism>" in refused(["check", "build"], capsys)
 
 
-# What is refused, with its place.
+# Rejected input, with its place.
 
 MISTAKES = {
     "not Python": ("def declare(m):", "def declare(m:", r"not valid Python: .* \(five_bar.py:\d+\)"),

@@ -1,4 +1,4 @@
-"""Robot files: what they mean, and what is refused with file, path, expected and found."""
+"""Robot files: their meaning, and errors with file, path, expected and found."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A robot with other values is the robot of an edited file; robots compare, hash, pickle and copy."""
+"""A robot with other values equals the robot of an edited file; robots compare, hash, pickle and copy."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from pkmodes.robot.units import Quantity
 from robot_text import PUBLISHED, edited, published
 
 POSE = [0.6, 0.03, -0.245]
-#: Joints beside the centre, overrides, standard deviations, effects, a direction that changes when normalised twice.
+#: Joints off the centre, overrides, standard deviations, effects, a direction that changes when normalised twice.
 RICH = (
     published()
     .replace('mass = "1.5 kg"', 'mass = { value = "1.5 kg", sigma = "2 %" }')
@@ -57,7 +57,7 @@ def robot() -> pkmodes.Robot:
 
 
 def written(text: str, path: str, raw: object) -> str:
-    """A robot file with another value, edited by another library than the package's."""
+    """A robot file with another value, edited with a library that the package does not use."""
     document = tomlkit.parse(text)
     *tables, key = path.split(".")
     table = document
@@ -348,7 +348,7 @@ def test_models_travel_to_other_processes(robot: pkmodes.Robot) -> None:
 
 @pytest.mark.parametrize("path", paths(pkmodes.read_robot(PUBLISHED)))
 def test_every_path_that_has_derivatives_can_be_changed(rich: pkmodes.Robot, path: str) -> None:
-    """And to a value that the derivatives' paths find again: the two go by the same names."""
+    """And to a value that the derivatives' paths also find: both use the same names."""
     before = resolve(rich, path)
     value = before.value * 1.01 or 1e-9
     changed = rich.with_values({path: value})
@@ -356,7 +356,7 @@ def test_every_path_that_has_derivatives_can_be_changed(rich: pkmodes.Robot, pat
     whole = path in ("axis.span", "axis.joint_radius")
     assert after.value == (pytest.approx(value, rel=1e-14) if whole else value)
     assert after.weights.keys() == before.weights.keys()
-    # To first order the wholes move as the weights say: joints by their own directions, limits evenly.
+    # To first order the wholes change by their weights: joints along their directions, limits symmetrically.
     step = moved(rich, [(before, value - before.value)])
     for a, b in zip(changed.parameters, step.parameters, strict=True):
         np.testing.assert_allclose(a, b, rtol=1e-14, atol=1e-15)
