@@ -1,4 +1,4 @@
-"""The code and the commands of README and docs/diagnosis.md run unchanged, and print what the pages show."""
+"""The code and the commands of README and docs/diagnosis.md run unchanged, and print the output shown."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ NUMBER = re.compile(r"(?<![\w.])[+-]?\d+(?:\.\d+)?(?:e[+-]?\d+)?(?!\w)")
 
 
 def block(text: str, start: str) -> str:
-    """Return the code block that begins with a text."""
+    """Return the code block that begins with some text."""
     (found,) = (part for part in re.findall(r"```\w*\n(.*?)```", text, re.S) if part.startswith(start))
     return found
 
 
 def same(shown: str, printed: str) -> None:
-    """Check that words are equal, and numbers nearly so: they come from fits."""
+    """Check that words are equal and numbers nearly equal: they come from fits."""
     assert NUMBER.sub("#", shown) == NUMBER.sub("#", printed)
     for one, other in zip(NUMBER.findall(shown), NUMBER.findall(printed), strict=True):
         a, b = float(one), float(other)
@@ -93,7 +93,7 @@ def test_the_readme_shows_a_measurement_file_that_can_be_read(tmp_path: Path) ->
 def test_the_commands_of_the_readme_work_in_a_clean_clone_and_print_what_it_shows(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """The clone has only the committed folders; commands create all others."""
+    """Folders do not exist unless a command creates them."""
     for name in ("robots", "examples"):
         (tmp_path / name).symlink_to(ROOT / name)
     monkeypatch.chdir(tmp_path)

@@ -218,7 +218,7 @@ def test_unknown_paths_are_refused_with_the_nearest(name: object, what: str, rem
 
 @pytest.mark.parametrize(
     ("parameters", "found", "remedy"),
-    [("link.mass", '"link.mass"', r'write \["link.mass"\]'), (3, "3", r'write such as \["platform.mass"\]')],
+    [("link.mass", '"link.mass"', r'write \["link.mass"\]'), (3, "3", r'for example: \["platform.mass"\]')],
 )
 def test_a_single_path_must_be_in_a_list(parameters: object, found: str, remedy: str) -> None:
     with pytest.raises(

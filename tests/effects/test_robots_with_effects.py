@@ -187,7 +187,7 @@ def test_the_command_line_evaluates_effects(tmp_path: Path, capsys: pytest.Captu
         ("[effects.payload]", "mass is missing", "effects.payload.mass", "add it"),
         (
             '[effects.payload]\nmass = "-1 kg"',
-            "greater than 0 kg, or 0 for none",
+            "greater than 0 kg, or 0 for no effect",
             "effects.payload.mass",
             "sign",
         ),
@@ -208,7 +208,7 @@ def test_the_command_line_evaluates_effects(tmp_path: Path, capsys: pytest.Captu
             "keep it in [frame]",
         ),
         ("[effects]\npayload = 3", "expected a table, found 3", "effects.payload", "[effects.payload]"),
-        ('[effects.payload]\nmass = "1 kg"\n[effects.payload]\nmass = "2 kg"', "not valid TOML", "", "mend"),
+        ('[effects.payload]\nmass = "1 kg"\n[effects.payload]\nmass = "2 kg"', "not valid TOML", "", "fix"),
     ],
 )
 def test_mistakes_in_effects_are_refused(

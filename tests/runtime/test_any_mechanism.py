@@ -1,4 +1,4 @@
-"""A hand-written mechanism of two coordinates works with the whole runtime like any other."""
+"""A hand-written mechanism with two coordinates works with the whole runtime."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def robot(effects: Mapping[str, float] | None = None) -> Robot:
 
 @pytest.fixture(scope="module", autouse=True)
 def _known_here_only() -> Iterator[None]:
-    """Keep the mechanism out of other tests in the same process, which use only the generated mechanisms."""
+    """Other tests in the same process find only the generated mechanisms."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(known, "_added", {})
         assert known.add("planar_pair") is KIND
@@ -79,7 +79,7 @@ def test_effects_release_coordinates_and_ground_the_tool() -> None:
     clamped = pkmodes.Model(robot(CLAMPS))
     assert clamped.coordinates == ("x", "y", "theta_1", "theta_2", "eps_1", "eps_2")
     np.testing.assert_allclose(clamped.frequencies(POSES)[:, 2:], expected(POSES, 2e-5), rtol=1e-12)
-    # Without inertia they add no mode, even if there is no pose to determine it.
+    # Without inertia they add no mode, even if there is no pose to evaluate M at.
     assert clamped.frequencies([[9.0, 9.0]], "nan").shape == (1, 4)
     assert SystemOfEffects.of(clamped.robot).massless().tolist() == [False] * 4 + [True] * 2
     loaded = pkmodes.Model(robot({"payload.mass": 0.4}))
@@ -118,7 +118,7 @@ def test_what_a_mechanism_has_not_says_so(model: pkmodes.Model) -> None:
 
 @pytest.mark.parametrize("effects", [{}, CLAMPS])
 def test_models_travel_to_other_processes(effects: Mapping[str, float]) -> None:
-    """Includes a derived model with effects, whose evaluation holds generated modules."""
+    """Also for a derived mechanism with effects, whose evaluation holds generated modules."""
     planar = pkmodes.Model(robot(effects))
     twin = pickle.loads(pickle.dumps(planar))
     np.testing.assert_array_equal(twin.frequencies(POSES), planar.frequencies(POSES))
