@@ -140,7 +140,7 @@ def test_a_cause_that_explains_one_row_is_told_from_an_outlier_only_by_other_row
         cause /= np.linalg.norm(cause)
         diagnosis = found(structure({"a": cause, "b": DIRECTIONS[1]}), 20.0 * cause)
         assert diagnosis.verdict == "unexplained"
-        assert "errors of the measurement nearly as well" in diagnosis.reason
+        assert "measurement errors would do so nearly as well" in diagnosis.reason
     clear = row + 0.2 * DIRECTIONS[0] * (1.0 - row)
     clear /= np.linalg.norm(clear)
     assert names(found(structure({"a": clear, "b": DIRECTIONS[1]}), 20.0 * clear)) == ["a"]

@@ -84,7 +84,7 @@ def test_a_cause_that_is_nearly_a_special_case_is_withdrawn() -> None:
     nearly /= np.linalg.norm(nearly)
     diagnosis = found(structure(nearly), 30.0 * nearly + 3.0 * DIFFERENT)
     assert diagnosis.verdict == "ambiguous"
-    assert "with sigma x 0.5 general would do so better" in diagnosis.reason
+    assert "with sigma x 0.5, general would do so better" in diagnosis.reason
 
 
 def test_a_special_case_is_not_claimed_where_the_general_cause_is_needed() -> None:

@@ -166,7 +166,7 @@ def test_a_shape_that_was_copied_to_another_row_is_named_with_both_lines() -> No
     shapes = data.shapes.copy()
     shapes[9] = shapes[2]
     found = diagnose(structure(), replace(data, shapes=shapes), holdout=[data.labels[2]])
-    assert "the shapes in lines 3 and 10 are the same, number by number: was one copied?" in found.notes
+    assert "the shapes in lines 3 and 10 are identical: was one copied?" in found.notes
 
 
 def test_poses_at_one_position_with_other_frequencies_are_named() -> None:
@@ -229,7 +229,7 @@ def test_a_mode_in_the_band_that_was_never_measured_is_named() -> None:
         band=(1.0, 100.0),
     )
     (note,) = notes(kept).notes
-    assert "expected at 5 poses and never measured" in note
+    assert "expected at 5 poses but never measured" in note
     low, high = (float(text) for text in note.split(" Hz was")[0].removeprefix("a mode at ").split(" to "))
     assert low * 0.99 <= data.frequency[third].min()
     assert high * 1.01 >= data.frequency[third].max()
@@ -240,7 +240,7 @@ def test_a_residual_that_goes_with_the_pose_is_called_that_and_not_a_wrong_sigma
     drift = np.linspace(0.25, -0.29, 5)[data.pose]
     found = notes(replace(data, frequency=data.frequency * (1.0 + drift)), sigma=0.001)
     assert found.verdict == "unexplained"
-    assert "goes with the pose, from +" in found.reason
+    assert "varies with the pose, from +" in found.reason
     assert "sigma is too small" not in found.reason
 
 
@@ -265,7 +265,7 @@ def test_a_diagnosis_is_printed_in_a_few_lines() -> None:
     stages = [line for line in lines if "chi2 per degree of freedom" in line]
     assert [line.split()[0] for line in stages] == ["before", "refit", "after"]
     assert len(lines) == 5 + len(found.notes)
-    assert str(notes(measured(shapes=False))).startswith("adequate: what the declared model leaves is noise")
+    assert str(notes(measured(shapes=False))).startswith("adequate: the residual of the declared model is noise")
 
 
 def test_a_cause_that_other_errors_would_exchange_is_not_claimed() -> None:
@@ -283,7 +283,7 @@ def test_a_cause_that_other_errors_would_exchange_is_not_claimed() -> None:
     assert found.verdict == "ambiguous"
     assert found.effects == ()
     assert found.survivors == (("a",), ("b",))
-    assert "with sigma x 2 b would do so better" in found.reason
+    assert "with sigma x 2, b would do so better" in found.reason
 
 
 def six_modes(missed: list[tuple[int, int]], added: float) -> tuple[Fitter, LogLinear]:

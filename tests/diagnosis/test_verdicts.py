@@ -244,7 +244,7 @@ def test_a_cause_outside_the_candidates_is_not_claimed() -> None:
             frame(loads, only=["first floor", "brace 1", "brace 4"]), drawn(loads, seed, change=grounded)
         )
         assert found.verdict == "unexplained"
-        assert "residual is real" in found.reason or "points at no candidate" in found.reason
+        assert "residual is real" in found.reason or "points to no candidate" in found.reason
         assert found.refit.chi2_per_dof > 10.0
 
 
@@ -305,7 +305,7 @@ def test_errors_twice_as_large_as_stated_are_no_cause() -> None:
     # What is called noise then is not the noise that was stated, and the reason says so.
     told = [found for found in results if found.verdict == "unexplained"]
     assert told
-    said = ("perhaps the stated sigma is too small", "errors of the measurement")
+    said = ("perhaps the stated sigma is too small", "measurement errors")
     assert all(any(text in found.reason for text in said) for found in told)
     for found in results:
         if found.verdict == "adequate":

@@ -113,7 +113,7 @@ def test_a_held_out_error_that_grows_speaks_against_a_claim() -> None:
     held, predicted = data.pose == 1, np.array([10.0, 20.1, 24.0])
     before, after = Error(0.01, 0.01, 2.0), Error(0.001, 0.14, 1.0)
     (note,) = remarks(data, held, predicted, before, after, 2.0)
-    assert "grows from 1 to 14 %, the worst is line 3 (held-out B, 30 Hz)" in note
+    assert "grows from 1 to 14 %; the worst is line 3 (held-out B, 30 Hz)" in note
     assert not list(remarks(data, held, predicted, before, replace(after, held_out_rms_relative=0.019), 2.0))
 
 
@@ -126,7 +126,7 @@ def test_one_bad_shape_is_not_excused_by_the_scatter_that_it_raises() -> None:
     macs = [row.mac for row in bad.rows if row.mac is not None]
     assert 0.7 < min(macs) < 0.9 < sorted(macs)[1]
     assert bad.verdict == "unexplained"
-    assert any("the shapes in line 4 are not those" in note for note in bad.notes)
+    assert any("the shape in line 4 is not that" in note for note in bad.notes)
 
 
 def test_a_wrong_declared_value_is_called_that_and_not_a_wrong_sigma() -> None:
@@ -141,7 +141,7 @@ def test_a_cause_beyond_what_was_declared_plausible_is_named_with_its_value() ->
     result = diagnose(frame(0.1, 0.1), measured({"storey 2": 0.5}, sigma=0.005), holdout=())
     assert result.verdict == "unexplained"
     assert "storey 2 = 0.5" in result.reason
-    assert "outside what was declared plausible" in result.reason
+    assert "outside the range declared plausible" in result.reason
 
 
 def test_shapes_that_do_not_fit_are_not_called_a_residual_of_the_frequencies() -> None:
@@ -182,7 +182,7 @@ def test_an_error_that_drifts_with_the_order_of_the_poses_is_said_to() -> None:
     drift = np.repeat(np.linspace(-15.0, 15.0, SETUPS), MODES)
     result = found(model, drift)
     assert result.verdict == "adequate"
-    assert any("it drifts in the order of the poses" in note for note in result.notes)
+    assert any("it drifts with the order of the poses" in note for note in result.notes)
     mixed = np.repeat(np.random.default_rng(1).permutation(np.linspace(-15.0, 15.0, SETUPS)), MODES)
     assert not any("drifts" in note for note in found(model, mixed).notes)
 
@@ -256,7 +256,7 @@ def test_a_cause_that_leaves_more_than_the_stated_errors_is_named_in_the_reason(
     assert result.verdict == "unexplained"
     assert result.reason.startswith("a explains nearly all of the residual")
     left = 1.8 * errors - a * (a @ (1.8 * errors))
-    assert f"some {np.sqrt(left @ left / (len(left) - 1)):.2g} times too small" in result.reason
+    assert f"about {np.sqrt(left @ left / (len(left) - 1)):.2g} times too small" in result.reason
     # What leaves as much as it explains is not pointed at.
     assert "nearly all" not in found(linear({"a": a, "b": b}), 300.0 * a + 200.0 * DIRECTIONS[5]).reason
 
