@@ -365,7 +365,7 @@ def test_a_structure_without_labels_is_measured_under_any(label: str) -> None:
 
 def test_a_structure_without_labels_is_not_measured_under_several() -> None:
     data = frame_measured(LOADS, {}, np.random.default_rng(0))
-    with pytest.raises(PkmodesError, match="2 setups were measured, and the structure names none") as error:
+    with pytest.raises(PkmodesError, match="2 setups were measured, but the structure names none") as error:
         compare(nameless(), data)
     assert error.value.remedy == 'pass setups=["empty", "loaded"] to MatrixStructure'
 

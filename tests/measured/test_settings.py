@@ -177,7 +177,7 @@ def test_a_structure_that_knows_nothing_of_it_refuses_what_is_set() -> None:
         [Parameter("k", 40.0)], [], lambda values, setup: (np.eye(1), values["k"] * np.eye(1)), channels=["q"]
     )
     with pytest.raises(
-        PkmodesError, match='the measurements set "load", of which the structure knows nothing'
+        PkmodesError, match='the measurements set "load", which the structure does not have'
     ):
         compare(structure, data)
     with pytest.raises(MeasurementError, match="expected values by name"):
