@@ -117,14 +117,14 @@ def test_wrong_derivatives_are_refused(returned: Any, message: str) -> None:
     structure = built(lambda *_: (np.eye(2), np.eye(2)), derivatives=lambda *_: returned)
     with pytest.raises(PkmodesError, match=message) as error:
         structure.predict(np.array([3.0, 1.0]), (0,))
-    assert error.value.where == 'derivatives by "k", matrices for setup "rig" at k = 3'
+    assert error.value.where == 'derivatives with respect to "k", matrices for setup "rig" at k = 3'
 
 
 def test_an_exception_of_the_derivatives_names_the_values() -> None:
     structure = built(lambda *_: (np.eye(2), np.eye(2)), derivatives=lambda v, s, name: {}[name])
     with pytest.raises(PkmodesError, match="dM and dK failed: KeyError") as error:
         structure.predict(np.array([1.0, 1.0]), (1,))
-    assert 'derivatives by "m"' in error.value.where
+    assert 'derivatives with respect to "m"' in error.value.where
 
 
 # How often it is asked -------------------------------------------------------------------------------------
@@ -182,7 +182,7 @@ def test_progress_says_when_the_callable_takes_the_time(slow: bool, monkeypatch:
     monkeypatch.setattr("pkmodes.diagnosis.structure.supplied.time.perf_counter", lambda: next(clock))
     loads, said = {"empty": 0.0, "loaded": 5.0}, list[str]()
     diagnose(frame(loads), frame_measured(loads, {}, np.random.default_rng(0)), progress=said.append)
-    text = "each call for the matrices takes 0.25 s: some hundred of them take the time"
+    text = "each call for the matrices takes 0.25 s: a few hundred calls dominate the computing time"
     assert (said[0] == text) == slow
     assert len(said) == 1 + slow
 

@@ -68,15 +68,15 @@ def test_a_mass_where_there_was_none_adds_a_mode() -> None:
 @pytest.mark.parametrize(
     ("M", "K", "message"),
     [
-        (np.diag([1.0, 0.0]), np.diag([1.0, 0.0]), "expected K to hold every coordinate without mass"),
-        (np.diag([1.0, 0.0]), np.diag([1.0, -1.0]), "expected K to hold every coordinate without mass"),
+        (np.diag([1.0, 0.0]), np.diag([1.0, 0.0]), "expected stiffness for every coordinate without mass"),
+        (np.diag([1.0, 0.0]), np.diag([1.0, -1.0]), "expected stiffness for every coordinate without mass"),
         (
             np.diag([1.0, 0.0, 0.0]),
             [[1, 0, 0], [0, 1, -1], [0, -1, 1]],
-            "expected K to hold every coordinate without mass",
+            "expected stiffness for every coordinate without mass",
         ),
-        (np.ones((2, 2)), [[1.0, 1.0], [1.0, 1.0]], "expected K to hold every coordinate without mass"),
-        ([[1.0, 0.5], [0.5, 0.0]], np.eye(2), "expected M positive definite, but for motions without mass"),
+        (np.ones((2, 2)), [[1.0, 1.0], [1.0, 1.0]], "expected stiffness for every coordinate without mass"),
+        ([[1.0, 0.5], [0.5, 0.0]], np.eye(2), "expected M positive definite except for motions without mass"),
         (np.eye(2), -np.eye(2), "expected a stable structure, found the eigenvalue -1 1/s"),
         (np.eye(2), np.diag([1.0, -1.0]), "expected a stable structure"),
     ],

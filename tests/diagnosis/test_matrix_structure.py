@@ -284,7 +284,7 @@ def constant(M: Any, K: Any) -> Callable:
         ({"matrices": constant([[1.0, 2.0], [2.0, 1.0]], np.eye(2))}, "expected M positive definite"),
         (
             {"candidates": [Candidate("c", ("d",))]},
-            r'a parameter "d" that is not there.*parameters are: k, c',
+            r'its parameter "d" does not exist.*parameters are: k, c',
         ),
         ({"candidates": [Candidate("c", ())]}, "expected different parameters"),
         ({"candidates": [Candidate("c", ("c", "c"))]}, "expected different parameters"),

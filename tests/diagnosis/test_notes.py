@@ -265,7 +265,9 @@ def test_a_diagnosis_is_printed_in_a_few_lines() -> None:
     stages = [line for line in lines if "chi2 per degree of freedom" in line]
     assert [line.split()[0] for line in stages] == ["before", "refit", "after"]
     assert len(lines) == 5 + len(found.notes)
-    assert str(notes(measured(shapes=False))).startswith("adequate: the residual of the declared model is noise")
+    assert str(notes(measured(shapes=False))).startswith(
+        "adequate: the residual of the declared model is noise"
+    )
 
 
 def test_a_cause_that_other_errors_would_exchange_is_not_claimed() -> None:

@@ -176,9 +176,7 @@ def test_a_structure_that_knows_nothing_of_it_refuses_what_is_set() -> None:
     structure = MatrixStructure(
         [Parameter("k", 40.0)], [], lambda values, setup: (np.eye(1), values["k"] * np.eye(1)), channels=["q"]
     )
-    with pytest.raises(
-        PkmodesError, match='the measurements set "load", which the structure does not have'
-    ):
+    with pytest.raises(PkmodesError, match='the measurements set "load", which the structure does not have'):
         compare(structure, data)
     with pytest.raises(MeasurementError, match="expected values by name"):
         Measurements.from_rows(["A"], [1.0], [0.1], settings=[2.0])  # type: ignore[arg-type]
