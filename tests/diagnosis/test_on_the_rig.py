@@ -102,7 +102,7 @@ def test_one_soft_gearbox_of_three_is_not_claimed_but_pointed_at(robot: str) -> 
 def test_a_frame_that_yields_in_one_oblique_direction_is_not_a_frame_that_yields_alike_in_all() -> None:
     outcome = run(replace(numbered("outside the catalogue", 43), seed=PUBLISHED))
     assert outcome.verdict == "unexplained"
-    assert "frame_compliance with another value in each joint" in outcome.reason
+    assert "frame_compliance with a separate value in each joint" in outcome.reason
 
 
 def test_a_wrong_belt_is_named_though_unequal_belts_would_do_as_well() -> None:

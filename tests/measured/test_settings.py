@@ -147,9 +147,9 @@ def test_a_value_with_which_the_pose_cannot_be_reached_is_refused(tmp_path: Path
     with pytest.raises(MeasurementError) as error:
         updating.compare(robot, data)
     assert 'pose "B"' in str(error.value)
-    assert "cannot be reached with what is set" in str(error.value)
+    assert "cannot be reached with the set values" in str(error.value)
     assert f"{tmp_path / 'modes.csv'}: line 3, column set:link.length" in str(error.value)
-    # A pose that only the robot with what is set reaches.
+    # A pose that only the robot with the set values reaches.
     far = "0.6,0,-0.45,55,0.1"
     with pytest.raises(MeasurementError, match=r'pose "B" .* cannot be reached'):
         updating.compare(robot, read(tmp_path, f"{DELTA},set:link.length\nA,{row},\nB,{far},\n", robot))
@@ -167,7 +167,7 @@ def test_a_value_is_not_set_twice_under_two_names(tmp_path: Path, robot: Robot) 
 
 def test_a_path_of_another_robot_is_refused_where_it_is_used(tmp_path: Path, robot: Robot) -> None:
     data = read(tmp_path, f"{HEADER},set:platform.mass\nA,0.1,0.1,100,0.1,1\n", None)
-    with pytest.raises(MeasurementError, match=r'"set:platform\.mass" names no value that can be set in'):
+    with pytest.raises(MeasurementError, match=r'"set:platform\.mass" is not a value that can be set in'):
         updating.compare(robot, data)
 
 

@@ -17,7 +17,7 @@ def check_arguments(structure: Structure, data: Measurements) -> None:
     PkmodesError
     """
     if not callable(getattr(structure, "predict", None)) or not hasattr(structure, "candidates"):
-        remedy = "give a MatrixStructure or the like; for a robot, use pkmodes.updating"
+        remedy = "give a structure, such as a MatrixStructure; for a robot, use pkmodes.updating"
         raise PkmodesError(f"expected a structure, found {shown(structure)}", "structure", remedy)
     check_measurements(data, "pkmodes.diagnosis.read_measurements(path, channels)")
     if getattr(structure, "setups", None) == ("",) and len(data.labels) > 1:
