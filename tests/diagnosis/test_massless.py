@@ -82,7 +82,7 @@ def test_a_mass_where_there_was_none_adds_a_mode() -> None:
     ],
 )
 @pytest.mark.parametrize("copies", [1, 120])
-def test_what_has_no_modes_is_refused(M: Any, K: Any, message: str, copies: int) -> None:
+def test_matrices_without_modes_are_refused(M: Any, K: Any, message: str, copies: int) -> None:
     # Small as it is, and in many sparse copies.
     M, K = (sparse.kron(sparse.eye_array(copies), np.asarray(matrix, dtype=float)) for matrix in (M, K))
     channels = [str(i) for i in range(M.shape[0])]

@@ -1,4 +1,4 @@
-"""What a person should read beside a verdict, and what a verdict rests on."""
+"""Notes to a verdict, and its stability."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def notes(data: Measurements, **options: float) -> Diagnosis:
     return diagnose(structure(**options), data, holdout=())
 
 
-def test_good_measurements_of_a_good_model_leave_nothing_to_say() -> None:
+def test_good_measurements_of_a_good_model_give_no_notes() -> None:
     found = notes(measured())
     assert found.verdict == "adequate"
     assert found.notes == ()
@@ -87,7 +87,7 @@ def test_frequencies_in_another_unit_are_noticed_before_any_cause(factor: float,
     assert found.notes[0] == found.reason
 
 
-def test_a_wrong_unit_in_the_header_is_told_by_what_the_numbers_are() -> None:
+def test_a_wrong_unit_in_the_header_is_recognised_from_the_numbers() -> None:
     data = measured()
     for header, hertz, is_in in (
         ("kHz", 1e3, "Hz"),
@@ -123,7 +123,7 @@ def test_frequencies_that_were_converted_twice_are_recognised() -> None:
     assert "multiply them by 6.283" in found.reason
 
 
-def test_a_comparison_says_what_looks_like_another_unit() -> None:
+def test_a_comparison_notes_another_unit() -> None:
     data = measured()
     assert compare(structure(), data).notes == ()
     (note,) = compare(
@@ -151,7 +151,7 @@ def test_exchanged_channels_are_noticed() -> None:
         )
 
 
-def test_a_sensor_that_gives_nothing_is_noticed() -> None:
+def test_a_dead_sensor_is_noticed() -> None:
     data = measured()
     dead = notes(replace(data, shapes=data.shapes * [1.0, 0.0, 1.0, 1.0]))
     assert dead.verdict == "unexplained"
@@ -235,7 +235,7 @@ def test_a_mode_in_the_band_that_was_never_measured_is_named() -> None:
     assert high * 1.01 >= data.frequency[third].max()
 
 
-def test_a_residual_that_goes_with_the_pose_is_called_that_and_not_a_wrong_sigma() -> None:
+def test_a_residual_that_varies_with_the_pose_is_not_called_a_wrong_sigma() -> None:
     data = measured(shapes=False)
     drift = np.linspace(0.25, -0.29, 5)[data.pose]
     found = notes(replace(data, frequency=data.frequency * (1.0 + drift)), sigma=0.001)
@@ -270,7 +270,7 @@ def test_a_diagnosis_is_printed_in_a_few_lines() -> None:
     )
 
 
-def test_a_cause_that_other_errors_would_exchange_is_not_claimed() -> None:
+def test_a_cause_that_other_errors_would_replace_is_not_claimed() -> None:
     """a is exact with the nuisance at five sigma, b needs less of it and leaves 7: doubled errors prefer b."""
     rng = np.random.default_rng(8)
     base = np.tile(np.log(10.0) + 0.35 * np.arange(5), (4, 1))
@@ -299,7 +299,7 @@ def six_modes(missed: list[tuple[int, int]], added: float) -> tuple[Fitter, LogL
     return Fitter(model, Measurements.from_rows([f"P{i}" for i, _ in kept], f, SIGMA * f)), model
 
 
-def test_added_modes_that_nobody_measured_speak_against_a_cause_by_the_hypergeometric_law() -> None:
+def test_added_modes_that_nobody_measured_contradict_a_cause_by_the_hypergeometric_distribution() -> None:
     for missed in ([], [(i, 2) for i in range(5)]):
         fitter, model = six_modes(missed, -0.45)
         declared = fitter.fit(Hypothesis())
@@ -316,7 +316,7 @@ def test_added_modes_that_nobody_measured_speak_against_a_cause_by_the_hypergeom
         assert expected < 1e-3
 
 
-def test_what_lies_above_the_highest_measured_mode_is_not_missed_whatever_the_band() -> None:
+def test_modes_above_the_highest_measured_one_are_not_counted_as_missed_whatever_the_band() -> None:
     """A test may have stopped there."""
     fitter, model = six_modes([], 0.0)
     for limit in (1.1, 10.0):

@@ -50,7 +50,7 @@ def test_it_is_the_most_probable_model_given_data_and_priors() -> None:
     assert found.p_value > 1e-3
 
 
-def test_it_predicts_what_it_has_not_seen() -> None:
+def test_it_predicts_held_out_setups() -> None:
     structure = model(2, setups=12)
     data = measured(structure, TRUE, 3)
     found = update(structure, data)
@@ -59,7 +59,7 @@ def test_it_predicts_what_it_has_not_seen() -> None:
     assert found.after.held_out_rms_relative < 3 * SIGMA
 
 
-def test_only_what_is_asked_for_changes() -> None:
+def test_only_the_chosen_parameters_change() -> None:
     structure = model()
     data = measured(structure, np.where(np.arange(COUNT) < 3, TRUE, 1.0))
     found = update(structure, data, ["k0", "k2"], holdout=())
@@ -67,7 +67,7 @@ def test_only_what_is_asked_for_changes() -> None:
     assert set(found.values) == {"k0", "k2"}
 
 
-def test_what_it_leaves_is_said() -> None:
+def test_a_residual_beyond_the_stated_errors_is_noted() -> None:
     structure = model()
     data = measured(structure, TRUE)
     shifted = Measurements.from_rows(

@@ -99,7 +99,7 @@ def test_priors_may_have_units_as_other_values(tmp_path: Path) -> None:
     ("priors", "what"),
     [
         ({"parameter:link.length": "1"}, "expected a standard deviation in m: .*is not a number with a unit"),
-        ({"parameter:link.length": "1 kg"}, '"1 kg" is of another kind'),
+        ({"parameter:link.length": "1 kg"}, '"1 kg" has the wrong dimension'),
         ({"parameter:link.length": "far"}, '"far" is not a number with a unit'),
         ({"parameter:link.length": None}, "expected a standard deviation, found None"),
         ({"parameter:link.length": "-1 mm"}, "standard deviation above 0"),

@@ -77,7 +77,7 @@ def _deviation(given: float | str, parameter: Parameter, name: str) -> float:
                 factor, powers = base_units(unit)
                 own, same = base_units(parameter.unit)
                 if powers != same:
-                    raise QuantityError(f"{shown(given)} is of another kind")
+                    raise QuantityError(f"{shown(given)} has the wrong dimension")
                 value = float(Decimal(number[1]) * factor / own)
         except QuantityError as error:
             what = f"expected a standard deviation in {parameter.unit}: {error}"
