@@ -35,7 +35,7 @@ from pkmodes.diagnosis.verdict.whole_data import remarks
 from pkmodes.errors import PkmodesError, shown
 from pkmodes.measured.measurements import Measurements
 
-#: One pose in so many is held out by default.
+#: By default, one in this many poses is held out.
 HELD_OUT = 6
 #: Largest number of causes named that would remove a contradiction of too few data.
 HINTS = 4

@@ -236,7 +236,7 @@ class RobotStructure:
         key = values.tobytes()
         if (
             self._last is None or self._last[0] != key
-        ):  # derivatives are mostly asked for where the modes were
+        ):  # derivatives are mostly requested where the modes are known
             robots, where = self._robots(values), self._where(values)
             valid = self._reachable(robots, where)
             systems = [SystemOfEffects.of(robot) for robot in robots]
