@@ -18,10 +18,20 @@ import numpy as np
 import pytest
 
 import pkmodes
-from adding_a_mechanism import COMMANDS, DECLARED, DEFINITION, IN_PYTHON, POSES, ROBOT, SHOWN, measured
+from adding_a_mechanism import (
+    COMMANDS,
+    DECLARED,
+    DEFINITION,
+    IN_PYTHON,
+    MEASURING,
+    POSES,
+    ROBOT,
+    SHOWN,
+    measured,
+)
 from compiled import COMPILER, FLAGS
 from pkmodes import mechanism as known
-from pkmodes import mechanism_packages
+from pkmodes import mechanism_packages, updating
 from pkmodes.cli import run
 from pkmodes.errors import PkmodesError
 from test_documentation import same
@@ -35,12 +45,12 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     folder = tmp_path_factory.mktemp("own")
     (folder / "five_bar.py").write_text(DEFINITION, encoding="utf-8")
     (folder / "robot.toml").write_text(ROBOT, encoding="utf-8")
-    (folder / "measured.csv").write_text(measured(replace(DECLARED, tool=0.38)), encoding="utf-8")
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(known, "_added", {})
         patch.setenv("COLUMNS", "110")
         patch.chdir(folder)
         assert run(COMMANDS[0]) == 0
+        exec(MEASURING, {})
         yield folder
 
 
@@ -86,6 +96,13 @@ def test_the_commands_print_what_the_page_shows(place: Path, capsys: pytest.Capt
     assert "payload" in (place / "corrected.toml").read_text(encoding="utf-8")
     exec(IN_PYTHON, {})
     assert capsys.readouterr().out.split() == ["[", "0.627", "0.713", "43.936", "46.103]"]
+
+
+def test_the_made_up_measurements_are_those_of_the_machine_by_hand(place: Path, tmp_path: Path) -> None:
+    (tmp_path / "by_hand.csv").write_text(measured(replace(DECLARED, tool=0.38)), encoding="utf-8")
+    found, expected = (updating.read(path) for path in (place / "measured.csv", tmp_path / "by_hand.csv"))
+    assert found.channels == expected.channels
+    np.testing.assert_allclose(found.frequency, expected.frequency, rtol=1e-4)  # the same noise
 
 
 def test_matrices_agree_with_positions_and_energies_by_hand(model: pkmodes.Model) -> None:
