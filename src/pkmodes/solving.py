@@ -82,11 +82,11 @@ def solved(evaluation: Evaluation, p: Array, source: str) -> Solved:
         raise PoseError("the eigenvalues are not finite", source, "check the robot's magnitudes")
     first, rigid = evaluation.first, evaluation.rigid_modes
     if rigid and found.M.shape[-1] > first:
-        _check_resolved(found.eigenvalues, first, rigid, source)
+        check_resolved(found.eigenvalues, first, rigid, source)
     return found
 
 
-def _check_resolved(eigenvalues: Array, first: int, rigid: int, source: str) -> None:
+def check_resolved(eigenvalues: Array, first: int, rigid: int, source: str) -> None:
     """A robot that stands free has no vibration near zero, unless a joint hardly holds."""
     lost = np.abs(eigenvalues[:, rigid]) < RESOLVED * eigenvalues[:, first - 1]
     if lost.any():
