@@ -111,12 +111,15 @@ def build(header: str, target: Path, cc: str) -> None:
         (folder / HEADER).write_text(header, encoding="utf-8")
         for source in SOURCES:
             shutil.copyfile(FOLDER / source, folder / source)
+        widths = WIDTHS.get(machine(), {2: ()})
         jobs = [
             [*FLAGS, *options, f"-DLANES_WIDTH={width}", f"-DLANES_RUN=pkmodes_run_{width}", "-c", "kernel.c"]
             + ["-o", f"kernel_{width}.o"]
-            for width, options in WIDTHS.get(machine(), {2: ()}).items()
+            for width, options in widths.items()
         ]
-        jobs.append([*FLAGS, f'-DPKMODES_DIGEST="{digest(header)}"', "-c", "dispatch.c", "-o", "dispatch.o"])
+        has = [f"-DPKMODES_HAS_{width}" for width in widths]
+        digested = f'-DPKMODES_DIGEST="{digest(header)}"'
+        jobs.append([*FLAGS, *has, digested, "-c", "dispatch.c", "-o", "dispatch.o"])
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             list(pool.map(lambda job: _run([cc, *job], folder), jobs))
         objects = [job[-1] for job in jobs]

@@ -3,10 +3,9 @@
 
 #define EXPORT __attribute__((visibility("default")))
 
-#if defined(__x86_64__)
+/* PKMODES_HAS_8 and PKMODES_HAS_4 say which of the wider evaluators are in this library. */
 void pkmodes_run_8(const struct pkmodes_request *request);
 void pkmodes_run_4(const struct pkmodes_request *request);
-#endif
 void pkmodes_run_2(const struct pkmodes_request *request);
 
 EXPORT int pkmodes_layout(void)
@@ -23,10 +22,13 @@ EXPORT const char *pkmodes_digest(void)
 /* The widest lanes that this processor has. */
 EXPORT int pkmodes_width(void)
 {
-#if defined(__x86_64__)
+#ifdef PKMODES_HAS_8
     __builtin_cpu_init();
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
         return 8;
+#endif
+#ifdef PKMODES_HAS_4
+    __builtin_cpu_init();
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
         return 4;
 #endif
@@ -36,11 +38,13 @@ EXPORT int pkmodes_width(void)
 /* Evaluate with lanes of a width that `pkmodes_width` allows. */
 EXPORT void pkmodes_run(const struct pkmodes_request *request, int width)
 {
-#if defined(__x86_64__)
+#ifdef PKMODES_HAS_8
     if (width == 8) {
         pkmodes_run_8(request);
         return;
     }
+#endif
+#ifdef PKMODES_HAS_4
     if (width == 4) {
         pkmodes_run_4(request);
         return;

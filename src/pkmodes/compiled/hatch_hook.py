@@ -20,7 +20,7 @@ ROOT = HERE.parents[2]
 LIBRARIES = "libraries"
 
 
-class CompiledLibraries(BuildHookInterface):
+class CompiledLibraries(BuildHookInterface):  # type: ignore[misc]  # hatchling is only there while building
     """Hook of hatchling: ``[tool.hatch.build.targets.wheel.hooks.custom]``."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
@@ -55,8 +55,8 @@ class CompiledLibraries(BuildHookInterface):
 
     def _notice(self, why: str) -> None:
         self.app.display_warning(
-            f"pkmodes is installed without its compiled evaluator ({why}): it evaluates with NumPy, some twenty times "
-            "slower; install a C compiler and then pkmodes again"
+            f"pkmodes is installed without its compiled evaluator ({why}): it evaluates with NumPy, some twenty "
+            "times slower; install a C compiler and then pkmodes again"
         )
 
 

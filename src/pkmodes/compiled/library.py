@@ -126,16 +126,19 @@ def _built(name: str, header: str, wanted: str) -> Library:
     folder = _cache()
     path = folder / f"{name}-{wanted[:16]}-{_version(cc)}.so"
     try:
-        if not path.is_file():
+        found = None
+        if path.is_file():
+            _check_private(path)
+            found = _loaded(path, wanted)  # not if it was cut short
+        if found is None:
             build.build(header, path, cc)
-        _check_private(path)
-        found = _loaded(path, wanted)
+            found = _loaded(path, wanted)
     except build.BuildError as error:
         raise UnavailableError(f"the library of {name} cannot be built: {error}", INSTALL) from None
     except OSError as error:
         raise UnavailableError(f"the library of {name} cannot be kept: {error}", _elsewhere()) from None
     if found is None:
-        raise UnavailableError(f"{path} cannot be loaded", "remove it")
+        raise UnavailableError(f"the library that {cc} has built cannot be loaded: {path}", INSTALL)
     return found
 
 
