@@ -1,5 +1,5 @@
-# Every target sets up what it needs: a virtual environment in .venv with the project in it.
-# Needed beforehand: Python >= 3.11, make, and a C compiler for the tests of the generated C.
+# Every target sets up its prerequisites: a virtual environment in .venv with the project installed.
+# Required: Python >= 3.11, make, and a C compiler for the tests of the generated C.
 
 PYTHON ?= python3
 VENV := .venv
@@ -9,7 +9,7 @@ DEMO := build/linear-delta-2022
 LOOP := examples/closed_loop
 CORRECTED := build/workshop-delta
 
-# One environment: two targets at once would both install into it.
+# The targets share one environment: run in parallel, they would both install into it.
 .NOTPARALLEL:
 .PHONY: demo test lint types check generate docs benchmark suites clean
 
@@ -22,7 +22,7 @@ demo: $(VENV)/.derive  ## the whole loop: derive, generate, solve, compare with 
 	$(BIN)/python -m pkmodes generate $(CORRECTED).toml --out $(CORRECTED)
 	$(BIN)/python -m pkmodes diagnose $(CORRECTED).toml $(LOOP)/measured.csv
 
-test: $(VENV)/.dev  ## every test, the slow ones too
+test: $(VENV)/.dev  ## all tests, including the slow ones
 	$(BIN)/python -m pytest -n auto
 
 lint: $(VENV)/.dev
@@ -32,14 +32,14 @@ lint: $(VENV)/.dev
 types: $(VENV)/.dev
 	$(BIN)/python -m mypy
 
-check: $(VENV)/.dev  ## generated code is current and agrees with finite differences
+check: $(VENV)/.dev  ## check that generated code is up to date and agrees with finite differences
 	$(BIN)/python -m pkmodes check
 	$(BIN)/python -m pkmodes check robots/*.toml
 
 generate: $(VENV)/.derive  ## regenerate the committed code
 	$(BIN)/python -m pkmodes_derive generate
 
-docs: $(VENV)/.derive  ## rebuild the derivation's page
+docs: $(VENV)/.derive  ## rebuild docs/derivation.md
 	$(BIN)/python -m pkmodes_derive latex --mechanism linear_delta
 
 benchmark: $(VENV)/.dev
@@ -47,7 +47,7 @@ benchmark: $(VENV)/.dev
 	$(BIN)/python benchmarks/many_rows.py
 	$(BIN)/python benchmarks/large_models.py
 
-suites: $(VENV)/.dev  ## rates of the diagnosis on the virtual test rig, twenty minutes on two cores
+suites: $(VENV)/.dev  ## error rates of the diagnosis on the virtual test rig, about an hour on two cores
 	$(BIN)/python benchmarks/diagnosis.py --seed 20261204 --out docs/diagnosis-measured.md
 	$(BIN)/python benchmarks/mechanism_suites.py --seed 20261205 --out docs/mechanisms-measured.md
 
@@ -59,10 +59,10 @@ $(VENV)/.python:
 	    echo "error: $(PYTHON) is too old or missing (make); install Python >= 3.11 or run: make PYTHON=python3.12" >&2; \
 	    exit 2; }
 	@$(PYTHON) -m venv $(VENV) || { \
-	    echo "error: $(PYTHON) cannot make a virtual environment (make); install its venv package" >&2; exit 2; }
+	    echo "error: $(PYTHON) cannot create a virtual environment (make); install its venv package" >&2; exit 2; }
 	@touch $@
 
-# The environment of the demo is a part of the one of the tests, so both live in the same place.
+# The demo's environment is a subset of the tests' environment, so both use the same folder.
 $(VENV)/.derive: $(VENV)/.python pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[derive]'
 	@touch $@

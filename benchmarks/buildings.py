@@ -1,6 +1,6 @@
-"""Frames of storeys as specimens: what is declared, what is true, and the model that is diagnosed.
+"""Storey frames as specimens: the declared model, the true modes, and the model that is diagnosed.
 
-The model is a chain of masses and springs, as in `examples/lumped_structure.py`; the truth is the rig's, by MuJoCo.
+The model is a chain of masses and springs, as in `examples/lumped_structure.py`; MuJoCo gives the true modes.
 """
 
 from __future__ import annotations
@@ -13,29 +13,29 @@ import numpy as np
 from pkmodes.diagnosis import Candidate, MatrixStructure, Parameter
 from pkmodes_rig import TrueModes, channels, storey_modes
 
-#: A floor and a storey as declared, and the uncertainty of the floors' common mass.
+#: Declared mass of a floor and stiffness of a storey, and relative uncertainty of the floors' common mass.
 MASS, STIFFNESS, MASS_SIGMA = 20.0, 4.0e5, 0.005
 
 
 @dataclass(frozen=True)
 class Building:
-    """A frame on the ground.
+    """A storey frame fixed to the ground.
 
     Attributes
     ----------
     storeys : int
     prior : float
-        Relative standard deviation of the stiffness that all storeys have in common.
+        Relative standard deviation of the stiffness common to all storeys.
     taper : float
-        By which part each storey is declared softer than the one below.
+        Fraction by which each storey is declared softer than the one below.
     loads : tuple of float
         Mass on the roof in each setup [kg].
     values : mapping
-        What is not as declared, by candidate: the relative change of ``storey i``, or the mass in kg on top of
-        ``mass i``.
+        Deviations from the declaration, by candidate: the relative change of ``storey i``, or the mass in kg
+        added to ``mass i``.
     outside : mapping
-        Causes that the candidates do not have: stiffness [N/m] of a ``brace`` from the ground to the second
-        floor, or mass [kg] of an ``absorber`` on the roof.
+        Causes outside the candidates: stiffness [N/m] of a ``brace`` from the ground to the second floor, or
+        mass [kg] of an ``absorber`` on the roof.
     """
 
     storeys: int
@@ -47,12 +47,12 @@ class Building:
 
     @property
     def robot(self) -> str:
-        """What tables call the specimen."""
+        """Name of the specimen in tables."""
         return f"frame of {self.storeys} storeys"
 
     @property
     def channels(self) -> tuple[str, ...]:
-        """Where its shape can be measured."""
+        """Channels at which its shape can be measured."""
         return channels(self.storeys)
 
     @property
@@ -61,13 +61,13 @@ class Building:
         return tuple(f"P{i + 1}" for i in range(len(self.loads)))
 
     def modes(self, rng: np.random.Generator) -> list[TrueModes]:
-        """What is true in each setup, mass and stiffness drawn from their priors."""
+        """Return the true modes in each setup, with mass and stiffness drawn from their priors."""
         mass = MASS * (1.0 + MASS_SIGMA * rng.standard_normal())
         stiffness = STIFFNESS * (1.0 + self.prior * np.clip(rng.standard_normal(), -2.5, 2.5))
         return [self._modes(mass, stiffness, self.values, self.outside, load) for load in self.loads]
 
     def declared(self) -> TrueModes:
-        """Modes of the frame that is declared."""
+        """Return the modes of the declared frame."""
         return self._modes(MASS, STIFFNESS, {}, {}, 0.0)
 
     def _modes(
@@ -83,12 +83,12 @@ class Building:
         springs = [stiffness * self._part(i) * (1.0 + values.get(f"storey {i}", 0.0)) for i in self._numbers]
         braces = {(0, 2): outside["brace"]} if "brace" in outside else {}
         absorbers = {}
-        if "absorber" in outside:  # tuned to something between the first two modes
+        if "absorber" in outside:  # tuned between the first two modes
             absorbers = {self.storeys: (outside["absorber"], outside["absorber"] * (2 * np.pi * 14.0) ** 2)}
         return storey_modes(floors, springs, braces=braces, absorbers=absorbers)
 
     def structure(self) -> MatrixStructure:
-        """The model as declared, with what may be wrong with it."""
+        """Return the declared model with its candidates."""
         storeys = [Parameter(f"storey {i}", 0.0, "1", lower=-0.9, upper=3.0) for i in self._numbers]
         masses = [Parameter(f"mass {i}", 0.0, "kg", lower=0.0) for i in self._numbers]
         return MatrixStructure(

@@ -1,7 +1,7 @@
-"""What a case of the suites is, and how it is measured.
+"""Cases of the suites, and how they are measured.
 
-In every case the true values of the uncertain parameters are drawn from their priors, so that the specimen is not the
-one that its model declares.  Everything is fixed by seeds.
+In every case the true values of the uncertain parameters are drawn from their priors, so the specimen differs from
+its declared model.  Everything is fixed by seeds.
 """
 
 from __future__ import annotations
@@ -32,11 +32,11 @@ from strengths import MODES, SEED, SIGMA, Truth, measurements
 
 ROBOT_NAMES = tuple(ROBOTS)
 
-#: An outlier of 25 standard deviations, and half of what few accelerometers would show missing.
+#: Relative size of an outlier (25 standard deviations), and fraction of shape components left blank.
 OUTLIER, BLANK = 0.05, 0.5
-#: Fewest rows of a file, and how many laboratories are asked for them.
+#: Fewest rows of a file, and how many laboratories are drawn to get them.
 LEAST, TRIALS = 2, 50
-#: Range of gross errors where there are few rows: the smallest is 15 standard deviations.
+#: Range of gross errors in files with few rows: the smallest is 15 standard deviations.
 GROSS = (0.03, 0.15)
 
 
@@ -47,33 +47,33 @@ class Case:
     Attributes
     ----------
     suite, number
-        Which case it is.
+        Identify the case.
     plan : str
-        Poses of a robot; what tables say of a building.
+        Poses of a robot; for a building, its description in tables.
     truth : Truth or Building
-        What the specimen lacks or has wrong; the nuisance parameters are drawn in addition.
+        How the specimen differs from its declaration; the nuisance parameters are drawn in addition.
     names : tuple of str
-        Candidates that should be named: none where nothing is missing, or nothing in the catalogue fits.
+        Candidates that should be named: none if nothing is missing, or if the cause is outside the catalogue.
     kind : str
-        What tables call it.
+        Its name in tables.
     shapes : tuple of str
-        Shape components that are measured, where the case has no laboratory.
+        Measured shape components, for a case without a laboratory.
     options : mapping
-        Of `pkmodes_rig.measurements.identified`; they replace those of the laboratory.
+        Options of `pkmodes_rig.measurements.identified`, overriding those of the laboratory.
     edit : str
-        What happens to the rows of the file, see `edited`.
+        How the rows of the file are edited, see `edited`.
     seed : int
-        Of everything that is drawn, with suite and number.
+        Seed of all random draws, together with suite and number.
     realistic : bool
-        Whether a laboratory is drawn, with modes missed, nodes, a band and a varying number of modes.
+        Whether a laboratory is drawn, with missed modes, nodes, a band and a varying number of modes.
     laboratory : Laboratory, optional
-        One that is not drawn.
+        A fixed laboratory, instead of a drawn one.
     poses : tuple of int
-        Indices of the poses that are measured; all without any.
+        Indices of the measured poses; if empty, all.
     rows : int
-        Rows that the file is thinned to; 0 for all.
+        Number of rows to which the file is thinned; 0 for all.
     mistake : str
-        One of `pkmodes_rig.mistakes.MISTAKES`.
+        One of `pkmodes_rig.mistakes.MISTAKES`, or empty.
     """
 
     suite: str
@@ -99,7 +99,7 @@ class Case:
 
     @property
     def points(self) -> list[np.ndarray]:
-        """Where it is measured; a building stays where it is."""
+        """Points at which it is measured; for a building, the origin."""
         if isinstance(self.truth, Building):
             return [np.zeros(3)] * len(self.truth.loads)
         points = POSES[self.truth.robot][self.plan]
@@ -108,18 +108,18 @@ class Case:
 
 @dataclass(frozen=True)
 class Trial:
-    """A case that has been measured.
+    """A measured case.
 
     Attributes
     ----------
     text : str
-        The file.
+        Contents of the measurement file.
     modes : list of TrueModes
-        The truth at each pose.
+        True modes at each pose.
     rows : list of Identified
-        What was found, before any mistake.
+        Identified modes, before any mistake.
     laboratory : Laboratory or None
-        Who found it.
+        The laboratory that identified them.
     """
 
     text: str
@@ -129,7 +129,7 @@ class Trial:
 
 
 def measured(case: Case) -> str:
-    """Text of the file of a case's measurements."""
+    """Return the contents of the measurement file of a case."""
     return tried(case).text
 
 
@@ -144,10 +144,10 @@ def tried(case: Case) -> Trial:
         options |= case.options
         stated = options.pop("band_stated", False)
         rows = identified(modes, rng=rng, **options)
-        if len(rows) >= LEAST:  # nobody would send less
+        if len(rows) >= LEAST:  # nobody would submit fewer
             break
     else:
-        raise ValueError(f"{case.label} has hardly any modes to measure")
+        raise ValueError(f"{case.label} has hardly any measurable modes")
     if case.rows:
         kept = rng.permutation(len(rows))[: case.rows]
         rows = [rows[i] for i in sorted(kept)]
@@ -162,7 +162,7 @@ def tried(case: Case) -> Trial:
     return Trial(mistaken(text, case.mistake, rng) if case.mistake else text, modes, rows, laboratory)
 
 
-#: Suites that were published before others were added: their places in that list are part of their seeds.
+#: Suites published first: their positions in this list are part of their seeds.
 FIRST = (
     "nothing missing",
     "one effect",
@@ -186,7 +186,7 @@ def _true(case: Case, rng: np.random.Generator) -> list[TrueModes]:
 
 
 def _expected(case: Case) -> tuple[tuple[float, float], Sequence[str]]:
-    """Lowest and highest frequency of the declared model, and where sensors can be."""
+    """Return the lowest and highest frequency of the declared model, and the possible sensor channels."""
     if isinstance(case.truth, Building):
         frequencies = case.truth.declared().frequencies
         return (float(frequencies[0]), float(frequencies[-1])), case.truth.channels
@@ -196,7 +196,7 @@ def _expected(case: Case) -> tuple[tuple[float, float], Sequence[str]]:
 
 
 def edited(text: str, edit: str, rng: np.random.Generator) -> str:
-    """Change the rows of a file: a gross error in a row that is fitted, another numbering, or blanks for shapes."""
+    """Edit the rows of a file: a gross error in a fitted or any row, another numbering, or blank shape components."""
     comments, rows = parsed(text)
     if edit == "outlier":
         fitted = fitted_poses(text)
@@ -206,7 +206,7 @@ def edited(text: str, edit: str, rng: np.random.Generator) -> str:
         row = rows[rng.integers(len(rows))]
         size = rng.uniform(*GROSS) * rng.choice([-1.0, 1.0])
         row["frequency"] = f"{float(row['frequency']) * (1.0 + size):.9g}"
-        # Nobody hands in a row outside the band that the same file states.
+        # Nobody submits a row outside the band stated in the same file.
         comments = [comment for comment in comments if "band" not in comment]
     for i, row in enumerate(rows):
         if edit == "numbers":
@@ -218,6 +218,6 @@ def edited(text: str, edit: str, rng: np.random.Generator) -> str:
 
 
 def fitted_poses(text: str) -> list[str]:
-    """Labels of the poses that a diagnosis fits."""
+    """Return the labels of the poses that a diagnosis fits."""
     data = measurements(text)
     return [data.labels[i] for i in split(data, None)[0]]

@@ -1,9 +1,9 @@
-"""Measure the diagnosis on the virtual test rig: run the suites, and write what came out as tables.
+"""Measure the diagnosis on the virtual test rig: run the suites and tabulate the outcomes.
 
     python benchmarks/diagnosis.py --seed 20261204 --out docs/diagnosis-measured.md         # `make suites`
     python benchmarks/diagnosis.py --only "two effects" --limit 6           # a few cases, tables on stdout
 
-`suites` has the cases, `judging` how they are judged, and `requirements` what they must show.
+`suites` defines the cases, `judging` how they are judged, `requirements` the requirements.
 """
 
 from __future__ import annotations
@@ -31,10 +31,10 @@ from sizes import KINDS
 from strengths import SEED
 from suites import SUITES, Case, Outcome, failed, run
 
-#: Seeds whose cases were looked at while the diagnosis was developed.
+#: Seeds used during the development of the diagnosis.
 SEEN = f"{SEED}, 101 to 120, 20261121, 20261122, 20261130, 20261201, 20261202 and 20261203"
 STATES = ("named", "partly", "wrong", "abstained", "adequate", "failed")
-#: Suites with a single cause each, measured as laboratories do, and those of what is hard about measurements.
+#: Suites with single causes and realistic measurements, and suites of difficult measurements.
 REALISTIC = ("one effect, realistic", "wrong parameter, realistic", "modes missed")
 HARD = tuple(hard_suites.SUITES)
 #: Edges of the bins of predicted signal.
@@ -43,7 +43,7 @@ BINS = (0.0, 2.0, 4.0, 6.0, 10.0, 20.0, float("inf"))
 
 def main() -> None:
     arguments = _arguments()
-    os.environ.setdefault("OMP_NUM_THREADS", "1")  # one process for each core is faster than threads in them
+    os.environ.setdefault("OMP_NUM_THREADS", "1")  # one process per core is faster than threads
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     start = time.perf_counter()
     cases = [replace(case, seed=arguments.seed) for case in _chosen(arguments.only, arguments.limit)]
@@ -61,10 +61,12 @@ def main() -> None:
 def _arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description="Measure the diagnosis on the virtual test rig.")
     parser.add_argument("--out", type=Path, help="file for the tables; by default they are printed")
-    parser.add_argument("--cases", type=Path, help="file for every case, as JSON")
+    parser.add_argument("--cases", type=Path, help="JSON file for the outcome of every case")
     parser.add_argument("--only", choices=SUITES, action="append", help="suite to run; may be repeated")
-    parser.add_argument("--limit", type=int, help="at most so many cases of each suite, spread evenly")
-    parser.add_argument("--seed", type=int, default=SEED, help="of what is drawn: noise and true values")
+    parser.add_argument("--limit", type=int, help="largest number of cases per suite, spread evenly")
+    parser.add_argument(
+        "--seed", type=int, default=SEED, help="seed of the random draws (noise, true values)"
+    )
     parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1), help="processes; default 2")
     return parser.parse_args()
 
@@ -92,7 +94,7 @@ def _run(cases: list[Case], jobs: int) -> list[Outcome]:
 
 
 def _safely(case: Case) -> Outcome:
-    """A case that breaks the diagnosis is a result too."""
+    """Run a case; an exception in the diagnosis is an outcome too."""
     try:
         return run(case)
     except Exception:
@@ -112,40 +114,41 @@ def _page(outcomes: list[Outcome], seconds: float, jobs: int) -> list[str]:
     return [
         "# The diagnosis, measured",
         "",
-        "Written by `make suites`; do not edit. `benchmarks/suites.py` and `hard_suites.py` have the cases and",
-        "their seeds, `strengths.py` says how the sizes of the causes were chosen, `requirements.py` what must be",
-        "shown. The rig is MuJoCo's physics and shares no code with the model. Three robots, three plans of twelve",
-        "poses, six modes, noise of 0.2 %, shapes at `x_1..3` and `p_x..z` with 2 % noise, and none in every fifth",
-        "case. The true values of the uncertain parameters are drawn from their priors in every case.",
+        "Written by `make suites`; do not edit. `benchmarks/suites.py` and `hard_suites.py` define the cases and",
+        "their seeds, `strengths.py` how the sizes of the causes were chosen, `requirements.py` the requirements.",
+        "The physics of the rig is MuJoCo's and shares no code with the model. There are three robots, three plans",
+        "of twelve poses, and six modes with 0.2 % noise. Shapes are measured at `x_1..3` and `p_x..z` with 2 %",
+        "noise, except in every fifth case. The true values of the uncertain parameters are drawn from their",
+        "priors in every case.",
         "",
-        "*Realistic* suites and those of few rows, modes missed and outliers have a laboratory drawn for each case",
-        "(`pkmodes_rig.laboratory`): 15 % of the modes missed, more of them at nodes, none outside a band that the",
-        "file states in one half of the cases, four to eight modes at a pose, three sensors of six in one case of",
-        "five and no shapes in another, shapes with 1 to 5 % noise that is stated, partly stated or not, standard",
-        "deviations that differ from row to row and, in one case of four, all stated wrongly by a factor with a",
-        "standard deviation of 15 %.  Frames of three to five storeys are specimens too.",
+        "In the *realistic* suites and those with few rows, missed modes and outliers, a laboratory is drawn for",
+        "each case (`pkmodes_rig.laboratory`). 15 % of the modes are missed, more of them at nodes; none are found",
+        "outside a band, which the file states in half of the cases; four to eight modes are found per pose. One",
+        "case in five has three of the six sensors, another one no shapes; shape noise is 1 to 5 % and stated,",
+        "partly stated or not stated. Standard deviations differ from row to row and, in one case in four, are all",
+        "wrong by a common factor with a standard deviation of 15 %. Specimens include frames of three to five",
+        "storeys.",
         "",
-        "*Named*: `effect_found`, and each cause is in a class of its own. *Partly*: `effect_found`, nothing wrong,",
-        "but not every cause. *Wrong*: `effect_found`, and a class holds none of the causes. *Abstained*:",
-        "`ambiguous`, `unexplained` or `insufficient_data`. *Predicted signal*: what the cause leaves when the",
-        "declared model is fitted, nuisances included, to the rig's modes without noise, in standard deviations;",
-        "modes that were missed are left out of it.",
-        "Intervals are Clopper-Pearson's for 95 %.",
+        "*Named*: `effect_found`, with each cause in a separate class. *Partly*: `effect_found` without a wrong",
+        "class, but not with every cause. *Wrong*: `effect_found` with a class that contains none of the causes.",
+        "*Abstained*: `ambiguous`, `unexplained` or `insufficient_data`. *Predicted signal*: the residual that the",
+        "cause leaves when the declared model, nuisance parameters included, is fitted to the rig's modes without",
+        "noise, in standard deviations; missed modes are left out. Intervals are 95 % Clopper-Pearson intervals.",
         "",
-        f"Seed {outcomes[0].case.seed}. The diagnosis was developed with the seeds {SEEN} at hand; others are",
-        "fresh draws of noise and true values (`--seed`).",
+        f"Seed {outcomes[0].case.seed}. The diagnosis was developed with the seeds {SEEN}; any other seed is a",
+        "fresh draw of noise and true values (`--seed`).",
         "",
         "## Requirements",
         "",
-        "| suite | must show | measured | interval | |",
+        "| suite | requirement | measured | interval | |",
         "|---|---|---|---|---|",
         *requirements(by_suite),
         "",
-        f"{sum(o.renamed for o in regular)} cases count as named by another name of their cause only"
+        f"{sum(o.renamed for o in regular)} cases count as named only by an equivalent name of their cause"
         " (`SAME` in `benchmarks/judging.py`).",
         "",
-        "Of the causes outside the catalogue, `one_gearbox` is among the compliances of single joints that a",
-        "diagnosis looks at and never claims (docs/diagnosis.md, remote candidates); the other kinds are not.",
+        "Of the causes outside the catalogue, `one_gearbox` is one of the single-joint compliances that a diagnosis",
+        "examines but never claims (docs/diagnosis.md, remote candidates); the other kinds are not.",
         "",
         "## Outcomes by suite",
         "",
@@ -155,7 +158,7 @@ def _page(outcomes: list[Outcome], seconds: float, jobs: int) -> list[str]:
         "",
         *_confusion(_grouped(single + by_suite["outside the catalogue"]), "cause"),
         "",
-        "The same with modes missed.",
+        "The same with missed modes.",
         "",
         *_confusion(_grouped(real + by_suite["outside the catalogue, realistic"]), "cause"),
         "",
@@ -165,18 +168,18 @@ def _page(outcomes: list[Outcome], seconds: float, jobs: int) -> list[str]:
         "",
         *_power(single),
         "",
-        "The same with modes missed: these suites as realistic ones, and *modes missed*.",
+        "The same with missed modes: the realistic versions of these suites, and *modes missed*.",
         "",
         *_power(real),
         "",
         "## Two effects",
         "",
-        "The signal that each effect gives beyond the other is what the other, fitted with the nuisances, leaves of",
-        "both: where it is small, one effect looks like the two.",
+        "The signal of each effect beyond the other is the residual of both when only the other effect and the",
+        "nuisance parameters are fitted: where it is small, one effect looks like the two.",
         "",
         *_pairs(by_suite["two effects"]),
         "",
-        "The same with modes missed.",
+        "The same with missed modes.",
         "",
         *_pairs(by_suite["two effects, realistic"]),
         "",
@@ -222,7 +225,7 @@ def _grouped(outcomes: list[Outcome]) -> dict[str, list[Outcome]]:
 
 
 def _kinds(outcomes: list[Outcome]) -> dict[str, list[Outcome]]:
-    """The hard suites by what is the matter in them."""
+    """Group the outcomes of the hard suites by kind of case."""
     found: dict[str, list[Outcome]] = {}
     for o in outcomes:
         case = o.case
@@ -237,7 +240,7 @@ def _kinds(outcomes: list[Outcome]) -> dict[str, list[Outcome]]:
 
 
 def _lacking(case: Case) -> str:
-    """What is the matter with a specimen, in a word."""
+    """Describe what the model of a specimen lacks."""
     causes = [name for name in case.names if not name.startswith(MEASUREMENT)]
     truth = case.truth
     return "one cause" if causes else "outside" if truth.outside else "nothing missing"

@@ -1,9 +1,9 @@
-"""Speed of evaluation and solution: ratios of several ways to do the same, measured in one run.
+"""Speed of evaluation and solution: ratios between several implementations, measured in one run.
 
     python benchmarks/evaluation.py
 
-Every way evaluates the same poses of the published robot; times are the best of several interleaved
-repetitions, so that a disturbance of the machine hits all of them alike.  Quote ratios, not times.
+Each implementation evaluates the same poses of the published robot; times are the best of several interleaved
+repetitions, so a disturbance of the machine affects all of them equally.  Quote ratios, not times.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ def report(ways: dict[str, tuple[int, Callable[[], object]]]) -> None:
             way()
             best[name] = min(best[name], (time.perf_counter() - start) / count)
     reference = best["M and K, parametric NumPy, in chunks, poses checked"]
-    print(f"{POSES} poses, best of {REPETITIONS}; 1.00 is what pkmodes does for M and K")
+    print(f"{POSES} poses, best of {REPETITIONS}; 1.00 is the way pkmodes computes M and K")
     for name, seconds in sorted(best.items(), key=lambda item: item[1]):
         print(f"{name:56} {seconds / reference:9.2f}   {1e6 * seconds:8.2f} us/pose")
 
@@ -102,10 +102,10 @@ def load(path: Path) -> object:
 
 
 def compiled(folder: Path, poses: np.ndarray) -> Callable[[], object] | None:
-    """A loop in C over the poses, so that the interpreter is not what is measured."""
+    """Return a C loop over the poses, to keep the interpreter out of the measurement."""
     compiler = os.environ.get("CC") or shutil.which("cc")
     if compiler is None:
-        print("no C compiler: the C99 row is left out")
+        print("no C compiler found; the C99 row is left out")
         return None
     (folder / "loop.c").write_text(
         '#include "linear_delta_2022.h"\n'
@@ -120,7 +120,7 @@ def compiled(folder: Path, poses: np.ndarray) -> Callable[[], object] | None:
     )
     loop = ctypes.CDLL(str(library)).loop
     M, K = (np.empty((len(poses), 9, 9)) for _ in range(2))
-    # The arrays are looked up at every call, so that the closure keeps them alive.
+    # The arrays are looked up at every call, so the closure keeps them alive.
     return lambda: loop(ctypes.c_long(len(poses)), *(ctypes.c_void_p(a.ctypes.data) for a in (poses, M, K)))
 
 

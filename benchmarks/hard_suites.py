@@ -1,6 +1,6 @@
-"""Suites of what is hard about measurements: few rows, modes missed, shapes that decide, outliers, and mistakes.
+"""Suites of difficult measurements: few rows, missed modes, decisive shapes, outliers, and mistakes.
 
-What each of them must show is in `requirements`, and was fixed before any of them was run.
+`requirements` defines what they must show; it was fixed before any of them was run.
 """
 
 from __future__ import annotations
@@ -16,30 +16,30 @@ from cases import ROBOT_NAMES, Case
 from judging import NOTED, POSITIONS
 from pkmodes_rig import MISTAKES, POSES, Laboratory, channels, read
 from sizes import EFFECT_SIZES, OUTSIDE_SIZES
-from strengths import CATALOGUE, PLANS, SEED, SIGMA, Truth, strangers, with_effect, with_outside
+from strengths import CATALOGUE, PLANS, SEED, SIGMA, Truth, outside_causes, with_effect, with_outside
 
-#: Cases of few rows, and of outliers among them: robots, and as many buildings.
+#: Cases with few rows, and with outliers among few rows: robots, and as many buildings.
 FEW_ROWS, OUTLIERS = 60, 30
-#: Fewest and most rows of these.
+#: Fewest and most rows in these cases.
 FEW, FEWER = (2, 8), (2, 6)
 #: Effects that add modes or make rigid ones measurable.
 ADDING = ("cable_stiffness", "servo_stiffness", "frame_compliance")
-#: How large these are, beside the plain size: a mode that was missed is not seen, so that some show little.
+#: Their sizes relative to the plain size: missed modes hide part of the signal.
 LARGER = (1.0, 1.5, 2.5)
-#: Where shapes decide: stated errors of the frequencies, uncertainty of the common stiffness, and cases of each.
+#: For decisive shapes: stated errors of the frequencies, uncertainty of the common stiffness, and cases of each.
 STATED, PRIORS, EACH = (0.002, 0.005, 0.01), (0.05, 0.10, 0.15), 6
 #: Mass on the roof in up to three setups [kg].
 LOADS = (0.0, 5.0, 12.0)
-#: Change of one storey, either way, and the error of shapes there.
+#: Change of one storey, in either direction, and the shape error in these cases.
 CHANGE, SHAPE_NOISE = (0.10, 0.30), (0.02, 0.05)
-#: Mistakes on robots that lack nothing, and on robots with a plain effect.
+#: Cases of each mistake with a complete model, and with a plain effect.
 WITHOUT, WITH_ONE = 3, 1
 #: True over declared mass of the frame.
 FRAME_MASS = 1.6
 
 
 def few_rows() -> Iterator[Case]:
-    """Two to eight rows of robots and of buildings that lack nothing, one thing, or what no candidate describes."""
+    """Yield robots and buildings with two to eight rows: no cause, one cause, or one outside the candidates."""
     rng = np.random.default_rng([SEED, 1])
     for n in range(2 * FEW_ROWS):
         drawn = _machine(rng, n) if n < FEW_ROWS else _building(rng, n)
@@ -47,7 +47,7 @@ def few_rows() -> Iterator[Case]:
 
 
 def modes_missed() -> Iterator[Case]:
-    """Single effects that are plain to see, modes missed; more of those that add modes."""
+    """Yield clearly visible single effects with missed modes, with extra cases of the effects that add modes."""
     plain = [(effect, robot, 1.0, e + r) for (e, effect), (r, robot) in _places(CATALOGUE)]
     more = [
         (effect, robot, larger, e + r + k)
@@ -60,7 +60,7 @@ def modes_missed() -> Iterator[Case]:
 
 
 def shapes_decide() -> Iterator[Case]:
-    """One storey changed in a frame of four: four frequencies would fit any of them, the shapes only one."""
+    """Yield four-storey frames with one changed storey: the frequencies would fit any storey, the shapes only one."""
     rng = np.random.default_rng([SEED, 3])
     for n, (stated, prior, _) in enumerate(itertools.product(STATED, PRIORS, range(EACH))):
         storey, size = int(rng.integers(1, 5)), rng.uniform(*CHANGE) * rng.choice([-1.0, 1.0])
@@ -79,7 +79,7 @@ def shapes_decide() -> Iterator[Case]:
 
 
 def outliers_among_few() -> Iterator[Case]:
-    """Two to six rows, one of which is grossly wrong."""
+    """Yield cases with two to six rows, one of them with a gross error."""
     rng = np.random.default_rng([SEED, 4])
     for n in range(2 * OUTLIERS):
         drawn = _machine(rng, n) if n < OUTLIERS else _building(rng, n)
@@ -88,7 +88,7 @@ def outliers_among_few() -> Iterator[Case]:
 
 
 def units_and_wiring() -> Iterator[Case]:
-    """Mistakes of the experimenter, on robots that lack nothing and on some with a plain effect."""
+    """Yield mistakes of the experimenter, with complete models and with some plain effects."""
     plain = ("gearbox_compliance", "belt_mass", "axis_belt_stiffness", "clamp_compliance", "link_compliance")
     careful = Laboratory(uneven=0.1, missing=0.05, modes=(5, 8), sigma_shape="stated")
     uneven = replace(careful, uneven=0.5)
@@ -130,20 +130,20 @@ def _places(effects: object) -> Iterator[tuple[tuple[int, str], tuple[int, str]]
 
 
 def _machine(rng: np.random.Generator, n: int) -> tuple[Truth, tuple[str, ...], str]:
-    """A robot: one in five lacks nothing, one has what the catalogue lacks, the others one plain effect."""
+    """Draw a robot: of five, one lacks nothing, one has a cause outside the catalogue, three have a plain effect."""
     robot = ROBOT_NAMES[n % 3]
     if n % 5 == 0:
         return Truth(robot), (), "nothing"
     if n % 5 == 1:
-        strange = [(s, size) for s, size in zip(strangers(), OUTSIDE_SIZES, strict=True) if s[1] == robot]
-        (kind, *_), size = strange[int(rng.integers(len(strange)))]
+        causes = [(s, size) for s, size in zip(outside_causes(), OUTSIDE_SIZES, strict=True) if s[1] == robot]
+        (kind, *_), size = causes[int(rng.integers(len(causes)))]
         return with_outside(robot, kind, size), (), kind
     effect = str(rng.choice(list(CATALOGUE)))
     return with_effect(robot, effect, EFFECT_SIZES[robot][effect][2]), (effect,), effect
 
 
 def _building(rng: np.random.Generator, n: int) -> tuple[Building, tuple[str, ...], str]:
-    """A building, likewise."""
+    """Draw a building in the same way."""
     storeys = int(rng.integers(3, 6))
     floor = int(rng.integers(1, storeys + 1))
     loads = LOADS[: int(rng.integers(1, len(LOADS) + 1))]
@@ -170,7 +170,7 @@ def _few(
     names: tuple[str, ...],
     kind: str,
 ) -> Case:
-    """A case at one to three poses of a robot, or in the setups of a building."""
+    """Return a case at one to three poses of a robot, or in the setups of a building."""
     if isinstance(truth, Building):
         plan = f"prior {truth.prior:.0%}, setups {len(truth.loads)}"
         return Case(suite, number, plan, truth, names, kind, realistic=True)

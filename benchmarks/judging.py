@@ -1,4 +1,4 @@
-"""What became of the cases: how they are run and judged."""
+"""Run the cases and judge their outcomes."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from pkmodes.updating import loop
 from pkmodes_rig import Laboratory, read
 from strengths import measurements, signal
 
-#: Corrections of the measurement itself, which are no causes in the machine.
+#: Corrections of the measurement itself, which are not causes in the machine.
 MEASUREMENT = "measurement:"
 POSITIONS = tuple(f"{MEASUREMENT}{name}" for name in ("offset.x", "offset.y", "offset.z", "yaw"))
 
-#: Candidates that are the truth by another name, whatever is measured: a class that holds one of them is right.
-#: Only the product gear_ratio^2 * motor.inertia enters the modes, and it is an inertia on the driven pulley; a
-#: belt of another width is a change of the stiffness of each axis that it runs on; where poses are not where the file
-#: says, a displacement is right that stands for a turn.
+#: Candidates equivalent to the truth whatever is measured: a class that contains one of them is right.  The modes
+#: depend only on the product gear_ratio^2 * motor.inertia, which is an inertia on the driven pulley; another belt
+#: width changes the stiffness of each axis with that belt; where the poses in the file are wrong, a displacement that
+#: stands for a rotation is right.
 SAME: dict[str, tuple[str, ...]] = {
     "gearbox_inertia": ("parameter:motor.gear_ratio",),
     "parameter:motor.gear_ratio": ("gearbox_inertia",),
@@ -34,10 +34,10 @@ SAME: dict[str, tuple[str, ...]] = {
     **dict.fromkeys(POSITIONS, POSITIONS),
 }
 
-#: Rows beyond the unknowns that a claim needs after a row was set aside: one for it, and one to test it with.
+#: Rows beyond the unknowns that a claim needs after a row was set aside: one for that row, and one to test it with.
 SPARE = 2
 
-#: What a note has to mention, by what is wrong with the file.
+#: Words that a note must mention, by kind of mistake in the file.
 MENTIONS = {
     "unit": re.compile(r"\bunits?\b|\bfactor\b|rad/s|\brpm\b|2 ?\*? ?pi", re.IGNORECASE),
     "channels": re.compile(r"channel|sensor|wir(ed|ing)|swapped|exchanged|\b[xp]_[123xyz]\b", re.IGNORECASE),
@@ -45,7 +45,7 @@ MENTIONS = {
         r"(sigma|stated|standard deviation|error).*\b(large|great|high|big|cautious)", re.IGNORECASE
     ),
 }
-#: Mistakes that have to be noted.
+#: Mistakes that must be noted.
 NOTED = {
     "rad/s for Hz": "unit",
     "rpm for Hz": "unit",
@@ -57,30 +57,30 @@ NOTED = {
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of a case; what is not described is the diagnosis's own.
+    """Outcome of a case; attributes not described here are copied from the diagnosis.
 
     Attributes
     ----------
     state : str
-        ``adequate``; ``abstained`` (ambiguous, unexplained, insufficient_data); of what was found: ``named`` (each
-        cause in a class of its own), ``partly`` (nothing wrong, but not every cause), ``wrong`` (a class without
-        any of the causes, or rows set aside blindly where something is the matter).
+        ``adequate``; ``abstained`` (ambiguous, unexplained, insufficient_data); for a claim: ``named`` (each
+        cause in a separate class), ``partly`` (nothing wrong, but not every cause), ``wrong`` (a class without any
+        of the causes, or rows of a faulty case set aside without redundancy).
     classes : tuple of tuple of str
-        What was found, or the survivors.
+        Classes of the causes found, or the survivors.
     values : tuple of (name, found, sigma, true)
         Parameters of the causes that were named.
     renamed : bool
-        Whether a class counts as right by `SAME` only.
+        Whether a class counts as right only by `SAME`.
     signal : float
-        What was predicted for the modes that were found; see `strengths`.
+        Predicted signal for the modes that were found; see `strengths`.
     beyond : tuple of float
-        Of two effects: the signal that each gives beyond the other.
+        For two effects: the signal of each beyond the other.
     physical : bool
-        Whether a wrong class claims more than a correction of the measurement.
+        Whether a wrong class claims a cause in the machine, not just a correction of the measurement.
     mac : tuple of two floats, or None
-        Smallest MAC of the claim, and of the truth, with the measured shapes.
+        Smallest MAC of the claim, and of the truth, against the measured shapes.
     noted : bool or None
-        Whether the notes mention the mistake, where they should.
+        Whether the notes mention the mistake, if they should.
     """
 
     case: Case
@@ -138,19 +138,19 @@ def run(case: Case) -> Outcome:
 
 
 def failed(case: Case, reason: str) -> Outcome:
-    """The outcome of a case that broke the diagnosis."""
+    """Return the outcome of a case in which the diagnosis raised an exception."""
     return Outcome(case, "failed", "", (), signal=float("inf"), reason=reason)
 
 
 def diagnosed(case: Case, text: str) -> Diagnosis:
-    """Diagnose a specimen by the text of a file, as a user would."""
+    """Diagnose a specimen from the text of a file, as a user would."""
     if isinstance(case.truth, Building):
         return diagnose(case.truth.structure(), measurements(text, case.truth.channels))
     return loop.diagnose(read(case.truth.robot), measurements(text))
 
 
 def judged(names: tuple[str, ...], found: Diagnosis, same: Mapping[str, tuple[str, ...]] = SAME) -> str:
-    """The state of an outcome."""
+    """Return the state of an outcome."""
     if found.verdict != "effect_found":
         return "adequate" if found.verdict == "adequate" else "abstained"
     truths = [{name, *same.get(name, ())} for name in names]
@@ -164,7 +164,7 @@ def judged(names: tuple[str, ...], found: Diagnosis, same: Mapping[str, tuple[st
 
 
 def physical(names: tuple[str, ...], found: Diagnosis) -> bool:
-    """Whether a class without any of the causes claims something in the machine."""
+    """Return whether a class without any of the causes claims something in the machine."""
     right = {other for name in names for other in (name, *SAME.get(name, ()))}
     return any(
         not right & set(finding.members) and not all(m.startswith(MEASUREMENT) for m in finding.members)
@@ -173,7 +173,7 @@ def physical(names: tuple[str, ...], found: Diagnosis) -> bool:
 
 
 def set_aside_blindly(case: Case, found: Diagnosis) -> bool:
-    """Whether rows were set aside without the redundancy that could tell which of them is wrong."""
+    """Return whether rows were set aside without the redundancy to identify the wrong one."""
     if not found.outliers:
         return False
     if isinstance(case.truth, Building):
@@ -186,7 +186,7 @@ def set_aside_blindly(case: Case, found: Diagnosis) -> bool:
 
 
 def values(case: Case, found: Diagnosis) -> Iterator[tuple[str, float, float, float]]:
-    """Parameters of the causes that were named: what was found, its standard deviation, and the truth."""
+    """Yield the parameters of the causes that were named: estimate, standard deviation and true value."""
     true = dict(case.truth.values)
     if not isinstance(case.truth, Building):
         true |= {f"effects.{name}": value for name, value in case.truth.effects.items()}
@@ -198,7 +198,7 @@ def values(case: Case, found: Diagnosis) -> Iterator[tuple[str, float, float, fl
 
 
 def _signals(case: Case, test: Trial, found: Diagnosis) -> dict[str, object]:
-    """Predicted signals, where a robot is measured at all poses of a plan and by the right file."""
+    """Compute the predicted signals, for a robot measured at all poses of a plan without mistakes in the file."""
     truth = case.truth
     if isinstance(truth, Building) or case.poses or case.mistake:
         return {}
@@ -216,7 +216,7 @@ def _signals(case: Case, test: Trial, found: Diagnosis) -> dict[str, object]:
 
 
 def _macs(test: Trial, found: Diagnosis) -> tuple[float, float] | None:
-    """Smallest MAC of the claim, and of the truth, with the measured shapes."""
+    """Return the smallest MAC of the claim, and of the truth, against the measured shapes."""
     claimed = [row.mac for row in found.rows if row.mac is not None]
     true = []
     for row in test.rows:

@@ -1,9 +1,9 @@
-"""How long a diagnosis of a large model with matrices takes: one process, one core.
+"""Time of a diagnosis of a large model with matrices, in one process on one core.
 
     python benchmarks/large_models.py
 
-A footbridge of 235 beam elements, 472 coordinates, with 21 candidates: bending stiffness of sixteen parts, two
-bearings and three masses.  Eight modes are measured by eight sensors.
+The model is a footbridge of 235 beam elements and 472 coordinates, with 21 candidates: the bending stiffness of
+sixteen parts, two bearings and three masses.  Eight sensors measure eight modes.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ SIGMA, SCATTER, MODES = 0.003, 0.02, 8
 
 
 def assembled(element: np.ndarray, elements: np.ndarray) -> sparse.csc_array:
-    """The same matrix of two nodes for each of some elements."""
+    """Assemble the same two-node matrix for the given elements."""
     first = 2 * elements[:, None, None]
     rows, columns = np.broadcast_arrays(first + np.arange(4)[:, None], first + np.arange(4))
     values = np.broadcast_to(element, rows.shape)
@@ -62,7 +62,7 @@ def bridge() -> tuple[list[Parameter], Any]:
 
 
 def sensors(between: bool) -> np.ndarray:
-    """Eight along the bridge, on nodes or between them."""
+    """Return the matrix of eight sensors along the bridge, at nodes or between them."""
     found = np.zeros((MODES, SIZE))
     for row, place in zip(found, np.linspace(0.06, 0.94, MODES) * ELEMENTS, strict=True):
         node, part = int(place), place % 1.0 if between else 0.0
@@ -73,7 +73,7 @@ def sensors(between: bool) -> np.ndarray:
 def measured(matrices: Any, values: dict[str, float], places: np.ndarray, *, outside: bool) -> Measurements:
     rng = np.random.default_rng(5)
     M, K = (matrix.toarray() for matrix in matrices(values, ""))
-    if outside:  # a column under the bridge, and a bracket that holds a slope: no candidate
+    if outside:  # a column under the bridge and a bracket that holds a slope: neither is a candidate
         K[LOADS[0], LOADS[0]] += 4e6
         K[LOADS[2] + 1, LOADS[2] + 1] += 8e7
     eigenvalues, modes = eigh(K, M, subset_by_index=[0, MODES - 1])

@@ -1,8 +1,8 @@
-"""How long a diagnosis and a comparison take where there are many rows: one process, one core.
+"""Time and memory of a diagnosis and a comparison of many rows, in one process on one core.
 
     python benchmarks/many_rows.py
 
-The measurements are the model's own modes with noise: what is found is of no interest here.
+The measurements are the model's modes with noise; the results are not evaluated.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ CENTRE, REACH, SIGMA, MODES = np.array([0.6, 0.0, -0.245]), np.array([0.15, 0.05
 
 
 def measured(robot: pkmodes.Robot, rows: int, *, shapes: bool) -> Measurements:
-    """So many rows, six at each pose."""
+    """Return measurements with the given number of rows, six per pose."""
     rng, count = np.random.default_rng(0), rows // MODES
     model = pkmodes.Model(robot.with_values(EFFECT))
     points = CENTRE + rng.uniform(-1.0, 1.0, (3 * count, 3)) * REACH

@@ -1,7 +1,7 @@
-"""Cases on the rotary delta and the CoreXY: what a specimen is, how it is measured, diagnosed and judged.
+"""Cases for the rotary delta and the CoreXY: the specimens, and how they are measured, diagnosed and judged.
 
-The rigs (`pkmodes_rig.corexy`, `pkmodes_rig.rotary_delta`) share no code with the model.  What a signal is says
-`strengths`; measurements are made as for the linear delta, except that all modes are looked for that lie in a band.
+The rigs (`pkmodes_rig.corexy`, `pkmodes_rig.rotary_delta`) share no code with the model.  `strengths` defines the
+predicted signal; measurements are made as for the linear delta, except that all modes in a band are sought.
 """
 
 from __future__ import annotations
@@ -32,9 +32,10 @@ from strengths import NO_WEIGHT
 
 ROBOTS = Path(__file__).resolve().parents[1] / "robots"
 
-#: Standard deviation of ln f, and of shapes relative to their largest component; modes missed in a realistic case.
+#: Standard deviations of ln f, and of shapes relative to their largest component; part of the modes missed in a
+#: realistic case.
 SIGMA, SHAPE_NOISE, MISSING = 0.002, 0.02, 0.15
-#: The band: lowest frequency [Hz], highest as a part of the highest that the declared model has at any of the poses.
+#: The band: lowest frequency [Hz], highest relative to the highest frequency of the declared model at any pose.
 LOWEST, HIGHEST = 2.0, 1.25
 
 
@@ -42,7 +43,7 @@ def _inertias(prefix: str, *more: str) -> tuple[str, ...]:
     return tuple(f"parameter:{prefix}{name}" for name in ("motor.inertia", "motor.gear_ratio", *more))
 
 
-def _alike(*groups: tuple[str, ...]) -> dict[str, tuple[str, ...]]:
+def _equivalent(*groups: tuple[str, ...]) -> dict[str, tuple[str, ...]]:
     return {name: group for group in groups for name in group}
 
 
@@ -55,15 +56,15 @@ class Kind:
     file : str
         The robot's file in ``robots/``.
     rig : callable
-        True modes by parameters, pose, effects and outside causes.
+        Returns the true modes for parameters, pose, effects and outside causes.
     rigid : int
-        Modes that strain nothing.
+        Number of modes that strain nothing.
     components, shapes : tuple of str
-        Of a pose, and where sensors are.
+        Components of a pose, and sensor channels.
     points : ndarray, shape (12, d)
         Poses.
     same : dict
-        Candidates that are the truth by another name, whatever is measured, as `judging.SAME`.
+        Candidates equivalent to the truth whatever is measured, like `judging.SAME`.
     """
 
     file: str
@@ -76,7 +77,7 @@ class Kind:
 
 
 def _spread(count: int, low: Sequence[float], high: Sequence[float]) -> np.ndarray:
-    """Poses that fill a box evenly, on no plane of symmetry (the sequence R_d of Roberts)."""
+    """Return poses that fill a box evenly, none on a plane of symmetry (Roberts' sequence R_d)."""
     d = len(low)
     golden = 2.0
     for _ in range(60):
@@ -94,7 +95,7 @@ KINDS = {
         ("theta_1", "theta_2", "theta_3", "p_x", "p_y", "p_z"),
         _spread(12, (-0.15, -0.15, -0.62), (0.15, 0.15, -0.42)),
         # Only inertia * gear_ratio^2 at phi_j enters the modes.
-        _alike(("gearbox_inertia", *_inertias("")), _inertias("axis.2.")),
+        _equivalent(("gearbox_inertia", *_inertias("")), _inertias("axis.2.")),
     ),
     "corexy": Kind(
         "corexy-printer.toml",
@@ -103,10 +104,10 @@ KINDS = {
         ("x", "y"),
         ("x", "y", "p_x", "p_y"),
         _spread(12, (0.0, 0.0), (0.3, 0.3)),
-        # With rigid shafts only (inertias at theta_i) / radius^2 enters the modes: nobody measures theta_i here.
-        # A belt of another width is a change of the stiffness of each; and as the stiffness of both is uncertain,
-        # one belt of another width is one that is not as stiff as the other.
-        _alike(
+        # With rigid shafts, the modes depend only on (inertias at theta_i) / radius^2: theta_i is not measured here.
+        # Another belt width changes the stiffness of each belt; and because the common stiffness is uncertain,
+        # another width of one belt is equivalent to unequal stiffness of the two.
+        _equivalent(
             ("gearbox_inertia", *_inertias("", "pulley.inertia", "pulley.radius")),
             _inertias("belt_path.2.", "pulley.inertia", "pulley.radius"),
         )
@@ -120,7 +121,7 @@ KINDS = {
 
 @dataclass(frozen=True)
 class Specimen:
-    """What a robot really is; `effects`, `values` and `outside` as of `strengths.Truth`."""
+    """True state of a robot; `effects`, `values` and `outside` as in `strengths.Truth`."""
 
     mechanism: str
     effects: Mapping[str, float] = field(default_factory=dict)
@@ -128,7 +129,7 @@ class Specimen:
     outside: Mapping[str, float] = field(default_factory=dict)
 
     def modes(self, points: np.ndarray) -> list[TrueModes]:
-        """What is true at some poses."""
+        """Return the true modes at some poses."""
         declared = robot_of(self.mechanism)
         paths = [(resolve(declared, path), value) for path, value in self.values.items()]
         robot = moved(declared, [(path, value - path.value) for path, value in paths])
@@ -139,7 +140,7 @@ class Specimen:
 
 @dataclass(frozen=True)
 class MechanismCase:
-    """A specimen, the causes that should be named, and how it is measured; `cases.Case` describes them."""
+    """A specimen, the causes that should be named, and how it is measured, as in `cases.Case`."""
 
     suite: str
     number: int
@@ -158,7 +159,7 @@ class MechanismCase:
 
 @dataclass(frozen=True)
 class MechanismOutcome:
-    """What became of a case, as `judging.Outcome` describes it."""
+    """Outcome of a case, as in `judging.Outcome`."""
 
     case: MechanismCase
     state: str
@@ -192,7 +193,7 @@ def run(case: MechanismCase) -> MechanismOutcome:
 
 
 def measured(case: MechanismCase) -> tuple[list[Identified], str]:
-    """Modes that were found, and the text of their file.  The true uncertain values are drawn from their priors."""
+    """Return the modes found and the text of their file; the true uncertain values are drawn from their priors."""
     specimen = case.specimen
     kind, robot = KINDS[specimen.mechanism], robot_of(specimen.mechanism)
     rng = np.random.default_rng(
@@ -224,7 +225,7 @@ def signal(
     rows: Sequence[Identified] | None = None,
     tied: bool = True,
 ) -> float:
-    """Predicted signal of what a specimen lacks or has wrong, as `strengths.signal` defines it."""
+    """Compute the predicted signal of a specimen's causes, as defined by `strengths.signal`."""
     kind, robot = KINDS[specimen.mechanism], robot_of(specimen.mechanism)
     points = kind.points[:poses]
     modes = specimen.modes(points)
@@ -237,7 +238,7 @@ def signal(
             band=band(specimen.mechanism),
             base_rigid=kind.rigid,
         )
-    # Shapes tell which mode is which; the signal is that of the frequencies.
+    # Shapes serve only to pair the modes; the signal is computed from the frequencies.
     text = written(exact(rows, modes, kind.shapes), points, kind.shapes, components=kind.components)
     data = _read(text, robot)
     fitted, _ = split(data, holdout)
@@ -251,13 +252,13 @@ def signal(
 
 @cache
 def robot_of(mechanism: str) -> Robot:
-    """The declared robot."""
+    """Return the declared robot."""
     return read_robot(ROBOTS / KINDS[mechanism].file)
 
 
 @cache
 def band(mechanism: str) -> tuple[float, float]:
-    """Where modes are looked for [Hz]."""
+    """Return the frequency band that is searched for modes [Hz]."""
     found = [modes.frequencies[-1] for modes in Specimen(mechanism).modes(KINDS[mechanism].points)]
     return LOWEST, float(f"{HIGHEST * max(found):.3g}")
 
@@ -270,7 +271,7 @@ def _read(text: str, robot: Robot) -> Measurements:
 
 
 def _values(case: MechanismCase, found: Diagnosis) -> list[Any]:
-    """Parameters of the causes that were named: what was found, its standard deviation, and the truth."""
+    """Return the parameters of the causes that were named: estimate, standard deviation and true value."""
     true = {**case.specimen.values, **{f"effects.{n}": v for n, v in case.specimen.effects.items()}}
     return [
         (value.name, value.value, value.sigma, true[value.name])

@@ -1,6 +1,6 @@
-"""Sizes of the causes in `mechanism_suites`, as ``python benchmarks/mechanism_suites.py --sizes`` found them.
+"""Sizes of the causes in `mechanism_suites`, computed by ``python benchmarks/mechanism_suites.py --sizes``.
 
-By their predicted signal, not by any diagnosis; all in SI units.
+They are chosen from the predicted signal, not from any diagnosis; all in SI units.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
-"""Suites of the diagnosis for the rotary delta and the CoreXY: the cases, and what came out as tables.
+"""Suites of the diagnosis for the rotary delta and the CoreXY: define the cases, run them and tabulate the outcomes.
 
     python benchmarks/mechanism_suites.py --seed 20261205 --out docs/mechanisms-measured.md    # `make suites`
-    python benchmarks/mechanism_suites.py --sizes            # finds the sizes of `mechanism_sizes` again
+    python benchmarks/mechanism_suites.py --sizes            # recomputes the sizes in `mechanism_sizes`
 
-Requirements are those of the linear delta's suites (`requirements`).
+The requirements are those of the linear delta's suites (`requirements`).
 """
 
 from __future__ import annotations
@@ -29,15 +29,15 @@ from pkmodes.robot.paths import resolve
 from pkmodes.updating.suspects import PREFIX
 from requirements import CLEAR, INTERVAL, RIGHT, line
 
-#: Robots that lack nothing; every second case of a suite is realistic, every fifth has no shapes.
+#: Number of complete models; every second case of a suite is realistic, every fifth has no shapes.
 NOTHING_MISSING = 40
-#: Signals of the three sizes of an effect and, in turn, of wrong values; of causes outside the catalogue.
+#: Signals of the three sizes of an effect and, in turn, of wrong values; signals of causes outside the catalogue.
 TARGETS, OUTSIDE_TARGETS = (8.0, 14.0, 25.0), (20.0, 50.0)
-#: Relative sizes of the factors of a group: such as differ, and one the other way.
+#: Relative sizes of the factors of a group: all different, one of opposite sign.
 UNEQUAL = (0.5, -1.0, 0.3)
-#: The effect of which one entry alone differs: one reducer, one belt.
+#: The effect with a factor for a single reducer or belt.
 ONE = {"rotary_delta": "axis_reducer_stiffness", "corexy": "axis_belt_stiffness"}
-#: Declared values that are wrong, up and down in turn; the last ones of one axis or belt alone.
+#: Declared values that are wrong, by changes of alternating sign; the last ones for a single axis or belt.
 WRONG = {
     "rotary_delta": (
         *("arm.length", "arm.inertia", "link.length", "link.mass", "motor.inertia", "motor.gear_ratio"),
@@ -49,10 +49,10 @@ WRONG = {
         *("belt_path.2.pulley.radius", "belt_path.2.motor.inertia"),
     ),
 }
-#: No declared value is wrong by more than this factor: another machine would be described.
+#: Largest factor by which a declared value is wrong; beyond it the file would describe another machine.
 MOST = 2.5
-#: Causes that the catalogue does not have.  `one_link` and `one_gearbox` are compliances of single joints, at which a
-#: diagnosis looks and which it never claims.
+#: Causes outside the catalogue.  `one_link` and `one_gearbox` are compliances of single joints, which a diagnosis
+#: examines but never claims.
 OUTSIDE = {
     "rotary_delta": (
         *("tuned_absorber", "directional_cable", "one_servo", "arm_hose", "one_link", "rocking_frame"),
@@ -61,10 +61,10 @@ OUTSIDE = {
         *("tuned_absorber", "directional_cable", "one_servo", "one_gearbox", "one_run", "racking_gantry"),
     ),
 }
-#: What ties a robot to ground makes modes measurable that were rigid: its size is chosen by the others.
+#: Causes that tie the robot to ground and so make rigid modes measurable: their size is chosen from the other modes.
 TYING = ("servo_stiffness", "cable_stiffness", "directional_cable", "one_servo", "arm_hose")
-#: A mode that is added shows however little else does: masses of absorbers [kg], and how soft frames are [m/N,
-#: rad/(N m)], so that they move at 200 to 35 Hz.
+#: An added mode is visible even if nothing else is: masses of absorbers [kg], and compliances of frames [m/N,
+#: rad/(N m)] that give modes at 200 to 35 Hz.
 ADDING = {
     "rotary_delta": {
         "tuned_absorber": [0.01, 0.03],
@@ -77,7 +77,7 @@ ADDING = {
         "racking_gantry": [4e-5, 1e-4],
     },
 }
-#: Where the search for a size starts, in SI units.
+#: Starting values of the search for a size, in SI units.
 STARTS = {
     "compliance": 1e-11,
     "link_compliance": 1e-10,
@@ -97,7 +97,7 @@ SUITES = ("nothing missing", "one effect", "wrong parameter", "outside the catal
 
 
 def cases() -> Iterator[MechanismCase]:
-    """Every case."""
+    """Yield all cases."""
     for name in KINDS:
         yield from (
             _case("nothing missing", n, Specimen(name), (), "nothing") for n in range(NOTHING_MISSING)
@@ -122,7 +122,7 @@ def _truths(name: str, suite: str, kind: str) -> tuple[str, ...]:
 
 
 def _specimen(name: str, suite: str, kind: str, size: float) -> Specimen:
-    """Take a robot with one cause of a size; of a wrong value the change."""
+    """Return a robot with one cause of the given size (for a wrong value, the change)."""
     if suite == "wrong parameter":
         return Specimen(name, values={kind: resolve(robot_of(name), kind).value + size})
     if suite == "outside the catalogue":
@@ -137,11 +137,11 @@ def _specimen(name: str, suite: str, kind: str, size: float) -> Specimen:
 
 
 def sizes() -> dict[str, dict[str, dict[str, list[float]]]]:
-    """Sizes of all causes by their predicted signal."""
+    """Find the sizes of all causes from their predicted signals."""
     found: dict[str, dict[str, dict[str, list[float]]]] = {}
     for name in KINDS:
         suites = found[name] = {suite: {} for suite in SUITES[1:]}
-        # What is multiplied by a constant that the file does not give, such as a tension, has no effect.
+        # A coefficient of a constant that the file does not give, such as a tension, has no effect.
         effects = [e for e in mechanism(name).effects if e != "belt_tension_stiffness"]
         for kind in (*effects, "one alone"):
             given = ADDING[name].get(kind)
@@ -159,7 +159,7 @@ def sizes() -> dict[str, dict[str, dict[str, list[float]]]]:
 
 
 def _size(name: str, suite: str, kind: str, target: float, sign: float = 1.0) -> float:
-    """Size at which the signal, which grows with it, reaches a target."""
+    """Find the size at which the signal, which grows with the size, reaches a target."""
     most = float("inf")
     start = STARTS.get(kind, 1e-4)
     if suite == "wrong parameter":
@@ -193,7 +193,7 @@ def _size(name: str, suite: str, kind: str, target: float, sign: float = 1.0) ->
 
 def main() -> None:
     arguments = _arguments()
-    os.environ.setdefault("OMP_NUM_THREADS", "1")  # one process for each core is faster than threads in them
+    os.environ.setdefault("OMP_NUM_THREADS", "1")  # one process per core is faster than threads
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     if arguments.sizes:
         print(pformat(sizes(), width=110, sort_dicts=False))
@@ -216,14 +216,14 @@ def _arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description="Measure the diagnosis of the rotary delta and the CoreXY.")
     parser.add_argument("--out", type=Path, help="file for the tables; by default they are printed")
     parser.add_argument("--only", default="", help="part of the label of the cases to run")
-    parser.add_argument("--seed", type=int, default=1, help="of what is drawn: noise and true values")
+    parser.add_argument("--seed", type=int, default=1, help="seed of the random draws (noise, true values)")
     parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1), help="processes; default 2")
     parser.add_argument("--sizes", action="store_true", help="find the sizes of the causes and print them")
     return parser.parse_args()
 
 
 def _safely(case: MechanismCase) -> MechanismOutcome:
-    """A case that breaks the diagnosis is a result too."""
+    """Run a case; an exception in the diagnosis is an outcome too."""
     try:
         return run(case)
     except Exception:
@@ -240,22 +240,24 @@ def _page(outcomes: list[MechanismOutcome], seconds: float, jobs: int) -> list[s
     lines = [
         "# The diagnosis of other mechanisms, measured",
         "",
-        "Written by `make suites`; do not edit. `benchmarks/mechanism_suites.py` has the cases, `mechanism_cases.py`",
-        "how they are measured and judged; words and requirements are those of docs/diagnosis-measured.md. The rigs",
-        "share no code with the model: MuJoCo for the rotary delta, but loops closed by hand where its links yield",
-        "or its frame rocks, and the contract's formulas for the CoreXY.",
+        "Written by `make suites`; do not edit. `benchmarks/mechanism_suites.py` defines the cases,",
+        "`mechanism_cases.py` how they are measured and judged; terms and requirements are those of",
+        "docs/diagnosis-measured.md. The rigs share no code with the model: MuJoCo for the rotary delta, with",
+        "loops closed by hand where its links yield or its frame rocks, and the formulas of the contract for the",
+        "CoreXY.",
         "",
-        "`robots/clavel-delta.toml` and `robots/corexy-printer.toml` at 10 to 12 poses, noise of 0.2 %, all modes up",
-        "to 1.25 times the highest of the declared model. Shapes, with 2 % noise, at `theta_1..3` and `p_x..z` of",
-        "the rotary delta and at `x y` and `p_x p_y` of the CoreXY; none in every fifth case. The true values of the",
-        "uncertain parameters are drawn from their priors. Every second case is *realistic*: 15 % of its modes are",
-        "missed. A CoreXY has two vibration modes at a pose, a rotary delta three.",
+        "`robots/clavel-delta.toml` and `robots/corexy-printer.toml` are measured at 10 to 12 poses, with 0.2 %",
+        "noise and all modes up to 1.25 times the highest of the declared model. Shapes are measured with 2 %",
+        "noise, at `theta_1..3` and `p_x..z` of the rotary delta and at `x y` and `p_x p_y` of the CoreXY, except",
+        "in every fifth case. The true values of the uncertain parameters are drawn from their priors. Every",
+        "second case is *realistic*: 15 % of its modes are missed. A CoreXY has two vibration modes per pose, a",
+        "rotary delta three.",
         "",
-        f"Seed {outcomes[0].case.seed}. The suites were developed with the seed 1.",
+        f"Seed {outcomes[0].case.seed}. The suites were developed with seed 1.",
         "",
         "## Requirements",
         "",
-        "| mechanism, suite | must show | measured | interval | |",
+        "| mechanism, suite | requirement | measured | interval | |",
         "|---|---|---|---|---|",
         *itertools.chain.from_iterable(_requirements(name, group) for name, group in groups.items()),
         "",
@@ -274,17 +276,17 @@ def _page(outcomes: list[MechanismOutcome], seconds: float, jobs: int) -> list[s
         "",
         *_listed([o for o in outcomes if o.state in ("wrong", "failed")]),
         "",
-        "Seen after the run only: `one_run` is not outside the catalogue. A soft end of one run is exactly a",
-        "longer free length of it, `belt_path.1.lengths.1`. Such cases count as wrong here, as the judge was fixed",
-        "before.",
+        "Noticed only after the run: `one_run` is not outside the catalogue. A soft end of one run is exactly",
+        "equivalent to a longer free length of that run, `belt_path.1.lengths.1`. Such cases count as wrong here,",
+        "because the judging was fixed beforehand.",
         "",
-        "With the seeds 1 and 2 the softer `rocking_frame`, of which one mode is added, is named",
-        "`frame_compliance`, which adds three: confident and wrong. `link.length` is wrong here by so much that",
-        "arms pass their limits at some poses: the diagnosis says that it cannot follow the value there. Values of",
-        "one axis or belt alone (`axis.2.*`, `belt_path.2.*`), where the file gives one for all, are often pointed",
-        "at in the reason and not claimed (docs/diagnosis.md).",
+        "With seeds 1 and 2 the softer `rocking_frame`, which adds one mode, is named `frame_compliance`, which",
+        "adds three: confident and wrong. `link.length` is wrong here by so much that arms exceed their limits at",
+        "some poses: the diagnosis says that it cannot follow the value there. Values of a single axis or belt",
+        "(`axis.2.*`, `belt_path.2.*`), where the file gives one for all, are often pointed at in the reason and",
+        "not claimed (docs/diagnosis.md).",
         "",
-        "## Nothing missing, and not adequate",
+        "## Nothing missing, but not adequate",
         "",
         *_listed([o for o in outcomes if o.case.suite == "nothing missing" and o.state == "abstained"]),
         "",
@@ -294,7 +296,7 @@ def _page(outcomes: list[MechanismOutcome], seconds: float, jobs: int) -> list[s
             [o for o in outcomes if o.case.names and o.signal > CLEAR and o.state not in ("named", "wrong")]
         ),
         "",
-        "## Causes outside the catalogue that were taken for nothing",
+        "## Causes outside the catalogue that were missed",
         "",
         *_listed([o for o in outcomes if o.case.specimen.outside and o.state == "adequate"]),
         "",
@@ -343,7 +345,7 @@ def _confusion(outcomes: Sequence[MechanismOutcome], key: Callable[[MechanismOut
     groups: dict[str, list[MechanismOutcome]] = {}
     for o in outcomes:
         groups.setdefault(key(o), []).append(o)
-    lines = [f"| cases of | cases | {' | '.join(states)} |", f"|---|{'---|' * (len(states) + 1)}"]
+    lines = [f"| group | cases | {' | '.join(states)} |", f"|---|{'---|' * (len(states) + 1)}"]
     for name, group in groups.items():
         counts = [str(_count(group, state) or "") for state in states]
         lines.append(f"| {name} | {len(group)} | {' | '.join(counts)} |")

@@ -1,7 +1,7 @@
-"""What the suites must show.
+"""Requirements on the results of the suites.
 
-The requirements are those that the diagnosis was built for; they are not changed to suit a result, and each line
-says whether it is held.
+These are the requirements that the diagnosis was built for.  They are not changed to suit a result; each line says
+whether its requirement is met.
 """
 
 from __future__ import annotations
@@ -14,24 +14,24 @@ from scipy import stats
 from hard_suites import ADDING
 from judging import NOTED, Outcome
 
-#: Above this predicted signal a cause must be found.
+#: Predicted signal above which a cause must be found.
 CLEAR = 6.0
-#: An estimate counts as right within so many standard deviations; half width of an interval of 95 %.
+#: An estimate counts as right within this many standard deviations; half width of a 95 % interval.
 RIGHT, INTERVAL = 3.0, 1.959964
-#: A claim must not contradict shapes: no MAC below the first where another explanation has all above the second.
+#: A claim must not contradict the shapes: no MAC below the first if another explanation has all above the second.
 MAC_CLAIMED, MAC_OTHER = 0.90, 0.98
 
 FIVE = ("nothing missing", "one effect", "wrong parameter", "two effects", "outside the catalogue")
 
 
 def requirements(by_suite: Mapping[str, Sequence[Outcome]]) -> list[str]:
-    """Lines of the table; suites that were not run have no lines."""
+    """Return the lines of the table; suites that were not run have none."""
     lines: list[str] = []
     for suffix, together in (("", "all five"), (", realistic", "all five, realistic")):
         suites = {name: by_suite[f"{name}{suffix}"] for name in FIVE}
         for name, outcomes in suites.items():
             if outcomes:
-                lines += _former(name, f"{name}{suffix}", outcomes)
+                lines += _basic(name, f"{name}{suffix}", outcomes)
         everything = [o for outcomes in suites.values() for o in outcomes]
         if everything:
             lines += _together(together, everything)
@@ -42,18 +42,18 @@ def requirements(by_suite: Mapping[str, Sequence[Outcome]]) -> list[str]:
 
 
 def count(outcomes: Iterable[Outcome], state: str) -> int:
-    """How many came out like this."""
+    """Count the outcomes with a state."""
     return Counter(o.state for o in outcomes)[state]
 
 
-def _former(name: str, suite: str, outcomes: Sequence[Outcome]) -> Iterator[str]:
-    """The five suites of the first publication, and their realistic twins."""
+def _basic(name: str, suite: str, outcomes: Sequence[Outcome]) -> Iterator[str]:
+    """Yield the lines of the five suites first published, and of their realistic versions."""
     number = len(outcomes)
     if name == "nothing missing":
         yield line(suite, "not adequate <= 5 %", number - count(outcomes, "adequate"), number, most=0.05)
     elif name == "two effects":
         yield line(suite, "both named >= 70 %", count(outcomes, "named"), number, least=0.70)
-        yield line(suite, "a wrong one <= 5 %", count(outcomes, "wrong"), number, most=0.05)
+        yield line(suite, "wrong cause claimed <= 5 %", count(outcomes, "wrong"), number, most=0.05)
     elif name == "outside the catalogue":
         yield line(suite, "abstained >= 90 %", count(outcomes, "abstained"), number, least=0.90)
     else:
@@ -95,19 +95,18 @@ def _modes_missed(suite: str, outcomes: Sequence[Outcome]) -> Iterator[str]:
 def _shapes_decide(suite: str, outcomes: Sequence[Outcome]) -> Iterator[str]:
     yield line(suite, "confident and wrong <= 2 %", count(outcomes, "wrong"), len(outcomes), most=0.02)
     against = [o for o in outcomes if o.mac and o.mac[0] < MAC_CLAIMED and o.mac[1] > MAC_OTHER]
-    what = f"claimed with a MAC < {MAC_CLAIMED:g}, the truth all > {MAC_OTHER:g}: none"
+    what = f"claimed with a MAC < {MAC_CLAIMED:g} although the truth has all > {MAC_OTHER:g}: none"
     yield line(suite, what, len(against), len(outcomes), most=0.0)
 
 
 def _outliers(suite: str, outcomes: Sequence[Outcome]) -> Iterator[str]:
-    yield line(
-        suite, "wrong, or rows set aside blindly <= 2 %", count(outcomes, "wrong"), len(outcomes), most=0.02
-    )
+    what = "wrong, or rows set aside without redundancy <= 2 %"
+    yield line(suite, what, count(outcomes, "wrong"), len(outcomes), most=0.02)
 
 
 def _mistakes(suite: str, outcomes: Sequence[Outcome]) -> Iterator[str]:
     yield line(
-        suite, "a physical cause claimed: none", sum(o.physical for o in outcomes), len(outcomes), most=0.0
+        suite, "physical cause claimed: none", sum(o.physical for o in outcomes), len(outcomes), most=0.0
     )
     for kind, what in (
         ("unit", "unit or factor noted >= 90 %"),
@@ -118,7 +117,7 @@ def _mistakes(suite: str, outcomes: Sequence[Outcome]) -> Iterator[str]:
         yield line(suite, what, sum(bool(o.noted) for o in told), len(told), least=0.90)
 
 
-#: Rules of the other suites, each fixed before its suite was run.
+#: Requirements of the other suites, each fixed before its suite was run.
 HARD = {
     "few rows": _few_rows,
     "modes missed": _modes_missed,
@@ -133,9 +132,9 @@ def line(suite: str, what: str, count: int, of: int, least: float = 0.0, most: f
         return f"| {suite} | {what} | no cases | | |"
     low = stats.beta.ppf(0.025, count, of - count + 1) if count else 0.0
     high = stats.beta.ppf(0.975, count + 1, of - count) if count < of else 1.0
-    held = "held" if least <= count / of <= most else "**NOT HELD**"
+    met = "met" if least <= count / of <= most else "**NOT MET**"
     found = f"{count} of {of}: {100 * count / of:.1f} %"
-    return f"| {suite} | {what} | {found} | {100 * low:.1f}-{100 * high:.1f} % | {held} |"
+    return f"| {suite} | {what} | {found} | {100 * low:.1f}-{100 * high:.1f} % | {met} |"
 
 
 def _right(outcome: Outcome) -> bool:

@@ -1,31 +1,31 @@
-"""Sizes of the causes in the suites, as `strengths` found them: by their predicted signal, not by any diagnosis.
+"""Sizes of the causes in the suites, found by `strengths` from the predicted signal, not from any diagnosis.
 
-Those of pairs and of causes outside the catalogue were found a second time, at the poses of each case, after a first
-run in which some of them gave less signal than they should have (a few were invisible).
+The sizes of pairs and of causes outside the catalogue were recomputed at the poses of each case, after a first run in
+which some of them gave too small a signal (a few were invisible).
 
-All in SI units.  Two kinds of causes need a word.  One that ties the robot to ground (`TYING`) makes modes
-measurable that were rigid, which the declared model lacks altogether: 300 sigma each, however weak the tie.  Its
-size is chosen by what the other modes show.  One that adds a mode (the frame's compliances, an absorber) shows as
-soon as that mode is among the six lowest at some pose, and hardly before: its three sizes lie close together.
+All sizes are in SI units.  Two kinds of causes are special.  A cause that ties the robot to ground (`TYING`) makes
+rigid modes measurable, which the declared model lacks completely: 300 sigma each, however weak the tie.  Its size is
+chosen from the signal in the other modes.  A cause that adds a mode (frame compliance, an absorber) becomes visible
+only when that mode is among the six lowest at some pose, so its three sizes are close together.
 """
 
 from __future__ import annotations
 
-#: Signals that the three sizes of an effect should give: hidden, barely visible, plain.
+#: Signals of the three sizes of an effect: hidden, barely visible, clear.
 TARGETS = (3.0, 8.0, 25.0)
 #: The same for wrong declared values and for causes outside the catalogue.
 WRONG_TARGETS = (7.0, 12.0, 25.0)
 OUTSIDE_TARGETS = (20.0, 50.0)
 
-#: Pairs of effects, and the range of the signal that each gives alone: plain to see.
+#: Number of pairs of effects, and the range of the signal of each alone: clearly visible.
 PAIRS, PAIR_TARGETS = 24, (10.0, 25.0)
 
-#: Relative sizes of the three factors of `axis_belt_stiffness`: three that differ, and one the other way.
+#: Relative sizes of the three factors of `axis_belt_stiffness`: all different, one of opposite sign.
 UNEQUAL = (0.5, -1.0, 0.3)
 
-#: Causes of the rig that no combination in the catalogue equals.  Left out are `rod_taper`, which equals a payload
-#: with a wrong carriage mass exactly (a mass that moves from one end of a rod to the other), and `thermal_drift`,
-#: which is an error of measuring and no property of the robot: both are special cases.
+#: Causes of the rig that no combination in the catalogue can represent.  Left out are `rod_taper`, which is exactly a
+#: payload with a wrong carriage mass (mass moved from one end of a rod to the other), and `thermal_drift`, which is
+#: a measurement error and not a property of the robot: both are special cases.
 KINDS = (
     "tuned_absorber",
     "directional_cable",
@@ -86,15 +86,15 @@ EFFECT_SIZES: dict[str, dict[str, tuple[float, float, float]]] = {
     },
 }
 
-#: Declared values that are wrong: by how much, in SI units.  Quantities of the tables, of the axes as wholes, and of
-#: one axis; up and down in turn, each of `WRONG_TARGETS` in turn.
+#: Changes of wrong declared values, in SI units: quantities of the tables, of the axes as wholes, and of one axis,
+#: with alternating sign and each of `WRONG_TARGETS` in turn.
 WRONG_SIZES: dict[str, dict[str, float]] = {
     "published": {
         "link.mass": 0.256,  # 37 %
         "carriage.mass": -0.119,  # -12 %
         "link.length": 0.00646,  # 1.6 %
         "pulley.radius": -0.00109,  # -3.1 %
-        "belt.width": 0.00359,  # 24 %: up to 2 % of it look like the specific stiffness
+        "belt.width": 0.00359,  # 24 %: up to 2 % could be due to the specific stiffness
         "motor.gear_ratio": -2.94,  # -29 %
         "axis.span": 0.00731,  # 0.61 %
         "pulley.inertia": -1.04e-05,  # -8 %
@@ -124,11 +124,11 @@ WRONG_SIZES: dict[str, dict[str, float]] = {
     },
 }
 
-#: An absorber adds a mode among the six lowest, however light it is, and gives some 100 sigma by that: for each of
-#: `OUTSIDE_TARGETS`, its mass as a part of the platform's.
+#: An absorber adds a mode among the six lowest, however light it is, which alone gives about 100 sigma: its mass
+#: relative to the platform's, for each of `OUTSIDE_TARGETS`.
 ABSORBER = {20.0: 0.03, 50.0: 0.1}
 
-#: Strengths of the causes outside the catalogue, in the order of `strengths.strangers`.
+#: Sizes of the causes outside the catalogue, in the order of `strengths.outside_causes`.
 OUTSIDE_SIZES: tuple[float, ...] = (
     0.045,  # tuned_absorber, published, grid
     0.15,  # tuned_absorber, published, scattered

@@ -1,14 +1,14 @@
-"""How strong the causes in the suites are: the signal that a cause should give, and sizes chosen by it.
+"""Predicted signals of the causes in the suites, and the sizes chosen from them.
 
-The predicted signal of a cause is what it leaves when the declared model, its nuisance parameters refitted inside
-their priors, is fitted to the rig's modes without noise: the root of chi2, in standard deviations.  That is
-the length of the cause's whitened signature, projected off the nuisances, without a linear approximation.  It
-is taken at the declared values of the nuisances and at the poses that a diagnosis fits (two of twelve are held out).
+The predicted signal of a cause is the residual that remains when the declared model, its nuisance parameters refitted
+within their priors, is fitted to the rig's modes without noise: the root of chi2, in standard deviations.  It is the
+length of the cause's whitened signature after projecting out the nuisance parameters, without linearisation.  It
+is computed at their declared values and at the poses that a diagnosis fits (two of twelve are held out).
 
-    python benchmarks/strengths.py          # finds the sizes again and prints their tables, in seven minutes
+    python benchmarks/strengths.py          # recomputes the sizes and prints their tables, in seven minutes
 
-Single effects and wrong values are sized at scattered poses, the others at their own.  Signals differ with the poses
-that are held out, so that each case of the suites has its own computed again.
+Single effects and wrong values are sized at scattered poses, the others at their own.  Signals depend on the held-out
+poses, so they are recomputed for each case of the suites.
 """
 
 from __future__ import annotations
@@ -57,14 +57,14 @@ from sizes import (
     WRONG_TARGETS,
 )
 
-#: Effects of the suites; one of a tension does nothing on machines whose tension nobody stated.
+#: Effects of the suites, without the effect of belt tension, which does nothing where no tension is declared.
 CATALOGUE = {
     name: effect
     for name, effect in mechanism("linear_delta").effects.items()
     if name != "belt_tension_stiffness"
 }
 
-#: Standard deviation of ln f, and the modes that are looked for beyond the first three.
+#: Standard deviation of ln f, and the number of modes sought beyond the first three.
 SIGMA, MODES = 0.002, 6
 PLANS = ("grid", "scattered", "line")
 SEED = 20_221_107
@@ -74,18 +74,18 @@ CHANNELS = channels_of(mechanism("linear_delta"))
 
 @dataclass(frozen=True)
 class Truth:
-    """What a robot on the rig really is.
+    """True state of a robot on the rig.
 
     Attributes
     ----------
     robot : str
-        Name of the robot whose file is declared.
+        Name of the declared robot.
     effects : mapping
         Parameters of the catalogue's effects in SI units, by ``"<effect>.<parameter>"``.
     values : mapping
         True values in SI units, by dotted path, where they are not the declared ones.
     outside : mapping
-        Strengths of causes outside the catalogue.
+        Sizes of causes outside the catalogue.
     """
 
     robot: str
@@ -94,19 +94,19 @@ class Truth:
     outside: Mapping[str, float] = field(default_factory=dict)
 
     def built(self) -> Robot:
-        """The robot with its true values."""
+        """Return the robot with its true values."""
         declared = read(self.robot)
         paths = [(resolve(declared, path), value) for path, value in self.values.items()]
         return moved(declared, [(path, value - path.value) for path, value in paths])
 
     def modes(self, points: Sequence[np.ndarray]) -> list[TrueModes]:
-        """What is true at some poses."""
+        """Return the true modes at some poses."""
         robot = self.built()
         effects = {**robot.constants, **self.effects}
         return [true_modes(robot.parameters, p, effects, self.outside) for p in points]
 
 
-#: Scatter of shapes that takes all weight from them.
+#: Scatter of shapes that removes their weight.
 NO_WEIGHT = 1e6
 
 
@@ -127,7 +127,7 @@ def signal(
     beside: str | None = None,
     rows: Sequence[Identified] | None = None,
 ) -> float:
-    """Predicted signal of what a truth lacks or has wrong, in standard deviations.
+    """Compute the predicted signal of the causes in a truth, in standard deviations.
 
     Parameters
     ----------
@@ -136,14 +136,14 @@ def signal(
     plan : str
         Poses; their labels are P1, P2 ...
     holdout : sequence of str, optional
-        Labels of those that are not fitted.
+        Labels of the poses that are not fitted.
     tied : bool
-        Whether modes count that the declared model has as rigid-body motions.
+        Whether modes that the declared model has as rigid-body motions count.
     beside : str, optional
-        An effect that is fitted too: what the truth gives beyond it.
+        An effect that is fitted too, to compute the signal beyond it.
     rows : sequence of Identified, optional
-        Modes that were really found: the others are left out, and each has its own standard deviation.  By
-        default all of the first six, with `SIGMA`.
+        Modes that were actually found, each with its standard deviation; the others are left out.  By default
+        all of the first six, with `SIGMA`.
     """
     robot, points = read(truth.robot), POSES[truth.robot][plan]
     modes = truth.modes(points)
@@ -157,7 +157,7 @@ def signal(
     data = measurements(text)
     fitted, _ = split(data, holdout)
     structure = loop.structure(robot, data).subset(fitted)
-    # Shapes tell which mode is which; the signal is that of the frequencies.
+    # Shapes serve only to pair the modes; the signal is computed from the frequencies.
     fitter = Fitter(structure, data.at(fitted), scatter=NO_WEIGHT)
     causes = tuple(candidate for candidate in structure.candidates if candidate.name == beside)
     begin = fitter.declared.copy()
@@ -170,7 +170,7 @@ def signal(
 
 
 def _without_noise(modes: Sequence[TrueModes], points: Sequence[np.ndarray], drift: float) -> str:
-    """The file of all modes, as if measured without error, with the usual standard deviations stated."""
+    """Return the file of all modes measured without error, with the usual standard deviations stated."""
     small = SIGMA * 1e-6
     return measure_modes(
         modes,
@@ -186,14 +186,14 @@ def _without_noise(modes: Sequence[TrueModes], points: Sequence[np.ndarray], dri
 
 
 def with_effect(robot: str, effect: str, size: float) -> Truth:
-    """One effect of the catalogue."""
+    """Return a robot with one effect of the catalogue."""
     names = [p.name for p in CATALOGUE[effect].parameters if p.fitted]
     sizes = [size * part for part in UNEQUAL] if len(names) > 1 else [size]
     return Truth(robot, {f"{effect}.{name}": s for name, s in zip(names, sizes, strict=True)})
 
 
 def pairs() -> Iterator[tuple[str, str, tuple[str, str], tuple[float, float]]]:
-    """Draw two effects at once: robot and poses in turn, names, and the signal that each should give alone."""
+    """Draw pairs of effects: robot and poses in turn, names, and the signal of each alone."""
     rng = np.random.default_rng([SEED, len(CATALOGUE)])
     for n in range(PAIRS):
         first, second = rng.choice(list(CATALOGUE), 2, replace=False)
@@ -202,8 +202,8 @@ def pairs() -> Iterator[tuple[str, str, tuple[str, str], tuple[float, float]]]:
         yield robot, plan, (str(first), str(second)), (float(a), float(b))
 
 
-def strangers() -> Iterator[tuple[str, str, str, float]]:
-    """Causes outside the catalogue: kind, robot, poses, and signal; on one robot of each kind both signals."""
+def outside_causes() -> Iterator[tuple[str, str, str, float]]:
+    """Yield causes outside the catalogue: kind, robot, poses and signal; one robot of each kind has both signals."""
     plans = itertools.cycle(PLANS)
     for k, kind in enumerate(KINDS):
         for r, robot in enumerate(ROBOTS):
@@ -212,16 +212,16 @@ def strangers() -> Iterator[tuple[str, str, str, float]]:
 
 
 def with_wrong(robot: str, path: str, change: float) -> Truth:
-    """One declared value that is wrong, by this change in SI units."""
+    """Return a robot with one wrong declared value, by this change in SI units."""
     return Truth(robot, values={path: resolve(read(robot), path).value + change})
 
 
 def with_outside(robot: str, kind: str, size: float) -> Truth:
-    """One cause outside the catalogue."""
+    """Return a robot with one cause outside the catalogue."""
     return Truth(robot, outside={kind: size})
 
 
-#: Where the search for a size starts, in SI units: far below what any of them needs.
+#: Starting values of the search for a size, in SI units: far below any result.
 STARTS = {
     "stiffness": 1e-3,
     "compliance": 1e-11,
@@ -265,7 +265,7 @@ def effects(robot: str) -> None:
 
 
 def wrong_values(robot: str) -> None:
-    """Print by how much declared values are wrong."""
+    """Print the changes of wrong declared values."""
     for place, path in enumerate(WRONG_SIZES[robot]):
         declared = resolve(read(robot), path).value
         sign = -1.0 if declared and place % 2 else 1.0
@@ -276,8 +276,8 @@ def wrong_values(robot: str) -> None:
 
 
 def outside() -> None:
-    """Print the strengths of causes outside the catalogue."""
-    for kind, robot, plan, target in strangers():
+    """Print the sizes of causes outside the catalogue."""
+    for kind, robot, plan, target in outside_causes():
         if kind == "tuned_absorber":
             found = ABSORBER[target] * float(read(robot).parameters.platform_mass)
             print(f"    {found:.3g},  # {kind}, {robot}, {plan}", flush=True)
@@ -289,7 +289,7 @@ def outside() -> None:
 
 
 def two_effects() -> None:
-    """Print the sizes of pairs, each effect's alone."""
+    """Print the sizes of the two effects of each pair."""
     for robot, plan, names, targets in pairs():
         found = [
             size_for(t, lambda size, r=robot, e=effect: with_effect(r, e, size), start_of(effect), plan)
@@ -299,12 +299,12 @@ def two_effects() -> None:
 
 
 def start_of(effect: str) -> float:
-    """Where the search for the size of an effect starts."""
+    """Return the starting value of the search for the size of an effect."""
     return STARTS.get(CATALOGUE[effect].parameters[0].name, 1e-4)
 
 
 def size_for(target: float, truth: Callable[[float], Truth], start: float, plan: str = PLAN) -> float:
-    """Size at which the signal, which grows with it, reaches a target."""
+    """Find the size at which the signal, which grows with the size, reaches a target."""
 
     def measured(size: float) -> float:
         case = truth(size)

@@ -1,8 +1,9 @@
-"""The suites on which the diagnosis is measured: cases on the virtual test rig.
+"""Suites that measure the diagnosis: cases on the virtual test rig.
 
-The rig is MuJoCo's physics and shares no code with the model.  The sizes of causes are those of `sizes`.  The
-first six suites have the draws of the first publication: every mode is found, but for a few special cases.  Those
-called "realistic" have the same causes and a laboratory drawn for each case; `hard_suites` has the others.
+The physics of the rig is MuJoCo's and shares no code with the model.  The sizes of the causes are in `sizes`.  The
+first six suites keep the random draws with which they were first published: every mode is found, except in a few
+special cases.  The suites called "realistic" have the same causes, with a laboratory drawn for each case; the others
+are in `hard_suites`.
 """
 
 from __future__ import annotations
@@ -17,15 +18,25 @@ from cases import ROBOT_NAMES, Case, measured
 from judging import Outcome, failed, judged, run
 from pkmodes.updating.suspects import PREFIX
 from sizes import EFFECT_SIZES, OUTSIDE_SIZES, PAIR_SIZES, TARGETS, WRONG_SIZES
-from strengths import CATALOGUE, PLANS, SHAPES, Truth, pairs, strangers, with_effect, with_outside, with_wrong
+from strengths import (
+    CATALOGUE,
+    PLANS,
+    SHAPES,
+    Truth,
+    outside_causes,
+    pairs,
+    with_effect,
+    with_outside,
+    with_wrong,
+)
 
 __all__ = ["SUITES", "Case", "Outcome", "failed", "judged", "measured", "run"]
 
-#: Robots that lack nothing: 5 % of them are ten.
+#: Number of complete models: 5 % of them are ten.
 NOTHING_MISSING = 210
-#: One case in so many has no shapes measured.
+#: One case in this many has no shapes.
 WITHOUT_SHAPES = 5
-#: Part of the cases of a suite that have a realistic twin: the first of each so many.
+#: One case in this many has a realistic version.
 EVERY = {
     "nothing missing": 2,
     "one effect": 3,
@@ -34,18 +45,18 @@ EVERY = {
     "outside the catalogue": 2,
 }
 
-#: Errors of the experimenter in the special cases: a common error and a drift of the size of the noise and more.
+#: Errors of the experimenter in the special cases: common error, drift, and fraction of missed modes.
 COMMON, DRIFT, MISSING = 0.004, 0.001, 0.15
 
 
 def nothing_missing() -> Iterator[Case]:
-    """Robots that lack nothing."""
+    """Yield complete models."""
     for n in range(NOTHING_MISSING):
         yield _case("nothing missing", n, Truth(ROBOT_NAMES[n % 3]), n // 3, kind="nothing")
 
 
 def one_effect() -> Iterator[Case]:
-    """Every effect on every robot in three strengths."""
+    """Yield every effect on every robot in three sizes."""
     places = itertools.product(enumerate(CATALOGUE), enumerate(ROBOT_NAMES), range(len(TARGETS)))
     for n, ((e, effect), (r, robot), s) in enumerate(places):
         truth = with_effect(robot, effect, EFFECT_SIZES[robot][effect][s])
@@ -53,7 +64,7 @@ def one_effect() -> Iterator[Case]:
 
 
 def wrong_parameter() -> Iterator[Case]:
-    """Declared values that are wrong."""
+    """Yield wrong declared values."""
     places = [(path, robot) for robot in ROBOT_NAMES for path in WRONG_SIZES[robot]]
     for n, (path, robot) in enumerate(places):
         name = f"{PREFIX}{path}"
@@ -62,7 +73,7 @@ def wrong_parameter() -> Iterator[Case]:
 
 
 def two_effects() -> Iterator[Case]:
-    """Two effects at once."""
+    """Yield pairs of effects."""
     for n, ((robot, plan, names, _), sizes) in enumerate(zip(pairs(), PAIR_SIZES, strict=True)):
         values: dict[str, float] = {}
         for effect, size in zip(names, sizes, strict=True):
@@ -71,16 +82,16 @@ def two_effects() -> Iterator[Case]:
 
 
 def outside() -> Iterator[Case]:
-    """Causes that the catalogue does not have."""
-    for n, ((kind, robot, plan, _), size) in enumerate(zip(strangers(), OUTSIDE_SIZES, strict=True)):
+    """Yield causes outside the catalogue."""
+    for n, ((kind, robot, plan, _), size) in enumerate(zip(outside_causes(), OUTSIDE_SIZES, strict=True)):
         truth = with_outside(robot, kind, size)
         yield _case("outside the catalogue", n, truth, PLANS.index(plan), kind=kind)
 
 
 def special() -> Iterator[Case]:
-    """What experimenters do, and what lies at the border of the catalogue: reported on its own."""
+    """Yield errors of experimenters and borderline cases of the catalogue, which are reported separately."""
     variants: list[tuple[str, int, int, dict[str, object]]] = [
-        # kind, cases that lack nothing, cases with one plain effect, how they differ
+        # kind, cases without a cause, cases with one plain effect, changes of the case
         ("sigma stated as half", 6, 3, {"options": {"sigma_scale": 0.5}}),
         ("sigma stated as double", 3, 3, {"options": {"sigma_scale": 2.0}}),
         ("error common to a pose", 6, 3, {"options": {"common": COMMON}}),
@@ -101,16 +112,16 @@ def special() -> Iterator[Case]:
                 truth, names = with_effect(robot, effect, EFFECT_SIZES[robot][effect][-1]), (effect,)
             yield replace(_case("special", n, truth, k, names, kind), **{"shapes": SHAPES, **changes})
             n += 1
-    for robot in ROBOT_NAMES:  # equals a payload and lighter carriages: both, in the catalogue's words
+    for robot in ROBOT_NAMES:  # in the catalogue's terms, both a payload and lighter carriages
         names = "payload", f"{PREFIX}carriage.mass"
         yield replace(_case("special", n, with_outside(robot, "rod_taper", 0.9), n, names, "rods tapered"))
         n += 1
 
 
 def realistic(suite: str) -> Iterator[Case]:
-    """Cases of a suite again, measured as laboratories do."""
+    """Yield cases of a suite again, with realistic measurements."""
     for n, case in enumerate(PLAIN[suite]()):
-        # Of single effects one strength on each robot, another one on the next robot and for the next effect.
+        # Of the single effects, take one size per robot, varying with the robot and the effect.
         place = n // 9 + n // 3 if suite == "one effect" else 0
         if n % EVERY[suite] == place % EVERY[suite]:
             yield replace(case, suite=f"{suite}, realistic", realistic=True)

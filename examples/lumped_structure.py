@@ -1,9 +1,9 @@
-"""Diagnose a structure that is no robot: four masses and springs in a row, measured frequencies and shapes.
+"""Diagnose a structure that is not a robot: a chain of four masses and springs, measured frequencies and shapes.
 
     python examples/lumped_structure.py
 
-The model lacks the braces of the second storey, which nobody declared.  The engine gets callables for M and K, a
-list of what may be missing, and the measurements.
+The model lacks the braces of the second storey.  The engine gets a callable for M and K, a list of candidates, and
+the measurements.
 """
 
 import numpy as np
@@ -15,7 +15,7 @@ STOREYS = 4
 
 
 def matrices(values, setup):
-    """Mass and stiffness of a shear frame; setup "loaded" has 5 kg on its roof."""
+    """Return mass and stiffness of a shear frame; setup "loaded" has 5 kg on its roof."""
     M = values["mass"] * np.eye(STOREYS)
     M[-1, -1] += 5.0 if setup == "loaded" else 0.0
     M[0, 0] += values["mass on the first floor"]
@@ -37,7 +37,7 @@ structure = MatrixStructure(parameters, candidates, matrices, channels=channels,
 
 
 def measure(rng):
-    """What a test of the real structure would give: here computed, with noise, from values that nobody declared."""
+    """Simulate a test of the real structure, with noise and undeclared values."""
     truth = {p.name: p.value for p in parameters} | {"mass": 20.1, "storey": 4.08e5, "brace 2": 6.0e4}
     pose, frequency, shapes = [], [], []
     for setup in setups:
@@ -51,7 +51,7 @@ def measure(rng):
 
 
 def main() -> None:
-    """Diagnose the structure and print what was found."""
+    """Diagnose the structure and print the result."""
     result = diagnose(structure, measure(np.random.default_rng(1)))
     print(f"{result.verdict}: {result.reason}")
     for found in result.effects:

@@ -26,8 +26,8 @@ def robot_text() -> str:
     """Robot file as its owner would write it."""
     text = ROBOTS["published"].split("format = 1", 1)[1]
     return (
-        "# The published linear delta as a test engineer declares it: three values have an uncertainty.\n"
-        "# Its gearboxes wind up, and nobody knows it yet: run `make demo`.\n\nformat = 1"
+        "# The published linear delta as a test engineer would declare it: three values have an uncertainty.\n"
+        "# Its gearboxes are compliant, which the file does not declare: run `make demo`.\n\nformat = 1"
         + text.replace('name = "linear-delta-2022"', 'name = "workshop-delta"')
     )
 

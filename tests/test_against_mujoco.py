@@ -1,4 +1,4 @@
-"""The generated model against MuJoCo, which derives nothing: it multiplies bodies, joints and springs.
+"""The generated model against MuJoCo, which multiplies bodies, joints and springs without derived formulas.
 
 The engine is described in `mujoco_engine` without any formula of the generated model.  Both sides are exact
 up to rounding, except where the engine's quantities are differenced, so the tolerances are those of double
@@ -26,11 +26,11 @@ from pkmodes_rig.mujoco_engine import Engine
 
 ROBOTS = Path(__file__).parents[1] / "robots"
 
-#: Quantities that the engine has without differences.  Worst found: 3e-14 of the largest entry, on the robot
+#: Quantities that the engine computes without differences.  Worst case: 3e-14 of the largest entry, on the robot
 #: whose platform Jacobian is largest; a few dozen roundings amplified by the condition of the constraints.
 EXACT = 3e-13
 
-#: The same for second derivatives, which have that condition twice.  Worst found: 1.1e-13.
+#: The same for second derivatives, in which that condition number enters twice.  Worst case: 1.1e-13.
 EXACT_TWICE = 1e-12
 
 
@@ -43,11 +43,11 @@ class Case:
 
     @property
     def belt(self) -> np.ndarray:
-        """What each coordinate is for one metre of belt: brings M and K to kg and N/m throughout."""
+        """Change of each coordinate per metre of belt, which scales M and K to kg and N/m."""
         return np.concatenate([np.ones(3), np.tile(1 / self.parameters.pulley_radius, 2)])
 
     def velocities(self) -> np.ndarray:
-        """Some rates of the nine coordinates."""
+        """Random rates of the nine coordinates."""
         return np.array([1.0, -0.7, 0.4, 0.9, 0.3, -0.6, 0.2, -1.1, 0.5]) * self.belt
 
 
@@ -91,7 +91,7 @@ def towers() -> Parameters:
 
 @cache
 def asymmetric(seed: int) -> tuple[Parameters, tuple[np.ndarray, ...]]:
-    """A robot on which everything differs, and poses that it reaches in good condition.
+    """An asymmetric robot, and well-conditioned poses that it can reach.
 
     The rods are drawn around a platform, then the rails through their far ends: any position, any direction,
     either branch.
@@ -179,7 +179,7 @@ def engine(request: pytest.FixtureRequest, case: Case) -> Engine:
 
 
 def assert_equal(found: np.ndarray | float, expected: np.ndarray | float, tolerance: float) -> None:
-    """Entries differ by at most `tolerance` of the largest one: what rounding allows a matrix."""
+    """Check that entries differ by at most `tolerance` of the largest entry."""
     found, expected = np.asarray(found), np.asarray(expected)
     assert found.shape == expected.shape
     scale = np.abs(expected).max()
@@ -190,7 +190,7 @@ def assert_equal(found: np.ndarray | float, expected: np.ndarray | float, tolera
 
 
 def steps(case: Case, engine: Engine) -> np.ndarray:
-    """Steps along the nine coordinates: as much belt at each pulley as rail at a carriage."""
+    """Steps along the nine coordinates that move the belt at each pulley as far as a carriage."""
     return FORCE_STEP * engine.length_scale() * case.belt
 
 
@@ -232,7 +232,7 @@ def test_mass_matrix(case: Case, engine: Engine) -> None:
     M = engine.mass_matrix()
     found = generated.mass_matrix(case.p, case.parameters)
     assert_equal(found[:3, :3], M[:3, :3], EXACT)
-    # Pulleys and motors: each entry by itself, they differ by orders of magnitude.
+    # Pulleys and motors: relative to each entry, because they differ by orders of magnitude.
     assert np.diag(found)[3:] == pytest.approx(np.diag(M)[3:], rel=EXACT)
     assert_equal(found * np.outer(case.belt, case.belt), M * np.outer(case.belt, case.belt), EXACT)
 
@@ -249,7 +249,7 @@ def test_kinetic_energy(case: Case, engine: Engine) -> None:
 def test_gravitational_potential_and_its_gradient(case: Case, engine: Engine) -> None:
     V = generated.gravity_potential(case.p, case.parameters)
     G = generated.gravity_gradient(case.p, case.parameters)
-    # A sum of positive and negative terms: the size of one of them is what rounding is relative to.
+    # A sum of positive and negative terms: rounding is relative to the size of a single term.
     weight = 9.81 * (case.parameters.platform_mass + case.parameters.link_mass.sum())
     assert pytest.approx(engine.potential(), rel=EXACT, abs=EXACT * weight) == V
     assert_equal(G, engine.gradient()[:3], EXACT)  # from its forces
@@ -279,7 +279,7 @@ def test_gravitational_stiffness_from_energy_alone(case: Case, engine: Engine) -
 
 
 def test_stiffness_matrix(case: Case, engine: Engine) -> None:
-    # Relative to belts of 1e5 N/m, beside which gravity is small: it has a test of its own.
+    # Relative to belts of 1e5 N/m, compared with which gravity is small: it is tested separately.
     scale = np.outer(case.belt, case.belt)
     K = engine.hessian(steps(case, engine))
     assert_equal(generated.stiffness_matrix(case.p, case.parameters) * scale, K * scale, EXACT)
@@ -316,7 +316,7 @@ def test_torques_and_pulleys_that_hold_the_pose(case: Case, engine: Engine) -> N
     torques, theta = generated.static_equilibrium(case.p, case.parameters)
     weight = np.abs(engine.gradient()).max()
     engine.move(np.concatenate([np.zeros(3), theta]))
-    # As forces at the belt: nothing is left at any of the nine coordinates.
+    # As forces at the belt: the residual vanishes at all nine coordinates.
     left = engine.out_of_balance(torques) * case.belt
     assert np.abs(left).max() < EXACT * weight
     assert engine.platform() == pytest.approx(case.p, rel=0, abs=1e-14)

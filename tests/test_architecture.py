@@ -1,4 +1,4 @@
-"""Who may import whom, and what ``import pkmodes`` may cost."""
+"""Allowed imports between packages, and the cost of ``import pkmodes``."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 STANDARD = sys.stdlib_module_names
-#: Parts of the runtime that may reach the derivation, and only from inside functions.
+#: Parts of the runtime that may import the derivation, and only inside functions.
 BRIDGE = {"src/pkmodes/derivation.py"}
-#: Parts that load what belongs to a mechanism by its name.
+#: Parts that load modules of a mechanism by name.
 BY_MECHANISM = {
     "src/pkmodes/mechanism.py",
     "src/pkmodes/mechanism_packages.py",
@@ -74,7 +74,7 @@ def test_only_the_bridge_and_the_mechanisms_are_imported_by_name() -> None:
 
 
 def test_the_runtime_is_light_to_import() -> None:
-    """What takes long is loaded when it is needed: SymPy for generating, pint for reading units."""
+    """Slow imports are deferred until needed: SymPy for generating, pint for reading units."""
     code = "import sys, pkmodes; pkmodes.load; print(sorted({m.split('.')[0] for m in sys.modules}))"
     path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
     run = subprocess.run(
@@ -89,7 +89,7 @@ def test_the_runtime_is_light_to_import() -> None:
     assert not loaded & {"sympy", "jinja2", "pint", "click", "rich", "scipy", "pkmodes_derive"}
 
 
-#: Which parts of the runtime each part may import, besides errors and itself: nothing points back.
+#: Parts of the runtime that each part may import, besides errors and itself: no cycles.
 LAYERS = {
     "diagnosis": {"measured", "eigen"},
     "measured": {"robot"},
@@ -108,7 +108,7 @@ def test_the_engine_knows_no_robots(layer: str) -> None:
 
 
 def test_no_mechanism_is_named_outside_its_own_folder() -> None:
-    """Neither in the runtime nor in the derivation: what differs between mechanisms is in their declarations."""
+    """Neither in the runtime nor in the derivation: mechanisms differ only in their declarations."""
     names = [
         folder.parent.name for folder in (ROOT / "generated/pkmodes_generated").glob("*/description.json")
     ]
@@ -117,7 +117,7 @@ def test_no_mechanism_is_named_outside_its_own_folder() -> None:
         if not file.is_file() or "__pycache__" in file.parts:
             continue
         text = file.read_text(encoding="utf-8")
-        # Its own are mechanisms/<name>/ of the derivation, and mechanisms/<name>.py of the checks.
+        # Exceptions are mechanisms/<name>/ in the derivation, and mechanisms/<name>.py in the checks.
         own = [name for name in names if name in (file.stem, *file.parts) and "mechanisms" in file.parts]
         place = file.relative_to(ROOT).as_posix()
         assert not [name for name in names if name in text and name not in own], place
@@ -129,7 +129,7 @@ def test_the_runtime_imports_no_generated_code_by_its_name() -> None:
 
 
 def test_the_virtual_rig_shares_no_code_with_the_model() -> None:
-    """It reads robot files as a user writes them, and takes a robot's numbers by name; it computes with neither."""
+    """It imports only the robot file reader and the named tuples of robot parameters."""
     for file in files("src/pkmodes_rig"):
         tree = ast.parse(file.read_text(encoding="utf-8"))
         taken = {
@@ -143,7 +143,7 @@ def test_the_virtual_rig_shares_no_code_with_the_model() -> None:
 
 
 def test_templates_contain_no_mathematics() -> None:
-    """No operator of arithmetic in what a template computes: it may only place text."""
+    """No arithmetic operator in a template: it may only place text."""
     templates = sorted((ROOT / "derive/pkmodes_derive/emit").rglob("*.j2"))
     assert templates
     for template in templates:

@@ -1,4 +1,4 @@
-"""The code and the commands of README and docs/diagnosis.md run as they stand, and print what the pages show."""
+"""The code and the commands of README and docs/diagnosis.md run unchanged, and print the output shown."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ NUMBER = re.compile(r"(?<![\w.])[+-]?\d+(?:\.\d+)?(?:e[+-]?\d+)?(?!\w)")
 
 
 def block(text: str, start: str) -> str:
-    """The block of code that begins with some text."""
+    """Return the code block that begins with some text."""
     (found,) = (part for part in re.findall(r"```\w*\n(.*?)```", text, re.S) if part.startswith(start))
     return found
 
 
 def same(shown: str, printed: str) -> None:
-    """Words are the same, and numbers nearly: they come from fits."""
+    """Check that words are equal and numbers nearly equal: they come from fits."""
     assert NUMBER.sub("#", shown) == NUMBER.sub("#", printed)
     for one, other in zip(NUMBER.findall(shown), NUMBER.findall(printed), strict=True):
         a, b = float(one), float(other)
@@ -74,7 +74,7 @@ def test_the_effects_of_the_readme_move_the_first_mode_as_it_says() -> None:
         return f"{changed.frequencies([0.6, 0.0, -0.245])[3]:.3f}"
 
     assert f"at {first(payload)} Hz instead of {first()}" in text
-    assert f"first at {first(gearbox)} Hz alone, at {first(payload, gearbox)} Hz beside the payload" in text
+    assert f"first at {first(gearbox)} Hz alone, at {first(payload, gearbox)} Hz with the payload" in text
     more = model.with_values({gearbox: effects[gearbox]})
     assert len(more.frequencies([0.6, 0.0, -0.245])) == len(model.frequencies([0.6, 0.0, -0.245])) + 3
 
@@ -93,7 +93,7 @@ def test_the_readme_shows_a_measurement_file_that_can_be_read(tmp_path: Path) ->
 def test_the_commands_of_the_readme_work_in_a_clean_clone_and_print_what_it_shows(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Folders that nobody made are not there, but for those that a command makes."""
+    """Folders do not exist unless a command creates them."""
     for name in ("robots", "examples"):
         (tmp_path / name).symlink_to(ROOT / name)
     monkeypatch.chdir(tmp_path)

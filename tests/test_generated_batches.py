@@ -1,4 +1,4 @@
-"""Shapes and types of what the generated functions take and return.
+"""Shapes and types of arguments and results of the generated functions.
 
 One pose at a time is the reference: every batch must hold the same numbers, entry for entry, constants too.
 """
@@ -23,13 +23,13 @@ BATCH_SHAPES = [(), (1,), (4,), (2, 5), (3, 1, 2)]
 
 
 def _near(robot: Sample, shape: tuple[int, ...], seed: int) -> np.ndarray:
-    """Poses within 10 mm of a sample's, all of them reachable."""
+    """Reachable poses within 10 mm of a sample's pose."""
     shift = np.random.default_rng(seed).uniform(-0.01, 0.01, (*shape, 3))
     return robot.pose + shift
 
 
 def _batched(name: str, robot: Sample, shape: tuple[int, ...]) -> dict[str, Any]:
-    """Arguments with a batch axis on every one but the parameters."""
+    """Arguments, all with a batch axis except the parameters."""
     poses = _near(robot, shape, seed=1)
     rows = [
         arguments(name, Sample(robot.parameters, pose), seed)
@@ -113,7 +113,7 @@ def test_each_robot_of_a_batch_of_parameters_has_its_own_values(name: str) -> No
 
 @pytest.mark.parametrize("name", NAMES)
 def test_one_pose_broadcasts_against_batched_parameters(name: str) -> None:
-    """The same arguments without batch for robots that differ in everything but their geometry."""
+    """The same arguments without batch for robots that differ in everything except geometry."""
     robot = sample("random-2")
     base = robot.parameters
     factors = np.linspace(0.8, 1.2, 3)
@@ -139,13 +139,13 @@ def test_one_pose_broadcasts_against_batched_parameters(name: str) -> None:
     found = outputs(name, **given | {"parameters": batched})
     for index, parameters in enumerate(single):
         for batch, one in zip(found, outputs(name, **given | {"parameters": parameters}), strict=True):
-            # a function of the geometry alone has no batch to show
+            # a function of the geometry alone has no batch axis
             _assert_same(batch[index] if batch.ndim > np.ndim(one) else batch, one)
 
 
 @pytest.mark.parametrize("field", Parameters._fields)
 def test_batch_axes_of_each_parameter_reach_the_outputs(field: str) -> None:
-    """A batch on one field alone, for every field; M and K together depend on all of them."""
+    """A batch axis on one field at a time; M and K together depend on all fields."""
     robot = sample("random-2")
     value = np.asarray(getattr(robot.parameters, field))
     batched = robot.parameters._replace(**{field: np.broadcast_to(value, (2, 3, *value.shape))})

@@ -1,4 +1,4 @@
-"""Every generated function against derivatives of the generated functions it follows from.
+"""Every generated function against derivatives of the generated functions from which it follows.
 
 Each relation below says "the derivative of this along that equals ...", and is tried with two operators that
 share nothing with the derivation: central differences, which treat the functions as black boxes, and the
@@ -19,7 +19,7 @@ from pkmodes_generated.linear_delta import model
 from sample_robots import SAMPLES, sample
 
 Derivative = Callable[[Callable[[Any], Any], Any, Any], Any]
-#: Found, expected, and the size that errors are measured by where it is not the largest expected entry.
+#: Found, expected, and the scale of the error if it is not the largest expected entry.
 Pairs = Iterable[tuple[Any, Any] | tuple[Any, Any, Any]]
 
 # Complex step: rounding only, about 200 units in the last place for each unit of the Frobenius condition number
@@ -49,7 +49,7 @@ def central_difference(function: Callable[[Any], Any], at: Any, along: Any) -> A
 
 
 class Case:
-    """A sample with everything that the relations use, and directions and rates at random."""
+    """A sample with the values that the relations use, and random directions and rates."""
 
     def __init__(self, name: str) -> None:
         self.robot, self.p = sample(name)
@@ -62,7 +62,7 @@ class Case:
         self.x_dot = self.along[:3]
 
     def _motion(self, rng: np.random.Generator) -> Any:
-        """Rates of all coordinates at random; no carriage, and not the platform, is faster than 1 m/s."""
+        """Random rates of all coordinates; neither carriages nor platform are faster than 1 m/s."""
         rates = rng.normal(size=9)
         x_dot = rates[:3]
         # so that the step of a difference is a length; how long exactly does not matter

@@ -1,4 +1,4 @@
-"""What must hold for every robot, whatever its numbers: kinematics that close, symmetries, rigid-body modes.
+"""Invariants of every robot, whatever its numbers: closed kinematics, symmetries, rigid-body modes.
 
 No formula of the model is repeated here but for two robots with a solution in closed form.  The tests turn, move,
 mirror or relabel a robot, and ask that its matrices follow.
@@ -24,7 +24,7 @@ IDS: dict[str, Any] = {"ids": str}
 
 
 def assert_same(found: Any, expected: Any) -> None:
-    """Equal to rounding, each entry of a 9 by 9 matrix against the diagonal entries beside it."""
+    """Check equality to rounding, each entry of a 9 by 9 matrix relative to its diagonal entries."""
     found, expected = np.asarray(found), np.asarray(expected)
     size: Any = np.max(np.abs(expected))
     if expected.shape == (9, 9):
@@ -206,7 +206,7 @@ def _assert_same_frequencies(found: np.ndarray, expected: np.ndarray) -> None:
 
 
 def test_symmetric_poses_have_symmetric_matrices() -> None:
-    """Half of the entries are equal in pairs or vanish: the poses where a wrong term could hide."""
+    """Half of the entries are equal in pairs or vanish, so a wrong term could go unnoticed at these poses."""
     robot = sample("published-symmetric")
     D_p = model.platform_jacobian(robot.pose, robot.parameters)
     assert_same(D_p[:, [0, 2, 1]], np.diag([1.0, -1.0, 1.0]) @ D_p)

@@ -1,4 +1,4 @@
-"""Energy is conserved along a motion that the generated equations make: signs and factors of all forces at once.
+"""Energy is conserved along a motion of the generated equations, which tests signs and factors of all forces.
 
 M q_ddot + h + grad V_g + grad V_el = 0 without torques, for all nine coordinates, far enough that the mass
 matrix, gravity and the velocity forces change.  The belts keep the stiffness and the reference that they have at
@@ -88,14 +88,14 @@ def test_energy_is_conserved(name: str) -> None:
     motion = Motion(robot)
     states = motion.integrate(_start(robot))
     kinetic, weight, strain = motion.energies(states)
-    # the test means nothing unless each kind of energy is exchanged in earnest
+    # the test is meaningful only if a substantial part of each kind of energy is exchanged
     for energy in (kinetic, weight, strain):
         assert np.ptp(energy) > 1e-3 * np.max(kinetic)
     assert _drift(motion, states) < DRIFT
 
 
 def test_energy_is_not_conserved_without_velocity_forces() -> None:
-    """The check above has the power to see them: without h it drifts by a good part of itself."""
+    """The check above can detect them: without h the energy drifts by a large fraction."""
     robot = sample("random-1")
     motion = Motion(robot, velocity_forces=False)
     assert _drift(motion, motion.integrate(_start(robot))) > 0.01

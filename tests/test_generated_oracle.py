@@ -41,7 +41,7 @@ def test_oracle_has_every_public_function() -> None:
 
 
 def test_random_robots_show_every_choice() -> None:
-    """Otherwise a wrong formula for one branch, one driven pulley or one assembly could pass unseen."""
+    """Otherwise a wrong formula for one branch, one driven pulley or one assembly could go unnoticed."""
     robots = [sample(name) for name in RANDOM]
     for j in range(3):
         assert {robot.parameters.branch[j] for robot in robots} == {-1.0, 1.0}

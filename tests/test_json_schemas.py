@@ -1,4 +1,4 @@
-"""What ``--json`` writes is what docs/json.md and docs/schemas say, for every command."""
+"""The output of ``--json`` agrees with docs/json.md and docs/schemas for every command."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ ROOT = Path(__file__).parents[1]
 SCHEMAS = {
     path.name.split(".")[0]: path for path in sorted((ROOT / "docs" / "schemas").glob("*.schema.json"))
 }
-#: Keys that only some mechanisms have, or rows where something is set: every other one is always there.
+#: Keys of some mechanisms only, or of rows with settings: all others are always present.
 OF_SOME = ("carriage_positions", "set")
 LOOP = [str(ROOT / "examples" / "closed_loop" / name) for name in ("robot.toml", "measured.csv")]
 POSE = ["--pose", "0.6,0.03,-0.245"]
@@ -30,7 +30,7 @@ def schema(command: str) -> dict[str, Any]:
 
 
 def result(capsys: pytest.CaptureFixture[str], *arguments: str, code: int = 0) -> dict[str, Any]:
-    """The JSON of a command, strictly read: NaN and Infinity are no JSON."""
+    """Return the JSON of a command, read strictly: NaN and Infinity are not JSON."""
     capsys.readouterr()
     assert run([*arguments, "--json", "-"]) == code
 
@@ -41,7 +41,7 @@ def result(capsys: pytest.CaptureFixture[str], *arguments: str, code: int = 0) -
 
 
 def expect_described(command: str, content: Any) -> None:
-    """The result is as the schema says, and every key of it is in the schema."""
+    """Check that the result agrees with the schema and that all its keys are in the schema."""
     described = schema(command)
     jsonschema.Draft202012Validator(described).validate(content)
     closed = json.loads(json.dumps(described))
@@ -92,7 +92,7 @@ def test_generate_and_check(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
 
 
 def test_a_robot_without_a_regular_pose(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """The error of that check is infinite, which JSON has no number for."""
+    """The error of that check is infinite, which JSON cannot represent."""
     robot = tmp_path / "robot.toml"
     robot.write_text(published().replace('"400 mm"', '"1 mm"'), encoding="utf-8")
     found = result(capsys, "check", str(robot), code=1)
@@ -130,7 +130,7 @@ def test_what_is_set_is_described(tmp_path: Path, capsys: pytest.CaptureFixture[
 
 
 def diagnoses(folder: Path) -> dict[str, list[str]]:
-    """Arguments that give a cause, no cause for want of data, and none among those asked for."""
+    """Arguments that give a cause, no cause because of too few data, and no cause among the candidates."""
     few = folder / "few.csv"
     few.write_text(
         "pose,x,y,z,frequency,sigma\nA,0.6,0,-0.245,55.6,0.1\nA,0.6,0,-0.245,9000,1\n", encoding="utf-8"

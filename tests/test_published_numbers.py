@@ -1,4 +1,4 @@
-"""Numbers that the paper prints, against the model of the robot that it declares."""
+"""Numbers printed in the paper, against the model of the robot that it declares."""
 
 from __future__ import annotations
 

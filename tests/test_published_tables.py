@@ -1,4 +1,4 @@
-"""The published tables: the identified robot gives them, and the example finds that robot from them.
+"""The published tables: the identified robot reproduces them, and the example identifies it from them.
 
 The first part reads tables.csv by itself and knows nothing of the example's code.
 """
@@ -51,7 +51,7 @@ def published() -> list[tuple[tuple[str, int], str, list[str], np.ndarray]]:
 
 
 def wrong_frequencies(model: pkmodes.Model) -> list[tuple[str, int]]:
-    """Rows whose printed frequency a robot does not give to the last digit at the identified poses."""
+    """Rows whose printed frequency a robot does not reproduce to the last digit at the identified poses."""
     wrong = []
     for key, frequency, _, pose in published():
         modes = model.modes(pose)
@@ -119,7 +119,7 @@ def test_the_poses_are_the_minima_and_maxima_on_the_grid(identified: pkmodes.Mod
     ],
 )
 def test_any_other_value_would_show(old: str, new: str, tmp_path: Path) -> None:
-    """The regression test above can fail: a robot that is a little different does not give the tables."""
+    """The regression test above can fail: a slightly different robot does not reproduce the tables."""
     text = IDENTIFIED.read_text(encoding="utf-8")
     assert old in text
     (tmp_path / "robot.toml").write_text(text.replace(old, new), encoding="utf-8")
@@ -174,7 +174,7 @@ def test_the_example_finds_the_robot_and_the_poses(example: SimpleNamespace, fou
 
 
 def test_every_step_of_the_example_says_the_same(found: object) -> None:
-    """The geometry comes out of the carriage rows alone, of ten rows, and of twelve, ever more precisely."""
+    """The geometry follows from the carriage rows, ten rows and twelve rows with increasing precision."""
     look, final = found.look, found.geometry
     assert look.span.low <= 1.0 <= look.span.high
     assert look.step.low <= 0.0375 <= look.step.high

@@ -1,4 +1,4 @@
-"""The rig's experimenters miss modes as real ones do, state what they state, and make their mistakes."""
+"""The rig's laboratories miss modes realistically, state their errors as specified, and make mistakes."""
 
 from __future__ import annotations
 

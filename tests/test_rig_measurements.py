@@ -1,4 +1,4 @@
-"""The measurements of the virtual test rig are what was asked for: noise, gaps, order, shapes, and poses."""
+"""The measurements of the virtual test rig are as requested: noise, gaps, order, shapes and poses."""
 
 from __future__ import annotations
 

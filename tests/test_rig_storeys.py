@@ -1,4 +1,4 @@
-"""Frames of storeys on the rig are those of textbooks."""
+"""Storey frames on the rig agree with textbook solutions."""
 
 from __future__ import annotations
 

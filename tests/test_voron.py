@@ -1,4 +1,4 @@
-"""The example of a real printer runs, and docs/voron.md states what it prints."""
+"""The example of a real printer runs, and docs/voron.md quotes its output."""
 
 from __future__ import annotations
 

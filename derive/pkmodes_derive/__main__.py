@@ -1,4 +1,4 @@
-"""Regenerate the committed code and the derivation's page: ``python -m pkmodes_derive``."""
+"""Regenerate the committed code and the derivation page: ``python -m pkmodes_derive``."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ ROOT = Path(__file__).parents[2]
 
 
 def main() -> None:
-    """Write the parametric model of every mechanism, or the derivation as a page in LaTeX."""
+    """Write the parametric model of every mechanism, or the derivation page in LaTeX."""
     parser = argparse.ArgumentParser(prog="python -m pkmodes_derive", description=main.__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     generate = commands.add_parser("generate", help="write the parametric model of every mechanism")

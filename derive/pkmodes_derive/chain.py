@@ -2,14 +2,14 @@ r"""The chain rule over named intermediate values: differentiate without ever ex
 
 A `Chain` holds two things.  *Definitions* give a symbol its expression in terms of earlier symbols.
 *Rules* give the derivative of a symbol with respect to a variable where that derivative is known by other
-means, as the implicit function theorem gives it for the dependent coordinates of a closed loop.  The total
+means, such as the implicit function theorem for the dependent coordinates of a closed loop.  The total
 derivative of an expression e is then
 
 .. math:: \frac{de}{dv} = \sum_s \frac{\partial e}{\partial s} \frac{ds}{dv},
 
 where ds/dv is 1 if s is v, the rule if there is one, and otherwise the derivative of the definition of s.
-Expressions stay as short as a person would write them, which keeps the derivation fast and the generated
-code readable (SymPy's cost is in large expressions, not in many small ones).
+Expressions stay as short as if written by hand, which keeps the derivation fast and the generated code
+readable (SymPy is slow on large expressions, not on many small ones).
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from sympy import Add, Expr, Integer, Symbol, default_sort_key, diff
 
 
 class Chain:
-    """Ordered definitions of intermediate values, and the rules by which some of them vary."""
+    """Ordered definitions of intermediate values, and derivative rules for some of them."""
 
     def __init__(self) -> None:
         self._definitions: dict[Symbol, Expr] = {}
@@ -30,7 +30,7 @@ class Chain:
 
     @property
     def definitions(self) -> Mapping[Symbol, Expr]:
-        """The definitions in the order in which they were made; each uses only earlier ones and inputs."""
+        """Definitions in the order they were made; each uses only earlier ones and inputs."""
         return dict(self._definitions)
 
     def define(self, symbol: Symbol, expression: Expr) -> Symbol:
@@ -47,14 +47,14 @@ class Chain:
         return symbol
 
     def rule(self, symbol: Symbol, variable: Symbol, derivative: Expr) -> None:
-        """State d(symbol)/d(variable); it takes precedence over the symbol's definition."""
+        """Set d(symbol)/d(variable), which takes precedence over the symbol's definition."""
         if (symbol, variable) in self._rules:
-            raise ValueError(f"d{symbol}/d{variable} is stated twice")
+            raise ValueError(f"d{symbol}/d{variable} is set twice")
         self._rules[symbol, variable] = derivative
         self._cache.clear()
 
     def derivative(self, expression: Expr, variable: Symbol, hold: Iterable[Symbol] = ()) -> Expr:
-        """Total derivative of an expression; the symbols in `hold` count as constants.
+        """Return the total derivative of an expression, with the symbols in `hold` constant.
 
         Holding the dependent coordinates gives the partial derivative that the implicit function theorem
         needs.
@@ -64,7 +64,7 @@ class Chain:
     def hessian(
         self, expression: Expr, variables: Iterable[Symbol], hold: Iterable[Symbol] = ()
     ) -> list[list[Expr]]:
-        """Second total derivatives; the lower triangle repeats the upper one, so the result is symmetric."""
+        """Return the second total derivatives; the lower triangle repeats the upper one."""
         names, held = tuple(variables), frozenset(hold)
         gradient = [self.derivative(expression, v, held) for v in names]
         upper = {
@@ -75,13 +75,13 @@ class Chain:
         return [[upper[min(k, m), max(k, m)] for m in range(len(names))] for k in range(len(names))]
 
     def expand(self, expression: Expr) -> Expr:
-        """Replace every defined symbol by its definition, down to the inputs (for tests: it may be huge)."""
+        """Replace every symbol by its definition, down to the inputs (for tests: the result may be huge)."""
         for symbol in reversed(self._definitions):
             expression = expression.xreplace({symbol: self._definitions[symbol]})
         return expression
 
     def _derivative(self, expression: Expr, variable: Symbol, hold: frozenset[Symbol]) -> Expr:
-        # SymPy hands out free symbols as a set; the order is fixed so that output never depends on hashing.
+        # SymPy returns free symbols as a set; sorting keeps the output independent of hashing.
         terms = []
         for symbol in sorted(expression.free_symbols, key=default_sort_key):
             inner = self._symbol_derivative(symbol, variable, hold)
@@ -90,7 +90,7 @@ class Chain:
         return Add(*terms)
 
     def _partial(self, expression: Expr, symbol: Symbol) -> Expr:
-        # The same for every variable of a total derivative, and where SymPy spends its time.
+        # Cached: it is the same for every variable, and SymPy spends most of its time here.
         if (expression, symbol) not in self._partials:
             self._partials[expression, symbol] = diff(expression, symbol)
         return self._partials[expression, symbol]

@@ -1,7 +1,7 @@
-r"""Coordinates without inertia, eliminated exactly.
+r"""Exact condensation of coordinates without inertia.
 
-A coordinate r of no mass is in equilibrium at every moment, :math:`K_{rr} x_r + K_{rq} x_q = 0`, so it follows the
-others, :math:`x_r = F x_q` with :math:`F = -K_{rr}^{-1} K_{rq}`, and what the others feel is
+A massless coordinate r is always in equilibrium, :math:`K_{rr} x_r + K_{rq} x_q = 0`, so it follows the others,
+:math:`x_r = F x_q` with :math:`F = -K_{rr}^{-1} K_{rq}`, and the condensed stiffness of the others is
 :math:`K_{qq} + K_{qr} F`.
 """
 
@@ -15,9 +15,9 @@ Rows = Sequence[Sequence[Expr]]
 
 
 def follow(K: Rows, kept: Sequence[int], massless: Sequence[int]) -> list[list[Expr]]:
-    """All coordinates by those that are kept: rows of the identity, and F.
+    """Return the map from the kept coordinates to all coordinates: rows of the identity, and F.
 
-    By Gauss and Jordan without pivoting: K_rr is positive definite, because every released joint has a spring.
+    Gauss-Jordan elimination without pivoting: K_rr is positive definite because every released joint has a spring.
     """
     left = [[K[i][j] for j in massless] for i in massless]
     right = [[-K[i][j] for j in kept] for i in massless]
@@ -36,7 +36,7 @@ def follow(K: Rows, kept: Sequence[int], massless: Sequence[int]) -> list[list[E
 
 
 def condensed(K: Rows, kept: Sequence[int], massless: Sequence[int], by: Rows) -> list[list[Expr]]:
-    """K_qq + K_qr F, with the rows that `follow` gave; the lower triangle repeats the upper one."""
+    """Return K_qq + K_qr F, with `by` from `follow`; the lower triangle repeats the upper one."""
     upper = {
         (a, b): Add(K[i][j], *(K[i][r] * by[r][b] for r in massless))
         for a, i in enumerate(kept)

@@ -1,6 +1,6 @@
-"""What a declaration must have, asked before and after anything is derived from it.
+"""Checks of a declaration, before and after the derivation.
 
-The derivation itself would fail on most of this too, far from where the mistake was made.
+Without them most of these mistakes would fail inside the derivation, far from their cause.
 """
 
 from __future__ import annotations
@@ -21,18 +21,22 @@ RULES = ("at_least_zero", "above_zero", "at_most_limit")
 
 
 def check_declared(machine: Machine) -> None:
-    """Refuse a machine of which something is missing, or whose parts do not belong together."""
+    """Refuse a machine with missing or inconsistent parts."""
     for present, what, remedy in (
         (machine.gravity, "gravity is not declared", "call m.add_gravity()"),
-        (machine.coordinates, "there are no coordinates", "declare them all with m.generalised(...)"),
-        (machine.pose, "there is no pose", "call m.platform_pose(...) or m.independent_pose(...)"),
+        (machine.coordinates, "no coordinates are declared", "declare all of them with m.generalised(...)"),
+        (machine.pose, "no pose is declared", "call m.platform_pose(...) or m.independent_pose(...)"),
         (
             machine.independent,
             "no coordinate moves the platform",
-            "say which ones do: m.moves_platform(coordinates, argument, what they are)",
+            "declare which ones do: m.moves_platform(coordinates, argument, plural noun)",
         ),
-        (len(machine.platform) == 3, "m.platform is not three components", "write such as (*p, Integer(0))"),
-        (machine.drives, "there is no drive", "call m.drive([(rotor, Integer(1))], inertia, torque)"),
+        (
+            len(machine.platform) == 3,
+            "m.platform does not have three components",
+            "write, for example, (*p, Integer(0))",
+        ),
+        (machine.drives, "no drive is declared", "call m.drive([(rotor, Integer(1))], inertia, torque)"),
     ):
         if not present:
             raise DefinitionError(what, "", remedy)
@@ -48,24 +52,24 @@ def check_declared(machine: Machine) -> None:
 
 
 def _check_coordinates(machine: Machine) -> None:
-    """Parts refer to coordinates, and every coordinate goes with the platform."""
+    """Check that parts refer to declared coordinates and that all coordinates move with the platform."""
     for where, symbols in _uses(machine):
         for symbol in symbols:
             if symbol not in machine.coordinates:
                 raise DefinitionError(
-                    f"{symbol} is no coordinate", where, "declare it with m.generalised(...)"
+                    f"{symbol} is not a coordinate", where, "declare it with m.generalised(...)"
                 )
     for q in machine.coordinates:
         if q not in machine.independent and q not in machine.follows:
             raise DefinitionError(
-                f"nothing says how {q} moves while nothing stretches",
+                f"the motion of {q} with rigid transmissions is not declared",
                 f"m.follows[{q}]",
-                "state it, such as m.follows[phi[j]] = theta[j]",
+                "declare it, for example m.follows[phi[j]] = theta[j]",
             )
 
 
 def _uses(machine: Machine) -> Iterator[tuple[str, Iterable[Symbol]]]:
-    """Where coordinates are named."""
+    """Yield each place that names coordinates, with the coordinates."""
     yield "m.moves_platform", machine.independent
     yield "m.follows", machine.follows
     yield "m.arms", (arm.angle for arm in machine.arms)
@@ -75,29 +79,33 @@ def _uses(machine: Machine) -> Iterator[tuple[str, Iterable[Symbol]]]:
 
 
 def _check_closures(machine: Machine) -> None:
-    """As many links as the pose has components, each with an independent coordinate of its own."""
+    """Check that there is one link per component of the pose, each with its own independent coordinate."""
     found, wanted = len(machine.links), len(machine.dependent)
     if found != wanted:
         raise DefinitionError(
-            f"{found} links close the loops of a platform with {wanted} components", "m.link", "one for each"
+            f"{found} links close the loops of a platform with {wanted} components",
+            "m.link",
+            "declare one link for each component",
         )
     if not wanted:
         return
     if tuple(link.coordinate for link in machine.links) != machine.independent:
         raise DefinitionError(
-            "the links do not belong to the independent coordinates, one to each and in their order",
+            "the links do not match the independent coordinates one to one, in order",
             "m.link",
             f"declare them for {', '.join(q.name for q in machine.independent)}",
         )
     for q in machine.independent:
         if q not in machine.inverse:
             raise DefinitionError(
-                f"the inverse kinematics does not give {q}", "m.inverse", f"state m.inverse[{q}] by the pose"
+                f"the inverse kinematics does not give {q}",
+                "m.inverse",
+                f"define m.inverse[{q}] as a function of the pose",
             )
 
 
 def _check_sample(machine: Machine) -> None:
-    """A robot without any symmetry, with a number at each place."""
+    """Check that the sample robot has a number for every entry of every parameter."""
     fields = {field.name: field for field in machine.tables.fields}
     for name, field in fields.items():
         if name not in machine.sample:
@@ -106,14 +114,14 @@ def _check_sample(machine: Machine) -> None:
             )
         if _shape(machine.sample[name]) != field.shape:
             raise DefinitionError(
-                f"the value of {name} has another shape",
+                f"the value of {name} has the wrong shape",
                 "m.sample",
                 f"write {_shaped(field)}, in {field.unit}",
             )
     for name in machine.sample:
         if name not in fields:
             known = ", ".join(fields)
-            raise DefinitionError(f"no parameter is called {name}", "m.sample", f"there are {known}")
+            raise DefinitionError(f"there is no parameter {name}", "m.sample", f"use one of {known}")
 
 
 def _shape(value: object) -> tuple[int, ...] | None:
@@ -129,7 +137,7 @@ def _shaped(field: Field) -> str:
 
 
 def check_model(machine: Machine, model: Model) -> None:
-    """Refuse a model whose margins and requirements ask for what is not there, or that has undefined values."""
+    """Refuse a model with undefined values, or whose margins or requirements refer to missing results."""
     functions = {function.name: function for function in model.functions}
     for margin in machine.margins:
         _check_margin(margin, functions)
@@ -141,7 +149,7 @@ def check_model(machine: Machine, model: Model) -> None:
         for symbol in _undefined(function):
             if symbol not in parameters | given:
                 raise DefinitionError(
-                    f"{symbol} is used in {function.name}, and nothing says what it is",
+                    f"{symbol} is used in {function.name} but not defined",
                     f"{symbol}: {machine.vocabulary[symbol].description}",
                     "define it with m.define or m.inverse, or use a parameter of the robot file",
                 )
@@ -154,15 +162,15 @@ def check_model(machine: Machine, model: Model) -> None:
 
 
 def _undefined(function: Function) -> list[Symbol]:
-    """What a function draws on and its definitions do not give, in the order in which it is met."""
+    """Return the symbols that a function uses and its definitions do not give, in the order of use."""
     found: list[Symbol] = []
     met: set[Symbol] = set()
 
     def visit(expression: Expr, above: tuple[Symbol, ...]) -> None:
         for symbol in _symbols(expression):
             if symbol in above:
-                circle = " by ".join(s.name for s in (*above[above.index(symbol) :], symbol))
-                raise DefinitionError(f"values are defined in a circle: {circle}", "m.inverse", "part it")
+                cycle = " -> ".join(s.name for s in (*above[above.index(symbol) :], symbol))
+                raise DefinitionError(f"definitions are circular: {cycle}", "m.inverse", "break the cycle")
             if symbol not in met:
                 if symbol in function.definitions:
                     visit(function.definitions[symbol], (*above, symbol))
@@ -187,16 +195,16 @@ def _check_margin(margin: Margin, functions: dict[str, Function]) -> None:
         raise DefinitionError(
             f"{margin.function} has no result {margin.output}",
             where,
-            f"there are {len(function.outputs)}, counted from 0",
+            f"it has {len(function.outputs)}, counted from 0",
         )
     if margin.rule not in RULES:
         raise DefinitionError(f'unknown rule "{margin.rule}"', where, f"write one of {', '.join(RULES)}")
     shape, named = function.outputs[margin.output].shape, tuple(len(names) for names in margin.names)
     if shape != named:
         raise DefinitionError(
-            f"the names are of shape {named}, the result of {margin.function} is of shape {shape}",
+            f"the names have shape {named}, the result of {margin.function} has shape {shape}",
             where,
-            "name each place of each axis of the result",
+            "give a name for each index along each axis of the result",
         )
     _check_sentence(margin.sentence, dict.fromkeys(("missing", "short", "value"), ""), len(named), where)
 
@@ -206,7 +214,7 @@ def _check_requirement(requirement: Requirement, functions: dict[str, Function])
     function = _function(requirement.function, functions, where)
     if function.arguments:
         raise DefinitionError(
-            f"{requirement.function} takes a pose, and a requirement is of the robot alone",
+            f"{requirement.function} takes a pose, but a requirement depends on the robot alone",
             where,
             "declare that function with arguments=()",
         )
@@ -222,8 +230,8 @@ def _check_requirement(requirement: Requirement, functions: dict[str, Function])
 def _function(name: str, functions: dict[str, Function], where: str) -> Function:
     if name not in functions:
         near = get_close_matches(name, functions, n=1)
-        remedy = f'did you mean "{near[0]}"?' if near else f"there are {', '.join(functions)}"
-        raise DefinitionError(f'no function is called "{name}"', where, remedy)
+        remedy = f'did you mean "{near[0]}"?' if near else f"use one of {', '.join(functions)}"
+        raise DefinitionError(f'there is no function "{name}"', where, remedy)
     return functions[name]
 
 
@@ -233,5 +241,5 @@ def _check_sentence(sentence: str, words: dict[str, str], places: int, where: st
     except (LookupError, ValueError):
         holes = [f"{{{hole}}}" for hole in (*range(places), *words)]
         raise DefinitionError(
-            f'the sentence "{sentence}" cannot be filled in', where, f"use {', '.join(holes)} only"
+            f'the sentence "{sentence}" cannot be formatted', where, f"use only {', '.join(holes)}"
         ) from None

@@ -1,7 +1,7 @@
-"""A user's own mechanism: a Python file with ``TITLE``, ``DIRECTIONS`` and ``declare(m)``, outside this package.
+"""A user-defined mechanism: a Python file outside this package with ``TITLE``, ``DIRECTIONS`` and ``declare(m)``.
 
-Whatever is wrong with it is told as what, where (file and line) and what to do, never as a traceback: who writes a
-mechanism has not written the derivation.
+Every mistake in it is reported as what, where (file and line) and what to do, never as a traceback: its author does
+not know the code of the derivation.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from types import ModuleType
 from pkmodes_derive.emit.specification import C_KEYWORDS
 from pkmodes_derive.vocabulary import AXES
 
-#: The copy of the file that lies with the code that was derived from it.
+#: Name of the copy of the file that is kept with the generated code.
 FILE_NAME = "definition.py"
 
 
@@ -33,12 +33,12 @@ class DefinitionError(Exception):
 
 
 def check_name(name: str, place: str) -> None:
-    """Refuse a name that cannot be that of a mechanism, a Python package and C functions."""
+    """Refuse a name that is not valid for a mechanism, a Python package and C functions."""
     if not re.fullmatch(r"[a-z][a-z0-9_]*", name) or keyword.iskeyword(name) or name in C_KEYWORDS:
         raise DefinitionError(
-            f'"{name}" cannot be the name of a mechanism',
+            f'"{name}" is not a valid name for a mechanism',
             place,
-            "name the file with small letters, digits and underscores, such as five_bar.py",
+            "name the file with lower-case letters, digits and underscores, for example five_bar.py",
         )
 
 
@@ -48,7 +48,7 @@ def read(name: str, text: str, place: str) -> ModuleType:
     Parameters
     ----------
     name : str
-        Of the mechanism.
+        Name of the mechanism.
     text : str
     place : str
         The file, for messages.
@@ -56,20 +56,22 @@ def read(name: str, text: str, place: str) -> ModuleType:
     Raises
     ------
     DefinitionError
-        If it is not Python, raises, or lacks one of the three names.
+        If it is not valid Python, raises an exception or lacks one of the three names.
     """
     module = ModuleType(name)
     module.__file__ = place
-    # Messages and tracebacks show lines of the text that was run, whatever the file says by then.
+    # Messages and tracebacks show the text that was run, even if the file has changed since.
     linecache.cache[place] = (len(text), None, text.splitlines(keepends=True), place)
-    with told(place, "mend that line"):
+    with told(place, "fix that line"):
         exec(compile(text, place, "exec"), module.__dict__)
     title, directions = (getattr(module, attribute, None) for attribute in ("TITLE", "DIRECTIONS"))
     if not isinstance(title, str) or not title.strip():
-        raise DefinitionError("TITLE is missing, or no text", place, 'add a line such as TITLE = "two arms"')
+        raise DefinitionError(
+            "TITLE is missing or not a string", place, 'add a line such as TITLE = "two arms"'
+        )
     if not isinstance(directions, list | tuple) or not directions or not _in_order(directions):
         raise DefinitionError(
-            "DIRECTIONS is missing, or does not say in which directions the platform moves",
+            "DIRECTIONS is missing or does not list the directions in which the platform moves",
             place,
             'add a line such as DIRECTIONS = ("x", "y")',
         )
@@ -84,7 +86,7 @@ def _in_order(directions: list[object] | tuple[object, ...]) -> bool:
 
 @contextmanager
 def told(place: str, remedy: str, during: str = "") -> Iterator[None]:
-    """Tell whatever is raised with the last line of the file that led to it."""
+    """Turn every exception into a `DefinitionError` that names the last line of the file involved."""
     try:
         yield
     except DefinitionError as error:
@@ -96,6 +98,6 @@ def told(place: str, remedy: str, during: str = "") -> Iterator[None]:
         lines = [f.lineno for f in traceback.extract_tb(error.__traceback__) if f.filename == place]
         what = str(error) if isinstance(error, ValueError) else f"{type(error).__name__}: {error}"
         if isinstance(error, RecursionError):
-            what = "named values are defined by one another"
+            what = "named values are defined in terms of each other"
         where = f"{place}:{lines[-1]}" if lines else place
         raise DefinitionError(what, f"{where}{during}", getattr(error, "remedy", remedy)) from None

@@ -1,7 +1,7 @@
-"""What a mechanism tells the runtime about itself: its robot file, its poses, and what its functions stand for.
+"""Description of a mechanism for the runtime: its robot file, its poses and the meaning of its functions.
 
-It is emitted as data (``description.json``), so that the runtime reads robot files, checks poses, names parameter
-paths and reports without knowing any mechanism by name.
+It is emitted as data (``description.json``), so the runtime can read robot files, check poses, name parameter paths
+and write reports without code for any particular mechanism.
 """
 
 from __future__ import annotations
@@ -37,14 +37,14 @@ class Key:
     name : str
     kind : str
         ``quantity``; ``vector`` of quantities; ``pair`` of quantities, the lower one first; ``direction``, a unit
-        vector that is normalised on reading; ``choice``, one of some numbers, which is its value; ``one_of``, one of
-        some numbers, whose place has a 1 in the field; ``signs``, a list of numbers each +1 or -1.
+        vector that is normalised on reading; ``choice``, one of several numbers, stored as its value; ``one_of``, one
+        of several numbers, stored as a 1 at its place in the field; ``signs``, a list of numbers, each +1 or -1.
     field : str
-        Of the generated `Parameters`; empty for a constant that an effect takes.
+        Field of the generated `Parameters`; empty for a constant used by an effect.
     index : tuple of int
-        Where in the field, after the index of a repeated table.
+        Index in the field, after that of a repeated table.
     dimension : str
-        Of a quantity, in the words of messages: ``mass``, ``length``, ``moment of inertia`` ...
+        Dimension of a quantity, as named in messages: ``mass``, ``length``, ``moment of inertia`` ...
     description : str
         A noun phrase.
     elements : tuple of str
@@ -53,13 +53,13 @@ class Key:
     at_least, above, at_most : float, optional
         Bounds of each quantity in SI units.
     default : float, optional
-        In SI units; without one the key is needed.
+        In SI units; without one the key is required.
     effect : str
-        The parameter of an effect that takes this value, ``<effect>.<parameter>``.
+        The effect parameter that takes this value, ``<effect>.<parameter>``.
     signed : bool
-        Whether a quantity may have either sign, or be zero.
+        Whether a quantity may be negative or zero.
     suspected : bool
-        Whether it is a candidate where it has no standard deviation; what belongs to a whole is not.
+        Whether it is a candidate if it has no standard deviation; a quantity that belongs to a `Whole` is not.
     """
 
     name: str
@@ -89,9 +89,9 @@ class Table:
     description : str
     keys : tuple of Key
     count : int
-        Of a repeated table, ``[[axis]]``; 0 for a single one.
+        Number of entries of a repeated table, ``[[axis]]``; 0 for a single table.
     shared_by : str
-        The repeated table that takes these values, each entry of which may override them; empty for none.
+        The repeated table whose entries share these values and may override them; empty for none.
     """
 
     name: str
@@ -103,14 +103,14 @@ class Table:
 
 @dataclass(frozen=True)
 class Whole:
-    """Several numbers that one path moves together.
+    """Several numbers that one path changes together.
 
     Attributes
     ----------
     path : str
     kind : str
-        ``span``: both ends of every pair evenly apart; ``radius``: every vector along itself.  The value is that of
-        the first.
+        ``span``: moves both ends of every pair evenly apart; ``radius``: scales every vector.  The value is that of
+        the first entry.
     field, unit : str
     description : str
     """
@@ -124,24 +124,24 @@ class Whole:
 
 @dataclass(frozen=True)
 class Margin:
-    """Something that a pose needs, as a function that is positive where it is so.
+    """A condition on a pose, given as a function that is positive where it holds.
 
     Attributes
     ----------
     code : str
-        What `reason` says: ``reachable``, ``singular``, ``limits``.  Margins are asked in their order.
+        The code in `reason`: ``reachable``, ``singular``, ``limits``.  Margins are checked in order.
     function, output : str and int
-        Of the generated model, and which of its results.
+        Function of the generated model, and the index of its result.
     rule : str
         ``at_least_zero``, ``above_zero``, or ``at_most_limit`` of a condition number.
     meaning : str
-        What a pose without it is, in a few words.
+        Short statement about a pose that violates it.
     sentence : str
-        The same with ``{0}``, ``{1}`` for the names of the place of the smallest margin, and ``{missing}``, what it
-        lacks, ``{short}``, how a length that lacks it is ("0.01 m too short", "of no length"), or ``{value}``.
+        The statement with ``{0}``, ``{1}`` for the names of the entry with the smallest margin, and ``{missing}`` for
+        the shortfall, ``{short}`` for a length with that shortfall ("0.01 m too short"), or ``{value}``.
     remedy : str
     names : tuple of tuple of str
-        For each axis of the result, what its places are called.
+        Names of the entries along each axis of the result.
     unit : str
     """
 
@@ -158,13 +158,13 @@ class Margin:
 
 @dataclass(frozen=True)
 class Scale:
-    """What a component of a shape is divided by where shapes are shown to a person.
+    """The divisor of a mode shape component in displayed shapes.
 
     Attributes
     ----------
     coordinate : str
     field, index : str and tuple of int
-        The number of the generated `Parameters`.
+        The divisor's place in the generated `Parameters`.
     symbol : str
     """
 
@@ -176,19 +176,19 @@ class Scale:
 
 @dataclass(frozen=True)
 class Requirement:
-    """Something that a robot needs, whatever its pose, as a function of its parameters.
+    """A condition on a robot at any pose, given as a function of its parameters.
 
     Attributes
     ----------
     function : str
-        Of the generated model; one entry for each of the places.
+        Function of the generated model, with one entry for each of the places.
     rule : str
         ``at_least_zero`` or ``above_zero``.
     places : tuple of str
         Paths of the robot file, one for each entry.
     sentence : str
-        With ``{missing}`` for what is missing, ``{value}`` for the function's value, and paths beside the place, such
-        as ``{limits.min}``, for quantities of the file.
+        With ``{missing}`` for the shortfall, ``{value}`` for the function's value, and paths in the table of the
+        place, such as ``{limits.min}``, for quantities of the file.
     remedy : str
     unit : str
     """
@@ -203,7 +203,7 @@ class Requirement:
 
 @dataclass(frozen=True)
 class EffectParameterData:
-    """A parameter of an effect; its null value is 0, otherwise it is greater than the bound."""
+    """A parameter of an effect: 0, its null value, or greater than the bound."""
 
     name: str
     unit: str
@@ -234,30 +234,30 @@ class Description:
     pose : tuple of Named
         Components of a pose.
     pose_is : str
-        What a pose is, such as "platform centre in the base frame".
+        The point that a pose describes, such as "platform centre in the base frame".
     coordinates : tuple of Named
         The generalised coordinates without effects.
     independent : tuple of str
-        Those of them that the pose determines and that move the platform.
+        Coordinates that the pose determines and that move the platform.
     independent_are : str
-        What they are, in the plural.
+        Plural noun for them, such as "arm angles".
     directions : tuple of str
         Components of the platform's motion.
     drives : tuple of Named
-        What the static torques act on.
+        The rotors that the static torques act on.
     rigid_modes : int
-        Motions that strain nothing elastic.
+        Number of motions that strain no elastic part.
     tables : tuple of Table
     wholes : tuple of Whole
     margins : tuple of Margin
     requirements : tuple of Requirement
     effects : tuple of EffectData
     sample : mapping
-        Parameters of a robot without any symmetry, by field: what checks evaluate.
+        Parameters by field of a robot without symmetry, which the checks evaluate.
     scales : tuple of Scale
-        For coordinates of another unit than most.
+        For coordinates whose unit differs from that of most others.
     differences : tuple of (str, str)
-        A field that enters only by its difference from another one, and that one, which has the sensitivities.
+        A field that enters only through its difference from another, and the other, which has the sensitivities.
     """
 
     mechanism: str
@@ -281,5 +281,5 @@ class Description:
 
 
 def as_data(description: Description) -> dict[str, object]:
-    """The description as it is written."""
+    """Return the description as plain data for JSON."""
     return asdict(description)

@@ -1,10 +1,10 @@
-"""What an effect is: one physical cause that the base model leaves out, null when its parameters are zero.
+"""Effects: each is one physical cause that the base model leaves out, null when its parameters are zero.
 
-A *term* adds energy, or changes a stiffness.  A *released coordinate* frees a joint that the base model
-locks: its parameter is a compliance, and the spring of that joint, energy q^2 / (2 c), is the same for all.
+A *term* adds energy or changes a stiffness.  A *released coordinate* frees a joint that the base model
+locks: its parameter is a compliance c, and the joint always has a spring with the energy q^2 / (2 c).
 
-Effects are written against parts (belts, drives, links, the platform, the frame), so that one file serves every
-mechanism that has them; where there are none, the effect does not apply.
+Effects act on parts (belts, drives, links, the platform, the frame), so one file serves every mechanism that has
+these parts; an effect does not apply to a mechanism without them.
 """
 
 from __future__ import annotations
@@ -31,11 +31,11 @@ class EffectParameter:
     description : str
         A noun phrase.
     symbol, latex : str
-        How it is named in formulas.
+        Its symbol in formulas.
     greater_than : float or None
         Physical bound: None when any value is meaningful; the null value itself is always allowed.
     fitted : bool
-        Whether it can be estimated from measurements; a declared constant of the machine is not.
+        Whether it is estimated from measurements; a declared constant of the machine is not.
     """
 
     name: str
@@ -47,7 +47,7 @@ class EffectParameter:
     fitted: bool = True
 
     def at(self, place: str) -> EffectParameter:
-        """That of one part."""
+        """Return the parameter for one part."""
         texts = (self.name, self.description, self.symbol, self.latex)
         name, description, symbol, latex = (text.format(j=place) for text in texts)
         return replace(self, name=name, description=description, symbol=symbol, latex=latex)
@@ -55,16 +55,16 @@ class EffectParameter:
 
 @dataclass(frozen=True)
 class Positive:
-    """Something that must be above zero for an effect to make sense.
+    """An expression that must be positive for an effect to be physical.
 
     Attributes
     ----------
     of : callable
-        ``of(parameters)`` is its expression, parameters by name.
+        ``of(parameters)`` returns the expression, from the parameters by name.
     place : str
-        The parameter that is named where it is not.
+        The parameter that the error names.
     sentence, remedy : str
-        With ``{value}``.
+        Text of the error, with ``{value}``.
     """
 
     of: Callable[[Mapping[str, Symbol]], Expr]
@@ -88,10 +88,10 @@ class Released:
     Attributes
     ----------
     name, description, latex : str
-        With the letter ``{j}`` for the number of a part, or ``{i}`` for a direction.
+        With ``{j}`` for the number of a part, or ``{i}`` for a direction.
     unit : str
     order : int
-        Where they stand among those of other effects.
+        Position among the coordinates of other effects.
     """
 
     name: str
@@ -102,7 +102,7 @@ class Released:
 
     @property
     def letter(self) -> str:
-        """The letter of the index."""
+        """Letter of the index."""
         return "i" if "{i}" in self.name else "j"
 
 
@@ -115,22 +115,22 @@ class Effect:
     name : str
         As in the robot file.
     sentence : str
-        What it says about the machine, for a person.
+        What it means for the machine, as a sentence for reports.
     parts : callable
-        ``parts(machine)`` are those of the machine that it acts on; without any it does not apply.
+        ``parts(machine)`` returns the parts it acts on; if there are none, it does not apply.
     parameters : tuple of EffectParameter
-        A released effect has a ``compliance``, which the spring of its coordinates takes.
+        An effect that releases coordinates has a ``compliance``, used by their springs.
     apply : callable
-        ``apply(machine, parameters, released)`` adds the effect to a machine: parameters by name, the released
-        coordinates in order.
+        ``apply(machine, parameters, released)`` adds the effect to a machine, with parameters by name and the
+        released coordinates in order.
     released : Released or None
         None for a term.
     grounds : bool
-        Whether it ties the platform to ground, so that no rigid-body mode is left.
+        Whether it ties the platform to ground, so no rigid-body mode is left.
     needs : Positive or None
-        Of its parameters.
+        Condition on its parameters.
     places : tuple of str
-        Indices of the released coordinates, once it is that `on` a machine.
+        Indices of the released coordinates on a machine, set by `on`.
     """
 
     name: str
@@ -145,11 +145,11 @@ class Effect:
 
     @property
     def order(self) -> int:
-        """Where its coordinates stand among those of other effects."""
+        """Position of its coordinates among those of other effects."""
         return self.released.order if self.released else 0
 
     def on(self, machine: Any) -> Effect:
-        """The effect with the parameters and coordinates that it has on a machine."""
+        """Return the effect with the parameters and coordinates it has on a machine."""
         parts = self.parts(machine)
         numbers = [str(number) for number in range(1, len(parts) + 1)]
         parameters = [
@@ -161,7 +161,7 @@ class Effect:
         return replace(self, parameters=tuple(parameters), places=places)
 
     def data(self) -> EffectData:
-        """What the runtime has to know of it."""
+        """Return the data that the runtime needs."""
         coordinates = []
         if (q := self.released) is not None:
             for place in self.places:

@@ -1,7 +1,7 @@
-"""What is emitted: functions with arguments, outputs and the definitions they may draw on.
+"""Functions to be emitted, with arguments, outputs and the definitions they may use.
 
-This is the border between derivation and emission.  A `Function` says what is computed, in SymPy
-expressions, and how a person should read it; it knows nothing of any programming language.
+This is the interface between derivation and emission.  A `Function` holds SymPy expressions and their
+documentation, independent of any programming language.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pkmodes_derive.vocabulary import Field, Vocabulary
 
 
 def mirrored(index: tuple[int, ...]) -> tuple[int, ...]:
-    """The index with its last two exchanged."""
+    """Return the index with its last two entries swapped."""
     *first, row, column = index
     return (*first, column, row)
 
@@ -37,7 +37,7 @@ class Argument:
 class Output:
     """An array result in row-major order; `shape` is ``()`` for a scalar.
 
-    A `listed` one is a long vector without structural zeros, written as one list.
+    A `listed` result is a long vector without structural zeros, written as one list.
     """
 
     name: str
@@ -53,12 +53,12 @@ class Output:
 
     @property
     def indices(self) -> list[tuple[int, ...]]:
-        """Index of each entry, in their order."""
+        """Index of each entry, in order."""
         return list(product(*(range(extent) for extent in self.shape)))
 
     @property
     def symmetric(self) -> bool:
-        """Whether exchanging the last two indices changes no entry: a symmetric matrix, or several."""
+        """Whether swapping the last two indices changes no entry: a symmetric matrix, or a stack of them."""
         if len(self.shape) < 2 or self.shape[-1] != self.shape[-2]:
             return False
         entry = dict(zip(self.indices, self.entries, strict=True))
@@ -76,13 +76,13 @@ class Function:
     summary, details : str
         First line and further sentences of the docstring.
     source : str
-        The equations that it is, in the paper's numbering.
+        The equations it evaluates, in the paper's numbering.
     arguments, outputs : tuple
-        What goes in, besides the robot's parameters, and what comes out.
+        Inputs besides the robot's parameters, and results.
     definitions : mapping
-        Named intermediate values in an order in which they can be evaluated; only what is needed is emitted.
+        Named intermediate values in evaluation order; only those needed are emitted.
     in_c : bool
-        Whether it is for controllers too; derivatives by parameters are for estimation on a computer.
+        Whether it is also emitted as C, for controllers; parameter derivatives are for estimation on a computer.
     """
 
     name: str
@@ -102,11 +102,11 @@ class Relation:
     Attributes
     ----------
     latex : str
-        What it is, typeset.
+        Left-hand side, typeset.
     expression : sympy.Expr or sympy.Matrix
-        Its expression.
+        Right-hand side.
     description : str
-        A sentence with its equation.
+        A sentence that cites its equation.
     """
 
     latex: str
@@ -116,7 +116,7 @@ class Relation:
 
 @dataclass(frozen=True)
 class FieldGroup:
-    """Parameters that are handed over together.
+    """Parameters that are passed together.
 
     Attributes
     ----------
@@ -125,7 +125,7 @@ class FieldGroup:
     fields : tuple of Field
         In order.
     null : float or None
-        Default value of every field, None when there is none.
+        Default value of every field, None for no default.
     declared : bool
         Whether the type is declared with the functions; if not, the base model declares it.
     """
@@ -152,15 +152,15 @@ class Model:
     groups : tuple of FieldGroup
         The parameters as arrays.
     functions : tuple of Function
-        In the order in which a reader should meet them.
+        In reading order.
     relations : tuple of Relation
         Derived, shown in the documentation, not emitted.
     rigid_modes : int or None
-        Motions that strain nothing elastic, at any regular pose and for any parameters; None when it depends.
+        Number of motions that strain no elastic part, at any regular pose and for any parameters; None if it varies.
     constants : tuple of (comment, name, value)
-        What a program needs to know about the model, as literals of Python.
+        Constants that programs need, as Python literals.
     notes : tuple of str
-        What a person must know who uses the code, one paragraph each.
+        Notes for users of the code, one paragraph each.
     """
 
     mechanism: str
@@ -175,5 +175,5 @@ class Model:
 
     @property
     def fields(self) -> tuple[Field, ...]:
-        """The fields of all groups."""
+        """Fields of all groups."""
         return tuple(f for group in self.groups for f in group.fields)

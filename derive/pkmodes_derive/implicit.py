@@ -9,8 +9,8 @@ and, differentiating once more along the solution,
 .. math:: \Phi_s\, s_{kl} = -\left[\Phi_{qq} + \Phi_{qs} D + (\Phi_{qs} D)^T + D^T \Phi_{ss} D\right]_{kl}.
 
 The bracket is the second total derivative of the closure with s_kl set to zero, that is with D held
-constant; `second_order_forcing` computes it so.  For the linear delta the first line is equation 15 of the
-paper (Phi_s = D_l, -Phi_q = D_r) and the second gives the exact Hessian that equation 49 is used for.
+constant; `second_order_forcing` computes it that way.  For the linear delta the first line is equation 15 of
+the paper (Phi_s = D_l, -Phi_q = D_r) and the second gives the exact Hessian for which equation 49 is used.
 
 The Hessian of a function V(q, s(q)) needs s_kl only in the product V_s . s_kl, so one adjoint solution
 replaces all of them: with multipliers :math:`\Phi_s^T \mu = V_s` (the forces that the closures carry),
@@ -20,8 +20,8 @@ replaces all of them: with multipliers :math:`\Phi_s^T \mu = V_s` (the forces th
 
 which is the Hessian of the Lagrangian on the tangent space of the constraints.
 
-Nothing is solved symbolically: the linear systems are closed by their adjugate, entry by entry, whose minors are
-named where they are larger than two by two (`Solver`).
+No linear system is solved symbolically: the solutions are written with the adjugate, entry by entry, and its minors
+are named in systems larger than three by three (`Solver`).
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def first_order(
 ) -> tuple[Matrix, Matrix]:
     """Return Phi_s and -Phi_q, the two sides of Phi_s D = -Phi_q.
 
-    The dependent coordinates are held, so both are partial derivatives, as the theorem asks.
+    The dependent coordinates are held constant, so both are the partial derivatives that the theorem requires.
     """
     phi_s = Matrix([[chain.derivative(phi, s, hold=dependent) for s in dependent] for phi in closures])
     phi_q = Matrix([[chain.derivative(phi, q, hold=dependent) for q in independent] for phi in closures])
@@ -49,7 +49,7 @@ def first_order(
 def second_order_forcing(
     closures: Sequence[Expr], first: Symbol, second: Symbol, chain: Chain, jacobian: Sequence[Symbol]
 ) -> list[Expr]:
-    """Return -[bracket]_kl of the module's docstring, one entry for each closure.
+    """Return -[bracket]_kl of the module docstring, one entry for each closure.
 
     `chain` must hold the rules ds/dq = D; the entries of D, given as `jacobian`, are held constant.
     """
@@ -73,7 +73,7 @@ def constrained_hessian(
 
 
 class Solver:
-    """Solves systems with Phi_s by its adjugate and determinant, which it names.
+    """Solver for linear systems with Phi_s, through its named adjugate and determinant.
 
     Parameters
     ----------
@@ -81,9 +81,9 @@ class Solver:
         Phi_s, square.
     vocabulary : Vocabulary
     chain : Chain
-        Gets the names.
+        Receives the definitions.
     directions : sequence of str
-        Of the dependent coordinates, for the names.
+        Directions of the dependent coordinates, used in names.
 
     Attributes
     ----------
@@ -124,7 +124,7 @@ class Solver:
         return (-1) ** (row + column) * self._minor(rows, columns)
 
     def _minor(self, rows: tuple[int, ...], columns: tuple[int, ...]) -> Expr:
-        """Determinant of some rows and columns, by the first of the rows; those that several share are named."""
+        """Return the determinant of a submatrix, expanded along its first row; shared minors are named."""
         if not rows:
             return Integer(1)
         if (rows, columns) not in self._minors:
@@ -146,7 +146,7 @@ class Solver:
 
 
 def cofactor(matrix: Matrix, row: int, column: int) -> Expr:
-    """Cofactor of a 3-by-3 matrix: the cyclic form carries its own sign."""
+    """Return a cofactor of a 3-by-3 matrix; the cyclic form includes the sign."""
     r1, r2 = (row + 1) % 3, (row + 2) % 3
     c1, c2 = (column + 1) % 3, (column + 2) % 3
     return matrix[r1, c1] * matrix[r2, c2] - matrix[r1, c2] * matrix[r2, c1]

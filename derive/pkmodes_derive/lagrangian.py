@@ -8,7 +8,7 @@ For :math:`T(q, \dot q)`, quadratic in the velocities, and :math:`V(q)`,
     h = \frac{d}{dt}\Big|_{\ddot q = 0} \frac{\partial T}{\partial \dot q} - \frac{\partial T}{\partial q},
 
 so that :math:`M \ddot q + h + \nabla V = Q` (equations 33, 44, 47 and 48 of the paper).  V is a potential
-energy: forces are -dV/dq and K is positive for a restoring force.  The paper writes a force function
+energy: forces are -dV/dq and K is positive for a restoring force.  The paper uses a force function
 U = -V and K = -H_U, which is the same K.
 """
 
@@ -22,19 +22,19 @@ from pkmodes_derive.chain import Chain
 
 
 def mass_matrix(kinetic: Expr, velocities: Sequence[Symbol], chain: Chain) -> list[list[Expr]]:
-    """M = d2T/d(qdot)2."""
+    """Return M = d2T/d(qdot)2."""
     return chain.hessian(kinetic, velocities)
 
 
 def gradient(potential: Expr, coordinates: Sequence[Symbol], chain: Chain) -> list[Expr]:
-    """Gradient of V."""
+    """Return the gradient of V."""
     return [chain.derivative(potential, q) for q in coordinates]
 
 
 def velocity_forces(
     kinetic: Expr, coordinates: Sequence[Symbol], velocities: Sequence[Symbol], chain: Chain
 ) -> list[Expr]:
-    """Coriolis and centrifugal forces h of the module's docstring; quadratic in the velocities."""
+    """Return the Coriolis and centrifugal forces h (module docstring), quadratic in the velocities."""
     forces = []
     for coordinate, velocity in zip(coordinates, velocities, strict=True):
         momentum = chain.derivative(kinetic, velocity)

@@ -1,7 +1,7 @@
 """A machine: the tables, coordinates and parts that a mechanism declares, and what effects add to them.
 
-A mechanism's function gets an empty machine and declares it, top to bottom.  Then effects are applied, before
-anything is derived: what they refer to are names, whose definitions follow from the whole machine.
+The function ``declare`` of a mechanism fills an empty machine from top to bottom.  Effects are then applied before
+anything is derived: they refer to names, whose definitions follow from the complete machine.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from pkmodes_derive.parts import Arm, Belt, Clamp, Drive, Form, Link, PointMass,
 from pkmodes_derive.tables import Tables
 from pkmodes_derive.vocabulary import AXES, Field, Vocabulary
 
-#: What the letters of indices count; a mechanism may say it in its own words.
+#: Meaning of the index letters; a mechanism may override it.
 LETTERS = {
     "j": "axis j",
     "k": "coordinate k of a derivative",
@@ -34,17 +34,17 @@ SMALL = "small displacement from the reference configuration: "
 
 @dataclass(frozen=True)
 class Extra:
-    """A function of a mechanism beside those of every mechanism.
+    """A function specific to a mechanism.
 
     Attributes
     ----------
     name, summary, source, details : str
-        As of `Function`.
+        As in `Function`.
     outputs : tuple of Output
     arguments : tuple of Argument, optional
         By default the pose.
     definitions : mapping, optional
-        By default those of the chain and the inverse kinematics.
+        By default the definitions of the chain and the inverse kinematics.
     """
 
     name: str
@@ -57,7 +57,7 @@ class Extra:
 
 
 class Machine:
-    """What a mechanism declares, and effects read and change.
+    """The declaration of a mechanism, which effects read and change.
 
     Attributes
     ----------
@@ -67,41 +67,41 @@ class Machine:
     chain : Chain
         Named values as functions of coordinates and parameters.
     inverse : dict
-        The independent coordinates, and values that go with them, as functions of the pose.
+        The independent coordinates and auxiliary values as functions of the pose.
     gravity : tuple of sympy.Symbol
         Acceleration [m/s^2].
     pose : tuple of sympy.Symbol
     dependent : tuple of sympy.Symbol
-        Coordinates of the platform that closures determine.
+        Coordinates of the platform that the closures determine.
     independent : tuple of sympy.Symbol
         Coordinates that move the platform.
     coordinates, velocities, displacements : tuple of sympy.Symbol
         All generalised coordinates without effects, their rates and small displacements.
     follows : dict
-        What the other coordinates do while nothing stretches: their rates.
+        The other coordinates as functions of the independent ones with rigid transmissions, also valid for rates.
     points, rods, arms, links, rotors, drives, belts, reducers : lists
         Its parts.
     units : set of tuple
-        Vectors whose square is 1.
+        Unit vectors.
     differences : dict
-        Fields of the parameters that occur only in their difference from another one.
+        Parameter fields that enter only through their difference from another field.
     turned : dict
-        Values that are functions of one independent coordinate alone, with that and their derivative.
+        Values that depend on one independent coordinate alone, with that coordinate and their derivative.
     directions : tuple of str
-        In which the platform and the frame move.
+        Directions in which the platform and the frame move.
     frame : list of lists of Coordinate
         Released coordinates of the frame, for each direction.
     v_p, delta_p : tuple of sympy.Symbol
         Absolute velocity and small displacement of the platform.
     kinetic, elastic : lists of sympy.Expr
-        Energies [J] that effects add: quadratic forms of rates, and of small displacements.
+        Energies [J] that effects add: quadratic forms in rates and in small displacements.
     weights : list of (mass, position)
-        Bodies that effects add, for gravity.
+        Bodies on which gravity acts, added by effects.
     released : tuple of Coordinate
     compliances : tuple of sympy.Symbol
-        For each released coordinate, that of its spring.
+        Spring compliance of each released coordinate.
     effects : tuple of Effect
-        Those that were applied, with the names that they have here.
+        Applied effects, with the parameters and coordinates they have on this machine.
     """
 
     def __init__(self, name: str, title: str, directions: Sequence[str] = AXES) -> None:
@@ -154,12 +154,12 @@ class Machine:
         return self.chain.define(symbol, expression)
 
     def define_all(self, symbols: Iterable[Symbol], expressions: Iterable[Expr]) -> None:
-        """Name several."""
+        """Name several expressions."""
         for symbol, expression in zip(symbols, expressions, strict=True):
             self.define(symbol, expression)
 
     def generalised(self, *groups: Sequence[tuple[str, str, str, str, Mapping[str, object]]]) -> None:
-        """Declare all generalised coordinates in their order: (name, unit, description, LaTeX, indices) of each."""
+        """Declare all generalised coordinates in order, each as (name, unit, description, LaTeX, indices)."""
 
         def declared(before: str, after: str, per: str, what: str, tex: str) -> tuple[Symbol, ...]:
             return tuple(
@@ -175,121 +175,121 @@ class Machine:
         self.displacements = declared("delta_", "", "", SMALL, r"\Delta %s")
 
     def add_gravity(self) -> None:
-        """Gravity, which every robot file states."""
+        """Declare gravity, which every robot file contains."""
         self.gravity = self.vocabulary.vector("g", "m/s^2", "gravitational acceleration", "g")
         self.tables.field("gravity", (3,), self.gravity, "m/s^2", "gravitational acceleration g, base frame")
 
     def add_frame(self) -> None:
-        """The frame's mass, which only the effect of a moving frame takes."""
-        what = "the frame; used by the effect frame_compliance only"
+        """Declare the mass of the frame, used only by the effect ``frame_compliance``."""
+        what = "the frame; used only by the effect frame_compliance"
         self.tables.constant("frame", "mass", what, 50.0, "frame_compliance.mass")
 
     def vector(
         self, name: str, unit: str, description: str, latex: str, **index: object
     ) -> tuple[Symbol, ...]:
-        """The components of a vector in the directions in which the mechanism moves."""
+        """Declare a vector with components in the directions in which the mechanism moves."""
         return self.vocabulary.vector(name, unit, description, latex, axes=self.directions, **index)
 
     def vectors(self, name: str, unit: str, description: str, latex: str) -> tuple[tuple[Symbol, ...], ...]:
-        """One vector for each entry of the repeated table, such as an axis; index letter j."""
+        """Declare one vector for each entry of the repeated table, such as an axis; index letter j."""
         return tuple(self.vector(f"{name}_{{j}}", unit, description, latex, j=j) for j in self.tables.numbers)
 
     def each(self, name: str, unit: str, description: str, latex: str) -> tuple[Symbol, ...]:
-        """One scalar for each entry of the repeated table; index letter j."""
+        """Declare one scalar for each entry of the repeated table; index letter j."""
         declare = self.vocabulary.declare
         return tuple(declare(f"{name}_{{j}}", unit, description, latex, j=j) for j in self.tables.numbers)
 
     def platform_pose(self, name: str, pose_is: str, latex: str) -> tuple[Symbol, ...]:
-        """A pose that closures connect with the independent coordinates: the platform's centre."""
+        """Declare the platform centre as the pose, related to the independent coordinates by closures."""
         found = self.vector(name, "m", pose_is, latex)
         self.pose = self.dependent = found
         self.pose_is = pose_is
         return found
 
     def independent_pose(self, coordinates: Sequence[Symbol], pose_is: str) -> None:
-        """A pose that is the independent coordinates themselves."""
+        """Declare the independent coordinates themselves as the pose."""
         self.pose, self.pose_is = tuple(coordinates), pose_is
         self.inverse = {}
 
     def moves_platform(self, coordinates: Sequence[Symbol], argument: str, are: str) -> None:
-        """Which coordinates are independent, what the argument with their values is called, and what they are."""
+        """Declare the independent coordinates, the argument name for their values, and a plural noun for them."""
         self.independent, self.argument, self.independent_are = tuple(coordinates), argument, are
 
     @property
     def independent_argument(self) -> Argument:
-        """Values of the independent coordinates."""
+        """The independent coordinates as an argument of a function."""
         unit = self.vocabulary[self.independent[0]].unit
         names = ", ".join(q.name for q in self.independent)
         return Argument(self.argument, self.independent, unit, f"{self.independent_are} {names}")
 
     def unit_vector(self, vector: Sequence[Symbol]) -> None:
-        """A vector whose square is 1."""
+        """Declare a vector to be a unit vector, whose square is replaced by 1."""
         self.units.add(tuple(vector))
 
     def link(self, vector: Sequence[Symbol], length: Expr, coordinate: Symbol) -> Link:
-        """Close a loop by a rigid link."""
+        """Close a loop with a rigid link."""
         self.links.append(Link(tuple(vector), length, coordinate))
         return self.links[-1]
 
     def turns(self, symbol: Symbol, coordinate: Symbol, derivative: Expr) -> None:
-        """State a value that is a function of one independent coordinate alone, by its derivative."""
+        """Declare a value that depends on one independent coordinate alone, by its derivative."""
         self.chain.rule(symbol, coordinate, derivative)
         self.turned[symbol] = coordinate, derivative
 
     def rotor(self, coordinate: Symbol, inertia: Expr, name: Symbol | None = None) -> Rotor:
-        """A body that turns on a bearing of the frame."""
+        """Add a body that turns on a bearing of the frame."""
         self.rotors.append(Rotor(coordinate, inertia, name))
         return self.rotors[-1]
 
     def drive(
         self, rotors: Sequence[tuple[Rotor, Expr]], motor: Expr, torque: Symbol, *, winds_up: bool = True
     ) -> None:
-        """A motor with its gearbox on one of some rotors."""
+        """Add a motor with its gearbox on one of several rotors."""
         self.drives.append(Drive(tuple(rotors), motor, torque, winds_up))
 
     def belt(self, modulus: Expr, runs: Sequence[Run], clamp: Clamp | None = None) -> None:
-        """A belt with its free spans."""
+        """Add a belt with its free spans."""
         self.belts.append(Belt(modulus, tuple(runs), clamp))
 
-    # What effects and the assembler ask ------------------------------------------------------------------------
+    # Queries by effects and the assembler ------------------------------------------------------------------
 
     def unit_by(self, coordinate: Symbol, for_length: str, for_angle: str) -> str:
-        """A unit, by what a coordinate is."""
+        """Return the unit for a length or for an angle, depending on a coordinate."""
         unit: str = self.vocabulary[coordinate].unit
         return for_length if unit == "m" else for_angle
 
     @property
     def stem(self) -> str:
-        """What the names of the independent coordinates have in common, as in descriptions of derivatives."""
+        """Common stem of the names of the independent coordinates, used in descriptions of derivatives."""
         first: str = self.independent[0].name
         return first.rsplit("_", 1)[0]
 
     @property
     def base(self) -> int:
-        """How many coordinates there are without effects."""
+        """Number of coordinates without effects."""
         return len(self.coordinates)
 
     @property
     def rates(self) -> tuple[Symbol, ...]:
-        """Of all coordinates, released ones included."""
+        """Rates of all coordinates, including released ones."""
         return (*self.velocities, *(c.rate for c in self.released))
 
     @property
     def small(self) -> tuple[Symbol, ...]:
-        """Small displacements of all coordinates: a released one is its own."""
+        """Small displacements of all coordinates; a released coordinate is its own small displacement."""
         return (*self.displacements, *(c.position for c in self.released))
 
     @property
     def all_coordinates(self) -> tuple[Symbol, ...]:
-        """The released ones too."""
+        """All coordinates, including released ones."""
         return (*self.coordinates, *(c.position for c in self.released))
 
     def rate(self, form: Form, clamp: Clamp | None = None) -> Expr:
-        """How fast a linear form changes."""
+        """Return the rate of a linear form."""
         return self._evaluated(form, self.velocities, [c.rate for c in clamp.released] if clamp else [])
 
     def displacement(self, form: Form, clamp: Clamp | None = None) -> Expr:
-        """A linear form in small displacements."""
+        """Return a linear form in small displacements."""
         return self._evaluated(
             form, self.displacements, [c.position for c in clamp.released] if clamp else []
         )
@@ -299,7 +299,7 @@ class Machine:
         return Add(*(factor * of[q] for q, factor in form.items()), *released)
 
     def rotation(self, rotor: Rotor) -> Symbol:
-        """Small rotation of a rotor, counted from 0 [rad]."""
+        """Return the small rotation of a rotor from the reference configuration [rad]."""
         return self.displacements[self.coordinates.index(rotor.coordinate)]
 
     @property
@@ -318,15 +318,15 @@ class Machine:
 
     @property
     def platform_position(self) -> tuple[Expr, ...]:
-        """Absolute position of the platform, on the frame and with it."""
+        """Absolute position of the platform, including the displacement of the frame."""
         return tuple(Add(c, u) for c, u in zip(self.platform, self.frame_position, strict=True))
 
     def add_kinetic(self, energy: Expr) -> None:
-        """Add kinetic energy, a quadratic form of rates."""
+        """Add kinetic energy, a quadratic form in rates."""
         self.kinetic.append(energy)
 
     def add_elastic(self, energy: Expr) -> None:
-        """Add elastic energy, a quadratic form of small displacements."""
+        """Add elastic energy, a quadratic form in small displacements."""
         self.elastic.append(energy)
 
     def add_weight(self, mass: Expr, position: Sequence[Expr]) -> None:
@@ -336,7 +336,7 @@ class Machine:
     # Effects -------------------------------------------------------------------------------------------------
 
     def finish(self) -> None:
-        """Name what belongs to the platform, once it is declared; positions may have plain numbers in them."""
+        """Complete a declaration: convert plain numbers in positions, and name the platform velocity."""
         self.platform = _exact(self.platform)
         for point in self.points:
             point.position = _exact(point.position)
@@ -347,14 +347,14 @@ class Machine:
         self.v_p = self._platform("v_p", "m/s", "velocity of the platform", r"(\dot{{p}})_{i}")
 
     def apply(self, effects: Sequence[Effect]) -> None:
-        """Add effects; those that do not apply are an error of the caller."""
+        """Apply effects; the caller passes only effects that apply to the machine."""
         if not effects:
             return
         self.delta_p = self._platform(
             "delta_p", "m", "small displacement of the platform from the pose", r"(\Delta p)_{i}"
         )
         self.effects = tuple(effect.on(self) for effect in effects)
-        # Two passes: effects see every released coordinate, whichever of them is applied first.
+        # Two passes: each effect sees every released coordinate, whatever the order of application.
         prepared = [(effect, self._parameters(effect), self._release(effect)) for effect in self.effects]
         for _, parameters, released in prepared:
             if released:

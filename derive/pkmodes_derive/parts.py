@@ -1,7 +1,7 @@
-"""Parts that a mechanism is made of; effects change them, and the assembler takes their energies.
+"""Parts of a mechanism: effects change them, and the assembler forms their energies.
 
-Positions are written in coordinates and named values.  How a belt, rotor or spring moves is a linear form in the
-coordinates: what it does in small displacements it does in rates.
+Positions are expressions in coordinates and named values.  The motion of a belt, rotor or spring is a linear form in
+the coordinates, the same for small displacements and for rates.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from sympy import Expr, S, Symbol
 
 from pkmodes_derive.effect import Coordinate
 
-#: A displacement or rate, linear in coordinates: what each is multiplied by.
+#: A displacement or rate, linear in the coordinates: the factor of each.
 Form = Mapping[Symbol, Expr]
 Position = Sequence[Expr]
 
@@ -56,16 +56,16 @@ class Arm:
 
 @dataclass
 class Link:
-    """A rigid link between an independent coordinate's joint and the platform: it closes a loop.
+    """A rigid link that closes a loop between the joint of an independent coordinate and the platform.
 
     Attributes
     ----------
     vector : tuple of sympy.Symbol
-        From that joint to the platform's [m], named in the chain.
+        From that joint to the platform joint [m], named in the chain.
     length : sympy.Expr
-        As declared [m].
+        Declared length [m].
     coordinate : sympy.Symbol
-        The independent coordinate that it belongs to.
+        Its independent coordinate.
     elongation : list of Coordinate
         Released coordinates that lengthen it.
     """
@@ -85,9 +85,9 @@ class Rotor:
     coordinate : sympy.Symbol
         Its rotation.
     inertia : sympy.Expr
-        Without what drives it [kg m^2].
+        Moment of inertia without its drive [kg m^2].
     name : sympy.Symbol or None
-        How inertia and drive together are named; None leaves them as they are.
+        Name of the moment of inertia including the drive; None for no name.
     """
 
     coordinate: Symbol
@@ -97,20 +97,20 @@ class Rotor:
 
 @dataclass
 class Drive:
-    """A motor with its gearbox, which turns one of some rotors.
+    """A motor with its gearbox, which turns one of several rotors.
 
     Attributes
     ----------
     rotors : tuple of (Rotor, sympy.Expr)
-        Those that it may turn, and 1 for the one that it does, else 0.
+        Rotors that it may turn, each with 1 if it does, else 0.
     motor : sympy.Expr
         Moment of inertia of the motor, reflected to the rotor [kg m^2].
     torque : sympy.Symbol
-        Names the static torque on the rotor.
+        Name of the static torque on the rotor.
     inertia : sympy.Expr
-        What effects add to the rotor [kg m^2].
+        Moment of inertia that effects add to the rotor [kg m^2].
     winds_up : bool
-        Whether a gearbox that yields is told from what follows it.
+        Whether gearbox compliance is distinct from that of the following transmission.
     wind_up : list of Coordinate
         Released coordinates by which the motor turns further than the rotor.
     """
@@ -125,7 +125,7 @@ class Drive:
 
 @dataclass
 class Clamp:
-    """Where a belt is fastened to what it moves: released coordinates move it relative to that."""
+    """The attachment of a belt to the body it moves; released coordinates move it relative to that body."""
 
     released: list[Coordinate] = field(default_factory=list)
 
@@ -139,9 +139,9 @@ class Run:
     length, stiffness : sympy.Symbol
         Names of its free length [m] and of its stiffness [N/m].
     free_length : sympy.Expr
-        In the reference configuration [m].
+        Free length in the reference configuration [m].
     ends : tuple of (Form, Clamp or None)
-        How both ends move along it.
+        Motion of both ends along the span.
     """
 
     length: Symbol
@@ -163,9 +163,9 @@ class Belt:
     change : sympy.Expr
         Relative change of the modulus by effects.
     factor : sympy.Expr
-        By which effects multiply the modulus.
+        Factor by which effects multiply the modulus.
     compliance : sympy.Expr
-        In series with every span [m/N].
+        Compliance in series with every span [m/N].
     """
 
     modulus: Expr
@@ -178,7 +178,7 @@ class Belt:
 
 @dataclass
 class Reducer:
-    """A torsional spring between two coordinates [N m/rad]; the stiffness is named."""
+    """A torsional spring between two coordinates, with a named stiffness [N m/rad]."""
 
     stiffness: Symbol
     declared: Expr

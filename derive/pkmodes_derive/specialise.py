@@ -1,7 +1,7 @@
 """Specialise a model to one robot: parameters become numbers, and constants are folded.
 
-The folding goes definition by definition, so the structure that a person reads stays as it is: a definition
-that becomes a number, or another name for a symbol, disappears into the ones that use it.
+Folding works definition by definition, so the readable structure is kept: a definition that becomes a number
+or another name for a symbol is substituted where it is used.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from pkmodes_derive.functions import Function, Model
 
 
 def number(value: float) -> Expr:
-    """Exact SymPy number of a double; integers stay integers, so that 0 and 1 fold away."""
+    """Return a double as an exact SymPy number; integers stay integers, so 0 and 1 fold away."""
     return Integer(int(value)) if float(value).is_integer() else Float(float(value))
 
 
@@ -39,7 +39,7 @@ def specialise(model: Model, values: Mapping[str, float]) -> Model:
 
 
 def fold(function: Function, known: Mapping[Symbol, Expr] | None = None) -> Function:
-    """Put in what is known, and let definitions that are a number or another name disappear into their uses."""
+    """Substitute known values, and definitions that become a number or another name for a symbol."""
     known = dict(known or {})
     definitions: dict[Symbol, Expr] = {}
     for symbol, expression in function.definitions.items():

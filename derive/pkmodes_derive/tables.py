@@ -1,6 +1,6 @@
 """Tables of a robot file: each key declares its symbols, its place in the generated parameters, and its description.
 
-A mechanism states a quantity once, with the paper's letter, unit and bounds; the schema of the robot file, the
+A mechanism declares a quantity once, with the paper's symbol, unit and bounds; the schema of the robot file, the
 parameter paths, the arrays of the generated code and the glossary follow.
 """
 
@@ -15,7 +15,7 @@ from sympy import Symbol
 from pkmodes_derive.description import Key, Table
 from pkmodes_derive.vocabulary import AXES, DeclarationError, Field, Vocabulary
 
-#: SI units of the dimensions, in the words of messages.
+#: SI unit of each dimension; messages use these names.
 UNITS = {
     "mass": "kg",
     "length": "m",
@@ -29,9 +29,9 @@ UNITS = {
 
 
 def unit_of(dimension: str) -> str:
-    """SI unit of a dimension."""
+    """Return the SI unit of a dimension."""
     if dimension not in UNITS:
-        raise DeclarationError(f"unknown dimension {dimension!r}", f"there are {', '.join(UNITS)}")
+        raise DeclarationError(f"unknown dimension {dimension!r}", f"use one of {', '.join(UNITS)}")
     return UNITS[dimension]
 
 
@@ -40,7 +40,7 @@ AnyTable = TypeVar("AnyTable", bound="Declared")
 
 
 class Tables:
-    """The tables of one mechanism's robot file, in the order in which they were declared."""
+    """The tables of one mechanism's robot file, in declaration order."""
 
     def __init__(self, vocabulary: Vocabulary) -> None:
         self._vocabulary = vocabulary
@@ -48,15 +48,15 @@ class Tables:
         self.fields: list[Field] = []
 
     def single(self, name: str, description: str) -> Declared:
-        """A table that occurs once."""
+        """Declare a table that occurs once."""
         return self._added(Declared(self, name, description, 0, ""))
 
     def repeated(self, name: str, count: int, description: str) -> Repeated:
-        """A table of which there are several, with index letter j."""
+        """Declare a repeated table, with index letter j."""
         return self._added(Repeated(self, name, description, count, ""))
 
     def constant(self, table: str, key: str, description: str, default: float, effect: str) -> None:
-        """A mass that only an effect takes, with a default."""
+        """Declare a mass that only an effect uses, with a default."""
         mass = Key(
             key,
             "quantity",
@@ -72,16 +72,16 @@ class Tables:
 
     @property
     def numbers(self) -> range:
-        """Numbers of the entries of the repeated table."""
+        """Numbers of the entries of the repeated table, from 1."""
         return range(1, max(table.count for table in self._tables) + 1)
 
     def described(self) -> tuple[Table, ...]:
-        """The tables as they are described: the repeated one last."""
+        """Return the descriptions of the tables, the repeated one last."""
         ordered = sorted(self._tables, key=lambda table: table.count)
         return tuple(Table(t.name, t.description, tuple(t.keys), t.count, t.shared_by) for t in ordered)
 
     def declare(self, name: str, unit: str, description: str, latex: str, count: int) -> Symbols:
-        """One symbol, or one for each entry of a repeated table."""
+        """Declare one symbol, or one for each entry of a repeated table."""
         if not count:
             return (self._vocabulary.declare(name, unit, description, latex),)
         return tuple(
@@ -92,7 +92,7 @@ class Tables:
     def vectors(
         self, name: str, unit: str, description: str, latex: str, count: int, axes: Sequence[str] = AXES
     ) -> tuple[Symbols, ...]:
-        """The components of one vector for each entry of a repeated table."""
+        """Declare the components of one vector for each entry of a repeated table."""
         vector = self._vocabulary.vector
         return tuple(
             vector(f"{name}_{{j}}", unit, description, latex, axes=axes, j=j) for j in range(1, count + 1)
@@ -101,7 +101,7 @@ class Tables:
     def field(
         self, name: str, shape: tuple[int, ...], symbols: Sequence[Symbol], unit: str, description: str
     ) -> None:
-        """An array of the generated parameters."""
+        """Add an array to the generated parameters."""
         self.fields.append(Field(name, shape, tuple(symbols), unit, description.format(j="j")))
 
     def _added(self, table: AnyTable) -> AnyTable:
@@ -130,7 +130,7 @@ class Declared:
         above: float | None = None,
         signed: bool = False,
     ) -> Symbols:
-        """A quantity; of a shared table one for each entry that shares it."""
+        """Declare a quantity; in a shared table, one for each entry that shares it."""
         name, unit = field or f"{self.name}_{key}", unit_of(dimension)
         symbols = self._tables.declare(symbol, unit, description, latex or symbol, self._entries)
         self._tables.field(name, (self._entries,) if self._entries else (), symbols, unit, description)
@@ -151,7 +151,7 @@ class Declared:
     def ranges(
         self, keys: Sequence[str], symbol: str, description: str, latex: str
     ) -> tuple[Symbols, Symbols]:
-        """Ranges of a length, the lower end first, under several keys that share one field; letter i for the key."""
+        """Declare length ranges, lower end first, under several keys that share one field; letter i for the key."""
         v = self._tables._vocabulary
         ends = tuple(
             tuple(
@@ -174,10 +174,10 @@ class Declared:
 
 
 class Repeated(Declared):
-    """A table of which there are several; the keys of the tables that its entries share may be overridden in it."""
+    """A repeated table; each entry may override the keys of the tables that the entries share."""
 
     def shared(self, name: str, description: str) -> Declared:
-        """A table that the entries share."""
+        """Declare a table that the entries share."""
         table = self._tables._added(Declared(self._tables, name, description, 0, self.name))
         table._entries = self.count
         return table
@@ -185,14 +185,14 @@ class Repeated(Declared):
     def vector(
         self, key: str, symbol: str, description: str, latex: str, axes: Sequence[str] = AXES
     ) -> tuple[Symbols, ...]:
-        """A position in the base frame."""
+        """Declare a position in the base frame."""
         symbols = self._tables.vectors(symbol, "m", description, latex, self.count, axes)
         self._tables.field(key, (self.count, len(axes)), tuple(concatenate(*symbols)), "m", description)
         self._add(key, "vector", key, "length", description, elements=tuple(axes), signed=True)
         return symbols
 
     def direction(self, key: str, symbol: str, description: str, latex: str) -> tuple[Symbols, ...]:
-        """A unit vector."""
+        """Declare a unit vector."""
         symbols = self._tables.vectors(symbol, "1", description, latex, self.count)
         self._tables.field(key, (self.count, 3), tuple(concatenate(*symbols)), "1", description)
         self._add(key, "direction", key, "number", description)
@@ -207,7 +207,7 @@ class Repeated(Declared):
         description: str,
         **bounds: float,
     ) -> tuple[Symbols, Symbols]:
-        """A range, the lower end first; both ends as symbol, description and LaTeX form."""
+        """Declare a range, lower end first; each end is (symbol, description, LaTeX form)."""
         unit = unit_of(dimension)
         ends = tuple(
             self._tables.declare(symbol, unit, what, tex, self.count) for symbol, what, tex in (low, high)
@@ -219,17 +219,17 @@ class Repeated(Declared):
         return ends[0], ends[1]
 
     def lengths(self, key: str, symbol: str, count: int, description: str, latex: str) -> tuple[Symbols, ...]:
-        """Several positive lengths of each entry, with index letter k."""
+        """Declare several positive lengths for each entry, with index letter k."""
         return self._several(key, "vector", symbol, "length", count, description, latex, above=0.0)
 
     def signs(self, key: str, symbol: str, count: int, description: str, latex: str) -> tuple[Symbols, ...]:
-        """Several numbers of each entry that are +1 or -1, with index letter k."""
+        """Declare several numbers for each entry, each +1 or -1, with index letter k."""
         return self._several(key, "signs", symbol, "number", count, description, latex, choices=(1, -1))
 
     def choice(
         self, key: str, symbol: str, choices: tuple[int, ...], description: str, latex: str
     ) -> Symbols:
-        """One of some numbers."""
+        """Declare a choice of one of several numbers."""
         symbols = self._tables.declare(symbol, "1", description, latex, self.count)
         self._tables.field(key, (self.count,), symbols, "1", description)
         self._add(key, "choice", key, "number", description, choices=choices)
@@ -245,7 +245,7 @@ class Repeated(Declared):
         description: str,
         latex: str,
     ) -> tuple[Symbols, ...]:
-        """One of some numbers k: symbols that are 1 for the one that was chosen, else 0."""
+        """Declare a choice of one of several numbers k, as symbols that are 1 for the chosen number, else 0."""
         v, places = self._tables._vocabulary, range(1, self.count + 1)
         symbols = tuple(
             tuple(v.declare(f"{symbol}_{{j}}_{{k}}", "1", description, latex, j=j, k=k) for k in choices)

@@ -12,16 +12,16 @@ from pkmodes_derive.vectors import cross, dot
 
 
 def spheres(m: Machine, centres: Sequence[Sequence[Expr]], lengths: Sequence[Symbol]) -> Extra:
-    """Intersect three spheres around S_j = e_j - b_j, with the links' lengths as radii.
+    """Intersect three spheres around S_j = e_j - b_j, with the link lengths as radii.
 
     With S_1 as origin, alpha = S_2 - S_1 and beta = S_3 - S_1, the two intersections lie on either side of
-    the plane of the centres; `assembly` is the side, and equals the sign of det D_l there.
+    the plane of the centres; `assembly` selects the side and equals the sign of det D_l there.
 
     Parameters
     ----------
     m : Machine
     centres : sequence of vectors
-        S_j in the independent coordinates.
+        S_j as functions of the independent coordinates.
     lengths : sequence of sympy.Symbol
     """
     v = m.vocabulary
@@ -29,13 +29,13 @@ def spheres(m: Machine, centres: Sequence[Sequence[Expr]], lengths: Sequence[Sym
         "assembly", "1", "assembly branch: +1 or -1, the sign of det D_l", r"\operatorname{sgn}\det D_l"
     )
     S = m.vectors("S", "m", "centre of sphere {j}, on which the platform centre lies", "S_{j}")
-    alpha = v.vector("alpha", "m", "vector between the sphere centres 1 and 2", r"\alpha")
-    beta = v.vector("beta", "m", "vector between the sphere centres 1 and 3", r"\beta")
-    nu = v.vector("nu", "m^2", "normal of the plane of the sphere centres", r"\nu")
-    nu2 = v.declare("nu2", "m^4", "squared length of the normal", r"|\nu|^2")
-    what = "product of p - S_1 with the vector between sphere centres 1 and {j}"
+    alpha = v.vector("alpha", "m", "vector from sphere centre 1 to sphere centre 2", r"\alpha")
+    beta = v.vector("beta", "m", "vector from sphere centre 1 to sphere centre 3", r"\beta")
+    nu = v.vector("nu", "m^2", "normal to the plane of the sphere centres", r"\nu")
+    nu2 = v.declare("nu2", "m^4", "squared length of nu", r"|\nu|^2")
+    what = "scalar product of p - S_1 with the vector from sphere centre 1 to sphere centre {j}"
     power = [v.declare("h_{j}", "m^2", what, "h_{j}", j=j) for j in (2, 3)]
-    foot = v.vector("q", "m", "foot of the perpendicular on the plane of the centres, seen from S_1", "q")
+    foot = v.vector("q", "m", "projection of p onto the plane of the sphere centres, relative to S_1", "q")
     definitions: dict[Symbol, Expr] = {}
     for sphere, centre in zip(S, centres, strict=True):
         definitions.update(zip(sphere, centre, strict=True))
@@ -50,13 +50,13 @@ def spheres(m: Machine, centres: Sequence[Sequence[Expr]], lengths: Sequence[Sym
         definitions[foot[i]] = (power[0] * beta_nu[i] + power[1] * nu_alpha[i]) / nu2
     height = assembly * sqrt((lengths[0] ** 2 - dot(foot, foot)) / nu2)
     p = tuple(S[0][i] + foot[i] + height * nu[i] for i in range(3))
-    side = "assembly branch, +1 or -1: the sign of det D_l at the wanted platform centre"
+    side = "assembly branch, +1 or -1: the sign of det D_l at the desired platform centre"
     return Extra(
         "direct_kinematics",
         f"{m.pose_is.capitalize()} for given {m.independent_are}.",
         "equation 3: intersection of three spheres",
         (Output("p", (3,), p, "m", m.pose_is),),
-        "Not a number where the three spheres do not meet.",
+        "NaN if the three spheres do not intersect.",
         (m.independent_argument, Argument("assembly", (assembly,), "1", side, scalar=True)),
         definitions,
     )

@@ -8,10 +8,10 @@ from sympy import Add, Expr
 
 
 def dot(a: Sequence[Expr], b: Sequence[Expr]) -> Expr:
-    """Scalar product."""
+    """Return the scalar product."""
     return Add(*(u * w for u, w in zip(a, b, strict=True)))
 
 
 def cross(a: Sequence[Expr], b: Sequence[Expr]) -> tuple[Expr, Expr, Expr]:
-    """Vector product."""
+    """Return the vector product."""
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])

@@ -1,7 +1,7 @@
-"""One vocabulary of symbols: every quantity has a unit, a description and its place in the paper.
+"""The vocabulary of symbols: every quantity has a unit, a description and a LaTeX form.
 
 Nothing is derived here.  A mechanism declares its symbols through a `Vocabulary`; the emitted docstrings,
-the parameter tables and the LaTeX page read units and descriptions from it, so that each is stated once.
+the parameter tables and the LaTeX page read units and descriptions from it, so each is written once.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ AXES = ("x", "y", "z")
 
 
 class DeclarationError(ValueError):
-    """A declaration that cannot stand: what is wrong, and what to do about it."""
+    """An invalid declaration: what is wrong, and what to do about it."""
 
     def __init__(self, what: str, remedy: str) -> None:
         super().__init__(what)
@@ -26,14 +26,14 @@ class DeclarationError(ValueError):
 
 
 class Family(NamedTuple):
-    """Quantities that differ in their indices only: one entry of a glossary.
+    """Quantities that differ only in their indices: one entry of a glossary.
 
     Attributes
     ----------
     name, description : str
         With the indices as letters.
     unit : str
-        SI unit of all members, or what it is made of.
+        SI unit of all members, or a rule for it.
     """
 
     name: str
@@ -41,15 +41,15 @@ class Family(NamedTuple):
     unit: str
 
 
-#: Derivatives of named values by parameters: hundreds of members, one meaning.
+#: Derivatives of named values with respect to parameters: hundreds of members, one meaning.
 DERIVATIVES = Family(
-    "X_by_Y", "derivative of X by the parameter Y, at a fixed pose", "unit of X by unit of Y"
+    "X_by_Y", "derivative of X with respect to the parameter Y, at a fixed pose", "unit of X / unit of Y"
 )
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """What a symbol stands for.
+    """The meaning of a symbol.
 
     Attributes
     ----------
@@ -60,9 +60,9 @@ class Quantity:
     description : str
         A noun phrase that a reader of the generated code understands.
     latex : str
-        How the symbol is typeset; the paper's symbol where it has one.
+        LaTeX form; the paper's symbol if it has one.
     family : Family
-        What it is, with the indices as letters.
+        Its name and description with the indices as letters.
     index : mapping of str to object
         Value of each index by its letter, in order.
     template : str
@@ -78,7 +78,7 @@ class Quantity:
     template: str = ""
 
     def typeset(self, index: Mapping[str, object]) -> str:
-        """The LaTeX form with other values of the indices, or with letters."""
+        """Return the LaTeX form with other index values, or with letters."""
         if not self.index:
             return self.latex
         braced = {letter: f"{{{v}}}" if len(str(v)) > 1 else v for letter, v in index.items()}
@@ -94,7 +94,7 @@ class Field:
     name : str
         Name in the generated `Parameters`.
     shape : tuple of int
-        ``()`` for a scalar; the leading index is the axis where there is one.
+        ``()`` for a scalar; the leading index is the axis if there is one.
     symbols : tuple of sympy.Symbol
         The entries in row-major order.
     unit, description : str
@@ -119,17 +119,17 @@ def _filled(text: str, index: Mapping[str, object]) -> str:
     except (LookupError, ValueError):
         letters = ", ".join(f"{{{letter}}}" for letter in index)
         raise DeclarationError(
-            f"cannot fill in the indices {letters} of {text!r}", "write all other braces twice"
+            f"cannot fill in the indices {letters} of {text!r}", "double all other braces"
         ) from None
 
 
 class Vocabulary:
-    """The symbols of one mechanism, in the order in which they were declared.
+    """The symbols of one mechanism, in declaration order.
 
     Parameters
     ----------
     letters : mapping of str to str
-        What each index letter counts, as in "axis j".
+        Meaning of each index letter, such as "axis j".
     """
 
     def __init__(self, letters: Mapping[str, str] | None = None) -> None:
@@ -137,26 +137,26 @@ class Vocabulary:
         self._quantities: dict[Symbol, Quantity] = {}
 
     def declare(self, name: str, unit: str, description: str, latex: str, **index: object) -> Symbol:
-        """Declare a real symbol; a name can be declared once.
+        """Declare a real symbol; a name can be declared only once.
 
         Parameters
         ----------
         name, unit, description, latex : str
-            With ``{letter}`` for each index, which is filled in from `index`.
+            With ``{letter}`` for each index, filled in from `index`.
         **index
             Values of the indices by letter.
 
         Raises
         ------
         ValueError
-            If the name is taken, if unit, description or LaTeX form is empty, or if the letter of an index is a
-            word of the name as well.
+            If the name is taken, if unit, description or LaTeX form is empty, or if an index letter is also a
+            word of the name.
         """
         family, template = Family(name, description, unit), latex
         if index:
             if index.keys() & set(re.sub(r"\{\w\}", "", name).split("_")):
                 raise ValueError(
-                    f"the indices of {name!r} need other letters than those that it is named with"
+                    f"an index letter of {name!r} is also a word of the name; use another letter"
                 )
             letters = {letter: letter for letter in index}
             family = Family(_filled(name, letters), _filled(description, letters), unit)
@@ -167,18 +167,18 @@ class Vocabulary:
         if symbol in self._quantities:
             raise DeclarationError(
                 f"symbol {name!r} is declared twice",
-                "rename it: another quantity, or an effect, has that name",
+                "rename it: another quantity or effect has that name",
             )
         self._quantities[symbol] = Quantity(symbol, unit, description, latex, family, index, template)
         return symbol
 
     def derivative(self, of: Symbol, by: Symbol) -> Symbol:
-        """Declare the derivative of a named value by a parameter at a fixed pose; all of them are one family."""
+        """Declare the derivative of a named value with respect to a parameter, at a fixed pose, as one family."""
         value, parameter = self[of], self[by]
         symbol = self.declare(
             f"{of.name}_by_{by.name}",
             f"({value.unit})/({parameter.unit})",
-            f"derivative at a fixed pose of: {value.description}; by: {parameter.description}",
+            f"derivative at a fixed pose of: {value.description}; with respect to: {parameter.description}",
             rf"\frac{{d {value.latex}}}{{d {parameter.latex}}}",
         )
         self._quantities[symbol] = replace(self._quantities[symbol], family=DERIVATIVES)

@@ -1,9 +1,9 @@
-"""Close the loop on a real CoreXY printer: its resonances at several belt tensions, beside the model.
+"""Close the loop on a real CoreXY printer: compare its resonances at several belt tensions with the model.
 
     python examples/voron/voron.py [--out FILE]
 
-prints the residual of belts of constant stiffness, what the diagnosis makes of it, and fits that use nothing of
-pkmodes; --out writes the table of all peaks and predictions (CSV).
+prints the residual with belts of constant stiffness, the diagnosis, and fits made without pkmodes; --out writes the
+table of all peaks and predictions (CSV).
 """
 
 from __future__ import annotations
@@ -27,26 +27,26 @@ from pkmodes.updating import compare, diagnose, read
 Array = NDArray[np.float64]
 HERE = Path(__file__).resolve().parent
 TENSION = "effects.belt_tension_stiffness.tension"
-#: Series of measurements, by the name of their file.
+#: Names of the measurement series and their files.
 SERIES = ("measured", "preloads")
-#: Settings [mm] of which only the peak along x [Hz] is the belts'.
+#: Settings [mm] at which only the peak along x [Hz] belongs to the belts.
 SLACKEST = ((-1.5, 20.0), (-1.0, 24.0))
 #: Moving masses along x and y, as weighed [kg].
 MASSES = {"x": 0.502, "y": 0.502 + 0.695}
-#: Readings of the same setting [Hz], where there are two.
+#: Pairs of readings of the same setting [Hz].
 REPEATED = ((39.0, 33.0), (23.0, 23.0), (35.0, 28.0))
-#: Standard deviations that are tried beside the stated ones, relative; the repeated readings suggest the larger.
+#: Relative standard deviations tried in addition to the stated ones; the repeated readings suggest the larger.
 WIDER = {"5 %": 0.05, "10 %": 0.1}
-#: What the file declares when the belts get the stiffer with tension.
+#: Declaration of belts whose stiffness increases linearly with tension.
 LINEAR = '\n[effects.belt_tension_stiffness]\ncoefficient = { value = "0.3 1/N", sigma = "1 1/N" }\n'
 
 
 def tension(extension: float) -> float:
-    """Assumed tension [N] for an extension [mm].
+    """Return the assumed tension [N] for an extension [mm].
 
-    4.6 N was measured in the second series, where the peak along y is 28 Hz, as it is here at +0.5 mm.  2.2 N/mm is
-    about the largest slope that keeps the belts tensioned at -1.5 mm, where the peak along x is still there.  A
-    linear law fits any other offset and slope as well, with another coefficient; a power law needs the offset.
+    In the second series 4.6 N was measured where the peak along y is 28 Hz, as it is here at +0.5 mm.  2.2 N/mm is
+    about the largest slope that keeps the belts tensioned at -1.5 mm, where the peak along x still exists.  A linear
+    law fits any other offset and slope equally well, with another coefficient; a power law needs the offset.
     """
     return 4.6 + 2.2 * (extension - 0.5)
 
@@ -62,21 +62,21 @@ class Peaks:
 
     @property
     def mass(self) -> Array:
-        """What moves [kg]."""
+        """Moving mass of each peak [kg]."""
         return np.array([MASSES[d] for d in self.direction])
 
 
 def peaks(data: Measurements, more: tuple[tuple[float, float], ...] = ()) -> Peaks:
-    """Peaks of a file, and further ones along x at extensions [mm]."""
+    """Collect the peaks of a file, and further ones along x at extensions [mm]."""
     setting = [data.labels[p] for p in data.pose] + [f"{e:+.1f} mm" for e, _ in more]
     loads = [data.load(p)[TENSION] for p in data.pose] + [tension(e) for e, _ in more]
     frequency = [*data.frequency, *(f for _, f in more)]
     return Peaks(setting, np.array(loads), [*data.mode, *("x" for _ in more)], np.array(frequency))
 
 
-# Fits that know nothing of the program: one spring, two masses ---------------------------------------------------
+# Fits without pkmodes: one spring, two masses --------------------------------------------------------------------
 
-#: Logarithm of the stiffness [N/m] by tension [N] and parameters, and where to start.
+#: Logarithm of the stiffness [N/m] as a function of tension [N] and parameters, and starting values.
 LAWS: dict[str, tuple[Callable[[Array, Array], Array], tuple[float, ...]]] = {
     "constant": (lambda t, p: p[0] + 0.0 * t, (10.0,)),
     "linear": (lambda t, p: p[0] + np.log1p(np.exp(p[1]) * t), (9.0, -1.0)),
@@ -85,7 +85,7 @@ LAWS: dict[str, tuple[Callable[[Array, Array], Array], tuple[float, ...]]] = {
 
 
 def fitted(law: str, at: Peaks, rows: NDArray[np.bool_] | None = None) -> Array:
-    """Parameters of a law, by least squares in the logarithm of the frequencies."""
+    """Fit the parameters of a law by least squares in the logarithm of the frequencies."""
     rows = np.ones(len(at.mass), dtype=bool) if rows is None else rows
     stiffness, start = LAWS[law]
     aim = 2.0 * np.log(2.0 * np.pi * at.frequency) + np.log(at.mass)
@@ -93,22 +93,22 @@ def fitted(law: str, at: Peaks, rows: NDArray[np.bool_] | None = None) -> Array:
     def left(p: Array) -> Array:
         return (stiffness(at.tension, p) - aim)[rows]
 
-    # A coefficient has no upper limit where the belts go slack at no tension: the bound is far beyond the data.
+    # Belts that are slack without tension put no upper limit on a coefficient: the bound is far beyond the data.
     return np.asarray(least_squares(left, start, bounds=(-15.0, 15.0), xtol=1e-12, ftol=1e-12).x)
 
 
 def predicted(law: str, at: Peaks, p: Array) -> Array:
-    """Frequencies [Hz]."""
+    """Predict the frequencies [Hz]."""
     return np.asarray(np.exp(0.5 * (LAWS[law][0](at.tension, p) - np.log(at.mass))) / (2.0 * np.pi))
 
 
 def rms(prediction: Array, at: Peaks) -> float:
-    """Relative error."""
+    """Return the rms relative error."""
     return float(np.sqrt(np.mean((prediction / at.frequency - 1.0) ** 2)))
 
 
 def left_out(law: str, at: Peaks) -> float:
-    """Relative error where each setting is predicted from the others."""
+    """Return the rms relative error with each setting predicted from the others."""
     found = np.empty(len(at.mass))
     for setting in dict.fromkeys(at.setting):
         others = np.array([s != setting for s in at.setting])
@@ -121,14 +121,14 @@ def left_out(law: str, at: Peaks) -> float:
 
 @dataclass(frozen=True)
 class Loop:
-    """Robots as declared and what was found, by series, robot and whether sigma is as stated."""
+    """Declared robots, measurements, and diagnoses by series, robot and sigma."""
 
     robots: dict[str, pkmodes.Robot]
     data: dict[str, Measurements]
     found: dict[tuple[str, str, str], Diagnosis]
 
     def refitted(self, series: str) -> pkmodes.Robot:
-        """The robot whose belts get stiffer with tension, as fitted to a series."""
+        """Return the robot with linear belt stiffness, fitted to a series."""
         values = self.found[series, "linear", "stated"].refitted
         return self.robots["linear"].with_values({v.name: v.after for v in values})
 
@@ -148,7 +148,7 @@ RUNS = (
 
 
 def close_the_loop() -> Loop:
-    """Diagnose every robot with every series; no setting is held out, as they are few."""
+    """Run all diagnoses; no setting is held out, as there are few."""
     text = (HERE / "robot.toml").read_text(encoding="utf-8")
     free = text[: text.index("# Both motors are energised.")]
     robots = {}
@@ -168,7 +168,7 @@ def close_the_loop() -> Loop:
 
 
 def table(loop: Loop) -> list[dict[str, object]]:
-    """One row for each peak: measured, and predicted by the model as declared and by both refits [Hz]."""
+    """Return a row for each peak: measured, and predicted by the declared model and by both refits [Hz]."""
     rows: list[dict[str, object]] = []
     for series in SERIES:
         constant = loop.found[series, "constant", "stated"].rows
@@ -191,7 +191,7 @@ def table(loop: Loop) -> list[dict[str, object]]:
 
 
 def report(loop: Loop) -> str:
-    """Everything that docs/voron.md states."""
+    """Return the text with all results stated in docs/voron.md."""
     scatter = np.sqrt(np.mean([(a - b) ** 2 / 2.0 for a, b in REPEATED]))
     lines = [f"repeated readings: standard deviation {scatter:.1f} Hz", "", "diagnosis"]
     for (series, robot, sigma), found in loop.found.items():
@@ -210,7 +210,10 @@ def report(loop: Loop) -> str:
     lines += [f"linear, fitted to measured, on preloads: rms {100 * across:.1f} %", "", "peak [Hz]"]
     rows = table(loop)
     lines += [" | ".join(rows[0]), *(" | ".join(str(cell) for cell in row.values()) for row in rows)]
-    lines += ["", "one spring and two masses, fitted without pkmodes: rms, each setting left out, parameter"]
+    lines += [
+        "",
+        "one spring and two masses, fitted without pkmodes: rms, rms with each setting left out, parameter",
+    ]
     whole = peaks(loop.data["measured"], SLACKEST)
     for name, at in (
         ("measured", peaks(loop.data["measured"])),
@@ -234,7 +237,7 @@ def _shown(value: float | None) -> str:
 
 
 def main() -> None:
-    """Print the summary, and write the table."""
+    """Print the summary and write the table."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--out", type=Path, help="write the table of peaks and predictions to this CSV file")
     out = parser.parse_args().out

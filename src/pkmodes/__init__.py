@@ -1,11 +1,11 @@
 """Vibration modes of parallel robots with compliant transmissions.
 
 `load` reads a robot file and returns a `Model`, whose ``modes``, ``matrices`` and ``statics`` take one pose or
-an array of poses.  Coordinates, signs and frames are stated in docs/model.md.
+an array of poses.  docs/model.md defines the coordinates, signs and frames.
 """
 
-# ruff: noqa: F403, F405 - type checkers see where the names come from, and nothing is loaded
-TYPE_CHECKING = False  # as in typing, without loading it
+# ruff: noqa: F403, F405 - type checkers see where the names come from without anything being loaded
+TYPE_CHECKING = False  # as in typing, without importing it
 if TYPE_CHECKING:
     from pkmodes.public import *
 
@@ -28,9 +28,9 @@ __all__ = [
 
 
 def __getattr__(name: str) -> object:
-    """Load the public names with the first of them: the command line has to run before NumPy is loaded.
+    """Load the public names when the first is used: the command line has to start before NumPy is loaded.
 
-    What compares with measurements comes alone when it is used: it needs SciPy, which takes longer still.
+    Modules that compare with measurements are loaded separately: they need SciPy, which takes even longer.
     """
     if name == "updating":
         import pkmodes.updating

@@ -1,7 +1,7 @@
-"""The entry of the command line: ``pkmodes`` and ``python -m pkmodes``.
+"""Entry point of the command line: ``pkmodes`` and ``python -m pkmodes``.
 
-Loading NumPy and what else a command needs takes a moment, in which an interrupt must not end in a traceback:
-until all is loaded there is nothing to clean up, and the process just ends.
+Loading NumPy and the other dependencies takes a moment, and an interrupt during it must not print a traceback: until
+everything is loaded there is nothing to clean up, so the process just ends.
 """
 
 from __future__ import annotations
@@ -25,10 +25,10 @@ def main() -> None:
     if ours:
         signal.signal(signal.SIGINT, signal.default_int_handler)
     code = run()
-    if ours:  # the work is done: only the interpreter is still to be cleared up
+    if ours:  # the work is done: only the interpreter's shutdown remains
         signal.signal(signal.SIGINT, _leave)
     if code == INTERRUPTED:
-        # Where the interrupt came while a library was compiling code, Python would end itself by the signal.
+        # If the interrupt came while a library was compiling code, Python would end with the signal instead.
         os._exit(code)
     sys.exit(code)
 

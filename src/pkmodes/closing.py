@@ -1,4 +1,4 @@
-"""The former name of `pkmodes.updating`, kept for scripts that use it."""
+"""Former name of `pkmodes.updating`, kept for existing scripts."""
 
 import warnings
 

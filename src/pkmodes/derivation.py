@@ -1,7 +1,7 @@
-"""The bridge between runtime and derivation, and the definitions of a user's own mechanisms that it takes.
+"""Interface from the runtime to the derivation, including definitions of user-defined mechanisms.
 
-This is the only module that imports the derivation, and it does so when it is called: ``import pkmodes`` must
-work, and fast, without SymPy.
+This is the only module that imports the derivation, and it does so on demand: ``import pkmodes`` must be fast and
+must work without SymPy.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from pkmodes.mechanism import Mechanism, meanwhile, supplied
 from pkmodes.mechanism_packages import DEFINITION, GIVE
 from pkmodes.writing import write_files
 
-#: The extra `derive` of pyproject.toml: named here so that it can be installed without an index that has pkmodes.
+#: The extra `derive` of pyproject.toml, repeated here so that it can be installed without a pkmodes index entry.
 REQUIREMENTS = ("jinja2>=3.1", "sympy==1.14.0")
 LARGEST_FILE = 1_000_000
 
@@ -48,7 +48,7 @@ def derivation(name: str) -> ModuleType:
 
 @dataclass(frozen=True)
 class Definition:
-    """The Python source of a user's own mechanism: its name, text and file."""
+    """The Python source of a user-defined mechanism: its name, text and file."""
 
     name: str
     text: str
@@ -56,7 +56,7 @@ class Definition:
 
 
 def read_definition(file: Path, name: str | None = None) -> Definition:
-    """Read the definition of a mechanism; without a name that of the file counts.
+    """Read the definition of a mechanism; the name defaults to that of the file.
 
     Raises
     ------
@@ -65,15 +65,15 @@ def read_definition(file: Path, name: str | None = None) -> Definition:
     """
     remedy = "give a Python file with TITLE, DIRECTIONS and declare(m)"
     if file.exists() and not file.is_file():
-        raise PkmodesError("cannot read the definition: it is no file", str(file), remedy)
+        raise PkmodesError("cannot read the definition: it is not a file", str(file), remedy)
     if name is None and file.suffix != ".py":
         raise PkmodesError("expected a Python file, or the folder of a mechanism", str(file), remedy)
     try:
         if file.stat().st_size > LARGEST_FILE:
-            raise PkmodesError("cannot read the definition: it has more than 1 MB", str(file), remedy)
+            raise PkmodesError("cannot read the definition: it is larger than 1 MB", str(file), remedy)
         text = file.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError as error:
-        what = f"expected UTF-8 text, found byte {error.start} that is not"
+        what = f"expected UTF-8 text, found an invalid byte at offset {error.start}"
         raise PkmodesError(what, str(file), "save the file as UTF-8") from None
     except (OSError, ValueError) as error:  # ValueError: a path with a null character
         reason = (getattr(error, "strerror", None) or str(error)).lower()
@@ -82,31 +82,31 @@ def read_definition(file: Path, name: str | None = None) -> Definition:
 
 
 def define(definition: Definition) -> None:
-    """Make a definition known to the derivation.
+    """Register a definition with the derivation.
 
     Raises
     ------
     PkmodesError
-        If anything in it is wrong, with its line.
+        If the definition is invalid; the message gives the line.
     """
     with told():
         derivation("mechanisms").add(definition.name, definition.text, str(definition.file))
 
 
 def definition_of(kind: Mechanism) -> Definition | None:
-    """The definition that lies with the code of a mechanism, None for one that comes with pkmodes."""
+    """Return the definition stored with a mechanism's code, None for a mechanism that comes with pkmodes."""
     if kind.name in supplied():
         return None
     file = Path(str(files(kind.package))) / DEFINITION
     if not file.is_file():
-        what = f"there is no {DEFINITION}, from which code of the mechanism {kind.name} is derived"
+        what = f"expected {DEFINITION}, from which the mechanism {kind.name} is derived, found no such file"
         raise PkmodesError(what, str(file.parent), GIVE)
     return read_definition(file, kind.name)
 
 
 @contextmanager
 def told() -> Iterator[None]:
-    """Tell a mistake in a definition as any other."""
+    """Convert errors of a definition to `PkmodesError`."""
     mistake = derivation("definition").DefinitionError
     try:
         yield
@@ -115,18 +115,18 @@ def told() -> Iterator[None]:
 
 
 def parametric(definition: Definition, reference: str) -> dict[str, str]:
-    """Derive a user's own mechanism: the texts of its package.
+    """Derive a user-defined mechanism and return the texts of its package by file name.
 
     Parameters
     ----------
     definition : Definition
     reference : str
-        Its file, relative to the folder of the package.
+        Path of its file relative to the package folder.
 
     Raises
     ------
     PkmodesError
-        If anything in the definition is wrong.
+        If the definition is invalid.
     """
     define(definition)
     with told():
@@ -136,7 +136,7 @@ def parametric(definition: Definition, reference: str) -> dict[str, str]:
 
 @contextmanager
 def staged(name: str, texts: dict[str, str]) -> Iterator[Mechanism]:
-    """Know a mechanism by code that is not written to its place yet."""
+    """Register a mechanism from code that has not been written to its folder yet."""
     with TemporaryDirectory(prefix="pkmodes-") as place:
         write_files(Path(place) / name, texts)
         with meanwhile(Path(place) / name) as kind:

@@ -1,6 +1,6 @@
-"""Words of a mechanism's description: its tables and keys, what a pose and a robot need, its effects.
+"""Parts of a mechanism's description: tables and keys, conditions on a pose and on a robot, effects.
 
-They are read from the ``description.json`` that is generated with the code; `pkmodes.mechanism` has the whole.
+They are read from the ``description.json`` that is generated with the code; see `pkmodes.mechanism`.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Named:
-    """A component of the pose, a coordinate or a drive: name, SI unit and a noun phrase."""
+    """A pose component, a coordinate or a drive: name, SI unit and a noun phrase."""
 
     name: str
     unit: str
@@ -24,27 +24,27 @@ class Key:
     Attributes
     ----------
     name, kind : str
-        The kind is ``quantity``; ``vector`` of quantities; ``pair`` of quantities, the lower one first;
-        ``direction``, a unit vector that is normalised on reading; ``choice``, one of some numbers; ``one_of``, one
-        of some numbers, whose place has a 1 in the field; ``signs``, numbers that are each +1 or -1.
+        The kind is ``quantity``; ``vector``, several quantities; ``pair``, two quantities, the lower one first;
+        ``direction``, a unit vector that is normalised on reading; ``choice``, one of `choices`; ``one_of``, one of
+        `choices`, stored as a one-hot vector; ``signs``, numbers that are each +1 or -1.
     field : str
-        Of the generated `Parameters`; empty for a constant that an effect takes.
+        Field of the generated `Parameters`; empty for a constant used by an effect only.
     dimension, description : str
     index : tuple of int
-        Where in the field, after the index of a repeated table.
+        Index into the field, after the index of a repeated table.
     elements : tuple of str
         Names of the elements of a vector or pair, in paths.
     choices : tuple of int
     at_least, above, at_most : float or None
         Bounds in SI units.
     default : float or None
-        In SI units; without one the key is needed.
+        In SI units; a key without a default is required.
     effect : str
-        The parameter of an effect that takes this value, ``<effect>.<parameter>``; empty for none.
+        The effect parameter that takes this value, ``<effect>.<parameter>``; empty for none.
     signed : bool
-        Whether a quantity may have either sign, or be zero.
+        Whether a quantity may have either sign or be zero.
     suspected : bool
-        Whether it is a candidate where it has no standard deviation.
+        Whether a quantity without a standard deviation is a diagnosis candidate.
     """
 
     name: str
@@ -66,7 +66,11 @@ class Key:
 
 @dataclass(frozen=True)
 class Table:
-    """A table of the robot file: ``count`` times if repeated, else 0; perhaps shared by the entries of another."""
+    """A table of the robot file.
+
+    ``count`` is the number of entries of a repeated table, else 0; ``shared_by`` names the repeated table whose
+    entries share its values, if any.
+    """
 
     name: str
     description: str
@@ -88,21 +92,22 @@ class Whole:
 
 @dataclass(frozen=True)
 class Margin:
-    """Something that a pose needs, as one result of a generated function.
+    """A condition on a pose, given by one result of a generated function.
 
     Attributes
     ----------
     code, meaning : str
-        What `reason` says of a pose without it, and what that means.
+        The `reason` of a pose that violates it, and its meaning.
     function : str
     output : int
     rule : str
-        ``at_least_zero``, ``above_zero``, or ``at_most_limit`` of a condition number.
+        ``at_least_zero``, ``above_zero``, or ``at_most_limit`` for a condition number.
     sentence : str
-        With ``{0}``, ``{1}`` for the names of the place of the smallest, ``{missing}``, ``{short}`` and ``{value}``.
+        With placeholders: ``{0}``, ``{1}`` are the `names` of the smallest entry; ``{missing}``, ``{short}`` and
+        ``{value}`` are numbers.
     remedy : str
     names : tuple of tuple of str
-        What the places of each axis of the result are called.
+        Names of the entries along each axis of the result.
     unit : str
     """
 
@@ -119,7 +124,7 @@ class Margin:
 
 @dataclass(frozen=True)
 class Scale:
-    """What a coordinate's component of a shape is divided by where a person sees it, and its symbol."""
+    """The parameter, with its symbol, that divides a coordinate's shape component in printed tables."""
 
     coordinate: str
     field: str
@@ -129,7 +134,7 @@ class Scale:
 
 @dataclass(frozen=True)
 class Requirement:
-    """Something that a robot needs at any pose: a function of its parameters, an entry for each of the places."""
+    """A condition on a robot at any pose: a function of its parameters with one entry for each of `places`."""
 
     function: str
     rule: str
@@ -141,7 +146,7 @@ class Requirement:
 
 @dataclass(frozen=True)
 class EffectParameter:
-    """A parameter of an effect: 0 for none, otherwise above its bound, if there is one."""
+    """A parameter of an effect: 0 for no effect, otherwise above its bound, if it has one."""
 
     name: str
     unit: str
@@ -158,12 +163,12 @@ class Effect:
     ----------
     name, sentence : str
     grounds : bool
-        Whether it ties the platform to ground, so that no rigid-body mode is left.
+        Whether it ties the platform to ground, so that there are no rigid-body modes.
     coordinates : tuple of Named
-        That it releases.
+        The coordinates that it releases.
     parameters : tuple of EffectParameter
     requirements : tuple of Requirement
-        What it needs of them: functions of the generated effects.
+        Conditions on the parameters: functions of the generated effects.
     """
 
     name: str

@@ -1,11 +1,11 @@
 r"""The generalised symmetric eigenproblem K phi = lambda M phi, for a batch of small matrices.
 
-M is scaled to a unit diagonal, which removes the mixture of units (kg and kg m^2) before its Cholesky
-factor is taken; the problem then becomes a standard one, :math:`L^{-1} K L^{-T} y = \lambda y`, for LAPACK's
-symmetric solver.  Reference: Golub and Van Loan, Matrix Computations, section 8.7.
+M is scaled to a unit diagonal, which removes the mixture of units (kg and kg m^2) before the Cholesky factorisation;
+the problem then becomes the standard one :math:`L^{-1} K L^{-T} y = \lambda y` for LAPACK's symmetric solver.
+Reference: Golub and Van Loan, Matrix Computations, section 8.7.
 
-That solver errs by rounding of the largest eigenvalue.  Where a released joint is so stiff that this would show
-in the modes of vibration, `pkmodes.graded` solves the system again.
+The solver's error is rounding of the largest eigenvalue.  If a released joint is so stiff that this would affect the
+vibration modes, `pkmodes.graded` solves the system again.
 """
 
 from __future__ import annotations
@@ -15,14 +15,14 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-#: Components that differ by less than this from the largest one count as equal to it: symmetric poses have
+#: Components that differ from the largest by less than this fraction count as equal to it: symmetric poses have
 #: shapes with components of equal size, and rounding must not decide which of them sets the sign.
 TIE = 1e-6
 
-#: A largest eigenvalue beyond so many times the lowest one of vibration leaves it ten digits: 1e-15 of the largest
-#: is what the symmetric solver errs by.
+#: Ratio of the largest eigenvalue to the lowest vibration eigenvalue up to which the latter has ten correct digits:
+#: the symmetric solver's error is 1e-15 of the largest.
 GRADED = 1e5
-#: A stiff joint is what makes it so if the largest eigenvalue is so many times those of the other coordinates.
+#: The ratio is attributed to a stiff joint if the largest eigenvalue exceeds those of the base coordinates this much.
 STIFFER = 10.0
 
 
@@ -39,8 +39,8 @@ def generalised_eigh(M: Array, K: Array) -> tuple[Array, Array]:
     eigenvalues : ndarray, shape (N, n)
         Ascending [1/s^2].
     shapes : ndarray, shape (N, n, n)
-        ``shapes[:, i]`` is mode i, with phi^T M phi = 1; in units of M scaled by its diagonal, the first of
-        its largest components is positive.
+        ``shapes[:, i]`` is mode i, with phi^T M phi = 1; in coordinates scaled to a unit diagonal of M, the first
+        of its largest components is positive.
 
     Raises
     ------
@@ -64,35 +64,35 @@ def generalised_eigh(M: Array, K: Array) -> tuple[Array, Array]:
 def condensed_eigh(
     M: Array, K: Array, first: int, rigid: int = 0, massless: NDArray[np.bool_] | None = None
 ) -> tuple[Array, Array]:
-    r"""Solve K phi = lambda M phi where released joints may have no inertia, or hardly any compliance.
+    r"""Solve K phi = lambda M phi where released joints may have no inertia or hardly any compliance.
 
-    A massless coordinate r follows the others without delay, :math:`K_{rr} x_r + K_{rq} x_q = 0`, which is
-    exact; it adds no mode, and the shapes still list it.  The same coordinates must be massless in the whole
-    batch.  Stiff joints may have any size of stiffness on the diagonal of K: where it takes digits from the
-    modes of vibration, the system is solved in its graded form (`pkmodes.graded`).
+    A massless coordinate r follows the others statically, :math:`K_{rr} x_r + K_{rq} x_q = 0`; this condensation is
+    exact.  The coordinate adds no mode but is included in the shapes.  The same coordinates must be massless in the
+    whole batch.  The stiffness of stiff joints on the diagonal of K may be arbitrarily large: where it costs the
+    vibration modes digits, the system is solved in its graded form (`pkmodes.graded`).
 
     Parameters
     ----------
     M, K : ndarray, shape (N, n, n)
-        Symmetric; M positive definite but for rows and columns of zeros, where K must be regular.
+        Symmetric; M positive definite except for rows and columns of zeros, where K must be regular.
     first : int
-        The first of the released joints, which may be massless or stiff.
+        Index of the first released joint; released joints may be massless or stiff.
     rigid : int
-        So many modes are rigid-body motions, whose eigenvalues are zero but for gravity.
+        Number of rigid-body modes, whose eigenvalues are zero except for gravity.
     massless : ndarray of bool, shape (n,), optional
-        Which coordinates have no inertia; by default those of which M has none.  An empty batch cannot tell.
+        Which coordinates have no inertia; by default those whose rows of M are zero.  Needed for an empty batch.
 
     Returns
     -------
     eigenvalues : ndarray, shape (N, m)
         Ascending [1/s^2]; m is the number of coordinates with inertia.
     shapes : ndarray, shape (N, m, n)
-        As `generalised_eigh` gives them, in all coordinates.
+        As returned by `generalised_eigh`, in all coordinates.
 
     Raises
     ------
     numpy.linalg.LinAlgError
-        If M is not positive definite, or K singular, where they must not be.
+        If M is not positive definite on the coordinates with inertia, or K is singular on the massless ones.
     """
     if massless is None:
         none = (M == 0.0).all(axis=(0, 1)) if len(M) else np.zeros(M.shape[-1], dtype=bool)
@@ -111,7 +111,7 @@ def condensed_eigh(
 
 
 def _all_sizes(M: Array, K: Array, first: int, rigid: int) -> tuple[Array, Array]:
-    """Solve the eigenproblem, again and one by one where a stiff joint has taken digits from the others."""
+    """Solve the eigenproblem; solve systems whose modes lost digits to a stiff joint again, one by one."""
     eigenvalues, shapes = generalised_eigh(M, K)
     stiff = np.flatnonzero(has_stiff_joint(eigenvalues, first, rigid))
     if len(stiff):
@@ -125,16 +125,16 @@ def _all_sizes(M: Array, K: Array, first: int, rigid: int) -> tuple[Array, Array
 
 
 def has_stiff_joint(eigenvalues: Array, first: int, rigid: int) -> NDArray[np.bool_]:
-    """Where the largest eigenvalues are those of a stiff joint, and too large for the symmetric solver.
+    """Return where the largest eigenvalue belongs to a stiff joint and is too large for the symmetric solver.
 
     Parameters
     ----------
     eigenvalues : ndarray, shape (N, m)
-        Ascending, right to rounding of the largest or better.
+        Ascending, accurate to rounding of the largest or better.
     first : int
-        The first of the released joints.
+        Index of the first released joint.
     rigid : int
-        So many modes are rigid-body motions.
+        Number of rigid-body modes.
 
     Returns
     -------
@@ -150,9 +150,10 @@ def has_stiff_joint(eigenvalues: Array, first: int, rigid: int) -> NDArray[np.bo
 
 
 def magnitude(eigenvalues: Array, first: int, rigid: int) -> Array:
-    """The eigenvalue that each one's rounding is relative to, of those that `condensed_eigh` gives.
+    """Return the magnitude to which the rounding of each eigenvalue from `condensed_eigh` is relative.
 
-    The largest of all; where a joint is stiff, the larger of itself and those of the coordinates that are not.
+    This is the largest eigenvalue; where a joint is stiff, the larger of the eigenvalue itself and those of the
+    coordinates that are not stiff.
 
     Parameters
     ----------
@@ -179,6 +180,6 @@ def _sign(shapes: Array) -> Array:
 
 
 def natural_frequencies(eigenvalues: Array) -> Array:
-    """sqrt(|lambda|) / (2 pi) with the sign of lambda [Hz]: gravity may make a rigid mode unstable."""
+    """Return sqrt(|lambda|) / (2 pi) with the sign of lambda [Hz]: gravity may make a rigid-body mode unstable."""
     frequencies: Array = np.sign(eigenvalues) * np.sqrt(np.abs(eigenvalues)) / (2.0 * np.pi)
     return frequencies

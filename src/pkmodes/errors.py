@@ -1,4 +1,4 @@
-"""Errors that are a user's to mend: each says what, where, and what to do."""
+"""Errors that the user can fix: each says what is wrong, where, and what to do."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ LONGEST_SHOWN = 60
 
 
 def shown(value: object) -> str:
-    """How something that was found is shown in a message: on one line, printable, not too long."""
+    """Format a value for a message: on one line, printable, not too long."""
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, dict):
@@ -19,9 +19,9 @@ def shown(value: object) -> str:
         return "a list"
     try:
         text = str(value)
-    except ValueError:  # integers beyond the interpreter's limit of digits
+    except ValueError:  # an integer with more digits than the interpreter converts
         return "a very large number"
-    except Exception:  # an object of the caller's that cannot be shown
+    except Exception:  # an object of the caller that cannot be converted to text
         text = f"an object of type {type(value).__name__}"
     text = "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in text)
     text = text if len(text) <= LONGEST_SHOWN else f"{text[:LONGEST_SHOWN]}..."
@@ -29,7 +29,7 @@ def shown(value: object) -> str:
 
 
 def nearest(name: object, known: Iterable[str], otherwise: str = "") -> str:
-    """What to do about an unknown name: the nearest known one, something else, or all that are known."""
+    """Return the remedy for an unknown name: the nearest known name, `otherwise`, or all known names."""
     names = list(known)
     found = difflib.get_close_matches(name, names, n=1, cutoff=0.5) if isinstance(name, str) else []
     return f'did you mean "{found[0]}"?' if found else otherwise or f"known: {', '.join(names)}"
@@ -41,9 +41,9 @@ class PkmodesError(Exception):
     Parameters
     ----------
     what : str
-        What is wrong: what was expected and what was found.
+        What was expected and what was found.
     where : str
-        File and place in it, or pose index.
+        The file and the place in it, or the pose index.
     remedy : str
         What to do about it.
     """
@@ -60,17 +60,17 @@ class PkmodesError(Exception):
 
     @property
     def lines(self) -> tuple[str, ...]:
-        """One line for each thing that is wrong."""
+        """One line for each problem."""
         return (str(self),)
 
 
 class RobotFileError(PkmodesError):
-    """Everything that is wrong with a robot file, so that it can be mended in one go.
+    """All problems of a robot file, so that they can be fixed in one go.
 
     Attributes
     ----------
     problems : tuple of PkmodesError
-        In the order of the file's tables.
+        In the order of the tables in the file.
     """
 
     def __init__(self, problems: Sequence[PkmodesError]) -> None:
@@ -91,12 +91,12 @@ class RobotFileError(PkmodesError):
 
 
 class PoseError(PkmodesError):
-    """A pose that cannot be evaluated, or an array that is not one of poses.
+    """A pose that cannot be evaluated, or an array that does not hold poses.
 
     Attributes
     ----------
     index : int or None
-        Flat index of the first bad pose, None when the array as a whole is wrong.
+        Flat index of the first bad pose, None when the array as a whole is invalid.
     """
 
     def __init__(self, what: str, where: str, remedy: str, index: int | None = None) -> None:
@@ -108,7 +108,7 @@ class PoseError(PkmodesError):
 
 
 class NotComputedError(PkmodesError, AttributeError):
-    """A field of a result that was not asked for."""
+    """A field of a result that was not requested."""
 
 
 class MissingExtraError(PkmodesError):
@@ -120,7 +120,7 @@ class OutputError(PkmodesError):
 
 
 class MeasurementError(PkmodesError):
-    """Modal measurements that cannot be read, or that cannot be used with a robot."""
+    """Modal measurements that cannot be read or used with a robot."""
 
 
 def listed(
@@ -131,19 +131,19 @@ def listed(
     kind: type | tuple[type, ...] = object,
     error: type[PkmodesError] = PkmodesError,
 ) -> list[Any]:
-    """Check a list that a caller gives: a text is no list of its letters.
+    """Check a list from the caller; a string is not accepted as a list of its characters.
 
     Parameters
     ----------
     given : iterable
     what : str
-        What it is a list of, in the plural.
+        Name of the elements, in the plural.
     where : str
-        The argument.
+        Name of the argument.
     example : str
-        One element, as it is written.
+        One element, as the caller would write it.
     kind : type or tuple of types
-        That of the elements.
+        Type of the elements.
     error : type
         The error to raise.
     """
@@ -152,9 +152,9 @@ def listed(
     except TypeError:
         found = None
     if found is None:
-        remedy = f"write [{shown(given)}]" if isinstance(given, str) else f"write such as [{example}]"
+        remedy = f"write [{shown(given)}]" if isinstance(given, str) else f"for example: [{example}]"
         raise error(f"expected a list of {what}, found {shown(given)}", where, remedy)
     for one in found:
         if not isinstance(one, kind):
-            raise error(f"expected {what}, found {shown(one)}", where, f"write such as [{example}]")
+            raise error(f"expected {what}, found {shown(one)}", where, f"for example: [{example}]")
     return found

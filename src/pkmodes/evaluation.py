@@ -1,7 +1,7 @@
-"""One robot's matrices from the generated model, and their modes: the base model, or the extended one with effects.
+"""Matrices of one robot from the generated model: the base model, or the extended model with effects.
 
-Effects whose parameters are all at their null value are not there: their coordinates are locked, and the
-base model evaluates the robot.
+An effect whose parameters are all at their null value is absent: its coordinates are locked.  A robot without
+effects is evaluated by the base model.
 """
 
 from __future__ import annotations
@@ -20,23 +20,23 @@ from pkmodes.regular import declared, regular_poses, sample
 from pkmodes.robot.robot import Robot
 
 Array = NDArray[np.float64]
-#: What inertias are quantities of.
+#: Dimensions of inertias.
 INERTIAS = ("mass", "moment of inertia")
-#: Of complex differences, which have no cancellation.
+#: Step of complex-step differentiation, which has no cancellation.
 STEP = 1e-30
 
 
 class Evaluation(Protocol):
-    """What the solver needs of a robot.
+    """The interface of a robot to the solver.
 
     Attributes
     ----------
     coordinates : tuple of str
         Names of the n generalised coordinates.
     first : int
-        The first coordinate of a released joint: so many there are without effects.
+        Index of the first coordinate of a released joint, which is the number of coordinates without effects.
     rigid_modes : int
-        Modes that strain nothing elastic.
+        Number of modes that strain nothing elastic.
     """
 
     coordinates: tuple[str, ...]
@@ -44,19 +44,19 @@ class Evaluation(Protocol):
     rigid_modes: int
 
     def all_coordinates(self, p: Array) -> tuple[Array, Array]:
-        """M and K with the coordinates of locked joints, if the model has such, each (N, e, e)."""
+        """Return M and K including the coordinates of locked joints, if the model has any, each (N, e, e)."""
 
     def free_part(self, matrix: Array) -> Array:
-        """The part of such a matrix that belongs to `coordinates`, (N, n, n)."""
+        """Return the rows and columns of such a matrix that belong to `coordinates`, (N, n, n)."""
 
     def massless(self) -> NDArray[np.bool_]:
-        """Which coordinates have no inertia at any pose, (n,): where no pose is given to tell by M."""
+        """Return which coordinates have no inertia at any pose, (n,); used if there is no pose to read M from."""
 
     def platform_motion(self, p: Array) -> Array:
-        """Absolute motion of the platform by the coordinates, (N, directions, n)."""
+        """Return the absolute platform motion per unit of each coordinate, (N, directions, n)."""
 
     def statics(self, p: Array) -> tuple[Array, Array]:
-        """Torques (N, drives) [N m] and static values of the coordinates that are not independent (N, ...)."""
+        """Return torques (N, drives) [N m] and static values of the dependent coordinates (N, ...)."""
 
     def lanes(self) -> Lanes:
         """The robot as the compiled evaluator takes it."""
@@ -73,20 +73,20 @@ class BaseEvaluation:
         self.rigid_modes = kind.rigid_modes
 
     def all_coordinates(self, p: Array) -> tuple[Array, Array]:
-        """M and K, each (N, n, n)."""
+        """Return M and K, each (N, n, n)."""
         M, K = self._generated.modal_matrices(p)
         return M, K
 
     def free_part(self, matrix: Array) -> Array:
-        """All of it."""
+        """Return the whole matrix."""
         return matrix
 
     def massless(self) -> NDArray[np.bool_]:
-        """None of them: without inertia in the base coordinates there is no eigenproblem."""
+        """Return all False: every base coordinate needs inertia for the eigenproblem to be defined."""
         return np.zeros(len(self.coordinates), dtype=bool)
 
     def platform_motion(self, p: Array) -> Array:
-        """Absolute motion of the platform by the coordinates, (N, directions, n)."""
+        """Return the absolute platform motion per unit of each coordinate, (N, directions, n)."""
         pose = [component.name for component in self._kind.pose]
         rows = [pose.index(name) for name in self._kind.directions]
         columns = [self.coordinates.index(name) for name in self._kind.independent]
@@ -95,7 +95,7 @@ class BaseEvaluation:
         return motion
 
     def statics(self, p: Array) -> tuple[Array, Array]:
-        """Torques (N, drives) [N m] and static values of the coordinates that are not independent (N, ...)."""
+        """Return torques (N, drives) [N m] and static values of the dependent coordinates (N, ...)."""
         torques, values = self._generated.static_equilibrium(p)
         return torques, values
 
@@ -106,7 +106,7 @@ class BaseEvaluation:
 
 
 class SystemOfEffects:
-    """The extended model of one robot, with the coordinates of the released joints that are not locked.
+    """The extended model of one robot, including the coordinates of released joints that are not locked.
 
     Parameters
     ----------
@@ -114,29 +114,29 @@ class SystemOfEffects:
     parameters : Parameters
         The robot, as the generated model takes it.
     effects : mapping of str to float
-        By ``<effect>.<parameter>``; a compliance that one joint has beyond the others of its effect by
+        By ``<effect>.<parameter>``; the additional compliance of a single joint of an effect is given by
         ``<effect>.<parameter>.<coordinate>``, such as ``gearbox_compliance.compliance.psi_2``.
 
     Attributes
     ----------
     kind : Mechanism
     parameters, effects : Parameters and Effects
-        Of the generated model.
+        Arguments of the generated model.
     free : ndarray of int, shape (n,)
-        Coordinates that are not locked, in the extended model.
+        Indices of the coordinates of the extended model that are not locked.
     coordinates : tuple of str, length n
         Their names.
     first, rigid_modes : int
-        As `Evaluation` has them.
+        See `Evaluation`.
     joints, joint_rates : ndarray, shape (e,)
-        Stiffnesses of the released joints, and their derivatives by the compliances, zero where there is none.
-        Of several robots (`stacked`), (N, e) for their N poses.
+        Stiffnesses of the released joints and their derivatives with respect to the compliances; zero for other
+        coordinates.  For several robots (`stacked`), (N, e) for their N poses.
     """
 
     def __init__(self, kind: Mechanism, parameters: Any, effects: Mapping[str, float]) -> None:
         self.kind, self.parameters = kind, parameters
         extended = kind.extended
-        shared, single = _told_apart(effects)
+        shared, single = _shared_and_single(effects)
         self.effects = extended.Effects(**shared)
         base = self.first = len(kind.coordinates)
         with np.errstate(divide="ignore"):
@@ -155,19 +155,19 @@ class SystemOfEffects:
 
     @classmethod
     def of(cls, robot: Robot) -> SystemOfEffects:
-        """Return that of a robot, whether or not it has effects."""
+        """Return the system of a robot, with or without effects."""
         return cls(robot.kind, robot.parameters, robot.effects)
 
     @classmethod
     def stacked(cls, systems: Sequence[SystemOfEffects], count: int) -> SystemOfEffects:
-        """Several robots as one, to be evaluated at as many poses for each, those of the first robot first.
+        """Combine several robots into one system that is evaluated at `count` poses of each, robot by robot.
 
         Parameters
         ----------
         systems : sequence of SystemOfEffects
             With the same free coordinates and rigid-body modes.
         count : int
-            Poses of each.
+            Number of poses per robot.
         """
         first = systems[0]
         if len(systems) == 1:
@@ -180,26 +180,26 @@ class SystemOfEffects:
         return found
 
     def all_coordinates(self, p: Array) -> tuple[Array, Array]:
-        """M and K in all coordinates, each (N, e, e); locked joints are free in them, without a spring."""
+        """Return M and K in all coordinates, each (N, e, e); here locked joints are free and have no spring."""
         M, K = self.without_springs(p)
         diagonal = np.arange(K.shape[-1])
         K[..., diagonal, diagonal] += self.joints
         return M, K
 
     def free_part(self, matrix: Array) -> Array:
-        """The rows and columns of the coordinates that are not locked."""
+        """Return the rows and columns of the coordinates that are not locked."""
         rows, columns = np.ix_(self.free, self.free)
         return matrix[..., rows, columns]
 
     def without_springs(self, p: Array) -> tuple[Array, Array]:
-        """M and K in all coordinates without the springs of any released joint."""
+        """Return M and K in all coordinates without the springs of the released joints."""
         M, K_el, K_g = self._single("extended_matrices", p)
         return M, K_el + K_g
 
     def derivatives(self, p: Array, *, geometry: bool) -> tuple[Array, Array]:
-        """Derivatives of the entries of M and of K that the generated model lists, each (N, entries).
+        """Return derivatives of the entries of M and K that the generated model lists, each (N, entries).
 
-        Those by the geometry come last and take most of the time: zeros where they are not asked for.
+        Derivatives with respect to the geometry come last and take most of the time; they are zero if not requested.
         """
         M_theta, K_theta = self._single("value_sensitivities", p)
         if geometry:
@@ -209,9 +209,9 @@ class SystemOfEffects:
         return np.hstack([M_theta, also[0]]), np.hstack([K_theta, also[1]])
 
     def by_pose(self, p: Array) -> tuple[Array, Array]:
-        """Derivatives of M and K in all coordinates by the components of the pose, each (N, d, e, e).
+        """Return derivatives of M and K in all coordinates with respect to the pose, each (N, d, e, e).
 
-        By complex step, which is exact to rounding: the generated functions take complex poses.
+        They are computed by complex step, which is exact to rounding: the generated functions accept complex poses.
         """
         moved = p + STEP * 1j * np.eye(p.shape[-1])[:, None]
         M, K_el, K_g = self._generated.extended_matrices(moved)
@@ -219,7 +219,10 @@ class SystemOfEffects:
         return dM, dK
 
     def massless(self) -> NDArray[np.bool_]:
-        """Which released coordinates have no inertia: at any pose those of any geometry, masses as they are."""
+        """Return which released coordinates have no inertia.
+
+        This depends on the masses only, so it is read from M of the sample geometry at a regular pose.
+        """
         plain = sample(self.kind)
         inertias = {key.field for key in declared(self.kind) if key.dimension in INERTIAS}
         plain = plain._replace(**{name: getattr(self.parameters, name) for name in inertias})
@@ -230,16 +233,16 @@ class SystemOfEffects:
         return found
 
     def platform_motion(self, p: Array) -> Array:
-        """Absolute motion of the platform by the coordinates, (N, directions, n)."""
+        """Return the absolute platform motion per unit of each coordinate, (N, directions, n)."""
         return self.motion_of_all(p)[..., self.free]
 
     def motion_of_all(self, p: Array, parameters: Any = None) -> Array:
-        """The same by all coordinates, (N, directions, e), perhaps of the robot with other parameters."""
+        """Return the same for all coordinates, (N, directions, e), optionally with other parameters."""
         given = self.parameters if parameters is None else parameters
         return np.asarray(Generated(self.kind.extended, given).extended_platform_motion(p))
 
     def statics(self, p: Array) -> tuple[Array, Array]:
-        """Torques (N, drives) [N m] and static values of the coordinates that are not independent (N, ...)."""
+        """Return torques (N, drives) [N m] and static values of the dependent coordinates (N, ...)."""
         torques, values = self._generated.extended_static_equilibrium(p)
         return torques, values
 
@@ -262,19 +265,19 @@ class SystemOfEffects:
         return Generated(self.kind.extended, self.parameters, self.effects)
 
     def _single(self, name: str, p: Array) -> tuple[Array, ...]:
-        """One pose is evaluated in numbers, which is several times faster than in arrays of one."""
+        """Evaluate a generated function; a single pose uses scalars, several times faster than arrays of length 1."""
         function: Callable[[Array], tuple[Array, ...]] = getattr(self._generated, name)
         return tuple(found[None] for found in function(p[0])) if len(p) == 1 else function(p)
 
 
 def matrices(system: Evaluation, p: Array) -> tuple[Array, Array]:
-    """M and K of the coordinates that are free, each (N, n, n)."""
+    """Return M and K of the free coordinates, each (N, n, n)."""
     M, K = (system.free_part(matrix) for matrix in system.all_coordinates(p))
     return M, K
 
 
 def active_effects(kind: Mechanism, effects: Mapping[str, float]) -> tuple[str, ...]:
-    """Names of the effects that are not null; constants such as a frame's mass make none active."""
+    """Return the names of effects that are not null; constants such as a frame mass do not activate an effect."""
     present = {".".join(path.split(".")[:2]) for path, value in effects.items() if value != 0.0}
     return tuple(
         effect.name
@@ -284,7 +287,7 @@ def active_effects(kind: Mechanism, effects: Mapping[str, float]) -> tuple[str, 
 
 
 def _different(sets: Sequence[tuple[Any, ...]], count: int) -> dict[str, Array]:
-    """Fields in which named tuples of numbers differ, with an axis in front that repeats each so many times."""
+    """Return the fields in which the named tuples differ, each value repeated `count` times along a leading axis."""
     found = {}
     for name in sets[0]._fields:  # type: ignore[attr-defined]
         values = np.array([getattr(one, name) for one in sets], dtype=float)
@@ -293,8 +296,8 @@ def _different(sets: Sequence[tuple[Any, ...]], count: int) -> dict[str, Array]:
     return found
 
 
-def _told_apart(effects: Mapping[str, float]) -> tuple[dict[str, float], list[tuple[str, str, float]]]:
-    """Parameters of the generated effects, and (coordinate, parameter, value) of those of one joint."""
+def _shared_and_single(effects: Mapping[str, float]) -> tuple[dict[str, float], list[tuple[str, str, float]]]:
+    """Split parameters into those of whole effects and (coordinate, parameter, value) of single joints."""
     shared: dict[str, float] = {}
     single = []
     for path, value in effects.items():
@@ -307,7 +310,7 @@ def _told_apart(effects: Mapping[str, float]) -> tuple[dict[str, float], list[tu
 
 
 def evaluation(robot: Robot) -> Evaluation:
-    """Choose the model of a robot: the base one when every effect is null."""
+    """Choose the model of a robot: the base model if every effect is null, else the extended model."""
     kind = robot.kind
     active = active_effects(kind, robot.effects)
     return SystemOfEffects.of(robot) if active else BaseEvaluation(kind, robot.parameters)

@@ -1,7 +1,7 @@
-"""Fields of a result: which of them are asked for, and arrays that are filled part by part.
+"""Fields of a result: which are requested, and arrays that are filled part by part.
 
-Poses are evaluated in parts that stay in the cache, and each part goes to its place at once: no more memory is
-taken than the result and one part need.
+Poses are evaluated in parts that fit the cache, and each part is stored at once, so the memory needed is that of
+the result and one part.
 """
 
 from __future__ import annotations
@@ -22,16 +22,16 @@ Out = Mapping[str, Array] | None
 
 
 def chosen_fields(fields: Fields, out: Out, known: tuple[str, ...]) -> tuple[str, ...]:
-    """Check which fields are asked for.
+    """Check which fields are requested.
 
     Parameters
     ----------
     fields : iterable of str, optional
-        By default those of `out`, and without `out` all.
+        By default the fields in `out`, or all without `out`.
     out : mapping of str to ndarray, optional
-        Arrays to be filled, by field.
+        Arrays to fill, by field.
     known : tuple of str
-        The fields that there are.
+        All fields.
 
     Returns
     -------
@@ -41,11 +41,11 @@ def chosen_fields(fields: Fields, out: Out, known: tuple[str, ...]) -> tuple[str
     Raises
     ------
     PkmodesError
-        If a field is unknown or none is asked for, or `out` is not a mapping of fields to different arrays.
+        If a field is unknown, no field is requested, or `out` is not a mapping of fields to different arrays.
     """
     if out is not None and not isinstance(out, Mapping):
         raise PkmodesError(
-            f"expected arrays by field, found {shown(out)}", "out", f'write such as {{"{known[0]}": array}}'
+            f"expected arrays by field, found {shown(out)}", "out", f'for example: {{"{known[0]}": array}}'
         )
     if fields is None:
         fields = known if out is None else tuple(out)
@@ -60,20 +60,20 @@ def chosen_fields(fields: Fields, out: Out, known: tuple[str, ...]) -> tuple[str
         _check_out(name, array, asked)
     for (a, first), (b, second) in itertools.combinations((out or {}).items(), 2):
         if np.may_share_memory(first, second) and np.shares_memory(first, second):
-            raise PkmodesError(f"{a} and {b} share memory", "out", "give an array for each field")
+            raise PkmodesError(f"{a} and {b} share memory", "out", "give a separate array for each field")
     return tuple(name for name in known if name in asked)
 
 
 def _check_out(name: str, array: object, asked: list[str]) -> None:
     where = f"out: {name}"
     if name not in asked:
-        raise PkmodesError("the field is not asked for", where, "add it to fields, or remove it from out")
+        raise PkmodesError("the field is not requested", where, "add it to fields, or remove it from out")
     if not isinstance(array, np.ndarray):
         raise PkmodesError(
             f"expected an ndarray, found {shown(type(array).__name__)}", where, "use numpy.empty"
         )
     if not array.flags.writeable:
-        raise PkmodesError("the array cannot be written to", where, "give one that can")
+        raise PkmodesError("the array is read-only", where, "give a writable array")
 
 
 def _check_fits(name: str, array: Array, shape: tuple[int, ...], dtype: np.dtype[Any]) -> None:
@@ -122,13 +122,13 @@ def allotted(
 
 
 class Gathered:
-    """Arrays in the shape of the caller's poses, filled part by part.
+    """Arrays with the leading axes of the caller's poses, filled part by part.
 
     Parameters
     ----------
     poses : CheckedPoses
     out : mapping of str to ndarray, optional
-        Arrays to be filled; those of other fields are made.
+        Arrays to fill; arrays of other fields are allocated.
 
     Attributes
     ----------
@@ -142,14 +142,14 @@ class Gathered:
         self._flat: dict[str, Array | None] = {}
 
     def put(self, where: Where, values: Mapping[str, Array]) -> None:
-        """Put the values of some poses, (n, *tail) each, in their places."""
+        """Store the values of some poses, (n, *tail) each."""
         for name, part in values.items():
             if name not in self.arrays:
                 self._begin(name, part)
             flat = self._flat[name]
             if flat is not None:
                 flat[where] = part
-            elif len(part):  # an array that does not lie in one piece has no view of all poses in a row
+            elif len(part):  # a non-contiguous array has no flat view of all poses
                 places = np.arange(len(self._poses.points))[where]
                 self.arrays[name][np.unravel_index(places, self._poses.batch)] = part
 

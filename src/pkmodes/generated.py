@@ -1,4 +1,4 @@
-"""The functions of a generated module, each with what it takes besides its own arguments."""
+"""The functions of a generated module, with the robot's parameters and effects bound."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from typing import Any
 
 
 class Generated:
-    """The functions of a generated module, with the robot's parameters and effects supplied where they take them.
+    """The functions of a generated module, with parameters and effects supplied to those that take them.
 
-    What a function does not depend on it does not take: that of one mechanism may have a constant where that of
-    another has a formula.
+    A function takes only the arguments on which it depends, and these differ between mechanisms: a result may be
+    constant for one and a formula for another.
 
     Parameters
     ----------
     module
-        A generated model: that of a mechanism, or of a single robot.
+        The generated model of a mechanism or of a single robot.
     parameters : Parameters, optional
-        The robot; none for the model of a single one.
+        The robot; omitted for the model of a single robot.
     effects : Effects, optional
-        Its effects, for an extended model.
+        The robot's effects, for an extended model.
     """
 
     def __init__(self, module: Any, parameters: Any = None, effects: Any = None) -> None:
@@ -29,11 +29,11 @@ class Generated:
 
     @property
     def coordinates(self) -> int:
-        """How many generalised coordinates it has."""
+        """Number of generalised coordinates."""
         return len(self._module.COORDINATES)
 
     def has(self, *names: str) -> bool:
-        """Whether the module has all of these functions."""
+        """Return whether the module has all of these functions."""
         return all(hasattr(self._module, name) for name in names)
 
     def __getattr__(self, name: str) -> Callable[..., Any]:
@@ -44,7 +44,7 @@ class Generated:
 
 @cache
 def _taken(function: Callable[..., Any]) -> tuple[str, ...]:
-    """Which of the parameters and effects a function takes."""
+    """Return which of ``parameters`` and ``effects`` a function takes."""
     found = signature(function).parameters
     every = any(one.kind is Parameter.VAR_POSITIONAL for one in found.values())
     return tuple(name for name in ("parameters", "effects") if every or name in found)

@@ -1,4 +1,4 @@
-"""From a robot file, and the definition of a user's own mechanism, to generated code in folders."""
+"""Generate code from a robot file, and optionally from the definition of a user-defined mechanism."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ from pkmodes.writing import write_files
 
 
 def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:
-    """What the derivation needs to know of a robot; a mechanism of the user's own is made known to it.
+    """Return the derivation's input for a robot; a user-defined mechanism is registered with the derivation.
 
     Parameters
     ----------
     robot : Robot
     robot_file, definition : str
-        How its product refers to the robot file, and to the definition of the mechanism.
+        References to the robot file and to the mechanism's definition, as the generated files state them.
     """
     own = definition_of(robot.kind)
     if own is not None:
@@ -53,7 +53,7 @@ def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:
 
 
 def specialised(specification: Any) -> dict[str, str]:
-    """Derive the model of one robot: texts by file name."""
+    """Derive the model of one robot and return its texts by file name."""
     with told():
         texts: dict[str, str] = derivation("emit.product").specialised(specification)
     return texts
@@ -65,13 +65,13 @@ def _plain(value: Any) -> Any:
 
 @dataclass(frozen=True)
 class _Folder:
-    """A folder of generated code, and the manifest that is in it."""
+    """A folder of generated code and its present manifest."""
 
     place: Path
     recorded: dict[str, Any] | None
 
     def write(self, texts: Mapping[str, str]) -> list[Path]:
-        """Write what was generated, and remove what has a former name."""
+        """Write the generated files and remove those that a previous generation wrote under other names."""
         generated = derivation("emit.currency").carries_header
         stale = [] if self.recorded is None else stale_outputs(self.place, self.recorded, texts, generated)
         written = write_files(self.place, texts)
@@ -81,17 +81,17 @@ class _Folder:
 
 
 def generate(robot_file: Path, out: Path, mechanism: Path | None = None) -> list[Path]:
-    """Generate the model of one robot, and with the definition of a mechanism the mechanism's own.
+    """Generate the model of one robot and, given the definition of a mechanism, the mechanism's code.
 
     Parameters
     ----------
     robot_file : Path
         The robot file.
     out : Path
-        Folder of the product; made if it is not there.
+        Output folder; created if it does not exist.
     mechanism : Path, optional
-        Of the user's own: a Python file that defines it, whose code is written into the folder of its name in `out`,
-        or a folder that was generated from one.
+        A user-defined mechanism: either the Python file that defines it, whose code is written into the folder of
+        its name in `out`, or a folder that was generated from such a file.
 
     Returns
     -------
@@ -101,13 +101,13 @@ def generate(robot_file: Path, out: Path, mechanism: Path | None = None) -> list
     Raises
     ------
     RobotFileError
-        If the robot file is wrong.
+        If the robot file is invalid.
     OutputError
-        If the folder cannot be written, is no place for generated files, or holds the model of another robot.
+        If the folder cannot be written, is not suitable for generated files, or holds the model of another robot.
     MissingExtraError
         If SymPy or Jinja2 is not installed.
     PkmodesError
-        If the definition is wrong.
+        If the definition is invalid.
     """
     if mechanism is not None and not mechanism.is_dir():
         return _generate_both(robot_file, out, read_definition(mechanism))
@@ -122,7 +122,7 @@ def generate(robot_file: Path, out: Path, mechanism: Path | None = None) -> list
 
 
 def _generate_both(robot_file: Path, out: Path, definition: Definition) -> list[Path]:
-    """The code of a mechanism and the model of a robot; nothing is written unless both can be."""
+    """Generate the code of a mechanism and the model of a robot; write nothing unless both succeed."""
     package = out / definition.name
     inner, outer = _Folder(package, _recorded(package)), _Folder(out, _recorded(out))
     check_place(out, [robot_file, definition.file, package], outer.recorded)
@@ -142,7 +142,7 @@ def _generate_both(robot_file: Path, out: Path, definition: Definition) -> list[
 
 
 def _texts(robot: Robot, robot_file: Path, folder: _Folder, definition: str) -> dict[str, str]:
-    """The model of a robot, for a folder that is its own."""
+    """Derive the model of a robot, for a folder that is free or already holds this robot's model."""
     reference = relative(robot_file, folder.place)
     if folder.recorded is not None:
         check_owner(folder.place, folder.recorded, reference, robot.name)
@@ -150,18 +150,18 @@ def _texts(robot: Robot, robot_file: Path, folder: _Folder, definition: str) -> 
 
 
 def relative(source: Path, out: Path) -> str:
-    """A file or folder as seen from the product's folder, with forward slashes."""
+    """Return a path relative to the output folder, with forward slashes."""
     return Path(os.path.relpath(source.resolve(), out.resolve())).as_posix()
 
 
 def _recorded(folder: Path) -> dict[str, Any] | None:
-    """The manifest of the model that a folder holds, None where there is none."""
+    """Return the manifest in a folder, None if there is none."""
     place = folder / MANIFEST
     try:
         place.stat()
     except (FileNotFoundError, NotADirectoryError):
         return None
-    except (OSError, ValueError) as error:  # a name that cannot be one of a folder
+    except (OSError, ValueError) as error:  # not a valid folder name
         reason = (getattr(error, "strerror", None) or str(error)).lower()
         raise OutputError(f"cannot write: {reason}", shown(str(folder)), "choose another place") from None
     try:

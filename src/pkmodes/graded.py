@@ -1,13 +1,13 @@
-r"""The eigenproblem of a system whose eigenvalues differ by many orders of magnitude, each to its own precision.
+r"""The eigenproblem of a system whose eigenvalues differ by many orders of magnitude, solved to relative precision.
 
-A joint of compliance c has the stiffness 1/c, and as c goes to zero its modes go to infinity.  A symmetric solver
-errs by rounding of the largest eigenvalue, which then is more than the others are.  But the large numbers stand on
-the diagonal of K only, so the matrix :math:`H = L^{-1} K L^{-T} + \sigma I`, with the coordinates in the order of
-their stiffness, is graded: :math:`H = D B D` with a diagonal D that spans all orders and a well conditioned B.  Its
-Cholesky factor is computed with small relative errors in every row, and one-sided Jacobi rotations (LAPACK's
-``gejsv``) find the singular values of such a factor to an error relative to each of them, not to the largest.  The
-shift makes H positive definite where rigid-body motions and gravity leave K indefinite; it is no larger than the
-eigenvalues of the coordinates that are not stiff.
+A joint of compliance c has the stiffness 1/c, and as c goes to zero the eigenvalues of its modes go to infinity.  The
+error of a symmetric solver is rounding of the largest eigenvalue, which can then exceed the other eigenvalues.  But
+the large numbers are on the diagonal of K only, so the matrix :math:`H = L^{-1} K L^{-T} + \sigma I`, with the
+coordinates ordered by stiffness, is graded: :math:`H = D B D` with a diagonal D that spans all orders of magnitude
+and a well-conditioned B.  Its Cholesky factor is computed with small relative errors in every row, and one-sided
+Jacobi rotations (LAPACK's ``gejsv``) find the singular values of such a factor with an error relative to each of
+them, not to the largest.  The shift makes H positive definite where rigid-body motions and gravity make K indefinite;
+it is of the order of the eigenvalues of the coordinates that are not stiff.
 
 References: Demmel and Veselic, Jacobi's method is more accurate than QR, SIAM J. Matrix Anal. Appl. 13(4), 1992;
 Drmac and Veselic, New fast and accurate Jacobi SVD algorithm, ibid. 29(4), 2008.
@@ -22,7 +22,7 @@ from scipy.linalg.lapack import dgejsv
 
 Array = NDArray[np.float64]
 
-#: A coordinate this much stiffer than a mode yields to its forces as a spring does, but for a small correction.
+#: A coordinate this much stiffer than a mode follows its forces quasi-statically, up to a small correction.
 STIFF = 1e4
 
 
@@ -32,17 +32,17 @@ def graded_eigh(M: Array, K: Array, soft: int) -> tuple[Array, Array]:
     Parameters
     ----------
     M, K : ndarray, shape (n, n)
-        Symmetric; M positive definite, and of a unit diagonal.  K as large as may be on the diagonal.
+        Symmetric; M positive definite with a unit diagonal.  The diagonal of K may be arbitrarily large.
     soft : int
-        At least so many coordinates are not stiff.
+        At least this many coordinates are not stiff.
 
     Returns
     -------
     eigenvalues : ndarray, shape (n,)
-        Ascending; their errors are relative to the larger of the eigenvalue and those of the soft coordinates.
+        Ascending; errors are relative to the larger of the eigenvalue itself and those of the soft coordinates.
     shapes : ndarray, shape (n, n)
-        ``shapes[i]`` is mode i, with phi^T M phi = 1; what stiff coordinates yield in a soft mode is small, and
-        right to its own size.
+        ``shapes[i]`` is mode i, with phi^T M phi = 1; the small components of stiff coordinates in a soft mode are
+        accurate relative to their own size.
 
     Raises
     ------
@@ -51,13 +51,13 @@ def graded_eigh(M: Array, K: Array, soft: int) -> tuple[Array, Array]:
     """
     order = np.argsort(np.diagonal(K), kind="stable")
     M, K = M[np.ix_(order, order)], K[np.ix_(order, order)]
-    # Exactly triangular, so that no large number of a later row gets into an earlier one.
+    # Exactly triangular, so that large numbers of later rows do not enter earlier ones.
     inverse = solve_triangular(np.linalg.cholesky(M), np.eye(len(M)), lower=True)
     H = inverse @ K @ inverse.T
     H = 0.5 * (H + H.T)
     shift = 2.0 * float(np.linalg.norm(H[:soft, :soft]))
     H[np.diag_indices_from(H)] += shift
-    # Scaled columns are what gejsv is made for.  U is not needed, but without it gejsv takes a route that may fail.
+    # gejsv is designed for scaled columns.  U is not needed, but without it gejsv takes a path that may fail.
     sigma, _, V, scaled, _, info = dgejsv(np.linalg.cholesky(H).T, joba=0, jobu=0, jobv=1, jobt=1)
     if info != 0:
         raise np.linalg.LinAlgError("the singular value decomposition did not converge")
@@ -71,7 +71,7 @@ def graded_eigh(M: Array, K: Array, soft: int) -> tuple[Array, Array]:
 
 
 def _follow(M: Array, K: Array, eigenvalues: Array, shapes: Array, shift: float) -> None:
-    """Correct in place what stiff coordinates yield in softer modes: by their rows of (K - lambda M) phi = 0."""
+    """Correct in place the stiff coordinates of softer modes, using their rows of (K - lambda M) phi = 0."""
     size = np.sqrt(np.abs(np.diagonal(K)))
     for i, value in enumerate(eigenvalues):
         first = int(np.searchsorted(np.diagonal(K), STIFF * max(abs(value), shift)))

@@ -1,7 +1,7 @@
-"""Kinematics of one robot at poses: which can be evaluated, joint positions, assemblies, the platform's Jacobian.
+"""Kinematics of one robot at poses: validity, joint positions, assembly branches, the platform Jacobian.
 
-Effects leave them as they are: the generated base model answers for every robot.  What is said of poses, of
-``on_error`` and of errors in `Kinematics` holds for each of the methods.
+Effects do not change the kinematics, so the generated base model serves every robot.  The notes of `Kinematics` on
+poses, ``on_error`` and errors apply to every method.
 """
 
 from __future__ import annotations
@@ -32,26 +32,26 @@ Array = NDArray[np.float64]
 
 
 class Kinematics:
-    """The part of `pkmodes.Model` that needs no dynamics.
+    """The part of `pkmodes.Model` that does not need dynamics.
 
     Parameters
     ----------
     robot : Robot
     max_condition : float
-        Poses where the condition number of the mechanism is larger are refused as singular.
+        Poses at which the condition number of the mechanism is larger are rejected as singular.
 
     Attributes
     ----------
     robot : Robot
     kind : Mechanism
-        What the mechanism says about itself.
+        Description of the mechanism.
 
     Notes
     -----
-    ``poses`` is one pose of shape (d,) or an array of shape (..., d), in SI units, with the components of the
-    mechanism's poses (`kind.pose`); results have the same leading axes.  With ``on_error="raise"`` a pose that
-    cannot be evaluated is a `PoseError`, that of the first such pose; with ``"nan"`` it gives NaN.  An array that is
-    not one of poses is a `PoseError` in any case.
+    ``poses`` is one pose of shape (d,) or an array of shape (..., d), in SI units, with the mechanism's pose
+    components (`kind.pose`); results have the same leading axes.  With ``on_error="raise"`` the first pose that
+    cannot be evaluated raises a `PoseError`; with ``"nan"`` it gives NaN.  An array that does not hold poses always
+    raises a `PoseError`.
     """
 
     def __init__(self, robot: Robot, max_condition: float = MAX_CONDITION) -> None:
@@ -64,11 +64,11 @@ class Kinematics:
 
     @property
     def reasons(self) -> dict[str, str]:
-        """Why a pose cannot be evaluated: each code that ``reason`` may have, and what it means."""
+        """Codes that ``reason`` may have for a pose that cannot be evaluated, with their meanings."""
         return reasons(self.kind)
 
     def check(self, poses: ArrayLike) -> PoseCheck:
-        """Which poses can be evaluated, and why the others cannot.
+        """Check which poses can be evaluated, and why the others cannot.
 
         Returns
         -------
@@ -92,18 +92,18 @@ class Kinematics:
         )
 
     def platform_jacobian(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
-        """Platform Jacobian D_p = dp/dq (equation 15).
+        """Compute the platform Jacobian D_p = dp/dq (equation 15).
 
         Returns
         -------
         ndarray, shape (..., d, k)
-            A row for each component of the pose, a column for each independent coordinate.
+            One row per pose component, one column per independent coordinate.
         """
         (D_p,) = self._at(poses, on_error, "platform_jacobian")
         return D_p
 
     def inverse_kinematics(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
-        """Independent coordinates on the branch that the robot file gives (equations 1 to 3).
+        """Compute the independent coordinates on the branch given in the robot file (equations 1 to 3).
 
         Returns
         -------
@@ -114,7 +114,7 @@ class Kinematics:
         return q
 
     def direct_kinematics(self, positions: ArrayLike, assembly: int) -> Array:
-        """Pose for values of the independent coordinates.
+        """Compute the pose from the independent coordinates.
 
         Parameters
         ----------
@@ -126,14 +126,14 @@ class Kinematics:
         Returns
         -------
         ndarray, shape (d,) or (..., d)
-            Poses; limits are not looked at.
+            Poses; limits are not checked.
 
         Raises
         ------
         PoseError
             If the links do not meet.
         PkmodesError
-            If the mechanism has no such function.
+            If the mechanism has no closed-form direct kinematics.
         """
         function = self._function("direct_kinematics")
         if not (isinstance(assembly, int | float | np.integer) and assembly in (1, -1)):
@@ -152,7 +152,7 @@ class Kinematics:
         return p.reshape((*batch, -1))
 
     def assembly(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
-        """Assembly branch of each pose: the sign of det D_l (equation 15).
+        """Compute the assembly branch of each pose: the sign of det D_l (equation 15).
 
         Returns
         -------
@@ -162,7 +162,7 @@ class Kinematics:
         Raises
         ------
         PkmodesError
-            If the mechanism assembles in one way only.
+            If the mechanism has only one assembly branch.
         """
         self._function("direct_kinematics")
         determinant, _ = self._at(poses, on_error, "jacobian_condition")
@@ -172,19 +172,19 @@ class Kinematics:
         return check_poses(poses, self.kind, self.robot.parameters, on_error, self.max_condition)
 
     def _function(self, name: str) -> Callable[..., Any]:
-        """A function of the base model that not every mechanism has."""
+        """Return a function of the base model that not every mechanism has."""
         if not self._generated.has(name):
-            what = f"the mechanism {self.kind.name} has no {name.replace('_', ' ')} to be chosen"
-            raise PkmodesError(what, self.robot.source, "begin with poses: Model.inverse_kinematics")
+            what = f"the mechanism {self.kind.name} has no {name.replace('_', ' ')} with assembly branches"
+            raise PkmodesError(what, self.robot.source, "start from poses: Model.inverse_kinematics")
         return getattr(self._generated, name)  # type: ignore[no-any-return]
 
     def _at(self, poses: ArrayLike, on_error: OnError, name: str) -> tuple[Array, ...]:
-        """Results of a function of the base model, in the shape of the poses."""
+        """Evaluate a function of the base model and return its results with the poses' leading axes."""
         return self._evaluate(getattr(self._generated, name), self._check(poses, on_error))
 
     @staticmethod
     def _evaluate(function: Callable[[Array], Any], checked: CheckedPoses) -> tuple[Array, ...]:
-        """Results of a function at the valid poses, chunk by chunk, in the shape of all poses."""
+        """Evaluate a function at the valid poses, chunk by chunk; results have the leading axes of all poses."""
         gathered = Gathered(checked)
         for where, p in checked.parts(CHUNK):
             found = function(p)

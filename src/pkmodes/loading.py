@@ -1,4 +1,4 @@
-"""From a robot file to a robot or its evaluator."""
+"""Load a robot file as a robot or as its evaluator."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def load(path: str | PathLike[str]) -> Model:
     Raises
     ------
     RobotFileError
-        If the file cannot be read or anything in it is wrong.
+        If the file cannot be read or is invalid.
 
     Examples
     --------

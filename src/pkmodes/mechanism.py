@@ -1,7 +1,7 @@
-"""A mechanism as the runtime sees it: what it says about itself, and its generated functions.
+"""A mechanism at runtime: its description and its generated functions.
 
 Everything that differs between mechanisms comes from here: the description that is generated with the code
-(``description.json``) and the modules beside it.  No other module knows a mechanism by name.
+(``description.json``) and the generated modules.  No other module refers to a mechanism by name.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ __all__ = [
 #: The package of the generated models.
 GENERATED = "pkmodes_generated"
 DESCRIPTION = "description.json"
-#: Packages of mechanisms that are not among them, by the mechanism's name: see `add`.
+#: Packages of other mechanisms, by mechanism name: see `add`.
 _added: dict[str, str] = {}
 
 
@@ -68,32 +68,33 @@ class Mechanism:
     pose : tuple of Named
         Components of a pose; their names are columns of measurement files.
     pose_is : str
-        What a pose is.
+        Noun phrase that describes a pose.
     coordinates : tuple of Named
-        Without effects.
+        Coordinates without effects.
     independent : tuple of str
-        Coordinates that the pose determines and that move the platform.
+        Coordinates that are determined by the pose and move the platform.
     independent_are : str
+        Noun phrase for the independent coordinates.
     directions : tuple of str
         Components of the platform's motion.
     drives : tuple of Named
-        What the static torques act on.
+        The drives on which the static torques act.
     rigid_modes : int
-        Of the model without effects.
+        Number of rigid-body modes of the model without effects.
     tables : tuple of Table
     wholes : tuple of Whole
     margins : tuple of Margin
     requirements : tuple of Requirement
     effects : mapping of str to Effect
-        Those that apply, in the order of the generated model.
+        Effects that apply, in the order of the generated model.
     sample : mapping of str to number or nested list
-        Parameters of a robot without any symmetry.
+        Parameters of an asymmetric robot.
     package : str
-        That has the generated functions.
+        Package with the generated functions.
     scales : tuple of Scale
-        For coordinates of another unit than most.
+        For coordinates whose unit differs from that of most coordinates.
     differences : mapping of str to str
-        Fields that enter only by their difference from another one, which has the sensitivities.
+        Fields that enter only as the difference from another field, which carries the sensitivities.
     """
 
     name: str
@@ -117,7 +118,7 @@ class Mechanism:
     differences: dict[str, str] = field(default_factory=dict)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _travelled, (self.package, folder_of(self.package))
+        return _unpickled, (self.package, folder_of(self.package))
 
     @cached_property
     def model(self) -> ModuleType:
@@ -131,22 +132,22 @@ class Mechanism:
 
 
 def names() -> tuple[str, ...]:
-    """Every mechanism that is known: generated with pkmodes, added, or installed with a package of its own."""
+    """Return the names of all known mechanisms: supplied with pkmodes, added, or installed as a package."""
     return tuple(sorted({*_generated(), *_added, *installed()}))
 
 
 def supplied() -> tuple[str, ...]:
-    """Those that come with pkmodes."""
+    """Return the names of the mechanisms that come with pkmodes."""
     return tuple(sorted(_generated()))
 
 
 def mechanism(name: str) -> Mechanism:
-    """The mechanism of a name.
+    """Return the mechanism with a given name.
 
     Raises
     ------
     PkmodesError
-        If there is none, with the nearest; or if what was installed under that name cannot be read.
+        If there is none (the message suggests the nearest), or the package installed under that name cannot be read.
     """
     if name in _added:
         return _read(_added[name])
@@ -159,12 +160,12 @@ def mechanism(name: str) -> Mechanism:
 
 
 def add(package: str) -> Mechanism:
-    """Make a mechanism known whose description and functions were generated into a package of their own.
+    """Register a mechanism whose description and functions were generated into a separate package.
 
     Parameters
     ----------
     package : str
-        Its name, as one would import it; it has a ``description.json`` and a module ``extended``.
+        Import name of the package, which contains a ``description.json`` and a module ``extended``.
 
     Raises
     ------
@@ -174,15 +175,15 @@ def add(package: str) -> Mechanism:
     found = _described_in(package)
     if found.name in _generated() and package != f"{GENERATED}.{found.name}":
         what = f"{shown(found.name)} is a mechanism of pkmodes already"
-        raise PkmodesError(what, place_of(package), "give your own one another name")
+        raise PkmodesError(what, place_of(package), "give your mechanism another name")
     _added[found.name] = package
     return found
 
 
 def add_folder(path: str | PathLike[str]) -> Mechanism:
-    """Make a mechanism known that ``pkmodes generate --mechanism FILE.py ...`` wrote into a folder.
+    """Register a mechanism that ``pkmodes generate --mechanism FILE.py ...`` wrote into a folder.
 
-    From then on robot files may name it.  Where the name was added before, what is there now counts.
+    Robot files can then name it.  If the name was added before, the present content of the folder replaces it.
 
     Parameters
     ----------
@@ -199,7 +200,7 @@ def add_folder(path: str | PathLike[str]) -> Mechanism:
 
 @contextmanager
 def meanwhile(path: str | PathLike[str]) -> Iterator[Mechanism]:
-    """Know the mechanism in a folder for a while."""
+    """Register the mechanism in a folder for the duration of the context."""
     before = dict(_added)
     try:
         yield add_folder(path)
@@ -208,8 +209,8 @@ def meanwhile(path: str | PathLike[str]) -> Iterator[Mechanism]:
         _added.update(before)
 
 
-def _travelled(package: str, folder: str | None) -> Mechanism:
-    """A mechanism from another process, where it was known: so it is here."""
+def _unpickled(package: str, folder: str | None) -> Mechanism:
+    """Restore a mechanism from another process and register it, as it was registered there."""
     if folder is not None:
         package = again(package, folder)
     found = _read(package)
@@ -282,13 +283,13 @@ def _described(data: dict[str, Any], package: str) -> Mechanism:
 
 
 def _parameter(data: dict[str, Any]) -> EffectParameter:
-    """A parameter of an effect; JSON has no infinity for one that may have any value."""
+    """Return a parameter of an effect; no bound becomes minus infinity, which JSON cannot express."""
     bound = data["greater_than"]
     return EffectParameter(**{**data, "greater_than": -math.inf if bound is None else bound})
 
 
 def _tuples(data: dict[str, Any]) -> dict[str, Any]:
-    """The same with tuples in place of lists."""
+    """Return the data with tuples in place of lists."""
 
     def frozen(value: Any) -> Any:
         return tuple(map(frozen, value)) if isinstance(value, list) else value

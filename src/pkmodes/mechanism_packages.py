@@ -1,7 +1,7 @@
-"""Where the generated code of a user's own mechanism comes from: a folder, or a package that is installed.
+"""Generated code of user-defined mechanisms: imported from a folder, or from an installed package.
 
-A folder is imported under a name that its path and content give, so that two of the same mechanism do not mix, and
-the same one is found again in another process.
+A folder is imported under a name derived from its path and content, so two folders of the same mechanism do not
+collide, and another process finds the same one again.
 """
 
 from __future__ import annotations
@@ -23,15 +23,15 @@ OPTION = "--mechanism"
 PREFIX = "pkmodes_folder_"
 DEFINITION = "definition.py"
 FILES = ("__init__.py", "model.py", "extended.py", "description.json")
-GIVE = "give the folder DIR/<mechanism> that is written by: pkmodes generate --mechanism FILE.py ROBOT.toml --out DIR"
+GIVE = "give the folder DIR/<mechanism> written by: pkmodes generate --mechanism FILE.py ROBOT.toml --out DIR"
 
 _folders: dict[str, str] = {}
 
 
 @cache
 def installed() -> dict[str, str]:
-    """Packages of mechanisms that are installed, by the mechanism's name."""
-    from importlib.metadata import entry_points  # only a name that is not known otherwise takes that long
+    """Return the installed mechanism packages by mechanism name."""
+    from importlib.metadata import entry_points  # slow, so imported only for a name that is otherwise unknown
 
     return {point.name: point.value for point in entry_points(group=GROUP)}
 
@@ -42,7 +42,7 @@ def imported(path: str | PathLike[str]) -> str:
     Raises
     ------
     PkmodesError
-        If it is not one, or raises.
+        If the folder is not a generated one, or its code raises.
     """
     folder = Path(path)
     _check(folder)
@@ -57,23 +57,23 @@ def imported(path: str | PathLike[str]) -> str:
 
 
 def again(package: str, folder: str) -> str:
-    """Import a folder that was imported in another process, unless that was in this one."""
+    """Import a folder that another process imported; reuse the package if this process has it already."""
     return package if package in sys.modules else imported(folder)
 
 
 def folder_of(package: str) -> str | None:
-    """The folder that was imported under that name, None for any other package."""
+    """Return the folder that was imported under that name, None for any other package."""
     return _folders.get(package)
 
 
 def place_of(package: str) -> str:
-    """Where a package is, for messages."""
+    """Return the location of a package, for messages."""
     return _folders.get(package, f"package {package}")
 
 
 def _import(package: str, folder: Path) -> None:
     spec = spec_from_file_location(package, folder / "__init__.py", submodule_search_locations=[str(folder)])
-    assert spec is not None  # the file is there, and its name ends in .py
+    assert spec is not None  # the file exists and its name ends in .py
     assert spec.loader is not None
     module = sys.modules[package] = module_from_spec(spec)
     try:
@@ -88,23 +88,23 @@ def _import(package: str, folder: Path) -> None:
 
 
 def _check(folder: Path) -> None:
-    """Refuse what is not the folder of a generated mechanism."""
+    """Reject anything but the folder of a generated mechanism."""
     if not folder.is_dir():
         found = "no such folder"
         if folder.is_file():
-            found = "expected the generated folder of a mechanism, found a file"
+            found = "expected the folder of a generated mechanism, found a file"
         raise PkmodesError(found, str(folder), GIVE)
     missing = [name for name in FILES if not (folder / name).is_file()]
     if missing:
-        what = f"expected the generated folder of a mechanism, and {missing[0]} is missing"
+        what = f"expected the folder of a generated mechanism, but {missing[0]} is missing"
         raise PkmodesError(what, str(folder), _instead(folder) or GIVE)
 
 
 def _instead(folder: Path) -> str:
-    """What was probably meant where the folder of a robot's model was given."""
+    """Return a remedy for the folder of a robot's model: the mechanism folder inside it, if there is one."""
     try:
         name = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))["mechanism"]
         within = (folder / name / "description.json").is_file()
     except (OSError, ValueError, LookupError, TypeError):
         return ""
-    return f"give the folder of the mechanism in it: {folder / name}" if within else ""
+    return f"give the mechanism folder inside it: {folder / name}" if within else ""

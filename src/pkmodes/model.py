@@ -1,7 +1,7 @@
 """The evaluator of one robot: poses in, modes, matrices and statics out.
 
-It checks poses, calls the generated model chunk by chunk, solves, and puts the results in the caller's shape;
-it holds no physics of its own.
+It checks poses, calls the generated model chunk by chunk, solves, and reshapes the results to the caller's axes.
+It contains no physics.
 """
 
 from __future__ import annotations
@@ -31,23 +31,23 @@ Array = NDArray[np.float64]
 class Model(Kinematics):
     """Evaluator of one robot.
 
-    Every method takes one pose of shape (d,) or an array of shape (..., d), in SI units and with the components of
-    the mechanism's poses, and returns arrays with the same leading axes.  With ``on_error="raise"`` a pose that
-    cannot be evaluated is a `PoseError`, that of the first such pose; with ``"nan"`` it gives NaN.  An array that is
-    not one of poses is a `PoseError` in any case.
+    Every method takes one pose of shape (d,) or an array of shape (..., d), in SI units and with the mechanism's
+    pose components, and returns arrays with the same leading axes.  With ``on_error="raise"`` the first pose that
+    cannot be evaluated raises a `PoseError`; with ``"nan"`` it gives NaN.  An array that does not hold poses always
+    raises a `PoseError`.
 
     Parameters
     ----------
     robot : Robot
-        From `pkmodes.read_robot`; `pkmodes.load` makes the model of a robot file directly.
+        From `pkmodes.read_robot`; `pkmodes.load` creates the model of a robot file directly.
     max_condition : float
-        Poses where the condition number of the mechanism is larger are refused as singular.
+        Poses at which the condition number of the mechanism is larger are rejected as singular.
 
     Attributes
     ----------
     robot : Robot
     kind : Mechanism
-        What the mechanism says about itself: components of a pose, coordinates, drives.
+        Description of the mechanism: pose components, coordinates, drives.
     coordinates : tuple of str
         Names of the generalised coordinates (docs/model.md).
     """
@@ -62,7 +62,7 @@ class Model(Kinematics):
         return f"Model({self.robot.name!r}, {self.robot.mechanism}, {len(self.coordinates)} coordinates)"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        # What evaluates may hold modules, which cannot be pickled; all that it needs is in the robot.
+        # The evaluation may hold modules, which cannot be pickled; it is rebuilt from the robot.
         return type(self), (self.robot, self.max_condition)
 
     def with_values(self, values: Mapping[str, Any]) -> Model:
@@ -79,7 +79,7 @@ class Model(Kinematics):
         backend: str = AUTO,
         threads: int | None = None,
     ) -> Modes:
-        """Natural frequencies, shapes and matrices.
+        """Compute natural frequencies, mode shapes and matrices.
 
         Parameters
         ----------
@@ -88,15 +88,15 @@ class Model(Kinematics):
         on_error : {"raise", "nan"}
             With "nan", a pose that cannot be evaluated gives NaN, ``valid`` False, and a ``reason``.
         fields : sequence of str, optional
-            Which of `Modes.FIELDS` to compute and to keep, such as ``("frequencies", "platform_shapes")``; by
-            default all, or those of `out`.  The digits of a field do not depend on what else is asked for.
+            Which of `Modes.FIELDS` to compute and keep, such as ``("frequencies", "platform_shapes")``; by default
+            all, or the fields in `out`.  The values of a field do not depend on the other fields requested.
         out : mapping of str to ndarray, optional
-            Arrays to be filled in place, by field, of the shapes that `Modes` states; they become the fields.
+            Arrays to fill in place, by field, with the shapes given in `Modes`; they become the fields.
         backend : {"auto", "numpy", "compiled"}
-            What computes: by default the compiled library where there is one, unless the environment variable
-            ``PKMODES_BACKEND`` says otherwise.  `Modes.backend` says which it was.
+            What evaluates the modes: by default the compiled library if there is one, unless the environment variable
+            ``PKMODES_BACKEND`` says otherwise.  `Modes.backend` tells which one ran.
         threads : int, optional
-            Threads of the compiled library, by default one for each core; the digits do not depend on it.
+            Threads of the compiled library, by default one per core; the results do not depend on it.
 
         Returns
         -------
@@ -106,8 +106,8 @@ class Model(Kinematics):
         Raises
         ------
         PkmodesError
-            If a field is unknown, or an array of `out` has another shape or type or cannot be written to; if there is
-            no compiled library and `backend` asks for it.
+            If a field is unknown, or an array in `out` has the wrong shape or type or is read-only. Also if
+            `backend` is "compiled" and there is no compiled library.
 
         Examples
         --------
@@ -120,7 +120,7 @@ class Model(Kinematics):
         array(['', 'limits'], dtype='<U9')
         """
         asked = chosen_fields(fields, out, Modes.fields_of(self.kind))
-        # Of two names for one thing, the older one needs no array of its own unless the caller gives one.
+        # Both names refer to the same values; they share one array unless the caller passes a second one.
         same = {JOINTS, CARRIAGES} <= set(asked) and CARRIAGES not in (out or ())
         computed = [name for name in asked if not (same and name == CARRIAGES)]
         evaluator, number = self._compiled(backend), checked_threads(threads)
@@ -157,14 +157,14 @@ class Model(Kinematics):
         backend: str = AUTO,
         threads: int | None = None,
     ) -> Array:
-        """Natural frequencies alone, those of `modes` to the last digit.
+        """Compute only the natural frequencies; they equal those of `modes` to the last digit.
 
         Parameters
         ----------
         poses, on_error, backend, threads
             As for `modes`; `check` says why a pose gives NaN.
         out : ndarray of float, shape (..., m), optional
-            To be filled in place, and returned.
+            Filled in place and returned.
 
         Returns
         -------
@@ -185,19 +185,19 @@ class Model(Kinematics):
         return self._evaluators[name]
 
     def matrices(self, poses: ArrayLike, on_error: OnError = "raise") -> tuple[Array, Array]:
-        """Mass and stiffness matrices (equations 33 and 48).
+        """Compute the mass and stiffness matrices (equations 33 and 48).
 
         Returns
         -------
         M, K : ndarray, shape (..., n, n)
-            In SI units and in the order of `coordinates`; NaN where a pose could not be evaluated.
+            In SI units, in the order of `coordinates`; NaN where a pose could not be evaluated.
         """
         checked = self._check(poses, on_error)
         M, K = self._evaluate(lambda p: matrices(self._evaluation, p), checked)
         return M, K
 
     def statics(self, poses: ArrayLike, on_error: OnError = "raise") -> Statics:
-        """Torques and rotations that hold the pose (equation 44)."""
+        """Compute the torques and rotations that hold the pose (equation 44)."""
         checked = self._check(poses, on_error)
         torques, rotations = self._evaluate(self._evaluation.statics, checked)
         return Statics(checked.codes.reshape(checked.batch), checked.known, torques, rotations)
@@ -212,18 +212,18 @@ class Model(Kinematics):
         fields: Fields = None,
         out: Out = None,
     ) -> Sensitivities:
-        """Exact derivatives of matrices and modes by parameters, at fixed platform poses.
+        """Compute exact derivatives of matrices and modes with respect to parameters, at fixed platform poses.
 
         Parameters
         ----------
         poses, on_error, out
             As for `modes`.
         parameters : sequence of str, optional
-            Parameter paths (docs/sensitivities.md); by default all that the robot has and every effect's.
+            Parameter paths (docs/sensitivities.md); by default all quantities of the robot and all effect parameters.
         close : float
-            Modes whose eigenvalues differ by less than this fraction are one group.
+            Modes whose eigenvalues differ by less than this fraction form one group.
         fields : sequence of str, optional
-            Which of `Sensitivities.FIELDS` to compute and to keep; by default all, or those of `out`.  Without
+            Which of `Sensitivities.FIELDS` to compute and keep; by default all, or the fields in `out`.  Without
             ``"shapes"`` and the matrices it takes a quarter of the time.
 
         Returns
@@ -234,7 +234,8 @@ class Model(Kinematics):
         Raises
         ------
         PkmodesError
-            If a path is unknown, with the nearest one; if a field or an array of `out` is refused as in `modes`.
+            If a path is unknown (the message suggests the nearest), or a field or an array in `out` is invalid as
+            in `modes`.
         """
         from pkmodes.sensitivity.sensitivities import sensitivities
 

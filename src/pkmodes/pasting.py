@@ -1,4 +1,4 @@
-"""Commands that are printed so that a person can paste them where they are printed."""
+"""Paths in printed commands, written so that the command can be pasted into a shell."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def pasted(path: Path) -> str:
-    """A path as one word of a shell command: relative where it is below the working directory, and quoted."""
+    """Return a path as one quoted word of a shell command, relative if it is below the working directory."""
     resolved, here = path.resolve(), Path.cwd()
     below = resolved != here and resolved.is_relative_to(here) and here != Path(here.anchor)
     text = str(resolved.relative_to(here) if below else resolved)

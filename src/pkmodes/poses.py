@@ -1,7 +1,7 @@
-"""Poses at the boundary: shape, numbers, and what the mechanism needs of them, checked before anything is solved.
+"""Validation of poses: shape, numbers, and the conditions of the mechanism, checked before anything is solved.
 
-The margins come from the generated model and their sentences from the mechanism's description; here they are only
-compared with their bounds and put into words.
+The margins come from the generated model and their sentences from the mechanism's description; this module only
+compares them with their bounds and formats the messages.
 """
 
 from __future__ import annotations
@@ -19,22 +19,22 @@ from pkmodes.mechanism import Margin, Mechanism
 
 Array = NDArray[np.float64]
 OnError = Literal["raise", "nan"]
-#: Places of some poses among all of them.
+#: Positions of some poses in the array of all poses.
 Where = slice | NDArray[np.intp]
 
-#: Beyond this condition number the platform's Jacobian has lost six digits, and rigid links are no model.
+#: Beyond this condition number the platform Jacobian has lost six digits, and the rigid-link model is not valid.
 MAX_CONDITION = 1e6
 
-#: Poses evaluated together: as many as keep the matrices and the temporaries in the cache.
+#: Number of poses evaluated together, chosen so that matrices and temporaries fit in the cache.
 CHUNK = 2048
 
-#: What is asked of every pose before the margins of its mechanism, and what a pose without it is.
+#: The condition checked before the mechanism's margins: its code and what violating it means.
 FINITE = ("finite", "a coordinate is NaN or infinite")
 IN_WORDS = {"m": "metres", "rad": "radians"}
 
 
 def reasons(kind: Mechanism) -> dict[str, str]:
-    """Why a pose cannot be evaluated, in the order in which it is asked: a short code, and what it means.
+    """Return the reasons why a pose cannot be evaluated, in the order of the checks: code and meaning.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def reasons(kind: Mechanism) -> dict[str, str]:
 
 
 def codes_of(kind: Mechanism) -> tuple[str, ...]:
-    """What the numbers of `CheckedPoses.codes` stand for: 0 is a pose that can be evaluated."""
+    """Return the reasons that `CheckedPoses.codes` index; 0 is a pose that can be evaluated."""
     return ("", FINITE[0], *(margin.code for margin in kind.margins))
 
 
@@ -60,11 +60,11 @@ class CheckedPoses:
     points : ndarray, shape (N, d)
         Poses, d components each, in SI units.
     codes : ndarray of int8, shape (N,)
-        Which of them can be evaluated, and why the others cannot: indices into `known`.
+        Indices into `known`: 0 for a pose that can be evaluated, otherwise the reason why not.
     batch : tuple of int
-        Shape of the poses as the caller gave them, without the last axis.
+        Leading axes of the poses as the caller gave them.
     known : tuple of str
-        What the codes stand for.
+        The reasons that the codes index.
     """
 
     points: NDArray[np.float64]
@@ -74,25 +74,25 @@ class CheckedPoses:
 
     @property
     def valid(self) -> NDArray[np.bool_]:
-        """Which poses can be evaluated, (N,)."""
+        """Mask of the poses that can be evaluated, (N,)."""
         return np.asarray(self.codes == 0)
 
     def parts(self, size: int, *, even: bool = False) -> Iterator[tuple[Where, NDArray[np.float64]]]:
-        """Give the valid poses part by part: where they are among all, and the poses, (n, d).
+        """Yield the valid poses part by part: their positions among all poses, and the poses, (n, d).
 
-        One empty part when there are none: what is evaluated at it has the right shapes.
+        If there are none, one empty part is yielded, so that results still get the right shapes.
 
         Parameters
         ----------
         size : int
-            The most poses in a part.
+            Largest number of poses in a part.
         even : bool
-            Parts of even size, instead of full ones and a rest.
+            Whether to make parts of equal size instead of full parts and a remainder.
         """
         places = np.flatnonzero(self.valid) if self.codes.any() else None
         count = len(self.points) if places is None else len(places)
         number = max(-(-count // size), 1)
-        least, more = divmod(count, number)  # as many parts as there are poses left over have one more
+        least, more = divmod(count, number)  # the first `more` parts have one pose more
         for i in range(number):
             start, stop = (
                 (i * least + min(i, more), (i + 1) * least + min(i + 1, more))
@@ -115,20 +115,20 @@ def check_poses(
     Parameters
     ----------
     poses : array_like, shape (d,) or (..., d)
-        In SI units; the components are those of the mechanism's poses.
+        In SI units, with the mechanism's pose components.
     kind : Mechanism
     parameters : Parameters
-        The robot, as the generated model takes it.
+        The robot's parameters for the generated model.
     on_error : {"raise", "nan"}
-        Whether a pose that cannot be evaluated is an error or is marked invalid.
+        Whether a pose that cannot be evaluated raises an error or is marked invalid.
     max_condition : float
         Largest condition number that counts as regular.
 
     Raises
     ------
     PoseError
-        If the array is not one of poses; with ``on_error="raise"`` also if a pose is not finite or lacks what the
-        mechanism needs.
+        If the array does not hold poses; with ``on_error="raise"`` also if a pose is not finite or violates a
+        condition of the mechanism.
     """
     points, batch = given_poses(poses, kind, on_error)
     codes = np.empty(len(points), dtype=np.int8)
@@ -158,7 +158,7 @@ def given_poses(poses: ArrayLike, kind: Mechanism, on_error: OnError) -> tuple[A
 
 
 def refuse(points: Array, codes: NDArray[np.int8], kind: Mechanism, parameters: Any) -> None:
-    """Refuse poses of which some cannot be evaluated.
+    """Raise the error of the first pose that cannot be evaluated, if there is one.
 
     Parameters
     ----------
@@ -184,7 +184,7 @@ def refuse(points: Array, codes: NDArray[np.int8], kind: Mechanism, parameters: 
         f", the first of {bad} bad poses" if bad > 1 else ""
     )
     if len(points) > 1:
-        remedy += ', or ask for NaN in its place with on_error="nan"'
+        remedy += ', or use on_error="nan" to get NaN instead'
     raise PoseError(what, where, remedy, index)
 
 
@@ -209,12 +209,13 @@ def largest_condition(given: float) -> float:
 def as_points(
     given: ArrayLike, name: str, size: int, remedy: str
 ) -> tuple[NDArray[np.float64], tuple[int, ...]]:
-    """Check an array of tuples of numbers; return it as (N, size), and its shape without the last axis.
+    """Check an array of tuples of numbers; return it as (N, size), and its leading axes.
 
     Raises
     ------
     PoseError
-        If it is not a non-empty array of real numbers of shape (size,) or (..., size); `name` and `remedy` say so.
+        If it is not a non-empty array of real numbers of shape (size,) or (..., size); `name` and `remedy` go into
+        the message.
     """
     try:
         if np.ma.is_masked(given):
@@ -223,7 +224,7 @@ def as_points(
         if array.dtype.kind not in "iuf":
             raise TypeError(f"values of type {array.dtype}")
         array = array.astype(float)
-    except Exception as error:  # what is not an array may raise anything on the way to become one
+    except Exception as error:  # conversion of an arbitrary object may raise anything
         raise PoseError(f"expected an array of numbers, found {error}", name, remedy) from None
     if array.ndim == 0 or array.shape[-1] != size:
         what = f"expected {name} of shape ({size},) or (N, {size}), found {array.shape}"
@@ -234,7 +235,7 @@ def as_points(
 
 
 def placed(kind: Mechanism, point: Sequence[float] | Array, digits: str = ".6g") -> str:
-    """A pose as messages and tables show it, such as ``[0.6, 0, -0.245] m``."""
+    """Format a pose for messages and tables, such as ``[0.6, 0, -0.245] m``."""
     numbers = [format(float(value), digits) for value in point]
     units = [component.unit for component in kind.pose]
     if len(set(units)) == 1:
@@ -243,7 +244,7 @@ def placed(kind: Mechanism, point: Sequence[float] | Array, digits: str = ".6g")
 
 
 def _in_words(kind: Mechanism) -> str:
-    """What poses consist of, for a remedy."""
+    """Describe the components of a pose, for a remedy."""
     units = {component.unit for component in kind.pose}
     names = ", ".join(component.name for component in kind.pose)
     unit = IN_WORDS.get(units.pop(), "SI units") if len(units) == 1 else "SI units"
@@ -251,7 +252,7 @@ def _in_words(kind: Mechanism) -> str:
 
 
 def margin_of(generated: Generated, margin: Margin, points: Array) -> Array:
-    """One of a mechanism's margins at poses: of a function with several results the one that is meant."""
+    """Evaluate one of a mechanism's margins at poses; of several results, select the margin's output."""
     found = getattr(generated, margin.function)(points)
     return np.asarray(found[margin.output] if isinstance(found, tuple) else found)
 
@@ -259,8 +260,8 @@ def margin_of(generated: Generated, margin: Margin, points: Array) -> Array:
 def _codes(
     points: NDArray[np.float64], kind: Mechanism, parameters: Any, max_condition: float
 ) -> NDArray[np.int8]:
-    """The first of what a mechanism asks that each pose lacks, as an index into `codes_of`."""
-    with np.errstate(all="ignore"):  # the margins say what is wrong; a NaN compares false and so fails
+    """Return the first condition that each pose violates, as an index into `codes_of`."""
+    with np.errstate(all="ignore"):  # the margins report the error; a NaN compares false and so fails
         generated = Generated(kind.model, parameters)
         failed = [~np.isfinite(points).all(axis=-1)]
         for margin in kind.margins:
@@ -278,17 +279,17 @@ def _holds(margin: Margin, values: Array, max_condition: float) -> NDArray[np.bo
 def explained(
     points: NDArray[np.float64], codes: NDArray[np.int8], kind: Mechanism, parameters: Any
 ) -> list[tuple[str, str]]:
-    """What is wrong with poses that cannot be evaluated, and the remedy.
+    """Return what is wrong with poses that cannot be evaluated, and the remedies.
 
     Parameters
     ----------
     points : ndarray, shape (N, d)
         Poses.
     codes : ndarray of int8, shape (N,)
-        Why, from `check_poses`; none is 0.
+        Their codes from `check_poses`, all nonzero.
     kind : Mechanism
     parameters : Parameters
-        The robot.
+        The robot's parameters.
     """
     with np.errstate(all="ignore"):
         generated = Generated(kind.model, parameters)
@@ -302,9 +303,9 @@ def explained(
 
 
 def _sentence(margin: Margin, values: Array) -> tuple[str, str]:
-    """What is wrong with a pose that lacks a margin, (...) at this pose, and the remedy."""
+    """Return what is wrong with a pose that violates a margin, whose values there are (...), and the remedy."""
     if margin.rule == "at_most_limit":
-        value = float(values.max())  # NaN where there is one
+        value = float(values.max())  # NaN if any value is NaN
         return margin.sentence.format(value=f"{np.inf if np.isnan(value) else value:.3g}"), margin.remedy
     place = np.unravel_index(int(np.argmin(values)), values.shape)
     lacking = -float(values[place])

@@ -1,6 +1,6 @@
-"""The folder of a generated model: where one may be written, and which files there are the generator's.
+"""The folder of a generated model: where it may be written, and which of its files belong to the generator.
 
-A user may keep files of their own beside generated ones; nothing here replaces or removes those.
+Users may keep other files in the folder; nothing here replaces or removes them.
 """
 
 from __future__ import annotations
@@ -16,30 +16,30 @@ ELSEWHERE = "name a new or empty folder, such as --out build/my-robot"
 
 
 def check_place(out: Path, beside: Sequence[Path], recorded: Mapping[str, Any] | None) -> None:
-    """Refuse a folder that is not one for generated files, before anything is derived.
+    """Reject a folder that is not suitable for generated files, before anything is derived.
 
     Parameters
     ----------
     out : Path
     beside : sequence of Path
-        What may lie there: the robot file, and what is looked at for itself.
+        Paths that may be in the folder: the robot file, and others that are checked separately.
     recorded : mapping or None
-        The manifest that is there.
+        The manifest in the folder.
 
     Raises
     ------
     OutputError
-        If it is the root of a file system or of a repository, the home folder, or holds other things than a model.
+        If it is the root of a file system or repository, the home folder, or contains other files than a model.
     """
     place = out.resolve()
     if place == Path(place.anchor):
-        raise OutputError("a model is not written into the root of the file system", str(out), ELSEWHERE)
+        raise OutputError("cannot write a model into the root of the file system", str(out), ELSEWHERE)
     if _is_home(place):
-        raise OutputError("a model is not written into the home folder itself", str(out), ELSEWHERE)
+        raise OutputError("cannot write a model into the home folder itself", str(out), ELSEWHERE)
     if recorded is not None or not place.is_dir():
         return
     if (place / ".git").exists():
-        raise OutputError("a model is not written into the root of a repository", str(out), ELSEWHERE)
+        raise OutputError("cannot write a model into the root of a repository", str(out), ELSEWHERE)
     allowed = {path.resolve() for path in beside}
     try:
         foreign = sorted(
@@ -51,27 +51,27 @@ def check_place(out: Path, beside: Sequence[Path], recorded: Mapping[str, Any] |
         raise OutputError(
             f"cannot write: {(error.strerror or str(error)).lower()}",
             str(out),
-            "choose another place or free it",
+            "choose another place or make it readable",
         ) from None
     if foreign:
         others = f" and {len(foreign) - 1} more" if len(foreign) > 1 else ""
         raise OutputError(
-            f"the folder holds other things ({foreign[0]}{others}), and no manifest that says it was generated",
+            f"the folder contains other files ({foreign[0]}{others}) and no manifest of a generated model",
             str(out),
             ELSEWHERE,
         )
 
 
 def check_owner(out: Path, recorded: Mapping[str, Any], reference: str, name: str) -> None:
-    """Refuse a folder that holds the model of another robot.
+    """Reject a folder that holds the model of another robot.
 
-    The model of a robot file that is not where it was, and that had the same name, is taken over: the folder or
-    the file was moved.
+    If the recorded robot file no longer exists and the robot's name is the same, the folder or the file was moved,
+    and the folder is accepted.
 
     Raises
     ------
     OutputError
-        If the model there is not one of this robot.
+        If the folder holds the model of another robot.
     """
     robot = recorded.get("robot") if isinstance(recorded.get("robot"), dict) else {}
     owner = robot.get("file") if robot else None
@@ -88,31 +88,31 @@ def check_owner(out: Path, recorded: Mapping[str, Any], reference: str, name: st
 
 
 def check_mechanism(folder: Path, recorded: Mapping[str, Any] | None, name: str) -> None:
-    """Refuse a folder that holds another product than the code of a mechanism.
+    """Reject a folder that holds anything but the code of this mechanism.
 
     Raises
     ------
     OutputError
     """
     if recorded is not None and ("robot" in recorded or recorded.get("product") != name):
-        what = f"the folder holds another product than the code of the mechanism {name}"
+        what = f"the folder holds generated files other than the code of the mechanism {name}"
         raise OutputError(what, str(folder), "choose another folder, or remove that one")
 
 
 def stale_outputs(
     out: Path, recorded: Mapping[str, Any], names: Iterable[str], generated: Callable[[Path], bool]
 ) -> list[Path]:
-    """Outputs of an earlier generation, under a name that the robot had then.
+    """Return outputs of an earlier generation that are not among the new ones, as after renaming the robot.
 
     Parameters
     ----------
     out : Path
     recorded : mapping
-        The manifest that is there.
+        The manifest in the folder.
     names : iterable of str
-        Files that are going to be written.
+        Files that are about to be written.
     generated : callable
-        Whether a file carries the generator's header.
+        Returns whether a file carries the generator's header.
 
     Raises
     ------
@@ -124,11 +124,11 @@ def stale_outputs(
         path = out / name
         if name != MANIFEST and name not in former and path.exists() and not generated(path):
             raise OutputError(
-                f"{name} would be replaced, and was not generated",
+                f"{name} would be replaced, but it was not generated",
                 str(out),
                 "move that file, or choose another folder",
             )
-    # Only files in this very folder: a manifest cannot make us remove anything elsewhere.
+    # Only files directly in this folder, so that a manifest cannot cause the removal of anything elsewhere.
     beside = [path for path in out.iterdir() if path.is_file() and not path.is_symlink()]
     return [path for path in beside if path.name in former.keys() - set(names) and generated(path)]
 
@@ -136,12 +136,12 @@ def stale_outputs(
 def _is_file(folder: Path, name: str) -> bool:
     try:
         return (folder / name).is_file()
-    except (OSError, ValueError):  # a name that cannot be one of a file
+    except (OSError, ValueError):  # not a valid file name
         return False
 
 
 def _is_home(place: Path) -> bool:
     try:
         return place == Path.home().resolve()
-    except RuntimeError:  # there is none
+    except RuntimeError:  # there is no home folder
         return False

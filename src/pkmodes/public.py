@@ -1,4 +1,4 @@
-"""What `pkmodes` offers to a program, loaded together: the package itself says which names these are."""
+"""The public names of `pkmodes`, loaded together; ``pkmodes.__all__`` lists them."""
 
 from pkmodes.errors import NotComputedError as NotComputedError
 from pkmodes.errors import PkmodesError as PkmodesError

@@ -1,4 +1,4 @@
-"""Poses of a robot at which it can be evaluated, well inside its workspace, and a robot of each mechanism."""
+"""Regular poses of a robot, well inside its workspace, and a sample robot of each mechanism."""
 
 from __future__ import annotations
 
@@ -14,28 +14,28 @@ from pkmodes.poses import margin_of
 Array = NDArray[np.float64]
 #: Condition number up to which a pose is regular.
 REGULAR = 15.0
-#: A margin of a regular pose, as a fraction of the largest one among all that are drawn.
+#: Smallest margin of a regular pose, as a fraction of the largest margin among all poses drawn.
 INSIDE = 0.02
-#: How many poses are drawn in turn: a narrow workspace takes more.
+#: Number of poses drawn in each round: a narrow workspace needs more.
 DRAWS = (500, 2_000, 8_000, 32_000, 128_000, 512_000)
 SEED = 20220101
-#: How far rotations of a pose are drawn [rad].
+#: Range in which rotations of a pose are drawn [rad].
 TURNED = 0.5
 
 
 def sample(kind: Mechanism) -> Any:
-    """Parameters of a robot of the mechanism without any symmetry: terms that vanish in a real one do not in it."""
+    """Return the parameters of an asymmetric robot: terms that vanish by symmetry in a real robot do not here."""
     values = {name: np.array(v) if isinstance(v, list) else v for name, v in kind.sample.items()}
     return kind.model.Parameters(**values)
 
 
 def declared(kind: Mechanism) -> list[Key]:
-    """Keys of the robot file whose values are numbers of the generated parameters."""
+    """Return the keys of the robot file whose values are fields of the generated parameters."""
     return [key for table in kind.tables for key in table.keys if key.field]
 
 
 def travel(kind: Mechanism, parameters: Any) -> Array:
-    """How far the independent coordinates go, (k, 2): pairs of numbers in the robot's tables, if any."""
+    """Return the limits of the independent coordinates, (k, 2), from the pairs in the robot's tables, if any."""
     pairs = [np.empty((0, 2))]
     for key in declared(kind):
         if key.kind == "pair":
@@ -45,7 +45,7 @@ def travel(kind: Mechanism, parameters: Any) -> Array:
 
 
 def extent(kind: Mechanism, parameters: Any) -> float:
-    """What the robot cannot reach beyond [m]: the sum of its lengths."""
+    """Return an upper bound of the robot's reach [m]: the sum of its lengths."""
     lengths = {key.field for key in declared(kind) if key.dimension == "length"}
     return sum(float(np.max(np.abs(getattr(parameters, field)))) for field in lengths)
 
@@ -60,12 +60,12 @@ def regular_poses(generated: Generated, kind: Mechanism, parameters: Any, wanted
     kind : Mechanism
     parameters : Parameters
     wanted : int
-        How many.
+        Number of poses.
 
     Returns
     -------
     ndarray, shape (N, d)
-        As many as wanted, or as were found.
+        At most `wanted` poses; fewer if no more were found.
     """
     rng = np.random.default_rng(SEED)
     found: list[Array] = []
@@ -88,7 +88,7 @@ def regular_poses(generated: Generated, kind: Mechanism, parameters: Any, wanted
 def _drawn(
     generated: Generated, kind: Mechanism, parameters: Any, rng: np.random.Generator, count: int
 ) -> Array:
-    """Draw poses: where the independent coordinates lead, or in a box that the robot cannot leave."""
+    """Draw poses: from the limits of the independent coordinates, or in a box that contains the workspace."""
     names = tuple(component.name for component in kind.pose)
     ends = travel(kind, parameters)
     given = len(ends) == len(kind.independent)

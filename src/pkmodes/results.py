@@ -1,4 +1,4 @@
-"""What an evaluation gives: modes, statics and checks, in the shape of the caller's poses."""
+"""Results of an evaluation: modes, statics and checks, with the leading axes of the caller's poses."""
 
 from __future__ import annotations
 
@@ -16,25 +16,25 @@ from pkmodes.poses import CHUNK, explained
 from pkmodes.robot.robot import Robot
 
 Array = NDArray[np.float64]
-#: The independent coordinates, and their older name where they are positions of carriages.
+#: The independent coordinates, and their older name for mechanisms where they are carriage positions.
 JOINTS, CARRIAGES = "joint_positions", "carriage_positions"
 
 
 @dataclass(frozen=True, repr=False, eq=False)
 class AtPoses:
-    """Results at poses, some of which could perhaps not be evaluated.
+    """Results at poses, some of which may not have been evaluated.
 
     Attributes
     ----------
     codes : ndarray of int8, shape (...)
-        What `valid` and `reason` say, as indices into `known`.
+        Indices into `known`, from which `valid` and `reason` follow.
     known : tuple of str
-        What the codes stand for: ``""`` for a pose that can be evaluated.
+        The reasons that the codes index: ``""`` for a pose that can be evaluated.
     valid : ndarray of bool, shape (...)
         Which poses could be evaluated.
     reason : ndarray of str, shape (...)
-        Why the others could not: ``"finite"``, or a code of what the mechanism needs, such as ``"limits"``
-        (`pkmodes.Model.reasons` has a sentence for each), ``""`` where valid.  For a single pose a string.
+        Why the others could not: ``"finite"``, or the code of a condition of the mechanism, such as ``"limits"``
+        (`pkmodes.Model.reasons` has a sentence for each); ``""`` where valid.  For a single pose a string.
     """
 
     codes: NDArray[np.int8]
@@ -42,19 +42,19 @@ class AtPoses:
 
     @cached_property
     def valid(self) -> NDArray[np.bool_]:
-        """Which poses could be evaluated."""
+        """Mask of the poses that could be evaluated."""
         return np.asarray(self.codes == 0)
 
     @cached_property
     def reason(self) -> NDArray[np.str_]:
-        """Why the others could not, as a short code."""
+        """Short code of the reason why a pose could not be evaluated, ``""`` where valid."""
         found: NDArray[np.str_] = np.array(self.known)[self.codes]
         return found
 
 
 @dataclass(frozen=True, repr=False, eq=False)
 class ChosenFields(AtPoses):
-    """Results of which only some fields may have been asked for; the others are not there, and say so."""
+    """Results with optional fields; reading a field that was not requested raises `NotComputedError`."""
 
     FIELDS: ClassVar[tuple[str, ...]] = ()
     METHOD: ClassVar[str] = ""
@@ -72,7 +72,7 @@ class ChosenFields(AtPoses):
             there = [known for known in self.FIELDS if known in self.__dict__]
             wanted = ", ".join(f'"{known}"' for known in self.FIELDS if known in (*there, name))
             raise NotComputedError(
-                f"the field {name} was not asked for",
+                f"the field {name} was not requested",
                 f"{type(self).__name__} with {', '.join(there)}",
                 f"call {self.METHOD} with fields=({wanted})",
             )
@@ -87,20 +87,20 @@ class Modes(ChosenFields):
     """Small vibrations about the static equilibrium at each pose.
 
     The leading axes are those of the poses: none for a single pose of shape (d,), (N,) for poses of shape
-    (N, d).  n is the number of coordinates; m, the number of modes, is n less the coordinates without inertia.
-    Modes are sorted by eigenvalue, the rigid-body ones first.  Entries of poses
-    that could not be evaluated are NaN.
+    (N, d).  n is the number of coordinates; the number of modes m is n minus the number of coordinates without
+    inertia.  Modes are sorted by eigenvalue, the rigid-body modes first.  Entries of poses that could not be
+    evaluated are NaN.
 
     Attributes
     ----------
     poses : ndarray, shape (..., d)
-        The components of the mechanism's poses, in SI units.
+        Pose components of the mechanism, in SI units.
     coordinates : tuple of str, length n
         Names of the generalised coordinates, in the order of the matrices.
     rigid_modes : int
-        Number of modes that strain nothing elastic: they come first.
+        Number of modes that strain nothing elastic; they come first.
     backend : {"numpy", "compiled"}
-        What computed them.
+        What evaluated them.
     valid : ndarray of bool, shape (...)
         Which poses could be evaluated.
     reason : ndarray of str, shape (...)
@@ -110,19 +110,19 @@ class Modes(ChosenFields):
     shapes : ndarray, shape (..., m, n)
         ``shapes[..., i, :]`` is mode i, mass-normalised (phi^T M phi = 1) with a deterministic sign.
     platform_shapes : ndarray, shape (..., m, directions)
-        Absolute motion of the platform centre in each mode, base frame, by the pose's linear components: D_p times
-        the components of the independent coordinates, and what released joints and the frame add.
+        Absolute motion of the platform centre in each mode, in the base frame, by the linear pose components: D_p
+        times the independent coordinates' components, plus the motion of released joints and the frame.
     joint_positions : ndarray, shape (..., k)
         The independent coordinates, which follow from the pose.
     carriage_positions : ndarray, shape (..., k)
-        The same, where they are positions of carriages.
+        The same values, for mechanisms where they are carriage positions.
     mass_matrix, stiffness_matrix : ndarray, shape (..., n, n)
         M and K in SI units.
 
     Raises
     ------
     NotComputedError
-        Where a field from `frequencies` on is read that was not asked for.
+        If `frequencies` or a later field is read but was not requested.
     """
 
     FIELDS: ClassVar[tuple[str, ...]] = (
@@ -150,23 +150,23 @@ class Modes(ChosenFields):
 
     @classmethod
     def fields_of(cls, kind: Mechanism) -> tuple[str, ...]:
-        """Those of `FIELDS` that there are for a mechanism."""
+        """Return the `FIELDS` that exist for a mechanism."""
         carriages = kind.independent_are.replace(" ", "_") == CARRIAGES
         return tuple(name for name in cls.FIELDS if carriages or name != CARRIAGES)
 
 
 @dataclass(frozen=True, eq=False)
 class Statics(AtPoses):
-    """Static equilibrium at each pose (equation 44): what holds the platform against gravity.
+    """Static equilibrium at each pose (equation 44): torques and rotations that hold the platform against gravity.
 
     Attributes
     ----------
     torques : ndarray, shape (..., drives)
-        Torques of the drives, in their order [N m], each positive with its coordinate.
+        Drive torques in the order of the drives [N m], positive in the direction of each drive's coordinate.
     rotations : ndarray, shape (..., n - k)
-        What the coordinates that are not independent turn from the unstrained transmissions [rad], in their order.
+        Rotations of the dependent coordinates from the unstrained transmissions [rad], in their order.
     pulley_rotations : ndarray
-        The older name of the rotations.
+        Older name of the rotations.
     valid : ndarray of bool, shape (...)
         Which poses could be evaluated.
     reason : ndarray of str, shape (...)
@@ -178,7 +178,7 @@ class Statics(AtPoses):
 
     @property
     def pulley_rotations(self) -> Array:
-        """The older name of the rotations."""
+        """Older name of the rotations."""
         return self.rotations
 
 
@@ -189,16 +189,15 @@ class PoseCheck(AtPoses):
     Attributes
     ----------
     poses : ndarray, shape (..., d)
-        The components of the mechanism's poses, in SI units.
+        Pose components of the mechanism, in SI units.
     robot : Robot
-        The robot that was asked.
+        The robot for which the poses were checked.
     valid : ndarray of bool, shape (...)
-        Which of them can be evaluated.
+        Which poses can be evaluated.
     reason : ndarray of str, shape (...)
         Why the others cannot (`pkmodes.Model.reasons`), ``""`` where valid; for a single pose a string.
     sentences : ndarray of object, shape (...)
-        What is wrong with each pose, as a string with numbers and a remedy, ``""`` where valid; for a single pose a
-        string.
+        What is wrong with each pose, with numbers and a remedy; ``""`` where valid.  For a single pose a string.
     """
 
     poses: Array
@@ -206,7 +205,7 @@ class PoseCheck(AtPoses):
 
     @cached_property
     def sentences(self) -> NDArray[np.object_]:
-        """What is wrong with each pose, and the remedy."""
+        """Sentences that say what is wrong with each pose, with the remedy."""
         found = np.full(self.codes.size, "", dtype=object)
         every, codes = np.flatnonzero(self.codes), self.codes.reshape(-1)
         kind, points = self.robot.kind, self.poses.reshape(self.codes.size, -1)

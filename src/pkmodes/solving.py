@@ -1,4 +1,4 @@
-"""Modes of one robot at some poses: matrices, eigenvalues and shapes, and what is asked for of them."""
+"""Modes of one robot at given poses: matrices, eigenvalues and shapes, and the requested fields."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from pkmodes.results import CARRIAGES, JOINTS
 from pkmodes.robot.robot import Robot
 
 Array = NDArray[np.float64]
-#: Eigenvalues come with an error of some 1e-16 of the largest ones: below this fraction of them, a frequency of
-#: vibration has lost the nine digits that it should have.
+#: Eigenvalues have an error of some 1e-16 of the largest.  Below this fraction of the largest, a vibration frequency
+#: no longer has nine correct digits.
 RESOLVED = 1e-7
 OF_MATRICES = frozenset({"mass_matrix", "stiffness_matrix"})
 OF_MODES = frozenset({"frequencies", "shapes", "platform_shapes"})
@@ -32,7 +32,7 @@ class Solved(NamedTuple):
     M, K : ndarray, shape (N, n, n)
     eigenvalues, shapes : ndarray, shapes (N, m) and (N, m, n)
     every : tuple of ndarray, each (N, e, e)
-        M and K with the coordinates of locked joints.
+        M and K including the coordinates of locked joints.
     """
 
     M: Array
@@ -49,7 +49,7 @@ def solve(evaluation: Evaluation, p: Array) -> Solved:
     ----------
     evaluation : Evaluation
     p : ndarray, shape (N, d)
-        Poses that can be evaluated; there may be none.
+        Valid poses; N may be 0.
 
     Raises
     ------
@@ -64,7 +64,7 @@ def solve(evaluation: Evaluation, p: Array) -> Solved:
 
 
 def solved(evaluation: Evaluation, p: Array, source: str) -> Solved:
-    """Solve as `solve` does, and refuse what is no machine; `source` names the robot in messages.
+    """Solve as `solve` does and reject unphysical systems; `source` names the robot in messages.
 
     Raises
     ------
@@ -76,7 +76,7 @@ def solved(evaluation: Evaluation, p: Array, source: str) -> Solved:
         found = solve(evaluation, p)
     except np.linalg.LinAlgError:
         raise PoseError(
-            "the mass matrix is not positive definite", source, "give every body that moves a mass"
+            "the mass matrix is not positive definite", source, "give every moving body a mass"
         ) from None
     if not np.isfinite(found.eigenvalues).all():
         raise PoseError("the eigenvalues are not finite", source, "check the robot's magnitudes")
@@ -87,23 +87,23 @@ def solved(evaluation: Evaluation, p: Array, source: str) -> Solved:
 
 
 def check_resolved(eigenvalues: Array, first: int, rigid: int, source: str) -> None:
-    """A robot that stands free has no vibration near zero, unless a joint hardly holds."""
+    """Reject a vibration near zero frequency: a robot with rigid-body modes has one only if a joint is too soft."""
     lost = np.abs(eigenvalues[:, rigid]) < RESOLVED * eigenvalues[:, first - 1]
     if lost.any():
         low, high = natural_frequencies(eigenvalues[int(np.argmax(lost)), [rigid, first - 1]])
         raise PoseError(
-            f"a joint is so soft that its vibration, at {abs(low):.2g} Hz, is lost in rounding beside {high:.4g} Hz",
+            f"a joint is so soft that its vibration at {abs(low):.2g} Hz is lost in rounding against {high:.4g} Hz",
             source,
-            "check the compliances under [effects]: a joint of smaller compliance holds",
+            "check the compliances under [effects]: make the joint stiffer",
         )
 
 
 def fields_of_modes(
     robot: Robot, evaluation: Evaluation, p: Array, asked: Collection[str]
 ) -> dict[str, Array]:
-    """Evaluate those fields of `pkmodes.Modes` that are asked for, at poses (N, d) that can be evaluated.
+    """Evaluate the requested fields of `pkmodes.Modes` at valid poses (N, d).
 
-    The route to a field is the same whatever else is asked for, and so are its digits.
+    A field is computed in the same way whatever else is requested, so its digits do not change.
     """
     found: dict[str, Array] = {}
     if OF_MODES & set(asked):

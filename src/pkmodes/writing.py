@@ -1,4 +1,4 @@
-"""Write results whole or not at all."""
+"""Write results completely or not at all."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from pkmodes.errors import OutputError
 def write_files(folder: Path, texts: Mapping[str, str]) -> list[Path]:
     """Write texts into a folder, all or none; existing files of those names are replaced.
 
-    Every text is first written beside its place and then moved there; what was there before is kept until
-    all are in place, and put back if anything goes wrong.  Folders that were made for it are removed then.
+    Every text is written to a temporary file next to its target and then moved.  Replaced files are kept until all
+    texts are in place.  If anything fails, they are restored and the folders created for the texts are removed.
 
     Raises
     ------
@@ -43,13 +43,15 @@ def write_files(folder: Path, texts: Mapping[str, str]) -> list[Path]:
         for temporary, _ in staged:
             temporary.unlink(missing_ok=True)
         for place in made:
-            with suppress(OSError):  # it was never made, or somebody else uses it already
+            with suppress(OSError):  # it was never created, or is already in use
                 place.rmdir()
         if not isinstance(error, OSError):
             raise
         reason = (error.strerror or "it cannot be written").lower()
         where = str(error.filename) if isinstance(error.filename, str) else str(folder)
-        raise OutputError(f"cannot write: {reason}", where, "choose another place or free it") from None
+        raise OutputError(
+            f"cannot write: {reason}", where, "choose another place or make it writable"
+        ) from None
     for backup, _ in moved:
         if backup is not None:
             backup.unlink(missing_ok=True)
@@ -57,7 +59,7 @@ def write_files(folder: Path, texts: Mapping[str, str]) -> list[Path]:
 
 
 def write_file(path: Path, text: str) -> None:
-    """Write one text, whole or not at all; what is not a regular file, such as a pipe, is written to directly.
+    """Write one text, completely or not at all; a target such as a pipe is written to directly.
 
     Raises
     ------
@@ -75,10 +77,10 @@ def write_file(path: Path, text: str) -> None:
 
 
 def _real(path: Path) -> Path:
-    """The file itself where the path is a link, so that the link stays one."""
+    """Return the target of a symbolic link, so that the link itself is kept."""
     target = path.resolve() if path.is_symlink() else path
     if target.is_dir():
-        raise IsADirectoryError(None, "a folder of that name is there", str(target))
+        raise IsADirectoryError(None, "a folder of that name exists", str(target))
     return target
 
 
@@ -96,7 +98,7 @@ def _stage(target: Path, text: str) -> Path:
 
 
 def _set_aside(target: Path) -> Path | None:
-    """Move what is at a place out of the way; None when nothing is there."""
+    """Move an existing file out of the way and return its new path; None if there is no file."""
     if not target.exists():
         return None
     handle, name = tempfile.mkstemp(prefix=f".{target.name[:100]}.", dir=target.parent)
@@ -110,7 +112,7 @@ def _set_aside(target: Path) -> Path | None:
 
 
 def _mode(target: Path) -> int:
-    """Permissions of the file that is there, or of an ordinary new file (temporary files are private)."""
+    """Return the permissions of the existing file, or those of an ordinary new file (temporary files are private)."""
     if target.exists():
         return target.stat().st_mode & 0o777
     mask = os.umask(0)

@@ -1,4 +1,4 @@
-"""The CoreXY on the virtual test rig: true modes with any effects of the catalogue, and with causes outside it."""
+"""The CoreXY on the virtual test rig: true modes with any effects of the catalogue and with causes outside it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from pkmodes_rig.engine import TrueModes
 from pkmodes_rig.rows import Rows, completed, without
 
-#: Length of the beam that yaws [m], and where its middle is.
+#: Length of the yawing beam [m], and position of its middle.
 BEAM, MIDDLE = 0.4, 0.15
 BELTS = (0, 1)
 
@@ -18,7 +18,7 @@ BELTS = (0, 1)
 def corexy(
     q: Any, p: np.ndarray, effects: Mapping[str, float] = {}, outside: Mapping[str, float] = {}
 ) -> TrueModes:
-    """Modes of a CoreXY at one pose.
+    """Compute the modes of a CoreXY at one pose.
 
     Parameters
     ----------
@@ -26,9 +26,9 @@ def corexy(
         One robot, without batch axes.
     p : array, shape (2)
     effects : mapping
-        Parameters of the catalogue's effects in SI units, by ``"<effect>.<parameter>"``.
+        Parameters of effects in SI units, by ``"<effect>.<parameter>"``.
     outside : mapping
-        Strengths of some of `rows.OUTSIDE`.
+        Strengths of causes in `rows.OUTSIDE`.
     """
     released = {
         "psi": effects.get("gearbox_compliance.compliance", 0.0),

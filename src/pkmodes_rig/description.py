@@ -1,10 +1,10 @@
 """The robots of the virtual test rig as MuJoCo bodies, joints and springs, with every effect built in.
 
-Nothing here is a formula of the derived model, and no effect is an energy or a matrix: each one is something that
-a mechanic would build.  A compliance is a joint on a spring, a mass is a body, a cable is a spring, and a rod that
-stretches is three lumps of mass on a slide.  What moves with what follows from the tree of bodies.
+No formula of the derived model is used, and no effect is an energy or a matrix: each effect is built from mechanical
+parts.  A compliance is a joint with a spring, a mass is a body, a cable is a spring, and a rod that stretches is
+three lumps of mass on a slide.  The tree of bodies determines which parts move together.
 
-The rig knows causes outside the catalogue too (`OUTSIDE`), to see what is made of a robot that no hypothesis
+The rig also has causes outside the catalogue (`OUTSIDE`), to test the diagnosis of a robot that no hypothesis
 describes.
 """
 
@@ -23,7 +23,7 @@ from pkmodes_rig.mujoco_engine import carriage_positions
 
 AXES = range(3)
 
-#: Parameters of the catalogue's effects with the values that stand for "absent".
+#: Parameters of the catalogue's effects with their null values.
 EFFECTS: dict[str, float] = {
     "payload.mass": 0.0,
     "belt_mass.linear_density": 0.0,
@@ -43,37 +43,37 @@ EFFECTS: dict[str, float] = {
     "frame_compliance.mass": 50.0,
 }
 
-#: Causes that the catalogue does not have.  The number given for each is what the sentence names in brackets.
+#: Causes outside the catalogue.  The strength of each is the quantity in brackets.
 OUTSIDE: dict[str, str] = {
-    "tuned_absorber": "a [mass in kg] on the platform slides along one direction on a spring tuned to 60 Hz",
+    "tuned_absorber": "a [mass in kg] on the platform slides in one direction on a spring tuned to 60 Hz",
     "directional_cable": "a spring of [stiffness in N/m] holds the platform centre to ground in one direction only",
     "hose": "a spring of [stiffness in N/m] couples the carriages of axes 1 and 2",
-    "worn_belt": "a patch of every belt, which runs with it, has a local compliance larger by [a factor - 1]",
+    "worn_belt": "a patch of every belt, which moves with the belt, has a local compliance larger by [a factor - 1]",
     "bellows": "a spring of [stiffness in N/m] holds every carriage to its rail",
     "rocking_frame": "the frame also turns about a horizontal axis on a spring of [compliance in rad/(N m)]",
-    "thermal_drift": "frequencies change by [relative change per pose] in the order of measuring",
-    "rod_taper": "the mass of a rod by its length changes linearly from 1 - [a] at the carriage to 1 + a",
-    "one_gearbox": "the gearbox of axis 2 alone winds up by [compliance in rad/(N m)]",
-    "one_servo": "the position loop of axis 2 alone holds its driven pulley like a spring of [stiffness in N m/rad]",
+    "thermal_drift": "frequencies change by [relative change per pose] in the order of measurement",
+    "rod_taper": "the relative mass per length of a rod changes linearly from 1 - [a] at the carriage to 1 + a",
+    "one_gearbox": "only the gearbox of axis 2 winds up by [compliance in rad/(N m)]",
+    "one_servo": "only the position loop of axis 2 holds its driven pulley like a spring of [stiffness in N m/rad]",
     "one_span": "the belt of axis 3 yields by [compliance in m/N] at a splice between its pulleys",
     "leaning_frame": "the frame moves in one oblique direction only, on a spring of [compliance in m/N]",
     "pulley_mount": "the bearing of every pulley 2 yields along the rail by [compliance in m/N]",
 }
 
-#: Where the tuned absorber and the leaning frame slide and the cable pulls: no plane of symmetry of any robot has
-#: these directions.
+#: Directions in which the tuned absorber and the leaning frame slide and the cable pulls; none is in a plane of
+#: symmetry of any robot.
 ABSORBER_DIRECTION = np.array([2.0, 1.0, -2.0]) / 3
 ABSORBER_FREQUENCY = 60.0
 CABLE_DIRECTION = np.array([6.0, -3.0, 2.0]) / 7
 LEANING_DIRECTION = np.array([2.0, -6.0, 3.0]) / 7
-#: Inertia of the rocking frame [kg m^2], and how far below the middle of its rails the axis is [m].
+#: Inertia of the rocking frame [kg m^2], and depth of its axis below the middle of the rails [m].
 ROCKING_INERTIA = 4.0
 ROCKING_DEPTH = 0.4
-#: Mass of the block that holds pulley 2, as a part of the carriage's.
+#: Mass of the block that holds pulley 2, as a fraction of the carriage mass.
 BLOCK = 0.2
-#: Middle and half width of the worn patch of a belt, as parts of the travel, from the clamp towards pulley 1.
+#: Centre and half width of the worn patch of a belt, as fractions of the travel, from the clamp towards pulley 1.
 PATCH_CENTRE, PATCH_WIDTH = 0.4, 0.15
-#: Lumps of a uniform bar whose velocity is linear along it, at its ends and its middle (Simpson's rule, exact).
+#: Lumps at the ends and middle of a uniform bar, exact for a velocity that is linear along it (Simpson's rule).
 LUMPS = np.array([1.0, 4.0, 1.0]) / 6
 
 SPAN_NODES, SPAN_WEIGHTS = np.polynomial.legendre.leggauss(80)
@@ -86,17 +86,17 @@ class Description:
     Attributes
     ----------
     xml : str
-        MJCF, assembled at the pose, every joint at zero there.
+        MJCF, assembled at the pose with every joint at zero.
     coordinates : dict of str to str
         Joint of each generalised coordinate, in order.
     points : list of str
-        Bodies that are points: their inertia is none.
+        Bodies that are point masses, without rotational inertia.
     massless : list of str
         Bodies without mass.
     ties : list of str
-        Tendons that keep their lengths: gears, and the middles of the rods.
+        Tendons of constant length: gears, and the middles of the rods.
     belt_lumps : dict of str to float
-        Tendons whose lengths are displacements of lumps of belt, and their masses [kg].
+        Masses of lumps of belt by the tendons whose lengths are their displacements [kg].
     """
 
     xml: str = ""
@@ -110,16 +110,16 @@ class Description:
 def describe(
     parameters: Parameters, p: np.ndarray, effects: Mapping[str, float], outside: Mapping[str, float]
 ) -> Description:
-    """Describe a robot that stands at `p` with these effects."""
+    """Describe a robot at pose `p` with these effects."""
     unknown = [*(effects.keys() - EFFECTS.keys()), *(outside.keys() - OUTSIDE.keys())]
     if unknown:
-        raise ValueError(f"the rig does not know {', '.join(sorted(unknown))}")
+        raise ValueError(f"unknown effects or causes: {', '.join(sorted(unknown))}")
     settings = {**EFFECTS, **dict.fromkeys(OUTSIDE, 0.0), **effects, **outside}
     return _Builder(parameters, np.asarray(p, dtype=float), settings).description
 
 
 class _Builder:
-    """Puts the parts together; the order of the coordinates is that of docs/model.md."""
+    """Assembles the parts; the coordinates are in the order of docs/model.md."""
 
     def __init__(self, parameters: Parameters, p: np.ndarray, settings: Mapping[str, float]) -> None:
         self.parameters, self.p, self.s = parameters, p, settings
@@ -129,7 +129,7 @@ class _Builder:
         add(root, "compiler", angle="radian", boundmass=0.0, boundinertia=0.0, balanceinertia="false")
         add(
             root, "option", gravity=np.zeros(3)
-        )  # weights are the rig's, from the accelerations of the bodies
+        )  # the rig adds gravity itself, from the accelerations of the bodies
         self.world = ET.SubElement(root, "worldbody")
         self.tendons = ET.SubElement(root, "tendon")
         self.platform = self._platform()
@@ -145,10 +145,10 @@ class _Builder:
     # Parts -------------------------------------------------------------------------------------------------
 
     def _platform(self) -> ET.Element:
-        """The platform, absolute: it translates and never turns."""
+        """Add the platform, which translates relative to ground and does not rotate."""
         platform = self._point(self.world, "platform", self.parameters.platform_mass, pos=self.p)
         for name, axis in zip("xyz", np.eye(3), strict=True):
-            # The isotropic cable, relaxed here.
+            # The isotropic cable, relaxed at the pose.
             self._slide(platform, f"platform_{name}", axis, stiffness=self.s["cable_stiffness.stiffness"])
         if self.s["payload.mass"]:
             self._point(platform, "payload", self.s["payload.mass"])
@@ -160,7 +160,7 @@ class _Builder:
         return platform
 
     def _frame(self) -> ET.Element:
-        """The body that carries the rails, or the ground when nothing moves it."""
+        """Add the body that carries the rails, or return the ground if nothing moves it."""
         translation, rotation = self.s["frame_compliance.compliance"], self.s["rocking_frame"]
         leaning = self.s["leaning_frame"]
         if not translation and not rotation and not leaning:
@@ -177,21 +177,21 @@ class _Builder:
         if leaning:
             self._slide(frame, "lean", LEANING_DIRECTION, stiffness=1 / leaning)
         if rotation:
-            # Through the frame's centre of mass: its own weight takes no part.
+            # Through the frame's centre of mass, so its weight has no effect.
             across = np.eye(3)[np.argmin(np.abs(down))]
             axis = np.cross(down, across)
             add(frame, "joint", name="rock", type="hinge", axis=axis, stiffness=1 / rotation)
         return frame
 
     def _carriage(self, frame: ET.Element, j: int) -> None:
-        """Carriage, belt clamp and rod of axis j, on the frame; the rod is pinned to the platform."""
+        """Add carriage, belt clamp and rod of axis j to the frame; the rod is pinned to the platform."""
         direction, length = self.parameters.direction[j], float(self.parameters.link_length[j])
         end = self.parameters.origin[j] + self.x[j] * direction
         place = end if frame is self.world else end - self.frame_origin
         carriage = self._point(frame, f"carriage_{j}", self.parameters.carriage_mass[j], pos=place)
         self._slide(carriage, f"carriage_{j}", direction, stiffness=self.s["bellows"])
         if self.s["clamp_compliance.compliance"]:
-            clamp = self._point(carriage, f"clamp_{j}", 0.0)  # a child: counted from the carriage
+            clamp = self._point(carriage, f"clamp_{j}", 0.0)  # a child, so relative to the carriage
             self._slide(clamp, f"clamp_{j}", direction, stiffness=1 / self.s["clamp_compliance.compliance"])
 
         lumps = self.parameters.link_mass[j] * LUMPS * (1 + self.s["rod_taper"] * np.array([-1, 0, 1]))
@@ -205,15 +205,15 @@ class _Builder:
             along = np.array([0.0, 0.0, 1.0])
             self._slide(middle, f"middle_{j}", along)
             self._slide(far, f"delta_{j}", along, stiffness=1 / compliance)
-            self._tie(f"middle_{j}", {f"middle_{j}": 2.0, f"delta_{j}": -1.0})  # halfway, always
+            self._tie(f"middle_{j}", {f"middle_{j}": 2.0, f"delta_{j}": -1.0})  # half the elongation
         add(far, "site", name=f"rod_end_{j}")
         add(self.platform, "site", name=f"platform_joint_{j}", pos=self.parameters.joint[j])
 
     def _transmission(self, j: int) -> None:
-        """Pulleys, gearbox, motor and belt of axis j.
+        """Add pulleys, gearbox, motor and belt of axis j.
 
-        Pulleys and motor turn relative to the frame, and their masses count as the frame's: here they stand at
-        the origin of the ground and only turn.  So does the block that yields, which moves relative to the frame.
+        Pulleys and motor rotate relative to the frame, and their masses count as part of the frame's: here they are
+        at the origin of the ground and only rotate.  The compliant block of pulley 2 is modelled in the same way.
         """
         for k in (1, 2):
             pulley = f"pulley_{j}_{k}"
@@ -238,7 +238,7 @@ class _Builder:
         follows = {f"motor_{j}": 1.0, pulley: -ratio}
         compliance = self._wind_up(j)
         if compliance:
-            # The output shaft turns relative to the pulley; only the motor behind the gear has inertia.
+            # The output shaft rotates relative to the pulley; only the motor behind the gear has inertia.
             shaft = self._point(body, f"shaft_{j}", 0.0)
             self._hinge(shaft, f"psi_{j}", stiffness=1 / compliance)
             follows[f"psi_{j}"] = -ratio
@@ -248,18 +248,20 @@ class _Builder:
         return self.s["gearbox_compliance.compliance"] + (self.s["one_gearbox"] if j == 1 else 0.0)
 
     def _belt(self, j: int) -> None:
-        """Three spans: pulley to pulley, carriage to pulley 2, carriage to pulley 1."""
+        """Add three spans: pulley to pulley, carriage to pulley 2, carriage to pulley 1."""
         (low, high), half = self.parameters.limits[j], self.parameters.carriage_length[j] / 2
         radius = float(self.parameters.pulley_radius[j])
         rim_1, rim_2 = {f"pulley_{j}_1": radius}, {f"pulley_{j}_2": radius}
         clamp = {f"carriage_{j}": 1.0}
         if self.s["clamp_compliance.compliance"]:
             clamp[f"clamp_{j}"] = 1.0
-        yields = {f"mount_{j}": -1.0} if self.s["pulley_mount"] else {}  # pulley 2 towards pulley 1: slack
+        yields = (
+            {f"mount_{j}": -1.0} if self.s["pulley_mount"] else {}
+        )  # pulley 2 towards pulley 1 slackens it
         lengths = high - low, self.x[j] - low - half, high - self.x[j] - half
         if min(lengths) <= 0:
             raise ValueError(f"carriage {j + 1} is beyond its limits")
-        # Along the belt, from the clamp: the span to pulley 1, the way back to pulley 2, and to the clamp again.
+        # Along the belt from the clamp: to pulley 1, back to pulley 2, and to the clamp again.
         wrap = np.pi * radius
         starts = lengths[2] + wrap, lengths[2] + lengths[0] + 2 * wrap, 0.0
         pulls: tuple[tuple[dict[str, float], dict[str, float], dict[str, float]], ...]
@@ -276,7 +278,7 @@ class _Builder:
                     self.description.belt_lumps[name] = part * density * length
 
     def _span_compliance(self, j: int, start: float, length: float) -> float:
-        """Compliance of a span: the sum of what its pieces yield, and of its ends."""
+        """Compute the compliance of a span: the sum over its pieces and its ends."""
         specific = self.parameters.belt_specific_stiffness[j] * (
             1 + self.s[f"axis_belt_stiffness.factor_{j + 1}"]
         )
@@ -311,9 +313,9 @@ class _Builder:
     # Elements ----------------------------------------------------------------------------------------------
 
     def _point(self, parent: ET.Element, name: str, mass: float, **place: object) -> ET.Element:
-        """Add a body without inertia of its own: one that never turns, or a lump."""
+        """Add a body without rotational inertia: a lump, or a body that does not rotate."""
         body = add(parent, "body", name=name, **place)
-        inertial(body, float(mass) or 1.0, np.full(3, 1.0))  # the engine's compiler wants both
+        inertial(body, float(mass) or 1.0, np.full(3, 1.0))  # the engine's compiler requires both
         self.description.points.append(name)
         if not mass:
             self.description.massless.append(name)

@@ -1,9 +1,9 @@
-"""The virtual test rig: the true modes of a robot with any effects, those outside the catalogue included.
+"""The virtual test rig: the true modes of a robot with any effects, including causes outside the catalogue.
 
-MuJoCo knows the robot as bodies, joints and springs (`pkmodes_rig.description`) and supplies positions, Jacobians,
-inertia, spring forces and accelerations.  What is left to do is to close the loops, to project on the motions that
-they allow, and to solve.  No formula of the derived model is used, and nothing is differenced: the second
-derivatives of the weights' energy are accelerations that the engine has while the coordinates keep their rates.
+MuJoCo models the robot as bodies, joints and springs (`pkmodes_rig.description`) and supplies positions, Jacobians,
+inertia, spring forces and accelerations.  This module closes the loops, projects onto the motions that they allow,
+and solves.  No formula of the derived model and no finite differences are used: the second derivatives of the
+gravity potential follow from the engine's accelerations at constant rates of the coordinates.
 """
 
 from __future__ import annotations
@@ -27,30 +27,30 @@ JOINT, SITE, BODY, TENDON = (
     mujoco.mjtObj.mjOBJ_TENDON,
 )
 
-#: Coordinates that leave every body's centre of mass where it is, or move none that has weight.
+#: Coordinates that do not move the centre of mass of any body with weight.
 WEIGHTLESS = ("theta", "psi", "eps", "mount")
 
-#: Strain energy per kinetic energy below this part of the largest is none: a rigid-body mode.
+#: A mode with a ratio of strain to kinetic energy below this fraction of the largest is a rigid-body mode.
 RIGID = 1e-12
 
 
 @dataclass(frozen=True)
 class TrueModes:
-    """What an ideal modal analysis of the robot finds at one pose.
+    """The result of an ideal modal analysis of the robot at one pose.
 
     Attributes
     ----------
     frequencies : ndarray, shape (m,)
         sqrt(abs(lambda)) / (2 pi) with the sign of lambda [Hz], ascending.
     rigid : int
-        How many of them, the first, are rigid-body modes: 3, or less where something ties the robot to ground.
+        Number of rigid-body modes, which come first: 3, or fewer if something ties the robot to ground.
     shapes : dict of str to ndarray, shape (m,)
-        Component of each mode, mass-normalised, at every coordinate and at ``p_x p_y p_z``, the absolute motion
-        of the platform.
+        Mass-normalised component of each mode at every coordinate and at ``p_x p_y p_z``, the absolute motion of
+        the platform.
     mass_matrix, stiffness_matrix : ndarray, shape (n, n)
-        In the order of `coordinates`, coordinates without inertia included.
+        In the order of `coordinates`, including coordinates without inertia.
     coordinates : tuple of str, length n
-        The software's, then those that only the rig has.
+        The coordinates of the software, then those that exist only on the rig.
     """
 
     frequencies: np.ndarray
@@ -67,7 +67,7 @@ def true_modes(
     effects: Mapping[str, float] = {},
     outside: Mapping[str, float] = {},
 ) -> TrueModes:
-    """Find the modes of one robot at one pose.
+    """Compute the modes of one robot at one pose.
 
     Parameters
     ----------
@@ -76,15 +76,15 @@ def true_modes(
     p : array, shape (3)
         Platform centre [m].
     effects : mapping
-        Parameters of the catalogue's effects in SI units, by ``"<effect>.<parameter>"``.
+        Parameters of effects in SI units, by ``"<effect>.<parameter>"``.
     outside : mapping
-        Strengths of the kinds of `OUTSIDE`; ``thermal_drift`` is an effect of measuring and changes nothing here.
+        Strengths of causes in `OUTSIDE`; ``thermal_drift`` affects the measurement only and is ignored here.
     """
     return Rig(parameters, p, effects, outside).modes()
 
 
 class Rig:
-    """A robot on the rig at one pose; arguments as for `true_modes`."""
+    """A robot on the rig at one pose; the arguments are those of `true_modes`."""
 
     def __init__(
         self,
@@ -111,7 +111,7 @@ class Rig:
         if np.abs(self.gaps()).max() > 1e-12:
             raise ValueError("the rods do not reach their platform joints")
 
-    # What the engine knows ---------------------------------------------------------------------------------
+    # Quantities from the engine ----------------------------------------------------------------------------
 
     def move(self, q: np.ndarray) -> None:
         """Displace the coordinates to `q` from the pose, at rest, and close the loops by Newton's method."""
@@ -123,14 +123,14 @@ class Rig:
             rows = np.r_[0:9, -len(q) : 0]
             mujoco.mj_integratePos(self.model, self.data.qpos, self._solved[:, rows] @ left, 1.0)
             self._place()
-        raise ValueError(f"the loops do not close: {np.abs(left).max():.1e} m is left")
+        raise ValueError(f"the loops do not close: residual {np.abs(left).max():.1e} m")
 
     def weight_energy(self) -> float:
-        """Potential energy of all weights."""
+        """Return the gravity potential of all bodies."""
         return -float(self.model.body_mass @ self.data.xipos @ self.gravity)
 
     def _place(self) -> None:
-        """Positions and inertia, at rest.  Not the engine's whole step: it wants inertia in every joint."""
+        """Update positions and inertia at rest; the engine's full step would require inertia in every joint."""
         mujoco.mj_kinematics(self.model, self.data)
         mujoco.mj_comPos(self.model, self.data)
         getattr(mujoco, "mj_makeM", mujoco.mj_crb)(self.model, self.data)  # renamed in MuJoCo 3.3
@@ -138,7 +138,7 @@ class Rig:
         self.__dict__.pop("_solved", None)
 
     def gaps(self) -> np.ndarray:
-        """From each platform joint to its rod's end."""
+        """Return the vectors from each platform joint to the end of its rod."""
         return np.array([self.data.site_xpos[a] - self.data.site_xpos[b] for a, b in self._pins])
 
     @cached_property
@@ -146,7 +146,7 @@ class Rig:
         return list(zip(self._ends, self._joints, strict=True))
 
     def _tendons_and_springs(self) -> tuple[np.ndarray, np.ndarray]:
-        """Lengths of the tendons, and spring forces resisted, by joint displacements: all of them linear."""
+        """Return tendon lengths and resisting spring forces per joint displacement; all are linear."""
         lengths = np.zeros((self.model.ntendon, self.model.nv))
         forces = np.zeros((self.model.nv, self.model.nv))
         rest = self.data.qpos.copy()
@@ -162,7 +162,7 @@ class Rig:
 
     @cached_property
     def _solved(self) -> np.ndarray:
-        """Joint velocities by: rates of the gaps (9), spin of the rods (3), rates of ties, of coordinates."""
+        """Joint velocities per rate of the gaps (9), spin of the rods (3), and rates of ties and coordinates."""
         ahead, behind = np.zeros((2, 3, self.model.nv))
         closure = []
         for end, joint in self._pins:
@@ -170,18 +170,18 @@ class Rig:
             mujoco.mj_jacSite(self.model, self.data, behind, None, joint)
             closure.append(ahead - behind)
         rows = np.eye(self.model.nv)
-        # The engine has the velocities of a ball joint in the frame of the rod, and the rod along its z.
+        # The engine expresses the velocity of a ball joint in the frame of the rod, whose z axis is along the rod.
         spin = rows[[self._dof(f"ball_{j}") + 2 for j in AXES]]
         ties = self._elongations[[self._id(TENDON, name) for name in self._description.ties]]
         return np.linalg.inv(np.vstack([*closure, spin, ties, rows[self._dofs]]))
 
     @cached_property
     def motions(self) -> np.ndarray:
-        """Joint velocities that loops and gears allow, by rates of the coordinates."""
+        """Joint velocities that loops and gears allow, per rate of each coordinate."""
         return self._solved[:, -len(self.coordinates) :]
 
     def mass_matrix(self) -> np.ndarray:
-        """Mass matrix in the coordinates: the bodies', and lumps of belt."""
+        """Compute the mass matrix in the coordinates: bodies and lumps of belt."""
         N = self.motions
         columns = np.zeros((len(self.coordinates), self.model.nv))
         for column, motion in zip(columns, np.ascontiguousarray(N.T), strict=True):
@@ -193,15 +193,15 @@ class Rig:
         return (M + M.T) / 2
 
     def elastic_stiffness(self) -> np.ndarray:
-        """Stiffness of all springs, relaxed at the pose."""
+        """Compute the stiffness of all springs, relaxed at the pose."""
         K = self.motions.T @ self._springs @ self.motions
         return (K + K.T) / 2
 
     def weight_hessian(self) -> np.ndarray:
-        """Second derivatives of the weights' potential energy.
+        """Compute the second derivatives of the gravity potential.
 
-        While the coordinates keep their rates, the energy's second derivative by time is what the Hessian makes
-        of the rates; and it is the power of the weights in the accelerations of their bodies.
+        At constant rates of the coordinates, the second time derivative of the potential is the quadratic form of the
+        Hessian in the rates, and it equals minus the weights times the accelerations of their bodies.
         """
         n = len(self.coordinates)
         moving = [i for i, name in enumerate(self.coordinates) if not name.startswith(WEIGHTLESS)]
@@ -210,7 +210,7 @@ class Rig:
         for body in weighty:
             mujoco.mj_jacBodyCom(self.model, self.data, jacobian, None, body)
             forces += self.model.body_mass[body] * self.gravity @ jacobian
-        holding = forces @ self._solved[:, :9]  # what the pins carry
+        holding = forces @ self._solved[:, :9]  # forces carried by the pins
 
         def energy_rate(rates: np.ndarray) -> float:
             self.data.qvel[:], self.data.qacc[:] = self.motions @ rates, 0
@@ -232,7 +232,7 @@ class Rig:
     # Modes -------------------------------------------------------------------------------------------------
 
     def modes(self) -> TrueModes:
-        """Solve the eigenproblem; coordinates without inertia follow the others without delay."""
+        """Solve the eigenproblem; coordinates without inertia follow the others statically."""
         M, elastic = self.mass_matrix(), self.elastic_stiffness()
         K = elastic + self.weight_hessian()
         light = np.diag(M) == 0
@@ -242,7 +242,7 @@ class Rig:
         follow[light] = -np.linalg.solve(K[np.ix_(light, light)], K[np.ix_(light, ~light)])
         scale = 1 / np.sqrt(np.diag(M)[~light])
         root = np.linalg.inv(np.linalg.cholesky(M[np.ix_(~light, ~light)] * np.outer(scale, scale))).T
-        basis = follow @ (scale[:, None] * root)  # all coordinates, by orthonormal ones
+        basis = follow @ (scale[:, None] * root)  # all coordinates in terms of orthonormal ones
         eigenvalues, vectors = np.linalg.eigh(basis.T @ K @ basis)
         strains = np.linalg.eigvalsh(basis.T @ elastic @ basis)
         shapes = basis @ vectors

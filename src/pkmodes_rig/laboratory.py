@@ -1,7 +1,7 @@
-"""How modal analyses are really done: bands, nodes, few sensors, modes that are missed, and errors stated wrongly.
+"""Realistic modal tests: frequency bands, nodes, few sensors, missed modes, and wrong standard deviations.
 
-A `Laboratory` is what one experimenter does in one test.  Its fields are options of
-`pkmodes_rig.measurements.measure_modes` under the same names; `drawn` makes one such as one meets.
+A `Laboratory` describes one modal test.  Its fields are options of `pkmodes_rig.measurements.measure_modes` with the
+same names; `drawn` draws a realistic one.
 """
 
 from __future__ import annotations
@@ -11,44 +11,44 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
-#: Where accelerometers are: along every rail, and on the platform.
+#: Accelerometers: along every rail, and on the platform.
 SENSORS = ("x_1", "x_2", "x_3", "p_x", "p_y", "p_z")
 
-#: How fast the probability of seeing a mode rises with its visibility: from 6 to 94 % within a factor of four.
+#: Steepness of the detection probability as a function of visibility: from 6 to 94 % within a factor of four.
 STEEPNESS = 4.0
 
 
 @dataclass(frozen=True)
 class Laboratory:
-    """What an experimenter does and what goes wrong.
+    """The procedure of a modal test, with its errors.
 
     Attributes
     ----------
     sigma : float
-        Standard deviation of the logarithm of a frequency, the median of all rows.
+        Standard deviation of the logarithm of a frequency, the median over all rows.
     uneven : float
-        Standard deviation of the logarithm of each row's own standard deviation, which is stated.
+        Standard deviation of the logarithm of the standard deviations of single rows, which the file states.
     sigma_scale : float
-        Stated standard deviations over the true ones.
+        Ratio of stated to true standard deviations.
     missing : float
-        Probability that a mode is missed for no reason.
+        Probability that a mode is missed at random.
     nodes : float
         Visibility at which half of the modes are missed (see `seen`).
     band : tuple of two floats, optional
-        Lowest and highest frequency that is looked for [Hz].
+        Lowest and highest frequency of the test [Hz].
     band_stated : bool
-        Whether the file says so.
+        Whether the file states the band.
     modes : int or tuple of two ints
-        An int: the modes looked for, as `measure_modes` has it.  Two: fewest and most of them at a pose, counted
-        from the lowest in the band.
+        One int: the number of modes, as for `measure_modes`.  Two: smallest and largest number of modes at a pose,
+        counted from the lowest in the band.
     sensors : tuple of str
-        Where the modes have to show, where the file has no shapes.
+        Sensors that decide whether a mode is visible if the file has no shapes.
     shapes : tuple of str
         Components of the shapes in the file.
     shape_noise : float
-        Standard deviation of their errors, as a part of the row's largest component.
+        Standard deviation of their errors, relative to the row's largest component.
     sigma_shape : str
-        Whether the file states it: "absent", "stated", or "some" for blanks in every other row or so.
+        Whether the file states it: "absent", "stated", or "some" if about half of the rows are blank.
     """
 
     sigma: float = 0.002
@@ -74,18 +74,18 @@ class Laboratory:
         missing: float = 0.15,
         modes: tuple[int, int] = (4, 8),
     ) -> Laboratory:
-        """Draw one.
+        """Draw a laboratory at random.
 
         Parameters
         ----------
         rng : numpy.random.Generator
         span : tuple of two floats
-            Lowest and highest frequency that the model lets one expect [Hz].  The band cuts into it on either side
-            in one case of three.
+            Lowest and highest frequency predicted by the model [Hz].  On either side, the band cuts into it in one
+            case of three.
         sensors : sequence of str
-            All that there are: half of them in one case of five, and no shapes in another one.
+            All sensors.  The file has shapes at half of them in one case of five, and no shapes in another one.
         missing, modes
-            As above.
+            See `Laboratory`.
         """
         low = span[0] * (rng.uniform(0.95, 1.1) if rng.random() < 1 / 3 else rng.uniform(0.1, 0.8))
         high = span[1] * (rng.uniform(0.85, 1.0) if rng.random() < 1 / 3 else rng.uniform(1.1, 2.0))
@@ -106,22 +106,22 @@ class Laboratory:
         )
 
     def options(self) -> dict[str, object]:
-        """All fields, as options of `measure_modes`."""
+        """Return all fields as options of `measure_modes`."""
         return {f.name: getattr(self, f.name) for f in fields(self)}
 
 
 def seen(motion: np.ndarray, nodes: float) -> np.ndarray:
-    """Probability that each mode shows at the sensors.
+    """Compute the probability that each mode is detected at the sensors.
 
-    A mode's visibility is the root mean square of its mass-normalised motion at the sensors, the height of its
-    peaks, over the median of all modes that are looked for.
+    The visibility of a mode is the root mean square of its mass-normalised motion at the sensors (the height of its
+    peaks), divided by the median over all modes in the test.
 
     Parameters
     ----------
     motion : ndarray, shape (m, C)
         Mass-normalised shapes at the sensors.
     nodes : float
-        Visibility at which half are missed; 0 for none.
+        Visibility at which half of the modes are missed; 0 for none.
     """
     peaks = np.sqrt(np.mean(motion**2, axis=1))
     visibility = peaks / np.median(peaks)

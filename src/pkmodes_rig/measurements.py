@@ -1,8 +1,8 @@
-"""Measurements as a modal analysis on the virtual test rig would give them: CSV text with noise, gaps and disorder.
+"""Simulated modal measurements of the virtual test rig: CSV text with noise, missing modes and rows in any order.
 
-The truth comes from `engine`; what is added here is the experimenter: errors of the frequencies, common to a pose and
-not, modes that were missed, shapes of any scale, rows in any order and a numbering that means nothing.
-`laboratory` has what one experimenter does of this, `mistakes` what goes wrong when the file is written.
+The true modes come from `engine`.  This module adds the experimenter: frequency errors, independent or common to a
+pose, missed modes, arbitrarily scaled shapes, shuffled rows and arbitrary mode numbers.  `laboratory` describes a
+single test, `mistakes` the errors made in writing the file.
 """
 
 from __future__ import annotations
@@ -19,29 +19,29 @@ from pkmodes_generated.linear_delta import Parameters
 from pkmodes_rig.engine import TrueModes, true_modes
 from pkmodes_rig.laboratory import SENSORS, seen
 
-#: Modes of the robot without effects that strain nothing.
+#: Number of rigid-body modes of the robot without effects.
 BASE_RIGID = 3
 
-#: What the accelerometers of the rig still notice [Hz], for modes that were rigid and are tied to ground.
+#: Lowest frequency that the accelerometers detect [Hz], for rigid-body modes that an effect ties to ground.
 LOWEST_FREQUENCY = 2.0
 
 
 @dataclass(frozen=True)
 class Identified:
-    """One mode that was found.
+    """One identified mode.
 
     Attributes
     ----------
     pose, mode : int
-        Which of the poses, and which of its true modes.
+        Indices of the pose and of the true mode.
     frequency, sigma, stated : float
         Measured frequency, its true standard deviation, and the stated one [Hz].
     number : str
-        What the experimenter calls it.
+        The experimenter's mode number.
     shape : ndarray
         Measured components.
     sigma_shape : float or None
-        Stated standard deviation of the shape, where it is stated.
+        Stated standard deviation of the shape, None if not stated.
     """
 
     pose: int
@@ -62,7 +62,7 @@ def measure(
     outside: Mapping[str, float] = {},
     **options: Any,
 ) -> str:
-    """Measure a robot at poses; `effects` and `outside` as for `pkmodes_rig.engine.true_modes`, the rest as below."""
+    """Measure a robot at poses; see `engine.true_modes` for the first arguments, `measure_modes` for `options`."""
     modes_list = [true_modes(parameters, p, effects, outside) for p in poses]
     return measure_modes(modes_list, poses, drift=outside.get("thermal_drift", 0.0), **options)
 
@@ -78,7 +78,7 @@ def measure_modes(
     sigma_shape: str = "absent",
     **options: Any,
 ) -> str:
-    """Measure modes that are known already: computing them is what takes long.
+    """Measure modes that have been computed already, which is the slow part.
 
     Parameters
     ----------
@@ -89,7 +89,7 @@ def measure_modes(
     labels : sequence of str, optional
         Names of the poses; P1, P2 ... by default.
     band_stated : bool
-        Whether the file says which band it was.
+        Whether the file states the band.
     """
     rows = identified(modes_list, shapes=shapes, band=band, sigma_shape=sigma_shape, **options)
     stated = band if band_stated else None
@@ -115,26 +115,26 @@ def identified(
     drift: float = 0.0,
     base_rigid: int = BASE_RIGID,
 ) -> list[Identified]:
-    """Find the modes, in any order.
+    """Identify modes, in random order.
 
     Parameters
     ----------
     modes_list : sequence of TrueModes
-        Modes at each of the poses.
+        True modes at each pose.
     rng : numpy.random.Generator
-        Source of every error.
+        Source of all errors.
     sigma, uneven, sigma_scale, missing, nodes, band, sensors, shapes, shape_noise, sigma_shape
         See `pkmodes_rig.laboratory.Laboratory`.
     common : float
-        Standard deviation of an error that all rows of a pose share, and that the file does not state.
+        Standard deviation of an error common to all rows of a pose, which the file does not state.
     modes : int or tuple of two ints
-        How many modes beyond the first three are looked for at each pose.  Of the first three, those that are
-        not rigid and oscillate faster than `LOWEST_FREQUENCY` are found in addition.  Two numbers are the fewest
-        and most modes at a pose, those that were rigid included.
+        Number of modes beyond the first three that are identified at each pose.  In addition, those of the first
+        three that are not rigid-body modes and are above `LOWEST_FREQUENCY` are identified.  Two numbers are the
+        smallest and largest number of modes at a pose, including former rigid-body modes.
     drift : float
         Relative change of all frequencies from each pose to the next.
     base_rigid : int
-        Modes of the robot without effects that strain nothing: three, but of another mechanism.
+        Number of rigid-body modes of the robot without effects, which depends on the mechanism.
     """
     rows: list[Identified] = []
     most = modes if isinstance(modes, int) else modes[1]
@@ -170,9 +170,9 @@ def written(
     sigma_shape: bool = False,
     components: Sequence[str] = ("x", "y", "z"),
 ) -> str:
-    """Text of the file of these rows; `band` where it is stated, and whether there is a column ``sigma_shape``.
+    """Return the text of a file with these rows.
 
-    `components` are those of a pose.
+    `band` is the band to state, `sigma_shape` adds a column ``sigma_shape``, and `components` names those of a pose.
     """
     text = io.StringIO()
     text.write("# virtual test rig\n")
@@ -195,7 +195,7 @@ def written(
 def exact(
     rows: Sequence[Identified], modes_list: Sequence[TrueModes], shapes: Sequence[str]
 ) -> list[Identified]:
-    """The same modes found without error, with the true standard deviations stated."""
+    """Return the same modes without errors, with the true standard deviations stated."""
     found = []
     for row in rows:
         true = modes_list[row.pose]
@@ -213,7 +213,7 @@ def _looked_for(
     rng: np.random.Generator,
     base_rigid: int,
 ) -> list[int]:
-    """Modes that the analysis looks for."""
+    """Return the indices of the modes within the scope of the test."""
     low, high = band or (0.0, np.inf)
     tied = [i for i in range(true.rigid, base_rigid) if true.frequencies[i] > LOWEST_FREQUENCY]
     if isinstance(modes, int):
@@ -226,7 +226,7 @@ def _looked_for(
 
 
 def _chances(true: TrueModes, looked_for: Sequence[int], sensors: Sequence[str], nodes: float) -> np.ndarray:
-    """Probability that each of these modes shows at the sensors."""
+    """Return the probability that each of these modes is detected at the sensors."""
     if not nodes or not looked_for:
         return np.ones(len(looked_for))
     motion = np.array([true.shapes[name][looked_for] for name in sensors])
@@ -236,7 +236,7 @@ def _chances(true: TrueModes, looked_for: Sequence[int], sensors: Sequence[str],
 def _shape(
     true: TrueModes, mode: int, names: Sequence[str], noise: float, rng: np.random.Generator
 ) -> np.ndarray:
-    """Measured components of a shape, on a scale of this row's own."""
+    """Return the measured components of a shape, at a random scale."""
     components = np.array([true.shapes[name][mode] for name in names])
     if components.size:
         components = components / np.abs(components).max()

@@ -1,6 +1,6 @@
-"""Mistakes of the experimenter: what happens to a file of measurements between the analyser and the diagnosis.
+"""Mistakes of the experimenter that corrupt a measurement file between the analyser and the diagnosis.
 
-Each mistake changes the text of a right file, as a spreadsheet, a wrong cable or a wrong unit would.
+Each mistake changes the text of a correct file as a spreadsheet, a wrong cable or a wrong unit would.
 """
 
 from __future__ import annotations
@@ -13,21 +13,21 @@ import numpy as np
 
 Rows = list[dict[str, str]]
 
-#: Offset of all poses along z [m], and turn of the frame in which they were measured, about z [rad].
+#: Offset of all poses along z [m], and rotation about z of the frame in which they were measured [rad].
 OFFSET, YAW = 0.020, np.radians(2.0)
-#: Stated standard deviations over the right ones, where they are far too large and far too small.
+#: Ratio of stated to correct standard deviations that are far too large and far too small.
 CAUTIOUS, BOLD = 100.0, 0.1
 
 
 def parsed(text: str) -> tuple[list[str], Rows]:
-    """Comment lines and rows of a file."""
+    """Split a file into comment lines and rows."""
     lines = text.splitlines()
     comments = [line for line in lines if line.startswith("#")]
     return comments, list(csv.DictReader(line for line in lines if not line.startswith("#")))
 
 
 def joined(comments: Sequence[str], rows: Rows) -> str:
-    """Text of a file again."""
+    """Join comment lines and rows into the text of a file."""
     text = io.StringIO()
     text.writelines(f"{line}\n" for line in comments)
     writer = csv.DictWriter(text, list(rows[0]), lineterminator="\n")
@@ -37,7 +37,7 @@ def joined(comments: Sequence[str], rows: Rows) -> str:
 
 
 def shape_columns(rows: Rows) -> list[str]:
-    """Names of the shape columns."""
+    """Return the names of the shape columns."""
     return [name for name in rows[0] if name.startswith("shape:")]
 
 
@@ -90,7 +90,7 @@ def _turned(rows: Rows, rng: np.random.Generator) -> None:
 
 
 def _copied_pose(rows: Rows, rng: np.random.Generator) -> None:
-    """The rows of one pose are in the file under the next one's name too, and that one's own are lost."""
+    """Replace the rows of one pose by copies of the previous pose's rows."""
     labels = sorted({row["pose"] for row in rows}, key=lambda label: int(label[1:]))
     place = int(rng.integers(len(labels) - 1))
     source, target = labels[place], labels[place + 1]
@@ -99,7 +99,7 @@ def _copied_pose(rows: Rows, rng: np.random.Generator) -> None:
     rows[:] = [row for row in rows if row["pose"] != target] + copies
 
 
-#: Mistakes by what a person would call them.  Those of sensors need shapes at the six usual ones.
+#: Mistakes by name.  Mistakes of sensors need shapes at the six default sensors.
 MISTAKES: dict[str, Callable[[Rows, np.random.Generator], None]] = {
     "rad/s for Hz": _unit(2.0 * np.pi),
     "rpm for Hz": _unit(60.0),
@@ -116,7 +116,7 @@ MISTAKES: dict[str, Callable[[Rows, np.random.Generator], None]] = {
 
 
 def mistaken(text: str, mistake: str, rng: np.random.Generator) -> str:
-    """A file with one of `MISTAKES`."""
+    """Return the text of a file with one of `MISTAKES`."""
     comments, rows = parsed(text)
     MISTAKES[mistake](rows, rng)
     return joined(comments, rows)

@@ -1,13 +1,13 @@
-"""The linear delta as MuJoCo sees it, to judge the generated model by an engine that none of us wrote.
+"""The linear delta in MuJoCo, to check the generated model against an independent engine.
 
-Nothing here uses a formula of the generated model.  The robot is only described: carriages that slide, rods
-on ball joints, a platform that only translates and is pinned to the far ends of the rods, pulleys and motor
-rotors on hinges, gearboxes as joint equalities, belt spans as springs.  The engine supplies positions,
-velocities, accelerations, inertia, weight and energy; what is left to do is to close the loops with its own
-constraint rows and to project on the velocities that these rows allow.
+No formula of the generated model is used.  The robot is only described: sliding carriages, rods on ball joints, a
+platform that translates and is pinned to the far ends of the rods, pulleys and motor rotors on hinges, gearboxes as
+joint equalities, belt spans as springs.  The engine supplies positions, velocities, accelerations, inertia, weight
+and energy; this module closes the loops with the engine's constraint rows and projects onto the velocities that
+these rows allow.
 
-Coordinates: `q` are the nine displacements (carriages, then pulleys, as in the generated model) from the pose
-that the engine was built at.
+Coordinates: `q` are the nine displacements (carriages, then pulleys, as in the generated model) from the pose at
+which the engine was built.
 """
 
 from __future__ import annotations
@@ -40,10 +40,10 @@ class Engine:
     p : array, shape (3)
         Platform centre.
     axial_inertia : float
-        Inertia of each rod about itself [kg m^2]: a slender rod has none, the engine refuses zero.  It takes
-        no part, because `allowed` has the rods not spin about themselves.
+        Inertia of each rod about its axis [kg m^2]: zero for a slender rod, but the engine rejects zero.  It has no
+        effect, because in `allowed` the rods do not spin about their axes.
     rod_radius : float, optional
-        Radius over length of each rod.  The engine then finds the inertia of a uniform cylinder by itself.
+        Radius over length of each rod.  The engine then computes the inertia of a uniform cylinder itself.
     """
 
     def __init__(
@@ -66,15 +66,15 @@ class Engine:
         self._rods = [self._id(mujoco.mjtObj.mjOBJ_BODY, f"rod_{j}") for j in AXES]
         self._coordinates = self._carriages + self._pulleys
         for j in AXES:
-            # The engine takes the second anchor of a pin from the assembled pose, whatever that pose is; put
-            # the true rod length instead, so that the closure is the engine's to satisfy.
+            # The engine takes the second anchor of a pin from the assembled pose, whatever that pose is.  Set it
+            # to the true rod length, so that closing the loop is left to the engine.
             rod_end = np.array([0.0, 0.0, parameters.link_length[j]])
             if not np.allclose(self.model.eq_data[j, 3:6], rod_end, rtol=0, atol=1e-9):
                 raise ValueError(f"rod {j + 1} does not reach its platform joint")
             self.model.eq_data[j, 3:6] = rod_end
         self.move(np.zeros(9))
 
-    # The engine's own quantities -------------------------------------------------------------------------
+    # Quantities from the engine --------------------------------------------------------------------------
 
     def move(self, q: np.ndarray) -> None:
         """Displace carriages and pulleys to `q`, at rest, and close the loops by Newton's method."""
@@ -84,44 +84,44 @@ class Engine:
             mujoco.mj_fwdPosition(self.model, self.data)
             error = np.concatenate([-self.data.efc_pos, np.zeros(3), q - self._displacements()])
             before, residual = residual, float(np.abs(error).max())
-            if residual < 1e-16 or before / 2 <= residual < 1e-13:  # at rounding: as closed as it gets
+            if residual < 1e-16 or before / 2 <= residual < 1e-13:  # closed to rounding
                 break
             step = np.linalg.solve(self._square(), error)
             mujoco.mj_integratePos(self.model, self.data.qpos, step, 1.0)
         else:
-            raise ValueError(f"the loops do not close: {residual:.1e} m is left")
+            raise ValueError(f"the loops do not close: residual {residual:.1e} m")
         mujoco.mj_fwdVelocity(self.model, self.data)
 
     def closure(self) -> float:
-        """Largest distance between a rod end and its platform joint, from the two positions themselves."""
+        """Return the largest distance between a rod end and its platform joint, computed from their positions."""
         gaps = [
             self.data.site(f"rod_end_{j}").xpos - self.data.site(f"platform_joint_{j}").xpos for j in AXES
         ]
         return float(np.linalg.norm(gaps, axis=1).max())
 
     def platform(self) -> np.ndarray:
-        """Platform centre."""
+        """Return the platform centre."""
         return self.data.body("platform").xpos.copy()
 
     def links(self) -> np.ndarray:
-        """Vectors from each carriage to its platform joint, one row for each axis."""
+        """Return the vectors from each carriage to its platform joint, one row per axis."""
         ends = [(self.data.site(f"platform_joint_{j}").xpos, self.data.body(f"rod_{j}").xpos) for j in AXES]
         return np.array([joint - carriage for joint, carriage in ends])
 
     def motions(self) -> np.ndarray:
-        """Joint velocities that the constraints allow: by spin of each rod about itself, then by q_dot."""
+        """Return the joint velocities that the constraints allow, per spin of each rod, then per q_dot."""
         return np.linalg.inv(self._square())[:, -12:]
 
     def allowed(self) -> np.ndarray:
-        """Joint velocities by q_dot: the null space of the constraints, without spin of the rods."""
+        """Return the joint velocities per q_dot: the null space of the constraints, without spin of the rods."""
         return self.motions()[:, 3:]
 
     def platform_jacobian(self) -> np.ndarray:
-        """Platform velocity by carriage velocities."""
+        """Return the platform velocity per carriage velocity."""
         return self.allowed()[self._platform, :3]
 
     def link_jacobians(self) -> tuple[np.ndarray, np.ndarray]:
-        """Velocity of the centre of mass and angular velocity of each rod, by carriage velocities."""
+        """Return the velocity of the centre of mass and the angular velocity of each rod, per carriage velocity."""
         linear, angular = np.empty((2, 3, 3, self.model.nv))
         for j in AXES:
             mujoco.mj_jacBodyCom(self.model, self.data, linear[j], angular[j], self._rods[j])
@@ -129,34 +129,34 @@ class Engine:
         return linear @ N, angular @ N
 
     def inertia(self) -> np.ndarray:
-        """Inertia matrix of all joints, before the loops are closed."""
+        """Return the inertia matrix of all joints with the loops open."""
         columns = np.zeros((self.model.nv, self.model.nv))
         for column, unit in zip(columns, np.eye(self.model.nv), strict=True):
             mujoco.mj_mulM(self.model, self.data, column, unit)  # mj_fullM changed its arguments in 4.0
         return columns
 
     def mass_matrix(self) -> np.ndarray:
-        """Mass matrix in the nine coordinates."""
+        """Return the mass matrix in the nine coordinates."""
         N = self.allowed()
         return N.T @ self.inertia() @ N
 
     def kinetic_energy(self, q_dot: np.ndarray) -> float:
-        """Kinetic energy that the engine reports."""
+        """Return the kinetic energy reported by the engine."""
         with self._moving(q_dot):
             mujoco.mj_energyVel(self.model, self.data)
             return float(self.data.energy[1])
 
     def potential(self) -> float:
-        """Potential energy of weight and belts that the engine reports."""
+        """Return the potential energy of gravity and belts reported by the engine."""
         mujoco.mj_energyPos(self.model, self.data)
         return float(self.data.energy[0])
 
     def gradient(self) -> np.ndarray:
-        """Gradient of the potential energy, from the engine's forces at rest."""
+        """Return the gradient of the potential energy, from the engine's forces at rest."""
         return self.allowed().T @ (self.data.qfrc_bias - self.data.qfrc_passive)
 
     def out_of_balance(self, torques: np.ndarray) -> np.ndarray:
-        """Generalised force that is left at rest with these torques on the driven pulleys."""
+        """Return the residual generalised force at rest with these torques on the driven pulleys."""
         applied = np.zeros(self.model.nv)
         for j in AXES:
             driven = int(np.argmax(self.parameters.drive[j])) + 1
@@ -164,19 +164,19 @@ class Engine:
         return self.allowed().T @ applied - self.gradient()
 
     def velocity_forces(self, x_dot: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Forces that moving carriages need to keep their velocity, without weight; and the acceleration.
+        """Return the forces that keep the carriage velocities constant, without gravity, and the acceleration.
 
         Returns
         -------
         h : array, shape (3)
             Coriolis and centrifugal forces at the carriages.
         acceleration : array, shape (3)
-            Acceleration of the platform meanwhile.
+            Acceleration of the platform in this motion.
         """
         at_rest = self.data.qfrc_bias.copy()
         with self._moving(np.concatenate([x_dot, np.zeros(6)])):
-            # Accelerations that keep the pins together while the coordinates do not accelerate: what the pins
-            # would drift apart by without joint accelerations, taken back.
+            # Joint accelerations that keep the pins together while the coordinates do not accelerate: they
+            # compensate the drift of the pins without joint accelerations.
             self.data.qacc[:] = 0
             mujoco.mj_rnePostConstraint(self.model, self.data)
             wanted = np.zeros(self.model.nv)
@@ -187,13 +187,13 @@ class Engine:
         return (self.allowed().T @ forces)[:3], acceleration[self._platform]
 
     def length_scale(self) -> float:
-        """Smallest radius of curvature of the platform's path while one carriage moves: for step sizes."""
+        """Return the smallest radius of curvature of the platform path for motion of one carriage, for step sizes."""
         return 1 / max(float(np.linalg.norm(self.velocity_forces(x_dot)[1])) for x_dot in np.eye(3))
 
     # Derivatives by moving the mechanism -------------------------------------------------------------------
 
     def hessian(self, steps: np.ndarray) -> np.ndarray:
-        """Hessian of the potential energy: differences of `gradient` along each coordinate."""
+        """Compute the Hessian of the potential energy from differences of `gradient` along each coordinate."""
         columns = []
         for unit, h in zip(np.eye(9), steps, strict=True):
             column = np.zeros(9)
@@ -206,7 +206,7 @@ class Engine:
         return np.array(columns).T
 
     def energy_along(self, direction: np.ndarray, h: float) -> tuple[float, float]:
-        """First and second derivative of the potential energy along a line in the nine coordinates."""
+        """Compute the first and second derivative of the potential energy along a line in the nine coordinates."""
         self.move(np.zeros(9))
         here = self.potential()
         first = second = 0.0
@@ -222,7 +222,7 @@ class Engine:
 
     @contextmanager
     def without_belts(self) -> Iterator[None]:
-        """Leave the weight alone."""
+        """Remove the belt springs, leaving only gravity."""
         stiffness = self.model.tendon_stiffness.copy()
         self.model.tendon_stiffness[:] = 0
         try:
@@ -252,10 +252,10 @@ class Engine:
         return self.data.qpos[[self.model.jnt_qposadr[self.model.dof_jntid[i]] for i in self._coordinates]]
 
     def _square(self) -> np.ndarray:
-        """Rows that determine a motion: the engine's constraints, no spin of the rods, the coordinates."""
+        """Return the rows that determine a motion: the engine's constraints, spin of the rods, the coordinates."""
         constraints = np.reshape(self.data.efc_J, (self.data.nefc, self.model.nv))
         rows = np.eye(self.model.nv)
-        # The engine has the velocities of a ball joint in the frame of the rod, and the rod along its z.
+        # The engine expresses the velocity of a ball joint in the frame of the rod, whose z axis is along the rod.
         return np.vstack([constraints, rows[[i + 2 for i in self._balls]], rows[self._coordinates]])
 
     def _id(self, kind: mujoco.mjtObj, name: str) -> int:
@@ -266,9 +266,9 @@ class Engine:
 
 
 def carriage_positions(parameters: Parameters, p: np.ndarray) -> np.ndarray:
-    """Where a rod's length puts each carriage on its rail, on the wanted side of the platform joint.
+    """Compute the carriage positions from the rod lengths, on the given side of the platform joints.
 
-    Only to assemble the engine near the pose; its own closure decides whether that was right.
+    They only assemble the engine near the pose; the engine's closure verifies them.
     """
     to_joint = p + parameters.joint - parameters.origin
     along = np.sum(to_joint * parameters.direction, axis=1)
@@ -279,7 +279,7 @@ def carriage_positions(parameters: Parameters, p: np.ndarray) -> np.ndarray:
 def _description(
     parameters: Parameters, p: np.ndarray, x: np.ndarray, axial_inertia: float, rod_radius: float | None
 ) -> str:
-    """MJCF of the robot, assembled at the pose, every joint at zero there."""
+    """Return the MJCF of the robot, assembled at the pose with every joint at zero."""
     root = ET.Element("mujoco")
     _add(root, "compiler", angle="radian", boundmass=0.0, boundinertia=0.0, balanceinertia="false")
     option = _add(root, "option", gravity=parameters.gravity, jacobian="dense")
@@ -291,7 +291,7 @@ def _description(
     platform = _add(world, "body", name="platform", pos=p)
     for name, axis in zip("xyz", np.eye(3), strict=True):
         _add(platform, "joint", name=f"platform_{name}", type="slide", axis=axis)
-    _mass(platform, float(parameters.platform_mass), np.ones(3))  # never turns: any inertia does
+    _mass(platform, float(parameters.platform_mass), np.ones(3))  # does not rotate: any inertia will do
 
     for j in AXES:
         direction, length = parameters.direction[j], float(parameters.link_length[j])
@@ -299,7 +299,7 @@ def _description(
         joint = parameters.joint[j]
         carriage = _add(world, "body", name=f"carriage_{j}", pos=end)
         _add(carriage, "joint", name=f"carriage_{j}", type="slide", axis=direction)
-        _mass(carriage, parameters.carriage_mass[j], np.ones(3))  # never turns either
+        _mass(carriage, parameters.carriage_mass[j], np.ones(3))  # does not rotate either
 
         rod = _add(carriage, "body", name=f"rod_{j}", zaxis=p + joint - end)
         _add(rod, "joint", name=f"ball_{j}", type="ball")
@@ -321,7 +321,7 @@ def _description(
 def _transmission(
     world: ET.Element, equality: ET.Element, belts: ET.Element, parameters: Parameters, x: np.ndarray, j: int
 ) -> None:
-    """Pulleys, motor and belt of axis j."""
+    """Add pulleys, motor and belt of axis j."""
     for k in (1, 2):
         name = f"pulley_{j}_{k}"
         pulley = _add(world, "body", name=name)
@@ -355,7 +355,7 @@ def _mass(body: ET.Element, mass: float, inertia: np.ndarray, centre: np.ndarray
 
 
 def _add(parent: ET.Element, tag: str, **attributes: object) -> ET.Element:
-    """Add an element; numbers with all their digits."""
+    """Add an element, with numbers in full precision."""
 
     def text(value: object) -> str:
         if isinstance(value, str):

@@ -1,12 +1,11 @@
-"""The rotary delta as MuJoCo sees it, to judge the generated model by an engine that none of us wrote.
+"""The rotary delta in MuJoCo, to check the generated model against an independent engine.
 
-Nothing here uses a formula of the generated model.  The robot is only described: a frame that slides, arms and motor
-rotors on hinges, rods on ball joints at the ends of the arms, a platform that only translates and is pinned to the
-far ends of the rods, reducers as springs between two joints.  The engine supplies positions, velocities, inertia,
-weight and energy; what is left to do is to close the loops with its own constraint rows and to project on the
-velocities that these rows allow.
+No formula of the generated model is used.  The robot is only described: a frame that slides, arms and motor rotors on
+hinges, rods on ball joints at the ends of the arms, a platform that translates and is pinned to the far ends of the
+rods, reducers as springs between two joints.  The engine supplies positions, velocities, inertia, weight and energy;
+this module closes the loops with the engine's constraint rows and projects onto the velocities that these rows allow.
 
-Coordinates: `q` are displacements of theta_1..3, phi_1..3 and u from the pose that the engine was built at.
+Coordinates: `q` are displacements of theta_1..3, phi_1..3 and u from the pose at which the engine was built.
 """
 
 from __future__ import annotations
@@ -24,7 +23,7 @@ SIZE = 9
 
 
 class Engine:
-    """A robot assembled in MuJoCo at one pose; what its frame weighs, and what its platform carries.
+    """A robot assembled in MuJoCo at one pose, with a frame mass and a payload.
 
     Parameters
     ----------
@@ -47,15 +46,15 @@ class Engine:
         self._arms, self._motors = ([self._dof(f"{kind}_{j}") for j in AXES] for kind in ("arm", "motor"))
         self._frame = [self._dof(f"frame_{i}") for i in "xyz"]
         for j in AXES:
-            # The engine takes the second anchor of a pin from the assembled pose, whatever that pose is; put
-            # the true rod length instead, so that the closure is the engine's to satisfy.
+            # The engine takes the second anchor of a pin from the assembled pose, whatever that pose is.  Set it
+            # to the true rod length, so that closing the loop is left to the engine.
             rod_end = np.array([0.0, 0.0, parameters.link_length[j]])
             if not np.allclose(self.model.eq_data[j, 3:6], rod_end, rtol=0, atol=1e-9):
                 raise ValueError(f"rod {j + 1} does not reach its platform joint")
             self.model.eq_data[j, 3:6] = rod_end
         self.move(np.zeros(SIZE))
 
-    # The engine's own quantities
+    # Quantities from the engine
 
     def move(self, q: np.ndarray) -> None:
         """Displace arms, motors and frame to `q`, at rest, and close the loops by Newton's method."""
@@ -67,39 +66,39 @@ class Engine:
             mujoco.mj_fwdPosition(self.model, self.data)
             error = np.concatenate([-self.data.efc_pos, np.zeros(3), wanted - self._displacements()])
             before, residual = residual, float(np.abs(error).max())
-            if residual < 1e-16 or before / 2 <= residual < 1e-13:  # at rounding: as closed as it gets
+            if residual < 1e-16 or before / 2 <= residual < 1e-13:  # closed to rounding
                 break
             step = np.linalg.solve(self._square(), error)
             mujoco.mj_integratePos(self.model, self.data.qpos, step, 1.0)
         else:
-            raise ValueError(f"the loops do not close: {residual:.1e} m is left")
+            raise ValueError(f"the loops do not close: residual {residual:.1e} m")
         mujoco.mj_fwdVelocity(self.model, self.data)
 
     def closure(self) -> float:
-        """Largest distance between a rod end and its platform joint, from the two positions themselves."""
+        """Return the largest distance between a rod end and its platform joint, computed from their positions."""
         gaps = [
             self.data.site(f"rod_end_{j}").xpos - self.data.site(f"platform_joint_{j}").xpos for j in AXES
         ]
         return float(np.linalg.norm(gaps, axis=1).max())
 
     def platform(self) -> np.ndarray:
-        """Platform centre, absolute."""
+        """Return the absolute position of the platform centre."""
         return np.array(self.data.body("platform").xpos)
 
     def allowed(self) -> np.ndarray:
-        """Joint velocities by q_dot: the null space of the constraints, without spin of the rods."""
+        """Return the joint velocities per q_dot: the null space of the constraints, without spin of the rods."""
         by_joints = np.linalg.inv(self._square())[:, -SIZE:]
         return by_joints * np.concatenate([np.ones(3), self.parameters.gear_ratio, np.ones(3)])
 
     def platform_motion(self) -> np.ndarray:
-        """Absolute velocity of the platform by q_dot."""
+        """Return the absolute velocity of the platform per q_dot."""
         jacobian = np.empty((3, self.model.nv))
         body = self._id(mujoco.mjtObj.mjOBJ_BODY, "platform")
         mujoco.mj_jacBody(self.model, self.data, jacobian, None, body)
         return np.asarray(jacobian @ self.allowed())
 
     def mass_matrix(self) -> np.ndarray:
-        """Mass matrix in the nine coordinates."""
+        """Return the mass matrix in the nine coordinates."""
         columns = np.zeros((self.model.nv, self.model.nv))
         for column, unit in zip(columns, np.eye(self.model.nv), strict=True):
             mujoco.mj_mulM(self.model, self.data, column, unit)  # mj_fullM changed its arguments in 4.0
@@ -107,23 +106,23 @@ class Engine:
         return np.asarray(N.T @ columns @ N)
 
     def potential(self) -> float:
-        """Potential energy of weight and reducers that the engine reports."""
+        """Return the potential energy of gravity and reducers reported by the engine."""
         mujoco.mj_energyPos(self.model, self.data)
         return float(self.data.energy[0])
 
     def gradient(self) -> np.ndarray:
-        """Gradient of the potential energy, from the engine's forces at rest."""
+        """Return the gradient of the potential energy, from the engine's forces at rest."""
         return np.asarray(self.allowed().T @ (self.data.qfrc_bias - self.data.qfrc_passive))
 
     def relax(self) -> None:
-        """Take the reducers' springs away."""
+        """Remove the springs of the reducers."""
         self.model.tendon_stiffness[:] = 0
         self.move(np.zeros(SIZE))
 
     # Derivatives by moving the mechanism
 
     def hessian(self, step: float) -> np.ndarray:
-        """Hessian of the potential energy: differences of `gradient` along each coordinate."""
+        """Compute the Hessian of the potential energy from differences of `gradient` along each coordinate."""
         columns = []
         for unit in np.eye(SIZE):
             column = np.zeros(SIZE)
@@ -136,7 +135,7 @@ class Engine:
         return np.array(columns).T
 
     def slopes(self, step: float) -> np.ndarray:
-        """Gradient of the potential energy by differences of the energy."""
+        """Compute the gradient of the potential energy from differences of the energy."""
         found = np.zeros(SIZE)
         for i, unit in enumerate(np.eye(SIZE)):
             for k, weight in enumerate(FIRST, start=1):
@@ -151,15 +150,15 @@ class Engine:
         return np.asarray(self.data.qpos[[self.model.jnt_qposadr[joint] for joint in joints]])
 
     def _square(self) -> np.ndarray:
-        """Rows that determine a motion: the engine's constraints, no spin of the rods, the coordinates."""
+        """Return the rows that determine a motion: the engine's constraints, spin of the rods, the coordinates."""
         constraints = np.reshape(self.data.efc_J, (self.data.nefc, self.model.nv))
         coordinates = np.eye(self.model.nv)[[*self._arms, *self._motors, *self._frame]]
         return np.vstack([constraints, *self._spins(), coordinates])
 
     def _spins(self) -> list[np.ndarray]:
-        """Rate at which each rod turns about itself, by joints: a slender rod has no inertia there, and no need to.
+        """Return the spin of each rod about its axis per joint velocity; it is constrained to zero.
 
-        Absolute, not against its arm, which turns too: the engine wants some inertia about the rod.
+        The spin is absolute, not relative to the rotating arm: the engine requires some inertia about the rod.
         """
         found = []
         for j in AXES:
@@ -177,9 +176,9 @@ class Engine:
 
 
 def arm_angles(parameters: Parameters, p: np.ndarray) -> np.ndarray:
-    """Angle of each arm from where the circle of its end meets the sphere around the platform joint.
+    """Compute the arm angles at which the circle of the arm's end meets the sphere around the platform joint.
 
-    Only to assemble the engine near the pose; its own closure decides whether that was right.
+    They only assemble the engine near the pose; the engine's closure verifies them.
     """
     found = []
     for j in AXES:
@@ -194,7 +193,7 @@ def arm_angles(parameters: Parameters, p: np.ndarray) -> np.ndarray:
 def _description(
     parameters: Parameters, p: np.ndarray, theta: np.ndarray, frame_mass: float, payload: float
 ) -> str:
-    """MJCF of the robot, assembled at the pose, every joint at zero there."""
+    """Return the MJCF of the robot, assembled at the pose with every joint at zero."""
     root = ET.Element("mujoco")
     _add(root, "compiler", angle="radian", boundmass=0.0, boundinertia=0.0, balanceinertia="false")
     option = _add(root, "option", gravity=parameters.gravity, jacobian="dense")
@@ -206,11 +205,11 @@ def _description(
     frame = _add(world, "body", name="frame")
     for name, axis in zip("xyz", np.eye(3), strict=True):
         _add(frame, "joint", name=f"frame_{name}", type="slide", axis=axis)
-    _mass(frame, frame_mass, np.ones(3))  # never turns: any inertia does
+    _mass(frame, frame_mass, np.ones(3))  # does not rotate: any inertia will do
     platform = _add(frame, "body", name="platform", pos=p)
     for name, axis in zip("xyz", np.eye(3), strict=True):
         _add(platform, "joint", name=f"platform_{name}", type="slide", axis=axis)
-    _mass(platform, float(parameters.platform_mass) + payload, np.ones(3))  # never turns either
+    _mass(platform, float(parameters.platform_mass) + payload, np.ones(3))  # does not rotate either
 
     for j in AXES:
         axis, zero = parameters.axis[j], parameters.zero[j]
@@ -218,7 +217,7 @@ def _description(
         arm = _add(frame, "body", name=f"arm_{j}", pos=parameters.origin[j])
         _add(arm, "joint", name=f"arm_{j}", type="hinge", axis=axis)
         mass, centre = parameters.arm_mass[j], parameters.arm_center[j]
-        # turns about its axis alone, so that what it has about others does not matter
+        # rotates about its axis only, so the inertia about other axes has no effect
         _mass(arm, mass, np.full(3, parameters.arm_inertia[j] - mass * centre**2), centre * ray)
 
         end, joint = parameters.arm_length[j] * ray, parameters.joint[j]
@@ -231,7 +230,7 @@ def _description(
         _add(platform, "site", name=f"platform_joint_{j}", pos=joint)
         _add(equality, "connect", body1="platform", body2=f"rod_{j}", anchor=joint)
 
-        rotor = _add(world, "body", name=f"motor_{j}")  # its mass counts as the frame's: it only turns
+        rotor = _add(world, "body", name=f"motor_{j}")  # only rotates: its mass is part of the frame's
         _add(rotor, "joint", name=f"motor_{j}", type="hinge", axis=axis)
         _mass(rotor, 1.0, np.full(3, parameters.motor_inertia[j]))
         reducer = _add(reducers, "fixed", stiffness=parameters.reducer_stiffness[j], springlength=0.0)
@@ -245,7 +244,7 @@ def _mass(body: ET.Element, mass: float, inertia: np.ndarray, centre: np.ndarray
 
 
 def _add(parent: ET.Element, tag: str, **attributes: object) -> ET.Element:
-    """Add an element; numbers with all their digits."""
+    """Add an element, with numbers in full precision."""
 
     def text(value: object) -> str:
         if isinstance(value, str):

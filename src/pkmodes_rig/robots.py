@@ -1,7 +1,8 @@
-"""Robots and poses for the virtual test rig: robot files as a user would write them, and where to measure.
+"""Robots and poses for the virtual test rig: robot files as a user would write them, and measurement poses.
 
-Three robots that have little in common: the published one, a tower printer, and one on which the axes differ.  All
-declare the uncertainty of the same three values; the others are absent, so they are held but may be suspected.
+There are three very different robots: the published one, a tower printer, and one with three different axes.  All
+declare the uncertainty of the same three values; the other values have none, so they are held fixed but may be
+suspected.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from pkmodes.robot.robot import Robot
 
 PUBLISHED = Path(__file__).resolve().parents[2] / "robots" / "linear-delta-2022.toml"
 
-#: Values that were measured, by the text that declares them in the published file: relative uncertainty.
+#: Relative uncertainty of measured values, by the text that declares them in the published file.
 DECLARED = {
     '[platform]\nmass = "1.5 kg"': "1 %",
     'specific_stiffness = "2.42e6 N/m"': "2 %",
@@ -158,7 +159,7 @@ mass = "800 g"
 #: Text of the robot files.
 ROBOTS: dict[str, str] = {"published": _published(), "tower": TOWER, "asymmetric": ASYMMETRIC}
 
-#: Middle of the part of the workspace that is measured, and how far it extends to either side [m].
+#: Centre and half size of the measured part of the workspace [m].
 REGIONS = {
     "published": ((0.6, 0.012, -0.24), (0.17, 0.08, 0.03)),
     "tower": ((0.006, -0.004, 0.25), (0.06, 0.06, 0.15)),
@@ -167,12 +168,12 @@ REGIONS = {
 
 
 def read(name: str, effects: Mapping[str, float] = {}) -> Robot:
-    """Read one of `ROBOTS` as the software does, with effects that its file declares."""
+    """Read one of `ROBOTS` with effects added to its file."""
     return robot_from_document(tomllib.loads(with_effects(name, effects)), name)
 
 
 def with_effects(name: str, effects: Mapping[str, float]) -> str:
-    """Text of a robot file with tables of effects, given by ``"<effect>.<parameter>"`` in SI units."""
+    """Return the text of a robot file with effects, given by ``"<effect>.<parameter>"`` in SI units."""
     tables: dict[str, list[str]] = {}
     for path, value in effects.items():
         effect, parameter = path.split(".")
@@ -182,7 +183,7 @@ def with_effects(name: str, effects: Mapping[str, float]) -> str:
 
 
 def _poses(name: str) -> dict[str, tuple[np.ndarray, ...]]:
-    """Three plans of twelve poses: a grid in a plane, scattered in space, and along a line across the region."""
+    """Return three plans of twelve poses: a grid in a plane, scattered in space, and along a line."""
     middle, half = np.array(REGIONS[name])
     grid = [(x, y, 0.1) for y in (-0.9, 0.15, 0.85) for x in (-0.95, -0.35, 0.3, 0.9)]
     scattered = np.random.default_rng(2022).uniform(-1, 1, (12, 3))

@@ -1,8 +1,8 @@
-"""The rotary delta on the virtual test rig: MuJoCo where it has the coordinates, otherwise loops closed by hand.
+"""The rotary delta on the virtual test rig: in MuJoCo if it has the coordinates, otherwise with loops closed here.
 
-MuJoCo (`mujoco_rotary_delta`) has rigid links and a frame that slides.  Links that yield and a frame that rocks have
-their loops closed here, from the contract alone: bodies are points with mass and turning inertias, the platform is
-found by Newton's method, and the Hessian of the weights' energy by differences of its gradient.
+The MuJoCo model (`mujoco_rotary_delta`) has rigid links and a frame that slides.  For elastic links and a rocking
+frame the loops are closed here, from the specification only: bodies are point masses with rotational inertias, the
+platform is found by Newton's method, and the Hessian of the gravity potential by differences of its gradient.
 """
 
 from __future__ import annotations
@@ -17,22 +17,22 @@ from pkmodes_rig.mujoco_rotary_delta import Engine, arm_angles
 from pkmodes_rig.rows import Rows, completed, without
 
 AXES = range(3)
-#: Step of MuJoCo's eighth-order differences and of the fourth-order ones here [rad, m].
+#: Steps of the eighth-order differences in MuJoCo and of the fourth-order differences here [rad, m].
 STEP, OWN_STEP = 0.01, 2e-3
-#: First derivatives of fourth order.
+#: Weights of fourth-order first derivatives.
 FOURTH = ((1, 2 / 3), (2, -1 / 12))
 BASE = [f"{name}_{j + 1}" for name in ("theta", "phi") for j in AXES]
 DELTA, FRAME = [f"delta_{j + 1}" for j in AXES], ["u_x", "u_y", "u_z"]
-#: The axis about which a frame rocks, a point on it, and the frame's inertia about it.
+#: Axis of a rocking frame, a point on it, and the frame's inertia about it.
 ROCKING, FLOOR, ROCKING_INERTIA = np.array([0.6, 0.8, 0.0]), np.array([0.0, 0.0, -1.2]), 40.0
-#: A uniform rod as three points (Simpson's rule): exact for what is linear along it.
+#: A uniform rod as three points, exact for a velocity that is linear along it (Simpson's rule).
 ROD = ((0.0, 1 / 6), (0.5, 2 / 3), (1.0, 1 / 6))
 
 
 def rotary_delta(
     q: Any, p: np.ndarray, effects: Mapping[str, float] = {}, outside: Mapping[str, float] = {}
 ) -> TrueModes:
-    """Modes of a rotary delta at one pose; arguments as for `corexy`."""
+    """Compute the modes of a rotary delta at one pose; the arguments are those of `corexy`."""
     links = effects.get("link_compliance.compliance", 0.0)
     single, rocking = outside.get("one_link", 0.0), outside.get("rocking_frame", 0.0)
     payload = effects.get("payload.mass", 0.0)
@@ -60,11 +60,11 @@ def rotary_delta(
 
 
 def by_engine(q: Any, p: np.ndarray, payload: float = 0.0, hanging: float = 0.0) -> Rows:
-    """Inertia and weights as MuJoCo has them, without springs and without the frame's own mass.
+    """Return inertia and gravity terms from MuJoCo, without springs and without the mass of the frame.
 
     Of `hanging`, a mass at the platform, only the weight counts.
     """
-    ghost = 1e-3  # the engine wants a frame that weighs something
+    ghost = 1e-3  # the engine requires a frame with mass
     engine = Engine(q, p, frame=ghost, payload=payload)
     engine.relax()
     rows = Rows([*BASE, *FRAME, "absorber"], np.column_stack([engine.platform_motion(), np.zeros(3)]))
@@ -72,7 +72,7 @@ def by_engine(q: Any, p: np.ndarray, payload: float = 0.0, hanging: float = 0.0)
     rows.M[own, own] = engine.mass_matrix()
     for name in FRAME:
         rows.inertia(rows.row(**{name: 1.0}), -ghost)
-    # The motors' rotors weigh nothing on the frame: the engine has them on the ground.
+    # The motor rotors add no mass to the frame, because in the engine they are on the ground.
     if hanging:
         engine = Engine(q, p, frame=ghost, payload=payload + hanging)
         engine.relax()
@@ -82,7 +82,7 @@ def by_engine(q: Any, p: np.ndarray, payload: float = 0.0, hanging: float = 0.0)
 
 
 def by_hand(q: Any, p: np.ndarray, payload: float = 0.0, hanging: float = 0.0) -> Rows:
-    """The same with links that may be longer and a frame that may rock."""
+    """Return the same for elastic links and a rocking frame, without MuJoCo."""
     loops = Loops(q, p, payload)
     names = [*BASE, *DELTA, *FRAME, "rock", "absorber"]
     at_rest = loops.points(np.zeros(9))
@@ -115,7 +115,7 @@ def by_hand(q: Any, p: np.ndarray, payload: float = 0.0, hanging: float = 0.0) -
 
 
 class Loops:
-    """Points with mass of a rotary delta: the platform first, then each axis's arm and the points of its link.
+    """Point masses of a rotary delta: the platform first, then the arm and the link's points of each axis.
 
     Coordinates are displacements of theta_1..3, phi_1..3 and delta_1..3.
     """
@@ -127,7 +127,7 @@ class Loops:
         self.weighing = self.masses.copy()
 
     def weigh(self, hanging: float) -> None:
-        """Let more hang at the platform."""
+        """Add the weight of a mass at the platform."""
         self.weighing[0] += hanging
 
     def _rays(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -136,7 +136,7 @@ class Loops:
         return ray, -np.sin(angles) * self.q.zero + np.cos(angles) * square
 
     def platform(self, x: np.ndarray) -> np.ndarray:
-        """Where the links hold the platform."""
+        """Compute the platform centre at which the links close."""
         ends = self.q.origin + self.q.arm_length[:, None] * self._rays(x)[0]
         lengths, found = self.q.link_length + x[6:9], self.p.copy()
         for _ in range(30):
@@ -148,7 +148,7 @@ class Loops:
         return found
 
     def points(self, x: np.ndarray) -> np.ndarray:
-        """Positions of all points, relative to the frame."""
+        """Return the positions of all points relative to the frame."""
         ray, platform = self._rays(x)[0], self.platform(x)
         found = [platform]
         for j in AXES:
@@ -158,7 +158,7 @@ class Loops:
         return np.array(found)
 
     def jacobians(self, x: np.ndarray) -> np.ndarray:
-        """Velocities of all points by those of the nine coordinates."""
+        """Return the velocities of all points per velocity of the nine coordinates."""
         ray, ahead = self._rays(x)
         ends = self.q.origin + self.q.arm_length[:, None] * ray
         links = self.platform(x) + self.q.joint - ends
@@ -175,7 +175,7 @@ class Loops:
         return np.array(found)
 
     def weight_gradient(self, x: np.ndarray) -> np.ndarray:
-        """Gradient of the weights' energy by the nine coordinates and the angle by which the frame rocks."""
+        """Compute the gradient of the gravity potential in the nine coordinates and the rocking angle."""
         turn = _rotation(ROCKING, x[9])
         pull = turn.T @ self.q.gravity
         by_nine = -np.einsum("m,i,mik->k", self.weighing, pull, self.jacobians(x))

@@ -1,7 +1,7 @@
-"""A robot written down as rows: a spring or an inertia acts on a row, a number for each coordinate.
+"""A robot described by rows: a spring or an inertia acts on a linear combination of coordinates.
 
-What a robot has beyond its loops is linear in the coordinates and follows from the contract alone; nothing here is
-shared with the derived model.  `corexy` is nothing but rows; `rotary_delta` takes its loops from MuJoCo.
+Apart from its loops, a robot is linear in the coordinates and follows from the specification only; nothing here is
+shared with the derived model.  `corexy` consists of rows only; `rotary_delta` takes its loops from MuJoCo.
 """
 
 from __future__ import annotations
@@ -13,33 +13,33 @@ from scipy.linalg import eigh
 
 from pkmodes_rig.engine import RIGID, TrueModes
 
-#: What each cause outside the catalogue is, and what its strength measures.
+#: Causes outside the catalogue, with the unit of their strength.
 OUTSIDE = {
-    "tuned_absorber": "a mass [kg] on the platform or tool head slides along one direction on a spring",
-    "directional_cable": "a spring [N/m] from the platform or tool head to ground pulls along one direction only",
-    "one_servo": "the position loop of drive 1 alone holds like a spring [N m/rad]",
+    "tuned_absorber": "a mass [kg] on the platform or tool head slides in one direction on a spring",
+    "directional_cable": "a spring [N/m] from the platform or tool head to ground pulls in one direction only",
+    "one_servo": "only the position loop of drive 1 holds like a spring [N m/rad]",
     "arm_hose": "a hose along arm 1 of the rotary delta pulls it back [N m/rad]",
-    "one_link": "the linkage of axis 1 alone is elastic [m/N]",
+    "one_link": "only the link of axis 1 is elastic [m/N]",
     "rocking_frame": "the frame of the rotary delta rocks about a horizontal axis on the floor [rad/(N m)]",
-    "one_gearbox": "the shaft of motor 1 of the CoreXY alone winds up [rad/(N m)]",
-    "one_run": "run 1 of belt 1 alone has a soft end [m/N]",
+    "one_gearbox": "only the shaft of motor 1 of the CoreXY winds up [rad/(N m)]",
+    "one_run": "only run 1 of belt 1 has a soft end [m/N]",
     "racking_gantry": "the beam of the CoreXY yaws about its middle and takes the tool head along [rad/(N m)]",
 }
-#: Where absorbers slide and cables pull: no plane of symmetry.
+#: Direction in which absorbers slide and cables pull, not in a plane of symmetry, by platform dimension.
 ALONG = {3: np.array([2.0, 3.0, 6.0]) / 7, 2: np.array([0.6, 0.8])}
-#: Frequency of an absorber by itself [Hz], a little below the lowest vibrations.
+#: Frequency of the isolated absorber [Hz], slightly below the lowest vibration mode, by platform dimension.
 TUNED = {3: 50.0, 2: 90.0}
 
 
 class Rows:
-    """Mass matrix, stiffness of springs and weights in named coordinates, built up row by row.
+    """Mass matrix, spring stiffness and gravity stiffness in named coordinates, assembled row by row.
 
     Parameters
     ----------
     names : sequence of str
         Coordinates.
     platform : array, shape (d, n)
-        Absolute velocity of the platform by those of the coordinates.
+        Absolute velocity of the platform per velocity of each coordinate.
     """
 
     def __init__(self, names: Sequence[str], platform: np.ndarray) -> None:
@@ -48,28 +48,28 @@ class Rows:
         self.M, self.springs, self.weights = np.zeros((3, n, n))
 
     def row(self, **parts: float) -> np.ndarray:
-        """A row with these parts, zero elsewhere."""
+        """Return a row with these entries, zero elsewhere."""
         found = np.zeros(len(self.names))
         for name, part in parts.items():
             found[self.names.index(name)] = part
         return found
 
     def spring(self, row: np.ndarray, stiffness: float) -> None:
-        """A spring strained by a row, or alike by several."""
+        """Add a spring that a row strains, or one for each of several rows."""
         self.springs += stiffness * np.atleast_2d(row).T @ np.atleast_2d(row)
 
     def inertia(self, row: np.ndarray, amount: float) -> None:
-        """A mass or an inertia that moves by a row, or in each of several."""
+        """Add a mass or inertia that moves with a row, or with each of several rows."""
         self.M += amount * np.atleast_2d(row).T @ np.atleast_2d(row)
 
     def modes(self, locked: Sequence[str], base: int) -> TrueModes:
-        """Modes with some coordinates locked; of the base model the first `base` coordinates have inertia."""
+        """Compute the modes with some coordinates locked; the first `base` ones are those of the base model."""
         kept = np.array([name not in locked for name in self.names])
         M, elastic = self.M[np.ix_(kept, kept)], self.springs[np.ix_(kept, kept)]
         K = elastic + self.weights[np.ix_(kept, kept)]
         heavy = np.diag(M) > 0
         follow = np.eye(len(M))[:, heavy]
-        if not heavy.all():  # what has no inertia follows without delay
+        if not heavy.all():  # coordinates without inertia follow statically
             follow[~heavy] = -np.linalg.solve(K[np.ix_(~heavy, ~heavy)], K[np.ix_(~heavy, heavy)])
         M, K, elastic = (follow.T @ matrix @ follow for matrix in (M, K, elastic))
         eigenvalues, vectors = eigh(K, M)
@@ -89,7 +89,7 @@ class Rows:
 
 
 def completed(rows: Rows, drive: str, effects: Mapping[str, float], outside: Mapping[str, float]) -> Rows:
-    """Add what every mechanism may have: at its drives, at its platform, and under its frame."""
+    """Add the effects and causes common to all mechanisms: at the drives, the platform and the frame."""
     count = len(rows.platform)
     for name in [name for name in rows.names if name.startswith(f"{drive}_")]:
         rows.inertia(rows.row(**{name: 1.0}), effects.get("gearbox_inertia.inertia", 0.0))
@@ -112,5 +112,5 @@ def completed(rows: Rows, drive: str, effects: Mapping[str, float], outside: Map
 
 
 def without(outside: Mapping[str, float]) -> list[str]:
-    """Coordinates that are locked because no cause outside the catalogue needs them."""
+    """Return the coordinates that are locked because no cause outside the catalogue needs them."""
     return [] if outside.get("tuned_absorber") else ["absorber"]

@@ -1,8 +1,8 @@
-"""Frames of storeys on the virtual test rig: true modes of masses that slide on springs, by MuJoCo.
+"""Storey frames on the virtual test rig: true modes of masses sliding on springs, computed with MuJoCo.
 
-Every floor is a body that slides on the one below, and its storey is the spring in between: the coordinates are the
-drifts of the storeys.  The engine supplies inertia, spring forces and the motion of every floor; no formula of the
-models that are diagnosed is used.
+Every floor is a body that slides relative to the floor below, and its storey is the spring in between, so the
+coordinates are the storey drifts.  The engine supplies inertia, spring forces and the motion of every floor; no
+formula of the diagnosed models is used.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from pkmodes_rig.mujoco_engine import _mass as inertial
 
 
 def channels(storeys: int) -> tuple[str, ...]:
-    """Names of the floors' displacements."""
+    """Return the names of the floor displacements."""
     return tuple(f"floor {i}" for i in range(1, storeys + 1))
 
 
@@ -31,14 +31,14 @@ def storey_modes(
     braces: Mapping[tuple[int, int], float] = {},
     absorbers: Mapping[int, tuple[float, float]] = {},
 ) -> TrueModes:
-    """Find the modes of a frame that stands on the ground and moves in one direction.
+    """Compute the modes of a frame that is fixed to the ground and moves in one direction.
 
     Parameters
     ----------
     masses, stiffnesses : sequence of float
-        Of each floor [kg], and of the storey below it [N/m].
+        Mass of each floor [kg] and stiffness of the storey below it [N/m].
     braces : mapping of (int, int) to float
-        Springs between two floors, from 1, or the ground, 0 [N/m].
+        Stiffness of springs between two floors, numbered from 1, with 0 for the ground [N/m].
     absorbers : mapping of int to (float, float)
         Mass [kg] and stiffness [N/m] of an oscillator on a floor.
 
@@ -66,7 +66,7 @@ def storey_modes(
 def _sliding(below: ET.Element, name: str, mass: float, stiffness: float) -> ET.Element:
     body = add(below, "body", name=name)
     add(body, "joint", name=name, type="slide", axis=np.array([1.0, 0.0, 0.0]), stiffness=stiffness)
-    inertial(body, mass, np.ones(3))  # never turns: any inertia does
+    inertial(body, mass, np.ones(3))  # does not rotate: any inertia will do
     return body
 
 

@@ -1,4 +1,4 @@
-"""The generated C: it compiles without a warning, and gives the numbers of the NumPy module."""
+"""The generated C compiles without warnings and returns the numbers of the NumPy module."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def as_tuple(result: object) -> tuple:
 
 
 def size(values: np.ndarray) -> np.ndarray:
-    """Size of the terms of each entry: for a symmetric matrix the geometric mean of its diagonal entries."""
+    """Return the size of each entry's terms: for a symmetric matrix, the geometric mean of its diagonal entries."""
     if values.ndim == 2 and values.shape[0] == values.shape[1] == 9:
         root = np.sqrt(np.abs(np.diagonal(values)))
         return np.outer(root, root)

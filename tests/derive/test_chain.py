@@ -1,4 +1,4 @@
-"""Differentiation through named values against SymPy's own differentiation of the written-out expression."""
+"""Differentiation through named values, compared with SymPy's differentiation of the expanded expression."""
 
 from __future__ import annotations
 
@@ -55,5 +55,5 @@ def test_a_symbol_has_one_definition_and_one_rule(chain: Chain) -> None:
     with pytest.raises(ValueError, match="defined twice"):
         chain.define(a, x)
     chain.rule(a, x, y)
-    with pytest.raises(ValueError, match="stated twice"):
+    with pytest.raises(ValueError, match="set twice"):
         chain.rule(a, x, y)

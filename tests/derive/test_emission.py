@@ -1,4 +1,4 @@
-"""Emitted code: the same bytes on every run, the same numbers in every language, no surprises in names."""
+"""Emitted code: the same bytes on every run, the same numbers in every language, no name clashes."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def test_generated_files_hold_no_date_host_path_or_carriage_return() -> None:
         assert "\r" not in text
         assert str(ROOT) not in text
         assert text.endswith("\n")
-        # A sentence or a command is one string: JSON has no other way to write it.
+        # A sentence or a command is one string, which JSON cannot break.
         assert name.endswith(".json") or max(map(len, text.splitlines())) <= layout.WIDTH
 
 
@@ -112,7 +112,7 @@ def test_names_in_c_do_not_shadow_each_other(function: Function) -> None:
 
 
 def test_operation_counts_have_not_grown() -> None:
-    """The baseline is changed by hand only: a change that costs operations must be meant."""
+    """The baseline is changed only by hand: an increase in operations must be deliberate."""
     baseline = json.loads(Path(__file__).with_name("operation_counts.json").read_text(encoding="utf-8"))
     counts = {name: n["emitted"] for name, n in json.loads(TEXTS["manifest.json"])["operations"].items()}
     assert counts.keys() == baseline.keys()
@@ -178,7 +178,7 @@ def test_the_glossary_has_one_entry_for_a_family() -> None:
         glossary = re.findall(r"^\* (\w+) \[", ast.get_docstring(ast.parse(text)) or "", flags=re.MULTILINE)
         assert len(set(glossary)) == len(glossary)
         assert len(glossary) < 40
-    assert "* X_by_Y [unit of X by unit of Y]: derivative of X by the parameter Y" in TEXTS["extended.py"]
+    assert "* X_by_Y [unit of X / unit of Y]: derivative of X with respect to" in TEXTS["extended.py"]
     assert "* k_j_s [N/m]: stiffness of span s of belt j" in TEXTS["model.py"]
 
 
@@ -230,6 +230,6 @@ def test_the_derivation_page_shows_the_second_route() -> None:
 
 
 def test_rigid_modes_are_the_nullity_of_the_elastic_hessian() -> None:
-    """Three axes, each free to move with its belt; an exact rank, at values without a relation between them."""
+    """Three axes, each free to move with its belt; an exact rank at unrelated values."""
     assert MODEL.rigid_modes == 3
     assert "RIGID_MODES = 3\n" in TEXTS["model.py"]

@@ -1,4 +1,4 @@
-"""Two routes to the rods' rotational energy: directly, and by the paper's Euler angles."""
+"""Two routes to the rods' rotational energy: direct, and through the paper's Euler angles."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def route_of(j: int) -> EulerRoute:
 @pytest.mark.parametrize("seed", range(6))
 @pytest.mark.parametrize("j", range(3))
 def test_both_routes_give_the_same_kinetic_energy_of_a_linkage(seed: int, j: int) -> None:
-    """The emitted one, from the velocities of the rod's ends; the paper's, translation and Euler angles."""
+    """Compare the emitted energy, from the velocities of the rod ends, with the paper's, from Euler angles."""
     rng = np.random.default_rng(700 + seed)
     parameters, pose = random_robot(rng)
     x_dot, phi = rng.normal(size=3), rng.uniform(-np.pi, np.pi)
@@ -44,7 +44,7 @@ def test_both_routes_give_the_same_kinetic_energy_of_a_linkage(seed: int, j: int
         paper, emitted, rtol=1e-12 * amplification(D_l[j], phi, parameters.link_length[j])
     )
 
-    # The two angular velocities differ by a spin about the rod and by nothing else.
+    # The two angular velocities differ only by a spin about the rod.
     rod = D_l[j] / np.linalg.norm(D_l[j])
     difference = by_angles - D_omega[j]
     spin = np.outer(rod, rod @ difference)
@@ -54,7 +54,7 @@ def test_both_routes_give_the_same_kinetic_energy_of_a_linkage(seed: int, j: int
 def evaluate(
     j: int, s: np.ndarray, pose: np.ndarray, parameters: linear_delta.Parameters, phi: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """D_omega and inertia of linkage j by the paper's route; s_j and U_j from the closures."""
+    """Return D_omega and inertia of linkage j by the paper's route, with s_j and U_j from the closures."""
     route, link, mass = route_of(j), MACHINE.links[j], MACHINE.rods[j].mass
     U = linear_delta.platform_jacobian(pose, parameters) - np.outer(parameters.direction[j], np.eye(3)[j])
     arguments = [*link.vector, *KIN.U[j], link.length, mass, route.phi]
@@ -65,7 +65,7 @@ def evaluate(
 
 
 def amplification(s: np.ndarray, phi: float, length: float) -> float:
-    """Inverse square of cos(beta): how near the Euler angles are to their singularity."""
+    """Return the inverse square of cos(beta), which grows towards the singularity of the Euler angles."""
     u_1 = -(s[0] * np.cos(phi) + s[1] * np.sin(phi)) / length
     return float(1.0 / (1.0 - u_1**2))
 

@@ -1,4 +1,4 @@
-"""Formulas with letters for indices: one for a family where it is true for every member, else fewer or none."""
+"""Formulas with letters as indices: one for a whole family if it holds for every member, else for parts of it."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ J = (1, 2, 3)
 
 
 def shown(expression: Callable[..., Expr], *letters: str) -> list[tuple[str, str, tuple]]:
-    """Left-hand side, right-hand side with LaTeX names, and condition of each formula."""
+    """Return left-hand side, right-hand side with LaTeX names, and condition of each formula."""
     places = product(J, repeat=len(letters))
     members = [Member(dict(zip(letters, place, strict=True)), expression(*place)) for place in places]
     return [

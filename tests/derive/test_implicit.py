@@ -12,7 +12,7 @@ from pkmodes_derive.vocabulary import Vocabulary
 q1, q2 = symbols("q1 q2", real=True)
 s1, s2, s3 = symbols("s1 s2 s3", real=True)
 
-# Three closures that are triangular in s, so that s(q) can be written down, with every kind of coupling.
+# Three closures that are triangular in s, so s(q) can be written down, with every kind of coupling.
 CLOSURES = [s1 - q1 * q2, s2 + s1 * q1 - q2**2, s3 * q2 + s1**2 - s2 * q1]
 POINT = {q1: Rational(3, 7), q2: Rational(5, 4)}
 
@@ -53,7 +53,7 @@ def test_cofactors_of_three_by_three_are_those_of_sympy() -> None:
 
 @pytest.mark.parametrize("n", [1, 2, 3, 4, 6])
 def test_systems_of_any_size_are_solved_with_named_minors(n: int) -> None:
-    """Against SymPy's own solution in rational numbers; both of the matrix and of its transpose."""
+    """Compare with SymPy's solution in rational numbers, for the matrix and for its transpose."""
     chain, entries = Chain(), symbols(f"a:{n * n}", real=True)
     solver = implicit.Solver(Matrix(n, n, entries), Vocabulary(), chain, [f"s{i}" for i in range(n)])
     numbers = [

@@ -1,4 +1,4 @@
-"""Expressions in every language: exact numbers, functions by their names there, nothing that a language lacks."""
+"""Expressions in every language: exact numbers, correct function names, no functions that a language lacks."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ from pkmodes_derive.specialise import number
 from pkmodes_derive.vocabulary import Vocabulary
 
 a, b = symbols("a b", real=True)
-#: Of a and b in (-1, 1): what the closures of mechanisms with arms need, and more.
+#: Functions of a and b in (-1, 1): those that closures of mechanisms with arms need, and more.
 EXPRESSIONS: dict[str, Expr] = {
     "sine_and_cosine": sin(a) * cos(b),
     "arm": atan2(a, b) + acos(a * b),

@@ -1,4 +1,4 @@
-"""The code of one robot with effects: the interface of one without, and an eigenproblem that any solver takes."""
+"""Code for one robot with effects: the same interface as without, and an eigenproblem for any solver."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def sample(name: str, effects: tuple[str, ...]) -> tuple[pkmodes.Model, types.Mo
 
 
 NAMES = tuple(sorted(path.name for path in ROBOTS.glob("*.toml")))
-#: Of the linear delta, and of a robot of each kind.
+#: Combinations of effects for the linear delta, then for a robot of each kind.
 COMBINED = [pytest.param(c, id="+".join(c)) for c in COMBINATIONS if applies(c, ROBOT)]
 CASES = [
     pytest.param(name, effects, id=f"{name}-{'+'.join(effects)}")
@@ -121,7 +121,7 @@ def test_the_interface_is_that_of_a_robot_without_effects(effects: tuple[str, ..
 
 @pytest.mark.parametrize(("name", "effects"), CASES)
 def test_the_eigenproblem_is_that_of_modes(name: str, effects: tuple[str, ...]) -> None:
-    """By a solver that knows nothing of massless coordinates; shapes are those of `modes`, platform included."""
+    """Solve with a solver unaware of massless coordinates; shapes equal those of `modes`, including the platform."""
     model, module, texts = sample(name, effects)
     pose = POSES[model.robot.mechanism]
     M, K = module.modal_matrices(pose)
@@ -195,7 +195,7 @@ def test_c_equals_numpy(tmp_path: Path, effects: tuple[str, ...]) -> None:
     ],
 )
 def test_every_function_is_that_of_a_robot_declared_so(effect: str, tables: dict[str, dict]) -> None:
-    """What an effect adds can be declared in the robot file as well, and the code is then the base model's."""
+    """Declaring the effect's contribution in the robot file instead gives the same results from the base model."""
     _, module, _ = sample("linear-delta-2022.toml", (effect,))
     declared, _ = generated(robot("linear-delta-2022.toml", (), **tables))
     given = arguments(module, np.random.default_rng(5))
@@ -214,7 +214,7 @@ def test_every_function_is_that_of_a_robot_declared_so(effect: str, tables: dict
 
 
 def test_massless_clamps_take_the_least_elastic_energy() -> None:
-    """The condensed energy is the least over the clamps' displacements: the others' energy at any of them is more."""
+    """The condensed energy is the minimum over the clamp displacements: any other displacements give more energy."""
     _, module, _ = sample(ROBOT, ("clamp_compliance",))
     _, K = module.uncondensed_matrices(POSE)
     gravity = np.zeros_like(K)
@@ -231,7 +231,7 @@ def test_massless_clamps_take_the_least_elastic_energy() -> None:
 
 
 def test_a_motor_without_inertia_makes_its_wind_up_massless() -> None:
-    """Which coordinates have no mass depends on the numbers: here on those of one axis."""
+    """Which coordinates are massless depends on parameter values, here on those of one axis."""
     content = document("linear-delta-2022.toml")
     axes = [dict(axis) for axis in content["axis"]]
     axes[1]["motor"] = {**content["motor"], "inertia": 0.0}

@@ -53,7 +53,7 @@ def test_incomplete_or_repeated_declarations_are_refused() -> None:
 
 def test_an_index_has_a_letter_that_its_name_does_not_have() -> None:
     vocabulary = Vocabulary()
-    with pytest.raises(ValueError, match="other letters"):
+    with pytest.raises(ValueError, match="use another letter"):
         vocabulary.declare("k_{j}_{k}", "N/m", "stiffness of span {k} of belt {j}", "k_{{{j}{k}}}", j=1, k=2)
     vocabulary.declare("k_{j}_{s}", "N/m", "stiffness of span {s} of belt {j}", "k_{{{j}{s}}}", j=1, s=2)
 
@@ -81,7 +81,7 @@ def unit(text: str) -> pint.Unit:
 
 
 def dimension(expression: Expr, v: Vocabulary) -> dict | None:
-    """Dimension of an expression, None for a zero or a bare number; an inconsistent sum raises."""
+    """Return the dimension of an expression, None for a bare number; an inconsistent sum raises."""
     if isinstance(expression, Symbol):
         return dict(unit(v[expression].unit).dimensionality)
     if isinstance(expression, Number):

@@ -23,9 +23,9 @@ def lines(*groups: list[Outcome]) -> list[str]:
 
 def test_one_wrong_answer_from_few_rows_is_one_too_many() -> None:
     (held,) = lines(outcomes("few rows", *["abstained"] * 99, "named"))
-    assert held == "| few rows | confident and wrong: none | 0 of 100: 0.0 % | 0.0-3.6 % | held |"
+    assert held == "| few rows | confident and wrong: none | 0 of 100: 0.0 % | 0.0-3.6 % | met |"
     (broken,) = lines(outcomes("few rows", *["abstained"] * 99, "wrong"))
-    assert broken.endswith("1 of 100: 1.0 % | 0.0-5.4 % | **NOT HELD** |")
+    assert broken.endswith("1 of 100: 1.0 % | 0.0-5.4 % | **NOT MET** |")
 
 
 def test_only_clear_causes_have_to_be_named() -> None:
@@ -48,7 +48,7 @@ def test_a_claim_that_contradicts_the_shapes_counts_where_the_truth_fits_them() 
         outcomes(suite, "abstained"),
     )
     assert "| 1 of 4: 25.0 % |" in against
-    assert "NOT HELD" in against
+    assert "NOT MET" in against
 
 
 def test_mistakes_have_to_be_noted_and_no_cause_claimed() -> None:
@@ -60,7 +60,7 @@ def test_mistakes_have_to_be_noted_and_no_cause_claimed() -> None:
     made += outcomes(suite, "wrong", physical=True)
     claimed, unit, channels, sigma = lines(made)
     assert "| 1 of 4: 25.0 % |" in claimed
-    assert "NOT HELD" in claimed
+    assert "NOT MET" in claimed
     assert "| 1 of 2: 50.0 % |" in unit
     assert "no cases" in channels
     assert "no cases" in sigma

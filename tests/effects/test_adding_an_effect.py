@@ -1,4 +1,4 @@
-"""docs/adding-an-effect.md, carried out: one new file is a new effect, derived, emitted and evaluated."""
+"""Follow docs/adding-an-effect.md: one new file adds an effect, which is derived, emitted and evaluated."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """The software with effects against the virtual test rig, whose physics is MuJoCo's and shares no formula with it.
 
-The rig takes M and K from bodies, joints and springs without differencing, so both sides are exact up to rounding
-and are held to that.  Then the rig itself: against `mujoco_engine`, which judges the base model, against energies
-of displaced robots, and in what the causes outside the catalogue do.
+The rig takes M and K from bodies, joints and springs without differencing, so both sides must agree up to rounding.
+Then the rig itself is tested: against `mujoco_engine`, the reference of the base model, against energies of displaced
+robots, and for the response to causes outside the catalogue.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ from pkmodes_rig.robots import POSES, ROBOTS, read
 
 CATALOGUE = mechanism("linear_delta").effects
 
-#: Entries of M and K by the roots of their diagonals.  Worst found: 3e-15.
+#: Entries of M and K relative to the roots of their diagonals.  Worst found: 3e-15.
 EXACT = 1e-13
 
-#: Frequencies, relative; of a rigid-body mode, squared and relative to the square of the first vibration mode.
-#: Worst found: 8e-13; where some modes are much faster than the others, rounding is theirs.
+#: Frequencies, relative; for a rigid-body mode, squared and relative to the square of the first vibration mode.
+#: Worst found: 8e-13; if some modes are much faster than the others, they set the rounding.
 FREQUENCY = 1e-11
 
-#: Strengths that change a frequency of the published robot by some per cent; `adapted` to the other robots.
+#: Strengths that change a frequency of the published robot by a few per cent; `adapted` to the other robots.
 STRENGTHS: dict[str, dict[str, float]] = {
     "payload": {"mass": 0.25},
     "belt_mass": {"linear_density": 0.06},
@@ -67,7 +67,7 @@ robots_and_poses = pytest.mark.parametrize(("robot", "pose"), CASES)
 
 
 def adapted(robot: str, strengths: Mapping[str, float]) -> dict[str, float]:
-    """What turns counts by the radius of the pulleys: by what it does to the belt."""
+    """Scale strengths on rotations by the pulley radius, that is by their action on the belt."""
     ratio = (read(robot).parameters.pulley_radius[0] / read("published").parameters.pulley_radius[0]) ** 2
     by = {
         "gearbox_inertia.inertia": ratio,
@@ -90,17 +90,17 @@ def place(robot: str, pose: int) -> np.ndarray:
 
 @cache
 def both(robot: str, pose: int, names: tuple[str, ...]) -> tuple[pkmodes.Modes, TrueModes]:
-    """What the software and the rig make of a robot file with these effects."""
+    """Evaluate a robot file with these effects by the software and by the rig."""
     declared = read(robot, chosen(robot, *names))
     found = pkmodes.Model(declared).modes(place(robot, pose))
     return found, true_modes(declared.parameters, place(robot, pose), declared.effects)
 
 
 def assert_equal(found: np.ndarray, expected: np.ndarray, tolerance: float = EXACT) -> None:
-    """Compare symmetric matrices with mixed units: each entry by the roots of its diagonal entries."""
+    """Compare symmetric matrices with mixed units: each entry relative to the roots of its diagonal entries."""
     size = np.sqrt(np.abs(np.diag(expected)))
     scale = np.outer(size, size)
-    rest = scale == 0  # a coordinate without inertia has none with the others either
+    rest = scale == 0  # a coordinate without inertia has no coupling inertia either
     assert not np.any(found[rest])
     assert not np.any(expected[rest])
     error = np.abs(found - expected)[~rest] / scale[~rest]
@@ -118,7 +118,7 @@ def assert_same_modes(found: pkmodes.Modes, expected: TrueModes) -> None:
     shapes = np.concatenate([found.shapes, found.platform_shapes], axis=1)[3:]
     names = *found.coordinates, "p_x", "p_y", "p_z"
     components = np.array([expected.shapes[name] for name in names]).T[3:]
-    # Shapes of modes that are close together mix: by how much is their rounding over their distance.
+    # Shapes of close modes mix by their rounding over their distance.
     gaps = np.diff(true, prepend=-np.inf, append=np.inf)
     nearest = np.minimum(gaps[:-1], gaps[1:])[3:] / true[3:]
     for shape, other, gap in zip(shapes, components, np.minimum(nearest, 1.0), strict=True):
@@ -142,7 +142,7 @@ def test_each_effect_alone(robot: str, pose: int, name: str | None) -> None:
     assert_equal(found.mass_matrix, expected.mass_matrix)
     assert_equal(found.stiffness_matrix, expected.stiffness_matrix)
     assert_same_modes(found, expected)
-    if name:  # at a strength that would be noticed
+    if name:  # at a strength that changes the result noticeably
         without = both(robot, pose, ())[1]
         assert np.abs(expected.frequencies[3:9] / without.frequencies[3:9] - 1).max() > 5e-3
 
@@ -171,14 +171,14 @@ def test_some_effects_together(seed: int) -> None:
 @robots_and_poses
 @pytest.mark.parametrize("names", [("link_compliance",), ("frame_compliance",), RELEASED], ids="+".join)
 def test_weight_takes_part_in_what_is_released(robot: str, pose: int, names: tuple[str, ...]) -> None:
-    """The weights' stiffness by itself: beside the springs its errors would not show."""
+    """Compare the weights' stiffness alone: next to the springs its errors would not show."""
     declared = read(robot, chosen(robot, *names))
     rig = Rig(declared.parameters, place(robot, pose), declared.effects)
     lifted = declared.parameters._replace(gravity=np.zeros(3))
     weightless = pkmodes.Model(replace(declared, parameters=lifted)).modes(place(robot, pose))
     found = both(robot, pose, names)[0].stiffness_matrix - weightless.stiffness_matrix
     expected = rig.weight_hessian()
-    # What cancels is rounding of the springs' stiffness.
+    # The difference leaves rounding of the springs' stiffness.
     size = np.sqrt(np.diag(weightless.stiffness_matrix))
     assert np.all(np.abs(found - expected) < 1e-14 * np.outer(size, size) + 1e-12 * np.abs(expected).max())
 
@@ -202,7 +202,7 @@ def test_without_effects_the_rig_is_the_engine_of_the_base_model(robot: str, pos
 
 @robots_and_poses
 def test_the_rigs_weights_by_energies_of_the_displaced_robot(robot: str, pose: int) -> None:
-    """The Hessian has no differences in it; here it is what it is by definition."""
+    """Compare the Hessian, computed without differences, with its definition by differences of the energy."""
     parameters = read(robot).parameters
     rig = Rig(parameters, place(robot, pose), chosen(robot, *STRENGTHS), adapted(robot, STRANGE))
     H, here = rig.weight_hessian(), rig.weight_energy()
@@ -237,7 +237,7 @@ def test_what_is_outside_the_catalogue_shows_and_vanishes(robot: str, kind: str)
     assert np.abs(present.frequencies[3:9] / base.frequencies[3:9] - 1).max() > 2e-3
     small = true_modes(parameters, p, {}, {kind: 1e-6 * strength})
     kept = small.frequencies[3:9]
-    if kind == "tuned_absorber":  # stays, at its own frequency, and pairs with nothing
+    if kind == "tuned_absorber":  # remains, at its own frequency, and pairs with no mode
         place_of_it = int(np.argmin(np.abs(small.frequencies - 60.0)))
         kept = np.delete(small.frequencies, place_of_it)[3:9]
     np.testing.assert_allclose(kept, base.frequencies[3:9], rtol=2e-3 if kind == "tuned_absorber" else 1e-5)

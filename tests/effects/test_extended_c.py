@@ -1,4 +1,4 @@
-"""The generated C of the extended model gives the numbers of the NumPy module."""
+"""The generated C of the extended model returns the numbers of the NumPy module."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def test_extended_c_equals_numpy(tmp_path: Path) -> None:
     rng = np.random.default_rng(31)
     functions = [f for f in MODEL.functions if f.in_c]
     others = {f.name for f in MODEL.functions} - {f.name for f in functions}
-    # All but the derivatives with respect to parameters, and what a reader of robot files asks.
+    # All but the derivatives with respect to parameters, and the condition checked on reading a robot file.
     assert others == {"value_sensitivities", "geometry_sensitivities", "belt_tension_stiffness_margin"}
     for _ in range(3):
         parameters, p = random_robot(rng)

@@ -28,7 +28,7 @@ def effects(**values: float) -> extended.Effects:
 
 
 def whole(p: np.ndarray, parameters: Parameters, chosen: extended.Effects) -> tuple[np.ndarray, np.ndarray]:
-    """M and K in the base coordinates and those of the released joints that are not locked."""
+    """Return M and K in the base coordinates and the released coordinates that are not locked."""
     M, K_el, K_g = extended.extended_matrices(p, parameters, chosen)
     with np.errstate(divide="ignore"):
         stiffness, _ = extended.joint_stiffness(chosen)
@@ -114,7 +114,7 @@ def test_belt_ends_are_springs_in_series(seed: int) -> None:
 
 
 def belt_hessian(k: np.ndarray, parameters: Parameters) -> np.ndarray:
-    """Three springs on each axis between pulleys and carriage, put together element by element."""
+    """Assemble the three springs of each axis between pulleys and carriage, element by element."""
     K = np.zeros((BASE, BASE))
     for j in range(3):
         R = parameters.pulley_radius[j]
@@ -162,7 +162,7 @@ def test_springs_to_ground_are_where_they_should_be(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_gearbox_compliance_is_a_shaft_between_two_inertias(seed: int) -> None:
-    """The same machine in absolute coordinates: motor angles beside pulley angles, a shaft between them."""
+    """The same machine in absolute coordinates: motor and pulley angles, with a shaft between them."""
     parameters, p = robot(seed)
     c = 2e-3
     M, K = whole(p, parameters, effects(gearbox_compliance_compliance=c))
@@ -185,7 +185,7 @@ def test_a_frame_carries_every_body(seed: int) -> None:
     M, _ = whole(p, parameters, effects(frame_compliance_compliance=1e-8, frame_compliance_mass=80.0))
     moving = parameters.platform_mass + parameters.link_mass.sum() + parameters.carriage_mass.sum()
     np.testing.assert_allclose(M[9:, 9:], (80.0 + moving) * np.eye(3), rtol=1e-12, atol=1e-12)
-    # Momentum of the moving bodies by the carriages' velocities: half of each linkage goes with either end.
+    # Momentum of the moving bodies per carriage velocity: half of each linkage moves with either end.
     D_p = model.platform_jacobian(p, parameters)
     momentum = (parameters.platform_mass + parameters.link_mass.sum() / 2) * D_p
     momentum += ((parameters.carriage_mass + parameters.link_mass / 2)[:, None] * parameters.direction).T
@@ -193,7 +193,7 @@ def test_a_frame_carries_every_body(seed: int) -> None:
     assert np.all(M[9:, 3:9] == 0.0)
 
 
-#: Compliances that change the frequencies little, and a tenth of them: what is left is of second order.
+#: Compliances that change the frequencies little; also used at a tenth: the remainder is of second order.
 SMALL = {
     "gearbox_compliance": 1e-5,
     "link_compliance": 1e-9,
@@ -205,7 +205,7 @@ SMALL = {
 @pytest.mark.parametrize("name", list(RELEASED))
 @pytest.mark.parametrize("seed", range(2))
 def test_released_joints_converge_to_the_base_model_at_the_predicted_rate(name: str, seed: int) -> None:
-    r"""d(lambda)/dc at c = 0 is -f^T f with f = (K_rq - lambda M_rq) phi: the force that the locked joint carries."""
+    r"""d(lambda)/dc at c = 0 is -f^T f with f = (K_rq - lambda M_rq) phi: the force carried by the locked joint."""
     parameters, p = robot(seed)
     fixed = {"frame_compliance_mass": 60.0}
     M, K_el, K_g = extended.extended_matrices(p, parameters, effects(**fixed))
@@ -217,16 +217,16 @@ def test_released_joints_converge_to_the_base_model_at_the_predicted_rate(name: 
     errors = []
     for c in (SMALL[name], 0.1 * SMALL[name]):
         M_c, K_c = whole(p, parameters, effects(**fixed, **{f"{name}_compliance": c}))
-        if name == "clamp_compliance":  # without mass: condensed
+        if name == "clamp_compliance":  # massless: condensed
             rr, qq = slice(BASE, None), slice(0, BASE)
             K_c = K_c[qq, qq] - K_c[qq, rr] @ np.linalg.solve(K_c[rr, rr], K_c[rr, qq])
             M_c = M_c[qq, qq]
         found = eigh(K_c, M_c, eigvals_only=True)
-        # A backward stable solver: rounding of the largest eigenvalue, that of the stiff joint.
+        # A backward stable solver leaves rounding of the largest eigenvalue, that of the stiff joint.
         rounding = 20 * np.finfo(float).eps * found[-1]
         errors.append(np.abs(found[:BASE] - eigenvalues - c * rate).max())
-    assert errors[1] <= 0.02 * np.abs(c * rate).max(), "the rate is that of the first order"
-    assert errors[1] <= 0.02 * errors[0] + rounding, "what is left falls with the square of the compliance"
+    assert errors[1] <= 0.02 * np.abs(c * rate).max(), "the rate is the first-order one"
+    assert errors[1] <= 0.02 * errors[0] + rounding, "the remainder falls with the square of the compliance"
 
 
 def perturbed(
@@ -246,7 +246,7 @@ def matrices(
     return M, K_el + K_g
 
 
-#: Sizes at which the parameters of effects matter, by unit.
+#: Typical sizes of effect parameters, by unit.
 TYPICAL = {
     "kg": 0.3,
     "kg/m": 0.05,
@@ -262,12 +262,12 @@ TYPICAL = {
 UNITS = {f"{name}_{p.name}": p.unit for name, effect in CATALOGUE.items() for p in effect.parameters}
 
 
-#: Parameters by which there are derivatives, as the two functions list them.
+#: Parameters with derivatives, as listed by the two functions.
 LISTED = (*extended.VALUE_SENSITIVITIES, *extended.GEOMETRY_SENSITIVITIES)
 
 
 def sensitivities(p: np.ndarray, parameters: Parameters, chosen: extended.Effects) -> list[np.ndarray]:
-    """Derivatives of M and K by every parameter, whole: what is not listed is zero, what is, symmetric."""
+    """Return full derivatives of M and K by every parameter: listed entries are symmetric, all others zero."""
     by_value = spread(extended.value_sensitivities(p, parameters, chosen), extended.VALUE_SENSITIVITIES)
     by_geometry = spread(
         extended.geometry_sensitivities(p, parameters, chosen), extended.GEOMETRY_SENSITIVITIES

@@ -1,4 +1,4 @@
-"""Parameter paths: what each name moves, held against robot files that say the same, and which names are refused."""
+"""Parameter paths: each name changes the same values as an edited robot file, and unknown names are refused."""
 
 from __future__ import annotations
 
@@ -218,7 +218,7 @@ def test_unknown_paths_are_refused_with_the_nearest(name: object, what: str, rem
 
 @pytest.mark.parametrize(
     ("parameters", "found", "remedy"),
-    [("link.mass", '"link.mass"', r'write \["link.mass"\]'), (3, "3", r'write such as \["platform.mass"\]')],
+    [("link.mass", '"link.mass"', r'write \["link.mass"\]'), (3, "3", r'for example: \["platform.mass"\]')],
 )
 def test_a_single_path_must_be_in_a_list(parameters: object, found: str, remedy: str) -> None:
     with pytest.raises(
@@ -237,7 +237,7 @@ def test_the_radius_of_joints_at_the_centre_cannot_vary(text: str) -> None:
     with pytest.raises(pkmodes.PkmodesError, match=r"axis\.joint_radius cannot vary") as error:
         model.sensitivities(POSE, ["axis.joint_radius"])
     assert error.match(r"axis\.1\.joint\.x")
-    everything = model.sensitivities(POSE)  # nobody asked for it by name
+    everything = model.sensitivities(POSE)  # not requested by name
     assert everything.parameters == tuple(p for p in paths(model.robot) if p != "axis.joint_radius")
 
 

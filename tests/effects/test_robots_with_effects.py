@@ -1,4 +1,4 @@
-"""Robots with ``[effects.*]`` tables: what the evaluator makes of them, and what is refused."""
+"""Robots with ``[effects.*]`` tables: results of the evaluator, and refusals."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ def test_any_two_effects_solve_their_eigenproblem(tmp_path: Path, pair: tuple[st
 
 
 def test_the_rigid_modes_are_those_that_strain_nothing(tmp_path: Path) -> None:
-    """Without gravity they are zero eigenvalues, and there are none when the platform is tied to ground."""
+    """Without gravity they are zero eigenvalues, and there are none if the platform is tied to ground."""
     for name in VALUES:
         text = published().replace("-9.81 m/s^2", "0 m/s^2") + table(name, VALUES[name])
         (tmp_path / "robot.toml").write_text(text, encoding="utf-8")
@@ -105,7 +105,7 @@ def test_the_rigid_modes_are_those_that_strain_nothing(tmp_path: Path) -> None:
 
 
 def test_a_clamp_without_mass_is_the_limit_of_a_small_mass(tmp_path: Path) -> None:
-    """Condensation is exact: belts of less and less mass approach it, from below, at a linear rate."""
+    """Condensation is exact: with decreasing belt mass the result converges to it from below, at a linear rate."""
     clamp = table("clamp_compliance", VALUES["clamp_compliance"])
     exact = load(tmp_path, clamp).modes(POSE).frequencies
     errors = []
@@ -187,7 +187,7 @@ def test_the_command_line_evaluates_effects(tmp_path: Path, capsys: pytest.Captu
         ("[effects.payload]", "mass is missing", "effects.payload.mass", "add it"),
         (
             '[effects.payload]\nmass = "-1 kg"',
-            "greater than 0 kg, or 0 for none",
+            "greater than 0 kg, or 0 for no effect",
             "effects.payload.mass",
             "sign",
         ),
@@ -208,7 +208,7 @@ def test_the_command_line_evaluates_effects(tmp_path: Path, capsys: pytest.Captu
             "keep it in [frame]",
         ),
         ("[effects]\npayload = 3", "expected a table, found 3", "effects.payload", "[effects.payload]"),
-        ('[effects.payload]\nmass = "1 kg"\n[effects.payload]\nmass = "2 kg"', "not valid TOML", "", "mend"),
+        ('[effects.payload]\nmass = "1 kg"\n[effects.payload]\nmass = "2 kg"', "not valid TOML", "", "fix"),
     ],
 )
 def test_mistakes_in_effects_are_refused(
@@ -253,7 +253,7 @@ def test_a_changed_effect_makes_the_model_stale(tmp_path: Path, capsys: pytest.C
 
 
 def test_another_machine_does_not_need_the_null_effects(tmp_path: Path) -> None:
-    """An effect at its null value generates the base model, byte for byte but for what the file says."""
+    """An effect at its null value generates the base model, byte for byte except for the robot file's text."""
     load(tmp_path, "\n[effects.payload]\nmass = 0\n")
     assert run(["generate", str(tmp_path / "robot.toml"), "--out", str(tmp_path / "null")]) == 0
     load(tmp_path)

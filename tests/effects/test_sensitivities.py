@@ -1,7 +1,7 @@
-"""Exact sensitivities along every parameter path, held against differences and complex steps.
+"""Exact sensitivities along every parameter path, compared with differences and complex steps.
 
-The references are in `sensitivity_references`; every robot of `CASES` is held at generic poses, and one of each
-kind where modes are repeated, nearly meet, or where a coordinate has no inertia.
+The references are in `sensitivity_references`; every robot of `CASES` is tested at generic poses, and one of each
+kind with repeated modes, nearly equal modes, or a coordinate without inertia.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ from sensitivity_references import (
 
 Array = np.ndarray
 
-#: All effects, of sizes that change every frequency but leave no two of them alike by chance.
+#: All effects, with sizes that change every frequency and make no two of them equal by chance.
 LARGE = {
     "payload.mass": 0.35,
     "belt_mass.linear_density": 0.06,
@@ -56,7 +56,7 @@ LARGE = {
     "frame_compliance.compliance": 1e-7,
     "frame_compliance.mass": 40.0,
 }
-#: The same for the small printer, whose axes stay alike: at its centre it keeps its repeated eigenvalues.
+#: The same for the small printer, whose axes stay identical: at its centre it keeps its repeated eigenvalues.
 SMALL = {
     "payload.mass": 0.1,
     "belt_mass.linear_density": 0.02,
@@ -120,7 +120,7 @@ def system_of(robot: Robot) -> SystemOfEffects:
 
 
 def assert_matrices(case: Case, i: int, t: slice, expected: Rates, relative: float, rounding: Array) -> None:
-    """In coordinates in which all entries of K, and of M times the largest eigenvalue, are of order one."""
+    """Scale the coordinates so that all entries of K, and of M times the largest eigenvalue, are of order one."""
     pose, found = case.here[i], case.found
     unit = np.outer(pose.scale, pose.scale)
     locked = np.array([is_locked(case.robot, move) for move in case.moves[t]])
@@ -136,9 +136,9 @@ def assert_matrices(case: Case, i: int, t: slice, expected: Rates, relative: flo
 
 
 def assert_modes(case: Case, i: int, t: slice, expected: Rates, relative: float, rounding: Array) -> None:
-    """A mode's own derivative is the measure of its error; below it, rounding of the largest eigenvalue.
+    """Compare errors with each mode's derivative and, below it, with rounding of the largest eigenvalue.
 
-    In shapes rounding is amplified as much as they are ill-conditioned: by the largest eigenvalue over the gap.
+    Rounding of shapes is amplified by their condition number, the largest eigenvalue over the gap.
     """
     pose, found = case.here[i], case.found
     floor = (rounding * expected.largest)[:, None]
@@ -174,7 +174,7 @@ def test_derivatives_equal_complex_steps(name: str) -> None:
 
 @pytest.mark.parametrize("name", CASES)
 def test_derivatives_equal_differences_of_the_modes(name: str) -> None:
-    """Steps are small beside the smallest gap, so that truncation stays below a millionth."""
+    """Steps are small compared with the smallest gap, so truncation stays below a millionth."""
     it = case(name)
     gap = min((pose.gaps[3:] / np.abs(pose.eigenvalues[3:])).min() for pose in it.here)
     for t, (move, scale) in enumerate(zip(it.moves, it.sizes, strict=True)):
@@ -182,7 +182,7 @@ def test_derivatives_equal_differences_of_the_modes(name: str) -> None:
         if is_locked(it.robot, move):
             step, stencil = min(ahead(pose, move) for pose in it.here), AHEAD
         elif move.path == "effects.belt_mass.linear_density" and name.endswith("-clamp"):
-            # It adds the modes of the clamps: far away, but not so far that their rounding hides the rest.
+            # It adds the modes of the clamps: far away, but not so far that their rounding dominates.
             step, stencil = (
                 2e-3 * it.robot.parameters.pulley_inertia[0] / it.robot.parameters.pulley_radius[0] ** 2,
                 AHEAD,
@@ -240,7 +240,7 @@ def test_modes_that_nearly_meet_are_apart(name: str) -> None:
     ("name", "singles", "pairs"), [("tower", 3, 3), ("tower-clamp", 3, 3), ("tower-active", 7, 7)]
 )
 def test_threefold_symmetry_makes_pairs(name: str, singles: int, pairs: int) -> None:
-    """Three alike coordinates make one mode that is alike on the axes and a pair; so do u_z, and u_x with u_y."""
+    """Three equal axes give one mode that is equal on all axes and a pair; so do u_z, and u_x with u_y."""
     centre, aside = case(name).found.groups
     sizes = np.bincount(centre)
     assert sorted(sizes) == [1] * singles + [2] * pairs
@@ -249,7 +249,7 @@ def test_threefold_symmetry_makes_pairs(name: str, singles: int, pairs: int) -> 
 
 @pytest.mark.parametrize("name", ["tower", "tower-active"])
 def test_a_group_splits_into_the_branches_that_sorting_shows(name: str) -> None:
-    """On the side of larger values, the sorted eigenvalues leave the repeated one with ascending derivatives."""
+    """For larger parameter values the sorted eigenvalues leave the repeated one with ascending derivatives."""
     it, pose = case(name), case(name).here[0]
     split = 0
     for t, (move, scale) in enumerate(zip(it.moves, it.sizes, strict=True)):
@@ -272,7 +272,7 @@ def test_a_group_splits_into_the_branches_that_sorting_shows(name: str) -> None:
 
 @pytest.mark.parametrize("name", CROSSING)
 def test_modes_may_be_grouped_though_they_are_apart(name: str) -> None:
-    """What is determined of the group is the mean of its eigenvalues, and the shapes' change out of it."""
+    """Determined for the group are the mean of its eigenvalues and the change of shapes out of the group."""
     it, pose = case(name), case(name).here[-1]
     close = pkmodes.Model(it.robot).sensitivities(it.poses[-1], it.names, close=2e-3)
     apart_values, apart_shapes = it.found.eigenvalues[-1], it.found.shapes[-1]
@@ -298,7 +298,7 @@ def test_modes_may_be_grouped_though_they_are_apart(name: str) -> None:
 
 @pytest.mark.parametrize("name", ["tower", "tower-active"])
 def test_shapes_of_a_group_belong_to_those_of_modes(name: str) -> None:
-    """Repeated modes come out in any basis, but in the same one whether modes or sensitivities are asked for."""
+    """Repeated modes have an arbitrary basis, but the same one for modes and sensitivities."""
     robot, wanted = case(name).robot, ["platform.mass", "axis.1.link.length"]
     poses = np.zeros((TOGETHER + 1, 3)) + np.linspace(0.05, 0.2, TOGETHER + 1)[:, None] * [0.0, 0.0, 1.0]
     model = pkmodes.Model(robot)
@@ -325,7 +325,7 @@ def test_eigenvalues_alone_are_those_of_the_whole(name: str) -> None:
         floor = 1e-14 * np.abs(pose.eigenvalues).max() / it.sizes
         for members in pose.members:
             a, b = found[i][:, members], it.found.eigenvalues[i][:, members]
-            # In a group they are those along its basis: only their sum is the branches' too.
+            # In a group they are along its basis: only their sum equals that of the branches.
             error = np.abs(a.sum(axis=1) - b.sum(axis=1))
             assert_small(error, 1e-9 * np.abs(b).max(axis=1) + 2 * floor, "sums")
 
@@ -371,7 +371,7 @@ def test_a_joints_compliance_is_nan_in_the_matrices_only_while_it_is_locked() ->
 @pytest.mark.parametrize("joint", JOINTS)
 @pytest.mark.parametrize("name", ["published", "tower", "random"])
 def test_compliances_from_zero_equal_stiff_joints_in_high_precision(name: str, joint: str) -> None:
-    """With 60 digits the joint can be so stiff that its compliance is a step of a difference."""
+    """With 60 digits the joint can be so stiff that its compliance serves as a difference step."""
     it, i = case(name), len(case(name).here) - 1
     M, K = (whole[i] for whole in system_of(it.robot).all_coordinates(it.poses))
     kept = [*range(9), *(extended.COORDINATES.index(q) for q in JOINTS[joint])]
@@ -386,7 +386,7 @@ def test_compliances_from_zero_equal_stiff_joints_in_high_precision(name: str, j
 
 
 def solved(M: Array, K: Array, compliance: float) -> list[mpf]:
-    """Ascending eigenvalues with a spring at the last three coordinates; their inertia is of second order."""
+    """Return ascending eigenvalues with a spring at the last three coordinates; their inertia is of second order."""
     a, b = matrix(M.tolist()), matrix(K.tolist())
     for r in range(9, len(M)):
         a[r, r] += 100
@@ -396,7 +396,7 @@ def solved(M: Array, K: Array, compliance: float) -> list[mpf]:
 
 
 def test_joints_only_soften() -> None:
-    """The compliance of a locked joint lowers every elastic eigenvalue, or leaves it: the rate is -|B phi|^2."""
+    """The compliance of a locked joint lowers or keeps every elastic eigenvalue: the rate is -|B phi|^2."""
     for name in ("published", "tower", "random"):
         it = case(name)
         locked = [t for t, move in enumerate(it.moves) if is_locked(it.robot, move)]

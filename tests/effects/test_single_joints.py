@@ -1,4 +1,4 @@
-"""Compliances of single joints, and values of single axes: candidates beside the catalogue, against the test rig."""
+"""Compliances of single joints and values of single axes, candidates outside the catalogue, against the test rig."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from pkmodes_rig.robots import POSES, ROBOTS, read
 from robot_text import PUBLISHED, edited
 
 JOINT = "gearbox_compliance.compliance.psi_2"
-#: Wind-up by torque that changes some frequency by a few per cent.
+#: Wind-up per torque that changes some frequency by a few per cent.
 COMPLIANCE = {"published": 1e-3, "tower": 0.2, "asymmetric": 4e-3}
 
 
@@ -37,7 +37,7 @@ def test_one_soft_gearbox_is_that_of_the_engine(robot: str, beside: float) -> No
         expected = true_modes(read(robot).parameters, p, everywhere, {"one_gearbox": c})
         found = model.modes(p)
         assert model.coordinates[9:] == (("psi_1", "psi_2", "psi_3") if beside else ("psi_2",))
-        # The first three are rigid: near zero, where rounding is all there is.
+        # The first three are rigid: near zero, only rounding.
         np.testing.assert_allclose(found.frequencies[..., 3:].ravel(), expected.frequencies[3:], rtol=1e-9)
 
 
@@ -56,7 +56,7 @@ def test_its_derivatives_are_differences_of_the_engine(robot: str, share: float)
             found = true_modes(read(robot).parameters, p, {}, {"one_gearbox": compliance})
             return (2 * np.pi * found.frequencies[3:9]) ** 2
 
-        # Of second order and one-sided at zero, where there is nothing below.
+        # Of second order, and one-sided at zero, the lower bound.
         if share:
             rate = (engine(c + step) - engine(c - step)) / (2 * step)
         else:
@@ -67,7 +67,7 @@ def test_its_derivatives_are_differences_of_the_engine(robot: str, share: float)
 
 @pytest.mark.parametrize("robot", ROBOTS)
 def test_the_compliance_of_all_joints_counts_free_and_locked_ones(robot: str) -> None:
-    """Gearbox 2 is soft already, the others are not yet: both kinds answer to the compliance of all."""
+    """Gearbox 2 is already compliant, the others are rigid: both respond to the compliance of all."""
     at, c = structure(robot), COMPLIANCE[robot]
     names = [p.name for p in at.parameters]
     values = np.array([p.value for p in at.parameters])
@@ -97,7 +97,7 @@ def test_a_single_direction_of_the_frame_takes_its_mass_from_the_file() -> None:
     values[index] = 2e-8
     mass = robot.constants["frame_compliance.mass"]
     frequencies = np.exp(at.predict(values, ()).log_frequencies)
-    # Alone on its spring the frame would swing at this frequency; the robot on it takes part and lowers it.
+    # Frequency of the frame alone on its spring; the mass of the robot lowers it.
     alone = np.sqrt(1 / (2e-8 * mass)) / (2 * np.pi)
     assert ((frequencies > 0.5 * alone) & (frequencies < alone)).any(axis=1).all()
 
@@ -135,7 +135,7 @@ def test_what_is_known_exactly_is_known_of_every_axis(tmp_path: Path) -> None:
 def test_a_shared_value_with_a_sigma_is_refitted_for_all_axes_and_not_suspected_of_one(
     tmp_path: Path,
 ) -> None:
-    """Otherwise both would move the axis, and a file could not say what its value is."""
+    """Otherwise both would change the axis, and its value in a file would be ambiguous."""
     robot = read("published")
     assert robot.quantities["motor.inertia"].sigma
     assert not any("motor.inertia" in c.name for c in suspects(robot)[1])

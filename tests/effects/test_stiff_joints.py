@@ -1,7 +1,7 @@
 """Joints from rigid to soft: every compliance from 1e-30 gives the modes of an evaluation in 80 digits.
 
-The stiffness 1/c of a joint stands beside belts of 1e5 N/m, and a symmetric solver errs by rounding of the
-largest eigenvalue.  What is promised here is nine digits of every mode of vibration, soft or stiff.
+The stiffness 1/c of a joint is combined with belts of 1e5 N/m, and the error of a symmetric solver is rounding of
+the largest eigenvalue.  The requirement is nine digits for every mode of vibration, soft or stiff.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ CATALOGUE = KIND.effects
 
 COMPLIANCES = (1e-30, 1e-20, 1e-15, 1e-14, 1e-12, 1e-9, 1e-6)
 RELEASED = tuple(name for name, effect in CATALOGUE.items() if effect.coordinates)
-#: Effects and what multiplies the compliance in each: alone, with the clamp's mass, and several of different sizes.
+#: Effects and the factor of the compliance in each: alone, with the clamp's mass, and several of different sizes.
 CASES: dict[str, dict[str, float]] = {
     **{name: {name: 1.0} for name in RELEASED},
     "heavy clamp": {"clamp_compliance": 1.0, "belt_mass": 0.0},
     "gearbox, link": {"gearbox_compliance": 1.0, "link_compliance": 1e3},
 }
 SAMPLES = ("published", "random 1", "random 2")
-#: Beside a rigid joint a soft one, with and without inertia, and three more sizes between them.
+#: A rigid joint with a soft one, with and without inertia, and three more sizes between them.
 MIXED = (
     {"gearbox_compliance.compliance": 1e-30, "link_compliance.compliance": 1e-6},
     {"clamp_compliance.compliance": 1e-6, "gearbox_compliance.compliance": 1e-30},
@@ -70,7 +70,7 @@ def effects_of(case: str, compliance: float) -> dict[str, float]:
 
 
 def solve(name: str, effects: dict[str, float]) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
-    """Eigenvalues and shapes of the package at a pose, M, and the number of rigid modes."""
+    """Return the package's eigenvalues and shapes at a pose, M, and the number of rigid modes."""
     parameters, p = sample(name)
     evaluation = SystemOfEffects(KIND, parameters, effects)
     M, K = matrices(evaluation, p[None])
@@ -79,7 +79,7 @@ def solve(name: str, effects: dict[str, float]) -> tuple[np.ndarray, np.ndarray,
 
 
 def alone(eigenvalues: np.ndarray) -> np.ndarray:
-    """Which modes have no neighbour so near that rounding of M would turn their shapes."""
+    """Return which modes have no neighbour so close that rounding of M would rotate their shapes."""
     near = np.diff(eigenvalues) < 1e-3 * np.abs(eigenvalues[1:])
     return ~(np.append(near, False) | np.append(False, near))
 
@@ -97,7 +97,7 @@ def assert_equal_modes(name: str, effects: dict[str, float]) -> None:
             continue
         error, whole = np.abs(shapes[i] - rows[i]), np.abs(rows[i] * scale).max()
         assert (error * scale).max() < 1e-9 * whole
-        # What a stiff joint yields in a soft mode is tiny, and right to its own size.
+        # The displacement of a stiff joint in a soft mode is tiny, and correct relative to its size.
         yields = values[i] < 1e-3 * values[-1]
         own = np.abs(rows[i, 9:]).reshape(-1, 3).max(axis=1).repeat(3)
         if yields and i < 9:
@@ -129,7 +129,7 @@ def derivatives(name: str, effect: str, compliance: float) -> tuple[pkmodes.Mode
 @pytest.mark.parametrize("compliance", COMPLIANCES[:-1])
 @pytest.mark.parametrize("effect", [*RELEASED, "heavy clamp"])
 def test_sensitivities_equal_eighty_digits(effect: str, compliance: float) -> None:
-    """By the compliance itself, by a mass and by a stiffness; the matrices' derivatives are tested elsewhere."""
+    """Derivatives with respect to the compliance, a mass and a stiffness; those of matrices are tested elsewhere."""
     name = "random 1"
     model, modes = derivatives(name, effect, compliance)
     own = f"{next(iter(CASES[effect]))}.compliance"
@@ -137,7 +137,7 @@ def test_sensitivities_equal_eighty_digits(effect: str, compliance: float) -> No
     values, rows = modes.values(), modes.rows()
     listed = model.modes(sample(name).pose).shapes
     sign = np.sign(np.sum(rows * listed * np.abs(np.diagonal(found.mass_matrix[1])).clip(1e-9), axis=1))
-    assert (np.diff(found.groups[3:]) == 1).all(), "no two modes of vibration are taken for one"
+    assert (np.diff(found.groups[3:]) == 1).all(), "no two modes of vibration are mistaken for one"
     for t in range(3):
         dM, dK = (mp.matrix(a[t].tolist()) for a in (found.mass_matrix, found.stiffness_matrix))
         if t == 0:
@@ -155,7 +155,7 @@ def test_sensitivities_equal_eighty_digits(effect: str, compliance: float) -> No
                 error = np.abs(found.shapes[t, k] - expected)
                 for part in (slice(0, 9), slice(9, None)):
                     if part.start == 0 or k < 9:
-                        # Of a stiff mode's shape a mass changes next to nothing: rounding of the shape is left.
+                        # A mass hardly changes the shape of a stiff mode: rounding of the shape dominates.
                         nothing = 1e-14 * np.abs(rows[k]).max() / found.values[t] if k >= 9 else 0.0
                         bound = 1e-9 * np.abs(expected[part]).max() + nothing
                         assert error[part].max() < bound, (t, k, part)
@@ -180,7 +180,7 @@ def test_frequencies_go_to_those_of_the_locked_joint_at_a_linear_rate(name: str,
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_motor_and_pulley_swing_against_each_other_on_a_stiff_gearbox(name: str) -> None:
-    """Two inertias on a spring: lambda = k (1 / I_motor + 1 / I_pulley), with nothing else felt."""
+    """Two inertias on a spring: lambda = k (1 / I_motor + 1 / I_pulley), unaffected by anything else."""
     parameters, _ = sample(name)
     eigenvalues, *_ = solve(name, {"gearbox_compliance.compliance": 1e-20})
     motor = parameters.gear_ratio**2 * parameters.motor_inertia
@@ -189,7 +189,7 @@ def test_motor_and_pulley_swing_against_each_other_on_a_stiff_gearbox(name: str)
 
 
 def test_the_symmetric_solver_alone_would_lose_them() -> None:
-    """What the graded form is for; without this the tests above would say nothing."""
+    """The graded form is needed; without this check the tests above would prove nothing."""
     parameters, p = sample("published")
     system = SystemOfEffects(KIND, parameters, {"gearbox_compliance.compliance": 1e-15})
     M, K = matrices(system, p[None])
@@ -199,7 +199,7 @@ def test_the_symmetric_solver_alone_would_lose_them() -> None:
 
 @pytest.mark.parametrize("compliance", [1e-5, 1e-4, 1e-3])
 def test_joints_of_usual_stiffness_are_solved_as_ever(compliance: float) -> None:
-    """To the last bit, and in one go for a whole batch."""
+    """Equal to the last bit, and for a whole batch at once."""
     parameters, p = sample("published")
     evaluation = SystemOfEffects(KIND, parameters, {"gearbox_compliance.compliance": compliance})
     M, K = matrices(evaluation, p + np.linspace(0.0, 0.05, 7)[:, None])
@@ -248,7 +248,7 @@ def test_joints_that_hardly_hold_are_right_or_refused(effect: str, compliance: f
 
 
 def test_a_soft_joint_within_reason_is_not_refused() -> None:
-    """A frame at half a hertz."""
+    """The frame moves at half a hertz."""
     parameters, p = sample("published")
     found = pkmodes.Model(robot_of(parameters, effects_of("frame_compliance", 1e-3))).modes(p)
     assert 0.1 < found.frequencies[3] < 2.0

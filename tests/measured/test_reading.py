@@ -1,4 +1,4 @@
-"""Modal measurements: what a file means, and what is refused with file, line, column and reason."""
+"""Modal measurements: the meaning of a file, and errors with file, line, column and reason."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def test_optional_columns_may_be_absent_and_columns_are_in_any_order(tmp_path: P
 def test_lines_are_counted_whatever_ends_them(tmp_path: Path, newline: str, mark: str) -> None:
     text = mark + newline.join(["# one", "", HEADER, "", ROW, "A,0.6,0,-0.245,60,0.1"])
     assert read(tmp_path, text).lines.tolist() == [5, 6]
-    # A character that only Python takes for the end of a line does not count as one.
+    # A character that only Python treats as a line ending is not one.
     assert read(tmp_path, text.replace("# one", "# o\x0b\x85\u2028ne")).lines.tolist() == [5, 6]
 
 
@@ -97,9 +97,9 @@ def test_lines_are_counted_whatever_ends_them(tmp_path: Path, newline: str, mark
         ("pose,x,y,z,frequency", "line 1)", 'column "sigma" is missing', HEADER),
         (f"{HEADER},dampin", "line 1, column 7)", 'unknown column "dampin"', 'mean "damping"?'),
         (f"{HEADER},Sigma_x", "line 1, column 7)", 'unknown column "Sigma_x"', 'mean "sigma_x"?'),
-        (f"{HEADER},temperature", "line 1, column 7)", 'unknown column "temperature"', "known are: pose,"),
-        (f"{HEADER},shape:theta_11", "line 1, column 7)", "names no coordinate", 'mean "shape:theta_1_1"?'),
-        (f"{HEADER},sigma", "line 1, column 7)", "there twice, first as column 6", "remove one"),
+        (f"{HEADER},temperature", "line 1, column 7)", 'unknown column "temperature"', "known: pose,"),
+        (f"{HEADER},shape:theta_11", "line 1, column 7)", "is not a coordinate", 'mean "shape:theta_1_1"?'),
+        (f"{HEADER},sigma", "line 1, column 7)", "is repeated, first as column 6", "remove one"),
         (f"{HEADER},", "line 1, column 7)", "name of a column, found nothing", "remove it"),
         (HEADER.replace(",", ";"), "line 1)", "separated by commas", HEADER),
         (HEADER.replace(",", "\t"), "line 1)", "separated by commas", HEADER),
@@ -110,8 +110,8 @@ def test_lines_are_counted_whatever_ends_them(tmp_path: Path, newline: str, mark
             "separated by",
             "the file uses semicolons",
         ),
-        ("sep=,", "line 1)", 'found "sep=,", a line for a spreadsheet', "remove this line"),
-        (f"sep=;\n{HEADER}", "line 1)", 'found "sep=;", a line for a spreadsheet', "remove this line"),
+        ("sep=,", "line 1)", 'found "sep=,", a line for spreadsheet programs', "remove this line"),
+        (f"sep=;\n{HEADER}", "line 1)", 'found "sep=;", a line for spreadsheet programs', "remove this line"),
         (f"{HEADER},temperature", "line 1, column 7)", "unknown column", "remove it or correct the name"),
         ("A,0.6,0,-0.245,55.5,0.05", "line 1)", "expected the names of the columns", HEADER),
         (f'{HEADER},"mode', "line 1)", "not valid CSV", "close every quote"),
@@ -157,8 +157,8 @@ def test_a_wrong_header_is_refused(
         ("A,0.6,0,-0.245,55.5,0.05,,,,,a\x07b,,", "mode", "\\x07"),
         ("A,0.6,0,-0.245,55.5,0.05,,,,,,-,", "shape:x_1", 'found "-"'),
         ("A,0.6,0,-0.245,55.5,0.05,,,,,,1e99,", "shape:x_1", "finite shape component, found 1e+99"),
-        ("A,0.6,0,-0.245,55.5,0.05,,,,,,0,-0.0", "shape:x_1", "nothing but zeros"),
-        ("A,0.6,0,-0.245,55.5,0.05,,,,,,,0", "shape:p_z", "nothing but zeros"),
+        ("A,0.6,0,-0.245,55.5,0.05,,,,,,0,-0.0", "shape:x_1", "only zeros"),
+        ("A,0.6,0,-0.245,55.5,0.05,,,,,,,0", "shape:p_z", "only zeros"),
         ("B,0.7,0,-0.245,55.5,0.05,,,,,,,", "x", 'pose "B" has two positions: x is 0.6 in line 3 and 0.7'),
         ("B,0.6,0,-0.245,55.5,0.05,,1e-4,,,,,", "sigma_y", 'pose "B" has two standard deviations'),
         ("B,0.6,0,-0.245,50,0.05,,,,,,,", "frequency", "repeats line 3"),
@@ -194,7 +194,7 @@ def test_the_first_of_several_problems_is_told_with_their_number(tmp_path: Path)
     [
         ("", "expected a header"),
         ("\ufeff \n# nothing\n", "expected a header"),
-        (f"{HEADER}\n# nothing\n", "found a header only"),
+        (f"{HEADER}\n# nothing\n", "found only a header"),
     ],
 )
 def test_a_file_without_rows_is_refused(tmp_path: Path, text: str, expected: str) -> None:
@@ -212,7 +212,7 @@ def test_a_file_that_cannot_be_read_is_refused(tmp_path: Path) -> None:
         "absent.csv": "no such file",
         "": "a folder",
         "fifo": "not a regular file",
-        "large.csv": "more than 50 MB",
+        "large.csv": "larger than 50 MB",
         "latin.csv": "0xe4 (",
         "a\0b": "null",
         "book.xlsx": "found an Excel workbook",
@@ -328,7 +328,7 @@ def test_measurements_are_made_by_hand_and_cannot_be_written_to() -> None:
         ({"shape_sigma": 5}, "rig: line 1, argument shape_sigma, the first of 2 problems", "found 5"),
         ({"damping_sigma": [0.1, -1.0]}, "rig: line 2, argument damping_sigma", "found -1"),
         ({"unit": "mm"}, "rig: unit", '"mm" is not a unit of frequency'),
-        ({"sigma_shape": 0.02}, "from_rows", 'there is no argument "sigma_shape"'),
+        ({"sigma_shape": 0.02}, "from_rows", 'unknown argument "sigma_shape"'),
     ],
 )
 def test_measurements_made_by_hand_obey_the_same_rules(
@@ -356,7 +356,7 @@ components = st.none() | st.floats(1e-3, 10) | st.floats(-10, -1e-3)
 
 @st.composite
 def tables(draw: st.DrawFn) -> list[tuple[object, ...]]:
-    """Rows of a file that obeys the rules, None where a cell is blank."""
+    """Rows of a valid file, None for a blank cell."""
     points = draw(poses)
     spreads = {label: draw(st.none() | st.floats(0, 1)) for label in points}
     rows = []
@@ -379,7 +379,7 @@ def text_of(rows: list[tuple[object, ...]]) -> str:
 
 
 def plain(found: Measurements) -> list[tuple[object, ...]]:
-    """What was read, as rows of the file."""
+    """Return the measurements as rows of the file."""
 
     def cell(value: float) -> float | None:
         return None if np.isnan(value) else float(value)

@@ -1,4 +1,4 @@
-"""Columns that set values: what they mean, and what is refused with file, line and column."""
+"""Columns that set values: their meaning, and errors with file, line and column."""
 
 from __future__ import annotations
 
@@ -62,19 +62,19 @@ def test_values_are_read_in_their_units_and_by_pose(tmp_path: Path, robot: Robot
 @pytest.mark.parametrize(
     ("column", "expected", "remedy"),
     [
-        ("set:effects.payload.mas", "names no value that can be set", 'mean "set:effects.payload.mass"'),
-        ("set:", "names no value that can be set", "docs/sensitivities.md"),
-        ("set:platform.mass", "names no value that can be set", "correct the name"),
-        ("set:belt_path.1.direction", "names no value that can be set", "correct the name"),
+        ("set:effects.payload.mas", "is not a value that can be set", 'mean "set:effects.payload.mass"'),
+        ("set:", "is not a value that can be set", "docs/sensitivities.md"),
+        ("set:platform.mass", "is not a value that can be set", "correct the name"),
+        ("set:belt_path.1.direction", "is not a value that can be set", "correct the name"),
         (
             "set:effects.gearbox_compliance.compliance.psi_1",
-            "names no value",
+            "is not a value",
             "gearbox_compliance.compliance",
         ),
         ("effects.payload.mass", "unknown column", f'mean "{PAYLOAD}"'),
-        (f"{PAYLOAD} [N]", "of another kind", "write a unit of that kind, or none for kg"),
+        (f"{PAYLOAD} [N]", "another kind of unit", "write a unit of that kind, or none for kg"),
         (f"{TENSION} [kgs]", "is unknown", "or none for N"),
-        (f"{PAYLOAD},{PAYLOAD} [g]", "is there twice, first as column 6", "remove one"),
+        (f"{PAYLOAD},{PAYLOAD} [g]", "is repeated, first as column 6", "remove one"),
     ],
 )
 def test_a_column_that_names_nothing_is_refused_with_the_nearest(
@@ -122,7 +122,7 @@ def test_values_that_disagree_are_shown_as_they_were_written(tmp_path: Path, rob
 @pytest.mark.parametrize(
     ("column", "value", "expected"),
     [
-        (PAYLOAD, "-0.1", "expected a mass greater than 0 kg, or 0 for none, found -0.1"),
+        (PAYLOAD, "-0.1", "expected a mass greater than 0 kg, or 0 for no effect, found -0.1"),
         ("set:toolhead.mass", "0", "expected a mass greater than 0 kg"),
         ("set:toolhead.mass", "1e-40", "magnitude"),
         ("set:belt_path.1.lengths.2", "0.1", "one that is 0.2 m too short"),
@@ -149,7 +149,7 @@ def test_a_value_with_which_the_pose_cannot_be_reached_is_refused(tmp_path: Path
     assert 'pose "B"' in str(error.value)
     assert "cannot be reached with what is set" in str(error.value)
     assert f"{tmp_path / 'modes.csv'}: line 3, column set:link.length" in str(error.value)
-    # A pose that only the robot with what is set reaches.
+    # A pose that only the robot with the set values reaches.
     far = "0.6,0,-0.45,55,0.1"
     with pytest.raises(MeasurementError, match=r'pose "B" .* cannot be reached'):
         updating.compare(robot, read(tmp_path, f"{DELTA},set:link.length\nA,{row},\nB,{far},\n", robot))
@@ -205,7 +205,7 @@ def test_the_commands_show_what_is_set(
     assert [row.get("set") for row in rows] == [None, None, *[{PAYLOAD[4:]: 0.2}] * 2]
     assert run(["diagnose", *files, "--candidates", "belt_mass"]) == 0
     assert "set by the measurements: effects.payload.mass = 0.2 kg (pose B)" in capsys.readouterr().out
-    # As the robot with that payload predicts.
+    # As predicted by the robot with that payload.
     alone = Model(robot.with_values({PAYLOAD[4:]: 0.2})).frequencies([0.1, 0.1])[2:]
     found = loop.compare(robot, updating.read(tmp_path / "modes.csv", robot=robot))
     assert [row.predicted for row in found.rows[2:]] == pytest.approx(alone.tolist(), rel=1e-12)

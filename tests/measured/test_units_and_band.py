@@ -1,4 +1,4 @@
-"""Measurement files in other units, the band in which modes were looked for, and files without positions."""
+"""Measurement files in other units, the band in which modes were identified, and files without positions."""
 
 from __future__ import annotations
 
@@ -90,21 +90,21 @@ def test_without_units_of_the_channels_a_shape_is_a_displacement_or_a_rotation(t
 @pytest.mark.parametrize(
     ("column", "expected"),
     [
-        ("damping [rad]", '"rad" is of another kind'),
+        ("damping [rad]", '"rad" is another kind of unit'),
         ("damping [Hz]", 'such as "%" for damping'),
-        ("sigma_x [deg]", 'such as "mm" for sigma_x: "deg" is of another kind'),
+        ("sigma_x [deg]", 'such as "mm" for sigma_x: "deg" is another kind of unit'),
         ("sigma_x []", '"" is not a unit'),
         ("sigma_x [furlongs per]", "is unknown"),
         ("sigma_x [degC]", "not proportional"),
         ("sigma_x [dB]", "is unknown"),
         ("sigma_x [__import__('os')]", "is not a unit"),
         (f"sigma_x [{'m*' * 1000}m]", "is not a unit"),
-        ("mode [1]", 'write "mode" alone'),
+        ("mode [1]", 'write only "mode"'),
         ("shape:theta_1_1 [mm]", 'such as "deg" for shape:theta_1_1'),
         ("shape:x_1 [deg]", 'such as "mm" for shape:x_1'),
         ("shape:x_9 [mm]", 'did you mean "shape:x_1"'),
         ("sigma_x (um)", r"square brackets: sigma_x [um]"),
-        ("x [mm]", 'column "x" is there twice, first as column 2'),
+        ("x [mm]", 'column "x" is repeated, first as column 2'),
         ("set:platform.mass", "unknown column"),
     ],
 )
@@ -135,12 +135,10 @@ def test_a_bad_number_is_told_with_the_unit_that_was_expected(tmp_path: Path) ->
     line = refusal(tmp_path, f"{HEADER.replace(',x', ',x [mm]')}\nA,600 mm,0,0,5,0.1\n")
     assert "line 2, column x [mm])" in line
     assert "plain number in mm" in line
-    # Beyond the doubles only after the conversion, and far beyond the decimals before it.
+    # Out of range for doubles only after the conversion, and far out of range for decimals before it.
     for text in ("1e307", "1e999", "1e99999999999999999999"):
         assert "finite" in refusal(tmp_path, f"{HEADER},shape:x_1 [Em]\n{ROW},{text}\n")
-    assert "nothing but zeros" in refusal(
-        tmp_path, f"{HEADER},shape:x_1 [mm]\n{ROW},1e-99999999999999999999\n"
-    )
+    assert "only zeros" in refusal(tmp_path, f"{HEADER},shape:x_1 [mm]\n{ROW},1e-99999999999999999999\n")
 
 
 @pytest.mark.parametrize(
@@ -195,7 +193,7 @@ KINDS = {
 
 @st.composite
 def files(draw: st.DrawFn) -> tuple[str, dict[str, list[float]]]:
-    """A file in any units, and what it says in SI units."""
+    """A file in any units, and its content in SI units."""
     units = {name: draw(st.none() | st.sampled_from(sorted(UNITS[kind]))) for name, kind in KINDS.items()}
     factors = {name: UNITS[KINDS[name]][unit] if unit else 1.0 for name, unit in units.items()}
     names = draw(st.permutations(["pose", *KINDS]))
@@ -313,7 +311,7 @@ def test_a_band_that_is_none_is_refused_with_its_line(tmp_path: Path, comment: s
 def test_two_bands_are_refused_where_they_differ(tmp_path: Path) -> None:
     assert read(tmp_path, f"# band: 10, 400\n{HEADER}\n{ROW}\n# band: 10 Hz, 0.4 kHz\n").band == (10.0, 400.0)
     line = refusal(tmp_path, f"# band: 10, 400\n{HEADER}\n{ROW}\n# band: 10 Hz, 401 Hz\n")
-    assert "not that of line 1 (" in line
+    assert "differs from that in line 1 (" in line
     assert "line 4)" in line
 
 
@@ -332,7 +330,7 @@ def test_a_row_outside_the_band_contradicts_it(tmp_path: Path) -> None:
     assert Measurements.from_rows(["a"], [10.0], [0.1], band=(5, 20)).band == (5.0, 20.0)
 
 
-# Structures that are no robots -----------------------------------------------------------------------------
+# Structures other than robots ------------------------------------------------------------------------------
 
 
 def test_a_structure_without_positions_is_measured_at_labels_alone(tmp_path: Path) -> None:
@@ -350,4 +348,4 @@ def test_a_structure_without_positions_is_measured_at_labels_alone(tmp_path: Pat
 @pytest.mark.parametrize("half", ["x", "y,z", "sigma_z", "x,y,sigma_x"])
 def test_half_a_position_is_refused(tmp_path: Path, half: str) -> None:
     text = f"pose,frequency,sigma,{half}\nA,5,0.1{',0' * len(half.split(','))}\n"
-    assert "give x, y and z, or nothing of a position" in refusal(tmp_path, text, positions=False)
+    assert "give x, y and z, or no position column at all" in refusal(tmp_path, text, positions=False)

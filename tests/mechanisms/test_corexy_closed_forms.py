@@ -1,4 +1,4 @@
-"""The CoreXY against results by hand, and what must hold for any of its numbers."""
+"""The CoreXY against closed forms, and identities that hold for any parameter values."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ COORDINATES = extended.COORDINATES
 
 
 def symmetric(pose: tuple[float, float], level: bool = True) -> Sample:
-    """A machine whose right half mirrors its left one: on the centre line both belts have the same runs."""
+    """Return a machine with mirror symmetry: on the centre line both belts have the same runs."""
     q = sample("corexy", 0).parameters
     same = {
         field: np.full(2, getattr(q, field)[0])
@@ -39,7 +39,7 @@ def eigenvalues(robot: Sample) -> np.ndarray:
     return np.asarray(scipy.linalg.eigh(K, M, eigvals_only=True))
 
 
-#: On the centre line, and what is left of 600 mm and 600 mm there: 0.45 + 0.15 - 0.2, 0.75 - 0.15 + 0.2.
+#: Free lengths of the runs on the centre line: 0.45 + 0.15 - 0.2, 0.75 - 0.15 + 0.2.
 CENTRE, RUNS = (0.15, 0.2), (0.4, 0.8)
 
 
@@ -50,9 +50,9 @@ def test_two_vibrations_of_a_symmetric_machine_on_its_centre_line() -> None:
         = k/2 (2 x + R (theta_1 - theta_2))^2 + k/2 (-2 y + R (theta_1 + theta_2))^2
 
     Along x, with z = 2 x and w = R (theta_1 - theta_2): 2 T = m/4 z_dot^2 + J/(2 R^2) w_dot^2, two masses on a
-    spring of k/2, so that lambda = k/2 (4/m + 2 R^2/J) = k (2/m + R^2/J).  Along y it is the same with
-    theta_1 + theta_2.  The beam moves along y only: m is the tool head along x, tool head and gantry along y.
-    J = I_p + gear_ratio^2 I_m.  The tool head and both motors running free are the two rigid modes.
+    spring of k/2, so lambda = k/2 (4/m + 2 R^2/J) = k (2/m + R^2/J).  The same holds along y with
+    theta_1 + theta_2.  The beam moves only along y: m is the tool head along x, tool head and gantry along y.
+    J = I_p + gear_ratio^2 I_m.  The two rigid modes are the free motions of the tool head and both motors.
     """
     robot = symmetric(CENTRE)
     q = robot.parameters
@@ -62,13 +62,13 @@ def test_two_vibrations_of_a_symmetric_machine_on_its_centre_line() -> None:
     along_x = k * (2 / q.toolhead_mass + drive)
     along_y = k * (2 / (q.toolhead_mass + q.gantry_mass) + drive)
     found = eigenvalues(robot)
-    # an eigenvalue is as exact as the largest one
+    # an eigenvalue has the absolute error of the largest one
     np.testing.assert_allclose(found[2:], [along_y, along_x], rtol=1e-12)
     assert np.abs(found[:2]).max() < 1e-12 * along_x
 
 
 def test_ends_tension_and_factors_change_the_same_springs() -> None:
-    """As above with 1/k = l / (w k_sp (1 + a) (1 + b F)) + c of each run; both runs of a belt side by side."""
+    """As above with 1/k = l / (w k_sp (1 + a) (1 + b F)) + c for each run; both runs of a belt act in parallel."""
     robot = symmetric(CENTRE)
     q = robot.parameters
     chosen = effects("corexy", ("belt_end", "belt_tension"))
@@ -86,7 +86,7 @@ def test_ends_tension_and_factors_change_the_same_springs() -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_running_free_strains_no_belt(seed: int) -> None:
-    """For any numbers: the tool head moves, the pulleys roll; two such motions, and no others."""
+    """For any parameter values there are exactly two motions in which the tool head moves and the pulleys roll."""
     robot = sample("corexy", seed)
     q = robot.parameters
     K = model.stiffness_matrix(robot.pose, q)
@@ -101,7 +101,7 @@ def test_running_free_strains_no_belt(seed: int) -> None:
 
 
 def _mirrored() -> np.ndarray:
-    """Coordinates of the machine seen in a mirror: x turns round, belt 1 becomes belt 2."""
+    """Return the coordinates of the mirrored machine: x changes sign, belts 1 and 2 are exchanged."""
     swap = {"_1": "_2", "_2": "_1"}
     there = [c[:-2] + swap[c[-2:]] if c[-2:] in swap else c for c in COORDINATES]
     turn = np.zeros((len(COORDINATES),) * 2)
@@ -112,7 +112,7 @@ def _mirrored() -> np.ndarray:
 
 @pytest.mark.parametrize("pose", [(0.15, 0.2), (0.04, 0.11), (0.29, 0.3)])
 def test_mirror_image_exchanges_the_belts(pose: tuple[float, float]) -> None:
-    """The workspace ends at 0.3 m: what is at x on the one side is at 0.3 m - x on the other."""
+    """The workspace ends at 0.3 m: position x becomes 0.3 m - x in the mirrored machine."""
     chosen = effects("corexy", ("",))._replace(
         axis_belt_stiffness_factor_1=0.1, axis_belt_stiffness_factor_2=0.1
     )
@@ -123,7 +123,7 @@ def test_mirror_image_exchanges_the_belts(pose: tuple[float, float]) -> None:
         extended.extended_matrices(here.pose, here.parameters, chosen),
         strict=True,
     ):
-        # lengths of runs round once more in 0.3 - x
+        # 0.3 - x adds one rounding to the lengths of runs
         np.testing.assert_allclose(found, turn @ expected @ turn.T, rtol=2e-14, atol=1e-13)
     for one, other in zip(
         extended.extended_static_equilibrium(there.pose, there.parameters, chosen),
@@ -136,7 +136,7 @@ def test_mirror_image_exchanges_the_belts(pose: tuple[float, float]) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_naming_the_runs_the_other_way_round_turns_the_angles(seed: int) -> None:
-    """Run 2 for run 1 of the second belt: its direction, its clamp, its pulley and its motor change sign."""
+    """Exchange runs 1 and 2 of the second belt: its direction, clamp, pulley and motor change sign."""
     robot = sample("corexy", seed)
     q = robot.parameters
     sign = np.array([[1.0], [-1.0]])
@@ -158,8 +158,8 @@ def test_naming_the_runs_the_other_way_round_turns_the_angles(seed: int) -> None
 def test_torques_are_the_pull_of_the_weight_along_the_belts(seed: int) -> None:
     """Virtual work with rolling pulleys: tau . dtheta = -weight . (dx, dy), R dtheta_i = -g_i . (dx, dy).
 
-    That is g^T (tau / R) = weight, with the tool head's weight along x, gantry's and tool head's along y; a level
-    plane needs no torque.
+    That is g^T (tau / R) = weight: of the tool head along x, of gantry and tool head along y; a level plane needs
+    no torque.
     """
     robot = sample("corexy", seed)
     q = robot.parameters

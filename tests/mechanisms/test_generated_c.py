@@ -1,7 +1,7 @@
-"""The committed C of the rotary delta and the CoreXY gives the numbers of their NumPy modules.
+"""The committed C of the rotary delta and the CoreXY returns the numbers of their NumPy modules.
 
-It is called by its own header: arguments by their names in the prototype, so that an order that differs from what
-the header promises is seen as well.
+Arguments are passed by their names in the prototypes of the header, so an argument order that differs from the
+header is detected too.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ ARGUMENT = re.compile(r"(const )?(\w+) (\*?)(\w+)((?:\[\d+\])*)$")
 
 
 def prototypes(header: str) -> dict[str, list[tuple[str, bool, str, tuple[int, ...]]]]:
-    """Arguments of each function: type, whether it is taken only, name and shape."""
+    """Return the arguments of each function: type, whether it is an input, name and shape."""
     found = {}
     for name, arguments in PROTOTYPE.findall(header):
         matches = [ARGUMENT.match(" ".join(argument.split())) for argument in arguments.split(",")]
@@ -57,11 +57,11 @@ def given(name: str, seed: int) -> dict[str, Any]:
 
 
 def called(function: Any, signature: list, known: dict[str, Any]) -> tuple[list[str], list[np.ndarray]]:
-    """Names of what a C function takes, and arrays of what it gives."""
+    """Return the names of a C function's inputs and the arrays of its results."""
     arguments, taken, outputs = [], [], []
     for kind, is_input, key, shape in signature:
         if not is_input:
-            outputs.append(np.full(shape, np.nan))  # poisoned, so that an entry that is not written is seen
+            outputs.append(np.full(shape, np.nan))  # poisoned, so that an unwritten entry is detected
             arguments.append(outputs[-1].ctypes.data_as(ctypes.c_void_p))
             continue
         taken.append(key)

@@ -1,7 +1,7 @@
-"""Frequencies, shapes and torques that a user gets, against modes of the oracle's matrices in 60 digits.
+"""Frequencies, shapes and torques from the user interface against modes of the oracle's matrices in 60 digits.
 
-The generated matrices are compared elsewhere; this is what the runtime makes of them: which coordinates are free,
-joints of a given compliance, clamps without mass, and the platform's absolute motion.
+The generated matrices are compared elsewhere; these tests cover the runtime: free coordinates, joints of a given
+compliance, massless clamps, and the platform's absolute motion.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ CHOICES = [
 
 
 def free(name: str, chosen: Any) -> dict[str, float]:
-    """Compliances of the joints that the chosen effects release, by coordinate."""
+    """Return the compliances of the joints that the chosen effects release, by coordinate."""
     found = {}
     for effect in description(name)["effects"]:
         compliance = getattr(chosen, f"{effect['name']}_compliance", 0.0)
@@ -39,7 +39,7 @@ def free(name: str, chosen: Any) -> dict[str, float]:
 
 
 def exact(name: str, robot: Sample, chosen: Any) -> tuple[HighPrecision, Any, list[int]]:
-    """The oracle, its modes, and which coordinates are free."""
+    """Return the oracle, its modes, and which coordinates are free."""
     it, released = oracle(name, robot, chosen), free(name, chosen)
     kept = [i for i, c in enumerate(it.coordinates) if i < it.base or c in released]
     M, K = it.mass_matrix(), it.elastic_hessian() + it.gravity_hessian()
@@ -52,7 +52,7 @@ def exact(name: str, robot: Sample, chosen: Any) -> tuple[HighPrecision, Any, li
 
 def model_of(name: str, robot: Sample, chosen: Any) -> pkmodes.Model:
     parameters = robot.parameters
-    if name == "rotary_delta":  # which have nothing to do with modes
+    if name == "rotary_delta":  # which do not affect modes
         parameters = parameters._replace(limits=np.tile([-np.pi, np.pi], (3, 1)))
     values, constants = {}, {}
     for effect in description(name)["effects"]:
@@ -76,7 +76,7 @@ def test_modes_are_those_of_the_oracle(name: str, label: str, seed: int) -> None
     values = modes.values()
     expected = np.sign(values) * np.sqrt(np.abs(values)) / (2 * np.pi)
     assert found.frequencies.shape == expected.shape
-    # A symmetric eigenproblem is as exact as the largest eigenvalue; measured: 1.1e-14 of it.
+    # The error of a symmetric eigenproblem is relative to the largest eigenvalue; measured: 1.1e-14 of it.
     error = np.abs(np.sign(found.frequencies) * (2 * np.pi * found.frequencies) ** 2 - values)
     assert error.max() < 1e-13 * values[-1]
 
@@ -85,10 +85,10 @@ def test_modes_are_those_of_the_oracle(name: str, label: str, seed: int) -> None
     gaps = np.abs(values[:, None] - values) + np.diag(np.full(len(values), np.inf))
     for k in range(len(values)):
         if gaps[k].min() < 1e-7 * values[-1]:
-            assert values[k] < 1e-7 * values[-1]  # rigid modes of a plane have no shapes of their own
+            assert values[k] < 1e-7 * values[-1]  # the shapes of repeated rigid modes are arbitrary
             continue
         sign = np.sign(found.shapes[k] @ rows[k])
-        # what rounding mixes into a shape goes with the distance of the nearest other mode; measured: 1.3e-14
+        # rounding of a shape grows as the distance to the nearest other mode shrinks; measured: 1.3e-14
         bound = 2e-13 * values[-1] / gaps[k].min() * np.abs(rows[k]).max()
         assert np.abs(sign * found.shapes[k] - rows[k]).max() < bound
         moved = motion @ rows[k]
@@ -100,6 +100,6 @@ def test_torques_are_those_of_the_oracle(name: str) -> None:
     robot, chosen = sample(name, 0), effects(name, ("",))
     torques, displacements = oracle(name, robot, chosen).static_equilibrium()
     found = model_of(name, robot, chosen).statics(robot.pose)
-    # the same functions that `test_oracle` holds to a few 1e-15 of the largest
+    # the same functions that `test_oracle` compares to a few 1e-15 of the largest
     for one, other in ((found.torques, torques), (found.rotations, displacements)):
         assert np.abs(one - other.astype(float)).max() < 1e-13 * np.abs(one).max()

@@ -1,8 +1,8 @@
 """The generated matrices of the rotary delta and the CoreXY against 60 digits from their contract, effect by effect.
 
-Positions, energies and loops are the oracle's own (`oracle_rotary_delta`, `oracle_corexy`), derivatives are
-differences of them that are exact to some 20 digits: what is left is the rounding of the generated code, and a
-wrong term, sign, factor or exchange stands out by ten orders.
+The oracle (`oracle_rotary_delta`, `oracle_corexy`) has independent positions, energies and loops, and differentiates
+them by differences that are exact to some 20 digits.  What remains is the rounding of the generated code; a wrong
+term, sign, factor or exchange exceeds it by ten orders of magnitude.
 """
 
 from __future__ import annotations
@@ -27,14 +27,14 @@ from sample_mechanisms import (
     sample,
 )
 
-#: Relative rounding for each unit of the condition number of the loops (7 to 11 here): a few units in the last
-#: place in each linkage vector, multiplied in solving for the platform's motion, summed in some tens of terms.
-#: Measured over 12 robots of each kind with everything on: at most 5.1e-16 (2.5e-16 of the rotary delta).
+#: Relative rounding per unit of the condition number of the loops (7 to 11 here): a few units in the last
+#: place in each linkage vector, amplified in solving for the platform's motion, summed over some tens of terms.
+#: Measured over 12 robots of each kind with all effects: at most 5.1e-16 (2.5e-16 for the rotary delta).
 ROUNDING = 3e-15
 
 
 def condition(name: str, seed: int) -> float:
-    """Frobenius condition number of D_l; 1 where the coordinates are the pose."""
+    """Return the Frobenius condition number of D_l; 1 if the coordinates are the pose."""
     if name == "corexy":
         return 1.0
     robot = sample(name, seed)
@@ -78,7 +78,7 @@ def test_extended_model_agrees_with_the_oracle(name: str, label: str, seed: int)
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("name", NAMES)
 def test_base_model_agrees_with_the_oracle(name: str, seed: int) -> None:
-    """Its own functions, which are not those of the extended model."""
+    """The base model has its own functions, separate from those of the extended model."""
     robot, generated = sample(name, seed), model(name)
     expected, tolerance = reference(name, seed, effects(name)), ROUNDING * condition(name, seed)
     n = len(generated.COORDINATES)
@@ -98,10 +98,10 @@ def test_base_model_agrees_with_the_oracle(name: str, seed: int) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_arms_that_lean_as_far_as_is_accepted(seed: int) -> None:
-    """|a . z| up to 1e-6 is not mended: the oracle's arm ends on z and a x z as they are, by its own closure.
+    """|a . z| up to 1e-6 is not corrected: the oracle uses z and a x z as they are, in its own closure.
 
-    The generated code may take both for unit vectors: they are to half the square of that, 5e-13, which the loops
-    multiply by their condition number like rounding.
+    The generated code may treat both as unit vectors: they are, to half the square of that, 5e-13, which the loops
+    amplify by their condition number like rounding.
     """
     name = "rotary_delta"
     robot, chosen = sample(name, seed), effects(name, ("",))
@@ -154,7 +154,7 @@ def test_names_are_those_of_the_contract(name: str) -> None:
 
 
 def test_samples_show_every_choice() -> None:
-    """Otherwise a wrong formula for one branch or direction could pass unseen."""
+    """Otherwise a wrong formula for one branch or direction could go undetected."""
     deltas, machines = ([sample(name, seed) for seed in SEEDS] for name in NAMES)
     assert {np.sign(robot.pose[2]) for robot in deltas} == {-1.0, 1.0}
     for j in range(3):

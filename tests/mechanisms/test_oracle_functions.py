@@ -1,7 +1,7 @@
 """Every public function of the base models of the rotary delta and the CoreXY against the oracle in 60 digits.
 
-`test_oracle` has the matrices and torques; here are kinematics, energies, their derivatives, and velocity forces.
-Functions are found by inspection: one that is added to a model is compared, or makes a test fail that names it.
+`test_oracle` covers the matrices and torques; these tests cover kinematics, energies, their derivatives, and velocity
+forces.  Functions are found by inspection: one added to a model is either compared or named by a failing test.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from high_precision_mechanisms import STEP, HighPrecision, combine, cross, dot, 
 from oracle_rotary_delta import RotaryDelta
 from sample_mechanisms import NAMES, SEEDS, Sample, effects, model, oracle, sample
 
-#: For each unit of the condition number of D_l, as in `test_oracle`; measured: at most 4e-16.
+#: Per unit of the condition number of D_l, as in `test_oracle`; measured: at most 4e-16.
 ROUNDING = 3e-15
-#: Compared in `test_oracle`, or in the tests of kinematics and closed forms, which know more than an oracle.
+#: Compared in `test_oracle`, or in the tests of kinematics and closed forms, which are stricter than an oracle.
 ELSEWHERE = {
     *("mass_matrix", "stiffness_matrix", "elastic_hessian", "modal_matrices", "static_equilibrium"),
     *("inverse_kinematics", "direct_kinematics", "reach_margin", "limit_margin", "inertia_margin"),
@@ -43,7 +43,7 @@ def functions(name: str) -> dict[str, Callable[..., Any]]:
 
 
 def given(name: str, robot: Sample) -> dict[str, Any]:
-    """Arguments of any function by their names; velocities and displacements at random."""
+    """Return the arguments of any function by name, with random velocities and displacements."""
     rng = np.random.default_rng(3)
     n = len(model(name).COORDINATES)
     velocity = rng.normal(size=n)
@@ -59,7 +59,7 @@ def given(name: str, robot: Sample) -> dict[str, Any]:
 
 
 def padded(it: HighPrecision, values: Any) -> list[Any]:
-    """Exact displacements of all coordinates from those of the first ones."""
+    """Return the exact displacements of all coordinates from those of the first ones."""
     first = list(exact(values))
     return first + [mp.mpf(0)] * (it.size - len(first))
 
@@ -81,7 +81,7 @@ def platform_jacobian_rate(it: HighPrecision, g: dict[str, Any]) -> tuple[Any, .
 
 
 def kinetic_energy(it: HighPrecision, g: dict[str, Any]) -> tuple[Any, ...]:
-    """Structure and transmissions, which share no coordinate."""
+    """Return the kinetic energies of structure and transmissions, which share no coordinate."""
     M = it.mass_matrix()
     n, q_dot = it.independent, np.array(padded(it, g["q_dot"]), dtype=object)
     parts = q_dot.copy(), q_dot.copy()
@@ -90,7 +90,7 @@ def kinetic_energy(it: HighPrecision, g: dict[str, Any]) -> tuple[Any, ...]:
 
 
 def velocity_forces(it: HighPrecision, g: dict[str, Any]) -> tuple[Any, ...]:
-    """d'Alembert: the forces that accelerate every particle as it goes along the path of constant rates."""
+    """Return, by d'Alembert, the forces that accelerate every particle along the path of constant rates."""
     along = padded(it, velocity(g))
     ahead, here, behind = (it.particles([step * rate for rate in along]) for step in (STEP, mp.mpf(0), -STEP))
     columns = it.columns(lambda q: [particle.position for particle in it.particles(q)])
@@ -109,7 +109,7 @@ def elastic_gradient(it: HighPrecision, g: dict[str, Any]) -> tuple[Any, ...]:
 
 
 def constraint_jacobians(it: RotaryDelta, _: dict[str, Any]) -> tuple[Any, ...]:
-    """Differences of half the squared lengths of the links by the platform, and by the arms with opposite sign."""
+    """Difference half the squared link lengths by the platform, and by the arms with opposite sign."""
     loops, zero = it.loops, [mp.mpf(0)] * 3
 
     def half_squares(moved: list[Any], turned: list[Any]) -> np.ndarray:
@@ -137,7 +137,7 @@ def jacobian_condition(it: RotaryDelta, g: dict[str, Any]) -> tuple[Any, ...]:
 
 
 def link_jacobians(it: RotaryDelta, _: dict[str, Any]) -> tuple[Any, ...]:
-    """Velocity of each rod's middle, and s x s_dot / l^2 of the rod vector s, for unit rates of the arms."""
+    """Return the velocity of each rod's midpoint, and s x s_dot / l^2 of the rod vector s, for unit arm rates."""
     D_d, D_omega = np.empty((2, 3, 3, 3), dtype=object)
     for j in range(3):
         first, last = it._ends_of_link(j, it.at())
@@ -198,8 +198,8 @@ def test_agrees_with_the_oracle(name: str, function: str, seed: int) -> None:
         assert np.shape(one) == reference.shape
         size = np.abs(reference).max()
         if function == "gravity_potential":
-            size += 10.0  # its zero is arbitrary: a kilogram lifted through a metre
-        if size < 1e-15:  # what is zero in a plane
+            size += 10.0  # its zero is arbitrary: scaled by a kilogram lifted through a metre
+        if size < 1e-15:  # zero in a plane
             assert not np.any(one)
         else:
             assert np.abs(one - reference).max() < ROUNDING * condition(name, seed) * size
@@ -207,7 +207,7 @@ def test_agrees_with_the_oracle(name: str, function: str, seed: int) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_batch_of_robots_and_poses_is_each_of_them(name: str) -> None:
-    """Two axes of batch, robots along one and displacements along the other, in every function."""
+    """Every function takes two batch axes, robots along one and displacements along the other."""
     robots = [sample(name, seed) for seed in SEEDS]
     stacked = type(robots[0].parameters)(*map(np.array, zip(*(r.parameters for r in robots), strict=True)))
     poses = np.array([robot.pose for robot in robots])
@@ -230,7 +230,7 @@ def test_a_batch_of_robots_and_poses_is_each_of_them(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_complex_steps_of_the_pose_are_its_differences(name: str) -> None:
-    """Arguments are taken as they are, not cut to their real part."""
+    """Complex arguments are used as they are, not reduced to their real part."""
     robot = sample(name, 1)
     known, along = given(name, robot), np.linspace(0.6, -0.8, len(robot.pose))
     moving = 0

@@ -1,7 +1,7 @@
 """Sensitivities of the rotary delta and the CoreXY at a fixed pose, against differences of the oracle in 60 digits.
 
-By every parameter that the generated module lists, with all effects on and with none.  The arms follow a change of
-geometry by the oracle's own closure, so that what they contribute is part of the test.
+With respect to every parameter that the generated module lists, with all effects and with none.  The arms follow a
+change of geometry through the oracle's own closure, so their contribution is part of the test.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ from coordinate_blocks import kinds, worst
 from high_precision_mechanisms import STEP, HighPrecision, exact_values, shifted
 from sample_mechanisms import NAMES, ORACLES, effects, extended, sample
 
-#: A generated derivative has some hundred terms behind one more solution with the loops' matrix than M and K, whose
-#: condition numbers are 7 to 11 here; relative to the largest entry of a block of coordinates.
+#: A generated derivative has some hundred terms and needs one more solution than M and K with the matrix of the
+#: loops, whose condition number is 7 to 11 here.  Relative to the largest entry of a block of coordinates.
 #: Measured over two robots of each kind: at most 4.5e-15.
 ROUNDING = 3e-14
 SEED = 2
@@ -31,7 +31,7 @@ def listed(name: str) -> list[tuple]:
 
 @cache
 def found(name: str, label: str) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Generated derivatives of M and K by every listed parameter, whole matrices."""
+    """Return the generated derivatives of M and K by every listed parameter, as whole matrices."""
     robot, generated, chosen = sample(name, SEED), extended(name), effects(name, (label,))
     by_value = generated.value_sensitivities(robot.pose, robot.parameters, chosen)
     known = {"p": robot.pose, "parameters": robot.parameters, "effects": chosen}
@@ -60,7 +60,7 @@ def matrices(it: HighPrecision) -> tuple[np.ndarray, np.ndarray]:
 
 
 def expected(name: str, label: str, field: str, index: tuple[int, ...]) -> list[np.ndarray]:
-    """Central differences of the oracle: exact to some 20 digits."""
+    """Return central differences of the oracle, exact to some 20 digits."""
     robot = sample(name, SEED)
     values, active = (exact_values(group._asdict()) for group in (robot.parameters, effects(name, (label,))))
     sides = []
@@ -74,7 +74,7 @@ def expected(name: str, label: str, field: str, index: tuple[int, ...]) -> list[
 
 @pytest.mark.parametrize(("name", "label"), CHOICES)
 def test_every_number_of_the_parameters_is_listed_once(name: str, label: str) -> None:
-    """But directions and branches, which are not fitted, the joints' compliances, and origins (see below)."""
+    """All parameters except directions and branches, which are not fitted, joint compliances, and origins (below)."""
     robot, chosen = sample(name, SEED), effects(name, (label,))
     numbers = {(f, i) for f, v in robot.parameters._asdict().items() for i in np.ndindex(np.shape(v))}
     numbers |= {(field, ()) for field in chosen._fields}

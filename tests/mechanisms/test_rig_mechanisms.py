@@ -1,4 +1,4 @@
-"""The rigs of the rotary delta and the CoreXY against each other and against the models that they judge."""
+"""The rigs of the rotary delta and the CoreXY against each other and against the models that they test."""
 
 from __future__ import annotations
 
@@ -10,14 +10,15 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes_rig.corexy import OUTSIDE, corexy
+from pkmodes_rig.corexy import corexy
 from pkmodes_rig.rotary_delta import by_engine, by_hand, rotary_delta
+from pkmodes_rig.rows import OUTSIDE
 
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
 FILES = {"rotary_delta": "clavel-delta.toml", "corexy": "corexy-printer.toml"}
 RIGS: dict[str, Any] = {"rotary_delta": rotary_delta, "corexy": corexy}
 POSES = {"rotary_delta": np.array([0.1, 0.05, -0.5]), "corexy": np.array([0.1, 0.05])}
-#: A part of 1e9 of the highest frequency: what differences leave.
+#: 1e-9 of the highest frequency: the error of differences.
 CLOSE = 1e-9
 
 COMMON = {
@@ -66,7 +67,7 @@ def declared(mechanism: str, effects: Mapping[str, float], folder: Path) -> pkmo
     ],
 )
 def test_rig_and_model_agree(mechanism: str, without: str, tmp_path: Path) -> None:
-    """All effects together; without links that yield MuJoCo has the loops, without belt mass clamps are condensed."""
+    """All effects together; with rigid links MuJoCo closes the loops, without belt mass clamps are condensed."""
     effects = {n: v for n, v in EFFECTS[mechanism].items() if n.split(".")[0] != without}
     model, p = declared(mechanism, effects, tmp_path), POSES[mechanism]
     plain = pkmodes.load(ROBOTS / FILES[mechanism])
@@ -86,7 +87,7 @@ def test_loops_closed_by_hand_are_those_of_the_engine() -> None:
     np.testing.assert_allclose(hand.platform[:, kept], engine.platform, atol=1e-13)
 
 
-#: Causes outside the catalogue and strengths that change little.
+#: Causes outside the catalogue, with strengths that change little.
 STRANGERS = {
     "rotary_delta": {
         "tuned_absorber": 1e-3,
@@ -122,8 +123,7 @@ def test_a_weak_stranger_changes_little_and_a_strong_one_more(
 
     def change(size: float) -> float:
         found = rig(parameters, p, {}, {kind: size}).frequencies
-        return float(
-            np.abs(found[:, None] / plain - 1.0).min(axis=0).max()
-        )  # a mode that is added is another
+        # Compared with the nearest frequency, because a cause may add a mode.
+        return float(np.abs(found[:, None] / plain - 1.0).min(axis=0).max())
 
     assert 1e-9 < change(strength) < change(4.0 * strength) < 0.05

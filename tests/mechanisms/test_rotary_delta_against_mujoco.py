@@ -1,8 +1,8 @@
-"""The rotary delta against MuJoCo, which derives nothing: it multiplies bodies, joints and springs.
+"""The rotary delta against MuJoCo, which derives nothing: it simulates bodies, joints and springs.
 
-The engine is described in `mujoco_rotary_delta` without any formula of the generated model, on a frame that moves,
-so that the extended model's frame is judged as well.  Both sides are exact up to rounding, except where the engine's
-quantities are differenced: a relative error of a millionth in any term would be found.
+`mujoco_rotary_delta` describes the robot without any formula of the generated model, on a moving frame, so the frame
+of the extended model is tested too.  Both sides are exact up to rounding, except where the engine's quantities are
+differenced: a relative error of a millionth in any term would be detected.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from pkmodes_rig.mujoco_rotary_delta import Engine
 from sample_mechanisms import SEEDS, Sample, sample
 from symmetric_rotary_delta import clavel
 
-#: Quantities that the engine has without differences, relative to the largest entry of a block of coordinates: a
-#: few dozen roundings amplified by the condition of the constraints.  Measured over these and eight more robots, as
-#: all errors below: at most 8.2e-15.
+#: Quantities of the engine without differences, relative to the largest entry of a block of coordinates: a few dozen
+#: roundings amplified by the condition of the constraints.  Measured over these and eight more robots, like all
+#: errors below: at most 8.2e-15.
 EXACT = 5e-14
 #: Steps in radians and metres of eighth-order differences.
 STEP = 0.01
 FRAME, PAYLOAD = 60.0, 0.4
-#: What the engine has no coordinates for is the elongation of the links.
+#: The engine has no coordinates for the elongation of the links.
 KEPT = np.array([0, 1, 2, 3, 4, 5, 9, 10, 11])
 
 CASES = {
@@ -57,7 +57,7 @@ def matrices(robot: Sample) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def worst(found: np.ndarray, expected: np.ndarray, floor: float = 0.0) -> float:
-    """Largest error, relative to the largest entry of its block of coordinates, or to the floor if that is more."""
+    """Return the largest error relative to the largest entry of its block, or to the floor if that is larger."""
     errors = []
     for i in range(0, len(found), 3):
         for j in range(0, found.shape[1], 3):
@@ -100,7 +100,7 @@ def test_weight_of_arms_links_and_platform(case: Sample, engine: Engine) -> None
     engine.move(np.concatenate([np.zeros(3), wound, np.zeros(3)]))
     held = engine.gradient()[:6]
     engine.move(np.zeros(9))
-    # nothing is left at the arms; at the motors what the torques have to be
+    # zero at the arms; the torques at the motors
     assert np.abs(held - [*np.zeros(3), *torques]).max() < EXACT * np.abs(torques).max()
 
 
@@ -112,7 +112,7 @@ def test_stiffness_of_gravity_and_reducers(case: Sample, engine: Engine) -> None
     found = bare.hessian(STEP)
     # truncation, and rounding over step beside the frame's weight of 600 N; measured: 3.1e-12
     assert np.abs(found - K_g).max() < 2e-11 * np.abs(K_g).max()
-    # the same step for step, so that what gravity leaves cancels; measured: 1.6e-15
+    # the same steps on both sides, so the remainder of gravity cancels; measured: 1.6e-15
     assert np.abs(with_reducers - found - K_el).max() < EXACT * np.abs(K_el).max()
 
 
@@ -121,6 +121,6 @@ def test_modes_on_a_frame(case: Sample, engine: Engine) -> None:
     spring = np.diag([*np.zeros(6), *np.full(3, 1e6)])
     expected = eigh(engine.hessian(STEP) + spring, engine.mass_matrix(), eigvals_only=True)
     found = eigh(K_el + K_g + spring, M, eigvals_only=True)
-    # eigenvalues are as exact as matrices and the largest of them, 3e5 and less; measured: 5.6e-15 and 1e-14
+    # errors relative to the matrices and the largest eigenvalue, 3e5 at most; measured: 5.6e-15 and 1e-14
     np.testing.assert_allclose(found[3:], expected[3:], rtol=EXACT)
     assert np.abs(found[:3] - expected[:3]).max() < 1e-13 * expected[3]

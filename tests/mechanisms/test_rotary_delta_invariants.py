@@ -1,4 +1,4 @@
-"""What must hold for every rotary delta: changes of frame and names, symmetries, rigid motions, results by hand."""
+"""Identities of every rotary delta: changes of frame and numbering, symmetries, rigid motions, closed forms."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from pkmodes_generated.rotary_delta import extended, model
 from sample_mechanisms import SEEDS, Sample, effects, sample
 from symmetric_rotary_delta import GRAVITY, THIRD, clavel, orthogonal, reordered, turned
 
-#: Each side of an identity errs by at most 5e-16 for each unit of the condition number of D_l, below 12 here
-#: (test_oracle); describing a robot in another way rounds its coordinates once more, to some 1e-16 of a metre
-#: against links of half a metre, and that is multiplied by the condition number twice.
+#: The error of each side of an identity is at most 5e-16 per unit of the condition number of D_l, below 12 here
+#: (test_oracle); another description of a robot rounds its coordinates once more, to some 1e-16 of a metre
+#: for links of half a metre, which is multiplied by the condition number twice.
 SAME = 1e-13
 SIX = np.arange(6)
 CENTRE, ASIDE = (0.0, 0.0, -0.45), (0.06, 0.03, -0.5)
 
 
 def assert_same(found: np.ndarray, expected: np.ndarray) -> None:
-    """Equal to rounding of the largest entry of each block of three coordinates."""
+    """Compare to rounding of the largest entry of each block of three coordinates."""
     assert found.shape == expected.shape
     if found.ndim < 2:
         assert np.abs(found - expected).max() < SAME * np.abs(expected).max()
@@ -32,7 +32,7 @@ def assert_same(found: np.ndarray, expected: np.ndarray) -> None:
 
 
 def whole(robot: Sample) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """M, K_el and K_g with everything on but the factors, which differ from axis to axis."""
+    """Return M, K_el and K_g with all effects except the factors, which differ between axes."""
     chosen = effects("rotary_delta", ("",))
     factors = {f: 0.1 for f in chosen._fields if "factor" in f}
     M, K_el, K_g = extended.extended_matrices(robot.pose, robot.parameters, chosen._replace(**factors))
@@ -44,7 +44,7 @@ def eigenvalues(robot: Sample) -> np.ndarray:
     return np.asarray(scipy.linalg.eigh(K, M, eigvals_only=True))
 
 
-# Changes of frame and of names
+# Changes of frame and numbering
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -76,7 +76,7 @@ def test_order_of_the_axes_does_not_matter(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_an_axis_that_points_the_other_way_turns_its_angles(seed: int) -> None:
-    """theta and phi change sign, and with them the side that the branch names."""
+    """theta and phi change sign, and so does the branch."""
     robot, sign = sample("rotary_delta", seed), np.array([-1.0, 1.0, -1.0])
     q = robot.parameters
     there = Sample(q._replace(axis=q.axis * sign[:, None], branch=q.branch * sign), robot.pose)
@@ -116,9 +116,9 @@ def test_a_third_of_a_turn_renames_the_axes(pose: tuple[float, float, float]) ->
 
 
 def test_modes_at_the_centre_come_in_pairs() -> None:
-    """Three alike coordinates, arms or motors, make one mode that is alike on the axes and a pair.
+    """Three equal coordinates, arms or motors, give one mode that is equal on all axes and a pair.
 
-    Away from the centre the pairs split, so that the test above is no accident of equal numbers.
+    Away from the centre the pairs split, so the result is not an accident of equal numbers.
     """
     values = eigenvalues(clavel(CENTRE))
     gaps, size = np.diff(values[3:]), values[-1]
@@ -131,11 +131,11 @@ def test_modes_at_the_centre_come_in_pairs() -> None:
 
 
 def test_platform_above_and_below_differ_by_the_sign_of_gravity() -> None:
-    """Mirrored in the plane of the axes with z_j in it, arm angles and branches change sign, gravity turns round."""
+    """Mirrored in the plane of the axes, which contains z_j: arm angles, branches and gravity change sign."""
     here = clavel((0.05, -0.08, -0.5))
     q = here.parameters
     there = Sample(q._replace(gravity=-q.gravity, branch=-q.branch), here.pose * [1, 1, -1])
-    # the angles' signs cancel in each matrix of pairs; the motion of the frame along z has one left
+    # the signs of angles cancel in pairs in each matrix, but not with the motion of the frame along z
     change = np.diag([*-np.ones(6), *np.ones(5), -1.0])
     for found, expected in zip(whole(there), whole(here), strict=True):
         assert_same(found, change @ expected @ change)
@@ -146,7 +146,7 @@ def test_platform_above_and_below_differ_by_the_sign_of_gravity() -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_reducers_leave_three_rigid_motions(seed: int) -> None:
-    """Arm and motor turn together; without gravity nothing holds them, with it the count stays."""
+    """Arm and motor turn together; these modes have zero stiffness without gravity and the same number with it."""
     robot = sample("rotary_delta", seed)
     q = robot.parameters
     K = model.stiffness_matrix(robot.pose, q._replace(gravity=np.zeros(3)))
@@ -176,11 +176,11 @@ def test_motors_hold_the_weight_through_their_reducers(seed: int) -> None:
 
 
 def test_torque_on_a_horizontal_arm_lifts_its_load() -> None:
-    """The contract's robot with all arms horizontal: theta rises upwards, and so does the torque that holds it.
+    """The contract's robot with all arms horizontal: theta is positive upwards, and so is the torque that holds it.
 
-    Vertical forces: each arm's end carries a third of platform and links, along a link that is tilted by a
-    horizontal distance h over a height; the horizontal part has no lever, the vertical one has L.  The links' own
-    halves at the arms hang there directly.
+    Vertical forces: each arm's end carries a third of platform and links through a link that is tilted by a
+    horizontal distance h over a height; the horizontal part has no lever arm, the vertical part has L.  The upper
+    halves of the links act on the arms directly.
     """
     radius = 0.11 + 0.24 - 0.04
     robot = clavel((0.0, 0.0, -np.sqrt(0.6**2 - radius**2)))
@@ -192,15 +192,15 @@ def test_torque_on_a_horizontal_arm_lifts_its_load() -> None:
     np.testing.assert_allclose(wound, expected / 4000.0, rtol=SAME)
 
 
-# Results by hand
+# Closed forms
 
 
 @pytest.mark.parametrize("seed", range(3))
 def test_decoupled_axes_have_the_frequencies_of_their_own_reducer(seed: int) -> None:
     """Without gravity each axis is an arm and a motor on a torsional spring: lambda = k (1/J + 1/(i^2 I)).
 
-    An arm takes with it the platform, its own link along its length, and the other two, which turn about the ends
-    of their arms: a third of their mass, J = I_a + L^2 (m_p + m_j + (m_k + m_l) / 3).
+    An arm moves the platform, its own link along its length, and the other two links, which turn about the ends of
+    their arms with a third of their mass: J = I_a + L^2 (m_p + m_j + (m_k + m_l) / 3).
     """
     robot = orthogonal(np.zeros(3), np.random.default_rng(seed).uniform(-1.5, 1.5, 3))
     q = robot.parameters
@@ -216,12 +216,12 @@ def test_decoupled_axes_have_the_frequencies_of_their_own_reducer(seed: int) -> 
 
 @pytest.mark.parametrize("seed", range(3))
 def test_gravity_hessian_of_orthogonal_links_is_that_of_pendulums(seed: int) -> None:
-    """Arm k moves the platform by L_k theta_k across the other links, and each link j then holds it back.
+    """Arm k moves the platform by L_k theta_k perpendicular to the other links, and each link j pulls it back.
 
-    Along base axis j that is by -(L_k theta_k)^2 / (2 s_j l_j), with s_j = 1 where the platform is ahead of the end
-    of arm j, and -1 where it is behind.  The platform and half of each link go with it.  The end of arm k itself
-    moves by -L_k theta_k^2 / 2 along the arm, with half of its link, and its centre of mass in proportion; the
-    platform does not feel this, because the arm is across its link.
+    Along base axis j it moves by -(L_k theta_k)^2 / (2 s_j l_j), with s_j = 1 if the platform is ahead of the end of
+    arm j, and -1 if it is behind.  The platform and half of each link move with it.  The end of arm k itself moves by
+    -L_k theta_k^2 / 2 along the arm, with half of its link, and its centre of mass in proportion; this does not move
+    the platform, because the arm is perpendicular to its link.
     """
     rng = np.random.default_rng(seed)
     gravity = rng.normal(size=3)

@@ -15,7 +15,7 @@ MANY = 2000
 
 
 def many(seed: int) -> tuple[Parameters, np.ndarray]:
-    """Robots with the arms' zeros in any direction, and poses all around that they reach with some margin."""
+    """Return robots with zero directions of the arms in any direction, and poses that they reach with some margin."""
     rng = np.random.default_rng(seed)
     q = sample("rotary_delta", 0).parameters
     axis = unit(rng.normal(size=(MANY, 3, 3)))
@@ -23,7 +23,7 @@ def many(seed: int) -> tuple[Parameters, np.ndarray]:
     robots = q._replace(axis=axis, zero=unit(zero), branch=rng.choice([-1.0, 1.0], (MANY, 3)))
     poses = rng.uniform(-0.6, 0.6, (MANY, 3))
     reached = (model.reach_margin(poses, robots) > 0.004).all(axis=(-1, -2))
-    # where the joint is near the arm's axis, any angle is nearly right
+    # for a joint near the arm's axis, any angle is nearly correct
     reached &= (by_formula(poses, robots)[1] > 0.05).all(axis=-1)
     batched = {field: getattr(robots, field)[reached] for field in ("axis", "zero", "branch")}
     return robots._replace(**batched), poses[reached]
@@ -34,7 +34,7 @@ def unit(vectors: np.ndarray) -> np.ndarray:
 
 
 def by_formula(p: np.ndarray, q: Any) -> tuple[np.ndarray, np.ndarray]:
-    """The contract: theta = atan2(B, A) + branch acos(C / rho), not yet brought into a range, and rho."""
+    """Return theta = atan2(B, A) + branch acos(C / rho) of the contract, not yet brought into a range, and rho."""
     r = p[..., None, :] + q.joint - q.origin
     A = np.sum(r * q.zero, axis=-1)
     B = np.sum(r * np.cross(q.axis, q.zero), axis=-1)
@@ -45,7 +45,7 @@ def by_formula(p: np.ndarray, q: Any) -> tuple[np.ndarray, np.ndarray]:
 
 
 def ends(theta: np.ndarray, q: Any) -> np.ndarray:
-    """Ends of the arms: origin + L (cos theta z + sin theta a x z)."""
+    """Return the ends of the arms, origin + L (cos theta z + sin theta a x z)."""
     c, s = np.cos(theta)[..., None], np.sin(theta)[..., None]
     return np.asarray(q.origin + q.arm_length[..., None] * (c * q.zero + s * np.cross(q.axis, q.zero)))
 
@@ -56,13 +56,13 @@ def test_arm_angles_follow_the_contract_s_formula(seed: int) -> None:
     raw, _ = by_formula(poses, robots)
     expected = np.where(raw > np.pi, raw - 2 * np.pi, np.where(raw <= -np.pi, raw + 2 * np.pi, raw))
     found = model.inverse_kinematics(poses, robots)
-    # the test means nothing unless both ends of the range are passed
+    # the test is meaningful only if both ends of the range are crossed
     assert (raw > np.pi).sum() > 20
     assert (raw <= -np.pi).sum() > 20
     assert (raw == expected).sum() > 200
     assert (found > -np.pi).all()
     assert (found <= np.pi).all()
-    # acos is steep near full stretch, from which these are a centimetre: some roundings; measured: 3.6e-15
+    # acos is steep near full stretch, a centimetre away here: some roundings; measured: 3.6e-15
     assert np.abs(found - expected).max() < 3e-14
 
 
@@ -81,9 +81,9 @@ def test_links_close_at_the_arm_angles(seed: int) -> None:
 def test_an_arm_that_points_straight_back_is_at_pi_and_not_at_minus_pi(
     side: float, link: tuple[float, float]
 ) -> None:
-    """Exactly so, in short binary fractions: an arm along -x and a link that is the long side of 3, 4 and 5.
+    """Exact in short binary fractions: an arm along -x, and a link that is the hypotenuse of a 3-4-5 triangle.
 
-    The formula itself ends at -pi below the arm, and at pi above it.
+    The formula itself ends at -pi below the arm and at pi above it.
     """
     q = sample("rotary_delta", 0).parameters._replace(
         origin=np.zeros((3, 3)),
@@ -127,7 +127,7 @@ def test_each_branch_is_another_angle_that_closes(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_reach_ends_where_the_link_is_straight_or_folded(seed: int) -> None:
-    """The closure has an angle just where the margin is not negative, be the joint too far or too near."""
+    """The closure has a solution exactly where the margin is not negative, for a joint too far or too near."""
     robot, rng = sample("rotary_delta", seed), np.random.default_rng(seed)
     q = robot.parameters
     poses = rng.uniform(-1.2, 1.2, (1000, 3)) * rng.uniform(0.0, 1.0, (1000, 1))
@@ -139,7 +139,7 @@ def test_reach_ends_where_the_link_is_straight_or_folded(seed: int) -> None:
 
 
 def test_a_joint_out_of_reach_is_missed_by_the_length_that_the_linkage_lacks() -> None:
-    """Straight out of the arm's axis, arm and link end at L_a + l; towards it, the link is longer than needed."""
+    """Radially outwards, arm and link end at L_a + l; towards the axis of the arm, the link is too long."""
     q = clavel((0.0, 0.0, -0.6)).parameters
     for beyond in (0.001, 0.01, 0.1):
         out = q.origin[0] + (q.arm_length[0] + q.link_length[0] + beyond) * q.zero[0] - q.joint[0]

@@ -1,7 +1,7 @@
-"""Energy is conserved along a motion that the generated equations of the rotary delta make.
+"""Energy is conserved along a motion computed with the generated equations of the rotary delta.
 
 M q_ddot + h + grad V_g + grad V_el = 0 without torques, for all six coordinates, far enough that the mass matrix,
-gravity and the velocity forces change: signs and factors of all forces at once.
+gravity and the velocity forces change: this tests signs and factors of all forces at once.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from sample_mechanisms import Sample, sample
 from symmetric_rotary_delta import clavel
 
 DURATION = 0.06
-#: Of the kinetic energy: the integrator's relative tolerance of 1e-11 with room for some steps that err alike.
+#: Of the kinetic energy: the integrator's relative tolerance of 1e-11 with room for steps with correlated errors.
 #: Measured: at most 1.2e-11.
 DRIFT = 1e-10
 ROBOTS = {"clavel": clavel((0.06, 0.03, -0.5))} | {
@@ -24,7 +24,7 @@ ROBOTS = {"clavel": clavel((0.06, 0.03, -0.5))} | {
 
 
 class Motion:
-    """Equations of motion of a robot that is released from its pose at some velocity."""
+    """Equations of motion of a robot that is released from its pose with some velocity."""
 
     def __init__(self, robot: Sample, *, velocity_forces: bool = True) -> None:
         self.reference, self.q = robot.pose, robot.parameters
@@ -46,11 +46,11 @@ class Motion:
         return np.concatenate([velocity, np.linalg.solve(model.mass_matrix(p, self.q), force)])
 
     def energies(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Kinetic, gravitational and elastic, at fifty times: arms at some radians a second, motors not in step."""
+        """Return kinetic, gravitational and elastic energy at fifty times, for arms at a few radians per second."""
         rng = np.random.default_rng(8)
         speed = rng.uniform(-4.0, 4.0, 3)
         start = np.concatenate([np.zeros(6), speed, speed * rng.uniform(0.5, 1.5, 3)])
-        # absolute tolerances a hundred times below what moves: radians of 1e-2, rates of 1
+        # absolute tolerances a hundred times below the motion: radians of 1e-2, rates of 1
         result = solve_ivp(
             self.rates,
             (0.0, DURATION),
@@ -76,12 +76,12 @@ def drift(energies: tuple[np.ndarray, ...]) -> float:
 @pytest.mark.parametrize("name", ROBOTS)
 def test_energy_is_conserved(name: str) -> None:
     energies = Motion(ROBOTS[name]).energies()
-    # the test means nothing unless each kind of energy is exchanged in earnest
+    # the test is meaningful only if every kind of energy changes substantially
     for energy in energies:
         assert np.ptp(energy) > 1e-3 * np.max(energies[0])
     assert drift(energies) < DRIFT
 
 
 def test_energy_is_not_conserved_without_velocity_forces() -> None:
-    """The check above has the power to see them."""
+    """The check above can detect them."""
     assert drift(Motion(ROBOTS["random-0"], velocity_forces=False).energies()) > 1e-3

@@ -1,4 +1,4 @@
-"""A generated model that several files copy and spoil."""
+"""A generated model that several test files copy and corrupt."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from robot_text import published
 
 @pytest.fixture(scope="module")
 def pristine(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A robot file and its generated model, to be copied and spoilt."""
+    """A robot file and its generated model, to be copied and corrupted."""
     folder = tmp_path_factory.mktemp("pristine")
     (folder / "robot.toml").write_text(published(), encoding="utf-8")
     assert run(["generate", str(folder / "robot.toml"), "--out", str(folder / "model")]) == 0

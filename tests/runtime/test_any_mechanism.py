@@ -1,4 +1,4 @@
-"""A mechanism of two coordinates that nobody derived goes through all of the runtime as any other does."""
+"""A hand-written mechanism with two coordinates works with the whole runtime."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def robot(effects: Mapping[str, float] | None = None) -> Robot:
 
 @pytest.fixture(scope="module", autouse=True)
 def _known_here_only() -> Iterator[None]:
-    """Other tests of the same process find the mechanisms that were generated, no others."""
+    """Other tests in the same process find only the generated mechanisms."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(known, "_added", {})
         assert known.add("planar_pair") is KIND
@@ -53,7 +53,7 @@ def model() -> pkmodes.Model:
 
 
 def expected(p: np.ndarray, compliance: float = 0.0, mass: float = SAMPLE.mass) -> np.ndarray:
-    """Frequencies by hand: on each axis a mass and an inertia on one spring, the clamp in series [Hz]."""
+    """Return the frequencies in closed form: per axis a mass and an inertia on one spring, clamp in series [Hz]."""
     k = 1.0 / ((SAMPLE.length + p) / SAMPLE.stiffness + compliance)
     found = np.sqrt(k * (1.0 / mass + SAMPLE.radius**2 / SAMPLE.inertia)) / (2.0 * np.pi)
     return np.sort(found, axis=-1)
@@ -79,7 +79,7 @@ def test_effects_release_coordinates_and_ground_the_tool() -> None:
     clamped = pkmodes.Model(robot(CLAMPS))
     assert clamped.coordinates == ("x", "y", "theta_1", "theta_2", "eps_1", "eps_2")
     np.testing.assert_allclose(clamped.frequencies(POSES)[:, 2:], expected(POSES, 2e-5), rtol=1e-12)
-    # Without inertia they add no mode, also where no pose is there to tell by.
+    # Without inertia they add no mode, even if there is no pose to evaluate M at.
     assert clamped.frequencies([[9.0, 9.0]], "nan").shape == (1, 4)
     assert SystemOfEffects.of(clamped.robot).massless().tolist() == [False] * 4 + [True] * 2
     loaded = pkmodes.Model(robot({"payload.mass": 0.4}))
@@ -118,7 +118,7 @@ def test_what_a_mechanism_has_not_says_so(model: pkmodes.Model) -> None:
 
 @pytest.mark.parametrize("effects", [{}, CLAMPS])
 def test_models_travel_to_other_processes(effects: Mapping[str, float]) -> None:
-    """Also a derived one with effects, whose evaluation holds generated modules."""
+    """Also for a derived mechanism with effects, whose evaluation holds generated modules."""
     planar = pkmodes.Model(robot(effects))
     twin = pickle.loads(pickle.dumps(planar))
     np.testing.assert_array_equal(twin.frequencies(POSES), planar.frequencies(POSES))
@@ -190,7 +190,7 @@ def test_measurements_have_the_components_of_the_pose(tmp_path: Path, model: pkm
     ]
     header = "pose,x [mm],y [mm],frequency,sigma"
     path.write_text("\n".join([header, *rows]) + "\n", encoding="utf-8")
-    for given in (model, None):  # without a robot, the header decides what the components are
+    for given in (model, None):  # without a robot, the header determines the components
         data = updating.read(path, robot=given)
         assert data.components == ("x", "y")
         np.testing.assert_allclose(data.points, POSES)

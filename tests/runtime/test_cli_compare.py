@@ -1,4 +1,4 @@
-"""``pkmodes compare``: prediction beside measurement, for scripts and for a person."""
+"""``pkmodes compare``: prediction and measurement, for scripts and for people."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ ROW = "A,0.6,0,-0.245,55.5,0.1"
 
 
 class Answer(NamedTuple):
-    """What a command gave."""
+    """Exit code and output of a command."""
 
     code: int
     out: str
@@ -42,7 +42,7 @@ class Answer(NamedTuple):
 
     @property
     def table(self) -> list[list[str]]:
-        """Cells of the rows of the table, after its titles."""
+        """Return the cells of the table's rows below its titles."""
         lines = self.out.splitlines()
         assert lines[2].startswith("pose ")
         return [line.split() for line in lines[3 : lines.index("", 3)]]
@@ -57,7 +57,7 @@ def call(*arguments: object) -> Answer:
 
 @cache
 def measured(poses: int = 3, shapes: bool = True, servo: float = 0.0) -> str:
-    """What the virtual rig measures on the published robot."""
+    """Measurements of the published robot on the virtual rig."""
     return measure(
         read("published").parameters,
         POSES["published"]["scattered"][:poses],
@@ -117,7 +117,7 @@ def test_json_holds_the_result_and_every_row(tmp_path: Path) -> None:
 
 
 def test_an_uncertain_position_widens_every_error(tmp_path: Path) -> None:
-    """By the slope of each mode along x, here from differences of the model; the modes of a pose err together."""
+    """By the slope of each mode along x, here from differences of the model; the modes of a pose share an error."""
     rows, sigma_x = rows_of(measured()), 0.002
     uncertain = [{**row, "sigma_x": str(sigma_x)} for row in rows]
     plain = call(PUBLISHED, write(tmp_path, csv_of(rows)), "--json", "-").json
@@ -149,7 +149,7 @@ def test_the_table_has_a_line_for_each_mode_counted_as_modes_does(tmp_path: Path
     answer = call(PUBLISHED, write(tmp_path, measured()))
     assert (answer.code, answer.err) == (0, "")
     lines = answer.out.splitlines()
-    assert lines[0] == f"linear-delta-2022 beside {tmp_path / 'modes.csv'}, frequencies in Hz"
+    assert lines[0] == f"linear-delta-2022 compared with {tmp_path / 'modes.csv'}, frequencies in Hz"
     assert max(map(len, lines[1:])) <= 80
     assert lines[2].split() == [
         *["pose", "line", "own", "mode", "measured", "sigma", "predicted", "diff", "[%]", "sigmas", "MAC"]
@@ -191,7 +191,7 @@ def test_modes_that_were_rigid_have_no_partner_until_something_ties_the_platform
         assert (row["predicted"] is None) == (row["partner"] is None) == (row["sigmas"] is None)
     assert found["p_value"] == pytest.approx(0.0, abs=1e-300)
     answer = call(PUBLISHED, modes)
-    assert f"27 measured modes, {found['unpaired']} of them without a mode of the model" in answer.out
+    assert f"27 measured modes, {found['unpaired']} of them unmatched" in answer.out
     assert "(p < 1e-300)" in answer.out
     assert sum("none" in cells for cells in answer.table) == found["unpaired"]
     tied = PUBLISHED.read_text(encoding="utf-8") + '\n[effects.servo_stiffness]\nstiffness = "300 N*m/rad"\n'
@@ -208,7 +208,7 @@ def test_nothing_that_has_a_partner_is_no_perfect_model(tmp_path: Path) -> None:
     assert found["rms_relative"] is found["chi2_per_dof"] is found["p_value"] is None
     answer = call(PUBLISHED, modes)
     assert answer.code == 0
-    assert "4 measured modes, 4 of them without a mode of the model" in answer.out
+    assert "4 measured modes, 4 of them unmatched" in answer.out
     assert "rms" not in answer.out
 
 
@@ -272,7 +272,7 @@ def test_a_robot_whose_axes_override_what_they_share(tmp_path: Path) -> None:
     ("text", "parts"),
     [
         (f"{HEADER}\n{ROW}\nfar,9,9,9,50,0.1\n", ['pose "far" at [9, 9, 9] m', "line 3, columns x, y and z"]),
-        (f"{HEADER},shape:x1\n{ROW},1\n", ["names no coordinate", 'did you mean "shape:x_1"?']),
+        (f"{HEADER},shape:x1\n{ROW},1\n", ["is not a coordinate", 'did you mean "shape:x_1"?']),
         (f"{HEADER}\n{ROW}\n{ROW}\n", ["the row repeats line 2"]),
         (f"{HEADER}\nA,0.6,0,-0.245,55.5,0\n", ["found 0", "line 2, column sigma"]),
         (f"{HEADER}\n{ROW}\nA,0.6,1,-0.245,55.5,0.1\n", ["has two positions", "line 3, column y"]),
@@ -302,7 +302,7 @@ def test_arguments_that_are_refused(tmp_path: Path) -> None:
         (PUBLISHED,): "missing argument 'MODES.csv' (pkmodes compare)",
         (PUBLISHED, modes, modes): "unexpected extra argument",
         (PUBLISHED, modes, "--json", modes): "would replace its own input",
-        (PUBLISHED, modes, "--json", tmp_path): "expected a file, and it is a folder",
+        (PUBLISHED, modes, "--json", tmp_path): "expected a file, found a folder",
         (
             PUBLISHED,
             modes,
@@ -342,4 +342,4 @@ def test_help_shows_an_example_that_works() -> None:
     assert example[:2] == ["pkmodes", "compare"]
     found = call(*(ROOT / place for place in example[2:]))
     assert found.code == 0
-    assert found.out.startswith("workshop-delta beside ")
+    assert found.out.startswith("workshop-delta compared with ")

@@ -1,4 +1,4 @@
-"""Files, standard output and exit codes: none of them is lost for another, whoever closes what."""
+"""Files, standard output and exit codes: a failure of one does not affect the others."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ VERDICTS = get_args(get_type_hints(Diagnosis)["verdict"])
 
 
 def shell(command: str, *arguments: str, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
-    """Run a line of shell in which ``$PK "$@"`` is a command of pkmodes with these arguments."""
+    """Run a shell line in which ``$PK "$@"`` is a pkmodes command with these arguments."""
     path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
     return subprocess.run(
         ["bash", "-o", "pipefail", "-c", command, "bash", *arguments],
@@ -37,7 +37,7 @@ def shell(command: str, *arguments: str, cwd: Path | None = None) -> subprocess.
     )
 
 
-#: Ways in which standard output takes nothing, and the exit code then.
+#: Ways in which standard output is closed, and the resulting exit code.
 DEAF = {"| true": 0, "| head -0": 0, ">&-": 0, "> /dev/full": 2}
 
 
@@ -86,7 +86,7 @@ def found() -> Diagnosis:
 
 @pytest.fixture
 def diagnosed(found: Diagnosis, monkeypatch: pytest.MonkeyPatch) -> Diagnosis:
-    """The engine has been tested elsewhere; here its answer is given."""
+    """The engine is tested elsewhere; here its result is given."""
     monkeypatch.setattr(updating, "diagnose", lambda *_, **__: found)
     return found
 
@@ -146,7 +146,7 @@ def test_the_exit_code_is_what_the_script_asked_for(
     ("fail_on", "message"),
     [
         ("unexplaned", 'unknown verdict "unexplaned" (--fail-on); did you mean "unexplained"?'),
-        ("xyz", 'unknown verdict "xyz" (--fail-on); choose among adequate, effect_found, '),
+        ("xyz", 'unknown verdict "xyz" (--fail-on); choose from adequate, effect_found, '),
         ("ambiguous,ANY", 'unknown verdict "ANY" (--fail-on); '),
         ("", 'expected names separated by commas, found "" (--fail-on)'),
     ],

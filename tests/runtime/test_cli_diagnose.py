@@ -1,4 +1,4 @@
-"""``pkmodes diagnose``: what it promises to scripts, what it refuses, and the robot that it saves."""
+"""``pkmodes diagnose``: its contract for scripts, rejected input, and the saved robot."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ WIND_UP = {"gearbox_compliance.compliance": 5e-4}
 
 
 class Answer(NamedTuple):
-    """What a command gave."""
+    """Exit code and output of a command."""
 
     code: int
     out: str
@@ -86,7 +86,7 @@ def measured(
     shapes: tuple[str, ...] = SHAPES,
     modes: int = 6,
 ) -> str:
-    """What the virtual rig measures on a robot that really is as its file says, but for some effects."""
+    """Measurements on the virtual rig of a robot that is as declared except for some effects."""
     return _measured(robot, name, poses, tuple(effects.items()), shapes=shapes, modes=modes)
 
 
@@ -118,7 +118,7 @@ def files(folder: Path, robot: str = PUBLISHED, modes: str | None = None) -> tup
 
 
 class Verdict(NamedTuple):
-    """A diagnosis that comes to one of the verdicts."""
+    """A diagnosis with one of the verdicts."""
 
     answer: Answer
     saved: Path
@@ -127,7 +127,7 @@ class Verdict(NamedTuple):
 
 @pytest.fixture(scope="module", params=VERDICTS)
 def verdict(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Verdict:
-    """Each verdict once, with its JSON on standard output and a corrected robot asked for."""
+    """Each verdict once, with its JSON on standard output and a saved robot."""
     modes, candidates = {
         "adequate": (measured(), "payload,belt_mass"),
         "effect_found": (measured(poses=7, effects=WIND_UP), "gearbox_compliance,payload"),
@@ -243,7 +243,7 @@ def test_a_verdict_is_no_failure_unless_a_robot_is_asked_for(tmp_path: Path) -> 
     assert "2 measured modes fitted" in answer.out
 
 
-# What is refused ----------------------------------------------------------------------------------------------
+# Rejected input -----------------------------------------------------------------------------------------------
 
 HEADER = "pose,x,y,z,frequency,sigma"
 ROW = "A,0.6,0,-0.245,55.5,0.1"
@@ -276,7 +276,7 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     ("header", "rows", "parts"),
     [
         (HEADER, [ROW, "far,9,9,9,50,0.1"], ['pose "far" at [9, 9, 9] m', "line 3, columns x, y and z"]),
-        (f"{HEADER},shape:x1", [f"{ROW},1"], ['"shape:x1" names no coordinate', 'did you mean "shape:x_1"?']),
+        (f"{HEADER},shape:x1", [f"{ROW},1"], ['"shape:x1" is not a coordinate', 'did you mean "shape:x_1"?']),
         (HEADER, [ROW, ROW], ["the row repeats line 2", "line 3, column frequency"]),
         (
             HEADER,
@@ -284,10 +284,10 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
             ["standard deviation above 0 Hz, found 0", "line 2, column sigma"],
         ),
         (HEADER, ["A,0.6,0,-0.245,55.5,-1"], ["found -1", "line 2, column sigma"]),
-        (HEADER, ["A,0.6,0,-0.245,0,1"], ["a frequency above 0 Hz", "leave rigid-body modes out"]),
+        (HEADER, ["A,0.6,0,-0.245,0,1"], ["a frequency above 0 Hz", "leave out rigid-body modes"]),
         (HEADER, [ROW, "A,0.61,0,-0.245,60,0.1"], ['pose "A" has two positions', "line 3, column x"]),
         (HEADER, ["A,0.6,0,-0.245,fast,0.1"], ['found "fast"', "line 2, column frequency"]),
-        (HEADER, [], ["found a header only"]),
+        (HEADER, [], ["found only a header"]),
     ],
 )
 def test_bad_rows_are_refused_with_their_place(
@@ -351,9 +351,9 @@ def test_targets_that_cannot_be_written(tmp_path: Path, option: str) -> None:
     for target in (robot, modes, tmp_path / "link.toml"):
         refusal(call(robot, modes, option, target), "would replace its own input", str(target))
     for target, what in {
-        tmp_path: "expected a file, and it is a folder",
+        tmp_path: "expected a file, found a folder",
         tmp_path / "absent" / "result": f"the folder {tmp_path / 'absent'} does not exist (",
-        "/dev/null/result": "/dev/null is no folder",
+        "/dev/null/result": "/dev/null is not a folder",
         "": "expected the name of a file",
     }.items():
         refusal(call(robot, modes, option, target), what, f"({option} ")
@@ -369,7 +369,7 @@ def test_two_results_do_not_share_a_file(tmp_path: Path) -> None:
     assert not out.exists()
 
 
-# Measurements of every kind -----------------------------------------------------------------------------------
+# Kinds of measurements ----------------------------------------------------------------------------------------
 
 
 def diagnosed(folder: Path, robot: str, modes: str, *options: str) -> dict[str, Any]:
@@ -472,7 +472,7 @@ def test_a_thousand_rows(tmp_path: Path) -> None:
     assert len(json.loads((tmp_path / "out").read_text())["rows"]) == len(rows)
 
 
-# Robots of every kind -----------------------------------------------------------------------------------------
+# Kinds of robots ----------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -601,7 +601,7 @@ def corrected(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathF
 
 
 def declared_value(robot: pkmodes.Robot, path: str) -> tuple[float, float | None]:
-    """A value of the robot file and its standard deviation; a whole has none of its own."""
+    """Return a value of the robot file and its standard deviation; a whole has none."""
     if path == "axis.span":
         low, high = robot.parameters.limits[0]
         return float(high - low), None
@@ -665,7 +665,7 @@ def test_the_saved_robot_can_be_generated(corrected: Saved, tmp_path: Path) -> N
         assert run(["generate", str(corrected.saved), "--out", str(tmp_path / "model")]) == 0, out.getvalue()
 
 
-# What a person sees -------------------------------------------------------------------------------------------
+# Printed output -----------------------------------------------------------------------------------------------
 
 
 def test_the_table_of_a_cause(tmp_path: Path) -> None:
@@ -724,9 +724,10 @@ def test_the_table_of_two_causes_and_of_causes_that_look_alike(tmp_path: Path) -
     assert len(effect["class"]) > 1
     name, *others = effect["class"]
     assert (
-        f"wrote {saved} with {name}; for {' or '.join(others)} instead: --candidates {others[0]}; next" in out
+        f"wrote {saved} with {name}; to save it with {' or '.join(others)}: --candidates {others[0]}; next"
+        in out
     )
-    start = out.index("  these data cannot tell it from\n")
+    start = out.index("  these data cannot distinguish it from\n")
     for name in effect["class"][1:]:
         assert re.search(rf"^    {name}\.compliance = \(\S+ \+- \S+\)e-\d\d \S+$", out[start:], re.M)
 
@@ -770,7 +771,7 @@ def test_help_shows_an_example_that_works(tmp_path: Path, monkeypatch: pytest.Mo
     example = answer.out.split("Example:\n")[1].replace("\\\n", " ").split()
     assert example[:2] == ["pkmodes", "diagnose"]
     assert all((ROOT / place).is_file() for place in example[2:4])
-    # The measurements of the example, so that the example's options are tried too.
+    # The measurements of the example, so that its options are tested too.
     monkeypatch.chdir(tmp_path)
     saved = example[example.index("--save-robot") + 1]
     found = call(*(ROOT / place for place in example[2:4]), *example[4:])

@@ -1,4 +1,4 @@
-"""Ctrl-C at any moment: one line, exit code 130, and no traceback, also while the libraries are being loaded."""
+"""Ctrl-C at any moment: one line, exit code 130, and no traceback, even while libraries are being loaded."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ MODES = ["modes", str(PUBLISHED), "--pose", "0.6,0,-0.245"]
 CHECK = ["check", str(PUBLISHED)]
 #: The two ways to start: the second is what an installed console script does.
 STARTS = [["-m", "pkmodes"], ["-c", "import sys; from pkmodes.__main__ import main; sys.exit(main())"]]
-#: Interrupts the process at the moment when it looks for a module, or says that it does.
+#: Interrupts the process when it looks for a module, or reports that it does.
 HOOK = """
 import os, signal, sys
 
@@ -79,7 +79,7 @@ def test_an_interrupt_while_the_generator_is_loaded(tmp_path: Path, module: str)
 
 @pytest.mark.parametrize("delay", [0.0, 0.02, 0.05, 0.1, 0.2, 0.4])
 def test_an_interrupt_at_some_early_moment(tmp_path: Path, delay: float) -> None:
-    """Counted from when the first module of the command line is looked for; before, there is only Python."""
+    """Counted from the import of the first module of the command line; before that, only Python runs."""
     process = start(tmp_path, STARTS[0], CHECK, TELL_AT="pkmodes.cli")
     assert process.stdout is not None
     assert process.stdout.readline() == b"now\n"
@@ -89,7 +89,7 @@ def test_an_interrupt_at_some_early_moment(tmp_path: Path, delay: float) -> None
 
 
 def test_an_ignored_interrupt_stays_ignored(tmp_path: Path) -> None:
-    """As in a shell's background job."""
+    """As for a shell's background job."""
     before = signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
         process = start(tmp_path, STARTS[0], MODES, INTERRUPT_AT="numpy")

@@ -1,4 +1,4 @@
-"""The command line's promises: JSON keys, error lines, exit codes; ``pkmodes modes``."""
+"""The contract of the command line, JSON keys, error lines and exit codes, and ``pkmodes modes``."""
 
 from __future__ import annotations
 
@@ -121,7 +121,7 @@ def test_a_pose_may_be_given_with_units(capsys: pytest.CaptureFixture[str]) -> N
         (["modez"], "no such command 'modez'"),
         (
             ["modes", ROBOT, "--pose", POSE, "--json", "/dev/null/x.json"],
-            "/dev/null is no folder (--json",
+            "/dev/null is not a folder (--json",
         ),
         (["generate", ROBOT], "missing option '--out' (pkmodes generate)"),
         (["generate", "absent.toml", "--out", "x"], "cannot read the robot file"),

@@ -1,4 +1,4 @@
-"""``pkmodes sensitivities``: derivatives against differences of other robot files, units, order, and mistakes."""
+"""``pkmodes sensitivities``: derivatives against differences between robot files, units, order, errors."""
 
 from __future__ import annotations
 
@@ -110,14 +110,14 @@ def test_the_table_is_sorted_by_what_a_percent_does(capsys: pytest.CaptureFixtur
         "frame.mass",
     ]
     out = sensitivities(capsys, "--parameters", ",".join(paths))
-    relative, rates = out.split("Hz by the unit of the value:")
+    relative, rates = out.split("Hz per unit of the value:")
     order = [line.split()[0] for line in relative.splitlines() if "." in line.split(" ")[0]]
     assert order == ["pulley.radius", "belt.width", "platform.mass", "gravity.z"]
     rows = {line.split()[0]: line.split()[1:] for line in rates.splitlines() if "." in line.split(" ")[0]}
     assert [*rows] == [*order, "effects.payload.mass"]
     assert rows["platform.mass"][:2] == ["1.5", "kg"]
     assert rows["effects.payload.mass"][:2] == ["0", "kg"]
-    # A mass on the platform is more platform.
+    # A payload acts like additional platform mass.
     assert rows["effects.payload.mass"][2:] == rows["platform.mass"][2:]
     assert "no frequency depends on: frame.mass" in out
     model = pkmodes.load(PUBLISHED)
@@ -127,7 +127,7 @@ def test_the_table_is_sorted_by_what_a_percent_does(capsys: pytest.CaptureFixtur
 
 def test_every_quantity_is_in_the_table_once(capsys: pytest.CaptureFixture[str]) -> None:
     out = sensitivities(capsys)
-    rates, _, still = out.partition("Hz by the unit of the value:")[2].partition("no frequency depends on:")
+    rates, _, still = out.partition("Hz per unit of the value:")[2].partition("no frequency depends on:")
     shown = [line.split()[0] for line in rates.splitlines() if "." in line.split(" ")[0]]
     shown += still.replace(",", " ").split()
     assert sorted(shown) == sorted(as_json(capsys)["parameters"])
@@ -135,7 +135,7 @@ def test_every_quantity_is_in_the_table_once(capsys: pytest.CaptureFixture[str])
 
 
 def test_modes_that_coincide_are_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """On the axis of a tower printer, modes come in pairs."""
+    """On the axis of symmetry of a tower printer, modes come in pairs."""
     (tmp_path / "tower.toml").write_text(ROBOTS["tower"], encoding="utf-8")
     found = pkmodes.load(tmp_path / "tower.toml").modes([0.0, 0.0, 0.2]).frequencies[3:]
     pairs = [i + 1 for i in range(5) if np.isclose(found[i], found[i + 1], rtol=1e-9)]
@@ -144,7 +144,7 @@ def test_modes_that_coincide_are_named(tmp_path: Path, capsys: pytest.CaptureFix
     assert run(["sensitivities", robot, "--pose", "0,0,0.2", "--parameters", "platform.mass"]) == 0
     out = " ".join(capsys.readouterr().out.split())
     for i in pairs:
-        assert f"modes {i}, {i + 1} coincide: theirs are the derivatives of the branches" in out
+        assert f"modes {i}, {i + 1} coincide: the derivatives are those of the branches" in out
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""The consistency of generated code: small errors are found in every function, and right code raises no alarm."""
+"""The consistency of generated code: small errors are found in every function, and correct code passes."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ KIND = mechanism("linear_delta")
 
 @pytest.mark.parametrize("name", sorted(f.name for f in mechanisms.base("linear_delta").functions))
 def test_consistency_finds_one_part_in_a_hundred_million(name: str) -> None:
-    """Every derived function: a relative error of 1e-8 in it fails some relation."""
+    """A relative error of 1e-8 in any derived function fails some relation."""
     robot = sample(KIND)
     checks = check_consistency(Generated(Broken(name, 1 + 1e-8), robot), KIND, robot)
     assert not all(one.holds for one in checks)

@@ -1,4 +1,4 @@
-"""The batched generalised eigenproblem against SciPy's, and its promises about scale and sign."""
+"""The batched generalised eigenproblem against SciPy's, with the scale and sign of shapes."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def test_eigenvalues_and_shapes_equal_scipy(seed: int) -> None:
     eigenvalues, shapes = generalised_eigh(M, K)
     for i in range(len(M)):
         expected, vectors = eigh(K[i], M[i])
-        # Backward stable solvers: errors of a few units of rounding of the largest eigenvalue.
+        # Backward stable solvers: errors of a few rounding units of the largest eigenvalue.
         np.testing.assert_allclose(eigenvalues[i], expected, rtol=0, atol=1e-13 * np.abs(expected).max())
         overlap = np.abs(np.sum(shapes[i] * (M[i] @ vectors).T, axis=1))
         np.testing.assert_allclose(overlap, 1.0, rtol=0, atol=1e-9)  # gaps of random spectra are not small

@@ -1,4 +1,4 @@
-"""Fields of results: only what is asked for is computed and kept, in arrays of the caller's if wanted."""
+"""Fields of results: only requested fields are computed and kept, optionally in arrays of the caller."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def extended(model: pkmodes.Model) -> pkmodes.Model:
 
 @pytest.fixture(scope="module")
 def tower(tmp_path_factory: pytest.TempPathFactory) -> pkmodes.Model:
-    """A printer with three vertical rails alike: on its axis, modes come in pairs."""
+    """A printer with three identical vertical rails: on its axis, modes come in pairs."""
     axes = ""
     for x, y in ((1.0, 0.0), (-0.5, 0.75**0.5), (-0.5, -(0.75**0.5))):
         axes += f"""
@@ -96,7 +96,7 @@ def test_digits_do_not_depend_on_the_parts(extended: pkmodes.Model, monkeypatch:
 
 def test_what_was_not_asked_for_says_so(model: pkmodes.Model) -> None:
     modes = model.modes(POSE, fields=["platform_shapes", "frequencies"])
-    with pytest.raises(NotComputedError, match=r"the field shapes was not asked for") as error:
+    with pytest.raises(NotComputedError, match=r"the field shapes was not requested") as error:
         _ = modes.shapes
     assert error.match(r'call Model\.modes with fields=\("frequencies", "shapes", "platform_shapes"\)')
     assert isinstance(error.value, pkmodes.PkmodesError)
@@ -125,7 +125,7 @@ def test_results_are_copied_and_pickled_with_the_fields_that_they_have(model: pk
     ("fields", "what", "remedy"),
     [
         ("frequencies", 'expected a list of fields, found "frequencies"', r'write \["frequencies"\]'),
-        (3, "expected a list of fields, found 3", "write such as"),
+        (3, "expected a list of fields, found 3", "for example: "),
         (["frequency"], 'unknown field "frequency"', 'did you mean "frequencies"'),
         (["zzz"], 'unknown field "zzz"', "known: "),
         ([None], "unknown field None", "known: "),
@@ -142,7 +142,7 @@ def test_fields_that_are_not_there_are_refused(
 
 
 def places(shape: tuple[int, ...]) -> list[np.ndarray]:
-    """Arrays to be filled: in one piece, in Fortran's order, and parts of larger ones."""
+    """Arrays to fill: contiguous, in Fortran order, and views of larger ones."""
     large = np.full((*(2 * n for n in shape),), 7.0)
     return [np.empty(shape), np.empty(shape, order="F"), large[tuple(slice(None, None, 2) for _ in shape)]]
 
@@ -200,7 +200,7 @@ SHARED = np.zeros((9, 9))
         ({"frequencies": np.zeros(9, dtype=np.float32)}, "found shape .* and type float32"),
         ({"frequencies": np.zeros(9, dtype=object)}, "type object"),
         ({"frequencies": np.zeros(9, dtype=">f8")}, "type >f8"),
-        ({"frequencies": frozen(9)}, "cannot be written to"),
+        ({"frequencies": frozen(9)}, "the array is read-only"),
         ({"frequencies": [0.0] * 9}, 'expected an ndarray, found "list"'),
         ({"frequencies": None}, "expected an ndarray"),
         ({"frequency": np.zeros(9)}, 'unknown field "frequency"'),
@@ -220,7 +220,7 @@ def test_arrays_that_cannot_be_filled_are_refused(model: pkmodes.Model, out: obj
 
 
 def test_out_is_for_fields_that_are_asked_for(model: pkmodes.Model) -> None:
-    with pytest.raises(pkmodes.PkmodesError, match="the field is not asked for") as error:
+    with pytest.raises(pkmodes.PkmodesError, match="the field is not requested") as error:
         model.modes(POSE, fields=["shapes"], out={"frequencies": np.zeros(9)})
     assert error.match("out: frequencies")
 
@@ -244,7 +244,7 @@ def test_rates_of_the_frequencies_alone_are_those_of_differences(
 
 @pytest.mark.parametrize(("which", "pose"), [("model", POSE), ("extended", POSE), ("tower", CENTRE)])
 def test_both_routes_to_the_rates_agree(which: str, pose: np.ndarray, request: pytest.FixtureRequest) -> None:
-    """To rounding: one sums whole matrices, the other the entries that change."""
+    """Up to rounding: one sums whole matrices, the other only the entries that change."""
     model = request.getfixturevalue(which)
     poses = np.concatenate([around(pose, 3), pose[None], around(pose, 2)])
     everything = model.sensitivities(poses)
@@ -287,7 +287,7 @@ def peak(call: Callable[[], object]) -> int:
 def test_a_pose_takes_the_memory_of_its_result(
     model: pkmodes.Model, fields: tuple[str, ...] | None, numbers: int
 ) -> None:
-    """Beside what is asked for, there are a copy of the pose, three numbers, and some bytes of bookkeeping."""
+    """Besides the requested fields, a pose takes its copy, three numbers, and some bytes of bookkeeping."""
     some, more = (around(POSE, n) for n in (6000, 18000))
     peaks = [peak(lambda p=p: model.modes(p, fields=fields)) for p in (some, more)]
     assert (peaks[1] - peaks[0]) / 12000 < 8 * (numbers + 3) + 20

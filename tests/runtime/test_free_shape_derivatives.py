@@ -1,4 +1,4 @@
-"""Derivatives of shapes stay finite where several modes are free, whose eigenvalues are exactly zero."""
+"""Derivatives of mode shapes stay finite for several rigid-body modes with exactly zero eigenvalues."""
 
 from __future__ import annotations
 

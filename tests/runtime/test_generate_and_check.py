@@ -1,4 +1,4 @@
-"""``pkmodes generate`` and ``pkmodes check``: what stands alone, and what makes a model not current."""
+"""``pkmodes generate`` and ``pkmodes check``: standalone output, and what makes a model out of date."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def edit(path: Path, old: str, new: str) -> None:
 
 
 def test_the_generated_module_stands_alone(pristine: Path) -> None:
-    """It is imported by an interpreter that sees NumPy and nothing of this project."""
+    """It is imported by an interpreter that has NumPy but not this project."""
     code = (
         "import sys, json; sys.path.insert(0, '.'); import linear_delta_2022 as m; "
         "M, K = m.modal_matrices([0.6, 0.03, -0.245]); "
@@ -100,7 +100,7 @@ def test_a_changed_robot_file_names_the_field(
     assert code == 1
     assert f"the robot file changed: {field}" in out
     assert "(derived now)" in out, "the difference is shown"
-    assert f"mend it with: pkmodes generate {copy / 'robot.toml'} --out {copy / 'model'}" in out
+    assert f"fix with: pkmodes generate {copy / 'robot.toml'} --out {copy / 'model'}" in out
 
 
 def test_the_mending_command_mends(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -108,7 +108,7 @@ def test_the_mending_command_mends(copy: Path, capsys: pytest.CaptureFixture[str
     edit(copy / "robot.toml", 'name = "linear-delta-2022"', 'name = "heavier"')
     code, out = check(copy, capsys)
     assert code == 1
-    command = out.partition("mend it with: ")[2].split()
+    command = out.partition("fix with: ")[2].split()
     assert run(command[1:]) == 0
     assert check(copy, capsys)[0] == 0
     assert not (copy / "model" / MODULE).exists(), "the module under the former name is gone"
@@ -137,7 +137,7 @@ def test_missing_and_orphan_files_are_found(copy: Path, capsys: pytest.CaptureFi
     code, out = check(copy, capsys)
     assert code == 1
     assert f"{MODULE} is missing" in out
-    assert "other.py was generated, but does not belong to this model: an orphan" in out
+    assert "other.py was generated but does not belong to this model: an orphan" in out
 
 
 def test_another_sympy_version_is_found(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -147,7 +147,7 @@ def test_another_sympy_version_is_found(copy: Path, capsys: pytest.CaptureFixtur
     path.write_text(json.dumps(content), encoding="utf-8")
     code, out = check(copy, capsys)
     assert code == 1
-    assert "another SymPy version: generated with 1.12, installed is 1." in out
+    assert "different SymPy version: generated with 1.12, installed is 1." in out
 
 
 @pytest.mark.parametrize("source", ["chain.py", "emit/numpy/module.py.j2"])
@@ -158,7 +158,7 @@ def test_a_changed_derivation_or_template_is_found(
     monkeypatch.setattr(manifest, "source_digests", lambda: digests)
     code, out = check(copy, capsys)
     assert code == 1
-    assert f"changed: {source} is not what it was" in out
+    assert f"changed: {source} is modified" in out
 
 
 @pytest.mark.parametrize("line", ["import sys; sys.exit(0)", "raise RuntimeError", "print('hi')", "x ="])
@@ -178,7 +178,7 @@ def test_other_line_endings_are_named(copy: Path, capsys: pytest.CaptureFixture[
     path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
     code, out = check(copy, capsys)
     assert code == 1
-    assert "has other line endings than were generated" in out
+    assert "has different line endings than generated" in out
 
 
 def test_a_changed_name_is_found(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -196,7 +196,7 @@ def test_the_mending_commands_can_be_pasted(tmp_path: Path, capsys: pytest.Captu
     edit(folder / "my robot.toml", "1.5 kg", "1.6 kg")
     shutil.copy(folder / "my model" / MODULE, folder / "my model" / "a copy.py")
     assert run(["check", str(folder / "my model")]) == 1
-    commands = capsys.readouterr().out.rpartition("mend it with: ")[2].strip().split(" && ")
+    commands = capsys.readouterr().out.rpartition("fix with: ")[2].strip().split(" && ")
     remove, generate = (shlex.split(command) for command in commands)
     assert remove == ["rm", str(folder / "my model" / "a copy.py")]
     Path(remove[1]).unlink()
@@ -209,7 +209,7 @@ def test_a_file_that_was_not_generated_is_not_overwritten(
 ) -> None:
     (tmp_path / MODULE).write_text("mine", encoding="utf-8")
     assert run(["generate", str(PUBLISHED), "--out", str(tmp_path)]) == 2
-    assert "no manifest that says it was generated" in capsys.readouterr().err
+    assert "no manifest of a generated model" in capsys.readouterr().err
     assert (tmp_path / MODULE).read_text(encoding="utf-8") == "mine"
 
 
@@ -226,7 +226,7 @@ def test_a_tampered_manifest_is_refused(
 
 
 def test_names_and_paths_cannot_become_code(tmp_path: Path) -> None:
-    """The schema refuses such names; the emission does not rely on it."""
+    """The schema rejects such names; the code generator does not rely on that."""
     robot = read_robot(PUBLISHED)
     nasty = 'a"""; raise SystemExit; """*/ int x; /* \\N{foo}\n\x00'
     texts = product.specialised(specification(dataclasses.replace(robot, name=nasty), f"{nasty}.toml"))
@@ -363,14 +363,14 @@ CLAMP = '\n[effects.clamp_compliance]\ncompliance = "1e-7 m/N"\n'
 def test_a_model_with_a_massless_clamp_has_an_eigenproblem(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """What a newcomer does: generate, import, solve with SciPy."""
+    """The steps of a new user: generate, import, solve with SciPy."""
     (tmp_path / "robot.toml").write_text(published() + CLAMP, encoding="utf-8")
     assert run(["generate", str(tmp_path / "robot.toml"), "--out", str(tmp_path / "model")]) == 0
     assert run(["check", str(tmp_path / "model")]) == 0
     assert "relations agree with finite differences" in capsys.readouterr().out
     module = runpy.run_path(str(tmp_path / "model" / MODULE))
-    assert module["__doc__"].count("Without inertia: eps_1, eps_2, eps_3.") == 1
-    assert "Without inertia: eps_1" in (tmp_path / "model" / "linear_delta_2022.h").read_text(
+    assert module["__doc__"].count("Coordinates without inertia: eps_1, eps_2, eps_3.") == 1
+    assert "Coordinates without inertia: eps_1" in (tmp_path / "model" / "linear_delta_2022.h").read_text(
         encoding="utf-8"
     )
     pose = [0.6, 0.03, -0.245]

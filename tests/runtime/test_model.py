@@ -1,4 +1,4 @@
-"""The evaluator: what it promises about shapes, units, signs and bad poses."""
+"""The evaluator: array shapes, units, signs and bad poses."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def test_three_rigid_modes_come_first(model: pkmodes.Model) -> None:
     result = model.modes(POSE)
     assert result.rigid_modes == 3
     assert np.all(np.diff(result.frequencies) >= 0)
-    # Gravity alone moves the rigid modes: a pendulum of some decimetres is below 2 Hz.
+    # Only gravity acts on the rigid-body modes: a pendulum of some decimetres is below 2 Hz.
     assert np.all(np.abs(result.frequencies[:3]) < 2.0)
     assert result.frequencies[3] > 20.0
 
@@ -77,7 +77,7 @@ def test_kinematics_go_both_ways(model: pkmodes.Model) -> None:
 
 
 def test_torques_balance_the_weight_by_virtual_work(model: pkmodes.Model) -> None:
-    """Raising the platform by dz with the carriages following does the work that the torques do."""
+    """Raising the platform by dz, with the carriages following, does the same work as the torques."""
     statics = model.statics(POSE)
     dz = 1e-6
     up, down = (model.inverse_kinematics(POSE + [0, 0, s * dz]) for s in (1, -1))
@@ -150,7 +150,7 @@ def test_bad_poses_come_back_as_nan_when_asked(model: pkmodes.Model) -> None:
 
 
 def test_a_pose_at_the_limit_has_a_zero_span_and_is_refused(model: pkmodes.Model) -> None:
-    """Carriage 1 stands 0.316... m ahead of the platform on the centre line."""
+    """Carriage 1 is 0.316... m ahead of the platform on the centre line."""
     ahead = np.sqrt(0.4**2 - 0.245**2)
     at_limit = [1.2 - ahead, 0.0, -0.245]
     with pytest.raises(PoseError, match="carriage 1 is beyond its limits"):

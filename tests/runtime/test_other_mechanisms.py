@@ -1,4 +1,4 @@
-"""Robot files of mechanisms that the package has never seen: all that is asked of them is their description."""
+"""Robot files of mechanisms unknown to the package, which only needs their description."""
 
 from __future__ import annotations
 
@@ -128,7 +128,7 @@ def test_an_effect_that_does_not_apply_is_refused_with_those_that_do(tmp_path: P
         RobotFileError, match="link_compliance does not apply to the mechanism made_up_gantry"
     ) as e:
         read(tmp_path, GANTRY_FILE + '[effects.link_compliance]\ncompliance = "1e-7 m/N"\n')
-    assert e.match("those that apply: belt_mass, belt_tension_stiffness, frame_compliance")
+    assert e.match("effects that apply: belt_mass, belt_tension_stiffness, frame_compliance")
 
 
 def test_an_angle_out_of_bounds_is_refused(tmp_path: Path) -> None:
@@ -171,7 +171,7 @@ def test_it_is_changed_as_an_edited_file(tmp_path: Path, gantry: Robot) -> None:
     assert changed == read(tmp_path, text)
     assert changed.parameters.pulley_radius.tolist() == [0.0065, 0.00637]
     for wrong, what in (
-        ({"belt_path.1.direction": [1, 1]}, "belt_path.1.direction is no quantity"),
+        ({"belt_path.1.direction": [1, 1]}, "belt_path.1.direction is not a quantity"),
         ({"belt_path.3.belt.width": 1}, "unknown parameter path"),
         ({"workspace.x.max": 0.9}, "positive in the whole workspace"),
         ({"axis.span": 1}, "unknown parameter path"),
@@ -224,7 +224,7 @@ def test_paths_are_those_of_the_tables(gantry: Robot, arms: Robot) -> None:
             changed = moved(robot, [(path, 0.01)])
             assert resolve(changed, name).value == pytest.approx(path.value + 0.01, rel=1e-12)
         assert set(robot.quantities) <= set(paths(robot))
-    assert resolve(gantry, "belt.width").weights == {("belt_width", (0,)): 1.0}  # the other has its own
+    assert resolve(gantry, "belt.width").weights == {("belt_width", (0,)): 1.0}  # belt 2 has its own
     assert resolve(gantry, "workspace.y.max").weights == {("workspace", (1, 1)): 1.0}
     assert resolve(gantry, "frame.mass").weights == {("frame_compliance.mass", ()): 1.0}
     assert resolve(arms, "axis.joint_radius").value == 0.04
@@ -238,9 +238,9 @@ def test_what_is_suspected_follows_from_the_tables(gantry: Robot, arms: Robot) -
     names = {candidate.name for candidate in candidates}
     assert {"parameter:gantry.mass", "parameter:belt_path.1.lengths.2", "parameter:belt.width"} <= names
     assert {"belt_mass", "frame_compliance with another frame.mass"} <= names
-    assert "belt_tension_stiffness" not in names  # without a tension a coefficient of it does nothing
+    assert "belt_tension_stiffness" not in names  # without a tension its coefficient has no effect
     assert {"parameter:belt_path.2.pulley.radius", "frame_compliance of u_y alone"} <= names
-    # Known, not to be suspected, nothing to be measured, or with a value of its own in the other belt.
+    # Known exactly, not suspected, not measurable, or overridden for the other belt.
     for name in ("toolhead.mass", "frame.mass", "workspace.x.max", "gravity.x", "belt_path.1.belt.width"):
         assert f"parameter:{name}" not in names
     assert parameters[0].name == "toolhead.mass"
@@ -288,7 +288,7 @@ def test_a_mechanism_that_is_misspelled_is_refused_with_the_nearest(tmp_path: Pa
 
 
 def test_what_reads_robot_files_names_nothing_of_a_mechanism() -> None:
-    """In what it computes with: explanations may give examples, and sentences have words such as joint."""
+    """In the code only: docstrings may give examples, and sentences contain words such as joint."""
     kind = mechanisms.mechanism("linear_delta")
     named = {kind.name, *kind.effects, *kind.independent}
     named |= {table.name for table in kind.tables} | {whole.path for whole in kind.wholes}

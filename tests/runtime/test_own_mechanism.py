@@ -1,4 +1,4 @@
-"""docs/adding-a-mechanism.md, carried out: a mechanism outside the repository goes through every command."""
+"""The steps of docs/adding-a-mechanism.md: a mechanism outside the repository works with every command."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ POSE = np.array([0.03, -0.42])
 
 @pytest.fixture(scope="module")
 def place(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    """A folder with the files of the page, after the first of its commands."""
+    """A folder with the files of the page, after its first command."""
     folder = tmp_path_factory.mktemp("own")
     (folder / "five_bar.py").write_text(DEFINITION, encoding="utf-8")
     (folder / "robot.toml").write_text(ROBOT, encoding="utf-8")
@@ -46,7 +46,7 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
 
 @pytest.fixture
 def copy(place: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A copy of it to be changed."""
+    """A copy of it that may be changed."""
     shutil.copytree(place, tmp_path, dirs_exist_ok=True)
     monkeypatch.setattr(known, "_added", {})
     monkeypatch.chdir(tmp_path)
@@ -60,13 +60,13 @@ def model(place: Path) -> pkmodes.Model:
 
 
 def refused(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> str:
-    """What a command says that cannot be carried out."""
+    """Return the error of a command that fails."""
     capsys.readouterr()
     assert run(arguments) == 2
     return capsys.readouterr().err
 
 
-# What the page promises.
+# Statements of the page.
 
 
 def test_the_definition_is_short() -> None:
@@ -160,7 +160,7 @@ def test_a_wrong_value_is_found(place: Path, tmp_path: Path) -> None:
     assert run(["compare", *arguments]) == 0
 
 
-# Other processes, other ways to make it known.
+# Other processes, other ways to register it.
 
 
 @pytest.mark.parametrize("method", ["fork", "spawn"])
@@ -217,9 +217,9 @@ def test_a_changed_definition_is_found_and_mended(copy: Path, capsys: pytest.Cap
     (copy / "five_bar.py").write_text(changed)
     assert run(["check", "build", "build/five_bar"]) == 1
     out = capsys.readouterr().out
-    assert out.count("the definition changed: five_bar.py is not what this was derived from") == 2
+    assert out.count("the definition changed: five_bar.py differs from the file this was derived from") == 2
     mend = "pkmodes generate --mechanism five_bar.py robot.toml --out build"
-    assert f"mend it with: {mend}\n" in out
+    assert f"fix with: {mend}\n" in out
     assert run(mend.split()[1:]) == 0
     assert run(["check", "--mechanism", "build/five_bar", "build", "build/five_bar"]) == 0
 
@@ -238,7 +238,7 @@ def test_a_folder_that_was_handed_on_alone_is_checked(copy: Path, capsys: pytest
     moved = shutil.move(copy / "build/five_bar", copy / "elsewhere")
     (copy / "five_bar.py").unlink()
     assert run(["check", "--mechanism", moved]) == 0
-    assert 'not checked: whether the definition "../../five_bar.py" still says' in capsys.readouterr().out
+    assert 'not checked: whether the definition "../../five_bar.py" has changed' in capsys.readouterr().out
     assert run(["generate", "--mechanism", moved, "robot.toml", "--out", "other"]) == 0
     assert sorted(path.name for path in (copy / "other").iterdir()) == [
         "manifest.json",
@@ -249,7 +249,7 @@ def test_a_folder_that_was_handed_on_alone_is_checked(copy: Path, capsys: pytest
     assert "--mechanism DIR/<mechanism>" in refused(["check", "build"], capsys)
 
 
-# What is refused, with its place.
+# Rejected input, with its place.
 
 MISTAKES = {
     "not Python": ("def declare(m):", "def declare(m:", r"not valid Python: .* \(five_bar.py:\d+\)"),
@@ -265,7 +265,7 @@ MISTAKES = {
     ),
     "no declare": ("def declare(m)", "def declares(m)", r"there is no function declare\(m\) \(five_bar.py\)"),
     "no title": ("TITLE =", "NAME =", r"TITLE is missing"),
-    "directions": ('("x", "y")', '("y", "x")', r"DIRECTIONS is missing, or does not say"),
+    "directions": ('("x", "y")', '("y", "x")', r"DIRECTIONS is missing or does not list"),
     "declared twice": (
         '"m_a", "mass"',
         '"m_d", "mass"',
@@ -279,18 +279,18 @@ MISTAKES = {
     "taken by the derivation": (
         'm.each("C"',
         'm.each("G"',
-        r"symbol 'G_1' is declared twice \(five_bar.py, as it",
+        r"symbol 'G_1' is declared twice \(five_bar.py, during",
     ),
     "braces": ('"m_{{a,{j}}}"', '"m_{a,{j}}"', r"cannot fill in the indices {j} of .* \(five_bar.py:\d+\)"),
     "dimension": (
         '"torsional stiffness", what',
         '"stiffness", what',
-        r"unknown dimension 'stiffness' .*there are mass",
+        r"unknown dimension 'stiffness' .*use one of mass",
     ),
     "no such function": (
         '"reach_margin", 0',
         '"reach", 0',
-        r'no function is called "reach" \(five_bar.py: m.margins, "rea',
+        r'there is no function "reach" \(five_bar.py: m.margins, "rea',
     ),
     "nearly a function": ('"reach_margin", 0', '"reach_margins", 0', r'did you mean "reach_margin"\?'),
     "no such result": (
@@ -298,32 +298,32 @@ MISTAKES = {
         '"jacobian_condition", 2',
         r"jacobian_condition has no result 2",
     ),
-    "names": ('(("1", "2"),)', '(("1",),)', r"the names are of shape \(1,\), the result of reach_margin is"),
-    "sentence": ("{{missing}}", "{{lacking}}", r'the sentence ".*" cannot be filled in'),
+    "names": ('(("1", "2"),)', '(("1",),)', r"the names have shape \(1,\), the result of reach_margin has"),
+    "sentence": ("{{missing}}", "{{lacking}}", r'the sentence ".*" cannot be formatted'),
     "no spring": (
         "theta[j]: 1, phi[j]: -1",
         "phi[j]: 1",
-        r"the equilibrium is not determined: no spring ties theta_1",
+        r"the equilibrium is not determined: no spring connects theta_1",
     ),
-    "springs on one": ("theta[j]: 1, phi[j]: -1", "theta[j]: 1, phi[0]: -1", r"no spring holds phi_2"),
+    "springs on one": ("theta[j]: 1, phi[j]: -1", "theta[j]: 1, phi[0]: -1", r"no spring acts on phi_2"),
     "no way": (
         "        m.follows[phi[j]] = theta[j]\n",
         "",
-        r"nothing says how phi_1 moves .*m.follows\[phi_1\]",
+        r"the motion of phi_1 .* is not declared .*m.follows\[phi_1\]",
     ),
     "no inverse": (
         "        m.inverse[theta[j]] = atan2(s[j], c[j])\n",
         "",
         r"inverse kinematics does not give theta_1",
     ),
-    "undefined": ("m.inverse[across[j]] =", "unused =", r"S_1 is used in .*, and nothing says what it is"),
-    "circular": ("= dot(r[j], r[j])", "= along[j]", r"values are defined in a circle: .*rho2_1"),
+    "undefined": ("m.inverse[across[j]] =", "unused =", r"S_1 is used in .* but not defined"),
+    "circular": ("= dot(r[j], r[j])", "= along[j]", r"definitions are circular: .*rho2_1"),
     "sample": (
         '"tool_mass": 0.2, ',
         "",
         r"there is no value for tool_mass \(five_bar.py: m.sample\); add one number, in kg",
     ),
-    "shape of sample": ("[900, 1100]", "900", r"the value of reducer_stiffness has another shape"),
+    "shape of sample": ("[900, 1100]", "900", r"the value of reducer_stiffness has the wrong shape"),
     "no inertia": (
         "m.rotor(phi[j], 0), 1)], I_m[j]",
         "m.rotor(phi[j], 0), 1)], 0 * I_m[j]",
@@ -352,9 +352,9 @@ def test_a_mistake_is_named_with_its_place(
 @pytest.mark.parametrize(
     ("name", "message"),
     [
-        ("corexy.py", '"corexy" is a mechanism of pkmodes already'),
-        ("Five-bar.py", '"Five-bar" cannot be the name of a mechanism'),
-        ("double.py", '"double" cannot be the name of a mechanism'),
+        ("corexy.py", '"corexy" is already a mechanism of pkmodes'),
+        ("Five-bar.py", '"Five-bar" is not a valid name for a mechanism'),
+        ("double.py", '"double" is not a valid name for a mechanism'),
         ("five_bar.txt", "expected a Python file"),
         ("missing.py", "cannot read the definition: no such file"),
     ],
@@ -382,12 +382,12 @@ def test_other_files_in_the_place_of_the_mechanism_are_left_alone(
     (copy / "new" / "five_bar").mkdir(parents=True)
     (copy / "new" / "five_bar" / "notes.txt").write_text("mine")
     arguments = ["generate", "--mechanism", "five_bar.py", "robot.toml", "--out", "new"]
-    assert "the folder holds other things (notes.txt)" in refused(arguments, capsys)
+    assert "the folder contains other files (notes.txt)" in refused(arguments, capsys)
     (copy / "new" / "five_bar" / "notes.txt").unlink()
     assert run(arguments) == 0
     shutil.copytree(copy / "build", copy / "third" / "five_bar")
     arguments[-1] = "third"
-    assert "the folder holds another product" in refused(arguments, capsys)
+    assert "the folder holds generated files other than the code" in refused(arguments, capsys)
 
 
 def test_folders_that_are_none(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -396,7 +396,7 @@ def test_folders_that_are_none(copy: Path, capsys: pytest.CaptureFixture[str]) -
 
     assert "no such folder (nowhere); give the folder DIR/<mechanism>" in said("nowhere")
     assert "found a file (five_bar.py); give the folder DIR/<mechanism>" in said("five_bar.py")
-    assert "give the folder of the mechanism in it: build/five_bar" in said("build")
+    assert "give the mechanism folder inside it: build/five_bar" in said("build")
     file = copy / "build/five_bar/extended.py"
     file.write_text(file.read_text() + "\nraise ValueError('broken')\n")
     assert "the generated code cannot be imported: ValueError: broken" in said("build/five_bar")

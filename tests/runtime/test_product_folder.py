@@ -1,4 +1,4 @@
-"""The folder of a generated model: what may be written where, whose files are whose, and models that were copied."""
+"""The folder of a generated model: where it may be written, which files belong to the user, and copied models."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ EFFECTS = '\n[effects.frame_compliance]\ncompliance = "1e-7 m/N"\n\n[effects.pay
 
 @pytest.fixture
 def vendored(copy: Path) -> Path:
-    """The model in a place of its own, without the robot file."""
+    """A copy of the model without the robot file."""
     return Path(shutil.move(copy / "model", copy.parent / "vendored"))
 
 
@@ -37,7 +37,7 @@ def contents(folder: Path) -> dict[str, bytes]:
     return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
-# The user's own files.
+# The user's files.
 
 
 def test_files_of_the_user_are_no_concern_of_check_and_survive_generate(
@@ -81,7 +81,7 @@ def test_a_name_that_a_file_of_the_user_has_is_refused(
     (copy / "robot.toml").write_text(published().replace('name = "linear-delta-2022"', 'name = "helper"'))
     before = contents(copy / "model")
     assert run(["generate", str(copy / "robot.toml"), "--out", str(copy / "model")]) == 2
-    assert "helper.c would be replaced, and was not generated" in capsys.readouterr().err
+    assert "helper.c would be replaced, but it was not generated" in capsys.readouterr().err
     assert contents(copy / "model") == before
 
 
@@ -123,7 +123,7 @@ def test_a_folder_with_other_things_is_left_as_it_was(
     (tmp_path / "thesis" / "chapter.tex").write_text("years of work", encoding="utf-8")
     before = contents(tmp_path)
     error = refused(PUBLISHED, tmp_path / "thesis", capsys)
-    assert "the folder holds other things (chapter.tex), and no manifest that says it was generated" in error
+    assert "the folder contains other files (chapter.tex) and no manifest of a generated model" in error
     assert "; name a new or empty folder, such as --out " in error
     assert contents(tmp_path) == before
 
@@ -162,7 +162,7 @@ def test_folders_made_for_a_failed_output_are_removed(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
-# Commands that are printed.
+# Printed commands.
 
 
 @pytest.mark.parametrize("place", ["plain", "it's a folder", 'q"uote', "star*", "-dash", "a*/b", "$HOME`x`"])
@@ -211,7 +211,7 @@ def test_a_folder_whose_name_is_not_utf_8_can_hold_a_robot(tmp_path: Path) -> No
     assert run(["check", str(tmp_path / "model")]) == 0
 
 
-# Models that were copied without their robot file.
+# Models copied without their robot file.
 
 
 def test_a_copied_model_is_checked_without_its_robot_file(
@@ -219,7 +219,7 @@ def test_a_copied_model_is_checked_without_its_robot_file(
 ) -> None:
     assert run(["check", str(vendored)]) == 0
     out = capsys.readouterr().out
-    assert 'not checked: whether the robot file "../robot.toml" still says' in out
+    assert 'not checked: whether the robot file "../robot.toml" has changed' in out
     assert "57 relations agree with finite differences" in out
     assert f"pkmodes generate ROBOT.toml --out {vendored}" in out
     assert f"{vendored}: current\n" not in out
@@ -234,7 +234,7 @@ def test_an_edit_of_a_copied_model_is_found(
     assert run(["check", str(vendored)]) == 1
     out = capsys.readouterr().out
     assert f"{name} was edited by hand" in out
-    assert f"mend it with: pkmodes generate ROBOT.toml --out {vendored}" in out
+    assert f"fix with: pkmodes generate ROBOT.toml --out {vendored}" in out
 
 
 def test_a_missing_output_and_another_derivation_of_a_copied_model_are_found(
@@ -247,7 +247,7 @@ def test_a_missing_output_and_another_derivation_of_a_copied_model_are_found(
     assert run(["check", str(vendored)]) == 1
     out = capsys.readouterr().out
     assert f"{MODULE} is missing" in out
-    assert "the derivation changed: chain.py is not what it was" in out
+    assert "the derivation changed: chain.py is modified" in out
 
 
 @pytest.mark.parametrize(
@@ -257,14 +257,14 @@ def test_a_missing_output_and_another_derivation_of_a_copied_model_are_found(
 def test_a_manifest_that_was_tampered_with_does_not_hold(
     vendored: Path, capsys: pytest.CaptureFixture[str], path: str, value: object
 ) -> None:
-    """Hashes alone would not see it: the code is derived again from what the manifest says."""
+    """Hashes alone would not detect it: the code is derived again from the values in the manifest."""
     content = json.loads((vendored / "manifest.json").read_text(encoding="utf-8"))
     content["robot"]["values"][path] = value
     (vendored / "manifest.json").write_text(json.dumps(content), encoding="utf-8")
     assert run(["check", str(vendored)]) in (1, 2)
     captured = capsys.readouterr()
     assert (
-        "is not what the derivation gives now" in captured.out or "does not record the robot" in captured.err
+        "differs from the current derivation" in captured.out or "does not record the robot" in captured.err
     )
 
 
@@ -284,7 +284,7 @@ def test_the_robot_file_of_a_copied_model_can_be_given_again(
 @pytest.mark.parametrize("frame", ["", '\n[frame]\nmass = "40 kg"\n'])
 @pytest.mark.parametrize("name", sorted(ROBOTS))
 def test_a_manifest_records_the_whole_robot(tmp_path: Path, name: str, frame: str, effects: str) -> None:
-    """To the last bit: the derivation's constants follow from it."""
+    """To the last bit, because the constants of the derivation follow from it."""
     head, mark, axes = ROBOTS[name].partition("[[axis]]")
     text = head + ("" if "[frame]" in head else frame) + effects + "\n" + mark + axes
     (tmp_path / "robot.toml").write_text(text, encoding="utf-8")
@@ -298,7 +298,7 @@ def test_a_manifest_records_the_whole_robot(tmp_path: Path, name: str, frame: st
 
 
 def test_a_recorded_direction_is_not_normalised_again(tmp_path: Path) -> None:
-    """A unit vector of doubles has a length a little off 1; divided by it, this one differs in its last digit."""
+    """A unit vector of doubles is not exactly of length 1; normalising this one changes its last digit."""
     text = published().replace("direction = [1, 0, 0]", "direction = [0.9, 0.1, 0.6]", 1)
     (tmp_path / "robot.toml").write_text(text, encoding="utf-8")
     robot = read_robot(tmp_path / "robot.toml")

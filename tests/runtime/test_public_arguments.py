@@ -1,4 +1,4 @@
-"""Mistakes in arguments of public functions are errors of this package, whose parts are where they are said to be."""
+"""Invalid arguments of public functions raise errors of this package with the documented parts."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ MODEL = pkmodes.load(PUBLISHED)
 
 
 class Unwilling:
-    """Becomes no array, and has no text."""
+    """An object that cannot be converted to an array or to text."""
 
     def __array__(self, *_: object, **__: object) -> np.ndarray:
         raise RuntimeError("no array")
@@ -37,7 +37,7 @@ class Unwilling:
 
 RECURSIVE: list[object] = []
 RECURSIVE.append(RECURSIVE)
-#: What is never right where a pose, a list, a number, a function or a path is meant.
+#: Values that are never a valid pose, list, number, function or path.
 NEVER: list[object] = [
     None,
     1j,
@@ -105,7 +105,7 @@ CALLS: dict[str, Callable[[object], object]] = {
     },
     "measured at": Measurements.from_rows(**ROWS).at,
 }
-#: Labels and mode numbers may be anything that has a text.
+#: Labels and mode numbers may be anything that can be converted to text.
 TEXTS = {"measured pose", "measured mode"}
 
 

@@ -1,4 +1,4 @@
-"""The page on the use in Python prints what it says, and lists what there is."""
+"""The code on the Python page prints the output shown, and the page lists all fields and codes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Robot files: what they mean, and what is refused with file, path, expected and found."""
+"""Robot files: their meaning, and errors with file, path, expected and found."""
 
 from __future__ import annotations
 
@@ -175,7 +175,7 @@ def test_parameters_cannot_be_changed_by_accident() -> None:
             "very large number",
         ),
         ('length = "400 mm"', 'length = """400\n\nkg"""', "link.length", "expected a length", "400\\n\\nkg"),
-        ('"0 m", "1.2 m"', '{value = 0, sigma = "1 %"}, 1.2', "axis.1.limits.min", "sigma", "says nothing"),
+        ('"0 m", "1.2 m"', '{value = 0, sigma = "1 %"}, 1.2', "axis.1.limits.min", "sigma", "is undefined"),
         (
             "direction = [1, 0, 0]",
             "direction = [{value = 1, sigma = 0.1}, 0, 0]",

@@ -1,4 +1,4 @@
-"""A robot with other values is the robot of an edited file; robots compare, hash, pickle and copy."""
+"""A robot with other values equals the robot of an edited file; robots compare, hash, pickle and copy."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from pkmodes.robot.units import Quantity
 from robot_text import PUBLISHED, edited, published
 
 POSE = [0.6, 0.03, -0.245]
-#: Joints beside the centre, overrides, standard deviations, effects, a direction that changes when normalised twice.
+#: Joints off the centre, overrides, standard deviations, effects, a direction that changes when normalised twice.
 RICH = (
     published()
     .replace('mass = "1.5 kg"', 'mass = { value = "1.5 kg", sigma = "2 %" }')
@@ -57,7 +57,7 @@ def robot() -> pkmodes.Robot:
 
 
 def written(text: str, path: str, raw: object) -> str:
-    """A robot file with another value, edited by another library than the package's."""
+    """A robot file with another value, edited with a library that the package does not use."""
     document = tomlkit.parse(text)
     *tables, key = path.split(".")
     table = document
@@ -244,21 +244,29 @@ def test_the_mass_of_the_frame_is_one(folder: Path, robot: pkmodes.Robot, rich: 
         ({"effects.paylod.mass": 1}, "unknown parameter path", 'did you mean "effects.payload.mass"'),
         ({"gravitty": 1}, "unknown parameter path", 'did you mean "gravity"'),
         ({"xyzzy": 1}, "unknown parameter path", "see docs"),
-        ({3: 1}, "expected a parameter path, found 3", "write such as"),
-        ({"axis.1.direction": [1, 0, 0]}, "axis.1.direction is no quantity", "change the robot file"),
-        ({"axis.1.branch": -1}, "axis.1.branch is no quantity", "change the robot file"),
+        ({3: 1}, "expected a parameter path, found 3", "for example: "),
+        ({"axis.1.direction": [1, 0, 0]}, "axis.1.direction is not a quantity", "change the robot file"),
+        ({"axis.1.branch": -1}, "axis.1.branch is not a quantity", "change the robot file"),
         ({"platform.mass": -1}, "expected a mass greater than 0 kg, found -1", "check the sign"),
         ({"platform.mass": "1 m"}, 'found "1 m", which is a length', "with its unit"),
         ({"platform.mass": "1.5"}, "which has no unit", "with its unit"),
-        ({"platform.mass": None}, "expected a value, found None", "0 is no effect"),
+        ({"platform.mass": None}, "expected a value, found None", "0 means no effect"),
         ({"frame.mass": {"value": None}}, "expected a value, found None", "give a number"),
         ({"platform.mass": True}, "expected a mass such as", "with its unit"),
         ({"platform.mass": 1j}, "expected a mass such as", "with its unit"),
         ({"platform.mass": np.array([1.0, 2.0])}, "found a list", "with its unit"),
         ({"platform.mass": {"value": 1, "sgima": 1}}, '"sgima"', "write { value"),
-        ({"platform.mass": Quantity(1.0, "m")}, "expected a quantity in kg, found one in m", "same unit"),
-        ({"effects.payload.mass": -0.1}, "or 0 for none", "check the sign"),
-        ({"effects.axis_belt_stiffness.factor_1": -1}, "greater than -1, or 0 for none", "check the sign"),
+        (
+            {"platform.mass": Quantity(1.0, "m")},
+            "expected a quantity in kg, found one in m",
+            "with that unit",
+        ),
+        ({"effects.payload.mass": -0.1}, "or 0 for no effect", "check the sign"),
+        (
+            {"effects.axis_belt_stiffness.factor_1": -1},
+            "greater than -1, or 0 for no effect",
+            "check the sign",
+        ),
         ({"axis.1.limits": ["2 m", "1 m"]}, "expected the lower limit first", "write limits"),
         ({"axis.1.limits.min": "2 m"}, "expected the lower limit first", "write limits"),
         ({"axis.1.origin": [1, 2]}, "expected a list of 3 values, found 2", "give x, y, z"),
@@ -267,11 +275,11 @@ def test_the_mass_of_the_frame_is_one(folder: Path, robot: pkmodes.Robot, rich: 
         ({"axis.span": 0}, "expected a length greater than 0 m", "check the sign"),
         ({"axis.span": "1 kg"}, "which is a mass", "with its unit"),
         ({"axis.span": {"value": 1, "sigma": 0.1}}, "axis.span has no standard deviation", "elements"),
-        ({"axis.span": 1, "axis.2.limits.min": 0}, "would be changed twice", "change it once"),
+        ({"axis.span": 1, "axis.2.limits.min": 0}, "would be changed twice", "change it only once"),
         ({"axis.joint_radius": 0.1}, "cannot be changed along its direction: it is 0", "the elements"),
-        ("platform.mass", 'expected values by path, found "platform.mass"', "write such as"),
-        ([("platform.mass", 1)], "expected values by path, found a list", "write such as"),
-        (None, "expected values by path, found None", "write such as"),
+        ("platform.mass", 'expected values by path, found "platform.mass"', "for example: "),
+        ([("platform.mass", 1)], "expected values by path, found a list", "for example: "),
+        (None, "expected values by path, found None", "for example: "),
     ],
 )
 def test_what_a_file_would_be_refused_for_is_refused(
@@ -292,7 +300,7 @@ def test_a_shared_value_that_no_axis_takes_cannot_be_changed(rich: pkmodes.Robot
 
 def test_a_robot_whose_parameters_were_replaced_is_not_begun_with(robot: pkmodes.Robot) -> None:
     heavier = replace(robot, parameters=robot.parameters._replace(platform_mass=3.0))
-    with pytest.raises(pkmodes.PkmodesError, match="not those that it declares"):
+    with pytest.raises(pkmodes.PkmodesError, match="differ from those that it declares"):
         heavier.with_values({"link.mass": 1})
 
 
@@ -340,7 +348,7 @@ def test_models_travel_to_other_processes(robot: pkmodes.Robot) -> None:
 
 @pytest.mark.parametrize("path", paths(pkmodes.read_robot(PUBLISHED)))
 def test_every_path_that_has_derivatives_can_be_changed(rich: pkmodes.Robot, path: str) -> None:
-    """And to a value that the derivatives' paths find again: the two go by the same names."""
+    """And to a value that the derivatives' paths also find: both use the same names."""
     before = resolve(rich, path)
     value = before.value * 1.01 or 1e-9
     changed = rich.with_values({path: value})
@@ -348,7 +356,7 @@ def test_every_path_that_has_derivatives_can_be_changed(rich: pkmodes.Robot, pat
     whole = path in ("axis.span", "axis.joint_radius")
     assert after.value == (pytest.approx(value, rel=1e-14) if whole else value)
     assert after.weights.keys() == before.weights.keys()
-    # To first order the wholes move as the weights say: joints by their own directions, limits evenly.
+    # To first order the wholes change by their weights: joints along their directions, limits symmetrically.
     step = moved(rich, [(before, value - before.value)])
     for a, b in zip(changed.parameters, step.parameters, strict=True):
         np.testing.assert_allclose(a, b, rtol=1e-14, atol=1e-15)

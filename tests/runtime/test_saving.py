@@ -1,4 +1,4 @@
-"""The corrected robot: values are changed in their own units, and nothing else of the file is."""
+"""The corrected robot: values are changed in their own units, and the rest of the file is unchanged."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from pkmodes.robot.robot import Robot
 from pkmodes.robot.saving import Correction, corrected_text, save_corrected
 from robot_text import PUBLISHED, edited, published
 
-#: Joints of a tower printer, in place of those at the centre.
+#: Joints of a tower printer, instead of joints at the centre.
 JOINTS = ('["30 mm", "40 mm", 0]', "[0.0, 0.06, 0]", '["-3 cm", "0 mm", "-4 cm"]')
 
 
 def correct(tmp_path: Path, text: str, **changes: Correction) -> str:
-    """Text after corrections; the keywords have __ for the dots of the paths."""
+    """Return the text after corrections; in the keywords, __ stands for the dots of paths."""
     path = tmp_path / "robot.toml"
     path.write_bytes(text.encode("utf-8"))
     return corrected_text(path, {name.replace("__", "."): change for name, change in changes.items()})
@@ -35,7 +35,7 @@ def reread(tmp_path: Path, text: str) -> Robot:
 
 
 def changed_lines(before: str, after: str) -> tuple[list[str], list[str]]:
-    """Lines that are only in the one and only in the other text, with their ends."""
+    """Return the lines that are in only one of the texts, with their line endings."""
     changes = list(difflib.ndiff(before.splitlines(keepends=True), after.splitlines(keepends=True)))
     return tuple([line[2:] for line in changes if line[0] == mark] for mark in "-+")
 
@@ -264,7 +264,7 @@ def test_effects_are_added_at_the_end(tmp_path: Path) -> None:
         "factor_1 = { value = 0.02, sigma = 0.001 }\n"
     )
     assert reread(tmp_path, after).effects["axis_belt_stiffness.factor_2"] == 0.0
-    # The file need not end its last line.
+    # The file need not end with a newline.
     open_end = published().rstrip()
     after = correct(tmp_path, open_end, effects__payload__mass=Correction(0.35))
     assert after == open_end + '\n\n[effects.payload]\nmass = "0.35 kg"\n'
@@ -313,7 +313,7 @@ def test_inline_tables_and_dotted_keys_stay_what_they_are(tmp_path: Path) -> Non
         'width = "15 mm"': 'belt . "width" = "15 mm"',
     }.items():
         assert table in text
-        # Dotted keys and inline tables of the root stand before all tables.
+        # Dotted keys and inline tables of the root come before all tables.
         end = text.index("\n", text.index(table) + len(table)) + 1
         line = text[text.index(table) : end].replace(table, keys)
         text = text[: text.index(table)] + text[end:]
@@ -422,11 +422,11 @@ def test_windows_ends_of_lines_and_byte_order_marks_are_kept(tmp_path: Path) -> 
         ("platform.mass", Correction(float("nan")), "expected a finite value"),
         ("platform.mass", Correction(1.0, -1.0), "standard deviation of at least 0"),
         ("platform.mass", Correction(1.0, float("inf")), "standard deviation of at least 0"),
-        ("platform.mass", Correction(-1.0), "would be refused: expected a mass greater than 0 kg"),
-        ("platform.mass", Correction(1e99), "would be refused: expected a mass"),
-        ("effects.payload.mass", Correction(-1.0), "would be refused: expected a mass greater than 0 kg"),
+        ("platform.mass", Correction(-1.0), "would be rejected: expected a mass greater than 0 kg"),
+        ("platform.mass", Correction(1e99), "would be rejected: expected a mass"),
+        ("effects.payload.mass", Correction(-1.0), "would be rejected: expected a mass greater than 0 kg"),
         ("axis.joint_radius", Correction(0.1), "joint 1 cannot be changed along its direction: it is 0"),
-        ("axis.span", Correction(-0.1), "would be refused: expected the lower limit first"),
+        ("axis.span", Correction(-0.1), "would be rejected: expected the lower limit first"),
     ],
 )
 def test_what_cannot_be_corrected_is_refused(

@@ -1,4 +1,4 @@
-"""Quantities with units: exact decimal conversion, and errors that say expected and found."""
+"""Quantities with units: exact decimal conversion, and errors that say what was expected and found."""
 
 from __future__ import annotations
 

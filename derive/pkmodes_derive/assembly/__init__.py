@@ -1,6 +1,6 @@
-"""From a declared machine to everything that is derived of it: it knows parts and closures, and no mechanism.
+"""Derivation of a declared machine from its parts and closures, independent of the particular mechanism.
 
 `kinematics` closes the loops, `energy` writes the energies of the parts, `statics` solves the equilibrium, `derived`
-collects them with M and K, `condensed` eliminates what has no inertia, `sensitivity` differentiates with respect to
-parameters, and `chapters` and `models` list the functions that are emitted.
+collects them with M and K, `condensed` eliminates coordinates without inertia, `sensitivity` differentiates with
+respect to parameters, and `chapters` and `models` list the functions that are emitted.
 """

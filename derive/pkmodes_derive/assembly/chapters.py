@@ -1,4 +1,4 @@
-"""The functions of a model, with effects or without, each with its equation: nothing is derived here."""
+"""The functions of a model, with or without effects, each with its equation; nothing is derived here."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ HALF = Rational(1, 2)
 
 
 def chapters(c: Condensed) -> tuple[Function, ...]:
-    """Every function of a model."""
+    """Return every function of a model."""
     return (
         *_position(c),
         *_motion(c),
@@ -26,7 +26,7 @@ def chapters(c: Condensed) -> tuple[Function, ...]:
 
 
 def extra(c: Condensed, e: Extra) -> Function:
-    """A function of the mechanism's own."""
+    """Return a function specific to the mechanism."""
     if e.definitions is None:
         arguments = [c.pose] if e.arguments is None else e.arguments
         return c.function(e.name, e.summary, e.source, arguments, *e.outputs, details=e.details)
@@ -34,7 +34,7 @@ def extra(c: Condensed, e: Extra) -> Function:
 
 
 def _by(c: Condensed) -> str:
-    """With respect to what the platform moves."""
+    """Return the phrase that names the independent coordinates as variables of a derivative."""
     return f"with respect to the {c.machine.independent_are}"
 
 
@@ -43,17 +43,17 @@ def _unit(c: Condensed, for_length: str, for_angle: str) -> str:
 
 
 def _position(c: Condensed) -> list[Function]:
-    """Positions and the limits of the workspace."""
+    """Return the functions for positions and workspace limits."""
     m, n = c.machine, len(c.machine.independent)
     what = f"{m.independent_are} {', '.join(q.name for q in m.independent)}"
     found = [
         c.function(
             "inverse_kinematics",
             f"{m.independent_are.capitalize()} at a pose.",
-            "equations 1 to 3" if m.links else "they are the pose",
+            "equations 1 to 3" if m.links else "the pose itself",
             [c.pose],
             Output(m.argument, (n,), m.independent, _unit(c, "m", "rad"), what),
-            details="Not a number out of reach (see `reach_margin`)." if m.links else "",
+            details="NaN if the pose is out of reach (see `reach_margin`)." if m.links else "",
         ),
         *(extra(c, e) for e in m.extras),
     ]
@@ -64,7 +64,7 @@ def _position(c: Condensed) -> list[Function]:
             c.function(
                 "belt_spans",
                 "Free lengths of the belt spans.",
-                "equations 35 to 37; a pose is within the limits where all are positive",
+                "equations 35 to 37; a pose is within the limits if all are positive",
                 [c.pose],
                 Output("l_f", (len(runs), len(runs[0])), flat(runs), "m", names),
             )
@@ -75,7 +75,7 @@ def _position(c: Condensed) -> list[Function]:
 def _closures(c: Condensed) -> list[Function]:
     kin, n = c.kin, len(c.machine.independent)
     assert kin.solver is not None
-    # Entry by entry, because SymPy would write the root of det^2 as |det|, which has no complex step.
+    # Entry by entry, because SymPy would write the root of det^2 as |det|, which rules out a complex step.
     inverse_norm2 = Add(*((entry / kin.solver.determinant) ** 2 for entry in kin.solver.adjugate))
     jacobian_norm2 = Add(*(entry**2 for entry in kin.D_l))
     q = c.machine.argument
@@ -97,7 +97,7 @@ def _closures(c: Condensed) -> list[Function]:
         c.function(
             "jacobian_condition",
             "Assembly branch and condition number of D_l in the Frobenius norm.",
-            "equation 15; |D_l| |D_l^-1|, between once and three times the condition number in the 2-norm",
+            "equation 15; |D_l| |D_l^-1|, one to three times the condition number in the 2-norm",
             [c.pose],
             Output(
                 "determinant",
@@ -118,7 +118,7 @@ def _closures(c: Condensed) -> list[Function]:
 
 
 def _motion(c: Condensed) -> list[Function]:
-    """Velocities, accelerations and kinetic energy."""
+    """Return the functions for velocities, accelerations and kinetic energy."""
     m, kin, energies = c.machine, c.kin, c.energies
     n, d, q = len(m.independent), len(m.directions), m.argument
     found = [
@@ -135,12 +135,12 @@ def _motion(c: Condensed) -> list[Function]:
             "equation 17",
             [c.pose, c.free_rates],
             Output(
-                "D_p_dot", (d, n), flat(energies.D_p_dot), _unit(c, "1/s", "m/s"), f"d(D_p)/dt, with {q}_dot"
+                "D_p_dot", (d, n), flat(energies.D_p_dot), _unit(c, "1/s", "m/s"), f"d(D_p)/dt at {q}_dot"
             ),
         ),
         c.function(
             "platform_second_derivatives",
-            f"Second derivatives of the platform {_by(c)}.",
+            f"Second derivatives of the platform position {_by(c)}.",
             "equation 49, by the implicit function theorem to second order",
             [c.pose],
             Output(
@@ -171,21 +171,21 @@ def _links(c: Condensed) -> list[Function]:
                 (len(D_d), 3, n),
                 flat([tuple(of) for of in D_d]),
                 _unit(c, "1", "m"),
-                f"velocity of the centre of linkage j by {q}_dot",
+                f"D_d[j-1] {q}_dot is the velocity of the centre of mass of linkage j",
             ),
             Output(
                 "D_omega",
                 (len(D_omega), 3, n),
                 flat([tuple(of) for of in D_omega]),
                 _unit(c, "1/m", "1"),
-                f"angular velocity of linkage j by {q}_dot",
+                f"D_omega[j-1] {q}_dot is the angular velocity of linkage j",
             ),
         )
     ]
 
 
 def _midpoint_jacobian(c: Condensed, j: int) -> Matrix:
-    """Equation 16 with W_c = W_t: the centre of mass is midway."""
+    """Return D_d,j (equation 16 with W_c = W_t: the centre of mass is midway)."""
     first, _ = c.machine.rods[j].ends
     n = len(c.machine.independent)
     moved = Matrix(3, n, lambda m, k: c.kin.chain.derivative(first[m], c.machine.independent[k]))
@@ -193,7 +193,7 @@ def _midpoint_jacobian(c: Condensed, j: int) -> Matrix:
 
 
 def _angular_jacobian(c: Condensed, j: int) -> Matrix:
-    """D_omega,j = s_j x U_j / l_d^2, without spin about the rod."""
+    """Return D_omega,j = s_j x U_j / l_d^2, without spin about the rod."""
     link, U, n = c.machine.links[j], c.kin.U[j], len(c.machine.independent)
     columns = [cross(link.vector, tuple(U[:, k])) for k in range(n)]
     return Matrix(3, n, lambda m, k: columns[k][m] / link.length**2)
@@ -201,7 +201,11 @@ def _angular_jacobian(c: Condensed, j: int) -> Matrix:
 
 def _dynamics(c: Condensed) -> list[Function]:
     m, energies, n = c.machine, c.energies, len(c.machine.independent)
-    plain = f"symmetric; M_ss ({n} by {n}) and the diagonal M_t" if m.links and not m.arms else "symmetric"
+    plain = (
+        f"symmetric; block diagonal: M_ss ({n} by {n}) and the diagonal M_t"
+        if m.links and not m.arms
+        else "symmetric"
+    )
     velocities = tuple(m.velocities[i] for i in c.derived.free)
     return [
         c.function(
@@ -209,7 +213,7 @@ def _dynamics(c: Condensed) -> list[Function]:
             "Kinetic energies of the structure and of the transmissions.",
             "equations 24 and 28",
             [c.pose, c.q_dot],
-            Output("T_ss", (), (energies.T_ss,), "J", "platform and what moves it"),
+            Output("T_ss", (), (energies.T_ss,), "J", "platform and the bodies that move it"),
             Output("T_t", (), (energies.T_t,), "J", "rotors and motors"),
         ),
         c.function(
@@ -222,29 +226,29 @@ def _dynamics(c: Condensed) -> list[Function]:
         c.function(
             "velocity_forces",
             f"Coriolis and centrifugal forces h of M_ss {m.argument}_ddot + h + grad V = Q.",
-            "Lagrange's equations, equation 47 without its linearisation",
+            "Lagrange's equations; equation 47 before linearisation",
             [c.pose, c.free_rates],
             Output(
                 "h",
                 (n,),
                 tuple(lagrangian.velocity_forces(c.moving_energy, m.independent, velocities, c.kin.chain)),
                 _unit(c, "N", "N m"),
-                f"generalised forces on the {m.independent_are.rsplit(' ', 1)[0]} coordinates",
+                f"generalised forces conjugate to the {m.independent_are}",
             ),
-            details="While released joints hold and nothing stretches." if m.effects else "",
+            details="With released joints locked and transmissions rigid." if m.effects else "",
             known=c.locked,
         ),
     ]
 
 
 def _gravity(c: Condensed) -> list[Function]:
-    """Gravitational potential energy and its derivatives."""
+    """Return the functions for the gravitational potential energy and its derivatives."""
     n, by = len(c.machine.independent), _by(c)
     return [
         c.function(
             "gravity_potential",
-            "Gravitational potential energy V_g, the force function U_g with opposite sign.",
-            "equation 26, for gravity in any direction and every body that moves",
+            "Gravitational potential energy V_g = -U_g, with the force function U_g.",
+            "equation 26, for gravity in any direction and all moving bodies",
             [c.pose],
             Output("V_g", (), (c.energies.V_g,), "J", "zero at the origin of the base frame"),
             known=c.locked,
@@ -267,12 +271,12 @@ def _gravity(c: Condensed) -> list[Function]:
 
 
 def _transmissions(c: Condensed) -> list[Function]:
-    """Belts and reducers: stiffness, elastic potential energy and static equilibrium."""
+    """Return the functions for stiffness, elastic potential energy and static equilibrium of transmissions."""
     m, found = c.machine, []
     rotations = c.equilibrium.rotations
     if m.belts:
         k = tuple(tuple(run.stiffness for run in belt.runs) for belt in m.belts)
-        shape, what = (len(k), len(k[0])), "k[j-1, s-1], the spans in the order of `belt_spans`"
+        shape, what = (len(k), len(k[0])), "k[j-1, s-1] of span s of belt j, as in `belt_spans`"
         found.append(
             c.function(
                 "belt_stiffness",
@@ -287,7 +291,7 @@ def _transmissions(c: Condensed) -> list[Function]:
     return found + [
         c.function(
             "elastic_potential",
-            "Elastic potential energy V_el of the transmissions, the force function U_el with opposite sign.",
+            "Elastic potential energy V_el = -U_el of the transmissions, with the force function U_el.",
             "equation 38, summed",
             [c.pose, c.delta_q],
             Output("V_el", (), (c.V_el,), "J", "zero in the reference configuration"),
@@ -309,12 +313,12 @@ def _transmissions(c: Condensed) -> list[Function]:
                 (c.n, c.n),
                 c.K_el,
                 units_of_stiffness(m),
-                f"d2V_el/dq2, symmetric, {zero} zero eigenvalues",
+                f"d2V_el/dq2, symmetric, with {zero} zero eigenvalues",
             ),
         ),
         c.function(
             "static_equilibrium",
-            "Torques of the drives, and the rotations that go with them, that hold the pose.",
+            "Drive torques that hold the pose, and the corresponding rotations.",
             "equation 44, solved at the pose",
             [c.pose],
             Output(
@@ -322,16 +326,16 @@ def _transmissions(c: Condensed) -> list[Function]:
                 (len(m.drives),),
                 c.equilibrium.torques,
                 "N m",
-                "torques on the driven rotors, positive with their rotation",
+                "torques on the driven rotors, positive in the direction of their rotation",
             ),
             Output(
                 "theta_st",
                 (len(rotations),),
                 rotations,
                 "rad",
-                "rotations from unstrained transmissions, in the order of the coordinates",
+                "rotations relative to the unstrained transmissions, in the order of the coordinates",
             ),
-            details="Springs that effects add are relaxed at the pose, and released joints hold."
+            details="Springs added by effects are relaxed at the pose, and released joints are locked."
             if m.effects
             else "",
         ),
@@ -339,7 +343,7 @@ def _transmissions(c: Condensed) -> list[Function]:
 
 
 def _modal(c: Condensed) -> list[Function]:
-    """Stiffness matrix, alone and with the mass matrix."""
+    """Return the functions for the stiffness matrix, alone and with the mass matrix."""
     m, what = c.machine, "symmetric; Hessian of V_el + V_g, positive for a restoring force"
     K = Output("K", (c.n, c.n), c.K, units_of_stiffness(m), what)
     M = Output("M", (c.n, c.n), c.M, units_of_mass(m), "mass matrix")
@@ -358,7 +362,6 @@ def _modal(c: Condensed) -> list[Function]:
             [c.pose],
             M,
             K,
-            details="Common intermediate values are evaluated once, which makes this the function to call "
-            "for an eigenproblem.",
+            details="Common intermediate values are evaluated once: call this function for an eigenproblem.",
         ),
     ]

@@ -1,4 +1,4 @@
-"""A derived machine in the coordinates with inertia: what the functions of a model without free joints draw on."""
+"""A derived machine in its coordinates with inertia, the basis of the functions of a model without free joints."""
 
 from __future__ import annotations
 
@@ -16,29 +16,29 @@ COUNTS = {2: "two", 3: "three", 4: "four", 5: "five", 6: "six", 7: "seven", 8: "
 
 
 class Condensed:
-    """What the chapters of a model draw on: derived quantities, arguments, and M and K.
+    """Derived quantities, arguments, M and K that the functions of a model use.
 
     Parameters
     ----------
     derived : Derived
         With or without effects.
     zeros : set of sympy.Symbol
-        Parameters that are zero: released coordinates that have no inertia for them are condensed.
+        Parameters that are zero; released coordinates that have no inertia as a result are condensed.
 
     Attributes
     ----------
     coordinates, rates, displacements : tuple of sympy.Symbol
-        Of the coordinates with inertia, which every function has.
+        The coordinates with inertia, used by every function, their rates and displacements.
     M, K_el, K : tuple of sympy.Expr
         In the coordinates with inertia, row by row; K_el with the springs of released joints.
     K_g : tuple of sympy.Expr
-        Gravity, by the independent coordinates.
+        Hessian of gravity in the independent coordinates.
     M_all, K_all : list of lists
-        In all coordinates, with the springs.
+        In all coordinates, with the springs of released joints.
     condensation : list of lists
-        All coordinates by those with inertia, one row each.
+        Map from the coordinates with inertia to all coordinates, one row for each of these.
     V_el : sympy.Expr
-        Elastic energy, the springs of released joints included.
+        Elastic energy, including the springs of released joints.
     """
 
     def __init__(self, derived: Derived, zeros: Set[Symbol] = frozenset()) -> None:
@@ -66,7 +66,7 @@ class Condensed:
         )
 
     def _matrices(self, zeros: Set[Symbol]) -> None:
-        """M and K in all coordinates, and with those condensed that have no inertia."""
+        """Form M and K in all coordinates, then condense the coordinates without inertia."""
         d, machine, energies = self.derived, self.machine, self.energies
         self.V_el = Add(energies.V_el, *energies.V_r)
         K_el = [list(row) for row in d.K_el]
@@ -81,7 +81,7 @@ class Condensed:
             tuple(symbols[i] for i in kept)
             for symbols in (machine.all_coordinates, machine.rates, machine.small)
         )
-        # Gravity acts on what has a mass: a massless coordinate follows elastic forces alone.
+        # Gravity acts on masses only, so a massless coordinate follows elastic forces alone.
         self.condensation = condensation.follow(K_el, kept, massless)
         self._at_rest = {machine.rates[i]: Integer(0) for i in massless}
         self._following = {
@@ -100,17 +100,17 @@ class Condensed:
 
     @property
     def elastic_gradient(self) -> tuple[Expr, ...]:
-        """Where the massless coordinates are in equilibrium, they add nothing to the gradient by the others."""
+        """Gradient of V_el; massless coordinates are in equilibrium and contribute nothing."""
         return tuple(self.kin.chain.derivative(self.V_el, q, self.derived.hold) for q in self.displacements)
 
     @property
     def locked(self) -> dict[Symbol, Expr]:
-        """Released joints at rest, in the reference configuration."""
+        """Values of released joints at rest in the reference configuration."""
         return dict.fromkeys((s for c in self.machine.released for s in (c.position, c.rate)), Integer(0))
 
     @property
     def moving_energy(self) -> Expr:
-        """Kinetic energy of the structure while the platform moves and nothing stretches."""
+        """Kinetic energy of the structure with rigid transmissions and locked joints."""
         machine = self.machine
         rate = dict(zip(machine.coordinates, machine.velocities, strict=True))
         turning = {rate[q]: form.xreplace(rate) for q, form in machine.follows.items()}
@@ -118,7 +118,7 @@ class Condensed:
 
     @cached_property
     def rigid_modes(self) -> int:
-        """Nullity of the elastic Hessian, for values without a relation between them: an exact rank."""
+        """Nullity of the elastic Hessian, from its exact rank at unrelated values (primes)."""
         symbols = sorted({s for entry in self.K_el for s in entry.free_symbols}, key=default_sort_key)
         values = {symbol: Integer(prime(i)) for i, symbol in enumerate(symbols, start=1)}
         hessian = Matrix(self.n, self.n, [entry.xreplace(values) for entry in self.K_el])
@@ -134,10 +134,10 @@ class Condensed:
         details: str = "",
         known: Mapping[Symbol, Expr] | None = None,
     ) -> Function:
-        """A function of the pose, with the definitions that all of them share.
+        """Return a function of the pose that uses the shared definitions.
 
-        Rates and displacements of massless coordinates are not arguments: they are what they have to be, as are
-        others that are `known`.
+        Rates and displacements of massless coordinates are not arguments: they are substituted, as are the `known`
+        values.
         """
         known = {**self._at_rest, **self._following, **(known or {})}
         if not known:

@@ -1,4 +1,4 @@
-"""Everything derived of a machine, once for all models: kinematics, energies, equilibrium, and M and K."""
+"""Everything derived from a machine, once for all models: kinematics, energies, equilibrium, M and K."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ Rows = Sequence[Sequence[Expr]]
 
 @dataclass(frozen=True)
 class Derived:
-    """A machine with what is derived of it.
+    """A machine and everything derived from it.
 
     Attributes
     ----------
     machine : Machine
     kin, energies, equilibrium
     M, K_el, K_g : list of lists
-        In all coordinates, released ones included, without the springs of released joints.
+        In all coordinates, including released ones, without the springs of released joints.
     hold : tuple of sympy.Symbol
-        What small displacements leave as it is in the reference configuration: Jacobian and stiffnesses.
+        Values that small displacements leave unchanged: Jacobian and stiffnesses in the reference configuration.
     """
 
     machine: Machine
@@ -40,23 +40,23 @@ class Derived:
 
     @property
     def pose(self) -> Argument:
-        """The argument of a function of the pose."""
+        """The pose as an argument of a function."""
         return Argument(
             "p", self.machine.pose, self.machine.vocabulary[self.machine.pose[0]].unit, self.machine.pose_is
         )
 
     @property
     def free(self) -> tuple[int, ...]:
-        """Places of the independent coordinates among all."""
+        """Indices of the independent coordinates among the generalised coordinates."""
         return tuple(self.machine.coordinates.index(q) for q in self.machine.independent)
 
     def platform_motion(self, rates: Sequence[Symbol]) -> list[list[Expr]]:
-        """Absolute motion of the platform by some rates."""
+        """Return the derivatives of the platform's absolute velocity with respect to some rates."""
         return [[self.kin.chain.derivative(v, rate) for rate in rates] for v in self.machine.v_p]
 
 
 def derive(machine: Machine) -> Derived:
-    """Derive everything."""
+    """Derive kinematics, energies, equilibrium, M and K of a machine."""
     kin = kinematics.derive(machine)
     energies = energy.derive(machine, kin)
     equilibrium = statics.derive(machine, kin, energies)
@@ -74,7 +74,7 @@ def derive(machine: Machine) -> Derived:
 
 
 def _placed(machine: Machine, kin: kinematics.Kinematics, block: Rows) -> list[list[Expr]]:
-    """The Hessian of gravity in the coordinates that move the closures, in all coordinates."""
+    """Extend the Hessian of gravity from the coordinates that move the closures to all coordinates."""
     every = machine.all_coordinates
     index = [every.index(q) for q in kin.independent]
     placed = [[Integer(0)] * len(every) for _ in every]
@@ -85,22 +85,22 @@ def _placed(machine: Machine, kin: kinematics.Kinematics, block: Rows) -> list[l
 
 
 def added(a: Rows, b: Rows) -> list[list[Expr]]:
-    """Sum of two matrices."""
+    """Return the sum of two matrices."""
     return [[Add(x, y) for x, y in zip(*rows, strict=True)] for rows in zip(a, b, strict=True)]
 
 
 def flat(rows: Rows) -> tuple[Expr, ...]:
-    """Entries of a nested array, row by row."""
+    """Return the entries of a nested array, row by row."""
     return tuple(entry for row in rows for entry in row)
 
 
 def units_of_mass(machine: Machine) -> str:
-    """Units of the entries of M: released joints alone couple translations with rotations."""
+    """Return the units of the entries of M; only released joints couple translations with rotations."""
     return _listed(machine, "kg", "kg m" if machine.released else "", "kg m^2")
 
 
 def units_of_stiffness(machine: Machine) -> str:
-    """Units of the entries of K."""
+    """Return the units of the entries of K."""
     return _listed(machine, "N/m", "N", "N m")
 
 

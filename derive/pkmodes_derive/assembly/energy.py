@@ -1,14 +1,14 @@
-r"""Kinetic and potential energies of a machine's parts, as a person would write them.
+r"""Kinetic and potential energies of a machine's parts, as one would write them by hand.
 
 Everything that the modal analysis needs follows from these expressions by differentiation:
 
-* T_ss of the structure (equation 24): point masses; slender rods, of which one whose ends move with v_e and v_c has
+* T_ss of the structure (equation 24): point masses; slender rods with end velocities v_e and v_c, each
   :math:`\tfrac{m}{6}(v_e \cdot v_e + v_e \cdot v_c + v_c \cdot v_c)`, translation and rotation together; arms;
 * T_t of rotors and motors (equations 28 to 30);
 * V_g (equation 26 with the sign of a potential energy);
 * V_el of belts and reducers about a reference configuration (equations 34 to 41).
 
-Effects add energies of their own, and coordinates that were locked.
+Effects add energies and release locked coordinates.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ from pkmodes_derive.vectors import dot
 from pkmodes_derive.vocabulary import AXES
 
 HALF, SIXTH = Rational(1, 2), Rational(1, 6)
-#: A velocity: rates, each with the vector that it is multiplied by.
+#: A velocity: pairs of a rate and the vector it multiplies.
 Velocity = list[tuple[Expr, tuple[Expr, ...]]]
 BASIS = tuple(tuple(Integer(i == k) for k in range(3)) for i in range(3))
 
 
 @dataclass(frozen=True)
 class Energies:
-    """The energies [J] and the named values that they are written in.
+    """The energies [J] and the named values they use.
 
     Attributes
     ----------
@@ -40,8 +40,8 @@ class Energies:
     V_g : sympy.Expr
         Gravitational potential energy.
     V_el : sympy.Expr
-        Elastic potential energy of the transmissions and of what effects add, in small displacements from the
-        reference configuration; without the springs of released coordinates.
+        Elastic potential energy of the transmissions and of springs that effects add, in small displacements from
+        the reference configuration; without the springs of released coordinates.
     V_transmissions : sympy.Expr
         The part of V_el that static rotations strain.
     V_r : tuple of sympy.Expr
@@ -49,7 +49,7 @@ class Energies:
     D_p_dot : tuple of tuple
         Time derivative of the platform Jacobian (equation 17), index [direction][k-1].
     stiffnesses : tuple of sympy.Symbol
-        Of belt runs and reducers, in the reference configuration.
+        Stiffnesses of belt runs and reducers in the reference configuration.
     """
 
     T_ss: Expr
@@ -87,7 +87,7 @@ def derive(machine: Machine, kinematics: Kinematics) -> Energies:
 
 
 def _define_platform_motion(machine: Machine, kinematics: Kinematics) -> None:
-    """Velocity and, where effects need it, small displacement of the platform: D times the coordinates."""
+    """Define velocity and, if effects need it, small displacement of the platform: D times the coordinates."""
     places = [machine.coordinates.index(q) for q in machine.independent]
     elongations = [c for link in machine.links for c in link.elongation]
     rates = [*(machine.velocities[i] for i in places), *(c.rate for c in elongations)]
@@ -102,7 +102,7 @@ def _define_platform_motion(machine: Machine, kinematics: Kinematics) -> None:
 
 
 def _velocity(machine: Machine, position: Sequence[Expr]) -> Velocity:
-    """Absolute velocity of a point that is fixed on a body."""
+    """Return the absolute velocity of a body-fixed point."""
     if not any(
         (a - b).free_symbols - _constants(machine) for a, b in zip(position, machine.platform, strict=True)
     ):
@@ -118,12 +118,12 @@ def _velocity(machine: Machine, position: Sequence[Expr]) -> Velocity:
 
 
 def _constants(machine: Machine) -> set[Symbol]:
-    """Symbols that no motion changes."""
+    """Return the symbols that no motion changes."""
     return {symbol for field in machine.tables.fields for symbol in field.symbols}
 
 
 def _product(machine: Machine, a: Velocity, b: Velocity) -> Expr:
-    """Scalar product of two velocities; the square of a unit vector is 1."""
+    """Return the scalar product of two velocities; the square of a unit vector is 1."""
     return Add(*(p * q * _scalar(machine, u, w) for p, u in a for q, w in b))
 
 
@@ -151,13 +151,13 @@ def _structure(machine: Machine) -> Expr:
         along = tuple(machine.chain.derivative(component, arm.angle) for component in arm.centre)
         u = machine.frame_rate
         T += HALF * arm.inertia * rate**2 + arm.mass * (rate * dot(along, u) + HALF * dot(u, u))
-    # One coefficient for each product of velocities: the apparent mass that a person would name.
+    # One coefficient for each product of velocities: the apparent mass.
     v_p = machine.v_p
     return collect(expand(T), [c**2 for c in v_p] + list(v_p))
 
 
 def _transmissions(machine: Machine, inertias: Sequence[Expr]) -> Expr:
-    """Rotors, and the motor on the driven one; a wind-up turns the motor further than the rotor."""
+    """Return the kinetic energy of rotors and motors; wind-up turns a motor further than its driven rotor."""
     rate = dict(zip(machine.coordinates, machine.velocities, strict=True))
     T = Add(
         *(HALF * moment * rate[r.coordinate] ** 2 for moment, r in zip(inertias, machine.rotors, strict=True))
@@ -170,7 +170,7 @@ def _transmissions(machine: Machine, inertias: Sequence[Expr]) -> Expr:
 
 
 def _jacobian_rate(machine: Machine, kinematics: Kinematics) -> tuple[tuple[Expr, ...], ...]:
-    """Equation 17: D_p_dot = D_l^-1 (D_r_dot - D_l_dot D_p), with the rows of D_l_dot the rates of s_j."""
+    """Return D_p_dot = D_l^-1 (D_r_dot - D_l_dot D_p), equation 17; the rows of D_l_dot are the rates of s_j."""
     n = len(machine.independent)
     if kinematics.solver is None:
         return tuple((Integer(0),) * n for _ in machine.directions)
@@ -202,23 +202,23 @@ def _jacobian_rate(machine: Machine, kinematics: Kinematics) -> tuple[tuple[Expr
         right = []
         for j, link in enumerate(machine.links):
             own = chain.definitions[kinematics.D_r[j, j]]
-            rate = _rate_of_own(machine, own, link.vector, s_dot[j], q[j], q_dot[j]) if j == k else 0
+            rate = _diagonal_rate(machine, own, link.vector, s_dot[j], q[j], q_dot[j]) if j == k else 0
             right.append(rate - dot(s_dot[j], tuple(kinematics.D_p[:, k])))
         for m, component in enumerate(kinematics.solver.solve(right)):
             machine.define(names[m][k], component)
     return names
 
 
-def _rate_of_own(
+def _diagonal_rate(
     machine: Machine, own: Expr, s: Sequence[Symbol], s_dot: Sequence[Symbol], q: Symbol, q_dot: Symbol
 ) -> Expr:
-    """Time derivative of an entry of D_r, by the rates of its link vector and of its own coordinate."""
+    """Return the time derivative of an entry of D_r from the rates of its link vector and its coordinate."""
     by_vector = Add(*(diff(own, component) * rate for component, rate in zip(s, s_dot, strict=True)))
     return by_vector + machine.chain.derivative(own, q, hold=s) * q_dot
 
 
 def _gravity(machine: Machine) -> Expr:
-    """V_g = -g . sum m r, rods with their weight midway (equations 4 and 26)."""
+    """Return V_g = -g . sum m r; the weight of a rod acts midway (equations 4 and 26)."""
     frame = machine.frame_position
     bodies = [(body.mass, body.position) for body in machine.points]
     bodies += [(arm.mass, arm.centre) for arm in machine.arms]
@@ -238,7 +238,7 @@ def _gravity(machine: Machine) -> Expr:
 
 
 def _rotor_inertias(machine: Machine) -> list[Expr]:
-    """Motor and gearbox turn rigidly with the driven rotor (after equation 30)."""
+    """Return the moments of inertia of the rotors; motor and gearbox belong to the driven one (after equation 30)."""
     found: list[Expr] = []
     for rotor in machine.rotors:
         moment = rotor.inertia
@@ -251,16 +251,16 @@ def _rotor_inertias(machine: Machine) -> list[Expr]:
 
 
 def _define_belts(machine: Machine) -> tuple[Symbol, ...]:
-    """Free lengths and stiffnesses of the spans (equations 34 to 37), in the reference configuration.
+    """Define free lengths and stiffnesses of the spans (equations 34 to 37) in the reference configuration.
 
     Small displacements leave the stiffnesses constant (the paper, before equation 38): V_el is written in
-    displacements, and no derivative by a displacement passes through them.
+    displacements, and derivatives with respect to displacements do not differentiate the stiffnesses.
     """
     for belt in machine.belts:
         modulus = belt.modulus * (1 + belt.change) * belt.factor
         for run in belt.runs:
             machine.define(run.length, run.free_length)
-            # 1/k = l/(w k_sp (1 + a)) + c, so written that c = 0 is no special case.
+            # 1/k = l/(w k_sp (1 + a)) + c, rearranged so that c = 0 is not a special case.
             machine.define(run.stiffness, modulus / (run.length + belt.compliance * modulus))
     return tuple(run.stiffness for belt in machine.belts for run in belt.runs)
 
@@ -272,7 +272,7 @@ def _define_reducers(machine: Machine) -> tuple[Symbol, ...]:
 
 
 def _elastic(machine: Machine) -> Expr:
-    """Equation 38 with the sign of a potential energy, and reducers."""
+    """Return the elastic energy of belts (equation 38 with the sign of a potential energy) and reducers."""
     V = []
     for belt in machine.belts:
         for run in belt.runs:

@@ -1,12 +1,12 @@
 r"""Kinematics: closures and their derivatives to second order, by the implicit function theorem.
 
-A rigid link with vector s_j, from the joint of its independent coordinate to the platform's, keeps its length:
+The vector s_j of a rigid link, from the joint of its independent coordinate to the platform joint, keeps its length:
 
 .. math:: \Phi_j = \tfrac12 \left(s_j \cdot s_j - l_{d,j}^2\right) = 0.
 
 The theorem gives the platform Jacobian D_p = D_l^{-1} D_r (equations 12 to 15) and the second derivatives of the
-platform that replace the time derivative of D_p in equation 49.  Without links the platform is where the independent
-coordinates are.
+platform position, which replace the time derivative of D_p in equation 49.  Without links the independent coordinates
+give the platform position directly.
 """
 
 from __future__ import annotations
@@ -32,29 +32,29 @@ class Kinematics:
     chain : Chain
         Definitions as functions of coordinates and platform, and the rules dp/dq = D, dD_p/dq = P.
     inverse : dict
-        The definitions that give the independent coordinates from the pose.
+        Definitions of the independent coordinates as functions of the pose.
     closures : list of sympy.Expr
-        Phi_j, of as many links as dependent coordinates; empty without links.
+        Phi_j, one for each dependent coordinate; empty without links.
     solver : implicit.Solver or None
-        Of systems with D_l = Phi_s; None without links.
+        Solver for systems with D_l = Phi_s; None without links.
     D_l : sympy.Matrix
         Phi_s.
     D_r : sympy.Matrix
-        -Phi_q for the independent coordinates, diagonal: each link has one of its own.
+        -Phi_q for the machine's independent coordinates, diagonal: each link has its own coordinate.
     D_p : sympy.Matrix
-        Platform Jacobian by the independent coordinates.
+        Platform Jacobian with respect to the machine's independent coordinates.
     U : tuple of sympy.Matrix
-        U_j = ds_j/dq, the Jacobian of link vector j, by `independent`.
+        U_j = ds_j/dq, the Jacobian of link vector j with respect to `independent`.
     P : tuple of sympy.Matrix
-        Second derivatives of the platform by the independent coordinates.
+        Second derivatives of the platform position with respect to the machine's independent coordinates.
     independent : tuple of sympy.Symbol
-        Coordinates that move the closures: the machine's, then the elongations where they are released.
+        Coordinates that move the closures: the machine's, then any released elongations.
     right : sympy.Matrix
-        -Phi_q for all of them; its first columns are D_r.
+        -Phi_q for all of `independent`; its first columns are D_r.
     D : sympy.Matrix
-        dp/dq for all of them; its first columns are D_p.
+        dp/dq for all of `independent`; its first columns are D_p.
     reference : dict
-        Released coordinates in the reference configuration.
+        Values of released coordinates in the reference configuration.
     """
 
     chain: Chain
@@ -73,7 +73,7 @@ class Kinematics:
 
     @property
     def definitions(self) -> dict[Symbol, Expr]:
-        """Definitions in an order in which they can be evaluated when the pose is the input."""
+        """Definitions in evaluation order, with the pose as input."""
         chain, first = self.chain.definitions, {}
 
         def take(symbols: set[Symbol]) -> None:
@@ -87,7 +87,7 @@ class Kinematics:
 
 
 def derive(machine: Machine) -> Kinematics:
-    """Derive the kinematics; the derivative rules for the platform and D_p are left in the machine's chain."""
+    """Derive the kinematics; the derivative rules for the platform and D_p are added to the machine's chain."""
     chain = machine.chain
     elongations = tuple(c.position for link in machine.links for c in link.elongation)
     independent = (*machine.independent, *elongations)
@@ -106,7 +106,7 @@ def derive(machine: Machine) -> Kinematics:
     ]
     D_l, right = implicit.first_order(closures, independent, machine.dependent, chain)
     right = right.xreplace(reference)  # released coordinates are zero in the reference configuration
-    D_r = _own(machine, right, n)
+    D_r = _diagonal(machine, right, n)
     solver = implicit.Solver(D_l, machine.vocabulary, chain, machine.directions)
     D = _jacobian(machine, solver, right, independent)
     D_p = D[:, :n]
@@ -118,7 +118,7 @@ def derive(machine: Machine) -> Kinematics:
 
 
 def _components(machine: Machine) -> tuple[Expr, ...]:
-    """The platform's position in the directions in which it moves."""
+    """Return the platform position in the directions in which it moves."""
     return tuple(machine.platform[AXES.index(axis)] for axis in machine.directions)
 
 
@@ -126,14 +126,14 @@ def _closure(s: Sequence[Symbol], length: Expr, elongation: Sequence[Symbol]) ->
     return (dot(s, s) - Add(length, *elongation) ** 2) * Rational(1, 2)
 
 
-def _own(machine: Machine, right: Matrix, n: int) -> Matrix:
-    """D_r, its diagonal named."""
+def _diagonal(machine: Machine, right: Matrix, n: int) -> Matrix:
+    """Return D_r with its diagonal named."""
     D_r = Matrix.zeros(len(machine.links), n)
     for j in range(n):
         name = machine.vocabulary.declare(
             "D_r_{j}",
             machine.unit_by(machine.independent[j], "m", "m^2"),
-            "entry of D_r for axis {j}: linkage vector along the motion of its joint",
+            "entry of D_r for axis {j}: component of linkage vector along the motion of its joint",
             "(D_r)_{{{j}{j}}}",
             j=j + 1,
         )
@@ -167,7 +167,7 @@ def _link_jacobian(machine: Machine, j: int, independent: tuple[Symbol, ...]) ->
     for m, axis in enumerate(machine.directions):
         for k, q in enumerate(independent):
             U[m, k] = chain.derivative(s[m], q)
-            if k < n:  # along an elongation the link vector moves with the platform: no name of its own
+            if k < n:  # along an elongation the link vector moves with the platform: no new name
                 name = machine.vocabulary.declare(
                     "U_{j}_{i}_{k}",
                     machine.unit_by(machine.independent[k], "1", "m"),
@@ -196,7 +196,7 @@ def _second_derivatives(
             forcing = implicit.second_order_forcing(closures, q[k], q[m], chain, jacobian=tuple(D_p))
             names = []
             for j in range(len(closures)):
-                what = f"right-hand side of closure {{j}} differentiated {by}"
+                what = f"right-hand side of closure {{j}}, differentiated {by}"
                 place = {"j": j + 1, "k": k + 1, "l": m + 1}
                 names.append(
                     v.declare(

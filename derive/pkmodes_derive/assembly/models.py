@@ -1,4 +1,4 @@
-"""The three models of a mechanism: without effects, with all of them, and that of one robot with some."""
+"""The three models of a mechanism: without effects, with all effects, and for one robot with some effects."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ Places = tuple[tuple[int, int], ...]
 
 
 def parameters(machine: Machine) -> FieldGroup:
-    """The parameters as arrays."""
+    """Return the parameters as arrays."""
     return FieldGroup("Parameters", "parameters", tuple(machine.tables.fields))
 
 
 def base(machine: Machine, relations: Relations | None = None) -> Model:
-    """The model without effects; `relations` are results to be shown beside it."""
+    """Return the model without effects; `relations` gives further results for the documentation."""
     derived = derive(machine)
     c = Condensed(derived)
     v = machine.vocabulary
@@ -40,7 +40,7 @@ def base(machine: Machine, relations: Relations | None = None) -> Model:
 
 
 def describe(machine: Machine, rigid_modes: int | None) -> Description:
-    """What the runtime has to know of a mechanism, given with every effect that applies."""
+    """Return what the runtime needs to know about a mechanism; `machine` has every effect that applies."""
     v = machine.vocabulary
     named = tuple(Named(q.name, v[q].unit, v[q].description) for q in machine.coordinates)
     pose = tuple(
@@ -57,7 +57,11 @@ def describe(machine: Machine, rigid_modes: int | None) -> Description:
         independent_are=machine.independent_are,
         directions=machine.directions,
         drives=tuple(
-            Named(str(j), "N m", v[drive.torque].description.removeprefix("static torque on the "))
+            Named(
+                str(j),
+                "N m",
+                v[drive.torque].description.removeprefix("static torque on ").removeprefix("the "),
+            )
             for j, drive in enumerate(machine.drives, start=1)
         ),
         rigid_modes=rigid_modes or 0,
@@ -73,11 +77,11 @@ def describe(machine: Machine, rigid_modes: int | None) -> Description:
 
 
 def extended(machine: Machine) -> Model:
-    """The model with every effect that was applied: extended M and K, and their derivatives by every parameter.
+    """Return the model with every effect: extended M and K, and their derivatives with respect to every parameter.
 
-    The base model is the leading block: released coordinates are relative, so locking one is deleting its row
-    and column.  M and K are those of free joints; the stiffness 1/c of each released joint is added to the
-    diagonal of K by whoever knows which joints are released.
+    The base model is the leading block: released coordinates are relative, so locking one deletes its row
+    and column.  M and K are for free joints; the caller, who knows which joints are released, adds their
+    stiffnesses 1/c to the diagonal of K.
     """
     d, v = derive(machine), machine.vocabulary
     place = {
@@ -87,27 +91,28 @@ def extended(machine: Machine) -> Model:
     }
     of_geometry = sensitivity.geometry(d)
     of_values = sensitivity.values(machine, of_geometry)
+    moved = machine.independent_are
     functions, constants = [], []
     for name, title, source, some, also, comment in (
         (
             "value_sensitivities",
-            "Derivatives of M and K by every parameter that moves nothing, at a fixed pose.",
+            "Derivatives of M and K at a fixed pose with respect to parameters that move no coordinate.",
             "chain rule",
             of_values,
             "",
-            "By which parameters the derivatives are taken: field of Parameters or Effects, index in it, and the "
-            "(row, column) of the entries of M and of K that depend on it, in the upper triangle.",
+            "Parameters of the derivatives: field of Parameters or Effects, index in it, and (row, column) of the "
+            "entries of M and of K, in the upper triangle, that depend on it.",
         ),
         (
             "geometry_sensitivities",
-            f"Derivatives of M and K by every parameter that moves the {machine.independent_are}, at a fixed pose.",
+            f"Derivatives of M and K at a fixed pose with respect to parameters that move the {moved}.",
             "implicit function theorem and chain rule",
             of_geometry,
             "".join(
-                f"; by the field {field}, the opposite of those by {other}"
+                f"  Derivatives with respect to {field} are the negatives of those with respect to {other}."
                 for field, other in machine.differences.items()
             ),
-            "The same for the geometry.",
+            "The same for `geometry_sensitivities`.",
         ),
     ):
         function, places = _sensitivities(d, name, title, source, some, also)
@@ -139,8 +144,8 @@ def _matrices(d: Derived) -> Function:
     shape, K = (n, n), units_of_stiffness(d.machine)
     return Function(
         "extended_matrices",
-        "Mass and stiffness matrices in the base and all released coordinates, joints free.",
-        "equations 24 to 48 with the effects' energies; K = K_el + K_g and the joints' stiffnesses",
+        "Mass and stiffness matrices in the base and all released coordinates, with free joints.",
+        "equations 24 to 48 with the effects' energies; K = K_el + K_g plus the joint stiffnesses",
         (d.pose,),
         (
             Output(
@@ -148,9 +153,9 @@ def _matrices(d: Derived) -> Function:
                 shape,
                 flat(d.M),
                 units_of_mass(d.machine),
-                "mass matrix; the base model's is the leading block",
+                "mass matrix; its leading block is that of the base model",
             ),
-            Output("K_el", shape, flat(d.K_el), K, "elastic stiffness, released joints free"),
+            Output("K_el", shape, flat(d.K_el), K, "elastic stiffness with free joints"),
             Output("K_g", shape, flat(d.K_g), K, "Hessian of the gravitational potential energy"),
         ),
         d.kin.definitions,
@@ -158,13 +163,13 @@ def _matrices(d: Derived) -> Function:
 
 
 def _motion(d: Derived) -> Function:
-    """The absolute motion of the platform."""
+    """Return the function for the absolute motion of the platform."""
     rows = d.platform_motion(d.machine.rates)
     shape = (len(rows), len(d.machine.rates))
     return Function(
         "extended_platform_motion",
-        "Absolute motion of the platform centre by the coordinates.",
-        "equation 15, with what released joints and the frame add",
+        "Jacobian of the absolute motion of the platform centre.",
+        "equation 15, with the contributions of released joints and the frame",
         (d.pose,),
         (Output("J_p", shape, flat(rows), "1, m", "dp_i/dq_k, base frame"),),
         d.kin.definitions,
@@ -182,23 +187,25 @@ def _joints(d: Derived) -> Function:
         "energy q^2 / (2 c) of each joint",
         (),
         (
-            Output("kappa", (n,), tuple(stiffness), "N/m, N m", "in the order of the released coordinates"),
-            Output("kappa_c", (n,), tuple(rates), "N^2/m^2, N^2 m^2", "derivatives by the compliances"),
+            Output(
+                "kappa", (n,), tuple(stiffness), "N/m, N m", "stiffness of each released coordinate, in order"
+            ),
+            Output("kappa_c", (n,), tuple(rates), "N^2/m^2, N^2 m^2", "derivatives d(kappa)/d(compliance)"),
         ),
         {},
-        "Infinite for a compliance of zero: a locked joint.",
+        "Infinite for zero compliance (a locked joint).",
     )
 
 
 def _needs(machine: Machine) -> list[Function]:
-    """What effects need of their parameters."""
+    """Return the conditions of effects on their parameters."""
     symbols = {field.name: field.symbols[0] for field in machine.effect_fields}
     found = []
     for effect in machine.effects:
         if effect.needs is not None:
             of = effect.needs.of({p.name: symbols[f"{effect.name}_{p.name}"] for p in effect.parameters})
-            output = Output("margin", (1,), (of,), "1", "above zero where it makes sense")
-            summary = f"What the effect {effect.name} needs of its parameters."
+            output = Output("margin", (1,), (of,), "1", "positive for physical parameters")
+            summary = f"Condition on the parameters of the effect {effect.name}."
             found.append(
                 Function(
                     f"{effect.name}_margin", summary, "the effect's definition", (), (output,), {}, in_c=False
@@ -208,17 +215,21 @@ def _needs(machine: Machine) -> list[Function]:
 
 
 def _static_equilibrium(d: Derived) -> Function:
-    """Equation 44."""
+    """Return the function for the static equilibrium (equation 44)."""
     torques, rotations = d.equilibrium.torques, d.equilibrium.rotations
     return Function(
         "extended_static_equilibrium",
-        "Torques and rotations that hold the pose, the effects' weights and changes of stiffness included.",
-        "equation 44; springs that effects add are relaxed at the pose, and the released joints hold",
+        "Drive torques and rotations that hold the pose, with the weights and stiffness changes of effects.",
+        "equation 44; springs added by effects are relaxed at the pose, and released joints are locked",
         (d.pose,),
         (
             Output("tau_st", (len(torques),), torques, "N m", "torques on the driven rotors"),
             Output(
-                "theta_st", (len(rotations),), rotations, "rad", "rotations from unstrained transmissions"
+                "theta_st",
+                (len(rotations),),
+                rotations,
+                "rad",
+                "rotations relative to the unstrained transmissions",
             ),
         ),
         d.kin.definitions,
@@ -228,7 +239,7 @@ def _static_equilibrium(d: Derived) -> Function:
 def _sensitivities(
     d: Derived, name: str, title: str, source: str, by: Sequence[Symbol], also: str
 ) -> tuple[Function, tuple[tuple[Places, Places], ...]]:
-    """The derivatives, and for each parameter which entries of M and of K they are."""
+    """Return the derivatives and, for each parameter, the entries of M and K that they belong to."""
     chain = sensitivity.PoseChain(d, by)
     dM, dK = (chain.derivatives(matrix) for matrix in (d.M, added(d.K_el, d.K_g)))
     function = Function(
@@ -237,11 +248,11 @@ def _sensitivities(
         source,
         (d.pose,),
         (
-            _listed("M_theta", dM, "unit of M by that of the parameter", "dM/dtheta"),
-            _listed("K_theta", dK, "unit of K by that of the parameter", "dK/dtheta"),
+            _listed("M_theta", dM, "unit of M / unit of the parameter", "dM/dtheta"),
+            _listed("K_theta", dK, "unit of K / unit of the parameter", "dK/dtheta"),
         ),
         chain.chain.definitions,
-        f"The entries of the upper triangles that {name.upper()} lists, all others being zero{also}.",
+        f"Returns the upper-triangle entries listed in {name.upper()}; all others are zero.{also}",
         in_c=False,
     )
     return function, tuple(zip(map(tuple, dM), map(tuple, dK), strict=True))
@@ -255,9 +266,9 @@ def _listed(
 
 
 def single(machine: Machine, zeros: Set[tuple[str, int]]) -> Model:
-    """The model of one robot with effects: the functions of the base model, in its own coordinates, and a few more.
+    """Return the model of one robot with effects: the functions of the base model in its coordinates, and some more.
 
-    Coordinates that have no inertia are condensed, exactly, so that the matrices are those of an eigenproblem.
+    Coordinates without inertia are condensed exactly, so the matrices define an eigenproblem.
 
     Parameters
     ----------
@@ -271,7 +282,7 @@ def single(machine: Machine, zeros: Set[tuple[str, int]]) -> Model:
     c, v = Condensed(derive(machine), absent), machine.vocabulary
     every = tuple(q.name for q in machine.all_coordinates)
     listed = (
-        "All coordinates, those without inertia included, as `condensation` has them.",
+        "All coordinates, including those without inertia, in the order of `condensation`.",
         "ALL_COORDINATES",
         every,
     )
@@ -288,46 +299,47 @@ def single(machine: Machine, zeros: Set[tuple[str, int]]) -> Model:
 
 
 def _notes(c: Condensed) -> tuple[str, ...]:
-    """What the effects change in the use of the code."""
-    active = "; ".join(f"{effect.name}: {effect.sentence}" for effect in c.machine.effects)
+    """Return notes on how the effects change the use of the code."""
+    active = ", ".join(f"{effect.name} ({effect.sentence})" for effect in c.machine.effects)
     notes = [
-        f"With effects ({active}).  Coordinates that they add are relative and zero at the pose.  "
-        f"`platform_jacobian` is by the {c.machine.independent_are} alone, `platform_motion` by every coordinate."
+        f"Active effects: {active}.  The coordinates they add are relative and zero at the pose.  "
+        f"`platform_jacobian` is with respect to the {c.machine.independent_are} only, `platform_motion` with "
+        "respect to every coordinate."
     ]
     if c.massless:
         names = ", ".join(q.name for q in c.massless)
         every = ", ".join(q.name for q in c.machine.all_coordinates)
         notes.append(
-            f"Without inertia: {names}.  They follow the others without delay and add no mode, so all functions "
-            "have the coordinates above only; M is positive definite, and K is what is felt with the others in "
-            "equilibrium (condensed exactly)."
+            f"Coordinates without inertia: {names}.  They follow the others statically and add no mode, so all "
+            "functions use only the coordinates above; M is positive definite, and K is condensed exactly."
         )
         notes.append(
-            f"In all {len(every.split(', '))} coordinates ({every}): the matrices by `uncondensed_matrices`, M with "
-            "rows of zeros, which no eigen-solver takes; a shape by `condensation` times the shape of the others."
+            f"For all {len(every.split(', '))} coordinates ({every}), `uncondensed_matrices` returns M and K; this M "
+            "has zero rows, which eigensolvers reject.  Multiply a mode shape by `condensation` to extend it to all "
+            "coordinates."
         )
     return tuple(notes)
 
 
 def _platform_motion(c: Condensed) -> Function:
-    """The absolute motion of the platform: what moves it has its mass, so no massless coordinate does."""
+    """Return the function for the absolute motion of the platform, which no massless coordinate moves."""
     rows = c.derived.platform_motion(c.rates)
     return c.function(
         "platform_motion",
-        "Absolute motion of the platform centre by the coordinates.",
-        "equation 15, with what released joints and the frame add",
+        "Jacobian of the absolute motion of the platform centre.",
+        "equation 15, with the contributions of released joints and the frame",
         [c.pose],
         Output("J_p", (len(rows), c.n), flat(rows), "1, m", "dp_i/dq_k, base frame"),
     )
 
 
 def _uncondensed(c: Condensed) -> list[Function]:
-    """The matrices with every coordinate, and how those without inertia follow."""
+    """Return the functions for the matrices in all coordinates and for the condensation."""
     n = len(c.machine.all_coordinates)
     return [
         c.function(
             "uncondensed_matrices",
-            "Mass and stiffness matrices in all coordinates: M has rows of zeros, and no inverse.",
+            "Mass and stiffness matrices in all coordinates; M has zero rows and is singular.",
             "equation 48, with the effects' energies",
             [c.pose],
             Output("M", (n, n), flat(c.M_all), units_of_mass(c.machine), "mass matrix"),
@@ -335,7 +347,7 @@ def _uncondensed(c: Condensed) -> list[Function]:
         ),
         c.function(
             "condensation",
-            "All coordinates by those with inertia.",
+            "Map from the coordinates with inertia to all coordinates.",
             "K_rr x_r + K_rq x_q = 0 for the coordinates r without inertia",
             [c.pose],
             Output(
@@ -343,7 +355,7 @@ def _uncondensed(c: Condensed) -> list[Function]:
                 (n, c.n),
                 flat(c.condensation),
                 "1, m, 1/m",
-                "all coordinates are T times those with inertia; T^T K T of the uncondensed K is the condensed one",
+                "all coordinates are T times those with inertia; T^T K T condenses the uncondensed K",
             ),
         ),
     ]

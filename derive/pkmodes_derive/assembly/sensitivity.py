@@ -1,16 +1,16 @@
 r"""Exact derivatives of M and K with respect to every parameter, at a fixed pose.
 
-With the pose held, a parameter moves the independent coordinates by inverse kinematics, and with them links, belts
-and link forces.  Three quantities are given by the implicit function theorem once more, so that nothing has
-to be differentiated through square roots and inverses: with theta a parameter,
+With the pose held, a parameter moves the independent coordinates through the inverse kinematics, and with them links,
+belts and link forces.  The implicit function theorem gives three of the derivatives, so nothing has to be
+differentiated through square roots and inverses.  For a parameter theta,
 
 .. math::
     \frac{dq_j}{d\theta} = \frac{\Phi_{j,\theta}}{(D_r)_{jj}}, \qquad
     D_l \frac{dD}{d\theta} = \frac{d(-\Phi_q)}{d\theta} - \frac{dD_l}{d\theta} D, \qquad
     D_l^T \frac{d\mu}{d\theta} = \frac{dV_p}{d\theta} - \frac{dD_l^T}{d\theta} \mu .
 
-Everything else is the chain rule over named values.  Where the parameter moves nothing, most of it is zero:
-those parameters have a function of their own, which is several times shorter than that of the geometry.
+Everything else follows from the chain rule over named values.  For parameters that move no coordinate most terms are
+zero: they have a separate function, several times shorter than the one for the geometry.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from pkmodes_derive.machine import Machine
 
 
 def values(machine: Machine, moving: Sequence[Symbol]) -> tuple[Symbol, ...]:
-    """Parameters by which M and K are differentiated and that move nothing, in the order of the arrays.
+    """Return the parameters of M and K that move no coordinate, in the order of the arrays.
 
     Directions, branches and driven pulleys are choices, not quantities.  The compliances of released joints are
     not in M and K but in the springs that are added to K.
@@ -36,10 +36,10 @@ def values(machine: Machine, moving: Sequence[Symbol]) -> tuple[Symbol, ...]:
 
 
 def geometry(derived: Derived) -> tuple[Symbol, ...]:
-    """Parameters that move the independent coordinates.
+    """Return the parameters that move the independent coordinates.
 
-    What enters only through its difference from another quantity, as a rail's origin from the platform joint, has the
-    opposite derivatives.
+    A quantity that enters only through its difference from another, such as a rail's origin from the platform joint,
+    is left out: its derivatives are the negatives of the other's.
     """
     closures = {s for phi in derived.kin.closures for s in derived.kin.chain.expand(phi).free_symbols}
     return tuple(s for s in _quantities(derived.machine) if s in closures)
@@ -51,12 +51,12 @@ def _quantities(machine: Machine) -> list[Symbol]:
     return [s for field in machine.tables.fields if field.name not in left_out for s in field.symbols]
 
 
-#: Kinds of keys that are choices, and have no derivatives.
+#: Kinds of keys that are choices and have no derivatives.
 CHOICES = ("direction", "choice", "one_of", "signs")
 
 
 class PoseChain:
-    """The chain rule at a fixed pose: definitions as they are evaluated, rules by the theorem above."""
+    """The chain rule at a fixed pose: definitions in evaluation order, rules from the theorem above."""
 
     def __init__(self, derived: Derived, parameters: Sequence[Symbol]) -> None:
         self.derived, self.parameters = derived, tuple(parameters)
@@ -67,7 +67,7 @@ class PoseChain:
             self._follow(theta)
 
     def derivatives(self, matrix: Sequence[Sequence[Expr]]) -> list[dict[tuple[int, int], Expr]]:
-        """Derivatives of a symmetric matrix by every parameter: entries of its upper triangle that are not zero."""
+        """Return the derivatives of a symmetric matrix by parameter: nonzero entries of the upper triangle."""
         n = len(matrix)
         found = []
         for theta in self.parameters:
@@ -78,7 +78,7 @@ class PoseChain:
         return found
 
     def _follow(self, theta: Symbol) -> None:
-        """State how independent coordinates, Jacobian and link forces follow a parameter."""
+        """Set the derivatives of independent coordinates, Jacobian and link forces with respect to a parameter."""
         machine, kin, chain = self.derived.machine, self.derived.kin, self.chain
         if kin.solver is None:
             return
@@ -93,7 +93,7 @@ class PoseChain:
             else:
                 moved = rate
             for symbol, (q, derivative) in machine.turned.items():
-                if q == free[j]:  # what is a function of the coordinate alone
+                if q == free[j]:  # the symbol is a function of this coordinate alone
                     chain.rule(symbol, theta, derivative * moved)
         s = [link.vector for link in machine.links]
         s_rate = [[self._name(c, theta, chain.derivative(c, theta)) for c in vector] for vector in s]
@@ -115,7 +115,7 @@ class PoseChain:
             self._state(mu[j], theta, solution)
 
     def _state(self, symbol: Symbol, theta: Symbol, derivative: Expr) -> None:
-        # A rule of zero is stated as well: it keeps the chain from following the definition instead.
+        # A zero is set as well: without a rule the chain would differentiate the definition.
         self.chain.rule(symbol, theta, self._name(symbol, theta, derivative))
 
     def _name(self, symbol: Symbol, theta: Symbol, derivative: Expr) -> Expr:

@@ -1,14 +1,14 @@
 r"""Static equilibrium at a given pose: equation 44.
 
 The independent coordinates hold the pose, so their displacements are zero; the displacements of all others and the
-torques of the drives are unknown.  With G the gradient of the gravitational potential energy by the independent
-coordinates and E the gradient of the elastic one, linear in the unknown displacements,
+drive torques are unknown.  With G the gradient of the gravitational potential energy with respect to the independent
+coordinates and E the gradient of the elastic energy, linear in the unknown displacements,
 
 .. math:: G_j + E_{q_j} = 0, \qquad E_{\vartheta, free} = 0, \qquad \tau = E_{\vartheta, driven}.
 
-The unknowns fall into blocks that share no equation: one axis each, or two crossed belts together.  Links carry the
-forces mu_j s_j that hold platform and links up, with D_l^T mu = dV_g/dp; they give the gravity Hessian its geometric
-stiffness (`implicit.constrained_hessian`).
+The unknowns fall into blocks that share no equation: one axis each, or two crossed belts together.  The links support
+the platform and themselves with the forces mu_j s_j, where D_l^T mu = dV_g/dp; these give the gravity Hessian its
+geometric stiffness (`implicit.constrained_hessian`).
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from pkmodes_derive.assembly.kinematics import Kinematics
 from pkmodes_derive.machine import Machine
 from pkmodes_derive.vocabulary import DeclarationError
 
-TIE = "tie each coordinate that moves the platform to that of a drive of its own, by a reducer or a belt"
+TIE = "connect each coordinate that moves the platform to its own drive with a reducer or a belt"
 
 
 @dataclass(frozen=True)
@@ -36,13 +36,13 @@ class Statics:
     gravity_gradient : list
         dV_g/dq_j of the independent coordinates.
     gravity_hessian : list of lists
-        d2V_g/dq_k dq_l along the constraints, of the coordinates that move the closures.
+        d2V_g/dq_k dq_l along the constraints, for the coordinates that move the closures.
     force_densities : tuple
         mu_j [N/m]: the force in link j is mu_j s_j.
     rotations : tuple
-        Displacements of the other coordinates from unstrained transmissions, in their order.
+        Displacements of the other coordinates relative to the unstrained transmissions, in order.
     torques : tuple
-        Of the drives [N m], positive with their rotors.
+        Drive torques [N m], positive in the direction of their rotors.
     """
 
     gravity_gradient: list[Expr]
@@ -54,7 +54,7 @@ class Statics:
 
 @dataclass(frozen=True)
 class _Equation:
-    """A linear equation: derivatives by the unknowns, and what stands on the right."""
+    """A linear equation: coefficients of the unknowns, and the right-hand side."""
 
     row: dict[Symbol, Expr]
     right: Expr
@@ -102,7 +102,7 @@ def _name_forces(machine: Machine, gravity: Sequence[Expr]) -> list[Symbol]:
 
 
 def _undriven(machine: Machine, elastic: Sequence[Expr]) -> list[Expr]:
-    """Torques that must vanish: of two rotors, that on the one that is not driven."""
+    """Return the torques that must vanish: those on the undriven rotors of pairs."""
     rows = []
     for drive in machine.drives:
         if len(drive.rotors) == 2:
@@ -113,14 +113,15 @@ def _undriven(machine: Machine, elastic: Sequence[Expr]) -> list[Expr]:
 
 
 def _check_determined(machine: Machine, equations: Sequence[_Equation], unknown: Sequence[Symbol]) -> None:
-    """Every coordinate that moves the platform hangs on a spring, and every other one as well."""
+    """Check that a spring acts on every coordinate."""
     for q, equation in zip(machine.independent, equations, strict=False):
         if not equation.row:
-            raise DeclarationError(f"the equilibrium is not determined: no spring ties {q} to a drive", TIE)
+            what = f"the equilibrium is not determined: no spring connects {q} to a drive"
+            raise DeclarationError(what, TIE)
     for q in unknown:
         if not any(q in equation.row for equation in equations):
             name = _coordinate(machine, q).name
-            raise DeclarationError(f"the equilibrium is not determined: no spring holds {name}", TIE)
+            raise DeclarationError(f"the equilibrium is not determined: no spring acts on {name}", TIE)
 
 
 def _coordinate(machine: Machine, displacement: Symbol) -> Symbol:
@@ -134,7 +135,7 @@ def _equation(row: Expr, right: Expr, unknown: Sequence[Symbol], unit: str) -> _
 def _blocks(
     equations: Sequence[_Equation], unknown: Sequence[Symbol]
 ) -> list[tuple[list[Symbol], list[_Equation]]]:
-    """Unknowns with the equations in which they occur, those together that share one."""
+    """Group the unknowns that share an equation, and return them with their equations."""
     groups: list[set[Symbol]] = []
     for equation in equations:
         joined = set(equation.row)
@@ -152,13 +153,13 @@ def _blocks(
 def _solved(
     machine: Machine, number: int, unknown: Sequence[Symbol], equations: Sequence[_Equation]
 ) -> dict[Symbol, Symbol]:
-    """Names of the solution of one block, by Cramer's rule."""
+    """Solve one block by Cramer's rule and return the names of the solution."""
     v, n = machine.vocabulary, len(unknown)
     matrix = Matrix([[e.row.get(q, Integer(0)) for q in unknown] for e in equations])
     if len(equations) != n or matrix.det(method="berkowitz") == 0:
         names = ", ".join(_coordinate(machine, q).name for q in unknown)
         raise DeclarationError(
-            f"the equilibrium does not determine {names} ({len(equations)} equations)", TIE
+            f"the equilibrium does not determine {names} with {len(equations)} equations", TIE
         )
     right = [e.right for e in equations]
     if n == 1:
@@ -167,7 +168,9 @@ def _solved(
         units = [e.unit for e in equations]
         metres = sum(unit == "N m" for unit in units)
         unit = f"N^{n}" + (" m" if metres == 1 else f" m^{metres}" if metres else "")
-        what = "determinant of the equilibrium of axis {j}" if len(machine.drives) > 1 else "determinant"
+        what = "determinant of the equilibrium equations" + (
+            " of axis {j}" if len(machine.drives) > 1 else ""
+        )
         determinant = v.declare("det_{j}", unit, what, r"\Delta_{j}", j=number)
         if n == 2:
             (a, b), (c, d) = matrix.tolist()
@@ -196,14 +199,14 @@ def _static_name(machine: Machine, coordinate: Symbol) -> Symbol:
     return machine.vocabulary.declare(
         name,
         quantity.unit,
-        f"static {what}, from unstrained transmissions",
+        f"static {what}, relative to the unstrained transmissions",
         f"{tex}_{{{{{indices}}}}}",
         **letters,
     )
 
 
 def _force_densities(machine: Machine, kinematics: Kinematics, energies: Energies) -> tuple[Symbol, ...]:
-    """Name mu of D_l^T mu = dV_g/dp, the independent coordinates held."""
+    """Name the solution mu of D_l^T mu = dV_g/dp, with the independent coordinates held."""
     if kinematics.solver is None:
         return ()
     what = "static force in linkage {j} divided by its length, positive in compression"

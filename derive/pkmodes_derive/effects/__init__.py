@@ -1,4 +1,4 @@
-"""The catalogue of effects: every module in this folder is one; nothing else lists them."""
+"""The catalogue of effects: every module in this folder defines one; there is no other list."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from pkmodes_derive.effect import Effect
 
 
 def catalogue() -> tuple[Effect, ...]:
-    """Find every effect, released ones last and in the order of their coordinates.
+    """Return every effect, those that release coordinates last and in the order of their coordinates.
 
     Raises
     ------
     ValueError
-        If two effects have the same name, or a module's name is not that of its effect.
+        If two effects have the same name, or a module is not named after its effect.
     """
     found: dict[str, Effect] = {}
     for module in sorted(iter_modules(__path__), key=lambda item: item.name):
         effect: Effect = import_module(f"{__name__}.{module.name}").EFFECT
         if effect.name != module.name or effect.name in found:
             raise ValueError(
-                f"effects/{module.name}.py defines {effect.name!r}: one effect a file, of its name"
+                f"expected one effect per file, named after it, found {effect.name!r} in effects/{module.name}.py"
             )
         found[effect.name] = effect
     return tuple(

@@ -1,4 +1,4 @@
-"""Axis belt stiffness: the belts differ from the declared specific stiffness, each in its own way."""
+"""Axis belt stiffness: each belt has its own deviation from the declared specific stiffness."""
 
 from collections.abc import Mapping, Sequence
 

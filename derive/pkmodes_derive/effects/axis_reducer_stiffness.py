@@ -1,4 +1,4 @@
-"""Axis reducer stiffness: the reducers differ from the declared stiffness, each in its own way."""
+"""Axis reducer stiffness: each reducer has its own deviation from the declared stiffness."""
 
 from collections.abc import Mapping, Sequence
 

@@ -1,4 +1,4 @@
-"""Belt end compliance: tooth engagement and clamps, in series with every free span whatever its length."""
+"""Belt end compliance: tooth engagement and clamps, in series with every free span and independent of its length."""
 
 from collections.abc import Mapping, Sequence
 
@@ -9,14 +9,14 @@ from pkmodes_derive.machine import Machine
 
 
 def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
-    """Put the compliance in series with every span: 1/k = l/(w k_sp (1 + a_j)) + c."""
+    """Add the compliance in series with every span: 1/k = l/(w k_sp (1 + a_j)) + c."""
     for belt in machine.belts:
         belt.compliance += parameters["compliance"]
 
 
 EFFECT = Effect(
     name="belt_end_compliance",
-    sentence="the belts yield at their teeth and clamps too",
+    sentence="the teeth and clamps of the belts are compliant",
     parts=lambda machine: machine.belts,
     parameters=(
         EffectParameter("compliance", "m/N", "compliance in series with every free span", "c_E", "c_E"),

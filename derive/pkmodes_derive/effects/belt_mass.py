@@ -1,4 +1,4 @@
-"""Belt mass: the free spans move with a displacement linear between their ends; the wraps are neglected."""
+"""Belt mass: the displacement of a free span is linear between its ends; the wraps are neglected."""
 
 from collections.abc import Mapping, Sequence
 
@@ -11,7 +11,7 @@ from pkmodes_derive.machine import Machine
 def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
     """Add rho l / 6 (a^2 + a b + b^2) for each span with end velocities a and b, relative to the frame.
 
-    A closed loop's weight does no work, so there is no potential energy.
+    The weight of a closed loop does no work, so there is no potential energy.
     """
     for belt in machine.belts:
         for run in belt.runs:
@@ -22,10 +22,10 @@ def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence
 
 EFFECT = Effect(
     name="belt_mass",
-    sentence="the belts are not massless",
+    sentence="the belts have mass",
     parts=lambda machine: machine.belts,
     parameters=(
-        EffectParameter("linear_density", "kg/m", "mass of a belt by its length", "rho_b", r"\rho_b"),
+        EffectParameter("linear_density", "kg/m", "mass of a belt per unit length", "rho_b", r"\rho_b"),
     ),
     apply=apply,
 )

@@ -1,4 +1,4 @@
-"""Belt tension stiffness: cords straighten and teeth seat, so that a belt is the stiffer the more it is tensioned."""
+"""Belt tension stiffness: cords straighten and teeth seat, so the stiffness of a belt increases with its tension."""
 
 from collections.abc import Mapping, Sequence
 
@@ -16,7 +16,7 @@ def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence
 
 EFFECT = Effect(
     name="belt_tension_stiffness",
-    sentence="the belts are the stiffer the more they are tensioned",
+    sentence="the stiffness of the belts increases with their tension",
     parts=lambda machine: machine.belts,
     parameters=(
         EffectParameter(
@@ -25,7 +25,7 @@ EFFECT = Effect(
         EffectParameter(
             "tension",
             "N",
-            "tension of every belt, from a measurement",
+            "measured tension of every belt",
             "F_T",
             "F_T",
             fitted=False,

@@ -1,4 +1,4 @@
-"""Cable stiffness: a hose or cable pulls the platform centre like an isotropic spring to ground."""
+"""Cable stiffness: a hose or cable acts on the platform centre like an isotropic spring to ground."""
 
 from collections.abc import Mapping, Sequence
 
@@ -10,7 +10,7 @@ from pkmodes_derive.vectors import dot
 
 
 def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
-    """Add the spring on the platform's absolute displacement, relaxed at the pose."""
+    """Add a spring on the platform's absolute displacement, relaxed at the pose."""
     displacement = machine.delta_p
     machine.add_elastic(Rational(1, 2) * parameters["stiffness"] * dot(displacement, displacement))
 

@@ -1,4 +1,4 @@
-"""Clamp compliance: the belt's clamp moves relative to its carriage; the clamp itself has no mass."""
+"""Clamp compliance: the belt clamp, itself massless, moves relative to its carriage."""
 
 from collections.abc import Mapping, Sequence
 
@@ -10,7 +10,7 @@ from pkmodes_derive.parts import Clamp
 
 
 def clamps(machine: Machine) -> list[Clamp]:
-    """Those of all belts."""
+    """Return the clamps of all belts."""
     return [belt.clamp for belt in machine.belts if belt.clamp is not None]
 
 
@@ -22,14 +22,14 @@ def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence
 
 EFFECT = Effect(
     name="clamp_compliance",
-    sentence="the belts' clamps yield",
+    sentence="the belt clamps are compliant",
     parts=clamps,
     parameters=(EffectParameter("compliance", "m/N", "compliance of every belt clamp", "c_K", "c_K"),),
     apply=apply,
     released=Released(
         "eps_{j}",
         "m",
-        "displacement of the clamp of belt {j} relative to what it moves",
+        "displacement of the clamp of belt {j} relative to the body it moves",
         r"\varepsilon_{j}",
         order=3,
     ),

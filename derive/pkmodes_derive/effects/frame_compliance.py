@@ -10,7 +10,7 @@ from pkmodes_derive.vectors import dot
 
 
 def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
-    """Move every body with the frame, pulley rotation and belts excepted, and add the frame's own mass."""
+    """Move every body except pulley rotation and belts with the frame, and add the frame's mass."""
     for component, coordinate in zip(machine.frame, released, strict=True):
         component.append(coordinate)
     rate = tuple(coordinate.rate for coordinate in released)

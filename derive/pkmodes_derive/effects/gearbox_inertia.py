@@ -16,7 +16,7 @@ def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence
 
 EFFECT = Effect(
     name="gearbox_inertia",
-    sentence="the gearboxes have an inertia of their own",
+    sentence="the gearboxes have inertia",
     parts=lambda machine: machine.drives,
     parameters=(EffectParameter("inertia", "kg m^2", "extra inertia on every driven pulley", "I_G", "I_G"),),
     apply=apply,

@@ -9,7 +9,7 @@ from pkmodes_derive.machine import Machine
 
 
 def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
-    """Add the spring on the driven pulley of each axis, relaxed at the pose."""
+    """Add a spring on the driven pulley of each axis, relaxed at the pose."""
     for drive in machine.drives:
         for rotor, selected in drive.rotors:
             energy = Rational(1, 2) * parameters["stiffness"] * selected * machine.rotation(rotor) ** 2

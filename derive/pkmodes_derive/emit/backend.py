@@ -1,4 +1,4 @@
-"""What a language is to a product: a name, and the files that it writes."""
+"""Backends, one for each language that models are written in."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from pkmodes_derive.functions import Model
 
 @dataclass(frozen=True)
 class Backend:
-    """A language that models are written in; a folder beside this module defines it as ``BACKEND``.
+    """A language that models are written in; a subpackage defines it as ``BACKEND``.
 
     Attributes
     ----------
     name : str
-        Of the language.
+        Name of the language.
     files : callable
-        ``files(model, programs, provenance)`` returns texts by file name; `programs` holds one program for each
-        function of the model, by name, which every language prints as it stands.
+        ``files(model, programs, provenance)`` returns texts by file name; `programs` has the program of each function
+        of the model by name, which every language prints unchanged.
     """
 
     name: str

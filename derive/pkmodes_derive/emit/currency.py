@@ -1,7 +1,7 @@
-"""Is a product current?  Compare what is on disk with its manifest and with a fresh derivation.
+"""Check whether a product is current: compare the files on disk with their manifest and a fresh derivation.
 
-Every finding names its cause as closely as it can be known: a field of the robot file, a source or template
-of the derivation, the SymPy version, an edit by hand, a file that is missing or does not belong.
+Every finding names its cause as precisely as possible: a field of the robot file, a source or template of the
+derivation, the SymPy version, a manual edit, a missing file or one that does not belong to the product.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from pkmodes_derive.emit import manifest
 from pkmodes_derive.emit.provenance import is_generated
 
 DIFF_LINES = 40
-#: More than the first three lines of a generated file take: its command names a path.
+#: Enough for the first three lines of a generated file, which contain a command with a path.
 HEADER_BYTES = 20_000
 
 
@@ -34,7 +34,7 @@ class Finding:
     message : str
         One sentence.
     diff : str
-        Unified diff from what is on disk to what it should be, shortened; may be empty.
+        Unified diff from the file on disk to the expected file, shortened; may be empty.
     """
 
     cause: str
@@ -66,7 +66,7 @@ def read_manifest(folder: Path) -> dict[str, object]:
 
 
 def compare(folder: Path, recorded: Mapping[str, object], fresh: Mapping[str, str]) -> list[Finding]:
-    """Compare a folder and its manifest with the texts that a fresh derivation gives."""
+    """Compare a folder and its manifest with the texts of a fresh derivation."""
     wanted = json.loads(fresh[manifest.FILE_NAME])
     on_disk = {name: _read(folder / name) for name in fresh}
     findings = [
@@ -86,7 +86,7 @@ def compare(folder: Path, recorded: Mapping[str, object], fresh: Mapping[str, st
 
 
 def _read(path: Path) -> str | None:
-    # Bytes that are not UTF-8 are an edit like any other, so they are shown, not refused.
+    # Bytes that are not UTF-8 count as an edit, so they are shown, not refused.
     if not path.is_file():
         return None
     return path.read_bytes().decode("utf-8", errors="replace")
@@ -125,7 +125,7 @@ def _generator(recorded: Mapping[str, object], wanted: Mapping[str, object]) -> 
         Finding(
             "sympy" if key == "sympy" else "generator",
             key,
-            f"another {names.get(key, key)} version: generated with {old.get(key)}, installed is {new[key]}",
+            f"different {names.get(key, key)} version: generated with {old.get(key)}, installed is {new[key]}",
         )
         for key in new
         if old.get(key) != new[key]
@@ -139,7 +139,7 @@ def _sources(recorded: Mapping[str, object], wanted: Mapping[str, object]) -> li
             "derivation",
             path,
             f"the {'template' if path.endswith('.j2') else 'derivation'} changed: {path} is "
-            + ("new" if path not in old else "gone" if path not in new else "not what it was"),
+            + ("new" if path not in old else "missing" if path not in new else "modified"),
         )
         for path in sorted(old.keys() | new.keys())
         if old.get(path) != new.get(path)
@@ -158,19 +158,19 @@ def _outputs(
         if found is None:
             findings.append(Finding("missing", name, f"{name} is missing"))
         elif found != text and found.replace("\r\n", "\n") == text:
-            findings.append(Finding("edited", name, f"{name} has other line endings than were generated"))
+            findings.append(Finding("edited", name, f"{name} has different line endings than generated"))
         elif name in digests and digests[name] != manifest.digest(found):
             findings.append(Finding("edited", name, f"{name} was edited by hand", _diff(name, found, text)))
         elif found != text:
-            message = f"{name} is not what the derivation gives now"
+            message = f"{name} differs from the current derivation"
             findings.append(Finding("different", name, message, _diff(name, found, text)))
     return findings
 
 
 def _orphans(folder: Path, recorded: Mapping[str, object], fresh: Mapping[str, str]) -> list[Finding]:
-    """Generated files that are not of this model; those of its former name go when it is generated again.
+    """Find generated files that do not belong to this model; regenerating removes those of its former name.
 
-    Whatever else lies beside them, folders and links too, is the user's own.
+    Everything else in the folder, including folders and links, belongs to the user.
     """
     former, findings = _part(recorded, "outputs"), []
     for path in sorted(folder.iterdir()):
@@ -180,14 +180,14 @@ def _orphans(folder: Path, recorded: Mapping[str, object], fresh: Mapping[str, s
             findings.append(Finding("different", path.name, f"{path.name} has the former name of the robot"))
         else:
             message = (
-                f"{path.name} was generated, but does not belong to this model: an orphan, move or remove it"
+                f"{path.name} was generated but does not belong to this model: an orphan; move or remove it"
             )
             findings.append(Finding("orphan", path.name, message))
     return findings
 
 
 def carries_header(path: Path) -> bool:
-    """Whether a file begins as generated ones do; one that cannot be read does not."""
+    """Return whether a file begins with the header of generated files; False if it cannot be read."""
     try:
         with path.open("rb") as file:
             return is_generated(file.read(HEADER_BYTES).decode("utf-8", errors="replace"))

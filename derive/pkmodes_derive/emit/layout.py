@@ -1,4 +1,4 @@
-"""Lines of text: wrapping of long expressions and of prose, the same for every language."""
+"""Line wrapping of long expressions and prose, the same for every language."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ WIDTH = 110
 
 
 def prose(text: str, indent: str, first: str | None = None, room: int = 0) -> list[str]:
-    """Wrap words; `first` is the indentation of the first line where it differs, `room` is left free."""
+    """Wrap words; `first` is the indentation of the first line if it differs, `room` the columns left free."""
     return textwrap.wrap(
         text,
         WIDTH - room,
@@ -23,14 +23,14 @@ def prose(text: str, indent: str, first: str | None = None, room: int = 0) -> li
 def assignment(
     target: str, expression: str, indent: str, end: str = "", parentheses: bool = False
 ) -> list[str]:
-    """Write ``target = expression`` on as many lines as it needs, broken before operators.
+    """Write ``target = expression`` on as many lines as needed, broken before operators.
 
     Parameters
     ----------
     end : str
-        What closes a statement: ``";"`` in C.
+        End of a statement, ``";"`` in C.
     parentheses : bool
-        Whether the language needs parentheses around an expression of several lines, as Python does.
+        Whether the language needs parentheses around a multi-line expression, as Python does.
     """
     line = f"{indent}{target} = {expression}{end}"
     if len(line) <= WIDTH:
@@ -51,7 +51,7 @@ def assignment(
 
 
 def listing(entries: Iterable[str], indent: str) -> list[str]:
-    """Write entries one after the other, each followed by a comma, long ones on lines of their own."""
+    """Write entries one after the other, each followed by a comma, long ones on separate lines."""
     lines, current = [], indent
     for entry in entries:
         if current.strip() and len(current) + len(entry) + 2 > WIDTH:
@@ -67,7 +67,7 @@ def listing(entries: Iterable[str], indent: str) -> list[str]:
 
 
 def _break_before_operators(expression: str) -> list[str]:
-    """Split at the blanks around + and - so that each piece begins with its operator."""
+    """Split at the spaces around + and - so that each piece begins with its operator."""
     pieces: list[str] = []
     for word in expression.split(" "):
         if pieces and pieces[-1] in ("+", "-"):

@@ -1,7 +1,7 @@
-"""The manifest: what a product was made from, so that a later check can say what has changed.
+"""The manifest: a record of what a product was made from, so a later check can tell what has changed.
 
 It holds digests of the derivation's sources and templates and of every output, the generator's version,
-the operation counts and, for a robot, what its file said.
+the operation counts and, for a robot, the values of its file.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ FORMAT = 1
 
 
 def digest(text: str) -> str:
-    """SHA-256 of a text in UTF-8."""
+    """Return the SHA-256 of a text in UTF-8."""
     return hashlib.sha256(text.encode("utf-8")).hexdigest()
 
 
 def source_digests() -> dict[str, str]:
-    """Digests of every source and template of the derivation, by path relative to it."""
+    """Return the digests of every source and template of the derivation by relative path."""
     found: dict[str, str] = {}
 
     def walk(folder: Traversable, prefix: str) -> None:
@@ -37,7 +37,7 @@ def source_digests() -> dict[str, str]:
             if entry.is_dir() and entry.name != "__pycache__":
                 walk(entry, f"{path}/")
             elif entry.name.endswith((".py", ".j2")):
-                # Newlines may differ between checkouts; the sources are the same.
+                # Newlines may differ between checkouts of the same sources.
                 found[path] = digest(entry.read_text(encoding="utf-8").replace("\r\n", "\n"))
 
     walk(files(pkmodes_derive), "")
@@ -58,10 +58,10 @@ def text(
     ----------
     product, mechanism : str
     specification : Specification or None
-        Of a robot.
+        The robot, None for a parametric model.
     outputs, programs : mapping
     definition : tuple of str, optional
-        Of a user's own mechanism: where it comes from, and its text.
+        For a user-defined mechanism: where the definition comes from, and its text.
     """
     content: dict[str, object] = {
         "format": FORMAT,
@@ -85,5 +85,5 @@ def text(
             "values": dict(specification.values),
         }
     written = json.dumps(content, indent=1, sort_keys=True, ensure_ascii=False) + "\n"
-    # Bytes of a file name that are not UTF-8 are surrogates here, which JSON can only have as escapes.
+    # Bytes of a file name that are not UTF-8 are surrogates here, which must be escaped in JSON.
     return written.encode("utf-8", "backslashreplace").decode("utf-8")

@@ -1,7 +1,7 @@
 """The two products: the parametric model of a mechanism, and a model specialised to one robot.
 
-A product is a set of texts by file name, its manifest among them; it is built in memory and is a pure
-function of the derivation, the templates and the specification.  Writing and comparing are elsewhere.
+A product is a set of texts by file name, including its manifest; it is built in memory and is a pure
+function of the derivation, the templates and the specification.  Writing and comparing are done elsewhere.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from pkmodes_derive.emit.specification import Specification
 from pkmodes_derive.functions import Model
 from pkmodes_derive.specialise import specialise
 
-#: The languages that a model is written in, in the order of their files.
+#: Languages of the generated models, in the order of their files.
 BACKENDS = (numpy.BACKEND, c99.BACKEND)
 REGENERATE = "python -m pkmodes_derive generate"
 
@@ -34,7 +34,7 @@ def parametric(mechanism: str, definition: str = "") -> dict[str, str]:
     ----------
     mechanism : str
     definition : str
-        Where the file of a user's own mechanism lies, relative to the product.
+        Path of the file of a user-defined mechanism, relative to the product.
     """
     model = mechanisms.base(mechanism)
     own = mechanisms.source(mechanism)
@@ -71,7 +71,7 @@ def parametric(mechanism: str, definition: str = "") -> dict[str, str]:
     texts["description.json"] = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
     texts["__init__.py"] = (
         f'"""Generated model of the mechanism {mechanism}: see `model`."""\n\n'
-        "from .model import *  # noqa: F403\n"  # relative: a user's own may lie anywhere
+        "from .model import *  # noqa: F403\n"  # relative: a user-defined mechanism may be anywhere
     )
     if own is not None:
         texts[FILE_NAME] = own
@@ -81,7 +81,7 @@ def parametric(mechanism: str, definition: str = "") -> dict[str, str]:
 
 
 def of_robot(specification: Specification) -> Model:
-    """The model of a robot, its parameters not yet folded in: the base one, or one with its effects."""
+    """Return the model of a robot, base or with its effects, before its parameters are folded in."""
     if not specification.effects:
         base: Model = mechanisms.base(specification.mechanism)
         return base
@@ -109,7 +109,7 @@ def specialised(specification: Specification) -> dict[str, str]:
     provenance = Provenance(
         name=name,
         module=name,
-        title=f"Dynamics of the robot {specification.name} ({specification.mechanism}), its parameters folded in.",
+        title=f"Dynamics of the robot {specification.name} ({specification.mechanism}), parameters folded in.",
         origin=f"the robot file of {specification.name}",
         generator=_generator(),
         command=f"pkmodes generate {option}{pasteable(specification.robot_file)} --out .",
@@ -128,7 +128,7 @@ def specialised(specification: Specification) -> dict[str, str]:
 
 
 def write(model: Model, provenance: Provenance) -> tuple[dict[str, str], dict[str, Program]]:
-    """Write a model in every language: the texts by file name, and the programs that they all print."""
+    """Write a model in every language: return the texts by file name, and the programs that all of them print."""
     programs = {function.name: arrange(function) for function in model.functions}
     texts = [backend.files(model, programs, provenance) for backend in BACKENDS]
     return {name: text for files in texts for name, text in files.items()}, programs

@@ -1,9 +1,9 @@
 """A function as a straight-line program: named values, common subexpressions, results, in order.
 
 All languages print the same program, so they compute the same numbers.  Common subexpressions are found
-once over all expressions together (`sympy.cse`); the names that the derivation gave are kept, and only what
-is left over gets a number.  A name for what has a name already is no step, a symmetric matrix is evaluated in
-its upper triangle, and structural zeros are no values.
+once over all expressions together (`sympy.cse`); names from the derivation are kept, and only the remaining
+subexpressions are numbered.  A second name for a value is not a step, a symmetric matrix is evaluated only in
+its upper triangle, and structural zeros are not evaluated.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class Result:
 
 @dataclass(frozen=True)
 class Program:
-    """What every printer prints.
+    """The program that every printer prints.
 
     Attributes
     ----------
@@ -54,7 +54,7 @@ class Program:
     operations_written_out : int
         Operations if every named value were written out wherever it is used.
     operations : int
-        Operations of the program as it stands.
+        Operations of the emitted program.
     """
 
     inputs: tuple[Symbol, ...]
@@ -64,9 +64,9 @@ class Program:
     operations: int
 
     def groups(self, function: Function, groups: Sequence[FieldGroup]) -> list[FieldGroup]:
-        """Those groups of parameters that the program takes: what it needs.
+        """Return the groups of parameters that the program takes, which are those it needs.
 
-        A function of the pose takes the robot's parameters in every mechanism, needed or not.
+        A function of the pose always takes the robot's parameters, so its signature is the same in every mechanism.
         """
         inputs = set(self.inputs)
         always = groups[:1] if function.arguments else ()
@@ -74,7 +74,7 @@ class Program:
 
 
 def arrange(function: Function) -> Program:
-    """Select what `function` needs, share common subexpressions, and put the steps in order."""
+    """Select the definitions that `function` needs, share common subexpressions, and put the steps in order."""
     before = _written_out(function)
     needed = {name: function.definitions[name] for name in _needed(function)}
     function = fold(replace(function, definitions=needed))
@@ -102,7 +102,7 @@ def arrange(function: Function) -> Program:
 
 
 def _entries(output: Output) -> tuple[Entry, ...]:
-    """What has to be evaluated: not the zeros of an array, and of a symmetric matrix the upper triangle."""
+    """Return the entries to be evaluated: no zeros, and only the upper triangle of a symmetric matrix."""
     symmetric, found = output.symmetric, []
     for index, value in zip(output.indices, output.entries, strict=True):
         if value == 0 and not output.listed:
@@ -118,12 +118,12 @@ def _entries(output: Output) -> tuple[Entry, ...]:
 def _renamed(
     names: Sequence[Symbol], shared: Sequence[tuple[Symbol, Expr]], reduced: Sequence[Expr]
 ) -> tuple[list[Symbol], dict[Symbol, Expr], list[Expr]]:
-    """Named values, the expressions of all steps, and results, where a name is better than a number."""
+    """Return named values, the expressions of all steps, and results, with names in place of numbers if possible."""
     expressions = dict(shared)
     named: dict[Symbol, Expr] = {}
     alias: dict[Symbol, Symbol] = {}
     for name, expression in zip(names, reduced, strict=False):
-        # A shared subexpression that is all of a named value takes that value's name; of two, the first.
+        # A shared subexpression that equals a named value takes its name; if there are two, the first.
         if expression not in expressions:
             named[name] = expression
         elif expression in alias:
@@ -142,7 +142,7 @@ def _renamed(
 
 
 def _needed(function: Function) -> list[Symbol]:
-    """Defined symbols that the outputs depend on, in the order of their definitions."""
+    """Return the defined symbols that the outputs depend on, in the order of their definitions."""
     wanted = {s for output in function.outputs for entry in output.entries for s in entry.free_symbols}
     needed = []
     for symbol in reversed(function.definitions):
@@ -159,7 +159,7 @@ def _operations(expression: Expr) -> int:
 
 @cache
 def _names(expression: Expr) -> tuple[Symbol, ...]:
-    """Symbols of an expression, each as often as it stands there."""
+    """Return the symbols of an expression, each as often as it occurs."""
     return tuple(node for node in preorder_traversal(expression) if isinstance(node, Symbol))
 
 
@@ -177,7 +177,7 @@ def _written_out(function: Function) -> int:
 def _topological(
     expressions: Mapping[Symbol, Expr], names: Sequence[Symbol], results: Sequence[Expr]
 ) -> list[Symbol]:
-    """Named values in the order of the derivation, each shared subexpression just before its first use."""
+    """Return named values in the order of the derivation, each shared subexpression just before its first use."""
     order: dict[Symbol, None] = {}
 
     def visit(symbol: Symbol) -> None:
@@ -197,7 +197,7 @@ def _topological(
 
 
 def _filled(results: Sequence[Result], values: Sequence[Expr]) -> tuple[Result, ...]:
-    """The results with the values that are left after sharing, in the same order."""
+    """Return the results with the values left after sharing, in the same order."""
     left = iter(values)
     return tuple(
         Result(r.output, tuple(Entry(next(left), entry.places) for entry in r.entries)) for r in results

@@ -1,20 +1,20 @@
-"""What a generated file says about where it comes from."""
+"""The header of a generated file, which states its origin."""
 
 from __future__ import annotations
 
 import shlex
 from dataclasses import dataclass, fields
 
-#: What the second and third lines of a generated file say, whatever the comments of its language look like.
+#: Text in the second and third lines of a generated file, in the comments of any language.
 MARKS = ("By pkmodes_derive ", "Do not edit: regenerate with `")
-#: Stands for a robot file whose name cannot be printed.
+#: Placeholder for a robot file whose name cannot be printed.
 ANY_ROBOT = "ROBOT.toml"
 
 
 def harmless(text: str) -> str:
-    """Text that can stand in a comment or docstring of any language: it cannot end one.
+    """Return text that cannot end a comment or docstring of any language.
 
-    Names and paths come from users; code must not.
+    Names and paths come from users and must not become code.
     """
     text = "".join(c if c.isprintable() else "?" for c in text)
     for mark in ("*/", "/*", '"""', "\\"):
@@ -23,9 +23,9 @@ def harmless(text: str) -> str:
 
 
 def pasteable(path: str) -> str:
-    """A path as one word of a shell command that can stand in a comment of any language.
+    """Return a path as one word of a shell command that is safe in a comment of any language.
 
-    Within quotes a pair of them more changes nothing for the shell, and parts what would end a comment.
+    An extra pair of quotes within quotes does not change the word for the shell but splits the end of a comment.
     """
     if not path.isprintable():
         return ANY_ROBOT
@@ -34,7 +34,7 @@ def pasteable(path: str) -> str:
 
 
 def is_generated(text: str) -> bool:
-    """Whether a text begins with the header of a generated file."""
+    """Return whether a text begins with the header of a generated file."""
     lines = text.split("\n", 3)
     return len(lines) > 2 and all(mark in line for mark, line in zip(MARKS, lines[1:], strict=False))
 
@@ -56,9 +56,9 @@ class Provenance:
     generator : str
         Name and version of generator and SymPy.
     command : str
-        Command that regenerates it; its paths are `pasteable`.  It stands in comments only.
+        Command that regenerates it; its paths are `pasteable`.  It appears only in comments.
     place : str
-        Where the command is to be run, as the end of a sentence; empty for anywhere.
+        Where to run the command, as the end of a sentence; empty for anywhere.
     constants : tuple of str
         For a specialised model, the parameters that were folded in, one line each.
     """
@@ -74,7 +74,7 @@ class Provenance:
 
     def __post_init__(self) -> None:
         for item in fields(self):
-            if item.name == "command":  # quotes belong to it
+            if item.name == "command":  # it needs its quotes
                 continue
             value = getattr(self, item.name)
             clean = harmless(value) if isinstance(value, str) else tuple(map(harmless, value))

@@ -1,4 +1,4 @@
-"""A robot as the generator sees it: plain values, so that the derivation knows nothing of the runtime."""
+"""A robot as input of the generator: plain values, so the derivation does not depend on the runtime."""
 
 from __future__ import annotations
 
@@ -12,31 +12,31 @@ C_KEYWORDS = frozenset(
     """
     auto break case char const continue default do double else enum extern float for goto if inline int long main
     register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
-    """.split()  # noqa: SIM905 - thirty quotes more would not make it easier to read
+    """.split()  # noqa: SIM905 - a list of quoted words would be harder to read
 )
 
 
 @dataclass(frozen=True)
 class Specification:
-    """A robot as the generator sees it; the runtime makes it from a robot file.
+    """A robot as input of the generator; the runtime makes it from a robot file.
 
     Attributes
     ----------
     name : str
-        The robot's name; the files are called after it.
+        The robot's name; the files are named after it.
     mechanism : str
-        Which mechanism it is.
+        Name of its mechanism.
     robot_file : str
         The robot file, relative to the folder of the product, with forward slashes.
     fields : mapping of str to nested lists
         The parameter fields in SI units.
     values : mapping of str to float
-        What the robot file says, by dotted path, in SI units: recorded so that a change can be named.
+        Values of the robot file by dotted path, in SI units, recorded so that a change can be named.
     effects : tuple of str
         Names of the active effects; their parameters are among the fields, as ``<effect>_<parameter>``.
     definition : str
-        Where a user's own mechanism comes from, its file or the folder of its code, relative to the product; empty
-        for one that is known without that.
+        Path of a user-defined mechanism, its file or the folder of its code, relative to the product; empty for a
+        mechanism of pkmodes.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""Templates: they lay out lines and contain no mathematics; each language has its own beside its code."""
+"""Templates, which lay out lines and contain no mathematics; each language keeps its own with its code."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from jinja2 import Environment, FunctionLoader, StrictUndefined
 
 
 def render(package: str, template: str, /, **values: object) -> str:
-    """Fill in a template of a package; an undefined name in it is an error, and the text ends with one newline."""
+    """Render a template of a package; an undefined name is an error, and the text ends with one newline."""
     folder = files(package)
     environment = Environment(
         loader=FunctionLoader(lambda name: folder.joinpath(name).read_text(encoding="utf-8")),

@@ -1,7 +1,7 @@
-"""The mechanisms: every package in this folder is one, nothing else lists them; and those that a user adds.
+"""The mechanisms: every package in this folder defines one (there is no other list), and users can add their own.
 
-A mechanism's module has a function ``declare(machine)``, which reads like the description of the machine in a paper:
-tables, coordinates, closures, bodies, transmissions, and what a pose needs.
+The module of a mechanism has a function ``declare(machine)``, which reads like the description of a machine in a
+paper: tables, coordinates, closures, bodies, transmissions, and conditions on a pose.
 """
 
 from __future__ import annotations
@@ -22,36 +22,36 @@ from pkmodes_derive.effects import catalogue
 from pkmodes_derive.functions import Model
 from pkmodes_derive.machine import Machine
 
-#: Definitions of a user's own mechanisms by name: text and module.
+#: User-defined mechanisms by name: text and module of the definition.
 _added: dict[str, tuple[str, ModuleType]] = {}
-MEND = "mend the declaration"
+REMEDY = "fix the declaration"
 
 
 def names() -> tuple[str, ...]:
-    """Every mechanism that comes with pkmodes."""
+    """Return the names of the mechanisms that come with pkmodes."""
     return tuple(sorted(module.name for module in iter_modules(__path__)))
 
 
 def add(name: str, text: str, place: str) -> None:
-    """Add a user's own mechanism, or replace it by what its definition says now.
+    """Add a user-defined mechanism, or replace it by its current definition.
 
     Parameters
     ----------
     name : str
     text : str
-        The definition: a Python source.
+        The definition, as Python source.
     place : str
         Its file, for messages.
 
     Raises
     ------
     DefinitionError
-        If the name is taken or anything in the definition is wrong, as far as that is seen without deriving it.
+        If the name is taken, or the definition has a mistake that shows before the derivation.
     """
     definition.check_name(name, place)
     if name in names():
         raise DefinitionError(
-            f'"{name}" is a mechanism of pkmodes already', place, "give the file another name"
+            f'"{name}" is already a mechanism of pkmodes', place, "give the file another name"
         )
     if name in _added and _added[name][0] == text:
         return
@@ -63,19 +63,19 @@ def add(name: str, text: str, place: str) -> None:
 
 
 def source(name: str) -> str | None:
-    """The definition of a user's own mechanism, None for one that comes with pkmodes."""
+    """Return the definition of a user-defined mechanism, None for one that comes with pkmodes."""
     return _added[name][0] if name in _added else None
 
 
 def machine(name: str, effects: Sequence[Effect] = ()) -> Machine:
-    """A machine as its mechanism declares it, with some effects."""
+    """Return the machine that a mechanism declares, with some effects."""
     if name not in _added:
         return _machine(import_module(f"{__name__}.{name}"), name, effects)
     module = _added[name][1]
-    with definition.told(str(module.__file__), MEND):
+    with definition.told(str(module.__file__), REMEDY):
         check_declared(_machine(module, name, ()))
     during = f", with the effects {', '.join(effect.name for effect in effects)}" if effects else ""
-    with definition.told(str(module.__file__), MEND, during):
+    with definition.told(str(module.__file__), REMEDY, during):
         return _machine(module, name, effects)
 
 
@@ -88,44 +88,44 @@ def _machine(module: ModuleType, name: str, effects: Sequence[Effect]) -> Machin
 
 
 def effects(name: str) -> tuple[Effect, ...]:
-    """Effects that apply to a mechanism: it has the parts that they act on."""
+    """Return the effects that apply to a mechanism, which are those with parts to act on."""
     bare = machine(name)
     return tuple(effect for effect in catalogue() if effect.parts(bare))
 
 
 @cache
 def base(name: str) -> Model:
-    """The model of a mechanism without effects, derived once in a process."""
+    """Return the model of a mechanism without effects, derived once per process."""
     if name not in _added:
         return models.base(machine(name), getattr(import_module(f"{__name__}.{name}"), "relations", None))
     declared, place = machine(name), str(_added[name][1].__file__)
-    with definition.told(place, MEND, ", as it is derived"):
+    with definition.told(place, REMEDY, ", during the derivation"):
         model = models.base(declared)
-    with definition.told(place, MEND):
+    with definition.told(place, REMEDY):
         check_model(declared, model)
     return model
 
 
 @cache
 def extended(name: str) -> Model:
-    """The model of a mechanism with every effect that applies, derived once in a process."""
+    """Return the model of a mechanism with every effect that applies, derived once per process."""
     declared = machine(name, effects(name))
     if name not in _added:
         return models.extended(declared)
-    with definition.told(str(_added[name][1].__file__), MEND, ", as it is derived with every effect"):
+    with definition.told(str(_added[name][1].__file__), REMEDY, ", during the derivation with every effect"):
         return models.extended(declared)
 
 
 @cache
 def single(name: str, chosen: tuple[str, ...], zeros: frozenset[tuple[str, int]]) -> Model:
-    """The model of a mechanism with some effects, by name, for one robot; derived once in a process.
+    """Return the model of a mechanism with some effects, by name, for one robot; derived once per process.
 
-    `zeros` are the (field, index) of the robot's parameters that are zero: without inertia a coordinate has no mode.
+    `zeros` are the (field, index) of the robot's zero parameters: a coordinate without inertia has no mode.
     """
     some = tuple(effect for effect in effects(name) if effect.name in chosen)
     return models.single(machine(name, some), zeros)
 
 
 def description(name: str) -> Description:
-    """What the runtime has to know of a mechanism."""
+    """Return what the runtime needs to know about a mechanism."""
     return models.describe(machine(name, effects(name)), base(name).rigid_modes)

@@ -1,4 +1,4 @@
-"""The twelve published frequencies before and after: as the declared robot gives them, and the identified one."""
+"""Comparison of the twelve published frequencies with the declared robot (before) and the identified one (after)."""
 
 from __future__ import annotations
 

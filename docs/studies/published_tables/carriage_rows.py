@@ -1,8 +1,8 @@
-"""What the printed shapes say about the moving masses, by the carriages' rows in K phi = lambda M phi.
+"""Moving masses from the printed shapes, by the carriages' rows in K phi = lambda M phi.
 
 Once the belts are known, the rows of the carriages give lambda M_ss x: the forces of two belt spans on each
-carriage.  Along the centre line M_ss (equation 24) is the same at every pose, symmetric in axes 2 and 3, and so has
-four different numbers; gravity, which is small, is left out here.  M_ss in turn gives the directions of the links.
+carriage.  Along the centre line M_ss (equation 24) is the same at every pose and symmetric in axes 2 and 3, so it
+has four different entries; gravity is small and neglected here.  M_ss in turn gives the directions of the links.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ from printed import Array, Row
 from pulley_rows import AXES, Belt
 
 NAMES = ("M_11", "M_12", "M_22 + M_23", "M_22 - M_23")
-#: Carriages that move less than this, as x/R_p, say nothing precise about their mass.
+#: Carriages that move less than this, as x/R_p, do not determine their mass precisely.
 SMALL = 0.1
 
 
 @dataclass(frozen=True)
 class Links:
-    """Directions of the links that suit M_ss: height of the plane and `across`, for one choice of sides."""
+    """Link directions that match M_ss: height of the plane and `across`, for one choice of sides."""
 
     sides: tuple[float, ...]
     z: float
@@ -36,7 +36,7 @@ class Links:
 def moving_masses(
     rows: Sequence[Row], readings: Mapping[str, str], carriages: Mapping[str, Array], span: float, belt: Belt
 ) -> Array:
-    """M_11, M_12, M_22 + M_23 and M_22 - M_23 [kg] by least squares over all rows whose carriages move.
+    """Estimate M_11, M_12, M_22 + M_23 and M_22 - M_23 [kg] by least squares over all rows with moving carriages.
 
     Parameters
     ----------
@@ -44,11 +44,11 @@ def moving_masses(
     readings : mapping
         How the x column of each row is read.
     carriages : mapping
-        Positions of carriages 1 and 2 from the begin of their rails [m].
+        Positions of carriages 1 and 2 from the start of their rails [m].
     span : float
         max - min [m].
     belt : Belt
-        Its unit stiffness and radius, the same on all axes.
+        Belt with the unit stiffness and radius common to all axes.
     """
     system, right = [], []
     for row in rows:
@@ -59,17 +59,17 @@ def moving_masses(
         x = carriages[row.name]
         push = belt.unit * ((a - c) / x + (a - b) / (span - x)) / row.eigenvalue / np.abs(a).max()
         a = a / np.abs(a).max()
-        if row.moves(0):  # axes 2 and 3 move alike
+        if row.moves(0):  # axes 2 and 3 move equally
             system += [[a[0], 2.0 * a[1], 0.0, 0.0], [0.0, a[0], a[1], 0.0]]
             right += list(push)
-        else:  # axes 2 and 3 move against each other
+        else:  # axes 2 and 3 move in opposition
             system.append([0.0, 0.0, 0.0, a[1]])
             right.append(push[1])
     return np.asarray(np.linalg.lstsq(np.array(system), np.array(right), rcond=None)[0])
 
 
 def links(declared: pkmodes.Robot, masses: Array) -> list[Links]:
-    """Link directions that give these moving masses, best sides first."""
+    """Find the link directions that give these moving masses, best sides first."""
     length = float(declared.parameters.link_length[0])
 
     def misfit(unknowns: Array, sides: tuple[float, ...]) -> Array:
@@ -84,7 +84,7 @@ def links(declared: pkmodes.Robot, masses: Array) -> list[Links]:
 
     found = []
     for sides in (OPPOSITE, SAME):
-        # The least of a few starts: two angles, of the link to the side and of its inclination.
+        # Best of a few starts; the unknowns are two angles of the link, its sideways angle and its inclination.
         fits = [
             least_squares(misfit, start, args=(sides,), bounds=([0.02, 0.05], [1.5, 1.5]))
             for start in ([0.2, 0.5], [0.4, 0.9], [0.8, 0.5], [0.8, 1.2])

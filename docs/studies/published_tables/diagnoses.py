@@ -1,4 +1,4 @@
-"""The diagnosis of both robots: the identified one at the identified poses, the declared one at its own."""
+"""Diagnoses of the identified robot at the identified poses, and of the declared robot at its own extremes."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from published_modes import FILE, SIGMA
 
 
 def diagnose_published(robot: pkmodes.Robot) -> Diagnosis:
-    """Diagnose a robot by the published tables at the identified poses."""
+    """Diagnose a robot with the published tables at the identified poses."""
     return diagnose(robot, read(FILE))
 
 
 def assumed_poses(found: Extremes) -> Measurements:
-    """The published frequencies at the minima and maxima that a robot has along its centre line.
+    """Return the published frequencies at a robot's minima and maxima along its centre line.
 
-    That is all that the paper says of the poses.  Rows that share a pose share its label.  Shapes are left out:
-    taken as headed, most of them have the wrong unit.
+    The paper says no more about the poses.  Rows at the same pose share its label.  Shapes are left out: read as
+    headed, most of them have the wrong unit.
     """
     rows = read_rows()
     index = [found.index[row.point, row.mode] for row in rows]

@@ -1,4 +1,4 @@
-"""What the result withstands: values set free, alternatives, and the changes put in one by one."""
+"""Tests of the result: values set free, alternatives, and the findings added one by one."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from geometry import SAME, Geometry, joint_radius
 from grid import Interval
 from identification import Identified, every_digit
 
-#: Declared values, and those on which the paper is silent: each is set free beside z.
+#: Declared values, and values that the paper does not give: each is freed together with z.
 FREED = (
     "platform_mass",
     "link_mass",
@@ -32,7 +32,7 @@ GEOMETRY = ("z", "across", "offset", "first")
 
 @dataclass(frozen=True)
 class Freed:
-    """A value that was fitted beside z, in SI units."""
+    """A value fitted together with z, in SI units."""
 
     name: str
     declared: float
@@ -42,7 +42,7 @@ class Freed:
 
 @dataclass(frozen=True)
 class Alternative:
-    """Another robot: rms difference in half digits, and the largest relative error of the frequencies."""
+    """Alternative robot: rms difference in half digits, and the largest relative error of the frequencies."""
 
     what: str
     rms: float
@@ -50,7 +50,7 @@ class Alternative:
 
 
 def freed(found: Identified) -> Iterator[Freed]:
-    """Set each declared or assumed value free beside z, to see whether it comes back."""
+    """Fit each declared or assumed value together with z, to see whether it is recovered."""
     for name in FREED:
         before = found.geometry.value(name, found.declared)
         fit = found.tables.fit(found.geometry, ("z", name))
@@ -58,12 +58,12 @@ def freed(found: Identified) -> Iterator[Freed]:
 
 
 def alternatives(found: Identified) -> Iterator[Alternative]:
-    """What else it could have been; geometry fitted again where it says so."""
+    """Yield alternative robots, with the geometry refitted where noted."""
     g, tables = found.geometry, found.tables
     others: list[tuple[str, Geometry]] = [
         ("as identified", g),
-        ("no gravity, fitted again", tables.fit(g.moved(gravity=0.0), GEOMETRY).geometry),
-        ("gravity upwards, fitted again", tables.fit(g.moved(gravity=9.81), GEOMETRY).geometry),
+        ("no gravity, refitted", tables.fit(g.moved(gravity=0.0), GEOMETRY).geometry),
+        ("gravity upwards, refitted", tables.fit(g.moved(gravity=9.81), GEOMETRY).geometry),
         ("z = -245 mm, as printed", g.moved(z=-0.245)),
         ("joints at the platform's centre: across = 200 mm", g.moved(across=0.2)),
         ("offset 490 mm", g.moved(offset=0.49)),
@@ -76,27 +76,27 @@ def alternatives(found: Identified) -> Iterator[Alternative]:
 
 
 def radius_alone(found: Identified) -> tuple[float, float]:
-    """Radius of the circle of the joints and its standard error [m], the other numbers round."""
+    """Return the radius of the joints' circle and its standard error [m], with the other numbers round."""
     fit = found.tables.fit(found.geometry, ("z", "across"))
     rails = float(found.declared.parameters.origin[2, 1])
     return float(joint_radius(fit.geometry.across, rails)), float(fit.sigma["across"] / np.sin(np.pi / 3.0))
 
 
 def digits_with_across(found: Identified, across: float) -> Interval | None:
-    """Heights of the plane at which every printed digit comes out, if rails 2 and 3 are so far from their joints."""
+    """Return the heights of the plane that reproduce every printed digit for this distance of rails 2 and 3."""
     fit = found.tables.fit(found.geometry.moved(across=across), ("z",))
     return every_digit(found.tables, found.shapes, fit.geometry)
 
 
 def shortest_span(found: Identified) -> float:
-    """Shortest free span of a belt at the identified poses [m]: where "boundary effects" begin."""
+    """Return the shortest free span of a belt at the identified poses [m]: where "boundary effects" begin."""
     model = pkmodes.Model(found.geometry.robot(found.declared))
     x = model.inverse_kinematics(found.geometry.poses(found.area))
     return float(min(x.min(), (found.geometry.span - x).min()))
 
 
 def one_by_one(found: Identified) -> Iterator[tuple[str, float, float]]:
-    """Residual (rms and largest, in percent) while the findings are put in one after the other."""
+    """Yield the residual (rms and largest, in percent) as the findings are added one after the other."""
     g, declared = found.geometry, found.declared
     printed = {(row.point, row.mode): row.frequency for row in found.rows}
     shortest = shortest_span(found) - 1e-6
@@ -113,7 +113,7 @@ def one_by_one(found: Identified) -> Iterator[tuple[str, float, float]]:
         ("declared", before),
         ("span", before.moved(span=g.span)),
         ("and joints off the centre", before.moved(span=g.span, across=g.across)),
-        ("and rail 1 begins ahead", before.moved(span=g.span, across=g.across, offset=g.offset)),
+        ("and rail 1 starts ahead", before.moved(span=g.span, across=g.across, offset=g.offset)),
         ("and height of the plane", g),
     )
     for what, geometry in stages:
@@ -123,17 +123,15 @@ def one_by_one(found: Identified) -> Iterator[tuple[str, float, float]]:
 
 
 def report(found: Identified) -> None:
-    """Print it all."""
+    """Print all tests."""
     radius, sigma = radius_alone(found)
-    print(
-        f"\nWith the other numbers round, the circle of the joints has {1e3 * radius:.4f} +- {1e3 * sigma:.4f} mm."
-    )
+    print(f"\nRadius of the joints with the other numbers round: {1e3 * radius:.4f} +- {1e3 * sigma:.4f} mm.")
     across = 1e-3 * found.rounded["across"].value
     z = digits_with_across(found, across)
     print(
         f"With across = {1e3 * across:g} mm instead, {'a' if z else 'no'} height z gives every printed digit."
     )
-    print("\nDeclared and assumed values, each set free beside z:")
+    print("\nDeclared and assumed values, each fitted together with z:")
     for one in freed(found):
         print(f"  {one.name:24} {one.value:13.8g} +- {one.sigma:.1g}   (before {one.declared:g})")
     print("\nAlternatives:                                        rms [half digits]   frequencies, at most")
@@ -143,7 +141,7 @@ def report(found: Identified) -> None:
     print(
         f"  {'all carriages on one side':55} excluded by the moving masses: off by {100 * same.misfit:.0f} %"
     )
-    print("\nThe findings put in one by one (extremes of the line; residual of the twelve frequencies):")
+    print("\nThe findings added one by one (extremes of the line; residual of the twelve frequencies):")
     for what, rms, largest in one_by_one(found):
         print(f"  {what:26} rms {rms:8.4f} %, largest {largest:8.4f} %")
 

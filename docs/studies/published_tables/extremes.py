@@ -1,4 +1,4 @@
-"""Minima and maxima of the natural frequencies along the centre line, where the printed rows are said to be from."""
+"""Minima and maxima of the natural frequencies along the centre line, the stated poses of the printed rows."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pkmodes
 from pkmodes_generated import linear_delta
 from printed import Array
 
-#: Distance of the poses along the line [m].
+#: Spacing of the poses along the line [m].
 STEP = 0.0005
 
 
@@ -21,11 +21,11 @@ class Extremes:
     Attributes
     ----------
     poses : ndarray, shape (N, 3)
-        The line.
+        Poses along the line.
     modes : Modes
-        All along it.
+        Modes at these poses.
     index : dict of (str, int) to int
-        Pose of each point (``minimum``, ``maximum``) and mode.
+        Index of the pose of each point (``minimum``, ``maximum``) and mode.
     frequency : dict of (str, int) to float
         [Hz].
     """
@@ -36,17 +36,17 @@ class Extremes:
     frequency: dict[tuple[str, int], float]
 
     def relative(self, printed: dict[tuple[str, int], float]) -> Array:
-        """Relative differences from printed frequencies."""
+        """Return the relative differences from printed frequencies."""
         return np.array([self.frequency[key] / value - 1.0 for key, value in printed.items()])
 
 
 def centre_line(robot: pkmodes.Robot, z: float, shortest: float, step: float = STEP) -> Array:
-    """Poses with y = 0 at which every free belt span is at least so long [m]."""
+    """Return the poses with y = 0 at which every free belt span has at least a given length [m]."""
     parameters = robot.parameters
     reach = parameters.link_length.max()
     x = np.arange(parameters.limits.min() - reach, parameters.limits.max() + reach, step)
     poses = np.column_stack([x, np.zeros_like(x), np.full_like(x, z)])
-    with np.errstate(invalid="ignore"):  # out of reach a span is not a number, and so not long enough
+    with np.errstate(invalid="ignore"):  # out of reach a span is NaN, which fails the comparison
         spans = linear_delta.belt_spans(poses, parameters)
     return poses[(spans >= shortest).all(axis=(1, 2))]
 
@@ -64,5 +64,5 @@ def extremes(robot: pkmodes.Robot, poses: Array) -> Extremes:
 
 
 def percent(relative: Array) -> tuple[float, float]:
-    """Root mean square and largest of relative differences, in percent."""
+    """Return the root mean square and the largest of relative differences, in percent."""
     return 100.0 * float(np.sqrt(np.mean(np.square(relative)))), 100.0 * float(np.abs(relative).max())

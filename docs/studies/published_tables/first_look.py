@@ -1,4 +1,4 @@
-"""What the printed rows say by themselves, one after the other: units, belts, poses, masses, links.  No fit."""
+"""Evidence from the printed rows one by one, without a fit: units, belts, poses, masses, links."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ class FirstLook:
     ----------
     belts : mapping of int to Belt
     lengths : tuple of Lengths
-        Free lengths that each row and axis asks for, in both readings of the x column.
+        Free lengths implied by each row and axis, in both readings of the x column.
     span : Interval
         The span max - min that most rows allow [m].
     readings : mapping of str to str
-        The reading in which each of these rows allows it.
+        The reading in which each of these rows allows the span.
     strays : tuple of str
-        Rows that allow it in no reading.
+        Rows that allow the span in neither reading.
     positions : mapping of str to mapping
         Carriage positions of each row and axis [m].
     ahead : Interval
@@ -37,15 +37,15 @@ class FirstLook:
     x_2 : mapping of str to Interval
         Position of carriage 2 in each row [m].
     step : Interval
-        Largest step of a grid on which all poses are [m].
+        Largest step of a grid that contains all poses [m].
     index : mapping of str to int
         Points of that grid, from 0 at the smallest x_2.
     masses : ndarray, shape (4,)
         M_11, M_12, M_22 + M_23, M_22 - M_23 [kg].
     links : list of Links
-        Link directions that suit them, best first.
+        Link directions that give these masses, best first.
     start : Geometry
-        All of it together.
+        Geometry that combines these values.
     """
 
     belts: Mapping[int, Belt]

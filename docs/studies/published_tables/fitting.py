@@ -1,4 +1,4 @@
-"""Least squares for all that is printed: frequencies and shapes, each in units of its last digit."""
+"""Least-squares fit to all printed numbers: frequencies and shapes, each in units of its last digit."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from printed import HALF_HERTZ, Array, Row
 
 @dataclass(frozen=True)
 class Found:
-    """A fit: the geometry, standard errors of what was fitted, and the rms residual in half digits."""
+    """A fit: the geometry, standard errors of the fitted values, and the rms residual in half digits."""
 
     geometry: Geometry
     sigma: Mapping[str, float]
@@ -23,7 +23,7 @@ class Found:
 
 
 class Tables:
-    """Printed rows at points of the grid, to be compared with the model.
+    """Printed rows at points of the grid, for comparison with the model.
 
     Parameters
     ----------
@@ -32,11 +32,11 @@ class Tables:
     readings : mapping of str to str
         How the x column of each row is read.
     index : mapping of str to int
-        Point of the grid that each row is from.
+        Point of the grid of each row.
     shapeless : collection of str
         Rows whose shapes are not compared.
     cut : bool
-        Whether the digits of the shapes were cut off, or rounded.
+        Whether the digits of the shapes were truncated (or rounded).
     """
 
     def __init__(
@@ -58,7 +58,7 @@ class Tables:
         self.used = (self.half > 0.0) & np.array([row.name not in shapeless for row in rows])[:, None]
 
     def predict(self, geometry: Geometry) -> tuple[Array, Array]:
-        """Frequencies (rows,) and shapes (rows, 9) as the rows were printed: their scale, and their unit of x."""
+        """Predict frequencies (rows,) and shapes (rows, 9) as printed: with the scale and x unit of each row."""
         frequencies, shapes = geometry.modes(self.declared, self.index)
         pick = np.arange(len(self.rows)), self.mode
         radius = geometry.value("pulley_radius", self.declared)
@@ -67,32 +67,32 @@ class Tables:
         return frequencies[pick], np.array(printed)
 
     def misses(self, geometry: Geometry) -> tuple[Array, Array]:
-        """Differences from what is printed in half digits: of frequencies (rows,), of components (rows, 9)."""
+        """Return the differences from the printed numbers in half digits: frequencies (rows,), shapes (rows, 9)."""
         frequency, shape = self.predict(geometry)
         components = (shape - self.printed) / np.where(self.used, self.half, np.inf)
         return (frequency - self.frequency) / HALF_HERTZ, components
 
     def residual(self, geometry: Geometry) -> Array:
-        """All differences in half digits."""
+        """Return all differences in half digits."""
         frequencies, components = self.misses(geometry)
         return np.nan_to_num(np.concatenate([frequencies, components[self.used]]), nan=1e6)  # out of reach
 
     def rms(self, geometry: Geometry) -> float:
-        """Root mean square difference in half digits; exact numbers with some digits left off give 0.58."""
+        """Return the root mean square difference in half digits; exact numbers with digits left off give 0.58."""
         return float(np.sqrt(np.mean(self.residual(geometry) ** 2)))
 
     def largest_error(self, geometry: Geometry) -> float:
-        """Largest relative error of the frequencies."""
+        """Return the largest relative error of the frequencies."""
         return float(np.abs(self.predict(geometry)[0] / self.frequency - 1.0).max())
 
     def fit(self, start: Geometry, free: Sequence[str]) -> Found:
-        """Fit unknowns, or declared values.
+        """Fit unknowns or declared values.
 
-        Standard errors take what lies behind the last digit as uniformly distributed: a half digit has the
-        standard deviation 1/sqrt(3).
+        Standard errors assume that the digits beyond the last one are uniformly distributed: the standard deviation
+        is 1/sqrt(3) half digits.
         """
         first = np.array([start.value(name, self.declared) for name in free])
-        # Steps of central differences, and the unit of the unknowns: a millionth, or 10 nm for what may be 0.
+        # Steps of central differences, and unit of the unknowns: a millionth, or 10 nm for values that start at 0.
         unit = 1e-6 * np.where(first == 0.0, 0.01, np.abs(first))
 
         def at(x: Array) -> Geometry:
@@ -115,7 +115,7 @@ class Tables:
 
 
 def as_printed(shape: Array, row: Row, reading: str, radius: float) -> Array:
-    """A computed shape as a row would print it: the component that the row is normalised with is +-1."""
+    """Return a computed shape as a row would print it: the component used for normalisation is +-1."""
     scaled = shape.copy()
     if reading == "x/R_p":
         scaled[:3] /= radius

@@ -1,9 +1,9 @@
-"""The robot and the poses that the tables are searched in: the declared robot, its geometry unknown.
+"""The declared robot with unknown geometry, and the poses of the tables.
 
-Only the rail of an axis minus the joint that it leads to enters the model.  So the geometry has three unknowns:
-how far rails 2 and 3 are from their joints across the rails, how far rail 1 begins ahead, and the height of the
-plane.  Here joints 2 and 3 and the begin of rails 2 and 3 are put to x = 0; where rails and joints are in the robot
-file is a choice, made in `in_robot_file`.
+Only the difference between the rail and the joint of an axis enters the model.  The geometry therefore has three
+unknowns: the distance of rails 2 and 3 from their joints across the rails, the distance by which rail 1 starts ahead,
+and the height of the plane.  Here joints 2 and 3 and the start of rails 2 and 3 are placed at x = 0; the positions of
+rails and joints in the robot file are a choice, made in `in_robot_file`.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ OPPOSITE, SAME = (1.0, -1.0, -1.0), (1.0, 1.0, 1.0)
 
 @dataclass(frozen=True)
 class Geometry:
-    """What the paper leaves open [m].
+    """Geometry that the paper leaves open [m].
 
     Attributes
     ----------
@@ -33,13 +33,13 @@ class Geometry:
     offset : float
         min(x_1) - min(x_2) - (joint_1x - joint_2x).
     z : float
-        Height of the plane over the rails, less that of the joints over the platform's centre.
+        Height of the plane above the rails, minus the height of the joints above the platform's centre.
     first, step : float
-        Point k of the grid is x_p = first + k step, from min(x_2) and with joint_2x = 0.
+        Point k of the grid is at x_p = first + k step, measured from min(x_2) and with joint_2x = 0.
     sides : tuple of float
         Branch of each axis.
     instead : mapping
-        Values that replace declared ones, by the name of the generated parameter.
+        Values that replace declared ones, by name of the generated parameter.
     """
 
     span: float
@@ -52,19 +52,19 @@ class Geometry:
     instead: Mapping[str, float] = field(default_factory=dict)
 
     def moved(self, **values: float) -> Geometry:
-        """Return the geometry with other values: of unknowns, or of declared parameters."""
+        """Return the geometry with other values of unknowns or declared parameters."""
         own = {f.name: values.pop(f.name) for f in fields(self) if f.name in values}
         return replace(self, **own, instead={**self.instead, **values})
 
     def value(self, name: str, declared: pkmodes.Robot) -> float:
-        """An unknown, or a declared parameter as it is now (of axis 1; the vertical component of gravity)."""
+        """Return the current value of an unknown or a declared parameter (of axis 1; vertical gravity)."""
         if name in self.__dataclass_fields__:
             return float(getattr(self, name))
         known = np.ravel(getattr(declared.parameters, name))
         return float(self.instead.get(name, known[2] if name == "gravity" else known[0]))
 
     def robot(self, declared: pkmodes.Robot) -> pkmodes.Robot:
-        """The declared robot with this geometry."""
+        """Return the declared robot with this geometry."""
         p = declared.parameters
         origin, joint = np.array(p.origin), np.zeros((3, 3))
         origin[:, 1] = np.sign(origin[:, 1]) * self.across
@@ -77,22 +77,22 @@ class Geometry:
         return replace(declared, parameters=parameters)
 
     def poses(self, index: Array) -> Array:
-        """Points of the grid on the centre line, (N, 3)."""
+        """Return points of the grid on the centre line, (N, 3)."""
         x = self.first + self.step * np.asarray(index, dtype=float)
         return np.column_stack([x, np.zeros_like(x), np.full_like(x, self.z)])
 
     def modes(self, declared: pkmodes.Robot, index: Array) -> tuple[Array, Array]:
-        """Frequencies of vibration modes 1 to 6 [Hz], (N, 6), and their shapes, (N, 6, 9); NaN out of reach."""
+        """Compute frequencies (N, 6) [Hz] and shapes (N, 6, 9) of vibration modes 1 to 6; NaN out of reach."""
         found = pkmodes.Model(self.robot(declared)).modes(self.poses(index), on_error="nan")
         return found.frequencies[:, found.rigid_modes :], found.shapes[:, found.rigid_modes :]
 
     def reaches(self, declared: pkmodes.Robot) -> tuple[float, float]:
-        """How far carriage 1 is ahead of the platform along x, and carriages 2 and 3 behind it (branch +1 -1 -1)."""
+        """Return how far carriage 1 is ahead of the platform along x, and 2 and 3 behind it (branch +1 -1 -1)."""
         squared = float(declared.parameters.link_length[0]) ** 2 - self.z**2
         return float(np.sqrt(squared)), float(np.sqrt(squared - self.across**2))
 
     def mirrored(self, declared: pkmodes.Robot) -> Geometry:
-        """All carriages on the other sides, and rails and poses moved so that the carriages stay in place."""
+        """Swap all sides, with rails and poses moved so that the carriages stay in place."""
         ahead, behind = (self.sides[0] * reach for reach in self.reaches(declared))
         return replace(
             self,
@@ -103,7 +103,7 @@ class Geometry:
 
 
 def joint_radius(across: float, apart: float) -> float:
-    """Radius of the circle on which the platform's joints are, if they are at 0 and +-120 degrees.
+    """Compute the radius of the circle of the platform's joints, if they are at 0 and +-120 degrees.
 
     Parameters
     ----------
@@ -116,9 +116,9 @@ def joint_radius(across: float, apart: float) -> float:
 
 
 def in_robot_file(found: Geometry, radius: float) -> tuple[Array, Array, float]:
-    """Joints (3, 3), limits (3, 2) and x of point 0 in the frame of the robot file [m].
+    """Return joints (3, 3), limits (3, 2) and x of point 0 in the frame of the robot file [m].
 
-    Joints on a circle, each facing its own carriage; rails 2 and 3 begin at x = 0.
+    The joints are on a circle, each facing its carriage; rails 2 and 3 start at x = 0.
     """
     angle = np.radians([0.0, -120.0, 120.0])
     joint = radius * np.column_stack([np.cos(angle), np.sin(angle), np.zeros(3)])

@@ -1,4 +1,4 @@
-"""Where the poses are: carriage positions from the pulleys' rows, and the grid that they lie on."""
+"""Poses of the rows: carriage positions from the pulleys' rows, and the grid that contains them."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ import numpy as np
 from printed import Row
 from pulley_rows import AXES, Belt, carriage_position
 
-#: Grid steps that are tried, from the largest down [m].
+#: Grid steps that are tried, in descending order [m].
 STEPS = np.arange(0.3, 0.005, -1e-6)
-#: Steps closer together than this are one and the same finding [m].
+#: Steps closer together than this count as the same [m].
 SAME_STEP = 5e-4
 
 
@@ -25,7 +25,7 @@ class Interval:
 
     @property
     def middle(self) -> float:
-        """Middle."""
+        """Midpoint."""
         return 0.5 * (self.low + self.high)
 
     @property
@@ -34,12 +34,12 @@ class Interval:
         return 0.5 * (self.high - self.low)
 
     def less(self, other: Interval) -> Interval:
-        """The difference of two such numbers."""
+        """Return the difference of two such numbers."""
         return Interval(self.low - other.high, self.high - other.low)
 
 
 def carriages(row: Row, reading: str, belts: Mapping[int, Belt], span: float) -> dict[int, Interval]:
-    """Distances of the carriages that move from the begin of their rails [m]."""
+    """Return the distances of the moving carriages from the start of their rails [m]."""
     return {
         axis: Interval(*carriage_position(row, reading, belts[axis], axis, span))
         for axis in AXES
@@ -48,19 +48,19 @@ def carriages(row: Row, reading: str, belts: Mapping[int, Belt], span: float) ->
 
 
 def carriage_1_ahead(positions: Sequence[Mapping[int, Interval]]) -> Interval:
-    """x_1 - x_2 [m] that all rows allow: on parallel rails it is the same all along the centre line."""
+    """Return the x_1 - x_2 [m] that all rows allow: on parallel rails it is constant along the centre line."""
     both = [x[0].less(x[1]) for x in positions if len(x) == len(AXES)]
     return Interval(max(one.low for one in both), min(one.high for one in both))
 
 
 def position_2(x: Mapping[int, Interval], ahead: Interval) -> Interval:
-    """x_2 [m] from the axis that tells it better."""
+    """Return x_2 [m] from the axis that determines it better."""
     estimates = [x[1], x[0].less(ahead)] if 0 in x else [x[1]]
     return min(estimates, key=lambda one: one.half)
 
 
 def grid_step(positions: Sequence[Interval]) -> Interval:
-    """The largest step of which all positions are multiples apart [m], with the bounds that they allow."""
+    """Return the largest step such that all positions differ by multiples of it [m], with its bounds."""
     middle, half = (np.array([getattr(x, name) for x in positions]) for name in ("middle", "half"))
     best = int(np.argmin(half))
     distance = middle - middle[best]

@@ -1,11 +1,11 @@
-"""The geometry and the poses behind Tables 1 and 2 of the paper, from the declared robot and what is printed.
+"""Identify the geometry and the poses behind Tables 1 and 2 of the paper, from the declared robot and the tables.
 
 1. Each row by itself (`first_look`): the two pulley equations of an axis give the length of its belt, the unit of
-   the x column and the pose; the carriage equations give the moving masses, and those the links.
-2. A fit of six unknowns to the rows whose shape and frequency belong together (`fits`).  It predicts where the
-   frequencies of the other two rows are from.
+   the x column and the pose; the carriage equations give the moving masses, and these the links.
+2. A fit of six unknowns to the rows whose shape and frequency belong together (`fits`).  It predicts the points of
+   the frequencies of the other two rows.
 3. The same fit to all twelve frequencies (`twelve`), which shows that five of the six unknowns are round numbers;
-   with these put in, one is left (`last`), and the interval of it in which every printed digit comes out.
+   with these fixed, one remains (`last`), and the interval in which it reproduces every printed digit.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ from rounding import Round, roundest
 
 T = TypeVar("T")
 UNKNOWNS = ("z", "across", "offset", "first", "step", "span")
-#: Points of the grid that are looked at, from point 0 at the smallest x_2 of `first_look`.
+#: Points of the grid that are searched, relative to point 0 at the smallest x_2 of `first_look`.
 AROUND = np.arange(-5, 30)
-#: Values of z around the fitted one in which every digit is compared [m].
+#: Offsets from the fitted z at which every digit is compared [m].
 NEAR = np.arange(-1e-6, 1e-6, 1e-8)
 
 
@@ -43,7 +43,7 @@ class Stray:
     frequency : mapping of int to float
         Points of the grid at which the printed frequency is predicted, and the prediction [Hz].
     shape : list of (int, str)
-        Points, and readings of the x column, at which every digit of the printed shape comes out.
+        Points, and readings of the x column, that reproduce every digit of the printed shape.
     """
 
     frequency: Mapping[int, float]
@@ -52,7 +52,7 @@ class Stray:
 
 @dataclass(frozen=True)
 class Identified:
-    """Everything that was found.
+    """Result of the identification.
 
     Attributes
     ----------
@@ -60,24 +60,25 @@ class Identified:
     rows : tuple of Row
     look : FirstLook
     fits : mapping of bool to Found
-        Fit of six unknowns to the rows that are consistent in themselves, if the digits of the shapes were cut
-        off (True) or rounded (False).
+        Fit of six unknowns to the self-consistent rows, with the digits of the shapes truncated (True) or
+        rounded (False).
     strays : mapping of str to Stray
         The other rows.
     tables, shapes : Tables
-        All rows at the points of their frequencies, without the shapes of the strays; and at those of their shapes.
+        All rows at the points of their frequencies, without the shapes of the strays; and at the points of their
+        shapes.
     twelve : Found
         Fit to `tables`.
     radius : tuple of float
-        Radius of the circle of the joints and its standard error [m].
+        Radius of the joints' circle and its standard error [m].
     rounded : mapping of str to Round
         Round numbers [mm], ``radius`` among them.
     last : Found
-        Fit of z with these.
+        Fit of z with these round numbers.
     z : Interval
-        Where every printed digit comes out [m].
+        Interval that reproduces every printed digit [m].
     geometry : Geometry
-        With the round numbers and the middle of that interval, to 0.01 um.
+        Geometry with the round numbers and the midpoint of that interval, to 0.01 um.
     """
 
     declared: pkmodes.Robot
@@ -96,12 +97,12 @@ class Identified:
 
     @property
     def cut(self) -> bool:
-        """Whether the digits of the shapes were cut off."""
+        """Whether the digits of the shapes were truncated."""
         return _better(self.fits)
 
     @property
     def area(self) -> Array:
-        """Points of the grid from the first to the last that carries a row: the useful working area."""
+        """Points of the grid from the first to the last with a row: the useful working area."""
         return np.arange(self.tables.index.min(), self.tables.index.max() + 1)
 
     @property
@@ -111,12 +112,12 @@ class Identified:
 
 
 def identify(declared: pkmodes.Robot, rows: Sequence[Row]) -> Identified:
-    """Find geometry and poses.
+    """Identify geometry and poses.
 
     Parameters
     ----------
     declared : Robot
-        With the values that the paper declares.
+        Robot with the values declared in the paper.
     rows : sequence of Row
         The printed tables.
 
@@ -150,7 +151,7 @@ def identify(declared: pkmodes.Robot, rows: Sequence[Row]) -> Identified:
     values = {name: 1e-3 * rounded[name].value for name in ("offset", "first", "step", "span")}
     values["across"] = rails - 1e-3 * rounded["radius"].value * float(np.sin(np.pi / 3.0))
     last = tables.fit(twelve.geometry.moved(**values), ("z",))
-    z = _there(every_digit(tables, shapes, last.geometry), "every printed digit")
+    z = _required(every_digit(tables, shapes, last.geometry), "every printed digit")
     return Identified(
         declared=declared,
         rows=tuple(rows),
@@ -169,7 +170,7 @@ def identify(declared: pkmodes.Robot, rows: Sequence[Row]) -> Identified:
 
 
 def every_digit(frequencies: Tables, shapes: Tables, geometry: Geometry) -> Interval | None:
-    """The interval of z, near that of a geometry, in which every printed digit comes out; None if there is none."""
+    """Return the interval of z near a geometry's that reproduces every printed digit, or None."""
     good = []
     for z in geometry.z + NEAR:
         trial = geometry.moved(z=float(z))
@@ -178,8 +179,8 @@ def every_digit(frequencies: Tables, shapes: Tables, geometry: Geometry) -> Inte
     return Interval(good[0], good[-1]) if good else None
 
 
-def _there(found: T | None, what: str) -> T:
-    """What was found, if anything was."""
+def _required(found: T | None, what: str) -> T:
+    """Return what was found; raise an error if nothing was."""
     if not found:
         raise LookupError(f"nothing on the grid gives {what}")
     return found
@@ -190,9 +191,9 @@ def _better(fits: Mapping[bool, Found]) -> bool:
 
 
 def _placed(row: Row, declared: pkmodes.Robot, geometry: Geometry, cut: bool) -> Stray:
-    """Where the frequency and the shape of a row are from, each by itself."""
+    """Locate the frequency and the shape of a row, each by itself."""
     frequencies, shapes = (values[:, row.mode - 1] for values in geometry.modes(declared, AROUND))
-    # Within a digit: the fit, which does not know this row, is as good as that.
+    # To within a digit: the accuracy of the fit, which does not use this row.
     close = np.flatnonzero(np.abs(frequencies - row.frequency) < 2.0 * HALF_HERTZ)
     frequency = {int(AROUND[i]): float(frequencies[i]) for i in close}
     radius, known, shape = float(declared.parameters.pulley_radius[0]), row.unit > 0.0, []
@@ -200,4 +201,6 @@ def _placed(row: Row, declared: pkmodes.Robot, geometry: Geometry, cut: bool) ->
         off = np.abs(as_printed(shapes[k], row, reading, radius) - row.middle(cut))
         if (off[known] <= 0.55 * row.unit[known]).all():
             shape.append((int(AROUND[k]), reading))
-    return Stray(_there(frequency, f"the frequency of {row.name}"), _there(shape, f"the shape of {row.name}"))
+    return Stray(
+        _required(frequency, f"the frequency of {row.name}"), _required(shape, f"the shape of {row.name}")
+    )

@@ -1,10 +1,10 @@
-"""Find the geometry and the poses behind Tables 1 and 2 of the paper, and print the evidence step by step.
+"""Identify the geometry and the poses behind Tables 1 and 2 of the paper, and print the evidence step by step.
 
     python docs/studies/published_tables/identify.py
 
-It starts from robots/linear-delta-2022.toml and tables.csv (`identification`), and ends by comparing what it found
-with robots/linear-delta-2022-identified.toml and published-modes.csv, which come from it: exit code 1 if they
-differ.  docs/published-tables.md tells the story.
+It starts from robots/linear-delta-2022.toml and tables.csv (`identification`), and finally compares its result with
+robots/linear-delta-2022-identified.toml and published-modes.csv, which were made from it: exit code 1 if they
+differ.  docs/published-tables.md documents the results.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ DECLARED = IDENTIFIED.with_name("linear-delta-2022.toml")
 
 
 def compare_with_file(found: Identified, path: Path = IDENTIFIED) -> float:
-    """Largest difference of the identified joints and limits from those of a robot file [m]."""
+    """Return the largest difference of the identified joints and limits from a robot file [m]."""
     parameters = pkmodes.read_robot(path).parameters
     joint, limits, _ = found.in_robot_file
     return float(max(np.abs(joint - parameters.joint).max(), np.abs(limits - parameters.limits).max()))
 
 
 def main() -> None:
-    """Identify, print the evidence, and hold the committed files against it."""
+    """Identify, print the evidence, and compare the committed files with it."""
     parser = argparse.ArgumentParser(description="Geometry and poses behind the published tables.")
     parser.add_argument("--write", action="store_true", help=f"write {published_modes.FILE.name}")
     arguments = parser.parse_args()
@@ -50,9 +50,9 @@ def main() -> None:
         published_modes.FILE.write_text(text, encoding="utf-8")
     problems = []
     if compare_with_file(found) > 1e-9:
-        problems.append(f"{IDENTIFIED} is not what was identified")
+        problems.append(f"{IDENTIFIED} differs from the identified robot")
     if published_modes.FILE.read_text(encoding="utf-8") != text:
-        problems.append(f"{published_modes.FILE} is not what this script would write (--write)")
+        problems.append(f"{published_modes.FILE} differs from the output of this script; run it with --write")
     robots = [pkmodes.read_robot(path) for path in (DECLARED, IDENTIFIED)]
     before = extremes(robots[0], centre_line(robots[0], Z, SHORTEST_SPAN))
     printed = {(row.point, row.mode): row.frequency for row in found.rows}
@@ -60,7 +60,7 @@ def main() -> None:
     report.diagnoses(*robots, before)
     if problems:
         sys.exit("error: " + "; ".join(problems))
-    print(f"\n{IDENTIFIED.name} and {published_modes.FILE.name} are what was identified.")
+    print(f"\n{IDENTIFIED.name} and {published_modes.FILE.name} agree with the identification.")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""The printed tables: every number with what its last digit leaves open."""
+"""The printed tables: every number with the resolution of its last digit."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ class Row:
     shape : ndarray, shape (9,)
         Components as printed, in the order of the coordinates.
     unit : ndarray, shape (9,)
-        One unit of the last printed digit; 0 where the component is exact, which is the one of size 1 that the
-        row is normalised with, and those that symmetry holds at zero.
+        One unit of the last printed digit; 0 where the component is exact: the component of size 1 used for
+        normalisation, and components that symmetry holds at zero.
     """
 
     point: str
@@ -52,15 +52,15 @@ class Row:
         return float((2.0 * np.pi * self.frequency) ** 2)
 
     def axis(self, axis: int) -> slice:
-        """Where the components x, theta_1, theta_2 of an axis are."""
+        """Return the slice of the components x, theta_1, theta_2 of an axis."""
         return slice(axis, None, 3)
 
     def moves(self, axis: int) -> bool:
-        """Whether the axis moves in this mode."""
+        """Return whether the axis moves in this mode."""
         return bool((np.abs(self.shape[self.axis(axis)]) > ZERO).all())
 
     def middle(self, cut: bool) -> Array:
-        """Middle of what each component may stand for: digits that were cut off enlarge it, rounding does not."""
+        """Return the midpoint of the range of each component: truncated digits enlarge it, rounding does not."""
         return self.shape + 0.5 * self.unit * np.sign(self.shape) * cut
 
 

@@ -1,4 +1,4 @@
-"""The published tables as a file of modal measurements, at the poses that were identified."""
+"""The published tables as a file of modal measurements at the identified poses."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ if TYPE_CHECKING:
     from identification import Identified
 
 FILE = Path(__file__).with_name("published-modes.csv")
-#: Rounding hides up to half a unit of the last digit, all of it equally likely.
+#: The rounding error is uniformly distributed over half a unit of the last digit either way.
 SIGMA = HALF_HERTZ / np.sqrt(3.0)
 HEAD = """\
-# Tables 1 and 2 of the paper as modal measurements; written by identify.py, which found the poses.
-# Labels: point of the 37.5 mm grid on the centre line.  Positions belong to linear-delta-2022-identified.toml.
-# sigma: a frequency rounded to 0.001 Hz has the standard deviation 0.0005 Hz / sqrt(3).
-# Shapes: x in metres in every row (the tables mix metres and x/R_p), each component in the middle of what its
-# printed digits can stand for; blank where the printed shape belongs to another pose than the frequency.
+# Tables 1 and 2 of the paper as modal measurements; written by identify.py, which identified the poses.
+# Labels: point of the 37.5 mm grid on the centre line.  Positions refer to linear-delta-2022-identified.toml.
+# sigma: a frequency rounded to 0.001 Hz has a standard deviation of 0.0005 Hz / sqrt(3).
+# Shapes: x in metres in every row (the tables mix metres and x/R_p), each component at the midpoint of the range of
+# its printed digits; blank where the printed shape belongs to a different pose than the frequency.
 """
 
 
 def text(found: Identified) -> str:
-    """The file for what was identified; rows in the order of the tables."""
+    """Return the contents of the file, with rows in the order of the tables."""
     file = io.StringIO()
     file.write(HEAD)
     writer = csv.writer(file, lineterminator="\n")
@@ -50,7 +50,7 @@ def text(found: Identified) -> str:
 
 
 def frequencies(robot: pkmodes.Robot) -> dict[tuple[str, int], float]:
-    """Frequencies of a robot at the poses of the file, by point and mode [Hz]."""
+    """Compute the frequencies of a robot at the poses of the file, by point and mode [Hz]."""
     data = read(FILE)
     modes = pkmodes.Model(robot).modes(data.points)
     number = np.array([int(mode) for mode in data.mode])

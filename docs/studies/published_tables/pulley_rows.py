@@ -1,12 +1,12 @@
-r"""What each printed shape says about the belts, by the rows of the two pulleys in K phi = lambda M phi.
+r"""Belt lengths from each printed shape, by the rows of the two pulleys in K phi = lambda M phi.
 
 With a = x/R_p, b = theta_1, c = theta_2 of one axis and g = lambda / (R_p^2 w k_sp), the two rows are
 
 .. math:: g I_1 b = (b - c)/l_1 + (b - a)/l_3, \qquad g I_2 c = (c - b)/l_1 + (c - a)/l_2 .
 
-They hold printed numbers, the declared belt and pulleys, and the three free lengths; nothing of the platform, the
-links or the pose.  A carriage without length adds l_2 + l_3 = l_1, and the lengths follow from a quadratic
-equation.  So each row of the tables tells its own belts, before anything is known of the robot's geometry.
+They contain printed numbers, the declared belt and pulleys, and the three free lengths, but neither the platform, the
+links nor the pose.  A carriage without length adds l_2 + l_3 = l_1, and the lengths follow from a quadratic
+equation.  So each row of the tables determines its own belts, before anything is known about the robot's geometry.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from printed import HALF_HERTZ, Array, Row
 
 #: The two ways in which the column x may have been printed.
 READINGS = ("x/R_p", "metres")
-#: Axes that speak: 3 repeats 2.
+#: Independent axes: 3 repeats 2.
 AXES = (0, 1)
 
 
@@ -36,7 +36,7 @@ class Belt:
 
     @classmethod
     def of(cls, robot: pkmodes.Robot, axis: int) -> Belt:
-        """Belt of an axis; the motor's inertia, times the ratio squared, is on the driven pulley."""
+        """Return the belt of an axis; the motor's inertia, times the ratio squared, is on the driven pulley."""
         p = robot.parameters
         motor = p.gear_ratio[axis] ** 2 * p.motor_inertia[axis] * p.drive[axis]
         unit = float(p.belt_width[axis] * p.belt_specific_stiffness[axis])
@@ -45,9 +45,9 @@ class Belt:
 
 @dataclass(frozen=True)
 class Lengths:
-    """Free lengths l_1, l_2, l_3 of an axis [m]: all that the printed digits of one row allow.
+    """Free lengths l_1, l_2, l_3 of an axis [m]: the range that the printed digits of one row allow.
 
-    The quadratic has two roots; `root` tells them apart.
+    `root` is the root of the quadratic.
     """
 
     row: str
@@ -58,17 +58,17 @@ class Lengths:
     high: Array
 
     def allows(self, span: float) -> bool:
-        """Whether max - min may be this."""
+        """Return whether max - min may have this value."""
         return bool(self.low[0] <= span <= self.high[0])
 
     @property
     def middle(self) -> Array:
-        """Middles of the intervals."""
+        """Midpoints of the intervals."""
         return 0.5 * (self.low + self.high)
 
 
 def lengths_of(row: Row, axis: int, reading: str, belt: Belt) -> list[Lengths]:
-    """Lengths that a row asks for, with the extremes that its printed digits allow."""
+    """Return the lengths that a row implies, with the bounds that its printed digits allow."""
     found = []
     every = _free_lengths(belt, *_corners(row, axis, reading, belt))
     for root, lengths in enumerate(every):
@@ -78,7 +78,7 @@ def lengths_of(row: Row, axis: int, reading: str, belt: Belt) -> list[Lengths]:
 
 
 def pose_of_shape(row: Row, axis: int, reading: str, belt: Belt, span: float) -> list[tuple[float, float]]:
-    """Solve the rows of the pulleys for l_2 [m] and the frequency [Hz] instead: the pose that a shape is from."""
+    """Solve the rows of the pulleys for l_2 [m] and the frequency [Hz] instead: the pose of a shape."""
     _, (a, b, c) = _eigenvalue_and_shape(row, axis, reading, belt)
     p, q = belt.inertia * np.array([b, c]) / (belt.radius**2 * belt.unit)
     linear = ((b - a) * q + (c - a) * p - (b - c) * (p - q)) / span
@@ -92,9 +92,9 @@ def pose_of_shape(row: Row, axis: int, reading: str, belt: Belt, span: float) ->
 
 
 def agreed_span(rows: Sequence[Row], every: Sequence[Lengths]) -> tuple[float, float, set[str]]:
-    """The span that most rows allow in some reading: its bounds, and the names of those rows.
+    """Return the bounds of the span that most rows allow in some reading, and the names of those rows.
 
-    A row counts if all its axes that move allow the span when its x column is read the same way.
+    A row counts if all its moving axes allow the span in the same reading of its x column.
     """
     ends = np.unique([end for one in every for end in (one.low[0], one.high[0])])
     best: tuple[float, float, set[str]] = (0.0, 0.0, set())
@@ -107,7 +107,7 @@ def agreed_span(rows: Sequence[Row], every: Sequence[Lengths]) -> tuple[float, f
 
 
 def allowed(row: Row, reading: str, every: Sequence[Lengths], span: float) -> list[Lengths]:
-    """Lengths of the axes that move, if a span suits them all; otherwise nothing."""
+    """Return the lengths of the moving axes if all of them allow a span; otherwise nothing."""
     found = [
         one
         for axis in AXES
@@ -118,9 +118,9 @@ def allowed(row: Row, reading: str, every: Sequence[Lengths], span: float) -> li
 
 
 def carriage_position(row: Row, reading: str, belt: Belt, axis: int, span: float) -> tuple[float, float]:
-    """Bounds of l_2 of an axis [m], once the span is known.
+    """Return the bounds of l_2 of an axis [m] for a known span.
 
-    Each pulley's row gives an estimate, of l_2 or of l_3 = span - l_2; the one with the closer bounds is taken.
+    Each pulley's row gives an estimate, of l_2 or of l_3 = span - l_2; the one with the tighter bounds is used.
     """
     g, (a, b, c) = _corners(row, axis, reading, belt)
     p, q = belt.inertia[0] * g * b, belt.inertia[1] * g * c
@@ -135,7 +135,7 @@ def _eigenvalue_and_shape(row: Row, axis: int, reading: str, belt: Belt) -> tupl
 
 
 def _corners(row: Row, axis: int, reading: str, belt: Belt) -> tuple[Array, Array]:
-    """Factor g (16,) and a, b, c (3, 16) at the corners of what the printed digits allow, rounded or cut."""
+    """Return g (16,) and a, b, c (3, 16) at the corners of the range of the printed digits, rounded or truncated."""
     g, shape = _eigenvalue_and_shape(row, axis, reading, belt)
     unit = row.unit[row.axis(axis)] * shape / row.shape[row.axis(axis)]
     corners = np.array(list(itertools.product((-0.5, 1.0), (-0.5, 1.0), (-0.5, 1.0), (-1.0, 1.0))))
@@ -144,7 +144,7 @@ def _corners(row: Row, axis: int, reading: str, belt: Belt) -> tuple[Array, Arra
 
 
 def _free_lengths(belt: Belt, g: Array, shapes: Array) -> Array:
-    """(l_1, l_2, l_3) for each root and each of N shapes, (2, N, 3); NaN where a length is not positive.
+    """Return (l_1, l_2, l_3) for each root and each of N shapes, (2, N, 3); NaN where a length is not positive.
 
     With y = 1/l_1, p = g I_1 b and q = g I_2 c, the rows and l_2 + l_3 = l_1 are
     2 (b - c)^2 y^2 + [(b - a) q + (c - a) p - (b - c)(p - q)] y - p q = 0.
@@ -157,7 +157,7 @@ def _free_lengths(belt: Belt, g: Array, shapes: Array) -> Array:
     with np.errstate(divide="ignore", invalid="ignore"):
         root = np.sqrt(linear**2 - 4.0 * square * product)
         for sign in (1.0, -1.0):
-            y = 2.0 * product / (-linear + sign * root)  # holds where b = c, too
+            y = 2.0 * product / (-linear + sign * root)  # also holds where b = c
             lengths = np.stack([1.0 / y, (c - a) / (q + (b - c) * y), (b - a) / (p - (b - c) * y)], axis=-1)
             found.append(np.where((lengths > 0.0).all(axis=-1, keepdims=True), lengths, np.nan))
     return np.array(found)

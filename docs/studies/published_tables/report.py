@@ -1,4 +1,4 @@
-"""The evidence in print, step by step."""
+"""Print the evidence, step by step."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ MM = 1e3
 
 
 def first_look(found: Identified) -> None:
-    """Print what the rows say by themselves."""
+    """Print the evidence from single rows."""
     look = found.look
-    print("1. Pulley rows: the span max - min [m] that each row asks for, if its x column holds")
+    print("1. Pulley rows: the span max - min [m] that each row implies, by the reading of its x column")
     print(f"   {'':12} axis {'x/R_p, as headed':>24} {'x in metres':>24}   verdict")
     for row in found.rows:
         for axis in AXES:
@@ -32,20 +32,20 @@ def first_look(found: Identified) -> None:
                 print(f"   {row.name:12} {axis + 1:4d} {cells[0]:>24} {cells[1]:>24}   {verdict}")
     low, high = look.span.low, look.span.high
     print(f"   {len(look.readings)} of {len(found.rows)} rows agree on a span of {low:.5f} to {high:.5f} m,")
-    print("   each with its x column read in one way only.  Beyond 2 m no span is shown.")
+    print("   each in one reading of its x column only.  Spans beyond 2 m are not shown.")
     for name, reading, ahead in _nearly(found):
         print(
-            f"   {name}: x as {reading} is out by less than 1 mm, but then x_1 - x_2 would be {ahead:.3f} m."
+            f"   {name}: reading x as {reading} misses by less than 1 mm, but then x_1 - x_2 would be {ahead:.3f} m."
         )
 
     print(f"\n2. Poses, with that span.  x_1 - x_2 = {_interval(look.ahead, 5)} m in all rows;")
-    print(f"   the x_2 are multiples of {_interval(look.step, 6)} m apart:")
+    print(f"   the x_2 differ by multiples of {_interval(look.step, 6)} m:")
     for row in found.rows:
         if row.name in look.x_2:
             print(
                 f"   {row.name:12} x_2 = {_interval(look.x_2[row.name], 5)} m   point {look.index[row.name]}"
             )
-    print("   The other two rows: position and frequency that their shapes alone ask for.")
+    print("   The other two rows: position and frequency implied by their shapes alone.")
     for row in found.rows:
         for axis in AXES if row.name in look.strays else ():
             if row.moves(axis):
@@ -53,7 +53,7 @@ def first_look(found: Identified) -> None:
                 told = ", ".join(f"x_{axis + 1} = {x:.3f} m at {f:.1f} Hz" for x, f in poses)
                 print(f"   {row.name:12} printed {row.frequency:.3f} Hz; shape, x in metres: {told}")
 
-    print("\n3. Carriage rows: moving masses [kg], and the links that have them")
+    print("\n3. Carriage rows: moving masses [kg], and the link directions that give them")
     print("   " + ", ".join(f"{name} {m:.3f}" for name, m in zip(NAMES, look.masses, strict=True)))
     for one in look.links:
         sides = "opposite sides" if one.sides == OPPOSITE else "all on one side"
@@ -64,24 +64,23 @@ def first_look(found: Identified) -> None:
 def fits(found: Identified) -> None:
     """Print the fits, the round numbers and the poses."""
     kept = len(found.rows) - len(found.look.strays)
-    print(f"\n4. Fit of {len(found.twelve.sigma)} unknowns to the {kept} rows that agree in themselves:")
+    print(f"\n4. Fit of {len(found.twelve.sigma)} unknowns to the {kept} self-consistent rows:")
     for cut, fit in found.fits.items():
-        print(
-            f"   shapes {'cut' if cut else 'rounded'} to three digits: rms {fit.rms:.2f} half digits (exact: 0.58)"
-        )
+        how = "truncated" if cut else "rounded"
+        print(f"   shapes {how} to three digits: rms {fit.rms:.2f} half digits (exact: 0.58)")
     for name, stray in found.strays.items():
         told = ", ".join(f"point {k}, {f:.4f} Hz" for k, f in stray.frequency.items())
         shape = ", ".join(f"point {k} (x in {reading})" for k, reading in stray.shape)
         row = next(row for row in found.rows if row.name == name)
         print(
-            f"   {name}: {row.frequency:.3f} Hz is predicted at {told}; every digit of its shape, at {shape}"
+            f"   {name}: {row.frequency:.3f} Hz is predicted at {told}; every digit of its shape at {shape}"
         )
 
     components = int(found.tables.used.sum())
     print(
         f"\n5. Fit to all frequencies and {components} components (rms {found.twelve.rms:.2f}), and round numbers:"
     )
-    print("            fitted [mm]              round     multiple of   as near by chance")
+    print("            fitted [mm]              round     multiple of     chance of match")
     values = {name: found.twelve.geometry.value(name, found.declared) for name in found.twelve.sigma}
     sigmas = {**found.twelve.sigma, "radius": found.radius[1]}
     for name, value in {**values, "radius": found.radius[0]}.items():
@@ -89,12 +88,12 @@ def fits(found: Identified) -> None:
         print(
             f"   {name:7} {MM * value:12.5f} +- {MM * sigmas[name]:.5f} {r.value:10g} {r.grain:13g} {r.chance:17.1g}"
         )
-    print("   radius: across = 200 mm - radius * sin 60 deg, the joints at 0 and +-120 deg on a circle.")
+    print("   radius: across = 200 mm - radius * sin 60 deg, with the joints at 0 and +-120 deg on a circle.")
     z = found.last
     alone = f"{MM * z.geometry.z:.5f} +- {MM * z.sigma['z']:.5f} mm"
-    print(f"   All but z are round (across by the radius).  z alone: {alone} (rms {z.rms:.2f});")
+    print(f"   All but z are round (across through the radius).  Only z free: {alone} (rms {z.rms:.2f});")
     print(
-        f"   every digit of 12 frequencies and {int(found.shapes.used.sum())} components comes out for z from"
+        f"   every digit of 12 frequencies and {int(found.shapes.used.sum())} components is reproduced for z from"
     )
     print(f"   {MM * found.z.low:.5f} to {MM * found.z.high:.5f} mm.")
 
@@ -115,11 +114,11 @@ def fits(found: Identified) -> None:
 
 
 def diagnoses(declared: pkmodes.Robot, identified: pkmodes.Robot, found: Extremes) -> None:
-    """Print what the diagnosis says of both robots."""
+    """Print the diagnosis of both robots."""
     print("\npkmodes diagnose, identified robot, published-modes.csv:")
     result = diagnose_published(identified)
     print(f"  {result.verdict}: {result.reason}")
-    print("pkmodes diagnose, declared robot, poses of its own minima and maxima:")
+    print("pkmodes diagnose, declared robot, at its own minima and maxima:")
     result = diagnose(declared, assumed_poses(found))
     print(f"  {result.verdict}: {result.reason}")
 
@@ -131,7 +130,7 @@ def _spans(found: Identified, row: str, axis: int, reading: str) -> str:
 
 
 def _nearly(found: Identified) -> Iterator[tuple[str, str, float]]:
-    """Rows whose spans would nearly agree in the other reading, and x_1 - x_2 if it were the right one."""
+    """Yield the rows whose spans nearly agree in the other reading, and x_1 - x_2 in that reading."""
     for name, verdict in found.look.readings.items():
         other = [
             min(every, key=lambda one: abs(one.middle[0] - found.look.span.middle))

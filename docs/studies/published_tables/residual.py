@@ -1,9 +1,9 @@
-"""The published frequencies beside those of the declared robot, and then beside those of the identified one.
+"""Compare the published frequencies with the declared robot, and then with the identified robot.
 
 Solves the declared robot along the centre line of the plane z = -245 mm, takes each mode's minimum and maximum
-there, and prints them in the form of Tables 1 and 2 of the paper, differences and all: the first residual.
-Then, before and after: robots/linear-delta-2022-identified.toml at the poses of published-modes.csv.  How these
-were found: identify.py.
+there, and prints them in the form of Tables 1 and 2 of the paper with their differences: the first residual.
+Then prints the comparison with robots/linear-delta-2022-identified.toml at the poses of published-modes.csv, both
+found by identify.py.
 
     python docs/studies/published_tables/residual.py robots/linear-delta-2022.toml
 """
@@ -31,8 +31,8 @@ IDENTIFIED = Path(__file__).parents[3] / "robots/linear-delta-2022-identified.to
 
 
 def main() -> None:
-    """Print the rows of Tables 1 and 2, what they leave unexplained, and what explains it."""
-    parser = argparse.ArgumentParser(description="Published frequencies beside those of the declared robot.")
+    """Print the rows of Tables 1 and 2, the residual, and the comparison with the identified robot."""
+    parser = argparse.ArgumentParser(description="Compare the published frequencies with the declared robot.")
     parser.add_argument("robot", type=Path)
     parser.add_argument("--generated", type=Path, help="folder of `pkmodes generate` to cross-check")
     arguments = parser.parse_args()
@@ -43,15 +43,17 @@ def main() -> None:
     print_tables(robot, found, printed)
     rms, largest = percent(found.relative(printed))
     print(f"Residual of the declared robot: rms {rms:.1f} %, largest {largest:.1f} % (12 frequencies).")
-    print("The declared values, with the assumptions of the robot file, do not give the paper's frequencies.")
+    print(
+        "The declared values, with the assumptions of the robot file, do not reproduce the paper's frequencies."
+    )
     print_before_after(printed, found.frequency, frequencies(pkmodes.read_robot(IDENTIFIED)))
-    print("What changed and how it was found: docs/published-tables.md.")
+    print("For what changed and how it was found, see docs/published-tables.md.")
     if arguments.generated is not None:
         cross_check(arguments.generated, found.poses, found.modes.mass_matrix, found.modes.stiffness_matrix)
 
 
 def print_tables(robot: pkmodes.Robot, found: Extremes, printed: dict[tuple[str, int], float]) -> None:
-    """Print the extremes as the paper does, the published frequencies beside them."""
+    """Print the extremes as the paper does, with the published frequencies."""
     x, modes = found.poses[:, 0], found.modes
     print(f"\n{robot.name}, centre line y = 0, z = {Z:g} m, x = {x[0]:.3f} to {x[-1]:.3f} m")
     print(f"(every free belt span at least {SHORTEST_SPAN:g} m: an assumption, the paper gives no bound)\n")

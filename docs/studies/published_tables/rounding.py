@@ -1,11 +1,11 @@
-"""Round numbers: whether a fitted value is one, and how easily it could be one by chance."""
+"""Round numbers near fitted values, and the probability that they match by chance."""
 
 from __future__ import annotations
 
 import itertools
 from dataclasses import dataclass
 
-#: A round number must be within so many standard errors.
+#: A round number must be within this many standard errors.
 WITHIN = 3.0
 #: Roundness in descending order: multiples of 500, 250, 100, 50, 25, 10, 5, 2.5, 1, 0.5 ... [mm].
 GRAINS = tuple(m * 10.0**e for e, m in itertools.product(range(2, -6, -1), (5.0, 2.5, 1.0)))
@@ -19,9 +19,9 @@ class Round:
     ----------
     value : float
     grain : float
-        It is a multiple of this.
+        The value is a multiple of this.
     chance : float
-        Probability that a value at random is as close to a number as round as that.
+        Probability that a random value is as close to an equally round number.
     """
 
     value: float
@@ -30,12 +30,12 @@ class Round:
 
 
 def roundest(value: float, sigma: float) -> Round:
-    """The roundest number within the errors.
+    """Find the roundest number within the errors.
 
     Parameters
     ----------
     value, sigma : float
-        In millimetres, which is what a person would have rounded.
+        In millimetres, the unit in which a person would have rounded.
     """
     for grain in GRAINS:
         nearest = round(value / grain) * grain

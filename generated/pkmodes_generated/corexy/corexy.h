@@ -4,9 +4,9 @@
  *
  * Dynamics of the mechanism corexy, for a robot given by its parameters.
  *
- * C99, no allocation, no dependency but the C library's mathematics and memset.  Matrices are row-major.
- * Everything is in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K is
- * positive for a restoring force.
+ * C99 without allocation; depends only on math.h and memset of the C library.  Matrices are row-major.
+ * All quantities are in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K
+ * is positive for a restoring force.
  * Generalised coordinates, in the order of M and K:
  *   x [m]
  *   y [m]
@@ -27,7 +27,7 @@ typedef struct {
     double gantry_mass;
     /* [m/s^2] gravitational acceleration g, base frame */
     double gravity[3];
-    /* [1] run 1 of belt j grows (+1) or shrinks along component k */
+    /* [1] run 1 of belt j grows (+1) or shrinks (-1) along component k */
     double belt_path_direction[2][2];
     /* [m] free length of run k of belt j with the tool head at x = y = 0 */
     double belt_path_lengths[2][2];
@@ -52,36 +52,36 @@ typedef struct {
  *   in  p [m]: tool head in the base frame
  *   out xy [m]: positions x, y
  *
- * Source: they are the pose.
- * 0 operations; 0 with every named value written out.
+ * Source: the pose itself.
+ * 0 operations; 0 with every named value expanded.
  */
 void corexy_inverse_kinematics(const double p[2], const corexy_parameters *parameters, double xy[2]);
 
-/* How far the tool head is from the ends of its travel.
+/* Distance of the tool head from the ends of its travel.
  *
  *   in  p [m]: tool head in the base frame
- *   out margin [m]: for x and y: above the lower end, and below the upper one
+ *   out margin [m]: for x and y: above the lower end and below the upper end
  *
  * Source: both ends of the workspace.
- * 4 operations; 4 with every named value written out.
+ * 4 operations; 4 with every named value expanded.
  */
 void corexy_travel_margin(const double p[2], const corexy_parameters *parameters, double margin[2][2]);
 
-/* The shortest free length of each run in the whole workspace.
+/* Shortest free length of each run in the whole workspace.
  *
- *   out margin [m]: for runs 1 and 2 of each belt; positive
+ *   out margin [m]: for runs 1 and 2 of each belt; must be positive
  *
- * Source: the runs' lengths are linear in x and y, so the least is at a corner.
- * 32 operations; 64 with every named value written out.
+ * Source: the lengths are linear in x and y, so the shortest is at a corner.
+ * 32 operations; 64 with every named value expanded.
  */
 void corexy_run_margin(const corexy_parameters *parameters, double margin[2][2]);
 
-/* Whether the two belts pull in independent directions.
+/* Linear independence of the directions of the two belts.
  *
- *   out margin [1]: positive where they do
+ *   out margin [1]: positive for independent directions
  *
- * Source: square of the determinant of the two directions, which is 0 or 4.
- * 5 operations; 5 with every named value written out.
+ * Source: square of the determinant of the two directions, 0 or 4, minus 1.
+ * 5 operations; 5 with every named value expanded.
  */
 void corexy_crossing_margin(const corexy_parameters *parameters, double margin[1]);
 
@@ -90,8 +90,8 @@ void corexy_crossing_margin(const corexy_parameters *parameters, double margin[1
  *   in  p [m]: tool head in the base frame
  *   out l_f [m]: free length l_f[j-1, s-1] of span s of belt j
  *
- * Source: equations 35 to 37; a pose is within the limits where all are positive.
- * 10 operations; 16 with every named value written out.
+ * Source: equations 35 to 37; a pose is within the limits if all are positive.
+ * 10 operations; 16 with every named value expanded.
  */
 void corexy_belt_spans(const double p[2], const corexy_parameters *parameters, double l_f[2][2]);
 
@@ -101,7 +101,7 @@ void corexy_belt_spans(const double p[2], const corexy_parameters *parameters, d
  *   out D_p [1]: dp_i/dq_k, base frame
  *
  * Source: equation 15.
- * 0 operations; 0 with every named value written out.
+ * 0 operations; 0 with every named value expanded.
  */
 void corexy_platform_jacobian(const double p[2], const corexy_parameters *parameters, double D_p[2][2]);
 
@@ -109,21 +109,21 @@ void corexy_platform_jacobian(const double p[2], const corexy_parameters *parame
  *
  *   in  p [m]: tool head in the base frame
  *   in  xy_dot [m/s]: velocities
- *   out D_p_dot [1/s]: d(D_p)/dt, with xy_dot
+ *   out D_p_dot [1/s]: d(D_p)/dt at xy_dot
  *
  * Source: equation 17.
- * 0 operations; 0 with every named value written out.
+ * 0 operations; 0 with every named value expanded.
  */
 void corexy_platform_jacobian_rate(const double p[2], const double xy_dot[2],
     const corexy_parameters *parameters, double D_p_dot[2][2]);
 
-/* Second derivatives of the platform with respect to the positions.
+/* Second derivatives of the platform position with respect to the positions.
  *
  *   in  p [m]: tool head in the base frame
  *   out P [1/m]: d2p_i/dq_k dq_l as P[i, k, l]
  *
  * Source: equation 49, by the implicit function theorem to second order.
- * 0 operations; 0 with every named value written out.
+ * 0 operations; 0 with every named value expanded.
  */
 void corexy_platform_second_derivatives(const double p[2], const corexy_parameters *parameters,
     double P[2][2][2]);
@@ -132,11 +132,11 @@ void corexy_platform_second_derivatives(const double p[2], const corexy_paramete
  *
  *   in  p [m]: tool head in the base frame
  *   in  q_dot [m/s, rad/s]: rates of the four generalised coordinates
- *   out T_ss [J]: platform and what moves it
+ *   out T_ss [J]: platform and the bodies that move it
  *   out T_t [J]: rotors and motors
  *
  * Source: equations 24 and 28.
- * 22 operations; 24 with every named value written out.
+ * 22 operations; 24 with every named value expanded.
  */
 void corexy_kinetic_energy(const double p[2], const double q_dot[4], const corexy_parameters *parameters,
     double *T_ss, double *T_t);
@@ -147,7 +147,7 @@ void corexy_kinetic_energy(const double p[2], const double q_dot[4], const corex
  *   out M [kg, kg m^2]: symmetric
  *
  * Source: equations 24, 30 and 33.
- * 7 operations; 7 with every named value written out.
+ * 7 operations; 7 with every named value expanded.
  */
 void corexy_mass_matrix(const double p[2], const corexy_parameters *parameters, double M[4][4]);
 
@@ -155,21 +155,21 @@ void corexy_mass_matrix(const double p[2], const corexy_parameters *parameters, 
  *
  *   in  p [m]: tool head in the base frame
  *   in  xy_dot [m/s]: velocities
- *   out h [N]: generalised forces on the positions coordinates
+ *   out h [N]: generalised forces conjugate to the positions
  *
- * Source: Lagrange's equations, equation 47 without its linearisation.
- * 0 operations; 0 with every named value written out.
+ * Source: Lagrange's equations; equation 47 before linearisation.
+ * 0 operations; 0 with every named value expanded.
  */
 void corexy_velocity_forces(const double p[2], const double xy_dot[2], const corexy_parameters *parameters,
     double h[2]);
 
-/* Gravitational potential energy V_g, the force function U_g with opposite sign.
+/* Gravitational potential energy V_g = -U_g, with the force function U_g.
  *
  *   in  p [m]: tool head in the base frame
  *   out V_g [J]: zero at the origin of the base frame
  *
- * Source: equation 26, for gravity in any direction and every body that moves.
- * 8 operations; 8 with every named value written out.
+ * Source: equation 26, for gravity in any direction and all moving bodies.
+ * 8 operations; 8 with every named value expanded.
  */
 void corexy_gravity_potential(const double p[2], const corexy_parameters *parameters, double *V_g);
 
@@ -179,7 +179,7 @@ void corexy_gravity_potential(const double p[2], const corexy_parameters *parame
  *   out G [N]: dV_g/dq_k
  *
  * Source: equation 27.
- * 5 operations; 5 with every named value written out.
+ * 5 operations; 5 with every named value expanded.
  */
 void corexy_gravity_gradient(const double p[2], const corexy_parameters *parameters, double G[2]);
 
@@ -189,21 +189,21 @@ void corexy_gravity_gradient(const double p[2], const corexy_parameters *paramet
  *   out H_g [N/m]: d2V_g/dq_k dq_l, symmetric
  *
  * Source: section 4 and equation 49.
- * 0 operations; 0 with every named value written out.
+ * 0 operations; 0 with every named value expanded.
  */
 void corexy_gravity_hessian(const double p[2], const corexy_parameters *parameters, double H_g[2][2]);
 
 /* Stiffnesses of the belt spans.
  *
  *   in  p [m]: tool head in the base frame
- *   out k [N/m]: k[j-1, s-1], the spans in the order of `belt_spans`
+ *   out k [N/m]: k[j-1, s-1] of span s of belt j, as in `belt_spans`
  *
  * Source: equations 34 to 37.
- * 16 operations; 24 with every named value written out.
+ * 16 operations; 24 with every named value expanded.
  */
 void corexy_belt_stiffness(const double p[2], const corexy_parameters *parameters, double k[2][2]);
 
-/* Elastic potential energy V_el of the transmissions, the force function U_el with opposite sign.
+/* Elastic potential energy V_el = -U_el of the transmissions, with the force function U_el.
  *
  *   in  p [m]: tool head in the base frame
  *   in  delta_q [m, rad]: small displacements of the four generalised coordinates from the reference
@@ -211,7 +211,7 @@ void corexy_belt_stiffness(const double p[2], const corexy_parameters *parameter
  *   out V_el [J]: zero in the reference configuration
  *
  * Source: equation 38, summed.
- * 37 operations; 59 with every named value written out.
+ * 37 operations; 59 with every named value expanded.
  */
 void corexy_elastic_potential(const double p[2], const double delta_q[4],
     const corexy_parameters *parameters, double *V_el);
@@ -224,7 +224,7 @@ void corexy_elastic_potential(const double p[2], const double delta_q[4],
  *   out E [N, N m]: dV_el/dq
  *
  * Source: equation 38 differentiated.
- * 52 operations; 164 with every named value written out.
+ * 52 operations; 164 with every named value expanded.
  */
 void corexy_elastic_gradient(const double p[2], const double delta_q[4], const corexy_parameters *parameters,
     double E[4]);
@@ -232,21 +232,21 @@ void corexy_elastic_gradient(const double p[2], const double delta_q[4], const c
 /* Hessian of the elastic potential energy.
  *
  *   in  p [m]: tool head in the base frame
- *   out H_el [N/m, N, N m]: d2V_el/dq2, symmetric, two zero eigenvalues
+ *   out H_el [N/m, N, N m]: d2V_el/dq2, symmetric, with two zero eigenvalues
  *
  * Source: equation 38 differentiated twice.
- * 67 operations; 310 with every named value written out.
+ * 67 operations; 310 with every named value expanded.
  */
 void corexy_elastic_hessian(const double p[2], const corexy_parameters *parameters, double H_el[4][4]);
 
-/* Torques of the drives, and the rotations that go with them, that hold the pose.
+/* Drive torques that hold the pose, and the corresponding rotations.
  *
  *   in  p [m]: tool head in the base frame
- *   out tau_st [N m]: torques on the driven rotors, positive with their rotation
- *   out theta_st [rad]: rotations from unstrained transmissions, in the order of the coordinates
+ *   out tau_st [N m]: torques on the driven rotors, positive in the direction of their rotation
+ *   out theta_st [rad]: rotations relative to the unstrained transmissions, in the order of the coordinates
  *
  * Source: equation 44, solved at the pose.
- * 59 operations; 722 with every named value written out.
+ * 59 operations; 722 with every named value expanded.
  */
 void corexy_static_equilibrium(const double p[2], const corexy_parameters *parameters, double tau_st[2],
     double theta_st[2]);
@@ -257,20 +257,20 @@ void corexy_static_equilibrium(const double p[2], const corexy_parameters *param
  *   out K [N/m, N, N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
  *
  * Source: equations 46 and 48: K = -H_U.
- * 67 operations; 310 with every named value written out.
+ * 67 operations; 310 with every named value expanded.
  */
 void corexy_stiffness_matrix(const double p[2], const corexy_parameters *parameters, double K[4][4]);
 
 /* Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.
  *
- * Common intermediate values are evaluated once, which makes this the function to call for an eigenproblem.
+ * Common intermediate values are evaluated once: call this function for an eigenproblem.
  *
  *   in  p [m]: tool head in the base frame
  *   out M [kg, kg m^2]: mass matrix
  *   out K [N/m, N, N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
  *
  * Source: equation 48.
- * 74 operations; 317 with every named value written out.
+ * 74 operations; 317 with every named value expanded.
  */
 void corexy_modal_matrices(const double p[2], const corexy_parameters *parameters, double M[4][4],
     double K[4][4]);

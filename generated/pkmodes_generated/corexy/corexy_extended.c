@@ -5,15 +5,16 @@
  * Dynamics of the mechanism corexy with effects: extended matrices and sensitivities.
  * The header describes every function.
  *
- * Names in the code, for belt j; run s of a belt.  t1, t2, ... are subexpressions that several values share.
+ * Names in the code.  Indices: belt j; run s of a belt.  t1, t2, ... are subexpressions shared by several
+ * values.
  *   tau_st_j [N m]: static torque on motor pulley j
- *   I_j [kg m^2]: moment of inertia of motor pulley j, with the motor
+ *   I_j [kg m^2]: moment of inertia of motor pulley j, including the motor
  *   l_f_j_s [m]: free length of run s of belt j
  *   k_j_s [N/m]: stiffness of run s of belt j
  *   G_j [N]: gradient of the gravitational potential energy with respect to x
  *   G_j [N]: gradient of the gravitational potential energy with respect to y
- *   det_j [N^2]: determinant of the equilibrium of axis j
- *   theta_j_st [rad]: static rotation of motor pulley j, from unstrained transmissions
+ *   det_j [N^2]: determinant of the equilibrium equations of axis j
+ *   theta_j_st [rad]: static rotation of motor pulley j, relative to the unstrained transmissions
  */
 #include "corexy_extended.h"
 

@@ -4,9 +4,9 @@
  *
  * Dynamics of the mechanism corexy with effects: extended matrices and sensitivities.
  *
- * C99, no allocation, no dependency but the C library's mathematics and memset.  Matrices are row-major.
- * Everything is in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K is
- * positive for a restoring force.
+ * C99 without allocation; depends only on math.h and memset of the C library.  Matrices are row-major.
+ * All quantities are in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K
+ * is positive for a restoring force.
  * Generalised coordinates, in the order of M and K:
  *   x [m]
  *   y [m]
@@ -35,11 +35,11 @@ typedef struct {
     double axis_belt_stiffness_factor_2;
     /* [m/N] compliance in series with every free span */
     double belt_end_compliance_compliance;
-    /* [kg/m] mass of a belt by its length */
+    /* [kg/m] mass of a belt per unit length */
     double belt_mass_linear_density;
     /* [1/N] relative change of the belt stiffness with tension */
     double belt_tension_stiffness_coefficient;
-    /* [N] tension of every belt, from a measurement */
+    /* [N] measured tension of every belt */
     double belt_tension_stiffness_tension;
     /* [N/m] isotropic stiffness from the platform centre to ground */
     double cable_stiffness_stiffness;
@@ -59,50 +59,50 @@ typedef struct {
     double frame_compliance_mass;
 } corexy_effects;
 
-/* Mass and stiffness matrices in the base and all released coordinates, joints free.
+/* Mass and stiffness matrices in the base and all released coordinates, with free joints.
  *
  *   in  p [m]: tool head in the base frame
- *   out M [kg, kg m, kg m^2]: mass matrix; the base model's is the leading block
- *   out K_el [N/m, N, N m]: elastic stiffness, released joints free
+ *   out M [kg, kg m, kg m^2]: mass matrix; its leading block is that of the base model
+ *   out K_el [N/m, N, N m]: elastic stiffness with free joints
  *   out K_g [N/m, N, N m]: Hessian of the gravitational potential energy
  *
- * Source: equations 24 to 48 with the effects' energies; K = K_el + K_g and the joints' stiffnesses.
- * 188 operations; 1919 with every named value written out.
+ * Source: equations 24 to 48 with the effects' energies; K = K_el + K_g plus the joint stiffnesses.
+ * 188 operations; 1919 with every named value expanded.
  */
 void corexy_extended_extended_matrices(const double p[2], const corexy_parameters *parameters,
     const corexy_effects *effects, double M[10][10], double K_el[10][10], double K_g[10][10]);
 
-/* Absolute motion of the platform centre by the coordinates.
+/* Jacobian of the absolute motion of the platform centre.
  *
  *   in  p [m]: tool head in the base frame
  *   out J_p [1, m]: dp_i/dq_k, base frame
  *
- * Source: equation 15, with what released joints and the frame add.
- * 0 operations; 0 with every named value written out.
+ * Source: equation 15, with the contributions of released joints and the frame.
+ * 0 operations; 0 with every named value expanded.
  */
 void corexy_extended_extended_platform_motion(const double p[2], const corexy_parameters *parameters,
     double J_p[2][10]);
 
 /* Stiffnesses of the released joints, to be added to the diagonal of K.
  *
- * Infinite for a compliance of zero: a locked joint.
+ * Infinite for zero compliance (a locked joint).
  *
- *   out kappa [N/m, N m]: in the order of the released coordinates
- *   out kappa_c [N^2/m^2, N^2 m^2]: derivatives by the compliances
+ *   out kappa [N/m, N m]: stiffness of each released coordinate, in order
+ *   out kappa_c [N^2/m^2, N^2 m^2]: derivatives d(kappa)/d(compliance)
  *
  * Source: energy q^2 / (2 c) of each joint.
- * 12 operations; 24 with every named value written out.
+ * 12 operations; 24 with every named value expanded.
  */
 void corexy_extended_joint_stiffness(const corexy_effects *effects, double kappa[6], double kappa_c[6]);
 
-/* Torques and rotations that hold the pose, the effects' weights and changes of stiffness included.
+/* Drive torques and rotations that hold the pose, with the weights and stiffness changes of effects.
  *
  *   in  p [m]: tool head in the base frame
  *   out tau_st [N m]: torques on the driven rotors
- *   out theta_st [rad]: rotations from unstrained transmissions
+ *   out theta_st [rad]: rotations relative to the unstrained transmissions
  *
- * Source: equation 44; springs that effects add are relaxed at the pose, and the released joints hold.
- * 75 operations; 1722 with every named value written out.
+ * Source: equation 44; springs added by effects are relaxed at the pose, and released joints are locked.
+ * 75 operations; 1722 with every named value expanded.
  */
 void corexy_extended_extended_static_equilibrium(const double p[2], const corexy_parameters *parameters,
     const corexy_effects *effects, double tau_st[2], double theta_st[2]);

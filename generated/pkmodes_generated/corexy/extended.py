@@ -3,20 +3,21 @@
 # Do not edit: regenerate with `python -m pkmodes_derive generate`.
 """Dynamics of the mechanism corexy with effects: extended matrices and sensitivities.
 
-Arrays are batch first: a leading `...` stands for any batch shape, none included, and arguments broadcast.
-Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
+Arrays are batch first: a leading `...` stands for any batch shape, including none, and arguments broadcast.
+Complex arguments are accepted (for complex-step derivatives).  All quantities are in SI units and in the base
 frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
 
-Names in the code, for belt j; run s of a belt.  t1, t2, ... are subexpressions that several values share.
+Names in the code.  Indices: belt j; run s of a belt.  t1, t2, ... are subexpressions shared by several
+values.
 
 * tau_st_j [N m]: static torque on motor pulley j
-* I_j [kg m^2]: moment of inertia of motor pulley j, with the motor
+* I_j [kg m^2]: moment of inertia of motor pulley j, including the motor
 * l_f_j_s [m]: free length of run s of belt j
 * k_j_s [N/m]: stiffness of run s of belt j
 * G_j [N]: gradient of the gravitational potential energy with respect to x
 * G_j [N]: gradient of the gravitational potential energy with respect to y
-* det_j [N^2]: determinant of the equilibrium of axis j
-* theta_j_st [rad]: static rotation of motor pulley j, from unstrained transmissions
+* det_j [N^2]: determinant of the equilibrium equations of axis j
+* theta_j_st [rad]: static rotation of motor pulley j, relative to the unstrained transmissions
 """
 
 from math import prod
@@ -65,8 +66,8 @@ COORDINATE_UNITS = (
     "m",
 )
 
-#: By which parameters the derivatives are taken: field of Parameters or Effects, index in it, and the (row,
-#: column) of the entries of M and of K that depend on it, in the upper triangle.
+#: Parameters of the derivatives: field of Parameters or Effects, index in it, and (row, column) of the
+#: entries of M and of K, in the upper triangle, that depend on it.
 VALUE_SENSITIVITIES = (
     ('toolhead_mass', (), ((0, 0), (0, 8), (1, 1), (1, 9), (8, 8), (9, 9)), ()),
     ('gantry_mass', (), ((1, 1), (1, 9), (8, 8), (9, 9)), ()),
@@ -129,13 +130,13 @@ VALUE_SENSITIVITIES = (
     ('frame_compliance_mass', (), ((8, 8), (9, 9)), ()),
 )
 
-#: The same for the geometry.
+#: The same for `geometry_sensitivities`.
 GEOMETRY_SENSITIVITIES = (
 )
 
 
 class Effects(NamedTuple):
-    """Effects of a robot; every field may have leading batch axes of its own.
+    """Effects of a robot; every field may have its own leading batch axes.
 
     Attributes
     ----------
@@ -146,11 +147,11 @@ class Effects(NamedTuple):
     belt_end_compliance_compliance : float or array, shape (...) [m/N]
         Compliance in series with every free span.
     belt_mass_linear_density : float or array, shape (...) [kg/m]
-        Mass of a belt by its length.
+        Mass of a belt per unit length.
     belt_tension_stiffness_coefficient : float or array, shape (...) [1/N]
         Relative change of the belt stiffness with tension.
     belt_tension_stiffness_tension : float or array, shape (...) [N]
-        Tension of every belt, from a measurement.
+        Measured tension of every belt.
     cable_stiffness_stiffness : float or array, shape (...) [N/m]
         Isotropic stiffness from the platform centre to ground.
     gearbox_inertia_inertia : float or array, shape (...) [kg m^2]
@@ -186,7 +187,7 @@ class Effects(NamedTuple):
 
 
 def _entries(array, shape):
-    """Entries of an array of shape (..., *shape), row by row; numbers where there is no batch."""
+    """Return the entries of an array of shape (..., *shape), row by row; numbers if there is no batch."""
     array = np.asarray(array)
     array = array.astype(np.result_type(float, array), copy=False)
     batch = array.ndim - len(shape)
@@ -199,12 +200,12 @@ def _entries(array, shape):
 
 
 def _batch(*arrays):
-    """Common batch shape and type of the arguments."""
+    """Return the common batch shape and type of the arguments."""
     return np.broadcast_shapes(*map(np.shape, arrays)), np.result_type(float, *arrays)
 
 
 def _listed(batch, dtype, entries):
-    """A vector of these entries for each member of the batch."""
+    """Return the vector of these entries for each member of the batch."""
     if not batch:
         return np.array(entries, dtype)
     columns = np.empty((len(entries), *batch), dtype)
@@ -214,7 +215,7 @@ def _listed(batch, dtype, entries):
 
 
 def extended_matrices(p, parameters, effects):
-    """Mass and stiffness matrices in the base and all released coordinates, joints free.
+    """Mass and stiffness matrices in the base and all released coordinates, with free joints.
 
     Parameters
     ----------
@@ -228,16 +229,16 @@ def extended_matrices(p, parameters, effects):
     Returns
     -------
     M : array, shape (..., 10, 10) [kg, kg m, kg m^2]
-        Mass matrix; the base model's is the leading block.
+        Mass matrix; its leading block is that of the base model.
     K_el : array, shape (..., 10, 10) [N/m, N, N m]
-        Elastic stiffness, released joints free.
+        Elastic stiffness with free joints.
     K_g : array, shape (..., 10, 10) [N/m, N, N m]
         Hessian of the gravitational potential energy.
 
     Notes
     -----
-    Equations 24 to 48 with the effects' energies; K = K_el + K_g and the joints' stiffnesses.
-    188 operations; 1919 with every named value written out.
+    Equations 24 to 48 with the effects' energies; K = K_el + K_g plus the joint stiffnesses.
+    188 operations; 1919 with every named value expanded.
     """
     x, y = _entries(p, (2,))
     (m_h,) = _entries(parameters.toolhead_mass, ())
@@ -371,7 +372,7 @@ def extended_matrices(p, parameters, effects):
 
 
 def extended_platform_motion(p, parameters):
-    """Absolute motion of the platform centre by the coordinates.
+    """Jacobian of the absolute motion of the platform centre.
 
     Parameters
     ----------
@@ -387,8 +388,8 @@ def extended_platform_motion(p, parameters):
 
     Notes
     -----
-    Equation 15, with what released joints and the frame add.
-    0 operations; 0 with every named value written out.
+    Equation 15, with the contributions of released joints and the frame.
+    0 operations; 0 with every named value expanded.
     """
     x, _ = _entries(p, (2,))
     batch, dtype = _batch(x)
@@ -403,7 +404,7 @@ def extended_platform_motion(p, parameters):
 def joint_stiffness(effects):
     """Stiffnesses of the released joints, to be added to the diagonal of K.
 
-    Infinite for a compliance of zero: a locked joint.
+    Infinite for zero compliance (a locked joint).
 
     Parameters
     ----------
@@ -413,14 +414,14 @@ def joint_stiffness(effects):
     Returns
     -------
     kappa : array, shape (..., 6) [N/m, N m]
-        In the order of the released coordinates.
+        Stiffness of each released coordinate, in order.
     kappa_c : array, shape (..., 6) [N^2/m^2, N^2 m^2]
-        Derivatives by the compliances.
+        Derivatives d(kappa)/d(compliance).
 
     Notes
     -----
     Energy q^2 / (2 c) of each joint.
-    12 operations; 24 with every named value written out.
+    12 operations; 24 with every named value expanded.
     """
     (c_G,) = _entries(effects.gearbox_compliance_compliance, ())
     (c_K,) = _entries(effects.clamp_compliance_compliance, ())
@@ -450,7 +451,7 @@ def joint_stiffness(effects):
 
 
 def extended_static_equilibrium(p, parameters, effects):
-    """Torques and rotations that hold the pose, the effects' weights and changes of stiffness included.
+    """Drive torques and rotations that hold the pose, with the weights and stiffness changes of effects.
 
     Parameters
     ----------
@@ -466,12 +467,12 @@ def extended_static_equilibrium(p, parameters, effects):
     tau_st : array, shape (..., 2) [N m]
         Torques on the driven rotors.
     theta_st : array, shape (..., 2) [rad]
-        Rotations from unstrained transmissions.
+        Rotations relative to the unstrained transmissions.
 
     Notes
     -----
-    Equation 44; springs that effects add are relaxed at the pose, and the released joints hold.
-    75 operations; 1722 with every named value written out.
+    Equation 44; springs added by effects are relaxed at the pose, and released joints are locked.
+    75 operations; 1722 with every named value expanded.
     """
     x, y = _entries(p, (2,))
     (m_h,) = _entries(parameters.toolhead_mass, ())
@@ -537,7 +538,7 @@ def extended_static_equilibrium(p, parameters, effects):
 
 
 def belt_tension_stiffness_margin(effects):
-    """What the effect belt_tension_stiffness needs of its parameters.
+    """Condition on the parameters of the effect belt_tension_stiffness.
 
     Parameters
     ----------
@@ -547,12 +548,12 @@ def belt_tension_stiffness_margin(effects):
     Returns
     -------
     margin : array, shape (..., 1) [1]
-        Above zero where it makes sense.
+        Positive for physical parameters.
 
     Notes
     -----
     The effect's definition.
-    2 operations; 2 with every named value written out.
+    2 operations; 2 with every named value expanded.
     """
     (c_T,) = _entries(effects.belt_tension_stiffness_coefficient, ())
     (F_T,) = _entries(effects.belt_tension_stiffness_tension, ())
@@ -563,9 +564,9 @@ def belt_tension_stiffness_margin(effects):
 
 
 def value_sensitivities(p, parameters, effects):
-    """Derivatives of M and K by every parameter that moves nothing, at a fixed pose.
+    """Derivatives of M and K at a fixed pose with respect to parameters that move no coordinate.
 
-    The entries of the upper triangles that VALUE_SENSITIVITIES lists, all others being zero.
+    Returns the upper-triangle entries listed in VALUE_SENSITIVITIES; all others are zero.
 
     Parameters
     ----------
@@ -578,15 +579,15 @@ def value_sensitivities(p, parameters, effects):
 
     Returns
     -------
-    M_theta : array, shape (..., 99) [unit of M by that of the parameter]
+    M_theta : array, shape (..., 99) [unit of M / unit of the parameter]
         dM/dtheta.
-    K_theta : array, shape (..., 167) [unit of K by that of the parameter]
+    K_theta : array, shape (..., 167) [unit of K / unit of the parameter]
         dK/dtheta.
 
     Notes
     -----
     Chain rule.
-    892 operations; 11799 with every named value written out.
+    892 operations; 11799 with every named value expanded.
     """
     x, y = _entries(p, (2,))
     g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
@@ -859,9 +860,9 @@ def value_sensitivities(p, parameters, effects):
 
 
 def geometry_sensitivities(p, parameters):
-    """Derivatives of M and K by every parameter that moves the positions, at a fixed pose.
+    """Derivatives of M and K at a fixed pose with respect to parameters that move the positions.
 
-    The entries of the upper triangles that GEOMETRY_SENSITIVITIES lists, all others being zero.
+    Returns the upper-triangle entries listed in GEOMETRY_SENSITIVITIES; all others are zero.
 
     Parameters
     ----------
@@ -872,15 +873,15 @@ def geometry_sensitivities(p, parameters):
 
     Returns
     -------
-    M_theta : array, shape (..., 0) [unit of M by that of the parameter]
+    M_theta : array, shape (..., 0) [unit of M / unit of the parameter]
         dM/dtheta.
-    K_theta : array, shape (..., 0) [unit of K by that of the parameter]
+    K_theta : array, shape (..., 0) [unit of K / unit of the parameter]
         dK/dtheta.
 
     Notes
     -----
     Implicit function theorem and chain rule.
-    0 operations; 0 with every named value written out.
+    0 operations; 0 with every named value expanded.
     """
     x, _ = _entries(p, (2,))
     batch, dtype = _batch(x)

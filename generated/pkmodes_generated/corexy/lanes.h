@@ -7,8 +7,9 @@
  * A part of the compiled evaluator, which includes it once for each instruction set: `lane` is a vector of doubles,
  * one for each pose.  Matrices are row-major; everything is in SI units.
  *
- * Names in the code, for belt j; run s of a belt.  t1, t2, ... are subexpressions that several values share.
- *   I_j [kg m^2]: moment of inertia of motor pulley j, with the motor
+ * Names in the code.  Indices: belt j; run s of a belt.  t1, t2, ... are subexpressions shared by several
+ * values.
+ *   I_j [kg m^2]: moment of inertia of motor pulley j, including the motor
  *   l_f_j_s [m]: free length of run s of belt j
  *   k_j_s [N/m]: stiffness of run s of belt j
  */
@@ -30,7 +31,7 @@ static const struct lanes_rule LANES_RULES[] = {
 /* Positions at a pose, and the margins of a pose.
  *
  * Source: inverse_kinematics and travel_margin.
- * 4 operations; 4 with every named value written out.
+ * 4 operations; 4 with every named value expanded.
  */
 static inline void lanes_position(const lane *restrict pose, const double *restrict parameters,
     const double *restrict effects, lane *restrict q, lane *restrict margin)
@@ -55,7 +56,7 @@ static inline void lanes_position(const lane *restrict pose, const double *restr
 /* Mass and stiffness matrices without effects, and the motion of the platform.
  *
  * Source: modal_matrices and platform_jacobian.
- * 74 operations; 317 with every named value written out.
+ * 74 operations; 317 with every named value expanded.
  */
 static inline void lanes_base(const lane *restrict pose, const double *restrict parameters,
     const double *restrict effects, lane *restrict M, lane *restrict K, lane *restrict J_p)
@@ -136,7 +137,7 @@ static inline void lanes_base(const lane *restrict pose, const double *restrict 
 /* Mass and stiffness matrices with all released joints free, and the motion of the platform.
  *
  * Source: extended_matrices and extended_platform_motion.
- * 188 operations; 1919 with every named value written out.
+ * 188 operations; 1919 with every named value expanded.
  */
 static inline void lanes_extended(const lane *restrict pose, const double *restrict parameters,
     const double *restrict effects, lane *restrict M, lane *restrict K, lane *restrict J_p)

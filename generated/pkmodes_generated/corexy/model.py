@@ -3,20 +3,21 @@
 # Do not edit: regenerate with `python -m pkmodes_derive generate`.
 """Dynamics of the mechanism corexy, for a robot given by its parameters.
 
-Arrays are batch first: a leading `...` stands for any batch shape, none included, and arguments broadcast.
-Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
+Arrays are batch first: a leading `...` stands for any batch shape, including none, and arguments broadcast.
+Complex arguments are accepted (for complex-step derivatives).  All quantities are in SI units and in the base
 frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
 
-Names in the code, for belt j; run s of a belt.  t1, t2, ... are subexpressions that several values share.
+Names in the code.  Indices: belt j; run s of a belt.  t1, t2, ... are subexpressions shared by several
+values.
 
 * tau_st_j [N m]: static torque on motor pulley j
-* I_j [kg m^2]: moment of inertia of motor pulley j, with the motor
+* I_j [kg m^2]: moment of inertia of motor pulley j, including the motor
 * l_f_j_s [m]: free length of run s of belt j
 * k_j_s [N/m]: stiffness of run s of belt j
 * G_j [N]: gradient of the gravitational potential energy with respect to x
 * G_j [N]: gradient of the gravitational potential energy with respect to y
-* det_j [N^2]: determinant of the equilibrium of axis j
-* theta_j_st [rad]: static rotation of motor pulley j, from unstrained transmissions
+* det_j [N^2]: determinant of the equilibrium equations of axis j
+* theta_j_st [rad]: static rotation of motor pulley j, relative to the unstrained transmissions
 """
 
 from math import prod
@@ -66,12 +67,12 @@ COORDINATE_UNITS = (
     "rad",
 )
 
-#: Number of motions that strain nothing elastic, for any pose and parameters.
+#: Number of rigid-body modes: motions that strain no elastic part, at any pose and for any parameters.
 RIGID_MODES = 2
 
 
 class Parameters(NamedTuple):
-    """Parameters of a robot; every field may have leading batch axes of its own.
+    """Parameters of a robot; every field may have its own leading batch axes.
 
     Attributes
     ----------
@@ -82,7 +83,7 @@ class Parameters(NamedTuple):
     gravity : array, shape (..., 3) [m/s^2]
         Gravitational acceleration g, base frame.
     belt_path_direction : array, shape (..., 2, 2) [1]
-        Run 1 of belt j grows (+1) or shrinks along component k.
+        Run 1 of belt j grows (+1) or shrinks (-1) along component k.
     belt_path_lengths : array, shape (..., 2, 2) [m]
         Free length of run k of belt j with the tool head at x = y = 0.
     belt_specific_stiffness : array, shape (..., 2) [N/m]
@@ -116,7 +117,7 @@ class Parameters(NamedTuple):
 
 
 def _entries(array, shape):
-    """Entries of an array of shape (..., *shape), row by row; numbers where there is no batch."""
+    """Return the entries of an array of shape (..., *shape), row by row; numbers if there is no batch."""
     array = np.asarray(array)
     array = array.astype(np.result_type(float, array), copy=False)
     batch = array.ndim - len(shape)
@@ -129,7 +130,7 @@ def _entries(array, shape):
 
 
 def _batch(*arrays):
-    """Common batch shape and type of the arguments."""
+    """Return the common batch shape and type of the arguments."""
     return np.broadcast_shapes(*map(np.shape, arrays)), np.result_type(float, *arrays)
 
 
@@ -150,8 +151,8 @@ def inverse_kinematics(p, parameters):
 
     Notes
     -----
-    They are the pose.
-    0 operations; 0 with every named value written out.
+    The pose itself.
+    0 operations; 0 with every named value expanded.
     """
     x, y = _entries(p, (2,))
     batch, dtype = _batch(x)
@@ -162,7 +163,7 @@ def inverse_kinematics(p, parameters):
 
 
 def travel_margin(p, parameters):
-    """How far the tool head is from the ends of its travel.
+    """Distance of the tool head from the ends of its travel.
 
     Parameters
     ----------
@@ -174,12 +175,12 @@ def travel_margin(p, parameters):
     Returns
     -------
     margin : array, shape (..., 2, 2) [m]
-        For x and y: above the lower end, and below the upper one.
+        For x and y: above the lower end and below the upper end.
 
     Notes
     -----
     Both ends of the workspace.
-    4 operations; 4 with every named value written out.
+    4 operations; 4 with every named value expanded.
     """
     x, y = _entries(p, (2,))
     travel_min_x, travel_max_x, travel_min_y, travel_max_y = _entries(parameters.workspace, (2, 2))
@@ -193,7 +194,7 @@ def travel_margin(p, parameters):
 
 
 def run_margin(parameters):
-    """The shortest free length of each run in the whole workspace.
+    """Shortest free length of each run in the whole workspace.
 
     Parameters
     ----------
@@ -203,12 +204,12 @@ def run_margin(parameters):
     Returns
     -------
     margin : array, shape (..., 2, 2) [m]
-        For runs 1 and 2 of each belt; positive.
+        For runs 1 and 2 of each belt; must be positive.
 
     Notes
     -----
-    The runs' lengths are linear in x and y, so the least is at a corner.
-    32 operations; 64 with every named value written out.
+    The lengths are linear in x and y, so the shortest is at a corner.
+    32 operations; 64 with every named value expanded.
     """
     g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
     l_0_1_1, l_0_1_2, l_0_2_1, l_0_2_2 = _entries(parameters.belt_path_lengths, (2, 2))
@@ -231,7 +232,7 @@ def run_margin(parameters):
 
 
 def crossing_margin(parameters):
-    """Whether the two belts pull in independent directions.
+    """Linear independence of the directions of the two belts.
 
     Parameters
     ----------
@@ -241,12 +242,12 @@ def crossing_margin(parameters):
     Returns
     -------
     margin : array, shape (..., 1) [1]
-        Positive where they do.
+        Positive for independent directions.
 
     Notes
     -----
-    Square of the determinant of the two directions, which is 0 or 4.
-    5 operations; 5 with every named value written out.
+    Square of the determinant of the two directions, 0 or 4, minus 1.
+    5 operations; 5 with every named value expanded.
     """
     g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
     batch, dtype = _batch(g_1_1)
@@ -272,8 +273,8 @@ def belt_spans(p, parameters):
 
     Notes
     -----
-    Equations 35 to 37; a pose is within the limits where all are positive.
-    10 operations; 16 with every named value written out.
+    Equations 35 to 37; a pose is within the limits if all are positive.
+    10 operations; 16 with every named value expanded.
     """
     x, y = _entries(p, (2,))
     g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
@@ -311,7 +312,7 @@ def platform_jacobian(p, parameters):
     Notes
     -----
     Equation 15.
-    0 operations; 0 with every named value written out.
+    0 operations; 0 with every named value expanded.
     """
     x, _ = _entries(p, (2,))
     batch, dtype = _batch(x)
@@ -336,12 +337,12 @@ def platform_jacobian_rate(p, xy_dot, parameters):
     Returns
     -------
     D_p_dot : array, shape (..., 2, 2) [1/s]
-        d(D_p)/dt, with xy_dot.
+        d(D_p)/dt at xy_dot.
 
     Notes
     -----
     Equation 17.
-    0 operations; 0 with every named value written out.
+    0 operations; 0 with every named value expanded.
     """
     x, _ = _entries(p, (2,))
     x_dot, _ = _entries(xy_dot, (2,))
@@ -351,7 +352,7 @@ def platform_jacobian_rate(p, xy_dot, parameters):
 
 
 def platform_second_derivatives(p, parameters):
-    """Second derivatives of the platform with respect to the positions.
+    """Second derivatives of the platform position with respect to the positions.
 
     Parameters
     ----------
@@ -368,7 +369,7 @@ def platform_second_derivatives(p, parameters):
     Notes
     -----
     Equation 49, by the implicit function theorem to second order.
-    0 operations; 0 with every named value written out.
+    0 operations; 0 with every named value expanded.
     """
     x, _ = _entries(p, (2,))
     batch, dtype = _batch(x)
@@ -391,14 +392,14 @@ def kinetic_energy(p, q_dot, parameters):
     Returns
     -------
     T_ss : array, shape (...) [J]
-        Platform and what moves it.
+        Platform and the bodies that move it.
     T_t : array, shape (...) [J]
         Rotors and motors.
 
     Notes
     -----
     Equations 24 and 28.
-    22 operations; 24 with every named value written out.
+    22 operations; 24 with every named value expanded.
     """
     x, _ = _entries(p, (2,))
     x_dot, y_dot, theta_1_dot, theta_2_dot = _entries(q_dot, (4,))
@@ -436,7 +437,7 @@ def mass_matrix(p, parameters):
     Notes
     -----
     Equations 24, 30 and 33.
-    7 operations; 7 with every named value written out.
+    7 operations; 7 with every named value expanded.
     """
     x, _ = _entries(p, (2,))
     (m_h,) = _entries(parameters.toolhead_mass, ())
@@ -470,12 +471,12 @@ def velocity_forces(p, xy_dot, parameters):
     Returns
     -------
     h : array, shape (..., 2) [N]
-        Generalised forces on the positions coordinates.
+        Generalised forces conjugate to the positions.
 
     Notes
     -----
-    Lagrange's equations, equation 47 without its linearisation.
-    0 operations; 0 with every named value written out.
+    Lagrange's equations; equation 47 before linearisation.
+    0 operations; 0 with every named value expanded.
     """
     x, _ = _entries(p, (2,))
     x_dot, _ = _entries(xy_dot, (2,))
@@ -485,7 +486,7 @@ def velocity_forces(p, xy_dot, parameters):
 
 
 def gravity_potential(p, parameters):
-    """Gravitational potential energy V_g, the force function U_g with opposite sign.
+    """Gravitational potential energy V_g = -U_g, with the force function U_g.
 
     Parameters
     ----------
@@ -501,8 +502,8 @@ def gravity_potential(p, parameters):
 
     Notes
     -----
-    Equation 26, for gravity in any direction and every body that moves.
-    8 operations; 8 with every named value written out.
+    Equation 26, for gravity in any direction and all moving bodies.
+    8 operations; 8 with every named value expanded.
     """
     x, y = _entries(p, (2,))
     (m_h,) = _entries(parameters.toolhead_mass, ())
@@ -532,7 +533,7 @@ def gravity_gradient(p, parameters):
     Notes
     -----
     Equation 27.
-    5 operations; 5 with every named value written out.
+    5 operations; 5 with every named value expanded.
     """
     x, _ = _entries(p, (2,))
     (m_h,) = _entries(parameters.toolhead_mass, ())
@@ -563,7 +564,7 @@ def gravity_hessian(p, parameters):
     Notes
     -----
     Section 4 and equation 49.
-    0 operations; 0 with every named value written out.
+    0 operations; 0 with every named value expanded.
     """
     x, _ = _entries(p, (2,))
     batch, dtype = _batch(x)
@@ -584,12 +585,12 @@ def belt_stiffness(p, parameters):
     Returns
     -------
     k : array, shape (..., 2, 2) [N/m]
-        k[j-1, s-1], the spans in the order of `belt_spans`.
+        k[j-1, s-1] of span s of belt j, as in `belt_spans`.
 
     Notes
     -----
     Equations 34 to 37.
-    16 operations; 24 with every named value written out.
+    16 operations; 24 with every named value expanded.
     """
     x, y = _entries(p, (2,))
     g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
@@ -618,7 +619,7 @@ def belt_stiffness(p, parameters):
 
 
 def elastic_potential(p, delta_q, parameters):
-    """Elastic potential energy V_el of the transmissions, the force function U_el with opposite sign.
+    """Elastic potential energy V_el = -U_el of the transmissions, with the force function U_el.
 
     Parameters
     ----------
@@ -637,7 +638,7 @@ def elastic_potential(p, delta_q, parameters):
     Notes
     -----
     Equation 38, summed.
-    37 operations; 59 with every named value written out.
+    37 operations; 59 with every named value expanded.
     """
     x, y = _entries(p, (2,))
     delta_x, delta_y, delta_theta_1, delta_theta_2 = _entries(delta_q, (4,))
@@ -686,7 +687,7 @@ def elastic_gradient(p, delta_q, parameters):
     Notes
     -----
     Equation 38 differentiated.
-    52 operations; 164 with every named value written out.
+    52 operations; 164 with every named value expanded.
     """
     x, y = _entries(p, (2,))
     delta_x, delta_y, delta_theta_1, delta_theta_2 = _entries(delta_q, (4,))
@@ -737,12 +738,12 @@ def elastic_hessian(p, parameters):
     Returns
     -------
     H_el : array, shape (..., 4, 4) [N/m, N, N m]
-        d2V_el/dq2, symmetric, two zero eigenvalues.
+        d2V_el/dq2, symmetric, with two zero eigenvalues.
 
     Notes
     -----
     Equation 38 differentiated twice.
-    67 operations; 310 with every named value written out.
+    67 operations; 310 with every named value expanded.
     """
     x, y = _entries(p, (2,))
     g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
@@ -789,7 +790,7 @@ def elastic_hessian(p, parameters):
 
 
 def static_equilibrium(p, parameters):
-    """Torques of the drives, and the rotations that go with them, that hold the pose.
+    """Drive torques that hold the pose, and the corresponding rotations.
 
     Parameters
     ----------
@@ -801,14 +802,14 @@ def static_equilibrium(p, parameters):
     Returns
     -------
     tau_st : array, shape (..., 2) [N m]
-        Torques on the driven rotors, positive with their rotation.
+        Torques on the driven rotors, positive in the direction of their rotation.
     theta_st : array, shape (..., 2) [rad]
-        Rotations from unstrained transmissions, in the order of the coordinates.
+        Rotations relative to the unstrained transmissions, in the order of the coordinates.
 
     Notes
     -----
     Equation 44, solved at the pose.
-    59 operations; 722 with every named value written out.
+    59 operations; 722 with every named value expanded.
     """
     x, y = _entries(p, (2,))
     (m_h,) = _entries(parameters.toolhead_mass, ())
@@ -877,7 +878,7 @@ def stiffness_matrix(p, parameters):
     Notes
     -----
     Equations 46 and 48: K = -H_U.
-    67 operations; 310 with every named value written out.
+    67 operations; 310 with every named value expanded.
     """
     x, y = _entries(p, (2,))
     g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
@@ -926,7 +927,7 @@ def stiffness_matrix(p, parameters):
 def modal_matrices(p, parameters):
     """Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.
 
-    Common intermediate values are evaluated once, which makes this the function to call for an eigenproblem.
+    Common intermediate values are evaluated once: call this function for an eigenproblem.
 
     Parameters
     ----------
@@ -945,7 +946,7 @@ def modal_matrices(p, parameters):
     Notes
     -----
     Equation 48.
-    74 operations; 317 with every named value written out.
+    74 operations; 317 with every named value expanded.
     """
     x, y = _entries(p, (2,))
     (m_h,) = _entries(parameters.toolhead_mass, ())

@@ -3,26 +3,26 @@
 # Do not edit: regenerate with `python -m pkmodes_derive generate`.
 """Dynamics of the mechanism linear_delta with effects: extended matrices and sensitivities.
 
-Arrays are batch first: a leading `...` stands for any batch shape, none included, and arguments broadcast.
-Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
+Arrays are batch first: a leading `...` stands for any batch shape, including none, and arguments broadcast.
+Complex arguments are accepted (for complex-step derivatives).  All quantities are in SI units and in the base
 frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
 
-Names in the code, for axis j; pulley k, or carriage k of a derivative; belt span s; component i = x, y, z.
-t1, t2, ... are subexpressions that several values share.
+Names in the code.  Indices: axis j; pulley k, or carriage k of a derivative; belt span s; component i = x, y,
+z.  t1, t2, ... are subexpressions shared by several values.
 
 * x_j [m]: position of carriage j along its rail
-* r_j_i [m]: platform joint j seen from the origin of rail j, component i
+* r_j_i [m]: platform joint j relative to the origin of rail j, component i
 * s_j_i [m]: linkage vector j, from carriage to platform joint, component i
 * a_j [m]: coordinate of platform joint j along rail j
 * w_j_i [m]: vector from rail j to platform joint j, perpendicular to it, component i
 * w2_j [m^2]: squared distance of platform joint j from rail j
 * tau_st_j [N m]: static torque on the driven pulley of axis j
-* I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
+* I_j_k [kg m^2]: moment of inertia of pulley k of axis j, including the motor if it is driven
 * l_f_j_s [m]: free length of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
     carriage to pulley 1)
 * k_j_s [N/m]: stiffness of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
     carriage to pulley 1)
-* D_r_j [m]: entry of D_r for axis j: linkage vector along the motion of its joint
+* D_r_j [m]: entry of D_r for axis j: component of linkage vector along the motion of its joint
 * A_i_j [m^2]: adjugate of D_l, entry i, j
 * det_D_l [m^3]: determinant of D_l
 * D_p_i_k [1]: platform Jacobian, dp_i/dx_k
@@ -30,9 +30,9 @@ t1, t2, ... are subexpressions that several values share.
 * U_j_i_k [1]: derivative of linkage vector j, component i, with respect to x_k
 * mu_j [N/m]: static force in linkage j divided by its length, positive in compression
 * G_j [N]: gradient of the gravitational potential energy with respect to x_j
-* det_j [N^2 m]: determinant of the equilibrium of axis j
-* theta_j_k_st [rad]: static rotation of pulley k of axis j, from unstrained transmissions
-* X_by_Y [unit of X by unit of Y]: derivative of X by the parameter Y, at a fixed pose
+* det_j [N^2 m]: determinant of the equilibrium equations of axis j
+* theta_j_k_st [rad]: static rotation of pulley k of axis j, relative to the unstrained transmissions
+* X_by_Y [unit of X / unit of Y]: derivative of X with respect to the parameter Y, at a fixed pose
 """
 
 from math import prod
@@ -103,8 +103,8 @@ COORDINATE_UNITS = (
     "m",
 )
 
-#: By which parameters the derivatives are taken: field of Parameters or Effects, index in it, and the (row,
-#: column) of the entries of M and of K that depend on it, in the upper triangle.
+#: Parameters of the derivatives: field of Parameters or Effects, index in it, and (row, column) of the
+#: entries of M and of K, in the upper triangle, that depend on it.
 VALUE_SENSITIVITIES = (
     ('platform_mass', (),
      ((0, 0), (0, 1), (0, 2), (0, 12), (0, 13), (0, 14), (0, 18), (0, 19), (0, 20), (1, 1), (1, 2),
@@ -240,7 +240,7 @@ VALUE_SENSITIVITIES = (
     ('frame_compliance_mass', (), ((18, 18), (19, 19), (20, 20)), ()),
 )
 
-#: The same for the geometry.
+#: The same for `geometry_sensitivities`.
 GEOMETRY_SENSITIVITIES = (
     ('joint', (0, 0),
      ((0, 0), (0, 1), (0, 2), (0, 3), (0, 6), (0, 12), (0, 13), (0, 14), (0, 18), (0, 19), (0, 20),
@@ -378,7 +378,7 @@ GEOMETRY_SENSITIVITIES = (
 
 
 class Effects(NamedTuple):
-    """Effects of a robot; every field may have leading batch axes of its own.
+    """Effects of a robot; every field may have its own leading batch axes.
 
     Attributes
     ----------
@@ -391,11 +391,11 @@ class Effects(NamedTuple):
     belt_end_compliance_compliance : float or array, shape (...) [m/N]
         Compliance in series with every free span.
     belt_mass_linear_density : float or array, shape (...) [kg/m]
-        Mass of a belt by its length.
+        Mass of a belt per unit length.
     belt_tension_stiffness_coefficient : float or array, shape (...) [1/N]
         Relative change of the belt stiffness with tension.
     belt_tension_stiffness_tension : float or array, shape (...) [N]
-        Tension of every belt, from a measurement.
+        Measured tension of every belt.
     cable_stiffness_stiffness : float or array, shape (...) [N/m]
         Isotropic stiffness from the platform centre to ground.
     gearbox_inertia_inertia : float or array, shape (...) [kg m^2]
@@ -435,7 +435,7 @@ class Effects(NamedTuple):
 
 
 def _entries(array, shape):
-    """Entries of an array of shape (..., *shape), row by row; numbers where there is no batch."""
+    """Return the entries of an array of shape (..., *shape), row by row; numbers if there is no batch."""
     array = np.asarray(array)
     array = array.astype(np.result_type(float, array), copy=False)
     batch = array.ndim - len(shape)
@@ -448,12 +448,12 @@ def _entries(array, shape):
 
 
 def _batch(*arrays):
-    """Common batch shape and type of the arguments."""
+    """Return the common batch shape and type of the arguments."""
     return np.broadcast_shapes(*map(np.shape, arrays)), np.result_type(float, *arrays)
 
 
 def _listed(batch, dtype, entries):
-    """A vector of these entries for each member of the batch."""
+    """Return the vector of these entries for each member of the batch."""
     if not batch:
         return np.array(entries, dtype)
     columns = np.empty((len(entries), *batch), dtype)
@@ -463,7 +463,7 @@ def _listed(batch, dtype, entries):
 
 
 def extended_matrices(p, parameters, effects):
-    """Mass and stiffness matrices in the base and all released coordinates, joints free.
+    """Mass and stiffness matrices in the base and all released coordinates, with free joints.
 
     Parameters
     ----------
@@ -477,16 +477,16 @@ def extended_matrices(p, parameters, effects):
     Returns
     -------
     M : array, shape (..., 21, 21) [kg, kg m, kg m^2]
-        Mass matrix; the base model's is the leading block.
+        Mass matrix; its leading block is that of the base model.
     K_el : array, shape (..., 21, 21) [N/m, N, N m]
-        Elastic stiffness, released joints free.
+        Elastic stiffness with free joints.
     K_g : array, shape (..., 21, 21) [N/m, N, N m]
         Hessian of the gravitational potential energy.
 
     Notes
     -----
-    Equations 24 to 48 with the effects' energies; K = K_el + K_g and the joints' stiffnesses.
-    1242 operations; 2335815 with every named value written out.
+    Equations 24 to 48 with the effects' energies; K = K_el + K_g plus the joint stiffnesses.
+    1242 operations; 2335815 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -1074,7 +1074,7 @@ def extended_matrices(p, parameters, effects):
 
 
 def extended_platform_motion(p, parameters):
-    """Absolute motion of the platform centre by the coordinates.
+    """Jacobian of the absolute motion of the platform centre.
 
     Parameters
     ----------
@@ -1090,8 +1090,8 @@ def extended_platform_motion(p, parameters):
 
     Notes
     -----
-    Equation 15, with what released joints and the frame add.
-    177 operations; 26586 with every named value written out.
+    Equation 15, with the contributions of released joints and the frame.
+    177 operations; 26586 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -1205,7 +1205,7 @@ def extended_platform_motion(p, parameters):
 def joint_stiffness(effects):
     """Stiffnesses of the released joints, to be added to the diagonal of K.
 
-    Infinite for a compliance of zero: a locked joint.
+    Infinite for zero compliance (a locked joint).
 
     Parameters
     ----------
@@ -1215,14 +1215,14 @@ def joint_stiffness(effects):
     Returns
     -------
     kappa : array, shape (..., 12) [N/m, N m]
-        In the order of the released coordinates.
+        Stiffness of each released coordinate, in order.
     kappa_c : array, shape (..., 12) [N^2/m^2, N^2 m^2]
-        Derivatives by the compliances.
+        Derivatives d(kappa)/d(compliance).
 
     Notes
     -----
     Energy q^2 / (2 c) of each joint.
-    16 operations; 48 with every named value written out.
+    16 operations; 48 with every named value expanded.
     """
     (c_G,) = _entries(effects.gearbox_compliance_compliance, ())
     (c_L,) = _entries(effects.link_compliance_compliance, ())
@@ -1267,7 +1267,7 @@ def joint_stiffness(effects):
 
 
 def extended_static_equilibrium(p, parameters, effects):
-    """Torques and rotations that hold the pose, the effects' weights and changes of stiffness included.
+    """Drive torques and rotations that hold the pose, with the weights and stiffness changes of effects.
 
     Parameters
     ----------
@@ -1283,12 +1283,12 @@ def extended_static_equilibrium(p, parameters, effects):
     tau_st : array, shape (..., 3) [N m]
         Torques on the driven rotors.
     theta_st : array, shape (..., 6) [rad]
-        Rotations from unstrained transmissions.
+        Rotations relative to the unstrained transmissions.
 
     Notes
     -----
-    Equation 44; springs that effects add are relaxed at the pose, and the released joints hold.
-    388 operations; 129417 with every named value written out.
+    Equation 44; springs added by effects are relaxed at the pose, and released joints are locked.
+    388 operations; 129417 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -1479,7 +1479,7 @@ def extended_static_equilibrium(p, parameters, effects):
 
 
 def belt_tension_stiffness_margin(effects):
-    """What the effect belt_tension_stiffness needs of its parameters.
+    """Condition on the parameters of the effect belt_tension_stiffness.
 
     Parameters
     ----------
@@ -1489,12 +1489,12 @@ def belt_tension_stiffness_margin(effects):
     Returns
     -------
     margin : array, shape (..., 1) [1]
-        Above zero where it makes sense.
+        Positive for physical parameters.
 
     Notes
     -----
     The effect's definition.
-    2 operations; 2 with every named value written out.
+    2 operations; 2 with every named value expanded.
     """
     (c_T,) = _entries(effects.belt_tension_stiffness_coefficient, ())
     (F_T,) = _entries(effects.belt_tension_stiffness_tension, ())
@@ -1505,9 +1505,9 @@ def belt_tension_stiffness_margin(effects):
 
 
 def value_sensitivities(p, parameters, effects):
-    """Derivatives of M and K by every parameter that moves nothing, at a fixed pose.
+    """Derivatives of M and K at a fixed pose with respect to parameters that move no coordinate.
 
-    The entries of the upper triangles that VALUE_SENSITIVITIES lists, all others being zero.
+    Returns the upper-triangle entries listed in VALUE_SENSITIVITIES; all others are zero.
 
     Parameters
     ----------
@@ -1520,15 +1520,15 @@ def value_sensitivities(p, parameters, effects):
 
     Returns
     -------
-    M_theta : array, shape (..., 402) [unit of M by that of the parameter]
+    M_theta : array, shape (..., 402) [unit of M / unit of the parameter]
         dM/dtheta.
-    K_theta : array, shape (..., 492) [unit of K by that of the parameter]
+    K_theta : array, shape (..., 492) [unit of K / unit of the parameter]
         dK/dtheta.
 
     Notes
     -----
     Chain rule.
-    2472 operations; 5916753 with every named value written out.
+    2472 operations; 5916753 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -2424,10 +2424,10 @@ def value_sensitivities(p, parameters, effects):
 
 
 def geometry_sensitivities(p, parameters, effects):
-    """Derivatives of M and K by every parameter that moves the carriage positions, at a fixed pose.
+    """Derivatives of M and K at a fixed pose with respect to parameters that move the carriage positions.
 
-    The entries of the upper triangles that GEOMETRY_SENSITIVITIES lists, all others being zero; by the field
-    origin, the opposite of those by joint.
+    Returns the upper-triangle entries listed in GEOMETRY_SENSITIVITIES; all others are zero.  Derivatives
+    with respect to origin are the negatives of those with respect to joint.
 
     Parameters
     ----------
@@ -2440,15 +2440,15 @@ def geometry_sensitivities(p, parameters, effects):
 
     Returns
     -------
-    M_theta : array, shape (..., 540) [unit of M by that of the parameter]
+    M_theta : array, shape (..., 540) [unit of M / unit of the parameter]
         dM/dtheta.
-    K_theta : array, shape (..., 564) [unit of K by that of the parameter]
+    K_theta : array, shape (..., 564) [unit of K / unit of the parameter]
         dK/dtheta.
 
     Notes
     -----
     Implicit function theorem and chain rule.
-    13237 operations; 64172202 with every named value written out.
+    13237 operations; 64172202 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())

@@ -7,20 +7,20 @@
  * A part of the compiled evaluator, which includes it once for each instruction set: `lane` is a vector of doubles,
  * one for each pose.  Matrices are row-major; everything is in SI units.
  *
- * Names in the code, for axis j; pulley k, or carriage k of a derivative; belt span s; component i = x, y, z.
- * t1, t2, ... are subexpressions that several values share.
+ * Names in the code.  Indices: axis j; pulley k, or carriage k of a derivative; belt span s; component i = x,
+ * y, z.  t1, t2, ... are subexpressions shared by several values.
  *   x_j [m]: position of carriage j along its rail
- *   r_j_i [m]: platform joint j seen from the origin of rail j, component i
+ *   r_j_i [m]: platform joint j relative to the origin of rail j, component i
  *   s_j_i [m]: linkage vector j, from carriage to platform joint, component i
  *   a_j [m]: coordinate of platform joint j along rail j
  *   w_j_i [m]: vector from rail j to platform joint j, perpendicular to it, component i
  *   w2_j [m^2]: squared distance of platform joint j from rail j
- *   I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
+ *   I_j_k [kg m^2]: moment of inertia of pulley k of axis j, including the motor if it is driven
  *   l_f_j_s [m]: free length of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
  *     carriage to pulley 1)
  *   k_j_s [N/m]: stiffness of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
  *     carriage to pulley 1)
- *   D_r_j [m]: entry of D_r for axis j: linkage vector along the motion of its joint
+ *   D_r_j [m]: entry of D_r for axis j: component of linkage vector along the motion of its joint
  *   A_i_j [m^2]: adjugate of D_l, entry i, j
  *   det_D_l [m^3]: determinant of D_l
  *   D_p_i_k [1]: platform Jacobian, dp_i/dx_k
@@ -46,7 +46,7 @@ static const struct lanes_rule LANES_RULES[] = {
 /* Carriage positions at a pose, and the margins of a pose.
  *
  * Source: inverse_kinematics and reach_margin, jacobian_condition, belt_spans.
- * 211 operations; 13773 with every named value written out.
+ * 211 operations; 13773 with every named value expanded.
  */
 static inline void lanes_position(const lane *restrict pose, const double *restrict parameters,
     const double *restrict effects, lane *restrict q, lane *restrict margin)
@@ -183,7 +183,7 @@ static inline void lanes_position(const lane *restrict pose, const double *restr
 /* Mass and stiffness matrices without effects, and the motion of the platform.
  *
  * Source: modal_matrices and platform_jacobian.
- * 537 operations; 518841 with every named value written out.
+ * 537 operations; 518841 with every named value expanded.
  */
 static inline void lanes_base(const lane *restrict pose, const double *restrict parameters,
     const double *restrict effects, lane *restrict M, lane *restrict K, lane *restrict J_p)
@@ -496,7 +496,7 @@ static inline void lanes_base(const lane *restrict pose, const double *restrict 
 /* Mass and stiffness matrices with all released joints free, and the motion of the platform.
  *
  * Source: extended_matrices and extended_platform_motion.
- * 1293 operations; 2362404 with every named value written out.
+ * 1293 operations; 2362404 with every named value expanded.
  */
 static inline void lanes_extended(const lane *restrict pose, const double *restrict parameters,
     const double *restrict effects, lane *restrict M, lane *restrict K, lane *restrict J_p)

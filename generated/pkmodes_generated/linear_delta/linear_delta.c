@@ -5,41 +5,41 @@
  * Dynamics of the mechanism linear_delta, for a robot given by its parameters.
  * The header describes every function.
  *
- * Names in the code, for axis j; pulley k, or carriage k of a derivative; coordinate l of a second
- * derivative; belt span s; component i = x, y, z.  t1, t2, ... are subexpressions that several values share.
+ * Names in the code.  Indices: axis j; pulley k, or carriage k of a derivative; coordinate l of a second
+ * derivative; belt span s; component i = x, y, z.  t1, t2, ... are subexpressions shared by several values.
  *   x_j [m]: position of carriage j along its rail
- *   r_j_i [m]: platform joint j seen from the origin of rail j, component i
+ *   r_j_i [m]: platform joint j relative to the origin of rail j, component i
  *   s_j_i [m]: linkage vector j, from carriage to platform joint, component i
  *   a_j [m]: coordinate of platform joint j along rail j
  *   w_j_i [m]: vector from rail j to platform joint j, perpendicular to it, component i
  *   w2_j [m^2]: squared distance of platform joint j from rail j
  *   tau_st_j [N m]: static torque on the driven pulley of axis j
- *   I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
+ *   I_j_k [kg m^2]: moment of inertia of pulley k of axis j, including the motor if it is driven
  *   l_f_j_s [m]: free length of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
  *     carriage to pulley 1)
  *   k_j_s [N/m]: stiffness of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
  *     carriage to pulley 1)
  *   S_j_i [m]: centre of sphere j, on which the platform centre lies, component i
- *   alpha_i [m]: vector between the sphere centres 1 and 2, component i
- *   beta_i [m]: vector between the sphere centres 1 and 3, component i
- *   nu_i [m^2]: normal of the plane of the sphere centres, component i
- *   nu2 [m^4]: squared length of the normal
- *   h_j [m^2]: product of p - S_1 with the vector between sphere centres 1 and j
- *   q_i [m]: foot of the perpendicular on the plane of the centres, seen from S_1, component i
+ *   alpha_i [m]: vector from sphere centre 1 to sphere centre 2, component i
+ *   beta_i [m]: vector from sphere centre 1 to sphere centre 3, component i
+ *   nu_i [m^2]: normal to the plane of the sphere centres, component i
+ *   nu2 [m^4]: squared length of nu
+ *   h_j [m^2]: scalar product of p - S_1 with the vector from sphere centre 1 to sphere centre j
+ *   q_i [m]: projection of p onto the plane of the sphere centres, relative to S_1, component i
  *   v_p_i [m/s]: velocity of the platform, component i
- *   D_r_j [m]: entry of D_r for axis j: linkage vector along the motion of its joint
+ *   D_r_j [m]: entry of D_r for axis j: component of linkage vector along the motion of its joint
  *   A_i_j [m^2]: adjugate of D_l, entry i, j
  *   det_D_l [m^3]: determinant of D_l
  *   D_p_i_k [1]: platform Jacobian, dp_i/dx_k
  *   U_j_i_k [1]: derivative of linkage vector j, component i, with respect to x_k
- *   f_j_kl [1]: right-hand side of closure j differentiated with respect to x_k and x_l
+ *   f_j_kl [1]: right-hand side of closure j, differentiated with respect to x_k and x_l
  *   P_i_kl [1/m]: second derivative of p_i with respect to x_k and x_l
  *   s_dot_j_i [m/s]: rate of change of linkage vector j, component i
  *   D_p_dot_i_k [1/s]: time derivative of dp_i/dx_k
  *   mu_j [N/m]: static force in linkage j divided by its length, positive in compression
  *   G_j [N]: gradient of the gravitational potential energy with respect to x_j
- *   det_j [N^2 m]: determinant of the equilibrium of axis j
- *   theta_j_k_st [rad]: static rotation of pulley k of axis j, from unstrained transmissions
+ *   det_j [N^2 m]: determinant of the equilibrium equations of axis j
+ *   theta_j_k_st [rad]: static rotation of pulley k of axis j, relative to the unstrained transmissions
  */
 #include "linear_delta.h"
 

@@ -4,9 +4,9 @@
  *
  * Dynamics of the mechanism linear_delta, for a robot given by its parameters.
  *
- * C99, no allocation, no dependency but the C library's mathematics and memset.  Matrices are row-major.
- * Everything is in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K is
- * positive for a restoring force.
+ * C99 without allocation; depends only on math.h and memset of the C library.  Matrices are row-major.
+ * All quantities are in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K
+ * is positive for a restoring force.
  * Generalised coordinates, in the order of M and K:
  *   x_1 [m]
  *   x_2 [m]
@@ -34,7 +34,7 @@ typedef struct {
     double origin[3][3];
     /* [1] unit vector along rail j */
     double direction[3][3];
-    /* [m] joint j of the platform seen from its centre */
+    /* [m] platform joint j relative to the platform centre */
     double joint[3][3];
     /* [m] length of linkage j */
     double link_length[3];
@@ -56,57 +56,57 @@ typedef struct {
     double motor_inertia[3];
     /* [1] gear ratio of axis j, motor over driven pulley */
     double gear_ratio[3];
-    /* [1] 1 where the motor drives pulley k of axis j, else 0 */
+    /* [1] 1 if the motor drives pulley k of axis j, else 0 */
     double drive[3][2];
-    /* [m] min(x_j), max(x_j): pulley 2 sits at min, pulley 1 at max */
+    /* [m] min(x_j), max(x_j): pulley 2 is at min, pulley 1 at max */
     double limits[3][2];
-    /* [1] branch of axis j: +1 the carriage is ahead of the platform joint along the rail, -1 behind */
+    /* [1] branch of axis j: +1 if the carriage is ahead of the platform joint along the rail, -1 if behind */
     double branch[3];
 } linear_delta_parameters;
 
 /* Carriage positions at a pose.
  *
- * Not a number out of reach (see `reach_margin`).
+ * NaN if the pose is out of reach (see `reach_margin`).
  *
  *   in  p [m]: platform centre in the base frame
  *   out x [m]: carriage positions x_1, x_2, x_3
  *
  * Source: equations 1 to 3.
- * 84 operations; 201 with every named value written out.
+ * 84 operations; 201 with every named value expanded.
  */
 void linear_delta_inverse_kinematics(const double p[3], const linear_delta_parameters *parameters,
     double x[3]);
 
-/* How much farther each platform joint could be from its rail.
+/* Distance by which each platform joint could be farther from its rail.
  *
  *   in  p [m]: platform centre in the base frame
  *   out margin [m]: link length minus distance of the platform joint from its rail, for each axis
  *
- * Source: closure of equation 2: a pose is reachable where every margin is at least zero.
- * 75 operations; 159 with every named value written out.
+ * Source: closure of equation 2; a pose is reachable if every margin is at least zero.
+ * 75 operations; 159 with every named value expanded.
  */
 void linear_delta_reach_margin(const double p[3], const linear_delta_parameters *parameters,
     double margin[3]);
 
-/* Room for the two belt spans of each carriage, whatever the pose.
+/* Sum of the lengths of the two belt spans at each carriage, the same at every pose.
  *
  *   out margin [m]: max - min - l_t for each axis; positive for a robot that can move
  *
- * Source: equations 36 and 37, added.
- * 6 operations; 6 with every named value written out.
+ * Source: sum of equations 36 and 37.
+ * 6 operations; 6 with every named value expanded.
  */
 void linear_delta_travel_margin(const linear_delta_parameters *parameters, double margin[3]);
 
 /* Platform centre in the base frame for given carriage positions.
  *
- * Not a number where the three spheres do not meet.
+ * NaN if the three spheres do not intersect.
  *
  *   in  x [m]: carriage positions x_1, x_2, x_3
- *   in  assembly [1]: assembly branch, +1 or -1: the sign of det D_l at the wanted platform centre
+ *   in  assembly [1]: assembly branch, +1 or -1: the sign of det D_l at the desired platform centre
  *   out p [m]: platform centre in the base frame
  *
  * Source: equation 3: intersection of three spheres.
- * 123 operations; 4398 with every named value written out.
+ * 123 operations; 4398 with every named value expanded.
  */
 void linear_delta_direct_kinematics(const double x[3], double assembly,
     const linear_delta_parameters *parameters, double p[3]);
@@ -116,8 +116,8 @@ void linear_delta_direct_kinematics(const double x[3], double assembly,
  *   in  p [m]: platform centre in the base frame
  *   out l_f [m]: free length l_f[j-1, s-1] of span s of belt j
  *
- * Source: equations 35 to 37; a pose is within the limits where all are positive.
- * 102 operations; 423 with every named value written out.
+ * Source: equations 35 to 37; a pose is within the limits if all are positive.
+ * 102 operations; 423 with every named value expanded.
  */
 void linear_delta_belt_spans(const double p[3], const linear_delta_parameters *parameters, double l_f[3][3]);
 
@@ -128,7 +128,7 @@ void linear_delta_belt_spans(const double p[3], const linear_delta_parameters *p
  *   out D_r [m]: diagonal: component of linkage vector j along the motion of its joint
  *
  * Source: equations 14 and 15.
- * 117 operations; 1293 with every named value written out.
+ * 117 operations; 1293 with every named value expanded.
  */
 void linear_delta_constraint_jacobians(const double p[3], const linear_delta_parameters *parameters,
     double D_l[3][3], double D_r[3][3]);
@@ -139,8 +139,8 @@ void linear_delta_constraint_jacobians(const double p[3], const linear_delta_par
  *   out determinant [m^3]: det D_l; its sign is the assembly branch
  *   out condition [1]: Frobenius condition number, at least 3
  *
- * Source: equation 15; |D_l| |D_l^-1|, between once and three times the condition number in the 2-norm.
- * 184 operations; 14069 with every named value written out.
+ * Source: equation 15; |D_l| |D_l^-1|, one to three times the condition number in the 2-norm.
+ * 184 operations; 14069 with every named value expanded.
  */
 void linear_delta_jacobian_condition(const double p[3], const linear_delta_parameters *parameters,
     double *determinant, double *condition);
@@ -151,7 +151,7 @@ void linear_delta_jacobian_condition(const double p[3], const linear_delta_param
  *   out D_p [1]: dp_i/dq_k, base frame
  *
  * Source: equation 15.
- * 162 operations; 14274 with every named value written out.
+ * 162 operations; 14274 with every named value expanded.
  */
 void linear_delta_platform_jacobian(const double p[3], const linear_delta_parameters *parameters,
     double D_p[3][3]);
@@ -160,21 +160,21 @@ void linear_delta_platform_jacobian(const double p[3], const linear_delta_parame
  *
  *   in  p [m]: platform centre in the base frame
  *   in  x_dot [m/s]: carriage velocities
- *   out D_p_dot [1/s]: d(D_p)/dt, with x_dot
+ *   out D_p_dot [1/s]: d(D_p)/dt at x_dot
  *
  * Source: equation 17.
- * 330 operations; 660699 with every named value written out.
+ * 330 operations; 660699 with every named value expanded.
  */
 void linear_delta_platform_jacobian_rate(const double p[3], const double x_dot[3],
     const linear_delta_parameters *parameters, double D_p_dot[3][3]);
 
-/* Second derivatives of the platform with respect to the carriage positions.
+/* Second derivatives of the platform position with respect to the carriage positions.
  *
  *   in  p [m]: platform centre in the base frame
  *   out P [1/m]: d2p_i/dq_k dq_l as P[i, k, l]
  *
  * Source: equation 49, by the implicit function theorem to second order.
- * 369 operations; 695493 with every named value written out.
+ * 369 operations; 695493 with every named value expanded.
  */
 void linear_delta_platform_second_derivatives(const double p[3], const linear_delta_parameters *parameters,
     double P[3][3][3]);
@@ -182,11 +182,11 @@ void linear_delta_platform_second_derivatives(const double p[3], const linear_de
 /* Jacobians of the linkages: centre of mass and angular velocity.
  *
  *   in  p [m]: platform centre in the base frame
- *   out D_d [1]: velocity of the centre of linkage j by x_dot
- *   out D_omega [1/m]: angular velocity of linkage j by x_dot
+ *   out D_d [1]: D_d[j-1] x_dot is the velocity of the centre of mass of linkage j
+ *   out D_omega [1/m]: D_omega[j-1] x_dot is the angular velocity of linkage j
  *
  * Source: equations 16 and 23; the angular velocity without spin about the rod, which carries no energy.
- * 309 operations; 132498 with every named value written out.
+ * 309 operations; 132498 with every named value expanded.
  */
 void linear_delta_link_jacobians(const double p[3], const linear_delta_parameters *parameters,
     double D_d[3][3][3], double D_omega[3][3][3]);
@@ -195,11 +195,11 @@ void linear_delta_link_jacobians(const double p[3], const linear_delta_parameter
  *
  *   in  p [m]: platform centre in the base frame
  *   in  q_dot [m/s, rad/s]: rates of the nine generalised coordinates
- *   out T_ss [J]: platform and what moves it
+ *   out T_ss [J]: platform and the bodies that move it
  *   out T_t [J]: rotors and motors
  *
  * Source: equations 24 and 28.
- * 275 operations; 28717 with every named value written out.
+ * 275 operations; 28717 with every named value expanded.
  */
 void linear_delta_kinetic_energy(const double p[3], const double q_dot[9],
     const linear_delta_parameters *parameters, double *T_ss, double *T_t);
@@ -207,10 +207,10 @@ void linear_delta_kinetic_energy(const double p[3], const double q_dot[9],
 /* Mass matrix M in the nine generalised coordinates.
  *
  *   in  p [m]: platform centre in the base frame
- *   out M [kg, kg m^2]: symmetric; M_ss (3 by 3) and the diagonal M_t
+ *   out M [kg, kg m^2]: symmetric; block diagonal: M_ss (3 by 3) and the diagonal M_t
  *
  * Source: equations 24, 30 and 33.
- * 288 operations; 128922 with every named value written out.
+ * 288 operations; 128922 with every named value expanded.
  */
 void linear_delta_mass_matrix(const double p[3], const linear_delta_parameters *parameters, double M[9][9]);
 
@@ -218,21 +218,21 @@ void linear_delta_mass_matrix(const double p[3], const linear_delta_parameters *
  *
  *   in  p [m]: platform centre in the base frame
  *   in  x_dot [m/s]: carriage velocities
- *   out h [N]: generalised forces on the carriage coordinates
+ *   out h [N]: generalised forces conjugate to the carriage positions
  *
- * Source: Lagrange's equations, equation 47 without its linearisation.
- * 711 operations; 3553737 with every named value written out.
+ * Source: Lagrange's equations; equation 47 before linearisation.
+ * 711 operations; 3553737 with every named value expanded.
  */
 void linear_delta_velocity_forces(const double p[3], const double x_dot[3],
     const linear_delta_parameters *parameters, double h[3]);
 
-/* Gravitational potential energy V_g, the force function U_g with opposite sign.
+/* Gravitational potential energy V_g = -U_g, with the force function U_g.
  *
  *   in  p [m]: platform centre in the base frame
  *   out V_g [J]: zero at the origin of the base frame
  *
- * Source: equation 26, for gravity in any direction and every body that moves.
- * 195 operations; 1368 with every named value written out.
+ * Source: equation 26, for gravity in any direction and all moving bodies.
+ * 195 operations; 1368 with every named value expanded.
  */
 void linear_delta_gravity_potential(const double p[3], const linear_delta_parameters *parameters,
     double *V_g);
@@ -243,7 +243,7 @@ void linear_delta_gravity_potential(const double p[3], const linear_delta_parame
  *   out G [N]: dV_g/dq_k
  *
  * Source: equation 27.
- * 234 operations; 14409 with every named value written out.
+ * 234 operations; 14409 with every named value expanded.
  */
 void linear_delta_gravity_gradient(const double p[3], const linear_delta_parameters *parameters, double G[3]);
 
@@ -253,7 +253,7 @@ void linear_delta_gravity_gradient(const double p[3], const linear_delta_paramet
  *   out H_g [N/m]: d2V_g/dq_k dq_l, symmetric
  *
  * Source: section 4 and equation 49.
- * 345 operations; 373806 with every named value written out.
+ * 345 operations; 373806 with every named value expanded.
  */
 void linear_delta_gravity_hessian(const double p[3], const linear_delta_parameters *parameters,
     double H_g[3][3]);
@@ -261,15 +261,15 @@ void linear_delta_gravity_hessian(const double p[3], const linear_delta_paramete
 /* Stiffnesses of the belt spans.
  *
  *   in  p [m]: platform centre in the base frame
- *   out k [N/m]: k[j-1, s-1], the spans in the order of `belt_spans`
+ *   out k [N/m]: k[j-1, s-1] of span s of belt j, as in `belt_spans`
  *
  * Source: equations 34 to 37.
- * 114 operations; 441 with every named value written out.
+ * 114 operations; 441 with every named value expanded.
  */
 void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameters *parameters,
     double k[3][3]);
 
-/* Elastic potential energy V_el of the transmissions, the force function U_el with opposite sign.
+/* Elastic potential energy V_el = -U_el of the transmissions, with the force function U_el.
  *
  *   in  p [m]: platform centre in the base frame
  *   in  delta_q [m, rad]: small displacements of the nine generalised coordinates from the reference
@@ -277,7 +277,7 @@ void linear_delta_belt_stiffness(const double p[3], const linear_delta_parameter
  *   out V_el [J]: zero in the reference configuration
  *
  * Source: equation 38, summed.
- * 164 operations; 497 with every named value written out.
+ * 164 operations; 497 with every named value expanded.
  */
 void linear_delta_elastic_potential(const double p[3], const double delta_q[9],
     const linear_delta_parameters *parameters, double *V_el);
@@ -290,7 +290,7 @@ void linear_delta_elastic_potential(const double p[3], const double delta_q[9],
  *   out E [N, N m]: dV_el/dq
  *
  * Source: equation 38 differentiated.
- * 192 operations; 981 with every named value written out.
+ * 192 operations; 981 with every named value expanded.
  */
 void linear_delta_elastic_gradient(const double p[3], const double delta_q[9],
     const linear_delta_parameters *parameters, double E[9]);
@@ -298,22 +298,22 @@ void linear_delta_elastic_gradient(const double p[3], const double delta_q[9],
 /* Hessian of the elastic potential energy.
  *
  *   in  p [m]: platform centre in the base frame
- *   out H_el [N/m, N, N m]: d2V_el/dq2, symmetric, three zero eigenvalues
+ *   out H_el [N/m, N, N m]: d2V_el/dq2, symmetric, with three zero eigenvalues
  *
  * Source: equation 38 differentiated twice.
- * 150 operations; 1839 with every named value written out.
+ * 150 operations; 1839 with every named value expanded.
  */
 void linear_delta_elastic_hessian(const double p[3], const linear_delta_parameters *parameters,
     double H_el[9][9]);
 
-/* Torques of the drives, and the rotations that go with them, that hold the pose.
+/* Drive torques that hold the pose, and the corresponding rotations.
  *
  *   in  p [m]: platform centre in the base frame
- *   out tau_st [N m]: torques on the driven rotors, positive with their rotation
- *   out theta_st [rad]: rotations from unstrained transmissions, in the order of the coordinates
+ *   out tau_st [N m]: torques on the driven rotors, positive in the direction of their rotation
+ *   out theta_st [rad]: rotations relative to the unstrained transmissions, in the order of the coordinates
  *
  * Source: equation 44, solved at the pose.
- * 363 operations; 125757 with every named value written out.
+ * 363 operations; 125757 with every named value expanded.
  */
 void linear_delta_static_equilibrium(const double p[3], const linear_delta_parameters *parameters,
     double tau_st[3], double theta_st[6]);
@@ -324,21 +324,21 @@ void linear_delta_static_equilibrium(const double p[3], const linear_delta_param
  *   out K [N/m, N, N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
  *
  * Source: equations 46 and 48: K = -H_U.
- * 411 operations; 375645 with every named value written out.
+ * 411 operations; 375645 with every named value expanded.
  */
 void linear_delta_stiffness_matrix(const double p[3], const linear_delta_parameters *parameters,
     double K[9][9]);
 
 /* Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.
  *
- * Common intermediate values are evaluated once, which makes this the function to call for an eigenproblem.
+ * Common intermediate values are evaluated once: call this function for an eigenproblem.
  *
  *   in  p [m]: platform centre in the base frame
  *   out M [kg, kg m^2]: mass matrix
  *   out K [N/m, N, N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
  *
  * Source: equation 48.
- * 537 operations; 504567 with every named value written out.
+ * 537 operations; 504567 with every named value expanded.
  */
 void linear_delta_modal_matrices(const double p[3], const linear_delta_parameters *parameters,
     double M[9][9], double K[9][9]);

@@ -3,46 +3,46 @@
 # Do not edit: regenerate with `python -m pkmodes_derive generate`.
 """Dynamics of the mechanism linear_delta, for a robot given by its parameters.
 
-Arrays are batch first: a leading `...` stands for any batch shape, none included, and arguments broadcast.
-Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
+Arrays are batch first: a leading `...` stands for any batch shape, including none, and arguments broadcast.
+Complex arguments are accepted (for complex-step derivatives).  All quantities are in SI units and in the base
 frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
 
-Names in the code, for axis j; pulley k, or carriage k of a derivative; coordinate l of a second derivative;
-belt span s; component i = x, y, z.  t1, t2, ... are subexpressions that several values share.
+Names in the code.  Indices: axis j; pulley k, or carriage k of a derivative; coordinate l of a second
+derivative; belt span s; component i = x, y, z.  t1, t2, ... are subexpressions shared by several values.
 
 * x_j [m]: position of carriage j along its rail
-* r_j_i [m]: platform joint j seen from the origin of rail j, component i
+* r_j_i [m]: platform joint j relative to the origin of rail j, component i
 * s_j_i [m]: linkage vector j, from carriage to platform joint, component i
 * a_j [m]: coordinate of platform joint j along rail j
 * w_j_i [m]: vector from rail j to platform joint j, perpendicular to it, component i
 * w2_j [m^2]: squared distance of platform joint j from rail j
 * tau_st_j [N m]: static torque on the driven pulley of axis j
-* I_j_k [kg m^2]: moment of inertia of pulley k of axis j, with the motor where it is driven
+* I_j_k [kg m^2]: moment of inertia of pulley k of axis j, including the motor if it is driven
 * l_f_j_s [m]: free length of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
     carriage to pulley 1)
 * k_j_s [N/m]: stiffness of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
     carriage to pulley 1)
 * S_j_i [m]: centre of sphere j, on which the platform centre lies, component i
-* alpha_i [m]: vector between the sphere centres 1 and 2, component i
-* beta_i [m]: vector between the sphere centres 1 and 3, component i
-* nu_i [m^2]: normal of the plane of the sphere centres, component i
-* nu2 [m^4]: squared length of the normal
-* h_j [m^2]: product of p - S_1 with the vector between sphere centres 1 and j
-* q_i [m]: foot of the perpendicular on the plane of the centres, seen from S_1, component i
+* alpha_i [m]: vector from sphere centre 1 to sphere centre 2, component i
+* beta_i [m]: vector from sphere centre 1 to sphere centre 3, component i
+* nu_i [m^2]: normal to the plane of the sphere centres, component i
+* nu2 [m^4]: squared length of nu
+* h_j [m^2]: scalar product of p - S_1 with the vector from sphere centre 1 to sphere centre j
+* q_i [m]: projection of p onto the plane of the sphere centres, relative to S_1, component i
 * v_p_i [m/s]: velocity of the platform, component i
-* D_r_j [m]: entry of D_r for axis j: linkage vector along the motion of its joint
+* D_r_j [m]: entry of D_r for axis j: component of linkage vector along the motion of its joint
 * A_i_j [m^2]: adjugate of D_l, entry i, j
 * det_D_l [m^3]: determinant of D_l
 * D_p_i_k [1]: platform Jacobian, dp_i/dx_k
 * U_j_i_k [1]: derivative of linkage vector j, component i, with respect to x_k
-* f_j_kl [1]: right-hand side of closure j differentiated with respect to x_k and x_l
+* f_j_kl [1]: right-hand side of closure j, differentiated with respect to x_k and x_l
 * P_i_kl [1/m]: second derivative of p_i with respect to x_k and x_l
 * s_dot_j_i [m/s]: rate of change of linkage vector j, component i
 * D_p_dot_i_k [1/s]: time derivative of dp_i/dx_k
 * mu_j [N/m]: static force in linkage j divided by its length, positive in compression
 * G_j [N]: gradient of the gravitational potential energy with respect to x_j
-* det_j [N^2 m]: determinant of the equilibrium of axis j
-* theta_j_k_st [rad]: static rotation of pulley k of axis j, from unstrained transmissions
+* det_j [N^2 m]: determinant of the equilibrium equations of axis j
+* theta_j_k_st [rad]: static rotation of pulley k of axis j, relative to the unstrained transmissions
 """
 
 from math import prod
@@ -105,12 +105,12 @@ COORDINATE_UNITS = (
     "rad",
 )
 
-#: Number of motions that strain nothing elastic, for any pose and parameters.
+#: Number of rigid-body modes: motions that strain no elastic part, at any pose and for any parameters.
 RIGID_MODES = 3
 
 
 class Parameters(NamedTuple):
-    """Parameters of a robot; every field may have leading batch axes of its own.
+    """Parameters of a robot; every field may have its own leading batch axes.
 
     Attributes
     ----------
@@ -123,7 +123,7 @@ class Parameters(NamedTuple):
     direction : array, shape (..., 3, 3) [1]
         Unit vector along rail j.
     joint : array, shape (..., 3, 3) [m]
-        Joint j of the platform seen from its centre.
+        Platform joint j relative to the platform centre.
     link_length : array, shape (..., 3) [m]
         Length of linkage j.
     link_mass : array, shape (..., 3) [kg]
@@ -145,11 +145,11 @@ class Parameters(NamedTuple):
     gear_ratio : array, shape (..., 3) [1]
         Gear ratio of axis j, motor over driven pulley.
     drive : array, shape (..., 3, 2) [1]
-        1 where the motor drives pulley k of axis j, else 0.
+        1 if the motor drives pulley k of axis j, else 0.
     limits : array, shape (..., 3, 2) [m]
-        min(x_j), max(x_j): pulley 2 sits at min, pulley 1 at max.
+        min(x_j), max(x_j): pulley 2 is at min, pulley 1 at max.
     branch : array, shape (..., 3) [1]
-        Branch of axis j: +1 the carriage is ahead of the platform joint along the rail, -1 behind.
+        Branch of axis j: +1 if the carriage is ahead of the platform joint along the rail, -1 if behind.
     """
 
     platform_mass: float
@@ -173,7 +173,7 @@ class Parameters(NamedTuple):
 
 
 def _entries(array, shape):
-    """Entries of an array of shape (..., *shape), row by row; numbers where there is no batch."""
+    """Return the entries of an array of shape (..., *shape), row by row; numbers if there is no batch."""
     array = np.asarray(array)
     array = array.astype(np.result_type(float, array), copy=False)
     batch = array.ndim - len(shape)
@@ -186,14 +186,14 @@ def _entries(array, shape):
 
 
 def _batch(*arrays):
-    """Common batch shape and type of the arguments."""
+    """Return the common batch shape and type of the arguments."""
     return np.broadcast_shapes(*map(np.shape, arrays)), np.result_type(float, *arrays)
 
 
 def inverse_kinematics(p, parameters):
     """Carriage positions at a pose.
 
-    Not a number out of reach (see `reach_margin`).
+    NaN if the pose is out of reach (see `reach_margin`).
 
     Parameters
     ----------
@@ -210,7 +210,7 @@ def inverse_kinematics(p, parameters):
     Notes
     -----
     Equations 1 to 3.
-    84 operations; 201 with every named value written out.
+    84 operations; 201 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -254,7 +254,7 @@ def inverse_kinematics(p, parameters):
 
 
 def reach_margin(p, parameters):
-    """How much farther each platform joint could be from its rail.
+    """Distance by which each platform joint could be farther from its rail.
 
     Parameters
     ----------
@@ -270,8 +270,8 @@ def reach_margin(p, parameters):
 
     Notes
     -----
-    Closure of equation 2: a pose is reachable where every margin is at least zero.
-    75 operations; 159 with every named value written out.
+    Closure of equation 2; a pose is reachable if every margin is at least zero.
+    75 operations; 159 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -311,7 +311,7 @@ def reach_margin(p, parameters):
 
 
 def travel_margin(parameters):
-    """Room for the two belt spans of each carriage, whatever the pose.
+    """Sum of the lengths of the two belt spans at each carriage, the same at every pose.
 
     Parameters
     ----------
@@ -325,8 +325,8 @@ def travel_margin(parameters):
 
     Notes
     -----
-    Equations 36 and 37, added.
-    6 operations; 6 with every named value written out.
+    Sum of equations 36 and 37.
+    6 operations; 6 with every named value expanded.
     """
     l_t_1, l_t_2, l_t_3 = _entries(parameters.carriage_length, (3,))
     x_min_1, x_max_1, x_min_2, x_max_2, x_min_3, x_max_3 = _entries(parameters.limits, (3, 2))
@@ -341,14 +341,14 @@ def travel_margin(parameters):
 def direct_kinematics(x, assembly, parameters):
     """Platform centre in the base frame for given carriage positions.
 
-    Not a number where the three spheres do not meet.
+    NaN if the three spheres do not intersect.
 
     Parameters
     ----------
     x : array, shape (..., 3) [m]
         Carriage positions x_1, x_2, x_3.
     assembly : array, shape (...) [1]
-        Assembly branch, +1 or -1: the sign of det D_l at the wanted platform centre.
+        Assembly branch, +1 or -1: the sign of det D_l at the desired platform centre.
     parameters : Parameters
         The robot's parameters.
 
@@ -360,7 +360,7 @@ def direct_kinematics(x, assembly, parameters):
     Notes
     -----
     Equation 3: intersection of three spheres.
-    123 operations; 4398 with every named value written out.
+    123 operations; 4398 with every named value expanded.
     """
     x_1, x_2, x_3 = _entries(x, (3,))
     (assembly,) = _entries(assembly, ())
@@ -421,8 +421,8 @@ def belt_spans(p, parameters):
 
     Notes
     -----
-    Equations 35 to 37; a pose is within the limits where all are positive.
-    102 operations; 423 with every named value written out.
+    Equations 35 to 37; a pose is within the limits if all are positive.
+    102 operations; 423 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -505,7 +505,7 @@ def constraint_jacobians(p, parameters):
     Notes
     -----
     Equations 14 and 15.
-    117 operations; 1293 with every named value written out.
+    117 operations; 1293 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -589,8 +589,8 @@ def jacobian_condition(p, parameters):
 
     Notes
     -----
-    Equation 15; |D_l| |D_l^-1|, between once and three times the condition number in the 2-norm.
-    184 operations; 14069 with every named value written out.
+    Equation 15; |D_l| |D_l^-1|, one to three times the condition number in the 2-norm.
+    184 operations; 14069 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -675,7 +675,7 @@ def platform_jacobian(p, parameters):
     Notes
     -----
     Equation 15.
-    162 operations; 14274 with every named value written out.
+    162 operations; 14274 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -774,12 +774,12 @@ def platform_jacobian_rate(p, x_dot, parameters):
     Returns
     -------
     D_p_dot : array, shape (..., 3, 3) [1/s]
-        d(D_p)/dt, with x_dot.
+        d(D_p)/dt at x_dot.
 
     Notes
     -----
     Equation 17.
-    330 operations; 660699 with every named value written out.
+    330 operations; 660699 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     x_1_dot, x_2_dot, x_3_dot = _entries(x_dot, (3,))
@@ -919,7 +919,7 @@ def platform_jacobian_rate(p, x_dot, parameters):
 
 
 def platform_second_derivatives(p, parameters):
-    """Second derivatives of the platform with respect to the carriage positions.
+    """Second derivatives of the platform position with respect to the carriage positions.
 
     Parameters
     ----------
@@ -936,7 +936,7 @@ def platform_second_derivatives(p, parameters):
     Notes
     -----
     Equation 49, by the implicit function theorem to second order.
-    369 operations; 695493 with every named value written out.
+    369 operations; 695493 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -1084,14 +1084,14 @@ def link_jacobians(p, parameters):
     Returns
     -------
     D_d : array, shape (..., 3, 3, 3) [1]
-        Velocity of the centre of linkage j by x_dot.
+        D_d[j-1] x_dot is the velocity of the centre of mass of linkage j.
     D_omega : array, shape (..., 3, 3, 3) [1/m]
-        Angular velocity of linkage j by x_dot.
+        D_omega[j-1] x_dot is the angular velocity of linkage j.
 
     Notes
     -----
     Equations 16 and 23; the angular velocity without spin about the rod, which carries no energy.
-    309 operations; 132498 with every named value written out.
+    309 operations; 132498 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -1260,14 +1260,14 @@ def kinetic_energy(p, q_dot, parameters):
     Returns
     -------
     T_ss : array, shape (...) [J]
-        Platform and what moves it.
+        Platform and the bodies that move it.
     T_t : array, shape (...) [J]
         Rotors and motors.
 
     Notes
     -----
     Equations 24 and 28.
-    275 operations; 28717 with every named value written out.
+    275 operations; 28717 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (
@@ -1399,12 +1399,12 @@ def mass_matrix(p, parameters):
     Returns
     -------
     M : array, shape (..., 9, 9) [kg, kg m^2]
-        Symmetric; M_ss (3 by 3) and the diagonal M_t.
+        Symmetric; block diagonal: M_ss (3 by 3) and the diagonal M_t.
 
     Notes
     -----
     Equations 24, 30 and 33.
-    288 operations; 128922 with every named value written out.
+    288 operations; 128922 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -1558,12 +1558,12 @@ def velocity_forces(p, x_dot, parameters):
     Returns
     -------
     h : array, shape (..., 3) [N]
-        Generalised forces on the carriage coordinates.
+        Generalised forces conjugate to the carriage positions.
 
     Notes
     -----
-    Lagrange's equations, equation 47 without its linearisation.
-    711 operations; 3553737 with every named value written out.
+    Lagrange's equations; equation 47 before linearisation.
+    711 operations; 3553737 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     x_1_dot, x_2_dot, x_3_dot = _entries(x_dot, (3,))
@@ -1779,7 +1779,7 @@ def velocity_forces(p, x_dot, parameters):
 
 
 def gravity_potential(p, parameters):
-    """Gravitational potential energy V_g, the force function U_g with opposite sign.
+    """Gravitational potential energy V_g = -U_g, with the force function U_g.
 
     Parameters
     ----------
@@ -1795,8 +1795,8 @@ def gravity_potential(p, parameters):
 
     Notes
     -----
-    Equation 26, for gravity in any direction and every body that moves.
-    195 operations; 1368 with every named value written out.
+    Equation 26, for gravity in any direction and all moving bodies.
+    195 operations; 1368 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -1876,7 +1876,7 @@ def gravity_gradient(p, parameters):
     Notes
     -----
     Equation 27.
-    234 operations; 14409 with every named value written out.
+    234 operations; 14409 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -1992,7 +1992,7 @@ def gravity_hessian(p, parameters):
     Notes
     -----
     Section 4 and equation 49.
-    345 operations; 373806 with every named value written out.
+    345 operations; 373806 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -2142,12 +2142,12 @@ def belt_stiffness(p, parameters):
     Returns
     -------
     k : array, shape (..., 3, 3) [N/m]
-        k[j-1, s-1], the spans in the order of `belt_spans`.
+        k[j-1, s-1] of span s of belt j, as in `belt_spans`.
 
     Notes
     -----
     Equations 34 to 37.
-    114 operations; 441 with every named value written out.
+    114 operations; 441 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -2225,7 +2225,7 @@ def belt_stiffness(p, parameters):
 
 
 def elastic_potential(p, delta_q, parameters):
-    """Elastic potential energy V_el of the transmissions, the force function U_el with opposite sign.
+    """Elastic potential energy V_el = -U_el of the transmissions, with the force function U_el.
 
     Parameters
     ----------
@@ -2244,7 +2244,7 @@ def elastic_potential(p, delta_q, parameters):
     Notes
     -----
     Equation 38, summed.
-    164 operations; 497 with every named value written out.
+    164 operations; 497 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (
@@ -2349,7 +2349,7 @@ def elastic_gradient(p, delta_q, parameters):
     Notes
     -----
     Equation 38 differentiated.
-    192 operations; 981 with every named value written out.
+    192 operations; 981 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (
@@ -2457,12 +2457,12 @@ def elastic_hessian(p, parameters):
     Returns
     -------
     H_el : array, shape (..., 9, 9) [N/m, N, N m]
-        d2V_el/dq2, symmetric, three zero eigenvalues.
+        d2V_el/dq2, symmetric, with three zero eigenvalues.
 
     Notes
     -----
     Equation 38 differentiated twice.
-    150 operations; 1839 with every named value written out.
+    150 operations; 1839 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -2556,7 +2556,7 @@ def elastic_hessian(p, parameters):
 
 
 def static_equilibrium(p, parameters):
-    """Torques of the drives, and the rotations that go with them, that hold the pose.
+    """Drive torques that hold the pose, and the corresponding rotations.
 
     Parameters
     ----------
@@ -2568,14 +2568,14 @@ def static_equilibrium(p, parameters):
     Returns
     -------
     tau_st : array, shape (..., 3) [N m]
-        Torques on the driven rotors, positive with their rotation.
+        Torques on the driven rotors, positive in the direction of their rotation.
     theta_st : array, shape (..., 6) [rad]
-        Rotations from unstrained transmissions, in the order of the coordinates.
+        Rotations relative to the unstrained transmissions, in the order of the coordinates.
 
     Notes
     -----
     Equation 44, solved at the pose.
-    363 operations; 125757 with every named value written out.
+    363 operations; 125757 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -2768,7 +2768,7 @@ def stiffness_matrix(p, parameters):
     Notes
     -----
     Equations 46 and 48: K = -H_U.
-    411 operations; 375645 with every named value written out.
+    411 operations; 375645 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -2959,7 +2959,7 @@ def stiffness_matrix(p, parameters):
 def modal_matrices(p, parameters):
     """Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.
 
-    Common intermediate values are evaluated once, which makes this the function to call for an eigenproblem.
+    Common intermediate values are evaluated once: call this function for an eigenproblem.
 
     Parameters
     ----------
@@ -2978,7 +2978,7 @@ def modal_matrices(p, parameters):
     Notes
     -----
     Equation 48.
-    537 operations; 504567 with every named value written out.
+    537 operations; 504567 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())

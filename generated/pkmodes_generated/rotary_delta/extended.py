@@ -3,29 +3,29 @@
 # Do not edit: regenerate with `python -m pkmodes_derive generate`.
 """Dynamics of the mechanism rotary_delta with effects: extended matrices and sensitivities.
 
-Arrays are batch first: a leading `...` stands for any batch shape, none included, and arguments broadcast.
-Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
+Arrays are batch first: a leading `...` stands for any batch shape, including none, and arguments broadcast.
+Complex arguments are accepted (for complex-step derivatives).  All quantities are in SI units and in the base
 frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
 
-Names in the code, for axis j; coordinate k of a derivative; component i = x, y, z.  t1, t2, ... are
-subexpressions that several values share.
+Names in the code.  Indices: axis j; coordinate k of a derivative; component i = x, y, z.  t1, t2, ... are
+subexpressions shared by several values.
 
-* y_j_i [1]: direction of arm j at a right angle: a_j times z_j, component i
+* y_j_i [1]: direction of arm j at theta_j = 90 deg: a_j times z_j, component i
 * c_j [1]: cosine of theta_j
 * sn_j [1]: sine of theta_j
 * d_j_i [1]: direction of arm j, component i
 * t_j_i [1]: direction in which the end of arm j moves, component i
-* r_j_i [m]: platform joint j seen from the axis of arm j, component i
+* r_j_i [m]: platform joint j relative to the origin of arm j, component i
 * s_j_i [m]: linkage vector j, from arm to platform joint, component i
 * A_j [m]: component of r_j along z_j
 * B_j [m]: component of r_j along y_j
-* C_j [m]: component of r_j along the arm that closes the loop
-* rho2_j [m^2]: square of the part of r_j in the plane of the arm
+* C_j [m]: component of r_j along the arm when the loop is closed
+* rho2_j [m^2]: squared length of the part of r_j in the plane of the arm
 * S_j [m]: component of r_j in that plane, perpendicular to the arm
 * tau_st_j [N m]: static torque on motor j, seen at the arm
 * I_j [kg m^2]: moment of inertia of motor j, seen at the arm
 * k_j [N m/rad]: stiffness of reducer j
-* D_r_j [m^2]: entry of D_r for axis j: linkage vector along the motion of its joint
+* D_r_j [m^2]: entry of D_r for axis j: component of linkage vector along the motion of its joint
 * A_i_j [m^2]: adjugate of D_l, entry i, j
 * det_D_l [m^3]: determinant of D_l
 * D_p_i_k [m]: platform Jacobian, dp_i/dtheta_k
@@ -33,8 +33,8 @@ subexpressions that several values share.
 * U_j_i_k [m]: derivative of linkage vector j, component i, with respect to theta_k
 * mu_j [N/m]: static force in linkage j divided by its length, positive in compression
 * G_j [N m]: gradient of the gravitational potential energy with respect to theta_j
-* phi_j_st [rad]: static angle of motor j divided by the gear ratio, from unstrained transmissions
-* X_by_Y [unit of X by unit of Y]: derivative of X by the parameter Y, at a fixed pose
+* phi_j_st [rad]: static angle of motor j divided by the gear ratio, relative to the unstrained transmissions
+* X_by_Y [unit of X / unit of Y]: derivative of X with respect to the parameter Y, at a fixed pose
 """
 
 from math import prod
@@ -86,8 +86,8 @@ COORDINATE_UNITS = (
     "m",
 )
 
-#: By which parameters the derivatives are taken: field of Parameters or Effects, index in it, and the (row,
-#: column) of the entries of M and of K that depend on it, in the upper triangle.
+#: Parameters of the derivatives: field of Parameters or Effects, index in it, and (row, column) of the
+#: entries of M and of K, in the upper triangle, that depend on it.
 VALUE_SENSITIVITIES = (
     ('platform_mass', (),
      ((0, 0), (0, 1), (0, 2), (0, 6), (0, 7), (0, 8), (0, 9), (0, 10), (0, 11), (1, 1), (1, 2), (1, 6),
@@ -170,7 +170,7 @@ VALUE_SENSITIVITIES = (
     ('frame_compliance_mass', (), ((9, 9), (10, 10), (11, 11)), ()),
 )
 
-#: The same for the geometry.
+#: The same for `geometry_sensitivities`.
 GEOMETRY_SENSITIVITIES = (
     ('joint', (0, 0),
      ((0, 0), (0, 1), (0, 2), (0, 6), (0, 7), (0, 8), (0, 9), (0, 10), (0, 11), (1, 1), (1, 2), (1, 6),
@@ -311,7 +311,7 @@ GEOMETRY_SENSITIVITIES = (
 
 
 class Effects(NamedTuple):
-    """Effects of a robot; every field may have leading batch axes of its own.
+    """Effects of a robot; every field may have its own leading batch axes.
 
     Attributes
     ----------
@@ -350,7 +350,7 @@ class Effects(NamedTuple):
 
 
 def _entries(array, shape):
-    """Entries of an array of shape (..., *shape), row by row; numbers where there is no batch."""
+    """Return the entries of an array of shape (..., *shape), row by row; numbers if there is no batch."""
     array = np.asarray(array)
     array = array.astype(np.result_type(float, array), copy=False)
     batch = array.ndim - len(shape)
@@ -363,12 +363,12 @@ def _entries(array, shape):
 
 
 def _batch(*arrays):
-    """Common batch shape and type of the arguments."""
+    """Return the common batch shape and type of the arguments."""
     return np.broadcast_shapes(*map(np.shape, arrays)), np.result_type(float, *arrays)
 
 
 def _listed(batch, dtype, entries):
-    """A vector of these entries for each member of the batch."""
+    """Return the vector of these entries for each member of the batch."""
     if not batch:
         return np.array(entries, dtype)
     columns = np.empty((len(entries), *batch), dtype)
@@ -378,7 +378,7 @@ def _listed(batch, dtype, entries):
 
 
 def extended_matrices(p, parameters, effects):
-    """Mass and stiffness matrices in the base and all released coordinates, joints free.
+    """Mass and stiffness matrices in the base and all released coordinates, with free joints.
 
     Parameters
     ----------
@@ -392,16 +392,16 @@ def extended_matrices(p, parameters, effects):
     Returns
     -------
     M : array, shape (..., 12, 12) [kg, kg m, kg m^2]
-        Mass matrix; the base model's is the leading block.
+        Mass matrix; its leading block is that of the base model.
     K_el : array, shape (..., 12, 12) [N/m, N, N m]
-        Elastic stiffness, released joints free.
+        Elastic stiffness with free joints.
     K_g : array, shape (..., 12, 12) [N/m, N, N m]
         Hessian of the gravitational potential energy.
 
     Notes
     -----
-    Equations 24 to 48 with the effects' energies; K = K_el + K_g and the joints' stiffnesses.
-    1282 operations; 10153161 with every named value written out.
+    Equations 24 to 48 with the effects' energies; K = K_el + K_g plus the joint stiffnesses.
+    1282 operations; 10153161 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -906,7 +906,7 @@ def extended_matrices(p, parameters, effects):
 
 
 def extended_platform_motion(p, parameters):
-    """Absolute motion of the platform centre by the coordinates.
+    """Jacobian of the absolute motion of the platform centre.
 
     Parameters
     ----------
@@ -922,8 +922,8 @@ def extended_platform_motion(p, parameters):
 
     Notes
     -----
-    Equation 15, with what released joints and the frame add.
-    315 operations; 116730 with every named value written out.
+    Equation 15, with the contributions of released joints and the frame.
+    315 operations; 116730 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -1072,7 +1072,7 @@ def extended_platform_motion(p, parameters):
 def joint_stiffness(effects):
     """Stiffnesses of the released joints, to be added to the diagonal of K.
 
-    Infinite for a compliance of zero: a locked joint.
+    Infinite for zero compliance (a locked joint).
 
     Parameters
     ----------
@@ -1082,14 +1082,14 @@ def joint_stiffness(effects):
     Returns
     -------
     kappa : array, shape (..., 6) [N/m, N m]
-        In the order of the released coordinates.
+        Stiffness of each released coordinate, in order.
     kappa_c : array, shape (..., 6) [N^2/m^2, N^2 m^2]
-        Derivatives by the compliances.
+        Derivatives d(kappa)/d(compliance).
 
     Notes
     -----
     Energy q^2 / (2 c) of each joint.
-    8 operations; 24 with every named value written out.
+    8 operations; 24 with every named value expanded.
     """
     (c_L,) = _entries(effects.link_compliance_compliance, ())
     (c_F,) = _entries(effects.frame_compliance_compliance, ())
@@ -1116,7 +1116,7 @@ def joint_stiffness(effects):
 
 
 def extended_static_equilibrium(p, parameters, effects):
-    """Torques and rotations that hold the pose, the effects' weights and changes of stiffness included.
+    """Drive torques and rotations that hold the pose, with the weights and stiffness changes of effects.
 
     Parameters
     ----------
@@ -1132,12 +1132,12 @@ def extended_static_equilibrium(p, parameters, effects):
     tau_st : array, shape (..., 3) [N m]
         Torques on the driven rotors.
     theta_st : array, shape (..., 3) [rad]
-        Rotations from unstrained transmissions.
+        Rotations relative to the unstrained transmissions.
 
     Notes
     -----
-    Equation 44; springs that effects add are relaxed at the pose, and the released joints hold.
-    376 operations; 138123 with every named value written out.
+    Equation 44; springs added by effects are relaxed at the pose, and released joints are locked.
+    376 operations; 138123 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -1288,9 +1288,9 @@ def extended_static_equilibrium(p, parameters, effects):
 
 
 def value_sensitivities(p, parameters, effects):
-    """Derivatives of M and K by every parameter that moves nothing, at a fixed pose.
+    """Derivatives of M and K at a fixed pose with respect to parameters that move no coordinate.
 
-    The entries of the upper triangles that VALUE_SENSITIVITIES lists, all others being zero.
+    Returns the upper-triangle entries listed in VALUE_SENSITIVITIES; all others are zero.
 
     Parameters
     ----------
@@ -1303,15 +1303,15 @@ def value_sensitivities(p, parameters, effects):
 
     Returns
     -------
-    M_theta : array, shape (..., 252) [unit of M by that of the parameter]
+    M_theta : array, shape (..., 252) [unit of M / unit of the parameter]
         dM/dtheta.
-    K_theta : array, shape (..., 237) [unit of K by that of the parameter]
+    K_theta : array, shape (..., 237) [unit of K / unit of the parameter]
         dK/dtheta.
 
     Notes
     -----
     Chain rule.
-    1889 operations; 25692087 with every named value written out.
+    1889 operations; 25692087 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -1898,10 +1898,10 @@ def value_sensitivities(p, parameters, effects):
 
 
 def geometry_sensitivities(p, parameters, effects):
-    """Derivatives of M and K by every parameter that moves the arm angles, at a fixed pose.
+    """Derivatives of M and K at a fixed pose with respect to parameters that move the arm angles.
 
-    The entries of the upper triangles that GEOMETRY_SENSITIVITIES lists, all others being zero; by the field
-    origin, the opposite of those by joint.
+    Returns the upper-triangle entries listed in GEOMETRY_SENSITIVITIES; all others are zero.  Derivatives
+    with respect to origin are the negatives of those with respect to joint.
 
     Parameters
     ----------
@@ -1914,15 +1914,15 @@ def geometry_sensitivities(p, parameters, effects):
 
     Returns
     -------
-    M_theta : array, shape (..., 585) [unit of M by that of the parameter]
+    M_theta : array, shape (..., 585) [unit of M / unit of the parameter]
         dM/dtheta.
-    K_theta : array, shape (..., 585) [unit of K by that of the parameter]
+    K_theta : array, shape (..., 585) [unit of K / unit of the parameter]
         dK/dtheta.
 
     Notes
     -----
     Implicit function theorem and chain rule.
-    17467 operations; 402222801 with every named value written out.
+    17467 operations; 402222801 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())

@@ -7,24 +7,24 @@
  * A part of the compiled evaluator, which includes it once for each instruction set: `lane` is a vector of doubles,
  * one for each pose.  Matrices are row-major; everything is in SI units.
  *
- * Names in the code, for axis j; coordinate k of a derivative; component i = x, y, z.  t1, t2, ... are
- * subexpressions that several values share.
+ * Names in the code.  Indices: axis j; coordinate k of a derivative; component i = x, y, z.  t1, t2, ... are
+ * subexpressions shared by several values.
  *   theta_j [rad]: angle of arm j
- *   y_j_i [1]: direction of arm j at a right angle: a_j times z_j, component i
+ *   y_j_i [1]: direction of arm j at theta_j = 90 deg: a_j times z_j, component i
  *   c_j [1]: cosine of theta_j
  *   sn_j [1]: sine of theta_j
  *   d_j_i [1]: direction of arm j, component i
  *   t_j_i [1]: direction in which the end of arm j moves, component i
- *   r_j_i [m]: platform joint j seen from the axis of arm j, component i
+ *   r_j_i [m]: platform joint j relative to the origin of arm j, component i
  *   s_j_i [m]: linkage vector j, from arm to platform joint, component i
  *   A_j [m]: component of r_j along z_j
  *   B_j [m]: component of r_j along y_j
- *   C_j [m]: component of r_j along the arm that closes the loop
- *   rho2_j [m^2]: square of the part of r_j in the plane of the arm
+ *   C_j [m]: component of r_j along the arm when the loop is closed
+ *   rho2_j [m^2]: squared length of the part of r_j in the plane of the arm
  *   S_j [m]: component of r_j in that plane, perpendicular to the arm
  *   I_j [kg m^2]: moment of inertia of motor j, seen at the arm
  *   k_j [N m/rad]: stiffness of reducer j
- *   D_r_j [m^2]: entry of D_r for axis j: linkage vector along the motion of its joint
+ *   D_r_j [m^2]: entry of D_r for axis j: component of linkage vector along the motion of its joint
  *   A_i_j [m^2]: adjugate of D_l, entry i, j
  *   det_D_l [m^3]: determinant of D_l
  *   D_p_i_k [m]: platform Jacobian, dp_i/dtheta_k
@@ -50,7 +50,7 @@ static const struct lanes_rule LANES_RULES[] = {
 /* Arm angles at a pose, and the margins of a pose.
  *
  * Source: inverse_kinematics and reach_margin, jacobian_condition, limit_margin.
- * 331 operations; 56031 with every named value written out.
+ * 331 operations; 56031 with every named value expanded.
  */
 static inline void lanes_position(const lane *restrict pose, const double *restrict parameters,
     const double *restrict effects, lane *restrict q, lane *restrict margin)
@@ -217,7 +217,7 @@ static inline void lanes_position(const lane *restrict pose, const double *restr
 /* Mass and stiffness matrices without effects, and the motion of the platform.
  *
  * Source: modal_matrices and platform_jacobian.
- * 666 operations; 2413647 with every named value written out.
+ * 666 operations; 2413647 with every named value expanded.
  */
 static inline void lanes_base(const lane *restrict pose, const double *restrict parameters,
     const double *restrict effects, lane *restrict M, lane *restrict K, lane *restrict J_p)
@@ -539,7 +539,7 @@ static inline void lanes_base(const lane *restrict pose, const double *restrict 
 /* Mass and stiffness matrices with all released joints free, and the motion of the platform.
  *
  * Source: extended_matrices and extended_platform_motion.
- * 1333 operations; 10269897 with every named value written out.
+ * 1333 operations; 10269897 with every named value expanded.
  */
 static inline void lanes_extended(const lane *restrict pose, const double *restrict parameters,
     const double *restrict effects, lane *restrict M, lane *restrict K, lane *restrict J_p)

@@ -3,48 +3,48 @@
 # Do not edit: regenerate with `python -m pkmodes_derive generate`.
 """Dynamics of the mechanism rotary_delta, for a robot given by its parameters.
 
-Arrays are batch first: a leading `...` stands for any batch shape, none included, and arguments broadcast.
-Complex arguments are accepted (for derivatives by complex step).  Everything is in SI units and in the base
+Arrays are batch first: a leading `...` stands for any batch shape, including none, and arguments broadcast.
+Complex arguments are accepted (for complex-step derivatives).  All quantities are in SI units and in the base
 frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
 
-Names in the code, for axis j; coordinate k of a derivative; coordinate l of a second derivative; component i
-= x, y, z.  t1, t2, ... are subexpressions that several values share.
+Names in the code.  Indices: axis j; coordinate k of a derivative; coordinate l of a second derivative;
+component i = x, y, z.  t1, t2, ... are subexpressions shared by several values.
 
 * theta_j [rad]: angle of arm j
-* y_j_i [1]: direction of arm j at a right angle: a_j times z_j, component i
+* y_j_i [1]: direction of arm j at theta_j = 90 deg: a_j times z_j, component i
 * c_j [1]: cosine of theta_j
 * sn_j [1]: sine of theta_j
 * d_j_i [1]: direction of arm j, component i
 * t_j_i [1]: direction in which the end of arm j moves, component i
-* r_j_i [m]: platform joint j seen from the axis of arm j, component i
+* r_j_i [m]: platform joint j relative to the origin of arm j, component i
 * s_j_i [m]: linkage vector j, from arm to platform joint, component i
 * A_j [m]: component of r_j along z_j
 * B_j [m]: component of r_j along y_j
-* C_j [m]: component of r_j along the arm that closes the loop
-* rho2_j [m^2]: square of the part of r_j in the plane of the arm
+* C_j [m]: component of r_j along the arm when the loop is closed
+* rho2_j [m^2]: squared length of the part of r_j in the plane of the arm
 * S_j [m]: component of r_j in that plane, perpendicular to the arm
 * tau_st_j [N m]: static torque on motor j, seen at the arm
 * I_j [kg m^2]: moment of inertia of motor j, seen at the arm
 * S_j_i [m]: centre of sphere j, on which the platform centre lies, component i
-* alpha_i [m]: vector between the sphere centres 1 and 2, component i
-* beta_i [m]: vector between the sphere centres 1 and 3, component i
-* nu_i [m^2]: normal of the plane of the sphere centres, component i
-* nu2 [m^4]: squared length of the normal
-* h_j [m^2]: product of p - S_1 with the vector between sphere centres 1 and j
-* q_i [m]: foot of the perpendicular on the plane of the centres, seen from S_1, component i
+* alpha_i [m]: vector from sphere centre 1 to sphere centre 2, component i
+* beta_i [m]: vector from sphere centre 1 to sphere centre 3, component i
+* nu_i [m^2]: normal to the plane of the sphere centres, component i
+* nu2 [m^4]: squared length of nu
+* h_j [m^2]: scalar product of p - S_1 with the vector from sphere centre 1 to sphere centre j
+* q_i [m]: projection of p onto the plane of the sphere centres, relative to S_1, component i
 * v_p_i [m/s]: velocity of the platform, component i
-* D_r_j [m^2]: entry of D_r for axis j: linkage vector along the motion of its joint
+* D_r_j [m^2]: entry of D_r for axis j: component of linkage vector along the motion of its joint
 * A_i_j [m^2]: adjugate of D_l, entry i, j
 * det_D_l [m^3]: determinant of D_l
 * D_p_i_k [m]: platform Jacobian, dp_i/dtheta_k
 * U_j_i_k [m]: derivative of linkage vector j, component i, with respect to theta_k
-* f_j_kl [m^2]: right-hand side of closure j differentiated with respect to theta_k and theta_l
+* f_j_kl [m^2]: right-hand side of closure j, differentiated with respect to theta_k and theta_l
 * P_i_kl [m]: second derivative of p_i with respect to theta_k and theta_l
 * s_dot_j_i [m/s]: rate of change of linkage vector j, component i
 * D_p_dot_i_k [m/s]: time derivative of dp_i/dtheta_k
 * mu_j [N/m]: static force in linkage j divided by its length, positive in compression
 * G_j [N m]: gradient of the gravitational potential energy with respect to theta_j
-* phi_j_st [rad]: static angle of motor j divided by the gear ratio, from unstrained transmissions
+* phi_j_st [rad]: static angle of motor j divided by the gear ratio, relative to the unstrained transmissions
 """
 
 from math import prod
@@ -101,12 +101,12 @@ COORDINATE_UNITS = (
     "rad",
 )
 
-#: Number of motions that strain nothing elastic, for any pose and parameters.
+#: Number of rigid-body modes: motions that strain no elastic part, at any pose and for any parameters.
 RIGID_MODES = 3
 
 
 class Parameters(NamedTuple):
-    """Parameters of a robot; every field may have leading batch axes of its own.
+    """Parameters of a robot; every field may have its own leading batch axes.
 
     Attributes
     ----------
@@ -115,13 +115,13 @@ class Parameters(NamedTuple):
     gravity : array, shape (..., 3) [m/s^2]
         Gravitational acceleration g, base frame.
     origin : array, shape (..., 3, 3) [m]
-        Point of the axis of arm j from which the arm starts.
+        Point of the axis of arm j where the arm starts.
     axis : array, shape (..., 3, 3) [1]
         Unit vector of rotation of arm j.
     zero : array, shape (..., 3, 3) [1]
         Direction of arm j at theta_j = 0.
     joint : array, shape (..., 3, 3) [m]
-        Joint j of the platform seen from its centre.
+        Platform joint j relative to the platform centre.
     arm_length : array, shape (..., 3) [m]
         Length of arm j, to the joint of the linkage.
     arm_mass : array, shape (..., 3) [kg]
@@ -143,7 +143,7 @@ class Parameters(NamedTuple):
     limits : array, shape (..., 3, 2) [rad]
         min(theta_j), max(theta_j).
     branch : array, shape (..., 3) [1]
-        Branch of axis j: +1 or -1, on which side the arm bends.
+        Branch of axis j: +1 or -1, the side to which the arm bends.
     """
 
     platform_mass: float
@@ -166,7 +166,7 @@ class Parameters(NamedTuple):
 
 
 def _entries(array, shape):
-    """Entries of an array of shape (..., *shape), row by row; numbers where there is no batch."""
+    """Return the entries of an array of shape (..., *shape), row by row; numbers if there is no batch."""
     array = np.asarray(array)
     array = array.astype(np.result_type(float, array), copy=False)
     batch = array.ndim - len(shape)
@@ -179,12 +179,12 @@ def _entries(array, shape):
 
 
 def _batch(*arrays):
-    """Common batch shape and type of the arguments."""
+    """Return the common batch shape and type of the arguments."""
     return np.broadcast_shapes(*map(np.shape, arrays)), np.result_type(float, *arrays)
 
 
 def _arctan2(y, x):
-    """np.arctan2; for complex arguments to first order in their imaginary parts, as a complex step needs it."""
+    """Return np.arctan2; for complex arguments, to first order in their imaginary parts, for complex steps."""
     angle = np.arctan2(np.real(y), np.real(x))
     if not (np.iscomplexobj(y) or np.iscomplexobj(x)):
         return angle
@@ -195,7 +195,7 @@ def _arctan2(y, x):
 def inverse_kinematics(p, parameters):
     """Arm angles at a pose.
 
-    Not a number out of reach (see `reach_margin`).
+    NaN if the pose is out of reach (see `reach_margin`).
 
     Parameters
     ----------
@@ -212,7 +212,7 @@ def inverse_kinematics(p, parameters):
     Notes
     -----
     Equations 1 to 3.
-    162 operations; 855 with every named value written out.
+    162 operations; 855 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -276,7 +276,7 @@ def inverse_kinematics(p, parameters):
 
 
 def reach_margin(p, parameters):
-    """How much longer, and how much shorter, each linkage could be.
+    """Margins of the length of each linkage above its minimum and below its maximum.
 
     Parameters
     ----------
@@ -288,12 +288,12 @@ def reach_margin(p, parameters):
     Returns
     -------
     margin : array, shape (..., 3, 2) [m]
-        At least zero where it is so, for each axis.
+        For each axis; at least zero if satisfied.
 
     Notes
     -----
-    The nearest and the farthest point of the arm's circle, seen from the platform joint.
-    141 operations; 330 with every named value written out.
+    Distance of the platform joint from the nearest and the farthest point of the arm's circle.
+    141 operations; 330 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -347,7 +347,7 @@ def reach_margin(p, parameters):
 
 
 def limit_margin(p, parameters):
-    """How far each arm is from its limits.
+    """Distance of each arm from its limits.
 
     Parameters
     ----------
@@ -359,12 +359,12 @@ def limit_margin(p, parameters):
     Returns
     -------
     margin : array, shape (..., 3, 2) [rad]
-        At least zero where it is so, for each axis.
+        For each axis; at least zero if satisfied.
 
     Notes
     -----
     Both ends of the limits.
-    168 operations; 1716 with every named value written out.
+    168 operations; 1716 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -434,7 +434,7 @@ def limit_margin(p, parameters):
 
 
 def perpendicular_margin(parameters):
-    """How nearly perpendicular to its axis each arm is at zero.
+    """Margin for the zero direction of each arm to be perpendicular to its axis.
 
     Parameters
     ----------
@@ -444,12 +444,12 @@ def perpendicular_margin(parameters):
     Returns
     -------
     margin : array, shape (..., 3) [1]
-        At least zero where they are.
+        At least zero for perpendicular directions.
 
     Notes
     -----
-    |a_j . z_j| is at most 1e-6: its square, less that of a_j . z_j.
-    24 operations; 24 with every named value written out.
+    |a_j . z_j| is at most 1e-6: (1e-6)^2 - (a_j . z_j)^2.
+    24 operations; 24 with every named value expanded.
     """
     a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z = _entries(parameters.axis, (3, 3))
     z_1_x, z_1_y, z_1_z, z_2_x, z_2_y, z_2_z, z_3_x, z_3_y, z_3_z = _entries(parameters.zero, (3, 3))
@@ -462,7 +462,7 @@ def perpendicular_margin(parameters):
 
 
 def inertia_margin(parameters):
-    """What the moment of inertia of each arm has beyond that of a point at its centre of mass.
+    """Moment of inertia of each arm minus that of a point mass at its centre of mass.
 
     Parameters
     ----------
@@ -472,12 +472,12 @@ def inertia_margin(parameters):
     Returns
     -------
     margin : array, shape (..., 3) [kg m^2]
-        At least zero for a body.
+        At least zero for a physical body.
 
     Notes
     -----
     The parallel axis theorem.
-    9 operations; 9 with every named value written out.
+    9 operations; 9 with every named value expanded.
     """
     m_a_1, m_a_2, m_a_3 = _entries(parameters.arm_mass, (3,))
     r_a_1, r_a_2, r_a_3 = _entries(parameters.arm_center, (3,))
@@ -493,14 +493,14 @@ def inertia_margin(parameters):
 def direct_kinematics(theta, assembly, parameters):
     """Platform centre in the base frame for given arm angles.
 
-    Not a number where the three spheres do not meet.
+    NaN if the three spheres do not intersect.
 
     Parameters
     ----------
     theta : array, shape (..., 3) [rad]
         Arm angles theta_1, theta_2, theta_3.
     assembly : array, shape (...) [1]
-        Assembly branch, +1 or -1: the sign of det D_l at the wanted platform centre.
+        Assembly branch, +1 or -1: the sign of det D_l at the desired platform centre.
     parameters : Parameters
         The robot's parameters.
 
@@ -512,7 +512,7 @@ def direct_kinematics(theta, assembly, parameters):
     Notes
     -----
     Equation 3: intersection of three spheres.
-    183 operations; 12486 with every named value written out.
+    183 operations; 12486 with every named value expanded.
     """
     theta_1, theta_2, theta_3 = _entries(theta, (3,))
     (assembly,) = _entries(assembly, ())
@@ -584,7 +584,7 @@ def constraint_jacobians(p, parameters):
     Notes
     -----
     Equations 14 and 15.
-    255 operations; 7926 with every named value written out.
+    255 operations; 7926 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -703,8 +703,8 @@ def jacobian_condition(p, parameters):
 
     Notes
     -----
-    Equation 15; |D_l| |D_l^-1|, between once and three times the condition number in the 2-norm.
-    286 operations; 57554 with every named value written out.
+    Equation 15; |D_l| |D_l^-1|, one to three times the condition number in the 2-norm.
+    286 operations; 57554 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -815,7 +815,7 @@ def platform_jacobian(p, parameters):
     Notes
     -----
     Equation 15.
-    300 operations; 66285 with every named value written out.
+    300 operations; 66285 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -949,12 +949,12 @@ def platform_jacobian_rate(p, theta_dot, parameters):
     Returns
     -------
     D_p_dot : array, shape (..., 3, 3) [m/s]
-        d(D_p)/dt, with theta_dot.
+        d(D_p)/dt at theta_dot.
 
     Notes
     -----
     Equation 17.
-    492 operations; 3110535 with every named value written out.
+    492 operations; 3110535 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     theta_1_dot, theta_2_dot, theta_3_dot = _entries(theta_dot, (3,))
@@ -1147,7 +1147,7 @@ def platform_jacobian_rate(p, theta_dot, parameters):
 
 
 def platform_second_derivatives(p, parameters):
-    """Second derivatives of the platform with respect to the arm angles.
+    """Second derivatives of the platform position with respect to the arm angles.
 
     Parameters
     ----------
@@ -1164,7 +1164,7 @@ def platform_second_derivatives(p, parameters):
     Notes
     -----
     Equation 49, by the implicit function theorem to second order.
-    525 operations; 3253689 with every named value written out.
+    525 operations; 3253689 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -1365,14 +1365,14 @@ def link_jacobians(p, parameters):
     Returns
     -------
     D_d : array, shape (..., 3, 3, 3) [m]
-        Velocity of the centre of linkage j by theta_dot.
+        D_d[j-1] theta_dot is the velocity of the centre of mass of linkage j.
     D_omega : array, shape (..., 3, 3, 3) [1]
-        Angular velocity of linkage j by theta_dot.
+        D_omega[j-1] theta_dot is the angular velocity of linkage j.
 
     Notes
     -----
     Equations 16 and 23; the angular velocity without spin about the rod, which carries no energy.
-    447 operations; 620496 with every named value written out.
+    447 operations; 620496 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
@@ -1585,14 +1585,14 @@ def kinetic_energy(p, q_dot, parameters):
     Returns
     -------
     T_ss : array, shape (...) [J]
-        Platform and what moves it.
+        Platform and the bodies that move it.
     T_t : array, shape (...) [J]
         Rotors and motors.
 
     Notes
     -----
     Equations 24 and 28.
-    392 operations; 135334 with every named value written out.
+    392 operations; 135334 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     theta_1_dot, theta_2_dot, theta_3_dot, phi_1_dot, phi_2_dot, phi_3_dot = _entries(q_dot, (6,))
@@ -1762,7 +1762,7 @@ def mass_matrix(p, parameters):
     Notes
     -----
     Equations 24, 30 and 33.
-    417 operations; 612723 with every named value written out.
+    417 operations; 612723 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -1952,12 +1952,12 @@ def velocity_forces(p, theta_dot, parameters):
     Returns
     -------
     h : array, shape (..., 3) [N m]
-        Generalised forces on the arm coordinates.
+        Generalised forces conjugate to the arm angles.
 
     Notes
     -----
-    Lagrange's equations, equation 47 without its linearisation.
-    987 operations; 17338074 with every named value written out.
+    Lagrange's equations; equation 47 before linearisation.
+    987 operations; 17338074 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     theta_1_dot, theta_2_dot, theta_3_dot = _entries(theta_dot, (3,))
@@ -2253,7 +2253,7 @@ def velocity_forces(p, theta_dot, parameters):
 
 
 def gravity_potential(p, parameters):
-    """Gravitational potential energy V_g, the force function U_g with opposite sign.
+    """Gravitational potential energy V_g = -U_g, with the force function U_g.
 
     Parameters
     ----------
@@ -2269,8 +2269,8 @@ def gravity_potential(p, parameters):
 
     Notes
     -----
-    Equation 26, for gravity in any direction and every body that moves.
-    297 operations; 5382 with every named value written out.
+    Equation 26, for gravity in any direction and all moving bodies.
+    297 operations; 5382 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -2378,7 +2378,7 @@ def gravity_gradient(p, parameters):
     Notes
     -----
     Equation 27.
-    363 operations; 69039 with every named value written out.
+    363 operations; 69039 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -2525,7 +2525,7 @@ def gravity_hessian(p, parameters):
     Notes
     -----
     Section 4 and equation 49.
-    543 operations; 1734630 with every named value written out.
+    543 operations; 1734630 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -2728,7 +2728,7 @@ def gravity_hessian(p, parameters):
 
 
 def elastic_potential(p, delta_q, parameters):
-    """Elastic potential energy V_el of the transmissions, the force function U_el with opposite sign.
+    """Elastic potential energy V_el = -U_el of the transmissions, with the force function U_el.
 
     Parameters
     ----------
@@ -2747,7 +2747,7 @@ def elastic_potential(p, delta_q, parameters):
     Notes
     -----
     Equation 38, summed.
-    14 operations; 14 with every named value written out.
+    14 operations; 14 with every named value expanded.
     """
     p_x, _, _ = _entries(p, (3,))
     (
@@ -2783,7 +2783,7 @@ def elastic_gradient(p, delta_q, parameters):
     Notes
     -----
     Equation 38 differentiated.
-    21 operations; 30 with every named value written out.
+    21 operations; 30 with every named value expanded.
     """
     p_x, _, _ = _entries(p, (3,))
     (
@@ -2820,12 +2820,12 @@ def elastic_hessian(p, parameters):
     Returns
     -------
     H_el : array, shape (..., 6, 6) [N m]
-        d2V_el/dq2, symmetric, three zero eigenvalues.
+        d2V_el/dq2, symmetric, with three zero eigenvalues.
 
     Notes
     -----
     Equation 38 differentiated twice.
-    3 operations; 6 with every named value written out.
+    3 operations; 6 with every named value expanded.
     """
     p_x, _, _ = _entries(p, (3,))
     k_r_1, k_r_2, k_r_3 = _entries(parameters.reducer_stiffness, (3,))
@@ -2844,7 +2844,7 @@ def elastic_hessian(p, parameters):
 
 
 def static_equilibrium(p, parameters):
-    """Torques of the drives, and the rotations that go with them, that hold the pose.
+    """Drive torques that hold the pose, and the corresponding rotations.
 
     Parameters
     ----------
@@ -2856,14 +2856,14 @@ def static_equilibrium(p, parameters):
     Returns
     -------
     tau_st : array, shape (..., 3) [N m]
-        Torques on the driven rotors, positive with their rotation.
+        Torques on the driven rotors, positive in the direction of their rotation.
     theta_st : array, shape (..., 3) [rad]
-        Rotations from unstrained transmissions, in the order of the coordinates.
+        Rotations relative to the unstrained transmissions, in the order of the coordinates.
 
     Notes
     -----
     Equation 44, solved at the pose.
-    369 operations; 138087 with every named value written out.
+    369 operations; 138087 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -3024,7 +3024,7 @@ def stiffness_matrix(p, parameters):
     Notes
     -----
     Equations 46 and 48: K = -H_U.
-    549 operations; 1734639 with every named value written out.
+    549 operations; 1734639 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -3236,7 +3236,7 @@ def stiffness_matrix(p, parameters):
 def modal_matrices(p, parameters):
     """Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.
 
-    Common intermediate values are evaluated once, which makes this the function to call for an eigenproblem.
+    Common intermediate values are evaluated once: call this function for an eigenproblem.
 
     Parameters
     ----------
@@ -3255,7 +3255,7 @@ def modal_matrices(p, parameters):
     Notes
     -----
     Equation 48.
-    666 operations; 2347362 with every named value written out.
+    666 operations; 2347362 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())

@@ -5,43 +5,44 @@
  * Dynamics of the mechanism rotary_delta, for a robot given by its parameters.
  * The header describes every function.
  *
- * Names in the code, for axis j; coordinate k of a derivative; coordinate l of a second derivative; component
- * i = x, y, z.  t1, t2, ... are subexpressions that several values share.
+ * Names in the code.  Indices: axis j; coordinate k of a derivative; coordinate l of a second derivative;
+ * component i = x, y, z.  t1, t2, ... are subexpressions shared by several values.
  *   theta_j [rad]: angle of arm j
- *   y_j_i [1]: direction of arm j at a right angle: a_j times z_j, component i
+ *   y_j_i [1]: direction of arm j at theta_j = 90 deg: a_j times z_j, component i
  *   c_j [1]: cosine of theta_j
  *   sn_j [1]: sine of theta_j
  *   d_j_i [1]: direction of arm j, component i
  *   t_j_i [1]: direction in which the end of arm j moves, component i
- *   r_j_i [m]: platform joint j seen from the axis of arm j, component i
+ *   r_j_i [m]: platform joint j relative to the origin of arm j, component i
  *   s_j_i [m]: linkage vector j, from arm to platform joint, component i
  *   A_j [m]: component of r_j along z_j
  *   B_j [m]: component of r_j along y_j
- *   C_j [m]: component of r_j along the arm that closes the loop
- *   rho2_j [m^2]: square of the part of r_j in the plane of the arm
+ *   C_j [m]: component of r_j along the arm when the loop is closed
+ *   rho2_j [m^2]: squared length of the part of r_j in the plane of the arm
  *   S_j [m]: component of r_j in that plane, perpendicular to the arm
  *   tau_st_j [N m]: static torque on motor j, seen at the arm
  *   I_j [kg m^2]: moment of inertia of motor j, seen at the arm
  *   S_j_i [m]: centre of sphere j, on which the platform centre lies, component i
- *   alpha_i [m]: vector between the sphere centres 1 and 2, component i
- *   beta_i [m]: vector between the sphere centres 1 and 3, component i
- *   nu_i [m^2]: normal of the plane of the sphere centres, component i
- *   nu2 [m^4]: squared length of the normal
- *   h_j [m^2]: product of p - S_1 with the vector between sphere centres 1 and j
- *   q_i [m]: foot of the perpendicular on the plane of the centres, seen from S_1, component i
+ *   alpha_i [m]: vector from sphere centre 1 to sphere centre 2, component i
+ *   beta_i [m]: vector from sphere centre 1 to sphere centre 3, component i
+ *   nu_i [m^2]: normal to the plane of the sphere centres, component i
+ *   nu2 [m^4]: squared length of nu
+ *   h_j [m^2]: scalar product of p - S_1 with the vector from sphere centre 1 to sphere centre j
+ *   q_i [m]: projection of p onto the plane of the sphere centres, relative to S_1, component i
  *   v_p_i [m/s]: velocity of the platform, component i
- *   D_r_j [m^2]: entry of D_r for axis j: linkage vector along the motion of its joint
+ *   D_r_j [m^2]: entry of D_r for axis j: component of linkage vector along the motion of its joint
  *   A_i_j [m^2]: adjugate of D_l, entry i, j
  *   det_D_l [m^3]: determinant of D_l
  *   D_p_i_k [m]: platform Jacobian, dp_i/dtheta_k
  *   U_j_i_k [m]: derivative of linkage vector j, component i, with respect to theta_k
- *   f_j_kl [m^2]: right-hand side of closure j differentiated with respect to theta_k and theta_l
+ *   f_j_kl [m^2]: right-hand side of closure j, differentiated with respect to theta_k and theta_l
  *   P_i_kl [m]: second derivative of p_i with respect to theta_k and theta_l
  *   s_dot_j_i [m/s]: rate of change of linkage vector j, component i
  *   D_p_dot_i_k [m/s]: time derivative of dp_i/dtheta_k
  *   mu_j [N/m]: static force in linkage j divided by its length, positive in compression
  *   G_j [N m]: gradient of the gravitational potential energy with respect to theta_j
- *   phi_j_st [rad]: static angle of motor j divided by the gear ratio, from unstrained transmissions
+ *   phi_j_st [rad]: static angle of motor j divided by the gear ratio, relative to the unstrained
+ *     transmissions
  */
 #include "rotary_delta.h"
 

@@ -4,9 +4,9 @@
  *
  * Dynamics of the mechanism rotary_delta, for a robot given by its parameters.
  *
- * C99, no allocation, no dependency but the C library's mathematics and memset.  Matrices are row-major.
- * Everything is in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K is
- * positive for a restoring force.
+ * C99 without allocation; depends only on math.h and memset of the C library.  Matrices are row-major.
+ * All quantities are in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K
+ * is positive for a restoring force.
  * Generalised coordinates, in the order of M and K:
  *   theta_1 [rad]
  *   theta_2 [rad]
@@ -27,13 +27,13 @@ typedef struct {
     double platform_mass;
     /* [m/s^2] gravitational acceleration g, base frame */
     double gravity[3];
-    /* [m] point of the axis of arm j from which the arm starts */
+    /* [m] point of the axis of arm j where the arm starts */
     double origin[3][3];
     /* [1] unit vector of rotation of arm j */
     double axis[3][3];
     /* [1] direction of arm j at theta_j = 0 */
     double zero[3][3];
-    /* [m] joint j of the platform seen from its centre */
+    /* [m] platform joint j relative to the platform centre */
     double joint[3][3];
     /* [m] length of arm j, to the joint of the linkage */
     double arm_length[3];
@@ -55,73 +55,73 @@ typedef struct {
     double gear_ratio[3];
     /* [rad] min(theta_j), max(theta_j) */
     double limits[3][2];
-    /* [1] branch of axis j: +1 or -1, on which side the arm bends */
+    /* [1] branch of axis j: +1 or -1, the side to which the arm bends */
     double branch[3];
 } rotary_delta_parameters;
 
 /* Arm angles at a pose.
  *
- * Not a number out of reach (see `reach_margin`).
+ * NaN if the pose is out of reach (see `reach_margin`).
  *
  *   in  p [m]: platform centre in the base frame
  *   out theta [rad]: arm angles theta_1, theta_2, theta_3
  *
  * Source: equations 1 to 3.
- * 162 operations; 855 with every named value written out.
+ * 162 operations; 855 with every named value expanded.
  */
 void rotary_delta_inverse_kinematics(const double p[3], const rotary_delta_parameters *parameters,
     double theta[3]);
 
-/* How much longer, and how much shorter, each linkage could be.
+/* Margins of the length of each linkage above its minimum and below its maximum.
  *
  *   in  p [m]: platform centre in the base frame
- *   out margin [m]: at least zero where it is so, for each axis
+ *   out margin [m]: for each axis; at least zero if satisfied
  *
- * Source: the nearest and the farthest point of the arm's circle, seen from the platform joint.
- * 141 operations; 330 with every named value written out.
+ * Source: distance of the platform joint from the nearest and the farthest point of the arm's circle.
+ * 141 operations; 330 with every named value expanded.
  */
 void rotary_delta_reach_margin(const double p[3], const rotary_delta_parameters *parameters,
     double margin[3][2]);
 
-/* How far each arm is from its limits.
+/* Distance of each arm from its limits.
  *
  *   in  p [m]: platform centre in the base frame
- *   out margin [rad]: at least zero where it is so, for each axis
+ *   out margin [rad]: for each axis; at least zero if satisfied
  *
  * Source: both ends of the limits.
- * 168 operations; 1716 with every named value written out.
+ * 168 operations; 1716 with every named value expanded.
  */
 void rotary_delta_limit_margin(const double p[3], const rotary_delta_parameters *parameters,
     double margin[3][2]);
 
-/* How nearly perpendicular to its axis each arm is at zero.
+/* Margin for the zero direction of each arm to be perpendicular to its axis.
  *
- *   out margin [1]: at least zero where they are
+ *   out margin [1]: at least zero for perpendicular directions
  *
- * Source: |a_j . z_j| is at most 1e-6: its square, less that of a_j . z_j.
- * 24 operations; 24 with every named value written out.
+ * Source: |a_j . z_j| is at most 1e-6: (1e-6)^2 - (a_j . z_j)^2.
+ * 24 operations; 24 with every named value expanded.
  */
 void rotary_delta_perpendicular_margin(const rotary_delta_parameters *parameters, double margin[3]);
 
-/* What the moment of inertia of each arm has beyond that of a point at its centre of mass.
+/* Moment of inertia of each arm minus that of a point mass at its centre of mass.
  *
- *   out margin [kg m^2]: at least zero for a body
+ *   out margin [kg m^2]: at least zero for a physical body
  *
  * Source: the parallel axis theorem.
- * 9 operations; 9 with every named value written out.
+ * 9 operations; 9 with every named value expanded.
  */
 void rotary_delta_inertia_margin(const rotary_delta_parameters *parameters, double margin[3]);
 
 /* Platform centre in the base frame for given arm angles.
  *
- * Not a number where the three spheres do not meet.
+ * NaN if the three spheres do not intersect.
  *
  *   in  theta [rad]: arm angles theta_1, theta_2, theta_3
- *   in  assembly [1]: assembly branch, +1 or -1: the sign of det D_l at the wanted platform centre
+ *   in  assembly [1]: assembly branch, +1 or -1: the sign of det D_l at the desired platform centre
  *   out p [m]: platform centre in the base frame
  *
  * Source: equation 3: intersection of three spheres.
- * 183 operations; 12486 with every named value written out.
+ * 183 operations; 12486 with every named value expanded.
  */
 void rotary_delta_direct_kinematics(const double theta[3], double assembly,
     const rotary_delta_parameters *parameters, double p[3]);
@@ -133,7 +133,7 @@ void rotary_delta_direct_kinematics(const double theta[3], double assembly,
  *   out D_r [m^2]: diagonal: component of linkage vector j along the motion of its joint
  *
  * Source: equations 14 and 15.
- * 255 operations; 7926 with every named value written out.
+ * 255 operations; 7926 with every named value expanded.
  */
 void rotary_delta_constraint_jacobians(const double p[3], const rotary_delta_parameters *parameters,
     double D_l[3][3], double D_r[3][3]);
@@ -144,8 +144,8 @@ void rotary_delta_constraint_jacobians(const double p[3], const rotary_delta_par
  *   out determinant [m^3]: det D_l; its sign is the assembly branch
  *   out condition [1]: Frobenius condition number, at least 3
  *
- * Source: equation 15; |D_l| |D_l^-1|, between once and three times the condition number in the 2-norm.
- * 286 operations; 57554 with every named value written out.
+ * Source: equation 15; |D_l| |D_l^-1|, one to three times the condition number in the 2-norm.
+ * 286 operations; 57554 with every named value expanded.
  */
 void rotary_delta_jacobian_condition(const double p[3], const rotary_delta_parameters *parameters,
     double *determinant, double *condition);
@@ -156,7 +156,7 @@ void rotary_delta_jacobian_condition(const double p[3], const rotary_delta_param
  *   out D_p [m]: dp_i/dq_k, base frame
  *
  * Source: equation 15.
- * 300 operations; 66285 with every named value written out.
+ * 300 operations; 66285 with every named value expanded.
  */
 void rotary_delta_platform_jacobian(const double p[3], const rotary_delta_parameters *parameters,
     double D_p[3][3]);
@@ -165,21 +165,21 @@ void rotary_delta_platform_jacobian(const double p[3], const rotary_delta_parame
  *
  *   in  p [m]: platform centre in the base frame
  *   in  theta_dot [rad/s]: arm velocities
- *   out D_p_dot [m/s]: d(D_p)/dt, with theta_dot
+ *   out D_p_dot [m/s]: d(D_p)/dt at theta_dot
  *
  * Source: equation 17.
- * 492 operations; 3110535 with every named value written out.
+ * 492 operations; 3110535 with every named value expanded.
  */
 void rotary_delta_platform_jacobian_rate(const double p[3], const double theta_dot[3],
     const rotary_delta_parameters *parameters, double D_p_dot[3][3]);
 
-/* Second derivatives of the platform with respect to the arm angles.
+/* Second derivatives of the platform position with respect to the arm angles.
  *
  *   in  p [m]: platform centre in the base frame
  *   out P [m]: d2p_i/dq_k dq_l as P[i, k, l]
  *
  * Source: equation 49, by the implicit function theorem to second order.
- * 525 operations; 3253689 with every named value written out.
+ * 525 operations; 3253689 with every named value expanded.
  */
 void rotary_delta_platform_second_derivatives(const double p[3], const rotary_delta_parameters *parameters,
     double P[3][3][3]);
@@ -187,11 +187,11 @@ void rotary_delta_platform_second_derivatives(const double p[3], const rotary_de
 /* Jacobians of the linkages: centre of mass and angular velocity.
  *
  *   in  p [m]: platform centre in the base frame
- *   out D_d [m]: velocity of the centre of linkage j by theta_dot
- *   out D_omega [1]: angular velocity of linkage j by theta_dot
+ *   out D_d [m]: D_d[j-1] theta_dot is the velocity of the centre of mass of linkage j
+ *   out D_omega [1]: D_omega[j-1] theta_dot is the angular velocity of linkage j
  *
  * Source: equations 16 and 23; the angular velocity without spin about the rod, which carries no energy.
- * 447 operations; 620496 with every named value written out.
+ * 447 operations; 620496 with every named value expanded.
  */
 void rotary_delta_link_jacobians(const double p[3], const rotary_delta_parameters *parameters,
     double D_d[3][3][3], double D_omega[3][3][3]);
@@ -200,11 +200,11 @@ void rotary_delta_link_jacobians(const double p[3], const rotary_delta_parameter
  *
  *   in  p [m]: platform centre in the base frame
  *   in  q_dot [rad/s]: rates of the six generalised coordinates
- *   out T_ss [J]: platform and what moves it
+ *   out T_ss [J]: platform and the bodies that move it
  *   out T_t [J]: rotors and motors
  *
  * Source: equations 24 and 28.
- * 392 operations; 135334 with every named value written out.
+ * 392 operations; 135334 with every named value expanded.
  */
 void rotary_delta_kinetic_energy(const double p[3], const double q_dot[6],
     const rotary_delta_parameters *parameters, double *T_ss, double *T_t);
@@ -215,7 +215,7 @@ void rotary_delta_kinetic_energy(const double p[3], const double q_dot[6],
  *   out M [kg m^2]: symmetric
  *
  * Source: equations 24, 30 and 33.
- * 417 operations; 612723 with every named value written out.
+ * 417 operations; 612723 with every named value expanded.
  */
 void rotary_delta_mass_matrix(const double p[3], const rotary_delta_parameters *parameters, double M[6][6]);
 
@@ -223,21 +223,21 @@ void rotary_delta_mass_matrix(const double p[3], const rotary_delta_parameters *
  *
  *   in  p [m]: platform centre in the base frame
  *   in  theta_dot [rad/s]: arm velocities
- *   out h [N m]: generalised forces on the arm coordinates
+ *   out h [N m]: generalised forces conjugate to the arm angles
  *
- * Source: Lagrange's equations, equation 47 without its linearisation.
- * 987 operations; 17338074 with every named value written out.
+ * Source: Lagrange's equations; equation 47 before linearisation.
+ * 987 operations; 17338074 with every named value expanded.
  */
 void rotary_delta_velocity_forces(const double p[3], const double theta_dot[3],
     const rotary_delta_parameters *parameters, double h[3]);
 
-/* Gravitational potential energy V_g, the force function U_g with opposite sign.
+/* Gravitational potential energy V_g = -U_g, with the force function U_g.
  *
  *   in  p [m]: platform centre in the base frame
  *   out V_g [J]: zero at the origin of the base frame
  *
- * Source: equation 26, for gravity in any direction and every body that moves.
- * 297 operations; 5382 with every named value written out.
+ * Source: equation 26, for gravity in any direction and all moving bodies.
+ * 297 operations; 5382 with every named value expanded.
  */
 void rotary_delta_gravity_potential(const double p[3], const rotary_delta_parameters *parameters,
     double *V_g);
@@ -248,7 +248,7 @@ void rotary_delta_gravity_potential(const double p[3], const rotary_delta_parame
  *   out G [N m]: dV_g/dq_k
  *
  * Source: equation 27.
- * 363 operations; 69039 with every named value written out.
+ * 363 operations; 69039 with every named value expanded.
  */
 void rotary_delta_gravity_gradient(const double p[3], const rotary_delta_parameters *parameters, double G[3]);
 
@@ -258,12 +258,12 @@ void rotary_delta_gravity_gradient(const double p[3], const rotary_delta_paramet
  *   out H_g [N m]: d2V_g/dq_k dq_l, symmetric
  *
  * Source: section 4 and equation 49.
- * 543 operations; 1734630 with every named value written out.
+ * 543 operations; 1734630 with every named value expanded.
  */
 void rotary_delta_gravity_hessian(const double p[3], const rotary_delta_parameters *parameters,
     double H_g[3][3]);
 
-/* Elastic potential energy V_el of the transmissions, the force function U_el with opposite sign.
+/* Elastic potential energy V_el = -U_el of the transmissions, with the force function U_el.
  *
  *   in  p [m]: platform centre in the base frame
  *   in  delta_q [rad]: small displacements of the six generalised coordinates from the reference
@@ -271,7 +271,7 @@ void rotary_delta_gravity_hessian(const double p[3], const rotary_delta_paramete
  *   out V_el [J]: zero in the reference configuration
  *
  * Source: equation 38, summed.
- * 14 operations; 14 with every named value written out.
+ * 14 operations; 14 with every named value expanded.
  */
 void rotary_delta_elastic_potential(const double p[3], const double delta_q[6],
     const rotary_delta_parameters *parameters, double *V_el);
@@ -284,7 +284,7 @@ void rotary_delta_elastic_potential(const double p[3], const double delta_q[6],
  *   out E [N m]: dV_el/dq
  *
  * Source: equation 38 differentiated.
- * 21 operations; 30 with every named value written out.
+ * 21 operations; 30 with every named value expanded.
  */
 void rotary_delta_elastic_gradient(const double p[3], const double delta_q[6],
     const rotary_delta_parameters *parameters, double E[6]);
@@ -292,22 +292,22 @@ void rotary_delta_elastic_gradient(const double p[3], const double delta_q[6],
 /* Hessian of the elastic potential energy.
  *
  *   in  p [m]: platform centre in the base frame
- *   out H_el [N m]: d2V_el/dq2, symmetric, three zero eigenvalues
+ *   out H_el [N m]: d2V_el/dq2, symmetric, with three zero eigenvalues
  *
  * Source: equation 38 differentiated twice.
- * 3 operations; 6 with every named value written out.
+ * 3 operations; 6 with every named value expanded.
  */
 void rotary_delta_elastic_hessian(const double p[3], const rotary_delta_parameters *parameters,
     double H_el[6][6]);
 
-/* Torques of the drives, and the rotations that go with them, that hold the pose.
+/* Drive torques that hold the pose, and the corresponding rotations.
  *
  *   in  p [m]: platform centre in the base frame
- *   out tau_st [N m]: torques on the driven rotors, positive with their rotation
- *   out theta_st [rad]: rotations from unstrained transmissions, in the order of the coordinates
+ *   out tau_st [N m]: torques on the driven rotors, positive in the direction of their rotation
+ *   out theta_st [rad]: rotations relative to the unstrained transmissions, in the order of the coordinates
  *
  * Source: equation 44, solved at the pose.
- * 369 operations; 138087 with every named value written out.
+ * 369 operations; 138087 with every named value expanded.
  */
 void rotary_delta_static_equilibrium(const double p[3], const rotary_delta_parameters *parameters,
     double tau_st[3], double theta_st[3]);
@@ -318,21 +318,21 @@ void rotary_delta_static_equilibrium(const double p[3], const rotary_delta_param
  *   out K [N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
  *
  * Source: equations 46 and 48: K = -H_U.
- * 549 operations; 1734639 with every named value written out.
+ * 549 operations; 1734639 with every named value expanded.
  */
 void rotary_delta_stiffness_matrix(const double p[3], const rotary_delta_parameters *parameters,
     double K[6][6]);
 
 /* Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.
  *
- * Common intermediate values are evaluated once, which makes this the function to call for an eigenproblem.
+ * Common intermediate values are evaluated once: call this function for an eigenproblem.
  *
  *   in  p [m]: platform centre in the base frame
  *   out M [kg m^2]: mass matrix
  *   out K [N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
  *
  * Source: equation 48.
- * 666 operations; 2347362 with every named value written out.
+ * 666 operations; 2347362 with every named value expanded.
  */
 void rotary_delta_modal_matrices(const double p[3], const rotary_delta_parameters *parameters,
     double M[6][6], double K[6][6]);

@@ -5,24 +5,24 @@
  * Dynamics of the mechanism rotary_delta with effects: extended matrices and sensitivities.
  * The header describes every function.
  *
- * Names in the code, for axis j; coordinate k of a derivative; component i = x, y, z.  t1, t2, ... are
- * subexpressions that several values share.
- *   y_j_i [1]: direction of arm j at a right angle: a_j times z_j, component i
+ * Names in the code.  Indices: axis j; coordinate k of a derivative; component i = x, y, z.  t1, t2, ... are
+ * subexpressions shared by several values.
+ *   y_j_i [1]: direction of arm j at theta_j = 90 deg: a_j times z_j, component i
  *   c_j [1]: cosine of theta_j
  *   sn_j [1]: sine of theta_j
  *   d_j_i [1]: direction of arm j, component i
  *   t_j_i [1]: direction in which the end of arm j moves, component i
- *   r_j_i [m]: platform joint j seen from the axis of arm j, component i
+ *   r_j_i [m]: platform joint j relative to the origin of arm j, component i
  *   s_j_i [m]: linkage vector j, from arm to platform joint, component i
  *   A_j [m]: component of r_j along z_j
  *   B_j [m]: component of r_j along y_j
- *   C_j [m]: component of r_j along the arm that closes the loop
- *   rho2_j [m^2]: square of the part of r_j in the plane of the arm
+ *   C_j [m]: component of r_j along the arm when the loop is closed
+ *   rho2_j [m^2]: squared length of the part of r_j in the plane of the arm
  *   S_j [m]: component of r_j in that plane, perpendicular to the arm
  *   tau_st_j [N m]: static torque on motor j, seen at the arm
  *   I_j [kg m^2]: moment of inertia of motor j, seen at the arm
  *   k_j [N m/rad]: stiffness of reducer j
- *   D_r_j [m^2]: entry of D_r for axis j: linkage vector along the motion of its joint
+ *   D_r_j [m^2]: entry of D_r for axis j: component of linkage vector along the motion of its joint
  *   A_i_j [m^2]: adjugate of D_l, entry i, j
  *   det_D_l [m^3]: determinant of D_l
  *   D_p_i_k [m]: platform Jacobian, dp_i/dtheta_k
@@ -30,7 +30,8 @@
  *   U_j_i_k [m]: derivative of linkage vector j, component i, with respect to theta_k
  *   mu_j [N/m]: static force in linkage j divided by its length, positive in compression
  *   G_j [N m]: gradient of the gravitational potential energy with respect to theta_j
- *   phi_j_st [rad]: static angle of motor j divided by the gear ratio, from unstrained transmissions
+ *   phi_j_st [rad]: static angle of motor j divided by the gear ratio, relative to the unstrained
+ *     transmissions
  */
 #include "rotary_delta_extended.h"
 

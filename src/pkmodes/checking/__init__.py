@@ -1,1 +1,1 @@
-"""Checks of generated code: `consistency` by finite differences, `products` for currency."""
+"""Checks of generated code: `consistency` with finite differences, and in `products` whether it is up to date."""

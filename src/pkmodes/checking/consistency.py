@@ -1,8 +1,8 @@
-"""Consistency of generated code: every derivative against differences of the function that it derives.
+"""Consistency of generated code: every derivative is compared with differences of the function it differentiates.
 
-The lowest link of the chain is the direct kinematics, which is checked by the closures themselves: the
-inverse kinematics of its result must give the coordinates back.  Differences are taken twice: by complex step,
-which has no cancellation and so a bound near rounding, and centrally, which needs no analytic function.
+The chain starts with the direct kinematics, which is checked by the closure equations: the inverse kinematics of its
+result must return the coordinates.  Derivatives are computed in two ways: by complex step, which has no cancellation
+and so a bound near rounding, and by central differences, which do not need an analytic function.
 """
 
 from __future__ import annotations
@@ -22,16 +22,16 @@ from pkmodes.regular import regular_poses
 
 Array = NDArray[np.float64]
 
-#: Complex step: rounding only, some 1e-14 for each unit of the condition number.
+#: Complex step: rounding only, some 1e-14 per unit of the condition number.
 COMPLEX_STEP_BOUND = 1e-10
-#: Central differences of fourth order: truncation grows with the fifth derivative, that is with the condition
-#: number; measured at most 4e-7 over some hundred robots.
+#: Fourth-order central differences: truncation grows with the fifth derivative and so with the condition number; at
+#: most 4e-7 was measured for some hundred robots.
 CENTRAL_BOUND = 1e-5
 
 
 @dataclass(frozen=True)
 class Check:
-    """Result of one check: the largest error relative to the size of the quantity, and whether it holds."""
+    """Result of one check: the largest error relative to the size of the quantity, and its bound."""
 
     name: str
     error: float
@@ -39,30 +39,30 @@ class Check:
 
     @property
     def holds(self) -> bool:
-        """Whether the error is within the bound; NaN is not."""
+        """Whether the error is within the bound; False for NaN."""
         return bool(self.error <= self.bound)
 
 
 def check_consistency(
     generated: Generated, kind: Mechanism, parameters: Any, effects: bool = False
 ) -> list[Check]:
-    """Check the derivatives of a generated model at a few of its poses.
+    """Check the derivatives of a generated model at a few poses.
 
     Parameters
     ----------
     generated : Generated
         The functions.
     kind : Mechanism
-        The mechanism that they are of.
+        Their mechanism.
     parameters : Parameters
-        The robot that they are for: it says where poses may be found.
+        The robot's parameters, used to find poses.
     effects : bool
-        Whether the model has effects, which make some relations of the base model untrue.
+        Whether the model has effects; some relations of the base model do not hold with effects.
 
     Returns
     -------
     list of Check
-        One for each relation and kind of difference; a single failed one when no regular pose is found.
+        One for each relation and kind of difference; a single failed check if no regular pose is found.
     """
     poses = regular_poses(generated, kind, parameters)
     if not len(poses):
@@ -72,7 +72,7 @@ def check_consistency(
         ("complex step", _complex_step, COMPLEX_STEP_BOUND),
         ("central differences", _central_differences, CENTRAL_BOUND),
     )
-    with np.errstate(all="ignore"):  # a broken function may give NaN: it fails the check, it does not warn
+    with np.errstate(all="ignore"):  # a broken function may give NaN; it then fails the check
         for name_of_kind, derivative, bound in differences:
             errors: dict[str, float] = {}
             for p in poses:
@@ -92,14 +92,14 @@ def _all(at: State) -> Iterator[Relation]:
 
 
 def _complex_step(function: Callable[[Array], Array], at: Array, step: float) -> Array:
-    """Derivatives by complex step; the derivative's index is the last one of the result."""
+    """Differentiate by complex step; the last axis of the result is that of the derivative."""
     h = 1e-30
     columns = [np.imag(function(at + 1j * h * e)) / h for e in np.eye(len(at))]
     return np.stack(columns, axis=-1)
 
 
 def _central_differences(function: Callable[[Array], Array], at: Array, step: float) -> Array:
-    """Central differences of fourth order; the derivative's index is the last one of the result."""
+    """Differentiate by fourth-order central differences; the last axis of the result is that of the derivative."""
     columns = []
     for e in step * np.eye(len(at)):
         near = function(at + e) - function(at - e)

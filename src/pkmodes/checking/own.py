@@ -1,4 +1,4 @@
-"""Relations that only one mechanism has: the module of its name in `pkmodes.mechanisms`, where there is one."""
+"""Relations that apply to one mechanism only, from the module of its name in `pkmodes.mechanisms`, if it exists."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ PLACE = "pkmodes.mechanisms"
 
 
 def own_relations(at: State) -> Iterator[Relation]:
-    """Yield the relations at one pose that the mechanism has beyond those that every one has."""
+    """Yield the relations at one pose that apply to this mechanism only."""
     place = f"{PLACE}.{at.kind.name}"
     if find_spec(place) is not None:
         yield from import_module(place).relations(at)

@@ -1,6 +1,6 @@
-"""The generated code of a user's own mechanism: current, and right for its sample robot.
+"""Check the generated code of a user-defined mechanism: up to date, and correct for its sample robot.
 
-Its definition, which lies with it, is run, and what is derived from it; the rest of the folder is compared only.
+The definition stored in the folder and the code derived from it are executed; other files are only compared.
 """
 
 from __future__ import annotations
@@ -31,12 +31,12 @@ def check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
     Raises
     ------
     PkmodesError
-        If the definition is missing or wrong.
+        If the definition is missing or invalid.
     """
     name, reference = recorded.get("product"), recorded.get("definition")
     if not isinstance(name, str) or not isinstance(reference, str):
         remedy = "generate it again with: pkmodes generate --mechanism FILE.py ROBOT.toml --out DIR"
-        raise PkmodesError("the manifest names no mechanism", str(folder / MANIFEST), remedy)
+        raise PkmodesError("the manifest does not name a mechanism", str(folder / MANIFEST), remedy)
     fresh = parametric(read_definition(folder / DEFINITION, name), reference)
     changed, unchecked = check_definition(folder, reference, name)
     findings = [*findings_of(folder, fresh), *changed]
@@ -44,21 +44,21 @@ def check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
         parameters = sample(kind)
         checks = check_consistency(Generated(kind.model, parameters), kind, parameters)
     source = "FILE.py" if unchecked else pasted(folder / reference)
-    mend = (
+    fix = (
         f"pkmodes generate --mechanism {source} ROBOT.toml --out {pasted(folder.parent)}" if findings else ""
     )
-    return Report(str(folder), findings, checks, mend, tuple(unchecked))
+    return Report(str(folder), findings, checks, fix, tuple(unchecked))
 
 
 def check_definition(folder: Path, reference: str, name: str) -> tuple[list[Any], list[str]]:
-    """Whether the file that a mechanism was derived from still says the same: findings, and what was not checked."""
+    """Check whether the file that a mechanism was derived from has changed; return findings and unchecked items."""
     try:
         given = read_definition(folder / reference, name)
     except PkmodesError:
-        return [], [f"whether the definition {shown(reference)} still says the same: it cannot be read"]
+        return [], [f"whether the definition {shown(reference)} has changed: it cannot be read"]
     digests = derivation("emit.manifest")
     recorded = derivation("emit.currency").read_manifest(folder)["sources"]
     if recorded.get(f"{name}.py") == digests.digest(given.text):
         return [], []
-    message = f"the definition changed: {given.file.name} is not what this was derived from"
+    message = f"the definition changed: {given.file.name} differs from the file this was derived from"
     return [derivation("emit.currency").Finding("derivation", reference, message)], []

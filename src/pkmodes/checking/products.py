@@ -1,4 +1,4 @@
-"""Is generated code current and right?  The committed model, a generated folder, or a robot file."""
+"""Check whether generated code is up to date and correct: a committed model, a generated folder, or a robot file."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ Array = NDArray[np.float64]
 
 
 def check_committed(name: str) -> Report:
-    """Check a parametric model that pkmodes itself evaluates, its derivatives for a robot without symmetry.
+    """Check a parametric model supplied with pkmodes; its derivatives are checked for an asymmetric robot.
 
     Parameters
     ----------
@@ -51,15 +51,14 @@ def check_committed(name: str) -> Report:
 def check_folder(folder: Path) -> Report:
     """Check a folder that `pkmodes generate` wrote.
 
-    What is executed is the fresh derivation, never a file that somebody may have edited: where the two are
-    the same, the check holds for both, and where they differ, that is found.  Where the folder was copied
-    without its robot file, the robot is the one that the manifest records; whether the file says the same is
-    then left unchecked, and nothing else.
+    The fresh derivation is executed, never a file that may have been edited: if the two are equal, the check applies
+    to both; if they differ, the difference is reported.  If the folder was copied without its robot file, the robot
+    recorded in the manifest is used, and only the comparison with the robot file is left unchecked.
 
     Raises
     ------
     PkmodesError
-        If the folder holds no product, its robot file is wrong, or its manifest does not record a robot.
+        If the folder holds no generated code, its robot file is invalid, or its manifest does not record a robot.
     """
     recorded = manifest_of(folder)
     if "robot" not in recorded and recorded.get("product") in supplied():
@@ -74,8 +73,8 @@ def check_folder(folder: Path) -> Report:
         return _check_model(folder, recorded)
     inner = folder / str(name)
     if not inner.is_dir():
-        what = f"the model is one of the mechanism {shown(name)}, which is not known, and not in this folder either"
-        remedy = "say where the code of the mechanism is: --mechanism DIR/<mechanism>"
+        what = f"the model's mechanism {shown(name)} is unknown, and its code is not in this folder"
+        remedy = "give the folder with the code of the mechanism: --mechanism DIR/<mechanism>"
         raise PkmodesError(what, str(folder), remedy)
     with meanwhile(inner):
         return _check_model(folder, recorded)
@@ -99,30 +98,30 @@ def _check_model(folder: Path, recorded: dict[str, Any]) -> Report:
     if definition and not (folder / definition).is_dir():
         changed, left = check_definition(folder, definition, robot.mechanism)
         findings, unchecked = [*findings, *changed], [*unchecked, *left]
-    mend = _mend(folder, findings, f"{command} --out {pasted(folder)}")
-    return Report(str(folder), findings, _checks(_executed(texts), robot), mend, tuple(unchecked))
+    fix = _fix(folder, findings, f"{command} --out {pasted(folder)}")
+    return Report(str(folder), findings, _checks(_executed(texts), robot), fix, tuple(unchecked))
 
 
 def _without_robot_file(folder: Path, reference: str, name: str) -> str:
     return (
-        f"whether the robot file {shown(reference)} still says what this model was generated with: it is not "
-        f"there; put it back, or give the file of {shown(name)} with: "
+        f"whether the robot file {shown(reference)} has changed since this model was generated: it does not "
+        f"exist; restore it, or give the file of {shown(name)} with: "
         f"pkmodes generate ROBOT.toml --out {pasted(folder)}"
     )
 
 
 def _robot_file(folder: Path, recorded: dict[str, object]) -> tuple[str, bool]:
-    """The robot file as a manifest names it, and whether it is there."""
+    """Return the robot file named in a manifest, and whether it exists."""
     owner = recorded.get("robot")
     reference = owner.get("file") if isinstance(owner, dict) else None
-    remedy = "put it back, or generate the model again with: pkmodes generate ROBOT.toml --out DIR"
+    remedy = "restore it, or generate the model again with: pkmodes generate ROBOT.toml --out DIR"
     if not isinstance(reference, str):
-        raise PkmodesError("the manifest names no robot file", str(folder / MANIFEST), remedy)
+        raise PkmodesError("the manifest does not name a robot file", str(folder / MANIFEST), remedy)
     try:
         found = stat.S_ISREG((folder / reference).stat().st_mode)
     except (FileNotFoundError, NotADirectoryError):
         return reference, False
-    except (OSError, ValueError):  # a name that cannot be one of a file
+    except (OSError, ValueError):  # not a valid file name
         found = False
     if not found:
         what = f"the manifest names {shown(reference)}, which cannot be a robot file"
@@ -130,8 +129,8 @@ def _robot_file(folder: Path, recorded: dict[str, object]) -> tuple[str, bool]:
     return reference, True
 
 
-def _mend(folder: Path, findings: list[Any], generate: str) -> str:
-    """Commands that mend what was found: remove what does not belong, generate the rest."""
+def _fix(folder: Path, findings: list[Any], generate: str) -> str:
+    """Return the commands that fix the findings: remove files that do not belong, generate the rest."""
     orphans = [finding for finding in findings if finding.cause == "orphan"]
     commands = [f"rm {pasted(folder / finding.subject)}" for finding in orphans]
     if len(findings) > len(orphans):
@@ -140,12 +139,12 @@ def _mend(folder: Path, findings: list[Any], generate: str) -> str:
 
 
 def check_robot(robot_file: Path) -> Report:
-    """Check the model that a robot file gives: derived afresh, consistent, and equal to the parametric one.
+    """Derive the model of a robot file and check that it is consistent and equal to the parametric model.
 
     Raises
     ------
     RobotFileError
-        If the robot file is wrong.
+        If the robot file is invalid.
     """
     robot = read_robot(robot_file)
     texts = specialised(specification(robot, robot_file.name))
@@ -154,7 +153,7 @@ def check_robot(robot_file: Path) -> Report:
 
 
 def _executed(texts: dict[str, str]) -> types.ModuleType:
-    """Execute the NumPy module of a product that was derived a moment ago."""
+    """Execute the NumPy module of a freshly derived model."""
     name = next(name for name in texts if name.endswith(".py"))
     module = types.ModuleType(name.removesuffix(".py"))
     exec(compile(texts[name], name, "exec"), module.__dict__)
@@ -162,14 +161,17 @@ def _executed(texts: dict[str, str]) -> types.ModuleType:
 
 
 def _checks(module: types.ModuleType, robot: Robot) -> list[Check]:
-    """Differences, and equality with the model that pkmodes evaluates."""
+    """Check a module against finite differences and against the model that pkmodes evaluates."""
     kind = robot.kind
     effects = bool(active_effects(kind, robot.effects))
     return [*check_consistency(Generated(module), kind, robot.parameters, effects), *_equality(module, robot)]
 
 
 def _equality(module: types.ModuleType, robot: Robot) -> list[Check]:
-    """Constants folded or given as parameters: the same matrices, of the coordinates with inertia and of all."""
+    """Check that a module with folded constants gives the same matrices as the parametric model.
+
+    Both the condensed matrices, of the coordinates with inertia, and the matrices of all coordinates are compared.
+    """
     kind = robot.kind
     p = regular_poses(Generated(kind.model, robot.parameters), kind, robot.parameters)
     if not len(p):
@@ -206,13 +208,13 @@ def _equality(module: types.ModuleType, robot: Robot) -> list[Check]:
 
 
 def _sizes(matrix: Array) -> Array:
-    """Size of the terms of each entry of a symmetric matrix: a stiff joint must not hide the others."""
+    """Return the scale of each entry of a symmetric matrix, so that a stiff joint does not hide the others."""
     root = np.sqrt(np.abs(np.diagonal(matrix, axis1=-2, axis2=-1)))
     return np.asarray(root[..., :, None] * root[..., None, :])
 
 
 def _relative(found: Array, expected: Array, size: Array | float) -> float:
-    """Largest error by the size of the entries, or of the largest where they have none of their own."""
+    """Return the largest error relative to the scale of each entry, or to the largest entry if its scale is zero."""
     if found.shape != expected.shape:
         return float("inf")
     largest = float(np.max(np.abs(expected), initial=0.0)) or 1.0

@@ -1,4 +1,4 @@
-"""The robot that a manifest records: what a copied model was generated with, where its robot file is not at hand."""
+"""The robot recorded in a manifest, used if a copied model is without its robot file."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pkmodes.robot.robot import Robot
 
 
 def recorded_robot(recorded: Mapping[str, Any], place: str) -> Robot:
-    """Read a robot from the values in a manifest; they are in SI units and complete.
+    """Read a robot from the values in a manifest, which are in SI units and complete.
 
     Parameters
     ----------
@@ -25,7 +25,7 @@ def recorded_robot(recorded: Mapping[str, Any], place: str) -> Robot:
     Raises
     ------
     PkmodesError
-        If what it records is not a robot.
+        If the manifest does not record a valid robot.
     """
     try:
         values = recorded["robot"]["values"]
@@ -38,6 +38,6 @@ def recorded_robot(recorded: Mapping[str, Any], place: str) -> Robot:
         raise PkmodesError(
             "the manifest does not record the robot that the model was generated with",
             place,
-            "put its robot file back, or generate the model again with: pkmodes generate ROBOT.toml --out DIR",
+            "restore its robot file, or generate the model again with: pkmodes generate ROBOT.toml --out DIR",
         )
     return robot

@@ -1,8 +1,8 @@
-"""Relations between generated functions that hold for every mechanism, as far as a module has the functions.
+"""Relations between generated functions that hold for every mechanism whose module has these functions.
 
-Everything is differentiated along the motion of the robot, by its independent coordinates.  Where the module has the
-direct kinematics, the platform comes from that, never from a Jacobian; where it has not, from differences by the pose
-and the inverse of those of the inverse kinematics.
+Everything is differentiated with respect to the independent coordinates.  If the module has the direct kinematics,
+the pose is computed from it, never from a Jacobian; otherwise derivatives with respect to the pose are multiplied by
+the inverse of the derivatives of the inverse kinematics.
 """
 
 from __future__ import annotations
@@ -21,17 +21,17 @@ from pkmodes.regular import extent, travel
 
 Array = NDArray[np.float64]
 Derivative = Callable[[Callable[[Array], Array], Array, float], Array]
-#: A name, a generated value, the value by other means, and the least scale: the size of the terms that may cancel, so
-#: that a quantity that vanishes by symmetry is not held to digits that it does not have.
+#: A name, a generated value, the value by other means, and the smallest scale of the error: the size of terms that
+#: may cancel, so that a quantity that vanishes by symmetry is not required to have digits that it cannot have.
 Relation = tuple[str, Array, Array, float]
 
 SEED = 20220102
-#: Step of differences, by the distance over which the platform's Jacobian changes.
+#: Step of differences relative to the distance over which the platform Jacobian changes.
 STEP = 5e-5
 
 
 class State:
-    """A robot at a pose, and differences there.
+    """A robot at a pose, with numerical derivatives there.
 
     Parameters
     ----------
@@ -39,17 +39,18 @@ class State:
         The functions under test.
     kind : Mechanism
     parameters : Parameters
-        The robot that they are for.
+        The robot's parameters.
     pose : ndarray, shape (d,)
     derivative : callable
-        Of a function of an array, at an array, with a step; the derivative's index is the last of the result.
+        Differentiates a function of an array at an array with a step; the last axis of the result is that of the
+        derivative.
     effects : bool
-        Whether the model has effects, which make some relations of the base model untrue.
+        Whether the model has effects; some relations of the base model do not hold with effects.
 
     Attributes
     ----------
     places : list of int, length k
-        Independent coordinates among all.
+        Indices of the independent coordinates.
     base : int
         Number of coordinates without effects.
     positions : ndarray, shape (k,)
@@ -73,14 +74,14 @@ class State:
 
     @cached_property
     def travel(self) -> float:
-        """The smallest travel of an independent coordinate; without limits a radian, or the size of the robot."""
+        """Smallest travel of an independent coordinate; without limits 1, or the size of the robot if smaller."""
         without = min(1.0, extent(self.kind, self.parameters))
         ends = travel(self.kind, self.parameters)
         return float(np.ptp(ends, axis=-1).min()) if len(ends) else without
 
     @cached_property
     def step(self) -> float:
-        """Step of differences in the independent coordinates: a small part of their travel and of a bend."""
+        """Step in the independent coordinates, small relative to their travel and to the curvature of the motion."""
         size = self.travel
         if self.generated.has("platform_second_derivatives"):
             bend = float(np.abs(self.generated.platform_second_derivatives(self.pose)).max())
@@ -90,20 +91,20 @@ class State:
         return STEP * size
 
     def rate(self, function: Callable[[Array], Any]) -> Array:
-        """Derivative of a function of the pose by the independent coordinates, by differences."""
+        """Differentiate a function of the pose numerically with respect to the independent coordinates."""
         if self.generated.has("direct_kinematics"):
             return self.derivative(lambda q: function(self.assembled(q)), self.positions, self.step)
         return self.derivative(function, self.pose, self.step) @ self.motion
 
     def assembled(self, positions: Array) -> Array:
-        """Pose of values of the independent coordinates, assembled as it is here."""
+        """Compute the pose from the independent coordinates, on the assembly branch of this pose."""
         determinant, _ = self.generated.jacobian_condition(self.pose)
         found: Array = self.generated.direct_kinematics(positions, np.sign(determinant))
         return found
 
     @cached_property
     def motion(self) -> Array:
-        """How the pose follows the independent coordinates, (d, k), by differences."""
+        """Numerical derivative of the pose with respect to the independent coordinates, (d, k)."""
         if self.generated.has("direct_kinematics"):
             return self.derivative(self.assembled, self.positions, self.step)
         return np.asarray(
@@ -111,7 +112,7 @@ class State:
         )
 
     def unstrained(self, pose: Array) -> Array:
-        """How all coordinates move with the independent ones while nothing is strained, (n, k)."""
+        """Return the motion of all coordinates with the independent ones in unstrained motion, (n, k)."""
         others = [i for i in range(self.base) if i not in self.places]
         H = Generated(self.kind.model, self.parameters).elastic_hessian(pose)
         found = np.zeros((self.generated.coordinates, len(self.places)), dtype=H.dtype)
@@ -188,14 +189,14 @@ def _matrices(at: State) -> Iterator[Relation]:
         stiffness = g.stiffness_matrix(p)
         yield "modal stiffness matrix", K, stiffness, 0.0
         if g.has("elastic_hessian", "gravity_hessian"):
-            # Gravity acts on the coordinates of effects too, of which its Hessian says nothing.
+            # Gravity also acts on the coordinates of effects, which are not part of its Hessian.
             whole = g.elastic_hessian(p)[: at.base, : at.base].copy()
             whole[np.ix_(at.places, at.places)] += g.gravity_hessian(p)
             yield "stiffness matrix", stiffness[: at.base, : at.base], whole, 0.0
 
 
 def _inertia(at: State) -> Iterator[Relation]:
-    """Forces of inertia: what effects add to the inertia of drives changes as the robot moves."""
+    """Yield the inertia forces: the inertia that effects add to the drives changes as the robot moves."""
     g, p = at.generated, at.pose
     if not g.has("velocity_forces", "mass_matrix") or not hasattr(at.kind.model, "elastic_hessian"):
         return
@@ -206,14 +207,14 @@ def _inertia(at: State) -> Iterator[Relation]:
 
     dM, rates = at.rate(reduced), _velocities(at)
     forces = (dM @ rates) @ rates - 0.5 * np.einsum("klm,k,l->m", dM, rates, rates)
-    # An inertia that does not change leaves rounding only, of itself by what the coordinates travel.
+    # A constant inertia leaves only rounding, of the size of the inertia divided by the travel.
     weight = max(float(np.abs(dM).max()), float(np.abs(reduced(p)).max()) / at.travel)
     yield "velocity forces", g.velocity_forces(p, rates), forces, weight
 
 
 def _statics(at: State) -> Iterator[Relation]:
     g, p = at.generated, at.pose
-    # Springs that effects add are relaxed at the pose, so the gradient of all springs is not the torque.
+    # Springs of effects are relaxed at the pose, so the gradient of all springs is not the torque.
     if at.effects or not g.has("static_equilibrium", "elastic_gradient", "gravity_gradient"):
         return
     torques, values = g.static_equilibrium(p)
@@ -222,7 +223,7 @@ def _statics(at: State) -> Iterator[Relation]:
     displaced[others] = values
     carried, gradient = g.elastic_gradient(p, displaced), g.gravity_gradient(p)
     yield "static equilibrium", carried[at.places], -gradient, float(np.abs(gradient).max())
-    # The drives carry the torques, and nothing else carries anything.
+    # Only the drives carry torques.
     size = float(np.abs(torques).max())
     order = np.argsort(-np.abs(carried[others]))
     driven, free = order[: len(torques)], order[len(torques) :]
@@ -232,12 +233,12 @@ def _statics(at: State) -> Iterator[Relation]:
 
 
 def _velocities(at: State) -> Array:
-    """Velocities of the independent coordinates: any."""
+    """Return arbitrary velocities of the independent coordinates."""
     return np.random.default_rng(SEED).normal(size=len(at.places))
 
 
 def _quadratic_form(energy: Callable[[Array], Any], n: int) -> Array:
-    """Matrix of a quadratic form by polarisation: exact but for rounding."""
+    """Compute the matrix of a quadratic form by polarisation, which is exact up to rounding."""
     basis = np.eye(n)
     matrix = np.empty((n, n))
     for k, m in cartesian(range(n), repeat=2):

@@ -1,4 +1,4 @@
-"""What is found about generated code: reasons why it is not current, and checks of what it computes."""
+"""Report on generated code: reasons why it is not up to date, and checks of its results."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ from pkmodes.product_folder import MANIFEST
 
 @dataclass(frozen=True)
 class Report:
-    """What was found about one target.
+    """Report on one target.
 
     Attributes
     ----------
     target : str
-        What was checked.
+        The folder or robot file that was checked.
     findings : list
-        Reasons why it is not current (`pkmodes_derive.emit.currency.Finding`); empty when it is.
+        Reasons why it is not up to date (`pkmodes_derive.emit.currency.Finding`); empty if it is.
     checks : list of Check
         Finite-difference consistency.
     mend : str
-        Command that mends what was found, empty when nothing has to be mended.
+        Command that fixes the findings, empty if there is nothing to fix.
     unchecked : tuple of str
         What could not be checked, and what to do about it.
     """
@@ -38,17 +38,17 @@ class Report:
 
     @property
     def holds(self) -> bool:
-        """Whether everything that could be checked is current and consistent."""
+        """Whether everything that could be checked is up to date and consistent."""
         return not self.findings and all(check.holds for check in self.checks)
 
 
 def manifest_of(folder: Path) -> dict[str, Any]:
-    """The manifest of a generated folder.
+    """Read the manifest of a generated folder.
 
     Raises
     ------
     PkmodesError
-        If there is none, or it cannot be read.
+        If there is none or it cannot be read.
     """
     place = folder / MANIFEST
     remedy = "give a folder written by: pkmodes generate ROBOT.toml --out DIR"
@@ -62,7 +62,7 @@ def manifest_of(folder: Path) -> dict[str, Any]:
 
 
 def findings_of(folder: Path, fresh: dict[str, str]) -> list[Any]:
-    """Reasons why a folder is not what a fresh derivation gives."""
+    """Return the reasons why a folder differs from a fresh derivation."""
     currency = derivation("emit.currency")
     if not (folder / MANIFEST).is_file():
         return [currency.Finding("missing", "manifest.json", "manifest.json is missing")]

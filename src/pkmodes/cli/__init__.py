@@ -1,7 +1,7 @@
 """The command line: ``pkmodes generate``, ``check``, ``modes``, ``sensitivities``, ``compare`` and ``diagnose``.
 
-Errors go to stderr as ``error: <what> (<where>); <what to do>``.  Exit codes: 0 done, 1 a check did not hold,
-2 bad input or usage.
+Errors go to stderr as ``error: <what> (<where>); <what to do>``.  Exit codes: 0 success, 1 a check failed, 2 bad
+input or usage.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ for command in (generate, check, modes, sensitivities, compare, diagnose):
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run the command line and exit; the installed command is `pkmodes.__main__`, which loads this."""
+    """Run the command line and exit; the installed command is `pkmodes.__main__`, which loads this module."""
     sys.exit(run(arguments))
 
 
@@ -75,7 +75,7 @@ def run(arguments: Sequence[str] | None = None) -> int:
         _report(["interrupted (pkmodes); run it again"])
         return INTERRUPTED
     except (BrokenPipeError, SystemExit):
-        # The reader, such as head, has seen enough; click turns that into an exit of its own.
+        # A reader such as head closed the pipe, which click turns into SystemExit.
         silence()
         return DONE
     except OSError as error:
@@ -88,16 +88,16 @@ def run(arguments: Sequence[str] | None = None) -> int:
 
 
 def _be_lenient() -> None:
-    """Show text that the terminal cannot encode with escapes, and do without an output that is closed."""
+    """Escape text that the terminal cannot encode, and tolerate a closed standard output."""
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
     if sys.stdout is None:
-        sys.stdout = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115 - open until the process ends
+        sys.stdout = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115 - open for the whole process
 
 
 def _report(lines: Sequence[str]) -> int:
-    with suppress(OSError):  # nobody listens
+    with suppress(OSError):  # stderr is closed
         for line in lines:
             click.echo(f"error: {line}", err=True)
     return BAD_INPUT

@@ -1,4 +1,4 @@
-"""``pkmodes check``: generated code is current, and agrees with finite differences."""
+"""``pkmodes check``: check that generated code is up to date and agrees with finite differences."""
 
 from __future__ import annotations
 
@@ -27,18 +27,17 @@ if TYPE_CHECKING:
 )
 @json_option
 def check(targets: tuple[Path, ...], mechanism: Path | None, json_file: str | None) -> int:
-    """Check that generated code is current, and that it agrees with finite differences.
+    """Check that generated code is up to date and agrees with finite differences.
 
-    A folder written by `pkmodes generate` is compared with a fresh derivation from its robot file; a robot
-    file is derived and its model checked in memory; with no target, the models that pkmodes itself uses are
-    checked.  Exit code 1 when something does not hold: the output names the file or field that changed, shows
-    the difference and the command that mends it.  Files of your own in the folder are no concern of it.
+    A folder written by `pkmodes generate` is compared with a fresh derivation from its robot file.  The model of a
+    robot file is derived and checked in memory.  Without a target, the models that come with pkmodes are checked.
+    The exit code is 1 if a check fails: the output names the file or field that changed, and shows the difference
+    and the command that fixes it.  Other files in the folder are ignored.
 
-    A folder that was copied without its robot file is checked for everything else, against the values that its
-    manifest records.  The output says that the robot file was not checked, and the exit code is 0 if the rest
-    holds.
+    A folder that was copied without its robot file is checked against the values recorded in its manifest.  The
+    output says that the robot file was not checked, and the exit code is 0 if everything else is correct.
 
-    A mechanism of your own is derived from the definition that lies with its code, which is run for that.
+    A mechanism of your own is derived from the definition stored with its code, which is executed.
     """
     from pkmodes.checking import products
     from pkmodes.mechanism import add_folder, supplied
@@ -102,8 +101,8 @@ def _print(report: Report) -> None:
     for sentence in report.unchecked:
         click.echo(f"{report.target}: not checked: {sentence}")
     if report.mend:
-        click.echo(f"mend it with: {report.mend}")
+        click.echo(f"fix with: {report.mend}")
     elif report.holds and report.unchecked:
-        click.echo(f"{report.target}: as it was generated, and current but for what was not checked")
+        click.echo(f"{report.target}: as generated, and current except for what was not checked")
     elif report.holds:
         click.echo(f"{report.target}: current")

@@ -1,4 +1,4 @@
-"""The group of the commands: an option is given once, and an interrupt ends a command without more words."""
+"""The command group: rejects repeated options, and ends silently on an interrupt."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ import click
 
 
 class Commands(click.Group):
-    """A group whose commands refuse an option that is given twice, of which the last alone would count."""
+    """A group whose commands reject a repeated option, of which click would use only the last."""
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Find the command, and look at its options."""
+        """Find the command and check its options."""
         name, command, rest = super().resolve_command(ctx, args)
         if command is not None:
             _refuse_repetitions(click.Context(command, info_name=name, parent=ctx), rest)
@@ -31,7 +31,7 @@ def _refuse_repetitions(ctx: click.Context, arguments: list[str]) -> None:
     try:
         _, _, order = ctx.command.make_parser(ctx).parse_args(list(arguments))
     except click.UsageError:
-        return  # the command itself says so
+        return  # the command itself reports the error
     for option in dict.fromkeys(order):
         once = isinstance(option, click.Option) and not (option.multiple or option.count or option.is_flag)
         if once and order.count(option) > 1:

@@ -1,4 +1,4 @@
-"""``pkmodes compare``: prediction beside measurement, paired, with residuals and their significance."""
+"""``pkmodes compare``: predicted and measured modes, paired, with residuals and their significance."""
 
 from __future__ import annotations
 
@@ -36,10 +36,10 @@ if TYPE_CHECKING:
 @mechanism_option
 @json_option
 def compare(robot: Path, modes: Path, band: str | None, json_file: str | None) -> None:
-    """Prediction beside measurement, nothing fitted.
+    """Compare predicted and measured modes without fitting anything.
 
-    Measured modes are paired with predicted ones by frequency and, where they were measured, by shape.  Exit code
-    0 however much they differ: the JSON has p_value for a script to judge by, or use diagnose --fail-on.
+    Measured modes are paired with predicted modes by frequency and, if measured, by shape.  The exit code is 0
+    however much they differ; scripts can use p_value in the JSON, or diagnose --fail-on.
     """
     check_order(robot, modes, "pkmodes compare")
     check_target(json_file, robot, modes)
@@ -63,7 +63,7 @@ def compare(robot: Path, modes: Path, band: str | None, json_file: str | None) -
 
 
 def _as_json(row: ComparedRow) -> dict[str, object]:
-    """A row; the key of what is set only where something is."""
+    """Return a row as JSON; the key ``set`` is present only if a load case sets something."""
     content = asdict(row)
     load = content.pop("load")
     return {**content, **({"set": load} if load else {})}
@@ -73,7 +73,7 @@ def _print(robot: Robot, modes: Path, result: Comparison) -> None:
     from pkmodes.cli.diagnosis_tables import Terminal, p_value, setting
 
     terminal = Terminal()
-    terminal.heading(f"{robot.name} beside {modes}, frequencies in Hz")
+    terminal.heading(f"{robot.name} compared with {modes}, frequencies in Hz")
     terminal.line()
     shapes = any(row.mac is not None for row in result.rows)
     numbered = any(row.mode for row in result.rows)
@@ -93,7 +93,7 @@ def _print(robot: Robot, modes: Path, result: Comparison) -> None:
     count = len(result.rows)
     terminal.line(
         f"{count} measured mode{'' if count == 1 else 's'}"
-        + (f", {len(result.unpaired)} of them without a mode of the model" if result.unpaired else "")
+        + (f", {len(result.unpaired)} of them unmatched" if result.unpaired else "")
     )
     rms, chi2, p = result.rms_relative, result.chi2_per_dof, result.p_value
     if rms is not None and chi2 is not None and p is not None:
@@ -103,10 +103,10 @@ def _print(robot: Robot, modes: Path, result: Comparison) -> None:
     for note in result.notes:
         terminal.line(note)
     terminal.line()
-    own = "own: as the file numbers it; " if numbered else ""
+    own = "own: mode number in the file; " if numbered else ""
     terminal.line(
-        f"{own}mode: of the model, counted as pkmodes modes does; diff: of the prediction from the measurement; "
-        "sigmas: that in standard deviations"
+        f"{own}mode: number of the model's mode as in pkmodes modes; diff: prediction minus measurement; "
+        "sigmas: diff in standard deviations"
     )
 
 
@@ -122,7 +122,7 @@ def _numbers(row: ComparedRow, rigid: int) -> list[str]:
 
 
 def _hertz(value: float) -> str:
-    """Three decimals, or two digits of what is smaller."""
+    """Format with three decimals, or with two digits below 0.01."""
     return f"{value:.3f}" if value >= 0.01 else f"{value:.2g}"
 
 

@@ -1,4 +1,4 @@
-"""``pkmodes diagnose``: from measured modes to the cause that the model lacks, and to a corrected robot file."""
+"""``pkmodes diagnose``: find what the model lacks from measured modes, and write a corrected robot file."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from pkmodes.pasting import pasted
 if TYPE_CHECKING:
     from pkmodes.diagnosis import Diagnosis
 
-#: Seconds between lines that say what is being done, where there is no terminal to show it on.
+#: Seconds between progress lines if stderr is not a terminal.
 SECONDS = 5.0
 
 
@@ -46,27 +46,27 @@ SECONDS = 5.0
 @click.option(
     "--candidates",
     metavar="NAMES",
-    help="Candidates, separated by commas: effects, parameter:PATH, measurement:WHAT, or the words effects, "
+    help="Candidates, separated by commas: names of effects, parameter:PATH, measurement:WHAT, or the words effects, "
     "parameters and measurement; by default all.",
 )
 @click.option(
     "--holdout",
     metavar="POSES",
-    help="Labels of poses that take no part in any fit, separated by commas (a label with a comma in double "
-    "quotes), or none; by default one in six.",
+    help="Labels of poses to exclude from all fits, separated by commas (a label with a comma in double quotes), "
+    "or none; by default one in six.",
 )
 @click.option(
     "--save-robot",
     "save_to",
     metavar="FILE.toml",
     type=click.Path(path_type=Path),
-    help="Write the robot file with the causes and the refitted values.",
+    help="Write the robot file with the causes found and the refitted values.",
 )
 @click.option(
     "--fail-on",
     "fail_on",
     metavar="VERDICTS",
-    help="Verdicts that give exit code 1, separated by commas, or any for all but adequate; by default none.",
+    help="Verdicts that give exit code 1, separated by commas, or any for all except adequate; by default none.",
 )
 @band_option
 @mechanism_option
@@ -81,10 +81,10 @@ def diagnose(
     band: str | None,
     json_file: str | None,
 ) -> int:
-    """Find what the model lacks, and how much better it is with it.
+    """Find what is missing from the model, and how much adding it improves the fit.
 
-    The verdict is adequate, effect_found, ambiguous, unexplained or insufficient_data, with a reason.  Exit code
-    0 whatever the verdict, but 1 for those that --fail-on names; 2 for bad input.
+    The verdict is adequate, effect_found, ambiguous, unexplained or insufficient_data, with a reason.  The exit code
+    is 0 for any verdict except those in --fail-on, which give 1; 2 for bad input.
     """
     check_order(robot, modes, "pkmodes diagnose")
     check_target(json_file, robot, modes)
@@ -125,16 +125,16 @@ def diagnose(
 
 
 def _chosen(result: Diagnosis) -> str:
-    """Which of several causes that look the same the saved robot has, and how to get it with another."""
+    """Say which of several indistinguishable causes the saved robot has, and how to save it with another."""
     return "".join(
-        f" with {found.name}; for {' or '.join(found.members[1:])} instead: --candidates {found.members[1]}"
+        f" with {found.name}; to save it with {' or '.join(found.members[1:])}: --candidates {found.members[1]}"
         for found in result.effects
         if len(found.members) > 1
     )
 
 
 def _names(text: str, option: str) -> list[str]:
-    """Names separated by commas; as in the measurements, double quotes keep a comma inside of one."""
+    """Split names at commas; as in the measurements, a name with a comma is written in double quotes."""
     try:
         (cells,) = csv.reader([text], strict=True, skipinitialspace=True)
     except (csv.Error, ValueError):
@@ -142,12 +142,12 @@ def _names(text: str, option: str) -> list[str]:
     names = [cell.strip() for cell in cells if cell.strip()]
     if not names:
         what = f"expected names separated by commas, found {shown(text)}"
-        raise PkmodesError(what, option, "name at least one, or leave the option out")
+        raise PkmodesError(what, option, "give at least one name, or omit the option")
     return names
 
 
 def _check_robot_target(target: Path | None, json_file: str | None, *inputs: Path) -> None:
-    """Refuse a target that cannot be written before minutes are spent on it."""
+    """Reject an invalid target before minutes are spent on the diagnosis."""
     if target is None:
         return
     check_place("" if target == Path() else str(target), "--save-robot")
@@ -165,7 +165,7 @@ def _check_robot_target(target: Path | None, json_file: str | None, *inputs: Pat
 
 @contextmanager
 def _progress() -> Iterator[Callable[[str], None]]:
-    """Show on stderr what is being done: in place on a terminal, else a line every now and then."""
+    """Show progress on stderr: in place on a terminal, otherwise as occasional lines."""
     from rich.console import Console
 
     console = Console(stderr=True)

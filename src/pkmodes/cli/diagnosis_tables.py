@@ -1,4 +1,4 @@
-"""A diagnosis on the terminal: verdict, causes, error before and after, refitted values."""
+"""Print a diagnosis on the terminal: verdict, causes, error before and after, refitted values."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from pkmodes.poses import placed
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.load_cases import settable
 
-#: A table is as wide as its numbers need: it is never cut.
+#: Tables are as wide as their numbers need and are never truncated.
 WIDEST_TABLE = 10_000
-#: Sentences are not broken into shorter lines than this.
+#: Sentences are never wrapped to lines shorter than this.
 NARROWEST = 40
-#: Decimal exponents between which numbers are written without one.
+#: Decimal exponents for which numbers are written without an exponent.
 PLAIN = range(-3, 6)
-#: Lines of the measurements that are listed at most; the JSON has them all.
+#: Largest number of measurement lines listed; the JSON has all of them.
 MOST_LISTED = 8
-#: What was changed to see whether an explanation depends on it.
+#: Changes made to test whether an explanation depends on them.
 CHANGED = {"sigma x 0.5": "sigma halved", "sigma x 2": "sigma doubled", "priors x 2": "priors doubled"}
 
 
 class Terminal:
-    """Sentences and tables on standard output: sentences broken at spaces to fit, tables never cut.
+    """Sentences and tables on standard output: sentences are wrapped at spaces, tables are never truncated.
 
-    What was read from files, such as labels, is shown as it is, whatever brackets or colons it has.
+    Text from files, such as labels, is shown verbatim, including brackets and colons.
     """
 
     def __init__(self) -> None:
@@ -39,11 +39,11 @@ class Terminal:
         self._console.width = WIDEST_TABLE
 
     def heading(self, text: str) -> None:
-        """Print a line that may name a file: it is not broken, so that the name can be copied."""
+        """Print a line that may name a file; it is not wrapped, so that the name can be copied."""
         self._console.print(text, soft_wrap=True)
 
     def line(self, text: str = "", indent: str = "") -> None:
-        """Print a sentence; `indent` stands before every line of it."""
+        """Print a sentence; every line starts with `indent`."""
         lines = textwrap.wrap(
             text,
             self._width,
@@ -56,7 +56,7 @@ class Terminal:
             self._console.print(part, soft_wrap=True)
 
     def table(self, titles: Sequence[str], rows: Sequence[Sequence[str]], left: Sequence[str]) -> None:
-        """Print a table; the columns named in `left` hold text, the others numbers."""
+        """Print a table; columns named in `left` hold text, the others numbers."""
         table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
         for title in titles:
             table.add_column(title, justify="left" if title in left else "right", no_wrap=True)
@@ -77,7 +77,7 @@ def show(robot: Robot, result: Diagnosis) -> None:
         for value in found.parameters:
             terminal.line(f"{_short(value)} = {_with_sigma(value)}", "  ")
         if len(found.members) > 1:
-            terminal.line("these data cannot tell it from", "  ")
+            terminal.line("these data cannot distinguish it from", "  ")
             for member in found.members[1:]:
                 values = [f"{_short(v)} = {_with_sigma(v)}" for v in found.alternatives[member]]
                 terminal.line(", ".join(values), "    ")
@@ -93,7 +93,7 @@ def show(robot: Robot, result: Diagnosis) -> None:
 
 
 def p_value(p: float) -> str:
-    """A p-value, which is never zero."""
+    """Format a p-value, which is never zero."""
     return f"p = {p:.2g}" if p > 0.0 else "p < 1e-300"
 
 
@@ -158,7 +158,7 @@ def _remarks(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
     if result.unpaired:
         remarks.append(f"unmatched measured modes: {_listed(result.unpaired)}")
     if result.scatter:
-        remarks.append(f"error that the modes of a pose share: {100 * result.scatter:.2g} %")
+        remarks.append(f"error common to the modes of a pose: {100 * result.scatter:.2g} %")
     if result.undetectable:
         remarks.append(f"not detectable with these data: {', '.join(result.undetectable)}")
     if result.next_measurement is not None:
@@ -176,13 +176,13 @@ def _remarks(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
 
 
 def setting(kind: Mechanism, load: Mapping[str, float]) -> str:
-    """What is set at a pose: paths with their values and units."""
+    """Format the settings of a pose: paths with values and units."""
     units = settable(kind)
     return ", ".join(f"{path} = {value:g} {units[path]}".removesuffix(" 1") for path, value in load.items())
 
 
 def _stability(result: Diagnosis) -> list[str]:
-    """Other causes that other errors or priors would name; the verdicts themselves are in the JSON."""
+    """Return the causes found with other standard deviations or priors; the JSON has their verdicts."""
     claimed = {member for found in result.effects for member in found.members}
     changed = [
         f"with {CHANGED.get(entry.change, entry.change)}, {' and '.join(entry.effects)}"
@@ -209,7 +209,7 @@ def _with_sigma(value: Value) -> str:
 
 
 def _number_with_sigma(value: float, sigma: float) -> str:
-    """Both with the same decimals, two digits of the standard deviation, and one exponent."""
+    """Format both with the same decimals and exponent, the standard deviation with two digits."""
     if not (math.isfinite(value) and math.isfinite(sigma) and sigma > 0.0):
         return f"{value:.6g} +- {sigma:.2g}"
     exponent = math.floor(math.log10(max(abs(value), sigma)))

@@ -1,4 +1,4 @@
-"""``pkmodes generate``: a model specialised to one robot."""
+"""``pkmodes generate``: write a model specialised to one robot."""
 
 from __future__ import annotations
 
@@ -15,7 +15,10 @@ from pkmodes.errors import OutputError
 )
 @click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
 @click.option(
-    "--out", metavar="DIR", required=True, help="Folder of the model: a new or empty one, or the model's own."
+    "--out",
+    metavar="DIR",
+    required=True,
+    help="Output folder: new, empty, or with this robot's previous model.",
 )
 @click.option(
     "--mechanism",
@@ -27,11 +30,11 @@ from pkmodes.errors import OutputError
 def generate(robot: Path, out: str, mechanism: Path | None, json_file: str | None) -> None:
     """Derive and write a model specialised to one robot.
 
-    The folder gets a NumPy module, a C99 source with its header, and a manifest.  The module needs only
-    NumPy and the C source only a compiler: both can be vendored.  Files of your own beside them are left alone.
+    The output is a NumPy module, a C99 source with its header, and a manifest.  The module needs only NumPy and the
+    C source only a compiler, so both can be vendored.  Other files in the folder are not touched.
 
-    A mechanism of your own is a Python file (docs/adding-a-mechanism.md).  Its code goes into a folder of its name
-    in DIR, which every command takes as --mechanism DIR/<name>.
+    A mechanism of your own is defined by a Python file (docs/adding-a-mechanism.md).  Its code is written to the
+    folder DIR/<name>, which the other commands accept as --mechanism DIR/<name>.
     """
     from pkmodes.generation import generate as generate_model
 

@@ -22,10 +22,10 @@ from pkmodes.results import CARRIAGES, Modes, Statics
 @mechanism_option
 @json_option
 def modes(robot: Path, pose: str, json_file: str | None) -> None:
-    """Frequencies, shapes, end-effector directions and static torques at a pose.
+    """Compute frequencies, mode shapes, end-effector directions and static torques at a pose.
 
-    Shapes are mass-normalised; the table shows them scaled to their largest component, lengths divided by a
-    radius where the other coordinates are angles, as the paper prints them.
+    Mode shapes are mass-normalised.  The table scales them to their largest component and, if the other coordinates
+    are angles, divides lengths by a radius, as in the paper.
     """
     check_target(json_file, robot)
     model = load(robot)
@@ -41,7 +41,7 @@ def modes(robot: Path, pose: str, json_file: str | None) -> None:
 
 
 def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:
-    """The result of one pose with the keys that scripts rely on."""
+    """Return the result of one pose with the documented JSON keys."""
     found = {
         "robot": model.robot.name,
         "pose": result.poses.tolist(),
@@ -62,7 +62,7 @@ def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:
 
 
 def _print(model: Model, result: Modes, statics: Statics) -> None:
-    """One column for each mode, one row for each component: nine modes fit a terminal that way."""
+    """Print one column per mode and one row per component, so that nine modes fit a terminal."""
     from rich.console import Console
     from rich.table import Table
 
@@ -103,11 +103,11 @@ def _print(model: Model, result: Modes, statics: Statics) -> None:
 
 
 def _frequency(value: float) -> str:
-    """Five digits where they fit; a number is never cut."""
+    """Format with five digits if they fit; a number is never truncated."""
     text = f"{value:.3f}" if abs(value) < 99.9995 else f"{value:.2f}"
     return f"{value:.1e}" if len(text) > 7 else text.replace("-0.000", "0.000")
 
 
 def _component(value: float) -> str:
-    # Components that rounding alone makes different from zero are shown as zero.
+    # Components that differ from zero only by rounding are shown as zero.
     return "0" if abs(value) < 1e-9 else f"{value:.0e}" if abs(value) < 1e-3 else f"{value:.3f}"

@@ -1,4 +1,4 @@
-"""Machine-readable results of the commands: whole files, or standard output for ``-``."""
+"""Machine-readable results of the commands: complete files, or standard output for ``-``."""
 
 from __future__ import annotations
 
@@ -47,12 +47,12 @@ band_option = click.option(
     "--band",
     metavar="LOW,HIGH",
     default=None,
-    help="Where modes were looked for, such as 10,400 in Hz, where the file does not say so.",
+    help="Frequency band of the measurement, such as 10,400 in Hz, if the file does not give it.",
 )
 
 
 def band_of(text: str | None) -> tuple[float, float] | None:
-    """The band of the option, in Hz.
+    """Return the band of the option in Hz.
 
     Raises
     ------
@@ -67,12 +67,12 @@ def band_of(text: str | None) -> tuple[float, float] | None:
 
 
 def check_target(json_file: str | None, *inputs: Path) -> None:
-    """Refuse, before anything is computed, a target that is an input or that has no folder.
+    """Reject, before anything is computed, a target that is an input or whose folder does not exist.
 
     Raises
     ------
     OutputError
-        If the result could not or should not be written there.
+        If the result cannot or must not be written there.
     """
     if json_file is None or json_file == "-":
         return
@@ -85,7 +85,7 @@ def check_target(json_file: str | None, *inputs: Path) -> None:
 
 
 def check_place(target: str, option: str) -> None:
-    """Refuse a target that is no file in a folder that is there.
+    """Reject a target that is not a file in an existing folder.
 
     Raises
     ------
@@ -95,17 +95,17 @@ def check_place(target: str, option: str) -> None:
     if not target or "\0" in target or target == "-":
         raise OutputError("expected the name of a file", where, "choose another place")
     if path.is_dir():
-        raise OutputError("expected a file, and it is a folder", where, "name a file in it")
+        raise OutputError("expected a file, found a folder", where, "name a file in it")
     if not path.parent.exists():
         raise OutputError(
             f"the folder {path.parent} does not exist", where, "create it, or choose another place"
         )
     if not path.parent.is_dir():
-        raise OutputError(f"{path.parent} is no folder", where, "choose another place")
+        raise OutputError(f"{path.parent} is not a folder", where, "choose another place")
 
 
 def check_order(robot: Path, modes: Path, command: str) -> None:
-    """Refuse measurements in the place of the robot, where their names say that they are exchanged.
+    """Reject swapped robot and measurement files, recognised by their names.
 
     Raises
     ------
@@ -120,7 +120,7 @@ def check_order(robot: Path, modes: Path, command: str) -> None:
 
 @contextmanager
 def named_as_options() -> Iterator[None]:
-    """Name an argument of a function, in an error, as the option that it was."""
+    """Replace the name of a function argument in an error by that of the option."""
     try:
         yield
     except PkmodesError as error:
@@ -130,26 +130,26 @@ def named_as_options() -> Iterator[None]:
 
 
 def write_json(json_file: str, content: dict[str, Any]) -> None:
-    """Write a result as JSON; numbers that are not finite become null, as JSON has none of them."""
+    """Write a result as JSON; numbers that are not finite become null, because JSON cannot represent them."""
     text = json.dumps(_finite(content), indent=1, allow_nan=False, ensure_ascii=json_file == "-") + "\n"
     if json_file == "-":
         click.echo(text, nl=False)
     else:
-        # Bytes of a file name that are not UTF-8 are surrogates, which JSON can only have as escapes.
+        # Bytes of a file name that are not UTF-8 are surrogates, which JSON can hold only as escapes.
         write_file(Path(json_file), text.encode("utf-8", "backslashreplace").decode("utf-8"))
 
 
 def to_file(json_file: str | None, content: dict[str, Any]) -> list[Callable[[], None]]:
-    """What `deliver` has to write for ``--json``: nothing where it was not given or is standard output."""
+    """Return the writers that `deliver` needs for ``--json``: none if it is not given or is standard output."""
     return [] if json_file is None or json_file == "-" else [lambda: write_json(json_file, content)]
 
 
 @contextmanager
 def deliver(files: Sequence[Callable[[], None]]) -> Iterator[None]:
-    """Write files, and print in the body: neither can keep the other from being done.
+    """Write files, then print in the body; a failure of one does not prevent the other.
 
-    A reader of standard output that has seen enough, such as head, changes neither the files nor the exit code;
-    a file that cannot be written is told after what is printed.
+    If the reader of standard output, such as head, closes the pipe early, the files and the exit code do not change.
+    A file that cannot be written is reported after printing.
 
     Parameters
     ----------
@@ -159,7 +159,7 @@ def deliver(files: Sequence[Callable[[], None]]) -> Iterator[None]:
     Raises
     ------
     PkmodesError
-        The first that a writer raised.
+        The first error that a writer raised.
     """
     problems = []
     for write in files:
@@ -179,7 +179,7 @@ def deliver(files: Sequence[Callable[[], None]]) -> Iterator[None]:
 
 
 def silence() -> None:
-    """Let nothing more go to standard output: the interpreter would complain when it flushes."""
+    """Discard further standard output: the interpreter would report an error when it flushes a closed pipe."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from pkmodes.mechanism import Mechanism
     from pkmodes.model import Model
 
-#: What a component of this unit is a quantity of.
+#: Dimension of a pose component by unit.
 DIMENSIONS = {"m": "length", "rad": "angle"}
 
 pose_option = click.option(
@@ -31,7 +31,7 @@ def parse_pose(text: str, kind: Mechanism) -> list[float]:
     Raises
     ------
     PoseError
-        If there are not as many as the mechanism's poses have, or one of them is no such quantity.
+        If the number of components is wrong, or one of them is not such a quantity.
     """
     from pkmodes.robot.units import QuantityError, parse
 
@@ -49,18 +49,18 @@ def parse_pose(text: str, kind: Mechanism) -> list[float]:
             try:
                 point.append(parse(part, DIMENSIONS[component.unit]))
             except QuantityError as error:
-                remedy = f"write a number in {component.unit}, or one with its unit"
+                remedy = f"write a number in {component.unit}, or a number with its unit"
                 raise PoseError(str(error), "--pose", remedy) from None
     return point
 
 
 def check_metres(model: Model, text: str, point: list[float]) -> None:
-    """Refuse a pose that would be reached if its bare lengths were millimetres.
+    """Reject a pose that could be reached if its bare lengths were in millimetres.
 
     Raises
     ------
     PoseError
-        Any other pose that cannot be reached is the model's to refuse.
+        Other poses that cannot be reached are left to the model to reject.
     """
     lengths = [component.unit == "m" for component in model.kind.pose]
     smaller = [c / 1e3 if length else c for c, length in zip(point, lengths, strict=True)]

@@ -1,4 +1,4 @@
-"""``pkmodes sensitivities``: how much each quantity of the robot file, and each effect, moves the frequencies."""
+"""``pkmodes sensitivities``: how much each quantity of the robot file and each effect changes the frequencies."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from pkmodes.sensitivity.sensitivities import Sensitivities
 
 Array = NDArray[np.float64]
-#: Derivatives below this fraction are rounding, and shown as 0: of the frequency by that of the value, and of the
-#: frequency by one SI unit where the value is 0.
+#: Derivatives below these bounds are rounding and shown as 0: relative change of the frequency per relative change of
+#: the value, or per SI unit if the value is 0.
 NOTHING, NOTHING_BY_UNIT = 1e-9, 1e-15
 
 
@@ -42,10 +42,10 @@ NOTHING, NOTHING_BY_UNIT = 1e-9, 1e-15
 @mechanism_option
 @json_option
 def sensitivities(robot: Path, pose: str, parameters: str | None, json_file: str | None) -> None:
-    """Exact derivatives of the frequencies at a pose by the robot's quantities and by effects, absent ones too.
+    """Compute exact derivatives of the frequencies at a pose with respect to the robot's quantities and to effects.
 
-    Quantities are sorted by how much a percent of them moves a frequency.  The platform stays where it is, and
-    every other quantity as well; docs/sensitivities.md lists the paths.
+    Absent effects are included.  Quantities are sorted by how much a change of one percent changes a frequency.  The
+    platform pose and all other quantities are held constant; docs/sensitivities.md lists the paths.
     """
     check_target(json_file, robot)
     paths = None if parameters is None else _paths(parameters)
@@ -68,13 +68,13 @@ def _paths(text: str) -> list[str]:
         raise PkmodesError(
             f"expected parameter paths separated by commas, found {shown(text)}",
             "--parameters",
-            "write such as --parameters platform.mass,axis.span, or leave the option out",
+            "for example: --parameters platform.mass,axis.span; or omit the option",
         )
     return list(dict.fromkeys(paths))
 
 
 def _relative(found: Sensitivities, frequencies: Array) -> Array:
-    """Percent of the frequency by percent of the value; NaN where either is 0."""
+    """Return the percent change of the frequency per percent of the value; NaN if either is 0."""
     values = np.where(found.values == 0.0, np.nan, found.values)
     sizes = np.where(frequencies == 0.0, np.nan, frequencies)
     relative: Array = found.frequencies * values[:, None] / sizes
@@ -82,7 +82,7 @@ def _relative(found: Sensitivities, frequencies: Array) -> Array:
 
 
 def as_json(model: Model, result: Modes, found: Sensitivities, relative: Array) -> dict[str, Any]:
-    """The result with the keys that scripts rely on (docs/json.md)."""
+    """Return the result with the JSON keys documented in docs/json.md."""
     return {
         "robot": model.robot.name,
         "pose": result.poses.tolist(),
@@ -100,7 +100,7 @@ def as_json(model: Model, result: Modes, found: Sensitivities, relative: Array) 
 
 @dataclass(frozen=True)
 class _Line:
-    """A quantity in the tables, for the vibration modes."""
+    """A quantity in the tables, with its derivatives for the vibration modes."""
 
     path: str
     unit: str
@@ -110,7 +110,7 @@ class _Line:
 
     @property
     def weight(self) -> float:
-        """By what the lines are sorted, to six digits; 0 for a quantity that is 0: a percent of it is nothing."""
+        """Sort key of the line, to six digits; 0 for a quantity that is 0, of which a percent is 0."""
         return float(f"{np.nanmax(np.abs(self.relative), initial=0.0):.6g}") if self.value else 0.0
 
 
@@ -131,12 +131,12 @@ def _print(model: Model, result: Modes, found: Sensitivities, relative: Array) -
     present = [line for line in lines if line.value != 0.0]
     if present:
         terminal.line()
-        terminal.line("percent of the frequency by percent of the value:")
+        terminal.line("percent of the frequency per percent of the value:")
         rows = [["f [Hz]", *frequencies], *([line.path, *map(_share, line.relative)] for line in present)]
         terminal.table(["mode", *modes], rows, left=("mode",))
     if lines:
         terminal.line()
-        terminal.line("Hz by the unit of the value:")
+        terminal.line("Hz per unit of the value:")
         rows = [
             [line.path, f"{line.value:.6g}", "" if line.unit == "1" else line.unit, *map(_rate, line.rates)]
             for line in lines
@@ -149,13 +149,13 @@ def _print(model: Model, result: Modes, found: Sensitivities, relative: Array) -
     for members in _repeated(found.groups.tolist(), rigid):
         terminal.line()
         terminal.line(
-            f"modes {', '.join(map(str, members))} coincide: theirs are the derivatives of the branches into which "
-            "they split, ascending"
+            f"modes {', '.join(map(str, members))} coincide: the derivatives are those of the branches into which "
+            "they split, in ascending order"
         )
 
 
 def _repeated(groups: list[int], rigid: int) -> list[list[int]]:
-    """Vibration modes that coincide, counted from 1."""
+    """Return the groups of coincident vibration modes, counted from 1."""
     together: dict[int, list[int]] = {}
     for number, group in enumerate(groups[rigid:], start=1):
         together.setdefault(group, []).append(number)

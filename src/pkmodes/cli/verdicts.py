@@ -1,4 +1,4 @@
-"""Which verdicts of a diagnosis a script takes for a failure."""
+"""The verdicts of a diagnosis that ``--fail-on`` treats as failures."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from collections.abc import Sequence
 from pkmodes.errors import PkmodesError, shown
 
 VERDICTS = ("adequate", "effect_found", "ambiguous", "unexplained", "insufficient_data")
-#: Stands for every verdict but that the model is adequate.
+#: Stands for every verdict except adequate.
 ANY = "any"
 
 
 def failing(names: Sequence[str]) -> frozenset[str]:
-    """The verdicts that names stand for.
+    """Return the verdicts that the names stand for.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ def failing(names: Sequence[str]) -> frozenset[str]:
         if name not in (*VERDICTS, ANY):
             nearest = difflib.get_close_matches(name, [*VERDICTS, ANY], n=1, cutoff=0.5)
             remedy = (
-                f'did you mean "{nearest[0]}"?' if nearest else f"choose among {', '.join(VERDICTS)}, {ANY}"
+                f'did you mean "{nearest[0]}"?' if nearest else f"choose from {', '.join(VERDICTS)}, {ANY}"
             )
             raise PkmodesError(f"unknown verdict {shown(name)}", "--fail-on", remedy)
         found |= set(VERDICTS) - {"adequate"} if name == ANY else {name}

@@ -1,1 +1,1 @@
-"""Modal measurements: natural frequencies, shapes and poses that were identified on a machine."""
+"""Modal measurements: natural frequencies, mode shapes and poses identified on a machine."""

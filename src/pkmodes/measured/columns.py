@@ -1,4 +1,4 @@
-"""The columns of modal measurements, before anyone has looked whether they are right."""
+"""The columns of modal measurements, before validation."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int_]
-#: Where a setup is, if nobody says otherwise: a point in space, by its components and their units.
+#: Default components of a pose and their units: a point in space.
 POSITION: Mapping[str, str] = MappingProxyType({"x": "m", "y": "m", "z": "m"})
 
 
@@ -26,17 +26,17 @@ class Columns:
     labels : tuple of str, length P
         Labels of the poses in the order of their first rows.
     points : ndarray, shape (P, d)
-        Where the poses are, in SI units; zeros for a structure of which nobody says so.
+        The poses in SI units; zeros for a structure without positions.
     point_sigma : ndarray, shape (P, d)
-        Their standard deviations, 0 where they are taken as exact.
+        Their standard deviations, 0 where they are assumed exact.
     pose : ndarray of int, shape (R,)
         Index of each row's pose.
     frequency, sigma : ndarray, shape (R,)
         Natural frequency and its standard deviation [Hz].
     damping : ndarray, shape (R,)
-        Damping ratio, NaN where it is not given.
+        Damping ratio, NaN where not given.
     mode : tuple of str, length R
-        The experimenter's own numbering, empty where it is not given.
+        The experimenter's mode numbers, empty where not given.
     lines : ndarray of int, shape (R,)
         Line of each row in the file, from 1.
     channels : tuple of str, length C
@@ -44,19 +44,19 @@ class Columns:
     shapes : ndarray, shape (R, C)
         Components of the mode shapes, any scale per row, NaN where not measured.
     shape_sigma : ndarray, shape (R,)
-        Standard deviation of the row's shape components relative to the largest of them, NaN where not stated.
+        Standard deviation of the row's shape components relative to the largest, NaN where not given.
     damping_sigma : ndarray, shape (R,)
         Standard deviation of the damping ratio, NaN where there is no damping.
     band : tuple of float, or None
-        Lowest and highest frequency at which modes were looked for [Hz]; None where that is not stated.
+        Lowest and highest frequency of the band in which modes were identified [Hz]; None if not given.
     unit : str
-        Unit of the frequencies in the source, for messages; empty where it says none, which means Hz.
+        Unit of the frequencies in the source, for messages; empty if it gives none, which means Hz.
     components, component_units : tuple of str, length d
-        What the components of a pose are called, and their SI units.
+        Names of the components of a pose, and their SI units.
     settings : tuple of str, length K
-        Names of what was set to a known value in some poses: load cases.
+        Paths of the parameters that were set to a known value at some poses: load cases.
     set_values : ndarray, shape (P, K)
-        Those values in SI units, NaN where a pose has the declared one.
+        Those values in SI units, NaN where a pose has the declared value.
     """
 
     source: str

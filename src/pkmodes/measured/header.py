@@ -1,7 +1,6 @@
-"""The header of a measurement file: which column holds what, and in which unit.
+"""The header of a measurement file: the names and units of the columns.
 
-A name may be followed by a unit, ``frequency [rad/s]``.  What a column without one holds is in SI units, and
-frequencies in Hz.
+A name may be followed by a unit, ``frequency [rad/s]``.  Columns without a unit are in SI units, frequencies in Hz.
 """
 
 from __future__ import annotations
@@ -16,12 +15,12 @@ from pkmodes.errors import MeasurementError, shown
 from pkmodes.measured.rules import SET, SHAPE
 from pkmodes.robot.units import QuantityError, base_units
 
-#: Columns that hold no numbers.
+#: Columns of text.
 TEXT = ("pose", "mode")
 ALWAYS = ("pose", "frequency", "sigma")
-#: Prefix of the standard deviations of the components of a pose.
+#: Prefix of the standard deviations of pose components.
 SPREAD = "sigma_"
-#: SI unit of what a column holds; those of poses and shapes are given.
+#: SI units of the columns; those of poses and shapes depend on the mechanism.
 UNITS = {
     "frequency": "Hz",
     "sigma": "Hz",
@@ -31,18 +30,18 @@ UNITS = {
 }
 SEPARATORS = {";": "semicolons", "\t": "tabs", "|": "bars"}
 EXAMPLES = {"Hz": '"Hz" or "rad/s"', "1": '"%"', "m": '"mm"', "rad": '"deg"'}
-#: Units of a shape component where nobody says what it is: a displacement or a rotation.
+#: Units of a shape component of unknown kind: a displacement or a rotation.
 MOTIONS = ("m", "rad")
-#: Radians in one cycle: an angular frequency is not a frequency.
+#: Radians per cycle, to convert an angular frequency to a frequency.
 CYCLE = Decimal("6.28318530717958647692528676656")
 
 IN_BRACKETS = re.compile(r"(.*?)\s*\[([^\[\]]*)\]")
 
 
 class Column(NamedTuple):
-    """A column: its name without the unit, the header's text, the unit and its factor to SI, None without one.
+    """A column: name without the unit, text of the header, unit, and factor to SI (None without a unit).
 
-    What a column without a unit is in is ``si``, for messages: empty for ratios.
+    ``si`` is the unit assumed for a column without one, for messages; empty for ratios.
     """
 
     name: str
@@ -55,7 +54,7 @@ class Column(NamedTuple):
 def components_of(
     cells: Sequence[str], known: Sequence[Mapping[str, str]], channels: Collection[str]
 ) -> Mapping[str, str]:
-    """Which components of poses a header has, of several sets: the largest that is there, else what is nearest."""
+    """Choose the pose components of a header from several sets: the largest complete set, else the best match."""
     names = {_parted(cell, [f"{SHAPE}{name}" for name in channels])[0] for cell in cells}
     return max(known, key=lambda each: (names >= each.keys(), len(names & each.keys())))
 
@@ -68,7 +67,7 @@ def read_header(
     components: Mapping[str, str],
     settings: Mapping[str, str],
 ) -> list[Column]:
-    """Columns of a header, every one known and none there twice.
+    """Read the columns of a header; each must be known and occur only once.
 
     Parameters
     ----------
@@ -78,11 +77,11 @@ def read_header(
     channels : collection of str, or mapping of str to str
         Coordinates that a shape column may name; a mapping gives their SI units.
     positions : bool
-        Whether the components of the poses have to be there.
+        Whether the pose components are required.
     components : mapping of str to str
-        Their names and SI units.
+        Names and SI units of the pose components.
     settings : mapping of str to str
-        What a column ``set:<path>`` may name, and the SI units.
+        Paths that a column ``set:<path>`` may name, with their SI units.
 
     Raises
     ------
@@ -94,7 +93,7 @@ def read_header(
     known = ["pose", *components, "frequency", "sigma", *spreads]
     known += ["damping", "sigma_damping", "mode", "sigma_shape", *(f"{SHAPE}{name}" for name in channels)]
     known += [f"{SET}{name}" for name in settings]
-    help_text = f"begin with a header such as {','.join(required)}"
+    help_text = f"start with a header such as {','.join(required)}"
     text = ",".join(cells)
     separator = max(SEPARATORS, key=text.count)
     if separator in text and (
@@ -113,7 +112,7 @@ def read_header(
         if name not in known:
             _refuse_unknown(name, place, known)
         if name in names[:i]:
-            what = f"the column {shown(name)} is there twice, first as column {names.index(name) + 1}"
+            what = f"the column {shown(name)} is repeated, first as column {names.index(name) + 1}"
             _refuse(what, place, "remove one of them")
         factor = None if unit is None else _factor(name, unit, place, channels, units)
         columns.append(Column(name, cell, unit or "", factor, _plain(name, units)))
@@ -124,20 +123,20 @@ def read_header(
     for name in names:
         if name in (*components, *spreads) and len(placed) < len(components):
             missing = next(other for other in components if other not in placed)
-            what = f'the column "{name}" is there, and "{missing}" is not'
+            what = f'found the column "{name}" without "{missing}"'
             every = " and ".join([", ".join(list(components)[:-1]), *list(components)[-1:]])
-            _refuse(what, where, f"give {every}, or nothing of a position")
+            _refuse(what, where, f"give {every}, or no position column at all")
     return columns
 
 
 def _plain(name: str, units: Mapping[str, str]) -> str:
-    """What a column without a unit is in, for messages; empty for ratios."""
+    """Return the unit of a column whose header gives none, for messages; empty for ratios."""
     unit = units.get(name, "SI units")
     return "" if unit == "1" else unit
 
 
 def frequency_factor(unit: str) -> Decimal:
-    """What a frequency in this unit is multiplied with to be in Hz.
+    """Return the factor that converts a frequency in this unit to Hz.
 
     Raises
     ------
@@ -153,7 +152,7 @@ def frequency_factor(unit: str) -> Decimal:
 
 
 def _parted(cell: str, known: Sequence[str]) -> tuple[str, str | None]:
-    """Name and unit; brackets may also belong to the name of a channel."""
+    """Split a cell into name and unit; brackets may also be part of a channel name."""
     if cell in known or (match := IN_BRACKETS.fullmatch(cell)) is None:
         return cell, None
     return match[1], match[2].strip()
@@ -166,16 +165,16 @@ def _refuse(what: str, where: str, remedy: str) -> NoReturn:
 def _refuse_unknown(name: str, place: str, known: Sequence[str]) -> NoReturn:
     if not name:
         _refuse("expected the name of a column, found nothing", place, "name the column or remove it")
-    what = f"{shown(name)} names no coordinate" if name.startswith(SHAPE) else f"unknown column {shown(name)}"
+    what = f"{shown(name)} is not a coordinate" if name.startswith(SHAPE) else f"unknown column {shown(name)}"
     bare = re.sub(r"\s*\(.*\)$", "", name)
     if bare != name and bare in known:
         _refuse(what, place, f"write a unit in square brackets: {bare} [{name[len(bare) :].strip(' ()')}]")
-    # There are very many values that can be set: they are for names that begin as theirs, or that are theirs.
+    # There are very many settable values: suggest them only for names that start with their prefix or lack only it.
     others = [one for one in known if not one.startswith(SET)]
     some = [f"{SET}{name}"] if f"{SET}{name}" in known else others
-    otherwise = f"known are: {', '.join(others)}"
+    otherwise = f"known: {', '.join(others)}"
     if name.startswith(SET) and len(others) < len(known):
-        what = f"{shown(name)} names no value that can be set"
+        what = f"{shown(name)} is not a value that can be set"
         some = [one for one in known if one.startswith(SET)]
         otherwise = "see docs/sensitivities.md for the paths"
     nearest = difflib.get_close_matches(name, some, n=1, cutoff=0.5)
@@ -191,10 +190,10 @@ def _factor(
     channels: Collection[str] | Mapping[str, str],
     units: Mapping[str, str],
 ) -> Decimal | None:
-    """What the numbers of a column are multiplied with to be in SI units."""
+    """Return the factor that converts the numbers of a column to SI units."""
     if name in TEXT:
-        what = f"the column {shown(name)} has a unit, {shown(unit)}, and holds no quantity"
-        _refuse(what, place, f'write "{name}" alone')
+        what = f"the column {shown(name)} has the unit {shown(unit)} but is not a quantity"
+        _refuse(what, place, f'write only "{name}"')
     if name in units:
         allowed: tuple[str, ...] = (units[name],)
     elif isinstance(channels, Mapping):
@@ -212,7 +211,7 @@ def _factor(
         for si, same in map(base_units, allowed):
             if powers == same:
                 return factor / si
-        problem = f"{shown(unit)} is of another kind"
+        problem = f"{shown(unit)} is another kind of unit"
     except QuantityError as error:
         problem = str(error)
     raise MeasurementError(f"expected a unit such as {expected} for {name}: {problem}", place, remedy)

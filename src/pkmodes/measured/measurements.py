@@ -1,7 +1,7 @@
 """Modal measurements as arrays, one row for each identified mode.
 
-The rules that they obey (`rules`) hold wherever the numbers come from, a file or a script: nothing else of
-the package has to ask again whether a frequency is positive or a label has one position.
+The same rules (`rules`) apply to numbers from a file and from a script, so no other module has to check again whether
+a frequency is positive or a label has a single position.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ from pkmodes.measured.rules import (
 )
 from pkmodes.robot.units import QuantityError
 
-#: Standard deviation of a damping ratio, relative to it, where none is stated.
+#: Default standard deviation of a damping ratio, relative to it.
 DAMPING_SIGMA = 0.2
-#: Arguments of `Measurements.from_rows` that are not called as the columns of a file, by the names of these.
+#: Arguments of `Measurements.from_rows` by column name, where the two names differ.
 KEYWORDS = {"sigma_shape": "shape_sigma", "sigma_damping": "damping_sigma", "x": "points", "shape": "shapes"}
 ARGUMENTS = (
     "points",
@@ -52,14 +52,14 @@ ARGUMENTS = (
 class Measurements(Columns):
     """Identified modes of a machine at P poses: R rows in the order of their file, C shape channels.
 
-    `from_rows` builds them from plain columns.  Arrays are copied and cannot be written to.
+    `from_rows` builds them from plain columns.  Arrays are copied and read-only.
 
     The attributes are those of `pkmodes.measured.columns.Columns`.
 
     Raises
     ------
     MeasurementError
-        If the arrays do not fit together or a number breaks a rule; the place names line and column.
+        If the arrays do not match or a number breaks a rule; the place gives line and column.
     """
 
     def __post_init__(self) -> None:
@@ -71,7 +71,7 @@ class Measurements(Columns):
             raise MeasurementError(
                 f"expected {rows} mode numbers, found {len(self.mode)}",
                 f"{self.source}: mode",
-                "give one for each row",
+                "give one number for each row",
             )
         for name, shape in {
             "points": (poses, size),
@@ -123,57 +123,57 @@ class Measurements(Columns):
         settings: Mapping[str, ArrayLike] | None = None,
         **unknown: Never,
     ) -> Measurements:
-        """Build measurements from columns that have one entry for each of R rows.
+        """Build measurements from columns with one entry for each of R rows.
 
         Parameters
         ----------
         pose : sequence, length R
-            Labels: rows with the same label belong together.
+            Labels: rows with the same label belong to the same pose.
         frequency, sigma : array_like, shape (R,)
             Natural frequencies and their standard deviations [Hz].
         points : array_like, shape (R, d), optional
-            Where each row's pose is, in SI units; zeros for a structure of which nobody says so.
+            The pose of each row in SI units; default 0, for a structure without positions.
         point_sigma : array_like, shape (R, d), optional
             Standard deviations of the points, default 0.
         damping : array_like, shape (R,), optional
             Damping ratios, NaN where unknown.
         mode : sequence, length R, optional
-            The experimenter's own numbering.
+            The experimenter's mode numbers.
         shapes : mapping of str to array_like of shape (R,), optional
             Shape components by coordinate, NaN where not measured.
         shape_sigma : float or array_like, shape (R,), optional
-            Standard deviation of each row's shape components relative to the largest of them, above 0 and below
-            1; NaN where it is not known.  One number holds for all rows.
+            Standard deviation of each row's shape components relative to the largest, above 0 and below 1; NaN
+            where unknown.  A single number applies to all rows.
         damping_sigma : float or array_like, shape (R,), optional
-            Standard deviations of the damping ratios, by default and where NaN a fifth of them.
+            Standard deviations of the damping ratios, by default and where NaN a fifth of the ratio.
         band : tuple of float, optional
-            Lowest and highest frequency at which modes were looked for [Hz].
+            Lowest and highest frequency of the band in which modes were identified [Hz].
         source : str
-            Where they come from, for messages.
+            Origin of the data, for messages.
         lines : array_like of int, shape (R,), optional
             Line of each row in the source, default 1 to R.
         unit : str, optional
-            Unit of the frequencies in the source, where it says one, for messages; here they are in Hz.
+            Unit of the frequencies in the source if it gives one, for messages; the arguments are in Hz.
         components : mapping of str to str, optional
             Names of the d components of a point and their SI units; by default a position in space.
         settings : mapping of str to array_like of shape (R,), optional
-            Values that something is known to have, by its name, in SI units, NaN where it is as declared: the rows of
-            a label agree.
+            Known values of parameters by path, in SI units, NaN where the declared value applies.  Rows with the
+            same label must agree.
 
         Raises
         ------
         MeasurementError
-            If the columns do not fit together, a number breaks a rule, a label has two positions or two values of
-            what was set, or a row is there twice.
+            If the columns do not match, a number breaks a rule, a label has two positions or two values of a
+            setting, or a row is repeated.
         """
         for name in unknown:
-            what = f"there is no argument {shown(name)}"
+            what = f"unknown argument {shown(name)}"
             raise MeasurementError(what, "from_rows", nearest(KEYWORDS.get(name, name), ARGUMENTS))
         try:
             if unit:
                 frequency_factor(unit)
         except QuantityError as error:
-            raise MeasurementError(str(error), f"{source}: unit", "write such as Hz or rad/s") from None
+            raise MeasurementError(str(error), f"{source}: unit", "use a unit such as Hz or rad/s") from None
         if isinstance(pose, str):
             raise MeasurementError(
                 f"expected one label for each row, found {shown(pose)}",
@@ -193,7 +193,7 @@ class Measurements(Columns):
         loads = np.empty((rows, len(known)))
         for k, (name, given) in enumerate(known.items()):
             loads[:, k] = _array(given, f"{SET}{name}", (rows,), source)
-        first: dict[str, int] = {}  # row that introduces each label, in the order of the rows
+        first: dict[str, int] = {}  # first row of each label, in the order of the rows
         for i, label in enumerate(names):
             first.setdefault(label, i)
         index = {label: i for i, label in enumerate(first)}
@@ -247,23 +247,23 @@ class Measurements(Columns):
         return found
 
     def load(self, pose: int) -> dict[str, float]:
-        """What was set at a pose, by name, in SI units; nothing of what is as declared."""
+        """Return the values set at a pose by path, in SI units, without those that are as declared."""
         values = zip(self.settings, self.set_values[pose].tolist(), strict=True)
         return {name: value for name, value in values if not np.isnan(value)}
 
     def at(self, poses: Sequence[int]) -> Measurements:
-        """The measurements of some poses only.
+        """Return the measurements at some of the poses.
 
         Parameters
         ----------
         poses : sequence of int
             Indices into `labels`, each at most once.  Their order does not matter: rows keep the order of the
-            file, and the poses that remain are numbered anew in the order of their first rows.
+            file, and the remaining poses are renumbered in the order of their first rows.
 
         Raises
         ------
         MeasurementError
-            If an index is not that of a pose, or comes twice.
+            If an index is out of range or repeated.
         """
         indices = listed(
             poses, "pose indices", f"{self.source}: at", "0", (int, np.integer), MeasurementError
@@ -279,7 +279,7 @@ class Measurements(Columns):
                 f"{self.source}: at",
                 "give indices into labels",
             )
-        kept = np.sort(chosen)  # labels are in the order of first rows, and so is every part of them
+        kept = np.sort(chosen)  # labels are in the order of their first rows, and so is every subset of them
         rows = np.flatnonzero(np.isin(self.pose, kept))
         return replace(
             self,
@@ -300,7 +300,7 @@ class Measurements(Columns):
 
 
 def _for_all(given: ArrayLike, rows: int) -> ArrayLike:
-    """One number for each of the rows, where there is one for all."""
+    """Repeat a single number for all rows; return anything else unchanged."""
     return np.full(rows, given) if isinstance(given, int | float | np.integer | np.floating) else given
 
 
@@ -314,26 +314,26 @@ def _by_name(
         raise MeasurementError(
             f"expected {what}, found {shown(given)}",
             f"{source}: {argument}",
-            f'write such as {{"{example}": [0.5, -0.2]}}',
+            f'for example: {{"{example}": [0.5, -0.2]}}',
         )
     return given
 
 
 def _numbers(mode: Sequence[object], source: str) -> list[object]:
-    """The experimenter's own numbering, which may be text."""
+    """Check the experimenter's mode numbers, which may be text."""
     return listed(mode, "mode numbers", f"{source}: mode", "1", error=MeasurementError)
 
 
 def _array(given: ArrayLike, name: str, shape: tuple[int, ...], source: str, whole: bool = False) -> Array:
-    """A copy of the right shape, of integers or of numbers."""
+    """Copy an array, checking its shape and that it holds integers or numbers."""
     try:
         array = np.array(given)
         if array.dtype.kind not in ("iu" if whole else "iuf") and array.size:
             raise TypeError(f"values of type {array.dtype}")
-    except Exception as error:  # what is not an array may raise anything on the way to become one
+    except Exception as error:  # conversion of an arbitrary object may raise anything
         kind = "whole numbers" if whole else "numbers"
         raise MeasurementError(
-            f"expected {kind}, found {error}", f"{source}: {name}", "give an array of them"
+            f"expected {kind}, found {error}", f"{source}: {name}", f"give an array of {kind}"
         ) from None
     if array.shape != shape:
         raise MeasurementError(

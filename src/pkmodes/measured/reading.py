@@ -1,4 +1,4 @@
-"""Read modal measurements: CSV with a header, or the first thing that is wrong, with its line and column."""
+"""Read modal measurements from CSV with a header, or report the first problem with its line and column."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.table import cells_of, read_lines, read_table
 
 LARGEST_FILE = 50_000_000
-#: How files of spreadsheets begin: an archive, and the older format of Excel.
+#: First bytes of spreadsheet files: a zip archive, and the older Excel format.
 WORKBOOKS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")
 
 
@@ -34,18 +34,18 @@ def read_measurements(
     path : path-like
         A CSV file in UTF-8 with one row for each identified mode: the columns ``pose``, one for each component of a
         pose, ``frequency``, ``sigma`` [Hz], and where known ``sigma_<component>``, ``damping``, ``sigma_damping``,
-        ``mode``, ``shape:<coordinate>``, ``sigma_shape`` and ``set:<path>``.  A header may carry a unit,
-        ``frequency [rad/s]``.  A comment line ``# band: 10 Hz, 400 Hz`` says where modes were looked for; other
-        lines that begin with ``#`` are passed over, and so are blank ones.
+        ``mode``, ``shape:<coordinate>``, ``sigma_shape`` and ``set:<path>``.  A column name may carry a unit,
+        ``frequency [rad/s]``.  A comment line ``# band: 10 Hz, 400 Hz`` gives the band in which modes were
+        identified; other lines that begin with ``#`` are ignored, as are blank lines.
     channels : collection of str, or mapping of str to str
-        Coordinates that a shape column may name; a mapping gives their SI units, without which a unit of a
-        shape column may be one of length or angle.
+        Coordinates that a shape column may name.  A mapping gives their SI units; otherwise the unit of a shape
+        column may be a length or an angle.
     positions : bool
-        Whether the components of the poses have to be there.  Where not, they are there together or not at all.
+        Whether the pose components are required.  If not, either all or none of them must be present.
     components : sequence of mapping of str to str
-        What the components may be, each with its SI unit: where there is more than one choice, the header decides.
+        Possible sets of pose components, each with SI units; if there are several, the header decides.
     settings : mapping of str to str, optional
-        What a column ``set:<path>`` may name, and the SI units.
+        Paths that a column ``set:<path>`` may name, with their SI units.
 
     Returns
     -------
@@ -55,13 +55,12 @@ def read_measurements(
     Raises
     ------
     MeasurementError
-        If the file cannot be read or anything in it is wrong, with line, column, what was expected and what
-        was found.
+        If the file cannot be read or is invalid, with line, column, what was expected and what was found.
     """
     source = fspath(path)
     lines = read_lines(_text(Path(path), source), source)
     if not lines.records:
-        remedy = "begin with the names of the columns"
+        remedy = "start with the names of the columns"
         raise MeasurementError("expected a header and rows, found none", source, remedy)
     number, line = lines.records[0]
     where = f"{source}: line {number}"
@@ -79,11 +78,11 @@ def read_modes(path: str | PathLike[str], channels: Collection[str] | Mapping[st
     path : path-like
         A CSV file in UTF-8 with one row for each identified mode: the columns ``pose`` (the label of a setup),
         ``frequency``, ``sigma`` [Hz], and where known ``damping``, ``sigma_damping``, ``mode``,
-        ``shape:<channel>`` and ``sigma_shape``.  A header may carry a unit, ``frequency [rad/s]``.  A comment
-        line ``# band: 10 Hz, 400 Hz`` says where modes were looked for.
+        ``shape:<channel>`` and ``sigma_shape``.  A column name may carry a unit, ``frequency [rad/s]``.  A comment
+        line ``# band: 10 Hz, 400 Hz`` gives the band in which modes were identified.
     channels : collection of str, or mapping of str to str
-        Channels of the structure, which the shape columns name; a mapping gives their SI units, without which a
-        unit of a shape column may be one of length or angle.
+        Channels of the structure, which the shape columns name.  A mapping gives their SI units; otherwise the unit
+        of a shape column may be a length or an angle.
 
     Returns
     -------
@@ -93,8 +92,7 @@ def read_modes(path: str | PathLike[str], channels: Collection[str] | Mapping[st
     Raises
     ------
     MeasurementError
-        If the file cannot be read or anything in it is wrong, with line, column, what was expected and what
-        was found.
+        If the file cannot be read or is invalid, with line, column, what was expected and what was found.
     """
     return read_measurements(path, channels, positions=False)
 
@@ -110,10 +108,10 @@ def _text(path: Path, source: str) -> str:
             kind = "a folder" if path.is_dir() else "not a regular file"
             _refuse(f"cannot read the measurements: it is {kind}", source, remedy)
         if path.stat().st_size > LARGEST_FILE:
-            _refuse("cannot read the measurements: it has more than 50 MB", source, remedy)
+            _refuse("cannot read the measurements: it is larger than 50 MB", source, remedy)
         content = path.read_bytes()
         if content.startswith(WORKBOOKS):
-            remedy = "open it there and save it as CSV UTF-8"
+            remedy = "open it in a spreadsheet program and save it as CSV UTF-8"
             _refuse("expected CSV text, found an Excel workbook or another archive", source, remedy)
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:

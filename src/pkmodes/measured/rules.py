@@ -1,4 +1,4 @@
-"""The rules that modal measurements obey, each with the row and column that breaks it."""
+"""The rules for modal measurements; violations are reported with row and column."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from pkmodes.robot.units import LARGEST, SMALLEST
 
 #: Prefix of the columns that hold mode shapes.
 SHAPE = "shape:"
-#: Prefix of the columns that hold what something was set to.
+#: Prefix of the columns that hold values of settings.
 SET = "set:"
 
 
 class Found(NamedTuple):
-    """A number that a message quotes: where it is, and its value in SI units with the digits to show."""
+    """A number quoted in a message: its row and column, its value in SI units, and its format."""
 
     row: int
     column: str
@@ -28,7 +28,7 @@ class Found(NamedTuple):
 
 
 class Problem(NamedTuple):
-    """A broken rule: in which row and column, what is wrong, in text and numbers, and what to do."""
+    """A violated rule: row and column, what is wrong as text and numbers, and what to do."""
 
     row: int
     column: str
@@ -37,7 +37,7 @@ class Problem(NamedTuple):
 
 
 class BrokenRuleError(MeasurementError):
-    """A rule that a row breaks, before the numbers in its message are shown as somebody wrote them."""
+    """A violated rule; the reader of a file can replace the numbers in its message by the original cells."""
 
     def __init__(self, problem: Problem, where: str) -> None:
         super().__init__(told(problem, _plainly), where, problem.remedy)
@@ -48,7 +48,7 @@ class BrokenRuleError(MeasurementError):
 
 
 def told(problem: Problem, show: Callable[[Found], str]) -> str:
-    """What is wrong, with its numbers shown in some way."""
+    """Return the message of a problem, with its numbers formatted by `show`."""
     parts = (problem.what,) if isinstance(problem.what, str) else problem.what
     return "".join(part if isinstance(part, str) else show(part) for part in parts)
 
@@ -58,7 +58,7 @@ def _plainly(found: Found) -> str:
 
 
 def refuse(problems: Sequence[Problem], source: str, lines: Integers) -> None:
-    """Raise the first problem in the order of the rows, if there is any."""
+    """Raise the first problem by row, if there is any."""
     if problems:
         first = min(problems, key=lambda problem: problem.row)
         where = f"{source}: line {lines[first.row]}, column {first.column}"
@@ -68,21 +68,21 @@ def refuse(problems: Sequence[Problem], source: str, lines: Integers) -> None:
 
 
 def checked_band(band: Iterable[float], where: str) -> tuple[float, float]:
-    """The band in which modes were looked for [Hz], or what is wrong with it."""
+    """Check the band in which modes were identified [Hz]."""
     try:
         low, high = (float(limit) for limit in band)
     except (TypeError, ValueError):
         raise MeasurementError(
-            "expected two frequencies", where, "give the lower and the higher one in Hz"
+            "expected two frequencies", where, "give the lower and the higher frequency in Hz"
         ) from None
     if not SMALLEST <= low < high <= LARGEST:
         what = f"expected a lower and a higher frequency, both above 0 Hz, found {low:g} Hz and {high:g} Hz"
-        raise MeasurementError(what, where, "give the lower one first")
+        raise MeasurementError(what, where, "give the lower frequency first")
     return low, high
 
 
 def value_problems(given: Columns, first: Integers) -> Iterator[Problem]:
-    """Numbers out of their range; `first` holds the first row of each pose."""
+    """Yield numbers that are out of range; `first` holds the first row of each pose."""
     rows = np.arange(len(given.mode))
 
     def broken(
@@ -96,23 +96,24 @@ def value_problems(given: Columns, first: Integers) -> Iterator[Problem]:
                 row, column, (f"expected {wanted}, found ", Found(row, column, float(values[i]))), remedy
             )
 
-    # A NaN compares false, and so fails.
+    # A NaN compares false and so fails.
     for k, (name, unit) in enumerate(zip(given.components, given.component_units, strict=True)):
         point, spread = given.points[:, k], given.point_sigma[:, k]
         remedy = f"write a number in {unit}"
         yield from broken(name, point, np.abs(point) <= LARGEST, "a finite coordinate", remedy, first)
         good = (spread >= 0.0) & (spread <= LARGEST)
         expected = f"a standard deviation of at least 0 {unit}"
-        yield from broken(f"sigma_{name}", spread, good, expected, "leave it blank when unknown", first)
+        yield from broken(f"sigma_{name}", spread, good, expected, "leave it blank if unknown", first)
     frequency, sigma, damping = given.frequency, given.sigma, given.damping
     positive = (frequency >= SMALLEST) & (frequency <= LARGEST)
     yield from broken(
-        "frequency", frequency, positive, "a frequency above 0 Hz", "leave rigid-body modes out"
+        "frequency", frequency, positive, "a frequency above 0 Hz", "leave out rigid-body modes"
     )
     known = (sigma >= SMALLEST) & (sigma <= LARGEST)
-    yield from broken("sigma", sigma, known, "a standard deviation above 0 Hz", "write that of the frequency")
+    remedy = "write the standard deviation of the frequency"
+    yield from broken("sigma", sigma, known, "a standard deviation above 0 Hz", remedy)
     small = (sigma < frequency) | ~(positive & known)
-    remedy = "write that of the frequency, and look at the units of both"
+    remedy = "write the standard deviation of the frequency, and check the units of both"
     yield from broken("sigma", sigma, small, "a standard deviation below the frequency", remedy)
     ratio = np.isnan(damping) | ((damping >= 0.0) & (damping < 1.0))
     yield from broken(
@@ -126,7 +127,7 @@ def value_problems(given: Columns, first: Integers) -> Iterator[Problem]:
         given.damping_sigma,
         unsure,
         "a standard deviation of at least 0 and below 1",
-        "write that of the damping ratio, or leave it blank",
+        "write the standard deviation of the damping ratio, or leave it blank",
     )
     rough = np.isnan(given.shape_sigma) | ((given.shape_sigma >= SMALLEST) & (given.shape_sigma < 1.0))
     yield from broken(
@@ -145,22 +146,22 @@ def value_problems(given: Columns, first: Integers) -> Iterator[Problem]:
         part = given.shapes[:, k]
         good = np.isnan(part) | (np.abs(part) <= LARGEST)
         yield from broken(
-            f"{SHAPE}{name}", part, good, "a finite shape component", "leave it blank when unknown"
+            f"{SHAPE}{name}", part, good, "a finite shape component", "leave it blank if unknown"
         )
     for k, name in enumerate(given.settings):
         part = given.set_values[:, k]
         good = np.isnan(part) | (np.abs(part) <= LARGEST)
         yield from broken(
-            f"{SET}{name}", part, good, "a finite value", "leave it blank where it is as declared", first
+            f"{SET}{name}", part, good, "a finite value", "leave it blank if it is as declared", first
         )
     for i in np.flatnonzero((given.shapes == 0.0).any(axis=1) & ~(np.abs(given.shapes) > 0.0).any(axis=1)):
         column = f"{SHAPE}{given.channels[int(np.argmax(given.shapes[i] == 0.0))]}"
-        remedy = "leave the components blank where the shape was not measured"
-        yield Problem(int(i), column, "expected a mode shape, found nothing but zeros", remedy)
+        remedy = "leave the components blank if the shape was not measured"
+        yield Problem(int(i), column, "expected a mode shape, found only zeros", remedy)
 
 
 def text_problems(given: Columns, first: Integers) -> Iterator[Problem]:
-    """Labels and mode numbers are printed in tables and reports; a label also has to be there."""
+    """Yield labels and mode numbers that are not printable, and labels that are missing or repeated."""
     seen: set[str] = set()
     for i, label in zip(first.tolist(), given.labels, strict=True):
         if not label.strip() or not label.isprintable():
@@ -169,7 +170,7 @@ def text_problems(given: Columns, first: Integers) -> Iterator[Problem]:
             )
         if label in seen:
             yield Problem(
-                i, "pose", f"two poses have the label {shown(label)}", "give each a label of its own"
+                i, "pose", f"two poses have the label {shown(label)}", "give each pose a unique label"
             )
         seen.add(label)
     for i, number in enumerate(given.mode):
@@ -180,7 +181,7 @@ def text_problems(given: Columns, first: Integers) -> Iterator[Problem]:
 
 
 def position_problems(found: Columns, points: Array, spreads: Array) -> Iterator[Problem]:
-    """Rows whose position, or its standard deviation, is not that of the first row of their pose."""
+    """Yield rows whose position or its standard deviation differs from the first row of their pose."""
     first = np.unique(found.pose, return_index=True)[1]
     for kind, prefix, rows, poses in (
         ("positions", "", points, found.points),
@@ -199,12 +200,12 @@ def position_problems(found: Columns, points: Array, spreads: Array) -> Iterator
                     Found(int(i), name, float(rows[i, k]), ".10g"),
                     " here",
                 ),
-                "give every pose a label of its own",
+                "give each pose a unique label",
             )
 
 
 def setting_problems(found: Columns, rows: Array) -> Iterator[Problem]:
-    """Rows (R, K) that set something to another value than the first row of their pose does."""
+    """Yield rows, of all rows (R, K), with a setting that differs from the first row of their pose."""
     first = np.unique(found.pose, return_index=True)[1]
     poses = found.set_values[found.pose]
     for i, k in np.argwhere((rows != poses) & ~(np.isnan(rows) & np.isnan(poses))):
@@ -217,12 +218,12 @@ def setting_problems(found: Columns, rows: Array) -> Iterator[Problem]:
             int(i),
             name,
             (what, there, f" in line {found.lines[before]} and ", here, " here"),
-            "give every load case a label of its own",
+            "give each load case a unique label",
         )
 
 
 def repetitions(found: Columns) -> Iterator[Problem]:
-    """Rows that are there twice: one mode must not count as two measurements."""
+    """Yield repeated rows: one mode must not count as two measurements."""
     numbers = np.column_stack([found.pose, found.frequency, found.sigma, found.damping, found.shapes])
     seen: dict[tuple[bytes, str], int] = {}
     for i, row in enumerate(numbers):

@@ -1,4 +1,4 @@
-"""The text of a measurement file as rows of cells, and the cells as numbers in SI units."""
+"""Convert the text of a measurement file to rows of cells, and the cells to numbers in SI units."""
 
 from __future__ import annotations
 
@@ -27,32 +27,32 @@ from pkmodes.measured.rules import (
 )
 from pkmodes.robot.units import QuantityError
 
-#: A line for a spreadsheet, which says how the cells are separated.
+#: A line that tells spreadsheet programs the separator of the cells.
 SEPARATOR = re.compile(r"\"?sep\s*=\s*(.)\"?[,;\t]*", re.IGNORECASE)
-#: Columns where no cell may be blank, besides the components of a pose.
+#: Columns without blank cells, besides the pose components.
 FILLED = ("pose", "frequency", "sigma")
 
 # Stricter than float(): no "nan", no "1_000", no digits of other scripts.
 NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
-#: A comment that states the band.  One that lacks the colon is a mistake that would pass unseen.
+#: A comment that gives the band.  Also matches without the colon, a mistake that would otherwise go unnoticed.
 BAND = re.compile(r"#\s*band\s*(:|=|(?=\s[0-9.]))(.*)", re.IGNORECASE)
-BAND_HELP = 'write "# band: 10 Hz, 400 Hz", or begin the comment with another word'
+BAND_HELP = 'write "# band: 10 Hz, 400 Hz", or start the comment with another word'
 
 
 class Lines(NamedTuple):
-    """Lines that hold cells, with their numbers, and the band, where a comment states one."""
+    """Lines of cells with their line numbers, and the band if a comment gives one."""
 
     records: list[tuple[int, str]]
     band: tuple[float, float] | None
 
 
 def read_lines(text: str, source: str) -> Lines:
-    """Part a file into its records and what its comments state.
+    """Split a file into its records and the band from its comments.
 
     Raises
     ------
     MeasurementError
-        If a band is none, or another one than before.
+        If a band is invalid or differs from a previous one.
     """
     records: list[tuple[int, str]] = []
     band: tuple[float, float] | None = None
@@ -62,25 +62,25 @@ def read_lines(text: str, source: str) -> Lines:
         if (match := BAND.fullmatch(line.rstrip(",; \t"))) is not None:
             if match[1] != ":":
                 raise MeasurementError(
-                    f"expected a colon after the word, found {shown(line)}", where, BAND_HELP
+                    f'expected a colon after "band", found {shown(line)}', where, BAND_HELP
                 )
             found = parse_band(match[2], where)
             if band not in (None, found):
-                what = f"this band is not that of line {stated}"
+                what = f"this band differs from that in line {stated}"
                 raise MeasurementError(what, where, "remove one of them")
             band, stated = found, number
         elif not records and SEPARATOR.fullmatch(line) is not None:
-            what = f"expected the names of the columns, found {shown(line)}, a line for a spreadsheet"
+            what = f"expected the names of the columns, found {shown(line)}, a line for spreadsheet programs"
             raise MeasurementError(what, where, "remove this line")
         elif line.strip(", \t") and not line.startswith(
             "#"
-        ):  # a spreadsheet fills blank lines up with commas
+        ):  # spreadsheet programs fill blank lines with commas
             records.append((number, line))
     return Lines(records, band)
 
 
 def cells_of(line: str, where: str) -> list[str]:
-    """Cells of one line: a cell that went on in the next line would only be a quote that is not closed.
+    """Split one line into cells; cells that span lines are not supported, since they are usually unclosed quotes.
 
     Raises
     ------
@@ -102,7 +102,7 @@ def parse_band(text: str, where: str, remedy: str = BAND_HELP) -> tuple[float, f
     ----------
     text : str
     where, remedy : str
-        For messages: the place, and what to write there.
+        Place and remedy, for messages.
 
     Returns
     -------
@@ -112,7 +112,7 @@ def parse_band(text: str, where: str, remedy: str = BAND_HELP) -> tuple[float, f
     Raises
     ------
     MeasurementError
-        If it is not two frequencies above 0, the lower one first.
+        If the text is not two frequencies above 0, the lower one first.
     """
     limits: list[float] = []
     parts = text.split(",")
@@ -137,7 +137,7 @@ def parse_band(text: str, where: str, remedy: str = BAND_HELP) -> tuple[float, f
 def read_table(
     columns: Sequence[Column], lines: Lines, source: str, components: Mapping[str, str]
 ) -> Measurements:
-    """Convert the cells below the header; every cell that is not what its column holds is a problem of its own.
+    """Convert the cells below the header; each invalid cell counts as a problem.
 
     Parameters
     ----------
@@ -146,7 +146,7 @@ def read_table(
     source : str
         The file.
     components : mapping of str to str
-        Components of the poses and their units.
+        Pose components and their units.
 
     Raises
     ------
@@ -155,9 +155,9 @@ def read_table(
     """
     records = lines.records[1:]
     if not records:
-        what = "expected a row for each identified mode, found a header only"
+        what = "expected a row for each identified mode, found only a header"
         raise MeasurementError(what, source, "add the rows")
-    blank = {f"{SPREAD}{name}": 0.0 for name in components}  # a pose that is exact
+    blank = {f"{SPREAD}{name}": 0.0 for name in components}  # the pose is exact
     filled = {*FILLED, *components}
     numbers_of_lines = np.array([line for line, _ in records])
     texts: dict[str, list[str]] = {name: [] for name in TEXT}
@@ -171,7 +171,7 @@ def read_table(
             what = f"expected {len(columns)} cells, found {len(cells)}"
             remedy = "leave the cells of optional columns blank, but keep their commas"
             if not short:
-                remedy = "remove what is too much; if numbers have decimal commas, write points"
+                remedy = "remove the extra cells; if numbers have decimal commas, write points"
             problems.append(Problem(row, place, what, remedy))
             continue
         for column, cell in zip(columns, cells, strict=True):
@@ -184,7 +184,7 @@ def read_table(
             else:
                 what = f"expected a finite number, found {shown(cell) if cell else 'nothing'}"
                 unit = column.unit or column.si
-                remedy = f"write a plain number{f' in {unit}' if unit else ''}, with a point for the decimals"
+                remedy = f"write a plain number{f' in {unit}' if unit else ''}, with a decimal point"
                 problems.append(Problem(row, column.text, what, remedy))
     refuse(problems, source, numbers_of_lines)
     units = {column.name: column.unit for column in columns}
@@ -196,7 +196,7 @@ def read_table(
 
 
 def _as_written(found: Found, columns: Sequence[Column], records: Sequence[tuple[int, str]]) -> str:
-    """A number as its cell has it, with the header's unit; in SI units too where that is another one."""
+    """Format a number as in its cell, with the header's unit; also in SI units if that is another unit."""
     number = format(found.value, found.digits)
     place = [column.name for column in columns].index(found.column)
     column = columns[place]
@@ -216,7 +216,7 @@ def _measurements(
     unit: str,
     components: Mapping[str, str],
 ) -> Measurements:
-    """Measurements of the columns of a file, by name; `unit` is what the header says of the frequencies."""
+    """Build measurements from a file's columns by name; `unit` is the header's unit of the frequencies."""
     rows = len(lines.records) - 1
     blank = [0.0] * rows
     return Measurements.from_rows(
@@ -242,8 +242,8 @@ def _measurements(
 
 
 def _number(text: str, factor: Decimal | None) -> float | None:
-    """The number in a cell in SI units, None if it is not one."""
+    """Return the number in a cell in SI units, None if the cell is not a number."""
     value = float(text) if NUMBER.fullmatch(text) else math.nan
     if factor is not None and value and math.isfinite(value):
-        value = float(Decimal(text) * factor)  # in decimals, so that 35 mm is the double nearest to 0.035
+        value = float(Decimal(text) * factor)  # in decimal, so that 35 mm is the double nearest to 0.035
     return value if math.isfinite(value) else None

@@ -1,1 +1,1 @@
-"""What is checked of one mechanism alone: see `pkmodes.checking.consistency`."""
+"""Checks that apply to one mechanism only: see `pkmodes.checking.consistency`."""

@@ -1,1 +1,1 @@
-"""Robot files: units, schema, reading, and the `Robot` that comes out."""
+"""Robot files: units, schema, reading, and the resulting `Robot`."""

@@ -1,4 +1,4 @@
-"""Corrections of a robot, taken apart into the values of its file that they change."""
+"""Corrections of a robot, split into edits of single values of its file."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ from pkmodes.robot.layout import effect_parameters, items
 from pkmodes.robot.wholes import elements_of, wholes
 
 DIGITS = 10
-#: Elements of a whole have more digits, because their rounding adds up in it.
+#: Elements of a whole are written with more digits, because their rounding errors add up.
 DIGITS_OF_ELEMENTS = 12
 
 
 @dataclass(frozen=True)
 class Correction:
-    """A value to be written.
+    """A value to write.
 
     Attributes
     ----------
     value : float
         In SI units.
     sigma : float or None
-        One standard deviation in SI units; None keeps the one that the file declares, if any.
+        One standard deviation in SI units; None keeps the one declared in the file, if any.
     note : str
-        The comment to put behind the value, such as "was 1.5 kg: refitted".
+        The comment to write after the value, such as "was 1.5 kg: refitted".
     """
 
     value: float
@@ -39,7 +39,7 @@ class Correction:
 
 @dataclass(frozen=True)
 class Edit:
-    """A change of one value of the file."""
+    """A change of one value in the file."""
 
     value: float
     sigma: float | None
@@ -48,27 +48,29 @@ class Edit:
 
 
 def edits_of(changes: Mapping[str, Correction], robot: Declaration) -> dict[str, Edit]:
-    """The values of the file that corrections change, by dotted path.
+    """Return the edits of the file that corrections require, by dotted path.
 
     Parameters
     ----------
     changes : mapping of str to Correction
         By path of a value or of a whole.
     robot : Declaration
-        As its file declares it.
+        The robot as declared in its file.
 
     Raises
     ------
     OutputError
-        If a path is not one that can be changed, two corrections change one value, a number is not finite, or
-        a vector has no direction in which its radius could change.
+        If a path cannot be changed, two corrections change one value, a number is not finite, or a vector has no
+        direction along which its radius could change.
     """
     edits: dict[str, Edit] = {}
     for path, correction in changes.items():
         _check_numbers(path, correction, robot)
         for element, edit in _elements(path, correction, robot).items():
             if element in edits:
-                refuse("the value would be changed twice", f"{robot.source}: {element}", "change it once")
+                refuse(
+                    "the value would be changed twice", f"{robot.source}: {element}", "change it only once"
+                )
             edits[element] = edit
     return edits
 
@@ -79,7 +81,7 @@ def refuse(what: str, where: str, remedy: str) -> NoReturn:
 
 
 def changeable(robot: Declaration) -> dict[str, str]:
-    """Paths that can be changed or added, and their SI units."""
+    """Return the paths that can be changed or added, with their SI units."""
     declared = {path: quantity.unit for path, quantity in robot.quantities.items()}
     others = {
         number.path: number.unit
@@ -97,22 +99,22 @@ def _check_numbers(path: str, correction: Correction, robot: Declaration) -> Non
         refuse(
             f"expected a finite value and a standard deviation of at least 0, found {correction.value:g} and {sigma}",
             f"{robot.source}: {path}",
-            "correct it by finite numbers",
+            "use finite numbers",
         )
 
 
 def _elements(path: str, correction: Correction, robot: Declaration) -> dict[str, Edit]:
-    """The values of the file that a correction changes."""
+    """Return the values of the file that a correction changes."""
     if path in (known := wholes(robot.kind)):
         return _of_whole(known[path], correction, robot)
     if path not in changeable(robot):
-        remedy = nearest(path, changeable(robot), "name a value of docs/robot-file.md")
+        remedy = nearest(path, changeable(robot), "see docs/robot-file.md for the values")
         refuse(f"there is no value {shown(path)} to change", robot.source, remedy)
     return {path: Edit(float(correction.value), correction.sigma, correction.note)}
 
 
 def _of_whole(whole: Whole, correction: Correction, robot: Declaration) -> dict[str, Edit]:
-    """Elements of a whole have no standard deviation of their own: that of the whole goes into the comment."""
+    """Return the edits of a whole's elements; the whole's standard deviation goes into the comment."""
     sigma = correction.sigma
     deviation = "" if sigma is None else f"sigma of {whole.path} {sigma:.3g} {whole.unit}"
     note = "; ".join(part for part in (correction.note, deviation) if part)

@@ -1,4 +1,4 @@
-"""What a robot file declares, merged and in SI units."""
+"""The declarations of a robot file, merged and in SI units."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ Parameters = Any
 
 @dataclass(frozen=True, eq=False)
 class Declaration:
-    """What a robot file declares.
+    """The declarations of a robot file.
 
-    Declarations are equal when they declare the same: where their files are does not count.
+    Two declarations are equal if their content is equal; the location of their files is ignored.
 
     Attributes
     ----------
@@ -31,16 +31,16 @@ class Declaration:
     source : str
         The robot file, for messages.
     parameters : Parameters
-        Values of the parameters in SI units, as the generated model takes them.
+        Parameter values in SI units, as passed to the generated model.
     quantities : mapping of str to Quantity
         Every declared value with its standard deviation, by dotted path (``platform.mass``,
-        ``axis.1.belt.width`` where an axis overrides, ``axis.1.limits.min``, ``gravity.z``).
+        ``axis.1.belt.width`` for the override of one axis, ``axis.1.limits.min``, ``gravity.z``).
     effects : mapping of str to float
-        Parameters of the declared effects in SI units, by ``<effect>.<parameter>``; no file declares them, but a
-        diagnosis tries compliances of single joints too, by ``<effect>.<parameter>.<coordinate>``.
+        Parameters of the declared effects in SI units, by ``<effect>.<parameter>``.  A diagnosis also tries
+        compliances of single joints, by ``<effect>.<parameter>.<coordinate>``; a file cannot declare them.
     constants : mapping of str to float
-        Parameters that effects take from elsewhere in the file and that are never fitted (the frame's mass),
-        whether or not the effect is declared.
+        Effect parameters that come from other tables of the file and are never fitted (the frame mass), whether or
+        not the effect is declared.
     """
 
     name: str
@@ -55,11 +55,11 @@ class Declaration:
         return self._content == other._content if isinstance(other, Declaration) else NotImplemented
 
     def __getstate__(self) -> dict[str, Any]:
-        # First the mechanism: where it is not known, parameters would be made of nothing.
+        # The mechanism comes first: unpickling it registers it, and the parameters need its generated module.
         return {"kind": self.kind, **vars(self)}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        # What is pickled or copied comes back as it was: not to be written to.
+        # Pickling and copying lose the read-only flag.
         self.__dict__.update({name: value for name, value in state.items() if name != "kind"})
         for value in self.parameters:
             if isinstance(value, np.ndarray):
@@ -70,7 +70,7 @@ class Declaration:
 
     @property
     def _content(self) -> tuple[object, ...]:
-        """All but the source, in a form that compares and hashes."""
+        """Everything except the source, in a form that can be compared and hashed."""
         arrays = (np.asarray(value) for value in self.parameters)
         mappings = (self.quantities, self.effects, self.constants)
         return (
@@ -82,12 +82,12 @@ class Declaration:
 
     @property
     def kind(self) -> Mechanism:
-        """The mechanism: its description and its generated functions."""
+        """The mechanism: description and generated functions."""
         return mechanism(self.mechanism)
 
     @property
     def declared(self) -> dict[str, object]:
-        """Every declared value by dotted path, in SI units: quantities, and what is chosen, such as a direction."""
+        """Every declared value by dotted path, in SI units: quantities, and choices such as a direction."""
         values: dict[str, object] = {path: quantity.value for path, quantity in self.quantities.items()}
         for item in items(self.kind):
             if item.key.kind not in OF_QUANTITIES:

@@ -1,4 +1,4 @@
-"""The robot file, parsed, that declares given values: the way back from dotted paths."""
+"""Build the parsed robot file that declares given values: the inverse of reading dotted paths."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pkmodes.robot.tables import FORMAT
 
 
 def document_of(kind: Mechanism, name: str, values: Mapping[str, Any]) -> dict[str, Any]:
-    """The document of a robot file with these values alone.
+    """Return the document of a robot file with only these values.
 
     Parameters
     ----------
@@ -19,7 +19,7 @@ def document_of(kind: Mechanism, name: str, values: Mapping[str, Any]) -> dict[s
     name : str
         The robot's name.
     values : mapping of str to value
-        By path, as a file could have them; a vector by its elements, all of them.
+        By path, as a file could contain them; a vector by all of its elements.
 
     Raises
     ------
@@ -37,7 +37,7 @@ def document_of(kind: Mechanism, name: str, values: Mapping[str, Any]) -> dict[s
         elif any(path in values for path in elements):
             _put(document, item.place, [values[path] for path in elements])
     for path, raw in values.items():
-        # What a table lends to an effect is declared with the table: the effect only repeats it.
+        # A value that an effect takes from a table is declared in the table; the effect only repeats it.
         if path.startswith(f"{EFFECTS}.") and lent(kind).get(path) not in values:
             _put(document, tuple(path.split(".")), raw)
     return document

@@ -1,6 +1,6 @@
-"""Edit values of a TOML text in place: comments, order and layout of everything else stay as they are.
+"""Edit values of a TOML text in place; comments, order and layout of everything else are preserved.
 
-Keys are tuples of table names, array indices and, last, a name or an index.
+Keys are tuples of table names and array indices that end in a name or an index.
 """
 
 from __future__ import annotations
@@ -18,26 +18,26 @@ Keys = tuple[str | int, ...]
 
 
 class TomlText:
-    """A TOML text to be edited.
+    """A TOML text that can be edited.
 
     Parameters
     ----------
     text : str
-        Valid TOML; a byte order mark and Windows' ends of lines are kept.
+        Valid TOML; a byte order mark and Windows line endings are kept.
     source : str
         Its file, for messages.
 
     Raises
     ------
     OutputError
-        If its layout cannot be kept.
+        If its layout cannot be preserved.
     """
 
     def __init__(self, text: str, source: str) -> None:
         self._mark = "\ufeff" if text.startswith("\ufeff") else ""
         text = text.removeprefix("\ufeff")
         self._windows = "\r\n" in text and re.search(r"(?<!\r)\n", text) is None
-        self._open = not text.endswith("\n")  # tables can only be put after a line that is ended
+        self._open = not text.endswith("\n")  # a table can only be added after a line ending
         self._appended = ""
         text += self._newline if self._open else ""
         try:
@@ -49,7 +49,7 @@ class TomlText:
             raise OutputError(
                 "cannot edit the robot file and keep its layout",
                 source,
-                "write the entries of a repeated table one after the other, and each table once",
+                "write the entries of a repeated table one after another, and each table only once",
             )
 
     @property
@@ -58,14 +58,14 @@ class TomlText:
 
     @property
     def text(self) -> str:
-        """The text with everything that was edited."""
+        """The text with all edits."""
         body = tomlkit.dumps(self._document)
         body = body.removesuffix(self._newline) if self._open and not self._appended else body
         body += self._appended
         return self._mark + (re.sub(r"(?<!\r)\n", "\r\n", body) if self._windows else body)
 
     def find(self, keys: Keys) -> Any:
-        """The item at a place, None if there is none."""
+        """Return the item at a place, None if there is none."""
         node = self._document
         for key in keys:
             try:
@@ -75,11 +75,11 @@ class TomlText:
         return node
 
     def replace(self, keys: Keys, raw: str) -> None:
-        """Put another value, as TOML text, in the place of one that is there."""
+        """Replace an existing value by another, given as TOML text."""
         self.find(keys[:-1])[keys[-1]] = tomlkit.value(raw)
 
     def insert(self, keys: Keys, raw: str) -> None:
-        """Add a key to a table; a table that is not there yet is added to the one that it belongs to."""
+        """Add a key to a table; a missing table is added to its parent first."""
         *path, key = keys
         table = self.find(tuple(path))
         if table is not None:
@@ -100,10 +100,9 @@ class TomlText:
         self._appended += "\n".join(lines) + "\n"
 
     def comment(self, keys: Keys, text: str) -> None:
-        """Put a comment at the end of the line of a value, after the one that is there.
+        """Add a comment at the end of a value's line, after any existing comment.
 
-        What is written on one line with other values shares its comment with them, because TOML has none
-        inside of inline tables.
+        Values on one line share its comment, because TOML does not allow comments inside inline tables.
         """
         node, line = self._document, None
         for key in keys:
@@ -121,7 +120,7 @@ class TomlText:
         line.trivia.comment = f"{before}; {text}" if before else f"# {text}"
 
     def is_inline(self, keys: Keys) -> bool:
-        """Whether a table is written on one line."""
+        """Return whether a table is written as an inline table."""
         return isinstance(self.find(keys), InlineTable)
 
     @staticmethod
@@ -134,7 +133,7 @@ class TomlText:
         body.extend(moved)
 
     def _add_table(self, parent: Any, name: str, key: str, raw: str) -> None:
-        """Add a table after the last line of its parent, before the space and comments of what follows."""
+        """Add a table after the last line of its parent, before the blank lines and comments of the next table."""
         last = parent
         while last.value.body and isinstance(last.value.body[-1][1], Table):
             last = last.value.body[-1][1]
@@ -142,7 +141,7 @@ class TomlText:
         moved: list[Any] = []
         while body and isinstance(body[-1][1], Whitespace | Comment):
             moved.insert(0, body.pop())
-        # Comments up to the first blank line belong to what is before them.
+        # Comments up to the first blank line belong to the lines before them.
         blank = [isinstance(item, Whitespace) for _, item in moved]
         if any(blank):
             body.extend(moved[: blank.index(True)])
@@ -155,5 +154,5 @@ class TomlText:
 
 
 def _one_line(text: str) -> str:
-    """Text that may stand in a comment."""
+    """Return text on one line and without control characters, for a comment."""
     return " ".join("".join(c if c.isprintable() else " " for c in text).split())

@@ -1,4 +1,4 @@
-"""Effects as a robot file declares them, read with what the mechanism says of those that apply to it."""
+"""Read the effects that a robot file declares, using the mechanism's description of the effects that apply to it."""
 
 from __future__ import annotations
 
@@ -27,16 +27,16 @@ def read_effects(
     tables : mapping
         The raw tables by effect.
     lent : mapping of str to Quantity
-        Values of parameters that another table of the file declares, by path (``effects.<effect>.<parameter>``).
+        Parameter values declared in another table of the file, by path (``effects.<effect>.<parameter>``).
     source : str
         The robot file, for messages.
     problems : list
-        What is wrong is added to it.
+        Problems are appended to it.
 
     Returns
     -------
     dict
-        Quantities by path, for the effects that the file names.
+        Quantities by path, for the effects in the file.
     """
     found: dict[str, Quantity] = {}
     for name, table in tables.items():
@@ -55,7 +55,7 @@ def _not_there(kind: Mechanism, name: str, source: str) -> PkmodesError:
     where = f"{source}: {EFFECTS}.{shown(name)}"
     if any(name in mechanism(other).effects for other in names()):
         what = f"the effect {name} does not apply to the mechanism {kind.name}"
-        return PkmodesError(what, where, f"those that apply: {', '.join(kind.effects)}")
+        return PkmodesError(what, where, f"effects that apply: {', '.join(kind.effects)}")
     return PkmodesError(f"unknown effect {shown(name)}", where, nearest(name, kind.effects))
 
 
@@ -82,29 +82,29 @@ def _read_effect(
                 problems.append(PkmodesError(error.what, place, error.remedy))
         elif path in lent:
             found[path] = lent[path]
-        elif len(own) > 1:  # of several parameters, those that are not given are zero
+        elif len(own) > 1:  # if an effect has several parameters, missing ones are zero
             found[path] = Quantity(0.0, parameter.unit)
         else:
             example = DIMENSIONS[_dimension(parameter.unit)][1]
             what = f"the parameter {parameter.name} is missing"
-            problems.append(PkmodesError(what, place, f'add it, such as {parameter.name} = "{example}"'))
+            problems.append(PkmodesError(what, place, f'add it, for example {parameter.name} = "{example}"'))
 
 
 def _value(parameter: EffectParameter, raw: Any) -> Quantity:
-    """Zero is the null value and always allowed; otherwise the physical bound holds."""
+    """Read a parameter; zero is the null value and always allowed, otherwise the physical bound applies."""
     dimension = _dimension(parameter.unit)
     quantity = schema.quantity(raw, dimension)
     least = parameter.greater_than
     if least is not None and quantity.value != 0.0 and quantity.value <= least:
         bound = f"{least:g}" + ("" if parameter.unit == "1" else f" {parameter.unit}")
         raise schema.RefusedError(
-            f"expected {article(dimension)} greater than {bound}, or 0 for none, found {shown(raw)}",
+            f"expected {article(dimension)} greater than {bound}, or 0 for no effect, found {shown(raw)}",
             "check the sign and the number",
         )
     return quantity
 
 
 def _dimension(unit: str) -> str:
-    """Name of the dimension that has this SI unit; a spring's name where two have it."""
+    """Return the dimension with this SI unit; of two, the one that describes a spring."""
     names = [name for name, (si_unit, _) in DIMENSIONS.items() if si_unit == unit]
     return names[-1]

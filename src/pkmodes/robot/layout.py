@@ -1,6 +1,6 @@
-"""Where a robot file has what: its keys with their dotted paths, and where its numbers go in the generated model.
+"""Layout of a robot file: its keys with their dotted paths, and the fields of the generated model they map to.
 
-All of it follows from the description of the mechanism.  Entries of a repeated table count from 1 in paths.
+The layout follows from the description of the mechanism.  Entries of a repeated table count from 1 in paths.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ Slot = tuple[str, tuple[int, ...]]
 
 EFFECTS = "effects"
 XYZ = ("x", "y", "z")
-#: What every robot file has beside its tables.
+#: The vector that every robot file has besides its tables.
 GRAVITY = Key(
     name="gravity",
     kind="vector",
@@ -35,7 +35,7 @@ GRAVITY = Key(
     signed=True,
     suspected=True,
 )
-#: Kinds of keys whose values are quantities; others are chosen, and have neither unit nor standard deviation.
+#: Kinds of keys whose values are quantities; other keys are choices, without unit or standard deviation.
 OF_QUANTITIES = ("quantity", "vector", "pair")
 
 
@@ -50,9 +50,9 @@ class Number:
     unit : str
         SI unit.
     slot : Slot or None
-        None for what the entries of a repeated table share: it goes where they take it.
+        None for a value that the entries of a repeated table share: it is stored in the slots of the entries.
     place : tuple of str and int
-        Keys of the parsed file that lead to it.
+        Its keys in the parsed file.
     """
 
     path: str
@@ -63,7 +63,7 @@ class Number:
 
 @dataclass(frozen=True)
 class Item:
-    """A key of the robot file, once for each table that it is in.
+    """A key of the robot file in one of its tables.
 
     Attributes
     ----------
@@ -71,13 +71,13 @@ class Item:
         Such as ``gravity``, ``belt.width``, ``axis.2.belt.width``, ``axis.1.direction``.
     key : Key
     index : tuple of int or None
-        Of its numbers in their field; None for what the entries of a repeated table share.
+        Index of its numbers in their field; None for a value that the entries of a repeated table share.
     entry : int or None
-        Of the repeated table, from 0.
+        Index of the entry in the repeated table, from 0.
     shared : str
-        The path of the value that is taken where this one is not given; empty for none.
+        Path of the shared value that is used if this one is not given; empty for none.
     place : tuple of str and int
-        Keys of the parsed file that lead to it.
+        Its keys in the parsed file.
     """
 
     path: str
@@ -89,7 +89,7 @@ class Item:
 
     @cached_property
     def numbers(self) -> tuple[Number, ...]:
-        """Its quantities; none of what is chosen."""
+        """The item's quantities; empty for a choice."""
         unit = DIMENSIONS[self.key.dimension][0]
         if self.key.kind == "quantity":
             return (Number(self.path, unit, self._slot(()), self.place),)
@@ -108,7 +108,7 @@ class Item:
 
 @cache
 def items(kind: Mechanism) -> tuple[Item, ...]:
-    """Every key that a robot file may have, in the order of the file; those of effects are not among them."""
+    """Return every key that a robot file may have, in the order of the file, without those of effects."""
     return tuple(_items(kind))
 
 
@@ -125,7 +125,7 @@ def _items(kind: Mechanism) -> Iterator[Item]:
 
 
 def _entry(kind: Mechanism, table: Table, j: int) -> Iterator[Item]:
-    """Keys of an entry of a repeated table: its own, and those that it may have in place of shared ones."""
+    """Yield the keys of one entry of a repeated table: its own keys, and overrides of shared ones."""
     name = f"{table.name}.{j + 1}"
     for key in table.keys:
         yield Item(f"{name}.{key.name}", key, (j, *key.index), j, "", (table.name, j, key.name))
@@ -139,14 +139,14 @@ def _entry(kind: Mechanism, table: Table, j: int) -> Iterator[Item]:
 
 @cache
 def by_path(kind: Mechanism) -> dict[str, Item]:
-    """The keys, each under its own path and those of its quantities."""
+    """Return the keys by their own paths and by the paths of their quantities."""
     found = {item.path: item for item in items(kind)}
     return found | {number.path: item for item in items(kind) for number in item.numbers}
 
 
 @cache
 def takers(kind: Mechanism) -> dict[str, tuple[Item, ...]]:
-    """By the path of a shared value: the keys that take it where they are not given."""
+    """Return, by the path of a shared value, the keys that take it if they are not given."""
     found: dict[str, tuple[Item, ...]] = {}
     for item in items(kind):
         if item.shared:
@@ -156,13 +156,13 @@ def takers(kind: Mechanism) -> dict[str, tuple[Item, ...]]:
 
 @cache
 def lent(kind: Mechanism) -> dict[str, str]:
-    """Values of the tables that an effect takes for its own: their paths by that of the effect's parameter."""
+    """Return the paths of table values that effects use, by the path of the effect parameter."""
     return {f"{EFFECTS}.{item.key.effect}": item.path for item in items(kind) if item.key.effect}
 
 
 @cache
 def effect_parameters(kind: Mechanism) -> dict[str, str]:
-    """SI units of the parameters of all effects that apply, by path."""
+    """Return the SI units of the parameters of all effects that apply, by path."""
     return {
         f"{EFFECTS}.{effect.name}.{parameter.name}": parameter.unit
         for effect in kind.effects.values()

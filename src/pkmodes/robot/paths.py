@@ -1,8 +1,8 @@
-"""Parameter paths: what a person calls a quantity, as a direction in the parameters of the generated model.
+"""Parameter paths: each names a quantity and corresponds to a direction in the generated model's parameters.
 
-A shared value moves for every entry that has none of its own, and a whole moves many numbers at once, pairs evenly
-apart or vectors along their own directions: each path is a straight line in the space of the generated parameters,
-so that values and derivatives along it follow from the same weights.
+A shared value changes every entry that does not override it, and a whole changes many numbers at once: pairs
+symmetrically apart, or vectors along their directions.  Each path is a straight line in the space of the generated
+parameters, so values and derivatives along it follow from the same weights.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pkmodes.robot.layout import EFFECTS, Item, Slot, effect_parameters, items, 
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.wholes import items_of, value_of, weights_of, wholes
 
-#: What a path moves: its unit, and how far each number.
+#: The unit of a path, and the weight with which each number changes along it.
 Moves = tuple[str, Mapping[Slot, float]]
 
 
@@ -30,11 +30,11 @@ class ParameterPath:
     path : str
         Dotted path, such as ``platform.mass``, ``axis.span`` or ``effects.payload.mass``.
     value : float
-        As declared, SI units.
+        The declared value in SI units.
     unit : str
-        SI unit, ``"1"`` when dimensionless.
+        SI unit, ``"1"`` if dimensionless.
     weights : mapping of slot to float
-        How far each number of the generated model moves when the quantity moves by one unit.
+        Change of each number of the generated model when the quantity changes by one unit.
     """
 
     path: str
@@ -44,30 +44,30 @@ class ParameterPath:
 
 
 def paths(robot: Robot) -> tuple[str, ...]:
-    """Every path that `resolve` knows for this robot: shared quantities, those of each entry, effects."""
+    """Return every path that `resolve` accepts for this robot: shared quantities, those of each entry, effects."""
     return tuple(_known(robot))
 
 
 def resolve(robot: Robot, path: str) -> ParameterPath:
-    """Find what a path stands for.
+    """Resolve a path.
 
     Parameters
     ----------
     robot : Robot
-        Its declared values are where the path's line begins.
+        Its declared values are the starting point of the path's line.
     path : str
         Dotted path, see docs/sensitivities.md.
 
     Raises
     ------
     PkmodesError
-        If there is no such quantity, or none that can vary.
+        If there is no such quantity, or it cannot vary.
     """
     return resolve_all(robot, [path])[0]
 
 
 def resolve_all(robot: Robot, wanted: Iterable[str]) -> list[ParameterPath]:
-    """Find what several paths stand for, as `resolve` does."""
+    """Resolve several paths, as `resolve` does."""
     known = _known(robot)
     return [_resolved(robot, path, known) for path in wanted]
 
@@ -89,7 +89,7 @@ def _resolved(robot: Robot, path: str, known: Mapping[str, Moves]) -> ParameterP
 
 
 def moved(robot: Robot, changes: Iterable[tuple[ParameterPath, float]]) -> Robot:
-    """Return the robot with quantities changed by these amounts (not: to these values)."""
+    """Return the robot with quantities changed by (not to) these amounts."""
     steps: dict[Slot, float] = {}
     for path, amount in changes:
         for slot, weight in path.weights.items():
@@ -124,7 +124,7 @@ def _known(robot: Robot) -> dict[str, Moves]:
 
 
 def _common(robot: Robot) -> dict[str, Moves]:
-    """Quantities of the robot as a whole, and those that several entries share."""
+    """Return the quantities of the robot as a whole, and those that several entries share."""
     found: dict[str, Moves] = {}
     shared = takers(robot.kind)
     for item in items(robot.kind):
@@ -139,7 +139,7 @@ def _common(robot: Robot) -> dict[str, Moves]:
 
 
 def _of_entries(robot: Robot) -> dict[str, Moves]:
-    """Quantities of single entries, whether they have a value of their own or take the shared one."""
+    """Return the quantities of single entries, whether they override the shared value or take it."""
     found: dict[str, Moves] = {}
     of_entries = [item for item in items(robot.kind) if item.entry is not None]
     for item in sorted(of_entries, key=lambda item: (item.entry, not item.shared)):

@@ -1,4 +1,4 @@
-"""Read a robot file: TOML, validated, or every problem in it."""
+"""Read and validate a robot file in TOML, reporting every problem in it."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ def read_robot(path: str | PathLike[str]) -> Robot:
     Raises
     ------
     RobotFileError
-        If the file cannot be read or anything in it is wrong: one problem for each thing to mend, with the
-        dotted path, what was expected and what was found.
+        If the file cannot be read or is invalid: one problem for each thing to fix, with the dotted path, what was
+        expected and what was found.
     """
     name = fspath(path) if isinstance(path, str | PathLike) else None
     if not isinstance(name, str):
@@ -43,7 +43,7 @@ def read_robot(path: str | PathLike[str]) -> Robot:
 
 
 def robot_from_document(document: Mapping[str, Any], source: str) -> Robot:
-    """Validate a robot file that has been parsed already; `source` names it in messages."""
+    """Validate a parsed robot file; `source` names it in messages."""
     return Robot.of(declaration(document, source))
 
 
@@ -53,17 +53,21 @@ def _document(path: Path, name: str) -> dict[str, Any]:
             kind = "a folder" if path.is_dir() else "not a regular file"
             _refuse(f"cannot read the robot file: it is {kind}", name, "give a robot file in TOML")
         if path.stat().st_size > LARGEST_FILE:
-            _refuse("cannot read the robot file: it has more than 1 MB", name, "give a robot file in TOML")
+            _refuse("cannot read the robot file: it is larger than 1 MB", name, "give a robot file in TOML")
         text = path.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError as error:
-        _refuse(f"expected UTF-8 text, found byte {error.start} that is not", name, "save the file as UTF-8")
+        what = f"expected UTF-8 text, found an invalid byte at offset {error.start}"
+        _refuse(what, name, "save the file as UTF-8")
     except (OSError, ValueError) as error:  # ValueError: a path with a null character
         reason = getattr(error, "strerror", None) or str(error)
         _refuse(f"cannot read the robot file: {reason.lower()}", name, "check the path")
     try:
         return tomllib.loads(text)
-    except (ValueError, RecursionError) as error:  # also integers of too many digits, tables too deep
-        _refuse(f"not valid TOML: {error}", name, "mend the syntax at that place")
+    except (
+        ValueError,
+        RecursionError,
+    ) as error:  # also integers with too many digits, tables nested too deeply
+        _refuse(f"not valid TOML: {error}", name, "fix the syntax at that place")
 
 
 def _refuse(what: str, where: str, remedy: str) -> NoReturn:

@@ -1,4 +1,4 @@
-"""A robot: what its file declares, which may be changed by value."""
+"""A robot: the declarations of its file, with changed values if required."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from pkmodes.robot.variants import with_values
 class Robot(Declaration):
     """A robot as declared.
 
-    Robots are equal when they declare the same: where their files are does not count.  Their attributes are those
-    of `Declaration`: ``name``, ``mechanism``, ``source``, ``parameters``, ``quantities``, ``effects``, ``constants``,
-    and ``kind`` and ``declared``, which follow from them.
+    Two robots are equal if their declarations are equal; the location of their files is ignored.  The attributes are
+    those of `Declaration`: ``name``, ``mechanism``, ``source``, ``parameters``, ``quantities``, ``effects``,
+    ``constants``, and the derived ``kind`` and ``declared``.
     """
 
     def with_values(self, values: Mapping[str, Any]) -> Robot:
@@ -23,24 +23,24 @@ class Robot(Declaration):
         Parameters
         ----------
         values : mapping of str to value
-            By dotted path: every quantity of the robot file (``platform.mass``, ``axis.1.origin.x``, or all of
-            ``axis.1.origin``), a value of one axis in place of the shared one (``axis.1.belt.width``), a parameter
-            of an effect, declared or not (``effects.payload.mass``), ``frame.mass``, and wholes such as
-            ``axis.span`` and ``axis.joint_radius``.  A value is written as in the file: text with a unit, a number
-            in SI units, or a table ``{"value": ..., "sigma": ...}``; a `Quantity` will do as well.
+            By dotted path: every quantity of the robot file (``platform.mass``, ``axis.1.origin.x``, or the whole
+            vector ``axis.1.origin``), the override of a shared value for one axis (``axis.1.belt.width``), an effect
+            parameter, declared or not (``effects.payload.mass``), ``frame.mass``, and wholes such as ``axis.span``
+            and ``axis.joint_radius``.  A value is written as in the file: text with a unit, a number in SI units, or
+            a table ``{"value": ..., "sigma": ...}``; a `Quantity` is also accepted.
 
         Returns
         -------
         Robot
-            Validated as a file is.  What changes keeps its standard deviation, as an absolute one, unless a table
-            gives another; ``{"sigma": ...}`` alone changes nothing else, and a sigma of None takes it away.
+            Validated like a file.  A changed value keeps its absolute standard deviation unless a table gives
+            another; ``{"sigma": ...}`` changes only the standard deviation, and a sigma of None removes it.
 
         Raises
         ------
         PkmodesError
-            If there is no such path, with the nearest; if one number would be changed twice.
+            If there is no such path (the message suggests the nearest), or one number would be changed twice.
         RobotFileError
-            If a file with these values would be refused: one problem for each thing to mend.
+            If a file with these values would be rejected: one problem for each thing to fix.
 
         Examples
         --------
@@ -56,5 +56,5 @@ class Robot(Declaration):
 
     @classmethod
     def of(cls, declaration: Declaration) -> Robot:
-        """The robot of a declaration."""
+        """Return the robot with a given declaration."""
         return cls(**vars(declaration))

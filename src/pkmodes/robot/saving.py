@@ -1,4 +1,4 @@
-"""Write the corrected robot: the robot file that was read, with some values changed and all else kept."""
+"""Write a corrected robot: the robot file with some values changed and everything else kept."""
 
 from __future__ import annotations
 
@@ -17,21 +17,21 @@ from pkmodes.robot.robot import Robot
 from pkmodes.robot.units import Quantity
 from pkmodes.writing import write_file
 
-CLOSE, CLOSE_SIGMA = 1e-9, 1e-2  # what so many digits allow; sigmas are written with three
+CLOSE, CLOSE_SIGMA = 1e-9, 1e-2  # tolerances for the digits written; standard deviations have three
 BY_HAND = "change the robot file by hand"
 
 __all__ = ["Correction", "corrected_text", "save_corrected"]
 
 
 def save_corrected(source: Path, target: Path, changes: Mapping[str, Correction]) -> None:
-    """Write the corrected robot into another file, whole or not at all.
+    """Write the corrected robot into another file, completely or not at all.
 
     Parameters
     ----------
     source : Path
         The robot file.
     target : Path
-        Where to write; a file that is there is replaced, but never the robot file itself.
+        Output file; an existing file is replaced, but never the robot file itself.
     changes : mapping of str to Correction
         As for `corrected_text`.
 
@@ -53,28 +53,28 @@ def save_corrected(source: Path, target: Path, changes: Mapping[str, Correction]
 
 
 def corrected_text(source: Path, changes: Mapping[str, Correction]) -> str:
-    """Text of a robot file with some values changed.
+    """Return the text of a robot file with some values changed.
 
     Parameters
     ----------
     source : Path
         The robot file.
     changes : mapping of str to Correction
-        By path: a declared value (``platform.mass``, ``axis.1.origin.x``); an override of one axis
-        (``axis.1.belt.width``); ``frame.mass``; a parameter of an effect (``effects.payload.mass``); or a whole,
-        such as ``axis.span``: its value is that of the first, and its change holds for all.
+        By path: a declared value (``platform.mass``, ``axis.1.origin.x``); an override for one axis
+        (``axis.1.belt.width``); ``frame.mass``; an effect parameter (``effects.payload.mass``); or a whole such as
+        ``axis.span``: its value is that of the first element, and its change applies to all.
 
     Returns
     -------
     str
-        In the units of the file.  Lines that hold no changed value are those of the file.  The standard
-        deviation of a whole is in a comment, because its elements have none of their own.
+        In the units of the file.  Lines without a changed value are unchanged.  The standard deviation of a whole is
+        written in a comment, because its elements cannot carry it.
 
     Raises
     ------
     OutputError
-        If a path is not one that can be changed, a value would be refused by the reader, or the result would
-        not read back as intended.
+        If a path cannot be changed, a value would be rejected by the reader, or the result does not read back as
+        intended.
     RobotFileError
         If the robot file cannot be read.
     """
@@ -105,15 +105,15 @@ def corrected_text(source: Path, changes: Mapping[str, Correction]) -> str:
 
 
 def _keys(kind: Mechanism, path: str) -> Keys:
-    """Keys of the document for a dotted path: entries and elements by their index."""
+    """Return the keys of the document for a dotted path: entries and elements by index."""
     item = by_path(kind).get(path)
-    if item is None:  # of an effect
+    if item is None:  # an effect parameter
         return tuple(path.split("."))
     return next(number.place for number in item.numbers if number.path == path)
 
 
 def _is_appended(document: TomlText, keys: Keys) -> bool:
-    """Whether a value needs a new table that can stand at the end of the file: not one of an entry."""
+    """Return whether a value needs a new table at the end of the file, which a table of an entry cannot be."""
     return (
         not any(isinstance(key, int) for key in keys)
         and document.find(keys[:-1]) is None
@@ -122,7 +122,7 @@ def _is_appended(document: TomlText, keys: Keys) -> bool:
 
 
 def _rewrite(document: TomlText, keys: Keys, edit: Edit, before: Quantity) -> None:
-    """Change a value that is there, in its own notation."""
+    """Change an existing value, keeping its notation."""
     found = document.find(keys)
     if isinstance(found, dict):
         notation = Notation.of(found["value"], before.unit)
@@ -132,7 +132,7 @@ def _rewrite(document: TomlText, keys: Keys, edit: Edit, before: Quantity) -> No
             document.insert((*keys, "sigma"), notation.sigma(edit.sigma))
         elif edit.sigma is not None:
             document.replace((*keys, "sigma"), notation.sigma(edit.sigma))
-        elif relative and before.sigma is not None:  # a part of another value would be another deviation
+        elif relative and before.sigma is not None:  # a fraction of the new value would be another deviation
             document.replace((*keys, "sigma"), notation.sigma(before.sigma))
         document.comment((*keys, "value"), edit.note)
     else:
@@ -141,7 +141,7 @@ def _rewrite(document: TomlText, keys: Keys, edit: Edit, before: Quantity) -> No
 
 
 def _new_value(document: TomlText, kind: Mechanism, path: str, unit: str, edit: Edit) -> str:
-    """A value that the file did not have: in the notation of the shared one, or in SI units."""
+    """Format a value that is new in the file: in the notation of the shared value, or in SI units."""
     item = by_path(kind).get(path)
     shared = document.find(_keys(kind, item.shared)) if item is not None and item.shared else None
     shared = shared["value"] if isinstance(shared, dict) else shared
@@ -150,13 +150,11 @@ def _new_value(document: TomlText, kind: Mechanism, path: str, unit: str, edit: 
 
 
 def _check(text: str, robot: Robot, edits: Mapping[str, Edit]) -> None:
-    """Read what was written: every changed value is as intended, every other one as it was."""
+    """Read the text back and check that changed values are as intended and all others as before."""
     try:
         after = robot_from_document(tomllib.loads(text.removeprefix("\ufeff")), robot.source)
     except RobotFileError as error:
-        refuse(
-            f"the corrected robot would be refused: {error.what}", error.where, "correct it by another value"
-        )
+        refuse(f"the corrected robot would be rejected: {error.what}", error.where, "use another value")
     except ValueError as error:
         refuse(f"the corrected robot is not valid TOML: {error}", robot.source, BY_HAND)
     expected = {**robot.declared, **{path: edit.value for path, edit in edits.items()}}
@@ -164,10 +162,10 @@ def _check(text: str, robot: Robot, edits: Mapping[str, Edit]) -> None:
     sigmas.update({path: edit.sigma for path, edit in edits.items() if edit.sigma is not None})
     changed = set(edits)
     for borrowed, own in lent(robot.kind).items():
-        if own in edits and borrowed in expected:  # the effect takes it from the table
+        if own in edits and borrowed in expected:  # the effect takes the value from the table
             expected[borrowed], sigmas[borrowed] = expected[own], sigmas.get(own)
             changed.add(borrowed)
-    # An effect that is added has all its parameters, those that are not given at their defaults.
+    # A new effect has all its parameters; those not given are at their defaults.
     added = tuple(path.rpartition(".")[0] + "." for path in edits if path.startswith(EFFECTS))
     found = {
         path: value

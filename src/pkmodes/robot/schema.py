@@ -1,4 +1,4 @@
-"""The values of a robot file: what each kind of key takes, and what it is refused for."""
+"""Values of a robot file: the accepted values of each kind of key, and the reasons for rejection."""
 
 from __future__ import annotations
 
@@ -20,23 +20,23 @@ from pkmodes.robot.units import (
 )
 
 MIN_DIRECTION, MAX_DIRECTION = 0.5, 2.0
-#: A vector is of unit length when only rounding is between: then it stays, so that reading it again changes nothing.
+#: A vector within rounding of unit length is kept as it is, so that reading it again does not change it.
 ROUNDING = 1e-15
 LONGEST_NAME = 80
 SI_REMEDY = "write a value with its unit, or a number in SI units"
 
-#: What a key of the file stands for: quantities, or what is chosen.
+#: The value of a key: quantities, or a choice.
 Value = Quantity | tuple[Quantity | float, ...] | int
 
 
 class RefusedError(ValueError):
-    """A value that is refused, before it is known where it stands.
+    """A rejected value; the caller adds its place in the file.
 
     Attributes
     ----------
     what, remedy : str
     element : str
-        The name of the element, within a vector.
+        Name of the element in a vector, empty otherwise.
     """
 
     def __init__(self, what: str, remedy: str = SI_REMEDY, element: str = "") -> None:
@@ -50,12 +50,12 @@ def value_of(raw: Any, key: Key) -> Value:
     Returns
     -------
     Quantity, tuple of Quantity, tuple of float or int
-        A quantity; a vector or pair of them; a direction or signs; a choice.
+        A quantity; a vector or pair of quantities; a direction or signs; a choice.
 
     Raises
     ------
     RefusedError
-        If it is not what the key takes.
+        If the key does not accept the value.
     """
     if key.kind == "quantity":
         return quantity(raw, key.dimension, key.at_least, key.above, key.at_most)
@@ -108,7 +108,7 @@ def quantity(
 
 
 def choice(raw: Any, allowed: tuple[int, ...]) -> int:
-    """Read one of some numbers."""
+    """Read one of the allowed numbers."""
     if isinstance(raw, bool) or not isinstance(raw, int) or raw not in allowed:
         choices = " or ".join(map(str, allowed))
         raise RefusedError(f"expected {choices}, found {shown(raw)}", f"write {choices}")
@@ -116,18 +116,18 @@ def choice(raw: Any, allowed: tuple[int, ...]) -> int:
 
 
 def plain_name(raw: Any) -> str:
-    """Read a name: it goes into comments and docstrings of generated code, so it is plain text on one line."""
+    """Read a name: plain text on one line, because it goes into comments and docstrings of generated code."""
     plain = isinstance(raw, str) and raw.isprintable() and raw.strip() and len(raw) <= LONGEST_NAME
     if not plain or any(mark in raw for mark in ('"', "\\", "`", "/*", "*/")):
         raise RefusedError(
             f"expected a name in plain text, found {shown(raw)}",
-            f"choose at most {LONGEST_NAME} printable characters, without quotes, backslashes or comment marks",
+            f"use at most {LONGEST_NAME} printable characters, without quotes, backslashes or comment marks",
         )
     return str(raw)
 
 
 def _number(raw: Any, dimension: str) -> float:
-    """A bare number in SI, or text with a unit."""
+    """Read a bare number in SI units, or text with a unit."""
     expected = f'expected {article(dimension)} such as "{DIMENSIONS[dimension][1]}"'
     if isinstance(raw, bool) or not isinstance(raw, int | float | str):
         raise RefusedError(f"{expected}, found {shown(raw)}")
@@ -141,7 +141,7 @@ def _number(raw: Any, dimension: str) -> float:
         raise RefusedError(f"expected a finite {dimension}, found {shown(raw)}")
     if not in_range(value):
         raise RefusedError(
-            f"expected {article(dimension)} of a magnitude between {SMALLEST:g} and {LARGEST:g} in SI units, "
+            f"expected {article(dimension)} with a magnitude between {SMALLEST:g} and {LARGEST:g} in SI units, "
             f"found {shown(raw)}",
             "check the number and its unit",
         )
@@ -149,7 +149,7 @@ def _number(raw: Any, dimension: str) -> float:
 
 
 def _sigma(raw: Any, value: float, dimension: str) -> float:
-    """One standard deviation, absolute or relative to the value."""
+    """Read one standard deviation, absolute or relative to the value."""
     remedy = 'write an absolute standard deviation with its unit, or a relative one such as "2 %"'
     if isinstance(raw, str) and raw.strip().endswith("%"):
         try:
@@ -158,7 +158,7 @@ def _sigma(raw: Any, value: float, dimension: str) -> float:
             what = f'sigma: expected a percentage such as "2 %", found {shown(raw)}'
             raise RefusedError(what, remedy) from error
         if value == 0.0:
-            raise RefusedError(f"sigma: {shown(raw)} of a value of 0 says nothing", remedy)
+            raise RefusedError(f"sigma: {shown(raw)} of a value of 0 is undefined", remedy)
         sigma = relative * abs(value)
     else:
         try:
@@ -171,7 +171,7 @@ def _sigma(raw: Any, value: float, dimension: str) -> float:
 
 
 def _vector(raw: Any, names: tuple[str, ...], dimension: str, *bounds: float | None) -> tuple[Quantity, ...]:
-    """Elements by their names, each of which may have a standard deviation."""
+    """Read the named elements of a vector, each of which may have a standard deviation."""
     if not isinstance(raw, list) or len(raw) != len(names):
         found = f"{len(raw)} elements" if isinstance(raw, list) else shown(raw)
         raise RefusedError(
@@ -196,13 +196,13 @@ def _direction(raw: Any, names: tuple[str, ...]) -> tuple[float, ...]:
     if norm == 0.0:
         raise RefusedError("expected a unit vector, found a zero direction", remedy)
     if not MIN_DIRECTION < norm < MAX_DIRECTION:
-        # Rounded components are normalised; a vector of another size is rather a position or a length.
+        # Rounded components are normalised; a vector of another length is probably a position or a length.
         raise RefusedError(f"expected a unit vector, found one of length {norm:g}", remedy)
     return tuple(elements) if abs(norm - 1.0) <= ROUNDING else tuple(element / norm for element in elements)
 
 
 def _signs(raw: Any, length: int) -> tuple[float, ...]:
-    remedy = f"write such as [{', '.join(['1', '-1', *['1'] * length][:length])}]"
+    remedy = f"for example: [{', '.join(['1', '-1', *['1'] * length][:length])}]"
     if not isinstance(raw, list) or len(raw) != length:
         found = f"{len(raw)}" if isinstance(raw, list) else shown(raw)
         raise RefusedError(f"expected a list of {length} numbers, each 1 or -1, found {found}", remedy)

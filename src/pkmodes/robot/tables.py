@@ -1,4 +1,4 @@
-"""The tables of a parsed robot file, each read for itself: values by path, and everything that is wrong with them."""
+"""Read the tables of a parsed robot file one by one: values by path, and all problems."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from pkmodes.robot.units import DIMENSIONS, Quantity
 
 FORMAT_HELP = "see docs/robot-file.md for the format"
 FORMAT = 1
-#: What every robot file has before its tables.
+#: Keys that every robot file has before its tables.
 HEAD = ("format", "name", "mechanism", GRAVITY.name)
 COUNTS = ("no", "one", "two", "three", "four", "five", "six")
 
@@ -38,15 +38,15 @@ class Tables:
         The robot's name.
     kind : Mechanism
     values : mapping of str to Value
-        By path, as the tables stand: nothing is merged, and no defaults are there.
+        By path, as given in the tables: without merging and without defaults.
     effects : mapping of str to Quantity
-        Of the effects that the file names, by path.
+        Parameters of the effects in the file, by path.
     problems : list of PkmodesError
 
     Raises
     ------
     RobotFileError
-        If the mechanism is not known: it says which tables there are.
+        If the mechanism is unknown, because it defines the tables.
     """
 
     def __init__(self, document: Mapping[str, Any], source: str) -> None:
@@ -71,7 +71,7 @@ class Tables:
         self._unknown(document, "", [*HEAD, *(table.name for table in kind.tables), EFFECTS])
 
     def raise_problems(self) -> None:
-        """Raise the error that has all problems, if there are any."""
+        """Raise an error with all problems, if there are any."""
         if self.problems:
             raise RobotFileError(self.problems)
 
@@ -84,7 +84,7 @@ class Tables:
             raise schema.RefusedError(error.what, error.remedy) from error
 
     def _repeated(self, document: Mapping[str, Any], table: Table, overrides: Sequence[Table]) -> None:
-        """The entries of a repeated table, each with what it has in place of shared values."""
+        """Read the entries of a repeated table, each with its overrides of shared values."""
         if table.name not in document:
             self._missing(table.name)
             return
@@ -122,7 +122,7 @@ class Tables:
             self._missing(path)
 
     def _effects(self, raw: Any) -> dict[str, Quantity]:
-        """The effects; what a table lends to an effect is declared with the one or the other, but not twice."""
+        """Read the effects; a value that an effect takes from a table must not be declared in both."""
         if not isinstance(raw, dict):
             self.problem(EFFECTS, f"expected a table, found {shown(raw)}", FORMAT_HELP)
             return {}
@@ -158,18 +158,18 @@ class Tables:
     def _unknown(self, raw: Mapping[str, Any], path: str, known: Sequence[str]) -> None:
         for key in raw:
             if key not in known:
-                # Bare where it can be written so in TOML.
+                # Without quotes if TOML allows a bare key.
                 name = key if re.fullmatch(r"[A-Za-z0-9_-]{1,60}", key) else shown(key)
                 place = f"{path}.{name}" if path else name
                 self.problem(place, f"unknown key {shown(key)}", nearest(key, known))
 
     def problem(self, path: str, what: str, remedy: str) -> None:
-        """Add what is wrong at a path."""
+        """Add a problem at a path."""
         self.problems.append(PkmodesError(what, f"{self.source}: {path}", remedy))
 
 
 def default_of(key: Key) -> Quantity | None:
-    """What a quantity is where the file does not give it, None where it must be given."""
+    """Return the default of a quantity, None if the file must give it."""
     if key.default is None:
         return None
     return Quantity(key.default, DIMENSIONS[key.dimension][0])

@@ -1,6 +1,6 @@
-"""Quantities with units, read once at the boundary: afterwards everything is SI.
+"""Quantities with units, converted once on reading; everything else uses SI units.
 
-Conversion is done in decimal arithmetic, so that ``"35 mm"`` is the double nearest to 0.035.
+Conversion uses decimal arithmetic, so ``"35 mm"`` is the double nearest to 0.035.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ if TYPE_CHECKING:
     from pint import Unit, UnitRegistry
 
 NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.*?)\s*", re.DOTALL)
-# A unit is names, products, quotients and small powers: nothing that could be a computation.
+# A unit consists of names, products, quotients and small powers: nothing that pint could evaluate as a computation.
 UNIT = re.compile(r"(?:[A-Za-zµμ°Ω%]+(?:(?:\^|\*\*)-?\d|[²³])?|1(?=\s*/)|[\s*/·()])+")
 LONGEST = 60
-#: Magnitudes beyond these are mistakes, and their products would overflow.
+#: Magnitudes outside these limits are mistakes, and their products would overflow.
 SMALLEST, LARGEST = 1e-30, 1e30
 
 #: Dimensions by name, with the SI unit and an example for error messages.
@@ -52,9 +52,9 @@ class Quantity:
     value : float
         In SI units.
     unit : str
-        The SI unit, ``"1"`` when dimensionless.
+        The SI unit, ``"1"`` if dimensionless.
     sigma : float or None
-        One standard deviation in SI units: None when the file gives none, 0 when the value is known exactly.
+        One standard deviation in SI units: None if the file gives none, 0 if the value is known exactly.
     """
 
     value: float
@@ -63,12 +63,12 @@ class Quantity:
 
 
 class QuantityError(ValueError):
-    """Text that is not the quantity that was expected; the message says expected and found."""
+    """Text that is not the expected quantity; the message says what was expected and found."""
 
 
 @cache
 def _registry() -> UnitRegistry[Decimal]:
-    # Imported here because it takes longer than all the rest of a model evaluation.
+    # Imported here because it takes longer than the rest of a model evaluation.
     import pint
 
     return pint.UnitRegistry(non_int_type=Decimal)
@@ -80,14 +80,14 @@ def parse(text: str, dimension: str) -> float:
     Parameters
     ----------
     text : str
-        For example ``"400 mm"``; a number without unit is accepted for the dimension "number" only.
+        For example ``"400 mm"``; a number without a unit is accepted only for the dimension "number".
     dimension : str
         A key of `DIMENSIONS`.
 
     Raises
     ------
     QuantityError
-        If there is no number, no unit, an unknown unit, or a unit of another dimension.
+        If the number or unit is missing, or the unit is unknown or of another dimension.
     """
     si_unit, example = DIMENSIONS[dimension]
     expected = f'expected {article(dimension)} such as "{example}"'
@@ -119,7 +119,7 @@ def _convert(number: Decimal, unit: str, si_unit: str, expected: str, text: str)
             f"{expected}, found {shown(text)}, whose unit {shown(unit)} is unknown"
         ) from error
     target = registry.Unit("dimensionless" if si_unit == "1" else si_unit)
-    # Degrees, percent and the like have no dimension, so a dimensional check alone would let them scale.
+    # Degrees and percent have no dimension, so a dimensional check alone would accept them as scale factors.
     scaling = [name for name in found._units if registry.Unit(name).dimensionless and name != "radian"]
     angles = all(_radians(registry.Unit(name)) == 1 for name in scaling)
     if angles and _radians(found) == _radians(target):
@@ -138,9 +138,9 @@ def _convert(number: Decimal, unit: str, si_unit: str, expected: str, text: str)
 
 
 def base_units(unit: str) -> tuple[Decimal, Mapping[str, object]]:
-    """A unit in base units: its factor, and the powers of those, such as (0.001, {"meter": 1}) for ``"mm"``.
+    """Return a unit in base units: its factor and their powers, such as (0.001, {"meter": 1}) for ``"mm"``.
 
-    An angle counts as a base unit, so that rad/s is told from Hz; ``"1"`` has none.
+    An angle counts as a base unit, which distinguishes rad/s from Hz; ``"1"`` has no base units.
 
     Raises
     ------
@@ -158,13 +158,13 @@ def base_units(unit: str) -> tuple[Decimal, Mapping[str, object]]:
         )
     except Exception as error:  # pint and its tokenizer raise many kinds of errors on malformed units
         raise QuantityError(f"the unit {shown(unit)} is unknown") from error
-    if twice.magnitude != 2 * found.magnitude:  # an offset, as of degC
+    if twice.magnitude != 2 * found.magnitude:  # an offset unit such as degC
         raise QuantityError(f"the unit {shown(unit)} is not proportional")
     return found.magnitude, dict(found._units)
 
 
 def _radians(unit: Unit) -> object:
-    """The power of the angle in a unit, which its dimension does not tell."""
+    """Return the power of the angle in a unit, which is not part of its dimension."""
     return _registry().get_root_units(unit)[1]._units.get("radian", 0)
 
 
@@ -179,12 +179,12 @@ def _dimension_name(unit: Unit) -> str:
 
 
 def article(noun: str) -> str:
-    """A noun with its article."""
+    """Return a noun with its indefinite article."""
     return f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"
 
 
 def in_range(value: float) -> bool:
-    """Whether a value is zero or of a magnitude that is not a mistake; NaN is not."""
+    """Return whether a value is zero or within the limits of magnitude; False for NaN."""
     return value == 0.0 or SMALLEST <= abs(value) <= LARGEST
 
 

@@ -1,7 +1,7 @@
-"""From a parsed robot file to what it declares, or to every problem in it, each with its place.
+"""Validate a parsed robot file: return its declarations, or report every problem with its place.
 
-What is shared is merged when nothing is wrong with the tables, because a misspelled key would otherwise be reported
-once more as missing; what a robot needs as a whole is asked when there is nothing missing.
+Shared values are merged only if the tables have no problems, because a misspelled key would otherwise also be
+reported as missing.  Conditions on the robot as a whole are checked only if nothing is missing.
 """
 
 from __future__ import annotations
@@ -23,18 +23,18 @@ Values = Mapping[str, schema.Value]
 
 
 def declaration(document: Mapping[str, Any], source: str) -> Declaration:
-    """Validate a robot file that has been parsed.
+    """Validate a parsed robot file.
 
     Parameters
     ----------
     document : mapping
     source : str
-        Names it in messages.
+        Name of the file, for messages.
 
     Raises
     ------
     RobotFileError
-        With one problem for each thing to mend.
+        With one problem for each thing to fix.
     """
     tables = Tables(document, source)
     tables.raise_problems()
@@ -60,7 +60,7 @@ def declaration(document: Mapping[str, Any], source: str) -> Declaration:
 
 
 def _merged(tables: Tables) -> dict[str, schema.Value]:
-    """Values of all keys: shared ones with those that have none of their own, defaults where there is none."""
+    """Return the values of all keys: those given, else the shared values, else the defaults."""
     merged: dict[str, schema.Value] = {}
     for item in items(tables.kind):
         given = tables.values.get(item.path, tables.values.get(item.shared))
@@ -76,7 +76,7 @@ def _merged(tables: Tables) -> dict[str, schema.Value]:
 
 
 def _parameters(kind: Mechanism, values: Values) -> Parameters:
-    """Every number at its place in the fields of the generated model."""
+    """Return the parameters of the generated model, with every number in its field."""
     fields: dict[str, dict[tuple[int, ...], float]] = {field: {} for field in kind.model.Parameters._fields}
     for item in items(kind):
         if item.key.field and item.index is not None:
@@ -86,7 +86,7 @@ def _parameters(kind: Mechanism, values: Values) -> Parameters:
 
 
 def _numbers(key: Key, value: schema.Value) -> dict[tuple[int, ...], float]:
-    """The numbers of one value by their places in it."""
+    """Return the numbers of one value by index."""
     if key.kind == "one_of":
         return {(i,): float(choice == value) for i, choice in enumerate(key.choices)}
     if isinstance(value, tuple):
@@ -109,7 +109,7 @@ def _filled(numbers: Mapping[tuple[int, ...], float]) -> float | np.ndarray:
 
 
 def _quantities(kind: Mechanism, values: Values) -> dict[str, Quantity]:
-    """Every quantity by its path, in the order of the format."""
+    """Return every quantity by path, in the order of the format."""
     found: dict[str, Quantity] = {}
     for item in items(kind):
         value = values.get(item.path)
@@ -125,7 +125,7 @@ def _by_effect(quantities: Mapping[str, Quantity]) -> dict[str, float]:
 
 
 def _check_effects(kind: Mechanism, tables: Tables) -> None:
-    """What the declared effects need of their parameters."""
+    """Check the conditions of the declared effects on their parameters."""
     declared = {path.split(".")[1] for path in tables.effects}
     for name in [name for name in declared if kind.effects[name].requirements]:
         own = {path: q for path, q in tables.effects.items() if path.split(".")[1] == name}
@@ -141,14 +141,14 @@ def _check(
     numbers: Mapping[str, Quantity],
     tables: Tables,
 ) -> None:
-    """Add a problem for each place where a requirement does not hold."""
+    """Add a problem for each place where a requirement is violated."""
     for place, margin in zip(requirement.places, np.ravel(margins).tolist(), strict=True):
         if not (margin > 0.0 or (margin == 0.0 and requirement.rule == "at_least_zero")):
             tables.problem(place, _sentence(requirement, place, margin, numbers), requirement.remedy)
 
 
 def _sentence(requirement: Requirement, place: str, margin: float, numbers: Mapping[str, Quantity]) -> str:
-    """The sentence with its values; ``{limits.min}`` is the value with that path in the table of the place."""
+    """Format a requirement's sentence; ``{limits.min}`` is the value at that path in the table of the place."""
     values = {
         "missing": Quantity(-margin, requirement.unit),
         "value": Quantity(margin, requirement.unit),

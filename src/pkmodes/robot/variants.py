@@ -1,6 +1,6 @@
-"""A robot with other values: the document that declares it, changed, and read as a robot file is.
+"""A robot with other values: the document that declares it is changed and then read like a robot file.
 
-So there is one set of rules, and what a file would be refused for is refused here too.
+This way one set of rules applies, and values that a file could not have are rejected here too.
 """
 
 from __future__ import annotations
@@ -25,53 +25,53 @@ OTHER_VALUES = " with other values"
 
 
 def with_values(robot: Declaration, values: Mapping[str, Any]) -> Declaration:
-    """Return what a file with these values would declare: see `pkmodes.Robot.with_values`."""
+    """Return the declaration of a file with these values: see `pkmodes.Robot.with_values`."""
     if not isinstance(values, Mapping):
         raise PkmodesError(
             f"expected values by path, found {shown(values)}",
             "values",
-            'write such as {"frame.mass": "60 kg"}',
+            'for example: {"frame.mass": "60 kg"}',
         )
     source = robot.source.removesuffix(OTHER_VALUES) + OTHER_VALUES
     changes = _changes(robot, values, source)
     declared = _raw_values(robot)
     if _read(robot, declared, source) != robot:
         raise PkmodesError(
-            "the robot's parameters are not those that it declares",
+            "the robot's parameters differ from those that it declares",
             robot.source,
-            "begin with one that was read",
+            "start from a robot that was read from a file",
         )
     return _read(robot, {**declared, **changes}, source)
 
 
 def _read(robot: Declaration, values: Mapping[str, Any], source: str) -> Declaration:
-    """What a file with these values alone would declare."""
+    """Return the declaration of a file with only these values."""
     return declaration(document_of(robot.kind, robot.name, values), source)
 
 
 def _changes(robot: Declaration, values: Mapping[str, Any], source: str) -> dict[str, Any]:
-    """The values of the file that change, by path, as a robot file could have them."""
+    """Return the changed values of the file by path, as a robot file could contain them."""
     owners = {path: own for path, own in lent(robot.kind).items() if _lent_now(robot, values, path, own)}
     found: dict[str, Any] = {}
     for path, raw in values.items():
         if not isinstance(path, str):
             what = f"expected a parameter path, found {shown(path)}"
-            raise PkmodesError(what, "values", 'write such as {"frame.mass": "60 kg"}')
+            raise PkmodesError(what, "values", 'for example: {"frame.mass": "60 kg"}')
         if raw is None or (isinstance(raw, Mapping) and raw.get("value", raw) is None):
-            remedy = "give a number or text with a unit; 0 is no effect"
+            remedy = "give a number or text with a unit; 0 means no effect"
             raise PkmodesError("expected a value, found None", f"{source}: {path}", remedy)
         for element, value in _elements(robot, owners.get(path, path), raw, source).items():
             others = {element, lent(robot.kind).get(element), *_borrowers(robot, element)}
             if others & found.keys():
                 what = "the value would be changed twice"
-                raise PkmodesError(what, f"{source}: {element}", "change it once")
+                raise PkmodesError(what, f"{source}: {element}", "change it only once")
             found[element] = value
     before = {own: robot.quantities.get(path) for path, own in lent(robot.kind).items()}
     return {path: _with_sigma(raw, {**before, **robot.quantities}.get(path)) for path, raw in found.items()}
 
 
 def _lent_now(robot: Declaration, values: Mapping[str, Any], path: str, own: str) -> bool:
-    """Whether the value of an effect's parameter is that of a table: not where the effect declares its own."""
+    """Return whether an effect parameter takes its value from a table instead of declaring it."""
     effect = path.rpartition(".")[0]
     others = [name for name in (*robot.quantities, *values) if name != path and _begins(name, effect)]
     return own in robot.quantities or not others
@@ -86,7 +86,7 @@ def _borrowers(robot: Declaration, own: str) -> list[str]:
 
 
 def _elements(robot: Declaration, path: str, raw: Any, source: str) -> dict[str, Any]:
-    """The values of the file that a value by path changes."""
+    """Return the values of the file that a value by path changes."""
     known = changeable(robot)
     raw = _plain(raw, known.get(path), f"{source}: {path}")
     if path in (of_mechanism := wholes(robot.kind)):
@@ -101,7 +101,7 @@ def _elements(robot: Declaration, path: str, raw: Any, source: str) -> dict[str,
         remedy = nearest(path, [*known, *vectors], "see docs/sensitivities.md for the paths")
         raise PkmodesError(f"unknown parameter path {shown(path)}", robot.source, remedy)
     if not item.numbers:
-        what = f"{path} is no quantity: it cannot be changed here"
+        what = f"{path} is not a quantity: it cannot be changed here"
         raise PkmodesError(what, robot.source, "change the robot file")
     if not isinstance(raw, list | tuple) or len(raw) != len(item.numbers):
         found = f"{len(raw)}" if isinstance(raw, list | tuple) else shown(raw)
@@ -114,13 +114,13 @@ def _elements(robot: Declaration, path: str, raw: Any, source: str) -> dict[str,
 
 
 def _plain(raw: Any, unit: str | None, where: str) -> Any:
-    """A value as a robot file could have it: no arrays and numbers of NumPy, no `Quantity`."""
+    """Return a value as a robot file could contain it, without NumPy types and `Quantity`."""
     if isinstance(raw, np.ndarray | np.generic):
         return raw.tolist()
     if isinstance(raw, Quantity):
         if raw.unit != unit:
             what = f"expected a quantity in {unit}, found one in {raw.unit}"
-            raise PkmodesError(what, where, "give one of the same unit")
+            raise PkmodesError(what, where, "give a quantity with that unit")
         return {"value": raw.value, "sigma": raw.sigma}
     if isinstance(raw, Mapping):
         return {key: _plain(value, unit, where) for key, value in raw.items()}
@@ -128,11 +128,11 @@ def _plain(raw: Any, unit: str | None, where: str) -> Any:
 
 
 def _value_of_whole(robot: Declaration, whole: Whole, raw: Any, source: str) -> float:
-    """The value of a whole, which has no standard deviation of its own."""
+    """Read the value of a whole, which cannot have a standard deviation."""
     where = f"{source}: {whole.path}"
     if isinstance(raw, Mapping) and raw.get("sigma") is not None:
-        what = f"{whole.path} has no standard deviation: its elements have"
-        raise PkmodesError(what, where, "give a value alone, and sigma to elements")
+        what = f"{whole.path} has no standard deviation: only its elements have one"
+        raise PkmodesError(what, where, "give the value only, and give sigma for the elements")
     if isinstance(raw, Mapping):
         raw = {key: value for key, value in raw.items() if key != "sigma"}
     try:
@@ -142,18 +142,18 @@ def _value_of_whole(robot: Declaration, whole: Whole, raw: Any, source: str) -> 
 
 
 def _check_taken(robot: Declaration, path: str) -> None:
-    """A shared value in whose place every entry has its own would change nothing."""
+    """Reject a change of a shared value that every entry overrides: it would have no effect."""
     own = [item.path for item in takers(robot.kind).get(path, ())]
     if own and all(taker in robot.quantities for taker in own):
         raise PkmodesError(
-            f"no {own[0].partition('.')[0]} takes the shared value {path}: each has its own",
+            f"no {own[0].partition('.')[0]} takes the shared value {path}: each overrides it",
             robot.source,
             f"change {', '.join(own[:-1])} and {own[-1]}",
         )
 
 
 def _with_sigma(raw: Any, before: Quantity | None) -> Any:
-    """A changed value with the standard deviation that it had, unless a table says otherwise."""
+    """Return a changed value with its previous standard deviation, unless a table gives another."""
     table = dict(raw) if isinstance(raw, Mapping) else {"value": raw}
     if before is not None:
         table = {"value": before.value, "sigma": before.sigma, **table}
@@ -163,7 +163,7 @@ def _with_sigma(raw: Any, before: Quantity | None) -> Any:
 
 
 def _raw_values(robot: Declaration) -> dict[str, Any]:
-    """What the robot declares, by path, as a robot file could have it."""
+    """Return the robot's declared values by path, as a robot file could contain them."""
     return {
         path: _with_sigma({}, robot.quantities[path]) if path in robot.quantities else value
         for path, value in robot.declared.items()

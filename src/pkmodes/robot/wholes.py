@@ -1,7 +1,7 @@
-"""Wholes: several numbers that one path moves together.
+"""Wholes: several numbers that one path changes together.
 
-A ``span`` moves both ends of every pair evenly apart, a ``radius`` every vector along itself; the value of a whole is
-that of the first, and the others change as much.
+A ``span`` moves the two ends of every pair symmetrically apart, a ``radius`` scales every vector along its direction.
+The value of a whole is that of the first pair or vector, and the others change by the same amount.
 """
 
 from __future__ import annotations
@@ -21,23 +21,23 @@ Array = NDArray[np.float64]
 
 
 def wholes(kind: Mechanism) -> dict[str, Whole]:
-    """The wholes of a mechanism by path."""
+    """Return the wholes of a mechanism by path."""
     return {whole.path: whole for whole in kind.wholes}
 
 
 def items_of(kind: Mechanism, whole: Whole) -> list[Item]:
-    """The pairs or vectors that a whole moves."""
+    """Return the pairs or vectors that a whole changes."""
     return [item for item in items(kind) if item.key.field == whole.field]
 
 
 def value_of(robot: Declaration, whole: Whole) -> float:
-    """The value of a whole in SI units."""
+    """Return the value of a whole in SI units."""
     first = _vectors(robot, whole)[0]
     return float(first[1] - first[0]) if whole.kind == "span" else float(np.linalg.norm(first))
 
 
 def weights_of(robot: Declaration, whole: Whole) -> dict[Slot, float]:
-    """How far each number moves when the whole grows by one unit; empty where a vector has no direction."""
+    """Return the change of each number per unit of the whole; empty if a vector is zero and has no direction."""
     vectors = _vectors(robot, whole)
     if whole.kind == "span":
         rates = np.tile([-0.5, 0.5], (len(vectors), 1))
@@ -55,12 +55,12 @@ def weights_of(robot: Declaration, whole: Whole) -> dict[Slot, float]:
 
 
 def elements_of(robot: Declaration, whole: Whole, value: float) -> dict[str, float]:
-    """Elements by path that give a whole another value.
+    """Return the elements by path that give a whole another value.
 
     Raises
     ------
     PkmodesError
-        If a vector has no direction in which it could grow, or would shrink to nothing.
+        If a vector is zero and has no direction, or would shrink to zero.
     """
     vectors = _vectors(robot, whole).tolist()
     found: dict[str, float] = {}
@@ -78,7 +78,7 @@ def elements_of(robot: Declaration, whole: Whole, value: float) -> dict[str, flo
 def _apart(pair: Sequence[float], change: float) -> list[float]:
     low, high = pair
     moved = (low - change / 2.0, high + change / 2.0)
-    # Rounding must not leave a limit of 1e-17 m where 0 is meant.
+    # Rounding must not turn a limit of 0 into 1e-17 m.
     return [0.0 if abs(value) < 1e-12 * (high - low) else value for value in moved]
 
 
@@ -96,6 +96,6 @@ def _along(vector: Sequence[float], change: float, item: Item, source: str) -> l
 
 
 def _vectors(robot: Declaration, whole: Whole) -> Array:
-    """One row for each pair or vector."""
+    """Return one row for each pair or vector."""
     field = np.asarray(getattr(robot.parameters, whole.field))
     return np.array([field[item.index] for item in items_of(robot.kind, whole)])

@@ -1,1 +1,1 @@
-"""Exact derivatives of matrices and modes by the quantities of a robot file and by the effects."""
+"""Exact derivatives of matrices and modes with respect to robot-file quantities and effects."""

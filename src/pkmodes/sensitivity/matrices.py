@@ -1,11 +1,12 @@
 r"""Derivatives of M and K along parameter paths, from the entries that the generated model evaluates.
 
-A released joint that is locked is not in the matrices.  Its compliance c is felt all the same: to first order
+A released joint that is locked is not part of the matrices, but its compliance c still affects the modes: to first
+order
 
 .. math:: \frac{d}{dc} (K - \lambda M) = - B^T B, \qquad B(\lambda) = K_{rq} - \lambda M_{rq} ,
 
-where r are the joint's coordinates, because in a mode the joint carries the force :math:`B \phi` and yields by
-c times as much.  The derivative is finite at c = 0, where the joint's stiffness is not.
+where r are the joint's coordinates, because in a mode the joint carries the force :math:`B \phi` and deflects by c
+times that force.  The derivative is finite at c = 0, where the joint's stiffness is not.
 """
 
 from __future__ import annotations
@@ -24,20 +25,20 @@ from pkmodes.robot.paths import ParameterPath
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-#: Stands in a slot for the pose: its components are not parameters, but what depends on them changes likewise.
+#: Field name of slots for pose components: they are not parameters, but the matrices depend on them in the same way.
 POSE = "pose"
 
-#: What rounding leaves of a spring that was taken out.
+#: Relative size of the rounding left when a spring is eliminated.
 TAKEN_OUT = 1e-12
 
 
 class Entries(NamedTuple):
-    """Which entries of a symmetric matrix the generated derivatives are, in their order.
+    """The entries of a symmetric matrix to which the generated derivatives belong, in their order.
 
     Attributes
     ----------
     slot, row, column : ndarray of int, shape (E,)
-        By which parameter, and the place in the upper triangle.
+        Index of the parameter, and position in the upper triangle.
     """
 
     slot: Index
@@ -46,13 +47,13 @@ class Entries(NamedTuple):
 
 
 def _listed(kind: Mechanism) -> tuple[Any, ...]:
-    """Generated parameters with derivatives: field, index, entries of M and of K; the geometry comes last."""
+    """Return the generated parameters with derivatives: field, index, entries of M and K; the geometry comes last."""
     return (*kind.extended.VALUE_SENSITIVITIES, *kind.extended.GEOMETRY_SENSITIVITIES)
 
 
 @cache
 def _slots(kind: Mechanism) -> dict[Slot, int]:
-    """Generated parameters by which there are derivatives; effects by their dotted names."""
+    """Return the index of each generated parameter with derivatives; effects have dotted names."""
     dotted = {
         f"{effect.name}_{parameter.name}": f"{effect.name}.{parameter.name}"
         for effect in kind.effects.values()
@@ -69,7 +70,7 @@ def _entries(kind: Mechanism, matrix: int) -> Entries:
 
 @cache
 def _joints(kind: Mechanism) -> dict[Slot, tuple[int, ...]]:
-    """Coordinates that each compliance releases in the extended model, of all joints or of a single one."""
+    """Return the coordinates that each compliance, of all joints or a single one, releases in the extended model."""
     found: dict[Slot, tuple[int, ...]] = {}
     for effect in kind.effects.values():
         place = tuple(kind.extended.COORDINATES.index(q.name) for q in effect.coordinates)
@@ -82,7 +83,7 @@ def _joints(kind: Mechanism) -> dict[Slot, tuple[int, ...]]:
 
 
 def geometry_of(kind: Mechanism) -> frozenset[str]:
-    """Generated parameters that change how the platform follows the coordinates."""
+    """Return the generated parameters that change the platform's motion with the coordinates."""
     fields = {field for field, *_ in kind.extended.GEOMETRY_SENSITIVITIES}
     return frozenset(fields | {field for field, other in kind.differences.items() if other in fields})
 
@@ -90,7 +91,7 @@ def geometry_of(kind: Mechanism) -> frozenset[str]:
 def locked_joints(
     system: SystemOfEffects, paths: Sequence[ParameterPath]
 ) -> dict[int, list[tuple[tuple[int, ...], float]]]:
-    """Locked joints that paths would release: by the number of the path, their coordinates and weights."""
+    """Return the locked joints that paths would release: coordinates and weights by index of the path."""
     free = set(system.free)
     found: dict[int, list[tuple[tuple[int, ...], float]]] = {}
     for t, path in enumerate(paths):
@@ -102,29 +103,29 @@ def locked_joints(
 
 
 class MatrixDerivatives:
-    """Matrices of a robot at some poses, and how they change along parameter paths.
+    """Matrices of a robot at some poses, and their derivatives along parameter paths.
 
-    Several robots that have the same free coordinates may be evaluated together.
+    Several robots with the same free coordinates may be evaluated together.
 
     Parameters
     ----------
     system : SystemOfEffects
-        Of B robots, at N / B poses each.
+        One or B stacked robots, with N / B poses each.
     p : ndarray, shape (N, d)
-        Poses that can be evaluated, those of the first robot first.
+        Valid poses, robot by robot.
     paths : sequence of sequence of ParameterPath, length B
-        T of them for each robot.
+        T paths for each robot.
     matrices : tuple of ndarray, optional
-        M and K in all coordinates, where they were evaluated already.
+        M and K in all coordinates, if they were evaluated already.
 
     Attributes
     ----------
     M, K : ndarray, shape (N, e, e)
-        In the base and all released coordinates; the rows of locked ones are those of free joints.
+        In the base and all released coordinates; locked joints are free in them, without a spring.
     free : ndarray of int, shape (n,)
-        The coordinates that are not locked.
+        Indices of the coordinates that are not locked.
     locked : tuple of int
-        Those of the paths that are compliances of locked joints; there may be such with one robot only.
+        Indices of the paths that are compliances of locked joints; empty for several robots.
     """
 
     def __init__(
@@ -140,7 +141,9 @@ class MatrixDerivatives:
         self._locked = locked_joints(system, paths[0])
         self.locked = tuple(self._locked)
         if self.locked and len(paths) > 1:
-            raise ValueError("robots with derivatives by locked joints are evaluated one by one")
+            raise ValueError(
+                "robots with derivatives with respect to locked joints must be evaluated one by one"
+            )
         shape = len(paths), len(paths[0])
         each = len(p) // shape[0]
         rates = np.atleast_2d(system.joint_rates)[:: each or 1]
@@ -157,7 +160,7 @@ class MatrixDerivatives:
                     self._shift[b, t, slot[1]] += weight
                 elif slot in slots:
                     along[b, slots[slot], t] += weight
-                else:  # it enters only through its difference from another one
+                else:  # the field enters only as the difference from another field
                     along[b, slots[system.kind.differences[slot[0]], slot[1]], t] -= weight
         self._along = tuple(along[:, self._entries(matrix).slot] for matrix in (0, 1))
         geometry = bool(along[:, len(system.kind.extended.VALUE_SENSITIVITIES) :].any())
@@ -165,9 +168,9 @@ class MatrixDerivatives:
         self._by_pose = system.by_pose(p) if self._shift.any() else None
 
     def dense(self, poses: Index | slice = slice(None)) -> tuple[Array, Array]:
-        """Evaluate dM and dK by each path, (N, T, n, n), in the free coordinates, at some or all of the poses.
+        """Evaluate dM and dK along each path, (N, T, n, n), in the free coordinates, at some or all poses.
 
-        NaN for the compliance of a locked joint, which is not in the matrices.
+        They are NaN for the compliance of a locked joint, which is not in the matrices.
         """
         robot = np.repeat(np.arange(self._each[0]), self._each[1])[poses]
         found = []
@@ -193,7 +196,7 @@ class MatrixDerivatives:
         return found[0], found[1]
 
     def eigenvalues(self, eigenvalues: Array, shapes: Array) -> Array:
-        """Derivatives of simple eigenvalues, phi^T (dK - lambda dM) phi with phi^T M phi = 1.
+        """Compute derivatives of simple eigenvalues, phi^T (dK - lambda dM) phi with phi^T M phi = 1.
 
         Parameters
         ----------
@@ -227,7 +230,7 @@ class MatrixDerivatives:
         return np.asarray(found)
 
     def joint_forces(self, eigenvalues: Array, shapes: Array, joints: Sequence[int]) -> Array:
-        """Forces B(lambda) phi that locked joints carry in each mode, (N, m, r)."""
+        """Compute the forces B(lambda) phi that locked joints carry in each mode, (N, m, r)."""
         K, M = (
             (a[:, list(joints)][..., self.free] @ np.swapaxes(shapes, -1, -2)).swapaxes(-1, -2)
             for a in (self.K, self.M)
@@ -235,21 +238,21 @@ class MatrixDerivatives:
         return np.asarray(K - eigenvalues[..., None] * M)
 
     def locked_motion(self, t: int, eigenvalues: Array, shapes: Array) -> Array:
-        """How locked joints yield to what they carry, per unit of their compliance, (N, m, e)."""
+        """Compute the deflection of locked joints under their forces, per unit of compliance, (N, m, e)."""
         found = np.zeros((*shapes.shape[:-1], self.M.shape[-1]))
         for joints, weight in self._locked[t]:
             found[..., list(joints)] -= weight * self.joint_forces(eigenvalues, shapes, joints)
         return found
 
     def locked_change(self, t: int, eigenvalues: Array, shapes: Array) -> tuple[Array, Array]:
-        """For the compliance of a locked joint: what replaces (dK - lambda dM) phi, and phi^T dM phi.
+        """Return the replacements of (dK - lambda dM) phi and phi^T dM phi for the compliance of a locked joint.
 
         Returns
         -------
         change : ndarray, shape (N, m, n)
-            -B^T B phi, at each mode's own eigenvalue, and the springs of its joints that are not locked.
+            -B^T B phi at each mode's eigenvalue, plus the springs of the path's joints that are not locked.
         norm : ndarray, shape (N, m)
-            Change of the modal mass by the motion of the joint.
+            Change of the modal mass due to the motion of the joint.
         """
         change, norm = self._springs[0, t, self.free] * shapes, np.zeros_like(eigenvalues)
         for joints, weight in self._locked[t]:
@@ -260,19 +263,19 @@ class MatrixDerivatives:
         return change, norm
 
     def stiff_change(self, pose: int, eigenvalues: Array, shapes: Array, dM: Array, dK: Array) -> Array:
-        """(dK - lambda dM) phi for the shapes of modes of stiff joints, up to a multiple of M phi, which turns none.
+        """Compute (dK - lambda dM) phi for modes of stiff joints, up to a multiple of M phi, which rotates no shape.
 
-        In the mode of a joint of compliance c the spring's derivative -1/c^2 and what follows from it cancel, and
-        what is left is smaller by far than their rounding.  The multiple of K phi = lambda M phi that takes the
-        spring out leaves the rest of K in its place.
+        In the mode of a joint of compliance c, the derivative -1/c^2 of its spring cancels in the shape derivative,
+        and the remainder is far smaller than the rounding of the cancelling terms.  Adding the multiple of
+        K phi = lambda M phi that eliminates the spring puts the rest of K in its place.
 
         Parameters
         ----------
         pose : int
-            Which of the poses.
+            Index of the pose.
         eigenvalues, shapes : ndarray, shapes (m,) and (m, n)
         dM, dK : ndarray, shape (T, n, n)
-            As from `dense`.
+            From `dense`.
 
         Returns
         -------
@@ -296,11 +299,11 @@ class MatrixDerivatives:
         return _entries(self._system.kind, matrix)
 
     def _moving(self, matrix: int) -> Index:
-        """Entries of M or K that change along some path."""
+        """Return the entries of M or K that change along any path."""
         return np.flatnonzero(self._along[matrix].any(axis=(0, 2)))
 
     def _of_each(self, values: Array) -> Array:
-        """(N, m, ...) to (B, N m / B, ...): what belongs to each robot."""
+        """Reshape (N, m, ...) to (B, N m / B, ...), one block for each robot."""
         robots, poses = self._each
         return values.reshape(robots, poses * values.shape[1], values.shape[-1])
 

@@ -8,10 +8,10 @@ With :math:`Z = K - \lambda M` and :math:`z_i = (dK - \lambda_i dM) \phi_i`, a s
     Z_i \, d\phi_i = d\lambda_i M \phi_i - z_i, \qquad
     \phi_i^T M \, d\phi_i = - \tfrac12 \phi_i^T dM \phi_i ,
 
-which is one bordered linear system for each mode (Nelson, AIAA Journal 14(9), 1976).  No other modes are needed,
-so coordinates without inertia do no harm.  In a group of equal eigenvalues a single shape means nothing: their
-derivatives are the eigenvalues of :math:`\Phi^T (dK - \lambda dM) \Phi` over the group, and what is determined of the
-shapes' derivatives is the part outside the group (Dailey, AIAA Journal 27(4), 1989).
+which is one bordered linear system for each mode (Nelson, AIAA Journal 14(9), 1976).  No other modes are needed, so
+coordinates without inertia cause no problem.  In a group of equal eigenvalues the individual shapes are arbitrary:
+the eigenvalue derivatives are the eigenvalues of :math:`\Phi^T (dK - \lambda dM) \Phi` over the group, and only the
+part of the shape derivatives outside the group is determined (Dailey, AIAA Journal 27(4), 1989).
 """
 
 from __future__ import annotations
@@ -26,16 +26,16 @@ ROUNDING = 1e-13
 
 
 def groups(eigenvalues: Array, close: float, magnitude: Array) -> Index:
-    """Number the groups of modes whose eigenvalues are closer than a fraction of their size.
+    """Number the groups of modes whose eigenvalues differ by less than a fraction of their size.
 
     Parameters
     ----------
     eigenvalues : ndarray, shape (..., m)
         Ascending.
     close : float
-        Fraction; gaps are also compared with rounding.
+        The fraction; gaps below rounding are also ignored.
     magnitude : ndarray, shape (..., m)
-        What rounding of each eigenvalue is relative to (`pkmodes.eigen.magnitude`).
+        Magnitude to which the rounding of each eigenvalue is relative (`pkmodes.eigen.magnitude`).
 
     Returns
     -------
@@ -50,7 +50,7 @@ def groups(eigenvalues: Array, close: float, magnitude: Array) -> Index:
 
 
 def branches(change: Array, shapes: Array, group: Index) -> Array:
-    """Derivatives of the eigenvalues of one system, in each group those of its branches, ascending.
+    """Compute the eigenvalue derivatives of one system; in each group those of its branches, ascending.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def branches(change: Array, shapes: Array, group: Index) -> Array:
 
 
 def _inside(change: Array, shapes: Array, members: Index) -> Array:
-    """Phi^T (dK - lambda dM) Phi over a group of r modes, (T, r, r)."""
+    """Compute Phi^T (dK - lambda dM) Phi over a group of r modes, (T, r, r)."""
     return np.asarray(np.einsum("tin,jn->tij", change[:, members], shapes[members]))
 
 
@@ -90,7 +90,7 @@ def mode_derivatives(
     group: Index,
     magnitude: Array,
 ) -> tuple[Array, Array]:
-    """Derivatives of the modes of one system by several parameters.
+    """Compute derivatives of the modes of one system with respect to several parameters.
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ def mode_derivatives(
     d_eigenvalues : ndarray, shape (T, m)
         In a group, those of the branches, ascending.
     d_shapes : ndarray, shape (T, m, n)
-        In a group, the part that is M-orthogonal to its other members.
+        In a group, the part that is M-orthogonal to the other members.
     """
     d_eigenvalues, d_shapes = np.empty(change.shape[:2]), np.empty(change.shape)
     for number in np.unique(group):

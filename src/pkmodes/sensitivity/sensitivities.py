@@ -23,13 +23,13 @@ from pkmodes.solving import solved
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-#: Poses that are differentiated together: the matrices of one pose take a few hundred kilobytes.
+#: Number of poses differentiated together: the matrices of one pose take a few hundred kilobytes.
 TOGETHER = 64
 
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Sensitivities(ChosenFields):
-    """Exact derivatives by T parameters, at fixed platform poses.
+    """Exact derivatives with respect to T parameters, at fixed platform poses.
 
     The leading dimensions are those of the poses, then T; n coordinates and m modes as in `pkmodes.Modes`, SI units.
     Entries of poses that could not be evaluated are NaN.
@@ -47,24 +47,24 @@ class Sensitivities(ChosenFields):
     reason : ndarray of str, shape (...)
         Why the others could not (`pkmodes.Model.reasons`), ``""`` where valid; for a single pose a string.
     mass_matrix, stiffness_matrix : ndarray, shape (..., T, n, n)
-        dM/dtheta and dK/dtheta, in units of M and K by that of the parameter.  NaN for the compliance of a
-        joint that is locked: it is not in the matrices, but the modes feel it.
+        dM/dtheta and dK/dtheta, in units of M and K per unit of the parameter.  NaN for the compliance of a locked
+        joint, which affects the modes but is not in the matrices.
     eigenvalues : ndarray, shape (..., T, m)
-        d lambda / d theta [1/s^2 by the parameter's unit].
+        d lambda / d theta [1/s^2 per unit of the parameter].
     frequencies : ndarray, shape (..., T, m)
-        d f / d theta [Hz by the parameter's unit], with f as in `pkmodes.Modes`; NaN where f is 0 to rounding.
+        d f / d theta [Hz per unit of the parameter], with f as in `pkmodes.Modes`; NaN where f is 0 to rounding.
     shapes : ndarray, shape (..., T, m, n)
-        Derivatives, by the parameter's unit, of the mass-normalised shapes that `pkmodes.Model.modes` gives at
-        the same poses; in a group of several modes the part outside the group, which alone is determined, and
-        what keeps the norm.
+        Derivatives, per unit of the parameter, of the mass-normalised mode shapes from `pkmodes.Model.modes` at
+        the same poses.  In a group of several modes, only the part outside the group, which alone is determined,
+        and the part that keeps the norm.
     groups : ndarray of int, shape (..., m)
-        The same number for modes that are repeated or closer than asked; their eigenvalue derivatives are
-        those of the branches into which the group splits, ascending.  -1 where a pose could not be evaluated.
+        The same number for modes that are repeated or closer than `close`; their eigenvalue derivatives are those
+        of the branches into which the group splits, ascending.  -1 where a pose could not be evaluated.
 
     Raises
     ------
     NotComputedError
-        Where a field from `mass_matrix` on is read that was not asked for.
+        If `mass_matrix` or a later field is read but was not requested.
     """
 
     FIELDS: ClassVar[tuple[str, ...]] = (
@@ -99,11 +99,11 @@ def sensitivities(
     """Evaluate the sensitivities of a robot; see `pkmodes.Model.sensitivities`."""
     chosen = _chosen(robot, parameters)
     if not (isinstance(close, int | float | np.integer | np.floating) and 0.0 <= close < 1.0):
-        raise PkmodesError(f"expected a fraction below 1, found {shown(close)}", "close", "use such as 1e-6")
+        raise PkmodesError(f"expected a fraction below 1, found {shown(close)}", "close", "for example: 1e-6")
     asked = chosen_fields(fields, out, Sensitivities.FIELDS)
     system = evaluation(robot)
     gathered = Gathered(poses, out)
-    # In parts of even size: a single pose is evaluated in another way, and repeated modes in another basis.
+    # In parts of equal size: a single pose is evaluated differently, which gives repeated modes another basis.
     for where, p in poses.parts(TOGETHER, even=True):
         gathered.put(where, _at(robot, system, p, chosen, float(close), asked))
     return Sensitivities(
@@ -118,7 +118,7 @@ def sensitivities(
 
 def _chosen(robot: Robot, parameters: Sequence[str] | None) -> list[ParameterPath]:
     if parameters is None:
-        # A vector of no length has no direction in which a radius could grow; nobody asked for it by name.
+        # A zero vector has no direction along which its radius could change; it was not requested by name.
         still = {
             whole.path
             for whole in robot.kind.wholes
@@ -137,9 +137,9 @@ def _at(
     close: float,
     asked: Collection[str],
 ) -> dict[str, NDArray[Any]]:
-    """What is asked for, at some poses."""
+    """Compute the requested fields at some poses."""
     of_modes = {"eigenvalues", "frequencies", "shapes", "groups"} & set(asked)
-    # To the last digit the matrices of `Model.modes`: repeated modes must come out in the same basis.
+    # Bitwise the matrices of `Model.modes`, so that repeated modes have the same basis.
     at = solved(system, p, robot.source) if of_modes else None
     extended = system if isinstance(system, SystemOfEffects) else SystemOfEffects.of(robot)
     every = at.every if at is not None and extended is system else None
@@ -177,7 +177,7 @@ def _at(
 
 
 def _rates(derivatives: MatrixDerivatives, eigenvalues: Array, shapes: Array, group: Index) -> Array:
-    """Derivatives of the eigenvalues alone, (N, T, m): from the entries that change, without linear systems."""
+    """Compute only the eigenvalue derivatives, (N, T, m), from the entries that change, without linear systems."""
     rates = np.swapaxes(derivatives.eigenvalues(eigenvalues, shapes), -1, -2)
     repeated = np.flatnonzero(group[:, -1] < group.shape[1] - 1)
     if len(repeated):
@@ -196,7 +196,7 @@ def _changes(
     shapes: Array,
     poses: Index | slice = slice(None),
 ) -> tuple[Array, Array]:
-    """Evaluate (dK - lambda dM) phi, (N, T, m, n), and phi^T dM phi, (N, T, m), at some or all of the poses."""
+    """Evaluate (dK - lambda dM) phi, (N, T, m, n), and phi^T dM phi, (N, T, m), at some or all poses."""
     phi, values = shapes[poses], eigenvalues[poses]
     change = np.einsum("ptab,pib->ptia", dK, phi)
     change -= values[:, None, :, None] * np.einsum("ptab,pib->ptia", dM, phi)

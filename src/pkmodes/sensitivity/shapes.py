@@ -1,4 +1,4 @@
-r"""Derivatives of mode shapes by their expansion in all modes, for fits that need them at many values.
+r"""Derivatives of mode shapes by modal expansion, for fits that need them many times.
 
 With :math:`z_i = (dK - \lambda_i dM) \phi_i` and mass-normalised modes,
 
@@ -6,8 +6,8 @@ With :math:`z_i = (dK - \lambda_i dM) \phi_i` and mass-normalised modes,
     - \tfrac12 \phi_i \, \phi_i^T dM \, \phi_i
 
 (Fox and Kapoor, AIAA Journal 6(12), 1968), which is exact with all modes.  Coordinates without inertia follow the
-others, and a locked joint with a compliance yields by what it carries.  `sensitivity.modes` has the same from one
-linear system for each mode, for a few poses and to the last digit where modes nearly coincide.
+others statically, and a locked joint with a compliance deflects under its force.  `sensitivity.modes` computes the
+same from one linear system for each mode: slower, but accurate to the last digit even for nearly coincident modes.
 """
 
 from __future__ import annotations
@@ -18,29 +18,29 @@ from numpy.typing import NDArray
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 
 Array = NDArray[np.float64]
-#: Smallest difference of two eigenvalues, relative to the larger one, that is divided by.
+#: Lower bound of the difference between two eigenvalues in the denominator, relative to the larger of the two.
 SMALLEST_GAP = 1e-6
-#: The same relative to the largest of all, below which it is rounding: between rigid modes that nothing holds.
+#: The same relative to the largest eigenvalue: smaller differences, as between rigid-body modes, are rounding.
 ROUNDING = float(np.finfo(float).eps)
 
 
 def shape_derivatives(derivatives: MatrixDerivatives, eigenvalues: Array, shapes: Array, first: int) -> Array:
-    """Derivatives of all modes with respect to the paths of some matrices.
+    """Compute derivatives of all mode shapes along parameter paths.
 
     Parameters
     ----------
     derivatives : MatrixDerivatives
-        At N poses, along T paths.
+        For N poses and T paths.
     eigenvalues : ndarray, shape (N, m)
     shapes : ndarray, shape (N, m, n)
         In the free coordinates, mass-normalised.
     first : int
-        First coordinate that may have no inertia.
+        Index of the first coordinate that may have no inertia.
 
     Returns
     -------
     ndarray, shape (N, T, m, e)
-        In all coordinates, locked ones included: these yield.
+        In all coordinates, including those of locked joints, which deflect.
     """
     dM, dK = derivatives.dense()
     modes = np.swapaxes(shapes, -1, -2)[:, None]

@@ -1,6 +1,7 @@
-"""One expression, printed for C99; nothing is evaluated here.
+"""Printing of one expression as C99; nothing is evaluated here.
 
-The operations and their order are those of the NumPy code.  Small integer powers are products: ``pow`` is a call.
+The operations and their order are those of the NumPy code.  Small integer powers are products, because ``pow`` is a
+function call.
 """
 
 from __future__ import annotations
@@ -17,9 +18,9 @@ LARGEST_PRODUCT = 4
 
 
 class C99Printer(C99CodePrinter):  # type: ignore[misc]  # SymPy has no types
-    """C99 expressions of type double; an unknown function is refused."""
+    """Printer of C99 expressions of type double; it refuses unknown functions."""
 
-    #: C99 has no names of constants: ``M_PI`` is POSIX.
+    #: C99 has no named constants: ``M_PI`` is POSIX.
     math_macros: ClassVar[dict[Expr, str]] = {}
 
     def _print_Float(self, expr: Float) -> str:
@@ -42,12 +43,12 @@ class C99Printer(C99CodePrinter):  # type: ignore[misc]  # SymPy has no types
 
 
 def expression(value: Expr) -> str:
-    """Print for C99.
+    """Print an expression as C99.
 
     Raises
     ------
     PrintMethodNotImplementedError
-        If it holds a function that C99 does not have.
+        If it contains a function that C99 does not have.
     """
     text: str = C99Printer({"strict": True}).doprint(value)
     return text

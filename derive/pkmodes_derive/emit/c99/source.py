@@ -1,4 +1,4 @@
-"""Lay out a model as C99: one source and one header, no allocation, no dependency but the C library."""
+"""Layout of a model as C99: one source and one header, without allocation, depending only on the C library."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from pkmodes_derive.emit.provenance import Provenance
 from pkmodes_derive.emit.templating import render
 from pkmodes_derive.functions import FieldGroup, Function, Model, Output
 
-#: A blank at which no line is broken.
+#: A space at which lines are not broken.
 UNBROKEN = "\N{NO-BREAK SPACE}"
 
 
 @dataclass(frozen=True)
 class _Block:
-    """One function as the templates see it: text only."""
+    """One function for the templates, as text."""
 
     comment: list[str]
     prototype: list[str]
@@ -26,7 +26,7 @@ class _Block:
 
 
 def files(model: Model, programs: Mapping[str, Program], provenance: Provenance) -> dict[str, str]:
-    """Return the texts of source and header by their file names; they hold the functions for controllers."""
+    """Return the texts of source and header by file name; they contain the functions for controllers."""
     groups = model.groups if provenance.parametric else ()
     emitted = [f for f in model.functions if f.in_c]
     used = {f.name: programs[f.name] for f in emitted}
@@ -66,7 +66,7 @@ def _items(texts: Iterable[str]) -> list[str]:
 
 
 def _brackets(numbers: Iterable[int]) -> str:
-    """An extent in a declaration, or an index."""
+    """Return the brackets of an extent or an index."""
     return "".join(f"[{n}]" for n in numbers)
 
 
@@ -91,7 +91,7 @@ def _function(
         f"double {o.name}{_brackets(o.shape)}" if o.shape else f"double *{o.name}" for o in function.outputs
     ]
     head = f"void {prefix}_{function.name}("
-    # A line ends between arguments, not within one.
+    # Break lines between arguments, not within one.
     text = ", ".join(argument.replace(" ", UNBROKEN) for argument in arguments) + ")"
     lines = layout.prose(text, "    ", first=head, room=len(";"))
     prototype = [line.replace(UNBROKEN, " ") for line in lines]
@@ -137,7 +137,7 @@ def _body(function: Function, program: Program, groups: Sequence[FieldGroup]) ->
 
 
 def _result(result: Result) -> list[str]:
-    """Lines that write one result: zeros at once, then what has a value."""
+    """Return the lines that write one result: all zeros first, then the entries with a value."""
     output, lines = result.output, []
     if result.has_zeros:
         lines.append(f"    {_zeros(output)};")
@@ -150,7 +150,7 @@ def _result(result: Result) -> list[str]:
 
 
 def _zeros(output: Output) -> str:
-    # The size is that of the type: of the argument, a pointer, it would be another.
+    # The size of the type: sizeof the argument would be that of a pointer.
     if output.shape:
         return f"memset({output.name}, 0, sizeof(double{_brackets(output.shape)}))"
     return f"*{output.name} = 0.0"

@@ -1,4 +1,4 @@
-"""LaTeX: the derivation as a page to read."""
+"""LaTeX: the derivation as a page."""
 
 from pkmodes_derive.emit.latex.page import page
 

@@ -1,9 +1,9 @@
-"""Formulas that differ in their indices only, written once with the indices as letters.
+"""Formulas that differ only in their indices, written once with letters as indices.
 
 A formula is guessed from one member: each index in it that has the value of one of the member's own indices may
-stand for that index.  It holds if it gives the formula of every other member.  Where none holds, the members are
-split (those with two equal indices and the others, or by the value of an index) and the parts are tried again; what
-is left of a family is spelled out.
+stand for that index.  The guess holds if it reproduces the formula of every other member.  If no guess holds, the
+members are split (by whether two indices are equal, or by the value of an index) and the parts are tried again;
+remaining members are written out.
 """
 
 from __future__ import annotations
@@ -36,12 +36,12 @@ class Formula:
     Attributes
     ----------
     index : mapping of str to object
-        For each index of the family, the letter or the value that stands on the left-hand side.
+        Letter or value of each index of the family on the left-hand side.
     expression : sympy.Expr
         The right-hand side; `names` has the LaTeX forms of its symbols.
     names : mapping of sympy.Symbol to str
     unequal : tuple of (str, str)
-        Indices that differ, where the formula for equal ones is another.
+        Pairs of indices that must differ, because equal ones have another formula.
     """
 
     index: Index
@@ -51,14 +51,14 @@ class Formula:
 
 
 class Families:
-    """Finds the formulas of families whose members are written in the symbols of a vocabulary."""
+    """The formulas of families whose members are written in the symbols of a vocabulary."""
 
     def __init__(self, vocabulary: Vocabulary) -> None:
         self._vocabulary = vocabulary
         self._symbols = {(q.family, tuple(q.index.values())): q.symbol for q in vocabulary if q.index}
 
     def formulas(self, members: Sequence[Member]) -> list[Formula]:
-        """As few formulas as are found for these members, in the order of the members."""
+        """Return the fewest formulas found for these members, in the order of the members."""
         return self._formulas(members, True, {})
 
     def _formulas(
@@ -79,11 +79,11 @@ class Families:
         return Formula(member.index, member.expression, names)
 
     def _general(self, members: Sequence[Member], whole: bool) -> Formula | None:
-        """One formula for all members, if there is one."""
+        """Return one formula for all members, or None."""
         left = _left(members)
         letters = [letter for letter, value in left.items() if letter == value]
         members, sums = _without_common_sums(members)
-        # The more its indices differ, the less there is to guess.
+        # A member with distinct indices leaves the fewest guesses.
         first = max(members, key=lambda m: len({m.index[letter] for letter in letters}))
         symbols = sorted(first.expression.free_symbols - sums.keys(), key=default_sort_key)
         choices = [list(self._choices(s, first, members, letters)) for s in symbols]
@@ -98,10 +98,10 @@ class Families:
     def _choices(
         self, symbol: Symbol, first: Member, members: Sequence[Member], letters: Sequence[str]
     ) -> Iterator[Index]:
-        """What the indices of a symbol may stand for: letters or values that every member has a symbol for."""
+        """Yield candidates for the indices of a symbol: letters or values for which every member has a symbol."""
         quantity = self._vocabulary[symbol]
         slots = [
-            # The value first: where every member has it, it is one term of a sum.
+            # The value first: if every member has it, it is one term of a sum.
             [value, *(letter for letter in letters if _value(first.index[letter], value) == value)]
             for value in quantity.index.values()
         ]
@@ -111,7 +111,7 @@ class Families:
                 yield index
 
     def _symbol(self, quantity: Quantity, index: Index, member: Member) -> Symbol | None:
-        """The symbol that a choice means for a member."""
+        """Return the symbol that a choice of indices denotes for a member."""
         if not quantity.index:
             return quantity.symbol
         values = (
@@ -151,9 +151,9 @@ class Families:
 
 
 def _without_common_sums(members: Sequence[Member]) -> tuple[list[Member], dict[Symbol, Expr]]:
-    """Members with a name for each sum that all of them have as a part, and what the names stand for.
+    """Return members with a name for each sum that they have in common, and the meaning of the names.
 
-    In such a sum an index is what it says; elsewhere in the same formula it may stand for a letter.
+    In such a sum an index keeps its value; elsewhere in the same formula it may stand for a letter.
     """
     parts = [{e for e in preorder_traversal(m.expression) if e.is_Add and e != m.expression} for m in members]
     common = sorted(set.intersection(*parts), key=default_sort_key)
@@ -163,14 +163,14 @@ def _without_common_sums(members: Sequence[Member]) -> tuple[list[Member], dict[
 
 
 def _value(value: object, like: object) -> object:
-    """The value of an index where another counts in numbers or in components."""
+    """Return the value of an index, as a component (x, y, z) if `like` is one."""
     if like in AXES and isinstance(value, int) and 1 <= value <= len(AXES):
         return AXES[value - 1]
     return value
 
 
 def _left(members: Sequence[Member]) -> dict[str, object]:
-    """Left-hand side of a formula for all members: a value that is the same for all, an equal index, or a letter."""
+    """Return the indices of a common left-hand side: a value shared by all members, an equal index, or a letter."""
     left: dict[str, object] = {}
     for letter, value in members[0].index.items():
         equal = [a for a in left if left[a] == a and all(m.index[a] == m.index[letter] for m in members)]
@@ -188,7 +188,7 @@ def _unequal(members: Sequence[Member], left: Index) -> Iterator[tuple[str, str]
 
 
 def _splits(members: Sequence[Member]) -> Iterator[list[list[Member]]]:
-    """Ways to split members: by whether two indices are equal, and by the value of an index."""
+    """Yield ways to split members: by whether two indices are equal, and by the value of an index."""
     letters = list(members[0].index)
     keys: list[list[object]] = [
         [m.index[a] == m.index[b] for m in members] for a, b in combinations(letters, 2)
@@ -203,7 +203,7 @@ def _splits(members: Sequence[Member]) -> Iterator[list[list[Member]]]:
 
 
 def grouped(items: Iterable[tuple[object, Member]]) -> list[list[Member]]:
-    """Members by what they are to be kept apart for, in their order."""
+    """Group members by key, in their order."""
     groups: dict[object, list[Member]] = {}
     for key, member in items:
         groups.setdefault(key, []).append(member)

@@ -27,8 +27,8 @@ def page(model: Model) -> str:
         "derivation.md.j2",
         mechanism=model.mechanism,
         indices=layout.prose(
-            f"Indices: {'; '.join(model.vocabulary.letters.values())}.  Entries of an array are numbered k, l, m, "
-            "or by the coordinates that they belong to.",
+            f"Indices: {'; '.join(model.vocabulary.letters.values())}.  Entries of an array are indexed by k, l, m, "
+            "or by their coordinates.",
             "",
         ),
         parameters=_table(q for q in model.vocabulary if q.symbol in parameters),
@@ -42,7 +42,7 @@ def page(model: Model) -> str:
 
 
 def equation(left: str, formula: Formula) -> str:
-    """A formula as a line, with the condition that it holds under."""
+    """Return a formula as a line, with the conditions under which it holds."""
     conditions = ", ".join(rf"{a} \ne {b}" for a, b in formula.unequal)
     line = f"{left} = {_typeset(formula.expression, formula.names)}"
     return rf"{line} \qquad ({conditions})" if conditions else line
@@ -54,7 +54,7 @@ def _typeset(expression: Basic, names: Mapping[Symbol, str]) -> str:
 
 
 def _table(quantities: Iterable[Quantity]) -> list[tuple[str, str, str, str]]:
-    """Rows of (name, typeset, unit, description), one for each family."""
+    """Return rows of (name, typeset, unit, description), one for each family."""
     rows: dict[object, tuple[str, str, str, str]] = {}
     for q in quantities:
         letters = {letter: letter for letter in q.index}
@@ -65,7 +65,7 @@ def _table(quantities: Iterable[Quantity]) -> list[tuple[str, str, str, str]]:
 def _families(
     definitions: Mapping[Symbol, Expr], model: Model, families: Families
 ) -> list[tuple[str, str, str, list[str]]]:
-    """Name, unit, description and equations of each family of named values."""
+    """Return name, unit, description and equations of each family of named values."""
     groups: dict[object, list[Quantity]] = {}
     for symbol in definitions:
         quantity = model.vocabulary[symbol]

@@ -1,4 +1,4 @@
-"""What the functions return, entry by entry: entries that differ in their indices only are one formula."""
+"""Results of the functions, entry by entry: entries that differ only in their indices share one formula."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pkmodes_derive.emit.latex.families import Families, Formula, Member, groupe
 from pkmodes_derive.functions import Function, Model, Output
 from pkmodes_derive.vocabulary import AXES, Quantity, Vocabulary
 
-#: Indices of the entries of an array where nothing names them better.
+#: Default index letters for the entries of an array.
 LETTERS = ("k", "l", "m")
 
 
@@ -21,9 +21,9 @@ class Shown:
     ----------
     name, unit, description : str
     same_as : str
-        The function that returns the same and is shown before, if there is one.
+        An earlier result with the same entries, if there is one.
     equations : tuple of str
-        Without entries that are zero, and of a symmetric matrix the upper triangle.
+        Equations of the nonzero entries; for a symmetric matrix, of the upper triangle.
     """
 
     name: str
@@ -36,7 +36,7 @@ class Shown:
 def results(
     model: Model, families: Families, equation: Callable[[str, Formula], str]
 ) -> list[tuple[Function, list[Shown]]]:
-    """Every function with what it returns."""
+    """Return every function with its results."""
     coordinates = {q.symbol.name: q for q in model.vocabulary}
     labels = [coordinates[name] for name, _ in model.coordinates]
     seen: dict[tuple[object, ...], str] = {}
@@ -68,8 +68,8 @@ def _equations(
         for index, entry in zip(output.indices, output.entries, strict=True)
         if entry != 0 and not (symmetric and index[-2] > index[-1])
     ]
-    # A dimension that counts the generalised coordinates is labelled by them, any other by numbers; three are also
-    # the components of a vector.
+    # A dimension with one entry per generalised coordinate is labelled by these, any other by numbers; three entries
+    # may also be vector components, so they get numbers.
     labelled = [extent == len(labels) != len(AXES) for extent in output.shape]
     dimensions = [
         _Dimension(letter, labels if by_coordinate else None, "'" * sum(labelled[:d]))
@@ -98,7 +98,7 @@ def _equations(
 
 @dataclass(frozen=True)
 class _Dimension:
-    """One index of an array: a number with a letter, or one of the generalised coordinates with its own indices."""
+    """One index of an array: a number with a letter, or a generalised coordinate with its own indices."""
 
     letter: str
     labels: list[Quantity] | None
@@ -120,7 +120,7 @@ class _Dimension:
 
 
 def _letters(output: Output, vocabulary: Vocabulary) -> tuple[str, ...]:
-    """Those of the quantity that the entries are, where they are one."""
+    """Return the index letters of the entries' family if they form one, otherwise the default letters."""
     quantities = [vocabulary[entry] for entry in output.entries if entry.is_Symbol and entry in vocabulary]
     kinds = {q.family for q in quantities}
     if len(quantities) == len(output.entries) and len(kinds) == 1:

@@ -1,4 +1,4 @@
-"""Lay out a model as a NumPy module, batch first."""
+"""Layout of a model as a NumPy module, batch first."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from pkmodes_derive.vocabulary import Field
 
 @dataclass(frozen=True)
 class _Block:
-    """One function as the template sees it: text only."""
+    """One function for the template, as text."""
 
     name: str
     signature: str
@@ -72,14 +72,14 @@ def _exported(model: Model, groups: Sequence[FieldGroup]) -> list[str]:
 
 
 def _literal(items: tuple[object, ...]) -> str:
-    """A tuple as Python source, one item after the other."""
+    """Return a tuple as Python source, one item after the other."""
     width = layout.WIDTH - 10
     lines = [textwrap.indent(pformat(item, width=width, compact=True), "    ") + "," for item in items]
     return "\n".join(["(", *lines, ")"])
 
 
 def _group(group: FieldGroup) -> tuple[str, str, list[tuple[str, str, list[str]]]]:
-    """Name of the type, default value, and the fields as name, type and text."""
+    """Return the name of the type, the default value, and the fields as name, type and text."""
     fields = [(f.name, "np.ndarray" if f.shape else "float", _field_text(f)) for f in group.fields]
     return group.name, "" if group.null is None else f" = {group.null}", fields
 
@@ -151,7 +151,7 @@ def _body(function: Function, program: Program, groups: Sequence[FieldGroup]) ->
 
 
 def _result(result: Result) -> list[str]:
-    """Lines that fill the array of one result."""
+    """Return the lines that fill the array of one result."""
     output, name = result.output, _local(result.output.name)
     if output.listed:
         entries = layout.listing((expression(entry.value) for entry in result.entries), " " * 8)
@@ -168,7 +168,7 @@ def _result(result: Result) -> list[str]:
 def _unpack(
     symbols: tuple[Symbol, ...], inputs: set[Symbol], source: str, representatives: list[str]
 ) -> list[str]:
-    """Unpack an array; entries that are not needed go to ``_``, but the first still gives the batch shape."""
+    """Return the lines that unpack an array; unused entries go to ``_``, but the first gives the batch shape."""
     names = [s.name if s in inputs or i == 0 else "_" for i, s in enumerate(symbols)]
     representatives.append(names[0])
     left = ", ".join(names) if len(names) > 1 else f"({names[0]},)"
@@ -179,7 +179,7 @@ def _unpack(
 
 
 def _local(name: str) -> str:
-    """Name of the result array; never that of a scalar."""
+    """Return the name of the result array, which no scalar has."""
     return f"{name}_out"
 
 

@@ -1,8 +1,7 @@
-"""One expression, printed for Python with NumPy; nothing is evaluated here.
+"""Printing of one expression as Python with NumPy; nothing is evaluated here.
 
-Functions are those of NumPy, which take complex arguments, so that a derivative by complex step goes through
-them; the absolute value and the sign have none.  The one that takes no complex arguments, `np.arctan2`, is called
-through a function of the module, which its template has.
+NumPy functions take complex arguments, so a complex step can differentiate them, except the absolute value and the
+sign.  `np.arctan2` takes no complex arguments and is called through a function in the template of the module.
 """
 
 from __future__ import annotations
@@ -14,12 +13,12 @@ from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.pycode import PythonCodePrinter
 
 HALF = Rational(1, 2)
-#: Name of the function that the module has for itself.
+#: Name of the function that replaces `np.arctan2`.
 ARCTAN2 = "_arctan2"
 
 
 class NumPyPrinter(PythonCodePrinter):  # type: ignore[misc]  # SymPy has no types
-    """Python expressions with ``np`` for NumPy; an unknown function is refused."""
+    """Printer of Python expressions with ``np`` for NumPy; it refuses unknown functions."""
 
     _kf: ClassVar[dict[str, str]] = {
         "Abs": "np.abs",
@@ -54,12 +53,12 @@ class NumPyPrinter(PythonCodePrinter):  # type: ignore[misc]  # SymPy has no typ
 
 
 def expression(value: Expr) -> str:
-    """Print for NumPy.
+    """Print an expression for NumPy.
 
     Raises
     ------
     PrintMethodNotImplementedError
-        If it holds a function that NumPy is not known to have.
+        If it contains a function without a known NumPy equivalent.
     """
     text: str = NumPyPrinter({"strict": True}).doprint(value)
     return text

@@ -1,8 +1,8 @@
-r"""CoreXY: a tool head on a gantry, pulled by two crossed belts whose motors stand still.
+r"""CoreXY: a tool head on a gantry, pulled by two crossed belts with stationary motors.
 
 The gantry runs along y and carries the tool head along x.  From the tool head each belt goes to its motor pulley on
-either side: run 1 grows by :math:`g_i \cdot (\delta x, \delta y)`, run 2 shrinks by as much, and the pulley pulls
-run 1 in by :math:`R\,\delta\vartheta_i`, so that both runs are strained alike.
+either side: run 1 grows by :math:`g_i \cdot (\delta x, \delta y)`, run 2 shrinks by the same amount, and the pulley
+pulls run 1 in by :math:`R\,\delta\vartheta_i`, so the strains of both runs are equal and opposite.
 """
 
 from __future__ import annotations
@@ -38,7 +38,11 @@ def declare(m: Machine) -> None:
     m.add_gravity()
     path = m.tables.repeated("belt_path", 2, "one belt, from the tool head to its motor pulley and back")
     g = path.signs(
-        "direction", "g", 2, "run 1 of belt {j} grows (+1) or shrinks along component {k}", "g_{{{j},{k}}}"
+        "direction",
+        "g",
+        2,
+        "run 1 of belt {j} grows (+1) or shrinks (-1) along component {k}",
+        "g_{{{j},{k}}}",
     )
     length = path.lengths(
         "lengths",
@@ -92,7 +96,7 @@ def declare(m: Machine) -> None:
     )
     m.add_frame()
 
-    # Coordinates, two of which are the pose ------------------------------------------------------------------
+    # Coordinates; the first two are the pose -----------------------------------------------------------------
     m.generalised(
         [
             ("x", "m", "position of the tool head along x", "{x}", {}),
@@ -119,7 +123,7 @@ def declare(m: Machine) -> None:
         for i in PATHS
     ]
     for i in PATHS:
-        moment = "moment of inertia of motor pulley {j}, with the motor"
+        moment = "moment of inertia of motor pulley {j}, including the motor"
         rotor = m.rotor(theta[i], I_p[i], v.declare("I_{j}", "kg m^2", moment, "I_{j}", j=i + 1))
         m.drive([(rotor, Integer(1))], i_g[i] ** 2 * I_m[i], torque[i])
         clamp = Clamp()
@@ -139,7 +143,7 @@ def declare(m: Machine) -> None:
         m.belt(w_b[i] * k_sp[i], runs, clamp)
         m.follows[theta[i]] = -pull / R_p[i]
 
-    # What a pose and a robot need ----------------------------------------------------------------------------
+    # Conditions on a pose and on a robot ---------------------------------------------------------------------
     travel = tuple(margin for i, q in enumerate((x, y)) for margin in (q - low[i], high[i] - q))
     least = [
         length[i][k] + HALF * (side * _sum(g[i], low, high) - (high[0] - low[0]) - (high[1] - low[1]))
@@ -150,27 +154,27 @@ def declare(m: Machine) -> None:
     m.extras += [
         Extra(
             "travel_margin",
-            "How far the tool head is from the ends of its travel.",
+            "Distance of the tool head from the ends of its travel.",
             "both ends of the workspace",
             (
                 Output(
-                    "margin", (2, 2), travel, "m", "for x and y: above the lower end, and below the upper one"
+                    "margin", (2, 2), travel, "m", "for x and y: above the lower end and below the upper end"
                 ),
             ),
         ),
         Extra(
             "run_margin",
-            "The shortest free length of each run in the whole workspace.",
-            "the runs' lengths are linear in x and y, so the least is at a corner",
-            (Output("margin", (2, 2), tuple(least), "m", "for runs 1 and 2 of each belt; positive"),),
+            "Shortest free length of each run in the whole workspace.",
+            "the lengths are linear in x and y, so the shortest is at a corner",
+            (Output("margin", (2, 2), tuple(least), "m", "for runs 1 and 2 of each belt; must be positive"),),
             arguments=(),
             definitions={},
         ),
         Extra(
             "crossing_margin",
-            "Whether the two belts pull in independent directions.",
-            "square of the determinant of the two directions, which is 0 or 4",
-            (Output("margin", (1,), (crossed,), "1", "positive where they do"),),
+            "Linear independence of the directions of the two belts.",
+            "square of the determinant of the two directions, 0 or 4, minus 1",
+            (Output("margin", (1,), (crossed,), "1", "positive for independent directions"),),
             arguments=(),
             definitions={},
         ),
@@ -193,7 +197,7 @@ def declare(m: Machine) -> None:
             "run_margin",
             "above_zero",
             tuple(f"belt_path.{i + 1}.lengths.{k}" for i in PATHS for k in (1, 2)),
-            "expected a run that keeps a length in the whole workspace, found one that is {missing} too short",
+            "expected a positive free length in the whole workspace, found a run that is {missing} too short",
             "check lengths, direction and workspace",
             "m",
         ),
@@ -201,8 +205,8 @@ def declare(m: Machine) -> None:
             "crossing_margin",
             "above_zero",
             ("belt_path.2.direction",),
-            "expected two belts that pull in independent directions, found the same or the opposite one",
-            "write such as [1, -1] and [-1, -1]",
+            "expected independent directions of the two belts, found the same or opposite directions",
+            "write, for example, [1, -1] and [-1, -1]",
             "1",
         ),
     )
@@ -210,5 +214,5 @@ def declare(m: Machine) -> None:
 
 
 def _sum(direction: tuple[Symbol, ...], low: tuple[Symbol, ...], high: tuple[Symbol, ...]) -> Expr:
-    """Twice the pull at the middle of the workspace."""
+    """Return twice the pull at the centre of the workspace."""
     return direction[0] * (low[0] + high[0]) + direction[1] * (low[1] + high[1])

@@ -1,6 +1,6 @@
-"""A CoreXY without symmetry: its belts differ in everything, and its plane is not level.
+"""A CoreXY without symmetry: its belts differ in every parameter, and its plane is not level.
 
-Terms that vanish or cancel in a real machine do not do so in this one: it is what checks evaluate.
+The checks evaluate this machine, in which no terms vanish or cancel as they do in a real one.
 """
 
 from __future__ import annotations

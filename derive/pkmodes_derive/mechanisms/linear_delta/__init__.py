@@ -1,8 +1,8 @@
 r"""The linear delta: three carriages on rails in any position, parallelogram linkages, timing belts.
 
-Carriage j runs on :math:`e_j = o_j + x_j n_j`, the platform carries its joint at :math:`c_j = p + b_j`, and the
-linkage between them, :math:`s_j = c_j - e_j`, keeps its length (equations 1 to 3 of the paper).  Each carriage is
-pulled by a belt over two pulleys, one of which a motor drives (equations 28 to 41).
+Carriage j is at :math:`e_j = o_j + x_j n_j`, the platform joint at :math:`c_j = p + b_j`, and the linkage between
+them, :math:`s_j = c_j - e_j`, keeps its length (equations 1 to 3 of the paper).  Each carriage is pulled by a belt
+over two pulleys, one of which is driven by a motor (equations 28 to 41).
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def declare(m: Machine) -> None:
     axis = m.tables.repeated("axis", 3, "one axis: a rail with its belt and pulleys")
     o = axis.vector("origin", "o", "point of rail {j} where x_{j} = 0", "o_{j}")
     n = axis.direction("direction", "n", "unit vector along rail {j}", "n_{j}")
-    b = axis.vector("joint", "b", "joint {j} of the platform seen from its centre", "b_{j}")
+    b = axis.vector("joint", "b", "platform joint {j} relative to the platform centre", "b_{j}")
     link = axis.shared("link", "one distal linkage: both rods of the parallelogram together")
     l_d = link.quantity("length", "l_d", "length", "length of linkage {j}", latex="l_{{d,{j}}}", above=0.0)
     m_d = link.quantity(
@@ -97,7 +97,7 @@ def declare(m: Machine) -> None:
         "d",
         (1, 2),
         "the pulley that the motor drives",
-        "1 where the motor drives pulley {k} of axis {j}, else 0",
+        "1 if the motor drives pulley {k} of axis {j}, else 0",
         "d_{{{j},{k}}}",
     )
     x_min, x_max = axis.pair(
@@ -105,13 +105,13 @@ def declare(m: Machine) -> None:
         ("x_min", "lower end of axis {j}, at pulley 2", r"\min(x_{j})"),
         ("x_max", "upper end of axis {j}, at pulley 1", r"\max(x_{j})"),
         "length",
-        "min(x_{j}), max(x_{j}): pulley 2 sits at min, pulley 1 at max",
+        "min(x_{j}), max(x_{j}): pulley 2 is at min, pulley 1 at max",
     )
     sigma = axis.choice(
         "branch",
         "sigma",
         (1, -1),
-        "branch of axis {j}: +1 the carriage is ahead of the platform joint along the rail, -1 behind",
+        "branch of axis {j}: +1 if the carriage is ahead of the platform joint along the rail, -1 if behind",
         r"\sigma_{j}",
     )
     m.add_frame()
@@ -136,7 +136,7 @@ def declare(m: Machine) -> None:
     m.moves_platform(x, "x", "carriage positions")
 
     # Closures (equations 1 to 3) -----------------------------------------------------------------------------
-    r = m.vectors("r", "m", "platform joint {j} seen from the origin of rail {j}", "r_{j}")
+    r = m.vectors("r", "m", "platform joint {j} relative to the origin of rail {j}", "r_{j}")
     s = m.vectors("s", "m", "linkage vector {j}, from carriage to platform joint", "s_{j}")
     for j in J:
         m.define_all(r[j], (p[i] + b[j][i] - o[j][i] for i in range(3)))
@@ -144,7 +144,7 @@ def declare(m: Machine) -> None:
         m.define_all(s[j], (r[j][i] - x[j] * n[j][i] for i in range(3)))
         m.unit_vector(n[j])
         m.link(s[j], l_d[j], x[j])
-    m.differences["origin"] = "joint"  # o_j occurs in r_j only
+    m.differences["origin"] = "joint"  # o_j occurs only in r_j
 
     # Inverse kinematics: rail j meets the sphere of radius l_d around platform joint j (section 2.2, after figure 4)
     along = m.each("a", "m", "coordinate of platform joint {j} along rail {j}", "a_{j}")
@@ -166,7 +166,7 @@ def declare(m: Machine) -> None:
         m.rods.append(Rod(m_d[j], (e, c)))
 
     # Belts, pulleys and motors (equations 28 to 30 and 34 to 41) ---------------------------------------------
-    moment = "moment of inertia of pulley {k} of axis {j}, with the motor where it is driven"
+    moment = "moment of inertia of pulley {k} of axis {j}, including the motor if it is driven"
     torque = m.each("tau_st", "N m", "static torque on the driven pulley of axis {j}", r"\tau_{{st,{j}}}")
     for j in J:
         rotors = [
@@ -189,15 +189,15 @@ def declare(m: Machine) -> None:
             for k, (length, pair) in enumerate(zip(free, ends, strict=True), 1)
         ]
         m.belt(w_b[j] * k_sp[j], runs, clamp)
-        for k in (0, 1):  # while nothing stretches
+        for k in (0, 1):  # with rigid belts
             m.follows[theta[k][j]] = x[j] / R_p[j]
 
-    # What a pose and a robot need ----------------------------------------------------------------------------
+    # Conditions on a pose and on a robot ---------------------------------------------------------------------
     m.extras += [
         Extra(
             "reach_margin",
-            "How much farther each platform joint could be from its rail.",
-            "closure of equation 2: a pose is reachable where every margin is at least zero",
+            "Distance by which each platform joint could be farther from its rail.",
+            "closure of equation 2; a pose is reachable if every margin is at least zero",
             (
                 Output(
                     "margin",
@@ -210,8 +210,8 @@ def declare(m: Machine) -> None:
         ),
         Extra(
             "travel_margin",
-            "Room for the two belt spans of each carriage, whatever the pose.",
-            "equations 36 and 37, added",
+            "Sum of the lengths of the two belt spans at each carriage, the same at every pose.",
+            "sum of equations 36 and 37",
             (
                 Output(
                     "margin",
@@ -227,7 +227,7 @@ def declare(m: Machine) -> None:
         spheres(m, [tuple(o[j][i] + x[j] * n[j][i] - b[j][i] for i in range(3)) for j in J], l_d),
     ]
     m.wholes = (
-        Whole("axis.span", "span", "limits", "m", "max - min of every axis, both ends moved evenly"),
+        Whole("axis.span", "span", "limits", "m", "max - min of every axis, with both ends moved evenly"),
         Whole("axis.joint_radius", "radius", "joint", "m", "distance of the platform joints from the centre"),
     )
     m.scales = tuple(Scale(x[j].name, "pulley_radius", (j,), "R_p") for j in J)
@@ -246,7 +246,7 @@ def declare(m: Machine) -> None:
 
 
 def _span(m: Machine, j: int, s: int) -> tuple[Symbol, Symbol]:
-    """Names of the free length and of the stiffness of a belt span."""
+    """Declare the names of the free length and the stiffness of a belt span."""
     of = "span {s} of belt {j} (1 between the pulleys, 2 from carriage to pulley 2, 3 from carriage to pulley 1)"
     declare = m.vocabulary.declare
     return (
@@ -283,7 +283,7 @@ def _margins() -> tuple[Margin, ...]:
             "belt_spans",
             0,
             "above_zero",
-            "a carriage is beyond its limits: a belt span would not be positive",
+            "a carriage is beyond its limits: a belt span would not have a positive length",
             "carriage {0} is beyond its limits: the belt span {1} would be {short}",
             "choose a pose within the travel of the carriages, or check limits and carriage length",
             (

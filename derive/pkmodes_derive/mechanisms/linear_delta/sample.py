@@ -1,6 +1,6 @@
-"""A linear delta without any symmetry: oblique rails, everything different on each axis, tilted gravity.
+"""A linear delta without symmetry: oblique rails, axes that differ in every parameter, tilted gravity.
 
-Terms that vanish or cancel in a real robot do not do so in this one: it is what checks evaluate.
+The checks evaluate this robot, in which no terms vanish or cancel as they do in a real one.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
-r"""The rotary delta (Clavel's): three arms on elastic reducers, parallelogram linkages, a platform that translates.
+r"""The rotary delta (Clavel): three arms on elastic reducers, parallelogram linkages, a platform that translates.
 
 Arm j turns by :math:`\theta_j` about :math:`a_j` through :math:`o_j`.  With :math:`z_j` its direction at zero and
 :math:`y_j = a_j \times z_j`, its end is at :math:`e_j = o_j + L_j (\cos\theta_j\, z_j + \sin\theta_j\, y_j)`, and the
-linkage to the platform's joint, :math:`s_j = p + b_j - e_j`, keeps its length.  Between arm and motor, whose angle
-divided by the gear ratio is :math:`\varphi_j`, the reducer is a torsional spring.
+linkage to the platform joint, :math:`s_j = p + b_j - e_j`, keeps its length.  The reducer is a torsional spring
+between the arm and the motor, whose angle divided by the gear ratio is :math:`\varphi_j`.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ __all__ = ["DIRECTIONS", "TITLE", "declare"]
 TITLE = "three arms on elastic reducers, parallelogram linkages"
 DIRECTIONS = AXES
 J = range(3)
-#: A direction at zero that is farther from perpendicular to the axis than this is refused.
+#: Largest accepted |axis . zero|; the zero direction must be perpendicular to the axis.
 PERPENDICULAR = Rational(1, 10**6)
 
 
@@ -38,10 +38,10 @@ def declare(m: Machine) -> None:
     )[0]
     m.add_gravity()
     axis = m.tables.repeated("axis", 3, "one axis: an arm with its reducer and motor")
-    o = axis.vector("origin", "o", "point of the axis of arm {j} from which the arm starts", "o_{j}")
+    o = axis.vector("origin", "o", "point of the axis of arm {j} where the arm starts", "o_{j}")
     a = axis.direction("axis", "a", "unit vector of rotation of arm {j}", "a_{j}")
     z = axis.direction("zero", "z", "direction of arm {j} at theta_{j} = 0", "z_{j}")
-    b = axis.vector("joint", "b", "joint {j} of the platform seen from its centre", "b_{j}")
+    b = axis.vector("joint", "b", "platform joint {j} relative to the platform centre", "b_{j}")
     arm = axis.shared("arm", "one proximal arm")
     L_a = arm.quantity(
         "length",
@@ -110,7 +110,11 @@ def declare(m: Machine) -> None:
         at_most=HALF_TURN,
     )
     sigma = axis.choice(
-        "branch", "sigma", (1, -1), "branch of axis {j}: +1 or -1, on which side the arm bends", r"\sigma_{j}"
+        "branch",
+        "sigma",
+        (1, -1),
+        "branch of axis {j}: +1 or -1, the side to which the arm bends",
+        r"\sigma_{j}",
     )
     m.add_frame()
 
@@ -132,8 +136,8 @@ def declare(m: Machine) -> None:
     theta, phi = m.coordinates[:3], m.coordinates[3:]
     m.moves_platform(theta, "theta", "arm angles")
 
-    # Arms: direction and its derivative by the angle, both unit vectors ------------------------------------------
-    y = m.vectors("y", "1", "direction of arm {j} at a right angle: a_{j} times z_{j}", "y_{j}")
+    # Arms: direction and its derivative with respect to the angle, both unit vectors -----------------------------
+    y = m.vectors("y", "1", "direction of arm {j} at theta_{j} = 90 deg: a_{j} times z_{j}", "y_{j}")
     c = m.each("c", "1", "cosine of theta_{j}", r"\cos\vartheta_{j}")
     s_ = m.each("sn", "1", "sine of theta_{j}", r"\sin\vartheta_{j}")
     d = m.vectors("d", "1", "direction of arm {j}", "d_{j}")
@@ -152,19 +156,19 @@ def declare(m: Machine) -> None:
         e.append(tuple(o[j][i] + L_a[j] * d[j][i] for i in range(3)))
 
     # Closures -----------------------------------------------------------------------------------------------
-    r = m.vectors("r", "m", "platform joint {j} seen from the axis of arm {j}", "r_{j}")
+    r = m.vectors("r", "m", "platform joint {j} relative to the origin of arm {j}", "r_{j}")
     s = m.vectors("s", "m", "linkage vector {j}, from arm to platform joint", "s_{j}")
     for j in J:
         m.define_all(r[j], (p[i] + b[j][i] - o[j][i] for i in range(3)))
         m.define_all(s[j], (r[j][i] - L_a[j] * d[j][i] for i in range(3)))
         m.link(s[j], l_d[j], theta[j])
-    m.differences["origin"] = "joint"  # o_j occurs in r_j only
+    m.differences["origin"] = "joint"  # o_j occurs only in r_j
 
     # Inverse kinematics: in the plane of the arm, d_j . r_j = C_j ----------------------------------------------
     A = m.each("A", "m", "component of r_{j} along z_{j}", "A_{j}")
     B = m.each("B", "m", "component of r_{j} along y_{j}", "B_{j}")
-    C = m.each("C", "m", "component of r_{j} along the arm that closes the loop", "C_{j}")
-    rho2 = m.each("rho2", "m^2", "square of the part of r_{j} in the plane of the arm", r"\rho_{j}^2")
+    C = m.each("C", "m", "component of r_{j} along the arm when the loop is closed", "C_{j}")
+    rho2 = m.each("rho2", "m^2", "squared length of the part of r_{j} in the plane of the arm", r"\rho_{j}^2")
     across = m.each("S", "m", "component of r_{j} in that plane, perpendicular to the arm", "S_{j}")
     for j in J:
         m.inverse[A[j]] = dot(r[j], z[j])
@@ -172,7 +176,7 @@ def declare(m: Machine) -> None:
         m.inverse[rho2[j]] = A[j] ** 2 + B[j] ** 2
         m.inverse[C[j]] = (dot(r[j], r[j]) + L_a[j] ** 2 - l_d[j] ** 2) / (2 * L_a[j])
         m.inverse[across[j]] = sigma[j] * sqrt(rho2[j] - C[j] ** 2)
-        # theta = atan2(B, A) + sigma acos(C / rho), by its cosine and sine: nothing else needs the angle.
+        # theta = atan2(B, A) + sigma acos(C / rho), through its cosine and sine: no other value needs the angle.
         m.inverse[c[j]] = (A[j] * C[j] - B[j] * across[j]) / rho2[j]
         m.inverse[s_[j]] = (B[j] * C[j] + A[j] * across[j]) / rho2[j]
         m.inverse[theta[j]] = atan2(s_[j], c[j])
@@ -196,20 +200,20 @@ def declare(m: Machine) -> None:
         m.reducers.append(Reducer(stiffness, k_r[j], {theta[j]: 1, phi[j]: -1}))
         m.follows[phi[j]] = theta[j]
 
-    # What a pose and a robot need ----------------------------------------------------------------------------
+    # Conditions on a pose and on a robot ---------------------------------------------------------------------
     given = _direct(m, theta, z, y, o, b, L_a)
     m.extras += [
         _margin(
             "reach_margin",
-            "How much longer, and how much shorter, each linkage could be.",
-            "the nearest and the farthest point of the arm's circle, seen from the platform joint",
+            "Margins of the length of each linkage above its minimum and below its maximum.",
+            "distance of the platform joint from the nearest and the farthest point of the arm's circle",
             tuple(entry for j in J for entry in _reach(r[j], rho2[j], L_a[j], l_d[j])),
             "m",
             (3, 2),
         ),
         _margin(
             "limit_margin",
-            "How far each arm is from its limits.",
+            "Distance of each arm from its limits.",
             "both ends of the limits",
             tuple(entry for j in J for entry in (theta[j] - low[j], high[j] - theta[j])),
             "rad",
@@ -217,15 +221,15 @@ def declare(m: Machine) -> None:
         ),
         Extra(
             "perpendicular_margin",
-            "How nearly perpendicular to its axis each arm is at zero.",
-            "|a_j . z_j| is at most 1e-6: its square, less that of a_j . z_j",
+            "Margin for the zero direction of each arm to be perpendicular to its axis.",
+            "|a_j . z_j| is at most 1e-6: (1e-6)^2 - (a_j . z_j)^2",
             (
                 Output(
                     "margin",
                     (3,),
                     tuple(PERPENDICULAR**2 - dot(a[j], z[j]) ** 2 for j in J),
                     "1",
-                    "at least zero where they are",
+                    "at least zero for perpendicular directions",
                 ),
             ),
             arguments=(),
@@ -233,7 +237,7 @@ def declare(m: Machine) -> None:
         ),
         Extra(
             "inertia_margin",
-            "What the moment of inertia of each arm has beyond that of a point at its centre of mass.",
+            "Moment of inertia of each arm minus that of a point mass at its centre of mass.",
             "the parallel axis theorem",
             (
                 Output(
@@ -241,7 +245,7 @@ def declare(m: Machine) -> None:
                     (3,),
                     tuple(I_a[j] - m_a[j] * r_a[j] ** 2 for j in J),
                     "kg m^2",
-                    "at least zero for a body",
+                    "at least zero for a physical body",
                 ),
             ),
             arguments=(),
@@ -257,12 +261,12 @@ def declare(m: Machine) -> None:
     m.sample = SAMPLE
 
 
-#: Half a turn [rad], as near as a double comes.
+#: Half a turn [rad], rounded to double precision.
 HALF_TURN = 3.141592653589793
 
 
 def _reach(r: tuple[Symbol, ...], rho2: Symbol, arm: Symbol, link: Symbol) -> tuple[Expr, Expr]:
-    """Length of a linkage beyond the nearest point of its arm's circle, and up to the farthest one."""
+    """Return the margins of a linkage length above the distance of the nearest point and below the farthest."""
     square, product = dot(r, r) + arm**2, 2 * arm * sqrt(rho2)
     return link - sqrt(square - product), sqrt(square + product) - link
 
@@ -276,7 +280,7 @@ def _direct(
     b: tuple[tuple[Symbol, ...], ...],
     L_a: tuple[Symbol, ...],
 ) -> list[tuple[object, ...]]:
-    """Centres of the spheres on which the platform centre lies, by the angles."""
+    """Return the centres of the spheres that contain the platform centre, as functions of the angles."""
     definitions = m.chain.definitions
     return [
         tuple(
@@ -295,7 +299,7 @@ def _margin(
     unit: str,
     shape: tuple[int, ...] = (3,),
 ) -> Extra:
-    what = "at least zero where it is so, for each axis"
+    what = "for each axis; at least zero if satisfied"
     return Extra(name, summary, source, (Output("margin", shape, entries, unit, what),))
 
 
@@ -307,7 +311,7 @@ def _margins() -> tuple[Margin, ...]:
             "reach_margin",
             0,
             "at_least_zero",
-            "the pose is out of reach: an arm and its link do not meet the platform",
+            "the pose is out of reach: an arm and its link do not reach the platform",
             "the pose is out of reach: linkage {0} is {missing} {1}",
             "choose a pose that the arms and links can reach",
             (three, ("too short", "too long")),
@@ -350,7 +354,7 @@ def _requirements() -> tuple[Requirement, ...]:
             "inertia_margin",
             "at_least_zero",
             tuple(f"axis.{j + 1}.arm.inertia" for j in J),
-            "expected at least mass * center^2, found an inertia that is {missing} smaller",
+            "expected at least mass * center^2, found an inertia {missing} smaller",
             "give the moment of inertia about the axis of rotation, not about the centre of mass",
             "kg m^2",
         ),

@@ -1,6 +1,6 @@
-"""A rotary delta without any symmetry: oblique axes, everything different on each of them, tilted gravity.
+"""A rotary delta without symmetry: oblique axes that differ in every parameter, tilted gravity.
 
-Terms that vanish or cancel in a real robot do not do so in this one: it is what checks evaluate.
+The checks evaluate this robot, in which no terms vanish or cancel as they do in a real one.
 """
 
 from __future__ import annotations
