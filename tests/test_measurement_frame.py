@@ -40,7 +40,7 @@ def diagnosed(tmp_path: Path, shift: np.ndarray, yaw: float = 0.0):
     return robot, updating.diagnose(robot, updating.read(path))
 
 
-def test_poses_that_are_all_too_high_are_said_to_be_and_the_robot_is_left_as_it_is(tmp_path: Path) -> None:
+def test_poses_that_are_all_too_high_are_found_and_the_robot_is_unchanged(tmp_path: Path) -> None:
     robot, found = diagnosed(tmp_path, np.array([0.0, 0.0, 0.02]))
     assert [e.name for e in found.effects] == ["measurement:offset.z"]
     (value,) = found.effects[0].parameters
@@ -49,14 +49,14 @@ def test_poses_that_are_all_too_high_are_said_to_be_and_the_robot_is_left_as_it_
     assert not any(name.startswith("measurement") for name in corrections(robot, found))
 
 
-def test_poses_that_are_turned_are_said_to_be(tmp_path: Path) -> None:
+def test_rotated_poses_are_found(tmp_path: Path) -> None:
     _, found = diagnosed(tmp_path, np.zeros(3), np.radians(-4.0))
     assert len(found.effects) == 1
     assert "measurement:yaw" in found.effects[0].members
 
 
 @pytest.mark.parametrize("name", list(frame.parameters(KIND)))
-def test_rates_by_the_frame_are_those_of_differences(name: str) -> None:
+def test_rates_with_respect_to_the_frame_agree_with_differences(name: str) -> None:
     robot = read(ROBOT)
     structure = RobotStructure(robot, POINTS[:4], *suspects(robot))
     names = [p.name for p in structure.parameters]
@@ -72,14 +72,14 @@ def test_rates_by_the_frame_are_those_of_differences(name: str) -> None:
     assert found / scale == pytest.approx((a - b) / (2 * step) / scale, abs=1e-6)
 
 
-def test_poses_are_turned_first_and_then_shifted() -> None:
+def test_poses_are_rotated_first_and_then_shifted() -> None:
     points = np.array([[1.0, 0.0, 0.5]])
     values = {"measurement.yaw": np.pi / 2, "measurement.offset.x": 0.1}
     assert frame.true_points(KIND, points, values) == pytest.approx(np.array([[0.1, 1.0, 0.5]]))
     assert frame.rate(KIND, "measurement.yaw", points, values) == pytest.approx(np.array([[-1.0, 0.0, 0.0]]))
 
 
-def test_a_component_of_gravity_that_is_zero_is_no_suspect() -> None:
+def test_a_component_of_gravity_that_is_zero_is_not_a_suspect() -> None:
     names = {candidate.name for candidate in suspects(read(ROBOT))[1]}
     assert "parameter:gravity.z" in names
     assert not {"parameter:gravity.x", "parameter:gravity.y"} & names

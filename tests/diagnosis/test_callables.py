@@ -1,4 +1,4 @@
-"""What a callable for matrices may do wrong, and how often it is asked."""
+"""Errors of a callable for matrices, and how often it is called."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def test_an_exception_of_a_callable_is_an_error_that_names_the_values() -> None:
         built(lambda values, _: 1 / 0)
 
 
-def test_a_parameter_without_the_bounds_that_it_needs_is_no_parameter_without_effect() -> None:
+def test_a_parameter_without_the_bounds_that_it_needs_is_not_taken_for_one_without_effect() -> None:
     def matrices(values, setup) -> tuple[Any, Any]:
         with np.errstate(invalid="ignore"):
             return np.eye(2), np.diag([1.0, 2.0]) * (1.0 + np.sqrt(values["k"] - 1.0))
@@ -92,7 +92,7 @@ def test_a_parameter_without_the_bounds_that_it_needs_is_no_parameter_without_ef
 
 
 @pytest.mark.parametrize("n", [3, 250])
-def test_a_callable_may_use_its_arrays_again(n: int) -> None:
+def test_a_callable_may_reuse_its_arrays(n: int) -> None:
     M, K = np.eye(n), np.zeros((n, n))
 
     def matrices(values, setup) -> tuple[Any, Any]:
@@ -117,21 +117,21 @@ def test_wrong_derivatives_are_refused(returned: Any, message: str) -> None:
     structure = built(lambda *_: (np.eye(2), np.eye(2)), derivatives=lambda *_: returned)
     with pytest.raises(PkmodesError, match=message) as error:
         structure.predict(np.array([3.0, 1.0]), (0,))
-    assert error.value.where == 'derivatives by "k", matrices for setup "rig" at k = 3'
+    assert error.value.where == 'derivatives with respect to "k", matrices for setup "rig" at k = 3'
 
 
 def test_an_exception_of_the_derivatives_names_the_values() -> None:
     structure = built(lambda *_: (np.eye(2), np.eye(2)), derivatives=lambda v, s, name: {}[name])
     with pytest.raises(PkmodesError, match="dM and dK failed: KeyError") as error:
         structure.predict(np.array([1.0, 1.0]), (1,))
-    assert 'derivatives by "m"' in error.value.where
+    assert 'derivatives with respect to "m"' in error.value.where
 
 
-# How often it is asked -------------------------------------------------------------------------------------
+# Number of calls -------------------------------------------------------------------------------------------
 
 
 def counted(calls: list[tuple[Any, ...]]) -> Callable:
-    """The matrices of a frame on which every call is noted."""
+    """The matrices of a frame, with every call recorded."""
     matrices = frame_matrices(4, {"a": 0.0, "b": 3.0})
 
     def asked(values: Any, setup: str) -> Any:
@@ -141,7 +141,7 @@ def counted(calls: list[tuple[Any, ...]]) -> Callable:
     return asked
 
 
-def test_a_diagnosis_asks_for_the_same_values_once() -> None:
+def test_a_diagnosis_evaluates_the_same_values_once() -> None:
     loads, calls = {"a": 0.0, "b": 3.0}, list[tuple[Any, ...]]()
     plain = frame(loads)
     structure = MatrixStructure(
@@ -155,7 +155,7 @@ def test_a_diagnosis_asks_for_the_same_values_once() -> None:
 
 @pytest.mark.parametrize(("power", "expected"), [(1, 1 + 2), (3, 1 + 3)])
 @pytest.mark.parametrize("declared", [1.0, 0.5])
-def test_one_call_is_enough_for_the_derivative_by_what_the_matrices_follow_in_a_straight_line(
+def test_one_call_is_enough_for_the_derivative_if_the_matrices_are_linear_in_a_parameter(
     power: int, expected: int, declared: float
 ) -> None:
     calls = list[float]()
@@ -177,17 +177,19 @@ def test_one_call_is_enough_for_the_derivative_by_what_the_matrices_follow_in_a_
 
 
 @pytest.mark.parametrize("slow", [False, True])
-def test_progress_says_when_the_callable_takes_the_time(slow: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_progress_says_when_the_callable_dominates_the_time(
+    slow: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
     clock = itertools.count(0.0, 0.25 if slow else 1e-4)
     monkeypatch.setattr("pkmodes.diagnosis.structure.supplied.time.perf_counter", lambda: next(clock))
     loads, said = {"empty": 0.0, "loaded": 5.0}, list[str]()
     diagnose(frame(loads), frame_measured(loads, {}, np.random.default_rng(0)), progress=said.append)
-    text = "each call for the matrices takes 0.25 s: some hundred of them take the time"
+    text = "each call for the matrices takes 0.25 s: a few hundred calls dominate the computing time"
     assert (said[0] == text) == slow
     assert len(said) == 1 + slow
 
 
-def test_derivatives_are_asked_for_once_too() -> None:
+def test_derivatives_are_evaluated_once_too() -> None:
     calls = list[str]()
 
     def derivatives(values: Any, setup: str, name: str) -> tuple[np.ndarray, np.ndarray]:
@@ -200,7 +202,7 @@ def test_derivatives_are_asked_for_once_too() -> None:
     assert calls == ["k", "k"]
 
 
-def test_what_was_not_asked_for_the_longest_time_is_forgotten() -> None:
+def test_the_least_recently_used_value_is_dropped() -> None:
     kept = Kept[str](memory=10)
     for key in "abc":
         assert kept.keep(key, key.upper(), 4) == key.upper()
@@ -215,11 +217,11 @@ def test_what_was_not_asked_for_the_longest_time_is_forgotten() -> None:
     assert [key in kept for key in ("large", "small")] == [False, True]
 
 
-# What it returns for the same values -----------------------------------------------------------------------
+# Reproducibility -------------------------------------------------------------------------------------------
 
 
 def noisy(noise: float, exact: bool) -> MatrixStructure:
-    """K is right but for this much; with derivatives, or without."""
+    """K with an error of this size; with or without derivatives."""
     rng = np.random.default_rng(3)
 
     def matrices(values: Any, setup: str) -> tuple[np.ndarray, np.ndarray]:
@@ -238,6 +240,6 @@ def test_a_callable_that_is_not_repeatable_is_refused(noise: float, exact: bool)
 
 
 @pytest.mark.parametrize(("noise", "exact"), [(1e-10, False), (1e-7, True)])
-def test_what_differs_by_less_than_matters_is_taken(noise: float, exact: bool) -> None:
+def test_negligible_differences_between_calls_are_accepted(noise: float, exact: bool) -> None:
     found = noisy(noise, exact).predict(np.array([1.0, 1.0]), (0,))
     assert found.rates[0, :, 0] == pytest.approx([1.0, 0.0], abs=1e-3)

@@ -1,4 +1,4 @@
-"""The examples: the whole loop on a machine of the rig, and a structure that is no robot."""
+"""The examples: the closed loop on a machine of the rig, and a structure that is not a robot."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def rows(text: str) -> list[list[str]]:
     return list(csv.reader(line for line in text.splitlines() if not line.startswith("#")))
 
 
-def test_the_example_is_what_the_rig_measures() -> None:
+def test_the_example_is_reproduced_by_the_rig() -> None:
     assert ROBOT.read_text(encoding="utf-8") == closed_loop_example.robot_text()
     committed, made = (
         rows(text) for text in (MEASURED.read_text(encoding="utf-8"), closed_loop_example.measured_text())
@@ -57,7 +57,7 @@ def test_the_loop_closes(tmp_path: Path) -> None:
     assert again.verdict == "adequate", again.reason
 
 
-def test_a_lumped_structure_takes_the_same_engine() -> None:
+def test_a_lumped_structure_uses_the_same_engine() -> None:
     specification = importlib.util.spec_from_file_location("lumped", EXAMPLES / "lumped_structure.py")
     assert specification
     assert specification.loader

@@ -1,4 +1,4 @@
-"""Few data abstain: what cannot be told is not claimed, set aside or called adequate."""
+"""With few data the diagnosis abstains: it does not claim a cause, set rows aside, or call the model adequate."""
 
 from __future__ import annotations
 
@@ -44,10 +44,10 @@ def measured(
 
 @pytest.mark.parametrize("sigma", [0.002, 0.005, 0.01])
 @pytest.mark.parametrize("prior", [0.05, 0.1, 0.15])
-def test_the_cause_of_four_frequencies_and_four_shapes_does_not_change_with_what_is_stated(
+def test_the_cause_of_four_frequencies_and_four_shapes_does_not_depend_on_stated_errors(
     sigma: float, prior: float
 ) -> None:
-    """No cause is claimed whose shapes are wrong while another explanation has them all right."""
+    """A cause with wrong shapes is not claimed if another explanation fits all shapes."""
     for storey in (1, 2, 3):
         found = diagnose(four_storeys(prior), measured({f"storey {storey}": 0.75}, sigma=sigma), holdout=())
         if found.verdict == "effect_found":
@@ -57,7 +57,7 @@ def test_the_cause_of_four_frequencies_and_four_shapes_does_not_change_with_what
         assert found.verdict != "adequate" or sigma == 0.01
 
 
-def test_sixteen_values_find_a_soft_storey_and_four_do_not_pretend_to() -> None:
+def test_sixteen_values_find_a_soft_storey_and_four_abstain() -> None:
     found = diagnose(four_storeys(), measured({"storey 2": 0.75}), holdout=())
     assert [e.name for e in found.effects] == ["storey 2"]
     value = found.effects[0].parameters[0]
@@ -74,8 +74,8 @@ def line(G: np.ndarray, y: np.ndarray, **options: object) -> Diagnosis:
     return diagnose(model, logs_measured(base + SIGMA * y, SIGMA), holdout=(), **options)
 
 
-def test_one_of_many_candidates_that_fits_a_residual_in_few_dimensions_is_no_finding() -> None:
-    """In three dimensions some of twelve directions is near any residual; in forty none is."""
+def test_one_of_many_candidates_that_fits_a_residual_in_few_dimensions_is_not_claimed() -> None:
+    """In three dimensions one of twelve directions is close to any residual; in forty dimensions none is."""
     rng = np.random.default_rng(3)
 
     def claimed(rows: int) -> int:
@@ -94,7 +94,7 @@ def test_one_of_many_candidates_that_fits_a_residual_in_few_dimensions_is_no_fin
     assert [e.name for e in line(G, 5.0 * G[..., 7]).effects] == ["c7"]
 
 
-def test_a_class_of_more_than_five_members_is_no_finding() -> None:
+def test_a_class_of_more_than_five_members_is_not_claimed() -> None:
     rng = np.random.default_rng(4)
     g = rng.standard_normal((4, 10, 1))
     for count, verdict in ((5, "effect_found"), (6, "ambiguous")):
@@ -107,8 +107,8 @@ def test_a_class_of_more_than_five_members_is_no_finding() -> None:
         assert set(members) == {f"c{k}" for k in range(count)}
 
 
-def test_of_few_data_every_pair_is_tried_and_a_mirror_pair_is_named() -> None:
-    """Signatures that are the same from both ends: a + b and its mirror image do exactly the same together."""
+def test_with_few_data_every_pair_is_tried_and_a_mirror_pair_is_named() -> None:
+    """Symmetric signatures: a + b and its mirror image have exactly the same effect."""
     rng = np.random.default_rng(5)
     a, b, c, d = rng.standard_normal((4, 12))
     mirror = (a + b) - c  # c + (a + b - c) is the same sum
@@ -129,7 +129,7 @@ def test_a_row_is_not_set_aside_without_redundancy(rows: int) -> None:
     assert found.verdict not in ("adequate", "effect_found")
 
 
-def test_too_few_data_may_still_contradict_the_model_and_then_it_is_said() -> None:
+def test_too_few_data_that_contradict_the_model_are_reported() -> None:
     parameters = [Parameter("n", 0.0, sigma=1.0), Parameter("a", 0.0), Parameter("b", 0.0)]
     base = np.log([[10.0, 14.0]])
     G = SIGMA * np.array([[[1.0, 1.0, 0.0], [1.0, -1.0, 0.01]]])

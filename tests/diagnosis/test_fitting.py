@@ -1,4 +1,4 @@
-"""Fits of hypotheses against least squares, likelihoods and chi-square as textbooks have them."""
+"""Fits of hypotheses against textbook least squares, likelihoods and chi-square."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ def test_estimates_covariance_and_sum_of_squares_are_those_of_least_squares_with
     assert found.chi2 == pytest.approx(chi2, rel=1e-6)
 
 
-def test_the_least_sum_of_squares_is_chi_square_with_the_rows_less_what_has_no_prior() -> None:
+def test_the_least_sum_of_squares_is_chi_square_with_rows_less_parameters_without_prior() -> None:
     # The truth is drawn from the priors each time.  An error of one degree of freedom in 18 would be 2.7 standard
     # errors of the mean here; Kolmogorov's limit for p < 0.001 is 1.95 / sqrt(n).
     model, draws = structure(1, 4, 5), 240
@@ -108,7 +108,7 @@ def test_the_least_sum_of_squares_is_chi_square_with_the_rows_less_what_has_no_p
     assert np.mean(pulls, axis=0) == pytest.approx(0.0, abs=4.0 / np.sqrt(draws))
 
 
-def test_excluded_rows_take_no_part() -> None:
+def test_excluded_rows_are_not_used() -> None:
     model = structure(2)
     y = simulated(model, TRUE, 2)
     y[1, 2] += 0.1
@@ -171,7 +171,7 @@ def test_the_deviance_is_twice_the_negative_logarithm_of_the_likelihood(excluded
             V = SIGMA**2 * np.eye(4) + found.scatter**2
             kept = np.setdiff1d(np.arange(4), [k - 4 * i for k in excluded])
             total -= 2 * stats.multivariate_normal.logpdf(row[kept], None, V[np.ix_(kept, kept)])
-        # What was set aside has an error of its own beside the stated one, which takes up all of the residual.
+        # An additional error absorbs the residual of an outlier; its stated error stays in the likelihood.
         total -= len(excluded) * 2 * stats.norm.logpdf(0.0, 0.0, SIGMA)
         deviances.append(found.deviance)
         likelihoods.append(total)
@@ -216,7 +216,7 @@ def test_an_uncertain_position_is_a_nuisance_of_its_setup(scatter: bool) -> None
         assert found.covariance == pytest.approx(same.covariance[np.ix_(shown, shown)], rel=1e-6)
 
 
-def test_an_uncertain_position_of_a_structure_that_has_none_is_no_matter() -> None:
+def test_an_uncertain_position_of_a_structure_without_positions_is_ignored() -> None:
     data = frame_measured({"A": 0.0}, {}, np.random.default_rng(0))
     uncertain = Measurements.from_rows(["A"] * 4, data.frequency, data.sigma, point_sigma=np.ones((4, 3)))
     plain, other = (Fitter(frame({"A": 0.0}), d).fit(Hypothesis()) for d in (data, uncertain))
@@ -262,7 +262,7 @@ def test_bounds_hold_and_are_named_unless_the_cause_is_absent_there(
         assert found.chi2 == pytest.approx(expected[2], rel=1e-3)
 
 
-def test_a_cause_alone_is_found_from_its_absence() -> None:
+def test_a_single_cause_is_found_starting_from_its_absence() -> None:
     parameters = (
         *(Parameter(p.name, p.value) for p in PARAMETERS[:2]),
         Parameter("u", 0.0, lower=0.0),
@@ -315,7 +315,7 @@ def test_two_causes_may_share_a_parameter() -> None:
     assert twice.covariance == pytest.approx(once.covariance)
 
 
-def test_what_the_data_do_not_show_has_a_large_but_finite_error() -> None:
+def test_a_parameter_that_the_data_do_not_determine_has_a_large_but_finite_error() -> None:
     model = structure(10)
     model.G[..., 2] = 0.0
     found = fitted(model, logs_measured(simulated(model, TRUE, 10), SIGMA), BOTH)
@@ -360,7 +360,7 @@ def test_a_repeated_frequency_moves_by_the_mean_of_its_two_modes() -> None:
     assert found.values == pytest.approx([0.0, 2.01], abs=1e-3)
 
 
-def test_what_others_predict_of_a_setup_is_a_fit_without_it() -> None:
+def test_the_prediction_of_a_left_out_setup_is_that_of_a_fit_without_it() -> None:
     model = structure(12)
     y = simulated(model, TRUE, 12)
     found = fitted(model, logs_measured(y, SIGMA), BOTH)

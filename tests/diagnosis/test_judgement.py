@@ -1,4 +1,4 @@
-"""What is claimed and what is not: special causes, causes that nobody can claim, weak ones, errors beside causes.
+"""Which causes are claimed: remote causes, general forms, weak causes, and measurement errors beside causes.
 
 Structures whose frequencies' logarithms are linear in the parameters, with data that are exact, so that every
 chi-square is known: a cause of strength z gains z^2.
@@ -15,12 +15,12 @@ from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, Parameter, dia
 from small_structures import SIGMA, LogLinear, logs_measured
 
 SETUPS, MODES = 10, 5
-#: Directions in the space of all rows, orthonormal: what the causes do.
+#: Orthonormal directions in the space of all rows: the signatures of the causes.
 DIRECTIONS = np.linalg.qr(np.random.default_rng(11).standard_normal((SETUPS * MODES, 12)))[0].T
 
 
 def structure(directions: Mapping[str, np.ndarray], **roles: dict[str, bool]) -> LogLinear:
-    """One cause for each direction, in standard deviations; some remote, or not nameable."""
+    """One cause for each direction, in standard deviations; some are remote or not nameable."""
     base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (SETUPS, 1))
     G = np.stack([d.reshape(SETUPS, MODES) for d in directions.values()], axis=-1) * SIGMA
     parameters = [Parameter(name, 0.0) for name in directions]
@@ -29,7 +29,7 @@ def structure(directions: Mapping[str, np.ndarray], **roles: dict[str, bool]) ->
 
 
 def found(model: LogLinear, change: np.ndarray, noise: int | None = 3) -> Diagnosis:
-    """What is found where all frequencies change so, in standard deviations, beside errors as stated."""
+    """The diagnosis of frequency changes in standard deviations, with errors as stated."""
     rng = np.random.default_rng(noise)
     errors = 0.9 * rng.standard_normal(SETUPS * MODES)
     errors -= DIRECTIONS.T @ (DIRECTIONS @ errors)  # none in the directions of the causes: z is exact
@@ -47,7 +47,7 @@ STRANGE = {"remote": True, "nameable": False}
 
 
 def three(strength: Sequence[float] = (30.0, 40.0)) -> tuple[dict[str, np.ndarray], np.ndarray]:
-    """Causes a and b, what both together do, and a cause c that does just that."""
+    """Causes a and b, their combined effect, and a cause c with the same effect."""
     a, b = DIRECTIONS[:2]
     both = strength[0] * a + strength[1] * b
     return {"a": a, "b": b, "c": both / np.linalg.norm(both)}, both
@@ -60,7 +60,7 @@ def test_two_causes_are_claimed_where_nothing_explains_the_residual_alone() -> N
 
 
 @pytest.mark.parametrize("remote", [REMOTE, STRANGE])
-def test_a_remote_cause_that_explains_the_residual_alone_is_pointed_at_before_two_are_claimed(
+def test_a_remote_cause_that_explains_the_residual_alone_is_named_before_two_are_claimed(
     remote: dict[str, bool],
 ) -> None:
     directions, both = three()
@@ -76,7 +76,7 @@ def test_a_remote_cause_among_the_plain_ones_is_claimed() -> None:
     assert names(found(structure(directions), both)) == ["c"]
 
 
-def test_a_remote_cause_that_looks_like_a_plain_one_stands_in_its_class_if_it_can_be_named() -> None:
+def test_a_nameable_remote_cause_that_looks_like_a_plain_one_is_listed_in_its_class() -> None:
     a, b = DIRECTIONS[:2]
     like_a = (a + 0.02 * b) / np.linalg.norm(a + 0.02 * b)
     for remote, members in ((REMOTE, {"a", "like a"}), (STRANGE, {"a"})):
@@ -98,7 +98,7 @@ def test_a_remote_cause_that_can_be_told_from_a_plain_one_and_fits_better_is_not
     assert "c" in diagnosis.reason
 
 
-def test_a_remote_cause_is_no_part_of_a_pair() -> None:
+def test_a_remote_cause_is_not_part_of_a_pair() -> None:
     a, b = DIRECTIONS[:2]
     diagnosis = found(structure({"a": a, "b": b}, b=REMOTE), 30.0 * a + 40.0 * b)
     assert diagnosis.verdict == "unexplained"
@@ -119,12 +119,12 @@ def test_what_may_be_chance_is_not_claimed(strength: float, claimed: bool) -> No
         assert "p = 0.0032" in diagnosis.reason
 
 
-def test_two_causes_with_an_outlier_are_too_much_to_assume() -> None:
+def test_two_causes_with_an_outlier_are_not_claimed() -> None:
     a, b = DIRECTIONS[:2]
     change = 30.0 * a + 40.0 * b
     change[7] += 25.0
     assert found(structure({"a": a, "b": b}), change).verdict == "unexplained"
-    # Each of them alone is not.
+    # One of them with an outlier is claimed.
     change = 40.0 * b
     change[7] += 25.0
     diagnosis = found(structure({"a": a, "b": b}), change)
@@ -132,7 +132,7 @@ def test_two_causes_with_an_outlier_are_too_much_to_assume() -> None:
     assert len(diagnosis.outliers) == 1
 
 
-def test_a_cause_that_explains_one_row_is_told_from_an_outlier_only_by_other_rows() -> None:
+def test_a_cause_that_explains_one_row_is_distinguished_from_an_outlier_only_by_other_rows() -> None:
     row = np.zeros(SETUPS * MODES)
     row[7] = 1.0
     for rest in (0.0, 0.02):
@@ -140,14 +140,14 @@ def test_a_cause_that_explains_one_row_is_told_from_an_outlier_only_by_other_row
         cause /= np.linalg.norm(cause)
         diagnosis = found(structure({"a": cause, "b": DIRECTIONS[1]}), 20.0 * cause)
         assert diagnosis.verdict == "unexplained"
-        assert "errors of the measurement nearly as well" in diagnosis.reason
+        assert "measurement errors would do so nearly as well" in diagnosis.reason
     clear = row + 0.2 * DIRECTIONS[0] * (1.0 - row)
     clear /= np.linalg.norm(clear)
     assert names(found(structure({"a": clear, "b": DIRECTIONS[1]}), 20.0 * clear)) == ["a"]
 
 
 def test_many_pairs_that_look_alike_are_not_claimed() -> None:
-    """Two causes with three names each are nine pairs."""
+    """Two causes with classes of three each are nine pairs."""
     a, b = DIRECTIONS[:2]
     directions = {f"{n}{i}": d + 0.01 * DIRECTIONS[2 + i] for n, d in (("a", a), ("b", b)) for i in range(3)}
     diagnosis = found(structure(directions), 30.0 * directions["a0"] + 40.0 * directions["b0"])
@@ -160,8 +160,8 @@ def test_many_pairs_that_look_alike_are_not_claimed() -> None:
 
 
 @pytest.mark.parametrize("pull", [0.0, 0.5])
-def test_a_cause_that_brings_modes_among_the_measured_ones_must_have_them_measured(pull: float) -> None:
-    """A sixth mode, above the five measured ones, comes between the fourth and fifth with the cause."""
+def test_modes_that_a_cause_adds_between_measured_ones_must_be_measured(pull: float) -> None:
+    """With the cause, a sixth mode above the five measured ones moves between the fourth and fifth."""
     a = DIRECTIONS[0]
     five = structure({"a": a})
     sixth = np.full((SETUPS, 1), five.base[0, -1] + 0.35)
@@ -181,8 +181,8 @@ def test_a_cause_that_brings_modes_among_the_measured_ones_must_have_them_measur
         assert names(diagnosis) == ["a"]
 
 
-def test_modes_that_are_missed_with_and_without_a_cause_do_not_speak_against_it() -> None:
-    """One of five modes in every other setup: nobody measured it, and the cause is found all the same."""
+def test_modes_missed_with_and_without_a_cause_do_not_contradict_it() -> None:
+    """One of five modes was not measured in every other setup, and the cause is still found."""
     a = DIRECTIONS[0]
     model = structure({"a": a, "b": DIRECTIONS[1]})
     logs = model.base + SIGMA * 30.0 * a.reshape(SETUPS, MODES)
@@ -193,7 +193,7 @@ def test_modes_that_are_missed_with_and_without_a_cause_do_not_speak_against_it(
 
 
 def test_a_plain_cause_is_not_claimed_where_a_special_one_explains_far_more() -> None:
-    """What the plain one leaves is 5.7 standard deviations in one direction, too little for the gate to refuse it."""
+    """The plain cause leaves 5.7 standard deviations in one direction, too little for the gate to refuse it."""
     a, b = DIRECTIONS[:2]
     plain = np.sqrt(1 - (5.7 / 30) ** 2) * a + 5.7 / 30 * b
     diagnosis = found(structure({"plain": plain, "special": a}, special=STRANGE), 30.0 * a)
@@ -201,7 +201,7 @@ def test_a_plain_cause_is_not_claimed_where_a_special_one_explains_far_more() ->
     assert "special would: look there" in diagnosis.reason
 
 
-def test_two_outliers_along_a_cause_are_no_cause() -> None:
+def test_two_outliers_along_a_cause_are_not_taken_for_it() -> None:
     rows = [7, 23]
     cause = 0.2 * DIRECTIONS[0]
     cause[rows] = 0.93 / np.sqrt(2)

@@ -1,4 +1,4 @@
-"""Large structures: the lowest modes against closed forms and full solutions, in whatever form they are given."""
+"""Large structures, sparse and dense: the lowest modes against closed forms and full solutions."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def test_the_lowest_modes_of_a_chain_are_those_of_the_closed_form(n: int, form: 
     assert found.rates[0] == pytest.approx(rates, rel=1e-7, abs=2e-6)
 
 
-def test_full_matrices_have_the_same_lowest_modes_by_both_ways() -> None:
+def test_dense_matrices_have_the_same_lowest_modes_by_both_methods() -> None:
     n = 300
     matrices = chain(n, full=50.0)
     M, K = matrices(dict(zip("mk", DECLARED, strict=False)) | {"stiffer": 0.3}, "")
@@ -102,7 +102,7 @@ def test_all_modes_of_small_structures_and_enough_of_large_ones() -> None:
 
 
 @pytest.mark.parametrize("count", [1, 2, 3, 4, 10, 17])
-def test_none_of_several_coinciding_modes_is_missed(count: int) -> None:
+def test_coincident_modes_are_not_missed(count: int) -> None:
     # A square membrane: lambda = 4 sin^2 + 4 sin^2, nearly all of them twice.
     k = 20
     line = sparse.diags_array([[-1.0] * (k - 1), [2.0] * k, [-1.0] * (k - 1)], offsets=[-1, 0, 1])
@@ -129,7 +129,7 @@ def test_modes_that_lanczos_misses_are_found_by_the_count(monkeypatch: pytest.Mo
 
 
 def beam(elements: int, *, lumped: bool, free: bool = False) -> tuple[Any, Any]:
-    """A uniform Euler-Bernoulli beam with EI = rho A = L = 1, clamped at one end or free; (M, K)."""
+    """M and K of a uniform Euler-Bernoulli beam with EI = rho A = L = 1, clamped at one end or free."""
     h, n = 1.0 / elements, 2 * (elements + 1)
     stiffness = (
         np.array(

@@ -1,4 +1,4 @@
-"""Robots of which something is set in some setups: each setup has the modes of the robot with its own values."""
+"""Robots with values set in some setups: each setup has the modes of the robot with its values."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ Loads = Sequence[Mapping[str, float]]
 
 
 def measured(robot: Robot, points: np.ndarray, loads: Loads) -> Measurements:
-    """One row for each pose: what it says of modes does not matter here."""
+    """One row for each pose, with arbitrary modes."""
     names = {name for load in loads for name in load}
     return Measurements.from_rows(
         [f"P{i}" for i in range(len(points))],
@@ -72,7 +72,7 @@ def same(a: Prediction, b: Prediction, rows: Sequence[int], others: Sequence[int
 def test_a_setup_with_a_payload_has_the_modes_of_the_robot_with_it(
     name: str, masses: tuple[float, ...]
 ) -> None:
-    """Held against separate robots whose files declare it, values and derivatives."""
+    """Values and derivatives agree with separate robots whose files declare the payload."""
     robot, points = read(name), np.array(POSES[name]["scattered"][:4])
     loads = [{} if np.isnan(m) else {PAYLOAD: m} for m in masses]
     one = structure(robot, points, loads, ("parameter:link.length", "measurement:yaw", "belt_mass"))
@@ -112,7 +112,7 @@ def test_without_settings_and_with_blank_ones_a_structure_is_the_same() -> None:
         same(one.predict(declared(one), some), plain.predict(declared(plain), some), range(3), range(3))
 
 
-def test_parts_copies_and_other_places_keep_or_lose_what_is_set() -> None:
+def test_subsets_keep_the_set_values_and_other_places_drop_them() -> None:
     robot, points = read("published"), np.array(POSES["published"]["scattered"][:4])
     one = structure(robot, points, [{PAYLOAD: 0.3}, {}, {PAYLOAD: 0.3}, {PAYLOAD: 0.5}], ("belt_mass",))
     values, by = moved(one, platform__mass=0.02), [0, 1]
@@ -165,8 +165,8 @@ def test_several_sets_of_values_are_those_taken_one_by_one() -> None:
             np.testing.assert_allclose(batch.prediction.rates[part][..., :3], alone.rates, atol=1e-7 * size)
 
 
-def test_what_is_set_does_not_move_and_the_rest_of_it_does() -> None:
-    """A value of one axis is known, the shared one moves the others; a whole is known; held against differences."""
+def test_set_values_do_not_move_and_the_rest_of_a_shared_value_does() -> None:
+    """A value of one axis is known and the shared one moves the others; a whole is known; against differences."""
     robot, points = read("published"), np.array(POSES["published"]["scattered"][:3])
     loads: Loads = [{"axis.1.belt.width": 0.02}, {"belt.width": 0.02, "axis.span": 1.3}, {}]
     names = ("parameter:belt.width", "parameter:axis.span", "parameter:platform.mass")
@@ -192,7 +192,7 @@ def test_what_is_set_does_not_move_and_the_rest_of_it_does() -> None:
 
 
 def test_setups_may_have_more_modes_than_others() -> None:
-    """A gearbox that winds up in one, a cable to ground in another: rigid modes first, what is lacking far above."""
+    """A compliant gearbox in one, a cable to ground in another: rigid modes first, missing modes far above."""
     robot, points = read("published"), np.array(POSES["published"]["scattered"][:4])
     cable, gear, belts = (
         f"effects.{name}"
@@ -259,7 +259,7 @@ def corexy_modes(coefficient: float, factor: float, seed: int) -> Measurements:
     )
 
 
-def test_the_derivative_by_a_coefficient_goes_through_known_tensions() -> None:
+def test_the_derivative_with_respect_to_a_coefficient_includes_known_tensions() -> None:
     robot, points = read_robot(COREXY), PLACES[:4]
     loads: Loads = [{TENSION: 30.0}, {TENSION: 60.0}, {}, {TENSION: 0.0}]
     one = structure(robot, points, loads, ("belt_tension_stiffness",))
@@ -317,7 +317,7 @@ def test_a_coefficient_is_told_from_a_wrong_stiffness() -> None:
         assert {row.load[TENSION] for row in rows} == set(TENSIONS)
 
 
-def test_what_every_setup_sets_is_no_suspect() -> None:
+def test_a_value_set_in_every_setup_is_not_a_suspect() -> None:
     robot, points = read("published"), np.array(POSES["published"]["scattered"][:2])
     loads: Loads = [{PAYLOAD: 0.1, "platform.mass": 1.4}, {PAYLOAD: 0.3, "platform.mass": 1.5}]
     one = structure(robot, points, loads)
@@ -328,7 +328,7 @@ def test_what_every_setup_sets_is_no_suspect() -> None:
     assert "payload" in {c.name for c in structure(robot, points, [loads[0], {}]).candidates}
 
 
-def test_payloads_that_could_be_put_on_go_by_the_mass_of_the_platform() -> None:
+def test_proposed_payloads_are_relative_to_the_mass_of_the_platform() -> None:
     robot, points = read("published"), np.array(POSES["published"]["scattered"][:3])
     one = structure(robot, points, [{PAYLOAD: 0.3}, {}, {}], ("belt_mass",))
     loaded = one.elsewhere(2)[1].loaded()

@@ -1,4 +1,4 @@
-"""Rough fits taken together arrive where each would by itself; robots evaluated together are the same."""
+"""Rough fits in lockstep converge as single ones do; robots evaluated together give the same modes."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from small_structures import SIGMA, LogLinear, log_linear, logs_measured
 SETUPS, MODES = 8, 5
 
 
-def test_a_descent_ends_at_the_bounded_least_squares_of_a_linear_model() -> None:
-    """Held against SciPy's solver of the linear problem, with bounds that stop some parameters."""
+def test_a_descent_converges_to_bounded_least_squares_of_a_linear_model() -> None:
+    """Against SciPy's solver of the linear problem, with active bounds."""
     rng = np.random.default_rng(1)
     candidates = [Candidate(f"c{i}", (f"c{i}",)) for i in range(6)]
     parameters = [Parameter("n0", 0.0, sigma=0.5), Parameter("n1", 0.0, sigma=0.5)]

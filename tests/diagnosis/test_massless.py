@@ -68,21 +68,21 @@ def test_a_mass_where_there_was_none_adds_a_mode() -> None:
 @pytest.mark.parametrize(
     ("M", "K", "message"),
     [
-        (np.diag([1.0, 0.0]), np.diag([1.0, 0.0]), "expected K to hold every coordinate without mass"),
-        (np.diag([1.0, 0.0]), np.diag([1.0, -1.0]), "expected K to hold every coordinate without mass"),
+        (np.diag([1.0, 0.0]), np.diag([1.0, 0.0]), "expected stiffness for every coordinate without mass"),
+        (np.diag([1.0, 0.0]), np.diag([1.0, -1.0]), "expected stiffness for every coordinate without mass"),
         (
             np.diag([1.0, 0.0, 0.0]),
             [[1, 0, 0], [0, 1, -1], [0, -1, 1]],
-            "expected K to hold every coordinate without mass",
+            "expected stiffness for every coordinate without mass",
         ),
-        (np.ones((2, 2)), [[1.0, 1.0], [1.0, 1.0]], "expected K to hold every coordinate without mass"),
-        ([[1.0, 0.5], [0.5, 0.0]], np.eye(2), "expected M positive definite, but for motions without mass"),
+        (np.ones((2, 2)), [[1.0, 1.0], [1.0, 1.0]], "expected stiffness for every coordinate without mass"),
+        ([[1.0, 0.5], [0.5, 0.0]], np.eye(2), "expected M positive definite except for motions without mass"),
         (np.eye(2), -np.eye(2), "expected a stable structure, found the eigenvalue -1 1/s"),
         (np.eye(2), np.diag([1.0, -1.0]), "expected a stable structure"),
     ],
 )
 @pytest.mark.parametrize("copies", [1, 120])
-def test_what_has_no_modes_is_refused(M: Any, K: Any, message: str, copies: int) -> None:
+def test_matrices_without_modes_are_refused(M: Any, K: Any, message: str, copies: int) -> None:
     # Small as it is, and in many sparse copies.
     M, K = (sparse.kron(sparse.eye_array(copies), np.asarray(matrix, dtype=float)) for matrix in (M, K))
     channels = [str(i) for i in range(M.shape[0])]

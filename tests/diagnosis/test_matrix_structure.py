@@ -1,4 +1,4 @@
-"""Structures given by callables: derivatives against closed forms, and what is refused."""
+"""Structures given by callables: derivatives against closed forms, and refused arguments."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def test_modes_and_their_derivatives_are_those_of_the_closed_form(exact: bool) -
 
 @pytest.mark.parametrize("unit", [1e-12, 1e-3, 1.0, 1e3, 1e9])
 def test_differences_are_as_good_in_any_unit(unit: float) -> None:
-    # Causes are absent, at 0: only the matrices say what a small step is.
+    # Causes are absent, at 0: only the matrices determine what a small step is.
     structure = uniform(unit, exact=False)
     found = structure.predict(declared(structure), range(7))
     assert found.rates[0] * unit == pytest.approx(closed_rates(), rel=1e-7, abs=1e-10)
@@ -99,7 +99,7 @@ def single(
     ],
 )
 @pytest.mark.parametrize("side", ["inside", "lower", "upper"])
-def test_differences_follow_what_is_not_linear_and_keep_within_the_bounds(
+def test_differences_follow_nonlinear_matrices_and_stay_within_the_bounds(
     K: Callable[[float], float], value: float, expected: float, side: str
 ) -> None:
     lower, upper = value if side == "lower" else -np.inf, value if side == "upper" else np.inf
@@ -126,7 +126,7 @@ def test_a_first_step_may_be_far_too_large() -> None:
     assert structure.predict(np.zeros(1), (0,)).rates[0, 0, 0] == pytest.approx(1e9, rel=1e-7)
 
 
-def test_a_coordinate_that_nothing_holds_may_be_tied_by_a_cause() -> None:
+def test_a_free_coordinate_may_be_held_by_a_cause() -> None:
     structure = MatrixStructure(
         [Parameter("ties", 0.0, lower=0.0)],
         [],
@@ -162,7 +162,7 @@ def test_derivatives_of_all_parameters_in_any_order() -> None:
     assert structure.predict(values, ()).rates.shape == (2, 4, 0)
 
 
-def test_predictions_do_not_depend_on_those_before() -> None:
+def test_predictions_do_not_depend_on_earlier_ones() -> None:
     structure = frame(LOADS, exact=False)
     values = declared(structure)
     first = structure.predict(values, range(7)).rates
@@ -240,12 +240,12 @@ def test_a_structure_that_buckles_has_no_frequencies() -> None:
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
-def test_matrices_that_are_no_numbers_are_a_value_that_cannot_be_evaluated(bad: float) -> None:
+def test_matrices_that_are_not_finite_are_a_value_that_cannot_be_evaluated(bad: float) -> None:
     structure = single(lambda x: 1.0 if x < 1.0 else bad)
     assert np.isnan(structure.predict(np.array([2.0]), (0,)).eigenvalues).all()
 
 
-# What is refused -------------------------------------------------------------------------------------------
+# Refused arguments -----------------------------------------------------------------------------------------
 
 
 def build(**changes: Any) -> MatrixStructure:
@@ -284,7 +284,7 @@ def constant(M: Any, K: Any) -> Callable:
         ({"matrices": constant([[1.0, 2.0], [2.0, 1.0]], np.eye(2))}, "expected M positive definite"),
         (
             {"candidates": [Candidate("c", ("d",))]},
-            r'a parameter "d" that is not there.*parameters are: k, c',
+            r'its parameter "d" does not exist.*parameters are: k, c',
         ),
         ({"candidates": [Candidate("c", ())]}, "expected different parameters"),
         ({"candidates": [Candidate("c", ("c", "c"))]}, "expected different parameters"),
@@ -305,13 +305,13 @@ def constant(M: Any, K: Any) -> Callable:
         ({"parameters": [Parameter("c", 0.0, sigma=-1.0)]}, "expected a standard deviation of at least 0"),
     ],
 )
-def test_what_contradicts_itself_is_refused(changes: dict[str, Any], message: str) -> None:
+def test_contradictory_arguments_are_refused(changes: dict[str, Any], message: str) -> None:
     with pytest.raises(PkmodesError, match=message) as error:
         build(**changes)
     assert "; " in str(error.value)  # what to do about it
 
 
-def test_a_value_known_exactly_is_no_suspect() -> None:
+def test_a_value_known_exactly_is_not_a_suspect() -> None:
     with pytest.raises(PkmodesError, match="known exactly"):
         build(parameters=[Parameter("c", 0.0, sigma=0.0)])
 
@@ -323,7 +323,7 @@ def test_rounding_does_not_make_matrices_unsymmetric_or_masses_negative() -> Non
     assert build(matrices=constant(M, np.eye(2))).channels == ("a", "b")
 
 
-# Setups by their labels ------------------------------------------------------------------------------------
+# Setups by label -------------------------------------------------------------------------------------------
 
 
 def test_the_order_of_setups_is_that_of_the_labels_not_of_the_rows() -> None:
@@ -335,7 +335,7 @@ def test_the_order_of_setups_is_that_of_the_labels_not_of_the_rows() -> None:
     assert [row.predicted for row in turned.rows] == [row.predicted for row in plain.rows[::-1]]
     assert turned.chi2_per_dof == pytest.approx(plain.chi2_per_dof)
     assert plain.p_value > 1e-3
-    # More setups than were measured are no matter, fewer are.
+    # Setups that were not measured are ignored; missing ones are refused.
     assert compare(frame({"spare": 9.0, **LOADS}), data).rms_relative == plain.rms_relative
     with pytest.raises(PkmodesError, match=r'no setup "loaded", which was measured.*setups are: "empty"'):
         compare(frame({"empty": 0.0}), data)
@@ -365,12 +365,12 @@ def test_a_structure_without_labels_is_measured_under_any(label: str) -> None:
 
 def test_a_structure_without_labels_is_not_measured_under_several() -> None:
     data = frame_measured(LOADS, {}, np.random.default_rng(0))
-    with pytest.raises(PkmodesError, match="2 setups were measured, and the structure names none") as error:
+    with pytest.raises(PkmodesError, match="2 setups were measured, but the structure names none") as error:
         compare(nameless(), data)
     assert error.value.remedy == 'pass setups=["empty", "loaded"] to MatrixStructure'
 
 
-def test_a_comparison_is_prediction_beside_measurement() -> None:
+def test_a_comparison_pairs_predictions_with_measurements() -> None:
     structure = uniform()
     eigenvalues, _ = closed_form()
     f = np.sqrt(eigenvalues) / (2 * np.pi)

@@ -1,4 +1,4 @@
-"""Causes of which one is a special case of the other: what is claimed of them, and when a claim is refused for one.
+"""Nested causes: which one is claimed, and when a claim of the special case is refused.
 
 Structures whose frequencies' logarithms are linear in the parameters: a component of z standard deviations of the
 data in the directions that only the general cause has is a chi-square of z^2, with one degree of freedom for
@@ -22,14 +22,14 @@ from small_structures import SIGMA, LogLinear, logs_measured
 SETUPS, MODES = 10, 5
 #: Orthonormal directions in the space of all rows.
 DIRECTIONS = np.linalg.qr(np.random.default_rng(7).standard_normal((SETUPS * MODES, 8)))[0].T
-#: What three parts do, the same in all of them, and what differs between them.
+#: Signatures of three parts: the common one, and the differences between them.
 PARTS = DIRECTIONS[:3]
 SHARED = PARTS.sum(axis=0) / np.sqrt(3.0)
 DIFFERENT = (PARTS[0] - PARTS[1]) / np.sqrt(2.0)
 
 
 def structure(special: np.ndarray, general_of: str = "", *, remote: bool = False) -> LogLinear:
-    """A special cause, a general one of three parameters, and one that has nothing to do with them."""
+    """A special cause, a general one with three parameters, and an unrelated one."""
     columns = [special, *PARTS, DIRECTIONS[4]]
     base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (SETUPS, 1))
     G = np.stack([column.reshape(SETUPS, MODES) for column in columns], axis=-1) * SIGMA
@@ -39,7 +39,7 @@ def structure(special: np.ndarray, general_of: str = "", *, remote: bool = False
 
 
 def measured(model: LogLinear, change: np.ndarray) -> Measurements:
-    """All frequencies changed so, in standard deviations, beside errors as stated."""
+    """Frequency changes in standard deviations, with errors as stated."""
     errors = 0.9 * np.random.default_rng(3).standard_normal(SETUPS * MODES)
     errors -= DIRECTIONS.T @ (DIRECTIONS @ errors)  # none in the directions of the causes: z is exact
     y = model.base + SIGMA * (change + errors).reshape(SETUPS, MODES)
@@ -79,12 +79,12 @@ def test_a_special_case_is_withdrawn_where_its_class_does_not_list_the_general_c
 
 
 def test_a_cause_that_is_nearly_a_special_case_is_withdrawn() -> None:
-    """One twentieth of what it does is beyond the other's span: another cause."""
+    """One twentieth of its signature is outside the other's span: it is another cause."""
     nearly = SHARED + 0.05 * DIRECTIONS[5]
     nearly /= np.linalg.norm(nearly)
     diagnosis = found(structure(nearly), 30.0 * nearly + 3.0 * DIFFERENT)
     assert diagnosis.verdict == "ambiguous"
-    assert "with sigma x 0.5 general would do so better" in diagnosis.reason
+    assert "with sigma x 0.5, general would do so better" in diagnosis.reason
 
 
 def test_a_special_case_is_not_claimed_where_the_general_cause_is_needed() -> None:
@@ -96,7 +96,7 @@ def test_a_special_case_is_not_claimed_where_the_general_cause_is_needed() -> No
 
 @pytest.mark.parametrize(("z", "claimed"), [(3.6, True), (3.85, False)])
 def test_a_claim_is_refused_where_its_general_form_is_significantly_better(z: float, claimed: bool) -> None:
-    """Two parameters more: 0.1 % of chi-square is above 13.82, which is 3.72 squared."""
+    """Two additional parameters: 0.1 % of chi-square is above 13.82, which is 3.72 squared."""
     diagnosis = found(structure(SHARED, general_of="special"), 30.0 * SHARED + z * DIFFERENT)
     if claimed:
         (effect,) = diagnosis.effects
@@ -128,8 +128,8 @@ def test_a_claim_is_not_refused_because_a_close_mode_would_be_a_better_partner()
 
 
 @pytest.mark.parametrize("remote", [False, True])
-def test_a_general_form_is_no_cause_of_its_own(remote: bool) -> None:
-    """What only the general form explains is neither claimed nor pointed at, and other claims are not touched."""
+def test_a_general_form_is_never_claimed(remote: bool) -> None:
+    """A cause that only the general form explains is neither claimed nor named, and other claims are unaffected."""
     model = structure(SHARED, general_of="special", remote=remote)
     diagnosis = found(model, 30.0 * DIFFERENT)
     assert diagnosis.verdict == "unexplained"

@@ -1,4 +1,4 @@
-"""What a person should read beside a verdict, and what a verdict rests on."""
+"""Notes to a verdict, and its stability."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def notes(data: Measurements, **options: float) -> Diagnosis:
     return diagnose(structure(**options), data, holdout=())
 
 
-def test_good_measurements_of_a_good_model_leave_nothing_to_say() -> None:
+def test_good_measurements_of_a_good_model_give_no_notes() -> None:
     found = notes(measured())
     assert found.verdict == "adequate"
     assert found.notes == ()
@@ -87,7 +87,7 @@ def test_frequencies_in_another_unit_are_noticed_before_any_cause(factor: float,
     assert found.notes[0] == found.reason
 
 
-def test_a_wrong_unit_in_the_header_is_told_by_what_the_numbers_are() -> None:
+def test_a_wrong_unit_in_the_header_is_recognised_from_the_numbers() -> None:
     data = measured()
     for header, hertz, is_in in (
         ("kHz", 1e3, "Hz"),
@@ -123,7 +123,7 @@ def test_frequencies_that_were_converted_twice_are_recognised() -> None:
     assert "multiply them by 6.283" in found.reason
 
 
-def test_a_comparison_says_what_looks_like_another_unit() -> None:
+def test_a_comparison_notes_another_unit() -> None:
     data = measured()
     assert compare(structure(), data).notes == ()
     (note,) = compare(
@@ -151,7 +151,7 @@ def test_exchanged_channels_are_noticed() -> None:
         )
 
 
-def test_a_sensor_that_gives_nothing_is_noticed() -> None:
+def test_a_dead_sensor_is_noticed() -> None:
     data = measured()
     dead = notes(replace(data, shapes=data.shapes * [1.0, 0.0, 1.0, 1.0]))
     assert dead.verdict == "unexplained"
@@ -166,7 +166,7 @@ def test_a_shape_that_was_copied_to_another_row_is_named_with_both_lines() -> No
     shapes = data.shapes.copy()
     shapes[9] = shapes[2]
     found = diagnose(structure(), replace(data, shapes=shapes), holdout=[data.labels[2]])
-    assert "the shapes in lines 3 and 10 are the same, number by number: was one copied?" in found.notes
+    assert "the shapes in lines 3 and 10 are identical: was one copied?" in found.notes
 
 
 def test_poses_at_one_position_with_other_frequencies_are_named() -> None:
@@ -229,18 +229,18 @@ def test_a_mode_in_the_band_that_was_never_measured_is_named() -> None:
         band=(1.0, 100.0),
     )
     (note,) = notes(kept).notes
-    assert "expected at 5 poses and never measured" in note
+    assert "expected at 5 poses but never measured" in note
     low, high = (float(text) for text in note.split(" Hz was")[0].removeprefix("a mode at ").split(" to "))
     assert low * 0.99 <= data.frequency[third].min()
     assert high * 1.01 >= data.frequency[third].max()
 
 
-def test_a_residual_that_goes_with_the_pose_is_called_that_and_not_a_wrong_sigma() -> None:
+def test_a_residual_that_varies_with_the_pose_is_not_called_a_wrong_sigma() -> None:
     data = measured(shapes=False)
     drift = np.linspace(0.25, -0.29, 5)[data.pose]
     found = notes(replace(data, frequency=data.frequency * (1.0 + drift)), sigma=0.001)
     assert found.verdict == "unexplained"
-    assert "goes with the pose, from +" in found.reason
+    assert "varies with the pose, from +" in found.reason
     assert "sigma is too small" not in found.reason
 
 
@@ -265,10 +265,12 @@ def test_a_diagnosis_is_printed_in_a_few_lines() -> None:
     stages = [line for line in lines if "chi2 per degree of freedom" in line]
     assert [line.split()[0] for line in stages] == ["before", "refit", "after"]
     assert len(lines) == 5 + len(found.notes)
-    assert str(notes(measured(shapes=False))).startswith("adequate: what the declared model leaves is noise")
+    assert str(notes(measured(shapes=False))).startswith(
+        "adequate: the residual of the declared model is noise"
+    )
 
 
-def test_a_cause_that_other_errors_would_exchange_is_not_claimed() -> None:
+def test_a_cause_that_other_errors_would_replace_is_not_claimed() -> None:
     """a is exact with the nuisance at five sigma, b needs less of it and leaves 7: doubled errors prefer b."""
     rng = np.random.default_rng(8)
     base = np.tile(np.log(10.0) + 0.35 * np.arange(5), (4, 1))
@@ -283,7 +285,7 @@ def test_a_cause_that_other_errors_would_exchange_is_not_claimed() -> None:
     assert found.verdict == "ambiguous"
     assert found.effects == ()
     assert found.survivors == (("a",), ("b",))
-    assert "with sigma x 2 b would do so better" in found.reason
+    assert "with sigma x 2, b would do so better" in found.reason
 
 
 def six_modes(missed: list[tuple[int, int]], added: float) -> tuple[Fitter, LogLinear]:
@@ -297,7 +299,7 @@ def six_modes(missed: list[tuple[int, int]], added: float) -> tuple[Fitter, LogL
     return Fitter(model, Measurements.from_rows([f"P{i}" for i, _ in kept], f, SIGMA * f)), model
 
 
-def test_added_modes_that_nobody_measured_speak_against_a_cause_by_the_hypergeometric_law() -> None:
+def test_added_modes_that_nobody_measured_contradict_a_cause_by_the_hypergeometric_distribution() -> None:
     for missed in ([], [(i, 2) for i in range(5)]):
         fitter, model = six_modes(missed, -0.45)
         declared = fitter.fit(Hypothesis())
@@ -314,7 +316,7 @@ def test_added_modes_that_nobody_measured_speak_against_a_cause_by_the_hypergeom
         assert expected < 1e-3
 
 
-def test_what_lies_above_the_highest_measured_mode_is_not_missed_whatever_the_band() -> None:
+def test_modes_above_the_highest_measured_one_are_not_counted_as_missed_whatever_the_band() -> None:
     """A test may have stopped there."""
     fitter, model = six_modes([], 0.0)
     for limit in (1.1, 10.0):

@@ -43,7 +43,7 @@ MISTAKEN = ["rad/s for Hz", "rpm for Hz", "all shapes equal", "sigma far too lar
 
 
 def case(suite: str, kind: str, robot: str = "", place: int = -1) -> Case:
-    """One of the cases of a kind; of several strengths the largest is the last."""
+    """One of the cases of a kind; if there are several strengths, the last is the largest."""
     found = [c for c in SUITES[suite]() if c.kind == kind and robot in ("", c.truth.robot)]
     return found[place]
 
@@ -93,16 +93,18 @@ def test_a_cause_outside_the_catalogue_is_not_given_a_name_from_it(kind: str, ro
 
 
 @pytest.mark.parametrize("robot", ["published", "asymmetric"])
-def test_one_soft_gearbox_of_three_is_not_claimed_but_pointed_at(robot: str) -> None:
+def test_one_soft_gearbox_of_three_is_not_claimed_but_named(robot: str) -> None:
     outcome = run(case("outside the catalogue", "one_gearbox", robot))
     assert outcome.verdict == "unexplained"
     assert "gearbox_compliance of psi_2 alone" in outcome.reason
 
 
-def test_a_frame_that_yields_in_one_oblique_direction_is_not_a_frame_that_yields_alike_in_all() -> None:
+def test_a_frame_that_yields_in_one_oblique_direction_is_not_taken_for_one_that_yields_equally_in_all() -> (
+    None
+):
     outcome = run(replace(numbered("outside the catalogue", 43), seed=PUBLISHED))
     assert outcome.verdict == "unexplained"
-    assert "frame_compliance with another value in each joint" in outcome.reason
+    assert "frame_compliance with a separate value in each joint" in outcome.reason
 
 
 def test_a_wrong_belt_is_named_though_unequal_belts_would_do_as_well() -> None:
@@ -117,7 +119,7 @@ def test_a_moving_frame_is_found_where_its_first_fit_paired_a_mode_wrongly() -> 
     assert_named(run(replace(numbered("modes missed", 32), seed=PUBLISHED)))
 
 
-def test_one_heavy_carriage_of_three_is_pointed_at_and_found_when_asked_for() -> None:
+def test_one_heavy_carriage_of_three_is_named_and_found_when_it_is_a_candidate() -> None:
     truth = with_wrong("published", "axis.2.carriage.mass", 0.3)
     path = "parameter:axis.2.carriage.mass"
     text = measured(Case("special", 1000, "scattered", truth, (path,)))
@@ -174,7 +176,7 @@ def test_errors_stated_too_small_are_not_taken_for_a_cause() -> None:
     assert "sigma" in outcome.reason
 
 
-def test_an_error_that_the_modes_of_a_pose_share_is_seen_as_one() -> None:
+def test_an_error_that_the_modes_of_a_pose_share_is_recognised() -> None:
     shared = case("special", "error common to a pose", place=0)
     outcome = run(shared)
     assert outcome.verdict == "adequate", outcome.reason
@@ -203,7 +205,7 @@ def test_a_robot_that_lacks_nothing_is_adequate_in_any_laboratory(place: int) ->
 
 
 @pytest.mark.parametrize("number", FEW_ROWS)
-def test_few_rows_make_no_confident_wrong_answer(number: int) -> None:
+def test_few_rows_do_not_give_a_confident_wrong_answer(number: int) -> None:
     outcome = run(numbered("few rows", number))
     assert outcome.rows <= 8
     assert outcome.state != "wrong", outcome.reason
@@ -229,7 +231,7 @@ def test_no_cause_is_claimed_for_a_mistake_of_the_experimenter(mistake: str) -> 
 
 
 def test_a_class_with_none_of_the_causes_is_wrong_whatever_else_is_found() -> None:
-    """The judge of the suites, on verdicts that are made up."""
+    """The judge of the suites, on invented verdicts."""
     template = diagnosed(measured(case("nothing missing", "nothing", place=0)), "published")
     finding = Finding("payload", ("payload",), (), {}, 0.0, "")
     assert judged(("payload",), template) == "adequate"
@@ -304,7 +306,7 @@ def test_the_predicted_signal_is_that_of_the_modes_that_were_found() -> None:
 
 
 @pytest.mark.parametrize("number", [52, 59])
-def test_a_fit_whose_modes_are_paired_with_the_wrong_ones_is_led_out_of_there(number: int) -> None:
+def test_a_fit_with_wrong_mode_pairing_leaves_its_local_minimum(number: int) -> None:
     """A frame with modes missed: the fit had stopped at a chi2 of 10 or 140 per degree of freedom, near the truth."""
     outcome = run(replace(numbered("modes missed", number), seed=20261202))
     assert outcome.case.names == ("frame_compliance",)

@@ -16,7 +16,7 @@ RIGHT = 3.0
 
 
 def case(mechanism: str, suite: str, kind: str, place: int = -1) -> MechanismCase:
-    """One of the cases of a kind; of several strengths the largest is the last."""
+    """One of the cases of a kind; if there are several strengths, the last is the largest."""
     found = [c for c in cases() if (c.specimen.mechanism, c.suite, c.kind) == (mechanism, suite, kind)]
     return found[place]
 

@@ -1,4 +1,4 @@
-"""Which measured mode is which mode of the model: what must hold however modes are ordered, scaled and missed."""
+"""Mode pairing: properties that must hold for any order, scale and missing modes."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def test_without_shapes_the_sum_of_squares_is_the_least_of_all_one_to_one_assign
         assert np.sum((logs - np.log(model[found])) ** 2) == pytest.approx(least)
 
 
-def test_modes_of_the_model_are_given_away_once_though_more_were_measured() -> None:
+def test_modes_of_the_model_are_assigned_once_although_more_were_measured() -> None:
     found = pair(measured([10.0, 10.2, 10.4]), predicted([10.3, 20.0])).partner
     assert sorted(found) == [-1, -1, 0]
     assert found[2] == 0 or found[1] == 0
@@ -71,7 +71,7 @@ def test_the_same_shape_at_twice_the_frequency_is_another_mode() -> None:
 
 
 @pytest.mark.parametrize("turn", [0.0, 0.3, np.pi / 4, 1.2])
-def test_close_modes_are_compared_as_a_space(turn: float) -> None:
+def test_close_modes_are_compared_as_a_subspace(turn: float) -> None:
     shapes = np.eye(4, 5)
     rotated = shapes.copy()
     c, s = np.cos(turn), np.sin(turn)
@@ -82,7 +82,7 @@ def test_close_modes_are_compared_as_a_space(turn: float) -> None:
     assert together.partner.tolist() == [0, 1, 2, 3]
     assert together.mac == pytest.approx(1.0)  # any combination of two close modes is in their space
     apart = pair(measured([10.0, 10.5, 20.0, 30.0], rotated), predicted([10.0, 10.5, 20.0, 30.0], shapes))
-    # Apart from each other they are two shapes.  All channels weigh the same here, whatever the angle.
+    # At separate frequencies they are two shapes.  All channels have the same weight here, for any angle.
     larger = max(c**2, s**2)
     assert apart.mac == pytest.approx([larger, larger, 1.0, 1.0])
 
@@ -106,7 +106,7 @@ def test_close_modes_that_the_sensors_cannot_tell_apart_span_no_more_than_they_s
 
 
 @pytest.mark.parametrize("size", [1.0, 1e-6, 1e20, 1e-170])
-def test_scale_and_sign_of_a_row_mean_nothing(size: float) -> None:
+def test_scale_and_sign_of_a_row_are_irrelevant(size: float) -> None:
     rng = np.random.default_rng(30)
     shapes = random_shapes(3)
     noisy = shapes + 0.1 * rng.standard_normal(shapes.shape)
@@ -138,7 +138,7 @@ def test_blank_components_are_left_out_of_the_comparison() -> None:
     assert found.mac == pytest.approx(1.0)
 
 
-def test_one_component_is_no_shape() -> None:
+def test_one_component_is_not_a_shape() -> None:
     shapes = random_shapes(6, 3)
     rows = np.full((3, 5), np.nan)
     rows[:, 2] = [1.0, 2.0, 3.0]
@@ -155,7 +155,7 @@ def test_a_measured_mode_that_the_model_lacks_stays_unpaired(extra: float, with_
     shapes = random_shapes(7, 5)
     frequencies = [extra, *model]
     data = measured(frequencies, shapes[[4, 0, 1, 2, 3]] if with_shapes else None)
-    # The model has more modes than that, so that the stray one could push the others along.
+    # The model has more modes than were measured, so the stray one could shift the others.
     prediction = predicted([*model, 110.0], np.vstack([shapes[:4], random_shapes(8, 1)]))
     assert pair(data, prediction).partner.tolist() == [-1, 0, 1, 2, 3]
 
@@ -175,7 +175,7 @@ def test_rigid_modes_are_never_partners() -> None:
 
 
 @pytest.mark.parametrize("unit", [1.0, 1e3, 1e-3])
-def test_metres_beside_radians_weigh_alike(unit: float) -> None:
+def test_metres_and_radians_have_equal_weight(unit: float) -> None:
     # Modes 0 and 1 differ in the small channel only; beside metres a plain MAC would call them the same shape.
     shapes = np.array([[1.0, 0.5, 0.2, 0.1, 1e-4], [1.0, 0.5, 0.2, 0.1, -1e-4], [0.1, 0.9, -0.8, 0.3, 1e-4]])
     shapes *= np.array([1.0, 1.0, 1.0, 1.0, unit])
@@ -208,7 +208,7 @@ def test_a_setup_that_cannot_be_evaluated_has_no_partners() -> None:
     assert pair(data, prediction).partner.tolist() == [0, -1]
 
 
-def test_a_mode_at_zero_frequency_is_no_partner() -> None:
+def test_a_mode_at_zero_frequency_is_not_a_partner() -> None:
     assert pair(measured([10.0, 20.0]), predicted([0.0, 10.0, 20.0])).partner.tolist() == [1, 2]
 
 
@@ -217,8 +217,8 @@ def test_a_channel_that_the_model_lacks_is_refused() -> None:
         Pairer(measured([10.0], np.ones((1, 2)), channels=("a", "roof")), CHANNELS)
 
 
-def test_a_hypothesis_that_adds_modes_is_measured_by_the_same_weights() -> None:
-    """A mode far above that moves one channel a lot makes that channel light: errors there would count less."""
+def test_a_hypothesis_that_adds_modes_is_compared_with_the_same_weights() -> None:
+    """A high mode with a large motion at one channel would reduce the weight of errors there."""
     shapes = random_shapes(8, 2)
     noisy = shapes.copy()
     noisy[:, 0] += 0.5
@@ -235,8 +235,8 @@ def test_a_hypothesis_that_adds_modes_is_measured_by_the_same_weights() -> None:
     np.testing.assert_allclose(same[0], own[0])
 
 
-def test_a_hypothesis_that_brings_two_modes_together_is_not_judged_more_mildly() -> None:
-    """Shapes that were measured at frequencies far apart are compared one by one, whatever the model's do."""
+def test_a_hypothesis_that_brings_two_modes_together_is_not_judged_less_strictly() -> None:
+    """Shapes measured at well-separated frequencies are compared one by one, whatever the model's frequencies."""
     shapes = random_shapes(9, 2)
     turned = shapes @ np.eye(len(CHANNELS)) + 0.3 * shapes[::-1]
     data, every = measured([10.0, 11.0], turned), np.ones(2, dtype=bool)
@@ -244,6 +244,6 @@ def test_a_hypothesis_that_brings_two_modes_together_is_not_judged_more_mildly()
     pairer = Pairer(data, CHANNELS, apart)
     assert (pairer.pair(apart, every).mac < 0.99).all()
     np.testing.assert_allclose(pairer.pair(together, every).mac, pairer.pair(apart, every).mac)
-    # Measured close together they may be turned into each other.
+    # Measured close together, they may mix.
     close = measured([10.0, 10.1], turned)
     np.testing.assert_allclose(Pairer(close, CHANNELS, apart).pair(apart, every).mac, 1.0)

@@ -21,7 +21,7 @@ def structure(sigma: tuple[float, ...] | None, *, seed: int = 3, log: bool = Fal
     return found
 
 
-def test_a_prior_of_a_candidate_pulls_its_value_as_bayes_has_it() -> None:
+def test_a_prior_of_a_candidate_pulls_its_value_as_in_bayes_rule() -> None:
     model = structure((1.5,))
     y = model.base + model.G @ [0.5, 4.0]
     fitter = Fitter(model, logs_measured(y, SIGMA))
@@ -35,7 +35,7 @@ def test_a_prior_of_a_candidate_pulls_its_value_as_bayes_has_it() -> None:
     assert fit.covariance == pytest.approx(np.linalg.inv(J.T @ J), rel=1e-6)
 
 
-def test_its_price_is_what_the_data_narrow_it_by() -> None:
+def test_its_penalty_is_the_narrowing_by_the_data() -> None:
     """Laplace's approximation of the evidence: the prior's volume over the posterior's."""
     for sigma in (0.01, 1.5, 100.0):
         model = structure((sigma,))

@@ -1,4 +1,4 @@
-"""The lines of the published table say what came out: counted right, and held only where they are."""
+"""The published table of requirements: counts, and which requirements hold."""
 
 from __future__ import annotations
 

@@ -92,7 +92,7 @@ def test_the_gain_is_the_drop_with_a_shared_error_and_uncertain_positions() -> N
     assert one.largest == pytest.approx(np.abs(model.G[..., 2]).max())
 
 
-def test_what_the_nuisances_can_do_is_no_credit_to_a_candidate() -> None:
+def test_a_candidate_gets_no_credit_for_what_the_nuisances_explain() -> None:
     model = structure(2, {"like n1": (1, -np.inf), "nearly": (1, -np.inf), "nothing": (1, -np.inf)})
     free = [Parameter("n1", 0.0, sigma=1e9), *model.parameters[1:]]
     model.G[..., 2] = 3.0 * model.G[..., 0]
@@ -141,7 +141,7 @@ def test_a_cause_that_cannot_be_positive_counts_in_the_other() -> None:
     assert p_values[1] > 0.99
 
 
-def test_parameters_that_do_the_same_count_once() -> None:
+def test_parameters_with_the_same_effect_count_once() -> None:
     model = structure(5, {"one": (1, -np.inf), "twins": (2, -np.inf), "half blind": (2, -np.inf)})
     model.G[..., 3] = model.G[..., 4] = model.G[..., 5] = model.G[..., 2]
     model.G[..., 6] = 0.0
@@ -158,7 +158,7 @@ def test_parameters_that_do_the_same_count_once() -> None:
     assert blind.sigma == pytest.approx([one.sigma[0], np.inf])
 
 
-def test_without_candidates_nothing_is_remarkable() -> None:
+def test_without_candidates_the_p_value_is_one() -> None:
     model = structure(6, {})
     nothing = score(*fit(model, data(model, {}, 6)), ())
     assert nothing == Scores((), ())
@@ -203,7 +203,7 @@ def test_causes_of_one_sign_are_one_if_they_do_the_same_and_two_if_the_opposite(
         assert found.p_value == pytest.approx(min(count * smallest, 1.0), abs=0.014)
 
 
-def test_p_values_that_no_draw_reaches_are_small_and_not_nought() -> None:
+def test_p_values_that_no_draw_reaches_are_small_but_not_zero() -> None:
     model = structure(9, {f"c{i}": (1, -np.inf) for i in range(5)})
     for size in (2.0, 3.0, 5.0):
         found = score(*fit(model, data(model, {"c00": size}, 9)), model.candidates)
@@ -238,5 +238,5 @@ def test_the_p_value_of_the_best_of_many_is_uniform_under_the_hypothesis(
     assert stats.kstest(found, "uniform").statistic < 1.95 / np.sqrt(draws)
     for level in (0.05, 0.01):
         assert np.sum(found <= level) <= stats.binom.isf(0.001, draws, level)
-    # Taken for itself the best candidate would raise an alarm in far more than 5 %.
+    # Without correction, the best candidate would raise an alarm in far more than 5 %.
     assert np.mean(smallest <= 0.05) > 0.25

@@ -58,12 +58,12 @@ def test_sensors_measure_any_combination_of_coordinates(form: Any) -> None:
         ),
         ({"channels": ["a"], "coordinates": ["a", "b"]}, r"shape \(2, 2\) for 2 coordinates, found \(4, 4\)"),
         ({"channels": ["a"], "coordinates": ["a", "b", "b", "c"]}, 'two coordinates are called "b"'),
-        ({"channels": ["a"], "sensors": np.eye(4)}, "expected 1 rows for as many channels"),
+        ({"channels": ["a"], "sensors": np.eye(4)}, r"expected one row for each channel \(1\)"),
         (
             {"channels": ["a"], "sensors": [[1, 0, 0]]},
             r"shape \(3, 3\) for 3 columns of sensors, found \(4, 4\)",
         ),
-        ({"channels": ["a"], "sensors": [1, 0, 0, 0]}, "expected 1 rows"),
+        ({"channels": ["a"], "sensors": [1, 0, 0, 0]}, "expected one row for each channel"),
         ({"channels": ["a"], "sensors": [[1, 0, np.nan, 0]]}, "expected finite real numbers"),
         ({"channels": ["a"], "sensors": [[1, 0, 1j, 0]]}, "expected finite real numbers"),
         ({"channels": ["a"], "sensors": [["x", "y", "z", "q"]]}, "sensors"),
@@ -71,9 +71,9 @@ def test_sensors_measure_any_combination_of_coordinates(form: Any) -> None:
         ({"channels": ["a", "b"], "sensors": [[1, 0, 0, 0], [0] * 4]}, 'channel "b" measures nothing'),
         ({"channels": FOUR, "sensors": np.eye(4), "coordinates": FOUR}, "found both"),
         ({"channels": ["a", "b"]}, "give one channel for each coordinate, or coordinates= or sensors="),
-        ({"modes": 0}, "expected more modes than the rigid ones"),
-        ({"modes": 2, "rigid": 2}, "expected more modes than the rigid ones"),
-        ({"modes": 2.5}, "in whole numbers, found 2.5"),
+        ({"modes": 0}, "more than the 0 rigid ones, found 0"),
+        ({"modes": 2, "rigid": 2}, "more than the 2 rigid ones, found 2"),
+        ({"modes": 2.5}, "expected a whole number of modes, .*found 2.5"),
     ],
 )
 def test_sensors_that_do_not_fit_are_refused(options: dict[str, Any], message: str) -> None:

@@ -36,7 +36,7 @@ def differences(structure: MatrixStructure, values: np.ndarray, steps: np.ndarra
 
 
 def parametric(n: int, still: int, few: bool) -> MatrixStructure:
-    """A structure with motions without mass, of which all modes are asked for, or few."""
+    """A structure with massless motions, with all or few modes."""
     M, K, _ = mixture(n, still, 3)
     rng = np.random.default_rng(n)
     A, B = rng.standard_normal((2, n, n))
@@ -53,7 +53,7 @@ def parametric(n: int, still: int, few: bool) -> MatrixStructure:
 
 @pytest.mark.parametrize("few", [False, True])
 @pytest.mark.parametrize(("n", "still"), [(5, 0), (7, 2), (40, 0), (40, 12)])
-def test_derivatives_of_shapes_are_those_of_differences(n: int, still: int, few: bool) -> None:
+def test_derivatives_of_shapes_agree_with_differences(n: int, still: int, few: bool) -> None:
     structure = parametric(n, still, few)
     values = np.array([0.2, 0.05])
     found = every(structure, values, (0, 1))
@@ -63,7 +63,7 @@ def test_derivatives_of_shapes_are_those_of_differences(n: int, still: int, few:
     assert structure.predict(values, (0, 1)).shape_rates is None
 
 
-def test_few_modes_have_the_derivatives_that_all_have() -> None:
+def test_few_modes_have_the_same_derivatives_as_all() -> None:
     one, other = (parametric(40, 0, few) for few in (False, True))
     whole, part = (structure.predict(np.zeros(2), (0, 1), shape_rates=True) for structure in (one, other))
     signs = np.sign((whole.shapes[:, :4] * part.shapes).sum(axis=-1))[..., None, None]
@@ -101,8 +101,8 @@ def test_derivatives_of_shapes_of_a_large_structure(still: bool) -> None:
     assert found == pytest.approx(expected, abs=1e-6 * np.abs(expected).max())
 
 
-def test_shapes_of_coinciding_modes_turn_as_fast_as_the_limit_says() -> None:
-    # Two equal masses on equal springs: a coupling c splits them, and turns their shapes at once.
+def test_shapes_of_coincident_modes_rotate_as_fast_as_the_limit() -> None:
+    # Two equal masses on equal springs: a coupling c splits them, and rotates their shapes immediately.
     structure = MatrixStructure(
         [Parameter("c", 0.0)],
         [],
@@ -110,7 +110,7 @@ def test_shapes_of_coinciding_modes_turn_as_fast_as_the_limit_says() -> None:
         channels=["a", "b", "c"],
     )
     found = every(structure, np.zeros(1), (0,))
-    # phi_1 turns towards phi_2 by 1 / (lambda_1 - lambda_2), where the gap counts as 4e-6 instead of 1e-9.
+    # phi_1 rotates towards phi_2 by 1 / (lambda_1 - lambda_2), where the gap counts as 4e-6 instead of 1e-9.
     assert found[0, 0, :, 0] == pytest.approx([0.0, -1 / 4e-6, 0.0], rel=1e-6)
     assert found[0, 1, :, 0] == pytest.approx([1 / 4e-6, 0.0, 0.0], rel=1e-6)
     exact = MatrixStructure(
@@ -124,7 +124,7 @@ def test_shapes_of_coinciding_modes_turn_as_fast_as_the_limit_says() -> None:
 
 
 @pytest.mark.parametrize("n", [30, 240])
-def test_a_mode_that_coincides_with_the_first_one_left_out_turns_as_fast(n: int) -> None:
+def test_a_mode_that_coincides_with_the_first_one_left_out_rotates_as_fast(n: int) -> None:
     level = np.concatenate([[1.0, 4.0, 4.0 + 1e-9], 10.0 + np.arange(n - 3)])
 
     def matrices(values, setup) -> tuple[Any, Any]:
@@ -158,12 +158,12 @@ def test_derivatives_of_some_modes_in_any_arrangement() -> None:
     assert (found[setups, modes] == whole[setups, modes]).all()
     none = structure.predict(np.zeros(1), (), shape_rates=True).shape_rates
     assert none[setups, modes].shape == (3, 2, 2, 0)
-    # More mass than B has is taken away: nothing is known there.
+    # More mass than B has is removed: there are no modes.
     part = structure.predict(np.array([3.5]), (0,), shape_rates=True).shape_rates
     assert np.isnan(part[np.array([0, 1]), np.array([0, 0])]).all(axis=(1, 2)).tolist() == [False, True]
 
 
-# How they are found ----------------------------------------------------------------------------------------
+# Algorithms ------------------------------------------------------------------------------------------------
 
 
 def row(n: int, form: Callable, *, free: bool = False, still: bool = False) -> Callable:

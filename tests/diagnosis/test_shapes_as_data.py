@@ -1,4 +1,4 @@
-"""Shapes as data of a fit: residuals, derivatives, and what they decide that frequencies alone do not."""
+"""Shapes as data of a fit: residuals, derivatives, and decisions that frequencies alone do not allow."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ def chain_modes(changes: dict[str, float]) -> tuple[np.ndarray, np.ndarray]:
     return np.sqrt(eigenvalues) / (2 * np.pi), vectors.T
 
 
-def test_derivatives_of_the_residual_are_those_of_differences() -> None:
+def test_derivatives_of_the_residual_agree_with_differences() -> None:
     structure = chain_structure(m=0.2, k1=1e3)
     frequencies, shapes = chain_modes({"k2": 5e4})
     data = Measurements.from_rows(
@@ -151,7 +151,7 @@ def test_the_shape_rates_of_a_robot_are_those_of_nelsons_linear_systems(effects:
         assert ours[:, 3:] / scale == pytest.approx(theirs[:, 3:] / scale, abs=1e-6)
 
 
-def test_a_platforms_shape_rates_are_those_of_differences() -> None:
+def test_a_platforms_shape_rates_agree_with_differences() -> None:
     robot = read("tower")
     points = np.array(POSES["tower"]["scattered"][:2])
     structure = RobotStructure(robot, points, *suspects(robot))
@@ -171,8 +171,8 @@ def test_a_platforms_shape_rates_are_those_of_differences() -> None:
         assert at.shape_rates[:, 3:, -3:, 0] / scale == pytest.approx((a - b) / (2 * step) / scale, abs=1e-5)
 
 
-def test_shapes_tell_causes_apart_that_explain_the_frequencies_alike() -> None:
-    """A chain of equal masses that is the same from both ends: its frequencies do not say which spring is soft."""
+def test_shapes_distinguish_causes_that_explain_the_frequencies_equally_well() -> None:
+    """A symmetric chain of equal masses: its frequencies do not tell which spring is soft."""
 
     def matrices(values: dict[str, float], _: str) -> tuple[np.ndarray, np.ndarray]:
         k = 1e4 * np.array([1.0, 1.0 + values["a"], 1.0, 1.0, 1.0 + values["b"], 1.0])
@@ -215,7 +215,7 @@ def test_a_stated_error_of_shapes_is_tested_and_one_that_is_not_is_estimated() -
     assert verdict(0.01) != "adequate"
 
 
-def test_nothing_is_adequate_whose_shapes_disagree() -> None:
+def test_a_model_whose_shapes_disagree_is_not_adequate() -> None:
     structure = chain_structure(m=0.05, k0=500.0, k1=500.0, k2=500.0, k3=500.0)
     frequencies, shapes = chain_modes({})
     shapes = shapes[[1, 0, 2, 3]]  # two of them exchanged: other modes than the frequencies say

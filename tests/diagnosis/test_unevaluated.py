@@ -1,4 +1,4 @@
-"""A fit that values without matrices stop says so: no finding about a cause that could not be followed."""
+"""Fits blocked by values without matrices are reported: they are no evidence against a cause."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LOADS = {"empty": 0.0, "loaded": 5.0}
 
 
 def walled(wall: Callable[[Mapping[str, float]], bool]) -> MatrixStructure:
-    """A frame of which nothing is known beyond a wall."""
+    """A frame that cannot be evaluated beyond a limit value."""
     plain, matrices = frame(LOADS), frame_matrices(4, LOADS)
 
     def some(values: Mapping[str, float], setup: str) -> tuple[np.ndarray, np.ndarray]:
@@ -41,7 +41,7 @@ def stopped(notes: tuple[str, ...]) -> list[str]:
 
 
 @pytest.mark.parametrize("wall", [8e4, 1e5, 1e3])
-def test_a_cause_that_cannot_be_followed_to_its_size_is_named(wall: float) -> None:
+def test_a_cause_whose_fit_is_blocked_is_named(wall: float) -> None:
     # From 1e3 on no start of its fit can be evaluated.
     result = diagnose(walled(lambda values: values["brace 2"] > wall), measured(brace_2=1.6e5))
     assert result.verdict != "effect_found"
@@ -50,7 +50,7 @@ def test_a_cause_that_cannot_be_followed_to_its_size_is_named(wall: float) -> No
 
 
 @pytest.mark.parametrize("wall", [1.75e5, 3e5])
-def test_a_wall_behind_the_answer_is_not_mentioned(wall: float) -> None:
+def test_a_wall_beyond_the_solution_is_not_mentioned(wall: float) -> None:
     result = diagnose(walled(lambda values: values["brace 2"] > wall), measured(brace_2=1.6e5))
     assert [found.name for found in result.effects] == ["brace 2"]
     assert not stopped(result.notes)
@@ -64,7 +64,7 @@ def test_a_cause_that_would_not_matter_is_not_mentioned() -> None:
     assert not stopped(result.notes)
 
 
-def test_a_step_that_is_too_long_is_no_way_that_was_followed() -> None:
+def test_a_step_that_is_too_long_is_not_reported_as_blocked() -> None:
     # From 1.5 times the stiffness a linear model leads to 1.5 (1 - ln 1.5) = 0.89, and the answer is 1.
     structure, data = walled(lambda values: values["storey"] < 0.95 * STIFFNESS), measured()
     fitter, far = Fitter(structure, data), np.array([p.value for p in structure.parameters])
@@ -76,7 +76,7 @@ def test_a_step_that_is_too_long_is_no_way_that_was_followed() -> None:
     assert not list(unevaluated(FitStore(fitter), fit))
 
 
-def test_a_nuisance_that_is_stopped_is_named_too() -> None:
+def test_a_blocked_nuisance_is_named_too() -> None:
     wall = 0.97 * STIFFNESS
     structure = walled(lambda values: values["storey"] < wall)
     data = measured(storey=0.92 * STIFFNESS)

@@ -46,11 +46,11 @@ def test_it_is_the_most_probable_model_given_data_and_priors() -> None:
     assert [p.resolution for p in found.parameters] == pytest.approx(resolution, abs=1e-5)
     assert found.parameters[-1].resolution == pytest.approx(0.0, abs=1e-9)
     assert found.parameters[-1].after == pytest.approx(1.0)
-    assert any("only their priors hold" in note and "k11" in note for note in found.notes)
+    assert any("these data do not determine" in note and "k11" in note for note in found.notes)
     assert found.p_value > 1e-3
 
 
-def test_it_predicts_what_it_has_not_seen() -> None:
+def test_it_predicts_held_out_setups() -> None:
     structure = model(2, setups=12)
     data = measured(structure, TRUE, 3)
     found = update(structure, data)
@@ -59,7 +59,7 @@ def test_it_predicts_what_it_has_not_seen() -> None:
     assert found.after.held_out_rms_relative < 3 * SIGMA
 
 
-def test_only_what_is_asked_for_changes() -> None:
+def test_only_the_chosen_parameters_change() -> None:
     structure = model()
     data = measured(structure, np.where(np.arange(COUNT) < 3, TRUE, 1.0))
     found = update(structure, data, ["k0", "k2"], holdout=())
@@ -67,7 +67,7 @@ def test_only_what_is_asked_for_changes() -> None:
     assert set(found.values) == {"k0", "k2"}
 
 
-def test_what_it_leaves_is_said() -> None:
+def test_a_residual_beyond_the_stated_errors_is_noted() -> None:
     structure = model()
     data = measured(structure, TRUE)
     shifted = Measurements.from_rows(

@@ -1,4 +1,4 @@
-"""Verdicts on structures that are no robots: each for its reason, and none without one."""
+"""Verdicts on structures that are not robots, with their reasons."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ CANDIDATES = ["first floor", "brace 1", "brace 2", "brace 3", "brace 4"]
 
 
 def checked(structure: Any, data: Measurements, holdout: Sequence[str] | None = ()) -> Diagnosis:
-    """A diagnosis, after what must hold of every one."""
+    """A diagnosis, checked for properties that hold for all of them."""
     found = diagnose(structure, data, holdout=holdout)
     content = json.loads(json.dumps(found.as_json(), allow_nan=False))
     keys = {
@@ -69,7 +69,7 @@ def drawn(
     return frame_measured(loads, uncertain(rng) | (truth or {}), rng, **options)
 
 
-# Each verdict for its reason -------------------------------------------------------------------------------
+# Verdicts and their reasons --------------------------------------------------------------------------------
 
 
 def test_nothing_is_missing() -> None:
@@ -134,7 +134,7 @@ def between(position: float, apart: float = 5.6, third: float = 0.0) -> tuple[Lo
     return LogLinear(base, G, parameters, candidates), data
 
 
-def test_two_causes_that_both_explain_the_data_and_are_not_alike_leave_it_open() -> None:
+def test_two_different_causes_that_both_explain_the_data_are_ambiguous() -> None:
     found = checked(*between(0.6))
     assert found.verdict == "ambiguous"
     assert found.survivors == (("a",), ("b",))  # the better one first
@@ -150,7 +150,7 @@ def test_the_nearer_of_two_causes_is_found_where_the_other_is_out_of_reach() -> 
 
 
 @pytest.mark.parametrize("third", [9.0, 30.0])
-def test_a_second_cause_leaves_it_open_which_is_the_first(third: float) -> None:
+def test_with_a_second_cause_the_first_may_be_ambiguous(third: float) -> None:
     found = checked(*between(0.6, third=third))  # the second cause is found after the first, or before it
     assert found.verdict == "ambiguous"
     assert found.survivors == (("a",), ("b",))
@@ -233,7 +233,7 @@ def test_causes_that_differ_by_less_than_the_data_show_are_one_class() -> None:
 
 
 def grounded(M: np.ndarray, K: np.ndarray) -> None:
-    """The third floor leans on the neighbouring house, which nobody has thought of."""
+    """The third floor leans on the neighbouring house, which is not among the candidates."""
     K[2, 2] += 2.0e5
 
 
@@ -244,7 +244,7 @@ def test_a_cause_outside_the_candidates_is_not_claimed() -> None:
             frame(loads, only=["first floor", "brace 1", "brace 4"]), drawn(loads, seed, change=grounded)
         )
         assert found.verdict == "unexplained"
-        assert "residual is real" in found.reason or "points at no candidate" in found.reason
+        assert "residual is real" in found.reason or "points to no candidate" in found.reason
         assert found.refit.chi2_per_dof > 10.0
 
 
@@ -260,11 +260,11 @@ def test_too_few_measurements_say_so() -> None:
     assert checked(frame({"empty": 0.0}), drawn({"empty": 0.0}, 4)).verdict == "adequate"  # 4 are enough
 
 
-# Not without a reason --------------------------------------------------------------------------------------
+# False alarms ----------------------------------------------------------------------------------------------
 
 
 def test_false_alarms_are_rare_and_the_refit_leaves_chi_square() -> None:
-    """Of 240 data sets of the declared model, so few are not adequate that a rate of 5 % is excluded at 5 %."""
+    """Of 240 data sets of the declared model, few enough are not adequate to exclude a rate of 5 % at 5 %."""
     draws = 240
     structure, found = frame(TWO), [drawn(TWO, seed) for seed in range(draws)]
     results = [checked(structure, data) for data in found]
@@ -298,21 +298,21 @@ def test_false_alarms_are_rare_where_shapes_vote_and_errors_are_shared() -> None
     assert alarms <= 1
 
 
-def test_errors_twice_as_large_as_stated_are_no_cause() -> None:
+def test_errors_twice_as_large_as_stated_are_not_taken_for_a_cause() -> None:
     loads = {"empty": 0.0, "2 kg": 2.0, "5 kg": 5.0, "8 kg": 8.0}
     results = [checked(frame(loads), drawn(loads, seed, stated=SIGMA / 2)) for seed in range(8)]
     assert not any(found.effects or found.survivors for found in results)
-    # What is called noise then is not the noise that was stated, and the reason says so.
+    # If the residual is called noise, the reason says that it is not the stated noise.
     told = [found for found in results if found.verdict == "unexplained"]
     assert told
-    said = ("perhaps the stated sigma is too small", "errors of the measurement")
+    said = ("perhaps the stated sigma is too small", "measurement errors")
     assert all(any(text in found.reason for text in said) for found in told)
     for found in results:
         if found.verdict == "adequate":
             assert "set aside" in found.reason or "share" in found.reason
 
 
-# Several causes, several names -----------------------------------------------------------------------------
+# Several causes and classes --------------------------------------------------------------------------------
 
 
 def test_two_causes_are_found_together() -> None:
@@ -327,7 +327,7 @@ def test_two_causes_are_found_together() -> None:
 
 
 def twins(loads: dict[str, float], order: Sequence[str]) -> MatrixStructure:
-    """The frame with a second candidate that does what brace 2 does, three times as much for the same number."""
+    """The frame with a second candidate with three times the effect of brace 2."""
     plain = frame(loads)
     matrices, derivatives = frame_matrices(4, loads), frame_derivatives(4)
 
@@ -393,7 +393,7 @@ def test_a_cause_of_several_parameters_is_found_as_one() -> None:
 
 
 def spoiled(data: Measurements, row: int, factor: float) -> Measurements:
-    """One frequency is wrong; the rows come from a file with a header."""
+    """One wrong frequency, with rows from a file with a header."""
     f = data.frequency.copy()
     f[row] *= factor
     labels = [data.labels[i] for i in data.pose]
@@ -436,7 +436,7 @@ def test_each_cause_each_row_set_aside_and_a_shared_error_take_a_degree_of_freed
     assert (found.after or found.refit).chi2_per_dof == pytest.approx(fit.chi2 / degrees, rel=1e-4)
 
 
-def test_a_measured_mode_that_the_model_has_not_is_no_cause() -> None:
+def test_a_measured_mode_that_the_model_lacks_is_not_taken_for_a_cause() -> None:
     data = drawn(SIX, 10)
     labels = [*(data.labels[i] for i in data.pose), "4 kg"]
     f = np.append(data.frequency, 0.3 * data.frequency[0])
@@ -479,7 +479,7 @@ def blind(candidates: Sequence[str]) -> MatrixStructure:
 
 
 @pytest.mark.parametrize("candidates", [[], ["paint"], ["paint", "colours"]])
-def test_what_cannot_be_seen_is_neither_claimed_nor_excluded(candidates: list[str]) -> None:
+def test_an_undetectable_cause_is_neither_claimed_nor_excluded(candidates: list[str]) -> None:
     plain = checked(blind(candidates), drawn(TWO, 12))
     assert plain.verdict == "adequate"
     assert plain.undetectable == tuple(candidates)
@@ -495,7 +495,7 @@ def test_a_parameter_that_changes_nothing_does_not_hide_the_others_of_its_candid
     assert causes(found) == ["both"]
 
 
-def test_the_smallest_visible_size_is_seen_and_a_tenth_of_it_is_not() -> None:
+def test_the_smallest_visible_size_is_detected_and_a_tenth_of_it_is_not() -> None:
     examined = {c.name: c for c in checked(frame(SIX), drawn(SIX, 14)).candidates}
     size = examined["brace 2"].visible_from[0].value
     assert examined["brace 2"].detectable
@@ -507,7 +507,7 @@ def test_the_smallest_visible_size_is_seen_and_a_tenth_of_it_is_not() -> None:
 # Held-out setups -------------------------------------------------------------------------------------------
 
 
-def test_held_out_setups_take_no_part() -> None:
+def test_held_out_setups_are_not_used() -> None:
     data = drawn(SIX, 14, {"brace 2": 6.0e4})
     held = np.isin(data.pose, [1, 4])
     f = np.where(held, 1.03 * data.frequency, data.frequency)
@@ -523,7 +523,7 @@ def test_held_out_setups_take_no_part() -> None:
     for one in (plain, changed):
         one["rows"] = [row for row in one["rows"] if not row["held_out"]]
     assert plain == changed
-    # And the fit is the one of the other setups alone.
+    # The fit is that of the other setups alone.
     rest = Measurements.from_rows(
         [data.labels[i] for i in data.pose[~held]], data.frequency[~held], data.sigma[~held]
     )
@@ -541,7 +541,7 @@ def test_the_held_out_error_shows_that_a_cause_predicts() -> None:
     assert found.after.held_out_rms_relative < 3 * SIGMA
 
 
-def test_shapes_of_held_out_setups_take_no_part() -> None:
+def test_shapes_of_held_out_setups_are_not_used() -> None:
     data = drawn(SIX, 14, {"brace 2": 6.0e4}, shapes=0.02)
     held = data.pose == 2
     rng = np.random.default_rng(0)
@@ -557,7 +557,7 @@ def test_shapes_of_held_out_setups_take_no_part() -> None:
     assert plain == changed
 
 
-def test_holding_out_what_is_not_there_or_everything_is_refused() -> None:
+def test_holding_out_unknown_or_all_setups_is_refused() -> None:
     data = drawn(TWO, 16)
     with pytest.raises(PkmodesError, match=r'no pose is called "laoded".*loaded'):
         diagnose(frame(TWO), data, holdout=["laoded"])
@@ -566,7 +566,7 @@ def test_holding_out_what_is_not_there_or_everything_is_refused() -> None:
     assert diagnose(frame(TWO), data, holdout=["loaded", "loaded"]).held_out_poses == ("loaded",)
 
 
-def test_a_structure_that_does_not_stand_as_declared_is_refused() -> None:
+def test_a_structure_that_is_unstable_as_declared_is_refused() -> None:
     def matrices(values, _):
         return np.eye(2), np.array([[1.0, 2.0], [2.0, 1.0 + values["k"]]])
 
@@ -576,11 +576,11 @@ def test_a_structure_that_does_not_stand_as_declared_is_refused() -> None:
         diagnose(leaning, data)
 
 
-# What must not matter --------------------------------------------------------------------------------------
+# Invariance ------------------------------------------------------------------------------------------------
 
 
 def assert_same(found: Diagnosis, plain: Diagnosis, unit: float = 1.0) -> None:
-    """Two diagnoses claim the same, the first in kg / unit and N/m / unit."""
+    """Two diagnoses make the same claims, the first in kg / unit and N/m / unit."""
     assert found.verdict == plain.verdict
     first, second = (sorted(sorted(effect.members) for effect in d.effects) for d in (found, plain))
     assert first == second
@@ -635,8 +635,8 @@ def test_a_diagnosis_is_the_same_each_time() -> None:
     assert checked(frame(TWO, exact=False), data).as_json() == first.as_json()
 
 
-def test_two_modes_of_the_same_frequency_do_no_harm() -> None:
-    # A mast that bends alike in two directions, and a stay in one of them that nobody declared.
+def test_two_modes_of_the_same_frequency_are_handled() -> None:
+    # A mast equally stiff in two directions, with an undeclared stay in one of them.
     def matrices(values, setup):
         k = values["bending"]
         tip = np.diag([k, k + values["stay"], 9.0 * k, 9.0 * k])

@@ -1,4 +1,4 @@
-"""What a claim may not rest on: one row, a bound, one bad shape, a wrong declared value, coinciding modes."""
+"""Insufficient evidence for a claim: one row, a bound, one bad shape, a wrong declared value, coincident modes."""
 
 from __future__ import annotations
 
@@ -108,12 +108,12 @@ def test_a_held_out_row_without_a_mode_is_named() -> None:
     assert any(f"line {3 * MODES} (held-out P2" in note for note in spoiled.notes)
 
 
-def test_a_held_out_error_that_grows_speaks_against_a_claim() -> None:
+def test_a_held_out_error_that_grows_contradicts_a_claim() -> None:
     data = Measurements.from_rows(["A", "B", "B"], [10.0, 20.0, 30.0], [0.1, 0.1, 0.1])
     held, predicted = data.pose == 1, np.array([10.0, 20.1, 24.0])
     before, after = Error(0.01, 0.01, 2.0), Error(0.001, 0.14, 1.0)
     (note,) = remarks(data, held, predicted, before, after, 2.0)
-    assert "grows from 1 to 14 %, the worst is line 3 (held-out B, 30 Hz)" in note
+    assert "grows from 1 to 14 %; the worst is line 3 (held-out B, 30 Hz)" in note
     assert not list(remarks(data, held, predicted, before, replace(after, held_out_rms_relative=0.019), 2.0))
 
 
@@ -126,10 +126,10 @@ def test_one_bad_shape_is_not_excused_by_the_scatter_that_it_raises() -> None:
     macs = [row.mac for row in bad.rows if row.mac is not None]
     assert 0.7 < min(macs) < 0.9 < sorted(macs)[1]
     assert bad.verdict == "unexplained"
-    assert any("the shapes in line 4 are not those" in note for note in bad.notes)
+    assert any("the shape in line 4 is not that" in note for note in bad.notes)
 
 
-def test_a_wrong_declared_value_is_called_that_and_not_a_wrong_sigma() -> None:
+def test_a_wrong_declared_value_is_not_called_a_wrong_sigma() -> None:
     data = measured({f"storey {i}": 1.5 for i in range(1, STOREYS + 1)})
     result = diagnose(frame(0.05), data, holdout=())
     assert result.verdict == "unexplained"
@@ -141,7 +141,7 @@ def test_a_cause_beyond_what_was_declared_plausible_is_named_with_its_value() ->
     result = diagnose(frame(0.1, 0.1), measured({"storey 2": 0.5}, sigma=0.005), holdout=())
     assert result.verdict == "unexplained"
     assert "storey 2 = 0.5" in result.reason
-    assert "outside what was declared plausible" in result.reason
+    assert "outside the range declared plausible" in result.reason
 
 
 def test_shapes_that_do_not_fit_are_not_called_a_residual_of_the_frequencies() -> None:
@@ -156,7 +156,7 @@ def test_shapes_that_do_not_fit_are_not_called_a_residual_of_the_frequencies() -
 
 
 def test_few_rows_do_not_say_that_sigma_is_too_small() -> None:
-    """Stated errors are told from causes that nobody thought of only by many rows without a pattern."""
+    """Only many rows without a pattern distinguish wrong stated errors from causes outside the candidates."""
     rocking = modes_of({})[0] * np.array([0.97, 1.02, 0.985, 1.01])
     plain = measured({}, sigma=0.005)
     result = diagnose(frame(0.05), replace(plain, frequency=rocking, sigma=0.005 * rocking), holdout=())
@@ -164,7 +164,7 @@ def test_few_rows_do_not_say_that_sigma_is_too_small() -> None:
     assert "perhaps the stated sigma" not in result.reason
 
 
-def test_an_outlier_that_drags_the_fit_away_is_set_aside() -> None:
+def test_an_outlier_that_distorts_the_fit_is_set_aside() -> None:
     base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (SETUPS, 1))
     rng = np.random.default_rng(5)
     G = SIGMA * rng.standard_normal((SETUPS, MODES, 2)) * 30.0
@@ -177,18 +177,18 @@ def test_an_outlier_that_drags_the_fit_away_is_set_aside() -> None:
     assert [row.line for row in result.outliers] == [4 * MODES + 2 + 1]
 
 
-def test_an_error_that_drifts_with_the_order_of_the_poses_is_said_to() -> None:
+def test_an_error_that_drifts_with_the_order_of_the_poses_is_noted() -> None:
     model = linear({"a": DIRECTIONS[0]})
     drift = np.repeat(np.linspace(-15.0, 15.0, SETUPS), MODES)
     result = found(model, drift)
     assert result.verdict == "adequate"
-    assert any("it drifts in the order of the poses" in note for note in result.notes)
+    assert any("it drifts with the order of the poses" in note for note in result.notes)
     mixed = np.repeat(np.random.default_rng(1).permutation(np.linspace(-15.0, 15.0, SETUPS)), MODES)
     assert not any("drifts" in note for note in found(model, mixed).notes)
 
 
 @pytest.mark.parametrize("sigma", [0.002, 0.01, 0.02])
-def test_repeated_modes_apart_by_their_errors_are_compared_as_one_space(sigma: float) -> None:
+def test_repeated_modes_split_by_their_errors_are_compared_as_one_subspace(sigma: float) -> None:
     """A tower equally stiff in two directions, with shapes at any angle: four alarms in twenty-four are too many.
 
     One in a hundred each by the gate's two tests: four or more come by chance in 0.2 %.
@@ -249,21 +249,21 @@ def test_the_significance_of_a_value_is_that_of_a_normal_number(strength: float)
 
 
 def test_a_cause_that_leaves_more_than_the_stated_errors_is_named_in_the_reason() -> None:
-    """Errors of twice the stated size: the cause is not claimed, but who reads the reason knows where to look."""
+    """With errors twice as large as stated the cause is not claimed, but the reason names it."""
     a, b = DIRECTIONS[:2]
     errors = 0.9 * np.random.default_rng(3).standard_normal(SETUPS * MODES)
     result = found(linear({"a": a, "b": b}), 300.0 * a + 0.8 * errors)
     assert result.verdict == "unexplained"
     assert result.reason.startswith("a explains nearly all of the residual")
     left = 1.8 * errors - a * (a @ (1.8 * errors))
-    assert f"some {np.sqrt(left @ left / (len(left) - 1)):.2g} times too small" in result.reason
-    # What leaves as much as it explains is not pointed at.
+    assert f"about {np.sqrt(left @ left / (len(left) - 1)):.2g} times too small" in result.reason
+    # A cause that leaves as much as it explains is not named.
     assert "nearly all" not in found(linear({"a": a, "b": b}), 300.0 * a + 200.0 * DIRECTIONS[5]).reason
 
 
 @pytest.mark.parametrize(("away", "verdict"), [(0.0, "effect_found"), (10.0, "unexplained")])
-def test_a_value_that_an_uncertain_one_pulls_along_is_not_claimed(away: float, verdict: str) -> None:
-    """A declared value 10 sigma off, of which the data show little: the cause makes up for it."""
+def test_a_value_that_compensates_for_an_uncertain_one_is_not_claimed(away: float, verdict: str) -> None:
+    """A declared value is 10 sigma off, which the data hardly show: the cause compensates for it."""
     a, b, c = DIRECTIONS[:3]
     beside = 10.0 * a + 1.667 * b
     base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (SETUPS, 1))
@@ -277,7 +277,7 @@ def test_a_value_that_an_uncertain_one_pulls_along_is_not_claimed(away: float, v
 
 
 def test_the_significance_of_a_pair_counts_all_pairs() -> None:
-    """Bonferroni: of six candidates there are fifteen pairs, and no cause of a pair was chosen alone."""
+    """Bonferroni: six candidates form fifteen pairs, and the causes of a pair were chosen together."""
     a, b = DIRECTIONS[:2]
     names = [f"c{i}" for i in range(6)]
     result = found(linear(dict(zip(names, DIRECTIONS, strict=True))), 7.0 * a + 40.0 * b)

@@ -139,7 +139,7 @@ def test_a_shared_value_with_a_sigma_is_refitted_for_all_axes_and_not_suspected_
     robot = read("published")
     assert robot.quantities["motor.inertia"].sigma
     assert not any("motor.inertia" in c.name for c in suspects(robot)[1])
-    with pytest.raises(PkmodesError, match=r"motor.inertia is refitted for all together.*declare axis\.2"):
+    with pytest.raises(PkmodesError, match=r"motor.inertia is refitted for all together.*to suspect axis\.2"):
         suspects(robot, ["parameter:axis.2.motor.inertia"])
 
 

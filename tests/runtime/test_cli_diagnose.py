@@ -679,7 +679,7 @@ def test_the_table_of_a_cause(tmp_path: Path) -> None:
     assert max(map(len, lines)) <= 80
     assert "…" not in answer.out
     assert lines[0] == "linear-delta-2022: effect_found"
-    assert lines[1].startswith("  the declared model leaves more than noise (p = ")
+    assert lines[1].startswith("  the residual of the declared model is not noise (p = ")
     assert "18 measured modes fitted (held out: P3)" in lines
     cause = re.search(
         r"^  gearbox_compliance\.compliance = \((\d\.\d+) \+- 0\.\d\d\)e-04 rad/\(N\*m\)$", answer.out, re.M

@@ -134,7 +134,7 @@ TWO = Measurements.from_rows(["a", "b"], [0.1, 0.2], [0.01, 0.01])
             "x.csv",
             ['expected measurements, found "x.csv" (data)', "diagnosis.read_measurements(path, channels)"],
         ),
-        ({}, TWO, ["2 setups were measured, and the structure names none", 'pass setups=["a", "b"]']),
+        ({}, TWO, ["2 setups were measured, but the structure names none", 'pass setups=["a", "b"]']),
         (
             {"candidates": [Candidate("k", ("k",), sigma=8e4)]},
             TWO.at([0]),
@@ -146,7 +146,7 @@ TWO = Measurements.from_rows(["a", "b"], [0.1, 0.2], [0.01, 0.01])
             ["1 standard deviation, found 2"],
         ),
         ({"candidates": [Candidate("k", ("k",), sigma=(-1.0,))]}, TWO.at([0]), ["above 0, found -1"]),
-        (None, TWO, ["expected a structure, found", "for a robot there is pkmodes.updating"]),
+        (None, TWO, ["expected a structure, found", "for a robot, use pkmodes.updating"]),
         ({}, TWO.at([]), ["found no rows"]),
     ],
 )

@@ -1,8 +1,8 @@
-"""From measured modes to the physical cause that a model lacks: an engine for any model with M and K.
+"""Find the physical cause that a model lacks from measured modes, for any model with M and K.
 
-`diagnose` takes a structure, such as a `MatrixStructure` made from callables for M and K, and measured modes; it
-says whether the model is adequate, which cause explains what it leaves, and when the data do not decide.
-`compare` only puts prediction beside measurement.  docs/diagnosis.md has the method and its limits.
+`diagnose` takes a structure, for example a `MatrixStructure` made from callables for M and K, and measured modes.
+It reports whether the model is adequate, which cause explains the residual, or that the data do not decide.
+`compare` only pairs predictions with measurements.  docs/diagnosis.md describes the method and its limits.
 """
 
 from pkmodes.diagnosis.compare import Comparison, compare

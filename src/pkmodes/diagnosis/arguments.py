@@ -1,4 +1,4 @@
-"""What a caller gives to `diagnose`, `update` and `compare`, checked before anything is computed."""
+"""Checks of the arguments of `diagnose`, `update` and `compare`, before anything is computed."""
 
 from __future__ import annotations
 
@@ -10,38 +10,38 @@ from pkmodes.measured.measurements import Measurements
 
 
 def check_arguments(structure: Structure, data: Measurements) -> None:
-    """Refuse what is no structure or no measurements, setups that nobody named, and priors that are none.
+    """Refuse an invalid structure, measurements, unnamed setups, and invalid priors.
 
     Raises
     ------
     PkmodesError
     """
     if not callable(getattr(structure, "predict", None)) or not hasattr(structure, "candidates"):
-        remedy = "give such as a MatrixStructure; for a robot there is pkmodes.updating"
+        remedy = "give a structure, such as a MatrixStructure; for a robot, use pkmodes.updating"
         raise PkmodesError(f"expected a structure, found {shown(structure)}", "structure", remedy)
     check_measurements(data, "pkmodes.diagnosis.read_measurements(path, channels)")
     if getattr(structure, "setups", None) == ("",) and len(data.labels) > 1:
         labels = ", ".join(f'"{label}"' for label in data.labels[:3]) + (
             ", ..." if len(data.labels) > 3 else ""
         )
-        what = f"{len(data.labels)} setups were measured, and the structure names none"
+        what = f"{len(data.labels)} setups were measured, but the structure names none"
         raise PkmodesError(what, "setups", f"pass setups=[{labels}] to MatrixStructure")
     for name in data.settings:
         if name not in getattr(structure, "settings", ()):
-            what = f"the measurements set {shown(name)}, of which the structure knows nothing"
+            what = f"the measurements set {shown(name)}, which the structure does not have"
             raise PkmodesError(what, data.source, "leave it out, or model it in the setups of the structure")
     for candidate in structure.candidates:
         _check_prior(candidate.name, candidate.sigma, len(candidate.parameters))
 
 
 def check_measurements(data: object, reader: str) -> None:
-    """Refuse what is no measurements.
+    """Refuse an object that is not measurements, or has no rows.
 
     Parameters
     ----------
     data : object
     reader : str
-        The call that reads them, for the message.
+        Call that reads measurements, for the message.
 
     Raises
     ------
@@ -53,11 +53,11 @@ def check_measurements(data: object, reader: str) -> None:
             what, "data", f"read them with {reader}, or build them with Measurements.from_rows"
         )
     if not len(data.frequency):
-        raise PkmodesError("expected measurements, found no rows", data.source, "give some")
+        raise PkmodesError("expected measurements, found no rows", data.source, "add at least one row")
 
 
 def _check_prior(name: str, sigma: object, count: int) -> None:
-    """Refuse a prior of a candidate that has not one positive number for each of its parameters."""
+    """Refuse a prior of a candidate that is not one positive number for each of its parameters."""
     if sigma is None:
         return
     where = f"candidate {shown(name)}: sigma"
@@ -72,4 +72,4 @@ def _check_prior(name: str, sigma: object, count: int) -> None:
         good = isinstance(one, int | float | np.integer | np.floating) and not isinstance(one, bool)
         if not good or not 0.0 < one < np.inf:
             what = f"expected a standard deviation above 0, found {shown(one)}"
-            raise PkmodesError(what, where, "leave it out when unknown")
+            raise PkmodesError(what, where, "leave it out if unknown")

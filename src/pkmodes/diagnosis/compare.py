@@ -1,4 +1,4 @@
-"""Compare a model with measured modes: prediction beside measurement, paired, with residuals."""
+"""Compare a model with measured modes: paired predictions and measurements, with residuals."""
 
 from __future__ import annotations
 
@@ -23,21 +23,21 @@ class ComparedRow:
     Attributes
     ----------
     pose, line, mode : str, int, str
-        Where it comes from.
+        Pose, line in the file, and label.
     measured, sigma : float
-        Frequency [Hz].
+        Frequency and its standard deviation [Hz].
     predicted : float or None
-        Frequency of its partner [Hz]; None where the model has no mode for it.
+        Frequency of its partner [Hz]; None if it is unmatched.
     partner : int or None
-        Number of the partner among the model's modes, from 1 with the rigid ones.
+        Number of the partner among the model's modes, from 1, rigid ones included.
     residual : float or None
         predicted / measured - 1.
     sigmas : float or None
-        Difference of the logarithms in standard deviations of the measurement, that of its position included.
+        Difference of the logarithms in standard deviations of the measurement, including its position error.
     mac : float or None
-        Modal assurance criterion where shapes were measured.
+        Modal assurance criterion, if a shape was measured.
     load : mapping of str to float
-        What was set at its pose, by name.
+        Values set at its pose, by name.
     """
 
     pose: str
@@ -55,19 +55,19 @@ class ComparedRow:
 
 @dataclass(frozen=True)
 class Comparison:
-    """A model beside measurements, nothing fitted.
+    """A comparison of a model with measurements, without any fit.
 
     Attributes
     ----------
     rows : tuple of ComparedRow
     rms_relative : float or None
-        Root mean square of the residuals of the paired rows; None where there are none.
+        Root mean square of the residuals of the paired rows; None if there are none.
     chi2_per_dof, p_value : float or None
-        Of the paired rows with their stated errors.
+        Goodness of fit of the paired rows with their stated errors.
     notes : tuple of str
-        What a person should read: that the frequencies look like those of another unit.
+        Warnings, such as frequencies that seem to be in another unit.
     rigid : int
-        So many of the model's modes are rigid-body motions, which come first.
+        Number of rigid-body modes, which come first among the model's modes.
     """
 
     rows: tuple[ComparedRow, ...]
@@ -79,7 +79,7 @@ class Comparison:
 
     @property
     def unpaired(self) -> tuple[ComparedRow, ...]:
-        """Measured modes that the model has no mode for."""
+        """Unmatched measured modes."""
         return tuple(row for row in self.rows if row.predicted is None)
 
 
@@ -89,7 +89,7 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
     Parameters
     ----------
     structure : Structure
-        At the setups of the measurements; taken with the declared values of its parameters.
+        At the setups of the measurements; evaluated with the declared values of its parameters.
     data : Measurements
     """
     check_arguments(structure, data)

@@ -1,4 +1,4 @@
-"""Every threshold of the diagnosis in one place, each with its reason."""
+"""All thresholds of the diagnosis, each with its reason."""
 
 from __future__ import annotations
 
@@ -9,158 +9,157 @@ from dataclasses import dataclass
 class Criteria:
     """Thresholds of pairing, fits, search and verdict.
 
-    The defaults are those with which docs/diagnosis-measured.md was measured.  Differences of frequencies are
+    The error rates in docs/diagnosis-measured.md were measured with the defaults.  Differences of frequencies are
     differences of their logarithms.
     """
 
     # Pairing ---------------------------------------------------------------------------------------------------
 
-    #: Beyond this difference a measured mode is not paired with a mode of the model: a factor of 1.8.
+    #: Largest difference at which a measured mode is paired with a mode of the model: a factor of 1.8.
     reach: float = 0.6
-    #: A shape that does not agree at all counts like this difference of the frequencies.
+    #: A MAC of 0 counts like this difference of the frequencies.
     shape_weight: float = 0.25
-    #: Modes of the model closer than this are one group: their shapes turn into each other with the least error, so
-    #: that their measured partners are told apart by the order of the frequencies alone.
+    #: Modes of the model closer than this are one group: the smallest error rotates their shapes into each other, so
+    #: their measured partners are assigned by the order of the frequencies alone.
     close: float = 0.01
-    #: Measured modes closer than this are compared as one space, that of their partners: an error of some 0.2 % of
-    #: their frequencies already turns their shapes by several per cent.  The measured frequencies decide, not the
-    #: model's: a hypothesis must not be judged more mildly because it brings two modes together.
+    #: Measured modes closer than this are compared as one subspace with their partners: a frequency error of about
+    #: 0.2 % already rotates their shapes by several per cent.  The measured frequencies decide, not those of the
+    #: model: a hypothesis must not be judged less strictly because it brings two modes together.
     mixed: float = 0.03
-    #: So are those closer than so many of the standard deviations of their difference, if they are stated to be less
-    #: certain, up to a limit: which of two modes is which cannot be told then, nor how they mix.
+    #: The same applies to modes closer than this many standard deviations of their difference, up to a limit: their
+    #: order and how they mix are then unknown.
     mixed_sigmas: float = 3.0
     most_mixed: float = 0.1
 
     # Shapes ----------------------------------------------------------------------------------------------------
 
-    #: Scatter of shapes without a stated one, to begin with; the best explanation then gives its own.
+    #: Initial scatter of shapes without a stated one; it is then estimated from the best explanation.
     shape_scatter: float = 0.05
-    #: What it may be, as a part of the largest component: better is not measured, and what is worse is a shape that
-    #: does not agree.
+    #: Range of the scatter relative to the largest component: measurements are not better than the lower limit, and
+    #: beyond the upper one the shapes do not agree.
     least_shape_scatter: float = 0.005
     most_shape_scatter: float = 0.2
-    #: The search is made again if the best explanation has a scatter smaller than the assumed one by this factor.
+    #: The search is repeated if the best explanation has a scatter smaller than the assumed one by this factor.
     sharper: float = 0.8
     #: Below this MAC a shape is not that of its mode, whatever its stated error.
     strange_mac: float = 0.7
-    #: Above this MAC it is, even if all others fit far better.
+    #: Above this MAC it is, even if all other shapes fit far better.
     good_mac: float = 0.9
-    #: One shape in so many may be strange: a sensor at a node, a mode that was misread.
+    #: One shape in this many may disagree: a sensor at a node, a misidentified mode.
     strange_allowed: int = 20
 
     # Fits ------------------------------------------------------------------------------------------------------
 
-    #: Steps of a fit; four or five are enough where the data tell.  A rough fit shows whether more are worth it.
+    #: Steps of a fit; well-determined parameters need four or five.  A rough fit shows whether more are worthwhile.
     steps: int = 18
     rough_steps: int = 6
-    #: Of more than twice so many setups, so many show where a fit should begin.
+    #: If there are more than twice this many setups, start values are found from this many.
     setups_to_scout: int = 12
     #: Rounds of pairing and fitting; the pairing is stable after two or three.
     rounds: int = 3
-    #: An error that the modes of a setup share is at most this large: a larger one is not an error of measuring.
+    #: Largest error that the modes of a setup may share: a larger one is not a measurement error.
     most_shared: float = 0.05
 
     # The gate --------------------------------------------------------------------------------------------------
 
     #: Level of each of its tests.
     gate: float = 0.01
-    #: Their level where one cause was found: what it leaves must surely be more than noise to refuse it and to seek
-    #: a second one, and a rival below this level is excluded.
+    #: Their level if one cause was found: it is refused, and a second one sought, only if its residual is clearly
+    #: more than noise.  A rival below this level is excluded.
     surely: float = 1e-3
-    #: A cause is claimed if chance would bring one as clear, among all candidates, with less than this probability.
+    #: Largest p-value, among all candidates, of a cause that is claimed.
     claimed: float = 1e-3
-    #: Nor is it claimed if some candidate would fit an arbitrary residual of that size as well with more than this
-    #: probability: there are too few data to tell it from something that nobody has thought of.
+    #: A cause is not claimed if some candidate would fit an arbitrary residual of that size as well with more than
+    #: this probability: the data are too few to tell it from something outside the candidates.
     specific: float = 0.01
-    #: What such a residual may leave beside a candidate: as much as the claim does, and so many standard deviations
-    #: of the noise in that.  Many small changes at once are among them with so many candidates for each cause.
+    #: A candidate fits such a residual if it leaves no more than the claim does, plus this many standard deviations
+    #: of noise.  Many small changes at once are drawn too if there are at least this many candidates for each cause.
     spread: float = 2.0
     many: int = 6
-    #: A held-out error that is larger by this factor after a claim than before it speaks against the claim.
+    #: A claim that increases the held-out error by this factor is contradicted by it.
     worse: float = 2.0
-    #: A value is at a bound within so many of its standard deviations, significant if Wald's test gives less than
-    #: this probability, and rests on a row if leaving that out moves it by so many standard deviations.
+    #: A value is at a bound if within this many standard deviations of it, significant if the p-value of a Wald test
+    #: is below this, and determined by a row if leaving that out moves it by this many standard deviations.
     bounded: float = 1.0
     absent: float = 0.003
     moved: float = 5.0
-    #: Two causes are not claimed from fewer measured frequencies than this: what nobody has thought of looks like
-    #: some pair of causes at the same place.
+    #: Two causes are not claimed from fewer measured frequencies than this: something outside the candidates looks
+    #: like some pair of causes at the same place.
     rows_for_two: int = 10
-    #: Where what one cause leaves is noise with more than this probability, no remote cause is looked for beside it.
+    #: If the residual of one cause is noise with a p-value above this, remote causes are not considered beside it.
     plainly: float = 0.2
 
     # The search ------------------------------------------------------------------------------------------------
 
     #: A rival survives up to this difference of the criterion: three standard deviations.
     survives: float = 9.0
-    #: What is not needed to pass the gate is taken away unless it lowers the criterion by more than this.
+    #: An addition that is not needed to pass the gate is removed unless it lowers the criterion by more than this.
     worth: float = 6.0
-    #: Causes that are added at most, and kinds of additions: causes, rows set aside, a shared error.
+    #: Largest number of causes, and of kinds of additions: causes, outliers, a shared error.
     most_causes: int = 2
     most_additions: int = 2
-    #: How many pairs are refitted; all of them where there are no more than `few_pairs` and no more than `few_rows`
-    #: measured frequencies, because a linear model promises little there.
+    #: Number of pairs that are refitted; all if there are no more than `few_pairs` and no more than `few_rows`
+    #: measured frequencies, because the linear model is then a poor guide.
     pairs: int = 16
     few_pairs: int = 120
     few_rows: int = 24
     #: A second cause is sought if the first leaves less than this part of chi2, or less per degree of freedom.
     much: float = 0.6
     little: float = 25.0
-    #: Candidates are refitted if a linear model promises this fraction of the best gain, and the best few anyhow.
+    #: Candidates are refitted if the linear model promises this fraction of the best gain, and at least the best few.
     promising: float = 0.15
     at_least: int = 10
-    #: Of rough fits, the best few are finished, and those that differ from the best by less than this.
+    #: Rough fits are completed for the best few, and for those that differ from the best by less than this.
     best_few: int = 4
     nearly: float = 60.0
-    #: Part of the rows, at most, that may have been paired so wrongly that they keep a fit from where it belongs.
+    #: Largest part of the rows whose wrong pairing may keep a fit in a local minimum.
     misled: float = 0.25
-    #: A row that is set aside costs as much as three parameters: it was chosen among all.
+    #: An outlier costs as much as three parameters, because it was chosen among all rows.
     price_of_row: float = 3.0
-    #: Where setting rows aside and an error of each setup would leave more than this per degree of freedom, errors of
-    #: the measurement are not tried.
+    #: Measurement errors are not tried if outliers and a shared error would leave more chi2 per degree of freedom.
     hopeless: float = 10.0
-    #: Rows are set aside only where there are so many, one in so many, and each is predicted by the others: its
-    #: leverage is below the last number.
+    #: Outliers are set aside only if there are this many rows, one in this many, and only if the others predict them:
+    #: their leverage is below the last number.
     rows_to_set_aside: int = 12
     rows_per_outlier: int = 30
     redundant: float = 0.5
 
     # Unmeasured modes --------------------------------------------------------------------------------------------
 
-    #: A mode is among the measured ones of its setup if it is farther than this from the outer ones.
+    #: A mode lies between the measured ones of its setup if it is this far inside the lowest and the highest.
     margin: float = 0.01
-    #: A mode that moves the sensors less than this part of what the median of the modes does is at their nodes.
+    #: The sensors are at nodes of a mode if it moves them less than this part of the median over the modes.
     visible: float = 0.3
 
     # The verdict -------------------------------------------------------------------------------------------------
 
-    #: Measured values beyond the uncertain parameters: one for a cause, and one to test it with.
+    #: Measured values required beyond the uncertain parameters: one for a cause, and one to test it.
     redundancy: int = 2
-    #: Explanations whose predictions differ by less than this sum of squares are not told apart by these data: had
-    #: one been true, the other would have survived too often.
+    #: Explanations whose predictions differ by less than this sum of squares are one class: if one were true, the
+    #: other would survive too often.
     told_apart: float = 25.0
-    #: A cause is a special case of another one if no larger part of what it does lies beyond the other: derivatives
-    #: by differences are that exact, and of directions in two dimensions more than are spanned one in a million is so
-    #: close by chance.
+    #: A cause is a special case of another if no larger part of its signature lies outside the span of the other's:
+    #: difference derivatives are this accurate, and a random direction in a space with two more dimensions than the
+    #: span is this close to it once in a million.
     nested: float = 1e-3
-    #: A class of more members is not a finding, and neither is a pair that is one of more pairs that look alike.
+    #: A larger class is not a finding, and neither is a pair in a larger class of pairs.
     most_members: int = 5
     most_pairs: int = 4
-    #: A setup with more leverage than this determines something alone: no other predicts it.
+    #: A setup with more leverage than this alone determines some parameter: the others do not predict it.
     alone: float = 0.7
-    #: A change of this many standard deviations would probably have been seen among so many candidates.
+    #: A change of this many standard deviations is probably detected, even among many candidates.
     seen: float = 5.0
-    #: A cause is not detectable if even a change of some frequency by this fraction would not have been seen.
+    #: A cause is not detectable if even a change of some frequency by this fraction would not be detected.
     noticeable: float = 0.1
 
-    #: Explanations that are fitted again with other errors and priors, and how far from the best they may be: others
-    #: do not become the best.
+    #: Number of explanations refitted with other errors and priors, and their largest difference from the best one:
+    #: explanations farther away do not become the best.
     contenders: int = 4
     near: float = 60.0
-    #: Standard deviations by which two explanations have to differ at a pose for it to be worth measuring.
+    #: Standard deviations by which two explanations must differ at a pose for it to be worth measuring.
     worth_measuring: float = 2.0
-    #: A load is put on for it where it separates them by so many times as much as any pose without one: it is more
-    #: work, and its mass and place have errors of their own.
+    #: A load is proposed if it separates them by this many times as much as any pose without one: it is more work,
+    #: and its mass and position have errors too.
     worth_loading: float = 1.5
 
     # Notes -------------------------------------------------------------------------------------------------------
@@ -169,27 +168,27 @@ class Criteria:
     far: float = 3.0
     #: Stated errors that are wrong by more than this factor are reported.
     misstated: float = 3.0
-    #: Stated errors are too large if chance would make the residual so small less often.
+    #: Stated errors are too large if the probability of so small a residual is below this.
     too_small: float = 1e-4
-    #: A cause explains nearly all if it leaves at most this part of chi2 per degree of freedom, and at most so much:
-    #: errors twice as large as stated.
+    #: A cause explains nearly all if it leaves at most this part of chi2 per degree of freedom, and at most this
+    #: much: errors twice as large as stated.
     nearly_all: tuple[float, float] = (0.1, 4.0)
-    #: Stated errors may be wrong if chi2 per degree of freedom lies between these; a larger residual is the model's.
+    #: Stated errors may be wrong if chi2 per degree of freedom is in this range; a larger residual is a model error.
     dispersed: tuple[float, float] = (1.5, 100.0)
-    #: Gain of a candidate, per parameter and scaled by the residual's own size, that has no direction.
+    #: A residual has no direction if every candidate gains less, per parameter and in units of the mean residual.
     no_direction: float = 9.0
-    #: A residual goes with the pose if chance would share it out so unevenly less often.
+    #: A residual varies with the pose if the p-value of an analysis of variance is below this.
     uneven: float = 1e-3
-    #: Shapes whose MAC with each other is above this are one shape.
+    #: Shapes whose mutual MAC is above this are the same.
     same_shape: float = 0.98
-    #: Channels are wired in another way if that reduces the squares of the shapes by the first factor; by the second
-    #: with the pairs as they are, for others to be tried.
+    #: Channels are wired differently if that reduces the squares of the shapes by the first factor.  It is examined
+    #: only if it reduces them by the second factor with the pairing unchanged.
     rewired: float = 3.0
     rewired_perhaps: float = 1.5
-    #: A channel that is 0 in every row is dead if the model moves it by more than the first part of the largest of
-    #: its unit, in more than the second part of the rows.
+    #: A channel that is 0 in every row is dead if the model moves it by more than the first part of the largest one
+    #: of its unit, in more than the second part of the rows.
     dead: tuple[float, float] = (0.3, 0.25)
-    #: Frequencies at one position differ clearly beyond so many standard deviations and by more than this part, for
+    #: Frequencies at one position differ clearly if by more than this many standard deviations and this fraction, for
     #: half of the modes or more.
     same_place: tuple[float, float] = (6.0, 0.01)
     #: Another unit is reported if it reduces the median difference of the frequencies by this factor, to less than

@@ -1,10 +1,10 @@
-"""Diagnose a model by measured modes: the route from measurements to a verdict.
+"""Diagnose a model from measured modes.
 
 1. `match` pairs measured modes with modes of the model.
-2. `fit` refits the uncertain parameters inside their priors, to frequencies and shapes.
-3. `search` asks the gate whether what is left is noise, and if it is not, which cause or pair brings it there.
-4. `verdict` judges what the search came to: mistakes of the measurement, rivals, classes, errors instead of causes,
-   shapes, stability.
+2. `fit` refits the nuisance parameters within their priors, to frequencies and shapes.
+3. `search` tests in the gate whether the residual is noise, and if not, looks for a cause or pair that explains it.
+4. `verdict` judges the result of the search: measurement mistakes, rivals, classes, errors instead of causes, shapes,
+   stability.
 """
 
 from __future__ import annotations
@@ -35,9 +35,9 @@ from pkmodes.diagnosis.verdict.whole_data import remarks
 from pkmodes.errors import PkmodesError, shown
 from pkmodes.measured.measurements import Measurements
 
-#: One pose in so many is held out by default.
+#: By default, one in this many poses is held out.
 HELD_OUT = 6
-#: Causes that would remove a contradiction of too few data are named, at most so many.
+#: Largest number of causes named that would remove a contradiction of too few data.
 HINTS = 4
 
 
@@ -57,11 +57,11 @@ def diagnose(
         At the setups of the measurements.
     data : Measurements
     holdout : sequence of str, optional
-        Labels of setups that take no part in any choice or fit.
+        Labels of setups that are used in no choice or fit.
     progress : callable, optional
         Called with a sentence at each step.
     criteria : Criteria, optional
-        Thresholds; the default ones are those whose rates are known (docs/diagnosis-measured.md).
+        Thresholds.  The error rates in docs/diagnosis-measured.md hold for the default ones.
 
     Returns
     -------
@@ -70,7 +70,7 @@ def diagnose(
     Raises
     ------
     PkmodesError
-        If a label is unknown, nothing is left to fit, or the model cannot be evaluated as declared.
+        If a label is unknown, no setup is left to fit, or the model cannot be evaluated as declared.
     """
     check_arguments(structure, data)
     structure = at_measured(structure, data.labels, float(data.frequency.max(initial=0.0)))
@@ -96,7 +96,7 @@ def diagnose(
 
 
 def split(data: Measurements, holdout: Sequence[str] | None) -> tuple[list[int], list[int]]:
-    """Indices of the setups that are fitted, and of those held out (by default one in six, spread evenly)."""
+    """Return the indices of the fitted and of the held-out setups (by default one in six, evenly spread)."""
     count = len(data.labels)
     if holdout is None:
         number = count // HELD_OUT
@@ -122,7 +122,7 @@ def split(data: Measurements, holdout: Sequence[str] | None) -> tuple[list[int],
 def _searched(
     fitter: Fitter, structure: Structure, progress: Progress | None
 ) -> tuple[Search, Outcome | None]:
-    """Search, with the scatter of shapes that the best of all explanations leaves where none is stated."""
+    """Search, with the shape scatter estimated from the best of all explanations if none is stated."""
     c = fitter.criteria
     plain = FitStore(fitter)
     first = plain.fit(Hypothesis())
@@ -137,7 +137,7 @@ def _searched(
         outcome = search.run()
         found = [search.store.shape_scatter(fit) for fit in search.store.tried()]
         best = min((each for each in found if each is not None), default=None)
-        # Where nothing explains even the frequencies, sharper shapes change nothing.
+        # If nothing explains even the frequencies, a smaller shape scatter changes nothing.
         hopeless = all(search.store.frequency_p_value(fit) <= c.surely for fit in search.store.tried())
         if hopeless or best is None or max(best, c.least_shape_scatter) >= c.sharper * fitter.shape_scatter:
             return search, outcome
@@ -145,7 +145,7 @@ def _searched(
 
 
 def _judged(report: Report, search: Search, outcome: Outcome) -> Diagnosis:
-    """Judge the outcome of a search, and say why."""
+    """Judge the outcome of a search, with the reason."""
     judged, store = judge(search, outcome), search.store
     found = trials(search, judged.final, [groups[0] for groups in judged.grouped if groups])
     if judged.verdict == "effect_found":
@@ -165,7 +165,7 @@ def _judged(report: Report, search: Search, outcome: Outcome) -> Diagnosis:
 
 
 def _stable(judged: Judgement, found: Sequence[Trial]) -> Judgement:
-    """A claim that other errors or priors would change is withdrawn."""
+    """Withdraw a claim that other errors or priors would change."""
     for trial in found:
         if trial.instead is not None:
             doubt = reasons.unstable(judged.final.causes, trial.entry.change, trial.instead.causes)
@@ -176,7 +176,7 @@ def _stable(judged: Judgement, found: Sequence[Trial]) -> Judgement:
 
 
 def _insufficient(fitter: Fitter, report: Report) -> Diagnosis:
-    """Too few data to search; whether they contradict the model and its priors can be said all the same."""
+    """Return the result for too few data: no search, only whether they contradict the model and its priors."""
     store = FitStore(fitter)
     fit = store.fit(Hypothesis())  # the priors determine it, however few the data
     candidates = [candidate for candidate in fitter.structure.candidates if candidate.claimable]

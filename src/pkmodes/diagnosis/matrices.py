@@ -1,4 +1,4 @@
-"""A structure given by callables for M and K: the way in for any model that is not a robot of this package."""
+"""A structure given by callables for M and K, for any model that is not a robot of this package."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ from pkmodes.diagnosis.structure.shape_rates import shape_rates as rates_of_shap
 from pkmodes.diagnosis.structure.supplied import Derivatives, Matrices, Pair, Supplied
 from pkmodes.errors import PkmodesError, listed, shown
 
-#: Structures with no more coordinates than SMALL have all modes by default, others the lowest FEW, and as many as
-#: REACH times the highest measured frequency asks for: farther away no mode is paired with it.
+#: By default all modes are computed for up to SMALL coordinates, otherwise the lowest FEW, and all up to REACH times
+#: the highest measured frequency: modes farther away are not paired with it.
 SMALL, FEW, REACH = 150, 40, 2.0
-#: A call of the callable that takes longer than this [s] is what a diagnosis takes its time for.
+#: The time of a diagnosis is dominated by calls of the callable that take longer than this [s].
 SLOW = 0.02
-#: Modes beyond those that are predicted, so that the last of them is known from its neighbours.
+#: Modes computed beyond the predicted ones, so that the neighbours of the last one are known.
 GUARD = 3
 
 
@@ -51,40 +51,39 @@ class MatrixStructure:
     Parameters
     ----------
     parameters : sequence of Parameter
-        All that can vary: nuisances have a ``sigma``, those of candidates their null value as ``value``.
+        All that can vary: nuisances have a ``sigma``; for candidates, ``value`` is the null value.
     candidates : sequence of Candidate
         Causes that may be missing or wrong.
     matrices : callable
         ``matrices(values, setup) -> (M, K)``, with the values of all parameters by name and the label of a
         setup; both (n, n), real and symmetric, arrays or scipy.sparse matrices, in consistent units (K / M in
-        1/s^2).  M may be singular (coordinates, or motions, without inertia are condensed exactly) where K is
-        positive definite for what has no inertia.  Where they are not finite, the values cannot be evaluated,
-        and a fit avoids them; an exception is an error at any values within the bounds.  For the same values it
-        returns the same matrices, and is asked once, as long as there is memory for them.
+        1/s^2).  M may be singular if K is positive definite for the motions without inertia; these are condensed
+        exactly.  If the matrices are not finite, the values cannot be evaluated, and a fit avoids them; an exception
+        at any values within the bounds is an error.  The matrices must be reproducible; they are cached while there
+        is memory for them.
     derivatives : callable, optional
-        ``derivatives(values, setup, name) -> (dM, dK)`` by the parameter of that name.  Without it, differences
-        of the matrices are taken, with a step that changes them by a millionth, whatever the unit.
+        ``derivatives(values, setup, name) -> (dM, dK)`` with respect to the named parameter.  By default differences
+        of the matrices are used, with a step that changes them by about a millionth, whatever the unit.
     channels : sequence of str
-        What the shape columns of the measurements may be called: the names of the n coordinates, some of
+        Names allowed for the shape columns of the measurements: those of the n coordinates, some of
         `coordinates`, or one name for each row of `sensors`.
     coordinates : sequence of str, optional
-        Names of the n coordinates, where the channels are some of them.
+        Names of the n coordinates, if the channels are some of them.
     sensors : array_like or sparse matrix, shape (C, n), optional
-        Motion of each channel by those of the coordinates, where the channels are not coordinates.
+        Motion of each channel for unit motions of the coordinates, if the channels are not coordinates.
     setups : sequence of str
-        Labels of the setups, as the measurements have them, in any order; left out, there is one setup, of
-        whatever label.
+        Labels of the setups, as in the measurements, in any order; by default there is one setup with any label.
     rigid : int
-        Rigid-body modes, which are not measured.  Other modes are stable: K has no negative eigenvalue for them.
+        Number of rigid-body modes, which are not measured.  All other modes must be stable.
     modes : int, optional
-        How many modes are computed, the lowest, rigid ones included.  By default all for up to 150 coordinates,
-        and 40 for more, or as many as lie below twice the highest frequency that is asked of `reaching`.
+        Number of modes to compute, the lowest, rigid ones included.  By default all for up to 150 coordinates; for
+        more, 40 or those below twice the highest frequency passed to `reaching`, whichever is more.
 
     Raises
     ------
     PkmodesError
         If names are repeated or missing, numbers contradict each other, or the matrices do not have the form
-        above; from `predict` too, where they lose it at other values.
+        above; also from `predict`, if they violate it at other values.
     """
 
     def __init__(
@@ -112,7 +111,7 @@ class MatrixStructure:
         check_callables(matrices, derivatives)
         if isinstance(rigid, bool) or not isinstance(rigid, int | np.integer) or rigid < 0:
             what = f"expected a number of modes, found {shown(rigid)}"
-            raise PkmodesError(what, "rigid", "count the rigid-body modes")
+            raise PkmodesError(what, "rigid", "give the number of rigid-body modes")
         self.rigid = int(rigid)
         for p in self.parameters:
             check_parameter(p)
@@ -128,8 +127,10 @@ class MatrixStructure:
         for candidate in self.candidates:
             check_candidate(candidate, {p.name: p for p in self.parameters})
         if not isinstance(modes, int | None) or (modes is not None and modes <= rigid):
-            what = f"expected more modes than the rigid ones, in whole numbers, found {modes} and {rigid}"
-            raise PkmodesError(what, "modes", "ask for as many as were measured, and the rigid ones")
+            what = f"expected a whole number of modes, more than the {rigid} rigid ones, found {modes}"
+            raise PkmodesError(
+                what, "modes", "give the number of measured modes plus the rigid ones, or more"
+            )
         self._map = sensor_map(self.channels, coordinates, sensors)
         self._size = len(self.channels) if self._map is None else self._map.shape[1]
         reason = f"{self._size} coordinates" if sensors is None else f"{self._size} columns of sensors"
@@ -147,15 +148,15 @@ class MatrixStructure:
             self._supplied.check_repeatable(setup)
 
     def subset(self, setups: Sequence[int]) -> MatrixStructure:
-        """The same structure in some of its setups."""
+        """Return the same structure in some of its setups."""
         part = copy.copy(self)
         part.setups, part._solutions = tuple(self.setups[i] for i in setups), Kept()
         return part
 
     def reaching(self, frequency: float) -> MatrixStructure:
-        """The same structure with modes enough for measurements up to a frequency [Hz].
+        """Return the same structure with enough modes for measurements up to a frequency [Hz].
 
-        Only where it has more than 150 coordinates, and `modes` was left to it.
+        It is changed only if it has more than 150 coordinates and `modes` was not given.
         """
         if self.modes is not None or self._size <= SMALL:
             return self
@@ -167,7 +168,7 @@ class MatrixStructure:
         return part
 
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
-        """Modes in all setups, with derivatives by some of the parameters."""
+        """Return the modes in all setups, with derivatives with respect to some of the parameters."""
         solved = self._solved(values)
         known = {setup: s for setup, s in zip(self.setups, solved, strict=True) if s is not None}
         count = min((len(s.modes.eigenvalues) for s in known.values()), default=self._count)
@@ -195,18 +196,18 @@ class MatrixStructure:
     def predict_many(
         self, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
     ) -> list[Batch]:
-        """The same for several sets of values, one by one: each is a problem for LAPACK or ARPACK anyhow."""
+        """Return the same for several sets of values, one by one: LAPACK and ARPACK solve them separately anyway."""
         return one_by_one(self, values, by, shape_rates=shape_rates)
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> None:
-        """Setups have no position."""
+        """Return None: setups have no position."""
 
     def elsewhere(self, count: int) -> tuple[Array, Structure] | None:
-        """No other setups are known."""
+        """Return None: no other setups are known."""
 
     @property
     def seconds_a_call(self) -> float:
-        """How long the callable for M and K takes [s]."""
+        """Mean time of a call for M and K [s]."""
         return self._supplied.seconds / max(self._supplied.calls, 1)
 
     def check_stands(self) -> None:
@@ -215,12 +216,12 @@ class MatrixStructure:
         Raises
         ------
         PkmodesError
-            With the first setup in which it is not.
+            For the first setup in which it is unstable.
         """
         self._check(UnstableError)
 
     def _check(self, kind: type[UnusableError]) -> None:
-        """Refuse what keeps the declared values from having modes."""
+        """Refuse matrices without modes at the declared values."""
         for setup in self.setups:
             pair = self._supplied.at(self._declared, setup, finite=True)
             try:
@@ -236,19 +237,19 @@ class MatrixStructure:
         return np.array([p.value for p in self.parameters])
 
     def _shape_rates(self, one: _Solved, changes: Sequence[Pair | None], some: Index) -> Array:
-        """Derivatives of some shapes at the channels, (W, C, T)."""
+        """Return the derivatives of some shapes at the channels, (W, C, T)."""
         found = rates_of_shapes(one.pair, one.modes, some, changes)
         return np.moveaxis(self._measured(np.moveaxis(found, 2, 1)), 1, 2)
 
     def _measured(self, shapes: Array) -> Array:
-        """Shapes (..., n) at the channels."""
+        """Return shapes (..., n) at the channels."""
         if self._map is None:
             return shapes
         found: Array = (self._map @ shapes.reshape(-1, self._size).T).T
         return found.reshape(*shapes.shape[:-1], len(self.channels))
 
     def _solved(self, values: Array) -> list[_Solved | None]:
-        """Modes of all setups, None where these values have none."""
+        """Return the modes of all setups, None for a setup without modes at these values."""
         key = np.asarray(values, dtype=float).tobytes()
         if key in self._solutions:
             return self._solutions[key]
@@ -260,7 +261,7 @@ class MatrixStructure:
         if pair is None:
             return None
         count = min(self._count + GUARD, self._size) if self._count < self._size else self._size
-        try:  # matrices without modes are no mistake here: a fit may try any value within the bounds
+        try:  # matrices without modes are not an error here: a fit may try any value within the bounds
             return _Solved(pair, lowest_modes(pair, count, self.rigid))
         except UnusableError:
             return None
@@ -272,17 +273,17 @@ def at_measured(structure: Structure, labels: Sequence[str], highest: float | No
     Parameters
     ----------
     structure : Structure
-        A `MatrixStructure` is put in order by its labels, one of a single setup without a label is what was measured
-        under any; another structure has the setups of the measurements already.
+        A `MatrixStructure` is reordered by its labels; one with a single unlabelled setup matches any label.  Other
+        structures already have the setups of the measurements.
     labels : sequence of str
         Labels of the measurements.
     highest : float, optional
-        Highest measured frequency [Hz], which a large `MatrixStructure` has to reach.
+        Highest measured frequency [Hz], which the modes of a large `MatrixStructure` must reach.
 
     Raises
     ------
     PkmodesError
-        If a `MatrixStructure` has no setup of that label, or does not stand as declared.
+        If a `MatrixStructure` has no setup with a measured label, or is unstable at the declared values.
     """
     if not isinstance(structure, MatrixStructure):
         return structure
@@ -301,8 +302,8 @@ def at_measured(structure: Structure, labels: Sequence[str], highest: float | No
 
 
 def slowness(structure: Structure) -> str:
-    """Say so where it is the callable for M and K that takes the time; else nothing."""
+    """Return a sentence if the callable for M and K dominates the computing time; else an empty string."""
     if not isinstance(structure, MatrixStructure) or structure.seconds_a_call < SLOW:
         return ""
     seconds = f"{structure.seconds_a_call:.2g} s"
-    return f"each call for the matrices takes {seconds}: some hundred of them take the time"
+    return f"each call for the matrices takes {seconds}: a few hundred calls dominate the computing time"

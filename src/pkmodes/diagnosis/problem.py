@@ -1,7 +1,7 @@
-"""What the diagnosis asks of a model: parameters, candidate causes, and modes with their derivatives.
+"""The interface of a model to the diagnosis: parameters, candidate causes, and modes with their derivatives.
 
-Nothing here knows of robots.  A structure is measured in one or several *setups* (poses of a robot, load cases
-of a test structure), each with modes of its own; its parameters are the same in all of them.
+It is independent of robots.  A structure is measured in one or several *setups* (poses of a robot, load cases of a
+test structure); each setup has its own modes, and all setups have the same parameters.
 """
 
 from __future__ import annotations
@@ -25,17 +25,17 @@ class Parameter:
     ----------
     name : str
     value : float
-        As declared; for a cause that is not declared, the value at which it is absent.
+        Declared value; for a cause that is not declared, the value at which it is absent.
     unit : str
-        For reports.
+        Unit in reports.
     sigma : float or None
-        Standard deviation of the declared value: a nuisance, refitted inside this prior under every
-        hypothesis.  None: held at its value, unless it belongs to a candidate.
+        Standard deviation of the declared value: a nuisance parameter, refitted within this prior under every
+        hypothesis.  None: fixed at its value, unless it belongs to a candidate.
     lower, upper : float
         Physical bounds.
     log : bool
-        Whether the logarithm is what is normally distributed: a log-normal prior, for a positive scale.  Its
-        standard deviation, here or in a candidate, is then relative.
+        Whether the prior is log-normal, for a positive scale.  The standard deviation, here or in a candidate, is
+        then relative.
     """
 
     name: str
@@ -49,7 +49,7 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Candidate:
-    """A cause that may explain what is left: one parameter, or several that are tested together.
+    """A cause that may explain the residual: one parameter, or several that are tested together.
 
     Attributes
     ----------
@@ -57,19 +57,19 @@ class Candidate:
     parameters : tuple of str
         Names of its parameters.
     sentence : str
-        What it would mean, for a person.
+        Physical meaning, for reports.
     remote : bool
-        A special cause, tried alone where no other cause explains the measurements alone.  It is not claimed
-        by itself: where it explains them, the verdict is ``unexplained``, and the reason points at it.
+        A special cause, tried alone if no other single cause explains the measurements.  It is never claimed: if it
+        explains them, the verdict is ``unexplained``, and the reason names it.
     nameable : bool
-        Whether a remote cause may stand in the class of another one that looks like it.
+        Whether a remote cause may be listed in the class of another one.
     sigma : tuple of float, optional
-        How far each parameter may plausibly be from its value, as a standard deviation: a prior that holds where
-        the cause is assumed.  It ranks this cause among others, and a value far outside costs evidence.
+        Prior standard deviation of each parameter, applied if the cause is assumed.  It ranks this cause among
+        others, and a value far outside costs evidence.
     general_of : str
-        Name of a candidate that is a special case of this one: one value for all joints, where this one has another
-        value for each.  It is never claimed itself: where that one would be, and what it leaves points at this one
-        significantly, that one is refused.
+        Name of a candidate that is a special case of this one: that one has one value for all joints, this one has
+        a value for each.  This one is never claimed.  A claim of the special case is refused if its residual points
+        significantly to this one.
     """
 
     name: str
@@ -82,35 +82,35 @@ class Candidate:
 
     @property
     def claimable(self) -> bool:
-        """Whether it may be claimed by itself."""
+        """Whether it may be claimed."""
         return not self.remote and not self.general_of
 
 
 class ShapeRates(Protocol):
-    """Derivatives of shapes, as an array (S, m, C, T) or found for those modes that are asked for."""
+    """Derivatives of shapes: an array (S, m, C, T), or an object that computes them for requested modes."""
 
     def __getitem__(self, at: tuple[Index, Index], /) -> Array:
-        """Those of some modes, by setup and number: their common shape, channels, parameters."""
+        """Return those of some modes, indexed by setup and number, with axes (..., channels, parameters)."""
 
 
 @dataclass(frozen=True)
 class Prediction:
-    """Modes of all S setups for given values of the parameters.
+    """Modes of all S setups for given parameter values.
 
     Attributes
     ----------
     eigenvalues : ndarray, shape (S, m)
-        Ascending [1/s^2]; NaN for a setup that cannot be evaluated with these values.  What a setup has less than
-        others is a rigid mode at 0, or stands far above all that could be measured.
+        Ascending [1/s^2]; NaN for a setup that cannot be evaluated with these values.  A setup with fewer modes than
+        others is padded with rigid modes at 0, or with modes far above the measurable range.
     rates : ndarray, shape (S, m, T)
-        Their derivatives with respect to the parameters that were asked for.
+        Derivatives of the eigenvalues with respect to the requested parameters.
     shapes : ndarray, shape (S, m, C)
         Mode shapes in the model's channels, mass-normalised.
     rigid : int
-        Leading modes that are rigid-body motions and not measured.
+        Number of leading modes that are rigid-body motions, which are not measured.
     shape_rates : ShapeRates, optional
-        Derivatives of the shapes, (S, m, C, T), where they were asked for; ``np.asarray`` gives all of them.  Of
-        close modes the part within their own space may be anything finite: nothing that is compared depends on it.
+        Derivatives of the shapes, (S, m, C, T), if requested; ``np.asarray`` gives all of them.  For close modes, the
+        component within their own subspace may have any finite value: no comparison depends on it.
     """
 
     eigenvalues: Array
@@ -135,14 +135,14 @@ class Prediction:
 
 
 class Batch(NamedTuple):
-    """Modes for several sets of values of the parameters, evaluated together.
+    """Modes for several sets of parameter values, evaluated together.
 
     Attributes
     ----------
     sets : ndarray of int, shape (B,)
-        Which of the sets.
+        Indices of the sets.
     prediction : Prediction
-        Of B times S setups, those of the first set first; zeros for derivatives that a set has less than others.
+        For B times S setups, those of the first set first; missing derivatives of a set are padded with zeros.
     """
 
     sets: NDArray[np.intp]
@@ -159,16 +159,16 @@ class Structure(Protocol):
     channels : tuple of str
         Names of the shape components that the model predicts.
     channel_units : tuple of str
-        Their units: components of one unit are measured equally well.
+        Their units: components with the same unit have the same measurement error.
     """
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """All that can vary."""
+        """All parameters that can vary."""
 
     @property
     def candidates(self) -> tuple[Candidate, ...]:
-        """What may be missing."""
+        """Candidate causes."""
 
     @property
     def channels(self) -> tuple[str, ...]:
@@ -179,38 +179,38 @@ class Structure(Protocol):
         """Units of the shape components."""
 
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
-        """Modes for these values of all parameters, with derivatives with respect to some of them (indices)."""
+        """Return the modes for values of all parameters, with derivatives with respect to some of them (indices)."""
 
     def predict_many(
         self, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
     ) -> Sequence[Batch]:
-        """The same for several sets of values, (B, parameters), each with derivatives of its own.
+        """Return the same for several sets of values, (B, parameters), each with its own derivatives.
 
-        Sets that can be evaluated together are one batch, which saves time where the modes themselves take little.
+        Sets that can be evaluated together form one batch, which saves time if a single evaluation is cheap.
         """
 
     def subset(self, setups: Sequence[int]) -> Structure:
-        """The same structure at some of its setups."""
+        """Return the same structure at some of its setups."""
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction | None:
-        """Modes with derivatives with respect to the position of each setup (T = 3), where setups have one."""
+        """Return the modes with derivatives with respect to the setups' positions (T = 3), if they have one."""
 
     def elsewhere(self, count: int) -> tuple[Array, Structure] | None:
-        """Points (count, 3) where the structure could be measured as well, and the structure at these setups."""
+        """Return points (count, 3) where the structure could also be measured, and the structure at these setups."""
 
 
 @runtime_checkable
 class Loadable(Protocol):
-    """A structure in which something could be set to a known value, such as a payload, to measure it again."""
+    """A structure that could be measured again with known loads, such as a payload."""
 
     def loaded(self) -> Sequence[tuple[Mapping[str, float], Structure]]:
-        """Loads, by the names of what is set to which value in all setups, and the structure with each of them."""
+        """Return loads (values by name, set in all setups), each with the structure under it."""
 
 
 def one_by_one(
     structure: Structure, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
 ) -> list[Batch]:
-    """What `Structure.predict_many` gives where each set of values is a batch of its own."""
+    """Return the result of `Structure.predict_many` with one batch for each set of values."""
     sets = zip(values, by, strict=True)
     found = [structure.predict(one, some, shape_rates=shape_rates) for one, some in sets]
     return [Batch(np.array([k]), prediction) for k, prediction in enumerate(found)]

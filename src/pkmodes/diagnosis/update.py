@@ -1,9 +1,9 @@
-"""Update many parameters of a model together, regularised by their priors: a correction of a model, not a cause.
+"""Model updating: correct many parameters of a model together, regularised by their priors.
 
-Where many values are a little wrong, none of them is *the* cause, and a search for one would be forced.  The update
-is the most probable model given the measurements and all priors (maximum a posteriori; Friswell and Mottershead,
-Finite Element Model Updating in Structural Dynamics, 1995, chapter 8).  It says of every parameter how much the data
-moved it and how much only its prior holds it, and how well setups are predicted that took no part.
+If many values are slightly wrong, none of them is *the* cause, and searching for one would be misleading.  The update
+is the maximum a posteriori model given the measurements and all priors (Friswell and Mottershead, Finite Element
+Model Updating in Structural Dynamics, 1995, chapter 8).  It reports for every parameter how far the data moved it and
+how much of its prior variance they removed, and how well held-out setups are predicted.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ from pkmodes.diagnosis.verdict.result import Error, Row
 from pkmodes.errors import PkmodesError, shown
 from pkmodes.measured.measurements import Measurements
 
-#: Rounds in which the scatter of shapes without a stated one is found.
+#: Largest number of rounds to estimate the scatter of shapes without a stated one.
 ROUNDS = 4
-#: Relative change of the scatter that is small enough.
+#: Relative change of the scatter at convergence.
 SETTLED = 0.02
 
 
@@ -47,10 +47,10 @@ class Updated:
     prior_sigma, sigma : float
         Standard deviations before and after, in the parameter's unit.
     resolution : float
-        Part of the prior's variance that the data removed, 1 - (sigma / prior_sigma)^2: near 1 the data determine the
-        value, near 0 only the prior holds it.
+        Part of the prior variance that the data removed, 1 - (sigma / prior_sigma)^2: near 1 the data determine the
+        value, near 0 only the prior does.
     moved : float
-        Change in standard deviations of the prior.
+        Change of the value in standard deviations of the prior.
     at_bound : bool
     """
 
@@ -67,25 +67,25 @@ class Updated:
 
 @dataclass(frozen=True)
 class Update:
-    """What an update came to.
+    """The result of an update.
 
     Attributes
     ----------
     parameters : tuple of Updated
         In the order of the structure.
     correlation : ndarray, shape (k, k)
-        Of their values after the update.
+        Posterior correlation of the parameters.
     before, after : Error
         Errors of the frequencies of fitted and of held-out rows, and chi-square per degree of freedom.
     p_value : float
-        Of what is left, against stated errors and priors.
+        p-value of the residual, given stated errors and priors.
     held_out_poses : tuple of str
     rows : tuple of Row
-        Every measured mode with its prediction before and after (`refit` and `after` are the same).
+        Every measured mode with its predictions before and after (`refit` and `after` are the same).
     shape_scatter : float or None
         Scatter of the shapes without a stated one, relative to the largest component.
     notes : tuple of str
-        What a person should read.
+        Notes on the data and the update.
     """
 
     parameters: tuple[Updated, ...]
@@ -120,9 +120,9 @@ def update(
         At the setups of the measurements.  Each parameter needs a prior: its own ``sigma``, or that of a candidate.
     data : Measurements
     parameters : sequence of str, optional
-        Names of those that may change; by default all that have a prior.
+        Names of the parameters that may change; by default all that have a prior.
     holdout : sequence of str, optional
-        Labels of setups that take no part; by default one in six.
+        Labels of held-out setups; by default one in six.
     criteria : Criteria, optional
 
     Returns
@@ -154,11 +154,10 @@ def update(
     remarks += whole_data.remarks(report, fit)
     held_by_prior = [p.name for p in found if p.resolution < 0.05]
     if held_by_prior:
-        remarks.append(f"only their priors hold {', '.join(held_by_prior)}: these data do not determine it")
+        priors = "only its prior does" if len(held_by_prior) == 1 else "only their priors do"
+        remarks.append(f"these data do not determine {', '.join(held_by_prior)}: {priors}")
     if stats.chi2.sf(squares, max(degrees, 1.0)) < fitter.criteria.surely:
-        remarks.append(
-            "the updated model still leaves more than the stated errors: something else is missing"
-        )
+        remarks.append("the residual still exceeds the stated errors: something else is missing")
     return Update(
         parameters=found,
         correlation=covariance / np.outer(size, size),
@@ -183,19 +182,21 @@ def _chosen(fitter: Fitter, parameters: Sequence[str] | None) -> list[int]:
             raise PkmodesError(what, "parameters", f"parameters are: {', '.join(names)}")
         if fitter.priors.of(names.index(name)) is None:
             what = f"the parameter {shown(name)} has no prior"
-            remedy = "give it a sigma: an update needs to know how far each value may plausibly be off"
+            remedy = "give it a sigma: an update needs the plausible error of each value"
             raise PkmodesError(what, "parameters", remedy)
     chosen = [i for i, name in enumerate(names) if parameters is None or name in parameters]
     chosen = [i for i in chosen if fitter.priors.of(i) is not None]
     if not chosen:
-        raise PkmodesError("no parameter has a prior", "parameters", "give a sigma to what may change")
+        raise PkmodesError(
+            "no parameter has a prior", "parameters", "give a sigma to the parameters that may change"
+        )
     return chosen
 
 
 def _fitted(fitter: Fitter, chosen: Sequence[int]) -> tuple[Fitter, Fit]:
-    """Fit all of them, with the scatter of shapes that is left where none is stated."""
+    """Fit all chosen parameters, with the shape scatter estimated from the residual if none is stated."""
     names = tuple(fitter.parameters[i].name for i in chosen)
-    # Those with a sigma of their own that were not asked for stay where they are declared.
+    # Nuisance parameters that were not chosen stay at their declared values.
     kept = tuple(p if p.name in names else replace(p, sigma=None) for p in fitter.parameters)
     c, scatter, start = fitter.criteria, fitter.shape_scatter, None
     hypothesis = Hypothesis((Candidate("update", names),))

@@ -1,6 +1,6 @@
 """Modes of robots at poses, with their derivatives along parameter paths.
 
-Robots with the same free coordinates are evaluated together; those of other load cases may have more modes.
+Robots with the same free coordinates are evaluated together; robots of other load cases may have more modes.
 """
 
 from __future__ import annotations
@@ -22,23 +22,23 @@ from pkmodes.solving import solve
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-#: Of robots that are evaluated together, some may have fewer parameters than others.
+#: Padding for robots with fewer parameters than others that are evaluated together.
 NOTHING = ParameterPath("", 0.0, "1", {})
-#: Step of differences by a parameter, in its unit.
+#: Step of a parameter in central differences, in its unit.
 DIFFERENCE = 1e-6
-#: A mode that a setup lacks stands far above all others, each of them so many times farther: nothing is near it.
+#: Eigenvalue of the first missing mode of a setup, far above all others, and ratio to that of the next one.
 LACKING, FARTHER = 1e40, 100.0
 
 
 class Moves(NamedTuple):
-    """What parameters of one robot move: T paths, and (n, T, k) how much along each of them, where it is not I."""
+    """Moves of k parameters of one robot: T paths, and the motion along each, (n, T, k); None for the identity."""
 
     paths: tuple[ParameterPath, ...]
     mix: Array | None
 
 
 class Solved(NamedTuple):
-    """Modes of B robots that are alike, at n poses each that they reach, those of the first robot first."""
+    """Modes of B robots that can be evaluated together, at n reachable poses each, the first robot first."""
 
     robots: tuple[Robot, ...]
     systems: tuple[SystemOfEffects, ...]
@@ -50,7 +50,7 @@ class Solved(NamedTuple):
     channels: Array
 
     def of(self, robot: int) -> Solved:
-        """Those of one robot."""
+        """Return the modes of one robot."""
         each = len(self.points) // len(self.robots)
         part = slice(robot * each, (robot + 1) * each)
         M, K = self.matrices
@@ -72,7 +72,7 @@ def solved(robots: Sequence[Robot], systems: Sequence[SystemOfEffects], points: 
     try:
         at = solve(system, points)
         every, eigenvalues, shapes = at.every, at.eigenvalues, at.shapes
-    except np.linalg.LinAlgError:  # values without inertia where there must be some: no machine
+    except np.linalg.LinAlgError:  # a required inertia is missing: these values are not a machine
         every = system.all_coordinates(points)
         eigenvalues = np.full((len(points), len(system.free)), np.nan)
         shapes = np.zeros((*eigenvalues.shape, len(system.free)))
@@ -81,7 +81,7 @@ def solved(robots: Sequence[Robot], systems: Sequence[SystemOfEffects], points: 
 
 
 def derived(at: Solved, moves: Sequence[Moves], shape_rates: bool) -> Prediction:
-    """Modes with their derivatives along what parameters of each robot move."""
+    """Return modes with their derivatives along the moves of each robot's parameters."""
     if len(moves) > 1 and any(locked_joints(at.system, one.paths) for one in moves):
         each = [derived(at.of(b), [one], shape_rates) for b, one in enumerate(moves)]
         return _concatenated(each)
@@ -102,17 +102,17 @@ def derived(at: Solved, moves: Sequence[Moves], shape_rates: bool) -> Prediction
 
 
 def joined(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Prediction:
-    """Modes of all setups from those of some of them; NaN for a setup that is in no part.
+    """Join the modes of parts of the setups; NaN for a setup that is in no part.
 
-    Robots of different load cases may have more modes than others, or fewer rigid ones: rigid modes come first, as
-    many as the most have, and what a setup has less than others stands far above (`LACKING`).
+    Robots of different load cases may differ in their numbers of modes and rigid modes.  Rigid modes come first,
+    padded to the largest number; missing elastic modes are placed far above (`LACKING`).
 
     Parameters
     ----------
     parts : sequence of (ndarray of int, Prediction)
         Setups and their modes.
     setups : int
-        Number of all.
+        Number of all setups.
     """
     rows, only = parts[0]
     if len(parts) == 1 and np.array_equal(rows, np.arange(setups)):
@@ -139,7 +139,7 @@ def joined(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Prediction
 
 
 def reordered(prediction: Prediction, rows: Index) -> Prediction:
-    """The same with setups in another order."""
+    """Return a prediction with its setups in another order."""
     along = prediction.shape_rates
     return replace(
         prediction,
@@ -162,7 +162,7 @@ def _concatenated(parts: Sequence[Prediction]) -> Prediction:
 
 
 def _mixed(moves: Sequence[Moves], most: int, poses: int) -> Array:
-    """How much each parameter moves along each path, (N, T, k)."""
+    """Return the motion of each parameter along each path, (N, T, k)."""
     columns = max(len(one.paths) if one.mix is None else one.mix.shape[-1] for one in moves)
     found = np.zeros((len(moves), poses, most, columns))
     for one, part in zip(moves, found, strict=True):
@@ -172,7 +172,7 @@ def _mixed(moves: Sequence[Moves], most: int, poses: int) -> Array:
 
 
 def _at_channels(system: SystemOfEffects, points: Array, shapes: Array) -> Array:
-    """Shapes at the channels, (N, m, C)."""
+    """Return the shapes at the channels, (N, m, C)."""
     directions = len(system.kind.directions)
     found = np.zeros((*shapes.shape[:2], system.joints.shape[-1] + directions))
     found[..., system.free] = shapes
@@ -183,7 +183,7 @@ def _at_channels(system: SystemOfEffects, points: Array, shapes: Array) -> Array
 def _channel_rates(
     at: Solved, derivatives: MatrixDerivatives, paths: Sequence[tuple[ParameterPath, ...]]
 ) -> Array:
-    """Derivatives of the shapes at the channels along paths, (N, m, C, T)."""
+    """Return the derivatives of the shapes at the channels along paths, (N, m, C, T)."""
     kind = at.system.kind
     directions, geometry = len(kind.directions), geometry_of(kind)
     changes = shape_derivatives(derivatives, at.eigenvalues, at.shapes, at.system.first)
@@ -193,7 +193,7 @@ def _channel_rates(
     found[..., -directions:, :] = np.moveaxis(changes @ np.swapaxes(motion, -1, -2)[:, None], 1, -1)
     for robot, some, part in _alike(at, paths):
         for t, path in enumerate(some):
-            # The platform's motion by the coordinates changes with the geometry and the pose, too.
+            # The Jacobian of the platform also changes with the geometry and the pose.
             if any(field in geometry or field == POSE for field, _ in path.weights):
                 rate = _motion_rate(at.system, robot, at.points[part], path)[..., derivatives.free]
                 found[part, :, -directions:, t] += at.shapes[part] @ np.swapaxes(rate, -1, -2)
@@ -203,7 +203,7 @@ def _channel_rates(
 def _alike(
     at: Solved, paths: Sequence[tuple[ParameterPath, ...]]
 ) -> list[tuple[Robot, tuple[ParameterPath, ...], Index]]:
-    """Robots and their paths, each once, with all poses that they are at."""
+    """Group equal robots with equal paths, with the indices of all their poses."""
     each = len(at.points) // len(at.robots)
     groups: dict[tuple[int, int], list[int]] = {}
     for b, robot in enumerate(at.robots):
@@ -219,7 +219,7 @@ def _alike(
 
 
 def _motion_rate(system: SystemOfEffects, robot: Robot, points: Array, path: ParameterPath) -> Array:
-    """Derivative of the platform's motion by the coordinates along a path, by differences, (P, directions, e)."""
+    """Differentiate the platform's Jacobian along a path by central differences, (P, directions, e)."""
     shift = np.zeros(points.shape[-1])
     for (field, index), weight in path.weights.items():
         if field == POSE:

@@ -1,8 +1,8 @@
-"""The measurement frame: poses of a file that are shifted or turned with respect to the robot's.
+"""The measurement frame: measured poses that are shifted or rotated with respect to the robot's frame.
 
-A wrong zero of the height, or a table that is not parallel to the machine, is in all poses alike.  The true pose is
-taken as the measured one, turned about the base frame's z axis by the yaw, then shifted by the offset.  Offsets are
-along the linear components of a pose; the yaw turns the first two of them, which span the plane of a planar one.
+A wrong zero of the height, or a table that is not parallel to the machine, affects all poses equally.  The true pose
+is the measured one, rotated about the base frame's z axis by the yaw and then shifted by the offset.  Offsets are
+along the linear components of a pose; the yaw rotates the first two of them, which span the plane of a planar robot.
 """
 
 from __future__ import annotations
@@ -16,25 +16,25 @@ from pkmodes.diagnosis.problem import Candidate, Parameter
 from pkmodes.mechanism import Mechanism
 
 Array = NDArray[np.float64]
-#: What parameters of the measurement begin with, and its candidates.
+#: Prefixes of the parameters of the measurement, and of its candidates.
 OF_MEASUREMENT, PREFIX = "measurement.", "measurement:"
 YAW = f"{OF_MEASUREMENT}yaw"
-#: How far a measurement frame plausibly is from the robot's: by the unit of what it moves.
+#: Prior standard deviations of the measurement frame, by unit.
 PLAUSIBLE = {"m": 0.02, "rad": 0.035}
 
 
 def parameters(kind: Mechanism) -> dict[str, str]:
-    """Names of the parameters of the frame, and their units."""
+    """Return the names of the parameters of the frame, and their units."""
     linear = _linear(kind)
     yaw = {YAW: "rad"} if len(linear) > 1 else {}
     return {_offset(kind, i): "m" for i in linear} | yaw
 
 
 def suspects(kind: Mechanism) -> tuple[list[Parameter], list[Candidate]]:
-    """Parameters of the frame, and the candidates that suspect them."""
+    """Return the parameters of the frame, and their candidates."""
     named = parameters(kind)
     what = {_offset(kind, i): f"all poses are shifted along {kind.pose[i].name}" for i in _linear(kind)}
-    what[YAW] = "the frame of the poses is turned about z"
+    what[YAW] = "the frame of the poses is rotated about z"
     candidates = [
         Candidate(name.replace(OF_MEASUREMENT, PREFIX), (name,), what[name], sigma=(PLAUSIBLE[unit],))
         for name, unit in named.items()
@@ -43,7 +43,7 @@ def suspects(kind: Mechanism) -> tuple[list[Parameter], list[Candidate]]:
 
 
 def true_points(kind: Mechanism, points: Array, values: Mapping[str, float]) -> Array:
-    """Poses with respect to the robot, (P, d)."""
+    """Return the poses with respect to the robot, (P, d)."""
     offset = np.array([values.get(_offset(kind, i), 0.0) for i in range(len(kind.pose))])
     yaw = values.get(YAW, 0.0)
     if not yaw:
@@ -57,7 +57,7 @@ def true_points(kind: Mechanism, points: Array, values: Mapping[str, float]) -> 
 
 
 def rate(kind: Mechanism, name: str, points: Array, values: Mapping[str, float]) -> Array:
-    """Derivative of the true poses with respect to one of the parameters, (P, d)."""
+    """Return the derivative of the true poses with respect to one of the parameters, (P, d)."""
     found = np.zeros(points.shape)
     if name != YAW:
         found[:, [_offset(kind, i) for i in range(len(kind.pose))].index(name)] = 1.0

@@ -1,6 +1,6 @@
-"""Load cases: values of a robot that are known to be others in some setups, such as a payload that is put on.
+"""Load cases: known values of a robot that differ in some setups, such as a payload.
 
-What is set in a setup is known there: no parameter moves it, nor the part of a whole or of a shared value that it is.
+A value set in a setup is known there: no parameter moves it, even as an element of a whole or of a shared value.
 """
 
 from __future__ import annotations
@@ -26,19 +26,19 @@ Known = frozenset[Slot]
 
 @dataclass(frozen=True)
 class LoadCase:
-    """A robot with the values that are set, and which numbers of the generated model these are."""
+    """A robot with set values, and the slots of the generated model that these determine."""
 
     robot: Robot
     known: Known = frozenset()
 
     @classmethod
     def of(cls, robot: Robot, values: dict[str, float]) -> LoadCase:
-        """The robot with some values, by path.
+        """Return the load case of a robot with some values, by path.
 
         Raises
         ------
         PkmodesError
-            As `Robot.with_values` does.
+            As for `Robot.with_values`.
         """
         if not values:
             return cls(robot)
@@ -46,14 +46,14 @@ class LoadCase:
         return cls(changed, frozenset(slot for path in values for slot in resolve(robot, path).weights))
 
     def left(self, path: ParameterPath) -> ParameterPath:
-        """What a path still moves where some of it is known."""
+        """Return a path without the slots that are known."""
         if not self.known:
             return path
         weights = {slot: weight for slot, weight in path.weights.items() if not self.knows(slot)}
         return replace(path, weights=weights)
 
     def knows(self, slot: Slot) -> bool:
-        """Whether a number is set; a compliance is set for each of its joints."""
+        """Return whether a slot is set; a compliance is set for each of its joints."""
         field, index = slot
         return slot in self.known or (field.rpartition(".")[0], index) in self.known
 
@@ -65,11 +65,11 @@ class LoadCases:
     Attributes
     ----------
     settings : tuple of str
-        Paths of what is set in some of the setups.
+        Paths of the values set in some of the setups.
     cases : tuple of LoadCase
-        All different.
+        Different load cases.
     of : ndarray of int, shape (S,)
-        The case of each setup.
+        Index of the case of each setup.
     """
 
     settings: tuple[str, ...]
@@ -78,26 +78,26 @@ class LoadCases:
 
     @classmethod
     def none(cls, robot: Robot, setups: int) -> LoadCases:
-        """The robot as declared in all setups."""
+        """Return the robot as declared in all setups."""
         return cls((), (LoadCase(robot),), np.zeros(setups, dtype=np.intp))
 
     def subset(self, setups: Sequence[int]) -> LoadCases:
-        """Those of some of the setups."""
+        """Return the load cases of some of the setups."""
         used, of = np.unique(self.of[list(setups)], return_inverse=True)
         return LoadCases(self.settings, tuple(self.cases[c] for c in used), of)
 
     def always(self, path: ParameterPath) -> bool:
-        """Whether all that a path moves is set in every setup."""
+        """Return whether all slots of a path are set in every setup."""
         return all(not case.left(path).weights for case in self.cases)
 
     def arranged(self, cases: Sequence[int], some: NDArray[np.bool_]) -> tuple[Index, list[int]]:
-        """Setups of some cases, in an order in which as many follow each other for each of the robots.
+        """Return the setups of some cases, ordered in blocks of equal size, one for each robot.
 
         Parameters
         ----------
         cases : sequence of int
         some : ndarray of bool, shape (S,)
-            Which setups take part.
+            Mask of the setups to include.
 
         Returns
         -------
@@ -114,7 +114,7 @@ class LoadCases:
 
 
 def settable(kind: Mechanism, robot: Robot | None = None) -> dict[str, str]:
-    """Paths that measurements may set, and their SI units: of any robot of a mechanism, or of one."""
+    """Return the paths that measurements may set, with SI units, for one robot or any robot of a mechanism."""
     if robot is not None:
         return changeable(robot)
     units = {number.path: number.unit for item in items(kind) for number in item.numbers}
@@ -122,20 +122,20 @@ def settable(kind: Mechanism, robot: Robot | None = None) -> dict[str, str]:
 
 
 def load_cases(robot: Robot, data: Measurements) -> LoadCases:
-    """The load cases of measurements.
+    """Return the load cases of measurements.
 
     Raises
     ------
     MeasurementError
-        If a path is none of this robot, or a robot file with a value would be refused: for the first row of the
-        first such pose.
+        If the robot does not have a path, or a robot file with a set value would be refused: for the first row of
+        the first such pose.
     """
     if not data.settings:
         return LoadCases.none(robot, len(data.labels))
     known = settable(robot.kind, robot)
     for path in data.settings:
         if path not in known:
-            what = f"{shown(f'{SET}{path}')} names no value that can be set in {robot.source}"
+            what = f"{shown(f'{SET}{path}')} is not a value that can be set in {robot.source}"
             remedy = nearest(path, known, "see docs/sensitivities.md for the paths")
             raise MeasurementError(what, data.source, remedy)
     cases: dict[tuple[tuple[str, float], ...], LoadCase] = {}
@@ -153,13 +153,13 @@ def load_cases(robot: Robot, data: Measurements) -> LoadCases:
 
 
 def of_columns(values: dict[str, float]) -> str:
-    """The columns that set some values, as in a sentence."""
+    """Return the columns that set some values, as in a sentence."""
     names = [f"{SET}{path}" for path in values]
     return f"column{'s' if len(names) > 1 else ''} {' and '.join(names)}"
 
 
 def _place(data: Measurements, pose: int, error: PkmodesError) -> str:
-    """Line and column of a value that is refused; of all that are set where what is wrong lies between them."""
+    """Return line and column of a refused value; all set columns if the error concerns several together."""
     values, path = data.load(pose), error.where.rpartition(": ")[2]
     line = data.lines[int(np.argmax(data.pose == pose))]
     one = {path: values[path]} if path in values else values

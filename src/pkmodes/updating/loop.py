@@ -1,4 +1,4 @@
-"""Compare and diagnose a robot, and correct its file: the engine with a robot as its structure."""
+"""Compare, diagnose and update a robot, and correct its file."""
 
 from __future__ import annotations
 
@@ -39,9 +39,9 @@ def read(
     path : path-like
         A CSV file with one row for each identified mode (docs/diagnosis.md, "What goes in").
     band : tuple of two floats, optional
-        Lowest and highest frequency that was looked for [Hz], where the file does not say so.
+        Lowest and highest frequency of the test [Hz], if the file does not state it.
     robot : Robot or Model, optional
-        Its mechanism says which columns there may be; without one, those of any mechanism.
+        Robot whose mechanism defines the allowed columns; by default those of any mechanism.
 
     Raises
     ------
@@ -68,7 +68,7 @@ def read(
 
 
 def _components(kind: Mechanism) -> dict[str, str]:
-    """Components of a pose and their units: columns of a measurement file."""
+    """Return the components of a pose and their units: columns of a measurement file."""
     return {component.name: component.unit for component in kind.pose}
 
 
@@ -83,8 +83,8 @@ def structure(
     Raises
     ------
     PkmodesError
-        If a pose cannot be reached, a value that is set is refused, or a coordinate, a candidate or the name of a
-        prior is unknown.
+        If a pose cannot be reached, a set value is refused, or a coordinate, a candidate or the name of a prior is
+        unknown.
     """
     robot = _robot(robot)
     check_measurements(data, "pkmodes.updating.read(path)")
@@ -96,7 +96,7 @@ def structure(
 
 
 def _robot(given: Robot | Model) -> Robot:
-    """A robot, or that of a model."""
+    """Return a robot, given as such or as a model."""
     if isinstance(given, Model):
         return given.robot
     if not isinstance(given, Robot):
@@ -109,7 +109,7 @@ def _robot(given: Robot | Model) -> Robot:
 
 
 def compare(robot: Robot | Model, data: Measurements) -> Comparison:
-    """Prediction beside measurement.
+    """Compare predictions with measurements, without any fit.
 
     Parameters
     ----------
@@ -142,10 +142,10 @@ def diagnose(
         Names of effects, ``parameter:<path>``, ``measurement:<what>``, or the words ``effects``, ``parameters`` and
         ``measurement``; by default all.
     holdout : sequence of str, optional
-        Labels of poses that take no part in any choice or fit; by default one in six.
+        Labels of held-out poses, used in no choice or fit; by default one in six.
     priors : mapping of str to float or str, optional
-        How far the parameters of candidates may plausibly be from their values, as standard deviations: numbers in
-        SI units, or text with a unit, ``"1 mm"`` or ``"2 %"`` of the declared value.
+        Prior standard deviations of the parameters of candidates: numbers in SI units, or text with a unit,
+        ``"1 mm"`` or ``"2 %"`` of the declared value.
     progress : callable, optional
         Called with a sentence at each step.
 
@@ -169,18 +169,18 @@ def update(
     *,
     holdout: Sequence[str] | None = None,
 ) -> Update:
-    """Update the uncertain values of a robot together: a correction, and no cause.
+    """Update the uncertain values of a robot together: a correction, not a cause.
 
     Parameters
     ----------
     robot : Robot or Model
-        Its quantities with a sigma may change, as far as that says; `Robot.with_values` gives more of them one.
+        Its quantities with a sigma may change, with the sigma as a prior; `Robot.with_values` adds a sigma to others.
     data : Measurements
         From `read`.
     parameters : sequence of str, optional
-        Dotted paths of those that may; by default all with a sigma.
+        Dotted paths of those that may change; by default all with a sigma.
     holdout : sequence of str, optional
-        Labels of poses that take no part; by default one in six.
+        Labels of held-out poses; by default one in six.
 
     Raises
     ------
@@ -191,12 +191,12 @@ def update(
 
 
 def corrections(robot: Robot, found: Diagnosis) -> Mapping[str, Correction]:
-    """Changes of the robot file that a diagnosis asks for: refitted values, causes, and their uncertainty."""
+    """Return the changes of the robot file after a diagnosis: refitted values, causes, and their uncertainty."""
     causes = {v.name for finding in found.effects for v in finding.parameters}
     changes = {}
     for value in found.corrected:
         if value.name.startswith(frame.OF_MEASUREMENT):
-            continue  # a matter of the measurements: the robot is as it was
+            continue  # it concerns the measurements, not the robot
         note = "found by pkmodes diagnose" if value.name in causes else "refitted by pkmodes diagnose"
         if value.name in robot.quantities or not value.name.startswith("effects."):
             unit = "" if value.unit == "1" else f" {value.unit}"
@@ -206,9 +206,9 @@ def corrections(robot: Robot, found: Diagnosis) -> Mapping[str, Correction]:
 
 
 def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> None:
-    """Write the corrected robot, with comments and order of the original kept.
+    """Write the corrected robot file; comments and order of the original are kept.
 
-    Of a class of several causes the first, which names it, is written.
+    If a class has several causes, the first one, which names it, is written.
 
     Raises
     ------
@@ -223,6 +223,8 @@ def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> No
             "leave out --save-robot, or measure more",
         )
     if not Path(robot.source).is_file():
-        what = f"expected a robot as a file has it, found {shown(robot.source)}"
-        raise PkmodesError(what, "save_robot", "diagnose the robot of a file, or write its values into one")
+        what = f"expected a robot read from a file, found {shown(robot.source)}"
+        raise PkmodesError(
+            what, "save_robot", "diagnose a robot read from a file, or write its values to one"
+        )
     save_corrected(Path(robot.source), Path(target), corrections(robot, found))

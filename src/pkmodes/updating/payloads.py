@@ -1,4 +1,4 @@
-"""Payloads that could be put on for another measurement: plausible ones, by the mass of the platform."""
+"""Plausible payloads for another measurement, relative to the mass of the platform."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 
 Array = NDArray[np.float64]
-#: The effect that a known mass on the platform is, and its parameter.
+#: The effect of a mass on the platform, and its parameter.
 PAYLOAD = "payload"
 PATH = f"{EFFECTS}.{PAYLOAD}.mass"
-#: Parts of the platform's mass that are tried.
+#: Payloads as parts of the platform's mass.
 PARTS = (0.1, 0.3, 1.0)
-#: Digits of a mass that somebody is to put on.
+#: Significant digits of a payload.
 DIGITS = 3
 
 
 def payloads(robot: Robot, points: Array) -> list[dict[str, float]]:
-    """Payloads as what would be set, beside the declared one; none where the robot has no such effect.
+    """Return payloads as values to set, added to the declared one; empty if the mechanism has no payload effect.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def payloads(robot: Robot, points: Array) -> list[dict[str, float]]:
 
 
 def platform_mass(robot: Robot, points: Array) -> ParameterPath | None:
-    """The mass that moves as a payload does, None where there is none."""
+    """Return the path of the mass that acts like a payload; None if there is none."""
     kind = robot.kind
     if PAYLOAD not in kind.effects or not len(points):
         return None

@@ -1,4 +1,4 @@
-"""Whether measurements are such as a robot can have: its poses, its coordinates, and that it reaches them."""
+"""Checks of measurements against a robot: pose components, shape coordinates, and reachability."""
 
 from __future__ import annotations
 
@@ -12,27 +12,26 @@ from pkmodes.poses import check_poses, placed
 from pkmodes.updating.load_cases import LoadCases, load_cases, of_columns
 from pkmodes.updating.structure import channels
 
-#: What lengths in another unit than they are said to be are multiplied with, and what then is to be done.
+#: Factors for lengths in another unit than stated, and the remedy.
 OTHER_LENGTHS = {
     1e-3: "the numbers look like millimetres: write {0} in the header",
-    1e3: "the numbers look like metres, and the header says otherwise: write {1} in it",
+    1e3: "the numbers look like metres, but the header says otherwise: write {1} there",
 }
 
 
 def check_measured(measurements: Measurements, model: Model) -> LoadCases:
-    """Refuse measurements at poses that the robot cannot take, or of what it has not.
+    """Refuse measurements that the robot cannot have.
 
     Returns
     -------
     LoadCases
-        What is set at the poses.
+        Values set at the poses.
 
     Raises
     ------
     MeasurementError
-        If the poses have other components than the mechanism's, a shape has a component at a coordinate that it has
-        not, a value that is set is refused, or a pose cannot be evaluated: for the first such pose, with the line of
-        its first row.
+        If the poses have other components than the mechanism's, a shape component is not a coordinate of the robot, a
+        set value is refused, or a pose cannot be evaluated: for the first such pose, with the line of its first row.
     """
     if not measurements.labels:
         return LoadCases.none(model.robot, 0)
@@ -40,11 +39,11 @@ def check_measured(measurements: Measurements, model: Model) -> LoadCases:
     names = tuple(component.name for component in kind.pose)
     if measurements.components != names:
         what = f"expected poses with {_listed(names)}, found {_listed(measurements.components)}"
-        raise MeasurementError(what, measurements.source, f"give what {model.robot.source} needs")
+        raise MeasurementError(what, measurements.source, f"give the pose components of {model.robot.source}")
     known = channels(kind)
     for name in measurements.channels:
         if name not in known:
-            what = f"{shown(name)} names no coordinate of {model.robot.source}"
+            what = f"{shown(name)} is not a coordinate of {model.robot.source}"
             raise MeasurementError(what, measurements.source, nearest(name, known))
     loads = load_cases(model.robot, measurements)
     _check_reachable(measurements, model, names, loads)
@@ -74,7 +73,7 @@ def _check_reachable(
             columns = ",".join(
                 f"{name} [mm]" if length else name for name, length in zip(names, _lengths(kind), strict=True)
             )
-            what = f"no pose can be reached, but every one if it is multiplied by {factor:g}"
+            what = f"no pose can be reached, but all can if multiplied by {factor:g}"
             raise MeasurementError(what, where, remedy.format(columns, ",".join(names)))
     load = measurements.load(first)
     robot, remedy = loads.cases[loads.of[first]].robot, f"check the row and {model.robot.source}"
@@ -82,13 +81,13 @@ def _check_reachable(
         where = where.replace(
             f"columns {_listed(names)}", of_columns(load)
         )  # as declared, the robot reaches it
-        remedy = "check the values that are set"
+        remedy = "check the set values"
     try:
         check_poses(measurements.points[first], kind, robot.parameters, "raise", model.max_condition)
     except PoseError as error:
         label, place = shown(measurements.labels[first]), placed(kind, measurements.points[first])
         raise MeasurementError(
-            f"pose {label} at {place} cannot be reached{' with what is set' if load else ''}: {error.what}",
+            f"pose {label} at {place} cannot be reached{' with the set values' if load else ''}: {error.what}",
             where,
             f"{error.remedy}; {remedy}",
         ) from None
@@ -99,5 +98,5 @@ def _lengths(kind: Mechanism) -> list[bool]:
 
 
 def _listed(names: tuple[str, ...]) -> str:
-    """Names as in a sentence: x, y and z."""
+    """Join names as in a sentence: x, y and z."""
     return " and ".join([", ".join(names[:-1]), *names[-1:]]) if len(names) > 1 else "".join(names)

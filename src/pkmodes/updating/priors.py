@@ -1,4 +1,4 @@
-"""Priors that a caller gives to candidates of a robot: how far each value may plausibly be from the declared one."""
+"""Priors of a robot's candidates from the caller: the plausible deviation of each value from the declared one."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ def with_priors(
     candidates: Sequence[Candidate],
     priors: Mapping[str, float | str],
 ) -> list[Candidate]:
-    """Give candidates priors, by their names.
+    """Return the candidates with priors, given by candidate name.
 
     Raises
     ------
     PkmodesError
-        If there is no such candidate, or a prior is no standard deviation of its parameters.
+        If there is no such candidate, or a prior is not a standard deviation of its parameters.
     """
     if not isinstance(priors, Mapping):
         what = f"expected standard deviations by candidate, found {shown(priors)}"
-        raise PkmodesError(what, "priors", 'write such as {"parameter:link.length": "1 mm"}')
+        raise PkmodesError(what, "priors", 'write for example {"parameter:link.length": "1 mm"}')
     by_name = {parameter.name: parameter for parameter in parameters}
     found = {candidate.name: candidate for candidate in candidates}
     known = [candidate.name for candidate in candidates if candidate.claimable]
@@ -43,18 +43,18 @@ def with_priors(
 
 
 def _refuse(robot: Robot, name: object, known: Sequence[str]) -> NoReturn:
-    """Say why there is no such candidate."""
+    """Raise an error that says why there is no such candidate."""
     path = str(name).removeprefix("parameter:")
     quantity = robot.quantities.get(path)
     if quantity is not None and quantity.sigma is not None:
-        state = "refitted anyway, within that" if quantity.sigma else "known exactly"
-        what = f"{path} has a sigma and is {state}: it is no candidate"
-        raise PkmodesError(what, "priors", "leave it out, or take the sigma out of the robot file")
+        state = "refitted anyway, within its sigma" if quantity.sigma else "known exactly"
+        what = f"{path} is not a candidate: the robot file gives a sigma, so it is {state}"
+        raise PkmodesError(what, "priors", "leave it out, or remove the sigma from the robot file")
     raise PkmodesError(f"there is no candidate {shown(name)} for a prior", "priors", nearest(name, known))
 
 
 def _deviation(given: float | str, parameter: Parameter, name: str) -> float:
-    """A standard deviation in the unit of a parameter: a number, text with a unit, or a part of its value.
+    """Return a standard deviation in the unit of a parameter, from a number, text with a unit, or a percentage.
 
     Raises
     ------
@@ -77,7 +77,7 @@ def _deviation(given: float | str, parameter: Parameter, name: str) -> float:
                 factor, powers = base_units(unit)
                 own, same = base_units(parameter.unit)
                 if powers != same:
-                    raise QuantityError(f"{shown(given)} is of another kind")
+                    raise QuantityError(f"{shown(given)} has the wrong dimension")
                 value = float(Decimal(number[1]) * factor / own)
         except QuantityError as error:
             what = f"expected a standard deviation in {parameter.unit}: {error}"

@@ -1,4 +1,4 @@
-"""A robot at measured poses, as the diagnosis sees a structure."""
+"""A robot at measured poses, as a structure for the diagnosis."""
 
 from __future__ import annotations
 
@@ -24,16 +24,16 @@ from pkmodes.updating.payloads import payloads
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-#: Prefix of the channels that are the platform's absolute motion.
+#: Prefix of the channels of the platform's absolute motion.
 PLATFORM = "p_"
-#: Where another measurement could be made: draws around the measured poses, and their seed.
+#: Number of poses drawn around the measured ones for the next measurement, and their seed.
 DRAWS, SEED = 400, 7
-#: Kinds of keys of the robot file that say where something is, whatever their dimension.
+#: Kinds of keys of the robot file that define a location or orientation, whatever their dimension.
 WHERE = ("direction", "choice", "signs", "pair")
 
 
 def channels(kind: Mechanism) -> dict[str, str]:
-    """Shape components that a robot has, with their units: all coordinates, released ones included, and the platform.
+    """Return the shape components of a robot with their units: all coordinates, also released ones, and the platform.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ def channels(kind: Mechanism) -> dict[str, str]:
 
 
 class _Part(NamedTuple):
-    """Modes of load cases whose robots are alike: at some setups, by B robots, which are those of some cases."""
+    """Modes at some setups, for B robots of load cases that can be evaluated together."""
 
     rows: Index
     owners: list[int]
@@ -63,7 +63,7 @@ class RobotStructure:
     parameters, candidates, moves
         From `pkmodes.updating.suspects.suspects`; parameters of the measurement frame have no move.
     loads : LoadCases, optional
-        What is set at the poses; by default nothing.
+        Values set at the poses; by default none.
     """
 
     def __init__(
@@ -96,7 +96,7 @@ class RobotStructure:
 
     @property
     def settings(self) -> tuple[str, ...]:
-        """Paths of what is set at some of the poses."""
+        """Paths of the values set at some of the poses."""
         return self._loads.settings
 
     def at(self, points: Array, loads: LoadCases | None = None) -> RobotStructure:
@@ -108,7 +108,7 @@ class RobotStructure:
         return self.at(self.points[list(setups)], self._loads.subset(setups))
 
     def loaded(self) -> list[tuple[dict[str, float], RobotStructure]]:
-        """Return the same robot at its poses with one payload of several sizes, by what is set for it."""
+        """Return payloads (values by path), each with the robot at its poses under it."""
         every = np.zeros(len(self.points), dtype=np.intp)
         return [
             (load, self.at(self.points, LoadCases(tuple(load), (LoadCase.of(self.robot, load),), every)))
@@ -116,7 +116,7 @@ class RobotStructure:
         ]
 
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
-        """Modes at all poses, with derivatives with respect to some of the parameters."""
+        """Return the modes at all poses, with derivatives with respect to some of the parameters."""
         asked = values.tobytes(), tuple(by), shape_rates
         if (
             self._latest is not None and self._latest[0] == asked
@@ -135,10 +135,9 @@ class RobotStructure:
     def predict_many(
         self, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
     ) -> list[Batch]:
-        """Modes at all poses for several sets of values; those are one batch that differ in numbers only.
+        """Return the modes at all poses for several sets of values; sets that differ only in numbers form one batch.
 
-        What differs otherwise, in the joints that are locked or in the poses that can be reached, is evaluated by
-        itself.
+        Sets that also differ in locked joints or in reachable poses are evaluated separately.
         """
         robots = [self._robots(v) for v in values]
         where = [self._where(v) for v in values]
@@ -177,7 +176,7 @@ class RobotStructure:
         return found
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction:
-        """Modes at all poses, with derivatives with respect to the platform's position."""
+        """Return the modes at all poses, with derivatives with respect to the platform's position."""
         moves = Moves(self._shifts, None)
         parts = self._at_values(values)
         return self._joined(
@@ -185,7 +184,7 @@ class RobotStructure:
         )
 
     def elsewhere(self, count: int) -> tuple[Array, RobotStructure]:
-        """Reachable poses in and around the measured ones, and the robot there, as declared."""
+        """Return reachable poses in and around the measured ones, and the robot there, as declared."""
         rng = np.random.default_rng(SEED)
         low, high = self.points.min(axis=0), self.points.max(axis=0)
         margin = 0.25 * max(float((high - low).max()), 0.1)
@@ -195,13 +194,13 @@ class RobotStructure:
         return drawn, self.at(drawn)
 
     def _moved_by(self, values: Array, by: Sequence[int], rows: Index, owners: Sequence[int]) -> list[Moves]:
-        """What some of the parameters move in the robots of some cases, at as many of the setups each."""
+        """Return the moves of some parameters in the robots of some cases, each at an equal number of setups."""
         names = [self.parameters[i].name for i in by]
         moving = [name for name in names if name in self._moves]
         paths = {c: tuple(self._left[c][name] for name in moving) for c in dict.fromkeys(owners)}
         if len(moving) == len(names):
             return [Moves(paths[c], None) for c in owners]
-        # What moves the frame moves all poses, each by what it is away from the frame's origin.
+        # A parameter of the frame moves all poses, each according to its distance from the frame's origin.
         known = {name: k for k, name in enumerate(moving)}
         mix = np.zeros((len(self.points), len(moving) + len(self._shifts), len(by)))
         for column, name in enumerate(names):
@@ -214,16 +213,16 @@ class RobotStructure:
         return [Moves(with_shifts[c], mix[some]) for c, some in zip(owners, each, strict=True)]
 
     def _frame(self, values: Array) -> dict[str, float]:
-        """Values of the parameters of the measurement frame."""
+        """Return the values of the parameters of the measurement frame."""
         named = zip(self.parameters, values, strict=True)
         return {p.name: float(value) for p, value in named if p.name not in self._moves}
 
     def _where(self, values: Array) -> Array:
-        """The poses with respect to the robot."""
+        """Return the poses with respect to the robot."""
         return frame.true_points(self._kind, self.points, self._frame(values))
 
     def _robots(self, values: Array) -> list[Robot]:
-        """The robot of each load case with these values of the parameters."""
+        """Return the robot of each load case with these values of the parameters."""
         changed = [
             (p.name, value - self._moves[p.name].value)
             for p, value in zip(self.parameters, values, strict=True)
@@ -233,11 +232,11 @@ class RobotStructure:
         return [moved(case.robot, [(left[name], step) for name, step in changed]) for case, left in cases]
 
     def _at_values(self, values: Array) -> list[_Part]:
-        """Modes for one set of values, those of alike robots together."""
+        """Return the modes for one set of values; robots that can be are evaluated together."""
         key = values.tobytes()
         if (
             self._last is None or self._last[0] != key
-        ):  # derivatives are mostly asked for where the modes were
+        ):  # derivatives are mostly requested where the modes are known
             robots, where = self._robots(values), self._where(values)
             valid = self._reachable(robots, where)
             systems = [SystemOfEffects.of(robot) for robot in robots]
@@ -256,10 +255,10 @@ class RobotStructure:
         return joined(parts, len(self.points))
 
     def _key(self, system: SystemOfEffects) -> object:
-        """Robots for which this is the same can be evaluated together."""
+        """Return a key that is the same for robots that can be evaluated together."""
         massless = b""
         if len(self._loads.cases) > 1 and len(system.free) > system.first:
-            # What has no inertia follows from which numbers are zero.
+            # The motions without inertia depend only on which numbers are zero.
             zeros = [system.effects, *(getattr(system.parameters, name) for name in _inertias(self._kind))]
             key = system.free.tobytes(), b"".join((np.asarray(v) == 0.0).tobytes() for v in zeros)
             if key not in self._massless:
@@ -268,7 +267,7 @@ class RobotStructure:
         return system.free.tobytes(), system.rigid_modes, massless
 
     def _reachable(self, robots: Sequence[Robot], points: Array) -> NDArray[np.bool_]:
-        """Which poses these robots of the cases reach; those of the declared ones were checked before."""
+        """Return a mask of the poses that these robots of the cases reach; declared ones were checked before."""
         found = np.ones(len(points), dtype=bool)
         measured = np.array_equal(points, self.points)
         for c, (robot, case) in enumerate(zip(robots, self._loads.cases, strict=True)):
@@ -280,19 +279,19 @@ class RobotStructure:
 
 @cache
 def _inertias(kind: Mechanism) -> tuple[str, ...]:
-    """Generated parameters that are inertias."""
+    """Return the generated parameters that are inertias."""
     return tuple(dict.fromkeys(key.field for key in declared(kind) if key.dimension in INERTIAS))
 
 
 @cache
 def _geometry(kind: Mechanism) -> tuple[str, ...]:
-    """Generated parameters that say which poses a robot reaches: nothing else of it enters the margins."""
+    """Return the generated parameters that determine which poses a robot reaches."""
     keys = [key for key in declared(kind) if key.kind in WHERE or key.dimension in ("length", "angle")]
     return tuple(dict.fromkeys(key.field for key in keys))
 
 
 def _same_geometry(kind: Mechanism, a: Robot, b: Robot) -> bool:
-    """Whether two robots reach the same poses."""
+    """Return whether two robots have the same geometry, and so reach the same poses."""
     of_a, of_b = a.parameters, b.parameters
     if of_a is of_b:
         return True

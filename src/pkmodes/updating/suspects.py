@@ -1,11 +1,11 @@
 """Parameters and candidate causes of a robot: its nuisances, the catalogue of effects, and suspected values.
 
-A declared value with a standard deviation is a nuisance, one without may be suspected, and one with a standard
-deviation of 0 is known.  What belongs to a whole (``axis.span``) is suspected as one, under its path.
+A declared value with a standard deviation is a nuisance, a value without one may be suspected, and a value with a
+standard deviation of 0 is known.  The elements of a whole (``axis.span``) are suspected together, under its path.
 
-What concerns one of several alike is remote: a value of one axis where the file gives one for all, and, outside the
-catalogue, a compliance of the catalogue in one joint alone, which has no name there.  A compliance of the catalogue
-with another value in each joint is no candidate either, but stands against the one that they share.
+Candidates that concern one of several equal parts are remote: a value of one axis if the file gives one for all, and
+a compliance of the catalogue in a single joint, which has no name in the catalogue.  A compliance with a separate
+value in each joint is not a candidate either, but the general form against which the shared one is tested.
 """
 
 from __future__ import annotations
@@ -25,11 +25,11 @@ from pkmodes.robot.wholes import items_of, weights_of, wholes
 from pkmodes.updating import frame
 from pkmodes.updating.load_cases import LoadCases
 
-#: How a suspected value is called as a candidate.
+#: Prefix of suspected values as candidates.
 PREFIX = "parameter:"
-#: How paths of effects begin; as candidates they go by their names alone.
+#: Prefix of the paths of effects; as candidates, effects have their names only.
 EFFECTS = "effects."
-#: A suspected value is looked for between a third and three times what is declared: beyond that the robot file
+#: A suspected value is searched for between a third and three times the declared one: beyond that, the robot file
 #: describes another machine.
 FACTOR = 3.0
 
@@ -37,7 +37,7 @@ FACTOR = 3.0
 def suspects(
     robot: Robot, chosen: Sequence[str] | None = None, loads: LoadCases | None = None
 ) -> tuple[list[Parameter], list[Candidate], dict[str, ParameterPath]]:
-    """Parameters of the diagnosis, its candidates, and what moves each parameter of the robot.
+    """Return the parameters of the diagnosis, its candidates, and the path of each parameter of the robot.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def suspects(
         ``parameters`` and ``measurement`` for all of a kind.  By default all effects, every value that may be
         suspected, and the frame of the measurement.
     loads : LoadCases, optional
-        What the measurements set: a constant that they set makes its effect a candidate, and what they set at every
+        Values set by the measurements: an effect whose constant is set becomes a candidate, and a value set at every
         pose is known.
 
     Raises
@@ -83,12 +83,14 @@ def suspects(
 
 
 def _unknown(candidates: Sequence[Candidate], known: set[str], chosen: Sequence[str]) -> list[Candidate]:
-    """Candidates without parameters that the measurements set at every pose."""
+    """Return the candidates without the parameters that the measurements set at every pose."""
     found = []
     for candidate in candidates:
         left = tuple(name for name in candidate.parameters if name not in known)
         if not left and candidate.name in chosen:
-            what = f"{' and '.join(candidate.parameters)} is known: the measurements set it at every pose"
+            names, one = " and ".join(candidate.parameters), len(candidate.parameters) == 1
+            is_known, it = ("is known", "it") if one else ("are known", "them")
+            what = f"{names} {is_known}: the measurements set {it} at every pose"
             raise PkmodesError(what, "candidates", f"leave {candidate.name} out")
         if left == candidate.parameters or (left and not candidate.remote):
             found.append(replace(candidate, parameters=left))
@@ -119,7 +121,7 @@ def _chosen(robot: Robot, chosen: Sequence[str] | None, loads: LoadCases) -> lis
 
 
 def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> list[Candidate]:
-    """An effect whose declared constant is wrong, such as the mass of a frame that moves: alone it would not fit."""
+    """Return effects with a wrong declared constant, such as the mass of a moving frame: alone they would not fit."""
     found = []
     for borrowed, own in lent(robot.kind).items():
         _, name, constant = borrowed.split(".")
@@ -127,7 +129,7 @@ def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> lis
         if (declared is None or declared.sigma is None) and name in {c.name for c in candidates}:
             effect = robot.kind.effects[name]
             parameters = (*(f"{EFFECTS}{name}.{p.name}" for p in effect.fitted), borrowed)
-            sentence = f"{effect.sentence}, and its {constant} is not the declared one"
+            sentence = f"{effect.sentence}, and its {constant} differs from the declared one"
             found.append(
                 Candidate(f"{name} with another {own}", parameters, sentence, remote=True, nameable=False)
             )
@@ -135,14 +137,14 @@ def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> lis
 
 
 def _varying(robot: Robot) -> list[str]:
-    """Declared values that the robot depends on: not those that every entry overrides, lent ones once."""
+    """Return the declared values that the robot depends on: not those that every entry overrides, lent ones once."""
     known = set(paths(robot))
     known -= {borrowed for borrowed, own in lent(robot.kind).items() if own in robot.quantities}
     return [path for path in robot.quantities if path in known]
 
 
 def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
-    """A candidate that is not suspected by default, such as a value of one axis."""
+    """Return a candidate that is not suspected by default, such as a value of one axis."""
     path = name.removeprefix(PREFIX)
     effects = robot.kind.effects
     if name in effects:
@@ -166,14 +168,14 @@ def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
         raise PkmodesError(
             f"{shared} is {state}: the robot file gives a sigma",
             "candidates",
-            f"declare {path} in the robot file, without a sigma, to have it suspected",
+            f"to suspect {path}, declare it in the robot file without a sigma",
         )
     resolve(robot, path)
     return Candidate(name, (path,), f"the declared value of {path} is wrong")
 
 
 def _refuse_declared(robot: Robot, what: str, declared: Sequence[str]) -> None:
-    """Refuse a candidate with a value that has a standard deviation."""
+    """Refuse a candidate that has a value with a standard deviation."""
     sigmas = [quantity.sigma for path in declared if (quantity := robot.quantities.get(path)) is not None]
     given = [sigma for sigma in sigmas if sigma is not None]
     if given:
@@ -186,7 +188,7 @@ def _refuse_declared(robot: Robot, what: str, declared: Sequence[str]) -> None:
 
 
 def _elements(robot: Robot, whole: Whole) -> list[str]:
-    """Paths of the elements of a whole."""
+    """Return the paths of the elements of a whole."""
     return [number.path for item in items_of(robot.kind, whole) for number in item.numbers]
 
 
@@ -196,13 +198,13 @@ def _declared_parameters(robot: Robot, effect: Effect) -> list[str]:
 
 
 def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
-    """Effects that the file does not declare, and those that it declares without a standard deviation."""
+    """Return the effects that the file does not declare, or declares without a standard deviation."""
     found = {}
     robots = (robot, *(case.robot for case in loads.cases))
     there = {path for one in robots for path, value in {**one.constants, **one.effects}.items() if value}
     for effect in robot.kind.effects.values():
         names = [f"{EFFECTS}{effect.name}.{p.name}" for p in effect.fitted]
-        # What is multiplied by a constant that is nowhere, such as a tension, has no effect.
+        # A parameter that is multiplied by a constant given nowhere, such as a tension, has no effect.
         absent = [p for p in effect.parameters if not p.fitted and f"{effect.name}.{p.name}" not in there]
         suspected = all(robot.quantities[n].sigma is None for n in _declared_parameters(robot, effect))
         if suspected and not absent:
@@ -211,7 +213,7 @@ def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
 
 
 def _suspected(robot: Robot) -> dict[str, Candidate]:
-    """Values without a standard deviation; wholes in place of their elements, the effects under their own names."""
+    """Return the candidates of values without a standard deviation; wholes in place of their elements."""
     parts = {element for whole in robot.kind.wholes for element in _elements(robot, whole)}
     found = [
         path
@@ -232,24 +234,24 @@ def _may_be_wrong(robot: Robot, path: str) -> bool:
     item = by_path(robot.kind).get(path)
     if item is None or not item.key.suspected:
         return False
-    return item.key is not GRAVITY or robot.quantities[path].value != 0.0  # nobody measures a 0 of gravity
+    return item.key is not GRAVITY or robot.quantities[path].value != 0.0  # a gravity component of 0 is exact
 
 
 def _of_one_entry(robot: Robot) -> list[Candidate]:
-    """Values that the file gives for several axes, of one of them alone; not where a sigma says that it is known."""
+    """Return the values of single axes for which the file gives one shared value without a sigma."""
     found, known = [], paths(robot)
     for path in known:
         item = by_path(robot.kind).get(path)
         if item is not None and item.shared in known and path not in robot.quantities:
             following = [own for own in takers(robot.kind)[item.shared] if own.path not in robot.quantities]
             if robot.quantities[item.shared].sigma is None and len(following) > 1:
-                sentence = f"the value of {path} is not that of the others"
+                sentence = f"the value of {path} differs from that of the other axes"
                 found.append(Candidate(f"{PREFIX}{path}", (path,), sentence, remote=True))
     return found
 
 
 def _joints(robot: Robot) -> dict[str, ParameterPath]:
-    """Compliances in single joints: those of the catalogue are in all joints of their kind."""
+    """Return compliances in single joints; those of the catalogue are in all joints of their kind."""
     found = {}
     for effect in robot.kind.effects.values():
         name, unit = f"{effect.name}.{effect.parameters[0].name}", effect.parameters[0].unit
@@ -268,14 +270,14 @@ def _alone(effect: str, coordinate: str) -> str:
 def _unlike(
     robot: Robot, candidates: Sequence[Candidate], joints: Mapping[str, ParameterPath]
 ) -> list[Candidate]:
-    """Compliances with another value in each joint, for those candidates that give all joints the same."""
+    """Return the general forms of candidate compliances, with a separate value in each joint."""
     found = []
     effects = robot.kind.effects
     for name in [candidate.name for candidate in candidates if candidate.name in effects]:
         each = [joint for q in effects[name].coordinates if (joint := _alone(name, q.name)) in joints]
         if len(each) > 1:
             parameters = tuple(joints[joint].path for joint in each)
-            what = f"{name} with another value in each joint"
+            what = f"{name} with a separate value in each joint"
             found.append(Candidate(what, parameters, general_of=name))
     return found
 

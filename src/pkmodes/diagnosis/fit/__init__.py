@@ -1,1 +1,1 @@
-"""Hypotheses fitted to frequencies and shapes, and what each fit says."""
+"""Fits of hypotheses to frequencies and shapes, and their goodness of fit."""

@@ -1,4 +1,4 @@
-"""How well a fit predicts setups that take no part in it."""
+"""Leave-one-out cross-validation of a fit over setups."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ from pkmodes.diagnosis.problem import Array
 
 
 def left_out(fit: Fit, setups: Sequence[NDArray[np.intp]]) -> tuple[Array, Array]:
-    """Predict each setup by a fit to the others, to first order.
+    """Predict each setup from a fit to the others, to first order.
 
-    With H the projection on the derivatives, the residual of a setup that takes no part is
-    (1 - H_ii)^-1 r_i: nothing has to be fitted again.
+    With H the projection onto the derivatives, the residual of a left-out setup is (1 - H_ii)^-1 r_i: no refit is
+    needed.
 
     Parameters
     ----------
     fit : Fit
     setups : sequence of ndarray of int
-        Places of the data of each setup.
+        Indices of the data of each setup.
 
     Returns
     -------
     squares : ndarray, shape (S,)
         Sum of squares of each setup.
     leverage : ndarray, shape (S,)
-        Largest eigenvalue of H_ii: near 1 the setup alone determines something, and nothing predicts it.
+        Largest eigenvalue of H_ii: near 1 the setup alone determines some parameter, and no other one predicts it.
     """
     squares, leverage = [], []
     for rows in setups:

@@ -1,8 +1,8 @@
 r"""Fit a hypothesis to measured modes: bounded nonlinear least squares in whitened logarithms and shapes.
 
-The residual is :math:`\ln f_{measured} - \ln f_{model}` and what the shapes leave (`fit.shapes`), whitened with its
-covariance (`fit.noise`).  Priors are further residuals, so that the least sum of squares of a true hypothesis is
-chi-square distributed with as many degrees of freedom as there are data, less its free parameters without prior.
+The residual is :math:`\ln f_{measured} - \ln f_{model}` and the shape residuals (`fit.shapes`), whitened with its
+covariance (`fit.noise`).  Priors are additional residuals, so the least sum of squares of a true hypothesis is
+chi-square distributed; its degrees of freedom are the number of data less the free parameters without a prior.
 """
 
 from __future__ import annotations
@@ -37,11 +37,11 @@ class Fitter:
     data : Measurements
     criteria : Criteria, optional
     scatter : float, optional
-        Standard deviation of shape components where none is stated, relative to the row's largest.
+        Standard deviation of shape components without a stated one, relative to the row's largest.
     widened : float, optional
         Factor by which all priors are wider than declared.
     parameters : sequence of Parameter, optional
-        Those of the structure with other priors.
+        Parameters of the structure with other priors.
     """
 
     def __init__(
@@ -75,24 +75,24 @@ class Fitter:
         self.prior_rows = slice(rows + size, None)
 
     def indices(self, cause: Candidate) -> tuple[int, ...]:
-        """Indices of a cause's parameters."""
+        """Return the indices of a cause's parameters."""
         return tuple(self._index[name] for name in cause.parameters)
 
     def used(self, hypothesis: Hypothesis) -> NDArray[np.bool_]:
-        """Rows that take part."""
+        """Return a mask of the rows that a hypothesis does not exclude."""
         used = np.ones(len(self.log), dtype=bool)
         used[list(hypothesis.excluded)] = False
         return used
 
     def shape_rows_of(self, data: Measurements) -> ShapeRows:
-        """Shapes of measurements at the same channels as data of a fit."""
+        """Return the shape data of measurements at the same channels."""
         units = [self.structure.channel_units[i] for i in self.pairer.columns]
         return ShapeRows(
             data, self.pairer.columns, units, self.pairer.moves, self.shape_scatter, self.criteria
         )
 
     def places(self) -> list[NDArray[np.intp]]:
-        """Places of the data of each setup, frequencies and shapes."""
+        """Return the indices of the data of each setup, frequencies and shapes."""
         rows, channels = len(self.log), self.shapes.sigma.shape[1]
         components = rows + np.arange(self.shapes.size).reshape(rows, channels)
         return [np.concatenate([part, components[part].ravel()]) for part in self.noise.rows]
@@ -101,7 +101,7 @@ class Fitter:
 
     @cached_property
     def scout(self) -> Fitter:
-        """The same at some of the setups, where there are many: enough to see where a fit should begin."""
+        """The same fitter at some of the setups if there are many: enough to find start values."""
         count, most = len(self.data.labels), self.criteria.setups_to_scout
         if count <= 2 * most:
             return self
@@ -115,7 +115,7 @@ class Fitter:
         )
 
     def chi2_of_many(self, trials: Sequence[tuple[Hypothesis, Array]]) -> list[float]:
-        """Sums of squares for several hypotheses and values, without any fit and priors; infinite out of reach."""
+        """Return sums of squares for several hypotheses and values without fit or priors; inf if not evaluable."""
         if not trials:
             return []
         found = [np.inf] * len(trials)
@@ -132,7 +132,7 @@ class Fitter:
         return found
 
     def unfitted(self, values: Array, used: NDArray[np.bool_]) -> tuple[Pairing, Array, Array, float]:
-        """What these values give without any fit, the errors of uncertain positions counted.
+        """Evaluate given values without any fit, including the errors of uncertain positions.
 
         Returns
         -------
@@ -140,7 +140,7 @@ class Fitter:
         residual, sigma : ndarray, shape (R,)
             ln f measured minus model, and its standard deviation.
         chi2 : float
-            Whitened sum of squares of the frequencies of the rows in use.
+            Whitened sum of squares of the frequencies of the used rows.
         """
         prediction = self.structure.predict(values, ())
         pairing = self.pairer.pair(prediction, used)
@@ -153,13 +153,13 @@ class Fitter:
     # Fits --------------------------------------------------------------------------------------------------
 
     def fit(self, hypothesis: Hypothesis, start: Array | None = None) -> Fit | None:
-        """Fit a hypothesis; None where the structure cannot be evaluated.
+        """Fit a hypothesis; None if the structure cannot be evaluated.
 
         Parameters
         ----------
         hypothesis : Hypothesis
         start : ndarray, optional
-            Values of all parameters to begin with; by default the declared ones.
+            Start values of all parameters; by default the declared ones.
         """
         values = np.array(self.declared if start is None else start)
         free = self._free(hypothesis)
@@ -184,9 +184,9 @@ class Fitter:
         return self._finished(hypothesis, values, free, used, tau, converged)
 
     def roughly(self, starts: Sequence[tuple[Hypothesis, Array]]) -> list[Descent]:
-        """Take a few steps from each start, all of them together.
+        """Take a few steps from each start, all together.
 
-        Errors that setups share, and of positions, are left out of account.
+        Shared errors and position errors are neglected.
         """
         lockstep = Lockstep(self.structure, self.parameters, self.rows, self.noise.stated, self.priors)
         return lockstep.descended(
@@ -194,7 +194,7 @@ class Fitter:
         )
 
     def rough_fit(self, hypothesis: Hypothesis, descent: Descent) -> Fit | None:
-        """What a descent came to as a fit; None where the structure cannot be evaluated."""
+        """Return the result of a descent as a fit; None if the structure cannot be evaluated."""
         at = descent.at
         if at is None:
             return None
@@ -217,7 +217,7 @@ class Fitter:
         )
 
     def _free(self, hypothesis: Hypothesis) -> tuple[int, ...]:
-        """Indices of what is fitted: nuisances first, then the parameters of the causes, which may share some."""
+        """Return the indices of the fitted parameters: nuisances, then those of the causes, which may share some."""
         added = (i for cause in hypothesis.causes for i in self.indices(cause))
         return tuple(dict.fromkeys([*self.nuisances, *added]))
 
@@ -262,7 +262,7 @@ class Fitter:
         )
 
     def difference(self, a: Fit, b: Fit) -> float:
-        """Sum of squares by which the predictions and priors of two fits differ, whitened as the first is."""
+        """Return the squared difference of the predictions and priors of two fits, whitened as for the first."""
         used = self.used(a.hypothesis) & self.used(b.hypothesis)
         whitening = self.noise.whitening(
             self._motion(a.values, a.pairing, used), self.used(a.hypothesis), a.scatter
@@ -272,18 +272,18 @@ class Fitter:
         return float(between @ between + priors @ priors)
 
     def signatures(self, fit: Fit, by: Sequence[int]) -> tuple[Array, Array]:
-        """Derivatives of ln f with respect to parameters at a fit, (R, T), and those of all data, whitened."""
+        """Return the derivatives of ln f with respect to parameters, (R, T), and of all data, whitened."""
         prediction = self.structure.predict(fit.values, by, shape_rates=bool(self.shapes.size))
         used = self.used(fit.hypothesis)
         rates = self.rows.rates(prediction, fit.pairing, used)
         whitening = self.noise.whitening(self._motion(fit.values, fit.pairing, used), used, fit.scatter)
-        # What has a prior of its own is pulled to its declared value, as soon as it is free.
+        # A free parameter with a prior is pulled towards its declared value.
         return rates[self.frequency_rows], np.vstack(
             [whitening.whitened(rates), -self.priors.rates(fit.values, by)]
         )
 
     def shape_misfit(self, fit: Fit, stated: bool) -> tuple[float, float]:
-        """Sum of squares of shapes with or without stated errors, in their own units, and its degrees of freedom."""
+        """Return the sum of squares of shapes with (or without) stated errors, and its degrees of freedom."""
         used = self.used(fit.hypothesis)
         some = used & self.shapes.known & (self.shapes.stated == stated)
         shape = self.shapes.sigma.shape
@@ -292,7 +292,7 @@ class Fitter:
         return float(squares[some].sum()), float(self.shapes.count[some].sum() - taken[some].sum())
 
     def _spread(self, used: NDArray[np.bool_]) -> NDArray[np.bool_]:
-        """Which data belong to rows in use."""
+        """Return a mask of the data of used rows."""
         return np.concatenate([used, np.repeat(used, self.shapes.sigma.shape[1])])
 
     def _least_squares(
@@ -303,7 +303,7 @@ class Fitter:
         used: NDArray[np.bool_],
         whitening: Whitening,
     ) -> tuple[Array, bool]:
-        """Values of the least sum of squares for given pairs, and whether the steps were enough."""
+        """Return the least-squares values for a given pairing, and whether the solver converged."""
 
         def residual(full: Array) -> Array:
             found = self.rows.residual(self.structure.predict(full, ()), pairing, used)
@@ -330,7 +330,7 @@ class Fitter:
         return tuple(found)
 
     def _motion(self, values: Array, pairing: Pairing, used: NDArray[np.bool_]) -> Array | None:
-        """Derivatives of the data with respect to the position of their setup, (D, 3), where it is uncertain."""
+        """Return the derivatives of the data with respect to uncertain positions, (D, 3); None if there are none."""
         if not self.noise.uncertain:
             return None
         moved = self.structure.position_rates(values, shape_rates=bool(self.shapes.size))

@@ -13,14 +13,14 @@ from pkmodes.diagnosis.problem import Array, Candidate, Prediction
 
 @dataclass(frozen=True)
 class Hypothesis:
-    """What is assumed beyond the declared model and its nuisances.
+    """Assumptions beyond the declared model and its nuisances.
 
     Attributes
     ----------
     causes : tuple of Candidate
         Added causes.
     excluded : frozenset of int
-        Rows that are taken as outliers.
+        Rows treated as outliers.
     scatter : bool
         Whether the modes of a setup share an error.
     """
@@ -30,7 +30,7 @@ class Hypothesis:
     scatter: bool = False
 
     def adding(self, cause: Candidate) -> Hypothesis:
-        """Return the hypothesis with one cause more."""
+        """Return the hypothesis with an additional cause."""
         return replace(self, causes=(*self.causes, cause))
 
 
@@ -38,7 +38,7 @@ class Hypothesis:
 class Fit:
     """A fitted hypothesis.
 
-    The data are R frequencies, then R times C shape components (zeros where none was measured), then the priors.
+    The data are R frequencies, then R times C shape components (zero if not measured), then the priors.
 
     Attributes
     ----------
@@ -46,25 +46,25 @@ class Fit:
     values : ndarray, shape (number of parameters,)
         All parameters of the structure.
     free : tuple of int
-        The fitted ones: nuisances first, then those of the causes.
+        Indices of the fitted parameters: nuisances first, then those of the causes.
     covariance : ndarray, shape (k, k)
-        Of the fitted ones.
+        Covariance of the fitted parameters.
     chi2 : float
-        Whitened sum of squares, shapes and priors included.
+        Whitened sum of squares, including shapes and priors.
     deviance : float
-        chi2 and the logarithm of the determinant of V: twice the negative log likelihood.
+        chi2 plus the log determinant of V: twice the negative log likelihood.
     scatter : float
         Standard deviation of the error shared in a setup, tau.
     prediction : Prediction
     pairing : Pairing
     residual : ndarray, shape (R + R C,)
-        Measured minus model: ln f, clipped where there is no partner, and shapes; 0 where excluded.
+        Measured minus model: ln f, clipped if unmatched, and shapes; 0 if excluded.
     white, jacobian : ndarray, shape (R + R C + priors,) and (R + R C + priors, k)
         Whitened residual and its derivatives with respect to the fitted parameters.
     at_bound : tuple of str
-        Parameters of causes that stopped at a bound other than their absence.
+        Parameters of causes at a bound other than their null value.
     converged : bool
-        Whether the steps were enough.
+        Whether the solver converged.
     """
 
     hypothesis: Hypothesis
@@ -89,18 +89,18 @@ class Fit:
 
     @cached_property
     def basis(self) -> Array:
-        """Orthonormal basis of the space of the data that the fit has used up."""
+        """Orthonormal basis of the column space of the Jacobian."""
         return orthonormal(self.jacobian)
 
     @cached_property
     def leverage(self) -> Array:
-        """Diagonal of the projection on that space: what part of each datum the fit took from itself."""
+        """Diagonal of the projection onto that space: the leverage of each datum."""
         found: Array = (self.basis**2).sum(axis=1)
         return found
 
 
 def orthonormal(columns: Array) -> Array:
-    """Orthonormal basis of the columns, whatever their units."""
+    """Return an orthonormal basis of the columns, independent of their units."""
     size = np.linalg.norm(columns, axis=0)
     columns = columns[:, size > 0.0] / size[size > 0.0]
     if not columns.shape[1]:

@@ -1,9 +1,9 @@
-r"""Rough fits of many hypotheses at once, step by step together.
+r"""Rough fits of many hypotheses in lockstep.
 
-One evaluation of all their models takes little more than that of one, so they descend together, by a bounded
-Levenberg-Marquardt method: each step solves :math:`(J^T J + \mu D) \delta = -J^T r` over the parameters that no bound
-stops, with a damping :math:`\mu` of its own for each hypothesis (Nocedal and Wright, Numerical Optimization, section
-10.3).  Rows are paired anew at every step.  What comes near the best is finished by `solver`.
+Evaluating all their models together takes little longer than evaluating one, so they descend together by a bounded
+Levenberg-Marquardt method: each step solves :math:`(J^T J + \mu D) \delta = -J^T r` over the parameters that are not
+at a bound, with a separate damping :math:`\mu` for each hypothesis (Nocedal and Wright, Numerical Optimization,
+section 10.3).  Modes are paired again at every step.  Fits near the best are completed by `solver`.
 """
 
 from __future__ import annotations
@@ -19,15 +19,15 @@ from pkmodes.diagnosis.fit.priors import Priors
 from pkmodes.diagnosis.fit.rows import Rows
 from pkmodes.diagnosis.problem import Array, Parameter, Prediction, Structure
 
-#: Damping to begin with, relative to the diagonal; its factors after a step that helped, and one that did not.
+#: Initial damping, relative to the diagonal; its factors after a successful and after a failed step.
 DAMPING, LESS, MORE = 1e-3, 0.1, 10.0
 LEAST_DAMPING = 1e-8
-#: A fit has arrived where a step promises less than this sum of squares, or less than this part of what is left.
+#: A fit has converged if a step promises less than this sum of squares, or less than this part of the current one.
 ENOUGH, PART = 0.05, 1e-3
 
 
 class Evaluated(NamedTuple):
-    """A hypothesis at some values.
+    """A hypothesis evaluated at some values.
 
     Attributes
     ----------
@@ -48,21 +48,21 @@ class Evaluated(NamedTuple):
 
 @dataclass
 class Descent:
-    """One hypothesis on its way down.
+    """The descent of one hypothesis.
 
     Attributes
     ----------
     values : ndarray, shape (P,)
-        Of all parameters.
+        Values of all parameters.
     free : tuple of int
-        Those that may change.
+        Indices of the free parameters.
     used : ndarray of bool, shape (R,)
-        Rows that take part.
+        Used rows.
     at : Evaluated or None
-        At these values; None where the structure cannot be evaluated.
+        Evaluation at these values; None if the structure cannot be evaluated.
     damping : float
     arrived : bool
-        Whether no step promises much.
+        Whether the descent has converged.
     """
 
     values: Array
@@ -74,12 +74,12 @@ class Descent:
 
     @property
     def chi2(self) -> float:
-        """Sum of squares that is left."""
+        """Current sum of squares."""
         return np.inf if self.at is None else self.at.chi2
 
 
 class Lockstep:
-    """Fits many hypotheses about one structure and one set of measurements roughly.
+    """Rough fits of many hypotheses about one structure and one set of measurements.
 
     Parameters
     ----------
@@ -87,7 +87,7 @@ class Lockstep:
     parameters : sequence of Parameter
     rows : Rows
     sigma : ndarray, shape (R + R C,)
-        Standard deviations of the data, which are not correlated.
+        Standard deviations of the data, taken as uncorrelated.
     priors : Priors
     """
 
@@ -106,7 +106,7 @@ class Lockstep:
     def descended(
         self, starts: Sequence[tuple[Array, tuple[int, ...], NDArray[np.bool_]]], steps: int
     ) -> list[Descent]:
-        """Take so many steps at most from each start: values, what may change of them, and the rows in use."""
+        """Take at most `steps` steps from each start: values, free parameters, and used rows."""
         fits = [
             Descent(np.clip(values, self._lower, self._upper), free, used) for values, free, used in starts
         ]
@@ -133,7 +133,7 @@ class Lockstep:
         return fits
 
     def _evaluated(self, fits: Sequence[Descent], values: Sequence[Array]) -> list[Evaluated | None]:
-        """Each fit at some values."""
+        """Evaluate each fit at given values."""
         found: list[Evaluated | None] = [None] * len(fits)
         if not fits:
             return found
@@ -159,7 +159,7 @@ class Lockstep:
         return found
 
     def _step(self, fit: Descent, now: Evaluated) -> tuple[Array, float]:
-        """Values after a step within the bounds, and how much a linear model promises of it."""
+        """Return the values after a step within the bounds, and the decrease that the linear model promises."""
         index = list(fit.free)
         at, lower, upper = fit.values[index], self._lower[index], self._upper[index]
         gradient = now.jacobian.T @ now.white
@@ -175,7 +175,7 @@ class Lockstep:
             step[some] = -scale[some] * np.linalg.solve(
                 square[np.ix_(some, some)], gradient[some] * scale[some]
             )
-            # What stands at a bound and would be driven beyond it is held there.
+            # Parameters at a bound that the step would leave are fixed there.
             held = moving & (((at <= lower) & (step < 0.0)) | ((at >= upper) & (step > 0.0)))
             if not held.any():
                 break
@@ -190,7 +190,7 @@ class Lockstep:
 
 
 def _split(prediction: Prediction, count: int) -> list[Prediction]:
-    """Predictions of each of several sets of values, without derivatives of the shapes."""
+    """Split predictions of several sets of values, without derivatives of the shapes."""
     values, rates, shapes = (
         np.split(whole, count) for whole in (prediction.eigenvalues, prediction.rates, prediction.shapes)
     )

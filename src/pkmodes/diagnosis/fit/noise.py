@@ -1,11 +1,11 @@
 r"""Covariance of the measurements: stated errors, an error that a setup's modes share, uncertain positions.
 
-In each setup the logarithms of the frequencies and the shapes have the covariance
+In each setup the log frequencies and the shapes have the covariance
 
 .. math:: V = \mathrm{diag}(\sigma^2) + \tau^2 \, 1 1^T + J_x \Sigma_x J_x^T ,
 
-where the shared error is one of the frequencies alone.  An excluded row is an error of its own beside the stated one,
-which stays in the likelihood.
+where the shared error concerns only the frequencies.  An additional error absorbs the residual of an excluded row;
+its stated error stays in the likelihood.
 """
 
 from __future__ import annotations
@@ -29,11 +29,11 @@ class Whitening:
     Attributes
     ----------
     sigma : ndarray, shape (D,)
-        Standard deviations of what is not correlated.
+        Standard deviations of the uncorrelated data.
     blocks : tuple
-        For each setup with correlated errors the places of its data, and the Cholesky factor of its part of V.
+        For each setup with correlated errors, the indices of its data and the Cholesky factor of its block of V.
     log_determinant : float
-        Of V; a constant for the shapes' stated errors left out.
+        Log determinant of V, up to a constant for the shapes' stated errors.
     """
 
     sigma: Array
@@ -61,9 +61,9 @@ class Noise:
     Attributes
     ----------
     sigma : ndarray, shape (R,)
-        Standard deviations of ln f, as stated.
+        Stated standard deviations of ln f.
     stated : ndarray, shape (D,)
-        Those of all data, frequencies and shapes, where nothing is correlated.
+        Standard deviations of all data, frequencies and shapes, without correlations.
     rows : list of ndarray
         Rows of each setup.
     uncertain : bool
@@ -85,12 +85,12 @@ class Noise:
         self.stated = np.concatenate([self.sigma, shapes.sigma.ravel()])
 
     def whitening(self, motion: Array | None, used: NDArray[np.bool_], tau: float) -> Whitening:
-        """Square root of V.
+        """Return the square root of V.
 
         Parameters
         ----------
         motion : ndarray, shape (D, 3), or None
-            Derivatives of the data with respect to the position of their setup, where it is uncertain.
+            Derivatives of the data with respect to the position of their setup, if it is uncertain.
         used : ndarray of bool, shape (R,)
             Rows that are not excluded.
         tau : float
@@ -118,7 +118,7 @@ class Noise:
         return Whitening(self.stated, tuple(blocks), total)
 
     def standard_deviations(self, motion: Array | None) -> Array:
-        """Of ln f of each row, with the position's part where it is uncertain, (R,)."""
+        """Return the standard deviations of ln f, (R,), including uncertain positions."""
         if motion is None:
             return self.sigma
         by_position = np.empty_like(self.sigma)
@@ -127,7 +127,7 @@ class Noise:
         return np.sqrt(self.sigma**2 + by_position)
 
     def shared_error(self, residual: Array, motion: Array | None, used: NDArray[np.bool_]) -> float:
-        """Most likely standard deviation of the error that the modes of a setup share."""
+        """Return the most likely standard deviation of the error that the modes of a setup share."""
 
         def deviance(log_tau: float) -> float:
             if motion is None:
@@ -141,7 +141,7 @@ class Noise:
         return float(np.exp(found.x))
 
     def _deviance(self, residual: Array, used: NDArray[np.bool_], tau: float) -> float:
-        """Deviance where setups have nothing but tau in common, by the matrix determinant lemma."""
+        """Return the deviance if tau is the only correlation, by the matrix determinant lemma."""
         weights = np.where(used, self.sigma**-2, 0.0)
         r = residual[: len(self.sigma)]
         total = np.bincount(self._setup, weights, len(self.rows))

@@ -1,4 +1,4 @@
-"""Priors as further data: nuisances always, parameters of candidates where the candidate is assumed."""
+"""Priors as additional data: always for nuisances, for parameters of candidates if the candidate is assumed."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ class Priors:
     parameters : sequence of Parameter
     candidates : sequence of Candidate
     widened : float, optional
-        Factor of all standard deviations.
+        Factor on all standard deviations.
 
     Attributes
     ----------
     index : ndarray of int, shape (P,)
-        The parameters that have one.
+        Indices of the parameters with a prior.
     sigma : ndarray, shape (P,)
-        Their standard deviations, those of logarithms where they are log-normal.
+        Their standard deviations, of the logarithms if they are log-normal.
 
     Raises
     ------
     PkmodesError
-        If a prior is not positive, a candidate has not one for each parameter, two candidates contradict each
+        If a prior is not positive, a candidate does not have one for each parameter, two candidates contradict each
         other, or a log-normal parameter is not positive.
     """
 
@@ -52,7 +52,7 @@ class Priors:
             for name, sigma in zip(candidate.parameters, candidate.sigma, strict=True):
                 if not 0.0 < sigma < np.inf:
                     what = f"expected a standard deviation above 0, found {sigma:g}"
-                    raise PkmodesError(what, where, "leave sigma out where nothing is known")
+                    raise PkmodesError(what, where, "leave sigma out if unknown")
                 if sigmas.setdefault(names[name], sigma) != sigma:
                     what = f"{shown(name)} has two priors: {sigmas[names[name]]:g} and {sigma:g}"
                     raise PkmodesError(what, where, "give the same one in every candidate")
@@ -65,7 +65,7 @@ class Priors:
             raise PkmodesError(what, f"parameter {shown(parameters[i].name)}", "leave out log=True")
 
     def residual(self, values: Array) -> Array:
-        """Distances from the declared values in standard deviations, (P,)."""
+        """Return the distances from the declared values in standard deviations, (P,)."""
         at = values[self.index]
         with np.errstate(divide="ignore", invalid="ignore"):
             away = np.where(
@@ -75,7 +75,7 @@ class Priors:
         return np.asarray(away / self.sigma)
 
     def rates(self, values: Array, free: Sequence[int]) -> Array:
-        """Their derivatives with respect to some parameters, (P, k)."""
+        """Return the derivatives of the residual with respect to some parameters, (P, k)."""
         found = np.zeros((len(self.index), len(free)))
         place = {i: row for row, i in enumerate(self.index)}
         for column, i in enumerate(free):
@@ -85,10 +85,10 @@ class Priors:
         return found
 
     def width(self, values: Array) -> Array:
-        """Standard deviations in the units of the parameters, (P,)."""
+        """Return the standard deviations in the units of the parameters, (P,)."""
         return np.where(self._log, self.sigma * np.maximum(np.abs(values[self.index]), 1e-300), self.sigma)
 
     def of(self, i: int) -> int | None:
-        """Place of a parameter among those that have a prior."""
+        """Return the index of a parameter among those with a prior; None if it has none."""
         place = np.flatnonzero(self.index == i)
         return int(place[0]) if len(place) else None

@@ -1,4 +1,4 @@
-"""Measured rows held against predictions: what is left of frequencies and shapes, and how it changes."""
+"""Residuals of measured rows, frequencies and shapes, and their derivatives."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pkmodes.diagnosis.fit.shapes import ShapeRows
 from pkmodes.diagnosis.match.pairing import Pairer, Pairing
 from pkmodes.diagnosis.problem import Array, Prediction
 
-#: Close eigenvalues: below this relative gap the derivatives of single modes are not defined.
+#: Relative gap of eigenvalues below which the derivatives of single modes are not defined.
 REPEATED = 1e-7
 
 
@@ -24,7 +24,7 @@ class Rows:
     pairer : Pairer
     shapes : ShapeRows
     copies : int
-        How many times the measurements are among the rows.
+        Number of copies of the measurements among the rows.
     """
 
     pairer: Pairer
@@ -32,36 +32,36 @@ class Rows:
     copies: int = 1
 
     def tiled(self, count: int) -> Rows:
-        """So many copies, for predictions of so many times the setups, those of the first copy first."""
+        """Return `count` copies, for predictions of `count` times the setups, the first copy first."""
         return Rows(self.pairer.tiled(count), self.shapes.tiled(count), count)
 
     def of_each(self, values: Array) -> Array:
-        """Data of all copies, (B R + B R C, ...), as those of each, (B, R + R C, ...)."""
+        """Reshape the data of all copies, (B R + B R C, ...), to (B, R + R C, ...)."""
         rows = len(self.pairer.pose)
         parts = [part.reshape(self.copies, -1, *values.shape[1:]) for part in (values[:rows], values[rows:])]
         return np.concatenate(parts, axis=1)
 
     def residual(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
-        """Measured minus model: frequencies and shapes, (R + R C,)."""
+        """Return measured minus model for frequencies and shapes, (R + R C,)."""
         frequencies = np.where(used, self.pairer.differences(prediction, pairing), 0.0)
         if not self.shapes.size:
             return frequencies
         return np.concatenate([frequencies, self.shapes.residual(prediction, pairing, used).ravel()])
 
     def rates(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
-        """Derivatives of what the partners predict with respect to the parameters asked for, (R + R C, T)."""
+        """Return the derivatives of the predictions with respect to the requested parameters, (R + R C, T)."""
         rates = _averaged(prediction)
         found = rates[self.pairer.pose, np.maximum(pairing.partner, 0)]
         found = np.where(((pairing.partner >= 0) & used)[:, None], found, 0.0)
         if self.shapes.size:
             shapes = self.shapes.rates(prediction, pairing, used)
             found = np.vstack([found, -shapes.reshape(self.shapes.size, found.shape[1])])
-        # A step may have led to a mode at 0 Hz, whose logarithm has no derivative.
+        # A step may lead to a mode at 0 Hz, whose logarithm has no derivative.
         return np.asarray(np.where(np.isfinite(found), found, 0.0))
 
 
 def _averaged(prediction: Prediction) -> Array:
-    """Derivatives of ln f; those of repeated modes, which have none of their own, are the group's mean."""
+    """Return the derivatives of ln f; repeated modes, whose derivatives are not defined, get the group's mean."""
     rates = np.array(prediction.log_rates)
     eigenvalues = prediction.eigenvalues
     gap = np.diff(eigenvalues, axis=1) <= REPEATED * np.abs(eigenvalues[:, 1:])

@@ -1,13 +1,13 @@
-r"""Residuals of measured mode shapes: what no scale, and no mixture of close modes, explains.
+r"""Residuals of measured mode shapes, independent of their scale and of mixing between close modes.
 
-A measured shape s, any scale, against a shape :math:`\phi` of the model leaves
+The residual of a measured shape s of any scale with respect to a shape :math:`\phi` of the model is
 
 .. math:: r = s - \phi \, (\phi^T s) / (\phi^T \phi), \qquad dr = -\frac{\phi^T s}{\phi^T \phi} P d\phi ,
 
-with P the projection off :math:`\phi` (variable projection; Kaufman, BIT 15, 1975).  Modes whose measured frequencies
-nearly agree are projected off together.  Components are relative to the row's largest, so that their standard
-deviation is the stated ``sigma_shape``; where none is stated, the scatter is that of the best explanation, and metres
-are compared with radians by what each of them moves in the declared model.
+where P projects out :math:`\phi` (variable projection; Kaufman, BIT 15, 1975).  Modes whose measured frequencies
+nearly agree are projected out together.  Components are relative to the row's largest, so their standard deviation is
+the stated ``sigma_shape``.  If none is stated, the scatter is that of the best explanation, and metres and radians
+are scaled by the motion of their channels in the declared model.
 """
 
 from __future__ import annotations
@@ -32,11 +32,11 @@ class ShapeRows:
     ----------
     data : Measurements
     columns : ndarray of int, shape (C,)
-        Where the measured channels are among the model's.
+        Indices of the measured channels among the model's.
     units : sequence of str, length C
         Units of the measured channels.
     moves : ndarray, shape (S, C)
-        How much each channel moves in the declared model, see `match.mac.channel_motion`.
+        Motion of each channel in the declared model, see `match.mac.channel_motion`.
     scatter : float
         Standard deviation of the components of rows without a stated one.
     criteria : Criteria
@@ -44,11 +44,11 @@ class ShapeRows:
     Attributes
     ----------
     known : ndarray of bool, shape (R,)
-        Rows of which a shape is known.
+        Rows with a usable shape.
     stated : ndarray of bool, shape (R,)
         Rows with a stated standard deviation.
     count : ndarray of int, shape (R,)
-        Values that each shape adds to the data: its components less one for each mode that it is compared with.
+        Degrees of freedom of each shape: its components less one for each mode that it is compared with.
     sigma : ndarray, shape (R, C)
         Standard deviations of the components.
     """
@@ -80,9 +80,9 @@ class ShapeRows:
         self._crowd(neighbours(data, criteria))
 
     def _crowd(self, mates: NDArray[np.intp]) -> None:
-        """Rows that are compared with the modes of several rows at once."""
+        """Set up the rows that are compared with the modes of several rows at once."""
         several = (mates >= 0).sum(axis=1)
-        # As many modes as components would explain any shape: such a row says nothing.
+        # As many modes as components would explain any shape: such a row carries no information.
         silent = (several > 1) & ~(self.known & (several <= self.count))
         self.known[silent], self.count[silent], self._shapes[silent] = False, 0, 0.0
         self._mates = np.where(silent[:, None], -1, mates)
@@ -90,7 +90,7 @@ class ShapeRows:
         self.count -= np.where(silent, 0, several - 1)
 
     def tiled(self, count: int) -> ShapeRows:
-        """The same for predictions of so many times the setups."""
+        """Return the same for predictions of `count` times the setups."""
         found, rows = copy.copy(self), len(self._shapes)
         found._pose = tiled(self._pose, count, self._setups)
         found._mates = tiled(self._mates, count, rows)
@@ -105,11 +105,11 @@ class ShapeRows:
         return self._shapes.size
 
     def residual(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
-        """What the shapes of the partners do not explain, (R, C)."""
+        """Return the residuals with respect to the shapes of the partners, (R, C)."""
         return self._projected(prediction, pairing, used)[0]
 
     def rates(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
-        """Derivatives of the residual with respect to the parameters that were asked for, (R, C, T)."""
+        """Return the derivatives of the residuals with respect to the requested parameters, (R, C, T)."""
         if prediction.shape_rates is None or not self._shapes.size:
             return np.zeros((*self._shapes.shape, prediction.rates.shape[-1]))
         _, phi, along = self._projected(prediction, pairing, used)
@@ -126,13 +126,13 @@ class ShapeRows:
         return np.asarray(np.where((self.known & used & (pairing.partner >= 0))[:, None, None], found, 0.0))
 
     def degrees(self, used: NDArray[np.bool_]) -> int:
-        """Values that the shapes of the rows in use add to the data."""
+        """Return the degrees of freedom of the shapes of the used rows."""
         return int(self.count[used].sum())
 
     def _projected(
         self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]
     ) -> tuple[Array, Array, Array]:
-        """Residuals, shapes of the partners in the scale of the rows, and how much of them is in each row."""
+        """Return residuals, shapes of the partners in the rows' weighting, and their amplitude in each row."""
         if not self._shapes.size:
             return self._shapes, self._shapes, np.zeros(len(self._shapes))
         partner = np.maximum(pairing.partner, 0)
@@ -149,14 +149,14 @@ class ShapeRows:
     def _spaces(
         self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]
     ) -> tuple[NDArray[np.intp], Array, Array, NDArray[np.intp]]:
-        """Rows that are compared with several modes, bases of these, how much of each is in a row, and the modes."""
+        """Return the rows compared with several modes, the modes' bases and amplitudes in the row, and the modes."""
         partner = np.where(used, pairing.partner, -1)
         beside = unmeasured_neighbours(prediction, partner, self._pose, self._close)
         several = ((self._mates[:, 1:] >= 0).any(axis=1) | (beside >= 0).any(axis=1)) & self.known
         i = np.flatnonzero(several & (partner >= 0))
         mates = self._mates[i]
         measured = np.where(mates >= 0, partner[mates], -1)
-        modes = np.hstack([measured, beside[i]])  # where they are as many as the components, nothing is left
+        modes = np.hstack([measured, beside[i]])  # if as many as the components, the residual is zero
         present, modes = modes >= 0, np.maximum(modes, 0)
         shapes = prediction.shapes[self._pose[i][:, None], modes][..., self._columns]
         basis, back = space(shapes * self._weights[i][:, None] * present[..., None])
@@ -165,7 +165,7 @@ class ShapeRows:
 
 
 def _scales(units: Sequence[str], moves: Array) -> Array:
-    """One over what the channels of each unit move at all setups together, (C,); 0 for what does not move."""
+    """Return the reciprocal rms motion of the channels of each unit over all setups, (C,); 0 if they do not move."""
     found = np.zeros(len(units))
     for unit in set(units):
         some = [i for i, other in enumerate(units) if other == unit]

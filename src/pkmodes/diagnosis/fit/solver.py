@@ -9,7 +9,7 @@ from scipy.optimize import least_squares
 
 from pkmodes.diagnosis.problem import Array
 
-#: Length of the first step, at least, in standard deviations.
+#: Smallest length of the first step in standard deviations.
 FIRST_STEP = 10.0
 
 
@@ -28,28 +28,27 @@ def bounded_least_squares(
     residual : callable
         Whitened residual (D,) for all values.
     rates : callable
-        Its derivatives (D, k) with respect to the free ones.
+        Its derivatives (D, k) with respect to the free values.
     values : ndarray, shape (P,)
-        Where to begin.
+        Start values.
     free : sequence of int
-        The k values that may change.
+        Indices of the k free values.
     bounds : tuple of two ndarrays, shape (k,)
     steps : int
-        Evaluations of the residual, at most.
+        Largest number of evaluations of the residual.
 
     Returns
     -------
     values : ndarray, shape (P,)
     converged : bool
-        Whether the steps were enough.
     """
     if not free:
         return values, True
     index, (lower, upper) = list(free), bounds
     first = np.clip(values[index], lower, upper)
 
-    # Solved in units of one standard deviation each, the solver's limits then mean the same in kg and in Pa; and
-    # away from 0, because its first step is as long as its start: a cause that is absent would stay so.
+    # The variables are in standard deviations, so the solver's tolerances are independent of units; and they start
+    # away from 0, because the first step is as long as the start vector: an absent cause would stay absent.
     start = values.copy()
     start[index] = first
     size = np.linalg.norm(rates(start), axis=0)
@@ -81,7 +80,7 @@ def bounded_least_squares(
 
 
 def inverse_of_square(jacobian: Array) -> Array:
-    """Inverse of J^T J, columns scaled; what the data do not determine gets a very large variance."""
+    """Return the inverse of J^T J with scaled columns; undetermined parameters get a very large variance."""
     if not jacobian.shape[1]:
         return np.zeros((0, 0))
     size = np.linalg.norm(jacobian, axis=0)

@@ -1,4 +1,4 @@
-"""Fits that were made, each once, and what is asked of a fit: how good it is, and how it does without a cause."""
+"""A cache of fits, with their goodness of fit and criterion."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Key = tuple[frozenset[str], frozenset[int], bool]
 
 
 def key(hypothesis: Hypothesis) -> Key:
-    """What a hypothesis is, whatever the order of its causes."""
+    """Return a key of a hypothesis that is independent of the order of its causes."""
     return frozenset(c.name for c in hypothesis.causes), hypothesis.excluded, hypothesis.scatter
 
 
@@ -28,7 +28,7 @@ class FitStore:
     ----------
     fitter : Fitter
     before : FitStore, optional
-        Fits of the same data with other errors: where the same fits begin.
+        Fits of the same data with other errors, which give start values.
     """
 
     def __init__(self, fitter: Fitter, before: FitStore | None = None) -> None:
@@ -43,7 +43,7 @@ class FitStore:
     # Fits ------------------------------------------------------------------------------------------------------
 
     def fit(self, hypothesis: Hypothesis, start: Array | None = None) -> Fit | None:
-        """Fit once, whatever the order of the causes; what began with a score again, from the first start given."""
+        """Fit a hypothesis once; a rough fit is improved from the first start given."""
         k = key(hypothesis)
         if k not in self._fits:
             self._fits[k] = self.fitter.fit(hypothesis, self.seed(hypothesis) if start is None else start)
@@ -58,7 +58,7 @@ class FitStore:
         return found if found is None else replace(found, hypothesis=hypothesis)
 
     def again(self, hypothesis: Hypothesis, start: Array) -> Fit | None:
-        """Fit again from somewhere else, whatever was tried before; the better one is kept."""
+        """Fit again from another start, and keep the better fit."""
         k = key(hypothesis)
         found, known = self.fitter.fit(hypothesis, start), self._fits.get(k)
         if found is not None and (known is None or found.deviance < known.deviance):
@@ -67,16 +67,18 @@ class FitStore:
         return self.fit(hypothesis)
 
     def known(self, hypothesis: Hypothesis) -> bool:
-        """Whether it was fitted already."""
+        """Return whether a hypothesis was already fitted."""
         return key(hypothesis) in self._fits
 
     def roughly(self, jobs: Sequence[tuple[Hypothesis, Sequence[Array]]]) -> list[Fit]:
-        """Fit several hypotheses roughly, each from the best of several starts; without those that cannot be."""
+        """Fit several hypotheses roughly, each from the best of several starts, and return those that succeed."""
         starts = [(hypothesis, values) for hypothesis, some in jobs for values in some]
         reached, found = iter(self.fitter.roughly(starts)), []
         for hypothesis, some in jobs:
             best, k = min((next(reached) for _ in some), key=lambda descent: descent.chi2), key(hypothesis)
-            if hypothesis.scatter or self.fitter.noise.uncertain:  # correlated errors: this is just a start
+            if (
+                hypothesis.scatter or self.fitter.noise.uncertain
+            ):  # correlated errors: the rough fit is only a start
                 self._fits[k] = self.fitter.fit(hypothesis, best.values)
             else:
                 self._fits[k] = self.fitter.rough_fit(hypothesis, best)
@@ -85,12 +87,12 @@ class FitStore:
         return [fit for fit in found if fit is not None]
 
     def finished(self, fits: list[Fit]) -> list[Fit]:
-        """Finish the rough ones among the best, until the best are all finished; best first."""
+        """Complete the rough fits among the best until no rough one is left there; return all, best first."""
         c = self.fitter.criteria
         while fits:
             fits = sorted(fits, key=self.criterion)
             best = self.criterion(fits[0])
-            # What has arrived is worth the last digits where it may survive, or look like what does.
+            # A converged fit is completed only if it may survive, or be in the class of a survivor.
             near = {True: best + c.survives + c.told_apart, False: best + c.nearly}
             rough = next(
                 (
@@ -110,24 +112,24 @@ class FitStore:
         return fits
 
     def seed(self, hypothesis: Hypothesis) -> Array | None:
-        """Where the fit of a hypothesis ended with other errors."""
+        """Return the values that the fit of a hypothesis reached with other errors."""
         return self._seeds.get(key(hypothesis))
 
     def _values(self) -> dict[Key, Array]:
         return {k: fit.values for k, fit in self._fits.items() if fit is not None}
 
     def tried(self) -> tuple[Fit, ...]:
-        """Every fit so far."""
+        """Return all fits so far."""
         return tuple(fit for fit in self._fits.values() if fit is not None)
 
     def without(self, fit: Fit, place: int) -> Fit | None:
-        """Return the fit with one of its causes taken away."""
+        """Return the fit without one of its causes."""
         causes = fit.causes
         less = replace(fit.hypothesis, causes=(*causes[:place], *causes[place + 1 :]))
         return self.fit(less, self.undone(fit, less))
 
     def undone(self, fit: Fit, hypothesis: Hypothesis) -> Array:
-        """Values of a fit, with those causes undone that a hypothesis has not."""
+        """Return the values of a fit, with the declared values for causes that a hypothesis does not have."""
         values = fit.values.copy()
         for cause in fit.causes:
             if cause not in hypothesis.causes:
@@ -135,27 +137,27 @@ class FitStore:
                 values[index] = self.fitter.declared[index]
         return values
 
-    # How good they are -----------------------------------------------------------------------------------------
+    # Goodness of fit -------------------------------------------------------------------------------------------
 
     def degrees(self, fit: Fit) -> int:
-        """Degrees of freedom: data less parameters without prior, excluded rows and the shared error."""
+        """Return the degrees of freedom: data less parameters without prior, excluded rows and the shared error."""
         h, fitter = fit.hypothesis, self.fitter
         rows = self._rows - len(h.excluded) + fitter.shapes.degrees(fitter.used(h))
         return rows - sum(fitter.priors.of(i) is None for i in self._added(fit)) - int(h.scatter)
 
     def p_value(self, fit: Fit) -> float:
-        """Probability of sums of squares as large, of frequencies with priors and of shapes with stated errors."""
+        """Return the smaller p-value of the frequencies with priors and of the shapes with stated errors."""
         shapes, degrees = self.fitter.shape_misfit(fit, stated=True)
         of_shapes = float(stats.chi2.sf(shapes, max(degrees, 1.0))) if degrees > 0.0 else 1.0
         return min(self.frequency_p_value(fit), of_shapes)
 
     def frequency_p_value(self, fit: Fit) -> float:
-        """Of the frequencies and priors alone."""
+        """Return the p-value of the frequencies and priors alone."""
         squares, degrees = self.frequency_misfit(fit)
         return float(stats.chi2.sf(squares, max(degrees, 1.0)))
 
     def frequency_misfit(self, fit: Fit) -> tuple[float, float]:
-        """Sum of squares of the frequencies and priors, and its degrees of freedom."""
+        """Return the sum of squares of the frequencies and priors, and its degrees of freedom."""
         fitter, h = self.fitter, fit.hypothesis
         if not fitter.shapes.size:
             return fit.chi2, float(self.degrees(fit))
@@ -167,11 +169,11 @@ class FitStore:
         return sum(float(part @ part) for part in white), count - taken
 
     def criterion(self, fit: Fit) -> float:
-        """Evidence against a fit: deviance and what each addition costs; smaller is better.
+        """Return the evidence against a fit: deviance plus a penalty for each addition; smaller is better.
 
-        A parameter costs the logarithm of the number of data (Schwarz's BIC); one with a prior costs what the data
-        narrow it by, 2 ln(prior sigma / sigma), which is Laplace's approximation of its evidence.  Excluded rows
-        have a price of their own.
+        The penalty of a parameter is the logarithm of the number of data (Schwarz's BIC).  With a prior it is
+        2 ln(prior sigma / sigma), from Laplace's approximation of the evidence.  Excluded rows have a separate
+        penalty.
         """
         h, fitter = fit.hypothesis, self.fitter
         price, each = 0.0, float(np.log(self._data))
@@ -187,12 +189,12 @@ class FitStore:
         return fit.deviance + price + each * count
 
     def price(self, candidate: Candidate) -> float:
-        """What a candidate costs at the most: the criterion's price of its parameters without prior."""
+        """Return the penalty of a candidate in the criterion, for its parameters without prior."""
         free = [i for i in self.fitter.indices(candidate) if self.fitter.priors.of(i) is None]
         return float(np.log(self._data)) * len(free)
 
     def predicts(self, fit: Fit) -> bool:
-        """Whether the last cause helps to predict setups that take no part in the fit."""
+        """Return whether the last cause improves the prediction of left-out setups."""
         less = self.without(fit, len(fit.causes) - 1)
         if less is None:
             return True
@@ -200,12 +202,12 @@ class FitStore:
         squares, leverage = left_out(fit, places)
         tells = leverage < self.fitter.criteria.alone
         others = left_out(less, places)[0]
-        # What a cause saves by leaving the nuisances where they are declared counts as well.
+        # A cause that lets the nuisances stay near their declared values is credited for that.
         saved = float((less.white[priors] ** 2).sum() - (fit.white[priors] ** 2).sum())
         return tells.sum() < 2 or bool(squares[tells].sum() < others[tells].sum() + saved)
 
     def shape_scatter(self, fit: Fit) -> float | None:
-        """Scatter of the shapes without stated errors that a fit leaves; None where there are none to tell."""
+        """Return the scatter of the shapes without stated errors at a fit; None if there are too few."""
         squares, degrees = self.fitter.shape_misfit(fit, stated=False)
         if degrees < 1.0:
             return None

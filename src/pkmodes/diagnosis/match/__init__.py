@@ -1,1 +1,1 @@
-"""Which measured mode is which mode of the model."""
+"""Pairing of measured modes with modes of the model."""

@@ -1,8 +1,8 @@
-"""The modal assurance criterion of measured shapes with modes of a model, of one mode or of several together.
+"""The modal assurance criterion (MAC) of measured shapes with a mode of a model, or with several modes together.
 
-Measured shapes may be at any of the model's channels, blank where they were not measured, and of any scale and sign
-(MAC; Allemang, Sound and Vibration 37(8), 2003).  Modes whose frequencies nearly agree may be any combination of
-each other: a measured shape is then compared with the space that they span.
+Measured shapes may be at any of the model's channels, blank where not measured, with any scale and sign (Allemang,
+Sound and Vibration 37(8), 2003).  Modes whose frequencies nearly agree may mix: a measured shape is then compared
+with the subspace that they span.
 """
 
 from __future__ import annotations
@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-#: Modes whose measured components differ by less than this fraction are seen alike.
+#: Modes whose measured components differ by less than this fraction are indistinguishable.
 ALIKE = 1e-6
 
 
 def weighted(shapes: Array, model: Array, moves: Array) -> tuple[Array, Array]:
-    """Measured shapes, zero where not measured, and the model's, in units of what each channel moves.
+    """Return measured shapes, zero where not measured, and the model's, in units of each channel's motion.
 
     Parameters
     ----------
@@ -25,7 +25,7 @@ def weighted(shapes: Array, model: Array, moves: Array) -> tuple[Array, Array]:
         NaN where not measured.
     model : ndarray, shape (..., m, C)
     moves : ndarray, shape (..., C)
-        See `channel_motion`; what moves in none of the modes that all models are measured by counts by this model.
+        See `channel_motion`; for channels that do not move in the reference, this model's motion is used.
     """
     moves = np.where(moves > 0.0, moves, channel_motion(model))
     weights = np.where(moves > 0.0, 1.0 / np.where(moves > 0.0, moves, 1.0), 0.0)[..., None, :]
@@ -35,7 +35,7 @@ def weighted(shapes: Array, model: Array, moves: Array) -> tuple[Array, Array]:
 
 
 def mac(shapes: Array, model: Array, measured: NDArray[np.bool_]) -> Array:
-    """MAC of each measured shape with each mode, at the components that were measured; NaN without two of them.
+    """Return the MAC of each shape with each mode, at the measured components; NaN if there are fewer than two.
 
     Parameters
     ----------
@@ -57,19 +57,19 @@ def mac(shapes: Array, model: Array, measured: NDArray[np.bool_]) -> Array:
 
 
 def space(shapes: Array) -> tuple[Array, Array]:
-    """Orthonormal bases of the spaces of several modes at their sensors, for a batch.
+    """Return orthonormal bases of the subspaces of several modes at their sensors, for a batch.
 
     Parameters
     ----------
     shapes : ndarray, shape (B, g, C)
-        From `weighted`, zero at components that were not measured; rows of zeros count for nothing.
+        From `weighted`, zero at components that were not measured; rows of zeros are ignored.
 
     Returns
     -------
     basis : ndarray, shape (B, g, C)
-        Orthonormal rows, and rows of zeros where the modes span less: sensors may see two modes alike.
+        Orthonormal rows, and rows of zeros if the modes are not independent at the sensors.
     back : ndarray, shape (B, g, g)
-        With basis = back @ shapes.
+        Transformation such that basis = back @ shapes.
     """
     shapes = np.where(np.isfinite(shapes), shapes, 0.0)  # of a setup that cannot be evaluated
     values, vectors = np.linalg.eigh(shapes @ np.swapaxes(shapes, -1, -2))
@@ -80,10 +80,10 @@ def space(shapes: Array) -> tuple[Array, Array]:
 
 
 def channel_motion(shapes: Array) -> Array:
-    """How much each channel moves in all modes together, (..., C): metres beside radians count by that.
+    """Return the root sum of squares of each channel's motion over all modes, (..., C), to scale metres and radians.
 
-    For mass-normalised shapes it is the root of the inverse of the channel's effective mass.  Hypotheses that are to
-    be compared must be measured by the same model's, or one that adds modes would seem to fit better.
+    For mass-normalised shapes it is the inverse square root of the channel's effective mass.  Hypotheses must be
+    compared with the motion of the same model, otherwise one that adds modes would seem to fit better.
 
     Parameters
     ----------

@@ -1,8 +1,8 @@
-"""Which measured mode is which mode of the model: by frequency, and by shape where shapes were measured.
+"""Mode pairing: measured modes are paired with modes of the model by frequency, and by shape if measured.
 
-Each setup is one assignment problem: measured modes go one-to-one to modes of the model so that the sum of
-their distances is least.  The distance adds the squared logarithm of the ratio of the frequencies and, where
-there are shapes, one minus the modal assurance criterion (`match.mac`).
+Each setup is an assignment problem: measured modes are assigned one-to-one to modes of the model with the least sum
+of distances.  The distance is the squared logarithm of the frequency ratio plus, if there are shapes, a multiple of
+one minus the modal assurance criterion (`match.mac`).
 """
 
 from __future__ import annotations
@@ -31,9 +31,9 @@ class Pairing:
     Attributes
     ----------
     partner : ndarray of int, shape (R,)
-        Mode of the model in the row's setup, counted from 0 with the rigid ones; -1 where there is none.
+        Mode of the model in the row's setup, counted from 0, rigid ones included; -1 if unmatched.
     mac : ndarray, shape (R,)
-        Modal assurance criterion with the partner (or the space of the partners of close modes); NaN without shapes.
+        MAC with the partner, or with the subspace of the partners of close modes; NaN without shapes.
     """
 
     partner: Index
@@ -47,18 +47,18 @@ class Pairer:
     ----------
     data : Measurements
     channels : tuple of str
-        The model's channels; those of the measurements are among them.
+        The model's channels, which include those of the measurements.
     reference : Prediction, optional
-        Of the declared model: what its channels move weights them for all models that are to be compared.  By
-        default every prediction's own.
+        Prediction of the declared model: the motion of its channels sets their weights for all models that are
+        compared.  By default each prediction sets its own weights.
     criteria : Criteria, optional
 
     Attributes
     ----------
     columns : ndarray of int, shape (C,)
-        Where the measured channels are among the model's.
+        Indices of the measured channels among the model's.
     moves : ndarray, shape (S, C)
-        What they move in the reference.
+        Motion of these channels in the reference.
     pose : ndarray of int, shape (R,)
         Setup of each row.
     """
@@ -77,7 +77,7 @@ class Pairer:
         self.moves = np.zeros((setups, len(self.columns)))
         if reference is not None and len(self.columns):
             self.moves = channel_motion(reference.shapes[..., self.columns])
-        # Rows of each setup side by side, as many places as the fullest setup has rows.
+        # Rows of each setup side by side, padded to the largest number of rows.
         order = np.argsort(data.pose, kind="stable")
         start = np.searchsorted(data.pose[order], np.arange(setups))
         place = np.empty(len(order), dtype=np.intp)
@@ -88,7 +88,7 @@ class Pairer:
         self._mates = neighbours(data, self._criteria)
 
     def tiled(self, count: int) -> Pairer:
-        """The same for predictions of so many times the setups, each to be paired with the same rows."""
+        """Return a pairer for predictions of `count` times the setups, each paired with the same rows."""
         found, (setups, rows) = copy.copy(self), (len(self._row), len(self._log))
         found._shape, found._log = np.tile(self._shape, (count, 1)), np.tile(self._log, count)
         found._place, found.moves = np.tile(self._place, count), np.tile(self.moves, (count, 1))
@@ -97,14 +97,14 @@ class Pairer:
         return found
 
     def pair(self, prediction: Prediction, used: NDArray[np.bool_], *, compare: bool = True) -> Pairing:
-        """Pair the rows in use; the others are left without a partner.
+        """Pair the used rows; the others get no partner.
 
         Parameters
         ----------
         prediction : Prediction
         used : ndarray of bool, shape (R,)
         compare : bool, optional
-            Whether the shapes of partners are compared for the result; without, it takes less time.
+            Whether to compute the MAC with the partners, which takes time.
         """
         c, rigid = self._criteria, prediction.rigid
         logs = prediction.log_frequencies[:, rigid:]
@@ -119,8 +119,8 @@ class Pairer:
         cost = distance**2
         if likeness is not None:
             cost = cost + c.shape_weight**2 * np.where(np.isnan(likeness), 0.0, 1.0 - likeness)
-        # A mode that is too far away may still be taken by the assignment; it is no partner then.  What that
-        # costs is always the same: otherwise a mode that the model lacks would push the others along.
+        # The assignment may take a mode that is too far away; it is then not a partner.  The cost of this is
+        # constant: otherwise a mode that the model lacks would shift the others.
         cost = np.where(distance <= c.reach, cost, c.reach**2 + c.shape_weight**2)
         partner = _assigned(cost, present, np.isfinite(logs))
         at = np.arange(len(row))[:, None], np.arange(row.shape[1]), np.maximum(partner, 0)
@@ -139,13 +139,13 @@ class Pairer:
         return Pairing(found, values)
 
     def differences(self, prediction: Prediction, pairing: Pairing) -> Array:
-        """Measured minus model in ln f, (R,); a mode that the model lacks counts with the reach of the pairing."""
+        """Return measured minus model in ln f, (R,); an unmatched mode counts as the reach of the pairing."""
         reach = self._criteria.reach
         logs = prediction.log_frequencies[self.pose, np.maximum(pairing.partner, 0)]
         return np.asarray(np.where(pairing.partner >= 0, np.clip(self._log - logs, -reach, reach), reach))
 
     def _shapes(self, prediction: Prediction) -> tuple[Array, Array, NDArray[np.bool_]]:
-        """Shapes of the rows of each setup, and of its modes, in units of what each channel moves."""
+        """Return the shapes of the rows and modes of each setup, in units of each channel's motion."""
         row = self._row
         padded = np.where((row >= 0)[..., None], self._shape[row], np.nan)
         model = prediction.shapes[..., self.columns]
@@ -161,14 +161,14 @@ class Pairer:
         logs: Array,
         close: NDArray[np.bool_],
     ) -> Array:
-        """MAC of each row with each mode of the model, or with the modes that are close to it together."""
+        """Return the MAC of each row with each mode of the model, or with the subspace of the modes close to it."""
         setups = np.flatnonzero(close.any(axis=1))
         if not len(setups):
             return alone
         with np.errstate(invalid="ignore"):
             near = np.abs(logs[setups][:, :, None] - logs[setups][:, None, :]) < self._criteria.close
         which, k = np.nonzero(near.sum(axis=-1) > 1)
-        # Every row of a setup with every mode that is not alone, where the shape is known.
+        # Every row of a setup with a known shape, with every mode that has close neighbours.
         entry, place = np.nonzero(np.isfinite(alone[setups[which], :, k]))
         if not len(entry):
             return alone
@@ -193,7 +193,7 @@ class Pairer:
         model: Array,
         measured: NDArray[np.bool_],
     ) -> Array:
-        """MAC of each row with its partner, or with the partners of all rows close to it, and modes beside it."""
+        """Return the MAC of each row with its partner, or with the subspace of the partners and modes close to it."""
         pose, place = self.pose, self._place
         paired = partner >= 0
         found = np.where(paired, alone[pose, place, np.maximum(partner, 0)], np.nan)
@@ -214,16 +214,16 @@ class Pairer:
 
 
 def tiled(numbers: Index, count: int, size: int) -> Index:
-    """Numbers of several copies of so many things, those of the first copy first; -1 stays what it is."""
+    """Return the indices of `count` copies of `size` items, the first copy first; -1 is kept."""
     copies = np.arange(count).reshape(-1, *[1] * numbers.ndim) * size
     found = np.where(numbers >= 0, numbers + copies, numbers)
     return np.asarray(found.reshape(-1, *numbers.shape[1:]))
 
 
 def neighbours(data: Measurements, criteria: Criteria) -> Index:
-    """Rows whose shapes are compared as one space with that of each row, because they are so near it.
+    """Return the rows whose shapes are compared as one subspace with that of each row.
 
-    They are within what turns shapes into each other, or within the errors of their frequencies.
+    Their frequencies are close enough for the shapes to mix, or differ by less than their errors.
 
     Parameters
     ----------
@@ -233,7 +233,7 @@ def neighbours(data: Measurements, criteria: Criteria) -> Index:
     Returns
     -------
     ndarray of int, shape (R, g)
-        The row itself first, then the others; -1 where there are fewer.
+        The row itself first, then the others, padded with -1.
     """
     log, sigma = np.log(data.frequency), data.sigma / data.frequency
 
@@ -258,9 +258,9 @@ def neighbours(data: Measurements, criteria: Criteria) -> Index:
 
 
 def unmeasured_neighbours(prediction: Prediction, partner: Index, pose: Index, close: float) -> Index:
-    """Modes that nearly coincide with a row's partner and are the partner of no row.
+    """Return the unpaired modes that nearly coincide with a row's partner.
 
-    A measured mode may be any mixture of the two: which one it is paired with means nothing.
+    A measured mode may be any mixture of the two, so its pairing with one of them is arbitrary.
 
     Parameters
     ----------
@@ -272,7 +272,7 @@ def unmeasured_neighbours(prediction: Prediction, partner: Index, pose: Index, c
     Returns
     -------
     ndarray of int, shape (R, 4)
-        Counted from 0 with the rigid ones; -1 where there is none.
+        Mode numbers, counted from 0, rigid ones included; padded with -1.
     """
     logs = prediction.log_frequencies
     taken = np.zeros(logs.shape, dtype=bool)
@@ -288,7 +288,7 @@ def unmeasured_neighbours(prediction: Prediction, partner: Index, pose: Index, c
 
 
 def _in_space(shapes: Array, model: Array, members: NDArray[np.bool_], measured: NDArray[np.bool_]) -> Array:
-    """Part of each shape (B, C) that lies in the space of some modes (B, m, C); NaN where any shape would."""
+    """Return the MAC of shapes (B, C) with a subspace of modes (B, m, C); NaN if the modes would span any shape."""
     most = int(members.sum(axis=1).max(initial=1))
     order = np.argsort(~members, axis=1, kind="stable")[:, :most]
     batch = np.arange(len(shapes))[:, None]
@@ -301,20 +301,20 @@ def _in_space(shapes: Array, model: Array, members: NDArray[np.bool_], measured:
 
 
 def _assigned(cost: Array, present: NDArray[np.bool_], known: NDArray[np.bool_]) -> Index:
-    """Modes (S, r) that the rows of each setup go to, one to one, at the least sum of costs; -1 for those without.
+    """Assign the rows of each setup one-to-one to modes (S, r) with the least sum of costs; -1 for unassigned rows.
 
     Parameters
     ----------
     cost : ndarray, shape (S, r, m)
     present : ndarray of bool, shape (S, r)
-        Rows that take part.
+        Rows to assign.
     known : ndarray of bool, shape (S, m)
-        Modes that take part.
+        Modes available.
     """
     cost = np.where(known[:, None], cost, np.inf)
     best: Index = cost.argmin(axis=2)
     best[~(present & known.any(axis=1, keepdims=True))] = -1
-    # Where every row has its best, the sum is least.
+    # If every row gets its best mode, the sum is least.
     ordered = np.sort(best, axis=1)
     contested = ((np.diff(ordered, axis=1) == 0) & (ordered[:, 1:] >= 0)).any(axis=1)
     for setup in np.flatnonzero(contested):
@@ -326,17 +326,17 @@ def _assigned(cost: Array, present: NDArray[np.bool_], known: NDArray[np.bool_])
 
 
 def _in_order(partner: Index, measured: Array, close: NDArray[np.bool_]) -> Index:
-    """Partners (S, r), those of the rows in each group of close modes in the order of the measured frequencies."""
+    """Reorder the partners (S, r) in each group of close modes by the measured frequencies."""
     group = np.concatenate([np.zeros((len(close), 1), dtype=np.intp), np.cumsum(~close, axis=1)], axis=1)
     of_row = np.where(partner >= 0, np.take_along_axis(group, np.maximum(partner, 0), axis=1), -1)
-    # Groups ascend with the modes: rows by group and frequency get the partners as they ascend.
+    # Groups ascend with the modes, so rows sorted by group and frequency get the partners in ascending order.
     found = np.empty_like(partner)
     np.put_along_axis(found, np.lexsort((measured, of_row), axis=-1), np.sort(partner, axis=1), axis=1)
     return found
 
 
 def _columns(data: Measurements, channels: tuple[str, ...]) -> Index:
-    """Where the measured channels are among the model's."""
+    """Return the indices of the measured channels among the model's."""
     for name in data.channels:
         if name not in channels:
             what = f"the model has no channel {shown(name)} for the measured shapes"

@@ -1,1 +1,1 @@
-"""Which causes are tried, and which of them is enough."""
+"""The search for causes that explain the residual."""

@@ -1,4 +1,4 @@
-"""What can be added to a hypothesis: a cause, two of them, or an error of the measurement."""
+"""Additions to a hypothesis: one or two causes, or a measurement error."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Progress = Callable[[str], None]
 
 
 class Additions:
-    """Fits with something added.
+    """Fits with additions.
 
     Parameters
     ----------
@@ -34,19 +34,19 @@ class Additions:
         self._rows, self._setups = len(self.fitter.log), len(self.fitter.data.labels)
 
     def room(self, fit: Fit) -> bool:
-        """Whether a fit may assume anything more beyond the declared model."""
+        """Return whether another kind of addition is allowed."""
         kinds = len(fit.causes) + bool(fit.hypothesis.excluded) + fit.hypothesis.scatter
         return kinds < self.criteria.most_additions
 
     def noise(self, fit: Fit, *, rival: bool = False) -> list[Fit]:
-        """A shared error in each setup, and the exclusion of the row that fits worst.
+        """Return fits with a shared error in each setup, and with one of the worst rows excluded.
 
         Parameters
         ----------
         fit : Fit
         rival : bool, optional
-            Whether they only stand against a claim: then a row may be the one that is wrong though there are too few
-            to tell.
+            Whether they only compete with a claim: then a row may be excluded even if there are too few to tell that
+            it is wrong.
         """
         h, c, found = fit.hypothesis, self.criteria, []
         enough = self._rows >= c.rows_to_set_aside
@@ -59,15 +59,15 @@ class Additions:
         if (room or h.excluded) and len(h.excluded) < most:
             rows = np.abs(fit.residual[self.fitter.frequency_rows] / self.fitter.sigma)
             for row in np.argsort(rows)[::-1][:3]:
-                # What the others do not predict is not set aside: nothing says that it is wrong.
+                # A row that the others do not predict is not set aside: there is no evidence that it is wrong.
                 if rows[row] > 3.0 and (rival or fit.leverage[row] < c.redundant):
                     found.append(self.store.fit(replace(h, excluded=h.excluded | {int(row)}), fit.values))
         return [option for option in found if option is not None]
 
     def _hopeless(self, fit: Fit) -> bool:
-        """Whether far too much is left when each setup has an error of its own and the worst rows are set aside.
+        """Return whether far too much is left with a shared error in each setup and without the worst rows.
 
-        A row that is very wrong may have drawn the fit away, so that many seem so: it is judged again without them.
+        A gross outlier may distort the fit, so many rows look wrong: the fit is repeated without the worst rows.
         """
         if not self._far(fit):
             return False
@@ -80,7 +80,7 @@ class Additions:
     def _far(self, fit: Fit) -> bool:
         left = np.array(fit.residual[self.fitter.frequency_rows])
         for rows in self.fitter.noise.rows:
-            left[rows] -= np.median(left[rows])  # which one row that is wrong does not move
+            left[rows] -= np.median(left[rows])  # robust against one outlier
         left /= self.fitter.sigma
         most = max(1, self._rows // self.criteria.rows_per_outlier)
         kept = np.sort(left**2)[: max(self._rows - most, 0)]
@@ -88,12 +88,12 @@ class Additions:
         return bool(kept.sum() > self.criteria.hopeless * degrees)
 
     def errors(self, enough: float) -> list[Fit]:
-        """Fits with errors of the measurement and no cause: one after another, as long as they help.
+        """Return fits with measurement errors and no cause, added one by one while they help.
 
         Parameters
         ----------
         enough : float
-            Criterion that matters; what cannot come so low is not tried to its end.
+            Largest criterion of interest; the additions stop if it cannot be reached.
         """
         found: list[Fit] = []
         fit = self.store.fit(Hypothesis())
@@ -103,20 +103,20 @@ class Additions:
             found += options
             best = min(options, key=self.store.criterion, default=fit)
             gain = self.store.criterion(fit) - self.store.criterion(best)
-            # Rows are set aside one by one, the worst first: what follows gains less.
+            # Rows are set aside one by one, the worst first: later ones gain less.
             more = most - len(best.hypothesis.excluded) + (not best.hypothesis.scatter)
             within = self.store.criterion(best) - gain * more <= enough
             fit = best if gain > 0.0 and within else None
         return found
 
     def causes(self, fit: Fit, scores: Scores) -> list[Fit]:
-        """One cause more, best first: those of which a linear model promises much, and every absent one."""
+        """Return fits with one more cause, best first: those that the linear model favours, and all absent ones."""
         gains = sorted((s.gain for s in scores.each), reverse=True)
         if not gains:
             return []
         c = self.criteria
         enough = min(c.promising * gains[0], gains[min(c.at_least, len(gains)) - 1])
-        # Of a cause that is absent the score says little where it is large: it is always tried.
+        # The score is inaccurate for large causes: an absent cause, which may be large, is always tried.
         promising = [
             (fit, one)
             for one in scores.each
@@ -127,12 +127,12 @@ class Additions:
         )
 
     def singles(self) -> list[Fit]:
-        """One cause, and nothing else."""
+        """Return fits with one cause and nothing else."""
         plain = self.store.fit(Hypothesis())
         return [] if plain is None else self.causes(plain, score(self.fitter, plain, self.candidates))
 
     def would_do(self) -> list[Fit]:
-        """Single causes that would remove a contradiction, however few the data; best first."""
+        """Return single causes that would remove a contradiction, even with very few data; best first."""
         plain = self.store.fit(Hypothesis())
         if plain is None:
             return []
@@ -141,10 +141,10 @@ class Additions:
         return sorted(fits, key=self.store.criterion)
 
     def pairs(self) -> list[Fit]:
-        """Two causes: all pairs where they are few and the data too, else the most promising.
+        """Return fits with two causes: all pairs if both pairs and data are few, else the most promising.
 
-        Those are the pairs for which a linear model at the fit of one of them promises most, and the best cause with
-        every absent one, of which a linear model says little.
+        These are the pairs for which the linear model at the fit of one of them promises most, and the best cause
+        with every absent one, for which the linear model is inaccurate.
         """
         store, c = self.store, self.criteria
         promised: dict[Key, tuple[float, Fit, Score]] = {}
@@ -166,17 +166,17 @@ class Additions:
 
     @property
     def few(self) -> bool:
-        """Whether data and candidates are so few that every pair is tried."""
+        """Whether data and candidates are few enough to try all pairs."""
         count = len(self.candidates)
         return self._rows <= self.criteria.few_rows and count * (count - 1) // 2 <= self.criteria.few_pairs
 
     def _testable(self, fit: Fit, candidate: Candidate) -> bool:
-        """Whether something is left to test the fit with: otherwise a cause would fit anything."""
+        """Return whether data are left to test the fit: otherwise a cause would fit anything."""
         free = sum(self.fitter.priors.of(i) is None for i in self.fitter.indices(candidate))
         return self.store.degrees(fit) > free
 
     def _refitted(self, additions: Sequence[tuple[Fit, Score]]) -> list[Fit]:
-        """Fits with one cause more, rough ones where they are new, each from the best of several starts."""
+        """Return fits with one more cause; new ones are rough, each from the best of several starts."""
         store, known, seeded, new = self.store, [], [], []
         for fit, one in additions:
             hypothesis = fit.hypothesis.adding(one.candidate)

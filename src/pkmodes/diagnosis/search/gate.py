@@ -1,4 +1,4 @@
-"""The gate: whether what a fit leaves is noise."""
+"""The gate: tests whether the residual of a fit is noise."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from pkmodes.diagnosis.search.unmeasured import p_unmeasured
 
 @dataclass(frozen=True)
 class Gate:
-    """Whether what a fit leaves is noise.
+    """The tests whether the residual of a fit is noise.
 
     Attributes
     ----------
     p_value : float
-        Of the sum of squares: the smaller one of frequencies with priors, and of shapes with stated errors.
+        p-value of the sum of squares: the smaller one of frequencies with priors, and of shapes with stated errors.
     p_candidates : float
-        Of the best candidate, calibrated for their number.
+        p-value of the best candidate, calibrated for their number.
     unpaired : int
-        Measured modes that the model has no mode for.
+        Number of unmatched measured modes.
     p_unmeasured : float
-        Of the modes that causes add among the measured ones and that were not measured.
+        p-value of the unmeasured modes that causes add between the measured ones.
     scores : Scores
     level : float
-        Of the tests.
+        Level of the tests.
     """
 
     p_value: float
@@ -40,23 +40,23 @@ class Gate:
 
     @property
     def passed(self) -> bool:
-        """Nothing is left beyond noise."""
+        """Whether the residual is noise."""
         return self.above(self.level)
 
     def above(self, level: float) -> bool:
-        """All tests pass at a level."""
+        """Return whether all tests pass at a level."""
         return self.unpaired == 0 and min(self.p_value, self.p_candidates, self.p_unmeasured) > level
 
 
 def gate(store: FitStore, fit: Fit, candidates: Sequence[Candidate]) -> Gate:
-    """Test what a fit leaves.
+    """Test the residual of a fit.
 
     Parameters
     ----------
     store : FitStore
     fit : Fit
     candidates : sequence of Candidate
-        Those that what is left may point at.
+        Candidates to which the residual may point.
     """
     fitter, criteria = store.fitter, store.fitter.criteria
     scores = score(fitter, fit, [candidate for candidate in candidates if candidate not in fit.causes])
@@ -65,6 +65,6 @@ def gate(store: FitStore, fit: Fit, candidates: Sequence[Candidate]) -> Gate:
     level = criteria.surely if found else criteria.gate
     unmeasured = p_unmeasured(fitter, store.fit(Hypothesis()) or fit, fit)
     p_value = store.p_value(fit)
-    # Whatever the residual points at, where it is already too large for noise nothing has to be drawn.
+    # If the residual is already too large for noise, the bound suffices and no draws are needed.
     candidate = scores.p_value if p_value > criteria.surely else scores.bound
     return Gate(p_value, candidate, unpaired, unmeasured, scores, level)

@@ -1,14 +1,14 @@
-r"""The score test: whether what is left points in the direction of a candidate.
+r"""The score test: whether the residual points to a candidate.
 
-At a fit, the whitened residual r is orthogonal to the derivatives by everything that was fitted.  A candidate
-with whitened signature g, projected off those, has the score
+At a fit, the whitened residual r is orthogonal to the derivatives with respect to the fitted parameters.  A candidate
+with whitened signature g, with these derivatives projected out, has the score
 
 .. math:: z = g^T r / |g| ,
 
-a standard normal number where the hypothesis is true, and Delta chi^2 = z^2 to be gained; a candidate with several
-parameters has a chi-square number.  One-sided candidates count only in the direction that physics allows.
-Looking at many candidates at once, the smallest of their p-values is judged by its own distribution, which is
-simulated with the correlations that the signatures have: a limit of 5 % for each would give far more than 5 %.
+which is standard normal if the hypothesis is true; a linear model gains Delta chi^2 = z^2.  The statistic of a
+candidate with several parameters is chi-square distributed.  One-sided candidates count only in the direction that
+physics allows.  With many candidates, the smallest p-value is judged by its own distribution, simulated with the
+correlations of the signatures: a level of 5 % for each would give far more than 5 % false alarms.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Array, Candidate
 
-#: Draws of the smallest p-value under the hypothesis, and their seed.
+#: Number of draws of the smallest p-value under the hypothesis, and their seed.
 DRAWS = 20_000
 SEED = 20_221_107
-#: A signature of which less than this fraction is left after the projection has no direction.
+#: A signature with less than this fraction left after the projection has no direction.
 LEFT = 1e-4
 
 
@@ -39,17 +39,17 @@ class Score:
     ----------
     candidate : Candidate
     p_value : float
-        Of this candidate alone.
+        p-value of this candidate alone.
     gain : float
-        chi2 that a linear model would gain.
+        Decrease of chi2 that the linear model promises.
     step : ndarray, shape (k,)
-        Change of the candidate's parameters that would gain it, within their signs.
+        Corresponding change of the candidate's parameters, within their signs.
     sigma : ndarray, shape (k,)
-        Standard deviations that the data would give the parameters; infinite where they do not tell.
+        Standard deviations of the parameters from these data; infinite if the data do not determine them.
     largest : ndarray, shape (k,)
-        Largest relative change of a measured frequency by one unit of each parameter.
+        Largest relative change of a measured frequency per unit of each parameter.
     visible : bool
-        Whether anything of the signatures is left after the projection.
+        Whether anything is left of the signatures after the projection.
     """
 
     candidate: Candidate
@@ -77,17 +77,17 @@ class Scores:
 
     @property
     def bound(self) -> float:
-        """A p-value that the best candidate among so many cannot exceed."""
+        """An upper bound of the p-value of the best candidate, by Bonferroni's inequality."""
         return min(1.0, min((s.p_value for s in self.each), default=1.0) * max(len(self.directions), 1))
 
     @cached_property
     def p_value(self) -> float:
-        """Of the best candidate among so many; it takes some time, and is evaluated when it is asked for."""
+        """The p-value of the best candidate, corrected for their number; evaluated on demand, as it takes time."""
         return _smallest(self.directions, min((s.p_value for s in self.each), default=1.0))
 
 
 def score(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> Scores:
-    """Test every candidate that the hypothesis does not have yet.
+    """Test candidates that the hypothesis does not have yet.
 
     Parameters
     ----------
@@ -123,7 +123,7 @@ def _one(
     step = np.zeros(left.shape[1])
     if not seen.any():
         return Score(candidate, 1.0, 0.0, step, np.full(len(step), np.inf), largest, False), left
-    # Several parameters may do the same, or one of them nothing: they count by the directions that they span.
+    # Parameters may have the same effect, or none: the degrees of freedom are the directions that they span.
     u, s, vt = np.linalg.svd(left[:, seen] / size[seen], full_matrices=False)
     axes, s, vt = u[:, s > LEFT], s[s > LEFT], vt[s > LEFT]
     sigma = np.full(len(step), np.inf)
@@ -145,7 +145,7 @@ def _one(
 
 
 def one_sided(fitter: Fitter, candidate: Candidate) -> int:
-    """Sign that physics allows, 0 for both: a single parameter whose declared value is its bound."""
+    """Return the sign that physics allows, 0 for both: a single parameter whose declared value is its bound."""
     if len(candidate.parameters) != 1:
         return 0
     p = fitter.parameters[fitter.indices(candidate)[0]]
@@ -153,11 +153,11 @@ def one_sided(fitter: Fitter, candidate: Candidate) -> int:
 
 
 def _smallest(directions: Sequence[tuple[Array, int]], observed: float) -> float:
-    """Probability of a p-value as small as the one observed, under the hypothesis."""
+    """Return the probability under the hypothesis that the smallest p-value is at most the observed one."""
     if not directions:
         return 1.0
     count = len(directions)
-    if observed * count < 1.0 / DRAWS:  # beyond what draws resolve; the bound is close there
+    if observed * count < 1.0 / DRAWS:  # beyond the resolution of the draws; the bound is tight there
         return observed * count
     stacked = np.hstack([axes for axes, _ in directions])
     correlation = stacked.T @ stacked
@@ -165,7 +165,7 @@ def _smallest(directions: Sequence[tuple[Array, int]], observed: float) -> float
     rng = np.random.default_rng(SEED)
     normal = rng.standard_normal((DRAWS, len(values))) * np.sqrt(np.maximum(values, 0.0)) @ vectors.T
     reached, start = np.zeros(DRAWS, dtype=bool), 0
-    for axes, sign in directions:  # a p-value is as small where its statistic is as large
+    for axes, sign in directions:  # compare statistics, which is equivalent to comparing p-values
         part = normal[:, start : start + axes.shape[1]]
         start += axes.shape[1]
         if sign:

@@ -1,12 +1,12 @@
 """The search for causes: gate, refit of every plausible candidate, acceptance, and the gate again.
 
-A step adds what lowers the criterion most: a cause, an error that all modes of a setup share, or the exclusion of an
-outlier, so that no cause gets credit for what a bad measurement explains.  When the gate passes, everything that is
-not needed is taken away again, and every cause is tried against all others in its place.
+Each step makes the addition that lowers the criterion most: a cause, an error that all modes of a setup share, or the
+exclusion of an outlier, so that no cause gets credit for what a bad measurement explains.  When the gate passes,
+additions that are not needed are removed again, and every cause is compared with all others in its place.
 
-Two causes have many hundred pairs to choose from, and with errors of the measurement beside them they would
-explain anything.  They are sought only where one cause surely leaves something and no remote one explains all
-of it alone, and never together with outliers or shared errors.
+There are many hundred pairs of causes; with measurement errors beside them they would explain anything.  A pair is
+sought only if one cause clearly leaves a residual and no single remote cause explains everything, and never together
+with outliers or shared errors.
 """
 
 from __future__ import annotations
@@ -26,17 +26,17 @@ from pkmodes.diagnosis.search.score import score
 
 @dataclass(frozen=True)
 class Outcome:
-    """What the search came to.
+    """The result of a search.
 
     Attributes
     ----------
     nuisances : Fit
         The declared model with its nuisances refitted.
     first : Gate
-        At that fit.
+        Gate at that fit.
     final : Fit
     last : Gate
-        At the final fit.
+        Gate at the final fit.
     """
 
     nuisances: Fit
@@ -46,7 +46,7 @@ class Outcome:
 
 
 class Search:
-    """Searches the causes of what one set of measurements shows.
+    """A search for causes that explain one set of measurements.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ class Search:
         self._gates: dict[int, tuple[Fit, Gate]] = {}
 
     def run(self) -> Outcome | None:
-        """Search; None where the declared model cannot be evaluated."""
+        """Search; return None if the declared model cannot be evaluated."""
         self._progress("refitting the nuisance parameters")
         first = self.store.fit(Hypothesis())
         if first is None:
@@ -89,7 +89,7 @@ class Search:
         return Outcome(first, before, final, last)
 
     def gate(self, fit: Fit) -> Gate:
-        """Test what is left."""
+        """Test the residual of a fit."""
         known = self._gates.get(id(fit.values))
         if known is None or known[0].values is not fit.values:
             known = fit, gate(self.store, fit, self.candidates)
@@ -97,14 +97,14 @@ class Search:
         return known[1]
 
     def alone(self) -> list[Fit]:
-        """Fits with one remote cause and nothing else, best first."""
+        """Return fits with one remote cause and nothing else, best first."""
         plain = self.store.fit(Hypothesis())
         if plain is None or not self.remote:
             return []
         return self.additions.causes(plain, score(self.store.fitter, plain, self.remote))
 
     def rivals(self, fit: Fit, place: int) -> tuple[Fit, ...]:
-        """Fits with other causes in one place, best first; in all of them that cause is the last one."""
+        """Return fits with other causes in one place, best first; that cause is the last one in all of them."""
         causes, store = fit.causes, self.store
         hypothesis = replace(fit.hypothesis, causes=(*causes[:place], *causes[place + 1 :]))
         base = store.fit(hypothesis, store.undone(fit, hypothesis))
@@ -121,30 +121,30 @@ class Search:
     # Steps -------------------------------------------------------------------------------------------------
 
     def _addition(self, fit: Fit, at: Gate) -> Fit | None:
-        """The best of all that can be added; None where nothing helps."""
+        """Return the fit with the best addition; None if nothing helps."""
         additions, criterion = self.additions, self.store.criterion
         options = additions.noise(fit)
         if not fit.causes:
-            # With outliers and a shared error there is no room left: a cause instead, not beside them.
+            # Outliers and a shared error use up the allowed additions: try a cause in place of them.
             options += additions.causes(fit, at.scores) if additions.room(fit) else additions.singles()
             improves = any(criterion(option) < criterion(fit) for option in options)
             options += [] if improves else self.alone()
         elif (again := self._again(fit, options)) is not None:
-            return again  # nothing need be added
+            return again  # no addition is needed
         elif len(fit.causes) < self.criteria.most_causes and not fit.causes[0].remote:
             best_few = self.alone()[: self.criteria.best_few]
             remote = next((one for one in best_few if self.gate(one).passed), None)
             if remote is not None:
-                return remote  # one cause, though nothing will be claimed, before two
+                return remote  # one cause, although it will not be claimed, is preferred to two
             options += additions.pairs() if self._hopeful(fit) else []
         best = min(options, key=criterion, default=fit)
         return best if criterion(best) < criterion(fit) else None
 
     def _again(self, fit: Fit, options: Sequence[Fit]) -> Fit | None:
-        """The same hypothesis, brought to the noise from where an error of the measurement led; None where it is not.
+        """Refit the same hypothesis from fits with measurement errors; None if it is not better and down to noise.
 
-        A cause that adds modes may have stopped in a local minimum, with some modes paired wrongly.  What then looks
-        like a few bad rows, or like an error of each setup, shows the way out of it.
+        A cause that adds modes may be in a local minimum, with some modes paired wrongly.  These look like outliers
+        or a shared error, and a fit that allows for them leads out of the minimum.
         """
         store, c = self.store, self.criteria
         starts = [option.values for option in options if store.criterion(option) < store.criterion(fit)]
@@ -154,7 +154,7 @@ class Search:
         return best if better else None
 
     def _without_worst(self, fit: Fit) -> list[Array]:
-        """Where fits without the rows that fit worst lead, for several numbers of them."""
+        """Return the values of fits without the worst rows, for several numbers of rows."""
         fitter, h = self.store.fitter, fit.hypothesis
         rows = np.argsort(np.abs(fit.residual[fitter.frequency_rows] / fitter.sigma))[::-1].tolist()
         most = int(self.criteria.misled * len(rows))
@@ -163,12 +163,12 @@ class Search:
         return [found.values for found in fitter.roughly([(one, fit.values) for one in fewer])]
 
     def _hopeful(self, fit: Fit) -> bool:
-        """Whether a second cause may do: the first did much of the work, or little is left."""
+        """Return whether a second cause may suffice: the first explains much, or little is left."""
         base, c = self.store.without(fit, 0), self.criteria
         return base is None or fit.chi2 < c.much * base.chi2 or fit.chi2 < c.little * self.store.degrees(fit)
 
     def _settled(self, fit: Fit) -> Fit:
-        """With several causes: exchange one for another while that lowers the criterion."""
+        """Exchange one of several causes for another while that lowers the criterion."""
         near = fit.chi2 < self.criteria.little * self.store.degrees(fit)
         for _ in range(self.criteria.most_causes if len(fit.causes) > 1 and near else 0):
             best = fit
@@ -180,7 +180,7 @@ class Search:
         return fit
 
     def _needed(self, fit: Fit) -> Fit:
-        """Take away what the gate does not need."""
+        """Remove additions that are not needed to pass the gate."""
         h, store = fit.hypothesis, self.store
         smaller = [replace(h, excluded=h.excluded - {row}) for row in sorted(h.excluded)]
         smaller += [replace(h, scatter=False)] if h.scatter else []

@@ -1,7 +1,7 @@
-"""Where a refit with one cause more begins.
+"""Start values of a refit with one more cause.
 
-The linear estimate is good for what is small.  A cause that is absent may be far from small: it is tried in several
-sizes, and more closely around the best of them, because a mode that a cause adds fits at one size only.
+The linear estimate is accurate for small changes.  An absent cause may be large: several sizes are tried, and refined
+around the best, because a mode that a cause adds fits at one size only.
 """
 
 from __future__ import annotations
@@ -16,35 +16,35 @@ from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.search.score import Score, one_sided
 
-#: Sizes of a cause of one sign that are tried first, as the change of a frequency that a linear model predicts.
+#: Sizes of a one-sided cause that are tried first, as the frequency change that the linear model predicts.
 SIZES = np.geomspace(0.003, 3.0, 9)
-#: The same for a cause that adds modes: they change a frequency when they come near it, and not much before.  A
-#: quarter apart, which is an eighth of the frequencies of such modes.
+#: The same for a cause that adds modes: these change a frequency only when they come near it.  Neighbours differ by a
+#: quarter, which is an eighth of the frequencies of such modes.
 CLOSE_SIZES = np.geomspace(5e-5, 0.5, 42)
-#: Around so many of the best of them, if they cost at most so many times as much as the best, halfway to its
-#: neighbours so many times: such a mode fits in a narrow valley, which a grid passes by high up on its slopes.
+#: The grid is refined by HALVINGS bisections around the best VALLEYS sizes with sums of squares up to SLOPE times the
+#: least: such a mode fits in a narrow valley, and a grid hits only its slopes.
 VALLEYS, SLOPE = 6, 4.0
 HALVINGS = 3
-#: Part of a cause of one sign that is left to it where another is tried beside it.
+#: Part of a one-sided cause that is kept when another one is tried beside it.
 SHARE = 0.4
-#: Of how many starts a cause that adds modes is refitted.
+#: Number of starts from which a cause that adds modes is refitted.
 FITTED = 3
 
 
-#: Values that are to be compared, the sums of squares that they leave, and the starts that this leads to.
+#: Values to compare, their sums of squares, and the resulting starts.
 Trials = Generator[list[Array], list[float], list[Array]]
 
 
 def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -> list[list[Array]]:
-    """Values of all parameters with which refits begin, the most promising first.
+    """Return start values of all parameters for refits, most promising first.
 
-    What is tried for all of them is evaluated together.
+    The trials of all refits are evaluated together.
 
     Parameters
     ----------
     fitter : Fitter
     additions : sequence of (Fit, Score, Hypothesis)
-        Fits to which a cause is added, the score of that cause at this fit, and the hypothesis with the cause.
+        Fit to which a cause is added, score of that cause at this fit, and hypothesis with the cause.
     """
     scout, found = fitter.scout, [list[Array]() for _ in additions]
     searches = {k: _search(fitter, *addition) for k, addition in enumerate(additions)}
@@ -58,7 +58,7 @@ def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -
             except StopIteration as end:
                 found[k] = end.value
                 del searches[k]
-        # Among fewer setups rows have other numbers.
+        # Excluded rows are dropped for fewer setups, where rows are numbered differently.
         bare = {k: h if scout is fitter else Hypothesis(h.causes) for k, (_, _, h) in enumerate(additions)}
         together = scout.chi2_of_many([(bare[k], values) for k, some in asked.items() for values in some])
         results = iter(together)
@@ -67,11 +67,11 @@ def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -
 
 
 def _search(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> Trials:
-    """Starts of one refit."""
+    """Yield trial values of one refit, and return its starts."""
     index = list(fitter.indices(one.candidate))
     lower = np.array([fitter.parameters[i].lower for i in index])
     upper = np.array([fitter.parameters[i].upper for i in index])
-    # Of a cause with several parameters the first one says how large it is.
+    # The first parameter of a cause determines its size.
     sign = one_sided(fitter, replace(one.candidate, parameters=one.candidate.parameters[:1]))
     unit, sizes = np.zeros(len(index)), SIZES
     sized = bool(sign) and one.largest[0] > 0.0
@@ -91,7 +91,7 @@ def _search(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> Tri
         if sized and sizes is CLOSE_SIZES and not fit.causes:
             best = yield from _least(CLOSE_SIZES, unit, at)
             steps += [size * unit for size in best]
-        elif sized:  # there are many pairs, and those that are tried promise much by a linear model
+        elif sized:  # there are many pairs, and those tried are promising in the linear model
             costs = yield [at(size * unit) for size in SIZES]
             steps.append(SIZES[int(np.argmin(costs))] * unit)
         some = [at(step) for step in steps]
@@ -103,12 +103,12 @@ def _search(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> Tri
 
 
 def _origins(fitter: Fitter, fit: Fit, sign: int) -> list[Array]:
-    """Values of everything else with which a cause is tried: those of the fit, and what it may have driven away."""
+    """Return values of the other parameters for trying a cause: those of the fit, and less distorted ones."""
     other = fit.values.copy()
-    if not fit.causes:  # a large cause drives the nuisances far away when it is not there
+    if not fit.causes:  # a large missing cause drives the nuisances far from their declared values
         nuisances = list(fitter.nuisances)
         other[nuisances] = fitter.declared[nuisances]
-    elif sign:  # a cause that stands for two is too large
+    elif sign:  # a cause that compensates for two is too large
         for cause in fit.causes:
             if one_sided(fitter, cause):
                 index = list(fitter.indices(cause))
@@ -126,7 +126,7 @@ def _adds_modes(fitter: Fitter, fit: Fit, index: int, step: float) -> bool:
 def _least(
     sizes: Array, unit: Array, at: Callable[[Array], Array]
 ) -> Generator[list[Array], list[float], list[float]]:
-    """Sizes of the cheapest local minima on a grid, refined around them."""
+    """Return the sizes of the best local minima on a grid, refined around them."""
     known = dict(zip(sizes.tolist(), (yield [at(size * unit) for size in sizes]), strict=True))
     centres = [size for size in _minima(known)[:VALLEYS] if known[size] <= SLOPE * min(known.values())]
     for _ in range(HALVINGS):
@@ -144,7 +144,7 @@ def _least(
 
 
 def _minima(known: dict[float, float]) -> list[float]:
-    """Sizes that cost less than their neighbours, the cheapest first."""
+    """Return the sizes with smaller sums of squares than their neighbours, best first."""
     sizes = sorted(known)
     costs = [np.inf, *(known[size] for size in sizes), np.inf]
     found = [size for i, size in enumerate(sizes, start=1) if costs[i] <= min(costs[i - 1], costs[i + 1])]

@@ -1,9 +1,9 @@
-"""Modes that a model has where modes were looked for, and that nobody measured.
+"""Unmeasured modes of a model between the measured ones.
 
-Not every mode is measured at every pose, so that a missing one says little by itself, and how many are missed is not
-known.  But a cause that adds modes where others were measured, and none of its own, has to explain why these were
-missed and the others were not: given how many modes a hypothesis has there and how many of them were missed, the
-missed ones are among the added ones no more often than chance puts them there (hypergeometric; Fisher's exact test).
+Not every mode is measured at every pose, and the rate of misses is unknown, so a single missing mode says little.
+But if a cause adds modes between measured ones and none of these was measured, their absence needs an explanation:
+given the numbers of modes and of missed modes there, the added modes should be missed no more often than by chance
+(hypergeometric distribution; Fisher's exact test).
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from pkmodes.diagnosis.fit.hypothesis import Fit
 
 
 class Seen(NamedTuple):
-    """Modes of a model where modes were looked for, and how many of them nobody measured."""
+    """Number of modes of a model between the measured ones, and of unmeasured ones among them."""
 
     modes: int
     unmeasured: int
@@ -33,7 +33,7 @@ def seen(fitter: Fitter, fit: Fit) -> Seen:
     for setup, rows in enumerate(fitter.noise.rows):
         if not len(rows):
             continue
-        # A test may have stopped after the highest, whatever its band: what lies above says nothing.
+        # A test may have stopped after the highest mode, whatever its band: modes above it carry no information.
         low, high = fitter.log[rows].min() + margin, fitter.log[rows].max() - margin
         between = np.flatnonzero((logs[setup] > low) & (logs[setup] < high) & visible[setup])
         between = between[between >= fit.prediction.rigid]
@@ -44,7 +44,7 @@ def seen(fitter: Fitter, fit: Fit) -> Seen:
 
 
 def _visible(fitter: Fitter, fit: Fit) -> NDArray[np.bool_]:
-    """Which modes move the sensors by more than a part of what others do; all where no sensor is known."""
+    """Return a mask of the modes that move the sensors enough; all if no sensor is known."""
     shapes, moves = fit.prediction.shapes[..., fitter.pairer.columns], fitter.pairer.moves
     if not shapes.shape[-1]:
         return np.ones(shapes.shape[:2], dtype=bool)
@@ -54,23 +54,23 @@ def _visible(fitter: Fitter, fit: Fit) -> NDArray[np.bool_]:
 
 
 def p_unmeasured(fitter: Fitter, declared: Fit, fit: Fit) -> float:
-    """Probability that so many of the modes which a fit adds to those of the declared model were missed.
+    """Return the p-value of the number of missed modes among those that a fit adds to the declared model.
 
-    A cause of whose modes most were measured needs no excuse for the others.  Where no sensor is known, modes may be
-    missed because they do not move any, and what their absence says counts half as much.
+    It is 1 if at least half of the added modes were measured.  If no sensor is known, modes may be missed because
+    they move none, and their absence counts half as much.
     """
     before, after = seen(fitter, declared), seen(fitter, fit)
     missed = max(after.unmeasured - before.unmeasured, 0)
     measured = max(after.modes - after.unmeasured - before.modes + before.unmeasured, 0)
     if missed <= measured:
         return 1.0
-    total = after.modes + 1  # and one that might have been there
+    total = after.modes + 1  # and one that might exist
     p = float(stats.hypergeom.sf(missed - 1, total, after.unmeasured, min(missed + measured, total)))
     return p if len(fitter.pairer.columns) else float(np.sqrt(p))
 
 
 def never_measured(fitter: Fitter, fit: Fit) -> list[tuple[float, float, int]]:
-    """Modes that should have been measured at half of the setups or more, and were not at any.
+    """Return the modes that should have been measured at half of the setups or more, but never were.
 
     Returns
     -------

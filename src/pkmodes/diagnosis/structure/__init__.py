@@ -1,1 +1,1 @@
-"""A structure given by callables for M and K: what they return, its modes, and their derivatives."""
+"""A structure given by callables for M and K: checks of the matrices, modes, and derivatives of modes."""

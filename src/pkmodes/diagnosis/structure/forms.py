@@ -1,4 +1,4 @@
-"""A matrix as an array or as a sparse one, whichever is cheaper, and what is asked of it in either form."""
+"""Matrices as dense or sparse arrays, whichever is cheaper, and operations on either form."""
 
 from __future__ import annotations
 
@@ -9,37 +9,37 @@ from scipy import sparse
 
 from pkmodes.diagnosis.problem import Array
 
-#: What is left unsymmetric by rounding: of an entry, and of the largest one.
+#: Asymmetry due to rounding, relative to an entry and to the largest entry.
 RELATIVE, ROUNDING = 1e-9, 1e-12
-#: From this many coordinates on, a matrix with few entries is kept sparse, whatever it was given as.
+#: From this many coordinates on, a matrix with at most this part of its entries is stored sparse.
 MANY, FEW = 200, 0.05
 
 
 def is_sparse(matrix: Any) -> bool:
-    """Whether a matrix is one of SciPy's sparse ones."""
+    """Return whether a matrix is a SciPy sparse matrix."""
     return bool(sparse.issparse(matrix))
 
 
 def entries_of(matrix: Any) -> Array:
-    """Entries, those of a sparse matrix that are stored."""
+    """Return the entries; of a sparse matrix, the stored ones."""
     entries: Array = matrix.data if is_sparse(matrix) else matrix
     return entries
 
 
 def count_of(matrix: Any) -> int:
-    """How many entries are not zero."""
+    """Return the number of nonzero entries."""
     return int(matrix.nnz) if is_sparse(matrix) else int(np.count_nonzero(matrix))
 
 
 def size_of(matrix: Any) -> int:
-    """Memory that a matrix takes [bytes]."""
+    """Return the memory of a matrix [bytes]."""
     if is_sparse(matrix):
         return int(matrix.data.nbytes + matrix.indices.nbytes + matrix.indptr.nbytes)
     return int(matrix.nbytes)
 
 
 def is_symmetric(matrix: Any) -> bool:
-    """Whether a matrix is symmetric but for rounding."""
+    """Return whether a matrix is symmetric up to rounding."""
     if is_sparse(matrix):
         apart, size = abs(matrix - matrix.T.tocsc()), abs(matrix)
         rounding = ROUNDING * float(size.max()) if size.nnz else 0.0
@@ -52,14 +52,14 @@ def is_symmetric(matrix: Any) -> bool:
 
 
 def minus(a: Any, b: Any) -> Any:
-    """A difference, of which one may have become dense where the other is not."""
+    """Return a - b, where one may be dense and the other sparse."""
     if is_sparse(a) != is_sparse(b):
         a, b = (x.toarray() if is_sparse(x) else x for x in (a, b))
     return a - b
 
 
 def thin(matrix: Any) -> Any:
-    """A derivative: one parameter often changes few entries, and products with the shapes are then cheap."""
+    """Return a derivative in its cheaper form: a parameter often changes few entries."""
     n = matrix.shape[0]
     if n < MANY or count_of(matrix) > FEW * n * n:
         return matrix.toarray() if is_sparse(matrix) else matrix
@@ -67,7 +67,7 @@ def thin(matrix: Any) -> Any:
 
 
 def packed(matrix: Any) -> Any:
-    """A symmetric matrix as a sparse one, of which rows are columns."""
+    """Return a symmetric matrix as a sparse one; by symmetry, its rows are used as columns."""
     if is_sparse(matrix):
         return sparse.csc_array(matrix)
     n, flat = len(matrix), np.ravel(matrix)
@@ -77,7 +77,7 @@ def packed(matrix: Any) -> Any:
 
 
 def relative_change(change: Any, of: Any) -> float:
-    """Largest change of an entry, relative to the diagonal entries of its row and column."""
+    """Return the largest change of an entry, relative to the diagonal entries of its row and column."""
     size = np.sqrt(np.abs(of.diagonal()))
     if is_sparse(change):
         entries = change.tocoo()
@@ -86,7 +86,7 @@ def relative_change(change: Any, of: Any) -> float:
         rows, columns = np.nonzero(change)
         moved = np.abs(change[rows, columns])
     scale = size[rows] * size[columns]
-    # Entries beside a zero on the diagonal (a free coordinate) have no scale of their own.
+    # Entries with a zero diagonal entry (a free coordinate) have no scale.
     scale[scale == 0.0] = np.abs(entries_of(of)).max(initial=0.0)
     known = scale > 0.0
     return float((moved[known] / scale[known]).max(initial=0.0))

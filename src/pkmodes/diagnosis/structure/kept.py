@@ -1,4 +1,4 @@
-"""What was computed last, as long as it takes little memory."""
+"""A cache of limited size for recent results."""
 
 from __future__ import annotations
 
@@ -6,19 +6,19 @@ from collections import OrderedDict
 from collections.abc import Hashable
 from typing import Generic, TypeVar
 
-#: What all of it may take [bytes]; of what is larger by itself, the last is kept.
+#: Largest memory of all values together [bytes]; a single larger value is kept.
 MEMORY = 64 * 2**20
 
 T = TypeVar("T")
 
 
 class Kept(Generic[T]):
-    """A store that forgets what was not asked for the longest time.
+    """A least-recently-used cache.
 
     Parameters
     ----------
     memory : int, optional
-        What all of it may take [bytes].
+        Largest memory of all values together [bytes].
     """
 
     def __init__(self, memory: int = MEMORY) -> None:
@@ -33,7 +33,7 @@ class Kept(Generic[T]):
         return self._values[key][0]
 
     def keep(self, key: Hashable, value: T, size: int) -> T:
-        """Keep a value that takes so many bytes, and return it."""
+        """Keep a value of a size in bytes, and return it."""
         self._taken += size - (self._values.pop(key)[1] if key in self._values else 0)
         self._values[key] = value, size
         while self._taken > self._memory and len(self._values) > 1:

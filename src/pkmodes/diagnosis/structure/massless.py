@@ -1,8 +1,8 @@
-r"""Motions without inertia, condensed exactly.
+r"""Exact condensation of motions without inertia.
 
-Where M is singular, M N = 0, the motions N follow the others without delay: :math:`N^T K (T q + N r) = 0`, which
-holds for every q once :math:`N^T K T = 0`.  They add no mode, and the shapes still have them.  Rows of zeros in M
-are such motions, and so is every combination of coordinates that M gives no energy.
+If M is singular, M N = 0, the motions N follow the others statically: :math:`N^T K (T q + N r) = 0`, which holds for
+every q if :math:`N^T K T = 0`.  They add no modes, but appear in the shapes.  Coordinates with zero rows in M are
+such motions, and so is every combination of coordinates without kinetic energy.
 """
 
 from __future__ import annotations
@@ -15,16 +15,16 @@ from scipy import linalg
 from pkmodes.diagnosis.problem import Array
 from pkmodes.errors import PkmodesError
 
-#: Pivots of a matrix scaled to a unit diagonal that are smaller than this are zero but for rounding.
+#: Smaller pivots of a matrix scaled to a unit diagonal are zero up to rounding.
 SINGULAR = 1e-13
 
 
 class UnusableError(PkmodesError):
-    """Matrices without modes: an error at the declared values, a value to be avoided during a fit."""
+    """Matrices without modes: an error at the declared values; a fit avoids such values."""
 
 
 class UnstableError(UnusableError):
-    """A structure that does not stand."""
+    """A structure that is statically unstable."""
 
 
 class Condensed(NamedTuple):
@@ -35,7 +35,7 @@ class Condensed(NamedTuple):
     M, K : ndarray, shape (p, p)
         T^T M T, positive definite, and T^T K T.
     T : ndarray, shape (n, p), or None
-        None where every motion has inertia.
+        None if every motion has inertia.
     N : ndarray, shape (n, n - p), or None
     """
 
@@ -86,7 +86,7 @@ def condense(M: Array, K: Array) -> Condensed:
     held = N.T @ KN
     size = np.diagonal(held).copy()
     if (size <= 0.0).any() or not definite(held / np.sqrt(size[:, None] * size)):
-        what = "expected K to hold every coordinate without mass, found a motion that has neither"
+        what = "expected stiffness for every coordinate without mass, found a motion that has neither"
         raise UnusableError(what, "K", "give it a mass or a stiffness, or remove it")
     T = T - N @ linalg.solve(held, KN.T @ T, assume_a="pos")
     mass, stiffness = T.T @ M @ T, T.T @ K @ T
@@ -94,12 +94,12 @@ def condense(M: Array, K: Array) -> Condensed:
 
 
 def _indefinite() -> UnusableError:
-    what = "expected M positive definite, but for motions without mass, found a negative energy"
+    what = "expected M positive definite except for motions without mass, found a negative kinetic energy"
     return UnusableError(what, "M", "check the signs of the masses")
 
 
 def definite(scaled: Array) -> bool:
-    """Whether a matrix with a unit diagonal is positive definite, and by more than rounding."""
+    """Return whether a matrix with a unit diagonal is positive definite by more than rounding."""
     try:
         factor = np.linalg.cholesky(scaled)
     except np.linalg.LinAlgError:

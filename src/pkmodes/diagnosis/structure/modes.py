@@ -1,8 +1,8 @@
 """The lowest modes of K phi = lambda M phi, for matrices that may be large, and M that may be singular.
 
-Small or full matrices go to LAPACK.  Large sparse ones go to shift-invert Lanczos (ARPACK), whose answer is made
-sharp by one Rayleigh-Ritz step and accepted only if Sylvester's law of inertia counts as many eigenvalues below the
-highest of them: Lanczos may miss one of several that coincide.
+Small or dense matrices are solved by LAPACK, large sparse ones by shift-invert Lanczos (ARPACK).  The Lanczos result
+is refined by one Rayleigh-Ritz step, and accepted only if Sylvester's law of inertia counts as many eigenvalues below
+the highest: Lanczos may miss one of several coincident eigenvalues.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ from pkmodes.diagnosis.structure.massless import SINGULAR, UnstableError, Unusab
 from pkmodes.diagnosis.structure.supplied import Pair
 from pkmodes.eigen import generalised_eigh
 
-#: All modes are computed up to this fraction of them: the whole spectrum is then cheaper than a part.
+#: If more than this fraction of the modes is needed, all are computed: that is then cheaper.
 PART = 0.3
-#: Eigenvalues below zero by less than this fraction of the largest are zero but for rounding.
+#: Eigenvalues below zero by less than this fraction of the largest are zero up to rounding.
 STABLE = 1e-9
-#: Relative residual of a mode from Lanczos that is not rounding.
+#: Largest relative residual of a Lanczos mode due to rounding.
 RESIDUAL = 1e-8
 
 
@@ -36,9 +36,9 @@ class Inverse(NamedTuple):
     ----------
     shift : float
     solve : callable
-        What it is multiplied with, (n, k), to the product.
+        Multiplies the inverse with an array (n, k).
     size : int
-        Memory that it takes [bytes].
+        Memory [bytes].
     """
 
     shift: float
@@ -55,13 +55,13 @@ class Modes(NamedTuple):
     shapes : ndarray, shape (m, n)
         Mass-normalised.
     massless : ndarray, shape (n, z), or None
-        Motions without inertia, where they are known.
+        Motions without inertia, if known.
     complete : bool
-        Whether these are all modes, and `massless` all else.
+        Whether these modes and `massless` span all motions.
     scale : float
-        An eigenvalue of the size of the largest.
+        Order of magnitude of the largest eigenvalue.
     inverse : Inverse or None
-        What gave the modes, where it did.
+        The inverse from which the modes were computed, if any.
     """
 
     eigenvalues: Array
@@ -73,7 +73,7 @@ class Modes(NamedTuple):
 
     @property
     def size(self) -> int:
-        """Memory that they take [bytes]."""
+        """Memory [bytes]."""
         arrays = (self.eigenvalues, self.shapes, self.massless)
         return sum(a.nbytes for a in arrays if a is not None) + (self.inverse.size if self.inverse else 0)
 
@@ -86,14 +86,14 @@ def lowest_modes(pair: Pair, count: int, rigid: int) -> Modes:
     pair : Pair
         M and K of one setup.
     count : int
-        How many; there are fewer where the matrices have fewer.
+        Number of modes; fewer are returned if the matrices have fewer.
     rigid : int
-        How many of them may be motions without stiffness.
+        Number of modes that may be motions without stiffness.
 
     Raises
     ------
     UnusableError
-        If M has a negative energy, or a motion without mass no stiffness.
+        If M has a negative kinetic energy, or a motion has neither mass nor stiffness.
     UnstableError
         If a mode is unstable.
     """
@@ -105,17 +105,17 @@ def lowest_modes(pair: Pair, count: int, rigid: int) -> Modes:
             pair = Pair(pair.M.toarray(), pair.K.toarray())
     if found is None:
         found = _by_lapack(pair, count, rigid)
-    # What buckles does not vibrate: sqrt(|lambda|) would be no frequency.
+    # A structure that buckles does not vibrate: sqrt(|lambda|) would not be a frequency.
     lowest = found.eigenvalues[rigid : rigid + 1].min(initial=np.inf)
     if not np.isfinite(found.eigenvalues).all() or lowest < -STABLE * found.scale:
         what = f"expected a stable structure, found the eigenvalue {lowest:.6g} 1/s^2"
-        remedy = "check the sign of K, and that rigid counts every motion that nothing holds"
+        remedy = "check the sign of K, and that rigid counts every free motion"
         raise UnstableError(what, "K", remedy)
     return found
 
 
 def modes_below(pair: Pair, limit: float) -> int:
-    """How many eigenvalues are below a limit [1/s^2], by Sylvester's law of inertia."""
+    """Return the number of eigenvalues below a limit [1/s^2], by Sylvester's law of inertia."""
     if is_sparse(pair.K):
         factor = _Factor(pair.K - limit * pair.M)
         if factor.negative is not None:
@@ -144,9 +144,9 @@ def _by_lapack(pair: Pair, count: int, rigid: int) -> Modes:
 
 
 def _part(M: Array, K: Array, count: int, rigid: int) -> tuple[Array, Array]:
-    """Lowest modes of full matrices."""
+    """Return the lowest modes of dense matrices."""
     n = len(M)
-    # The lowest modes are sharpest as the largest eigenvalues of M phi = mu K phi, where K can be factorised.
+    # If K can be factorised, the lowest modes are most accurate as the largest eigenvalues of M phi = mu K phi.
     diagonal = np.diagonal(K)
     if not rigid and (diagonal > 0.0).all():
         scale = 1.0 / np.sqrt(diagonal)
@@ -156,7 +156,7 @@ def _part(M: Array, K: Array, count: int, rigid: int) -> tuple[Array, Array]:
             found, shapes = linalg.eigh(M * both, scaled, subset_by_index=(n - count, n - 1))
             if (found > 0.0).all():
                 return 1.0 / found[::-1], ((shapes * scale[:, None]) / np.sqrt(found)).T[::-1]
-    scale = 1.0 / np.sqrt(np.diagonal(M))  # removes a mixture of units before M is factorised
+    scale = 1.0 / np.sqrt(np.diagonal(M))  # removes mixed units before M is factorised
     both = scale[:, None] * scale
     found, shapes = linalg.eigh(K * both, M * both, subset_by_index=(0, count - 1))
     return found, (shapes * scale[:, None]).T
@@ -168,9 +168,9 @@ class _Factor:
     Attributes
     ----------
     negative : int or None
-        How many eigenvalues are negative; None where the factor cannot be trusted to tell.
+        Number of negative eigenvalues; None if the factor is not reliable.
     size : int
-        Memory that it takes [bytes].
+        Memory [bytes].
     """
 
     def __init__(self, A: Any) -> None:
@@ -200,7 +200,7 @@ class _Factor:
 
 
 def _by_lanczos(pair: Pair, count: int, rigid: int) -> Modes | None:
-    """Lowest modes of sparse matrices; None where only LAPACK can tell."""
+    """Return the lowest modes of sparse matrices; None if LAPACK is needed."""
     M, K = pair
     diagonal = M.diagonal()
     moving = diagonal > 0.0
@@ -214,7 +214,7 @@ def _by_lanczos(pair: Pair, count: int, rigid: int) -> Modes | None:
         if factor.negative != 0:
             return None
     start = np.random.default_rng(0).standard_normal(K.shape[0])
-    if rigid:  # between the rigid modes and the others, so that neither swamps the others
+    if rigid:  # between the rigid and the elastic modes, so that neither dominates
         near = _lanczos(M, shift, factor, rigid + 1, start)
         if near is None:
             return None
@@ -222,7 +222,7 @@ def _by_lanczos(pair: Pair, count: int, rigid: int) -> Modes | None:
         factor = _Factor(K - shift * M)
         if factor.negative != 0:
             return None
-    # One more than asked for shows whether there is a gap above them.
+    # One more than requested shows whether there is a gap above them.
     found = _lanczos(M, shift, factor, count + 1, start)
     if found is None:
         return None
@@ -246,8 +246,8 @@ def _by_lanczos(pair: Pair, count: int, rigid: int) -> Modes | None:
 def _lanczos(M: Any, shift: float, factor: _Factor, count: int, start: Array) -> tuple[Array, Array] | None:
     n = M.shape[0]
     inverse = iterative.LinearOperator((n, n), matvec=factor.solve, dtype=float)
-    stiffness = iterative.LinearOperator((n, n), matvec=lambda x: x, dtype=float)  # asked for its shape only
-    # The start has no part in motions without inertia but that which follows the others; so have all iterates.
+    stiffness = iterative.LinearOperator((n, n), matvec=lambda x: x, dtype=float)  # only its shape is used
+    # In the start vector, and so in all iterates, motions without inertia only follow the others.
     with contextlib.suppress(iterative.ArpackError):
         eigenvalues, shapes = iterative.eigsh(
             stiffness, count, M, sigma=shift, OPinv=inverse, v0=factor.solve(M @ start)
@@ -257,12 +257,12 @@ def _lanczos(M: Any, shift: float, factor: _Factor, count: int, start: Array) ->
 
 
 def _none_missed(pair: Pair, eigenvalues: Array, count: int) -> bool:
-    """Whether as many eigenvalues as were found lie below the middle of the last gap."""
+    """Return whether the number of eigenvalues below the middle of the last gap is that of those found."""
     gaps = np.diff(eigenvalues)
     wide = np.flatnonzero(gaps > 1e-6 * np.abs(eigenvalues[1:]))
     if not wide.size:
         return False
-    # The highest gap among those found: coinciding eigenvalues at the very end cannot be counted apart.
+    # The highest gap among those found: coincident eigenvalues at the end cannot be counted separately.
     last = int(wide[-1])
     below = _Factor(pair.K - 0.5 * (eigenvalues[last] + eigenvalues[last + 1]) * pair.M).negative
     return below == last + 1

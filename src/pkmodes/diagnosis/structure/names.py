@@ -1,4 +1,4 @@
-"""What a user declares about a structure, checked: parameters, candidates and their names."""
+"""Checks of a user's structure: parameters, candidates and their names."""
 
 from __future__ import annotations
 
@@ -11,22 +11,22 @@ from pkmodes.errors import PkmodesError, listed, shown
 
 
 def check_names(kind: str, names: Sequence[str]) -> None:
-    """Refuse names that come twice."""
+    """Refuse repeated names."""
     for name in names:
         if names.count(name) > 1:
             raise PkmodesError(f"two {kind}s are called {shown(name)}", f"{kind}s", "rename one")
 
 
 def check_callables(matrices: object, derivatives: object) -> None:
-    """Refuse what cannot be called."""
+    """Refuse an argument that is not callable."""
     for name, given in (("matrices", matrices), ("derivatives", derivatives)):
         if not callable(given) and not (name == "derivatives" and given is None):
             what = f"expected a function, found {shown(given)}"
-            raise PkmodesError(what, name, "give one of the values by name and the label of a setup")
+            raise PkmodesError(what, name, "give a function of the values by name and the label of a setup")
 
 
 def check_parameter(p: Parameter) -> None:
-    """Refuse bounds and deviations that contradict the value."""
+    """Refuse a parameter with an invalid name, value, bound or standard deviation."""
     where = f"parameter {shown(p.name)}"
     if not isinstance(p.name, str):
         raise PkmodesError(f"expected a name, found {shown(p.name)}", "parameters", "give text")
@@ -39,11 +39,11 @@ def check_parameter(p: Parameter) -> None:
         raise PkmodesError(what, where, "widen the bounds or correct the value")
     if p.sigma is not None and not 0.0 <= p.sigma < np.inf:
         what = f"expected a standard deviation of at least 0, found {p.sigma:g}"
-        raise PkmodesError(what, where, "leave it out when unknown")
+        raise PkmodesError(what, where, "leave it out if unknown")
 
 
 def check_candidate(candidate: Candidate, parameters: Mapping[str, Parameter]) -> None:
-    """Refuse a candidate whose parameters are missing, or are no suspects."""
+    """Refuse a candidate whose parameters are missing, repeated, or have a sigma."""
     where = f"candidate {shown(candidate.name)}"
     if not isinstance(candidate.name, str):
         raise PkmodesError(f"expected a name, found {shown(candidate.name)}", "candidates", "give text")
@@ -52,7 +52,7 @@ def check_candidate(candidate: Candidate, parameters: Mapping[str, Parameter]) -
         raise PkmodesError(f"expected different parameters, found {list(names)}", where, "name each once")
     for name in names:
         if name not in parameters:
-            what = f"it has a parameter {shown(name)} that is not there"
+            what = f"its parameter {shown(name)} does not exist"
             raise PkmodesError(what, where, f"parameters are: {', '.join(parameters)}")
         sigma = parameters[name].sigma
         if sigma is not None:

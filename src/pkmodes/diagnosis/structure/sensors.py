@@ -1,4 +1,4 @@
-"""Where shapes are measured: at coordinates of the model, or anywhere by a linear map of them."""
+"""The map from a model's coordinates to the channels where shapes are measured."""
 
 from __future__ import annotations
 
@@ -15,25 +15,25 @@ REMEDY = "give each channel a row and each coordinate of the model a column"
 
 
 def sensor_map(channels: Sequence[str], coordinates: Sequence[str] | None, sensors: Any) -> Any:
-    """Return what the coordinates of a model are multiplied with to be the channels.
+    """Return the matrix that maps the coordinates of a model to the channels.
 
     Parameters
     ----------
     channels : sequence of str
     coordinates : sequence of str, optional
-        Names of the n coordinates, where the channels are some of them.
+        Names of the n coordinates, if the channels are some of them.
     sensors : array_like or sparse matrix, shape (C, n), optional
-        Motion of each channel by those of the coordinates.
+        Motion of each channel for unit motions of the coordinates.
 
     Returns
     -------
     sparse array, shape (C, n), or None
-        None where the channels are the coordinates, all and in order.
+        None if the channels are all coordinates in order.
 
     Raises
     ------
     PkmodesError
-        If both are given, a channel is no coordinate, or the map is not one of numbers.
+        If both are given, a channel is not a coordinate, or the map is not a matrix of numbers.
     """
     if sensors is None:
         if coordinates is None or tuple(coordinates) == tuple(channels):
@@ -42,21 +42,23 @@ def sensor_map(channels: Sequence[str], coordinates: Sequence[str] | None, senso
             if name not in coordinates:
                 known = ", ".join(coordinates[:20]) + (", ..." if len(coordinates) > 20 else "")
                 what = f"the channel {shown(name)} is not one of the {len(coordinates)} coordinates"
-                raise PkmodesError(what, "channels", f"coordinates are: {known}; other places need sensors=")
+                raise PkmodesError(
+                    what, "channels", f"coordinates are: {known}; for other places, use sensors="
+                )
         place = {name: i for i, name in enumerate(coordinates)}
         columns = [place[name] for name in channels]
         ones = np.ones(len(columns))
         shape = (len(columns), len(coordinates))
         return sparse.csr_array((ones, (np.arange(len(columns)), columns)), shape=shape)
     if coordinates is not None:
-        what = "expected sensors or the names of the coordinates, found both"
+        what = "expected sensors or coordinates, found both"
         raise PkmodesError(what, "sensors", "leave out one of them")
     try:
         found = sparse.csr_array(sensors if is_sparse(sensors) else np.asarray(sensors))
     except (TypeError, ValueError) as error:
         raise PkmodesError(f"expected a matrix, found {shown(str(error))}", "sensors", REMEDY) from error
     if found.ndim != 2 or found.shape[0] != len(channels):
-        what = f"expected {len(channels)} rows for as many channels, found the shape {found.shape}"
+        what = f"expected one row for each channel ({len(channels)}), found the shape {found.shape}"
         raise PkmodesError(what, "sensors", REMEDY)
     if found.dtype.kind not in "biuf" or not np.isfinite(found.data).all():
         raise PkmodesError("expected finite real numbers", "sensors", REMEDY)

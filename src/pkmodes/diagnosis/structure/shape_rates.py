@@ -1,17 +1,17 @@
 r"""Derivatives of mass-normalised mode shapes.
 
-With :math:`f_i = (dK - \lambda_i dM) \phi_i`, the derivative of shape i has three parts: modes j that are known,
-:math:`\phi_j \phi_j^T f_i / (\lambda_i - \lambda_j)`; all other motions x, which solve
-:math:`(K - \lambda_i M) x = -f_i` free of the known modes; and the norm, :math:`-\phi_i \phi_i^T dM \phi_i / 2`.
+With :math:`f_i = (dK - \lambda_i dM) \phi_i`, the derivative of shape i has three parts: the known modes j,
+:math:`\phi_j \phi_j^T f_i / (\lambda_i - \lambda_j)`; the remaining motions x, M-orthogonal to the known modes, which
+solve :math:`(K - \lambda_i M) x = -f_i`; and the normalisation, :math:`-\phi_i \phi_i^T dM \phi_i / 2`.
 
-Where all modes are known, the others are motions without inertia, :math:`x = -N (N^T K N)^{-1} N^T f_i`.  Otherwise
-one factor, that of :math:`K - \sigma M` which gave the modes, is enough for all of them:
-:math:`x = (K - \sigma M)^{-1} (-f_i + (\lambda_i - \sigma) M x)` is iterated free of the known modes, and an error
-in the direction of another mode j shrinks by :math:`(\lambda_i - \sigma) / (\lambda_j - \sigma)` in each step
-(K. F. Alvin, Efficient computation of eigenvector sensitivities for structural dynamics, AIAA Journal, 1997).  Where
-a mode is too near to those that are not known, the system is solved bordered by the known modes that are near, which
-makes it regular: R. B. Nelson, Simplified calculation of eigenvector derivatives, AIAA Journal 14 (1976), 1201-1205,
-for several of them at once.
+If all modes are known, the remaining motions are those without inertia, :math:`x = -N (N^T K N)^{-1} N^T f_i`.
+Otherwise the factor of :math:`K - \sigma M` that gave the modes suffices for all of them:
+:math:`x = (K - \sigma M)^{-1} (-f_i + (\lambda_i - \sigma) M x)` is iterated, M-orthogonal to the known modes, and an
+error in the direction of another mode j shrinks by :math:`(\lambda_i - \sigma) / (\lambda_j - \sigma)` in each step
+(K. F. Alvin, Efficient computation of eigenvector sensitivities for structural dynamics, AIAA Journal, 1997).  If a
+mode is too close to the unknown ones, the system is bordered by the known modes near it, which makes it regular
+(R. B. Nelson, Simplified calculation of eigenvector derivatives, AIAA Journal 14 (1976), 1201-1205, here for several
+modes at once).
 """
 
 from __future__ import annotations
@@ -28,23 +28,23 @@ from pkmodes.diagnosis.structure.forms import is_sparse
 from pkmodes.diagnosis.structure.modes import STABLE, Inverse, Modes
 from pkmodes.diagnosis.structure.supplied import Pair
 
-#: Relative gap of two eigenvalues below which it counts as this large: what one of them does is not defined there.
+#: Smaller relative gaps of two eigenvalues are set to this: derivatives of a single mode are not defined there.
 GAP = 1e-6
 #: Modes within this relative distance are handled by the sum.
 NEAR = 1e-2
-#: The iteration is used where an error shrinks to this part or less in each step, until so much is left of it.
+#: The iteration is used if an error shrinks to this part or less in each step, until this part of it is left.
 SHRINKS, LEFT = 0.5, 1e-14
 
 
 class ShapeRates:
-    """Derivatives of the shapes in all setups, found for those modes that are asked for.
+    """Derivatives of the shapes in all setups, computed for requested modes only.
 
     Parameters
     ----------
     setups : sequence of callable or None
-        For each setup, what gives the derivatives (W, C, T) of some of its modes; None where it has none.
+        For each setup, a function that returns the derivatives (W, C, T) of some of its modes; None if it has none.
     shape : tuple of int
-        Setups, modes, channels and parameters.
+        Numbers of setups, modes, channels and parameters.
     """
 
     def __init__(
@@ -96,9 +96,9 @@ def shape_rates(pair: Pair, modes: Modes, some: Index, changes: Sequence[Pair | 
     modes : Modes
         The known modes.
     some : ndarray of int, shape (W,)
-        Those of them whose shapes are differentiated.
+        Modes whose shapes are differentiated.
     changes : sequence of Pair or None, length T
-        Derivatives of M and K by each parameter, None where there are none.
+        Derivatives of M and K with respect to each parameter, None if zero.
 
     Returns
     -------
@@ -137,7 +137,7 @@ def shape_rates(pair: Pair, modes: Modes, some: Index, changes: Sequence[Pair | 
 
 
 def _forces(modes: Modes, some: Index, changes: Sequence[Pair | None]) -> tuple[Array, Array]:
-    """(dK - lambda_i dM) phi_i, (T, W, n), and phi_i^T dM phi_i, (T, W)."""
+    """Return (dK - lambda_i dM) phi_i, (T, W, n), and phi_i^T dM phi_i, (T, W)."""
     eigenvalues, phi = modes.eigenvalues[some], modes.shapes[some]
     forces, inertial = np.zeros((len(changes), *phi.shape)), np.zeros((len(changes), len(some)))
     for t, change in enumerate(changes):
@@ -149,7 +149,7 @@ def _forces(modes: Modes, some: Index, changes: Sequence[Pair | None]) -> tuple[
 
 
 def _gaps(of: Index, eigenvalues: Array, scale: float) -> Array:
-    """lambda_i - lambda_j, kept from zero with its sign; that of equal ones is the sign of their order."""
+    """Return lambda_i - lambda_j, bounded away from zero with its sign; for equal ones, the sign of their order."""
     some = eigenvalues[of]
     gaps = some[:, None] - eigenvalues
     largest = np.maximum(np.abs(some)[:, None], np.abs(eigenvalues))
@@ -160,7 +160,7 @@ def _gaps(of: Index, eigenvalues: Array, scale: float) -> Array:
 
 
 def _inverse(pair: Pair, modes: Modes) -> Inverse | None:
-    """The inverse of K - sigma M that gave the modes, or another one; None where it would not be definite."""
+    """Return the inverse of K - sigma M that gave the modes, or another one; None if it is not definite."""
     if modes.inverse is not None or is_sparse(pair.K):
         return modes.inverse
     stiff = modes.eigenvalues[modes.eigenvalues > STABLE * modes.scale]
@@ -185,7 +185,7 @@ def _iterated(
     M: Any, inverse: Inverse, away: Array, shrinks: Array, right: Array, shapes: Array, inertia: Array
 ) -> Array:
     """Solve (K - sigma M - away M) x = right for x that is M-orthogonal to the known modes, (T, W, n)."""
-    # Errors lie between 0 and `shrinks` of what they were: half of that off the middle is the least.
+    # A step scales errors by factors from 0 to `shrinks`; relaxation centres this range on zero.
     relaxed = 2.0 / (2.0 - shrinks)
     steps = np.ceil(np.log(LEFT) / np.log(np.maximum(shrinks / (2.0 - shrinks), LEFT))).astype(int)
     x, n = np.zeros_like(right), right.shape[-1]

@@ -29,18 +29,18 @@ from pkmodes.errors import PkmodesError, shown
 Matrices = Callable[[Mapping[str, float], str], tuple[Any, Any]]
 Derivatives = Callable[[Mapping[str, float], str, str], tuple[Any, Any]]
 
-#: Relative change of the matrices at which differences stand in for derivatives: rounding and curvature balance.
+#: Relative change of the matrices in a difference that approximates a derivative: rounding and curvature balance.
 CHANGE = 1e-6
-#: How far that change may be missed, and how many steps are tried.  Steps grow up to LARGEST, for a parameter that
-#: changes nothing.
+#: Factor by which that change may be missed, and largest number of trial steps.  Steps grow up to LARGEST, for a
+#: parameter that changes nothing.
 MISSED, TRIALS, LARGEST = 100.0, 30, 1e12
-#: Steps smaller than this, relative to the value, may be lost in its rounding.
+#: Steps smaller than this, relative to the value, may be lost in rounding.
 SMALLEST = 1e-12
-#: Matrices whose second difference is less than this part of the first are straight lines: one side is enough.
+#: Matrices whose second difference is less than this part of the first are linear: a one-sided difference suffices.
 STRAIGHT = 1e-8
-#: What two calls with the same values may differ by: more would be a hundredth of the change of a difference.
+#: Largest difference of two calls with the same values: a hundredth of the change in a difference.
 REPEATABLE = 1e-8
-#: How many values a message names.
+#: Largest number of values that a message names.
 NAMED = 8
 
 
@@ -52,7 +52,7 @@ class Pair(NamedTuple):
 
 
 class _Search(NamedTuple):
-    """Derivatives by differences, None where nothing changes; whether any were finite; the last step."""
+    """Difference derivatives, None if nothing changes; whether any were finite; the last step."""
 
     rates: list[Pair] | None
     finite: bool
@@ -60,7 +60,7 @@ class _Search(NamedTuple):
 
 
 class Supplied:
-    """What the callables return, as float64 and symmetric, or an error that names setup and values.
+    """The matrices from the callables, checked to be symmetric float64; errors name setup and values.
 
     Parameters
     ----------
@@ -70,12 +70,12 @@ class Supplied:
     expected : int
         Number of coordinates.
     reason : str
-        Why so many, for messages.
+        Reason for this number, for messages.
 
     Attributes
     ----------
     calls, seconds : int, float
-        How often the callable for M and K was asked, and how long that took.
+        Number of calls for M and K, and their total time.
     """
 
     def __init__(
@@ -98,9 +98,9 @@ class Supplied:
     @overload
     def at(self, values: Array, setup: str, finite: Literal[False] = ...) -> Pair | None: ...
     def at(self, values: Array, setup: str, finite: bool = False) -> Pair | None:
-        """M and K; where they are not finite, which some values within the bounds may bring, None or an error.
+        """Return M and K; if they are not finite at these values, None or, with `finite`, an error.
 
-        The callable is asked once for the same values, as long as there is memory for what it returned.
+        The callable is called once for the same values, as long as there is memory for the matrices.
         """
         key = np.asarray(values, dtype=float).tobytes(), setup
         if key in self._known and (self._known[key] is not None or not finite):
@@ -108,9 +108,9 @@ class Supplied:
         return self._keep(key, self._called(values, setup, finite))
 
     def check_repeatable(self, setup: str) -> None:
-        """Refuse a callable that returns something else when it is asked for the declared values again.
+        """Refuse a callable that is not reproducible at the declared values.
 
-        Differences that stand in for derivatives would be those of its noise.
+        Difference derivatives would be dominated by its noise.
 
         Raises
         ------
@@ -138,13 +138,13 @@ class Supplied:
             raise
         except Exception as error:
             what = f"the callable for M and K failed: {type(error).__name__}: {error}"
-            raise PkmodesError(what, where, "mend it, or narrow the bounds of the parameters") from error
+            raise PkmodesError(what, where, "fix it, or narrow the bounds of the parameters") from error
         self.calls, self.seconds = self.calls + 1, self.seconds + time.perf_counter() - start
         pair = self._pair(returned, ("M", "K"), where)
         n = self.expected
         if n >= MANY and all(count_of(matrix) <= FEW * n * n for matrix in pair):
             pair = Pair(*map(packed, pair))
-        else:  # a copy: a callable may use its arrays again
+        else:  # a copy: a callable may reuse its arrays
             pair = Pair(*(matrix.toarray() if is_sparse(matrix) else matrix.copy() for matrix in pair))
         for name, matrix in zip(("M", "K"), pair, strict=True):
             known = np.isfinite(entries_of(matrix)).all()
@@ -156,7 +156,7 @@ class Supplied:
         return pair
 
     def rates(self, values: Array, i: int, setups: Mapping[str, Pair]) -> list[Pair] | None:
-        """Derivatives by one parameter in these setups, of which M and K are known; None where there are none."""
+        """Return the derivatives with respect to one parameter in setups with known M and K; None if zero."""
         if self.derivatives is None:
             return self._differences(values, i, setups)
         name, found = self.parameters[i].name, []
@@ -165,25 +165,25 @@ class Supplied:
             if key in self._known and (known := self._known[key]) is not None:
                 found.append(known)
                 continue
-            where = f"derivatives by {shown(name)}, {self._where(values, setup)}"
+            where = f"derivatives with respect to {shown(name)}, {self._where(values, setup)}"
             try:
                 returned = self.derivatives(self._named(values), setup, name)
             except PkmodesError:
                 raise
             except Exception as error:
                 what = f"the callable for dM and dK failed: {type(error).__name__}: {error}"
-                raise PkmodesError(what, where, "mend it, or leave the derivatives out") from error
+                raise PkmodesError(what, where, "fix it, or leave the derivatives out") from error
             pair = self._pair(returned, ("dM", "dK"), where)
             for kind, matrix in zip(("dM", "dK"), pair, strict=True):
                 if not np.isfinite(entries_of(matrix)).all() or not is_symmetric(matrix):
                     what = f"expected {kind} finite and symmetric"
-                    raise PkmodesError(what, where, "mend it, or leave the derivatives out")
+                    raise PkmodesError(what, where, "fix it, or leave the derivatives out")
             found.append(Pair(*map(thin, pair)))
             self._keep(key, found[-1])
         return found
 
     def _differences(self, values: Array, i: int, setups: Mapping[str, Pair]) -> list[Pair] | None:
-        """The same by differences; the step that is right at the declared values is tried first."""
+        """Return the same by differences; the step found at the declared values is tried first."""
         p = self.parameters[i]
         declared = np.array([p.value for p in self.parameters])
         key = i, tuple(setups)
@@ -207,7 +207,7 @@ class Supplied:
         return found.rates
 
     def _is_straight(self, values: Array, i: int, setups: Mapping[str, Pair], step: float) -> bool:
-        """Whether the matrices change in proportion to a parameter, as far as differences tell."""
+        """Return whether the matrices are linear in a parameter, judged by differences."""
         p = self.parameters[i]
         if p.upper - p.lower < 2.0 * step:
             return False
@@ -226,13 +226,13 @@ class Supplied:
     def _search(
         self, values: Array, i: int, setups: Mapping[str, Pair], step: float, straight: bool = False
     ) -> _Search:
-        """Find the step that changes the matrices as much as it should."""
+        """Find the step that changes the matrices by about `CHANGE`."""
         p = self.parameters[i]
         rates, finite = None, False
         for _ in range(TRIALS):
             ahead, behind = values.copy(), values.copy()
             ahead[i], behind[i] = min(values[i] + step, p.upper), max(values[i] - step, p.lower)
-            if straight and ahead[i] > values[i]:  # what is known already will do on the other side
+            if straight and ahead[i] > values[i]:  # the other side is known already
                 behind[i] = values[i]
             if ahead[i] == behind[i]:
                 break
@@ -288,11 +288,11 @@ class Supplied:
                 raise PkmodesError(f"expected {name} as an array: {error}", where, "return arrays") from error
         if given.dtype.kind not in "biuf":
             found = "complex numbers" if given.dtype.kind == "c" else f"values of type {given.dtype}"
-            remedy = "give real matrices: the modes are those without damping"
+            remedy = "give real matrices: the modes are undamped"
             raise PkmodesError(f"expected {name} of real numbers, found {found}", where, remedy)
         if given.dtype.kind == "f" and given.dtype.itemsize < 8 and self.derivatives is None:
             what = f"expected {name} in double precision, found {given.dtype}"
-            remedy = "assemble it in float64, which differences need, or give derivatives"
+            remedy = "assemble it in float64 for difference derivatives, or give derivatives"
             raise PkmodesError(what, where, remedy)
         n = self.expected
         if given.shape != (n, n):

@@ -1,1 +1,1 @@
-"""From fits to a verdict that a person can rely on."""
+"""From fits to a verdict."""

@@ -1,7 +1,7 @@
-"""What the data can tell apart: survivors of the comparison, and classes of them that are one to these data.
+"""Survivors of the comparison, and their equivalence classes.
 
-A rival survives if it explains the measurements nearly as well as the best.  Two survivors whose predictions
-differ by less than the data would show with some certainty are one class: no claim goes beyond it.
+A rival survives if it explains the measurements nearly as well as the best fit.  Survivors whose predictions differ
+by less than the data can resolve form one class: a claim always concerns the whole class.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pkmodes.diagnosis.search.unmeasured import p_unmeasured
 
 
 def survivors(search: Search, rivals: Sequence[Fit]) -> list[Fit]:
-    """Rivals that these data do not exclude, best first.
+    """Return the rivals that these data do not exclude, best first.
 
     Parameters
     ----------
@@ -33,7 +33,7 @@ def survivors(search: Search, rivals: Sequence[Fit]) -> list[Fit]:
     total = np.array([store.criterion(fit) for fit in fitting])
     order = np.argsort(total, kind="stable")
     found = [fitting[i] for i in order if total[i] <= total.min() + c.survives and store.predicts(fitting[i])]
-    # More parameters cost nothing where the predictions are the same: what says more is not excluded by that.
+    # If predictions are equal, additional parameters are not penalised: they must not exclude a general rival.
     alike = {
         i: fitting[i].deviance
         for i in order
@@ -45,7 +45,7 @@ def survivors(search: Search, rivals: Sequence[Fit]) -> list[Fit]:
 
 
 def measured(search: Search, fit: Fit) -> bool:
-    """Whether the modes that the causes of a fit add could have been missed, if they were."""
+    """Return whether unmeasured modes that the causes of a fit add may have been missed by chance."""
     store = search.store
     declared = store.fit(Hypothesis()) or fit
     return p_unmeasured(store.fitter, declared, fit) > search.criteria.surely
@@ -54,10 +54,10 @@ def measured(search: Search, fit: Fit) -> bool:
 def other_pairs(
     search: Search, final: Fit, pairs: Sequence[Fit], grouped: Sequence[Sequence[Sequence[Fit]]]
 ) -> list[Fit]:
-    """What survives beside a pair of causes: pairs that are not of its classes, and single remote causes.
+    """Return the survivors beside a pair of causes: pairs outside its classes, and single remote causes.
 
-    Both causes may change at once, as from a structure to its mirror image.  Pairs of its classes survive too, each
-    on its own, where they are many.
+    Both causes may differ at once, as between a structure and its mirror image.  If there are many pairs within its
+    classes, each of them also survives separately.
     """
     if len(final.causes) < 2:
         return []
@@ -70,7 +70,7 @@ def other_pairs(
         known = len(members) == 2 and (
             (a in members[0] and b in members[1]) or (b in members[0] and a in members[1])
         )
-        # Whether or not its predictions differ: a pair of other causes is another explanation.
+        # A pair of other causes is another explanation, even if its predictions are the same.
         if {a, b} != {cause.name for cause in final.causes} and (many or not known):
             found.append(pair)
     alone = [fit for fit in search.alone() if store.criterion(fit) <= store.criterion(final) + c.survives]
@@ -78,7 +78,7 @@ def other_pairs(
 
 
 def classes(fitter: Fitter, found: Sequence[Fit]) -> list[list[Fit]]:
-    """Group survivors that these data cannot tell apart, the best one's class first."""
+    """Group survivors that these data cannot tell apart, the class of the best one first."""
     groups: list[list[Fit]] = []
     for fit in found:
         home = next(

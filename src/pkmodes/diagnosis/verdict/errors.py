@@ -1,4 +1,4 @@
-"""Whether errors of the measurement explain a residual nearly as well as causes, and which."""
+"""Measurement errors that explain a residual nearly as well as causes."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from pkmodes.diagnosis.verdict import reasons
 
 
 def explained_by_errors(search: Search, final: Fit) -> str:
-    """What errors explain the residual nearly as well as the causes of a fit; empty where none do.
+    """Name the errors that explain the residual nearly as well as the causes of a fit; empty if none do.
 
-    Outliers and a shared error as the search found them, or frequencies with errors larger than stated by their most
-    likely factor, with the rows set aside and the shared error of the final fit.
+    These are outliers and a shared error as found by the search, or frequency errors larger than stated by their
+    most likely factor, with the outliers and the shared error of the final fit.
     """
     store, c = search.store, search.criteria
     worst = store.criterion(final) + c.survives

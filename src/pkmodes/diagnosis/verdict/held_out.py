@@ -1,4 +1,4 @@
-"""What held-out measurements say against the data themselves, or against what was claimed without them."""
+"""Notes on held-out measurements: rows without a mode, and errors that grow with a claim."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def remarks(
     after: Error | None,
     worse: float,
 ) -> Iterator[str]:
-    """Sentences about the held-out rows.
+    """Yield sentences about the held-out rows.
 
     Parameters
     ----------
@@ -28,21 +28,22 @@ def remarks(
     held : ndarray of bool, shape (R,)
         Rows of held-out poses.
     predicted : ndarray, shape (R,)
-        Frequencies at the end [Hz], NaN where the model has no mode.
+        Frequencies of the last stage [Hz], NaN where the model has no mode.
     before, after : Error
-        With the uncertain values refitted, and with what was claimed.
+        Errors after refitting the nuisance parameters, and with the claimed causes.
     worse : float
-        Factor by which the held-out error has to grow to speak against the claim.
+        Factor by which the held-out error must grow to contradict the claim.
     """
     for i in np.flatnonzero(held & np.isnan(predicted)):
-        yield f"{_row(data, int(i))} has no mode of the model: the held-out error leaves it out"
+        yield f"{_row(data, int(i))} is unmatched: the held-out error does not include it"
     if after is None or before.held_out_rms_relative is None or after.held_out_rms_relative is None:
         return
     if after.held_out_rms_relative > worse * before.held_out_rms_relative:
         apart = np.where(held, np.nan_to_num(np.abs(np.log(predicted / data.frequency))), 0.0)
         yield (
-            f"the held-out poses speak against it: their error grows from {100 * before.held_out_rms_relative:.2g} "
-            f"to {100 * after.held_out_rms_relative:.2g} %, the worst is {_row(data, int(apart.argmax()))}"
+            "the held-out poses contradict the claim: their error grows from "
+            f"{100 * before.held_out_rms_relative:.2g} to {100 * after.held_out_rms_relative:.2g} %; "
+            f"the worst is {_row(data, int(apart.argmax()))}"
         )
 
 

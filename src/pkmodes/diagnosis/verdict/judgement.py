@@ -1,8 +1,12 @@
-"""What the search came to, judged: whether it is claimed, and if not, why.
+"""Judgement of a search result: whether its causes are claimed, and if not, why.
 
-A claim stands if no other explanation fits the shapes significantly better, if no more general cause does so, if no
-larger errors of the measurement explain the residual nearly as well, if it takes no remote cause, if no such cause
-alone explains what two are claimed for, if it could hardly be chance, and if its value can carry it (`values`).
+Causes are claimed unless
+
+* another explanation fits the shapes significantly better, or the residual points to a more general cause,
+* measurement errors explain the residual nearly as well,
+* a remote cause is needed, or one alone explains what two causes would be claimed for,
+* the improvement may be chance, or the data are too few to be specific, or
+* a value does not support the claim (`values`).
 """
 
 from __future__ import annotations
@@ -25,32 +29,32 @@ from pkmodes.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 from pkmodes.diagnosis.verdict.specificity import p_coincidence
 from pkmodes.diagnosis.verdict.values import doubt_of_values
 
-#: Times that the survivors may prefer another cause in some place.
+#: Largest number of times that a cause is replaced by a better survivor.
 PREFERENCES = 4
-#: Other causes that a reason mentions, at most.
+#: Largest number of other causes that a reason mentions.
 MENTIONED = 4
 
 
 @dataclass(frozen=True)
 class Judgement:
-    """A verdict and what it rests on.
+    """A verdict and its evidence.
 
     Attributes
     ----------
     verdict : str
     final : Fit
     last : Gate
-        At the final fit.
+        Gate of the final fit.
     grouped : tuple
-        For each cause, the classes of fits with others in its place, its own first.
+        For each cause, the classes of fits that have another cause in its place; its own class is first.
     others : tuple of Fit
-        What survives beside a pair of causes.
+        Survivors beside a pair of causes.
     p_values : tuple of float
-        Of each cause.
+        One for each cause.
     doubt : str
-        Why nothing is claimed though the residual would be explained.
+        Why nothing is claimed although the residual would be explained.
     instead : Fit or None
-        What would be better with other errors or priors.
+        The explanation that is better with other errors or priors.
     """
 
     verdict: Verdict
@@ -75,10 +79,10 @@ def judge(search: Search, outcome: Outcome) -> Judgement:
     final, places = _preferred(search, final)
     grouped = tuple(classes(search.store.fitter, found) for found in places)
     if any(cause.remote for cause in final.causes) and grouped[0]:
-        # A plain cause that looks like it and passes the gate gives the class its name.
+        # A cause of the same class that is not remote and passes the gate names the class.
         plain = (fit for fit in grouped[0][0] if not fit.causes[-1].remote and search.gate(fit).passed)
         final = next(plain, final)
-        if not final.causes[-1].remote:  # what has no name of its own does not lend one to a class
+        if not final.causes[-1].remote:  # remote causes that are not nameable are not listed in a class
             named = [fit for fit in grouped[0][0] if fit.causes[-1].nameable]
             grouped = ([named, *grouped[0][1:]], *grouped[1:])
     last = search.gate(final)
@@ -99,14 +103,14 @@ def judge(search: Search, outcome: Outcome) -> Judgement:
 
 
 def _too_many(search: Search, grouped: tuple[list[list[Fit]], ...]) -> bool:
-    """Whether a class has so many members that naming it says nothing."""
+    """Return whether a class has too many members to be informative."""
     return any(len(groups[0]) > search.criteria.most_members for groups in grouped if groups)
 
 
 def _doubt(
     search: Search, final: Fit, last: Gate, others: tuple[Fit, ...], p_values: tuple[float, ...]
 ) -> str:
-    """Why the causes of a fit are not claimed; empty where nothing speaks against them."""
+    """Return why the causes of a fit are not claimed; empty if nothing contradicts them."""
     store, c = search.store, search.criteria
     doubtful = len(final.causes) == 1 and not last.above(c.plainly)
     better = [
@@ -139,7 +143,7 @@ def _doubt(
 
 
 def _also(search: Search, final: Fit) -> list[str]:
-    """Other single causes that would explain the residual, the best ones first."""
+    """Return the names of other single causes that would explain the residual, best first."""
     store = search.store
     fits = [
         fit
@@ -154,7 +158,7 @@ def _also(search: Search, final: Fit) -> list[str]:
 
 
 def _preferred(search: Search, final: Fit) -> tuple[Fit, list[list[Fit]]]:
-    """The best of the survivors, and for each of its causes the survivors in that cause's place."""
+    """Return the best survivor, and for each of its causes the survivors with another cause in its place."""
     for _ in range(PREFERENCES):
         rivals = [search.rivals(final, place) for place in range(len(final.causes))]
         places = [survivors(search, found) for found in rivals]
@@ -163,11 +167,11 @@ def _preferred(search: Search, final: Fit) -> tuple[Fit, list[list[Fit]]]:
         if better is None:
             return final, places
         final = better
-    return final, [[] for _ in final.causes]  # no preference holds: nothing is claimed
+    return final, [[] for _ in final.causes]  # the preferences do not settle: nothing is claimed
 
 
 def _pairs_like(search: Search, final: Fit) -> list[Fit]:
-    """Every fit with two causes that differs from the final one in nothing else, if that has two."""
+    """Return all fits that differ from the final one only in their two causes; empty if that has fewer."""
     h = final.hypothesis
     return [
         fit
@@ -178,12 +182,12 @@ def _pairs_like(search: Search, final: Fit) -> list[Fit]:
 
 
 def _p_value(search: Search, final: Fit, place: int) -> float:
-    """Likelihood-ratio test of one cause, for as many candidates as were tried."""
+    """Return the p-value of a likelihood-ratio test of one cause, corrected for the number of candidates."""
     cause = final.causes[place]
     less = search.store.without(final, place)
     gain = max(less.deviance - final.deviance, 0.0) if less is not None else 0.0
     p = float(stats.chi2.sf(gain, len(cause.parameters)))
     if one_sided(search.store.fitter, cause):
         p *= 0.5
-    # A pair is one of many: none of its causes was chosen by itself.
+    # The two causes of a pair were chosen together, from all pairs.
     return min(1.0, p * comb(len(search.candidates), len(final.causes)))

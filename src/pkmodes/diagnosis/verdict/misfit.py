@@ -1,4 +1,4 @@
-"""Which part of the data a fit does not explain: frequencies, shapes, or declared values of uncertain parameters."""
+"""Goodness of fit of each part of the data: frequencies, shapes, declared values of uncertain parameters."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ class Misfit(NamedTuple):
 
     @property
     def ratio(self) -> float:
-        """Of the two: about 1 for noise."""
+        """Squares per degree of freedom: about 1 for noise."""
         return self.squares / max(self.degrees, 1.0)
 
     @property
     def p_value(self) -> float:
-        """Probability of a sum as large, were it noise."""
+        """Probability of a sum at least as large for noise."""
         return float(stats.chi2.sf(self.squares, max(self.degrees, 1.0))) if self.degrees > 0.0 else 1.0
 
 
 def of_frequencies(store: FitStore, fit: Fit) -> Misfit:
-    """Of the measured frequencies alone, without the priors."""
+    """Return the misfit of the measured frequencies, without the priors."""
     fitter = store.fitter
     rows = fitter.frequency_rows
     count = len(fitter.log) - len(fit.hypothesis.excluded) - int(fit.hypothesis.scatter)
@@ -38,12 +38,12 @@ def of_frequencies(store: FitStore, fit: Fit) -> Misfit:
 
 
 def of_shapes(store: FitStore, fit: Fit) -> Misfit:
-    """Of the shapes with stated errors."""
+    """Return the misfit of the shapes with stated errors."""
     return Misfit(*store.fitter.shape_misfit(fit, stated=True))
 
 
 def far_away(store: FitStore, fit: Fit, among: Sequence[int]) -> tuple[str, float]:
-    """The one of some parameters that is farthest from its declared value by its prior, and by how many sigma."""
+    """Return which of some parameters is farthest from its declared value, and how far in sigma of its prior."""
     fitter = store.fitter
     away = np.abs(fitter.priors.residual(fit.values))
     found = [
@@ -55,7 +55,7 @@ def far_away(store: FitStore, fit: Fit, among: Sequence[int]) -> tuple[str, floa
 
 
 def worst_shape(store: FitStore, fit: Fit) -> int:
-    """Line of the measured shape that fits worst."""
+    """Return the line of the measured shape that fits worst."""
     fitter = store.fitter
     white = fit.white[fitter.shape_rows].reshape(fitter.shapes.sigma.shape)
     return int(fitter.data.lines[int((white**2).sum(axis=1).argmax())])

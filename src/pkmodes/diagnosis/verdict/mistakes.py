@@ -1,4 +1,4 @@
-"""Mistakes of an experimenter that measurements show: another unit, exchanged or dead sensors, copied shapes."""
+"""Experimenter's mistakes visible in the data: wrong unit, exchanged or dead sensors, identical shapes."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from pkmodes.diagnosis.problem import Array, Prediction
 from pkmodes.measured.header import frequency_factor
 from pkmodes.measured.measurements import Measurements
 
-#: How many of a unit of frequency are 1 Hz, for those that measurements come in.
+#: Units in which frequencies are measured, each with its number per Hz.
 UNITS = {unit: float(1 / frequency_factor(unit)) for unit in ("Hz", "rad/s", "1/min", "mHz", "kHz", "deg/s")}
-#: So many setups, spread evenly, tell the unit of all.
+#: Number of evenly spread setups from which the unit is determined.
 ENOUGH = 200
 #: Units that are often converted to Hz twice.
 TWICE = ("rad/s", "1/min")
@@ -25,7 +25,7 @@ TWICE = ("rad/s", "1/min")
 
 @dataclass(frozen=True)
 class Reading:
-    """Another way to read the column of frequencies: f = factor times what was read as Hz, or as periods over it."""
+    """Another reading of the frequency column: factor times the value read as Hz, or factor over it for periods."""
 
     what: str
     remedy: str
@@ -33,13 +33,13 @@ class Reading:
     inverse: bool = False
 
     def of(self, data: Measurements) -> Measurements:
-        """The measurements, read that way."""
+        """Return the measurements with this reading."""
         frequency = self.factor / data.frequency if self.inverse else self.factor * data.frequency
         return replace(data, frequency=frequency, sigma=frequency * (data.sigma / data.frequency), band=None)
 
 
 def readings(unit: str) -> list[Reading]:
-    """What a column of frequencies may be in instead of the unit that its header says, or Hz where it says none."""
+    """Return the other readings of a frequency column whose header states a unit (Hz if empty)."""
     said = float(1 / frequency_factor(unit)) if unit else 1.0
     found = [
         Reading(name, f"write frequency [{name}], and sigma in its own unit", said / times)
@@ -60,7 +60,7 @@ def readings(unit: str) -> list[Reading]:
 
 
 def other_unit(fitter: Fitter) -> str:
-    """A sentence where all frequencies seem to be in another unit; empty where they are not."""
+    """Return a sentence if all frequencies seem to be in another unit; empty if not."""
     every = len(fitter.data.labels)
     some = sorted(set(np.linspace(0, every - 1, min(every, ENOUGH)).astype(int).tolist()))
     structure, data = fitter.structure.subset(some), fitter.data.at(some)
@@ -78,25 +78,31 @@ def other_unit(fitter: Fitter) -> str:
 
 
 def _usual(fitter: Fitter, prediction: Prediction, data: Measurements) -> float:
-    """Median difference of the frequencies, read in some way, and the model's, which may lack some modes."""
+    """Return the median difference between measured and model frequencies; the model may lack some modes."""
     pairer = Pairer(data, fitter.structure.channels, prediction, fitter.criteria)
     pairing = pairer.pair(prediction, np.ones(len(data.frequency), dtype=bool), compare=False)
     return float(np.median(np.abs(pairer.differences(prediction, pairing))))
 
 
 def other_wiring(fitter: Fitter, fit: Fit) -> str:
-    """A sentence where a channel is dead, or shapes fit far better with two exchanged or one reversed; else empty."""
+    """Return a sentence on a dead channel, or on shapes that fit far better with two exchanged or one reversed."""
     if not fitter.shapes.known.any():
         return ""
     dead = dead_channels(fitter, fit)
     if dead:
-        which = f"channel {dead[0]} is" if len(dead) == 1 else f"channels {', '.join(dead)} are"
-        return f"{which} 0 in every row: is the sensor connected? Leave the column out where it is not"
+        if len(dead) == 1:
+            return (
+                f"channel {dead[0]} is 0 in every row: is the sensor connected? If not, leave the column out"
+            )
+        return (
+            f"channels {', '.join(dead)} are 0 in every row: are the sensors connected? "
+            "If not, leave the columns out"
+        )
     here = _squares(fitter, fit, fitter.data)
     degrees = max(float(fitter.shapes.degrees(fitter.used(fit.hypothesis))), 1.0)
     if here / degrees <= 1.5 * (1.0 if fitter.shapes.stated.any() else 0.5):
         return ""
-    # The pairs stay as they are at first: that takes little time, and most measurements are wired well.
+    # First with the mode pairing unchanged: that is fast, and most sensors are wired correctly.
     found = {text: _squares(fitter, fit, data, fit.pairing) for text, data in _rewired(fitter.data)}
     text = min(found, key=found.__getitem__, default="")
     if not text or found[text] * fitter.criteria.rewired_perhaps > here:
@@ -123,7 +129,7 @@ def _rewired(data: Measurements) -> Iterator[tuple[str, Measurements]]:
 
 
 def _look_at(text: str) -> str:
-    """What a person should look at where a channel is reversed."""
+    """Return what to check if a channel is reversed."""
     name, _, reversed_ = text.rpartition(" ")
     if reversed_ != "reversed":
         return ""
@@ -132,7 +138,7 @@ def _look_at(text: str) -> str:
 
 
 def dead_channels(fitter: Fitter, fit: Fit) -> list[str]:
-    """Channels that are exactly 0 in every row that has them, though the model moves them clearly in some."""
+    """Return the channels that are exactly 0 in every row although the model clearly moves them in some."""
     data, pairing = fitter.data, fit.pairing
     told = (pairing.partner >= 0) & np.nan_to_num(data.shapes).any(axis=1)
     measured = np.isfinite(data.shapes) & told[:, None]
@@ -151,7 +157,7 @@ def dead_channels(fitter: Fitter, fit: Fit) -> list[str]:
 
 
 def _squares(fitter: Fitter, fit: Fit, data: Measurements, pairing: Pairing | None = None) -> float:
-    """Sum of squares of shapes, by default paired anew with the modes of a fit, in units of their errors."""
+    """Return the sum of squared whitened shape residuals, by default with a new mode pairing."""
     used = fitter.used(fit.hypothesis)
     if pairing is None:
         pairer = Pairer(data, fitter.structure.channels, None, fitter.criteria)
@@ -162,7 +168,7 @@ def _squares(fitter: Fitter, fit: Fit, data: Measurements, pairing: Pairing | No
 
 
 def all_alike(data: Measurements, same: float) -> tuple[str, ...]:
-    """Labels of setups whose shapes, three or more, are all the same: their MAC with each other is above a limit."""
+    """Return the labels of setups with three or more shapes whose mutual MAC is always above a limit."""
     found = []
     for setup, label in enumerate(data.labels):
         shapes = data.shapes[data.pose == setup]

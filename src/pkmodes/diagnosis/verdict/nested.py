@@ -1,8 +1,8 @@
-"""Causes of which one is a special case of the other: one value for all joints, and one for each of them.
+"""Nested causes, such as one value for all joints and one value for each joint.
 
-What the special one does lies in the span of what the parameters of the general one do.  Such causes do not
-contradict each other: the general one fits at least as well, whatever the truth.  It says more, and is needed only
-where it fits better than its further parameters would by chance.
+The signature of the special cause lies in the span of the signatures of the general one.  Nested causes do not
+contradict each other: the general one always fits at least as well.  It is needed only if it fits better than its
+additional parameters would by chance.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pkmodes.diagnosis.search.search import Search
 
 
 def nested(fitter: Fitter, a: Fit, b: Fit) -> bool:
-    """Whether two fits differ in one cause, and that of one is a special case of the other's, at both fits."""
+    """Return whether two fits differ in one cause, and one of these is a special case of the other at both fits."""
     of_a = [cause for cause in a.causes if cause not in b.causes]
     of_b = [cause for cause in b.causes if cause not in a.causes]
     if len(of_a) != 1 or len(of_b) != 1:
@@ -29,11 +29,10 @@ def nested(fitter: Fitter, a: Fit, b: Fit) -> bool:
 
 
 def more_general(search: Search, final: Fit) -> tuple[Candidate, Candidate] | None:
-    """A cause of a fit and the general one that what is left points at significantly; None where it points at none.
+    """Return a cause of a fit and the more general one to which the residual points significantly, or None.
 
-    By the score: what the cause leaves has as many directions as the general one has parameters more.  Nothing is
-    fitted, so that close modes cannot change places with a neighbour that happens to be nearer, which is a gain that
-    no distribution of further parameters has.
+    A score test: its degrees of freedom are the additional parameters of the general cause.  The general cause is not
+    fitted, because close modes could then be paired differently, a gain that the null distribution does not include.
     """
     for cause in final.causes:
         for general in search.general:
@@ -46,7 +45,7 @@ def more_general(search: Search, final: Fit) -> tuple[Candidate, Candidate] | No
 
 
 def _is_special(fitter: Fitter, fit: Fit, special: Candidate, general: Candidate) -> bool:
-    """Whether what one cause does at a fit lies in the span of another, and the data could show that it does not."""
+    """Return whether the signature of one cause lies in the span of another's, and the data can resolve this."""
     used = fitter.used(fit.hypothesis)
     count = int(used.sum()) + int(fitter.shapes.count[used].sum())
     if count < len(general.parameters) + fitter.criteria.redundancy:
@@ -57,5 +56,5 @@ def _is_special(fitter: Fitter, fit: Fit, special: Candidate, general: Candidate
 
 
 def _rates(fitter: Fitter, fit: Fit, cause: Candidate) -> Array:
-    """Whitened derivatives of the data, without priors, with respect to a cause's parameters."""
+    """Return the whitened derivatives of the data, without priors, with respect to a cause's parameters."""
     return fitter.signatures(fit, fitter.indices(cause))[1][: fitter.prior_rows.start]

@@ -1,4 +1,4 @@
-"""Where to measure next: the pose at which two explanations that remain differ most, perhaps with a load on."""
+"""The next measurement: the pose, perhaps with a load, at which two remaining explanations differ most."""
 
 from __future__ import annotations
 
@@ -11,23 +11,23 @@ from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Array, Loadable, Structure
 from pkmodes.diagnosis.verdict.result import NextMeasurement
 
-#: Poses that are looked at.
+#: Number of poses to choose from.
 POSES = 80
 
 
 def next_measurement(fitter: Fitter, contested: Sequence[tuple[str, Fit]]) -> NextMeasurement | None:
-    """Propose a pose, and a load where that separates far better than any pose alone.
+    """Propose a pose, with a load if that separates far better than any pose alone.
 
     Parameters
     ----------
     fitter : Fitter
     contested : sequence of (str, Fit)
-        Names and fits of the explanations that the data do not tell apart, the best first.
+        Names and fits of the explanations that the data cannot tell apart, best first.
 
     Returns
     -------
     NextMeasurement or None
-        None where no pose separates any of them from the best.
+        None if no pose separates any of them from the best.
     """
     if len(contested) < 2:
         return None
@@ -51,10 +51,10 @@ def _best(
     structure: Structure,
     load: Mapping[str, float],
 ) -> NextMeasurement | None:
-    """The pose that separates most, if it is worth measuring."""
+    """Return the pose that separates most, if it is worth measuring."""
     modes = int(np.median(np.bincount(fitter.data.pose)))
     noise = float(np.median(fitter.sigma))
-    # What an explanation says is unknown cannot be set to a known value: it would still be there.
+    # A load cannot be a parameter of an explanation: setting it would not remove that cause.
     some = [(name, fit) for name, fit in contested if not load.keys() & _names(fit)]
     if not some or some[0][1] is not contested[0][1]:
         return None
@@ -72,12 +72,12 @@ def _best(
 
 
 def _names(fit: Fit) -> set[str]:
-    """Parameters of the causes of a fit."""
+    """Return the names of the parameters of a fit's causes."""
     return {name for cause in fit.causes for name in cause.parameters}
 
 
 def _lowest(structure: Structure, fit: Fit, modes: int) -> Array:
-    """The lowest modes that are measured; a formerly rigid one counts when it is paired."""
+    """Return the log frequencies of the lowest measurable modes; a formerly rigid mode counts if it is paired."""
     prediction = structure.predict(fit.values, ())
     rigid = fit.prediction.rigid
     paired = fit.pairing.partner[fit.pairing.partner >= 0]

@@ -1,4 +1,4 @@
-"""What a person should read beside a verdict: sentences about the data and the answer."""
+"""Notes to a verdict: sentences about the data and the fit."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ from pkmodes.diagnosis.verdict.unevaluated import unevaluated
 
 
 def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
-    """Remarks on the data and on a fit.
+    """Return notes on the data and on a fit.
 
     Parameters
     ----------
     store : FitStore
     fit : Fit
-        The one that is reported.
+        The reported fit.
     adequate : bool
-        Whether what it leaves is noise.
+        Whether its residual is noise.
     """
     fitter = store.fitter
     return [
@@ -42,19 +42,25 @@ def _shapes(store: FitStore, fit: Fit) -> Iterator[str]:
     data, c = store.fitter.data, store.fitter.criteria
     alike = all_alike(data, c.same_shape)
     if alike:
-        yield f"all shapes of {_poses(alike)} are the same: shapes of different modes are not"
+        yield f"all shapes of {_poses(alike)} are the same: shapes of different modes must differ"
     scatter = store.shape_scatter(fit)
     if scatter is not None and scatter > c.most_shape_scatter:
         yield (
-            f"the shapes fit no explanation: they scatter by {100 * scatter:.0f} % of their largest component "
-            "(sensors exchanged, miswired, or shapes of other modes)"
+            f"no explanation fits the shapes: they scatter by {100 * scatter:.0f} % of their largest component "
+            "(sensors exchanged or miswired, or shapes of other modes)"
         )
     strange = strange_shapes(store, fit)
-    if len(strange):
+    if len(strange) == 1:
+        row = strange[0]
+        yield (
+            f"the shape in line {data.lines[row]} is not that of the mode at its frequency "
+            f"(MAC {fit.pairing.mac[row]:.2g})"
+        )
+    elif len(strange):
         lines = ", ".join(str(data.lines[i]) for i in strange[:8]) + (", ..." if len(strange) > 8 else "")
         yield (
-            f"the shapes in line {lines} are not those of the modes with their frequencies "
-            f"(MAC {fit.pairing.mac[strange].min():.2g}{' or more' if len(strange) > 1 else ''})"
+            f"the shapes in lines {lines} are not those of the modes at their frequencies "
+            f"(MAC {fit.pairing.mac[strange].min():.2g} or more)"
         )
 
 
@@ -66,7 +72,7 @@ def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
     ratio = (squares / degrees) ** 0.5
     if ratio < 1.0 / c.misstated and stats.chi2.cdf(squares, degrees) < c.too_small:
         factor = f"{1.0 / ratio:.2g} times" if ratio > 1e-6 else "far"
-        yield f"the stated errors of the frequencies are {factor} too large: what is left scatters much less"
+        yield f"the stated errors of the frequencies are {factor} too large: the residual scatters much less"
     elif adequate and ratio > c.misstated:
         yield f"the stated errors of the frequencies are {ratio:.2g} times too small"
 
@@ -80,7 +86,7 @@ def _nuisances(fitter: Fitter, fit: Fit) -> Iterator[str]:
         if free and abs(far) > fitter.criteria.far:
             yield (
                 f"{p.name} = {fit.values[i]:.4g}{unit} is {abs(far):.1f} sigma from its declared value "
-                f"({p.value:.4g}{unit}): the declared value or its sigma is wrong, or it stands for a cause"
+                f"({p.value:.4g}{unit}): the declared value or its sigma is wrong, or it compensates for a cause"
             )
     for i in fit.free:
         p = fitter.parameters[i]
@@ -95,17 +101,17 @@ def _set_aside(fitter: Fitter, fit: Fit) -> Iterator[str]:
         data = fitter.data
         yield (
             f"line {data.lines[row]} ({data.labels[data.pose[row]]}, {data.frequency[row]:g} Hz) is set aside as an "
-            "outlier: look at it again"
+            "outlier: check it"
         )
     if fit.hypothesis.scatter:
         drift = _drift(fitter, fit)
         also = f": {drift}" if drift else ""
         share = f"the modes of a pose share an error of {100 * fit.scatter:.2g} %"
-        yield f"{share}, which the file does not state{also}"
+        yield f"{share} that the file does not state{also}"
 
 
 def _drift(fitter: Fitter, fit: Fit) -> str:
-    """Whether what the modes of a pose share goes with the order of the poses."""
+    """Return a sentence if the error that the modes of a pose share drifts with the order of the poses."""
     left = fit.residual[fitter.frequency_rows]
     means = np.array([left[rows].mean() for rows in fitter.noise.rows if len(rows)])
     if len(means) < 5:
@@ -114,15 +120,13 @@ def _drift(fitter: Fitter, fit: Fit) -> str:
     if stats.spearmanr(order, means).pvalue > fitter.criteria.gate:
         return ""
     slope = float(np.polyfit(order, means, 1)[0])
-    return (
-        f"it drifts in the order of the poses, by {100 * slope * (len(means) - 1):+.2g} % from first to last"
-    )
+    return f"it drifts with the order of the poses, by {100 * slope * (len(means) - 1):+.2g} % from first to last"
 
 
 def _unmeasured(fitter: Fitter, fit: Fit) -> Iterator[str]:
     for low, high, setups in never_measured(fitter, fit):
         where = f"{low:.4g} Hz" if np.isclose(low, high, rtol=1e-3) else f"{low:.4g} to {high:.4g} Hz"
-        yield f"a mode at {where} was expected at {setups} poses and never measured"
+        yield f"a mode at {where} was expected at {setups} poses but never measured"
 
 
 def _poses(labels: tuple[str, ...]) -> str:

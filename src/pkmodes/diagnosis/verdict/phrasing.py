@@ -1,4 +1,4 @@
-"""The one sentence of a verdict, from what it rests on."""
+"""The reason of a verdict, in one sentence."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pkmodes.diagnosis.verdict.report import Report, remains
 
 
 def reason_of(report: Report, search: Search, outcome: Outcome, judged: Judgement) -> str:
-    """Say why a verdict was given."""
+    """Return why a verdict was given."""
     lines = search.store.fitter.data.lines
     noise = reasons.noise(judged.final.hypothesis, judged.final.scatter, lines)
     if judged.verdict == "adequate":
@@ -26,7 +26,7 @@ def reason_of(report: Report, search: Search, outcome: Outcome, judged: Judgemen
 
 
 def _unexplained(search: Search, outcome: Outcome, judged: Judgement) -> str:
-    """Say what is left, and in which part of the data."""
+    """Return what the residual is, and in which part of the data."""
     store, fit, first, last = search.store, outcome.nuisances, outcome.first, outcome.last
     c, final = search.criteria, judged.final
     if last.p_unmeasured <= last.level < min(last.p_value, last.p_candidates):
@@ -56,7 +56,7 @@ def _unexplained(search: Search, outcome: Outcome, judged: Judgement) -> str:
 
 
 def _beyond_prior(search: Search) -> str:
-    """A single candidate that would explain the data, but not with what was declared of its size."""
+    """Return a reason if a single candidate would explain the data, but only with a value beyond its prior."""
     store, c = search.store, search.criteria
     found = []
     for fit in store.tried():
@@ -71,7 +71,7 @@ def _beyond_prior(search: Search) -> str:
 
 
 def _nearly(search: Search, first: Fit) -> str:
-    """What would explain nearly all of the residual, though not down to the stated errors: one cause, else two."""
+    """Return a reason if one cause, or else two, would explain nearly all of the residual but not all."""
     store, (part, most) = search.store, search.criteria.nearly_all
     before = _larger(store, first)
     found = []
@@ -89,12 +89,12 @@ def _nearly(search: Search, first: Fit) -> str:
 
 
 def _larger(store: FitStore, fit: Fit) -> float:
-    """Chi2 per degree of freedom that a fit leaves, of frequencies or of shapes."""
+    """Return the larger of chi2 per degree of freedom of the frequencies and of the shapes."""
     return max(misfit.of_frequencies(store, fit).ratio, misfit.of_shapes(store, fit).ratio)
 
 
 def _dispersed(gate: Gate, frequencies: misfit.Misfit, c: Criteria) -> bool:
-    """Whether what is left has no direction, once it is scaled to its own size: larger errors than stated."""
+    """Return whether the residual, scaled to unit chi2 per degree of freedom, has no direction: larger errors."""
     scale = frequencies.ratio
     most = max((s.gain / scale / max(len(s.candidate.parameters), 1) for s in gate.scores.each), default=0.0)
     return bool(c.dispersed[0] < scale < c.dispersed[1] and most < c.no_direction)

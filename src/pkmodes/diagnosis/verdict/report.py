@@ -1,4 +1,4 @@
-"""From fits to a result: verdict, causes with their classes, errors before and after, every row."""
+"""The result from the fits: verdict, causes with their classes, errors before and after, all rows."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ from pkmodes.measured.measurements import Measurements
 
 @dataclass(frozen=True)
 class Stage:
-    """A model at one stage: values of its parameters, predictions and partners of all rows."""
+    """A model at one stage: parameter values, and predictions and partners of all rows."""
 
     values: Array
     frequencies: Array
@@ -43,17 +43,17 @@ class Stage:
 
 
 class Report:
-    """Turns fits into a result.
+    """Assembles the result.
 
     Parameters
     ----------
     structure : Structure
-        At all setups, held-out ones included.
+        At all setups, including held-out ones.
     data : Measurements
     fitter : Fitter
-        At the fitted ones.
+        At the fitted setups.
     held : list of int
-        Setups that are held out.
+        Held-out setups.
     """
 
     def __init__(self, structure: Structure, data: Measurements, fitter: Fitter, held: list[int]) -> None:
@@ -72,7 +72,7 @@ class Report:
         remarks: Sequence[str],
         stability: tuple[Stability, ...],
     ) -> Diagnosis:
-        """The result of a search that was judged."""
+        """Return the result of a search and its judgement."""
         verdict, final, last, grouped = judged.verdict, judged.final, judged.last, judged.grouped
         found = verdict == "effect_found"
         reported = final if verdict in ("effect_found", "adequate") else outcome.nuisances
@@ -102,7 +102,7 @@ class Report:
             refit=before,
             after=with_causes,
             held_out_poses=tuple(self.data.labels[i] for i in self.held),
-            # Beside a claimed cause, those of its class cannot be seen; they are among what is claimed.
+            # Beside a claimed cause, the other members of its class are not detectable; they are listed with it.
             undetectable=tuple(
                 c.name for c in self.examined(last.scores) if not c.detectable and c.name not in claimed
             ),
@@ -132,7 +132,7 @@ class Report:
         remarks: Sequence[str],
         stability: tuple[Stability, ...],
     ) -> Diagnosis:
-        """The result where no cause was searched for: too few data, or measurements with a plain mistake."""
+        """Return the result without a search: too few data, or an obvious mistake in the measurements."""
         declared = self.stage(self.fitter.declared)
         nothing = np.zeros(len(self.data.lines), dtype=bool)
         refit = None if fit is None else self.stage(fit.values)
@@ -160,25 +160,25 @@ class Report:
         )
 
     def findings(self, judged: Judgement) -> tuple[Finding, ...]:
-        """Every cause with its class."""
+        """Return all claimed causes with their classes."""
         return tuple(
             self.finding(judged.final, place, groups[0], judged.p_values[place])
             for place, groups in enumerate(judged.grouped)
         )
 
     def stage(self, values: Array) -> Stage:
-        """Predictions for all rows, held-out ones included."""
+        """Return the predictions for all rows, including held-out ones."""
         prediction = self.structure.predict(values, ())
         pairing = self.pairer.pair(prediction, np.ones(len(self.data.lines), dtype=bool))
         logs = prediction.log_frequencies[self.data.pose, np.maximum(pairing.partner, 0)]
         return Stage(values, np.where(pairing.partner >= 0, np.exp(logs), np.nan), pairing)
 
     def chi2(self, values: Array) -> float:
-        """Sum of squares as it stands, without any fit."""
+        """Return the sum of squares without any fit."""
         return self.fitter.unfitted(values, np.ones(len(self.fitter.log), dtype=bool))[-1]
 
     def error(self, stage: Stage, chi2: float, degrees: float, outlying: NDArray[np.bool_]) -> Error:
-        """Errors of a stage over the rows that have a partner and are no outliers."""
+        """Return the errors of a stage over the rows that have a partner and are not outliers."""
         relative = stage.frequencies / self.data.frequency - 1.0
         counted = np.isfinite(relative) & ~outlying
 
@@ -188,7 +188,7 @@ class Report:
         return Error(rms(counted & ~self.is_held), rms(counted & self.is_held), chi2 / max(degrees, 1.0))
 
     def values(self, fit: Fit, index: Sequence[int]) -> tuple[Value, ...]:
-        """Fitted parameters with their standard deviations."""
+        """Return fitted parameters with their standard deviations."""
         found = []
         for i in index:
             p, k = self.fitter.parameters[i], fit.free.index(i)
@@ -196,7 +196,7 @@ class Report:
         return tuple(found)
 
     def refitted(self, fit: Fit) -> tuple[Refitted, ...]:
-        """Nuisance parameters before and after."""
+        """Return the nuisance parameters before and after the fit."""
         before = {i: self.fitter.declared[i] for i in self.fitter.nuisances}
         return tuple(
             Refitted(v.name, float(before[i]), v.value, v.sigma, v.unit)
@@ -204,7 +204,7 @@ class Report:
         )
 
     def finding(self, final: Fit, place: int, members: list[Fit], p_value: float) -> Finding:
-        """One cause with its class."""
+        """Return one cause with its class."""
         cause = final.causes[place]
         alternatives = {_name(fit): self.values(fit, self.fitter.indices(fit.causes[-1])) for fit in members}
         names = [cause.name, *(name for name in alternatives if name != cause.name)]
@@ -218,7 +218,7 @@ class Report:
         )
 
     def examined(self, scores: Scores) -> tuple[Examined, ...]:
-        """What each candidate's score says, and how large it would have to be."""
+        """Return each candidate's p-value, and its smallest detectable size."""
         found, criteria = [], self.fitter.criteria
         for one in scores.each:
             visible: tuple[Value, ...] = ()
@@ -237,7 +237,7 @@ class Report:
     def rows(
         self, declared: Stage, refit: Stage | None, after: Stage | None, outlying: NDArray[np.bool_]
     ) -> tuple[Row, ...]:
-        """Every measured mode with its predictions."""
+        """Return every measured mode with its predictions."""
         last = after or refit or declared
 
         def value(stage: Stage | None, i: int) -> float | None:
@@ -263,7 +263,7 @@ class Report:
 
 
 def remains(judged: Judgement) -> list[list[tuple[str, Fit]]]:
-    """Explanations that remain, with their names: classes in the place of one cause, or else pairs of causes."""
+    """Return the remaining explanations with their names: classes of one cause, or else pairs of causes."""
     if judged.instead is not None:
         return [[(_names(fit), fit)] for fit in (judged.final, judged.instead)]
     for groups in judged.grouped:

@@ -1,4 +1,4 @@
-"""The result of a diagnosis: plain data that tables, JSON and reports are made from."""
+"""The result of a diagnosis: plain data for tables, JSON and reports."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Value:
 
 @dataclass(frozen=True)
 class Refitted:
-    """A nuisance parameter before and after, with its standard deviation after."""
+    """A nuisance parameter before and after the fit, with its standard deviation after."""
 
     name: str
     before: float
@@ -37,16 +37,16 @@ class Finding:
     Attributes
     ----------
     name : str
-        The best of its class.
+        Best candidate of its class.
     members : tuple of str
-        Every candidate that these data cannot tell from it.
+        The class: all candidates that these data cannot tell apart from it, and itself.
     parameters : tuple of Value
     alternatives : dict
-        Parameters of each member, had it been the cause.
+        For each member, its parameters if it were the cause.
     p_value : float
-        Of the improvement, for the number of candidates.
+        p-value of the improvement, corrected for the number of candidates.
     sentence : str
-        What it means.
+        Physical meaning.
     """
 
     name: str
@@ -64,9 +64,9 @@ class Error:
     Attributes
     ----------
     rms_relative, held_out_rms_relative : float or None
-        Root mean square of f_model / f_measured - 1 over the fitted and the held-out rows; None without any.
+        Root mean square of f_model / f_measured - 1 over the fitted and the held-out rows; None if there are none.
     chi2_per_dof : float
-        Of the fitted rows and the priors.
+        Chi-square per degree of freedom of the fitted rows and the priors.
     """
 
     rms_relative: float | None
@@ -76,21 +76,21 @@ class Error:
 
 @dataclass(frozen=True)
 class Row:
-    """One measured mode and its predictions; None where the model has no partner for it.
+    """One measured mode and its predictions; None if the model has no partner for it.
 
     Attributes
     ----------
     pose, line, mode : str, int, str
-        Where it comes from.
+        Pose, line in the file, and label.
     measured, sigma : float
-        Frequency [Hz].
+        Frequency and its standard deviation [Hz].
     before, refit, after : float or None
-        Predicted frequency of the model as declared, with nuisances refitted, with the causes [Hz].
+        Predicted frequency of the model as declared, with nuisances refitted, and with the causes [Hz].
     mac : float or None
-        Of the last stage, where shapes were measured.
+        MAC at the last stage, if a shape was measured.
     held_out, outlier : bool
     load : mapping of str to float
-        What was set at its pose, by name.
+        Values set at its pose, by name.
     """
 
     pose: str
@@ -109,17 +109,17 @@ class Row:
 
 @dataclass(frozen=True)
 class Examined:
-    """What became of a candidate.
+    """The test of one candidate.
 
     Attributes
     ----------
     name : str
     p_value : float
-        Of its score at the refit of the nuisances, for this candidate alone.
+        p-value of its score at the refit of the nuisances, for this candidate alone.
     visible_from : tuple of Value
-        Smallest change of each parameter that would probably have been seen; sigma is what the data give.
+        Smallest change of each parameter that these data would probably show, with its standard deviation.
     detectable : bool
-        Whether a change that moves a frequency by a tenth would have been seen.
+        Whether these data would show a change that moves a frequency by a tenth.
     """
 
     name: str
@@ -130,7 +130,7 @@ class Examined:
 
 @dataclass(frozen=True)
 class NextMeasurement:
-    """A pose at which two explanations differ most, and what is to be set there to a known value, by name."""
+    """The pose at which two explanations differ most, and the values to set there, by name."""
 
     pose: tuple[float, ...]
     separates: tuple[str, str]
@@ -140,7 +140,7 @@ class NextMeasurement:
 
 @dataclass(frozen=True)
 class Stability:
-    """What a verdict becomes where errors or priors are others than stated.
+    """The verdict with other errors or priors than stated.
 
     Attributes
     ----------
@@ -148,7 +148,7 @@ class Stability:
         ``"sigma x 0.5"``, ``"sigma x 2"`` or ``"priors x 2"``.
     verdict : str
     effects : tuple of str
-        Names of the causes that are then best.
+        Names of the causes that are best with this change.
     """
 
     change: str
@@ -158,7 +158,7 @@ class Stability:
 
 @dataclass(frozen=True)
 class Diagnosis:
-    """Everything that a diagnosis found.
+    """The result of a diagnosis.
 
     Attributes
     ----------
@@ -168,24 +168,24 @@ class Diagnosis:
         One sentence.
     effects : tuple of Finding
     survivors : tuple of tuple of str
-        Classes that remain when the verdict is ambiguous.
+        Remaining classes if the verdict is ambiguous.
     refitted : tuple of Refitted
     before, refit, after : Error
-        Stages.  The refit has rows set aside and shared errors where that is all it takes, and is None where
-        there are too few data; after is None unless something was added.
+        Stages.  The refit includes outliers and a shared error if these explain the residual; it is None if there
+        are too few data.  after is None unless a cause was found.
     held_out_poses, undetectable : tuple of str
     next_measurement : NextMeasurement or None
     candidates : tuple of Examined
     rows : tuple of Row
     scatter : float
-        Relative error that the modes of a pose share, where the data show one.
+        Relative error that the modes of a pose share; 0 if the data show none.
     corrected : tuple of Value
         Values of all parameters that the last stage changed, with their standard deviations.
     notes : tuple of str
-        Sentences about the data and the answer that a person should read.
+        Notes on the data and the fit.
     stability : tuple of Stability
     shape_scatter : float or None
-        Scatter of the shapes without a stated one, relative to the largest component, where it could be estimated.
+        Estimated scatter of the shapes without a stated error, relative to the largest component.
     """
 
     verdict: Verdict
@@ -229,12 +229,12 @@ class Diagnosis:
 
     @property
     def outliers(self) -> tuple[Row, ...]:
-        """Rows that were left out as outliers."""
+        """Rows set aside as outliers."""
         return tuple(row for row in self.rows if row.outlier)
 
     @property
     def unpaired(self) -> tuple[Row, ...]:
-        """Measured modes that the last stage has no mode for."""
+        """Unmatched measured modes at the last stage."""
 
         def last(row: Row) -> float | None:
             return row.before if self.refit is None else row.refit if self.after is None else row.after
@@ -242,7 +242,7 @@ class Diagnosis:
         return tuple(row for row in self.rows if last(row) is None and not row.outlier)
 
     def as_json(self) -> dict[str, object]:
-        """Return the result as docs/json.md describes it; NaN never occurs."""
+        """Return the result in the form described in docs/json.md, without NaN."""
         return {
             "verdict": self.verdict,
             "reason": self.reason,
@@ -314,12 +314,12 @@ class Diagnosis:
 
 
 def _set(load: Mapping[str, float]) -> dict[str, object]:
-    """The key of what is set, only where something is."""
+    """Return the entry for the values set at a pose; empty if there are none."""
     return {"set": dict(load)} if load else {}
 
 
 def _key(v: Value) -> str:
-    """The last name of an effect's parameter (`compliance`), as the robot file has it; the path of any other."""
+    """Return the last name of an effect's parameter (`compliance`), as in the robot file; else the whole path."""
     return v.name.split(".")[-1] if v.name.startswith("effects.") else v.name
 
 

@@ -1,4 +1,4 @@
-"""Whether measured shapes speak against an explanation."""
+"""Measured shapes that contradict an explanation."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from pkmodes.diagnosis.fit.store import FitStore
 
 
 def shapes_disagree(store: FitStore, fit: Fit) -> bool:
-    """Whether measured shapes are others than those of the modes that have their frequencies.
+    """Return whether the measured shapes differ from those of the modes at their frequencies.
 
-    More than a few that are plainly those of another mode, or a scatter of all that no measurement has.
+    Either more than a few are clearly shapes of another mode, or all of them scatter implausibly.
     """
     fitter, c = store.fitter, store.fitter.criteria
     told = np.isfinite(fit.pairing.mac) & fitter.used(fit.hypothesis)
@@ -24,10 +24,10 @@ def shapes_disagree(store: FitStore, fit: Fit) -> bool:
 
 
 def strange_shapes(store: FitStore, fit: Fit) -> NDArray[np.intp]:
-    """Rows whose shapes are not those of the modes with their frequencies.
+    """Return the rows whose shapes are not those of the modes at their frequencies.
 
-    By a low MAC, or by one that is not high and a misfit far beyond that of all other rows: one bad shape must not
-    raise the scatter that then excuses it.
+    The MAC is low, or it is moderate and the misfit is far beyond that of all other rows: a bad shape must not be
+    accepted because it raises the estimated scatter itself.
     """
     fitter, c = store.fitter, store.fitter.criteria
     used = fitter.used(fit.hypothesis)
@@ -44,10 +44,10 @@ def strange_shapes(store: FitStore, fit: Fit) -> NDArray[np.intp]:
 
 
 def better_by_shape(store: FitStore, fit: Fit) -> Fit | None:
-    """The explanation that fits the shapes best, if it does so significantly better.
+    """Return the explanation that fits the shapes best, if it fits significantly better than this one; else None.
 
-    By the difference of the sums of squares in units of the scatter that the better one leaves, judged as generously
-    as between two causes; that a pair of causes has one parameter more is counted.
+    The difference of the sums of squares, in units of the scatter of the better fit, is compared with the threshold
+    for telling two causes apart; the additional parameter of a pair of causes is accounted for.
     """
     fitter, c = store.fitter, store.fitter.criteria
     if not fitter.shapes.known.any():
@@ -65,7 +65,7 @@ def better_by_shape(store: FitStore, fit: Fit) -> Fit | None:
     ]
     best = min(tried, key=squares, default=fit)
     degrees = max(fitter.shape_misfit(best, True)[1] + fitter.shape_misfit(best, False)[1], 1.0)
-    # A scatter larger than assumed is the same for both; a smaller one is not believed.
+    # A scatter larger than assumed applies to both; a smaller one is not credible.
     variance = max(squares(best) / degrees, 1.0)
     gain = (squares(fit) - squares(best)) / variance
     needed = c.told_apart + stats.chi2.isf(c.surely, c.most_causes)

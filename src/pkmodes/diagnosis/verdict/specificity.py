@@ -1,8 +1,8 @@
-r"""Whether few data are enough to tell a cause from something that nobody has thought of.
+r"""Specificity: whether few data suffice to tell a cause from something outside the candidates.
 
-What a cause outside the candidates leaves may look like one of them by chance, the likelier the fewer the data.  How
-likely it is follows from draws: residuals as large as the one at hand, of changes of the structure that are nobody's
-candidate, are held against every candidate by its linear signature.  The draws are of two kinds.
+The residual of a cause outside the candidates may look like a candidate by chance, especially with few data.  The
+probability is estimated by simulation: residuals as large as the measured one, drawn from changes of the structure
+that are not candidates, are compared with the linear signature of every candidate.  There are two kinds of draws.
 
 *Arbitrary changes*, with independent relative changes :math:`\xi_{ij} = \xi_{ji}` of the modal stiffnesses and
 :math:`\eta_{ij} = \eta_{ji}` of the modal masses, give
@@ -11,9 +11,9 @@ candidate, are held against every candidate by its linear signature.  The draws 
     d\phi_i = \sum_{j \ne i} \phi_j \frac{\sqrt{\lambda_i \lambda_j} \, \xi_{ij} - \lambda_i \eta_{ij}}
     {\lambda_i - \lambda_j} :
 
-shapes change mostly by those of neighbouring modes, and those of two neighbours together, so that twelve values of
-shapes say less than twelve independent ones.  *Many small changes* are all candidates at once, each as visible as the
-others.
+each shape changes mostly by the shapes of neighbouring modes, and the shapes of two neighbours change together, so
+twelve shape values carry less information than twelve independent ones.  *Many small changes* are changes of all
+candidates at once, each with the same weight.
 """
 
 from __future__ import annotations
@@ -28,16 +28,16 @@ from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis, orthonormal
 from pkmodes.diagnosis.problem import Array, Prediction
 from pkmodes.diagnosis.search.search import Search
 
-#: Draws of each kind, and their seed.
+#: Number of draws of each kind, and their seed.
 DRAWS, SEED = 2_000, 20_221_107
 #: Modes beyond the highest measured one whose shapes are mixed into it.
 ABOVE = 3
 
 
 def p_coincidence(search: Search, final: Fit) -> float:
-    """Probability that some hypothesis with as many causes explains a residual of this size that is none of theirs.
+    """Return the probability that as many candidates explain a residual of this size that none of them caused.
 
-    Zero where there are more than `Criteria.few_rows` rows.
+    It is taken as zero for more than `Criteria.few_rows` rows.
     """
     store, fitter, c = search.store, search.store.fitter, search.criteria
     h = final.hypothesis
@@ -67,7 +67,7 @@ def p_coincidence(search: Search, final: Fit) -> float:
 
 
 def _explained(drawn: Array, directions: tuple[tuple[Array, int], ...], causes: int, needed: float) -> float:
-    """Part of the residuals (D, n) of which some combination of so many causes takes away as much as needed."""
+    """Return the fraction of the residuals (D, n) that some combination of causes reduces by as much as needed."""
     reached = np.zeros(drawn.shape[1], dtype=bool)
     for some in combinations(directions, causes):
         signs = [sign for _, sign in some]
@@ -82,12 +82,12 @@ def _explained(drawn: Array, directions: tuple[tuple[Array, int], ...], causes: 
 
 
 def arbitrary(fitter: Fitter, plain: Fit) -> Array:
-    """What arbitrary changes of the structure do to the whitened data beside a fit, (D, T).
+    """Return the effect of arbitrary structural changes on the whitened data beside a fit, (D, T).
 
-    Setups count as independent of each other, as where a structure differs from one to the next.
+    The changes in different setups are independent, as if the structure differed between them.
     """
     used, data = fitter.used(plain.hypothesis), fitter.prior_rows.start
-    # Modes far above the measured ones take no part in their shapes.
+    # Modes far above the measured ones do not contribute to their shapes.
     modes = int(plain.pairing.partner.max(initial=0)) + 1 + ABOVE
     changed = _changed(plain.prediction, modes, fitter.criteria.mixed)
     changes = fitter.rows.rates(changed, plain.pairing, used) / fitter.noise.stated[:, None]
@@ -101,13 +101,13 @@ def arbitrary(fitter: Fitter, plain: Fit) -> Array:
 
 
 def _changed(prediction: Prediction, modes: int, least: float) -> Prediction:
-    """The lowest modes, with derivatives with respect to all relative changes of modal stiffnesses and masses."""
+    """Return the lowest modes with their derivatives with respect to relative changes of modal stiffness and mass."""
     found, shapes = prediction.eigenvalues[:, :modes], prediction.shapes[:, :modes]
     m = found.shape[1]
     i, j = np.triu_indices(m)
     size = np.abs(found)
     gap = found[:, i] - found[:, j]
-    # Modes that nearly coincide turn into each other with any change; they are compared as one space.
+    # Nearly coincident modes rotate into each other under any change; they are compared as one subspace.
     smallest = 2.0 * least * np.maximum(size[:, i], size[:, j])
     gap = np.where(gap >= 0.0, 1.0, -1.0) * np.maximum(np.abs(gap), np.maximum(smallest, 1e-300))
     mean = np.sqrt(size[:, i] * size[:, j])

@@ -1,9 +1,9 @@
-"""What a verdict becomes where the stated errors or the priors are others than stated.
+"""Stability of a verdict under other errors and priors than stated.
 
-The explanations that the search came to are fitted again with all sigma halved, with all doubled, and with all priors
-twice as wide; nothing new is searched for.  A cause in whose place another one is then better is not claimed: it
-rests on numbers that nobody knows to a factor of two.  A cause that is a special case of the other one, or the other
-way round, is not another one.
+The explanations that the search found are refitted with all sigma halved, with all sigma doubled, and with all priors
+twice as wide; there is no new search.  If another cause is then better, the cause is not claimed: it depends on
+numbers that are not known to a factor of two.  A special case of the cause, or a cause of which it is a special case,
+does not count as another one.
 """
 
 from __future__ import annotations
@@ -18,21 +18,21 @@ from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.verdict.nested import nested
 from pkmodes.diagnosis.verdict.result import Stability, Verdict
 
-#: What is changed: errors by the first factor, priors by the second.
+#: Factors of the errors and of the priors.
 CHANGES = {"sigma x 0.5": (0.5, 1.0), "sigma x 2": (2.0, 1.0), "priors x 2": (1.0, 2.0)}
 
 
 @dataclass(frozen=True)
 class Trial:
-    """What became of the contenders under one change.
+    """The result of refitting the contenders under one change.
 
     Attributes
     ----------
     entry : Stability
     instead : Fit or None
-        An explanation that is then better than the claimed one, and not of its class; as the search had fitted it.
+        An explanation outside the class of the claimed one that is better under the change; the fit of the search.
     moved : bool
-        Whether wider priors give the claimed cause another value.
+        Whether wider priors change the value of the claimed cause.
     """
 
     entry: Stability
@@ -41,15 +41,15 @@ class Trial:
 
 
 def trials(search: Search, final: Fit, classes: Sequence[Sequence[Fit]] = ()) -> list[Trial]:
-    """Fit the contenders again under every change.
+    """Refit the contenders under every change.
 
     Parameters
     ----------
     search : Search
     final : Fit
-        The claimed one, or the last one of the search.
+        The claimed fit, or the last one of the search.
     classes : sequence of sequence of Fit, optional
-        For each cause that is claimed, the fits of its class.
+        For each claimed cause, the fits of its class.
     """
     contenders = _contenders(search, final)
     members = [{fit.causes[-1].name for fit in fits} for fits in classes]
@@ -57,7 +57,7 @@ def trials(search: Search, final: Fit, classes: Sequence[Sequence[Fit]] = ()) ->
 
 
 def unchanged(verdict: Verdict) -> tuple[Stability, ...]:
-    """Entries for a verdict that no change of errors and priors can touch."""
+    """Return entries for a verdict that does not depend on errors and priors."""
     return tuple(Stability(change, verdict, ()) for change in CHANGES)
 
 
@@ -87,7 +87,7 @@ def _trial(
     refitted = [store.fit(fit.hypothesis, fit.values) for fit in contenders]
     fits = [fit for fit in refitted if fit is not None]
     claimed = refitted[0] if refitted and final.causes else None
-    # Rivals of fewer causes are no better because they are simpler: nothing is claimed of them.
+    # Rivals with fewer causes do not count as better because they are simpler: they are not claimed.
     same = [fit for fit in fits if len(fit.causes) == len(final.causes)]
     best = min(same or fits, key=store.criterion, default=None)
     instead: Fit | None = None
@@ -96,7 +96,7 @@ def _trial(
         for fit in others[: [one is claimed for one in others].index(True)]:
             alike = fitter.difference(claimed, fit) < c.told_apart
             if alike and store.criterion(claimed) <= store.criterion(fit) + c.survives:
-                best = claimed if fit is best else best  # one class, which it gives its name
+                best = claimed if fit is best else best  # one class, named after the claimed cause
                 break
             was = contenders[[fit is one for one in refitted].index(True)]
             if not _is_kin(search, final, was, members):
@@ -119,7 +119,7 @@ def _trial(
 
 
 def _moved(fitter: Fitter, final: Fit, again: Fit) -> bool:
-    """Whether the value of a claimed cause is another one, by far more than its standard deviation."""
+    """Return whether the value of a claimed cause changes by far more than its standard deviation."""
     for i in (i for cause in final.causes for i in fitter.indices(cause)):
         k = final.free.index(i)
         if abs(again.values[i] - final.values[i]) > fitter.criteria.far * final.covariance[k, k] ** 0.5:
@@ -128,17 +128,17 @@ def _moved(fitter: Fitter, final: Fit, again: Fit) -> bool:
 
 
 def _is_kin(search: Search, final: Fit, other: Fit, members: Sequence[set[str]]) -> bool:
-    """Whether one of two fits is a special case of the other, and the class of the claimed cause lists both.
+    """Return whether one of two fits is a special case of the other, and the claimed class lists both.
 
-    Smaller errors ask for more parameters and larger ones for fewer, whatever is true: with the errors as stated the
-    simpler one is adequate, the two are not told apart, and the claim is that it is one of them.
+    Smaller errors always favour more parameters, and larger errors fewer.  With the stated errors the simpler fit is
+    adequate, the data cannot tell the two apart, and the claim covers both.
     """
     names = {c.name for c in final.causes} ^ {c.name for c in other.causes}
     return any(names <= one for one in members) and nested(search.store.fitter, final, other)
 
 
 def _with(fitter: Fitter, errors: float, priors: float) -> Fitter:
-    """The same structure and data with other errors and priors."""
+    """Return a fitter of the same structure and data with other errors and priors."""
     data = fitter.data
     if errors != 1.0:
         data = replace(

@@ -1,7 +1,6 @@
-"""Explanations that could not be followed, because the model cannot be evaluated where they lead.
+"""Causes whose fit was blocked because the model cannot be evaluated at the values it approaches.
 
-A fit avoids such values, and ends beside them: that no cause explains the measurements is then no finding about these
-causes.
+A fit avoids such values and stops next to them, so a poor fit is then no evidence against the cause.
 """
 
 from __future__ import annotations
@@ -15,12 +14,12 @@ from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Array
 
-#: Halvings of the way to the first value that cannot be evaluated, at most: three digits of it are told.
+#: Largest number of bisections towards the first value that cannot be evaluated; it is reported to three digits.
 HALVINGS = 20
 
 
 def unevaluated(store: FitStore, reported: Fit) -> Iterator[str]:
-    """Say which single causes, and which parameters of the reported fit, were stopped by values without modes.
+    """Yield a sentence for each fit (single causes and the reported one) that was blocked by values without modes.
 
     Parameters
     ----------
@@ -31,7 +30,7 @@ def unevaluated(store: FitStore, reported: Fit) -> Iterator[str]:
     said = set[str]()
     for fit in _tried(store, reported):
         _, promised = _onward(fitter, fit)
-        # Only what would have mattered: as good as what is reported, or nearly.
+        # Only if the linear model promises a fit about as good as the reported one.
         if promised <= fitter.criteria.survives or store.criterion(fit) - promised > least:
             continue
         text = _stopped(fitter, fit)
@@ -41,7 +40,7 @@ def unevaluated(store: FitStore, reported: Fit) -> Iterator[str]:
 
 
 def _tried(store: FitStore, reported: Fit) -> Iterator[Fit]:
-    """The reported fit and those of single causes; one that could not even begin is led there from the others."""
+    """Yield the reported fit and those of single causes; one without a start is started from the plain fit."""
     fitter = store.fitter
     yield reported
     for candidate in fitter.structure.candidates:
@@ -60,9 +59,9 @@ def _bounds(fitter: Fitter) -> tuple[Array, Array]:
 
 
 def _onward(fitter: Fitter, fit: Fit) -> tuple[Array, float]:
-    """The step of a linear model within the bounds, and by how much it would lower the sum of squares.
+    """Return the step of the linear model within the bounds, and the decrease of the sum of squares that it predicts.
 
-    That is nothing where a fit has arrived.
+    The decrease is zero if the fit has converged.
     """
     free, (lower, upper) = np.array(fit.free, dtype=np.intp), _bounds(fitter)
     at, gradient = fit.values[free], fit.jacobian.T @ fit.white
@@ -78,7 +77,7 @@ def _onward(fitter: Fitter, fit: Fit) -> tuple[Array, float]:
 
 
 def _stopped(fitter: Fitter, fit: Fit) -> str:
-    """Where a fit was stopped on its way; nothing where the way is free."""
+    """Return where a fit was blocked; empty if it was not."""
     step, _ = _onward(fitter, fit)
     lower, upper = _bounds(fitter)
 
@@ -93,7 +92,7 @@ def _stopped(fitter: Fitter, fit: Fit) -> str:
             break
         middle = 0.5 * (good + bad)
         good, bad = (middle, bad) if _known(fitter, at(middle)) else (good, middle)
-    # It may have arrived before: a long step of a linear model says little.
+    # It may converge before that: a long step of a linear model is inaccurate.
     there = fitter.rough_fit(fit.hypothesis, fitter.roughly([(fit.hypothesis, at(good))])[0])
     if there is None or _onward(fitter, there)[1] <= fitter.criteria.survives:
         return ""

@@ -1,4 +1,4 @@
-"""Whether the value of a cause can carry a claim: significant, inside its bounds, and not from a single row."""
+"""Tests of the value of a cause: significant, inside its bounds, and not determined by a single row."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from pkmodes.diagnosis.verdict import reasons
 
 
 def doubt_of_values(search: Search, final: Fit) -> str:
-    """Why the value of some cause cannot carry a claim; empty where nothing speaks against it."""
+    """Return why the value of some cause does not support a claim; empty if all values do."""
     fitter, c = search.store.fitter, search.criteria
     for cause in final.causes:
         index = fitter.indices(cause)
@@ -30,9 +30,9 @@ def doubt_of_values(search: Search, final: Fit) -> str:
 
 
 def p_absent(search: Search, final: Fit, cause: Candidate) -> float:
-    """Probability of values as far from the declared ones, by their own covariance (Wald's test).
+    """Return the p-value of a Wald test that the values of a cause are the declared ones.
 
-    Where a sum of squares has no smooth minimum, it may fall by far more than such a change of values can explain.
+    If the sum of squares has no smooth minimum, it may fall by far more than this change of values can explain.
     """
     fitter = search.store.fitter
     index = fitter.indices(cause)
@@ -42,7 +42,7 @@ def p_absent(search: Search, final: Fit, cause: Candidate) -> float:
 
 
 def _rests_on(search: Search, final: Fit, cause: Candidate) -> str:
-    """The row that alone speaks for a cause, or for its value, as a reason; empty where there is none."""
+    """Return a reason if a single row determines a cause or its value; else empty."""
     store, c = search.store, search.criteria
     fitter, h = store.fitter, final.hypothesis
     used, index = fitter.used(h), list(fitter.indices(cause))

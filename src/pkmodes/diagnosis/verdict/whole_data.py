@@ -1,4 +1,4 @@
-"""Mistakes that all measurements together show, held-out ones too: copied shapes, and poses with a wrong label."""
+"""Mistakes visible in all measurements, including held-out ones: copied shapes, and poses with a wrong label."""
 
 from __future__ import annotations
 
@@ -13,33 +13,33 @@ from pkmodes.diagnosis.verdict.mistakes import all_alike
 from pkmodes.diagnosis.verdict.report import Report, Stage
 from pkmodes.measured.measurements import Measurements
 
-#: Positions nearer than this are one [m].
+#: Positions nearer than this are the same [m].
 NEAR = 1e-6
-#: So many remarks of a kind at most.
+#: Largest number of remarks of each kind.
 MOST = 4
 
 
 def remarks(report: Report, fit: Fit) -> tuple[str, ...]:
-    """Sentences about the measurements.
+    """Return sentences about the measurements.
 
     Parameters
     ----------
     report : Report
-        Has all measurements.
+        With all measurements.
     fit : Fit
-        Its values say which rows are the same mode.
+        Its values determine which rows are the same mode.
     """
     copies = []
-    if not all_alike(report.data, report.fitter.criteria.same_shape):  # which is told by itself
+    if not all_alike(report.data, report.fitter.criteria.same_shape):  # reported separately
         copies = [
-            f"the shapes in lines {one} and {other} are the same, number by number: was one copied?"
+            f"the shapes in lines {one} and {other} are identical: was one copied?"
             for one, other in copied(report.data)
         ]
     return *list(_same_place(report, report.stage(fit.values)))[:MOST], *copies[:MOST]
 
 
 def copied(data: Measurements) -> list[tuple[int, int]]:
-    """Pairs of lines whose shapes are the same, number by number: no two measurements are."""
+    """Return pairs of lines whose shapes are identical, which never happens in real measurements."""
     first: dict[bytes, int] = {}
     found = []
     for row, shape in enumerate(data.shapes):
@@ -52,7 +52,7 @@ def copied(data: Measurements) -> list[tuple[int, int]]:
 
 
 def _same_place(report: Report, stage: Stage) -> Iterator[str]:
-    """Name pairs of poses at the same position where most of the modes that both have differ clearly."""
+    """Yield a sentence for each pair of poses at the same position whose common modes mostly differ clearly."""
     data = report.data
     if not data.points.any():  # setups without positions
         return
@@ -62,7 +62,9 @@ def _same_place(report: Report, stage: Stage) -> Iterator[str]:
     ends = np.searchsorted(along, along + NEAR, side="right")
     for place, (i, end) in enumerate(zip(order, ends, strict=True)):
         rest = order[place + 1 : end]
-        rest = rest[_same_load(data.set_values[rest], data.set_values[i])]  # with another one they differ
+        rest = rest[
+            _same_load(data.set_values[rest], data.set_values[i])
+        ]  # another load changes the frequencies
         apart = np.linalg.norm(data.points[rest] - data.points[i], axis=1)
         for k in rest[apart <= NEAR]:
             one, other = sorted((int(i), int(k)))
@@ -75,13 +77,13 @@ def _same_place(report: Report, stage: Stage) -> Iterator[str]:
 
 
 def _same_load(values: Array, others: Array) -> NDArray[np.bool_]:
-    """Whether all that is set is the same; NaN is what is as declared."""
+    """Return whether all set values are the same; NaN is the declared value."""
     same: NDArray[np.bool_] = ((values == others) | (np.isnan(values) & np.isnan(others))).all(axis=-1)
     return same
 
 
 def _errors(report: Report, stage: Stage) -> Array:
-    """Relative standard deviations of the frequencies, (R,), those of the positions included."""
+    """Return the relative standard deviations of the frequencies, (R,), including position errors."""
     data = report.data
     variance: Array = (data.sigma / data.frequency) ** 2
     moved = report.structure.position_rates(stage.values) if data.point_sigma.any() else None
@@ -92,7 +94,7 @@ def _errors(report: Report, stage: Stage) -> Array:
 
 
 def _difference(report: Report, stage: Stage, sigma: Array, one: int, other: int) -> float:
-    """Largest relative difference of the modes that two poses both have; 0 where most agree."""
+    """Return the largest relative difference of the modes that two poses have in common; 0 if most agree."""
     data, (sigmas, least) = report.data, report.fitter.criteria.same_place
     partner = stage.pairing.partner
     rows = [{int(partner[r]): r for r in np.flatnonzero(data.pose == p)} for p in (one, other)]
