@@ -5,12 +5,11 @@ Without a C compiler the package is built all the same, and evaluates with NumPy
 
 from __future__ import annotations
 
-import importlib.util
-import sys
+import runpy
 import sysconfig
 import tempfile
 from pathlib import Path
-from types import ModuleType
+from types import SimpleNamespace
 from typing import Any
 
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
@@ -60,12 +59,6 @@ class CompiledLibraries(BuildHookInterface):  # type: ignore[misc]  # hatchling 
         )
 
 
-def _build() -> ModuleType:
-    """The module beside this one, without the package: what that imports is not there when a wheel is built."""
-    spec = importlib.util.spec_from_file_location("pkmodes_build", HERE / "build.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
+def _build() -> SimpleNamespace:
+    """The module beside this one, without the package: what that imports is not installed while a wheel is built."""
+    return SimpleNamespace(**runpy.run_path(str(HERE / "build.py")))
