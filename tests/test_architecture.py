@@ -18,7 +18,7 @@ BRIDGE = {"src/pkmodes/derivation.py"}
 BY_MECHANISM = {
     "src/pkmodes/mechanism.py",
     "src/pkmodes/mechanism_packages.py",
-    "src/pkmodes/checking/own.py",
+    "src/pkmodes/checking/mechanism_relations.py",
 }
 
 

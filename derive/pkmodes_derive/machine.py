@@ -333,7 +333,7 @@ class Machine:
         """Add a body on which gravity acts."""
         self.weights.append((mass, position))
 
-    # Effects -------------------------------------------------------------------------------------------------
+    # The end of a declaration ---------------------------------------------------------------------------------
 
     def finish(self) -> None:
         """Complete a declaration: convert plain numbers in positions, and name the platform velocity."""
@@ -344,56 +344,14 @@ class Machine:
             rod.ends = _exact(rod.ends[0]), _exact(rod.ends[1])
         for arm in self.arms:
             arm.centre = _exact(arm.centre)
-        self.v_p = self._platform("v_p", "m/s", "velocity of the platform", r"(\dot{{p}})_{i}")
+        self.v_p = self.of_platform("v_p", "m/s", "velocity of the platform", r"(\dot{{p}})_{i}")
 
-    def apply(self, effects: Sequence[Effect]) -> None:
-        """Apply effects; the caller passes only effects that apply to the machine."""
-        if not effects:
-            return
-        self.delta_p = self._platform(
-            "delta_p", "m", "small displacement of the platform from the pose", r"(\Delta p)_{i}"
-        )
-        self.effects = tuple(effect.on(self) for effect in effects)
-        # Two passes: each effect sees every released coordinate, whatever the order of application.
-        prepared = [(effect, self._parameters(effect), self._release(effect)) for effect in self.effects]
-        for _, parameters, released in prepared:
-            if released:
-                self.compliances += (parameters["compliance"],) * len(released)
-        for effect, parameters, released in sorted(prepared, key=lambda item: not item[2]):
-            effect.apply(self, parameters, released)
-
-    def _platform(self, name: str, unit: str, description: str, latex: str) -> tuple[Symbol, ...]:
+    def of_platform(self, name: str, unit: str, description: str, latex: str) -> tuple[Symbol, ...]:
+        """Declare a vector of the platform, one component for each of its directions."""
         return tuple(
             self.vocabulary.declare(f"{name}_{{i}}", unit, f"{description}, component {{i}}", latex, i=axis)
             for axis in self.directions
         )
-
-    def _parameters(self, effect: Effect) -> dict[str, Symbol]:
-        symbols = {}
-        for p in effect.parameters:
-            symbols[p.name] = self.vocabulary.declare(p.symbol, p.unit, p.description, p.latex)
-            name = f"{effect.name}_{p.name}"
-            self.effect_fields += (Field(name, (), (symbols[p.name],), p.unit, p.description),)
-        return symbols
-
-    def _release(self, effect: Effect) -> tuple[Coordinate, ...]:
-        q, found = effect.released, []
-        if q is None:
-            return ()
-        for place in effect.places:
-            index, latex = {q.letter: place}, q.latex
-            stem = latex.removesuffix(f"_{{{q.letter}}}")
-            rate = rf"\dot{{{{{stem}}}}}_{{{q.letter}}}"
-            found.append(
-                Coordinate(
-                    self.vocabulary.declare(q.name, q.unit, q.description, latex, **index),
-                    self.vocabulary.declare(
-                        f"{q.name}_dot", f"{q.unit}/s", f"rate of change: {q.description}", rate, **index
-                    ),
-                )
-            )
-        self.released += tuple(found)
-        return tuple(found)
 
 
 def _exact(position: Sequence[object]) -> tuple[Expr, ...]:

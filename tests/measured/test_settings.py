@@ -125,7 +125,7 @@ def test_values_that_disagree_are_shown_as_they_were_written(tmp_path: Path, rob
         (PAYLOAD, "-0.1", "expected a mass greater than 0 kg, or 0 for no effect, found -0.1"),
         ("set:toolhead.mass", "0", "expected a mass greater than 0 kg"),
         ("set:toolhead.mass", "1e-40", "magnitude"),
-        ("set:belt_path.1.lengths.2", "0.1", "one that is 0.2 m too short"),
+        ("set:belt_path.1.lengths.2", "0.1", "a run that is 0.2 m too short"),
     ],
 )
 def test_a_value_that_a_robot_file_could_not_have_is_refused(

@@ -96,7 +96,9 @@ def _name_forces(machine: Machine, gravity: Sequence[Expr]) -> list[Symbol]:
     forces = []
     for j, (q, value) in enumerate(zip(machine.independent, gravity, strict=True), start=1):
         unit = machine.unit_by(q, "N", "N m")
-        what = f"gradient of the gravitational potential energy with respect to {q.name.replace(f'_{j}', '_{j}')}"
+        # One sentence for all of them: with respect to x_j, or to coordinates without numbers in their names.
+        by = q.name.replace(f"_{j}", "_{j}") if q.name.endswith(f"_{j}") else "independent coordinate {j}"
+        what = f"gradient of the gravitational potential energy with respect to {by}"
         forces.append(machine.define(v.declare("G_{j}", unit, what, "G_{j}", j=j), value))
     return forces
 

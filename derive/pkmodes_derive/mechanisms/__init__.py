@@ -13,6 +13,7 @@ from pkgutil import iter_modules
 from types import ModuleType
 
 from pkmodes_derive import definition
+from pkmodes_derive.applying import apply_effects
 from pkmodes_derive.assembly import models
 from pkmodes_derive.declared import check_declared, check_model
 from pkmodes_derive.definition import DefinitionError
@@ -83,7 +84,7 @@ def _machine(module: ModuleType, name: str, effects: Sequence[Effect]) -> Machin
     declared = Machine(name, module.TITLE, module.DIRECTIONS)
     module.declare(declared)
     declared.finish()
-    declared.apply(effects)
+    apply_effects(declared, effects)
     return declared
 
 

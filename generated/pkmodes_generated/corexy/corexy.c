@@ -11,8 +11,7 @@
  *   I_j [kg m^2]: moment of inertia of motor pulley j, including the motor
  *   l_f_j_s [m]: free length of run s of belt j
  *   k_j_s [N/m]: stiffness of run s of belt j
- *   G_j [N]: gradient of the gravitational potential energy with respect to x
- *   G_j [N]: gradient of the gravitational potential energy with respect to y
+ *   G_j [N]: gradient of the gravitational potential energy with respect to independent coordinate j
  *   det_j [N^2]: determinant of the equilibrium equations of axis j
  *   theta_j_st [rad]: static rotation of motor pulley j, relative to the unstrained transmissions
  */

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.checking.own import own_relations
+from pkmodes.checking.mechanism_relations import own_relations
 from pkmodes.checking.relations import Derivative, Relation, State, relations
 from pkmodes.generated import Generated
 from pkmodes.mechanism import Mechanism

@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.checking.consistency import Check, check_consistency
-from pkmodes.checking.own_mechanisms import check_definition, check_mechanism
 from pkmodes.checking.recorded import recorded_robot
 from pkmodes.checking.report import Report, findings_of, manifest_of
+from pkmodes.checking.user_mechanisms import check_definition, check_mechanism
 from pkmodes.derivation import derivation
 from pkmodes.errors import PkmodesError, shown
 from pkmodes.evaluation import active_effects, evaluation, matrices

@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.diagnosis.problem import Prediction
-from pkmodes.evaluation import SystemOfEffects
-from pkmodes.robot.paths import ParameterPath, moved
+from pkmodes.evaluation import STEP, SystemOfEffects
+from pkmodes.robot.paths import ParameterPath
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, geometry_of, locked_joints
 from pkmodes.sensitivity.shapes import shape_derivatives
@@ -24,8 +24,6 @@ Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 #: Padding for robots with fewer parameters than others that are evaluated together.
 NOTHING = ParameterPath("", 0.0, "1", {})
-#: Step of a parameter in central differences, in its unit.
-DIFFERENCE = 1e-6
 #: Eigenvalue of the first missing mode of a setup, far above all others, and ratio to that of the next one.
 LACKING, FARTHER = 1e40, 100.0
 
@@ -219,17 +217,15 @@ def _alike(
 
 
 def _motion_rate(system: SystemOfEffects, robot: Robot, points: Array, path: ParameterPath) -> Array:
-    """Differentiate the platform's Jacobian along a path by central differences, (P, directions, e)."""
+    """Differentiate the platform's Jacobian along a path by complex step, (P, directions, e)."""
     shift = np.zeros(points.shape[-1])
+    values: dict[str, NDArray[np.complex128]] = {}
     for (field, index), weight in path.weights.items():
         if field == POSE:
             shift[index] = weight
-    there, back = (
-        system.motion_of_all(
-            points + step * shift,
-            robot.parameters if shift.any() else moved(robot, [(path, step)]).parameters,
-        )
-        for step in (DIFFERENCE, -DIFFERENCE)
-    )
-    found: Array = (there - back) / (2.0 * DIFFERENCE)
+        elif field in robot.parameters._fields:
+            values.setdefault(field, np.array(getattr(robot.parameters, field), dtype=complex))
+            values[field][index] += STEP * 1j * weight
+    parameters = robot.parameters._replace(**values)
+    found: Array = system.motion_of_all(points + STEP * 1j * shift, parameters).imag / STEP
     return found

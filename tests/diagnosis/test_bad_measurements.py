@@ -1,0 +1,64 @@
+"""Outliers and modes that the model lacks."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from frame_diagnoses import SIX, causes, checked, drawn, spoiled
+from pkmodes.diagnosis import Measurements
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from small_structures import (
+    SIGMA,
+    frame,
+)
+
+
+@pytest.mark.parametrize("truth", [{}, {"brace 2": 6.0e4}])
+def test_an_outlier_is_set_aside_and_named_by_its_line(truth: dict[str, float]) -> None:
+    found = checked(frame(SIX), spoiled(drawn(SIX, 9, truth), 14, 1.08))
+    assert found.verdict == ("effect_found" if truth else "adequate")
+    assert causes(found) == list(truth)
+    assert [row.line for row in found.outliers] == [17]
+    assert "line 17 set aside" in found.reason
+    assert found.as_json()["outliers"] == [{"pose": "6 kg", "line": 17}]
+    if not truth:
+        # Its partner is 8 % away; the error is that of the others.
+        assert found.refit.rms_relative < 2 * SIGMA
+
+
+@pytest.mark.parametrize(
+    ("common", "excluded", "truth"),
+    [(0.0, [14], {"brace 2": 6.0e4}), (0.01, [], {}), (0.01, [], {"brace 2": 1.0e5})],
+)
+def test_each_cause_each_row_set_aside_and_a_shared_error_take_a_degree_of_freedom(
+    common: float, excluded: list[int], truth: dict[str, float]
+) -> None:
+    data = drawn(SIX, 9, truth)
+    shift = np.exp(common * np.random.default_rng(1).standard_normal(6))[data.pose]
+    shift[excluded] *= 1.08
+    labels = [data.labels[i] for i in data.pose]
+    data = Measurements.from_rows(labels, data.frequency * shift, data.sigma)
+    structure = frame(SIX)
+    found = checked(structure, data)
+    assert causes(found) == list(truth)
+    assert bool(found.scatter) == bool(common)
+    added = tuple(c for c in structure.candidates if c.name in truth)
+    fit = Fitter(structure, data).fit(Hypothesis(added, frozenset(excluded), bool(common)))
+    assert fit is not None
+    degrees = 24 - len(excluded) - len(added) - bool(common)
+    assert (found.after or found.refit).chi2_per_dof == pytest.approx(fit.chi2 / degrees, rel=1e-4)
+
+
+def test_a_measured_mode_that_the_model_lacks_is_not_taken_for_a_cause() -> None:
+    data = drawn(SIX, 10)
+    labels = [*(data.labels[i] for i in data.pose), "4 kg"]
+    f = np.append(data.frequency, 0.3 * data.frequency[0])
+    found = checked(frame(SIX), Measurements.from_rows(labels, f, SIGMA * f))
+    assert not found.effects
+    assert found.rows[-1].before is None
+    if found.verdict == "adequate":
+        assert [row.line for row in found.outliers] == [25]
+    else:
+        assert [row.line for row in found.unpaired] == [25]

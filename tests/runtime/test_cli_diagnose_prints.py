@@ -1,0 +1,127 @@
+"""What ``pkmodes diagnose`` prints."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import pkmodes
+from diagnose_command import PUBLISHED, WIND_UP, call, csv_of, files, measured, rows_of
+
+ROOT = Path(__file__).parents[2]
+
+
+def test_the_table_of_a_cause(tmp_path: Path) -> None:
+    robot = (
+        PUBLISHED + '\n[effects.belt_end_compliance]\ncompliance = { value = "1e-9 m/N", sigma = "20 %" }\n'
+    )
+    inputs = files(tmp_path, robot, measured(effects=WIND_UP))
+    answer = call(*inputs, "--candidates", "gearbox_compliance,payload", "--holdout", "P3")
+    assert (answer.code, answer.err) == (0, "")
+    lines = answer.out.splitlines()
+    assert max(map(len, lines)) <= 80
+    assert "…" not in answer.out
+    assert lines[0] == "linear-delta-2022: effect_found"
+    assert lines[1].startswith("  the residual of the declared model is not noise (p = ")
+    assert "18 measured modes fitted (held out: P3)" in lines
+    cause = re.search(
+        r"^  gearbox_compliance\.compliance = \((\d\.\d+) \+- 0\.\d\d\)e-04 rad/\(N\*m\)$", answer.out, re.M
+    )
+    assert cause is not None
+    assert 4.0 < float(cause[1]) < 6.0
+    for line in (
+        "error                               rms [%]  held out [%]  chi2 per dof",
+        "before: as declared ",
+        "refit of the uncertain values only ",
+        "after: with the cause ",
+    ):
+        assert any(found.startswith(line) for found in lines), line
+    (start,) = (i for i, line in enumerate(lines) if line.startswith("uncertain value"))
+    assert [line.split()[0] for line in lines[start + 1 : start + 5]] == [
+        "platform.mass",
+        "belt.specific_stiffness",
+        "motor.inertia",
+        "belt_end_compliance.compliance",
+    ]
+    for column in ("before", "after", "sigma"):  # right ends of the numbers
+        end = lines[start].index(column) + len(column)
+        assert all(line[end - 1] != " " and line[end] == " " for line in lines[start + 1 : start + 5])
+    assert lines[start + 4].split()[-1] == "m/N"
+
+
+def test_the_table_of_two_causes_and_of_causes_that_look_alike(tmp_path: Path) -> None:
+    both = {**WIND_UP, "belt_mass.linear_density": 0.1}
+    inputs = files(tmp_path, PUBLISHED, measured(poses=5, effects=both))
+    out = call(*inputs, "--candidates", "belt_mass,gearbox_compliance").out
+    assert out.count("\ncause: ") == 2
+    assert "\nafter: with the causes " in out
+    alike = {"gearbox_compliance.compliance": 1.5e-4}
+    inputs = files(tmp_path, PUBLISHED, measured(poses=3, effects=alike, shapes=()))
+    options = ("--candidates", "gearbox_compliance,clamp_compliance,belt_end_compliance")
+    saved = tmp_path / "saved.toml"
+    out, found = (
+        call(*inputs, *options, "--save-robot", saved).out,
+        call(*inputs, *options, "--json", "-").json,
+    )
+    (effect,) = found["effects"]
+    assert len(effect["class"]) > 1
+    name, *others = effect["class"]
+    assert (
+        f"wrote {saved} with {name}; to save it with {' or '.join(others)}: --candidates {others[0]}; next"
+        in out
+    )
+    start = out.index("  these data cannot distinguish it from\n")
+    for name in effect["class"][1:]:
+        assert re.search(rf"^    {name}\.compliance = \(\S+ \+- \S+\)e-\d\d \S+$", out[start:], re.M)
+
+
+def test_no_pose_is_held_out_on_request(tmp_path: Path) -> None:
+    answer = call(*files(tmp_path), "--candidates", "payload", "--holdout", "none")
+    assert "24 measured modes fitted\n" in answer.out
+    assert "held out" not in answer.out
+
+
+@pytest.mark.parametrize(
+    "environment",
+    [{"COLUMNS": "40"}, {"NO_COLOR": "1", "FORCE_COLOR": "1"}, {"PYTHONIOENCODING": "ascii"}],
+)
+def test_every_terminal_gets_whole_numbers(tmp_path: Path, environment: dict[str, str]) -> None:
+    modes = csv_of([{**row, "pose": row["pose"].replace("P1", "Größe")} for row in rows_of(measured())])
+    command = [sys.executable, "-m", "pkmodes", "diagnose", *map(str, files(tmp_path, PUBLISHED, modes))]
+    path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
+    found = subprocess.run(
+        [*command, "--candidates", "payload", "--holdout", "Größe"],
+        env={**os.environ, "PYTHONPATH": path, **environment},
+        capture_output=True,
+        check=True,
+    )
+    out = found.stdout.decode("ascii" if "PYTHONIOENCODING" in environment else "utf-8")
+    assert re.search(rb"\x1b\[[0-9;]*[34][0-7]", found.stdout + found.stderr) is None  # no colours
+    if "FORCE_COLOR" not in environment:  # which would show the progress too
+        assert found.stderr == b""
+    assert "\u2026" not in out
+    assert re.search(r"motor\.inertia +1\.7e-05 +1\.\d+e-05 +\d\.?\d*e-0[78] +kg\*m\^2", out)
+    label = "Gr\\xf6\\xdfe" if "PYTHONIOENCODING" in environment else "Größe"
+    assert f"18 measured modes fitted (held out: {label})" in " ".join(out.split())
+    if "COLUMNS" in environment:
+        text = [line for line in out.splitlines() if "  " not in line.strip()]
+        assert max(map(len, text)) <= 40
+
+
+def test_help_shows_an_example_that_works(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    answer = call("--help")
+    assert answer.code == 0
+    example = answer.out.split("Example:\n")[1].replace("\\\n", " ").split()
+    assert example[:2] == ["pkmodes", "diagnose"]
+    assert all((ROOT / place).is_file() for place in example[2:4])
+    # The measurements of the example, so that its options are tested too.
+    monkeypatch.chdir(tmp_path)
+    saved = example[example.index("--save-robot") + 1]
+    found = call(*(ROOT / place for place in example[2:4]), *example[4:])
+    assert found.code == 0
+    assert pkmodes.read_robot(saved).name == "workshop-delta"
