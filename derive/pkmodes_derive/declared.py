@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from difflib import get_close_matches
-from math import prod
+from math import isfinite, prod
 
 from sympy import Expr, Symbol, default_sort_key
 
@@ -105,7 +105,7 @@ def _check_closures(machine: Machine) -> None:
 
 
 def _check_sample(machine: Machine) -> None:
-    """Check that the sample robot has a number for every entry of every parameter."""
+    """Check that the sample robot has a finite number for every entry of every parameter."""
     fields = {field.name: field for field in machine.tables.fields}
     for name, field in fields.items():
         if name not in machine.sample:
@@ -114,7 +114,7 @@ def _check_sample(machine: Machine) -> None:
             )
         if _shape(machine.sample[name]) != field.shape:
             raise DefinitionError(
-                f"the value of {name} has the wrong shape",
+                f"the value of {name} has the wrong shape, or is not finite",
                 "m.sample",
                 f"write {_shaped(field)}, in {field.unit}",
             )
@@ -126,7 +126,7 @@ def _check_sample(machine: Machine) -> None:
 
 def _shape(value: object) -> tuple[int, ...] | None:
     if not isinstance(value, list | tuple):
-        return () if isinstance(value, int | float) else None
+        return () if isinstance(value, int | float) and isfinite(value) else None
     inner = {_shape(entry) for entry in value}
     only = inner.pop() if len(inner) == 1 else None
     return None if only is None else (len(value), *only)
@@ -158,6 +158,22 @@ def check_model(machine: Machine, model: Model) -> None:
         if masses.entries[i * (masses.shape[1] + 1)] == 0:
             raise DefinitionError(
                 f"the coordinate {name} has no inertia", name, "add a body or a rotor that moves with it"
+            )
+
+
+def check_names(machine: Machine, model: Model) -> None:
+    """Refuse a symbol with the name of an argument or a result: generated code would declare it twice."""
+    taken = {group.argument: f"the argument {group.argument}" for group in model.groups}
+    for function in model.functions:
+        names = [argument.name for argument in function.arguments if not argument.scalar]
+        for name in (*names, *(output.name for output in function.outputs)):
+            taken.setdefault(name, f"an argument or a result of {function.name}")
+    for q in machine.vocabulary:
+        if q.symbol.name in taken:
+            raise DefinitionError(
+                f"the symbol {q.symbol} has the name of {taken[q.symbol.name]}",
+                f"{q.symbol}: {q.description}",
+                f"rename it, for example {q.symbol}_0",
             )
 
 

@@ -14,8 +14,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from types import ModuleType
 
-from pkmodes_derive.emit.specification import C_KEYWORDS
 from pkmodes_derive.vocabulary import AXES
+from pkmodes_derive.words import C_KEYWORDS
 
 #: Name of the copy of the file that is kept with the generated code.
 FILE_NAME = "definition.py"
@@ -93,11 +93,18 @@ def told(place: str, remedy: str, during: str = "") -> Iterator[None]:
         where = f"{place}: {error.where}" if error.where else place
         raise DefinitionError(error.what, where, error.remedy) from None
     except SyntaxError as error:
-        raise DefinitionError(f"not valid Python: {error.msg}", f"{place}:{error.lineno}", remedy) from None
-    except (Exception, SystemExit) as error:
-        lines = [f.lineno for f in traceback.extract_tb(error.__traceback__) if f.filename == place]
-        what = str(error) if isinstance(error, ValueError) else f"{type(error).__name__}: {error}"
-        if isinstance(error, RecursionError):
+        line = f":{error.lineno}" if error.lineno else ""
+        raise DefinitionError(f"not valid Python: {error.msg}", f"{place}{line}", remedy) from None
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:  # the author's code may raise anything
+        frames = traceback.extract_tb(error.__traceback__)
+        lines = [f.lineno for f in frames if f.filename == place]
+        text = " ".join(str(error).split())
+        what = (
+            text if isinstance(error, ValueError) and text else f"{type(error).__name__}: {text}".rstrip(": ")
+        )
+        if isinstance(error, RecursionError) and frames[-1].filename != place:
             what = "named values are defined in terms of each other"
         where = f"{place}:{lines[-1]}" if lines else place
         raise DefinitionError(what, f"{where}{during}", getattr(error, "remedy", remedy)) from None

@@ -17,7 +17,7 @@ from pkmodes_derive.effect import Coordinate, Effect
 from pkmodes_derive.functions import Argument, Output
 from pkmodes_derive.parts import Arm, Belt, Clamp, Drive, Form, Link, PointMass, Reducer, Rod, Rotor, Run
 from pkmodes_derive.tables import Tables
-from pkmodes_derive.vocabulary import AXES, Field, Vocabulary
+from pkmodes_derive.vocabulary import AXES, DeclarationError, Field, Vocabulary
 
 #: Meaning of the index letters; a mechanism may override it.
 LETTERS = {
@@ -244,7 +244,18 @@ class Machine:
     def drive(
         self, rotors: Sequence[tuple[Rotor, Expr]], motor: Expr, torque: Symbol, *, winds_up: bool = True
     ) -> None:
-        """Add a motor with its gearbox on one of several rotors."""
+        """Add a motor with its gearbox on a rotor, or on one of a pair: [(driven, 1), (idler, 0)].
+
+        Raises
+        ------
+        DeclarationError
+            If there are more than two rotors: the equilibrium is solved pair by pair.
+        """
+        if len(rotors) not in (1, 2):
+            raise DeclarationError(
+                f"a drive acts on one rotor or on one of a pair, found {len(rotors)} rotors",
+                "write m.drive([(driven, 1)], ...) or m.drive([(driven, 1), (idler, 0)], ...)",
+            )
         self.drives.append(Drive(tuple(rotors), motor, torque, winds_up))
 
     def belt(self, modulus: Expr, runs: Sequence[Run], clamp: Clamp | None = None) -> None:

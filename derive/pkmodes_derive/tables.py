@@ -6,6 +6,7 @@ parameter paths, the arrays of the generated code and the glossary follow.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from itertools import chain as concatenate
 from typing import TypeVar
@@ -26,6 +27,17 @@ UNITS = {
     "torsional stiffness": "N m/rad",
     "acceleration": "m/s^2",
 }
+
+
+#: Keys of every robot file that a mechanism does not declare.
+RESERVED = ("format", "name", "mechanism", "gravity", "effects")
+
+
+def _check_key(name: str) -> None:
+    if not re.fullmatch("[a-z][a-z0-9_]*", name):
+        raise DeclarationError(
+            f"{name!r} cannot be a key of a robot file", "use lower-case letters, digits and underscores"
+        )
 
 
 def unit_of(dimension: str) -> str:
@@ -102,9 +114,19 @@ class Tables:
         self, name: str, shape: tuple[int, ...], symbols: Sequence[Symbol], unit: str, description: str
     ) -> None:
         """Add an array to the generated parameters."""
+        _check_key(name)
+        if name in (field.name for field in self.fields):
+            raise DeclarationError(f"the parameter {name} is declared twice", "rename its key or its table")
         self.fields.append(Field(name, shape, tuple(symbols), unit, description.format(j="j")))
 
     def _added(self, table: AnyTable) -> AnyTable:
+        _check_key(table.name)
+        if table.name in RESERVED:
+            raise DeclarationError(
+                f'"{table.name}" is a key of every robot file', "give the table another name"
+            )
+        if table.name in (known.name for known in self._tables):
+            raise DeclarationError(f"the table {table.name} is declared twice", "give it another name")
         self._tables.append(table)
         return table
 

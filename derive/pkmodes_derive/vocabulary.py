@@ -14,6 +14,8 @@ from typing import NamedTuple
 
 from sympy import Symbol
 
+from pkmodes_derive.words import has_a_meaning
+
 AXES = ("x", "y", "z")
 
 
@@ -163,6 +165,10 @@ class Vocabulary:
             name, description, latex = (_filled(text, index) for text in (name, description, latex))
         if not (name.isidentifier() and unit and description and latex):
             raise ValueError(f"symbol {name!r} needs an identifier, a unit, a description and a LaTeX form")
+        if has_a_meaning(name):
+            raise DeclarationError(
+                f"symbol {name!r} has a meaning of its own in generated code", "give it another name"
+            )
         symbol = Symbol(name, real=True)
         if symbol in self._quantities:
             raise DeclarationError(

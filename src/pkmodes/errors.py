@@ -31,7 +31,9 @@ def shown(value: object) -> str:
 def nearest(name: object, known: Iterable[str], otherwise: str = "") -> str:
     """Return the remedy for an unknown name: the nearest known name, `otherwise`, or all known names."""
     names = list(known)
-    found = difflib.get_close_matches(name, names, n=1, cutoff=0.5) if isinstance(name, str) else []
+    by_lower = {known.lower(): known for known in reversed(names)}
+    near = difflib.get_close_matches(name.lower(), by_lower, n=1, cutoff=0.5) if isinstance(name, str) else []
+    found = [by_lower[lower] for lower in near]
     return f'did you mean "{found[0]}"?' if found else otherwise or f"known: {', '.join(names)}"
 
 

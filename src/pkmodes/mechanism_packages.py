@@ -78,8 +78,11 @@ def _import(package: str, folder: Path) -> None:
     module = sys.modules[package] = module_from_spec(spec)
     try:
         spec.loader.exec_module(module)
-        import_module(f"{package}.extended")
-    except Exception as error:
+        extended = import_module(f"{package}.extended")
+        _ = module.Parameters, module.COORDINATES, extended.Effects, extended.COORDINATES
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:  # SystemExit too: a file that ends the program is no model
         for name in [name for name in sys.modules if name.startswith(package)]:
             del sys.modules[name]
         what = f"the generated code cannot be imported: {type(error).__name__}: {error}"

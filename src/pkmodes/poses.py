@@ -30,6 +30,8 @@ CHUNK = 2048
 
 #: The condition checked before the mechanism's margins: its code and what violating it means.
 FINITE = ("finite", "a coordinate is NaN or infinite")
+#: A bare length from here on, in metres, may well have been meant in millimetres.
+LARGE = 10.0
 IN_WORDS = {"m": "metres", "rad": "radians"}
 
 

@@ -11,6 +11,7 @@ import pytest
 from scipy.linalg import eigh
 
 from pkmodes import Robot, read_robot
+from pkmodes.cli import run
 from pkmodes.diagnosis import Measurements, Prediction
 from pkmodes.errors import PkmodesError
 from pkmodes.updating import loop
@@ -339,3 +340,26 @@ def test_proposed_payloads_are_relative_to_the_mass_of_the_platform() -> None:
         np.testing.assert_array_equal(there.predict(declared(there), ()).eigenvalues, expected)
     (load, _), *_ = structure(read_robot(COREXY), PLACES, [{}] * 6).loaded()
     assert load == {PAYLOAD: 0.05}  # a tenth of the tool head's
+
+
+def test_the_command_says_which_constants_only_the_measurements_have(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    data = corexy_modes(2e-3, 1.0, 2)
+    rows = [
+        f"{data.labels[i]},{data.points[i][0]},{data.points[i][1]},{f},{sigma},{data.set_values[i][0]}"
+        for i, f, sigma in zip(data.pose, data.frequency, data.sigma, strict=True)
+    ]
+    (tmp_path / "modes.csv").write_text("\n".join([f"pose,x,y,frequency,sigma,set:{TENSION}", *rows]))
+    saved = tmp_path / "corrected.toml"
+    arguments = [
+        COREXY,
+        tmp_path / "modes.csv",
+        "--candidates",
+        "belt_tension_stiffness",
+        "--save-robot",
+        saved,
+    ]
+    assert run(["diagnose", *map(str, arguments)]) == 0
+    out = capsys.readouterr().out
+    assert f"{TENSION} is known from the measurements alone: add its value in operation to {saved}" in out

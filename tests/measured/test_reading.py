@@ -14,6 +14,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import pkmodes
+from pkmodes import updating
 from pkmodes.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
@@ -256,6 +257,18 @@ def test_positions_in_millimetres_are_recognised(tmp_path: Path) -> None:
     mixed = read(tmp_path, f"{HEADER}\nA,600,0,-245,55.5,0.1\nB,0.6,0,-0.245,60,0.1\n")
     with pytest.raises(MeasurementError, match="out of reach"):
         check_measured(mixed, model)
+
+
+@pytest.mark.parametrize(("x", "recognised"), [(250.0, True), (0.31, False)])
+def test_small_numbers_are_not_taken_for_millimetres(tmp_path: Path, x: float, recognised: bool) -> None:
+    """The workspace of a CoreXY has the origin in it: a thousandth of any pose can be reached."""
+    model = pkmodes.load(PUBLISHED.parent / "corexy-printer.toml")
+    text = f"pose,x,y,frequency,sigma\nA,{x},{min(x, 0.2)},111,1\n"
+    (tmp_path / "modes.csv").write_text(text)
+    data = updating.read(tmp_path / "modes.csv", robot=model)
+    with pytest.raises(MeasurementError) as error:
+        check_measured(data, model)
+    assert ("millimetres" in error.value.remedy) == recognised
 
 
 def test_a_pose_that_the_robot_cannot_take_is_refused(tmp_path: Path) -> None:

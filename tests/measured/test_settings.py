@@ -203,6 +203,10 @@ def test_the_commands_show_what_is_set(
     assert [row.get("set") for row in rows] == [None, None, *[{PAYLOAD[4:]: 0.2}] * 2]
     assert run(["diagnose", *files, "--candidates", "belt_mass"]) == 0
     assert "set by the measurements: effects.payload.mass = 0.2 kg (pose B)" in capsys.readouterr().out
+    read(tmp_path, text + "C,0.12,0.1,100,1,0.2\n", robot)
+    assert run(["diagnose", *files, "--candidates", "belt_mass", "--holdout", "none"]) == 0
+    assert "effects.payload.mass = 0.2 kg (poses B, C)" in capsys.readouterr().out
+    read(tmp_path, text, robot)
     # As predicted by the robot with that payload.
     alone = Model(robot.with_values({PAYLOAD[4:]: 0.2})).frequencies([0.1, 0.1])[2:]
     found = loop.compare(robot, updating.read(tmp_path / "modes.csv", robot=robot))

@@ -107,6 +107,14 @@ def test_a_pose_may_be_given_with_units(capsys: pytest.CaptureFixture[str]) -> N
             '(--pose); the numbers look like millimetres: write --pose "600 mm,0 mm,-2.45e2 mm"',
         ),
         (["sensitivities", ROBOT, "--pose", "600,0,-245"], 'write --pose "600 mm,0 mm,-245 mm"'),
+        (
+            ["modes", str(ROOT / "robots/corexy-printer.toml"), "--pose", "250,200"],
+            'write --pose "250 mm,200 mm"',
+        ),
+        (
+            ["modes", str(ROOT / "robots/corexy-printer.toml"), "--pose", "0.31,0.2"],
+            "beyond the upper end of its travel along x by 0.01 m (pose 0 at [0.31, 0.2] m)",
+        ),
         (["modes", ROBOT, "--pose", "600 m,0,-245"], "the pose is out of reach: link"),
         (["modes", ROBOT, "--pose", "0.1,0,-0.245"], "carriage 2 is beyond its limits"),
         (["modes", "absent.toml", "--pose", POSE], "cannot read the robot file: no such file"),

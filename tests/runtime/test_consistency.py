@@ -25,6 +25,13 @@ def test_consistency_finds_one_part_in_a_hundred_million(name: str) -> None:
     assert not all(one.holds for one in checks)
 
 
+@pytest.mark.parametrize("name", sorted(f.name for f in mechanisms.base("linear_delta").functions))
+def test_consistency_finds_what_is_not_a_number(name: str) -> None:
+    robot = sample(KIND)
+    checks = check_consistency(Generated(Broken(name, np.nan), robot), KIND, robot)
+    assert not all(one.holds for one in checks)
+
+
 @pytest.mark.parametrize("seed", range(5000, 5040))
 def test_consistency_raises_no_false_alarm(seed: int) -> None:
     robot, _ = random_robot(np.random.default_rng(seed))

@@ -329,6 +329,51 @@ MISTAKES = {
         "m.rotor(phi[j], 0), 1)], 0 * I_m[j]",
         r"phi_1 has no inertia",
     ),
+    "sample of nothing": (
+        '"tool_mass": 0.2',
+        '"tool_mass": float("nan")',
+        r"the value of tool_mass has the wrong shape, or is not finite",
+    ),
+    "a word of Python": ('"m_p", "mass"', '"lambda", "mass"', r"symbol 'lambda' has a meaning of its own"),
+    "a word of C": ('"m_p", "mass"', '"double", "mass"', r"symbol 'double' has a meaning of its own"),
+    "a module": ('"m_p", "mass"', '"np", "mass"', r"symbol 'np' has a meaning of its own .*another name"),
+    "the name of M": (
+        '"m_p", "mass"',
+        '"M", "mass"',
+        r"the symbol M has the name of an argument or a result",
+    ),
+    "a table twice": ('axis.shared("link"', 'axis.shared("arm"', r"the table arm is declared twice"),
+    "a table of every robot file": (
+        'single("tool"',
+        'single("effects"',
+        r'"effects" is a key of every robot',
+    ),
+    "a key with a dot": (
+        'quantity("mass", "m_p"',
+        'quantity("ma.ss", "m_p"',
+        r"cannot be a key of a robot file",
+    ),
+    "without words": ("    m.add_gravity()", "    raise ValueError", r"error: ValueError \(five_bar.py:20\)"),
+    "of several lines": (
+        "    m.add_gravity()",
+        "    raise ValueError('one\\ntwo')",
+        r"error: one two \(five_bar.py:20\)",
+    ),
+    "without end": (
+        "    m.add_gravity()",
+        "    def f(): f()\n    f()",
+        r"RecursionError: .* \(five_bar.py:20\)",
+    ),
+    "no exception of the usual kind": (
+        "    m.add_gravity()",
+        "    raise BaseException('x')",
+        r"BaseException: x",
+    ),
+    "three rotors": (
+        "m.drive([(m.rotor(phi[j], 0), 1)]",
+        "m.drive([(m.rotor(phi[j], 0), 1)] * 3",
+        r"one rotor or on one of a pair, found 3",
+    ),
     "exit": ("SIDES = range(2)", "raise SystemExit(0)", r"SystemExit: 0 \(five_bar.py:13\)"),
 }
 
@@ -398,14 +443,19 @@ def test_folders_that_are_none(copy: Path, capsys: pytest.CaptureFixture[str]) -
     assert "found a file (five_bar.py); give the folder DIR/<mechanism>" in said("five_bar.py")
     assert "give the mechanism folder inside it: build/five_bar" in said("build")
     file = copy / "build/five_bar/extended.py"
-    file.write_text(file.read_text() + "\nraise ValueError('broken')\n")
+    whole = file.read_text()
+    file.write_text(whole + "\nraise ValueError('broken')\n")
     assert "the generated code cannot be imported: ValueError: broken" in said("build/five_bar")
     error = refused(["modes", "robot.toml", "--pose", "0.03,-0.42"], capsys)
     assert 'unknown mechanism "five_bar" (robot.toml: mechanism); known: corexy, ' in error
     assert "--mechanism" in error
+    file.write_text("")
+    assert "AttributeError: module" in said("build/five_bar")
+    file.write_text("raise SystemExit(0)\n")
+    assert "the generated code cannot be imported: SystemExit: 0" in said("build/five_bar")
+    file.write_text(whole)
     description = copy / "build/five_bar/description.json"
     shutil.copytree(copy / "build/five_bar", copy / "taken")
     text = description.read_text().replace('"mechanism": "five_bar"', '"mechanism": "corexy"')
-    file.write_text(file.read_text().replace("\nraise ValueError('broken')\n", ""))
     description.write_text(text)
     assert '"corexy" is a mechanism of pkmodes already' in said("build/five_bar")

@@ -161,7 +161,8 @@ def _solved(
     if len(equations) != n or matrix.det(method="berkowitz") == 0:
         names = ", ".join(_coordinate(machine, q).name for q in unknown)
         raise DeclarationError(
-            f"the equilibrium does not determine {names} with {len(equations)} equations", TIE
+            f"the equilibrium has {len(equations)} equations for {n} unknowns: {names}",
+            f"{TIE}; an idler forms a pair with the rotor that is driven: [(driven, 1), (idler, 0)]",
         )
     right = [e.right for e in equations]
     if n == 1:

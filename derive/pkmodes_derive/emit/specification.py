@@ -8,12 +8,7 @@ import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-C_KEYWORDS = frozenset(
-    """
-    auto break case char const continue default do double else enum extern float for goto if inline int long main
-    register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
-    """.split()  # noqa: SIM905 - a list of quoted words would be harder to read
-)
+from pkmodes_derive.words import C_KEYWORDS
 
 
 @dataclass(frozen=True)

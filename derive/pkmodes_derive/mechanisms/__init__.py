@@ -15,7 +15,7 @@ from types import ModuleType
 from pkmodes_derive import definition
 from pkmodes_derive.applying import apply_effects
 from pkmodes_derive.assembly import models
-from pkmodes_derive.declared import check_declared, check_model
+from pkmodes_derive.declared import check_declared, check_model, check_names
 from pkmodes_derive.definition import DefinitionError
 from pkmodes_derive.description import Description
 from pkmodes_derive.effect import Effect
@@ -104,6 +104,7 @@ def base(name: str) -> Model:
         model = models.base(declared)
     with definition.told(place, REMEDY):
         check_model(declared, model)
+        check_names(declared, model)
     return model
 
 
@@ -114,7 +115,10 @@ def extended(name: str) -> Model:
     if name not in _added:
         return models.extended(declared)
     with definition.told(str(_added[name][1].__file__), REMEDY, ", during the derivation with every effect"):
-        return models.extended(declared)
+        model = models.extended(declared)
+    with definition.told(str(_added[name][1].__file__), REMEDY):
+        check_names(declared, model)
+    return model
 
 
 @cache

@@ -77,13 +77,22 @@ def check_consistency(
             errors: dict[str, float] = {}
             for p in poses:
                 at = State(generated, kind, parameters, p, derivative, effects)
-                for name, found, expected, weight in _all(at):
-                    scale = max(float(np.max(np.abs(expected), initial=0.0)), weight)
-                    difference = float(np.max(np.abs(found - expected), initial=0.0))
-                    error = difference / scale if scale > 0.0 else 0.0
-                    errors[name] = max(errors.get(name, 0.0), error if np.isfinite(error) else np.inf)
+                try:
+                    for name, found, expected, weight in _all(at):
+                        errors[name] = max(errors.get(name, 0.0), _relative(found, expected, weight))
+                except np.linalg.LinAlgError as error:  # from NaN or zeros in the stiffness
+                    errors[f"the static equilibrium: {error}"] = np.inf
             checks += [Check(f"{name} ({name_of_kind})", error, bound) for name, error in errors.items()]
     return checks
+
+
+def _relative(found: Array, expected: Array, weight: float) -> float:
+    """Return the largest difference relative to the largest expected value, infinite where one is not a number."""
+    if not (np.isfinite(found).all() and np.isfinite(expected).all()):
+        return float(np.inf)
+    scale = max(float(np.max(np.abs(expected), initial=0.0)), weight)
+    difference = float(np.max(np.abs(found - expected), initial=0.0))
+    return difference / scale if scale > 0.0 else 0.0
 
 
 def _all(at: State) -> Iterator[Relation]:

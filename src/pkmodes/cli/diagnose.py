@@ -19,8 +19,8 @@ from pkmodes.cli.output import (
     check_target,
     deliver,
     json_option,
-    mechanism_option,
     named_as_options,
+    repeated_mechanism_option,
     to_file,
     write_json,
 )
@@ -31,6 +31,7 @@ from pkmodes.pasting import pasted
 
 if TYPE_CHECKING:
     from pkmodes.diagnosis import Diagnosis
+    from pkmodes.robot.robot import Robot
 
 #: Seconds between progress lines if stderr is not a terminal.
 SECONDS = 5.0
@@ -69,11 +70,12 @@ SECONDS = 5.0
     help="Verdicts that give exit code 1, separated by commas, or any for all except adequate; by default none.",
 )
 @band_option
-@mechanism_option
+@repeated_mechanism_option
 @json_option
 def diagnose(
     robot: Path,
     modes: Path,
+    mechanism: Path | None,
     candidates: str | None,
     holdout: str | None,
     save_to: Path | None,
@@ -119,18 +121,35 @@ def diagnose(
         else:
             show(declared, result)
         for path in saved:
-            command = f"pkmodes generate {pasted(path)} --out DIR"
+            option = f"--mechanism {pasted(mechanism)} " if mechanism else ""
+            command = f"pkmodes generate {option}{pasted(path)} --out DIR"
             click.echo(f"\nwrote {path}{_chosen(result)}; next: {command}", err=json_file == "-")
+            for constant in _set_only(declared, result):
+                text = (
+                    f"{constant} is known from the measurements alone: add its value in operation to {path}"
+                )
+                click.echo(text, err=json_file == "-")
     return 1 if result.verdict in failures else 0
 
 
 def _chosen(result: Diagnosis) -> str:
     """Say which of several indistinguishable causes the saved robot has, and how to save it with another."""
     return "".join(
-        f" with {found.name}; to save it with {' or '.join(found.members[1:])}: --candidates {found.members[1]}"
+        f" with {found.name}; the data cannot tell it from {' or '.join(found.members[1:])}: to save that instead, "
+        f"add --candidates {found.members[1]}"
         for found in result.effects
         if len(found.members) > 1
     )
+
+
+def _set_only(robot: Robot, result: Diagnosis) -> list[str]:
+    """Return the constants of the causes found that only the load cases have, such as a belt tension."""
+    in_loads = {path for row in result.rows for path in row.load}
+    causes = [robot.kind.effects[found.name] for found in result.effects if found.name in robot.kind.effects]
+    paths = [
+        f"effects.{effect.name}.{p.name}" for effect in causes for p in effect.parameters if not p.fitted
+    ]
+    return [path for path in paths if path in in_loads and path.removeprefix("effects.") not in robot.effects]
 
 
 def _names(text: str, option: str) -> list[str]:

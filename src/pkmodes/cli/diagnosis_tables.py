@@ -130,11 +130,19 @@ def _counts(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
     held = f" (held out: {', '.join(result.held_out_poses)})" if result.held_out_poses else ""
     terminal.line()
     terminal.line(f"{count} measured mode{'' if count == 1 else 's'} fitted{held}")
-    loads = {setting(robot.kind, row.load): row.pose for row in reversed(result.rows) if row.load}
+    loads: dict[str, dict[str, None]] = {}
+    for row in result.rows:
+        if row.load:
+            loads.setdefault(setting(robot.kind, row.load), {})[row.pose] = None
     if loads:
-        cases = [f"{load} (pose {pose})" for load, pose in list(loads.items())[::-1]]
+        cases = [f"{load} ({_poses(list(labels))})" for load, labels in loads.items()]
         more = f"; and {len(cases) - MOST_LISTED} more" if len(cases) > MOST_LISTED else ""
         terminal.line(f"set by the measurements: {'; '.join(cases[:MOST_LISTED])}{more}")
+
+
+def _poses(labels: Sequence[str]) -> str:
+    more = f" and {len(labels) - MOST_LISTED} more" if len(labels) > MOST_LISTED else ""
+    return f"pose{'' if len(labels) == 1 else 's'} {', '.join(labels[:MOST_LISTED])}{more}"
 
 
 def _refitted(terminal: Terminal, result: Diagnosis) -> None:

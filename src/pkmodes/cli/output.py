@@ -34,14 +34,15 @@ def _add_mechanism(_: click.Context, __: click.Parameter, folder: Path | None) -
     return folder
 
 
-mechanism_option = click.option(
-    "--mechanism",
-    metavar="FOLDER",
-    type=click.Path(path_type=Path),
-    callback=_add_mechanism,
-    expose_value=False,
-    help="A mechanism of your own: the folder that generate --mechanism FILE.py wrote.",
-)
+_MECHANISM: dict[str, Any] = {
+    "metavar": "FOLDER",
+    "type": click.Path(path_type=Path),
+    "callback": _add_mechanism,
+    "help": "A mechanism of your own: the folder that generate --mechanism FILE.py wrote.",
+}
+mechanism_option = click.option("--mechanism", expose_value=False, **_MECHANISM)
+#: The same for a command that prints other commands for the mechanism.
+repeated_mechanism_option = click.option("--mechanism", **_MECHANISM)
 
 band_option = click.option(
     "--band",

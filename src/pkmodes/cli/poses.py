@@ -55,16 +55,19 @@ def parse_pose(text: str, kind: Mechanism) -> list[float]:
 
 
 def check_metres(model: Model, text: str, point: list[float]) -> None:
-    """Reject a pose that could be reached if its bare lengths were in millimetres.
+    """Reject a pose that could be reached if its bare lengths, some of them large, were in millimetres.
 
     Raises
     ------
     PoseError
         Other poses that cannot be reached are left to the model to reject.
     """
+    from pkmodes.poses import LARGE
+
     lengths = [component.unit == "m" for component in model.kind.pose]
     smaller = [c / 1e3 if length else c for c, length in zip(point, lengths, strict=True)]
-    bare = not any(c.isalpha() for c in re.sub(r"\d[eE]", "", text))
+    large = any(length and abs(c) >= LARGE for c, length in zip(point, lengths, strict=True))
+    bare = large and not any(c.isalpha() for c in re.sub(r"\d[eE]", "", text))
     if bare and not model.check(point).valid and model.check(smaller).valid:
         parts = [part.strip() for part in text.split(",")]
         given = ",".join(

@@ -150,7 +150,7 @@ def _check(
 def _sentence(requirement: Requirement, place: str, margin: float, numbers: Mapping[str, Quantity]) -> str:
     """Format a requirement's sentence; ``{limits.min}`` is the value at that path in the table of the place."""
     values = {
-        "missing": Quantity(-margin, requirement.unit),
+        "missing": Quantity(0.0 - margin, requirement.unit),
         "value": Quantity(margin, requirement.unit),
         **{path.removeprefix(f"{place.rpartition('.')[0]}."): number for path, number in numbers.items()},
     }

@@ -8,7 +8,7 @@ from pkmodes.errors import MeasurementError, PoseError, nearest, shown
 from pkmodes.measured.measurements import Measurements
 from pkmodes.mechanism import Mechanism
 from pkmodes.model import Model
-from pkmodes.poses import check_poses, placed
+from pkmodes.poses import LARGE, check_poses, placed
 from pkmodes.updating.load_cases import LoadCases, load_cases, of_columns
 from pkmodes.updating.structure import channels
 
@@ -69,7 +69,8 @@ def _check_reachable(
     for factor, remedy in OTHER_LENGTHS.items():
         scaled = measurements.points * np.where(_lengths(kind), factor, 1.0)
         reached = check_poses(scaled, kind, parameters, "nan", model.max_condition).valid
-        if reached.all() and not valid.any():
+        large = np.abs(measurements.points[:, _lengths(kind)]).max(initial=0.0) >= LARGE
+        if reached.all() and not valid.any() and (factor > 1.0 or large):
             columns = ",".join(
                 f"{name} [mm]" if length else name for name, length in zip(names, _lengths(kind), strict=True)
             )

@@ -1,0 +1,34 @@
+"""Words that generated code uses for itself: no symbol of a mechanism may have one as its name."""
+
+from __future__ import annotations
+
+import keyword
+import re
+
+C_KEYWORDS = frozenset(
+    """
+    auto break case char const continue default do double else enum extern float for goto if inline int long main
+    register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
+    """.split()  # noqa: SIM905 - a list of quoted words would be harder to read
+)
+#: Functions of the C library, and what Python modules and vector code call their own.
+LIBRARY = frozenset(
+    """
+    acos acosh asin asinh atan atan2 atanh cbrt ceil cos cosh erf exp expm1 fabs floor fmax fmin fmod hypot log log10
+    log1p log2 memset pow round sin sinh sqrt tan tanh trunc gamma tgamma lgamma j0 j1 jn y0 y1 yn
+    np math arctan2 tuple list float int len range broadcast lane mask pose pick root parameters effects margin
+    """.split()  # noqa: SIM905
+)
+#: Shared subexpressions: t1, t2, ...
+NUMBERED = re.compile(r"t\d+")
+
+
+def has_a_meaning(name: str) -> bool:
+    """Whether a name would mean something else in generated code."""
+    return bool(
+        keyword.iskeyword(name)
+        or name in C_KEYWORDS
+        or name in LIBRARY
+        or NUMBERED.fullmatch(name)
+        or not name.isascii()
+    )
