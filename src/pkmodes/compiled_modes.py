@@ -14,10 +14,12 @@ from pkmodes.gathering import Out, allotted
 from pkmodes.poses import CHUNK, CheckedPoses, OnError, codes_of, given_poses, refuse
 from pkmodes.results import CARRIAGES, JOINTS
 from pkmodes.robot.robot import Robot
-from pkmodes.solving import check_resolved, fields_of_modes
+from pkmodes.solving import OF_MODES, Solved, fields_of_modes, solved
 
 Array = NDArray[np.float64]
-FREQUENCIES = "frequencies"
+EIGENVALUES = "eigenvalues"
+#: A lowest eigenvalue of vibration below this fraction of the others has few digits to lose.
+SOFT = 1e-5
 
 
 def compiled_modes(
@@ -64,27 +66,15 @@ def compiled_modes(
         refuse(points, evaluator.run(points, {}, threads), kind, robot.parameters)
     written = {JOINTS if name == CARRIAGES else name: array for name, array in rows.items()}
     released = evaluator.coordinates > evaluation.first
-    solves = bool({FREQUENCIES, "shapes", "platform_shapes"} & written.keys())
-    if (
-        released and solves and FREQUENCIES not in written
-    ):  # they tell whether a joint is too stiff for the solver
-        written[FREQUENCIES] = np.empty((len(points), evaluator.modes))
+    if released and OF_MODES & written.keys():  # they tell whether a joint is too stiff or too soft
+        written[EIGENVALUES] = np.empty((len(points), evaluator.modes))
     codes = evaluator.run(points, written, threads)
-    left = codes == UNSOLVED
-    if released and solves:
-        eigenvalues = written[FREQUENCIES] * np.abs(written[FREQUENCIES]) * (2.0 * np.pi) ** 2
-        left |= (codes == 0) & has_stiff_joint(eigenvalues, evaluation.first, evaluation.rigid_modes)
-        if evaluation.rigid_modes and not left.all():
-            check_resolved(
-                eigenvalues[(codes == 0) & ~left], evaluation.first, evaluation.rigid_modes, robot.source
-            )
-    if left.any():
-        places = np.flatnonzero(left)
-        for start in range(0, len(places), CHUNK):
-            some = places[start : start + CHUNK]
-            for name, values in fields_of_modes(robot, evaluation, points[some], asked).items():
-                rows[name][some] = values
-        codes[places] = 0
+    left = _left(evaluation, codes, written.get(EIGENVALUES))
+    for start in range(0, len(left), CHUNK):
+        some = left[start : start + CHUNK]
+        for name, values in fields_of_modes(robot, evaluation, points[some], asked).items():
+            rows[name][some] = values
+    codes[left] = 0
     if on_error == "raise":
         refuse(points, codes, kind, robot.parameters)
     for name, array in arrays.items():
@@ -93,11 +83,51 @@ def compiled_modes(
     return CheckedPoses(points, codes, batch, codes_of(kind)), arrays
 
 
+def compiled_solution(evaluator: Evaluator, evaluation: Evaluation, p: Array, source: str) -> Solved:
+    """Evaluate the matrices with NumPy and take the modes from the compiled evaluator: those of `compiled_modes`.
+
+    Parameters
+    ----------
+    evaluator : Evaluator
+    evaluation : Evaluation
+        Of the same robot.
+    p : ndarray, shape (N, d)
+        Poses that can be evaluated.
+    source : str
+        The robot, for messages.
+
+    Raises
+    ------
+    PoseError
+        As `pkmodes.solving.solved` does.
+    """
+    n, m = evaluator.coordinates, evaluator.modes
+    eigenvalues, shapes = np.empty((len(p), m)), np.empty((len(p), m, n))
+    codes = evaluator.run(np.ascontiguousarray(p), {EIGENVALUES: eigenvalues, "shapes": shapes})
+    left = _left(evaluation, codes, eigenvalues)
+    every = evaluation.all_coordinates(p)
+    M, K = (evaluation.free_part(matrix) for matrix in every)
+    if len(left):
+        found = solved(evaluation, p[left], source)
+        eigenvalues[left], shapes[left] = found.eigenvalues, found.shapes
+    return Solved(M, K, eigenvalues, shapes, every)
+
+
+def _left(evaluation: Evaluation, codes: NDArray[np.int8], eigenvalues: Array | None) -> NDArray[np.intp]:
+    """Poses that NumPy has to solve, or to refuse."""
+    left = codes == UNSOLVED
+    if eigenvalues is not None and eigenvalues.shape[1] > evaluation.first:
+        first, rigid = evaluation.first, evaluation.rigid_modes
+        soft = np.abs(eigenvalues[:, rigid]) < SOFT * np.abs(eigenvalues[:, first - 1])
+        left |= (codes == 0) & (has_stiff_joint(eigenvalues, first, rigid) | soft)
+    return np.flatnonzero(left)
+
+
 def _tail(name: str, robot: Robot, evaluator: Evaluator) -> tuple[int, ...]:
     """Shape of a field at one pose."""
     m, n, kind = evaluator.modes, evaluator.coordinates, robot.kind
     return {
-        FREQUENCIES: (m,),
+        "frequencies": (m,),
         "shapes": (m, n),
         "platform_shapes": (m, len(kind.directions)),
         JOINTS: (len(kind.independent),),

@@ -211,6 +211,7 @@ class Model(Kinematics):
         on_error: OnError = "raise",
         fields: Fields = None,
         out: Out = None,
+        backend: str = AUTO,
     ) -> Sensitivities:
         """Compute exact derivatives of matrices and modes with respect to parameters, at fixed platform poses.
 
@@ -225,6 +226,8 @@ class Model(Kinematics):
         fields : sequence of str, optional
             Which of `Sensitivities.FIELDS` to compute and keep; by default all, or the fields in `out`.  Without
             ``"shapes"`` and the matrices it takes a quarter of the time.
+        backend : {"auto", "numpy", "compiled"}
+            What solves the eigenproblem, as for `modes`: with the same one, repeated modes have the same basis.
 
         Returns
         -------
@@ -240,4 +243,4 @@ class Model(Kinematics):
         from pkmodes.sensitivity.sensitivities import sensitivities
 
         checked = self._check(poses, on_error)
-        return sensitivities(self.robot, checked, parameters, close, fields, out)
+        return sensitivities(self.robot, checked, parameters, close, fields, out, self._compiled(backend))

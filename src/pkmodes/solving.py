@@ -82,11 +82,11 @@ def solved(evaluation: Evaluation, p: Array, source: str) -> Solved:
         raise PoseError("the eigenvalues are not finite", source, "check the robot's magnitudes")
     first, rigid = evaluation.first, evaluation.rigid_modes
     if rigid and found.M.shape[-1] > first:
-        check_resolved(found.eigenvalues, first, rigid, source)
+        _check_resolved(found.eigenvalues, first, rigid, source)
     return found
 
 
-def check_resolved(eigenvalues: Array, first: int, rigid: int, source: str) -> None:
+def _check_resolved(eigenvalues: Array, first: int, rigid: int, source: str) -> None:
     """Reject a vibration near zero frequency: a robot with rigid-body modes has one only if a joint is too soft."""
     lost = np.abs(eigenvalues[:, rigid]) < RESOLVED * eigenvalues[:, first - 1]
     if lost.any():

@@ -4,8 +4,8 @@
  *
  * The mechanism linear_delta for the compiled evaluator.
  *
- * A part of the compiled evaluator, which includes it once for each instruction set: `lane` is a vector of doubles,
- * one for each pose.  Matrices are row-major; everything is in SI units.
+ * A part of the compiled evaluator, which includes it once for each instruction set: `lane` is a vector of
+ * doubles, one for each pose.  Matrices are row-major; everything is in SI units.
  *
  * Names in the code.  Indices: axis j; pulley k, or carriage k of a derivative; belt span s; component i = x,
  * y, z.  t1, t2, ... are subexpressions shared by several values.

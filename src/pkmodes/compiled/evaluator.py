@@ -15,7 +15,15 @@ from pkmodes.compiled.library import Library, Request
 
 Array = NDArray[np.float64]
 #: The fields that the kernel writes.
-FIELDS = ("frequencies", "shapes", "platform_shapes", "joint_positions", "mass_matrix", "stiffness_matrix")
+FIELDS = (
+    "frequencies",
+    "eigenvalues",
+    "shapes",
+    "platform_shapes",
+    "joint_positions",
+    "mass_matrix",
+    "stiffness_matrix",
+)
 #: Poses that are worth a thread of their own.
 SHARE = 2048
 #: The code of a pose whose eigenproblem needs another solver.

@@ -126,6 +126,8 @@ INLINE void lanes_write(const struct lanes_system *restrict system, const struct
             const lane frequency = with_sign(root(magnitude(value)), value) / TWO_PI;
             lanes_put_mode(block, request->frequencies, &frequency, 1, place[i], m);
         }
+        if (request->eigenvalues)
+            lanes_put_mode(block, request->eigenvalues, &problem->d[i], 1, place[i], m);
         if (!(request->shapes || request->platform_shapes))
             continue;
         lane x[LANES_ALL], shape[LANES_ALL], motion[LANES_DIRECTIONS];
@@ -250,7 +252,7 @@ static __attribute__((noinline)) void lanes_with_effects(
 /* As many blocks as there are units, from one pose on: what is asked of them, and why some are not evaluated. */
 INLINE void lanes_evaluate(const struct pkmodes_request *request, long long start, int units)
 {
-    const int modes = request->frequencies || request->shapes || request->platform_shapes;
+    const int modes = request->frequencies || request->eigenvalues || request->shapes || request->platform_shapes;
     const int matrices = request->mass || request->stiffness;
     struct lanes_system system[EIGEN_UNITS];
     lane pose[EIGEN_UNITS][LANES_POSE];

@@ -21,7 +21,7 @@ from pkmodes.compiled import build
 SHIPPED = Path(__file__).parent / "libraries"
 #: Folder for libraries built at first use, instead of the user's cache.
 CACHE_VARIABLE = "PKMODES_CACHE"
-LAYOUT = 1
+LAYOUT = 2
 INSTALL = "install a C compiler (gcc or clang), or name one in the environment variable CC"
 
 
@@ -80,6 +80,7 @@ class Request(ctypes.Structure):
         ("massless", ctypes.c_void_p),
         ("free_count", ctypes.c_longlong),
         ("frequencies", ctypes.c_void_p),
+        ("eigenvalues", ctypes.c_void_p),
         ("shapes", ctypes.c_void_p),
         ("platform_shapes", ctypes.c_void_p),
         ("joint_positions", ctypes.c_void_p),

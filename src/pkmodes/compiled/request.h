@@ -3,7 +3,7 @@
 #define PKMODES_REQUEST_H
 
 /* The layout below; a library of another layout is not used. */
-#define PKMODES_LAYOUT 1
+#define PKMODES_LAYOUT 2
 
 struct pkmodes_request {
     /* N poses, row-major. */
@@ -22,6 +22,7 @@ struct pkmodes_request {
     /* Results, n coordinates and m of them with inertia; NULL where not wanted.  A pose that cannot be evaluated gives
      * NaN. */
     double *frequencies;     /* (N, m) [Hz] */
+    double *eigenvalues;     /* (N, m) [1/s^2] */
     double *shapes;          /* (N, m, n) */
     double *platform_shapes; /* (N, m, directions) */
     double *joint_positions; /* (N, independent) */
