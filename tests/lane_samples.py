@@ -87,7 +87,15 @@ def results(
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     run = evaluator(given)
     n, m = run.coordinates, run.modes
-    tails = ((m,), (m, n), (m, len(given.kind.directions)), (len(given.kind.independent),), (n, n), (n, n))
+    tails = (
+        (m,),
+        (m,),
+        (m, n),
+        (m, len(given.kind.directions)),
+        (len(given.kind.independent),),
+        (n, n),
+        (n, n),
+    )
     # Poisoned, so that an entry that is not written shows.
     arrays = {name: np.full((len(poses), *tail), 12345.0) for name, tail in zip(FIELDS, tails, strict=True)}
     return run.run(np.ascontiguousarray(poses), arrays, width=width), arrays

@@ -18,8 +18,9 @@ from pkmodes.solving import OF_MODES, Solved, fields_of_modes, solved
 
 Array = NDArray[np.float64]
 EIGENVALUES = "eigenvalues"
-#: A lowest eigenvalue of vibration below this fraction of the others has few digits to lose.
-SOFT = 1e-5
+#: Released joints that hardly hold or hardly move cost digits: below this fraction of the highest eigenvalue of the
+#: base coordinates, or beyond this multiple of it, the reference implementation solves.
+SOFT, STIFF = 1e-5, 1e3
 
 
 def compiled_modes(
@@ -116,10 +117,11 @@ def compiled_solution(evaluator: Evaluator, evaluation: Evaluation, p: Array, so
 def _left(evaluation: Evaluation, codes: NDArray[np.int8], eigenvalues: Array | None) -> NDArray[np.intp]:
     """Poses that NumPy has to solve, or to refuse."""
     left = codes == UNSOLVED
-    if eigenvalues is not None and eigenvalues.shape[1] > evaluation.first:
-        first, rigid = evaluation.first, evaluation.rigid_modes
-        soft = np.abs(eigenvalues[:, rigid]) < SOFT * np.abs(eigenvalues[:, first - 1])
-        left |= (codes == 0) & (has_stiff_joint(eigenvalues, first, rigid) | soft)
+    first, rigid = evaluation.first, evaluation.rigid_modes
+    if eigenvalues is not None and len(evaluation.coordinates) > first:
+        last = np.abs(eigenvalues[:, first - 1])
+        soft, stiff = np.abs(eigenvalues[:, rigid]) < SOFT * last, eigenvalues[:, -1] > STIFF * last
+        left |= (codes == 0) & (has_stiff_joint(eigenvalues, first, rigid) | soft | stiff)
     return np.flatnonzero(left)
 
 
