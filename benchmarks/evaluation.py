@@ -16,6 +16,7 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -37,6 +38,8 @@ def main() -> None:
     poses = candidates[model.modes(candidates, on_error="nan").valid][:POSES]
     parameters = model.robot.parameters
     M, K = model.matrices(poses)
+    n = len(model.coordinates)
+    out = {"frequencies": np.empty((POSES, n)), "shapes": np.empty((POSES, n, n))}
     with tempfile.TemporaryDirectory() as folder:
         generate(ROBOT, Path(folder))
         specialised = load(Path(folder) / "linear_delta_2022.py")
@@ -59,7 +62,34 @@ def main() -> None:
                 500,
                 lambda: scipy_loop(M[:500], K[:500]),
             ),
-            "modes: everything": (POSES, lambda: model.modes(poses)),
+            "modes: everything, NumPy": (POSES, lambda: model.modes(poses, backend="numpy")),
+            "modes: everything, compiled, one thread": (
+                POSES,
+                lambda: model.modes(poses, backend="compiled", threads=1),
+            ),
+            "frequencies and shapes, compiled, one thread, out=": (
+                POSES,
+                lambda: model.modes(poses, out=out, backend="compiled", threads=1),
+            ),
+            "frequencies, compiled, one thread, out=": (
+                POSES,
+                lambda: model.frequencies(poses, out=out["frequencies"], backend="compiled", threads=1),
+            ),
+            "frequencies, compiled, all threads, out=": (
+                POSES,
+                lambda: model.frequencies(poses, out=out["frequencies"], backend="compiled"),
+            ),
+            "frequencies, NumPy": (POSES, lambda: model.frequencies(poses, backend="numpy")),
+            "modes of a single pose, NumPy": (1, lambda: model.modes(poses[0], backend="numpy")),
+            "modes of a single pose, compiled": (1, lambda: model.modes(poses[0], backend="compiled")),
+            "frequencies of a single pose, compiled": (
+                1,
+                lambda: model.frequencies(poses[0], backend="compiled"),
+            ),
+            "M and K by lambdify, and scipy.linalg.eigh, in a loop": (
+                500,
+                lambda: lambdified_loop(poses[:500], parameters),
+            ),
             "extended M and K, all sensitivities, one pose at a time": (
                 20,
                 lambda: [model.sensitivities(p) for p in poses[:20]],
@@ -86,6 +116,44 @@ def report(ways: dict[str, tuple[int, Callable[[], object]]]) -> None:
     print(f"{POSES} poses, best of {REPETITIONS}; 1.00 is the way pkmodes computes M and K")
     for name, seconds in sorted(best.items(), key=lambda item: item[1]):
         print(f"{name:56} {seconds / reference:9.2f}   {1e6 * seconds:8.2f} us/pose")
+
+
+@cache
+def lambdified() -> Callable[..., tuple]:
+    """What SymPy's users do: the same expressions, shared subexpressions found by lambdify."""
+    import sympy
+
+    from pkmodes_derive.emit.program import arrange
+    from pkmodes_derive.mechanisms import base
+
+    model = base("linear_delta")
+    (function,) = (f for f in model.functions if f.name == "modal_matrices")
+    program = arrange(function)
+    values = [entry.value for result in program.results for entry in result.entries]
+    for symbol, step in reversed(program.steps):
+        values = [value.xreplace({symbol: step}) for value in values]
+    pose = function.arguments[0].symbols
+    fields = [symbol for field in model.groups[0].fields for symbol in field.symbols]
+    evaluate = sympy.lambdify([*pose, *fields], values, modules="numpy", cse=True)
+    places = [
+        (r.output.name, place) for r in program.results for entry in r.entries for place in [entry.places]
+    ]
+    return lambda *numbers: (evaluate(*numbers), places)
+
+
+def lambdified_loop(poses: np.ndarray, parameters: tuple) -> list:
+    from scipy.linalg import eigh
+
+    numbers = np.concatenate([np.ravel(value) for value in parameters])
+    found = []
+    for p in poses:
+        matrices = {"M": np.zeros((9, 9)), "K": np.zeros((9, 9))}
+        values, places = lambdified()(*p, *numbers)
+        for value, (name, at) in zip(values, places, strict=True):
+            for place in at:
+                matrices[name][place] = value
+        found.append(eigh(matrices["K"], matrices["M"]))
+    return found
 
 
 def scipy_loop(M: np.ndarray, K: np.ndarray) -> list:

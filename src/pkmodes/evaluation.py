@@ -13,6 +13,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.compiled.lanes import Lanes, flat
 from pkmodes.generated import Generated
 from pkmodes.mechanism import Mechanism
 from pkmodes.regular import declared, regular_poses, sample
@@ -57,12 +58,16 @@ class Evaluation(Protocol):
     def statics(self, p: Array) -> tuple[Array, Array]:
         """Return torques (N, drives) [N m] and static values of the dependent coordinates (N, ...)."""
 
+    def lanes(self) -> Lanes:
+        """The robot as the compiled evaluator takes it."""
+
 
 class BaseEvaluation:
     """The base model, without effects."""
 
     def __init__(self, kind: Mechanism, parameters: Any) -> None:
-        self._kind, self._generated = kind, Generated(kind.model, parameters)
+        self._kind, self._parameters = kind, parameters
+        self._generated = Generated(kind.model, parameters)
         self.coordinates = tuple(q.name for q in kind.coordinates)
         self.first = len(self.coordinates)
         self.rigid_modes = kind.rigid_modes
@@ -93,6 +98,11 @@ class BaseEvaluation:
         """Return torques (N, drives) [N m] and static values of the dependent coordinates (N, ...)."""
         torques, values = self._generated.static_equilibrium(p)
         return torques, values
+
+    def lanes(self) -> Lanes:
+        """The robot as the compiled evaluator takes it."""
+        none = np.empty(0)
+        return Lanes(flat(self._parameters), none, none, none.astype(np.int32), none.astype(np.int8))
 
 
 class SystemOfEffects:
@@ -235,6 +245,16 @@ class SystemOfEffects:
         """Return torques (N, drives) [N m] and static values of the dependent coordinates (N, ...)."""
         torques, values = self._generated.extended_static_equilibrium(p)
         return torques, values
+
+    def lanes(self) -> Lanes:
+        """The robot as the compiled evaluator takes it."""
+        return Lanes(
+            flat(self.parameters),
+            flat(self.effects),
+            np.ascontiguousarray(self.joints),
+            self.free.astype(np.int32),
+            self.massless().astype(np.int8),
+        )
 
     def _entries_of_geometry(self) -> tuple[int, int]:
         listed = self.kind.extended.GEOMETRY_SENSITIVITIES

@@ -76,6 +76,51 @@ def _check_out(name: str, array: object, asked: list[str]) -> None:
         raise PkmodesError("the array is read-only", where, "give a writable array")
 
 
+def _check_fits(name: str, array: Array, shape: tuple[int, ...], dtype: np.dtype[Any]) -> None:
+    if array.dtype != dtype or array.shape != shape:
+        raise PkmodesError(
+            f"expected an array of shape {shape} and type {dtype}, "
+            f"found shape {array.shape} and type {array.dtype}",
+            f"out: {name}",
+            f"use numpy.empty({shape}, {dtype})",
+        )
+
+
+def allotted(
+    tails: Mapping[str, tuple[int, ...]], batch: tuple[int, ...], out: Out
+) -> tuple[dict[str, Array], dict[str, Array]]:
+    """Allot arrays of doubles that are filled as a whole.
+
+    Parameters
+    ----------
+    tails : mapping of str to tuple of int
+        Shape of each field at one pose.
+    batch : tuple of int
+        Shape of the poses.
+    out : mapping of str to ndarray, optional
+        Arrays of the caller's.
+
+    Returns
+    -------
+    arrays : dict of str to ndarray, shape (..., *tail)
+        The caller's array, or a new one.
+    rows : dict of str to ndarray, shape (N, *tail)
+        Contiguous: a view of the array, or a stand-in where that is not possible.
+    """
+    arrays, rows = {}, {}
+    for name, tail in tails.items():
+        array = None if out is None else out.get(name)
+        shape = (*batch, *tail)
+        if array is None:
+            array = np.empty(shape)
+        else:
+            _check_fits(name, array, shape, np.dtype(float))
+        arrays[name] = array
+        whole = array if array.flags.c_contiguous else np.empty(shape)
+        rows[name] = whole.reshape(-1, *tail)
+    return arrays, rows
+
+
 class Gathered:
     """Arrays with the leading axes of the caller's poses, filled part by part.
 
@@ -113,13 +158,8 @@ class Gathered:
         array = self._out.get(name)
         if array is None:
             array = np.empty(shape, part.dtype)
-        elif array.dtype != part.dtype or array.shape != shape:
-            raise PkmodesError(
-                f"expected an array of shape {shape} and type {part.dtype}, "
-                f"found shape {array.shape} and type {array.dtype}",
-                f"out: {name}",
-                f"use numpy.empty({shape}, {part.dtype})",
-            )
+        else:
+            _check_fits(name, array, shape, part.dtype)
         if self._poses.codes.any():
             array[...] = -1 if part.dtype.kind == "i" else np.nan
         flat = array.reshape(len(self._poses.points), *array.shape[len(self._poses.batch) :])

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pkmodes.backends import AUTO, COMPILED, NUMPY, checked_threads, chosen, compiled
 from pkmodes.evaluation import evaluation, matrices
 from pkmodes.gathering import Fields, Gathered, Out, chosen_fields
 from pkmodes.kinematics import Kinematics
@@ -21,6 +22,7 @@ from pkmodes.robot.robot import Robot
 from pkmodes.solving import fields_of_modes
 
 if TYPE_CHECKING:
+    from pkmodes.compiled.evaluator import Evaluator
     from pkmodes.sensitivity.sensitivities import Sensitivities
 
 Array = NDArray[np.float64]
@@ -54,6 +56,7 @@ class Model(Kinematics):
         super().__init__(robot, max_condition)
         self._evaluation = evaluation(robot)
         self.coordinates = self._evaluation.coordinates
+        self._evaluators: dict[str, Evaluator | None] = {}
 
     def __repr__(self) -> str:
         return f"Model({self.robot.name!r}, {self.robot.mechanism}, {len(self.coordinates)} coordinates)"
@@ -67,7 +70,14 @@ class Model(Kinematics):
         return Model(self.robot.with_values(values), self.max_condition)
 
     def modes(
-        self, poses: ArrayLike, on_error: OnError = "raise", *, fields: Fields = None, out: Out = None
+        self,
+        poses: ArrayLike,
+        on_error: OnError = "raise",
+        *,
+        fields: Fields = None,
+        out: Out = None,
+        backend: str = AUTO,
+        threads: int | None = None,
     ) -> Modes:
         """Compute natural frequencies, mode shapes and matrices.
 
@@ -82,6 +92,11 @@ class Model(Kinematics):
             all, or the fields in `out`.  The values of a field do not depend on the other fields requested.
         out : mapping of str to ndarray, optional
             Arrays to fill in place, by field, with the shapes given in `Modes`; they become the fields.
+        backend : {"auto", "numpy", "compiled"}
+            What evaluates the modes: by default the compiled library if there is one, unless the environment variable
+            ``PKMODES_BACKEND`` says otherwise.  `Modes.backend` tells which one ran.
+        threads : int, optional
+            Threads of the compiled library, by default one per core; the results do not depend on it.
 
         Returns
         -------
@@ -91,7 +106,8 @@ class Model(Kinematics):
         Raises
         ------
         PkmodesError
-            If a field is unknown, or an array in `out` has the wrong shape or type or is read-only.
+            If a field is unknown, or an array in `out` has the wrong shape or type or is read-only. Also if
+            `backend` is "compiled" and there is no compiled library.
 
         Examples
         --------
@@ -104,32 +120,48 @@ class Model(Kinematics):
         array(['', 'limits'], dtype='<U9')
         """
         asked = chosen_fields(fields, out, Modes.fields_of(self.kind))
-        checked = self._check(poses, on_error)
-        gathered = Gathered(checked, out)
         # Both names refer to the same values; they share one array unless the caller passes a second one.
         same = {JOINTS, CARRIAGES} <= set(asked) and CARRIAGES not in (out or ())
         computed = [name for name in asked if not (same and name == CARRIAGES)]
-        for where, p in checked.parts(CHUNK):
-            gathered.put(where, fields_of_modes(self.robot, self._evaluation, p, computed))
+        evaluator, number = self._compiled(backend), checked_threads(threads)
+        if evaluator is None:
+            checked = self._check(poses, on_error)
+            gathered = Gathered(checked, out)
+            for where, p in checked.parts(CHUNK):
+                gathered.put(where, fields_of_modes(self.robot, self._evaluation, p, computed))
+            arrays = gathered.arrays
+        else:
+            from pkmodes.compiled_modes import compiled_modes
+
+            checked, arrays = compiled_modes(
+                evaluator, self.robot, self._evaluation, poses, on_error, computed, out, number
+            )
         if same:
-            gathered.arrays[CARRIAGES] = gathered.arrays[JOINTS]
+            arrays[CARRIAGES] = arrays[JOINTS]
         return Modes(
             codes=checked.codes.reshape(checked.batch),
             known=checked.known,
-            arrays=gathered.arrays,
+            arrays=arrays,
             poses=checked.points.reshape((*checked.batch, -1)),
             coordinates=self.coordinates,
             rigid_modes=self._evaluation.rigid_modes,
+            backend=NUMPY if evaluator is None else COMPILED,
         )
 
     def frequencies(
-        self, poses: ArrayLike, on_error: OnError = "raise", *, out: Array | None = None
+        self,
+        poses: ArrayLike,
+        on_error: OnError = "raise",
+        *,
+        out: Array | None = None,
+        backend: str = AUTO,
+        threads: int | None = None,
     ) -> Array:
         """Compute only the natural frequencies; they equal those of `modes` to the last digit.
 
         Parameters
         ----------
-        poses, on_error
+        poses, on_error, backend, threads
             As for `modes`; `check` says why a pose gives NaN.
         out : ndarray of float, shape (..., m), optional
             Filled in place and returned.
@@ -140,7 +172,17 @@ class Model(Kinematics):
             sqrt(abs(lambda)) / (2 pi) with the sign of lambda [Hz], the rigid-body modes first.
         """
         given = None if out is None else {"frequencies": out}
-        return self.modes(poses, on_error, fields=("frequencies",), out=given).frequencies
+        found = self.modes(
+            poses, on_error, fields=("frequencies",), out=given, backend=backend, threads=threads
+        )
+        return found.frequencies
+
+    def _compiled(self, backend: str) -> Evaluator | None:
+        """The compiled evaluator, None where NumPy computes."""
+        name = chosen(backend)
+        if name not in self._evaluators:
+            self._evaluators[name] = compiled(self.kind, self._evaluation, self.max_condition, name)
+        return self._evaluators[name]
 
     def matrices(self, poses: ArrayLike, on_error: OnError = "raise") -> tuple[Array, Array]:
         """Compute the mass and stiffness matrices (equations 33 and 48).
@@ -169,6 +211,7 @@ class Model(Kinematics):
         on_error: OnError = "raise",
         fields: Fields = None,
         out: Out = None,
+        backend: str = AUTO,
     ) -> Sensitivities:
         """Compute exact derivatives of matrices and modes with respect to parameters, at fixed platform poses.
 
@@ -183,6 +226,8 @@ class Model(Kinematics):
         fields : sequence of str, optional
             Which of `Sensitivities.FIELDS` to compute and keep; by default all, or the fields in `out`.  Without
             ``"shapes"`` and the matrices it takes a quarter of the time.
+        backend : {"auto", "numpy", "compiled"}
+            What solves the eigenproblem, as for `modes`: with the same one, repeated modes have the same basis.
 
         Returns
         -------
@@ -198,4 +243,4 @@ class Model(Kinematics):
         from pkmodes.sensitivity.sensitivities import sensitivities
 
         checked = self._check(poses, on_error)
-        return sensitivities(self.robot, checked, parameters, close, fields, out)
+        return sensitivities(self.robot, checked, parameters, close, fields, out, self._compiled(backend))

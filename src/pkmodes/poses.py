@@ -132,29 +132,62 @@ def check_poses(
         If the array does not hold poses; with ``on_error="raise"`` also if a pose is not finite or violates a
         condition of the mechanism.
     """
+    points, batch = given_poses(poses, kind, on_error)
+    codes = np.empty(len(points), dtype=np.int8)
+    for start in range(0, len(points), CHUNK):
+        part = slice(start, start + CHUNK)
+        codes[part] = _codes(points[part], kind, parameters, max_condition)
+    if on_error == "raise":
+        refuse(points, codes, kind, parameters)
+    return CheckedPoses(points, codes, batch, codes_of(kind))
+
+
+def given_poses(poses: ArrayLike, kind: Mechanism, on_error: OnError) -> tuple[Array, tuple[int, ...]]:
+    """Check the arguments of a method that takes poses: the poses as (N, d), and the shape that they had without d.
+
+    Raises
+    ------
+    PoseError
+        If the array is not one of poses, or `on_error` is unknown.
+    """
     if not (isinstance(on_error, str) and on_error in ("raise", "nan")):
         raise PoseError(
             f'expected on_error "raise" or "nan", found {shown(on_error)}',
             "on_error",
             "choose one of the two",
         )
-    points, batch = as_points(poses, "poses", len(kind.pose), f"give {_in_words(kind)}")
-    codes = np.empty(len(points), dtype=np.int8)
-    for start in range(0, len(points), CHUNK):
-        part = slice(start, start + CHUNK)
-        codes[part] = _codes(points[part], kind, parameters, max_condition)
-    if on_error == "raise" and codes.any():
-        index = int(np.argmax(codes != 0))
-        one = slice(index, index + 1)
-        ((what, remedy),) = explained(points[one], codes[one], kind, parameters)
-        bad = int(np.count_nonzero(codes))
-        where = f"pose {index} at {placed(kind, points[index])}" + (
-            f", the first of {bad} bad poses" if bad > 1 else ""
-        )
-        if len(points) > 1:
-            remedy += ', or use on_error="nan" to get NaN instead'
-        raise PoseError(what, where, remedy, index)
-    return CheckedPoses(points, codes, batch, codes_of(kind))
+    return as_points(poses, "poses", len(kind.pose), f"give {_in_words(kind)}")
+
+
+def refuse(points: Array, codes: NDArray[np.int8], kind: Mechanism, parameters: Any) -> None:
+    """Raise the error of the first pose that cannot be evaluated, if there is one.
+
+    Parameters
+    ----------
+    points : ndarray, shape (N, d)
+    codes : ndarray of int8, shape (N,)
+        Indices into `codes_of`.
+    kind : Mechanism
+    parameters : Parameters
+        The robot.
+
+    Raises
+    ------
+    PoseError
+        That of the first bad pose.
+    """
+    if not codes.any():
+        return
+    index = int(np.argmax(codes != 0))
+    one = slice(index, index + 1)
+    ((what, remedy),) = explained(points[one], codes[one], kind, parameters)
+    bad = int(np.count_nonzero(codes))
+    where = f"pose {index} at {placed(kind, points[index])}" + (
+        f", the first of {bad} bad poses" if bad > 1 else ""
+    )
+    if len(points) > 1:
+        remedy += ', or use on_error="nan" to get NaN instead'
+    raise PoseError(what, where, remedy, index)
 
 
 def largest_condition(given: float) -> float:

@@ -99,6 +99,8 @@ class Modes(ChosenFields):
         Names of the generalised coordinates, in the order of the matrices.
     rigid_modes : int
         Number of modes that strain nothing elastic; they come first.
+    backend : {"numpy", "compiled"}
+        What evaluated them.
     valid : ndarray of bool, shape (...)
         Which poses could be evaluated.
     reason : ndarray of str, shape (...)
@@ -137,6 +139,7 @@ class Modes(ChosenFields):
     poses: Array
     coordinates: tuple[str, ...]
     rigid_modes: int
+    backend: str = "numpy"
     frequencies: Array = field(init=False)
     shapes: Array = field(init=False)
     platform_shapes: Array = field(init=False)

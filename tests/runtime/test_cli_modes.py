@@ -31,6 +31,7 @@ KEYS = {
     "stiffness_matrix",
     "static_torques",
     "rigid_modes",
+    "backend",
 }
 
 

@@ -15,7 +15,7 @@ import pkmodes_derive
 from pkmodes_derive import mechanisms
 from pkmodes_derive.definition import FILE_NAME
 from pkmodes_derive.description import as_data
-from pkmodes_derive.emit import c99, manifest, numpy
+from pkmodes_derive.emit import c99, lanes, manifest, numpy
 from pkmodes_derive.emit.program import Program, arrange
 from pkmodes_derive.emit.provenance import ANY_ROBOT, Provenance, pasteable
 from pkmodes_derive.emit.specification import Specification
@@ -59,8 +59,14 @@ def parametric(mechanism: str, definition: str = "") -> dict[str, str]:
             origin=f"the derivation of {mechanism} and the catalogue of effects",
         ),
     )
-    texts |= extended_texts
-    programs |= extended_programs
+    lane_texts, lane_programs = lanes.files(
+        model,
+        mechanisms.extended(mechanism),
+        mechanisms.description(mechanism),
+        replace(provenance, title=f"The mechanism {mechanism} for the compiled evaluator."),
+    )
+    texts |= extended_texts | lane_texts
+    programs |= extended_programs | lane_programs
     data = as_data(mechanisms.description(mechanism))
     texts["description.json"] = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
     texts["__init__.py"] = (

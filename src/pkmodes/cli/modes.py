@@ -54,6 +54,7 @@ def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:
         "stiffness_matrix": result.stiffness_matrix.tolist(),
         "static_torques": statics.torques.tolist(),
         "rigid_modes": result.rigid_modes,
+        "backend": result.backend,
     }
     if CARRIAGES in Modes.fields_of(model.kind):
         found[CARRIAGES] = result.carriage_positions.tolist()

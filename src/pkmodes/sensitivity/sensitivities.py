@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +19,10 @@ from pkmodes.robot.paths import ParameterPath, paths, resolve_all
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.sensitivity.modes import ROUNDING, branches, groups, mode_derivatives
-from pkmodes.solving import solved
+from pkmodes.solving import Solved, solved
+
+if TYPE_CHECKING:
+    from pkmodes.compiled.evaluator import Evaluator
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
@@ -95,6 +98,7 @@ def sensitivities(
     close: float,
     fields: Fields = None,
     out: Out = None,
+    evaluator: Evaluator | None = None,
 ) -> Sensitivities:
     """Evaluate the sensitivities of a robot; see `pkmodes.Model.sensitivities`."""
     chosen = _chosen(robot, parameters)
@@ -105,7 +109,7 @@ def sensitivities(
     gathered = Gathered(poses, out)
     # In parts of equal size: a single pose is evaluated differently, which gives repeated modes another basis.
     for where, p in poses.parts(TOGETHER, even=True):
-        gathered.put(where, _at(robot, system, p, chosen, float(close), asked))
+        gathered.put(where, _at(robot, system, p, chosen, float(close), asked, evaluator))
     return Sensitivities(
         codes=poses.codes.reshape(poses.batch),
         known=poses.known,
@@ -136,11 +140,12 @@ def _at(
     chosen: list[ParameterPath],
     close: float,
     asked: Collection[str],
+    evaluator: Evaluator | None,
 ) -> dict[str, NDArray[Any]]:
     """Compute the requested fields at some poses."""
     of_modes = {"eigenvalues", "frequencies", "shapes", "groups"} & set(asked)
     # Bitwise the matrices of `Model.modes`, so that repeated modes have the same basis.
-    at = solved(system, p, robot.source) if of_modes else None
+    at = _solution(system, p, robot.source, evaluator) if of_modes else None
     extended = system if isinstance(system, SystemOfEffects) else SystemOfEffects.of(robot)
     every = at.every if at is not None and extended is system else None
     derivatives = MatrixDerivatives(extended, p, [chosen], every)
@@ -174,6 +179,15 @@ def _at(
             twice = 4.0 * np.pi * np.sqrt(np.where(nothing, np.nan, size))
             found["frequencies"] = found["eigenvalues"] / twice[:, None]
     return {name: found[name] for name in asked}
+
+
+def _solution(system: Evaluation, p: Array, source: str, evaluator: Evaluator | None) -> Solved:
+    """Solve as `Model.modes` does, so that repeated modes have the same basis."""
+    if evaluator is None or not len(p):
+        return solved(system, p, source)
+    from pkmodes.compiled_modes import compiled_solution
+
+    return compiled_solution(evaluator, system, p, source)
 
 
 def _rates(derivatives: MatrixDerivatives, eigenvalues: Array, shapes: Array, group: Index) -> Array:

@@ -1,0 +1,94 @@
+"""What the compiled evaluator asks of a mechanism, put together from the functions of its two models."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from sympy import Expr, Integer, Symbol
+
+from pkmodes_derive.description import Description, Margin
+from pkmodes_derive.functions import Function, Model, Output
+
+
+def position(model: Model, description: Description) -> Function:
+    """Independent coordinates and every margin of the mechanism, one after the other."""
+    by_name = {f.name: f for f in model.functions}
+    kinematics = by_name["inverse_kinematics"]
+    margins = [_output(by_name, margin) for margin in description.margins]
+    entries = tuple(entry for output in margins for entry in output.entries)
+    used = [kinematics, *(by_name[margin.function] for margin in description.margins)]
+    (q,) = kinematics.outputs
+    return Function(
+        "position",
+        f"{kinematics.summary.rstrip('.')}, and the margins of a pose.",
+        "inverse_kinematics and " + ", ".join(dict.fromkeys(m.function for m in description.margins)),
+        kinematics.arguments,
+        (
+            Output("q", q.shape, q.entries, q.unit, q.description),
+            Output(
+                "margin", (len(entries),), entries, "m, rad, 1", "in the order of LANES_RULES", listed=True
+            ),
+        ),
+        _definitions(used),
+    )
+
+
+def margins_of(model: Model, description: Description) -> list[tuple[int, str]]:
+    """How many numbers each margin has, and its rule."""
+    by_name = {f.name: f for f in model.functions}
+    return [(len(_output(by_name, margin).entries), margin.rule) for margin in description.margins]
+
+
+def base(model: Model, description: Description) -> Function:
+    """M, K and the motion of the platform without effects."""
+    by_name = {f.name: f for f in model.functions}
+    matrices, jacobian = by_name["modal_matrices"], by_name["platform_jacobian"]
+    M, K = matrices.outputs
+    (D_p,) = jacobian.outputs
+    pose = [component.name for component in description.pose]
+    names = [component.name for component in description.coordinates]
+    width = D_p.shape[1]
+    entries: list[Expr] = []
+    for direction in description.directions:
+        row = D_p.entries[pose.index(direction) * width :][:width]
+        at = {names.index(name): value for name, value in zip(description.independent, row, strict=True)}
+        entries += [at.get(i, Integer(0)) for i in range(len(names))]
+    motion = Output(
+        "J_p",
+        (len(description.directions), len(names)),
+        tuple(entries),
+        D_p.unit,
+        "motion of the platform with respect to every coordinate",
+    )
+    return Function(
+        "base",
+        "Mass and stiffness matrices without effects, and the motion of the platform.",
+        "modal_matrices and platform_jacobian",
+        matrices.arguments,
+        (M, K, motion),
+        _definitions([matrices, jacobian]),
+    )
+
+
+def extended(model: Model) -> Function:
+    """M, K and the motion of the platform with the coordinates of all released joints, joints free."""
+    by_name = {f.name: f for f in model.functions}
+    matrices, motion = by_name["extended_matrices"], by_name["extended_platform_motion"]
+    M, K_el, K_g = matrices.outputs
+    K = tuple(a + b for a, b in zip(K_el.entries, K_g.entries, strict=True))
+    return Function(
+        "extended",
+        "Mass and stiffness matrices with all released joints free, and the motion of the platform.",
+        "extended_matrices and extended_platform_motion",
+        matrices.arguments,
+        (M, Output("K", K_el.shape, K, K_el.unit, "K_el + K_g"), *motion.outputs),
+        _definitions([matrices, motion]),
+    )
+
+
+def _output(by_name: Mapping[str, Function], margin: Margin) -> Output:
+    return by_name[margin.function].outputs[margin.output]
+
+
+def _definitions(functions: Iterable[Function]) -> dict[Symbol, Expr]:
+    return {symbol: value for f in functions for symbol, value in f.definitions.items()}

@@ -1,0 +1,31 @@
+"""One expression, printed for lanes: the C99 text, with numbers as doubles and the lanes' own functions."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from sympy import Expr, Integer
+
+from pkmodes_derive.emit.c99.printer import C99Printer
+
+
+class LanesPrinter(C99Printer):
+    """Expressions in which a name is a double or a vector of them: the operators are the same for both."""
+
+    #: Before the names of functions: these have a version for lanes and one for a double.
+    _ns: ClassVar[str] = "lanes_"
+
+    def _print_Integer(self, expr: Integer) -> str:
+        return f"{int(expr)}.0"
+
+
+def expression(value: Expr) -> str:
+    """Print for lanes.
+
+    Raises
+    ------
+    PrintMethodNotImplementedError
+        If it holds a function that C99 does not have.
+    """
+    text: str = LanesPrinter({"strict": True}).doprint(value)
+    return text

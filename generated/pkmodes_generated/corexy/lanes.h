@@ -1,0 +1,291 @@
+/* Generated from the derivation of corexy.
+ * By pkmodes_derive 0.1.0 with SymPy 1.14.0.
+ * Do not edit: regenerate with `python -m pkmodes_derive generate`.
+ *
+ * The mechanism corexy for the compiled evaluator.
+ *
+ * A part of the compiled evaluator, which includes it once for each instruction set: `lane` is a vector of
+ * doubles, one for each pose.  Matrices are row-major; everything is in SI units.
+ *
+ * Names in the code.  Indices: belt j; run s of a belt.  t1, t2, ... are subexpressions shared by several
+ * values.
+ *   I_j [kg m^2]: moment of inertia of motor pulley j, including the motor
+ *   l_f_j_s [m]: free length of run s of belt j
+ *   k_j_s [N/m]: stiffness of run s of belt j
+ */
+#define LANES_POSE 2
+#define LANES_INDEPENDENT 2
+#define LANES_DIRECTIONS 2
+#define LANES_BASE 4
+#define LANES_ALL 10
+#define LANES_RIGID 2
+#define LANES_PARAMETERS 29
+#define LANES_EFFECTS 14
+#define LANES_MARGINS 4
+
+/* How many numbers each margin of a pose has, and how they must compare. */
+static const struct lanes_rule LANES_RULES[] = {
+    {4, LANES_AT_LEAST_ZERO},
+};
+
+/* Positions at a pose, and the margins of a pose.
+ *
+ * Source: inverse_kinematics and travel_margin.
+ * 4 operations; 4 with every named value expanded.
+ */
+static inline void lanes_position(const lane *restrict pose, const double *restrict parameters,
+    const double *restrict effects, lane *restrict q, lane *restrict margin)
+{
+    (void)pose;
+    (void)parameters;
+    (void)effects;
+    const lane x = pose[0];
+    const lane y = pose[1];
+    const double travel_min_x = parameters[25];
+    const double travel_max_x = parameters[26];
+    const double travel_min_y = parameters[27];
+    const double travel_max_y = parameters[28];
+    q[0] = LANES(x);
+    q[1] = LANES(y);
+    margin[0] = LANES(-travel_min_x + x);
+    margin[1] = LANES(travel_max_x - x);
+    margin[2] = LANES(-travel_min_y + y);
+    margin[3] = LANES(travel_max_y - y);
+}
+
+/* Mass and stiffness matrices without effects, and the motion of the platform.
+ *
+ * Source: modal_matrices and platform_jacobian.
+ * 74 operations; 317 with every named value expanded.
+ */
+static inline void lanes_base(const lane *restrict pose, const double *restrict parameters,
+    const double *restrict effects, lane *restrict M, lane *restrict K, lane *restrict J_p)
+{
+    (void)pose;
+    (void)parameters;
+    (void)effects;
+    const lane x = pose[0];
+    const lane y = pose[1];
+    const double m_h = parameters[0];
+    const double m_g = parameters[1];
+    const double g_1_1 = parameters[5];
+    const double g_1_2 = parameters[6];
+    const double g_2_1 = parameters[7];
+    const double g_2_2 = parameters[8];
+    const double l_0_1_1 = parameters[9];
+    const double l_0_1_2 = parameters[10];
+    const double l_0_2_1 = parameters[11];
+    const double l_0_2_2 = parameters[12];
+    const double k_sp_1 = parameters[13];
+    const double k_sp_2 = parameters[14];
+    const double w_b_1 = parameters[15];
+    const double w_b_2 = parameters[16];
+    const double R_p_1 = parameters[17];
+    const double R_p_2 = parameters[18];
+    const double I_p_1 = parameters[19];
+    const double I_p_2 = parameters[20];
+    const double I_m_1 = parameters[21];
+    const double I_m_2 = parameters[22];
+    const double i_g_1 = parameters[23];
+    const double i_g_2 = parameters[24];
+    const double I_1 = I_m_1*(i_g_1*i_g_1) + I_p_1;
+    const double I_2 = I_m_2*(i_g_2*i_g_2) + I_p_2;
+    const lane t1 = g_1_1*x + g_1_2*y;
+    const lane l_f_1_1 = l_0_1_1 + t1;
+    const double t2 = k_sp_1*w_b_1;
+    const lane k_1_1 = t2/l_f_1_1;
+    const lane l_f_1_2 = l_0_1_2 - t1;
+    const lane k_1_2 = t2/l_f_1_2;
+    const lane t3 = g_2_1*x + g_2_2*y;
+    const lane l_f_2_1 = l_0_2_1 + t3;
+    const double t4 = k_sp_2*w_b_2;
+    const lane k_2_1 = t4/l_f_2_1;
+    const lane l_f_2_2 = l_0_2_2 - t3;
+    const lane k_2_2 = t4/l_f_2_2;
+    const double t5 = (g_1_1*g_1_1);
+    const double t6 = (g_2_1*g_2_1);
+    const double t7 = g_1_1*g_1_2;
+    const double t8 = g_2_1*g_2_2;
+    const double t9 = R_p_1*g_1_1;
+    const double t10 = R_p_2*g_2_1;
+    const double t11 = (g_1_2*g_1_2);
+    const double t12 = (g_2_2*g_2_2);
+    const double t13 = R_p_1*g_1_2;
+    const double t14 = R_p_2*g_2_2;
+    const double t15 = (R_p_1*R_p_1);
+    const double t16 = (R_p_2*R_p_2);
+    lanes_clear(M, 16);
+    M[0] = LANES(m_h);
+    M[5] = LANES(m_g + m_h);
+    M[10] = LANES(I_1);
+    M[15] = LANES(I_2);
+    lanes_clear(K, 16);
+    K[0] = LANES(k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6);
+    K[1] = K[4] = LANES(k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8);
+    K[2] = K[8] = LANES(k_1_1*t9 + k_1_2*t9);
+    K[3] = K[12] = LANES(k_2_1*t10 + k_2_2*t10);
+    K[5] = LANES(k_1_1*t11 + k_1_2*t11 + k_2_1*t12 + k_2_2*t12);
+    K[6] = K[9] = LANES(k_1_1*t13 + k_1_2*t13);
+    K[7] = K[13] = LANES(k_2_1*t14 + k_2_2*t14);
+    K[10] = LANES(k_1_1*t15 + k_1_2*t15);
+    K[15] = LANES(k_2_1*t16 + k_2_2*t16);
+    lanes_clear(J_p, 8);
+    J_p[0] = LANES(1.0);
+    J_p[5] = LANES(1.0);
+}
+
+/* Mass and stiffness matrices with all released joints free, and the motion of the platform.
+ *
+ * Source: extended_matrices and extended_platform_motion.
+ * 188 operations; 1919 with every named value expanded.
+ */
+static inline void lanes_extended(const lane *restrict pose, const double *restrict parameters,
+    const double *restrict effects, lane *restrict M, lane *restrict K, lane *restrict J_p)
+{
+    (void)pose;
+    (void)parameters;
+    (void)effects;
+    const lane x = pose[0];
+    const lane y = pose[1];
+    const double m_h = parameters[0];
+    const double m_g = parameters[1];
+    const double g_1_1 = parameters[5];
+    const double g_1_2 = parameters[6];
+    const double g_2_1 = parameters[7];
+    const double g_2_2 = parameters[8];
+    const double l_0_1_1 = parameters[9];
+    const double l_0_1_2 = parameters[10];
+    const double l_0_2_1 = parameters[11];
+    const double l_0_2_2 = parameters[12];
+    const double k_sp_1 = parameters[13];
+    const double k_sp_2 = parameters[14];
+    const double w_b_1 = parameters[15];
+    const double w_b_2 = parameters[16];
+    const double R_p_1 = parameters[17];
+    const double R_p_2 = parameters[18];
+    const double I_p_1 = parameters[19];
+    const double I_p_2 = parameters[20];
+    const double I_m_1 = parameters[21];
+    const double I_m_2 = parameters[22];
+    const double i_g_1 = parameters[23];
+    const double i_g_2 = parameters[24];
+    const double a_B_1 = effects[0];
+    const double a_B_2 = effects[1];
+    const double c_E = effects[2];
+    const double rho_b = effects[3];
+    const double c_T = effects[4];
+    const double F_T = effects[5];
+    const double k_C = effects[6];
+    const double I_G = effects[7];
+    const double m_L = effects[8];
+    const double k_S = effects[9];
+    const double m_F = effects[13];
+    const double t1 = I_m_1*(i_g_1*i_g_1);
+    const double I_1 = I_G + I_p_1 + t1;
+    const double t2 = I_m_2*(i_g_2*i_g_2);
+    const double I_2 = I_G + I_p_2 + t2;
+    const lane t3 = g_1_1*x + g_1_2*y;
+    const lane l_f_1_1 = l_0_1_1 + t3;
+    const double t4 = F_T*c_T + 1.0;
+    const double t5 = c_E*t4;
+    const double t6 = k_sp_1*w_b_1*(a_B_1 + 1.0);
+    const double t7 = t5*t6;
+    const double t8 = t4*t6;
+    const lane k_1_1 = t8/(l_f_1_1 + t7);
+    const lane l_f_1_2 = l_0_1_2 - t3;
+    const lane k_1_2 = t8/(l_f_1_2 + t7);
+    const lane t9 = g_2_1*x + g_2_2*y;
+    const lane l_f_2_1 = l_0_2_1 + t9;
+    const double t10 = k_sp_2*w_b_2*(a_B_2 + 1.0);
+    const double t11 = t10*t5;
+    const double t12 = t10*t4;
+    const lane k_2_1 = t12/(l_f_2_1 + t11);
+    const lane l_f_2_2 = l_0_2_2 - t9;
+    const lane k_2_2 = t12/(l_f_2_2 + t11);
+    const double t13 = (g_1_1*g_1_1);
+    const double t14 = (1.0/3.0)*rho_b;
+    const lane t15 = l_f_1_1*t14;
+    const lane t16 = l_f_1_2*t14;
+    const double t17 = (g_2_1*g_2_1);
+    const lane t18 = l_f_2_1*t14;
+    const lane t19 = l_f_2_2*t14;
+    const double t20 = m_L + m_h;
+    const lane t21 = g_1_1*t15;
+    const lane t22 = g_1_1*t16;
+    const lane t23 = g_2_1*t18;
+    const lane t24 = g_2_1*t19;
+    const double t25 = (1.0/6.0)*rho_b;
+    const double t26 = R_p_1*t25;
+    const lane t27 = l_f_1_1*t26;
+    const lane t28 = l_f_1_2*t26;
+    const double t29 = R_p_2*t25;
+    const lane t30 = l_f_2_1*t29;
+    const lane t31 = l_f_2_2*t29;
+    const double t32 = (g_1_2*g_1_2);
+    const double t33 = (g_2_2*g_2_2);
+    const double t34 = m_g + t20;
+    const double t35 = (R_p_1*R_p_1);
+    const double t36 = (R_p_2*R_p_2);
+    const double t37 = m_F + t34;
+    const lane t38 = g_1_1*k_1_1;
+    const lane t39 = g_1_1*k_1_2;
+    const lane t40 = g_2_1*k_2_1;
+    const lane t41 = g_2_1*k_2_2;
+    const lane t42 = g_1_2*k_1_1;
+    const lane t43 = g_1_2*k_1_2;
+    const lane t44 = g_2_2*k_2_1;
+    const lane t45 = g_2_2*k_2_2;
+    lanes_clear(M, 100);
+    M[0] = LANES(t13*t15 + t13*t16 + t17*t18 + t17*t19 + t20);
+    M[1] = M[10] = LANES(g_1_2*t21 + g_1_2*t22 + g_2_2*t23 + g_2_2*t24);
+    M[2] = M[20] = LANES(-g_1_1*t27 - g_1_1*t28);
+    M[3] = M[30] = LANES(-g_2_1*t30 - g_2_1*t31);
+    M[6] = M[60] = LANES(t21 + t22);
+    M[7] = M[70] = LANES(t23 + t24);
+    M[8] = M[80] = LANES(t20);
+    M[11] = LANES(t15*t32 + t16*t32 + t18*t33 + t19*t33 + t34);
+    M[12] = M[21] = LANES(-g_1_2*t27 - g_1_2*t28);
+    M[13] = M[31] = LANES(-g_2_2*t30 - g_2_2*t31);
+    M[16] = M[61] = LANES(g_1_2*t15 + g_1_2*t16);
+    M[17] = M[71] = LANES(g_2_2*t18 + g_2_2*t19);
+    M[19] = M[91] = LANES(t34);
+    M[22] = LANES(I_1 + t15*t35 + t16*t35);
+    M[24] = M[42] = LANES(t1);
+    M[26] = M[62] = LANES(-t27 - t28);
+    M[33] = LANES(I_2 + t18*t36 + t19*t36);
+    M[35] = M[53] = LANES(t2);
+    M[37] = M[73] = LANES(-t30 - t31);
+    M[44] = LANES(t1);
+    M[55] = LANES(t2);
+    M[66] = LANES(t15 + t16);
+    M[77] = LANES(t18 + t19);
+    M[88] = LANES(t37);
+    M[99] = LANES(t37);
+    lanes_clear(K, 100);
+    K[0] = LANES(k_1_1*t13 + k_1_2*t13 + k_2_1*t17 + k_2_2*t17 + k_C);
+    K[1] = K[10] = LANES(g_1_2*t38 + g_1_2*t39 + g_2_2*t40 + g_2_2*t41);
+    K[2] = K[20] = LANES(R_p_1*t38 + R_p_1*t39);
+    K[3] = K[30] = LANES(R_p_2*t40 + R_p_2*t41);
+    K[6] = K[60] = LANES(t38 + t39);
+    K[7] = K[70] = LANES(t40 + t41);
+    K[8] = K[80] = LANES(k_C);
+    K[11] = LANES(k_1_1*t32 + k_1_2*t32 + k_2_1*t33 + k_2_2*t33 + k_C);
+    K[12] = K[21] = LANES(R_p_1*t42 + R_p_1*t43);
+    K[13] = K[31] = LANES(R_p_2*t44 + R_p_2*t45);
+    K[16] = K[61] = LANES(t42 + t43);
+    K[17] = K[71] = LANES(t44 + t45);
+    K[19] = K[91] = LANES(k_C);
+    K[22] = LANES(k_1_1*t35 + k_1_2*t35 + k_S);
+    K[26] = K[62] = LANES(R_p_1*k_1_1 + R_p_1*k_1_2);
+    K[33] = LANES(k_2_1*t36 + k_2_2*t36 + k_S);
+    K[37] = K[73] = LANES(R_p_2*k_2_1 + R_p_2*k_2_2);
+    K[66] = LANES(k_1_1 + k_1_2);
+    K[77] = LANES(k_2_1 + k_2_2);
+    K[88] = LANES(k_C);
+    K[99] = LANES(k_C);
+    lanes_clear(J_p, 20);
+    J_p[0] = LANES(1.0);
+    J_p[8] = LANES(1.0);
+    J_p[11] = LANES(1.0);
+    J_p[19] = LANES(1.0);
+}

@@ -1,0 +1,114 @@
+"""One robot in the compiled evaluator: modes at poses, written into arrays of the caller's."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.compiled.lanes import Lanes
+from pkmodes.compiled.library import Library, Request
+
+Array = NDArray[np.float64]
+#: The fields that the kernel writes.
+FIELDS = (
+    "frequencies",
+    "eigenvalues",
+    "shapes",
+    "platform_shapes",
+    "joint_positions",
+    "mass_matrix",
+    "stiffness_matrix",
+)
+#: Poses that are worth a thread of their own.
+SHARE = 2048
+#: The code of a pose whose eigenproblem needs another solver.
+UNSOLVED = -1
+
+
+class Evaluator:
+    """The compiled evaluator of one robot.
+
+    Parameters
+    ----------
+    library : Library
+    lanes : Lanes
+    coordinates : int
+        Without effects; with them `lanes` says how many there are.
+    largest_condition : float
+        Poses with a larger condition number are singular.
+
+    Attributes
+    ----------
+    coordinates, modes : int
+        n, and m of them with inertia.
+    """
+
+    def __init__(self, library: Library, lanes: Lanes, coordinates: int, largest_condition: float) -> None:
+        self.coordinates = coordinates
+        self.modes = coordinates - int(lanes.massless.sum())
+        self._library, self._lanes = library, lanes  # the arrays live as long as their addresses are used
+        self._request = Request(
+            parameters=lanes.parameters.ctypes.data,
+            effects=lanes.effects.ctypes.data,
+            largest_condition=largest_condition,
+            joints=lanes.joints.ctypes.data,
+            free=lanes.free.ctypes.data,
+            massless=lanes.massless.ctypes.data,
+            free_count=len(lanes.free),
+        )
+
+    def run(
+        self, points: Array, arrays: Mapping[str, Array], threads: int = 1, width: int | None = None
+    ) -> NDArray[np.int8]:
+        """Evaluate poses.
+
+        Parameters
+        ----------
+        points : ndarray, shape (N, d)
+            Contiguous.
+        arrays : mapping of str to ndarray, (N, ...)
+            By field of `FIELDS`: contiguous, to be filled; NaN where a pose cannot be evaluated.
+        threads : int
+            Threads to share the poses; the digits do not depend on it.
+        width : int, optional
+            Lanes, at most the library's; by default these.
+
+        Returns
+        -------
+        ndarray of int8, shape (N,)
+            Indices into `pkmodes.poses.codes_of`, or `UNSOLVED`.
+        """
+        count = len(points)
+        codes = np.empty(count, dtype=np.int8)
+        parts = max(1, min(threads, count // SHARE))
+        if parts == 1:
+            self._part(points, arrays, codes, width)
+            return codes
+        edges = [count * i // parts for i in range(parts + 1)]
+        with ThreadPoolExecutor(parts) as pool:
+            for done in [
+                pool.submit(
+                    self._part,
+                    points[start:stop],
+                    {name: array[start:stop] for name, array in arrays.items()},
+                    codes[start:stop],
+                    width,
+                )
+                for start, stop in pairwise(edges)
+            ]:
+                done.result()
+        return codes
+
+    def _part(
+        self, points: Array, arrays: Mapping[str, Array], codes: NDArray[np.int8], width: int | None
+    ) -> None:
+        request = Request.from_buffer_copy(self._request)
+        request.count, request.poses, request.codes = len(points), points.ctypes.data, codes.ctypes.data
+        for name, array in arrays.items():
+            setattr(request, name, array.ctypes.data)
+        self._library.run(ctypes.addressof(request), self._library.width if width is None else width)

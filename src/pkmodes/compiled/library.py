@@ -1,0 +1,194 @@
+"""Find the library of a mechanism: the one that came with `pkmodes`, one built earlier, or one built now.
+
+A library is used only if it was built from exactly these sources.  Libraries built at first use are kept in a folder
+that nobody but the user can write to.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+import os
+import stat
+import subprocess
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+
+from pkmodes.compiled import build
+
+#: Where the libraries are that came with the package.
+SHIPPED = Path(__file__).parent / "libraries"
+#: Folder for libraries built at first use, instead of the user's cache.
+CACHE_VARIABLE = "PKMODES_CACHE"
+LAYOUT = 2
+INSTALL = "install a C compiler (gcc or clang), or name one in the environment variable CC"
+
+
+class UnavailableError(Exception):
+    """There is no library; the text says why.
+
+    Parameters
+    ----------
+    why, remedy : str
+    """
+
+    def __init__(self, why: str, remedy: str) -> None:
+        super().__init__(why, remedy)
+        self.why, self.remedy = why, remedy
+
+
+class Library:
+    """A loaded library.
+
+    Attributes
+    ----------
+    width : int
+        Lanes of the widest vectors that this processor has.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self._library = ctypes.CDLL(str(path))
+        self.run = self._library.pkmodes_run
+        self.run.argtypes, self.run.restype = [ctypes.c_void_p, ctypes.c_int], None
+        self._library.pkmodes_digest.restype = ctypes.c_char_p
+        self.width = int(self._library.pkmodes_width())
+
+    @property
+    def digest(self) -> str:
+        """What it was built from."""
+        return str(self._library.pkmodes_digest().decode("ascii"))
+
+    @property
+    def layout(self) -> int:
+        """The layout of its requests."""
+        return int(self._library.pkmodes_layout())
+
+
+class Request(ctypes.Structure):
+    """``struct pkmodes_request`` of request.h."""
+
+    _fields_ = (
+        ("count", ctypes.c_longlong),
+        ("poses", ctypes.c_void_p),
+        ("parameters", ctypes.c_void_p),
+        ("effects", ctypes.c_void_p),
+        ("largest_condition", ctypes.c_double),
+        ("joints", ctypes.c_void_p),
+        ("free", ctypes.c_void_p),
+        ("massless", ctypes.c_void_p),
+        ("free_count", ctypes.c_longlong),
+        ("frequencies", ctypes.c_void_p),
+        ("eigenvalues", ctypes.c_void_p),
+        ("shapes", ctypes.c_void_p),
+        ("platform_shapes", ctypes.c_void_p),
+        ("joint_positions", ctypes.c_void_p),
+        ("mass_matrix", ctypes.c_void_p),
+        ("stiffness_matrix", ctypes.c_void_p),
+        ("codes", ctypes.c_void_p),
+    )
+
+
+@cache
+def library(package: str, name: str) -> Library:
+    """Load the library of a mechanism; build it where there is none yet.
+
+    Parameters
+    ----------
+    package : str
+        Python package with the generated code of the mechanism.
+    name : str
+        Its name.
+
+    Raises
+    ------
+    UnavailableError
+        If there is none and none can be built.
+    """
+    header_file = files(package).joinpath(build.HEADER)
+    if not header_file.is_file():
+        raise UnavailableError(
+            f"the generated code of {name} has no {build.HEADER}",
+            "generate it again with this version of pkmodes",
+        )
+    header = header_file.read_text(encoding="utf-8")
+    wanted = build.digest(header)
+    shipped = SHIPPED / f"{name}.so"
+    found = _loaded(shipped, wanted) if shipped.is_file() else None
+    return found or _built(name, header, wanted)
+
+
+def _built(name: str, header: str, wanted: str) -> Library:
+    """The library from the cache, built first if need be."""
+    cc = build.compiler()
+    if cc is None:
+        raise UnavailableError("there is no compiled library, and no C compiler to build it with", INSTALL)
+    folder = _cache()
+    path = folder / f"{name}-{wanted[:16]}-{_version(cc)}.so"
+    try:
+        found = None
+        if path.is_file():
+            _check_private(path)
+            found = _loaded(path, wanted)  # not if it was cut short
+        if found is None:
+            build.build(header, path, cc)
+            found = _loaded(path, wanted)
+    except build.BuildError as error:
+        raise UnavailableError(f"the library of {name} cannot be built: {error}", INSTALL) from None
+    except OSError as error:
+        raise UnavailableError(f"the library of {name} cannot be kept: {error}", _elsewhere()) from None
+    if found is None:
+        raise UnavailableError(f"the library that {cc} has built cannot be loaded: {path}", INSTALL)
+    return found
+
+
+def _loaded(path: Path, wanted: str) -> Library | None:
+    """The library of a file, unless it was built from something else or for another processor."""
+    try:
+        found = Library(path)
+        return found if (found.layout, found.digest) == (LAYOUT, wanted) else None
+    except (OSError, AttributeError):
+        return None
+
+
+def _cache() -> Path:
+    """The user's own folder for libraries.
+
+    Raises
+    ------
+    UnavailableError
+        If it cannot be made, or others can write to it.
+    """
+    own = os.environ.get(CACHE_VARIABLE, "")
+    home = os.environ.get("XDG_CACHE_HOME", "")
+    try:
+        folder = Path(own) if own else (Path(home) if home else Path.home() / ".cache") / "pkmodes"
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        _check_private(folder)
+    except (OSError, RuntimeError) as error:
+        raise UnavailableError(f"no folder for compiled libraries: {error}", _elsewhere()) from None
+    return folder
+
+
+def _elsewhere() -> str:
+    return f"name a folder of your own in the environment variable {CACHE_VARIABLE}"
+
+
+def _check_private(path: Path) -> None:
+    """Refuse what somebody else could have put there: code from it would be run."""
+    found = path.stat()
+    if hasattr(os, "getuid") and found.st_uid != os.getuid():
+        raise PermissionError(f"{path} belongs to another user")
+    if found.st_mode & (stat.S_IWGRP | stat.S_IWOTH):
+        raise PermissionError(f"others can write to {path}")
+
+
+@cache
+def _version(cc: str) -> str:
+    """A short name of a compiler and its version, and of the processor's architecture."""
+    try:
+        said = subprocess.run([cc, "--version"], capture_output=True, timeout=60, check=False).stdout
+    except (OSError, subprocess.TimeoutExpired):
+        said = b""
+    return hashlib.sha256(f"{cc}\0{build.machine()}\0".encode() + said).hexdigest()[:8]

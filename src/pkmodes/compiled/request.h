@@ -1,0 +1,36 @@
+/* What is asked of the compiled evaluator, and what it fills in; `pkmodes.compiled.library` has the same in Python. */
+#ifndef PKMODES_REQUEST_H
+#define PKMODES_REQUEST_H
+
+/* The layout below; a library of another layout is not used. */
+#define PKMODES_LAYOUT 2
+
+struct pkmodes_request {
+    /* N poses, row-major. */
+    long long count;
+    const double *poses;
+    /* The robot: parameters and effects, flat, in the order of their fields. */
+    const double *parameters;
+    const double *effects;
+    double largest_condition;
+    /* With effects: the stiffness of each released joint, the coordinates that are not locked, and which of these have
+     * no inertia; without them `free_count` is 0. */
+    const double *joints;
+    const int *free;
+    const signed char *massless;
+    long long free_count;
+    /* Results, n coordinates and m of them with inertia; NULL where not wanted.  A pose that cannot be evaluated gives
+     * NaN. */
+    double *frequencies;     /* (N, m) [Hz] */
+    double *eigenvalues;     /* (N, m) [1/s^2] */
+    double *shapes;          /* (N, m, n) */
+    double *platform_shapes; /* (N, m, directions) */
+    double *joint_positions; /* (N, independent) */
+    double *mass;            /* (N, n, n) */
+    double *stiffness;       /* (N, n, n) */
+    /* Always: 0 where a pose was evaluated, 1 where it is not finite, 2 and more by the margin that it lacks; -1 where
+     * the eigenproblem needs another solver. */
+    signed char *codes; /* (N) */
+};
+
+#endif

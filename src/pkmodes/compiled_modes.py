@@ -1,0 +1,139 @@
+"""Modes by the compiled evaluator; what it leaves, a stiff joint or an M that is not positive definite, by NumPy."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.compiled.evaluator import UNSOLVED, Evaluator
+from pkmodes.eigen import has_stiff_joint
+from pkmodes.evaluation import Evaluation
+from pkmodes.gathering import Out, allotted
+from pkmodes.poses import CHUNK, CheckedPoses, OnError, codes_of, given_poses, refuse
+from pkmodes.results import CARRIAGES, JOINTS
+from pkmodes.robot.robot import Robot
+from pkmodes.solving import OF_MODES, Solved, fields_of_modes, solved
+
+Array = NDArray[np.float64]
+EIGENVALUES = "eigenvalues"
+#: Released joints that hardly hold or hardly move cost digits: below this fraction of the highest eigenvalue of the
+#: base coordinates, or beyond this multiple of it, the reference implementation solves.
+SOFT, STIFF = 1e-5, 1e3
+
+
+def compiled_modes(
+    evaluator: Evaluator,
+    robot: Robot,
+    evaluation: Evaluation,
+    poses: ArrayLike,
+    on_error: OnError,
+    asked: Sequence[str],
+    out: Out,
+    threads: int,
+) -> tuple[CheckedPoses, dict[str, Array]]:
+    """Evaluate fields of `pkmodes.Modes` at poses.
+
+    Parameters
+    ----------
+    evaluator : Evaluator
+    robot : Robot
+    evaluation : Evaluation
+        Of the robot.
+    poses, on_error, out
+        As for `pkmodes.Model.modes`.
+    asked : sequence of str
+        Fields.
+    threads : int
+
+    Returns
+    -------
+    CheckedPoses
+        With what became of each pose.
+    dict of str to ndarray, shape (..., *tail)
+        By field; NaN where a pose cannot be evaluated.
+
+    Raises
+    ------
+    PoseError, PkmodesError
+        As `pkmodes.Model.modes` does.
+    """
+    kind = robot.kind
+    points, batch = given_poses(poses, kind, on_error)
+    points = np.ascontiguousarray(points)
+    arrays, rows = allotted({name: _tail(name, robot, evaluator) for name in asked}, batch, out)
+    if out and on_error == "raise":  # before anything of the caller's is overwritten
+        refuse(points, evaluator.run(points, {}, threads), kind, robot.parameters)
+    written = {JOINTS if name == CARRIAGES else name: array for name, array in rows.items()}
+    released = evaluator.coordinates > evaluation.first
+    if released and OF_MODES & written.keys():  # they tell whether a joint is too stiff or too soft
+        written[EIGENVALUES] = np.empty((len(points), evaluator.modes))
+    codes = evaluator.run(points, written, threads)
+    left = _left(evaluation, codes, written.get(EIGENVALUES))
+    for start in range(0, len(left), CHUNK):
+        some = left[start : start + CHUNK]
+        for name, values in fields_of_modes(robot, evaluation, points[some], asked).items():
+            rows[name][some] = values
+    codes[left] = 0
+    if on_error == "raise":
+        refuse(points, codes, kind, robot.parameters)
+    for name, array in arrays.items():
+        if not np.may_share_memory(array, rows[name]):
+            array[...] = rows[name].reshape(array.shape)
+    return CheckedPoses(points, codes, batch, codes_of(kind)), arrays
+
+
+def compiled_solution(evaluator: Evaluator, evaluation: Evaluation, p: Array, source: str) -> Solved:
+    """Evaluate the matrices with NumPy and take the modes from the compiled evaluator: those of `compiled_modes`.
+
+    Parameters
+    ----------
+    evaluator : Evaluator
+    evaluation : Evaluation
+        Of the same robot.
+    p : ndarray, shape (N, d)
+        Poses that can be evaluated.
+    source : str
+        The robot, for messages.
+
+    Raises
+    ------
+    PoseError
+        As `pkmodes.solving.solved` does.
+    """
+    n, m = evaluator.coordinates, evaluator.modes
+    eigenvalues, shapes = np.empty((len(p), m)), np.empty((len(p), m, n))
+    codes = evaluator.run(np.ascontiguousarray(p), {EIGENVALUES: eigenvalues, "shapes": shapes})
+    left = _left(evaluation, codes, eigenvalues)
+    every = evaluation.all_coordinates(p)
+    M, K = (evaluation.free_part(matrix) for matrix in every)
+    if len(left):
+        found = solved(evaluation, p[left], source)
+        eigenvalues[left], shapes[left] = found.eigenvalues, found.shapes
+    return Solved(M, K, eigenvalues, shapes, every)
+
+
+def _left(evaluation: Evaluation, codes: NDArray[np.int8], eigenvalues: Array | None) -> NDArray[np.intp]:
+    """Poses that NumPy has to solve, or to refuse."""
+    left = codes == UNSOLVED
+    first, rigid = evaluation.first, evaluation.rigid_modes
+    if eigenvalues is not None and len(evaluation.coordinates) > first:
+        last = np.abs(eigenvalues[:, first - 1])
+        soft, stiff = np.abs(eigenvalues[:, rigid]) < SOFT * last, eigenvalues[:, -1] > STIFF * last
+        left |= (codes == 0) & (has_stiff_joint(eigenvalues, first, rigid) | soft | stiff)
+    return np.flatnonzero(left)
+
+
+def _tail(name: str, robot: Robot, evaluator: Evaluator) -> tuple[int, ...]:
+    """Shape of a field at one pose."""
+    m, n, kind = evaluator.modes, evaluator.coordinates, robot.kind
+    return {
+        "frequencies": (m,),
+        "shapes": (m, n),
+        "platform_shapes": (m, len(kind.directions)),
+        JOINTS: (len(kind.independent),),
+        CARRIAGES: (len(kind.independent),),
+        "mass_matrix": (n, n),
+        "stiffness_matrix": (n, n),
+    }[name]

@@ -1,0 +1,101 @@
+"""Robots of every mechanism for the tests of the compiled evaluator, some of them hard to solve."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+import sample_mechanisms
+import sample_robots
+from pkmodes.compiled.evaluator import FIELDS, Evaluator
+from pkmodes.compiled.library import library
+from pkmodes.evaluation import BaseEvaluation, Evaluation, SystemOfEffects
+from pkmodes.mechanism import Mechanism, mechanism
+from pkmodes.poses import MAX_CONDITION
+
+NAMES = ("linear_delta", "rotary_delta", "corexy")
+#: Names of effects by which combination is on.
+EFFECTS = {"none": (), **sample_mechanisms.TOGETHER}
+#: Values by field, each of which makes an eigenproblem of its own kind: factors of the parameters of these names.
+EXTREMES = {
+    "as it is": {},
+    "no gravity": {"gravity": 0.0},
+    "hundredfold gravity": {"gravity": 100.0},
+    "soft belts": {"belt_specific_stiffness": 1 / 30, "reducer_stiffness": 1 / 30},
+    "heavy motors": {"motor_inertia": 1e3},
+    "light platform": {"platform_mass": 1e-3, "toolhead_mass": 1e-3},
+}
+
+
+class Case(NamedTuple):
+    """A robot with effects, and poses around a regular one."""
+
+    kind: Mechanism
+    parameters: Any
+    evaluation: Evaluation
+    poses: np.ndarray
+
+
+def robot(name: str, seed: int) -> tuple[Any, np.ndarray]:
+    """Parameters and a pose; of the linear delta the first two robots are symmetric."""
+    if name == "linear_delta":
+        rng = np.random.default_rng(seed)
+        made = (sample_robots.published, sample_robots.tower_printer)
+        found = made[seed]() if seed < len(made) else sample_robots.random_robot(rng)
+        return found.parameters, found.pose
+    found = sample_mechanisms.sample(name, seed)
+    if name == "rotary_delta":  # the samples turn their axes anywhere
+        limits = np.tile([-np.pi, np.pi], (3, 1))
+        return found.parameters._replace(limits=limits), found.pose
+    return found.parameters, found.pose
+
+
+def case(name: str, seed: int, effects: str = "none", extreme: str = "as it is", count: int = 60) -> Case:
+    kind = mechanism(name)
+    parameters, pose = robot(name, seed)
+    factors = {k: v for k, v in EXTREMES[extreme].items() if k in parameters._fields}
+    parameters = parameters._replace(
+        **{k: np.asarray(getattr(parameters, k)) * v for k, v in factors.items()}
+    )
+    rng = np.random.default_rng(seed + 1000)
+    poses = pose + 0.02 * rng.uniform(-1, 1, (count, len(pose)))
+    poses[: count // 10] = pose  # symmetric where the robot is
+    values = chosen(kind, EFFECTS[effects])
+    evaluation = SystemOfEffects(kind, parameters, values) if values else BaseEvaluation(kind, parameters)
+    return Case(kind, parameters, evaluation, poses)
+
+
+def chosen(kind: Mechanism, names: tuple[str, ...]) -> dict[str, float]:
+    """Typical values of the effects whose names are given, those that apply; an empty name means all."""
+    return {
+        f"{effect.name}.{parameter.name}": sample_mechanisms.TYPICAL[f"{effect.name}_{parameter.name}"]
+        for effect in kind.effects.values()
+        if effect.name in names or "" in names
+        for parameter in effect.parameters
+        if f"{effect.name}_{parameter.name}" in sample_mechanisms.TYPICAL
+    }
+
+
+def evaluator(given: Case) -> Evaluator:
+    found = library(given.kind.package, given.kind.name)
+    return Evaluator(found, given.evaluation.lanes(), len(given.evaluation.coordinates), MAX_CONDITION)
+
+
+def results(
+    given: Case, poses: np.ndarray, width: int | None = None
+) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+    run = evaluator(given)
+    n, m = run.coordinates, run.modes
+    tails = (
+        (m,),
+        (m,),
+        (m, n),
+        (m, len(given.kind.directions)),
+        (len(given.kind.independent),),
+        (n, n),
+        (n, n),
+    )
+    # Poisoned, so that an entry that is not written shows.
+    arrays = {name: np.full((len(poses), *tail), 12345.0) for name, tail in zip(FIELDS, tails, strict=True)}
+    return run.run(np.ascontiguousarray(poses), arrays, width=width), arrays

@@ -1,0 +1,212 @@
+"""Which back end runs, and what is said where there is none: environment, compiler, cache, libraries."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pkmodes
+from pkmodes import PkmodesError
+from pkmodes.compiled import build, library
+
+ROOT = Path(__file__).parents[2]
+ROBOT = ROOT / "robots/corexy-printer.toml"
+POSE = [0.15, 0.2]
+
+
+@pytest.fixture
+def fresh(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[Path]:
+    """No library that was loaded, shipped or kept; the folder of the cache.  What is built here is built quickly."""
+    monkeypatch.setattr(build, "FLAGS", ("-std=gnu11", "-O0", "-fPIC"))
+    monkeypatch.setattr(build, "WIDTHS", {build.machine(): {2: ()}})
+    cache = tmp_path / "cache"
+    monkeypatch.setenv(library.CACHE_VARIABLE, str(cache))
+    monkeypatch.setattr(library, "SHIPPED", tmp_path / "nothing")
+    library.library.cache_clear()
+    yield cache
+    library.library.cache_clear()
+
+
+def frequencies(backend: str = "auto") -> pkmodes.Modes:
+    return pkmodes.load(ROBOT).modes(POSE, backend=backend, fields=["frequencies"])
+
+
+def test_the_compiled_library_is_the_default(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("PKMODES_BACKEND", raising=False)
+    assert frequencies().backend == "compiled"
+    assert frequencies("numpy").backend == "numpy"
+    np.testing.assert_allclose(
+        frequencies("numpy").frequencies, frequencies().frequencies, rtol=1e-12, atol=1e-4
+    )
+
+
+def test_the_environment_decides_where_nothing_is_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PKMODES_BACKEND", "numpy")
+    assert frequencies().backend == "numpy"
+    assert frequencies("compiled").backend == "compiled"
+    monkeypatch.setenv("PKMODES_BACKEND", "fortran")
+    with pytest.raises(PkmodesError, match=r'"numpy" or "compiled", found "fortran" .*PKMODES_BACKEND'):
+        frequencies()
+
+
+@pytest.mark.parametrize("backend", ["C", None, 3, ["numpy"]])
+def test_an_unknown_back_end_is_refused(backend: str) -> None:
+    with pytest.raises(PkmodesError, match=r'expected "auto", "numpy" or "compiled", found .* \(backend\)'):
+        frequencies(backend)
+
+
+@pytest.mark.parametrize("threads", [0, -1, 1.5, True, "2"])
+def test_threads_are_a_positive_integer(threads: object) -> None:
+    with pytest.raises(PkmodesError, match=r"expected a positive integer, found .* \(threads\)"):
+        pkmodes.load(ROBOT).frequencies(POSE, threads=threads)
+
+
+def test_without_compiler_and_library_numpy_does_the_work(
+    fresh: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(build.shutil, "which", lambda name: None)
+    assert frequencies().backend == "numpy"
+    with pytest.raises(PkmodesError, match=r"no C compiler to build it with .*; install a C compiler"):
+        frequencies("compiled")
+    assert not list(fresh.glob("*.so"))
+
+
+def test_a_compiler_that_fails_is_named(fresh: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    broken = tmp_path / "mycc"
+    broken.write_text("#!/bin/sh\necho 'error: no such processor' >&2\nexit 1\n")
+    broken.chmod(0o755)
+    monkeypatch.setenv("CC", str(broken))
+    assert frequencies().backend == "numpy"
+    with pytest.raises(PkmodesError, match="mycc failed: error: no such processor"):
+        frequencies("compiled")
+    assert not [file for file in fresh.iterdir() if file.name != "."]
+
+
+def test_a_library_is_built_once_and_kept(fresh: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert frequencies("compiled").backend == "compiled"
+    (kept,) = fresh.iterdir()
+    assert fresh.stat().st_mode & 0o077 == 0
+    library.library.cache_clear()
+    monkeypatch.setattr(build, "build", lambda *_: pytest.fail("built again"))
+    assert frequencies("compiled").backend == "compiled"
+    library.library.cache_clear()
+    # From other sources it is another library.
+    monkeypatch.setattr(build, "digest", lambda header: "0" * 64)
+    with pytest.raises(pytest.fail.Exception, match="built again"):
+        frequencies("compiled")
+    assert kept.is_file()
+
+
+def test_what_is_no_library_is_built_again(fresh: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = build.build
+
+    def spoilt(header: str, target: Path, cc: str) -> None:
+        target.write_text("not a library")
+        target.chmod(0o755)
+
+    monkeypatch.setattr(build, "build", spoilt)
+    with pytest.raises(PkmodesError, match="cannot be loaded"):
+        frequencies("compiled")
+    monkeypatch.setattr(build, "build", whole)
+    assert frequencies("compiled").backend == "compiled"
+
+
+@pytest.mark.parametrize("mode", [0o777, 0o770])
+def test_a_folder_that_others_can_write_to_is_not_used(fresh: Path, mode: int) -> None:
+    fresh.mkdir()
+    fresh.chmod(mode)
+    assert frequencies().backend == "numpy"
+    with pytest.raises(
+        PkmodesError, match=r"others can write to .*; name a folder of your own in .*PKMODES_CACHE"
+    ):
+        frequencies("compiled")
+
+
+def test_a_library_that_others_can_write_to_is_not_loaded(fresh: Path) -> None:
+    frequencies("compiled")
+    (kept,) = fresh.iterdir()
+    kept.chmod(0o777)
+    library.library.cache_clear()
+    with pytest.raises(PkmodesError, match="others can write to"):
+        frequencies("compiled")
+
+
+@pytest.mark.skipif(not hasattr(os, "getuid") or os.getuid() != 0, reason="only root can give files away")
+def test_a_library_of_another_user_is_not_loaded(fresh: Path) -> None:
+    frequencies("compiled")
+    (kept,) = fresh.iterdir()
+    os.chown(kept, 12345, -1)
+    library.library.cache_clear()
+    with pytest.raises(PkmodesError, match="belongs to another user"):
+        frequencies("compiled")
+
+
+def test_a_folder_that_cannot_be_made_is_said(fresh: Path) -> None:
+    fresh.write_text("a file")
+    assert frequencies().backend == "numpy"
+    with pytest.raises(PkmodesError, match="no folder for compiled libraries"):
+        frequencies("compiled")
+
+
+def test_a_library_from_other_sources_is_not_used(fresh: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A library that came with the package, and then the generated code changed."""
+    shipped = fresh.parent / "shipped"
+    shipped.mkdir()
+    monkeypatch.setattr(library, "SHIPPED", shipped)
+    header = (ROOT / "generated/pkmodes_generated/corexy" / build.HEADER).read_text(encoding="utf-8")
+    cc = build.compiler()
+    assert cc is not None
+    build.build(header + "/* before the change */\n", shipped / "corexy.so", cc)
+    assert frequencies("compiled").backend == "compiled"
+    assert len(list(fresh.iterdir())) == 1  # built anew
+
+
+def test_the_command_line_says_which_back_end_ran(tmp_path: Path) -> None:
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    for backend in ("numpy", "compiled"):
+        command = [sys.executable, "-m", "pkmodes", "modes", str(ROBOT), "--pose", "0.15,0.2", "--json", "-"]
+        found = subprocess.run(
+            command,
+            env={**environment, "PKMODES_BACKEND": backend},
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        assert json.loads(found.stdout)["backend"] == backend
+
+
+def test_out_is_filled_in_place_whatever_its_strides() -> None:
+    model = pkmodes.load(ROBOT)
+    poses = np.random.default_rng(1).uniform(0.01, 0.29, (40, 2))
+    wide = np.full((40, 8), -1.0)
+    model.modes(poses, out={"frequencies": wide[:, ::2]}, backend="compiled")
+    np.testing.assert_array_equal(wide[:, ::2], model.frequencies(poses))
+    assert (wide[:, 1::2] == -1.0).all()
+    with pytest.raises(PkmodesError, match=r"expected an array of shape \(40, 4\) and type float64"):
+        model.frequencies(poses, out=np.empty((40, 5)), backend="compiled")
+
+
+def test_a_refused_batch_leaves_the_callers_array_alone() -> None:
+    model = pkmodes.load(ROBOT)
+    out = np.full((2, 4), -1.0)
+    with pytest.raises(pkmodes.PoseError, match="pose 1 at"):
+        model.frequencies([POSE, [9.0, 0.0]], out=out, backend="compiled")
+    assert (out == -1.0).all()
+
+
+def test_messages_are_those_of_numpy() -> None:
+    model = pkmodes.load(ROBOT)
+    for poses in ([9.0, 0.0], [[0.1, 0.1], [np.nan, 0.0]], [[0.1, 0.1], [0.1, -1.0], [7.0, 0.0]]):
+        texts = []
+        for backend in ("numpy", "compiled"):
+            with pytest.raises(pkmodes.PoseError) as error:
+                model.modes(poses, backend=backend)
+            texts.append(str(error.value))
+        assert texts[0] == texts[1]
