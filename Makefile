@@ -39,8 +39,8 @@ check: $(VENV)/.dev  ## check that generated code is up to date and agrees with 
 generate: $(VENV)/.derive  ## regenerate the committed code
 	$(BIN)/python -m pkmodes_derive generate
 
-docs: $(VENV)/.derive  ## rebuild docs/derivation.md
-	$(BIN)/python -m pkmodes_derive latex --mechanism linear_delta
+docs: $(VENV)/.derive  ## rebuild docs/derivation/
+	$(BIN)/python -m pkmodes_derive latex
 
 benchmark: $(VENV)/.dev
 	$(BIN)/python benchmarks/evaluation.py

@@ -1,4 +1,4 @@
-"""Regenerate the committed code and the derivation page: ``python -m pkmodes_derive``."""
+"""Regenerate the committed code and the derivation pages: ``python -m pkmodes_derive``."""
 
 from __future__ import annotations
 
@@ -13,17 +13,18 @@ ROOT = Path(__file__).parents[2]
 
 
 def main() -> None:
-    """Write the parametric model of every mechanism, or the derivation page in LaTeX."""
+    """Write the parametric model of every mechanism, or the derivation pages in LaTeX."""
     parser = argparse.ArgumentParser(prog="python -m pkmodes_derive", description=main.__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     generate = commands.add_parser("generate", help="write the parametric model of every mechanism")
     generate.add_argument("--out", type=Path, default=Path(str(files("pkmodes_generated"))))
-    page = commands.add_parser("latex", help="write every derived quantity of a mechanism in LaTeX")
-    page.add_argument("--mechanism", choices=mechanisms.names(), required=True)
-    page.add_argument("--out", type=Path, default=ROOT / "docs" / "derivation.md")
+    page = commands.add_parser("latex", help="write every derived quantity in LaTeX, a page for each mechanism")
+    page.add_argument("--mechanism", choices=mechanisms.names(), help="by default every mechanism")
+    page.add_argument("--out", type=Path, default=ROOT / "docs" / "derivation", help="folder for the pages")
     arguments = parser.parse_args()
     if arguments.command == "latex":
-        _write(arguments.out, latex.page(mechanisms.base(arguments.mechanism)))
+        for mechanism in [arguments.mechanism] if arguments.mechanism else mechanisms.names():
+            _write(arguments.out / f"{mechanism}.md", latex.page(mechanisms.base(mechanism)))
         return
     for mechanism in mechanisms.names():
         for name, text in product.parametric(mechanism).items():

@@ -59,9 +59,10 @@ def test_committed_code_is_current() -> None:
         assert (folder / name).read_bytes() == text.encode("utf-8"), f"{name}: run `make generate`"
 
 
-def test_the_derivation_page_is_current() -> None:
-    page = latex.page(MODEL).encode("utf-8")
-    assert (ROOT / "docs" / "derivation.md").read_bytes() == page, "run `make docs`"
+@pytest.mark.parametrize("name", mechanisms.names())
+def test_the_derivation_pages_are_current(name: str) -> None:
+    page = latex.page(mechanisms.base(name)).encode("utf-8")
+    assert (ROOT / "docs" / "derivation" / f"{name}.md").read_bytes() == page, "run `make docs`"
 
 
 def test_the_derivation_page_shows_every_function_and_every_named_value() -> None:
