@@ -18,7 +18,9 @@ def main() -> None:
     commands = parser.add_subparsers(dest="command", required=True)
     generate = commands.add_parser("generate", help="write the parametric model of every mechanism")
     generate.add_argument("--out", type=Path, default=Path(str(files("pkmodes_generated"))))
-    page = commands.add_parser("latex", help="write every derived quantity in LaTeX, a page for each mechanism")
+    page = commands.add_parser(
+        "latex", help="write every derived quantity in LaTeX, a page for each mechanism"
+    )
     page.add_argument("--mechanism", choices=mechanisms.names(), help="by default every mechanism")
     page.add_argument("--out", type=Path, default=ROOT / "docs" / "derivation", help="folder for the pages")
     arguments = parser.parse_args()

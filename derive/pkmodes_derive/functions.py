@@ -13,6 +13,7 @@ from math import prod
 
 from sympy import Basic, Expr, Symbol
 
+from pkmodes_derive.description import Margin
 from pkmodes_derive.vocabulary import Field, Vocabulary
 
 
@@ -159,6 +160,8 @@ class Model:
         Number of motions that strain no elastic part, at any regular pose and for any parameters; None if it varies.
     constants : tuple of (comment, name, value)
         Constants that programs need, as Python literals.
+    conditions : tuple of Margin
+        Conditions on a pose; none for a model whose poses are checked with another one.
     notes : tuple of str
         Notes for users of the code, one paragraph each.
     """
@@ -172,6 +175,7 @@ class Model:
     rigid_modes: int | None = None
     constants: tuple[tuple[str, str, tuple[object, ...]], ...] = field(repr=False, default=())
     notes: tuple[str, ...] = field(repr=False, default=())
+    conditions: tuple[Margin, ...] = field(repr=False, default=())
 
     @property
     def fields(self) -> tuple[Field, ...]:

@@ -36,6 +36,7 @@ def base(machine: Machine, relations: Relations | None = None) -> Model:
         functions=chapters.chapters(c),
         relations=relations(machine, derived.kin) if relations else (),
         rigid_modes=c.rigid_modes,
+        conditions=machine.margins,
     )
 
 
@@ -293,6 +294,7 @@ def single(machine: Machine, zeros: Set[tuple[str, int]]) -> Model:
         groups=(parameters(machine), FieldGroup("Effects", "effects", machine.effect_fields, null=0.0)),
         functions=(*chapters.chapters(c), _platform_motion(c), *(_uncondensed(c) if c.massless else ())),
         rigid_modes=c.rigid_modes,
+        conditions=c.machine.margins,
         constants=(listed,) if c.massless else (),
         notes=_notes(c),
     )

@@ -20,6 +20,19 @@
 extern "C" {
 #endif
 
+/* components of a pose */
+#define COREXY_POSE 2
+/* coordinates, and modes */
+#define COREXY_COORDINATES 4
+/* rigid-body modes, the first ones */
+#define COREXY_RIGID_MODES 2
+/* status: the eigenproblem has no solution */
+#define COREXY_UNSOLVED (-1)
+/* status: the pose is not finite */
+#define COREXY_NOT_FINITE 1
+/* status: the tool head is beyond its travel */
+#define COREXY_BEYOND_LIMITS 2
+
 typedef struct {
     /* [kg] mass of the tool head */
     double toolhead_mass;
@@ -274,6 +287,23 @@ void corexy_stiffness_matrix(const double p[2], const corexy_parameters *paramet
  */
 void corexy_modal_matrices(const double p[2], const corexy_parameters *parameters, double M[4][4],
     double K[4][4]);
+
+/* Why a pose cannot be evaluated: 0 where it can, or a status above.  Where it is not 0, the functions before
+ * return NaN or numbers without meaning: call it first, or call the two functions that follow.
+ */
+int corexy_status(const double p[2], const corexy_parameters *parameters);
+
+/* Natural frequencies sqrt(|lambda|)/(2 pi) with the sign of lambda [Hz], ascending, rigid-body modes first.
+ * Return 0, or the status of the pose; f then has no meaning.
+ */
+int corexy_natural_frequencies(
+    const double p[2], const corexy_parameters *parameters, double f[4]);
+
+/* The same with mode shapes: row i of phi is mode i, mass-normalised (phi^T M phi = 1).  phi may be NULL.
+ * Return 0, or the status of the pose; f and phi then have no meaning.
+ */
+int corexy_modes(
+    const double p[2], const corexy_parameters *parameters, double f[4], double phi[4][4]);
 
 #ifdef __cplusplus
 }

@@ -25,6 +25,25 @@
 extern "C" {
 #endif
 
+/* components of a pose */
+#define LINEAR_DELTA_POSE 3
+/* coordinates, and modes */
+#define LINEAR_DELTA_COORDINATES 9
+/* rigid-body modes, the first ones */
+#define LINEAR_DELTA_RIGID_MODES 3
+/* largest condition number of a regular pose */
+#define LINEAR_DELTA_MAX_CONDITION 1e6
+/* status: the eigenproblem has no solution */
+#define LINEAR_DELTA_UNSOLVED (-1)
+/* status: the pose is not finite */
+#define LINEAR_DELTA_NOT_FINITE 1
+/* status: the pose is out of reach: a link is too short */
+#define LINEAR_DELTA_BEYOND_REACHABLE 2
+/* status: the pose is singular */
+#define LINEAR_DELTA_BEYOND_SINGULAR 3
+/* status: a carriage is beyond its limits: a belt span would not have a positive length */
+#define LINEAR_DELTA_BEYOND_LIMITS 4
+
 typedef struct {
     /* [kg] platform mass */
     double platform_mass;
@@ -342,6 +361,23 @@ void linear_delta_stiffness_matrix(const double p[3], const linear_delta_paramet
  */
 void linear_delta_modal_matrices(const double p[3], const linear_delta_parameters *parameters,
     double M[9][9], double K[9][9]);
+
+/* Why a pose cannot be evaluated: 0 where it can, or a status above.  Where it is not 0, the functions before
+ * return NaN or numbers without meaning: call it first, or call the two functions that follow.
+ */
+int linear_delta_status(const double p[3], const linear_delta_parameters *parameters);
+
+/* Natural frequencies sqrt(|lambda|)/(2 pi) with the sign of lambda [Hz], ascending, rigid-body modes first.
+ * Return 0, or the status of the pose; f then has no meaning.
+ */
+int linear_delta_natural_frequencies(
+    const double p[3], const linear_delta_parameters *parameters, double f[9]);
+
+/* The same with mode shapes: row i of phi is mode i, mass-normalised (phi^T M phi = 1).  phi may be NULL.
+ * Return 0, or the status of the pose; f and phi then have no meaning.
+ */
+int linear_delta_modes(
+    const double p[3], const linear_delta_parameters *parameters, double f[9], double phi[9][9]);
 
 #ifdef __cplusplus
 }

@@ -22,6 +22,25 @@
 extern "C" {
 #endif
 
+/* components of a pose */
+#define ROTARY_DELTA_POSE 3
+/* coordinates, and modes */
+#define ROTARY_DELTA_COORDINATES 6
+/* rigid-body modes, the first ones */
+#define ROTARY_DELTA_RIGID_MODES 3
+/* largest condition number of a regular pose */
+#define ROTARY_DELTA_MAX_CONDITION 1e6
+/* status: the eigenproblem has no solution */
+#define ROTARY_DELTA_UNSOLVED (-1)
+/* status: the pose is not finite */
+#define ROTARY_DELTA_NOT_FINITE 1
+/* status: the pose is out of reach: an arm and its link do not reach the platform */
+#define ROTARY_DELTA_BEYOND_REACHABLE 2
+/* status: the pose is singular */
+#define ROTARY_DELTA_BEYOND_SINGULAR 3
+/* status: an arm is beyond its limits */
+#define ROTARY_DELTA_BEYOND_LIMITS 4
+
 typedef struct {
     /* [kg] platform mass */
     double platform_mass;
@@ -336,6 +355,23 @@ void rotary_delta_stiffness_matrix(const double p[3], const rotary_delta_paramet
  */
 void rotary_delta_modal_matrices(const double p[3], const rotary_delta_parameters *parameters,
     double M[6][6], double K[6][6]);
+
+/* Why a pose cannot be evaluated: 0 where it can, or a status above.  Where it is not 0, the functions before
+ * return NaN or numbers without meaning: call it first, or call the two functions that follow.
+ */
+int rotary_delta_status(const double p[3], const rotary_delta_parameters *parameters);
+
+/* Natural frequencies sqrt(|lambda|)/(2 pi) with the sign of lambda [Hz], ascending, rigid-body modes first.
+ * Return 0, or the status of the pose; f then has no meaning.
+ */
+int rotary_delta_natural_frequencies(
+    const double p[3], const rotary_delta_parameters *parameters, double f[6]);
+
+/* The same with mode shapes: row i of phi is mode i, mass-normalised (phi^T M phi = 1).  phi may be NULL.
+ * Return 0, or the status of the pose; f and phi then have no meaning.
+ */
+int rotary_delta_modes(
+    const double p[3], const rotary_delta_parameters *parameters, double f[6], double phi[6][6]);
 
 #ifdef __cplusplus
 }

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from pkmodes_derive.emit import commentary, layout
+from pkmodes_derive.emit.c99 import modes
 from pkmodes_derive.emit.c99.printer import expression
 from pkmodes_derive.emit.program import Program, Result
 from pkmodes_derive.emit.provenance import Provenance
@@ -54,7 +55,15 @@ def files(model: Model, programs: Mapping[str, Program], provenance: Provenance)
             if group.declared
         ],
         "functions": [_function(f, used[f.name], model, groups, provenance.name) for f in emitted],
+        "definitions": [],
+        "controller": "",
     }
+    if model.conditions:
+        values["definitions"] = modes.definitions(model, provenance.name)
+        values["controller"] = modes.source(model, provenance.name, groups)
+        values["arguments"] = modes.arguments(model, groups)
+        values["n"] = len(model.coordinates)
+        values["headers"] = ["math.h", "stddef.h", "string.h"]
     return {
         f"{provenance.name}.c": render(__package__, "source.c.j2", **values),
         f"{provenance.name}.h": render(__package__, "header.h.j2", **values),
