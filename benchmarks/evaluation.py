@@ -80,11 +80,17 @@ def main() -> None:
                 lambda: model.frequencies(poses, out=out["frequencies"], backend="compiled"),
             ),
             "frequencies, NumPy": (POSES, lambda: model.frequencies(poses, backend="numpy")),
-            "modes of a single pose, NumPy": (1, lambda: model.modes(poses[0], backend="numpy")),
-            "modes of a single pose, compiled": (1, lambda: model.modes(poses[0], backend="compiled")),
-            "frequencies of a single pose, compiled": (
-                1,
-                lambda: model.frequencies(poses[0], backend="compiled"),
+            "modes, one pose at a time, NumPy": (
+                100,
+                lambda: [model.modes(p, backend="numpy") for p in poses[:100]],
+            ),
+            "modes, one pose at a time, compiled": (
+                500,
+                lambda: [model.modes(p, backend="compiled") for p in poses[:500]],
+            ),
+            "frequencies, one pose at a time, compiled": (
+                500,
+                lambda: [model.frequencies(p, backend="compiled") for p in poses[:500]],
             ),
             "M and K by lambdify, and scipy.linalg.eigh, in a loop": (
                 500,
