@@ -16,7 +16,12 @@ from pkmodes.poses import MAX_CONDITION
 
 NAMES = ("linear_delta", "rotary_delta", "corexy")
 #: Names of effects by which combination is on.
-EFFECTS = {"none": (), **sample_mechanisms.TOGETHER}
+EFFECTS = {
+    "none": (),
+    "massless clamps": ("clamp_compliance",),
+    "massless clamps and more": ("clamp_compliance", "gearbox_compliance", "frame_compliance"),
+    **sample_mechanisms.TOGETHER,
+}
 #: Values by field, each of which makes an eigenproblem of its own kind: factors of the parameters of these names.
 EXTREMES = {
     "as it is": {},

@@ -134,6 +134,17 @@ def test_any_symmetric_pair_agrees_with_forty_digits(solve: Solver, n: int, spre
     assert np.abs(shapes @ M @ np.swapaxes(shapes, -1, -2) - np.eye(n)).max() <= 20 * n * EPS * condition
 
 
+def test_a_lane_whose_rotations_underflow_is_handed_back_and_the_others_are_not(solve: Solver) -> None:
+    """Off-diagonal elements of 1e-200 beside zeros are not negligible, and their squares are zero."""
+    K, _ = second_difference(9)
+    tiny = 1e-200 * (np.eye(9, k=1) + np.eye(9, k=-1))
+    alone = solve(np.eye(9), K)
+    values, shapes, bad = solve(np.eye(9), np.stack([tiny, K, K, tiny]))
+    assert bad.tolist() == [1, 0, 0, 1]
+    assert values[1].tobytes() == alone[0][1].tobytes()
+    assert shapes[1].tobytes() == alone[1][1].tobytes()
+
+
 def test_each_lane_is_a_problem_of_its_own(solve: Solver) -> None:
     """One that is singular, one with NaN, one with infinity: the fourth has the bits that it has alone."""
     K, _ = second_difference(9)
