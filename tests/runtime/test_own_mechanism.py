@@ -93,6 +93,7 @@ def test_the_commands_print_what_the_page_shows(place: Path, capsys: pytest.Capt
     same(SHOWN[0], printed["modes"])
     same(SHOWN[1], printed["diagnose"][: len(SHOWN[1])])
     assert printed["check"].count(": current\n") == 2
+    assert "next: pkmodes generate --mechanism build/five_bar corrected.toml --out DIR" in printed["diagnose"]
     assert "payload" in (place / "corrected.toml").read_text(encoding="utf-8")
     exec(IN_PYTHON, {})
     assert capsys.readouterr().out.split() == ["[", "0.627", "0.713", "43.936", "46.103]"]
