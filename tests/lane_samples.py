@@ -9,7 +9,7 @@ import numpy as np
 import sample_mechanisms
 import sample_robots
 from pkmodes.compiled.evaluator import FIELDS, Evaluator
-from pkmodes.compiled.library import library
+from pkmodes.compiled.loader import load
 from pkmodes.evaluation import BaseEvaluation, Evaluation, SystemOfEffects
 from pkmodes.mechanism import Mechanism, mechanism
 from pkmodes.poses import MAX_CONDITION
@@ -83,7 +83,7 @@ def chosen(kind: Mechanism, names: tuple[str, ...]) -> dict[str, float]:
 
 
 def evaluator(given: Case) -> Evaluator:
-    found = library(given.kind.package, given.kind.name)
+    found = load(given.kind.package, given.kind.name)
     return Evaluator(found, given.evaluation.lanes(), len(given.evaluation.coordinates), MAX_CONDITION)
 
 

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from sympy import Symbol
 
-from pkmodes_derive.words import has_a_meaning
+from pkmodes_derive.words import is_reserved
 
 AXES = ("x", "y", "z")
 
@@ -165,10 +165,8 @@ class Vocabulary:
             name, description, latex = (_filled(text, index) for text in (name, description, latex))
         if not (name.isidentifier() and unit and description and latex):
             raise ValueError(f"symbol {name!r} needs an identifier, a unit, a description and a LaTeX form")
-        if has_a_meaning(name):
-            raise DeclarationError(
-                f"symbol {name!r} has a meaning of its own in generated code", "give it another name"
-            )
+        if is_reserved(name):
+            raise DeclarationError(f"symbol {name!r} is reserved in generated code", "give it another name")
         symbol = Symbol(name, real=True)
         if symbol in self._quantities:
             raise DeclarationError(

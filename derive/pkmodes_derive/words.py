@@ -1,4 +1,4 @@
-"""Words that generated code uses for itself: no symbol of a mechanism may have one as its name."""
+"""Reserved words of the generated languages and code: no symbol of a mechanism may use one as its name."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ C_KEYWORDS = frozenset(
     register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
     """.split()  # noqa: SIM905 - a list of quoted words would be harder to read
 )
-#: Functions of the C library, and what Python modules and vector code call their own.
+#: Functions of the C library, and names that generated Python and vector code use.
 LIBRARY = frozenset(
     """
     acos acosh asin asinh atan atan2 atanh cbrt ceil cos cosh erf exp expm1 fabs floor fmax fmin fmod hypot log log10
@@ -23,8 +23,8 @@ LIBRARY = frozenset(
 NUMBERED = re.compile(r"t\d+")
 
 
-def has_a_meaning(name: str) -> bool:
-    """Whether a name would mean something else in generated code."""
+def is_reserved(name: str) -> bool:
+    """Whether a name is reserved in generated code."""
     return bool(
         keyword.iskeyword(name)
         or name in C_KEYWORDS

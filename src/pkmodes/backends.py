@@ -1,4 +1,4 @@
-"""What computes the modes: generated NumPy code, or the compiled library where there is one."""
+"""The back ends that evaluate modes: generated NumPy code, and a compiled library where there is one."""
 
 from __future__ import annotations
 
@@ -99,10 +99,10 @@ def compiled(
     from pkmodes.compiled.evaluator import (
         Evaluator,  # what builds and loads libraries takes a while to import
     )
-    from pkmodes.compiled.library import UnavailableError, library
+    from pkmodes.compiled.loader import UnavailableError, load
 
     try:
-        found = library(kind.package, kind.name)
+        found = load(kind.package, kind.name)
         return Evaluator(found, evaluation.lanes(), len(evaluation.coordinates), largest_condition)
     except UnavailableError as error:
         if backend == AUTO:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import re
 import subprocess
 from pathlib import Path
 
@@ -12,6 +13,7 @@ import pytest
 import pkmodes
 from compiled import COMPILER, FLAGS
 from pkmodes.generation import generate
+from pkmodes.poses import MAX_CONDITION
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 #: Robot file, effects, and a box of poses that is larger than the workspace.
@@ -48,22 +50,22 @@ class Compiled:
         library = folder / "robot.so"
         assert COMPILER is not None
         subprocess.run([COMPILER, *FLAGS, str(source), "-o", str(library), "-lm"], check=True)
-        self.library = ctypes.CDLL(str(library))
+        self.code = ctypes.CDLL(str(library))
         self.m = self.model.frequencies(self.poses(300)[self.status(self.poses(300)) == 0][:1]).shape[-1]
 
     def poses(self, count: int) -> np.ndarray:
         return np.random.default_rng(1).uniform(*self.box, (count, len(self.box[0])))
 
     def status(self, poses: np.ndarray) -> np.ndarray:
-        function = getattr(self.library, f"{self.name}_status")
+        function = getattr(self.code, f"{self.name}_status")
         return np.array([function(np.ascontiguousarray(p).ctypes.data_as(ctypes.c_void_p)) for p in poses])
 
     def modes(self, p: np.ndarray) -> tuple[int, np.ndarray, np.ndarray, np.ndarray]:
         """Status, frequencies with shapes, shapes, and frequencies alone; poisoned before."""
         f, alone, phi = np.full(self.m, 1e9), np.full(self.m, 1e9), np.full((self.m, self.m), 1e9)
         p, both, one, shapes = (ctypes.c_void_p(a.ctypes.data) for a in (p.copy(), f, alone, phi))
-        first = getattr(self.library, f"{self.name}_modes")(p, both, shapes)
-        assert getattr(self.library, f"{self.name}_natural_frequencies")(p, one) == first
+        first = getattr(self.code, f"{self.name}_modes")(p, both, shapes)
+        assert getattr(self.code, f"{self.name}_natural_frequencies")(p, one) == first
         return first, f, phi, alone
 
 
@@ -117,6 +119,9 @@ def test_the_header_has_dimensions_and_statuses(robot: Compiled) -> None:
     upper = robot.name.upper()
     assert f"#define {upper}_COORDINATES {robot.m}\n" in robot.header
     assert f"#define {upper}_POSE {len(robot.box[0])}\n" in robot.header
+    if f"{upper}_MAX_CONDITION" in robot.header:
+        (limit,) = re.findall(rf"#define {upper}_MAX_CONDITION (\S+)", robot.header)
+        assert float(limit) == MAX_CONDITION
     for number, code in enumerate(robot.model.reasons, start=1):
         name = "NOT_FINITE" if code == "finite" else f"BEYOND_{code.upper()}"
         assert f"#define {upper}_{name} {number}\n" in robot.header

@@ -14,7 +14,7 @@ import pytest
 
 import pkmodes
 from pkmodes import PkmodesError
-from pkmodes.compiled import build, library
+from pkmodes.compiled import build, loader
 
 ROOT = Path(__file__).parents[2]
 ROBOT = ROOT / "robots/corexy-printer.toml"
@@ -27,11 +27,11 @@ def fresh(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[Path]:
     monkeypatch.setattr(build, "FLAGS", ("-std=gnu11", "-O0", "-fPIC"))
     monkeypatch.setattr(build, "WIDTHS", {build.machine(): {2: ()}})
     cache = tmp_path / "cache"
-    monkeypatch.setenv(library.CACHE_VARIABLE, str(cache))
-    monkeypatch.setattr(library, "SHIPPED", tmp_path / "nothing")
-    library.library.cache_clear()
+    monkeypatch.setenv(loader.CACHE_VARIABLE, str(cache))
+    monkeypatch.setattr(loader, "SHIPPED", tmp_path / "nothing")
+    loader.load.cache_clear()
     yield cache
-    library.library.cache_clear()
+    loader.load.cache_clear()
 
 
 def frequencies(backend: str = "auto") -> pkmodes.Modes:
@@ -93,10 +93,10 @@ def test_a_library_is_built_once_and_kept(fresh: Path, monkeypatch: pytest.Monke
     assert frequencies("compiled").backend == "compiled"
     (kept,) = fresh.iterdir()
     assert fresh.stat().st_mode & 0o077 == 0
-    library.library.cache_clear()
+    loader.load.cache_clear()
     monkeypatch.setattr(build, "build", lambda *_: pytest.fail("built again"))
     assert frequencies("compiled").backend == "compiled"
-    library.library.cache_clear()
+    loader.load.cache_clear()
     # From other sources it is another library.
     monkeypatch.setattr(build, "digest", lambda header: "0" * 64)
     with pytest.raises(pytest.fail.Exception, match="built again"):
@@ -133,7 +133,7 @@ def test_a_library_that_others_can_write_to_is_not_loaded(fresh: Path) -> None:
     frequencies("compiled")
     (kept,) = fresh.iterdir()
     kept.chmod(0o777)
-    library.library.cache_clear()
+    loader.load.cache_clear()
     with pytest.raises(PkmodesError, match="others can write to"):
         frequencies("compiled")
 
@@ -143,7 +143,7 @@ def test_a_library_of_another_user_is_not_loaded(fresh: Path) -> None:
     frequencies("compiled")
     (kept,) = fresh.iterdir()
     os.chown(kept, 12345, -1)
-    library.library.cache_clear()
+    loader.load.cache_clear()
     with pytest.raises(PkmodesError, match="belongs to another user"):
         frequencies("compiled")
 
@@ -159,7 +159,7 @@ def test_a_library_from_other_sources_is_not_used(fresh: Path, monkeypatch: pyte
     """A library that came with the package, and then the generated code changed."""
     shipped = fresh.parent / "shipped"
     shipped.mkdir()
-    monkeypatch.setattr(library, "SHIPPED", shipped)
+    monkeypatch.setattr(loader, "SHIPPED", shipped)
     header = (ROOT / "generated/pkmodes_generated/corexy" / build.HEADER).read_text(encoding="utf-8")
     cc = build.compiler()
     assert cc is not None

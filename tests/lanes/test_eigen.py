@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import re
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
@@ -12,6 +13,7 @@ import numpy as np
 import pytest
 
 from pkmodes.compiled import build
+from pkmodes.eigen import TIE
 
 HARNESS = Path(__file__).parent / "eigen_harness.c"
 WIDTH = 4
@@ -168,3 +170,9 @@ def test_each_lane_is_a_problem_of_its_own(solve: Solver) -> None:
 def test_units_do_not_matter(solve: Solver, scale: float) -> None:
     K, expected = second_difference(9)
     assert_solved(solve, np.eye(9), K * scale, expected * scale)
+
+
+def test_ties_are_those_of_the_reference() -> None:
+    text = (build.FOLDER / "eigen.h").read_text(encoding="utf-8")
+    assert re.findall(r"#define EIGEN_TIE (\S+)", text) == ["1e-6"]
+    assert float("1e-6") == TIE

@@ -11,14 +11,14 @@ import pkmodes
 from lane_samples import NAMES, case, evaluator, results
 from pkmodes.compiled import build
 from pkmodes.compiled.evaluator import SHARE
-from pkmodes.compiled.library import library
+from pkmodes.compiled.loader import load
 from pkmodes.poses import check_poses
 
 ROBOTS = {"linear_delta": "linear-delta-2022", "rotary_delta": "clavel-delta", "corexy": "corexy-printer"}
 
 
 def widths(name: str) -> list[int]:
-    most = library(f"pkmodes_generated.{name}", name).width
+    most = load(f"pkmodes_generated.{name}", name).width
     return [width for width in build.WIDTHS.get(build.machine(), {2: ()}) if width <= most]
 
 

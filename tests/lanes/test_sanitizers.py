@@ -13,14 +13,14 @@ from pkmodes.compiled import build
 
 CODE = """
 import numpy as np
-from pkmodes.compiled import build, library
+from pkmodes.compiled import build, loader
 build.FLAGS = tuple("-O1" if f == "-O3" else f for f in build.FLAGS) + (
     "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 build.WIDTHS = {build.machine(): {2: ()}}
 link = build._run
 build._run = lambda command, folder: link(
     [*command, "-fsanitize=address,undefined"] if "-shared" in command else command, folder)
-library.SHIPPED = library.SHIPPED / "none"
+loader.SHIPPED = loader.SHIPPED / "none"
 from lane_samples import NAMES, case, results
 for name in NAMES:
     for effects in ("none", "clamps with belt mass", "everything"):

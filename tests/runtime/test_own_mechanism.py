@@ -352,9 +352,17 @@ MISTAKES = {
         '"tool_mass": float("nan")',
         r"the value of tool_mass has the wrong shape, or is not finite",
     ),
-    "a word of Python": ('"m_p", "mass"', '"lambda", "mass"', r"symbol 'lambda' has a meaning of its own"),
-    "a word of C": ('"m_p", "mass"', '"double", "mass"', r"symbol 'double' has a meaning of its own"),
-    "a module": ('"m_p", "mass"', '"np", "mass"', r"symbol 'np' has a meaning of its own .*another name"),
+    "a word of Python": (
+        '"m_p", "mass"',
+        '"lambda", "mass"',
+        r"symbol 'lambda' is reserved in generated code",
+    ),
+    "a word of C": ('"m_p", "mass"', '"double", "mass"', r"symbol 'double' is reserved in generated code"),
+    "a module": (
+        '"m_p", "mass"',
+        '"np", "mass"',
+        r"symbol 'np' is reserved in generated code .*another name",
+    ),
     "the name of M": (
         '"m_p", "mass"',
         '"M", "mass"',

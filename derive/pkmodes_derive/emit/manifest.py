@@ -36,7 +36,7 @@ def source_digests() -> dict[str, str]:
             path = f"{prefix}{entry.name}"
             if entry.is_dir() and entry.name != "__pycache__":
                 walk(entry, f"{path}/")
-            elif entry.name.endswith((".py", ".j2")):
+            elif entry.name.endswith((".py", ".j2", ".c")):
                 # Newlines may differ between checkouts of the same sources.
                 found[path] = digest(entry.read_text(encoding="utf-8").replace("\r\n", "\n"))
 

@@ -576,11 +576,12 @@ void corexy_modal_matrices(const double p[2], const corexy_parameters *parameter
     K[3][3] = k_2_1*t16 + k_2_2*t16;
 }
 
+/* Coordinates, and the most iterations for one eigenvalue; two are usual. */
+enum { N = COREXY_COORDINATES, EIGEN_ITERATIONS = 60 };
+
 /* The symmetric eigenproblem K phi = lambda M phi: M is scaled and factored (Cholesky), K reduced to a
  * tridiagonal matrix by Householder reflections, and that diagonalised by the implicit QL method.  The lower
  * triangle of symmetric matrices is used.  Functions that can fail return -1. */
-enum { N = COREXY_COORDINATES, EIGEN_ITERATIONS = 60 };
-
 static int eigen_factor(double M[N][N], double scale[N])
 {
     int i, j, k;
@@ -757,6 +758,13 @@ static void eigen_order(double d[N], double (*Z)[N], const double scale[N])
     }
 }
 
+/* Replace eigenvalues by natural frequencies sqrt(|lambda|)/(2 pi) with the sign of lambda [Hz]. */
+static void eigen_frequencies(double d[N])
+{
+    int i;
+    for (i = 0; i < N; ++i)
+        d[i] = copysign(sqrt(fabs(d[i])), d[i])/6.283185307179586;
+}
 int corexy_status(const double p[2], const corexy_parameters *parameters)
 {
     int i;
@@ -778,7 +786,6 @@ int corexy_modes(
 {
     double L[N][N], A[N][N], scale[N], e[N], beta[N];
     const int status = corexy_status(p, parameters);
-    int i;
     if (status)
         return status;
     corexy_modal_matrices(p, parameters, L, A);
@@ -791,8 +798,7 @@ int corexy_modes(
     if (eigen_ql(f, e, phi))
         return COREXY_UNSOLVED;
     eigen_order(f, phi, scale);
-    for (i = 0; i < N; ++i)
-        f[i] = copysign(sqrt(fabs(f[i])), f[i])/6.283185307179586;
+    eigen_frequencies(f);
     return 0;
 }
 

@@ -3403,11 +3403,12 @@ void linear_delta_modal_matrices(const double p[3], const linear_delta_parameter
     K[8][8] = k_3_2*t62 + t63;
 }
 
+/* Coordinates, and the most iterations for one eigenvalue; two are usual. */
+enum { N = LINEAR_DELTA_COORDINATES, EIGEN_ITERATIONS = 60 };
+
 /* The symmetric eigenproblem K phi = lambda M phi: M is scaled and factored (Cholesky), K reduced to a
  * tridiagonal matrix by Householder reflections, and that diagonalised by the implicit QL method.  The lower
  * triangle of symmetric matrices is used.  Functions that can fail return -1. */
-enum { N = LINEAR_DELTA_COORDINATES, EIGEN_ITERATIONS = 60 };
-
 static int eigen_factor(double M[N][N], double scale[N])
 {
     int i, j, k;
@@ -3584,6 +3585,13 @@ static void eigen_order(double d[N], double (*Z)[N], const double scale[N])
     }
 }
 
+/* Replace eigenvalues by natural frequencies sqrt(|lambda|)/(2 pi) with the sign of lambda [Hz]. */
+static void eigen_frequencies(double d[N])
+{
+    int i;
+    for (i = 0; i < N; ++i)
+        d[i] = copysign(sqrt(fabs(d[i])), d[i])/6.283185307179586;
+}
 int linear_delta_status(const double p[3], const linear_delta_parameters *parameters)
 {
     int i;
@@ -3619,7 +3627,6 @@ int linear_delta_modes(
 {
     double L[N][N], A[N][N], scale[N], e[N], beta[N];
     const int status = linear_delta_status(p, parameters);
-    int i;
     if (status)
         return status;
     linear_delta_modal_matrices(p, parameters, L, A);
@@ -3632,8 +3639,7 @@ int linear_delta_modes(
     if (eigen_ql(f, e, phi))
         return LINEAR_DELTA_UNSOLVED;
     eigen_order(f, phi, scale);
-    for (i = 0; i < N; ++i)
-        f[i] = copysign(sqrt(fabs(f[i])), f[i])/6.283185307179586;
+    eigen_frequencies(f);
     return 0;
 }
 

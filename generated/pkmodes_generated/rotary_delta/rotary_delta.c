@@ -3747,11 +3747,12 @@ void rotary_delta_modal_matrices(const double p[3], const rotary_delta_parameter
     K[5][5] = k_r_3;
 }
 
+/* Coordinates, and the most iterations for one eigenvalue; two are usual. */
+enum { N = ROTARY_DELTA_COORDINATES, EIGEN_ITERATIONS = 60 };
+
 /* The symmetric eigenproblem K phi = lambda M phi: M is scaled and factored (Cholesky), K reduced to a
  * tridiagonal matrix by Householder reflections, and that diagonalised by the implicit QL method.  The lower
  * triangle of symmetric matrices is used.  Functions that can fail return -1. */
-enum { N = ROTARY_DELTA_COORDINATES, EIGEN_ITERATIONS = 60 };
-
 static int eigen_factor(double M[N][N], double scale[N])
 {
     int i, j, k;
@@ -3928,6 +3929,13 @@ static void eigen_order(double d[N], double (*Z)[N], const double scale[N])
     }
 }
 
+/* Replace eigenvalues by natural frequencies sqrt(|lambda|)/(2 pi) with the sign of lambda [Hz]. */
+static void eigen_frequencies(double d[N])
+{
+    int i;
+    for (i = 0; i < N; ++i)
+        d[i] = copysign(sqrt(fabs(d[i])), d[i])/6.283185307179586;
+}
 int rotary_delta_status(const double p[3], const rotary_delta_parameters *parameters)
 {
     int i;
@@ -3963,7 +3971,6 @@ int rotary_delta_modes(
 {
     double L[N][N], A[N][N], scale[N], e[N], beta[N];
     const int status = rotary_delta_status(p, parameters);
-    int i;
     if (status)
         return status;
     rotary_delta_modal_matrices(p, parameters, L, A);
@@ -3976,8 +3983,7 @@ int rotary_delta_modes(
     if (eigen_ql(f, e, phi))
         return ROTARY_DELTA_UNSOLVED;
     eigen_order(f, phi, scale);
-    for (i = 0; i < N; ++i)
-        f[i] = copysign(sqrt(fabs(f[i])), f[i])/6.283185307179586;
+    eigen_frequencies(f);
     return 0;
 }
 

@@ -2,8 +2,8 @@
  *
  * M is scaled by its diagonal and factored, K reduced to a standard problem (Golub and Van Loan, section 8.7.2), that to
  * a tridiagonal matrix by Householder reflections (section 8.3.1), and that solved by the implicit QL method (Bowdler,
- * Martin, Reinsch and Wilkinson 1968).  Each lane iterates until it has converged and is left alone from then on, so
- * that its bits do not depend on its neighbours.  Tests are written so that a NaN counts as converged.
+ * Martin, Reinsch and Wilkinson 1968).  Each lane iterates until it has converged and is then left unchanged, so
+ * its bits do not depend on its neighbours.  Tests are written so that a NaN counts as converged.
  *
  * Matrices are n by n, row-major, of lanes; of symmetric ones the lower triangle is used.
  */
@@ -12,7 +12,7 @@
 
 #include "lane.h"
 
-/* Iterations for one eigenvalue: two are usual; who needs more is handed back as not converged. */
+/* Most iterations for one eigenvalue; two are usual, and a lane that needs more is reported as not converged. */
 #define EIGEN_ITERATIONS 60
 /* The most problems that are solved together. */
 #define EIGEN_UNITS 3

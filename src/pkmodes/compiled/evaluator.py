@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.compiled.lanes import Lanes
-from pkmodes.compiled.library import Library, Request
+from pkmodes.compiled.loader import Library, Request
 
 Array = NDArray[np.float64]
 #: The fields that the kernel writes.
@@ -24,7 +24,7 @@ FIELDS = (
     "mass_matrix",
     "stiffness_matrix",
 )
-#: Poses that are worth a thread of their own.
+#: Fewest poses for which another thread is started.
 SHARE = 2048
 #: The code of a pose whose eigenproblem needs another solver.
 UNSOLVED = -1

@@ -39,7 +39,7 @@ INLINE mask lanes_checked(const lane *restrict pose, const lane *restrict margin
     return pick_code(~finite, 1, code);
 }
 
-/* Where the results of the poses of a block go. */
+/* A block of poses: one for each lane. */
 struct lanes_block {
     const struct pkmodes_request *request;
     long long start;
@@ -155,7 +155,7 @@ INLINE void lanes_write(const struct lanes_system *restrict system, const struct
     }
 }
 
-/* Solve the systems and write what is asked for; a pose that needs another solver gets the code -1. */
+/* Solve the systems and write the requested modes; a pose that needs another solver gets the code -1. */
 INLINE void lanes_solve(struct lanes_system *restrict system, int units, int n, int m, const int *restrict column)
 {
     const struct pkmodes_request *request = system->block.request;
@@ -249,7 +249,7 @@ static __attribute__((noinline)) void lanes_with_effects(
         lanes_solve(system, EIGEN_UNITS, n, m, column);
 }
 
-/* As many blocks as there are units, from one pose on: what is asked of them, and why some are not evaluated. */
+/* Evaluate as many blocks as there are units, and write the requested results and the codes. */
 INLINE void lanes_evaluate(const struct pkmodes_request *request, long long start, int units)
 {
     const int modes = request->frequencies || request->eigenvalues || request->shapes || request->platform_shapes;

@@ -1,8 +1,8 @@
-/* What is asked of the compiled evaluator, and what it fills in; `pkmodes.compiled.library` has the same in Python. */
+/* A request to the compiled evaluator: inputs and outputs.  `pkmodes.compiled.loader` mirrors it in Python. */
 #ifndef PKMODES_REQUEST_H
 #define PKMODES_REQUEST_H
 
-/* The layout below; a library of another layout is not used. */
+/* Version of the layout below; a library with another version is not used. */
 #define PKMODES_LAYOUT 2
 
 struct pkmodes_request {
@@ -28,8 +28,8 @@ struct pkmodes_request {
     double *joint_positions; /* (N, independent) */
     double *mass;            /* (N, n, n) */
     double *stiffness;       /* (N, n, n) */
-    /* Always: 0 where a pose was evaluated, 1 where it is not finite, 2 and more by the margin that it lacks; -1 where
-     * the eigenproblem needs another solver. */
+    /* Always written: 0 where a pose was evaluated, 1 where it is not finite, from 2 on the violated margin, and -1
+     * where the eigenproblem needs another solver. */
     signed char *codes; /* (N) */
 };
 

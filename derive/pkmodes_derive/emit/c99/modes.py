@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from importlib.resources import files
 from math import prod
 
 from pkmodes_derive.description import Margin
@@ -57,6 +58,7 @@ def source(model: Model, name: str, groups: Sequence[FieldGroup]) -> str:
         n=len(model.coordinates),
         arguments=arguments(model, groups),
         passed=", ".join(taken),
+        solver=files(__package__).joinpath("eigen.c").read_text(encoding="utf-8").rstrip(),
         checks=[
             _check(
                 margin, by_name[margin.function], f"{upper}_{_code(model.conditions, number)}", name, taken

@@ -91,7 +91,7 @@ class Request(ctypes.Structure):
 
 
 @cache
-def library(package: str, name: str) -> Library:
+def load(package: str, name: str) -> Library:
     """Load the library of a mechanism; build it where there is none yet.
 
     Parameters
