@@ -22,7 +22,7 @@ VARIABLE = "PKMODES_BACKEND"
 
 
 def chosen(backend: str) -> str:
-    """Resolve what the caller and the environment ask for.
+    """Return the back end that the caller or the environment selects.
 
     Parameters
     ----------
@@ -87,7 +87,7 @@ def compiled(
     Returns
     -------
     Evaluator or None
-        None where NumPy does the work.
+        None for NumPy.
 
     Raises
     ------
@@ -96,9 +96,8 @@ def compiled(
     """
     if backend == NUMPY:
         return None
-    from pkmodes.compiled.evaluator import (
-        Evaluator,  # what builds and loads libraries takes a while to import
-    )
+    # Building and loading libraries needs modules that are slow to import.
+    from pkmodes.compiled.evaluator import Evaluator
     from pkmodes.compiled.loader import UnavailableError, load
 
     try:

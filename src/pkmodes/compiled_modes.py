@@ -1,4 +1,4 @@
-"""Modes by the compiled evaluator; what it leaves, a stiff joint or an M that is not positive definite, by NumPy."""
+"""Modes from the compiled evaluator, and from NumPy at poses that it cannot solve accurately."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from pkmodes.solving import OF_MODES, Solved, fields_of_modes, solved
 
 Array = NDArray[np.float64]
 EIGENVALUES = "eigenvalues"
-#: Released joints that hardly hold or hardly move cost digits: below this fraction of the highest eigenvalue of the
-#: base coordinates, or beyond this multiple of it, the reference implementation solves.
+#: Very soft and very stiff released joints cost digits: NumPy solves where the lowest eigenvalue of vibration is below
+#: this fraction, or the highest one above this multiple, of the highest eigenvalue of the base coordinates.
 SOFT, STIFF = 1e-5, 1e3
 
 
@@ -50,7 +50,7 @@ def compiled_modes(
     Returns
     -------
     CheckedPoses
-        With what became of each pose.
+        With the code of each pose.
     dict of str to ndarray, shape (..., *tail)
         By field; NaN where a pose cannot be evaluated.
 
@@ -63,11 +63,11 @@ def compiled_modes(
     points, batch = given_poses(poses, kind, on_error)
     points = np.ascontiguousarray(points)
     arrays, rows = allotted({name: _tail(name, robot, evaluator) for name in asked}, batch, out)
-    if out and on_error == "raise":  # before anything of the caller's is overwritten
+    if out and on_error == "raise":  # before the arrays of the caller are overwritten
         refuse(points, evaluator.run(points, {}, threads), kind, robot.parameters)
     written = {JOINTS if name == CARRIAGES else name: array for name, array in rows.items()}
     released = evaluator.coordinates > evaluation.first
-    if released and OF_MODES & written.keys():  # they tell whether a joint is too stiff or too soft
+    if released and OF_MODES & written.keys():  # these show joints that are too stiff or too soft
         written[EIGENVALUES] = np.empty((len(points), evaluator.modes))
     codes = evaluator.run(points, written, threads)
     left = _left(evaluation, codes, written.get(EIGENVALUES))
@@ -115,7 +115,7 @@ def compiled_solution(evaluator: Evaluator, evaluation: Evaluation, p: Array, so
 
 
 def _left(evaluation: Evaluation, codes: NDArray[np.int8], eigenvalues: Array | None) -> NDArray[np.intp]:
-    """Poses that NumPy has to solve, or to refuse."""
+    """Return the poses that NumPy has to solve or refuse."""
     left = codes == UNSOLVED
     first, rigid = evaluation.first, evaluation.rigid_modes
     if eigenvalues is not None and len(evaluation.coordinates) > first:
@@ -126,7 +126,7 @@ def _left(evaluation: Evaluation, codes: NDArray[np.int8], eigenvalues: Array | 
 
 
 def _tail(name: str, robot: Robot, evaluator: Evaluator) -> tuple[int, ...]:
-    """Shape of a field at one pose."""
+    """Return the shape of a field at one pose."""
     m, n, kind = evaluator.modes, evaluator.coordinates, robot.kind
     return {
         "frequencies": (m,),

@@ -1,4 +1,4 @@
-"""One robot in the compiled evaluator: modes at poses, written into arrays of the caller's."""
+"""The compiled evaluator of one robot: modes at poses, written into arrays of the caller."""
 
 from __future__ import annotations
 
@@ -72,11 +72,11 @@ class Evaluator:
         points : ndarray, shape (N, d)
             Contiguous.
         arrays : mapping of str to ndarray, (N, ...)
-            By field of `FIELDS`: contiguous, to be filled; NaN where a pose cannot be evaluated.
+            Contiguous arrays to fill, by field of `FIELDS`; NaN where a pose cannot be evaluated.
         threads : int
-            Threads to share the poses; the digits do not depend on it.
+            Number of threads; the results do not depend on it.
         width : int, optional
-            Lanes, at most the library's; by default these.
+            Number of lanes, by default the largest that the processor has.
 
         Returns
         -------

@@ -13,7 +13,7 @@
 #define TWO_PI 6.283185307179586
 #define LARGEST 1.7976931348623157e308
 
-/* A code where something is, another elsewhere. */
+/* A code where the condition holds, the other codes elsewhere. */
 INLINE mask pick_code(mask where, long long code, mask otherwise)
 {
     return (where & ((mask){0} + code)) | (~where & otherwise);

@@ -1,7 +1,7 @@
-"""Find the library of a mechanism: the one that came with `pkmodes`, one built earlier, or one built now.
+"""Find the library of a mechanism: installed with `pkmodes`, built earlier, or built now.
 
 A library is used only if it was built from exactly these sources.  Libraries built at first use are kept in a folder
-that nobody but the user can write to.
+that only the user can write to.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pathlib import Path
 
 from pkmodes.compiled import build
 
-#: Where the libraries are that came with the package.
+#: Libraries installed with the package.
 SHIPPED = Path(__file__).parent / "libraries"
 #: Folder for libraries built at first use, instead of the user's cache.
 CACHE_VARIABLE = "PKMODES_CACHE"
@@ -26,7 +26,7 @@ INSTALL = "install a C compiler (gcc or clang), or name one in the environment v
 
 
 class UnavailableError(Exception):
-    """There is no library; the text says why.
+    """No library is available.
 
     Parameters
     ----------
@@ -44,7 +44,7 @@ class Library:
     Attributes
     ----------
     width : int
-        Lanes of the widest vectors that this processor has.
+        Lanes in the widest vectors of this processor.
     """
 
     def __init__(self, path: Path) -> None:
@@ -57,12 +57,12 @@ class Library:
 
     @property
     def digest(self) -> str:
-        """What it was built from."""
+        """Digest of the sources it was built from."""
         return str(self._library.pkmodes_digest().decode("ascii"))
 
     @property
     def layout(self) -> int:
-        """The layout of its requests."""
+        """Version of the layout of its requests."""
         return int(self._library.pkmodes_layout())
 
 
@@ -120,7 +120,7 @@ def load(package: str, name: str) -> Library:
 
 
 def _built(name: str, header: str, wanted: str) -> Library:
-    """The library from the cache, built first if need be."""
+    """Return the library from the cache, after building it if necessary."""
     cc = build.compiler()
     if cc is None:
         raise UnavailableError("there is no compiled library, and no C compiler to build it with", INSTALL)
@@ -130,7 +130,7 @@ def _built(name: str, header: str, wanted: str) -> Library:
         found = None
         if path.is_file():
             _check_private(path)
-            found = _loaded(path, wanted)  # not if it was cut short
+            found = _loaded(path, wanted)  # None for a damaged file
         if found is None:
             build.build(header, path, cc)
             found = _loaded(path, wanted)
@@ -144,7 +144,7 @@ def _built(name: str, header: str, wanted: str) -> Library:
 
 
 def _loaded(path: Path, wanted: str) -> Library | None:
-    """The library of a file, unless it was built from something else or for another processor."""
+    """Load a file; return None if it was built from other sources or for another processor."""
     try:
         found = Library(path)
         return found if (found.layout, found.digest) == (LAYOUT, wanted) else None
@@ -153,7 +153,7 @@ def _loaded(path: Path, wanted: str) -> Library | None:
 
 
 def _cache() -> Path:
-    """The user's own folder for libraries.
+    """Return the user's folder for libraries, created if necessary.
 
     Raises
     ------
@@ -176,7 +176,7 @@ def _elsewhere() -> str:
 
 
 def _check_private(path: Path) -> None:
-    """Refuse what somebody else could have put there: code from it would be run."""
+    """Refuse a path that other users can write to: code from it would be run."""
     found = path.stat()
     if hasattr(os, "getuid") and found.st_uid != os.getuid():
         raise PermissionError(f"{path} belongs to another user")
@@ -186,7 +186,7 @@ def _check_private(path: Path) -> None:
 
 @cache
 def _version(cc: str) -> str:
-    """A short name of a compiler and its version, and of the processor's architecture."""
+    """Return a short digest of a compiler, its version and the processor architecture."""
     try:
         said = subprocess.run([cc, "--version"], capture_output=True, timeout=60, check=False).stdout
     except (OSError, subprocess.TimeoutExpired):
