@@ -18,8 +18,8 @@ from pkmodes.solving import OF_MODES, Solved, fields_of_modes, solved
 
 Array = NDArray[np.float64]
 EIGENVALUES = "eigenvalues"
-#: Very soft and very stiff released joints cost digits: NumPy solves where the lowest eigenvalue of vibration is below
-#: this fraction, or the highest one above this multiple, of the highest eigenvalue of the base coordinates.
+#: Very soft and very stiff released joints cost digits: NumPy solves where the lowest eigenvalue of vibration is
+#: below this fraction, or the highest one above this multiple, of the highest one of the base coordinates.
 SOFT, STIFF = 1e-5, 1e3
 
 
