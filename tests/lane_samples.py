@@ -2,18 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 
 import sample_mechanisms
 import sample_robots
-from pkmodes.compiled.evaluator import FIELDS, Evaluator
+from pkmodes import read_robot
+from pkmodes.compiled.evaluator import FIELDS, RATES, Evaluator
+from pkmodes.compiled.lanes import Terms
 from pkmodes.compiled.loader import load
 from pkmodes.evaluation import BaseEvaluation, Evaluation, SystemOfEffects
 from pkmodes.mechanism import Mechanism, mechanism
 from pkmodes.poses import MAX_CONDITION
+from pkmodes.robot.paths import ParameterPath, paths, resolve_all
+from pkmodes.robot.robot import Robot
+from pkmodes.sensitivity.terms import terms_of
 
+ROOT = Path(__file__).parents[1]
+ROBOTS = {"linear_delta": "linear-delta-2022", "rotary_delta": "clavel-delta", "corexy": "corexy-printer"}
 NAMES = ("linear_delta", "rotary_delta", "corexy")
 #: Names of effects by which combination is on.
 EFFECTS = {
@@ -87,11 +98,32 @@ def evaluator(given: Case) -> Evaluator:
     return Evaluator(found, given.evaluation.lanes(), len(given.evaluation.coordinates), MAX_CONDITION)
 
 
+def robot_of(given: Case) -> Robot:
+    """The shipped robot of the mechanism with the parameters of a case, and no effects."""
+    return replace(shipped(given.kind.name), parameters=given.parameters)
+
+
+@cache
+def shipped(name: str) -> Robot:
+    return read_robot(ROOT / f"robots/{ROBOTS[name]}.toml")
+
+
+def directions(given: Case, names: Sequence[str] = ()) -> tuple[list[ParameterPath], Terms]:
+    """All quantities that can vary, or those whose names are given."""
+    robot = robot_of(given)
+    system = given.evaluation
+    if not isinstance(system, SystemOfEffects):
+        system = SystemOfEffects(given.kind, given.parameters, {})
+    found = resolve_all(robot, names or [path for path in paths(robot) if path != "axis.joint_radius"])
+    return found, terms_of(system, found)
+
+
 def results(
     given: Case, poses: np.ndarray, width: int | None = None
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     run = evaluator(given)
     n, m = run.coordinates, run.modes
+    varied, terms = directions(given)
     tails = (
         (m,),
         (m,),
@@ -100,7 +132,10 @@ def results(
         (len(given.kind.independent),),
         (n, n),
         (n, n),
+        (len(varied), m),
+        (len(varied), m),
     )
     # Poisoned, so that an entry that is not written shows.
-    arrays = {name: np.full((len(poses), *tail), 12345.0) for name, tail in zip(FIELDS, tails, strict=True)}
-    return run.run(np.ascontiguousarray(poses), arrays, width=width), arrays
+    names = (*FIELDS, *RATES)
+    arrays = {name: np.full((len(poses), *tail), 12345.0) for name, tail in zip(names, tails, strict=True)}
+    return run.run(np.ascontiguousarray(poses), arrays, width=width, terms=terms), arrays

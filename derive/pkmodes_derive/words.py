@@ -17,10 +17,13 @@ LIBRARY = frozenset(
     acos acosh asin asinh atan atan2 atanh cbrt ceil cos cosh erf exp expm1 fabs floor fmax fmin fmod hypot log log10
     log1p log2 memset pow round sin sinh sqrt tan tanh trunc gamma tgamma lgamma j0 j1 jn y0 y1 yn
     np math arctan2 tuple list float int len range broadcast lane mask pose pick root parameters effects margin
+    mode modes shape shapes eigenvalue eigenvalues gradient gradients
     """.split()  # noqa: SIM905
 )
 #: Shared subexpressions: t1, t2, ...
 NUMBERED = re.compile(r"t\d+")
+#: Names that derivatives of eigenvalues consist of.
+OF_GRADIENTS = re.compile(r"(shape|forward|adjoint)_\w+")
 
 
 def is_reserved(name: str) -> bool:
@@ -30,5 +33,6 @@ def is_reserved(name: str) -> bool:
         or name in C_KEYWORDS
         or name in LIBRARY
         or NUMBERED.fullmatch(name)
+        or OF_GRADIENTS.fullmatch(name)
         or not name.isascii()
     )

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.compiled.evaluator import UNSOLVED, Evaluator
+from pkmodes.compiled.lanes import Terms
 from pkmodes.eigen import has_stiff_joint
 from pkmodes.evaluation import Evaluation
 from pkmodes.gathering import Out, allotted
@@ -21,6 +23,76 @@ EIGENVALUES = "eigenvalues"
 #: Very soft and very stiff released joints cost digits: NumPy solves where the lowest eigenvalue of vibration is
 #: below this fraction, or the highest one above this multiple, of the highest one of the base coordinates.
 SOFT, STIFF = 1e-5, 1e3
+
+
+@dataclass(frozen=True)
+class Job:
+    """What to evaluate at poses.
+
+    Attributes
+    ----------
+    tails : mapping of str to tuple of int
+        Shape of each field at one pose.
+    kernel : mapping of str to str
+        The kernel's name of each field.
+    also : mapping of str to tuple of int
+        Fields of the kernel that decide which poses are left to NumPy, besides those of the caller's.
+    terms : Terms or None
+        Directions along which to differentiate.
+    left : callable
+        From the codes and the fields of the kernel, the indices of the poses that NumPy has to solve or refuse.
+    redone : callable
+        Evaluates the fields at such poses, (n, d), with NumPy.
+    """
+
+    tails: Mapping[str, tuple[int, ...]]
+    kernel: Mapping[str, str]
+    also: Mapping[str, tuple[int, ...]]
+    terms: Terms | None
+    left: Callable[[NDArray[np.int8], Mapping[str, Array]], NDArray[np.intp]]
+    redone: Callable[[Array], Mapping[str, Array]]
+
+
+def evaluated(
+    evaluator: Evaluator, robot: Robot, poses: ArrayLike, on_error: OnError, job: Job, out: Out, threads: int
+) -> tuple[CheckedPoses, dict[str, Array]]:
+    """Evaluate a job with the compiled evaluator, and with NumPy where it cannot.
+
+    Returns
+    -------
+    CheckedPoses
+        With the code of each pose.
+    dict of str to ndarray, shape (..., *tail)
+        By field; NaN where a pose cannot be evaluated.
+
+    Raises
+    ------
+    PoseError, PkmodesError
+        As `pkmodes.Model.modes` does.
+    """
+    kind = robot.kind
+    points, batch = given_poses(poses, kind, on_error)
+    points = np.ascontiguousarray(points)
+    arrays, rows = allotted(job.tails, batch, out)
+    if out and on_error == "raise":  # before the arrays of the caller are overwritten
+        refuse(points, evaluator.run(points, {}, threads), kind, robot.parameters)
+    written = {job.kernel[name]: array for name, array in rows.items()}
+    for name, tail in job.also.items():
+        if name not in written:
+            written[name] = np.empty((len(points), *tail))
+    codes = evaluator.run(points, written, threads, terms=job.terms)
+    left = job.left(codes, written)
+    for start in range(0, len(left), CHUNK):
+        some = left[start : start + CHUNK]
+        for name, values in job.redone(points[some]).items():
+            rows[name][some] = values
+    codes[left] = 0
+    if on_error == "raise":
+        refuse(points, codes, kind, robot.parameters)
+    for name, array in arrays.items():
+        if not np.may_share_memory(array, rows[name]):
+            array[...] = rows[name].reshape(array.shape)
+    return CheckedPoses(points, codes, batch, codes_of(kind)), arrays
 
 
 def compiled_modes(
@@ -59,29 +131,17 @@ def compiled_modes(
     PoseError, PkmodesError
         As `pkmodes.Model.modes` does.
     """
-    kind = robot.kind
-    points, batch = given_poses(poses, kind, on_error)
-    points = np.ascontiguousarray(points)
-    arrays, rows = allotted({name: _tail(name, robot, evaluator) for name in asked}, batch, out)
-    if out and on_error == "raise":  # before the arrays of the caller are overwritten
-        refuse(points, evaluator.run(points, {}, threads), kind, robot.parameters)
-    written = {JOINTS if name == CARRIAGES else name: array for name, array in rows.items()}
     released = evaluator.coordinates > evaluation.first
-    if released and OF_MODES & written.keys():  # these show joints that are too stiff or too soft
-        written[EIGENVALUES] = np.empty((len(points), evaluator.modes))
-    codes = evaluator.run(points, written, threads)
-    left = _left(evaluation, codes, written.get(EIGENVALUES))
-    for start in range(0, len(left), CHUNK):
-        some = left[start : start + CHUNK]
-        for name, values in fields_of_modes(robot, evaluation, points[some], asked).items():
-            rows[name][some] = values
-    codes[left] = 0
-    if on_error == "raise":
-        refuse(points, codes, kind, robot.parameters)
-    for name, array in arrays.items():
-        if not np.may_share_memory(array, rows[name]):
-            array[...] = rows[name].reshape(array.shape)
-    return CheckedPoses(points, codes, batch, codes_of(kind)), arrays
+    deciding = released and OF_MODES & set(asked)  # these show joints that are too stiff or too soft
+    job = Job(
+        tails={name: _tail(name, robot, evaluator) for name in asked},
+        kernel={name: JOINTS if name == CARRIAGES else name for name in asked},
+        also={EIGENVALUES: (evaluator.modes,)} if deciding else {},
+        terms=None,
+        left=lambda codes, written: left_to_numpy(evaluation, codes, written.get(EIGENVALUES)),
+        redone=lambda points: fields_of_modes(robot, evaluation, points, asked),
+    )
+    return evaluated(evaluator, robot, poses, on_error, job, out, threads)
 
 
 def compiled_solution(evaluator: Evaluator, evaluation: Evaluation, p: Array, source: str) -> Solved:
@@ -105,7 +165,7 @@ def compiled_solution(evaluator: Evaluator, evaluation: Evaluation, p: Array, so
     n, m = evaluator.coordinates, evaluator.modes
     eigenvalues, shapes = np.empty((len(p), m)), np.empty((len(p), m, n))
     codes = evaluator.run(np.ascontiguousarray(p), {EIGENVALUES: eigenvalues, "shapes": shapes})
-    left = _left(evaluation, codes, eigenvalues)
+    left = left_to_numpy(evaluation, codes, eigenvalues)
     every = evaluation.all_coordinates(p)
     M, K = (evaluation.free_part(matrix) for matrix in every)
     if len(left):
@@ -114,8 +174,23 @@ def compiled_solution(evaluator: Evaluator, evaluation: Evaluation, p: Array, so
     return Solved(M, K, eigenvalues, shapes, every)
 
 
-def _left(evaluation: Evaluation, codes: NDArray[np.int8], eigenvalues: Array | None) -> NDArray[np.intp]:
-    """Return the poses that NumPy has to solve or refuse."""
+def left_to_numpy(
+    evaluation: Evaluation, codes: NDArray[np.int8], eigenvalues: Array | None
+) -> NDArray[np.intp]:
+    """Return the poses that NumPy has to solve or refuse.
+
+    Parameters
+    ----------
+    evaluation : Evaluation
+    codes : ndarray of int8, shape (N,)
+        From the compiled evaluator.
+    eigenvalues : ndarray, shape (N, m), optional
+        Needed where joints may be too stiff or too soft.
+
+    Returns
+    -------
+    ndarray of int
+    """
     left = codes == UNSOLVED
     first, rigid = evaluation.first, evaluation.rigid_modes
     if eigenvalues is not None and len(evaluation.coordinates) > first:

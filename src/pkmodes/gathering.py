@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable, Mapping
+from math import prod
 from typing import Any
 
 import numpy as np
@@ -117,7 +118,7 @@ def allotted(
             _check_fits(name, array, shape, np.dtype(float))
         arrays[name] = array
         whole = array if array.flags.c_contiguous else np.empty(shape)
-        rows[name] = whole.reshape(-1, *tail)
+        rows[name] = whole.reshape(prod(batch), *tail)
     return arrays, rows
 
 

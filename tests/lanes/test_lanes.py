@@ -8,13 +8,11 @@ import numpy as np
 import pytest
 
 import pkmodes
-from lane_samples import NAMES, case, evaluator, results
+from lane_samples import NAMES, ROBOTS, case, evaluator, results
 from pkmodes.compiled import build
 from pkmodes.compiled.evaluator import SHARE
 from pkmodes.compiled.loader import load
 from pkmodes.poses import check_poses
-
-ROBOTS = {"linear_delta": "linear-delta-2022", "rotary_delta": "clavel-delta", "corexy": "corexy-printer"}
 
 
 def widths(name: str) -> list[int]:

@@ -36,6 +36,7 @@
 #define LANES_RIGID 3
 #define LANES_PARAMETERS 76
 #define LANES_EFFECTS 16
+#define LANES_GRADIENT 95
 #define LANES_MARGINS 13
 
 /* How many numbers each margin of a pose has, and how they must compare. */
@@ -1119,4 +1120,1867 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     J_p[55] = LANES(D_delta_z_2);
     J_p[56] = LANES(D_delta_z_3);
     J_p[62] = LANES(1.0);
+}
+
+/* Derivatives of the eigenvalue of a mode with respect to all quantities.
+ *
+ * Source: reverse accumulation through base.
+ * 1264 operations; 497294171 with every named value expanded.
+ */
+static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict pose,
+    const double *restrict parameters, const double *restrict effects, int modes, const lane *restrict shapes,
+    const lane *restrict eigenvalues, lane *restrict gradients, int stride)
+{
+    (void)effects;
+    const lane p_x = pose[0];
+    const lane p_y = pose[1];
+    const lane p_z = pose[2];
+    const double m_p = parameters[0];
+    const double g_x = parameters[1];
+    const double g_y = parameters[2];
+    const double g_z = parameters[3];
+    const double o_1_x = parameters[4];
+    const double o_1_y = parameters[5];
+    const double o_1_z = parameters[6];
+    const double o_2_x = parameters[7];
+    const double o_2_y = parameters[8];
+    const double o_2_z = parameters[9];
+    const double o_3_x = parameters[10];
+    const double o_3_y = parameters[11];
+    const double o_3_z = parameters[12];
+    const double n_1_x = parameters[13];
+    const double n_1_y = parameters[14];
+    const double n_1_z = parameters[15];
+    const double n_2_x = parameters[16];
+    const double n_2_y = parameters[17];
+    const double n_2_z = parameters[18];
+    const double n_3_x = parameters[19];
+    const double n_3_y = parameters[20];
+    const double n_3_z = parameters[21];
+    const double b_1_x = parameters[22];
+    const double b_1_y = parameters[23];
+    const double b_1_z = parameters[24];
+    const double b_2_x = parameters[25];
+    const double b_2_y = parameters[26];
+    const double b_2_z = parameters[27];
+    const double b_3_x = parameters[28];
+    const double b_3_y = parameters[29];
+    const double b_3_z = parameters[30];
+    const double l_d_1 = parameters[31];
+    const double l_d_2 = parameters[32];
+    const double l_d_3 = parameters[33];
+    const double m_d_1 = parameters[34];
+    const double m_d_2 = parameters[35];
+    const double m_d_3 = parameters[36];
+    const double l_t_1 = parameters[40];
+    const double l_t_2 = parameters[41];
+    const double l_t_3 = parameters[42];
+    const double k_sp_1 = parameters[43];
+    const double k_sp_2 = parameters[44];
+    const double k_sp_3 = parameters[45];
+    const double w_b_1 = parameters[46];
+    const double w_b_2 = parameters[47];
+    const double w_b_3 = parameters[48];
+    const double R_p_1 = parameters[49];
+    const double R_p_2 = parameters[50];
+    const double R_p_3 = parameters[51];
+    const double I_m_1 = parameters[55];
+    const double I_m_2 = parameters[56];
+    const double I_m_3 = parameters[57];
+    const double i_g_1 = parameters[58];
+    const double i_g_2 = parameters[59];
+    const double i_g_3 = parameters[60];
+    const double d_1_1 = parameters[61];
+    const double d_1_2 = parameters[62];
+    const double d_2_1 = parameters[63];
+    const double d_2_2 = parameters[64];
+    const double d_3_1 = parameters[65];
+    const double d_3_2 = parameters[66];
+    const double x_min_1 = parameters[67];
+    const double x_max_1 = parameters[68];
+    const double x_min_2 = parameters[69];
+    const double x_max_2 = parameters[70];
+    const double x_min_3 = parameters[71];
+    const double x_max_3 = parameters[72];
+    const double sigma_1 = parameters[73];
+    const double sigma_2 = parameters[74];
+    const double sigma_3 = parameters[75];
+    const lane r_1_x = b_1_x - o_1_x + p_x;
+    const lane r_1_y = b_1_y - o_1_y + p_y;
+    const lane r_1_z = b_1_z - o_1_z + p_z;
+    const lane r_2_x = b_2_x - o_2_x + p_x;
+    const lane r_2_y = b_2_y - o_2_y + p_y;
+    const lane r_2_z = b_2_z - o_2_z + p_z;
+    const lane r_3_x = b_3_x - o_3_x + p_x;
+    const lane r_3_y = b_3_y - o_3_y + p_y;
+    const lane r_3_z = b_3_z - o_3_z + p_z;
+    const lane a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z;
+    const lane w_1_x = -a_1*n_1_x + r_1_x;
+    const lane w_1_y = -a_1*n_1_y + r_1_y;
+    const lane w_1_z = -a_1*n_1_z + r_1_z;
+    const lane w2_1 = (w_1_x*w_1_x) + (w_1_y*w_1_y) + (w_1_z*w_1_z);
+    const lane forward_0 = lanes_sqrt((l_d_1*l_d_1) - w2_1);
+    const lane x_1 = a_1 + forward_0*sigma_1;
+    const lane a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z;
+    const lane w_2_x = -a_2*n_2_x + r_2_x;
+    const lane w_2_y = -a_2*n_2_y + r_2_y;
+    const lane w_2_z = -a_2*n_2_z + r_2_z;
+    const lane w2_2 = (w_2_x*w_2_x) + (w_2_y*w_2_y) + (w_2_z*w_2_z);
+    const lane forward_1 = lanes_sqrt((l_d_2*l_d_2) - w2_2);
+    const lane x_2 = a_2 + forward_1*sigma_2;
+    const lane a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z;
+    const lane w_3_x = -a_3*n_3_x + r_3_x;
+    const lane w_3_y = -a_3*n_3_y + r_3_y;
+    const lane w_3_z = -a_3*n_3_z + r_3_z;
+    const lane w2_3 = (w_3_x*w_3_x) + (w_3_y*w_3_y) + (w_3_z*w_3_z);
+    const lane forward_2 = lanes_sqrt((l_d_3*l_d_3) - w2_3);
+    const lane x_3 = a_3 + forward_2*sigma_3;
+    const lane s_1_x = -n_1_x*x_1 + r_1_x;
+    const lane s_1_y = -n_1_y*x_1 + r_1_y;
+    const lane s_1_z = -n_1_z*x_1 + r_1_z;
+    const lane s_2_x = -n_2_x*x_2 + r_2_x;
+    const lane s_2_y = -n_2_y*x_2 + r_2_y;
+    const lane s_2_z = -n_2_z*x_2 + r_2_z;
+    const lane s_3_x = -n_3_x*x_3 + r_3_x;
+    const lane s_3_y = -n_3_y*x_3 + r_3_y;
+    const lane s_3_z = -n_3_z*x_3 + r_3_z;
+    const lane D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z;
+    const lane D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z;
+    const lane D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z;
+    const lane A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y;
+    const lane A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x;
+    const lane A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x;
+    const lane A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y;
+    const lane A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x;
+    const lane A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x;
+    const lane A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y;
+    const lane A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x;
+    const lane A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x;
+    const lane det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z;
+    const lane forward_3 = 1.0/det_D_l;
+    const lane forward_t2 = D_r_1*forward_3;
+    const lane D_p_x_1 = A_x_1*forward_t2;
+    const lane forward_t3 = D_r_2*forward_3;
+    const lane D_p_x_2 = A_x_2*forward_t3;
+    const lane forward_t4 = D_r_3*forward_3;
+    const lane D_p_x_3 = A_x_3*forward_t4;
+    const lane D_p_y_1 = A_y_1*forward_t2;
+    const lane D_p_y_2 = A_y_2*forward_t3;
+    const lane D_p_y_3 = A_y_3*forward_t4;
+    const lane D_p_z_1 = A_z_1*forward_t2;
+    const lane D_p_z_2 = A_z_2*forward_t3;
+    const lane D_p_z_3 = A_z_3*forward_t4;
+    const lane U_1_x_1 = D_p_x_1 - n_1_x;
+    const lane U_1_y_1 = D_p_y_1 - n_1_y;
+    const lane U_1_z_1 = D_p_z_1 - n_1_z;
+    const lane U_2_x_2 = D_p_x_2 - n_2_x;
+    const lane U_2_y_2 = D_p_y_2 - n_2_y;
+    const lane U_2_z_2 = D_p_z_2 - n_2_z;
+    const lane U_3_x_3 = D_p_x_3 - n_3_x;
+    const lane U_3_y_3 = D_p_y_3 - n_3_y;
+    const lane U_3_z_3 = D_p_z_3 - n_3_z;
+    const double l_f_1_1 = x_max_1 - x_min_1;
+    const double forward_t8 = k_sp_1*w_b_1;
+    const double forward_4 = 1.0/l_f_1_1;
+    const double k_1_1 = forward_4*forward_t8;
+    const double forward_t9 = (1.0/2.0)*l_t_1;
+    const lane l_f_1_2 = -forward_t9 + x_1 - x_min_1;
+    const lane forward_5 = 1.0/l_f_1_2;
+    const lane k_1_2 = forward_5*forward_t8;
+    const lane l_f_1_3 = -forward_t9 - x_1 + x_max_1;
+    const lane forward_6 = 1.0/l_f_1_3;
+    const lane k_1_3 = forward_6*forward_t8;
+    const double l_f_2_1 = x_max_2 - x_min_2;
+    const double forward_t10 = k_sp_2*w_b_2;
+    const double forward_7 = 1.0/l_f_2_1;
+    const double k_2_1 = forward_7*forward_t10;
+    const double forward_t11 = (1.0/2.0)*l_t_2;
+    const lane l_f_2_2 = -forward_t11 + x_2 - x_min_2;
+    const lane forward_8 = 1.0/l_f_2_2;
+    const lane k_2_2 = forward_8*forward_t10;
+    const lane l_f_2_3 = -forward_t11 - x_2 + x_max_2;
+    const lane forward_9 = 1.0/l_f_2_3;
+    const lane k_2_3 = forward_9*forward_t10;
+    const double l_f_3_1 = x_max_3 - x_min_3;
+    const double forward_t12 = k_sp_3*w_b_3;
+    const double forward_10 = 1.0/l_f_3_1;
+    const double k_3_1 = forward_10*forward_t12;
+    const double forward_t13 = (1.0/2.0)*l_t_3;
+    const lane l_f_3_2 = -forward_t13 + x_3 - x_min_3;
+    const lane forward_11 = 1.0/l_f_3_2;
+    const lane k_3_2 = forward_11*forward_t12;
+    const lane l_f_3_3 = -forward_t13 - x_3 + x_max_3;
+    const lane forward_12 = 1.0/l_f_3_3;
+    const lane k_3_3 = forward_12*forward_t12;
+    const double forward_t14 = (1.0/2.0)*m_d_1 + (1.0/2.0)*m_d_2 + (1.0/2.0)*m_d_3 + m_p;
+    const double forward_t15 = forward_t14*g_x;
+    const double forward_t16 = forward_t14*g_y;
+    const double forward_t17 = forward_t14*g_z;
+    const lane t1 = -A_x_1*forward_t15 - A_y_1*forward_t16 - A_z_1*forward_t17;
+    const lane mu_1 = forward_3*t1;
+    const lane t2 = -A_x_2*forward_t15 - A_y_2*forward_t16 - A_z_2*forward_t17;
+    const lane mu_2 = forward_3*t2;
+    const lane t3 = -A_x_3*forward_t15 - A_y_3*forward_t16 - A_z_3*forward_t17;
+    const lane mu_3 = forward_3*t3;
+    const double forward_t18 = (1.0/3.0)*m_d_1;
+    const double forward_t19 = (1.0/6.0)*m_d_1;
+    const double forward_t20 = forward_t19*n_1_x;
+    const double forward_t21 = forward_t19*n_1_y;
+    const double forward_t22 = forward_t19*n_1_z;
+    const double forward_t23 = (1.0/3.0)*m_d_2;
+    const double forward_t24 = (1.0/3.0)*m_d_3;
+    const double forward_t25 = forward_t18 + forward_t23 + forward_t24 + m_p;
+    const lane forward_t26 = D_p_x_1*forward_t25 + forward_t20;
+    const lane forward_t27 = D_p_y_1*forward_t25 + forward_t21;
+    const lane forward_t28 = D_p_z_1*forward_t25 + forward_t22;
+    const double forward_t29 = (1.0/6.0)*m_d_2;
+    const double forward_t30 = forward_t29*n_2_x;
+    const double forward_t31 = forward_t29*n_2_y;
+    const double forward_t32 = forward_t29*n_2_z;
+    const double forward_t33 = (1.0/6.0)*m_d_3;
+    const double forward_t34 = forward_t33*n_3_x;
+    const double forward_t35 = forward_t33*n_3_y;
+    const double forward_t36 = forward_t33*n_3_z;
+    const lane forward_t37 = D_p_x_2*forward_t25 + forward_t30;
+    const lane forward_t38 = D_p_y_2*forward_t25 + forward_t31;
+    const lane forward_t39 = D_p_z_2*forward_t25 + forward_t32;
+    const lane forward_t40 = (D_p_x_1*D_p_x_1);
+    const lane forward_t41 = (D_p_y_1*D_p_y_1);
+    const lane forward_t42 = (D_p_z_1*D_p_z_1);
+    const lane forward_t43 = D_p_x_1*mu_3;
+    const lane forward_t44 = D_p_x_1*mu_2;
+    const lane forward_t45 = U_1_x_1*mu_1;
+    const lane forward_t46 = D_p_y_1*mu_3;
+    const lane forward_t47 = D_p_y_1*mu_2;
+    const lane forward_t48 = U_1_y_1*mu_1;
+    const lane forward_t49 = D_p_z_1*mu_3;
+    const lane forward_t50 = D_p_z_1*mu_2;
+    const lane forward_t51 = U_1_z_1*mu_1;
+    const lane forward_t52 = (D_p_x_2*D_p_x_2);
+    const lane forward_t53 = (D_p_y_2*D_p_y_2);
+    const lane forward_t54 = (D_p_z_2*D_p_z_2);
+    const lane forward_t55 = (D_p_x_3*D_p_x_3);
+    const lane forward_t56 = (D_p_y_3*D_p_y_3);
+    const lane forward_t57 = (D_p_z_3*D_p_z_3);
+    const double forward_t58 = (R_p_1*R_p_1);
+    const double forward_t60 = (R_p_2*R_p_2);
+    const double forward_t62 = (R_p_3*R_p_3);
+    const lane t15 = 2.0*D_p_z_2;
+    const lane t18 = 2.0*D_p_z_3;
+    const lane t23 = 2.0*D_p_y_2;
+    const lane t25 = 2.0*D_p_y_3;
+    const lane t27 = 2.0*D_p_x_2;
+    const lane t29 = 2.0*D_p_x_3;
+    const lane t38 = 2.0*D_p_z_1;
+    const lane t41 = 2.0*D_p_y_1;
+    const lane t42 = 2.0*D_p_x_1;
+    const lane t62 = U_3_z_3*mu_3;
+    const lane t64 = U_3_y_3*mu_3;
+    const lane t65 = U_3_x_3*mu_3;
+    const lane t67 = U_2_z_2*mu_2;
+    const lane t69 = U_2_y_2*mu_2;
+    const lane t70 = U_2_x_2*mu_2;
+    const double t74 = 2.0*forward_t36;
+    const double t76 = 2.0*forward_t35;
+    const double t78 = 2.0*forward_t34;
+    for (int mode = 0; mode < modes; mode++) {
+        const lane *restrict shape = shapes + mode * 9;
+        const lane eigenvalue = eigenvalues[mode];
+        lane *restrict gradient = gradients + mode * stride;
+        const lane shape_1 = shape[0];
+        const lane shape_2 = shape[1];
+        const lane shape_3 = shape[2];
+        const lane shape_4 = shape[3];
+        const lane shape_5 = shape[4];
+        const lane shape_6 = shape[5];
+        const lane shape_7 = shape[6];
+        const lane shape_8 = shape[7];
+        const lane shape_9 = shape[8];
+        const lane t4 = (shape_6*shape_6);
+        const lane t5 = (shape_9*shape_9);
+        const lane t6 = 2.0*shape_6;
+        const lane adjoint_forward_t63 = -shape_9*t6 + t4 + t5;
+        const lane adjoint_forward_t62 = adjoint_forward_t63*k_3_1 + k_3_2*t5 + k_3_3*t4;
+        const lane t7 = (shape_5*shape_5);
+        const lane t8 = (shape_8*shape_8);
+        const lane t9 = 2.0*shape_5;
+        const lane adjoint_forward_t61 = -shape_8*t9 + t7 + t8;
+        const lane adjoint_forward_t60 = adjoint_forward_t61*k_2_1 + k_2_2*t8 + k_2_3*t7;
+        const lane t10 = (shape_4*shape_4);
+        const lane t11 = (shape_7*shape_7);
+        const lane t12 = 2.0*shape_4;
+        const lane adjoint_forward_t59 = -shape_7*t12 + t10 + t11;
+        const lane adjoint_forward_t58 = adjoint_forward_t59*k_1_1 + k_1_2*t11 + k_1_3*t10;
+        const lane t13 = (shape_3*shape_3);
+        const lane adjoint_forward_t57 = t13*(-mu_1 - mu_2);
+        const lane t14 = (shape_2*shape_2);
+        const lane adjoint_forward_t54 = t14*(-mu_1 - mu_3);
+        const lane t16 = shape_1*shape_2;
+        const lane t17 = t15*t16;
+        const lane t19 = shape_1*shape_3;
+        const lane t20 = t18*t19;
+        const lane adjoint_forward_t51 = -t17 - t20;
+        const lane t21 = 2.0*t16;
+        const lane adjoint_forward_t50 = -U_2_z_2*t21 - t20;
+        const lane t22 = 2.0*t19;
+        const lane adjoint_forward_t49 = -U_3_z_3*t22 - t17;
+        const lane t24 = t16*t23;
+        const lane t26 = t19*t25;
+        const lane adjoint_forward_t48 = -t24 - t26;
+        const lane adjoint_forward_t47 = -U_2_y_2*t21 - t26;
+        const lane adjoint_forward_t46 = -U_3_y_3*t22 - t24;
+        const lane t28 = t16*t27;
+        const lane t30 = t19*t29;
+        const lane adjoint_forward_t45 = -t28 - t30;
+        const lane adjoint_forward_t44 = -U_2_x_2*t21 - t30;
+        const lane adjoint_forward_t43 = -U_3_x_3*t22 - t28;
+        const lane t31 = (shape_1*shape_1);
+        const lane adjoint_forward_t42 = t31*(-mu_2 - mu_3);
+        const lane t32 = eigenvalue*t14;
+        const lane t33 = D_p_z_2*t32;
+        const lane t34 = shape_2*shape_3;
+        const lane t35 = eigenvalue*t34;
+        const lane adjoint_forward_t39 = -t18*t35 - t33;
+        const lane t36 = D_p_y_2*t32;
+        const lane adjoint_forward_t38 = -t25*t35 - t36;
+        const lane t37 = D_p_x_2*t32;
+        const lane adjoint_forward_t37 = -t29*t35 - t37;
+        const lane t39 = eigenvalue*t19;
+        const lane t40 = eigenvalue*t13;
+        const lane adjoint_forward_t36 = -t15*t35 - t18*t40 - t38*t39;
+        const lane adjoint_forward_t35 = -t23*t35 - t25*t40 - t39*t41;
+        const lane adjoint_forward_t34 = -t27*t35 - t29*t40 - t39*t42;
+        const lane adjoint_forward_t33 =
+            adjoint_forward_t34*n_3_x + adjoint_forward_t35*n_3_y + adjoint_forward_t36*n_3_z;
+        const lane t43 = eigenvalue*t16;
+        const lane adjoint_forward_t32 = adjoint_forward_t39 - t33 - t38*t43;
+        const lane adjoint_forward_t31 = adjoint_forward_t38 - t36 - t41*t43;
+        const lane adjoint_forward_t30 = adjoint_forward_t37 - t37 - t42*t43;
+        const lane adjoint_forward_t29 =
+            adjoint_forward_t30*n_2_x + adjoint_forward_t31*n_2_y + adjoint_forward_t32*n_2_z;
+        const lane t44 = eigenvalue*t31;
+        const lane t45 = D_p_z_1*t44;
+        const lane adjoint_forward_t28 = -eigenvalue*t17 - eigenvalue*t20 - t45;
+        const lane t46 = D_p_y_1*t44;
+        const lane adjoint_forward_t27 = -eigenvalue*t24 - eigenvalue*t26 - t46;
+        const lane t47 = D_p_x_1*t44;
+        const lane adjoint_forward_t26 = -eigenvalue*t28 - eigenvalue*t30 - t47;
+        const lane adjoint_forward_t25 =
+            D_p_x_1*adjoint_forward_t26 + D_p_x_2*adjoint_forward_t37 + D_p_y_1*adjoint_forward_t27
+            + D_p_y_2*adjoint_forward_t38 + D_p_z_1*adjoint_forward_t28 + D_p_z_2*adjoint_forward_t39
+            - t40*(forward_t55 + forward_t56 + forward_t57);
+        const lane adjoint_forward_t24 = adjoint_forward_t25 - t40;
+        const lane adjoint_forward_t23 = adjoint_forward_t25 - t32;
+        const lane adjoint_forward_t22 = adjoint_forward_t28 - t45;
+        const lane adjoint_forward_t21 = adjoint_forward_t27 - t46;
+        const lane adjoint_forward_t20 = adjoint_forward_t26 - t47;
+        const lane adjoint_forward_t19 =
+            adjoint_forward_t20*n_1_x + adjoint_forward_t21*n_1_y + adjoint_forward_t22*n_1_z;
+        const lane adjoint_forward_t18 = adjoint_forward_t25 - t44;
+        const lane t48 = t31*(-forward_t40 - forward_t41 - forward_t42);
+        const lane t49 = t14*(-forward_t52 - forward_t53 - forward_t54);
+        const lane t50 = 2.0*shape_2;
+        const lane t51 = shape_3*t50;
+        const lane adjoint_mu_3 =
+            D_p_x_1*adjoint_forward_t43 + D_p_y_1*adjoint_forward_t46 + D_p_z_1*adjoint_forward_t49
+            + t13*(-(U_3_x_3*U_3_x_3) - (U_3_y_3*U_3_y_3) - (U_3_z_3*U_3_z_3)) + t48 + t49
+            + t51*(-D_p_x_2*U_3_x_3 - D_p_y_2*U_3_y_3 - D_p_z_2*U_3_z_3);
+        const lane t52 = t13*(-forward_t55 - forward_t56 - forward_t57);
+        const lane adjoint_mu_2 =
+            D_p_x_1*adjoint_forward_t44 + D_p_y_1*adjoint_forward_t47 + D_p_z_1*adjoint_forward_t50
+            + t14*(-(U_2_x_2*U_2_x_2) - (U_2_y_2*U_2_y_2) - (U_2_z_2*U_2_z_2)) + t48 + t51*(-D_p_x_3*U_2_x_2
+            - D_p_y_3*U_2_y_2 - D_p_z_3*U_2_z_2) + t52;
+        const lane adjoint_mu_1 =
+            U_1_x_1*adjoint_forward_t45 + U_1_y_1*adjoint_forward_t48 + U_1_z_1*adjoint_forward_t51
+            + t31*(-(U_1_x_1*U_1_x_1) - (U_1_y_1*U_1_y_1) - (U_1_z_1*U_1_z_1)) + t49 + t51*(-D_p_x_2*D_p_x_3
+            - D_p_y_2*D_p_y_3 - D_p_z_2*D_p_z_3) + t52;
+        const lane t53 = adjoint_mu_1*forward_3;
+        const lane t54 = adjoint_mu_2*forward_3;
+        const lane t55 = adjoint_mu_3*forward_3;
+        const lane adjoint_forward_t17 = -A_z_1*t53 - A_z_2*t54 - A_z_3*t55;
+        const lane adjoint_forward_t16 = -A_y_1*t53 - A_y_2*t54 - A_y_3*t55;
+        const lane adjoint_forward_t15 = -A_x_1*t53 - A_x_2*t54 - A_x_3*t55;
+        const lane adjoint_forward_t14 =
+            adjoint_forward_t15*g_x + adjoint_forward_t16*g_y + adjoint_forward_t17*g_z;
+        const lane t56 = shape_3*t6;
+        const lane adjoint_k_3_3 = -R_p_3*t56 + forward_t62*t4 + t13;
+        const lane adjoint_forward_12 = adjoint_k_3_3*forward_t12;
+        const lane adjoint_l_f_3_3 = -adjoint_forward_12*(forward_12*forward_12);
+        const lane t57 = shape_3*shape_9;
+        const lane adjoint_k_3_2 = -2.0*R_p_3*t57 + forward_t62*t5 + t13;
+        const lane adjoint_forward_11 = adjoint_k_3_2*forward_t12;
+        const lane adjoint_l_f_3_2 = -adjoint_forward_11*(forward_11*forward_11);
+        const lane adjoint_forward_t13 = -adjoint_l_f_3_2 - adjoint_l_f_3_3;
+        const lane adjoint_k_3_1 = adjoint_forward_t63*forward_t62;
+        const lane adjoint_forward_10 = adjoint_k_3_1*forward_t12;
+        const lane adjoint_forward_t12 =
+            adjoint_k_3_1*forward_10 + adjoint_k_3_2*forward_11 + adjoint_k_3_3*forward_12;
+        const lane adjoint_l_f_3_1 = -adjoint_forward_10*(forward_10*forward_10);
+        const lane t58 = shape_2*t9;
+        const lane adjoint_k_2_3 = -R_p_2*t58 + forward_t60*t7 + t14;
+        const lane adjoint_forward_9 = adjoint_k_2_3*forward_t10;
+        const lane adjoint_l_f_2_3 = -adjoint_forward_9*(forward_9*forward_9);
+        const lane adjoint_k_2_2 = -2.0*R_p_2*shape_2*shape_8 + forward_t60*t8 + t14;
+        const lane adjoint_forward_8 = adjoint_k_2_2*forward_t10;
+        const lane adjoint_l_f_2_2 = -adjoint_forward_8*(forward_8*forward_8);
+        const lane adjoint_forward_t11 = -adjoint_l_f_2_2 - adjoint_l_f_2_3;
+        const lane adjoint_k_2_1 = adjoint_forward_t61*forward_t60;
+        const lane adjoint_forward_7 = adjoint_k_2_1*forward_t10;
+        const lane adjoint_forward_t10 =
+            adjoint_k_2_1*forward_7 + adjoint_k_2_2*forward_8 + adjoint_k_2_3*forward_9;
+        const lane adjoint_l_f_2_1 = -adjoint_forward_7*(forward_7*forward_7);
+        const lane t59 = shape_1*t12;
+        const lane adjoint_k_1_3 = -R_p_1*t59 + forward_t58*t10 + t31;
+        const lane adjoint_forward_6 = adjoint_k_1_3*forward_t8;
+        const lane adjoint_l_f_1_3 = -adjoint_forward_6*(forward_6*forward_6);
+        const lane t60 = shape_1*shape_7;
+        const lane adjoint_k_1_2 = -2.0*R_p_1*t60 + forward_t58*t11 + t31;
+        const lane adjoint_forward_5 = adjoint_k_1_2*forward_t8;
+        const lane adjoint_l_f_1_2 = -adjoint_forward_5*(forward_5*forward_5);
+        const lane adjoint_forward_t9 = -adjoint_l_f_1_2 - adjoint_l_f_1_3;
+        const lane adjoint_k_1_1 = adjoint_forward_t59*forward_t58;
+        const lane adjoint_forward_4 = adjoint_k_1_1*forward_t8;
+        const lane adjoint_forward_t8 =
+            adjoint_k_1_1*forward_4 + adjoint_k_1_2*forward_5 + adjoint_k_1_3*forward_6;
+        const lane adjoint_l_f_1_1 = -adjoint_forward_4*(forward_4*forward_4);
+        const lane adjoint_I_3_2 = -eigenvalue*t5;
+        const lane adjoint_I_3_1 = -eigenvalue*t4;
+        const lane adjoint_forward_t7 = adjoint_I_3_1*d_3_1 + adjoint_I_3_2*d_3_2;
+        const lane adjoint_I_2_2 = -eigenvalue*t8;
+        const lane adjoint_I_2_1 = -eigenvalue*t7;
+        const lane adjoint_forward_t6 = adjoint_I_2_1*d_2_1 + adjoint_I_2_2*d_2_2;
+        const lane adjoint_I_1_2 = -eigenvalue*t11;
+        const lane adjoint_I_1_1 = -eigenvalue*t10;
+        const lane adjoint_forward_t5 = adjoint_I_1_1*d_1_1 + adjoint_I_1_2*d_1_2;
+        const lane t61 = mu_3*t34;
+        const lane t63 = 2.0*t13;
+        const lane adjoint_U_3_z_3 = -forward_t49*t22 - t15*t61 - t62*t63;
+        const lane adjoint_U_3_y_3 = -forward_t46*t22 - t23*t61 - t63*t64;
+        const lane adjoint_U_3_x_3 = -forward_t43*t22 - t27*t61 - t63*t65;
+        const lane t66 = mu_2*t34;
+        const lane t68 = 2.0*t14;
+        const lane adjoint_U_2_z_2 = -forward_t50*t21 - t18*t66 - t67*t68;
+        const lane adjoint_U_2_y_2 = -forward_t47*t21 - t25*t66 - t68*t69;
+        const lane adjoint_U_2_x_2 = -forward_t44*t21 - t29*t66 - t68*t70;
+        const lane t71 = 2.0*t31;
+        const lane adjoint_U_1_z_1 = adjoint_forward_t51*mu_1 - forward_t51*t71;
+        const lane adjoint_U_1_y_1 = adjoint_forward_t48*mu_1 - forward_t48*t71;
+        const lane adjoint_U_1_x_1 = adjoint_forward_t45*mu_1 - forward_t45*t71;
+        const lane t72 = eigenvalue*forward_t28;
+        const lane t73 = eigenvalue*t51;
+        const lane adjoint_D_p_z_3 =
+            adjoint_U_3_z_3 + adjoint_forward_t57*t18 - forward_t39*t73 - t22*t72 + t22*(-forward_t50
+            - forward_t51) - t40*(forward_t25*t18 + t74) + t51*(-D_p_z_2*mu_1 - t67);
+        const lane adjoint_D_p_z_2 =
+            adjoint_U_2_z_2 + adjoint_forward_t39*forward_t25 + adjoint_forward_t54*t15 - t21*t72
+            + t21*(-forward_t49 - forward_t51) - t32*(forward_t32 + forward_t39) - t35*t74
+            + t51*(-D_p_z_3*mu_1 - t62);
+        const lane t75 = eigenvalue*t21;
+        const lane adjoint_D_p_z_1 =
+            adjoint_U_1_z_1 + adjoint_forward_t28*forward_t25 + adjoint_forward_t42*t38
+            + adjoint_forward_t49*mu_3 + adjoint_forward_t50*mu_2 - forward_t32*t75 - t39*t74
+            - t44*(forward_t22 + forward_t28);
+        const lane t77 = eigenvalue*t22;
+        const lane adjoint_D_p_y_3 =
+            adjoint_U_3_y_3 + adjoint_forward_t57*t25 - forward_t27*t77 - forward_t38*t73 + t22*(-forward_t47
+            - forward_t48) - t40*(forward_t25*t25 + t76) + t51*(-D_p_y_2*mu_1 - t69);
+        const lane adjoint_D_p_y_2 =
+            adjoint_U_2_y_2 + adjoint_forward_t38*forward_t25 + adjoint_forward_t54*t23 - forward_t27*t75
+            + t21*(-forward_t46 - forward_t48) - t32*(forward_t31 + forward_t38) - t35*t76
+            + t51*(-D_p_y_3*mu_1 - t64);
+        const lane adjoint_D_p_y_1 =
+            adjoint_U_1_y_1 + adjoint_forward_t27*forward_t25 + adjoint_forward_t42*t41
+            + adjoint_forward_t46*mu_3 + adjoint_forward_t47*mu_2 - forward_t31*t75 - t39*t76
+            - t44*(forward_t21 + forward_t27);
+        const lane adjoint_D_p_x_3 =
+            adjoint_U_3_x_3 + adjoint_forward_t57*t29 - forward_t26*t77 - forward_t37*t73 + t22*(-forward_t44
+            - forward_t45) - t40*(forward_t25*t29 + t78) + t51*(-D_p_x_2*mu_1 - t70);
+        const lane adjoint_forward_t4 = A_x_3*adjoint_D_p_x_3 + A_y_3*adjoint_D_p_y_3 + A_z_3*adjoint_D_p_z_3;
+        const lane adjoint_D_p_x_2 =
+            adjoint_U_2_x_2 + adjoint_forward_t37*forward_t25 + adjoint_forward_t54*t27 - forward_t26*t75
+            + t21*(-forward_t43 - forward_t45) - t32*(forward_t30 + forward_t37) - t35*t78
+            + t51*(-D_p_x_3*mu_1 - t65);
+        const lane adjoint_forward_t3 = A_x_2*adjoint_D_p_x_2 + A_y_2*adjoint_D_p_y_2 + A_z_2*adjoint_D_p_z_2;
+        const lane adjoint_D_p_x_1 =
+            adjoint_U_1_x_1 + adjoint_forward_t26*forward_t25 + adjoint_forward_t42*t42
+            + adjoint_forward_t43*mu_3 + adjoint_forward_t44*mu_2 - forward_t30*t75 - t39*t78
+            - t44*(forward_t20 + forward_t26);
+        const lane adjoint_forward_t2 = A_x_1*adjoint_D_p_x_1 + A_y_1*adjoint_D_p_y_1 + A_z_1*adjoint_D_p_z_1;
+        const lane adjoint_forward_t1 =
+            D_r_1*adjoint_forward_t2 + D_r_2*adjoint_forward_t3 + D_r_3*adjoint_forward_t4 + adjoint_mu_1*t1
+            + adjoint_mu_2*t2 + adjoint_mu_3*t3;
+        const lane adjoint_det_D_l = -adjoint_forward_t1*(forward_3*forward_3);
+        const lane adjoint_A_z_3 = adjoint_D_p_z_3*forward_t4 - forward_t17*t55;
+        const lane adjoint_A_y_3 = adjoint_D_p_y_3*forward_t4 - forward_t16*t55;
+        const lane adjoint_A_x_3 = adjoint_D_p_x_3*forward_t4 - forward_t15*t55;
+        const lane adjoint_A_z_2 = adjoint_D_p_z_2*forward_t3 - forward_t17*t54;
+        const lane adjoint_A_y_2 = adjoint_D_p_y_2*forward_t3 - forward_t16*t54;
+        const lane adjoint_A_x_2 = adjoint_D_p_x_2*forward_t3 - forward_t15*t54;
+        const lane adjoint_A_z_1 = adjoint_D_p_z_1*forward_t2 + adjoint_det_D_l*s_1_z - forward_t17*t53;
+        const lane adjoint_A_y_1 = adjoint_D_p_y_1*forward_t2 + adjoint_det_D_l*s_1_y - forward_t16*t53;
+        const lane adjoint_A_x_1 = adjoint_D_p_x_1*forward_t2 + adjoint_det_D_l*s_1_x - forward_t15*t53;
+        const lane adjoint_D_r_3 = adjoint_forward_t4*forward_3;
+        const lane adjoint_D_r_2 = adjoint_forward_t3*forward_3;
+        const lane adjoint_D_r_1 = adjoint_forward_t2*forward_3;
+        const lane adjoint_s_3_z =
+            adjoint_A_x_1*s_2_y - adjoint_A_x_2*s_1_y - adjoint_A_y_1*s_2_x + adjoint_A_y_2*s_1_x
+            + adjoint_D_r_3*n_3_z;
+        const lane adjoint_s_3_y =
+            -adjoint_A_x_1*s_2_z + adjoint_A_x_2*s_1_z + adjoint_A_z_1*s_2_x - adjoint_A_z_2*s_1_x
+            + adjoint_D_r_3*n_3_y;
+        const lane adjoint_s_3_x =
+            adjoint_A_y_1*s_2_z - adjoint_A_y_2*s_1_z - adjoint_A_z_1*s_2_y + adjoint_A_z_2*s_1_y
+            + adjoint_D_r_3*n_3_x;
+        const lane adjoint_s_2_z =
+            -adjoint_A_x_1*s_3_y + adjoint_A_x_3*s_1_y + adjoint_A_y_1*s_3_x - adjoint_A_y_3*s_1_x
+            + adjoint_D_r_2*n_2_z;
+        const lane adjoint_s_2_y =
+            adjoint_A_x_1*s_3_z - adjoint_A_x_3*s_1_z - adjoint_A_z_1*s_3_x + adjoint_A_z_3*s_1_x
+            + adjoint_D_r_2*n_2_y;
+        const lane adjoint_s_2_x =
+            -adjoint_A_y_1*s_3_z + adjoint_A_y_3*s_1_z + adjoint_A_z_1*s_3_y - adjoint_A_z_3*s_1_y
+            + adjoint_D_r_2*n_2_x;
+        const lane adjoint_s_1_z =
+            A_z_1*adjoint_det_D_l + adjoint_A_x_2*s_3_y - adjoint_A_x_3*s_2_y - adjoint_A_y_2*s_3_x
+            + adjoint_A_y_3*s_2_x + adjoint_D_r_1*n_1_z;
+        const lane adjoint_s_1_y =
+            A_y_1*adjoint_det_D_l - adjoint_A_x_2*s_3_z + adjoint_A_x_3*s_2_z + adjoint_A_z_2*s_3_x
+            - adjoint_A_z_3*s_2_x + adjoint_D_r_1*n_1_y;
+        const lane adjoint_s_1_x =
+            A_x_1*adjoint_det_D_l + adjoint_A_y_2*s_3_z - adjoint_A_y_3*s_2_z - adjoint_A_z_2*s_3_y
+            + adjoint_A_z_3*s_2_y + adjoint_D_r_1*n_1_x;
+        const lane adjoint_x_3 =
+            adjoint_l_f_3_2 - adjoint_l_f_3_3 - adjoint_s_3_x*n_3_x - adjoint_s_3_y*n_3_y
+            - adjoint_s_3_z*n_3_z;
+        const lane adjoint_forward_2 = adjoint_x_3*sigma_3;
+        const lane t79 = adjoint_forward_2/forward_2;
+        const lane adjoint_w2_3 = -1.0/2.0*t79;
+        const lane t80 = 2.0*adjoint_w2_3;
+        const lane adjoint_w_3_z = t80*w_3_z;
+        const lane adjoint_w_3_y = t80*w_3_y;
+        const lane adjoint_w_3_x = t80*w_3_x;
+        const lane adjoint_a_3 =
+            -adjoint_w_3_x*n_3_x - adjoint_w_3_y*n_3_y - adjoint_w_3_z*n_3_z + adjoint_x_3;
+        const lane adjoint_x_2 =
+            adjoint_l_f_2_2 - adjoint_l_f_2_3 - adjoint_s_2_x*n_2_x - adjoint_s_2_y*n_2_y
+            - adjoint_s_2_z*n_2_z;
+        const lane adjoint_forward_1 = adjoint_x_2*sigma_2;
+        const lane t81 = adjoint_forward_1/forward_1;
+        const lane adjoint_w2_2 = -1.0/2.0*t81;
+        const lane t82 = 2.0*adjoint_w2_2;
+        const lane adjoint_w_2_z = t82*w_2_z;
+        const lane adjoint_w_2_y = t82*w_2_y;
+        const lane adjoint_w_2_x = t82*w_2_x;
+        const lane adjoint_a_2 =
+            -adjoint_w_2_x*n_2_x - adjoint_w_2_y*n_2_y - adjoint_w_2_z*n_2_z + adjoint_x_2;
+        const lane adjoint_x_1 =
+            adjoint_l_f_1_2 - adjoint_l_f_1_3 - adjoint_s_1_x*n_1_x - adjoint_s_1_y*n_1_y
+            - adjoint_s_1_z*n_1_z;
+        const lane adjoint_forward_0 = adjoint_x_1*sigma_1;
+        const lane t83 = adjoint_forward_0/forward_0;
+        const lane adjoint_w2_1 = -1.0/2.0*t83;
+        const lane t84 = 2.0*adjoint_w2_1;
+        const lane adjoint_w_1_z = t84*w_1_z;
+        const lane adjoint_w_1_y = t84*w_1_y;
+        const lane adjoint_w_1_x = t84*w_1_x;
+        const lane adjoint_a_1 =
+            -adjoint_w_1_x*n_1_x - adjoint_w_1_y*n_1_y - adjoint_w_1_z*n_1_z + adjoint_x_1;
+        const lane adjoint_r_3_z = adjoint_a_3*n_3_z + adjoint_s_3_z + adjoint_w_3_z;
+        const lane adjoint_r_3_y = adjoint_a_3*n_3_y + adjoint_s_3_y + adjoint_w_3_y;
+        const lane adjoint_r_3_x = adjoint_a_3*n_3_x + adjoint_s_3_x + adjoint_w_3_x;
+        const lane adjoint_r_2_z = adjoint_a_2*n_2_z + adjoint_s_2_z + adjoint_w_2_z;
+        const lane adjoint_r_2_y = adjoint_a_2*n_2_y + adjoint_s_2_y + adjoint_w_2_y;
+        const lane adjoint_r_2_x = adjoint_a_2*n_2_x + adjoint_s_2_x + adjoint_w_2_x;
+        const lane adjoint_r_1_z = adjoint_a_1*n_1_z + adjoint_s_1_z + adjoint_w_1_z;
+        const lane adjoint_r_1_y = adjoint_a_1*n_1_y + adjoint_s_1_y + adjoint_w_1_y;
+        const lane adjoint_r_1_x = adjoint_a_1*n_1_x + adjoint_s_1_x + adjoint_w_1_x;
+        const lane t85 = (1.0/2.0)*adjoint_forward_t14;
+        lanes_clear(gradient, 95);
+        gradient[0] = LANES(adjoint_forward_t14 + adjoint_forward_t25);
+        gradient[1] = LANES(adjoint_forward_t15*forward_t14);
+        gradient[2] = LANES(adjoint_forward_t16*forward_t14);
+        gradient[3] = LANES(adjoint_forward_t17*forward_t14);
+        gradient[4] = LANES(-adjoint_r_1_x);
+        gradient[5] = LANES(-adjoint_r_1_y);
+        gradient[6] = LANES(-adjoint_r_1_z);
+        gradient[7] = LANES(-adjoint_r_2_x);
+        gradient[8] = LANES(-adjoint_r_2_y);
+        gradient[9] = LANES(-adjoint_r_2_z);
+        gradient[10] = LANES(-adjoint_r_3_x);
+        gradient[11] = LANES(-adjoint_r_3_y);
+        gradient[12] = LANES(-adjoint_r_3_z);
+        gradient[22] = LANES(adjoint_r_1_x);
+        gradient[23] = LANES(adjoint_r_1_y);
+        gradient[24] = LANES(adjoint_r_1_z);
+        gradient[25] = LANES(adjoint_r_2_x);
+        gradient[26] = LANES(adjoint_r_2_y);
+        gradient[27] = LANES(adjoint_r_2_z);
+        gradient[28] = LANES(adjoint_r_3_x);
+        gradient[29] = LANES(adjoint_r_3_y);
+        gradient[30] = LANES(adjoint_r_3_z);
+        gradient[31] = LANES(l_d_1*t83);
+        gradient[32] = LANES(l_d_2*t81);
+        gradient[33] = LANES(l_d_3*t79);
+        gradient[34] = LANES((1.0/3.0)*adjoint_forward_t18 + (1.0/6.0)*adjoint_forward_t19 + t85);
+        gradient[35] = LANES((1.0/3.0)*adjoint_forward_t23 + (1.0/6.0)*adjoint_forward_t29 + t85);
+        gradient[36] = LANES((1.0/3.0)*adjoint_forward_t24 + (1.0/6.0)*adjoint_forward_t33 + t85);
+        gradient[37] = LANES(-t44);
+        gradient[38] = LANES(-t32);
+        gradient[39] = LANES(-t40);
+        gradient[40] = LANES((1.0/2.0)*adjoint_forward_t9);
+        gradient[41] = LANES((1.0/2.0)*adjoint_forward_t11);
+        gradient[42] = LANES((1.0/2.0)*adjoint_forward_t13);
+        gradient[43] = LANES(adjoint_forward_t8*w_b_1);
+        gradient[44] = LANES(adjoint_forward_t10*w_b_2);
+        gradient[45] = LANES(adjoint_forward_t12*w_b_3);
+        gradient[46] = LANES(adjoint_forward_t8*k_sp_1);
+        gradient[47] = LANES(adjoint_forward_t10*k_sp_2);
+        gradient[48] = LANES(adjoint_forward_t12*k_sp_3);
+        gradient[49] = LANES(2.0*R_p_1*adjoint_forward_t58 - 2.0*k_1_2*t60 - k_1_3*t59);
+        gradient[50] = LANES(2.0*R_p_2*adjoint_forward_t60 - k_2_2*shape_8*t50 - k_2_3*t58);
+        gradient[51] = LANES(2.0*R_p_3*adjoint_forward_t62 - 2.0*k_3_2*t57 - k_3_3*t56);
+        gradient[52] = LANES(adjoint_I_1_1 + adjoint_I_1_2);
+        gradient[53] = LANES(adjoint_I_2_1 + adjoint_I_2_2);
+        gradient[54] = LANES(adjoint_I_3_1 + adjoint_I_3_2);
+        gradient[55] = LANES(adjoint_forward_t5*(i_g_1*i_g_1));
+        gradient[56] = LANES(adjoint_forward_t6*(i_g_2*i_g_2));
+        gradient[57] = LANES(adjoint_forward_t7*(i_g_3*i_g_3));
+        gradient[58] = LANES(2.0*I_m_1*adjoint_forward_t5*i_g_1);
+        gradient[59] = LANES(2.0*I_m_2*adjoint_forward_t6*i_g_2);
+        gradient[60] = LANES(2.0*I_m_3*adjoint_forward_t7*i_g_3);
+        gradient[67] = LANES(-adjoint_l_f_1_1 - adjoint_l_f_1_2);
+        gradient[68] = LANES(adjoint_l_f_1_1 + adjoint_l_f_1_3);
+        gradient[69] = LANES(-adjoint_l_f_2_1 - adjoint_l_f_2_2);
+        gradient[70] = LANES(adjoint_l_f_2_1 + adjoint_l_f_2_3);
+        gradient[71] = LANES(-adjoint_l_f_3_1 - adjoint_l_f_3_2);
+        gradient[72] = LANES(adjoint_l_f_3_1 + adjoint_l_f_3_3);
+        gradient[92] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
+        gradient[93] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
+        gradient[94] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
+    }
+}
+
+/* Derivatives of the eigenvalue of a mode with respect to all quantities.
+ *
+ * Source: reverse accumulation through extended.
+ * 2668 operations; 1676809847 with every named value expanded.
+ */
+static __attribute__((noinline)) void lanes_extended_gradient(const lane *restrict pose,
+    const double *restrict parameters, const double *restrict effects, int modes, const lane *restrict shapes,
+    const lane *restrict eigenvalues, lane *restrict gradients, int stride)
+{
+    (void)effects;
+    const lane p_x = pose[0];
+    const lane p_y = pose[1];
+    const lane p_z = pose[2];
+    const double m_p = parameters[0];
+    const double g_x = parameters[1];
+    const double g_y = parameters[2];
+    const double g_z = parameters[3];
+    const double o_1_x = parameters[4];
+    const double o_1_y = parameters[5];
+    const double o_1_z = parameters[6];
+    const double o_2_x = parameters[7];
+    const double o_2_y = parameters[8];
+    const double o_2_z = parameters[9];
+    const double o_3_x = parameters[10];
+    const double o_3_y = parameters[11];
+    const double o_3_z = parameters[12];
+    const double n_1_x = parameters[13];
+    const double n_1_y = parameters[14];
+    const double n_1_z = parameters[15];
+    const double n_2_x = parameters[16];
+    const double n_2_y = parameters[17];
+    const double n_2_z = parameters[18];
+    const double n_3_x = parameters[19];
+    const double n_3_y = parameters[20];
+    const double n_3_z = parameters[21];
+    const double b_1_x = parameters[22];
+    const double b_1_y = parameters[23];
+    const double b_1_z = parameters[24];
+    const double b_2_x = parameters[25];
+    const double b_2_y = parameters[26];
+    const double b_2_z = parameters[27];
+    const double b_3_x = parameters[28];
+    const double b_3_y = parameters[29];
+    const double b_3_z = parameters[30];
+    const double l_d_1 = parameters[31];
+    const double l_d_2 = parameters[32];
+    const double l_d_3 = parameters[33];
+    const double m_d_1 = parameters[34];
+    const double m_d_2 = parameters[35];
+    const double m_d_3 = parameters[36];
+    const double l_t_1 = parameters[40];
+    const double l_t_2 = parameters[41];
+    const double l_t_3 = parameters[42];
+    const double k_sp_1 = parameters[43];
+    const double k_sp_2 = parameters[44];
+    const double k_sp_3 = parameters[45];
+    const double w_b_1 = parameters[46];
+    const double w_b_2 = parameters[47];
+    const double w_b_3 = parameters[48];
+    const double R_p_1 = parameters[49];
+    const double R_p_2 = parameters[50];
+    const double R_p_3 = parameters[51];
+    const double I_m_1 = parameters[55];
+    const double I_m_2 = parameters[56];
+    const double I_m_3 = parameters[57];
+    const double i_g_1 = parameters[58];
+    const double i_g_2 = parameters[59];
+    const double i_g_3 = parameters[60];
+    const double d_1_1 = parameters[61];
+    const double d_1_2 = parameters[62];
+    const double d_2_1 = parameters[63];
+    const double d_2_2 = parameters[64];
+    const double d_3_1 = parameters[65];
+    const double d_3_2 = parameters[66];
+    const double x_min_1 = parameters[67];
+    const double x_max_1 = parameters[68];
+    const double x_min_2 = parameters[69];
+    const double x_max_2 = parameters[70];
+    const double x_min_3 = parameters[71];
+    const double x_max_3 = parameters[72];
+    const double sigma_1 = parameters[73];
+    const double sigma_2 = parameters[74];
+    const double sigma_3 = parameters[75];
+    const double a_B_1 = effects[0];
+    const double a_B_2 = effects[1];
+    const double a_B_3 = effects[2];
+    const double c_E = effects[3];
+    const double rho_b = effects[4];
+    const double c_T = effects[5];
+    const double F_T = effects[6];
+    const double k_C = effects[7];
+    const double m_L = effects[9];
+    const lane r_1_x = b_1_x - o_1_x + p_x;
+    const lane r_1_y = b_1_y - o_1_y + p_y;
+    const lane r_1_z = b_1_z - o_1_z + p_z;
+    const lane r_2_x = b_2_x - o_2_x + p_x;
+    const lane r_2_y = b_2_y - o_2_y + p_y;
+    const lane r_2_z = b_2_z - o_2_z + p_z;
+    const lane r_3_x = b_3_x - o_3_x + p_x;
+    const lane r_3_y = b_3_y - o_3_y + p_y;
+    const lane r_3_z = b_3_z - o_3_z + p_z;
+    const lane a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z;
+    const lane w_1_x = -a_1*n_1_x + r_1_x;
+    const lane w_1_y = -a_1*n_1_y + r_1_y;
+    const lane w_1_z = -a_1*n_1_z + r_1_z;
+    const lane w2_1 = (w_1_x*w_1_x) + (w_1_y*w_1_y) + (w_1_z*w_1_z);
+    const lane forward_0 = lanes_sqrt((l_d_1*l_d_1) - w2_1);
+    const lane x_1 = a_1 + forward_0*sigma_1;
+    const lane a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z;
+    const lane w_2_x = -a_2*n_2_x + r_2_x;
+    const lane w_2_y = -a_2*n_2_y + r_2_y;
+    const lane w_2_z = -a_2*n_2_z + r_2_z;
+    const lane w2_2 = (w_2_x*w_2_x) + (w_2_y*w_2_y) + (w_2_z*w_2_z);
+    const lane forward_1 = lanes_sqrt((l_d_2*l_d_2) - w2_2);
+    const lane x_2 = a_2 + forward_1*sigma_2;
+    const lane a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z;
+    const lane w_3_x = -a_3*n_3_x + r_3_x;
+    const lane w_3_y = -a_3*n_3_y + r_3_y;
+    const lane w_3_z = -a_3*n_3_z + r_3_z;
+    const lane w2_3 = (w_3_x*w_3_x) + (w_3_y*w_3_y) + (w_3_z*w_3_z);
+    const lane forward_2 = lanes_sqrt((l_d_3*l_d_3) - w2_3);
+    const lane x_3 = a_3 + forward_2*sigma_3;
+    const lane s_1_x = -n_1_x*x_1 + r_1_x;
+    const lane s_1_y = -n_1_y*x_1 + r_1_y;
+    const lane s_1_z = -n_1_z*x_1 + r_1_z;
+    const lane s_2_x = -n_2_x*x_2 + r_2_x;
+    const lane s_2_y = -n_2_y*x_2 + r_2_y;
+    const lane s_2_z = -n_2_z*x_2 + r_2_z;
+    const lane s_3_x = -n_3_x*x_3 + r_3_x;
+    const lane s_3_y = -n_3_y*x_3 + r_3_y;
+    const lane s_3_z = -n_3_z*x_3 + r_3_z;
+    const lane D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z;
+    const lane D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z;
+    const lane D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z;
+    const lane A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y;
+    const lane A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x;
+    const lane A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x;
+    const lane A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y;
+    const lane A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x;
+    const lane A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x;
+    const lane A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y;
+    const lane A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x;
+    const lane A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x;
+    const lane det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z;
+    const lane forward_3 = 1.0/det_D_l;
+    const lane forward_t2 = A_x_1*forward_3;
+    const lane D_p_x_1 = D_r_1*forward_t2;
+    const lane forward_t3 = A_x_2*forward_3;
+    const lane D_p_x_2 = D_r_2*forward_t3;
+    const lane forward_t4 = A_x_3*forward_3;
+    const lane D_p_x_3 = D_r_3*forward_t4;
+    const lane D_delta_x_1 = forward_t2*l_d_1;
+    const lane D_delta_x_2 = forward_t3*l_d_2;
+    const lane D_delta_x_3 = forward_t4*l_d_3;
+    const lane forward_t5 = A_y_1*forward_3;
+    const lane D_p_y_1 = D_r_1*forward_t5;
+    const lane forward_t6 = A_y_2*forward_3;
+    const lane D_p_y_2 = D_r_2*forward_t6;
+    const lane forward_t7 = A_y_3*forward_3;
+    const lane D_p_y_3 = D_r_3*forward_t7;
+    const lane D_delta_y_1 = forward_t5*l_d_1;
+    const lane D_delta_y_2 = forward_t6*l_d_2;
+    const lane D_delta_y_3 = forward_t7*l_d_3;
+    const lane forward_t8 = A_z_1*forward_3;
+    const lane D_p_z_1 = D_r_1*forward_t8;
+    const lane forward_t9 = A_z_2*forward_3;
+    const lane D_p_z_2 = D_r_2*forward_t9;
+    const lane forward_t10 = A_z_3*forward_3;
+    const lane D_p_z_3 = D_r_3*forward_t10;
+    const lane D_delta_z_1 = forward_t8*l_d_1;
+    const lane D_delta_z_2 = forward_t9*l_d_2;
+    const lane D_delta_z_3 = forward_t10*l_d_3;
+    const lane U_1_x_1 = D_p_x_1 - n_1_x;
+    const lane U_1_y_1 = D_p_y_1 - n_1_y;
+    const lane U_1_z_1 = D_p_z_1 - n_1_z;
+    const lane U_2_x_2 = D_p_x_2 - n_2_x;
+    const lane U_2_y_2 = D_p_y_2 - n_2_y;
+    const lane U_2_z_2 = D_p_z_2 - n_2_z;
+    const lane U_3_x_3 = D_p_x_3 - n_3_x;
+    const lane U_3_y_3 = D_p_y_3 - n_3_y;
+    const lane U_3_z_3 = D_p_z_3 - n_3_z;
+    const double l_f_1_1 = x_max_1 - x_min_1;
+    const double forward_t17 = F_T*c_T + 1.0;
+    const double forward_t18 = c_E*forward_t17;
+    const double t1 = a_B_1 + 1.0;
+    const double t2 = t1*w_b_1;
+    const double forward_t19 = k_sp_1*t2;
+    const double forward_t20 = forward_t18*forward_t19;
+    const double forward_t21 = forward_t17*forward_t19;
+    const double t3 = forward_t20 + l_f_1_1;
+    const double forward_4 = 1.0/t3;
+    const double k_1_1 = forward_4*forward_t21;
+    const double forward_t22 = (1.0/2.0)*l_t_1;
+    const lane l_f_1_2 = -forward_t22 + x_1 - x_min_1;
+    const lane t4 = forward_t20 + l_f_1_2;
+    const lane forward_5 = 1.0/t4;
+    const lane k_1_2 = forward_5*forward_t21;
+    const lane l_f_1_3 = -forward_t22 - x_1 + x_max_1;
+    const lane t5 = forward_t20 + l_f_1_3;
+    const lane forward_6 = 1.0/t5;
+    const lane k_1_3 = forward_6*forward_t21;
+    const double l_f_2_1 = x_max_2 - x_min_2;
+    const double t6 = a_B_2 + 1.0;
+    const double t7 = t6*w_b_2;
+    const double forward_t23 = k_sp_2*t7;
+    const double forward_t24 = forward_t18*forward_t23;
+    const double forward_t25 = forward_t17*forward_t23;
+    const double t8 = forward_t24 + l_f_2_1;
+    const double forward_7 = 1.0/t8;
+    const double k_2_1 = forward_7*forward_t25;
+    const double forward_t26 = (1.0/2.0)*l_t_2;
+    const lane l_f_2_2 = -forward_t26 + x_2 - x_min_2;
+    const lane t9 = forward_t24 + l_f_2_2;
+    const lane forward_8 = 1.0/t9;
+    const lane k_2_2 = forward_8*forward_t25;
+    const lane l_f_2_3 = -forward_t26 - x_2 + x_max_2;
+    const lane t10 = forward_t24 + l_f_2_3;
+    const lane forward_9 = 1.0/t10;
+    const lane k_2_3 = forward_9*forward_t25;
+    const double l_f_3_1 = x_max_3 - x_min_3;
+    const double t11 = a_B_3 + 1.0;
+    const double t12 = t11*w_b_3;
+    const double forward_t27 = k_sp_3*t12;
+    const double forward_t28 = forward_t18*forward_t27;
+    const double forward_t29 = forward_t17*forward_t27;
+    const double t13 = forward_t28 + l_f_3_1;
+    const double forward_10 = 1.0/t13;
+    const double k_3_1 = forward_10*forward_t29;
+    const double forward_t30 = (1.0/2.0)*l_t_3;
+    const lane l_f_3_2 = -forward_t30 + x_3 - x_min_3;
+    const lane t14 = forward_t28 + l_f_3_2;
+    const lane forward_11 = 1.0/t14;
+    const lane k_3_2 = forward_11*forward_t29;
+    const lane l_f_3_3 = -forward_t30 - x_3 + x_max_3;
+    const lane t15 = forward_t28 + l_f_3_3;
+    const lane forward_12 = 1.0/t15;
+    const lane k_3_3 = forward_12*forward_t29;
+    const double forward_t31 = (1.0/2.0)*m_d_1;
+    const double forward_t32 = (1.0/2.0)*m_d_2;
+    const double forward_t33 = (1.0/2.0)*m_d_3;
+    const double forward_t34 = m_L + m_p;
+    const double forward_t35 = forward_t31 + forward_t32 + forward_t33 + forward_t34;
+    const double forward_t36 = forward_t35*g_x;
+    const double forward_t37 = forward_t35*g_y;
+    const double forward_t38 = forward_t35*g_z;
+    const lane t16 = -A_x_1*forward_t36 - A_y_1*forward_t37 - A_z_1*forward_t38;
+    const lane mu_1 = forward_3*t16;
+    const lane t17 = -A_x_2*forward_t36 - A_y_2*forward_t37 - A_z_2*forward_t38;
+    const lane mu_2 = forward_3*t17;
+    const lane t18 = -A_x_3*forward_t36 - A_y_3*forward_t37 - A_z_3*forward_t38;
+    const lane mu_3 = forward_3*t18;
+    const double forward_t39 = (1.0/3.0)*m_d_1;
+    const double forward_t40 = (1.0/6.0)*m_d_1;
+    const double forward_t41 = forward_t40*n_1_x;
+    const double forward_t42 = (1.0/3.0)*m_d_2;
+    const double forward_t43 = (1.0/3.0)*m_d_3;
+    const double forward_t44 = forward_t34 + forward_t39 + forward_t42 + forward_t43;
+    const lane forward_t45 = D_p_x_1*forward_t44;
+    const lane forward_t46 = forward_t41 + forward_t45;
+    const double forward_t47 = forward_t40*n_1_y;
+    const lane forward_t48 = D_p_y_1*forward_t44;
+    const lane forward_t49 = forward_t47 + forward_t48;
+    const double forward_t50 = forward_t40*n_1_z;
+    const lane forward_t51 = D_p_z_1*forward_t44;
+    const lane forward_t52 = forward_t50 + forward_t51;
+    const double forward_t53 = (1.0/3.0)*rho_b;
+    const lane forward_t54 = forward_t53*l_f_1_2;
+    const lane forward_t55 = forward_t53*l_f_1_3;
+    const double forward_t57 = (1.0/6.0)*m_d_2;
+    const double forward_t58 = forward_t57*n_2_x;
+    const double forward_t59 = forward_t57*n_2_y;
+    const double forward_t60 = forward_t57*n_2_z;
+    const double forward_t61 = (1.0/6.0)*m_d_3;
+    const double forward_t62 = forward_t61*n_3_x;
+    const double forward_t63 = forward_t61*n_3_y;
+    const double forward_t64 = forward_t61*n_3_z;
+    const double forward_t65 = (1.0/6.0)*rho_b;
+    const double forward_t66 = R_p_1*forward_t65;
+    const double forward_t69 = forward_t40 + forward_t57 + forward_t61;
+    const lane forward_t70 = D_p_x_2*forward_t44;
+    const lane forward_t71 = forward_t58 + forward_t70;
+    const lane forward_t72 = D_p_y_2*forward_t44;
+    const lane forward_t73 = forward_t59 + forward_t72;
+    const lane forward_t74 = D_p_z_2*forward_t44;
+    const lane forward_t75 = forward_t60 + forward_t74;
+    const lane forward_t76 = forward_t53*l_f_2_2;
+    const lane forward_t77 = forward_t53*l_f_2_3;
+    const double forward_t79 = R_p_2*forward_t65;
+    const lane forward_t82 = D_p_x_3*forward_t44;
+    const lane forward_t83 = forward_t62 + forward_t82;
+    const lane forward_t84 = D_p_y_3*forward_t44;
+    const lane forward_t85 = forward_t63 + forward_t84;
+    const lane forward_t86 = D_p_z_3*forward_t44;
+    const lane forward_t87 = forward_t64 + forward_t86;
+    const lane forward_t88 = forward_t53*l_f_3_2;
+    const lane forward_t89 = forward_t53*l_f_3_3;
+    const double forward_t91 = R_p_3*forward_t65;
+    const double forward_t94 = (R_p_1*R_p_1);
+    const double forward_t95 = forward_t94*l_f_1_1;
+    const double forward_t98 = (R_p_2*R_p_2);
+    const double forward_t99 = forward_t98*l_f_2_1;
+    const double forward_t102 = (R_p_3*R_p_3);
+    const double forward_t103 = forward_t102*l_f_3_1;
+    const lane forward_t109 = (D_delta_x_1*D_delta_x_1);
+    const lane forward_t110 = (D_delta_y_1*D_delta_y_1);
+    const lane forward_t111 = (D_delta_z_1*D_delta_z_1);
+    const lane forward_t112 = D_delta_x_1*forward_t44;
+    const lane forward_t113 = D_delta_y_1*forward_t44;
+    const lane forward_t114 = D_delta_z_1*forward_t44;
+    const lane forward_t115 = (D_delta_x_2*D_delta_x_2);
+    const lane forward_t116 = (D_delta_y_2*D_delta_y_2);
+    const lane forward_t117 = (D_delta_z_2*D_delta_z_2);
+    const lane forward_t118 = D_delta_x_2*forward_t44;
+    const lane forward_t119 = D_delta_y_2*forward_t44;
+    const lane forward_t120 = D_delta_z_2*forward_t44;
+    const lane forward_t121 = (D_delta_x_3*D_delta_x_3);
+    const lane forward_t122 = (D_delta_y_3*D_delta_y_3);
+    const lane forward_t123 = (D_delta_z_3*D_delta_z_3);
+    const lane forward_t125 = (D_p_x_1*D_p_x_1);
+    const lane forward_t126 = (D_p_y_1*D_p_y_1);
+    const lane forward_t127 = (D_p_z_1*D_p_z_1);
+    const lane forward_t128 = D_p_x_1*mu_3;
+    const lane forward_t129 = D_p_x_1*mu_2;
+    const lane forward_t130 = U_1_x_1*mu_1;
+    const lane forward_t131 = D_p_y_1*mu_3;
+    const lane forward_t132 = D_p_y_1*mu_2;
+    const lane forward_t133 = U_1_y_1*mu_1;
+    const lane forward_t134 = D_p_z_1*mu_3;
+    const lane forward_t135 = D_p_z_1*mu_2;
+    const lane forward_t136 = U_1_z_1*mu_1;
+    const lane forward_t140 = (D_p_x_2*D_p_x_2);
+    const lane forward_t141 = (D_p_y_2*D_p_y_2);
+    const lane forward_t142 = (D_p_z_2*D_p_z_2);
+    const lane forward_t143 = D_p_x_2*mu_1;
+    const lane forward_t144 = D_p_x_2*mu_3;
+    const lane forward_t145 = U_2_x_2*mu_2;
+    const lane forward_t146 = D_p_y_2*mu_1;
+    const lane forward_t147 = D_p_y_2*mu_3;
+    const lane forward_t148 = U_2_y_2*mu_2;
+    const lane forward_t149 = D_p_z_2*mu_1;
+    const lane forward_t150 = D_p_z_2*mu_3;
+    const lane forward_t151 = U_2_z_2*mu_2;
+    const lane forward_t155 = (D_p_x_3*D_p_x_3);
+    const lane forward_t156 = (D_p_y_3*D_p_y_3);
+    const lane forward_t157 = (D_p_z_3*D_p_z_3);
+    const lane forward_t160 = D_delta_x_1*D_p_x_3;
+    const lane forward_t161 = U_3_x_3*mu_3;
+    const lane forward_t162 = D_delta_y_1*D_p_y_3;
+    const lane forward_t163 = U_3_y_3*mu_3;
+    const lane forward_t164 = D_delta_z_1*D_p_z_3;
+    const lane forward_t165 = U_3_z_3*mu_3;
+    const lane forward_t166 = D_delta_x_2*D_p_x_3;
+    const lane forward_t167 = D_delta_y_2*D_p_y_3;
+    const lane forward_t168 = D_delta_z_2*D_p_z_3;
+    const lane forward_t169 = D_delta_x_3*D_p_x_3;
+    const lane forward_t170 = D_delta_y_3*D_p_y_3;
+    const lane forward_t171 = D_delta_z_3*D_p_z_3;
+    const lane forward_t176 = D_delta_x_1*D_delta_x_2;
+    const lane forward_t177 = D_delta_y_1*D_delta_y_2;
+    const lane forward_t178 = D_delta_z_1*D_delta_z_2;
+    const lane forward_t179 = D_delta_x_1*D_delta_x_3;
+    const lane forward_t180 = D_delta_y_1*D_delta_y_3;
+    const lane forward_t181 = D_delta_z_1*D_delta_z_3;
+    const lane forward_t182 = D_delta_x_2*D_delta_x_3;
+    const lane forward_t183 = D_delta_y_2*D_delta_y_3;
+    const lane forward_t184 = D_delta_z_2*D_delta_z_3;
+    const lane t20 = mu_1 + mu_2;
+    const lane t21 = mu_3 + t20;
+    const lane t87 = -k_C + mu_3;
+    const lane t125 = k_C - t21;
+    const lane t128 = 2.0*D_delta_z_3;
+    const lane t132 = 2.0*D_delta_y_3;
+    const lane t135 = 2.0*D_delta_x_3;
+    const lane t140 = 2.0*D_delta_z_2;
+    const lane t144 = 2.0*D_delta_y_2;
+    const lane t147 = 2.0*D_delta_x_2;
+    const lane t179 = 2.0*D_delta_x_1;
+    const lane t185 = 2.0*D_delta_y_1;
+    const lane t191 = 2.0*D_delta_z_1;
+    const lane t208 = forward_t109 + forward_t110 + forward_t111;
+    const lane t210 = forward_t115 + forward_t116 + forward_t117;
+    const lane t212 = forward_t121 + forward_t122 + forward_t123;
+    const lane t214 = forward_t125 + forward_t126 + forward_t127;
+    const lane t221 = forward_t140 + forward_t141 + forward_t142;
+    const lane t223 = forward_t155 + forward_t156 + forward_t157;
+    const lane t252 = D_p_z_3*k_C;
+    const lane t253 = -forward_t165 + t252;
+    const lane t254 = -D_p_z_1*k_C + forward_t136;
+    const lane t255 = forward_t135 + t254;
+    const lane t256 = -forward_t134 - t255;
+    const lane t257 = -D_p_z_2*k_C + forward_t149 + forward_t151;
+    const lane t258 = -forward_t150 - t257;
+    const lane t266 = D_p_y_3*k_C;
+    const lane t267 = -forward_t163 + t266;
+    const lane t268 = -D_p_y_1*k_C + forward_t133;
+    const lane t269 = forward_t132 + t268;
+    const lane t270 = -forward_t131 - t269;
+    const lane t271 = -D_p_y_2*k_C + forward_t146 + forward_t148;
+    const lane t272 = -forward_t147 - t271;
+    const lane t277 = D_p_x_3*k_C;
+    const lane t278 = -forward_t161 + t277;
+    const lane t279 = -D_p_x_1*k_C + forward_t130;
+    const lane t280 = forward_t129 + t279;
+    const lane t281 = -forward_t128 - t280;
+    const lane t282 = -D_p_x_2*k_C + forward_t143 + forward_t145;
+    const lane t283 = -forward_t144 - t282;
+    for (int mode = 0; mode < modes; mode++) {
+        const lane *restrict shape = shapes + mode * 21;
+        const lane eigenvalue = eigenvalues[mode];
+        lane *restrict gradient = gradients + mode * stride;
+        const lane shape_1 = shape[0];
+        const lane shape_2 = shape[1];
+        const lane shape_3 = shape[2];
+        const lane shape_4 = shape[3];
+        const lane shape_5 = shape[4];
+        const lane shape_6 = shape[5];
+        const lane shape_7 = shape[6];
+        const lane shape_8 = shape[7];
+        const lane shape_9 = shape[8];
+        const lane shape_10 = shape[9];
+        const lane shape_11 = shape[10];
+        const lane shape_12 = shape[11];
+        const lane shape_13 = shape[12];
+        const lane shape_14 = shape[13];
+        const lane shape_15 = shape[14];
+        const lane shape_16 = shape[15];
+        const lane shape_17 = shape[16];
+        const lane shape_18 = shape[17];
+        const lane shape_19 = shape[18];
+        const lane shape_20 = shape[19];
+        const lane shape_21 = shape[20];
+        const lane t19 = 2.0*shape_14;
+        const lane t22 = -shape_15*t21;
+        const lane adjoint_forward_t184 = t19*t22;
+        const lane t23 = 2.0*shape_13;
+        const lane adjoint_forward_t181 = t22*t23;
+        const lane t24 = shape_13*t19;
+        const lane adjoint_forward_t178 = -t21*t24;
+        const lane t25 = (shape_6*shape_6);
+        const lane t26 = (shape_9*shape_9);
+        const lane t27 = 2.0*shape_9;
+        const lane t28 = shape_6*t27;
+        const lane adjoint_forward_t175 = t25 + t26 - t28;
+        const lane t29 = (shape_5*shape_5);
+        const lane t30 = (shape_8*shape_8);
+        const lane t31 = 2.0*shape_8;
+        const lane t32 = shape_5*t31;
+        const lane adjoint_forward_t174 = t29 + t30 - t32;
+        const lane t33 = (shape_4*shape_4);
+        const lane t34 = (shape_7*shape_7);
+        const lane t35 = 2.0*shape_7;
+        const lane t36 = shape_4*t35;
+        const lane adjoint_forward_t173 = t33 + t34 - t36;
+        const lane t37 = (shape_18*shape_18);
+        const lane t38 = 2.0*shape_18;
+        const lane t39 = shape_3*t38;
+        const lane adjoint_forward_t172 = t37 + t39;
+        const lane t40 = 2.0*shape_3;
+        const lane t41 = -t20*t40;
+        const lane adjoint_forward_t171 = shape_15*t41;
+        const lane adjoint_forward_t168 = shape_14*t41;
+        const lane t42 = shape_15*t40;
+        const lane t43 = D_delta_z_3*t42;
+        const lane t44 = shape_13*t40;
+        const lane t45 = D_delta_z_1*t44;
+        const lane t46 = shape_14*t40;
+        const lane t47 = D_delta_z_2*t46;
+        const lane adjoint_forward_t165 = -t43 - t45 - t47;
+        const lane adjoint_forward_t164 = shape_13*t41;
+        const lane t48 = D_delta_y_1*t44;
+        const lane t49 = D_delta_y_2*t46;
+        const lane t50 = D_delta_y_3*t42;
+        const lane adjoint_forward_t163 = -t48 - t49 - t50;
+        const lane t51 = D_delta_x_1*t44;
+        const lane t52 = D_delta_x_2*t46;
+        const lane t53 = D_delta_x_3*t42;
+        const lane adjoint_forward_t161 = -t51 - t52 - t53;
+        const lane t54 = shape_18*t27;
+        const lane t55 = shape_3*t27;
+        const lane adjoint_forward_t159 = t54 + t55;
+        const lane t56 = shape_6*t38;
+        const lane t57 = shape_6*t40;
+        const lane adjoint_forward_t158 = t56 + t57;
+        const lane t58 = (shape_3*shape_3);
+        const lane adjoint_forward_t157 = t58*(k_C - t20);
+        const lane t59 = (shape_17*shape_17);
+        const lane t60 = 2.0*shape_17;
+        const lane t61 = shape_2*t60;
+        const lane adjoint_forward_t154 = t59 + t61;
+        const lane t62 = shape_17*t31;
+        const lane t63 = shape_2*t31;
+        const lane adjoint_forward_t153 = t62 + t63;
+        const lane t64 = shape_5*t60;
+        const lane t65 = 2.0*shape_2;
+        const lane t66 = shape_5*t65;
+        const lane adjoint_forward_t152 = t64 + t66;
+        const lane t67 = shape_2*t40;
+        const lane t68 = D_p_z_3*t67;
+        const lane t69 = shape_13*t65;
+        const lane t70 = D_delta_z_1*t69;
+        const lane t71 = shape_14*t65;
+        const lane t72 = D_delta_z_2*t71;
+        const lane t73 = shape_15*t65;
+        const lane t74 = D_delta_z_3*t73;
+        const lane t75 = t70 + t72 + t74;
+        const lane adjoint_forward_t151 = -t68 - t75;
+        const lane adjoint_forward_t150 = -U_3_z_3*t67 - t75;
+        const lane t76 = D_p_y_3*t67;
+        const lane t77 = D_delta_y_1*t69;
+        const lane t78 = D_delta_y_2*t71;
+        const lane t79 = D_delta_y_3*t73;
+        const lane t80 = t77 + t78 + t79;
+        const lane adjoint_forward_t148 = -t76 - t80;
+        const lane adjoint_forward_t147 = -U_3_y_3*t67 - t80;
+        const lane t81 = D_p_x_3*t67;
+        const lane t82 = D_delta_x_1*t69;
+        const lane t83 = D_delta_x_2*t71;
+        const lane t84 = D_delta_x_3*t73;
+        const lane t85 = t82 + t83 + t84;
+        const lane adjoint_forward_t145 = -t81 - t85;
+        const lane adjoint_forward_t144 = -U_3_x_3*t67 - t85;
+        const lane t86 = (shape_2*shape_2);
+        const lane adjoint_forward_t142 = t86*(-mu_1 - t87);
+        const lane t88 = (shape_16*shape_16);
+        const lane t89 = 2.0*shape_1;
+        const lane t90 = shape_16*t89;
+        const lane adjoint_forward_t139 = t88 + t90;
+        const lane t91 = shape_1*t35;
+        const lane t92 = shape_16*t35;
+        const lane adjoint_forward_t138 = t91 + t92;
+        const lane t93 = shape_4*t89;
+        const lane t94 = 2.0*shape_4;
+        const lane t95 = shape_16*t94;
+        const lane adjoint_forward_t137 = t93 + t95;
+        const lane t96 = shape_1*t65;
+        const lane t97 = D_p_z_2*t96;
+        const lane t98 = shape_13*t89;
+        const lane t99 = D_delta_z_1*t98;
+        const lane t100 = shape_14*t89;
+        const lane t101 = D_delta_z_2*t100;
+        const lane t102 = shape_15*t89;
+        const lane t103 = D_delta_z_3*t102;
+        const lane t104 = shape_1*t40;
+        const lane t105 = D_p_z_3*t104;
+        const lane t106 = t101 + t103 + t105 + t99;
+        const lane adjoint_forward_t136 = -t106 - t97;
+        const lane adjoint_forward_t135 = -U_2_z_2*t96 - t106;
+        const lane adjoint_forward_t134 = -U_3_z_3*t104 - t101 - t103 - t97 - t99;
+        const lane t107 = D_p_y_2*t96;
+        const lane t108 = D_delta_y_1*t98;
+        const lane t109 = D_delta_y_2*t100;
+        const lane t110 = D_delta_y_3*t102;
+        const lane t111 = D_p_y_3*t104;
+        const lane t112 = t108 + t109 + t110 + t111;
+        const lane adjoint_forward_t133 = -t107 - t112;
+        const lane adjoint_forward_t132 = -U_2_y_2*t96 - t112;
+        const lane adjoint_forward_t131 = -U_3_y_3*t104 - t107 - t108 - t109 - t110;
+        const lane t113 = D_p_x_2*t96;
+        const lane t114 = D_delta_x_1*t98;
+        const lane t115 = D_delta_x_2*t100;
+        const lane t116 = D_delta_x_3*t102;
+        const lane t117 = D_p_x_3*t104;
+        const lane t118 = t114 + t115 + t116 + t117;
+        const lane adjoint_forward_t130 = -t113 - t118;
+        const lane adjoint_forward_t129 = -U_2_x_2*t96 - t118;
+        const lane adjoint_forward_t128 = -U_3_x_3*t104 - t113 - t114 - t115 - t116;
+        const lane t119 = (shape_1*shape_1);
+        const lane adjoint_forward_t127 = t119*(-mu_2 - t87);
+        const lane t120 = (shape_19*shape_19);
+        const lane t121 = (shape_20*shape_20);
+        const lane t122 = (shape_21*shape_21);
+        const lane adjoint_forward_t124 = -eigenvalue*t120 - eigenvalue*t121 - eigenvalue*t122;
+        const lane t123 = (shape_15*shape_15);
+        const lane t124 = eigenvalue*forward_t44;
+        const lane adjoint_forward_t123 = -t123*t124 + t123*t125;
+        const lane t126 = eigenvalue*t19;
+        const lane t127 = shape_21*t126;
+        const lane t129 = shape_15*t128;
+        const lane t130 = eigenvalue*shape_14;
+        const lane adjoint_forward_t120 = -t127 - t129*t130;
+        const lane t131 = shape_20*t126;
+        const lane t133 = shape_15*t132;
+        const lane adjoint_forward_t119 = -t130*t133 - t131;
+        const lane t134 = shape_19*t126;
+        const lane t136 = shape_15*t135;
+        const lane adjoint_forward_t118 = -t130*t136 - t134;
+        const lane t137 = (shape_14*shape_14);
+        const lane adjoint_forward_t117 = -t124*t137 + t125*t137;
+        const lane t138 = eigenvalue*t23;
+        const lane t139 = shape_21*t138;
+        const lane t141 = shape_14*t140;
+        const lane t142 = eigenvalue*shape_13;
+        const lane adjoint_forward_t114 = -t129*t142 - t139 - t141*t142;
+        const lane t143 = shape_20*t138;
+        const lane t145 = shape_14*t144;
+        const lane adjoint_forward_t113 = -t133*t142 - t142*t145 - t143;
+        const lane t146 = shape_19*t138;
+        const lane t148 = shape_14*t147;
+        const lane adjoint_forward_t112 = -t136*t142 - t142*t148 - t146;
+        const lane t149 = (shape_13*shape_13);
+        const lane adjoint_forward_t111 = -t124*t149 + t125*t149;
+        const lane t150 = eigenvalue*(shape_12*shape_12);
+        const lane t151 = eigenvalue*shape_12;
+        const lane adjoint_forward_t108 = -t150 - t151*t27;
+        const lane t152 = eigenvalue*(shape_11*shape_11);
+        const lane t153 = eigenvalue*shape_11;
+        const lane adjoint_forward_t107 = -t152 - t153*t31;
+        const lane t154 = eigenvalue*(shape_10*shape_10);
+        const lane t155 = eigenvalue*shape_10;
+        const lane adjoint_forward_t106 = -t154 - t155*t35;
+        const lane adjoint_forward_t105 = -2.0*shape_6*t151 - t150;
+        const lane t156 = eigenvalue*t25;
+        const lane t157 = eigenvalue*t26;
+        const lane adjoint_forward_t104 = -t156 - t157;
+        const lane t158 = eigenvalue*forward_t65;
+        const lane adjoint_forward_t103 = adjoint_forward_t104*forward_t53 - t158*t28;
+        const lane adjoint_forward_t102 =
+            adjoint_forward_t103*l_f_3_1 + adjoint_forward_t175*k_3_1 - forward_t88*t157 - forward_t89*t156
+            + k_3_2*t26 + k_3_3*t25;
+        const lane adjoint_forward_t101 = -2.0*shape_5*t153 - t152;
+        const lane t159 = eigenvalue*t29;
+        const lane t160 = eigenvalue*t30;
+        const lane adjoint_forward_t100 = -t159 - t160;
+        const lane adjoint_forward_t99 = adjoint_forward_t100*forward_t53 - t158*t32;
+        const lane adjoint_forward_t98 =
+            adjoint_forward_t174*k_2_1 + adjoint_forward_t99*l_f_2_1 - forward_t76*t160 - forward_t77*t159
+            + k_2_2*t30 + k_2_3*t29;
+        const lane adjoint_forward_t97 = -t154 - t155*t94;
+        const lane t161 = eigenvalue*t33;
+        const lane t162 = eigenvalue*t34;
+        const lane adjoint_forward_t96 = -t161 - t162;
+        const lane adjoint_forward_t95 = adjoint_forward_t96*forward_t53 - t158*t36;
+        const lane adjoint_forward_t94 =
+            adjoint_forward_t173*k_1_1 + adjoint_forward_t95*l_f_1_1 - forward_t54*t162 - forward_t55*t161
+            + k_1_2*t34 + k_1_3*t33;
+        const lane adjoint_forward_t93 = -eigenvalue*t54 - eigenvalue*t55;
+        const lane adjoint_forward_t92 = -eigenvalue*t56 - eigenvalue*t57;
+        const lane adjoint_forward_t91 = adjoint_forward_t92*l_f_3_3 + adjoint_forward_t93*l_f_3_2;
+        const lane t163 = eigenvalue*t58;
+        const lane adjoint_forward_t90 = -eigenvalue*t37 - eigenvalue*t39 - t163;
+        const lane adjoint_forward_t89 = adjoint_forward_t90 - forward_t102*t156;
+        const lane adjoint_forward_t88 = adjoint_forward_t90 - forward_t102*t157;
+        const lane t164 = D_p_z_3*t163;
+        const lane adjoint_forward_t87 = -eigenvalue*t43 - eigenvalue*t45 - eigenvalue*t47 - t164;
+        const lane t165 = eigenvalue*t40;
+        const lane t166 = shape_21*t165;
+        const lane adjoint_forward_t86 = adjoint_forward_t87 - t166;
+        const lane t167 = D_p_y_3*t163;
+        const lane adjoint_forward_t85 = -eigenvalue*t48 - eigenvalue*t49 - eigenvalue*t50 - t167;
+        const lane t168 = shape_20*t165;
+        const lane adjoint_forward_t84 = adjoint_forward_t85 - t168;
+        const lane t169 = D_p_x_3*t163;
+        const lane adjoint_forward_t83 = -eigenvalue*t51 - eigenvalue*t52 - eigenvalue*t53 - t169;
+        const lane t170 = shape_19*t165;
+        const lane adjoint_forward_t82 = adjoint_forward_t83 - t170;
+        const lane adjoint_forward_t81 = -eigenvalue*t62 - eigenvalue*t63;
+        const lane adjoint_forward_t80 = -eigenvalue*t64 - eigenvalue*t66;
+        const lane adjoint_forward_t79 = adjoint_forward_t80*l_f_2_3 + adjoint_forward_t81*l_f_2_2;
+        const lane t171 = eigenvalue*t86;
+        const lane adjoint_forward_t78 = -eigenvalue*t59 - eigenvalue*t61 - t171;
+        const lane adjoint_forward_t77 = adjoint_forward_t78 - forward_t98*t159;
+        const lane adjoint_forward_t76 = adjoint_forward_t78 - forward_t98*t160;
+        const lane t172 = D_p_z_2*t171;
+        const lane adjoint_forward_t75 =
+            -eigenvalue*t68 - eigenvalue*t70 - eigenvalue*t72 - eigenvalue*t74 - t172;
+        const lane t173 = eigenvalue*t65;
+        const lane t174 = shape_21*t173;
+        const lane adjoint_forward_t74 = adjoint_forward_t75 - t174;
+        const lane t175 = D_p_y_2*t171;
+        const lane adjoint_forward_t73 =
+            -eigenvalue*t76 - eigenvalue*t77 - eigenvalue*t78 - eigenvalue*t79 - t175;
+        const lane t176 = shape_20*t173;
+        const lane adjoint_forward_t72 = adjoint_forward_t73 - t176;
+        const lane t177 = D_p_x_2*t171;
+        const lane adjoint_forward_t71 =
+            -eigenvalue*t81 - eigenvalue*t82 - eigenvalue*t83 - eigenvalue*t84 - t177;
+        const lane t178 = shape_19*t173;
+        const lane adjoint_forward_t70 = adjoint_forward_t71 - t178;
+        const lane t180 = shape_13*t179;
+        const lane t181 = shape_19*t180;
+        const lane t182 = shape_19*t148;
+        const lane t183 = shape_19*t136;
+        const lane t184 = eigenvalue*t183;
+        const lane t186 = shape_13*t185;
+        const lane t187 = shape_20*t186;
+        const lane t188 = shape_20*t145;
+        const lane t189 = shape_20*t133;
+        const lane t190 = eigenvalue*t189;
+        const lane t192 = shape_13*t191;
+        const lane t193 = shape_21*t192;
+        const lane t194 = shape_21*t141;
+        const lane t195 = shape_21*t129;
+        const lane t196 = eigenvalue*t195;
+        const lane t197 = eigenvalue*t89;
+        const lane t198 = shape_19*t197;
+        const lane t199 = shape_20*t197;
+        const lane t200 = shape_21*t197;
+        const lane adjoint_forward_t69 =
+            -D_p_x_1*t198 - D_p_x_2*t178 - D_p_x_3*t170 - D_p_y_1*t199 - D_p_y_2*t176 - D_p_y_3*t168
+            - D_p_z_1*t200 - D_p_z_2*t174 - D_p_z_3*t166 - eigenvalue*t181 - eigenvalue*t182
+            - eigenvalue*t187 - eigenvalue*t188 - eigenvalue*t193 - eigenvalue*t194 - t184 - t190 - t196;
+        const lane adjoint_forward_t68 = -eigenvalue*t91 - eigenvalue*t92;
+        const lane adjoint_forward_t67 = -eigenvalue*t93 - eigenvalue*t95;
+        const lane adjoint_forward_t66 = adjoint_forward_t67*l_f_1_3 + adjoint_forward_t68*l_f_1_2;
+        const lane adjoint_forward_t65 =
+            R_p_1*adjoint_forward_t66 + R_p_2*adjoint_forward_t79 + R_p_3*adjoint_forward_t91
+            - eigenvalue*forward_t103*t28 - eigenvalue*forward_t95*t36 - eigenvalue*forward_t99*t32;
+        const lane t201 = eigenvalue*t104;
+        const lane t202 = eigenvalue*t67;
+        const lane adjoint_forward_t64 = -D_p_z_1*t201 - D_p_z_2*t202 + adjoint_forward_t87 - t164;
+        const lane adjoint_forward_t63 = -D_p_y_1*t201 - D_p_y_2*t202 + adjoint_forward_t85 - t167;
+        const lane adjoint_forward_t62 = -D_p_x_1*t201 - D_p_x_2*t202 + adjoint_forward_t83 - t169;
+        const lane adjoint_forward_t61 =
+            adjoint_forward_t62*n_3_x + adjoint_forward_t63*n_3_y + adjoint_forward_t64*n_3_z
+            + adjoint_forward_t69;
+        const lane t203 = eigenvalue*t96;
+        const lane adjoint_forward_t60 = -D_p_z_1*t203 + adjoint_forward_t75 - t172;
+        const lane adjoint_forward_t59 = -D_p_y_1*t203 + adjoint_forward_t73 - t175;
+        const lane adjoint_forward_t58 = -D_p_x_1*t203 + adjoint_forward_t71 - t177;
+        const lane adjoint_forward_t57 =
+            adjoint_forward_t58*n_2_x + adjoint_forward_t59*n_2_y + adjoint_forward_t60*n_2_z
+            + adjoint_forward_t69;
+        const lane t204 = eigenvalue*t119;
+        const lane adjoint_forward_t56 = -eigenvalue*t88 - eigenvalue*t90 - t204;
+        const lane adjoint_forward_t55 = adjoint_forward_t56 - forward_t94*t161;
+        const lane adjoint_forward_t54 = adjoint_forward_t56 - forward_t94*t162;
+        const lane adjoint_forward_t53 =
+            adjoint_forward_t100*forward_t99 + adjoint_forward_t104*forward_t103
+            + adjoint_forward_t54*l_f_1_2 + adjoint_forward_t55*l_f_1_3 + adjoint_forward_t76*l_f_2_2
+            + adjoint_forward_t77*l_f_2_3 + adjoint_forward_t88*l_f_3_2 + adjoint_forward_t89*l_f_3_3
+            + adjoint_forward_t96*forward_t95;
+        const lane t205 = D_p_z_1*t204;
+        const lane adjoint_forward_t52 =
+            -eigenvalue*t101 - eigenvalue*t103 - eigenvalue*t105 - eigenvalue*t97 - eigenvalue*t99 - t205;
+        const lane adjoint_forward_t51 = adjoint_forward_t52 - t200;
+        const lane adjoint_forward_t50 = adjoint_forward_t52 - t205;
+        const lane t206 = D_p_y_1*t204;
+        const lane adjoint_forward_t49 =
+            -eigenvalue*t107 - eigenvalue*t108 - eigenvalue*t109 - eigenvalue*t110 - eigenvalue*t111 - t206;
+        const lane adjoint_forward_t48 = adjoint_forward_t49 - t199;
+        const lane adjoint_forward_t47 = adjoint_forward_t49 - t206;
+        const lane t207 = D_p_x_1*t204;
+        const lane adjoint_forward_t46 =
+            -eigenvalue*t113 - eigenvalue*t114 - eigenvalue*t115 - eigenvalue*t116 - eigenvalue*t117 - t207;
+        const lane adjoint_forward_t45 = adjoint_forward_t46 - t198;
+        const lane t209 = t149*t208;
+        const lane t211 = t137*t210;
+        const lane t213 = t123*t212;
+        const lane adjoint_forward_t44 =
+            D_delta_x_1*adjoint_forward_t112 + D_delta_x_2*adjoint_forward_t118
+            + D_delta_y_1*adjoint_forward_t113 + D_delta_y_2*adjoint_forward_t119
+            + D_delta_z_1*adjoint_forward_t114 + D_delta_z_2*adjoint_forward_t120
+            + D_p_x_1*adjoint_forward_t45 + D_p_x_2*adjoint_forward_t70 + D_p_x_3*adjoint_forward_t82
+            + D_p_y_1*adjoint_forward_t48 + D_p_y_2*adjoint_forward_t72 + D_p_y_3*adjoint_forward_t84
+            + D_p_z_1*adjoint_forward_t51 + D_p_z_2*adjoint_forward_t74 + D_p_z_3*adjoint_forward_t86
+            - eigenvalue*t209 - eigenvalue*t211 - eigenvalue*t213 - t184 - t190 - t196;
+        const lane adjoint_forward_t43 = adjoint_forward_t44 - t163;
+        const lane adjoint_forward_t42 = adjoint_forward_t44 - t171;
+        const lane adjoint_forward_t41 = adjoint_forward_t46 - t207;
+        const lane adjoint_forward_t40 =
+            adjoint_forward_t41*n_1_x + adjoint_forward_t47*n_1_y + adjoint_forward_t50*n_1_z
+            + adjoint_forward_t69;
+        const lane adjoint_forward_t39 = adjoint_forward_t44 - t204;
+        const lane t215 = t24*(-forward_t176 - forward_t177 - forward_t178);
+        const lane t216 = shape_15*t23;
+        const lane t217 = t216*(-forward_t179 - forward_t180 - forward_t181);
+        const lane t218 = shape_15*t19;
+        const lane t219 = t218*(-forward_t182 - forward_t183 - forward_t184);
+        const lane t220 = -t119*t214 - t149*t208 + t215 + t217 + t219;
+        const lane t222 = -t137*t210 - t221*t86;
+        const lane adjoint_mu_3 =
+            D_p_x_1*adjoint_forward_t128 + D_p_x_2*adjoint_forward_t144 + D_p_y_1*adjoint_forward_t131
+            + D_p_y_2*adjoint_forward_t147 + D_p_z_1*adjoint_forward_t134 + D_p_z_2*adjoint_forward_t150
+            + U_3_x_3*adjoint_forward_t161 + U_3_y_3*adjoint_forward_t163 + U_3_z_3*adjoint_forward_t165
+            + t123*(1.0 - t212) + t220 + t222 + t58*(-(U_3_x_3*U_3_x_3) - (U_3_y_3*U_3_y_3)
+            - (U_3_z_3*U_3_z_3));
+        const lane t224 =
+            -t123*t212 - t223*t58 + t42*(-forward_t169 - forward_t170 - forward_t171) + t44*(-forward_t160
+            - forward_t162 - forward_t164) + t46*(-forward_t166 - forward_t167 - forward_t168);
+        const lane adjoint_mu_2 =
+            D_p_x_1*adjoint_forward_t129 + D_p_y_1*adjoint_forward_t132 + D_p_z_1*adjoint_forward_t135
+            + U_2_x_2*adjoint_forward_t145 + U_2_y_2*adjoint_forward_t148 + U_2_z_2*adjoint_forward_t151
+            + t137*(1.0 - t210) + t220 + t224 + t86*(-(U_2_x_2*U_2_x_2) - (U_2_y_2*U_2_y_2)
+            - (U_2_z_2*U_2_z_2));
+        const lane adjoint_mu_1 =
+            D_p_x_2*adjoint_forward_t145 + D_p_y_2*adjoint_forward_t148 + D_p_z_2*adjoint_forward_t151
+            + U_1_x_1*adjoint_forward_t130 + U_1_y_1*adjoint_forward_t133 + U_1_z_1*adjoint_forward_t136
+            + t119*(-(U_1_x_1*U_1_x_1) - (U_1_y_1*U_1_y_1) - (U_1_z_1*U_1_z_1)) + t149*(1.0 - t208) + t215
+            + t217 + t219 + t222 + t224;
+        const lane adjoint_forward_t38 =
+            -adjoint_mu_1*forward_t8 - adjoint_mu_2*forward_t9 - adjoint_mu_3*forward_t10;
+        const lane adjoint_forward_t37 =
+            -adjoint_mu_1*forward_t5 - adjoint_mu_2*forward_t6 - adjoint_mu_3*forward_t7;
+        const lane adjoint_forward_t36 =
+            -adjoint_mu_1*forward_t2 - adjoint_mu_2*forward_t3 - adjoint_mu_3*forward_t4;
+        const lane adjoint_forward_t35 =
+            adjoint_forward_t36*g_x + adjoint_forward_t37*g_y + adjoint_forward_t38*g_z;
+        const lane adjoint_forward_t34 = adjoint_forward_t124 + adjoint_forward_t35 + adjoint_forward_t44;
+        const lane t225 = n_3_x*t170 + n_3_y*t168 + n_3_z*t166;
+        const lane adjoint_forward_t33 = adjoint_forward_t35 - t225;
+        const lane t226 = n_2_x*t178 + n_2_y*t176 + n_2_z*t174;
+        const lane adjoint_forward_t32 = adjoint_forward_t35 - t226;
+        const lane t227 = n_1_x*t198 + n_1_y*t199 + n_1_z*t200;
+        const lane adjoint_forward_t31 = adjoint_forward_t35 - t227;
+        const lane t228 = adjoint_forward_t172 + t58;
+        const lane adjoint_k_3_3 = -R_p_3*adjoint_forward_t158 + forward_t102*t25 + t228;
+        const lane adjoint_forward_12 = adjoint_k_3_3*forward_t29;
+        const lane t229 = adjoint_forward_12/(t15*t15);
+        const lane adjoint_l_f_3_3 = adjoint_forward_t89*forward_t53 + adjoint_forward_t92*forward_t91 - t229;
+        const lane adjoint_k_3_2 = -R_p_3*adjoint_forward_t159 + forward_t102*t26 + t228;
+        const lane adjoint_forward_11 = adjoint_k_3_2*forward_t29;
+        const lane t230 = adjoint_forward_11/(t14*t14);
+        const lane adjoint_l_f_3_2 = adjoint_forward_t88*forward_t53 + adjoint_forward_t93*forward_t91 - t230;
+        const lane adjoint_forward_t30 = -adjoint_l_f_3_2 - adjoint_l_f_3_3;
+        const lane adjoint_k_3_1 = adjoint_forward_t175*forward_t102;
+        const lane adjoint_forward_10 = adjoint_k_3_1*forward_t29;
+        const lane adjoint_forward_t29 =
+            adjoint_k_3_1*forward_10 + adjoint_k_3_2*forward_11 + adjoint_k_3_3*forward_12;
+        const lane t231 = adjoint_forward_10/(t13*t13);
+        const lane adjoint_forward_t28 = -t229 - t230 - t231;
+        const lane adjoint_forward_t27 = adjoint_forward_t28*forward_t18 + adjoint_forward_t29*forward_t17;
+        const lane adjoint_l_f_3_1 = adjoint_forward_t103*forward_t102 - t231;
+        const lane t232 = adjoint_forward_t154 + t86;
+        const lane adjoint_k_2_3 = -R_p_2*adjoint_forward_t152 + forward_t98*t29 + t232;
+        const lane adjoint_forward_9 = adjoint_k_2_3*forward_t25;
+        const lane t233 = adjoint_forward_9/(t10*t10);
+        const lane adjoint_l_f_2_3 = adjoint_forward_t77*forward_t53 + adjoint_forward_t80*forward_t79 - t233;
+        const lane adjoint_k_2_2 = -R_p_2*adjoint_forward_t153 + forward_t98*t30 + t232;
+        const lane adjoint_forward_8 = adjoint_k_2_2*forward_t25;
+        const lane t234 = adjoint_forward_8/(t9*t9);
+        const lane adjoint_l_f_2_2 = adjoint_forward_t76*forward_t53 + adjoint_forward_t81*forward_t79 - t234;
+        const lane adjoint_forward_t26 = -adjoint_l_f_2_2 - adjoint_l_f_2_3;
+        const lane adjoint_k_2_1 = adjoint_forward_t174*forward_t98;
+        const lane adjoint_forward_7 = adjoint_k_2_1*forward_t25;
+        const lane adjoint_forward_t25 =
+            adjoint_k_2_1*forward_7 + adjoint_k_2_2*forward_8 + adjoint_k_2_3*forward_9;
+        const lane t235 = adjoint_forward_7/(t8*t8);
+        const lane adjoint_forward_t24 = -t233 - t234 - t235;
+        const lane adjoint_forward_t23 = adjoint_forward_t24*forward_t18 + adjoint_forward_t25*forward_t17;
+        const lane adjoint_l_f_2_1 = adjoint_forward_t99*forward_t98 - t235;
+        const lane t236 = adjoint_forward_t139 + t119;
+        const lane adjoint_k_1_3 = -R_p_1*adjoint_forward_t137 + forward_t94*t33 + t236;
+        const lane adjoint_forward_6 = adjoint_k_1_3*forward_t21;
+        const lane t237 = adjoint_forward_6/(t5*t5);
+        const lane adjoint_l_f_1_3 = adjoint_forward_t55*forward_t53 + adjoint_forward_t67*forward_t66 - t237;
+        const lane adjoint_k_1_2 = -R_p_1*adjoint_forward_t138 + forward_t94*t34 + t236;
+        const lane adjoint_forward_5 = adjoint_k_1_2*forward_t21;
+        const lane t238 = adjoint_forward_5/(t4*t4);
+        const lane adjoint_l_f_1_2 = adjoint_forward_t54*forward_t53 + adjoint_forward_t68*forward_t66 - t238;
+        const lane adjoint_forward_t22 = -adjoint_l_f_1_2 - adjoint_l_f_1_3;
+        const lane adjoint_k_1_1 = adjoint_forward_t173*forward_t94;
+        const lane adjoint_forward_4 = adjoint_k_1_1*forward_t21;
+        const lane adjoint_forward_t21 =
+            adjoint_k_1_1*forward_4 + adjoint_k_1_2*forward_5 + adjoint_k_1_3*forward_6;
+        const lane t239 = adjoint_forward_4/(t3*t3);
+        const lane adjoint_forward_t20 = -t237 - t238 - t239;
+        const lane adjoint_forward_t19 = adjoint_forward_t20*forward_t18 + adjoint_forward_t21*forward_t17;
+        const lane adjoint_forward_t18 =
+            adjoint_forward_t20*forward_t19 + adjoint_forward_t24*forward_t23
+            + adjoint_forward_t28*forward_t27;
+        const lane adjoint_forward_t17 =
+            adjoint_forward_t18*c_E + adjoint_forward_t21*forward_t19 + adjoint_forward_t25*forward_t23
+            + adjoint_forward_t29*forward_t27;
+        const lane adjoint_l_f_1_1 = adjoint_forward_t95*forward_t94 - t239;
+        const lane adjoint_I_3_2 = -t157;
+        const lane adjoint_I_3_1 = -t156;
+        const lane adjoint_forward_t16 = adjoint_I_3_1*d_3_1 + adjoint_I_3_2*d_3_2;
+        const lane adjoint_forward_t15 =
+            adjoint_forward_t105*d_3_1 + adjoint_forward_t108*d_3_2 + adjoint_forward_t16;
+        const lane adjoint_I_2_2 = -t160;
+        const lane adjoint_I_2_1 = -t159;
+        const lane adjoint_forward_t14 = adjoint_I_2_1*d_2_1 + adjoint_I_2_2*d_2_2;
+        const lane adjoint_forward_t13 =
+            adjoint_forward_t101*d_2_1 + adjoint_forward_t107*d_2_2 + adjoint_forward_t14;
+        const lane adjoint_I_1_2 = -t162;
+        const lane adjoint_I_1_1 = -t161;
+        const lane adjoint_forward_t12 = adjoint_I_1_1*d_1_1 + adjoint_I_1_2*d_1_2;
+        const lane adjoint_forward_t11 =
+            adjoint_forward_t106*d_1_2 + adjoint_forward_t12 + adjoint_forward_t97*d_1_1;
+        const lane t240 = 2.0*t58;
+        const lane adjoint_U_3_z_3 =
+            adjoint_forward_t165*mu_3 - forward_t134*t104 - forward_t150*t67 - forward_t165*t240;
+        const lane adjoint_U_3_y_3 =
+            adjoint_forward_t163*mu_3 - forward_t131*t104 - forward_t147*t67 - forward_t163*t240;
+        const lane adjoint_U_3_x_3 =
+            adjoint_forward_t161*mu_3 - forward_t128*t104 - forward_t144*t67 - forward_t161*t240;
+        const lane t241 = 2.0*t86;
+        const lane adjoint_U_2_z_2 = adjoint_forward_t151*mu_2 - forward_t135*t96 - forward_t151*t241;
+        const lane adjoint_U_2_y_2 = adjoint_forward_t148*mu_2 - forward_t132*t96 - forward_t148*t241;
+        const lane adjoint_U_2_x_2 = adjoint_forward_t145*mu_2 - forward_t129*t96 - forward_t145*t241;
+        const lane t242 = 2.0*t119;
+        const lane adjoint_U_1_z_1 = adjoint_forward_t136*mu_1 - forward_t136*t242;
+        const lane adjoint_U_1_y_1 = adjoint_forward_t133*mu_1 - forward_t133*t242;
+        const lane adjoint_U_1_x_1 = adjoint_forward_t130*mu_1 - forward_t130*t242;
+        const lane t243 = k_C*shape_21;
+        const lane t244 = 2.0*shape_15;
+        const lane t245 = k_C*shape_15;
+        const lane t246 = shape_15*t138;
+        const lane t247 = shape_15*t126;
+        const lane t248 = eigenvalue*forward_t52;
+        const lane t249 = eigenvalue*forward_t75;
+        const lane t250 = eigenvalue*forward_t87;
+        const lane t251 = eigenvalue*t244*(forward_t44 + forward_t69);
+        const lane adjoint_D_delta_z_3 =
+            D_delta_z_1*adjoint_forward_t181 + D_delta_z_2*adjoint_forward_t184
+            + D_p_z_3*adjoint_forward_t171 + adjoint_forward_t123*t128 - forward_t114*t246
+            - forward_t120*t247 - shape_21*t251 - t102*t248 + t102*t256 + t141*t245 + t192*t245 + t243*t244
+            - t249*t73 - t250*t42 + t253*t42 + t258*t73;
+        const lane t259 = k_C*shape_14;
+        const lane t260 = eigenvalue*t24;
+        const lane adjoint_D_delta_z_2 =
+            D_delta_z_1*adjoint_forward_t178 + D_delta_z_3*adjoint_forward_t184
+            + D_p_z_3*adjoint_forward_t168 + adjoint_forward_t117*t140 + adjoint_forward_t120*forward_t44
+            - forward_t114*t260 - forward_t69*t127 - t100*t248 + t100*t256 + t129*t259 + t19*t243 + t192*t259
+            - t249*t71 - t250*t46 + t253*t46 + t258*t71;
+        const lane t261 = k_C*shape_13;
+        const lane adjoint_D_delta_z_1 =
+            D_delta_z_2*adjoint_forward_t178 + D_delta_z_3*adjoint_forward_t181
+            + D_p_z_3*adjoint_forward_t164 + adjoint_forward_t111*t191 + adjoint_forward_t114*forward_t44
+            - forward_t69*t139 + t129*t261 + t141*t261 + t23*t243 - t248*t98 - t249*t69 - t250*t44 + t253*t44
+            + t256*t98 + t258*t69;
+        const lane adjoint_D_p_z_3 =
+            D_delta_z_1*adjoint_forward_t164 + D_delta_z_2*adjoint_forward_t168
+            + D_delta_z_3*adjoint_forward_t171 + 2.0*D_p_z_3*adjoint_forward_t157 + adjoint_U_3_z_3
+            + adjoint_forward_t86*forward_t44 - forward_t52*t201 - forward_t69*t166 - forward_t75*t202
+            + k_C*t43 + k_C*t45 + k_C*t47 - t104*t255 - t163*(forward_t64 + forward_t87) + t243*t40
+            - t257*t67;
+        const lane adjoint_forward_t10 = D_r_3*adjoint_D_p_z_3 + adjoint_D_delta_z_3*l_d_3;
+        const lane adjoint_D_p_z_2 =
+            2.0*D_p_z_2*adjoint_forward_t142 + adjoint_U_2_z_2 + adjoint_forward_t150*mu_3
+            + adjoint_forward_t151*mu_1 + adjoint_forward_t74*forward_t44 - forward_t52*t203
+            - forward_t64*t202 - forward_t69*t174 + k_C*t70 + k_C*t72 + k_C*t74 - t171*(forward_t60
+            + forward_t75) + t243*t65 + t252*t67 + t96*(-forward_t134 - t254);
+        const lane adjoint_forward_t9 = D_r_2*adjoint_D_p_z_2 + adjoint_D_delta_z_2*l_d_2;
+        const lane adjoint_D_p_z_1 =
+            2.0*D_p_z_1*adjoint_forward_t127 + D_p_z_2*k_C*t96 + adjoint_U_1_z_1 + adjoint_forward_t134*mu_3
+            + adjoint_forward_t135*mu_2 + adjoint_forward_t51*forward_t44 - forward_t60*t203
+            - forward_t64*t201 - forward_t69*t200 + k_C*t101 + k_C*t103 + k_C*t99 + t104*t252
+            - t204*(forward_t50 + forward_t52) + t243*t89;
+        const lane adjoint_forward_t8 = D_r_1*adjoint_D_p_z_1 + adjoint_D_delta_z_1*l_d_1;
+        const lane t262 = k_C*shape_20;
+        const lane t263 = eigenvalue*forward_t49;
+        const lane t264 = eigenvalue*forward_t73;
+        const lane t265 = eigenvalue*forward_t85;
+        const lane adjoint_D_delta_y_3 =
+            D_delta_y_1*adjoint_forward_t181 + D_delta_y_2*adjoint_forward_t184
+            + D_p_y_3*adjoint_forward_t171 + adjoint_forward_t123*t132 - forward_t113*t246
+            - forward_t119*t247 - shape_20*t251 - t102*t263 + t102*t270 + t145*t245 + t186*t245 + t244*t262
+            - t264*t73 - t265*t42 + t267*t42 + t272*t73;
+        const lane adjoint_D_delta_y_2 =
+            D_delta_y_1*adjoint_forward_t178 + D_delta_y_3*adjoint_forward_t184
+            + D_p_y_3*adjoint_forward_t168 + adjoint_forward_t117*t144 + adjoint_forward_t119*forward_t44
+            - forward_t113*t260 - forward_t69*t131 - t100*t263 + t100*t270 + t133*t259 + t186*t259 + t19*t262
+            - t264*t71 - t265*t46 + t267*t46 + t272*t71;
+        const lane adjoint_D_delta_y_1 =
+            D_delta_y_2*adjoint_forward_t178 + D_delta_y_3*adjoint_forward_t181
+            + D_p_y_3*adjoint_forward_t164 + adjoint_forward_t111*t185 + adjoint_forward_t113*forward_t44
+            - forward_t69*t143 + t133*t261 + t145*t261 + t23*t262 - t263*t98 - t264*t69 - t265*t44 + t267*t44
+            + t270*t98 + t272*t69;
+        const lane adjoint_D_p_y_3 =
+            D_delta_y_1*adjoint_forward_t164 + D_delta_y_2*adjoint_forward_t168
+            + D_delta_y_3*adjoint_forward_t171 + 2.0*D_p_y_3*adjoint_forward_t157 + adjoint_U_3_y_3
+            + adjoint_forward_t84*forward_t44 - forward_t49*t201 - forward_t69*t168 - forward_t73*t202
+            + k_C*t48 + k_C*t49 + k_C*t50 - t104*t269 - t163*(forward_t63 + forward_t85) + t262*t40
+            - t271*t67;
+        const lane adjoint_forward_t7 = D_r_3*adjoint_D_p_y_3 + adjoint_D_delta_y_3*l_d_3;
+        const lane adjoint_D_p_y_2 =
+            2.0*D_p_y_2*adjoint_forward_t142 + adjoint_U_2_y_2 + adjoint_forward_t147*mu_3
+            + adjoint_forward_t148*mu_1 + adjoint_forward_t72*forward_t44 - forward_t49*t203
+            - forward_t63*t202 - forward_t69*t176 + k_C*t77 + k_C*t78 + k_C*t79 - t171*(forward_t59
+            + forward_t73) + t262*t65 + t266*t67 + t96*(-forward_t131 - t268);
+        const lane adjoint_forward_t6 = D_r_2*adjoint_D_p_y_2 + adjoint_D_delta_y_2*l_d_2;
+        const lane adjoint_D_p_y_1 =
+            2.0*D_p_y_1*adjoint_forward_t127 + D_p_y_2*k_C*t96 + adjoint_U_1_y_1 + adjoint_forward_t131*mu_3
+            + adjoint_forward_t132*mu_2 + adjoint_forward_t48*forward_t44 - forward_t59*t203
+            - forward_t63*t201 - forward_t69*t199 + k_C*t108 + k_C*t109 + k_C*t110 + t104*t266
+            - t204*(forward_t47 + forward_t49) + t262*t89;
+        const lane adjoint_forward_t5 = D_r_1*adjoint_D_p_y_1 + adjoint_D_delta_y_1*l_d_1;
+        const lane t273 = k_C*shape_19;
+        const lane t274 = eigenvalue*forward_t46;
+        const lane t275 = eigenvalue*forward_t71;
+        const lane t276 = eigenvalue*forward_t83;
+        const lane adjoint_D_delta_x_3 =
+            D_delta_x_1*adjoint_forward_t181 + D_delta_x_2*adjoint_forward_t184
+            + D_p_x_3*adjoint_forward_t171 + adjoint_forward_t123*t135 - forward_t112*t246
+            - forward_t118*t247 - shape_19*t251 - t102*t274 + t102*t281 + t148*t245 + t180*t245 + t244*t273
+            - t275*t73 - t276*t42 + t278*t42 + t283*t73;
+        const lane adjoint_D_delta_x_2 =
+            D_delta_x_1*adjoint_forward_t178 + D_delta_x_3*adjoint_forward_t184
+            + D_p_x_3*adjoint_forward_t168 + adjoint_forward_t117*t147 + adjoint_forward_t118*forward_t44
+            - forward_t112*t260 - forward_t69*t134 - t100*t274 + t100*t281 + t136*t259 + t180*t259 + t19*t273
+            - t275*t71 - t276*t46 + t278*t46 + t283*t71;
+        const lane adjoint_D_delta_x_1 =
+            D_delta_x_2*adjoint_forward_t178 + D_delta_x_3*adjoint_forward_t181
+            + D_p_x_3*adjoint_forward_t164 + adjoint_forward_t111*t179 + adjoint_forward_t112*forward_t44
+            - forward_t69*t146 + t136*t261 + t148*t261 + t23*t273 - t274*t98 - t275*t69 - t276*t44 + t278*t44
+            + t281*t98 + t283*t69;
+        const lane adjoint_D_p_x_3 =
+            D_delta_x_1*adjoint_forward_t164 + D_delta_x_2*adjoint_forward_t168
+            + D_delta_x_3*adjoint_forward_t171 + 2.0*D_p_x_3*adjoint_forward_t157 + adjoint_U_3_x_3
+            + adjoint_forward_t82*forward_t44 - forward_t46*t201 - forward_t69*t170 - forward_t71*t202
+            + k_C*t51 + k_C*t52 + k_C*t53 - t104*t280 - t163*(forward_t62 + forward_t83) + t273*t40
+            - t282*t67;
+        const lane adjoint_forward_t4 = D_r_3*adjoint_D_p_x_3 + adjoint_D_delta_x_3*l_d_3;
+        const lane adjoint_D_p_x_2 =
+            2.0*D_p_x_2*adjoint_forward_t142 + adjoint_U_2_x_2 + adjoint_forward_t144*mu_3
+            + adjoint_forward_t145*mu_1 + adjoint_forward_t70*forward_t44 - forward_t46*t203
+            - forward_t62*t202 - forward_t69*t178 + k_C*t82 + k_C*t83 + k_C*t84 - t171*(forward_t58
+            + forward_t71) + t273*t65 + t277*t67 + t96*(-forward_t128 - t279);
+        const lane adjoint_forward_t3 = D_r_2*adjoint_D_p_x_2 + adjoint_D_delta_x_2*l_d_2;
+        const lane adjoint_D_p_x_1 =
+            2.0*D_p_x_1*adjoint_forward_t127 + D_p_x_2*k_C*t96 + adjoint_U_1_x_1 + adjoint_forward_t128*mu_3
+            + adjoint_forward_t129*mu_2 + adjoint_forward_t45*forward_t44 - forward_t58*t203
+            - forward_t62*t201 - forward_t69*t198 + k_C*t114 + k_C*t115 + k_C*t116 + t104*t277
+            - t204*(forward_t41 + forward_t46) + t273*t89;
+        const lane adjoint_forward_t2 = D_r_1*adjoint_D_p_x_1 + adjoint_D_delta_x_1*l_d_1;
+        const lane adjoint_forward_t1 =
+            A_x_1*adjoint_forward_t2 + A_x_2*adjoint_forward_t3 + A_x_3*adjoint_forward_t4
+            + A_y_1*adjoint_forward_t5 + A_y_2*adjoint_forward_t6 + A_y_3*adjoint_forward_t7
+            + A_z_1*adjoint_forward_t8 + A_z_2*adjoint_forward_t9 + A_z_3*adjoint_forward_t10
+            + adjoint_mu_1*t16 + adjoint_mu_2*t17 + adjoint_mu_3*t18;
+        const lane adjoint_det_D_l = -adjoint_forward_t1*(forward_3*forward_3);
+        const lane t284 = adjoint_mu_3*forward_3;
+        const lane adjoint_A_z_3 = adjoint_forward_t10*forward_3 - forward_t38*t284;
+        const lane adjoint_A_y_3 = adjoint_forward_t7*forward_3 - forward_t37*t284;
+        const lane adjoint_A_x_3 = adjoint_forward_t4*forward_3 - forward_t36*t284;
+        const lane t285 = adjoint_mu_2*forward_3;
+        const lane adjoint_A_z_2 = adjoint_forward_t9*forward_3 - forward_t38*t285;
+        const lane adjoint_A_y_2 = adjoint_forward_t6*forward_3 - forward_t37*t285;
+        const lane adjoint_A_x_2 = adjoint_forward_t3*forward_3 - forward_t36*t285;
+        const lane t286 = adjoint_mu_1*forward_3;
+        const lane adjoint_A_z_1 = adjoint_det_D_l*s_1_z + adjoint_forward_t8*forward_3 - forward_t38*t286;
+        const lane adjoint_A_y_1 = adjoint_det_D_l*s_1_y + adjoint_forward_t5*forward_3 - forward_t37*t286;
+        const lane adjoint_A_x_1 = adjoint_det_D_l*s_1_x + adjoint_forward_t2*forward_3 - forward_t36*t286;
+        const lane adjoint_D_r_3 =
+            adjoint_D_p_x_3*forward_t4 + adjoint_D_p_y_3*forward_t7 + adjoint_D_p_z_3*forward_t10;
+        const lane adjoint_D_r_2 =
+            adjoint_D_p_x_2*forward_t3 + adjoint_D_p_y_2*forward_t6 + adjoint_D_p_z_2*forward_t9;
+        const lane adjoint_D_r_1 =
+            adjoint_D_p_x_1*forward_t2 + adjoint_D_p_y_1*forward_t5 + adjoint_D_p_z_1*forward_t8;
+        const lane adjoint_s_3_z =
+            adjoint_A_x_1*s_2_y - adjoint_A_x_2*s_1_y - adjoint_A_y_1*s_2_x + adjoint_A_y_2*s_1_x
+            + adjoint_D_r_3*n_3_z;
+        const lane adjoint_s_3_y =
+            -adjoint_A_x_1*s_2_z + adjoint_A_x_2*s_1_z + adjoint_A_z_1*s_2_x - adjoint_A_z_2*s_1_x
+            + adjoint_D_r_3*n_3_y;
+        const lane adjoint_s_3_x =
+            adjoint_A_y_1*s_2_z - adjoint_A_y_2*s_1_z - adjoint_A_z_1*s_2_y + adjoint_A_z_2*s_1_y
+            + adjoint_D_r_3*n_3_x;
+        const lane adjoint_s_2_z =
+            -adjoint_A_x_1*s_3_y + adjoint_A_x_3*s_1_y + adjoint_A_y_1*s_3_x - adjoint_A_y_3*s_1_x
+            + adjoint_D_r_2*n_2_z;
+        const lane adjoint_s_2_y =
+            adjoint_A_x_1*s_3_z - adjoint_A_x_3*s_1_z - adjoint_A_z_1*s_3_x + adjoint_A_z_3*s_1_x
+            + adjoint_D_r_2*n_2_y;
+        const lane adjoint_s_2_x =
+            -adjoint_A_y_1*s_3_z + adjoint_A_y_3*s_1_z + adjoint_A_z_1*s_3_y - adjoint_A_z_3*s_1_y
+            + adjoint_D_r_2*n_2_x;
+        const lane adjoint_s_1_z =
+            A_z_1*adjoint_det_D_l + adjoint_A_x_2*s_3_y - adjoint_A_x_3*s_2_y - adjoint_A_y_2*s_3_x
+            + adjoint_A_y_3*s_2_x + adjoint_D_r_1*n_1_z;
+        const lane adjoint_s_1_y =
+            A_y_1*adjoint_det_D_l - adjoint_A_x_2*s_3_z + adjoint_A_x_3*s_2_z + adjoint_A_z_2*s_3_x
+            - adjoint_A_z_3*s_2_x + adjoint_D_r_1*n_1_y;
+        const lane adjoint_s_1_x =
+            A_x_1*adjoint_det_D_l + adjoint_A_y_2*s_3_z - adjoint_A_y_3*s_2_z - adjoint_A_z_2*s_3_y
+            + adjoint_A_z_3*s_2_y + adjoint_D_r_1*n_1_x;
+        const lane adjoint_x_3 =
+            adjoint_l_f_3_2 - adjoint_l_f_3_3 - adjoint_s_3_x*n_3_x - adjoint_s_3_y*n_3_y
+            - adjoint_s_3_z*n_3_z;
+        const lane adjoint_forward_2 = adjoint_x_3*sigma_3;
+        const lane t287 = adjoint_forward_2/forward_2;
+        const lane adjoint_w2_3 = -1.0/2.0*t287;
+        const lane t288 = 2.0*adjoint_w2_3;
+        const lane adjoint_w_3_z = t288*w_3_z;
+        const lane adjoint_w_3_y = t288*w_3_y;
+        const lane adjoint_w_3_x = t288*w_3_x;
+        const lane adjoint_a_3 =
+            -adjoint_w_3_x*n_3_x - adjoint_w_3_y*n_3_y - adjoint_w_3_z*n_3_z + adjoint_x_3;
+        const lane adjoint_x_2 =
+            adjoint_l_f_2_2 - adjoint_l_f_2_3 - adjoint_s_2_x*n_2_x - adjoint_s_2_y*n_2_y
+            - adjoint_s_2_z*n_2_z;
+        const lane adjoint_forward_1 = adjoint_x_2*sigma_2;
+        const lane t289 = adjoint_forward_1/forward_1;
+        const lane adjoint_w2_2 = -1.0/2.0*t289;
+        const lane t290 = 2.0*adjoint_w2_2;
+        const lane adjoint_w_2_z = t290*w_2_z;
+        const lane adjoint_w_2_y = t290*w_2_y;
+        const lane adjoint_w_2_x = t290*w_2_x;
+        const lane adjoint_a_2 =
+            -adjoint_w_2_x*n_2_x - adjoint_w_2_y*n_2_y - adjoint_w_2_z*n_2_z + adjoint_x_2;
+        const lane adjoint_x_1 =
+            adjoint_l_f_1_2 - adjoint_l_f_1_3 - adjoint_s_1_x*n_1_x - adjoint_s_1_y*n_1_y
+            - adjoint_s_1_z*n_1_z;
+        const lane adjoint_forward_0 = adjoint_x_1*sigma_1;
+        const lane t291 = adjoint_forward_0/forward_0;
+        const lane adjoint_w2_1 = -1.0/2.0*t291;
+        const lane t292 = 2.0*adjoint_w2_1;
+        const lane adjoint_w_1_z = t292*w_1_z;
+        const lane adjoint_w_1_y = t292*w_1_y;
+        const lane adjoint_w_1_x = t292*w_1_x;
+        const lane adjoint_a_1 =
+            -adjoint_w_1_x*n_1_x - adjoint_w_1_y*n_1_y - adjoint_w_1_z*n_1_z + adjoint_x_1;
+        const lane adjoint_r_3_z = adjoint_a_3*n_3_z + adjoint_s_3_z + adjoint_w_3_z;
+        const lane adjoint_r_3_y = adjoint_a_3*n_3_y + adjoint_s_3_y + adjoint_w_3_y;
+        const lane adjoint_r_3_x = adjoint_a_3*n_3_x + adjoint_s_3_x + adjoint_w_3_x;
+        const lane adjoint_r_2_z = adjoint_a_2*n_2_z + adjoint_s_2_z + adjoint_w_2_z;
+        const lane adjoint_r_2_y = adjoint_a_2*n_2_y + adjoint_s_2_y + adjoint_w_2_y;
+        const lane adjoint_r_2_x = adjoint_a_2*n_2_x + adjoint_s_2_x + adjoint_w_2_x;
+        const lane adjoint_r_1_z = adjoint_a_1*n_1_z + adjoint_s_1_z + adjoint_w_1_z;
+        const lane adjoint_r_1_y = adjoint_a_1*n_1_y + adjoint_s_1_y + adjoint_w_1_y;
+        const lane adjoint_r_1_x = adjoint_a_1*n_1_x + adjoint_s_1_x + adjoint_w_1_x;
+        const lane t293 = adjoint_forward_t19*k_sp_1;
+        const lane t294 = adjoint_forward_t23*k_sp_2;
+        const lane t295 = adjoint_forward_t27*k_sp_3;
+        lanes_clear(gradient, 95);
+        gradient[0] = LANES(adjoint_forward_t34);
+        gradient[1] = LANES(adjoint_forward_t36*forward_t35);
+        gradient[2] = LANES(adjoint_forward_t37*forward_t35);
+        gradient[3] = LANES(adjoint_forward_t38*forward_t35);
+        gradient[4] = LANES(-adjoint_r_1_x);
+        gradient[5] = LANES(-adjoint_r_1_y);
+        gradient[6] = LANES(-adjoint_r_1_z);
+        gradient[7] = LANES(-adjoint_r_2_x);
+        gradient[8] = LANES(-adjoint_r_2_y);
+        gradient[9] = LANES(-adjoint_r_2_z);
+        gradient[10] = LANES(-adjoint_r_3_x);
+        gradient[11] = LANES(-adjoint_r_3_y);
+        gradient[12] = LANES(-adjoint_r_3_z);
+        gradient[22] = LANES(adjoint_r_1_x);
+        gradient[23] = LANES(adjoint_r_1_y);
+        gradient[24] = LANES(adjoint_r_1_z);
+        gradient[25] = LANES(adjoint_r_2_x);
+        gradient[26] = LANES(adjoint_r_2_y);
+        gradient[27] = LANES(adjoint_r_2_z);
+        gradient[28] = LANES(adjoint_r_3_x);
+        gradient[29] = LANES(adjoint_r_3_y);
+        gradient[30] = LANES(adjoint_r_3_z);
+        gradient[31] =
+            LANES(adjoint_D_delta_x_1*forward_t2 + adjoint_D_delta_y_1*forward_t5
+            + adjoint_D_delta_z_1*forward_t8 + l_d_1*t291);
+        gradient[32] =
+            LANES(adjoint_D_delta_x_2*forward_t3 + adjoint_D_delta_y_2*forward_t6
+            + adjoint_D_delta_z_2*forward_t9 + l_d_2*t289);
+        gradient[33] =
+            LANES(adjoint_D_delta_x_3*forward_t4 + adjoint_D_delta_y_3*forward_t7
+            + adjoint_D_delta_z_3*forward_t10 + l_d_3*t287);
+        gradient[34] =
+            LANES(adjoint_forward_t124 + (1.0/2.0)*adjoint_forward_t31 + (1.0/3.0)*adjoint_forward_t39
+            + (1.0/6.0)*adjoint_forward_t40);
+        gradient[35] =
+            LANES(adjoint_forward_t124 + (1.0/2.0)*adjoint_forward_t32 + (1.0/3.0)*adjoint_forward_t42
+            + (1.0/6.0)*adjoint_forward_t57);
+        gradient[36] =
+            LANES(adjoint_forward_t124 + (1.0/2.0)*adjoint_forward_t33 + (1.0/3.0)*adjoint_forward_t43
+            + (1.0/6.0)*adjoint_forward_t61);
+        gradient[37] = LANES(adjoint_forward_t124 - t204 - t227);
+        gradient[38] = LANES(adjoint_forward_t124 - t171 - t226);
+        gradient[39] = LANES(adjoint_forward_t124 - t163 - t225);
+        gradient[40] = LANES((1.0/2.0)*adjoint_forward_t22);
+        gradient[41] = LANES((1.0/2.0)*adjoint_forward_t26);
+        gradient[42] = LANES((1.0/2.0)*adjoint_forward_t30);
+        gradient[43] = LANES(adjoint_forward_t19*t2);
+        gradient[44] = LANES(adjoint_forward_t23*t7);
+        gradient[45] = LANES(adjoint_forward_t27*t12);
+        gradient[46] = LANES(t1*t293);
+        gradient[47] = LANES(t294*t6);
+        gradient[48] = LANES(t11*t295);
+        gradient[49] =
+            LANES(2.0*R_p_1*adjoint_forward_t94 - adjoint_forward_t137*k_1_3 - adjoint_forward_t138*k_1_2
+            + adjoint_forward_t66*forward_t65);
+        gradient[50] =
+            LANES(2.0*R_p_2*adjoint_forward_t98 - adjoint_forward_t152*k_2_3 - adjoint_forward_t153*k_2_2
+            + adjoint_forward_t79*forward_t65);
+        gradient[51] =
+            LANES(2.0*R_p_3*adjoint_forward_t102 - adjoint_forward_t158*k_3_3 - adjoint_forward_t159*k_3_2
+            + adjoint_forward_t91*forward_t65);
+        gradient[52] = LANES(adjoint_I_1_1 + adjoint_I_1_2);
+        gradient[53] = LANES(adjoint_I_2_1 + adjoint_I_2_2);
+        gradient[54] = LANES(adjoint_I_3_1 + adjoint_I_3_2);
+        gradient[55] = LANES(adjoint_forward_t11*(i_g_1*i_g_1));
+        gradient[56] = LANES(adjoint_forward_t13*(i_g_2*i_g_2));
+        gradient[57] = LANES(adjoint_forward_t15*(i_g_3*i_g_3));
+        gradient[58] = LANES(2.0*I_m_1*adjoint_forward_t11*i_g_1);
+        gradient[59] = LANES(2.0*I_m_2*adjoint_forward_t13*i_g_2);
+        gradient[60] = LANES(2.0*I_m_3*adjoint_forward_t15*i_g_3);
+        gradient[67] = LANES(-adjoint_l_f_1_1 - adjoint_l_f_1_2);
+        gradient[68] = LANES(adjoint_l_f_1_1 + adjoint_l_f_1_3);
+        gradient[69] = LANES(-adjoint_l_f_2_1 - adjoint_l_f_2_2);
+        gradient[70] = LANES(adjoint_l_f_2_1 + adjoint_l_f_2_3);
+        gradient[71] = LANES(-adjoint_l_f_3_1 - adjoint_l_f_3_2);
+        gradient[72] = LANES(adjoint_l_f_3_1 + adjoint_l_f_3_3);
+        gradient[76] = LANES(t293*w_b_1);
+        gradient[77] = LANES(t294*w_b_2);
+        gradient[78] = LANES(t295*w_b_3);
+        gradient[79] = LANES(adjoint_forward_t18*forward_t17);
+        gradient[80] = LANES((1.0/3.0)*adjoint_forward_t53 + (1.0/6.0)*adjoint_forward_t65);
+        gradient[81] = LANES(F_T*adjoint_forward_t17);
+        gradient[82] = LANES(adjoint_forward_t17*c_T);
+        gradient[83] =
+            LANES(D_p_x_1*shape_19*t89 + D_p_x_2*shape_19*t65 + D_p_x_3*shape_19*t40 + D_p_y_1*shape_20*t89
+            + D_p_y_2*shape_20*t65 + D_p_y_3*shape_20*t40 + D_p_z_1*shape_21*t89 + D_p_z_2*shape_21*t65
+            + D_p_z_3*shape_21*t40 + t100*(D_delta_x_2*D_p_x_1 + D_delta_y_2*D_p_y_1 + D_delta_z_2*D_p_z_1)
+            + t102*(D_delta_x_3*D_p_x_1 + D_delta_y_3*D_p_y_1 + D_delta_z_3*D_p_z_1) + t104*(D_p_x_1*D_p_x_3
+            + D_p_y_1*D_p_y_3 + D_p_z_1*D_p_z_3) + t119*t214 + t120 + t121 + t122 + t181 + t182 + t183 + t187
+            + t188 + t189 + t193 + t194 + t195 + t209 + t211 + t213 + t216*(forward_t179 + forward_t180
+            + forward_t181) + t218*(forward_t182 + forward_t183 + forward_t184) + t221*t86 + t223*t58
+            + t24*(forward_t176 + forward_t177 + forward_t178) + t42*(forward_t169 + forward_t170
+            + forward_t171) + t44*(forward_t160 + forward_t162 + forward_t164) + t46*(forward_t166
+            + forward_t167 + forward_t168) + t67*(D_p_x_2*D_p_x_3 + D_p_y_2*D_p_y_3 + D_p_z_2*D_p_z_3)
+            + t69*(D_delta_x_1*D_p_x_2 + D_delta_y_1*D_p_y_2 + D_delta_z_1*D_p_z_2)
+            + t71*(D_delta_x_2*D_p_x_2 + D_delta_y_2*D_p_y_2 + D_delta_z_2*D_p_z_2)
+            + t73*(D_delta_x_3*D_p_x_2 + D_delta_y_3*D_p_y_2 + D_delta_z_3*D_p_z_2) + t96*(D_p_x_1*D_p_x_2
+            + D_p_y_1*D_p_y_2 + D_p_z_1*D_p_z_2) + t98*(D_delta_x_1*D_p_x_1 + D_delta_y_1*D_p_y_1
+            + D_delta_z_1*D_p_z_1));
+        gradient[84] = LANES(adjoint_forward_t12 + adjoint_forward_t14 + adjoint_forward_t16);
+        gradient[85] = LANES(adjoint_forward_t34);
+        gradient[86] = LANES(d_1_1*t33 + d_1_2*t34 + d_2_1*t29 + d_2_2*t30 + d_3_1*t25 + d_3_2*t26);
+        gradient[91] = LANES(adjoint_forward_t124);
+        gradient[92] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
+        gradient[93] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
+        gradient[94] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
+    }
 }

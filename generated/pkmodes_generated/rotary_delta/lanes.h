@@ -40,6 +40,7 @@
 #define LANES_RIGID 3
 #define LANES_PARAMETERS 76
 #define LANES_EFFECTS 10
+#define LANES_GRADIENT 89
 #define LANES_MARGINS 13
 
 /* How many numbers each margin of a pose has, and how they must compare. */
@@ -1073,4 +1074,1859 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     J_p[31] = LANES(D_delta_z_2);
     J_p[32] = LANES(D_delta_z_3);
     J_p[35] = LANES(1.0);
+}
+
+/* Derivatives of the eigenvalue of a mode with respect to all quantities.
+ *
+ * Source: reverse accumulation through base.
+ * 1625 operations; 8260522340 with every named value expanded.
+ */
+static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict pose,
+    const double *restrict parameters, const double *restrict effects, int modes, const lane *restrict shapes,
+    const lane *restrict eigenvalues, lane *restrict gradients, int stride)
+{
+    (void)effects;
+    const lane p_x = pose[0];
+    const lane p_y = pose[1];
+    const lane p_z = pose[2];
+    const double m_p = parameters[0];
+    const double g_x = parameters[1];
+    const double g_y = parameters[2];
+    const double g_z = parameters[3];
+    const double o_1_x = parameters[4];
+    const double o_1_y = parameters[5];
+    const double o_1_z = parameters[6];
+    const double o_2_x = parameters[7];
+    const double o_2_y = parameters[8];
+    const double o_2_z = parameters[9];
+    const double o_3_x = parameters[10];
+    const double o_3_y = parameters[11];
+    const double o_3_z = parameters[12];
+    const double a_1_x = parameters[13];
+    const double a_1_y = parameters[14];
+    const double a_1_z = parameters[15];
+    const double a_2_x = parameters[16];
+    const double a_2_y = parameters[17];
+    const double a_2_z = parameters[18];
+    const double a_3_x = parameters[19];
+    const double a_3_y = parameters[20];
+    const double a_3_z = parameters[21];
+    const double z_1_x = parameters[22];
+    const double z_1_y = parameters[23];
+    const double z_1_z = parameters[24];
+    const double z_2_x = parameters[25];
+    const double z_2_y = parameters[26];
+    const double z_2_z = parameters[27];
+    const double z_3_x = parameters[28];
+    const double z_3_y = parameters[29];
+    const double z_3_z = parameters[30];
+    const double b_1_x = parameters[31];
+    const double b_1_y = parameters[32];
+    const double b_1_z = parameters[33];
+    const double b_2_x = parameters[34];
+    const double b_2_y = parameters[35];
+    const double b_2_z = parameters[36];
+    const double b_3_x = parameters[37];
+    const double b_3_y = parameters[38];
+    const double b_3_z = parameters[39];
+    const double L_a_1 = parameters[40];
+    const double L_a_2 = parameters[41];
+    const double L_a_3 = parameters[42];
+    const double m_a_1 = parameters[43];
+    const double m_a_2 = parameters[44];
+    const double m_a_3 = parameters[45];
+    const double r_a_1 = parameters[46];
+    const double r_a_2 = parameters[47];
+    const double r_a_3 = parameters[48];
+    const double l_d_1 = parameters[52];
+    const double l_d_2 = parameters[53];
+    const double l_d_3 = parameters[54];
+    const double m_d_1 = parameters[55];
+    const double m_d_2 = parameters[56];
+    const double m_d_3 = parameters[57];
+    const double I_m_1 = parameters[61];
+    const double I_m_2 = parameters[62];
+    const double I_m_3 = parameters[63];
+    const double i_g_1 = parameters[64];
+    const double i_g_2 = parameters[65];
+    const double i_g_3 = parameters[66];
+    const double sigma_1 = parameters[73];
+    const double sigma_2 = parameters[74];
+    const double sigma_3 = parameters[75];
+    const double y_1_x = a_1_y*z_1_z - a_1_z*z_1_y;
+    const double y_1_y = -a_1_x*z_1_z + a_1_z*z_1_x;
+    const double y_1_z = a_1_x*z_1_y - a_1_y*z_1_x;
+    const double y_2_x = a_2_y*z_2_z - a_2_z*z_2_y;
+    const double y_2_y = -a_2_x*z_2_z + a_2_z*z_2_x;
+    const double y_2_z = a_2_x*z_2_y - a_2_y*z_2_x;
+    const double y_3_x = a_3_y*z_3_z - a_3_z*z_3_y;
+    const double y_3_y = -a_3_x*z_3_z + a_3_z*z_3_x;
+    const double y_3_z = a_3_x*z_3_y - a_3_y*z_3_x;
+    const lane r_1_x = b_1_x - o_1_x + p_x;
+    const lane r_1_y = b_1_y - o_1_y + p_y;
+    const lane r_1_z = b_1_z - o_1_z + p_z;
+    const lane r_2_x = b_2_x - o_2_x + p_x;
+    const lane r_2_y = b_2_y - o_2_y + p_y;
+    const lane r_2_z = b_2_z - o_2_z + p_z;
+    const lane r_3_x = b_3_x - o_3_x + p_x;
+    const lane r_3_y = b_3_y - o_3_y + p_y;
+    const lane r_3_z = b_3_z - o_3_z + p_z;
+    const lane A_1 = r_1_x*z_1_x + r_1_y*z_1_y + r_1_z*z_1_z;
+    const lane B_1 = r_1_x*y_1_x + r_1_y*y_1_y + r_1_z*y_1_z;
+    const lane rho2_1 = (A_1*A_1) + (B_1*B_1);
+    const double forward_t1 = (L_a_1*L_a_1);
+    const double forward_0 = 1.0/L_a_1;
+    const lane t1 = (r_1_x*r_1_x);
+    const lane t2 = (r_1_y*r_1_y);
+    const lane t3 = (r_1_z*r_1_z);
+    const double t4 = (l_d_1*l_d_1);
+    const double t5 = (1.0/2.0)*forward_0;
+    const lane C_1 = t5*(forward_t1 + t1 + t2 + t3 - t4);
+    const lane forward_1 = lanes_sqrt(-(C_1*C_1) + rho2_1);
+    const lane S_1 = forward_1*sigma_1;
+    const lane forward_2 = 1.0/rho2_1;
+    const lane t6 = A_1*C_1 - B_1*S_1;
+    const lane c_1 = forward_2*t6;
+    const lane t7 = A_1*S_1 + B_1*C_1;
+    const lane sn_1 = forward_2*t7;
+    const lane A_2 = r_2_x*z_2_x + r_2_y*z_2_y + r_2_z*z_2_z;
+    const lane B_2 = r_2_x*y_2_x + r_2_y*y_2_y + r_2_z*y_2_z;
+    const lane rho2_2 = (A_2*A_2) + (B_2*B_2);
+    const double forward_t3 = (L_a_2*L_a_2);
+    const double forward_3 = 1.0/L_a_2;
+    const lane t8 = (r_2_z*r_2_z);
+    const double t9 = (l_d_2*l_d_2);
+    const double t10 = (1.0/2.0)*forward_3;
+    const lane t11 = (r_2_x*r_2_x);
+    const lane t12 = (r_2_y*r_2_y);
+    const lane C_2 = t10*(forward_t3 + t11 + t12 + t8 - t9);
+    const lane forward_4 = lanes_sqrt(-(C_2*C_2) + rho2_2);
+    const lane S_2 = forward_4*sigma_2;
+    const lane forward_5 = 1.0/rho2_2;
+    const lane t13 = A_2*C_2 - B_2*S_2;
+    const lane c_2 = forward_5*t13;
+    const lane t14 = A_2*S_2 + B_2*C_2;
+    const lane sn_2 = forward_5*t14;
+    const lane A_3 = r_3_x*z_3_x + r_3_y*z_3_y + r_3_z*z_3_z;
+    const lane B_3 = r_3_x*y_3_x + r_3_y*y_3_y + r_3_z*y_3_z;
+    const lane rho2_3 = (A_3*A_3) + (B_3*B_3);
+    const double forward_t5 = (L_a_3*L_a_3);
+    const double forward_6 = 1.0/L_a_3;
+    const lane t15 = (r_3_x*r_3_x);
+    const lane t16 = (r_3_y*r_3_y);
+    const lane t17 = (r_3_z*r_3_z);
+    const double t18 = (l_d_3*l_d_3);
+    const double t19 = (1.0/2.0)*forward_6;
+    const lane C_3 = t19*(forward_t5 + t15 + t16 + t17 - t18);
+    const lane forward_7 = lanes_sqrt(-(C_3*C_3) + rho2_3);
+    const lane S_3 = forward_7*sigma_3;
+    const lane forward_8 = 1.0/rho2_3;
+    const lane t20 = A_3*C_3 - B_3*S_3;
+    const lane c_3 = forward_8*t20;
+    const lane t21 = A_3*S_3 + B_3*C_3;
+    const lane sn_3 = forward_8*t21;
+    const lane d_1_x = c_1*z_1_x + sn_1*y_1_x;
+    const lane d_1_y = c_1*z_1_y + sn_1*y_1_y;
+    const lane d_1_z = c_1*z_1_z + sn_1*y_1_z;
+    const lane t_1_x = c_1*y_1_x - sn_1*z_1_x;
+    const lane t_1_y = c_1*y_1_y - sn_1*z_1_y;
+    const lane t_1_z = c_1*y_1_z - sn_1*z_1_z;
+    const lane d_2_x = c_2*z_2_x + sn_2*y_2_x;
+    const lane d_2_y = c_2*z_2_y + sn_2*y_2_y;
+    const lane d_2_z = c_2*z_2_z + sn_2*y_2_z;
+    const lane t_2_x = c_2*y_2_x - sn_2*z_2_x;
+    const lane t_2_y = c_2*y_2_y - sn_2*z_2_y;
+    const lane t_2_z = c_2*y_2_z - sn_2*z_2_z;
+    const lane d_3_x = c_3*z_3_x + sn_3*y_3_x;
+    const lane d_3_y = c_3*z_3_y + sn_3*y_3_y;
+    const lane d_3_z = c_3*z_3_z + sn_3*y_3_z;
+    const lane t_3_x = c_3*y_3_x - sn_3*z_3_x;
+    const lane t_3_y = c_3*y_3_y - sn_3*z_3_y;
+    const lane t_3_z = c_3*y_3_z - sn_3*z_3_z;
+    const lane forward_t7 = L_a_1*d_1_x;
+    const lane s_1_x = -forward_t7 + r_1_x;
+    const lane forward_t8 = L_a_1*d_1_y;
+    const lane s_1_y = -forward_t8 + r_1_y;
+    const lane forward_t9 = L_a_1*d_1_z;
+    const lane s_1_z = -forward_t9 + r_1_z;
+    const lane forward_t10 = L_a_2*d_2_x;
+    const lane s_2_x = -forward_t10 + r_2_x;
+    const lane forward_t11 = L_a_2*d_2_y;
+    const lane s_2_y = -forward_t11 + r_2_y;
+    const lane forward_t12 = L_a_2*d_2_z;
+    const lane s_2_z = -forward_t12 + r_2_z;
+    const lane forward_t13 = L_a_3*d_3_x;
+    const lane s_3_x = -forward_t13 + r_3_x;
+    const lane forward_t14 = L_a_3*d_3_y;
+    const lane s_3_y = -forward_t14 + r_3_y;
+    const lane forward_t15 = L_a_3*d_3_z;
+    const lane s_3_z = -forward_t15 + r_3_z;
+    const lane forward_t16 = L_a_1*t_1_x;
+    const lane forward_t17 = L_a_1*t_1_y;
+    const lane forward_t18 = L_a_1*t_1_z;
+    const lane D_r_1 = forward_t16*s_1_x + forward_t17*s_1_y + forward_t18*s_1_z;
+    const lane forward_t19 = L_a_2*t_2_x;
+    const lane forward_t20 = L_a_2*t_2_y;
+    const lane forward_t21 = L_a_2*t_2_z;
+    const lane D_r_2 = forward_t19*s_2_x + forward_t20*s_2_y + forward_t21*s_2_z;
+    const lane forward_t22 = L_a_3*t_3_x;
+    const lane forward_t23 = L_a_3*t_3_y;
+    const lane forward_t24 = L_a_3*t_3_z;
+    const lane D_r_3 = forward_t22*s_3_x + forward_t23*s_3_y + forward_t24*s_3_z;
+    const lane A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y;
+    const lane A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x;
+    const lane A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x;
+    const lane A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y;
+    const lane A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x;
+    const lane A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x;
+    const lane A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y;
+    const lane A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x;
+    const lane A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x;
+    const lane det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z;
+    const lane forward_9 = 1.0/det_D_l;
+    const lane forward_t26 = D_r_1*forward_9;
+    const lane D_p_x_1 = A_x_1*forward_t26;
+    const lane forward_t27 = D_r_2*forward_9;
+    const lane D_p_x_2 = A_x_2*forward_t27;
+    const lane forward_t28 = D_r_3*forward_9;
+    const lane D_p_x_3 = A_x_3*forward_t28;
+    const lane D_p_y_1 = A_y_1*forward_t26;
+    const lane D_p_y_2 = A_y_2*forward_t27;
+    const lane D_p_y_3 = A_y_3*forward_t28;
+    const lane D_p_z_1 = A_z_1*forward_t26;
+    const lane D_p_z_2 = A_z_2*forward_t27;
+    const lane D_p_z_3 = A_z_3*forward_t28;
+    const lane U_1_x_1 = D_p_x_1 - forward_t16;
+    const lane U_1_y_1 = D_p_y_1 - forward_t17;
+    const lane U_1_z_1 = D_p_z_1 - forward_t18;
+    const lane U_2_x_2 = D_p_x_2 - forward_t19;
+    const lane U_2_y_2 = D_p_y_2 - forward_t20;
+    const lane U_2_z_2 = D_p_z_2 - forward_t21;
+    const lane U_3_x_3 = D_p_x_3 - forward_t22;
+    const lane U_3_y_3 = D_p_y_3 - forward_t23;
+    const lane U_3_z_3 = D_p_z_3 - forward_t24;
+    const double forward_t29 = (1.0/2.0)*m_d_1;
+    const double forward_t30 = (1.0/2.0)*m_d_2;
+    const double forward_t31 = (1.0/2.0)*m_d_3;
+    const double forward_t32 = forward_t29 + forward_t30 + forward_t31 + m_p;
+    const double forward_t33 = forward_t32*g_x;
+    const double forward_t34 = forward_t32*g_y;
+    const double forward_t35 = forward_t32*g_z;
+    const lane t22 = -A_x_1*forward_t33 - A_y_1*forward_t34 - A_z_1*forward_t35;
+    const lane mu_1 = forward_9*t22;
+    const lane t23 = -A_x_2*forward_t33 - A_y_2*forward_t34 - A_z_2*forward_t35;
+    const lane mu_2 = forward_9*t23;
+    const lane t24 = -A_x_3*forward_t33 - A_y_3*forward_t34 - A_z_3*forward_t35;
+    const lane mu_3 = forward_9*t24;
+    const double forward_t36 = (1.0/3.0)*m_d_1;
+    const double forward_t37 = (1.0/6.0)*m_d_1;
+    const lane forward_t38 = forward_t16*forward_t37;
+    const lane forward_t39 = forward_t17*forward_t37;
+    const lane forward_t40 = forward_t18*forward_t37;
+    const double forward_t41 = (1.0/3.0)*m_d_2;
+    const double forward_t42 = (1.0/3.0)*m_d_3;
+    const double forward_t43 = forward_t36 + forward_t41 + forward_t42 + m_p;
+    const lane forward_t44 = D_p_x_1*forward_t43 + forward_t38;
+    const lane forward_t45 = D_p_y_1*forward_t43 + forward_t39;
+    const lane forward_t46 = D_p_z_1*forward_t43 + forward_t40;
+    const double forward_t47 = (1.0/6.0)*m_d_2;
+    const lane forward_t48 = forward_t19*forward_t47;
+    const lane forward_t49 = forward_t20*forward_t47;
+    const lane forward_t50 = forward_t21*forward_t47;
+    const double forward_t51 = (1.0/6.0)*m_d_3;
+    const lane forward_t52 = forward_t22*forward_t51;
+    const lane forward_t53 = forward_t23*forward_t51;
+    const lane forward_t54 = forward_t24*forward_t51;
+    const lane forward_t55 = D_p_x_2*forward_t43 + forward_t48;
+    const lane forward_t56 = D_p_y_2*forward_t43 + forward_t49;
+    const lane forward_t57 = D_p_z_2*forward_t43 + forward_t50;
+    const lane forward_t58 = (D_p_x_1*D_p_x_1);
+    const lane forward_t59 = (D_p_y_1*D_p_y_1);
+    const lane forward_t60 = (D_p_z_1*D_p_z_1);
+    const double forward_t61 = L_a_1*forward_t29 + m_a_1*r_a_1;
+    const lane forward_t62 = D_p_x_1*mu_3;
+    const lane forward_t63 = D_p_x_1*mu_2;
+    const lane forward_t64 = U_1_x_1*mu_1;
+    const lane forward_t65 = D_p_y_1*mu_3;
+    const lane forward_t66 = D_p_y_1*mu_2;
+    const lane forward_t67 = U_1_y_1*mu_1;
+    const lane forward_t68 = D_p_z_1*mu_3;
+    const lane forward_t69 = D_p_z_1*mu_2;
+    const lane forward_t70 = U_1_z_1*mu_1;
+    const lane forward_t71 = (D_p_x_2*D_p_x_2);
+    const lane forward_t72 = (D_p_y_2*D_p_y_2);
+    const lane forward_t73 = (D_p_z_2*D_p_z_2);
+    const double forward_t74 = L_a_2*forward_t30 + m_a_2*r_a_2;
+    const lane forward_t75 = (D_p_x_3*D_p_x_3);
+    const lane forward_t76 = (D_p_y_3*D_p_y_3);
+    const lane forward_t77 = (D_p_z_3*D_p_z_3);
+    const double forward_t78 = L_a_3*forward_t31 + m_a_3*r_a_3;
+    const lane t27 = 2.0*D_p_z_2;
+    const lane t30 = 2.0*D_p_z_3;
+    const lane t36 = 2.0*D_p_y_2;
+    const lane t38 = 2.0*D_p_y_3;
+    const lane t40 = 2.0*D_p_x_2;
+    const lane t42 = 2.0*D_p_x_3;
+    const lane t51 = 2.0*D_p_z_1;
+    const lane t54 = 2.0*D_p_y_1;
+    const lane t55 = 2.0*D_p_x_1;
+    const lane t73 = U_3_z_3*mu_3;
+    const lane t75 = U_3_y_3*mu_3;
+    const lane t76 = U_3_x_3*mu_3;
+    const lane t78 = U_2_z_2*mu_2;
+    const lane t80 = U_2_y_2*mu_2;
+    const lane t81 = U_2_x_2*mu_2;
+    const lane t85 = 2.0*forward_t54;
+    const lane t88 = 2.0*forward_t53;
+    const lane t89 = 2.0*forward_t52;
+    const lane t96 = A_3*forward_8;
+    const lane t97 = B_3*forward_8;
+    const lane t100 = C_3*forward_8;
+    const lane t101 = S_3*forward_8;
+    const lane t102 = A_2*forward_5;
+    const lane t103 = B_2*forward_5;
+    const lane t106 = C_2*forward_5;
+    const lane t107 = S_2*forward_5;
+    const lane t108 = A_1*forward_2;
+    const lane t109 = B_1*forward_2;
+    const lane t112 = C_1*forward_2;
+    const lane t113 = S_1*forward_2;
+    for (int mode = 0; mode < modes; mode++) {
+        const lane *restrict shape = shapes + mode * 6;
+        const lane eigenvalue = eigenvalues[mode];
+        lane *restrict gradient = gradients + mode * stride;
+        const lane shape_1 = shape[0];
+        const lane shape_2 = shape[1];
+        const lane shape_3 = shape[2];
+        const lane shape_4 = shape[3];
+        const lane shape_5 = shape[4];
+        const lane shape_6 = shape[5];
+        const lane t25 = (shape_3*shape_3);
+        const lane adjoint_forward_t78 = t25*(d_3_x*g_x + d_3_y*g_y + d_3_z*g_z);
+        const lane adjoint_forward_t77 = t25*(-mu_1 - mu_2);
+        const lane t26 = (shape_2*shape_2);
+        const lane adjoint_forward_t74 = t26*(d_2_x*g_x + d_2_y*g_y + d_2_z*g_z);
+        const lane adjoint_forward_t73 = t26*(-mu_1 - mu_3);
+        const lane t28 = shape_1*shape_2;
+        const lane t29 = t27*t28;
+        const lane t31 = shape_1*shape_3;
+        const lane t32 = t30*t31;
+        const lane adjoint_forward_t70 = -t29 - t32;
+        const lane t33 = 2.0*shape_1;
+        const lane t34 = shape_2*t33;
+        const lane adjoint_forward_t69 = -U_2_z_2*t34 - t32;
+        const lane t35 = shape_3*t33;
+        const lane adjoint_forward_t68 = -U_3_z_3*t35 - t29;
+        const lane t37 = t28*t36;
+        const lane t39 = t31*t38;
+        const lane adjoint_forward_t67 = -t37 - t39;
+        const lane adjoint_forward_t66 = -U_2_y_2*t34 - t39;
+        const lane adjoint_forward_t65 = -U_3_y_3*t35 - t37;
+        const lane t41 = t28*t40;
+        const lane t43 = t31*t42;
+        const lane adjoint_forward_t64 = -t41 - t43;
+        const lane adjoint_forward_t63 = -U_2_x_2*t34 - t43;
+        const lane adjoint_forward_t62 = -U_3_x_3*t35 - t41;
+        const lane t44 = (shape_1*shape_1);
+        const lane adjoint_forward_t61 = t44*(d_1_x*g_x + d_1_y*g_y + d_1_z*g_z);
+        const lane adjoint_forward_t60 = t44*(-mu_2 - mu_3);
+        const lane t45 = eigenvalue*t26;
+        const lane t46 = D_p_z_2*t45;
+        const lane t47 = shape_2*shape_3;
+        const lane t48 = eigenvalue*t47;
+        const lane adjoint_forward_t57 = -t30*t48 - t46;
+        const lane t49 = D_p_y_2*t45;
+        const lane adjoint_forward_t56 = -t38*t48 - t49;
+        const lane t50 = D_p_x_2*t45;
+        const lane adjoint_forward_t55 = -t42*t48 - t50;
+        const lane t52 = eigenvalue*t31;
+        const lane t53 = eigenvalue*t25;
+        const lane adjoint_forward_t54 = -t27*t48 - t30*t53 - t51*t52;
+        const lane adjoint_forward_t53 = -t36*t48 - t38*t53 - t52*t54;
+        const lane adjoint_forward_t52 = -t40*t48 - t42*t53 - t52*t55;
+        const lane adjoint_forward_t51 =
+            adjoint_forward_t52*forward_t22 + adjoint_forward_t53*forward_t23
+            + adjoint_forward_t54*forward_t24;
+        const lane t56 = eigenvalue*t28;
+        const lane adjoint_forward_t50 = adjoint_forward_t57 - t46 - t51*t56;
+        const lane adjoint_forward_t49 = adjoint_forward_t56 - t49 - t54*t56;
+        const lane adjoint_forward_t48 = adjoint_forward_t55 - t50 - t55*t56;
+        const lane adjoint_forward_t47 =
+            adjoint_forward_t48*forward_t19 + adjoint_forward_t49*forward_t20
+            + adjoint_forward_t50*forward_t21;
+        const lane t57 = eigenvalue*t44;
+        const lane t58 = D_p_z_1*t57;
+        const lane adjoint_forward_t46 = -eigenvalue*t29 - eigenvalue*t32 - t58;
+        const lane t59 = D_p_y_1*t57;
+        const lane adjoint_forward_t45 = -eigenvalue*t37 - eigenvalue*t39 - t59;
+        const lane t60 = D_p_x_1*t57;
+        const lane adjoint_forward_t44 = -eigenvalue*t41 - eigenvalue*t43 - t60;
+        const lane adjoint_forward_t43 =
+            D_p_x_1*adjoint_forward_t44 + D_p_x_2*adjoint_forward_t55 + D_p_y_1*adjoint_forward_t45
+            + D_p_y_2*adjoint_forward_t56 + D_p_z_1*adjoint_forward_t46 + D_p_z_2*adjoint_forward_t57
+            - t53*(forward_t75 + forward_t76 + forward_t77);
+        const lane adjoint_forward_t42 = adjoint_forward_t43 - forward_t5*t53;
+        const lane adjoint_forward_t41 = adjoint_forward_t43 - forward_t3*t45;
+        const lane adjoint_forward_t40 = adjoint_forward_t46 - t58;
+        const lane adjoint_forward_t39 = adjoint_forward_t45 - t59;
+        const lane adjoint_forward_t38 = adjoint_forward_t44 - t60;
+        const lane adjoint_forward_t37 =
+            adjoint_forward_t38*forward_t16 + adjoint_forward_t39*forward_t17
+            + adjoint_forward_t40*forward_t18;
+        const lane adjoint_forward_t36 = adjoint_forward_t43 - forward_t1*t57;
+        const lane t61 = t44*(-forward_t58 - forward_t59 - forward_t60);
+        const lane t62 = t26*(-forward_t71 - forward_t72 - forward_t73);
+        const lane t63 = 2.0*shape_2;
+        const lane t64 = shape_3*t63;
+        const lane adjoint_mu_3 =
+            D_p_x_1*adjoint_forward_t62 + D_p_y_1*adjoint_forward_t65 + D_p_z_1*adjoint_forward_t68
+            + t25*(-(U_3_x_3*U_3_x_3) - (U_3_y_3*U_3_y_3) - (U_3_z_3*U_3_z_3) - forward_t13*s_3_x
+            - forward_t14*s_3_y - forward_t15*s_3_z) + t61 + t62 + t64*(-D_p_x_2*U_3_x_3 - D_p_y_2*U_3_y_3
+            - D_p_z_2*U_3_z_3);
+        const lane t65 = t25*(-forward_t75 - forward_t76 - forward_t77);
+        const lane adjoint_mu_2 =
+            D_p_x_1*adjoint_forward_t63 + D_p_y_1*adjoint_forward_t66 + D_p_z_1*adjoint_forward_t69
+            + t26*(-(U_2_x_2*U_2_x_2) - (U_2_y_2*U_2_y_2) - (U_2_z_2*U_2_z_2) - forward_t10*s_2_x
+            - forward_t11*s_2_y - forward_t12*s_2_z) + t61 + t64*(-D_p_x_3*U_2_x_2 - D_p_y_3*U_2_y_2
+            - D_p_z_3*U_2_z_2) + t65;
+        const lane adjoint_mu_1 =
+            U_1_x_1*adjoint_forward_t64 + U_1_y_1*adjoint_forward_t67 + U_1_z_1*adjoint_forward_t70
+            + t44*(-(U_1_x_1*U_1_x_1) - (U_1_y_1*U_1_y_1) - (U_1_z_1*U_1_z_1) - forward_t7*s_1_x
+            - forward_t8*s_1_y - forward_t9*s_1_z) + t62 + t64*(-D_p_x_2*D_p_x_3 - D_p_y_2*D_p_y_3
+            - D_p_z_2*D_p_z_3) + t65;
+        const lane t66 = adjoint_mu_1*forward_9;
+        const lane t67 = adjoint_mu_2*forward_9;
+        const lane t68 = adjoint_mu_3*forward_9;
+        const lane adjoint_forward_t35 = -A_z_1*t66 - A_z_2*t67 - A_z_3*t68;
+        const lane adjoint_forward_t34 = -A_y_1*t66 - A_y_2*t67 - A_y_3*t68;
+        const lane adjoint_forward_t33 = -A_x_1*t66 - A_x_2*t67 - A_x_3*t68;
+        const lane adjoint_forward_t32 =
+            adjoint_forward_t33*g_x + adjoint_forward_t34*g_y + adjoint_forward_t35*g_z;
+        const lane adjoint_forward_t31 = L_a_3*adjoint_forward_t78 + adjoint_forward_t32;
+        const lane adjoint_forward_t30 = L_a_2*adjoint_forward_t74 + adjoint_forward_t32;
+        const lane adjoint_forward_t29 = L_a_1*adjoint_forward_t61 + adjoint_forward_t32;
+        const lane t69 = (shape_6*shape_6);
+        const lane adjoint_I_3 = -eigenvalue*t69;
+        const lane t70 = (shape_5*shape_5);
+        const lane adjoint_I_2 = -eigenvalue*t70;
+        const lane t71 = (shape_4*shape_4);
+        const lane adjoint_I_1 = -eigenvalue*t71;
+        const lane t72 = mu_3*t47;
+        const lane t74 = 2.0*t25;
+        const lane adjoint_U_3_z_3 = -forward_t68*t35 - t27*t72 - t73*t74;
+        const lane adjoint_U_3_y_3 = -forward_t65*t35 - t36*t72 - t74*t75;
+        const lane adjoint_U_3_x_3 = -forward_t62*t35 - t40*t72 - t74*t76;
+        const lane t77 = mu_2*t47;
+        const lane t79 = 2.0*t26;
+        const lane adjoint_U_2_z_2 = -forward_t69*t34 - t30*t77 - t78*t79;
+        const lane adjoint_U_2_y_2 = -forward_t66*t34 - t38*t77 - t79*t80;
+        const lane adjoint_U_2_x_2 = -forward_t63*t34 - t42*t77 - t79*t81;
+        const lane t82 = 2.0*t44;
+        const lane adjoint_U_1_z_1 = adjoint_forward_t70*mu_1 - forward_t70*t82;
+        const lane adjoint_U_1_y_1 = adjoint_forward_t67*mu_1 - forward_t67*t82;
+        const lane adjoint_U_1_x_1 = adjoint_forward_t64*mu_1 - forward_t64*t82;
+        const lane t83 = eigenvalue*forward_t46;
+        const lane t84 = eigenvalue*t64;
+        const lane adjoint_D_p_z_3 =
+            adjoint_U_3_z_3 + adjoint_forward_t77*t30 - forward_t57*t84 - t35*t83 + t35*(-forward_t69
+            - forward_t70) - t53*(forward_t43*t30 + t85) + t64*(-D_p_z_2*mu_1 - t78);
+        const lane adjoint_D_p_z_2 =
+            adjoint_U_2_z_2 + adjoint_forward_t57*forward_t43 + adjoint_forward_t73*t27 - t34*t83
+            + t34*(-forward_t68 - forward_t70) - t45*(forward_t50 + forward_t57) - t48*t85
+            + t64*(-D_p_z_3*mu_1 - t73);
+        const lane t86 = eigenvalue*t34;
+        const lane adjoint_D_p_z_1 =
+            adjoint_U_1_z_1 + adjoint_forward_t46*forward_t43 + adjoint_forward_t60*t51
+            + adjoint_forward_t68*mu_3 + adjoint_forward_t69*mu_2 - forward_t50*t86 - t52*t85
+            - t57*(forward_t40 + forward_t46);
+        const lane t87 = eigenvalue*t35;
+        const lane adjoint_D_p_y_3 =
+            adjoint_U_3_y_3 + adjoint_forward_t77*t38 - forward_t45*t87 - forward_t56*t84 + t35*(-forward_t66
+            - forward_t67) - t53*(forward_t43*t38 + t88) + t64*(-D_p_y_2*mu_1 - t80);
+        const lane adjoint_D_p_y_2 =
+            adjoint_U_2_y_2 + adjoint_forward_t56*forward_t43 + adjoint_forward_t73*t36 - forward_t45*t86
+            + t34*(-forward_t65 - forward_t67) - t45*(forward_t49 + forward_t56) - t48*t88
+            + t64*(-D_p_y_3*mu_1 - t75);
+        const lane adjoint_D_p_y_1 =
+            adjoint_U_1_y_1 + adjoint_forward_t45*forward_t43 + adjoint_forward_t60*t54
+            + adjoint_forward_t65*mu_3 + adjoint_forward_t66*mu_2 - forward_t49*t86 - t52*t88
+            - t57*(forward_t39 + forward_t45);
+        const lane adjoint_D_p_x_3 =
+            adjoint_U_3_x_3 + adjoint_forward_t77*t42 - forward_t44*t87 - forward_t55*t84 + t35*(-forward_t63
+            - forward_t64) - t53*(forward_t43*t42 + t89) + t64*(-D_p_x_2*mu_1 - t81);
+        const lane adjoint_forward_t28 =
+            A_x_3*adjoint_D_p_x_3 + A_y_3*adjoint_D_p_y_3 + A_z_3*adjoint_D_p_z_3;
+        const lane adjoint_D_p_x_2 =
+            adjoint_U_2_x_2 + adjoint_forward_t55*forward_t43 + adjoint_forward_t73*t40 - forward_t44*t86
+            + t34*(-forward_t62 - forward_t64) - t45*(forward_t48 + forward_t55) - t48*t89
+            + t64*(-D_p_x_3*mu_1 - t76);
+        const lane adjoint_forward_t27 =
+            A_x_2*adjoint_D_p_x_2 + A_y_2*adjoint_D_p_y_2 + A_z_2*adjoint_D_p_z_2;
+        const lane adjoint_D_p_x_1 =
+            adjoint_U_1_x_1 + adjoint_forward_t44*forward_t43 + adjoint_forward_t60*t55
+            + adjoint_forward_t62*mu_3 + adjoint_forward_t63*mu_2 - forward_t48*t86 - t52*t89
+            - t57*(forward_t38 + forward_t44);
+        const lane adjoint_forward_t26 =
+            A_x_1*adjoint_D_p_x_1 + A_y_1*adjoint_D_p_y_1 + A_z_1*adjoint_D_p_z_1;
+        const lane adjoint_forward_t25 =
+            D_r_1*adjoint_forward_t26 + D_r_2*adjoint_forward_t27 + D_r_3*adjoint_forward_t28
+            + adjoint_mu_1*t22 + adjoint_mu_2*t23 + adjoint_mu_3*t24;
+        const lane adjoint_det_D_l = -adjoint_forward_t25*(forward_9*forward_9);
+        const lane adjoint_A_z_3 = adjoint_D_p_z_3*forward_t28 - forward_t35*t68;
+        const lane adjoint_A_y_3 = adjoint_D_p_y_3*forward_t28 - forward_t34*t68;
+        const lane adjoint_A_x_3 = adjoint_D_p_x_3*forward_t28 - forward_t33*t68;
+        const lane adjoint_A_z_2 = adjoint_D_p_z_2*forward_t27 - forward_t35*t67;
+        const lane adjoint_A_y_2 = adjoint_D_p_y_2*forward_t27 - forward_t34*t67;
+        const lane adjoint_A_x_2 = adjoint_D_p_x_2*forward_t27 - forward_t33*t67;
+        const lane adjoint_A_z_1 = adjoint_D_p_z_1*forward_t26 + adjoint_det_D_l*s_1_z - forward_t35*t66;
+        const lane adjoint_A_y_1 = adjoint_D_p_y_1*forward_t26 + adjoint_det_D_l*s_1_y - forward_t34*t66;
+        const lane adjoint_A_x_1 = adjoint_D_p_x_1*forward_t26 + adjoint_det_D_l*s_1_x - forward_t33*t66;
+        const lane adjoint_D_r_3 = adjoint_forward_t28*forward_9;
+        const lane adjoint_forward_t24 =
+            adjoint_D_r_3*s_3_z - adjoint_U_3_z_3 + adjoint_forward_t54*forward_t51;
+        const lane adjoint_forward_t23 =
+            adjoint_D_r_3*s_3_y - adjoint_U_3_y_3 + adjoint_forward_t53*forward_t51;
+        const lane adjoint_forward_t22 =
+            adjoint_D_r_3*s_3_x - adjoint_U_3_x_3 + adjoint_forward_t52*forward_t51;
+        const lane adjoint_D_r_2 = adjoint_forward_t27*forward_9;
+        const lane adjoint_forward_t21 =
+            adjoint_D_r_2*s_2_z - adjoint_U_2_z_2 + adjoint_forward_t50*forward_t47;
+        const lane adjoint_forward_t20 =
+            adjoint_D_r_2*s_2_y - adjoint_U_2_y_2 + adjoint_forward_t49*forward_t47;
+        const lane adjoint_forward_t19 =
+            adjoint_D_r_2*s_2_x - adjoint_U_2_x_2 + adjoint_forward_t48*forward_t47;
+        const lane adjoint_D_r_1 = adjoint_forward_t26*forward_9;
+        const lane adjoint_forward_t18 =
+            adjoint_D_r_1*s_1_z - adjoint_U_1_z_1 + adjoint_forward_t40*forward_t37;
+        const lane adjoint_forward_t17 =
+            adjoint_D_r_1*s_1_y - adjoint_U_1_y_1 + adjoint_forward_t39*forward_t37;
+        const lane adjoint_forward_t16 =
+            adjoint_D_r_1*s_1_x - adjoint_U_1_x_1 + adjoint_forward_t38*forward_t37;
+        const lane t90 = mu_3*t25;
+        const lane adjoint_s_3_z =
+            adjoint_A_x_1*s_2_y - adjoint_A_x_2*s_1_y - adjoint_A_y_1*s_2_x + adjoint_A_y_2*s_1_x
+            + adjoint_D_r_3*forward_t24 - forward_t15*t90;
+        const lane adjoint_forward_t15 = -adjoint_s_3_z - s_3_z*t90;
+        const lane adjoint_s_3_y =
+            -adjoint_A_x_1*s_2_z + adjoint_A_x_2*s_1_z + adjoint_A_z_1*s_2_x - adjoint_A_z_2*s_1_x
+            + adjoint_D_r_3*forward_t23 - forward_t14*t90;
+        const lane adjoint_forward_t14 = -adjoint_s_3_y - s_3_y*t90;
+        const lane adjoint_s_3_x =
+            adjoint_A_y_1*s_2_z - adjoint_A_y_2*s_1_z - adjoint_A_z_1*s_2_y + adjoint_A_z_2*s_1_y
+            + adjoint_D_r_3*forward_t22 - forward_t13*t90;
+        const lane adjoint_forward_t13 = -adjoint_s_3_x - s_3_x*t90;
+        const lane t91 = mu_2*t26;
+        const lane adjoint_s_2_z =
+            -adjoint_A_x_1*s_3_y + adjoint_A_x_3*s_1_y + adjoint_A_y_1*s_3_x - adjoint_A_y_3*s_1_x
+            + adjoint_D_r_2*forward_t21 - forward_t12*t91;
+        const lane adjoint_forward_t12 = -adjoint_s_2_z - s_2_z*t91;
+        const lane adjoint_s_2_y =
+            adjoint_A_x_1*s_3_z - adjoint_A_x_3*s_1_z - adjoint_A_z_1*s_3_x + adjoint_A_z_3*s_1_x
+            + adjoint_D_r_2*forward_t20 - forward_t11*t91;
+        const lane adjoint_forward_t11 = -adjoint_s_2_y - s_2_y*t91;
+        const lane adjoint_s_2_x =
+            -adjoint_A_y_1*s_3_z + adjoint_A_y_3*s_1_z + adjoint_A_z_1*s_3_y - adjoint_A_z_3*s_1_y
+            + adjoint_D_r_2*forward_t19 - forward_t10*t91;
+        const lane adjoint_forward_t10 = -adjoint_s_2_x - s_2_x*t91;
+        const lane t92 = mu_1*t44;
+        const lane adjoint_s_1_z =
+            A_z_1*adjoint_det_D_l + adjoint_A_x_2*s_3_y - adjoint_A_x_3*s_2_y - adjoint_A_y_2*s_3_x
+            + adjoint_A_y_3*s_2_x + adjoint_D_r_1*forward_t18 - forward_t9*t92;
+        const lane adjoint_forward_t9 = -adjoint_s_1_z - s_1_z*t92;
+        const lane adjoint_s_1_y =
+            A_y_1*adjoint_det_D_l - adjoint_A_x_2*s_3_z + adjoint_A_x_3*s_2_z + adjoint_A_z_2*s_3_x
+            - adjoint_A_z_3*s_2_x + adjoint_D_r_1*forward_t17 - forward_t8*t92;
+        const lane adjoint_forward_t8 = -adjoint_s_1_y - s_1_y*t92;
+        const lane adjoint_s_1_x =
+            A_x_1*adjoint_det_D_l + adjoint_A_y_2*s_3_z - adjoint_A_y_3*s_2_z - adjoint_A_z_2*s_3_y
+            + adjoint_A_z_3*s_2_y + adjoint_D_r_1*forward_t16 - forward_t7*t92;
+        const lane adjoint_forward_t7 = -adjoint_s_1_x - s_1_x*t92;
+        const lane adjoint_t_3_z = L_a_3*adjoint_forward_t24;
+        const lane adjoint_t_3_y = L_a_3*adjoint_forward_t23;
+        const lane adjoint_t_3_x = L_a_3*adjoint_forward_t22;
+        const lane t93 = forward_t78*t25;
+        const lane adjoint_d_3_z = L_a_3*adjoint_forward_t15 + g_z*t93;
+        const lane adjoint_d_3_y = L_a_3*adjoint_forward_t14 + g_y*t93;
+        const lane adjoint_d_3_x = L_a_3*adjoint_forward_t13 + g_x*t93;
+        const lane adjoint_t_2_z = L_a_2*adjoint_forward_t21;
+        const lane adjoint_t_2_y = L_a_2*adjoint_forward_t20;
+        const lane adjoint_t_2_x = L_a_2*adjoint_forward_t19;
+        const lane t94 = forward_t74*t26;
+        const lane adjoint_d_2_z = L_a_2*adjoint_forward_t12 + g_z*t94;
+        const lane adjoint_d_2_y = L_a_2*adjoint_forward_t11 + g_y*t94;
+        const lane adjoint_d_2_x = L_a_2*adjoint_forward_t10 + g_x*t94;
+        const lane adjoint_t_1_z = L_a_1*adjoint_forward_t18;
+        const lane adjoint_t_1_y = L_a_1*adjoint_forward_t17;
+        const lane adjoint_t_1_x = L_a_1*adjoint_forward_t16;
+        const lane t95 = forward_t61*t44;
+        const lane adjoint_d_1_z = L_a_1*adjoint_forward_t9 + g_z*t95;
+        const lane adjoint_d_1_y = L_a_1*adjoint_forward_t8 + g_y*t95;
+        const lane adjoint_d_1_x = L_a_1*adjoint_forward_t7 + g_x*t95;
+        const lane adjoint_sn_3 =
+            adjoint_d_3_x*y_3_x + adjoint_d_3_y*y_3_y + adjoint_d_3_z*y_3_z - adjoint_t_3_x*z_3_x
+            - adjoint_t_3_y*z_3_y - adjoint_t_3_z*z_3_z;
+        const lane adjoint_c_3 =
+            adjoint_d_3_x*z_3_x + adjoint_d_3_y*z_3_y + adjoint_d_3_z*z_3_z + adjoint_t_3_x*y_3_x
+            + adjoint_t_3_y*y_3_y + adjoint_t_3_z*y_3_z;
+        const lane adjoint_forward_t6 = adjoint_c_3*t20 + adjoint_sn_3*t21;
+        const lane adjoint_S_3 = -adjoint_c_3*t97 + adjoint_sn_3*t96;
+        const lane adjoint_forward_7 = adjoint_S_3*sigma_3;
+        const lane t98 = adjoint_forward_7/forward_7;
+        const lane adjoint_C_3 = -C_3*t98 + adjoint_c_3*t96 + adjoint_sn_3*t97;
+        const lane adjoint_forward_6 =
+            adjoint_C_3*((1.0/2.0)*forward_t5 + (1.0/2.0)*t15 + (1.0/2.0)*t16 + (1.0/2.0)*t17 - 1.0/2.0*t18);
+        const lane adjoint_forward_t5 = adjoint_C_3*t19 - forward_t42*t53;
+        const lane adjoint_rho2_3 = -adjoint_forward_t6*(forward_8*forward_8) + (1.0/2.0)*t98;
+        const lane t99 = 2.0*adjoint_rho2_3;
+        const lane adjoint_B_3 = B_3*t99 - adjoint_c_3*t101 + adjoint_sn_3*t100;
+        const lane adjoint_A_3 = A_3*t99 + adjoint_c_3*t100 + adjoint_sn_3*t101;
+        const lane adjoint_sn_2 =
+            adjoint_d_2_x*y_2_x + adjoint_d_2_y*y_2_y + adjoint_d_2_z*y_2_z - adjoint_t_2_x*z_2_x
+            - adjoint_t_2_y*z_2_y - adjoint_t_2_z*z_2_z;
+        const lane adjoint_c_2 =
+            adjoint_d_2_x*z_2_x + adjoint_d_2_y*z_2_y + adjoint_d_2_z*z_2_z + adjoint_t_2_x*y_2_x
+            + adjoint_t_2_y*y_2_y + adjoint_t_2_z*y_2_z;
+        const lane adjoint_forward_t4 = adjoint_c_2*t13 + adjoint_sn_2*t14;
+        const lane adjoint_S_2 = -adjoint_c_2*t103 + adjoint_sn_2*t102;
+        const lane adjoint_forward_4 = adjoint_S_2*sigma_2;
+        const lane t104 = adjoint_forward_4/forward_4;
+        const lane adjoint_C_2 = -C_2*t104 + adjoint_c_2*t102 + adjoint_sn_2*t103;
+        const lane adjoint_forward_3 =
+            adjoint_C_2*((1.0/2.0)*forward_t3 + (1.0/2.0)*t11 + (1.0/2.0)*t12 + (1.0/2.0)*t8 - 1.0/2.0*t9);
+        const lane adjoint_forward_t3 = adjoint_C_2*t10 - forward_t41*t45;
+        const lane adjoint_rho2_2 = -adjoint_forward_t4*(forward_5*forward_5) + (1.0/2.0)*t104;
+        const lane t105 = 2.0*adjoint_rho2_2;
+        const lane adjoint_B_2 = B_2*t105 - adjoint_c_2*t107 + adjoint_sn_2*t106;
+        const lane adjoint_A_2 = A_2*t105 + adjoint_c_2*t106 + adjoint_sn_2*t107;
+        const lane adjoint_sn_1 =
+            adjoint_d_1_x*y_1_x + adjoint_d_1_y*y_1_y + adjoint_d_1_z*y_1_z - adjoint_t_1_x*z_1_x
+            - adjoint_t_1_y*z_1_y - adjoint_t_1_z*z_1_z;
+        const lane adjoint_c_1 =
+            adjoint_d_1_x*z_1_x + adjoint_d_1_y*z_1_y + adjoint_d_1_z*z_1_z + adjoint_t_1_x*y_1_x
+            + adjoint_t_1_y*y_1_y + adjoint_t_1_z*y_1_z;
+        const lane adjoint_forward_t2 = adjoint_c_1*t6 + adjoint_sn_1*t7;
+        const lane adjoint_S_1 = -adjoint_c_1*t109 + adjoint_sn_1*t108;
+        const lane adjoint_forward_1 = adjoint_S_1*sigma_1;
+        const lane t110 = adjoint_forward_1/forward_1;
+        const lane adjoint_C_1 = -C_1*t110 + adjoint_c_1*t108 + adjoint_sn_1*t109;
+        const lane adjoint_forward_0 =
+            adjoint_C_1*((1.0/2.0)*forward_t1 + (1.0/2.0)*t1 + (1.0/2.0)*t2 + (1.0/2.0)*t3 - 1.0/2.0*t4);
+        const lane adjoint_forward_t1 = adjoint_C_1*t5 - forward_t36*t57;
+        const lane adjoint_rho2_1 = -adjoint_forward_t2*(forward_2*forward_2) + (1.0/2.0)*t110;
+        const lane t111 = 2.0*adjoint_rho2_1;
+        const lane adjoint_B_1 = B_1*t111 - adjoint_c_1*t113 + adjoint_sn_1*t112;
+        const lane adjoint_A_1 = A_1*t111 + adjoint_c_1*t112 + adjoint_sn_1*t113;
+        const lane t114 = adjoint_C_3*forward_6;
+        const lane adjoint_r_3_z = adjoint_A_3*z_3_z + adjoint_B_3*y_3_z + adjoint_s_3_z + r_3_z*t114;
+        const lane adjoint_r_3_y = adjoint_A_3*z_3_y + adjoint_B_3*y_3_y + adjoint_s_3_y + r_3_y*t114;
+        const lane adjoint_r_3_x = adjoint_A_3*z_3_x + adjoint_B_3*y_3_x + adjoint_s_3_x + r_3_x*t114;
+        const lane t115 = adjoint_C_2*forward_3;
+        const lane adjoint_r_2_z = adjoint_A_2*z_2_z + adjoint_B_2*y_2_z + adjoint_s_2_z + r_2_z*t115;
+        const lane adjoint_r_2_y = adjoint_A_2*z_2_y + adjoint_B_2*y_2_y + adjoint_s_2_y + r_2_y*t115;
+        const lane adjoint_r_2_x = adjoint_A_2*z_2_x + adjoint_B_2*y_2_x + adjoint_s_2_x + r_2_x*t115;
+        const lane t116 = adjoint_C_1*forward_0;
+        const lane adjoint_r_1_z = adjoint_A_1*z_1_z + adjoint_B_1*y_1_z + adjoint_s_1_z + r_1_z*t116;
+        const lane adjoint_r_1_y = adjoint_A_1*z_1_y + adjoint_B_1*y_1_y + adjoint_s_1_y + r_1_y*t116;
+        const lane adjoint_r_1_x = adjoint_A_1*z_1_x + adjoint_B_1*y_1_x + adjoint_s_1_x + r_1_x*t116;
+        lanes_clear(gradient, 89);
+        gradient[0] = LANES(adjoint_forward_t32 + adjoint_forward_t43);
+        gradient[1] = LANES(adjoint_forward_t33*forward_t32 + d_1_x*t95 + d_2_x*t94 + d_3_x*t93);
+        gradient[2] = LANES(adjoint_forward_t34*forward_t32 + d_1_y*t95 + d_2_y*t94 + d_3_y*t93);
+        gradient[3] = LANES(adjoint_forward_t35*forward_t32 + d_1_z*t95 + d_2_z*t94 + d_3_z*t93);
+        gradient[4] = LANES(-adjoint_r_1_x);
+        gradient[5] = LANES(-adjoint_r_1_y);
+        gradient[6] = LANES(-adjoint_r_1_z);
+        gradient[7] = LANES(-adjoint_r_2_x);
+        gradient[8] = LANES(-adjoint_r_2_y);
+        gradient[9] = LANES(-adjoint_r_2_z);
+        gradient[10] = LANES(-adjoint_r_3_x);
+        gradient[11] = LANES(-adjoint_r_3_y);
+        gradient[12] = LANES(-adjoint_r_3_z);
+        gradient[31] = LANES(adjoint_r_1_x);
+        gradient[32] = LANES(adjoint_r_1_y);
+        gradient[33] = LANES(adjoint_r_1_z);
+        gradient[34] = LANES(adjoint_r_2_x);
+        gradient[35] = LANES(adjoint_r_2_y);
+        gradient[36] = LANES(adjoint_r_2_z);
+        gradient[37] = LANES(adjoint_r_3_x);
+        gradient[38] = LANES(adjoint_r_3_y);
+        gradient[39] = LANES(adjoint_r_3_z);
+        gradient[40] =
+            LANES(2.0*L_a_1*adjoint_forward_t1 - adjoint_forward_0*(forward_0*forward_0)
+            + adjoint_forward_t16*t_1_x + adjoint_forward_t17*t_1_y + adjoint_forward_t18*t_1_z
+            + adjoint_forward_t61*forward_t29 + adjoint_forward_t7*d_1_x + adjoint_forward_t8*d_1_y
+            + adjoint_forward_t9*d_1_z);
+        gradient[41] =
+            LANES(2.0*L_a_2*adjoint_forward_t3 - adjoint_forward_3*(forward_3*forward_3)
+            + adjoint_forward_t10*d_2_x + adjoint_forward_t11*d_2_y + adjoint_forward_t12*d_2_z
+            + adjoint_forward_t19*t_2_x + adjoint_forward_t20*t_2_y + adjoint_forward_t21*t_2_z
+            + adjoint_forward_t74*forward_t30);
+        gradient[42] =
+            LANES(2.0*L_a_3*adjoint_forward_t5 - adjoint_forward_6*(forward_6*forward_6)
+            + adjoint_forward_t13*d_3_x + adjoint_forward_t14*d_3_y + adjoint_forward_t15*d_3_z
+            + adjoint_forward_t22*t_3_x + adjoint_forward_t23*t_3_y + adjoint_forward_t24*t_3_z
+            + adjoint_forward_t78*forward_t31);
+        gradient[43] = LANES(adjoint_forward_t61*r_a_1);
+        gradient[44] = LANES(adjoint_forward_t74*r_a_2);
+        gradient[45] = LANES(adjoint_forward_t78*r_a_3);
+        gradient[46] = LANES(adjoint_forward_t61*m_a_1);
+        gradient[47] = LANES(adjoint_forward_t74*m_a_2);
+        gradient[48] = LANES(adjoint_forward_t78*m_a_3);
+        gradient[49] = LANES(-t57);
+        gradient[50] = LANES(-t45);
+        gradient[51] = LANES(-t53);
+        gradient[52] = LANES(-l_d_1*t116);
+        gradient[53] = LANES(-l_d_2*t115);
+        gradient[54] = LANES(-l_d_3*t114);
+        gradient[55] =
+            LANES((1.0/2.0)*adjoint_forward_t29 + (1.0/3.0)*adjoint_forward_t36
+            + (1.0/6.0)*adjoint_forward_t37);
+        gradient[56] =
+            LANES((1.0/2.0)*adjoint_forward_t30 + (1.0/3.0)*adjoint_forward_t41
+            + (1.0/6.0)*adjoint_forward_t47);
+        gradient[57] =
+            LANES((1.0/2.0)*adjoint_forward_t31 + (1.0/3.0)*adjoint_forward_t42
+            + (1.0/6.0)*adjoint_forward_t51);
+        gradient[58] = LANES(-shape_4*t33 + t44 + t71);
+        gradient[59] = LANES(-shape_5*t63 + t26 + t70);
+        gradient[60] = LANES(-2.0*shape_3*shape_6 + t25 + t69);
+        gradient[61] = LANES(adjoint_I_1*(i_g_1*i_g_1));
+        gradient[62] = LANES(adjoint_I_2*(i_g_2*i_g_2));
+        gradient[63] = LANES(adjoint_I_3*(i_g_3*i_g_3));
+        gradient[64] = LANES(2.0*I_m_1*adjoint_I_1*i_g_1);
+        gradient[65] = LANES(2.0*I_m_2*adjoint_I_2*i_g_2);
+        gradient[66] = LANES(2.0*I_m_3*adjoint_I_3*i_g_3);
+        gradient[86] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
+        gradient[87] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
+        gradient[88] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
+    }
+}
+
+/* Derivatives of the eigenvalue of a mode with respect to all quantities.
+ *
+ * Source: reverse accumulation through extended.
+ * 2782 operations; 25328245548 with every named value expanded.
+ */
+static __attribute__((noinline)) void lanes_extended_gradient(const lane *restrict pose,
+    const double *restrict parameters, const double *restrict effects, int modes, const lane *restrict shapes,
+    const lane *restrict eigenvalues, lane *restrict gradients, int stride)
+{
+    (void)effects;
+    const lane p_x = pose[0];
+    const lane p_y = pose[1];
+    const lane p_z = pose[2];
+    const double m_p = parameters[0];
+    const double g_x = parameters[1];
+    const double g_y = parameters[2];
+    const double g_z = parameters[3];
+    const double o_1_x = parameters[4];
+    const double o_1_y = parameters[5];
+    const double o_1_z = parameters[6];
+    const double o_2_x = parameters[7];
+    const double o_2_y = parameters[8];
+    const double o_2_z = parameters[9];
+    const double o_3_x = parameters[10];
+    const double o_3_y = parameters[11];
+    const double o_3_z = parameters[12];
+    const double a_1_x = parameters[13];
+    const double a_1_y = parameters[14];
+    const double a_1_z = parameters[15];
+    const double a_2_x = parameters[16];
+    const double a_2_y = parameters[17];
+    const double a_2_z = parameters[18];
+    const double a_3_x = parameters[19];
+    const double a_3_y = parameters[20];
+    const double a_3_z = parameters[21];
+    const double z_1_x = parameters[22];
+    const double z_1_y = parameters[23];
+    const double z_1_z = parameters[24];
+    const double z_2_x = parameters[25];
+    const double z_2_y = parameters[26];
+    const double z_2_z = parameters[27];
+    const double z_3_x = parameters[28];
+    const double z_3_y = parameters[29];
+    const double z_3_z = parameters[30];
+    const double b_1_x = parameters[31];
+    const double b_1_y = parameters[32];
+    const double b_1_z = parameters[33];
+    const double b_2_x = parameters[34];
+    const double b_2_y = parameters[35];
+    const double b_2_z = parameters[36];
+    const double b_3_x = parameters[37];
+    const double b_3_y = parameters[38];
+    const double b_3_z = parameters[39];
+    const double L_a_1 = parameters[40];
+    const double L_a_2 = parameters[41];
+    const double L_a_3 = parameters[42];
+    const double m_a_1 = parameters[43];
+    const double m_a_2 = parameters[44];
+    const double m_a_3 = parameters[45];
+    const double r_a_1 = parameters[46];
+    const double r_a_2 = parameters[47];
+    const double r_a_3 = parameters[48];
+    const double l_d_1 = parameters[52];
+    const double l_d_2 = parameters[53];
+    const double l_d_3 = parameters[54];
+    const double m_d_1 = parameters[55];
+    const double m_d_2 = parameters[56];
+    const double m_d_3 = parameters[57];
+    const double k_r_1 = parameters[58];
+    const double k_r_2 = parameters[59];
+    const double k_r_3 = parameters[60];
+    const double I_m_1 = parameters[61];
+    const double I_m_2 = parameters[62];
+    const double I_m_3 = parameters[63];
+    const double i_g_1 = parameters[64];
+    const double i_g_2 = parameters[65];
+    const double i_g_3 = parameters[66];
+    const double sigma_1 = parameters[73];
+    const double sigma_2 = parameters[74];
+    const double sigma_3 = parameters[75];
+    const double a_R_1 = effects[0];
+    const double a_R_2 = effects[1];
+    const double a_R_3 = effects[2];
+    const double k_C = effects[3];
+    const double m_L = effects[5];
+    const double y_1_x = a_1_y*z_1_z - a_1_z*z_1_y;
+    const double y_1_y = -a_1_x*z_1_z + a_1_z*z_1_x;
+    const double y_1_z = a_1_x*z_1_y - a_1_y*z_1_x;
+    const double y_2_x = a_2_y*z_2_z - a_2_z*z_2_y;
+    const double y_2_y = -a_2_x*z_2_z + a_2_z*z_2_x;
+    const double y_2_z = a_2_x*z_2_y - a_2_y*z_2_x;
+    const double y_3_x = a_3_y*z_3_z - a_3_z*z_3_y;
+    const double y_3_y = -a_3_x*z_3_z + a_3_z*z_3_x;
+    const double y_3_z = a_3_x*z_3_y - a_3_y*z_3_x;
+    const lane r_1_x = b_1_x - o_1_x + p_x;
+    const lane r_1_y = b_1_y - o_1_y + p_y;
+    const lane r_1_z = b_1_z - o_1_z + p_z;
+    const lane r_2_x = b_2_x - o_2_x + p_x;
+    const lane r_2_y = b_2_y - o_2_y + p_y;
+    const lane r_2_z = b_2_z - o_2_z + p_z;
+    const lane r_3_x = b_3_x - o_3_x + p_x;
+    const lane r_3_y = b_3_y - o_3_y + p_y;
+    const lane r_3_z = b_3_z - o_3_z + p_z;
+    const lane A_1 = r_1_x*z_1_x + r_1_y*z_1_y + r_1_z*z_1_z;
+    const lane B_1 = r_1_x*y_1_x + r_1_y*y_1_y + r_1_z*y_1_z;
+    const lane rho2_1 = (A_1*A_1) + (B_1*B_1);
+    const double forward_t1 = (L_a_1*L_a_1);
+    const double forward_0 = 1.0/L_a_1;
+    const lane t1 = (r_1_x*r_1_x);
+    const lane t2 = (r_1_y*r_1_y);
+    const lane t3 = (r_1_z*r_1_z);
+    const double t4 = (l_d_1*l_d_1);
+    const double t5 = (1.0/2.0)*forward_0;
+    const lane C_1 = t5*(forward_t1 + t1 + t2 + t3 - t4);
+    const lane forward_1 = lanes_sqrt(-(C_1*C_1) + rho2_1);
+    const lane S_1 = forward_1*sigma_1;
+    const lane forward_2 = 1.0/rho2_1;
+    const lane t6 = A_1*C_1 - B_1*S_1;
+    const lane c_1 = forward_2*t6;
+    const lane t7 = A_1*S_1 + B_1*C_1;
+    const lane sn_1 = forward_2*t7;
+    const lane A_2 = r_2_x*z_2_x + r_2_y*z_2_y + r_2_z*z_2_z;
+    const lane B_2 = r_2_x*y_2_x + r_2_y*y_2_y + r_2_z*y_2_z;
+    const lane rho2_2 = (A_2*A_2) + (B_2*B_2);
+    const double forward_t3 = (L_a_2*L_a_2);
+    const double forward_3 = 1.0/L_a_2;
+    const lane t8 = (r_2_z*r_2_z);
+    const double t9 = (l_d_2*l_d_2);
+    const double t10 = (1.0/2.0)*forward_3;
+    const lane t11 = (r_2_x*r_2_x);
+    const lane t12 = (r_2_y*r_2_y);
+    const lane C_2 = t10*(forward_t3 + t11 + t12 + t8 - t9);
+    const lane forward_4 = lanes_sqrt(-(C_2*C_2) + rho2_2);
+    const lane S_2 = forward_4*sigma_2;
+    const lane forward_5 = 1.0/rho2_2;
+    const lane t13 = A_2*C_2 - B_2*S_2;
+    const lane c_2 = forward_5*t13;
+    const lane t14 = A_2*S_2 + B_2*C_2;
+    const lane sn_2 = forward_5*t14;
+    const lane A_3 = r_3_x*z_3_x + r_3_y*z_3_y + r_3_z*z_3_z;
+    const lane B_3 = r_3_x*y_3_x + r_3_y*y_3_y + r_3_z*y_3_z;
+    const lane rho2_3 = (A_3*A_3) + (B_3*B_3);
+    const double forward_t5 = (L_a_3*L_a_3);
+    const double forward_6 = 1.0/L_a_3;
+    const lane t15 = (r_3_x*r_3_x);
+    const lane t16 = (r_3_y*r_3_y);
+    const lane t17 = (r_3_z*r_3_z);
+    const double t18 = (l_d_3*l_d_3);
+    const double t19 = (1.0/2.0)*forward_6;
+    const lane C_3 = t19*(forward_t5 + t15 + t16 + t17 - t18);
+    const lane forward_7 = lanes_sqrt(-(C_3*C_3) + rho2_3);
+    const lane S_3 = forward_7*sigma_3;
+    const lane forward_8 = 1.0/rho2_3;
+    const lane t20 = A_3*C_3 - B_3*S_3;
+    const lane c_3 = forward_8*t20;
+    const lane t21 = A_3*S_3 + B_3*C_3;
+    const lane sn_3 = forward_8*t21;
+    const lane d_1_x = c_1*z_1_x + sn_1*y_1_x;
+    const lane d_1_y = c_1*z_1_y + sn_1*y_1_y;
+    const lane d_1_z = c_1*z_1_z + sn_1*y_1_z;
+    const lane t_1_x = c_1*y_1_x - sn_1*z_1_x;
+    const lane t_1_y = c_1*y_1_y - sn_1*z_1_y;
+    const lane t_1_z = c_1*y_1_z - sn_1*z_1_z;
+    const lane d_2_x = c_2*z_2_x + sn_2*y_2_x;
+    const lane d_2_y = c_2*z_2_y + sn_2*y_2_y;
+    const lane d_2_z = c_2*z_2_z + sn_2*y_2_z;
+    const lane t_2_x = c_2*y_2_x - sn_2*z_2_x;
+    const lane t_2_y = c_2*y_2_y - sn_2*z_2_y;
+    const lane t_2_z = c_2*y_2_z - sn_2*z_2_z;
+    const lane d_3_x = c_3*z_3_x + sn_3*y_3_x;
+    const lane d_3_y = c_3*z_3_y + sn_3*y_3_y;
+    const lane d_3_z = c_3*z_3_z + sn_3*y_3_z;
+    const lane t_3_x = c_3*y_3_x - sn_3*z_3_x;
+    const lane t_3_y = c_3*y_3_y - sn_3*z_3_y;
+    const lane t_3_z = c_3*y_3_z - sn_3*z_3_z;
+    const lane forward_t7 = L_a_1*d_1_x;
+    const lane s_1_x = -forward_t7 + r_1_x;
+    const lane forward_t8 = L_a_1*d_1_y;
+    const lane s_1_y = -forward_t8 + r_1_y;
+    const lane forward_t9 = L_a_1*d_1_z;
+    const lane s_1_z = -forward_t9 + r_1_z;
+    const lane forward_t10 = L_a_2*d_2_x;
+    const lane s_2_x = -forward_t10 + r_2_x;
+    const lane forward_t11 = L_a_2*d_2_y;
+    const lane s_2_y = -forward_t11 + r_2_y;
+    const lane forward_t12 = L_a_2*d_2_z;
+    const lane s_2_z = -forward_t12 + r_2_z;
+    const lane forward_t13 = L_a_3*d_3_x;
+    const lane s_3_x = -forward_t13 + r_3_x;
+    const lane forward_t14 = L_a_3*d_3_y;
+    const lane s_3_y = -forward_t14 + r_3_y;
+    const lane forward_t15 = L_a_3*d_3_z;
+    const lane s_3_z = -forward_t15 + r_3_z;
+    const lane forward_t16 = L_a_1*t_1_x;
+    const lane forward_t17 = L_a_1*t_1_y;
+    const lane forward_t18 = L_a_1*t_1_z;
+    const lane D_r_1 = forward_t16*s_1_x + forward_t17*s_1_y + forward_t18*s_1_z;
+    const lane forward_t19 = L_a_2*t_2_x;
+    const lane forward_t20 = L_a_2*t_2_y;
+    const lane forward_t21 = L_a_2*t_2_z;
+    const lane D_r_2 = forward_t19*s_2_x + forward_t20*s_2_y + forward_t21*s_2_z;
+    const lane forward_t22 = L_a_3*t_3_x;
+    const lane forward_t23 = L_a_3*t_3_y;
+    const lane forward_t24 = L_a_3*t_3_z;
+    const lane D_r_3 = forward_t22*s_3_x + forward_t23*s_3_y + forward_t24*s_3_z;
+    const lane A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y;
+    const lane A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x;
+    const lane A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x;
+    const lane A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y;
+    const lane A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x;
+    const lane A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x;
+    const lane A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y;
+    const lane A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x;
+    const lane A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x;
+    const lane det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z;
+    const lane forward_9 = 1.0/det_D_l;
+    const lane forward_t26 = A_x_1*forward_9;
+    const lane D_p_x_1 = D_r_1*forward_t26;
+    const lane forward_t27 = A_x_2*forward_9;
+    const lane D_p_x_2 = D_r_2*forward_t27;
+    const lane forward_t28 = A_x_3*forward_9;
+    const lane D_p_x_3 = D_r_3*forward_t28;
+    const lane D_delta_x_1 = forward_t26*l_d_1;
+    const lane D_delta_x_2 = forward_t27*l_d_2;
+    const lane D_delta_x_3 = forward_t28*l_d_3;
+    const lane forward_t29 = A_y_1*forward_9;
+    const lane D_p_y_1 = D_r_1*forward_t29;
+    const lane forward_t30 = A_y_2*forward_9;
+    const lane D_p_y_2 = D_r_2*forward_t30;
+    const lane forward_t31 = A_y_3*forward_9;
+    const lane D_p_y_3 = D_r_3*forward_t31;
+    const lane D_delta_y_1 = forward_t29*l_d_1;
+    const lane D_delta_y_2 = forward_t30*l_d_2;
+    const lane D_delta_y_3 = forward_t31*l_d_3;
+    const lane forward_t32 = A_z_1*forward_9;
+    const lane D_p_z_1 = D_r_1*forward_t32;
+    const lane forward_t33 = A_z_2*forward_9;
+    const lane D_p_z_2 = D_r_2*forward_t33;
+    const lane forward_t34 = A_z_3*forward_9;
+    const lane D_p_z_3 = D_r_3*forward_t34;
+    const lane D_delta_z_1 = forward_t32*l_d_1;
+    const lane D_delta_z_2 = forward_t33*l_d_2;
+    const lane D_delta_z_3 = forward_t34*l_d_3;
+    const lane U_1_x_1 = D_p_x_1 - forward_t16;
+    const lane U_1_y_1 = D_p_y_1 - forward_t17;
+    const lane U_1_z_1 = D_p_z_1 - forward_t18;
+    const lane U_2_x_2 = D_p_x_2 - forward_t19;
+    const lane U_2_y_2 = D_p_y_2 - forward_t20;
+    const lane U_2_z_2 = D_p_z_2 - forward_t21;
+    const lane U_3_x_3 = D_p_x_3 - forward_t22;
+    const lane U_3_y_3 = D_p_y_3 - forward_t23;
+    const lane U_3_z_3 = D_p_z_3 - forward_t24;
+    const double forward_t35 = (1.0/2.0)*m_d_1;
+    const double forward_t36 = (1.0/2.0)*m_d_2;
+    const double forward_t37 = (1.0/2.0)*m_d_3;
+    const double forward_t38 = m_L + m_p;
+    const double forward_t39 = forward_t35 + forward_t36 + forward_t37 + forward_t38;
+    const double forward_t40 = forward_t39*g_x;
+    const double forward_t41 = forward_t39*g_y;
+    const double forward_t42 = forward_t39*g_z;
+    const lane t22 = -A_x_1*forward_t40 - A_y_1*forward_t41 - A_z_1*forward_t42;
+    const lane mu_1 = forward_9*t22;
+    const lane t23 = -A_x_2*forward_t40 - A_y_2*forward_t41 - A_z_2*forward_t42;
+    const lane mu_2 = forward_9*t23;
+    const lane t24 = -A_x_3*forward_t40 - A_y_3*forward_t41 - A_z_3*forward_t42;
+    const lane mu_3 = forward_9*t24;
+    const double forward_t43 = (1.0/3.0)*m_d_1;
+    const double forward_t44 = (1.0/6.0)*m_d_1;
+    const lane forward_t45 = forward_t16*forward_t44;
+    const lane forward_t46 = forward_t17*forward_t44;
+    const lane forward_t47 = forward_t18*forward_t44;
+    const double forward_t48 = (1.0/3.0)*m_d_2;
+    const double forward_t49 = (1.0/3.0)*m_d_3;
+    const double forward_t50 = forward_t38 + forward_t43 + forward_t48 + forward_t49;
+    const lane forward_t51 = D_p_x_1*forward_t50;
+    const lane forward_t52 = forward_t45 + forward_t51;
+    const lane forward_t53 = D_p_y_1*forward_t50;
+    const lane forward_t54 = forward_t46 + forward_t53;
+    const lane forward_t55 = D_p_z_1*forward_t50;
+    const lane forward_t56 = forward_t47 + forward_t55;
+    const double forward_t57 = (1.0/6.0)*m_d_2;
+    const lane forward_t58 = forward_t19*forward_t57;
+    const lane forward_t59 = forward_t20*forward_t57;
+    const lane forward_t60 = forward_t21*forward_t57;
+    const double forward_t61 = (1.0/6.0)*m_d_3;
+    const lane forward_t62 = forward_t22*forward_t61;
+    const lane forward_t63 = forward_t23*forward_t61;
+    const lane forward_t64 = forward_t24*forward_t61;
+    const double forward_t65 = m_a_1*r_a_1;
+    const double forward_t66 = forward_t44 + forward_t57 + forward_t61;
+    const lane forward_t67 = D_p_x_2*forward_t50;
+    const lane forward_t68 = forward_t58 + forward_t67;
+    const lane forward_t69 = D_p_y_2*forward_t50;
+    const lane forward_t70 = forward_t59 + forward_t69;
+    const lane forward_t71 = D_p_z_2*forward_t50;
+    const lane forward_t72 = forward_t60 + forward_t71;
+    const double forward_t73 = m_a_2*r_a_2;
+    const lane forward_t74 = D_p_x_3*forward_t50;
+    const lane forward_t75 = forward_t62 + forward_t74;
+    const lane forward_t76 = D_p_y_3*forward_t50;
+    const lane forward_t77 = forward_t63 + forward_t76;
+    const lane forward_t78 = D_p_z_3*forward_t50;
+    const lane forward_t79 = forward_t64 + forward_t78;
+    const double forward_t80 = m_a_3*r_a_3;
+    const lane forward_t81 = (D_delta_x_1*D_delta_x_1);
+    const lane forward_t82 = (D_delta_y_1*D_delta_y_1);
+    const lane forward_t83 = (D_delta_z_1*D_delta_z_1);
+    const lane forward_t84 = D_delta_x_1*forward_t50;
+    const lane forward_t85 = D_delta_y_1*forward_t50;
+    const lane forward_t86 = D_delta_z_1*forward_t50;
+    const lane forward_t87 = (D_delta_x_2*D_delta_x_2);
+    const lane forward_t88 = (D_delta_y_2*D_delta_y_2);
+    const lane forward_t89 = (D_delta_z_2*D_delta_z_2);
+    const lane forward_t90 = D_delta_x_2*forward_t50;
+    const lane forward_t91 = D_delta_y_2*forward_t50;
+    const lane forward_t92 = D_delta_z_2*forward_t50;
+    const lane forward_t93 = (D_delta_x_3*D_delta_x_3);
+    const lane forward_t94 = (D_delta_y_3*D_delta_y_3);
+    const lane forward_t95 = (D_delta_z_3*D_delta_z_3);
+    const double forward_t97 = L_a_1*forward_t35 + forward_t65;
+    const lane forward_t98 = (D_p_x_1*D_p_x_1);
+    const lane forward_t99 = (D_p_y_1*D_p_y_1);
+    const lane forward_t100 = (D_p_z_1*D_p_z_1);
+    const lane forward_t101 = D_p_x_1*mu_3;
+    const lane forward_t102 = D_p_x_1*mu_2;
+    const lane forward_t103 = U_1_x_1*mu_1;
+    const lane forward_t104 = D_p_y_1*mu_3;
+    const lane forward_t105 = D_p_y_1*mu_2;
+    const lane forward_t106 = U_1_y_1*mu_1;
+    const lane forward_t107 = D_p_z_1*mu_3;
+    const lane forward_t108 = D_p_z_1*mu_2;
+    const lane forward_t109 = U_1_z_1*mu_1;
+    const lane forward_t110 = (D_p_x_2*D_p_x_2);
+    const lane forward_t111 = (D_p_y_2*D_p_y_2);
+    const lane forward_t112 = (D_p_z_2*D_p_z_2);
+    const double forward_t113 = L_a_2*forward_t36 + forward_t73;
+    const lane forward_t114 = D_p_x_2*mu_1;
+    const lane forward_t115 = D_p_x_2*mu_3;
+    const lane forward_t116 = U_2_x_2*mu_2;
+    const lane forward_t117 = D_p_y_2*mu_1;
+    const lane forward_t118 = D_p_y_2*mu_3;
+    const lane forward_t119 = U_2_y_2*mu_2;
+    const lane forward_t120 = D_p_z_2*mu_1;
+    const lane forward_t121 = D_p_z_2*mu_3;
+    const lane forward_t122 = U_2_z_2*mu_2;
+    const lane forward_t123 = (D_p_x_3*D_p_x_3);
+    const lane forward_t124 = (D_p_y_3*D_p_y_3);
+    const lane forward_t125 = (D_p_z_3*D_p_z_3);
+    const double forward_t126 = L_a_3*forward_t37 + forward_t80;
+    const lane forward_t127 = D_delta_x_1*D_p_x_3;
+    const lane forward_t128 = U_3_x_3*mu_3;
+    const lane forward_t129 = D_delta_y_1*D_p_y_3;
+    const lane forward_t130 = U_3_y_3*mu_3;
+    const lane forward_t131 = D_delta_z_1*D_p_z_3;
+    const lane forward_t132 = U_3_z_3*mu_3;
+    const lane forward_t133 = D_delta_x_2*D_p_x_3;
+    const lane forward_t134 = D_delta_y_2*D_p_y_3;
+    const lane forward_t135 = D_delta_z_2*D_p_z_3;
+    const lane forward_t136 = D_delta_x_3*D_p_x_3;
+    const lane forward_t137 = D_delta_y_3*D_p_y_3;
+    const lane forward_t138 = D_delta_z_3*D_p_z_3;
+    const lane forward_t139 = D_delta_x_1*D_delta_x_2;
+    const lane forward_t140 = D_delta_y_1*D_delta_y_2;
+    const lane forward_t141 = D_delta_z_1*D_delta_z_2;
+    const lane forward_t142 = D_delta_x_1*D_delta_x_3;
+    const lane forward_t143 = D_delta_y_1*D_delta_y_3;
+    const lane forward_t144 = D_delta_z_1*D_delta_z_3;
+    const lane forward_t145 = D_delta_x_2*D_delta_x_3;
+    const lane forward_t146 = D_delta_y_2*D_delta_y_3;
+    const lane forward_t147 = D_delta_z_2*D_delta_z_3;
+    const lane t26 = mu_1 + mu_2;
+    const lane t27 = mu_3 + t26;
+    const lane t67 = -k_C + mu_3;
+    const lane t98 = k_C - t27;
+    const lane t101 = 2.0*D_delta_z_3;
+    const lane t105 = 2.0*D_delta_y_3;
+    const lane t108 = 2.0*D_delta_x_3;
+    const lane t113 = 2.0*D_delta_z_2;
+    const lane t117 = 2.0*D_delta_y_2;
+    const lane t120 = 2.0*D_delta_x_2;
+    const lane t139 = 2.0*D_delta_x_1;
+    const lane t145 = 2.0*D_delta_y_1;
+    const lane t151 = 2.0*D_delta_z_1;
+    const lane t168 = forward_t81 + forward_t82 + forward_t83;
+    const lane t170 = forward_t87 + forward_t88 + forward_t89;
+    const lane t172 = forward_t93 + forward_t94 + forward_t95;
+    const lane t174 = forward_t100 + forward_t98 + forward_t99;
+    const lane t181 = forward_t110 + forward_t111 + forward_t112;
+    const lane t183 = forward_t123 + forward_t124 + forward_t125;
+    const lane t200 = D_p_z_3*k_C;
+    const lane t201 = -forward_t132 + t200;
+    const lane t202 = -D_p_z_1*k_C + forward_t109;
+    const lane t203 = forward_t108 + t202;
+    const lane t204 = -forward_t107 - t203;
+    const lane t205 = -D_p_z_2*k_C + forward_t120 + forward_t122;
+    const lane t206 = -forward_t121 - t205;
+    const lane t214 = D_p_y_3*k_C;
+    const lane t215 = -forward_t130 + t214;
+    const lane t216 = -D_p_y_1*k_C + forward_t106;
+    const lane t217 = forward_t105 + t216;
+    const lane t218 = -forward_t104 - t217;
+    const lane t219 = -D_p_y_2*k_C + forward_t117 + forward_t119;
+    const lane t220 = -forward_t118 - t219;
+    const lane t225 = D_p_x_3*k_C;
+    const lane t226 = -forward_t128 + t225;
+    const lane t227 = -D_p_x_1*k_C + forward_t103;
+    const lane t228 = forward_t102 + t227;
+    const lane t229 = -forward_t101 - t228;
+    const lane t230 = -D_p_x_2*k_C + forward_t114 + forward_t116;
+    const lane t231 = -forward_t115 - t230;
+    const lane t241 = A_3*forward_8;
+    const lane t242 = B_3*forward_8;
+    const lane t245 = C_3*forward_8;
+    const lane t246 = S_3*forward_8;
+    const lane t247 = A_2*forward_5;
+    const lane t248 = B_2*forward_5;
+    const lane t251 = C_2*forward_5;
+    const lane t252 = S_2*forward_5;
+    const lane t253 = A_1*forward_2;
+    const lane t254 = B_1*forward_2;
+    const lane t257 = C_1*forward_2;
+    const lane t258 = S_1*forward_2;
+    for (int mode = 0; mode < modes; mode++) {
+        const lane *restrict shape = shapes + mode * 12;
+        const lane eigenvalue = eigenvalues[mode];
+        lane *restrict gradient = gradients + mode * stride;
+        const lane shape_1 = shape[0];
+        const lane shape_2 = shape[1];
+        const lane shape_3 = shape[2];
+        const lane shape_4 = shape[3];
+        const lane shape_5 = shape[4];
+        const lane shape_6 = shape[5];
+        const lane shape_7 = shape[6];
+        const lane shape_8 = shape[7];
+        const lane shape_9 = shape[8];
+        const lane shape_10 = shape[9];
+        const lane shape_11 = shape[10];
+        const lane shape_12 = shape[11];
+        const lane t25 = 2.0*shape_8;
+        const lane t28 = -shape_9*t27;
+        const lane adjoint_forward_t147 = t25*t28;
+        const lane t29 = 2.0*shape_7;
+        const lane adjoint_forward_t144 = t28*t29;
+        const lane t30 = shape_7*t25;
+        const lane adjoint_forward_t141 = -t27*t30;
+        const lane t31 = 2.0*shape_3;
+        const lane t32 = -t26*t31;
+        const lane adjoint_forward_t138 = shape_9*t32;
+        const lane adjoint_forward_t135 = shape_8*t32;
+        const lane t33 = shape_7*t31;
+        const lane t34 = D_delta_z_1*t33;
+        const lane t35 = shape_8*t31;
+        const lane t36 = D_delta_z_2*t35;
+        const lane t37 = shape_9*t31;
+        const lane t38 = D_delta_z_3*t37;
+        const lane adjoint_forward_t132 = -t34 - t36 - t38;
+        const lane adjoint_forward_t131 = shape_7*t32;
+        const lane t39 = D_delta_y_1*t33;
+        const lane t40 = D_delta_y_2*t35;
+        const lane t41 = D_delta_y_3*t37;
+        const lane adjoint_forward_t130 = -t39 - t40 - t41;
+        const lane t42 = D_delta_x_1*t33;
+        const lane t43 = D_delta_x_2*t35;
+        const lane t44 = D_delta_x_3*t37;
+        const lane adjoint_forward_t128 = -t42 - t43 - t44;
+        const lane t45 = (shape_3*shape_3);
+        const lane adjoint_forward_t126 = t45*(d_3_x*g_x + d_3_y*g_y + d_3_z*g_z);
+        const lane adjoint_forward_t125 = t45*(k_C - t26);
+        const lane t46 = 2.0*shape_2;
+        const lane t47 = shape_9*t46;
+        const lane t48 = D_delta_z_3*t47;
+        const lane t49 = shape_7*t46;
+        const lane t50 = D_delta_z_1*t49;
+        const lane t51 = shape_8*t46;
+        const lane t52 = D_delta_z_2*t51;
+        const lane t53 = t48 + t50 + t52;
+        const lane t54 = shape_2*t31;
+        const lane t55 = D_p_z_3*t54;
+        const lane adjoint_forward_t122 = -t53 - t55;
+        const lane adjoint_forward_t121 = -U_3_z_3*t54 - t53;
+        const lane t56 = D_p_y_3*t54;
+        const lane t57 = D_delta_y_1*t49;
+        const lane t58 = D_delta_y_2*t51;
+        const lane t59 = D_delta_y_3*t47;
+        const lane t60 = t57 + t58 + t59;
+        const lane adjoint_forward_t119 = -t56 - t60;
+        const lane adjoint_forward_t118 = -U_3_y_3*t54 - t60;
+        const lane t61 = D_p_x_3*t54;
+        const lane t62 = D_delta_x_1*t49;
+        const lane t63 = D_delta_x_2*t51;
+        const lane t64 = D_delta_x_3*t47;
+        const lane t65 = t62 + t63 + t64;
+        const lane adjoint_forward_t116 = -t61 - t65;
+        const lane adjoint_forward_t115 = -U_3_x_3*t54 - t65;
+        const lane t66 = (shape_2*shape_2);
+        const lane adjoint_forward_t113 = t66*(d_2_x*g_x + d_2_y*g_y + d_2_z*g_z);
+        const lane adjoint_forward_t112 = t66*(-mu_1 - t67);
+        const lane t68 = shape_1*t46;
+        const lane t69 = D_p_z_2*t68;
+        const lane t70 = 2.0*shape_1;
+        const lane t71 = shape_7*t70;
+        const lane t72 = D_delta_z_1*t71;
+        const lane t73 = shape_8*t70;
+        const lane t74 = D_delta_z_2*t73;
+        const lane t75 = shape_9*t70;
+        const lane t76 = D_delta_z_3*t75;
+        const lane t77 = shape_1*t31;
+        const lane t78 = D_p_z_3*t77;
+        const lane t79 = t72 + t74 + t76 + t78;
+        const lane adjoint_forward_t109 = -t69 - t79;
+        const lane adjoint_forward_t108 = -U_2_z_2*t68 - t79;
+        const lane adjoint_forward_t107 = -U_3_z_3*t77 - t69 - t72 - t74 - t76;
+        const lane t80 = D_p_y_2*t68;
+        const lane t81 = D_delta_y_1*t71;
+        const lane t82 = D_delta_y_2*t73;
+        const lane t83 = D_delta_y_3*t75;
+        const lane t84 = D_p_y_3*t77;
+        const lane t85 = t81 + t82 + t83 + t84;
+        const lane adjoint_forward_t106 = -t80 - t85;
+        const lane adjoint_forward_t105 = -U_2_y_2*t68 - t85;
+        const lane adjoint_forward_t104 = -U_3_y_3*t77 - t80 - t81 - t82 - t83;
+        const lane t86 = D_p_x_2*t68;
+        const lane t87 = D_delta_x_1*t71;
+        const lane t88 = D_delta_x_2*t73;
+        const lane t89 = D_delta_x_3*t75;
+        const lane t90 = D_p_x_3*t77;
+        const lane t91 = t87 + t88 + t89 + t90;
+        const lane adjoint_forward_t103 = -t86 - t91;
+        const lane adjoint_forward_t102 = -U_2_x_2*t68 - t91;
+        const lane adjoint_forward_t101 = -U_3_x_3*t77 - t86 - t87 - t88 - t89;
+        const lane t92 = (shape_1*shape_1);
+        const lane adjoint_forward_t100 = t92*(-mu_2 - t67);
+        const lane adjoint_forward_t97 = t92*(d_1_x*g_x + d_1_y*g_y + d_1_z*g_z);
+        const lane t93 = (shape_10*shape_10);
+        const lane t94 = (shape_11*shape_11);
+        const lane t95 = (shape_12*shape_12);
+        const lane adjoint_forward_t96 = -eigenvalue*t93 - eigenvalue*t94 - eigenvalue*t95;
+        const lane t96 = (shape_9*shape_9);
+        const lane t97 = eigenvalue*forward_t50;
+        const lane adjoint_forward_t95 = -t96*t97 + t96*t98;
+        const lane t99 = eigenvalue*t25;
+        const lane t100 = shape_12*t99;
+        const lane t102 = shape_9*t101;
+        const lane t103 = eigenvalue*shape_8;
+        const lane adjoint_forward_t92 = -t100 - t102*t103;
+        const lane t104 = shape_11*t99;
+        const lane t106 = shape_9*t105;
+        const lane adjoint_forward_t91 = -t103*t106 - t104;
+        const lane t107 = shape_10*t99;
+        const lane t109 = shape_9*t108;
+        const lane adjoint_forward_t90 = -t103*t109 - t107;
+        const lane t110 = (shape_8*shape_8);
+        const lane adjoint_forward_t89 = -t110*t97 + t110*t98;
+        const lane t111 = eigenvalue*t29;
+        const lane t112 = shape_12*t111;
+        const lane t114 = shape_8*t113;
+        const lane t115 = eigenvalue*shape_7;
+        const lane adjoint_forward_t86 = -t102*t115 - t112 - t114*t115;
+        const lane t116 = shape_11*t111;
+        const lane t118 = shape_8*t117;
+        const lane adjoint_forward_t85 = -t106*t115 - t115*t118 - t116;
+        const lane t119 = shape_10*t111;
+        const lane t121 = shape_8*t120;
+        const lane adjoint_forward_t84 = -t109*t115 - t115*t121 - t119;
+        const lane t122 = (shape_7*shape_7);
+        const lane adjoint_forward_t83 = -t122*t97 + t122*t98;
+        const lane t123 = eigenvalue*t31;
+        const lane t124 = shape_10*t123;
+        const lane t125 = shape_11*t123;
+        const lane t126 = shape_12*t123;
+        const lane adjoint_forward_t80 = adjoint_forward_t126 - t124*t_3_x - t125*t_3_y - t126*t_3_z;
+        const lane t127 = eigenvalue*t45;
+        const lane t128 = D_p_z_3*t127;
+        const lane adjoint_forward_t79 = -eigenvalue*t34 - eigenvalue*t36 - eigenvalue*t38 - t128;
+        const lane adjoint_forward_t78 = adjoint_forward_t79 - t126;
+        const lane t129 = D_p_y_3*t127;
+        const lane adjoint_forward_t77 = -eigenvalue*t39 - eigenvalue*t40 - eigenvalue*t41 - t129;
+        const lane adjoint_forward_t76 = adjoint_forward_t77 - t125;
+        const lane t130 = D_p_x_3*t127;
+        const lane adjoint_forward_t75 = -eigenvalue*t42 - eigenvalue*t43 - eigenvalue*t44 - t130;
+        const lane adjoint_forward_t74 = adjoint_forward_t75 - t124;
+        const lane t131 = eigenvalue*t46;
+        const lane t132 = shape_10*t131;
+        const lane t133 = shape_11*t131;
+        const lane t134 = shape_12*t131;
+        const lane adjoint_forward_t73 = adjoint_forward_t113 - t132*t_2_x - t133*t_2_y - t134*t_2_z;
+        const lane t135 = eigenvalue*t66;
+        const lane t136 = D_p_z_2*t135;
+        const lane adjoint_forward_t72 =
+            -eigenvalue*t48 - eigenvalue*t50 - eigenvalue*t52 - eigenvalue*t55 - t136;
+        const lane adjoint_forward_t71 = adjoint_forward_t72 - t134;
+        const lane t137 = D_p_y_2*t135;
+        const lane adjoint_forward_t70 =
+            -eigenvalue*t56 - eigenvalue*t57 - eigenvalue*t58 - eigenvalue*t59 - t137;
+        const lane adjoint_forward_t69 = adjoint_forward_t70 - t133;
+        const lane t138 = D_p_x_2*t135;
+        const lane adjoint_forward_t68 =
+            -eigenvalue*t61 - eigenvalue*t62 - eigenvalue*t63 - eigenvalue*t64 - t138;
+        const lane adjoint_forward_t67 = adjoint_forward_t68 - t132;
+        const lane t140 = shape_7*t139;
+        const lane t141 = shape_10*t140;
+        const lane t142 = shape_10*t121;
+        const lane t143 = shape_10*t109;
+        const lane t144 = eigenvalue*t143;
+        const lane t146 = shape_7*t145;
+        const lane t147 = shape_11*t146;
+        const lane t148 = shape_11*t118;
+        const lane t149 = shape_11*t106;
+        const lane t150 = eigenvalue*t149;
+        const lane t152 = shape_7*t151;
+        const lane t153 = shape_12*t152;
+        const lane t154 = shape_12*t114;
+        const lane t155 = shape_12*t102;
+        const lane t156 = eigenvalue*t155;
+        const lane t157 = eigenvalue*t70;
+        const lane t158 = shape_10*t157;
+        const lane t159 = shape_11*t157;
+        const lane t160 = shape_12*t157;
+        const lane adjoint_forward_t66 =
+            -D_p_x_1*t158 - D_p_x_2*t132 - D_p_x_3*t124 - D_p_y_1*t159 - D_p_y_2*t133 - D_p_y_3*t125
+            - D_p_z_1*t160 - D_p_z_2*t134 - D_p_z_3*t126 - eigenvalue*t141 - eigenvalue*t142
+            - eigenvalue*t147 - eigenvalue*t148 - eigenvalue*t153 - eigenvalue*t154 - t144 - t150 - t156;
+        const lane adjoint_forward_t65 = adjoint_forward_t97 - t158*t_1_x - t159*t_1_y - t160*t_1_z;
+        const lane t161 = eigenvalue*t77;
+        const lane t162 = eigenvalue*t54;
+        const lane adjoint_forward_t64 = -D_p_z_1*t161 - D_p_z_2*t162 + adjoint_forward_t79 - t128;
+        const lane adjoint_forward_t63 = -D_p_y_1*t161 - D_p_y_2*t162 + adjoint_forward_t77 - t129;
+        const lane adjoint_forward_t62 = -D_p_x_1*t161 - D_p_x_2*t162 + adjoint_forward_t75 - t130;
+        const lane adjoint_forward_t61 =
+            adjoint_forward_t62*forward_t22 + adjoint_forward_t63*forward_t23
+            + adjoint_forward_t64*forward_t24 + adjoint_forward_t66;
+        const lane t163 = eigenvalue*t68;
+        const lane adjoint_forward_t60 = -D_p_z_1*t163 + adjoint_forward_t72 - t136;
+        const lane adjoint_forward_t59 = -D_p_y_1*t163 + adjoint_forward_t70 - t137;
+        const lane adjoint_forward_t58 = -D_p_x_1*t163 + adjoint_forward_t68 - t138;
+        const lane adjoint_forward_t57 =
+            adjoint_forward_t58*forward_t19 + adjoint_forward_t59*forward_t20
+            + adjoint_forward_t60*forward_t21 + adjoint_forward_t66;
+        const lane t164 = eigenvalue*t92;
+        const lane t165 = D_p_z_1*t164;
+        const lane adjoint_forward_t56 =
+            -eigenvalue*t69 - eigenvalue*t72 - eigenvalue*t74 - eigenvalue*t76 - eigenvalue*t78 - t165;
+        const lane adjoint_forward_t55 = adjoint_forward_t56 - t160;
+        const lane t166 = D_p_y_1*t164;
+        const lane adjoint_forward_t54 =
+            -eigenvalue*t80 - eigenvalue*t81 - eigenvalue*t82 - eigenvalue*t83 - eigenvalue*t84 - t166;
+        const lane adjoint_forward_t53 = adjoint_forward_t54 - t159;
+        const lane t167 = D_p_x_1*t164;
+        const lane adjoint_forward_t52 =
+            -eigenvalue*t86 - eigenvalue*t87 - eigenvalue*t88 - eigenvalue*t89 - eigenvalue*t90 - t167;
+        const lane adjoint_forward_t51 = adjoint_forward_t52 - t158;
+        const lane t169 = t122*t168;
+        const lane t171 = t110*t170;
+        const lane t173 = t172*t96;
+        const lane adjoint_forward_t50 =
+            D_delta_x_1*adjoint_forward_t84 + D_delta_x_2*adjoint_forward_t90
+            + D_delta_y_1*adjoint_forward_t85 + D_delta_y_2*adjoint_forward_t91
+            + D_delta_z_1*adjoint_forward_t86 + D_delta_z_2*adjoint_forward_t92 + D_p_x_1*adjoint_forward_t51
+            + D_p_x_2*adjoint_forward_t67 + D_p_x_3*adjoint_forward_t74 + D_p_y_1*adjoint_forward_t53
+            + D_p_y_2*adjoint_forward_t69 + D_p_y_3*adjoint_forward_t76 + D_p_z_1*adjoint_forward_t55
+            + D_p_z_2*adjoint_forward_t71 + D_p_z_3*adjoint_forward_t78 - eigenvalue*t169 - eigenvalue*t171
+            - eigenvalue*t173 - t144 - t150 - t156;
+        const lane adjoint_forward_t49 = adjoint_forward_t50 - forward_t5*t127;
+        const lane adjoint_forward_t48 = adjoint_forward_t50 - forward_t3*t135;
+        const lane adjoint_forward_t47 = adjoint_forward_t56 - t165;
+        const lane adjoint_forward_t46 = adjoint_forward_t54 - t166;
+        const lane adjoint_forward_t45 = adjoint_forward_t52 - t167;
+        const lane adjoint_forward_t44 =
+            adjoint_forward_t45*forward_t16 + adjoint_forward_t46*forward_t17
+            + adjoint_forward_t47*forward_t18 + adjoint_forward_t66;
+        const lane adjoint_forward_t43 = adjoint_forward_t50 - forward_t1*t164;
+        const lane t175 = t30*(-forward_t139 - forward_t140 - forward_t141);
+        const lane t176 = shape_9*t29;
+        const lane t177 = t176*(-forward_t142 - forward_t143 - forward_t144);
+        const lane t178 = shape_9*t25;
+        const lane t179 = t178*(-forward_t145 - forward_t146 - forward_t147);
+        const lane t180 = -t122*t168 - t174*t92 + t175 + t177 + t179;
+        const lane t182 = -t110*t170 - t181*t66;
+        const lane adjoint_mu_3 =
+            D_p_x_1*adjoint_forward_t101 + D_p_x_2*adjoint_forward_t115 + D_p_y_1*adjoint_forward_t104
+            + D_p_y_2*adjoint_forward_t118 + D_p_z_1*adjoint_forward_t107 + D_p_z_2*adjoint_forward_t121
+            + U_3_x_3*adjoint_forward_t128 + U_3_y_3*adjoint_forward_t130 + U_3_z_3*adjoint_forward_t132
+            + t180 + t182 + t45*(-(U_3_x_3*U_3_x_3) - (U_3_y_3*U_3_y_3) - (U_3_z_3*U_3_z_3)
+            - forward_t13*s_3_x - forward_t14*s_3_y - forward_t15*s_3_z) + t96*(1.0 - t172);
+        const lane t184 =
+            -t172*t96 - t183*t45 + t33*(-forward_t127 - forward_t129 - forward_t131) + t35*(-forward_t133
+            - forward_t134 - forward_t135) + t37*(-forward_t136 - forward_t137 - forward_t138);
+        const lane adjoint_mu_2 =
+            D_p_x_1*adjoint_forward_t102 + D_p_y_1*adjoint_forward_t105 + D_p_z_1*adjoint_forward_t108
+            + U_2_x_2*adjoint_forward_t116 + U_2_y_2*adjoint_forward_t119 + U_2_z_2*adjoint_forward_t122
+            + t110*(1.0 - t170) + t180 + t184 + t66*(-(U_2_x_2*U_2_x_2) - (U_2_y_2*U_2_y_2)
+            - (U_2_z_2*U_2_z_2) - forward_t10*s_2_x - forward_t11*s_2_y - forward_t12*s_2_z);
+        const lane adjoint_mu_1 =
+            D_p_x_2*adjoint_forward_t116 + D_p_y_2*adjoint_forward_t119 + D_p_z_2*adjoint_forward_t122
+            + U_1_x_1*adjoint_forward_t103 + U_1_y_1*adjoint_forward_t106 + U_1_z_1*adjoint_forward_t109
+            + t122*(1.0 - t168) + t175 + t177 + t179 + t182 + t184 + t92*(-(U_1_x_1*U_1_x_1)
+            - (U_1_y_1*U_1_y_1) - (U_1_z_1*U_1_z_1) - forward_t7*s_1_x - forward_t8*s_1_y - forward_t9*s_1_z);
+        const lane adjoint_forward_t42 =
+            -adjoint_mu_1*forward_t32 - adjoint_mu_2*forward_t33 - adjoint_mu_3*forward_t34;
+        const lane adjoint_forward_t41 =
+            -adjoint_mu_1*forward_t29 - adjoint_mu_2*forward_t30 - adjoint_mu_3*forward_t31;
+        const lane adjoint_forward_t40 =
+            -adjoint_mu_1*forward_t26 - adjoint_mu_2*forward_t27 - adjoint_mu_3*forward_t28;
+        const lane adjoint_forward_t39 =
+            adjoint_forward_t40*g_x + adjoint_forward_t41*g_y + adjoint_forward_t42*g_z;
+        const lane adjoint_forward_t38 = adjoint_forward_t39 + adjoint_forward_t50 + adjoint_forward_t96;
+        const lane adjoint_forward_t37 =
+            L_a_3*adjoint_forward_t126 + adjoint_forward_t39 - forward_t22*t124 - forward_t23*t125
+            - forward_t24*t126;
+        const lane adjoint_forward_t36 =
+            L_a_2*adjoint_forward_t113 + adjoint_forward_t39 - forward_t19*t132 - forward_t20*t133
+            - forward_t21*t134;
+        const lane adjoint_forward_t35 =
+            L_a_1*adjoint_forward_t97 + adjoint_forward_t39 - forward_t16*t158 - forward_t17*t159
+            - forward_t18*t160;
+        const lane t185 = (shape_6*shape_6);
+        const lane adjoint_k_3 = -shape_6*t31 + t185 + t45;
+        const lane t186 = (shape_5*shape_5);
+        const lane adjoint_k_2 = -shape_5*t46 + t186 + t66;
+        const lane t187 = (shape_4*shape_4);
+        const lane adjoint_k_1 = -shape_4*t70 + t187 + t92;
+        const lane adjoint_I_3 = -eigenvalue*t185;
+        const lane adjoint_I_2 = -eigenvalue*t186;
+        const lane adjoint_I_1 = -eigenvalue*t187;
+        const lane t188 = 2.0*t45;
+        const lane adjoint_U_3_z_3 =
+            adjoint_forward_t132*mu_3 - forward_t107*t77 - forward_t121*t54 - forward_t132*t188;
+        const lane adjoint_U_3_y_3 =
+            adjoint_forward_t130*mu_3 - forward_t104*t77 - forward_t118*t54 - forward_t130*t188;
+        const lane adjoint_U_3_x_3 =
+            adjoint_forward_t128*mu_3 - forward_t101*t77 - forward_t115*t54 - forward_t128*t188;
+        const lane t189 = 2.0*t66;
+        const lane adjoint_U_2_z_2 = adjoint_forward_t122*mu_2 - forward_t108*t68 - forward_t122*t189;
+        const lane adjoint_U_2_y_2 = adjoint_forward_t119*mu_2 - forward_t105*t68 - forward_t119*t189;
+        const lane adjoint_U_2_x_2 = adjoint_forward_t116*mu_2 - forward_t102*t68 - forward_t116*t189;
+        const lane t190 = 2.0*t92;
+        const lane adjoint_U_1_z_1 = adjoint_forward_t109*mu_1 - forward_t109*t190;
+        const lane adjoint_U_1_y_1 = adjoint_forward_t106*mu_1 - forward_t106*t190;
+        const lane adjoint_U_1_x_1 = adjoint_forward_t103*mu_1 - forward_t103*t190;
+        const lane t191 = k_C*shape_12;
+        const lane t192 = 2.0*shape_9;
+        const lane t193 = k_C*shape_9;
+        const lane t194 = eigenvalue*forward_t56;
+        const lane t195 = eigenvalue*forward_t72;
+        const lane t196 = eigenvalue*forward_t79;
+        const lane t197 = shape_9*t111;
+        const lane t198 = shape_9*t99;
+        const lane t199 = eigenvalue*t192*(forward_t50 + forward_t66);
+        const lane adjoint_D_delta_z_3 =
+            D_delta_z_1*adjoint_forward_t144 + D_delta_z_2*adjoint_forward_t147
+            + D_p_z_3*adjoint_forward_t138 + adjoint_forward_t95*t101 - forward_t86*t197 - forward_t92*t198
+            - shape_12*t199 + t114*t193 + t152*t193 + t191*t192 - t194*t75 - t195*t47 - t196*t37 + t201*t37
+            + t204*t75 + t206*t47;
+        const lane t207 = k_C*shape_8;
+        const lane t208 = eigenvalue*t30;
+        const lane adjoint_D_delta_z_2 =
+            D_delta_z_1*adjoint_forward_t141 + D_delta_z_3*adjoint_forward_t147
+            + D_p_z_3*adjoint_forward_t135 + adjoint_forward_t89*t113 + adjoint_forward_t92*forward_t50
+            - forward_t66*t100 - forward_t86*t208 + t102*t207 + t152*t207 + t191*t25 - t194*t73 - t195*t51
+            - t196*t35 + t201*t35 + t204*t73 + t206*t51;
+        const lane t209 = k_C*shape_7;
+        const lane adjoint_D_delta_z_1 =
+            D_delta_z_2*adjoint_forward_t141 + D_delta_z_3*adjoint_forward_t144
+            + D_p_z_3*adjoint_forward_t131 + adjoint_forward_t83*t151 + adjoint_forward_t86*forward_t50
+            - forward_t66*t112 + t102*t209 + t114*t209 + t191*t29 - t194*t71 - t195*t49 - t196*t33 + t201*t33
+            + t204*t71 + t206*t49;
+        const lane adjoint_D_p_z_3 =
+            D_delta_z_1*adjoint_forward_t131 + D_delta_z_2*adjoint_forward_t135
+            + D_delta_z_3*adjoint_forward_t138 + 2.0*D_p_z_3*adjoint_forward_t125 + adjoint_U_3_z_3
+            + adjoint_forward_t78*forward_t50 - forward_t56*t161 - forward_t66*t126 - forward_t72*t162
+            + k_C*t34 + k_C*t36 + k_C*t38 - t127*(forward_t64 + forward_t79) + t191*t31 - t203*t77 - t205*t54;
+        const lane adjoint_forward_t34 = D_r_3*adjoint_D_p_z_3 + adjoint_D_delta_z_3*l_d_3;
+        const lane adjoint_D_p_z_2 =
+            2.0*D_p_z_2*adjoint_forward_t112 + adjoint_U_2_z_2 + adjoint_forward_t121*mu_3
+            + adjoint_forward_t122*mu_1 + adjoint_forward_t71*forward_t50 - forward_t56*t163
+            - forward_t64*t162 - forward_t66*t134 + k_C*t48 + k_C*t50 + k_C*t52 - t135*(forward_t60
+            + forward_t72) + t191*t46 + t200*t54 + t68*(-forward_t107 - t202);
+        const lane adjoint_forward_t33 = D_r_2*adjoint_D_p_z_2 + adjoint_D_delta_z_2*l_d_2;
+        const lane adjoint_D_p_z_1 =
+            2.0*D_p_z_1*adjoint_forward_t100 + D_p_z_2*k_C*t68 + adjoint_U_1_z_1 + adjoint_forward_t107*mu_3
+            + adjoint_forward_t108*mu_2 + adjoint_forward_t55*forward_t50 - forward_t60*t163
+            - forward_t64*t161 - forward_t66*t160 + k_C*t72 + k_C*t74 + k_C*t76 - t164*(forward_t47
+            + forward_t56) + t191*t70 + t200*t77;
+        const lane adjoint_forward_t32 = D_r_1*adjoint_D_p_z_1 + adjoint_D_delta_z_1*l_d_1;
+        const lane t210 = k_C*shape_11;
+        const lane t211 = eigenvalue*forward_t54;
+        const lane t212 = eigenvalue*forward_t70;
+        const lane t213 = eigenvalue*forward_t77;
+        const lane adjoint_D_delta_y_3 =
+            D_delta_y_1*adjoint_forward_t144 + D_delta_y_2*adjoint_forward_t147
+            + D_p_y_3*adjoint_forward_t138 + adjoint_forward_t95*t105 - forward_t85*t197 - forward_t91*t198
+            - shape_11*t199 + t118*t193 + t146*t193 + t192*t210 - t211*t75 - t212*t47 - t213*t37 + t215*t37
+            + t218*t75 + t220*t47;
+        const lane adjoint_D_delta_y_2 =
+            D_delta_y_1*adjoint_forward_t141 + D_delta_y_3*adjoint_forward_t147
+            + D_p_y_3*adjoint_forward_t135 + adjoint_forward_t89*t117 + adjoint_forward_t91*forward_t50
+            - forward_t66*t104 - forward_t85*t208 + t106*t207 + t146*t207 + t210*t25 - t211*t73 - t212*t51
+            - t213*t35 + t215*t35 + t218*t73 + t220*t51;
+        const lane adjoint_D_delta_y_1 =
+            D_delta_y_2*adjoint_forward_t141 + D_delta_y_3*adjoint_forward_t144
+            + D_p_y_3*adjoint_forward_t131 + adjoint_forward_t83*t145 + adjoint_forward_t85*forward_t50
+            - forward_t66*t116 + t106*t209 + t118*t209 + t210*t29 - t211*t71 - t212*t49 - t213*t33 + t215*t33
+            + t218*t71 + t220*t49;
+        const lane adjoint_D_p_y_3 =
+            D_delta_y_1*adjoint_forward_t131 + D_delta_y_2*adjoint_forward_t135
+            + D_delta_y_3*adjoint_forward_t138 + 2.0*D_p_y_3*adjoint_forward_t125 + adjoint_U_3_y_3
+            + adjoint_forward_t76*forward_t50 - forward_t54*t161 - forward_t66*t125 - forward_t70*t162
+            + k_C*t39 + k_C*t40 + k_C*t41 - t127*(forward_t63 + forward_t77) + t210*t31 - t217*t77 - t219*t54;
+        const lane adjoint_forward_t31 = D_r_3*adjoint_D_p_y_3 + adjoint_D_delta_y_3*l_d_3;
+        const lane adjoint_D_p_y_2 =
+            2.0*D_p_y_2*adjoint_forward_t112 + adjoint_U_2_y_2 + adjoint_forward_t118*mu_3
+            + adjoint_forward_t119*mu_1 + adjoint_forward_t69*forward_t50 - forward_t54*t163
+            - forward_t63*t162 - forward_t66*t133 + k_C*t57 + k_C*t58 + k_C*t59 - t135*(forward_t59
+            + forward_t70) + t210*t46 + t214*t54 + t68*(-forward_t104 - t216);
+        const lane adjoint_forward_t30 = D_r_2*adjoint_D_p_y_2 + adjoint_D_delta_y_2*l_d_2;
+        const lane adjoint_D_p_y_1 =
+            2.0*D_p_y_1*adjoint_forward_t100 + D_p_y_2*k_C*t68 + adjoint_U_1_y_1 + adjoint_forward_t104*mu_3
+            + adjoint_forward_t105*mu_2 + adjoint_forward_t53*forward_t50 - forward_t59*t163
+            - forward_t63*t161 - forward_t66*t159 + k_C*t81 + k_C*t82 + k_C*t83 - t164*(forward_t46
+            + forward_t54) + t210*t70 + t214*t77;
+        const lane adjoint_forward_t29 = D_r_1*adjoint_D_p_y_1 + adjoint_D_delta_y_1*l_d_1;
+        const lane t221 = k_C*shape_10;
+        const lane t222 = eigenvalue*forward_t52;
+        const lane t223 = eigenvalue*forward_t68;
+        const lane t224 = eigenvalue*forward_t75;
+        const lane adjoint_D_delta_x_3 =
+            D_delta_x_1*adjoint_forward_t144 + D_delta_x_2*adjoint_forward_t147
+            + D_p_x_3*adjoint_forward_t138 + adjoint_forward_t95*t108 - forward_t84*t197 - forward_t90*t198
+            - shape_10*t199 + t121*t193 + t140*t193 + t192*t221 - t222*t75 - t223*t47 - t224*t37 + t226*t37
+            + t229*t75 + t231*t47;
+        const lane adjoint_D_delta_x_2 =
+            D_delta_x_1*adjoint_forward_t141 + D_delta_x_3*adjoint_forward_t147
+            + D_p_x_3*adjoint_forward_t135 + adjoint_forward_t89*t120 + adjoint_forward_t90*forward_t50
+            - forward_t66*t107 - forward_t84*t208 + t109*t207 + t140*t207 + t221*t25 - t222*t73 - t223*t51
+            - t224*t35 + t226*t35 + t229*t73 + t231*t51;
+        const lane adjoint_D_delta_x_1 =
+            D_delta_x_2*adjoint_forward_t141 + D_delta_x_3*adjoint_forward_t144
+            + D_p_x_3*adjoint_forward_t131 + adjoint_forward_t83*t139 + adjoint_forward_t84*forward_t50
+            - forward_t66*t119 + t109*t209 + t121*t209 + t221*t29 - t222*t71 - t223*t49 - t224*t33 + t226*t33
+            + t229*t71 + t231*t49;
+        const lane adjoint_D_p_x_3 =
+            D_delta_x_1*adjoint_forward_t131 + D_delta_x_2*adjoint_forward_t135
+            + D_delta_x_3*adjoint_forward_t138 + 2.0*D_p_x_3*adjoint_forward_t125 + adjoint_U_3_x_3
+            + adjoint_forward_t74*forward_t50 - forward_t52*t161 - forward_t66*t124 - forward_t68*t162
+            + k_C*t42 + k_C*t43 + k_C*t44 - t127*(forward_t62 + forward_t75) + t221*t31 - t228*t77 - t230*t54;
+        const lane adjoint_forward_t28 = D_r_3*adjoint_D_p_x_3 + adjoint_D_delta_x_3*l_d_3;
+        const lane adjoint_D_p_x_2 =
+            2.0*D_p_x_2*adjoint_forward_t112 + adjoint_U_2_x_2 + adjoint_forward_t115*mu_3
+            + adjoint_forward_t116*mu_1 + adjoint_forward_t67*forward_t50 - forward_t52*t163
+            - forward_t62*t162 - forward_t66*t132 + k_C*t62 + k_C*t63 + k_C*t64 - t135*(forward_t58
+            + forward_t68) + t221*t46 + t225*t54 + t68*(-forward_t101 - t227);
+        const lane adjoint_forward_t27 = D_r_2*adjoint_D_p_x_2 + adjoint_D_delta_x_2*l_d_2;
+        const lane adjoint_D_p_x_1 =
+            2.0*D_p_x_1*adjoint_forward_t100 + D_p_x_2*k_C*t68 + adjoint_U_1_x_1 + adjoint_forward_t101*mu_3
+            + adjoint_forward_t102*mu_2 + adjoint_forward_t51*forward_t50 - forward_t58*t163
+            - forward_t62*t161 - forward_t66*t158 + k_C*t87 + k_C*t88 + k_C*t89 - t164*(forward_t45
+            + forward_t52) + t221*t70 + t225*t77;
+        const lane adjoint_forward_t26 = D_r_1*adjoint_D_p_x_1 + adjoint_D_delta_x_1*l_d_1;
+        const lane adjoint_forward_t25 =
+            A_x_1*adjoint_forward_t26 + A_x_2*adjoint_forward_t27 + A_x_3*adjoint_forward_t28
+            + A_y_1*adjoint_forward_t29 + A_y_2*adjoint_forward_t30 + A_y_3*adjoint_forward_t31
+            + A_z_1*adjoint_forward_t32 + A_z_2*adjoint_forward_t33 + A_z_3*adjoint_forward_t34
+            + adjoint_mu_1*t22 + adjoint_mu_2*t23 + adjoint_mu_3*t24;
+        const lane adjoint_det_D_l = -adjoint_forward_t25*(forward_9*forward_9);
+        const lane t232 = adjoint_mu_3*forward_9;
+        const lane adjoint_A_z_3 = adjoint_forward_t34*forward_9 - forward_t42*t232;
+        const lane adjoint_A_y_3 = adjoint_forward_t31*forward_9 - forward_t41*t232;
+        const lane adjoint_A_x_3 = adjoint_forward_t28*forward_9 - forward_t40*t232;
+        const lane t233 = adjoint_mu_2*forward_9;
+        const lane adjoint_A_z_2 = adjoint_forward_t33*forward_9 - forward_t42*t233;
+        const lane adjoint_A_y_2 = adjoint_forward_t30*forward_9 - forward_t41*t233;
+        const lane adjoint_A_x_2 = adjoint_forward_t27*forward_9 - forward_t40*t233;
+        const lane t234 = adjoint_mu_1*forward_9;
+        const lane adjoint_A_z_1 = adjoint_det_D_l*s_1_z + adjoint_forward_t32*forward_9 - forward_t42*t234;
+        const lane adjoint_A_y_1 = adjoint_det_D_l*s_1_y + adjoint_forward_t29*forward_9 - forward_t41*t234;
+        const lane adjoint_A_x_1 = adjoint_det_D_l*s_1_x + adjoint_forward_t26*forward_9 - forward_t40*t234;
+        const lane adjoint_D_r_3 =
+            adjoint_D_p_x_3*forward_t28 + adjoint_D_p_y_3*forward_t31 + adjoint_D_p_z_3*forward_t34;
+        const lane adjoint_forward_t24 =
+            adjoint_D_r_3*s_3_z - adjoint_U_3_z_3 + adjoint_forward_t64*forward_t61 - forward_t37*t126;
+        const lane adjoint_forward_t23 =
+            adjoint_D_r_3*s_3_y - adjoint_U_3_y_3 + adjoint_forward_t63*forward_t61 - forward_t37*t125;
+        const lane adjoint_forward_t22 =
+            adjoint_D_r_3*s_3_x - adjoint_U_3_x_3 + adjoint_forward_t62*forward_t61 - forward_t37*t124;
+        const lane adjoint_D_r_2 =
+            adjoint_D_p_x_2*forward_t27 + adjoint_D_p_y_2*forward_t30 + adjoint_D_p_z_2*forward_t33;
+        const lane adjoint_forward_t21 =
+            adjoint_D_r_2*s_2_z - adjoint_U_2_z_2 + adjoint_forward_t60*forward_t57 - forward_t36*t134;
+        const lane adjoint_forward_t20 =
+            adjoint_D_r_2*s_2_y - adjoint_U_2_y_2 + adjoint_forward_t59*forward_t57 - forward_t36*t133;
+        const lane adjoint_forward_t19 =
+            adjoint_D_r_2*s_2_x - adjoint_U_2_x_2 + adjoint_forward_t58*forward_t57 - forward_t36*t132;
+        const lane adjoint_D_r_1 =
+            adjoint_D_p_x_1*forward_t26 + adjoint_D_p_y_1*forward_t29 + adjoint_D_p_z_1*forward_t32;
+        const lane adjoint_forward_t18 =
+            adjoint_D_r_1*s_1_z - adjoint_U_1_z_1 + adjoint_forward_t47*forward_t44 - forward_t35*t160;
+        const lane adjoint_forward_t17 =
+            adjoint_D_r_1*s_1_y - adjoint_U_1_y_1 + adjoint_forward_t46*forward_t44 - forward_t35*t159;
+        const lane adjoint_forward_t16 =
+            adjoint_D_r_1*s_1_x - adjoint_U_1_x_1 + adjoint_forward_t45*forward_t44 - forward_t35*t158;
+        const lane t235 = mu_3*t45;
+        const lane adjoint_s_3_z =
+            adjoint_A_x_1*s_2_y - adjoint_A_x_2*s_1_y - adjoint_A_y_1*s_2_x + adjoint_A_y_2*s_1_x
+            + adjoint_D_r_3*forward_t24 - forward_t15*t235;
+        const lane adjoint_forward_t15 = -adjoint_s_3_z - s_3_z*t235;
+        const lane adjoint_s_3_y =
+            -adjoint_A_x_1*s_2_z + adjoint_A_x_2*s_1_z + adjoint_A_z_1*s_2_x - adjoint_A_z_2*s_1_x
+            + adjoint_D_r_3*forward_t23 - forward_t14*t235;
+        const lane adjoint_forward_t14 = -adjoint_s_3_y - s_3_y*t235;
+        const lane adjoint_s_3_x =
+            adjoint_A_y_1*s_2_z - adjoint_A_y_2*s_1_z - adjoint_A_z_1*s_2_y + adjoint_A_z_2*s_1_y
+            + adjoint_D_r_3*forward_t22 - forward_t13*t235;
+        const lane adjoint_forward_t13 = -adjoint_s_3_x - s_3_x*t235;
+        const lane t236 = mu_2*t66;
+        const lane adjoint_s_2_z =
+            -adjoint_A_x_1*s_3_y + adjoint_A_x_3*s_1_y + adjoint_A_y_1*s_3_x - adjoint_A_y_3*s_1_x
+            + adjoint_D_r_2*forward_t21 - forward_t12*t236;
+        const lane adjoint_forward_t12 = -adjoint_s_2_z - s_2_z*t236;
+        const lane adjoint_s_2_y =
+            adjoint_A_x_1*s_3_z - adjoint_A_x_3*s_1_z - adjoint_A_z_1*s_3_x + adjoint_A_z_3*s_1_x
+            + adjoint_D_r_2*forward_t20 - forward_t11*t236;
+        const lane adjoint_forward_t11 = -adjoint_s_2_y - s_2_y*t236;
+        const lane adjoint_s_2_x =
+            -adjoint_A_y_1*s_3_z + adjoint_A_y_3*s_1_z + adjoint_A_z_1*s_3_y - adjoint_A_z_3*s_1_y
+            + adjoint_D_r_2*forward_t19 - forward_t10*t236;
+        const lane adjoint_forward_t10 = -adjoint_s_2_x - s_2_x*t236;
+        const lane t237 = mu_1*t92;
+        const lane adjoint_s_1_z =
+            A_z_1*adjoint_det_D_l + adjoint_A_x_2*s_3_y - adjoint_A_x_3*s_2_y - adjoint_A_y_2*s_3_x
+            + adjoint_A_y_3*s_2_x + adjoint_D_r_1*forward_t18 - forward_t9*t237;
+        const lane adjoint_forward_t9 = -adjoint_s_1_z - s_1_z*t237;
+        const lane adjoint_s_1_y =
+            A_y_1*adjoint_det_D_l - adjoint_A_x_2*s_3_z + adjoint_A_x_3*s_2_z + adjoint_A_z_2*s_3_x
+            - adjoint_A_z_3*s_2_x + adjoint_D_r_1*forward_t17 - forward_t8*t237;
+        const lane adjoint_forward_t8 = -adjoint_s_1_y - s_1_y*t237;
+        const lane adjoint_s_1_x =
+            A_x_1*adjoint_det_D_l + adjoint_A_y_2*s_3_z - adjoint_A_y_3*s_2_z - adjoint_A_z_2*s_3_y
+            + adjoint_A_z_3*s_2_y + adjoint_D_r_1*forward_t16 - forward_t7*t237;
+        const lane adjoint_forward_t7 = -adjoint_s_1_x - s_1_x*t237;
+        const lane adjoint_t_3_z = L_a_3*adjoint_forward_t24 - forward_t80*t126;
+        const lane adjoint_t_3_y = L_a_3*adjoint_forward_t23 - forward_t80*t125;
+        const lane adjoint_t_3_x = L_a_3*adjoint_forward_t22 - forward_t80*t124;
+        const lane t238 = forward_t126*t45;
+        const lane adjoint_d_3_z = L_a_3*adjoint_forward_t15 + g_z*t238;
+        const lane adjoint_d_3_y = L_a_3*adjoint_forward_t14 + g_y*t238;
+        const lane adjoint_d_3_x = L_a_3*adjoint_forward_t13 + g_x*t238;
+        const lane adjoint_t_2_z = L_a_2*adjoint_forward_t21 - forward_t73*t134;
+        const lane adjoint_t_2_y = L_a_2*adjoint_forward_t20 - forward_t73*t133;
+        const lane adjoint_t_2_x = L_a_2*adjoint_forward_t19 - forward_t73*t132;
+        const lane t239 = forward_t113*t66;
+        const lane adjoint_d_2_z = L_a_2*adjoint_forward_t12 + g_z*t239;
+        const lane adjoint_d_2_y = L_a_2*adjoint_forward_t11 + g_y*t239;
+        const lane adjoint_d_2_x = L_a_2*adjoint_forward_t10 + g_x*t239;
+        const lane adjoint_t_1_z = L_a_1*adjoint_forward_t18 - forward_t65*t160;
+        const lane adjoint_t_1_y = L_a_1*adjoint_forward_t17 - forward_t65*t159;
+        const lane adjoint_t_1_x = L_a_1*adjoint_forward_t16 - forward_t65*t158;
+        const lane t240 = forward_t97*t92;
+        const lane adjoint_d_1_z = L_a_1*adjoint_forward_t9 + g_z*t240;
+        const lane adjoint_d_1_y = L_a_1*adjoint_forward_t8 + g_y*t240;
+        const lane adjoint_d_1_x = L_a_1*adjoint_forward_t7 + g_x*t240;
+        const lane adjoint_sn_3 =
+            adjoint_d_3_x*y_3_x + adjoint_d_3_y*y_3_y + adjoint_d_3_z*y_3_z - adjoint_t_3_x*z_3_x
+            - adjoint_t_3_y*z_3_y - adjoint_t_3_z*z_3_z;
+        const lane adjoint_c_3 =
+            adjoint_d_3_x*z_3_x + adjoint_d_3_y*z_3_y + adjoint_d_3_z*z_3_z + adjoint_t_3_x*y_3_x
+            + adjoint_t_3_y*y_3_y + adjoint_t_3_z*y_3_z;
+        const lane adjoint_forward_t6 = adjoint_c_3*t20 + adjoint_sn_3*t21;
+        const lane adjoint_S_3 = -adjoint_c_3*t242 + adjoint_sn_3*t241;
+        const lane adjoint_forward_7 = adjoint_S_3*sigma_3;
+        const lane t243 = adjoint_forward_7/forward_7;
+        const lane adjoint_C_3 = -C_3*t243 + adjoint_c_3*t241 + adjoint_sn_3*t242;
+        const lane adjoint_forward_6 =
+            adjoint_C_3*((1.0/2.0)*forward_t5 + (1.0/2.0)*t15 + (1.0/2.0)*t16 + (1.0/2.0)*t17 - 1.0/2.0*t18);
+        const lane adjoint_forward_t5 = adjoint_C_3*t19 - forward_t49*t127;
+        const lane adjoint_rho2_3 = -adjoint_forward_t6*(forward_8*forward_8) + (1.0/2.0)*t243;
+        const lane t244 = 2.0*adjoint_rho2_3;
+        const lane adjoint_B_3 = B_3*t244 - adjoint_c_3*t246 + adjoint_sn_3*t245;
+        const lane adjoint_A_3 = A_3*t244 + adjoint_c_3*t245 + adjoint_sn_3*t246;
+        const lane adjoint_sn_2 =
+            adjoint_d_2_x*y_2_x + adjoint_d_2_y*y_2_y + adjoint_d_2_z*y_2_z - adjoint_t_2_x*z_2_x
+            - adjoint_t_2_y*z_2_y - adjoint_t_2_z*z_2_z;
+        const lane adjoint_c_2 =
+            adjoint_d_2_x*z_2_x + adjoint_d_2_y*z_2_y + adjoint_d_2_z*z_2_z + adjoint_t_2_x*y_2_x
+            + adjoint_t_2_y*y_2_y + adjoint_t_2_z*y_2_z;
+        const lane adjoint_forward_t4 = adjoint_c_2*t13 + adjoint_sn_2*t14;
+        const lane adjoint_S_2 = -adjoint_c_2*t248 + adjoint_sn_2*t247;
+        const lane adjoint_forward_4 = adjoint_S_2*sigma_2;
+        const lane t249 = adjoint_forward_4/forward_4;
+        const lane adjoint_C_2 = -C_2*t249 + adjoint_c_2*t247 + adjoint_sn_2*t248;
+        const lane adjoint_forward_3 =
+            adjoint_C_2*((1.0/2.0)*forward_t3 + (1.0/2.0)*t11 + (1.0/2.0)*t12 + (1.0/2.0)*t8 - 1.0/2.0*t9);
+        const lane adjoint_forward_t3 = adjoint_C_2*t10 - forward_t48*t135;
+        const lane adjoint_rho2_2 = -adjoint_forward_t4*(forward_5*forward_5) + (1.0/2.0)*t249;
+        const lane t250 = 2.0*adjoint_rho2_2;
+        const lane adjoint_B_2 = B_2*t250 - adjoint_c_2*t252 + adjoint_sn_2*t251;
+        const lane adjoint_A_2 = A_2*t250 + adjoint_c_2*t251 + adjoint_sn_2*t252;
+        const lane adjoint_sn_1 =
+            adjoint_d_1_x*y_1_x + adjoint_d_1_y*y_1_y + adjoint_d_1_z*y_1_z - adjoint_t_1_x*z_1_x
+            - adjoint_t_1_y*z_1_y - adjoint_t_1_z*z_1_z;
+        const lane adjoint_c_1 =
+            adjoint_d_1_x*z_1_x + adjoint_d_1_y*z_1_y + adjoint_d_1_z*z_1_z + adjoint_t_1_x*y_1_x
+            + adjoint_t_1_y*y_1_y + adjoint_t_1_z*y_1_z;
+        const lane adjoint_forward_t2 = adjoint_c_1*t6 + adjoint_sn_1*t7;
+        const lane adjoint_S_1 = -adjoint_c_1*t254 + adjoint_sn_1*t253;
+        const lane adjoint_forward_1 = adjoint_S_1*sigma_1;
+        const lane t255 = adjoint_forward_1/forward_1;
+        const lane adjoint_C_1 = -C_1*t255 + adjoint_c_1*t253 + adjoint_sn_1*t254;
+        const lane adjoint_forward_0 =
+            adjoint_C_1*((1.0/2.0)*forward_t1 + (1.0/2.0)*t1 + (1.0/2.0)*t2 + (1.0/2.0)*t3 - 1.0/2.0*t4);
+        const lane adjoint_forward_t1 = adjoint_C_1*t5 - forward_t43*t164;
+        const lane adjoint_rho2_1 = -adjoint_forward_t2*(forward_2*forward_2) + (1.0/2.0)*t255;
+        const lane t256 = 2.0*adjoint_rho2_1;
+        const lane adjoint_B_1 = B_1*t256 - adjoint_c_1*t258 + adjoint_sn_1*t257;
+        const lane adjoint_A_1 = A_1*t256 + adjoint_c_1*t257 + adjoint_sn_1*t258;
+        const lane t259 = adjoint_C_3*forward_6;
+        const lane adjoint_r_3_z = adjoint_A_3*z_3_z + adjoint_B_3*y_3_z + adjoint_s_3_z + r_3_z*t259;
+        const lane adjoint_r_3_y = adjoint_A_3*z_3_y + adjoint_B_3*y_3_y + adjoint_s_3_y + r_3_y*t259;
+        const lane adjoint_r_3_x = adjoint_A_3*z_3_x + adjoint_B_3*y_3_x + adjoint_s_3_x + r_3_x*t259;
+        const lane t260 = adjoint_C_2*forward_3;
+        const lane adjoint_r_2_z = adjoint_A_2*z_2_z + adjoint_B_2*y_2_z + adjoint_s_2_z + r_2_z*t260;
+        const lane adjoint_r_2_y = adjoint_A_2*z_2_y + adjoint_B_2*y_2_y + adjoint_s_2_y + r_2_y*t260;
+        const lane adjoint_r_2_x = adjoint_A_2*z_2_x + adjoint_B_2*y_2_x + adjoint_s_2_x + r_2_x*t260;
+        const lane t261 = adjoint_C_1*forward_0;
+        const lane adjoint_r_1_z = adjoint_A_1*z_1_z + adjoint_B_1*y_1_z + adjoint_s_1_z + r_1_z*t261;
+        const lane adjoint_r_1_y = adjoint_A_1*z_1_y + adjoint_B_1*y_1_y + adjoint_s_1_y + r_1_y*t261;
+        const lane adjoint_r_1_x = adjoint_A_1*z_1_x + adjoint_B_1*y_1_x + adjoint_s_1_x + r_1_x*t261;
+        lanes_clear(gradient, 89);
+        gradient[0] = LANES(adjoint_forward_t38);
+        gradient[1] = LANES(adjoint_forward_t40*forward_t39 + d_1_x*t240 + d_2_x*t239 + d_3_x*t238);
+        gradient[2] = LANES(adjoint_forward_t41*forward_t39 + d_1_y*t240 + d_2_y*t239 + d_3_y*t238);
+        gradient[3] = LANES(adjoint_forward_t42*forward_t39 + d_1_z*t240 + d_2_z*t239 + d_3_z*t238);
+        gradient[4] = LANES(-adjoint_r_1_x);
+        gradient[5] = LANES(-adjoint_r_1_y);
+        gradient[6] = LANES(-adjoint_r_1_z);
+        gradient[7] = LANES(-adjoint_r_2_x);
+        gradient[8] = LANES(-adjoint_r_2_y);
+        gradient[9] = LANES(-adjoint_r_2_z);
+        gradient[10] = LANES(-adjoint_r_3_x);
+        gradient[11] = LANES(-adjoint_r_3_y);
+        gradient[12] = LANES(-adjoint_r_3_z);
+        gradient[31] = LANES(adjoint_r_1_x);
+        gradient[32] = LANES(adjoint_r_1_y);
+        gradient[33] = LANES(adjoint_r_1_z);
+        gradient[34] = LANES(adjoint_r_2_x);
+        gradient[35] = LANES(adjoint_r_2_y);
+        gradient[36] = LANES(adjoint_r_2_z);
+        gradient[37] = LANES(adjoint_r_3_x);
+        gradient[38] = LANES(adjoint_r_3_y);
+        gradient[39] = LANES(adjoint_r_3_z);
+        gradient[40] =
+            LANES(2.0*L_a_1*adjoint_forward_t1 - adjoint_forward_0*(forward_0*forward_0)
+            + adjoint_forward_t16*t_1_x + adjoint_forward_t17*t_1_y + adjoint_forward_t18*t_1_z
+            + adjoint_forward_t7*d_1_x + adjoint_forward_t8*d_1_y + adjoint_forward_t9*d_1_z
+            + adjoint_forward_t97*forward_t35);
+        gradient[41] =
+            LANES(2.0*L_a_2*adjoint_forward_t3 - adjoint_forward_3*(forward_3*forward_3)
+            + adjoint_forward_t10*d_2_x + adjoint_forward_t11*d_2_y + adjoint_forward_t113*forward_t36
+            + adjoint_forward_t12*d_2_z + adjoint_forward_t19*t_2_x + adjoint_forward_t20*t_2_y
+            + adjoint_forward_t21*t_2_z);
+        gradient[42] =
+            LANES(2.0*L_a_3*adjoint_forward_t5 - adjoint_forward_6*(forward_6*forward_6)
+            + adjoint_forward_t126*forward_t37 + adjoint_forward_t13*d_3_x + adjoint_forward_t14*d_3_y
+            + adjoint_forward_t15*d_3_z + adjoint_forward_t22*t_3_x + adjoint_forward_t23*t_3_y
+            + adjoint_forward_t24*t_3_z);
+        gradient[43] = LANES(adjoint_forward_t65*r_a_1 + adjoint_forward_t96);
+        gradient[44] = LANES(adjoint_forward_t73*r_a_2 + adjoint_forward_t96);
+        gradient[45] = LANES(adjoint_forward_t80*r_a_3 + adjoint_forward_t96);
+        gradient[46] = LANES(adjoint_forward_t65*m_a_1);
+        gradient[47] = LANES(adjoint_forward_t73*m_a_2);
+        gradient[48] = LANES(adjoint_forward_t80*m_a_3);
+        gradient[49] = LANES(-t164);
+        gradient[50] = LANES(-t135);
+        gradient[51] = LANES(-t127);
+        gradient[52] =
+            LANES(adjoint_D_delta_x_1*forward_t26 + adjoint_D_delta_y_1*forward_t29
+            + adjoint_D_delta_z_1*forward_t32 - l_d_1*t261);
+        gradient[53] =
+            LANES(adjoint_D_delta_x_2*forward_t27 + adjoint_D_delta_y_2*forward_t30
+            + adjoint_D_delta_z_2*forward_t33 - l_d_2*t260);
+        gradient[54] =
+            LANES(adjoint_D_delta_x_3*forward_t28 + adjoint_D_delta_y_3*forward_t31
+            + adjoint_D_delta_z_3*forward_t34 - l_d_3*t259);
+        gradient[55] =
+            LANES((1.0/2.0)*adjoint_forward_t35 + (1.0/3.0)*adjoint_forward_t43
+            + (1.0/6.0)*adjoint_forward_t44 + adjoint_forward_t96);
+        gradient[56] =
+            LANES((1.0/2.0)*adjoint_forward_t36 + (1.0/3.0)*adjoint_forward_t48
+            + (1.0/6.0)*adjoint_forward_t57 + adjoint_forward_t96);
+        gradient[57] =
+            LANES((1.0/2.0)*adjoint_forward_t37 + (1.0/3.0)*adjoint_forward_t49
+            + (1.0/6.0)*adjoint_forward_t61 + adjoint_forward_t96);
+        gradient[58] = LANES(adjoint_k_1*(a_R_1 + 1.0));
+        gradient[59] = LANES(adjoint_k_2*(a_R_2 + 1.0));
+        gradient[60] = LANES(adjoint_k_3*(a_R_3 + 1.0));
+        gradient[61] = LANES(adjoint_I_1*(i_g_1*i_g_1));
+        gradient[62] = LANES(adjoint_I_2*(i_g_2*i_g_2));
+        gradient[63] = LANES(adjoint_I_3*(i_g_3*i_g_3));
+        gradient[64] = LANES(2.0*I_m_1*adjoint_I_1*i_g_1);
+        gradient[65] = LANES(2.0*I_m_2*adjoint_I_2*i_g_2);
+        gradient[66] = LANES(2.0*I_m_3*adjoint_I_3*i_g_3);
+        gradient[76] = LANES(adjoint_k_1*k_r_1);
+        gradient[77] = LANES(adjoint_k_2*k_r_2);
+        gradient[78] = LANES(adjoint_k_3*k_r_3);
+        gradient[79] =
+            LANES(D_p_x_1*shape_10*t70 + D_p_x_2*shape_10*t46 + D_p_x_3*shape_10*t31 + D_p_y_1*shape_11*t70
+            + D_p_y_2*shape_11*t46 + D_p_y_3*shape_11*t31 + D_p_z_1*shape_12*t70 + D_p_z_2*shape_12*t46
+            + D_p_z_3*shape_12*t31 + t141 + t142 + t143 + t147 + t148 + t149 + t153 + t154 + t155 + t169
+            + t171 + t173 + t174*t92 + t176*(forward_t142 + forward_t143 + forward_t144) + t178*(forward_t145
+            + forward_t146 + forward_t147) + t181*t66 + t183*t45 + t30*(forward_t139 + forward_t140
+            + forward_t141) + t33*(forward_t127 + forward_t129 + forward_t131) + t35*(forward_t133
+            + forward_t134 + forward_t135) + t37*(forward_t136 + forward_t137 + forward_t138)
+            + t47*(D_delta_x_3*D_p_x_2 + D_delta_y_3*D_p_y_2 + D_delta_z_3*D_p_z_2)
+            + t49*(D_delta_x_1*D_p_x_2 + D_delta_y_1*D_p_y_2 + D_delta_z_1*D_p_z_2)
+            + t51*(D_delta_x_2*D_p_x_2 + D_delta_y_2*D_p_y_2 + D_delta_z_2*D_p_z_2) + t54*(D_p_x_2*D_p_x_3
+            + D_p_y_2*D_p_y_3 + D_p_z_2*D_p_z_3) + t68*(D_p_x_1*D_p_x_2 + D_p_y_1*D_p_y_2 + D_p_z_1*D_p_z_2)
+            + t71*(D_delta_x_1*D_p_x_1 + D_delta_y_1*D_p_y_1 + D_delta_z_1*D_p_z_1)
+            + t73*(D_delta_x_2*D_p_x_1 + D_delta_y_2*D_p_y_1 + D_delta_z_2*D_p_z_1)
+            + t75*(D_delta_x_3*D_p_x_1 + D_delta_y_3*D_p_y_1 + D_delta_z_3*D_p_z_1) + t77*(D_p_x_1*D_p_x_3
+            + D_p_y_1*D_p_y_3 + D_p_z_1*D_p_z_3) + t93 + t94 + t95);
+        gradient[80] = LANES(adjoint_I_1 + adjoint_I_2 + adjoint_I_3);
+        gradient[81] = LANES(adjoint_forward_t38);
+        gradient[82] = LANES(t185 + t186 + t187);
+        gradient[85] = LANES(adjoint_forward_t96);
+        gradient[86] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
+        gradient[87] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
+        gradient[88] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
+    }
 }

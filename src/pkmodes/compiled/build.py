@@ -17,7 +17,16 @@ from pathlib import Path
 
 HEADER = "lanes.h"
 FOLDER = Path(__file__).parent
-SOURCES = ("kernel.c", "dispatch.c", "eigen.h", "lane.h", "request.h")
+SOURCES = (
+    "kernel.c",
+    "dispatch.c",
+    "eigen.h",
+    "gradient.h",
+    "lane.h",
+    "request.h",
+    "rows.h",
+    "system.h",
+)
 #: No contraction: every processor computes the same digits.  The loops over poses are vectors already, and the others
 #: are too short to be made into vectors.
 FLAGS = (

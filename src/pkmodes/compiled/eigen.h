@@ -258,16 +258,25 @@ INLINE void eigen_ql(int n, int units, struct eigen_problem *restrict problem, i
     }
 }
 
-/* Place of each eigenvalue in ascending order. */
-INLINE void eigen_order(int n, const lane *restrict d, mask *restrict place)
+/* Sort a problem's eigenvalues, ascending, and with them the rows of Z, each of `width`: by insertion, in each lane for
+ * itself. */
+INLINE void eigen_sort(int n, struct eigen_problem *restrict problem, int width)
 {
-    for (int i = 0; i < n; i++)
-        place[i] = (mask){0};
-    for (int i = 0; i < n; i++)
-        for (int j = i + 1; j < n; j++) {
-            const mask before = d[j] < d[i]; /* -1 where it is */
-            place[i] -= before;
-            place[j] += before + 1;
+    lane *restrict d = problem->d;
+    for (int i = 1; i < n; i++)
+        for (int j = i; j > 0; j--) {
+            const mask swapped = d[j] < d[j - 1];
+            if (!any(swapped))
+                break;
+            const lane value = d[j];
+            d[j] = pick(swapped, d[j - 1], value);
+            d[j - 1] = pick(swapped, value, d[j - 1]);
+            lane *restrict lower = problem->Z + (j - 1) * width, *restrict upper = problem->Z + j * width;
+            for (int k = 0; k < width; k++) {
+                const lane x = upper[k];
+                upper[k] = pick(swapped, lower[k], x);
+                lower[k] = pick(swapped, x, lower[k]);
+            }
         }
 }
 

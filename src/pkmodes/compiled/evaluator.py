@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.compiled.lanes import Lanes
+from pkmodes.compiled.lanes import Lanes, Terms
 from pkmodes.compiled.loader import Library, Request
 
 Array = NDArray[np.float64]
@@ -24,6 +24,8 @@ FIELDS = (
     "mass_matrix",
     "stiffness_matrix",
 )
+#: The fields that it writes if it is given directions.
+RATES = ("eigenvalue_rates", "frequency_rates")
 #: Fewest poses for which another thread is started.
 SHARE = 2048
 #: The code of a pose whose eigenproblem needs another solver.
@@ -63,7 +65,12 @@ class Evaluator:
         )
 
     def run(
-        self, points: Array, arrays: Mapping[str, Array], threads: int = 1, width: int | None = None
+        self,
+        points: Array,
+        arrays: Mapping[str, Array],
+        threads: int = 1,
+        width: int | None = None,
+        terms: Terms | None = None,
     ) -> NDArray[np.int8]:
         """Evaluate poses.
 
@@ -72,11 +79,14 @@ class Evaluator:
         points : ndarray, shape (N, d)
             Contiguous.
         arrays : mapping of str to ndarray, (N, ...)
-            Contiguous arrays to fill, by field of `FIELDS`; NaN where a pose cannot be evaluated.
+            Contiguous arrays to fill, by field of `FIELDS`, or of `RATES` with `terms`; NaN where a pose cannot be
+            evaluated.
         threads : int
             Number of threads; the results do not depend on it.
         width : int, optional
             Number of lanes, by default the largest that the processor has.
+        terms : Terms, optional
+            Directions along which to differentiate.
 
         Returns
         -------
@@ -86,14 +96,16 @@ class Evaluator:
         count = len(points)
         codes = np.empty(count, dtype=np.int8)
         parts = max(1, min(threads, count // SHARE))
+        request = self._with(terms)
         if parts == 1:
-            self._part(points, arrays, codes, width)
+            self._part(request, points, arrays, codes, width)
             return codes
         edges = [count * i // parts for i in range(parts + 1)]
         with ThreadPoolExecutor(parts) as pool:
             for done in [
                 pool.submit(
                     self._part,
+                    request,
                     points[start:stop],
                     {name: array[start:stop] for name, array in arrays.items()},
                     codes[start:stop],
@@ -104,10 +116,27 @@ class Evaluator:
                 done.result()
         return codes
 
-    def _part(
-        self, points: Array, arrays: Mapping[str, Array], codes: NDArray[np.int8], width: int | None
-    ) -> None:
+    def _with(self, terms: Terms | None) -> Request:
+        """Return the request with directions."""
+        if terms is None:
+            return self._request
         request = Request.from_buffer_copy(self._request)
+        request.effects = terms.effects.ctypes.data
+        request.path_count = len(terms.first) - 1
+        request.first_term, request.places = terms.first.ctypes.data, terms.places.ctypes.data
+        request.weights = terms.weights.ctypes.data
+        request.all_coordinates, request.locked_joints = terms.all_coordinates, terms.locked_joints
+        return request
+
+    def _part(
+        self,
+        robot: Request,
+        points: Array,
+        arrays: Mapping[str, Array],
+        codes: NDArray[np.int8],
+        width: int | None,
+    ) -> None:
+        request = Request.from_buffer_copy(robot)
         request.count, request.poses, request.codes = len(points), points.ctypes.data, codes.ctypes.data
         for name, array in arrays.items():
             setattr(request, name, array.ctypes.data)

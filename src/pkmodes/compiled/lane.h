@@ -84,6 +84,49 @@ INLINE void lanes_clear(lane *restrict x, int count)
         x[i] = (lane){0};
 }
 
+#ifdef __has_builtin
+#if __has_builtin(__builtin_shufflevector)
+#define LANES_SHUFFLE __builtin_shufflevector
+#endif
+#endif
+
+/* Rows become columns: what was lane k of x[w] is lane w of x[k]. */
+INLINE void lanes_transpose(lane *restrict x)
+{
+    lane y[LANES_WIDTH];
+#if defined(LANES_SHUFFLE) && LANES_WIDTH == 8
+    for (int i = 0; i < 4; i++) {
+        y[i] = LANES_SHUFFLE(x[i], x[i + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[i + 4] = LANES_SHUFFLE(x[i], x[i + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        const int i = k + (k & 2);
+        x[i] = LANES_SHUFFLE(y[i], y[i + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[i + 2] = LANES_SHUFFLE(y[i], y[i + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int i = 0; i < 8; i += 2) {
+        y[i] = LANES_SHUFFLE(x[i], x[i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[i + 1] = LANES_SHUFFLE(x[i], x[i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+#elif defined(LANES_SHUFFLE) && LANES_WIDTH == 4
+    for (int i = 0; i < 2; i++) {
+        y[i] = LANES_SHUFFLE(x[i], x[i + 2], 0, 1, 4, 5);
+        y[i + 2] = LANES_SHUFFLE(x[i], x[i + 2], 2, 3, 6, 7);
+    }
+    for (int i = 0; i < 4; i += 2) {
+        x[i] = LANES_SHUFFLE(y[i], y[i + 1], 0, 4, 2, 6);
+        x[i + 1] = LANES_SHUFFLE(y[i], y[i + 1], 1, 5, 3, 7);
+    }
+    return;
+#else
+    for (int k = 0; k < LANES_WIDTH; k++)
+        for (int w = 0; w < LANES_WIDTH; w++)
+            y[k][w] = x[w][k];
+#endif
+    for (int i = 0; i < LANES_WIDTH; i++)
+        x[i] = y[i];
+}
+
 /* Functions of the C library that generated code may call, of a lane or of a double. */
 #define lanes_sqrt(x) _Generic((x), lane: root, default: sqrt)(x)
 #define LANES_OF_ONE(name)                                                                                   \

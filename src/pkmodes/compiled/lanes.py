@@ -1,4 +1,4 @@
-"""A robot as the compiled evaluator takes it: its numbers in a row."""
+"""A robot as the compiled evaluator takes it: its numbers in a row, and directions in which they can change."""
 
 from __future__ import annotations
 
@@ -30,6 +30,37 @@ class Lanes(NamedTuple):
     joints: Array
     free: NDArray[np.int32]
     massless: NDArray[np.int8]
+
+
+class Terms(NamedTuple):
+    """T directions along which the kernel differentiates, each a weighted sum of entries of the gradient.
+
+    The gradient has an entry for each parameter, effect, component of the pose and coordinate, in this order.  That
+    of a coordinate is the derivative with respect to the stiffness of its joint or, where the joint is locked, its
+    compliance.
+
+    Attributes
+    ----------
+    first : ndarray of int32, shape (T + 1,)
+        Where the terms of each direction begin, and where the last ones end.
+    places : ndarray of int32
+        Entry of each term.
+    weights : ndarray
+        Weight of each term.
+    effects : ndarray
+        Those of the robot, flat, also where all are null.
+    all_coordinates : bool
+        Whether the model with effects is differentiated, also for a robot without any.
+    locked_joints : bool
+        Whether there are terms of locked joints.
+    """
+
+    first: NDArray[np.int32]
+    places: NDArray[np.int32]
+    weights: Array
+    effects: Array
+    all_coordinates: bool
+    locked_joints: bool
 
 
 def flat(values: Any) -> Array:

@@ -21,7 +21,7 @@ from pkmodes.compiled import build
 SHIPPED = Path(__file__).parent / "libraries"
 #: Folder for libraries built at first use, instead of the user's cache.
 CACHE_VARIABLE = "PKMODES_CACHE"
-LAYOUT = 2
+LAYOUT = 3
 INSTALL = "install a C compiler (gcc or clang), or name one in the environment variable CC"
 
 
@@ -79,6 +79,12 @@ class Request(ctypes.Structure):
         ("free", ctypes.c_void_p),
         ("massless", ctypes.c_void_p),
         ("free_count", ctypes.c_longlong),
+        ("path_count", ctypes.c_longlong),
+        ("first_term", ctypes.c_void_p),
+        ("places", ctypes.c_void_p),
+        ("weights", ctypes.c_void_p),
+        ("all_coordinates", ctypes.c_longlong),
+        ("locked_joints", ctypes.c_longlong),
         ("frequencies", ctypes.c_void_p),
         ("eigenvalues", ctypes.c_void_p),
         ("shapes", ctypes.c_void_p),
@@ -86,6 +92,8 @@ class Request(ctypes.Structure):
         ("joint_positions", ctypes.c_void_p),
         ("mass_matrix", ctypes.c_void_p),
         ("stiffness_matrix", ctypes.c_void_p),
+        ("eigenvalue_rates", ctypes.c_void_p),
+        ("frequency_rates", ctypes.c_void_p),
         ("codes", ctypes.c_void_p),
     )
 

@@ -3,7 +3,7 @@
 #define PKMODES_REQUEST_H
 
 /* Version of the layout below; a library with another version is not used. */
-#define PKMODES_LAYOUT 2
+#define PKMODES_LAYOUT 3
 
 struct pkmodes_request {
     /* N poses, row-major. */
@@ -19,15 +19,25 @@ struct pkmodes_request {
     const int *free;
     const signed char *massless;
     long long free_count;
+    /* Derivatives along T paths: path t has the terms from `first_term[t]` to before `first_term[t + 1]`, each a place
+     * in the gradient (parameters, effects, pose, joints) and its weight.  With `all_coordinates` they are those of the
+     * model with effects, whether or not the robot has any, and with `locked_joints` joints that it lacks among them. */
+    long long path_count;
+    const int *first_term;
+    const int *places;
+    const double *weights;
+    long long all_coordinates, locked_joints;
     /* Results, n coordinates and m of them with inertia; NULL where not wanted.  A pose that cannot be evaluated gives
      * NaN. */
-    double *frequencies;     /* (N, m) [Hz] */
-    double *eigenvalues;     /* (N, m) [1/s^2] */
-    double *shapes;          /* (N, m, n) */
-    double *platform_shapes; /* (N, m, directions) */
-    double *joint_positions; /* (N, independent) */
-    double *mass;            /* (N, n, n) */
-    double *stiffness;       /* (N, n, n) */
+    double *frequencies;      /* (N, m) [Hz] */
+    double *eigenvalues;      /* (N, m) [1/s^2] */
+    double *shapes;           /* (N, m, n) */
+    double *platform_shapes;  /* (N, m, directions) */
+    double *joint_positions;  /* (N, independent) */
+    double *mass;             /* (N, n, n) */
+    double *stiffness;        /* (N, n, n) */
+    double *eigenvalue_rates; /* (N, T, m) [1/s^2 per unit] */
+    double *frequency_rates;  /* (N, T, m) [Hz per unit]; NaN where the frequency is zero to rounding */
     /* Always written: 0 where a pose was evaluated, 1 where it is not finite, from 2 on the violated margin, and -1
      * where the eigenproblem needs another solver. */
     signed char *codes; /* (N) */

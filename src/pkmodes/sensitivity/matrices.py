@@ -69,7 +69,7 @@ def _entries(kind: Mechanism, matrix: int) -> Entries:
 
 
 @cache
-def _joints(kind: Mechanism) -> dict[Slot, tuple[int, ...]]:
+def joints_of(kind: Mechanism) -> dict[Slot, tuple[int, ...]]:
     """Return the coordinates that each compliance, of all joints or a single one, releases in the extended model."""
     found: dict[Slot, tuple[int, ...]] = {}
     for effect in kind.effects.values():
@@ -96,7 +96,7 @@ def locked_joints(
     found: dict[int, list[tuple[tuple[int, ...], float]]] = {}
     for t, path in enumerate(paths):
         for slot, weight in path.weights.items():
-            place = tuple(q for q in _joints(system.kind).get(slot, ()) if q not in free)
+            place = tuple(q for q in joints_of(system.kind).get(slot, ()) if q not in free)
             if place:
                 found.setdefault(t, []).append((place, weight))
     return found
@@ -153,8 +153,8 @@ class MatrixDerivatives:
         self._shift = np.zeros((*shape, p.shape[-1]))
         for b, t in np.ndindex(shape):
             for slot, weight in paths[b][t].weights.items():
-                if slot in _joints(system.kind):
-                    place = [q for q in _joints(system.kind)[slot] if q in free]
+                if slot in joints_of(system.kind):
+                    place = [q for q in joints_of(system.kind)[slot] if q in free]
                     self._springs[b, t, place] += weight * rates[b, place]
                 elif slot[0] == POSE:
                     self._shift[b, t, slot[1]] += weight

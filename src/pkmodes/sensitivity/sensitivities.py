@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.eigen import has_stiff_joint, magnitude
 from pkmodes.errors import PkmodesError, listed, shown
 from pkmodes.evaluation import Evaluation, SystemOfEffects, evaluation
 from pkmodes.gathering import Fields, Gathered, Out, chosen_fields
-from pkmodes.poses import CheckedPoses
+from pkmodes.poses import OnError, check_poses
 from pkmodes.results import ChosenFields
 from pkmodes.robot.paths import ParameterPath, paths, resolve_all
 from pkmodes.robot.robot import Robot
@@ -28,6 +28,8 @@ Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 #: Number of poses differentiated together: the matrices of one pose take a few hundred kilobytes.
 TOGETHER = 64
+#: Fields that need no derivatives of matrices or shapes.
+RATES = frozenset({"eigenvalues", "frequencies"})
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -93,31 +95,59 @@ class Sensitivities(ChosenFields):
 
 def sensitivities(
     robot: Robot,
-    poses: CheckedPoses,
+    poses: ArrayLike,
+    on_error: OnError,
+    max_condition: float,
     parameters: Sequence[str] | None,
     close: float,
-    fields: Fields = None,
-    out: Out = None,
-    evaluator: Evaluator | None = None,
+    fields: Fields,
+    out: Out,
+    evaluator: Evaluator | None,
+    threads: int,
 ) -> Sensitivities:
     """Evaluate the sensitivities of a robot; see `pkmodes.Model.sensitivities`."""
     chosen = _chosen(robot, parameters)
     if not (isinstance(close, int | float | np.integer | np.floating) and 0.0 <= close < 1.0):
         raise PkmodesError(f"expected a fraction below 1, found {shown(close)}", "close", "for example: 1e-6")
     asked = chosen_fields(fields, out, Sensitivities.FIELDS)
-    system = evaluation(robot)
-    gathered = Gathered(poses, out)
-    # In parts of equal size: a single pose is evaluated differently, which gives repeated modes another basis.
-    for where, p in poses.parts(TOGETHER, even=True):
-        gathered.put(where, _at(robot, system, p, chosen, float(close), asked, evaluator))
+    system, limit = evaluation(robot), float(close)
+    if evaluator is not None and set(asked) <= RATES:
+        from pkmodes.sensitivity.compiled import compiled_rates
+
+        checked, arrays = compiled_rates(
+            evaluator,
+            robot,
+            system,
+            chosen,
+            limit,
+            poses,
+            on_error,
+            asked,
+            out,
+            threads,
+            lambda p: _in_parts(lambda part: _at(robot, system, part, chosen, limit, asked, evaluator), p),
+        )
+    else:
+        checked = check_poses(poses, robot.kind, robot.parameters, on_error, max_condition)
+        gathered = Gathered(checked, out)
+        # In parts of equal size: a single pose is evaluated differently, which gives repeated modes another basis.
+        for where, p in checked.parts(TOGETHER, even=True):
+            gathered.put(where, _at(robot, system, p, chosen, limit, asked, evaluator))
+        arrays = gathered.arrays
     return Sensitivities(
-        codes=poses.codes.reshape(poses.batch),
-        known=poses.known,
-        arrays=gathered.arrays,
+        codes=checked.codes.reshape(checked.batch),
+        known=checked.known,
+        arrays=arrays,
         parameters=tuple(path.path for path in chosen),
         units=tuple(path.unit for path in chosen),
         values=np.array([path.value for path in chosen]),
     )
+
+
+def _in_parts(at: Callable[[Array], Mapping[str, Array]], p: Array) -> dict[str, Array]:
+    """Evaluate fields at many poses."""
+    parts = [at(p[start : start + TOGETHER]) for start in range(0, len(p), TOGETHER)]
+    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 
 
 def _chosen(robot: Robot, parameters: Sequence[str] | None) -> list[ParameterPath]:

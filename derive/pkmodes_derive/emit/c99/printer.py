@@ -32,7 +32,7 @@ class C99Printer(C99CodePrinter):  # type: ignore[misc]  # SymPy has no types
     def _print_Pow(self, expr: Pow) -> str:
         base, exponent = expr.as_base_exp()
         if exponent == -HALF:
-            return f"1.0/sqrt({self._print(base)})"
+            return f"1.0/{self._ns}sqrt({self._print(base)})"
         if exponent.is_Integer and 2 <= exponent <= LARGEST_PRODUCT:
             factor = self.parenthesize(base, PRECEDENCE["Mul"])
             return f"({'*'.join([factor] * int(exponent))})"

@@ -9,6 +9,9 @@ from sympy import Expr, Integer, Symbol
 from pkmodes_derive.description import Description, Margin
 from pkmodes_derive.functions import Function, Model, Output
 
+#: Kinds of keys that are quantities.
+VARIED = ("quantity", "vector", "pair")
+
 
 def position(model: Model, description: Description) -> Function:
     """Independent coordinates and every margin of the mechanism, one after the other."""
@@ -84,6 +87,12 @@ def extended(model: Model) -> Function:
         (M, Output("K", K_el.shape, K, K_el.unit, "K_el + K_g"), *motion.outputs),
         _definitions([matrices, motion]),
     )
+
+
+def choices(model: Model, description: Description) -> set[Symbol]:
+    """Parameters that are not quantities, so that nothing is differentiated with respect to them."""
+    chosen = {key.field for table in description.tables for key in table.keys if key.kind not in VARIED}
+    return {s for field in model.fields if field.name in chosen for s in field.symbols}
 
 
 def _output(by_name: Mapping[str, Function], margin: Margin) -> Output:

@@ -9,11 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from sympy import Symbol
-
 from pkmodes_derive.description import Description
 from pkmodes_derive.emit import commentary, layout
 from pkmodes_derive.emit.lanes import functions
+from pkmodes_derive.emit.lanes.adjoint import gradient
 from pkmodes_derive.emit.lanes.printer import expression
 from pkmodes_derive.emit.program import Entry, Program, Result, arrange
 from pkmodes_derive.emit.provenance import Provenance
@@ -27,29 +26,34 @@ RULES = {
     "above_zero": "LANES_ABOVE_ZERO",
     "at_most_limit": "LANES_AT_MOST_LIMIT",
 }
+#: Indentation of statements for a pose, and for each of its modes.
+POSE, MODE = "    ", "        "
 
 
 @dataclass(frozen=True)
 class _Block:
-    """One function as the template sees it: text only."""
+    """One function as the template sees it: text only; a gradient evaluates `each` for every mode."""
 
     comment: list[str]
     name: str
     outputs: str
     body: list[str]
+    each: list[str]
+    coordinates: int
 
 
 def files(
     base: Model, extended: Model, description: Description, provenance: Provenance
 ) -> tuple[dict[str, str], dict[str, Program]]:
     """Return the text of the header by its file name, and the programs that it prints."""
-    emitted = (
-        functions.position(base, description),
-        functions.base(base, description),
-        functions.extended(extended),
-    )
-    programs = {f"lanes_{f.name}": arrange(f) for f in emitted}
     groups = [base.groups[0], *(group for group in extended.groups if group.declared)]
+    matrices = functions.base(base, description), functions.extended(extended)
+    pose = matrices[0].arguments[0].symbols
+    inputs = [*(s for group in groups for field in group.fields for s in field.symbols), *pose]
+    varied = set(inputs) - functions.choices(base, description)
+    gradients = [gradient(f, inputs, varied) for f in matrices]
+    of_pose = functions.position(base, description), *matrices
+    programs = {f"lanes_{f.name}": arrange(f) for f in (*of_pose, *gradients)}
     margins = functions.margins_of(base, description)
     text = render(
         __package__,
@@ -71,10 +75,12 @@ def files(
             ("RIGID", description.rigid_modes),
             ("PARAMETERS", sum(len(f.symbols) for f in groups[0].fields)),
             ("EFFECTS", sum(len(f.symbols) for group in groups[1:] for f in group.fields)),
+            ("GRADIENT", len(inputs)),
             ("MARGINS", sum(count for count, _ in margins)),
         ],
         rules=layout.listing((f"{{{count}, {RULES[rule]}}}" for count, rule in margins), "    "),
-        functions=[_function(f, programs[f"lanes_{f.name}"], groups) for f in emitted],
+        functions=[_function(f, programs[f"lanes_{f.name}"], groups) for f in of_pose],
+        gradients=[_function(f, programs[f"lanes_{f.name}"], groups) for f in gradients],
     )
     return {FILE_NAME: text}, programs
 
@@ -88,39 +94,54 @@ def _function(function: Function, program: Program, groups: Sequence[FieldGroup]
         " */",
     ]
     outputs = ", ".join(f"lane *restrict {output.name}" for output in function.outputs)
-    return _Block(comment, function.name, outputs, _body(function, program, groups))
+    body, each = _statements(function, program, groups)
+    (_, *of_mode) = function.arguments
+    return _Block(comment, function.name, outputs, body, each, len(of_mode[0].symbols) if of_mode else 0)
 
 
-def _body(function: Function, program: Program, groups: Sequence[FieldGroup]) -> list[str]:
-    inputs, lines = set(program.inputs), []
-    moving: set[Symbol] = set()
-    for argument in function.arguments:
-        moving |= set(argument.symbols)
-        for i, symbol in enumerate(argument.symbols):
-            if symbol in inputs:
-                lines.append(f"    const lane {symbol.name} = pose[{i}];")
+def _statements(
+    function: Function, program: Program, groups: Sequence[FieldGroup]
+) -> tuple[list[str], list[str]]:
+    """Return the statements for a pose, and those for each of its modes, of which the later arguments are."""
+    pose, *of_mode = function.arguments
+    inputs, body, each = set(program.inputs), [], []
+    for i, symbol in enumerate(pose.symbols):
+        if symbol in inputs:
+            body.append(f"{POSE}const lane {symbol.name} = pose[{i}];")
     for group in groups:
         places = (symbol for field in group.fields for symbol in field.symbols)
         for i, symbol in enumerate(places):
             if symbol in inputs:
-                lines.append(f"    const double {symbol.name} = {group.argument}[{i}];")
+                body.append(f"{POSE}const double {symbol.name} = {group.argument}[{i}];")
+    for argument in of_mode:
+        for i, symbol in enumerate(argument.symbols):
+            if symbol in inputs and not argument.scalar:
+                each.append(f"{MODE}const lane {symbol.name} = {argument.name}[{i}];")
+    moving = set(pose.symbols)
+    turning = {symbol for argument in of_mode for symbol in argument.symbols}
     for symbol, value in program.steps:
-        kind = "lane" if value.free_symbols & moving else "double"
-        if kind == "lane":
+        names = value.free_symbols
+        kind = "lane" if names & (moving | turning) else "double"
+        if names & turning:
+            turning.add(symbol)
+        elif kind == "lane":
             moving.add(symbol)
-        lines += layout.assignment(f"const {kind} {symbol.name}", expression(value), "    ", end=";")
+        lines, indent = (each, MODE) if symbol in turning else (body, POSE)
+        lines += layout.assignment(f"const {kind} {symbol.name}", expression(value), indent, end=";")
     for result in program.results:
-        lines += _result(result)
-    return lines
+        if of_mode:
+            each += _result(result, MODE)
+        else:
+            body += _result(result, POSE)
+    return body, each
 
 
-def _result(result: Result) -> list[str]:
-    lines = (
-        [f"    lanes_clear({result.output.name}, {len(result.output.entries)});"] if result.has_zeros else []
-    )
+def _result(result: Result, indent: str) -> list[str]:
+    clear = f"{indent}lanes_clear({result.output.name}, {len(result.output.entries)});"
+    lines = [clear] if result.has_zeros else []
     for entry in result.entries:
         text = " = ".join(_places(result, entry))
-        lines += layout.assignment(text, f"LANES({expression(entry.value)})", "    ", end=";")
+        lines += layout.assignment(text, f"LANES({expression(entry.value)})", indent, end=";")
     return lines
 
 

@@ -1,0 +1,108 @@
+/* Derivatives of eigenvalues and frequencies along paths, from the gradients of the generated code. */
+#ifndef PKMODES_GRADIENT_H
+#define PKMODES_GRADIENT_H
+
+#include "system.h"
+
+#define TWO_PI 6.283185307179586
+/* Rounding of eigenvalues relative to the largest (`pkmodes.sensitivity.modes.ROUNDING`). */
+#define ROUNDING 1e-13
+
+/* The modes in all coordinates, or those of the model without effects. */
+INLINE void lanes_shapes(const struct lanes_system *restrict system, const struct eigen_problem *restrict problem, int n,
+    int m, const int *restrict column, int all, lane *restrict shapes)
+{
+    const struct pkmodes_request *request = system->block.request;
+    lanes_clear(shapes, m * all);
+    for (int i = 0; i < m; i++) {
+        lane x[LANES_ALL];
+        lanes_shape(system, problem->Z + i * m, LANES(1.0), n, m, x);
+        for (int k = 0; k < n; k++)
+            shapes[i * all + (request->free_count ? request->free[column[k]] : column[k])] = x[k];
+    }
+}
+
+/* Derivatives with respect to the compliances of joints, for each mode: of a spring the strain, of a locked joint minus
+ * the square of the force that it carries. */
+INLINE void lanes_joint_rates(const struct lanes_system *restrict system, int m, const lane *restrict shapes,
+    const lane *restrict eigenvalues, lane *restrict gradients, int stride)
+{
+    const struct pkmodes_request *request = system->block.request;
+    lane M[LANES_ALL * LANES_ALL], K[LANES_ALL * LANES_ALL], J_p[LANES_DIRECTIONS * LANES_ALL];
+    int locked[LANES_ALL];
+    for (int r = 0; r < LANES_ALL; r++)
+        locked[r] = r >= LANES_BASE;
+    for (int i = 0; i < request->free_count; i++)
+        locked[request->free[i]] = 0;
+    if (request->locked_joints)
+        lanes_extended(system->pose, request->parameters, request->effects, M, K, J_p);
+    for (int j = 0; j < m; j++)
+        for (int r = 0; r < LANES_ALL; r++) {
+            const lane *restrict shape = shapes + j * LANES_ALL;
+            lane force = shape[r];
+            if (locked[r] && request->locked_joints) {
+                force = (lane){0};
+                for (int i = 0; i < LANES_ALL; i++)
+                    force += (K[r * LANES_ALL + i] - eigenvalues[j] * M[r * LANES_ALL + i]) * shape[i];
+            }
+            gradients[j * stride + LANES_GRADIENT + r] = locked[r] ? -force * force : force * force;
+        }
+}
+
+/* Write derivatives along the paths, those of the eigenvalues times a factor for each mode, if there is one. */
+INLINE void lanes_put_rates(const struct lanes_block *block, double *restrict out, const lane *restrict gradients,
+    int stride, int m, const lane *restrict factor)
+{
+    const struct pkmodes_request *request = block->request;
+    const long long size = request->path_count * m;
+    lane part[LANES_WIDTH];
+    double *row[LANES_WIDTH];
+    int filled = 0;
+    for (int w = 0; w < LANES_WIDTH; w++)
+        row[w] = out + (block->start + w) * size;
+    for (long long t = 0; t < request->path_count; t++)
+        for (int j = 0; j < m; j++) {
+            const lane *restrict gradient = gradients + j * stride;
+            int i = request->first_term[t];
+            lane rate = request->weights[i] * gradient[request->places[i]];
+            while (++i < request->first_term[t + 1])
+                rate += request->weights[i] * gradient[request->places[i]];
+            part[filled++] = factor ? rate * factor[j] : rate;
+            if (filled == LANES_WIDTH) {
+                lanes_put_at(block, row, part, LANES_WIDTH);
+                for (int w = 0; w < LANES_WIDTH; w++)
+                    row[w] += LANES_WIDTH;
+                filled = 0;
+            }
+        }
+    lanes_put_at(block, row, part, filled);
+}
+
+/* Write the derivatives of the eigenvalues and frequencies of a block along the paths. */
+static __attribute__((noinline)) void lanes_differentiate(const struct lanes_system *restrict system,
+    const struct eigen_problem *restrict problem, int n, int m, const int *restrict column)
+{
+    enum { STRIDE = LANES_GRADIENT + LANES_ALL };
+    const struct pkmodes_request *request = system->block.request;
+    const int all = request->all_coordinates ? LANES_ALL : LANES_BASE;
+    const lane *restrict eigenvalues = problem->d;
+    lane shapes[LANES_ALL * LANES_ALL], gradients[LANES_ALL * STRIDE], by_frequency[LANES_ALL], largest = (lane){0};
+    lanes_shapes(system, problem, n, m, column, all, shapes);
+    if (request->all_coordinates) {
+        lanes_extended_gradient(system->pose, request->parameters, request->effects, m, shapes, eigenvalues, gradients, STRIDE);
+        lanes_joint_rates(system, m, shapes, eigenvalues, gradients, STRIDE);
+    } else
+        lanes_base_gradient(system->pose, request->parameters, request->effects, m, shapes, eigenvalues, gradients, STRIDE);
+    for (int j = 0; j < m; j++)
+        largest = pick(magnitude(eigenvalues[j]) > largest, magnitude(eigenvalues[j]), largest);
+    for (int j = 0; j < m; j++) {
+        const lane size = magnitude(eigenvalues[j]);
+        by_frequency[j] = pick(size > ROUNDING * largest, 1.0 / (2.0 * TWO_PI * root(size)), LANES(NAN));
+    }
+    if (request->eigenvalue_rates)
+        lanes_put_rates(&system->block, request->eigenvalue_rates, gradients, STRIDE, m, NULL);
+    if (request->frequency_rates)
+        lanes_put_rates(&system->block, request->frequency_rates, gradients, STRIDE, m, by_frequency);
+}
+
+#endif

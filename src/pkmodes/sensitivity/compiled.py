@@ -1,0 +1,102 @@
+"""Derivatives of eigenvalues and frequencies from the compiled evaluator, and from NumPy where modes coincide."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.compiled.evaluator import Evaluator
+from pkmodes.compiled_modes import EIGENVALUES, Job, evaluated, left_to_numpy
+from pkmodes.eigen import magnitude
+from pkmodes.evaluation import Evaluation, SystemOfEffects
+from pkmodes.gathering import Out
+from pkmodes.poses import CHUNK, CheckedPoses, OnError
+from pkmodes.robot.paths import ParameterPath
+from pkmodes.robot.robot import Robot
+from pkmodes.sensitivity.modes import ROUNDING, groups
+from pkmodes.sensitivity.terms import terms_of
+
+Array = NDArray[np.float64]
+#: The kernel's names of fields of `pkmodes.Sensitivities`.
+KERNEL = {"eigenvalues": "eigenvalue_rates", "frequencies": "frequency_rates"}
+
+
+def compiled_rates(
+    evaluator: Evaluator,
+    robot: Robot,
+    system: Evaluation,
+    paths: Sequence[ParameterPath],
+    close: float,
+    poses: ArrayLike,
+    on_error: OnError,
+    asked: Sequence[str],
+    out: Out,
+    threads: int,
+    redone: Callable[[Array], Mapping[str, Array]],
+) -> tuple[CheckedPoses, dict[str, Array]]:
+    """Evaluate derivatives of eigenvalues and frequencies at poses.
+
+    Parameters
+    ----------
+    evaluator : Evaluator
+    robot : Robot
+    system : Evaluation
+        Of the robot.
+    paths : sequence of ParameterPath, length T
+    close : float
+        As for `pkmodes.Model.sensitivities`.
+    poses, on_error, out
+        As for `pkmodes.Model.sensitivities`.
+    asked : sequence of str
+        Fields.
+    threads : int
+    redone : callable
+        Evaluates the fields at some poses, (n, d), with NumPy.
+
+    Returns
+    -------
+    CheckedPoses
+        With the code of each pose.
+    dict of str to ndarray, shape (..., T, m)
+        By field; NaN where a pose cannot be evaluated.
+
+    Raises
+    ------
+    PoseError, PkmodesError
+        As `pkmodes.Model.sensitivities` does.
+    """
+
+    def left(codes: NDArray[np.int8], written: Mapping[str, Array]) -> NDArray[np.intp]:
+        values = written[EIGENVALUES]
+        unsolved = left_to_numpy(system, codes, values)
+        together = codes == 0
+        for start in range(0, len(codes), CHUNK):
+            part = slice(start, start + CHUNK)
+            together[part] &= _coincide(values[part], system, close, "eigenvalues" in asked)
+        return np.union1d(unsolved, np.flatnonzero(together))
+
+    extended = system if isinstance(system, SystemOfEffects) else SystemOfEffects.of(robot)
+    tail = (len(paths), evaluator.modes)
+    job = Job(
+        tails=dict.fromkeys(asked, tail),
+        kernel={name: KERNEL[name] for name in asked},
+        also={EIGENVALUES: (evaluator.modes,)},
+        terms=terms_of(extended, paths),
+        left=left,
+        redone=redone,
+    )
+    return evaluated(evaluator, robot, poses, on_error, job, out, threads)
+
+
+def _coincide(eigenvalues: Array, system: Evaluation, close: float, of_zero: bool) -> NDArray[np.bool_]:
+    """Return where modes form a group; with `of_zero` also of those whose frequency is zero to rounding."""
+    sizes = magnitude(eigenvalues, system.first, system.rigid_modes)
+    group = groups(eigenvalues, close, sizes)
+    together = group[:, 1:] == group[:, :-1]
+    if not of_zero:
+        moving = np.abs(eigenvalues) > ROUNDING * sizes
+        together &= moving[:, 1:] | moving[:, :-1]
+    found: NDArray[np.bool_] = together.any(axis=1)
+    return found

@@ -1,0 +1,78 @@
+"""Parameter paths as the compiled evaluator takes them: weighted entries of the gradient of an eigenvalue."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+
+from pkmodes.compiled.lanes import Terms, flat
+from pkmodes.evaluation import SystemOfEffects
+from pkmodes.robot.layout import Slot
+from pkmodes.robot.paths import ParameterPath
+from pkmodes.sensitivity.matrices import POSE, joints_of
+
+
+def terms_of(system: SystemOfEffects, paths: Sequence[ParameterPath]) -> Terms:
+    """Return the terms of parameter paths.
+
+    Parameters
+    ----------
+    system : SystemOfEffects
+        Of the robot, with or without effects.
+    paths : sequence of ParameterPath
+
+    Returns
+    -------
+    Terms
+    """
+    values = _values(system)
+    parameters, pose = flat(system.parameters).size, len(values)
+    joints = pose + len(system.kind.pose)
+    found = [list(_terms(system, path, values)) for path in paths]
+    places = np.array([place for terms in found for place, _ in terms], dtype=np.int32)
+    weights = np.array([weight for terms in found for _, weight in terms], dtype=float)
+    locked = np.setdiff1d(np.arange(len(system.kind.extended.COORDINATES)), system.free)
+    of_effects = ((places >= parameters) & (places < pose)) | (places >= joints)
+    return Terms(
+        first=np.cumsum([0, *map(len, found)], dtype=np.int32),
+        places=places,
+        weights=weights,
+        effects=flat(system.effects),
+        all_coordinates=bool(of_effects.any()) or len(system.free) > system.first,
+        locked_joints=bool(np.isin(places - joints, locked).any()),
+    )
+
+
+def _terms(
+    system: SystemOfEffects, path: ParameterPath, values: Mapping[Slot, int]
+) -> Iterator[tuple[int, float]]:
+    """Yield place and weight of the terms of a path."""
+    pose = len(values)
+    joints, free = pose + len(system.kind.pose), set(system.free.tolist())
+    for slot, weight in path.weights.items():
+        if slot in joints_of(system.kind):
+            for joint in joints_of(system.kind)[slot]:
+                rate = float(system.joint_rates[joint]) if joint in free else 1.0
+                yield joints + joint, weight * rate
+        elif slot[0] == POSE:
+            yield pose + slot[1][0], weight
+        else:
+            yield values[slot], weight
+
+
+def _values(system: SystemOfEffects) -> dict[Slot, int]:
+    """Return the place of each number of the robot in a gradient; effects have dotted names."""
+    parameters, effects = system.parameters, system.effects
+    dotted = {
+        f"{effect.name}_{parameter.name}": f"{effect.name}.{parameter.name}"
+        for effect in system.kind.effects.values()
+        for parameter in effect.parameters
+    }
+    slots = [
+        (name, i) for name in parameters._fields for i in np.ndindex(np.shape(getattr(parameters, name)))
+    ]
+    slots += [
+        (dotted[name], i) for name in effects._fields for i in np.ndindex(np.shape(getattr(effects, name)))
+    ]
+    return {slot: place for place, slot in enumerate(slots)}
