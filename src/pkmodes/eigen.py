@@ -19,8 +19,8 @@ Array = NDArray[np.float64]
 #: shapes with components of equal size, and rounding must not decide which of them sets the sign.
 TIE = 1e-6
 
-#: Ratio of the largest eigenvalue to the lowest vibration eigenvalue up to which the latter has eleven correct digits:
-#: the symmetric solver's error is 1e-15 of the largest.
+#: Ratio of the largest eigenvalue to the lowest vibration eigenvalue up to which the latter has eleven correct
+#: digits: the symmetric solver's error is 1e-15 of the largest.
 GRADED = 1e4
 #: The ratio is attributed to a stiff joint if the largest eigenvalue exceeds those of the base coordinates this much.
 STIFFER = 10.0
