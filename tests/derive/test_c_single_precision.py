@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from compiled import COMPILER, FLAGS
-from generated_robots import Robot
+from generated_robots import STRICT, Robot
 
 #: Relative error of a frequency where it is the highest one and the pose is regular: some eighty roundings, mostly
 #: those of the kinematics.
@@ -84,6 +84,21 @@ def test_the_object_has_no_double_arithmetic(robot: Robot, tmp_path: Path) -> No
     listed = subprocess.run(["nm", "-u", str(target)], check=True, capture_output=True, text=True).stdout
     called = {name for name in re.findall(r"U (\w+)", listed) if not name.startswith("_")}
     assert called - {"memset", "memcpy"} <= {f"{name}f" for name in FUNCTIONS}
+
+
+def test_comparing_with_a_limit_takes_no_double(robot: Robot, tmp_path: Path) -> None:
+    limits = re.findall(rf"^#define ({robot.name.upper()}_\w+_M(?:IN|AX)) ", robot.header, flags=re.MULTILINE)
+    assert len(limits) in (4, 6)
+    source = tmp_path / "main.c"
+    checks = " + ".join(f"(x > {limit})" for limit in [*limits, f"-{limits[0]}"])
+    source.write_text(
+        f'#include "{robot.name}.h"\nint beyond(pkmodes_real x);\n'
+        f"int beyond(pkmodes_real x) {{ return {checks}; }}\n",
+        encoding="utf-8",
+    )
+    for define in ([], ["-DPKMODES_FLOAT"]):
+        command = [str(COMPILER), "-std=c99", "-Wall", "-Wextra", *STRICT, "-Werror", *define]
+        subprocess.run([*command, f"-I{robot.out}", "-fsyntax-only", str(source)], check=True)
 
 
 def test_both_precisions_link_into_one_program(robot: Robot, tmp_path: Path) -> None:

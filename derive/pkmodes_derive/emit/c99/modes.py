@@ -8,7 +8,7 @@ from importlib.resources import files
 from math import prod
 
 from pkmodes_derive.description import Margin
-from pkmodes_derive.emit.constants import constants, pose, status_name
+from pkmodes_derive.emit.constants import Constant, constants, pose, status_name
 from pkmodes_derive.emit.provenance import Provenance
 from pkmodes_derive.emit.templating import render
 from pkmodes_derive.functions import FieldGroup, Function, Model, Output
@@ -34,15 +34,18 @@ def definitions(model: Model, provenance: Provenance) -> list[tuple[str, str, st
     """Return name, comment, value, and value in single precision if it differs, of every macro."""
     upper = provenance.name.upper()
     return [
-        (f"{upper}_{c.name}", c.comment, _value(c.value), "" if c.single is None else f"{c.single!r}f")
+        (f"{upper}_{c.name}", c.comment, _value(c), "" if c.single is None else f"{c.single!r}f")
         for c in constants(model, provenance)
     ]
 
 
-def _value(value: str | int | float) -> str:
-    """Return a constant that can stand in any expression."""
+def _value(constant: Constant) -> str:
+    """Return the value of a macro, which can stand in any expression and has the type of the model's numbers."""
+    value = constant.value
     if isinstance(value, str):
         return f'"{value}"'
+    if isinstance(value, float) and constant.single is None:
+        return f"((pkmodes_real){value!r})"
     return f"({value!r})" if value < 0 else repr(value)
 
 
