@@ -96,7 +96,8 @@ def generate(robot_file: Path, out: Path, mechanism: Path | None = None) -> list
     Returns
     -------
     list of Path
-        The files written: a NumPy module, a C source, its header, a manifest.
+        The files written: a NumPy module, a C source, its header, for a robot with effects the same without them,
+        and a manifest.
 
     Raises
     ------

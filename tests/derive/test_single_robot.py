@@ -91,7 +91,8 @@ CASES = [
 
 
 def functions(module: types.ModuleType) -> set[str]:
-    return {name for name in module.__all__ if name.islower()}
+    """Names of the derived functions; what solves the eigenproblem is the same for every robot."""
+    return {name for name in module.__all__ if name.islower()} - {"status", "natural_frequencies", "modes"}
 
 
 def prototypes(texts: dict[str, str]) -> set[str]:
@@ -128,7 +129,7 @@ def test_the_eigenproblem_is_that_of_modes(name: str, effects: tuple[str, ...]) 
     np.linalg.cholesky(M)
     n = len(module.COORDINATES)
     assert M.shape == K.shape == (n, n)
-    assert f"double M[{n}][{n}], double K[{n}][{n}]" in re.sub(r"\s+", " ", texts["sample.h"])
+    assert f"pkmodes_real M[{n}][{n}], pkmodes_real K[{n}][{n}]" in re.sub(r"\s+", " ", texts["sample.h"])
     eigenvalues, vectors = eigh(K, M)
     expected = model.modes(pose)
     rigid = expected.rigid_modes

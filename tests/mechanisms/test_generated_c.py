@@ -65,10 +65,10 @@ def called(function: Any, signature: list, known: dict[str, Any]) -> tuple[list[
             arguments.append(outputs[-1].ctypes.data_as(ctypes.c_void_p))
             continue
         taken.append(key)
-        if kind == "double" and not shape:
+        if kind == "pkmodes_real" and not shape:
             arguments.append(ctypes.c_double(known[key]))
         else:
-            values = np.asarray(known[key], dtype=float) if kind == "double" else packed(known[key])
+            values = np.asarray(known[key], dtype=float) if kind == "pkmodes_real" else packed(known[key])
             arguments.append(np.ascontiguousarray(values).ctypes.data_as(ctypes.c_void_p))
     function(*arguments)
     return taken, outputs

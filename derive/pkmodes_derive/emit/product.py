@@ -16,15 +16,16 @@ from pkmodes_derive import mechanisms
 from pkmodes_derive.definition import FILE_NAME
 from pkmodes_derive.description import as_data
 from pkmodes_derive.emit import c99, lanes, manifest, numpy
+from pkmodes_derive.emit.identity import Identity, limits, literal
 from pkmodes_derive.emit.program import Program, arrange
 from pkmodes_derive.emit.provenance import ANY_ROBOT, Provenance, pasteable
 from pkmodes_derive.emit.specification import Specification
 from pkmodes_derive.functions import Model
 from pkmodes_derive.specialise import specialise
 
-#: Languages of the generated models, in the order of their files.
-BACKENDS = (numpy.BACKEND, c99.BACKEND)
 REGENERATE = "python -m pkmodes_derive generate"
+#: What the names of a robot's functions without its effects have in addition.
+WITHOUT_EFFECTS = "without_effects"
 
 
 def parametric(mechanism: str, definition: str = "") -> dict[str, str]:
@@ -47,6 +48,7 @@ def parametric(mechanism: str, definition: str = "") -> dict[str, str]:
         generator=_generator(),
         command=REGENERATE if own is None else command,
         place="" if own is None else ", run in this folder",
+        identity=Identity(mechanism, pkmodes_derive.__version__),
     )
     texts, programs = write(model, provenance)
     extended_texts, extended_programs = write(
@@ -106,6 +108,7 @@ def specialised(specification: Specification) -> dict[str, str]:
     name, given = specification.identifier, specification.definition
     option = f"--mechanism {pasteable(given)} " if given else ""
     own = mechanisms.source(specification.mechanism)
+    described = mechanisms.description(specification.mechanism)
     provenance = Provenance(
         name=name,
         module=name,
@@ -114,12 +117,33 @@ def specialised(specification: Specification) -> dict[str, str]:
         generator=_generator(),
         command=f"pkmodes generate {option}{pasteable(specification.robot_file)} --out .",
         place=", run in this folder",
-        constants=tuple(
-            f"{field.name} [{field.unit}] = {_constant(specification.fields[field.name])}: {field.description}"
-            for field in model.fields
+        constants=_constants(model, specification),
+        identity=Identity(
+            literal(specification.name, name),
+            pkmodes_derive.__version__,
+            limits=limits(described, specification.fields),
         ),
     )
+    if specification.effects:
+        beside = f"{name}_{WITHOUT_EFFECTS}"
+        note = f"The same functions for the robot without its effects are in `{beside}`."
+        model = replace(model, notes=(*model.notes, note))
     texts, programs = write(specialise(model, values), provenance)
+    if specification.effects:
+        base = mechanisms.base(specification.mechanism)
+        own_texts, own_programs = write(
+            specialise(base, values),
+            replace(
+                provenance,
+                name=beside,
+                module=beside,
+                title=f"Dynamics of the robot {specification.name} ({specification.mechanism}) without its effects, "
+                "parameters folded in.",
+                constants=_constants(base, specification),
+            ),
+        )
+        texts |= own_texts
+        programs |= {f"{WITHOUT_EFFECTS}_{key}": program for key, program in own_programs.items()}
     origin = None if own is None else (given, own)
     texts[manifest.FILE_NAME] = manifest.text(
         name, specification.mechanism, specification, texts, programs, origin
@@ -130,8 +154,17 @@ def specialised(specification: Specification) -> dict[str, str]:
 def write(model: Model, provenance: Provenance) -> tuple[dict[str, str], dict[str, Program]]:
     """Write a model in every language: return the texts by file name, and the programs that all of them print."""
     programs = {function.name: arrange(function) for function in model.functions}
-    texts = [backend.files(model, programs, provenance) for backend in BACKENDS]
-    return {name: text for files in texts for name, text in files.items()}, programs
+    in_c = c99.BACKEND.files(model, programs, provenance)
+    provenance = provenance.of_source(in_c[f"{provenance.name}.c"])
+    return {**numpy.BACKEND.files(model, programs, provenance), **in_c}, programs
+
+
+def _constants(model: Model, specification: Specification) -> tuple[str, ...]:
+    """Return the parameters of a model that are folded into the code of a robot, one line each."""
+    return tuple(
+        f"{field.name} [{field.unit}] = {_constant(specification.fields[field.name])}: {field.description}"
+        for field in model.fields
+    )
 
 
 def _generator() -> str:

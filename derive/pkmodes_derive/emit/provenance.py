@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import shlex
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields, replace
+
+from pkmodes_derive.emit.identity import Identity, digest
 
 #: Text in the second and third lines of a generated file, in the comments of any language.
 MARKS = ("By pkmodes_derive ", "Do not edit: regenerate with `")
@@ -61,6 +63,8 @@ class Provenance:
         Where to run the command, as the end of a sentence; empty for anywhere.
     constants : tuple of str
         For a specialised model, the parameters that were folded in, one line each.
+    identity : Identity
+        Constants of the code that tell one model from another.
     """
 
     name: str
@@ -71,10 +75,11 @@ class Provenance:
     command: str
     place: str = ""
     constants: tuple[str, ...] = ()
+    identity: Identity = field(default_factory=Identity)
 
     def __post_init__(self) -> None:
         for item in fields(self):
-            if item.name == "command":  # it needs its quotes
+            if item.name in ("command", "identity"):  # one needs its quotes, the other has none
                 continue
             value = getattr(self, item.name)
             clean = harmless(value) if isinstance(value, str) else tuple(map(harmless, value))
@@ -84,3 +89,7 @@ class Provenance:
     def parametric(self) -> bool:
         """Whether the parameters are arguments, not constants."""
         return not self.constants
+
+    def of_source(self, text: str) -> Provenance:
+        """Return the same with the digest of a C source."""
+        return replace(self, identity=replace(self.identity, digest=digest(text)))

@@ -21,367 +21,381 @@
 #include <stddef.h>
 #include <string.h>
 
-void corexy_inverse_kinematics(const double p[2], const corexy_parameters *parameters, double xy[2])
+/* Numbers and functions of the C library: in single precision, R(0.5) is 0.5f and R(sqrt) is sqrtf. */
+#ifdef PKMODES_FLOAT
+#define R(name) name##f
+#else
+#define R(name) name
+#endif
+
+void corexy_inverse_kinematics(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real xy[2])
 {
-    const double x = p[0];
-    const double y = p[1];
+    const pkmodes_real x = p[0];
+    const pkmodes_real y = p[1];
     (void)parameters;
     xy[0] = x;
     xy[1] = y;
 }
 
-void corexy_travel_margin(const double p[2], const corexy_parameters *parameters, double margin[2][2])
+void corexy_travel_margin(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real margin[2][2])
 {
-    const double x = p[0];
-    const double y = p[1];
-    const double travel_min_x = parameters->workspace[0][0];
-    const double travel_max_x = parameters->workspace[0][1];
-    const double travel_min_y = parameters->workspace[1][0];
-    const double travel_max_y = parameters->workspace[1][1];
+    const pkmodes_real x = p[0];
+    const pkmodes_real y = p[1];
+    const pkmodes_real travel_min_x = parameters->workspace[0][0];
+    const pkmodes_real travel_max_x = parameters->workspace[0][1];
+    const pkmodes_real travel_min_y = parameters->workspace[1][0];
+    const pkmodes_real travel_max_y = parameters->workspace[1][1];
     margin[0][0] = -travel_min_x + x;
     margin[0][1] = travel_max_x - x;
     margin[1][0] = -travel_min_y + y;
     margin[1][1] = travel_max_y - y;
 }
 
-void corexy_run_margin(const corexy_parameters *parameters, double margin[2][2])
+void corexy_run_margin(const corexy_parameters *parameters, pkmodes_real margin[2][2])
 {
-    const double g_1_1 = parameters->belt_path_direction[0][0];
-    const double g_1_2 = parameters->belt_path_direction[0][1];
-    const double g_2_1 = parameters->belt_path_direction[1][0];
-    const double g_2_2 = parameters->belt_path_direction[1][1];
-    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
-    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
-    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
-    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
-    const double travel_min_x = parameters->workspace[0][0];
-    const double travel_max_x = parameters->workspace[0][1];
-    const double travel_min_y = parameters->workspace[1][0];
-    const double travel_max_y = parameters->workspace[1][1];
-    const double t1 = (1.0/2.0)*travel_max_x + (1.0/2.0)*travel_min_x;
-    const double t2 = (1.0/2.0)*travel_max_y + (1.0/2.0)*travel_min_y;
-    const double t3 = g_1_1*t1 + g_1_2*t2;
-    const double t4 = (1.0/2.0)*travel_max_x;
-    const double t5 = (1.0/2.0)*travel_max_y;
-    const double t6 = -t4 - t5 + (1.0/2.0)*travel_min_x + (1.0/2.0)*travel_min_y;
-    const double t7 = t4 + t5 - 1.0/2.0*travel_min_x - 1.0/2.0*travel_min_y;
-    const double t8 = g_2_1*t1 + g_2_2*t2;
+    const pkmodes_real g_1_1 = parameters->belt_path_direction[0][0];
+    const pkmodes_real g_1_2 = parameters->belt_path_direction[0][1];
+    const pkmodes_real g_2_1 = parameters->belt_path_direction[1][0];
+    const pkmodes_real g_2_2 = parameters->belt_path_direction[1][1];
+    const pkmodes_real l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const pkmodes_real l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const pkmodes_real l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const pkmodes_real l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const pkmodes_real travel_min_x = parameters->workspace[0][0];
+    const pkmodes_real travel_max_x = parameters->workspace[0][1];
+    const pkmodes_real travel_min_y = parameters->workspace[1][0];
+    const pkmodes_real travel_max_y = parameters->workspace[1][1];
+    const pkmodes_real t1 = (R(1.0)/R(2.0))*travel_max_x + (R(1.0)/R(2.0))*travel_min_x;
+    const pkmodes_real t2 = (R(1.0)/R(2.0))*travel_max_y + (R(1.0)/R(2.0))*travel_min_y;
+    const pkmodes_real t3 = g_1_1*t1 + g_1_2*t2;
+    const pkmodes_real t4 = (R(1.0)/R(2.0))*travel_max_x;
+    const pkmodes_real t5 = (R(1.0)/R(2.0))*travel_max_y;
+    const pkmodes_real t6 = -t4 - t5 + (R(1.0)/R(2.0))*travel_min_x + (R(1.0)/R(2.0))*travel_min_y;
+    const pkmodes_real t7 = t4 + t5 - R(1.0)/R(2.0)*travel_min_x - R(1.0)/R(2.0)*travel_min_y;
+    const pkmodes_real t8 = g_2_1*t1 + g_2_2*t2;
     margin[0][0] = l_0_1_1 + t3 + t6;
     margin[0][1] = l_0_1_2 - t3 - t7;
     margin[1][0] = l_0_2_1 + t6 + t8;
     margin[1][1] = l_0_2_2 - t7 - t8;
 }
 
-void corexy_crossing_margin(const corexy_parameters *parameters, double margin[1])
+void corexy_crossing_margin(const corexy_parameters *parameters, pkmodes_real margin[1])
 {
-    const double g_1_1 = parameters->belt_path_direction[0][0];
-    const double g_1_2 = parameters->belt_path_direction[0][1];
-    const double g_2_1 = parameters->belt_path_direction[1][0];
-    const double g_2_2 = parameters->belt_path_direction[1][1];
+    const pkmodes_real g_1_1 = parameters->belt_path_direction[0][0];
+    const pkmodes_real g_1_2 = parameters->belt_path_direction[0][1];
+    const pkmodes_real g_2_1 = parameters->belt_path_direction[1][0];
+    const pkmodes_real g_2_2 = parameters->belt_path_direction[1][1];
     margin[0] = ((g_1_1*g_2_2 - g_1_2*g_2_1)*(g_1_1*g_2_2 - g_1_2*g_2_1)) - 1;
 }
 
-void corexy_belt_spans(const double p[2], const corexy_parameters *parameters, double l_f[2][2])
+void corexy_belt_spans(const pkmodes_real p[2], const corexy_parameters *parameters, pkmodes_real l_f[2][2])
 {
-    const double x = p[0];
-    const double y = p[1];
-    const double g_1_1 = parameters->belt_path_direction[0][0];
-    const double g_1_2 = parameters->belt_path_direction[0][1];
-    const double g_2_1 = parameters->belt_path_direction[1][0];
-    const double g_2_2 = parameters->belt_path_direction[1][1];
-    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
-    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
-    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
-    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
-    const double t1 = g_1_1*x + g_1_2*y;
-    const double l_f_1_1 = l_0_1_1 + t1;
-    const double l_f_1_2 = l_0_1_2 - t1;
-    const double t2 = g_2_1*x + g_2_2*y;
-    const double l_f_2_1 = l_0_2_1 + t2;
-    const double l_f_2_2 = l_0_2_2 - t2;
+    const pkmodes_real x = p[0];
+    const pkmodes_real y = p[1];
+    const pkmodes_real g_1_1 = parameters->belt_path_direction[0][0];
+    const pkmodes_real g_1_2 = parameters->belt_path_direction[0][1];
+    const pkmodes_real g_2_1 = parameters->belt_path_direction[1][0];
+    const pkmodes_real g_2_2 = parameters->belt_path_direction[1][1];
+    const pkmodes_real l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const pkmodes_real l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const pkmodes_real l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const pkmodes_real l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const pkmodes_real t1 = g_1_1*x + g_1_2*y;
+    const pkmodes_real l_f_1_1 = l_0_1_1 + t1;
+    const pkmodes_real l_f_1_2 = l_0_1_2 - t1;
+    const pkmodes_real t2 = g_2_1*x + g_2_2*y;
+    const pkmodes_real l_f_2_1 = l_0_2_1 + t2;
+    const pkmodes_real l_f_2_2 = l_0_2_2 - t2;
     l_f[0][0] = l_f_1_1;
     l_f[0][1] = l_f_1_2;
     l_f[1][0] = l_f_2_1;
     l_f[1][1] = l_f_2_2;
 }
 
-void corexy_platform_jacobian(const double p[2], const corexy_parameters *parameters, double D_p[2][2])
+void corexy_platform_jacobian(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real D_p[2][2])
 {
     (void)p;
     (void)parameters;
-    memset(D_p, 0, sizeof(double[2][2]));
+    memset(D_p, 0, sizeof(pkmodes_real[2][2]));
     D_p[0][0] = 1;
     D_p[1][1] = 1;
 }
 
-void corexy_platform_jacobian_rate(const double p[2], const double xy_dot[2],
-    const corexy_parameters *parameters, double D_p_dot[2][2])
+void corexy_platform_jacobian_rate(const pkmodes_real p[2], const pkmodes_real xy_dot[2],
+    const corexy_parameters *parameters, pkmodes_real D_p_dot[2][2])
 {
     (void)p;
     (void)xy_dot;
     (void)parameters;
-    memset(D_p_dot, 0, sizeof(double[2][2]));
+    memset(D_p_dot, 0, sizeof(pkmodes_real[2][2]));
 }
 
-void corexy_platform_second_derivatives(const double p[2], const corexy_parameters *parameters,
-    double P[2][2][2])
+void corexy_platform_second_derivatives(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real P[2][2][2])
 {
     (void)p;
     (void)parameters;
-    memset(P, 0, sizeof(double[2][2][2]));
+    memset(P, 0, sizeof(pkmodes_real[2][2][2]));
 }
 
-void corexy_kinetic_energy(const double p[2], const double q_dot[4], const corexy_parameters *parameters,
-    double *T_ss, double *T_t)
+void corexy_kinetic_energy(const pkmodes_real p[2], const pkmodes_real q_dot[4],
+    const corexy_parameters *parameters, pkmodes_real *T_ss, pkmodes_real *T_t)
 {
     (void)p;
-    const double x_dot = q_dot[0];
-    const double y_dot = q_dot[1];
-    const double theta_1_dot = q_dot[2];
-    const double theta_2_dot = q_dot[3];
-    const double m_h = parameters->toolhead_mass;
-    const double m_g = parameters->gantry_mass;
-    const double I_p_1 = parameters->pulley_inertia[0];
-    const double I_p_2 = parameters->pulley_inertia[1];
-    const double I_m_1 = parameters->motor_inertia[0];
-    const double I_m_2 = parameters->motor_inertia[1];
-    const double i_g_1 = parameters->gear_ratio[0];
-    const double i_g_2 = parameters->gear_ratio[1];
-    const double I_1 = I_m_1*(i_g_1*i_g_1) + I_p_1;
-    const double I_2 = I_m_2*(i_g_2*i_g_2) + I_p_2;
-    const double t1 = (1.0/2.0)*(y_dot*y_dot);
-    *T_ss = m_g*t1 + m_h*t1 + (1.0/2.0)*m_h*(x_dot*x_dot);
-    *T_t = (1.0/2.0)*I_1*(theta_1_dot*theta_1_dot) + (1.0/2.0)*I_2*(theta_2_dot*theta_2_dot);
+    const pkmodes_real x_dot = q_dot[0];
+    const pkmodes_real y_dot = q_dot[1];
+    const pkmodes_real theta_1_dot = q_dot[2];
+    const pkmodes_real theta_2_dot = q_dot[3];
+    const pkmodes_real m_h = parameters->toolhead_mass;
+    const pkmodes_real m_g = parameters->gantry_mass;
+    const pkmodes_real I_p_1 = parameters->pulley_inertia[0];
+    const pkmodes_real I_p_2 = parameters->pulley_inertia[1];
+    const pkmodes_real I_m_1 = parameters->motor_inertia[0];
+    const pkmodes_real I_m_2 = parameters->motor_inertia[1];
+    const pkmodes_real i_g_1 = parameters->gear_ratio[0];
+    const pkmodes_real i_g_2 = parameters->gear_ratio[1];
+    const pkmodes_real I_1 = I_m_1*(i_g_1*i_g_1) + I_p_1;
+    const pkmodes_real I_2 = I_m_2*(i_g_2*i_g_2) + I_p_2;
+    const pkmodes_real t1 = (R(1.0)/R(2.0))*(y_dot*y_dot);
+    *T_ss = m_g*t1 + m_h*t1 + (R(1.0)/R(2.0))*m_h*(x_dot*x_dot);
+    *T_t = (R(1.0)/R(2.0))*I_1*(theta_1_dot*theta_1_dot) + (R(1.0)/R(2.0))*I_2*(theta_2_dot*theta_2_dot);
 }
 
-void corexy_mass_matrix(const double p[2], const corexy_parameters *parameters, double M[4][4])
+void corexy_mass_matrix(const pkmodes_real p[2], const corexy_parameters *parameters, pkmodes_real M[4][4])
 {
     (void)p;
-    const double m_h = parameters->toolhead_mass;
-    const double m_g = parameters->gantry_mass;
-    const double I_p_1 = parameters->pulley_inertia[0];
-    const double I_p_2 = parameters->pulley_inertia[1];
-    const double I_m_1 = parameters->motor_inertia[0];
-    const double I_m_2 = parameters->motor_inertia[1];
-    const double i_g_1 = parameters->gear_ratio[0];
-    const double i_g_2 = parameters->gear_ratio[1];
-    const double I_1 = I_m_1*(i_g_1*i_g_1) + I_p_1;
-    const double I_2 = I_m_2*(i_g_2*i_g_2) + I_p_2;
-    memset(M, 0, sizeof(double[4][4]));
+    const pkmodes_real m_h = parameters->toolhead_mass;
+    const pkmodes_real m_g = parameters->gantry_mass;
+    const pkmodes_real I_p_1 = parameters->pulley_inertia[0];
+    const pkmodes_real I_p_2 = parameters->pulley_inertia[1];
+    const pkmodes_real I_m_1 = parameters->motor_inertia[0];
+    const pkmodes_real I_m_2 = parameters->motor_inertia[1];
+    const pkmodes_real i_g_1 = parameters->gear_ratio[0];
+    const pkmodes_real i_g_2 = parameters->gear_ratio[1];
+    const pkmodes_real I_1 = I_m_1*(i_g_1*i_g_1) + I_p_1;
+    const pkmodes_real I_2 = I_m_2*(i_g_2*i_g_2) + I_p_2;
+    memset(M, 0, sizeof(pkmodes_real[4][4]));
     M[0][0] = m_h;
     M[1][1] = m_g + m_h;
     M[2][2] = I_1;
     M[3][3] = I_2;
 }
 
-void corexy_velocity_forces(const double p[2], const double xy_dot[2], const corexy_parameters *parameters,
-    double h[2])
+void corexy_velocity_forces(const pkmodes_real p[2], const pkmodes_real xy_dot[2],
+    const corexy_parameters *parameters, pkmodes_real h[2])
 {
     (void)p;
     (void)xy_dot;
     (void)parameters;
-    memset(h, 0, sizeof(double[2]));
+    memset(h, 0, sizeof(pkmodes_real[2]));
 }
 
-void corexy_gravity_potential(const double p[2], const corexy_parameters *parameters, double *V_g)
+void corexy_gravity_potential(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real *V_g)
 {
-    const double x = p[0];
-    const double y = p[1];
-    const double m_h = parameters->toolhead_mass;
-    const double m_g = parameters->gantry_mass;
-    const double g_x = parameters->gravity[0];
-    const double g_y = parameters->gravity[1];
+    const pkmodes_real x = p[0];
+    const pkmodes_real y = p[1];
+    const pkmodes_real m_h = parameters->toolhead_mass;
+    const pkmodes_real m_g = parameters->gantry_mass;
+    const pkmodes_real g_x = parameters->gravity[0];
+    const pkmodes_real g_y = parameters->gravity[1];
     *V_g = -g_x*m_h*x - g_y*(m_g*y + m_h*y);
 }
 
-void corexy_gravity_gradient(const double p[2], const corexy_parameters *parameters, double G[2])
+void corexy_gravity_gradient(const pkmodes_real p[2], const corexy_parameters *parameters, pkmodes_real G[2])
 {
     (void)p;
-    const double m_h = parameters->toolhead_mass;
-    const double m_g = parameters->gantry_mass;
-    const double g_x = parameters->gravity[0];
-    const double g_y = parameters->gravity[1];
+    const pkmodes_real m_h = parameters->toolhead_mass;
+    const pkmodes_real m_g = parameters->gantry_mass;
+    const pkmodes_real g_x = parameters->gravity[0];
+    const pkmodes_real g_y = parameters->gravity[1];
     G[0] = -g_x*m_h;
     G[1] = -g_y*(m_g + m_h);
 }
 
-void corexy_gravity_hessian(const double p[2], const corexy_parameters *parameters, double H_g[2][2])
+void corexy_gravity_hessian(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real H_g[2][2])
 {
     (void)p;
     (void)parameters;
-    memset(H_g, 0, sizeof(double[2][2]));
+    memset(H_g, 0, sizeof(pkmodes_real[2][2]));
 }
 
-void corexy_belt_stiffness(const double p[2], const corexy_parameters *parameters, double k[2][2])
+void corexy_belt_stiffness(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real k[2][2])
 {
-    const double x = p[0];
-    const double y = p[1];
-    const double g_1_1 = parameters->belt_path_direction[0][0];
-    const double g_1_2 = parameters->belt_path_direction[0][1];
-    const double g_2_1 = parameters->belt_path_direction[1][0];
-    const double g_2_2 = parameters->belt_path_direction[1][1];
-    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
-    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
-    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
-    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
-    const double k_sp_1 = parameters->belt_specific_stiffness[0];
-    const double k_sp_2 = parameters->belt_specific_stiffness[1];
-    const double w_b_1 = parameters->belt_width[0];
-    const double w_b_2 = parameters->belt_width[1];
-    const double t1 = g_1_1*x + g_1_2*y;
-    const double l_f_1_1 = l_0_1_1 + t1;
-    const double t2 = k_sp_1*w_b_1;
-    const double k_1_1 = t2/l_f_1_1;
-    const double l_f_1_2 = l_0_1_2 - t1;
-    const double k_1_2 = t2/l_f_1_2;
-    const double t3 = g_2_1*x + g_2_2*y;
-    const double l_f_2_1 = l_0_2_1 + t3;
-    const double t4 = k_sp_2*w_b_2;
-    const double k_2_1 = t4/l_f_2_1;
-    const double l_f_2_2 = l_0_2_2 - t3;
-    const double k_2_2 = t4/l_f_2_2;
+    const pkmodes_real x = p[0];
+    const pkmodes_real y = p[1];
+    const pkmodes_real g_1_1 = parameters->belt_path_direction[0][0];
+    const pkmodes_real g_1_2 = parameters->belt_path_direction[0][1];
+    const pkmodes_real g_2_1 = parameters->belt_path_direction[1][0];
+    const pkmodes_real g_2_2 = parameters->belt_path_direction[1][1];
+    const pkmodes_real l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const pkmodes_real l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const pkmodes_real l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const pkmodes_real l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const pkmodes_real k_sp_1 = parameters->belt_specific_stiffness[0];
+    const pkmodes_real k_sp_2 = parameters->belt_specific_stiffness[1];
+    const pkmodes_real w_b_1 = parameters->belt_width[0];
+    const pkmodes_real w_b_2 = parameters->belt_width[1];
+    const pkmodes_real t1 = g_1_1*x + g_1_2*y;
+    const pkmodes_real l_f_1_1 = l_0_1_1 + t1;
+    const pkmodes_real t2 = k_sp_1*w_b_1;
+    const pkmodes_real k_1_1 = t2/l_f_1_1;
+    const pkmodes_real l_f_1_2 = l_0_1_2 - t1;
+    const pkmodes_real k_1_2 = t2/l_f_1_2;
+    const pkmodes_real t3 = g_2_1*x + g_2_2*y;
+    const pkmodes_real l_f_2_1 = l_0_2_1 + t3;
+    const pkmodes_real t4 = k_sp_2*w_b_2;
+    const pkmodes_real k_2_1 = t4/l_f_2_1;
+    const pkmodes_real l_f_2_2 = l_0_2_2 - t3;
+    const pkmodes_real k_2_2 = t4/l_f_2_2;
     k[0][0] = k_1_1;
     k[0][1] = k_1_2;
     k[1][0] = k_2_1;
     k[1][1] = k_2_2;
 }
 
-void corexy_elastic_potential(const double p[2], const double delta_q[4],
-    const corexy_parameters *parameters, double *V_el)
+void corexy_elastic_potential(const pkmodes_real p[2], const pkmodes_real delta_q[4],
+    const corexy_parameters *parameters, pkmodes_real *V_el)
 {
-    const double x = p[0];
-    const double y = p[1];
-    const double delta_x = delta_q[0];
-    const double delta_y = delta_q[1];
-    const double delta_theta_1 = delta_q[2];
-    const double delta_theta_2 = delta_q[3];
-    const double g_1_1 = parameters->belt_path_direction[0][0];
-    const double g_1_2 = parameters->belt_path_direction[0][1];
-    const double g_2_1 = parameters->belt_path_direction[1][0];
-    const double g_2_2 = parameters->belt_path_direction[1][1];
-    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
-    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
-    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
-    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
-    const double k_sp_1 = parameters->belt_specific_stiffness[0];
-    const double k_sp_2 = parameters->belt_specific_stiffness[1];
-    const double w_b_1 = parameters->belt_width[0];
-    const double w_b_2 = parameters->belt_width[1];
-    const double R_p_1 = parameters->pulley_radius[0];
-    const double R_p_2 = parameters->pulley_radius[1];
-    const double t1 = g_1_1*x + g_1_2*y;
-    const double l_f_1_1 = l_0_1_1 + t1;
-    const double t2 = k_sp_1*w_b_1;
-    const double k_1_1 = t2/l_f_1_1;
-    const double l_f_1_2 = l_0_1_2 - t1;
-    const double k_1_2 = t2/l_f_1_2;
-    const double t3 = g_2_1*x + g_2_2*y;
-    const double l_f_2_1 = l_0_2_1 + t3;
-    const double t4 = k_sp_2*w_b_2;
-    const double k_2_1 = t4/l_f_2_1;
-    const double l_f_2_2 = l_0_2_2 - t3;
-    const double k_2_2 = t4/l_f_2_2;
-    const double t5 =
-        (1.0/2.0)*((R_p_1*delta_theta_1 + delta_x*g_1_1 + delta_y*g_1_2)*(R_p_1*delta_theta_1 + delta_x*g_1_1
-        + delta_y*g_1_2));
-    const double t6 =
-        (1.0/2.0)*((R_p_2*delta_theta_2 + delta_x*g_2_1 + delta_y*g_2_2)*(R_p_2*delta_theta_2 + delta_x*g_2_1
-        + delta_y*g_2_2));
+    const pkmodes_real x = p[0];
+    const pkmodes_real y = p[1];
+    const pkmodes_real delta_x = delta_q[0];
+    const pkmodes_real delta_y = delta_q[1];
+    const pkmodes_real delta_theta_1 = delta_q[2];
+    const pkmodes_real delta_theta_2 = delta_q[3];
+    const pkmodes_real g_1_1 = parameters->belt_path_direction[0][0];
+    const pkmodes_real g_1_2 = parameters->belt_path_direction[0][1];
+    const pkmodes_real g_2_1 = parameters->belt_path_direction[1][0];
+    const pkmodes_real g_2_2 = parameters->belt_path_direction[1][1];
+    const pkmodes_real l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const pkmodes_real l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const pkmodes_real l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const pkmodes_real l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const pkmodes_real k_sp_1 = parameters->belt_specific_stiffness[0];
+    const pkmodes_real k_sp_2 = parameters->belt_specific_stiffness[1];
+    const pkmodes_real w_b_1 = parameters->belt_width[0];
+    const pkmodes_real w_b_2 = parameters->belt_width[1];
+    const pkmodes_real R_p_1 = parameters->pulley_radius[0];
+    const pkmodes_real R_p_2 = parameters->pulley_radius[1];
+    const pkmodes_real t1 = g_1_1*x + g_1_2*y;
+    const pkmodes_real l_f_1_1 = l_0_1_1 + t1;
+    const pkmodes_real t2 = k_sp_1*w_b_1;
+    const pkmodes_real k_1_1 = t2/l_f_1_1;
+    const pkmodes_real l_f_1_2 = l_0_1_2 - t1;
+    const pkmodes_real k_1_2 = t2/l_f_1_2;
+    const pkmodes_real t3 = g_2_1*x + g_2_2*y;
+    const pkmodes_real l_f_2_1 = l_0_2_1 + t3;
+    const pkmodes_real t4 = k_sp_2*w_b_2;
+    const pkmodes_real k_2_1 = t4/l_f_2_1;
+    const pkmodes_real l_f_2_2 = l_0_2_2 - t3;
+    const pkmodes_real k_2_2 = t4/l_f_2_2;
+    const pkmodes_real t5 =
+        (R(1.0)/R(2.0))*((R_p_1*delta_theta_1 + delta_x*g_1_1 + delta_y*g_1_2)*(R_p_1*delta_theta_1
+        + delta_x*g_1_1 + delta_y*g_1_2));
+    const pkmodes_real t6 =
+        (R(1.0)/R(2.0))*((R_p_2*delta_theta_2 + delta_x*g_2_1 + delta_y*g_2_2)*(R_p_2*delta_theta_2
+        + delta_x*g_2_1 + delta_y*g_2_2));
     *V_el = k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6;
 }
 
-void corexy_elastic_gradient(const double p[2], const double delta_q[4], const corexy_parameters *parameters,
-    double E[4])
+void corexy_elastic_gradient(const pkmodes_real p[2], const pkmodes_real delta_q[4],
+    const corexy_parameters *parameters, pkmodes_real E[4])
 {
-    const double x = p[0];
-    const double y = p[1];
-    const double delta_x = delta_q[0];
-    const double delta_y = delta_q[1];
-    const double delta_theta_1 = delta_q[2];
-    const double delta_theta_2 = delta_q[3];
-    const double g_1_1 = parameters->belt_path_direction[0][0];
-    const double g_1_2 = parameters->belt_path_direction[0][1];
-    const double g_2_1 = parameters->belt_path_direction[1][0];
-    const double g_2_2 = parameters->belt_path_direction[1][1];
-    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
-    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
-    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
-    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
-    const double k_sp_1 = parameters->belt_specific_stiffness[0];
-    const double k_sp_2 = parameters->belt_specific_stiffness[1];
-    const double w_b_1 = parameters->belt_width[0];
-    const double w_b_2 = parameters->belt_width[1];
-    const double R_p_1 = parameters->pulley_radius[0];
-    const double R_p_2 = parameters->pulley_radius[1];
-    const double t1 = g_1_1*x + g_1_2*y;
-    const double l_f_1_1 = l_0_1_1 + t1;
-    const double t2 = k_sp_1*w_b_1;
-    const double k_1_1 = t2/l_f_1_1;
-    const double l_f_1_2 = l_0_1_2 - t1;
-    const double k_1_2 = t2/l_f_1_2;
-    const double t3 = g_2_1*x + g_2_2*y;
-    const double l_f_2_1 = l_0_2_1 + t3;
-    const double t4 = k_sp_2*w_b_2;
-    const double k_2_1 = t4/l_f_2_1;
-    const double l_f_2_2 = l_0_2_2 - t3;
-    const double k_2_2 = t4/l_f_2_2;
-    const double t5 = R_p_1*delta_theta_1 + delta_x*g_1_1 + delta_y*g_1_2;
-    const double t6 = g_1_1*t5;
-    const double t7 = R_p_2*delta_theta_2 + delta_x*g_2_1 + delta_y*g_2_2;
-    const double t8 = g_2_1*t7;
-    const double t9 = g_1_2*t5;
-    const double t10 = g_2_2*t7;
-    const double t11 = R_p_1*t5;
-    const double t12 = R_p_2*t7;
+    const pkmodes_real x = p[0];
+    const pkmodes_real y = p[1];
+    const pkmodes_real delta_x = delta_q[0];
+    const pkmodes_real delta_y = delta_q[1];
+    const pkmodes_real delta_theta_1 = delta_q[2];
+    const pkmodes_real delta_theta_2 = delta_q[3];
+    const pkmodes_real g_1_1 = parameters->belt_path_direction[0][0];
+    const pkmodes_real g_1_2 = parameters->belt_path_direction[0][1];
+    const pkmodes_real g_2_1 = parameters->belt_path_direction[1][0];
+    const pkmodes_real g_2_2 = parameters->belt_path_direction[1][1];
+    const pkmodes_real l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const pkmodes_real l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const pkmodes_real l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const pkmodes_real l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const pkmodes_real k_sp_1 = parameters->belt_specific_stiffness[0];
+    const pkmodes_real k_sp_2 = parameters->belt_specific_stiffness[1];
+    const pkmodes_real w_b_1 = parameters->belt_width[0];
+    const pkmodes_real w_b_2 = parameters->belt_width[1];
+    const pkmodes_real R_p_1 = parameters->pulley_radius[0];
+    const pkmodes_real R_p_2 = parameters->pulley_radius[1];
+    const pkmodes_real t1 = g_1_1*x + g_1_2*y;
+    const pkmodes_real l_f_1_1 = l_0_1_1 + t1;
+    const pkmodes_real t2 = k_sp_1*w_b_1;
+    const pkmodes_real k_1_1 = t2/l_f_1_1;
+    const pkmodes_real l_f_1_2 = l_0_1_2 - t1;
+    const pkmodes_real k_1_2 = t2/l_f_1_2;
+    const pkmodes_real t3 = g_2_1*x + g_2_2*y;
+    const pkmodes_real l_f_2_1 = l_0_2_1 + t3;
+    const pkmodes_real t4 = k_sp_2*w_b_2;
+    const pkmodes_real k_2_1 = t4/l_f_2_1;
+    const pkmodes_real l_f_2_2 = l_0_2_2 - t3;
+    const pkmodes_real k_2_2 = t4/l_f_2_2;
+    const pkmodes_real t5 = R_p_1*delta_theta_1 + delta_x*g_1_1 + delta_y*g_1_2;
+    const pkmodes_real t6 = g_1_1*t5;
+    const pkmodes_real t7 = R_p_2*delta_theta_2 + delta_x*g_2_1 + delta_y*g_2_2;
+    const pkmodes_real t8 = g_2_1*t7;
+    const pkmodes_real t9 = g_1_2*t5;
+    const pkmodes_real t10 = g_2_2*t7;
+    const pkmodes_real t11 = R_p_1*t5;
+    const pkmodes_real t12 = R_p_2*t7;
     E[0] = k_1_1*t6 + k_1_2*t6 + k_2_1*t8 + k_2_2*t8;
     E[1] = k_1_1*t9 + k_1_2*t9 + k_2_1*t10 + k_2_2*t10;
     E[2] = k_1_1*t11 + k_1_2*t11;
     E[3] = k_2_1*t12 + k_2_2*t12;
 }
 
-void corexy_elastic_hessian(const double p[2], const corexy_parameters *parameters, double H_el[4][4])
+void corexy_elastic_hessian(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real H_el[4][4])
 {
-    const double x = p[0];
-    const double y = p[1];
-    const double g_1_1 = parameters->belt_path_direction[0][0];
-    const double g_1_2 = parameters->belt_path_direction[0][1];
-    const double g_2_1 = parameters->belt_path_direction[1][0];
-    const double g_2_2 = parameters->belt_path_direction[1][1];
-    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
-    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
-    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
-    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
-    const double k_sp_1 = parameters->belt_specific_stiffness[0];
-    const double k_sp_2 = parameters->belt_specific_stiffness[1];
-    const double w_b_1 = parameters->belt_width[0];
-    const double w_b_2 = parameters->belt_width[1];
-    const double R_p_1 = parameters->pulley_radius[0];
-    const double R_p_2 = parameters->pulley_radius[1];
-    const double t1 = g_1_1*x + g_1_2*y;
-    const double l_f_1_1 = l_0_1_1 + t1;
-    const double t2 = k_sp_1*w_b_1;
-    const double k_1_1 = t2/l_f_1_1;
-    const double l_f_1_2 = l_0_1_2 - t1;
-    const double k_1_2 = t2/l_f_1_2;
-    const double t3 = g_2_1*x + g_2_2*y;
-    const double l_f_2_1 = l_0_2_1 + t3;
-    const double t4 = k_sp_2*w_b_2;
-    const double k_2_1 = t4/l_f_2_1;
-    const double l_f_2_2 = l_0_2_2 - t3;
-    const double k_2_2 = t4/l_f_2_2;
-    const double t5 = (g_1_1*g_1_1);
-    const double t6 = (g_2_1*g_2_1);
-    const double t7 = g_1_1*g_1_2;
-    const double t8 = g_2_1*g_2_2;
-    const double t9 = R_p_1*g_1_1;
-    const double t10 = R_p_2*g_2_1;
-    const double t11 = (g_1_2*g_1_2);
-    const double t12 = (g_2_2*g_2_2);
-    const double t13 = R_p_1*g_1_2;
-    const double t14 = R_p_2*g_2_2;
-    const double t15 = (R_p_1*R_p_1);
-    const double t16 = (R_p_2*R_p_2);
-    memset(H_el, 0, sizeof(double[4][4]));
+    const pkmodes_real x = p[0];
+    const pkmodes_real y = p[1];
+    const pkmodes_real g_1_1 = parameters->belt_path_direction[0][0];
+    const pkmodes_real g_1_2 = parameters->belt_path_direction[0][1];
+    const pkmodes_real g_2_1 = parameters->belt_path_direction[1][0];
+    const pkmodes_real g_2_2 = parameters->belt_path_direction[1][1];
+    const pkmodes_real l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const pkmodes_real l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const pkmodes_real l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const pkmodes_real l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const pkmodes_real k_sp_1 = parameters->belt_specific_stiffness[0];
+    const pkmodes_real k_sp_2 = parameters->belt_specific_stiffness[1];
+    const pkmodes_real w_b_1 = parameters->belt_width[0];
+    const pkmodes_real w_b_2 = parameters->belt_width[1];
+    const pkmodes_real R_p_1 = parameters->pulley_radius[0];
+    const pkmodes_real R_p_2 = parameters->pulley_radius[1];
+    const pkmodes_real t1 = g_1_1*x + g_1_2*y;
+    const pkmodes_real l_f_1_1 = l_0_1_1 + t1;
+    const pkmodes_real t2 = k_sp_1*w_b_1;
+    const pkmodes_real k_1_1 = t2/l_f_1_1;
+    const pkmodes_real l_f_1_2 = l_0_1_2 - t1;
+    const pkmodes_real k_1_2 = t2/l_f_1_2;
+    const pkmodes_real t3 = g_2_1*x + g_2_2*y;
+    const pkmodes_real l_f_2_1 = l_0_2_1 + t3;
+    const pkmodes_real t4 = k_sp_2*w_b_2;
+    const pkmodes_real k_2_1 = t4/l_f_2_1;
+    const pkmodes_real l_f_2_2 = l_0_2_2 - t3;
+    const pkmodes_real k_2_2 = t4/l_f_2_2;
+    const pkmodes_real t5 = (g_1_1*g_1_1);
+    const pkmodes_real t6 = (g_2_1*g_2_1);
+    const pkmodes_real t7 = g_1_1*g_1_2;
+    const pkmodes_real t8 = g_2_1*g_2_2;
+    const pkmodes_real t9 = R_p_1*g_1_1;
+    const pkmodes_real t10 = R_p_2*g_2_1;
+    const pkmodes_real t11 = (g_1_2*g_1_2);
+    const pkmodes_real t12 = (g_2_2*g_2_2);
+    const pkmodes_real t13 = R_p_1*g_1_2;
+    const pkmodes_real t14 = R_p_2*g_2_2;
+    const pkmodes_real t15 = (R_p_1*R_p_1);
+    const pkmodes_real t16 = (R_p_2*R_p_2);
+    memset(H_el, 0, sizeof(pkmodes_real[4][4]));
     H_el[0][0] = k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6;
     H_el[0][1] = H_el[1][0] = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8;
     H_el[0][2] = H_el[2][0] = k_1_1*t9 + k_1_2*t9;
@@ -393,108 +407,109 @@ void corexy_elastic_hessian(const double p[2], const corexy_parameters *paramete
     H_el[3][3] = k_2_1*t16 + k_2_2*t16;
 }
 
-void corexy_static_equilibrium(const double p[2], const corexy_parameters *parameters, double tau_st[2],
-    double theta_st[2])
+void corexy_static_equilibrium(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real tau_st[2], pkmodes_real theta_st[2])
 {
-    const double x = p[0];
-    const double y = p[1];
-    const double m_h = parameters->toolhead_mass;
-    const double m_g = parameters->gantry_mass;
-    const double g_x = parameters->gravity[0];
-    const double g_y = parameters->gravity[1];
-    const double g_1_1 = parameters->belt_path_direction[0][0];
-    const double g_1_2 = parameters->belt_path_direction[0][1];
-    const double g_2_1 = parameters->belt_path_direction[1][0];
-    const double g_2_2 = parameters->belt_path_direction[1][1];
-    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
-    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
-    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
-    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
-    const double k_sp_1 = parameters->belt_specific_stiffness[0];
-    const double k_sp_2 = parameters->belt_specific_stiffness[1];
-    const double w_b_1 = parameters->belt_width[0];
-    const double w_b_2 = parameters->belt_width[1];
-    const double R_p_1 = parameters->pulley_radius[0];
-    const double R_p_2 = parameters->pulley_radius[1];
-    const double t1 = g_1_1*x + g_1_2*y;
-    const double l_f_1_1 = l_0_1_1 + t1;
-    const double t2 = k_sp_1*w_b_1;
-    const double k_1_1 = t2/l_f_1_1;
-    const double l_f_1_2 = l_0_1_2 - t1;
-    const double k_1_2 = t2/l_f_1_2;
-    const double t3 = g_2_1*x + g_2_2*y;
-    const double l_f_2_1 = l_0_2_1 + t3;
-    const double t4 = k_sp_2*w_b_2;
-    const double k_2_1 = t4/l_f_2_1;
-    const double l_f_2_2 = l_0_2_2 - t3;
-    const double k_2_2 = t4/l_f_2_2;
-    const double G_1 = -g_x*m_h;
-    const double G_2 = -g_y*(m_g + m_h);
-    const double t5 = R_p_2*g_2_1;
-    const double t6 = k_2_1*t5 + k_2_2*t5;
-    const double t7 = R_p_1*g_1_1;
-    const double t8 = k_1_1*t7 + k_1_2*t7;
-    const double t9 = R_p_2*g_2_2;
-    const double t10 = k_2_1*t9 + k_2_2*t9;
-    const double t11 = R_p_1*g_1_2;
-    const double t12 = k_1_1*t11 + k_1_2*t11;
-    const double det_1 = t10*t8 - t12*t6;
-    const double t13 = 1.0/det_1;
-    const double theta_1_st = t13*(-G_1*t10 + G_2*t6);
-    const double theta_2_st = t13*(G_1*t12 - G_2*t8);
-    const double t14 = (R_p_1*R_p_1)*theta_1_st;
-    const double tau_st_1 = k_1_1*t14 + k_1_2*t14;
-    const double t15 = (R_p_2*R_p_2)*theta_2_st;
-    const double tau_st_2 = k_2_1*t15 + k_2_2*t15;
+    const pkmodes_real x = p[0];
+    const pkmodes_real y = p[1];
+    const pkmodes_real m_h = parameters->toolhead_mass;
+    const pkmodes_real m_g = parameters->gantry_mass;
+    const pkmodes_real g_x = parameters->gravity[0];
+    const pkmodes_real g_y = parameters->gravity[1];
+    const pkmodes_real g_1_1 = parameters->belt_path_direction[0][0];
+    const pkmodes_real g_1_2 = parameters->belt_path_direction[0][1];
+    const pkmodes_real g_2_1 = parameters->belt_path_direction[1][0];
+    const pkmodes_real g_2_2 = parameters->belt_path_direction[1][1];
+    const pkmodes_real l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const pkmodes_real l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const pkmodes_real l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const pkmodes_real l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const pkmodes_real k_sp_1 = parameters->belt_specific_stiffness[0];
+    const pkmodes_real k_sp_2 = parameters->belt_specific_stiffness[1];
+    const pkmodes_real w_b_1 = parameters->belt_width[0];
+    const pkmodes_real w_b_2 = parameters->belt_width[1];
+    const pkmodes_real R_p_1 = parameters->pulley_radius[0];
+    const pkmodes_real R_p_2 = parameters->pulley_radius[1];
+    const pkmodes_real t1 = g_1_1*x + g_1_2*y;
+    const pkmodes_real l_f_1_1 = l_0_1_1 + t1;
+    const pkmodes_real t2 = k_sp_1*w_b_1;
+    const pkmodes_real k_1_1 = t2/l_f_1_1;
+    const pkmodes_real l_f_1_2 = l_0_1_2 - t1;
+    const pkmodes_real k_1_2 = t2/l_f_1_2;
+    const pkmodes_real t3 = g_2_1*x + g_2_2*y;
+    const pkmodes_real l_f_2_1 = l_0_2_1 + t3;
+    const pkmodes_real t4 = k_sp_2*w_b_2;
+    const pkmodes_real k_2_1 = t4/l_f_2_1;
+    const pkmodes_real l_f_2_2 = l_0_2_2 - t3;
+    const pkmodes_real k_2_2 = t4/l_f_2_2;
+    const pkmodes_real G_1 = -g_x*m_h;
+    const pkmodes_real G_2 = -g_y*(m_g + m_h);
+    const pkmodes_real t5 = R_p_2*g_2_1;
+    const pkmodes_real t6 = k_2_1*t5 + k_2_2*t5;
+    const pkmodes_real t7 = R_p_1*g_1_1;
+    const pkmodes_real t8 = k_1_1*t7 + k_1_2*t7;
+    const pkmodes_real t9 = R_p_2*g_2_2;
+    const pkmodes_real t10 = k_2_1*t9 + k_2_2*t9;
+    const pkmodes_real t11 = R_p_1*g_1_2;
+    const pkmodes_real t12 = k_1_1*t11 + k_1_2*t11;
+    const pkmodes_real det_1 = t10*t8 - t12*t6;
+    const pkmodes_real t13 = 1/det_1;
+    const pkmodes_real theta_1_st = t13*(-G_1*t10 + G_2*t6);
+    const pkmodes_real theta_2_st = t13*(G_1*t12 - G_2*t8);
+    const pkmodes_real t14 = (R_p_1*R_p_1)*theta_1_st;
+    const pkmodes_real tau_st_1 = k_1_1*t14 + k_1_2*t14;
+    const pkmodes_real t15 = (R_p_2*R_p_2)*theta_2_st;
+    const pkmodes_real tau_st_2 = k_2_1*t15 + k_2_2*t15;
     tau_st[0] = tau_st_1;
     tau_st[1] = tau_st_2;
     theta_st[0] = theta_1_st;
     theta_st[1] = theta_2_st;
 }
 
-void corexy_stiffness_matrix(const double p[2], const corexy_parameters *parameters, double K[4][4])
+void corexy_stiffness_matrix(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real K[4][4])
 {
-    const double x = p[0];
-    const double y = p[1];
-    const double g_1_1 = parameters->belt_path_direction[0][0];
-    const double g_1_2 = parameters->belt_path_direction[0][1];
-    const double g_2_1 = parameters->belt_path_direction[1][0];
-    const double g_2_2 = parameters->belt_path_direction[1][1];
-    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
-    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
-    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
-    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
-    const double k_sp_1 = parameters->belt_specific_stiffness[0];
-    const double k_sp_2 = parameters->belt_specific_stiffness[1];
-    const double w_b_1 = parameters->belt_width[0];
-    const double w_b_2 = parameters->belt_width[1];
-    const double R_p_1 = parameters->pulley_radius[0];
-    const double R_p_2 = parameters->pulley_radius[1];
-    const double t1 = g_1_1*x + g_1_2*y;
-    const double l_f_1_1 = l_0_1_1 + t1;
-    const double t2 = k_sp_1*w_b_1;
-    const double k_1_1 = t2/l_f_1_1;
-    const double l_f_1_2 = l_0_1_2 - t1;
-    const double k_1_2 = t2/l_f_1_2;
-    const double t3 = g_2_1*x + g_2_2*y;
-    const double l_f_2_1 = l_0_2_1 + t3;
-    const double t4 = k_sp_2*w_b_2;
-    const double k_2_1 = t4/l_f_2_1;
-    const double l_f_2_2 = l_0_2_2 - t3;
-    const double k_2_2 = t4/l_f_2_2;
-    const double t5 = (g_1_1*g_1_1);
-    const double t6 = (g_2_1*g_2_1);
-    const double t7 = g_1_1*g_1_2;
-    const double t8 = g_2_1*g_2_2;
-    const double t9 = R_p_1*g_1_1;
-    const double t10 = R_p_2*g_2_1;
-    const double t11 = (g_1_2*g_1_2);
-    const double t12 = (g_2_2*g_2_2);
-    const double t13 = R_p_1*g_1_2;
-    const double t14 = R_p_2*g_2_2;
-    const double t15 = (R_p_1*R_p_1);
-    const double t16 = (R_p_2*R_p_2);
-    memset(K, 0, sizeof(double[4][4]));
+    const pkmodes_real x = p[0];
+    const pkmodes_real y = p[1];
+    const pkmodes_real g_1_1 = parameters->belt_path_direction[0][0];
+    const pkmodes_real g_1_2 = parameters->belt_path_direction[0][1];
+    const pkmodes_real g_2_1 = parameters->belt_path_direction[1][0];
+    const pkmodes_real g_2_2 = parameters->belt_path_direction[1][1];
+    const pkmodes_real l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const pkmodes_real l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const pkmodes_real l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const pkmodes_real l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const pkmodes_real k_sp_1 = parameters->belt_specific_stiffness[0];
+    const pkmodes_real k_sp_2 = parameters->belt_specific_stiffness[1];
+    const pkmodes_real w_b_1 = parameters->belt_width[0];
+    const pkmodes_real w_b_2 = parameters->belt_width[1];
+    const pkmodes_real R_p_1 = parameters->pulley_radius[0];
+    const pkmodes_real R_p_2 = parameters->pulley_radius[1];
+    const pkmodes_real t1 = g_1_1*x + g_1_2*y;
+    const pkmodes_real l_f_1_1 = l_0_1_1 + t1;
+    const pkmodes_real t2 = k_sp_1*w_b_1;
+    const pkmodes_real k_1_1 = t2/l_f_1_1;
+    const pkmodes_real l_f_1_2 = l_0_1_2 - t1;
+    const pkmodes_real k_1_2 = t2/l_f_1_2;
+    const pkmodes_real t3 = g_2_1*x + g_2_2*y;
+    const pkmodes_real l_f_2_1 = l_0_2_1 + t3;
+    const pkmodes_real t4 = k_sp_2*w_b_2;
+    const pkmodes_real k_2_1 = t4/l_f_2_1;
+    const pkmodes_real l_f_2_2 = l_0_2_2 - t3;
+    const pkmodes_real k_2_2 = t4/l_f_2_2;
+    const pkmodes_real t5 = (g_1_1*g_1_1);
+    const pkmodes_real t6 = (g_2_1*g_2_1);
+    const pkmodes_real t7 = g_1_1*g_1_2;
+    const pkmodes_real t8 = g_2_1*g_2_2;
+    const pkmodes_real t9 = R_p_1*g_1_1;
+    const pkmodes_real t10 = R_p_2*g_2_1;
+    const pkmodes_real t11 = (g_1_2*g_1_2);
+    const pkmodes_real t12 = (g_2_2*g_2_2);
+    const pkmodes_real t13 = R_p_1*g_1_2;
+    const pkmodes_real t14 = R_p_2*g_2_2;
+    const pkmodes_real t15 = (R_p_1*R_p_1);
+    const pkmodes_real t16 = (R_p_2*R_p_2);
+    memset(K, 0, sizeof(pkmodes_real[4][4]));
     K[0][0] = k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6;
     K[0][1] = K[1][0] = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8;
     K[0][2] = K[2][0] = k_1_1*t9 + k_1_2*t9;
@@ -506,65 +521,65 @@ void corexy_stiffness_matrix(const double p[2], const corexy_parameters *paramet
     K[3][3] = k_2_1*t16 + k_2_2*t16;
 }
 
-void corexy_modal_matrices(const double p[2], const corexy_parameters *parameters, double M[4][4],
-    double K[4][4])
+void corexy_modal_matrices(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real M[4][4], pkmodes_real K[4][4])
 {
-    const double x = p[0];
-    const double y = p[1];
-    const double m_h = parameters->toolhead_mass;
-    const double m_g = parameters->gantry_mass;
-    const double g_1_1 = parameters->belt_path_direction[0][0];
-    const double g_1_2 = parameters->belt_path_direction[0][1];
-    const double g_2_1 = parameters->belt_path_direction[1][0];
-    const double g_2_2 = parameters->belt_path_direction[1][1];
-    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
-    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
-    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
-    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
-    const double k_sp_1 = parameters->belt_specific_stiffness[0];
-    const double k_sp_2 = parameters->belt_specific_stiffness[1];
-    const double w_b_1 = parameters->belt_width[0];
-    const double w_b_2 = parameters->belt_width[1];
-    const double R_p_1 = parameters->pulley_radius[0];
-    const double R_p_2 = parameters->pulley_radius[1];
-    const double I_p_1 = parameters->pulley_inertia[0];
-    const double I_p_2 = parameters->pulley_inertia[1];
-    const double I_m_1 = parameters->motor_inertia[0];
-    const double I_m_2 = parameters->motor_inertia[1];
-    const double i_g_1 = parameters->gear_ratio[0];
-    const double i_g_2 = parameters->gear_ratio[1];
-    const double I_1 = I_m_1*(i_g_1*i_g_1) + I_p_1;
-    const double I_2 = I_m_2*(i_g_2*i_g_2) + I_p_2;
-    const double t1 = g_1_1*x + g_1_2*y;
-    const double l_f_1_1 = l_0_1_1 + t1;
-    const double t2 = k_sp_1*w_b_1;
-    const double k_1_1 = t2/l_f_1_1;
-    const double l_f_1_2 = l_0_1_2 - t1;
-    const double k_1_2 = t2/l_f_1_2;
-    const double t3 = g_2_1*x + g_2_2*y;
-    const double l_f_2_1 = l_0_2_1 + t3;
-    const double t4 = k_sp_2*w_b_2;
-    const double k_2_1 = t4/l_f_2_1;
-    const double l_f_2_2 = l_0_2_2 - t3;
-    const double k_2_2 = t4/l_f_2_2;
-    const double t5 = (g_1_1*g_1_1);
-    const double t6 = (g_2_1*g_2_1);
-    const double t7 = g_1_1*g_1_2;
-    const double t8 = g_2_1*g_2_2;
-    const double t9 = R_p_1*g_1_1;
-    const double t10 = R_p_2*g_2_1;
-    const double t11 = (g_1_2*g_1_2);
-    const double t12 = (g_2_2*g_2_2);
-    const double t13 = R_p_1*g_1_2;
-    const double t14 = R_p_2*g_2_2;
-    const double t15 = (R_p_1*R_p_1);
-    const double t16 = (R_p_2*R_p_2);
-    memset(M, 0, sizeof(double[4][4]));
+    const pkmodes_real x = p[0];
+    const pkmodes_real y = p[1];
+    const pkmodes_real m_h = parameters->toolhead_mass;
+    const pkmodes_real m_g = parameters->gantry_mass;
+    const pkmodes_real g_1_1 = parameters->belt_path_direction[0][0];
+    const pkmodes_real g_1_2 = parameters->belt_path_direction[0][1];
+    const pkmodes_real g_2_1 = parameters->belt_path_direction[1][0];
+    const pkmodes_real g_2_2 = parameters->belt_path_direction[1][1];
+    const pkmodes_real l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const pkmodes_real l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const pkmodes_real l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const pkmodes_real l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const pkmodes_real k_sp_1 = parameters->belt_specific_stiffness[0];
+    const pkmodes_real k_sp_2 = parameters->belt_specific_stiffness[1];
+    const pkmodes_real w_b_1 = parameters->belt_width[0];
+    const pkmodes_real w_b_2 = parameters->belt_width[1];
+    const pkmodes_real R_p_1 = parameters->pulley_radius[0];
+    const pkmodes_real R_p_2 = parameters->pulley_radius[1];
+    const pkmodes_real I_p_1 = parameters->pulley_inertia[0];
+    const pkmodes_real I_p_2 = parameters->pulley_inertia[1];
+    const pkmodes_real I_m_1 = parameters->motor_inertia[0];
+    const pkmodes_real I_m_2 = parameters->motor_inertia[1];
+    const pkmodes_real i_g_1 = parameters->gear_ratio[0];
+    const pkmodes_real i_g_2 = parameters->gear_ratio[1];
+    const pkmodes_real I_1 = I_m_1*(i_g_1*i_g_1) + I_p_1;
+    const pkmodes_real I_2 = I_m_2*(i_g_2*i_g_2) + I_p_2;
+    const pkmodes_real t1 = g_1_1*x + g_1_2*y;
+    const pkmodes_real l_f_1_1 = l_0_1_1 + t1;
+    const pkmodes_real t2 = k_sp_1*w_b_1;
+    const pkmodes_real k_1_1 = t2/l_f_1_1;
+    const pkmodes_real l_f_1_2 = l_0_1_2 - t1;
+    const pkmodes_real k_1_2 = t2/l_f_1_2;
+    const pkmodes_real t3 = g_2_1*x + g_2_2*y;
+    const pkmodes_real l_f_2_1 = l_0_2_1 + t3;
+    const pkmodes_real t4 = k_sp_2*w_b_2;
+    const pkmodes_real k_2_1 = t4/l_f_2_1;
+    const pkmodes_real l_f_2_2 = l_0_2_2 - t3;
+    const pkmodes_real k_2_2 = t4/l_f_2_2;
+    const pkmodes_real t5 = (g_1_1*g_1_1);
+    const pkmodes_real t6 = (g_2_1*g_2_1);
+    const pkmodes_real t7 = g_1_1*g_1_2;
+    const pkmodes_real t8 = g_2_1*g_2_2;
+    const pkmodes_real t9 = R_p_1*g_1_1;
+    const pkmodes_real t10 = R_p_2*g_2_1;
+    const pkmodes_real t11 = (g_1_2*g_1_2);
+    const pkmodes_real t12 = (g_2_2*g_2_2);
+    const pkmodes_real t13 = R_p_1*g_1_2;
+    const pkmodes_real t14 = R_p_2*g_2_2;
+    const pkmodes_real t15 = (R_p_1*R_p_1);
+    const pkmodes_real t16 = (R_p_2*R_p_2);
+    memset(M, 0, sizeof(pkmodes_real[4][4]));
     M[0][0] = m_h;
     M[1][1] = m_g + m_h;
     M[2][2] = I_1;
     M[3][3] = I_2;
-    memset(K, 0, sizeof(double[4][4]));
+    memset(K, 0, sizeof(pkmodes_real[4][4]));
     K[0][0] = k_1_1*t5 + k_1_2*t5 + k_2_1*t6 + k_2_2*t6;
     K[0][1] = K[1][0] = k_1_1*t7 + k_1_2*t7 + k_2_1*t8 + k_2_2*t8;
     K[0][2] = K[2][0] = k_1_1*t9 + k_1_2*t9;
@@ -579,27 +594,36 @@ void corexy_modal_matrices(const double p[2], const corexy_parameters *parameter
 /* Coordinates, and the most iterations for one eigenvalue; two are usual. */
 enum { N = COREXY_COORDINATES, EIGEN_ITERATIONS = 60 };
 
+/* Rounding, and the relative difference up to which components of a shape count as equal. */
+#ifdef PKMODES_FLOAT
+#define EIGEN_EPSILON 1.1920929e-07f
+#define EIGEN_TIE 1e-4f
+#else
+#define EIGEN_EPSILON 2.220446049250313e-16
+#define EIGEN_TIE 1e-6
+#endif
+
 /* The symmetric eigenproblem K phi = lambda M phi: M is scaled and factored (Cholesky), K reduced to a
  * tridiagonal matrix by Householder reflections, and that diagonalised by the implicit QL method.  The lower
  * triangle of symmetric matrices is used.  Functions that can fail return -1. */
-static int eigen_factor(double M[N][N], double scale[N])
+static int eigen_factor(pkmodes_real M[N][N], pkmodes_real scale[N])
 {
     int i, j, k;
     for (i = 0; i < N; ++i) {
-        if (!(M[i][i] > 0.0))
+        if (!(M[i][i] > 0))
             return -1;
-        scale[i] = 1.0/sqrt(M[i][i]);
+        scale[i] = 1/R(sqrt)(M[i][i]);
     }
     for (i = 0; i < N; ++i)
         for (j = 0; j <= i; ++j)
             M[i][j] *= scale[i]*scale[j];
     for (j = 0; j < N; ++j) { /* the diagonal of the factor is inverted */
-        double pivot = M[j][j];
+        pkmodes_real pivot = M[j][j];
         for (k = 0; k < j; ++k)
             pivot -= M[j][k]*M[j][k];
-        if (!(pivot > 0.0))
+        if (!(pivot > 0))
             return -1;
-        M[j][j] = 1.0/sqrt(pivot);
+        M[j][j] = 1/R(sqrt)(pivot);
         for (i = j + 1; i < N; ++i) {
             for (k = 0; k < j; ++k)
                 M[i][j] -= M[i][k]*M[j][k];
@@ -609,7 +633,7 @@ static int eigen_factor(double M[N][N], double scale[N])
     return 0;
 }
 
-static void eigen_reduce(double L[N][N], const double scale[N], double K[N][N])
+static void eigen_reduce(pkmodes_real L[N][N], const pkmodes_real scale[N], pkmodes_real K[N][N])
 {
     int i, j, k;
     for (i = 0; i < N; ++i)
@@ -631,29 +655,30 @@ static void eigen_reduce(double L[N][N], const double scale[N], double K[N][N])
         }
 }
 
-static void eigen_tridiagonal(double A[N][N], double d[N], double e[N], double beta[N])
+static void eigen_tridiagonal(
+    pkmodes_real A[N][N], pkmodes_real d[N], pkmodes_real e[N], pkmodes_real beta[N])
 {
-    double w[N];
+    pkmodes_real w[N];
     int i, j, k;
     for (k = 0; k + 2 < N; ++k) {
-        const double first = A[k + 1][k];
-        double rest = 0.0, along = 0.0, norm;
+        const pkmodes_real first = A[k + 1][k];
+        pkmodes_real rest = 0, along = 0, norm;
         for (i = k + 2; i < N; ++i)
             rest += A[i][k]*A[i][k];
-        norm = copysign(sqrt(first*first + rest), first);
+        norm = R(copysign)(R(sqrt)(first*first + rest), first);
         d[k] = A[k][k];
-        e[k] = rest > 0.0 ? -norm : first;
-        beta[k] = rest > 0.0 ? 1.0/(norm*(first + norm)) : 0.0;
+        e[k] = rest > 0 ? -norm : first;
+        beta[k] = rest > 0 ? 1/(norm*(first + norm)) : 0;
         A[k + 1][k] = first + norm;
         for (i = k + 1; i < N; ++i) {
-            w[i] = 0.0;
+            w[i] = 0;
             for (j = k + 1; j < N; ++j)
                 w[i] += (j < i ? A[i][j] : A[j][i])*A[j][k];
             w[i] *= beta[k];
             along += w[i]*A[i][k];
         }
         for (i = k + 1; i < N; ++i)
-            w[i] -= 0.5*beta[k]*along*A[i][k];
+            w[i] -= R(0.5)*beta[k]*along*A[i][k];
         for (i = k + 1; i < N; ++i)
             for (j = k + 1; j <= i; ++j)
                 A[i][j] -= A[i][k]*w[j] + w[i]*A[j][k];
@@ -661,23 +686,24 @@ static void eigen_tridiagonal(double A[N][N], double d[N], double e[N], double b
     for (k = N > 2 ? N - 2 : 0; k < N; ++k)
         d[k] = A[k][k];
     for (k = N > 2 ? N - 2 : 0; k < N; ++k)
-        e[k] = k + 1 < N ? A[k + 1][k] : 0.0;
+        e[k] = k + 1 < N ? A[k + 1][k] : 0;
 }
 
 /* Columns of the inverse factor, transposed, times the reflections: rows of Z. */
-static void eigen_vectors(double L[N][N], double A[N][N], const double beta[N], double Z[N][N])
+static void eigen_vectors(
+    pkmodes_real L[N][N], pkmodes_real A[N][N], const pkmodes_real beta[N], pkmodes_real Z[N][N])
 {
     int c, i, k;
     for (c = 0; c < N; ++c)
         for (i = N - 1; i >= 0; --i) {
-            Z[c][i] = i == c ? 1.0 : 0.0;
+            Z[c][i] = i == c ? 1 : 0;
             for (k = i + 1; k <= c; ++k)
                 Z[c][i] -= L[k][i]*Z[c][k];
-            Z[c][i] *= i <= c ? L[i][i] : 0.0;
+            Z[c][i] *= i <= c ? L[i][i] : 0;
         }
     for (k = 0; k + 2 < N; ++k)
         for (i = 0; i < N; ++i) {
-            double sum = 0.0;
+            pkmodes_real sum = 0;
             for (c = k + 1; c < N; ++c)
                 sum += Z[c][i]*A[c][k];
             for (c = k + 1; c < N; ++c)
@@ -685,39 +711,39 @@ static void eigen_vectors(double L[N][N], double A[N][N], const double beta[N], 
         }
 }
 
-static int eigen_ql(double d[N], double e[N], double (*Z)[N])
+static int eigen_ql(pkmodes_real d[N], pkmodes_real e[N], pkmodes_real (*Z)[N])
 {
     int i, k, l, m, iteration;
     for (l = 0; l < N; ++l)
         for (iteration = 0;; ++iteration) {
-            double g, s = 1.0, c = 1.0, p = 0.0, half;
+            pkmodes_real g, s = 1, c = 1, p = 0, half;
             for (m = l; m < N - 1; ++m)
-                if (!(fabs(e[m]) > 2.220446049250313e-16*(fabs(d[m]) + fabs(d[m + 1]))))
+                if (!(R(fabs)(e[m]) > EIGEN_EPSILON*(R(fabs)(d[m]) + R(fabs)(d[m + 1]))))
                     break;
             if (m == l)
                 break;
             if (iteration == EIGEN_ITERATIONS)
                 return -1;
-            half = (d[l + 1] - d[l])/(2.0*e[l]);
-            g = d[m] - d[l] + e[l]/(half + copysign(sqrt(half*half + 1.0), half));
+            half = (d[l + 1] - d[l])/(2*e[l]);
+            g = d[m] - d[l] + e[l]/(half + R(copysign)(R(sqrt)(half*half + 1), half));
             for (i = m - 1; i >= l; --i) {
-                const double f = s*e[i], b = c*e[i], r = sqrt(f*f + g*g);
-                double h, t;
+                const pkmodes_real f = s*e[i], b = c*e[i], r = R(sqrt)(f*f + g*g);
+                pkmodes_real h, t;
                 if (i + 1 < m)
                     e[i + 1] = r;
-                if (r == 0.0) { /* the matrix splits here */
+                if (r == 0) { /* the matrix splits here */
                     d[i + 1] -= p;
                     break;
                 }
                 s = f/r;
                 c = g/r;
                 h = d[i + 1] - p;
-                t = (d[i] - h)*s + 2.0*c*b;
+                t = (d[i] - h)*s + 2*c*b;
                 p = s*t;
                 d[i + 1] = h + p;
                 g = c*t - b;
                 for (k = 0; Z && k < N; ++k) {
-                    const double x = Z[i + 1][k], y = Z[i][k];
+                    const pkmodes_real x = Z[i + 1][k], y = Z[i][k];
                     Z[i + 1][k] = s*y + c*x;
                     Z[i][k] = c*y - s*x;
                 }
@@ -726,65 +752,66 @@ static int eigen_ql(double d[N], double e[N], double (*Z)[N])
                 d[l] -= p;
                 e[l] = g;
             }
-            e[m] = 0.0;
+            e[m] = 0;
         }
     return 0;
 }
 
 /* Sort, and choose signs: the first of a shape's largest components, in units of the scale, is positive. */
-static void eigen_order(double d[N], double (*Z)[N], const double scale[N])
+static void eigen_order(pkmodes_real d[N], pkmodes_real (*Z)[N], const pkmodes_real scale[N])
 {
     int i, j, k;
     for (i = 1; i < N; ++i)
         for (j = i; j > 0 && d[j] < d[j - 1]; --j) {
-            const double value = d[j];
+            const pkmodes_real value = d[j];
             d[j] = d[j - 1];
             d[j - 1] = value;
             for (k = 0; Z && k < N; ++k) {
-                const double x = Z[j][k];
+                const pkmodes_real x = Z[j][k];
                 Z[j][k] = Z[j - 1][k];
                 Z[j - 1][k] = x;
             }
         }
     for (i = 0; Z && i < N; ++i) {
-        double largest = 0.0, sign = 1.0;
+        pkmodes_real largest = 0, sign = 1;
         for (k = 0; k < N; ++k)
-            largest = fmax(largest, fabs(Z[i][k]));
+            largest = R(fmax)(largest, R(fabs)(Z[i][k]));
         for (k = N - 1; k >= 0; --k)
-            if (fabs(Z[i][k]) >= (1.0 - 1e-6)*largest)
+            if (R(fabs)(Z[i][k]) >= (1 - EIGEN_TIE)*largest)
                 sign = Z[i][k];
         for (k = 0; k < N; ++k)
-            Z[i][k] *= copysign(1.0, sign)*scale[k];
+            Z[i][k] *= R(copysign)(1, sign)*scale[k];
     }
 }
 
 /* Replace eigenvalues by natural frequencies sqrt(|lambda|)/(2 pi) with the sign of lambda [Hz]. */
-static void eigen_frequencies(double d[N])
+static void eigen_frequencies(pkmodes_real d[N])
 {
     int i;
     for (i = 0; i < N; ++i)
-        d[i] = copysign(sqrt(fabs(d[i])), d[i])/6.283185307179586;
+        d[i] = R(copysign)(R(sqrt)(R(fabs)(d[i])), d[i])/R(6.283185307179586);
 }
-int corexy_status(const double p[2], const corexy_parameters *parameters)
+int corexy_status(const pkmodes_real p[2], const corexy_parameters *parameters)
 {
     int i;
     for (i = 0; i < COREXY_POSE; ++i)
         if (!isfinite(p[i]))
             return COREXY_NOT_FINITE;
     {
-        double margin[2][2];
+        pkmodes_real margin[2][2];
         corexy_travel_margin(p, parameters, margin);
         for (i = 0; i < 4; ++i)
-            if (!(((const double *)margin)[i] >= 0.0))
+            if (!(((const pkmodes_real *)margin)[i] >= 0))
                 return COREXY_BEYOND_LIMITS;
     }
     return 0;
 }
 
 int corexy_modes(
-    const double p[2], const corexy_parameters *parameters, double f[4], double phi[4][4])
+    const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real f[4], pkmodes_real phi[4][4])
 {
-    double L[N][N], A[N][N], scale[N], e[N], beta[N];
+    pkmodes_real L[N][N], A[N][N], scale[N], e[N], beta[N];
     const int status = corexy_status(p, parameters);
     if (status)
         return status;
@@ -803,7 +830,7 @@ int corexy_modes(
 }
 
 int corexy_natural_frequencies(
-    const double p[2], const corexy_parameters *parameters, double f[4])
+    const pkmodes_real p[2], const corexy_parameters *parameters, pkmodes_real f[4])
 {
     return corexy_modes(p, parameters, f, NULL);
 }

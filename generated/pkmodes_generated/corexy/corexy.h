@@ -5,6 +5,7 @@
  * Dynamics of the mechanism corexy, for a robot given by its parameters.
  *
  * C99 without allocation; depends only on math.h and memset of the C library.  Matrices are row-major.
+ * Numbers are of type double or, in a program compiled with PKMODES_FLOAT defined, of type float.
  * All quantities are in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K
  * is positive for a restoring force.
  * Generalised coordinates, in the order of M and K:
@@ -12,14 +13,66 @@
  *   y [m]
  *   theta_1 [rad]
  *   theta_2 [rad]
+ *
+ * Whether a pose can be evaluated comes first:
+ *
+ *   pkmodes_real p[2] = {...}, f[4], phi[4][4], M[4][4], K[4][4];
+ *   if (corexy_status(p, parameters) == 0) {
+ *       corexy_modal_matrices(p, parameters, M, K);
+ *       corexy_modes(p, parameters, f, phi);
+ *   }
  */
 #ifndef COREXY_H
 #define COREXY_H
+
+/* The type of every number. */
+#ifndef PKMODES_REAL
+#define PKMODES_REAL
+#ifdef PKMODES_FLOAT
+typedef float pkmodes_real;
+#else
+typedef double pkmodes_real;
+#endif
+#endif
+
+/* In single precision the functions have other names: a program can have both, and calls none by mistake. */
+#ifdef PKMODES_FLOAT
+#define corexy_inverse_kinematics corexy_inverse_kinematics_f
+#define corexy_travel_margin corexy_travel_margin_f
+#define corexy_run_margin corexy_run_margin_f
+#define corexy_crossing_margin corexy_crossing_margin_f
+#define corexy_belt_spans corexy_belt_spans_f
+#define corexy_platform_jacobian corexy_platform_jacobian_f
+#define corexy_platform_jacobian_rate corexy_platform_jacobian_rate_f
+#define corexy_platform_second_derivatives corexy_platform_second_derivatives_f
+#define corexy_kinetic_energy corexy_kinetic_energy_f
+#define corexy_mass_matrix corexy_mass_matrix_f
+#define corexy_velocity_forces corexy_velocity_forces_f
+#define corexy_gravity_potential corexy_gravity_potential_f
+#define corexy_gravity_gradient corexy_gravity_gradient_f
+#define corexy_gravity_hessian corexy_gravity_hessian_f
+#define corexy_belt_stiffness corexy_belt_stiffness_f
+#define corexy_elastic_potential corexy_elastic_potential_f
+#define corexy_elastic_gradient corexy_elastic_gradient_f
+#define corexy_elastic_hessian corexy_elastic_hessian_f
+#define corexy_static_equilibrium corexy_static_equilibrium_f
+#define corexy_stiffness_matrix corexy_stiffness_matrix_f
+#define corexy_modal_matrices corexy_modal_matrices_f
+#define corexy_status corexy_status_f
+#define corexy_natural_frequencies corexy_natural_frequencies_f
+#define corexy_modes corexy_modes_f
+#endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/* name of the mechanism */
+#define COREXY_NAME "corexy"
+/* version of the generator */
+#define COREXY_VERSION "0.1.0"
+/* SHA-256 of the C code, first digits: another model has another */
+#define COREXY_HASH "665fa1794241f007"
 /* components of a pose */
 #define COREXY_POSE 2
 /* coordinates, and modes */
@@ -35,29 +88,29 @@ extern "C" {
 
 typedef struct {
     /* [kg] mass of the tool head */
-    double toolhead_mass;
+    pkmodes_real toolhead_mass;
     /* [kg] mass of the gantry */
-    double gantry_mass;
+    pkmodes_real gantry_mass;
     /* [m/s^2] gravitational acceleration g, base frame */
-    double gravity[3];
+    pkmodes_real gravity[3];
     /* [1] run 1 of belt j grows (+1) or shrinks (-1) along component k */
-    double belt_path_direction[2][2];
+    pkmodes_real belt_path_direction[2][2];
     /* [m] free length of run k of belt j with the tool head at x = y = 0 */
-    double belt_path_lengths[2][2];
+    pkmodes_real belt_path_lengths[2][2];
     /* [N/m] specific stiffness of belt j: k = w_b k_sp / free length */
-    double belt_specific_stiffness[2];
+    pkmodes_real belt_specific_stiffness[2];
     /* [m] width of belt j */
-    double belt_width[2];
+    pkmodes_real belt_width[2];
     /* [m] radius of motor pulley j */
-    double pulley_radius[2];
+    pkmodes_real pulley_radius[2];
     /* [kg m^2] moment of inertia of motor pulley j */
-    double pulley_inertia[2];
+    pkmodes_real pulley_inertia[2];
     /* [kg m^2] moment of inertia of motor j at its shaft */
-    double motor_inertia[2];
+    pkmodes_real motor_inertia[2];
     /* [1] gear ratio of motor j, motor over pulley */
-    double gear_ratio[2];
+    pkmodes_real gear_ratio[2];
     /* [m] travel of the tool head */
-    double workspace[2][2];
+    pkmodes_real workspace[2][2];
 } corexy_parameters;
 
 /* Positions at a pose.
@@ -68,7 +121,8 @@ typedef struct {
  * Source: the pose itself.
  * 0 operations; 0 with every named value expanded.
  */
-void corexy_inverse_kinematics(const double p[2], const corexy_parameters *parameters, double xy[2]);
+void corexy_inverse_kinematics(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real xy[2]);
 
 /* Distance of the tool head from the ends of its travel.
  *
@@ -78,7 +132,8 @@ void corexy_inverse_kinematics(const double p[2], const corexy_parameters *param
  * Source: both ends of the workspace.
  * 4 operations; 4 with every named value expanded.
  */
-void corexy_travel_margin(const double p[2], const corexy_parameters *parameters, double margin[2][2]);
+void corexy_travel_margin(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real margin[2][2]);
 
 /* Shortest free length of each run in the whole workspace.
  *
@@ -87,7 +142,7 @@ void corexy_travel_margin(const double p[2], const corexy_parameters *parameters
  * Source: the lengths are linear in x and y, so the shortest is at a corner.
  * 32 operations; 64 with every named value expanded.
  */
-void corexy_run_margin(const corexy_parameters *parameters, double margin[2][2]);
+void corexy_run_margin(const corexy_parameters *parameters, pkmodes_real margin[2][2]);
 
 /* Linear independence of the directions of the two belts.
  *
@@ -96,9 +151,11 @@ void corexy_run_margin(const corexy_parameters *parameters, double margin[2][2])
  * Source: square of the determinant of the two directions, 0 or 4, minus 1.
  * 5 operations; 5 with every named value expanded.
  */
-void corexy_crossing_margin(const corexy_parameters *parameters, double margin[1]);
+void corexy_crossing_margin(const corexy_parameters *parameters, pkmodes_real margin[1]);
 
 /* Free lengths of the belt spans.
+ *
+ * Call `corexy_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: tool head in the base frame
  *   out l_f [m]: free length l_f[j-1, s-1] of span s of belt j
@@ -106,9 +163,11 @@ void corexy_crossing_margin(const corexy_parameters *parameters, double margin[1
  * Source: equations 35 to 37; a pose is within the limits if all are positive.
  * 10 operations; 16 with every named value expanded.
  */
-void corexy_belt_spans(const double p[2], const corexy_parameters *parameters, double l_f[2][2]);
+void corexy_belt_spans(const pkmodes_real p[2], const corexy_parameters *parameters, pkmodes_real l_f[2][2]);
 
 /* Platform Jacobian D_p.
+ *
+ * Call `corexy_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: tool head in the base frame
  *   out D_p [1]: dp_i/dq_k, base frame
@@ -116,9 +175,12 @@ void corexy_belt_spans(const double p[2], const corexy_parameters *parameters, d
  * Source: equation 15.
  * 0 operations; 0 with every named value expanded.
  */
-void corexy_platform_jacobian(const double p[2], const corexy_parameters *parameters, double D_p[2][2]);
+void corexy_platform_jacobian(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real D_p[2][2]);
 
 /* Time derivative of the platform Jacobian.
+ *
+ * Call `corexy_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: tool head in the base frame
  *   in  xy_dot [m/s]: velocities
@@ -127,10 +189,12 @@ void corexy_platform_jacobian(const double p[2], const corexy_parameters *parame
  * Source: equation 17.
  * 0 operations; 0 with every named value expanded.
  */
-void corexy_platform_jacobian_rate(const double p[2], const double xy_dot[2],
-    const corexy_parameters *parameters, double D_p_dot[2][2]);
+void corexy_platform_jacobian_rate(const pkmodes_real p[2], const pkmodes_real xy_dot[2],
+    const corexy_parameters *parameters, pkmodes_real D_p_dot[2][2]);
 
 /* Second derivatives of the platform position with respect to the positions.
+ *
+ * Call `corexy_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: tool head in the base frame
  *   out P [1/m]: d2p_i/dq_k dq_l as P[i, k, l]
@@ -138,10 +202,12 @@ void corexy_platform_jacobian_rate(const double p[2], const double xy_dot[2],
  * Source: equation 49, by the implicit function theorem to second order.
  * 0 operations; 0 with every named value expanded.
  */
-void corexy_platform_second_derivatives(const double p[2], const corexy_parameters *parameters,
-    double P[2][2][2]);
+void corexy_platform_second_derivatives(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real P[2][2][2]);
 
 /* Kinetic energies of the structure and of the transmissions.
+ *
+ * Call `corexy_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: tool head in the base frame
  *   in  q_dot [m/s, rad/s]: rates of the four generalised coordinates
@@ -151,10 +217,12 @@ void corexy_platform_second_derivatives(const double p[2], const corexy_paramete
  * Source: equations 24 and 28.
  * 22 operations; 24 with every named value expanded.
  */
-void corexy_kinetic_energy(const double p[2], const double q_dot[4], const corexy_parameters *parameters,
-    double *T_ss, double *T_t);
+void corexy_kinetic_energy(const pkmodes_real p[2], const pkmodes_real q_dot[4],
+    const corexy_parameters *parameters, pkmodes_real *T_ss, pkmodes_real *T_t);
 
 /* Mass matrix M in the four generalised coordinates.
+ *
+ * Call `corexy_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: tool head in the base frame
  *   out M [kg, kg m^2]: symmetric
@@ -162,9 +230,11 @@ void corexy_kinetic_energy(const double p[2], const double q_dot[4], const corex
  * Source: equations 24, 30 and 33.
  * 7 operations; 7 with every named value expanded.
  */
-void corexy_mass_matrix(const double p[2], const corexy_parameters *parameters, double M[4][4]);
+void corexy_mass_matrix(const pkmodes_real p[2], const corexy_parameters *parameters, pkmodes_real M[4][4]);
 
 /* Coriolis and centrifugal forces h of M_ss xy_ddot + h + grad V = Q.
+ *
+ * Call `corexy_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: tool head in the base frame
  *   in  xy_dot [m/s]: velocities
@@ -173,10 +243,12 @@ void corexy_mass_matrix(const double p[2], const corexy_parameters *parameters, 
  * Source: Lagrange's equations; equation 47 before linearisation.
  * 0 operations; 0 with every named value expanded.
  */
-void corexy_velocity_forces(const double p[2], const double xy_dot[2], const corexy_parameters *parameters,
-    double h[2]);
+void corexy_velocity_forces(const pkmodes_real p[2], const pkmodes_real xy_dot[2],
+    const corexy_parameters *parameters, pkmodes_real h[2]);
 
 /* Gravitational potential energy V_g = -U_g, with the force function U_g.
+ *
+ * Call `corexy_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: tool head in the base frame
  *   out V_g [J]: zero at the origin of the base frame
@@ -184,9 +256,12 @@ void corexy_velocity_forces(const double p[2], const double xy_dot[2], const cor
  * Source: equation 26, for gravity in any direction and all moving bodies.
  * 8 operations; 8 with every named value expanded.
  */
-void corexy_gravity_potential(const double p[2], const corexy_parameters *parameters, double *V_g);
+void corexy_gravity_potential(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real *V_g);
 
 /* Gradient of the gravitational potential energy with respect to the positions.
+ *
+ * Call `corexy_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: tool head in the base frame
  *   out G [N]: dV_g/dq_k
@@ -194,9 +269,11 @@ void corexy_gravity_potential(const double p[2], const corexy_parameters *parame
  * Source: equation 27.
  * 5 operations; 5 with every named value expanded.
  */
-void corexy_gravity_gradient(const double p[2], const corexy_parameters *parameters, double G[2]);
+void corexy_gravity_gradient(const pkmodes_real p[2], const corexy_parameters *parameters, pkmodes_real G[2]);
 
 /* Hessian of the gravitational potential energy with respect to the positions.
+ *
+ * Call `corexy_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: tool head in the base frame
  *   out H_g [N/m]: d2V_g/dq_k dq_l, symmetric
@@ -204,9 +281,12 @@ void corexy_gravity_gradient(const double p[2], const corexy_parameters *paramet
  * Source: section 4 and equation 49.
  * 0 operations; 0 with every named value expanded.
  */
-void corexy_gravity_hessian(const double p[2], const corexy_parameters *parameters, double H_g[2][2]);
+void corexy_gravity_hessian(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real H_g[2][2]);
 
 /* Stiffnesses of the belt spans.
+ *
+ * Call `corexy_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: tool head in the base frame
  *   out k [N/m]: k[j-1, s-1] of span s of belt j, as in `belt_spans`
@@ -214,9 +294,12 @@ void corexy_gravity_hessian(const double p[2], const corexy_parameters *paramete
  * Source: equations 34 to 37.
  * 16 operations; 24 with every named value expanded.
  */
-void corexy_belt_stiffness(const double p[2], const corexy_parameters *parameters, double k[2][2]);
+void corexy_belt_stiffness(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real k[2][2]);
 
 /* Elastic potential energy V_el = -U_el of the transmissions, with the force function U_el.
+ *
+ * Call `corexy_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: tool head in the base frame
  *   in  delta_q [m, rad]: small displacements of the four generalised coordinates from the reference
@@ -226,10 +309,12 @@ void corexy_belt_stiffness(const double p[2], const corexy_parameters *parameter
  * Source: equation 38, summed.
  * 37 operations; 59 with every named value expanded.
  */
-void corexy_elastic_potential(const double p[2], const double delta_q[4],
-    const corexy_parameters *parameters, double *V_el);
+void corexy_elastic_potential(const pkmodes_real p[2], const pkmodes_real delta_q[4],
+    const corexy_parameters *parameters, pkmodes_real *V_el);
 
 /* Gradient of the elastic potential energy.
+ *
+ * Call `corexy_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: tool head in the base frame
  *   in  delta_q [m, rad]: small displacements of the four generalised coordinates from the reference
@@ -239,10 +324,12 @@ void corexy_elastic_potential(const double p[2], const double delta_q[4],
  * Source: equation 38 differentiated.
  * 52 operations; 164 with every named value expanded.
  */
-void corexy_elastic_gradient(const double p[2], const double delta_q[4], const corexy_parameters *parameters,
-    double E[4]);
+void corexy_elastic_gradient(const pkmodes_real p[2], const pkmodes_real delta_q[4],
+    const corexy_parameters *parameters, pkmodes_real E[4]);
 
 /* Hessian of the elastic potential energy.
+ *
+ * Call `corexy_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: tool head in the base frame
  *   out H_el [N/m, N, N m]: d2V_el/dq2, symmetric, with two zero eigenvalues
@@ -250,9 +337,12 @@ void corexy_elastic_gradient(const double p[2], const double delta_q[4], const c
  * Source: equation 38 differentiated twice.
  * 67 operations; 310 with every named value expanded.
  */
-void corexy_elastic_hessian(const double p[2], const corexy_parameters *parameters, double H_el[4][4]);
+void corexy_elastic_hessian(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real H_el[4][4]);
 
 /* Drive torques that hold the pose, and the corresponding rotations.
+ *
+ * Call `corexy_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: tool head in the base frame
  *   out tau_st [N m]: torques on the driven rotors, positive in the direction of their rotation
@@ -261,10 +351,12 @@ void corexy_elastic_hessian(const double p[2], const corexy_parameters *paramete
  * Source: equation 44, solved at the pose.
  * 59 operations; 722 with every named value expanded.
  */
-void corexy_static_equilibrium(const double p[2], const corexy_parameters *parameters, double tau_st[2],
-    double theta_st[2]);
+void corexy_static_equilibrium(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real tau_st[2], pkmodes_real theta_st[2]);
 
 /* Stiffness matrix K in the four generalised coordinates.
+ *
+ * Call `corexy_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: tool head in the base frame
  *   out K [N/m, N, N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
@@ -272,11 +364,14 @@ void corexy_static_equilibrium(const double p[2], const corexy_parameters *param
  * Source: equations 46 and 48: K = -H_U.
  * 67 operations; 310 with every named value expanded.
  */
-void corexy_stiffness_matrix(const double p[2], const corexy_parameters *parameters, double K[4][4]);
+void corexy_stiffness_matrix(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real K[4][4]);
 
 /* Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.
  *
  * Common intermediate values are evaluated once: call this function for an eigenproblem.
+ *
+ * Call `corexy_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: tool head in the base frame
  *   out M [kg, kg m^2]: mass matrix
@@ -285,25 +380,29 @@ void corexy_stiffness_matrix(const double p[2], const corexy_parameters *paramet
  * Source: equation 48.
  * 74 operations; 317 with every named value expanded.
  */
-void corexy_modal_matrices(const double p[2], const corexy_parameters *parameters, double M[4][4],
-    double K[4][4]);
+void corexy_modal_matrices(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real M[4][4], pkmodes_real K[4][4]);
 
-/* Why a pose cannot be evaluated: 0 where it can, or a status above.  Where it is not 0, the functions before
- * return NaN or numbers without meaning: call it first, or call the two functions that follow.
+/* Why a pose cannot be evaluated: a status above, or 0 where it can.  The functions before do not check the
+ * pose, and return NaN or numbers without meaning where this is not 0.
  */
-int corexy_status(const double p[2], const corexy_parameters *parameters);
+int corexy_status(const pkmodes_real p[2], const corexy_parameters *parameters);
 
 /* Natural frequencies sqrt(|lambda|)/(2 pi) with the sign of lambda [Hz], ascending, rigid-body modes first.
  * Return 0, or the status of the pose; f then has no meaning.
+ *
+ * The error of lambda is rounding of the largest one.  So the relative error of a frequency f is some 1e-15,
+ * in single precision 1e-6, times the square of (highest frequency / f), and larger near singular poses.
  */
 int corexy_natural_frequencies(
-    const double p[2], const corexy_parameters *parameters, double f[4]);
+    const pkmodes_real p[2], const corexy_parameters *parameters, pkmodes_real f[4]);
 
 /* The same with mode shapes: row i of phi is mode i, mass-normalised (phi^T M phi = 1).  phi may be NULL.
  * Return 0, or the status of the pose; f and phi then have no meaning.
  */
 int corexy_modes(
-    const double p[2], const corexy_parameters *parameters, double f[4], double phi[4][4]);
+    const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real f[4], pkmodes_real phi[4][4]);
 
 #ifdef __cplusplus
 }

@@ -20,100 +20,108 @@
 #include <math.h>
 #include <string.h>
 
-void corexy_extended_extended_matrices(const double p[2], const corexy_parameters *parameters,
-    const corexy_effects *effects, double M[10][10], double K_el[10][10], double K_g[10][10])
+/* Numbers and functions of the C library: in single precision, R(0.5) is 0.5f and R(sqrt) is sqrtf. */
+#ifdef PKMODES_FLOAT
+#define R(name) name##f
+#else
+#define R(name) name
+#endif
+
+void corexy_extended_extended_matrices(const pkmodes_real p[2], const corexy_parameters *parameters,
+    const corexy_effects *effects, pkmodes_real M[10][10], pkmodes_real K_el[10][10],
+    pkmodes_real K_g[10][10])
 {
-    const double x = p[0];
-    const double y = p[1];
-    const double m_h = parameters->toolhead_mass;
-    const double m_g = parameters->gantry_mass;
-    const double g_1_1 = parameters->belt_path_direction[0][0];
-    const double g_1_2 = parameters->belt_path_direction[0][1];
-    const double g_2_1 = parameters->belt_path_direction[1][0];
-    const double g_2_2 = parameters->belt_path_direction[1][1];
-    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
-    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
-    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
-    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
-    const double k_sp_1 = parameters->belt_specific_stiffness[0];
-    const double k_sp_2 = parameters->belt_specific_stiffness[1];
-    const double w_b_1 = parameters->belt_width[0];
-    const double w_b_2 = parameters->belt_width[1];
-    const double R_p_1 = parameters->pulley_radius[0];
-    const double R_p_2 = parameters->pulley_radius[1];
-    const double I_p_1 = parameters->pulley_inertia[0];
-    const double I_p_2 = parameters->pulley_inertia[1];
-    const double I_m_1 = parameters->motor_inertia[0];
-    const double I_m_2 = parameters->motor_inertia[1];
-    const double i_g_1 = parameters->gear_ratio[0];
-    const double i_g_2 = parameters->gear_ratio[1];
-    const double a_B_1 = effects->axis_belt_stiffness_factor_1;
-    const double a_B_2 = effects->axis_belt_stiffness_factor_2;
-    const double c_E = effects->belt_end_compliance_compliance;
-    const double rho_b = effects->belt_mass_linear_density;
-    const double c_T = effects->belt_tension_stiffness_coefficient;
-    const double F_T = effects->belt_tension_stiffness_tension;
-    const double k_C = effects->cable_stiffness_stiffness;
-    const double I_G = effects->gearbox_inertia_inertia;
-    const double m_L = effects->payload_mass;
-    const double k_S = effects->servo_stiffness_stiffness;
-    const double m_F = effects->frame_compliance_mass;
-    const double t1 = I_m_1*(i_g_1*i_g_1);
-    const double I_1 = I_G + I_p_1 + t1;
-    const double t2 = I_m_2*(i_g_2*i_g_2);
-    const double I_2 = I_G + I_p_2 + t2;
-    const double t3 = g_1_1*x + g_1_2*y;
-    const double l_f_1_1 = l_0_1_1 + t3;
-    const double t4 = F_T*c_T + 1;
-    const double t5 = c_E*t4;
-    const double t6 = k_sp_1*w_b_1*(a_B_1 + 1);
-    const double t7 = t5*t6;
-    const double t8 = t4*t6;
-    const double k_1_1 = t8/(l_f_1_1 + t7);
-    const double l_f_1_2 = l_0_1_2 - t3;
-    const double k_1_2 = t8/(l_f_1_2 + t7);
-    const double t9 = g_2_1*x + g_2_2*y;
-    const double l_f_2_1 = l_0_2_1 + t9;
-    const double t10 = k_sp_2*w_b_2*(a_B_2 + 1);
-    const double t11 = t10*t5;
-    const double t12 = t10*t4;
-    const double k_2_1 = t12/(l_f_2_1 + t11);
-    const double l_f_2_2 = l_0_2_2 - t9;
-    const double k_2_2 = t12/(l_f_2_2 + t11);
-    const double t13 = (g_1_1*g_1_1);
-    const double t14 = (1.0/3.0)*rho_b;
-    const double t15 = l_f_1_1*t14;
-    const double t16 = l_f_1_2*t14;
-    const double t17 = (g_2_1*g_2_1);
-    const double t18 = l_f_2_1*t14;
-    const double t19 = l_f_2_2*t14;
-    const double t20 = m_L + m_h;
-    const double t21 = g_1_1*t15;
-    const double t22 = g_1_1*t16;
-    const double t23 = g_2_1*t18;
-    const double t24 = g_2_1*t19;
-    const double t25 = (1.0/6.0)*rho_b;
-    const double t26 = R_p_1*t25;
-    const double t27 = l_f_1_1*t26;
-    const double t28 = l_f_1_2*t26;
-    const double t29 = R_p_2*t25;
-    const double t30 = l_f_2_1*t29;
-    const double t31 = l_f_2_2*t29;
-    const double t32 = (g_1_2*g_1_2);
-    const double t33 = (g_2_2*g_2_2);
-    const double t34 = m_g + t20;
-    const double t35 = (R_p_1*R_p_1);
-    const double t36 = (R_p_2*R_p_2);
-    const double t37 = m_F + t34;
-    const double t38 = g_1_1*k_1_1;
-    const double t39 = g_1_1*k_1_2;
-    const double t40 = g_2_1*k_2_1;
-    const double t41 = g_2_1*k_2_2;
-    const double t42 = g_1_2*k_1_1;
-    const double t43 = g_1_2*k_1_2;
-    const double t44 = g_2_2*k_2_1;
-    const double t45 = g_2_2*k_2_2;
-    memset(M, 0, sizeof(double[10][10]));
+    const pkmodes_real x = p[0];
+    const pkmodes_real y = p[1];
+    const pkmodes_real m_h = parameters->toolhead_mass;
+    const pkmodes_real m_g = parameters->gantry_mass;
+    const pkmodes_real g_1_1 = parameters->belt_path_direction[0][0];
+    const pkmodes_real g_1_2 = parameters->belt_path_direction[0][1];
+    const pkmodes_real g_2_1 = parameters->belt_path_direction[1][0];
+    const pkmodes_real g_2_2 = parameters->belt_path_direction[1][1];
+    const pkmodes_real l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const pkmodes_real l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const pkmodes_real l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const pkmodes_real l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const pkmodes_real k_sp_1 = parameters->belt_specific_stiffness[0];
+    const pkmodes_real k_sp_2 = parameters->belt_specific_stiffness[1];
+    const pkmodes_real w_b_1 = parameters->belt_width[0];
+    const pkmodes_real w_b_2 = parameters->belt_width[1];
+    const pkmodes_real R_p_1 = parameters->pulley_radius[0];
+    const pkmodes_real R_p_2 = parameters->pulley_radius[1];
+    const pkmodes_real I_p_1 = parameters->pulley_inertia[0];
+    const pkmodes_real I_p_2 = parameters->pulley_inertia[1];
+    const pkmodes_real I_m_1 = parameters->motor_inertia[0];
+    const pkmodes_real I_m_2 = parameters->motor_inertia[1];
+    const pkmodes_real i_g_1 = parameters->gear_ratio[0];
+    const pkmodes_real i_g_2 = parameters->gear_ratio[1];
+    const pkmodes_real a_B_1 = effects->axis_belt_stiffness_factor_1;
+    const pkmodes_real a_B_2 = effects->axis_belt_stiffness_factor_2;
+    const pkmodes_real c_E = effects->belt_end_compliance_compliance;
+    const pkmodes_real rho_b = effects->belt_mass_linear_density;
+    const pkmodes_real c_T = effects->belt_tension_stiffness_coefficient;
+    const pkmodes_real F_T = effects->belt_tension_stiffness_tension;
+    const pkmodes_real k_C = effects->cable_stiffness_stiffness;
+    const pkmodes_real I_G = effects->gearbox_inertia_inertia;
+    const pkmodes_real m_L = effects->payload_mass;
+    const pkmodes_real k_S = effects->servo_stiffness_stiffness;
+    const pkmodes_real m_F = effects->frame_compliance_mass;
+    const pkmodes_real t1 = I_m_1*(i_g_1*i_g_1);
+    const pkmodes_real I_1 = I_G + I_p_1 + t1;
+    const pkmodes_real t2 = I_m_2*(i_g_2*i_g_2);
+    const pkmodes_real I_2 = I_G + I_p_2 + t2;
+    const pkmodes_real t3 = g_1_1*x + g_1_2*y;
+    const pkmodes_real l_f_1_1 = l_0_1_1 + t3;
+    const pkmodes_real t4 = F_T*c_T + 1;
+    const pkmodes_real t5 = c_E*t4;
+    const pkmodes_real t6 = k_sp_1*w_b_1*(a_B_1 + 1);
+    const pkmodes_real t7 = t5*t6;
+    const pkmodes_real t8 = t4*t6;
+    const pkmodes_real k_1_1 = t8/(l_f_1_1 + t7);
+    const pkmodes_real l_f_1_2 = l_0_1_2 - t3;
+    const pkmodes_real k_1_2 = t8/(l_f_1_2 + t7);
+    const pkmodes_real t9 = g_2_1*x + g_2_2*y;
+    const pkmodes_real l_f_2_1 = l_0_2_1 + t9;
+    const pkmodes_real t10 = k_sp_2*w_b_2*(a_B_2 + 1);
+    const pkmodes_real t11 = t10*t5;
+    const pkmodes_real t12 = t10*t4;
+    const pkmodes_real k_2_1 = t12/(l_f_2_1 + t11);
+    const pkmodes_real l_f_2_2 = l_0_2_2 - t9;
+    const pkmodes_real k_2_2 = t12/(l_f_2_2 + t11);
+    const pkmodes_real t13 = (g_1_1*g_1_1);
+    const pkmodes_real t14 = (R(1.0)/R(3.0))*rho_b;
+    const pkmodes_real t15 = l_f_1_1*t14;
+    const pkmodes_real t16 = l_f_1_2*t14;
+    const pkmodes_real t17 = (g_2_1*g_2_1);
+    const pkmodes_real t18 = l_f_2_1*t14;
+    const pkmodes_real t19 = l_f_2_2*t14;
+    const pkmodes_real t20 = m_L + m_h;
+    const pkmodes_real t21 = g_1_1*t15;
+    const pkmodes_real t22 = g_1_1*t16;
+    const pkmodes_real t23 = g_2_1*t18;
+    const pkmodes_real t24 = g_2_1*t19;
+    const pkmodes_real t25 = (R(1.0)/R(6.0))*rho_b;
+    const pkmodes_real t26 = R_p_1*t25;
+    const pkmodes_real t27 = l_f_1_1*t26;
+    const pkmodes_real t28 = l_f_1_2*t26;
+    const pkmodes_real t29 = R_p_2*t25;
+    const pkmodes_real t30 = l_f_2_1*t29;
+    const pkmodes_real t31 = l_f_2_2*t29;
+    const pkmodes_real t32 = (g_1_2*g_1_2);
+    const pkmodes_real t33 = (g_2_2*g_2_2);
+    const pkmodes_real t34 = m_g + t20;
+    const pkmodes_real t35 = (R_p_1*R_p_1);
+    const pkmodes_real t36 = (R_p_2*R_p_2);
+    const pkmodes_real t37 = m_F + t34;
+    const pkmodes_real t38 = g_1_1*k_1_1;
+    const pkmodes_real t39 = g_1_1*k_1_2;
+    const pkmodes_real t40 = g_2_1*k_2_1;
+    const pkmodes_real t41 = g_2_1*k_2_2;
+    const pkmodes_real t42 = g_1_2*k_1_1;
+    const pkmodes_real t43 = g_1_2*k_1_2;
+    const pkmodes_real t44 = g_2_2*k_2_1;
+    const pkmodes_real t45 = g_2_2*k_2_2;
+    memset(M, 0, sizeof(pkmodes_real[10][10]));
     M[0][0] = t13*t15 + t13*t16 + t17*t18 + t17*t19 + t20;
     M[0][1] = M[1][0] = g_1_2*t21 + g_1_2*t22 + g_2_2*t23 + g_2_2*t24;
     M[0][2] = M[2][0] = -g_1_1*t27 - g_1_1*t28;
@@ -139,7 +147,7 @@ void corexy_extended_extended_matrices(const double p[2], const corexy_parameter
     M[7][7] = t18 + t19;
     M[8][8] = t37;
     M[9][9] = t37;
-    memset(K_el, 0, sizeof(double[10][10]));
+    memset(K_el, 0, sizeof(pkmodes_real[10][10]));
     K_el[0][0] = k_1_1*t13 + k_1_2*t13 + k_2_1*t17 + k_2_2*t17 + k_C;
     K_el[0][1] = K_el[1][0] = g_1_2*t38 + g_1_2*t39 + g_2_2*t40 + g_2_2*t41;
     K_el[0][2] = K_el[2][0] = R_p_1*t38 + R_p_1*t39;
@@ -161,32 +169,33 @@ void corexy_extended_extended_matrices(const double p[2], const corexy_parameter
     K_el[7][7] = k_2_1 + k_2_2;
     K_el[8][8] = k_C;
     K_el[9][9] = k_C;
-    memset(K_g, 0, sizeof(double[10][10]));
+    memset(K_g, 0, sizeof(pkmodes_real[10][10]));
 }
 
-void corexy_extended_extended_platform_motion(const double p[2], const corexy_parameters *parameters,
-    double J_p[2][10])
+void corexy_extended_extended_platform_motion(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real J_p[2][10])
 {
     (void)p;
     (void)parameters;
-    memset(J_p, 0, sizeof(double[2][10]));
+    memset(J_p, 0, sizeof(pkmodes_real[2][10]));
     J_p[0][0] = 1;
     J_p[0][8] = 1;
     J_p[1][1] = 1;
     J_p[1][9] = 1;
 }
 
-void corexy_extended_joint_stiffness(const corexy_effects *effects, double kappa[6], double kappa_c[6])
+void corexy_extended_joint_stiffness(const corexy_effects *effects, pkmodes_real kappa[6],
+    pkmodes_real kappa_c[6])
 {
-    const double c_G = effects->gearbox_compliance_compliance;
-    const double c_K = effects->clamp_compliance_compliance;
-    const double c_F = effects->frame_compliance_compliance;
-    const double t1 = 1.0/c_G;
-    const double t2 = 1.0/c_K;
-    const double t3 = 1.0/c_F;
-    const double t4 = -1/(c_G*c_G);
-    const double t5 = -1/(c_K*c_K);
-    const double t6 = -1/(c_F*c_F);
+    const pkmodes_real c_G = effects->gearbox_compliance_compliance;
+    const pkmodes_real c_K = effects->clamp_compliance_compliance;
+    const pkmodes_real c_F = effects->frame_compliance_compliance;
+    const pkmodes_real t1 = 1/c_G;
+    const pkmodes_real t2 = 1/c_K;
+    const pkmodes_real t3 = 1/c_F;
+    const pkmodes_real t4 = -1/(c_G*c_G);
+    const pkmodes_real t5 = -1/(c_K*c_K);
+    const pkmodes_real t6 = -1/(c_F*c_F);
     kappa[0] = t1;
     kappa[1] = t1;
     kappa[2] = t2;
@@ -201,72 +210,73 @@ void corexy_extended_joint_stiffness(const corexy_effects *effects, double kappa
     kappa_c[5] = t6;
 }
 
-void corexy_extended_extended_static_equilibrium(const double p[2], const corexy_parameters *parameters,
-    const corexy_effects *effects, double tau_st[2], double theta_st[2])
+void corexy_extended_extended_static_equilibrium(const pkmodes_real p[2],
+    const corexy_parameters *parameters, const corexy_effects *effects, pkmodes_real tau_st[2],
+    pkmodes_real theta_st[2])
 {
-    const double x = p[0];
-    const double y = p[1];
-    const double m_h = parameters->toolhead_mass;
-    const double m_g = parameters->gantry_mass;
-    const double g_x = parameters->gravity[0];
-    const double g_y = parameters->gravity[1];
-    const double g_1_1 = parameters->belt_path_direction[0][0];
-    const double g_1_2 = parameters->belt_path_direction[0][1];
-    const double g_2_1 = parameters->belt_path_direction[1][0];
-    const double g_2_2 = parameters->belt_path_direction[1][1];
-    const double l_0_1_1 = parameters->belt_path_lengths[0][0];
-    const double l_0_1_2 = parameters->belt_path_lengths[0][1];
-    const double l_0_2_1 = parameters->belt_path_lengths[1][0];
-    const double l_0_2_2 = parameters->belt_path_lengths[1][1];
-    const double k_sp_1 = parameters->belt_specific_stiffness[0];
-    const double k_sp_2 = parameters->belt_specific_stiffness[1];
-    const double w_b_1 = parameters->belt_width[0];
-    const double w_b_2 = parameters->belt_width[1];
-    const double R_p_1 = parameters->pulley_radius[0];
-    const double R_p_2 = parameters->pulley_radius[1];
-    const double a_B_1 = effects->axis_belt_stiffness_factor_1;
-    const double a_B_2 = effects->axis_belt_stiffness_factor_2;
-    const double c_E = effects->belt_end_compliance_compliance;
-    const double c_T = effects->belt_tension_stiffness_coefficient;
-    const double F_T = effects->belt_tension_stiffness_tension;
-    const double m_L = effects->payload_mass;
-    const double t1 = g_1_1*x + g_1_2*y;
-    const double l_f_1_1 = l_0_1_1 + t1;
-    const double t2 = F_T*c_T + 1;
-    const double t3 = c_E*t2;
-    const double t4 = k_sp_1*w_b_1*(a_B_1 + 1);
-    const double t5 = t3*t4;
-    const double t6 = t2*t4;
-    const double k_1_1 = t6/(l_f_1_1 + t5);
-    const double l_f_1_2 = l_0_1_2 - t1;
-    const double k_1_2 = t6/(l_f_1_2 + t5);
-    const double t7 = g_2_1*x + g_2_2*y;
-    const double l_f_2_1 = l_0_2_1 + t7;
-    const double t8 = k_sp_2*w_b_2*(a_B_2 + 1);
-    const double t9 = t3*t8;
-    const double t10 = t2*t8;
-    const double k_2_1 = t10/(l_f_2_1 + t9);
-    const double l_f_2_2 = l_0_2_2 - t7;
-    const double k_2_2 = t10/(l_f_2_2 + t9);
-    const double t11 = m_L + m_h;
-    const double G_1 = -g_x*t11;
-    const double G_2 = -g_y*(m_g + t11);
-    const double t12 = R_p_1*g_1_1;
-    const double t13 = k_1_1*t12 + k_1_2*t12;
-    const double t14 = R_p_2*g_2_2;
-    const double t15 = k_2_1*t14 + k_2_2*t14;
-    const double t16 = R_p_1*g_1_2;
-    const double t17 = k_1_1*t16 + k_1_2*t16;
-    const double t18 = R_p_2*g_2_1;
-    const double t19 = k_2_1*t18 + k_2_2*t18;
-    const double det_1 = t13*t15 - t17*t19;
-    const double t20 = 1.0/det_1;
-    const double theta_1_st = t20*(-G_1*t15 + G_2*t19);
-    const double theta_2_st = t20*(G_1*t17 - G_2*t13);
-    const double t21 = (R_p_1*R_p_1)*theta_1_st;
-    const double tau_st_1 = k_1_1*t21 + k_1_2*t21;
-    const double t22 = (R_p_2*R_p_2)*theta_2_st;
-    const double tau_st_2 = k_2_1*t22 + k_2_2*t22;
+    const pkmodes_real x = p[0];
+    const pkmodes_real y = p[1];
+    const pkmodes_real m_h = parameters->toolhead_mass;
+    const pkmodes_real m_g = parameters->gantry_mass;
+    const pkmodes_real g_x = parameters->gravity[0];
+    const pkmodes_real g_y = parameters->gravity[1];
+    const pkmodes_real g_1_1 = parameters->belt_path_direction[0][0];
+    const pkmodes_real g_1_2 = parameters->belt_path_direction[0][1];
+    const pkmodes_real g_2_1 = parameters->belt_path_direction[1][0];
+    const pkmodes_real g_2_2 = parameters->belt_path_direction[1][1];
+    const pkmodes_real l_0_1_1 = parameters->belt_path_lengths[0][0];
+    const pkmodes_real l_0_1_2 = parameters->belt_path_lengths[0][1];
+    const pkmodes_real l_0_2_1 = parameters->belt_path_lengths[1][0];
+    const pkmodes_real l_0_2_2 = parameters->belt_path_lengths[1][1];
+    const pkmodes_real k_sp_1 = parameters->belt_specific_stiffness[0];
+    const pkmodes_real k_sp_2 = parameters->belt_specific_stiffness[1];
+    const pkmodes_real w_b_1 = parameters->belt_width[0];
+    const pkmodes_real w_b_2 = parameters->belt_width[1];
+    const pkmodes_real R_p_1 = parameters->pulley_radius[0];
+    const pkmodes_real R_p_2 = parameters->pulley_radius[1];
+    const pkmodes_real a_B_1 = effects->axis_belt_stiffness_factor_1;
+    const pkmodes_real a_B_2 = effects->axis_belt_stiffness_factor_2;
+    const pkmodes_real c_E = effects->belt_end_compliance_compliance;
+    const pkmodes_real c_T = effects->belt_tension_stiffness_coefficient;
+    const pkmodes_real F_T = effects->belt_tension_stiffness_tension;
+    const pkmodes_real m_L = effects->payload_mass;
+    const pkmodes_real t1 = g_1_1*x + g_1_2*y;
+    const pkmodes_real l_f_1_1 = l_0_1_1 + t1;
+    const pkmodes_real t2 = F_T*c_T + 1;
+    const pkmodes_real t3 = c_E*t2;
+    const pkmodes_real t4 = k_sp_1*w_b_1*(a_B_1 + 1);
+    const pkmodes_real t5 = t3*t4;
+    const pkmodes_real t6 = t2*t4;
+    const pkmodes_real k_1_1 = t6/(l_f_1_1 + t5);
+    const pkmodes_real l_f_1_2 = l_0_1_2 - t1;
+    const pkmodes_real k_1_2 = t6/(l_f_1_2 + t5);
+    const pkmodes_real t7 = g_2_1*x + g_2_2*y;
+    const pkmodes_real l_f_2_1 = l_0_2_1 + t7;
+    const pkmodes_real t8 = k_sp_2*w_b_2*(a_B_2 + 1);
+    const pkmodes_real t9 = t3*t8;
+    const pkmodes_real t10 = t2*t8;
+    const pkmodes_real k_2_1 = t10/(l_f_2_1 + t9);
+    const pkmodes_real l_f_2_2 = l_0_2_2 - t7;
+    const pkmodes_real k_2_2 = t10/(l_f_2_2 + t9);
+    const pkmodes_real t11 = m_L + m_h;
+    const pkmodes_real G_1 = -g_x*t11;
+    const pkmodes_real G_2 = -g_y*(m_g + t11);
+    const pkmodes_real t12 = R_p_1*g_1_1;
+    const pkmodes_real t13 = k_1_1*t12 + k_1_2*t12;
+    const pkmodes_real t14 = R_p_2*g_2_2;
+    const pkmodes_real t15 = k_2_1*t14 + k_2_2*t14;
+    const pkmodes_real t16 = R_p_1*g_1_2;
+    const pkmodes_real t17 = k_1_1*t16 + k_1_2*t16;
+    const pkmodes_real t18 = R_p_2*g_2_1;
+    const pkmodes_real t19 = k_2_1*t18 + k_2_2*t18;
+    const pkmodes_real det_1 = t13*t15 - t17*t19;
+    const pkmodes_real t20 = 1/det_1;
+    const pkmodes_real theta_1_st = t20*(-G_1*t15 + G_2*t19);
+    const pkmodes_real theta_2_st = t20*(G_1*t17 - G_2*t13);
+    const pkmodes_real t21 = (R_p_1*R_p_1)*theta_1_st;
+    const pkmodes_real tau_st_1 = k_1_1*t21 + k_1_2*t21;
+    const pkmodes_real t22 = (R_p_2*R_p_2)*theta_2_st;
+    const pkmodes_real tau_st_2 = k_2_1*t22 + k_2_2*t22;
     tau_st[0] = tau_st_1;
     tau_st[1] = tau_st_2;
     theta_st[0] = theta_1_st;

@@ -5,6 +5,7 @@
  * Dynamics of the mechanism corexy with effects: extended matrices and sensitivities.
  *
  * C99 without allocation; depends only on math.h and memset of the C library.  Matrices are row-major.
+ * Numbers are of type double or, in a program compiled with PKMODES_FLOAT defined, of type float.
  * All quantities are in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K
  * is positive for a restoring force.
  * Generalised coordinates, in the order of M and K:
@@ -24,39 +25,57 @@
 
 #include "corexy.h"
 
+/* The type of every number. */
+#ifndef PKMODES_REAL
+#define PKMODES_REAL
+#ifdef PKMODES_FLOAT
+typedef float pkmodes_real;
+#else
+typedef double pkmodes_real;
+#endif
+#endif
+
+/* In single precision the functions have other names: a program can have both, and calls none by mistake. */
+#ifdef PKMODES_FLOAT
+#define corexy_extended_extended_matrices corexy_extended_extended_matrices_f
+#define corexy_extended_extended_platform_motion corexy_extended_extended_platform_motion_f
+#define corexy_extended_joint_stiffness corexy_extended_joint_stiffness_f
+#define corexy_extended_extended_static_equilibrium corexy_extended_extended_static_equilibrium_f
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 typedef struct {
     /* [1] relative change of the stiffness of belt 1 */
-    double axis_belt_stiffness_factor_1;
+    pkmodes_real axis_belt_stiffness_factor_1;
     /* [1] relative change of the stiffness of belt 2 */
-    double axis_belt_stiffness_factor_2;
+    pkmodes_real axis_belt_stiffness_factor_2;
     /* [m/N] compliance in series with every free span */
-    double belt_end_compliance_compliance;
+    pkmodes_real belt_end_compliance_compliance;
     /* [kg/m] mass of a belt per unit length */
-    double belt_mass_linear_density;
+    pkmodes_real belt_mass_linear_density;
     /* [1/N] relative change of the belt stiffness with tension */
-    double belt_tension_stiffness_coefficient;
+    pkmodes_real belt_tension_stiffness_coefficient;
     /* [N] measured tension of every belt */
-    double belt_tension_stiffness_tension;
+    pkmodes_real belt_tension_stiffness_tension;
     /* [N/m] isotropic stiffness from the platform centre to ground */
-    double cable_stiffness_stiffness;
+    pkmodes_real cable_stiffness_stiffness;
     /* [kg m^2] extra inertia on every driven pulley */
-    double gearbox_inertia_inertia;
+    pkmodes_real gearbox_inertia_inertia;
     /* [kg] point mass at the platform centre */
-    double payload_mass;
+    pkmodes_real payload_mass;
     /* [N m/rad] torsional stiffness to ground at every driven pulley */
-    double servo_stiffness_stiffness;
+    pkmodes_real servo_stiffness_stiffness;
     /* [rad/(N m)] compliance of every gearbox, output side */
-    double gearbox_compliance_compliance;
+    pkmodes_real gearbox_compliance_compliance;
     /* [m/N] compliance of every belt clamp */
-    double clamp_compliance_compliance;
+    pkmodes_real clamp_compliance_compliance;
     /* [m/N] isotropic compliance of the frame */
-    double frame_compliance_compliance;
+    pkmodes_real frame_compliance_compliance;
     /* [kg] mass of the frame */
-    double frame_compliance_mass;
+    pkmodes_real frame_compliance_mass;
 } corexy_effects;
 
 /* Mass and stiffness matrices in the base and all released coordinates, with free joints.
@@ -69,8 +88,9 @@ typedef struct {
  * Source: equations 24 to 48 with the effects' energies; K = K_el + K_g plus the joint stiffnesses.
  * 188 operations; 1919 with every named value expanded.
  */
-void corexy_extended_extended_matrices(const double p[2], const corexy_parameters *parameters,
-    const corexy_effects *effects, double M[10][10], double K_el[10][10], double K_g[10][10]);
+void corexy_extended_extended_matrices(const pkmodes_real p[2], const corexy_parameters *parameters,
+    const corexy_effects *effects, pkmodes_real M[10][10], pkmodes_real K_el[10][10],
+    pkmodes_real K_g[10][10]);
 
 /* Jacobian of the absolute motion of the platform centre.
  *
@@ -80,8 +100,8 @@ void corexy_extended_extended_matrices(const double p[2], const corexy_parameter
  * Source: equation 15, with the contributions of released joints and the frame.
  * 0 operations; 0 with every named value expanded.
  */
-void corexy_extended_extended_platform_motion(const double p[2], const corexy_parameters *parameters,
-    double J_p[2][10]);
+void corexy_extended_extended_platform_motion(const pkmodes_real p[2], const corexy_parameters *parameters,
+    pkmodes_real J_p[2][10]);
 
 /* Stiffnesses of the released joints, to be added to the diagonal of K.
  *
@@ -93,7 +113,8 @@ void corexy_extended_extended_platform_motion(const double p[2], const corexy_pa
  * Source: energy q^2 / (2 c) of each joint.
  * 12 operations; 24 with every named value expanded.
  */
-void corexy_extended_joint_stiffness(const corexy_effects *effects, double kappa[6], double kappa_c[6]);
+void corexy_extended_joint_stiffness(const corexy_effects *effects, pkmodes_real kappa[6],
+    pkmodes_real kappa_c[6]);
 
 /* Drive torques and rotations that hold the pose, with the weights and stiffness changes of effects.
  *
@@ -104,8 +125,9 @@ void corexy_extended_joint_stiffness(const corexy_effects *effects, double kappa
  * Source: equation 44; springs added by effects are relaxed at the pose, and released joints are locked.
  * 75 operations; 1722 with every named value expanded.
  */
-void corexy_extended_extended_static_equilibrium(const double p[2], const corexy_parameters *parameters,
-    const corexy_effects *effects, double tau_st[2], double theta_st[2]);
+void corexy_extended_extended_static_equilibrium(const pkmodes_real p[2],
+    const corexy_parameters *parameters, const corexy_effects *effects, pkmodes_real tau_st[2],
+    pkmodes_real theta_st[2]);
 
 #ifdef __cplusplus
 }

@@ -5,6 +5,7 @@
  * Dynamics of the mechanism linear_delta with effects: extended matrices and sensitivities.
  *
  * C99 without allocation; depends only on math.h and memset of the C library.  Matrices are row-major.
+ * Numbers are of type double or, in a program compiled with PKMODES_FLOAT defined, of type float.
  * All quantities are in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K
  * is positive for a restoring force.
  * Generalised coordinates, in the order of M and K:
@@ -35,43 +36,61 @@
 
 #include "linear_delta.h"
 
+/* The type of every number. */
+#ifndef PKMODES_REAL
+#define PKMODES_REAL
+#ifdef PKMODES_FLOAT
+typedef float pkmodes_real;
+#else
+typedef double pkmodes_real;
+#endif
+#endif
+
+/* In single precision the functions have other names: a program can have both, and calls none by mistake. */
+#ifdef PKMODES_FLOAT
+#define linear_delta_extended_extended_matrices linear_delta_extended_extended_matrices_f
+#define linear_delta_extended_extended_platform_motion linear_delta_extended_extended_platform_motion_f
+#define linear_delta_extended_joint_stiffness linear_delta_extended_joint_stiffness_f
+#define linear_delta_extended_extended_static_equilibrium linear_delta_extended_extended_static_equilibrium_f
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 typedef struct {
     /* [1] relative change of the stiffness of belt 1 */
-    double axis_belt_stiffness_factor_1;
+    pkmodes_real axis_belt_stiffness_factor_1;
     /* [1] relative change of the stiffness of belt 2 */
-    double axis_belt_stiffness_factor_2;
+    pkmodes_real axis_belt_stiffness_factor_2;
     /* [1] relative change of the stiffness of belt 3 */
-    double axis_belt_stiffness_factor_3;
+    pkmodes_real axis_belt_stiffness_factor_3;
     /* [m/N] compliance in series with every free span */
-    double belt_end_compliance_compliance;
+    pkmodes_real belt_end_compliance_compliance;
     /* [kg/m] mass of a belt per unit length */
-    double belt_mass_linear_density;
+    pkmodes_real belt_mass_linear_density;
     /* [1/N] relative change of the belt stiffness with tension */
-    double belt_tension_stiffness_coefficient;
+    pkmodes_real belt_tension_stiffness_coefficient;
     /* [N] measured tension of every belt */
-    double belt_tension_stiffness_tension;
+    pkmodes_real belt_tension_stiffness_tension;
     /* [N/m] isotropic stiffness from the platform centre to ground */
-    double cable_stiffness_stiffness;
+    pkmodes_real cable_stiffness_stiffness;
     /* [kg m^2] extra inertia on every driven pulley */
-    double gearbox_inertia_inertia;
+    pkmodes_real gearbox_inertia_inertia;
     /* [kg] point mass at the platform centre */
-    double payload_mass;
+    pkmodes_real payload_mass;
     /* [N m/rad] torsional stiffness to ground at every driven pulley */
-    double servo_stiffness_stiffness;
+    pkmodes_real servo_stiffness_stiffness;
     /* [rad/(N m)] compliance of every gearbox, output side */
-    double gearbox_compliance_compliance;
+    pkmodes_real gearbox_compliance_compliance;
     /* [m/N] axial compliance of every linkage */
-    double link_compliance_compliance;
+    pkmodes_real link_compliance_compliance;
     /* [m/N] compliance of every belt clamp */
-    double clamp_compliance_compliance;
+    pkmodes_real clamp_compliance_compliance;
     /* [m/N] isotropic compliance of the frame */
-    double frame_compliance_compliance;
+    pkmodes_real frame_compliance_compliance;
     /* [kg] mass of the frame */
-    double frame_compliance_mass;
+    pkmodes_real frame_compliance_mass;
 } linear_delta_effects;
 
 /* Mass and stiffness matrices in the base and all released coordinates, with free joints.
@@ -84,8 +103,9 @@ typedef struct {
  * Source: equations 24 to 48 with the effects' energies; K = K_el + K_g plus the joint stiffnesses.
  * 1242 operations; 2335815 with every named value expanded.
  */
-void linear_delta_extended_extended_matrices(const double p[3], const linear_delta_parameters *parameters,
-    const linear_delta_effects *effects, double M[21][21], double K_el[21][21], double K_g[21][21]);
+void linear_delta_extended_extended_matrices(const pkmodes_real p[3],
+    const linear_delta_parameters *parameters, const linear_delta_effects *effects, pkmodes_real M[21][21],
+    pkmodes_real K_el[21][21], pkmodes_real K_g[21][21]);
 
 /* Jacobian of the absolute motion of the platform centre.
  *
@@ -95,8 +115,8 @@ void linear_delta_extended_extended_matrices(const double p[3], const linear_del
  * Source: equation 15, with the contributions of released joints and the frame.
  * 177 operations; 26586 with every named value expanded.
  */
-void linear_delta_extended_extended_platform_motion(const double p[3],
-    const linear_delta_parameters *parameters, double J_p[3][21]);
+void linear_delta_extended_extended_platform_motion(const pkmodes_real p[3],
+    const linear_delta_parameters *parameters, pkmodes_real J_p[3][21]);
 
 /* Stiffnesses of the released joints, to be added to the diagonal of K.
  *
@@ -108,8 +128,8 @@ void linear_delta_extended_extended_platform_motion(const double p[3],
  * Source: energy q^2 / (2 c) of each joint.
  * 16 operations; 48 with every named value expanded.
  */
-void linear_delta_extended_joint_stiffness(const linear_delta_effects *effects, double kappa[12],
-    double kappa_c[12]);
+void linear_delta_extended_joint_stiffness(const linear_delta_effects *effects, pkmodes_real kappa[12],
+    pkmodes_real kappa_c[12]);
 
 /* Drive torques and rotations that hold the pose, with the weights and stiffness changes of effects.
  *
@@ -120,9 +140,9 @@ void linear_delta_extended_joint_stiffness(const linear_delta_effects *effects, 
  * Source: equation 44; springs added by effects are relaxed at the pose, and released joints are locked.
  * 388 operations; 129417 with every named value expanded.
  */
-void linear_delta_extended_extended_static_equilibrium(const double p[3],
-    const linear_delta_parameters *parameters, const linear_delta_effects *effects, double tau_st[3],
-    double theta_st[6]);
+void linear_delta_extended_extended_static_equilibrium(const pkmodes_real p[3],
+    const linear_delta_parameters *parameters, const linear_delta_effects *effects, pkmodes_real tau_st[3],
+    pkmodes_real theta_st[6]);
 
 #ifdef __cplusplus
 }

@@ -5,6 +5,7 @@
  * Dynamics of the mechanism rotary_delta, for a robot given by its parameters.
  *
  * C99 without allocation; depends only on math.h and memset of the C library.  Matrices are row-major.
+ * Numbers are of type double or, in a program compiled with PKMODES_FLOAT defined, of type float.
  * All quantities are in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K
  * is positive for a restoring force.
  * Generalised coordinates, in the order of M and K:
@@ -14,14 +15,69 @@
  *   phi_1 [rad]
  *   phi_2 [rad]
  *   phi_3 [rad]
+ *
+ * Whether a pose can be evaluated comes first:
+ *
+ *   pkmodes_real p[3] = {...}, f[6], phi[6][6], M[6][6], K[6][6];
+ *   if (rotary_delta_status(p, parameters) == 0) {
+ *       rotary_delta_modal_matrices(p, parameters, M, K);
+ *       rotary_delta_modes(p, parameters, f, phi);
+ *   }
  */
 #ifndef ROTARY_DELTA_H
 #define ROTARY_DELTA_H
+
+/* The type of every number. */
+#ifndef PKMODES_REAL
+#define PKMODES_REAL
+#ifdef PKMODES_FLOAT
+typedef float pkmodes_real;
+#else
+typedef double pkmodes_real;
+#endif
+#endif
+
+/* In single precision the functions have other names: a program can have both, and calls none by mistake. */
+#ifdef PKMODES_FLOAT
+#define rotary_delta_inverse_kinematics rotary_delta_inverse_kinematics_f
+#define rotary_delta_reach_margin rotary_delta_reach_margin_f
+#define rotary_delta_limit_margin rotary_delta_limit_margin_f
+#define rotary_delta_perpendicular_margin rotary_delta_perpendicular_margin_f
+#define rotary_delta_inertia_margin rotary_delta_inertia_margin_f
+#define rotary_delta_direct_kinematics rotary_delta_direct_kinematics_f
+#define rotary_delta_constraint_jacobians rotary_delta_constraint_jacobians_f
+#define rotary_delta_jacobian_condition rotary_delta_jacobian_condition_f
+#define rotary_delta_platform_jacobian rotary_delta_platform_jacobian_f
+#define rotary_delta_platform_jacobian_rate rotary_delta_platform_jacobian_rate_f
+#define rotary_delta_platform_second_derivatives rotary_delta_platform_second_derivatives_f
+#define rotary_delta_link_jacobians rotary_delta_link_jacobians_f
+#define rotary_delta_kinetic_energy rotary_delta_kinetic_energy_f
+#define rotary_delta_mass_matrix rotary_delta_mass_matrix_f
+#define rotary_delta_velocity_forces rotary_delta_velocity_forces_f
+#define rotary_delta_gravity_potential rotary_delta_gravity_potential_f
+#define rotary_delta_gravity_gradient rotary_delta_gravity_gradient_f
+#define rotary_delta_gravity_hessian rotary_delta_gravity_hessian_f
+#define rotary_delta_elastic_potential rotary_delta_elastic_potential_f
+#define rotary_delta_elastic_gradient rotary_delta_elastic_gradient_f
+#define rotary_delta_elastic_hessian rotary_delta_elastic_hessian_f
+#define rotary_delta_static_equilibrium rotary_delta_static_equilibrium_f
+#define rotary_delta_stiffness_matrix rotary_delta_stiffness_matrix_f
+#define rotary_delta_modal_matrices rotary_delta_modal_matrices_f
+#define rotary_delta_status rotary_delta_status_f
+#define rotary_delta_natural_frequencies rotary_delta_natural_frequencies_f
+#define rotary_delta_modes rotary_delta_modes_f
+#endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/* name of the mechanism */
+#define ROTARY_DELTA_NAME "rotary_delta"
+/* version of the generator */
+#define ROTARY_DELTA_VERSION "0.1.0"
+/* SHA-256 of the C code, first digits: another model has another */
+#define ROTARY_DELTA_HASH "26827eabbc6dc30f"
 /* components of a pose */
 #define ROTARY_DELTA_POSE 3
 /* coordinates, and modes */
@@ -29,7 +85,11 @@ extern "C" {
 /* rigid-body modes, the first ones */
 #define ROTARY_DELTA_RIGID_MODES 3
 /* largest condition number of a regular pose */
-#define ROTARY_DELTA_MAX_CONDITION 1e6
+#ifdef PKMODES_FLOAT
+#define ROTARY_DELTA_MAX_CONDITION 1000.0f
+#else
+#define ROTARY_DELTA_MAX_CONDITION 1000000.0
+#endif
 /* status: the eigenproblem has no solution */
 #define ROTARY_DELTA_UNSOLVED (-1)
 /* status: the pose is not finite */
@@ -43,39 +103,39 @@ extern "C" {
 
 typedef struct {
     /* [kg] platform mass */
-    double platform_mass;
+    pkmodes_real platform_mass;
     /* [m/s^2] gravitational acceleration g, base frame */
-    double gravity[3];
+    pkmodes_real gravity[3];
     /* [m] point of the axis of arm j where the arm starts */
-    double origin[3][3];
+    pkmodes_real origin[3][3];
     /* [1] unit vector of rotation of arm j */
-    double axis[3][3];
+    pkmodes_real axis[3][3];
     /* [1] direction of arm j at theta_j = 0 */
-    double zero[3][3];
+    pkmodes_real zero[3][3];
     /* [m] platform joint j relative to the platform centre */
-    double joint[3][3];
+    pkmodes_real joint[3][3];
     /* [m] length of arm j, to the joint of the linkage */
-    double arm_length[3];
+    pkmodes_real arm_length[3];
     /* [kg] mass of arm j */
-    double arm_mass[3];
+    pkmodes_real arm_mass[3];
     /* [m] distance of the centre of mass of arm j from its axis, along the arm */
-    double arm_center[3];
+    pkmodes_real arm_center[3];
     /* [kg m^2] moment of inertia of arm j about its axis */
-    double arm_inertia[3];
+    pkmodes_real arm_inertia[3];
     /* [m] length of linkage j */
-    double link_length[3];
+    pkmodes_real link_length[3];
     /* [kg] mass of linkage j, both rods together */
-    double link_mass[3];
+    pkmodes_real link_mass[3];
     /* [N m/rad] torsional stiffness of reducer j, seen at the arm */
-    double reducer_stiffness[3];
+    pkmodes_real reducer_stiffness[3];
     /* [kg m^2] moment of inertia of motor j at its shaft */
-    double motor_inertia[3];
+    pkmodes_real motor_inertia[3];
     /* [1] gear ratio of axis j, motor over arm */
-    double gear_ratio[3];
+    pkmodes_real gear_ratio[3];
     /* [rad] min(theta_j), max(theta_j) */
-    double limits[3][2];
+    pkmodes_real limits[3][2];
     /* [1] branch of axis j: +1 or -1, the side to which the arm bends */
-    double branch[3];
+    pkmodes_real branch[3];
 } rotary_delta_parameters;
 
 /* Arm angles at a pose.
@@ -88,8 +148,8 @@ typedef struct {
  * Source: equations 1 to 3.
  * 162 operations; 855 with every named value expanded.
  */
-void rotary_delta_inverse_kinematics(const double p[3], const rotary_delta_parameters *parameters,
-    double theta[3]);
+void rotary_delta_inverse_kinematics(const pkmodes_real p[3], const rotary_delta_parameters *parameters,
+    pkmodes_real theta[3]);
 
 /* Margins of the length of each linkage above its minimum and below its maximum.
  *
@@ -99,8 +159,8 @@ void rotary_delta_inverse_kinematics(const double p[3], const rotary_delta_param
  * Source: distance of the platform joint from the nearest and the farthest point of the arm's circle.
  * 141 operations; 330 with every named value expanded.
  */
-void rotary_delta_reach_margin(const double p[3], const rotary_delta_parameters *parameters,
-    double margin[3][2]);
+void rotary_delta_reach_margin(const pkmodes_real p[3], const rotary_delta_parameters *parameters,
+    pkmodes_real margin[3][2]);
 
 /* Distance of each arm from its limits.
  *
@@ -110,8 +170,8 @@ void rotary_delta_reach_margin(const double p[3], const rotary_delta_parameters 
  * Source: both ends of the limits.
  * 168 operations; 1716 with every named value expanded.
  */
-void rotary_delta_limit_margin(const double p[3], const rotary_delta_parameters *parameters,
-    double margin[3][2]);
+void rotary_delta_limit_margin(const pkmodes_real p[3], const rotary_delta_parameters *parameters,
+    pkmodes_real margin[3][2]);
 
 /* Margin for the zero direction of each arm to be perpendicular to its axis.
  *
@@ -120,7 +180,7 @@ void rotary_delta_limit_margin(const double p[3], const rotary_delta_parameters 
  * Source: |a_j . z_j| is at most 1e-6: (1e-6)^2 - (a_j . z_j)^2.
  * 24 operations; 24 with every named value expanded.
  */
-void rotary_delta_perpendicular_margin(const rotary_delta_parameters *parameters, double margin[3]);
+void rotary_delta_perpendicular_margin(const rotary_delta_parameters *parameters, pkmodes_real margin[3]);
 
 /* Moment of inertia of each arm minus that of a point mass at its centre of mass.
  *
@@ -129,7 +189,7 @@ void rotary_delta_perpendicular_margin(const rotary_delta_parameters *parameters
  * Source: the parallel axis theorem.
  * 9 operations; 9 with every named value expanded.
  */
-void rotary_delta_inertia_margin(const rotary_delta_parameters *parameters, double margin[3]);
+void rotary_delta_inertia_margin(const rotary_delta_parameters *parameters, pkmodes_real margin[3]);
 
 /* Platform centre in the base frame for given arm angles.
  *
@@ -142,10 +202,12 @@ void rotary_delta_inertia_margin(const rotary_delta_parameters *parameters, doub
  * Source: equation 3: intersection of three spheres.
  * 183 operations; 12486 with every named value expanded.
  */
-void rotary_delta_direct_kinematics(const double theta[3], double assembly,
-    const rotary_delta_parameters *parameters, double p[3]);
+void rotary_delta_direct_kinematics(const pkmodes_real theta[3], pkmodes_real assembly,
+    const rotary_delta_parameters *parameters, pkmodes_real p[3]);
 
 /* Constraint Jacobians D_l and D_r of D_l p_dot = D_r theta_dot.
+ *
+ * Call `rotary_delta_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: platform centre in the base frame
  *   out D_l [m]: row j: linkage vector c_j - e_j in the base frame
@@ -154,8 +216,8 @@ void rotary_delta_direct_kinematics(const double theta[3], double assembly,
  * Source: equations 14 and 15.
  * 255 operations; 7926 with every named value expanded.
  */
-void rotary_delta_constraint_jacobians(const double p[3], const rotary_delta_parameters *parameters,
-    double D_l[3][3], double D_r[3][3]);
+void rotary_delta_constraint_jacobians(const pkmodes_real p[3], const rotary_delta_parameters *parameters,
+    pkmodes_real D_l[3][3], pkmodes_real D_r[3][3]);
 
 /* Assembly branch and condition number of D_l in the Frobenius norm.
  *
@@ -166,10 +228,12 @@ void rotary_delta_constraint_jacobians(const double p[3], const rotary_delta_par
  * Source: equation 15; |D_l| |D_l^-1|, one to three times the condition number in the 2-norm.
  * 286 operations; 57554 with every named value expanded.
  */
-void rotary_delta_jacobian_condition(const double p[3], const rotary_delta_parameters *parameters,
-    double *determinant, double *condition);
+void rotary_delta_jacobian_condition(const pkmodes_real p[3], const rotary_delta_parameters *parameters,
+    pkmodes_real *determinant, pkmodes_real *condition);
 
 /* Platform Jacobian D_p = D_l^-1 D_r.
+ *
+ * Call `rotary_delta_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: platform centre in the base frame
  *   out D_p [m]: dp_i/dq_k, base frame
@@ -177,10 +241,12 @@ void rotary_delta_jacobian_condition(const double p[3], const rotary_delta_param
  * Source: equation 15.
  * 300 operations; 66285 with every named value expanded.
  */
-void rotary_delta_platform_jacobian(const double p[3], const rotary_delta_parameters *parameters,
-    double D_p[3][3]);
+void rotary_delta_platform_jacobian(const pkmodes_real p[3], const rotary_delta_parameters *parameters,
+    pkmodes_real D_p[3][3]);
 
 /* Time derivative of the platform Jacobian.
+ *
+ * Call `rotary_delta_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: platform centre in the base frame
  *   in  theta_dot [rad/s]: arm velocities
@@ -189,10 +255,12 @@ void rotary_delta_platform_jacobian(const double p[3], const rotary_delta_parame
  * Source: equation 17.
  * 492 operations; 3110535 with every named value expanded.
  */
-void rotary_delta_platform_jacobian_rate(const double p[3], const double theta_dot[3],
-    const rotary_delta_parameters *parameters, double D_p_dot[3][3]);
+void rotary_delta_platform_jacobian_rate(const pkmodes_real p[3], const pkmodes_real theta_dot[3],
+    const rotary_delta_parameters *parameters, pkmodes_real D_p_dot[3][3]);
 
 /* Second derivatives of the platform position with respect to the arm angles.
+ *
+ * Call `rotary_delta_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: platform centre in the base frame
  *   out P [m]: d2p_i/dq_k dq_l as P[i, k, l]
@@ -200,10 +268,12 @@ void rotary_delta_platform_jacobian_rate(const double p[3], const double theta_d
  * Source: equation 49, by the implicit function theorem to second order.
  * 525 operations; 3253689 with every named value expanded.
  */
-void rotary_delta_platform_second_derivatives(const double p[3], const rotary_delta_parameters *parameters,
-    double P[3][3][3]);
+void rotary_delta_platform_second_derivatives(const pkmodes_real p[3],
+    const rotary_delta_parameters *parameters, pkmodes_real P[3][3][3]);
 
 /* Jacobians of the linkages: centre of mass and angular velocity.
+ *
+ * Call `rotary_delta_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: platform centre in the base frame
  *   out D_d [m]: D_d[j-1] theta_dot is the velocity of the centre of mass of linkage j
@@ -212,10 +282,12 @@ void rotary_delta_platform_second_derivatives(const double p[3], const rotary_de
  * Source: equations 16 and 23; the angular velocity without spin about the rod, which carries no energy.
  * 447 operations; 620496 with every named value expanded.
  */
-void rotary_delta_link_jacobians(const double p[3], const rotary_delta_parameters *parameters,
-    double D_d[3][3][3], double D_omega[3][3][3]);
+void rotary_delta_link_jacobians(const pkmodes_real p[3], const rotary_delta_parameters *parameters,
+    pkmodes_real D_d[3][3][3], pkmodes_real D_omega[3][3][3]);
 
 /* Kinetic energies of the structure and of the transmissions.
+ *
+ * Call `rotary_delta_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: platform centre in the base frame
  *   in  q_dot [rad/s]: rates of the six generalised coordinates
@@ -225,10 +297,12 @@ void rotary_delta_link_jacobians(const double p[3], const rotary_delta_parameter
  * Source: equations 24 and 28.
  * 392 operations; 135334 with every named value expanded.
  */
-void rotary_delta_kinetic_energy(const double p[3], const double q_dot[6],
-    const rotary_delta_parameters *parameters, double *T_ss, double *T_t);
+void rotary_delta_kinetic_energy(const pkmodes_real p[3], const pkmodes_real q_dot[6],
+    const rotary_delta_parameters *parameters, pkmodes_real *T_ss, pkmodes_real *T_t);
 
 /* Mass matrix M in the six generalised coordinates.
+ *
+ * Call `rotary_delta_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: platform centre in the base frame
  *   out M [kg m^2]: symmetric
@@ -236,9 +310,12 @@ void rotary_delta_kinetic_energy(const double p[3], const double q_dot[6],
  * Source: equations 24, 30 and 33.
  * 417 operations; 612723 with every named value expanded.
  */
-void rotary_delta_mass_matrix(const double p[3], const rotary_delta_parameters *parameters, double M[6][6]);
+void rotary_delta_mass_matrix(const pkmodes_real p[3], const rotary_delta_parameters *parameters,
+    pkmodes_real M[6][6]);
 
 /* Coriolis and centrifugal forces h of M_ss theta_ddot + h + grad V = Q.
+ *
+ * Call `rotary_delta_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: platform centre in the base frame
  *   in  theta_dot [rad/s]: arm velocities
@@ -247,10 +324,12 @@ void rotary_delta_mass_matrix(const double p[3], const rotary_delta_parameters *
  * Source: Lagrange's equations; equation 47 before linearisation.
  * 987 operations; 17338074 with every named value expanded.
  */
-void rotary_delta_velocity_forces(const double p[3], const double theta_dot[3],
-    const rotary_delta_parameters *parameters, double h[3]);
+void rotary_delta_velocity_forces(const pkmodes_real p[3], const pkmodes_real theta_dot[3],
+    const rotary_delta_parameters *parameters, pkmodes_real h[3]);
 
 /* Gravitational potential energy V_g = -U_g, with the force function U_g.
+ *
+ * Call `rotary_delta_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: platform centre in the base frame
  *   out V_g [J]: zero at the origin of the base frame
@@ -258,10 +337,12 @@ void rotary_delta_velocity_forces(const double p[3], const double theta_dot[3],
  * Source: equation 26, for gravity in any direction and all moving bodies.
  * 297 operations; 5382 with every named value expanded.
  */
-void rotary_delta_gravity_potential(const double p[3], const rotary_delta_parameters *parameters,
-    double *V_g);
+void rotary_delta_gravity_potential(const pkmodes_real p[3], const rotary_delta_parameters *parameters,
+    pkmodes_real *V_g);
 
 /* Gradient of the gravitational potential energy with respect to the arm angles.
+ *
+ * Call `rotary_delta_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: platform centre in the base frame
  *   out G [N m]: dV_g/dq_k
@@ -269,9 +350,12 @@ void rotary_delta_gravity_potential(const double p[3], const rotary_delta_parame
  * Source: equation 27.
  * 363 operations; 69039 with every named value expanded.
  */
-void rotary_delta_gravity_gradient(const double p[3], const rotary_delta_parameters *parameters, double G[3]);
+void rotary_delta_gravity_gradient(const pkmodes_real p[3], const rotary_delta_parameters *parameters,
+    pkmodes_real G[3]);
 
 /* Hessian of the gravitational potential energy with respect to the arm angles.
+ *
+ * Call `rotary_delta_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: platform centre in the base frame
  *   out H_g [N m]: d2V_g/dq_k dq_l, symmetric
@@ -279,10 +363,12 @@ void rotary_delta_gravity_gradient(const double p[3], const rotary_delta_paramet
  * Source: section 4 and equation 49.
  * 543 operations; 1734630 with every named value expanded.
  */
-void rotary_delta_gravity_hessian(const double p[3], const rotary_delta_parameters *parameters,
-    double H_g[3][3]);
+void rotary_delta_gravity_hessian(const pkmodes_real p[3], const rotary_delta_parameters *parameters,
+    pkmodes_real H_g[3][3]);
 
 /* Elastic potential energy V_el = -U_el of the transmissions, with the force function U_el.
+ *
+ * Call `rotary_delta_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: platform centre in the base frame
  *   in  delta_q [rad]: small displacements of the six generalised coordinates from the reference
@@ -292,10 +378,12 @@ void rotary_delta_gravity_hessian(const double p[3], const rotary_delta_paramete
  * Source: equation 38, summed.
  * 14 operations; 14 with every named value expanded.
  */
-void rotary_delta_elastic_potential(const double p[3], const double delta_q[6],
-    const rotary_delta_parameters *parameters, double *V_el);
+void rotary_delta_elastic_potential(const pkmodes_real p[3], const pkmodes_real delta_q[6],
+    const rotary_delta_parameters *parameters, pkmodes_real *V_el);
 
 /* Gradient of the elastic potential energy.
+ *
+ * Call `rotary_delta_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: platform centre in the base frame
  *   in  delta_q [rad]: small displacements of the six generalised coordinates from the reference
@@ -305,10 +393,12 @@ void rotary_delta_elastic_potential(const double p[3], const double delta_q[6],
  * Source: equation 38 differentiated.
  * 21 operations; 30 with every named value expanded.
  */
-void rotary_delta_elastic_gradient(const double p[3], const double delta_q[6],
-    const rotary_delta_parameters *parameters, double E[6]);
+void rotary_delta_elastic_gradient(const pkmodes_real p[3], const pkmodes_real delta_q[6],
+    const rotary_delta_parameters *parameters, pkmodes_real E[6]);
 
 /* Hessian of the elastic potential energy.
+ *
+ * Call `rotary_delta_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: platform centre in the base frame
  *   out H_el [N m]: d2V_el/dq2, symmetric, with three zero eigenvalues
@@ -316,10 +406,12 @@ void rotary_delta_elastic_gradient(const double p[3], const double delta_q[6],
  * Source: equation 38 differentiated twice.
  * 3 operations; 6 with every named value expanded.
  */
-void rotary_delta_elastic_hessian(const double p[3], const rotary_delta_parameters *parameters,
-    double H_el[6][6]);
+void rotary_delta_elastic_hessian(const pkmodes_real p[3], const rotary_delta_parameters *parameters,
+    pkmodes_real H_el[6][6]);
 
 /* Drive torques that hold the pose, and the corresponding rotations.
+ *
+ * Call `rotary_delta_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: platform centre in the base frame
  *   out tau_st [N m]: torques on the driven rotors, positive in the direction of their rotation
@@ -328,10 +420,12 @@ void rotary_delta_elastic_hessian(const double p[3], const rotary_delta_paramete
  * Source: equation 44, solved at the pose.
  * 369 operations; 138087 with every named value expanded.
  */
-void rotary_delta_static_equilibrium(const double p[3], const rotary_delta_parameters *parameters,
-    double tau_st[3], double theta_st[3]);
+void rotary_delta_static_equilibrium(const pkmodes_real p[3], const rotary_delta_parameters *parameters,
+    pkmodes_real tau_st[3], pkmodes_real theta_st[3]);
 
 /* Stiffness matrix K in the six generalised coordinates.
+ *
+ * Call `rotary_delta_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: platform centre in the base frame
  *   out K [N m]: symmetric; Hessian of V_el + V_g, positive for a restoring force
@@ -339,12 +433,14 @@ void rotary_delta_static_equilibrium(const double p[3], const rotary_delta_param
  * Source: equations 46 and 48: K = -H_U.
  * 549 operations; 1734639 with every named value expanded.
  */
-void rotary_delta_stiffness_matrix(const double p[3], const rotary_delta_parameters *parameters,
-    double K[6][6]);
+void rotary_delta_stiffness_matrix(const pkmodes_real p[3], const rotary_delta_parameters *parameters,
+    pkmodes_real K[6][6]);
 
 /* Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.
  *
  * Common intermediate values are evaluated once: call this function for an eigenproblem.
+ *
+ * Call `rotary_delta_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m]: platform centre in the base frame
  *   out M [kg m^2]: mass matrix
@@ -353,25 +449,29 @@ void rotary_delta_stiffness_matrix(const double p[3], const rotary_delta_paramet
  * Source: equation 48.
  * 666 operations; 2347362 with every named value expanded.
  */
-void rotary_delta_modal_matrices(const double p[3], const rotary_delta_parameters *parameters,
-    double M[6][6], double K[6][6]);
+void rotary_delta_modal_matrices(const pkmodes_real p[3], const rotary_delta_parameters *parameters,
+    pkmodes_real M[6][6], pkmodes_real K[6][6]);
 
-/* Why a pose cannot be evaluated: 0 where it can, or a status above.  Where it is not 0, the functions before
- * return NaN or numbers without meaning: call it first, or call the two functions that follow.
+/* Why a pose cannot be evaluated: a status above, or 0 where it can.  The functions before do not check the
+ * pose, and return NaN or numbers without meaning where this is not 0.
  */
-int rotary_delta_status(const double p[3], const rotary_delta_parameters *parameters);
+int rotary_delta_status(const pkmodes_real p[3], const rotary_delta_parameters *parameters);
 
 /* Natural frequencies sqrt(|lambda|)/(2 pi) with the sign of lambda [Hz], ascending, rigid-body modes first.
  * Return 0, or the status of the pose; f then has no meaning.
+ *
+ * The error of lambda is rounding of the largest one.  So the relative error of a frequency f is some 1e-15,
+ * in single precision 1e-6, times the square of (highest frequency / f), and larger near singular poses.
  */
 int rotary_delta_natural_frequencies(
-    const double p[3], const rotary_delta_parameters *parameters, double f[6]);
+    const pkmodes_real p[3], const rotary_delta_parameters *parameters, pkmodes_real f[6]);
 
 /* The same with mode shapes: row i of phi is mode i, mass-normalised (phi^T M phi = 1).  phi may be NULL.
  * Return 0, or the status of the pose; f and phi then have no meaning.
  */
 int rotary_delta_modes(
-    const double p[3], const rotary_delta_parameters *parameters, double f[6], double phi[6][6]);
+    const pkmodes_real p[3], const rotary_delta_parameters *parameters,
+    pkmodes_real f[6], pkmodes_real phi[6][6]);
 
 #ifdef __cplusplus
 }

@@ -5,6 +5,7 @@
  * Dynamics of the mechanism rotary_delta with effects: extended matrices and sensitivities.
  *
  * C99 without allocation; depends only on math.h and memset of the C library.  Matrices are row-major.
+ * Numbers are of type double or, in a program compiled with PKMODES_FLOAT defined, of type float.
  * All quantities are in SI units and in the base frame; V is potential energy, forces are -dV/dq, and K
  * is positive for a restoring force.
  * Generalised coordinates, in the order of M and K:
@@ -26,31 +27,49 @@
 
 #include "rotary_delta.h"
 
+/* The type of every number. */
+#ifndef PKMODES_REAL
+#define PKMODES_REAL
+#ifdef PKMODES_FLOAT
+typedef float pkmodes_real;
+#else
+typedef double pkmodes_real;
+#endif
+#endif
+
+/* In single precision the functions have other names: a program can have both, and calls none by mistake. */
+#ifdef PKMODES_FLOAT
+#define rotary_delta_extended_extended_matrices rotary_delta_extended_extended_matrices_f
+#define rotary_delta_extended_extended_platform_motion rotary_delta_extended_extended_platform_motion_f
+#define rotary_delta_extended_joint_stiffness rotary_delta_extended_joint_stiffness_f
+#define rotary_delta_extended_extended_static_equilibrium rotary_delta_extended_extended_static_equilibrium_f
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 typedef struct {
     /* [1] relative change of the stiffness of reducer 1 */
-    double axis_reducer_stiffness_factor_1;
+    pkmodes_real axis_reducer_stiffness_factor_1;
     /* [1] relative change of the stiffness of reducer 2 */
-    double axis_reducer_stiffness_factor_2;
+    pkmodes_real axis_reducer_stiffness_factor_2;
     /* [1] relative change of the stiffness of reducer 3 */
-    double axis_reducer_stiffness_factor_3;
+    pkmodes_real axis_reducer_stiffness_factor_3;
     /* [N/m] isotropic stiffness from the platform centre to ground */
-    double cable_stiffness_stiffness;
+    pkmodes_real cable_stiffness_stiffness;
     /* [kg m^2] extra inertia on every driven pulley */
-    double gearbox_inertia_inertia;
+    pkmodes_real gearbox_inertia_inertia;
     /* [kg] point mass at the platform centre */
-    double payload_mass;
+    pkmodes_real payload_mass;
     /* [N m/rad] torsional stiffness to ground at every driven pulley */
-    double servo_stiffness_stiffness;
+    pkmodes_real servo_stiffness_stiffness;
     /* [m/N] axial compliance of every linkage */
-    double link_compliance_compliance;
+    pkmodes_real link_compliance_compliance;
     /* [m/N] isotropic compliance of the frame */
-    double frame_compliance_compliance;
+    pkmodes_real frame_compliance_compliance;
     /* [kg] mass of the frame */
-    double frame_compliance_mass;
+    pkmodes_real frame_compliance_mass;
 } rotary_delta_effects;
 
 /* Mass and stiffness matrices in the base and all released coordinates, with free joints.
@@ -63,8 +82,9 @@ typedef struct {
  * Source: equations 24 to 48 with the effects' energies; K = K_el + K_g plus the joint stiffnesses.
  * 1282 operations; 10153161 with every named value expanded.
  */
-void rotary_delta_extended_extended_matrices(const double p[3], const rotary_delta_parameters *parameters,
-    const rotary_delta_effects *effects, double M[12][12], double K_el[12][12], double K_g[12][12]);
+void rotary_delta_extended_extended_matrices(const pkmodes_real p[3],
+    const rotary_delta_parameters *parameters, const rotary_delta_effects *effects, pkmodes_real M[12][12],
+    pkmodes_real K_el[12][12], pkmodes_real K_g[12][12]);
 
 /* Jacobian of the absolute motion of the platform centre.
  *
@@ -74,8 +94,8 @@ void rotary_delta_extended_extended_matrices(const double p[3], const rotary_del
  * Source: equation 15, with the contributions of released joints and the frame.
  * 315 operations; 116730 with every named value expanded.
  */
-void rotary_delta_extended_extended_platform_motion(const double p[3],
-    const rotary_delta_parameters *parameters, double J_p[3][12]);
+void rotary_delta_extended_extended_platform_motion(const pkmodes_real p[3],
+    const rotary_delta_parameters *parameters, pkmodes_real J_p[3][12]);
 
 /* Stiffnesses of the released joints, to be added to the diagonal of K.
  *
@@ -87,8 +107,8 @@ void rotary_delta_extended_extended_platform_motion(const double p[3],
  * Source: energy q^2 / (2 c) of each joint.
  * 8 operations; 24 with every named value expanded.
  */
-void rotary_delta_extended_joint_stiffness(const rotary_delta_effects *effects, double kappa[6],
-    double kappa_c[6]);
+void rotary_delta_extended_joint_stiffness(const rotary_delta_effects *effects, pkmodes_real kappa[6],
+    pkmodes_real kappa_c[6]);
 
 /* Drive torques and rotations that hold the pose, with the weights and stiffness changes of effects.
  *
@@ -99,9 +119,9 @@ void rotary_delta_extended_joint_stiffness(const rotary_delta_effects *effects, 
  * Source: equation 44; springs added by effects are relaxed at the pose, and released joints are locked.
  * 376 operations; 138123 with every named value expanded.
  */
-void rotary_delta_extended_extended_static_equilibrium(const double p[3],
-    const rotary_delta_parameters *parameters, const rotary_delta_effects *effects, double tau_st[3],
-    double theta_st[3]);
+void rotary_delta_extended_extended_static_equilibrium(const pkmodes_real p[3],
+    const rotary_delta_parameters *parameters, const rotary_delta_effects *effects, pkmodes_real tau_st[3],
+    pkmodes_real theta_st[3]);
 
 #ifdef __cplusplus
 }

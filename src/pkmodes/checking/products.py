@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import stat
 import types
+from dataclasses import replace
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -99,7 +100,7 @@ def _check_model(folder: Path, recorded: dict[str, Any]) -> Report:
         changed, left = check_definition(folder, definition, robot.mechanism)
         findings, unchecked = [*findings, *changed], [*unchecked, *left]
     fix = _fix(folder, findings, f"{command} --out {pasted(folder)}")
-    return Report(str(folder), findings, _checks(_executed(texts), robot), fix, tuple(unchecked))
+    return Report(str(folder), findings, _checks(texts, robot), fix, tuple(unchecked))
 
 
 def _without_robot_file(folder: Path, reference: str, name: str) -> str:
@@ -148,19 +149,28 @@ def check_robot(robot_file: Path) -> Report:
     """
     robot = read_robot(robot_file)
     texts = specialised(specification(robot, robot_file.name))
-    module = _executed(texts)
-    return Report(str(robot_file), [], _checks(module, robot))
+    return Report(str(robot_file), [], _checks(texts, robot))
+
+
+def _checks(texts: dict[str, str], robot: Robot) -> list[Check]:
+    """Check the modules of a robot: with its effects, and then without them."""
+    first, *without = (name for name in texts if name.endswith(".py"))
+    found = _checks_of(_executed({first: texts[first]}), robot)
+    for name in without:
+        checks = _checks_of(_executed({name: texts[name]}), replace(robot, effects={}))
+        found += [replace(check, name=f"{check.name}, without effects") for check in checks]
+    return found
 
 
 def _executed(texts: dict[str, str]) -> types.ModuleType:
     """Execute the NumPy module of a freshly derived model."""
-    name = next(name for name in texts if name.endswith(".py"))
+    (name,) = texts
     module = types.ModuleType(name.removesuffix(".py"))
     exec(compile(texts[name], name, "exec"), module.__dict__)
     return module
 
 
-def _checks(module: types.ModuleType, robot: Robot) -> list[Check]:
+def _checks_of(module: types.ModuleType, robot: Robot) -> list[Check]:
     """Check a module against finite differences and against the model that pkmodes evaluates."""
     kind = robot.kind
     effects = bool(active_effects(kind, robot.effects))

@@ -31,7 +31,8 @@ def generate(robot: Path, out: str, mechanism: Path | None, json_file: str | Non
     """Derive and write a model specialised to one robot.
 
     The output is a NumPy module, a C99 source with its header, and a manifest.  The module needs only NumPy and the
-    C source only a compiler, so both can be vendored.  Other files in the folder are not touched.
+    C source only a compiler, so both can be vendored.  For a robot with effects there is a second set of them,
+    without the effects.  Other files in the folder are not touched.
 
     A mechanism of your own is defined by a Python file (docs/adding-a-mechanism.md).  Its code is written to the
     folder DIR/<name>, which the other commands accept as --mechanism DIR/<name>.

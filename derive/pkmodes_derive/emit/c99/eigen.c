@@ -1,24 +1,33 @@
+/* Rounding, and the relative difference up to which components of a shape count as equal. */
+#ifdef PKMODES_FLOAT
+#define EIGEN_EPSILON 1.1920929e-07f
+#define EIGEN_TIE 1e-4f
+#else
+#define EIGEN_EPSILON 2.220446049250313e-16
+#define EIGEN_TIE 1e-6
+#endif
+
 /* The symmetric eigenproblem K phi = lambda M phi: M is scaled and factored (Cholesky), K reduced to a
  * tridiagonal matrix by Householder reflections, and that diagonalised by the implicit QL method.  The lower
  * triangle of symmetric matrices is used.  Functions that can fail return -1. */
-static int eigen_factor(double M[N][N], double scale[N])
+static int eigen_factor(pkmodes_real M[N][N], pkmodes_real scale[N])
 {
     int i, j, k;
     for (i = 0; i < N; ++i) {
-        if (!(M[i][i] > 0.0))
+        if (!(M[i][i] > 0))
             return -1;
-        scale[i] = 1.0/sqrt(M[i][i]);
+        scale[i] = 1/R(sqrt)(M[i][i]);
     }
     for (i = 0; i < N; ++i)
         for (j = 0; j <= i; ++j)
             M[i][j] *= scale[i]*scale[j];
     for (j = 0; j < N; ++j) { /* the diagonal of the factor is inverted */
-        double pivot = M[j][j];
+        pkmodes_real pivot = M[j][j];
         for (k = 0; k < j; ++k)
             pivot -= M[j][k]*M[j][k];
-        if (!(pivot > 0.0))
+        if (!(pivot > 0))
             return -1;
-        M[j][j] = 1.0/sqrt(pivot);
+        M[j][j] = 1/R(sqrt)(pivot);
         for (i = j + 1; i < N; ++i) {
             for (k = 0; k < j; ++k)
                 M[i][j] -= M[i][k]*M[j][k];
@@ -28,7 +37,7 @@ static int eigen_factor(double M[N][N], double scale[N])
     return 0;
 }
 
-static void eigen_reduce(double L[N][N], const double scale[N], double K[N][N])
+static void eigen_reduce(pkmodes_real L[N][N], const pkmodes_real scale[N], pkmodes_real K[N][N])
 {
     int i, j, k;
     for (i = 0; i < N; ++i)
@@ -50,29 +59,30 @@ static void eigen_reduce(double L[N][N], const double scale[N], double K[N][N])
         }
 }
 
-static void eigen_tridiagonal(double A[N][N], double d[N], double e[N], double beta[N])
+static void eigen_tridiagonal(
+    pkmodes_real A[N][N], pkmodes_real d[N], pkmodes_real e[N], pkmodes_real beta[N])
 {
-    double w[N];
+    pkmodes_real w[N];
     int i, j, k;
     for (k = 0; k + 2 < N; ++k) {
-        const double first = A[k + 1][k];
-        double rest = 0.0, along = 0.0, norm;
+        const pkmodes_real first = A[k + 1][k];
+        pkmodes_real rest = 0, along = 0, norm;
         for (i = k + 2; i < N; ++i)
             rest += A[i][k]*A[i][k];
-        norm = copysign(sqrt(first*first + rest), first);
+        norm = R(copysign)(R(sqrt)(first*first + rest), first);
         d[k] = A[k][k];
-        e[k] = rest > 0.0 ? -norm : first;
-        beta[k] = rest > 0.0 ? 1.0/(norm*(first + norm)) : 0.0;
+        e[k] = rest > 0 ? -norm : first;
+        beta[k] = rest > 0 ? 1/(norm*(first + norm)) : 0;
         A[k + 1][k] = first + norm;
         for (i = k + 1; i < N; ++i) {
-            w[i] = 0.0;
+            w[i] = 0;
             for (j = k + 1; j < N; ++j)
                 w[i] += (j < i ? A[i][j] : A[j][i])*A[j][k];
             w[i] *= beta[k];
             along += w[i]*A[i][k];
         }
         for (i = k + 1; i < N; ++i)
-            w[i] -= 0.5*beta[k]*along*A[i][k];
+            w[i] -= R(0.5)*beta[k]*along*A[i][k];
         for (i = k + 1; i < N; ++i)
             for (j = k + 1; j <= i; ++j)
                 A[i][j] -= A[i][k]*w[j] + w[i]*A[j][k];
@@ -80,23 +90,24 @@ static void eigen_tridiagonal(double A[N][N], double d[N], double e[N], double b
     for (k = N > 2 ? N - 2 : 0; k < N; ++k)
         d[k] = A[k][k];
     for (k = N > 2 ? N - 2 : 0; k < N; ++k)
-        e[k] = k + 1 < N ? A[k + 1][k] : 0.0;
+        e[k] = k + 1 < N ? A[k + 1][k] : 0;
 }
 
 /* Columns of the inverse factor, transposed, times the reflections: rows of Z. */
-static void eigen_vectors(double L[N][N], double A[N][N], const double beta[N], double Z[N][N])
+static void eigen_vectors(
+    pkmodes_real L[N][N], pkmodes_real A[N][N], const pkmodes_real beta[N], pkmodes_real Z[N][N])
 {
     int c, i, k;
     for (c = 0; c < N; ++c)
         for (i = N - 1; i >= 0; --i) {
-            Z[c][i] = i == c ? 1.0 : 0.0;
+            Z[c][i] = i == c ? 1 : 0;
             for (k = i + 1; k <= c; ++k)
                 Z[c][i] -= L[k][i]*Z[c][k];
-            Z[c][i] *= i <= c ? L[i][i] : 0.0;
+            Z[c][i] *= i <= c ? L[i][i] : 0;
         }
     for (k = 0; k + 2 < N; ++k)
         for (i = 0; i < N; ++i) {
-            double sum = 0.0;
+            pkmodes_real sum = 0;
             for (c = k + 1; c < N; ++c)
                 sum += Z[c][i]*A[c][k];
             for (c = k + 1; c < N; ++c)
@@ -104,39 +115,39 @@ static void eigen_vectors(double L[N][N], double A[N][N], const double beta[N], 
         }
 }
 
-static int eigen_ql(double d[N], double e[N], double (*Z)[N])
+static int eigen_ql(pkmodes_real d[N], pkmodes_real e[N], pkmodes_real (*Z)[N])
 {
     int i, k, l, m, iteration;
     for (l = 0; l < N; ++l)
         for (iteration = 0;; ++iteration) {
-            double g, s = 1.0, c = 1.0, p = 0.0, half;
+            pkmodes_real g, s = 1, c = 1, p = 0, half;
             for (m = l; m < N - 1; ++m)
-                if (!(fabs(e[m]) > 2.220446049250313e-16*(fabs(d[m]) + fabs(d[m + 1]))))
+                if (!(R(fabs)(e[m]) > EIGEN_EPSILON*(R(fabs)(d[m]) + R(fabs)(d[m + 1]))))
                     break;
             if (m == l)
                 break;
             if (iteration == EIGEN_ITERATIONS)
                 return -1;
-            half = (d[l + 1] - d[l])/(2.0*e[l]);
-            g = d[m] - d[l] + e[l]/(half + copysign(sqrt(half*half + 1.0), half));
+            half = (d[l + 1] - d[l])/(2*e[l]);
+            g = d[m] - d[l] + e[l]/(half + R(copysign)(R(sqrt)(half*half + 1), half));
             for (i = m - 1; i >= l; --i) {
-                const double f = s*e[i], b = c*e[i], r = sqrt(f*f + g*g);
-                double h, t;
+                const pkmodes_real f = s*e[i], b = c*e[i], r = R(sqrt)(f*f + g*g);
+                pkmodes_real h, t;
                 if (i + 1 < m)
                     e[i + 1] = r;
-                if (r == 0.0) { /* the matrix splits here */
+                if (r == 0) { /* the matrix splits here */
                     d[i + 1] -= p;
                     break;
                 }
                 s = f/r;
                 c = g/r;
                 h = d[i + 1] - p;
-                t = (d[i] - h)*s + 2.0*c*b;
+                t = (d[i] - h)*s + 2*c*b;
                 p = s*t;
                 d[i + 1] = h + p;
                 g = c*t - b;
                 for (k = 0; Z && k < N; ++k) {
-                    const double x = Z[i + 1][k], y = Z[i][k];
+                    const pkmodes_real x = Z[i + 1][k], y = Z[i][k];
                     Z[i + 1][k] = s*y + c*x;
                     Z[i][k] = c*y - s*x;
                 }
@@ -145,42 +156,42 @@ static int eigen_ql(double d[N], double e[N], double (*Z)[N])
                 d[l] -= p;
                 e[l] = g;
             }
-            e[m] = 0.0;
+            e[m] = 0;
         }
     return 0;
 }
 
 /* Sort, and choose signs: the first of a shape's largest components, in units of the scale, is positive. */
-static void eigen_order(double d[N], double (*Z)[N], const double scale[N])
+static void eigen_order(pkmodes_real d[N], pkmodes_real (*Z)[N], const pkmodes_real scale[N])
 {
     int i, j, k;
     for (i = 1; i < N; ++i)
         for (j = i; j > 0 && d[j] < d[j - 1]; --j) {
-            const double value = d[j];
+            const pkmodes_real value = d[j];
             d[j] = d[j - 1];
             d[j - 1] = value;
             for (k = 0; Z && k < N; ++k) {
-                const double x = Z[j][k];
+                const pkmodes_real x = Z[j][k];
                 Z[j][k] = Z[j - 1][k];
                 Z[j - 1][k] = x;
             }
         }
     for (i = 0; Z && i < N; ++i) {
-        double largest = 0.0, sign = 1.0;
+        pkmodes_real largest = 0, sign = 1;
         for (k = 0; k < N; ++k)
-            largest = fmax(largest, fabs(Z[i][k]));
+            largest = R(fmax)(largest, R(fabs)(Z[i][k]));
         for (k = N - 1; k >= 0; --k)
-            if (fabs(Z[i][k]) >= (1.0 - 1e-6)*largest)
+            if (R(fabs)(Z[i][k]) >= (1 - EIGEN_TIE)*largest)
                 sign = Z[i][k];
         for (k = 0; k < N; ++k)
-            Z[i][k] *= copysign(1.0, sign)*scale[k];
+            Z[i][k] *= R(copysign)(1, sign)*scale[k];
     }
 }
 
 /* Replace eigenvalues by natural frequencies sqrt(|lambda|)/(2 pi) with the sign of lambda [Hz]. */
-static void eigen_frequencies(double d[N])
+static void eigen_frequencies(pkmodes_real d[N])
 {
     int i;
     for (i = 0; i < N; ++i)
-        d[i] = copysign(sqrt(fabs(d[i])), d[i])/6.283185307179586;
+        d[i] = R(copysign)(R(sqrt)(R(fabs)(d[i])), d[i])/R(6.283185307179586);
 }

@@ -8,12 +8,14 @@ from importlib.resources import files
 from math import prod
 
 from pkmodes_derive.description import Margin
+from pkmodes_derive.emit.constants import Constant, constants, pose, status_name
+from pkmodes_derive.emit.provenance import Provenance
 from pkmodes_derive.emit.templating import render
 from pkmodes_derive.functions import FieldGroup, Function, Model, Output
 
-COMPARED = {"at_least_zero": ">= 0.0", "above_zero": "> 0.0"}
-#: Largest condition number of a regular pose, as `pkmodes.poses.MAX_CONDITION`.
-MAX_CONDITION = "1e6"
+COMPARED = {"at_least_zero": ">= 0", "above_zero": "> 0"}
+#: What a controller calls.
+FUNCTIONS = ("status", "natural_frequencies", "modes")
 
 
 @dataclass(frozen=True)
@@ -28,22 +30,23 @@ class _Check:
     code: str
 
 
-def definitions(model: Model, name: str) -> list[tuple[str, str, str]]:
-    """Return name, value and comment of every macro."""
-    upper = name.upper()
-    found = [
-        ("POSE", str(len(_pose(model))), "components of a pose"),
-        ("COORDINATES", str(len(model.coordinates)), "coordinates, and modes"),
+def definitions(model: Model, provenance: Provenance) -> list[tuple[str, str, str, str]]:
+    """Return name, comment, value, and value in single precision if it differs, of every macro."""
+    upper = provenance.name.upper()
+    return [
+        (f"{upper}_{c.name}", c.comment, _value(c), "" if c.single is None else f"{c.single!r}f")
+        for c in constants(model, provenance)
     ]
-    if model.rigid_modes is not None:
-        found.append(("RIGID_MODES", str(model.rigid_modes), "rigid-body modes, the first ones"))
-    if any(margin.rule == "at_most_limit" for margin in model.conditions):
-        found.append(("MAX_CONDITION", MAX_CONDITION, "largest condition number of a regular pose"))
-    found.append(("UNSOLVED", "(-1)", "status: the eigenproblem has no solution"))
-    found.append(("NOT_FINITE", "1", "status: the pose is not finite"))
-    for number, margin in enumerate(model.conditions, start=2):
-        found.append((_code(model.conditions, number), str(number), f"status: {margin.meaning}"))
-    return [(f"{upper}_{key}", value, comment) for key, value, comment in found]
+
+
+def _value(constant: Constant) -> str:
+    """Return the value of a macro, which can stand in any expression and has the type of the model's numbers."""
+    value = constant.value
+    if isinstance(value, str):
+        return f'"{value}"'
+    if isinstance(value, float) and constant.single is None:
+        return f"((pkmodes_real){value!r})"
+    return f"({value!r})" if value < 0 else repr(value)
 
 
 def source(model: Model, name: str, groups: Sequence[FieldGroup]) -> str:
@@ -61,29 +64,42 @@ def source(model: Model, name: str, groups: Sequence[FieldGroup]) -> str:
         solver=files(__package__).joinpath("eigen.c").read_text(encoding="utf-8").rstrip(),
         checks=[
             _check(
-                margin, by_name[margin.function], f"{upper}_{_code(model.conditions, number)}", name, taken
+                margin,
+                by_name[margin.function],
+                f"{upper}_{status_name(model.conditions, number)}",
+                name,
+                taken,
             )
             for number, margin in enumerate(model.conditions, start=2)
         ],
     )
 
 
+def example(model: Model, name: str, groups: Sequence[FieldGroup]) -> list[str]:
+    """Return lines of C that call the functions in order."""
+    d, n = len(pose(model).symbols), len(model.coordinates)
+    taken = ", ".join(["p", *(group.argument for group in groups)])
+    return [
+        f" *   pkmodes_real p[{d}] = {{...}}, f[{n}], phi[{n}][{n}], M[{n}][{n}], K[{n}][{n}];",
+        f" *   if ({name}_status({taken}) == 0) {{",
+        f" *       {name}_modal_matrices({taken}, M, K);",
+        f" *       {name}_modes({taken}, f, phi);",
+        " *   }",
+    ]
+
+
+def checked_first(function: Function, model: Model, name: str) -> str:
+    """Return what to call before a function of the pose: nothing for those on which the status rests."""
+    known = {"inverse_kinematics", *(margin.function for margin in model.conditions)}
+    if not model.conditions or function.name in known or not any(a.name == "p" for a in function.arguments):
+        return ""
+    return f"Call `{name}_status` first: where it is not 0, the results are NaN or have no meaning."
+
+
 def arguments(model: Model, groups: Sequence[FieldGroup]) -> str:
     """Return the declared arguments of a function of the pose."""
     types = [f"const {model.mechanism}_{group.argument} *{group.argument}" for group in groups]
-    return ", ".join([f"const double p[{len(_pose(model))}]", *types])
-
-
-def _pose(model: Model) -> tuple[object, ...]:
-    (function,) = (f for f in model.functions if f.name == "modal_matrices")
-    return function.arguments[0].symbols
-
-
-def _code(conditions: Sequence[Margin], number: int) -> str:
-    """Name of a status; of several conditions with one code, the later ones are numbered."""
-    code = conditions[number - 2].code
-    before = sum(margin.code == code for margin in conditions[: number - 2])
-    return f"BEYOND_{code}{before + 1 if before else ''}".upper()
+    return ", ".join([f"const pkmodes_real p[{len(pose(model).symbols)}]", *types])
 
 
 def _check(margin: Margin, function: Function, code: str, name: str, taken: Sequence[str]) -> _Check:

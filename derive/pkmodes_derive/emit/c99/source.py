@@ -13,6 +13,8 @@ from pkmodes_derive.emit.provenance import Provenance
 from pkmodes_derive.emit.templating import render
 from pkmodes_derive.functions import FieldGroup, Function, Model, Output
 
+#: Type of every number, double or float.
+REAL = "pkmodes_real"
 #: A space at which lines are not broken.
 UNBROKEN = "\N{NO-BREAK SPACE}"
 
@@ -47,7 +49,7 @@ def files(model: Model, programs: Mapping[str, Program], provenance: Provenance)
             (
                 _type(group, model),
                 [
-                    (f"double {f.name}{_brackets(f.shape)};", f"[{f.unit}] {f.description}")
+                    (f"{REAL} {f.name}{_brackets(f.shape)};", f"[{f.unit}] {f.description}")
                     for f in group.fields
                 ],
             )
@@ -55,17 +57,22 @@ def files(model: Model, programs: Mapping[str, Program], provenance: Provenance)
             if group.declared
         ],
         "functions": [_function(f, used[f.name], model, groups, provenance.name) for f in emitted],
+        "callable": [f.name for f in emitted],
         "definitions": [],
         "controller": "",
     }
     if model.conditions:
-        values["definitions"] = modes.definitions(model, provenance.name)
         values["controller"] = modes.source(model, provenance.name, groups)
+        values["example"] = modes.example(model, provenance.name, groups)
         values["arguments"] = modes.arguments(model, groups)
+        values["callable"] = [*(f.name for f in emitted), *modes.FUNCTIONS]
         values["n"] = len(model.coordinates)
         values["headers"] = ["math.h", "stddef.h", "string.h"]
+    source = render(__package__, "source.c.j2", **values)
+    if model.conditions:
+        values["definitions"] = modes.definitions(model, provenance.of_source(source))
     return {
-        f"{provenance.name}.c": render(__package__, "source.c.j2", **values),
+        f"{provenance.name}.c": source,
         f"{provenance.name}.h": render(__package__, "header.h.j2", **values),
     }
 
@@ -92,25 +99,26 @@ def _function(
 ) -> _Block:
     used = program.groups(function, groups)
     arguments = [
-        f"double {a.name}" if a.scalar else f"const double {a.name}[{len(a.symbols)}]"
+        f"{REAL} {a.name}" if a.scalar else f"const {REAL} {a.name}[{len(a.symbols)}]"
         for a in function.arguments
     ]
     arguments += [f"const {_type(group, model)} *{group.argument}" for group in used]
     arguments += [
-        f"double {o.name}{_brackets(o.shape)}" if o.shape else f"double *{o.name}" for o in function.outputs
+        f"{REAL} {o.name}{_brackets(o.shape)}" if o.shape else f"{REAL} *{o.name}" for o in function.outputs
     ]
     head = f"void {prefix}_{function.name}("
     # Break lines between arguments, not within one.
     text = ", ".join(argument.replace(" ", UNBROKEN) for argument in arguments) + ")"
     lines = layout.prose(text, "    ", first=head, room=len(";"))
     prototype = [line.replace(UNBROKEN, " ") for line in lines]
-    return _Block(_comment(function, program), prototype, _body(function, program, used))
+    first = modes.checked_first(function, model, prefix)
+    return _Block(_comment(function, program, first), prototype, _body(function, program, used))
 
 
-def _comment(function: Function, program: Program) -> list[str]:
+def _comment(function: Function, program: Program, first: str) -> list[str]:
     lines = [f"/* {function.summary}", " *"]
-    if function.details:
-        lines += [*layout.prose(function.details, " * "), " *"]
+    for paragraph in filter(None, (function.details, first)):
+        lines += [*layout.prose(paragraph, " * "), " *"]
     for argument in function.arguments:
         lines += layout.prose(
             f"{argument.name} [{argument.unit}]: {argument.description}", " *     ", " *   in  "
@@ -127,7 +135,7 @@ def _body(function: Function, program: Program, groups: Sequence[FieldGroup]) ->
         for i, symbol in enumerate(argument.symbols):
             if symbol in inputs and not (argument.scalar and symbol.name == argument.name):
                 place = argument.name if argument.scalar else f"{argument.name}[{i}]"
-                lines.append(f"    const double {symbol.name} = {place};")
+                lines.append(f"    const {REAL} {symbol.name} = {place};")
         if not inputs & set(argument.symbols):
             lines.append(f"    (void){argument.name};")
     for group in groups:
@@ -137,9 +145,9 @@ def _body(function: Function, program: Program, groups: Sequence[FieldGroup]) ->
             for index, symbol in zip(field.indices, field.symbols, strict=True):
                 if symbol in inputs:
                     source = f"{group.argument}->{field.name}{_brackets(index)}"
-                    lines.append(f"    const double {symbol.name} = {source};")
+                    lines.append(f"    const {REAL} {symbol.name} = {source};")
     for symbol, value in program.steps:
-        lines += layout.assignment(f"const double {symbol.name}", expression(value), "    ", end=";")
+        lines += layout.assignment(f"const {REAL} {symbol.name}", expression(value), "    ", end=";")
     for result in program.results:
         lines += _result(result)
     return lines
@@ -161,5 +169,5 @@ def _result(result: Result) -> list[str]:
 def _zeros(output: Output) -> str:
     # The size of the type: sizeof the argument would be that of a pointer.
     if output.shape:
-        return f"memset({output.name}, 0, sizeof(double{_brackets(output.shape)}))"
-    return f"*{output.name} = 0.0"
+        return f"memset({output.name}, 0, sizeof({REAL}{_brackets(output.shape)}))"
+    return f"*{output.name} = 0"

@@ -10,6 +10,7 @@ from pprint import pformat
 from sympy import Symbol
 
 from pkmodes_derive.emit import commentary, layout
+from pkmodes_derive.emit.numpy import modes
 from pkmodes_derive.emit.numpy.printer import ARCTAN2, expression
 from pkmodes_derive.emit.program import Program, Result
 from pkmodes_derive.emit.provenance import Provenance
@@ -32,6 +33,8 @@ def files(model: Model, programs: Mapping[str, Program], provenance: Provenance)
     """Return the text of the module by its file name."""
     groups = model.groups if provenance.parametric else ()
     functions = [_function(f, programs[f.name], groups) for f in model.functions]
+    solved = bool(model.conditions) and not provenance.parametric
+    own = modes.own_constants(model, provenance) if solved else []
     text = render(
         __package__,
         "module.py.j2",
@@ -48,7 +51,9 @@ def files(model: Model, programs: Mapping[str, Program], provenance: Provenance)
         coordinates=[name for name, _ in model.coordinates],
         coordinate_units=[unit for _, unit in model.coordinates],
         rigid_modes=model.rigid_modes,
-        exported=_exported(model, groups),
+        exported=_exported(model, groups, [constant.name for constant in own] if solved else None),
+        own=own,
+        controller=modes.source(model) if solved else "",
         literals=[
             (layout.prose(comment, "#: "), name, _literal(value)) for comment, name, value in model.constants
         ],
@@ -60,14 +65,18 @@ def files(model: Model, programs: Mapping[str, Program], provenance: Provenance)
     return {f"{provenance.module}.py": text}
 
 
-def _exported(model: Model, groups: Sequence[FieldGroup]) -> list[str]:
+def _exported(model: Model, groups: Sequence[FieldGroup], own: Sequence[str] | None) -> list[str]:
+    """Return the public names; `own` are further constants of a module that solves the eigenproblem, else None."""
+    further = modes.FUNCTIONS if own is not None else ()
     return [
+        *(own or ()),
+        *(("POSE", "STATUSES") if own is not None else ()),
         "COORDINATES",
         "COORDINATE_UNITS",
         *(group.name for group in groups if group.declared),
         *(name for _, name, _ in model.constants),
         *([] if model.rigid_modes is None else ["RIGID_MODES"]),
-        *sorted(f.name for f in model.functions),
+        *sorted([*(f.name for f in model.functions), *further]),
     ]
 
 

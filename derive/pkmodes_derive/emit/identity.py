@@ -1,0 +1,108 @@
+"""What generated code says about itself: name, version, digest, and the limits that the robot file declares."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from pkmodes_derive.description import Description
+from pkmodes_derive.tables import unit_of
+
+#: Hexadecimal digits of a digest; 64 bits tell the models of a machine apart.
+DIGITS = 16
+#: Names that are string literals of any language as they stand; the schema of robot files allows no others.
+PLAIN = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._+-]*")
+
+
+@dataclass(frozen=True)
+class Limit:
+    """One end of a travel, as the robot file declares it.
+
+    Attributes
+    ----------
+    path : str
+        In the robot file: ``axis.1.limits.min``.
+    value : float
+        In SI units.
+    unit, description : str
+    """
+
+    path: str
+    value: float
+    unit: str
+    description: str
+
+    @property
+    def name(self) -> str:
+        """The path as the name of a constant."""
+        return self.path.replace(".", "_").upper()
+
+
+@dataclass(frozen=True)
+class Identity:
+    """A product as its own code states it.
+
+    Attributes
+    ----------
+    name : str
+        Name of the robot or the mechanism.
+    version : str
+        Version of the generator.
+    digest : str
+        `digest` of its C source.
+    limits : tuple of Limit
+        None for a model whose limits are parameters.
+    """
+
+    name: str = ""
+    version: str = ""
+    digest: str = ""
+    limits: tuple[Limit, ...] = ()
+
+
+def literal(name: str, otherwise: str) -> str:
+    """Return a name that can stand in a string literal: `otherwise`, an identifier, if the name cannot."""
+    return name if PLAIN.fullmatch(name) else otherwise
+
+
+def digest(source: str) -> str:
+    """Return the digest of a C source from its first directive on: comments before it do not count.
+
+    All numbers of a model are in its C source, so that any change of the model or of the generated C changes it.
+    """
+    code = source[source.index('#include "') :]
+    return hashlib.sha256(code.encode("utf-8")).hexdigest()[:DIGITS]
+
+
+def limits(description: Description, fields: Mapping[str, Any]) -> tuple[Limit, ...]:
+    """Return the limits of a robot: the pairs of its file, if a condition on the pose refers to limits.
+
+    Parameters
+    ----------
+    description : Description
+        Of its mechanism.
+    fields : mapping of str to nested lists
+        Its parameters in SI units.
+    """
+    if not any(margin.code == "limits" for margin in description.margins):
+        return ()
+    found = []
+    for table in description.tables:
+        for key in (key for key in table.keys if key.kind == "pair"):
+            for place, first in _places(table.name, table.count):
+                values: Any = fields[key.field]
+                for i in (*first, *key.index):
+                    values = values[i]
+                found += [
+                    Limit(f"{place}.{key.name}.{end}", float(value), unit_of(key.dimension), key.description)
+                    for end, value in zip(("min", "max"), values, strict=True)
+                ]
+    return tuple(found)
+
+
+def _places(table: str, count: int) -> list[tuple[str, tuple[int, ...]]]:
+    """Return the path and the index of each entry of a table."""
+    return [(f"{table}.{i + 1}", (i,)) for i in range(count)] if count else [(table, ())]
