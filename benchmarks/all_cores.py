@@ -15,7 +15,7 @@ import ours
 from peers import MissingError, ways
 from pkmodes.backends import all_cores
 from published import published, valid_poses
-from timing import REPETITIONS, interleaved
+from timing import REPETITIONS, WALL, interleaved
 
 
 def main(target: Path, quick: bool) -> None:
@@ -38,7 +38,7 @@ def main(target: Path, quick: bool) -> None:
         counts[name] = len(poses)
     for run in runs.values():
         run()
-    times = interleaved(runs, 5 if quick else REPETITIONS)
+    times = interleaved(runs, 5 if quick else REPETITIONS, WALL)
     found = {"cores": cores, "poses": len(poses), "missing": missing}
     found["times"] = {name: 1e6 * time / counts[name] for name, time in times.items()}
     target.write_text(json.dumps(found, indent=1), encoding="utf-8")

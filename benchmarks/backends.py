@@ -40,7 +40,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="fewer poses and repetitions, for a first look")
     parser.add_argument("--out", type=Path, default=HERE.parent / "docs", help="folder of compiled.md")
-    parser.add_argument("--machine", default="a core", help="what measured, for the text")
+    parser.add_argument("--machine", help="what measured, for the text")
     parser.add_argument("--results", type=Path, default=HERE.parent / "build" / "backends.json")
     parser.add_argument(
         "--report-only", action="store_true", help="write table and plot from these results again"

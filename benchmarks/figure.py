@@ -67,7 +67,7 @@ def write(growth: dict[str, list[tuple[int, float]]], target: Path) -> None:
             arrowprops={"arrowstyle": "-", "color": "#c8c8c8", "linewidth": 0.7, "shrinkA": 1, "shrinkB": 4},
         )
     axes.set(xscale="log", yscale="log", xlim=(0.8, 1.2e7), xlabel="poses in a call")
-    axes.set_title("time per pose [µs], frequencies, one core", loc="left", fontsize=11)
+    axes.set_title("processor time per pose [µs], frequencies, one core", loc="left", fontsize=11)
     axes.set_xticks([10**k for k in range(8)], ["1", "10", "100", "1000", "10⁴", "10⁵", "10⁶", "10⁷"])
     top = int(np.ceil(np.log10(max(cost for points in growth.values() for _, cost in points))))
     axes.set_yticks([10.0**k for k in range(-1, top + 1)], [f"{10.0**k:g}" for k in range(-1, top + 1)])

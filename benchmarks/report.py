@@ -29,9 +29,11 @@ def put(document: Path, text: str) -> None:
     document.write_text(f"{head}{BEGIN}\n{text}{END}{tail}", encoding="utf-8")
 
 
-def text(found: dict[str, Any], machine: str) -> str:
+def text(found: dict[str, Any], machine: str | None) -> str:
+    """Write all tables; `machine` says what measured."""
     one, memory = found["one"], found["memory"]
-    parts = [comparison(one, machine), requirements(one, found["all"]), bounds(one["machine"])]
+    machine = machine or f"one core with vectors of {one['machine']['width']} doubles"
+    parts = [comparison(one, machine), requirements(one, found["all"]), bounds(one)]
     parts += [cores(found["all"]), memory_text(memory)] if memory else [cores(found["all"])]
     return "\n\n".join(parts) + "\n"
 
@@ -68,7 +70,7 @@ def comparison(one: dict[str, Any], machine: str) -> str:
     ]
     head = ["way", "frequencies [us]", "ratio", "with shapes [us]", "ratio", "difference"]
     about = (
-        f"Time per pose on {machine}; {one['poses']:,} random poses, the smallest of interleaved repetitions. "
+        f"Processor time per pose on {machine}; {one['poses']:,} random poses, smallest of interleaved repetitions. "
         "Ratios are to (g). The difference is the largest relative one of the vibration frequencies from "
         "those of generated NumPy and LAPACK."
     )
@@ -105,13 +107,15 @@ def requirements(one: dict[str, Any], every: dict[str, Any]) -> str:
     return table(["requirement", "at most / at least", "measured", ""], rows)
 
 
-def bounds(found: dict[str, Any]) -> str:
+def bounds(one: dict[str, Any]) -> str:
     """State the fraction of the peak, and what takes the time."""
+    found, (ours,) = one["machine"], (row for row in one["rows"] if row["label"] == OURS)
     counts = found["operations"]
     total = sum(counts[name] for name in ("matrices", "reduction", "tridiagonal", "iteration"))
     lines = []
     if "fused" in found:
         rate, peak = total / found["frequencies"] / 1e3, found["fused"] / 1e9
+        more = ours["shapes"] - ours["frequencies"]
         bare = 1e6 * found["three_rotations"] * found["rotations_together"] / found["together"]
         lines.append(
             f"**Peak.** Frequencies take {total:,.0f} floating-point operations: {counts['matrices']} for M, K and "
@@ -119,13 +123,14 @@ def bounds(found: dict[str, Any]) -> str:
             f"form, {counts['iteration']:,.0f} for {found['iterations']:.1f} iterations of QL with "
             f"{found['rotations']:.0f} rotations (`benchmarks/operations.py`). That is {rate:.1f} Gflop/s, "
             f"{100 * rate / peak:.0f} % of the {peak:.0f} Gflop/s that the core reaches with independent "
-            f"products and sums of {found['width']} doubles."
+            f"products and sums of {found['width']} doubles. Shapes add {counts['vectors']:,.0f} operations in "
+            f"{more:.2f} us, {100 * counts['vectors'] / more / 1e3 / peak:.0f} % of the peak."
         )
         lines.append(
             f"**What bounds it.** Each rotation of QL has a root and a quotient on which the next one waits: "
-            f"{1e9 * found['rotation']:.0f} ns for {found['width']} poses, most of it waiting. Three groups of lanes "
-            f"together take {1e9 * found['three_rotations']:.0f} ns instead of {3e9 * found['rotation']:.0f}, limited "
-            f"by the unit for roots and quotients. {found['together']} poses iterate until the slowest has "
+            f"{1e9 * found['rotation']:.0f} ns for {found['width']} poses, most of it waiting. Three groups of "
+            f"lanes together take {1e9 * found['three_rotations']:.0f} ns instead of {3e9 * found['rotation']:.0f}, "
+            f"limited by the unit for roots and quotients. {found['together']} poses iterate until the slowest has "
             f"converged: {found['rotations_together']:.0f} rotations instead of {found['rotations']:.0f}. The "
             f"rotations alone would take {bare:.2f} us per pose; with the masks for lanes that split or have "
             f"converged, and the tests for both, QL takes {found.get('iteration', np.nan):.2f}."
@@ -148,7 +153,9 @@ def cores(every: dict[str, Any]) -> str:
         f"{OURS}, {k}": f"pkmodes, {k} thread{'s' if k > 1 else ''}" for k in range(1, every["cores"] + 2)
     }
     rows = [[names.get(name, name), digits(time)] for name, time in every["times"].items()]
-    return f"On all {every['cores']} cores, frequencies:\n\n" + table(["way", "us per pose"], rows)
+    return f"On {every['cores']} cores, frequencies, time on the wall:\n\n" + table(
+        ["way", "us per pose"], rows
+    )
 
 
 def memory_text(memory: list[dict[str, int]]) -> str:
@@ -157,7 +164,7 @@ def memory_text(memory: list[dict[str, int]]) -> str:
     ]
     head = ["poses", "output [MB]", "more [MB]"]
     about = (
-        "Memory that one call with `out=` takes at most besides poses and output: a copy of the poses (24 bytes each) "
-        "and a code of one byte. Nothing else grows with the number of poses."
+        "Memory that one call with `out=` takes at most besides poses and output: a copy of the poses (24 bytes "
+        "each) and a code of one byte. Nothing else grows with the number of poses."
     )
     return paragraph(about) + "\n\n" + table(head, rows)
