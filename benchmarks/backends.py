@@ -88,14 +88,17 @@ def child(
     script: str, arguments: list[str], environment: dict[str, str], before: Callable[[], None] | None = None
 ) -> str:
     command = [sys.executable, str(HERE / script), *arguments]
-    return subprocess.run(
+    done = subprocess.run(
         command,
         env=os.environ | environment,
         preexec_fn=before,
-        check=True,
+        check=False,
         text=True,
         stdout=subprocess.PIPE,
-    ).stdout
+    )
+    if done.returncode:
+        sys.exit(done.returncode)  # it has said why
+    return done.stdout
 
 
 if __name__ == "__main__":

@@ -10,6 +10,8 @@ import numpy as np
 
 BEGIN, END = "<!-- begin: written by benchmarks/backends.py -->", "<!-- end -->"
 OURS = "pkmodes, compiled"
+#: Cores that two threads must get; with fewer, other processes were in the way.
+FREE = 1.8
 
 
 def put(document: Path, text: str) -> None:
@@ -153,9 +155,22 @@ def cores(every: dict[str, Any]) -> str:
         f"{OURS}, {k}": f"pkmodes, {k} thread{'s' if k > 1 else ''}" for k in range(1, every["cores"] + 2)
     }
     rows = [[names.get(name, name), digits(time)] for name, time in every["times"].items()]
-    return f"On {every['cores']} cores, frequencies, time on the wall:\n\n" + table(
-        ["way", "us per pose"], rows
+    spent = every["processor"]
+    alone, shared = spent["caller"], spent["two"] - spent["caller"]
+    best = spent["one"] / (alone + shared / 2)
+    got = spent["two"] / (every["times"][f"{OURS}, 2"] * every["poses"] / 1e6)
+    words = (
+        f"Of {every['poses']:,} poses on two threads, {1e3 * shared:.0f} ms of processor time are shared and "
+        f"{1e3 * alone:.1f} ms are not (a copy of the poses, starting threads): with two idle cores, the second is "
+        f"worth up to {best:.2f} times."
     )
+    if got < FREE:
+        words += (
+            f" They were not idle: at best, two threads got {got:.1f} cores, so these times do not say what a "
+            "second core is worth."
+        )
+    head = f"Frequencies on {every['cores']} cores, time on the wall:"
+    return "\n\n".join([head, table(["way", "us per pose"], rows), paragraph(words)])
 
 
 def memory_text(memory: list[dict[str, int]]) -> str:
@@ -164,7 +179,7 @@ def memory_text(memory: list[dict[str, int]]) -> str:
     ]
     head = ["poses", "output [MB]", "more [MB]"]
     about = (
-        "Memory that one call with `out=` takes at most besides poses and output: a copy of the poses (24 bytes "
-        "each) and a code of one byte. Nothing else grows with the number of poses."
+        "Memory that one call with `out=` takes at most besides poses and output: a copy of the poses, 24 bytes "
+        "each, and two bytes for their codes. Nothing else grows with the number of poses."
     )
     return paragraph(about) + "\n\n" + table(head, rows)
