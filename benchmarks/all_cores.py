@@ -1,7 +1,7 @@
 """The ways that can use several cores, on all of them: what `backends.py` runs second, writing JSON.
 
-Time on the wall says what a second core is worth only if both are idle, so the processor time of one thread and of two
-is measured too, and that of the part that only one of them does.
+Time on the wall says what a second core is worth only if both are idle, so the processor time of one thread and of
+two is measured too, and that of the part that only one of them does.
 """
 
 from __future__ import annotations
