@@ -101,10 +101,9 @@ def requirements(one: dict[str, Any], every: dict[str, Any]) -> str:
             )
         )
     if two is not None:
-        gain = every["times"][f"{OURS}, 1"] / two
-        wanted.append(
-            (f"second core, {every['poses']:,} poses, `out=`", "1.8 times", f"{gain:.2f} times", gain >= 1.8)
-        )
+        gain, name = every["times"][f"{OURS}, 1"] / two, f"second core, {every['poses']:,} poses, `out=`"
+        free = "" if cores_got(every) >= FREE else " while not free"
+        wanted.append((name, "1.8 times", f"{gain:.2f} times{free}", gain >= 1.8))
     rows = [[name, target, found, "met" if met else "**NOT MET**"] for name, target, found, met in wanted]
     return table(["requirement", "at most / at least", "measured", ""], rows)
 
@@ -158,7 +157,7 @@ def cores(every: dict[str, Any]) -> str:
     spent = every["processor"]
     alone, shared = spent["caller"], spent["two"] - spent["caller"]
     best = spent["one"] / (alone + shared / 2)
-    got = spent["two"] / (every["times"][f"{OURS}, 2"] * every["poses"] / 1e6)
+    got = cores_got(every)
     words = (
         f"Of {every['poses']:,} poses on two threads, {1e3 * shared:.0f} ms of processor time are shared and "
         f"{1e3 * alone:.1f} ms are not (a copy of the poses, starting threads): with two idle cores, the second is "
@@ -171,6 +170,11 @@ def cores(every: dict[str, Any]) -> str:
         )
     head = f"Frequencies on {every['cores']} cores, time on the wall:"
     return "\n\n".join([head, table(["way", "us per pose"], rows), paragraph(words)])
+
+
+def cores_got(every: dict[str, Any]) -> float:
+    """Return how many cores two threads got: processor time over time on the wall."""
+    return float(every["processor"]["two"] / (every["times"][f"{OURS}, 2"] * every["poses"] / 1e6))
 
 
 def memory_text(memory: list[dict[str, int]]) -> str:
