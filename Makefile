@@ -42,7 +42,8 @@ generate: $(VENV)/.derive  ## regenerate the committed code
 docs: $(VENV)/.derive  ## rebuild docs/derivation/
 	$(BIN)/python -m pkmodes_derive latex
 
-benchmark: $(VENV)/.dev
+benchmark: $(VENV)/.benchmark  ## table and plot of docs/compiled.md, and other times; some minutes
+	$(BIN)/python benchmarks/backends.py
 	$(BIN)/python benchmarks/evaluation.py
 	$(BIN)/python benchmarks/many_rows.py
 	$(BIN)/python benchmarks/large_models.py
@@ -70,3 +71,9 @@ $(VENV)/.derive: $(VENV)/.python pyproject.toml
 $(VENV)/.dev: $(VENV)/.python pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
 	@touch $@ $(VENV)/.derive
+
+# The packages to compare with are optional: the benchmark leaves out what is missing.
+$(VENV)/.benchmark: $(VENV)/.dev
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[benchmark]' \
+	    || echo "note: not all packages of the extra 'benchmark' can be installed; their rows are left out"
+	@touch $@
