@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
-from itertools import pairwise
+from threading import Lock
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,8 +26,8 @@ FIELDS = (
 )
 #: The fields that it writes if it is given directions.
 RATES = ("eigenvalue_rates", "frequency_rates")
-#: Fewest poses for which another thread is started.
-SHARE = 2048
+#: Poses that a thread takes at a time, a multiple of those in a block.
+SHARE = 4800
 #: The code of a pose whose eigenproblem needs another solver.
 UNSOLVED = -1
 
@@ -95,25 +95,29 @@ class Evaluator:
         """
         count = len(points)
         codes = np.empty(count, dtype=np.int8)
-        parts = max(1, min(threads, count // SHARE))
         request = self._with(terms)
-        if parts == 1:
+        starts, lock = iter(range(0, count, SHARE)), Lock()
+
+        def work() -> None:
+            """Take shares until none is left: a thread that is held up delays the others by one share at most."""
+            while True:
+                with lock:
+                    start = next(starts, None)
+                if start is None:
+                    return
+                part = slice(start, start + SHARE)
+                some = {name: array[part] for name, array in arrays.items()}
+                self._part(request, points[part], some, codes[part], width)
+
+        helpers = min(threads, -(-count // SHARE)) - 1
+        if helpers < 1:
             self._part(request, points, arrays, codes, width)
             return codes
-        edges = [count * i // parts for i in range(parts + 1)]
-        with ThreadPoolExecutor(parts) as pool:
-            for done in [
-                pool.submit(
-                    self._part,
-                    request,
-                    points[start:stop],
-                    {name: array[start:stop] for name, array in arrays.items()},
-                    codes[start:stop],
-                    width,
-                )
-                for start, stop in pairwise(edges)
-            ]:
-                done.result()
+        with ThreadPoolExecutor(helpers) as pool:
+            others = [pool.submit(work) for _ in range(helpers)]
+            work()
+            for other in others:
+                other.result()
         return codes
 
     def _with(self, terms: Terms | None) -> Request:
