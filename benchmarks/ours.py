@@ -34,16 +34,16 @@ def paths() -> list[str]:
     """Choose the first quantities of the robot itself: no parameters of effects, which it does not have."""
     model = published()
     found = model.sensitivities([0.6, 0.0, -0.245], fields=["frequencies"]).parameters
-    return [path for path in found if not path.startswith("effects.")][:GRADIENTS]
+    return [path for path in found if not path.startswith(("effects.", "frame."))][:GRADIENTS]
 
 
 def gradients(poses: Array, rates: Array) -> None:
     """Fill derivatives of frequencies, (N, 64, n), or as many as there is room for, again and again."""
     model, chosen, size = published(), paths(), min(TOGETHER, len(rates))
     for start in range(0, len(poses), size):
-        some = poses[start : start + size]  # the process has one core, so the library has one thread
+        some = poses[start : start + size]
         out = {"frequencies": rates[: len(some)]}
-        model.sensitivities(some, chosen, fields=["frequencies"], out=out, backend="compiled")
+        model.sensitivities(some, chosen, fields=["frequencies"], out=out, backend="compiled", threads=1)
 
 
 def room_for_gradients(count: int) -> Array:

@@ -23,7 +23,7 @@ from pkmodes.solving import fields_of_modes
 
 if TYPE_CHECKING:
     from pkmodes.compiled.evaluator import Evaluator
-    from pkmodes.sensitivity.sensitivities import Sensitivities
+    from pkmodes.sensitivity.sensitivities import Directions, Sensitivities
 
 Array = NDArray[np.float64]
 
@@ -57,6 +57,7 @@ class Model(Kinematics):
         self._evaluation = evaluation(robot)
         self.coordinates = self._evaluation.coordinates
         self._evaluators: dict[str, Evaluator | None] = {}
+        self._directions: tuple[tuple[str, ...] | None, Directions] | None = None
 
     def __repr__(self) -> str:
         return f"Model({self.robot.name!r}, {self.robot.mechanism}, {len(self.coordinates)} coordinates)"
@@ -248,14 +249,27 @@ class Model(Kinematics):
         from pkmodes.sensitivity.sensitivities import sensitivities
 
         return sensitivities(
-            self.robot,
+            self._along(parameters),
             poses,
             on_error,
             self.max_condition,
-            parameters,
             close,
             fields,
             out,
             self._compiled(backend),
             checked_threads(threads),
         )
+
+    def _along(self, parameters: Sequence[str] | None) -> Directions:
+        """Resolve parameter paths; those of the last call are kept."""
+        from pkmodes.sensitivity.sensitivities import Directions
+
+        if parameters is None:
+            key: tuple[str, ...] | None = None
+        elif isinstance(parameters, list | tuple) and all(isinstance(path, str) for path in parameters):
+            key = tuple(parameters)
+        else:  # anything else is converted or refused
+            return Directions(self.robot, parameters)
+        if self._directions is None or self._directions[0] != key:
+            self._directions = key, Directions(self.robot, parameters)
+        return self._directions[1]

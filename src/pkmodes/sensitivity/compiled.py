@@ -8,15 +8,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.compiled.evaluator import Evaluator
+from pkmodes.compiled.lanes import Terms
 from pkmodes.compiled_modes import EIGENVALUES, Job, evaluated, left_to_numpy
 from pkmodes.eigen import magnitude
-from pkmodes.evaluation import Evaluation, SystemOfEffects
+from pkmodes.evaluation import Evaluation
 from pkmodes.gathering import Out
 from pkmodes.poses import CHUNK, CheckedPoses, OnError
-from pkmodes.robot.paths import ParameterPath
 from pkmodes.robot.robot import Robot
-from pkmodes.sensitivity.modes import ROUNDING, groups
-from pkmodes.sensitivity.terms import terms_of
+from pkmodes.sensitivity.modes import ROUNDING, separate
 
 Array = NDArray[np.float64]
 #: The kernel's names of fields of `pkmodes.Sensitivities`.
@@ -27,7 +26,7 @@ def compiled_rates(
     evaluator: Evaluator,
     robot: Robot,
     system: Evaluation,
-    paths: Sequence[ParameterPath],
+    terms: Terms,
     close: float,
     poses: ArrayLike,
     on_error: OnError,
@@ -44,7 +43,8 @@ def compiled_rates(
     robot : Robot
     system : Evaluation
         Of the robot.
-    paths : sequence of ParameterPath, length T
+    terms : Terms
+        Of T paths.
     close : float
         As for `pkmodes.Model.sensitivities`.
     poses, on_error, out
@@ -77,13 +77,12 @@ def compiled_rates(
             together[part] &= _coincide(values[part], system, close, "eigenvalues" in asked)
         return np.union1d(unsolved, np.flatnonzero(together))
 
-    extended = system if isinstance(system, SystemOfEffects) else SystemOfEffects.of(robot)
-    tail = (len(paths), evaluator.modes)
+    tail = (len(terms.first) - 1, evaluator.modes)
     job = Job(
         tails=dict.fromkeys(asked, tail),
         kernel={name: KERNEL[name] for name in asked},
         also={EIGENVALUES: (evaluator.modes,)},
-        terms=terms_of(extended, paths),
+        terms=terms,
         left=left,
         redone=redone,
     )
@@ -93,10 +92,8 @@ def compiled_rates(
 def _coincide(eigenvalues: Array, system: Evaluation, close: float, of_zero: bool) -> NDArray[np.bool_]:
     """Return where modes form a group; with `of_zero` also of those whose frequency is zero to rounding."""
     sizes = magnitude(eigenvalues, system.first, system.rigid_modes)
-    group = groups(eigenvalues, close, sizes)
-    together = group[:, 1:] == group[:, :-1]
+    together = ~separate(eigenvalues, close, sizes)
     if not of_zero:
         moving = np.abs(eigenvalues) > ROUNDING * sizes
         together &= moving[:, 1:] | moving[:, :-1]
-    found: NDArray[np.bool_] = together.any(axis=1)
-    return found
+    return np.asarray(together.any(axis=1))

@@ -42,11 +42,17 @@ def groups(eigenvalues: Array, close: float, magnitude: Array) -> Index:
     ndarray of int, shape (..., m)
         The same number for the members of a group, ascending from 0.
     """
-    size = np.maximum(np.abs(eigenvalues[..., 1:]), np.abs(eigenvalues[..., :-1]))
-    rounding = ROUNDING * magnitude[..., 1:]
-    apart = np.diff(eigenvalues, axis=-1) > np.maximum(close * size, rounding)
+    apart = separate(eigenvalues, close, magnitude)
     first = np.zeros((*eigenvalues.shape[:-1], 1), dtype=np.intp)
     return np.concatenate([first, np.cumsum(apart, axis=-1)], axis=-1)
+
+
+def separate(eigenvalues: Array, close: float, magnitude: Array) -> NDArray[np.bool_]:
+    """Return which neighbouring modes are not of one group, (..., m - 1); see `groups`."""
+    size = np.abs(eigenvalues)
+    rounding = ROUNDING * magnitude[..., 1:]
+    larger = np.maximum(size[..., 1:], size[..., :-1])
+    return np.asarray(np.diff(eigenvalues, axis=-1) > np.maximum(close * larger, rounding))
 
 
 def branches(change: Array, shapes: Array, group: Index) -> Array:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pkmodes.compiled.lanes import Terms
 from pkmodes.eigen import has_stiff_joint, magnitude
 from pkmodes.errors import PkmodesError, listed, shown
 from pkmodes.evaluation import Evaluation, SystemOfEffects, evaluation
@@ -19,6 +21,7 @@ from pkmodes.robot.paths import ParameterPath, paths, resolve_all
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.sensitivity.modes import ROUNDING, branches, groups, mode_derivatives
+from pkmodes.sensitivity.terms import terms_of
 from pkmodes.solving import Solved, solved
 
 if TYPE_CHECKING:
@@ -93,12 +96,46 @@ class Sensitivities(ChosenFields):
     groups: NDArray[np.intp] = field(init=False)
 
 
+class Directions:
+    """Parameter paths of a robot, resolved once for any number of calls.
+
+    Parameters
+    ----------
+    robot : Robot
+    parameters : sequence of str, optional
+        Paths; by default all that can vary.
+
+    Attributes
+    ----------
+    paths : list of ParameterPath
+    system : Evaluation
+        Of the robot.
+
+    Raises
+    ------
+    PkmodesError
+        If a path is unknown or cannot vary.
+    """
+
+    def __init__(self, robot: Robot, parameters: Sequence[str] | None) -> None:
+        self.robot, self.paths, self.system = robot, _chosen(robot, parameters), evaluation(robot)
+
+    @cached_property
+    def extended(self) -> SystemOfEffects:
+        """The robot's system with all released joints."""
+        return self.system if isinstance(self.system, SystemOfEffects) else SystemOfEffects.of(self.robot)
+
+    @cached_property
+    def terms(self) -> Terms:
+        """The paths as the compiled evaluator takes them."""
+        return terms_of(self.extended, self.paths)
+
+
 def sensitivities(
-    robot: Robot,
+    directions: Directions,
     poses: ArrayLike,
     on_error: OnError,
     max_condition: float,
-    parameters: Sequence[str] | None,
     close: float,
     fields: Fields,
     out: Out,
@@ -106,11 +143,11 @@ def sensitivities(
     threads: int,
 ) -> Sensitivities:
     """Evaluate the sensitivities of a robot; see `pkmodes.Model.sensitivities`."""
-    chosen = _chosen(robot, parameters)
+    robot, chosen, system = directions.robot, directions.paths, directions.system
     if not (isinstance(close, int | float | np.integer | np.floating) and 0.0 <= close < 1.0):
         raise PkmodesError(f"expected a fraction below 1, found {shown(close)}", "close", "for example: 1e-6")
     asked = chosen_fields(fields, out, Sensitivities.FIELDS)
-    system, limit = evaluation(robot), float(close)
+    limit = float(close)
     if evaluator is not None and set(asked) <= RATES:
         from pkmodes.sensitivity.compiled import compiled_rates
 
@@ -118,21 +155,21 @@ def sensitivities(
             evaluator,
             robot,
             system,
-            chosen,
+            directions.terms,
             limit,
             poses,
             on_error,
             asked,
             out,
             threads,
-            lambda p: _in_parts(lambda part: _at(robot, system, part, chosen, limit, asked, evaluator), p),
+            lambda p: _in_parts(lambda part: _at(directions, part, limit, asked, evaluator), p),
         )
     else:
         checked = check_poses(poses, robot.kind, robot.parameters, on_error, max_condition)
         gathered = Gathered(checked, out)
         # In parts of equal size: a single pose is evaluated differently, which gives repeated modes another basis.
         for where, p in checked.parts(TOGETHER, even=True):
-            gathered.put(where, _at(robot, system, p, chosen, limit, asked, evaluator))
+            gathered.put(where, _at(directions, p, limit, asked, evaluator))
         arrays = gathered.arrays
     return Sensitivities(
         codes=checked.codes.reshape(checked.batch),
@@ -164,19 +201,22 @@ def _chosen(robot: Robot, parameters: Sequence[str] | None) -> list[ParameterPat
 
 
 def _at(
-    robot: Robot,
-    system: Evaluation,
+    directions: Directions,
     p: Array,
-    chosen: list[ParameterPath],
     close: float,
     asked: Collection[str],
     evaluator: Evaluator | None,
 ) -> dict[str, NDArray[Any]]:
     """Compute the requested fields at some poses."""
+    robot, system, chosen, extended = (
+        directions.robot,
+        directions.system,
+        directions.paths,
+        directions.extended,
+    )
     of_modes = {"eigenvalues", "frequencies", "shapes", "groups"} & set(asked)
     # Bitwise the matrices of `Model.modes`, so that repeated modes have the same basis.
     at = _solution(system, p, robot.source, evaluator) if of_modes else None
-    extended = system if isinstance(system, SystemOfEffects) else SystemOfEffects.of(robot)
     every = at.every if at is not None and extended is system else None
     derivatives = MatrixDerivatives(extended, p, [chosen], every)
     found: dict[str, NDArray[Any]] = {}
