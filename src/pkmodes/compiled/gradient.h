@@ -49,33 +49,41 @@ INLINE void lanes_joint_rates(const struct lanes_system *restrict system, int m,
         }
 }
 
-/* Write derivatives along the paths, those of the eigenvalues times a factor for each mode, if there is one. */
+/* Write derivatives along the paths: those of the eigenvalues times a factor for each mode, which is NaN where a pose is
+ * not evaluated. */
 INLINE void lanes_put_rates(const struct lanes_block *block, double *restrict out, const lane *restrict gradients,
     int stride, int m, const lane *restrict factor)
 {
     const struct pkmodes_request *request = block->request;
     const long long size = request->path_count * m;
-    lane part[LANES_WIDTH];
+    lane tile[LANES_WIDTH];
     double *row[LANES_WIDTH];
     int filled = 0;
     for (int w = 0; w < LANES_WIDTH; w++)
         row[w] = out + (block->start + w) * size;
-    for (long long t = 0; t < request->path_count; t++)
-        for (int j = 0; j < m; j++) {
-            const lane *restrict gradient = gradients + j * stride;
-            int i = request->first_term[t];
-            lane rate = request->weights[i] * gradient[request->places[i]];
-            while (++i < request->first_term[t + 1])
-                rate += request->weights[i] * gradient[request->places[i]];
-            part[filled++] = factor ? rate * factor[j] : rate;
-            if (filled == LANES_WIDTH) {
-                lanes_put_at(block, row, part, LANES_WIDTH);
-                for (int w = 0; w < LANES_WIDTH; w++)
-                    row[w] += LANES_WIDTH;
-                filled = 0;
+    for (long long t = 0; t < request->path_count; t++) {
+        const int first = request->first_term[t], end = request->first_term[t + 1];
+        const double weight = request->weights[first];
+        const lane *restrict gradient = gradients + request->places[first];
+        for (int j = 0; j < m; j++, gradient += stride) {
+            lane rate = weight * *gradient;
+            for (int i = first + 1; i < end; i++)
+                rate += request->weights[i] * gradients[j * stride + request->places[i]];
+            tile[filled++] = rate * factor[j] + 0.0;
+            if (filled < LANES_WIDTH)
+                continue;
+            lanes_transpose(tile);
+            for (int w = 0; w < LANES_WIDTH; w++) {
+                if (w < block->count)
+                    *(lane_in_memory *)row[w] = tile[w];
+                row[w] += LANES_WIDTH;
             }
+            filled = 0;
         }
-    lanes_put_at(block, row, part, filled);
+    }
+    for (int i = 0; i < filled; i++)
+        for (int w = 0; w < block->count; w++)
+            row[w][i] = tile[i][w];
 }
 
 /* Write the derivatives of the eigenvalues and frequencies of a block along the paths. */
@@ -86,7 +94,7 @@ static __attribute__((noinline)) void lanes_differentiate(const struct lanes_sys
     const struct pkmodes_request *request = system->block.request;
     const int all = request->all_coordinates ? LANES_ALL : LANES_BASE;
     const lane *restrict eigenvalues = problem->d;
-    lane shapes[LANES_ALL * LANES_ALL], gradients[LANES_ALL * STRIDE], by_frequency[LANES_ALL], largest = (lane){0};
+    lane shapes[LANES_ALL * LANES_ALL], gradients[LANES_ALL * STRIDE], factor[LANES_ALL], largest = (lane){0};
     lanes_shapes(system, problem, n, m, column, all, shapes);
     if (request->all_coordinates) {
         lanes_extended_gradient(system->pose, request->parameters, request->effects, m, shapes, eigenvalues, gradients, STRIDE);
@@ -95,14 +103,16 @@ static __attribute__((noinline)) void lanes_differentiate(const struct lanes_sys
         lanes_base_gradient(system->pose, request->parameters, request->effects, m, shapes, eigenvalues, gradients, STRIDE);
     for (int j = 0; j < m; j++)
         largest = pick(magnitude(eigenvalues[j]) > largest, magnitude(eigenvalues[j]), largest);
+    for (int j = 0; j < m; j++)
+        factor[j] = pick(system->block.code == 0, LANES(1.0), LANES(NAN));
+    if (request->eigenvalue_rates)
+        lanes_put_rates(&system->block, request->eigenvalue_rates, gradients, STRIDE, m, factor);
     for (int j = 0; j < m; j++) {
         const lane size = magnitude(eigenvalues[j]);
-        by_frequency[j] = pick(size > ROUNDING * largest, 1.0 / (2.0 * TWO_PI * root(size)), LANES(NAN));
+        factor[j] = pick(size > ROUNDING * largest, factor[j] / (2.0 * TWO_PI * root(size)), LANES(NAN));
     }
-    if (request->eigenvalue_rates)
-        lanes_put_rates(&system->block, request->eigenvalue_rates, gradients, STRIDE, m, NULL);
     if (request->frequency_rates)
-        lanes_put_rates(&system->block, request->frequency_rates, gradients, STRIDE, m, by_frequency);
+        lanes_put_rates(&system->block, request->frequency_rates, gradients, STRIDE, m, factor);
 }
 
 #endif
