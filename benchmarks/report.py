@@ -154,27 +154,21 @@ def cores(every: dict[str, Any]) -> str:
         f"{OURS}, {k}": f"pkmodes, {k} thread{'s' if k > 1 else ''}" for k in range(1, every["cores"] + 2)
     }
     rows = [[names.get(name, name), digits(time)] for name, time in every["times"].items()]
-    spent = every["processor"]
-    alone, shared = spent["caller"], spent["two"] - spent["caller"]
-    best = spent["one"] / (alone + shared / 2)
     got = cores_got(every)
-    words = (
-        f"Of {every['poses']:,} poses on two threads, {1e3 * shared:.0f} ms of processor time are shared and "
-        f"{1e3 * alone:.1f} ms are not (a copy of the poses, starting threads): with two idle cores, the second is "
-        f"worth up to {best:.2f} times."
-    )
+    words = ""
     if got < FREE:
-        words += (
-            f" They were not idle: at best, two threads got {got:.1f} cores, so these times do not say what a "
+        words = (
+            f"Both cores were not idle: at best, two threads got {got:.1f} of them, so these times do not say what a "
             "second core is worth."
         )
     head = f"Frequencies on {every['cores']} cores, time on the wall:"
-    return "\n\n".join([head, table(["way", "us per pose"], rows), paragraph(words)])
+    parts = [head, table(["way", "us per pose"], rows), paragraph(words)]
+    return "\n\n".join(part for part in parts if part)
 
 
 def cores_got(every: dict[str, Any]) -> float:
     """Return how many cores two threads got: processor time over time on the wall."""
-    return float(every["processor"]["two"] / (every["times"][f"{OURS}, 2"] * every["poses"] / 1e6))
+    return float(every["processor"] / (every["times"][f"{OURS}, 2"] * every["poses"] / 1e6))
 
 
 def memory_text(memory: list[dict[str, int]]) -> str:

@@ -14,6 +14,8 @@ import pytest
 from compiled import COMPILER, FLAGS
 from pkmodes.generation import generate
 
+pytestmark = pytest.mark.compiler
+
 ROOT = Path(__file__).parents[1]
 EXAMPLE = ROOT / "examples/controller_1khz"
 STRICT = [flag for flag in FLAGS if flag not in ("-shared", "-fPIC")] + ["-Wconversion", "-Wdouble-promotion"]

@@ -23,6 +23,8 @@ from pkmodes_generated import linear_delta
 from pkmodes_generated.linear_delta import Parameters
 from sample_robots import random_robot
 
+pytestmark = pytest.mark.compiler
+
 MODEL = mechanisms.base("linear_delta")
 
 

@@ -13,6 +13,8 @@ from compiled import COMPILER
 from generated_robots import Robot
 from pkmodes.poses import MAX_CONDITION
 
+pytestmark = pytest.mark.compiler
+
 
 def test_the_status_says_why_as_the_runtime_does(robot: Robot) -> None:
     poses = robot.poses(2000)

@@ -10,9 +10,12 @@ import subprocess
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from compiled import COMPILER, FLAGS
 from generated_robots import STRICT, Robot
+
+pytestmark = pytest.mark.compiler
 
 #: Relative error of a frequency where it is the highest one and the pose is regular: some eighty roundings, mostly
 #: those of the kinematics.

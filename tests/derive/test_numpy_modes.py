@@ -38,6 +38,7 @@ def test_modes_are_those_of_the_runtime(robot: Robot) -> None:
     assert (np.abs(left - right) < 1e-10 * eigenvalues[:, -1, None, None]).all()
 
 
+@pytest.mark.compiler
 def test_signs_are_those_of_the_c_code(robot: Robot) -> None:
     """Also at symmetric poses, where components are equal and rounding must not decide."""
     poses = robot.valid(200)

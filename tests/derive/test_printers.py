@@ -142,6 +142,7 @@ def test_only_what_needs_it_has_the_function_for_complex_angles(texts: dict[str,
     assert "_arctan2" not in product.parametric("linear_delta")["model.py"]
 
 
+@pytest.mark.compiler
 def test_c_gives_the_same(texts: dict[str, str], tmp_path: Path) -> None:
     for file, text in texts.items():
         (tmp_path / file).write_text(text, encoding="utf-8")

@@ -172,6 +172,7 @@ def results(function: object, inputs: list) -> tuple[np.ndarray, ...]:
     return found if isinstance(found, tuple) else (found,)
 
 
+@pytest.mark.compiler
 @pytest.mark.parametrize("effects", COMBINED[7:])
 def test_c_equals_numpy(tmp_path: Path, effects: tuple[str, ...]) -> None:
     model, module, texts = sample(ROBOT, effects)

@@ -6,12 +6,15 @@ import inspect
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from compiled import build, call
 from pkmodes_derive import mechanisms
 from pkmodes_derive.emit import product
 from pkmodes_generated.linear_delta import extended
 from sample_robots import random_robot
+
+pytestmark = pytest.mark.compiler
 
 MODEL = mechanisms.extended("linear_delta")
 NAME = "linear_delta_extended"

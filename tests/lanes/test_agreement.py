@@ -9,6 +9,8 @@ from lane_agreement import assert_agrees
 from lane_samples import EFFECTS, EXTREMES, NAMES, case, results
 from pkmodes.solving import solve
 
+pytestmark = pytest.mark.compiler
+
 
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("effects", EFFECTS)

@@ -16,6 +16,8 @@ import pkmodes
 from pkmodes import PkmodesError
 from pkmodes.compiled import build, loader
 
+pytestmark = pytest.mark.compiler
+
 ROOT = Path(__file__).parents[2]
 ROBOT = ROOT / "robots/corexy-printer.toml"
 POSE = [0.15, 0.2]

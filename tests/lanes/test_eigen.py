@@ -15,6 +15,8 @@ import pytest
 from pkmodes.compiled import build
 from pkmodes.eigen import TIE
 
+pytestmark = pytest.mark.compiler
+
 HARNESS = Path(__file__).parent / "eigen_harness.c"
 WIDTH = 4
 EPS = np.finfo(float).eps

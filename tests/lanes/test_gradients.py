@@ -25,6 +25,8 @@ from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives
 from pkmodes.sensitivity.modes import ROUNDING
 from pkmodes.sensitivity.terms import terms_of
 
+pytestmark = pytest.mark.compiler
+
 #: Of the largest derivative along the same path; and where a heavy motor hardly moves because the motions of its
 #: coordinates cancel, or a rigid mode has digits of the stiffest one only.
 EXACT, CANCELLED = 1e-11, 1e-8

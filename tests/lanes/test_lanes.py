@@ -14,6 +14,8 @@ from pkmodes.compiled.evaluator import SHARE
 from pkmodes.compiled.loader import load
 from pkmodes.poses import check_poses
 
+pytestmark = pytest.mark.compiler
+
 
 def widths(name: str) -> list[int]:
     most = load(f"pkmodes_generated.{name}", name).width

@@ -15,6 +15,8 @@ import pytest
 from lane_agreement import LIMITS, errors
 from lane_samples import EFFECTS, EXTREMES, NAMES, case
 
+pytestmark = pytest.mark.compiler
+
 ROBOTS = int(os.environ.get("PKMODES_ROBOTS", "24"))
 POSES = 500
 #: Share of poses that may exceed a limit, and the multiple of the limit that none may exceed.

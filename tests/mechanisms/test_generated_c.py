@@ -19,6 +19,8 @@ import pytest
 from compiled import build, packed
 from sample_mechanisms import NAMES, SEEDS, effects, extended, model, sample
 
+pytestmark = pytest.mark.compiler
+
 PROTOTYPE = re.compile(r"^void (\w+)\(([^)]*)\);", re.MULTILINE)
 ARGUMENT = re.compile(r"(const )?(\w+) (\*?)(\w+)((?:\[\d+\])*)$")
 

@@ -144,6 +144,7 @@ def test_sensitivities_agree_with_differences_by_hand(model: pkmodes.Model) -> N
 @pytest.mark.parametrize(
     "name", ["build/pick_and_place", "build/five_bar/five_bar", "build/five_bar/five_bar_extended"]
 )
+@pytest.mark.compiler
 def test_the_c_files_compile_without_a_warning(place: Path, tmp_path: Path, name: str) -> None:
     library = tmp_path / "code.so"
     subprocess.run([str(COMPILER), *FLAGS, str(place / f"{name}.c"), "-o", str(library), "-lm"], check=True)
