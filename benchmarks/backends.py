@@ -19,7 +19,7 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
-import report
+import backends_report
 
 HERE = Path(__file__).parent
 #: Every library that has threads of its own gets one.
@@ -51,11 +51,11 @@ def main() -> None:
         given.results.parent.mkdir(parents=True, exist_ok=True)
         given.results.write_text(json.dumps(found, indent=1), encoding="utf-8")
     found = json.loads(given.results.read_text(encoding="utf-8"))
-    text = report.text(found, given.machine)
+    text = backends_report.text(found, given.machine)
     print(text)
     for line in sorted({*found["one"]["missing"], *found["all"]["missing"]}):
         print(f"note: {line}")
-    report.put(given.out / "compiled.md", text)
+    backends_report.put(given.out / "compiled.md", text)
     try:
         import figure
     except ModuleNotFoundError as error:

@@ -17,9 +17,9 @@ from pathlib import Path
 
 import numpy as np
 
+from peer_source import matrices, printed
 from pkmodes.compiled.build import compiler
 from pkmodes.generation import generate
-from printed import matrices, printed
 from published import ROBOT, published
 
 Array = np.ndarray

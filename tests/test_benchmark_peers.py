@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import backends_report
 import peers
-import report
-from printed import matrices, printed
+from peer_source import matrices, printed
 from published import published, rigid_modes, valid_poses
 
 ROOT = Path(__file__).parents[1]
@@ -43,7 +43,7 @@ def test_each_way_finds_the_modes_of_the_model(make) -> None:
 def test_a_report_is_put_between_the_marks(tmp_path: Path) -> None:
     document = tmp_path / "compiled.md"
     document.write_text(f"before\n{report.BEGIN}\nold\n{report.END}\nafter\n", encoding="utf-8")
-    report.put(document, "new\n")
+    backends_report.put(document, "new\n")
     assert document.read_text(encoding="utf-8") == f"before\n{report.BEGIN}\nnew\n{report.END}\nafter\n"
 
 

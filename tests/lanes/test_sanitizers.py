@@ -11,6 +11,8 @@ import pytest
 
 from pkmodes.compiled import build
 
+pytestmark = pytest.mark.compiler
+
 CODE = """
 import numpy as np
 from pkmodes.compiled import build, loader
@@ -22,8 +24,6 @@ build._run = lambda command, folder: link(
     [*command, "-fsanitize=address,undefined"] if "-shared" in command else command, folder)
 loader.SHIPPED = loader.SHIPPED / "none"
 from lane_samples import NAMES, case, results
-
-pytestmark = pytest.mark.compiler
 for name in NAMES:
     for effects in ("none", "clamps with belt mass", "everything"):
         for count in (1, 3, 6, 13):
