@@ -42,11 +42,16 @@ def test_each_way_finds_the_modes_of_the_model(make) -> None:
 
 def test_a_report_is_put_between_the_marks(tmp_path: Path) -> None:
     document = tmp_path / "compiled.md"
-    document.write_text(f"before\n{report.BEGIN}\nold\n{report.END}\nafter\n", encoding="utf-8")
+    document.write_text(
+        f"before\n{backends_report.BEGIN}\nold\n{backends_report.END}\nafter\n", encoding="utf-8"
+    )
     backends_report.put(document, "new\n")
-    assert document.read_text(encoding="utf-8") == f"before\n{report.BEGIN}\nnew\n{report.END}\nafter\n"
+    assert (
+        document.read_text(encoding="utf-8")
+        == f"before\n{backends_report.BEGIN}\nnew\n{backends_report.END}\nafter\n"
+    )
 
 
 def test_the_document_has_the_marks() -> None:
     found = (ROOT / "docs" / "compiled.md").read_text(encoding="utf-8")
-    assert found.index(report.BEGIN) < found.index(report.END)
+    assert found.index(backends_report.BEGIN) < found.index(backends_report.END)

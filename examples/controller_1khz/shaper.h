@@ -8,7 +8,7 @@
 
 enum {
     SHAPER_IMPULSES = 3, /* the most that a shaper has */
-    SHAPER_LENGTH = 128  /* ticks of the command that are kept: the longest delay, less one */
+    SHAPER_LENGTH = 128  /* ticks of the command that are kept: one more than the longest delay */
 };
 
 typedef enum { SHAPER_NONE, SHAPER_ZV, SHAPER_MZV } shaper_kind;

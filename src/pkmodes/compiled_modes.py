@@ -82,13 +82,13 @@ def evaluated(
             written[name] = np.empty((len(points), *tail))
     codes = evaluator.run(points, written, threads, terms=job.terms)
     left = job.left(codes, written)
+    if on_error == "raise":  # a pose out of reach is said before a joint that is too soft
+        refuse(points, np.where(codes == UNSOLVED, 0, codes), kind, robot.parameters)
     for start in range(0, len(left), CHUNK):
         some = left[start : start + CHUNK]
         for name, values in job.redone(points[some]).items():
             rows[name][some] = values
     codes[left] = 0
-    if on_error == "raise":
-        refuse(points, codes, kind, robot.parameters)
     for name, array in arrays.items():
         if not np.may_share_memory(array, rows[name]):
             array[...] = rows[name].reshape(array.shape)

@@ -228,7 +228,7 @@ class Model(Kinematics):
         fields : sequence of str, optional
             Which of `Sensitivities.FIELDS` to compute and keep; by default all, or the fields in `out`.
             ``"frequencies"`` and ``"eigenvalues"`` alone take a hundredth of the time or, without the compiled
-            library, a quarter.
+            library, a sixth.
         backend : {"auto", "numpy", "compiled"}
             As for `modes`: what solves the eigenproblem and evaluates these two fields.  With the same back end,
             repeated modes have the same basis.
@@ -270,6 +270,7 @@ class Model(Kinematics):
             key = tuple(parameters)
         else:  # anything else is converted or refused
             return Directions(self.robot, parameters)
-        if self._directions is None or self._directions[0] != key:
-            self._directions = key, Directions(self.robot, parameters)
-        return self._directions[1]
+        found = self._directions
+        if found is None or found[0] != key:
+            found = self._directions = key, Directions(self.robot, parameters)
+        return found[1]

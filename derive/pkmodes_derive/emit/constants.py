@@ -42,7 +42,7 @@ def constants(model: Model, provenance: Provenance) -> list[Constant]:
     found = [
         Constant("NAME", identity.name, f"name of the {kind}"),
         Constant("VERSION", identity.version, "version of the generator"),
-        Constant("HASH", identity.digest, "SHA-256 of the C code, first digits: another model has another"),
+        Constant("HASH", identity.digest, "SHA-256 of the C source, first digits: other code has another"),
         Constant("POSE", len(pose(model).symbols), "components of a pose"),
         Constant("COORDINATES", len(model.coordinates), "coordinates, and modes"),
     ]

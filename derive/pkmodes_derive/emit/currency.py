@@ -177,7 +177,11 @@ def _orphans(folder: Path, recorded: Mapping[str, object], fresh: Mapping[str, s
         if path.name in fresh or path.is_symlink() or not (path.is_file() and carries_header(path)):
             continue
         if path.name in former:
-            findings.append(Finding("different", path.name, f"{path.name} has the former name of the robot"))
+            findings.append(
+                Finding(
+                    "different", path.name, f"{path.name} is of a former model: another name, or with effects"
+                )
+            )
         else:
             message = (
                 f"{path.name} was generated but does not belong to this model: an orphan; move or remove it"

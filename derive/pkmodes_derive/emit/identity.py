@@ -71,7 +71,8 @@ def literal(name: str, otherwise: str) -> str:
 def digest(source: str) -> str:
     """Return the digest of a C source from its first directive on: comments before it do not count.
 
-    All numbers of a model are in its C source, so that any change of the model or of the generated C changes it.
+    What the model computes is in its C source.  A value of the robot that is folded away, such as one of two factors
+    of a product, may change without changing it.
     """
     code = source[source.index('#include "') :]
     return hashlib.sha256(code.encode("utf-8")).hexdigest()[:DIGITS]

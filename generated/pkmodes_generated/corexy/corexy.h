@@ -71,7 +71,7 @@ extern "C" {
 #define COREXY_NAME "corexy"
 /* version of the generator */
 #define COREXY_VERSION "0.1.0"
-/* SHA-256 of the C code, first digits: another model has another */
+/* SHA-256 of the C source, first digits: other code has another */
 #define COREXY_HASH "665fa1794241f007"
 /* components of a pose */
 #define COREXY_POSE 2

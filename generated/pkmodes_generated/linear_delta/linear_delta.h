@@ -79,7 +79,7 @@ extern "C" {
 #define LINEAR_DELTA_NAME "linear_delta"
 /* version of the generator */
 #define LINEAR_DELTA_VERSION "0.1.0"
-/* SHA-256 of the C code, first digits: another model has another */
+/* SHA-256 of the C source, first digits: other code has another */
 #define LINEAR_DELTA_HASH "b3025a6f5be0b807"
 /* components of a pose */
 #define LINEAR_DELTA_POSE 3

@@ -76,7 +76,7 @@ extern "C" {
 #define ROTARY_DELTA_NAME "rotary_delta"
 /* version of the generator */
 #define ROTARY_DELTA_VERSION "0.1.0"
-/* SHA-256 of the C code, first digits: another model has another */
+/* SHA-256 of the C source, first digits: other code has another */
 #define ROTARY_DELTA_HASH "26827eabbc6dc30f"
 /* components of a pose */
 #define ROTARY_DELTA_POSE 3

@@ -69,7 +69,7 @@ INLINE void lanes_put_rates(const struct lanes_block *block, double *restrict ou
             lane rate = weight * *gradient;
             for (int i = first + 1; i < end; i++)
                 rate += request->weights[i] * gradients[j * stride + request->places[i]];
-            tile[filled++] = rate * factor[j] + 0.0;
+            tile[filled++] = pick(factor[j] == factor[j], rate * factor[j] + 0.0, LANES(NAN));
             if (filled < LANES_WIDTH)
                 continue;
             lanes_transpose(tile);
@@ -92,11 +92,12 @@ static __attribute__((noinline)) void lanes_differentiate(const struct lanes_sys
 {
     enum { STRIDE = LANES_GRADIENT + LANES_ALL };
     const struct pkmodes_request *request = system->block.request;
-    const int all = request->all_coordinates ? LANES_ALL : LANES_BASE;
+    const int with_effects = request->all_coordinates || request->free_count;
+    const int all = with_effects ? LANES_ALL : LANES_BASE;
     const lane *restrict eigenvalues = problem->d;
     lane shapes[LANES_ALL * LANES_ALL], gradients[LANES_ALL * STRIDE], factor[LANES_ALL], largest = (lane){0};
     lanes_shapes(system, problem, n, m, column, all, shapes);
-    if (request->all_coordinates) {
+    if (with_effects) {
         lanes_extended_gradient(system->pose, request->parameters, request->effects, m, shapes, eigenvalues, gradients, STRIDE);
         lanes_joint_rates(system, m, shapes, eigenvalues, gradients, STRIDE);
     } else

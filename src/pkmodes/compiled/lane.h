@@ -161,6 +161,17 @@ LANES_OF_ONE(log)
 #define lanes_log(x) _Generic((x), lane: lanes_each_log, default: log)(x)
 #define lanes_fabs(x) _Generic((x), lane: magnitude, default: fabs)(x)
 
+INLINE lane lanes_each_sign(lane x)
+{
+    return pick(x == 0.0, LANES(0.0), with_sign(LANES(1.0), x));
+}
+
+INLINE double lanes_one_sign(double x)
+{
+    return x == 0.0 ? 0.0 : copysign(1.0, x);
+}
+#define lanes_sign(x) _Generic((x), lane: lanes_each_sign, default: lanes_one_sign)(x)
+
 INLINE lane lanes_each_atan2(lane y, lane x)
 {
     lane r;

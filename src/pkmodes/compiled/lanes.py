@@ -50,7 +50,8 @@ class Terms(NamedTuple):
     effects : ndarray
         Those of the robot, flat, also where all are null.
     all_coordinates : bool
-        Whether the model with effects is differentiated, also for a robot without any.
+        Whether there are terms of effects, so that the model with effects is differentiated also for a robot that
+        has none.
     locked_joints : bool
         Whether there are terms of locked joints.
     """

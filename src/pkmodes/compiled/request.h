@@ -21,7 +21,7 @@ struct pkmodes_request {
     long long free_count;
     /* Derivatives along T paths: path t has the terms from `first_term[t]` to before `first_term[t + 1]`, each a place
      * in the gradient (parameters, effects, pose, joints) and its weight.  With `all_coordinates` they are those of the
-     * model with effects, whether or not the robot has any, and with `locked_joints` joints that it lacks among them. */
+     * model with effects also for a robot that has none, and with `locked_joints` joints that it lacks among them. */
     long long path_count;
     const int *first_term;
     const int *places;

@@ -39,7 +39,7 @@ def terms_of(system: SystemOfEffects, paths: Sequence[ParameterPath]) -> Terms:
         places=places,
         weights=weights,
         effects=flat(system.effects),
-        all_coordinates=bool(of_effects.any()) or len(system.free) > system.first,
+        all_coordinates=bool(of_effects.any()),
         locked_joints=bool(np.isin(places - joints, locked).any()),
     )
 

@@ -15,6 +15,9 @@ class LanesPrinter(C99Printer):
     #: Before the names of functions: these have a version for lanes and one for a double.
     _ns: ClassVar[str] = "lanes_"
 
+    def _print_sign(self, expr: Expr) -> str:
+        return f"lanes_sign({self._print(expr.args[0])})"
+
     def _print_Integer(self, expr: Integer) -> str:
         return f"{int(expr)}.0"
 
