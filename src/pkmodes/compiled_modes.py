@@ -37,6 +37,8 @@ class Job:
         The kernel's name of each field.
     also : mapping of str to tuple of int
         Fields of the kernel that decide which poses are left to NumPy, besides those of the caller's.
+    released : bool
+        Whether the robot has released joints, of which NumPy may refuse one.
     terms : Terms or None
         Directions along which to differentiate.
     left : callable
@@ -48,6 +50,7 @@ class Job:
     tails: Mapping[str, tuple[int, ...]]
     kernel: Mapping[str, str]
     also: Mapping[str, tuple[int, ...]]
+    released: bool
     terms: Terms | None
     left: Callable[[NDArray[np.int8], Mapping[str, Array]], NDArray[np.intp]]
     redone: Callable[[Array], Mapping[str, Array]]
@@ -74,8 +77,13 @@ def evaluated(
     points, batch = given_poses(poses, kind, on_error)
     points = np.ascontiguousarray(points)
     arrays, rows = allotted(job.tails, batch, out)
+    known: dict[str, Array] | None = None
     if out and on_error == "raise":  # before the arrays of the caller are overwritten
-        refuse(points, evaluator.run(points, {}, threads), kind, robot.parameters)
+        deciding = {name: np.empty((len(points), *tail)) for name, tail in job.also.items() if job.released}
+        codes = evaluator.run(points, deciding, threads)
+        refuse(points, np.where(codes == UNSOLVED, 0, codes), kind, robot.parameters)
+        if deciding:
+            known = _redone(job, points[job.left(codes, deciding)])
     written = {job.kernel[name]: array for name, array in rows.items()}
     for name, tail in job.also.items():
         if name not in written:
@@ -84,15 +92,19 @@ def evaluated(
     left = job.left(codes, written)
     if on_error == "raise":  # a pose out of reach is said before a joint that is too soft
         refuse(points, np.where(codes == UNSOLVED, 0, codes), kind, robot.parameters)
-    for start in range(0, len(left), CHUNK):
-        some = left[start : start + CHUNK]
-        for name, values in job.redone(points[some]).items():
-            rows[name][some] = values
+    for name, values in (_redone(job, points[left]) if known is None else known).items():
+        rows[name][left] = values
     codes[left] = 0
     for name, array in arrays.items():
         if not np.may_share_memory(array, rows[name]):
             array[...] = rows[name].reshape(array.shape)
     return CheckedPoses(points, codes, batch, codes_of(kind)), arrays
+
+
+def _redone(job: Job, points: Array) -> dict[str, Array]:
+    """Evaluate poses with NumPy, part by part."""
+    parts = [job.redone(points[start : start + CHUNK]) for start in range(0, len(points), CHUNK)]
+    return {name: np.concatenate([part[name] for part in parts]) for name in (parts[0] if parts else ())}
 
 
 def compiled_modes(
@@ -137,6 +149,7 @@ def compiled_modes(
         tails={name: _tail(name, robot, evaluator) for name in asked},
         kernel={name: JOINTS if name == CARRIAGES else name for name in asked},
         also={EIGENVALUES: (evaluator.modes,)} if deciding else {},
+        released=released,
         terms=None,
         left=lambda codes, written: left_to_numpy(evaluation, codes, written.get(EIGENVALUES)),
         redone=lambda points: fields_of_modes(robot, evaluation, points, asked),

@@ -203,6 +203,23 @@ def test_a_refused_batch_leaves_the_callers_array_alone() -> None:
     assert (out == -1.0).all()
 
 
+@pytest.mark.parametrize("backend", ["compiled", "numpy"])
+def test_a_joint_that_is_too_soft_leaves_the_callers_arrays_alone(backend: str) -> None:
+    """NumPy refuses it, after the compiled evaluator; a pose out of reach is refused first."""
+    plain = pkmodes.load(ROOT / "robots/linear-delta-2022.toml")
+    model = plain.with_values({"effects.clamp_compliance.compliance": 100.0})
+    poses = [[0.6, 0.05, -0.245]] * 2
+    rates, frequencies = np.full((2, 1, 9), 7.0), np.full((2, 9), 7.0)
+    with pytest.raises(pkmodes.PoseError, match="so soft"):
+        model.sensitivities(poses, ["gravity.x"], out={"frequencies": rates}, backend=backend)
+    with pytest.raises(pkmodes.PoseError, match="so soft"):
+        model.frequencies(poses, out=frequencies, backend=backend)
+    assert (rates == 7.0).all()
+    assert (frequencies == 7.0).all()
+    with pytest.raises(pkmodes.PoseError, match="pose 1 at"):
+        model.frequencies([*poses[:1], [9.0, 9.0, 9.0]], backend=backend)
+
+
 def test_messages_are_those_of_numpy() -> None:
     model = pkmodes.load(ROBOT)
     for poses in ([9.0, 0.0], [[0.1, 0.1], [np.nan, 0.0]], [[0.1, 0.1], [0.1, -1.0], [7.0, 0.0]]):

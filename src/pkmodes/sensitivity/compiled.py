@@ -82,6 +82,7 @@ def compiled_rates(
         tails=dict.fromkeys(asked, tail),
         kernel={name: KERNEL[name] for name in asked},
         also={EIGENVALUES: (evaluator.modes,)},
+        released=evaluator.coordinates > system.first,
         terms=terms,
         left=left,
         redone=redone,
