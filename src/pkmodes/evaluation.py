@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Callable, Mapping, Sequence
+from functools import cache
 from typing import Any, Protocol
 
 import numpy as np
@@ -219,16 +220,10 @@ class SystemOfEffects:
         return dM, dK
 
     def massless(self) -> NDArray[np.bool_]:
-        """Return which released coordinates have no inertia.
-
-        This depends on the masses only, so it is read from M of the sample geometry at a regular pose.
-        """
-        plain = sample(self.kind)
-        inertias = {key.field for key in declared(self.kind) if key.dimension in INERTIAS}
-        plain = plain._replace(**{name: getattr(self.parameters, name) for name in inertias})
-        p = regular_poses(Generated(self.kind.model, plain), self.kind, plain, 1)
-        M, _, _ = Generated(self.kind.extended, plain, self.effects).extended_matrices(p[0])
-        found: NDArray[np.bool_] = (M == 0.0).all(axis=0)[self.free]
+        """Return which released coordinates have no inertia."""
+        values = (*self.effects, *(getattr(self.parameters, name) for name in _inertias(self.kind)))
+        zeros = b"".join((np.asarray(value) == 0.0).tobytes() for value in values)
+        found: NDArray[np.bool_] = _massless(self.kind, zeros)[self.free]
         found[: self.first] = False
         return found
 
@@ -268,6 +263,30 @@ class SystemOfEffects:
         """Evaluate a generated function; a single pose uses scalars, several times faster than arrays of length 1."""
         function: Callable[[Array], tuple[Array, ...]] = getattr(self._generated, name)
         return tuple(found[None] for found in function(p[0])) if len(p) == 1 else function(p)
+
+
+@cache
+def _inertias(kind: Mechanism) -> tuple[str, ...]:
+    """Return the generated parameters that are inertias."""
+    return tuple(dict.fromkeys(key.field for key in declared(kind) if key.dimension in INERTIAS))
+
+
+@cache
+def _massless(kind: Mechanism, zeros: bytes) -> NDArray[np.bool_]:
+    """Return which of all coordinates have no inertia, (e,).
+
+    This depends only on which effects and inertias are zero, in their order; it is read from M of the sample geometry
+    at a regular pose, with ones for the others.
+    """
+    plain, effects, names = sample(kind), kind.extended.Effects(), _inertias(kind)
+    present = 1.0 - np.frombuffer(zeros, dtype=np.bool_)
+    shapes = [np.shape(value) for value in (*effects, *(getattr(plain, name) for name in names))]
+    ends = np.cumsum([int(np.prod(shape)) for shape in shapes])
+    values = [part.reshape(shape) for part, shape in zip(np.split(present, ends[:-1]), shapes, strict=True)]
+    plain = plain._replace(**dict(zip(names, values[len(effects) :], strict=True)))
+    p = regular_poses(Generated(kind.model, plain), kind, plain, 1)
+    M, _, _ = Generated(kind.extended, plain, effects._make(values[: len(effects)])).extended_matrices(p[0])
+    return np.asarray((M == 0.0).all(axis=0))
 
 
 def matrices(system: Evaluation, p: Array) -> tuple[Array, Array]:

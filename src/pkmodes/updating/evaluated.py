@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.compiled_systems import modes_of_systems
 from pkmodes.diagnosis.problem import Prediction
 from pkmodes.evaluation import STEP, SystemOfEffects
 from pkmodes.robot.paths import ParameterPath
@@ -36,13 +37,16 @@ class Moves(NamedTuple):
 
 
 class Solved(NamedTuple):
-    """Modes of B robots that can be evaluated together, at n reachable poses each, the first robot first."""
+    """Modes of B robots that can be evaluated together, at n reachable poses each, the first robot first.
+
+    The matrices, in all coordinates, are None where the modes were found without them.
+    """
 
     robots: tuple[Robot, ...]
     systems: tuple[SystemOfEffects, ...]
     system: SystemOfEffects
     points: Array
-    matrices: tuple[Array, Array]
+    matrices: tuple[Array, Array] | None
     eigenvalues: Array
     shapes: Array
     channels: Array
@@ -51,13 +55,13 @@ class Solved(NamedTuple):
         """Return the modes of one robot."""
         each = len(self.points) // len(self.robots)
         part = slice(robot * each, (robot + 1) * each)
-        M, K = self.matrices
+        matrices = None if self.matrices is None else (self.matrices[0][part], self.matrices[1][part])
         return Solved(
             self.robots[robot : robot + 1],
             self.systems[robot : robot + 1],
             self.systems[robot],
             self.points[part],
-            (M[part], K[part]),
+            matrices,
             self.eigenvalues[part],
             self.shapes[part],
             self.channels[part],
@@ -67,15 +71,21 @@ class Solved(NamedTuple):
 def solved(robots: Sequence[Robot], systems: Sequence[SystemOfEffects], points: Array) -> Solved:
     """Solve robots with the same free coordinates together, at (B n, d) poses."""
     system = SystemOfEffects.stacked(systems, len(points) // len(robots))
-    try:
-        at = solve(system, points)
-        every, eigenvalues, shapes = at.every, at.eigenvalues, at.shapes
-    except np.linalg.LinAlgError:  # a required inertia is missing: these values are not a machine
-        every = system.all_coordinates(points)
-        eigenvalues = np.full((len(points), len(system.free)), np.nan)
-        shapes = np.zeros((*eigenvalues.shape, len(system.free)))
-    found = _at_channels(system, points, shapes)
-    return Solved(tuple(robots), tuple(systems), system, points, every, eigenvalues, shapes, found)
+    known, every = modes_of_systems(systems, points), None
+    if known is not None:
+        eigenvalues, shapes, motions = known
+    else:
+        try:
+            at = solve(system, points)
+            every, eigenvalues, shapes = at.every, at.eigenvalues, at.shapes
+        except np.linalg.LinAlgError:  # a required inertia is missing: these values are not a machine
+            eigenvalues = np.full((len(points), len(system.free)), np.nan)
+            shapes = np.zeros((*eigenvalues.shape, len(system.free)))
+        motions = shapes @ np.swapaxes(system.platform_motion(points), -1, -2)
+    channels = np.zeros((*shapes.shape[:2], system.joints.shape[-1] + motions.shape[-1]))
+    channels[..., system.free] = shapes
+    channels[..., -motions.shape[-1] :] = motions
+    return Solved(tuple(robots), tuple(systems), system, points, every, eigenvalues, shapes, channels)
 
 
 def derived(at: Solved, moves: Sequence[Moves], shape_rates: bool) -> Prediction:
@@ -167,15 +177,6 @@ def _mixed(moves: Sequence[Moves], most: int, poses: int) -> Array:
         each = np.eye(len(one.paths)) if one.mix is None else one.mix
         part[:, : each.shape[-2], : each.shape[-1]] = each
     return found.reshape(-1, most, columns)
-
-
-def _at_channels(system: SystemOfEffects, points: Array, shapes: Array) -> Array:
-    """Return the shapes at the channels, (N, m, C)."""
-    directions = len(system.kind.directions)
-    found = np.zeros((*shapes.shape[:2], system.joints.shape[-1] + directions))
-    found[..., system.free] = shapes
-    found[..., -directions:] = shapes @ np.swapaxes(system.platform_motion(points), -1, -2)
-    return found
 
 
 def _channel_rates(

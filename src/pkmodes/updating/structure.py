@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.diagnosis.problem import Batch, Candidate, Parameter, Prediction
-from pkmodes.evaluation import INERTIAS, SystemOfEffects
+from pkmodes.evaluation import SystemOfEffects
 from pkmodes.mechanism import Mechanism
 from pkmodes.poses import MAX_CONDITION, check_poses
 from pkmodes.regular import declared
@@ -90,7 +90,6 @@ class RobotStructure:
         self._left = [
             {name: case.left(path) for name, path in self._moves.items()} for case in self._loads.cases
         ]
-        self._massless: dict[tuple[bytes, bytes], bytes] = {}
         self._last: tuple[bytes, list[_Part]] | None = None
         self._latest: tuple[object, Prediction] | None = None
 
@@ -256,14 +255,8 @@ class RobotStructure:
 
     def _key(self, system: SystemOfEffects) -> object:
         """Return a key that is the same for robots that can be evaluated together."""
-        massless = b""
-        if len(self._loads.cases) > 1 and len(system.free) > system.first:
-            # The motions without inertia depend only on which numbers are zero.
-            zeros = [system.effects, *(getattr(system.parameters, name) for name in _inertias(self._kind))]
-            key = system.free.tobytes(), b"".join((np.asarray(v) == 0.0).tobytes() for v in zeros)
-            if key not in self._massless:
-                self._massless[key] = system.massless().tobytes()
-            massless = self._massless[key]
+        several = len(self._loads.cases) > 1 and len(system.free) > system.first
+        massless = system.massless().tobytes() if several else b""
         return system.free.tobytes(), system.rigid_modes, massless
 
     def _reachable(self, robots: Sequence[Robot], points: Array) -> NDArray[np.bool_]:
@@ -275,12 +268,6 @@ class RobotStructure:
                 rows = np.flatnonzero(self._loads.of == c)
                 found[rows] = check_poses(points[rows], self._kind, robot.parameters, "nan").valid
         return found
-
-
-@cache
-def _inertias(kind: Mechanism) -> tuple[str, ...]:
-    """Return the generated parameters that are inertias."""
-    return tuple(dict.fromkeys(key.field for key in declared(kind) if key.dimension in INERTIAS))
 
 
 @cache

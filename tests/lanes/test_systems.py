@@ -1,0 +1,72 @@
+"""Modes of several robots at once, as a diagnosis needs them: compiled against NumPy."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+
+from lane_samples import NAMES, case
+from pkmodes.compiled_systems import modes_of_systems
+from pkmodes.evaluation import SystemOfEffects
+from pkmodes.solving import solve
+
+pytestmark = pytest.mark.compiler
+
+EACH = 5
+
+
+def systems_of(name: str, effects: Sequence[dict[str, float]]) -> tuple[list[SystemOfEffects], np.ndarray]:
+    """Robots with different masses and effects, and the same poses of each."""
+    given = case(name, 3, count=EACH + 1)
+    mass = "platform_mass" if "platform_mass" in given.parameters._fields else "toolhead_mass"
+    found = [
+        SystemOfEffects(
+            given.kind, given.parameters._replace(**{mass: getattr(given.parameters, mass) * (1 + b / 7)}), values
+        )
+        for b, values in enumerate(effects)
+    ]
+    return found, np.tile(given.poses[-EACH:], (len(found), 1))
+
+
+def assert_modes_of_numpy(systems: list[SystemOfEffects], points: np.ndarray) -> None:
+    found = modes_of_systems(systems, points)
+    assert found is not None
+    eigenvalues, shapes, motions = found
+    stacked = SystemOfEffects.stacked(systems, EACH)
+    expected = solve(stacked, points)
+    rigid = systems[0].rigid_modes
+    np.testing.assert_allclose(eigenvalues[:, rigid:], expected.eigenvalues[:, rigid:], rtol=1e-9)
+    sign = np.sign((shapes * expected.shapes).sum(axis=-1, keepdims=True))
+    size = np.abs(expected.shapes).max(axis=-1, keepdims=True)
+    assert (np.abs(shapes * sign - expected.shapes)[:, rigid:] <= 1e-7 * size[:, rigid:]).all()
+    expected_motions = shapes @ np.swapaxes(stacked.platform_motion(points), -1, -2)
+    np.testing.assert_allclose(motions, expected_motions, rtol=0, atol=1e-12 * np.abs(expected_motions).max())
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_robots_without_effects(name: str) -> None:
+    assert_modes_of_numpy(*systems_of(name, [{}] * 4))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_released_joints_soft_stiff_and_between(name: str) -> None:
+    """Those that are too stiff for the kernel are solved by NumPy, the others are not."""
+    effect = "gearbox_compliance" if name != "rotary_delta" else "link_compliance"
+    effects = [{f"{effect}.compliance": c, "payload.mass": 0.2} for c in (1e-4, 1e-15, 1e-5, 1e-9)]
+    assert_modes_of_numpy(*systems_of(name, effects))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_massless_joints(name: str) -> None:
+    effect = "link_compliance" if name == "rotary_delta" else "clamp_compliance"
+    assert_modes_of_numpy(*systems_of(name, [{f"{effect}.compliance": c} for c in (1e-6, 3e-6)]))
+
+
+def test_a_pose_out_of_reach_is_left_to_the_caller(monkeypatch: pytest.MonkeyPatch) -> None:
+    systems, points = systems_of("linear_delta", [{}, {}])
+    assert modes_of_systems(systems, points) is not None
+    assert modes_of_systems(systems, points + 5.0) is None
+    monkeypatch.setenv("PKMODES_BACKEND", "numpy")
+    assert modes_of_systems(systems, points) is None
