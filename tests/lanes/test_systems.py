@@ -23,7 +23,9 @@ def systems_of(name: str, effects: Sequence[dict[str, float]]) -> tuple[list[Sys
     mass = "platform_mass" if "platform_mass" in given.parameters._fields else "toolhead_mass"
     found = [
         SystemOfEffects(
-            given.kind, given.parameters._replace(**{mass: getattr(given.parameters, mass) * (1 + b / 7)}), values
+            given.kind,
+            given.parameters._replace(**{mass: getattr(given.parameters, mass) * (1 + b / 7)}),
+            values,
         )
         for b, values in enumerate(effects)
     ]
