@@ -90,11 +90,12 @@ def evaluated(
             written[name] = np.empty((len(points), *tail))
     codes = evaluator.run(points, written, threads, terms=job.terms)
     left = job.left(codes, written)
-    if on_error == "raise":  # a pose out of reach is said before a joint that is too soft
+    if on_error == "raise" and codes.any():  # a pose out of reach is said before a joint that is too soft
         refuse(points, np.where(codes == UNSOLVED, 0, codes), kind, robot.parameters)
-    for name, values in (_redone(job, points[left]) if known is None else known).items():
-        rows[name][left] = values
-    codes[left] = 0
+    if len(left):
+        for name, values in (_redone(job, points[left]) if known is None else known).items():
+            rows[name][left] = values
+        codes[left] = 0
     for name, array in arrays.items():
         if not np.may_share_memory(array, rows[name]):
             array[...] = rows[name].reshape(array.shape)

@@ -96,6 +96,10 @@ class Evaluator:
         count = len(points)
         codes = np.empty(count, dtype=np.int8)
         request = self._with(terms)
+        helpers = min(threads, -(-count // SHARE)) - 1
+        if helpers < 1:
+            self._part(request, points, arrays, codes, width)
+            return codes
         starts, lock = iter(range(0, count, SHARE)), Lock()
 
         def work() -> None:
@@ -109,10 +113,6 @@ class Evaluator:
                 some = {name: array[part] for name, array in arrays.items()}
                 self._part(request, points[part], some, codes[part], width)
 
-        helpers = min(threads, -(-count // SHARE)) - 1
-        if helpers < 1:
-            self._part(request, points, arrays, codes, width)
-            return codes
         with ThreadPoolExecutor(helpers) as pool:
             others = [pool.submit(work) for _ in range(helpers)]
             work()
