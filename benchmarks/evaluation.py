@@ -16,30 +16,23 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Callable
-from functools import cache
 from pathlib import Path
 
 import numpy as np
 
-import pkmodes
 from pkmodes.eigen import generalised_eigh
 from pkmodes.generation import generate
 from pkmodes_generated import linear_delta
+from published import ROBOT, published, valid_poses
 
-ROBOT = Path(__file__).parents[1] / "robots" / "linear-delta-2022.toml"
 POSES = 20_000
 REPETITIONS = 7
 
 
 def main() -> None:
-    model = pkmodes.load(ROBOT)
-    rng = np.random.default_rng(1)
-    candidates = np.array([0.56, 0.0, -0.245]) + rng.uniform(-1, 1, (3 * POSES, 3)) * [0.2, 0.08, 0.05]
-    poses = candidates[model.modes(candidates, on_error="nan").valid][:POSES]
+    model, poses = published(), valid_poses(POSES)
     parameters = model.robot.parameters
     M, K = model.matrices(poses)
-    n = len(model.coordinates)
-    out = {"frequencies": np.empty((POSES, n)), "shapes": np.empty((POSES, n, n))}
     with tempfile.TemporaryDirectory() as folder:
         generate(ROBOT, Path(folder))
         specialised = load(Path(folder) / "linear_delta_2022.py")
@@ -62,24 +55,6 @@ def main() -> None:
                 500,
                 lambda: scipy_loop(M[:500], K[:500]),
             ),
-            "modes: everything, NumPy": (POSES, lambda: model.modes(poses, backend="numpy")),
-            "modes: everything, compiled, one thread": (
-                POSES,
-                lambda: model.modes(poses, backend="compiled", threads=1),
-            ),
-            "frequencies and shapes, compiled, one thread, out=": (
-                POSES,
-                lambda: model.modes(poses, out=out, backend="compiled", threads=1),
-            ),
-            "frequencies, compiled, one thread, out=": (
-                POSES,
-                lambda: model.frequencies(poses, out=out["frequencies"], backend="compiled", threads=1),
-            ),
-            "frequencies, compiled, all threads, out=": (
-                POSES,
-                lambda: model.frequencies(poses, out=out["frequencies"], backend="compiled"),
-            ),
-            "frequencies, NumPy": (POSES, lambda: model.frequencies(poses, backend="numpy")),
             "modes, one pose at a time, NumPy": (
                 100,
                 lambda: [model.modes(p, backend="numpy") for p in poses[:100]],
@@ -91,10 +66,6 @@ def main() -> None:
             "frequencies, one pose at a time, compiled": (
                 500,
                 lambda: [model.frequencies(p, backend="compiled") for p in poses[:500]],
-            ),
-            "M and K by lambdify, and scipy.linalg.eigh, in a loop": (
-                500,
-                lambda: lambdified_loop(poses[:500], parameters),
             ),
             "extended M and K, all sensitivities, one pose at a time": (
                 20,
@@ -122,44 +93,6 @@ def report(ways: dict[str, tuple[int, Callable[[], object]]]) -> None:
     print(f"{POSES} poses, best of {REPETITIONS}; 1.00 is the way pkmodes computes M and K")
     for name, seconds in sorted(best.items(), key=lambda item: item[1]):
         print(f"{name:56} {seconds / reference:9.2f}   {1e6 * seconds:8.2f} us/pose")
-
-
-@cache
-def lambdified() -> Callable[..., tuple]:
-    """What SymPy's users do: the same expressions, shared subexpressions found by lambdify."""
-    import sympy
-
-    from pkmodes_derive.emit.program import arrange
-    from pkmodes_derive.mechanisms import base
-
-    model = base("linear_delta")
-    (function,) = (f for f in model.functions if f.name == "modal_matrices")
-    program = arrange(function)
-    values = [entry.value for result in program.results for entry in result.entries]
-    for symbol, step in reversed(program.steps):
-        values = [value.xreplace({symbol: step}) for value in values]
-    pose = function.arguments[0].symbols
-    fields = [symbol for field in model.groups[0].fields for symbol in field.symbols]
-    evaluate = sympy.lambdify([*pose, *fields], values, modules="numpy", cse=True)
-    places = [
-        (r.output.name, place) for r in program.results for entry in r.entries for place in [entry.places]
-    ]
-    return lambda *numbers: (evaluate(*numbers), places)
-
-
-def lambdified_loop(poses: np.ndarray, parameters: tuple) -> list:
-    from scipy.linalg import eigh
-
-    numbers = np.concatenate([np.ravel(value) for value in parameters])
-    found = []
-    for p in poses:
-        matrices = {"M": np.zeros((9, 9)), "K": np.zeros((9, 9))}
-        values, places = lambdified()(*p, *numbers)
-        for value, (name, at) in zip(values, places, strict=True):
-            for place in at:
-                matrices[name][place] = value
-        found.append(eigh(matrices["K"], matrices["M"]))
-    return found
 
 
 def scipy_loop(M: np.ndarray, K: np.ndarray) -> list:

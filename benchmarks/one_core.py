@@ -61,9 +61,9 @@ def checked(way: Way, poses: Array) -> float:
     model = published()
     poses = poses[:8] if way.label == "MuJoCo" else poses
     n, (M, K) = len(model.coordinates), model.matrices(poses)
+    alone, frequencies = np.empty((2, len(poses), n))
+    shapes = np.empty((len(poses), n, n))
     expected = model.frequencies(poses, backend="numpy")[:, rigid_modes() :]
-    alone, frequencies, shapes = np.empty((2, len(poses), n)), None, np.empty((len(poses), n, n))
-    alone, frequencies = alone
     way.run(poses, alone, None)
     way.run(poses, frequencies, shapes)
     error = max(np.abs(found[:, rigid_modes() :] / expected - 1).max() for found in (alone, frequencies))

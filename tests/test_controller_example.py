@@ -33,25 +33,25 @@ class History(ctypes.Structure):
 
 class Shaper:
     def __init__(self, library: ctypes.CDLL) -> None:
-        self.library = library
+        self.code = library
         library.shaper_output.restype = ctypes.c_double
         self.history = History()
 
     def design(self, kind: int, frequency: float, damping: float) -> tuple[np.ndarray, np.ndarray]:
         found = Impulses()
         given = ctypes.c_int(kind), ctypes.c_double(frequency), ctypes.c_double(damping)
-        assert self.library.shaper_design(*given, ctypes.byref(found)) == 0
+        assert self.code.shaper_design(*given, ctypes.byref(found)) == 0
         return np.array(found.amplitude[: found.count]), np.array(found.delay[: found.count])
 
     def rest(self, command: float) -> None:
-        self.library.shaper_rest(ctypes.byref(self.history), ctypes.c_double(command))
+        self.code.shaper_rest(ctypes.byref(self.history), ctypes.c_double(command))
 
     def output(self, command: float, amplitudes: np.ndarray, delays: np.ndarray) -> float:
         impulses = Impulses(len(delays))
         impulses.amplitude[: len(delays)], impulses.delay[: len(delays)] = amplitudes, delays
-        self.library.shaper_append(ctypes.byref(self.history), ctypes.c_double(command))
+        self.code.shaper_append(ctypes.byref(self.history), ctypes.c_double(command))
         arguments = ctypes.byref(self.history), ctypes.byref(impulses), ctypes.c_double(TICK)
-        return float(self.library.shaper_output(*arguments))
+        return float(self.code.shaper_output(*arguments))
 
 
 @pytest.fixture(scope="module")
@@ -101,7 +101,7 @@ def test_a_frequency_five_percent_off_leaves_less_with_mzv(shaper: Shaper) -> No
 def test_no_impulses_for_numbers_that_are_no_frequency(shaper: Shaper, frequency: float) -> None:
     found = Impulses(7)
     given = ctypes.c_int(ZV), ctypes.c_double(frequency), ctypes.c_double(0.01)
-    assert shaper.library.shaper_design(*given, ctypes.byref(found)) == -1
+    assert shaper.code.shaper_design(*given, ctypes.byref(found)) == -1
     assert found.count == 7
 
 

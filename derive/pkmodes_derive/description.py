@@ -28,6 +28,10 @@ class Named:
     description: str
 
 
+#: Kinds of keys that are choices: nothing is differentiated with respect to them.
+CHOICES = ("direction", "choice", "one_of", "signs")
+
+
 @dataclass(frozen=True)
 class Key:
     """A key of a table of the robot file.

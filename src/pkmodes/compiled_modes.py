@@ -35,12 +35,12 @@ class Job:
         Shape of each field at one pose.
     kernel : mapping of str to str
         The kernel's name of each field.
-    also : mapping of str to tuple of int
-        Fields of the kernel that decide which poses are left to NumPy, besides those of the caller's.
-    released : bool
-        Whether the robot has released joints, of which NumPy may refuse one.
+    evaluation : Evaluation
+        Of the robot.
+    by_eigenvalues : bool
+        Whether `left` needs the eigenvalues.
     terms : Terms or None
-        Directions along which to differentiate.
+        Paths along which to differentiate.
     left : callable
         From the codes and the fields of the kernel, the indices of the poses that NumPy has to solve or refuse.
     redone : callable
@@ -49,8 +49,8 @@ class Job:
 
     tails: Mapping[str, tuple[int, ...]]
     kernel: Mapping[str, str]
-    also: Mapping[str, tuple[int, ...]]
-    released: bool
+    evaluation: Evaluation
+    by_eigenvalues: bool
     terms: Terms | None
     left: Callable[[NDArray[np.int8], Mapping[str, Array]], NDArray[np.intp]]
     redone: Callable[[Array], Mapping[str, Array]]
@@ -77,20 +77,20 @@ def evaluated(
     points, batch = given_poses(poses, kind, on_error)
     points = np.ascontiguousarray(points)
     arrays, rows = allotted(job.tails, batch, out)
-    known: dict[str, Array] | None = None
+    size, known = (len(points), evaluator.modes), None
     if out and on_error == "raise":  # before the arrays of the caller are overwritten
-        deciding = {name: np.empty((len(points), *tail)) for name, tail in job.also.items() if job.released}
-        codes = evaluator.run(points, deciding, threads)
+        released = evaluator.coordinates > job.evaluation.first  # NumPy may refuse one of the joints
+        first = {EIGENVALUES: np.empty(size)} if job.by_eigenvalues and released else {}
+        codes = evaluator.run(points, first, threads)
         refuse(points, np.where(codes == UNSOLVED, 0, codes), kind, robot.parameters)
-        if deciding:
-            known = _redone(job, points[job.left(codes, deciding)])
+        if first:
+            known = _redone(job, points[job.left(codes, first)])
     written = {job.kernel[name]: array for name, array in rows.items()}
-    for name, tail in job.also.items():
-        if name not in written:
-            written[name] = np.empty((len(points), *tail))
+    if job.by_eigenvalues:
+        written[EIGENVALUES] = np.empty(size)
     codes = evaluator.run(points, written, threads, terms=job.terms)
     left = job.left(codes, written)
-    if on_error == "raise" and codes.any():  # a pose out of reach is said before a joint that is too soft
+    if on_error == "raise" and codes.any():  # report a pose out of reach before a joint that is too soft
         refuse(points, np.where(codes == UNSOLVED, 0, codes), kind, robot.parameters)
     if len(left):
         for name, values in (_redone(job, points[left]) if known is None else known).items():
@@ -144,13 +144,12 @@ def compiled_modes(
     PoseError, PkmodesError
         As `pkmodes.Model.modes` does.
     """
-    released = evaluator.coordinates > evaluation.first
-    deciding = released and OF_MODES & set(asked)  # these show joints that are too stiff or too soft
     job = Job(
         tails={name: _tail(name, robot, evaluator) for name in asked},
         kernel={name: JOINTS if name == CARRIAGES else name for name in asked},
-        also={EIGENVALUES: (evaluator.modes,)} if deciding else {},
-        released=released,
+        evaluation=evaluation,
+        # They show joints that are too stiff or too soft for the kernel.
+        by_eigenvalues=evaluator.coordinates > evaluation.first and bool(OF_MODES & set(asked)),
         terms=None,
         left=lambda codes, written: left_to_numpy(evaluation, codes, written.get(EIGENVALUES)),
         redone=lambda points: fields_of_modes(robot, evaluation, points, asked),

@@ -23,7 +23,7 @@ from pkmodes.solving import fields_of_modes
 
 if TYPE_CHECKING:
     from pkmodes.compiled.evaluator import Evaluator
-    from pkmodes.sensitivity.sensitivities import Directions, Sensitivities
+    from pkmodes.sensitivity.sensitivities import ResolvedPaths, Sensitivities
 
 Array = NDArray[np.float64]
 
@@ -57,7 +57,7 @@ class Model(Kinematics):
         self._evaluation = evaluation(robot)
         self.coordinates = self._evaluation.coordinates
         self._evaluators: dict[str, Evaluator | None] = {}
-        self._directions: tuple[tuple[str, ...] | None, Directions] | None = None
+        self._resolved_paths: tuple[tuple[str, ...] | None, ResolvedPaths] | None = None
 
     def __repr__(self) -> str:
         return f"Model({self.robot.name!r}, {self.robot.mechanism}, {len(self.coordinates)} coordinates)"
@@ -249,7 +249,7 @@ class Model(Kinematics):
         from pkmodes.sensitivity.sensitivities import sensitivities
 
         return sensitivities(
-            self._along(parameters),
+            self._resolved(parameters),
             poses,
             on_error,
             self.max_condition,
@@ -260,17 +260,17 @@ class Model(Kinematics):
             checked_threads(threads),
         )
 
-    def _along(self, parameters: Sequence[str] | None) -> Directions:
+    def _resolved(self, parameters: Sequence[str] | None) -> ResolvedPaths:
         """Resolve parameter paths; those of the last call are kept."""
-        from pkmodes.sensitivity.sensitivities import Directions
+        from pkmodes.sensitivity.sensitivities import ResolvedPaths
 
         if parameters is None:
             key: tuple[str, ...] | None = None
         elif isinstance(parameters, list | tuple) and all(isinstance(path, str) for path in parameters):
             key = tuple(parameters)
         else:  # anything else is converted or refused
-            return Directions(self.robot, parameters)
-        found = self._directions
+            return ResolvedPaths(self.robot, parameters)
+        found = self._resolved_paths
         if found is None or found[0] != key:
-            found = self._directions = key, Directions(self.robot, parameters)
+            found = self._resolved_paths = key, ResolvedPaths(self.robot, parameters)
         return found[1]

@@ -21,6 +21,7 @@ from sympy import Add, Expr, Symbol, diff
 
 from pkmodes_derive.assembly.derived import Derived
 from pkmodes_derive.chain import Chain
+from pkmodes_derive.description import CHOICES
 from pkmodes_derive.machine import Machine
 
 
@@ -49,10 +50,6 @@ def _quantities(machine: Machine) -> list[Symbol]:
     chosen = {key.field for table in machine.tables.described() for key in table.keys if key.kind in CHOICES}
     left_out = chosen | set(machine.differences)
     return [s for field in machine.tables.fields if field.name not in left_out for s in field.symbols]
-
-
-#: Kinds of keys that are choices and have no derivatives.
-CHOICES = ("direction", "choice", "one_of", "signs")
 
 
 class PoseChain:

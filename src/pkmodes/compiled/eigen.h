@@ -258,8 +258,8 @@ INLINE void eigen_ql(int n, int units, struct eigen_problem *restrict problem, i
     }
 }
 
-/* Sort a problem's eigenvalues, ascending, and with them the rows of Z, each of `width`: by insertion, in each lane for
- * itself. */
+/* Sort a problem's eigenvalues, ascending, and with them the rows of Z, each of `width`: by insertion, each lane
+ * separately. */
 INLINE void eigen_sort(int n, struct eigen_problem *restrict problem, int width)
 {
     lane *restrict d = problem->d;

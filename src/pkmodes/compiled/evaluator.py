@@ -24,7 +24,7 @@ FIELDS = (
     "mass_matrix",
     "stiffness_matrix",
 )
-#: The fields that it writes if it is given directions.
+#: The fields that it writes if it is given paths.
 RATES = ("eigenvalue_rates", "frequency_rates")
 #: Poses that a thread takes at a time, a multiple of those in a block.
 SHARE = 4800
@@ -86,7 +86,7 @@ class Evaluator:
         width : int, optional
             Number of lanes, by default the largest that the processor has.
         terms : Terms, optional
-            Directions along which to differentiate.
+            Paths along which to differentiate.
 
         Returns
         -------
@@ -121,7 +121,7 @@ class Evaluator:
         return codes
 
     def _with(self, terms: Terms | None) -> Request:
-        """Return the request with directions."""
+        """Return the request with paths."""
         if terms is None:
             return self._request
         request = Request.from_buffer_copy(self._request)

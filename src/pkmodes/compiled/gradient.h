@@ -22,8 +22,8 @@ INLINE void lanes_shapes(const struct lanes_system *restrict system, const struc
     }
 }
 
-/* Derivatives with respect to the compliances of joints, for each mode: of a spring the strain, of a locked joint minus
- * the square of the force that it carries. */
+/* For each mode, the derivative of the eigenvalue with respect to the stiffness of each spring, which is the square of its
+ * deflection, or to the compliance of a locked joint, which is minus the square of the force that it carries. */
 INLINE void lanes_joint_rates(const struct lanes_system *restrict system, int m, const lane *restrict shapes,
     const lane *restrict eigenvalues, lane *restrict gradients, int stride)
 {

@@ -1,4 +1,4 @@
-"""A robot as the compiled evaluator takes it: its numbers in a row, and directions in which they can change."""
+"""A robot as the compiled evaluator takes it: its numbers in a row, and the paths along which they can change."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Lanes(NamedTuple):
 
 
 class Terms(NamedTuple):
-    """T directions along which the kernel differentiates, each a weighted sum of entries of the gradient.
+    """T parameter paths, along each of which the derivative is a weighted sum of entries of the gradient.
 
     The gradient has an entry for each parameter, effect, component of the pose and coordinate, in this order.  That
     of a coordinate is the derivative with respect to the stiffness of its joint or, where the joint is locked, its
@@ -42,7 +42,7 @@ class Terms(NamedTuple):
     Attributes
     ----------
     first : ndarray of int32, shape (T + 1,)
-        Where the terms of each direction begin, and where the last ones end.
+        Where the terms of each path begin, and where the last ones end.
     places : ndarray of int32
         Entry of each term.
     weights : ndarray

@@ -20,8 +20,8 @@ struct pkmodes_request {
     const signed char *massless;
     long long free_count;
     /* Derivatives along T paths: path t has the terms from `first_term[t]` to before `first_term[t + 1]`, each a place
-     * in the gradient (parameters, effects, pose, joints) and its weight.  With `all_coordinates` they are those of the
-     * model with effects also for a robot that has none, and with `locked_joints` joints that it lacks among them. */
+     * in the gradient (parameters, effects, pose, joints) and its weight.  `all_coordinates`: the
+     * model with effects is differentiated also if the robot has none; `locked_joints`: there are terms of such joints. */
     long long path_count;
     const int *first_term;
     const int *places;

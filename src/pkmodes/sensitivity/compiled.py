@@ -16,10 +16,9 @@ from pkmodes.gathering import Out
 from pkmodes.poses import CHUNK, CheckedPoses, OnError
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.modes import ROUNDING, separate
+from pkmodes.sensitivity.terms import RATES
 
 Array = NDArray[np.float64]
-#: The kernel's names of fields of `pkmodes.Sensitivities`.
-KERNEL = {"eigenvalues": "eigenvalue_rates", "frequencies": "frequency_rates"}
 
 
 def compiled_rates(
@@ -80,9 +79,9 @@ def compiled_rates(
     tail = (len(terms.first) - 1, evaluator.modes)
     job = Job(
         tails=dict.fromkeys(asked, tail),
-        kernel={name: KERNEL[name] for name in asked},
-        also={EIGENVALUES: (evaluator.modes,)},
-        released=evaluator.coordinates > system.first,
+        kernel={name: RATES[name] for name in asked},
+        evaluation=system,
+        by_eigenvalues=True,
         terms=terms,
         left=left,
         redone=redone,

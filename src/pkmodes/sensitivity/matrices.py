@@ -52,13 +52,19 @@ def _listed(kind: Mechanism) -> tuple[Any, ...]:
 
 
 @cache
-def _slots(kind: Mechanism) -> dict[Slot, int]:
-    """Return the index of each generated parameter with derivatives; effects have dotted names."""
-    dotted = {
+def effect_fields(kind: Mechanism) -> dict[str, str]:
+    """Return the dotted names of effect parameters, as slots have them, by their generated fields."""
+    return {
         f"{effect.name}_{parameter.name}": f"{effect.name}.{parameter.name}"
         for effect in kind.effects.values()
         for parameter in effect.parameters
     }
+
+
+@cache
+def _slots(kind: Mechanism) -> dict[Slot, int]:
+    """Return the index of each generated parameter with derivatives."""
+    dotted = effect_fields(kind)
     return {(dotted.get(field, field), index): i for i, (field, index, *_) in enumerate(_listed(kind))}
 
 

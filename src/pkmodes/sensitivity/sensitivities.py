@@ -21,7 +21,7 @@ from pkmodes.robot.paths import ParameterPath, paths, resolve_all
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.sensitivity.modes import ROUNDING, branches, groups, mode_derivatives
-from pkmodes.sensitivity.terms import terms_of
+from pkmodes.sensitivity.terms import RATES, terms_of
 from pkmodes.solving import Solved, solved
 
 if TYPE_CHECKING:
@@ -31,8 +31,6 @@ Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 #: Number of poses differentiated together: the matrices of one pose take a few hundred kilobytes.
 TOGETHER = 64
-#: Fields that need no derivatives of matrices or shapes.
-RATES = frozenset({"eigenvalues", "frequencies"})
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -96,7 +94,7 @@ class Sensitivities(ChosenFields):
     groups: NDArray[np.intp] = field(init=False)
 
 
-class Directions:
+class ResolvedPaths:
     """Parameter paths of a robot, resolved once for any number of calls.
 
     Parameters
@@ -132,7 +130,7 @@ class Directions:
 
 
 def sensitivities(
-    directions: Directions,
+    resolved: ResolvedPaths,
     poses: ArrayLike,
     on_error: OnError,
     max_condition: float,
@@ -143,33 +141,33 @@ def sensitivities(
     threads: int,
 ) -> Sensitivities:
     """Evaluate the sensitivities of a robot; see `pkmodes.Model.sensitivities`."""
-    robot, chosen, system = directions.robot, directions.paths, directions.system
+    robot, chosen, system = resolved.robot, resolved.paths, resolved.system
     if not (isinstance(close, int | float | np.integer | np.floating) and 0.0 <= close < 1.0):
         raise PkmodesError(f"expected a fraction below 1, found {shown(close)}", "close", "for example: 1e-6")
     asked = chosen_fields(fields, out, Sensitivities.FIELDS)
     limit = float(close)
-    if evaluator is not None and set(asked) <= RATES:
+    if evaluator is not None and set(asked) <= RATES.keys():
         from pkmodes.sensitivity.compiled import compiled_rates
 
         checked, arrays = compiled_rates(
             evaluator,
             robot,
             system,
-            directions.terms,
+            resolved.terms,
             limit,
             poses,
             on_error,
             asked,
             out,
             threads,
-            lambda p: _in_parts(lambda part: _at(directions, part, limit, asked, evaluator), p),
+            lambda p: _in_parts(lambda part: _at(resolved, part, limit, asked, evaluator), p),
         )
     else:
         checked = check_poses(poses, robot.kind, robot.parameters, on_error, max_condition)
         gathered = Gathered(checked, out)
         # In parts of equal size: a single pose is evaluated differently, which gives repeated modes another basis.
         for where, p in checked.parts(TOGETHER, even=True):
-            gathered.put(where, _at(directions, p, limit, asked, evaluator))
+            gathered.put(where, _at(resolved, p, limit, asked, evaluator))
         arrays = gathered.arrays
     return Sensitivities(
         codes=checked.codes.reshape(checked.batch),
@@ -201,7 +199,7 @@ def _chosen(robot: Robot, parameters: Sequence[str] | None) -> list[ParameterPat
 
 
 def _at(
-    directions: Directions,
+    resolved: ResolvedPaths,
     p: Array,
     close: float,
     asked: Collection[str],
@@ -209,10 +207,10 @@ def _at(
 ) -> dict[str, NDArray[Any]]:
     """Compute the requested fields at some poses."""
     robot, system, chosen, extended = (
-        directions.robot,
-        directions.system,
-        directions.paths,
-        directions.extended,
+        resolved.robot,
+        resolved.system,
+        resolved.paths,
+        resolved.extended,
     )
     of_modes = {"eigenvalues", "frequencies", "shapes", "groups"} & set(asked)
     # Bitwise the matrices of `Model.modes`, so that repeated modes have the same basis.

@@ -10,7 +10,10 @@ from pkmodes.compiled.lanes import Terms, flat
 from pkmodes.evaluation import SystemOfEffects
 from pkmodes.robot.layout import Slot
 from pkmodes.robot.paths import ParameterPath
-from pkmodes.sensitivity.matrices import POSE, joints_of
+from pkmodes.sensitivity.matrices import POSE, effect_fields, joints_of
+
+#: The compiled evaluator's names of the fields of `pkmodes.Sensitivities` that it evaluates.
+RATES = {"eigenvalues": "eigenvalue_rates", "frequencies": "frequency_rates"}
 
 
 def terms_of(system: SystemOfEffects, paths: Sequence[ParameterPath]) -> Terms:
@@ -62,17 +65,12 @@ def _terms(
 
 
 def _values(system: SystemOfEffects) -> dict[Slot, int]:
-    """Return the place of each number of the robot in a gradient; effects have dotted names."""
-    parameters, effects = system.parameters, system.effects
-    dotted = {
-        f"{effect.name}_{parameter.name}": f"{effect.name}.{parameter.name}"
-        for effect in system.kind.effects.values()
-        for parameter in effect.parameters
-    }
+    """Return the place of each number of the robot in a gradient."""
+    dotted = effect_fields(system.kind)
     slots = [
-        (name, i) for name in parameters._fields for i in np.ndindex(np.shape(getattr(parameters, name)))
-    ]
-    slots += [
-        (dotted[name], i) for name in effects._fields for i in np.ndindex(np.shape(getattr(effects, name)))
+        (dotted.get(name, name), index)
+        for numbers in (system.parameters, system.effects)
+        for name, value in zip(numbers._fields, numbers, strict=True)
+        for index in np.ndindex(np.shape(value))
     ]
     return {slot: place for place, slot in enumerate(slots)}

@@ -6,11 +6,8 @@ from collections.abc import Iterable, Mapping
 
 from sympy import Expr, Integer, Symbol
 
-from pkmodes_derive.description import Description, Margin
+from pkmodes_derive.description import CHOICES, Description, Margin
 from pkmodes_derive.functions import Function, Model, Output
-
-#: Kinds of keys that are quantities.
-VARIED = ("quantity", "vector", "pair")
 
 
 def position(model: Model, description: Description) -> Function:
@@ -91,7 +88,7 @@ def extended(model: Model) -> Function:
 
 def choices(model: Model, description: Description) -> set[Symbol]:
     """Parameters that are not quantities, so that nothing is differentiated with respect to them."""
-    chosen = {key.field for table in description.tables for key in table.keys if key.kind not in VARIED}
+    chosen = {key.field for table in description.tables for key in table.keys if key.kind in CHOICES}
     return {s for field in model.fields if field.name in chosen for s in field.symbols}
 
 

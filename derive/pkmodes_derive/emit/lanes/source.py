@@ -26,8 +26,7 @@ RULES = {
     "above_zero": "LANES_ABOVE_ZERO",
     "at_most_limit": "LANES_AT_MOST_LIMIT",
 }
-#: Indentation of statements for a pose, and for each of its modes.
-POSE, MODE = "    ", "        "
+INDENT = "    "
 
 
 @dataclass(frozen=True)
@@ -72,9 +71,6 @@ def files(
             ("DIRECTIONS", len(description.directions)),
             ("BASE", len(base.coordinates)),
             ("ALL", len(extended.coordinates)),
-            ("RIGID", description.rigid_modes),
-            ("PARAMETERS", sum(len(f.symbols) for f in groups[0].fields)),
-            ("EFFECTS", sum(len(f.symbols) for group in groups[1:] for f in group.fields)),
             ("GRADIENT", len(inputs)),
             ("MARGINS", sum(count for count, _ in margins)),
         ],
@@ -107,32 +103,32 @@ def _statements(
     inputs, body, each = set(program.inputs), [], []
     for i, symbol in enumerate(pose.symbols):
         if symbol in inputs:
-            body.append(f"{POSE}const lane {symbol.name} = pose[{i}];")
+            body.append(f"{INDENT}const lane {symbol.name} = pose[{i}];")
     for group in groups:
         places = (symbol for field in group.fields for symbol in field.symbols)
         for i, symbol in enumerate(places):
             if symbol in inputs:
-                body.append(f"{POSE}const double {symbol.name} = {group.argument}[{i}];")
+                body.append(f"{INDENT}const double {symbol.name} = {group.argument}[{i}];")
     for argument in of_mode:
         for i, symbol in enumerate(argument.symbols):
             if symbol in inputs and not argument.scalar:
-                each.append(f"{MODE}const lane {symbol.name} = {argument.name}[{i}];")
-    moving = set(pose.symbols)
-    turning = {symbol for argument in of_mode for symbol in argument.symbols}
+                each.append(f"{2 * INDENT}const lane {symbol.name} = {argument.name}[{i}];")
+    by_pose = set(pose.symbols)
+    by_mode = {symbol for argument in of_mode for symbol in argument.symbols}
     for symbol, value in program.steps:
         names = value.free_symbols
-        kind = "lane" if names & (moving | turning) else "double"
-        if names & turning:
-            turning.add(symbol)
-        elif kind == "lane":
-            moving.add(symbol)
-        lines, indent = (each, MODE) if symbol in turning else (body, POSE)
+        if names & by_mode:
+            by_mode.add(symbol)
+        elif names & by_pose:
+            by_pose.add(symbol)
+        kind = "lane" if symbol in by_mode | by_pose else "double"
+        lines, indent = (each, 2 * INDENT) if symbol in by_mode else (body, INDENT)
         lines += layout.assignment(f"const {kind} {symbol.name}", expression(value), indent, end=";")
     for result in program.results:
         if of_mode:
-            each += _result(result, MODE)
+            each += _result(result, 2 * INDENT)
         else:
-            body += _result(result, POSE)
+            body += _result(result, INDENT)
     return body, each
 
 
