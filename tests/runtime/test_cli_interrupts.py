@@ -9,10 +9,12 @@ import sys
 import time
 from pathlib import Path
 
+import click
 import pytest
 
 import pkmodes
 from pkmodes import public
+from pkmodes.cli import run
 from robot_text import PUBLISHED
 
 ROOT = Path(__file__).parents[2]
@@ -86,6 +88,17 @@ def test_an_interrupt_at_some_early_moment(tmp_path: Path, delay: float) -> None
     time.sleep(delay)
     process.send_signal(signal.SIGINT)
     expect_one_line(process)
+
+
+def test_an_interrupt_while_arguments_are_read(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupted(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(click.Group, "make_context", interrupted)
+    assert run(MODES) == 130
+    assert capsys.readouterr().err == "error: interrupted (pkmodes); run it again\n"
 
 
 def test_an_ignored_interrupt_stays_ignored(tmp_path: Path) -> None:

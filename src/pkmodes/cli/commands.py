@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import click
@@ -19,12 +21,23 @@ class Commands(click.Group):
             _refuse_repetitions(click.Context(command, info_name=name, parent=ctx), rest)
         return name, command, rest
 
+    def make_context(self, *args: Any, **kwargs: Any) -> click.Context:
+        """Read the arguments; click itself would print an empty line on an interrupt."""
+        with _interruptible():
+            return super().make_context(*args, **kwargs)
+
     def invoke(self, ctx: click.Context) -> Any:
-        """Run the command; click itself would print an empty line on an interrupt."""
-        try:
+        """Run the command."""
+        with _interruptible():
             return super().invoke(ctx)
-        except KeyboardInterrupt:
-            raise click.Abort from None
+
+
+@contextmanager
+def _interruptible() -> Iterator[None]:
+    try:
+        yield
+    except KeyboardInterrupt:
+        raise click.Abort from None
 
 
 def _refuse_repetitions(ctx: click.Context, arguments: list[str]) -> None:
