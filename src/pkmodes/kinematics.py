@@ -102,6 +102,18 @@ class Kinematics:
         (D_p,) = self._at(poses, on_error, "platform_jacobian")
         return D_p
 
+    def condition(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
+        """Compute the condition number of the platform Jacobian D_p: its largest singular value over its smallest.
+
+        Returns
+        -------
+        ndarray, shape (...)
+            At least 1; 1 where the platform moves equally far in every direction.
+        """
+        function = self._generated.platform_jacobian
+        (found,) = self._evaluate(lambda p: condition_number(function(p)), self._check(poses, on_error))
+        return found
+
     def inverse_kinematics(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
         """Compute the independent coordinates on the branch given in the robot file (equations 1 to 3).
 
@@ -151,6 +163,11 @@ class Kinematics:
             raise PoseError("the links do not meet", f"{what} {index}", f"choose {what} that assemble", index)
         return p.reshape((*batch, -1))
 
+    @property
+    def has_assemblies(self) -> bool:
+        """Whether the mechanism has several assembly branches: see `assembly`."""
+        return self._generated.has("direct_kinematics")
+
     def assembly(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
         """Compute the assembly branch of each pose: the sign of det D_l (equation 15).
 
@@ -191,3 +208,10 @@ class Kinematics:
             columns = found if isinstance(found, tuple) else (found,)
             gathered.put(where, {str(i): column for i, column in enumerate(columns)})
         return tuple(gathered.arrays.values())
+
+
+def condition_number(jacobians: Array) -> Array:
+    """Return the ratio of the largest to the smallest singular value of matrices, (N, d, k)."""
+    singular = np.linalg.svd(jacobians, compute_uv=False)
+    with np.errstate(divide="ignore"):
+        return np.asarray(singular[..., 0] / singular[..., -1])

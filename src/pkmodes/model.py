@@ -6,7 +6,8 @@ It contains no physics.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,6 +23,8 @@ from pkmodes.robot.robot import Robot
 from pkmodes.solving import fields_of_modes
 
 if TYPE_CHECKING:
+    from xarray import Dataset
+
     from pkmodes.compiled.evaluator import Evaluator
     from pkmodes.sensitivity.sensitivities import ResolvedPaths, Sensitivities
 
@@ -258,6 +261,93 @@ class Model(Kinematics):
             out,
             self._compiled(backend),
             checked_threads(threads),
+        )
+
+    def map(
+        self,
+        grid: Any = None,
+        *,
+        sweep: Mapping[str, Any] | None = None,
+        samples: int | None = None,
+        seed: int = 0,
+        shapes: bool = False,
+        tracked: bool = False,
+        out: str | PathLike[str] | None = None,
+        overwrite: bool = False,
+        scheduler: str | None = None,
+        threads: int | None = None,
+        backend: str = AUTO,
+        progress: Callable[[int, int], None] | None = None,
+    ) -> Dataset:
+        """Compute the modes over the workspace, and over ranges of parameters.
+
+        Parameters
+        ----------
+        grid : mapping of str to array_like, or array_like of shape (N, d), optional
+            Ascending values, or one number, for each component of the pose, in SI units; or poses one after the
+            other.  By default a grid over the reachable workspace.
+        sweep : mapping of str to array_like, optional
+            Values of parameters in SI units, by path; all combinations are evaluated.
+        samples : int, optional
+            Number of robots whose values with a standard deviation are drawn from normal distributions.
+        seed : int
+            Of the draws.
+        shapes : bool
+            Whether to keep mode shapes.
+        tracked : bool
+            Whether to number modes by their shapes instead of by rank, from the middle of the map outwards.
+        out : path-like, optional
+            File to write: ``.nc`` (NetCDF-4), ``.zarr``, or a table in ``.csv`` or ``.parquet``.  The map is computed
+            in a folder next to it, ``<out>.partial``: after an interruption the same call continues there.
+        overwrite : bool
+            Whether an existing file may be replaced.
+        scheduler : str, optional
+            Address of a Dask scheduler whose workers evaluate the map.
+        threads : int, optional
+            Without a scheduler, by default one per core.
+        backend : {"auto", "numpy", "compiled"}
+            As for `modes`.
+        progress : callable, optional
+            Called with the number of poses done and their total.
+
+        Returns
+        -------
+        xarray.Dataset
+            Described in docs/maps.md; read from the file where `out` is given (a data frame from a table).
+
+        Raises
+        ------
+        PkmodesError
+            If an argument is invalid, or no pose can be evaluated.
+        OutputError
+            If the file exists or cannot be written, or an interrupted map there is another one or damaged.
+        MissingExtraError
+            If the libraries of the extra ``map`` are not installed.
+
+        Examples
+        --------
+        >>> import numpy as np, pkmodes
+        >>> model = pkmodes.load("robots/linear-delta-2022.toml")
+        >>> found = model.map({"x": np.linspace(0.3, 0.8, 6), "y": 0.0, "z": -0.245})
+        >>> found.frequency.sel(mode=1).squeeze().round(2).values
+        array([56.94, 58.23, 57.37, 55.56, 53.23, 50.33])
+        """
+        from pkmodes.maps.mapping import map_of
+
+        return map_of(
+            self,
+            grid,
+            sweep=sweep,
+            samples=samples,
+            seed=seed,
+            shapes=shapes,
+            tracked=tracked,
+            out=out,
+            overwrite=overwrite,
+            scheduler=scheduler,
+            threads=threads,
+            backend=backend,
+            progress=progress,
         )
 
     def _resolved(self, parameters: Sequence[str] | None) -> ResolvedPaths:

@@ -71,7 +71,7 @@ def regular_poses(generated: Generated, kind: Mechanism, parameters: Any, wanted
     found: list[Array] = []
     with np.errstate(all="ignore"):
         for draws in DRAWS:
-            p = _drawn(generated, kind, parameters, rng, draws)
+            p = drawn_poses(generated, kind, parameters, rng, draws)
             good = np.isfinite(p).all(axis=-1)
             for margin in kind.margins:
                 values = margin_of(generated, margin, p).reshape(len(p), -1)
@@ -85,10 +85,25 @@ def regular_poses(generated: Generated, kind: Mechanism, parameters: Any, wanted
     return np.concatenate(found)[:wanted]
 
 
-def _drawn(
+def drawn_poses(
     generated: Generated, kind: Mechanism, parameters: Any, rng: np.random.Generator, count: int
 ) -> Array:
-    """Draw poses: from the limits of the independent coordinates, or in a box that contains the workspace."""
+    """Draw poses: from the limits of the independent coordinates, or in a box that contains the workspace.
+
+    Parameters
+    ----------
+    generated : Generated
+        Functions for this robot.
+    kind : Mechanism
+    parameters : Parameters
+    rng : numpy.random.Generator
+    count : int
+
+    Returns
+    -------
+    ndarray, shape (count, d)
+        NaN where links do not meet; not all of the others can be reached.
+    """
     names = tuple(component.name for component in kind.pose)
     ends = travel(kind, parameters)
     given = len(ends) == len(kind.independent)

@@ -1,4 +1,4 @@
-"""The command line: ``pkmodes generate``, ``check``, ``modes``, ``sensitivities``, ``compare`` and ``diagnose``.
+"""The command line: ``pkmodes generate``, ``check``, ``modes``, ``map``, ``sensitivities``, ``compare``, ``diagnose``.
 
 Errors go to stderr as ``error: <what> (<where>); <what to do>``.  Exit codes: 0 success, 1 a check failed, 2 bad
 input or usage.
@@ -21,6 +21,7 @@ from pkmodes.cli.commands import Commands
 from pkmodes.cli.compare import compare
 from pkmodes.cli.diagnose import diagnose
 from pkmodes.cli.generate import generate
+from pkmodes.cli.map import map_
 from pkmodes.cli.modes import modes
 from pkmodes.cli.output import silence
 from pkmodes.cli.sensitivities import sensitivities
@@ -39,7 +40,7 @@ def cli() -> None:
     """Vibration modes of parallel robots with compliant transmissions."""
 
 
-for command in (generate, check, modes, sensitivities, compare, diagnose):
+for command in (generate, check, modes, map_, sensitivities, compare, diagnose):
     cli.add_command(command)
 
 

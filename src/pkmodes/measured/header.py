@@ -129,6 +129,29 @@ def read_header(
     return columns
 
 
+def column_of(cell: str, where: str, units: Mapping[str, str]) -> tuple[str, Decimal | None]:
+    """Return the name of a column and the factor of its unit to SI, None without a unit; other columns have none.
+
+    Parameters
+    ----------
+    cell : str
+        Of the header.
+    where : str
+        For messages.
+    units : mapping of str to str
+        SI units of the columns that are read.
+
+    Raises
+    ------
+    MeasurementError
+        If the unit is not one of that kind.
+    """
+    name, unit = _parted(cell, list(units))
+    if unit is None or name not in units:
+        return name, None
+    return name, _factor(name, unit, where, (), units)
+
+
 def _plain(name: str, units: Mapping[str, str]) -> str:
     """Return the unit of a column whose header gives none, for messages; empty for ratios."""
     unit = units.get(name, "SI units")

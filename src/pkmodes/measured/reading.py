@@ -58,7 +58,7 @@ def read_measurements(
         If the file cannot be read or is invalid, with line, column, what was expected and what was found.
     """
     source = fspath(path)
-    lines = read_lines(_text(Path(path), source), source)
+    lines = read_lines(read_text(Path(path), source), source)
     if not lines.records:
         remedy = "start with the names of the columns"
         raise MeasurementError("expected a header and rows, found none", source, remedy)
@@ -101,14 +101,33 @@ def _refuse(what: str, where: str, remedy: str) -> NoReturn:
     raise MeasurementError(what, where, remedy) from None
 
 
-def _text(path: Path, source: str) -> str:
-    remedy = "give a CSV file of modal measurements"
+def read_text(
+    path: Path,
+    source: str,
+    what: str = "the measurements",
+    remedy: str = "give a CSV file of modal measurements",
+) -> str:
+    """Return the text of a CSV file.
+
+    Parameters
+    ----------
+    path : Path
+    source : str
+        The file, for messages.
+    what, remedy : str
+        What it should contain, and what to give instead of another file.
+
+    Raises
+    ------
+    MeasurementError
+        If it cannot be read, or is not UTF-8 text.
+    """
     try:
         if path.exists() and not path.is_file():
             kind = "a folder" if path.is_dir() else "not a regular file"
-            _refuse(f"cannot read the measurements: it is {kind}", source, remedy)
+            _refuse(f"cannot read {what}: it is {kind}", source, remedy)
         if path.stat().st_size > LARGEST_FILE:
-            _refuse("cannot read the measurements: it is larger than 50 MB", source, remedy)
+            _refuse(f"cannot read {what}: it is larger than 50 MB", source, remedy)
         content = path.read_bytes()
         if content.startswith(WORKBOOKS):
             remedy = "open it in a spreadsheet program and save it as CSV UTF-8"
@@ -116,9 +135,9 @@ def _text(path: Path, source: str) -> str:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = error.object[: error.start].count(b"\n") + 1
-        what = f"expected UTF-8 text, found the byte 0x{error.object[error.start]:02x}"
-        _refuse(what, f"{source}: line {line}", "save the file as UTF-8")
+        found = f"expected UTF-8 text, found the byte 0x{error.object[error.start]:02x}"
+        _refuse(found, f"{source}: line {line}", "save the file as UTF-8")
     except (OSError, ValueError) as error:  # ValueError: a path with a null character
         reason = getattr(error, "strerror", None) or str(error)
         remedy = "check its permissions" if isinstance(error, PermissionError) else "check the path"
-        _refuse(f"cannot read the measurements: {reason.lower()}", source, remedy)
+        _refuse(f"cannot read {what}: {reason.lower()}", source, remedy)

@@ -125,7 +125,7 @@ def parse_band(text: str, where: str, remedy: str = BAND_HELP) -> tuple[float, f
             factor = frequency_factor(unit[0]) if unit else None
         except QuantityError as error:
             raise MeasurementError(f"expected a band in Hz: {error}", where, remedy) from None
-        value = _number(number, factor)
+        value = number_in(number, factor)
         if value is not None:
             limits.append(value)
     if len(limits) != 2:
@@ -179,7 +179,7 @@ def read_table(
                 texts[column.name].append(cell)
             elif not cell and column.name not in filled:
                 numbers[column.name].append(blank.get(column.name, math.nan))
-            elif (value := _number(cell, column.factor)) is not None:
+            elif (value := number_in(cell, column.factor)) is not None:
                 numbers[column.name].append(value)
             else:
                 what = f"expected a finite number, found {shown(cell) if cell else 'nothing'}"
@@ -241,7 +241,7 @@ def _measurements(
     )
 
 
-def _number(text: str, factor: Decimal | None) -> float | None:
+def number_in(text: str, factor: Decimal | None) -> float | None:
     """Return the number in a cell in SI units, None if the cell is not a number."""
     value = float(text) if NUMBER.fullmatch(text) else math.nan
     if factor is not None and value and math.isfinite(value):

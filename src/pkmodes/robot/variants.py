@@ -34,7 +34,7 @@ def with_values(robot: Declaration, values: Mapping[str, Any]) -> Declaration:
         )
     source = robot.source.removesuffix(OTHER_VALUES) + OTHER_VALUES
     changes = _changes(robot, values, source)
-    declared = _raw_values(robot)
+    declared = raw_values(robot)
     if _read(robot, declared, source) != robot:
         raise PkmodesError(
             "the robot's parameters differ from those that it declares",
@@ -162,7 +162,7 @@ def _with_sigma(raw: Any, before: Quantity | None) -> Any:
     return table if set(table) != {"value"} else table["value"]
 
 
-def _raw_values(robot: Declaration) -> dict[str, Any]:
+def raw_values(robot: Declaration) -> dict[str, Any]:
     """Return the robot's declared values by path, as a robot file could contain them."""
     return {
         path: _with_sigma({}, robot.quantities[path]) if path in robot.quantities else value

@@ -1,0 +1,214 @@
+"""``pkmodes map``: the modes over the workspace, and over ranges of parameters, in a file."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pkmodes.cli.output import check_target, deliver, json_option, mechanism_option, to_file, write_json
+from pkmodes.errors import PkmodesError
+from pkmodes.loading import load
+from pkmodes.robot.corrections import changeable
+
+if TYPE_CHECKING:
+    from pkmodes.model import Model
+
+
+@click.command(
+    "map",
+    epilog="\b\nExample:\n  pkmodes map robots/linear-delta-2022.toml --grid x=0.3:0.8:51,y=-0.1:0.1:41,z=-0.245 "
+    "--out map.nc",
+)
+@click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
+@click.option(
+    "--grid",
+    metavar="X=START:STOP:COUNT,...",
+    default=None,
+    help="For each component of the pose start:stop:count, both ends included, or one value; in SI units or with "
+    "units.  By default the reachable workspace.",
+)
+@click.option(
+    "--poses",
+    metavar="FILE.csv",
+    type=click.Path(path_type=Path),
+    default=None,
+    help="Poses instead of a grid: one row each, with the components of the pose as columns, such as x,y,z.",
+)
+@click.option(
+    "--set",
+    "settings",
+    metavar="PATH=START:STOP:COUNT",
+    multiple=True,
+    help="Sweep a parameter, such as platform.mass=1:2:5 or platform.mass=1.5; repeat it for several, all of whose "
+    "combinations are evaluated.",
+)
+@click.option(
+    "--samples",
+    metavar="N",
+    type=click.IntRange(1),
+    default=None,
+    help="Evaluate N robots whose values with a standard deviation are drawn from normal distributions.",
+)
+@click.option(
+    "--seed", metavar="N", type=click.IntRange(0), default=0, show_default=True, help="Of the draws."
+)
+@click.option("--shapes", is_flag=True, help="Keep mode shapes too.")
+@click.option("--tracked", is_flag=True, help="Number modes by their shapes instead of by rank.")
+@click.option(
+    "--out",
+    metavar="FILE",
+    type=click.Path(path_type=Path),
+    default=None,
+    help="File to write: .nc (NetCDF), .zarr, or a table in .csv or .parquet.  After an interruption the same "
+    "command continues.",
+)
+@click.option("--overwrite", is_flag=True, help="Replace an existing file.")
+@click.option("--threads", metavar="N", type=click.IntRange(1), default=None, help="By default one per core.")
+@click.option(
+    "--scheduler", metavar="ADDRESS", default=None, help="A Dask scheduler whose workers evaluate the map."
+)
+@mechanism_option
+@json_option
+def map_(
+    robot: Path,
+    grid: str | None,
+    poses: Path | None,
+    settings: tuple[str, ...],
+    samples: int | None,
+    seed: int,
+    shapes: bool,
+    tracked: bool,
+    out: Path | None,
+    overwrite: bool,
+    threads: int | None,
+    scheduler: str | None,
+    json_file: str | None,
+) -> None:
+    """Compute the modes over the workspace, print their ranges, and write them to a file."""
+    check_target(json_file, robot, *([poses] if poses else []))
+    if grid is not None and poses is not None:
+        raise click.UsageError("--grid and --poses exclude each other", click.get_current_context())
+    model = load(robot)
+    with _named_as_options(), _progress() as progress:
+        dataset = model.map(
+            _places(model, grid, poses),
+            sweep=_sweep(model, settings),
+            samples=samples,
+            seed=seed,
+            shapes=shapes,
+            tracked=tracked,
+            out=out,
+            overwrite=overwrite,
+            scheduler=scheduler,
+            threads=threads,
+            progress=progress,
+        )
+    from pkmodes.maps.summary import summary_of
+
+    content = summary_of(dataset, None if out is None else str(out))
+    with deliver(to_file(json_file, content)):
+        if json_file == "-":
+            write_json(json_file, content)
+        else:
+            _print(model, content)
+
+
+def _places(model: Model, grid: str | None, poses: Path | None) -> Any:
+    if grid is not None:
+        from pkmodes.maps.ranges import parse_grid
+
+        return parse_grid(grid, model.kind, "--grid")
+    if poses is not None:
+        from pkmodes.maps.listed import read_poses
+
+        return read_poses(poses, model.kind)
+    return None
+
+
+def _sweep(model: Model, settings: tuple[str, ...]) -> dict[str, Any] | None:
+    if not settings:
+        return None
+    from pkmodes.maps.ranges import parse_settings
+
+    return parse_settings(settings, changeable(model.robot), "--set")
+
+
+#: Arguments of `pkmodes.Model.map` and the options that give them.
+OPTIONS = {
+    "out": "--out",
+    "samples": "--samples",
+    "tracked": "--tracked",
+    "grid": "--grid",
+    "poses": "--poses",
+}
+
+
+@contextmanager
+def _named_as_options() -> Iterator[None]:
+    """Replace the name of an argument in an error by that of its option."""
+    try:
+        yield
+    except PkmodesError as error:
+        if type(error) is PkmodesError and error.where in OPTIONS:
+            raise PkmodesError(error.what, OPTIONS[error.where], error.remedy) from None
+        raise
+
+
+@contextmanager
+def _progress() -> Iterator[Callable[[int, int], None] | None]:
+    """Show a bar with the time left, on a terminal."""
+    if sys.stderr is None or not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    columns = (TextColumn("poses"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("poses", total=None)
+        yield lambda done, total: bar.update(task, completed=done, total=total)
+
+
+def _print(model: Model, content: dict[str, Any]) -> None:
+    from rich.console import Console
+    from rich.table import Table
+
+    console = Console(highlight=False, markup=False, emoji=False, soft_wrap=True)
+    units = {component.name: component.unit for component in model.kind.pose}
+    units |= {path: unit for path, unit in changeable(model.robot).items() if unit != "1"}
+    console.print(f"{content['robot']}: {content['valid']:,} of {content['poses']:,} poses can be evaluated")
+    several = [name for name in content["ranges"] if content["dimensions"][name] > 1]
+    for dim, (first, last) in content["ranges"].items():
+        unit = f" {units[dim]}" if dim in units else ""
+        if dim in several and not isinstance(first, str):
+            number = content["dimensions"][dim]
+            console.print(f"  {dim} from {_shown(first)} to {_shown(last)}{unit}, {number} values")
+        elif dim not in several:
+            console.print(f"  {dim} = {_shown(first)}{unit}")
+    for code, count in content["reasons"].items():
+        console.print(f"  {count:,} cannot: {model.reasons[code]}")
+    console.print()
+    table = Table(box=None, pad_edge=False)
+    for heading in ("mode", "lowest [Hz]", *several, "highest [Hz]", *several):
+        table.add_column(heading, justify="right", no_wrap=True)
+    for row in content["modes"]:
+        cells = [str(row["mode"])]
+        for end in ("minimum", "maximum"):
+            value, at = row[f"{end}_hz"], row[f"{end}_at"] or {}
+            cells += [
+                "-" if value is None else f"{value:.3f}",
+                *(_shown(at.get(name, "-")) for name in several),
+            ]
+        table.add_row(*cells)
+    console.print(table, soft_wrap=False, width=max(console.width, 200))
+    if content["file"]:
+        console.print(f"\nwritten: {content['file']}")
+
+
+def _shown(value: Any) -> str:
+    return value if isinstance(value, str) else f"{value:.6g}"

@@ -1,0 +1,160 @@
+"""The fields of a map at poses of one robot: modes, statics and kinematics, NaN where a pose cannot be evaluated."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.evaluation import evaluation
+from pkmodes.generated import Generated
+from pkmodes.kinematics import condition_number
+from pkmodes.maps.places import Places
+from pkmodes.model import Model
+from pkmodes.poses import CHUNK
+from pkmodes.results import JOINTS
+from pkmodes.robot.robot import Robot
+
+Array = NDArray[Any]
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Lengths along the axes of a map that come after the poses; the same for all of its robots.
+
+    Attributes
+    ----------
+    modes : int
+        Largest number of vibration modes of any robot.
+    coordinates : tuple of str
+        All coordinates of any robot.
+    shapes : bool
+        Whether mode shapes are kept.
+    backend : str
+        As for `pkmodes.Model.modes`.
+    """
+
+    modes: int
+    coordinates: tuple[str, ...]
+    shapes: bool
+    backend: str
+
+
+@dataclass(frozen=True)
+class Task:
+    """Consecutive rows of a map, row = robot * poses + pose.
+
+    Attributes
+    ----------
+    pieces : tuple of (Robot, float, int, int)
+        Robot, largest condition number, and its first and last pose (exclusive).
+    places : Grid or Poses
+    layout : Layout
+    """
+
+    pieces: tuple[tuple[Robot, float, int, int], ...]
+    places: Places
+    layout: Layout
+
+
+def tails(robot: Robot, layout: Layout) -> dict[str, tuple[tuple[int, ...], str]]:
+    """Return the shape at one pose, and the type, of each field."""
+    kind = robot.kind
+    found: dict[str, tuple[tuple[int, ...], str]] = {
+        "frequency": ((layout.modes,), "f8"),
+        "platform_shape": ((layout.modes, len(kind.directions)), "f8"),
+        "in_plane": ((layout.modes,), "f8"),
+        "out_of_plane": ((layout.modes,), "f8"),
+        "joint_position": ((len(kind.independent),), "f8"),
+        "static_torque": ((len(kind.drives),), "f8"),
+        "condition": ((), "f8"),
+        "code": ((), "i1"),
+    }
+    if layout.shapes:
+        found["shape"] = ((layout.modes, len(layout.coordinates)), "f8")
+    return found
+
+
+def layout_of(robots: Sequence[Robot], shapes: bool, backend: str) -> Layout:
+    """Return the layout that holds the modes of all robots."""
+    modes, order = 0, {}
+    for robot in robots:
+        found = evaluation(robot)
+        modes = max(modes, len(found.coordinates) - int(found.massless().sum()) - found.rigid_modes)
+        order.update(dict.fromkeys(found.coordinates))
+    released = [q.name for effect in robots[0].kind.effects.values() for q in effect.coordinates]
+    every = [q.name for q in robots[0].kind.coordinates] + released
+    return Layout(modes, tuple(sorted(order, key=every.index)), shapes, backend)
+
+
+def evaluate(task: Task) -> dict[str, Array]:
+    """Evaluate the rows of a task.
+
+    Returns
+    -------
+    dict of str to ndarray, shape (rows, ...)
+        As in `tails`; ``code`` indexes `pkmodes.poses.codes_of`.
+    """
+    parts = [_piece(*piece, task) for piece in task.pieces]
+    if len(parts) == 1:
+        return parts[0]
+    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+
+
+def _piece(robot: Robot, max_condition: float, first: int, last: int, task: Task) -> dict[str, Array]:
+    layout, model = task.layout, Model(robot, max_condition)
+    points = task.places.points(np.arange(first, last))
+    fields = ["frequencies", "platform_shapes", JOINTS, *(["shapes"] if layout.shapes else [])]
+    # One thread: tasks run side by side.
+    found = model.modes(points, "nan", fields=fields, backend=layout.backend, threads=1)
+    rows, rigid = len(points), found.rigid_modes
+    n = found.frequencies.shape[1] - rigid
+    arrays = {
+        name: np.full((rows, *tail), np.nan, dtype)
+        for name, (tail, dtype) in tails(robot, layout).items()
+        if dtype == "f8"
+    }
+    arrays["frequency"][:, :n] = found.frequencies[:, rigid:]
+    motion = arrays["platform_shape"][:, :n] = found.platform_shapes[:, rigid:]
+    arrays["in_plane"][:, :n], arrays["out_of_plane"][:, :n] = parts_of(
+        motion, robot.kind.directions, task.places
+    )
+    arrays["joint_position"][:] = found.joint_positions
+    good = np.flatnonzero(found.valid)
+    statics, jacobian = (
+        evaluation(robot).statics,
+        Generated(robot.kind.model, robot.parameters).platform_jacobian,
+    )
+    for start in range(0, len(good), CHUNK):
+        part = good[start : start + CHUNK]
+        arrays["static_torque"][part], _ = statics(points[part])
+        arrays["condition"][part] = condition_number(jacobian(points[part]))
+    if layout.shapes:
+        columns = [layout.coordinates.index(name) for name in found.coordinates]
+        # A joint that this robot does not release does not move.
+        arrays["shape"][good, :n] = 0.0
+        arrays["shape"][:, :n, columns] = found.shapes[:, rigid:]
+    return {**arrays, "code": found.codes}
+
+
+def parts_of(motion: Array, directions: Sequence[str], places: Places) -> tuple[Array, Array]:
+    """Split motions of the platform into magnitudes in the plane of the grid and perpendicular to it.
+
+    Parameters
+    ----------
+    motion : ndarray, shape (..., directions)
+    directions : sequence of str
+    places : Grid or Poses
+
+    Returns
+    -------
+    in_plane, out_of_plane : ndarray, shape (...)
+        The second is zero for a mechanism that moves in a plane.
+    """
+    normal = places.normal(directions)
+    plane = [i for i, name in enumerate(directions) if name != normal]
+    within = np.sqrt((motion[..., plane] ** 2).sum(axis=-1))
+    return within, 0.0 * within if normal is None else np.abs(motion[..., directions.index(normal)])

@@ -1,0 +1,170 @@
+"""Ranges as text: ``0.3:0.8:51`` (both ends included), ``300 mm:800 mm:51``, one value, or several with commas."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.errors import PkmodesError, shown
+from pkmodes.mechanism import Mechanism
+from pkmodes.robot.units import DIMENSIONS, QuantityError, parse
+
+Array = NDArray[np.float64]
+#: More values along one axis are a mistake.
+LARGEST = 1_000_000
+
+
+def parse_range(text: str, unit: str, where: str) -> Array:
+    """Read a range or a value.
+
+    Parameters
+    ----------
+    text : str
+        ``start:stop:count`` with both ends included, or one value; bare numbers in SI units, or with units.
+    unit : str
+        SI unit of the values.
+    where : str
+        For messages.
+
+    Returns
+    -------
+    ndarray, shape (count,)
+        In SI units, ascending.
+
+    Raises
+    ------
+    PkmodesError
+        If it is not a range, the ends coincide or are reversed, or the count is not a positive integer.
+    """
+    parts = text.split(":")
+    if len(parts) not in (1, 3):
+        what = f"expected start:stop:count or one value, found {shown(text)}"
+        raise PkmodesError(what, where, "for example: 0.3:0.8:51")
+    ends = [parse_value(part, unit, where) for part in parts[:2]]
+    if len(parts) == 1:
+        return np.array(ends)
+    (start, stop), number = ends, parts[2].strip()
+    if not number.isascii() or not number.isdigit() or not 1 <= int(number) <= LARGEST:
+        what = f"expected a count from 1 to {LARGEST:,}, found {shown(number)}"
+        raise PkmodesError(what, where, "for example: 0.3:0.8:51 has 51 values, both ends included")
+    count = int(number)
+    if stop < start:
+        remedy = f"write {parts[1].strip()}:{parts[0].strip()}:{number}"
+        raise PkmodesError(
+            f"the range is reversed: it ends below its start, found {shown(text)}", where, remedy
+        )
+    if (start == stop) != (count == 1):
+        what = f"expected {'one value' if count > 1 else 'several values'} from {start:g} to {stop:g}, found {count}"
+        remedy = (
+            f"write {parts[0].strip()} alone for one value, or two different ends and a count of at least 2"
+        )
+        raise PkmodesError(what, where, remedy)
+    return np.linspace(start, stop, count)
+
+
+def parse_value(text: str, unit: str, where: str) -> float:
+    """Read a value: a bare number in SI units, or a number with its unit.
+
+    Raises
+    ------
+    PkmodesError
+    """
+    try:
+        if "_" in text:  # Python's float() would read 1_0 as 10
+            raise ValueError
+        value = float(text)
+    except ValueError:
+        dimension = next(name for name, (si, _) in DIMENSIONS.items() if si == unit)
+        try:
+            return parse(text, dimension)
+        except QuantityError as error:
+            remedy = f"write a number{'' if unit == '1' else f' in {unit}, or a number with its unit'}"
+            raise PkmodesError(str(error), where, remedy) from None
+    if not np.isfinite(value):
+        raise PkmodesError(f"expected a finite number, found {shown(text)}", where, "give a finite number")
+    return value
+
+
+def parse_grid(text: str, kind: Mechanism, where: str) -> dict[str, Array]:
+    """Read a grid such as ``x=0.3:0.8:51,y=-0.1:0.1:41,z=-0.245``.
+
+    Parameters
+    ----------
+    text : str
+    kind : Mechanism
+        It gives the components of a pose and their units.
+    where : str
+        For messages.
+
+    Returns
+    -------
+    dict of str to ndarray
+        Values of each component, in the order of the mechanism.
+
+    Raises
+    ------
+    PkmodesError
+        If a component is missing, unknown or repeated, or a range is invalid.
+    """
+    units = {component.name: component.unit for component in kind.pose}
+    example = f"write {where} {','.join(f'{name}=0.1:0.2:11' for name in units)}"
+    found: dict[str, Array] = {}
+    for part in text.split(","):
+        name, equals, values = (piece.strip() for piece in part.partition("="))
+        if not equals or name not in units:
+            what = f"expected {', '.join(f'{known}=...' for known in units)}, found {shown(part.strip())}"
+            raise PkmodesError(what, where, example)
+        if name in found:
+            raise PkmodesError(f"{name} is given twice", where, "give each component once")
+        found[name] = parse_range(values, units[name], f"{where} {name}={values}")
+    missing = [name for name in units if name not in found]
+    if missing:
+        raise PkmodesError(
+            f"the grid does not say {' and '.join(missing)}", where, f"give every component: {example}"
+        )
+    return {name: found[name] for name in units}
+
+
+def parse_settings(texts: tuple[str, ...], units: Mapping[str, str], where: str) -> dict[str, Any]:
+    """Read settings such as ``platform.mass=1:2:5`` or ``platform.mass=1 kg,1.5 kg``.
+
+    Parameters
+    ----------
+    texts : tuple of str
+    units : mapping of str to str
+        SI units of the values that can be changed, by path.
+    where : str
+        For messages.
+
+    Returns
+    -------
+    dict of str to ndarray
+        Values by path, in the order given.
+
+    Raises
+    ------
+    PkmodesError
+        If a path is repeated, or values are invalid.  An unknown path is left to `pkmodes.Robot.with_values`.
+    """
+    found: dict[str, Any] = {}
+    for text in texts:
+        path, equals, values = (piece.strip() for piece in text.partition("="))
+        if not equals or not path or not values:
+            raise PkmodesError(
+                f"expected PATH=VALUES, found {shown(text)}",
+                where,
+                f"for example: {where} platform.mass=1:2:5",
+            )
+        if path in found:
+            raise PkmodesError(f"{path} is given twice", where, "give all its values at once")
+        place = f"{where} {path}"
+        unit = units.get(path, "")
+        if not unit:
+            found[path] = np.zeros(1)  # the robot says what is wrong with the path
+            continue
+        ranges = [parse_range(part, unit, place) for part in values.split(",")]
+        found[path] = np.concatenate(ranges)
+    return found

@@ -1,0 +1,45 @@
+"""A map as a table: one row for each mode at each pose."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+PER_MODE = ("frequency", "in_plane", "out_of_plane", "rank", "tracking")
+PER_POSE = ("condition", "valid", "reason")
+
+
+def table_of(dataset: xarray.Dataset) -> pandas.DataFrame:
+    """Return the modes of a dataset as a table.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        From `pkmodes.Model.map` or `pkmodes.Modes.to_dataset`.
+
+    Returns
+    -------
+    pandas.DataFrame
+        One row for each mode at each pose, with the coordinates of the map as columns; shapes and positions have one
+        column for each component, such as ``platform_shape:x``, ``joint_position:x_1``.
+    """
+    import xarray
+
+    found: dict[str, xarray.DataArray] = {
+        str(name): dataset[name] for name in (*PER_MODE, *PER_POSE) if name in dataset
+    }
+    for name, along in (
+        ("platform_shape", "direction"),
+        ("shape", "coordinate"),
+        ("joint_position", "coordinate"),
+        ("static_torque", "drive"),
+    ):
+        if name in dataset:
+            labels = dataset[along].values.tolist()
+            found |= {f"{name}:{label}": dataset[name].sel({along: label}, drop=True) for label in labels}
+    order = [str(dim) for dim in dataset["frequency"].dims]
+    wide = xarray.Dataset(found)
+    return wide.to_dataframe(dim_order=order).reset_index()

@@ -1,0 +1,134 @@
+"""The robots of a map: with swept values, and with values drawn from their standard deviations."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import prod
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.errors import PkmodesError, shown
+from pkmodes.maps.places import ascending
+from pkmodes.robot.robot import Robot
+
+Array = NDArray[np.float64]
+SAMPLE = "sample"
+#: Draws of one sample until the robot is refused: a standard deviation that large is a mistake.
+DRAWS = 100
+
+
+@dataclass(frozen=True, eq=False)
+class Variants:
+    """The robots of a map.
+
+    Attributes
+    ----------
+    swept : mapping of str to ndarray
+        Values of each swept parameter [SI], by path.
+    drawn : mapping of str to ndarray of shape (samples,)
+        Drawn values [SI], by path; empty without samples.
+    samples : int or None
+    robots : tuple of Robot
+        In the order of the swept values, the last one fastest, then the samples.
+    """
+
+    swept: Mapping[str, Array]
+    drawn: Mapping[str, Array]
+    samples: int | None
+    robots: tuple[Robot, ...]
+
+    @property
+    def dims(self) -> tuple[str, ...]:
+        """The paths of the swept parameters, and ``sample``."""
+        return (*self.swept, *([] if self.samples is None else [SAMPLE]))
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Number of robots along each of `dims`."""
+        return (*(len(v) for v in self.swept.values()), *([] if self.samples is None else [self.samples]))
+
+
+def variants_of(robot: Robot, sweep: Mapping[str, Any] | None, samples: int | None, seed: int) -> Variants:
+    """Make the robots of a map.
+
+    Parameters
+    ----------
+    robot : Robot
+    sweep : mapping of str to array_like, optional
+        Values of parameters in SI units, by path; every combination is evaluated.
+    samples : int, optional
+        Robots whose values with a standard deviation are drawn from normal distributions, except swept values.
+    seed : int
+        Of the generator.
+
+    Raises
+    ------
+    PkmodesError
+        If a path is unknown, values are invalid, or the robot declares no standard deviation to draw from.
+    RobotFileError
+        If a robot file with these values would be rejected.
+    """
+    if sweep is not None and not isinstance(sweep, Mapping):
+        what = f"expected values by path, found {shown(sweep)}"
+        raise PkmodesError(what, "sweep", 'for example: {"platform.mass": [1.0, 1.5, 2.0]}')
+    swept = {
+        path: ascending(values, str(path), f"sweep: {path}", strictly=False)
+        for path, values in (sweep or {}).items()
+    }
+    drawn, count = _drawn(robot, swept, samples, seed)
+    robots = [
+        _robot(robot, dict(zip(swept, values, strict=True)), drawn, i)
+        for values in itertools.product(*swept.values())
+        for i in range(count)
+    ]
+    shape = prod(len(values) for values in swept.values()) * count
+    assert len(robots) == shape
+    return Variants(swept, drawn, samples, tuple(robots))
+
+
+def _robot(robot: Robot, swept: Mapping[str, float], drawn: Mapping[str, Array], i: int) -> Robot:
+    changes = {
+        **{path: float(v) for path, v in swept.items()},
+        **{path: float(v[i]) for path, v in drawn.items()},
+    }
+    return robot.with_values(changes) if changes else robot
+
+
+def _drawn(
+    robot: Robot, swept: Mapping[str, Array], samples: int | None, seed: int
+) -> tuple[dict[str, Array], int]:
+    """Draw values; a sample that a robot file could not declare, such as a negative mass, is drawn again."""
+    if samples is None:
+        return {}, 1
+    if isinstance(samples, bool) or not isinstance(samples, int | np.integer) or samples < 1:
+        raise PkmodesError(
+            f"expected a positive integer, found {shown(samples)}", "samples", "for example: 200"
+        )
+    spread = {path: q for path, q in robot.quantities.items() if q.sigma and path not in swept}
+    if not spread:
+        what = "no value of the robot has a standard deviation from which it could be drawn"
+        remedy = 'declare some, such as mass = { value = "1.5 kg", sigma = "1 %" }'
+        raise PkmodesError(what, f"{robot.source}: samples", remedy)
+    rng = np.random.default_rng(seed)
+    found: dict[str, list[float]] = {path: [] for path in spread}
+    for _ in range(int(samples)):
+        for path, value in _one(robot, spread, rng).items():
+            found[path].append(value)
+    return {path: np.array(values) for path, values in found.items()}, int(samples)
+
+
+def _one(robot: Robot, spread: Mapping[str, Any], rng: np.random.Generator) -> dict[str, float]:
+    for _ in range(DRAWS):
+        values = {path: float(rng.normal(q.value, q.sigma)) for path, q in spread.items()}
+        try:
+            robot.with_values(values)
+        except PkmodesError as error:
+            problem = error
+        else:
+            return values
+    what = f"none of {DRAWS} draws gave a robot that can exist: {problem.what}"
+    raise PkmodesError(what, problem.where, "check the standard deviation of this value")

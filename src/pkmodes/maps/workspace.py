@@ -1,0 +1,155 @@
+"""The reachable workspace of a robot, found by drawing poses, and a grid over it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.errors import PoseError
+from pkmodes.generated import Generated
+from pkmodes.maps.places import Grid
+from pkmodes.poses import LARGE
+from pkmodes.regular import drawn_poses
+
+if TYPE_CHECKING:
+    from pkmodes.model import Model
+
+Array = NDArray[np.float64]
+#: Poses of the grid, about.
+POSES = 50_000
+#: Poses drawn in each round; a round is the last if it moves no end of the box by more than this part of its length.
+DRAWS, SETTLED, ROUNDS = 200_000, 0.01, 12
+#: Part of the length of the box by which it is extended on each side before the next round.
+BEYOND = 0.1
+SEED = 20260105
+
+
+def reachable(model: Model, poses: int = POSES) -> Grid:
+    """Return a grid over the workspace of a robot.
+
+    Parameters
+    ----------
+    model : Model
+    poses : int
+        About how many poses the grid has, including those of its corners that cannot be reached.
+
+    Returns
+    -------
+    Grid
+        Round values with the same step for all components of one unit.  Of several separate assemblies, such as the
+        platform above and below the rails, the one that hangs lower is mapped.
+
+    Raises
+    ------
+    PoseError
+        If no pose was found.
+    """
+    low, high = box_of(model)
+    names = [component.name for component in model.kind.pose]
+    units = [component.unit for component in model.kind.pose]
+    size = np.where(high > low, high - low, 1e-3)
+    # The same step for components of one unit; components of another unit are divided as finely.
+    per_unit = {unit: max(size[[u == unit for u in units]]) for unit in units}
+    relative = size / np.array([per_unit[unit] for unit in units])
+    divisions = (poses / np.prod(relative)) ** (1 / len(names))
+    axes = {}
+    for i, name in enumerate(names):
+        step = _round(per_unit[units[i]] / divisions)
+        first, last = np.ceil(low[i] / step - 1e-9), np.floor(high[i] / step + 1e-9)
+        if last < first:  # narrower than a step
+            axes[name] = np.array([(low[i] + high[i]) / 2])
+        else:
+            axes[name] = np.round(np.arange(first, last + 1) * step, 12) + 0.0
+    return Grid(axes)
+
+
+def box_of(model: Model) -> tuple[Array, Array]:
+    """Return the box that contains the poses that can be evaluated.
+
+    Returns
+    -------
+    low, high : ndarray, shape (d,)
+
+    Raises
+    ------
+    PoseError
+        If none was found.
+    """
+    rng = np.random.default_rng(SEED)
+    with np.errstate(all="ignore"):
+        generated = Generated(model.kind.model, model.robot.parameters)
+        found = _valid(model, drawn_poses(generated, model.kind, model.robot.parameters, rng, DRAWS))
+    if not len(found):
+        what = f"none of {DRAWS:,} poses drawn can be reached"
+        raise PoseError(what, model.robot.source, "check the robot file, or give a grid or poses")
+    found = _lower(model, found)
+    side = _side(model, found[:1])
+    low, high = found.min(axis=0), found.max(axis=0)
+    for _ in range(ROUNDS):
+        size = np.where(high > low, high - low, 1e-3)
+        drawn = rng.uniform(low - BEYOND * size, high + BEYOND * size, (DRAWS, len(low)))
+        more = _valid(model, drawn)
+        more = more[_side(model, more) == side] if len(more) else more
+        if not len(more):
+            break
+        wider = np.minimum(low, more.min(axis=0)), np.maximum(high, more.max(axis=0))
+        moved = max((low - wider[0]).max(), (wider[1] - high).max()) if len(low) else 0.0
+        low, high = wider
+        if moved <= SETTLED * float(np.max(size)):
+            break
+    return low, high
+
+
+def bounds_of(model: Model, tried: Array) -> str:
+    """Return the remedy for poses that cannot be reached: where the workspace is.
+
+    Parameters
+    ----------
+    model : Model
+    tried : ndarray, shape (N, d)
+        Poses that cannot be reached.
+    """
+    lengths = [component.unit == "m" for component in model.kind.pose]
+    if np.abs(tried[:, lengths]).max(initial=0.0) >= LARGE:
+        smaller = np.where(lengths, tried / 1e3, tried)
+        if model.check(smaller).valid.any():
+            return 'the numbers look like millimetres: write them with their unit, such as "300 mm:800 mm:51"'
+    try:
+        low, high = box_of(model)
+    except PoseError as error:
+        return error.remedy
+    ends = ", ".join(
+        f"{component.name} from {a:.4g} to {b:.4g} {component.unit}"
+        for component, a, b in zip(model.kind.pose, low, high, strict=True)
+    )
+    return f"the workspace lies within {ends}"
+
+
+def _valid(model: Model, points: Array) -> Array:
+    points = points[np.isfinite(points).all(axis=-1)]
+    return points[model.check(points).valid] if len(points) else points
+
+
+def _side(model: Model, points: Array) -> Array:
+    """Return the assembly branch of poses, 0 where the mechanism has only one."""
+    sides: Array = model.assembly(points) if model.has_assemblies else np.zeros(len(points))
+    return sides
+
+
+def _lower(model: Model, points: Array) -> Array:
+    """Return the poses of the assembly branch whose platform hangs lower."""
+    sides = _side(model, points)
+    names = [component.name for component in model.kind.pose]
+    gravity = np.asarray(getattr(model.robot.parameters, "gravity", np.zeros(3)), dtype=float)
+    along = np.array([gravity["xyz".index(name)] if name in "xyz" else 0.0 for name in names])
+    best = max(np.unique(sides), key=lambda side: float((points[sides == side] @ along).mean()))
+    chosen: Array = points[sides == best]
+    return chosen
+
+
+def _round(step: float) -> float:
+    """Return the nearest round number: 1, 2, 2.5 or 5 times a power of ten."""
+    power = 10.0 ** np.floor(np.log10(step))
+    return float(min((m * power for m in (1.0, 2.0, 2.5, 5.0, 10.0)), key=lambda m: abs(np.log(m / step))))

@@ -1,0 +1,34 @@
+"""The text of a robot file that declares a robot."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import tomlkit
+
+from pkmodes.errors import PkmodesError
+from pkmodes.robot.documents import document_of
+from pkmodes.robot.reading import read_robot
+from pkmodes.robot.robot import Robot
+from pkmodes.robot.variants import raw_values
+
+
+def text_of(robot: Robot) -> str:
+    """Return the text of a robot file that declares this robot.
+
+    Parameters
+    ----------
+    robot : Robot
+
+    Returns
+    -------
+    str
+        The robot's file itself if it still declares this robot, with its comments; otherwise a text in SI units.
+    """
+    path = Path(robot.source)
+    try:
+        if path.is_file() and read_robot(path) == robot:
+            return path.read_text(encoding="utf-8-sig")
+    except (PkmodesError, OSError, ValueError):  # the file changed since
+        pass
+    return tomlkit.dumps(document_of(robot.kind, robot.name, raw_values(robot)))
