@@ -1,4 +1,4 @@
-"""The command line: ``pkmodes generate``, ``check``, ``modes``, ``map``, ``sensitivities``, ``compare``, ``diagnose``.
+"""The command line: one module for each command, registered here.
 
 Errors go to stderr as ``error: <what> (<where>); <what to do>``.  Exit codes: 0 success, 1 a check failed, 2 bad
 input or usage.
