@@ -11,8 +11,8 @@ from pathlib import Path
 from pkmodes.errors import OutputError
 
 
-def write_files(folder: Path, texts: Mapping[str, str]) -> list[Path]:
-    """Write texts into a folder, all or none; existing files of those names are replaced.
+def write_files(folder: Path, texts: Mapping[str, str | bytes]) -> list[Path]:
+    """Write texts, or other contents, into a folder, all or none; existing files of those names are replaced.
 
     Every text is written to a temporary file next to its target and then moved.  Replaced files are kept until all
     texts are in place.  If anything fails, they are restored and the folders created for the texts are removed.
@@ -84,12 +84,12 @@ def _real(path: Path) -> Path:
     return target
 
 
-def _stage(target: Path, text: str) -> Path:
+def _stage(target: Path, text: str | bytes) -> Path:
     handle, name = tempfile.mkstemp(prefix=f".{target.name[:100]}.", dir=target.parent)
     temporary = Path(name)
     try:
         with os.fdopen(handle, "wb") as file:
-            file.write(text.encode("utf-8"))
+            file.write(text.encode("utf-8") if isinstance(text, str) else text)
         temporary.chmod(_mode(target))
     except BaseException:
         temporary.unlink(missing_ok=True)

@@ -20,6 +20,7 @@ from pkmodes.cli.check import check
 from pkmodes.cli.commands import Commands
 from pkmodes.cli.compare import compare
 from pkmodes.cli.diagnose import diagnose
+from pkmodes.cli.figures import figures
 from pkmodes.cli.generate import generate
 from pkmodes.cli.map import map_
 from pkmodes.cli.modes import modes
@@ -40,7 +41,7 @@ def cli() -> None:
     """Vibration modes of parallel robots with compliant transmissions."""
 
 
-for command in (generate, check, modes, map_, sensitivities, compare, diagnose):
+for command in (generate, check, modes, map_, figures, sensitivities, compare, diagnose):
     cli.add_command(command)
 
 

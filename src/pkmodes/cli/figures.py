@@ -1,0 +1,45 @@
+"""``pkmodes figures``: pictures of the workspace, the frequencies, and what they depend on."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from pkmodes.cli.output import mechanism_option
+from pkmodes.errors import OutputError, shown
+from pkmodes.loading import load
+
+
+@click.command(epilog="\b\nExample:\n  pkmodes figures robots/linear-delta-2022.toml --out figures")
+@click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
+@click.option("--out", metavar="DIR", required=True, help="Folder to write to; created if it does not exist.")
+@click.option(
+    "--grid",
+    metavar="X=START:STOP:COUNT,...",
+    default=None,
+    help="The plane: two components of the pose as start:stop:count, the others as one value.  By default the plane "
+    "of the workspace with the lowest mean condition number.",
+)
+@click.option(
+    "--format",
+    "formats",
+    type=click.Choice(["svg", "png", "pdf"]),
+    multiple=True,
+    default=["svg"],
+    show_default=True,
+    help="Repeat it for several.",
+)
+@mechanism_option
+def figures(robot: Path, out: str, grid: str | None, formats: tuple[str, ...]) -> None:
+    """Draw the working plane, frequencies, directions of motion, and the influence of parameters."""
+    folder = Path(out)
+    if not out or "\0" in out or (folder.exists() and not folder.is_dir()):
+        raise OutputError("expected the name of a folder", f"--out {shown(out)}", "choose another place")
+    model = load(robot)
+    from pkmodes.figures.files import write_pictures
+    from pkmodes.maps.ranges import parse_grid
+
+    places = None if grid is None else parse_grid(grid, model.kind, "--grid")
+    for path in write_pictures(model, folder, places, tuple(dict.fromkeys(formats))):
+        click.echo(str(path))

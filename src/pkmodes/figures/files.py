@@ -1,0 +1,71 @@
+"""Write the figures of a robot."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from io import BytesIO
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pkmodes.errors import OutputError, shown
+from pkmodes.figures.pictures import Picture, pictures
+from pkmodes.plots.style import styled
+from pkmodes.writing import write_files
+
+if TYPE_CHECKING:
+    from pkmodes.model import Model
+
+FORMATS = ("svg", "png", "pdf")
+
+
+def write_pictures(
+    model: Model, folder: Path, grid: Any = None, formats: Sequence[str] = ("svg",)
+) -> list[Path]:
+    """Draw the figures of a robot and write them, all or none.
+
+    Parameters
+    ----------
+    model : Model
+    folder : Path
+        Created if it does not exist.
+    grid : mapping of str to array_like, optional
+        As for `pictures`.
+    formats : sequence of {"svg", "png", "pdf"}
+
+    Returns
+    -------
+    list of Path
+
+    Raises
+    ------
+    PkmodesError, MissingExtraError
+        As for `pictures`.
+    OutputError
+        If a format is unknown, or the folder cannot be written.
+    """
+    for one in formats:
+        if one not in FORMATS:
+            raise OutputError(
+                f"expected svg, png or pdf, found {shown(one)}", "formats", "choose one of the three"
+            )
+    files: dict[str, bytes] = {}
+    for picture in pictures(model, grid):
+        for one in formats:
+            files[f"{picture.name}.{one}"] = rendered(picture, one)
+    return write_files(folder, files)
+
+
+def rendered(picture: Picture, suffix: str) -> bytes:
+    """Return a figure as the content of a file: on white, the same at every run."""
+    nothing: dict[str, Any] = {
+        "svg": {"Date": None},
+        "pdf": {"CreationDate": None},
+        "png": {"Software": None},
+    }
+    target = BytesIO()
+    with styled():
+        metadata = {**nothing[suffix], "Title": picture.title}
+        picture.figure.savefig(
+            target, format=suffix, metadata=metadata, bbox_inches="tight", pad_inches=0.05, facecolor="white"
+        )
+    return target.getvalue()

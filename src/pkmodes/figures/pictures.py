@@ -1,0 +1,118 @@
+"""The figures of a robot, for any mechanism.
+
+They show what figures 7 to 20 of the paper show, and what it does not: which parameter each frequency depends on, and
+where mode shapes change abruptly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from pkmodes.figures.working_plane import working_plane
+from pkmodes.maps.places import places_of
+from pkmodes.plots.style import need_matplotlib, styled
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from pkmodes.model import Model
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A figure and what it shows.
+
+    Attributes
+    ----------
+    name : str
+        Of its file, without a suffix.
+    title, description : str
+    figure : matplotlib.figure.Figure
+    """
+
+    name: str
+    title: str
+    description: str
+    figure: Figure
+
+
+def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
+    """Draw the figures of a robot, one after the other.
+
+    Parameters
+    ----------
+    model : Model
+    grid : mapping of str to array_like, optional
+        Two components of the pose with several values, the others with one; by default from `working_plane`.
+
+    Raises
+    ------
+    PkmodesError
+        If the grid is not a plane, or no pose in it can be evaluated.
+    MissingExtraError
+        If matplotlib or xarray is not installed.
+    """
+    need_matplotlib("figures")
+    from pkmodes.figures.quantities import coarser, relative_sensitivities, smallest_mac, volume_of
+    from pkmodes.plots import influence, mac, maps
+    from pkmodes.plots.plane import Plane, where
+    from pkmodes.plots.workspace import workspace
+
+    places = working_plane(model) if grid is None else places_of(model.kind, grid)
+    plane = Plane.of(model.map(places, shapes=True))
+    paths, relative = relative_sensitivities(model, plane)
+    about = f"{model.robot.name}, {where(plane)}"
+
+    def drawn(name: str, title: str, description: str, draw: Callable[[], Figure]) -> Picture:
+        with styled():
+            return Picture(name, title, f"{description} {about}.", draw())
+
+    yield drawn(
+        "workspace",
+        "Working plane and condition number",
+        "Left, outlines of the reachable volume at several heights, with the plane; right, the condition number of "
+        "the platform Jacobian in the plane."
+        if plane.normal
+        else "The condition number of the platform Jacobian in the workspace.",
+        lambda: workspace(plane, volume_of(model, plane)),
+    )
+    yield drawn(
+        "frequencies",
+        "Natural frequencies",
+        "Triangles mark the lowest (down) and highest (up) frequency along the centre line, without its ends; "
+        "colours leave out the 2 % lowest and highest values.",
+        lambda: maps.frequencies(plane),
+    )
+    yield drawn(
+        "directions",
+        "Directions of the platform's motion",
+        "Lines show the direction in the plane, as long as its share of the motion.",
+        lambda: maps.directions(plane),
+    )
+    yield drawn(
+        "components",
+        "In-plane and out-of-plane motion of the platform",
+        "Mass-normalised mode shapes on one scale.",
+        lambda: maps.components(plane),
+    )
+    yield drawn(
+        "influence",
+        "Influence of the parameters",
+        "The relative change of each frequency for a relative change of each parameter, mean over the plane.",
+        lambda: influence.table(paths, relative),
+    )
+    yield drawn(
+        "dominant",
+        "The parameter with the largest influence",
+        "At each pose, the parameter whose relative change changes the frequency most.",
+        lambda: influence.dominant(coarser(plane), paths, relative),
+    )
+    yield drawn(
+        "mac",
+        "MAC between neighbouring poses",
+        "The smallest MAC of each mode with the mode of the same number at the neighbouring poses: dark where shapes "
+        "change abruptly.",
+        lambda: mac.neighbours(plane, smallest_mac(model, plane)),
+    )

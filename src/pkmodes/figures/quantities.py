@@ -1,0 +1,121 @@
+"""What the figures of a plane need besides its map: relative sensitivities, and how shapes change."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.maps.workspace import box_of
+from pkmodes.plots.plane import Plane
+from pkmodes.plots.workspace import Volume
+from pkmodes.robot.layout import items
+from pkmodes.robot.wholes import wholes
+
+if TYPE_CHECKING:
+    from pkmodes.model import Model
+
+Array = NDArray[Any]
+#: Poses of a map of sensitivities, about.
+SENSITIVITIES = 2_000
+#: Heights at which the volume around a plane is outlined, and poses along each side of an outline.
+HEIGHTS, FINE = 16, 160
+
+
+def relative_sensitivities(model: Model, plane: Plane) -> tuple[list[str], Array]:
+    """Return the relative sensitivities of the frequencies of vibration on a coarser grid of the plane.
+
+    Returns
+    -------
+    paths : list of str
+        Quantities of the robot that are not zero, and wholes such as ``axis.span``; components of vectors are left
+        out, because their relative change depends on the origin.
+    relative : ndarray, shape (along, across, parameters, modes)
+        d ln f / d ln p.
+    """
+    kind = model.kind
+    single = {number.path for item in items(kind) if item.key.kind == "quantity" for number in item.numbers}
+    declared = model.robot.quantities
+    paths = [path for path, quantity in declared.items() if path in single and quantity.value != 0.0]
+    effects = [path for path in declared if path.startswith("effects.") and declared[path].value != 0.0]
+    paths = [*paths, *(path for path in effects if path not in paths), *wholes(kind)]
+    few = coarser(plane)
+    found = model.sensitivities(points_of(model, few), paths, fields=["frequencies"], on_error="nan")
+    modes = plane.dataset.sizes["mode"]
+    rates = found.frequencies[..., -modes:]
+    frequency = few.dataset["frequency"].values
+    relative = rates * found.values[:, None] / frequency[..., None, :]
+    kept = np.flatnonzero(np.isfinite(found.values) & (found.values != 0.0))
+    return [paths[i] for i in kept], relative[..., kept, :]
+
+
+def coarser(plane: Plane) -> Plane:
+    """Return the plane with every second, third... pose, so that sensitivities take little time."""
+    step = max(1, int(np.ceil(np.sqrt(plane.dataset["valid"].size / SENSITIVITIES))))
+    dataset = plane.dataset.isel(
+        {plane.along: slice(None, None, step), plane.across: slice(None, None, step)}
+    )
+    return Plane(dataset, plane.across, plane.along, plane.normal, plane.at)
+
+
+def points_of(model: Model, plane: Plane) -> Array:
+    """Return the poses of a plane, (along, across, d)."""
+    along, across = np.meshgrid(
+        plane.dataset[plane.along].values, plane.dataset[plane.across].values, indexing="ij"
+    )
+    values = {plane.along: along, plane.across: across, plane.normal: np.full(along.shape, plane.at)}
+    return np.stack([values[component.name] for component in model.kind.pose], axis=-1)
+
+
+def volume_of(model: Model, plane: Plane) -> Volume | None:
+    """Return which poses around a plane can be evaluated; None for a mechanism with two pose components.
+
+    Parameters
+    ----------
+    model : Model
+    plane : Plane
+    """
+    if plane.normal is None:
+        return None
+    low, high = box_of(model)
+    names = [component.name for component in model.kind.pose]
+    counts = {plane.normal: HEIGHTS, plane.along: FINE, plane.across: FINE}
+    axes = {}
+    for i, name in enumerate(names):
+        around = 0.03 * (high[i] - low[i]) if name != plane.normal else 0.0  # so that outlines are closed
+        axes[name] = np.linspace(low[i] - around, high[i] + around, counts[name])
+    order = (plane.normal, plane.along, plane.across)
+    grid = dict(zip(order, np.meshgrid(*(axes[name] for name in order), indexing="ij"), strict=True))
+    valid = model.check(np.stack([grid[name] for name in names], axis=-1)).valid
+    return Volume(axes[plane.normal], axes[plane.along], axes[plane.across], valid)
+
+
+def smallest_mac(model: Model, plane: Plane) -> Array:
+    """Return the smallest mass-weighted MAC of each mode with the mode of the same number at the four neighbours.
+
+    Parameters
+    ----------
+    model : Model
+    plane : Plane
+        With mode shapes.
+
+    Returns
+    -------
+    ndarray, shape (along, across, modes)
+        NaN where a pose or all of its neighbours cannot be evaluated.
+    """
+    shapes = plane.dataset["shape"].values
+    masses, _ = model.matrices(points_of(model, plane), "nan")
+    found = np.full(shapes.shape[:3], np.inf)
+    for axis in (0, 1):
+        ahead = tuple(slice(1, None) if i == axis else slice(None) for i in (0, 1))
+        behind = tuple(slice(None, -1) if i == axis else slice(None) for i in (0, 1))
+        phi, psi, M = shapes[behind], shapes[ahead], masses[behind]
+        product = ((phi @ M) * psi).sum(axis=-1)
+        size = ((psi @ M) * psi).sum(axis=-1)  # phi is mass-normalised
+        mac = np.nan_to_num(product**2 / size, nan=np.inf)
+        found[behind] = np.minimum(found[behind], mac)
+        found[ahead] = np.minimum(found[ahead], mac)
+    found[~np.isfinite(found) | ~np.isfinite(shapes[..., 0])] = np.nan
+    return found

@@ -1,0 +1,58 @@
+"""The working plane: the plane of the workspace with the lowest mean condition number (section 4 of the paper)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pkmodes.maps.places import Grid
+from pkmodes.maps.workspace import reachable
+
+if TYPE_CHECKING:
+    from pkmodes.model import Model
+
+#: Poses of the plane and of the volume in which it is chosen, about.
+POSES, VOLUME = 8_000, 40_000
+#: Part of the largest cross section that the plane has at least.
+WIDE = 0.5
+
+
+def working_plane(model: Model) -> Grid:
+    """Choose the working plane of a robot.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    Grid
+        Perpendicular to the third direction of the platform's motion, among planes of at least half of the largest
+        area; the whole workspace of a mechanism with two pose components.
+
+    Raises
+    ------
+    PoseError
+        If no pose can be reached.
+    """
+    names = [component.name for component in model.kind.pose]
+    if len(names) <= 2:
+        return reachable(model, POSES)
+    volume = reachable(model, VOLUME)
+    normal = model.kind.directions[2]
+    coarse = model.map(volume)
+    others = [name for name in names if name != normal]
+    area = coarse["valid"].sum(others)
+    mean = coarse["condition"].mean(others).where(area >= WIDE * area.max())
+    best = float(coarse[normal].values[np.nanargmin(mean.values)])
+    inside = coarse["valid"].sel({normal: best})
+    ends = {}
+    for name in others:
+        reached = np.flatnonzero(inside.any([other for other in others if other != name]).values)
+        ends[name] = volume.axes[name][reached[0]], volume.axes[name][reached[-1]]
+    size = {name: float(high - low) for name, (low, high) in ends.items()}
+    step = (np.prod(list(size.values())) / POSES) ** (1 / len(size))
+    # An odd number of values: one of them lies on the centre line.
+    found = {name: np.linspace(*ends[name], 2 * round(size[name] / step / 2) + 1) for name in others}
+    return Grid({name: found.get(name, np.array([best])) for name in names})

@@ -1,0 +1,96 @@
+"""Which parameter each frequency depends on: relative sensitivities in a plane."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.plots.maps import panels_of
+from pkmodes.plots.plane import Plane
+from pkmodes.plots.style import GREY, INK, PALETTE, PAPER, figure
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Array = NDArray[Any]
+#: Parameters listed at most.
+ROWS = 14
+
+
+def table(paths: Sequence[str], relative: Array) -> Figure:
+    """Draw the mean influence of each parameter on each frequency.
+
+    Parameters
+    ----------
+    paths : sequence of str
+        Parameters.
+    relative : ndarray, shape (along, across, parameters, modes)
+        d ln f / d ln p.
+    """
+    mean = np.nanmean(relative, axis=(0, 1))
+    order = np.argsort(-np.abs(mean).max(axis=1))[:ROWS]
+    drawn = figure(0.24 * len(order) + 0.9)
+    axes = drawn.add_subplot()
+    high = max(float(np.abs(mean).max()), 1e-12)
+    mesh = axes.imshow(mean[order], cmap="PuOr", vmin=-high, vmax=high, aspect="auto")
+    axes.set_xticks(range(mean.shape[1]), [f"mode {i + 1}" for i in range(mean.shape[1])])
+    axes.set_yticks(range(len(order)), [paths[i] for i in order])
+    axes.grid(visible=False)
+    axes.tick_params(length=0)
+    for row, path in enumerate(order):
+        for mode in range(mean.shape[1]):
+            value = mean[path, mode]
+            ink = PAPER if abs(value) > 0.65 * high else INK
+            axes.text(mode, row, f"{value:+.2f}", ha="center", va="center", fontsize=7.5, color=ink)
+    bar = drawn.colorbar(mesh, ax=axes, aspect=25)
+    bar.set_label("d ln f / d ln p, mean over the plane [1]")
+    return drawn
+
+
+def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Figure:
+    """Draw, for each mode, the parameter with the largest influence at each pose.
+
+    Parameters
+    ----------
+    plane : Plane
+    paths : sequence of str
+        Parameters.
+    relative : ndarray, shape (along, across, parameters, modes)
+        d ln f / d ln p.
+    """
+    from matplotlib.colors import ListedColormap
+    from matplotlib.patches import Patch
+
+    size = np.abs(relative)
+    reached = np.isfinite(size).all(axis=2)
+    first = np.where(reached, np.nan_to_num(size).argmax(axis=2), -1)
+    counts = np.bincount(first[first >= 0], minlength=len(paths))
+    shown = [int(i) for i in np.argsort(-counts, kind="stable")[: len(PALETTE)] if counts[i]]
+    place = np.full(len(paths) + 1, float(len(shown)))
+    place[shown] = range(len(shown))
+    place[-1] = np.nan
+    colours = ListedColormap([*PALETTE[: len(shown)], GREY])
+    modes = relative.shape[-1]
+    drawn, panels = panels_of(plane, modes, colour_bars=False)
+    for mode, axes in enumerate(panels.flat):
+        if mode >= modes:
+            axes.set_axis_off()
+            continue
+        plane.draw(axes, place[first[..., mode]], cmap=colours, vmin=-0.5, vmax=len(shown) + 0.5)
+        axes.set_title(f"mode {mode + 1}")
+        plane.label_axes(
+            axes, left=mode % panels.shape[1] == 0, bottom=mode // panels.shape[1] == panels.shape[0] - 1
+        )
+    legend = [Patch(color=PALETTE[i], label=paths[path]) for i, path in enumerate(shown)]
+    if counts.sum() > counts[shown].sum():
+        legend.append(Patch(color=GREY, label="another"))
+    drawn.legend(
+        handles=legend,
+        loc="outside lower center",
+        ncols=3,
+        title=f"largest |d ln f / d ln p| of {len(paths)} parameters",
+    )
+    return drawn

@@ -1,0 +1,160 @@
+"""A map in a plane, and axes on which it is drawn."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.errors import PkmodesError
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.axes import Axes
+    from matplotlib.collections import QuadMesh
+
+Array = NDArray[Any]
+#: Units in which poses are drawn, with the factor from SI.
+DRAWN = {"m": ("mm", 1e3), "rad": ("deg", 180.0 / np.pi)}
+#: Share of the values at each end that do not determine the colours: belts that become very short at the edge of the
+#: workspace would hide everything else.
+OUTLIERS = 0.02
+#: Ratio of the extents from which on the longer one is vertical.
+LONGER = 1.1
+#: Height of a map over its width from which on maps stand side by side in one row.
+TALL = 1.6
+
+
+@dataclass(frozen=True, eq=False)
+class Plane:
+    """A map in a plane.
+
+    Attributes
+    ----------
+    dataset : xarray.Dataset
+        With two axes of poses, (along, across).
+    across, along : str
+        Components of the pose on the horizontal and the vertical axis, the longer one vertical.
+    normal : str or None
+        The component that is constant, if any.
+    at : float
+        Its value [SI].
+    """
+
+    dataset: xarray.Dataset
+    across: str
+    along: str
+    normal: str | None
+    at: float
+
+    @classmethod
+    def of(cls, dataset: xarray.Dataset) -> Plane:
+        """Return the plane of a map whose other axes have one value each.
+
+        Raises
+        ------
+        PkmodesError
+            If it has not exactly two axes of poses with several values.
+        """
+        leading = [str(dim) for dim in dataset["frequency"].dims[:-1]]
+        several = [
+            dim for dim in leading if dataset.sizes[dim] > 1 and dataset[dim].attrs.get("units") in DRAWN
+        ]
+        if len(several) != 2 or any(dataset.sizes[dim] > 1 for dim in leading if dim not in several):
+            found = ", ".join(f"{dim}: {dataset.sizes[dim]}" for dim in leading)
+            what = f"expected a map over two components of the pose, found {found}"
+            raise PkmodesError(what, "map", "give one value for the third component: z=-0.245")
+        single = [dim for dim in leading if dim not in several]
+        normal = next((dim for dim in single if dataset[dim].attrs.get("units") in DRAWN), None)
+        extent = {dim: float(np.ptp(dataset[dim].values)) for dim in several}
+        same = len({dataset[dim].attrs["units"] for dim in several}) == 1
+        across, along = several[1], several[0]
+        if same and extent[across] > LONGER * extent[along]:
+            across, along = along, across
+        flat = dataset.isel(dict.fromkeys(single, 0)).transpose(along, across, ...)
+        return cls(flat, across, along, normal, 0.0 if normal is None else float(dataset[normal].values[0]))
+
+    @property
+    def is_tall(self) -> bool:
+        """Whether it is much higher than wide."""
+        return self.height > TALL
+
+    @property
+    def height(self) -> float:
+        """Height over width; 1 if the components have different units."""
+        size = [np.ptp(self.dataset[name].values) for name in (self.along, self.across)]
+        units = {self.dataset[name].attrs["units"] for name in (self.along, self.across)}
+        return float(size[0] / size[1]) if len(units) == 1 and size[1] > 0 else 1.0
+
+    @property
+    def middle(self) -> int:
+        """Index across of the centre line, halfway between the outermost poses that can be evaluated."""
+        reached = np.flatnonzero(self.dataset["valid"].values.any(axis=0))
+        values = self.dataset[self.across].values
+        centre = (values[reached[0]] + values[reached[-1]]) / 2 if len(reached) else values.mean()
+        return int(np.argmin(np.abs(values - centre)))
+
+    def drawn(self, name: str) -> Array:
+        """Return the values of a component in the unit in which it is drawn."""
+        values: Array = self.dataset[name].values * DRAWN[self.dataset[name].attrs["units"]][1]
+        return values
+
+    def label(self, name: str) -> str:
+        """Return the label of an axis."""
+        return f"{name} [{DRAWN[self.dataset[name].attrs['units']][0]}]"
+
+    def draw(self, axes: Axes, values: Array, **settings: Any) -> QuadMesh:
+        """Draw values as colours, with the poses that cannot be reached left blank.
+
+        Parameters
+        ----------
+        axes : matplotlib.axes.Axes
+        values : ndarray, shape (along, across)
+        settings
+            For `matplotlib.axes.Axes.pcolormesh`, such as the colour map.
+        """
+        x, y = self.drawn(self.across), self.drawn(self.along)
+        mesh = axes.pcolormesh(
+            x, y, np.ma.masked_invalid(values), shading="nearest", rasterized=True, **settings
+        )
+        units = {self.dataset[name].attrs["units"] for name in (self.along, self.across)}
+        if len(units) == 1:
+            axes.set_aspect("equal")
+        axes.set_xlim(*_ends(x))
+        axes.set_ylim(*_ends(y))
+        axes.grid(visible=False)
+        axes.tick_params(length=2)
+        axes.locator_params(axis="x", nbins=3)
+        axes.locator_params(axis="y", nbins=6)
+        return mesh
+
+    def label_axes(self, axes: Axes, *, left: bool, bottom: bool = True) -> None:
+        """Label the axes of a panel; inner ones have neither labels nor numbers."""
+        axes.set_xlabel(self.label(self.across) if bottom else "")
+        axes.set_ylabel(self.label(self.along) if left else "")
+        axes.tick_params(labelleft=left, labelbottom=bottom)
+
+
+def where(plane: Plane) -> str:
+    """Return where a plane lies, such as ``z = -245 mm``; for a mechanism that moves in a plane its components."""
+    if plane.normal is None:
+        return f"{plane.across} and {plane.along}"
+    unit, factor = DRAWN[plane.dataset[plane.normal].attrs["units"]]
+    return f"{plane.normal} = {plane.at * factor:.6g} {unit}"
+
+
+def limits_of(values: Array, outliers: float = OUTLIERS) -> tuple[float, float]:
+    """Return the ends of a colour scale that leaves out this share of the values at each end."""
+    finite = values[np.isfinite(values)]
+    if not len(finite):
+        return 0.0, 1.0
+    low, high = np.quantile(finite, [outliers, 1.0 - outliers])
+    return (float(low), float(high)) if high > low else (float(low) - 0.5, float(high) + 0.5)
+
+
+def _ends(values: Array) -> tuple[float, float]:
+    """Return the outer edges of the cells around values."""
+    half = (values[-1] - values[0]) / max(len(values) - 1, 1) / 2
+    return float(values[0] - half), float(values[-1] + half)
