@@ -11,7 +11,7 @@ CORRECTED := build/workshop-delta
 
 # The targets share one environment: run in parallel, they would both install into it.
 .NOTPARALLEL:
-.PHONY: demo test lint types check generate docs benchmark suites clean
+.PHONY: demo test lint types check generate docs benchmark figures suites clean
 
 demo: $(VENV)/.derive  ## the whole loop: derive, generate, solve, compare with measured modes, diagnose, correct
 	$(BIN)/python -m pkmodes generate $(ROBOT) --out $(DEMO)
@@ -47,6 +47,13 @@ benchmark: $(VENV)/.benchmark  ## table and plot of docs/compiled.md, and other 
 	$(BIN)/python benchmarks/evaluation.py
 	$(BIN)/python benchmarks/many_rows.py
 	$(BIN)/python benchmarks/large_models.py
+
+figures: $(VENV)/.dev  ## the pictures and the table of docs/figures.md
+	$(BIN)/python -m pkmodes figures robots/linear-delta-2022-identified.toml --out docs/figures/identified \
+	    --format png --grid x=0.29:1.23:95,y=-0.16:0.16:33,z=-0.24383544
+	$(BIN)/python -m pkmodes figures $(ROBOT) --out docs/figures/declared \
+	    --format png --grid x=0.24:0.92:103,y=-0.12:0.12:37,z=-0.245
+	$(BIN)/python docs/studies/published_figures/claims.py
 
 suites: $(VENV)/.dev  ## error rates of the diagnosis on the virtual test rig, about an hour on two cores
 	$(BIN)/python benchmarks/diagnosis.py --seed 20261204 --out docs/diagnosis-measured.md

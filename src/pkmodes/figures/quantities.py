@@ -11,7 +11,7 @@ from pkmodes.maps.workspace import box_of
 from pkmodes.plots.plane import Plane
 from pkmodes.plots.workspace import Volume
 from pkmodes.robot.layout import items
-from pkmodes.robot.wholes import wholes
+from pkmodes.robot.wholes import value_of, wholes
 
 if TYPE_CHECKING:
     from pkmodes.model import Model
@@ -39,7 +39,9 @@ def relative_sensitivities(model: Model, plane: Plane) -> tuple[list[str], Array
     declared = model.robot.quantities
     paths = [path for path, quantity in declared.items() if path in single and quantity.value != 0.0]
     effects = [path for path in declared if path.startswith("effects.") and declared[path].value != 0.0]
-    paths = [*paths, *(path for path in effects if path not in paths), *wholes(kind)]
+    # A joint radius of zero has no direction in which it could change.
+    known = [path for path, whole in wholes(kind).items() if value_of(model.robot, whole) != 0.0]
+    paths = [*paths, *(path for path in effects if path not in paths), *known]
     few = coarser(plane)
     found = model.sensitivities(points_of(model, few), paths, fields=["frequencies"], on_error="nan")
     modes = plane.dataset.sizes["mode"]

@@ -55,7 +55,8 @@ def workspace(plane: Plane, volume: Volume | None) -> Figure:
         flat = drawn.add_subplot()
     else:
         drawn = figure(WIDTH * 0.55)
-        left, right = np.ravel(drawn.subfigures(1, 2, width_ratios=(1.5, 1.0)))
+        parts: Any = drawn.subfigures(1, 2, width_ratios=(1.5, 1.0))
+        left, right = parts
         solid = left.add_axes((0.02, 0.0, 0.9, 1.0), projection="3d", computed_zorder=False)
         _volume(solid, plane, volume, low, high)
         flat = right.add_subplot()
@@ -94,7 +95,7 @@ def _volume(axes: Any, plane: Plane, volume: Volume, low: float, high: float) ->
     axes.view_init(ELEVATION, AZIMUTH)
     axes.set(xlim=(x[0], x[-1]), ylim=(y[0], y[-1]), zlim=(heights[0], heights[-1]))
     for letter, name in zip("xyz", names, strict=True):
-        getattr(axes, f"set_{letter}label")(plane.label(name), labelpad=-4)
+        getattr(axes, f"set_{letter}label")(plane.label(name), labelpad=2 if letter == "z" else -4)
     axes.set_box_aspect([np.ptp(values) for values in (x, y, heights)], zoom=0.95)
     axes.grid(visible=False)
     axes.tick_params(pad=-3, labelsize=7)
