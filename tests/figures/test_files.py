@@ -1,0 +1,83 @@
+"""The files of ``pkmodes figures``: complete, the same at every run, with units on every axis."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pkmodes
+from pkmodes.cli import run
+from pkmodes.figures.files import write_pictures
+
+NAMES = ["workspace", "frequencies", "directions", "components", "influence", "dominant", "mac"]
+#: A small plane of each robot.
+PLANES = {
+    "linear-delta-2022": "x=0.25:0.9:14,y=-0.1:0.1:9,z=-0.245",
+    "clavel-delta": "x=-0.4:0.4:9,y=-0.4:0.4:9,z=-0.6",
+    "corexy-printer": "x=0.01:0.29:8,y=0.01:0.29:8",
+}
+
+
+@pytest.mark.parametrize("robot", PLANES)
+def test_every_robot_has_its_figures(robot: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = tmp_path / "new" / "figures"
+    assert run(["figures", f"robots/{robot}.toml", "--out", str(folder), "--grid", PLANES[robot]]) == 0
+    printed = capsys.readouterr().out.split()
+    assert printed == [str(folder / f"{name}.svg") for name in NAMES]
+    for name in NAMES:
+        text = (folder / f"{name}.svg").read_text(encoding="utf-8")
+        words = " ".join(re.findall(r"<text[^>]*>([^<]*)</text>", text))
+        if name != "influence":
+            assert "x [mm]" in words, name
+            assert "y [mm]" in words, name
+        if name not in ("workspace",):
+            assert "mode 1" in words, name
+    words = (folder / "frequencies.svg").read_text(encoding="utf-8")
+    modes = len(pkmodes.load(f"robots/{robot}.toml").coordinates) - (2 if robot == "corexy-printer" else 3)
+    assert words.count("f [Hz]") >= modes
+
+
+def test_figures_are_the_same_at_every_run(tmp_path: Path) -> None:
+    model = pkmodes.load("robots/corexy-printer.toml")
+    grid = {"x": np.linspace(0.01, 0.29, 6), "y": np.linspace(0.01, 0.29, 6)}
+    first, second = (
+        write_pictures(model, tmp_path / name, grid, ["svg", "png", "pdf"]) for name in ("first", "second")
+    )
+    assert len(first) == 3 * len(NAMES)
+    for one, other in zip(first, second, strict=True):
+        assert one.read_bytes() == other.read_bytes(), one.name
+        assert one.stat().st_size > 5_000
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["--grid", "x=0.3:0.8:5,y=0,z=-0.245"], "expected a map over two components of the pose"),
+        (["--grid", "x=3:8:5,y=-0.1:0.1:5,z=-0.245"], "none of the 25 poses of the map can be evaluated"),
+        (["--grid", "x=300:800:5,y=-0.1:0.1:5,z=-0.245"], "the numbers look like millimetres"),
+        (["--grid", "x=0.8:0.3:5,y=-0.1:0.1:5,z=-0.245"], "the range is reversed"),
+        (["--grid", "x=0.3:0.8:5,y=-0.1:0.1:5"], "the grid does not say z"),
+        (["--format", "gif"], "'gif' is not one of 'svg', 'png', 'pdf'"),
+    ],
+)
+def test_bad_input_is_one_line_and_writes_nothing(
+    options: list[str], message: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = tmp_path / "figures"
+    assert run(["figures", "robots/linear-delta-2022.toml", "--out", str(folder), *options]) == 2
+    err = capsys.readouterr().err
+    assert message in err
+    assert err.startswith("error: ")
+    assert err.count("\n") == 1
+    assert not folder.exists()
+
+
+def test_a_file_in_place_of_the_folder_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    place = tmp_path / "figures"
+    place.write_text("mine")
+    assert run(["figures", "robots/linear-delta-2022.toml", "--out", str(place)]) == 2
+    assert "expected the name of a folder" in capsys.readouterr().err
+    assert place.read_text() == "mine"

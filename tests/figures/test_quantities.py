@@ -1,0 +1,125 @@
+"""What the figures of a plane show besides its map, against loops and differences."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pkmodes
+from pkmodes.figures.quantities import coarser, points_of, relative_sensitivities, smallest_mac, volume_of
+from pkmodes.figures.working_plane import WIDE, working_plane
+from pkmodes.plots.maps import extremes
+from pkmodes.plots.plane import Plane
+
+LINEAR = "robots/linear-delta-2022-identified.toml"
+GRID = {"x": np.linspace(0.3, 1.2, 13), "y": np.linspace(-0.12, 0.12, 7), "z": -0.245}
+
+
+@pytest.fixture(scope="module")
+def model() -> pkmodes.Model:
+    return pkmodes.load(LINEAR)
+
+
+@pytest.fixture(scope="module")
+def plane(model: pkmodes.Model) -> Plane:
+    return Plane.of(model.map(GRID, shapes=True))
+
+
+def test_the_longer_side_of_a_plane_is_vertical(plane: Plane) -> None:
+    assert (plane.across, plane.along, plane.normal, plane.at) == ("y", "x", "z", -0.245)
+    assert plane.dataset["frequency"].dims == ("x", "y", "mode")
+    assert plane.height == pytest.approx(0.9 / 0.24)
+    np.testing.assert_allclose(plane.drawn("x"), np.linspace(300.0, 1200.0, 13))
+    assert plane.label("x") == "x [mm]"
+
+
+@pytest.mark.parametrize(
+    "grid",
+    [{**GRID, "z": [-0.25, -0.2]}, {**GRID, "y": 0.0}, [[0.6, 0.0, -0.245], [0.7, 0.0, -0.245]]],
+    ids=["volume", "line", "list"],
+)
+def test_a_map_that_is_no_plane_is_refused(model: pkmodes.Model, grid: object) -> None:
+    with pytest.raises(pkmodes.PkmodesError, match="expected a map over two components of the pose"):
+        Plane.of(model.map(grid))
+
+
+def test_the_smallest_mac_is_that_of_a_loop_over_neighbours(model: pkmodes.Model, plane: Plane) -> None:
+    found = smallest_mac(model, plane)
+    shapes, valid = plane.dataset["shape"].values, plane.dataset["valid"].values
+    points = points_of(model, plane)
+    assert 0.5 < valid.mean() < 1.0
+    for i, j in np.ndindex(valid.shape):
+        near = [(i - 1, j), (i + 1, j), (i, j - 1), (i, j + 1)]
+        near = [
+            (a, b) for a, b in near if 0 <= a < valid.shape[0] and 0 <= b < valid.shape[1] and valid[a, b]
+        ]
+        if not valid[i, j] or not near:
+            assert np.isnan(found[i, j]).all()
+            continue
+        for mode in range(shapes.shape[2]):
+            macs = []
+            for a, b in near:
+                first = min((i, j), (a, b))
+                M = model.matrices(points[first])[0]
+                phi, psi = shapes[i, j, mode], shapes[a, b, mode]
+                macs.append((phi @ M @ psi) ** 2 / ((phi @ M @ phi) * (psi @ M @ psi)))
+            assert found[i, j, mode] == pytest.approx(min(macs), rel=1e-9)
+
+
+def test_relative_sensitivities_are_those_of_differences(model: pkmodes.Model, plane: Plane) -> None:
+    names, relative = relative_sensitivities(model, plane)
+    assert {"belt.width", "axis.span", "axis.joint_radius", "link.length"} <= set(names)
+    assert "axis.1.origin.x" not in names
+    assert "carriage.length" not in names  # zero
+    pose, step = [0.6, 0.04, -0.245], 1e-6
+    few = coarser(plane).dataset
+    place = {
+        "x": int(np.abs(few["x"].values - 0.6).argmin()),
+        "y": int(np.abs(few["y"].values - 0.04).argmin()),
+    }
+    assert float(few["x"][place["x"]]) == pytest.approx(0.6)
+    for name in ("belt.width", "axis.span", "platform.mass", "motor.gear_ratio"):
+        value = 1.0 if name == "axis.span" else model.robot.quantities[name].value
+        up, down = (
+            model.with_values({name: value * (1 + sign * step)}).frequencies(pose)[3:] for sign in (1, -1)
+        )
+        expected = (np.log(up) - np.log(down)) / (2 * step)
+        got = relative[place["x"], place["y"], names.index(name)]
+        np.testing.assert_allclose(got, expected, atol=2e-7)
+
+
+def test_the_working_plane_has_the_lowest_mean_condition_number_of_the_wide_planes() -> None:
+    model = pkmodes.load("robots/clavel-delta.toml")
+    grid = working_plane(model)
+    assert grid.shape[0] == 1
+    best = float(grid.axes["z"][0])
+    side = np.linspace(-0.6, 0.6, 61)
+    heights = best + 0.05 * np.arange(-3, 4)
+    found = model.map({"x": side, "y": side, "z": heights})
+    area = found["valid"].sum(["x", "y"])
+    mean = found["condition"].mean(["x", "y"]).where(area >= WIDE * float(area.max()))
+    assert abs(float(mean["z"][int(np.nanargmin(mean.values))]) - best) <= 0.05
+    inside = model.map(grid)["valid"]
+    assert 0.5 < float(inside.mean()) <= 1.0
+
+
+def test_extremes_are_looked_for_on_the_centre_line_without_its_ends(plane: Plane) -> None:
+    values = np.full(plane.dataset["valid"].shape, np.nan)
+    line = np.array([0.0, 5, 1, 2, 3, 9, 8, 7, 6, 5, 4, 3, 99])
+    values[:, plane.middle] = line
+    values[:, 0] = 1000.0
+    assert plane.dataset["y"].values[plane.middle] == pytest.approx(0.0)
+    assert extremes(plane, values) == {"minimum": (2, 1.0), "maximum": (5, 9.0)}
+
+
+def test_the_volume_encloses_the_plane(model: pkmodes.Model, plane: Plane) -> None:
+    volume = volume_of(model, plane)
+    assert volume is not None
+    for edge in (volume.valid[:, 0], volume.valid[:, -1], volume.valid[:, :, 0], volume.valid[:, :, -1]):
+        assert not edge.any()
+    assert volume.heights[0] < plane.at < volume.heights[-1]
+    middle = int(np.abs(volume.heights - plane.at).argmin())
+    reached = volume.along[volume.valid[middle].any(axis=1)]
+    valid = plane.dataset["x"].values[plane.dataset["valid"].values.any(axis=1)]
+    assert reached[0] <= valid[0] + 0.02
+    assert reached[-1] >= valid[-1] - 0.02
