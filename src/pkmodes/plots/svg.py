@@ -1,0 +1,132 @@
+"""Figures as SVG inside a page: accessible, following the page's colours, with ids of their own."""
+
+from __future__ import annotations
+
+import io
+import re
+import warnings
+from hashlib import sha256
+from typing import TYPE_CHECKING
+from xml.etree import ElementTree
+
+from pkmodes.plots.style import BLUE, GREEN, GREY, INK, ORANGE, PAPER, PURPLE, SKY, VERMILLION, styled
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+SVG, LINK = "{http://www.w3.org/2000/svg}", "{http://www.w3.org/1999/xlink}href"
+#: Colours that the page may redefine, for example for a dark background.
+NAMES = {
+    BLUE: "blue",
+    VERMILLION: "vermillion",
+    GREEN: "green",
+    PURPLE: "purple",
+    ORANGE: "orange",
+    SKY: "sky",
+    GREY: "grey",
+}
+COLOURS = {
+    INK: "currentColor",
+    PAPER: "var(--paper, Canvas)",
+    **{colour: f"var(--{name}, {colour})" for colour, name in NAMES.items()},
+}
+COLOUR = re.compile("|".join(COLOURS), re.IGNORECASE)
+#: The fonts of the page instead of the one that the layout was made with.
+FONTS = (
+    (re.compile(r"\bfont: (\S*px) [^;]*"), r"font-size: \1"),
+    (re.compile(r"font-family: [^;]*"), "font-family: inherit"),
+)
+#: Coordinates have two decimals: a figure is some hundred units wide.
+DECIMALS = re.compile(r"\d+\.\d{3,}")
+SPACE = re.compile(r"\s+")
+REFERENCE = re.compile(r"url\(#([^)]+)\)")
+#: Characters that XML cannot hold.
+FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
+#: Length of the prefix that makes ids differ between figures.
+DIGITS = 8
+
+
+def inline(figure: Figure, title: str, description: str) -> str:
+    """Return a figure as an SVG element for an HTML page.
+
+    Text, axes and background follow the page; the data keep their colours, which the page may redefine by the
+    variables ``--blue``, ``--vermillion`` and so on.  The element is as wide as its parent, and the same figure
+    always gives the same text.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+    title, description : str
+        Name of the figure and what it shows, for those who do not see it.
+    """
+    target = io.StringIO()
+    with styled(), warnings.catch_warnings():
+        # Text is drawn by the reader's fonts; that the layout's font lacks a character only affects its width.
+        warnings.filterwarnings("ignore", message="Glyph .* missing from")
+        figure.savefig(target, format="svg", metadata={"Date": None, "Creator": None})
+    text = FORBIDDEN.sub("\ufffd", target.getvalue())
+    root = ElementTree.fromstring(text)
+    title, description = FORBIDDEN.sub("\ufffd", title), FORBIDDEN.sub("\ufffd", description)
+    digest = sha256("\0".join((title, description, text)).encode()).hexdigest()
+    prefix = f"f{digest[:DIGITS]}"
+    for parent in list(root.iter()):
+        for child in list(parent):  # a rule in a style element would apply to the whole page
+            if child.tag in (f"{SVG}metadata", f"{SVG}style"):
+                parent.remove(child)
+    _rename(root, prefix)
+    for element in root.iter():
+        _simplify(element)
+    named = {"title": title, "desc": description}
+    for place, (tag, content) in enumerate(named.items()):
+        element = ElementTree.Element(tag, id=f"{prefix}-{tag}")
+        element.text = content
+        root.insert(place, element)
+    root.attrib = {
+        "xmlns": SVG[1:-1],
+        "viewBox": root.get("viewBox", ""),
+        "role": "img",
+        "aria-labelledby": f"{prefix}-title",
+        "aria-describedby": f"{prefix}-desc",
+        "style": "display: block; width: 100%; height: auto; stroke-linejoin: round",
+    }
+    return ElementTree.tostring(root, encoding="unicode")
+
+
+def _rename(root: ElementTree.Element, prefix: str) -> None:
+    """Give the ids that are referred to a prefix, and drop the others."""
+    used: set[str] = set()
+    for element in root.iter():
+        for name, value in element.attrib.items():
+            if name == LINK and value.startswith("#"):
+                used.add(value[1:])
+            used.update(REFERENCE.findall(value))
+    for element in root.iter():
+        own = element.attrib.pop("id", None)
+        if own in used:
+            element.set("id", f"{prefix}-{own}")
+        for name, value in list(element.attrib.items()):
+            if name == LINK:
+                del element.attrib[name]
+                element.set("href", f"#{prefix}-{value[1:]}" if value.startswith("#") else value)
+            elif "url(#" in value:
+                element.set(name, REFERENCE.sub(rf"url(#{prefix}-\1)", value))
+
+
+def _simplify(element: ElementTree.Element) -> None:
+    """Remove namespaces, and let colours and fonts follow the page."""
+    element.tag = element.tag.removeprefix(SVG)
+    element.tail = None
+    if element.tag != "text" and element.text is not None and not element.text.strip():
+        element.text = None
+    for name in ("style", "fill", "stroke"):
+        value = element.get(name)
+        if value is not None:
+            value = COLOUR.sub(lambda match: COLOURS[match.group().lower()], value)
+            for font, instead in FONTS:
+                value = font.sub(instead, value)
+            element.set(name, value)
+    for name in ("d", "x", "y"):
+        value = element.get(name)
+        if value is not None:
+            value = DECIMALS.sub(lambda match: f"{float(match.group()):.2f}", value)
+            element.set(name, SPACE.sub(" ", value).strip())
