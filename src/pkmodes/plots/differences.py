@@ -63,7 +63,7 @@ def by_setup(evidence: Evidence) -> Figure:
         found = figure(0.8 + 1.75 * len(stages))
         panels = found.subplots(len(stages), 1, sharex=True, squeeze=False)[:, 0]
         for axes, stage in zip(panels, stages, strict=True):
-            marks.noise(axes)
+            marks.noise(axes, stage.predicted.sigmas)
             marks.zero(axes)
             marks.rows(axes, evidence, evidence.setup.astype(float), stage.predicted.sigmas)
             axes.set_title(f"Model {stage.title}")
@@ -85,7 +85,7 @@ def against_pose(evidence: Evidence) -> Figure | None:
         panels = found.subplots(len(stages), count, sharex="col", sharey="row", squeeze=False)
         for row, stage in zip(panels, stages, strict=True):
             for k, axes in enumerate(row):
-                marks.noise(axes)
+                marks.noise(axes, stage.predicted.sigmas)
                 marks.zero(axes)
                 place = evidence.points[evidence.setup, k]
                 marks.rows(axes, evidence, place, stage.predicted.sigmas, size=12.0)

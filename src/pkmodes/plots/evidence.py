@@ -52,6 +52,8 @@ class Evidence:
     points : ndarray, shape (S, d)
         Poses in SI units; d = 0 where they are unknown or have no position.
     components, units : tuple of str, length d
+    place : str
+        Noun for a setup.
     """
 
     labels: tuple[str, ...]
@@ -64,9 +66,12 @@ class Evidence:
     points: Array
     components: tuple[str, ...]
     units: tuple[str, ...]
+    place: str
 
     @classmethod
-    def of(cls, result: Diagnosis | Comparison, data: Measurements | None = None) -> Evidence:
+    def of(
+        cls, result: Diagnosis | Comparison, data: Measurements | None = None, place: str = "pose"
+    ) -> Evidence:
         """Return what a result shows.
 
         Parameters
@@ -74,6 +79,8 @@ class Evidence:
         result : Diagnosis or Comparison
         data : Measurements, optional
             The measurements that it is about: their poses are the axes of some figures.
+        place : str
+            Noun for a place of measurement, such as pose, or setup for a structure without positions.
 
         Raises
         ------
@@ -100,6 +107,7 @@ class Evidence:
             points=np.empty((len(labels), 0)) if placed is None else placed.points,
             components=() if placed is None else placed.components,
             units=() if placed is None else placed.component_units,
+            place=place,
         )
 
     @property
@@ -131,10 +139,10 @@ def _stages(result: Diagnosis | Comparison) -> tuple[Stage, ...]:
     stages = result.stages
     if stages is None:
         return ()
-    found = [Stage("before_hz", DECLARED, stages.before)]
+    found = [Stage("before", DECLARED, stages.before)]
     if stages.after is not None:
         title = CORRECTED + ("s" if len(result.effects) > 1 else "")
-        found.append(Stage("after_hz", title, stages.after))
+        found.append(Stage("after", title, stages.after))
     elif stages.refit is not None:
-        found.append(Stage("refit_hz", REFITTED, stages.refit))
+        found.append(Stage("refit", REFITTED, stages.refit))
     return tuple(found)

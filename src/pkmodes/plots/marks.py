@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 #: From this number of marks on, they become an image inside the figure, which stays small.
 MANY = 1500
+#: Standard deviations within which a difference may be noise.
+NOISE = 2.0
 #: Longest label of an axis.
 LONGEST = 18
 #: Kinds of rows: fitted, held out, set aside, without a partner.
@@ -83,9 +85,19 @@ def zero_across(axes: Axes) -> None:
     axes.axvline(0.0, color=INK, linewidth=0.8, zorder=1)
 
 
-def noise(axes: Axes, width: float = 2.0) -> None:
-    """Shade the differences that noise explains, within some standard deviations."""
-    axes.axhspan(-width, width, color=GREY, alpha=0.16, linewidth=0, zorder=0)
+def noise(axes: Axes, sigmas: Array) -> None:
+    """Shade the differences that noise explains, and scale the axis for all differences and somewhat more than noise.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+    sigmas : ndarray, shape (R,)
+        Differences in standard deviations.
+    """
+    axes.axhspan(-NOISE, NOISE, color=GREY, alpha=0.16, linewidth=0, zorder=0)
+    known = sigmas[np.isfinite(sigmas)]
+    most = 1.08 * max(1.5 * NOISE, float(np.abs(known).max(initial=0.0)))
+    axes.set_ylim(-most, most)
 
 
 def short(text: str, longest: int = LONGEST) -> str:
@@ -97,11 +109,9 @@ def setups(axes: Axes, evidence: Evidence, most: int = 30) -> None:
     """Name the setups on the horizontal axis, or number them if there are many."""
     labels = [short(label) for label in evidence.labels]
     if len(labels) > most:
-        axes.set_xlabel(
-            "setup, in the order of the measurements" if not evidence.components else "pose, in order"
-        )
+        axes.set_xlabel(f"{evidence.place}, in the order of the measurements")
         return
     turned = len(labels) * max(map(len, labels)) > 90
     axes.set_xticks(range(len(labels)), labels, rotation=90 if turned else 0)
-    axes.set_xlabel("pose" if evidence.components else "setup")
+    axes.set_xlabel(evidence.place)
     axes.grid(visible=False, axis="x")

@@ -41,7 +41,7 @@ def mac_matrices(evidence: Evidence) -> Figure | None:
     stages, several = evidence.stages, len(evidence.labels) > 1
     label = marks.short(evidence.labels[worst])
     everything = np.ones(len(evidence.setup), dtype=bool)
-    chosen = [("mean of all setups", everything)] if several else []
+    chosen = [(f"mean of all {evidence.place}s", everything)] if several else []
     chosen.append((f"lowest MAC: {label}", evidence.setup == worst))
     with styled():
         found = figure(0.6 + 2.55 * len(chosen))

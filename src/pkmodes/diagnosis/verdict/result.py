@@ -319,7 +319,7 @@ class Diagnosis:
                     "name": c.name,
                     "p_value": c.p_value,
                     "detectable": c.detectable,
-                    "visible_from": {_key(v): {"value": v.value, "unit": v.unit} for v in c.visible_from},
+                    "visible_from": {key(v): {"value": v.value, "unit": v.unit} for v in c.visible_from},
                 }
                 for c in self.candidates
             ],
@@ -356,13 +356,13 @@ def _set(load: Mapping[str, float]) -> dict[str, object]:
     return {"set": dict(load)} if load else {}
 
 
-def _key(v: Value) -> str:
+def key(v: Value) -> str:
     """Return the last name of an effect's parameter (`compliance`), as in the robot file; else the whole path."""
     return v.name.split(".")[-1] if v.name.startswith("effects.") else v.name
 
 
 def _values(values: tuple[Value, ...]) -> dict[str, object]:
-    return {_key(v): {"value": v.value, "sigma": v.sigma, "unit": v.unit} for v in values}
+    return {key(v): {"value": v.value, "sigma": v.sigma, "unit": v.unit} for v in values}
 
 
 def _error(error: Error | None) -> dict[str, object] | None:
