@@ -12,13 +12,16 @@ from pkmodes.cli.output import (
     band_of,
     band_option,
     check_order,
+    check_other_targets,
     check_target,
     deliver,
     json_option,
     mechanism_option,
+    report_option,
     to_file,
     write_json,
 )
+from pkmodes.cli.reporting import Reporting
 from pkmodes.loading import read_robot
 
 if TYPE_CHECKING:
@@ -34,8 +37,11 @@ if TYPE_CHECKING:
 @click.argument("modes", metavar="MODES.csv", type=click.Path(path_type=Path))
 @band_option
 @mechanism_option
+@report_option
 @json_option
-def compare(robot: Path, modes: Path, band: str | None, json_file: str | None) -> None:
+def compare(
+    robot: Path, modes: Path, band: str | None, report_to: Path | None, json_file: str | None
+) -> None:
     """Compare predicted and measured modes without fitting anything.
 
     Measured modes are paired with predicted modes by frequency and, if measured, by shape.  The exit code is 0
@@ -43,10 +49,13 @@ def compare(robot: Path, modes: Path, band: str | None, json_file: str | None) -
     """
     check_order(robot, modes, "pkmodes compare")
     check_target(json_file, robot, modes)
+    check_other_targets({"--report": (report_to, "the report")}, json_file, robot, modes)
     from pkmodes import updating  # SciPy is loaded only where it is used
 
     declared = read_robot(robot)
-    result = updating.compare(declared, updating.read(modes, band_of(band), declared))
+    data = updating.read(modes, band_of(band), declared)
+    reporting = None if report_to is None else Reporting(report_to, robot, modes)
+    result = updating.compare(declared, data)
     content = {
         "robot": declared.name,
         "rms_relative": result.rms_relative,
@@ -55,11 +64,16 @@ def compare(robot: Path, modes: Path, band: str | None, json_file: str | None) -
         "unpaired": len(result.unpaired),
         "rows": [_as_json(row) for row in result.rows],
     }
-    with deliver(to_file(json_file, content)):
+    files = to_file(json_file, content)
+    if reporting is not None:
+        files.append(lambda: reporting.write(result, declared, data))
+    with deliver(files):
         if json_file == "-":
             write_json(json_file, content)
         else:
             _print(declared, modes, result)
+        if reporting is not None:
+            reporting.announce(json_file)
 
 
 def _as_json(row: ComparedRow) -> dict[str, object]:

@@ -15,17 +15,19 @@ from pkmodes.cli.output import (
     band_of,
     band_option,
     check_order,
-    check_place,
+    check_other_targets,
     check_target,
     deliver,
     json_option,
     named_as_options,
     repeated_mechanism_option,
+    report_option,
     to_file,
     write_json,
 )
+from pkmodes.cli.reporting import Reporting
 from pkmodes.cli.verdicts import failing
-from pkmodes.errors import OutputError, PkmodesError, shown
+from pkmodes.errors import PkmodesError, shown
 from pkmodes.loading import read_robot
 from pkmodes.pasting import pasted
 
@@ -63,6 +65,7 @@ SECONDS = 5.0
     type=click.Path(path_type=Path),
     help="Write the robot file with the causes found and the refitted values.",
 )
+@report_option
 @click.option(
     "--fail-on",
     "fail_on",
@@ -79,6 +82,7 @@ def diagnose(
     candidates: str | None,
     holdout: str | None,
     save_to: Path | None,
+    report_to: Path | None,
     fail_on: str | None,
     band: str | None,
     json_file: str | None,
@@ -90,7 +94,12 @@ def diagnose(
     """
     check_order(robot, modes, "pkmodes diagnose")
     check_target(json_file, robot, modes)
-    _check_robot_target(save_to, json_file, robot, modes)
+    check_other_targets(
+        {"--save-robot": (save_to, "the corrected robot"), "--report": (report_to, "the report")},
+        json_file,
+        robot,
+        modes,
+    )
     names = None if candidates is None else _names(candidates, "--candidates")
     held = None if holdout is None else [] if holdout.strip() == "none" else _names(holdout, "--holdout")
     failures = frozenset() if fail_on is None else failing(_names(fail_on, "--fail-on"))
@@ -99,6 +108,7 @@ def diagnose(
 
     declared = read_robot(robot)
     data = updating.read(modes, band_of(band), declared)
+    reporting = None if report_to is None else Reporting(report_to, robot, modes)
     with _progress() as progress, named_as_options():
         result = updating.diagnose(
             declared,
@@ -115,11 +125,16 @@ def diagnose(
             saved.append(save_to)
 
     content = result.as_json()
-    with deliver([save, *to_file(json_file, content)]):
+    files = [save, *to_file(json_file, content)]
+    if reporting is not None:
+        files.append(lambda: reporting.write(result, declared, data))
+    with deliver(files):
         if json_file == "-":
             write_json(json_file, content)
         else:
             show(declared, result)
+        if reporting is not None:
+            reporting.announce(json_file)
         for path in saved:
             option = f"--mechanism {pasted(mechanism)} " if mechanism else ""
             command = f"pkmodes generate {option}{pasted(path)} --out DIR"
@@ -163,23 +178,6 @@ def _names(text: str, option: str) -> list[str]:
         what = f"expected names separated by commas, found {shown(text)}"
         raise PkmodesError(what, option, "give at least one name, or omit the option")
     return names
-
-
-def _check_robot_target(target: Path | None, json_file: str | None, *inputs: Path) -> None:
-    """Reject an invalid target before minutes are spent on the diagnosis."""
-    if target is None:
-        return
-    check_place("" if target == Path() else str(target), "--save-robot")
-    if json_file not in (None, "-") and Path(str(json_file)).resolve() == target.resolve():
-        raise OutputError(
-            "the result and the corrected robot would be the same file",
-            f"--save-robot {target}",
-            "choose another file",
-        )
-    if any(given.exists() and target.exists() and given.samefile(target) for given in inputs):
-        raise OutputError(
-            "the corrected robot would replace its own input", f"--save-robot {target}", "choose another file"
-        )
 
 
 @contextmanager

@@ -6,7 +6,7 @@ import json
 import math
 import os
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -23,6 +23,15 @@ json_option = click.option(
     metavar="FILE",
     default=None,
     help="Write the machine-readable result to FILE; - for standard output.",
+)
+
+
+report_option = click.option(
+    "--report",
+    "report_to",
+    metavar="FILE.html",
+    type=click.Path(path_type=Path),
+    help="Write a report, one page that needs no other file and no network.",
 )
 
 
@@ -83,6 +92,40 @@ def check_target(json_file: str | None, *inputs: Path) -> None:
         raise OutputError(
             "the result would replace its own input", f"--json {json_file}", "choose another file"
         )
+
+
+def check_other_targets(
+    targets: Mapping[str, tuple[Path | None, str]], json_file: str | None, *inputs: Path
+) -> None:
+    """Reject, before anything is computed, targets that cannot or must not be written.
+
+    Parameters
+    ----------
+    targets : mapping of str to (Path or None, str)
+        By option, the file and what it will be, such as "the report".
+    json_file : str or None
+        Target of ``--json``, which is checked by `check_target`.
+    *inputs : Path
+
+    Raises
+    ------
+    OutputError
+        If the folder of a target does not exist, it is an input, or two targets are the same file.
+    """
+    taken: dict[Path, str] = (
+        {} if json_file in (None, "-") else {Path(str(json_file)).resolve(): "the result"}
+    )
+    for option, (target, what) in targets.items():
+        if target is None:
+            continue
+        where = f"{option} {target}"
+        check_place("" if target == Path() else str(target), option)
+        if target.resolve() in taken:
+            found = f"{taken[target.resolve()]} and {what} would be the same file"
+            raise OutputError(found, where, "choose another file")
+        if any(given.exists() and target.exists() and given.samefile(target) for given in inputs):
+            raise OutputError(f"{what} would replace its own input", where, "choose another file")
+        taken[target.resolve()] = what
 
 
 def check_place(target: str, option: str) -> None:

@@ -10,6 +10,7 @@ from scipy import stats
 
 from pkmodes.diagnosis.arguments import check_arguments
 from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.matrices import at_measured
 from pkmodes.diagnosis.problem import Structure
 from pkmodes.diagnosis.verdict.mistakes import other_unit
@@ -68,6 +69,8 @@ class Comparison:
         Warnings, such as frequencies that seem to be in another unit.
     rigid : int
         Number of rigid-body modes, which come first among the model's modes.
+    stage : Predicted or None
+        Partners, differences and MAC of all measured modes, for figures; not part of the JSON.
     """
 
     rows: tuple[ComparedRow, ...]
@@ -76,6 +79,7 @@ class Comparison:
     p_value: float | None
     notes: tuple[str, ...] = ()
     rigid: int = 0
+    stage: Predicted | None = field(default=None, compare=False, repr=False)
 
     @property
     def unpaired(self) -> tuple[ComparedRow, ...]:
@@ -118,9 +122,10 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
         for i in range(len(every))
     )
     notes = tuple(text for text in (other_unit(fitter),) if text)
-    rigid = structure.predict(fitter.declared, ()).rigid
+    prediction = structure.predict(fitter.declared, ())
+    stage, rigid = Predicted.of(fitter.pairer, data, prediction, pairing, sigma), prediction.rigid
     if not paired.any():
-        return Comparison(rows, None, None, None, notes, rigid)
+        return Comparison(rows, None, None, None, notes, rigid, stage)
     count = int(paired.sum())
     return Comparison(
         rows,
@@ -129,4 +134,5 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
         p_value=float(stats.chi2.sf(chi2, count)),
         notes=notes,
         rigid=rigid,
+        stage=stage,
     )

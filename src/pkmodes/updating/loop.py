@@ -20,7 +20,7 @@ from pkmodes.mechanism import Mechanism, mechanism, names
 from pkmodes.model import Model
 from pkmodes.robot.paths import resolve
 from pkmodes.robot.robot import Robot
-from pkmodes.robot.saving import Correction, save_corrected
+from pkmodes.robot.saving import Correction, corrected_text, save_corrected
 from pkmodes.updating import frame
 from pkmodes.updating.load_cases import settable
 from pkmodes.updating.poses import check_measured
@@ -205,21 +205,39 @@ def corrections(robot: Robot, found: Diagnosis) -> Mapping[str, Correction]:
     return changes
 
 
-def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> None:
-    """Write the corrected robot file; comments and order of the original are kept.
+def corrected_robot(robot: Robot | Model, found: Diagnosis) -> str:
+    """Return the text of the corrected robot file; comments and order of the original are kept.
 
     If a class has several causes, the first one, which names it, is written.
 
     Raises
     ------
     PkmodesError
+        If there is nothing to correct, or the robot was not read from a file.
+    """
+    robot = _correctable(robot, found, "corrected_robot")
+    return corrected_text(Path(robot.source), corrections(robot, found))
+
+
+def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> None:
+    """Write the corrected robot file, as `corrected_robot` returns it.
+
+    Raises
+    ------
+    PkmodesError
         If there is nothing to correct, or the file cannot be written.
     """
-    robot = _robot(robot)
+    robot = _correctable(robot, found, str(target))
+    save_corrected(Path(robot.source), Path(target), corrections(robot, found))
+
+
+def _correctable(given: Robot | Model, found: Diagnosis, where: str) -> Robot:
+    """Return a robot whose file a diagnosis corrects."""
+    robot = _robot(given)
     if not found.effects and found.verdict != "adequate":
         raise PkmodesError(
             f"there is no corrected robot to save: the verdict is {found.verdict}",
-            str(target),
+            where,
             "leave out --save-robot, or measure more",
         )
     if not Path(robot.source).is_file():
@@ -227,4 +245,4 @@ def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> No
         raise PkmodesError(
             what, "save_robot", "diagnose a robot read from a file, or write its values to one"
         )
-    save_corrected(Path(robot.source), Path(target), corrections(robot, found))
+    return robot

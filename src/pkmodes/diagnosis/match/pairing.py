@@ -138,6 +138,12 @@ class Pairer:
             values = self._compared(found - rigid, beside, alone, shapes, model, measured)
         return Pairing(found, values)
 
+    def macs(self, prediction: Prediction) -> Array:
+        """Return the MAC of each row with each elastic mode of its setup, (R, m); NaN without a shape."""
+        if not len(self.columns):
+            return np.full((len(self._log), prediction.shapes.shape[1] - prediction.rigid), np.nan)
+        return mac(*self._shapes(prediction))[self.pose, self._place]
+
     def differences(self, prediction: Prediction, pairing: Pairing) -> Array:
         """Return measured minus model in ln f, (R,); an unmatched mode counts as the reach of the pairing."""
         reach = self._criteria.reach

@@ -12,7 +12,8 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.match.pairing import Pairer, Pairing
-from pkmodes.diagnosis.problem import Array, Structure
+from pkmodes.diagnosis.match.predicted import Predicted
+from pkmodes.diagnosis.problem import Array, Prediction, Structure
 from pkmodes.diagnosis.search.score import Scores
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import held_out
@@ -20,6 +21,7 @@ from pkmodes.diagnosis.verdict.judgement import Judgement
 from pkmodes.diagnosis.verdict.next_measurement import next_measurement
 from pkmodes.diagnosis.verdict.notes import notes
 from pkmodes.diagnosis.verdict.result import (
+    Corrected,
     Diagnosis,
     Error,
     Examined,
@@ -27,6 +29,7 @@ from pkmodes.diagnosis.verdict.result import (
     Refitted,
     Row,
     Stability,
+    Stages,
     Value,
     Verdict,
 )
@@ -40,6 +43,7 @@ class Stage:
     values: Array
     frequencies: Array
     pairing: Pairing
+    prediction: Prediction
 
 
 class Report:
@@ -110,7 +114,7 @@ class Report:
             candidates=self.examined(outcome.first.scores),
             rows=self.rows(declared, refit, after, outlying),
             scatter=reported.scatter,
-            corrected=self.values(reported, reported.free),
+            corrected=self.corrected(reported),
             notes=(
                 *remarks,
                 *notes(store, reported, verdict in ("adequate", "effect_found")),
@@ -120,6 +124,7 @@ class Report:
             ),
             stability=stability,
             shape_scatter=store.shape_scatter(reported),
+            stages=self.stages(declared, refit, after),
         )
 
     def without_search(
@@ -153,10 +158,11 @@ class Report:
             candidates=(),
             rows=self.rows(declared, refit, None, nothing),
             scatter=0.0,
-            corrected=(),
+            corrected=() if fit is None else self.corrected(fit),
             notes=(*remarks, *(notes(store, fit, False) if fit is not None else ())),
             stability=stability,
             shape_scatter=None if fit is None else store.shape_scatter(fit),
+            stages=self.stages(declared, refit, None),
         )
 
     def findings(self, judged: Judgement) -> tuple[Finding, ...]:
@@ -171,7 +177,29 @@ class Report:
         prediction = self.structure.predict(values, ())
         pairing = self.pairer.pair(prediction, np.ones(len(self.data.lines), dtype=bool))
         logs = prediction.log_frequencies[self.data.pose, np.maximum(pairing.partner, 0)]
-        return Stage(values, np.where(pairing.partner >= 0, np.exp(logs), np.nan), pairing)
+        return Stage(values, np.where(pairing.partner >= 0, np.exp(logs), np.nan), pairing, prediction)
+
+    def sigma(self, stage: Stage) -> Array:
+        """Return the relative standard deviations of the frequencies, (R,), including position errors."""
+        data = self.data
+        variance: Array = (data.sigma / data.frequency) ** 2
+        moved = self.structure.position_rates(stage.values) if data.point_sigma.any() else None
+        if moved is not None:
+            rates = moved.log_rates[data.pose, np.maximum(stage.pairing.partner, 0)]
+            variance = variance + ((rates * data.point_sigma[data.pose]) ** 2).sum(axis=1)
+        return np.sqrt(variance)
+
+    def stages(self, before: Stage, refit: Stage | None, after: Stage | None) -> Stages:
+        """Return the stages beside the measurements."""
+
+        def beside(stage: Stage) -> Predicted:
+            return Predicted.of(self.pairer, self.data, stage.prediction, stage.pairing, self.sigma(stage))
+
+        return Stages(
+            beside(before),
+            None if refit is None else beside(refit),
+            None if after is None else beside(after),
+        )
 
     def chi2(self, values: Array) -> float:
         """Return the sum of squares without any fit."""
@@ -193,6 +221,26 @@ class Report:
         for i in index:
             p, k = self.fitter.parameters[i], fit.free.index(i)
             found.append(Value(p.name, float(fit.values[i]), float(np.sqrt(fit.covariance[k, k])), p.unit))
+        return tuple(found)
+
+    def corrected(self, fit: Fit) -> tuple[Corrected, ...]:
+        """Return all fitted parameters with their declared values and priors."""
+        width, found = self.fitter.priors.width(fit.values), []
+        for i, v in zip(fit.free, self.values(fit, fit.free), strict=True):
+            p, row = self.fitter.parameters[i], self.fitter.priors.of(i)
+            near = 1e-3 * max(abs(p.value), abs(v.value), p.sigma or 0.0)
+            bounds = [bound for bound in (p.lower, p.upper) if np.isfinite(bound) and bound != p.value]
+            found.append(
+                Corrected(
+                    name=v.name,
+                    value=v.value,
+                    sigma=v.sigma,
+                    unit=v.unit,
+                    declared=p.value,
+                    prior_sigma=None if row is None else float(width[row]),
+                    at_bound=any(abs(v.value - bound) <= near for bound in bounds),
+                )
+            )
         return tuple(found)
 
     def refitted(self, fit: Fit) -> tuple[Refitted, ...]:

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
+from pkmodes.diagnosis.match.predicted import Predicted
+
 Verdict = Literal["adequate", "effect_found", "ambiguous", "unexplained", "insufficient_data"]
 
 
@@ -17,6 +19,39 @@ class Value:
     value: float
     sigma: float
     unit: str
+
+
+@dataclass(frozen=True)
+class Corrected(Value):
+    """A parameter that the last stage of the model changed.
+
+    Attributes
+    ----------
+    declared : float
+    prior_sigma : float or None
+        Standard deviation of its declared value; None if it has none.
+    at_bound : bool
+        Whether the value is at a physical bound other than the declared value.
+    """
+
+    declared: float
+    prior_sigma: float | None
+    at_bound: bool
+
+
+@dataclass(frozen=True)
+class Stages:
+    """The model beside all measured modes, at each stage.
+
+    Attributes
+    ----------
+    before, refit, after : Predicted or None
+        As declared, with the nuisances refitted, and with the causes.
+    """
+
+    before: Predicted
+    refit: Predicted | None
+    after: Predicted | None
 
 
 @dataclass(frozen=True)
@@ -179,13 +214,15 @@ class Diagnosis:
     rows : tuple of Row
     scatter : float
         Relative error that the modes of a pose share; 0 if the data show none.
-    corrected : tuple of Value
+    corrected : tuple of Corrected
         Values of all parameters that the last stage changed, with their standard deviations.
     notes : tuple of str
         Notes on the data and the fit.
     stability : tuple of Stability
     shape_scatter : float or None
         Estimated scatter of the shapes without a stated error, relative to the largest component.
+    stages : Stages or None
+        Partners, differences and MAC of all measured modes, for figures; not part of the JSON.
     """
 
     verdict: Verdict
@@ -202,10 +239,11 @@ class Diagnosis:
     candidates: tuple[Examined, ...]
     rows: tuple[Row, ...]
     scatter: float
-    corrected: tuple[Value, ...]
+    corrected: tuple[Corrected, ...]
     notes: tuple[str, ...] = ()
     stability: tuple[Stability, ...] = ()
     shape_scatter: float | None = None
+    stages: Stages | None = field(default=None, compare=False, repr=False)
 
     def __str__(self) -> str:
         lines = [f"{self.verdict}: {self.reason}"]
@@ -281,7 +319,7 @@ class Diagnosis:
                     "name": c.name,
                     "p_value": c.p_value,
                     "detectable": c.detectable,
-                    "visible_from": {_key(v): {"value": v.value, "unit": v.unit} for v in c.visible_from},
+                    "visible_from": {key(v): {"value": v.value, "unit": v.unit} for v in c.visible_from},
                 }
                 for c in self.candidates
             ],
@@ -318,13 +356,13 @@ def _set(load: Mapping[str, float]) -> dict[str, object]:
     return {"set": dict(load)} if load else {}
 
 
-def _key(v: Value) -> str:
+def key(v: Value) -> str:
     """Return the last name of an effect's parameter (`compliance`), as in the robot file; else the whole path."""
     return v.name.split(".")[-1] if v.name.startswith("effects.") else v.name
 
 
 def _values(values: tuple[Value, ...]) -> dict[str, object]:
-    return {_key(v): {"value": v.value, "sigma": v.sigma, "unit": v.unit} for v in values}
+    return {key(v): {"value": v.value, "sigma": v.sigma, "unit": v.unit} for v in values}
 
 
 def _error(error: Error | None) -> dict[str, object] | None:

@@ -56,7 +56,7 @@ def _same_place(report: Report, stage: Stage) -> Iterator[str]:
     data = report.data
     if not data.points.any():  # setups without positions
         return
-    sigma = _errors(report, stage)
+    sigma = report.sigma(stage)
     order = np.argsort(data.points[:, 0], kind="stable")
     along = data.points[order, 0]
     ends = np.searchsorted(along, along + NEAR, side="right")
@@ -80,17 +80,6 @@ def _same_load(values: Array, others: Array) -> NDArray[np.bool_]:
     """Return whether all set values are the same; NaN is the declared value."""
     same: NDArray[np.bool_] = ((values == others) | (np.isnan(values) & np.isnan(others))).all(axis=-1)
     return same
-
-
-def _errors(report: Report, stage: Stage) -> Array:
-    """Return the relative standard deviations of the frequencies, (R,), including position errors."""
-    data = report.data
-    variance: Array = (data.sigma / data.frequency) ** 2
-    moved = report.structure.position_rates(stage.values) if data.point_sigma.any() else None
-    if moved is not None:
-        rates = moved.log_rates[data.pose, np.maximum(stage.pairing.partner, 0)]
-        variance = variance + ((rates * data.point_sigma[data.pose]) ** 2).sum(axis=1)
-    return np.sqrt(variance)
 
 
 def _difference(report: Report, stage: Stage, sigma: Array, one: int, other: int) -> float:

@@ -1,0 +1,74 @@
+"""A model beside the measurements: the partner of each measured mode, and how well frequency and shape agree."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.diagnosis.match.pairing import Pairer, Pairing
+from pkmodes.diagnosis.problem import Array, Prediction
+from pkmodes.measured.measurements import Measurements
+
+#: Modes above this multiple of the highest measured frequency only pad a setup that has fewer than others.
+FAR = 1e6
+
+
+@dataclass(frozen=True, eq=False)
+class Predicted:
+    """Predictions of one model for all R measured modes at S setups, with m elastic modes each.
+
+    Attributes
+    ----------
+    frequency : ndarray, shape (R,)
+        Frequency of the partner [Hz], NaN if the mode is unmatched.
+    mode : ndarray of int, shape (R,)
+        Number of the partner among the elastic modes of its setup, from 1; 0 if unmatched.
+    sigmas : ndarray, shape (R,)
+        ln(f_model / f_measured) in standard deviations of the measurement, including its position error; NaN if
+        unmatched.
+    mac : ndarray, shape (R,)
+        MAC with the partner, or with the subspace of the partners of close modes; NaN without shape or partner.
+    macs : ndarray, shape (R, m)
+        MAC with each elastic mode of the setup; NaN without shape.
+    spectrum : ndarray, shape (S, m)
+        Frequencies of the elastic modes of each setup [Hz], ascending; modes that pad a setup are NaN.
+    """
+
+    frequency: Array
+    mode: NDArray[np.intp]
+    sigmas: Array
+    mac: Array
+    macs: Array
+    spectrum: Array
+
+    @classmethod
+    def of(
+        cls, pairer: Pairer, data: Measurements, prediction: Prediction, pairing: Pairing, sigma: Array
+    ) -> Predicted:
+        """Return the predictions for paired measurements.
+
+        Parameters
+        ----------
+        pairer : Pairer
+        data : Measurements
+        prediction : Prediction
+        pairing : Pairing
+            Of all rows.
+        sigma : ndarray, shape (R,)
+            Standard deviations of ln f.
+        """
+        paired = pairing.partner >= 0
+        logs = prediction.log_frequencies
+        own = np.where(paired, logs[data.pose, np.maximum(pairing.partner, 0)], np.nan)
+        with np.errstate(over="ignore"):
+            spectrum = np.exp(logs[:, prediction.rigid :])
+        return cls(
+            frequency=np.exp(own),
+            mode=np.where(paired, pairing.partner - prediction.rigid + 1, 0),
+            sigmas=(own - np.log(data.frequency)) / sigma,
+            mac=pairing.mac,
+            macs=pairer.macs(prediction),
+            spectrum=np.where(spectrum < FAR * data.frequency.max(), spectrum, np.nan),
+        )

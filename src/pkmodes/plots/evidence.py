@@ -1,0 +1,148 @@
+"""What the figures of measured modes show: measurements with the model at one or two stages beside them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.diagnosis.compare import Comparison
+from pkmodes.diagnosis.match.predicted import Predicted
+from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.errors import PkmodesError, shown
+from pkmodes.measured.measurements import Measurements
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+#: Names of the stages of a model.
+DECLARED, REFITTED, CORRECTED = "as declared", "refitted", "with the cause"
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A stage of the model: its name in the JSON, its name for a person, and its predictions."""
+
+    key: str
+    title: str
+    predicted: Predicted
+
+    @property
+    def paired(self) -> Mask:
+        """Rows that have a partner, (R,)."""
+        return self.predicted.mode > 0
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """R measured modes at S setups, and the stages of the model.
+
+    Attributes
+    ----------
+    labels : tuple of str
+        Labels of the setups in the order of the measurements.
+    setup : ndarray of int, shape (R,)
+        Setup of each row.
+    measured, sigma : ndarray, shape (R,)
+        Frequencies and their standard deviations [Hz].
+    held_out, outlier : ndarray of bool, shape (R,)
+    stages : tuple of Stage
+        The declared model first; a comparison has no other.
+    points : ndarray, shape (S, d)
+        Poses in SI units; d = 0 where they are unknown or have no position.
+    components, units : tuple of str, length d
+    place : str
+        Noun for a setup.
+    """
+
+    labels: tuple[str, ...]
+    setup: NDArray[np.intp]
+    measured: Array
+    sigma: Array
+    held_out: Mask
+    outlier: Mask
+    stages: tuple[Stage, ...]
+    points: Array
+    components: tuple[str, ...]
+    units: tuple[str, ...]
+    place: str
+
+    @classmethod
+    def of(
+        cls, result: Diagnosis | Comparison, data: Measurements | None = None, place: str = "pose"
+    ) -> Evidence:
+        """Return what a result shows.
+
+        Parameters
+        ----------
+        result : Diagnosis or Comparison
+        data : Measurements, optional
+            The measurements that it is about: their poses are the axes of some figures.
+        place : str
+            Noun for a place of measurement, such as pose, or setup for a structure without positions.
+
+        Raises
+        ------
+        PkmodesError
+            If the measurements are others than those of the result.
+        """
+        labels = tuple(dict.fromkeys(row.pose for row in result.rows))
+        index = {label: i for i, label in enumerate(labels)}
+        if data is not None and (
+            data.labels != labels or data.frequency.tolist() != [row.measured for row in result.rows]
+        ):
+            what = f"expected the measurements of the result, found others ({shown(data.source)})"
+            raise PkmodesError(what, "data", "give those that were passed to diagnose or compare")
+        # A structure without positions has all of them at 0.
+        placed = None if data is None or not data.points.any() else data
+        return cls(
+            labels=labels,
+            setup=np.array([index[row.pose] for row in result.rows], dtype=np.intp),
+            measured=np.array([row.measured for row in result.rows]),
+            sigma=np.array([row.sigma for row in result.rows]),
+            held_out=np.array([getattr(row, "held_out", False) for row in result.rows], dtype=bool),
+            outlier=np.array([getattr(row, "outlier", False) for row in result.rows], dtype=bool),
+            stages=_stages(result),
+            points=np.empty((len(labels), 0)) if placed is None else placed.points,
+            components=() if placed is None else placed.components,
+            units=() if placed is None else placed.component_units,
+            place=place,
+        )
+
+    @property
+    def last(self) -> Stage:
+        """The last stage, which has the verdict."""
+        return self.stages[-1]
+
+    @cached_property
+    def modes(self) -> int:
+        """Number of elastic modes up to the highest that was measured, at least 1."""
+        return max(int(stage.predicted.mode.max(initial=1)) for stage in self.stages)
+
+    def difference(self, stage: Stage) -> Array:
+        """Return f_model / f_measured - 1, (R,), NaN if unmatched."""
+        return stage.predicted.frequency / self.measured - 1.0
+
+    def mode(self) -> NDArray[np.intp]:
+        """Return the mode of each row, (R,): that of its partner at the last stage that has one, 0 if none has."""
+        found = np.zeros(len(self.measured), dtype=np.intp)
+        for stage in self.stages:
+            found = np.where(stage.paired, stage.predicted.mode, found)
+        return found
+
+
+def _stages(result: Diagnosis | Comparison) -> tuple[Stage, ...]:
+    """Return the declared model, and the last stage of a diagnosis."""
+    if isinstance(result, Comparison):
+        return () if result.stage is None else (Stage("predicted", DECLARED, result.stage),)
+    stages = result.stages
+    if stages is None:
+        return ()
+    found = [Stage("before", DECLARED, stages.before)]
+    if stages.after is not None:
+        title = CORRECTED + ("s" if len(result.effects) > 1 else "")
+        found.append(Stage("after", title, stages.after))
+    elif stages.refit is not None:
+        found.append(Stage("refit", REFITTED, stages.refit))
+    return tuple(found)

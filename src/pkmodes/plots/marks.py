@@ -1,0 +1,117 @@
+"""How measured modes are marked in every figure, so that a legend has to be learnt once."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.plots.evidence import Evidence
+from pkmodes.plots.style import BLUE, GREY, INK, PURPLE, VERMILLION
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Array = NDArray[np.float64]
+#: From this number of marks on, they become an image inside the figure, which stays small.
+MANY = 1500
+#: Standard deviations within which a difference may be noise.
+NOISE = 2.0
+#: Longest label of an axis.
+LONGEST = 18
+#: Kinds of rows: fitted, held out, set aside, without a partner.
+FITTED: dict[str, Any] = {"marker": "o", "facecolor": BLUE, "edgecolor": BLUE, "label": "fitted"}
+HELD_OUT: dict[str, Any] = {
+    "marker": "D",
+    "facecolor": "none",
+    "edgecolor": BLUE,
+    "label": "held out",
+}
+OUTLIER: dict[str, Any] = {"marker": "X", "facecolor": PURPLE, "edgecolor": PURPLE, "label": "set aside"}
+UNMATCHED: dict[str, Any] = {"marker": "x", "facecolor": VERMILLION, "label": "unmatched"}
+COMPARED: dict[str, Any] = {**FITTED, "label": "measured mode"}
+
+
+def rows(axes: Axes, evidence: Evidence, x: Array, y: Array, size: float = 16.0) -> None:
+    """Mark each row at (x, y) by its kind; rows with a NaN are left out."""
+    shown = np.isfinite(x) & np.isfinite(y)
+    alone = len(evidence.stages) == 1
+    kinds = (
+        (~evidence.held_out & ~evidence.outlier, COMPARED if alone else FITTED),
+        (evidence.held_out & ~evidence.outlier, HELD_OUT),
+        (evidence.outlier, OUTLIER),
+    )
+    many = int(shown.sum()) > MANY
+    for some, kind in kinds:
+        chosen = shown & some
+        if chosen.any():
+            axes.scatter(
+                x[chosen],
+                y[chosen],
+                s=size / 3 if many else size,
+                linewidth=0.8,
+                zorder=3,
+                rasterized=many,
+                **kind,
+            )
+
+
+def legend(axes: Axes, **options: Any) -> None:
+    """Show a legend above the axes if there is more than one kind of marks."""
+    handles, labels = axes.get_legend_handles_labels()
+    first = dict(zip(reversed(labels), reversed(handles), strict=True))
+    names = list(dict.fromkeys(labels))
+    if len(names) > 1:
+        axes.legend(
+            [first[name] for name in names],
+            names,
+            loc="lower right",
+            bbox_to_anchor=(1.0, 1.0),
+            ncols=len(names),
+            columnspacing=1.2,
+            handletextpad=0.4,
+            **options,
+        )
+
+
+def zero(axes: Axes) -> None:
+    """Draw the line of no difference."""
+    axes.axhline(0.0, color=INK, linewidth=0.8, zorder=1)
+
+
+def zero_across(axes: Axes) -> None:
+    """Draw the line of no change of a figure with a horizontal scale."""
+    axes.axvline(0.0, color=INK, linewidth=0.8, zorder=1)
+
+
+def noise(axes: Axes, sigmas: Array) -> None:
+    """Shade the differences that noise explains, and scale the axis for all differences and somewhat more than noise.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+    sigmas : ndarray, shape (R,)
+        Differences in standard deviations.
+    """
+    axes.axhspan(-NOISE, NOISE, color=GREY, alpha=0.16, linewidth=0, zorder=0)
+    known = sigmas[np.isfinite(sigmas)]
+    most = 1.08 * max(1.5 * NOISE, float(np.abs(known).max(initial=0.0)))
+    axes.set_ylim(-most, most)
+
+
+def short(text: str, longest: int = LONGEST) -> str:
+    """Shorten a label for an axis."""
+    return text if len(text) <= longest else f"{text[: longest - 1]}\u2026"
+
+
+def setups(axes: Axes, evidence: Evidence, most: int = 30) -> None:
+    """Name the setups on the horizontal axis, or number them if there are many."""
+    labels = [short(label) for label in evidence.labels]
+    if len(labels) > most:
+        axes.set_xlabel(f"{evidence.place}, in the order of the measurements")
+        return
+    turned = len(labels) * max(map(len, labels)) > 90
+    axes.set_xticks(range(len(labels)), labels, rotation=90 if turned else 0)
+    axes.set_xlabel(evidence.place)
+    axes.grid(visible=False, axis="x")

@@ -1,0 +1,179 @@
+"""The parts of a report: sections of paragraphs, tables, figures and differences between files.
+
+They hold text for a person and exact numbers for a script; the templates only place them.  Text is arbitrary: the
+templates escape it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+#: Cells with at most this number of characters are not broken into lines.
+SHORT = 26
+Tone = Literal["good", "found", "open", "bad", "plain"]
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A cell of a table, or a value in a list.
+
+    Attributes
+    ----------
+    text : str
+        As shown.
+    value : float or None
+        The exact number, if it is one.
+    at : str
+        JSON pointer of that number in the output of ``--json``; empty if it is not in it.
+    strong : bool
+        Whether it is emphasised.
+    """
+
+    text: str
+    value: float | None = None
+    at: str = ""
+    strong: bool = False
+
+    @property
+    def short(self) -> bool:
+        """Whether it is short enough for one line on a small screen."""
+        return len(self.text) <= SHORT
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column of a table: its title with the unit, and whether it holds numbers."""
+
+    title: str
+    numbers: bool = True
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table; the first cell of each row names it.
+
+    Attributes
+    ----------
+    caption : str
+    columns : sequence of Column
+    rows : sequence of sequence of Cell
+    groups : sequence of (str, int)
+        Titles above several columns and how many; empty for none.
+    note : str
+        What the table leaves out.
+    """
+
+    caption: str
+    columns: Sequence[Column]
+    rows: Sequence[Sequence[Cell]]
+    groups: Sequence[tuple[str, int]] = ()
+    note: str = ""
+    kind: str = "table"
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A figure: an SVG element from `pkmodes.plots.svg.inline`, and what it shows."""
+
+    svg: str
+    caption: str
+    kind: str = "picture"
+
+
+@dataclass(frozen=True)
+class Paragraph:
+    """A sentence or more."""
+
+    text: str
+    kind: str = "paragraph"
+
+
+@dataclass(frozen=True)
+class Listing:
+    """A list of sentences."""
+
+    entries: Sequence[str]
+    kind: str = "listing"
+
+
+@dataclass(frozen=True)
+class Facts:
+    """Names with values."""
+
+    entries: Sequence[tuple[str, Sequence[Cell]]]
+    kind: str = "facts"
+
+
+@dataclass(frozen=True)
+class Difference:
+    """A unified difference of two texts, line by line."""
+
+    name: str
+    lines: Sequence[str]
+    kind: str = "difference"
+
+    @staticmethod
+    def sort(line: str) -> str:
+        """Return what a line does: ``added``, ``removed``, ``place`` or ``same``."""
+        if line.startswith(("---", "+++", "@@")):
+            return "place"
+        return {"+": "added", "-": "removed"}.get(line[:1], "same")
+
+
+@dataclass(frozen=True)
+class Foreign:
+    """Finished HTML from another module of pkmodes, which is placed as it is: the view in three dimensions."""
+
+    html: str
+    kind: str = "foreign"
+
+
+Block = Table | Picture | Paragraph | Listing | Facts | Difference | Foreign
+
+
+@dataclass(frozen=True)
+class Section:
+    """A section of a page.
+
+    Attributes
+    ----------
+    name : str
+        Its id: letters and hyphens.
+    title : str
+    blocks : sequence of Block
+    """
+
+    name: str
+    title: str
+    blocks: Sequence[Block]
+
+
+@dataclass(frozen=True)
+class Summary:
+    """The head of a page: what was found, before everything else.
+
+    Attributes
+    ----------
+    subject : str
+        What the page is about, such as the name of a robot.
+    kind : str
+        What was done, such as "Diagnosis".
+    verdict : str
+        The verdict as in the JSON; empty if there is none.
+    headline, reason : str
+    tone : str
+    notes : sequence of str
+    facts : sequence of (str, Cell)
+        The most important numbers.
+    """
+
+    subject: str
+    kind: str
+    verdict: str
+    headline: str
+    reason: str
+    tone: Tone
+    notes: Sequence[str] = ()
+    facts: Sequence[tuple[str, Cell]] = ()

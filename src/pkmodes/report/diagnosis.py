@@ -1,0 +1,125 @@
+"""The report of a diagnosis."""
+
+from __future__ import annotations
+
+from pkmodes.diagnosis.verdict.result import Diagnosis, key
+from pkmodes.plots.evidence import Evidence
+from pkmodes.report import explanations, figures, numbers
+from pkmodes.report.blocks import Cell, Section, Summary, Tone
+from pkmodes.report.correction import correction
+from pkmodes.report.mode_table import mode_table
+from pkmodes.report.origin import origin, view
+from pkmodes.report.page import page
+from pkmodes.report.setting import Setting
+from pkmodes.report.wording import clean, number, pointer, typeset, unit
+from pkmodes.report.words import words
+
+TONES: dict[str, Tone] = {
+    "adequate": "good",
+    "effect_found": "found",
+    "ambiguous": "open",
+    "unexplained": "bad",
+    "insufficient_data": "plain",
+}
+HEADLINES = {
+    "adequate": "The model is adequate",
+    "ambiguous": "Several explanations remain",
+    "unexplained": "The residual is not explained",
+    "insufficient_data": "Too few data to decide",
+}
+#: Most values of causes in the head.
+MOST = 4
+
+
+def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> str:
+    """Return the report of a diagnosis as HTML."""
+    causes = explanations.causes(result)
+    title = (
+        "Remaining explanations" if result.survivors else "Cause" + ("s" if len(result.effects) > 1 else "")
+    )
+    where = figures.pose_figures(evidence, setting)
+    sections = [
+        Section("errors", "Error before and after", numbers.errors(result)),
+        *([Section("causes", title, causes)] if causes else []),
+        Section("modes", "Measurement and model", figures.mode_figures(evidence, setting)),
+        *([Section("poses", "Differences against the pose", where)] if where else []),
+        Section("shapes", "Mode shapes", figures.shape_figures(evidence, setting)),
+        Section("candidates", "Candidates", explanations.candidates(result)),
+        Section("values", "Values before and after", numbers.values(result)),
+        *([Section("stability", "Stability", trials)] if (trials := numbers.stability(result)) else []),
+        Section("next", "Next measurement", numbers.next_measurement(result, setting)),
+        Section("correction", "Correction", correction(result, setting.robot)),
+        *view(setting),
+        Section("rows", "All measured modes", [mode_table(result, evidence, setting)]),
+        words(diagnosed=True),
+        _origin(result, evidence, setting),
+    ]
+    return page(_summary(result, evidence, setting), sections)
+
+
+def _summary(result: Diagnosis, evidence: Evidence, setting: Setting) -> Summary:
+    facts = [(name, cell) for name, cell in _facts(result) if cell.value is not None]
+    return Summary(
+        subject=clean(setting.subject),
+        kind="Diagnosis",
+        verdict=result.verdict,
+        headline=_headline(result),
+        reason=clean(_sentence(result.reason), None),
+        tone=TONES[result.verdict],
+        notes=[clean(_sentence(note), None) for note in result.notes],
+        facts=facts,
+    )
+
+
+def _headline(result: Diagnosis) -> str:
+    if not result.effects:
+        return HEADLINES[result.verdict]
+    names = " and ".join(clean(found.sentence or found.name) for found in result.effects)
+    return f"Cause found: {names}" if len(result.effects) == 1 else f"Causes found: {names}"
+
+
+def _sentence(text: str) -> str:
+    """Begin with a capital and end with a full stop."""
+    return f"{text[:1].upper()}{text[1:]}" + ("" if text.endswith((".", "?", "!")) else ".")
+
+
+def _facts(result: Diagnosis) -> list[tuple[str, Cell]]:
+    """Return the sizes of the causes, and the errors of the first and the last stage."""
+    found: list[tuple[str, Cell]] = []
+    for i, effect in enumerate(result.effects):
+        for value in effect.parameters:
+            text = f"{typeset(f'{value.value:.3g}')} {unit(value.unit)}".rstrip()
+            at = pointer("effects", i, "parameters", key(value), "value")
+            found.append((clean(key(value)), Cell(text, value.value, at)))
+    found = found[:MOST]
+    last = "after" if result.after is not None else "refit"
+    stages = {"before": (result.before, "as declared")}
+    stages[last] = (
+        (result.after, "with the cause") if result.after is not None else (result.refit, "refitted")
+    )
+    for name, (error, title) in stages.items():
+        if error is not None:
+            at = pointer("error", name, "rms_relative")
+            cell = numbers.percent(error.rms_relative, at)
+            found.append((f"rms difference {title} [%]", cell))
+    error = stages[last][0]
+    if error is not None:
+        held = error.held_out_rms_relative
+        at = pointer("error", last, "held_out_rms_relative")
+        found.append((f"rms of held-out poses {stages[last][1]} [%]", numbers.percent(held, at)))
+        form = ".3g" if error.chi2_per_dof < 999.5 else ".0f"
+        chi2 = number(error.chi2_per_dof, form, pointer("error", last, "chi2_per_dof"))
+        found.append((f"chi\u00b2 per degree of freedom {stages[last][1]}", chi2))
+    return found
+
+
+def _origin(result: Diagnosis, evidence: Evidence, setting: Setting) -> Section:
+    more: list[tuple[str, list[Cell]]] = []
+    if result.scatter:
+        at = pointer("pose_scatter")
+        common = number(result.scatter, ".2g", at, scale=100.0)
+        more.append(("error common to the modes of a pose [%]", [common]))
+    if result.shape_scatter is not None:
+        scatter = number(result.shape_scatter, ".2g", pointer("shape_scatter"), scale=100.0)
+        more.append(("estimated scatter of the shapes [%]", [scatter]))
+    return origin(evidence, setting, more)

@@ -1,0 +1,155 @@
+"""The candidates of a diagnosis: the causes found, what remains, all scores, and what the data would not show."""
+
+from __future__ import annotations
+
+from pkmodes.diagnosis.verdict.result import Diagnosis, Finding, key
+from pkmodes.plots import scores
+from pkmodes.plots.svg import inline
+from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Table
+from pkmodes.report.wording import clean, number, p_value, plural, pointer, unit
+
+#: Most candidates in the table; more than any robot has.
+MOST = 200
+
+
+def causes(result: Diagnosis) -> list[Block]:
+    """Return the causes found with their classes, or the explanations that remain."""
+    found: list[Block] = []
+    for i, effect in enumerate(result.effects):
+        entries: list[tuple[str, list[Cell]]] = [("Cause", [Cell(clean(effect.name), strong=True)])]
+        if effect.sentence:
+            entries.append(("What it is", [Cell(clean(effect.sentence, None))]))
+        entries.append(("p-value", [p_value(effect.p_value, pointer("effects", i, "p_value"))]))
+        found += [Facts(entries), _members(effect, i)]
+        if len(effect.members) > 1:
+            found.append(
+                Paragraph(
+                    "These data cannot tell the members of this class from one another: each explains the "
+                    "measurements as well, with the value in its row. The correction has the first."
+                )
+            )
+    if result.survivors:
+        found.append(Paragraph("These explanations remain; the data do not decide between them:"))
+        found.append(Listing([" or ".join(map(clean, group)) for group in result.survivors]))
+    return found
+
+
+def _members(effect: Finding, i: int) -> Table:
+    """Return the values of the cause, and of each other member of its class if it were the cause."""
+    rows = []
+    for member in effect.members:
+        for value in effect.alternatives[member]:
+            at = ("effects", i, "alternatives", member, key(value))
+            rows.append(
+                [
+                    Cell(clean(member)),
+                    Cell(clean(value.name)),
+                    number(value.value, ".4g", pointer(*at, "value")),
+                    number(value.sigma, ".2g", pointer(*at, "sigma")),
+                    Cell(unit(value.unit)),
+                ]
+            )
+    columns = [Column("cause", False), Column("parameter", False), Column("value"), Column("\u03c3")]
+    caption = (
+        "Size of the cause."
+        if len(effect.members) == 1
+        else "The class: each member as if it were the cause."
+    )
+    return Table(caption, [*columns, Column("unit", False)], rows)
+
+
+def candidates(result: Diagnosis) -> list[Block]:
+    """Return all candidates with their scores, classes and smallest visible sizes."""
+    if not result.candidates:
+        return [Paragraph("No candidate was tested."), *_undetectable(result)]
+    figure = scores.candidates(result)
+    best = min(result.candidates, key=lambda one: one.p_value)
+    found: list[Block] = []
+    if figure is not None:
+        name = clean(best.name)
+        found.append(
+            Picture(
+                inline(
+                    figure,
+                    "Scores of the candidates",
+                    f"{plural(len(result.candidates), 'candidate')} by the p-value of their score; the most "
+                    f"significant is {name}.",
+                ),
+                "Scores of the candidates: how clearly the residual of the refitted model points at each. The score "
+                "only shortlists: the choice is made by refitting, so the longest line need not be the cause. Open "
+                "marks would not be detectable with these data.",
+            )
+        )
+    return [*found, _table(result), *_undetectable(result)]
+
+
+def _table(result: Diagnosis) -> Table:
+    order = sorted(range(len(result.candidates)), key=lambda k: result.candidates[k].p_value)
+    rows = []
+    for k in order[:MOST]:
+        one = result.candidates[k]
+        at = ("candidates", k)
+        sizes = one.visible_from or (None,)
+        for value in sizes:
+            seen = ("visible_from", key(value), "value") if value is not None else ()
+            rows.append(
+                [
+                    Cell(clean(one.name)),
+                    Cell(_standing(result, one.name)),
+                    p_value(one.p_value, pointer(*at, "p_value")),
+                    number(
+                        None if value is None else value.value, ".2g", pointer(*at, *seen) if seen else ""
+                    ),
+                    Cell("" if value is None else unit(value.unit)),
+                    Cell("" if value is None or len(sizes) == 1 else clean(key(value))),
+                    Cell("yes" if one.detectable else "no"),
+                ]
+            )
+    several = any(len(one.visible_from) > 1 for one in result.candidates)
+    columns = [Column("candidate", False), Column("standing", False), Column("p of its score")]
+    columns += [
+        Column("visible from"),
+        Column("unit", False),
+        Column("of", False),
+        Column("detectable", False),
+    ]
+    # Columns that would be the same for all: which parameter, if each has one; the standing, if nothing was found.
+    kept = [c for c in range(7) if (c != 5 or several) and (c != 1 or result.effects or result.survivors)]
+    rows, columns = [[row[c] for c in kept] for row in rows], [columns[c] for c in kept]
+    left = len(result.candidates) - MOST
+    note = (
+        f"{plural(left, 'more candidate')} with larger p-values: see --json, under candidates."
+        if left > 0
+        else ""
+    )
+    caption = (
+        "Candidates, the most significant score first. Visible from: the smallest change that these data would "
+        "probably show (5 \u03c3)."
+    )
+    return Table(caption, columns, rows, note=note)
+
+
+def _standing(result: Diagnosis, name: str) -> str:
+    """Return what became of a candidate."""
+    for effect in result.effects:
+        if name == effect.name:
+            return "found"
+        if name in effect.members:
+            return "same class"
+    for i, group in enumerate(result.survivors, start=1):
+        if any(name in each.split(" + ") for each in group):
+            return f"remains ({i})"
+    return "not claimed"
+
+
+def _undetectable(result: Diagnosis) -> list[Block]:
+    """Return what these data would not show, also of a size that moves a frequency by a tenth."""
+    if not result.undetectable:
+        return []
+    return [
+        Paragraph(
+            "Not detectable with these data, even if they moved a measured frequency by 10 %. Nothing is said about "
+            "them:"
+        ),
+        Listing([clean(name) for name in result.undetectable]),
+    ]

@@ -1,0 +1,139 @@
+"""The figures of measured modes, with captions for readers and descriptions for those who do not see them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pkmodes.plots import differences, shapes, spectrum
+from pkmodes.plots.evidence import Evidence
+from pkmodes.plots.svg import inline
+from pkmodes.report.blocks import Block, Paragraph, Picture
+from pkmodes.report.setting import Setting
+from pkmodes.report.wording import clean, plural, typeset
+
+MARKS = "Filled dots were fitted, open diamonds are held out, purple crosses were set aside."
+
+
+def mode_figures(evidence: Evidence, setting: Setting) -> list[Block]:
+    """Return the measured modes beside the model: frequencies, differences by mode and by pose."""
+    if not evidence.stages:
+        return [Paragraph("The result has no predictions to show.")]
+    count = plural(len(evidence.measured), "measured mode")
+    where = plural(len(evidence.labels), evidence.place)
+    single = len(evidence.stages) == 1
+    found: list[Block] = [
+        Picture(
+            inline(
+                spectrum.spectrum(evidence),
+                f"Frequencies at each {evidence.place}",
+                f"{count} at {where}, with the modes of the model as lines. {_unmatched(evidence)}",
+            ),
+            f"Frequencies at each {evidence.place}: marks are measured, lines are the modes of the model. A line "
+            f"without a mark is a mode that was not measured. {_unmatched(evidence)}",
+        )
+    ]
+    if not any(stage.paired.any() for stage in evidence.stages):
+        return [
+            *found,
+            Paragraph("No measured mode has a partner in the model, so there are no differences."),
+        ]
+    found.append(
+        Picture(
+            inline(
+                differences.by_mode(evidence),
+                "Differences by mode",
+                f"Model divided by measurement, minus 1, for each mode of the model. {_rms(evidence)}",
+            ),
+            f"Differences by mode: model / measurement \u2212 1. Each mark is one {evidence.place}, the bar is their "
+            "median. A bar away from 0 is what the model gets wrong everywhere; scatter about it is noise or depends "
+            f"on the {evidence.place}.{'' if single else ' Both panels have the same scale. ' + MARKS}",
+        )
+    )
+    found.append(
+        Picture(
+            inline(
+                differences.by_setup(evidence),
+                f"Differences by {evidence.place}",
+                f"Differences in standard deviations of the measurement at {where}. {_largest(evidence)}",
+            ),
+            f"Differences by {evidence.place}, in standard deviations \u03c3 of the measurement. In the shaded band, "
+            f"\u00b12 \u03c3, the difference may be noise."
+            f"{'' if single else ' The scales of the panels differ.'}",
+        )
+    )
+    return found
+
+
+def pose_figures(evidence: Evidence, setting: Setting) -> list[Block]:
+    """Return the residual against the components of the pose; nothing where the poses are unknown."""
+    figure = differences.against_pose(evidence) if _paired(evidence) else None
+    if figure is None:
+        return []
+    names = ", ".join(evidence.components)
+    return [
+        Picture(
+            inline(
+                figure,
+                "Differences against the pose",
+                f"Differences in standard deviations against the pose components {names}. {_largest(evidence)}",
+            ),
+            f"Differences against {names}. A slope or a curve means that what is missing depends on the position; "
+            "without one, look for a cause that acts everywhere.",
+        )
+    ]
+
+
+def shape_figures(evidence: Evidence, setting: Setting) -> list[Block]:
+    """Return the MAC matrices, or a sentence where no shapes were measured."""
+    figure = shapes.mac_matrices(evidence) if _paired(evidence) else None
+    if figure is None:
+        return [Paragraph("No mode shapes were measured, or none belongs to a mode of the model.")]
+    mac = evidence.last.predicted.mac
+    lowest = f"{np.nanmin(mac):.3f}"
+    worst = shapes.worst_setup(evidence)
+    label = "" if worst is None else clean(evidence.labels[worst])
+    return [
+        Picture(
+            inline(
+                figure,
+                "MAC matrices",
+                "Modal assurance criterion of measured shapes and modes of the model. The lowest of a pair is "
+                f"{lowest}, at {evidence.place} {label}.",
+            ),
+            "MAC matrices: 1 is the same shape, 0 a shape with nothing in common. Light cells on the diagonal alone "
+            "mean that every measured shape is that of its mode; a light cell beside it, that the measured points "
+            "hardly tell the two modes apart, or that they changed places. Rows are the measured modes, numbered as "
+            f"their partners. Bottom: the {evidence.place} with the lowest MAC of a pair, {lowest}.",
+        )
+    ]
+
+
+def _paired(evidence: Evidence) -> bool:
+    return any(stage.paired.any() for stage in evidence.stages)
+
+
+def _unmatched(evidence: Evidence) -> str:
+    count = int((~evidence.last.paired).sum())
+    return (
+        f"{plural(count, 'measured mode')} without a partner in the model."
+        if count
+        else "Every measured mode has a partner."
+    )
+
+
+def _rms(evidence: Evidence) -> str:
+    parts = []
+    for stage in evidence.stages:
+        some = evidence.difference(stage)[stage.paired & ~evidence.outlier]
+        if len(some):
+            parts.append(f"{stage.title}: rms {100 * np.sqrt(np.mean(some**2)):.2g} %")
+    return "; ".join(parts)
+
+
+def _largest(evidence: Evidence) -> str:
+    parts = []
+    for stage in evidence.stages:
+        if stage.paired.any():
+            away = typeset(f"{np.nanmax(np.abs(stage.predicted.sigmas)):.2g}")
+            parts.append(f"largest {stage.title}: {away} standard deviations")
+    return "; ".join(parts)

@@ -1,0 +1,71 @@
+"""Make the report of a result."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from pkmodes.diagnosis.compare import Comparison
+from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.errors import PkmodesError, shown
+from pkmodes.measured.measurements import Measurements
+from pkmodes.model import Model
+from pkmodes.plots.evidence import Evidence
+from pkmodes.report.comparison import comparison_page
+from pkmodes.report.diagnosis import diagnosis_page
+from pkmodes.report.page import need_report
+from pkmodes.report.setting import Setting
+from pkmodes.report.sources import Source, known_sources
+from pkmodes.robot.robot import Robot
+
+
+def report(
+    result: Diagnosis | Comparison,
+    *,
+    robot: Robot | Model | None = None,
+    data: Measurements | None = None,
+    title: str | None = None,
+    sources: Sequence[Source] | None = None,
+    view: str | None = None,
+) -> str:
+    """Return a report as one HTML page that needs no other file and no network.
+
+    The same result always gives the same text.
+
+    Parameters
+    ----------
+    result : Diagnosis or Comparison
+        From `pkmodes.updating` or `pkmodes.diagnosis`.
+    robot : Robot or Model, optional
+        The robot, for its name, units, and the correction of its file.
+    data : Measurements, optional
+        The measurements of the result, for figures against the pose.
+    title : str, optional
+        What was measured; by default the name of the robot.
+    sources : sequence of Source, optional
+        The input files, by default those that the robot and the measurements were read from.
+    view : str, optional
+        HTML of a view in three dimensions, which is placed as it is.
+
+    Raises
+    ------
+    MissingExtraError
+        If the libraries of the extra ``report`` are not installed.
+    PkmodesError
+        If the result is of another kind, or the measurements are not those of the result.
+    """
+    need_report()
+    if not isinstance(result, Diagnosis | Comparison):
+        remedy = "give what pkmodes.updating.diagnose or compare returns"
+        raise PkmodesError(f"expected a diagnosis or a comparison, found {shown(result)}", "result", remedy)
+    if not result.rows:
+        raise PkmodesError("expected a result with rows, found none", "result", "measure at least one mode")
+    own = robot.robot if isinstance(robot, Model) else robot
+    if sources is None:
+        places = [] if own is None else [("robot file", own.source)]
+        sources = known_sources([*places, *([] if data is None else [("measurement file", data.source)])])
+    subject = title if title is not None else "Structure" if own is None else own.name
+    setting = Setting(subject, own, data, tuple(sources), view)
+    evidence = Evidence.of(result, data, "setup" if own is None else "pose")
+    if isinstance(result, Comparison):
+        return comparison_page(result, evidence, setting)
+    return diagnosis_page(result, evidence, setting)

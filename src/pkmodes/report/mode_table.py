@@ -1,0 +1,109 @@
+"""The table of all measured modes with the model beside them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pkmodes.diagnosis.compare import ComparedRow, Comparison
+from pkmodes.diagnosis.verdict.result import Diagnosis, Row
+from pkmodes.plots.evidence import Evidence
+from pkmodes.report.blocks import Cell, Column, Table
+from pkmodes.report.setting import Setting
+from pkmodes.report.wording import clean, hertz, number, plural, pointer
+
+#: Most rows on the page: beyond that, those that differ most.
+MOST = 300
+#: Names of the measured columns in the JSON of a diagnosis and of a comparison.
+MEASURED = {Diagnosis: ("frequency_hz", "sigma_hz"), Comparison: ("measured", "sigma")}
+
+
+def mode_table(result: Diagnosis | Comparison, evidence: Evidence, setting: Setting) -> Table:
+    """Return all measured modes in the order of their poses, or the worst first if there are many."""
+    rows: list[Row | ComparedRow] = [*result.rows]
+    chosen, note = _order(evidence), ""
+    if len(rows) > MOST:
+        chosen = _worst(evidence)[:MOST]
+        note = (
+            f"The table has the {MOST} measured modes that differ most from the model, the worst first. All "
+            f"{plural(len(rows), 'mode')} are in the output of --json, under rows."
+        )
+    own = any(row.mode for row in rows)
+    shapes = any(row.mac is not None for row in rows)
+    loads = any(row.load for row in rows)
+    remarks = [_remark(row, evidence, i) for i, row in enumerate(rows)]
+    columns = [Column(evidence.place, numbers=False), Column("line")]
+    columns += [Column("own", numbers=False)] if own else []
+    columns += [Column("mode"), Column("f [Hz]"), Column("\u03c3 [Hz]")]
+    groups = [("", 3 + own), ("measured", 2)]
+    for stage in evidence.stages:
+        columns += [Column("f [Hz]"), Column("diff. [%]"), Column("diff. [\u03c3]")]
+        groups.append((f"model {stage.title}", 3))
+    columns += [Column("MAC")] if shapes else []
+    columns += [Column("remark", numbers=False)] if any(remarks) else []
+    columns += [Column("set", numbers=False)] if loads else []
+    rest = shapes + any(remarks) + loads
+    groups += [("", rest)] if rest else []
+    lines = []
+    for i in chosen:
+        row = rows[i]
+        cells = [Cell(clean(row.pose)), Cell(str(row.line), row.line, pointer("rows", i, "line"))]
+        cells += [Cell(clean(row.mode))] if own else []
+        cells += _numbers(result, evidence, i)
+        cells += [number(row.mac, ".3f", pointer("rows", i, "mac"))] if shapes else []
+        cells += [Cell(remarks[i])] if any(remarks) else []
+        cells += [Cell(setting.load(row.load))] if loads else []
+        lines.append(cells)
+    caption = "Measured modes and the model; differences are model minus measurement."
+    return Table(caption, columns, lines, groups, note)
+
+
+def _numbers(result: Diagnosis | Comparison, evidence: Evidence, i: int) -> list[Cell]:
+    """Return the mode, the measured frequency, and the model at each stage of one row."""
+    row = result.rows[i]
+    mode = int(evidence.mode()[i]) if evidence.stages else 0
+    frequency, sigma = MEASURED[type(result)]
+    cells = [
+        Cell(str(mode) if mode else "none"),
+        hertz(row.measured, pointer("rows", i, frequency)),
+        hertz(row.sigma, pointer("rows", i, sigma)),
+    ]
+    compared = isinstance(row, ComparedRow)
+    for stage in evidence.stages:
+        predicted = row.predicted if isinstance(row, ComparedRow) else getattr(row, stage.key)
+        relative = float(evidence.difference(stage)[i])
+        sigmas = float(stage.predicted.sigmas[i])
+        key = "predicted" if compared else f"{stage.key}_hz"
+        cells += [
+            hertz(predicted, pointer("rows", i, key)),
+            number(row.residual, "+.2f", pointer("rows", i, "residual"), scale=100.0)
+            if isinstance(row, ComparedRow)
+            else number(relative, "+.2f", scale=100.0),
+            number(row.sigmas, "+.1f", pointer("rows", i, "sigmas"))
+            if isinstance(row, ComparedRow)
+            else number(sigmas, "+.1f"),
+        ]
+    return cells
+
+
+def _remark(row: Row | ComparedRow, evidence: Evidence, i: int) -> str:
+    words = []
+    if isinstance(row, Row):
+        words += ["held out"] * row.held_out + ["set aside"] * row.outlier
+    if evidence.stages and not evidence.last.paired[i]:
+        words.append("unmatched")
+    return ", ".join(words)
+
+
+def _order(evidence: Evidence) -> list[int]:
+    """Return the rows by pose and frequency."""
+    found: list[int] = np.lexsort((evidence.measured, evidence.setup)).tolist()
+    return found
+
+
+def _worst(evidence: Evidence) -> list[int]:
+    """Return the rows by their difference at the last stage, unmatched ones first."""
+    if not evidence.stages:
+        return _order(evidence)
+    away = np.abs(evidence.last.predicted.sigmas)
+    found: list[int] = np.argsort(-np.where(np.isnan(away), np.inf, away), kind="stable").tolist()
+    return found

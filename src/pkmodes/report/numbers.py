@@ -1,0 +1,164 @@
+"""The numbers of a diagnosis: errors of the stages, values before and after, stability, the next measurement."""
+
+from __future__ import annotations
+
+from pkmodes.diagnosis.verdict.result import Corrected, Diagnosis, Error, key
+from pkmodes.plots import scores
+from pkmodes.plots.svg import inline
+from pkmodes.report.blocks import Block, Cell, Column, Facts, Paragraph, Picture, Table
+from pkmodes.report.setting import Setting
+from pkmodes.report.wording import NOTHING, clean, number, plural, pointer, unit
+
+STAGES = {
+    "before": "before: as declared",
+    "refit": "refit of the uncertain values only",
+    "after": "after: with the cause",
+}
+CHANGES = {
+    "sigma x 0.5": "\u03c3 halved",
+    "sigma x 2": "\u03c3 doubled",
+    "priors x 2": "priors twice as wide",
+}
+
+
+def errors(result: Diagnosis) -> list[Block]:
+    """Return the errors of the stages, over fitted and held-out rows."""
+    stages: dict[str, Error | None] = {"before": result.before, "refit": result.refit, "after": result.after}
+    last = [name for name, error in stages.items() if error is not None][-1:]
+    rows = []
+    for name, error in stages.items():
+        if error is None:
+            continue
+        at, strong = ("error", name), name in last
+        title = STAGES[name] + ("s" if name == "after" and len(result.effects) > 1 else "")
+        held = error.held_out_rms_relative
+        form = ".3g" if error.chi2_per_dof < 999.5 else ".0f"
+        rows.append(
+            [
+                Cell(title, strong=strong),
+                percent(error.rms_relative, pointer(*at, "rms_relative"), strong),
+                percent(held, pointer(*at, "held_out_rms_relative"), strong),
+                number(error.chi2_per_dof, form, pointer(*at, "chi2_per_dof"), strong=strong),
+            ]
+        )
+    columns = [Column("model", False), Column("rms, fitted [%]"), Column("rms, held out [%]")]
+    caption = "Errors of the model: rms of model / measurement \u2212 1, and chi\u00b2 per degree of freedom."
+    found: list[Block] = [Table(caption, [*columns, Column("chi\u00b2 per dof")], rows)]
+    if result.held_out_poses:
+        shown = ", ".join(map(clean, result.held_out_poses[:20]))
+        more = f" and {len(result.held_out_poses) - 20} more" if len(result.held_out_poses) > 20 else ""
+        found.append(
+            Paragraph(
+                f"Held out, so that no choice and no fit has seen them: {shown}{more}. Their error is that of a "
+                "prediction."
+            )
+        )
+    return found
+
+
+def percent(relative: float | None, at: str = "", strong: bool = False) -> Cell:
+    """Return a relative error in per cent."""
+    return number(relative, ".3f", at, scale=100.0, strong=strong)
+
+
+def values(result: Diagnosis) -> list[Block]:
+    """Return the fitted values, with what was declared about them."""
+    if not result.corrected:
+        return [Paragraph("No value was uncertain, and none was fitted.")]
+    rows = [_value(result, value) for value in result.corrected]
+    columns = [Column("value", False), Column("role", False), Column("before"), Column("after")]
+    columns += [
+        Column("\u03c3 after"),
+        Column("unit", False),
+        Column("prior \u03c3"),
+        Column("moved [prior \u03c3]"),
+    ]
+    caption = "Fitted values: as declared, and after the fit with their standard deviations."
+    found: list[Block] = [Table(caption, [*columns, Column("at a bound", False)], rows)]
+    figure = scores.pulls(result.corrected)
+    if figure is not None:
+        count = plural(sum(v.prior_sigma is not None for v in result.corrected), "value")
+        found.append(
+            Picture(
+                inline(
+                    figure,
+                    "Movement of the uncertain values",
+                    f"{count} with a prior, and how far each moved.",
+                ),
+                "How far the fit moved each uncertain value, in standard deviations of its prior. Beyond 3 the "
+                "declared value or its sigma is wrong, or the value makes up for a cause; a bar as wide as the "
+                "shaded prior means that the data say nothing about it.",
+            )
+        )
+    return found
+
+
+def _value(result: Diagnosis, value: Corrected) -> list[Cell]:
+    """Return a row; its numbers are in the JSON under refitted, or with the cause."""
+    before, after, sigma = "", "", ""
+    role = "fitted"
+    if any(refitted.name == value.name for refitted in result.refitted):
+        role = "uncertain"
+        before, after, sigma = (
+            pointer("refitted", value.name, name) for name in ("before", "after", "sigma")
+        )
+    for i, effect in enumerate(result.effects):
+        if any(own.name == value.name for own in effect.parameters):
+            role = "cause"
+            at = ("effects", i, "parameters", key(value))
+            after, sigma = pointer(*at, "value"), pointer(*at, "sigma")
+    prior = value.prior_sigma
+    return [
+        Cell(clean(value.name)),
+        Cell(role),
+        number(value.declared, ".6g", before),
+        number(value.value, ".6g", after),
+        number(value.sigma, ".2g", sigma),
+        Cell(unit(value.unit)),
+        number(prior, ".2g"),
+        number((value.value - value.declared) / prior if prior else None, "+.1f"),
+        Cell("yes" if value.at_bound else "no"),
+    ]
+
+
+def stability(result: Diagnosis) -> list[Block]:
+    """Return what the verdict becomes with other errors or priors."""
+    if not result.stability:
+        return []
+    rows = [
+        [
+            Cell(CHANGES.get(s.change, s.change)),
+            Cell(s.verdict),
+            Cell(", ".join(map(clean, s.effects)) or NOTHING),
+        ]
+        for s in result.stability
+    ]
+    columns = [Column("change", False), Column("verdict", False), Column("best explanation", False)]
+    return [
+        Table("The explanations tried, fitted again with other errors and priors.", columns, rows),
+        Paragraph(
+            "With halved \u03c3, unexplained is normal where the stated errors are right: the residual is then too "
+            "large for them."
+        ),
+    ]
+
+
+def next_measurement(result: Diagnosis, setting: Setting) -> list[Block]:
+    """Return where two remaining explanations differ most; nothing if nothing is left to separate."""
+    proposed = result.next_measurement
+    if proposed is None:
+        return [Paragraph("Nothing is left that another measurement at a pose nearby would separate.")]
+    at = "next_measurement"
+    entries: list[tuple[str, list[Cell]]] = [
+        (f"{name} [{unit(symbol)}]" if unit(symbol) else name, [number(value, ".4f", pointer(at, "pose", k))])
+        for k, ((name, symbol), value) in enumerate(
+            zip(setting.components(len(proposed.pose)), proposed.pose, strict=True)
+        )
+    ]
+    if proposed.load:
+        entries.append(("set", [Cell(setting.load(proposed.load))]))
+    one, other = map(clean, proposed.separates)
+    entries.append(("separates", [Cell(f"{one} and {other}")]))
+    sigmas = number(proposed.sigmas, ".0f", pointer(at, "sigmas"))
+    entries.append(("by", [sigmas, Cell("standard deviations")]))
+    return [Paragraph("Measure next here, where two remaining explanations differ most:"), Facts(entries)]

@@ -1,0 +1,50 @@
+"""The last section of a report: which data and which version it comes from."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from pkmodes import __version__
+from pkmodes.plots.evidence import Evidence
+from pkmodes.report.blocks import Block, Cell, Facts, Foreign, Paragraph, Section
+from pkmodes.report.setting import Setting
+from pkmodes.report.wording import clean, plural
+
+
+def origin(evidence: Evidence, setting: Setting, more: Sequence[tuple[str, Sequence[Cell]]] = ()) -> Section:
+    """Return data and versions.
+
+    Parameters
+    ----------
+    evidence : Evidence
+    setting : Setting
+    more : sequence of (str, sequence of Cell)
+        Further facts.
+    """
+    entries: list[tuple[str, Sequence[Cell]]] = []
+    for source in setting.sources:
+        entries.append((source.role, [Cell(clean(source.name))]))
+        entries.append((f"SHA-256 of the {source.role}", [Cell(source.digest)]))
+    if setting.robot is not None:
+        entries.append(("mechanism", [Cell(clean(setting.robot.kind.title))]))
+    rows = (
+        f"{plural(len(evidence.measured), 'measured mode')} at {plural(len(evidence.labels), evidence.place)}"
+    )
+    entries.append(("measurements", [Cell(rows)]))
+    if setting.data is not None and setting.data.band is not None:
+        low, high = setting.data.band
+        entries.append(("band", [Cell(f"{low:g} Hz to {high:g} Hz")]))
+    entries += more
+    entries.append(("pkmodes", [Cell(__version__)]))
+    return Section("origin", "Data and versions", [Facts(entries)])
+
+
+def view(setting: Setting) -> list[Section]:
+    """Return the section of the view in three dimensions, which is made elsewhere; none without it."""
+    if setting.view is None:
+        return []
+    blocks: list[Block] = [
+        Paragraph("The machine and its modes. It moves on a screen; a printed page leaves it out."),
+        Foreign(setting.view),
+    ]
+    return [Section("view", "In three dimensions", blocks)]

@@ -1,0 +1,71 @@
+"""One self-contained HTML page from its sections, by Jinja2 templates that hold no mathematics."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+from importlib.resources import files
+from typing import TYPE_CHECKING
+
+from pkmodes import __version__
+from pkmodes.errors import MissingExtraError
+from pkmodes.plots.style import need_matplotlib
+from pkmodes.report.blocks import Section, Summary
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+
+TEMPLATES, PAGE, STYLE = "templates", "page.html.j2", "style.css"
+
+
+def need_report() -> None:
+    """Refuse to make a report without the libraries for it.
+
+    Raises
+    ------
+    MissingExtraError
+    """
+    try:
+        import jinja2  # noqa: F401
+    except ImportError as error:
+        raise MissingExtraError(
+            f"{error.name or 'jinja2'} is not installed; reports need it",
+            "optional dependency",
+            "install it with: pip install 'pkmodes[report]'",
+        ) from None
+    need_matplotlib("reports", "report")
+
+
+def page(summary: Summary, sections: Sequence[Section]) -> str:
+    """Return a page as HTML that needs no other file and no network.
+
+    Parameters
+    ----------
+    summary : Summary
+        Its head.
+    sections : sequence of Section
+        In the order of the page.
+
+    Raises
+    ------
+    MissingExtraError
+        If Jinja2 or matplotlib is not installed.
+    """
+    need_report()
+    template = _environment().get_template(PAGE)
+    style = (files(__package__) / TEMPLATES / STYLE).read_text(encoding="utf-8")
+    return template.render(summary=summary, sections=list(sections), style=style, version=__version__)
+
+
+@cache
+def _environment() -> Environment:
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
+    return Environment(
+        loader=PackageLoader(__package__, TEMPLATES),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )

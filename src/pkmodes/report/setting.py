@@ -1,0 +1,56 @@
+"""What a report knows besides the result: the robot, its measurements and files, and how they are named."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from pkmodes.measured.measurements import Measurements
+from pkmodes.report.sources import Source
+from pkmodes.report.wording import clean, typeset, unit
+from pkmodes.robot.robot import Robot
+from pkmodes.updating.load_cases import settable
+
+
+@dataclass(frozen=True)
+class Setting:
+    """The circumstances of a result.
+
+    Attributes
+    ----------
+    subject : str
+        What was measured: the name of the robot or structure.
+    robot : Robot or None
+    data : Measurements or None
+    sources : tuple of Source
+    view : str or None
+        HTML of the view in three dimensions.
+    """
+
+    subject: str
+    robot: Robot | None
+    data: Measurements | None
+    sources: tuple[Source, ...]
+    view: str | None
+
+    @cached_property
+    def _units(self) -> dict[str, str]:
+        return {} if self.robot is None else settable(self.robot.kind)
+
+    def load(self, load: Mapping[str, float]) -> str:
+        """Return the values set at a pose as text."""
+        return ", ".join(
+            f"{clean(path)} = {typeset(f'{value:g}')} {unit(self._units.get(path, '1'))}".rstrip()
+            for path, value in load.items()
+        )
+
+    def components(self, count: int) -> Sequence[tuple[str, str]]:
+        """Return the names and units of the components of a pose with so many of them."""
+        if self.robot is not None:
+            named = [(component.name, component.unit) for component in self.robot.kind.pose]
+        elif self.data is not None:
+            named = list(zip(self.data.components, self.data.component_units, strict=True))
+        else:
+            named = []
+        return named if len(named) == count else [(str(i + 1), "1") for i in range(count)]

@@ -1,0 +1,63 @@
+"""Where a report comes from: the input files by name and content, without their folders."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+
+from pkmodes.errors import PkmodesError
+
+
+@dataclass(frozen=True)
+class Source:
+    """An input file.
+
+    Attributes
+    ----------
+    role : str
+        What it is, such as "robot file".
+    name : str
+        Its name without the folder.
+    digest : str
+        SHA-256 of its bytes, in hexadecimal digits.
+    """
+
+    role: str
+    name: str
+    digest: str
+
+    @classmethod
+    def of(cls, role: str, path: Path) -> Source:
+        """Read a file.
+
+        Raises
+        ------
+        PkmodesError
+            If it cannot be read.
+        """
+        try:
+            content = path.read_bytes()
+        except OSError as error:
+            what = f"cannot read the {role}: {(error.strerror or str(error)).lower()}"
+            raise PkmodesError(what, str(path), "check the place") from None
+        return cls(role, path.name, sha256(content).hexdigest())
+
+
+def known_sources(roles: Sequence[tuple[str, str]]) -> tuple[Source, ...]:
+    """Return the sources among some places that are files; others are objects from a script.
+
+    Parameters
+    ----------
+    roles : sequence of (str, str)
+        Roles and places.
+    """
+    return tuple(Source.of(role, Path(place)) for role, place in roles if _is_file(place))
+
+
+def _is_file(place: str) -> bool:
+    try:
+        return Path(place).is_file()
+    except (OSError, ValueError):  # a name that no file can have
+        return False

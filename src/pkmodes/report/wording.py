@@ -1,0 +1,90 @@
+"""Text and numbers as a report shows them."""
+
+from __future__ import annotations
+
+import math
+
+from pkmodes.report.blocks import Cell
+
+#: Labels and names longer than this are shortened; the JSON has them whole.
+LONGEST = 100
+#: Shown where there is no number.
+NOTHING = "\u2013"
+MINUS, TIMES = "\u2212", "\u2009\u00d7\u2009"
+RAISED = str.maketrans("-0123456789", "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079")
+
+
+def clean(text: object, longest: int | None = LONGEST) -> str:
+    """Return text on one line, without characters that are not visible, such as those that turn the direction.
+
+    Parameters
+    ----------
+    text : object
+    longest : int or None
+        Longer text is shortened; None for sentences.
+    """
+    found = "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in str(text))
+    return found if longest is None or len(found) <= longest else f"{found[: longest - 1]}\u2026"
+
+
+def number(
+    value: float | None, form: str = ".6g", at: str = "", *, scale: float = 1.0, strong: bool = False
+) -> Cell:
+    """Return a number as a cell.
+
+    Parameters
+    ----------
+    value : float or None
+        None or NaN: there is none.
+    form : str
+        Format of the text.
+    at : str
+        Its place in the JSON.
+    scale : float
+        The text shows this multiple of it, such as per cent.
+    strong : bool
+        Whether it is emphasised.
+    """
+    if value is None or math.isnan(value):
+        return Cell(NOTHING, None, at)
+    return Cell(typeset(format(scale * value, form)), float(value), at, strong)
+
+
+def typeset(text: str) -> str:
+    """Write a formatted number as in print: a minus sign, and a power of ten."""
+    digits, _, power = text.partition("e")
+    if not any(c in "123456789" for c in digits):
+        digits = digits.replace("-", "").replace("+", "")  # no sign of a zero
+    digits = digits.replace("-", MINUS)
+    return digits if not power else f"{digits}{TIMES}10{str(int(power)).translate(RAISED)}"
+
+
+def hertz(value: float | None, at: str = "") -> Cell:
+    """Return a frequency with three decimals, or with two digits below 0.01 Hz."""
+    return number(value, ".3f" if value is None or value >= 0.01 else ".2g", at)
+
+
+def p_value(value: float | None, at: str = "") -> Cell:
+    """Return a p-value, which is never zero."""
+    if value == 0.0:
+        return Cell(f"< {typeset('1e-300').removeprefix('1' + TIMES)}", 0.0, at)
+    return number(value, ".2g", at)
+
+
+def unit(name: str) -> str:
+    """Return a unit as it is shown after a number; nothing for a number without one."""
+    return (
+        ""
+        if name == "1"
+        else clean(name).replace("*", "\u00b7").replace("^2", "\u00b2").replace("^3", "\u00b3")
+    )
+
+
+def pointer(*parts: object) -> str:
+    """Return a JSON pointer (RFC 6901)."""
+    return "".join("/" + str(part).replace("~", "~0").replace("/", "~1") for part in parts)
+
+
+def plural(count: int, noun: str) -> str:
+    """Return a number with its noun."""
+    return f"{count:,} {noun}{'' if count == 1 else 's'}".replace(",", "\u2009")

@@ -1,0 +1,31 @@
+"""The words that a reader of a report needs, as in docs/diagnosis.md."""
+
+from __future__ import annotations
+
+from pkmodes.report.blocks import Cell, Facts, Section
+
+COMPARED = {
+    "difference": "Model minus measurement: in per cent of the measured frequency, or in \u03c3.",
+    "\u03c3": "Standard deviation of the measured frequency, with the uncertainty of the pose where one is stated. "
+    "Differences above 3 \u03c3 are rarely noise.",
+    "rms": "Root mean square of the relative differences.",
+    "chi\u00b2 per dof": "Mean square of the differences in \u03c3, per degree of freedom: near 1 for noise of the "
+    "stated size.",
+    "MAC": "Modal assurance criterion of a measured shape and a shape of the model: 1 if they are the same.",
+    "unmatched": "A measured mode for which the model has no mode within a factor of 1.8 in frequency.",
+}
+DIAGNOSED = {
+    "uncertain value": "Declared with a standard deviation, its prior, and refitted within it in every fit.",
+    "candidate": "Something the model may lack or have wrong. A cause is a candidate that was found.",
+    "class": "Candidates that these data cannot tell apart. A claim is never more than its class.",
+    "held out": "A pose that took no part in any choice or fit: its error is that of a prediction.",
+    "set aside": "A measured mode that contradicts all others and was left out of the fit.",
+    "p-value": "How probable noise alone is to look like this: the smaller, the clearer.",
+}
+
+
+def words(diagnosed: bool) -> Section:
+    """Return the section that explains the words of a comparison or a diagnosis."""
+    chosen = COMPARED | (DIAGNOSED if diagnosed else {})
+    entries = [(word, [Cell(meaning)]) for word, meaning in chosen.items()]
+    return Section("words", "Words", [Facts(entries)])
