@@ -10,12 +10,24 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pkmodes.cli.output import check_target, deliver, json_option, mechanism_option, to_file, write_json
+from pkmodes.cli.output import (
+    check_other_targets,
+    check_target,
+    deliver,
+    json_option,
+    mechanism_option,
+    report_option,
+    to_file,
+    write_json,
+)
 from pkmodes.errors import PkmodesError
 from pkmodes.loading import load
 from pkmodes.robot.corrections import changeable
+from pkmodes.writing import write_file
 
 if TYPE_CHECKING:
+    from xarray import Dataset
+
     from pkmodes.model import Model
 
 
@@ -73,6 +85,7 @@ if TYPE_CHECKING:
     "--scheduler", metavar="ADDRESS", default=None, help="A Dask scheduler whose workers evaluate the map."
 )
 @mechanism_option
+@report_option
 @json_option
 def map_(
     robot: Path,
@@ -87,10 +100,17 @@ def map_(
     overwrite: bool,
     threads: int | None,
     scheduler: str | None,
+    report_to: Path | None,
     json_file: str | None,
 ) -> None:
     """Compute the modes over the workspace, print their ranges, and write them to a file."""
-    check_target(json_file, robot, *([poses] if poses else []))
+    inputs = [robot, *([poses] if poses else [])]
+    check_target(json_file, *inputs)
+    check_other_targets({"--report": (report_to, "the report")}, json_file, *inputs)
+    if report_to is not None:
+        from pkmodes.report.page import need_report
+
+        need_report()
     if grid is not None and poses is not None:
         raise click.UsageError("--grid and --poses exclude each other", click.get_current_context())
     model = load(robot)
@@ -110,12 +130,24 @@ def map_(
         )
     from pkmodes.maps.summary import summary_of
 
-    content = summary_of(dataset, None if out is None else str(out))
-    with deliver(to_file(json_file, content)):
+    file = None if out is None else str(out)
+    content = summary_of(dataset, file)
+    files = to_file(json_file, content)
+    if report_to is not None:
+        files.append(lambda: _write_report(report_to, model, dataset, file))
+    with deliver(files):
         if json_file == "-":
             write_json(json_file, content)
         else:
             _print(model, content)
+        if report_to is not None and report_to.is_file():
+            click.echo(f"\nwrote {report_to}", err=json_file == "-")
+
+
+def _write_report(target: Path, model: Model, dataset: Dataset, file: str | None) -> None:
+    from pkmodes.report.map import map_page
+
+    write_file(target, map_page(model, dataset, file))
 
 
 def _places(model: Model, grid: str | None, poses: Path | None) -> Any:
@@ -207,7 +239,7 @@ def _print(model: Model, content: dict[str, Any]) -> None:
         table.add_row(*cells)
     console.print(table, soft_wrap=False, width=max(console.width, 200))
     if content["file"]:
-        console.print(f"\nwritten: {content['file']}")
+        console.print(f"\nwrote {content['file']}")
 
 
 def _shown(value: Any) -> str:

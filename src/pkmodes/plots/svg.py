@@ -46,7 +46,7 @@ FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
 DIGITS = 8
 
 
-def inline(figure: Figure, title: str, description: str) -> str:
+def inline(figure: Figure, title: str, description: str, *, cropped: bool = False) -> str:
     """Return a figure as an SVG element for an HTML page.
 
     Text, axes and background follow the page; the data keep their colours, which the page may redefine by the
@@ -58,12 +58,15 @@ def inline(figure: Figure, title: str, description: str) -> str:
     figure : matplotlib.figure.Figure
     title, description : str
         Name of the figure and what it shows, for those who do not see it.
+    cropped : bool
+        Whether empty margins are cut off, as those of maps, whose panels keep their proportions.
     """
     target = io.StringIO()
     with styled(), warnings.catch_warnings():
         # Text is drawn by the reader's fonts; that the layout's font lacks a character only affects its width.
         warnings.filterwarnings("ignore", message="Glyph .* missing from")
-        figure.savefig(target, format="svg", metadata={"Date": None, "Creator": None})
+        margins = {"bbox_inches": "tight", "pad_inches": 0.05} if cropped else {}
+        figure.savefig(target, format="svg", metadata={"Date": None, "Creator": None}, **margins)
     text = FORBIDDEN.sub("\ufffd", target.getvalue())
     root = ElementTree.fromstring(text)
     title, description = FORBIDDEN.sub("\ufffd", title), FORBIDDEN.sub("\ufffd", description)

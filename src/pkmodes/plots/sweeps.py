@@ -1,0 +1,118 @@
+"""Frequencies against a swept parameter or along a list of poses, and their scatter over sampled robots."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.plots.style import BLUE, GREY, PALETTE, VERMILLION, figure
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.figure import Figure
+
+Array = NDArray[Any]
+#: Names of poses written at most under an axis.
+LABELS = 24
+
+
+def against(dataset: xarray.Dataset, path: str) -> Figure:
+    """Draw the frequency of each mode against a swept parameter: median and range over everything else.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        A map.
+    path : str
+        The parameter, a dimension of the map.
+    """
+    values = dataset[path].values
+    frequency = _flat(dataset, path)
+    modes = frequency.shape[-1]
+    columns = min(modes, 3)
+    drawn = figure(1.75 * -(-modes // columns) + 0.2)
+    panels = drawn.subplots(-(-modes // columns), columns, squeeze=False, sharex=True)
+    for mode, axes in enumerate(panels.flat):
+        if mode >= modes:
+            axes.set_axis_off()
+            continue
+        low, middle, high = _quantiles(frequency[..., mode], (0.0, 0.5, 1.0))
+        axes.fill_between(values, low, high, color=BLUE, alpha=0.18, linewidth=0)
+        axes.plot(values, middle, color=BLUE, marker="o" if len(values) <= 15 else None)
+        axes.set_title(f"mode {mode + 1}")
+        if mode % columns == 0:
+            axes.set_ylabel("f [Hz]")
+        if mode + columns >= modes:
+            axes.set_xlabel(f"{path} [{dataset[path].attrs['units']}]")
+            axes.tick_params(labelbottom=True)
+    return drawn
+
+
+def along(dataset: xarray.Dataset) -> Figure:
+    """Draw the frequencies along a list of poses.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        A map with the dimension ``pose``.
+    """
+    frequency = np.nanmedian(_flat(dataset, "pose"), axis=1)
+    labels = [str(label) for label in dataset["pose"].values]
+    drawn = figure(3.0)
+    axes = drawn.add_subplot()
+    for mode in range(frequency.shape[-1]):
+        colour = PALETTE[mode % len(PALETTE)]
+        style = "-" if mode < len(PALETTE) else "--"
+        marker = "o" if len(labels) <= 60 else None
+        axes.plot(frequency[:, mode], style, color=colour, marker=marker, label=f"mode {mode + 1}")
+    step = max(1, -(-len(labels) // LABELS))
+    axes.set_xticks(range(0, len(labels), step), labels[::step], rotation=90 if len(labels) > 10 else 0)
+    axes.set_xlabel("pose")
+    axes.set_ylabel("f [Hz]")
+    drawn.legend(loc="outside right upper")
+    return drawn
+
+
+def scatter(dataset: xarray.Dataset) -> Figure:
+    """Draw by how much the frequencies of sampled robots differ from the median robot at the same pose.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        A map with the dimension ``sample``.
+    """
+    frequency = _flat(dataset, "sample")
+    relative = 100.0 * (frequency / np.nanmedian(frequency, axis=0, keepdims=True) - 1.0)
+    modes = relative.shape[-1]
+    drawn = figure(2.6)
+    axes = drawn.add_subplot()
+    axes.axhline(0.0, color=GREY, linewidth=0.8)
+    for mode in range(modes):
+        values = relative[..., mode][np.isfinite(relative[..., mode])]
+        if not len(values):
+            continue
+        ends, quarter, middle, three, top = np.quantile(values, [0.025, 0.25, 0.5, 0.75, 0.975])
+        axes.plot([mode + 1] * 2, [ends, top], color=BLUE, linewidth=1.2)
+        axes.plot([mode + 1] * 2, [quarter, three], color=BLUE, linewidth=7, solid_capstyle="butt")
+        axes.plot(mode + 1, middle, "o", color=VERMILLION)
+    axes.set_xticks(range(1, modes + 1))
+    axes.set_xlabel("mode")
+    axes.set_ylabel("f / median at the pose \u2212 1 [%]")
+    return drawn
+
+
+def _flat(dataset: xarray.Dataset, dim: str) -> Array:
+    """Return the frequencies as (values of a dimension, everything else, modes)."""
+    found = dataset["frequency"].transpose(dim, ..., "mode").values
+    return found.reshape(found.shape[0], -1, found.shape[-1])
+
+
+def _quantiles(values: Array, shares: tuple[float, ...]) -> Array:
+    """Return quantiles along the second axis, NaN where no pose can be evaluated."""
+    found = np.full((len(shares), len(values)), np.nan)
+    some = np.isfinite(values).any(axis=1)
+    if some.any():
+        found[:, some] = np.nanquantile(values[some], shares, axis=1)
+    return found

@@ -1,0 +1,227 @@
+"""The report of a map: where the machine rings, and what it depends on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pkmodes.errors import PkmodesError
+from pkmodes.figures.pictures import pictures
+from pkmodes.figures.working_plane import working_plane
+from pkmodes.maps.places import Places, places_of
+from pkmodes.maps.summary import summary_of
+from pkmodes.plots import sweeps
+from pkmodes.plots.plane import Plane
+from pkmodes.plots.style import styled
+from pkmodes.plots.svg import inline
+from pkmodes.report.blocks import (
+    Block,
+    Cell,
+    Column,
+    Facts,
+    Foreign,
+    Listing,
+    Paragraph,
+    Picture,
+    Section,
+    Summary,
+    Table,
+)
+from pkmodes.report.page import need_report, page
+from pkmodes.report.sources import known_sources
+from pkmodes.report.wording import clean, hertz, number, plural, pointer, typeset, unit
+from pkmodes.robot.corrections import changeable
+
+if TYPE_CHECKING:
+    import xarray
+
+    from pkmodes.model import Model
+
+#: Units of the components of a pose in tables, with the factor from SI.
+SHOWN = {"m": ("mm", 1e3), "rad": ("deg", 180.0 / np.pi)}
+
+
+def map_page(model: Model, dataset: xarray.Dataset, file: str | None = None, view: str | None = None) -> str:
+    """Return the report of a map as HTML.
+
+    Parameters
+    ----------
+    model : Model
+    dataset : xarray.Dataset
+        From `pkmodes.Model.map` of this model.
+    file : str, optional
+        The file of the map.
+    view : str, optional
+        HTML of a view in three dimensions, which is placed as it is.
+
+    Raises
+    ------
+    MissingExtraError
+        If the libraries of the extra ``report`` are not installed.
+    """
+    need_report()
+    content = summary_of(dataset, file)
+    sections = [
+        Section("modes", "Range of each frequency", [_ranges(model, content)]),
+        *_changes(dataset),
+        Section("figures", "Over the working plane", list(_figures(model, dataset))),
+        *_view(view),
+        Section("origin", "Data and versions", [_origin(model, dataset, content)]),
+    ]
+    return page(_summary(model, content), sections)
+
+
+def _summary(model: Model, content: dict[str, Any]) -> Summary:
+    first = content["modes"][0]
+    headline = "No pose could be evaluated"
+    if first["minimum_hz"] is not None:
+        low, high = first["minimum_hz"], first["maximum_hz"]
+        headline = f"The lowest frequency of vibration lies between {low:.2f} and {high:.2f} Hz"
+    share = content["valid"] / content["poses"]
+    notes = [
+        f"{plural(count, 'pose')} cannot be evaluated: {model.reasons[code]}."
+        for code, count in content["reasons"].items()
+    ]
+    facts = [
+        ("poses", Cell(f"{content['poses']:,}".replace(",", "\u2009"), content["poses"], pointer("poses"))),
+        ("can be evaluated", Cell(f"{100 * share:.3g} %", content["valid"], pointer("valid"))),
+        ("vibration modes", Cell(str(len(content["modes"])), len(content["modes"]))),
+    ]
+    return Summary(
+        subject=clean(content["robot"]),
+        kind="Map",
+        verdict="",
+        headline=headline,
+        reason=_extent(model, content),
+        tone="plain",
+        notes=notes,
+        facts=facts,
+    )
+
+
+def _extent(model: Model, content: dict[str, Any]) -> str:
+    """Return what was mapped, as a sentence."""
+    units, parts = _units(model), []
+    for dim, (low, high) in content["ranges"].items():
+        count = content["dimensions"][dim]
+        if isinstance(low, str) or dim in ("pose", "sample"):
+            parts.append(plural(count, "pose" if dim == "pose" else "sampled robot"))
+            continue
+        name, factor = units.get(dim, ("", 1.0))
+        ends = _value(low * factor) if count == 1 else f"{_value(low * factor)} to {_value(high * factor)}"
+        parts.append(f"{dim} {ends} {name}".rstrip())
+    return f"Mapped: {', '.join(parts)}."
+
+
+def _units(model: Model) -> dict[str, tuple[str, float]]:
+    """Return the unit of each axis as shown, with the factor from SI."""
+    found = {path: (unit(name), 1.0) for path, name in changeable(model.robot).items()}
+    return found | {component.name: SHOWN[component.unit] for component in model.kind.pose}
+
+
+def _value(value: float) -> str:
+    return typeset(f"{value:.5g}")
+
+
+def _ranges(model: Model, content: dict[str, Any]) -> Table:
+    units = _units(model)
+    dims = [dim for dim in content["ranges"] if content["dimensions"][dim] > 1]
+    titles = [f"{dim} [{units[dim][0]}]" if units.get(dim, ("",))[0] else dim for dim in dims]
+    places = [Column(title, numbers=dim != "pose") for dim, title in zip(dims, titles, strict=True)]
+    rows = []
+    for i, mode in enumerate(content["modes"]):
+        cells = [Cell(str(mode["mode"]))]
+        for end in ("minimum", "maximum"):
+            cells.append(hertz(mode[f"{end}_hz"], pointer("modes", i, f"{end}_hz")))
+            at = mode[f"{end}_at"] or {}
+            cells += [_place(at.get(dim), units.get(dim, ("", 1.0))[1]) for dim in dims]
+        rows.append(cells)
+    columns = [Column("mode"), Column("lowest [Hz]"), *places, Column("highest [Hz]"), *places]
+    groups = [("", 1), ("lowest", 1 + len(dims)), ("highest", 1 + len(dims))]
+    return Table("Lowest and highest frequency of each vibration mode, and where.", columns, rows, groups)
+
+
+def _place(value: Any, factor: float) -> Cell:
+    if value is None or isinstance(value, str):
+        return Cell(clean(value or "\u2013"))
+    return number(float(value), ".5g", scale=factor)
+
+
+def _changes(dataset: xarray.Dataset) -> Iterator[Section]:
+    """Yield the sections of swept parameters, samples, and lists of poses."""
+    dims = [str(dim) for dim in dataset["frequency"].dims if dataset.sizes[dim] > 1]
+    swept = [dim for dim in dims if "." in dim]
+    if swept:
+        blocks: list[Block] = []
+        for path in swept:
+            caption = (
+                f"Frequencies against {clean(path)}: the line is the median, the band the range at all poses."
+            )
+            with styled():
+                blocks.append(Picture(inline(sweeps.against(dataset, path), clean(path), caption), caption))
+        yield Section("sweeps", "Swept parameters", blocks)
+    if "sample" in dims:
+        drawn = [
+            str(name) for name, c in dataset.coords.items() if c.dims == ("sample",) and name != "sample"
+        ]
+        caption = (
+            "Scatter of the frequencies over the sampled robots at each pose, relative to their median: half of the "
+            "values are within the bar, 95 % within the line."
+        )
+        with styled():
+            picture = Picture(
+                inline(sweeps.scatter(dataset), "Scatter over sampled robots", caption), caption
+            )
+        listing = Listing([clean(path) for path in drawn])
+        yield Section(
+            "samples",
+            "Sampled robots",
+            [picture, Paragraph("Drawn from their standard deviations:"), listing],
+        )
+    if "pose" in dims:
+        caption = "Frequencies along the poses, medians over everything else."
+        with styled():
+            picture = Picture(inline(sweeps.along(dataset), "Frequencies along the poses", caption), caption)
+        yield Section("poses", "Along the poses", [picture])
+
+
+def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Block]:
+    """Yield the figures of the map if it is a plane of one robot, otherwise of the robot's working plane."""
+    try:
+        Plane.of(dataset)
+    except PkmodesError:
+        places: Places = working_plane(model)
+        yield Paragraph(
+            "The figures show the robot as declared, in the plane of its workspace with the lowest mean condition "
+            "number."
+        )
+    else:
+        places = places_of(model.kind, {c.name: dataset[c.name].values for c in model.kind.pose})
+    for picture in pictures(model, places):
+        with styled():
+            svg = inline(picture.figure, picture.title, picture.description, cropped=True)
+        yield Picture(svg, f"{picture.title}. {picture.description}")
+
+
+def _view(view: str | None) -> list[Section]:
+    if view is None:
+        return []
+    text = "The machine and its modes. It moves on a screen; a printed page leaves it out."
+    return [Section("view", "In three dimensions", [Paragraph(text), Foreign(view)])]
+
+
+def _origin(model: Model, dataset: xarray.Dataset, content: dict[str, Any]) -> Facts:
+    entries: list[tuple[str, list[Cell]]] = []
+    for source in known_sources([("robot file", model.robot.source)]):
+        entries += [
+            ("robot file", [Cell(clean(source.name))]),
+            ("SHA-256 of the robot file", [Cell(source.digest)]),
+        ]
+    entries.append(("mechanism", [Cell(clean(model.kind.title))]))
+    entries.append(("rigid-body modes", [Cell(str(content["rigid_modes"]))]))
+    if content["file"]:
+        entries.append(("map", [Cell(clean(content["file"].replace("\\", "/").rpartition("/")[2]))]))
+    entries.append(("pkmodes", [Cell(str(dataset.attrs["version"]))]))
+    return Facts(entries)
