@@ -53,6 +53,7 @@ figures: $(VENV)/.dev  ## the pictures and the table of docs/figures.md
 	    --format png --grid x=0.29:1.23:95,y=-0.16:0.16:33,z=-0.24383544
 	$(BIN)/python -m pkmodes figures $(ROBOT) --out docs/figures/declared \
 	    --format png --grid x=0.24:0.92:103,y=-0.12:0.12:37,z=-0.245
+	rm docs/figures/declared/influence.png docs/figures/declared/dominant.png docs/figures/declared/mac.png
 	$(BIN)/python docs/studies/published_figures/claims.py
 
 suites: $(VENV)/.dev  ## error rates of the diagnosis on the virtual test rig, about an hour on two cores

@@ -100,7 +100,7 @@ def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
     yield drawn(
         "influence",
         "Influence of the parameters",
-        "The relative change of each frequency for a relative change of each parameter, mean over the plane.",
+        "The relative change of each frequency for a relative change of each parameter, median over the plane.",
         lambda: influence.table(paths, relative),
     )
     yield drawn(

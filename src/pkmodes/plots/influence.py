@@ -21,7 +21,7 @@ ROWS = 14
 
 
 def table(paths: Sequence[str], relative: Array) -> Figure:
-    """Draw the mean influence of each parameter on each frequency.
+    """Draw the median influence of each parameter on each frequency: at the edge of a plane some grow without bound.
 
     Parameters
     ----------
@@ -30,23 +30,23 @@ def table(paths: Sequence[str], relative: Array) -> Figure:
     relative : ndarray, shape (along, across, parameters, modes)
         d ln f / d ln p.
     """
-    mean = np.nanmean(relative, axis=(0, 1))
-    order = np.argsort(-np.abs(mean).max(axis=1))[:ROWS]
+    middle = np.nanmedian(relative, axis=(0, 1))
+    order = np.argsort(-np.abs(middle).max(axis=1))[:ROWS]
     drawn = figure(0.24 * len(order) + 0.9)
     axes = drawn.add_subplot()
-    high = max(float(np.abs(mean).max()), 1e-12)
-    mesh = axes.imshow(mean[order], cmap="PuOr", vmin=-high, vmax=high, aspect="auto")
-    axes.set_xticks(range(mean.shape[1]), [f"mode {i + 1}" for i in range(mean.shape[1])])
+    high = max(float(np.abs(middle).max()), 1e-12)
+    mesh = axes.imshow(middle[order], cmap="PuOr", vmin=-high, vmax=high, aspect="auto")
+    axes.set_xticks(range(middle.shape[1]), [f"mode {i + 1}" for i in range(middle.shape[1])])
     axes.set_yticks(range(len(order)), [paths[i] for i in order])
     axes.grid(visible=False)
     axes.tick_params(length=0)
     for row, path in enumerate(order):
-        for mode in range(mean.shape[1]):
-            value = mean[path, mode]
+        for mode in range(middle.shape[1]):
+            value = middle[path, mode]
             ink = PAPER if abs(value) > 0.65 * high else INK
             axes.text(mode, row, f"{value:+.2f}", ha="center", va="center", fontsize=7.5, color=ink)
     bar = drawn.colorbar(mesh, ax=axes, aspect=25)
-    bar.set_label("d ln f / d ln p, mean over the plane [1]")
+    bar.set_label("d ln f / d ln p, median over the plane [1]")
     return drawn
 
 

@@ -6,7 +6,7 @@ import io
 import re
 import warnings
 from hashlib import sha256
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
 
 from pkmodes.plots.style import BLUE, GREEN, GREY, INK, ORANGE, PAPER, PURPLE, SKY, VERMILLION, styled
@@ -65,7 +65,7 @@ def inline(figure: Figure, title: str, description: str, *, cropped: bool = Fals
     with styled(), warnings.catch_warnings():
         # Text is drawn by the reader's fonts; that the layout's font lacks a character only affects its width.
         warnings.filterwarnings("ignore", message="Glyph .* missing from")
-        margins = {"bbox_inches": "tight", "pad_inches": 0.05} if cropped else {}
+        margins: dict[str, Any] = {"bbox_inches": "tight", "pad_inches": 0.05} if cropped else {}
         figure.savefig(target, format="svg", metadata={"Date": None, "Creator": None}, **margins)
     text = FORBIDDEN.sub("\ufffd", target.getvalue())
     root = ElementTree.fromstring(text)
