@@ -1,4 +1,4 @@
-"""The command line: ``pkmodes generate``, ``check``, ``modes``, ``sensitivities``, ``compare`` and ``diagnose``.
+"""The command line: the commands in the modules of this package.
 
 Errors go to stderr as ``error: <what> (<where>); <what to do>``.  Exit codes: 0 success, 1 a check failed, 2 bad
 input or usage.
@@ -24,6 +24,7 @@ from pkmodes.cli.generate import generate
 from pkmodes.cli.modes import modes
 from pkmodes.cli.output import silence
 from pkmodes.cli.sensitivities import sensitivities
+from pkmodes.cli.show import show
 from pkmodes.errors import PkmodesError
 
 DONE, DOES_NOT_HOLD, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
@@ -39,7 +40,7 @@ def cli() -> None:
     """Vibration modes of parallel robots with compliant transmissions."""
 
 
-for command in (generate, check, modes, sensitivities, compare, diagnose):
+for command in (generate, check, modes, sensitivities, show, compare, diagnose):
     cli.add_command(command)
 
 
