@@ -35,6 +35,7 @@ def apply_effects(machine: Machine, effects: Sequence[Effect]) -> None:
             machine.compliances += (parameters["compliance"],) * len(released)
     for effect, parameters, released in sorted(prepared, key=lambda item: not item[2]):
         effect.apply(machine, parameters, released)
+        machine.elastic_of += [effect.name] * (len(machine.elastic) - len(machine.elastic_of))
 
 
 def _parameters(machine: Machine, effect: Effect) -> dict[str, Symbol]:

@@ -229,6 +229,53 @@ class EffectData:
 
 
 @dataclass(frozen=True)
+class ElementData:
+    """An element of a drawing.
+
+    Attributes
+    ----------
+    shape : str
+        ``line``, ``wheel``, ``block``, ``plate`` or ``ball``; the meaning of their points is that of
+        `pkmodes_derive.drawing.Element`.
+    kind, name : str
+    points : tuple of int
+        Indices of its points.
+    spring : int
+        Index of the spring that it is, -1 for none.
+    turns : str
+        The coordinate by which a wheel turns; empty for none.
+    """
+
+    shape: str
+    kind: str
+    name: str
+    points: tuple[int, ...]
+    spring: int = -1
+    turns: str = ""
+
+
+@dataclass(frozen=True)
+class DrawingData:
+    """What a picture of the mechanism shows.
+
+    Attributes
+    ----------
+    motions : tuple of int
+        For each point, the index of its motion.
+    elements : tuple of ElementData
+    springs : tuple of Named
+        Name, unit of the stiffness, and description.
+    uprights : int
+        Number of unit vectors that the robot leaves open.
+    """
+
+    motions: tuple[int, ...] = ()
+    elements: tuple[ElementData, ...] = ()
+    springs: tuple[Named, ...] = ()
+    uprights: int = 0
+
+
+@dataclass(frozen=True)
 class Description:
     """A mechanism.
 
@@ -262,6 +309,7 @@ class Description:
         For coordinates whose unit differs from that of most others.
     differences : tuple of (str, str)
         A field that enters only through its difference from another, and the other, which has the sensitivities.
+    drawing : DrawingData
     """
 
     mechanism: str
@@ -282,6 +330,7 @@ class Description:
     sample: Mapping[str, object] = field(default_factory=dict)
     scales: tuple[Scale, ...] = ()
     differences: tuple[tuple[str, str], ...] = ()
+    drawing: DrawingData = field(default_factory=DrawingData)
 
 
 def as_data(description: Description) -> dict[str, object]:

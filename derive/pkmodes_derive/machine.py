@@ -13,6 +13,7 @@ from sympy import Add, Expr, Integer, Symbol, sympify
 
 from pkmodes_derive.chain import Chain
 from pkmodes_derive.description import Margin, Requirement, Scale, Whole
+from pkmodes_derive.drawing import Drawing
 from pkmodes_derive.effect import Coordinate, Effect
 from pkmodes_derive.functions import Argument, Output
 from pkmodes_derive.parts import Arm, Belt, Clamp, Drive, Form, Link, PointMass, Reducer, Rod, Rotor, Run
@@ -95,6 +96,8 @@ class Machine:
         Absolute velocity and small displacement of the platform.
     kinetic, elastic : lists of sympy.Expr
         Energies [J] that effects add: quadratic forms in rates and in small displacements.
+    elastic_of : list of str
+        The effect that added each elastic energy.
     weights : list of (mass, position)
         Bodies on which gravity acts, added by effects.
     released : tuple of Coordinate
@@ -102,6 +105,8 @@ class Machine:
         Spring compliance of each released coordinate.
     effects : tuple of Effect
         Applied effects, with the parameters and coordinates they have on this machine.
+    draw : Drawing
+        What a picture of the machine shows, if the mechanism declares it.
     """
 
     def __init__(self, name: str, title: str, directions: Sequence[str] = AXES) -> None:
@@ -135,6 +140,7 @@ class Machine:
         self.delta_p: tuple[Symbol, ...] = ()
         self.kinetic: list[Expr] = []
         self.elastic: list[Expr] = []
+        self.elastic_of: list[str] = []
         self.weights: list[tuple[Expr, Sequence[Expr]]] = []
         self.released: tuple[Coordinate, ...] = ()
         self.compliances: tuple[Symbol, ...] = ()
@@ -145,6 +151,7 @@ class Machine:
         self.requirements: tuple[Requirement, ...] = ()
         self.scales: tuple[Scale, ...] = ()
         self.extras: list[Extra] = []
+        self.draw = Drawing(self.vocabulary)
         self.sample: Mapping[str, object] = {}
 
     # Declarations of a mechanism ---------------------------------------------------------------------------

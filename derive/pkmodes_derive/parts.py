@@ -123,7 +123,7 @@ class Drive:
     wind_up: list[Coordinate] = field(default_factory=list)
 
 
-@dataclass
+@dataclass(eq=False)
 class Clamp:
     """The attachment of a belt to the body it moves; released coordinates move it relative to that body."""
 

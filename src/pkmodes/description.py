@@ -133,6 +133,55 @@ class Scale:
 
 
 @dataclass(frozen=True)
+class Element:
+    """An element of a drawing of the mechanism.
+
+    Attributes
+    ----------
+    shape : str
+        ``line`` through its points; ``wheel`` about the first point, the second giving axis and radius; ``block``
+        about the first point, the second giving direction and half length; ``plate``, the convex hull of its points;
+        ``ball``, one point.
+    kind, name : str
+        What it is, such as ``belt``, and which one.
+    points : tuple of int
+        Indices of its points.
+    spring : int
+        Index of the spring that it is, -1 for none.
+    turns : str
+        The coordinate by which a wheel turns, right-handed about its axis; empty for none.
+    """
+
+    shape: str
+    kind: str
+    name: str
+    points: tuple[int, ...]
+    spring: int
+    turns: str
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """What a picture of the mechanism shows, and its springs.
+
+    Attributes
+    ----------
+    motions : tuple of int
+        For each point, the index of its motion; points of one body move alike.
+    elements : tuple of Element
+    springs : tuple of Named
+        Name, unit of the stiffness, and description; without the springs of released joints.
+    uprights : int
+        Number of unit vectors that the robot leaves open and a viewer chooses.
+    """
+
+    motions: tuple[int, ...]
+    elements: tuple[Element, ...]
+    springs: tuple[Named, ...]
+    uprights: int
+
+
+@dataclass(frozen=True)
 class Requirement:
     """A condition on a robot at any pose: a function of its parameters with one entry for each of `places`."""
 

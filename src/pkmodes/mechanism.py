@@ -19,8 +19,10 @@ from types import ModuleType
 from typing import Any
 
 from pkmodes.description import (
+    Drawing,
     Effect,
     EffectParameter,
+    Element,
     Key,
     Margin,
     Named,
@@ -33,8 +35,10 @@ from pkmodes.errors import PkmodesError, nearest, shown
 from pkmodes.mechanism_packages import OPTION, again, folder_of, imported, installed, place_of
 
 __all__ = [
+    "Drawing",
     "Effect",
     "EffectParameter",
+    "Element",
     "Key",
     "Margin",
     "Mechanism",
@@ -95,6 +99,8 @@ class Mechanism:
         For coordinates whose unit differs from that of most coordinates.
     differences : mapping of str to str
         Fields that enter only as the difference from another field, which carries the sensitivities.
+    drawing : Drawing or None
+        None for code that was generated before there were drawings.
     """
 
     name: str
@@ -116,6 +122,7 @@ class Mechanism:
     package: str
     scales: tuple[Scale, ...] = ()
     differences: dict[str, str] = field(default_factory=dict)
+    drawing: Drawing | None = None
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _unpickled, (self.package, folder_of(self.package))
@@ -129,6 +136,11 @@ class Mechanism:
     def extended(self) -> ModuleType:
         """The generated model with effects."""
         return import_module(f"{self.package}.extended")
+
+    @cached_property
+    def drawn(self) -> ModuleType:
+        """The generated points and springs of the drawing."""
+        return import_module(f"{self.package}.drawing")
 
 
 def names() -> tuple[str, ...]:
@@ -279,6 +291,16 @@ def _described(data: dict[str, Any], package: str) -> Mechanism:
         package=package,
         scales=tuple(Scale(**_tuples(s)) for s in data["scales"]),
         differences=dict(data["differences"]),
+        drawing=_drawing(data["drawing"]) if "drawing" in data else None,
+    )
+
+
+def _drawing(data: dict[str, Any]) -> Drawing:
+    return Drawing(
+        tuple(data["motions"]),
+        tuple(Element(**_tuples(e)) for e in data["elements"]),
+        tuple(Named(**s) for s in data["springs"]),
+        data["uprights"],
     )
 
 

@@ -23,6 +23,8 @@ OPTION = "--mechanism"
 PREFIX = "pkmodes_folder_"
 DEFINITION = "definition.py"
 FILES = ("__init__.py", "model.py", "extended.py", "description.json")
+#: Not in code that was generated before there were drawings.
+DRAWING = "drawing.py"
 GIVE = "give the folder DIR/<mechanism> written by: pkmodes generate --mechanism FILE.py ROBOT.toml --out DIR"
 
 _folders: dict[str, str] = {}
@@ -46,7 +48,8 @@ def imported(path: str | PathLike[str]) -> str:
     """
     folder = Path(path)
     _check(folder)
-    content = b"\0".join((folder / name).read_bytes() for name in FILES)
+    present = [name for name in (*FILES, DRAWING) if (folder / name).is_file()]
+    content = b"\0".join((folder / name).read_bytes() for name in present)
     folder = folder.resolve()
     package = (
         PREFIX + hashlib.sha256(f"{folder}\0".encode("utf-8", "surrogateescape") + content).hexdigest()[:16]

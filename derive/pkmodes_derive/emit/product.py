@@ -61,14 +61,24 @@ def parametric(mechanism: str, definition: str = "") -> dict[str, str]:
             origin=f"the derivation of {mechanism} and the catalogue of effects",
         ),
     )
+    drawing, _ = mechanisms.drawing(mechanism)
+    drawing_texts, drawing_programs = in_numpy(
+        drawing,
+        replace(
+            provenance,
+            module="drawing",
+            title=f"Points and springs of the mechanism {mechanism}, with effects, for pictures of it.",
+            origin=f"the derivation of {mechanism} and the catalogue of effects",
+        ),
+    )
     lane_texts, lane_programs = lanes.files(
         model,
         mechanisms.extended(mechanism),
         mechanisms.description(mechanism),
         replace(provenance, title=f"The mechanism {mechanism} for the compiled evaluator."),
     )
-    texts |= extended_texts | lane_texts
-    programs |= extended_programs | lane_programs
+    texts |= extended_texts | drawing_texts | lane_texts
+    programs |= extended_programs | drawing_programs | lane_programs
     data = as_data(mechanisms.description(mechanism))
     texts["description.json"] = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
     texts["__init__.py"] = (
@@ -157,6 +167,12 @@ def write(model: Model, provenance: Provenance) -> tuple[dict[str, str], dict[st
     in_c = c99.BACKEND.files(model, programs, provenance)
     provenance = provenance.of_source(in_c[f"{provenance.name}.c"])
     return {**numpy.BACKEND.files(model, programs, provenance), **in_c}, programs
+
+
+def in_numpy(model: Model, provenance: Provenance) -> tuple[dict[str, str], dict[str, Program]]:
+    """Write a model that no controller needs in NumPy only."""
+    programs = {function.name: arrange(function) for function in model.functions}
+    return numpy.BACKEND.files(model, programs, provenance), programs
 
 
 def _constants(model: Model, specification: Specification) -> tuple[str, ...]:

@@ -7,6 +7,7 @@ paper: tables, coordinates, closures, bodies, transmissions, and conditions on a
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
@@ -14,10 +15,11 @@ from types import ModuleType
 
 from pkmodes_derive import definition
 from pkmodes_derive.applying import apply_effects
+from pkmodes_derive.assembly import drawing as drawn
 from pkmodes_derive.assembly import models
 from pkmodes_derive.declared import check_declared, check_model, check_names
 from pkmodes_derive.definition import DefinitionError
-from pkmodes_derive.description import Description
+from pkmodes_derive.description import Description, DrawingData
 from pkmodes_derive.effect import Effect
 from pkmodes_derive.effects import catalogue
 from pkmodes_derive.functions import Model
@@ -58,7 +60,7 @@ def add(name: str, text: str, place: str) -> None:
         return
     module = definition.read(name, text, place)
     _added[name] = text, module
-    for known in (base, extended, single):
+    for known in (base, extended, drawing, single):
         known.cache_clear()
     machine(name)
 
@@ -122,6 +124,16 @@ def extended(name: str) -> Model:
 
 
 @cache
+def drawing(name: str) -> tuple[Model, DrawingData]:
+    """Return the model of a mechanism's drawing, with every effect, and its description; derived once per process."""
+    declared = machine(name, effects(name))
+    if name not in _added:
+        return drawn.drawing(declared)
+    with definition.told(str(_added[name][1].__file__), REMEDY, ", during the derivation of its drawing"):
+        return drawn.drawing(declared)
+
+
+@cache
 def single(name: str, chosen: tuple[str, ...], zeros: frozenset[tuple[str, int]]) -> Model:
     """Return the model of a mechanism with some effects, by name, for one robot; derived once per process.
 
@@ -133,4 +145,5 @@ def single(name: str, chosen: tuple[str, ...], zeros: frozenset[tuple[str, int]]
 
 def description(name: str) -> Description:
     """Return what the runtime needs to know about a mechanism."""
-    return models.describe(machine(name, effects(name)), base(name).rigid_modes)
+    described = models.describe(machine(name, effects(name)), base(name).rigid_modes)
+    return replace(described, drawing=drawing(name)[1])

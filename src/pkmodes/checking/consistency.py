@@ -44,7 +44,11 @@ class Check:
 
 
 def check_consistency(
-    generated: Generated, kind: Mechanism, parameters: Any, effects: bool = False
+    generated: Generated,
+    kind: Mechanism,
+    parameters: Any,
+    effects: bool = False,
+    yielded: Callable[[State], Iterator[Relation]] | None = None,
 ) -> list[Check]:
     """Check the derivatives of a generated model at a few poses.
 
@@ -58,6 +62,8 @@ def check_consistency(
         The robot's parameters, used to find poses.
     effects : bool
         Whether the model has effects; some relations of the base model do not hold with effects.
+    yielded : callable, optional
+        Yields the relations at a pose; by default those of a model.
 
     Returns
     -------
@@ -78,7 +84,7 @@ def check_consistency(
             for p in poses:
                 at = State(generated, kind, parameters, p, derivative, effects)
                 try:
-                    for name, found, expected, weight in _all(at):
+                    for name, found, expected, weight in (yielded or _all)(at):
                         errors[name] = max(errors.get(name, 0.0), _relative(found, expected, weight))
                 except np.linalg.LinAlgError as error:  # from NaN or zeros in the stiffness
                     errors[f"the static equilibrium: {error}"] = np.inf

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.checking.consistency import Check, check_consistency
+from pkmodes.checking.drawing import check_drawing
 from pkmodes.checking.recorded import recorded_robot
 from pkmodes.checking.report import Report, findings_of, manifest_of
 from pkmodes.checking.user_mechanisms import check_definition, check_mechanism
@@ -46,6 +47,7 @@ def check_committed(name: str) -> Report:
     findings = findings_of(folder, derivation("emit.product").parametric(name))
     parameters = sample(kind)
     checks = check_consistency(Generated(kind.model, parameters), kind, parameters)
+    checks += check_drawing(kind, parameters)
     return Report(str(folder), findings, checks, REGENERATE if findings else "")
 
 

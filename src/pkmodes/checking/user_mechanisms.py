@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from pkmodes.checking.consistency import check_consistency
+from pkmodes.checking.drawing import check_drawing
 from pkmodes.checking.report import Report, findings_of
 from pkmodes.derivation import derivation, parametric, read_definition, staged
 from pkmodes.errors import PkmodesError, shown
@@ -43,6 +44,7 @@ def check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
     with staged(name, fresh) as kind:
         parameters = sample(kind)
         checks = check_consistency(Generated(kind.model, parameters), kind, parameters)
+        checks += check_drawing(kind, parameters)
     source = "FILE.py" if unchecked else pasted(folder / reference)
     fix = (
         f"pkmodes generate --mechanism {source} ROBOT.toml --out {pasted(folder.parent)}" if findings else ""

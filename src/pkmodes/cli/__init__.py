@@ -26,6 +26,7 @@ from pkmodes.cli.map import map_
 from pkmodes.cli.modes import modes
 from pkmodes.cli.output import silence
 from pkmodes.cli.sensitivities import sensitivities
+from pkmodes.cli.show import show
 from pkmodes.errors import PkmodesError
 
 DONE, DOES_NOT_HOLD, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
@@ -41,7 +42,7 @@ def cli() -> None:
     """Vibration modes of parallel robots with compliant transmissions."""
 
 
-for command in (generate, check, modes, map_, figures, sensitivities, compare, diagnose):
+for command in (generate, check, modes, map_, figures, show, sensitivities, compare, diagnose):
     cli.add_command(command)
 
 

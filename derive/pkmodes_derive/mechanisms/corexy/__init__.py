@@ -12,6 +12,7 @@ from sympy import Expr, Integer, Rational, Symbol
 from pkmodes_derive.description import Margin, Requirement, Scale
 from pkmodes_derive.functions import Output
 from pkmodes_derive.machine import Extra, Machine
+from pkmodes_derive.mechanisms.corexy.picture import Path, draw
 from pkmodes_derive.mechanisms.corexy.sample import SAMPLE
 from pkmodes_derive.parts import Clamp, PointMass, Run
 
@@ -122,6 +123,7 @@ def declare(m: Machine) -> None:
         v.declare("tau_st_{j}", "N m", "static torque on motor pulley {j}", r"\tau_{{st,{j}}}", j=i + 1)
         for i in PATHS
     ]
+    drawn = []
     for i in PATHS:
         moment = "moment of inertia of motor pulley {j}, including the motor"
         rotor = m.rotor(theta[i], I_p[i], v.declare("I_{j}", "kg m^2", moment, "I_{j}", j=i + 1))
@@ -142,6 +144,8 @@ def declare(m: Machine) -> None:
             runs.append(Run(l_f, stiffness, free, (head, rim)))
         m.belt(w_b[i] * k_sp[i], runs, clamp)
         m.follows[theta[i]] = -pull / R_p[i]
+        drawn.append(Path(g[i], R_p[i], theta[i], runs, clamp))
+    draw(m, (low, high), drawn)
 
     # Conditions on a pose and on a robot ---------------------------------------------------------------------
     travel = tuple(margin for i, q in enumerate((x, y)) for margin in (q - low[i], high[i] - q))

@@ -13,6 +13,7 @@ from pkmodes_derive.description import Margin, Requirement, Scale, Whole
 from pkmodes_derive.functions import Output
 from pkmodes_derive.machine import Extra, Machine
 from pkmodes_derive.mechanisms.linear_delta.euler_route import relations
+from pkmodes_derive.mechanisms.linear_delta.picture import Axis, draw
 from pkmodes_derive.mechanisms.linear_delta.sample import SAMPLE
 from pkmodes_derive.parts import Clamp, PointMass, Rod, Run
 from pkmodes_derive.trilateration import spheres
@@ -168,6 +169,7 @@ def declare(m: Machine) -> None:
     # Belts, pulleys and motors (equations 28 to 30 and 34 to 41) ---------------------------------------------
     moment = "moment of inertia of pulley {k} of axis {j}, including the motor if it is driven"
     torque = m.each("tau_st", "N m", "static torque on the driven pulley of axis {j}", r"\tau_{{st,{j}}}")
+    drawn = []
     for j in J:
         rotors = [
             m.rotor(
@@ -191,6 +193,10 @@ def declare(m: Machine) -> None:
         m.belt(w_b[j] * k_sp[j], runs, clamp)
         for k in (0, 1):  # with rigid belts
             m.follows[theta[k][j]] = x[j] / R_p[j]
+        turned = (theta[0][j], theta[1][j])
+        at = (x_max[j], x_min[j])
+        drawn.append(Axis(o[j], n[j], x[j], at, R_p[j], turned, b[j], l_d[j], runs, clamp))
+    draw(m, drawn)
 
     # Conditions on a pose and on a robot ---------------------------------------------------------------------
     m.extras += [

@@ -13,6 +13,7 @@ from sympy import Expr, Rational, Symbol, atan2, cos, sin, sqrt
 from pkmodes_derive.description import Margin, Requirement, Whole
 from pkmodes_derive.functions import Output
 from pkmodes_derive.machine import Extra, Machine
+from pkmodes_derive.mechanisms.rotary_delta.picture import Axis, draw
 from pkmodes_derive.mechanisms.rotary_delta.sample import SAMPLE
 from pkmodes_derive.parts import Arm, PointMass, Reducer, Rod
 from pkmodes_derive.trilateration import spheres
@@ -199,6 +200,7 @@ def declare(m: Machine) -> None:
         stiffness = v.declare("k_{j}", "N m/rad", "stiffness of reducer {j}", "k_{j}", j=j + 1)
         m.reducers.append(Reducer(stiffness, k_r[j], {theta[j]: 1, phi[j]: -1}))
         m.follows[phi[j]] = theta[j]
+    draw(m, [Axis(o[j], a[j], e[j], theta[j], phi[j], L_a[j], b[j], m.reducers[j]) for j in J])
 
     # Conditions on a pose and on a robot ---------------------------------------------------------------------
     given = _direct(m, theta, z, y, o, b, L_a)

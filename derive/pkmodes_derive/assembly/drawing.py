@@ -1,0 +1,155 @@
+"""The functions of a drawing: points and their exact motion with every coordinate, and the springs between them.
+
+Points of the same body move alike, so the motion is written once for each different one; the description says which
+of them each point has.  The first point is the centre of the platform.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from sympy import Expr, Integer
+
+from pkmodes_derive.assembly.derived import Derived, derive, flat
+from pkmodes_derive.assembly.springs import Spring, springs
+from pkmodes_derive.description import DrawingData, ElementData
+from pkmodes_derive.drawing import Element, Point, from_parts
+from pkmodes_derive.functions import Argument, FieldGroup, Function, Model, Output
+from pkmodes_derive.machine import Machine
+from pkmodes_derive.vocabulary import AXES
+
+Motion = tuple[Expr, ...]
+
+
+def drawing(machine: Machine) -> tuple[Model, DrawingData]:
+    """Return the model and the description of a drawing; `machine` has every effect that applies."""
+    d = derive(machine)
+    elements = machine.draw.elements or from_parts(
+        machine.vocabulary, machine.points, machine.rods, machine.arms, machine.platform
+    )
+    points = list(dict.fromkeys([Point(machine.platform), *(p for one in elements for p in one.points)]))
+    moved = [_motion(d, point) for point in points]
+    motions = list(dict.fromkeys(moved))
+    of_springs = springs(d)
+    data = DrawingData(
+        tuple(motions.index(motion) for motion in moved),
+        tuple(_data(element, points, of_springs) for element in elements),
+        tuple(spring.named for spring in of_springs),
+        len(machine.draw.uprights),
+    )
+    return _model(d, points, motions, of_springs), data
+
+
+def _motion(d: Derived, point: Point) -> Motion:
+    """Return the derivatives of a point with respect to every coordinate, component by component."""
+    machine, kin = d.machine, d.kin
+    every = machine.all_coordinates
+    rows = []
+    for i, axis in enumerate(AXES):
+        row = {q: kin.chain.derivative(point.position[i], q) for q in kin.independent}
+        for c in point.clamp.released if point.clamp else ():
+            row[c.position] = point.along[i]
+        for direction, released in zip(machine.directions, machine.frame, strict=True):
+            for c in released if direction == axis else ():
+                row[c.position] = Integer(1)
+        rows += [row.get(q, Integer(0)).xreplace(kin.reference) for q in every]
+    return tuple(rows)
+
+
+def _data(element: Element, points: Sequence[Point], of_springs: Sequence[Spring]) -> ElementData:
+    spring = next(
+        (i for i, s in enumerate(of_springs) if s.part is not None and s.part is element.spring), -1
+    )
+    return ElementData(
+        element.shape,
+        element.kind,
+        element.name,
+        tuple(points.index(point) for point in element.points),
+        spring,
+        "" if element.turns is None else element.turns.name,
+    )
+
+
+def _model(
+    d: Derived, points: Sequence[Point], motions: Sequence[Motion], of_springs: Sequence[Spring]
+) -> Model:
+    machine, v = d.machine, d.machine.vocabulary
+    n, uprights = len(machine.all_coordinates), machine.draw.uprights
+    up = Argument(
+        "up",
+        flat([u.symbols for u in uprights]),
+        "1",
+        "unit vectors that the robot leaves open, one after another",
+    )
+    given = (d.pose, up) if uprights else (d.pose,)
+    functions = [
+        _function(
+            d,
+            "drawing_points",
+            "Positions of the points of a drawing.",
+            "the positions that the mechanism declares, or those of its parts",
+            given,
+            Output(
+                "r",
+                (len(points), 3),
+                flat([p.position for p in points]),
+                "m",
+                "base frame; first the platform",
+            ),
+        ),
+        _function(
+            d,
+            "drawing_motion",
+            "Jacobians of these points with respect to every coordinate, one for points that move alike.",
+            "the positions differentiated, with the contributions of released joints and the frame",
+            given,
+            Output("J", (len(motions), 3, n), flat(motions), "1, m", "dr_i/dq_k, base frame"),
+        ),
+        _function(
+            d,
+            "springs",
+            "Stiffness of every spring, and its elongation or twist per unit of each coordinate.",
+            "equation 38 with the effects' energies; the springs of released joints are not among them",
+            (d.pose,),
+            Output(
+                "k", (len(of_springs),), tuple(s.stiffness for s in of_springs), "N/m, N m/rad", "stiffness"
+            ),
+            Output(
+                "g",
+                (len(of_springs), n),
+                flat([s.strain for s in of_springs]),
+                "1, m, 1/m",
+                "the energy is the sum of k (g . q)^2 / 2",
+            ),
+        ),
+    ]
+    if uprights:
+        open_ = flat([entry for u in uprights for entry in (u.direction, u.place)])
+        functions.append(
+            _function(
+                d,
+                "drawing_directions",
+                "Directions to which the unit vectors `up` of a drawing must be perpendicular.",
+                "the directions that the mechanism declares",
+                (d.pose,),
+                Output(
+                    "e", (len(uprights), 2, 3), open_, "1, m", "a unit vector, and the point where it is used"
+                ),
+            )
+        )
+    return Model(
+        mechanism=machine.name,
+        coordinates=tuple((q.name, v[q].unit) for q in machine.all_coordinates),
+        vocabulary=v,
+        groups=(
+            FieldGroup("Parameters", "parameters", tuple(machine.tables.fields), declared=False),
+            FieldGroup("Effects", "effects", machine.effect_fields, null=0.0, declared=False),
+        ),
+        functions=tuple(functions),
+    )
+
+
+def _function(
+    d: Derived, name: str, summary: str, source: str, arguments: tuple[Argument, ...], *outputs: Output
+) -> Function:
+    return Function(name, summary, source, arguments, outputs, d.kin.definitions, in_c=False)

@@ -1,0 +1,205 @@
+"""What a picture of a machine shows: lines, wheels, blocks, plates and balls between points that move with it.
+
+A mechanism may declare them through ``m.draw``.  Positions are expressions in coordinates and named values, as those
+of bodies are, so their motion is derived, not written.  A mechanism that declares nothing is drawn from its parts:
+rods, point masses, arms and the platform.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from sympy import Expr, Symbol, sympify
+
+from pkmodes_derive.parts import Arm, Clamp, PointMass, Reducer, Rod, Run
+from pkmodes_derive.vocabulary import AXES, DeclarationError, Vocabulary
+
+Vector = tuple[Expr, ...]
+
+
+@dataclass(frozen=True)
+class Point:
+    """A point of a body, or of a belt fastened to one.
+
+    Attributes
+    ----------
+    position : tuple of sympy.Expr
+        Three components [m].
+    clamp : Clamp or None
+        The clamp that carries it, whose released coordinates move it along a direction.
+    along : tuple of sympy.Expr
+        That direction, a unit vector.
+    """
+
+    position: Vector
+    clamp: Clamp | None = None
+    along: Vector = ()
+
+
+#: How a declaration gives a point: a point, or its position alone.
+Place = Point | Sequence[object]
+
+
+@dataclass(frozen=True)
+class Element:
+    """One element of a drawing.
+
+    Attributes
+    ----------
+    shape : str
+        ``line`` through all its points; ``wheel`` about its first point, whose axis and radius are the direction and
+        length to the second; ``block`` about its first point, whose direction and half length are those to the
+        second; ``plate``, the convex hull of its points; ``ball``, one point.
+    kind : str
+        What it is: ``rail``, ``carriage``, ``link``, ``arm``, ``belt``, ``pulley``, ``platform`` ...
+    name : str
+    points : tuple of Point
+    spring : Run or Reducer or None
+        The spring that it is.
+    turns : sympy.Symbol or None
+        The coordinate by which a wheel turns, right-handed about its axis.
+    """
+
+    shape: str
+    kind: str
+    name: str
+    points: tuple[Point, ...]
+    spring: Run | Reducer | None = None
+    turns: Symbol | None = None
+
+
+@dataclass(frozen=True)
+class Upright:
+    """A unit vector that the robot leaves open: any perpendicular to a direction, which a viewer chooses.
+
+    Attributes
+    ----------
+    symbols : tuple of sympy.Symbol
+    direction : tuple of sympy.Expr
+        The unit vector to which it is perpendicular.
+    place : tuple of sympy.Expr
+        Where it is used [m].
+    """
+
+    symbols: tuple[Symbol, ...]
+    direction: Vector
+    place: Vector
+
+
+@dataclass
+class Drawing:
+    """The elements that a mechanism declares, in order.
+
+    Attributes
+    ----------
+    vocabulary : Vocabulary
+    elements : list of Element
+    uprights : list of Upright
+    """
+
+    vocabulary: Vocabulary
+    elements: list[Element] = field(default_factory=list)
+    uprights: list[Upright] = field(default_factory=list)
+
+    def upright(self, direction: Sequence[object], place: Sequence[object]) -> tuple[Symbol, ...]:
+        """Return a unit vector perpendicular to a direction, as upright as the viewer can choose it."""
+        name, what = "up_{j}", "direction {j} that the robot leaves open, perpendicular to a given one"
+        number = len(self.uprights) + 1
+        symbols = self.vocabulary.vector(name, "1", what, "u_{j}", j=number)
+        self.uprights.append(Upright(symbols, _exact(direction), _exact(place)))
+        return symbols
+
+    def fastened(self, position: Sequence[object], clamp: Clamp, along: Sequence[object]) -> Point:
+        """Return the point at which a belt is clamped; the clamp yields along the belt."""
+        return Point(_exact(position), clamp, _exact(along))
+
+    def line(
+        self,
+        kind: str,
+        name: str,
+        *points: Place,
+        spring: Run | Reducer | None = None,
+    ) -> None:
+        """Draw a line through points: a rail, a rod, an arm, a belt span."""
+        self._add("line", kind, name, points, spring)
+
+    def wheel(
+        self,
+        kind: str,
+        name: str,
+        centre: Sequence[object],
+        axis: Sequence[object],
+        radius: object,
+        *,
+        turns: Symbol | None = None,
+        spring: Run | Reducer | None = None,
+    ) -> None:
+        """Draw a wheel with a unit vector as its axis; `turns` is the coordinate by which it turns."""
+        self._add("wheel", kind, name, (centre, _beside(centre, axis, radius)), spring, turns)
+
+    def block(
+        self, kind: str, name: str, centre: Sequence[object], along: Sequence[object], half: object
+    ) -> None:
+        """Draw a block of a half length along a unit vector: a carriage, a tool head."""
+        self._add("block", kind, name, (centre, _beside(centre, along, half)))
+
+    def plate(self, kind: str, name: str, *points: Sequence[object]) -> None:
+        """Draw the flat body that connects some points: a platform, a base."""
+        self._add("plate", kind, name, points)
+
+    def ball(self, kind: str, name: str, centre: Sequence[object]) -> None:
+        """Draw a body without a direction at a point."""
+        self._add("ball", kind, name, (centre,))
+
+    def _add(
+        self,
+        shape: str,
+        kind: str,
+        name: str,
+        points: Sequence[Place],
+        spring: Run | Reducer | None = None,
+        turns: Symbol | None = None,
+    ) -> None:
+        found = tuple(p if isinstance(p, Point) else Point(_exact(p)) for p in points)
+        self.elements.append(Element(shape, kind, name, found, spring, turns))
+
+
+def from_parts(
+    vocabulary: Vocabulary,
+    points: Sequence[PointMass],
+    rods: Sequence[Rod],
+    arms: Sequence[Arm],
+    platform: Sequence[Expr],
+) -> list[Element]:
+    """Return what the parts of a machine show without a declaration; each is named after its mass."""
+    drawing = Drawing(vocabulary)
+    for number, rod in enumerate(rods, start=1):
+        drawing.line("link", _named(vocabulary, rod.mass, f"rod {number}"), *rod.ends)
+    for number, arm in enumerate(arms, start=1):
+        drawing.ball("arm", _named(vocabulary, arm.mass, f"arm {number}"), arm.centre)
+    for number, body in enumerate(points, start=1):
+        kind = "platform" if tuple(body.position) == tuple(platform) else "body"
+        drawing.ball(kind, _named(vocabulary, body.mass, f"body {number}"), body.position)
+    if not any(element.kind == "platform" for element in drawing.elements):
+        drawing.ball("platform", "platform", platform)
+    return drawing.elements
+
+
+def _named(vocabulary: Vocabulary, mass: Expr, otherwise: str) -> str:
+    """Return the name of a body from the description of its mass: "mass of arm 1" is that of arm 1."""
+    text = vocabulary[mass].description if isinstance(mass, Symbol) and mass in vocabulary else ""
+    found = text.removeprefix("mass of ").removeprefix("the ")
+    return found if found != text else otherwise
+
+
+def _beside(point: Sequence[object], direction: Sequence[object], distance: object) -> Vector:
+    return tuple(sympify(a) + sympify(distance) * sympify(d) for a, d in zip(point, direction, strict=True))
+
+
+def _exact(vector: Sequence[object]) -> Vector:
+    found = tuple(sympify(component) for component in vector)
+    if len(found) != len(AXES):
+        what = f"a point or direction of a drawing has three components, found {len(found)}"
+        raise DeclarationError(what, "write, for example, (x, y, 0)")
+    return found

@@ -1,0 +1,63 @@
+"""What a picture of the linear delta shows.
+
+The robot file does not say in which plane a belt runs, how wide a parallelogram is, or how long a carriage looks:
+these follow from the pulley radius and the length of the linkage.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from sympy import Expr, Rational, Symbol
+
+from pkmodes_derive.drawing import Place
+from pkmodes_derive.machine import Machine
+from pkmodes_derive.parts import Clamp, Run
+from pkmodes_derive.vectors import cross
+
+#: Half the distance of the two rods of a linkage, as a fraction of their length.
+HALF_WIDTH = Rational(1, 14)
+
+
+@dataclass(frozen=True)
+class Axis:
+    """What is drawn of an axis; `ends` and `turns` are those of pulley 1 and pulley 2, `runs` the spans 1 to 3."""
+
+    origin: Sequence[Symbol]
+    direction: Sequence[Symbol]
+    position: Symbol
+    ends: tuple[Symbol, Symbol]
+    radius: Symbol
+    turns: tuple[Symbol, Symbol]
+    joint: Sequence[Symbol]
+    link: Symbol
+    runs: Sequence[Run]
+    clamp: Clamp
+
+
+def draw(m: Machine, axes: Sequence[Axis]) -> None:
+    """Declare rails, carriages, linkages, platform, pulleys and belts."""
+    corners = []
+    for j, a in enumerate(axes, start=1):
+        up = m.draw.upright(a.direction, a.origin)
+        side = cross(up, a.direction)
+
+        def at(x: Expr, over: Expr, a: Axis = a, up: Sequence[Expr] = up) -> tuple[Expr, ...]:
+            return tuple(a.origin[i] + x * a.direction[i] + over * up[i] for i in range(3))
+
+        m.draw.line("rail", f"rail {j}", at(a.ends[1], 0), at(a.ends[0], 0))
+        m.draw.block("carriage", f"carriage {j}", at(a.position, 0), a.direction, a.radius)
+        for sign in (1, -1):
+            beside = tuple(sign * HALF_WIDTH * a.link * side[i] for i in range(3))
+            foot = tuple(c + d for c, d in zip(at(a.position, 0), beside, strict=True))
+            corners.append(tuple(m.pose[i] + a.joint[i] + beside[i] for i in range(3)))
+            m.draw.line("link", f"rod of linkage {j}", foot, corners[-1])
+        for k, (end, turned) in enumerate(zip(a.ends, a.turns, strict=True), start=1):
+            m.draw.wheel("pulley", f"pulley {k} of axis {j}", at(end, 0), side, a.radius, turns=turned)
+        top, bottom = ([at(end, sign * a.radius) for end in a.ends] for sign in (1, -1))
+        clamped = m.draw.fastened(at(a.position, a.radius), a.clamp, a.direction)
+        spans: list[tuple[Place, Place]] = [(bottom[1], bottom[0]), (clamped, top[1]), (top[0], clamped)]
+        for run, span in zip(a.runs, spans, strict=True):
+            m.draw.line("belt", f"belt {j}", *span, spring=run)
+    m.draw.plate("platform", "platform", *corners)

@@ -1,0 +1,179 @@
+// One viewer: the stage, the panel, and what the user does.
+
+class Viewer {
+  constructor(root) {
+    this.root = root;
+    this.data = JSON.parse(root.querySelector("script[type='application/json']").textContent);
+    this.panel = new Panel(root, this.data);
+    this.canvas = root.querySelector("canvas");
+    this.stage = this.start();
+    this.mode = Math.min(this.data.rigid, this.data.frequencies[0].length - 1);
+    this.pose = this.data.chosen;
+    this.amplitude = this.data.amplitude;
+    this.time = 0.25 / this.panel.cycles; // begins at the largest displacement
+    this.on = !!this.stage && !matchMedia("(prefers-reduced-motion: reduce)").matches;
+    this.listen();
+    this.panel.pose(this.pose);
+    this.panel.mode(this.pose, this.mode, this.amplitude, false);
+    this.panel.playing(this.on);
+    if (this.stage) this.run();
+  }
+
+  start() {
+    try {
+      const stage = new Stage(this.canvas, this.data);
+      this.canvas.addEventListener("webglcontextlost", () => this.fail("The graphics of the browser have stopped."));
+      return stage;
+    } catch (error) {
+      this.fail("This browser cannot show the robot in three dimensions: WebGL is not available.");
+      return null;
+    }
+  }
+
+  fail(reason) {
+    const message = this.panel.find("message");
+    message.textContent = `${reason} All numbers are in the table below.`;
+    message.hidden = false;
+    this.root.classList.add("pkview-flat");
+  }
+
+  listen() {
+    const { panel, canvas } = this, on = (name, event, act) => panel.all(name).forEach((part) => part.addEventListener(event, () => act(part)));
+    on("mode", "change", (input) => this.choose(this.pose, Number(input.value)));
+    on("pose", "change", (select) => this.choose(Number(select.value), this.mode));
+    on("level", "input", (slider) => this.slide(slider));
+    on("amplitude", "input", (slider) => { this.amplitude = Number(slider.value) / 100; this.refresh(); });
+    on("speed", "input", (slider) => { this.pace(Number(slider.value)); });
+    on("play", "click", () => this.toggle());
+    on("reset", "click", () => this.stage && this.stage.resetView());
+    on("labels", "change", (box) => { if (this.stage) { this.stage.labels.visible = box.checked; this.stage.dirty = true; } });
+    on("space", "change", (box) => { if (this.stage) { this.stage.workspace.visible = box.checked; this.stage.dirty = true; } });
+    on("spring", "pointerenter", (row) => this.light(Number(row.dataset.spring)));
+    on("spring", "pointerleave", () => this.light(-1));
+    canvas.addEventListener("keydown", (event) => this.key(event));
+    canvas.addEventListener("pointerdown", () => canvas.focus({ preventScroll: true }));
+    canvas.addEventListener("focus", () => this.zooming(true));
+    canvas.addEventListener("blur", () => this.zooming(false));
+    if (!this.stage) return;
+    const dark = matchMedia("(prefers-color-scheme: dark)"), print = matchMedia("print");
+    const repaint = () => this.stage.paint(PALETTES[dark.matches && !print.matches ? "dark" : "light"]);
+    [dark, print].forEach((query) => query.addEventListener("change", () => {
+      if (query === print) this.printing = print.matches;
+      repaint();
+      this.draw();
+    }));
+    repaint();
+    this.fit(true);
+    new ResizeObserver(() => this.fit(false)).observe(canvas.parentElement);
+    new IntersectionObserver((entries) => { this.seen = entries.at(-1).isIntersecting; }).observe(canvas);
+  }
+
+  zooming(on) {
+    if (this.stage) this.stage.controls.enableZoom = on;
+  }
+
+  fit(first) {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (!width || !height) return;
+    const changed = this.stage.resize(width, height);
+    if (first || (changed && !this.turned)) this.stage.resetView();
+    this.draw();
+  }
+
+  // The pose of the sliders, or the nearest one that the robot can reach with the slider that moved.
+  slide(moved) {
+    const { data, panel } = this, sliders = panel.all("level"), wanted = sliders.map((s) => Number(s.value));
+    const fixed = sliders.indexOf(moved), sizes = data.levels.map((l) => l.length);
+    let best = -1, least = Infinity;
+    data.places.forEach((pose, flat) => {
+      if (pose < 0) return;
+      let rest = flat, distance = 0, fits = true;
+      for (let i = sizes.length - 1; i >= 0; i--) {
+        const at = rest % sizes[i];
+        rest = (rest - at) / sizes[i];
+        distance += (at - wanted[i]) ** 2;
+        if (i === fixed && at !== wanted[i]) fits = false;
+      }
+      if (fits && distance < least) { best = pose; least = distance; }
+    });
+    const note = best < 0 ? "No pose of the grid is reachable there." : least > 0 ? "Moved to the nearest pose that the robot can reach." : "";
+    this.choose(best < 0 ? this.pose : best, this.mode);
+    if (note) panel.find("status").textContent += ` ${note}`;
+  }
+
+  choose(pose, mode) {
+    this.pose = pose;
+    this.mode = mode;
+    this.panel.pose(pose);
+    this.panel.mode(pose, mode, this.amplitude, true);
+    if (!this.stage) return;
+    Object.assign(this.stage, { pose, mode });
+    this.stage.show();
+    this.draw();
+  }
+
+  light(spring) {
+    if (!this.stage || this.stage.lit === spring) return;
+    this.stage.lit = spring;
+    this.stage.show();
+    this.draw();
+  }
+
+  pace(cycles) {
+    const turn = this.time * this.panel.cycles; // the phase does not jump
+    this.panel.cycles = cycles;
+    this.time = turn / cycles;
+    this.refresh();
+  }
+
+  refresh() {
+    this.panel.motion(this.data.frequencies[this.pose][this.mode], this.amplitude);
+    this.draw();
+  }
+
+  toggle() {
+    this.on = !this.on;
+    this.panel.playing(this.on);
+  }
+
+  key(event) {
+    const turn = 0.09, acts = {
+      ArrowLeft: () => this.stage.orbit(-turn, 0), ArrowRight: () => this.stage.orbit(turn, 0),
+      ArrowUp: () => this.stage.orbit(0, -turn), ArrowDown: () => this.stage.orbit(0, turn),
+      "+": () => this.stage.zoom(0.9), "=": () => this.stage.zoom(0.9), "-": () => this.stage.zoom(1 / 0.9),
+      Home: () => this.stage.resetView(), 0: () => this.stage.resetView(), " ": () => this.toggle(),
+    };
+    if (!this.stage || !acts[event.key] || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    this.turned = event.key !== "Home" && event.key !== "0";
+    acts[event.key]();
+  }
+
+  draw() {
+    if (!this.stage) return;
+    this.stage.amplitude = this.amplitude;
+    this.stage.phase = this.printing ? 1 : Math.sin(2 * Math.PI * this.panel.cycles * this.time);
+    this.stage.render();
+  }
+
+  run() {
+    let before = performance.now();
+    const step = (now) => {
+      const passed = Math.min((now - before) / 1000, 0.1);
+      before = now;
+      if (this.on && this.seen !== false && !this.printing) {
+        this.time += passed;
+        this.draw();
+      } else if (this.stage.dirty) {
+        this.draw();
+      }
+      requestAnimationFrame(step);
+    };
+    requestAnimationFrame(step);
+  }
+}
+
+document.querySelectorAll(".pkview:not([data-started])").forEach((root) => {
+  root.dataset.started = "";
+  root.viewer = new Viewer(root);
+});

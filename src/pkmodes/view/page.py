@@ -1,0 +1,215 @@
+"""A page that shows a scene: one HTML file without anything from a network; or the same viewer inside another page.
+
+`fragment` is the viewer itself, and `assets` what all viewers of a page share: the style, three.js and the program.
+Without WebGL, and without JavaScript, the table of the first pose remains.
+"""
+
+from __future__ import annotations
+
+from html import escape
+from importlib.resources import files
+
+from pkmodes.view.data import as_data, embedded, top
+from pkmodes.view.data import directions as directions_of
+from pkmodes.view.scene import AMPLITUDE, Scene
+
+#: Parts of the program in the browser, in order.
+PROGRAM = ("palette.js", "shapes.js", "stage.js", "panel.js", "viewer.js")
+ICON = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg'/%3E"
+
+
+def page(scene: Scene) -> str:
+    """Return a self-contained HTML page that shows a scene.
+
+    Examples
+    --------
+    >>> import pkmodes
+    >>> from pkmodes.view import page, poses_around
+    >>> model = pkmodes.load("robots/corexy-printer.toml")
+    >>> text = page(poses_around(model, [0.15, 0.15]))
+    >>> text.startswith("<!doctype html>"), len(text) < 1_500_000
+    (True, True)
+    """
+    name, style = escape(scene.robot), _read("browser", "page.css")
+    return f"""<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{name}: vibration modes</title>
+<link rel="icon" href="{ICON}">
+<style>
+{style}</style>
+</head>
+<body>
+<main>
+<header>
+<h1>{name}</h1>
+<p>{escape(scene.title[:1].upper() + scene.title[1:])}</p>
+</header>
+{fragment(scene)}
+<footer>
+<p>A mode is a free vibration about the static equilibrium at the pose.  The picture enlarges it; displacements are
+linear in the amplitude.  Rigid-body motions strain no spring.  Parts whose size or place the robot file does not
+give are drawn schematically.</p>
+</footer>
+</main>
+{assets()}</body>
+</html>
+"""
+
+
+def assets() -> str:
+    """Return the style and the program that the viewers of a page share; place it once, after the last of them."""
+    library = _read("vendor", "three.min.js")
+    licence = _read("vendor", "LICENSE").strip()
+    program = "\n".join(_read("browser", name) for name in PROGRAM)
+    return (
+        f"<style>\n{_read('browser', 'viewer.css')}</style>\n"
+        f"<script>\n/*! three.js\n{licence}\n*/\n{library}</script>\n"
+        f'<script>\n(() => {{\n"use strict";\nconst T = PkmodesThree;\n{program}}})();\n</script>\n'
+    )
+
+
+def fragment(scene: Scene, name: str = "robot") -> str:
+    """Return the viewer of a scene for a page that also has the `assets`.
+
+    Parameters
+    ----------
+    scene : Scene
+    name : str
+        Prefix of the identifiers in the fragment; different for each viewer of a page.
+    """
+    key = escape(name)
+    data = embedded(as_data(scene))
+    return f"""<section class="pkview" aria-label="{escape(scene.robot)} in three dimensions">
+<div class="pkview-frame">
+<div class="pkview-stage">
+<canvas tabindex="0" role="application" aria-label="{escape(scene.robot)}, moving in the chosen mode.
+ Arrow keys turn the view, plus and minus zoom, Home resets it, space plays and pauses."></canvas>
+<div class="pkview-title"><h2 data-part="title">Modes of {escape(scene.robot)}</h2>
+<p><span data-part="held"></span></p><p>Platform moves along <span data-part="along"></span></p></div>
+<div class="pkview-legend" aria-hidden="true">Share of the strain energy
+<div class="pkview-scale"></div>
+<div class="pkview-ends"><span>0 %</span><span>{100 * top(scene):.0f} %</span></div></div>
+<div class="pkview-buttons"><button type="button" data-part="reset">Reset view</button>
+<button type="button" class="pkview-play" data-part="play" aria-pressed="false"><span>Play</span></button></div>
+<p class="pkview-message" role="alert" data-part="message" hidden></p>
+</div>
+<div class="pkview-panel">
+{_poses(scene, key)}
+{_modes(scene, key)}
+{_motion(key)}
+</div>
+</div>
+<noscript><p>The moving picture needs JavaScript; the table is that of one pose.</p></noscript>
+{_table(scene, key)}
+<script type="application/json">{data}</script>
+</section>
+"""
+
+
+def _poses(scene: Scene, key: str) -> str:
+    if scene.levels is None:
+        options = "".join(
+            f'<option value="{i}"{" selected" if i == scene.chosen else ""}>{_place(scene, i)}</option>'
+            for i in range(len(scene.poses))
+        )
+        return (
+            f'<fieldset><legend id="{key}-pose-title">Pose</legend>'
+            f'<select id="{key}-pose" data-part="pose" aria-labelledby="{key}-pose-title">{options}</select>'
+            "</fieldset>"
+        )
+    rows = "".join(
+        f'<div class="pkview-row"><label for="{key}-{c.name}">{escape(c.name)}</label>'
+        f'<input type="range" id="{key}-{c.name}" data-part="level" min="0" max="{len(values) - 1}" step="1"'
+        f' value="0" title="{escape(c.description)}">'
+        f'<output for="{key}-{c.name}" data-part="level-value"></output></div>'
+        for c, values in zip(scene.pose, scene.levels, strict=True)
+    )
+    return f"<fieldset><legend>Pose</legend>{rows}</fieldset>"
+
+
+def _modes(scene: Scene, key: str) -> str:
+    rigid, count = scene.rigid_modes, scene.frequencies.shape[1]
+    first = min(rigid, count - 1)
+    labels = []
+    for mode in [*range(rigid, count), *range(rigid)]:
+        kind = "" if mode >= rigid else ' class="pkview-rigid"'
+        name = str(mode - rigid + 1) if mode >= rigid else f"rigid {mode + 1}"
+        chosen = " checked" if mode == first else ""
+        labels.append(
+            f'<label{kind}><input type="radio" name="{key}-mode" value="{mode}" data-part="mode"{chosen}>'
+            f'<b>{name}</b><span data-part="frequency" data-mode="{mode}">'
+            f"{scene.frequencies[scene.chosen, mode] + 0.0:.2f} Hz</span></label>"
+        )
+    return (
+        f'<fieldset><legend>Mode</legend><div class="pkview-modes">{"".join(labels)}</div></fieldset>'
+        '<p class="pkview-status" role="status" aria-live="polite" data-part="status"></p>'
+    )
+
+
+def _motion(key: str) -> str:
+    def row(name: str, label: str, low: float, high: float, step: float, value: float) -> str:
+        return (
+            f'<div class="pkview-row"><label for="{key}-{name}">{label}</label>'
+            f'<input type="range" id="{key}-{name}" data-part="{name}" min="{low}" max="{high}" step="{step}"'
+            f' value="{value}"><output for="{key}-{name}" data-part="{name}-value"></output></div>'
+        )
+
+    return (
+        "<fieldset><legend>Motion</legend>"
+        f"{row('amplitude', 'Amplitude', 0, 20, 0.5, 100 * AMPLITUDE)}{row('speed', 'Speed', 0.1, 2, 0.05, 0.5)}"
+        '<p class="pkview-hint">Amplitude: the largest displacement as a share of the robot&#8217;s size.'
+        ' <span data-part="enlarged"></span></p></fieldset>'
+        '<div class="pkview-boxes">'
+        '<label><input type="checkbox" data-part="labels" checked>Labels</label>'
+        '<label><input type="checkbox" data-part="space" checked>Workspace</label></div>'
+    )
+
+
+def _table(scene: Scene, key: str) -> str:
+    """Return the table of the vibration modes at the first pose: frequencies, directions, shares of the springs."""
+    i, modes = scene.chosen, range(scene.rigid_modes, scene.frequencies.shape[1])
+    moves, shares = directions_of(scene)[i], scene.shares[i]
+    heads = "".join(f'<th scope="col" data-column="{m}">Mode {m - scene.rigid_modes + 1}</th>' for m in modes)
+    frequencies = "".join(
+        f'<td data-column="{m}" data-part="frequency" data-mode="{m}">{scene.frequencies[i, m]:.2f} Hz</td>'
+        for m in modes
+    )
+    rows = [f'<tr><th scope="row">Frequency</th>{frequencies}</tr>']
+    for k, component in enumerate(scene.directions):
+        cells = "".join(
+            f'<td data-column="{m}" data-part="direction" data-mode="{m}" data-component="{k}">'
+            f"{round(moves[m, k], 2) + 0.0:.2f}</td>"
+            for m in modes
+        )
+        rows.append(f'<tr><th scope="row">Platform along {escape(component)}</th>{cells}</tr>')
+    for k, spring in enumerate(scene.springs):
+        cells = "".join(
+            f'<td data-column="{m}" data-part="share" data-mode="{m}" data-spring="{k}"'
+            f' style="--share: {shares[m, k]:.3f}">{100 * shares[m, k]:.1f}</td>'
+            for m in modes
+        )
+        title = escape(f"{spring.name} [%]")
+        rows.append(
+            f'<tr data-part="spring" data-spring="{k}"><th scope="row" title="{escape(spring.description)}">'
+            f"{title}</th>{cells}</tr>"
+        )
+    return (
+        f'<div class="pkview-numbers"><p id="{key}-caption"><b>What rings:</b> share of every spring in the strain'
+        " energy of each mode, and the direction of the platform&#8217;s motion, at"
+        f' <span data-part="place">{_place(scene, i)}</span></p>'
+        f'<div class="pkview-table" role="region" aria-labelledby="{key}-caption" tabindex="0">'
+        f'<table aria-labelledby="{key}-caption"><thead><tr><td></td>{heads}</tr></thead>'
+        f"<tbody>{''.join(rows)}</tbody></table></div></div>"
+    )
+
+
+def _place(scene: Scene, index: int) -> str:
+    values = zip(scene.pose, scene.poses[index], strict=True)
+    return escape(", ".join(f"{c.name} = {value + 0.0:.6g} {c.unit}" for c, value in values))
+
+
+def _read(folder: str, name: str) -> str:
+    return (files("pkmodes.view") / folder / name).read_text(encoding="utf-8")

@@ -1,0 +1,99 @@
+"""The poses of a page: one to begin with, and a grid of poses around it that covers the workspace."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.errors import PkmodesError, PoseError
+from pkmodes.generated import Generated
+from pkmodes.model import Model
+from pkmodes.regular import regular_poses
+from pkmodes.view.scene import Scene, scene
+from pkmodes.view.workspace import box, reachable, workspace
+
+Array = NDArray[np.float64]
+#: Values of each component in the grid, by the number of components; a page holds some hundred poses.
+LEVELS = {1: 41, 2: 11, 3: 5}
+#: Regular poses that are looked for.
+SEEDS = 200
+
+
+def typical_pose(model: Model) -> Array:
+    """Return a pose well inside the workspace, (d,): near its middle, and on the branch that hangs lower.
+
+    Raises
+    ------
+    PoseError
+        If no regular pose is found.
+    """
+    seeds = _seeds(model)
+    if not len(seeds):
+        raise PoseError("found no pose well inside the workspace", model.robot.source, "give one with --pose")
+    try:
+        branch = model.assembly(seeds)
+    except PkmodesError:
+        branch = np.ones(len(seeds))
+    heights = Generated(model.kind.model, model.robot.parameters).gravity_potential(seeds)
+    groups = [branch == sign for sign in np.unique(branch)]
+    lower = min(groups, key=lambda group: float(np.mean(heights[group])))
+    group = seeds[lower]
+    found: Array = group[np.argmin(np.linalg.norm(group - group.mean(axis=0), axis=-1))]
+    surface = workspace(model, found, group)
+    edge = group if surface is None else surface.vertices
+    digits = int(np.ceil(-np.log10(0.05 * np.ptp(edge, axis=0).max())))
+    for middle in (0.5 * (edge.min(axis=0) + edge.max(axis=0)), found):
+        rounded = middle.round(digits) + 0.0
+        if model.check(rounded).valid:
+            return np.asarray(rounded)
+    return found
+
+
+def poses_around(model: Model, pose: ArrayLike) -> Scene:
+    """Return the scene of a page: a grid of poses that covers the workspace and contains the given one.
+
+    Parameters
+    ----------
+    model : Model
+    pose : array_like, shape (d,)
+        The pose to show first.
+
+    Raises
+    ------
+    PoseError
+        If the robot cannot be there.
+    """
+    first = np.asarray(pose, dtype=float)
+    scene(model, first)  # its errors are those of this pose
+    seeds = _seeds(model)
+    inside = reachable(model, first)
+    seeds = seeds[inside(seeds)] if len(seeds) else seeds
+    ends = box(inside, np.vstack([first, seeds]), first)
+    count = LEVELS.get(len(first), 3)
+    levels = tuple(_levels(low, high, value, count) for (low, high), value in zip(ends, first, strict=True))
+    grid = np.stack(np.meshgrid(*levels, indexing="ij"), axis=-1)
+    valid = inside(grid.reshape(-1, len(first))).reshape(grid.shape[:-1])
+    places = np.where(valid, np.cumsum(valid.ravel()).reshape(valid.shape) - 1, -1)
+    here = tuple(int(np.argmin(np.abs(values - value))) for values, value in zip(levels, first, strict=True))
+    return replace(
+        scene(model, grid[valid], int(places[here])),
+        levels=levels,
+        places=places,
+        workspace=workspace(model, first, seeds),
+    )
+
+
+def _levels(low: float, high: float, value: float, count: int) -> Array:
+    """Return evenly spaced values inside a range; the nearest is replaced by the given value."""
+    step = (high - low) / (count + 1)
+    digits = int(np.ceil(-np.log10(0.02 * step)))
+    found = np.linspace(low + step, high - step, count).round(digits) + 0.0
+    found[np.argmin(np.abs(found - value))] = value
+    return np.unique(found)
+
+
+def _seeds(model: Model) -> Array:
+    kind, parameters = model.kind, model.robot.parameters
+    return regular_poses(Generated(kind.model, parameters), kind, parameters, SEEDS)

@@ -1,0 +1,202 @@
+"""A scene: where the points of a robot are, how they move in each mode, and which springs hold the strain energy.
+
+Everything is evaluated at a set of poses: nothing else needs the model any more, neither the page nor a still
+picture.  A displacement is linear in the amplitude: what is shown is the mode, enlarged.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.description import Element, Named
+from pkmodes.model import Model
+from pkmodes.view.drawn import Drawn, present
+from pkmodes.view.workspace import Surface
+
+Array = NDArray[np.float64]
+#: Amplitude of a displayed mode as a share of the robot's size.
+AMPLITUDE = 0.06
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """A robot at N poses with m modes; P points with B different motions, n coordinates, S springs.
+
+    Attributes
+    ----------
+    robot, title : str
+        Name of the robot, and what its mechanism is.
+    pose : tuple of Named
+        Components of a pose.
+    directions : tuple of str
+        Linear pose components, in which the platform moves.
+    coordinates : tuple of str
+    elements : tuple of Element
+        Lines, wheels, blocks, plates and balls between points; `spring` indexes `springs`.
+    springs : tuple of Named
+        Name, unit of the stiffness, description.
+    motions_of : ndarray of int, shape (P,)
+        For each point its motion.
+    poses : ndarray, shape (N, d)
+        In SI units.
+    points : ndarray, shape (N, P, 3)
+        In the base frame [m]; the first point is the platform.
+    motions : ndarray, shape (N, B, 3, n)
+        Derivatives of the points with respect to the coordinates.
+    frequencies : ndarray, shape (N, m)
+        Hz; the rigid-body modes first.
+    shapes : ndarray, shape (N, m, n)
+        Mass-normalised.
+    platform_shapes : ndarray, shape (N, m, directions)
+    energies : ndarray, shape (N, m, S)
+        k (g . phi)^2 / 2 of every spring [J], for the mass-normalised shape.
+    rigid_modes : int
+        Number of modes that strain no spring.
+    vertical : ndarray, shape (3,)
+        Unit vector against gravity.
+    chosen : int
+        The pose to show first.
+    levels : tuple of ndarray, optional
+        For each component its values, if the poses belong to a grid.
+    places : ndarray of int, optional
+        Index of the pose at each place of the grid, -1 where the robot cannot be.
+    workspace : Surface, optional
+        Boundary of the reachable workspace of the platform.
+    """
+
+    robot: str
+    title: str
+    pose: tuple[Named, ...]
+    directions: tuple[str, ...]
+    coordinates: tuple[str, ...]
+    elements: tuple[Element, ...]
+    springs: tuple[Named, ...]
+    motions_of: NDArray[np.intp]
+    poses: Array
+    points: Array
+    motions: Array
+    frequencies: Array
+    shapes: Array
+    platform_shapes: Array
+    energies: Array
+    rigid_modes: int
+    vertical: Array
+    chosen: int = 0
+    levels: tuple[Array, ...] | None = None
+    places: NDArray[np.intp] | None = None
+    workspace: Surface | None = None
+
+    @property
+    def size(self) -> float:
+        """Diagonal of the box around the points at the pose shown first [m]."""
+        return float(np.linalg.norm(np.ptp(self.points[self.chosen], axis=0)))
+
+    @property
+    def shares(self) -> Array:
+        """Share of each spring in the elastic energy of each mode, (N, m, S); NaN for rigid-body modes."""
+        total = self.energies.sum(axis=-1, keepdims=True)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            found: Array = self.energies / total
+        found[:, : self.rigid_modes] = np.nan
+        return found
+
+    def displacements(self, pose: int, mode: int) -> Array:
+        """Return the displacements of the points in a mode, for the mass-normalised shape, (P, 3) [m]."""
+        moved: Array = self.motions[pose] @ self.shapes[pose, mode]
+        return moved[self.motions_of]
+
+    def scale(self, pose: int, mode: int) -> float:
+        """Return the factor that makes the largest displacement of the mode 1 m, rims of turning wheels included."""
+        largest = float(np.linalg.norm(self.displacements(pose, mode), axis=-1).max())
+        for element in self.elements:
+            if element.turns:
+                centre, tip = self.points[pose, list(element.points[:2])]
+                turned = self.shapes[pose, mode, self.coordinates.index(element.turns)]
+                largest = max(largest, float(np.linalg.norm(tip - centre) * abs(turned)))
+        return 1.0 / largest if largest > 0.0 else 0.0
+
+    def frames(
+        self, pose: int | None = None, mode: int | None = None, count: int = 24, amplitude: float = AMPLITUDE
+    ) -> Array:
+        """Return the points over one period of a mode, for an animation.
+
+        Parameters
+        ----------
+        pose : int, optional
+            Index of the pose, by default the chosen one.
+        mode : int, optional
+            Index of the mode, by default the first vibration mode.
+        count : int
+            Number of frames, evenly spaced in time; the first is at rest.
+        amplitude : float
+            Largest displacement as a share of the robot's size.
+
+        Returns
+        -------
+        ndarray, shape (count, P, 3)
+            Positions [m]; `elements` says what connects them.
+
+        Examples
+        --------
+        >>> import pkmodes
+        >>> from pkmodes.view import scene
+        >>> moving = scene(pkmodes.load("robots/linear-delta-2022.toml"), [0.6, 0.0, -0.245])
+        >>> moving.frames(count=8).shape
+        (8, 46, 3)
+        """
+        pose = self.chosen if pose is None else pose
+        mode = min(self.rigid_modes, self.shapes.shape[1] - 1) if mode is None else mode
+        moved = self.scale(pose, mode) * amplitude * self.size * self.displacements(pose, mode)
+        phase = np.sin(2.0 * np.pi * np.arange(count) / count)
+        found: Array = self.points[pose] + phase[:, None, None] * moved
+        return found
+
+
+def scene(model: Model, poses: ArrayLike, chosen: int = 0) -> Scene:
+    """Evaluate what a picture of a robot shows at some poses.
+
+    Parameters
+    ----------
+    model : Model
+    poses : array_like, shape (d,) or (N, d)
+        In SI units.
+    chosen : int
+        Index of the pose to show first.
+
+    Raises
+    ------
+    PoseError
+        If a pose cannot be evaluated.
+    PkmodesError
+        If the code of the mechanism was generated before there were drawings.
+    """
+    drawn, kind = Drawn(model.robot), model.kind
+    modes = model.modes(np.atleast_2d(np.asarray(poses, dtype=float)))
+    springs, index = present(drawn.springs(modes.poses))
+    strains = np.einsum("psn,pmn->pms", springs.strain, modes.shapes)
+    return Scene(
+        robot=model.robot.name,
+        title=kind.title,
+        pose=kind.pose,
+        directions=kind.directions,
+        coordinates=modes.coordinates,
+        elements=tuple(
+            replace(element, spring=index[element.spring] if element.spring >= 0 else -1)
+            for element in drawn.drawing.elements
+        ),
+        springs=springs.named,
+        motions_of=np.array(drawn.drawing.motions, dtype=np.intp),
+        poses=modes.poses,
+        points=drawn.points(modes.poses),
+        motions=drawn.motions(modes.poses),
+        frequencies=modes.frequencies,
+        shapes=modes.shapes,
+        platform_shapes=modes.platform_shapes,
+        energies=0.5 * springs.stiffness[:, None] * strains**2,
+        rigid_modes=modes.rigid_modes,
+        vertical=drawn.vertical,
+        chosen=chosen,
+    )

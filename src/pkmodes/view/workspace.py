@@ -1,0 +1,185 @@
+"""The reachable workspace as a surface, or as an outline in a plane, found from the robot's own conditions on a pose.
+
+Poses of a grid are checked, and the boundary is refined by bisection on every edge of the grid that crosses it.  A
+cell's vertex is the mean of its crossings, and every crossed edge joins the cells around it (a dual contour).  It is
+a picture: smoothing moves it by a fraction of a cell.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.errors import PkmodesError
+from pkmodes.model import Model
+
+Array = NDArray[np.float64]
+Inside = Callable[[Array], NDArray[np.bool_]]
+#: Cells of the grid along each component, and of the coarse grid that finds the box around the workspace.
+CELLS, COARSE = {2: 48, 3: 30}, 12
+BISECTIONS, ROUNDS, GROWTH = 7, 12, 0.3
+#: Steps of smoothing, each halfway to the mean of the neighbours: creases would be ragged otherwise.
+SMOOTHING = 5
+
+
+@dataclass(frozen=True, eq=False)
+class Surface:
+    """The boundary of a workspace.
+
+    Attributes
+    ----------
+    vertices : ndarray, shape (V, d)
+        Poses on the boundary.
+    faces : ndarray of int, shape (F, 4) or (F, 2)
+        Quadrilaterals in space, segments in a plane.
+    """
+
+    vertices: Array
+    faces: NDArray[np.intp]
+
+
+def workspace(model: Model, pose: Array, around: Array) -> Surface | None:
+    """Find the boundary of the part of the workspace that contains a pose.
+
+    Parameters
+    ----------
+    model : Model
+    pose : ndarray, shape (d,)
+        A valid pose.
+    around : ndarray, shape (N, d)
+        Some valid poses, from which the search starts.
+
+    Returns
+    -------
+    Surface or None
+        None if the pose has angles, or other than two or three components.
+    """
+    kind = model.kind
+    if len(pose) not in CELLS or any(component.unit != "m" for component in kind.pose):
+        return None
+    inside = reachable(model, pose)
+    axes = box(inside, np.vstack([pose, around]), pose)
+    steps = [np.linspace(low, high, CELLS[len(pose)] + 1) for low, high in axes]
+    mask = _component(inside, steps, pose)
+    return _contour(inside, steps, mask) if mask.any() else None
+
+
+def reachable(model: Model, pose: Array) -> Inside:
+    """Return the test whether the robot can be at poses, on the assembly branch of a pose."""
+    try:
+        branch = model.assembly(pose)
+    except PkmodesError:  # a mechanism with one branch only
+        return lambda points: model.check(points).valid
+    return lambda points: model.check(points).valid & (model.assembly(points, "nan") == branch)
+
+
+def box(inside: Inside, seeds: Array, pose: Array) -> list[tuple[float, float]]:
+    """Return the ends of a box around the workspace, grown from some poses in it until it no longer cuts it."""
+    low, high = seeds.min(axis=0), seeds.max(axis=0)
+    room = max(float((high - low).max()), 1e-3)
+    low, high = low - GROWTH * room, high + GROWTH * room
+    for _ in range(ROUNDS):
+        steps = [np.linspace(a, b, COARSE + 1) for a, b in zip(low, high, strict=True)]
+        mask = _component(inside, steps, pose)
+        if not mask.any():
+            break
+        found = np.argwhere(mask)
+        cell = (high - low) / COARSE
+        first, last = low + cell * (found.min(axis=0) - 1), low + cell * (found.max(axis=0) + 1)
+        cut = (found.min(axis=0) == 0) | (found.max(axis=0) == COARSE)
+        grown = np.where(cut, GROWTH * (high - low), 0.0)
+        low, high = first - grown, last + grown
+        if not cut.any() and (cell * COARSE <= 1.3 * (last - first)).all():
+            break
+    return list(zip(low.tolist(), high.tolist(), strict=True))
+
+
+def _component(inside: Inside, steps: list[Array], pose: Array) -> NDArray[np.bool_]:
+    """Return which nodes of a grid belong to the connected part of the workspace nearest to a pose."""
+    from scipy.ndimage import label
+
+    nodes = np.stack(np.meshgrid(*steps, indexing="ij"), axis=-1)
+    mask = inside(nodes.reshape(-1, len(steps))).reshape(nodes.shape[:-1])
+    for axis in range(mask.ndim):  # the boundary closes at the edge of the grid
+        edge = np.moveaxis(mask, axis, 0)
+        if len(edge) == CELLS[mask.ndim] + 1:
+            edge[[0, -1]] = False
+    labels, count = label(mask)
+    if not count:
+        return mask
+    distance = np.where(mask, np.linalg.norm(nodes - pose, axis=-1), np.inf)
+    return np.asarray(labels == labels[np.unravel_index(int(np.argmin(distance)), mask.shape)])
+
+
+def _contour(inside: Inside, steps: list[Array], mask: NDArray[np.bool_]) -> Surface:
+    """Return the dual contour of a mask, with crossings found by bisection."""
+    d = mask.ndim
+    sums, counts = np.zeros((*(n - 1 for n in mask.shape), d)), np.zeros([n - 1 for n in mask.shape])
+    joined: list[Array] = []
+    for axis in range(d):
+        near = np.moveaxis(np.moveaxis(mask, axis, 0)[:-1], 0, axis)
+        far = np.moveaxis(np.moveaxis(mask, axis, 0)[1:], 0, axis)
+        edges = np.argwhere(near != far)
+        ends = edges + np.eye(d, dtype=int)[axis]
+        first, second = (
+            np.stack([s[i] for s, i in zip(steps, e.T, strict=True)], axis=-1) for e in (edges, ends)
+        )
+        out = near[tuple(edges.T)]
+        crossing = _bisected(
+            inside, np.where(out[:, None], first, second), np.where(out[:, None], second, first)
+        )
+        cells = []
+        for offset in _around(d, axis):
+            cell = edges + offset
+            cells.append(cell)
+            np.add.at(sums, tuple(cell.T), crossing)
+            np.add.at(counts, tuple(cell.T), 1.0)
+        ring = np.stack(cells, axis=1)
+        ring[~out] = ring[~out, ::-1]  # seen from outside, every face turns the same way
+        joined.append(ring)
+    used = counts > 0
+    number = np.full(counts.shape, -1, dtype=np.intp)
+    number[used] = np.arange(np.count_nonzero(used))
+    faces = np.concatenate([number[tuple(np.moveaxis(ring, -1, 0))] for ring in joined])
+    return Surface(_smoothed(sums[used] / counts[used][:, None], faces), faces)
+
+
+def _smoothed(vertices: Array, faces: NDArray[np.intp]) -> Array:
+    """Return vertices moved towards the mean of those that share an edge of a face with them."""
+    pairs = np.concatenate([np.stack([faces[:, i - 1], faces[:, i]], axis=1) for i in range(faces.shape[1])])
+    pairs = np.unique(np.sort(pairs, axis=1), axis=0)
+    found = vertices
+    for _ in range(SMOOTHING if len(pairs) else 0):
+        sums, counts = np.zeros_like(found), np.zeros(len(found))
+        for a, b in (pairs.T, pairs.T[::-1]):
+            np.add.at(sums, a, found[b])
+            np.add.at(counts, a, 1.0)
+        found = 0.5 * (found + sums / counts[:, None])
+    return found
+
+
+def _around(d: int, axis: int) -> list[NDArray[np.intp]]:
+    """Return the offsets of the cells around an edge along an axis, in order around it."""
+    others = [(axis + k) % d for k in range(1, d)]
+    turns = list(product((-1, 0), repeat=d - 1))
+    if d == 3:
+        turns = [(-1, -1), (0, -1), (0, 0), (-1, 0)]
+    found = []
+    for turn in turns:
+        offset = np.zeros(d, dtype=np.intp)
+        offset[others] = turn
+        found.append(offset)
+    return found
+
+
+def _bisected(inside: Inside, good: Array, bad: Array) -> Array:
+    """Return the points between good and bad ones at which the workspace ends."""
+    for _ in range(BISECTIONS if len(good) else 0):
+        middle = 0.5 * (good + bad)
+        there = inside(middle)[:, None]
+        good, bad = np.where(there, middle, good), np.where(there, bad, middle)
+    return 0.5 * (good + bad)
