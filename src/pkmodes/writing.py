@@ -58,8 +58,8 @@ def write_files(folder: Path, texts: Mapping[str, str | bytes]) -> list[Path]:
     return [folder / name for name in texts]
 
 
-def write_file(path: Path, text: str) -> None:
-    """Write one text, completely or not at all; a target such as a pipe is written to directly.
+def write_file(path: Path, text: str | bytes) -> None:
+    """Write one text, or another content, completely or not at all; a target such as a pipe is written to directly.
 
     Raises
     ------
@@ -68,7 +68,7 @@ def write_file(path: Path, text: str) -> None:
     """
     if path.exists() and not path.is_file() and not path.is_dir():
         try:
-            path.write_text(text, encoding="utf-8")
+            path.write_bytes(text.encode("utf-8") if isinstance(text, str) else text)
         except OSError as error:
             reason = (error.strerror or "it cannot be written").lower()
             raise OutputError(f"cannot write: {reason}", str(path), "choose another place") from None

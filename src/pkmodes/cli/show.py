@@ -8,7 +8,7 @@ import click
 
 from pkmodes.cli.output import check_place, deliver, mechanism_option
 from pkmodes.cli.poses import check_metres, parse_pose
-from pkmodes.errors import OutputError
+from pkmodes.errors import OutputError, PkmodesError
 from pkmodes.loading import load
 from pkmodes.writing import write_file
 
@@ -24,16 +24,28 @@ from pkmodes.writing import write_file
     help="The pose to show first, as for modes; by default one in the middle of the workspace.",
 )
 @click.option(
-    "--out", metavar="FILE.html", default=None, help="The page; by default the robot file's name with .html."
+    "--out",
+    metavar="FILE.html",
+    default=None,
+    help="The page, by default the robot file's name with .html; or FILE.gif, a moving picture of one mode.",
+)
+@click.option(
+    "--mode",
+    metavar="N",
+    type=click.IntRange(1),
+    default=1,
+    show_default=True,
+    help="Vibration mode of FILE.gif.",
 )
 @mechanism_option
-def show(robot: Path, pose: str | None, out: str | None) -> None:
+def show(robot: Path, pose: str | None, out: str | None, mode: int) -> None:
     """Write a page that shows the robot in three dimensions, moving in its modes.
 
     Choose a pose, a mode, amplitude and speed; belts and other springs have the colour of their share in the strain
     energy, which a table gives in numbers.  The page is one file and needs no network.
     """
     from pkmodes.view import page, poses_around, typical_pose
+    from pkmodes.view import scene as scene_of
 
     target = f"{robot.stem}.html" if out is None else out
     check_place(target, "--out")
@@ -45,6 +57,17 @@ def show(robot: Path, pose: str | None, out: str | None) -> None:
     else:
         point = parse_pose(pose, model.kind)
         check_metres(model, pose, point)
-    write_file(Path(target), page(poses_around(model, point)))
+    if Path(target).suffix.lower() == ".gif":
+        from pkmodes.plots.animation import animation
+
+        one = scene_of(model, point)
+        if one.rigid_modes + mode > one.shapes.shape[1]:
+            known = one.shapes.shape[1] - one.rigid_modes
+            raise PkmodesError(
+                f"expected a vibration mode up to {known}, found {mode}", "--mode", "choose another"
+            )
+        write_file(Path(target), animation(one, one.rigid_modes + mode - 1))
+    else:
+        write_file(Path(target), page(poses_around(model, point)))
     with deliver([]):
         click.echo(target)

@@ -1,0 +1,177 @@
+"""A mode as a moving picture: a GIF for pages and slides that cannot hold the interactive view."""
+
+from __future__ import annotations
+
+from io import BytesIO
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.plots.style import INK, VERMILLION, figure, need_matplotlib, styled
+from pkmodes.view.scene import AMPLITUDE, Scene
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from pkmodes.description import Element
+
+Array = NDArray[np.float64]
+FRAMES, MILLISECONDS = 24, 50
+#: Size [inch], dots per inch, and colours of the palette.
+SIZE, DOTS, COLOURS = (6.4, 3.6), 110, 64
+#: Direction from which a robot in space and a planar one are seen [deg].
+AZIMUTH, ELEVATION, ABOVE = -60.0, 18.0, 50.0
+#: Line widths by kind of element, and colours of those that are no springs.
+WIDTHS = {"rail": 2.5, "belt": 2.2, "link": 2.6, "arm": 5.0, "gantry": 5.0}
+STEEL, PALE, DARK = "#6b7683", "#b9c0c8", "#2f3944"
+
+
+def animation(scene: Scene, mode: int | None = None, amplitude: float = AMPLITUDE) -> bytes:
+    """Return an animated GIF of a mode at the pose of a scene that is shown first.
+
+    Parameters
+    ----------
+    scene : pkmodes.view.Scene
+    mode : int, optional
+        Index among all modes, by default the first vibration mode.
+    amplitude : float
+        Largest displacement as a share of the robot's size.
+
+    Returns
+    -------
+    bytes
+        The same at every run.
+
+    Raises
+    ------
+    MissingExtraError
+        If matplotlib is not installed.
+    """
+    need_matplotlib("moving pictures")
+    from PIL import Image
+
+    mode = scene.rigid_modes if mode is None else mode
+    frames = scene.frames(mode=mode, count=FRAMES, amplitude=amplitude)
+    view = _view(scene)
+    flat = frames @ view.T
+    low, high = flat[..., :2].reshape(-1, 2).min(axis=0), flat[..., :2].reshape(-1, 2).max(axis=0)
+    turned = _turned(scene, mode, amplitude)
+    hertz = scene.frequencies[scene.chosen, mode]
+    title = f"{scene.robot}, mode {mode - scene.rigid_modes + 1}: {hertz:.1f} Hz"
+    images = []
+    with styled():
+        for k, points in enumerate(flat):
+            drawn = figure(SIZE[1], SIZE[0])
+            drawn.set_layout_engine("none")
+            axes = drawn.add_axes((0.02, 0.02, 0.96, 0.84))
+            axes.set_axis_off()
+            axes.set_aspect("equal")
+            room = 0.06 * float(np.max(high - low))
+            axes.set_xlim(low[0] - room, high[0] + room)
+            axes.set_ylim(low[1] - room, high[1] + room)
+            phase = np.sin(2.0 * np.pi * k / FRAMES)
+            _draw(axes, scene, points, view, mode, phase * turned)
+            drawn.text(0.02, 0.93, title, fontsize=10, fontweight="bold")
+            drawn.text(
+                0.02, 0.875, "orange: belts and other springs with most of the strain energy", fontsize=8
+            )
+            target = BytesIO()
+            drawn.savefig(target, format="png", dpi=DOTS, facecolor="white")
+            images.append(Image.open(target).convert("RGB"))
+    palette = images[0].quantize(COLOURS, dither=Image.Dither.NONE)
+    indexed = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
+    target = BytesIO()
+    indexed[0].save(
+        target,
+        format="GIF",
+        save_all=True,
+        append_images=indexed[1:],
+        duration=MILLISECONDS,
+        loop=0,
+        optimize=True,
+    )
+    return target.getvalue()
+
+
+def _view(scene: Scene) -> Array:
+    """Return the rotation to (right, up, towards the viewer), (3, 3)."""
+    planar = len(scene.directions) < 3
+    up = np.array([0.0, 0.0, 1.0]) if planar else scene.vertical
+    side = np.cross(up, [1.0, 0.0, 0.0] if abs(up[0]) < 0.9 else [0.0, 1.0, 0.0])
+    east = np.cross(side, up)
+    east, side = east / np.linalg.norm(east), side / np.linalg.norm(side)
+    turn, rise = np.radians(-90.0 if planar else AZIMUTH), np.radians(ABOVE if planar else ELEVATION)
+    towards = np.cos(rise) * (np.cos(turn) * east + np.sin(turn) * side) + np.sin(rise) * up
+    right = np.cross(up, towards)
+    right /= np.linalg.norm(right)
+    return np.stack([right, np.cross(towards, right), towards])
+
+
+def _turned(scene: Scene, mode: int, amplitude: float) -> Array:
+    """Return the rotation of each element about its axis at the largest displacement [rad]."""
+    scale = scene.scale(scene.chosen, mode) * amplitude * scene.size
+    shape = scene.shapes[scene.chosen, mode]
+    return np.array(
+        [scale * shape[scene.coordinates.index(e.turns)] if e.turns else 0.0 for e in scene.elements]
+    )
+
+
+def _draw(axes: Axes, scene: Scene, points: Array, view: Array, mode: int, turned: Array) -> None:
+    """Draw the elements from back to front."""
+    shares = scene.shares[scene.chosen, mode]
+    largest = float(np.nanmax(shares)) if np.isfinite(shares).any() else 1.0
+    depths = [points[list(element.points), 2].mean() for element in scene.elements]
+    for i in np.argsort(depths):
+        element = scene.elements[int(i)]
+        at = points[list(element.points)]
+        if element.shape == "wheel":
+            _wheel(axes, at, turned[i], _colour(element, shares, largest) if element.spring >= 0 else PALE)
+        elif element.shape == "plate":
+            axes.fill(*_hull(at[:, :2]).T, facecolor=DARK, edgecolor=INK, linewidth=0.8, alpha=0.9)
+        elif element.shape == "ball":
+            axes.plot(*at[0, :2], "o", color=DARK, markersize=7)
+        elif element.shape == "block":
+            ends = np.stack([2 * at[0] - at[1], at[1]])
+            axes.plot(*ends[:, :2].T, color=DARK, linewidth=9, solid_capstyle="butt")
+        else:
+            colour = _colour(element, shares, largest)
+            axes.plot(
+                *at[:, :2].T, color=colour, linewidth=WIDTHS.get(element.kind, 2.5), solid_capstyle="round"
+            )
+
+
+def _wheel(axes: Axes, at: Array, angle: float, colour: Any) -> None:
+    """Draw a wheel as an ellipse with two spokes."""
+    axis = at[1] - at[0]
+    radius = float(np.linalg.norm(axis))
+    if radius == 0.0:
+        return
+    axis = axis / radius
+    other = np.array([0.0, 0.0, 1.0]) if abs(axis[2]) < 0.9 else np.array([1.0, 0.0, 0.0])
+    first = np.cross(axis, other)
+    first /= np.linalg.norm(first)
+    second = np.cross(axis, first)
+    turns = np.linspace(0.0, 2.0 * np.pi, 49)[:, None] + angle
+    rim = at[0] + radius * (np.cos(turns) * first + np.sin(turns) * second)
+    axes.fill(*rim[:, :2].T, facecolor=colour, edgecolor=STEEL, linewidth=1.0)
+    for place in (0, 12):
+        axes.plot(*rim[[place, place + 24], :2].T, color=STEEL, linewidth=0.8)
+
+
+def _colour(element: Element, shares: Array, largest: float) -> Any:
+    if element.spring < 0:
+        return STEEL
+    from matplotlib.colors import LinearSegmentedColormap
+
+    share = float(np.nan_to_num(shares[element.spring])) / largest if largest > 0.0 else 0.0
+    return LinearSegmentedColormap.from_list("strain", [PALE, VERMILLION])(share)
+
+
+def _hull(points: Array) -> Array:
+    from scipy.spatial import ConvexHull, QhullError
+
+    try:
+        return np.asarray(points[ConvexHull(points).vertices])
+    except QhullError:  # seen from the side
+        return points
