@@ -26,12 +26,12 @@ def test_the_picture_moves_and_returns_to_rest(robot: str, tmp_path: Path) -> No
     target = tmp_path / "mode.gif"
     command = ["show", f"robots/{robot}.toml", f"--pose={POSES[robot]}", "--mode", "2", "--out", str(target)]
     assert run(command) == 0
-    image = Image.open(target)
-    assert image.n_frames == FRAMES
     frames = []
-    for k in range(FRAMES):
-        image.seek(k)
-        frames.append(np.asarray(image.convert("RGB")).astype(int))
+    with Image.open(target) as image:
+        assert image.n_frames == FRAMES
+        for k in range(FRAMES):
+            image.seek(k)
+            frames.append(np.asarray(image.convert("RGB")).astype(int))
     moved = [int((np.abs(frame - frames[0]) > 40).any(axis=-1).sum()) for frame in frames]
     assert moved[FRAMES // 4] > 200  # pixels
     assert moved[3 * FRAMES // 4] > 200
@@ -44,7 +44,8 @@ def test_it_is_the_same_at_every_run() -> None:
     first = animation(still)
     assert first == animation(still)
     assert first != animation(still, still.rigid_modes + 1)
-    assert Image.open(BytesIO(first)).format == "GIF"
+    with Image.open(BytesIO(first)) as image:
+        assert image.format == "GIF"
 
 
 def test_a_mode_that_does_not_exist_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
