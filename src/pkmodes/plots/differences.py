@@ -8,6 +8,7 @@ import numpy as np
 
 from pkmodes.plots import marks
 from pkmodes.plots.evidence import Evidence
+from pkmodes.plots.labels import short
 from pkmodes.plots.style import INK, figure, styled
 
 if TYPE_CHECKING:
@@ -15,6 +16,8 @@ if TYPE_CHECKING:
 
 #: Width in which the setups of a mode are spread, in modes, and half the length of the line of their median.
 SPREAD, HALF = 0.6, 0.34
+#: Space beyond the largest differences, relative to their range.
+MARGIN = 0.07
 #: Most modes whose typical frequency is written below their number.
 MOST_NAMED = 12
 SIGMAS = "difference [\u03c3]"
@@ -39,6 +42,9 @@ def by_mode(evidence: Evidence) -> Figure:
             axes.set_title(f"Model {stage.title}")
             axes.set_ylabel("difference [%]")
             axes.grid(visible=False, axis="x")
+        shown = 100.0 * np.hstack([evidence.difference(stage)[stage.paired] for stage in stages])
+        low, high = float(shown.min(initial=0.0)), float(shown.max(initial=0.0))
+        panels[0].set_ylim(low - MARGIN * (high - low), high + MARGIN * (high - low))
         marks.legend(panels[0])
         panels[-1].set_xticks(range(1, evidence.modes + 1), _names(evidence))
         panels[-1].set_xlim(0.45, evidence.modes + 0.55)
@@ -74,9 +80,15 @@ def by_setup(evidence: Evidence) -> Figure:
     return found
 
 
+def varying_components(evidence: Evidence) -> list[int]:
+    """Return the components of the pose that differ between setups."""
+    return [k for k in range(len(evidence.components)) if np.ptp(evidence.points[:, k]) > 0.0]
+
+
 def against_pose(evidence: Evidence) -> Figure | None:
-    """Return the differences against each component of the pose; None if the poses are unknown."""
-    count = len(evidence.components)
+    """Return the differences against each component of the pose that varies; None if none does."""
+    varying = varying_components(evidence)
+    count = len(varying)
     if not count:
         return None
     with styled():
@@ -84,15 +96,15 @@ def against_pose(evidence: Evidence) -> Figure | None:
         found = figure(0.7 + 1.75 * len(stages))
         panels = found.subplots(len(stages), count, sharex="col", sharey="row", squeeze=False)
         for row, stage in zip(panels, stages, strict=True):
-            for k, axes in enumerate(row):
+            for k, axes in zip(varying, row, strict=True):
                 marks.noise(axes, stage.predicted.sigmas)
                 marks.zero(axes)
                 place = evidence.points[evidence.setup, k]
                 marks.rows(axes, evidence, place, stage.predicted.sigmas, size=12.0)
-                axes.locator_params(axis="x", nbins=4)
+                axes.locator_params(axis="x", nbins=3)
             row[0].set_title(f"Model {stage.title}")
             row[0].set_ylabel(SIGMAS)
-        for axes, name, unit in zip(panels[-1], evidence.components, evidence.units, strict=True):
-            axes.set_xlabel(f"{name} [{unit}]")
-        marks.legend(panels[0, -1])
+        for k, axes in zip(varying, panels[-1], strict=True):
+            axes.set_xlabel(short(f"{evidence.components[k]} [{evidence.units[k]}]"))
+        marks.legend(panels[0, -1], beside=count > 1)
     return found

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.plots.evidence import Evidence
+from pkmodes.plots.labels import short
 from pkmodes.plots.style import BLUE, GREY, INK, PURPLE, VERMILLION
 
 if TYPE_CHECKING:
@@ -16,10 +17,10 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 #: From this number of marks on, they become an image inside the figure, which stays small.
 MANY = 1500
+#: Area of the smallest mark [square points].
+SMALLEST = 2.0
 #: Standard deviations within which a difference may be noise.
 NOISE = 2.0
-#: Longest label of an axis.
-LONGEST = 18
 #: Kinds of rows: fitted, held out, set aside, without a partner.
 FITTED: dict[str, Any] = {"marker": "o", "facecolor": BLUE, "edgecolor": BLUE, "label": "fitted"}
 HELD_OUT: dict[str, Any] = {
@@ -42,28 +43,35 @@ def rows(axes: Axes, evidence: Evidence, x: Array, y: Array, size: float = 16.0)
         (evidence.held_out & ~evidence.outlier, HELD_OUT),
         (evidence.outlier, OUTLIER),
     )
-    many = int(shown.sum()) > MANY
+    count = max(int(shown.sum()), 1)
     for some, kind in kinds:
         chosen = shown & some
         if chosen.any():
             axes.scatter(
                 x[chosen],
                 y[chosen],
-                s=size / 3 if many else size,
+                s=max(size * min(1.0, MANY / count), SMALLEST),
                 linewidth=0.8,
                 zorder=3,
-                rasterized=many,
+                rasterized=count > MANY,
                 **kind,
             )
 
 
-def legend(axes: Axes, **options: Any) -> None:
-    """Show a legend above the axes if there is more than one kind of marks."""
+def legend(axes: Axes, *, beside: bool = False) -> None:
+    """Show a legend above the axes if there is more than one kind of marks.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+    beside : bool
+        Whether it may reach over the axes to the left, which has a title of its own at its left end.
+    """
     handles, labels = axes.get_legend_handles_labels()
     first = dict(zip(reversed(labels), reversed(handles), strict=True))
     names = list(dict.fromkeys(labels))
     if len(names) > 1:
-        axes.legend(
+        found = axes.legend(
             [first[name] for name in names],
             names,
             loc="lower right",
@@ -71,8 +79,8 @@ def legend(axes: Axes, **options: Any) -> None:
             ncols=len(names),
             columnspacing=1.2,
             handletextpad=0.4,
-            **options,
         )
+        found.set_in_layout(not beside)
 
 
 def zero(axes: Axes) -> None:
@@ -98,11 +106,6 @@ def noise(axes: Axes, sigmas: Array) -> None:
     known = sigmas[np.isfinite(sigmas)]
     most = 1.08 * max(1.5 * NOISE, float(np.abs(known).max(initial=0.0)))
     axes.set_ylim(-most, most)
-
-
-def short(text: str, longest: int = LONGEST) -> str:
-    """Shorten a label for an axis."""
-    return text if len(text) <= longest else f"{text[: longest - 1]}\u2026"
 
 
 def setups(axes: Axes, evidence: Evidence, most: int = 30) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 
 from pkmodes.diagnosis.verdict.result import Corrected, Diagnosis
 from pkmodes.plots import marks
+from pkmodes.plots.labels import short
 from pkmodes.plots.style import BLUE, GREEN, GREY, figure, styled
 
 if TYPE_CHECKING:
@@ -33,7 +34,7 @@ def candidates(result: Diagnosis) -> Figure | None:
         ("not claimed", GREY, [c for c in tested if c.name not in claimed | left]),
     ]
     with styled():
-        found = figure(0.75 + 0.19 * len(tested))
+        found = figure(0.85 + 0.19 * len(tested))
         axes = found.subplots()
         for label, colour, group in kinds:
             for seen, face in ((True, colour), (False, "none")):
@@ -46,12 +47,12 @@ def candidates(result: Diagnosis) -> Figure | None:
                     axes.scatter(
                         x, y, s=22, facecolor=face, edgecolor=colour, linewidth=1.2, zorder=3, label=name
                     )
-        axes.set_yticks(range(len(tested)), [marks.short(one.name, LONGEST) for one in tested])
+        axes.set_yticks(range(len(tested)), [short(one.name, LONGEST) for one in tested])
         axes.set_ylim(len(tested) - 0.4, -0.6)
         axes.set_xlim(left=0.0)
         axes.grid(visible=False, axis="y")
         axes.set_xlabel("score: \u2212log\u2081\u2080 of the p-value of this candidate alone [1]")
-        axes.legend(loc="lower right")
+        marks.legend(axes)
     return found
 
 
@@ -77,7 +78,7 @@ def pulls(values: Sequence[Corrected]) -> Figure | None:
             capsize=2.5,
             label="after the fit, \u00b11 \u03c3",
         )
-        axes.set_yticks(range(len(shown)), [marks.short(name, LONGEST) for name in names])
+        axes.set_yticks(range(len(shown)), [short(name, LONGEST) for name in names])
         axes.set_ylim(len(shown) - 0.4, -0.6)
         most = max(3.0, *(abs(a) + w for a, w, _ in shown)) * 1.05
         axes.set_xlim(-most, most)

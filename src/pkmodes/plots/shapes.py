@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.plots import marks
 from pkmodes.plots.evidence import Evidence, Stage
+from pkmodes.plots.labels import short
 from pkmodes.plots.style import figure, styled
 
 if TYPE_CHECKING:
@@ -39,18 +39,20 @@ def mac_matrices(evidence: Evidence) -> Figure | None:
     if worst is None:
         return None
     stages, several = evidence.stages, len(evidence.labels) > 1
-    label = marks.short(evidence.labels[worst])
+    label = short(evidence.labels[worst])
     everything = np.ones(len(evidence.setup), dtype=bool)
     chosen = [(f"mean of all {evidence.place}s", everything)] if several else []
     chosen.append((f"lowest MAC: {label}", evidence.setup == worst))
     with styled():
-        found = figure(0.6 + 2.55 * len(chosen))
+        found = figure(0.6 + min(2.55, 1.0 + 0.3 * evidence.modes) * len(chosen))
         panels = found.subplots(len(chosen), len(stages), squeeze=False)
         image: Any = None
         for row, (name, some) in zip(panels, chosen, strict=True):
             for axes, stage in zip(row, stages, strict=True):
-                image = _matrix(axes, matrix(evidence, stage, some), f"{stage.title}, {name}")
-            row[0].set_ylabel("measured mode")
+                image = _matrix(axes, matrix(evidence, stage, some))
+            row[0].set_ylabel(f"{name}\nmeasured mode")
+        for axes, stage in zip(panels[0], stages, strict=True):
+            axes.set_title(f"Model {stage.title}")
         for axes in panels[-1]:
             axes.set_xlabel("mode of the model")
         found.colorbar(image, ax=panels, label="MAC [1]", shrink=0.7, aspect=30)
@@ -70,14 +72,13 @@ def matrix(evidence: Evidence, stage: Stage, some: NDArray[np.bool_]) -> Array:
     return found
 
 
-def _matrix(axes: Axes, values: Array, title: str) -> Any:
+def _matrix(axes: Axes, values: Array) -> Any:
     count = len(values)
     edges = np.arange(count + 1) + 0.5
     image = axes.pcolormesh(edges, edges, np.ma.masked_invalid(values), vmin=0.0, vmax=1.0)
     axes.set_aspect("equal")
     axes.invert_yaxis()
     axes.grid(visible=False)
-    axes.set_title(title, fontsize="medium", fontweight="normal")
     ticks = range(1, count + 1, 1 if count <= MOST_WRITTEN else 5)
     axes.set_xticks(ticks)
     axes.set_yticks(ticks)

@@ -8,7 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
+
+from pkmodes.plots.svg import inline
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 #: Cells with at most this number of characters are not broken into lines.
 SHORT = 26
@@ -75,11 +80,28 @@ class Table:
 
 @dataclass(frozen=True)
 class Picture:
-    """A figure: an SVG element from `pkmodes.plots.svg.inline`, and what it shows."""
+    """A figure as an SVG element, its name, and how to read it."""
 
     svg: str
+    title: str
     caption: str
     kind: str = "picture"
+
+    @classmethod
+    def of(cls, figure: Figure, title: str, description: str, caption: str) -> Picture:
+        """Return a figure for a page.
+
+        Parameters
+        ----------
+        figure : matplotlib.figure.Figure
+        title : str
+            Its name.
+        description : str
+            What it shows, for those who do not see it.
+        caption : str
+            How to read it.
+        """
+        return cls(inline(figure, title, description), title, caption)
 
 
 @dataclass(frozen=True)
@@ -92,9 +114,10 @@ class Paragraph:
 
 @dataclass(frozen=True)
 class Listing:
-    """A list of sentences."""
+    """A list of sentences, or of names, which are set in columns."""
 
     entries: Sequence[str]
+    names: bool = False
     kind: str = "listing"
 
 

@@ -12,7 +12,7 @@ from pkmodes.report.numbers import percent
 from pkmodes.report.origin import origin, view
 from pkmodes.report.page import page
 from pkmodes.report.setting import Setting
-from pkmodes.report.wording import clean, number, p_value, plural, pointer
+from pkmodes.report.wording import SENTENCE, clean, number, p_value, plural, pointer
 from pkmodes.report.words import words
 
 
@@ -48,7 +48,7 @@ def _summary(result: Comparison, setting: Setting) -> Summary:
         headline=headline,
         reason=reason,
         tone=tone,
-        notes=[clean(note, None) for note in result.notes],
+        notes=[clean(note, SENTENCE) for note in result.notes],
         facts=[(name, cell) for name, cell in facts if cell.value is not None],
     )
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.errors import PkmodesError
 from pkmodes.report.blocks import Block, Difference, Paragraph
-from pkmodes.report.wording import clean
+from pkmodes.report.wording import SENTENCE, clean
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.loop import corrected_robot
 
@@ -20,11 +20,11 @@ def correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
     if robot is None:
         return [Paragraph("The model is no robot file, so there is no file to correct.")]
     if not result.effects and result.verdict != "adequate":
-        return [Paragraph(f"There is nothing to correct: the verdict is {result.verdict}.")]
+        return [Paragraph(f"No correction: the verdict is {result.verdict}.")]
     try:
         after = corrected_robot(robot, result)
     except PkmodesError as error:
-        return [Paragraph(f"There is no corrected robot file: {clean(error.what, None)}.")]
+        return [Paragraph(f"There is no corrected robot file: {clean(error.what, SENTENCE)}.")]
     source = Path(robot.source)
     lines = difference(source.read_bytes().decode("utf-8"), after, source.name)
     if not lines:

@@ -11,7 +11,7 @@ from pkmodes.report.mode_table import mode_table
 from pkmodes.report.origin import origin, view
 from pkmodes.report.page import page
 from pkmodes.report.setting import Setting
-from pkmodes.report.wording import clean, number, pointer, typeset, unit
+from pkmodes.report.wording import SENTENCE, clean, number, pointer, typeset, unit
 from pkmodes.report.words import words
 
 TONES: dict[str, Tone] = {
@@ -64,9 +64,9 @@ def _summary(result: Diagnosis, evidence: Evidence, setting: Setting) -> Summary
         kind="Diagnosis",
         verdict=result.verdict,
         headline=_headline(result),
-        reason=clean(_sentence(result.reason), None),
+        reason=clean(_sentence(result.reason), SENTENCE),
         tone=TONES[result.verdict],
-        notes=[clean(_sentence(note), None) for note in result.notes],
+        notes=[clean(_sentence(note), SENTENCE) for note in result.notes],
         facts=facts,
     )
 

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from pkmodes.diagnosis.verdict.result import Diagnosis, Finding, key
 from pkmodes.plots import scores
-from pkmodes.plots.svg import inline
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Table
-from pkmodes.report.wording import clean, number, p_value, plural, pointer, unit
+from pkmodes.report.wording import SENTENCE, clean, number, p_value, plural, pointer, unit
 
 #: Most candidates in the table; more than any robot has.
 MOST = 200
@@ -18,7 +17,7 @@ def causes(result: Diagnosis) -> list[Block]:
     for i, effect in enumerate(result.effects):
         entries: list[tuple[str, list[Cell]]] = [("Cause", [Cell(clean(effect.name), strong=True)])]
         if effect.sentence:
-            entries.append(("What it is", [Cell(clean(effect.sentence, None))]))
+            entries.append(("What it is", [Cell(clean(effect.sentence, SENTENCE))]))
         entries.append(("p-value", [p_value(effect.p_value, pointer("effects", i, "p_value"))]))
         found += [Facts(entries), _members(effect, i)]
         if len(effect.members) > 1:
@@ -61,20 +60,20 @@ def _members(effect: Finding, i: int) -> Table:
 def candidates(result: Diagnosis) -> list[Block]:
     """Return all candidates with their scores, classes and smallest visible sizes."""
     if not result.candidates:
-        return [Paragraph("No candidate was tested."), *_undetectable(result)]
+        names = [clean(name) for name in result.undetectable]
+        about: list[Block] = [Paragraph("Nothing is said about"), Listing(names, names=True)] if names else []
+        return [Paragraph("No candidate was tested."), *about]
     figure = scores.candidates(result)
     best = min(result.candidates, key=lambda one: one.p_value)
     found: list[Block] = []
     if figure is not None:
         name = clean(best.name)
         found.append(
-            Picture(
-                inline(
-                    figure,
-                    "Scores of the candidates",
-                    f"{plural(len(result.candidates), 'candidate')} by the p-value of their score; the most "
-                    f"significant is {name}.",
-                ),
+            Picture.of(
+                figure,
+                "Scores of the candidates",
+                f"{plural(len(result.candidates), 'candidate')} by the p-value of their score; the most "
+                f"significant is {name}.",
                 "Scores of the candidates: how clearly the residual of the refitted model points at each. The score "
                 "only shortlists: the choice is made by refitting, so the longest line need not be the cause. Open "
                 "marks would not be detectable with these data.",
@@ -143,7 +142,7 @@ def _standing(result: Diagnosis, name: str) -> str:
 
 
 def _undetectable(result: Diagnosis) -> list[Block]:
-    """Return what these data would not show, also of a size that moves a frequency by a tenth."""
+    """Return what these data would not show, not even of a size that moves a frequency by a tenth."""
     if not result.undetectable:
         return []
     return [
@@ -151,5 +150,5 @@ def _undetectable(result: Diagnosis) -> list[Block]:
             "Not detectable with these data, even if they moved a measured frequency by 10 %. Nothing is said about "
             "them:"
         ),
-        Listing([clean(name) for name in result.undetectable]),
+        Listing([clean(name) for name in result.undetectable], names=True),
     ]

@@ -6,7 +6,6 @@ import numpy as np
 
 from pkmodes.plots import differences, shapes, spectrum
 from pkmodes.plots.evidence import Evidence
-from pkmodes.plots.svg import inline
 from pkmodes.report.blocks import Block, Paragraph, Picture
 from pkmodes.report.setting import Setting
 from pkmodes.report.wording import clean, plural, typeset
@@ -22,12 +21,10 @@ def mode_figures(evidence: Evidence, setting: Setting) -> list[Block]:
     where = plural(len(evidence.labels), evidence.place)
     single = len(evidence.stages) == 1
     found: list[Block] = [
-        Picture(
-            inline(
-                spectrum.spectrum(evidence),
-                f"Frequencies at each {evidence.place}",
-                f"{count} at {where}, with the modes of the model as lines. {_unmatched(evidence)}",
-            ),
+        Picture.of(
+            spectrum.spectrum(evidence),
+            f"Frequencies at each {evidence.place}",
+            f"{count} at {where}, with the modes of the model as lines. {_unmatched(evidence)}",
             f"Frequencies at each {evidence.place}: marks are measured, lines are the modes of the model. A line "
             f"without a mark is a mode that was not measured. {_unmatched(evidence)}",
         )
@@ -38,24 +35,20 @@ def mode_figures(evidence: Evidence, setting: Setting) -> list[Block]:
             Paragraph("No measured mode has a partner in the model, so there are no differences."),
         ]
     found.append(
-        Picture(
-            inline(
-                differences.by_mode(evidence),
-                "Differences by mode",
-                f"Model divided by measurement, minus 1, for each mode of the model. {_rms(evidence)}",
-            ),
+        Picture.of(
+            differences.by_mode(evidence),
+            "Differences by mode",
+            f"Model divided by measurement, minus 1, for each mode of the model. {_rms(evidence)}",
             f"Differences by mode: model / measurement \u2212 1. Each mark is one {evidence.place}, the bar is their "
             "median. A bar away from 0 is what the model gets wrong everywhere; scatter about it is noise or depends "
             f"on the {evidence.place}.{'' if single else ' Both panels have the same scale. ' + MARKS}",
         )
     )
     found.append(
-        Picture(
-            inline(
-                differences.by_setup(evidence),
-                f"Differences by {evidence.place}",
-                f"Differences in standard deviations of the measurement at {where}. {_largest(evidence)}",
-            ),
+        Picture.of(
+            differences.by_setup(evidence),
+            f"Differences by {evidence.place}",
+            f"Differences in standard deviations of the measurement at {where}. {_largest(evidence)}",
             f"Differences by {evidence.place}, in standard deviations \u03c3 of the measurement. In the shaded band, "
             f"\u00b12 \u03c3, the difference may be noise."
             f"{'' if single else ' The scales of the panels differ.'}",
@@ -69,14 +62,12 @@ def pose_figures(evidence: Evidence, setting: Setting) -> list[Block]:
     figure = differences.against_pose(evidence) if _paired(evidence) else None
     if figure is None:
         return []
-    names = ", ".join(evidence.components)
+    names = ", ".join(evidence.components[k] for k in differences.varying_components(evidence))
     return [
-        Picture(
-            inline(
-                figure,
-                "Differences against the pose",
-                f"Differences in standard deviations against the pose components {names}. {_largest(evidence)}",
-            ),
+        Picture.of(
+            figure,
+            "Differences against the pose",
+            f"Differences in standard deviations against the pose components {names}. {_largest(evidence)}",
             f"Differences against {names}. A slope or a curve means that what is missing depends on the position; "
             "without one, look for a cause that acts everywhere.",
         )
@@ -93,13 +84,11 @@ def shape_figures(evidence: Evidence, setting: Setting) -> list[Block]:
     worst = shapes.worst_setup(evidence)
     label = "" if worst is None else clean(evidence.labels[worst])
     return [
-        Picture(
-            inline(
-                figure,
-                "MAC matrices",
-                "Modal assurance criterion of measured shapes and modes of the model. The lowest of a pair is "
-                f"{lowest}, at {evidence.place} {label}.",
-            ),
+        Picture.of(
+            figure,
+            "MAC matrices",
+            "Modal assurance criterion of measured shapes and modes of the model. The lowest of a pair is "
+            f"{lowest}, at {evidence.place} {label}.",
             "MAC matrices: 1 is the same shape, 0 a shape with nothing in common. Light cells on the diagonal alone "
             "mean that every measured shape is that of its mode; a light cell beside it, that the measured points "
             "hardly tell the two modes apart, or that they changed places. Rows are the measured modes, numbered as "

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from pkmodes.diagnosis.verdict.result import Corrected, Diagnosis, Error, key
 from pkmodes.plots import scores
-from pkmodes.plots.svg import inline
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Paragraph, Picture, Table
 from pkmodes.report.setting import Setting
 from pkmodes.report.wording import NOTHING, clean, number, plural, pointer, unit
@@ -13,6 +12,11 @@ STAGES = {
     "before": "before: as declared",
     "refit": "refit of the uncertain values only",
     "after": "after: with the cause",
+}
+NONE_LEFT = "None is proposed: no explanations are left to separate."
+NONE_PROPOSED = {
+    "ambiguous": "None is proposed: no pose nearby separates the remaining explanations.",
+    "insufficient_data": "None is proposed: measure more modes, at more poses.",
 }
 CHANGES = {
     "sigma x 0.5": "\u03c3 halved",
@@ -42,8 +46,11 @@ def errors(result: Diagnosis) -> list[Block]:
             ]
         )
     columns = [Column("model", False), Column("rms, fitted [%]"), Column("rms, held out [%]")]
+    columns.append(Column("chi\u00b2 per dof"))
+    if not result.held_out_poses:
+        rows, columns = [[*row[:2], row[3]] for row in rows], [*columns[:2], columns[3]]
     caption = "Errors of the model: rms of model / measurement \u2212 1, and chi\u00b2 per degree of freedom."
-    found: list[Block] = [Table(caption, [*columns, Column("chi\u00b2 per dof")], rows)]
+    found: list[Block] = [Table(caption, columns, rows)]
     if result.held_out_poses:
         shown = ", ".join(map(clean, result.held_out_poses[:20]))
         more = f" and {len(result.held_out_poses) - 20} more" if len(result.held_out_poses) > 20 else ""
@@ -71,20 +78,18 @@ def values(result: Diagnosis) -> list[Block]:
         Column("\u03c3 after"),
         Column("unit", False),
         Column("prior \u03c3"),
-        Column("moved [prior \u03c3]"),
+        Column("moved [prior\u00a0\u03c3]"),
     ]
     caption = "Fitted values: as declared, and after the fit with their standard deviations."
-    found: list[Block] = [Table(caption, [*columns, Column("at a bound", False)], rows)]
+    found: list[Block] = [Table(caption, columns, rows)]
     figure = scores.pulls(result.corrected)
     if figure is not None:
         count = plural(sum(v.prior_sigma is not None for v in result.corrected), "value")
         found.append(
-            Picture(
-                inline(
-                    figure,
-                    "Movement of the uncertain values",
-                    f"{count} with a prior, and how far each moved.",
-                ),
+            Picture.of(
+                figure,
+                "Movement of the uncertain values",
+                f"{count} with a prior, and how far each moved.",
                 "How far the fit moved each uncertain value, in standard deviations of its prior. Beyond 3 the "
                 "declared value or its sigma is wrong, or the value makes up for a cause; a bar as wide as the "
                 "shaded prior means that the data say nothing about it.",
@@ -110,14 +115,13 @@ def _value(result: Diagnosis, value: Corrected) -> list[Cell]:
     prior = value.prior_sigma
     return [
         Cell(clean(value.name)),
-        Cell(role),
+        Cell(f"{role}, at a bound" if value.at_bound else role),
         number(value.declared, ".6g", before),
         number(value.value, ".6g", after),
         number(value.sigma, ".2g", sigma),
         Cell(unit(value.unit)),
         number(prior, ".2g"),
         number((value.value - value.declared) / prior if prior else None, "+.1f"),
-        Cell("yes" if value.at_bound else "no"),
     ]
 
 
@@ -147,7 +151,7 @@ def next_measurement(result: Diagnosis, setting: Setting) -> list[Block]:
     """Return where two remaining explanations differ most; nothing if nothing is left to separate."""
     proposed = result.next_measurement
     if proposed is None:
-        return [Paragraph("Nothing is left that another measurement at a pose nearby would separate.")]
+        return [Paragraph(NONE_PROPOSED.get(result.verdict, NONE_LEFT))]
     at = "next_measurement"
     entries: list[tuple[str, list[Cell]]] = [
         (f"{name} [{unit(symbol)}]" if unit(symbol) else name, [number(value, ".4f", pointer(at, "pose", k))])

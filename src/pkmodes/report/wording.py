@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import math
 
+from pkmodes.plots.labels import visible
 from pkmodes.report.blocks import Cell
 
 #: Labels and names longer than this are shortened; the JSON has them whole.
 LONGEST = 100
+#: The same for sentences, which may contain names.
+SENTENCE = 1500
 #: Shown where there is no number.
 NOTHING = "\u2013"
 MINUS, TIMES = "\u2212", "\u2009\u00d7\u2009"
@@ -21,10 +24,9 @@ def clean(text: object, longest: int | None = LONGEST) -> str:
     ----------
     text : object
     longest : int or None
-        Longer text is shortened; None for sentences.
+        Longer text is shortened; None for any length.
     """
-    found = "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in str(text))
-    return found if longest is None or len(found) <= longest else f"{found[: longest - 1]}\u2026"
+    return visible(text, longest)
 
 
 def number(
@@ -81,8 +83,8 @@ def unit(name: str) -> str:
 
 
 def pointer(*parts: object) -> str:
-    """Return a JSON pointer (RFC 6901)."""
-    return "".join("/" + str(part).replace("~", "~0").replace("/", "~1") for part in parts)
+    """Return a JSON pointer (RFC 6901); characters that are not visible are escaped."""
+    return "".join("/" + visible(part).replace("~", "~0").replace("/", "~1") for part in parts)
 
 
 def plural(count: int, noun: str) -> str:
