@@ -108,7 +108,7 @@ class Kinematics:
         Returns
         -------
         ndarray, shape (..., k)
-            In SI units, in the order of `kind.independent`.
+            In SI units, in the order of ``kind.independent``.
         """
         (q,) = self._at(poses, on_error, "inverse_kinematics")
         return q
@@ -119,7 +119,7 @@ class Kinematics:
         Parameters
         ----------
         positions : array_like, shape (k,) or (..., k)
-            In the order of `kind.independent`, in SI units.
+            In the order of ``kind.independent``, in SI units.
         assembly : {1, -1}
             Assembly branch, see `assembly`.
 

@@ -89,13 +89,13 @@ class Model(Kinematics):
         on_error : {"raise", "nan"}
             With "nan", a pose that cannot be evaluated gives NaN, ``valid`` False, and a ``reason``.
         fields : sequence of str, optional
-            Which of `Modes.FIELDS` to compute and keep, such as ``("frequencies", "platform_shapes")``; by default
+            Which of ``Modes.FIELDS`` to compute and keep, such as ``("frequencies", "platform_shapes")``; by default
             all, or the fields in `out`.  The values of a field do not depend on the other fields requested.
         out : mapping of str to ndarray, optional
             Arrays to fill in place, by field, with the shapes given in `Modes`; they become the fields.
         backend : {"auto", "numpy", "compiled"}
             What evaluates the modes: by default the compiled library if there is one, unless the environment variable
-            ``PKMODES_BACKEND`` says otherwise.  `Modes.backend` tells which one ran.
+            ``PKMODES_BACKEND`` says otherwise.  ``Modes.backend`` tells which one ran.
         threads : int, optional
             Threads of the compiled library, by default one per core; the results do not depend on it.
 
@@ -226,7 +226,7 @@ class Model(Kinematics):
         close : float
             Modes whose eigenvalues differ by less than this fraction form one group.
         fields : sequence of str, optional
-            Which of `Sensitivities.FIELDS` to compute and keep; by default all, or the fields in `out`.
+            Which of ``Sensitivities.FIELDS`` to compute and keep; by default all, or the fields in `out`.
             ``"frequencies"`` and ``"eigenvalues"`` alone take a hundredth of the time or, without the compiled
             library, a sixth.
         backend : {"auto", "numpy", "compiled"}

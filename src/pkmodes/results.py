@@ -150,7 +150,7 @@ class Modes(ChosenFields):
 
     @classmethod
     def fields_of(cls, kind: Mechanism) -> tuple[str, ...]:
-        """Return the `FIELDS` that exist for a mechanism."""
+        """Return the ``FIELDS`` that exist for a mechanism."""
         carriages = kind.independent_are.replace(" ", "_") == CARRIAGES
         return tuple(name for name in cls.FIELDS if carriages or name != CARRIAGES)
 

@@ -174,7 +174,8 @@ def update(
     Parameters
     ----------
     robot : Robot or Model
-        Its quantities with a sigma may change, with the sigma as a prior; `Robot.with_values` adds a sigma to others.
+        Its quantities with a sigma may change, with the sigma as a prior; `pkmodes.Robot.with_values` adds a sigma
+        to others.
     data : Measurements
         From `read`.
     parameters : sequence of str, optional
