@@ -1,4 +1,4 @@
-"""Links to pages that are written as file names, which suits GitHub and a terminal, get the titles of the pages."""
+"""What Sphinx takes from pages and docstrings: titles of pages for their file names, and useful signatures only."""
 
 from __future__ import annotations
 
@@ -22,8 +22,17 @@ def link_pages(app: Sphinx, what: str, name: str, obj: object, options: object, 
     lines[:] = [PAGE.sub(r":doc:`/\1`", line) for line in lines]
 
 
+def hide_constructor(
+    app: Sphinx, what: str, name: str, obj: object, options: object, signature: str, returns: str
+) -> tuple[str, None] | None:
+    """Leave out the arguments of classes that only pkmodes creates: their docstrings list no parameters."""
+    created = what in ("class", "exception") and "\n    Parameters\n" not in (obj.__doc__ or "")
+    return ("", None) if created else None
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
-    """Register both."""
+    """Register all."""
     app.connect("source-read", title_links)
     app.connect("autodoc-process-docstring", link_pages)
+    app.connect("autodoc-process-signature", hide_constructor)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

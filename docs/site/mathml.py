@@ -16,7 +16,7 @@ from sphinx.application import Sphinx
 from sphinx.writers.html5 import HTML5Translator
 
 NAMESPACE = "http://www.w3.org/1998/Math/MathML"
-FUNCTIONS = {"cos", "sin", "tan", "atan", "exp", "log", "det", "sgn", "min", "max"}
+FUNCTIONS = {"cos", "sin", "tan", "atan2", "arccos", "exp", "log", "det", "sgn", "min", "max"}
 #: Operators before which a formula may continue on the next line.
 BREAKS = {"+", "\u2212", "="}
 #: After these, a minus is a sign.
@@ -37,7 +37,7 @@ def pieces(latex: str, *, display: bool) -> list[str]:
     display : bool
         Whether the formula stands on its own; others are a single element.
     """
-    plain = re.sub(r"^`(.*)`$", r"\1", latex.strip(), flags=re.DOTALL)
+    plain = re.sub(r"^`(.*)`$", r"\1", latex.strip(), flags=re.DOTALL).replace("atan_{2}", "atan2")
     root = ElementTree.fromstring(convert(plain))
     for row in list(root.iter()):
         _typewriter(row)
@@ -54,13 +54,13 @@ def pieces(latex: str, *, display: bool) -> list[str]:
 
 
 def _math(children: list[ElementTree.Element], *, display: bool) -> str:
-    """Return children as one element; an operator at its start keeps the spaces of one between operands."""
+    """Return children as one element; an operator at its start follows a space, and is one between operands."""
     math = ElementTree.Element(f"{{{NAMESPACE}}}math", {"displaystyle": "true"} if display else {})
     row = ElementTree.SubElement(math, ROW)
     for child in children:
         row.append(child)
     if children[0].tag == OPERATOR and children[0].text in BREAKS and len(children) > 1:
-        children[0].set("form", children[0].get("form", "infix"))
+        children[0].attrib = {"form": "infix", "lspace": "0", **children[0].attrib}
     return ElementTree.tostring(math, encoding="unicode")
 
 

@@ -70,6 +70,11 @@ class Kinematics:
     def check(self, poses: ArrayLike) -> PoseCheck:
         """Check which poses can be evaluated, and why the others cannot.
 
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+
         Returns
         -------
         PoseCheck
@@ -94,6 +99,13 @@ class Kinematics:
     def platform_jacobian(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
         """Compute the platform Jacobian D_p = dp/dq (equation 15).
 
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            With "nan", a pose that cannot be evaluated gives NaN.
+
         Returns
         -------
         ndarray, shape (..., d, k)
@@ -104,6 +116,13 @@ class Kinematics:
 
     def inverse_kinematics(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
         """Compute the independent coordinates on the branch given in the robot file (equations 1 to 3).
+
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            With "nan", a pose that cannot be evaluated gives NaN.
 
         Returns
         -------

@@ -56,5 +56,16 @@ class Robot(Declaration):
 
     @classmethod
     def of(cls, declaration: Declaration) -> Robot:
-        """Return the robot with a given declaration."""
+        """Return the robot with a given declaration.
+
+        Parameters
+        ----------
+        declaration : Declaration
+            Read from a file, or changed.
+
+        Returns
+        -------
+        Robot
+            With the same content.
+        """
         return cls(**vars(declaration))
