@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import doctest
 import importlib
 import inspect
 import re
@@ -11,6 +12,8 @@ from pathlib import Path
 
 import pytest
 from numpydoc.validate import validate
+
+import pkmodes
 
 ROOT = Path(__file__).parents[1]
 #: The public names of each module that has a page.
@@ -55,6 +58,14 @@ def test_a_docstring_is_complete(name: str) -> None:
         # Only pkmodes creates it: the docstring has its attributes.
         problems = [text for text in problems if not text.startswith("PR01")]
     assert name.startswith(ENGINE) or not problems, "\n".join(problems)
+
+
+def test_the_examples_print_what_they_say(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    modules = {inspect.getmodule(thing) for _, thing in public()} | {inspect.getmodule(pkmodes.Model.check)}
+    found = [doctest.testmod(module) for module in modules]
+    assert sum(one.attempted for one in found) >= 14
+    assert not sum(one.failed for one in found)
 
 
 def test_the_pages_list_every_public_name_once() -> None:

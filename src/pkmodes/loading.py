@@ -21,7 +21,7 @@ def load(path: str | PathLike[str]) -> Model:
     Returns
     -------
     Model
-        The evaluator; `pkmodes.Model.robot` has the declared values.
+        The evaluator; ``Model.robot`` has the declared values.
 
     Raises
     ------
