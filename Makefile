@@ -11,7 +11,7 @@ CORRECTED := build/workshop-delta
 
 # The targets share one environment: run in parallel, they would both install into it.
 .NOTPARALLEL:
-.PHONY: demo test lint types check generate docs benchmark figures suites clean
+.PHONY: demo test lint types check generate derivation docs benchmark figures suites clean
 
 demo: $(VENV)/.derive  ## the whole loop: derive, generate, solve, compare with measured modes, diagnose, correct
 	$(BIN)/python -m pkmodes generate $(ROBOT) --out $(DEMO)
@@ -39,8 +39,12 @@ check: $(VENV)/.dev  ## check that generated code is up to date and agrees with 
 generate: $(VENV)/.derive  ## regenerate the committed code
 	$(BIN)/python -m pkmodes_derive generate
 
-docs: $(VENV)/.derive  ## rebuild docs/derivation/
+derivation: $(VENV)/.derive  ## rebuild docs/derivation/
 	$(BIN)/python -m pkmodes_derive latex
+
+docs: $(VENV)/.docs  ## the documentation as a site, in build/site
+	$(BIN)/python -m sphinx --fail-on-warning --keep-going --quiet -c docs/site docs build/site
+	@echo "open build/site/index.html"
 
 benchmark: $(VENV)/.benchmark  ## table and plot of docs/compiled.md, and other times; some minutes
 	$(BIN)/python benchmarks/backends.py
@@ -79,6 +83,13 @@ $(VENV)/.derive: $(VENV)/.python pyproject.toml
 $(VENV)/.dev: $(VENV)/.python pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
 	@touch $@ $(VENV)/.derive
+
+$(VENV)/.docs: $(VENV)/.python pyproject.toml
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[docs]' || { \
+	    echo "error: the packages of the extra 'docs' cannot be installed (make docs); check the network, or run:" \
+	        "$(BIN)/python -m pip install -e '.[docs]'" >&2; \
+	    exit 2; }
+	@touch $@
 
 # The packages to compare with are optional: the benchmark leaves out what is missing.
 $(VENV)/.benchmark: $(VENV)/.dev

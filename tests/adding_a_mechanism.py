@@ -11,7 +11,9 @@ from five_bar_by_hand import FiveBar
 
 PAGE = (Path(__file__).parents[1] / "docs" / "adding-a-mechanism.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"```(\w*)\n(.*?)```", PAGE, re.S)
-DEFINITION, MEASURING, IN_PYTHON = (text for language, text in BLOCKS if language == "python")
+DEFINITION, MEASURING, IN_PYTHON = (
+    text for language, text in BLOCKS if language == "python" and "import" in text
+)
 ROBOT, _ = (text for language, text in BLOCKS if language == "toml")
 SHOWN = [text for _, text in BLOCKS if text.startswith("pick-and-place")]
 COMMANDS = [line.split()[1:] for line in PAGE.splitlines() if line.startswith("pkmodes ")]

@@ -70,6 +70,11 @@ class Kinematics:
     def check(self, poses: ArrayLike) -> PoseCheck:
         """Check which poses can be evaluated, and why the others cannot.
 
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+
         Returns
         -------
         PoseCheck
@@ -94,6 +99,13 @@ class Kinematics:
     def platform_jacobian(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
         """Compute the platform Jacobian D_p = dp/dq (equation 15).
 
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            With "nan", a pose that cannot be evaluated gives NaN.
+
         Returns
         -------
         ndarray, shape (..., d, k)
@@ -117,10 +129,17 @@ class Kinematics:
     def inverse_kinematics(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
         """Compute the independent coordinates on the branch given in the robot file (equations 1 to 3).
 
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            With "nan", a pose that cannot be evaluated gives NaN.
+
         Returns
         -------
         ndarray, shape (..., k)
-            In SI units, in the order of `kind.independent`.
+            In SI units, in the order of ``kind.independent``.
         """
         (q,) = self._at(poses, on_error, "inverse_kinematics")
         return q
@@ -131,7 +150,7 @@ class Kinematics:
         Parameters
         ----------
         positions : array_like, shape (k,) or (..., k)
-            In the order of `kind.independent`, in SI units.
+            In the order of ``kind.independent``, in SI units.
         assembly : {1, -1}
             Assembly branch, see `assembly`.
 

@@ -18,6 +18,11 @@ def load(path: str | PathLike[str]) -> Model:
     path : path-like
         A robot file (docs/robot-file.md).
 
+    Returns
+    -------
+    Model
+        The evaluator; ``Model.robot`` has the declared values.
+
     Raises
     ------
     RobotFileError

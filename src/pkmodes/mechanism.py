@@ -144,7 +144,13 @@ class Mechanism:
 
 
 def names() -> tuple[str, ...]:
-    """Return the names of all known mechanisms: supplied with pkmodes, added, or installed as a package."""
+    """Return the names of all known mechanisms: supplied with pkmodes, added, or installed as a package.
+
+    Returns
+    -------
+    tuple of str
+        In alphabetical order.
+    """
     return tuple(sorted({*_generated(), *_added, *installed()}))
 
 
@@ -155,6 +161,16 @@ def supplied() -> tuple[str, ...]:
 
 def mechanism(name: str) -> Mechanism:
     """Return the mechanism with a given name.
+
+    Parameters
+    ----------
+    name : str
+        As in the robot file.
+
+    Returns
+    -------
+    Mechanism
+        Its description and its generated functions.
 
     Raises
     ------
@@ -201,6 +217,11 @@ def add_folder(path: str | PathLike[str]) -> Mechanism:
     ----------
     path : path-like
         The folder of the mechanism, ``DIR/<mechanism>``.
+
+    Returns
+    -------
+    Mechanism
+        Its description and its generated functions.
 
     Raises
     ------

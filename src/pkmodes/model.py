@@ -70,7 +70,23 @@ class Model(Kinematics):
         return type(self), (self.robot, self.max_condition)
 
     def with_values(self, values: Mapping[str, Any]) -> Model:
-        """Return the evaluator of the robot with other values: see `pkmodes.Robot.with_values`."""
+        """Return the evaluator of the robot with other values.
+
+        Parameters
+        ----------
+        values : mapping of str to value
+            By dotted path, as for `pkmodes.Robot.with_values`.
+
+        Returns
+        -------
+        Model
+            With the same largest condition number.
+
+        Raises
+        ------
+        PkmodesError
+            As for `pkmodes.Robot.with_values`.
+        """
         return Model(self.robot.with_values(values), self.max_condition)
 
     def modes(
@@ -92,13 +108,13 @@ class Model(Kinematics):
         on_error : {"raise", "nan"}
             With "nan", a pose that cannot be evaluated gives NaN, ``valid`` False, and a ``reason``.
         fields : sequence of str, optional
-            Which of `Modes.FIELDS` to compute and keep, such as ``("frequencies", "platform_shapes")``; by default
+            Which of ``Modes.FIELDS`` to compute and keep, such as ``("frequencies", "platform_shapes")``; by default
             all, or the fields in `out`.  The values of a field do not depend on the other fields requested.
         out : mapping of str to ndarray, optional
             Arrays to fill in place, by field, with the shapes given in `Modes`; they become the fields.
         backend : {"auto", "numpy", "compiled"}
             What evaluates the modes: by default the compiled library if there is one, unless the environment variable
-            ``PKMODES_BACKEND`` says otherwise.  `Modes.backend` tells which one ran.
+            ``PKMODES_BACKEND`` says otherwise.  ``Modes.backend`` tells which one ran.
         threads : int, optional
             Threads of the compiled library, by default one per core; the results do not depend on it.
 
@@ -165,15 +181,21 @@ class Model(Kinematics):
 
         Parameters
         ----------
-        poses, on_error, backend, threads
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
             As for `modes`; `check` says why a pose gives NaN.
         out : ndarray of float, shape (..., m), optional
             Filled in place and returned.
+        backend : {"auto", "numpy", "compiled"}
+            As for `modes`.
+        threads : int, optional
+            As for `modes`.
 
         Returns
         -------
         ndarray, shape (..., m)
-            sqrt(abs(lambda)) / (2 pi) with the sign of lambda [Hz], the rigid-body modes first.
+            In Hz: sqrt(abs(lambda)) / (2 pi) with the sign of lambda, the rigid-body modes first.
         """
         given = None if out is None else {"frequencies": out}
         found = self.modes(
@@ -191,17 +213,39 @@ class Model(Kinematics):
     def matrices(self, poses: ArrayLike, on_error: OnError = "raise") -> tuple[Array, Array]:
         """Compute the mass and stiffness matrices (equations 33 and 48).
 
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            With "nan", a pose that cannot be evaluated gives NaN.
+
         Returns
         -------
-        M, K : ndarray, shape (..., n, n)
+        M : ndarray, shape (..., n, n)
             In SI units, in the order of `coordinates`; NaN where a pose could not be evaluated.
+        K : ndarray, shape (..., n, n)
+            Likewise.
         """
         checked = self._check(poses, on_error)
         M, K = self._evaluate(lambda p: matrices(self._evaluation, p), checked)
         return M, K
 
     def statics(self, poses: ArrayLike, on_error: OnError = "raise") -> Statics:
-        """Compute the torques and rotations that hold the pose (equation 44)."""
+        """Compute the torques and rotations that hold the pose (equation 44).
+
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            With "nan", a pose that cannot be evaluated gives NaN.
+
+        Returns
+        -------
+        Statics
+            With the leading axes of the poses.
+        """
         checked = self._check(poses, on_error)
         torques, rotations = self._evaluate(self._evaluation.statics, checked)
         return Statics(checked.codes.reshape(checked.batch), checked.known, torques, rotations)
@@ -222,16 +266,20 @@ class Model(Kinematics):
 
         Parameters
         ----------
-        poses, on_error, out
-            As for `modes`.
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
         parameters : sequence of str, optional
             Parameter paths (docs/sensitivities.md); by default all quantities of the robot and all effect parameters.
         close : float
             Modes whose eigenvalues differ by less than this fraction form one group.
+        on_error : {"raise", "nan"}
+            As for `modes`.
         fields : sequence of str, optional
-            Which of `Sensitivities.FIELDS` to compute and keep; by default all, or the fields in `out`.
+            Which of ``Sensitivities.FIELDS`` to compute and keep; by default all, or the fields in `out`.
             ``"frequencies"`` and ``"eigenvalues"`` alone take a hundredth of the time or, without the compiled
             library, a sixth.
+        out : mapping of str to ndarray, optional
+            As for `modes`.
         backend : {"auto", "numpy", "compiled"}
             As for `modes`: what solves the eigenproblem and evaluates these two fields.  With the same back end,
             repeated modes have the same basis.

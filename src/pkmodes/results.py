@@ -150,7 +150,18 @@ class Modes(ChosenFields):
 
     @classmethod
     def fields_of(cls, kind: Mechanism) -> tuple[str, ...]:
-        """Return the `FIELDS` that exist for a mechanism."""
+        """Return the ``FIELDS`` that exist for a mechanism.
+
+        Parameters
+        ----------
+        kind : Mechanism
+            Attribute of a model.
+
+        Returns
+        -------
+        tuple of str
+            In the order of ``FIELDS``.
+        """
         carriages = kind.independent_are.replace(" ", "_") == CARRIAGES
         return tuple(name for name in cls.FIELDS if carriages or name != CARRIAGES)
 

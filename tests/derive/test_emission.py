@@ -62,7 +62,7 @@ def test_committed_code_is_current() -> None:
 @pytest.mark.parametrize("name", mechanisms.names())
 def test_the_derivation_pages_are_current(name: str) -> None:
     page = latex.page(mechanisms.base(name)).encode("utf-8")
-    assert (ROOT / "docs" / "derivation" / f"{name}.md").read_bytes() == page, "run `make docs`"
+    assert (ROOT / "docs" / "derivation" / f"{name}.md").read_bytes() == page, "run `make derivation`"
 
 
 def test_the_derivation_page_shows_every_function_and_every_named_value() -> None:

@@ -30,11 +30,11 @@ from adding_a_mechanism import (
     measured,
 )
 from compiled import COMPILER, FLAGS
+from documentation import same
 from pkmodes import mechanism as known
 from pkmodes import mechanism_packages, updating
 from pkmodes.cli import run
 from pkmodes.errors import PkmodesError
-from test_documentation import same
 
 POSE = np.array([0.03, -0.42])
 
@@ -90,8 +90,8 @@ def test_the_commands_print_what_the_page_shows(place: Path, capsys: pytest.Capt
         capsys.readouterr()
         assert run(arguments) == 0, arguments
         printed[arguments[0]] = capsys.readouterr().out
-    same(SHOWN[0], printed["modes"])
-    same(SHOWN[1], printed["diagnose"][: len(SHOWN[1])])
+    same(SHOWN[0], printed["modes"], fit=True)
+    same(SHOWN[1], printed["diagnose"][: len(SHOWN[1])], fit=True)
     assert printed["check"].count(": current\n") == 2
     assert "next: pkmodes generate --mechanism build/five_bar corrected.toml --out DIR" in printed["diagnose"]
     assert "payload" in (place / "corrected.toml").read_text(encoding="utf-8")

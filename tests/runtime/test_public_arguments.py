@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import doctest
 import os
 import subprocess
 import sys
@@ -14,10 +13,8 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes import diagnosis, kinematics, loading
-from pkmodes import model as model_module
+from pkmodes import diagnosis
 from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
-from pkmodes.robot import robot as robot_module
 from robot_text import PUBLISHED
 
 ROOT = Path(__file__).parents[2]
@@ -216,14 +213,6 @@ print((before, names, "{part}" in dir(pkmodes)))
 def test_the_package_has_nothing_else() -> None:
     with pytest.raises(AttributeError, match="module 'pkmodes' has no attribute 'opening'"):
         _ = pkmodes.opening
-
-
-@pytest.mark.parametrize("module", [model_module, kinematics, loading, robot_module])
-def test_examples_print_what_they_say(module: object, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(ROOT)
-    found = doctest.testmod(module)
-    assert found.attempted > 0
-    assert found.failed == 0
 
 
 def test_the_former_name_of_updating_still_works_and_says_so() -> None:

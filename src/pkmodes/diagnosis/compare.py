@@ -95,6 +95,17 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
     structure : Structure
         At the setups of the measurements; evaluated with the declared values of its parameters.
     data : Measurements
+        Identified modes of these setups.
+
+    Returns
+    -------
+    Comparison
+        One row for each measured mode, in the order of the data.
+
+    Raises
+    ------
+    PkmodesError
+        If the data do not belong to the structure, or it cannot be evaluated as declared.
     """
     check_arguments(structure, data)
     structure = at_measured(structure, data.labels, float(data.frequency.max(initial=0.0)))

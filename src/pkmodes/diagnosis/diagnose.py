@@ -56,6 +56,7 @@ def diagnose(
     structure : Structure
         At the setups of the measurements.
     data : Measurements
+        Identified modes of these setups.
     holdout : sequence of str, optional
         Labels of setups that are used in no choice or fit.
     progress : callable, optional
@@ -66,6 +67,7 @@ def diagnose(
     Returns
     -------
     Diagnosis
+        The verdict with its reason, the causes, and the error before and after.
 
     Raises
     ------

@@ -61,9 +61,6 @@ class MatrixStructure:
         exactly.  If the matrices are not finite, the values cannot be evaluated, and a fit avoids them; an exception
         at any values within the bounds is an error.  The matrices must be reproducible; they are cached while there
         is memory for them.
-    derivatives : callable, optional
-        ``derivatives(values, setup, name) -> (dM, dK)`` with respect to the named parameter.  By default differences
-        of the matrices are used, with a step that changes them by about a millionth, whatever the unit.
     channels : sequence of str
         Names allowed for the shape columns of the measurements: those of the n coordinates, some of
         `coordinates`, or one name for each row of `sensors`.
@@ -71,6 +68,9 @@ class MatrixStructure:
         Names of the n coordinates, if the channels are some of them.
     sensors : array_like or sparse matrix, shape (C, n), optional
         Motion of each channel for unit motions of the coordinates, if the channels are not coordinates.
+    derivatives : callable, optional
+        ``derivatives(values, setup, name) -> (dM, dK)`` with respect to the named parameter.  By default differences
+        of the matrices are used, with a step that changes them by about a millionth, whatever the unit.
     setups : sequence of str
         Labels of the setups, as in the measurements, in any order; by default there is one setup with any label.
     rigid : int

@@ -21,9 +21,10 @@ Index = NDArray[np.intp]
 class Parameter:
     """A number that a model depends on.
 
-    Attributes
+    Parameters
     ----------
     name : str
+        Its key in the values that the model gets, and its name in reports.
     value : float
         Declared value; for a cause that is not declared, the value at which it is absent.
     unit : str
@@ -31,8 +32,10 @@ class Parameter:
     sigma : float or None
         Standard deviation of the declared value: a nuisance parameter, refitted within this prior under every
         hypothesis.  None: fixed at its value, unless it belongs to a candidate.
-    lower, upper : float
-        Physical bounds.
+    lower : float
+        Smallest value that is physically possible.
+    upper : float
+        Largest value that is physically possible.
     log : bool
         Whether the prior is log-normal, for a positive scale.  The standard deviation, here or in a candidate, is
         then relative.
@@ -51,9 +54,10 @@ class Parameter:
 class Candidate:
     """A cause that may explain the residual: one parameter, or several that are tested together.
 
-    Attributes
+    Parameters
     ----------
     name : str
+        Its name in reports.
     parameters : tuple of str
         Names of its parameters.
     sentence : str

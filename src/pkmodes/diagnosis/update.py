@@ -119,15 +119,18 @@ def update(
     structure : Structure
         At the setups of the measurements.  Each parameter needs a prior: its own ``sigma``, or that of a candidate.
     data : Measurements
+        Identified modes of these setups.
     parameters : sequence of str, optional
         Names of the parameters that may change; by default all that have a prior.
     holdout : sequence of str, optional
         Labels of held-out setups; by default one in six.
     criteria : Criteria, optional
+        Thresholds.
 
     Returns
     -------
     Update
+        The values before and after, and the error before and after.
 
     Raises
     ------

@@ -159,6 +159,13 @@ class Measurements(Columns):
         settings : mapping of str to array_like of shape (R,), optional
             Known values of parameters by path, in SI units, NaN where the declared value applies.  Rows with the
             same label must agree.
+        **unknown
+            Refused; the error suggests the nearest argument.
+
+        Returns
+        -------
+        Measurements
+            With the labels in the order of their first rows.
 
         Raises
         ------
@@ -247,7 +254,18 @@ class Measurements(Columns):
         return found
 
     def load(self, pose: int) -> dict[str, float]:
-        """Return the values set at a pose by path, in SI units, without those that are as declared."""
+        """Return the values set at a pose by path, in SI units, without those that are as declared.
+
+        Parameters
+        ----------
+        pose : int
+            Index into `labels`.
+
+        Returns
+        -------
+        dict of str to float
+            Empty if nothing was set.
+        """
         values = zip(self.settings, self.set_values[pose].tolist(), strict=True)
         return {name: value for name, value in values if not np.isnan(value)}
 
@@ -259,6 +277,11 @@ class Measurements(Columns):
         poses : sequence of int
             Indices into `labels`, each at most once.  Their order does not matter: rows keep the order of the
             file, and the remaining poses are renumbered in the order of their first rows.
+
+        Returns
+        -------
+        Measurements
+            With the rows of these poses.
 
         Raises
         ------

@@ -13,8 +13,8 @@ class Robot(Declaration):
     """A robot as declared.
 
     Two robots are equal if their declarations are equal; the location of their files is ignored.  The attributes are
-    those of `Declaration`: ``name``, ``mechanism``, ``source``, ``parameters``, ``quantities``, ``effects``,
-    ``constants``, and the derived ``kind`` and ``declared``.
+    those of `pkmodes.robot.declaration.Declaration`: ``name``, ``mechanism``, ``source``, ``parameters``,
+    ``quantities``, ``effects``, ``constants``, and the derived ``kind`` and ``declared``.
     """
 
     def with_values(self, values: Mapping[str, Any]) -> Robot:
@@ -56,5 +56,16 @@ class Robot(Declaration):
 
     @classmethod
     def of(cls, declaration: Declaration) -> Robot:
-        """Return the robot with a given declaration."""
+        """Return the robot with a given declaration.
+
+        Parameters
+        ----------
+        declaration : Declaration
+            Read from a file, or changed.
+
+        Returns
+        -------
+        Robot
+            With the same content.
+        """
         return cls(**vars(declaration))

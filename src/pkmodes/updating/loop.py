@@ -43,6 +43,11 @@ def read(
     robot : Robot or Model, optional
         Robot whose mechanism defines the allowed columns; by default those of any mechanism.
 
+    Returns
+    -------
+    Measurements
+        In SI units and Hz.
+
     Raises
     ------
     MeasurementError
@@ -117,6 +122,16 @@ def compare(robot: Robot | Model, data: Measurements) -> Comparison:
         From `pkmodes.read_robot` or `pkmodes.load`.
     data : Measurements
         From `read`.
+
+    Returns
+    -------
+    Comparison
+        One row for each measured mode, in the order of the file.
+
+    Raises
+    ------
+    PkmodesError
+        If a pose cannot be reached, or a set value is refused.
     """
     return diagnosis.compare(structure(robot, data, candidates=()), data)
 
@@ -152,6 +167,8 @@ def diagnose(
     Returns
     -------
     Diagnosis
+        The verdict with its reason, the causes, and the error before and after; `save_robot` writes the corrected
+        robot file.
 
     Raises
     ------
@@ -174,13 +191,19 @@ def update(
     Parameters
     ----------
     robot : Robot or Model
-        Its quantities with a sigma may change, with the sigma as a prior; `Robot.with_values` adds a sigma to others.
+        Its quantities with a sigma may change, with the sigma as a prior; `pkmodes.Robot.with_values` adds a sigma
+        to others.
     data : Measurements
         From `read`.
     parameters : sequence of str, optional
         Dotted paths of those that may change; by default all with a sigma.
     holdout : sequence of str, optional
         Labels of held-out poses; by default one in six.
+
+    Returns
+    -------
+    Update
+        The values before and after, and the error before and after.
 
     Raises
     ------
@@ -209,6 +232,15 @@ def corrected_robot(robot: Robot | Model, found: Diagnosis) -> str:
     """Return the text of the corrected robot file; comments and order of the original are kept.
 
     If a class has several causes, the first one, which names it, is written.
+
+    Parameters
+    ----------
+    robot : Robot or Model
+        The diagnosed robot, read from a file.
+    found : Diagnosis
+        From `diagnose`.
+    target : path-like
+        The file to write.
 
     Raises
     ------

@@ -280,7 +280,13 @@ class Diagnosis:
         return tuple(row for row in self.rows if last(row) is None and not row.outlier)
 
     def as_json(self) -> dict[str, object]:
-        """Return the result in the form described in docs/json.md, without NaN."""
+        """Return the result in the form described in docs/json.md, without NaN.
+
+        Returns
+        -------
+        dict of str to object
+            What ``pkmodes diagnose --json`` writes.
+        """
         return {
             "verdict": self.verdict,
             "reason": self.reason,

@@ -1,0 +1,158 @@
+"""Every code block of every page runs, and prints the output shown."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+import pkmodes
+from compiled import COMPILER
+from documentation import ELSEWHERE, HINT, PAGES, ROOT, Block, blocks, same
+from pkmodes import updating
+from robot_text import published
+
+LANGUAGES = {"python", "sh", "text", "toml", "csv", "c"}
+RUN = [page for page in PAGES if any(block.elsewhere is None for block in blocks(page))]
+#: Pages with a diagnosis or several compilations; the others take a few seconds at most.
+LONG = {"docs/tutorial.md", "docs/diagnosis.md"}
+
+
+class Reader:
+    """Follows one page from top to bottom in a folder of its own."""
+
+    def __init__(self, page: str, folder: Path) -> None:
+        self.page, self.folder = page, folder
+        self.names: dict[str, object] = {"__name__": "page"}  # starts no processes
+        self.printed = ""
+        for name in ("robots", "examples", "docs"):
+            (folder / name).symlink_to(ROOT / name)
+        for name, command in (("pkmodes", f"{sys.executable} -m pkmodes"), ("python", sys.executable)):
+            script = folder / "bin" / name
+            script.parent.mkdir(exist_ok=True)
+            script.write_text(f'#!/bin/sh\nexec {command} "$@"\n')
+            script.chmod(0o755)
+        (folder / "build").mkdir()
+        self.environment = {
+            **os.environ,
+            "PATH": os.pathsep.join([str(folder / "bin"), os.environ["PATH"]]),
+            "PYTHONPATH": os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive")),
+            "COLUMNS": "110",
+        }
+
+    def follow(self, block: Block) -> None:
+        """Do what a block says."""
+        name, more = block.hint("file"), block.hint("append")
+        if name or more:
+            with (self.folder / str(name or more)).open("a" if more else "w", encoding="utf-8") as file:
+                file.write(block.text if name else f"\n{block.text}")
+        getattr(self, f"_{block.language}")(block)
+
+    def _python(self, block: Block) -> None:
+        out = io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.chdir(self.folder):
+            exec(compile(block.text, f"{block.page}:{block.line}", "exec"), self.names)
+        self.printed = out.getvalue()
+        shown = [line.removeprefix("# ") for line in block.text.splitlines() if line.startswith("# ")]
+        if shown:
+            assert self.printed.splitlines() == shown
+
+    def _sh(self, block: Block) -> None:
+        if re.search(r"^cc ", block.text, re.MULTILINE) and not COMPILER:
+            pytest.skip("no C compiler")
+        done = subprocess.run(
+            ["bash", "-e", "-o", "pipefail", "-c", block.text],
+            cwd=self.folder,
+            env=self.environment,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            check=False,
+        )
+        self.printed = done.stdout
+        assert done.returncode == int(block.hint("exit") or 0), done.stdout
+
+    def _text(self, block: Block) -> None:
+        if "drawing" not in block.hints:
+            same(
+                block.text,
+                self.printed,
+                fit="from a fit" in block.hints,
+                shortened="shortened" in block.hints,
+            )
+
+    def _toml(self, block: Block) -> None:
+        tables = tomllib.loads(block.text)
+        if "fragment" not in block.hints and not block.hint("append"):
+            path = self.folder / "block.toml"
+            path.write_text(block.text, encoding="utf-8")
+            pkmodes.read_robot(path)
+        elif tables.keys() == {"effects"}:
+            path = self.folder / "block.toml"
+            path.write_text(f"{published()}\n{block.text}", encoding="utf-8")
+            pkmodes.read_robot(path)
+
+    def _csv(self, block: Block) -> None:
+        path = self.folder / "block.csv"
+        path.write_text(block.text, encoding="utf-8")
+        assert len(updating.read(path).frequency) == len(block.text.splitlines()) - 1
+
+    def _c(self, block: Block) -> None:
+        assert block.hint("file"), "a later command compiles it"
+
+
+@pytest.mark.parametrize(
+    "page", [pytest.param(page, marks=pytest.mark.slow if page in LONG else ()) for page in RUN]
+)
+def test_the_blocks_of_a_page_run_and_print_what_it_shows(
+    page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    reader = Reader(page, tmp_path)
+    for block in blocks(page):
+        if block.elsewhere is None:
+            try:
+                reader.follow(block)
+            except Exception as error:
+                error.add_note(f"{page}:{block.line}")
+                raise
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_every_block_says_what_it_is(page: str) -> None:
+    """A block without a language would be skipped, and a misspelt comment would be overlooked."""
+    for block in blocks(page):
+        place = f"{page}:{block.line}"
+        if page.startswith("docs/") or block.elsewhere is None:
+            assert block.language in LANGUAGES, f"{place}: {block.language!r}"
+        for hint in block.hints:
+            assert HINT.fullmatch(hint), f"{place}: {hint!r}"
+
+
+def test_the_list_of_blocks_that_are_not_run_is_current() -> None:
+    for (page, start), reason in ELSEWHERE.items():
+        assert any(block.text.startswith(start) for block in blocks(page)), (page, start)
+        if (found := re.match(r"tests/\S+", reason)) is not None:
+            assert (ROOT / found[0]).is_file(), reason
+
+
+def test_outputs_are_compared() -> None:
+    """What the comparison lets pass, and what not."""
+    same("rms 0.688 %\n", "  rms\n0.688 %")
+    same("rms 0.688 %", "rms 0.690 %", fit=True)
+    same("b 2\nd 4", "a 1 b 2 c 3 d 4", shortened=True)
+    for shown, printed, options in (
+        ("rms 0.688 %", "rms 0.689 %", {}),
+        ("rms 0.688 %", "rms 0.788 %", {"fit": True}),
+        ("rms 0.688 %", "rms 0.688 % more", {}),
+        ("rms 0.688 % more", "rms 0.688 %", {}),
+        ("d 4\nb 2", "a 1 b 2 c 3 d 4", {"shortened": True}),
+    ):
+        with pytest.raises(AssertionError):
+            same(shown, printed, **options)
