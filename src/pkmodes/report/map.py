@@ -160,7 +160,7 @@ def _changes(dataset: xarray.Dataset) -> Iterator[Section]:
                 f"Frequencies against {clean(path)}: the line is the median, the band the range at all poses."
             )
             with styled():
-                blocks.append(Picture(inline(sweeps.against(dataset, path), clean(path), caption), caption))
+                blocks.append(Picture.of(sweeps.against(dataset, path), clean(path), caption, caption))
         yield Section("sweeps", "Swept parameters", blocks)
     if "sample" in dims:
         drawn = [
@@ -171,10 +171,8 @@ def _changes(dataset: xarray.Dataset) -> Iterator[Section]:
             "values are within the bar, 95 % within the line."
         )
         with styled():
-            picture = Picture(
-                inline(sweeps.scatter(dataset), "Scatter over sampled robots", caption), caption
-            )
-        listing = Listing([clean(path) for path in drawn])
+            picture = Picture.of(sweeps.scatter(dataset), "Scatter over sampled robots", caption, caption)
+        listing = Listing([clean(path) for path in drawn], names=True)
         yield Section(
             "samples",
             "Sampled robots",
@@ -183,7 +181,7 @@ def _changes(dataset: xarray.Dataset) -> Iterator[Section]:
     if "pose" in dims:
         caption = "Frequencies along the poses, medians over everything else."
         with styled():
-            picture = Picture(inline(sweeps.along(dataset), "Frequencies along the poses", caption), caption)
+            picture = Picture.of(sweeps.along(dataset), "Frequencies along the poses", caption, caption)
         yield Section("poses", "Along the poses", [picture])
 
 
@@ -202,7 +200,7 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Block]:
     for picture in pictures(model, places):
         with styled():
             svg = inline(picture.figure, picture.title, picture.description, cropped=True)
-        yield Picture(svg, f"{picture.title}. {picture.description}")
+        yield Picture(svg, picture.title, picture.description)
 
 
 def _view(view: str | None) -> list[Section]:
