@@ -25,8 +25,8 @@ def page(scene: Scene) -> str:
     --------
     >>> import pkmodes
     >>> from pkmodes.view import page, poses_around
-    >>> model = pkmodes.load("robots/corexy-printer.toml")
-    >>> text = page(poses_around(model, [0.15, 0.15]))
+    >>> model = pkmodes.load("robots/linear-delta-2022.toml")
+    >>> text = page(poses_around(model, [0.6, 0.0, -0.245]))
     >>> text.startswith("<!doctype html>"), len(text) < 1_500_000
     (True, True)
     """
