@@ -1,4 +1,4 @@
-"""Pages in a headless Chromium."""
+"""A real browser for pages from pkmodes: headless Chromium, which may load nothing but the page itself."""
 
 from __future__ import annotations
 
@@ -11,50 +11,91 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from typing import Any, Literal
 
 import pytest
-from playwright.sync_api import Page, sync_playwright
 
-CHROMIUM = next((path for name in ("chromium", "chromium-browser") if (path := shutil.which(name))), None)
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
+#: WebGL without a graphics card.
+SOFTWARE_WEBGL = ("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+#: Impacts of findings of axe-core that no page may have.
+GRAVE = ("serious", "critical")
 
 
 @dataclass
 class Opened:
-    """A page, and what happened while it was open.
+    """An open page: the page of Playwright, what it wrote to the console, and what it asked for."""
 
-    Attributes
-    ----------
-    page : Page
-    errors : list of str
-        Errors on the console, uncaught exceptions and failed requests.
-    requests : list of str
-        Addresses of everything that was requested.
-    """
-
-    page: Page
-    errors: list[str] = field(default_factory=list)
+    page: Any
+    problems: list[str] = field(default_factory=list)
     requests: list[str] = field(default_factory=list)
+
+    @property
+    def outside(self) -> list[str]:
+        """Requests for anything but the page and what it contains."""
+        own = (self.page.url.split("#")[0], "data:", "blob:")
+        return [address for address in self.requests if not address.startswith(own)]
+
+    @property
+    def sideways(self) -> bool:
+        """Whether the page scrolls sideways."""
+        return bool(self.page.evaluate("document.documentElement.scrollWidth > window.innerWidth"))
+
+    def findings(self) -> list[str]:
+        """Return the grave findings of axe-core."""
+        from axe_playwright_python.sync_playwright import Axe
+
+        found = Axe().run(self.page).response["violations"]
+        return [
+            f"{one['id']}: {node['html'][:200]}"
+            for one in found
+            if one["impact"] in GRAVE
+            for node in one["nodes"]
+        ]
 
 
 @contextmanager
-def opened(url: str, *, width: int = 1280, height: int = 900, dark: bool = False) -> Iterator[Opened]:
-    """Open a page; without a Chromium the test is skipped, but never in CI."""
+def opened(
+    place: Path | str,
+    *,
+    width: int = 1280,
+    height: int = 900,
+    scheme: Literal["light", "dark"] = "light",
+    media: Literal["screen", "print"] = "screen",
+    motion: Literal["no-preference", "reduce"] = "no-preference",
+    arguments: tuple[str, ...] = SOFTWARE_WEBGL,
+    **options: Any,
+) -> Iterator[Opened]:
+    """Open a file or an address in headless Chromium; further options are those of the browser's context.
+
+    Where there is none, the test is skipped, but not where CI is set: there it fails.
+    """
     if CHROMIUM is None:
-        (pytest.fail if os.environ.get("CI") else pytest.skip)("no Chromium: install the package chromium")
+        if os.environ.get("CI"):
+            pytest.fail("needs Chromium: install the Debian package chromium")
+        pytest.skip("needs Chromium: install the Debian package chromium")
+    from playwright.sync_api import sync_playwright
+
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
-        page = browser.new_page(
-            viewport={"width": width, "height": height}, color_scheme="dark" if dark else "light"
-        )
-        found = Opened(page)
-        page.on("console", lambda m: found.errors.append(m.text) if m.type == "error" else None)
-        page.on("pageerror", lambda error: found.errors.append(str(error)))
-        page.on("requestfailed", lambda request: found.errors.append(f"failed: {request.url}"))
-        page.on("request", lambda request: found.requests.append(request.url))
-        page.goto(url)
-        page.wait_for_load_state("networkidle")
-        yield found
-        browser.close()
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", *arguments])
+        try:
+            context = browser.new_context(
+                viewport={"width": width, "height": height},
+                color_scheme=scheme,
+                reduced_motion=motion,
+                **options,
+            )
+            page = context.new_page()
+            page.emulate_media(media=media)
+            found = Opened(page)
+            page.on("console", lambda message: found.problems.append(message.text))
+            page.on("pageerror", lambda error: found.problems.append(str(error)))
+            page.on("request", lambda request: found.requests.append(request.url))
+            page.on("requestfailed", lambda request: found.problems.append(f"failed: {request.url}"))
+            page.goto(place.resolve().as_uri() if isinstance(place, Path) else place)
+            yield found
+        finally:
+            browser.close()
 
 
 class _Quiet(SimpleHTTPRequestHandler):

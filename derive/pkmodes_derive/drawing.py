@@ -93,18 +93,19 @@ class Drawing:
 
     Attributes
     ----------
-    vocabulary : Vocabulary
     elements : list of Element
     uprights : list of Upright
+    vocabulary : Vocabulary
+        Its own symbols, which are no part of the model.
     """
 
-    vocabulary: Vocabulary
     elements: list[Element] = field(default_factory=list)
     uprights: list[Upright] = field(default_factory=list)
+    vocabulary: Vocabulary = field(default_factory=Vocabulary)
 
     def upright(self, direction: Sequence[object], place: Sequence[object]) -> tuple[Symbol, ...]:
         """Return a unit vector perpendicular to a direction, as upright as the viewer can choose it."""
-        name, what = "up_{j}", "direction {j} that the robot leaves open, perpendicular to a given one"
+        name, what = "up_{j}", "unit vector {j} that the robot leaves open, perpendicular to a given one"
         number = len(self.uprights) + 1
         symbols = self.vocabulary.vector(name, "1", what, "u_{j}", j=number)
         self.uprights.append(Upright(symbols, _exact(direction), _exact(place)))
@@ -173,7 +174,7 @@ def from_parts(
     platform: Sequence[Expr],
 ) -> list[Element]:
     """Return what the parts of a machine show without a declaration; each is named after its mass."""
-    drawing = Drawing(vocabulary)
+    drawing = Drawing()
     for number, rod in enumerate(rods, start=1):
         drawing.line("link", _named(vocabulary, rod.mass, f"rod {number}"), *rod.ends)
     for number, arm in enumerate(arms, start=1):

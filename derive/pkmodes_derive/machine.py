@@ -151,7 +151,7 @@ class Machine:
         self.requirements: tuple[Requirement, ...] = ()
         self.scales: tuple[Scale, ...] = ()
         self.extras: list[Extra] = []
-        self.draw = Drawing(self.vocabulary)
+        self.draw = Drawing()
         self.sample: Mapping[str, object] = {}
 
     # Declarations of a mechanism ---------------------------------------------------------------------------

@@ -16,7 +16,7 @@ from pkmodes_derive.description import DrawingData, ElementData
 from pkmodes_derive.drawing import Element, Point, from_parts
 from pkmodes_derive.functions import Argument, FieldGroup, Function, Model, Output
 from pkmodes_derive.machine import Machine
-from pkmodes_derive.vocabulary import AXES
+from pkmodes_derive.vocabulary import AXES, DeclarationError
 
 Motion = tuple[Expr, ...]
 
@@ -75,6 +75,7 @@ def _model(
 ) -> Model:
     machine, v = d.machine, d.machine.vocabulary
     n, uprights = len(machine.all_coordinates), machine.draw.uprights
+    _check_names(machine)
     up = Argument(
         "up",
         flat([u.symbols for u in uprights]),
@@ -147,6 +148,15 @@ def _model(
         ),
         functions=tuple(functions),
     )
+
+
+def _check_names(machine: Machine) -> None:
+    """Refuse a symbol with the name of the unit vectors that a drawing leaves open, or of their argument."""
+    own = {"up", *(symbol.name for upright in machine.draw.uprights for symbol in upright.symbols)}
+    for quantity in machine.vocabulary if machine.draw.uprights else ():
+        if quantity.symbol.name in own:
+            what = f"the symbol {quantity.symbol} has the name of an open direction of the drawing"
+            raise DeclarationError(what, f"rename it, for example {quantity.symbol}_0")
 
 
 def _function(

@@ -25,8 +25,8 @@ def page(scene: Scene) -> str:
     --------
     >>> import pkmodes
     >>> from pkmodes.view import page, poses_around
-    >>> model = pkmodes.load("robots/corexy-printer.toml")
-    >>> text = page(poses_around(model, [0.15, 0.15]))
+    >>> model = pkmodes.load("robots/linear-delta-2022.toml")
+    >>> text = page(poses_around(model, [0.6, 0.0, -0.245]))
     >>> text.startswith("<!doctype html>"), len(text) < 1_500_000
     (True, True)
     """
@@ -50,7 +50,7 @@ def page(scene: Scene) -> str:
 {fragment(scene)}
 <footer>
 <p>A mode is a free vibration about the static equilibrium at the pose.  The picture enlarges it; displacements are
-linear in the amplitude.  Rigid-body motions strain no spring.  Parts whose size or place the robot file does not
+linear in the amplitude.  Parts whose size or place the robot file does not
 give are drawn schematically.</p>
 </footer>
 </main>
@@ -87,6 +87,7 @@ def fragment(scene: Scene, name: str = "robot") -> str:
 <div class="pkview-stage">
 <canvas tabindex="0" role="application" aria-label="{escape(scene.robot)}, moving in the chosen mode.
  Arrow keys turn the view, plus and minus zoom, Home resets it, space plays and pauses."></canvas>
+<canvas class="pkview-still" aria-hidden="true"></canvas>
 <div class="pkview-title"><h2 data-part="title">Modes of {escape(scene.robot)}</h2>
 <p><span data-part="held"></span></p><p>Platform moves along <span data-part="along"></span></p></div>
 <div class="pkview-legend" aria-hidden="true">Share of the strain energy
@@ -145,7 +146,8 @@ def _modes(scene: Scene, key: str) -> str:
         )
     return (
         f'<fieldset><legend>Mode</legend><div class="pkview-modes">{"".join(labels)}</div></fieldset>'
-        '<p class="pkview-status" role="status" aria-live="polite" data-part="status"></p>'
+        '<p class="pkview-status" role="status" aria-live="polite" data-part="status">'
+        "Rigid-body motions strain no spring.</p>"
     )
 
 

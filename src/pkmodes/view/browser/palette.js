@@ -22,7 +22,7 @@ const OF_KIND = {
 };
 // Radius of a line or ball as a share of the robot's size.
 const THICKNESS = {
-  rail: 0.0055, frame: 0.0065, link: 0.0048, arm: 0.011, axle: 0.006, shaft: 0.007, gantry: 0.009, belt: 0.0036,
+  rail: 0.0055, frame: 0.0065, link: 0.0048, arm: 0.011, axle: 0.006, shaft: 0.007, gantry: 0.009, belt: 0.0032,
   platform: 0.018, body: 0.014,
 };
 

@@ -128,7 +128,7 @@ class Stage {
   // Place the camera in a direction so that everything fits into the picture, as large as possible.
   frame(from) {
     const right = this.vertical.clone().cross(from).normalize(), up = from.clone().cross(right);
-    const slope = Math.tan((this.camera.fov * Math.PI) / 360), room = [0.84 * slope * this.camera.aspect, 0.76 * slope];
+    const slope = Math.tan((this.camera.fov * Math.PI) / 360), room = [(this.camera.aspect < 1 ? 0.74 : 0.84) * slope * this.camera.aspect, 0.76 * slope];
     const most = [-Infinity, -Infinity], least = [Infinity, Infinity];
     const { centre } = this.bounds();
     const take = (flat, part) => {

@@ -56,16 +56,30 @@ class Viewer {
     canvas.addEventListener("blur", () => this.zooming(false));
     if (!this.stage) return;
     const dark = matchMedia("(prefers-color-scheme: dark)"), print = matchMedia("print");
-    const repaint = () => this.stage.paint(PALETTES[dark.matches && !print.matches ? "dark" : "light"]);
-    [dark, print].forEach((query) => query.addEventListener("change", () => {
-      if (query === print) this.printing = print.matches;
-      repaint();
+    const repaint = () => {
+      this.stage.paint(PALETTES[dark.matches && !this.printing ? "dark" : "light"]);
       this.draw();
-    }));
+    };
+    const printing = (on) => {
+      this.printing = on;
+      repaint();
+      if (on) this.still();
+    };
+    dark.addEventListener("change", repaint);
+    print.addEventListener("change", () => printing(print.matches));
+    addEventListener("beforeprint", () => printing(true));
+    addEventListener("afterprint", () => printing(false));
     repaint();
     this.fit(true);
     new ResizeObserver(() => this.fit(false)).observe(canvas.parentElement);
     new IntersectionObserver((entries) => { this.seen = entries.at(-1).isIntersecting; }).observe(canvas);
+  }
+
+  // A copy of the picture for paper: a browser may print the WebGL canvas as it was a frame ago.
+  still() {
+    const copy = this.root.querySelector(".pkview-still");
+    [copy.width, copy.height] = [this.canvas.width, this.canvas.height];
+    copy.getContext("2d").drawImage(this.canvas, 0, 0);
   }
 
   zooming(on) {
@@ -74,7 +88,7 @@ class Viewer {
 
   fit(first) {
     const { clientWidth: width, clientHeight: height } = this.canvas;
-    if (!width || !height) return;
+    if (!width || !height) return; // hidden, as on paper
     const changed = this.stage.resize(width, height);
     if (first || (changed && !this.turned)) this.stage.resetView();
     this.draw();
