@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pkmodes.cli.output import check_target, deliver, json_option, mechanism_option, to_file, write_json
-from pkmodes.errors import PkmodesError
+from pkmodes.errors import OutputError, PkmodesError
 from pkmodes.loading import load
 from pkmodes.robot.corrections import changeable
 
@@ -90,11 +90,20 @@ def map_(
     json_file: str | None,
 ) -> None:
     """Compute the modes over the workspace, print their ranges, and write them to a file."""
-    check_target(json_file, robot, *([poses] if poses else []))
+    inputs = [robot, *([poses] if poses else []), *([out] if out else [])]
+    check_target(json_file, *inputs)
+    if json_file not in (None, "-") and out is not None and Path(json_file).resolve() == out.resolve():
+        raise OutputError(
+            "both results would have the same name", f"--json {json_file}", "choose another file"
+        )
+    if out is not None and any(
+        given.exists() and out.exists() and given.samefile(out) for given in inputs[:-1]
+    ):
+        raise OutputError("the map would replace its own input", f"--out {out}", "choose another file")
     if grid is not None and poses is not None:
         raise click.UsageError("--grid and --poses exclude each other", click.get_current_context())
     model = load(robot)
-    with _named_as_options(), _progress() as progress:
+    with _named_as_options(), _continued(out), _progress() as progress:
         dataset = model.map(
             _places(model, grid, poses),
             sweep=_sweep(model, settings),
@@ -143,6 +152,8 @@ OPTIONS = {
     "out": "--out",
     "samples": "--samples",
     "tracked": "--tracked",
+    "seed": "--seed",
+    "threads": "--threads",
     "grid": "--grid",
     "poses": "--poses",
 }
@@ -154,9 +165,23 @@ def _named_as_options() -> Iterator[None]:
     try:
         yield
     except PkmodesError as error:
-        if type(error) is PkmodesError and error.where in OPTIONS:
-            raise PkmodesError(error.what, OPTIONS[error.where], error.remedy) from None
-        raise
+        if error.where not in OPTIONS:
+            raise
+        raise type(error)(error.what, OPTIONS[error.where], error.remedy) from None
+
+
+@contextmanager
+def _continued(out: Path | None) -> Iterator[None]:
+    """Tell how an interrupted map continues."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        from pkmodes.maps.storage import SUFFIX
+
+        kept = out is not None and out.with_name(out.name + SUFFIX).exists()
+        raise KeyboardInterrupt(
+            "the same command continues where it stopped" if kept else "run it again"
+        ) from None
 
 
 @contextmanager
