@@ -13,11 +13,11 @@ import pkmodes
 from pkmodes.errors import MissingExtraError
 from pkmodes.evaluation import evaluation
 from pkmodes.maps.evaluating import Layout
+from pkmodes.maps.pairing import EVENTS
 from pkmodes.maps.places import LIST, Grid, Places
 from pkmodes.maps.storage import Stored
-from pkmodes.maps.pairing import EVENTS
-from pkmodes.maps.variables import COORDINATE, DIRECTION, DRIVE, FIRST, MODE, variables
 from pkmodes.maps.tracking import Tracked
+from pkmodes.maps.variables import COORDINATE, DIRECTION, DRIVE, FIRST, MODE, variables
 from pkmodes.maps.variants import SAMPLE, Variants
 from pkmodes.poses import codes_of, reasons
 from pkmodes.robot.corrections import changeable
