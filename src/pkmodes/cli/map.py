@@ -179,9 +179,7 @@ def _continued(out: Path | None) -> Iterator[None]:
         from pkmodes.maps.storage import SUFFIX
 
         kept = out is not None and out.with_name(out.name + SUFFIX).exists()
-        raise KeyboardInterrupt(
-            "the same command continues where it stopped" if kept else "run it again"
-        ) from None
+        raise click.Abort("the same command continues where it stopped" if kept else "run it again") from None
 
 
 @contextmanager

@@ -9,8 +9,8 @@ twenty years of use and abuse", Sound and Vibration 37(8), 2003), and paired one
 followed from one reference pose along the spanning tree of the map whose pairs are clearest, so that a doubtful step
 is taken only where there is no way around it.
 
-Near a pose at which two frequencies coincide there may be no consistent numbering: a path through it exchanges the two
-modes, a path around it does not.  Neighbours that are numbered differently from how they are paired are marked as
+Near a pose at which two frequencies coincide there may be no consistent numbering: a path through it exchanges the
+two modes, a path around it does not.  Neighbours that are numbered differently from how they are paired are marked as
 uncertain.  Once around such a pose, both shapes change their sign, so that signs cannot be continuous either.
 """
 
