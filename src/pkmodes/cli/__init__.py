@@ -72,10 +72,10 @@ def run(arguments: Sequence[str] | None = None) -> int:
         return _report([f"{message[0].lower()}{message[1:]} ({place}); see {place} --help"])
     except click.ClickException as error:
         return _report([f"{error.format_message()} (pkmodes); see pkmodes --help"])
-    except (click.Abort, KeyboardInterrupt):
+    except (click.Abort, KeyboardInterrupt) as error:
         if sys.stderr is not None and sys.stderr.isatty():
             click.echo(err=True)  # after the terminal's ^C
-        _report(["interrupted (pkmodes); run it again"])
+        _report([f"interrupted (pkmodes); {error.args[0] if error.args else 'run it again'}"])
         return INTERRUPTED
     except (BrokenPipeError, SystemExit):
         # A reader such as head closed the pipe, which click turns into SystemExit.

@@ -20,7 +20,7 @@ from pkmodes.cli.output import (
     to_file,
     write_json,
 )
-from pkmodes.errors import PkmodesError
+from pkmodes.errors import OutputError, PkmodesError
 from pkmodes.loading import load
 from pkmodes.robot.corrections import changeable
 from pkmodes.writing import write_file
@@ -107,6 +107,13 @@ def map_(
     inputs = [robot, *([poses] if poses else [])]
     check_target(json_file, *inputs)
     check_other_targets({"--report": (report_to, "the report")}, json_file, *inputs)
+    if out is not None:
+        for option, other in (("--json", json_file), ("--report", report_to)):
+            if other not in (None, "-") and Path(str(other)).resolve() == out.resolve():
+                what = "the map would have the same name as another result"
+                raise OutputError(what, f"{option} {other}", "choose another file")
+        if any(given.exists() and out.exists() and given.samefile(out) for given in inputs):
+            raise OutputError("the map would replace its own input", f"--out {out}", "choose another file")
     if report_to is not None:
         from pkmodes.report.page import need_report
 
@@ -114,7 +121,7 @@ def map_(
     if grid is not None and poses is not None:
         raise click.UsageError("--grid and --poses exclude each other", click.get_current_context())
     model = load(robot)
-    with _named_as_options(), _progress() as progress:
+    with _named_as_options(), _continued(out), _progress() as progress:
         dataset = model.map(
             _places(model, grid, poses),
             sweep=_sweep(model, settings),
@@ -175,6 +182,8 @@ OPTIONS = {
     "out": "--out",
     "samples": "--samples",
     "tracked": "--tracked",
+    "seed": "--seed",
+    "threads": "--threads",
     "grid": "--grid",
     "poses": "--poses",
 }
@@ -186,9 +195,21 @@ def _named_as_options() -> Iterator[None]:
     try:
         yield
     except PkmodesError as error:
-        if type(error) is PkmodesError and error.where in OPTIONS:
-            raise PkmodesError(error.what, OPTIONS[error.where], error.remedy) from None
-        raise
+        if error.where not in OPTIONS:
+            raise
+        raise type(error)(error.what, OPTIONS[error.where], error.remedy) from None
+
+
+@contextmanager
+def _continued(out: Path | None) -> Iterator[None]:
+    """Tell how an interrupted map continues."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        from pkmodes.maps.storage import SUFFIX
+
+        kept = out is not None and out.with_name(out.name + SUFFIX).exists()
+        raise click.Abort("the same command continues where it stopped" if kept else "run it again") from None
 
 
 @contextmanager

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,8 +13,10 @@ import pkmodes
 from pkmodes.errors import MissingExtraError
 from pkmodes.evaluation import evaluation
 from pkmodes.maps.evaluating import Layout
+from pkmodes.maps.pairing import EVENTS
 from pkmodes.maps.places import LIST, Grid, Places
-from pkmodes.maps.tracking import EVENTS, Tracked
+from pkmodes.maps.storage import Stored
+from pkmodes.maps.tracking import Tracked
 from pkmodes.maps.variables import COORDINATE, DIRECTION, DRIVE, FIRST, MODE, variables
 from pkmodes.maps.variants import SAMPLE, Variants
 from pkmodes.poses import codes_of, reasons
@@ -27,8 +29,8 @@ if TYPE_CHECKING:
 
 Array = NDArray[Any]
 CONVENTIONS = "CF-1.11"
-#: Poses whose reasons are converted to text together.
-CHUNK = 1_000_000
+#: Poses of a stored map that are read and written together.
+CHUNK = 65_536
 INSTALL = "install it: pip install 'pkmodes[map]'"
 
 
@@ -37,7 +39,7 @@ def dataset_of(
     places: Places,
     variants: Variants,
     layout: Layout,
-    arrays: Mapping[str, Array],
+    arrays: Mapping[str, Any],
     tracked: Tracked | None = None,
 ) -> xarray.Dataset:
     """Return the dataset of a map.
@@ -49,8 +51,9 @@ def dataset_of(
     places : Grid or Poses
     variants : Variants
     layout : Layout
-    arrays : mapping of str to ndarray, shape (rows, ...)
-        The fields of `pkmodes.maps.evaluating.tails`.
+    arrays : mapping of str to ndarray or Stored, shape (rows, ...)
+        The fields of `pkmodes.maps.evaluating.tails`; stored ones become Dask arrays, so that the dataset can be
+        written without having it in memory.
     tracked : Tracked, optional
         Modes by shape instead of by rank.
 
@@ -63,22 +66,31 @@ def dataset_of(
     normal = places.normal(kind.directions)
     leading = (*variants.dims, *places.dims)
     shape = (*variants.shape, *places.shape)
-    fields = dict(arrays if tracked is None else tracked.arrays)
-    codes = fields.pop("code")
-    fields["valid"] = codes == 0
-    fields["reason"] = _reasons(codes, np.array(codes_of(kind)))
     coordinates = layout.coordinates if layout.shapes else kind.independent
-    if layout.shapes:
-        fields["joint_position"] = _spread(fields["joint_position"], kind.independent, coordinates)
+    fields = {name: _spaced(arrays[name], shape) for name in arrays}
+    codes = fields.pop("code")
+    names = np.array(codes_of(kind))
+    fields["valid"] = _each(lambda part: part == 0, np.dtype(bool), codes)
+    fields["reason"] = _each(names.__getitem__, names.dtype, codes)
+    if "shape" in arrays and not layout.shapes:  # they were needed for tracking only
+        del fields["shape"]
+        columns = [layout.coordinates.index(name) for name in coordinates]
+        fields["joint_position"] = fields["joint_position"][..., columns]
+    if tracked is not None:
+        fields |= _tracked(fields, codes, tracked, shape)
     known = variables(kind, normal, layout.shapes, tracked is not None)
     data = {
         v.name: (
             (*leading, *v.dims),
-            fields[v.name].reshape(*shape, *fields[v.name].shape[1:]),
+            fields[v.name],
             {**v.attributes, **_meanings(robot, v.name)},
         )
         for v in known
     }
+    rigid = np.array([evaluation(one).rigid_modes for one in variants.robots]).reshape(variants.shape)
+    if (rigid != rigid.flat[0]).any():
+        about = {"units": "1", "long_name": "number of rigid-body modes of this robot, which are left out"}
+        data["rigid_modes"] = (variants.dims, rigid, about)
     found: xarray.Dataset = imported().Dataset(
         data,
         coords={**_coordinates(robot, places, variants), **_labels(robot, layout, coordinates)},
@@ -87,13 +99,71 @@ def dataset_of(
     return found
 
 
-def _reasons(codes: Array, known: Array) -> Any:
-    """Return the reasons as text; of a map on disk when they are needed, because they take more room than codes."""
-    if not isinstance(codes, np.memmap):
-        return known[codes]
-    from dask.array import from_array, map_blocks
+def _spaced(values: Any, shape: tuple[int, ...]) -> Any:
+    """Return a field with the leading axes of the map; a stored one as a Dask array."""
+    whole = values.reshape(*shape, *values.shape[1:])
+    if not isinstance(whole, Stored):
+        return whole
+    from dask.array import from_array
 
-    return map_blocks(known.__getitem__, from_array(codes, chunks=CHUNK), dtype=known.dtype)
+    return from_array(whole, chunks=chunks_of(whole.shape, len(shape)), name=False)
+
+
+def chunks_of(shape: tuple[int, ...], leading: int) -> tuple[int, ...]:
+    """Return the size of the parts of a field: all values at about `CHUNK` poses next to each other."""
+    found, left = list(shape), CHUNK
+    for axis in reversed(range(leading)):
+        found[axis] = min(shape[axis], max(left, 1))
+        left //= shape[axis]
+    return tuple(found)
+
+
+def _each(function: Callable[..., Array], dtype: np.dtype[Any], *fields: Any) -> Any:
+    """Apply a function to fields, part by part if they are stored."""
+    if isinstance(fields[0], np.ndarray):
+        return function(*fields)
+    from dask.array import map_blocks
+
+    like = max(fields, key=lambda field: field.ndim)
+    return map_blocks(
+        function, *fields, dtype=dtype, chunks=like.chunks, meta=np.empty((0,) * like.ndim, dtype)
+    )
+
+
+def _tracked(
+    fields: Mapping[str, Any], codes: Any, tracked: Tracked, shape: tuple[int, ...]
+) -> dict[str, Any]:
+    """Return the fields of modes in the tracked order, and those that only a tracked map has."""
+
+    def spaced(values: Array) -> Any:
+        whole = values.reshape(*shape, -1)
+        if isinstance(codes, np.ndarray):
+            return whole
+        from dask.array import from_array
+
+        return from_array(whole, chunks=chunks_of(whole.shape, len(shape)), name=False)
+
+    order, signs, events = (spaced(values) for values in (tracked.order, tracked.signs, tracked.events))
+    found = {}
+    for name in ("frequency", "in_plane", "out_of_plane"):
+        found[name] = _each(_reordered, fields[name].dtype, fields[name], order)
+    for name in ("platform_shape", "shape"):
+        if name in fields:
+            places, factors = order[..., None], signs[..., None]
+            found[name] = _each(_reordered, fields[name].dtype, fields[name], places, factors)
+    valid = codes[..., None] == 0
+    found["rank"] = _each(
+        lambda places, good: np.where(good, places + 1, 0).astype(np.int8), np.dtype(np.int8), order, valid
+    )
+    found["tracking"] = events
+    return found
+
+
+def _reordered(values: Array, places: Array, factors: Array | None = None) -> Array:
+    """Return values of modes in another order; those along a further axis are multiplied by factors."""
+    if factors is None:
+        return np.take_along_axis(values, places, axis=-1)
+    return np.take_along_axis(values, places, axis=-2) * factors
 
 
 def imported() -> Any:
@@ -108,13 +178,6 @@ def imported() -> Any:
     except ModuleNotFoundError as error:
         raise MissingExtraError(f"maps need {error.name}, which is not installed", "map", INSTALL) from None
     return xarray
-
-
-def _spread(values: Array, names: tuple[str, ...], every: tuple[str, ...]) -> Array:
-    """Return values of some coordinates among all of them; the others are NaN."""
-    found = np.full((len(values), len(every)), np.nan)
-    found[:, [every.index(name) for name in names]] = values
-    return found
 
 
 def _meanings(robot: Robot, name: str) -> dict[str, Any]:

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from pkmodes.evaluation import evaluation
 from pkmodes.generated import Generated
 from pkmodes.kinematics import condition_number
-from pkmodes.maps.places import Places
 from pkmodes.model import Model
 from pkmodes.poses import CHUNK
 from pkmodes.results import JOINTS
@@ -49,14 +48,18 @@ class Task:
 
     Attributes
     ----------
-    pieces : tuple of (Robot, float, int, int)
-        Robot, largest condition number, and its first and last pose (exclusive).
-    places : Grid or Poses
+    pieces : tuple of (Robot, ndarray of shape (N, d))
+        Robots, and the poses of each.
+    max_condition : float
+        As for `pkmodes.Model`.
+    normal : str or None
+        Direction perpendicular to the plane of the grid.
     layout : Layout
     """
 
-    pieces: tuple[tuple[Robot, float, int, int], ...]
-    places: Places
+    pieces: tuple[tuple[Robot, Array], ...]
+    max_condition: float
+    normal: str | None
     layout: Layout
 
 
@@ -68,7 +71,7 @@ def tails(robot: Robot, layout: Layout) -> dict[str, tuple[tuple[int, ...], str]
         "platform_shape": ((layout.modes, len(kind.directions)), "f8"),
         "in_plane": ((layout.modes,), "f8"),
         "out_of_plane": ((layout.modes,), "f8"),
-        "joint_position": ((len(kind.independent),), "f8"),
+        "joint_position": ((len(layout.coordinates if layout.shapes else kind.independent),), "f8"),
         "static_torque": ((len(kind.drives),), "f8"),
         "condition": ((), "f8"),
         "code": ((), "i1"),
@@ -104,9 +107,8 @@ def evaluate(task: Task) -> dict[str, Array]:
     return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 
 
-def _piece(robot: Robot, max_condition: float, first: int, last: int, task: Task) -> dict[str, Array]:
-    layout, model = task.layout, Model(robot, max_condition)
-    points = task.places.points(np.arange(first, last))
+def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
+    layout, model = task.layout, Model(robot, task.max_condition)
     fields = ["frequencies", "platform_shapes", JOINTS, *(["shapes"] if layout.shapes else [])]
     # One thread: tasks run side by side.
     found = model.modes(points, "nan", fields=fields, backend=layout.backend, threads=1)
@@ -120,9 +122,11 @@ def _piece(robot: Robot, max_condition: float, first: int, last: int, task: Task
     arrays["frequency"][:, :n] = found.frequencies[:, rigid:]
     motion = arrays["platform_shape"][:, :n] = found.platform_shapes[:, rigid:]
     arrays["in_plane"][:, :n], arrays["out_of_plane"][:, :n] = parts_of(
-        motion, robot.kind.directions, task.places
+        motion, robot.kind.directions, task.normal
     )
-    arrays["joint_position"][:] = found.joint_positions
+    every = layout.coordinates if layout.shapes else robot.kind.independent
+    independent = [every.index(name) for name in robot.kind.independent]
+    arrays["joint_position"][:, independent] = found.joint_positions
     good = np.flatnonzero(found.valid)
     statics, jacobian = (
         evaluation(robot).statics,
@@ -140,21 +144,20 @@ def _piece(robot: Robot, max_condition: float, first: int, last: int, task: Task
     return {**arrays, "code": found.codes}
 
 
-def parts_of(motion: Array, directions: Sequence[str], places: Places) -> tuple[Array, Array]:
+def parts_of(motion: Array, directions: Sequence[str], normal: str | None) -> tuple[Array, Array]:
     """Split motions of the platform into magnitudes in the plane of the grid and perpendicular to it.
 
     Parameters
     ----------
     motion : ndarray, shape (..., directions)
     directions : sequence of str
-    places : Grid or Poses
+    normal : str or None
 
     Returns
     -------
     in_plane, out_of_plane : ndarray, shape (...)
         The second is zero for a mechanism that moves in a plane.
     """
-    normal = places.normal(directions)
     plane = [i for i, name in enumerate(directions) if name != normal]
     within = np.sqrt((motion[..., plane] ** 2).sum(axis=-1))
     return within, 0.0 * within if normal is None else np.abs(motion[..., directions.index(normal)])

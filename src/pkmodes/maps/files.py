@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import os
 import shutil
-import tempfile
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from pkmodes.errors import OutputError, shown
 from pkmodes.maps.dataset import imported
-from pkmodes.maps.table import table_of
+from pkmodes.maps.table import table_of, write_table
 
 if TYPE_CHECKING:
     import xarray
@@ -41,10 +41,15 @@ class Target:
         OutputError
             If the format is unknown, the folder does not exist or cannot be written, or the file exists.
         """
+        if not isinstance(out, str | os.PathLike) or not isinstance(os.fspath(out), str):
+            raise OutputError(
+                f"expected the name of a file, found {shown(out)}", "out", "for example: map.nc"
+            )
         path, where = Path(out), shown(str(out))
-        if "\\0" in str(out) or path.suffix.lower() not in FORMATS:
+        if "\0" in str(out) or path.suffix.lower() not in FORMATS:
             what = f"expected a name that ends in {', '.join(FORMATS[:-1])} or {FORMATS[-1]}, found {where}"
             raise OutputError(what, "out", "for example: map.nc")
+        path = path.resolve() if path.is_symlink() else path
         if not path.parent.is_dir():
             raise OutputError(
                 f"the folder {path.parent} does not exist", where, "create it, or choose another place"
@@ -68,8 +73,8 @@ class Target:
             )
         return cls(path)
 
-    def write(self, dataset: xarray.Dataset) -> None:
-        """Write the dataset under a temporary name, then rename it.
+    def write(self, dataset: xarray.Dataset, folder: Path) -> None:
+        """Write the dataset into a folder next to the file, then move it to its place.
 
         Raises
         ------
@@ -77,29 +82,27 @@ class Target:
             If it cannot be written.
         """
         suffix = self.path.suffix.lower()
-        temporary = Path(tempfile.mkdtemp(prefix=f".{self.path.name[:100]}.", dir=self.path.parent))
+        new, replaced = folder / f"new{suffix}", folder / f"replaced{suffix}"
         try:
-            new = temporary / self.path.name
+            for left in (new, replaced):  # by an interrupted run
+                _remove(left)
             if suffix == NETCDF:
-                dataset.to_netcdf(new, format="NETCDF4", engine="netcdf4", encoding=encoding_of(dataset))
+                written, encoding = as_characters(dataset)
+                written.to_netcdf(new, format="NETCDF4", engine="netcdf4", encoding=encoding)
             elif suffix == ZARR:
                 # Version 2 of the format: version 3 has no standard for text yet.
                 dataset.drop_encoding().to_zarr(new, mode="w", zarr_format=2, consolidated=True)
-            elif suffix == CSV:
-                table_of(dataset).to_csv(new, index=False)
             else:
-                table_of(dataset).to_parquet(new, index=False)
+                write_table(table_of(dataset), new)
             if self.path.is_dir():
-                self.path.rename(temporary / "replaced")
+                self.path.rename(replaced)
             new.replace(self.path)
-        except OSError as error:
-            what = f"cannot write: {(error.strerror or str(error)).lower()}"
-            raise OutputError(
-                what, str(self.path), "choose another place or make room, then run it again"
-            ) from None
-        finally:
-            with suppress(OSError):
-                shutil.rmtree(temporary)
+        except (OSError, RuntimeError) as error:  # the NetCDF library raises RuntimeError
+            if replaced.exists() and not self.path.exists():
+                replaced.rename(self.path)
+            reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
+            remedy = "make room or choose another place; the same command continues"
+            raise OutputError(f"cannot write: {reason.lower()}", str(self.path), remedy) from None
 
     @property
     def is_table(self) -> bool:
@@ -113,6 +116,20 @@ class Target:
         return found
 
 
-def encoding_of(dataset: xarray.Dataset) -> dict[str, dict[str, Any]]:
-    """Return the NetCDF encoding: text as characters, which compress well, because nearly all are alike."""
-    return {"reason": {"dtype": "S1", "zlib": True, "complevel": 1}} if "reason" in dataset else {}
+def as_characters(dataset: xarray.Dataset) -> tuple[xarray.Dataset, dict[str, dict[str, Any]]]:
+    """Return the dataset with its reasons as bytes, and the encoding with which NetCDF holds them as characters.
+
+    Characters compress well, because nearly all are alike, and xarray encodes text only as a whole.
+    """
+    reason = dataset["reason"]
+    attributes = {**reason.attrs, "_Encoding": "utf-8"}
+    size = np.dtype(f"S{reason.dtype.itemsize // np.dtype('U1').itemsize}")
+    reason = reason.astype(size).assign_attrs(attributes)
+    return dataset.assign(reason=reason), {"reason": {"dtype": "S1", "zlib": True, "complevel": 1}}
+
+
+def _remove(path: Path) -> None:
+    if path.is_dir():
+        shutil.rmtree(path)
+    else:
+        path.unlink(missing_ok=True)

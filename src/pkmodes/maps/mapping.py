@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from hashlib import sha256
 from math import prod
 from os import PathLike
-from typing import TYPE_CHECKING, Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,9 +20,10 @@ from pkmodes.evaluation import evaluation
 from pkmodes.maps.dataset import dataset_of, imported
 from pkmodes.maps.evaluating import Layout, Task, layout_of, tails
 from pkmodes.maps.files import Target
+from pkmodes.maps.locking import locked
 from pkmodes.maps.places import Grid, Places, places_of
 from pkmodes.maps.running import run
-from pkmodes.maps.storage import SUFFIX, InMemory, OnDisk, locked
+from pkmodes.maps.storage import SUFFIX, InMemory, OnDisk, Tails
 from pkmodes.maps.tracking import Tracked, track
 from pkmodes.maps.variants import SAMPLE, Variants, variants_of
 from pkmodes.maps.workspace import bounds_of, reachable
@@ -79,8 +81,13 @@ class Plan:
         rows, size, pieces = self.rows_of(number), self.poses, []
         for robot in range(rows.start // size, -(-rows.stop // size)):
             first, last = max(rows.start - robot * size, 0), min(rows.stop - robot * size, size)
-            pieces.append((self.variants.robots[robot], self.model.max_condition, first, last))
-        return Task(tuple(pieces), self.places, self.layout)
+            pieces.append((self.variants.robots[robot], self.places.points(np.arange(first, last))))
+        return Task(tuple(pieces), self.model.max_condition, self.normal, self.layout)
+
+    @property
+    def normal(self) -> str | None:
+        """Direction perpendicular to the plane of the grid."""
+        return self.places.normal(self.model.kind.directions)
 
     @property
     def record(self) -> dict[str, Any]:
@@ -89,12 +96,14 @@ class Plan:
         table = {name: v.tolist() for name, v in places.axes.items()} if isinstance(places, Grid) else None
         return {
             "version": pkmodes.__version__,
+            "mechanism": _fingerprint(self.model),
             "robot": text_of(self.model.robot),
             "largest condition number": self.model.max_condition,
             "grid": table,
-            "poses": None if isinstance(places, Grid) else places.table.tolist(),
-            "sweep": {path: values.tolist() for path, values in self.variants.swept.items()},
-            "samples": {path: values.tolist() for path, values in self.variants.drawn.items()},
+            "poses": None if isinstance(places, Grid) else sha256(places.table.tobytes()).hexdigest(),
+            # Lists keep the order, on which that of the rows depends.
+            "sweep": [[path, values.tolist()] for path, values in self.variants.swept.items()],
+            "samples": [[path, values.tolist()] for path, values in self.variants.drawn.items()],
             "shapes": self.layout.shapes,
             "back end": self.layout.backend,
             "rows of a task": ROWS,
@@ -128,59 +137,79 @@ def map_of(
     if tracked:
         _check_trackable(plan)
     sizes = tails(model.robot, layout)
-    with ExitStack() as stack:
-        if target is None:
-            store: InMemory | OnDisk = InMemory(plan.rows, plan.number, sizes)
-        else:
-            folder = target.path.with_name(target.path.name + SUFFIX)
-            stack.enter_context(locked(folder))
-            store = OnDisk(folder, plan.record, plan.rows, plan.number, sizes)
+    if target is None:
+        store = _in_memory(plan, sizes)
         _fill(plan, store, number, scheduler, progress)
-        if isinstance(store, OnDisk) and not (store.arrays["code"] == 0).any():
-            store.remove()
-        _check_inside(plan, store.arrays["code"] if store.arrays else None)
-        found = track_plan(plan, store.arrays) if tracked else None
-        dataset = dataset_of(model.robot, places, variants, layout, store.arrays, found)
-        if target is None:
-            return dataset
-        target.write(dataset)
-        kept: xarray.Dataset | None = dataset.load() if target.is_table else None
-        del dataset
-        if isinstance(store, OnDisk):
-            store.remove()
-        return target.opened() if kept is None else kept
+        return _dataset(plan, store, shapes, tracked)
+    folder = target.path.with_name(target.path.name + SUFFIX)
+    with locked(folder):
+        on_disk = OnDisk(folder, plan.record, plan.rows, plan.number, sizes)
+        try:
+            _fill(plan, on_disk, number, scheduler, progress)
+            if not (on_disk.arrays["code"][:] == 0).any():
+                on_disk.remove()
+                _refuse_outside(plan)
+            dataset = _dataset(plan, on_disk, shapes, tracked)
+            target.write(dataset, folder)
+            kept: xarray.Dataset | None = dataset.load() if target.is_table else None
+            on_disk.remove()
+        finally:
+            on_disk.close()
+    return target.opened() if kept is None else kept
+
+
+def _in_memory(plan: Plan, sizes: Tails) -> InMemory:
+    try:
+        return InMemory(plan.rows, plan.number, sizes)
+    except (MemoryError, ValueError):  # ValueError: more than an array can have
+        what = f"a map of {plan.rows:,} poses does not fit in memory"
+        raise PkmodesError(
+            what, "map", "write it to a file with out (--out), or make the grid coarser"
+        ) from None
+
+
+def _dataset(plan: Plan, store: InMemory | OnDisk, shapes: bool, tracked: bool) -> xarray.Dataset:
+    if not (store.arrays["code"][:] == 0).any():
+        _refuse_outside(plan)
+    found = track_plan(plan, store.arrays) if tracked else None
+    layout = replace(plan.layout, shapes=shapes)
+    return dataset_of(plan.model.robot, plan.places, plan.variants, layout, store.arrays, found)
 
 
 def _fill(
     plan: Plan, store: InMemory | OnDisk, threads: int, scheduler: str | None, progress: Progress | None
 ) -> None:
     """Compute the tasks that are not done."""
-    done = int(sum(plan.rows_of(i).stop - plan.rows_of(i).start for i in np.flatnonzero(store.done).tolist()))
+    done = sum(plan.rows_of(i).stop - plan.rows_of(i).start for i in np.flatnonzero(store.done).tolist())
 
     def tasks() -> Iterator[tuple[int, Task]]:
         for number in np.flatnonzero(~store.done).tolist():
             yield number, plan.task(number)
 
     def put(number: int, values: Mapping[str, Array]) -> None:
+        store.put(plan.rows_of(number).start, values)
+
+    def finish(number: int) -> None:
         nonlocal done
-        rows = plan.rows_of(number)
-        for name, array in store.arrays.items():
-            array[rows] = values[name]
-        store.done[number] = True
-        done += rows.stop - rows.start
+        store.finish(number)
+        done += plan.rows_of(number).stop - plan.rows_of(number).start
         if progress is not None:
             progress(done, plan.rows)
 
     if progress is not None:
         progress(done, plan.rows)
     if not store.done.all():
-        run(tasks(), put, threads, scheduler)
+        run(tasks(), put, finish, threads, scheduler)
 
 
-def _check_inside(plan: Plan, codes: Array | None) -> None:
+def _fingerprint(model: Model) -> str:
+    """Return a hash of the generated code, which a user may generate anew between two runs."""
+    files = (Path(str(module.__file__)) for module in (model.kind.model, model.kind.extended))
+    return sha256(b"\0".join(path.read_bytes() for path in files)).hexdigest()
+
+
+def _refuse_outside(plan: Plan) -> NoReturn:
     """Refuse a map without a single pose that can be evaluated."""
-    if codes is not None and (codes == 0).any():
-        return
     model, size = plan.model, plan.poses
     some = plan.places.points(np.unique(np.linspace(0, size - 1, min(size, 1000)).astype(int)))
     sentence = str(model.check(some).sentences[0]).partition(";")[0] if len(some) else ""
@@ -195,7 +224,7 @@ def _check_trackable(plan: Plan) -> None:
         raise PkmodesError(what, "tracked", "sweep an effect from a value above zero, or leave out tracked")
 
 
-def track_plan(plan: Plan, arrays: Mapping[str, Array]) -> Tracked:
+def track_plan(plan: Plan, arrays: Mapping[str, Any]) -> Tracked:
     """Track the modes of a map; samples are compared with the first one."""
     robots, size = plan.variants.robots, plan.poses
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import prod
 from typing import Any
 
 import numpy as np
@@ -105,11 +104,6 @@ class Poses:
 Places = Grid | Poses
 
 
-def size_of(places: Places) -> int:
-    """Return the number of poses."""
-    return prod(places.shape)
-
-
 def places_of(kind: Mechanism, given: Mapping[str, ArrayLike] | ArrayLike | Places) -> Places:
     """Check the poses of a map.
 
@@ -142,11 +136,17 @@ def places_of(kind: Mechanism, given: Mapping[str, ArrayLike] | ArrayLike | Plac
     if missing:
         what = f"expected values of {', '.join(names)}, found none of {', '.join(missing)}"
         raise PoseError(what, "grid", f"give one number or several, {EXAMPLE}")
-    return Grid({name: ascending(given[name], name, f"grid: {name}", PoseError) for name in names})
+    return Grid({name: ascending(given[name], name, f"grid: {name}", EXAMPLE, PoseError) for name in names})
 
 
 def ascending(
-    given: Any, name: str, where: str, error: type[PkmodesError] = PkmodesError, *, strictly: bool = True
+    given: Any,
+    name: str,
+    where: str,
+    example: str,
+    error: type[PkmodesError] = PkmodesError,
+    *,
+    strictly: bool = True,
 ) -> Array:
     """Check the values along an axis of a map; one number is an axis of one value.
 
@@ -157,6 +157,8 @@ def ascending(
         Of the axis, for messages.
     where : str
         Of the argument, for messages.
+    example : str
+        A remedy.
     error : type
         The error to raise.
     strictly : bool
@@ -176,21 +178,17 @@ def ascending(
         [given] if isinstance(given, int | float | np.number) else given, f"values of {name}", where, "0.1"
     )
     if not all(isinstance(v, int | float | np.number) and not isinstance(v, bool) for v in values):
-        raise error(
-            f"expected numbers in SI units, found {shown(values[0] if values else given)}", where, EXAMPLE
-        )
+        raise error(f"expected numbers in SI units, found {shown(values[0])}", where, example)
     found = np.array(values, dtype=float)
     if not len(found):
         raise error("expected at least one value, found none", where, "give one number or several")
     if not np.isfinite(found).all():
         raise error("expected finite values, found NaN or infinity", where, "give finite numbers")
-    steps = np.diff(found)
-    if strictly and (steps < 0).any():
+    if strictly and (np.diff(found) < 0).any():
         raise error(
             "expected ascending values, found descending ones", where, "sort them, the smallest first"
         )
-    if len(np.unique(found)) < len(found):
-        raise error(
-            f"the value {found[np.argmin(np.abs(steps))]:g} is repeated", where, "give each value once"
-        )
+    different, counts = np.unique(found, return_counts=True)
+    if (counts > 1).any():
+        raise error(f"the value {different[counts > 1][0]:g} is repeated", where, "give each value once")
     return found

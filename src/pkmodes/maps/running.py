@@ -7,7 +7,7 @@ at a time, which bounds the memory.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager, suppress
 from typing import Any
 
@@ -16,25 +16,33 @@ from numpy.typing import NDArray
 from pkmodes.errors import MissingExtraError, PkmodesError, shown
 from pkmodes.maps.evaluating import Task, evaluate
 
-#: Tasks under way for each thread or worker: one is computed while the result of another is stored.
+#: Tasks under way for each thread: one is computed while the result of another is stored.
 AHEAD = 2
 #: How long to wait for the scheduler and a worker [s].
 PATIENCE = 10
-#: Workers that may die under one task before it is given up; Dask hands it to another until then.
-RETRIES = 3
 
-Store = Callable[[int, Mapping[str, NDArray[Any]]], None]
+Values = Mapping[str, NDArray[Any]]
+Put = Callable[[int, Values], None]
+Submit = Callable[[int, Task], Future[Values | None]]
 
 
-def run(tasks: Iterable[tuple[int, Task]], store: Store, threads: int, scheduler: str | None) -> None:
+def run(
+    tasks: Iterable[tuple[int, Task]],
+    put: Put,
+    finish: Callable[[int], None],
+    threads: int,
+    scheduler: str | None,
+) -> None:
     """Evaluate tasks and store their results in any order.
 
     Parameters
     ----------
     tasks : iterable of (int, Task)
         Each with its number.
-    store : callable
-        Takes the number of a task and its fields; called in this thread.
+    put : callable
+        Stores the fields of a task, given its number; several threads may call it.
+    finish : callable
+        Takes the number of a task that is stored; called in this thread.
     threads : int
         On this machine, without a scheduler.
     scheduler : str, optional
@@ -43,46 +51,69 @@ def run(tasks: Iterable[tuple[int, Task]], store: Store, threads: int, scheduler
     Raises
     ------
     PkmodesError
-        If the scheduler cannot be reached or has no workers that can evaluate.
+        If the scheduler cannot be reached, or has no workers that can evaluate; or the error of a task.
     """
-    pending: dict[Future[Any], int] = {}
-    with _executor(threads, scheduler) as (executor, workers):
+    pending: dict[Future[Values | None], int] = {}
+    with _submitter(put, threads, scheduler) as (submit, number_of_threads):
         try:
             for number, task in tasks:
-                pending[executor.submit(evaluate, task)] = number
-                if len(pending) >= AHEAD * workers:
-                    _collect(pending, store)
+                pending[submit(number, task)] = number
+                if len(pending) >= AHEAD * number_of_threads:
+                    _collect(pending, put, finish)
             while pending:
-                _collect(pending, store)
+                _collect(pending, put, finish)
         except BaseException:
             for future in pending:
                 future.cancel()
             raise
 
 
-def _collect(pending: dict[Future[Any], int], store: Store) -> None:
+def _collect(pending: dict[Future[Values | None], int], put: Put, finish: Callable[[int], None]) -> None:
     done, _ = wait(pending, return_when=FIRST_COMPLETED)
     for future in done:
-        store(pending.pop(future), future.result())
+        number = pending.pop(future)
+        values = future.result()
+        if values is not None:
+            put(number, values)
+        finish(number)
 
 
 @contextmanager
-def _executor(threads: int, scheduler: str | None) -> Iterator[tuple[Executor, int]]:
+def _submitter(put: Put, threads: int, scheduler: str | None) -> Iterator[tuple[Submit, int]]:
+    """Give a function that starts a task, and how many threads there are; a thread stores its results itself."""
     if scheduler is None:
+
+        def evaluate_here(number: int, task: Task) -> None:
+            put(number, evaluate(task))
+
         pool = ThreadPoolExecutor(threads, thread_name_prefix="pkmodes")
         try:
-            yield pool, threads
+            yield lambda number, task: pool.submit(evaluate_here, number, task), threads
         finally:
             pool.shutdown(wait=True, cancel_futures=True)
         return
     with _client(scheduler) as client:
-        number = len(client.scheduler_info()["workers"])
-        executor = client.get_executor(retries=RETRIES, pure=False)
+        executor = client.get_executor(pure=False)
         try:
-            yield executor, number
+            with _failures(scheduler):
+                yield lambda _, task: executor.submit(evaluate, task), sum(client.nthreads().values())
         finally:
             with suppress(Exception):  # the scheduler is gone
                 executor.shutdown(wait=False)
+
+
+@contextmanager
+def _failures(scheduler: str) -> Iterator[None]:
+    """Replace the errors of Dask, such as a lost scheduler, by one that says what to do."""
+    try:
+        yield
+    except (PkmodesError, MemoryError):
+        raise
+    except (Exception, CancelledError) as error:
+        reason = " ".join(str(error).split()) or "the connection was lost"
+        what = f"the workers could not finish: {type(error).__name__}: {reason[:300]}"
+        remedy = "check the scheduler and its workers; with an output file, the same command continues"
+        raise PkmodesError(what, f"scheduler {shown(scheduler)}", remedy) from error
 
 
 @contextmanager
@@ -110,17 +141,27 @@ def _client(scheduler: str) -> Iterator[Any]:
             raise PkmodesError(
                 "the scheduler has no workers", f"scheduler {shown(scheduler)}", remedy
             ) from None
-        versions = client.run(_version)
+        versions = client.run(_probe())
         wrong = {where: found for where, found in versions.items() if found != pkmodes.__version__}
         for where, found in wrong.items():
-            what = f"expected pkmodes {pkmodes.__version__} on every worker, found {found or 'none'}"
-            raise PkmodesError(what, f"worker {where}", "install the same version there")
+            what = (
+                f"expected pkmodes {pkmodes.__version__} on every worker, found {found or 'none'} on {where}"
+            )
+            raise PkmodesError(what, f"scheduler {shown(scheduler)}", "install the same version there")
         yield client
     finally:
         client.close(timeout=PATIENCE)
 
 
-def _version() -> str:
-    import pkmodes
+def _probe() -> Callable[[], str]:
+    """Return a function that tells the version of pkmodes where it runs, which need not have pkmodes."""
 
-    return pkmodes.__version__
+    def version() -> str:
+        try:
+            import pkmodes
+        except ModuleNotFoundError:
+            return ""
+        return pkmodes.__version__
+
+    version.__module__ = "__main__"  # a function of this module would be imported there
+    return version

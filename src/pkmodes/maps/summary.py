@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import itertools
+from collections import Counter
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pkmodes.maps.dataset import chunks_of
+
 if TYPE_CHECKING:
     import xarray
-
-#: Poses whose extremes are searched together.
-CHUNK = 1_000_000
 
 
 def summary_of(dataset: xarray.Dataset, file: str | None) -> dict[str, Any]:
@@ -19,44 +21,62 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> dict[str, Any]:
     Parameters
     ----------
     dataset : xarray.Dataset
-        From `pkmodes.Model.map`.
+        From `pkmodes.Model.map`; it is read part by part.
     file : str, optional
         Its file.
     """
-    codes, counts = np.unique(dataset["reason"].values.astype(str), return_counts=True)
-    reasons = {code: int(count) for code, count in zip(codes.tolist(), counts.tolist(), strict=True) if code}
-    frequency = dataset["frequency"]
-    leading = [str(dim) for dim in frequency.dims if dim != "mode"]
+    leading = [str(dim) for dim in dataset["condition"].dims]
+    numbers = dataset["mode"].values.tolist()
+    lowest: list[Any] = [None] * len(numbers)
+    highest: list[Any] = [None] * len(numbers)
+    reasons: Counter[str] = Counter()
+    valid = 0
+    for start, part in _parts(dataset[["frequency", "valid", "reason"]], leading):
+        valid += int(part["valid"].values.sum())
+        reasons.update(part["reason"].values[~part["valid"].values].tolist())
+        frequency = part["frequency"].values
+        for i in range(len(numbers)):
+            values = frequency[..., i]
+            if np.isnan(values).all():
+                continue
+            for found, place, better in (
+                (lowest, np.nanargmin(values), np.less),
+                (highest, np.nanargmax(values), np.greater),
+            ):
+                at = np.unravel_index(place, values.shape)
+                if found[i] is None or better(values[at], found[i][0]):
+                    found[i] = float(values[at]), [a + int(b) for a, b in zip(start, at, strict=True)]
     return {
         "robot": dataset.attrs["robot"],
         "file": file,
         "dimensions": {str(name): int(size) for name, size in dataset.sizes.items()},
-        "ranges": {dim: [_plain(dataset[dim].values[0]), _plain(dataset[dim].values[-1])] for dim in leading},
+        "ranges": {dim: [dataset[dim].values[end].item() for end in (0, -1)] for dim in leading},
         "poses": int(np.prod([dataset.sizes[dim] for dim in leading])),
-        "valid": int(dataset["valid"].sum()),
-        "reasons": reasons,
+        "valid": valid,
+        "reasons": dict(sorted(reasons.items())),
         "rigid_modes": int(dataset.attrs["rigid_modes"]),
         "modes": [
-            {"mode": int(mode), **_extremes(frequency.sel(mode=mode), leading)}
-            for mode in dataset["mode"].values
+            {"mode": number, **_end("minimum", low, dataset), **_end("maximum", high, dataset)}
+            for number, low, high in zip(numbers, lowest, highest, strict=True)
         ],
     }
 
 
-def _extremes(frequency: xarray.DataArray, leading: list[str]) -> dict[str, Any]:
-    values = frequency.values.reshape(-1)
-    if np.isnan(values).all():
-        return {"minimum_hz": None, "maximum_hz": None, "minimum_at": None, "maximum_at": None}
-    found: dict[str, Any] = {}
-    for name, place in (("minimum", int(np.nanargmin(values))), ("maximum", int(np.nanargmax(values)))):
-        at = np.unravel_index(place, frequency.shape)
-        one = frequency[dict(zip(leading, at, strict=True))]
-        found[f"{name}_hz"] = float(values[place])
-        found[f"{name}_at"] = {
-            str(key): _plain(value.values.item()) for key, value in one.coords.items() if key != "mode"
-        }
-    return found
+def _parts(dataset: xarray.Dataset, leading: list[str]) -> Iterator[tuple[list[int], xarray.Dataset]]:
+    """Yield the first place of each part of a dataset along its leading axes, and the part."""
+    shape = tuple(dataset.sizes[dim] for dim in leading)
+    sizes = chunks_of(shape, len(shape))
+    for start in itertools.product(*(range(0, n, size) for n, size in zip(shape, sizes, strict=True))):
+        part = {dim: slice(a, a + size) for dim, a, size in zip(leading, start, sizes, strict=True)}
+        yield list(start), dataset.isel(part).load()
 
 
-def _plain(value: Any) -> Any:
-    return value.item() if isinstance(value, np.generic) else value
+def _end(name: str, found: tuple[float, list[int]] | None, dataset: xarray.Dataset) -> dict[str, Any]:
+    if found is None:
+        return {f"{name}_hz": None, f"{name}_at": None}
+    value, at = found
+    one = dataset["condition"][tuple(at)]
+    return {
+        f"{name}_hz": value,
+        f"{name}_at": {str(key): coordinate.values.item() for key, coordinate in one.coords.items()},
+    }

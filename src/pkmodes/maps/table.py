@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -43,3 +44,15 @@ def table_of(dataset: xarray.Dataset) -> pandas.DataFrame:
     order = [str(dim) for dim in dataset["frequency"].dims]
     wide = xarray.Dataset(found)
     return wide.to_dataframe(dim_order=order).reset_index()
+
+
+def write_table(table: pandas.DataFrame, path: Path) -> None:
+    """Write a table as CSV or, by the name of the file, Parquet; numbers that do not exist are empty."""
+    import pyarrow
+    from pyarrow import csv, parquet
+
+    content = pyarrow.Table.from_pandas(table, preserve_index=False)
+    if path.suffix == ".csv":
+        csv.write_csv(content, path, csv.WriteOptions(quoting_style="needed"))
+    else:
+        parquet.write_table(content, path)

@@ -5,58 +5,60 @@ Neighbouring poses are compared by the mass-weighted modal assurance criterion (
     C_ij = (phi_i^T M psi_j)^2 / ((phi_i^T M phi_i) (psi_j^T M psi_j))
 
 of shapes phi at one pose and psi at the other, with M of the first (R. J. Allemang, "The modal assurance criterion:
-twenty years of use and abuse", Sound and Vibration 37(8), 2003), and paired one to one by the largest sum.  Pairs are
-followed along the spanning tree of the map with the clearest pairs, from one reference pose, so that doubtful steps
-are avoided where there is a way around them.  Around a pose at which two frequencies coincide there is no consistent
-numbering: such steps are marked as uncertain.
+twenty years of use and abuse", Sound and Vibration 37(8), 2003), and paired one to one by the largest sum.  Modes are
+followed from one reference pose along the spanning tree of the map whose pairs are clearest, so that a doubtful step
+is taken only where there is no way around it.
+
+Near a pose at which two frequencies coincide there may be no consistent numbering: a path through it exchanges the
+two modes, a path around it does not.  Neighbours that are numbered differently from how they are paired are marked as
+uncertain.  Once around such a pose, both shapes change their sign, so that signs cannot be continuous either.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import linear_sum_assignment
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import breadth_first_order, connected_components, minimum_spanning_tree
 
+from pkmodes.maps.pairing import EVENTS, Masses, Steps, compared
+
 Array = NDArray[Any]
 Index = NDArray[np.intp]
-#: Marks of a mode at a pose, for any step to a neighbour, as bits.
-EVENTS = {"crossing": 1, "veering": 2, "uncertain": 4}
-#: A pair below this MAC is uncertain; a mode that keeps less than this of its shape, but not alone, veers.
-CLEAR, SAME = 0.5, 0.9
-#: Steps compared together.
-CHUNK = 2048
-
-Masses = Callable[[Index], Array]
 
 
 @dataclass(frozen=True, eq=False)
 class Tracked:
-    """A map whose modes are tracked.
+    """A numbering of the modes of a map by shape.
 
     Attributes
     ----------
-    arrays : dict of str to ndarray, shape (rows, ...)
-        As in the map, with the modes in another order, and ``rank`` and ``tracking``.
+    order : ndarray of int8, shape (rows, modes)
+        Rank of each tracked mode among the vibration modes, from 0.
+    signs : ndarray of int8, shape (rows, modes)
+        Factor of each tracked shape, 1 or -1.
+    events : ndarray of int8, shape (rows, modes)
+        Bits of `EVENTS` at each tracked mode.
     """
 
-    arrays: Mapping[str, Array]
+    order: Array
+    signs: Array
+    events: Array
 
 
 def track(
-    arrays: Mapping[str, Array], shape: tuple[int, ...], linked: tuple[bool, ...], masses: Masses
+    arrays: Mapping[str, Any], shape: tuple[int, ...], linked: tuple[bool, ...], masses: Masses
 ) -> Tracked:
     """Track modes by shape.
 
     Parameters
     ----------
-    arrays : mapping of str to ndarray, shape (rows, ...)
-        Fields of a map, with ``shape`` of the same number of modes everywhere.
+    arrays : mapping of str to array, shape (rows, ...)
+        Of a map, ``shape`` with the same number of modes everywhere, mass-normalised, and ``code``.
     shape : tuple of int
         Of the map; rows are in C order.
     linked : tuple of bool
@@ -71,35 +73,12 @@ def track(
         Modes are numbered by rank at the valid pose nearest to the middle of each connected part of the map; shapes
         keep their sign from there.
     """
-    shapes = arrays["shape"]
-    rows, modes = shapes.shape[:2]
-    good = arrays["code"] == 0
-    first, second = _neighbours(shape, linked, good)
-    order, sign, quality, marks = _compared(shapes, first, second, masses)
-    following = np.tile(np.arange(modes), (rows, 1))
-    signs = np.ones((rows, modes))
-    events = np.zeros((rows, modes), dtype=np.int8)
-    if len(first):
-        levels = _levels(first, second, quality, good, shape)
-        for steps, parents, children, forward in levels:
-            # order[s, i] is the mode at `second` that continues mode i at `first`
-            step, by = order[steps], sign[steps]
-            inverse = np.argsort(step, axis=1)
-            go = np.where(forward[:, None], step, inverse)
-            by = np.where(forward[:, None], by, np.take_along_axis(by, inverse, axis=1))
-            following[children] = np.take_along_axis(go, following[parents], axis=1)
-            signs[children] = signs[parents] * np.take_along_axis(by, following[parents], axis=1)
-        _mark(events, marks, first, second, order, following)
-    found = dict(arrays)
-    for name in ("frequency", "platform_shape", "shape"):
-        values = arrays[name]
-        places = following.reshape(rows, modes, *[1] * (values.ndim - 2))
-        found[name] = np.take_along_axis(values, places, axis=1)
-        if values.ndim > 2:
-            found[name] *= signs[..., None]
-    found["rank"] = np.where(good[:, None], following + 1, 0).astype(np.int16)
-    found["tracking"] = np.where(good[:, None], events, 0).astype(np.int8)
-    return Tracked(found)
+    good = arrays["code"][:] == 0
+    steps = compared(arrays["shape"], *_neighbours(shape, linked, good), masses)
+    order, signs = _followed(steps, good, shape)
+    events = np.zeros_like(order)
+    _mark(events, steps, order)
+    return Tracked(order, signs, events)
 
 
 def _neighbours(shape: tuple[int, ...], linked: tuple[bool, ...], good: Array) -> tuple[Index, Index]:
@@ -117,126 +96,90 @@ def _neighbours(shape: tuple[int, ...], linked: tuple[bool, ...], good: Array) -
     return first[kept], second[kept]
 
 
-def _compared(
-    shapes: Array, first: Index, second: Index, masses: Masses
-) -> tuple[Index, Array, Array, Array]:
-    """Pair the modes of neighbours.
+def _followed(steps: Steps, good: Array, shape: tuple[int, ...]) -> tuple[Array, Array]:
+    """Follow the modes from the reference of each part along the spanning tree.
 
     Returns
     -------
-    order : ndarray of int, shape (pairs, modes)
-        The mode of the second pose that continues each mode of the first.
-    sign : ndarray, shape (pairs, modes)
-        Sign of their product.
-    quality : ndarray, shape (pairs,)
-        Smallest MAC of a pair.
-    marks : ndarray of int8, shape (pairs, modes)
-        Events of each mode of the first pose.
+    order, signs : ndarray of int8, shape (rows, modes)
     """
-    count, modes = len(first), shapes.shape[1]
-    order = np.empty((count, modes), dtype=np.intp)
-    sign = np.empty((count, modes))
-    quality = np.empty(count)
-    marks = np.zeros((count, modes), dtype=np.int8)
-    for start in range(0, count, CHUNK):
-        part = slice(start, start + CHUNK)
-        phi, psi = shapes[first[part]], shapes[second[part]]
-        M = masses(first[part])
-        product = phi @ M @ np.swapaxes(psi, 1, 2)
-        size = np.einsum("pjn,pnm,pjm->pj", psi, M, psi)
-        mac = product**2 / size[:, None, :]  # phi is mass-normalised
-        order[part] = _paired(mac)
-        along = np.take_along_axis(mac, order[part][..., None], axis=2)[..., 0]
-        sign[part] = np.sign(np.take_along_axis(product, order[part][..., None], axis=2)[..., 0])
-        quality[part] = along.min(axis=1)
-        marks[part] = _events(mac, order[part], along)
-    sign[sign == 0.0] = 1.0
-    return order, sign, quality, marks
+    rows, modes = good.size, steps.order.shape[1]
+    order = np.tile(np.arange(modes, dtype=np.int8), (rows, 1))
+    signs = np.ones((rows, modes), dtype=np.int8)
+    parents, taken, forward = _tree(steps, good, shape)
+    children = np.flatnonzero(taken >= 0)
+    step, onward = taken[children], forward[children, None]
+    back = np.argsort(steps.order[step], axis=1)
+    order[children] = np.where(onward, steps.order[step], back)
+    signs[children] = np.where(onward, steps.signs[step], np.take_along_axis(steps.signs[step], back, axis=1))
+    # Pointer doubling: `order` and `signs` lead from the row `above` to each row, which doubles its distance in each
+    # round, so that a path of n steps needs log2(n) rounds.
+    above = parents
+    while (above[above] != above).any():
+        for_each = order[above]
+        signs = signs[above] * np.take_along_axis(signs, for_each, axis=1)
+        order = np.take_along_axis(order, for_each, axis=1)
+        above = above[above]
+    return order, signs
 
 
-def _paired(mac: Array) -> Index:
-    """Return the one-to-one assignment with the largest sum of MAC, (pairs, modes)."""
-    order: Index = mac.argmax(axis=2)
-    modes = mac.shape[1]
-    clear = (np.sort(order, axis=1) == np.arange(modes)).all(axis=1)
-    for place in np.flatnonzero(~clear):
-        order[place] = linear_sum_assignment(mac[place], maximize=True)[1]
-    return order
-
-
-def _events(mac: Array, order: Index, along: Array) -> Array:
-    """Return the events of each mode of the first pose of a pair."""
-    marks = np.zeros(order.shape, dtype=np.int8)
-    lower, higher = np.triu_indices(order.shape[1], 1)
-    clear = (along[:, lower] >= CLEAR) & (along[:, higher] >= CLEAR)
-    swapped = clear & (order[:, lower] > order[:, higher])
-    for modes in (lower, higher):
-        for column, mode in enumerate(modes):
-            marks[:, mode] |= np.where(swapped[:, column], EVENTS["crossing"], 0).astype(np.int8)
-    # Together with one more mode the shape is kept: the two exchange their shapes.
-    two = np.sort(mac, axis=2)[..., -2:].sum(axis=2)
-    veering = (along < SAME) & (two >= SAME)
-    marks |= np.where(veering, EVENTS["veering"], 0).astype(np.int8)
-    marks |= np.where(along < CLEAR, EVENTS["uncertain"], 0).astype(np.int8)
-    return marks
-
-
-def _levels(
-    first: Index, second: Index, quality: Array, good: Array, shape: tuple[int, ...]
-) -> list[tuple[Index, Index, Index, Array]]:
-    """Order the steps of the spanning tree by their distance from the reference poses.
+def _tree(steps: Steps, good: Array, shape: tuple[int, ...]) -> tuple[Index, Index, Array]:
+    """Return the spanning tree with the clearest pairs, rooted at the reference of each part.
 
     Returns
     -------
-    list of (steps, parents, children, forward)
-        For each distance: indices of pairs, rows from which and to which they lead, and whether from the first to the
-        second row of the pair.
+    parents : ndarray of int, shape (rows,)
+        A reference, or a row without neighbours, is its own parent.
+    taken : ndarray of int, shape (rows,)
+        The step between a row and its parent, -1 where there is none.
+    forward : ndarray of bool, shape (rows,)
+        Whether that step leads from the parent to the row.
     """
     rows = good.size
-    cost = 2.0 - quality  # positive: zeros are no edges
-    graph = coo_array((cost, (first, second)), shape=(rows, rows)).tocsr()
+    graph = coo_array((2.0 - steps.quality, (steps.first, steps.second)), shape=(rows, rows)).tocsr()
     tree = minimum_spanning_tree(graph).tocoo()
-    step = {(a, b): s for s, (a, b) in enumerate(zip(first.tolist(), second.tolist(), strict=True))}
-    undirected = coo_array(
-        (np.ones(2 * tree.nnz), (np.r_[tree.row, tree.col], np.r_[tree.col, tree.row])), shape=(rows, rows)
-    ).tocsr()
-    _, part = connected_components(undirected, directed=False)
-    depth = np.full(rows, -1)
-    found: dict[int, list[tuple[int, int, int, bool]]] = {}
-    for reference in _references(part.astype(np.intp), good, shape):
-        order, parents = breadth_first_order(undirected, reference, directed=False)
-        depth[reference] = 0
-        for row in order[1:].tolist():
-            parent = int(parents[row])
-            depth[row] = depth[parent] + 1
-            forward = (parent, row) in step
-            pair = (parent, row) if forward else (row, parent)
-            found.setdefault(int(depth[row]), []).append((step[pair], parent, row, forward))
-    return [
-        tuple(np.array(column) for column in zip(*found[level], strict=True))  # type: ignore[misc]
-        for level in sorted(found)
-    ]
+    _, part = connected_components(tree, directed=False)
+    # One search for all parts, from an additional row that leads to every reference.
+    references = _references(part.astype(np.intp), good, shape)
+    ends = np.r_[tree.row, np.full(len(references), rows)], np.r_[tree.col, references]
+    joined = coo_array((np.ones(len(ends[0])), ends), shape=(rows + 1, rows + 1)).tocsr()
+    reached, before = breadth_first_order(joined, rows, directed=False)
+    parents = np.arange(rows)
+    inner = reached[1:][before[reached[1:]] != rows]
+    parents[inner] = before[inner]
+    taken = np.full(rows, -1)
+    forward = np.zeros(rows, dtype=bool)
+    key = steps.first * rows + steps.second
+    sorted_steps = np.argsort(key)
+    for onward in (True, False):
+        wanted = parents[inner] * rows + inner if onward else inner * rows + parents[inner]
+        place = np.minimum(np.searchsorted(key, wanted, sorter=sorted_steps), len(key) - 1)
+        step = sorted_steps[place]
+        there = key[step] == wanted
+        taken[inner[there]], forward[inner[there]] = step[there], onward
+    return parents, taken, forward
 
 
-def _references(part: Index, good: Array, shape: tuple[int, ...]) -> list[int]:
-    """Return, for each connected part with several valid rows, the one nearest to its middle."""
+def _references(part: Index, good: Array, shape: tuple[int, ...]) -> Index:
+    """Return the valid row nearest to the middle of each part."""
     rows = np.flatnonzero(good)
+    of = part[rows]
     at = np.stack(np.unravel_index(rows, shape), axis=1).astype(float)
-    found = []
-    for label, count in zip(*np.unique(part[rows], return_counts=True), strict=True):
-        if count > 1:
-            mine = part[rows] == label
-            distance = ((at[mine] - at[mine].mean(axis=0)) ** 2).sum(axis=1)
-            found.append(int(rows[mine][np.argmin(distance)]))
+    count = np.maximum(np.bincount(of), 1)
+    middle = np.stack([np.bincount(of, weights=along) / count for along in at.T], axis=1)
+    distance = ((at - middle[of]) ** 2).sum(axis=1)
+    nearest_first = np.lexsort((distance, of))
+    _, first = np.unique(of[nearest_first], return_index=True)
+    found: Index = rows[nearest_first[first]]
     return found
 
 
-def _mark(events: Array, marks: Array, first: Index, second: Index, order: Index, following: Index) -> None:
-    """Transfer the events of steps to the tracked modes at both poses, and mark contradictory steps."""
-    mode_of = np.argsort(following, axis=1)  # tracked mode of each rank
+def _mark(events: Array, steps: Steps, order: Array) -> None:
+    """Transfer the events of steps to the tracked modes at both rows, and mark contradictory steps."""
+    mode_of = np.argsort(order, axis=1).astype(np.int8)  # tracked mode of each rank
     for mode in range(order.shape[1]):
-        event = marks[:, mode].copy()
-        here, there = mode_of[first, mode], mode_of[second, order[:, mode]]
+        event = steps.marks[:, mode].copy()
+        here, there = mode_of[steps.first, mode], mode_of[steps.second, steps.order[:, mode]]
         event |= np.where(here != there, EVENTS["uncertain"], 0).astype(np.int8)
-        np.bitwise_or.at(events, (first, here), event)
-        np.bitwise_or.at(events, (second, there), event)
+        np.bitwise_or.at(events, (steps.first, here), event)
+        np.bitwise_or.at(events, (steps.second, there), event)

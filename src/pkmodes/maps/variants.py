@@ -5,7 +5,6 @@ from __future__ import annotations
 import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass
-from math import prod
 from typing import Any
 
 import numpy as np
@@ -13,10 +12,13 @@ from numpy.typing import NDArray
 
 from pkmodes.errors import PkmodesError, shown
 from pkmodes.maps.places import ascending
+from pkmodes.robot.layout import lent
 from pkmodes.robot.robot import Robot
+from pkmodes.robot.wholes import elements_of, wholes
 
 Array = NDArray[np.float64]
 SAMPLE = "sample"
+EXAMPLE = 'for example: {"platform.mass": [1.0, 1.5, 2.0]}'
 #: Draws of one sample until the robot is refused: a standard deviation that large is a mistake.
 DRAWS = 100
 
@@ -74,9 +76,9 @@ def variants_of(robot: Robot, sweep: Mapping[str, Any] | None, samples: int | No
     """
     if sweep is not None and not isinstance(sweep, Mapping):
         what = f"expected values by path, found {shown(sweep)}"
-        raise PkmodesError(what, "sweep", 'for example: {"platform.mass": [1.0, 1.5, 2.0]}')
+        raise PkmodesError(what, "sweep", EXAMPLE)
     swept = {
-        path: ascending(values, str(path), f"sweep: {path}", strictly=False)
+        path: ascending(values, str(path), f"sweep: {path}", EXAMPLE, strictly=False)
         for path, values in (sweep or {}).items()
     }
     drawn, count = _drawn(robot, swept, samples, seed)
@@ -85,8 +87,6 @@ def variants_of(robot: Robot, sweep: Mapping[str, Any] | None, samples: int | No
         for values in itertools.product(*swept.values())
         for i in range(count)
     ]
-    shape = prod(len(values) for values in swept.values()) * count
-    assert len(robots) == shape
     return Variants(swept, drawn, samples, tuple(robots))
 
 
@@ -108,7 +108,11 @@ def _drawn(
         raise PkmodesError(
             f"expected a positive integer, found {shown(samples)}", "samples", "for example: 200"
         )
-    spread = {path: q for path, q in robot.quantities.items() if q.sigma and path not in swept}
+    if isinstance(seed, bool) or not isinstance(seed, int | np.integer) or seed < 0:
+        what = f"expected an integer of at least 0, found {shown(seed)}"
+        raise PkmodesError(what, "seed", "for example: 0")
+    taken = _taken(robot, swept)
+    spread = {path: q for path, q in robot.quantities.items() if q.sigma and path not in taken}
     if not spread:
         what = "no value of the robot has a standard deviation from which it could be drawn"
         remedy = 'declare some, such as mass = { value = "1.5 kg", sigma = "1 %" }'
@@ -119,6 +123,18 @@ def _drawn(
         for path, value in _one(robot, spread, rng).items():
             found[path].append(value)
     return {path: np.array(values) for path, values in found.items()}, int(samples)
+
+
+def _taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
+    """Return the paths of all values that a sweep sets: also the elements of a whole, and another name of a value."""
+    found = set(swept)
+    for path, values in swept.items():
+        if path in wholes(robot.kind):
+            found |= set(elements_of(robot, wholes(robot.kind)[path], float(values[0])))
+    for path, own in lent(robot.kind).items():
+        if {path, own} & found:
+            found |= {path, own}
+    return found
 
 
 def _one(robot: Robot, spread: Mapping[str, Any], rng: np.random.Generator) -> dict[str, float]:

@@ -95,9 +95,9 @@ def box_of(model: Model) -> tuple[Array, Array]:
         if not len(more):
             break
         wider = np.minimum(low, more.min(axis=0)), np.maximum(high, more.max(axis=0))
-        moved = max((low - wider[0]).max(), (wider[1] - high).max()) if len(low) else 0.0
+        moved = max(((low - wider[0]) / size).max(), ((wider[1] - high) / size).max())
         low, high = wider
-        if moved <= SETTLED * float(np.max(size)):
+        if moved <= SETTLED:
             break
     return low, high
 
