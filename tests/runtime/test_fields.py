@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes import kinematics
-from pkmodes import model as model_module
+from pkmodes import dynamics, kinematics
 from pkmodes.errors import NotComputedError
 from pkmodes.sensitivity import sensitivities as sensitivity_module
 from pkmodes.sensitivity.sensitivities import Sensitivities
@@ -81,7 +80,7 @@ def test_digits_do_not_depend_on_the_parts(extended: pkmodes.Model, monkeypatch:
     whole, derivatives = extended.modes(poses, "nan"), extended.sensitivities(poses, PATHS, on_error="nan")
     rates = extended.sensitivities(poses, PATHS, on_error="nan", fields=["frequencies"]).frequencies
     statics = extended.statics(poses, "nan")
-    monkeypatch.setattr(model_module, "CHUNK", 6)
+    monkeypatch.setattr(dynamics, "CHUNK", 6)
     monkeypatch.setattr(kinematics, "CHUNK", 6)
     monkeypatch.setattr(sensitivity_module, "TOGETHER", 6)
     for name in pkmodes.Modes.FIELDS:

@@ -7,7 +7,7 @@ import pytest
 from scipy.linalg import eigh
 
 import pkmodes
-from pkmodes import model as model_module
+from pkmodes import dynamics
 from pkmodes.errors import PoseError
 from pkmodes_generated import linear_delta
 from robot_text import PUBLISHED
@@ -49,7 +49,7 @@ def test_three_rigid_modes_come_first(model: pkmodes.Model) -> None:
 
 
 def test_a_batch_equals_its_poses_one_by_one(model: pkmodes.Model, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(model_module, "CHUNK", 7)  # several chunks, the last one not full
+    monkeypatch.setattr(dynamics, "CHUNK", 7)  # several chunks, the last one not full
     rng = np.random.default_rng(3)
     poses = POSE + rng.uniform(-0.02, 0.02, size=(4, 5, 3))
     batch = model.modes(poses)
