@@ -86,11 +86,9 @@ def at(content: Any, pointer: str) -> Any:
     return content
 
 
-#: A number at the beginning of a text, with a power of ten.
-NUMBER = re.compile(
-    "([+\u2212]?\\d+(?:\\.(\\d+))?)(?:\u2009\u00d7\u200910([\u207b\u2070\u00b9\u00b2\u00b3\u2074-\u2079]+))?"
-)
+#: Raised digits, and a number at the beginning of a text, with a power of ten.
 RAISED = "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"
+NUMBER = re.compile(f"([+\u2212]?\\d+(?:\\.(\\d+))?)(?:\u2009\u00d7\u200910([{RAISED}]+))?")
 
 
 def shown(text: str) -> tuple[float, float]:
