@@ -40,9 +40,9 @@ def candidates(result: Diagnosis) -> Figure | None:
             for seen, face in ((True, colour), (False, "none")):
                 some = [c for c in group if c.detectable == seen]
                 if some:
-                    y = [tested.index(c) for c in some]
-                    x = [-np.log10(max(c.p_value, LEAST)) for c in some]
-                    axes.hlines(y, 0.0, x, color=colour, linewidth=1.6)
+                    y = np.array([tested.index(c) for c in some])
+                    x = -np.log10([max(c.p_value, LEAST) for c in some])
+                    axes.hlines(y[x > 0.0], 0.0, x[x > 0.0], color=colour, linewidth=1.6)
                     name = label if seen else f"{label}, not detectable"
                     axes.scatter(
                         x, y, s=22, facecolor=face, edgecolor=colour, linewidth=1.2, zorder=3, label=name

@@ -50,7 +50,7 @@ def need_matplotlib(what: str, extra: str = "plot") -> None:
         import matplotlib.figure  # noqa: F401
     except ImportError as error:
         raise MissingExtraError(
-            f"{error.name or 'matplotlib'} is not installed; {what} need it",
+            f"{(error.name or 'matplotlib').partition('.')[0]} is not installed; {what} need it",
             "optional dependency",
             f"install it with: pip install 'pkmodes[{extra}]'",
         ) from None

@@ -80,11 +80,11 @@ class Table:
 
 @dataclass(frozen=True)
 class Picture:
-    """A figure as an SVG element, its name, and how to read it."""
+    """A figure as an SVG element, how to read it, and its name."""
 
     svg: str
-    title: str
     caption: str
+    title: str = "Figure"
     kind: str = "picture"
 
     @classmethod
@@ -101,7 +101,7 @@ class Picture:
         caption : str
             How to read it.
         """
-        return cls(inline(figure, title, description), title, caption)
+        return cls(inline(figure, title, description), caption, title)
 
 
 @dataclass(frozen=True)

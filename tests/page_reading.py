@@ -1,0 +1,101 @@
+"""Read a report as a script would: its numbers by their place in the JSON, its text, tables and headings."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from html.parser import HTMLParser
+from typing import Any
+
+#: Elements without an end.
+VOID = {"meta", "link", "br", "img", "input", "hr"}
+
+
+@dataclass
+class Element:
+    """An element of a page."""
+
+    tag: str
+    attributes: dict[str, str]
+    children: list[Element | str] = field(default_factory=list)
+
+    @property
+    def text(self) -> str:
+        return "".join(child if isinstance(child, str) else child.text for child in self.children)
+
+    def all(self, tag: str) -> list[Element]:
+        found = []
+        for child in self.children:
+            if isinstance(child, Element):
+                found += [child] if child.tag == tag else []
+                found += child.all(tag)
+        return found
+
+    def by_id(self, name: str) -> Element:
+        (found,) = [e for e in self._every() if e.attributes.get("id") == name]
+        return found
+
+    def ids(self) -> list[str]:
+        return [e.attributes["id"] for e in self._every() if "id" in e.attributes]
+
+    def _every(self) -> list[Element]:
+        found = []
+        for child in self.children:
+            if isinstance(child, Element):
+                found += [child, *child._every()]
+        return found
+
+
+class _Reader(HTMLParser):
+    def __init__(self) -> None:
+        super().__init__(convert_charrefs=True)
+        self.root = Element("", {})
+        self._open = [self.root]
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        element = Element(tag, {name: value or "" for name, value in attrs})
+        self._open[-1].children.append(element)
+        if tag not in VOID:
+            self._open.append(element)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self._open[-1].children.append(Element(tag, {name: value or "" for name, value in attrs}))
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self._open[-1].tag == tag, f"</{tag}> closes <{self._open[-1].tag}>"
+        self._open.pop()
+
+    def handle_data(self, data: str) -> None:
+        self._open[-1].children.append(data)
+
+
+def read(html: str) -> Element:
+    """Parse a page; an element that is not closed properly fails."""
+    reader = _Reader()
+    reader.feed(html)
+    reader.close()
+    assert reader._open == [reader.root]
+    return reader.root
+
+
+def at(content: Any, pointer: str) -> Any:
+    """Follow a JSON pointer."""
+    for part in pointer.split("/")[1:]:
+        key = part.replace("~1", "/").replace("~0", "~")
+        content = content[int(key)] if isinstance(content, list) else content[key]
+    return content
+
+
+#: Raised digits, and a number at the beginning of a text, with a power of ten.
+RAISED = "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"
+NUMBER = re.compile(f"([+\u2212]?\\d+(?:\\.(\\d+))?)(?:\u2009\u00d7\u200910([{RAISED}]+))?")
+
+
+def shown(text: str) -> tuple[float, float]:
+    """Return the number that a text begins with, and half a unit of its last digit."""
+    found = NUMBER.match(text)
+    assert found, text
+    digits, decimals, power = found.groups()
+    exponent = int("".join("-0123456789"[RAISED.index(c)] for c in power or "\u2070"))
+    unit = 10.0 ** (exponent - len(decimals or ""))
+    return float(digits.replace("\u2212", "-")) * 10.0**exponent, 0.5 * unit

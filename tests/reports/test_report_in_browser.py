@@ -1,0 +1,209 @@
+"""Reports in a real browser: nothing is loaded or executed, everything is drawn, readable and reachable."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from browser import opened
+from page_reading import read
+from pkmodes import updating
+from pkmodes.cli import run
+from pkmodes.report import report
+from report_examples import HOSTILE, VERDICTS, diagnosed, made_up
+
+ROOT = Path(__file__).parents[2]
+LOOP = [str(ROOT / "examples" / "closed_loop" / name) for name in ("robot.toml", "measured.csv")]
+VORON = [str(ROOT / "examples" / "voron" / name) for name in ("robot.toml", "measured.csv")]
+PAGES = (*VERDICTS, "compare", "load cases", "structure", "many", "hostile")
+#: Every drawn element of a figure, with its box and whether it has a path.
+DRAWN = """
+() => [...document.querySelectorAll("figure svg[role=img]")].map(svg => {
+  const box = svg.getBoundingClientRect();
+  const parts = [...svg.querySelectorAll("path, use, image, text")];
+  return {
+    width: box.width, height: box.height, title: svg.querySelector("title").textContent,
+    empty: [...svg.querySelectorAll("path")].filter(path => path.getTotalLength() === 0).length,
+    visible: parts.filter(part => { const b = part.getBoundingClientRect(); return b.width + b.height > 0; }).length,
+    outside: [...svg.querySelectorAll("text")].filter(text => {
+      const b = text.getBoundingClientRect();
+      return b.left < box.left - 1 || b.right > box.right + 1 || b.top < box.top - 1 || b.bottom > box.bottom + 1;
+    }).map(text => text.textContent),
+  };
+})
+"""
+
+
+@pytest.fixture(scope="module", params=PAGES)
+def page(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The report of each kind of result, as a file."""
+    folder = tmp_path_factory.mktemp("page")
+    target = folder / "report.html"
+    if request.param in VERDICTS:
+        result, robot, data = diagnosed(request.param, folder)
+        target.write_text(report(result, robot=robot, data=data), encoding="utf-8")
+    elif request.param == "compare":
+        assert run(["compare", *LOOP, "--report", str(target)]) == 0
+    elif request.param == "load cases":
+        assert run(["compare", *VORON, "--report", str(target)]) == 0
+    elif request.param == "structure":
+        result, _ = structure()
+        target.write_text(report(result), encoding="utf-8")
+    elif request.param == "many":
+        result, data = made_up(500, 20)
+        target.write_text(report(result, data=data, title="many"), encoding="utf-8")
+    else:
+        result, data = made_up(12, 3, labels=HOSTILE, names=HOSTILE)
+        target.write_text(report(result, data=data, title=" ".join(HOSTILE)), encoding="utf-8")
+    return target
+
+
+def structure() -> Any:
+    """The diagnosis of the example that is no robot."""
+    names: dict[str, Any] = {"__name__": "example"}
+    exec((ROOT / "examples" / "lumped_structure.py").read_text(encoding="utf-8"), names)
+    data = names["measure"](names["np"].random.default_rng(1))
+    return names["diagnose"](names["structure"], data), data
+
+
+def test_nothing_is_loaded_executed_or_complained_about(page: Path) -> None:
+    with opened(page) as browser:
+        browser.page.wait_for_timeout(200)
+        assert browser.problems == []
+        # The images inside the figures are part of the file.
+        assert [url for url in browser.requests if not url.startswith("data:")] == [page.as_uri()]
+        assert browser.page.evaluate("document.querySelectorAll('script, iframe, img, object').length") == 0
+        assert (
+            browser.page.evaluate("document.querySelectorAll('[onerror], [onload], [onmouseover]').length")
+            == 0
+        )
+        assert "hacked" not in browser.page.title() or "<script>" in browser.page.title()
+
+
+def test_every_figure_is_drawn(page: Path) -> None:
+    with opened(page) as browser:
+        figures = browser.page.evaluate(DRAWN)
+    assert len(figures) == len(read(page.read_text("utf-8")).all("svg"))
+    assert figures
+    for figure in figures:
+        assert figure["width"] > 400, figure
+        assert figure["height"] > 50, figure
+        assert figure["visible"] > 10, figure
+        assert figure["empty"] == 0, figure
+        assert figure["outside"] == [], figure
+
+
+def test_a_page_has_no_horizontal_scroll_at_any_width(page: Path) -> None:
+    with opened(page) as browser:
+        for width in (320, 390, 768, 1200, 1920):
+            browser.page.set_viewport_size({"width": width, "height": 800})
+            assert browser.page.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def test_axe_has_no_grave_findings_in_light_and_dark(page: Path) -> None:
+    with opened(page) as browser:
+        assert browser.findings() == []
+        browser.page.emulate_media(color_scheme="dark")
+        assert browser.findings() == []
+
+
+def test_a_page_is_dark_where_that_is_preferred(page: Path) -> None:
+    shade = """() => ["body", "figure svg text"].map(name => {
+        const style = getComputedStyle(document.querySelector(name));
+        const colour = name === "body" ? style.backgroundColor : style.fill;
+        return colour.match(/[0-9]+/g).slice(0, 3).reduce((a, b) => a + Number(b), 0) / 3;
+    })"""
+    with opened(page) as browser:
+        light, text = browser.page.evaluate(shade)
+        browser.page.emulate_media(color_scheme="dark")
+        dark, bright = browser.page.evaluate(shade)
+    assert light > 240
+    assert text < 60
+    assert dark < 60
+    assert bright > 200
+
+
+def test_a_page_prints_on_paper_without_cutting_figures_and_rows(page: Path) -> None:
+    with opened(page, scheme="dark") as browser:
+        pdf = browser.page.pdf(prefer_css_page_size=True)
+        browser.page.emulate_media(media="print")
+        paper = browser.page.evaluate("getComputedStyle(document.body).backgroundColor")
+        hidden = browser.page.evaluate("getComputedStyle(document.querySelector('nav')).display")
+        breaks = browser.page.evaluate(
+            """[...document.querySelectorAll("figure:has(svg), tbody tr, .summary")]
+               .map(one => getComputedStyle(one).breakInside)"""
+        )
+    assert pdf.startswith(b"%PDF")
+    assert 2 <= pdf.count(b"/Type /Page\n") + pdf.count(b"/Type /Page ") <= 60
+    assert b"[0 0 594.95996 841.91998]" in pdf or b"[0 0 595" in pdf  # A4
+    assert paper == "rgb(255, 255, 255)"
+    assert hidden == "none"
+    assert set(breaks) == {"avoid"}
+
+
+def test_a_page_is_used_by_keyboard_alone(page: Path) -> None:
+    with opened(page, width=390) as browser:
+        keyboard = browser.page.keyboard
+        keyboard.press("Tab")
+        assert browser.page.evaluate("document.activeElement.textContent") == "Skip to the content"
+        assert browser.page.evaluate("document.activeElement.getBoundingClientRect().left") >= 0
+        keyboard.press("Enter")
+        assert browser.page.evaluate("document.activeElement.id") == "content"
+        # Every box that is wider than the screen is reached, and the arrow keys move it.
+        wide = browser.page.evaluate(
+            "[...document.querySelectorAll('.box')].filter(b => b.scrollWidth > b.clientWidth).length"
+        )
+        moved = 0
+        for _ in range(browser.page.evaluate("document.querySelectorAll('.box').length")):
+            keyboard.press("Tab")
+            assert "box" in browser.page.evaluate("document.activeElement.className")
+            style = "getComputedStyle(document.activeElement)"
+            assert browser.page.evaluate(f"{style}.outlineStyle") == "solid"
+            assert browser.page.evaluate(
+                "document.activeElement.getAttribute('aria-label') || "
+                "document.activeElement.getAttribute('aria-labelledby')"
+            )
+            if browser.page.evaluate(
+                "document.activeElement.scrollWidth > document.activeElement.clientWidth"
+            ):
+                keyboard.press("ArrowRight")
+                browser.page.wait_for_function("document.activeElement.scrollLeft > 0", timeout=2000)
+                moved += 1
+        assert moved == wide > 0
+
+
+def test_hostile_text_is_only_text(tmp_path: Path) -> None:
+    result, data = made_up(12, 3, labels=HOSTILE, names=HOSTILE)
+    html = report(result, data=data, title=HOSTILE[0])
+    page = read(html)
+    assert page.all("h1")[0].text == HOSTILE[0]
+    assert len(page.all("h1")) == 1
+    cells = [cell.text for cell in page.by_id("rows").all("th")]
+    for text in HOSTILE[:6]:
+        assert text in cells
+    assert not set("\u202e\u202c\u2066\u2069\x00\x07\x1b") & set(html)
+    assert "\\u202egnitset\\u202c" in html
+    assert len(html.encode("utf-8")) < 600_000
+
+
+def test_the_closed_loop_report_is_small(tmp_path: Path) -> None:
+    target = tmp_path / "report.html"
+    assert run(["diagnose", *LOOP, "--report", str(target)]) == 0
+    assert 100_000 < target.stat().st_size < 600_000
+
+
+def test_a_view_is_placed_as_it_is(tmp_path: Path) -> None:
+    result = updating.compare(*loop())
+    html = report(result, view="<div id='three'><canvas></canvas></div>")
+    section = read(html).by_id("view")
+    assert section.all("canvas")
+    assert "view" not in read(report(result)).ids()
+
+
+def loop() -> Any:
+    from pkmodes import read_robot
+
+    robot = read_robot(LOOP[0])
+    return robot, updating.read(LOOP[1], None, robot)

@@ -1,0 +1,291 @@
+"""What a report says is what ``--json`` says: every number, the verdict, the rows, and the correction."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections import Counter
+from itertools import pairwise
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+
+from page_reading import Element, at, read, shown
+from pkmodes import read_robot, updating
+from pkmodes.cli import run
+from pkmodes.diagnosis import Comparison, Diagnosis, Measurements
+from pkmodes.report import report
+from pkmodes.robot.robot import Robot
+from report_examples import VERDICTS, diagnosed, made_up
+
+ROOT = Path(__file__).parents[2]
+LOOP = [ROOT / "examples" / "closed_loop" / name for name in ("robot.toml", "measured.csv")]
+
+
+class Made(NamedTuple):
+    """A report with the result in both forms."""
+
+    result: Diagnosis | Comparison
+    content: dict[str, Any]
+    html: str
+    page: Element
+
+
+@pytest.fixture(scope="module")
+def found(tmp_path_factory: pytest.TempPathFactory) -> tuple[Diagnosis, Robot, Measurements]:
+    """A diagnosis that found a cause."""
+    return diagnosed("effect_found", tmp_path_factory.mktemp("found"))
+
+
+@pytest.fixture(scope="module", params=VERDICTS)
+def made(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Made:
+    result, robot, data = diagnosed(request.param, tmp_path_factory.mktemp(request.param))
+    html = report(result, robot=robot, data=data)
+    assert html == report(result, robot=robot, data=data)
+    return Made(result, json.loads(json.dumps(result.as_json())), html, read(html))
+
+
+def placed(page: Element) -> dict[str, list[Element]]:
+    found: dict[str, list[Element]] = {}
+    for element in page.all("data"):
+        if "data-at" in element.attributes:
+            found.setdefault(element.attributes["data-at"], []).append(element)
+    return found
+
+
+def leaves(content: Any, pointer: str = "") -> dict[str, Any]:
+    if isinstance(content, dict):
+        parts = [(key.replace("~", "~0").replace("/", "~1"), value) for key, value in content.items()]
+    elif isinstance(content, list):
+        parts = [(str(i), value) for i, value in enumerate(content)]
+    else:
+        return {pointer: content}
+    return {k: v for key, value in parts for k, v in leaves(value, f"{pointer}/{key}").items()}
+
+
+def expect_equal_numbers(content: dict[str, Any], page: Element) -> dict[str, list[Element]]:
+    found = placed(page)
+    for pointer, elements in found.items():
+        for element in elements:
+            exact = float(element.attributes["value"])
+            assert exact == at(content, pointer), pointer
+            if element.text.startswith("<"):  # a p-value of 0
+                assert exact == 0.0
+                continue
+            seen, half = shown(element.text)
+            rounded = [abs(seen - factor * exact) <= 1.001 * half for factor in (1.0, 100.0)]  # or per cent
+            assert any(rounded), (pointer, element.text, exact)
+    return found
+
+
+def test_every_number_is_that_of_the_json(made: Made) -> None:
+    found = expect_equal_numbers(made.content, made.page)
+    # Nothing is left out: all numbers of the JSON are on the page, besides some that it shows in another form.
+    numbers = {k for k, v in leaves(made.content).items() if isinstance(v, float)}
+    stage = "after_hz" if made.content["error"]["after"] else "refit_hz"
+    shown_hz = ("frequency_hz", "sigma_hz", "before_hz", stage)
+    unused = {k for k in numbers if k.endswith("_hz") and k.rsplit("/", 1)[1] not in shown_hz}
+    parameters = {k for k in numbers if "/parameters/" in k}  # repeated in the alternatives, also shown
+    assert numbers - unused - set(found) <= parameters | {"/pose_scatter"}
+
+
+def test_the_verdict_comes_first(made: Made) -> None:
+    (main,) = made.page.all("main")
+    summary = next(child for child in main.children if isinstance(child, Element))
+    assert summary.attributes["id"] == "summary"
+    assert f"Verdict: {made.content['verdict']}" in summary.text
+    assert made.content["reason"][1:] in summary.text
+    assert [item.text[1:].rstrip(".") for item in summary.all("li")] == [
+        note[1:].rstrip(".") for note in made.content["notes"]
+    ]
+
+
+def test_every_measured_mode_is_in_the_table(made: Made) -> None:
+    lines = [
+        int(float(cell.attributes["value"]))
+        for cell in made.page.by_id("rows").all("data")
+        if cell.attributes.get("data-at", "").endswith("/line")
+    ]
+    assert sorted(lines) == sorted(row["line"] for row in made.content["rows"])
+
+
+def test_causes_survivors_and_what_is_not_detectable_are_named(made: Made) -> None:
+    content, page = made.content, made.page
+    sections = {section.attributes["id"] for section in page.all("section")}
+    assert ("causes" in sections) == bool(content["effects"] or content["survivors"])
+    for effect in content["effects"]:
+        assert all(member in page.by_id("causes").text for member in effect["class"])
+    listed = [item.text for item in page.by_id("causes").all("li")] if content["survivors"] else []
+    assert listed == [" or ".join(group) for group in content["survivors"]]
+    assert [item.text for item in page.by_id("candidates").all("li")] == content["undetectable"]
+    rows = page.by_id("candidates").all("tbody")
+    named = {row.all("th")[0].text for body in rows for row in body.all("tr")}
+    assert named == {one["name"] for one in content["candidates"]}
+
+
+def test_differences_are_those_of_the_frequencies(made: Made) -> None:
+    """In per cent of the measurement and in standard deviations, from the JSON by the definition."""
+    stage = "after_hz" if made.content["error"]["after"] else "refit_hz"
+    for row in made.page.by_id("rows").all("tbody")[0].all("tr"):
+        cells = {
+            e.attributes["data-at"].rsplit("/", 1)[1]: e for e in row.all("data") if "data-at" in e.attributes
+        }
+        measured, sigma = (float(cells[name].attributes["value"]) for name in ("frequency_hz", "sigma_hz"))
+        plain = [float(e.attributes["value"]) for e in row.all("data") if "data-at" not in e.attributes]
+        expected = []
+        for name in ("before_hz", stage):
+            if name in cells:
+                ratio = float(cells[name].attributes["value"]) / measured
+                expected += [ratio - 1.0, math.log(ratio) * measured / sigma]
+        assert plain == pytest.approx(expected, rel=1e-6, abs=1e-9)
+
+
+def test_a_page_is_well_formed_and_its_ids_are_unique(made: Made) -> None:
+    ids = Counter(made.page.ids())
+    assert set(ids.values()) == {1}
+    referred = {
+        value.removeprefix("#")
+        for element in made.page._every()
+        for name, value in element.attributes.items()
+        if name in ("href", "aria-labelledby", "aria-describedby")
+        and (name != "href" or value.startswith("#"))
+    }
+    assert referred <= set(ids)
+    levels = [int(e.tag[1]) for e in made.page._every() if e.tag in ("h1", "h2", "h3", "h4")]
+    assert levels[0] == 1
+    assert levels.count(1) == 1
+    assert all(b - a <= 1 for a, b in pairwise(levels))
+    assert all(th.attributes.get("scope") in ("row", "col", "colgroup") for th in made.page.all("th"))
+
+
+def test_a_page_is_self_contained_and_tells_no_folder(made: Made, tmp_path: Path) -> None:
+    for element in made.page._every():
+        assert element.tag not in ("script", "link", "iframe", "object", "embed", "base")
+        for name, value in element.attributes.items():
+            assert not name.startswith("on")
+            if name in ("href", "src"):
+                assert value.startswith(("#", "data:image/png;base64,")), value
+    assert "@import" not in made.html
+    assert str(tmp_path.parent.parent) not in made.html
+    assert "robot.toml" in made.page.by_id("origin").text
+
+
+def applied(text: str, difference: list[str]) -> str:
+    """Apply a unified difference, as `patch` does, but only where every line agrees."""
+    before, after, place = text.split("\n"), [], 0
+    if before[-1] == "":
+        before.pop()
+    ended = True
+    for k, line in enumerate(difference[2:], start=2):
+        if line.startswith("@@"):
+            start = int(line.split()[1].split(",")[0][1:]) - 1
+            after += before[place:start]
+            place = start
+        elif line.startswith("\\"):
+            ended = ended and difference[k - 1].startswith("-")
+        else:
+            if line[0] in " -":
+                assert before[place] == line[1:]
+                place += 1
+            if line[0] in " +":
+                after.append(line[1:])
+    after += before[place:]
+    return "\n".join(after) + ("\n" if ended else "")
+
+
+@pytest.mark.parametrize("end", ["", "\n", "\n\n", '\n# no end of line: \u00e4 "<b>"'])
+def test_the_correction_is_the_file_that_is_saved(
+    found: tuple[Diagnosis, Robot, Measurements], tmp_path: Path, end: str
+) -> None:
+    result, declared, data = found
+    text = Path(declared.source).read_text(encoding="utf-8").rstrip("\n") + end
+    (tmp_path / "robot.toml").write_text(text, encoding="utf-8")
+    robot = read_robot(tmp_path / "robot.toml")
+    page = read(report(result, robot=robot, data=data))
+    lines = page.by_id("correction").all("code")[0].text.split("\n")[:-1]
+    assert lines[:2] == ["--- robot.toml", "+++ robot.toml"]
+    updating.save_robot(robot, result, tmp_path / "saved.toml")
+    assert applied(text, lines) == (tmp_path / "saved.toml").read_text(encoding="utf-8")
+
+
+def test_nothing_is_corrected_where_nothing_was_found(made: Made) -> None:
+    section, verdict = made.page.by_id("correction"), made.content["verdict"]
+    if verdict in ("adequate", "effect_found"):
+        assert section.all("code")
+    else:
+        assert not section.all("code")
+        assert f"No correction: the verdict is {verdict}." in section.text
+
+
+def test_a_comparison_shows_the_numbers_of_its_json(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    target = tmp_path / "report.html"
+    assert run(["compare", *map(str, LOOP), "--json", "-", "--report", str(target)]) == 0
+    captured = capsys.readouterr()
+    content = json.loads(captured.out)
+    page = read(target.read_text(encoding="utf-8"))
+    found = expect_equal_numbers(content, page)
+    numbers = {k for k, v in leaves(content).items() if isinstance(v, float)}
+    assert numbers <= set(found)
+    assert "larger than the measurement errors" in page.by_id("summary").text
+    assert captured.err == f"\nwrote {target}\n"
+
+
+def test_the_declared_model_differs_as_much_in_a_diagnosis_as_in_a_comparison(tmp_path: Path) -> None:
+    """With uncertain poses too: their errors count in the standard deviations of both."""
+    robot = read_robot(LOOP[0])
+    data = updating.read(LOOP[1], None, robot)
+    object.__setattr__(data, "point_sigma", np.full(data.points.shape, 2e-4))
+    result = updating.diagnose(robot, data, candidates=["gearbox_compliance"])
+    compared = updating.compare(robot, data)
+    assert result.stages is not None
+    assert result.stages.before.sigmas == pytest.approx([row.sigmas for row in compared.rows], rel=1e-9)
+    assert result.stages.before.mode.tolist() == [
+        0 if row.partner is None else row.partner - compared.rigid for row in compared.rows
+    ]
+    stated = np.log(result.stages.before.frequency / data.frequency) / (data.sigma / data.frequency)
+    assert (np.abs(result.stages.before.sigmas) <= np.abs(stated)).all()
+    assert (np.abs(result.stages.before.sigmas) < 0.99 * np.abs(stated)).any()
+
+
+def nearest(data: Any, row: int) -> float:
+    """Distance of a measured mode to the nearest other one at its pose, in ln f."""
+    others = (data.pose == data.pose[row]) & (np.arange(len(data.pose)) != row)
+    return float(np.abs(np.log(data.frequency[others] / data.frequency[row])).min())
+
+
+def test_the_mac_of_all_modes_has_that_of_the_pair(
+    found: tuple[Diagnosis, Robot, Measurements],
+) -> None:
+    result, _, data = found
+    assert result.stages is not None
+    for stage in (result.stages.before, result.stages.refit, result.stages.after):
+        assert stage is not None
+        rows = np.arange(len(data.frequency))
+        alone = stage.macs[rows, stage.mode - 1]
+        apart = np.array([nearest(data, i) for i in rows])
+        single = apart > 0.05  # close modes are compared as one subspace
+        assert single.sum() > 10
+        assert stage.mac[single] == pytest.approx(alone[single], abs=1e-12)
+        assert stage.spectrum[data.pose, stage.mode - 1] == pytest.approx(stage.frequency, rel=1e-12)
+
+
+def test_many_rows_are_cut_to_the_worst_and_the_page_stays_small() -> None:
+    result, data = made_up(500, 20)
+    html = report(result, data=data, title="many")
+    assert len(html.encode()) < 2_000_000
+    section = read(html).by_id("rows")
+    assert "300 measured modes that differ most" in section.text
+    assert "10\u2009000 modes are in the output of --json" in section.text
+    bodies = section.all("tbody")[0].all("tr")
+    assert len(bodies) == 300
+    assert result.stages is not None
+    assert result.stages.after is not None
+    sigmas = np.abs(result.stages.after.sigmas)
+    lost = int(np.isnan(sigmas).sum())
+    assert [("unmatched" in row.text) for row in bodies] == [True] * lost + [False] * (300 - lost)
+    last = [float(row.all("data")[-2].attributes["value"]) for row in bodies[lost:]]
+    assert np.abs(last) == pytest.approx(np.sort(sigmas[~np.isnan(sigmas)])[::-1][: 300 - lost])
