@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from itertools import pairwise
 from urllib.parse import unquote, urlsplit
 
 import pytest
@@ -20,7 +21,7 @@ def anchors(page: str) -> frozenset[str]:
     """Return the anchors that GitHub gives to the headings of a page."""
     tokens = MarkdownIt("commonmark").parse((ROOT / page).read_text(encoding="utf-8"))
     found: dict[str, int] = {}
-    for opening, content in zip(tokens, tokens[1:], strict=False):
+    for opening, content in pairwise(tokens):
         if opening.type == "heading_open":
             text = "".join(part.content for part in content.children or [])
             slug = re.sub(r"[^\w\- ]", "", text.lower()).replace(" ", "-")
