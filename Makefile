@@ -82,7 +82,7 @@ $(VENV)/.derive: $(VENV)/.python pyproject.toml
 
 $(VENV)/.dev: $(VENV)/.python pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
-	@touch $@ $(VENV)/.derive
+	@touch $@ $(VENV)/.derive $(VENV)/.docs
 
 $(VENV)/.docs: $(VENV)/.python pyproject.toml
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[docs]' || { \

@@ -23,7 +23,7 @@ SHOWN = [
     "index",
     "tutorial",
     "api/pkmodes",
-    "derivation/linear_delta",
+    "derivation/corexy",
     "robot-file",
     "command-line",
     "json-schemas",
@@ -139,7 +139,9 @@ def test_a_page_is_accessible_and_loads_nothing_from_elsewhere(address: str, pag
     assert all(request.startswith((address, "data:", "blob:")) for request in found.requests)
 
 
-@pytest.mark.parametrize("page", SHOWN)
+@pytest.mark.parametrize(
+    "page", [*SHOWN, "derivation/rotary_delta", "diagnosis", "published-tables", "compiled"]
+)
 def test_a_page_fits_a_phone(address: str, page: str) -> None:
     """Only formulas, tables and code scroll sideways, and the keyboard reaches those that do."""
     with opened(f"{address}/{page}.html", width=390, height=844) as found:

@@ -47,7 +47,7 @@ def machine(model: pkmodes.Model) -> Figure:
     slides = model.modes(POSE, fields=["joint_positions"]).joint_positions
     carriages = origins + slides[:, None] * directions
     joints = np.array(POSE) + robot.joint
-    figure = Figure(figsize=(7.2, 6.2), layout="constrained")
+    figure = Figure(figsize=(5.4, 4.8), layout="constrained")
     above, side = figure.subplots(2, 1, sharex=True, height_ratios=(0.6, 0.38))
     for axes, vertical, name in ((above, 1, "y"), (side, 2, "z")):
         for j in range(3):
@@ -80,7 +80,7 @@ def frequencies(model: pkmodes.Model) -> Figure:
     x = np.linspace(0.33, 0.87, 271)
     poses = np.stack([x, np.zeros_like(x), np.full_like(x, POSE[2])], axis=-1)
     found = model.frequencies(poses, on_error="nan")[:, 3:]
-    figure = Figure(figsize=(7.2, 3.8), layout="constrained")
+    figure = Figure(figsize=(5.4, 3.4), layout="constrained")
     axes = figure.subplots()
     for values, colour in zip(found.T, COLOURS, strict=True):
         axes.plot(x, values, color=colour, lw=1.8)
@@ -110,7 +110,7 @@ def residual(model: pkmodes.Model) -> Figure:
     """Plot prediction minus measurement of every row, before and after the diagnosis."""
     result = updating.diagnose(model.robot, updating.read(LOOP / "measured.csv", robot=model))
     content = result.as_json()
-    figure = Figure(figsize=(7.2, 3.8), layout="constrained")
+    figure = Figure(figsize=(5.4, 3.4), layout="constrained")
     left, right = figure.subplots(1, 2, sharey=True)
     for axes, stage in ((left, "before"), (right, "after")):
         rms = 100 * content["error"][stage]["rms_relative"]
@@ -128,9 +128,7 @@ def residual(model: pkmodes.Model) -> Figure:
             )
         axes.axhline(0, color="black", lw=0.8)
         axes.set(xlabel="measured frequency [Hz]")
-        axes.set_title(
-            f"{'as declared' if stage == 'before' else 'with the cause'}: rms {rms:.2f} %", loc="left"
-        )
+        axes.set_title(f"{'declared' if stage == 'before' else 'with the cause'}: {rms:.2f} %", loc="left")
     left.set_ylabel("prediction minus measurement [%]")
     handles = [
         mpl.lines.Line2D([], [], marker=marker, ls="", color=colour, label=label)

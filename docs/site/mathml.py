@@ -16,13 +16,17 @@ from sphinx.application import Sphinx
 from sphinx.writers.html5 import HTML5Translator
 
 NAMESPACE = "http://www.w3.org/1998/Math/MathML"
-FUNCTIONS = {"cos", "sin", "tan", "atan2", "arccos", "exp", "log", "det", "sgn", "min", "max"}
+FUNCTIONS = {"cos", "sin", "tan", "asin", "atan2", "arccos", "exp", "log", "det", "sgn", "min", "max"}
+#: Functions with names of their own; latex2mathml knows only letters in them.
+NAMED = re.compile(r"\\operatorname\{([a-z]+)_?\{?(2?)\}?\}")
 #: Operators before which a formula may continue on the next line.
 BREAKS = {"+", "\u2212", "="}
 #: After these, a minus is a sign.
 OPENING = {"(", "[", "=", "+", "\u2212", ","}
 THIN = "0.17em"
-ROW, IDENTIFIER, OPERATOR, SPACE = (f"{{{NAMESPACE}}}{name}" for name in ("mrow", "mi", "mo", "mspace"))
+ROW, IDENTIFIER, OPERATOR, SPACE, TEXT = (
+    f"{{{NAMESPACE}}}{name}" for name in ("mrow", "mi", "mo", "mspace", "mtext")
+)
 
 ElementTree.register_namespace("", NAMESPACE)
 
@@ -37,8 +41,8 @@ def pieces(latex: str, *, display: bool) -> list[str]:
     display : bool
         Whether the formula stands on its own; others are a single element.
     """
-    plain = re.sub(r"^`(.*)`$", r"\1", latex.strip(), flags=re.DOTALL).replace("atan_{2}", "atan2")
-    root = ElementTree.fromstring(convert(plain))
+    plain = re.sub(r"^`(.*)`$", r"\1", latex.strip(), flags=re.DOTALL)
+    root = ElementTree.fromstring(convert(NAMED.sub(r"\\text{\1\2}", plain)))
     for row in list(root.iter()):
         _typewriter(row)
         _functions(row)
@@ -72,7 +76,7 @@ def _typewriter(row: ElementTree.Element) -> None:
             word = None
         elif word is None:
             word = child
-            word.tag = f"{{{NAMESPACE}}}mtext"
+            word.tag = TEXT
             word.attrib = {"class": "name"}
         else:
             word.text = (word.text or "") + (child.text or "")
@@ -83,7 +87,7 @@ def _functions(row: ElementTree.Element) -> None:
     """Make functions identifiers with a thin space on each side that has an operand."""
     children = list(row)
     for before, child, after in zip([None, *children], children, [*children[1:], None], strict=False):
-        if child.tag not in (OPERATOR, IDENTIFIER) or child.text not in FUNCTIONS:
+        if child.tag not in (OPERATOR, IDENTIFIER, TEXT) or child.text not in FUNCTIONS:
             continue
         child.tag = IDENTIFIER
         child.attrib = {}
