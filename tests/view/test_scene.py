@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -149,3 +150,16 @@ def test_code_without_a_drawing_says_so() -> None:
     older = type("Older", (type(robot),), {"kind": property(lambda self: replace(robot.kind, drawing=None))})
     with pytest.raises(PkmodesError, match="has no drawing"):
         Drawn(older(**vars(robot)))
+
+
+def test_the_page_of_the_documentation_runs(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = (ROBOTS.parent / "docs" / "view.md").read_text(encoding="utf-8")
+    (code,) = re.findall(r"```python\n(.*?)```", text, re.S)
+    monkeypatch.chdir(ROBOTS.parent)
+    exec(code, names := {})
+    printed = capsys.readouterr().out.splitlines()
+    assert len(printed) == 9
+    assert sum(float(line.split(": ")[1].rstrip("%")) for line in printed) == pytest.approx(100.0, abs=0.5)
+    assert names["points"].shape[0] == 24

@@ -22,7 +22,7 @@ SEEDS = 200
 
 
 def typical_pose(model: Model) -> Array:
-    """Return a pose well inside the workspace, (d,): near its middle, and on the branch that hangs lower.
+    """Return a pose well inside the workspace, (d,): in its middle or lower half, on the branch that hangs lower.
 
     Raises
     ------
@@ -39,7 +39,7 @@ def typical_pose(model: Model) -> Array:
     heights = Generated(model.kind.model, model.robot.parameters).gravity_potential(seeds)
     groups = [branch == sign for sign in np.unique(branch)]
     lower = min(groups, key=lambda group: float(np.mean(heights[group])))
-    group = seeds[lower]
+    group = seeds[lower & (heights <= np.median(heights[lower]))]
     found: Array = group[np.argmin(np.linalg.norm(group - group.mean(axis=0), axis=-1))]
     surface = workspace(model, found, group)
     edge = group if surface is None else surface.vertices
