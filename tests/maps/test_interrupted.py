@@ -139,7 +139,7 @@ def test_a_damaged_plan_is_refused(interrupted: Path, monkeypatch: pytest.Monkey
     plan = folder_of(interrupted) / "plan.json"
     assert json.loads(plan.read_text())["version"] == pkmodes.__version__
     plan.write_text(text)
-    with pytest.raises(OutputError, match="damaged|differs in"):
+    with pytest.raises(OutputError, match=r"damaged|differs in"):
         model().map(GRID, out=interrupted)
 
 
