@@ -58,7 +58,7 @@ def done_in(out: Path) -> int:
     """Number of tasks recorded as done."""
     try:
         return int(np.load(folder_of(out) / "done.npy").sum())
-    except (OSError, ValueError):
+    except (OSError, ValueError, EOFError):  # it is being made
         return 0
 
 

@@ -108,6 +108,23 @@ def test_modes_and_sensitivities(tmp_path: Path, capsys: pytest.CaptureFixture[s
     expect_described("sensitivities", result(capsys, "sensitivities", str(robot), *POSE))
 
 
+@pytest.mark.parametrize(
+    "options",
+    [
+        ["--grid", "x=0:0.8:9,y=0,z=-0.245"],
+        ["--grid", "x=0.6,y=0,z=-0.245", "--set", "effects.servo_stiffness.stiffness=0:900:2"],
+        ["--poses", str(ROOT / "examples" / "closed_loop" / "measured.csv"), "--out", "map.nc"],
+    ],
+)
+def test_map(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], options: list[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    found = result(capsys, "map", str(PUBLISHED), *options)
+    expect_described("map", found)
+    assert found["file"] == ("map.nc" if "--out" in options else None)
+
+
 def test_compare(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     expect_described("compare", result(capsys, "compare", *LOOP))
     lonely = tmp_path / "lonely.csv"

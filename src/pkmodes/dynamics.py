@@ -123,6 +123,7 @@ class Dynamics(Kinematics):
             poses=checked.points.reshape((*checked.batch, -1)),
             coordinates=self.coordinates,
             rigid_modes=self._evaluation.rigid_modes,
+            robot=self.robot,
             backend=NUMPY if evaluator is None else COMPILED,
         )
 

@@ -186,12 +186,13 @@ class Model(Dynamics):
         Returns
         -------
         xarray.Dataset
-            Described in docs/maps.md; read from the file where `out` is given (a data frame from a table).
+            Described in docs/maps.md.  Where `out` is NetCDF or Zarr, its values are read from the file when they are
+            needed.
 
         Raises
         ------
         PkmodesError
-            If an argument is invalid, or no pose can be evaluated.
+            If an argument is invalid, no pose can be evaluated, or the workers of a scheduler cannot finish.
         OutputError
             If the file exists or cannot be written, or an interrupted map there is another one or damaged.
         MissingExtraError

@@ -15,6 +15,9 @@ from pkmodes.mechanism import Mechanism
 from pkmodes.poses import CHUNK, explained
 from pkmodes.robot.robot import Robot
 
+if TYPE_CHECKING:
+    from xarray import Dataset
+
 Array = NDArray[np.float64]
 #: The independent coordinates, and their older name for mechanisms where they are carriage positions.
 JOINTS, CARRIAGES = "joint_positions", "carriage_positions"
@@ -99,6 +102,8 @@ class Modes(ChosenFields):
         Names of the generalised coordinates, in the order of the matrices.
     rigid_modes : int
         Number of modes that strain nothing elastic; they come first.
+    robot : Robot
+        Whose modes they are.
     backend : {"numpy", "compiled"}
         What evaluated them.
     valid : ndarray of bool, shape (...)
@@ -139,6 +144,7 @@ class Modes(ChosenFields):
     poses: Array
     coordinates: tuple[str, ...]
     rigid_modes: int
+    robot: Robot
     backend: str = "numpy"
     frequencies: Array = field(init=False)
     shapes: Array = field(init=False)
@@ -164,6 +170,24 @@ class Modes(ChosenFields):
         """
         carriages = kind.independent_are.replace(" ", "_") == CARRIAGES
         return tuple(name for name in cls.FIELDS if carriages or name != CARRIAGES)
+
+    def to_dataset(self) -> Dataset:
+        """Return the vibration modes as a dataset, with the variables and attributes of a map (docs/maps.md).
+
+        Returns
+        -------
+        xarray.Dataset
+            Its leading axes are those of the poses: ``pose``, or ``pose_1``, ``pose_2``, ... for several.  Rigid-body
+            modes are left out, and so are fields that were not requested.
+
+        Raises
+        ------
+        MissingExtraError
+            If the libraries of the extra ``map`` are not installed.
+        """
+        from pkmodes.maps.of_modes import dataset_of_modes
+
+        return dataset_of_modes(self)
 
 
 @dataclass(frozen=True, eq=False)

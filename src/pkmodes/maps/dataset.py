@@ -19,6 +19,7 @@ from pkmodes.maps.storage import Stored
 from pkmodes.maps.tracking import Tracked
 from pkmodes.maps.variables import COORDINATE, DIRECTION, DRIVE, FIRST, MODE, variables
 from pkmodes.maps.variants import SAMPLE, Variants
+from pkmodes.mechanism import Mechanism
 from pkmodes.poses import codes_of, reasons
 from pkmodes.robot.corrections import changeable
 from pkmodes.robot.robot import Robot
@@ -83,7 +84,7 @@ def dataset_of(
         v.name: (
             (*leading, *v.dims),
             fields[v.name],
-            {**v.attributes, **_meanings(robot, v.name)},
+            {**v.attributes, **meanings_of(robot, v.name)},
         )
         for v in known
     }
@@ -93,8 +94,8 @@ def dataset_of(
         data["rigid_modes"] = (variants.dims, rigid, about)
     found: xarray.Dataset = imported().Dataset(
         data,
-        coords={**_coordinates(robot, places, variants), **_labels(robot, layout, coordinates)},
-        attrs=_attributes(robot),
+        coords={**_coordinates(robot, places, variants), **labels_of(kind, layout.modes, coordinates)},
+        attrs=attributes_of(robot),
     )
     return found
 
@@ -180,7 +181,8 @@ def imported() -> Any:
     return xarray
 
 
-def _meanings(robot: Robot, name: str) -> dict[str, Any]:
+def meanings_of(robot: Robot, name: str) -> dict[str, Any]:
+    """Return further attributes of a variable: what its codes mean."""
     if name == "reason":
         return dict(reasons(robot.kind))
     if name == "tracking":
@@ -212,10 +214,9 @@ def _coordinates(robot: Robot, places: Places, variants: Variants) -> dict[str, 
     return found
 
 
-def _labels(robot: Robot, layout: Layout, coordinates: tuple[str, ...]) -> dict[str, Any]:
+def labels_of(kind: Mechanism, modes: int, coordinates: tuple[str, ...]) -> dict[str, Any]:
     """Return the coordinates along the axes after the poses."""
-    kind = robot.kind
-    numbers = np.arange(FIRST, FIRST + layout.modes)
+    numbers = np.arange(FIRST, FIRST + modes)
     return {
         MODE: (MODE, numbers, {"units": "1", "long_name": "vibration mode, rigid-body modes left out"}),
         DIRECTION: (DIRECTION, np.array(kind.directions), _named("direction of the platform's motion")),
@@ -228,7 +229,8 @@ def _named(what: str) -> dict[str, str]:
     return {"units": "1", "long_name": what}
 
 
-def _attributes(robot: Robot) -> dict[str, Any]:
+def attributes_of(robot: Robot) -> dict[str, Any]:
+    """Return the attributes of a dataset of a robot."""
     return {
         "Conventions": CONVENTIONS,
         "title": f"natural frequencies and mode shapes of {robot.name}",

@@ -127,11 +127,15 @@ def _client(scheduler: str) -> Iterator[Any]:
         ) from None
     import pkmodes
 
+    remedy = "start one with: dask scheduler, and give its address, such as tcp://127.0.0.1:8786"
+    if not isinstance(scheduler, str):
+        raise PkmodesError(
+            f"expected the address of a scheduler, found {shown(scheduler)}", "scheduler", remedy
+        )
     try:
         client = distributed.Client(scheduler, timeout=PATIENCE, set_as_default=False)
     except (OSError, TimeoutError, ValueError) as error:
         what = f"cannot reach the scheduler: {type(error).__name__}"
-        remedy = "start one with: dask scheduler, and give its address, such as tcp://127.0.0.1:8786"
         raise PkmodesError(what, f"scheduler {shown(scheduler)}", remedy) from None
     try:
         try:

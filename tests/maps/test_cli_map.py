@@ -1,0 +1,160 @@
+"""``pkmodes map``: what it prints and writes."""
+
+from __future__ import annotations
+
+import json
+import os
+import pty
+import re
+import select
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray
+
+from map_runs import PROGRAM, ROOT
+from pkmodes.cli import run
+from robot_text import PUBLISHED, edited
+
+ROBOT = str(PUBLISHED)
+LINE = "x=0.3:0.8:11,y=0,z=-0.245"
+
+
+def printed(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
+    capsys.readouterr()
+    assert run(["map", *arguments]) == 0
+    out, err = capsys.readouterr()
+    assert err == ""
+    return out
+
+
+def test_the_table_says_where_each_mode_is_lowest_and_highest(capsys: pytest.CaptureFixture[str]) -> None:
+    out = printed(capsys, ROBOT, "--grid", LINE)
+    assert "linear-delta-2022: 11 of 11 poses can be evaluated" in out
+    assert "x from 0.3 to 0.8 m, 11 values" in out
+    assert "y = 0 m" in out
+    rows = [line.split() for line in out.splitlines()]
+    start = next(i for i, row in enumerate(rows) if row[:1] == ["mode"])
+    assert " ".join(rows[start]) == "mode lowest [Hz] x highest [Hz] x"
+    import pkmodes
+
+    x = np.linspace(0.3, 0.8, 11)
+    frequencies = pkmodes.load(PUBLISHED).frequencies([[value, 0.0, -0.245] for value in x])[:, 3:]
+    for mode in range(6):
+        column = frequencies[:, mode]
+        low, high = column.argmin(), column.argmax()
+        expected = [
+            str(mode + 1),
+            f"{column[low]:.3f}",
+            f"{x[low]:.6g}",
+            f"{column[high]:.3f}",
+            f"{x[high]:.6g}",
+        ]
+        assert rows[start + 1 + mode] == expected
+
+
+def test_poses_that_cannot_be_evaluated_are_counted_by_reason(capsys: pytest.CaptureFixture[str]) -> None:
+    out = printed(capsys, ROBOT, "--grid", "x=0:0.8:5,y=0,z=-0.5:-0.245:2")
+    assert re.search(r"3 of 10 poses can be evaluated", out)
+    assert re.search(r"\d cannot: a link is too short", out) or "cannot" in out
+    assert sum(int(n) for n in re.findall(r"(\d+) cannot: ", out)) == 7
+
+
+def test_units_sweeps_and_a_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = tmp_path / "map.nc"
+    grid = "x=300 mm:80 cm:11, y=0, z=-245 mm"
+    arguments = ["--set", "platform.mass=1 kg:2000 g:3", "--set", "belt.width=10 mm,15 mm", "--out", str(out)]
+    text = printed(capsys, ROBOT, "--grid", grid, *arguments)
+    assert f"written: {out}" in text
+    assert "platform.mass from 1 to 2 kg, 3 values" in text
+    with xarray.open_dataset(out) as found:
+        assert found["frequency"].dims == ("platform.mass", "belt.width", "z", "y", "x", "mode")
+        np.testing.assert_allclose(found["x"], np.linspace(0.3, 0.8, 11))
+        np.testing.assert_allclose(found["platform.mass"], [1.0, 1.5, 2.0])
+        np.testing.assert_allclose(found["belt.width"], [0.01, 0.015])
+
+
+def test_every_changeable_path_can_be_swept() -> None:
+    import pkmodes
+    from pkmodes.maps.ranges import parse_settings
+    from pkmodes.robot.corrections import changeable
+
+    for file in sorted((ROOT / "robots").glob("*.toml")):
+        units = changeable(pkmodes.load(file).robot)
+        assert units
+        for path in units:
+            assert parse_settings((f"{path}=1:2:3",), units, "--set")[path].tolist() == [1.0, 1.5, 2.0]
+
+
+def test_a_file_of_measurements_is_a_list_of_poses(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    poses = tmp_path / "poses.csv"
+    poses.write_text(
+        "# taken in May\npose,y,x [mm],z,frequency\nA,0,600,-0.245,55\nA,0,600,-0.245,60\nB,0.05,500,-0.245,50\n"
+    )
+    found = json.loads(printed(capsys, ROBOT, "--poses", str(poses), "--json", "-"))
+    assert found["poses"] == found["valid"] == 2
+    assert found["ranges"] == {"pose": ["A", "B"]}
+    assert {row["minimum_at"]["x"] for row in found["modes"]} <= {0.5, 0.6}
+
+
+def test_samples(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    robot = tmp_path / "robot.toml"
+    robot.write_text(
+        edited('mass = "1.5 kg"', 'mass = { value = "1.5 kg", sigma = "2 %" }'), encoding="utf-8"
+    )
+    arguments = [str(robot), "--grid", LINE, "--samples", "3", "--json", "-"]
+    first, other = (json.loads(printed(capsys, *arguments, "--seed", seed)) for seed in ("1", "2"))
+    assert first["dimensions"]["sample"] == 3
+    assert first["poses"] == 33
+    assert first["modes"] != other["modes"]
+    assert "platform.mass" in first["modes"][0]["minimum_at"]
+
+
+def test_the_workspace_without_a_grid(capsys: pytest.CaptureFixture[str]) -> None:
+    found = json.loads(printed(capsys, str(ROOT / "robots/corexy-printer.toml"), "--json", "-"))
+    assert found["valid"] > 20_000
+    assert found["ranges"]["x"][0] < 0.01
+
+
+def test_help_shows_an_example(capsys: pytest.CaptureFixture[str]) -> None:
+    out = printed(capsys, "--help")
+    assert (
+        "pkmodes map robots/linear-delta-2022.toml --grid x=0.3:0.8:51,y=-0.1:0.1:41,z=-0.245 --out map.nc"
+        in (" ".join(out.split()))
+    )
+    for option in ("--samples", "--tracked", "--scheduler", "--set", "--poses", "--overwrite"):
+        assert option in out
+
+
+def test_a_terminal_shows_progress_with_the_time_left() -> None:
+    master, slave = pty.openpty()
+    paths = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
+    command = [sys.executable, "-c", PROGRAM, "map", ROBOT, "--grid", "x=0.3:0.8:33,y=0:0.1:3,z=-0.245"]
+    process = subprocess.Popen(
+        [*command, "--threads", "1"],
+        env={**os.environ, "PYTHONPATH": paths, "TERM": "xterm", "COLUMNS": "100"},
+        stderr=slave,
+        stdout=subprocess.PIPE,
+    )
+    os.close(slave)
+    shown = b""
+    while select.select([master], [], [], 60)[0]:
+        try:
+            part = os.read(master, 4096)
+        except OSError:  # the terminal is closed
+            break
+        if not part:
+            break
+        shown += part
+    assert process.stdout is not None
+    assert b"99 of 99 poses" in process.stdout.read()
+    process.stdout.close()
+    assert process.wait() == 0
+    os.close(master)
+    assert re.search(rb"\d+/99", shown)
+    assert re.search(rb"0:00:0\d", shown), "the time left"
