@@ -153,8 +153,9 @@ def map_(
 
 def _write_report(target: Path, model: Model, dataset: Dataset, file: str | None) -> None:
     from pkmodes.report.map import map_page
+    from pkmodes.report.three import view_of
 
-    write_file(target, map_page(model, dataset, file))
+    write_file(target, map_page(model, dataset, file, view_of(model)))
 
 
 def _places(model: Model, grid: str | None, poses: Path | None) -> Any:

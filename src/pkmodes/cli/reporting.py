@@ -49,8 +49,10 @@ class Reporting:
             If it cannot be written.
         """
         from pkmodes.report import report
+        from pkmodes.report.three import view_of_result
 
-        write_file(self._target, report(result, robot=robot, data=data, sources=self._sources))
+        view = view_of_result(result, robot, data.points)
+        write_file(self._target, report(result, robot=robot, data=data, sources=self._sources, view=view))
         self._written = True
 
     def announce(self, json_file: str | None) -> None:

@@ -1,0 +1,65 @@
+"""The interactive view of a robot inside a report."""
+
+from __future__ import annotations
+
+import tomllib
+from contextlib import suppress
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.diagnosis.compare import Comparison
+from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.errors import PkmodesError
+from pkmodes.model import Model
+from pkmodes.robot.reading import robot_from_document
+from pkmodes.robot.robot import Robot
+from pkmodes.updating.loop import corrected_robot
+from pkmodes.view import assets, fragment, poses_around, scene, typical_pose
+
+#: Poses of a measurement that are shown at most.
+MOST = 60
+
+
+def view_of(model: Model, poses: ArrayLike | None = None) -> str | None:
+    """Return the view of a robot as HTML.
+
+    Parameters
+    ----------
+    model : Model
+    poses : array_like, shape (N, d), optional
+        By default a grid over the workspace.
+
+    Returns
+    -------
+    str or None
+        None if no pose can be shown, or the code of the mechanism was generated before there were drawings.
+    """
+    try:
+        if poses is None:
+            shown = poses_around(model, typical_pose(model))
+        else:
+            points = np.asarray(poses, dtype=float)
+            points = points[model.check(points).valid][:MOST]
+            if not len(points):
+                return None
+            shown = scene(model, points)
+    except PkmodesError:
+        return None
+    return fragment(shown) + assets()
+
+
+def view_of_result(result: Diagnosis | Comparison, robot: Robot, points: NDArray[np.float64]) -> str | None:
+    """Return the view of a measured robot at the measured poses: with the cause, if one was found.
+
+    Parameters
+    ----------
+    result : Diagnosis or Comparison
+    robot : Robot
+        As declared.
+    points : ndarray, shape (N, d)
+    """
+    if isinstance(result, Diagnosis) and result.effects:
+        with suppress(PkmodesError):  # a cause that no robot file can hold
+            robot = robot_from_document(tomllib.loads(corrected_robot(robot, result)), robot.source)
+    return view_of(Model(robot), points)
