@@ -8,19 +8,31 @@ ROBOT := robots/linear-delta-2022.toml
 DEMO := build/linear-delta-2022
 LOOP := examples/closed_loop
 CORRECTED := build/workshop-delta
+IDENTIFIED := robots/linear-delta-2022-identified.toml
+PLANE := x=0.29:1.23:95,y=-0.16:0.16:33,z=-0.24383544
+POSE := 0.6,0,-0.24383544
 
 # The targets share one environment: run in parallel, they would both install into it.
 .NOTPARALLEL:
 .PHONY: demo test lint types check generate derivation docs benchmark figures suites clean
 
-demo: $(VENV)/.derive  ## the whole loop: derive, generate, solve, compare with measured modes, diagnose, correct
+demo: $(VENV)/.demo  ## the whole loop, from the robot file to corrected code, with a map, a report and pictures
 	$(BIN)/python -m pkmodes generate $(ROBOT) --out $(DEMO)
 	$(BIN)/python -m pkmodes check $(DEMO)
 	$(BIN)/python docs/studies/published_tables/residual.py $(ROBOT) --generated $(DEMO)
 	$(BIN)/python -m pkmodes compare $(LOOP)/robot.toml $(LOOP)/measured.csv
-	$(BIN)/python -m pkmodes diagnose $(LOOP)/robot.toml $(LOOP)/measured.csv --save-robot $(CORRECTED).toml
+	$(BIN)/python -m pkmodes diagnose $(LOOP)/robot.toml $(LOOP)/measured.csv --save-robot $(CORRECTED).toml \
+	    --report build/diagnosis.html
 	$(BIN)/python -m pkmodes generate $(CORRECTED).toml --out $(CORRECTED)
 	$(BIN)/python -m pkmodes diagnose $(CORRECTED).toml $(LOOP)/measured.csv
+	$(BIN)/python -m pkmodes map $(IDENTIFIED) --grid $(PLANE) --out build/map.nc --overwrite --report build/map.html
+	$(BIN)/python -m pkmodes show $(IDENTIFIED) --out build/robot.html
+	$(BIN)/python -m pkmodes show $(IDENTIFIED) --pose=$(POSE) --mode 2 --out build/mode.gif
+	@echo
+	@echo "open these pages in a browser:"
+	@echo "  build/diagnosis.html   the diagnosis of the workshop's machine, to hand on"
+	@echo "  build/map.html         where the paper's machine rings"
+	@echo "  build/robot.html       that machine, moving in its modes"
 
 test: $(VENV)/.dev  ## all tests, including the slow ones
 	$(BIN)/python -m pytest -n auto
@@ -52,12 +64,12 @@ benchmark: $(VENV)/.benchmark  ## table and plot of docs/compiled.md, and other 
 	$(BIN)/python benchmarks/many_rows.py
 	$(BIN)/python benchmarks/large_models.py
 
-figures: $(VENV)/.dev  ## the pictures and the table of docs/figures.md
-	$(BIN)/python -m pkmodes figures robots/linear-delta-2022-identified.toml --out docs/figures/identified \
-	    --format png --grid x=0.29:1.23:95,y=-0.16:0.16:33,z=-0.24383544
+figures: $(VENV)/.dev  ## the pictures of the README, and the pictures and the table of docs/figures.md
+	$(BIN)/python -m pkmodes figures $(IDENTIFIED) --out docs/figures/identified --format png --grid $(PLANE)
 	$(BIN)/python -m pkmodes figures $(ROBOT) --out docs/figures/declared \
 	    --format png --grid x=0.24:0.92:103,y=-0.12:0.12:37,z=-0.245
 	rm docs/figures/declared/influence.png docs/figures/declared/dominant.png docs/figures/declared/mac.png
+	$(BIN)/python -m pkmodes show $(IDENTIFIED) --pose=$(POSE) --mode 2 --out docs/figures/mode.gif
 	$(BIN)/python docs/studies/published_figures/claims.py
 
 suites: $(VENV)/.dev  ## error rates of the diagnosis on the virtual test rig, about an hour on two cores
@@ -80,9 +92,13 @@ $(VENV)/.derive: $(VENV)/.python pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[derive]'
 	@touch $@
 
+$(VENV)/.demo: $(VENV)/.python pyproject.toml
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[derive,report]'
+	@touch $@ $(VENV)/.derive
+
 $(VENV)/.dev: $(VENV)/.python pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
-	@touch $@ $(VENV)/.derive $(VENV)/.docs
+	@touch $@ $(VENV)/.demo $(VENV)/.derive $(VENV)/.docs
 
 $(VENV)/.docs: $(VENV)/.python pyproject.toml
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[docs]' || { \

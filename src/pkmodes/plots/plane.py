@@ -73,7 +73,8 @@ class Plane:
         across, along = several[1], several[0]
         if same and extent[across] > LONGER * extent[along]:
             across, along = along, across
-        flat = dataset.isel(dict.fromkeys(single, 0)).transpose(along, across, ...)
+        # Loaded first: text that is still in a file cannot be transposed.
+        flat = dataset.isel(dict.fromkeys(single, 0)).load().transpose(along, across, ...)
         return cls(flat, across, along, normal, 0.0 if normal is None else float(dataset[normal].values[0]))
 
     @property
