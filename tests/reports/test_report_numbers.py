@@ -195,7 +195,7 @@ def applied(text: str, difference: list[str]) -> str:
     return "\n".join(after) + ("\n" if ended else "")
 
 
-@pytest.mark.parametrize("end", ["", "\n", "\n\n", '\n# no end of line: \u00e4 "<b>"'])
+@pytest.mark.parametrize("end", ["", "\n", "\n\n", '\n# no end of line: \u00e4 "<b>"\tx'])
 def test_the_correction_is_the_file_that_is_saved(
     found: tuple[Diagnosis, Robot, Measurements], tmp_path: Path, end: str
 ) -> None:

@@ -61,5 +61,7 @@ def difference(before: str, after: str, name: str) -> list[str]:
 def _lines(text: str) -> list[str]:
     """Return the lines of a text without their ends; the last one says if it has none, as in `diff`."""
     *lines, rest = text.replace("\r\n", "\n").split("\n")
-    visible = [clean(line.replace("\t", "    "), None) for line in [*lines, *([rest] if rest else [])]]
+    visible = [
+        "\t".join(clean(part, None) for part in line.split("\t")) for line in [*lines, *([rest] if rest else [])]
+    ]
     return [*visible[:-1], f"{visible[-1]}\n{NO_END}"] if rest else visible

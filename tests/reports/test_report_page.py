@@ -1,0 +1,45 @@
+"""docs/report.md: its code runs, and it lists the sections that a report has."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from page_reading import read
+from pkmodes.cli import run
+from pkmodes.report import report
+from report_examples import made_up
+
+ROOT = Path(__file__).parents[2]
+PAGE = (ROOT / "docs" / "report.md").read_text(encoding="utf-8")
+
+
+def test_its_code_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    (code,) = re.findall(r"```python\n(.*?)```", PAGE, re.S)
+    names: dict[str, str] = {}
+    exec(code, names)
+    assert names["html"].startswith("<!DOCTYPE html>")
+
+
+def test_its_commands_are_those_of_the_command_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (block,) = re.findall(r"```\n(pkmodes compare.*?)```", PAGE, re.S)
+    first, second = block.strip().splitlines()
+    monkeypatch.chdir(ROOT)
+    arguments = first.split()[1:]
+    assert run([*arguments[:-1], str(tmp_path / arguments[-1])]) == 0
+    assert (tmp_path / "compared.html").is_file()
+    assert second.split()[1] == "diagnose"
+    assert second.split()[2:-1] == arguments[1:-1]
+
+
+def test_it_lists_the_sections() -> None:
+    result, data = made_up(4, 3)
+    titles = [title.text for title in read(report(result, data=data)).all("h2")][1:]
+    table = re.findall(r"^\| ([^|]+?) \|", PAGE, re.M)[1:]
+    listed = [part for cell in table for part in re.split(", or |, ", cell)]
+    assert set(titles) <= set(listed)
+    assert set(listed) - set(titles) == {"---", "Summary", "Remaining explanations"}
+    assert [t for t in listed if t in titles] == titles
