@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
 Array = NDArray[Any]
 CONVENTIONS = "CF-1.11"
 #: Poses of a stored map that are read and written together.
-CHUNK = 65_536
+CHUNK = 16_384
 INSTALL = "install it: pip install 'pkmodes[map]'"
 
 
@@ -174,11 +175,23 @@ def imported() -> Any:
     ------
     MissingExtraError
     """
+    return required("xarray", "a map")
+
+
+def required(library: str, what: str) -> Any:
+    """Import a library of the extra ``map``.
+
+    Raises
+    ------
+    MissingExtraError
+        If it is not installed.
+    """
     try:
-        import xarray
+        return import_module(library)
     except ModuleNotFoundError as error:
-        raise MissingExtraError(f"maps need {error.name}, which is not installed", "map", INSTALL) from None
-    return xarray
+        raise MissingExtraError(
+            f"{what} needs {error.name}, which is not installed", "map", INSTALL
+        ) from None
 
 
 def meanings_of(robot: Robot, name: str) -> dict[str, Any]:

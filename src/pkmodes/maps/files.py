@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pkmodes.errors import OutputError, shown
-from pkmodes.maps.dataset import imported
+from pkmodes.maps.dataset import imported, required
 from pkmodes.maps.table import table_of, write_table
 
 if TYPE_CHECKING:
@@ -19,6 +19,13 @@ if TYPE_CHECKING:
 
 NETCDF, ZARR, CSV, PARQUET = ".nc", ".zarr", ".csv", ".parquet"
 FORMATS = (NETCDF, ZARR, CSV, PARQUET)
+#: Libraries that write each format.
+LIBRARIES = {
+    NETCDF: ("netCDF4", "dask"),
+    ZARR: ("zarr", "dask"),
+    CSV: ("pandas", "pyarrow"),
+    PARQUET: ("pandas", "pyarrow"),
+}
 
 
 @dataclass(frozen=True)
@@ -40,6 +47,8 @@ class Target:
         ------
         OutputError
             If the format is unknown, the folder does not exist or cannot be written, or the file exists.
+        MissingExtraError
+            If a library that writes it is not installed.
         """
         if not isinstance(out, str | os.PathLike) or not isinstance(os.fspath(out), str):
             raise OutputError(
@@ -71,6 +80,8 @@ class Target:
             raise OutputError(
                 "cannot write: permission denied", where, "choose another place or make it writable"
             )
+        for library in LIBRARIES[path.suffix.lower()]:
+            required(library, f"a {path.suffix.lower()} file")
         return cls(path)
 
     def write(self, dataset: xarray.Dataset, folder: Path) -> None:

@@ -13,7 +13,8 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from pkmodes.errors import MissingExtraError, PkmodesError, shown
+from pkmodes.errors import PkmodesError, shown
+from pkmodes.maps.dataset import required
 from pkmodes.maps.evaluating import Task, evaluate
 
 #: Tasks under way for each thread: one is computed while the result of another is stored.
@@ -118,13 +119,7 @@ def _failures(scheduler: str) -> Iterator[None]:
 
 @contextmanager
 def _client(scheduler: str) -> Iterator[Any]:
-    try:
-        import distributed
-    except ModuleNotFoundError as error:
-        remedy = "install it: pip install 'pkmodes[map]'"
-        raise MissingExtraError(
-            f"a map on a Dask scheduler needs {error.name}", "scheduler", remedy
-        ) from None
+    distributed = required("distributed", "a map on a Dask scheduler")
     import pkmodes
 
     remedy = "start one with: dask scheduler, and give its address, such as tcp://127.0.0.1:8786"

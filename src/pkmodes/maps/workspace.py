@@ -33,7 +33,8 @@ def reachable(model: Model, poses: int = POSES) -> Grid:
     ----------
     model : Model
     poses : int
-        About how many poses the grid has, including those of its corners that cannot be reached.
+        How many poses the grid has, within a factor of three because steps are round numbers, including those of
+        its corners that cannot be reached.
 
     Returns
     -------
