@@ -17,6 +17,7 @@ import pkmodes
 from browser import Opened, opened
 from pkmodes.cli import run
 from pkmodes.view import assets, fragment, page, poses_around, scene
+from pkmodes.view.data import embedded
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 POSES = {
@@ -85,6 +86,7 @@ def test_what_moves_is_the_mode_of_the_model(pages: dict[str, Path]) -> None:
     """The displacement of the platform in the picture has the direction of the model, and the size of the slider."""
     model = pkmodes.load(ROBOTS / "linear-delta-2022.toml")
     modes = model.modes(POSES["linear-delta-2022"])
+    shown = scene(model, POSES["linear-delta-2022"])
     with opened(pages["linear-delta-2022"], motion="reduce") as seen:
         for m in range(3, 9):
             seen.page.locator(f'[data-part="mode"][value="{m}"]').check()
@@ -93,7 +95,8 @@ def test_what_moves_is_the_mode_of_the_model(pages: dict[str, Path]) -> None:
             expected = modes.platform_shapes[m]
             cosine = moved[0] @ expected / np.linalg.norm(moved[0]) / np.linalg.norm(expected)
             assert abs(cosine) == pytest.approx(1.0, abs=1e-4)
-            assert np.linalg.norm(moved, axis=1).max() <= 0.06 * stage(seen, "viewer.data.size") * 1.001
+            whole = shown.displacements(0, m) * shown.scale(0, m) * 0.06 * shown.size
+            np.testing.assert_allclose(moved, whole, atol=2e-5)
             assert text(seen, "title") == f"Mode {m - 2}: {modes.frequencies[m]:.2f} Hz"
             announced = text(seen, "status")  # to screen readers, of what was chosen
             assert f"{modes.frequencies[m]:.2f} Hz" in announced or m == 3
@@ -221,6 +224,8 @@ def test_a_hostile_name_is_only_text(tmp_path: Path) -> None:
         assert seen.page.locator("img").count() == 0
         assert seen.page.locator("select").input_value() == "0"
         clean(seen)
+    assert not set("<>&") & set(embedded({"name": name}))
+    assert json.loads(embedded({"name": name})) == {"name": name}
 
 
 def test_several_viewers_share_one_library(tmp_path: Path) -> None:

@@ -104,4 +104,4 @@ def _name(description: str) -> str:
     """Return the short name in a description: "stiffness of span 1 of belt 2 (...)" is that of span 1 of belt 2."""
     for words in BEFORE:
         description = description.removeprefix(words)
-    return description.split(" (")[0].split(", with")[0]
+    return description.split(" (")[0].split(", with")[0].replace(" from the pose, component ", " along ")

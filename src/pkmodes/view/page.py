@@ -147,7 +147,7 @@ def _modes(scene: Scene, key: str) -> str:
     return (
         f'<fieldset><legend>Mode</legend><div class="pkview-modes">{"".join(labels)}</div></fieldset>'
         '<p class="pkview-status" role="status" aria-live="polite" data-part="status">'
-        "Rigid-body motions strain no spring.</p>"
+        f"{'Rigid-body motions strain no spring.' if rigid else ''}</p>"
     )
 
 

@@ -195,7 +195,7 @@ def declare(m: Machine) -> None:
             m.follows[theta[k][j]] = x[j] / R_p[j]
         turned = (theta[0][j], theta[1][j])
         at = (x_max[j], x_min[j])
-        drawn.append(Axis(o[j], n[j], x[j], at, R_p[j], turned, b[j], l_d[j], runs, clamp))
+        drawn.append(Axis(o[j], n[j], x[j], at, R_p[j], turned, b[j], l_d[j], l_t[j], runs, clamp))
     draw(m, drawn)
 
     # Conditions on a pose and on a robot ---------------------------------------------------------------------

@@ -16,13 +16,14 @@ from pkmodes_derive.machine import Machine
 from pkmodes_derive.parts import Clamp, Run
 from pkmodes_derive.vectors import cross
 
+HALF = Rational(1, 2)
 #: Half the distance of the two rods of a linkage, as a fraction of their length.
 HALF_WIDTH = Rational(1, 14)
 
 
 @dataclass(frozen=True)
 class Axis:
-    """What is drawn of an axis; `ends` and `turns` are those of pulley 1 and pulley 2, `runs` the spans 1 to 3."""
+    """What is drawn of an axis; `ends` and `turns` are those of pulleys 1 and 2, `link` and `carriage` lengths."""
 
     origin: Sequence[Symbol]
     direction: Sequence[Symbol]
@@ -32,6 +33,7 @@ class Axis:
     turns: tuple[Symbol, Symbol]
     joint: Sequence[Symbol]
     link: Symbol
+    carriage: Symbol
     runs: Sequence[Run]
     clamp: Clamp
 
@@ -47,7 +49,9 @@ def draw(m: Machine, axes: Sequence[Axis]) -> None:
             return tuple(a.origin[i] + x * a.direction[i] + over * up[i] for i in range(3))
 
         m.draw.line("rail", f"rail {j}", at(a.ends[1], 0), at(a.ends[0], 0))
-        m.draw.block("carriage", f"carriage {j}", at(a.position, 0), a.direction, a.radius)
+        m.draw.block(
+            "carriage", f"carriage {j}", at(a.position, 0), a.direction, a.radius + HALF * a.carriage
+        )
         for sign in (1, -1):
             beside = tuple(sign * HALF_WIDTH * a.link * side[i] for i in range(3))
             foot = tuple(c + d for c, d in zip(at(a.position, 0), beside, strict=True))

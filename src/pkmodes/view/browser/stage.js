@@ -66,9 +66,12 @@ class Stage {
     }
     geometry.setIndex(triangles);
     geometry.computeVertexNormals();
-    this.workspace.add(mesh(geometry, new T.MeshStandardMaterial({
-      transparent: true, opacity: 0.13, side: T.DoubleSide, depthWrite: false, roughness: 0.9,
-    })));
+    // Depth first, then colour: only the nearest layer shows, so that folds of the surface do not add up.
+    const options = { transparent: true, side: T.DoubleSide };
+    const depth = mesh(geometry, new T.MeshBasicMaterial({ ...options, colorWrite: false }));
+    const skin = mesh(geometry, new T.MeshStandardMaterial({ ...options, opacity: 0.2, depthWrite: false, roughness: 0.9 }));
+    [depth.renderOrder, skin.renderOrder] = [1, 2];
+    this.workspace.add(depth, skin);
   }
 
   paint(palette) {
@@ -258,6 +261,6 @@ function labelled(text, palette, at) {
   const sprite = new T.Sprite(new T.SpriteMaterial({ map, depthTest: false, sizeAttenuation: false }));
   sprite.position.copy(at);
   sprite.scale.set((0.023 * canvas.width) / canvas.height, 0.023, 1);
-  sprite.renderOrder = 2;
+  sprite.renderOrder = 3;
   return sprite;
 }
