@@ -1,0 +1,86 @@
+"""The report of a map: its numbers are those of the summary, and it is usable in a real browser."""
+
+from __future__ import annotations
+
+import json
+import re
+import tomllib
+from html import unescape
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pkmodes
+from browser import opened
+from pkmodes.cli import run
+from pkmodes.report.map import map_page
+from pkmodes.robot.reading import robot_from_document
+
+PLANE = ["--grid", "x=0.3:0.9:13,y=-0.1:0.1:9,z=-0.245"]
+ROBOT = "robots/linear-delta-2022.toml"
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("map")
+    options = [*PLANE, "--report", str(folder / "map.html"), "--json", str(folder / "map.json")]
+    assert run(["map", ROBOT, *options, "--out", str(folder / "map.nc")]) == 0
+    return folder / "map.html"
+
+
+def test_its_frequencies_are_those_of_the_json(page: Path) -> None:
+    content = json.loads((page.parent / "map.json").read_text())
+    text = unescape(page.read_text(encoding="utf-8"))
+    assert len(content["modes"]) == 6
+    for mode in content["modes"]:
+        for end in ("minimum_hz", "maximum_hz"):
+            assert f"{mode[end]:.3f}" in text
+    assert "map.nc" in text
+    assert str(page.parent) not in text
+
+
+def test_no_request_leaves_it_and_nothing_complains(page: Path) -> None:
+    with opened(page) as found:
+        assert found.problems == []
+        assert found.outside == []
+        boxes = found.page.evaluate(
+            "[...document.querySelectorAll('figure svg')].map(s => [s.getBoundingClientRect().width, "
+            "s.querySelectorAll('path, image').length])"
+        )
+        assert len(boxes) == 7
+        assert all(width > 100 and drawn > 3 for width, drawn in boxes)
+        assert found.page.locator(".pkview canvas").count() == 2
+    assert page.stat().st_size < 6_000_000
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_has_no_grave_findings(page: Path, scheme: str) -> None:
+    with opened(page, scheme=scheme) as found:  # type: ignore[arg-type]
+        assert found.findings() == []
+
+
+def test_it_fits_a_phone(page: Path) -> None:
+    with opened(page, width=390) as found:
+        assert not found.sideways
+
+
+def test_sweeps_samples_and_poses_have_their_sections() -> None:
+    model = pkmodes.load("examples/closed_loop/robot.toml")
+    poses = np.array([[0.6, 0.0, -0.245], [0.5, 0.02, -0.245], [0.7, 0.0, -0.24]])
+    dataset = model.map(poses, sweep={"carriage.mass": [1.0, 1.5]}, samples=4)
+    text = map_page(model, dataset)
+    for section in ("Swept parameters", "Sampled robots", "Along the poses", "Over the working plane"):
+        assert f">{section}</h2>" in text, section
+    assert "platform.mass" in text
+    assert text == map_page(model, dataset)
+
+
+def test_a_hostile_name_is_harmless() -> None:
+    name = "</script><script>alert(1)</script><img src=x onerror=alert(2)>"
+    text = Path("robots/corexy-printer.toml").read_text(encoding="utf-8")
+    text = re.sub(r"^name = .*$", f"name = '{name}'", text, flags=re.M)
+    model = pkmodes.Model(robot_from_document(tomllib.loads(text), "hostile.toml"))
+    page = map_page(model, model.map({"x": [0.1, 0.2], "y": [0.1, 0.2]}))
+    assert "<img src=x" not in page
+    assert "<script>alert" not in page
