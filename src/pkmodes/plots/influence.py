@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.plots.maps import panels_of
+from pkmodes.plots.maps import each, panels_of
 from pkmodes.plots.plane import Plane
 from pkmodes.plots.style import GREY, INK, PALETTE, PAPER, figure
 
@@ -75,15 +75,8 @@ def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Figure:
     colours = ListedColormap([*PALETTE[: len(shown)], GREY])
     modes = relative.shape[-1]
     drawn, panels = panels_of(plane, modes, colour_bars=False)
-    for mode, axes in enumerate(panels.flat):
-        if mode >= modes:
-            axes.set_axis_off()
-            continue
+    for mode, axes in each(plane, panels, modes):
         plane.draw(axes, place[first[..., mode]], cmap=colours, vmin=-0.5, vmax=len(shown) + 0.5)
-        axes.set_title(f"mode {mode + 1}")
-        plane.label_axes(
-            axes, left=mode % panels.shape[1] == 0, bottom=mode // panels.shape[1] == panels.shape[0] - 1
-        )
     legend = [Patch(color=PALETTE[i], label=paths[path]) for i, path in enumerate(shown)]
     if counts.sum() > counts[shown].sum():
         legend.append(Patch(color=GREY, label="another"))

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
-from pkmodes.plots.maps import panels_of
+from pkmodes.plots.maps import each, panels_of
 from pkmodes.plots.plane import Plane
 
 if TYPE_CHECKING:
@@ -27,15 +27,8 @@ def neighbours(plane: Plane, mac: Array) -> Figure:
     modes = mac.shape[-1]
     drawn, panels = panels_of(plane, modes, colour_bars=False)
     mesh = None
-    for mode, axes in enumerate(panels.flat):
-        if mode >= modes:
-            axes.set_axis_off()
-            continue
+    for mode, axes in each(plane, panels, modes):
         mesh = plane.draw(axes, mac[..., mode], vmin=0.0, vmax=1.0)
-        axes.set_title(f"mode {mode + 1}")
-        plane.label_axes(
-            axes, left=mode % panels.shape[1] == 0, bottom=mode // panels.shape[1] == panels.shape[0] - 1
-        )
     if mesh is not None:
         bar = drawn.colorbar(mesh, ax=panels, location="right", shrink=0.6, aspect=25)
         bar.set_label("smallest MAC with a neighbouring pose [1]")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -37,18 +38,13 @@ def frequencies(plane: Plane, motors: Array | None = None) -> Figure:
     values = plane.dataset["frequency"].values
     modes = values.shape[-1]
     drawn, panels = panels_of(plane, modes, colour_bars=True)
-    for mode, axes in enumerate(panels.flat):
-        if mode >= modes:
-            axes.set_axis_off()
-            continue
+    for mode, axes in each(plane, panels, modes):
         one = values[..., mode]
         low, high = limits_of(one)
         mesh = plane.draw(axes, one, vmin=low, vmax=high)
         _contours(plane, axes, one, low, high)
         _extremes(plane, axes, one)
         _motors(axes, motors)
-        axes.set_title(f"mode {mode + 1}")
-        _inner(plane, panels, mode, axes)
         scale_beside(plane, axes, mesh, "f [Hz]")
     return drawn
 
@@ -69,10 +65,7 @@ def directions(plane: Plane) -> Figure:
     step = max(1, round(min(len(x), len(y)) / STROKES))
     rows, columns = (slice(step // 2, None, step) for _ in range(2))
     mesh = None
-    for mode, axes in enumerate(panels.flat):
-        if mode >= modes:
-            axes.set_axis_off()
-            continue
+    for mode, axes in each(plane, panels, modes):
         perpendicular = np.sqrt(
             np.clip(1.0 - unit[:, :, mode, across] ** 2 - unit[:, :, mode, along] ** 2, 0.0, 1.0)
         )
@@ -82,8 +75,6 @@ def directions(plane: Plane) -> Figure:
         part = unit[rows, columns, mode]
         reach = step * (y[-1] - y[0]) / max(len(y) - 1, 1) * 0.45
         _strokes(axes, x[columns], y[rows], reach * part[..., across], reach * part[..., along])
-        axes.set_title(f"mode {mode + 1}")
-        _inner(plane, panels, mode, axes)
     if mesh is not None and plane.normal is not None:
         bar = drawn.colorbar(mesh, ax=panels, location="right", shrink=0.6, aspect=25)
         bar.set_label(f"share of the motion along {plane.normal} [1]")
@@ -162,9 +153,16 @@ def panels_of(plane: Plane, modes: int, *, colour_bars: bool) -> tuple[Figure, A
     return drawn, drawn.subplots(rows, columns, squeeze=False)
 
 
-def _inner(plane: Plane, panels: Any, mode: int, axes: Axes) -> None:
+def each(plane: Plane, panels: Any, modes: int) -> Iterator[tuple[int, Axes]]:
+    """Yield each mode with its panel, titled, and labelled where it is at the edge; further panels stay empty."""
     rows, columns = panels.shape
-    plane.label_axes(axes, left=mode % columns == 0, bottom=mode // columns == rows - 1)
+    for mode, axes in enumerate(panels.flat):
+        if mode >= modes:
+            axes.set_axis_off()
+            continue
+        yield mode, axes
+        axes.set_title(f"mode {mode + 1}")
+        plane.label_axes(axes, left=mode % columns == 0, bottom=mode // columns == rows - 1)
 
 
 def _contours(plane: Plane, axes: Axes, values: Array, low: float, high: float) -> None:
