@@ -6,7 +6,14 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.figures.quantities import coarser, points_of, relative_sensitivities, smallest_mac, volume_of
+from pkmodes.figures.quantities import (
+    coarser,
+    motors_of,
+    points_of,
+    relative_sensitivities,
+    smallest_mac,
+    volume_of,
+)
 from pkmodes.figures.working_plane import WIDE, working_plane
 from pkmodes.plots.maps import extremes
 from pkmodes.plots.plane import Plane
@@ -123,3 +130,14 @@ def test_the_volume_encloses_the_plane(model: pkmodes.Model, plane: Plane) -> No
     valid = plane.dataset["x"].values[plane.dataset["valid"].values.any(axis=1)]
     assert reached[0] <= valid[0] + 0.02
     assert reached[-1] >= valid[-1] - 0.02
+
+
+def test_motors_are_at_the_driven_pulleys_of_the_robot_file(model: pkmodes.Model, plane: Plane) -> None:
+    """The file has driven pulley 1, at the upper limit, on rail 1, and pulley 2 on the others."""
+    found = motors_of(model, plane)
+    robot = model.robot.quantities
+    expected = []
+    for axis, end in ((1, "max"), (2, "min"), (3, "min")):
+        x = robot[f"axis.{axis}.origin.x"].value + robot[f"axis.{axis}.limits.{end}"].value
+        expected.append([1e3 * robot[f"axis.{axis}.origin.y"].value, 1e3 * x])
+    np.testing.assert_allclose(found, expected, atol=1e-9)

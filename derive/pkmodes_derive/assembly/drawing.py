@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sympy import Expr, Integer
+from sympy import Expr, Integer, Symbol
 
 from pkmodes_derive.assembly.derived import Derived, derive, flat
 from pkmodes_derive.assembly.springs import Spring, springs
@@ -124,6 +124,7 @@ def _model(
             ),
         ),
     ]
+    functions.append(_driven(machine))
     if uprights:
         open_ = flat([entry for u in uprights for entry in (u.direction, u.place)])
         functions.append(
@@ -148,6 +149,19 @@ def _model(
         ),
         functions=tuple(functions),
     )
+
+
+def _driven(machine: Machine) -> Function:
+    """Return the function that tells which rotors have a motor: the robot may choose among several."""
+    share: dict[Symbol, Expr] = dict.fromkeys(machine.coordinates, Integer(0))
+    for drive in machine.drives:
+        for rotor, factor in drive.rotors:
+            share[rotor.coordinate] += factor
+    output = Output(
+        "d", (machine.base,), tuple(share.values()), "1", "1 where a motor turns the coordinate, else 0"
+    )
+    what = "Which coordinates are rotations of a rotor that a motor drives."
+    return Function("driven", what, "the drives that the mechanism declares", (), (output,), {}, in_c=False)
 
 
 def _check_names(machine: Machine) -> None:

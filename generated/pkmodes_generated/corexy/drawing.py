@@ -23,6 +23,7 @@ __all__ = [
     "COORDINATE_UNITS",
     "drawing_motion",
     "drawing_points",
+    "driven",
     "springs",
 ]
 
@@ -425,3 +426,26 @@ def springs(p, parameters, effects):
     g_out[..., 6, 2] = 1
     g_out[..., 7, 3] = 1
     return k_out, g_out
+
+
+def driven():
+    """Which coordinates are rotations of a rotor that a motor drives.
+
+    Parameters
+    ----------
+
+    Returns
+    -------
+    d : array, shape (..., 4) [1]
+        1 where a motor turns the coordinate, else 0.
+
+    Notes
+    -----
+    The drives that the mechanism declares.
+    0 operations; 0 with every named value expanded.
+    """
+    batch, dtype = _batch()
+    d_out = np.zeros((*batch, 4), dtype)
+    d_out[..., 2] = 1
+    d_out[..., 3] = 1
+    return d_out

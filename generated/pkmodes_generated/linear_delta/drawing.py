@@ -37,6 +37,7 @@ __all__ = [
     "drawing_directions",
     "drawing_motion",
     "drawing_points",
+    "driven",
     "springs",
 ]
 
@@ -794,6 +795,36 @@ def springs(p, parameters, effects):
     g_out[..., 16, 5] = 1
     g_out[..., 17, 8] = 1
     return k_out, g_out
+
+
+def driven(parameters):
+    """Which coordinates are rotations of a rotor that a motor drives.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    d : array, shape (..., 9) [1]
+        1 where a motor turns the coordinate, else 0.
+
+    Notes
+    -----
+    The drives that the mechanism declares.
+    0 operations; 0 with every named value expanded.
+    """
+    d_1_1, d_1_2, d_2_1, d_2_2, d_3_1, d_3_2 = _entries(parameters.drive, (3, 2))
+    batch, dtype = _batch(d_1_1)
+    d_out = np.zeros((*batch, 9), dtype)
+    d_out[..., 3] = d_1_1
+    d_out[..., 4] = d_2_1
+    d_out[..., 5] = d_3_1
+    d_out[..., 6] = d_1_2
+    d_out[..., 7] = d_2_2
+    d_out[..., 8] = d_3_2
+    return d_out
 
 
 def drawing_directions(p, parameters):

@@ -55,7 +55,7 @@ def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
         If matplotlib or xarray is not installed.
     """
     need_matplotlib("figures")
-    from pkmodes.figures.quantities import coarser, relative_sensitivities, smallest_mac, volume_of
+    from pkmodes.figures.quantities import coarser, motors_of, relative_sensitivities, smallest_mac, volume_of
     from pkmodes.plots import influence, mac, maps
     from pkmodes.plots.plane import Plane, where
     from pkmodes.plots.workspace import workspace
@@ -82,8 +82,8 @@ def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
         "frequencies",
         "Natural frequencies",
         "Triangles mark the lowest (down) and highest (up) frequency along the centre line, without its ends; "
-        "colours leave out the 2 % lowest and highest values.",
-        lambda: maps.frequencies(plane),
+        "squares at the edge mark the motors; colours leave out the 2 % lowest and highest values.",
+        lambda: maps.frequencies(plane, motors_of(model, plane)),
     )
     yield drawn(
         "directions",

@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.errors import PkmodesError
 from pkmodes.maps.workspace import box_of
-from pkmodes.plots.plane import Plane
+from pkmodes.plots.plane import DRAWN, Plane
 from pkmodes.plots.workspace import Volume
 from pkmodes.robot.layout import items
 from pkmodes.robot.wholes import value_of, wholes
+from pkmodes.view.drawn import Drawn
 
 if TYPE_CHECKING:
     from pkmodes.model import Model
@@ -91,6 +93,26 @@ def volume_of(model: Model, plane: Plane) -> Volume | None:
     grid = dict(zip(order, np.meshgrid(*(axes[name] for name in order), indexing="ij"), strict=True))
     valid = model.check(np.stack([grid[name] for name in names], axis=-1)).valid
     return Volume(axes[plane.normal], axes[plane.along], axes[plane.across], valid)
+
+
+def motors_of(model: Model, plane: Plane) -> Array | None:
+    """Return where the motors are, (N, 2): across and along in the drawn units; None where no drawing tells.
+
+    Parameters
+    ----------
+    model : Model
+    plane : Plane
+    """
+    valid = points_of(model, plane)[plane.dataset["valid"].values]
+    names = ["x", "y", "z"]
+    if not len(valid) or not {plane.across, plane.along} <= set(names):
+        return None
+    try:
+        found = Drawn(model.robot).motors(valid[:1])[0]
+    except PkmodesError:  # generated before there were drawings
+        return None
+    factors = [DRAWN[plane.dataset[name].attrs["units"]][1] for name in (plane.across, plane.along)]
+    return np.asarray(found[:, [names.index(plane.across), names.index(plane.along)]] * factors)
 
 
 def smallest_mac(model: Model, plane: Plane) -> Array:

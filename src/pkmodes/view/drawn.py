@@ -89,6 +89,13 @@ class Drawn:
             np.concatenate([strain[..., free], unit], axis=1),
         )
 
+    def motors(self, p: Array) -> Array:
+        """Return the centres of the wheels that motors drive, (N, motors, 3) [m]."""
+        driven = np.asarray(self._generated.driven()).ravel() > 0.5
+        names = {q.name for q, one in zip(self._kind.coordinates, driven, strict=True) if one}
+        wheels = [e.points[0] for e in self.drawing.elements if e.shape == "wheel" and e.turns in names]
+        return self.points(p)[:, wheels]
+
     def _upright(self, p: Array) -> tuple[Array, ...]:
         """Return the argument `up` of the generated functions, none if the robot leaves no direction open."""
         if not self.drawing.uprights:
