@@ -177,7 +177,7 @@ def test_keys_turn_the_view_and_reset_it(pages: dict[str, Path]) -> None:
     position = "viewer.stage.camera.position.toArray()"
     with opened(pages["clavel-delta"], motion="reduce") as seen:
         start = stage(seen, position)
-        canvas = seen.page.locator("canvas")
+        canvas = seen.page.locator("canvas[tabindex]")
         for key in ("ArrowLeft", "ArrowUp", "+"):
             before = stage(seen, position)
             canvas.press(key)
