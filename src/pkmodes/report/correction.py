@@ -62,6 +62,7 @@ def _lines(text: str) -> list[str]:
     """Return the lines of a text without their ends; the last one says if it has none, as in `diff`."""
     *lines, rest = text.replace("\r\n", "\n").split("\n")
     visible = [
-        "\t".join(clean(part, None) for part in line.split("\t")) for line in [*lines, *([rest] if rest else [])]
+        "\t".join(clean(part, None) for part in line.split("\t"))
+        for line in [*lines, *([rest] if rest else [])]
     ]
     return [*visible[:-1], f"{visible[-1]}\n{NO_END}"] if rest else visible
