@@ -112,7 +112,7 @@ def test_the_same_figure_gives_the_same_text_in_every_process(tmp_path: Path) ->
     """Whatever the hash seed, and whatever settings of matplotlib the user has."""
     code = "from test_svg import drawn, inline; import hashlib; "
     code += "print(hashlib.sha256(inline(drawn(), 't', 'd').encode()).hexdigest())"
-    settings = "font.size: 31\naxes.facecolor: red\nsvg.fonttype: path\n"
+    settings = "font.size: 31\naxes.labelpad: 31\nlegend.borderpad: 3\nlines.markeredgewidth: 5\n"
     (tmp_path / "matplotlibrc").write_text(settings, encoding="utf-8")
     own = python(code, tmp_path, PYTHONHASHSEED="1", MPLCONFIGDIR=str(tmp_path))
     assert own == python(code, PYTHONHASHSEED="2", MPLCONFIGDIR=str(tmp_path / "other"))

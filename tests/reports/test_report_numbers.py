@@ -160,6 +160,15 @@ def test_a_page_is_well_formed_and_its_ids_are_unique(made: Made) -> None:
     assert all(th.attributes.get("scope") in ("row", "col", "colgroup") for th in made.page.all("th"))
 
 
+def test_every_box_that_may_scroll_has_a_name_and_is_reached_by_keyboard(made: Made) -> None:
+    boxes = [e for e in made.page._every() if "box" in e.attributes.get("class", "").split()]
+    assert boxes
+    for box in boxes:
+        assert box.attributes["tabindex"] == "0"
+        assert box.attributes["role"] == "group"
+        assert box.attributes.get("aria-label") or box.attributes["aria-labelledby"] in made.page.ids()
+
+
 def test_a_page_is_self_contained_and_tells_no_folder(made: Made, tmp_path: Path) -> None:
     for element in made.page._every():
         assert element.tag not in ("script", "link", "iframe", "object", "embed", "base")
