@@ -42,11 +42,12 @@ generate: $(VENV)/.derive  ## regenerate the committed code
 docs: $(VENV)/.derive  ## rebuild docs/derivation/
 	$(BIN)/python -m pkmodes_derive latex
 
-benchmark: $(VENV)/.benchmark  ## table and plot of docs/compiled.md, and other times; some minutes
+benchmark: $(VENV)/.benchmark  ## tables of docs/compiled.md and docs/maps.md, and other times; some minutes
 	$(BIN)/python benchmarks/backends.py
 	$(BIN)/python benchmarks/evaluation.py
 	$(BIN)/python benchmarks/many_rows.py
 	$(BIN)/python benchmarks/large_models.py
+	$(BIN)/python benchmarks/map.py
 
 suites: $(VENV)/.dev  ## error rates of the diagnosis on the virtual test rig, about an hour on two cores
 	$(BIN)/python benchmarks/diagnosis.py --seed 20261204 --out docs/diagnosis-measured.md
