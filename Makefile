@@ -58,11 +58,12 @@ docs: $(VENV)/.docs  ## the documentation as a site, in build/site
 	$(BIN)/python -m sphinx --fail-on-warning --keep-going --quiet -c docs/site docs build/site
 	@echo "open build/site/index.html"
 
-benchmark: $(VENV)/.benchmark  ## table and plot of docs/compiled.md, and other times; some minutes
+benchmark: $(VENV)/.benchmark  ## tables of docs/compiled.md and docs/maps.md, and other times; some minutes
 	$(BIN)/python benchmarks/backends.py
 	$(BIN)/python benchmarks/evaluation.py
 	$(BIN)/python benchmarks/many_rows.py
 	$(BIN)/python benchmarks/large_models.py
+	$(BIN)/python benchmarks/map.py
 
 figures: $(VENV)/.dev  ## the pictures of the README, and the pictures and the table of docs/figures.md
 	$(BIN)/python -m pkmodes figures $(IDENTIFIED) --out docs/figures/identified --format png --grid $(PLANE)

@@ -127,6 +127,22 @@ def test_a_file_opened_by_plain_xarray_is_the_dataset_in_memory(
     assert [one.name for one in tmp_path.iterdir()] == [path.name]
 
 
+def test_a_file_keeps_to_the_conventions_that_it_names(model: pkmodes.Model, tmp_path: Path) -> None:
+    """What the CF checker found: coordinates without a fill value, text as characters, a history."""
+    import netCDF4
+
+    sweep = {"platform.mass": [1.0, 2.0]}
+    model.map(GRID, sweep=sweep, shapes=True, tracked=True, out=tmp_path / "map.nc").close()
+    with netCDF4.Dataset(tmp_path / "map.nc") as file:
+        assert file.data_model == "NETCDF4"
+        for name in file.dimensions:
+            if name in file.variables:
+                assert not hasattr(file[name], "_FillValue"), name
+        assert file["reason"].dtype == np.dtype("S1")
+        assert file.history
+        assert file["tracking"].flag_masks.dtype == file["tracking"].dtype
+
+
 def test_tables_hold_one_row_for_each_mode_and_pose(model: pkmodes.Model, tmp_path: Path) -> None:
     import pandas
 

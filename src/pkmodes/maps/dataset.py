@@ -248,6 +248,7 @@ def attributes_of(robot: Robot) -> dict[str, Any]:
         "Conventions": CONVENTIONS,
         "title": f"natural frequencies and mode shapes of {robot.name}",
         "source": f"pkmodes {pkmodes.__version__}",
+        "history": f"computed by pkmodes {pkmodes.__version__}",
         "robot": robot.name,
         "mechanism": robot.mechanism,
         "robot_file": text_of(robot),

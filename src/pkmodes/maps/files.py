@@ -128,7 +128,7 @@ class Target:
 
 
 def as_characters(dataset: xarray.Dataset) -> tuple[xarray.Dataset, dict[str, dict[str, Any]]]:
-    """Return the dataset with its reasons as bytes, and the encoding with which NetCDF holds them as characters.
+    """Return the dataset with its reasons as bytes, and the encoding with which NetCDF holds characters.
 
     Characters compress well, because nearly all are alike, and xarray encodes text only as a whole.
     """
@@ -136,7 +136,10 @@ def as_characters(dataset: xarray.Dataset) -> tuple[xarray.Dataset, dict[str, di
     attributes = {**reason.attrs, "_Encoding": "utf-8"}
     size = np.dtype(f"S{reason.dtype.itemsize // np.dtype('U1').itemsize}")
     reason = reason.astype(size).assign_attrs(attributes)
-    return dataset.assign(reason=reason), {"reason": {"dtype": "S1", "zlib": True, "complevel": 1}}
+    # Coordinates are complete, and CF forbids a fill value.
+    encoding: dict[str, dict[str, Any]] = {str(name): {"_FillValue": None} for name in dataset.coords}
+    encoding["reason"] = {"dtype": "S1", "zlib": True, "complevel": 1}
+    return dataset.assign(reason=reason), encoding
 
 
 def _remove(path: Path) -> None:

@@ -53,6 +53,9 @@ def write_table(table: pandas.DataFrame, path: Path) -> None:
 
     content = pyarrow.Table.from_pandas(table, preserve_index=False)
     if path.suffix == ".csv":
-        csv.write_csv(content, path, csv.WriteOptions(quoting_style="needed"))
+        options = csv.WriteOptions(include_header=False, quoting_style="needed")
+        with path.open("wb") as file:
+            file.write((",".join(content.column_names) + "\n").encode())  # it would quote them
+            csv.write_csv(content, file, options)
     else:
         parquet.write_table(content, path)
