@@ -204,7 +204,7 @@ class Model(Dynamics):
         >>> model = pkmodes.load("robots/linear-delta-2022.toml")
         >>> found = model.map({"x": np.linspace(0.3, 0.8, 6), "y": 0.0, "z": -0.245})
         >>> found.frequency.sel(mode=1).squeeze().round(2).values
-        array([56.94, 58.23, 57.37, 55.56, 53.23, 50.33])
+        array([46.34, 49.55, 54.23, 55.56, 50.33, 46.8 ])
         """
         from pkmodes.maps.mapping import map_of
 

@@ -100,6 +100,7 @@ def test_the_result_is_that_of_this_machine(
     xarray.testing.assert_identical(here, there)
 
 
+@pytest.mark.slow
 def test_one_worker_killed_midway_changes_nothing(scheduler: str, tmp_path: Path) -> None:
     """Every task waits a moment, so that the worker dies with tasks under way."""
     out = tmp_path / "map.nc"

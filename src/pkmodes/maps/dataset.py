@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from importlib import import_module
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -175,23 +175,23 @@ def imported() -> Any:
     ------
     MissingExtraError
     """
-    return required("xarray", "a map")
+    require("a map", "xarray", "pandas")
+    import xarray
+
+    return xarray
 
 
-def required(library: str, what: str) -> Any:
-    """Import a library of the extra ``map``.
+def require(what: str, *libraries: str) -> None:
+    """Check that libraries of the extra ``map`` are installed.
 
     Raises
     ------
     MissingExtraError
-        If it is not installed.
+        If one is not.
     """
-    try:
-        return import_module(library)
-    except ModuleNotFoundError as error:
-        raise MissingExtraError(
-            f"{what} needs {error.name}, which is not installed", "map", INSTALL
-        ) from None
+    for library in libraries:
+        if find_spec(library) is None:
+            raise MissingExtraError(f"{what} needs {library}, which is not installed", "map", INSTALL)
 
 
 def meanings_of(robot: Robot, name: str) -> dict[str, Any]:

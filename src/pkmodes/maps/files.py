@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pkmodes.errors import OutputError, shown
-from pkmodes.maps.dataset import imported, required
+from pkmodes.maps.dataset import imported, require
 from pkmodes.maps.table import table_of, write_table
 
 if TYPE_CHECKING:
@@ -80,8 +80,7 @@ class Target:
             raise OutputError(
                 "cannot write: permission denied", where, "choose another place or make it writable"
             )
-        for library in LIBRARIES[path.suffix.lower()]:
-            required(library, f"a {path.suffix.lower()} file")
+        require(f"a {path.suffix.lower()} file", *LIBRARIES[path.suffix.lower()])
         return cls(path)
 
     def write(self, dataset: xarray.Dataset, folder: Path) -> None:

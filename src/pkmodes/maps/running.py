@@ -14,7 +14,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from pkmodes.errors import PkmodesError, shown
-from pkmodes.maps.dataset import required
+from pkmodes.maps.dataset import require
 from pkmodes.maps.evaluating import Task, evaluate
 
 #: Tasks under way for each thread: one is computed while the result of another is stored.
@@ -119,7 +119,9 @@ def _failures(scheduler: str) -> Iterator[None]:
 
 @contextmanager
 def _client(scheduler: str) -> Iterator[Any]:
-    distributed = required("distributed", "a map on a Dask scheduler")
+    require("a map on a Dask scheduler", "distributed")
+    import distributed
+
     import pkmodes
 
     remedy = "start one with: dask scheduler, and give its address, such as tcp://127.0.0.1:8786"

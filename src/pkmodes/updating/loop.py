@@ -254,6 +254,14 @@ def corrected_robot(robot: Robot | Model, found: Diagnosis) -> str:
 def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> None:
     """Write the corrected robot file, as `corrected_robot` returns it.
 
+    Parameters
+    ----------
+    robot : Robot or Model
+        As declared, read from a file.
+    found : Diagnosis
+    target : path-like
+        Another file; an existing one is replaced.
+
     Raises
     ------
     PkmodesError
