@@ -200,7 +200,7 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Block]:
     for picture in pictures(model, places):
         with styled():
             svg = inline(picture.figure, picture.title, picture.description, cropped=True)
-        yield Picture(svg, picture.title, picture.description)
+        yield Picture(svg, picture.description, picture.title)
 
 
 def _view(view: str | None) -> list[Section]:

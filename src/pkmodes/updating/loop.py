@@ -259,6 +259,7 @@ def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> No
     robot : Robot or Model
         As declared, read from a file.
     found : Diagnosis
+        Of this robot.
     target : path-like
         Another file; an existing one is replaced.
 

@@ -9,10 +9,14 @@ from __future__ import annotations
 from html import escape
 from importlib.resources import files
 
+import numpy as np
+
 from pkmodes.view.data import as_data, embedded, top
 from pkmodes.view.data import directions as directions_of
 from pkmodes.view.scene import AMPLITUDE, Scene
 
+#: Units of the components of a pose as shown, with the factor from SI.
+SHOWN = {"m": ("mm", 1e3), "rad": ("\u00b0", 180.0 / np.pi)}
 #: Parts of the program in the browser, in order.
 PROGRAM = ("palette.js", "shapes.js", "stage.js", "panel.js", "viewer.js")
 ICON = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg'/%3E"
@@ -209,8 +213,11 @@ def _table(scene: Scene, key: str) -> str:
 
 
 def _place(scene: Scene, index: int) -> str:
-    values = zip(scene.pose, scene.poses[index], strict=True)
-    return escape(", ".join(f"{c.name} = {value + 0.0:.6g} {c.unit}" for c, value in values))
+    parts = []
+    for component, value in zip(scene.pose, scene.poses[index], strict=True):
+        unit, factor = SHOWN.get(component.unit, (component.unit, 1.0))
+        parts.append(f"{component.name} = {factor * value + 0.0:.1f} {unit}".replace("-", "\u2212"))
+    return escape(", ".join(parts))
 
 
 def _read(folder: str, name: str) -> str:
