@@ -171,6 +171,14 @@ class Modes(ChosenFields):
         carriages = kind.independent_are.replace(" ", "_") == CARRIAGES
         return tuple(name for name in cls.FIELDS if carriages or name != CARRIAGES)
 
+    def _repr_html_(self) -> str | None:
+        """Return a table for notebooks, None where no frequencies were requested."""
+        if "frequencies" not in self.__dict__:
+            return None
+        from pkmodes.results_html import table_of_modes
+
+        return table_of_modes(self)
+
     def to_dataset(self) -> Dataset:
         """Return the vibration modes as a dataset, with the variables and attributes of a map (docs/maps.md).
 

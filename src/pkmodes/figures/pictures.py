@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from html import escape
 from typing import TYPE_CHECKING, Any
 
 from pkmodes.figures.working_plane import working_plane
@@ -36,6 +37,15 @@ class Picture:
     title: str
     description: str
     figure: Figure
+
+    def _repr_html_(self) -> str:
+        """Return the figure with its caption, for notebooks."""
+        from pkmodes.plots.svg import inline
+
+        with styled():
+            drawn = inline(self.figure, self.title, self.description, cropped=True)
+        caption = f"<figcaption><b>{escape(self.title)}.</b> {escape(self.description)}</figcaption>"
+        return f'<figure style="max-width:60rem">{drawn}{caption}</figure>'
 
 
 def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:

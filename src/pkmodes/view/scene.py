@@ -7,6 +7,7 @@ picture.  A displacement is linear in the amplitude: what is shown is the mode, 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from html import escape
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -117,6 +118,14 @@ class Scene:
                 turned = self.shapes[pose, mode, self.coordinates.index(element.turns)]
                 largest = max(largest, float(np.linalg.norm(tip - centre) * abs(turned)))
         return 1.0 / largest if largest > 0.0 else 0.0
+
+    def _repr_html_(self) -> str:
+        """Return the page in a frame, for notebooks."""
+        from pkmodes.view.page import page
+
+        source = escape(page(self), quote=True)
+        title = escape(f"{self.robot} in three dimensions", quote=True)
+        return f'<iframe title="{title}" srcdoc="{source}" style="width:100%;height:760px;border:0"></iframe>'
 
     def frames(
         self, pose: int | None = None, mode: int | None = None, count: int = 24, amplitude: float = AMPLITUDE
