@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.dynamics import Dynamics
 from pkmodes.evaluation import evaluation
 from pkmodes.generated import Generated
 from pkmodes.kinematics import condition_number
-from pkmodes.model import Model
 from pkmodes.poses import CHUNK
 from pkmodes.results import JOINTS
 from pkmodes.robot.robot import Robot
@@ -108,7 +108,7 @@ def evaluate(task: Task) -> dict[str, Array]:
 
 
 def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
-    layout, model = task.layout, Model(robot, task.max_condition)
+    layout, model = task.layout, Dynamics(robot, task.max_condition)
     fields = ["frequencies", "platform_shapes", JOINTS, *(["shapes"] if layout.shapes else [])]
     # One thread: tasks run side by side.
     found = model.modes(points, "nan", fields=fields, backend=layout.backend, threads=1)

@@ -32,7 +32,7 @@ from pkmodes.robot.text import text_of
 if TYPE_CHECKING:
     import xarray
 
-    from pkmodes.model import Model
+    from pkmodes.dynamics import Dynamics
 
 Array = NDArray[Any]
 #: Rows of a task: large enough that starting it costs nothing, small enough for progress and memory.
@@ -46,13 +46,13 @@ class Plan:
 
     Attributes
     ----------
-    model : Model
+    model : Dynamics
     places : Grid or Poses
     variants : Variants
     layout : Layout
     """
 
-    model: Model
+    model: Dynamics
     places: Places
     variants: Variants
     layout: Layout
@@ -111,7 +111,7 @@ class Plan:
 
 
 def map_of(
-    model: Model,
+    model: Dynamics,
     grid: Any,
     *,
     sweep: Mapping[str, Any] | None,
@@ -202,7 +202,7 @@ def _fill(
         run(tasks(), put, finish, threads, scheduler)
 
 
-def _fingerprint(model: Model) -> str:
+def _fingerprint(model: Dynamics) -> str:
     """Return a hash of the generated code, which a user may generate anew between two runs."""
     files = (Path(str(module.__file__)) for module in (model.kind.model, model.kind.extended))
     return sha256(b"\0".join(path.read_bytes() for path in files)).hexdigest()

@@ -14,7 +14,7 @@ from pkmodes.poses import LARGE
 from pkmodes.regular import drawn_poses
 
 if TYPE_CHECKING:
-    from pkmodes.model import Model
+    from pkmodes.kinematics import Kinematics
 
 Array = NDArray[np.float64]
 #: Poses of the grid, about.
@@ -26,12 +26,12 @@ BEYOND = 0.1
 SEED = 20260105
 
 
-def reachable(model: Model, poses: int = POSES) -> Grid:
+def reachable(model: Kinematics, poses: int = POSES) -> Grid:
     """Return a grid over the workspace of a robot.
 
     Parameters
     ----------
-    model : Model
+    model : Kinematics
     poses : int
         How many poses the grid has, within a factor of three because steps are round numbers, including those of
         its corners that cannot be reached.
@@ -66,7 +66,7 @@ def reachable(model: Model, poses: int = POSES) -> Grid:
     return Grid(axes)
 
 
-def box_of(model: Model) -> tuple[Array, Array]:
+def box_of(model: Kinematics) -> tuple[Array, Array]:
     """Return the box that contains the poses that can be evaluated.
 
     Returns
@@ -103,12 +103,12 @@ def box_of(model: Model) -> tuple[Array, Array]:
     return low, high
 
 
-def bounds_of(model: Model, tried: Array) -> str:
+def bounds_of(model: Kinematics, tried: Array) -> str:
     """Return the remedy for poses that cannot be reached: where the workspace is.
 
     Parameters
     ----------
-    model : Model
+    model : Kinematics
     tried : ndarray, shape (N, d)
         Poses that cannot be reached.
     """
@@ -128,18 +128,18 @@ def bounds_of(model: Model, tried: Array) -> str:
     return f"the workspace lies within {ends}"
 
 
-def _valid(model: Model, points: Array) -> Array:
+def _valid(model: Kinematics, points: Array) -> Array:
     points = points[np.isfinite(points).all(axis=-1)]
     return points[model.check(points).valid] if len(points) else points
 
 
-def _side(model: Model, points: Array) -> Array:
+def _side(model: Kinematics, points: Array) -> Array:
     """Return the assembly branch of poses, 0 where the mechanism has only one."""
     sides: Array = model.assembly(points) if model.has_assemblies else np.zeros(len(points))
     return sides
 
 
-def _lower(model: Model, points: Array) -> Array:
+def _lower(model: Kinematics, points: Array) -> Array:
     """Return the poses of the assembly branch whose platform hangs lower."""
     sides = _side(model, points)
     names = [component.name for component in model.kind.pose]
