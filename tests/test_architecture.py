@@ -103,18 +103,8 @@ LAYERS = {
     | {"compiled", "compiled_modes"},
     "robot": {"writing", "mechanism"},
     "view": {"model", "robot", "evaluation", "generated", "regular", "description"},
-    "maps": {
-        "model",
-        "robot",
-        "evaluation",
-        "generated",
-        "regular",
-        "mechanism",
-        "kinematics",
-        "poses",
-        "results",
-    }
-    | {"backends", "measured"},
+    "maps": {"dynamics", "kinematics", "robot", "evaluation", "generated", "regular", "mechanism", "poses"}
+    | {"results", "backends", "measured"},
     "plots": {"view", "diagnosis", "measured", "description"},
     "figures": {"plots", "maps", "view", "model", "robot", "writing"},
     "report": {"figures", "plots", "maps", "view", "diagnosis", "updating", "measured", "model", "robot"},

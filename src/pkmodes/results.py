@@ -177,7 +177,13 @@ class Modes(ChosenFields):
             return None
         from pkmodes.results_html import table_of_modes
 
-        return table_of_modes(self)
+        return table_of_modes(
+            self.robot.name,
+            self.robot.kind.pose,
+            self.poses.reshape(-1, self.poses.shape[-1]),
+            self.frequencies.reshape(-1, self.frequencies.shape[-1])[:, self.rigid_modes :],
+            np.atleast_1d(self.reason).ravel(),
+        )
 
     def to_dataset(self) -> Dataset:
         """Return the vibration modes as a dataset, with the variables and attributes of a map (docs/maps.md).
