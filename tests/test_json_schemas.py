@@ -100,6 +100,17 @@ def test_a_robot_without_a_regular_pose(tmp_path: Path, capsys: pytest.CaptureFi
     expect_described("check", found)
 
 
+def test_figures_and_show(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    robot, plane = str(ROOT / "robots" / "corexy-printer.toml"), "x=0.1:0.2:3,y=0.1:0.2:3"
+    found = result(capsys, "figures", robot, "--out", str(tmp_path / "figures"), "--grid", plane)
+    expect_described("figures", found)
+    assert {path.name for path in (tmp_path / "figures").iterdir()} == set(found["files"])
+    page = str(tmp_path / "robot.html")
+    found = result(capsys, "show", robot, "--pose", "0.15,0.1", "--out", page)
+    expect_described("show", found)
+    assert (found["out"], found["pose"]) == (page, [0.15, 0.1])
+
+
 @pytest.mark.parametrize("effects", ["", '\n[effects.frame_compliance]\ncompliance = "1e-7 m/N"\n'])
 def test_modes_and_sensitivities(tmp_path: Path, capsys: pytest.CaptureFixture[str], effects: str) -> None:
     robot = tmp_path / "robot.toml"

@@ -29,7 +29,7 @@ def model() -> pkmodes.Model:
 
 @pytest.fixture(scope="module")
 def plane(model: pkmodes.Model) -> Plane:
-    return Plane.of(model.map(GRID, shapes=True))
+    return Plane.of(model.map(GRID, shapes=True), ["x", "y", "z"])
 
 
 def test_the_longer_side_of_a_plane_is_vertical(plane: Plane) -> None:
@@ -47,7 +47,7 @@ def test_the_longer_side_of_a_plane_is_vertical(plane: Plane) -> None:
 )
 def test_a_map_that_is_no_plane_is_refused(model: pkmodes.Model, grid: object) -> None:
     with pytest.raises(pkmodes.PkmodesError, match="expected a map over two components of the pose"):
-        Plane.of(model.map(grid))
+        Plane.of(model.map(grid), ["x", "y", "z"])
 
 
 def test_the_smallest_mac_is_that_of_a_loop_over_neighbours(model: pkmodes.Model, plane: Plane) -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from pkmodes.cli.output import mechanism_option
+from pkmodes.cli.output import check_target, deliver, json_option, mechanism_option, to_file, write_json
 from pkmodes.errors import OutputError, shown
 from pkmodes.loading import load
 
@@ -31,8 +31,10 @@ from pkmodes.loading import load
     help="Repeat it for several.",
 )
 @mechanism_option
-def figures(robot: Path, out: str, grid: str | None, formats: tuple[str, ...]) -> None:
+@json_option
+def figures(robot: Path, out: str, grid: str | None, formats: tuple[str, ...], json_file: str | None) -> None:
     """Draw the working plane, frequencies, directions of motion, and the influence of parameters."""
+    check_target(json_file, robot)
     folder = Path(out)
     if not out or "\0" in out or (folder.exists() and not folder.is_dir()):
         raise OutputError("expected the name of a folder", f"--out {shown(out)}", "choose another place")
@@ -41,5 +43,10 @@ def figures(robot: Path, out: str, grid: str | None, formats: tuple[str, ...]) -
     from pkmodes.maps.ranges import parse_grid
 
     places = None if grid is None else parse_grid(grid, model.kind, "--grid")
-    for path in write_pictures(model, folder, places, tuple(dict.fromkeys(formats))):
-        click.echo(str(path))
+    written = write_pictures(model, folder, places, tuple(dict.fromkeys(formats)))
+    content = {"robot": str(robot), "out": out, "files": [path.name for path in written]}
+    with deliver(to_file(json_file, content)):
+        if json_file == "-":
+            write_json(json_file, content)
+        else:
+            click.echo("\n".join(map(str, written)))

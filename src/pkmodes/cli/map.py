@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
     from pkmodes.model import Model
+    from pkmodes.report.sources import Source
 
 
 @click.command(
@@ -114,10 +115,14 @@ def map_(
                 raise OutputError(what, f"{option} {other}", "choose another file")
         if any(given.exists() and out.exists() and given.samefile(out) for given in inputs):
             raise OutputError("the map would replace its own input", f"--out {out}", "choose another file")
+    sources: tuple[Source, ...] = ()
     if report_to is not None:
         from pkmodes.report.page import need_report
 
         need_report()
+        from pkmodes.report.sources import known_sources
+
+        sources = known_sources([("robot file", str(robot))])  # as it is read
     if grid is not None and poses is not None:
         raise click.UsageError("--grid and --poses exclude each other", click.get_current_context())
     model = load(robot)
@@ -141,7 +146,7 @@ def map_(
     content = summary_of(dataset, file)
     files = to_file(json_file, content)
     if report_to is not None:
-        files.append(lambda: _write_report(report_to, model, dataset, file))
+        files.append(lambda: _write_report(report_to, model, dataset, content, sources))
     with deliver(files):
         if json_file == "-":
             write_json(json_file, content)
@@ -151,11 +156,13 @@ def map_(
             click.echo(f"\nwrote {report_to}", err=json_file == "-")
 
 
-def _write_report(target: Path, model: Model, dataset: Dataset, file: str | None) -> None:
+def _write_report(
+    target: Path, model: Model, dataset: Dataset, content: dict[str, Any], sources: tuple[Source, ...]
+) -> None:
     from pkmodes.report.map import map_page
     from pkmodes.report.three import view_of
 
-    write_file(target, map_page(model, dataset, file, view_of(model)))
+    write_file(target, map_page(model, dataset, content, sources, view_of(model)))
 
 
 def _places(model: Model, grid: str | None, poses: Path | None) -> Any:
@@ -196,6 +203,8 @@ def _named_as_options() -> Iterator[None]:
     try:
         yield
     except PkmodesError as error:
+        if error.where.startswith("sweep: "):
+            raise type(error)(error.what, f"--set {error.where[7:]}", error.remedy) from None
         if error.where not in OPTIONS:
             raise
         raise type(error)(error.what, OPTIONS[error.where], error.remedy) from None

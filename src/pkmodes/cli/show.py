@@ -6,7 +6,16 @@ from pathlib import Path
 
 import click
 
-from pkmodes.cli.output import check_place, deliver, mechanism_option
+from pkmodes.cli.output import (
+    check_other_targets,
+    check_place,
+    check_target,
+    deliver,
+    json_option,
+    mechanism_option,
+    to_file,
+    write_json,
+)
 from pkmodes.cli.poses import check_metres, parse_pose
 from pkmodes.errors import OutputError, PkmodesError
 from pkmodes.loading import load
@@ -33,34 +42,40 @@ from pkmodes.writing import write_file
     "--mode",
     metavar="N",
     type=click.IntRange(1),
-    default=1,
-    show_default=True,
-    help="Vibration mode of FILE.gif.",
+    default=None,
+    help="Vibration mode of FILE.gif, by default 1.",
 )
 @mechanism_option
-def show(robot: Path, pose: str | None, out: str | None, mode: int) -> None:
+@json_option
+def show(robot: Path, pose: str | None, out: str | None, mode: int | None, json_file: str | None) -> None:
     """Write a page that shows the robot in three dimensions, moving in its modes.
 
-    Choose a pose, a mode, amplitude and speed; belts and other springs have the colour of their share in the strain
-    energy, which a table gives in numbers.  The page is one file and needs no network.
+    Choose a pose, a mode, amplitude and speed; belts and other springs are coloured by their share of the
+    strain energy; a table gives the numbers.  The page is one file and needs no network.
     """
     from pkmodes.view import page, poses_around, typical_pose
     from pkmodes.view import scene as scene_of
 
     target = f"{robot.stem}.html" if out is None else out
     check_place(target, "--out")
+    check_target(json_file, robot)
+    check_other_targets({"--out": (Path(target), "the page")}, json_file)
     if Path(target).exists() and robot.exists() and robot.samefile(target):
         raise OutputError("the page would replace its own input", f"--out {target}", "choose another file")
+    moving = Path(target).suffix.lower() == ".gif"
+    if mode is not None and not moving:
+        remedy = "choose the mode on the page, or name FILE.gif"
+        raise PkmodesError("only a moving picture has one mode", f"--mode {mode}", remedy)
     model = load(robot)
     if pose is None:
         point = typical_pose(model).tolist()
     else:
         point = parse_pose(pose, model.kind)
         check_metres(model, pose, point)
-    if Path(target).suffix.lower() == ".gif":
+    if moving:
         from pkmodes.plots.animation import animation
 
-        one = scene_of(model, point)
+        one, mode = scene_of(model, point), mode or 1
         if one.rigid_modes + mode > one.shapes.shape[1]:
             known = one.shapes.shape[1] - one.rigid_modes
             raise PkmodesError(
@@ -69,5 +84,9 @@ def show(robot: Path, pose: str | None, out: str | None, mode: int) -> None:
         write_file(Path(target), animation(one, one.rigid_modes + mode - 1))
     else:
         write_file(Path(target), page(poses_around(model, point)))
-    with deliver([]):
-        click.echo(target)
+    content = {"robot": str(robot), "out": target, "pose": point}
+    with deliver(to_file(json_file, content)):
+        if json_file == "-":
+            write_json(json_file, content)
+        else:
+            click.echo(target)

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING, Any
 
+from pkmodes.errors import PkmodesError
 from pkmodes.figures.working_plane import working_plane
-from pkmodes.maps.places import places_of
+from pkmodes.maps.places import Grid, Places, places_of
 from pkmodes.plots.style import need_matplotlib, styled
 
 if TYPE_CHECKING:
@@ -48,6 +49,24 @@ class Picture:
         return f'<figure style="max-width:60rem">{drawn}{caption}</figure>'
 
 
+def check_plane(places: Places) -> None:
+    """Refuse poses that are no plane, before they are evaluated.
+
+    Raises
+    ------
+    PkmodesError
+    """
+    if not isinstance(places, Grid):
+        what, found = "expected a grid over two components of the pose", "a list of poses"
+    else:
+        several = [name for name, values in places.axes.items() if len(values) > 1]
+        if len(several) == 2:
+            return
+        what = "expected a map over two components of the pose"
+        found = ", ".join(f"{name}: {len(values)}" for name, values in places.axes.items())
+    raise PkmodesError(f"{what}, found {found}", "grid", "give one value for the third component: z=-0.245")
+
+
 def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
     """Draw the figures of a robot, one after the other.
 
@@ -71,7 +90,8 @@ def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
     from pkmodes.plots.workspace import workspace
 
     places = working_plane(model) if grid is None else places_of(model.kind, grid)
-    plane = Plane.of(model.map(places, shapes=True))
+    check_plane(places)
+    plane = Plane.of(model.map(places, shapes=True), [component.name for component in model.kind.pose])
     paths, relative = relative_sensitivities(model, plane)
     about = f"{model.robot.name}, {where(plane)}"
 
@@ -92,7 +112,7 @@ def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
         "frequencies",
         "Natural frequencies",
         "Triangles mark the lowest (down) and highest (up) frequency along the centre line, without its ends; "
-        "squares at the edge mark the motors; colours leave out the 2 % lowest and highest values.",
+        "squares at the edge mark the motors; the colour scale ignores the lowest and highest 2 % of the values.",
         lambda: maps.frequencies(plane, motors_of(model, plane)),
     )
     yield drawn(

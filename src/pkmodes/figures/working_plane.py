@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pkmodes.errors import PkmodesError
 from pkmodes.maps.places import Grid
 from pkmodes.maps.workspace import reachable
 
@@ -35,6 +36,8 @@ def working_plane(model: Model) -> Grid:
     ------
     PoseError
         If no pose can be reached.
+    PkmodesError
+        If the workspace is too narrow for a plane.
     """
     names = [component.name for component in model.kind.pose]
     if len(names) <= 2:
@@ -52,6 +55,10 @@ def working_plane(model: Model) -> Grid:
         reached = np.flatnonzero(inside.any([other for other in others if other != name]).values)
         ends[name] = volume.axes[name][reached[0]], volume.axes[name][reached[-1]]
     size = {name: float(high - low) for name, (low, high) in ends.items()}
+    for name, extent in size.items():
+        if extent == 0.0:
+            what = f"the workspace is too narrow along {name} to find a plane in it"
+            raise PkmodesError(what, model.robot.source, "give the plane as a grid")
     step = (np.prod(list(size.values())) / POSES) ** (1 / len(size))
     # An odd number of values: one of them lies on the centre line.
     found = {name: np.linspace(*ends[name], 2 * round(size[name] / step / 2) + 1) for name in others}

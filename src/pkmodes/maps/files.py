@@ -94,6 +94,8 @@ class Target:
         suffix = self.path.suffix.lower()
         new, replaced = folder / f"new{suffix}", folder / f"replaced{suffix}"
         try:
+            if replaced.exists() and not self.path.exists():  # the run before was ended between two renames
+                replaced.rename(self.path)
             for left in (new, replaced):  # by an interrupted run
                 _remove(left)
             if suffix == NETCDF:
@@ -104,12 +106,15 @@ class Target:
                 dataset.drop_encoding().to_zarr(new, mode="w", zarr_format=2, consolidated=True)
             else:
                 write_table(table_of(dataset), new)
-            if self.path.is_dir():
-                self.path.rename(replaced)
-            new.replace(self.path)
+            try:
+                if self.path.is_dir():
+                    self.path.rename(replaced)
+                new.replace(self.path)
+            except BaseException:  # also an interrupt
+                if replaced.exists() and not self.path.exists():
+                    replaced.rename(self.path)
+                raise
         except (OSError, RuntimeError) as error:  # the NetCDF library raises RuntimeError
-            if replaced.exists() and not self.path.exists():
-                replaced.rename(self.path)
             reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
             remedy = "make room or choose another place; the same command continues"
             raise OutputError(f"cannot write: {reason.lower()}", str(self.path), remedy) from None

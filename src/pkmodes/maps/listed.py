@@ -25,8 +25,8 @@ def read_poses(path: str | PathLike[str], kind: Mechanism) -> Poses:
     ----------
     path : path-like
         CSV with the components of the pose as columns, in SI units or with a unit in the header (``x [mm]``), and
-        optionally their labels in a column ``pose``.  Other columns are ignored, and so are repeated rows: a file of
-        measurements is also a list of poses.
+        optionally their labels in a column ``pose``.  Other columns are ignored, load cases included, and so are
+        repeated rows: a file of measurements is also a list of poses.
     kind : Mechanism
 
     Returns
@@ -60,6 +60,7 @@ def read_poses(path: str | PathLike[str], kind: Mechanism) -> Poses:
     names = [name for name, _ in columns]
     labelled = names.count(LABEL) == 1
     table: dict[tuple[str, ...], tuple[float, ...]] = {}
+    at_label: dict[str, tuple[float, ...]] = {}
     for number, line in records:
         cells = cells_of(line, f"{source}: line {number}")
         if len(cells) != len(columns):
@@ -73,6 +74,9 @@ def read_poses(path: str | PathLike[str], kind: Mechanism) -> Poses:
         )
         label = cells[names.index(LABEL)] if labelled else ""
         table[(label, *map(repr, point))] = point
+        if labelled and at_label.setdefault(label, point) != point:
+            what = f"the label {shown(label)} has two positions"
+            raise MeasurementError(what, f"{source}: line {number}", "give each pose a label of its own")
     if not table:
         raise MeasurementError("expected a row for each pose, found only a header", source, "add the rows")
     labels = tuple(key[0] for key in table) if labelled else None

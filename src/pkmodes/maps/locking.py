@@ -1,4 +1,4 @@
-"""The folder of a map under way: made, and kept from a second process."""
+"""The folder of a map in progress: made, and kept from a second process."""
 
 from __future__ import annotations
 

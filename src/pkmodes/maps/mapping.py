@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 import pkmodes
 from pkmodes.backends import checked_threads, chosen
+from pkmodes.dynamics import Dynamics
 from pkmodes.errors import PkmodesError
 from pkmodes.evaluation import evaluation
 from pkmodes.maps.dataset import dataset_of, imported
@@ -32,7 +33,6 @@ from pkmodes.robot.text import text_of
 if TYPE_CHECKING:
     import xarray
 
-    from pkmodes.dynamics import Dynamics
 
 Array = NDArray[Any]
 #: Rows of a task: large enough that starting it costs nothing, small enough for progress and memory.
@@ -210,10 +210,11 @@ def _fingerprint(model: Dynamics) -> str:
 
 def _refuse_outside(plan: Plan) -> NoReturn:
     """Refuse a map without a single pose that can be evaluated."""
-    model, size = plan.model, plan.poses
+    model, size = Dynamics(plan.variants.robots[0], plan.model.max_condition), plan.poses
     some = plan.places.points(np.unique(np.linspace(0, size - 1, min(size, 1000)).astype(int)))
     sentence = str(model.check(some).sentences[0]).partition(";")[0] if len(some) else ""
-    what = f"none of the {plan.rows:,} poses of the map can be evaluated; the first: {sentence}"
+    of = " by any of its robots" if len(plan.variants.robots) > 1 else ""
+    what = f"none of the {plan.rows:,} poses of the map can be evaluated{of}; the first: {sentence}"
     raise PkmodesError(what, "grid" if isinstance(plan.places, Grid) else "poses", bounds_of(model, some))
 
 

@@ -1,7 +1,7 @@
 """Run the tasks of a map: on the threads of this machine, or on the workers of a Dask scheduler.
 
-Both are executors of `concurrent.futures`, so one loop submits, collects and stores.  Only a few tasks are under way
-at a time, which bounds the memory.
+Both are executors of `concurrent.futures`, so one loop submits, collects and stores.  Only a few tasks are in
+progress at a time, which bounds the memory.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pkmodes.errors import PkmodesError, shown
 from pkmodes.maps.dataset import require
 from pkmodes.maps.evaluating import Task, evaluate
 
-#: Tasks under way for each thread: one is computed while the result of another is stored.
+#: Tasks in progress for each thread: one is computed while the result of another is stored.
 AHEAD = 2
 #: How long to wait for the scheduler and a worker [s].
 PATIENCE = 10
@@ -131,7 +131,9 @@ def _client(scheduler: str) -> Iterator[Any]:
         )
     try:
         client = distributed.Client(scheduler, timeout=PATIENCE, set_as_default=False)
-    except (OSError, TimeoutError, ValueError) as error:
+    except (
+        Exception
+    ) as error:  # also what the protocol of the address raises, such as TLS without its settings
         what = f"cannot reach the scheduler: {type(error).__name__}"
         raise PkmodesError(what, f"scheduler {shown(scheduler)}", remedy) from None
     try:

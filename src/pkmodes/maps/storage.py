@@ -1,8 +1,8 @@
 """The arrays of a map: in memory, or in a folder from which an interrupted run can be continued.
 
 The folder holds one array per field, a record of the finished tasks, and the plan: what is computed.  A task is
-recorded after its rows are stored, so a killed process loses only tasks under way.  Rows are written to and read from
-the files directly: a memory-mapped file would end the process with a signal when the disk is full, and its pages
+recorded after its rows are stored, so a killed process loses only tasks in progress.  Rows are written to and read
+from the files directly: a memory-mapped file would end the process with a signal when the disk is full, and its pages
 would count as memory of the process.
 """
 
@@ -166,9 +166,14 @@ class OnDisk:
 
     def _begin(self, plan: dict[str, Any], shapes: Tails) -> None:
         """Make the arrays, then the plan: a folder without a plan is begun anew."""
-        for name, (shape, dtype) in shapes.items():
-            open_memmap(self._file(name), "w+", dtype, shape).flush()
-            _reserve(self._file(name))
+        try:
+            for name, (shape, dtype) in shapes.items():
+                open_memmap(self._file(name), "w+", dtype, shape).flush()
+                _reserve(self._file(name))
+        except BaseException:  # a full disk should not stay full
+            for name in shapes:
+                self._file(name).unlink(missing_ok=True)
+            raise
         temporary = self.folder / f"{PLAN}.new"
         temporary.write_text(json.dumps(plan, indent=1), encoding="utf-8")
         temporary.replace(self.folder / PLAN)

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pkmodes.maps.dataset import chunks_of
 
@@ -50,11 +51,12 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> dict[str, Any]:
         "robot": dataset.attrs["robot"],
         "file": file,
         "dimensions": {str(name): int(size) for name, size in dataset.sizes.items()},
-        "ranges": {dim: [dataset[dim].values[end].item() for end in (0, -1)] for dim in leading},
+        "ranges": {dim: _range(dataset[dim].values) for dim in leading},
         "poses": int(np.prod([dataset.sizes[dim] for dim in leading])),
         "valid": valid,
         "reasons": dict(sorted(reasons.items())),
         "rigid_modes": int(dataset.attrs["rigid_modes"]),
+        "tracked": "rank" in dataset,
         "modes": [
             {"mode": number, **_end("minimum", low, dataset), **_end("maximum", high, dataset)}
             for number, low, high in zip(numbers, lowest, highest, strict=True)
@@ -80,3 +82,10 @@ def _end(name: str, found: tuple[float, list[int]] | None, dataset: xarray.Datas
         f"{name}_hz": value,
         f"{name}_at": {str(key): coordinate.values.item() for key, coordinate in one.coords.items()},
     }
+
+
+def _range(values: NDArray[Any]) -> list[Any]:
+    """Return the lowest and highest value along an axis, of labels the first and last."""
+    if values.dtype.kind in "fiu":
+        return [values.min().item(), values.max().item()]
+    return [values[0].item(), values[-1].item()]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pkmodes.mechanism import Mechanism
 
 MODE, DIRECTION, COORDINATE, DRIVE = "mode", "direction", "coordinate", "drive"
-NORMALISED = "mass-normalised: phi^T M phi = 1 in SI units"
+NORMALISED = "mass-normalised, phi^T M phi = 1: displacements in 1/sqrt(kg), rotations in 1/(sqrt(kg) m)"
 #: Mode numbers start at the first vibration mode.
 FIRST = 1
 

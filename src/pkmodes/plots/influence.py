@@ -30,7 +30,8 @@ def table(paths: Sequence[str], relative: Array) -> Figure:
     relative : ndarray, shape (along, across, parameters, modes)
         d ln f / d ln p.
     """
-    middle = np.nanmedian(relative, axis=(0, 1))
+    reached = relative[np.isfinite(relative).all(axis=(2, 3))]
+    middle = np.median(reached, axis=0) if len(reached) else np.zeros(relative.shape[2:])
     order = np.argsort(-np.abs(middle).max(axis=1))[:ROWS]
     drawn = figure(0.24 * len(order) + 0.9)
     axes = drawn.add_subplot()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -50,8 +51,15 @@ class Plane:
     at: float
 
     @classmethod
-    def of(cls, dataset: xarray.Dataset) -> Plane:
+    def of(cls, dataset: xarray.Dataset, components: Sequence[str]) -> Plane:
         """Return the plane of a map whose other axes have one value each.
+
+        Parameters
+        ----------
+        dataset : xarray.Dataset
+            A map.
+        components : sequence of str
+            Components of a pose; other axes are parameters.
 
         Raises
         ------
@@ -59,15 +67,13 @@ class Plane:
             If it has not exactly two axes of poses with several values.
         """
         leading = [str(dim) for dim in dataset["frequency"].dims[:-1]]
-        several = [
-            dim for dim in leading if dataset.sizes[dim] > 1 and dataset[dim].attrs.get("units") in DRAWN
-        ]
+        several = [dim for dim in leading if dataset.sizes[dim] > 1 and dim in components]
         if len(several) != 2 or any(dataset.sizes[dim] > 1 for dim in leading if dim not in several):
             found = ", ".join(f"{dim}: {dataset.sizes[dim]}" for dim in leading)
             what = f"expected a map over two components of the pose, found {found}"
             raise PkmodesError(what, "map", "give one value for the third component: z=-0.245")
         single = [dim for dim in leading if dim not in several]
-        normal = next((dim for dim in single if dataset[dim].attrs.get("units") in DRAWN), None)
+        normal = next((dim for dim in single if dim in components), None)
         extent = {dim: float(np.ptp(dataset[dim].values)) for dim in several}
         same = len({dataset[dim].attrs["units"] for dim in several}) == 1
         across, along = several[1], several[0]

@@ -28,6 +28,7 @@ def against(dataset: xarray.Dataset, path: str) -> Figure:
     path : str
         The parameter, a dimension of the map.
     """
+    dataset = dataset.sortby(path)
     values = dataset[path].values
     frequency = _flat(dataset, path)
     modes = frequency.shape[-1]
@@ -58,7 +59,10 @@ def along(dataset: xarray.Dataset) -> Figure:
     dataset : xarray.Dataset
         A map with the dimension ``pose``.
     """
-    frequency = np.nanmedian(_flat(dataset, "pose"), axis=1)
+    every = _flat(dataset, "pose")
+    frequency = np.stack(
+        [_quantiles(every[..., mode], (0.5,))[0] for mode in range(every.shape[-1])], axis=-1
+    )
     labels = [str(label) for label in dataset["pose"].values]
     drawn = figure(3.0)
     axes = drawn.add_subplot()
@@ -84,8 +88,9 @@ def scatter(dataset: xarray.Dataset) -> Figure:
         A map with the dimension ``sample``.
     """
     frequency = _flat(dataset, "sample")
-    relative = 100.0 * (frequency / np.nanmedian(frequency, axis=0, keepdims=True) - 1.0)
-    modes = relative.shape[-1]
+    modes = frequency.shape[-1]
+    middle = [_quantiles(frequency[..., mode].T, (0.5,))[0] for mode in range(modes)]
+    relative = 100.0 * (frequency / np.stack(middle, axis=-1) - 1.0)
     drawn = figure(2.6)
     axes = drawn.add_subplot()
     axes.axhline(0.0, color=GREY, linewidth=0.8)

@@ -9,7 +9,7 @@ from pkmodes.report import figures
 from pkmodes.report.blocks import Cell, Section, Summary, Tone
 from pkmodes.report.mode_table import mode_table
 from pkmodes.report.numbers import percent
-from pkmodes.report.origin import origin, view
+from pkmodes.report.origin import origin, view_section
 from pkmodes.report.page import page
 from pkmodes.report.setting import Setting
 from pkmodes.report.wording import SENTENCE, clean, number, p_value, plural, pointer
@@ -18,12 +18,12 @@ from pkmodes.report.words import words
 
 def comparison_page(result: Comparison, evidence: Evidence, setting: Setting) -> str:
     """Return the report of a comparison as HTML."""
-    where = figures.pose_figures(evidence, setting)
+    where = figures.pose_figures(evidence)
     sections = [
-        Section("modes", "Measurement and model", figures.mode_figures(evidence, setting)),
+        Section("modes", "Measurement and model", figures.mode_figures(evidence)),
         *([Section("poses", "Differences against the pose", where)] if where else []),
-        Section("shapes", "Mode shapes", figures.shape_figures(evidence, setting)),
-        *view(setting),
+        Section("shapes", "Mode shapes", figures.shape_figures(evidence)),
+        *view_section(setting.view),
         Section("rows", "All measured modes", [mode_table(result, evidence, setting)]),
         words(diagnosed=False),
         origin(evidence, setting),

@@ -8,7 +8,7 @@ from pkmodes.report import explanations, figures, numbers
 from pkmodes.report.blocks import Cell, Section, Summary, Tone
 from pkmodes.report.correction import correction
 from pkmodes.report.mode_table import mode_table
-from pkmodes.report.origin import origin, view
+from pkmodes.report.origin import origin, view_section
 from pkmodes.report.page import page
 from pkmodes.report.setting import Setting
 from pkmodes.report.wording import SENTENCE, clean, number, pointer, typeset, unit
@@ -37,19 +37,19 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
     title = (
         "Remaining explanations" if result.survivors else "Cause" + ("s" if len(result.effects) > 1 else "")
     )
-    where = figures.pose_figures(evidence, setting)
+    where = figures.pose_figures(evidence)
     sections = [
         Section("errors", "Error before and after", numbers.errors(result)),
         *([Section("causes", title, causes)] if causes else []),
-        Section("modes", "Measurement and model", figures.mode_figures(evidence, setting)),
+        Section("modes", "Measurement and model", figures.mode_figures(evidence)),
         *([Section("poses", "Differences against the pose", where)] if where else []),
-        Section("shapes", "Mode shapes", figures.shape_figures(evidence, setting)),
+        Section("shapes", "Mode shapes", figures.shape_figures(evidence)),
         Section("candidates", "Candidates", explanations.candidates(result)),
         Section("values", "Values before and after", numbers.values(result)),
         *([Section("stability", "Stability", trials)] if (trials := numbers.stability(result)) else []),
         Section("next", "Next measurement", numbers.next_measurement(result, setting)),
         Section("correction", "Correction", correction(result, setting.robot)),
-        *view(setting),
+        *view_section(setting.view),
         Section("rows", "All measured modes", [mode_table(result, evidence, setting)]),
         words(diagnosed=True),
         _origin(result, evidence, setting),

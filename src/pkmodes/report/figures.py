@@ -7,13 +7,12 @@ import numpy as np
 from pkmodes.plots import differences, shapes, spectrum
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report.blocks import Block, Paragraph, Picture
-from pkmodes.report.setting import Setting
 from pkmodes.report.wording import clean, plural, typeset
 
 MARKS = "Filled dots were fitted, open diamonds are held out, purple crosses were set aside."
 
 
-def mode_figures(evidence: Evidence, setting: Setting) -> list[Block]:
+def mode_figures(evidence: Evidence) -> list[Block]:
     """Return the measured modes beside the model: frequencies, differences by mode and by pose."""
     if not evidence.stages:
         return [Paragraph("The result has no predictions to show.")]
@@ -57,7 +56,7 @@ def mode_figures(evidence: Evidence, setting: Setting) -> list[Block]:
     return found
 
 
-def pose_figures(evidence: Evidence, setting: Setting) -> list[Block]:
+def pose_figures(evidence: Evidence) -> list[Block]:
     """Return the residual against the components of the pose; nothing where the poses are unknown."""
     figure = differences.against_pose(evidence) if _paired(evidence) else None
     if figure is None:
@@ -74,7 +73,7 @@ def pose_figures(evidence: Evidence, setting: Setting) -> list[Block]:
     ]
 
 
-def shape_figures(evidence: Evidence, setting: Setting) -> list[Block]:
+def shape_figures(evidence: Evidence) -> list[Block]:
     """Return the MAC matrices, or a sentence where no shapes were measured."""
     figure = shapes.mac_matrices(evidence) if _paired(evidence) else None
     if figure is None:

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from pkmodes.errors import PkmodesError
 from pkmodes.figures.pictures import pictures
 from pkmodes.figures.working_plane import working_plane
-from pkmodes.maps.places import Places, places_of
+from pkmodes.maps.places import Grid
 from pkmodes.maps.summary import summary_of
 from pkmodes.plots import sweeps
-from pkmodes.plots.plane import Plane
+from pkmodes.plots.plane import DRAWN
 from pkmodes.plots.style import styled
 from pkmodes.plots.svg import inline
 from pkmodes.report.blocks import (
@@ -21,7 +18,6 @@ from pkmodes.report.blocks import (
     Cell,
     Column,
     Facts,
-    Foreign,
     Listing,
     Paragraph,
     Picture,
@@ -29,8 +25,9 @@ from pkmodes.report.blocks import (
     Summary,
     Table,
 )
+from pkmodes.report.origin import view_section
 from pkmodes.report.page import need_report, page
-from pkmodes.report.sources import known_sources
+from pkmodes.report.sources import Source, known_sources
 from pkmodes.report.wording import clean, hertz, number, plural, pointer, typeset, unit
 from pkmodes.robot.corrections import changeable
 
@@ -39,11 +36,17 @@ if TYPE_CHECKING:
 
     from pkmodes.model import Model
 
-#: Units of the components of a pose in tables, with the factor from SI.
-SHOWN = {"m": ("mm", 1e3), "rad": ("deg", 180.0 / np.pi)}
+#: Values along each side of the plane that is drawn at most.
+FINEST = 150
 
 
-def map_page(model: Model, dataset: xarray.Dataset, file: str | None = None, view: str | None = None) -> str:
+def map_page(
+    model: Model,
+    dataset: xarray.Dataset,
+    content: dict[str, Any] | None = None,
+    sources: Sequence[Source] | None = None,
+    view: str | None = None,
+) -> str:
     """Return the report of a map as HTML.
 
     Parameters
@@ -51,8 +54,10 @@ def map_page(model: Model, dataset: xarray.Dataset, file: str | None = None, vie
     model : Model
     dataset : xarray.Dataset
         From `pkmodes.Model.map` of this model.
-    file : str, optional
-        The file of the map.
+    content : dict, optional
+        The summary of the map, from `pkmodes.maps.summary.summary_of`.
+    sources : sequence of Source, optional
+        The input files as they were read; by default the robot file as it is now.
     view : str, optional
         HTML of a view in three dimensions, which is placed as it is.
 
@@ -62,13 +67,14 @@ def map_page(model: Model, dataset: xarray.Dataset, file: str | None = None, vie
         If the libraries of the extra ``report`` are not installed.
     """
     need_report()
-    content = summary_of(dataset, file)
+    content = summary_of(dataset, None) if content is None else content
+    sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     sections = [
         Section("modes", "Range of each frequency", [_ranges(model, content)]),
         *_changes(dataset),
         Section("figures", "Over the working plane", list(_figures(model, dataset))),
-        *_view(view),
-        Section("origin", "Data and versions", [_origin(model, dataset, content)]),
+        *view_section(view),
+        Section("origin", "Data and versions", [_origin(model, dataset, content, sources)]),
     ]
     return page(_summary(model, content), sections)
 
@@ -78,7 +84,8 @@ def _summary(model: Model, content: dict[str, Any]) -> Summary:
     headline = "No pose could be evaluated"
     if first["minimum_hz"] is not None:
         low, high = first["minimum_hz"], first["maximum_hz"]
-        headline = f"The lowest frequency of vibration lies between {low:.2f} and {high:.2f} Hz"
+        lowest = "Mode 1" if content["tracked"] else "The lowest frequency of vibration"
+        headline = f"{lowest} lies between {low:.2f} and {high:.2f} Hz"
     share = content["valid"] / content["poses"]
     notes = [
         f"{plural(count, 'pose')} cannot be evaluated: {model.reasons[code]}."
@@ -86,7 +93,10 @@ def _summary(model: Model, content: dict[str, Any]) -> Summary:
     ]
     facts = [
         ("poses", Cell(f"{content['poses']:,}".replace(",", "\u2009"), content["poses"], pointer("poses"))),
-        ("can be evaluated", Cell(f"{100 * share:.3g} %", content["valid"], pointer("valid"))),
+        (
+            "can be evaluated",
+            Cell(f"{content['valid']:,} ({100 * share:.3g} %)", content["valid"], pointer("valid")),
+        ),
         ("vibration modes", Cell(str(len(content["modes"])), len(content["modes"]))),
     ]
     return Summary(
@@ -118,7 +128,7 @@ def _extent(model: Model, content: dict[str, Any]) -> str:
 def _units(model: Model) -> dict[str, tuple[str, float]]:
     """Return the unit of each axis as shown, with the factor from SI."""
     found = {path: (unit(name), 1.0) for path, name in changeable(model.robot).items()}
-    return found | {component.name: SHOWN[component.unit] for component in model.kind.pose}
+    return found | {component.name: DRAWN[component.unit] for component in model.kind.pose}
 
 
 def _value(value: float) -> str:
@@ -186,36 +196,38 @@ def _changes(dataset: xarray.Dataset) -> Iterator[Section]:
 
 
 def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Block]:
-    """Yield the figures of the map if it is a plane of one robot, otherwise of the robot's working plane."""
-    try:
-        Plane.of(dataset)
-    except PkmodesError:
-        places: Places = working_plane(model)
-        yield Paragraph(
-            "The figures show the robot as declared, in the plane of its workspace with the lowest mean condition "
-            "number."
-        )
-    else:
-        places = places_of(model.kind, {c.name: dataset[c.name].values for c in model.kind.pose})
+    """Yield the figures of the robot: in the plane of the map if it has one, otherwise in its working plane."""
+    places = _plane_of(model, dataset)
+    where = "the plane of the map"
+    if places is None:
+        places = working_plane(model)
+        where = "the plane of the workspace with the lowest mean condition number"
+    yield Paragraph(f"The robot as declared, in {where}; modes are numbered by frequency.")
     for picture in pictures(model, places):
         with styled():
             svg = inline(picture.figure, picture.title, picture.description, cropped=True)
         yield Picture(svg, picture.description, picture.title)
 
 
-def _view(view: str | None) -> list[Section]:
-    if view is None:
-        return []
-    text = "The machine and its modes. It moves on a screen; a printed page leaves it out."
-    return [Section("view", "In three dimensions", [Paragraph(text), Foreign(view)])]
+def _plane_of(model: Model, dataset: xarray.Dataset) -> Grid | None:
+    """Return the plane of a map, thinned out where it is finer than a picture; None for other maps."""
+    names = [component.name for component in model.kind.pose]
+    if any(name not in dataset.sizes for name in names):
+        return None
+    if sum(dataset.sizes[name] > 1 for name in names) != 2:
+        return None
+    steps = {name: -(-dataset.sizes[name] // FINEST) for name in names}
+    return Grid({name: dataset[name].values[:: steps[name]] for name in names})
 
 
-def _origin(model: Model, dataset: xarray.Dataset, content: dict[str, Any]) -> Facts:
+def _origin(
+    model: Model, dataset: xarray.Dataset, content: dict[str, Any], sources: Sequence[Source]
+) -> Facts:
     entries: list[tuple[str, list[Cell]]] = []
-    for source in known_sources([("robot file", model.robot.source)]):
+    for source in sources:
         entries += [
-            ("robot file", [Cell(clean(source.name))]),
-            ("SHA-256 of the robot file", [Cell(source.digest)]),
+            (source.role, [Cell(clean(source.name))]),
+            (f"SHA-256 of the {source.role}", [Cell(source.digest)]),
         ]
     entries.append(("mechanism", [Cell(clean(model.kind.title))]))
     entries.append(("rigid-body modes", [Cell(str(content["rigid_modes"]))]))

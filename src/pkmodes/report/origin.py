@@ -39,12 +39,12 @@ def origin(evidence: Evidence, setting: Setting, more: Sequence[tuple[str, Seque
     return Section("origin", "Data and versions", [Facts(entries)])
 
 
-def view(setting: Setting) -> list[Section]:
+def view_section(view: str | None) -> list[Section]:
     """Return the section of the view in three dimensions, which is made elsewhere; none without it."""
-    if setting.view is None:
+    if view is None:
         return []
     blocks: list[Block] = [
-        Paragraph("The machine and its modes. It moves on a screen; a printed page leaves it out."),
-        Foreign(setting.view),
+        Paragraph("The machine and its modes: animated on screen, not printed."),
+        Foreign(view),
     ]
     return [Section("view", "In three dimensions", blocks)]

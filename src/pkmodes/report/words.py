@@ -20,7 +20,7 @@ DIAGNOSED = {
     "class": "Candidates that these data cannot tell apart. A claim is never more than its class.",
     "held out": "A pose that took no part in any choice or fit: its error is that of a prediction.",
     "set aside": "A measured mode that contradicts all others and was left out of the fit.",
-    "p-value": "How probable noise alone is to look like this: the smaller, the clearer.",
+    "p-value": "How likely noise alone would look like this: the smaller, the stronger the evidence.",
 }
 
 
@@ -28,4 +28,4 @@ def words(diagnosed: bool) -> Section:
     """Return the section that explains the words of a comparison or a diagnosis."""
     chosen = COMPARED | (DIAGNOSED if diagnosed else {})
     entries = [(word, [Cell(meaning)]) for word, meaning in chosen.items()]
-    return Section("words", "Words", [Facts(entries)])
+    return Section("words", "Glossary", [Facts(entries)])

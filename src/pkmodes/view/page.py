@@ -194,7 +194,7 @@ def _table(scene: Scene, key: str) -> str:
     for k, spring in enumerate(scene.springs):
         cells = "".join(
             f'<td data-column="{m}" data-part="share" data-mode="{m}" data-spring="{k}"'
-            f' style="--share: {shares[m, k]:.3f}">{100 * shares[m, k]:.1f}</td>'
+            f' style="--share: {np.nan_to_num(shares[m, k]):.3f}">{_percent(shares[m, k])}</td>'
             for m in modes
         )
         title = escape(f"{spring.name} [%]")
@@ -210,6 +210,10 @@ def _table(scene: Scene, key: str) -> str:
         f'<table aria-labelledby="{key}-caption"><thead><tr><td></td>{heads}</tr></thead>'
         f"<tbody>{''.join(rows)}</tbody></table></div></div>"
     )
+
+
+def _percent(share: float) -> str:
+    return "\u2013" if np.isnan(share) else f"{100 * share:.1f}"
 
 
 def _place(scene: Scene, index: int) -> str:

@@ -106,7 +106,7 @@ def _component(inside: Inside, steps: list[Array], pose: Array) -> NDArray[np.bo
     mask = inside(nodes.reshape(-1, len(steps))).reshape(nodes.shape[:-1])
     for axis in range(mask.ndim):  # the boundary closes at the edge of the grid
         edge = np.moveaxis(mask, axis, 0)
-        if len(edge) == CELLS[mask.ndim] + 1:
+        if len(edge) == CELLS.get(mask.ndim, 0) + 1:
             edge[[0, -1]] = False
     labels, count = label(mask)
     if not count:

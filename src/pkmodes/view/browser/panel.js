@@ -38,8 +38,9 @@ class Panel {
       part.textContent = `${fixed(data.frequencies[index][Number(part.dataset.mode)], 2)} Hz`;
     });
     this.all("share").forEach((cell) => {
-      const share = data.shares[index][Number(cell.dataset.mode)][Number(cell.dataset.spring)];
-      cell.textContent = fixed(100 * share, 1);
+      const held = data.shares[index][Number(cell.dataset.mode)];  // null where no spring is strained
+      const share = held === null ? 0 : held[Number(cell.dataset.spring)];
+      cell.textContent = held === null ? "\u2013" : fixed(100 * share, 1);
       cell.style.setProperty("--share", share.toFixed(3));
     });
     this.all("direction").forEach((cell) => {
