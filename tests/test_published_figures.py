@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from test_documentation import same
+from documentation import same
 
 ROOT = Path(__file__).parents[1]
 PATH = ROOT / "docs/studies/published_figures/claims.py"
@@ -26,7 +26,7 @@ def test_the_table_of_the_page_is_what_the_study_finds() -> None:
     (shown,) = re.findall(re.escape(claims.BEGIN) + r"\n(.*?)" + re.escape(claims.END), page, re.S)
     found = claims.table()
     for one, other in zip(shown.splitlines(), found.splitlines(), strict=True):
-        same(one, other)
+        same(one, other, fit=True)
     assert found.count("yes:") + found.count("**no**:") == 2 * len(claims.CLAIMS)
 
 

@@ -29,7 +29,7 @@ SHOWN = [
     "json-schemas",
 ]
 #: Where the digital object identifiers lead: nothing else outside is linked without a reason.
-OUTSIDE = {"doi.org", "pint.readthedocs.io", "github.com"}
+OUTSIDE = {"doi.org", "pint.readthedocs.io", "github.com", "docs.xarray.dev", "docs.dask.org"}
 LATEX = re.compile(r"\\[a-zA-Z]+|\$")
 
 

@@ -250,15 +250,6 @@ ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "sensitivities.md").read_text(encoding="utf-8")
 
 
-def test_the_page_prints_what_it_says(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    code, printed = (block.split("```")[0] for block in PAGE.split("```python\n")[1].split("```\n\n```\n"))
-    monkeypatch.chdir(ROOT)
-    exec(code, {})
-    assert capsys.readouterr().out == printed
-
-
 def test_the_page_lists_every_path() -> None:
     for name in paths(robot(JOINTS)):
         if name.startswith("effects."):

@@ -68,7 +68,7 @@ def test_units_sweeps_and_a_file(tmp_path: Path, capsys: pytest.CaptureFixture[s
     grid = "x=300 mm:80 cm:11, y=0, z=-245 mm"
     arguments = ["--set", "platform.mass=1 kg:2000 g:3", "--set", "belt.width=10 mm,15 mm", "--out", str(out)]
     text = printed(capsys, ROBOT, "--grid", grid, *arguments)
-    assert f"written: {out}" in text
+    assert f"wrote {out}" in text
     assert "platform.mass from 1 to 2 kg, 3 values" in text
     with xarray.open_dataset(out) as found:
         assert found["frequency"].dims == ("platform.mass", "belt.width", "z", "y", "x", "mode")

@@ -74,7 +74,12 @@ def test_nothing_is_loaded_executed_or_complained_about(page: Path) -> None:
         assert browser.problems == []
         # The images inside the figures are part of the file.
         assert [url for url in browser.requests if not url.startswith("data:")] == [page.as_uri()]
-        assert browser.page.evaluate("document.querySelectorAll('script, iframe, img, object').length") == 0
+        assert (
+            browser.page.evaluate("document.querySelectorAll('iframe, img, object, script[src]').length") == 0
+        )
+        # Only the view in three dimensions has a program: its data, three.js and itself.
+        views = browser.page.evaluate("document.querySelectorAll('.pkview').length")
+        assert browser.page.evaluate("document.querySelectorAll('script').length") == 3 * views
         assert (
             browser.page.evaluate("document.querySelectorAll('[onerror], [onload], [onmouseover]').length")
             == 0
@@ -155,10 +160,13 @@ def test_a_page_is_used_by_keyboard_alone(page: Path) -> None:
         wide = browser.page.evaluate(
             "[...document.querySelectorAll('.box')].filter(b => b.scrollWidth > b.clientWidth).length"
         )
-        moved = 0
-        for _ in range(browser.page.evaluate("document.querySelectorAll('.box').length")):
+        moved, left = 0, browser.page.evaluate("document.querySelectorAll('.box').length")
+        while left:
             keyboard.press("Tab")
+            if browser.page.evaluate("document.activeElement.closest('.pkview') !== null"):
+                continue  # the view in three dimensions has its own test
             assert "box" in browser.page.evaluate("document.activeElement.className")
+            left -= 1
             style = "getComputedStyle(document.activeElement)"
             assert browser.page.evaluate(f"{style}.outlineStyle") == "solid"
             assert browser.page.evaluate(
@@ -191,7 +199,7 @@ def test_hostile_text_is_only_text(tmp_path: Path) -> None:
 def test_the_closed_loop_report_is_small(tmp_path: Path) -> None:
     target = tmp_path / "report.html"
     assert run(["diagnose", *LOOP, "--report", str(target)]) == 0
-    assert 100_000 < target.stat().st_size < 600_000
+    assert 100_000 < target.stat().st_size < 1_500_000  # 0.6 MB of them are three.js
 
 
 def test_a_view_is_placed_as_it_is(tmp_path: Path) -> None:

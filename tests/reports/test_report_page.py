@@ -25,7 +25,7 @@ def test_its_code_runs(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_its_commands_are_those_of_the_command_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (block,) = re.findall(r"```\n(pkmodes compare.*?)```", PAGE, re.S)
+    (block,) = re.findall(r"```sh\n(pkmodes compare.*?)```", PAGE, re.S)
     first, second = block.strip().splitlines()
     monkeypatch.chdir(ROOT)
     arguments = first.split()[1:]

@@ -170,16 +170,6 @@ def test_mistakes_are_one_line(
     assert message in captured.err
 
 
-def test_the_page_prints_what_the_command_prints(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    page = (PUBLISHED.parents[1] / "docs" / "sensitivities.md").read_text(encoding="utf-8")
-    command, _, rest = page.partition("```\npkmodes sensitivities ")[2].partition("```")
-    monkeypatch.chdir(PUBLISHED.parents[1])
-    assert run(["sensitivities", *command.replace("\\\n", " ").split()]) == 0
-    assert capsys.readouterr().out == rest.partition("```\n")[2].partition("```")[0]
-
-
 def test_help_shows_an_example_that_works(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

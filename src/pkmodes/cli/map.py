@@ -111,7 +111,7 @@ def map_(
     if out is not None:
         for option, other in (("--json", json_file), ("--report", report_to)):
             if other not in (None, "-") and Path(str(other)).resolve() == out.resolve():
-                what = "the map would have the same name as another result"
+                what = "both results would have the same name"
                 raise OutputError(what, f"{option} {other}", "choose another file")
         if any(given.exists() and out.exists() and given.samefile(out) for given in inputs):
             raise OutputError("the map would replace its own input", f"--out {out}", "choose another file")
