@@ -12,9 +12,10 @@ from html import escape
 from typing import TYPE_CHECKING, Any
 
 from pkmodes.errors import PkmodesError
+from pkmodes.extras import require
 from pkmodes.figures.working_plane import working_plane
 from pkmodes.maps.places import Grid, Places, places_of
-from pkmodes.plots.style import need_matplotlib, styled
+from pkmodes.plots.style import styled
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -83,7 +84,7 @@ def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
     MissingExtraError
         If matplotlib or xarray is not installed.
     """
-    need_matplotlib("figures")
+    require("figures", "plot", "matplotlib", "xarray")
     from pkmodes.figures.quantities import coarser, motors_of, relative_sensitivities, smallest_mac, volume_of
     from pkmodes.plots import influence, mac, maps
     from pkmodes.plots.plane import Plane, where

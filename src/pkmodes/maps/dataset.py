@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -11,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import pkmodes
-from pkmodes.errors import MissingExtraError
 from pkmodes.evaluation import evaluation
+from pkmodes.extras import require
 from pkmodes.maps.evaluating import Layout
 from pkmodes.maps.pairing import EVENTS
 from pkmodes.maps.places import LIST, Grid, Places
@@ -33,7 +32,6 @@ Array = NDArray[Any]
 CONVENTIONS = "CF-1.11"
 #: Poses of a stored map that are read and written together.
 CHUNK = 16_384
-INSTALL = "install it: pip install 'pkmodes[map]'"
 
 
 def dataset_of(
@@ -175,23 +173,10 @@ def imported() -> Any:
     ------
     MissingExtraError
     """
-    require("a map", "xarray", "pandas")
+    require("maps", "map", "xarray", "pandas")
     import xarray
 
     return xarray
-
-
-def require(what: str, *libraries: str) -> None:
-    """Check that libraries of the extra ``map`` are installed.
-
-    Raises
-    ------
-    MissingExtraError
-        If one is not.
-    """
-    for library in libraries:
-        if find_spec(library) is None:
-            raise MissingExtraError(f"{what} needs {library}, which is not installed", "map", INSTALL)
 
 
 def meanings_of(robot: Robot, name: str) -> dict[str, Any]:

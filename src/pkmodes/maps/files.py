@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pkmodes.errors import OutputError, shown
-from pkmodes.maps.dataset import imported, require
+from pkmodes.extras import require
+from pkmodes.maps.dataset import imported
 from pkmodes.maps.table import table_of, write_table
 
 if TYPE_CHECKING:
@@ -80,7 +81,7 @@ class Target:
             raise OutputError(
                 "cannot write: permission denied", where, "choose another place or make it writable"
             )
-        require(f"a {path.suffix.lower()} file", *LIBRARIES[path.suffix.lower()])
+        require(f"{path.suffix.lower()} files", "map", *LIBRARIES[path.suffix.lower()])
         return cls(path)
 
     def write(self, dataset: xarray.Dataset, folder: Path) -> None:

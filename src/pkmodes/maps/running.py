@@ -14,7 +14,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from pkmodes.errors import PkmodesError, shown
-from pkmodes.maps.dataset import require
+from pkmodes.extras import require
 from pkmodes.maps.evaluating import Task, evaluate
 
 #: Tasks in progress for each thread: one is computed while the result of another is stored.
@@ -119,7 +119,7 @@ def _failures(scheduler: str) -> Iterator[None]:
 
 @contextmanager
 def _client(scheduler: str) -> Iterator[Any]:
-    require("a map on a Dask scheduler", "distributed")
+    require("maps on a Dask scheduler", "map", "distributed")
     import distributed
 
     import pkmodes

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.plots.style import INK, VERMILLION, figure, need_matplotlib, styled
+from pkmodes.extras import require
+from pkmodes.plots.style import INK, VERMILLION, figure, styled
 from pkmodes.view.scene import AMPLITUDE, Scene
 
 if TYPE_CHECKING:
@@ -48,7 +49,7 @@ def animation(scene: Scene, mode: int | None = None, amplitude: float = AMPLITUD
     MissingExtraError
         If matplotlib is not installed.
     """
-    need_matplotlib("moving pictures")
+    require("moving pictures", "plot", "matplotlib")
     from PIL import Image
 
     mode = scene.rigid_modes if mode is None else mode

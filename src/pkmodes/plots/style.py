@@ -8,8 +8,6 @@ from functools import cache
 from importlib.resources import as_file, files
 from typing import TYPE_CHECKING, Any
 
-from pkmodes.errors import MissingExtraError
-
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
@@ -30,30 +28,6 @@ PALETTE = (BLUE, VERMILLION, GREEN, PURPLE, ORANGE, SKY)
 WIDTH = 6.3
 #: Settings of a session that are not a matter of style.
 OF_THE_SESSION = ("backend", "backend_fallback", "interactive", "toolbar", "timezone")
-
-
-def need_matplotlib(what: str, extra: str = "plot") -> None:
-    """Refuse to draw without matplotlib.
-
-    Parameters
-    ----------
-    what : str
-        What needs it, in the plural.
-    extra : str
-        The extra that brings it.
-
-    Raises
-    ------
-    MissingExtraError
-    """
-    try:
-        import matplotlib.figure  # noqa: F401
-    except ImportError as error:
-        raise MissingExtraError(
-            f"{(error.name or 'matplotlib').partition('.')[0]} is not installed; {what} need it",
-            "optional dependency",
-            f"install it with: pip install 'pkmodes[{extra}]'",
-        ) from None
 
 
 @contextmanager

@@ -8,8 +8,7 @@ from importlib.resources import files
 from typing import TYPE_CHECKING
 
 from pkmodes import __version__
-from pkmodes.errors import MissingExtraError
-from pkmodes.plots.style import need_matplotlib
+from pkmodes.extras import require
 from pkmodes.report.blocks import Section, Summary
 
 if TYPE_CHECKING:
@@ -25,15 +24,7 @@ def need_report() -> None:
     ------
     MissingExtraError
     """
-    try:
-        import jinja2  # noqa: F401
-    except ImportError as error:
-        raise MissingExtraError(
-            f"{error.name or 'jinja2'} is not installed; reports need it",
-            "optional dependency",
-            "install it with: pip install 'pkmodes[report]'",
-        ) from None
-    need_matplotlib("reports", "report")
+    require("reports", "report", "jinja2", "matplotlib")
 
 
 def page(summary: Summary, sections: Sequence[Section]) -> str:
