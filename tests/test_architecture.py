@@ -105,7 +105,7 @@ LAYERS = {
     "view": {"model", "robot", "evaluation", "generated", "regular", "description"},
     "maps": {"dynamics", "kinematics", "robot", "evaluation", "generated", "regular", "mechanism", "poses"}
     | {"results", "backends", "measured"},
-    "plots": {"view", "diagnosis", "measured", "description"},
+    "plots": {"view", "robot", "diagnosis", "measured", "description"},
     "figures": {"plots", "maps", "view", "model", "robot", "writing"},
     "report": {"figures", "plots", "maps", "view", "diagnosis", "updating", "measured", "model", "robot"},
 }

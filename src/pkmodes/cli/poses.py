@@ -13,9 +13,6 @@ if TYPE_CHECKING:
     from pkmodes.mechanism import Mechanism
     from pkmodes.model import Model
 
-#: Dimension of a pose component by unit.
-DIMENSIONS = {"m": "length", "rad": "angle"}
-
 pose_option = click.option(
     "--pose",
     metavar="X,Y,...",
@@ -33,7 +30,7 @@ def parse_pose(text: str, kind: Mechanism) -> list[float]:
     PoseError
         If the number of components is wrong, or one of them is not such a quantity.
     """
-    from pkmodes.robot.units import QuantityError, parse
+    from pkmodes.robot.units import QuantityError, parse_number_or_quantity
 
     parts, names = text.split(","), ",".join(component.name for component in kind.pose).upper()
     if len(parts) != len(kind.pose):
@@ -42,15 +39,10 @@ def parse_pose(text: str, kind: Mechanism) -> list[float]:
     point = []
     for part, component in zip(parts, kind.pose, strict=True):
         try:
-            if "_" in part:  # Python's float() would read 1_0 as 10
-                raise ValueError
-            point.append(float(part))
-        except ValueError:
-            try:
-                point.append(parse(part, DIMENSIONS[component.unit]))
-            except QuantityError as error:
-                remedy = f"write a number in {component.unit}, or a number with its unit"
-                raise PoseError(str(error), "--pose", remedy) from None
+            point.append(parse_number_or_quantity(part, component.unit))
+        except QuantityError as error:
+            remedy = f"write a number in {component.unit}, or a number with its unit"
+            raise PoseError(str(error), "--pose", remedy) from None
     return point
 
 

@@ -9,9 +9,10 @@ from numpy.typing import NDArray
 
 from pkmodes.errors import PkmodesError
 from pkmodes.maps.workspace import box_of
-from pkmodes.plots.plane import DRAWN, Plane
+from pkmodes.plots.plane import Plane
 from pkmodes.plots.workspace import Volume
 from pkmodes.robot.layout import items
+from pkmodes.robot.units import SHOWN
 from pkmodes.robot.wholes import value_of, wholes
 from pkmodes.view.drawn import Drawn
 
@@ -111,7 +112,7 @@ def motors_of(model: Model, plane: Plane) -> Array | None:
         found = Drawn(model.robot).motors(valid[:1])[0]
     except PkmodesError:  # generated before there were drawings
         return None
-    factors = [DRAWN[plane.dataset[name].attrs["units"]][1] for name in (plane.across, plane.along)]
+    factors = [SHOWN[plane.dataset[name].attrs["units"]][1] for name in (plane.across, plane.along)]
     return np.asarray(found[:, [names.index(plane.across), names.index(plane.along)]] * factors)
 
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from pkmodes.errors import PkmodesError, shown
 from pkmodes.mechanism import Mechanism
-from pkmodes.robot.units import DIMENSIONS, QuantityError, parse
+from pkmodes.robot.units import QuantityError, parse_number_or_quantity
 
 Array = NDArray[np.float64]
 #: More values along one axis are a mistake.
@@ -73,16 +73,10 @@ def parse_value(text: str, unit: str, where: str) -> float:
     PkmodesError
     """
     try:
-        if "_" in text:  # Python's float() would read 1_0 as 10
-            raise ValueError
-        value = float(text)
-    except ValueError:
-        dimension = next(name for name, (si, _) in DIMENSIONS.items() if si == unit)
-        try:
-            return parse(text, dimension)
-        except QuantityError as error:
-            remedy = f"write a number{'' if unit == '1' else f' in {unit}, or a number with its unit'}"
-            raise PkmodesError(str(error), where, remedy) from None
+        value = parse_number_or_quantity(text, unit)
+    except QuantityError as error:
+        remedy = f"write a number{'' if unit == '1' else f' in {unit}, or a number with its unit'}"
+        raise PkmodesError(str(error), where, remedy) from None
     if not np.isfinite(value):
         raise PkmodesError(f"expected a finite number, found {shown(text)}", where, "give a finite number")
     return value

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.errors import PkmodesError
+from pkmodes.robot.units import SHOWN
 
 if TYPE_CHECKING:
     import xarray
@@ -17,8 +18,6 @@ if TYPE_CHECKING:
     from matplotlib.collections import QuadMesh
 
 Array = NDArray[Any]
-#: Units in which poses are drawn, with the factor from SI.
-DRAWN = {"m": ("mm", 1e3), "rad": ("deg", 180.0 / np.pi)}
 #: Share of the values at each end that do not determine the colours: belts that become very short at the edge of the
 #: workspace would hide everything else.
 OUTLIERS = 0.02
@@ -105,12 +104,12 @@ class Plane:
 
     def drawn(self, name: str) -> Array:
         """Return the values of a component in the unit in which it is drawn."""
-        values: Array = self.dataset[name].values * DRAWN[self.dataset[name].attrs["units"]][1]
+        values: Array = self.dataset[name].values * SHOWN[self.dataset[name].attrs["units"]][1]
         return values
 
     def label(self, name: str) -> str:
         """Return the label of an axis."""
-        return f"{name} [{DRAWN[self.dataset[name].attrs['units']][0]}]"
+        return f"{name} [{SHOWN[self.dataset[name].attrs['units']][0]}]"
 
     def draw(self, axes: Axes, values: Array, **settings: Any) -> QuadMesh:
         """Draw values as colours, with the poses that cannot be reached left blank.
@@ -148,7 +147,7 @@ def where(plane: Plane) -> str:
     """Return where a plane lies, such as ``z = -245 mm``; for a mechanism that moves in a plane its components."""
     if plane.normal is None:
         return f"{plane.across} and {plane.along}"
-    unit, factor = DRAWN[plane.dataset[plane.normal].attrs["units"]]
+    unit, factor = SHOWN[plane.dataset[plane.normal].attrs["units"]]
     return f"{plane.normal} = {plane.at * factor:.6g} {unit}"
 
 

@@ -10,7 +10,6 @@ from pkmodes.figures.working_plane import working_plane
 from pkmodes.maps.places import Grid
 from pkmodes.maps.summary import summary_of
 from pkmodes.plots import sweeps
-from pkmodes.plots.plane import DRAWN
 from pkmodes.plots.style import styled
 from pkmodes.plots.svg import inline
 from pkmodes.report.blocks import (
@@ -30,6 +29,7 @@ from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.report.wording import clean, hertz, number, plural, pointer, typeset, unit
 from pkmodes.robot.corrections import changeable
+from pkmodes.robot.units import SHOWN
 
 if TYPE_CHECKING:
     import xarray
@@ -128,7 +128,7 @@ def _extent(model: Model, content: dict[str, Any]) -> str:
 def _units(model: Model) -> dict[str, tuple[str, float]]:
     """Return the unit of each axis as shown, with the factor from SI."""
     found = {path: (unit(name), 1.0) for path, name in changeable(model.robot).items()}
-    return found | {component.name: DRAWN[component.unit] for component in model.kind.pose}
+    return found | {component.name: SHOWN[component.unit] for component in model.kind.pose}
 
 
 def _value(value: float) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from tomlkit.items import String
 
-from pkmodes.robot.units import DIMENSIONS, NUMBER, QuantityError, parse
+from pkmodes.robot.units import NUMBER, QuantityError, dimension_of, parse
 
 SIGMA_DIGITS = 3
 
@@ -33,7 +33,7 @@ class Notation:
         """Return the notation of a value of a TOML document whose SI unit is `unit`."""
         if not isinstance(item, String) or (match := NUMBER.fullmatch(item)) is None:
             return cls()  # a bare number
-        dimension = next(name for name, (si_unit, _) in DIMENSIONS.items() if si_unit == unit)
+        dimension = dimension_of(unit)
         try:
             scale = parse(f"1 {match[2]}", dimension) if match[2] else 1.0
         except QuantityError:  # one unit alone is out of range

@@ -5,6 +5,7 @@ Conversion uses decimal arithmetic, so ``"35 mm"`` is the double nearest to 0.03
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -41,6 +42,10 @@ DIMENSIONS: dict[str, tuple[str, str]] = {
     "reciprocal force": ("1/N", "1e-3 1/N"),
     "number": ("1", "10"),
 }
+
+
+#: Units of lengths and angles of a pose as people read them, with the factor from SI.
+SHOWN = {"m": ("mm", 1e3), "rad": ("deg", 180.0 / math.pi)}
 
 
 @dataclass(frozen=True)
@@ -106,6 +111,33 @@ def parse(text: str, dimension: str) -> float:
     if UNIT.fullmatch(unit) is None:
         raise QuantityError(f"{expected}, found {shown(text)}, whose unit {shown(unit)} is not a unit")
     return _in_range(_convert(number, unit, si_unit, expected, text), expected, text)
+
+
+def parse_number_or_quantity(text: str, unit: str) -> float:
+    """Read a bare number in SI units, or a number with its unit; also infinity and NaN.
+
+    Parameters
+    ----------
+    text : str
+    unit : str
+        The SI unit.
+
+    Raises
+    ------
+    QuantityError
+        If it is neither.
+    """
+    try:
+        if "_" in text:  # Python's float() would read 1_0 as 10
+            raise ValueError
+        return float(text)
+    except ValueError:
+        return parse(text, dimension_of(unit))
+
+
+def dimension_of(unit: str) -> str:
+    """Return the first dimension with a known SI unit."""
+    return next(name for name, (si_unit, _) in DIMENSIONS.items() if si_unit == unit)
 
 
 def _convert(number: Decimal, unit: str, si_unit: str, expected: str, text: str) -> float:

@@ -11,12 +11,11 @@ from importlib.resources import files
 
 import numpy as np
 
+from pkmodes.robot.units import SHOWN
 from pkmodes.view.data import as_data, embedded, top
 from pkmodes.view.data import directions as directions_of
 from pkmodes.view.scene import AMPLITUDE, Scene
 
-#: Units of the components of a pose as shown, with the factor from SI.
-SHOWN = {"m": ("mm", 1e3), "rad": ("\u00b0", 180.0 / np.pi)}
 #: Parts of the program in the browser, in order.
 PROGRAM = ("palette.js", "shapes.js", "stage.js", "panel.js", "viewer.js")
 ICON = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg'/%3E"
