@@ -102,11 +102,21 @@ LAYERS = {
     "sensitivity": {"robot", "mechanism", "evaluation", "eigen", "poses", "gathering", "results", "solving"}
     | {"compiled", "compiled_modes"},
     "robot": {"writing", "mechanism"},
-    "view": {"model", "robot", "evaluation", "generated", "regular", "description"},
-    "maps": {"dynamics", "kinematics", "robot", "evaluation", "generated", "regular", "mechanism", "poses"}
+    "view": {"model", "workspace", "robot", "evaluation", "generated", "regular", "description"},
+    "maps": {
+        "dynamics",
+        "workspace",
+        "kinematics",
+        "robot",
+        "evaluation",
+        "generated",
+        "regular",
+        "mechanism",
+        "poses",
+    }
     | {"results", "backends", "measured"},
     "plots": {"view", "robot", "diagnosis", "measured", "description"},
-    "figures": {"plots", "maps", "view", "model", "robot", "writing"},
+    "figures": {"workspace", "plots", "maps", "view", "model", "robot", "writing"},
     "report": {"figures", "plots", "maps", "view", "diagnosis", "updating", "measured", "model", "robot"},
 }
 

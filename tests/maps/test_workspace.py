@@ -9,7 +9,8 @@ import pytest
 
 import pkmodes
 from pkmodes.errors import PoseError
-from pkmodes.maps.workspace import POSES, box_of, reachable
+from pkmodes.maps.workspace import POSES, reachable
+from pkmodes.workspace import box_of
 from robot_text import edited, published
 
 ROBOTS = Path(__file__).parents[2] / "robots"

@@ -13,6 +13,7 @@ from pkmodes.errors import PkmodesError, PoseError
 from pkmodes.view import poses_around, scene, typical_pose
 from pkmodes.view.drawn import upright
 from pkmodes.view.workspace import workspace
+from pkmodes.workspace import box_of
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 PUBLISHED = ROBOTS / "linear-delta-2022.toml"
@@ -110,7 +111,8 @@ def test_the_typical_pose_is_valid_and_hangs_below(name: str) -> None:
 
 def test_the_outline_of_a_plane_workspace_is_its_rectangle() -> None:
     model = pkmodes.load(ROBOTS / "corexy-printer.toml")
-    found = workspace(model, np.array([0.1, 0.2]), np.array([[0.15, 0.15]]))
+    pose = np.array([0.1, 0.2])
+    found = workspace(model, pose, box_of(model, pose))
     assert found is not None
     np.testing.assert_allclose(found.vertices.min(axis=0), 0.0, atol=2e-3)
     np.testing.assert_allclose(found.vertices.max(axis=0), 0.3, atol=2e-3)
@@ -122,7 +124,7 @@ def test_the_outline_of_a_plane_workspace_is_its_rectangle() -> None:
 def test_the_surface_of_a_workspace_is_closed_and_lies_on_the_boundary() -> None:
     model = pkmodes.load(PUBLISHED)
     pose = np.array(POSE)
-    found = workspace(model, pose, pose[None])
+    found = workspace(model, pose, box_of(model, pose))
     assert found is not None
     assert _closed(found.faces)
     cell = np.ptp(found.vertices, axis=0) / 25

@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 
 import pkmodes
-from pkmodes.maps.workspace import box_of
+from pkmodes.workspace import box_of
 
 ROOT = Path(__file__).parents[3]
 PAGE = ROOT / "docs" / "figures.md"

@@ -8,13 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.errors import PkmodesError
-from pkmodes.maps.workspace import box_of
 from pkmodes.plots.plane import Plane
 from pkmodes.plots.workspace import Volume
 from pkmodes.robot.layout import items
 from pkmodes.robot.units import SHOWN
 from pkmodes.robot.wholes import value_of, wholes
 from pkmodes.view.drawn import Drawn
+from pkmodes.workspace import box_of
 
 if TYPE_CHECKING:
     from pkmodes.model import Model

@@ -1,4 +1,4 @@
-"""The reachable workspace of a robot, found by drawing poses, and a grid over it."""
+"""A grid over the reachable workspace of a robot, and where the workspace is."""
 
 from __future__ import annotations
 
@@ -8,10 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.errors import PoseError
-from pkmodes.generated import Generated
 from pkmodes.maps.places import Grid
 from pkmodes.poses import LARGE
-from pkmodes.regular import drawn_poses
+from pkmodes.workspace import box_of
 
 if TYPE_CHECKING:
     from pkmodes.kinematics import Kinematics
@@ -19,11 +18,6 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 #: Poses of the grid, about.
 POSES = 50_000
-#: Poses drawn in each round; a round is the last if it moves no end of the box by more than this part of its length.
-DRAWS, SETTLED, ROUNDS = 200_000, 0.01, 12
-#: Part of the length of the box by which it is extended on each side before the next round.
-BEYOND = 0.1
-SEED = 20260105
 
 
 def reachable(model: Kinematics, poses: int = POSES) -> Grid:
@@ -66,43 +60,6 @@ def reachable(model: Kinematics, poses: int = POSES) -> Grid:
     return Grid(axes)
 
 
-def box_of(model: Kinematics) -> tuple[Array, Array]:
-    """Return the box that contains the poses that can be evaluated.
-
-    Returns
-    -------
-    low, high : ndarray, shape (d,)
-
-    Raises
-    ------
-    PoseError
-        If none was found.
-    """
-    rng = np.random.default_rng(SEED)
-    with np.errstate(all="ignore"):
-        generated = Generated(model.kind.model, model.robot.parameters)
-        found = _valid(model, drawn_poses(generated, model.kind, model.robot.parameters, rng, DRAWS))
-    if not len(found):
-        what = f"none of {DRAWS:,} poses drawn can be reached"
-        raise PoseError(what, model.robot.source, "check the robot file, or give a grid or poses")
-    found = _lower(model, found)
-    side = _side(model, found[:1])
-    low, high = found.min(axis=0), found.max(axis=0)
-    for _ in range(ROUNDS):
-        size = np.where(high > low, high - low, 1e-3)
-        drawn = rng.uniform(low - BEYOND * size, high + BEYOND * size, (DRAWS, len(low)))
-        more = _valid(model, drawn)
-        more = more[_side(model, more) == side] if len(more) else more
-        if not len(more):
-            break
-        wider = np.minimum(low, more.min(axis=0)), np.maximum(high, more.max(axis=0))
-        moved = max(((low - wider[0]) / size).max(), ((wider[1] - high) / size).max())
-        low, high = wider
-        if moved <= SETTLED:
-            break
-    return low, high
-
-
 def bounds_of(model: Kinematics, tried: Array) -> str:
     """Return the remedy for poses that cannot be reached: where the workspace is.
 
@@ -126,28 +83,6 @@ def bounds_of(model: Kinematics, tried: Array) -> str:
         for component, a, b in zip(model.kind.pose, low, high, strict=True)
     )
     return f"the workspace lies within {ends}"
-
-
-def _valid(model: Kinematics, points: Array) -> Array:
-    points = points[np.isfinite(points).all(axis=-1)]
-    return points[model.check(points).valid] if len(points) else points
-
-
-def _side(model: Kinematics, points: Array) -> Array:
-    """Return the assembly branch of poses, 0 where the mechanism has only one."""
-    sides: Array = model.assembly(points) if model.has_assemblies else np.zeros(len(points))
-    return sides
-
-
-def _lower(model: Kinematics, points: Array) -> Array:
-    """Return the poses of the assembly branch whose platform hangs lower."""
-    sides = _side(model, points)
-    names = [component.name for component in model.kind.pose]
-    gravity = np.asarray(getattr(model.robot.parameters, "gravity", np.zeros(3)), dtype=float)
-    along = np.array([gravity["xyz".index(name)] if name in "xyz" else 0.0 for name in names])
-    best = max(np.unique(sides), key=lambda side: float((points[sides == side] @ along).mean()))
-    chosen: Array = points[sides == best]
-    return chosen
 
 
 def _round(step: float) -> float:

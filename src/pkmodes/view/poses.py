@@ -7,12 +7,13 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.errors import PkmodesError, PoseError
+from pkmodes.errors import PoseError
 from pkmodes.generated import Generated
 from pkmodes.model import Model
 from pkmodes.regular import regular_poses
 from pkmodes.view.scene import Scene, scene
-from pkmodes.view.workspace import box, reachable, workspace
+from pkmodes.view.workspace import workspace
+from pkmodes.workspace import box_of, hanging, on_branch
 
 Array = NDArray[np.float64]
 #: Values of each component in the grid, by the number of components; a page holds some hundred poses.
@@ -32,19 +33,13 @@ def typical_pose(model: Model) -> Array:
     seeds = _seeds(model)
     if not len(seeds):
         raise PoseError("found no pose well inside the workspace", model.robot.source, "give one with --pose")
-    try:
-        branch = model.assembly(seeds)
-    except PkmodesError:
-        branch = np.ones(len(seeds))
-    heights = Generated(model.kind.model, model.robot.parameters).gravity_potential(seeds)
-    groups = [branch == sign for sign in np.unique(branch)]
-    lower = min(groups, key=lambda group: float(np.mean(heights[group])))
-    group = seeds[lower & (heights <= np.median(heights[lower]))]
+    lower = hanging(model, seeds)
+    heights = Generated(model.kind.model, model.robot.parameters).gravity_potential(lower)
+    group = lower[heights <= np.median(heights)]
     found: Array = group[np.argmin(np.linalg.norm(group - group.mean(axis=0), axis=-1))]
-    surface = workspace(model, found, group)
-    edge = group if surface is None else surface.vertices
-    digits = int(np.ceil(-np.log10(0.05 * np.ptp(edge, axis=0).max())))
-    for middle in (0.5 * (edge.min(axis=0) + edge.max(axis=0)), found):
+    low, high = box_of(model, found)
+    digits = int(np.ceil(-np.log10(0.05 * (high - low).max())))
+    for middle in (0.5 * (low + high), found):
         rounded = middle.round(digits) + 0.0
         if model.check(rounded).valid:
             return np.asarray(rounded)
@@ -67,12 +62,9 @@ def poses_around(model: Model, pose: ArrayLike) -> Scene:
     """
     first = np.asarray(pose, dtype=float)
     scene(model, first)  # its errors are those of this pose
-    seeds = _seeds(model)
-    inside = reachable(model, first)
-    seeds = seeds[inside(seeds)] if len(seeds) else seeds
-    ends = box(inside, np.vstack([first, seeds]), first)
+    inside, (low, high) = on_branch(model, first), box_of(model, first)
     count = LEVELS.get(len(first), 3)
-    levels = tuple(_levels(low, high, value, count) for (low, high), value in zip(ends, first, strict=True))
+    levels = tuple(_levels(*ends, count) for ends in zip(low, high, first, strict=True))
     grid = np.stack(np.meshgrid(*levels, indexing="ij"), axis=-1)
     valid = inside(grid.reshape(-1, len(first))).reshape(grid.shape[:-1])
     places = np.where(valid, np.cumsum(valid.ravel()).reshape(valid.shape) - 1, -1)
@@ -81,7 +73,7 @@ def poses_around(model: Model, pose: ArrayLike) -> Scene:
         scene(model, grid[valid], int(places[here])),
         levels=levels,
         places=places,
-        workspace=workspace(model, first, seeds),
+        workspace=workspace(model, first, (low, high)),
     )
 
 

@@ -7,21 +7,19 @@ a picture: smoothing moves it by a fraction of a cell.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.errors import PkmodesError
 from pkmodes.model import Model
+from pkmodes.workspace import Inside, on_branch
 
 Array = NDArray[np.float64]
-Inside = Callable[[Array], NDArray[np.bool_]]
-#: Cells of the grid along each component, and of the coarse grid that finds the box around the workspace.
-CELLS, COARSE = {2: 48, 3: 30}, 12
-BISECTIONS, ROUNDS, GROWTH = 7, 12, 0.3
+#: Cells of the grid along each component, and part of the box by which the grid extends beyond it on each side.
+CELLS, AROUND = {2: 48, 3: 30}, 0.05
+BISECTIONS = 7
 #: Steps of smoothing, each halfway to the mean of the neighbours: creases would be ragged otherwise.
 SMOOTHING = 5
 
@@ -42,7 +40,7 @@ class Surface:
     faces: NDArray[np.intp]
 
 
-def workspace(model: Model, pose: Array, around: Array) -> Surface | None:
+def workspace(model: Model, pose: Array, box: tuple[Array, Array]) -> Surface | None:
     """Find the boundary of the part of the workspace that contains a pose.
 
     Parameters
@@ -50,52 +48,22 @@ def workspace(model: Model, pose: Array, around: Array) -> Surface | None:
     model : Model
     pose : ndarray, shape (d,)
         A valid pose.
-    around : ndarray, shape (N, d)
-        Some valid poses, from which the search starts.
+    box : tuple of ndarray, shape (d,)
+        From `pkmodes.workspace.box_of`.
 
     Returns
     -------
     Surface or None
         None if the pose has angles, or other than two or three components.
     """
-    kind = model.kind
-    if len(pose) not in CELLS or any(component.unit != "m" for component in kind.pose):
+    if len(pose) not in CELLS or any(component.unit != "m" for component in model.kind.pose):
         return None
-    inside = reachable(model, pose)
-    axes = box(inside, np.vstack([pose, around]), pose)
-    steps = [np.linspace(low, high, CELLS[len(pose)] + 1) for low, high in axes]
+    inside = on_branch(model, pose)
+    room = AROUND * (box[1] - box[0])
+    ends = zip(box[0] - room, box[1] + room, strict=True)
+    steps = [np.linspace(low, high, CELLS[len(pose)] + 1) for low, high in ends]
     mask = _component(inside, steps, pose)
     return _contour(inside, steps, mask) if mask.any() else None
-
-
-def reachable(model: Model, pose: Array) -> Inside:
-    """Return the test whether the robot can be at poses, on the assembly branch of a pose."""
-    try:
-        branch = model.assembly(pose)
-    except PkmodesError:  # a mechanism with one branch only
-        return lambda points: model.check(points).valid
-    return lambda points: model.check(points).valid & (model.assembly(points, "nan") == branch)
-
-
-def box(inside: Inside, seeds: Array, pose: Array) -> list[tuple[float, float]]:
-    """Return the ends of a box around the workspace, grown from some poses in it until it no longer cuts it."""
-    low, high = seeds.min(axis=0), seeds.max(axis=0)
-    room = max(float((high - low).max()), 1e-3)
-    low, high = low - GROWTH * room, high + GROWTH * room
-    for _ in range(ROUNDS):
-        steps = [np.linspace(a, b, COARSE + 1) for a, b in zip(low, high, strict=True)]
-        mask = _component(inside, steps, pose)
-        if not mask.any():
-            break
-        found = np.argwhere(mask)
-        cell = (high - low) / COARSE
-        first, last = low + cell * (found.min(axis=0) - 1), low + cell * (found.max(axis=0) + 1)
-        cut = (found.min(axis=0) == 0) | (found.max(axis=0) == COARSE)
-        grown = np.where(cut, GROWTH * (high - low), 0.0)
-        low, high = first - grown, last + grown
-        if not cut.any() and (cell * COARSE <= 1.3 * (last - first)).all():
-            break
-    return list(zip(low.tolist(), high.tolist(), strict=True))
 
 
 def _component(inside: Inside, steps: list[Array], pose: Array) -> NDArray[np.bool_]:
@@ -106,8 +74,7 @@ def _component(inside: Inside, steps: list[Array], pose: Array) -> NDArray[np.bo
     mask = inside(nodes.reshape(-1, len(steps))).reshape(nodes.shape[:-1])
     for axis in range(mask.ndim):  # the boundary closes at the edge of the grid
         edge = np.moveaxis(mask, axis, 0)
-        if len(edge) == CELLS.get(mask.ndim, 0) + 1:
-            edge[[0, -1]] = False
+        edge[[0, -1]] = False
     labels, count = label(mask)
     if not count:
         return mask
