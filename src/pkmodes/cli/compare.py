@@ -84,7 +84,8 @@ def _as_json(row: ComparedRow) -> dict[str, object]:
 
 
 def _print(robot: Robot, modes: Path, result: Comparison) -> None:
-    from pkmodes.cli.diagnosis_tables import Terminal, p_value, setting
+    from pkmodes.cli.diagnosis_tables import p_value, setting
+    from pkmodes.cli.terminal import Terminal
 
     terminal = Terminal()
     terminal.heading(f"{robot.name} compared with {modes}, frequencies in Hz")

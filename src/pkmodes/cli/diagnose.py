@@ -109,7 +109,7 @@ def diagnose(
     declared = read_robot(robot)
     data = updating.read(modes, band_of(band), declared)
     reporting = None if report_to is None else Reporting(report_to, robot, modes)
-    with _progress() as progress, named_as_options():
+    with _progress() as progress, named_as_options({"candidates": "--candidates", "holdout": "--holdout"}):
         result = updating.diagnose(
             declared,
             data,

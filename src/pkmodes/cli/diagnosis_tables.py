@@ -3,66 +3,21 @@
 from __future__ import annotations
 
 import math
-import textwrap
 from collections.abc import Mapping, Sequence
 
-from rich.console import Console
-from rich.table import Table
-
+from pkmodes.cli.terminal import Terminal
 from pkmodes.diagnosis.verdict.result import Diagnosis, Error, Row, Value
 from pkmodes.mechanism import Mechanism
 from pkmodes.poses import placed
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.load_cases import settable
 
-#: Tables are as wide as their numbers need and are never truncated.
-WIDEST_TABLE = 10_000
-#: Sentences are never wrapped to lines shorter than this.
-NARROWEST = 40
 #: Decimal exponents for which numbers are written without an exponent.
 PLAIN = range(-3, 6)
 #: Largest number of measurement lines listed; the JSON has all of them.
 MOST_LISTED = 8
 #: Changes made to test whether an explanation depends on them.
 CHANGED = {"sigma x 0.5": "sigma halved", "sigma x 2": "sigma doubled", "priors x 2": "priors doubled"}
-
-
-class Terminal:
-    """Sentences and tables on standard output: sentences are wrapped at spaces, tables are never truncated.
-
-    Text from files, such as labels, is shown verbatim, including brackets and colons.
-    """
-
-    def __init__(self) -> None:
-        self._console = Console(highlight=False, markup=False, emoji=False)
-        self._width = max(self._console.width, NARROWEST)
-        self._console.width = WIDEST_TABLE
-
-    def heading(self, text: str) -> None:
-        """Print a line that may name a file; it is not wrapped, so that the name can be copied."""
-        self._console.print(text, soft_wrap=True)
-
-    def line(self, text: str = "", indent: str = "") -> None:
-        """Print a sentence; every line starts with `indent`."""
-        lines = textwrap.wrap(
-            text,
-            self._width,
-            initial_indent=indent,
-            subsequent_indent=indent,
-            break_long_words=False,
-            break_on_hyphens=False,
-        )
-        for part in lines or [""]:
-            self._console.print(part, soft_wrap=True)
-
-    def table(self, titles: Sequence[str], rows: Sequence[Sequence[str]], left: Sequence[str]) -> None:
-        """Print a table; columns named in `left` hold text, the others numbers."""
-        table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
-        for title in titles:
-            table.add_column(title, justify="left" if title in left else "right", no_wrap=True)
-        for row in rows:
-            table.add_row(*row)
-        self._console.print(table)
 
 
 def show(robot: Robot, result: Diagnosis) -> None:

@@ -16,11 +16,12 @@ from pkmodes.cli.output import (
     deliver,
     json_option,
     mechanism_option,
+    named_as_options,
     report_option,
     to_file,
     write_json,
 )
-from pkmodes.errors import OutputError, PkmodesError
+from pkmodes.errors import OutputError
 from pkmodes.loading import load
 from pkmodes.robot.corrections import changeable
 from pkmodes.writing import write_file
@@ -126,7 +127,7 @@ def map_(
     if grid is not None and poses is not None:
         raise click.UsageError("--grid and --poses exclude each other", click.get_current_context())
     model = load(robot)
-    with _named_as_options(), _continued(out), _progress() as progress:
+    with named_as_options(OPTIONS), _continued(out), _progress() as progress:
         dataset = model.map(
             _places(model, grid, poses),
             sweep=_sweep(model, settings),
@@ -140,6 +141,7 @@ def map_(
             threads=threads,
             progress=progress,
         )
+    from pkmodes.cli.map_tables import show
     from pkmodes.maps.summary import summary_of
 
     file = None if out is None else str(out)
@@ -151,7 +153,7 @@ def map_(
         if json_file == "-":
             write_json(json_file, content)
         else:
-            _print(model, content)
+            show(model, content)
         if report_to is not None and report_to.is_file():
             click.echo(f"\nwrote {report_to}", err=json_file == "-")
 
@@ -194,20 +196,8 @@ OPTIONS = {
     "threads": "--threads",
     "grid": "--grid",
     "poses": "--poses",
+    "sweep": "--set",
 }
-
-
-@contextmanager
-def _named_as_options() -> Iterator[None]:
-    """Replace the name of an argument in an error by that of its option."""
-    try:
-        yield
-    except PkmodesError as error:
-        if error.where.startswith("sweep: "):
-            raise type(error)(error.what, f"--set {error.where[7:]}", error.remedy) from None
-        if error.where not in OPTIONS:
-            raise
-        raise type(error)(error.what, OPTIONS[error.where], error.remedy) from None
 
 
 @contextmanager
@@ -235,43 +225,3 @@ def _progress() -> Iterator[Callable[[int, int], None] | None]:
     with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task("poses", total=None)
         yield lambda done, total: bar.update(task, completed=done, total=total)
-
-
-def _print(model: Model, content: dict[str, Any]) -> None:
-    from rich.console import Console
-    from rich.table import Table
-
-    console = Console(highlight=False, markup=False, emoji=False, soft_wrap=True)
-    units = {component.name: component.unit for component in model.kind.pose}
-    units |= {path: unit for path, unit in changeable(model.robot).items() if unit != "1"}
-    console.print(f"{content['robot']}: {content['valid']:,} of {content['poses']:,} poses can be evaluated")
-    several = [name for name in content["ranges"] if content["dimensions"][name] > 1]
-    for dim, (first, last) in content["ranges"].items():
-        unit = f" {units[dim]}" if dim in units else ""
-        if dim in several and not isinstance(first, str):
-            number = content["dimensions"][dim]
-            console.print(f"  {dim} from {_shown(first)} to {_shown(last)}{unit}, {number} values")
-        elif dim not in several:
-            console.print(f"  {dim} = {_shown(first)}{unit}")
-    for code, count in content["reasons"].items():
-        console.print(f"  {count:,} cannot: {model.reasons[code]}")
-    console.print()
-    table = Table(box=None, pad_edge=False)
-    for heading in ("mode", "lowest [Hz]", *several, "highest [Hz]", *several):
-        table.add_column(heading, justify="right", no_wrap=True)
-    for row in content["modes"]:
-        cells = [str(row["mode"])]
-        for end in ("minimum", "maximum"):
-            value, at = row[f"{end}_hz"], row[f"{end}_at"] or {}
-            cells += [
-                "-" if value is None else f"{value:.3f}",
-                *(_shown(at.get(name, "-")) for name in several),
-            ]
-        table.add_row(*cells)
-    console.print(table, soft_wrap=False, width=max(console.width, 200))
-    if content["file"]:
-        console.print(f"\nwrote {content['file']}")
-
-
-def _shown(value: Any) -> str:
-    return value if isinstance(value, str) else f"{value:.6g}"

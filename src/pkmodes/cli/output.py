@@ -163,14 +163,21 @@ def check_order(robot: Path, modes: Path, command: str) -> None:
 
 
 @contextmanager
-def named_as_options() -> Iterator[None]:
-    """Replace the name of a function argument in an error by that of the option."""
+def named_as_options(options: Mapping[str, str]) -> Iterator[None]:
+    """Replace the name of a function argument in an error by that of the option.
+
+    Parameters
+    ----------
+    options : mapping of str to str
+        Options by argument.  The place of an error is an argument, alone or before a colon: ``sweep: platform.mass``.
+    """
     try:
         yield
     except PkmodesError as error:
-        if error.where not in ("candidates", "holdout"):
+        argument, _, rest = error.where.partition(": ")
+        if argument not in options:
             raise
-        raise PkmodesError(error.what, f"--{error.where}", error.remedy) from None
+        raise type(error)(error.what, f"{options[argument]} {rest}".rstrip(), error.remedy) from None
 
 
 def write_json(json_file: str, content: dict[str, Any]) -> None:

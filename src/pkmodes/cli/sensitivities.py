@@ -115,7 +115,7 @@ class _Line:
 
 
 def _print(model: Model, result: Modes, found: Sensitivities, relative: Array) -> None:
-    from pkmodes.cli.diagnosis_tables import Terminal
+    from pkmodes.cli.terminal import Terminal
 
     terminal = Terminal()
     rigid = result.rigid_modes

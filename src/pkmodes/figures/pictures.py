@@ -11,10 +11,9 @@ from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING, Any
 
-from pkmodes.errors import PkmodesError
 from pkmodes.extras import require
 from pkmodes.figures.working_plane import working_plane
-from pkmodes.maps.places import Grid, Places, places_of
+from pkmodes.maps.places import places_of
 from pkmodes.plots.style import styled
 
 if TYPE_CHECKING:
@@ -50,24 +49,6 @@ class Picture:
         return f'<figure style="max-width:60rem">{drawn}{caption}</figure>'
 
 
-def check_plane(places: Places) -> None:
-    """Refuse poses that are no plane, before they are evaluated.
-
-    Raises
-    ------
-    PkmodesError
-    """
-    if not isinstance(places, Grid):
-        what, found = "expected a grid over two components of the pose", "a list of poses"
-    else:
-        several = [name for name, values in places.axes.items() if len(values) > 1]
-        if len(several) == 2:
-            return
-        what = "expected a map over two components of the pose"
-        found = ", ".join(f"{name}: {len(values)}" for name, values in places.axes.items())
-    raise PkmodesError(f"{what}, found {found}", "grid", "give one value for the third component: z=-0.245")
-
-
 def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
     """Draw the figures of a robot, one after the other.
 
@@ -87,12 +68,15 @@ def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
     require("figures", "plot", "matplotlib", "xarray")
     from pkmodes.figures.quantities import coarser, motors_of, relative_sensitivities, smallest_mac, volume_of
     from pkmodes.plots import influence, mac, maps
-    from pkmodes.plots.plane import Plane, where
+    from pkmodes.plots.plane import Plane, plane_axes, where
     from pkmodes.plots.workspace import workspace
 
     places = working_plane(model) if grid is None else places_of(model.kind, grid)
-    check_plane(places)
-    plane = Plane.of(model.map(places, shapes=True), [component.name for component in model.kind.pose])
+    components = [component.name for component in model.kind.pose]
+    plane_axes(
+        dict(zip(places.dims, places.shape, strict=True)), components, "grid"
+    )  # before it is evaluated
+    plane = Plane.of(model.map(places, shapes=True), components)
     paths, relative = relative_sensitivities(model, plane)
     about = f"{model.robot.name}, {where(plane)}"
 

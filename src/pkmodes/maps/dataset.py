@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,9 +13,9 @@ import pkmodes
 from pkmodes.evaluation import evaluation
 from pkmodes.extras import require
 from pkmodes.maps.evaluating import Layout
+from pkmodes.maps.fields import fields_of
 from pkmodes.maps.pairing import EVENTS
 from pkmodes.maps.places import LIST, Grid, Places
-from pkmodes.maps.storage import Stored
 from pkmodes.maps.tracking import Tracked
 from pkmodes.maps.variables import COORDINATE, DIRECTION, DRIVE, FIRST, MODE, variables
 from pkmodes.maps.variants import SAMPLE, Variants
@@ -30,8 +30,6 @@ if TYPE_CHECKING:
 
 Array = NDArray[Any]
 CONVENTIONS = "CF-1.11"
-#: Poses of a stored map that are read and written together.
-CHUNK = 16_384
 
 
 def dataset_of(
@@ -52,8 +50,7 @@ def dataset_of(
     variants : Variants
     layout : Layout
     arrays : mapping of str to ndarray or Stored, shape (rows, ...)
-        The fields of `pkmodes.maps.evaluating.tails`; stored ones become Dask arrays, so that the dataset can be
-        written without having it in memory.
+        The fields of `pkmodes.maps.evaluating.tails`.
     tracked : Tracked, optional
         Modes by shape instead of by rank.
 
@@ -67,17 +64,12 @@ def dataset_of(
     leading = (*variants.dims, *places.dims)
     shape = (*variants.shape, *places.shape)
     coordinates = layout.coordinates if layout.shapes else kind.independent
-    fields = {name: _spaced(arrays[name], shape) for name in arrays}
-    codes = fields.pop("code")
-    names = np.array(codes_of(kind))
-    fields["valid"] = _each(lambda part: part == 0, np.dtype(bool), codes)
-    fields["reason"] = _each(names.__getitem__, names.dtype, codes)
-    if "shape" in arrays and not layout.shapes:  # they were needed for tracking only
-        del fields["shape"]
+    # Shapes may have been needed for tracking only.
+    shown = [name for name in arrays if name != "shape" or layout.shapes]
+    fields = fields_of({name: arrays[name] for name in shown}, shape, np.array(codes_of(kind)), tracked)
+    if len(shown) < len(arrays):
         columns = [layout.coordinates.index(name) for name in coordinates]
         fields["joint_position"] = fields["joint_position"][..., columns]
-    if tracked is not None:
-        fields |= _tracked(fields, codes, tracked, shape)
     known = variables(kind, normal, layout.shapes, tracked is not None)
     data = {
         v.name: (
@@ -97,73 +89,6 @@ def dataset_of(
         attrs=attributes_of(robot),
     )
     return found
-
-
-def _spaced(values: Any, shape: tuple[int, ...]) -> Any:
-    """Return a field with the leading axes of the map; a stored one as a Dask array."""
-    whole = values.reshape(*shape, *values.shape[1:])
-    if not isinstance(whole, Stored):
-        return whole
-    from dask.array import from_array
-
-    return from_array(whole, chunks=chunks_of(whole.shape, len(shape)), name=False)
-
-
-def chunks_of(shape: tuple[int, ...], leading: int) -> tuple[int, ...]:
-    """Return the size of the parts of a field: all values at about `CHUNK` poses next to each other."""
-    found, left = list(shape), CHUNK
-    for axis in reversed(range(leading)):
-        found[axis] = min(shape[axis], max(left, 1))
-        left //= shape[axis]
-    return tuple(found)
-
-
-def _each(function: Callable[..., Array], dtype: np.dtype[Any], *fields: Any) -> Any:
-    """Apply a function to fields, part by part if they are stored."""
-    if isinstance(fields[0], np.ndarray):
-        return function(*fields)
-    from dask.array import map_blocks
-
-    like = max(fields, key=lambda field: field.ndim)
-    return map_blocks(
-        function, *fields, dtype=dtype, chunks=like.chunks, meta=np.empty((0,) * like.ndim, dtype)
-    )
-
-
-def _tracked(
-    fields: Mapping[str, Any], codes: Any, tracked: Tracked, shape: tuple[int, ...]
-) -> dict[str, Any]:
-    """Return the fields of modes in the tracked order, and those that only a tracked map has."""
-
-    def spaced(values: Array) -> Any:
-        whole = values.reshape(*shape, -1)
-        if isinstance(codes, np.ndarray):
-            return whole
-        from dask.array import from_array
-
-        return from_array(whole, chunks=chunks_of(whole.shape, len(shape)), name=False)
-
-    order, signs, events = (spaced(values) for values in (tracked.order, tracked.signs, tracked.events))
-    found = {}
-    for name in ("frequency", "in_plane", "out_of_plane"):
-        found[name] = _each(_reordered, fields[name].dtype, fields[name], order)
-    for name in ("platform_shape", "shape"):
-        if name in fields:
-            places, factors = order[..., None], signs[..., None]
-            found[name] = _each(_reordered, fields[name].dtype, fields[name], places, factors)
-    valid = codes[..., None] == 0
-    found["rank"] = _each(
-        lambda places, good: np.where(good, places + 1, 0).astype(np.int8), np.dtype(np.int8), order, valid
-    )
-    found["tracking"] = events
-    return found
-
-
-def _reordered(values: Array, places: Array, factors: Array | None = None) -> Array:
-    """Return values of modes in another order; those along a further axis are multiplied by factors."""
-    if factors is None:
-        return np.take_along_axis(values, places, axis=-1)
-    return np.take_along_axis(values, places, axis=-2) * factors
 
 
 def imported() -> Any:

@@ -137,19 +137,23 @@ def map_of(
     if tracked:
         _check_trackable(plan)
     sizes = tails(model.robot, layout)
-    if target is None:
-        store = _in_memory(plan, sizes)
+
+    def computed(store: InMemory | OnDisk) -> xarray.Dataset:
         _fill(plan, store, number, scheduler, progress)
-        return _dataset(plan, store, shapes, tracked)
+        if not (store.arrays["code"][:] == 0).any():
+            store.remove()
+            _refuse_outside(plan)
+        found = track_plan(plan, store.arrays) if tracked else None
+        wanted = replace(layout, shapes=shapes)
+        return dataset_of(model.robot, places, variants, wanted, store.arrays, found)
+
+    if target is None:
+        return computed(_in_memory(plan, sizes))
     folder = target.path.with_name(target.path.name + SUFFIX)
     with locked(folder):
         on_disk = OnDisk(folder, plan.record, plan.rows, plan.number, sizes)
         try:
-            _fill(plan, on_disk, number, scheduler, progress)
-            if not (on_disk.arrays["code"][:] == 0).any():
-                on_disk.remove()
-                _refuse_outside(plan)
-            dataset = _dataset(plan, on_disk, shapes, tracked)
+            dataset = computed(on_disk)
             target.write(dataset, folder)
             kept: xarray.Dataset | None = dataset.load() if target.is_table else None
             on_disk.remove()
@@ -166,14 +170,6 @@ def _in_memory(plan: Plan, sizes: Tails) -> InMemory:
         raise PkmodesError(
             what, "map", "write it to a file with out (--out), or make the grid coarser"
         ) from None
-
-
-def _dataset(plan: Plan, store: InMemory | OnDisk, shapes: bool, tracked: bool) -> xarray.Dataset:
-    if not (store.arrays["code"][:] == 0).any():
-        _refuse_outside(plan)
-    found = track_plan(plan, store.arrays) if tracked else None
-    layout = replace(plan.layout, shapes=shapes)
-    return dataset_of(plan.model.robot, plan.places, plan.variants, layout, store.arrays, found)
 
 
 def _fill(

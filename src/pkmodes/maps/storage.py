@@ -86,6 +86,10 @@ class InMemory:
         """Record that the rows of a task are stored."""
         self.done[number] = True
 
+    def remove(self) -> None:
+        """Forget the arrays."""
+        self.arrays = {}
+
 
 class OnDisk:
     """Arrays in a folder.

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.maps.dataset import chunks_of
+from pkmodes.maps.fields import chunks_of
 
 if TYPE_CHECKING:
     import xarray

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -66,11 +66,7 @@ class Plane:
             If it has not exactly two axes of poses with several values.
         """
         leading = [str(dim) for dim in dataset["frequency"].dims[:-1]]
-        several = [dim for dim in leading if dataset.sizes[dim] > 1 and dim in components]
-        if len(several) != 2 or any(dataset.sizes[dim] > 1 for dim in leading if dim not in several):
-            found = ", ".join(f"{dim}: {dataset.sizes[dim]}" for dim in leading)
-            what = f"expected a map over two components of the pose, found {found}"
-            raise PkmodesError(what, "map", "give one value for the third component: z=-0.245")
+        several = plane_axes({dim: dataset.sizes[dim] for dim in leading}, components, "map")
         single = [dim for dim in leading if dim not in several]
         normal = next((dim for dim in single if dim in components), None)
         extent = {dim: float(np.ptp(dataset[dim].values)) for dim in several}
@@ -141,6 +137,32 @@ class Plane:
         axes.set_xlabel(self.label(self.across) if bottom else "")
         axes.set_ylabel(self.label(self.along) if left else "")
         axes.tick_params(labelleft=left, labelbottom=bottom)
+
+
+def plane_axes(sizes: Mapping[str, int], components: Sequence[str], place: str) -> list[str]:
+    """Return the two axes of a plane: they are components of the pose, and any other axis has one value.
+
+    Parameters
+    ----------
+    sizes : mapping of str to int
+        Number of values along each axis of poses and parameters.
+    components : sequence of str
+        Components of a pose.
+    place : str
+        What an error names as its place.
+
+    Raises
+    ------
+    PkmodesError
+        If the axes do not make a plane.
+    """
+    several = [name for name, size in sizes.items() if size > 1]
+    if len(several) != 2 or not set(several) <= set(components):
+        found = ", ".join(f"{name}: {size}" for name, size in sizes.items())
+        what = f"expected a map over two components of the pose, found {found}"
+        remedy = f"give several values for two of {', '.join(components)}, and one for everything else"
+        raise PkmodesError(what, place, remedy)
+    return several
 
 
 def where(plane: Plane) -> str:

@@ -212,9 +212,7 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Block]:
 def _plane_of(model: Model, dataset: xarray.Dataset) -> Grid | None:
     """Return the plane of a map, thinned out where it is finer than a picture; None for other maps."""
     names = [component.name for component in model.kind.pose]
-    if any(name not in dataset.sizes for name in names):
-        return None
-    if sum(dataset.sizes[name] > 1 for name in names) != 2:
+    if sum(dataset.sizes.get(name, 1) > 1 for name in names) != 2:  # a list of poses has one axis, "pose"
         return None
     steps = {name: -(-dataset.sizes[name] // FINEST) for name in names}
     return Grid({name: dataset[name].values[:: steps[name]] for name in names})

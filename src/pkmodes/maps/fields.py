@@ -1,0 +1,102 @@
+"""The fields of a map with its axes, from the rows that were computed: in memory, or as Dask arrays if stored."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.maps.storage import Stored
+from pkmodes.maps.tracking import Tracked
+
+Array = NDArray[Any]
+#: Poses of a stored map that are read and written together.
+CHUNK = 16_384
+
+
+def fields_of(
+    arrays: Mapping[str, Any], shape: tuple[int, ...], reasons: Array, tracked: Tracked | None = None
+) -> dict[str, Any]:
+    """Return the fields of a map.
+
+    Parameters
+    ----------
+    arrays : mapping of str to ndarray or Stored, shape (rows, ...)
+        The fields of `pkmodes.maps.evaluating.tails`; stored ones become Dask arrays, so that a map can be written
+        without having it in memory.
+    shape : tuple of int
+        Of the map; rows are in C order.
+    reasons : ndarray of str
+        By code.
+    tracked : Tracked, optional
+        Modes by shape instead of by rank.
+    """
+    found = {name: _spaced(arrays[name], shape) for name in arrays}
+    codes = found.pop("code")
+    found["valid"] = _each(lambda part: part == 0, np.dtype(bool), codes)
+    found["reason"] = _each(reasons.__getitem__, reasons.dtype, codes)
+    return found if tracked is None else found | _tracked(found, tracked, shape)
+
+
+def chunks_of(shape: tuple[int, ...], leading: int) -> tuple[int, ...]:
+    """Return the size of the parts of a field: all values at about `CHUNK` poses next to each other."""
+    found, left = list(shape), CHUNK
+    for axis in reversed(range(leading)):
+        found[axis] = min(shape[axis], max(left, 1))
+        left //= shape[axis]
+    return tuple(found)
+
+
+def _spaced(values: Any, shape: tuple[int, ...]) -> Any:
+    """Return a field with the leading axes of the map."""
+    whole = values.reshape(*shape, *values.shape[1:])
+    return _lazy(whole, shape) if isinstance(whole, Stored) else whole
+
+
+def _lazy(whole: Any, shape: tuple[int, ...]) -> Any:
+    from dask.array import from_array
+
+    return from_array(whole, chunks=chunks_of(whole.shape, len(shape)), name=False)
+
+
+def _each(function: Callable[..., Array], dtype: np.dtype[Any], *fields: Any) -> Any:
+    """Apply a function to fields, part by part if they are stored."""
+    if isinstance(fields[0], np.ndarray):
+        return function(*fields)
+    from dask.array import map_blocks
+
+    like = max(fields, key=lambda field: field.ndim)
+    return map_blocks(
+        function, *fields, dtype=dtype, chunks=like.chunks, meta=np.empty((0,) * like.ndim, dtype)
+    )
+
+
+def _tracked(fields: Mapping[str, Any], tracked: Tracked, shape: tuple[int, ...]) -> dict[str, Any]:
+    """Return the fields of modes in the tracked order, and those that only a tracked map has."""
+    valid = fields["valid"][..., None]
+    order, signs, events = (
+        values.reshape(*shape, -1) for values in (tracked.order, tracked.signs, tracked.events)
+    )
+    if not isinstance(valid, np.ndarray):
+        order, signs, events = (_lazy(values, shape) for values in (order, signs, events))
+    found = {}
+    for name in ("frequency", "in_plane", "out_of_plane"):
+        found[name] = _each(_reordered, fields[name].dtype, fields[name], order)
+    for name in ("platform_shape", "shape"):
+        if name in fields:
+            places, factors = order[..., None], signs[..., None]
+            found[name] = _each(_reordered, fields[name].dtype, fields[name], places, factors)
+    found["rank"] = _each(
+        lambda places, good: np.where(good, places + 1, 0).astype(np.int8), np.dtype(np.int8), order, valid
+    )
+    found["tracking"] = events
+    return found
+
+
+def _reordered(values: Array, places: Array, factors: Array | None = None) -> Array:
+    """Return values of modes in another order; those along a further axis are multiplied by factors."""
+    if factors is None:
+        return np.take_along_axis(values, places, axis=-1)
+    return np.take_along_axis(values, places, axis=-2) * factors
