@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import importlib.util
+import importlib
 import re
-import sys
 from pathlib import Path
 
 import pytest
@@ -12,16 +11,12 @@ import pytest
 from documentation import same
 
 ROOT = Path(__file__).parents[1]
-PATH = ROOT / "docs/studies/published_figures/claims.py"
+STUDY = ROOT / "docs/studies/published_figures"
 
 
-def test_the_table_of_the_page_is_what_the_study_finds() -> None:
-    spec = importlib.util.spec_from_file_location("published_figure_claims", PATH)
-    assert spec is not None
-    assert spec.loader is not None
-    claims = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = claims
-    spec.loader.exec_module(claims)
+def test_the_table_of_the_page_is_what_the_study_finds(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(STUDY)
+    claims = importlib.import_module("claims")
     page = (ROOT / "docs/figures.md").read_text(encoding="utf-8")
     (shown,) = re.findall(re.escape(claims.BEGIN) + r"\n(.*?)" + re.escape(claims.END), page, re.S)
     found = claims.table()
