@@ -21,6 +21,9 @@ MODULES = {
     "pkmodes": (),
     "pkmodes.updating": (),
     "pkmodes.diagnosis": (),
+    "pkmodes.figures": (),
+    "pkmodes.view": (),
+    "pkmodes.report": (),
     "pkmodes.mechanism": ("add_folder", "mechanism", "names"),  # the rest is for the runtime
 }
 #: Format, summaries, parameters, results and exceptions.  An extended summary, an example and See Also are not asked

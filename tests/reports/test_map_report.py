@@ -14,7 +14,7 @@ import pytest
 import pkmodes
 from browser import opened
 from pkmodes.cli import run
-from pkmodes.report.map import map_page
+from pkmodes.report.map import map_report
 from pkmodes.robot.reading import robot_from_document
 
 PLANE = ["--grid", "x=0.3:0.9:13,y=-0.1:0.1:9,z=-0.245"]
@@ -69,11 +69,11 @@ def test_sweeps_samples_and_poses_have_their_sections() -> None:
     model = pkmodes.load("examples/closed_loop/robot.toml")
     poses = np.array([[0.6, 0.0, -0.245], [0.5, 0.02, -0.245], [0.7, 0.0, -0.24]])
     dataset = model.map(poses, sweep={"carriage.mass": [1.0, 1.5]}, samples=4)
-    text = map_page(model, dataset)
+    text = map_report(model, dataset)
     for section in ("Swept parameters", "Sampled robots", "Along the poses", "Over the working plane"):
         assert f">{section}</h2>" in text, section
     assert "platform.mass" in text
-    assert text == map_page(model, dataset)
+    assert text == map_report(model, dataset)
 
 
 def test_a_hostile_name_is_harmless() -> None:
@@ -81,6 +81,6 @@ def test_a_hostile_name_is_harmless() -> None:
     text = Path("robots/corexy-printer.toml").read_text(encoding="utf-8")
     text = re.sub(r"^name = .*$", f"name = '{name}'", text, flags=re.M)
     model = pkmodes.Model(robot_from_document(tomllib.loads(text), "hostile.toml"))
-    page = map_page(model, model.map({"x": [0.1, 0.2], "y": [0.1, 0.2]}))
+    page = map_report(model, model.map({"x": [0.1, 0.2], "y": [0.1, 0.2]}))
     assert "<img src=x" not in page
     assert "<script>alert" not in page

@@ -161,10 +161,10 @@ def map_(
 def _write_report(
     target: Path, model: Model, dataset: Dataset, content: dict[str, Any], sources: tuple[Source, ...]
 ) -> None:
-    from pkmodes.report.map import map_page
+    from pkmodes.report.map import map_report
     from pkmodes.report.three import view_of
 
-    write_file(target, map_page(model, dataset, content, sources, view_of(model)))
+    write_file(target, map_report(model, dataset, content, sources, view_of(model)))
 
 
 def _places(model: Model, grid: str | None, poses: Path | None) -> Any:

@@ -26,15 +26,18 @@ def write_pictures(
     Parameters
     ----------
     model : Model
+        The robot.
     folder : Path
         Created if it does not exist.
     grid : mapping of str to array_like, optional
         As for `pictures`.
     formats : sequence of {"svg", "png", "pdf"}
+        Each figure is written in all of them.
 
     Returns
     -------
     list of Path
+        The files.
 
     Raises
     ------

@@ -55,8 +55,15 @@ def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
     Parameters
     ----------
     model : Model
+        The robot.
     grid : mapping of str to array_like, optional
-        Two components of the pose with several values, the others with one; by default from `working_plane`.
+        Two components of the pose with several values, the others with one; by default from
+        `working_plane`.
+
+    Yields
+    ------
+    Picture
+        A figure with its title and description.
 
     Raises
     ------

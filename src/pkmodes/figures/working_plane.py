@@ -25,6 +25,7 @@ def working_plane(model: Model) -> Grid:
     Parameters
     ----------
     model : Model
+        The robot.
 
     Returns
     -------

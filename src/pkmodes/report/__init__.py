@@ -1,10 +1,13 @@
-"""Reports: one self-contained HTML page for a diagnosis or a comparison.
+"""Reports: one self-contained HTML page for a diagnosis, a comparison or a map.
 
-`report` makes the page; `Source` names an input file by its content.  docs/report.md says what a page contains.
-`pkmodes.report.page.page` makes other pages from `pkmodes.report.blocks`.
+`report` and `map_report` make the page; `view_of_result` and `view_of` the view in three dimensions inside it;
+`Source` names an input file by its content.  docs/report.md says what a page contains.  `pkmodes.report.page.page`
+makes other pages from `pkmodes.report.blocks`.
 """
 
 from pkmodes.report.making import report
+from pkmodes.report.map import map_report
 from pkmodes.report.sources import Source
+from pkmodes.report.three import view_of, view_of_result
 
-__all__ = ["Source", "report"]
+__all__ = ["Source", "map_report", "report", "view_of", "view_of_result"]

@@ -27,14 +27,14 @@ def report(
     sources: Sequence[Source] | None = None,
     view: str | None = None,
 ) -> str:
-    """Return a report as one HTML page that needs no other file and no network.
+    """Return the report of a diagnosis or a comparison.
 
     The same result always gives the same text.
 
     Parameters
     ----------
     result : Diagnosis or Comparison
-        From `pkmodes.updating` or `pkmodes.diagnosis`.
+        From ``pkmodes.updating`` or ``pkmodes.diagnosis``.
     robot : Robot or Model, optional
         The robot, for its name, units, and the correction of its file.
     data : Measurements, optional
@@ -44,7 +44,12 @@ def report(
     sources : sequence of Source, optional
         The input files, by default those that the robot and the measurements were read from.
     view : str, optional
-        HTML of a view in three dimensions, which is placed as it is.
+        HTML of a view in three dimensions, from `view_of_result`; by default there is none.
+
+    Returns
+    -------
+    str
+        HTML that needs no other file and no network.
 
     Raises
     ------

@@ -40,26 +40,32 @@ if TYPE_CHECKING:
 FINEST = 150
 
 
-def map_page(
+def map_report(
     model: Model,
     dataset: xarray.Dataset,
     content: dict[str, Any] | None = None,
     sources: Sequence[Source] | None = None,
     view: str | None = None,
 ) -> str:
-    """Return the report of a map as HTML.
+    """Return the report of a map.
 
     Parameters
     ----------
     model : Model
+        The robot as declared.
     dataset : xarray.Dataset
         From `pkmodes.Model.map` of this model.
     content : dict, optional
-        The summary of the map, from `pkmodes.maps.summary.summary_of`.
+        The summary of the map, from ``pkmodes.maps.summary.summary_of``.
     sources : sequence of Source, optional
         The input files as they were read; by default the robot file as it is now.
     view : str, optional
-        HTML of a view in three dimensions, which is placed as it is.
+        HTML of a view in three dimensions, from `view_of`; by default there is none.
+
+    Returns
+    -------
+    str
+        HTML that needs no other file and no network.
 
     Raises
     ------

@@ -32,6 +32,18 @@ class Source:
     def of(cls, role: str, path: Path) -> Source:
         """Read a file.
 
+        Parameters
+        ----------
+        role : str
+            What it is, such as "robot file".
+        path : Path
+            Where it is.
+
+        Returns
+        -------
+        Source
+            With its name and the digest of its content.
+
         Raises
         ------
         PkmodesError

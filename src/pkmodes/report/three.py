@@ -27,6 +27,7 @@ def view_of(model: Model, poses: ArrayLike | None = None) -> str | None:
     Parameters
     ----------
     model : Model
+        The robot.
     poses : array_like, shape (N, d), optional
         By default a grid over the workspace.
 
@@ -55,9 +56,16 @@ def view_of_result(result: Diagnosis | Comparison, robot: Robot, points: NDArray
     Parameters
     ----------
     result : Diagnosis or Comparison
+        From ``pkmodes.updating``.
     robot : Robot
         As declared.
     points : ndarray, shape (N, d)
+        The measured poses, ``Measurements.points``.
+
+    Returns
+    -------
+    str or None
+        As for `view_of`.
     """
     if isinstance(result, Diagnosis) and result.effects:
         with suppress(PkmodesError):  # a cause that no robot file can hold

@@ -24,6 +24,16 @@ ICON = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg'/%3E"
 def page(scene: Scene) -> str:
     """Return a self-contained HTML page that shows a scene.
 
+    Parameters
+    ----------
+    scene : Scene
+        From `scene` or `poses_around`.
+
+    Returns
+    -------
+    str
+        HTML that needs no other file and no network.
+
     Examples
     --------
     >>> import pkmodes
@@ -63,7 +73,13 @@ give are drawn schematically.</p>
 
 
 def assets() -> str:
-    """Return the style and the program that the viewers of a page share; place it once, after the last of them."""
+    """Return the style and the program that the viewers of a page share.
+
+    Returns
+    -------
+    str
+        HTML; place it once, after the last viewer.
+    """
     library = _read("vendor", "three.min.js")
     licence = _read("vendor", "LICENSE").strip()
     program = "\n".join(_read("browser", name) for name in PROGRAM)
@@ -80,8 +96,14 @@ def fragment(scene: Scene, name: str = "robot") -> str:
     Parameters
     ----------
     scene : Scene
+        From `scene` or `poses_around`.
     name : str
         Prefix of the identifiers in the fragment; different for each viewer of a page.
+
+    Returns
+    -------
+    str
+        HTML.
     """
     key = escape(name)
     data = embedded(as_data(scene))

@@ -23,7 +23,17 @@ SEEDS = 200
 
 
 def typical_pose(model: Model) -> Array:
-    """Return a pose well inside the workspace, (d,): in its middle or lower half, on the branch that hangs lower.
+    """Return a pose well inside the workspace.
+
+    Parameters
+    ----------
+    model : Model
+        The robot.
+
+    Returns
+    -------
+    ndarray, shape (d,)
+        In the middle of the workspace or its lower half, on the assembly branch that hangs lower.
 
     Raises
     ------
@@ -52,8 +62,14 @@ def poses_around(model: Model, pose: ArrayLike) -> Scene:
     Parameters
     ----------
     model : Model
+        The robot.
     pose : array_like, shape (d,)
         The pose to show first.
+
+    Returns
+    -------
+    Scene
+        With its `levels`, `places` and `workspace`.
 
     Raises
     ------

@@ -105,12 +105,38 @@ class Scene:
         return found
 
     def displacements(self, pose: int, mode: int) -> Array:
-        """Return the displacements of the points in a mode, for the mass-normalised shape, (P, 3) [m]."""
+        """Return the displacements of the points in a mode.
+
+        Parameters
+        ----------
+        pose : int
+            Index of the pose.
+        mode : int
+            Index of the mode, rigid-body modes included.
+
+        Returns
+        -------
+        ndarray, shape (P, 3)
+            For the mass-normalised shape [m].
+        """
         moved: Array = self.motions[pose] @ self.shapes[pose, mode]
         return moved[self.motions_of]
 
     def scale(self, pose: int, mode: int) -> float:
-        """Return the factor that makes the largest displacement of the mode 1 m, rims of turning wheels included."""
+        """Return the factor that makes the largest displacement of a mode 1 m.
+
+        Parameters
+        ----------
+        pose : int
+            Index of the pose.
+        mode : int
+            Index of the mode, rigid-body modes included.
+
+        Returns
+        -------
+        float
+            The rims of turning wheels count, too; 0 if nothing moves.
+        """
         largest = float(np.linalg.norm(self.displacements(pose, mode), axis=-1).max())
         for element in self.elements:
             if element.turns:
@@ -170,10 +196,16 @@ def scene(model: Model, poses: ArrayLike, chosen: int = 0) -> Scene:
     Parameters
     ----------
     model : Model
+        The robot.
     poses : array_like, shape (d,) or (N, d)
         In SI units.
     chosen : int
         Index of the pose to show first.
+
+    Returns
+    -------
+    Scene
+        At these poses.
 
     Raises
     ------
