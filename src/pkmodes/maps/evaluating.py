@@ -4,15 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
+from hashlib import sha256
+from pathlib import Path
+from socket import gethostname
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.dynamics import Dynamics
+from pkmodes.errors import PkmodesError
 from pkmodes.evaluation import evaluation
 from pkmodes.generated import Generated
 from pkmodes.kinematics import condition_number
+from pkmodes.mechanism import Mechanism
 from pkmodes.poses import CHUNK
 from pkmodes.results import JOINTS
 from pkmodes.robot.robot import Robot
@@ -50,6 +56,8 @@ class Task:
     ----------
     pieces : tuple of (Robot, ndarray of shape (N, d))
         Robots, and the poses of each.
+    code : str
+        Hash of the generated code, from `code_of`.
     max_condition : float
         As for `pkmodes.Model`.
     normal : str or None
@@ -58,9 +66,17 @@ class Task:
     """
 
     pieces: tuple[tuple[Robot, Array], ...]
+    code: str
     max_condition: float
     normal: str | None
     layout: Layout
+
+
+@cache
+def code_of(kind: Mechanism) -> str:
+    """Return a hash of the generated code of a mechanism, which may differ between two runs or machines."""
+    files = (Path(str(module.__file__)) for module in (kind.model, kind.extended))
+    return sha256(b"\0".join(path.read_bytes() for path in files)).hexdigest()
 
 
 def tails(robot: Robot, layout: Layout) -> dict[str, tuple[tuple[int, ...], str]]:
@@ -100,7 +116,18 @@ def evaluate(task: Task) -> dict[str, Array]:
     -------
     dict of str to ndarray, shape (rows, ...)
         As in `tails`; ``code`` indexes `pkmodes.poses.codes_of`.
+
+    Raises
+    ------
+    PkmodesError
+        If the generated code here is not that of the task.
     """
+    kind = task.pieces[0][0].kind
+    if code_of(kind) != task.code:
+        what = f"the generated code of {kind.name} differs from that of the map"
+        raise PkmodesError(
+            what, gethostname(), "generate it there with the same pkmodes, and restart the worker"
+        )
     parts = [_piece(*piece, task) for piece in task.pieces]
     if len(parts) == 1:
         return parts[0]

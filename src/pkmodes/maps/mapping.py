@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from hashlib import sha256
 from math import prod
 from os import PathLike
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
@@ -19,7 +18,7 @@ from pkmodes.dynamics import Dynamics
 from pkmodes.errors import PkmodesError
 from pkmodes.evaluation import evaluation
 from pkmodes.maps.dataset import dataset_of, imported
-from pkmodes.maps.evaluating import Layout, Task, layout_of, tails
+from pkmodes.maps.evaluating import Layout, Task, code_of, layout_of, tails
 from pkmodes.maps.files import Target
 from pkmodes.maps.locking import locked
 from pkmodes.maps.places import Grid, Places, places_of
@@ -82,7 +81,8 @@ class Plan:
         for robot in range(rows.start // size, -(-rows.stop // size)):
             first, last = max(rows.start - robot * size, 0), min(rows.stop - robot * size, size)
             pieces.append((self.variants.robots[robot], self.places.points(np.arange(first, last))))
-        return Task(tuple(pieces), self.model.max_condition, self.normal, self.layout)
+        kind = self.model.kind
+        return Task(tuple(pieces), code_of(kind), self.model.max_condition, self.normal, self.layout)
 
     @property
     def normal(self) -> str | None:
@@ -96,7 +96,7 @@ class Plan:
         table = {name: v.tolist() for name, v in places.axes.items()} if isinstance(places, Grid) else None
         return {
             "version": pkmodes.__version__,
-            "mechanism": _fingerprint(self.model),
+            "mechanism": code_of(self.model.kind),
             "robot": text_of(self.model.robot),
             "largest condition number": self.model.max_condition,
             "grid": table,
@@ -196,12 +196,6 @@ def _fill(
         progress(done, plan.rows)
     if not store.done.all():
         run(tasks(), put, finish, threads, scheduler)
-
-
-def _fingerprint(model: Dynamics) -> str:
-    """Return a hash of the generated code, which a user may generate anew between two runs."""
-    files = (Path(str(module.__file__)) for module in (model.kind.model, model.kind.extended))
-    return sha256(b"\0".join(path.read_bytes() for path in files)).hexdigest()
 
 
 def _refuse_outside(plan: Plan) -> NoReturn:
