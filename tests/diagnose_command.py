@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import os
 import re
 import tomllib
 from collections.abc import Mapping
@@ -108,6 +109,14 @@ def write(folder: Path, text: str, name: str) -> Path:
     path = folder / name
     path.write_bytes(text.encode("utf-8"))
     return path
+
+
+def unwritable(folder: Path, name: str) -> Path:
+    """Return a place at which no file can be written."""
+    if os.geteuid() == 0:
+        return Path("/proc") / name  # nobody can make a file there
+    (folder / "locked").mkdir(mode=0o500)
+    return folder / "locked" / name
 
 
 def files(folder: Path, robot: str = PUBLISHED, modes: str | None = None) -> tuple[Path, Path]:

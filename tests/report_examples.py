@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cache, partial
 from pathlib import Path
 
 import numpy as np
-import pytest
 
-from diagnose_command import UNEQUAL, WIND_UP, bare, csv_of, files, measured, rows_of
+from diagnose_command import files
 from pkmodes import read_robot, updating
-from pkmodes.diagnosis import Criteria, Diagnosis, Measurements
+from pkmodes.diagnosis import Diagnosis, Measurements
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.verdict.result import (
     Corrected,
@@ -23,8 +21,8 @@ from pkmodes.diagnosis.verdict.result import (
     Value,
 )
 from pkmodes.robot.robot import Robot
+from verdict_examples import given, judged
 
-VERDICTS = ("adequate", "effect_found", "ambiguous", "unexplained", "insufficient_data")
 #: Text that a careless page would execute, obey or be torn apart by.
 HOSTILE = (
     '<script>document.title = "hacked"</script>',
@@ -42,30 +40,13 @@ HOSTILE = (
 )
 
 
-@cache
-def given(verdict: str) -> tuple[str, str]:
-    """Return measurements that lead to a verdict, and the candidates to try."""
-    return {
-        "adequate": (measured(), "payload,belt_mass"),
-        "effect_found": (measured(poses=7, effects=WIND_UP), "gearbox_compliance,payload"),
-        "ambiguous": (
-            measured(poses=3, shapes=(), effects={"gearbox_compliance.compliance": 1.5e-4}),
-            "gearbox_compliance,clamp_compliance,belt_end_compliance",
-        ),
-        "unexplained": (measured(poses=2, effects=UNEQUAL), "payload"),
-        "insufficient_data": (csv_of(bare(rows_of(measured())[:2])), "payload"),
-    }[verdict]
-
-
 def diagnosed(verdict: str, folder: Path) -> tuple[Diagnosis, Robot, Measurements]:
     """Return a diagnosis with a verdict, and what it was made from."""
     modes, candidates = given(verdict)
     robot_file, modes_file = files(folder, modes=modes)
     robot = read_robot(robot_file)
     data = updating.read(modes_file, None, robot)
-    with pytest.MonkeyPatch.context() as patch:
-        if verdict == "ambiguous":  # nothing is one class: whatever survives is a rival
-            patch.setattr("pkmodes.diagnosis.fit.fitter.Criteria", partial(Criteria, told_apart=0.0))
+    with judged(verdict):
         result = updating.diagnose(robot, data, candidates=candidates.split(","))
     assert result.verdict == verdict
     return result, robot, data

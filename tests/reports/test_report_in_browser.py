@@ -12,7 +12,8 @@ from page_reading import read
 from pkmodes import updating
 from pkmodes.cli import run
 from pkmodes.report import report
-from report_examples import HOSTILE, VERDICTS, diagnosed, made_up
+from report_examples import HOSTILE, diagnosed, made_up
+from verdict_examples import VERDICTS
 
 ROOT = Path(__file__).parents[2]
 LOOP = [str(ROOT / "examples" / "closed_loop" / name) for name in ("robot.toml", "measured.csv")]

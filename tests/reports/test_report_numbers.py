@@ -18,7 +18,8 @@ from pkmodes.cli import run
 from pkmodes.diagnosis import Comparison, Diagnosis, Measurements
 from pkmodes.report import report
 from pkmodes.robot.robot import Robot
-from report_examples import VERDICTS, diagnosed, made_up
+from report_examples import diagnosed, made_up
+from verdict_examples import VERDICTS
 
 ROOT = Path(__file__).parents[2]
 LOOP = [ROOT / "examples" / "closed_loop" / name for name in ("robot.toml", "measured.csv")]

@@ -12,6 +12,7 @@ from typing import get_args, get_type_hints
 
 import pytest
 
+from diagnose_command import unwritable
 from pkmodes import read_robot, updating
 from pkmodes.cli import run, verdicts
 from pkmodes.diagnosis import Diagnosis
@@ -95,11 +96,7 @@ def diagnosed(found: Diagnosis, monkeypatch: pytest.MonkeyPatch) -> Diagnosis:
 def test_what_cannot_be_saved_does_not_take_the_answer_along(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    if os.geteuid() == 0:
-        target = Path("/proc/saved.toml")  # nobody can make a file there
-    else:
-        (tmp_path / "locked").mkdir(mode=0o500)
-        target = tmp_path / "locked" / "saved.toml"
+    target = unwritable(tmp_path, "saved.toml")
     out = tmp_path / "result.json"
     assert run([*DIAGNOSE, "--save-robot", str(target), "--json", str(out)]) == 2
     captured = capsys.readouterr()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
@@ -11,8 +10,6 @@ import pytest
 
 import pkmodes
 from diagnose_command import (
-    UNEQUAL,
-    WIND_UP,
     Answer,
     bare,
     call,
@@ -23,9 +20,7 @@ from diagnose_command import (
     rows_of,
     write,
 )
-from pkmodes.diagnosis import Criteria
-
-VERDICTS = ("adequate", "effect_found", "ambiguous", "unexplained", "insufficient_data")
+from verdict_examples import VERDICTS, given, judged
 
 
 class Verdict(NamedTuple):
@@ -39,22 +34,11 @@ class Verdict(NamedTuple):
 @pytest.fixture(scope="module", params=VERDICTS)
 def verdict(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Verdict:
     """Each verdict once, with its JSON on standard output and a saved robot."""
-    modes, candidates = {
-        "adequate": (measured(), "payload,belt_mass"),
-        "effect_found": (measured(poses=7, effects=WIND_UP), "gearbox_compliance,payload"),
-        "ambiguous": (
-            measured(poses=3, shapes=(), effects={"gearbox_compliance.compliance": 1.5e-4}),
-            "gearbox_compliance,clamp_compliance,belt_end_compliance",
-        ),
-        "unexplained": (measured(poses=2, effects=UNEQUAL), "payload"),
-        "insufficient_data": (csv_of(bare(rows_of(measured())[:2])), "payload"),
-    }[request.param]
+    modes, candidates = given(request.param)
     folder = tmp_path_factory.mktemp(request.param)
     inputs = files(folder, modes=modes)
     saved = write(folder, "what was here before", "saved.toml")
-    with pytest.MonkeyPatch.context() as patch:
-        if request.param == "ambiguous":  # nothing is one class: whatever survives is a rival
-            patch.setattr("pkmodes.diagnosis.fit.fitter.Criteria", partial(Criteria, told_apart=0.0))
+    with judged(request.param):
         answer = call(*inputs, "--candidates", candidates, "--json", "-", "--save-robot", saved)
     assert answer.json["verdict"] == request.param
     return Verdict(answer, saved, inputs)

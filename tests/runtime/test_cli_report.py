@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import json
-import os
 import sys
 from pathlib import Path
 
 import pytest
 
+from diagnose_command import unwritable
 from pkmodes import read_robot, updating
 from pkmodes.cli import run
 from pkmodes.diagnosis import Diagnosis
@@ -76,11 +76,7 @@ def test_an_older_report_is_replaced_and_the_same_result_gives_the_same_bytes(tm
 def test_a_report_that_cannot_be_written_does_not_take_the_rest_along(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    if os.geteuid() == 0:
-        target = Path("/proc/report.html")  # nobody can make a file there
-    else:
-        (tmp_path / "locked").mkdir(mode=0o500)
-        target = tmp_path / "locked" / "report.html"
+    target = unwritable(tmp_path, "report.html")
     out = tmp_path / "result.json"
     assert run([*DIAGNOSE, "--json", str(out), "--report", str(target)]) == 2
     captured = capsys.readouterr()
