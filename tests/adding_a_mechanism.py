@@ -17,6 +17,8 @@ DEFINITION, MEASURING, IN_PYTHON = (
 ROBOT, _ = (text for language, text in BLOCKS if language == "toml")
 SHOWN = [text for _, text in BLOCKS if text.startswith("pick-and-place")]
 COMMANDS = [line.split()[1:] for line in PAGE.splitlines() if line.startswith("pkmodes ")]
+#: Where its commands evaluate the robot.
+POSE = np.array([0.03, -0.42])
 #: The robot of the page, by hand.
 DECLARED = FiveBar(
     tool=0.3,

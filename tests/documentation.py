@@ -45,7 +45,7 @@ ELSEWHERE = {
         '#include "linear_delta_2022.h"',
     ): "part of a program; docs/using-the-c-code.md has a whole one",
     ("README.md", "import linear_delta_2022"): "tests/test_documentation.py",
-    ("docs/adding-a-mechanism.md", ""): "tests/runtime/test_own_mechanism.py",
+    ("docs/adding-a-mechanism.md", ""): "tests/runtime/own_mechanism/test_page.py",
     ("docs/adding-an-effect.md", ""): "tests/effects/test_adding_an_effect.py",
     ("docs/generated-code.md", "cc -std=c99 -O2 -DPKMODES_FLOAT"): "my_robot.c stands for any robot's",
     (

@@ -101,6 +101,8 @@ def logs_measured(
 
 
 MASS, STIFFNESS = 20.0, 4.0e5
+#: Two setups of a frame: mass on its roof [kg].
+LOADS = {"empty": 0.0, "loaded": 5.0}
 
 
 def frame_matrices(storeys: int, loads: Mapping[str, float], unit: float = 1.0) -> Callable:

@@ -78,7 +78,7 @@ def test_the_commands_of_the_readme_work_in_a_clean_clone_and_print_what_it_show
         *["modes", "sensitivities", "map", "show", "figures", "generate", "check", "compare", "diagnose"]
     ]
     for words in commands:
-        # tests/runtime/test_generate_and_check.py, tests/figures/test_files.py
+        # tests/runtime/test_generate.py and test_check_out_of_date.py, tests/figures/test_files.py
         if words[1] in ("generate", "check", "figures"):
             continue
         assert run(words[1:]) == 0

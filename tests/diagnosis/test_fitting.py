@@ -1,8 +1,6 @@
-"""Fits of hypotheses against textbook least squares, likelihoods and chi-square."""
+"""Fits of hypotheses against textbook least squares and chi-square."""
 
 from __future__ import annotations
-
-from collections.abc import Sequence
 
 import numpy as np
 import pytest
@@ -13,55 +11,21 @@ from scipy.optimize import minimize_scalar
 from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
 from pkmodes.diagnosis.fit.cross_validation import left_out
 from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
-from small_structures import LogLinear, frame, frame_measured, log_linear, logs_measured
-
-SIGMA = 0.002
-
-#: Two nuisances, and two causes that are fitted freely.
-PARAMETERS = (
-    Parameter("n1", 0.3, sigma=0.05),
-    Parameter("n2", -1.0, sigma=0.002),
-    Parameter("u", 0.0),
-    Parameter("v", 0.5),
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from small_structures import LogLinear, logs_measured
+from textbook_fits import (
+    BOTH,
+    CAUSES,
+    DECLARED,
+    PARAMETERS,
+    PRIORS,
+    SIGMA,
+    TRUE,
+    fitted,
+    least_squares,
+    simulated,
+    structure,
 )
-CAUSES = (Candidate("u", ("u",)), Candidate("v", ("v",)))
-DECLARED = np.array([p.value for p in PARAMETERS])
-PRIORS = np.array([0.05, 0.002])
-
-
-def structure(seed: int, setups: int = 5, modes: int = 4, **options: bool) -> LogLinear:
-    found = log_linear(np.random.default_rng(seed), setups, modes, PARAMETERS, CAUSES, **options)
-    found.G *= 0.02  # changes of some per cent, so that no mode is mistaken for another
-    return found
-
-
-def simulated(model: LogLinear, values: np.ndarray, seed: int, tau: float = 0.0) -> np.ndarray:
-    rng = np.random.default_rng([seed, 1])
-    y = model.base + model.G @ values
-    return y + SIGMA * rng.standard_normal(y.shape) + tau * rng.standard_normal((len(y), 1))
-
-
-def least_squares(
-    G: np.ndarray, y: np.ndarray, V: np.ndarray, declared: np.ndarray, sigmas: Sequence[float | None]
-) -> tuple[np.ndarray, np.ndarray, float]:
-    """Generalised least squares with priors: estimates, covariance and least sum of squares."""
-    precision = np.diag([0.0 if s is None else s**-2 for s in sigmas])
-    information = G.T @ np.linalg.solve(V, G) + precision
-    covariance = np.linalg.inv(information)
-    found = covariance @ (G.T @ np.linalg.solve(V, y) + precision @ declared)
-    left, moved = y - G @ found, found - declared
-    return found, covariance, float(left @ np.linalg.solve(V, left) + moved @ precision @ moved)
-
-
-def fitted(model: LogLinear, data: Measurements, hypothesis: Hypothesis) -> Fit:
-    found = Fitter(model, data).fit(hypothesis)
-    assert found is not None
-    return found
-
-
-BOTH = Hypothesis(CAUSES)
-TRUE = np.array([0.36, -1.001, 0.4, 1.1])
 
 
 @pytest.mark.parametrize(
@@ -127,155 +91,6 @@ def test_excluded_rows_are_not_used() -> None:
     assert found.covariance == pytest.approx(covariance, rel=1e-6)
     assert found.chi2 == pytest.approx(chi2, rel=1e-6)
     assert found.residual[[6, 12]].tolist() == [0.0, 0.0]
-
-
-def shared(y: np.ndarray, tau: float) -> np.ndarray:
-    setups, modes = y.shape
-    return block_diag(*[SIGMA**2 * np.eye(modes) + tau**2] * setups)
-
-
-@pytest.mark.parametrize("tau", [0.001, 0.004, 0.02])
-def test_the_shared_error_is_the_one_of_greatest_likelihood(tau: float) -> None:
-    model = structure(3, 12, 4)
-    y = simulated(model, TRUE, 3, tau)
-    found = fitted(model, logs_measured(y, SIGMA), Hypothesis(CAUSES, scatter=True))
-    G, left = model.G.reshape(-1, 4), (y - model.base).ravel()
-
-    def deviance(log_tau: float) -> float:
-        V = shared(y, np.exp(log_tau))
-        chi2 = least_squares(G, left, V, DECLARED, [0.05, 0.002, None, None])[2]
-        return chi2 + np.linalg.slogdet(V)[1]
-
-    best = minimize_scalar(deviance, bounds=(np.log(1e-5), np.log(0.5)), method="bounded")
-    # Its standard deviation is about tau / sqrt(2 S), a fifth of it: the estimates agree far better than that.
-    assert found.scatter == pytest.approx(np.exp(best.x), rel=0.01)
-    assert found.scatter == pytest.approx(tau, rel=0.7)
-    assert found.deviance == pytest.approx(best.fun, abs=1e-3)
-    V = shared(y, found.scatter)
-    values, covariance, _ = least_squares(G, left, V, DECLARED, [0.05, 0.002, None, None])
-    assert found.values == pytest.approx(values, abs=0.02 * np.sqrt(np.diagonal(covariance).min()))
-    assert found.covariance == pytest.approx(covariance, rel=1e-6)
-
-
-@pytest.mark.parametrize("excluded", [[], [5]])
-def test_the_deviance_is_twice_the_negative_logarithm_of_the_likelihood(excluded: list[int]) -> None:
-    model = structure(4, 6, 4)
-    y = simulated(model, TRUE, 4, 0.01)
-    data = logs_measured(y, SIGMA)
-    deviances, likelihoods = [], []
-    for scatter in (False, True):
-        found = fitted(model, data, Hypothesis(CAUSES, frozenset(excluded), scatter))
-        left = y - model.base - model.G @ found.values
-        total = -2 * stats.norm.logpdf(found.values[:2], DECLARED[:2], PRIORS).sum()
-        for i, row in enumerate(left):
-            V = SIGMA**2 * np.eye(4) + found.scatter**2
-            kept = np.setdiff1d(np.arange(4), [k - 4 * i for k in excluded])
-            total -= 2 * stats.multivariate_normal.logpdf(row[kept], None, V[np.ix_(kept, kept)])
-        # An additional error absorbs the residual of an outlier; its stated error stays in the likelihood.
-        total -= len(excluded) * 2 * stats.norm.logpdf(0.0, 0.0, SIGMA)
-        deviances.append(found.deviance)
-        likelihoods.append(total)
-    constant = 24 * np.log(2 * np.pi) + np.sum(np.log(2 * np.pi * PRIORS**2))
-    assert np.array(deviances) + constant == pytest.approx(likelihoods, abs=1e-6)
-
-
-def test_without_a_shared_error_its_estimate_changes_nothing() -> None:
-    model = structure(5, 6, 4)
-    y = model.base + model.G @ TRUE  # no error at all
-    data = logs_measured(y, SIGMA)
-    with_it = fitted(model, data, Hypothesis(CAUSES, frozenset({3}), scatter=True))
-    without = fitted(model, data, Hypothesis(CAUSES, frozenset({3})))
-    assert with_it.scatter < 0.02 * SIGMA
-    assert with_it.deviance == pytest.approx(without.deviance, abs=1e-2)
-    assert with_it.covariance == pytest.approx(without.covariance, rel=1e-2)
-
-
-@pytest.mark.parametrize("scatter", [False, True])
-def test_an_uncertain_position_is_a_nuisance_of_its_setup(scatter: bool) -> None:
-    model = structure(6, 5, 4, positions=True)
-    rng = np.random.default_rng(600)
-    spread = np.array([[1e-3, 2e-3, 0.0]] * 4 + [[0.0] * 3])
-    offsets = spread * rng.standard_normal((5, 3))
-    y = simulated(model, TRUE, 6) + np.einsum("smk,sk->sm", model.B, offsets)
-    data = logs_measured(y, SIGMA, spread)
-    found = fitted(model, data, Hypothesis(CAUSES, frozenset({2}), scatter))
-    # The same with the position of each setup as parameters that have priors.
-    extra = [Parameter(f"{k} of {s}", 0.0, sigma=spread[s, k]) for s in range(4) for k in range(2)]
-    G = np.zeros((5, 4, 8))
-    for i, (s, k) in enumerate((s, k) for s in range(4) for k in range(2)):
-        G[s, :, i] = model.B[s, :, k]
-    explicit = LogLinear(model.base, np.concatenate([model.G, G], -1), [*PARAMETERS, *extra], CAUSES)
-    same = fitted(explicit, logs_measured(y, SIGMA), Hypothesis(CAUSES, frozenset({2}), scatter))
-    error = np.sqrt(np.diagonal(found.covariance))
-    assert found.values == pytest.approx(same.values[:4], abs=(0.05 if scatter else 1e-3) * error.min())
-    shown = [same.free.index(i) for i in range(4)]
-    if (
-        not scatter
-    ):  # a shared error competes with free positions for the same residual, and is estimated otherwise
-        assert found.chi2 == pytest.approx(same.chi2, rel=1e-6)
-        assert found.covariance == pytest.approx(same.covariance[np.ix_(shown, shown)], rel=1e-6)
-
-
-def test_an_uncertain_position_of_a_structure_without_positions_is_ignored() -> None:
-    data = frame_measured({"A": 0.0}, {}, np.random.default_rng(0))
-    uncertain = Measurements.from_rows(["A"] * 4, data.frequency, data.sigma, point_sigma=np.ones((4, 3)))
-    plain, other = (Fitter(frame({"A": 0.0}), d).fit(Hypothesis()) for d in (data, uncertain))
-    assert plain is not None
-    assert other is not None
-    assert other.chi2 == pytest.approx(plain.chi2)
-
-
-def bounded(lower: float, upper: float, value: float) -> tuple[LogLinear, Hypothesis]:
-    parameters = (*PARAMETERS[:2], Parameter("u", value, lower=lower, upper=upper), PARAMETERS[3])
-    model = structure(7)
-    return LogLinear(model.base, model.G, parameters, CAUSES), Hypothesis(CAUSES[:1])
-
-
-@pytest.mark.parametrize(
-    ("lower", "upper", "value", "true", "reached", "named"),
-    [
-        (0.0, np.inf, 0.0, -0.5, 0.0, ()),  # stays absent, which is no sign of a wrong cause
-        (0.0, 0.3, 0.0, 0.8, 0.3, ("u",)),
-        (-0.3, 0.0, 0.0, 0.8, 0.0, ()),
-        (-0.3, 0.3, 0.0, -0.8, -0.3, ("u",)),
-        (0.1, 3.0, 0.5, -0.8, 0.1, ("u",)),
-        (0.5, 3.0, 0.5, -0.8, 0.5, ()),
-        (0.0, 3.0, 0.5, 1.2, None, ()),
-    ],
-)
-def test_bounds_hold_and_are_named_unless_the_cause_is_absent_there(
-    lower: float, upper: float, value: float, true: float, reached: float | None, named: tuple[str, ...]
-) -> None:
-    model, hypothesis = bounded(lower, upper, value)
-    y = simulated(model, np.array([0.3, -1.0, true, 0.5]), 7)
-    found = fitted(model, logs_measured(y, SIGMA), hypothesis)
-    assert lower <= found.values[2] <= upper
-    assert found.values[2] == pytest.approx(
-        true if reached is None else reached, abs=0.1 if named == () else 1e-3
-    )
-    assert found.at_bound == named
-    if reached is not None:  # what remains is a fit of the others with u held there
-        G, left = model.G.reshape(-1, 4), (y - model.base).ravel()
-        held = G[:, 2] * reached + G[:, 3] * 0.5
-        expected = least_squares(G[:, :2], left - held, SIGMA**2 * np.eye(20), DECLARED[:2], PRIORS)
-        assert found.values[:2] == pytest.approx(expected[0], rel=1e-3)
-        assert found.chi2 == pytest.approx(expected[2], rel=1e-3)
-
-
-def test_a_single_cause_is_found_starting_from_its_absence() -> None:
-    parameters = (
-        *(Parameter(p.name, p.value) for p in PARAMETERS[:2]),
-        Parameter("u", 0.0, lower=0.0),
-        PARAMETERS[3],
-    )
-    model = structure(8)
-    model = LogLinear(model.base, model.G, parameters, CAUSES)
-    y = simulated(model, np.array([0.3, -1.0, 0.8, 0.5]), 8)
-    found = fitted(model, logs_measured(y, SIGMA), Hypothesis(CAUSES[:1]))
-    G, left = model.G.reshape(-1, 4), (y - model.base).ravel()
-    held = G[:, [0, 1, 3]] @ [0.3, -1.0, 0.5]
-    values, covariance, _ = least_squares(G[:, [2]], left - held, SIGMA**2 * np.eye(20), np.zeros(1), [None])
-    assert found.values[2] == pytest.approx(values[0], abs=1e-3 * np.sqrt(covariance[0, 0]))
 
 
 @pytest.mark.parametrize("unit", [1.0, 2.1e11, 1e15, 1e-12])

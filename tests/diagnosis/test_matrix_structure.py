@@ -1,22 +1,19 @@
-"""Structures given by callables: derivatives against closed forms, and refused arguments."""
+"""Structures given by callables: modes and derivatives against closed forms, and values that cannot be evaluated."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 import pytest
 from scipy import stats
 
-from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, compare, diagnose, update
+from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, compare
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.errors import PkmodesError
-from small_structures import frame, frame_derivatives, frame_matrices, frame_measured
+from small_structures import LOADS, frame
 
 MASS, STIFFNESS, STOREYS = 20.0, 4.0e5, 4
-LOADS = {"empty": 0.0, "loaded": 5.0}
 
 
 def uniform(unit: float = 1.0, exact: bool = True) -> MatrixStructure:
@@ -243,131 +240,6 @@ def test_a_structure_that_buckles_has_no_frequencies() -> None:
 def test_matrices_that_are_not_finite_are_a_value_that_cannot_be_evaluated(bad: float) -> None:
     structure = single(lambda x: 1.0 if x < 1.0 else bad)
     assert np.isnan(structure.predict(np.array([2.0]), (0,)).eigenvalues).all()
-
-
-# Refused arguments -----------------------------------------------------------------------------------------
-
-
-def build(**changes: Any) -> MatrixStructure:
-    given: dict[str, Any] = {
-        "parameters": [Parameter("k", 1.0, sigma=0.1), Parameter("c", 0.0, lower=0.0)],
-        "candidates": [Candidate("c", ("c",))],
-        "matrices": lambda values, setup: (np.eye(2), np.eye(2)),
-        "channels": ["a", "b"],
-        "setups": ["A", "B"],
-    } | changes
-    return MatrixStructure(**given)
-
-
-def constant(M: Any, K: Any) -> Callable:
-    return lambda values, setup: (M, K)
-
-
-@pytest.mark.parametrize(
-    ("changes", "message"),
-    [
-        (
-            {"matrices": constant(np.eye(3), np.eye(3))},
-            r"expected M of shape \(2, 2\) for 2 channels, found \(3, 3\)",
-        ),
-        (
-            {"matrices": constant(np.eye(2), np.ones(2))},
-            r"expected K of shape \(2, 2\) for 2 channels, found \(2,\)",
-        ),
-        ({"channels": ["a"]}, r"expected M of shape \(1, 1\) for 1 channels"),
-        ({"matrices": constant(np.eye(2), [[1.0, 0.1], [0.2, 1.0]])}, "expected K finite and symmetric"),
-        ({"matrices": constant([[1.0, 0.1], [-0.1, 1.0]], np.eye(2))}, "expected M finite and symmetric"),
-        ({"matrices": constant(np.eye(2), [[np.nan, 0.0], [0.0, 1.0]])}, "expected K finite"),
-        ({"matrices": constant([[np.inf, 0.0], [0.0, 1.0]], np.eye(2))}, "expected M finite"),
-        ({"matrices": constant(np.zeros((2, 2)), np.eye(2))}, "expected some mass"),
-        ({"matrices": constant(np.diag([1.0, -1.0]), np.eye(2))}, "expected M positive definite"),
-        ({"matrices": constant([[1.0, 2.0], [2.0, 1.0]], np.eye(2))}, "expected M positive definite"),
-        (
-            {"candidates": [Candidate("c", ("d",))]},
-            r'its parameter "d" does not exist.*parameters are: k, c',
-        ),
-        ({"candidates": [Candidate("c", ())]}, "expected different parameters"),
-        ({"candidates": [Candidate("c", ("c", "c"))]}, "expected different parameters"),
-        ({"candidates": [Candidate("k", ("k",))]}, "refitted under every hypothesis"),
-        ({"candidates": [Candidate("c", ("c",)), Candidate("c", ("c",))]}, 'two candidates are called "c"'),
-        (
-            {"parameters": [Parameter("k", 1.0), Parameter("c", 0.0), Parameter("c", 1.0)]},
-            'two parameters .* "c"',
-        ),
-        ({"channels": ["a", "a"]}, 'two channels are called "a"'),
-        ({"setups": ["A", "A"]}, 'two setups are called "A"'),
-        (
-            {"parameters": [Parameter("c", -1.0, lower=0.0)]},
-            "expected lower <= value <= upper, found 0, -1, inf",
-        ),
-        ({"parameters": [Parameter("c", np.nan)]}, "expected lower <= value <= upper"),
-        ({"parameters": [Parameter("c", 0.0, lower=0.0, upper=0.0)]}, "expected lower <= value <= upper"),
-        ({"parameters": [Parameter("c", 0.0, sigma=-1.0)]}, "expected a standard deviation of at least 0"),
-    ],
-)
-def test_contradictory_arguments_are_refused(changes: dict[str, Any], message: str) -> None:
-    with pytest.raises(PkmodesError, match=message) as error:
-        build(**changes)
-    assert "; " in str(error.value)  # what to do about it
-
-
-def test_a_value_known_exactly_is_not_a_suspect() -> None:
-    with pytest.raises(PkmodesError, match="known exactly"):
-        build(parameters=[Parameter("c", 0.0, sigma=0.0)])
-
-
-def test_rounding_does_not_make_matrices_unsymmetric_or_masses_negative() -> None:
-    K = np.array([[1e6, 1e-11], [0.0, 2e6]])  # two terms that cancel in one triangle only
-    assert build(matrices=constant(np.eye(2), K)).channels == ("a", "b")
-    M = np.array([[1e3, 0.5e-7], [0.5e-7, 1e-17]])  # a mass and a small inertia, coupled by a half
-    assert build(matrices=constant(M, np.eye(2))).channels == ("a", "b")
-
-
-# Setups by label -------------------------------------------------------------------------------------------
-
-
-def test_the_order_of_setups_is_that_of_the_labels_not_of_the_rows() -> None:
-    data = frame_measured(LOADS, {}, np.random.default_rng(0))
-    order = np.arange(8)[::-1]
-    labels = [data.labels[data.pose[i]] for i in order]
-    reverse = Measurements.from_rows(labels, data.frequency[order], data.sigma[order])
-    plain, turned = compare(frame(LOADS), data), compare(frame(LOADS), reverse)
-    assert [row.predicted for row in turned.rows] == [row.predicted for row in plain.rows[::-1]]
-    assert turned.chi2_per_dof == pytest.approx(plain.chi2_per_dof)
-    assert plain.p_value > 1e-3
-    # Setups that were not measured are ignored; missing ones are refused.
-    assert compare(frame({"spare": 9.0, **LOADS}), data).rms_relative == plain.rms_relative
-    with pytest.raises(PkmodesError, match=r'no setup "loaded", which was measured.*setups are: "empty"'):
-        compare(frame({"empty": 0.0}), data)
-
-
-def nameless() -> MatrixStructure:
-    plain = frame(LOADS, only=["brace 2", "brace 3"])
-    return MatrixStructure(
-        plain.parameters,
-        plain.candidates,
-        lambda values, _: frame_matrices(4, LOADS)(values, "empty"),
-        derivatives=frame_derivatives(4),
-        channels=["floor 1", "floor 2", "floor 3", "floor 4"],
-    )
-
-
-@pytest.mark.parametrize("label", ["today", "P1"])
-def test_a_structure_without_labels_is_measured_under_any(label: str) -> None:
-    data = frame_measured({label: 0.0}, {}, np.random.default_rng(0))
-    assert compare(nameless(), data).p_value > 1e-3
-    assert update(nameless(), data).p_value > 1e-3
-    braced = frame_measured({label: 0.0}, {"brace 2": 1.5e5}, np.random.default_rng(0), shapes=0.01)
-    result = diagnose(nameless(), braced)
-    assert [found.name for found in result.effects] == ["brace 2"]
-    assert {row.pose for row in result.rows} == {label}
-
-
-def test_a_structure_without_labels_is_not_measured_under_several() -> None:
-    data = frame_measured(LOADS, {}, np.random.default_rng(0))
-    with pytest.raises(PkmodesError, match="2 setups were measured, but the structure names none") as error:
-        compare(nameless(), data)
-    assert error.value.remedy == 'pass setups=["empty", "loaded"] to MatrixStructure'
 
 
 def test_a_comparison_pairs_predictions_with_measurements() -> None:

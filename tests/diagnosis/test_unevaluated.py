@@ -12,9 +12,7 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.verdict.unevaluated import unevaluated
-from small_structures import STIFFNESS, frame, frame_matrices, frame_measured
-
-LOADS = {"empty": 0.0, "loaded": 5.0}
+from small_structures import LOADS, STIFFNESS, frame, frame_matrices, frame_measured
 
 
 def walled(wall: Callable[[Mapping[str, float]], bool]) -> MatrixStructure:

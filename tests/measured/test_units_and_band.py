@@ -11,14 +11,13 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from measurement_files import HEADER, ROW
 from pkmodes import diagnosis
 from pkmodes.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
 
 CHANNELS = {"x_1": "m", "theta_1_1": "rad", "floor [1]": "m", "gauge": "m/s^2"}
-HEADER = "pose,x,y,z,frequency,sigma"
-ROW = "A,0.6,0,-0.245,55.5,0.05"
 
 
 def read(tmp_path: Path, text: str, **options) -> Measurements:

@@ -11,7 +11,7 @@ from pkmodes.cli import run
 from robot_text import published
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def pristine(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A robot file and its generated model, to be copied and corrupted."""
     folder = tmp_path_factory.mktemp("pristine")

@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from generated_model import MODULE
 from pkmodes import generation, writing
 from pkmodes.checking.recorded import recorded_robot
 from pkmodes.cli import run
@@ -23,7 +24,6 @@ from pkmodes_derive.emit.provenance import pasteable
 from pkmodes_rig.robots import ROBOTS
 from robot_text import PUBLISHED, published
 
-MODULE = "linear_delta_2022.py"
 EFFECTS = '\n[effects.frame_compliance]\ncompliance = "1e-7 m/N"\n\n[effects.payload]\nmass = "0.35 kg"\n'
 
 

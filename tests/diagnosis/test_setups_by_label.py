@@ -1,0 +1,54 @@
+"""Setups of structures given by callables: matched by label, and structures that name none."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pkmodes.diagnosis import MatrixStructure, Measurements, compare, diagnose, update
+from pkmodes.errors import PkmodesError
+from small_structures import LOADS, frame, frame_derivatives, frame_matrices, frame_measured
+
+
+def test_the_order_of_setups_is_that_of_the_labels_not_of_the_rows() -> None:
+    data = frame_measured(LOADS, {}, np.random.default_rng(0))
+    order = np.arange(8)[::-1]
+    labels = [data.labels[data.pose[i]] for i in order]
+    reverse = Measurements.from_rows(labels, data.frequency[order], data.sigma[order])
+    plain, turned = compare(frame(LOADS), data), compare(frame(LOADS), reverse)
+    assert [row.predicted for row in turned.rows] == [row.predicted for row in plain.rows[::-1]]
+    assert turned.chi2_per_dof == pytest.approx(plain.chi2_per_dof)
+    assert plain.p_value > 1e-3
+    # Setups that were not measured are ignored; missing ones are refused.
+    assert compare(frame({"spare": 9.0, **LOADS}), data).rms_relative == plain.rms_relative
+    with pytest.raises(PkmodesError, match=r'no setup "loaded", which was measured.*setups are: "empty"'):
+        compare(frame({"empty": 0.0}), data)
+
+
+def nameless() -> MatrixStructure:
+    plain = frame(LOADS, only=["brace 2", "brace 3"])
+    return MatrixStructure(
+        plain.parameters,
+        plain.candidates,
+        lambda values, _: frame_matrices(4, LOADS)(values, "empty"),
+        derivatives=frame_derivatives(4),
+        channels=["floor 1", "floor 2", "floor 3", "floor 4"],
+    )
+
+
+@pytest.mark.parametrize("label", ["today", "P1"])
+def test_a_structure_without_labels_is_measured_under_any(label: str) -> None:
+    data = frame_measured({label: 0.0}, {}, np.random.default_rng(0))
+    assert compare(nameless(), data).p_value > 1e-3
+    assert update(nameless(), data).p_value > 1e-3
+    braced = frame_measured({label: 0.0}, {"brace 2": 1.5e5}, np.random.default_rng(0), shapes=0.01)
+    result = diagnose(nameless(), braced)
+    assert [found.name for found in result.effects] == ["brace 2"]
+    assert {row.pose for row in result.rows} == {label}
+
+
+def test_a_structure_without_labels_is_not_measured_under_several() -> None:
+    data = frame_measured(LOADS, {}, np.random.default_rng(0))
+    with pytest.raises(PkmodesError, match="2 setups were measured, but the structure names none") as error:
+        compare(nameless(), data)
+    assert error.value.remedy == 'pass setups=["empty", "loaded"] to MatrixStructure'

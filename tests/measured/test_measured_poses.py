@@ -1,0 +1,77 @@
+"""Poses of measurements: units of length that were mistaken, poses out of reach, and a part of the poses."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pkmodes
+from measurement_files import HEADER, ROW, read
+from pkmodes import updating
+from pkmodes.errors import MeasurementError
+from pkmodes.updating.poses import check_measured
+from robot_text import PUBLISHED
+
+
+def test_positions_in_millimetres_are_recognised(tmp_path: Path) -> None:
+    model = pkmodes.load(PUBLISHED)
+    for header, place, remedy in (
+        (HEADER, "600,0,-245", "look like millimetres: write x [mm],y [mm],z [mm] in the header"),
+        (HEADER.replace("x,y,z", "x [mm],y [mm],z [mm]"), "0.6,0,-0.245", "look like metres"),
+    ):
+        with pytest.raises(MeasurementError) as error:
+            check_measured(read(tmp_path, f"{header}\nA,{place},55.5,0.1\nA,{place},60,0.1\n"), model)
+        assert remedy in error.value.remedy
+    mixed = read(tmp_path, f"{HEADER}\nA,600,0,-245,55.5,0.1\nB,0.6,0,-0.245,60,0.1\n")
+    with pytest.raises(MeasurementError, match="out of reach"):
+        check_measured(mixed, model)
+
+
+@pytest.mark.parametrize(("x", "recognised"), [(250.0, True), (0.31, False)])
+def test_small_numbers_are_not_taken_for_millimetres(tmp_path: Path, x: float, recognised: bool) -> None:
+    """The workspace of a CoreXY has the origin in it: a thousandth of any pose can be reached."""
+    model = pkmodes.load(PUBLISHED.parent / "corexy-printer.toml")
+    text = f"pose,x,y,frequency,sigma\nA,{x},{min(x, 0.2)},111,1\n"
+    (tmp_path / "modes.csv").write_text(text)
+    data = updating.read(tmp_path / "modes.csv", robot=model)
+    with pytest.raises(MeasurementError) as error:
+        check_measured(data, model)
+    assert ("millimetres" in error.value.remedy) == recognised
+
+
+def test_a_pose_that_the_robot_cannot_take_is_refused(tmp_path: Path) -> None:
+    model = pkmodes.load(PUBLISHED)
+    check_measured(read(tmp_path, f"{HEADER}\n{ROW}\n"), model)
+    for place, reason in (("0.6,0,-0.5", "out of reach: link"), ("0.1,0,-0.245", "beyond its limits")):
+        found = read(tmp_path, f"{HEADER}\n{ROW}\n# far\nC 3,{place},50,0.1\nC 3,{place},60,0.1\n")
+        with pytest.raises(MeasurementError) as error:
+            check_measured(found, model)
+        line = str(error.value)
+        assert f"{tmp_path / 'modes.csv'}: line 4, columns x, y and z)" in line
+        assert f'"C 3" at [{place.replace(",", ", ")}] m' in line
+        assert reason in line
+        assert str(PUBLISHED) in error.value.remedy
+    found = read(tmp_path, f"{HEADER}\nC,9,9,9,1,0.1\n{ROW}\nD,0.6,0,9,2,0.1\n")
+    with pytest.raises(MeasurementError, match="line 2, columns x, y and z, the first of 2 bad poses"):
+        check_measured(found, model)
+    check_measured(found.at([1]), model)
+    check_measured(found.at([]), model)
+
+
+def test_a_part_of_the_poses_keeps_rows_and_numbers_poses_anew(tmp_path: Path) -> None:
+    rows = ["C,3,0,0,30,0.1,1", "A,1,0,0,10,0.1,2", "C,3,0,0,31,0.1,3", "B,2,0,0,20,0.1,", "A,1,0,0,11,0.1,4"]
+    found = read(tmp_path, "\n".join([f"{HEADER},shape:x_1", *rows]))
+    assert found.labels == ("C", "A", "B")
+    part = found.at([2, 0])
+    assert part.labels == ("C", "B")
+    assert part.points[:, 0].tolist() == [3.0, 2.0]
+    assert part.pose.tolist() == [0, 0, 1]
+    assert part.frequency.tolist() == [30.0, 31.0, 20.0]
+    assert part.lines.tolist() == [2, 4, 5]
+    np.testing.assert_array_equal(part.shapes, [[1.0], [3.0], [np.nan]])
+    assert found.at(np.array([], dtype=int)).labels == ()
+    for bad in ([3], [-1], [0, 0], [0.5], [True, False, True]):
+        with pytest.raises(MeasurementError, match="pose indices"):
+            found.at(bad)

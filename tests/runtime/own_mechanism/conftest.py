@@ -1,0 +1,59 @@
+"""The folder that a reader of docs/adding-a-mechanism.md has, and copies of it that may be changed."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+import pkmodes
+from adding_a_mechanism import COMMANDS, DEFINITION, MEASURING, ROBOT
+from pkmodes import mechanism as known
+from pkmodes.cli import run
+
+
+@contextmanager
+def inside(folder: Path) -> Iterator[None]:
+    """Run commands in a folder, and forget the mechanisms that they add."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(known, "_added", {})
+        patch.setenv("COLUMNS", "110")
+        patch.chdir(folder)
+        yield
+
+
+@pytest.fixture(scope="session")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the files of the page, after its first command."""
+    folder = tmp_path_factory.mktemp("own")
+    (folder / "five_bar.py").write_text(DEFINITION, encoding="utf-8")
+    (folder / "robot.toml").write_text(ROBOT, encoding="utf-8")
+    with inside(folder):
+        assert run(COMMANDS[0]) == 0
+        exec(MEASURING, {})
+    return folder
+
+
+@pytest.fixture(scope="module")
+def place(made: Path) -> Iterator[Path]:
+    """The same folder, where commands run."""
+    with inside(made):
+        yield made
+
+
+@pytest.fixture
+def copy(place: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A copy of it that may be changed."""
+    shutil.copytree(place, tmp_path, dirs_exist_ok=True)
+    monkeypatch.setattr(known, "_added", {})
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.fixture
+def model(place: Path) -> pkmodes.Model:
+    known.add_folder(place / "build" / "five_bar")
+    return pkmodes.load(place / "robot.toml")

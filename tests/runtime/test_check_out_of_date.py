@@ -1,0 +1,192 @@
+"""``pkmodes check`` finds what makes a generated model out of date, and names the command that mends it."""
+
+from __future__ import annotations
+
+import json
+import shlex
+import shutil
+from pathlib import Path
+
+import pytest
+
+from generated_model import MODULE, edit
+from pkmodes.cli import run
+from pkmodes_derive.emit import manifest
+from robot_text import published
+
+
+def check(folder: Path, capsys: pytest.CaptureFixture[str]) -> tuple[int, str]:
+    capsys.readouterr()
+    code = run(["check", str(folder / "model")])
+    return code, capsys.readouterr().out
+
+
+def test_a_fresh_model_is_current(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    code, out = check(copy, capsys)
+    assert code == 0
+    assert "relations agree with finite differences" in out
+    assert "mend" not in out
+
+
+def test_a_comment_in_the_robot_file_changes_nothing(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    edit(copy / "robot.toml", "format = 1", "# a remark\nformat = 1")
+    assert check(copy, capsys)[0] == 0
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "field"),
+    [
+        ('mass = "1.5 kg"', 'mass = "1.6 kg"', "platform.mass is 1.6, the model was generated with 1.5"),
+        ("branch = 1\n", 'branch = 1\n[axis.belt]\nwidth = "20 mm"\n', "axis.1.belt.width is 0.02"),
+        ("driven_pulley = 1", "driven_pulley = 2", "axis.1.driven_pulley is 2"),
+        ('"-200 mm"', '"-210 mm"', "axis.2.origin.y is -0.21"),
+    ],
+)
+def test_a_changed_robot_file_names_the_field(
+    copy: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, field: str
+) -> None:
+    edit(copy / "robot.toml", old, new)
+    code, out = check(copy, capsys)
+    assert code == 1
+    assert f"the robot file changed: {field}" in out
+    assert "(derived now)" in out, "the difference is shown"
+    assert f"fix with: pkmodes generate {copy / 'robot.toml'} --out {copy / 'model'}" in out
+
+
+def test_the_mending_command_mends(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    edit(copy / "robot.toml", 'mass = "1.5 kg"', 'mass = "1.6 kg"')
+    edit(copy / "robot.toml", 'name = "linear-delta-2022"', 'name = "heavier"')
+    code, out = check(copy, capsys)
+    assert code == 1
+    command = out.partition("fix with: ")[2].split()
+    assert run(command[1:]) == 0
+    assert check(copy, capsys)[0] == 0
+    assert not (copy / "model" / MODULE).exists(), "the module under the former name is gone"
+
+
+def test_a_hand_edited_output_is_found_and_shown(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    edit(copy / "model" / MODULE, "x_1 = p_x + np.sqrt", "x_1 = p_x - np.sqrt")
+    code, out = check(copy, capsys)
+    assert code == 1
+    assert f"{MODULE} was edited by hand" in out
+    assert "-    x_1 = p_x - np.sqrt" in out
+    assert "+    x_1 = p_x + np.sqrt" in out
+
+
+@pytest.mark.parametrize("name", ["linear_delta_2022.c", "linear_delta_2022.h", "manifest.json"])
+def test_any_edited_output_is_found(copy: Path, capsys: pytest.CaptureFixture[str], name: str) -> None:
+    path = copy / "model" / name
+    path.write_text(path.read_text(encoding="utf-8") + "\n", encoding="utf-8")
+    code, out = check(copy, capsys)
+    assert code == 1
+    assert f"{name} was edited by hand" in out
+
+
+def test_missing_and_orphan_files_are_found(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (copy / "model" / MODULE).rename(copy / "model" / "other.py")
+    code, out = check(copy, capsys)
+    assert code == 1
+    assert f"{MODULE} is missing" in out
+    assert "other.py was generated but does not belong to this model: an orphan" in out
+
+
+def test_another_sympy_version_is_found(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = copy / "model" / "manifest.json"
+    content = json.loads(path.read_text(encoding="utf-8"))
+    content["generator"]["sympy"] = "1.12"
+    path.write_text(json.dumps(content), encoding="utf-8")
+    code, out = check(copy, capsys)
+    assert code == 1
+    assert "different SymPy version: generated with 1.12, installed is 1." in out
+
+
+@pytest.mark.parametrize("source", ["chain.py", "emit/numpy/module.py.j2"])
+def test_a_changed_derivation_or_template_is_found(
+    copy: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, source: str
+) -> None:
+    digests = {**manifest.source_digests(), source: "0" * 64}
+    monkeypatch.setattr(manifest, "source_digests", lambda: digests)
+    code, out = check(copy, capsys)
+    assert code == 1
+    assert f"changed: {source} is modified" in out
+
+
+@pytest.mark.parametrize("line", ["import sys; sys.exit(0)", "raise RuntimeError", "print('hi')", "x ="])
+def test_an_edited_module_is_found_and_not_executed(
+    copy: Path, capsys: pytest.CaptureFixture[str], line: str
+) -> None:
+    edit(copy / "model" / MODULE, "import numpy as np", f"import numpy as np\n{line}")
+    code, out = check(copy, capsys)
+    assert code == 1
+    assert f"{MODULE} was edited by hand" in out
+    assert f"-{line}" in out
+    assert "hi\n" not in out.replace("print('hi')", "")
+
+
+def test_other_line_endings_are_named(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = copy / "model" / MODULE
+    path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
+    code, out = check(copy, capsys)
+    assert code == 1
+    assert "has different line endings than generated" in out
+
+
+def test_a_changed_name_is_found(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    edit(copy / "robot.toml", 'name = "linear-delta-2022"', 'name = "Linear-Delta-2022"')
+    code, out = check(copy, capsys)
+    assert code == 1
+    assert 'the robot file changed: name is "Linear-Delta-2022"' in out
+
+
+def test_the_mending_commands_can_be_pasted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = tmp_path / "it's a folder"
+    folder.mkdir()
+    (folder / "my robot.toml").write_text(published(), encoding="utf-8")
+    assert run(["generate", str(folder / "my robot.toml"), "--out", str(folder / "my model")]) == 0
+    edit(folder / "my robot.toml", "1.5 kg", "1.6 kg")
+    shutil.copy(folder / "my model" / MODULE, folder / "my model" / "a copy.py")
+    assert run(["check", str(folder / "my model")]) == 1
+    commands = capsys.readouterr().out.rpartition("fix with: ")[2].strip().split(" && ")
+    remove, generate = (shlex.split(command) for command in commands)
+    assert remove == ["rm", str(folder / "my model" / "a copy.py")]
+    Path(remove[1]).unlink()
+    assert run(generate[1:]) == 0
+    assert run(["check", str(folder / "my model")]) == 0
+
+
+@pytest.mark.parametrize("reference", [7, None, "a\0b", "x" * 5000, "\ud800", "/", ""])
+def test_a_tampered_manifest_is_refused(
+    copy: Path, capsys: pytest.CaptureFixture[str], reference: object
+) -> None:
+    path = copy / "model" / "manifest.json"
+    content = json.loads(path.read_text(encoding="utf-8"))
+    content["robot"]["file"] = reference
+    path.write_text(json.dumps(content), encoding="utf-8")
+    assert run(["check", str(copy / "model")]) == 2
+    assert capsys.readouterr().err.startswith("error: the ")
+
+
+def test_folders_without_a_model_are_refused(
+    tmp_path: Path, copy: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["check", str(tmp_path)]) == 2
+    assert "found no manifest.json" in capsys.readouterr().err
+    (copy / "model" / "manifest.json").write_text("{", encoding="utf-8")
+    assert run(["check", str(copy / "model")]) == 2
+    assert "the manifest cannot be read: it is not valid JSON" in capsys.readouterr().err
+    (copy / "model" / "manifest.json").write_text("[]", encoding="utf-8")
+    assert run(["check", str(copy / "model")]) == 2
+    (copy / "robot.toml").unlink()
+
+
+def test_json_of_a_check(copy: Path, tmp_path: Path) -> None:
+    edit(copy / "robot.toml", "1.5 kg", "1.6 kg")
+    out = tmp_path / "check.json"
+    assert run(["check", str(copy / "model"), "--json", str(out)]) == 1
+    content = json.loads(out.read_text(encoding="utf-8"))
+    (target,) = content["targets"]
+    assert content["holds"] is False
+    assert target["findings"][0]["subject"] == "platform.mass"
+    assert target["mend"].startswith("pkmodes generate")
+    assert target["consistency"]
+    assert all(c["holds"] for c in target["consistency"])
