@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ import pytest
 
 from page_reading import Element, read
 from pkmodes import Model, read_robot, updating
+from pkmodes.diagnosis.verdict.result import Examined, NextMeasurement, Stability
 from pkmodes.report import report
 from pkmodes.report.three import view_of_result
 from report_examples import diagnosed, made_up
@@ -121,6 +123,60 @@ def test_candidates_have_their_standing(page: Element) -> None:
     assert {
         (one["p of its score"], one["visible from"], one["unit"], one["detectable"]) for one in found
     } == {("0.1", "0.3", "kg", "yes")}
+
+
+@pytest.fixture(scope="module")
+def undecided() -> Element:
+    """The report of a result in which two explanations remain, one of them of two causes."""
+    result, data = made_up(6, 3)
+    robot = read_robot(LOOP[0])
+    tested = tuple(
+        Examined(name, p, (), True) for name, p in (("belt_mass", 1e-3), ("payload", 1e-2), ("link", 0.5))
+    )
+    load = {"effects.payload.mass": 0.2}
+    result = replace(
+        result,
+        verdict="ambiguous",
+        effects=(),
+        survivors=(("payload",), ("belt_mass + gearbox_inertia", "link_compliance")),
+        candidates=tested,
+        next_measurement=NextMeasurement((0.6, -0.05, -0.245), ("payload", "belt_mass"), 7.0, load),
+        stability=(
+            Stability("sigma x 0.5", "unexplained", ("payload",)),
+            Stability("sigma x 2", "adequate", ()),
+            Stability("priors x 2", "effect_found", ("belt_mass", "payload")),
+        ),
+    )
+    return read(report(result, robot=robot, data=data))
+
+
+def test_what_remains_has_the_number_of_its_explanation(undecided: Element) -> None:
+    titles, rows = table(undecided.by_id("candidates"))
+    standing = {row[titles.index("candidate")]: row[titles.index("standing")] for row in rows}
+    assert standing == {"belt_mass": "remains (2)", "payload": "remains (1)", "link": "not claimed"}
+    assert [item.text for item in undecided.by_id("causes").all("li")] == [
+        *("payload", "belt_mass + gearbox_inertia or link_compliance")
+    ]
+
+
+def test_the_stability_says_what_was_changed(undecided: Element) -> None:
+    _, rows = table(undecided.by_id("stability"))
+    assert rows == [
+        ["\u03c3 halved", "unexplained", "payload"],
+        ["\u03c3 doubled", "adequate", "\u2013"],
+        ["priors twice as wide", "effect_found", "belt_mass, payload"],
+    ]
+
+
+def test_the_next_measurement_has_its_pose_and_load(undecided: Element) -> None:
+    assert facts(undecided.by_id("next")) == {
+        "x [m]": "0.6000",
+        "y [m]": "\u22120.0500",
+        "z [m]": "\u22120.2450",
+        "set": "effects.payload.mass = 0.2 kg",
+        "separates": "payload and belt_mass",
+        "by": "7 standard deviations",
+    }
 
 
 def test_data_and_versions_name_the_files_by_their_content() -> None:
