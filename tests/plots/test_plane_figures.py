@@ -223,3 +223,17 @@ def test_condition_number_and_outlines_of_the_volume(plane: Plane) -> None:
         corners = np.concatenate([path.vertices for path in outline.get_paths()])
         np.testing.assert_allclose(corners.min(axis=0), [-50.0, 100.0], atol=10.0)  # a step of the grid
         np.testing.assert_allclose(corners.max(axis=0), [100.0, 300.0], atol=10.0)
+
+
+def test_a_panel_with_none_below_it_has_its_labels(plane: Plane) -> None:
+    """Four modes of a wide map stand in rows of three: below modes 2 and 3 there is nothing."""
+    wide = {"y": ("y", 5.0 * Y, {"units": "m"}), "x": ("x", X, {"units": "m"})}
+    dataset = plane.dataset[["frequency", "valid"]].assign_coords(wide)
+    four = xarray.concat([dataset, dataset.assign_coords(mode=[3, 4])], "mode", data_vars="minimal")
+    with styled():
+        found = panels(maps.frequencies(Plane(four, "y", "x", "z", -0.2)))
+    assert {name: axes.get_xlabel() for name, axes in found.items()} == {
+        "mode 1": "",
+        **dict.fromkeys(("mode 2", "mode 3", "mode 4"), "y [mm]"),
+    }
+    assert [axes.get_ylabel() for axes in found.values()] == ["x [mm]", "", "", "x [mm]"]

@@ -233,6 +233,6 @@ def test_the_workspace_in_the_page_has_the_axes_of_the_poses(pages: dict[str, Pa
     model = pkmodes.load(ROBOTS / f"{name}.toml")
     low, high = box_of(model, np.array(POSES[name]))
     vertices = np.reshape(data_of(pages[name])["workspace"]["vertices"], (-1, 3))[:, : len(low)]
-    # Smoothing cuts the points of the wedges at the ends of the rails by some 6 cm of 1.1 m.
+    # Its tips at the ends of the rails are thinner than a cell of the grid: some 6 cm of 1 m are cut off.
     np.testing.assert_allclose(vertices.min(axis=0), low, atol=0.08)
     np.testing.assert_allclose(vertices.max(axis=0), high, atol=0.08)
