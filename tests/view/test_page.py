@@ -282,6 +282,7 @@ def test_the_command_names_its_page_after_the_robot_file(
         (["--pose", "600,0,-245"], "the numbers look like millimetres"),
         (["--out", "missing/page.html"], "the folder missing does not exist"),
         (["--out", ""], "expected the name of a file"),
+        (["--out", "page.png"], 'expected a name that ends in .html or .gif, found "page.png"'),
         (["--out", str(ROBOTS / "linear-delta-2022.toml")], "the page would replace its own input"),
     ],
 )
