@@ -85,7 +85,9 @@ def test_a_full_disk_is_told_with_the_file_and_nothing_is_left(
     grid = ["--grid", "x=0.4:0.7:8,y=0:0.1:5,z=-0.245"] if command == "figures" else []
     # No file may have more than 8 kB.
     done = shell('ulimit -f 8; $PK "$@"', command, str(PUBLISHED), "--out", out, *grid, cwd=tmp_path)
-    assert done.stderr == f"error: cannot write: file too large ({place}); choose another place or make room\n"
+    assert (
+        done.stderr == f"error: cannot write: file too large ({place}); choose another place or make room\n"
+    )
     assert (done.returncode, done.stdout) == (2, "")
     assert list(tmp_path.iterdir()) == []
 

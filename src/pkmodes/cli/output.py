@@ -169,9 +169,8 @@ def check_page(target: Path, where: str, *others: str) -> None:
     special = target.exists() and not target.is_file()
     if not special and target.suffix.lower() not in (".html", ".htm", *others):
         known = " or ".join((".html", *others))
-        example = target.with_suffix(".html") if target.name else "page.html"
         what = f"expected a name that ends in {known}, found {shown(target.name)}"
-        raise OutputError(what, where, f"write {pasted(example)}")
+        raise OutputError(what, where, f"write {pasted(target.with_suffix('.html'))}")
 
 
 def check_order(robot: Path, modes: Path, command: str) -> None:
