@@ -13,7 +13,9 @@ import pytest
 
 import pkmodes
 from browser import opened
+from page_reading import read
 from pkmodes.cli import run
+from pkmodes.errors import PkmodesError
 from pkmodes.report.map import map_report
 from pkmodes.robot.reading import robot_from_document
 
@@ -38,6 +40,49 @@ def test_its_frequencies_are_those_of_the_json(page: Path) -> None:
             assert f"{mode[end]:.3f}" in text
     assert "map.nc" in text
     assert str(page.parent) not in text
+
+
+def test_numbers_are_written_alike_and_columns_named_once(page: Path) -> None:
+    head = read(page.read_text(encoding="utf-8")).by_id("modes").all("thead")[0]
+    groups, titles = ([cell.text.strip() for cell in row.all("th")] for row in head.all("tr"))
+    assert groups == ["lowest", "highest"]
+    assert titles == ["mode", *2 * ["f [Hz]", "y [mm]", "x [mm]"]]
+    text = unescape(page.read_text(encoding="utf-8"))
+    assert "z = \u2212245 mm" in text
+    assert "z = -245" not in text
+
+
+def test_large_counts_have_the_same_separator_everywhere(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("pkmodes.report.map._figures", lambda *_: [])
+    model = pkmodes.load(ROBOT)
+    found = model.map({"x": np.linspace(0.3, 0.9, 60), "y": np.linspace(0.0, 0.1, 20), "z": -0.245})
+    summary = read(map_report(model, found)).by_id("summary").text
+    assert "1\u2009200" in summary
+    assert not re.search(r"\d,\d", summary)
+
+
+@pytest.mark.parametrize("mishap", [PkmodesError("cannot write", "here", "do"), KeyboardInterrupt()])
+def test_a_report_that_fails_is_not_announced_and_the_map_is_kept(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    mishap: BaseException,
+) -> None:
+    def fail(*_: object) -> None:
+        raise mishap
+
+    monkeypatch.setattr("pkmodes.cli.map._write_report", fail)
+    old, out = tmp_path / "map.html", tmp_path / "map.nc"
+    old.write_text("older")
+    code = run(["map", ROBOT, *PLANE, "--out", str(out), "--report", str(old)])
+    captured = capsys.readouterr()
+    assert code == (130 if isinstance(mishap, KeyboardInterrupt) else 2)
+    assert (old.read_text(), out.is_file()) == ("older", True)
+    assert f"wrote {old}" not in captured.out + captured.err
+    if isinstance(mishap, KeyboardInterrupt):
+        assert "the map is written; for its report run the command again with --overwrite" in captured.err
 
 
 def test_no_request_leaves_it_and_nothing_complains(page: Path) -> None:
