@@ -16,6 +16,7 @@ from pkmodes.poses import CHUNK, explained
 from pkmodes.robot.robot import Robot
 
 if TYPE_CHECKING:
+    from pandas import DataFrame
     from xarray import Dataset
 
 Array = NDArray[np.float64]
@@ -202,6 +203,32 @@ class Modes(ChosenFields):
         from pkmodes.maps.of_modes import dataset_of_modes
 
         return dataset_of_modes(self)
+
+    def to_table(self) -> DataFrame:
+        """Return the vibration modes as a table, which pandas writes as CSV or Parquet.
+
+        Returns
+        -------
+        pandas.DataFrame
+            One row for each mode at each pose, with the columns of a map in a table (docs/maps.md).
+
+        Raises
+        ------
+        MissingExtraError
+            If the libraries of the extra ``map`` are not installed.
+
+        Examples
+        --------
+        >>> import pkmodes
+        >>> modes = pkmodes.load("robots/linear-delta-2022.toml").modes([0.6, 0.0, -0.245], fields=["frequencies"])
+        >>> modes.to_table()[["mode", "frequency"]].round(3).head(2)
+           mode  frequency
+        0     1     55.559
+        1     2     60.316
+        """
+        from pkmodes.maps.table import table_of
+
+        return table_of(self.to_dataset())
 
 
 @dataclass(frozen=True, eq=False)

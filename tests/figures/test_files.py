@@ -13,6 +13,15 @@ from pkmodes.cli import run
 from pkmodes.figures.files import write_pictures
 
 NAMES = ["workspace", "frequencies", "directions", "components", "influence", "dominant", "mac"]
+#: What only this figure says.
+SAYS = {
+    "workspace": "condition number [1]",
+    "frequencies": "f [Hz]",
+    "components": "mass-normalised motion",
+    "influence": "d ln f / d ln p, median over the plane [1]",
+    "dominant": "largest |d ln f / d ln p| of",
+    "mac": "smallest MAC with a neighbouring pose [1]",
+}
 #: A small plane of each robot.
 PLANES = {
     "linear-delta-2022": "x=0.25:0.9:14,y=-0.1:0.1:9,z=-0.245",
@@ -35,6 +44,7 @@ def test_every_robot_has_its_figures(robot: str, tmp_path: Path, capsys: pytest.
             assert "y [mm]" in words, name
         if name not in ("workspace",):
             assert "mode 1" in words, name
+        assert [one for one, said in SAYS.items() if said in words] == [name] * (name in SAYS), name
     words = (folder / "frequencies.svg").read_text(encoding="utf-8")
     modes = len(pkmodes.load(f"robots/{robot}.toml").coordinates) - (2 if robot == "corexy-printer" else 3)
     assert words.count("f [Hz]") >= modes

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import xarray
 
 import pkmodes
 from pkmodes.figures.quantities import (
@@ -14,7 +15,7 @@ from pkmodes.figures.quantities import (
     smallest_mac,
     volume_of,
 )
-from pkmodes.figures.working_plane import WIDE, working_plane
+from pkmodes.figures.working_plane import working_plane
 from pkmodes.plots.maps import extremes
 from pkmodes.plots.plane import Plane
 
@@ -95,19 +96,47 @@ def test_relative_sensitivities_are_those_of_differences(model: pkmodes.Model, p
         np.testing.assert_allclose(got, expected, atol=2e-7)
 
 
-def test_the_working_plane_has_the_lowest_mean_condition_number_of_the_wide_planes() -> None:
-    model = pkmodes.load("robots/clavel-delta.toml")
+@pytest.mark.parametrize(
+    ("robot", "sides", "step"),
+    [
+        ("clavel-delta", {"x": np.linspace(-0.6, 0.6, 61), "y": np.linspace(-0.6, 0.6, 61)}, 0.05),
+        # The narrowest planes of this one, at the bottom, have the lowest condition numbers.
+        (
+            "linear-delta-2022-identified",
+            {"x": np.linspace(0.0, 1.5, 76), "y": np.linspace(-0.2, 0.2, 41)},
+            0.02,
+        ),
+    ],
+)
+def test_the_working_plane_has_the_lowest_mean_condition_number_of_the_wide_planes(
+    robot: str, sides: dict[str, np.ndarray], step: float
+) -> None:
+    model = pkmodes.load(f"robots/{robot}.toml")
     grid = working_plane(model)
     assert grid.shape[0] == 1
     best = float(grid.axes["z"][0])
-    side = np.linspace(-0.6, 0.6, 61)
-    heights = best + 0.05 * np.arange(-3, 4)
-    found = model.map({"x": side, "y": side, "z": heights})
+    heights = best + step * np.arange(-3, 4)
+    found = model.map({**sides, "z": heights})
     area = found["valid"].sum(["x", "y"])
-    mean = found["condition"].mean(["x", "y"]).where(area >= WIDE * float(area.max()))
-    assert abs(float(mean["z"][int(np.nanargmin(mean.values))]) - best) <= 0.05
+    mean = found["condition"].mean(["x", "y"]).where(area >= 0.5 * float(area.max()))
+    assert abs(float(mean["z"][int(np.nanargmin(mean.values))]) - best) <= step
     inside = model.map(grid)["valid"]
     assert 0.5 < float(inside.mean()) <= 1.0
+    for name in ("x", "y"):  # one of the values lies on the centre line
+        values = grid.axes[name]
+        assert len(values) % 2 == 1
+        assert values[len(values) // 2] == pytest.approx((values[0] + values[-1]) / 2.0)
+
+
+def test_sensitivities_need_about_two_thousand_poses_with_the_same_spacing_both_ways() -> None:
+    """Of 91 x 61 = 5,551 poses every second one."""
+    values = np.zeros((91, 61))
+    x, y = np.linspace(0.0, 0.9, 91), np.linspace(-0.3, 0.3, 61)
+    dataset = xarray.Dataset({"valid": (("x", "y"), values)}, {"x": x, "y": y})
+    few = coarser(Plane(dataset, "y", "x", "z", -0.2))
+    np.testing.assert_array_equal(few.dataset["x"], x[::2])
+    np.testing.assert_array_equal(few.dataset["y"], y[::2])
+    assert (few.across, few.along, few.normal, few.at) == ("y", "x", "z", -0.2)
 
 
 def test_extremes_are_looked_for_on_the_centre_line_without_its_ends(plane: Plane) -> None:

@@ -68,3 +68,28 @@ def test_grounded_robots_have_no_rigid_modes(model: pkmodes.Model) -> None:
     found = held.modes(POSES[0]).to_dataset()
     assert found.attrs["rigid_modes"] == 0
     np.testing.assert_array_equal(found["frequency"], held.frequencies(POSES[0]))
+
+
+def test_a_table_has_a_row_for_each_mode_at_each_pose(model: pkmodes.Model) -> None:
+    modes = model.modes(POSES, "nan")
+    found = modes.to_table()
+    assert len(found) == 3 * 6
+    for (pose, mode), rows in found.groupby(["pose", "mode"]):
+        (row,) = rows.to_dict("records")
+        assert [row["x"], row["y"], row["z"]] == POSES[pose]
+        assert row["valid"] == modes.valid[pose]
+        np.testing.assert_array_equal(row["frequency"], modes.frequencies[pose, 2 + mode])
+        moved = [row[f"platform_shape:{name}"] for name in "xyz"]
+        np.testing.assert_array_equal(moved, modes.platform_shapes[pose, 2 + mode])
+        places = [row[f"joint_position:x_{j}"] for j in (1, 2, 3)]
+        np.testing.assert_array_equal(places, modes.joint_positions[pose])
+
+
+@pytest.mark.parametrize(("poses", "rows"), [(POSES[0], 1), (POSES[:2], 2)])
+def test_a_table_without_modes_has_a_row_for_each_pose(
+    model: pkmodes.Model, poses: list[float], rows: int
+) -> None:
+    found = model.modes(poses, fields=["joint_positions"]).to_table()
+    assert len(found) == rows
+    assert found["joint_position:x_1"].notna().all()
+    assert "frequency" not in found

@@ -228,3 +228,31 @@ def test_the_clearest_way_is_taken() -> None:
     gap = found.branches[:3]
     assert (np.diff(gap, axis=-1) > 0.5).all(), "no crossing where the coupling is strong"
     expect_permutations(found)
+
+
+def test_a_doubtful_step_is_taken_only_where_there_is_no_way_around_it() -> None:
+    """A ring of eight poses whose shapes turn by 10 degrees in seven steps, and by 70 degrees back in the last.
+
+    The last one alone looks like an exchange of the two modes; the others together say that there is none.
+    """
+    ring = [(0, 0), (0, 1), (0, 2), (1, 2), (2, 2), (2, 1), (2, 0), (1, 0)]
+    K, valid = np.zeros((3, 3, 2, 2)), np.ones((3, 3), bool)
+    valid[1, 1] = False
+    for k, place in enumerate(ring):
+        c, s = np.cos(np.radians(10.0 * k)), np.sin(np.radians(10.0 * k))
+        turn = np.array([[c, -s], [s, c]])
+        K[place] = turn @ np.diag([1.0, 2.0]) @ turn.T
+    found = Followed(K, valid)
+    order = found.tracked.order.reshape(3, 3, 2)
+    assert all((order[place] == [0, 1]).all() for place in ring)
+    doubtful = (found.events & UNCERTAIN).any(axis=-1)
+    assert {tuple(place) for place in np.argwhere(doubtful).tolist()} == {ring[0], ring[-1]}
+
+
+def test_the_size_of_the_mass_does_not_matter() -> None:
+    """The same shapes in a machine that is four times as heavy at each pose: they are halved, not doubtful."""
+    sizes = 4.0 ** np.arange(4)
+    arrays = {"shape": np.eye(2) / np.sqrt(sizes)[:, None, None], "code": np.zeros(4, np.int8)}
+    found = track(arrays, (4,), (True,), lambda rows: sizes[rows, None, None] * np.eye(2))
+    assert (found.order == [0, 1]).all()
+    assert not found.events.any()

@@ -13,7 +13,7 @@ import pytest
 
 import pkmodes
 from browser import opened
-from page_reading import read
+from page_reading import Element, read
 from pkmodes.cli import run
 from pkmodes.errors import PkmodesError
 from pkmodes.report.map import map_report
@@ -42,11 +42,7 @@ def test_its_frequencies_are_those_of_the_json(page: Path) -> None:
     assert str(page.parent) not in text
 
 
-def test_numbers_are_written_alike_and_columns_named_once(page: Path) -> None:
-    head = read(page.read_text(encoding="utf-8")).by_id("modes").all("thead")[0]
-    groups, titles = ([cell.text.strip() for cell in row.all("th")] for row in head.all("tr"))
-    assert groups == ["lowest", "highest"]
-    assert titles == ["mode", *2 * ["f [Hz]", "y [mm]", "x [mm]"]]
+def test_captions_have_a_minus_sign_like_the_rest(page: Path) -> None:
     text = unescape(page.read_text(encoding="utf-8"))
     assert "z = \u2212245 mm" in text
     assert "z = -245" not in text
@@ -83,6 +79,37 @@ def test_a_report_that_fails_is_not_announced_and_the_map_is_kept(
     assert f"wrote {old}" not in captured.out + captured.err
     if isinstance(mishap, KeyboardInterrupt):
         assert "the map is written; for its report run the command again with --overwrite" in captured.err
+
+
+def test_each_frequency_stands_beside_where_it_is(page: Path) -> None:
+    """Lowest and highest of each mode, and the place of each in mm."""
+    content = json.loads((page.parent / "map.json").read_text())
+    section = read(page.read_text(encoding="utf-8")).by_id("modes")
+    groups, heads = section.all("thead")[0].all("tr")
+    assert [cell.text for cell in groups.all("th")] == ["lowest", "highest"]
+    assert [cell.text for cell in heads.all("th")] == [
+        *("mode", "f [Hz]", "y [mm]", "x [mm]", "f [Hz]", "y [mm]", "x [mm]")
+    ]
+    for row, mode in zip(section.all("tbody")[0].all("tr"), content["modes"], strict=True):
+        cells = [cell.text for cell in row.children if isinstance(cell, Element)]
+        assert cells[0] == str(mode["mode"])
+        for end, shown in (("minimum", cells[1:4]), ("maximum", cells[4:])):
+            assert shown[0] == f"{mode[f'{end}_hz']:.3f}"
+            place = [float(text.replace("\u2212", "-")) for text in shown[1:]]
+            expected = [1e3 * mode[f"{end}_at"][name] for name in ("y", "x")]
+            assert place == pytest.approx(expected, rel=1e-4)
+
+
+def test_its_head_says_what_was_mapped(page: Path) -> None:
+    content = json.loads((page.parent / "map.json").read_text())
+    text = page.read_text(encoding="utf-8")
+    assert "Mapped: z \u2212245 mm, y \u2212100 to 100 mm, x 300 to 900 mm." in text
+    low, high = content["modes"][0]["minimum_hz"], content["modes"][0]["maximum_hz"]
+    assert f"lies between {low:.2f} and {high:.2f} Hz" in text
+    assert content["poses"] == 13 * 9
+    assert content["valid"] == 110
+    assert ">110 (94 %)<" in text
+    assert "7 poses cannot be evaluated: a carriage is beyond its limits" in text
 
 
 def test_no_request_leaves_it_and_nothing_complains(page: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from html import unescape
 
 import numpy as np
@@ -58,3 +59,20 @@ def test_a_scene_is_its_page_in_a_frame(model: pkmodes.Model) -> None:
     (source,) = re.findall(r'srcdoc="([^"]*)"', text)
     assert unescape(source).startswith("<!doctype html>")
     assert "linear-delta-2022" in unescape(source)
+
+
+def test_a_hostile_name_is_only_text() -> None:
+    name = "<img src=x onerror=alert(1)>\"'</figcaption></caption>"
+    robot = pkmodes.load("robots/corexy-printer.toml").robot
+    model = pkmodes.Model(replace(robot, name=name))
+    grid = {"x": np.linspace(0.1, 0.2, 3), "y": np.linspace(0.1, 0.2, 3)}
+    table = model.modes([0.1, 0.2])._repr_html_()
+    assert table is not None
+    for text in (
+        table,
+        next(iter(pictures(model, grid)))._repr_html_(),
+        scene(model, [0.1, 0.2])._repr_html_(),
+    ):
+        assert "<img" not in text
+        assert "onerror" in text, "shown as it is"
+    assert table.count("</caption>") == 1

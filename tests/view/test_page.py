@@ -231,7 +231,7 @@ def test_a_printed_page_is_light_and_still(pages: dict[str, Path]) -> None:
 
 
 def test_a_hostile_name_is_only_text(tmp_path: Path) -> None:
-    name = "</script><script>alert(1)</script><img src=x onerror=alert(2)>&\"'"
+    name = '"></script><script>alert(1)</script><img src=x onerror=alert(2)>&"\''
     model = pkmodes.load(ROBOTS / "corexy-printer.toml")
     hostile = pkmodes.Model(type(model.robot)(**{**vars(model.robot), "name": name}))
     file = tmp_path / "hostile.html"
@@ -240,6 +240,8 @@ def test_a_hostile_name_is_only_text(tmp_path: Path) -> None:
         seen.page.on("dialog", lambda dialog: seen.problems.append(dialog.message))
         seen.page.reload()
         assert seen.page.locator("h1").inner_text() == name
+        labels = [one.get_attribute("aria-label") for one in seen.page.locator("[aria-label]").all()]
+        assert [str(label).partition(name)[1] for label in labels[:2]] == [name, name], "section and picture"
         assert seen.page.locator("img").count() == 0
         assert seen.page.locator("select").input_value() == "0"
         clean(seen)

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 import pkmodes
 from pkmodes.evaluation import evaluation
 from pkmodes.extras import require
-from pkmodes.maps.evaluating import Layout
 from pkmodes.maps.fields import fields_of
+from pkmodes.maps.layout import Layout
 from pkmodes.maps.pairing import EVENTS
 from pkmodes.maps.places import LIST, Grid, Places
 from pkmodes.maps.tracking import Tracked
@@ -50,7 +50,7 @@ def dataset_of(
     variants : Variants
     layout : Layout
     arrays : mapping of str to ndarray or Stored, shape (rows, ...)
-        The fields of `pkmodes.maps.evaluating.tails`.
+        The fields of `pkmodes.maps.layout.tails`.
     tracked : Tracked, optional
         Modes by shape instead of by rank.
 

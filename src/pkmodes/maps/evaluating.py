@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from hashlib import sha256
@@ -18,34 +17,14 @@ from pkmodes.errors import PkmodesError
 from pkmodes.evaluation import evaluation
 from pkmodes.generated import Generated
 from pkmodes.kinematics import condition_number
+from pkmodes.maps.layout import Layout, tails
+from pkmodes.maps.places import parts_of
 from pkmodes.mechanism import Mechanism
 from pkmodes.poses import CHUNK
 from pkmodes.results import JOINTS
 from pkmodes.robot.robot import Robot
 
 Array = NDArray[Any]
-
-
-@dataclass(frozen=True)
-class Layout:
-    """Lengths along the axes of a map that come after the poses; the same for all of its robots.
-
-    Attributes
-    ----------
-    modes : int
-        Largest number of vibration modes of any robot.
-    coordinates : tuple of str
-        All coordinates of any robot.
-    shapes : bool
-        Whether mode shapes are kept.
-    backend : str
-        As for `pkmodes.Model.modes`.
-    """
-
-    modes: int
-    coordinates: tuple[str, ...]
-    shapes: bool
-    backend: str
 
 
 @dataclass(frozen=True)
@@ -77,36 +56,6 @@ def code_of(kind: Mechanism) -> str:
     """Return a hash of the generated code of a mechanism, which may differ between two runs or machines."""
     files = (Path(str(module.__file__)) for module in (kind.model, kind.extended))
     return sha256(b"\0".join(path.read_bytes() for path in files)).hexdigest()
-
-
-def tails(robot: Robot, layout: Layout) -> dict[str, tuple[tuple[int, ...], str]]:
-    """Return the shape at one pose, and the type, of each field."""
-    kind = robot.kind
-    found: dict[str, tuple[tuple[int, ...], str]] = {
-        "frequency": ((layout.modes,), "f8"),
-        "platform_shape": ((layout.modes, len(kind.directions)), "f8"),
-        "in_plane": ((layout.modes,), "f8"),
-        "out_of_plane": ((layout.modes,), "f8"),
-        "joint_position": ((len(layout.coordinates if layout.shapes else kind.independent),), "f8"),
-        "static_torque": ((len(kind.drives),), "f8"),
-        "condition": ((), "f8"),
-        "code": ((), "i1"),
-    }
-    if layout.shapes:
-        found["shape"] = ((layout.modes, len(layout.coordinates)), "f8")
-    return found
-
-
-def layout_of(robots: Sequence[Robot], shapes: bool, backend: str) -> Layout:
-    """Return the layout that holds the modes of all robots."""
-    modes, order = 0, {}
-    for robot in robots:
-        found = evaluation(robot)
-        modes = max(modes, len(found.coordinates) - int(found.massless().sum()) - found.rigid_modes)
-        order.update(dict.fromkeys(found.coordinates))
-    released = [q.name for effect in robots[0].kind.effects.values() for q in effect.coordinates]
-    every = [q.name for q in robots[0].kind.coordinates] + released
-    return Layout(modes, tuple(sorted(order, key=every.index)), shapes, backend)
 
 
 def evaluate(task: Task) -> dict[str, Array]:
@@ -169,22 +118,3 @@ def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
         arrays["shape"][good, :n] = 0.0
         arrays["shape"][:, :n, columns] = found.shapes[:, rigid:]
     return {**arrays, "code": found.codes}
-
-
-def parts_of(motion: Array, directions: Sequence[str], normal: str | None) -> tuple[Array, Array]:
-    """Split motions of the platform into magnitudes in the plane of the grid and perpendicular to it.
-
-    Parameters
-    ----------
-    motion : ndarray, shape (..., directions)
-    directions : sequence of str
-    normal : str or None
-
-    Returns
-    -------
-    in_plane, out_of_plane : ndarray, shape (...)
-        The second is zero for a mechanism that moves in a plane.
-    """
-    plane = [i for i, name in enumerate(directions) if name != normal]
-    within = np.sqrt((motion[..., plane] ** 2).sum(axis=-1))
-    return within, 0.0 * within if normal is None else np.abs(motion[..., directions.index(normal)])

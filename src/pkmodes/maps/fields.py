@@ -24,7 +24,7 @@ def fields_of(
     Parameters
     ----------
     arrays : mapping of str to ndarray or Stored, shape (rows, ...)
-        The fields of `pkmodes.maps.evaluating.tails`; stored ones become Dask arrays, so that a map can be written
+        The fields of `pkmodes.maps.layout.tails`; stored ones become Dask arrays, so that a map can be written
         without having it in memory.
     shape : tuple of int
         Of the map; rows are in C order.

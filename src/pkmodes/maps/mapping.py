@@ -18,8 +18,9 @@ from pkmodes.dynamics import Dynamics
 from pkmodes.errors import PkmodesError
 from pkmodes.evaluation import evaluation
 from pkmodes.maps.dataset import dataset_of, imported
-from pkmodes.maps.evaluating import Layout, Task, code_of, layout_of, tails
+from pkmodes.maps.evaluating import Task, code_of
 from pkmodes.maps.files import Target
+from pkmodes.maps.layout import Layout, layout_of, tails
 from pkmodes.maps.locking import locked
 from pkmodes.maps.places import Grid, Places, places_of
 from pkmodes.maps.running import run

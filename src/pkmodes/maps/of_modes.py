@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pkmodes.maps.dataset import attributes_of, imported, labels_of, meanings_of
-from pkmodes.maps.evaluating import parts_of
-from pkmodes.maps.places import LIST
+from pkmodes.maps.places import LIST, parts_of
 from pkmodes.maps.variables import variables
 from pkmodes.results import JOINTS
 

@@ -5,6 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from pkmodes.maps.places import LIST
+from pkmodes.maps.variables import MODE
+
 if TYPE_CHECKING:
     import pandas
     import xarray
@@ -41,8 +44,10 @@ def table_of(dataset: xarray.Dataset) -> pandas.DataFrame:
         if name in dataset:
             labels = dataset[along].values.tolist()
             found |= {f"{name}:{label}": dataset[name].sel({along: label}, drop=True) for label in labels}
-    order = [str(dim) for dim in dataset["frequency"].dims]
     wide = xarray.Dataset(found)
+    order = [str(dim) for dim in (*dataset["valid"].dims, MODE) if dim in wide.dims]
+    if not order:  # one pose, without frequencies and shapes
+        wide, order = wide.expand_dims(LIST), [LIST]
     return wide.to_dataframe(dim_order=order).reset_index()
 
 

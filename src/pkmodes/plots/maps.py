@@ -154,15 +154,15 @@ def panels_of(plane: Plane, modes: int, *, colour_bars: bool) -> tuple[Figure, A
 
 
 def each(plane: Plane, panels: Any, modes: int) -> Iterator[tuple[int, Axes]]:
-    """Yield each mode with its panel, titled, and labelled where it is at the edge; further panels stay empty."""
-    rows, columns = panels.shape
+    """Yield each mode with its panel, titled, and labelled where no panel is beside or below; others stay empty."""
+    columns = panels.shape[1]
     for mode, axes in enumerate(panels.flat):
         if mode >= modes:
             axes.set_axis_off()
             continue
         yield mode, axes
         axes.set_title(f"mode {mode + 1}")
-        plane.label_axes(axes, left=mode % columns == 0, bottom=mode // columns == rows - 1)
+        plane.label_axes(axes, left=mode % columns == 0, bottom=mode + columns >= modes)
 
 
 def _contours(plane: Plane, axes: Axes, values: Array, low: float, high: float) -> None:

@@ -1,0 +1,244 @@
+"""What the figures of measured modes draw, read back from the drawing, and what their captions say, by hand."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from matplotlib.collections import LineCollection, PathCollection, QuadMesh
+from matplotlib.colors import to_hex, to_rgba
+
+from pkmodes.diagnosis.match.predicted import Predicted
+from pkmodes.diagnosis.verdict.result import Corrected, Examined
+from pkmodes.plots import differences, scores, shapes, spectrum
+from pkmodes.plots.evidence import Evidence, Stage
+from pkmodes.plots.style import BLUE, GREEN, GREY
+from pkmodes.report import figures
+from report_examples import made_up
+
+NAN = np.nan
+MACS = np.array([[0.9, 0.2, 0.1], [0.3, 0.8, 0.15], [NAN] * 3, [0.7, 0.4, 0.06], [0.12, 0.22, 0.6]])
+PAIRS = np.array([0.9, 0.8, NAN, 0.7, 0.6])
+#: Modes 1 and 2 at A, mode 2 set aside and a third row unmatched; modes 1 and 3 at B, which is held out.
+BEFORE = Predicted(
+    frequency=np.array([102.0, 210.0, NAN, 98.0, 206.0]),
+    mode=np.array([1, 2, 0, 1, 3]),
+    sigmas=np.array([2.0, 5.0, NAN, -2.5, 1.5]),
+    mac=PAIRS,
+    macs=MACS,
+    spectrum=np.array([[102.0, 210.0, 400.0], [98.0, 190.0, 206.0]]),
+)
+AFTER = replace(
+    BEFORE,
+    frequency=np.array([100.5, 201.0, NAN, 99.5, 199.0]),
+    sigmas=np.array([0.5, 0.25, NAN, -0.5, -0.75]),
+    spectrum=np.array([[100.5, 201.0, 390.0], [99.5, 185.0, 199.0]]),
+)
+EVIDENCE = Evidence(
+    labels=("A", "B"),
+    setup=np.array([0, 0, 0, 1, 1]),
+    measured=np.array([100.0, 200.0, 300.0, 100.0, 200.0]),
+    sigma=np.ones(5),
+    held_out=np.array([False, False, False, True, True]),
+    outlier=np.array([False, True, False, False, False]),
+    stages=(Stage("before", "as declared", BEFORE), Stage("after", "with the cause", AFTER)),
+    points=np.array([[0.1, 0.0, -0.2], [0.3, 0.0, -0.2]]),
+    components=("x", "y", "z"),
+    units=("m", "m", "m"),
+    place="pose",
+)
+
+
+def marks(axes: Any) -> dict[str, list[tuple[float, float]]]:
+    """Places of the marks by their name in the legend, to nine digits."""
+    return {
+        str(one.get_label()): [tuple(np.round(place, 9)) for place in np.asarray(one.get_offsets())]
+        for one in axes.collections
+        if isinstance(one, PathCollection)
+    }
+
+
+def segments(axes: Any, label: str | None = None) -> list[tuple[float, float, float]]:
+    """Left end, right end and height of horizontal lines."""
+    return sorted(
+        (round(float(a[0]), 9), round(float(b[0]), 9), round(float(a[1]), 9))
+        for one in axes.collections
+        if isinstance(one, LineCollection) and (label is None or one.get_label() == label)
+        for a, b in one.get_segments()
+    )
+
+
+def titles(figure: Any) -> list[str]:
+    return [axes.get_title(loc="left") for axes in figure.axes]
+
+
+def test_the_spectrum_has_the_lines_of_each_stage_and_a_mark_for_each_row() -> None:
+    (axes,) = spectrum.spectrum(EVIDENCE).axes
+    # Up to 1.12 of the highest measured frequency.
+    for label, colour, rows in (
+        ("model as declared", GREY, ((0, 102.0), (0, 210.0), (1, 98.0), (1, 190.0), (1, 206.0))),
+        ("model with the cause", GREEN, ((0, 100.5), (0, 201.0), (1, 99.5), (1, 185.0), (1, 199.0))),
+    ):
+        assert segments(axes, label) == [(round(at - 0.36, 9), round(at + 0.36, 9), f) for at, f in rows]
+        (lines,) = (one for one in axes.collections if one.get_label() == label)
+        assert {to_hex(one) for one in lines.get_color()} == {colour}
+    assert marks(axes) == {
+        "fitted": [(0.0, 100.0)],
+        "set aside": [(0.0, 200.0)],
+        "held out": [(1.0, 100.0), (1.0, 200.0)],
+        "unmatched": [(0.0, 300.0)],
+    }
+    assert [label.get_text() for label in axes.get_xticklabels()] == ["A", "B"]
+    assert axes.get_ylim() == pytest.approx((0.0, 336.0))
+
+
+def test_a_comparison_has_one_kind_of_lines() -> None:
+    (axes,) = spectrum.spectrum(replace(EVIDENCE, stages=EVIDENCE.stages[:1])).axes
+    assert len(segments(axes, "model as declared")) == 5
+    assert "measured mode" in marks(axes)
+
+
+def test_differences_by_mode_are_model_over_measurement_in_per_cent_with_medians() -> None:
+    figure = differences.by_mode(EVIDENCE)
+    assert titles(figure) == ["Model as declared", "Model with the cause"]
+    # Setup A stands left of the mode's number, setup B right of it.
+    for axes, fitted, aside, held, medians in (
+        (figure.axes[0], 2.0, 5.0, (-2.0, 3.0), (0.0, 3.0)),
+        (figure.axes[1], 0.5, 0.5, (-0.5, -0.5), (0.0, -0.5)),
+    ):
+        assert marks(axes) == {
+            "fitted": [(0.85, fitted)],
+            "set aside": [(1.85, aside)],
+            "held out": [(1.15, held[0]), (3.15, held[1])],
+        }
+        # No line for mode 2, whose only row was set aside.
+        assert segments(axes) == [(0.66, 1.34, medians[0]), (2.66, 3.34, medians[1])]
+    assert [label.get_text() for label in figure.axes[1].get_xticklabels()] == [
+        *("1\n100 Hz", "2\n200 Hz", "3\n200 Hz")
+    ]
+
+
+def test_differences_by_setup_and_against_the_pose_are_in_standard_deviations() -> None:
+    by_setup, against = differences.by_setup(EVIDENCE), differences.against_pose(EVIDENCE)
+    assert against is not None
+    assert titles(against) == titles(by_setup) == ["Model as declared", "Model with the cause"]
+    for figure, first, second in ((by_setup, 0.0, 1.0), (against, 0.1, 0.3)):
+        for axes, sigmas in zip(figure.axes, (BEFORE.sigmas, AFTER.sigmas), strict=True):
+            assert marks(axes) == {
+                "fitted": [(first, sigmas[0])],
+                "set aside": [(first, sigmas[1])],
+                "held out": [(second, sigmas[3]), (second, sigmas[4])],
+            }
+            (band,) = axes.patches
+            assert (band.get_y(), band.get_height()) == (-2.0, 4.0)
+            low, high = axes.get_ylim()
+            assert low < np.nanmin(sigmas)
+            assert high > np.nanmax(sigmas)
+    assert against.axes[-1].get_xlabel() == "x [m]", "y and z do not vary"
+    assert differences.against_pose(replace(EVIDENCE, points=EVIDENCE.points[[0, 0]])) is None
+
+
+def test_mac_matrices_have_the_measured_modes_in_rows_and_the_setup_with_the_lowest_mac_below() -> None:
+    figure = shapes.mac_matrices(EVIDENCE)
+    assert figure is not None
+    panels = [axes for axes in figure.axes if axes.get_title(loc="left") or "lowest" in axes.get_ylabel()]
+    assert panels[0].get_ylabel() == "mean of all poses\nmeasured mode"
+    assert panels[2].get_ylabel() == "lowest MAC: B\nmeasured mode"
+    mean = np.array([[0.8, 0.3, 0.08], [0.3, 0.8, 0.15], [0.12, 0.22, 0.6]])
+    worst = np.array([[0.7, 0.4, 0.06], [NAN] * 3, [0.12, 0.22, 0.6]])
+    for axes, expected in ((panels[0], mean), (panels[2], worst)):
+        (mesh,) = (one for one in axes.collections if isinstance(one, QuadMesh))
+        np.testing.assert_allclose(np.ma.filled(mesh.get_array().astype(float), NAN), expected)
+        assert mesh.get_clim() == (0.0, 1.0)
+        assert axes.yaxis_inverted(), "mode 1 is at the top"
+        written = {one.get_position(): one.get_text() for one in axes.texts}
+        there = np.argwhere(np.isfinite(expected))
+        assert written == {(k + 1, i + 1): f"{expected[i, k]:.2f}" for i, k in there}
+
+
+def test_captions_say_the_errors_of_each_stage() -> None:
+    by_frequency, by_mode, by_setup = figures.mode_figures(EVIDENCE)
+    assert "1 measured mode without a partner in the model." in by_frequency.caption
+    # Without the row set aside, 2, -2 and 3 %: rms sqrt(17 / 3).
+    assert "as declared: rms 2.4 %; with the cause: rms 0.5 %" in by_mode.svg
+    said = "largest as declared: 5 standard deviations; largest with the cause: 0.75 standard deviations"
+    assert said in by_setup.svg
+    (poses,) = figures.pose_figures(EVIDENCE)
+    assert said in poses.svg
+    assert poses.caption.startswith("Differences against x.")
+    (macs,) = figures.shape_figures(EVIDENCE)
+    assert "The lowest of a pair is 0.600, at pose B." in macs.svg
+    assert macs.caption.endswith("the pose with the lowest MAC of a pair, 0.600.")
+
+
+def test_stages_are_named_as_they_are() -> None:
+    result, data = made_up(3, 2)
+    assert result.stages is not None
+    found = Evidence.of(result, data)
+    assert [(stage.key, stage.title) for stage in found.stages] == [
+        ("before", "as declared"),
+        ("after", "with the cause"),
+    ]
+    assert found.stages[0].predicted is result.stages.before
+    assert found.stages[1].predicted is result.stages.after
+    refitted = replace(result, stages=replace(result.stages, after=None))
+    assert [stage.title for stage in Evidence.of(refitted).stages] == ["as declared", "refitted"]
+    assert Evidence.of(refitted).last.predicted is result.stages.refit
+    twice = replace(result, effects=result.effects * 2)
+    assert Evidence.of(twice).last.title == "with the causes"
+
+
+def test_candidates_stand_in_the_order_of_their_scores_with_the_colour_of_their_standing() -> None:
+    result, _ = made_up(3, 2)
+    tested = tuple(
+        Examined(name, p, (), seen)
+        for name, p, seen in (
+            ("belt_mass", 0.1, True),
+            ("payload", 1e-8, True),
+            ("link_compliance", 1e-3, False),
+            ("servo_stiffness", 1.0, True),
+        )
+    )
+    figure = scores.candidates(replace(result, candidates=tested, survivors=(("belt_mass + other",),)))
+    assert figure is not None
+    (axes,) = figure.axes
+    assert [label.get_text() for label in axes.get_yticklabels()] == [
+        *("payload", "link_compliance", "belt_mass", "servo_stiffness")
+    ]
+    assert axes.yaxis_inverted()
+    assert marks(axes) == {
+        "claimed, with its class": [(8.0, 0.0)],
+        "remains": [(1.0, 2.0)],
+        "not claimed": [(0.0, 3.0)],
+        "not claimed, not detectable": [(3.0, 1.0)],
+    }
+    colours = {
+        one.get_label(): to_rgba(one.get_edgecolor()[0])
+        for one in axes.collections
+        if isinstance(one, PathCollection)
+    }
+    assert colours["claimed, with its class"] == to_rgba(BLUE)
+    assert colours["remains"] == to_rgba(GREEN)
+    assert colours["not claimed"] == to_rgba(GREY)
+
+
+def test_values_stand_where_the_fit_moved_them_in_standard_deviations_of_their_prior() -> None:
+    """1.5 kg within 0.1 kg became 1.3 kg within 0.05 kg; a value without a prior has no place."""
+    values = (
+        Corrected("link.length", 0.401, 0.0005, "m", 0.4, 0.001, False),
+        Corrected("platform.mass", 1.3, 0.05, "kg", 1.5, 0.1, False),
+        Corrected("effects.payload.mass", 0.3, 0.01, "kg", 0.0, None, False),
+    )
+    figure = scores.pulls(values)
+    assert figure is not None
+    (axes,) = figure.axes
+    assert [label.get_text() for label in axes.get_yticklabels()] == ["platform.mass", "link.length"]
+    (points,) = (line for line in axes.lines if line.get_marker() == "o")
+    np.testing.assert_allclose(points.get_xydata(), [[-2.0, 0.0], [1.0, 1.0]])
+    (bars,) = (one for one in axes.collections if isinstance(one, LineCollection))
+    np.testing.assert_allclose(
+        [segment[:, 0] for segment in bars.get_segments()], [[-2.5, -1.5], [0.5, 1.5]], rtol=1e-6
+    )
+    assert scores.pulls(values[2:]) is None
