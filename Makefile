@@ -33,6 +33,7 @@ demo: $(VENV)/.demo  ## the whole loop, from the robot file to corrected code, w
 	@echo "  build/diagnosis.html   the diagnosis of the workshop's machine, to hand on"
 	@echo "  build/map.html         where the paper's machine rings"
 	@echo "  build/robot.html       that machine, moving in its modes"
+	@echo "  build/mode.gif         its second mode, as in the README"
 
 test: $(VENV)/.dev  ## all tests, including the slow ones
 	$(BIN)/python -m pytest -n auto

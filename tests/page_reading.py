@@ -8,7 +8,7 @@ from html.parser import HTMLParser
 from typing import Any
 
 #: Elements without an end.
-VOID = {"meta", "link", "br", "img", "input", "hr"}
+VOID = {"meta", "link", "br", "img", "input", "hr", "wbr"}
 
 
 @dataclass

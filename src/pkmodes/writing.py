@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import tempfile
 from collections.abc import Mapping
@@ -9,6 +10,9 @@ from contextlib import suppress
 from pathlib import Path
 
 from pkmodes.errors import OutputError
+
+#: Failures after which the same place may be used once there is room.
+FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 
 
 def write_files(folder: Path, texts: Mapping[str, str | bytes]) -> list[Path]:
@@ -24,11 +28,13 @@ def write_files(folder: Path, texts: Mapping[str, str | bytes]) -> list[Path]:
     """
     staged: list[tuple[Path, Path]] = []
     moved: list[tuple[Path | None, Path]] = []
+    writing = folder
     made = [place for place in (folder, *folder.parents) if not place.exists()]
     try:
         folder.mkdir(parents=True, exist_ok=True)
         for name, text in texts.items():
-            target = _real(folder / name)
+            writing = folder / name
+            target = _real(writing)
             staged.append((_stage(target, text), target))
         for temporary, target in staged:
             backup = _set_aside(target)
@@ -47,11 +53,7 @@ def write_files(folder: Path, texts: Mapping[str, str | bytes]) -> list[Path]:
                 place.rmdir()
         if not isinstance(error, OSError):
             raise
-        reason = (error.strerror or "it cannot be written").lower()
-        where = str(error.filename) if isinstance(error.filename, str) else str(folder)
-        raise OutputError(
-            f"cannot write: {reason}", where, "choose another place or make it writable"
-        ) from None
+        raise refusal(error, writing) from None
     for backup, _ in moved:
         if backup is not None:
             backup.unlink(missing_ok=True)
@@ -70,10 +72,23 @@ def write_file(path: Path, text: str | bytes) -> None:
         try:
             path.write_bytes(text.encode("utf-8") if isinstance(text, str) else text)
         except OSError as error:
-            reason = (error.strerror or "it cannot be written").lower()
-            raise OutputError(f"cannot write: {reason}", str(path), "choose another place") from None
+            raise refusal(error, path) from None
         return
     write_files(path.parent, {path.name: text})
+
+
+def refusal(error: OSError, place: Path) -> OutputError:
+    """Return the error for a file that the system refuses to write.
+
+    Parameters
+    ----------
+    error : OSError
+    place : Path
+        The file as the user named it; the error itself names a temporary file next to it, or none.
+    """
+    reason = (error.strerror or "it cannot be written").lower()
+    need = "make room" if error.errno in FULL else "make it writable"
+    return OutputError(f"cannot write: {reason}", str(place), f"choose another place or {need}")
 
 
 def _real(path: Path) -> Path:

@@ -65,8 +65,14 @@ def test_figures_are_the_same_at_every_run(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        (["--grid", "x=0.3:0.8:5,y=0,z=-0.245"], "expected a map over two components of the pose"),
-        (["--grid", "x=3:8:5,y=-0.1:0.1:5,z=-0.245"], "none of the 25 poses of the map can be evaluated"),
+        (
+            ["--grid", "x=0.3:0.8:5,y=0,z=-0.245"],
+            "found z: 1, y: 1, x: 5 (--grid); give several values for two of x, y, z",
+        ),
+        (
+            ["--grid", "x=3:8:5,y=-0.1:0.1:5,z=-0.245"],
+            "m too short (--grid); the workspace lies within x from 0.0",
+        ),
         (["--grid", "x=300:800:5,y=-0.1:0.1:5,z=-0.245"], "the numbers look like millimetres"),
         (["--grid", "x=0.8:0.3:5,y=-0.1:0.1:5,z=-0.245"], "the range is reversed"),
         (["--grid", "x=0.3:0.8:5,y=-0.1:0.1:5"], "the grid does not say z"),

@@ -110,6 +110,7 @@ def test_a_path_set_twice(capsys: pytest.CaptureFixture[str]) -> None:
         (["--poses", "two.csv"], 'expected one column "z", found none (two.csv: line 1)'),
         (["--poses", "short.csv"], "expected 3 cells, found 2 (short.csv: line 2)"),
         (["--poses", "away.csv"], "none of the 1 poses of the map can be evaluated"),
+        (["--poses", "mm.csv"], "(--poses); the numbers look like millimetres: write the unit in the header"),
         (["--scheduler", "tcp://127.0.0.1:9", "--grid", GRID], "cannot reach the scheduler"),
         (
             [
@@ -141,6 +142,7 @@ def test_options(
         "two.csv": "x,y\n0,0\n",
         "short.csv": "x,y,z\n0,0\n",
         "away.csv": "x,y,z\n5,0,0\n",
+        "mm.csv": "x,y,z\n600,0,-245\n",
     }
     for name, text in files.items():
         (tmp_path / name).write_text(text)

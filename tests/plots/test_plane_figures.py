@@ -210,7 +210,7 @@ def test_condition_number_and_outlines_of_the_volume(plane: Plane) -> None:
     volume = Volume(heights, along, across, np.stack([inside, np.zeros_like(inside), inside]))
     with styled():
         figure = workspace(plane, volume)
-    assert where(plane) == "z = -200 mm"
+    assert where(plane) == "z = \u2212200 mm"
     (flat,) = maps_of(figure)
     np.testing.assert_array_equal(shown(flat), PLACE)
     np.testing.assert_allclose(mesh_of(flat).get_clim(), TENTH)

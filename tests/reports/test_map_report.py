@@ -15,6 +15,7 @@ import pkmodes
 from browser import opened
 from page_reading import Element, read
 from pkmodes.cli import run
+from pkmodes.errors import PkmodesError
 from pkmodes.report.map import map_report
 from pkmodes.robot.reading import robot_from_document
 
@@ -41,6 +42,45 @@ def test_its_frequencies_are_those_of_the_json(page: Path) -> None:
     assert str(page.parent) not in text
 
 
+def test_captions_have_a_minus_sign_like_the_rest(page: Path) -> None:
+    text = unescape(page.read_text(encoding="utf-8"))
+    assert "z = \u2212245 mm" in text
+    assert "z = -245" not in text
+
+
+def test_large_counts_have_the_same_separator_everywhere(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("pkmodes.report.map._figures", lambda *_: [])
+    model = pkmodes.load(ROBOT)
+    found = model.map({"x": np.linspace(0.3, 0.9, 60), "y": np.linspace(0.0, 0.1, 20), "z": -0.245})
+    summary = read(map_report(model, found)).by_id("summary").text
+    assert "1\u2009200" in summary
+    assert not re.search(r"\d,\d", summary)
+
+
+@pytest.mark.parametrize("mishap", [PkmodesError("cannot write", "here", "do"), KeyboardInterrupt()])
+def test_a_report_that_fails_is_not_announced_and_the_map_is_kept(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    mishap: BaseException,
+) -> None:
+    def fail(*_: object) -> None:
+        raise mishap
+
+    monkeypatch.setattr("pkmodes.cli.map._write_report", fail)
+    old, out = tmp_path / "map.html", tmp_path / "map.nc"
+    old.write_text("older")
+    code = run(["map", ROBOT, *PLANE, "--out", str(out), "--report", str(old)])
+    captured = capsys.readouterr()
+    assert code == (130 if isinstance(mishap, KeyboardInterrupt) else 2)
+    assert (old.read_text(), out.is_file()) == ("older", True)
+    assert f"wrote {old}" not in captured.out + captured.err
+    if isinstance(mishap, KeyboardInterrupt):
+        assert "the map is written; for its report run the command again with --overwrite" in captured.err
+
+
 def test_each_frequency_stands_beside_where_it_is(page: Path) -> None:
     """Lowest and highest of each mode, and the place of each in mm."""
     content = json.loads((page.parent / "map.json").read_text())
@@ -48,7 +88,7 @@ def test_each_frequency_stands_beside_where_it_is(page: Path) -> None:
     groups, heads = section.all("thead")[0].all("tr")
     assert [cell.text for cell in groups.all("th")] == ["lowest", "highest"]
     assert [cell.text for cell in heads.all("th")] == [
-        *("mode", "lowest [Hz]", "y [mm]", "x [mm]", "highest [Hz]", "y [mm]", "x [mm]")
+        *("mode", "f [Hz]", "y [mm]", "x [mm]", "f [Hz]", "y [mm]", "x [mm]")
     ]
     for row, mode in zip(section.all("tbody")[0].all("tr"), content["modes"], strict=True):
         cells = [cell.text for cell in row.children if isinstance(cell, Element)]

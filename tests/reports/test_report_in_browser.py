@@ -101,6 +101,16 @@ def test_every_figure_is_drawn(page: Path) -> None:
         assert figure["outside"] == [], figure
 
 
+def test_the_fitted_values_fit_beside_the_contents(tmp_path: Path) -> None:
+    """The demo's diagnosis: the path of the cause is long."""
+    result, robot, data = diagnosed("effect_found", tmp_path)
+    (tmp_path / "page.html").write_text(report(result, robot=robot, data=data), encoding="utf-8")
+    with opened(tmp_path / "page.html", width=1280) as browser:
+        box = browser.page.locator("#values .box").first
+        assert "effects.gearbox_compliance.compliance" in box.inner_text().replace("\n", "")
+        assert box.evaluate("box => box.scrollWidth - box.clientWidth") <= 0
+
+
 def test_a_page_has_no_horizontal_scroll_at_any_width(page: Path) -> None:
     with opened(page) as browser:
         for width in (320, 390, 768, 1200, 1920):

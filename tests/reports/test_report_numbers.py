@@ -105,6 +105,21 @@ def test_the_verdict_comes_first(made: Made) -> None:
     ]
 
 
+def test_captions_name_the_marks_that_are_there_and_no_others(made: Made) -> None:
+    captions = " ".join(caption.text for caption in made.page.all("figcaption"))
+    rows = made.content["rows"]
+    assert ("open diamonds are held out" in captions) == any(row["held_out"] for row in rows)
+    assert ("purple crosses were set aside" in captions) == any(row["outlier"] for row in rows)
+
+
+def test_advice_fits_the_verdict(made: Made) -> None:
+    verdict = made.content["verdict"]
+    assert ("With halved" in made.page.all("main")[0].text) == (
+        verdict != "unexplained" and bool(made.content["stability"])
+    )
+    assert ("left to separate" in made.page.by_id("next").text) == (verdict in ("adequate", "effect_found"))
+
+
 def test_every_measured_mode_is_in_the_table(made: Made) -> None:
     lines = [
         int(float(cell.attributes["value"]))

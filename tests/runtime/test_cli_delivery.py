@@ -75,6 +75,23 @@ def test_a_reader_that_leaves_does_not_turn_a_failure_into_success(tmp_path: Pat
     assert shell('$PK "$@" | true', "check", str(tmp_path / "model")).returncode == 1
 
 
+@pytest.mark.parametrize(
+    ("command", "out", "place"),
+    [("show", "page.html", "page.html"), ("figures", "pictures", "pictures/workspace.svg")],
+)
+def test_a_full_disk_is_told_with_the_file_and_nothing_is_left(
+    tmp_path: Path, command: str, out: str, place: str
+) -> None:
+    grid = ["--grid", "x=0.4:0.7:8,y=0:0.1:5,z=-0.245"] if command == "figures" else []
+    # No file may have more than 8 kB.
+    done = shell('ulimit -f 8; $PK "$@"', command, str(PUBLISHED), "--out", out, *grid, cwd=tmp_path)
+    assert (
+        done.stderr == f"error: cannot write: file too large ({place}); choose another place or make room\n"
+    )
+    assert (done.returncode, done.stdout) == (2, "")
+    assert list(tmp_path.iterdir()) == []
+
+
 @pytest.mark.parametrize("place", ["2> /dev/full", "2>&-", "2>&- >&-"])
 def test_an_error_that_nobody_hears_keeps_its_exit_code(place: str) -> None:
     assert shell(f'$PK "$@" {place}', "modes", "absent.toml", "--pose", "0,0,0").returncode == 2

@@ -97,6 +97,8 @@ def test_a_report_that_cannot_be_written_does_not_take_the_rest_along(
         ("", "expected the name of a file"),
         ("-", "expected the name of a file"),
         (".", "expected "),
+        ("report.nc", 'expected a name that ends in .html, found "report.nc"'),
+        ("report", "write report.html"),
         (LOOP[0], "the report would replace its own input"),
         (LOOP[1], "the report would replace its own input"),
         ("result.json", "the result and the report would be the same file"),

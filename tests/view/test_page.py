@@ -82,6 +82,25 @@ def test_a_page_is_one_small_file_that_draws_a_moving_robot(pages: dict[str, Pat
         clean(seen)
 
 
+@pytest.mark.parametrize("width", [390, 820, 1280])
+def test_no_label_is_cut_at_the_edge_of_the_picture(tmp_path: Path, width: int) -> None:
+    robot = ROBOTS / "linear-delta-2022-identified.toml"
+    assert run(["show", str(robot), "--out", str(tmp_path / "page.html")]) == 0
+    with opened(tmp_path / "page.html", width=width, motion="reduce") as seen:
+        labels = stage(seen, "viewer.stage.labels.visible") and picture(seen)
+        seen.page.locator('[data-part="labels"]').uncheck()
+        changed = np.abs(labels - picture(seen)).sum(axis=-1) > 30
+        assert changed.any()
+        assert not changed[:, :2].any()
+        assert not changed[:, -2:].any()
+        legend, buttons = (
+            seen.page.locator(f".pkview-{part}").bounding_box() for part in ("legend", "buttons")
+        )
+        assert legend is not None
+        assert buttons is not None
+        assert legend["x"] + legend["width"] + 8 <= buttons["x"]
+
+
 def test_what_moves_is_the_mode_of_the_model(pages: dict[str, Path]) -> None:
     """The displacement of the platform in the picture has the direction of the model, and the size of the slider."""
     model = pkmodes.load(ROBOTS / "linear-delta-2022.toml")
@@ -284,6 +303,7 @@ def test_the_command_names_its_page_after_the_robot_file(
         (["--pose", "600,0,-245"], "the numbers look like millimetres"),
         (["--out", "missing/page.html"], "the folder missing does not exist"),
         (["--out", ""], "expected the name of a file"),
+        (["--out", "page.png"], 'expected a name that ends in .html or .gif, found "page.png"'),
         (["--out", str(ROBOTS / "linear-delta-2022.toml")], "the page would replace its own input"),
     ],
 )

@@ -6,7 +6,15 @@ from pathlib import Path
 
 import click
 
-from pkmodes.cli.output import check_target, deliver, json_option, mechanism_option, to_file, write_json
+from pkmodes.cli.output import (
+    check_target,
+    deliver,
+    json_option,
+    mechanism_option,
+    named_as_options,
+    to_file,
+    write_json,
+)
 from pkmodes.errors import OutputError, shown
 from pkmodes.loading import load
 
@@ -43,7 +51,8 @@ def figures(robot: Path, out: str, grid: str | None, formats: tuple[str, ...], j
     from pkmodes.maps.ranges import parse_grid
 
     places = None if grid is None else parse_grid(grid, model.kind, "--grid")
-    written = write_pictures(model, folder, places, tuple(dict.fromkeys(formats)))
+    with named_as_options({"grid": "--grid"}):
+        written = write_pictures(model, folder, places, tuple(dict.fromkeys(formats)))
     content = {"robot": str(robot), "out": out, "files": [path.name for path in written]}
     with deliver(to_file(json_file, content)):
         if json_file == "-":

@@ -146,15 +146,23 @@ def map_(
 
     file = None if out is None else str(out)
     content = summary_of(dataset, file)
-    files = to_file(json_file, content)
-    if report_to is not None:
-        files.append(lambda: _write_report(report_to, model, dataset, content, sources))
-    with deliver(files):
+    files, reported = to_file(json_file, content), False
+
+    def write_report() -> None:
+        nonlocal reported
+        if report_to is not None:
+            _write_report(report_to, model, dataset, content, sources)
+            reported = report_to.is_file()
+
+    complete = (
+        "" if out is None else "the map is written; for its report run the command again with --overwrite"
+    )
+    with _continued(out, complete), deliver([*files, write_report]):
         if json_file == "-":
             write_json(json_file, content)
         else:
             show(model, content)
-        if report_to is not None and report_to.is_file():
+        if reported:
             click.echo(f"\nwrote {report_to}", err=json_file == "-")
 
 
@@ -201,7 +209,7 @@ OPTIONS = {
 
 
 @contextmanager
-def _continued(out: Path | None) -> Iterator[None]:
+def _continued(out: Path | None, complete: str = "") -> Iterator[None]:
     """Tell how an interrupted map continues."""
     try:
         yield
@@ -209,7 +217,8 @@ def _continued(out: Path | None) -> Iterator[None]:
         from pkmodes.maps.storage import SUFFIX
 
         kept = out is not None and out.with_name(out.name + SUFFIX).exists()
-        raise click.Abort("the same command continues where it stopped" if kept else "run it again") from None
+        again = "the same command continues where it stopped" if kept else complete or "run it again"
+        raise click.Abort(again) from None
 
 
 @contextmanager

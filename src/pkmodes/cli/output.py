@@ -110,7 +110,8 @@ def check_other_targets(
     Raises
     ------
     OutputError
-        If the folder of a target does not exist, it is an input, or two targets are the same file.
+        If the folder of a target does not exist, it is an input, or two targets are the same file; or if the
+        report is not named as a page.
     """
     taken: dict[Path, str] = (
         {} if json_file in (None, "-") else {Path(str(json_file)).resolve(): "the result"}
@@ -125,6 +126,8 @@ def check_other_targets(
             raise OutputError(found, where, "choose another file")
         if any(given.exists() and target.exists() and given.samefile(target) for given in inputs):
             raise OutputError(f"{what} would replace its own input", where, "choose another file")
+        if option == "--report":
+            check_page(target, where)
         taken[target.resolve()] = what
 
 
@@ -146,6 +149,28 @@ def check_place(target: str, option: str) -> None:
         )
     if not path.parent.is_dir():
         raise OutputError(f"{path.parent} is not a folder", where, "choose another place")
+
+
+def check_page(target: Path, where: str, *others: str) -> None:
+    """Reject a name that no browser would open as a page; a pipe or a device may have any name.
+
+    Parameters
+    ----------
+    target : Path
+    where : str
+        The option and its value, for the message.
+    *others : str
+        Further suffixes that the command writes.
+
+    Raises
+    ------
+    OutputError
+    """
+    special = target.exists() and not target.is_file()
+    if not special and target.suffix.lower() not in (".html", ".htm", *others):
+        known = " or ".join((".html", *others))
+        what = f"expected a name that ends in {known}, found {shown(target.name)}"
+        raise OutputError(what, where, f"write {pasted(target.with_suffix('.html'))}")
 
 
 def check_order(robot: Path, modes: Path, command: str) -> None:

@@ -66,7 +66,7 @@ class Target:
             )
         folder = path.suffix.lower() == ZARR
         if path.exists() and not overwrite:
-            remedy = "choose another name, or allow it to be replaced with overwrite (--overwrite)"
+            remedy = "choose another name, or replace it with overwrite=True (--overwrite)"
             raise OutputError("the output exists", where, remedy)
         if path.exists() and path.is_dir() != folder:
             found = "a folder" if path.is_dir() else "a file"

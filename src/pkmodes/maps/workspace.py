@@ -60,7 +60,7 @@ def reachable(model: Kinematics, poses: int = POSES) -> Grid:
     return Grid(axes)
 
 
-def bounds_of(model: Kinematics, tried: Array) -> str:
+def bounds_of(model: Kinematics, tried: Array, in_millimetres: str) -> str:
     """Return the remedy for poses that cannot be reached: where the workspace is.
 
     Parameters
@@ -68,12 +68,14 @@ def bounds_of(model: Kinematics, tried: Array) -> str:
     model : Kinematics
     tried : ndarray, shape (N, d)
         Poses that cannot be reached.
+    in_millimetres : str
+        How to give them in millimetres.
     """
     lengths = [component.unit == "m" for component in model.kind.pose]
     if np.abs(tried[:, lengths]).max(initial=0.0) >= LARGE:
         smaller = np.where(lengths, tried / 1e3, tried)
         if model.check(smaller).valid.any():
-            return 'the numbers look like millimetres: write them with their unit, such as "300 mm:800 mm:51"'
+            return f"the numbers look like millimetres: {in_millimetres}"
     try:
         low, high = box_of(model)
     except PoseError as error:

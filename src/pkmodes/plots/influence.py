@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from pkmodes.plots.maps import each, panels_of
 from pkmodes.plots.plane import Plane
-from pkmodes.plots.style import GREY, INK, PALETTE, PAPER, figure
+from pkmodes.plots.style import BLACK, UNCHANGED, WHITE, figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 Array = NDArray[Any]
 #: Parameters listed at most.
 ROWS = 14
+#: Luminance at which black and white text have the same contrast: 1.05 / (L + 0.05) = (L + 0.05) / 0.05.
+MIDDLE = 0.179
 
 
 def table(paths: Sequence[str], relative: Array) -> Figure:
@@ -44,11 +46,28 @@ def table(paths: Sequence[str], relative: Array) -> Figure:
     for row, path in enumerate(order):
         for mode in range(middle.shape[1]):
             value = middle[path, mode]
-            ink = PAPER if abs(value) > 0.65 * high else INK
-            axes.text(mode, row, f"{value:+.2f}", ha="center", va="center", fontsize=7.5, color=ink)
+            ink = BLACK if luminance(mesh.to_rgba(value)) > MIDDLE else WHITE
+            axes.text(mode, row, signed(value), ha="center", va="center", fontsize=7.5, color=ink)
     bar = drawn.colorbar(mesh, ax=axes, aspect=25)
     bar.set_label("d ln f / d ln p, median over the plane [1]")
     return drawn
+
+
+def signed(value: float) -> str:
+    """Return a number with its sign; one that is rounded to zero has none."""
+    text = f"{value:+.2f}".replace("-", "\N{MINUS SIGN}")
+    return text if any(digit in text for digit in "123456789") else "0.00"
+
+
+def luminance(colour: Sequence[float] | Array) -> float:
+    """Return the relative luminance of a colour, 0 for black to 1 for white.
+
+    References
+    ----------
+    Web Content Accessibility Guidelines 2.1, relative luminance.
+    """
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in colour[:3]]
+    return float(np.dot([0.2126, 0.7152, 0.0722], linear))
 
 
 def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Figure:
@@ -69,18 +88,19 @@ def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Figure:
     reached = np.isfinite(size).all(axis=2)
     first = np.where(reached, np.nan_to_num(size).argmax(axis=2), -1)
     counts = np.bincount(first[first >= 0], minlength=len(paths))
-    shown = [int(i) for i in np.argsort(-counts, kind="stable")[: len(PALETTE)] if counts[i]]
+    shown = [int(i) for i in np.argsort(-counts, kind="stable")[: len(UNCHANGED) - 1] if counts[i]]
     place = np.full(len(paths) + 1, float(len(shown)))
     place[shown] = range(len(shown))
     place[-1] = np.nan
-    colours = ListedColormap([*PALETTE[: len(shown)], GREY])
+    *palette, grey = UNCHANGED
+    colours = ListedColormap([*palette[: len(shown)], grey])
     modes = relative.shape[-1]
     drawn, panels = panels_of(plane, modes, colour_bars=False)
     for mode, axes in each(plane, panels, modes):
         plane.draw(axes, place[first[..., mode]], cmap=colours, vmin=-0.5, vmax=len(shown) + 0.5)
-    legend = [Patch(color=PALETTE[i], label=paths[path]) for i, path in enumerate(shown)]
+    legend = [Patch(color=palette[i], label=paths[path]) for i, path in enumerate(shown)]
     if counts.sum() > counts[shown].sum():
-        legend.append(Patch(color=GREY, label="another"))
+        legend.append(Patch(color=grey, label="another"))
     drawn.legend(
         handles=legend,
         loc="outside lower center",

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.plots.plane import Plane, limits_of
-from pkmodes.plots.style import INK, PAPER, VERMILLION, WIDTH, figure
+from pkmodes.plots.style import INK, VERMILLION, WHITE, WIDTH, figure
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -174,7 +174,7 @@ def _contours(plane: Plane, axes: Axes, values: Array, low: float, high: float) 
             plane.drawn(plane.along),
             np.ma.masked_invalid(values),
             levels,
-            colors=PAPER,
+            colors=WHITE,
             linewidths=0.4,
             alpha=0.7,
         )
@@ -212,7 +212,7 @@ def _extremes(plane: Plane, axes: Axes, values: Array) -> None:
     x, y = plane.drawn(plane.across)[plane.middle], plane.drawn(plane.along)
     for name, (place, _) in extremes(plane, values).items():
         marker = "v" if name == "minimum" else "^"
-        axes.plot(x, y[place], marker, color=VERMILLION, markeredgecolor=PAPER, markersize=6, clip_on=False)
+        axes.plot(x, y[place], marker, color=VERMILLION, markeredgecolor=WHITE, markersize=6, clip_on=False)
 
 
 def _motors(axes: Axes, motors: Array | None) -> None:

@@ -170,7 +170,8 @@ def where(plane: Plane) -> str:
     if plane.normal is None:
         return f"{plane.across} and {plane.along}"
     unit, factor = SHOWN[plane.dataset[plane.normal].attrs["units"]]
-    return f"{plane.normal} = {plane.at * factor:.6g} {unit}"
+    value = f"{plane.at * factor:.6g}".replace("-", "\N{MINUS SIGN}")
+    return f"{plane.normal} = {value} {unit}"
 
 
 def limits_of(values: Array, outliers: float = OUTLIERS) -> tuple[float, float]:

@@ -24,6 +24,10 @@ BLUE, VERMILLION, GREEN, PURPLE, ORANGE, SKY = (
 )
 GREY = "#80868b"
 PALETTE = (BLUE, VERMILLION, GREEN, PURPLE, ORANGE, SKY)
+#: Colours that a page does not redefine, for images, for marks on them and for their legends: an image keeps its
+#: colours on a dark page.  The palette is one step off, so that it is not recognised.
+BLACK, WHITE = "#000000", "#ffffff"
+UNCHANGED = ("#0072b3", "#d55e01", "#009e74", "#cc79a8", "#e69f01", "#56b4e8", "#80868c")
 #: Width of a figure that is as wide as a page's text [inch].
 WIDTH = 6.3
 #: Settings of a session that are not a matter of style.

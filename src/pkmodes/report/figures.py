@@ -9,8 +9,6 @@ from pkmodes.plots.evidence import Evidence
 from pkmodes.report.blocks import Block, Paragraph, Picture
 from pkmodes.report.wording import clean, plural, typeset
 
-MARKS = "Filled dots were fitted, open diamonds are held out, purple crosses were set aside."
-
 
 def mode_figures(evidence: Evidence) -> list[Block]:
     """Return the measured modes beside the model: frequencies, differences by mode and by pose."""
@@ -40,7 +38,7 @@ def mode_figures(evidence: Evidence) -> list[Block]:
             f"Model divided by measurement, minus 1, for each mode of the model. {_rms(evidence)}",
             f"Differences by mode: model / measurement \u2212 1. Each mark is one {evidence.place}, the bar is their "
             "median. A bar away from 0 is what the model gets wrong everywhere; scatter about it is noise or depends "
-            f"on the {evidence.place}.{'' if single else ' Both panels have the same scale. ' + MARKS}",
+            f"on the {evidence.place}.{'' if single else ' Both panels have the same scale.'}{_marks(evidence)}",
         )
     )
     found.append(
@@ -98,6 +96,16 @@ def shape_figures(evidence: Evidence) -> list[Block]:
 
 def _paired(evidence: Evidence) -> bool:
     return any(stage.paired.any() for stage in evidence.stages)
+
+
+def _marks(evidence: Evidence) -> str:
+    """Return what the marks mean where there is more than one kind."""
+    kinds = ["filled dots were fitted"]
+    if (evidence.held_out & ~evidence.outlier).any():
+        kinds.append("open diamonds are held out")
+    if evidence.outlier.any():
+        kinds.append("purple crosses were set aside")
+    return f" {', '.join(kinds).capitalize()}." if len(kinds) > 1 else ""
 
 
 def _unmatched(evidence: Evidence) -> str:

@@ -98,10 +98,10 @@ def _summary(model: Model, content: dict[str, Any]) -> Summary:
         for code, count in content["reasons"].items()
     ]
     facts = [
-        ("poses", Cell(f"{content['poses']:,}".replace(",", "\u2009"), content["poses"], pointer("poses"))),
+        ("poses", Cell(_thousands(content["poses"]), content["poses"], pointer("poses"))),
         (
             "can be evaluated",
-            Cell(f"{content['valid']:,} ({100 * share:.3g} %)", content["valid"], pointer("valid")),
+            Cell(f"{_thousands(content['valid'])} ({100 * share:.3g} %)", content["valid"], pointer("valid")),
         ),
         ("vibration modes", Cell(str(len(content["modes"])), len(content["modes"]))),
     ]
@@ -115,6 +115,10 @@ def _summary(model: Model, content: dict[str, Any]) -> Summary:
         notes=notes,
         facts=facts,
     )
+
+
+def _thousands(count: int) -> str:
+    return f"{count:,}".replace(",", "\u2009")
 
 
 def _extent(model: Model, content: dict[str, Any]) -> str:
@@ -154,7 +158,7 @@ def _ranges(model: Model, content: dict[str, Any]) -> Table:
             at = mode[f"{end}_at"] or {}
             cells += [_place(at.get(dim), units.get(dim, ("", 1.0))[1]) for dim in dims]
         rows.append(cells)
-    columns = [Column("mode"), Column("lowest [Hz]"), *places, Column("highest [Hz]"), *places]
+    columns = [Column("mode"), Column("f [Hz]"), *places, Column("f [Hz]"), *places]
     groups = [("", 1), ("lowest", 1 + len(dims)), ("highest", 1 + len(dims))]
     return Table("Lowest and highest frequency of each vibration mode, and where.", columns, rows, groups)
 

@@ -16,6 +16,7 @@ STAGES = {
 NONE_LEFT = "None is proposed: no explanations are left to separate."
 NONE_PROPOSED = {
     "ambiguous": "None is proposed: no pose nearby separates the remaining explanations.",
+    "unexplained": "None is proposed: no explanation is left to be tested.",
     "insufficient_data": "None is proposed: measure more modes, at more poses.",
 }
 CHANGES = {
@@ -138,13 +139,15 @@ def stability(result: Diagnosis) -> list[Block]:
         for s in result.stability
     ]
     columns = [Column("change", False), Column("verdict", False), Column("best explanation", False)]
-    return [
-        Table("The explanations tried, fitted again with other errors and priors.", columns, rows),
-        Paragraph(
+    caption = "The explanations tried, fitted again with other errors and priors."
+    found: list[Block] = [Table(caption, columns, rows)]
+    if result.verdict != "unexplained":
+        sentence = (
             "With halved \u03c3, unexplained is normal where the stated errors are right: the residual is then too "
             "large for them."
-        ),
-    ]
+        )
+        found.append(Paragraph(sentence))
+    return found
 
 
 def next_measurement(result: Diagnosis, setting: Setting) -> list[Block]:

@@ -230,8 +230,8 @@ def real(ratio: float, pattern: str) -> str:
     """Return the reason if nothing explains the residual."""
     seen = f"; {pattern}" if pattern else ""
     return (
-        f"the residual is real (chi2 per degree of freedom {ratio:.3g}), and no candidate or pair of candidates "
-        f"reduces it to noise{seen}"
+        f"the residual is real, about {ratio**0.5:.2g} times the stated errors, and no candidate or pair of "
+        f"candidates reduces it to noise{seen}"
     )
 
 

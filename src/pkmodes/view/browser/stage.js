@@ -145,13 +145,22 @@ class Stage {
     };
     take(this.data.points[this.data.chosen], 1);
     if (this.data.workspace) take(this.data.workspace.vertices, 0.75); // its edge may lie outside the picture
-    const distance = Math.max(...room.map((r, k) => (most[k] - least[k]) / (2 * r)));
-    const aim = new T.Vector3();
-    [right, up].forEach((axis, k) => aim.addScaledVector(axis, (most[k] + least[k]) / 2));
-    aim.addScaledVector(up, 0.06 * slope * distance); // the title is above
-    const depth = centre.dot(from);
-    this.camera.position.copy(aim).addScaledVector(from, distance);
-    this.controls.target.copy(aim).addScaledVector(from, depth);
+    let distance = Math.max(...room.map((r, k) => (most[k] - least[k]) / (2 * r)));
+    const depth = centre.dot(from), edge = 0.98 * slope * this.camera.aspect;
+    for (let i = 0; i < 20; i++) {
+      const aim = new T.Vector3();
+      [right, up].forEach((axis, k) => aim.addScaledVector(axis, (most[k] + least[k]) / 2));
+      aim.addScaledVector(up, 0.06 * slope * distance); // the title is above
+      this.camera.position.copy(aim).addScaledVector(from, distance);
+      this.controls.target.copy(aim).addScaledVector(from, depth);
+      // Labels keep their size: step back until they fit beside the robot.
+      const cut = this.labels.children.some((label) => {
+        const seen = label.position.clone().sub(this.camera.position);
+        return Math.abs(seen.dot(right) / seen.dot(from)) + label.scale.x / 2 > edge;
+      });
+      if (!cut) return;
+      distance *= 1.03;
+    }
   }
 
   orbit(right, up) {

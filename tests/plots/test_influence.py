@@ -1,0 +1,79 @@
+"""The influence of parameters: numbers that can be read on every cell, and a legend in the colours of the map."""
+
+from __future__ import annotations
+
+import re
+from xml.etree import ElementTree
+
+import matplotlib
+import numpy as np
+import pytest
+import xarray
+from matplotlib.colors import to_hex, to_rgb
+from matplotlib.figure import Figure
+
+from pkmodes.plots import influence
+from pkmodes.plots.plane import Plane
+from pkmodes.plots.style import styled
+from pkmodes.plots.svg import inline
+
+SVG = "{http://www.w3.org/2000/svg}"
+PATHS = ["platform.mass", "belt.width", "link.length"]
+
+
+def luminance(colour: str) -> float:
+    """By the definition of WCAG 2.1."""
+    red, green, blue = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in to_rgb(colour))
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+def contrast(one: str, other: str) -> float:
+    low, high = sorted((luminance(one), luminance(other)))
+    return (high + 0.05) / (low + 0.05)
+
+
+def table_of(values: list[list[float]]) -> Figure:
+    with styled():
+        return influence.table(PATHS[: len(values)], np.array(values)[None, None])
+
+
+def plane() -> Plane:
+    x = np.linspace(0.0, 1.0, 5)
+    axes = {name: (name, x, {"units": "m"}) for name in ("y", "x")}
+    valid = (("y", "x"), np.ones((5, 5), dtype=bool))
+    return Plane(xarray.Dataset({"valid": valid}, coords=axes), "x", "y", None, 0.0)
+
+
+@pytest.mark.parametrize("size", np.linspace(-1.0, 1.0, 21))
+def test_every_number_can_be_read_on_its_cell_whatever_the_colours_of_the_page(size: float) -> None:
+    drawn = table_of([[1.0, size]])
+    page = ElementTree.fromstring(inline(drawn, "t", "d"))
+    written = [e.attrib["style"] for e in page.iter(f"{SVG}text") if re.search(r"\d\.\d\d$", e.text or "")]
+    ink = re.search(r"fill: (#\w{6})", written[1])
+    # matplotlib leaves out black, which is the default of SVG.
+    colour = ink[1] if ink else "#000000"
+    assert "currentColor" not in written[1]
+    cell = to_hex(matplotlib.colormaps["PuOr"]((size + 1.0) / 2.0))
+    assert contrast(colour, cell) >= 4.5
+
+
+def test_what_is_rounded_to_zero_has_no_sign() -> None:
+    drawn = table_of([[1.0, -0.001, 0.004, -0.006]])
+    assert [text.get_text() for text in drawn.axes[0].texts] == ["+1.00", "0.00", "0.00", "\u22120.01"]
+
+
+def test_the_legend_of_the_largest_influence_has_the_colours_of_the_map() -> None:
+    relative = np.zeros((5, 5, 3, 1))
+    relative[:2, :, 1], relative[2:, :, 2] = 1.0, -1.0
+    with styled():
+        drawn = influence.dominant(plane(), PATHS, relative)
+    (legend,) = drawn.legends
+    shown = {
+        t.get_text(): to_hex(p.get_facecolor())
+        for t, p in zip(legend.texts, legend.legend_handles, strict=True)
+    }
+    mesh = drawn.axes[0].collections[0]
+    colours = [to_hex(c) for c in mesh.to_rgba(mesh.get_array()).reshape(-1, 4)]
+    assert shown == {"belt.width": colours[0], "link.length": colours[-1]}
+    page = inline(drawn, "t", "d")
+    assert all(colour in page and f", {colour})" not in page for colour in shown.values())
