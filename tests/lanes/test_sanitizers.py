@@ -16,7 +16,7 @@ pytestmark = pytest.mark.compiler
 CODE = """
 import numpy as np
 from pkmodes.compiled import build, loader
-build.FLAGS = tuple("-O1" if f == "-O3" else f for f in build.FLAGS) + (
+build.FLAGS = tuple("-O0" if f == "-O3" else f for f in build.FLAGS) + (
     "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 build.WIDTHS = {build.machine(): {2: ()}}
 link = build._run

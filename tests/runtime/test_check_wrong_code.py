@@ -24,6 +24,7 @@ from robot_text import PUBLISHED, published
 CLAMP = '\n[effects.clamp_compliance]\ncompliance = "1e-7 m/N"\n'
 
 
+@pytest.mark.slow
 def test_the_committed_model_and_the_robots_hold(capsys: pytest.CaptureFixture[str]) -> None:
     robots = sorted(str(path) for path in PUBLISHED.parent.glob("*.toml"))
     assert run(["check"]) == 0
