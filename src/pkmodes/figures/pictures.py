@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING, Any
 
+from pkmodes.errors import PkmodesError
 from pkmodes.extras import require
 from pkmodes.figures.working_plane import working_plane
 from pkmodes.maps.places import places_of
@@ -68,7 +69,7 @@ def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
     Raises
     ------
     PkmodesError
-        If the grid is not a plane, or no pose in it can be evaluated.
+        If the grid is not a plane, or no pose in it can be evaluated; or if the pose has one component only.
     MissingExtraError
         If matplotlib or xarray is not installed.
     """
@@ -78,8 +79,11 @@ def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
     from pkmodes.plots.plane import Plane, plane_axes, where
     from pkmodes.plots.workspace import workspace
 
-    places = working_plane(model) if grid is None else places_of(model.kind, grid)
     components = [component.name for component in model.kind.pose]
+    if len(components) < 2:
+        what = f"the figures need two components of the pose, {model.kind.name} has {components[0]} only"
+        raise PkmodesError(what, model.robot.source, "draw its frequencies by the report of a map")
+    places = working_plane(model) if grid is None else places_of(model.kind, grid)
     plane_axes(
         dict(zip(places.dims, places.shape, strict=True)), components, "grid"
     )  # before it is evaluated

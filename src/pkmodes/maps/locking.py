@@ -7,6 +7,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from pkmodes.errors import OutputError
+from pkmodes.writing import refusal
 
 LOCK = "lock"
 
@@ -25,8 +26,11 @@ def locked(folder: Path) -> Iterator[None]:
     try:
         folder.mkdir(exist_ok=True)
         handle = (folder / LOCK).open("w")
+    except FileExistsError:
+        what = "expected a folder for the map in progress, found a file"
+        raise OutputError(what, str(folder), "delete it, or choose another output") from None
     except OSError as error:
-        raise cannot_write(error, folder) from None
+        raise refusal(error, folder) from None
     with handle:
         try:
             import fcntl
@@ -44,10 +48,3 @@ def locked(folder: Path) -> Iterator[None]:
                 with suppress(OSError):
                     (folder / LOCK).unlink()
                     folder.rmdir()
-
-
-def cannot_write(error: OSError, place: Path) -> OutputError:
-    """Return the error of a file that cannot be written."""
-    what = f"cannot write: {(error.strerror or str(error)).lower()}"
-    where = error.filename if isinstance(error.filename, str) else str(place)
-    return OutputError(what, where, "make room or make it writable, or choose another place")

@@ -23,7 +23,7 @@ from numpy.lib.format import open_memmap
 from numpy.typing import NDArray
 
 from pkmodes.errors import OutputError
-from pkmodes.maps.locking import cannot_write
+from pkmodes.writing import refusal
 
 Array = NDArray[Any]
 #: Shape at one pose, and type, of each field.
@@ -133,7 +133,7 @@ class OnDisk:
             self.arrays = {name: Stored(self._file(name), shapes[name][0]) for name in tails}
         except OSError as error:
             self.close()
-            raise cannot_write(error, folder) from None
+            raise refusal(error, folder) from None
         except BaseException:
             self.close()
             raise
@@ -215,7 +215,7 @@ class OnDisk:
                 handle.write(data.data)
                 handle.flush()
         except OSError as error:
-            raise cannot_write(error, self.folder) from None
+            raise refusal(error, self.folder) from None
 
     def _refuse(self, what: str) -> Any:
         raise OutputError(

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from pkmodes.kinematics import Kinematics
 
 Array = NDArray[np.float64]
-#: Poses of the grid, about.
-POSES = 50_000
+#: Poses of the grid, about, and along one component at most, about.
+POSES, LONGEST = 50_000, 1_000
 
 
 def reachable(model: Kinematics, poses: int = POSES) -> Grid:
@@ -28,7 +28,7 @@ def reachable(model: Kinematics, poses: int = POSES) -> Grid:
     model : Kinematics
     poses : int
         How many poses the grid has, within a factor of three because steps are round numbers, including those of
-        its corners that cannot be reached.
+        its corners that cannot be reached; along one component at most some 1,000.
 
     Returns
     -------
@@ -48,7 +48,7 @@ def reachable(model: Kinematics, poses: int = POSES) -> Grid:
     # The same step for components of one unit; components of another unit are divided as finely.
     per_unit = {unit: max(size[[u == unit for u in units]]) for unit in units}
     relative = size / np.array([per_unit[unit] for unit in units])
-    divisions = (poses / np.prod(relative)) ** (1 / len(names))
+    divisions = min((poses / np.prod(relative)) ** (1 / len(names)), LONGEST)
     axes = {}
     for i, name in enumerate(names):
         step = _round(per_unit[units[i]] / divisions)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.plots.style import BLUE, GREY, PALETTE, VERMILLION, figure
+from pkmodes.robot.units import SHOWN
 
 if TYPE_CHECKING:
     import xarray
@@ -19,17 +20,20 @@ LABELS = 24
 
 
 def against(dataset: xarray.Dataset, path: str) -> Figure:
-    """Draw the frequency of each mode against a swept parameter: median and range over everything else.
+    """Draw the frequency of each mode against one axis of a map: median and range over everything else.
 
     Parameters
     ----------
     dataset : xarray.Dataset
         A map.
     path : str
-        The parameter, a dimension of the map.
+        The axis: a swept parameter, in SI units, or a component of the pose, in the units of figures.
     """
     dataset = dataset.sortby(path)
-    values = dataset[path].values
+    unit, factor = dataset[path].attrs["units"], 1.0
+    if "." not in path:  # a component of the pose
+        unit, factor = SHOWN[unit]
+    values = dataset[path].values * factor
     frequency = _flat(dataset, path)
     modes = frequency.shape[-1]
     columns = min(modes, 3)
@@ -46,7 +50,7 @@ def against(dataset: xarray.Dataset, path: str) -> Figure:
         if mode % columns == 0:
             axes.set_ylabel("f [Hz]")
         if mode + columns >= modes:
-            axes.set_xlabel(f"{path} [{dataset[path].attrs['units']}]")
+            axes.set_xlabel(f"{path} [{unit}]")
             axes.tick_params(labelbottom=True)
     return drawn
 

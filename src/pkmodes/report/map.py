@@ -77,8 +77,8 @@ def map_report(
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     sections = [
         Section("modes", "Range of each frequency", [_ranges(model, content)]),
-        *_changes(dataset),
-        Section("figures", "Over the working plane", list(_figures(model, dataset))),
+        *_changes(model, dataset),
+        *_figures(model, dataset),
         *view_section(view),
         Section("origin", "Data and versions", [_origin(model, dataset, content, sources)]),
     ]
@@ -169,8 +169,9 @@ def _place(value: Any, factor: float) -> Cell:
     return number(float(value), ".5g", scale=factor)
 
 
-def _changes(dataset: xarray.Dataset) -> Iterator[Section]:
-    """Yield the sections of swept parameters, samples, and lists of poses."""
+def _changes(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
+    """Yield the sections of swept parameters, samples, and poses on a line or in a list."""
+    components = [component.name for component in model.kind.pose]
     dims = [str(dim) for dim in dataset["frequency"].dims if dataset.sizes[dim] > 1]
     swept = [dim for dim in dims if "." in dim]
     if swept:
@@ -203,20 +204,30 @@ def _changes(dataset: xarray.Dataset) -> Iterator[Section]:
         with styled():
             picture = Picture.of(sweeps.along(dataset), "Frequencies along the poses", caption, caption)
         yield Section("poses", "Along the poses", [picture])
+    line = [dim for dim in dims if dim in components]
+    if len(line) == 1:
+        rest = ": the line is the median, the band the range over everything else" if len(dims) > 1 else ""
+        caption = f"Frequencies along {line[0]}{rest}."
+        with styled():
+            picture = Picture.of(sweeps.against(dataset, line[0]), f"Along {line[0]}", caption, caption)
+        yield Section("line", f"Along {line[0]}", [picture])
 
 
-def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Block]:
+def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     """Yield the figures of the robot: in the plane of the map if it has one, otherwise in its working plane."""
+    if len(model.kind.pose) < 2:
+        return
     places = _plane_of(model, dataset)
     where = "the plane of the map"
     if places is None:
         places = working_plane(model)
         where = "the plane of the workspace with the lowest mean condition number"
-    yield Paragraph(f"The robot as declared, in {where}; modes are numbered by frequency.")
+    blocks: list[Block] = [Paragraph(f"The robot as declared, in {where}; modes are numbered by frequency.")]
     for picture in pictures(model, places):
         with styled():
             svg = inline(picture.figure, picture.title, picture.description, cropped=True)
-        yield Picture(svg, picture.description, picture.title)
+        blocks.append(Picture(svg, picture.description, picture.title))
+    yield Section("figures", "Over the working plane", blocks)
 
 
 def _plane_of(model: Model, dataset: xarray.Dataset) -> Grid | None:

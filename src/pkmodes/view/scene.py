@@ -92,8 +92,9 @@ class Scene:
 
     @property
     def size(self) -> float:
-        """Diagonal of the box around the points at the pose shown first [m]."""
-        return float(np.linalg.norm(np.ptp(self.points[self.chosen], axis=0)))
+        """Diagonal of the box around the points at the pose shown first, of a single point at all poses [m]."""
+        here = np.linalg.norm(np.ptp(self.points[self.chosen], axis=0))
+        return float(here or np.linalg.norm(np.ptp(self.points, axis=(0, 1))) or 1.0)
 
     @property
     def shares(self) -> Array:

@@ -145,7 +145,7 @@ class Stage {
     };
     take(this.data.points[this.data.chosen], 1);
     if (this.data.workspace) take(this.data.workspace.vertices, 0.75); // its edge may lie outside the picture
-    let distance = Math.max(...room.map((r, k) => (most[k] - least[k]) / (2 * r)));
+    let distance = Math.max(this.data.size, ...room.map((r, k) => (most[k] - least[k]) / (2 * r)));
     const depth = centre.dot(from), edge = 0.98 * slope * this.camera.aspect;
     for (let i = 0; i < 20; i++) {
       const aim = new T.Vector3();
