@@ -48,6 +48,11 @@ def test_captions_have_a_minus_sign_like_the_rest(page: Path) -> None:
     assert "z = -245" not in text
 
 
+def test_the_view_begins_in_the_middle_of_the_map(page: Path) -> None:
+    view = read(page.read_text(encoding="utf-8")).by_id("view").text
+    assert "at x = 600.0 mm, y = 0.0 mm, z = \u2212245.0 mm" in view
+
+
 def test_large_counts_have_the_same_separator_everywhere(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

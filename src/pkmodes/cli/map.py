@@ -169,10 +169,11 @@ def map_(
 def _write_report(
     target: Path, model: Model, dataset: Dataset, content: dict[str, Any], sources: tuple[Source, ...]
 ) -> None:
-    from pkmodes.report.map import map_report
+    from pkmodes.report.map import map_report, middle_of
     from pkmodes.report.three import view_of
 
-    write_file(target, map_report(model, dataset, content, sources, view_of(model)))
+    view = view_of(model, start=middle_of(model, dataset))
+    write_file(target, map_report(model, dataset, content, sources, view))
 
 
 def _places(model: Model, grid: str | None, poses: Path | None) -> Any:

@@ -30,6 +30,6 @@ def neighbours(plane: Plane, mac: Array) -> Figure:
     for mode, axes in each(plane, panels, modes):
         mesh = plane.draw(axes, mac[..., mode], vmin=0.0, vmax=1.0)
     if mesh is not None:
-        bar = drawn.colorbar(mesh, ax=panels, location="right", shrink=0.6, aspect=25)
+        bar = drawn.colorbar(mesh, ax=panels, location="right", shrink=0.9, aspect=35)
         bar.set_label("smallest MAC with a neighbouring pose [1]")
     return drawn

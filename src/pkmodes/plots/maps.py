@@ -76,7 +76,7 @@ def directions(plane: Plane) -> Figure:
         reach = step * (y[-1] - y[0]) / max(len(y) - 1, 1) * 0.45
         _strokes(axes, x[columns], y[rows], reach * part[..., across], reach * part[..., along])
     if mesh is not None and plane.normal is not None:
-        bar = drawn.colorbar(mesh, ax=panels, location="right", shrink=0.6, aspect=25)
+        bar = drawn.colorbar(mesh, ax=panels, location="right", shrink=0.9, aspect=35)
         bar.set_label(f"share of the motion along {plane.normal} [1]")
     return drawn
 

@@ -85,6 +85,15 @@ def map_report(
     return page(_summary(model, content), sections)
 
 
+def middle_of(model: Model, dataset: xarray.Dataset) -> list[float] | None:
+    """Return the pose in the middle of a map; None for a list of poses, or if it cannot be evaluated."""
+    names = [component.name for component in model.kind.pose]
+    if not set(names) <= set(dataset.dims):
+        return None
+    pose = [float(dataset[name].values[dataset.sizes[name] // 2]) for name in names]
+    return pose if model.check(pose).valid else None
+
+
 def _summary(model: Model, content: dict[str, Any]) -> Summary:
     first = content["modes"][0]
     headline = "No pose could be evaluated"

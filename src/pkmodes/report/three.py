@@ -21,7 +21,7 @@ from pkmodes.view import assets, fragment, poses_around, scene, typical_pose
 MOST = 60
 
 
-def view_of(model: Model, poses: ArrayLike | None = None) -> str | None:
+def view_of(model: Model, poses: ArrayLike | None = None, *, start: ArrayLike | None = None) -> str | None:
     """Return the view of a robot as HTML.
 
     Parameters
@@ -30,6 +30,8 @@ def view_of(model: Model, poses: ArrayLike | None = None) -> str | None:
         The robot.
     poses : array_like, shape (N, d), optional
         By default a grid over the workspace.
+    start : array_like, shape (d,), optional
+        The pose of the grid to show first, by default from `pkmodes.view.typical_pose`.
 
     Returns
     -------
@@ -38,7 +40,7 @@ def view_of(model: Model, poses: ArrayLike | None = None) -> str | None:
     """
     try:
         if poses is None:
-            shown = poses_around(model, typical_pose(model))
+            shown = poses_around(model, typical_pose(model) if start is None else start)
         else:
             points = np.asarray(poses, dtype=float)
             points = points[model.check(points).valid][:MOST]
