@@ -114,7 +114,7 @@ LAYERS = {
         "mechanism",
         "poses",
     }
-    | {"results", "backends", "measured"},
+    | {"results", "backends", "measured", "writing"},
     "plots": {"view", "robot", "diagnosis", "measured", "description"},
     "figures": {"workspace", "plots", "maps", "view", "model", "robot", "writing"},
     "report": {"figures", "plots", "maps", "view", "diagnosis", "updating", "measured", "model", "robot"},

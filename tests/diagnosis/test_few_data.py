@@ -74,6 +74,7 @@ def line(G: np.ndarray, y: np.ndarray, **options: object) -> Diagnosis:
     return diagnose(model, logs_measured(base + SIGMA * y, SIGMA), holdout=(), **options)
 
 
+@pytest.mark.slow
 def test_one_of_many_candidates_that_fits_a_residual_in_few_dimensions_is_not_claimed() -> None:
     """In three dimensions one of twelve directions is close to any residual; in forty dimensions none is."""
     rng = np.random.default_rng(3)

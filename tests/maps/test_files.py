@@ -74,7 +74,9 @@ def test_other_things_of_that_name_are_left_alone(tmp_path: Path) -> None:
 def test_something_in_the_place_of_the_folder_for_interrupted_maps(tmp_path: Path) -> None:
     (tmp_path / "map.nc.partial").write_text("mine")
     error = refused(tmp_path / "map.nc")
-    assert error.what == "cannot write: file exists"
+    assert error.what == "expected a folder for the map in progress, found a file"
+    assert error.where == str(tmp_path / "map.nc.partial")
+    assert error.remedy == "delete it, or choose another output"
     assert (tmp_path / "map.nc.partial").read_text() == "mine"
 
 

@@ -186,16 +186,6 @@ def test_two_processes_do_not_write_the_same_map(tmp_path: Path, monkeypatch: py
         xarray.testing.assert_allclose(found.load(), model().map(GRID), rtol=1e-12)
 
 
-def test_a_file_where_the_folder_of_the_map_in_progress_should_be(tmp_path: Path) -> None:
-    other = tmp_path / "map.nc.partial"
-    other.write_text("mine")
-    with pytest.raises(OutputError, match="expected a folder for the map in progress, found a file") as error:
-        model().map(GRID, out=tmp_path / "map.nc")
-    assert error.value.where == str(other)
-    assert error.value.remedy == "delete it, or choose another output"
-    assert other.read_text() == "mine"
-
-
 def test_a_full_disk_shows_before_anything_is_computed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.maps import dataset as datasets
+from pkmodes.maps import fields
 from pkmodes.maps.summary import summary_of
 
 PUBLISHED = Path(__file__).parents[2] / "robots" / "linear-delta-2022.toml"
@@ -20,7 +20,7 @@ def test_extremes_and_counts_do_not_depend_on_the_parts(monkeypatch: pytest.Monk
     # In part beyond the limits and out of reach; extremes of different modes lie in different parts.
     grid = {"x": np.linspace(0.0, 0.8, 9), "y": np.linspace(-0.1, 0.1, 3), "z": [-0.5, -0.245]}
     found = model.map(grid, sweep={"platform.mass": [2.0, 1.0]})
-    monkeypatch.setattr(datasets, "CHUNK", chunk)
+    monkeypatch.setattr(fields, "CHUNK", chunk)
     summary = summary_of(found, None)
     frequency = found["frequency"].values.reshape(-1, 6)
     names = ("platform.mass", "z", "y", "x")

@@ -40,7 +40,7 @@ def test_long_rails_and_short_links_are_no_false_alarm(tmp_path: Path) -> None:
     assert run(["check", str(tmp_path / "robot.toml")]) == 0
 
 
-@pytest.mark.parametrize("target", [[], ["robot.toml"], ["model"]])
+@pytest.mark.parametrize("target", [pytest.param([], marks=pytest.mark.slow), ["robot.toml"], ["model"]])
 def test_current_but_inconsistent_code_fails(
     copy: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], target: list[str]
 ) -> None:
