@@ -98,7 +98,10 @@ def test_a_path_set_twice(capsys: pytest.CaptureFixture[str]) -> None:
         (["--grid", GRID, "--out", "nowhere/map.nc"], "the folder nowhere does not exist"),
         (["--grid", GRID, "--out", "there.nc"], "the output exists"),
         (["--grid", GRID, "--json", "nowhere/a.json"], "the folder nowhere does not exist"),
-        (["--grid", GRID, "--out", "map.nc", "--json", "map.nc"], "both results would have the same name"),
+        (
+            ["--grid", GRID, "--out", "map.nc", "--json", "map.nc"],
+            "the result and the map would be the same file",
+        ),
         (
             ["--poses", "poses.csv", "--out", "poses.csv", "--overwrite"],
             "the map would replace its own input",

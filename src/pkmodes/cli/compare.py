@@ -21,7 +21,7 @@ from pkmodes.cli.output import (
     to_file,
     write_json,
 )
-from pkmodes.cli.reporting import Reporting
+from pkmodes.cli.reporting import measured_reporting, page_of
 from pkmodes.loading import read_robot
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ def compare(
 
     declared = read_robot(robot)
     data = updating.read(modes, band_of(band), declared)
-    reporting = None if report_to is None else Reporting(report_to, robot, modes)
+    reporting = measured_reporting(report_to, robot, modes)
     result = updating.compare(declared, data)
     content = {
         "robot": declared.name,
@@ -66,7 +66,7 @@ def compare(
     }
     files = to_file(json_file, content)
     if reporting is not None:
-        files.append(lambda: reporting.write(result, declared, data))
+        files.append(lambda: reporting.write(page_of(result, declared, data)))
     with deliver(files):
         if json_file == "-":
             write_json(json_file, content)

@@ -25,7 +25,7 @@ from pkmodes.cli.output import (
     to_file,
     write_json,
 )
-from pkmodes.cli.reporting import Reporting
+from pkmodes.cli.reporting import measured_reporting, page_of
 from pkmodes.cli.verdicts import failing
 from pkmodes.errors import PkmodesError, shown
 from pkmodes.loading import read_robot
@@ -108,7 +108,7 @@ def diagnose(
 
     declared = read_robot(robot)
     data = updating.read(modes, band_of(band), declared)
-    reporting = None if report_to is None else Reporting(report_to, robot, modes)
+    reporting = measured_reporting(report_to, robot, modes)
     with _progress() as progress, named_as_options({"candidates": "--candidates", "holdout": "--holdout"}):
         result = updating.diagnose(
             declared,
@@ -127,7 +127,7 @@ def diagnose(
     content = result.as_json()
     files = [save, *to_file(json_file, content)]
     if reporting is not None:
-        files.append(lambda: reporting.write(result, declared, data))
+        files.append(lambda: reporting.write(page_of(result, declared, data)))
     with deliver(files):
         if json_file == "-":
             write_json(json_file, content)

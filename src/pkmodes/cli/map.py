@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pkmodes.cli.output import (
+    check_distinct,
     check_other_targets,
     check_target,
     deliver,
@@ -21,10 +22,9 @@ from pkmodes.cli.output import (
     to_file,
     write_json,
 )
-from pkmodes.errors import OutputError
+from pkmodes.cli.reporting import Reporting
 from pkmodes.loading import load
 from pkmodes.robot.corrections import changeable
-from pkmodes.writing import write_file
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -109,21 +109,9 @@ def map_(
     inputs = [robot, *([poses] if poses else [])]
     check_target(json_file, *inputs)
     check_other_targets({"--report": (report_to, "the report")}, json_file, *inputs)
-    if out is not None:
-        for option, other in (("--json", json_file), ("--report", report_to)):
-            if other not in (None, "-") and Path(str(other)).resolve() == out.resolve():
-                what = "both results would have the same name"
-                raise OutputError(what, f"{option} {other}", "choose another file")
-        if any(given.exists() and out.exists() and given.samefile(out) for given in inputs):
-            raise OutputError("the map would replace its own input", f"--out {out}", "choose another file")
-    sources: tuple[Source, ...] = ()
-    if report_to is not None:
-        from pkmodes.report.page import need_report
-
-        need_report()
-        from pkmodes.report.sources import known_sources
-
-        sources = known_sources([("robot file", str(robot))])  # as it is read
+    # A map may also be a folder, which model.map checks.
+    check_distinct({"--out": (out, "the map"), "--report": (report_to, "the report")}, json_file, *inputs)
+    reporting = None if report_to is None else Reporting(report_to, {"robot file": robot})
     if grid is not None and poses is not None:
         raise click.UsageError("--grid and --poses exclude each other", click.get_current_context())
     model = load(robot)
@@ -146,34 +134,27 @@ def map_(
 
     file = None if out is None else str(out)
     content = summary_of(dataset, file)
-    files, reported = to_file(json_file, content), False
-
-    def write_report() -> None:
-        nonlocal reported
-        if report_to is not None:
-            _write_report(report_to, model, dataset, content, sources)
-            reported = report_to.is_file()
-
+    files = to_file(json_file, content)
+    if reporting is not None:
+        files.append(lambda: reporting.write(lambda sources: _page(model, dataset, content, sources)))
     complete = (
         "" if out is None else "the map is written; for its report run the command again with --overwrite"
     )
-    with _continued(out, complete), deliver([*files, write_report]):
+    with _continued(out, complete), deliver(files):
         if json_file == "-":
             write_json(json_file, content)
         else:
             show(model, content)
-        if reported:
-            click.echo(f"\nwrote {report_to}", err=json_file == "-")
+        if reporting is not None:
+            reporting.announce(json_file)
 
 
-def _write_report(
-    target: Path, model: Model, dataset: Dataset, content: dict[str, Any], sources: tuple[Source, ...]
-) -> None:
+def _page(model: Model, dataset: Dataset, content: dict[str, Any], sources: Sequence[Source]) -> str:
     from pkmodes.report.map import map_report, middle_of
     from pkmodes.report.three import view_of
 
     view = view_of(model, start=middle_of(model, dataset))
-    write_file(target, map_report(model, dataset, content, sources, view))
+    return map_report(model, dataset, content, sources, view)
 
 
 def _places(model: Model, grid: str | None, poses: Path | None) -> Any:

@@ -113,6 +113,24 @@ def check_other_targets(
         If the folder of a target does not exist, it is an input, or two targets are the same file; or if the
         report is not named as a page.
     """
+    for option, (target, _) in targets.items():
+        if target is not None:
+            check_place("" if target == Path() else str(target), option)
+    check_distinct(targets, json_file, *inputs)
+    report, _ = targets.get("--report", (None, ""))
+    if report is not None:
+        check_page(report, f"--report {report}")
+
+
+def check_distinct(
+    targets: Mapping[str, tuple[Path | None, str]], json_file: str | None, *inputs: Path
+) -> None:
+    """Reject targets that are an input or another target; the parameters are those of `check_other_targets`.
+
+    Raises
+    ------
+    OutputError
+    """
     taken: dict[Path, str] = (
         {} if json_file in (None, "-") else {Path(str(json_file)).resolve(): "the result"}
     )
@@ -120,14 +138,11 @@ def check_other_targets(
         if target is None:
             continue
         where = f"{option} {target}"
-        check_place("" if target == Path() else str(target), option)
         if target.resolve() in taken:
             found = f"{taken[target.resolve()]} and {what} would be the same file"
             raise OutputError(found, where, "choose another file")
         if any(given.exists() and target.exists() and given.samefile(target) for given in inputs):
             raise OutputError(f"{what} would replace its own input", where, "choose another file")
-        if option == "--report":
-            check_page(target, where)
         taken[target.resolve()] = what
 
 

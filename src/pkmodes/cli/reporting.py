@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,6 +12,7 @@ from pkmodes.writing import write_file
 
 if TYPE_CHECKING:
     from pkmodes.diagnosis import Comparison, Diagnosis, Measurements
+    from pkmodes.report.sources import Source
     from pkmodes.robot.robot import Robot
 
 
@@ -22,8 +24,10 @@ class Reporting:
 
     Parameters
     ----------
-    target, robot, modes : Path
-        The report, and the input files.
+    target : Path
+        The report.
+    inputs : mapping of str to Path
+        The input files by their roles, such as "robot file".
 
     Raises
     ------
@@ -31,31 +35,51 @@ class Reporting:
         If the libraries for reports are missing.
     """
 
-    def __init__(self, target: Path, robot: Path, modes: Path) -> None:
+    def __init__(self, target: Path, inputs: Mapping[str, Path]) -> None:
         from pkmodes.report.page import need_report
 
         need_report()
         from pkmodes.report.sources import known_sources
 
         self._target, self._written = target, False
-        self._sources = known_sources([("robot file", str(robot)), ("measurement file", str(modes))])
+        self._sources = known_sources([(role, str(path)) for role, path in inputs.items()])
 
-    def write(self, result: Diagnosis | Comparison, robot: Robot, data: Measurements) -> None:
+    def write(self, made: Callable[[Sequence[Source]], str]) -> None:
         """Write the report, completely or not at all.
+
+        Parameters
+        ----------
+        made : callable
+            Returns the page, given the input files.
 
         Raises
         ------
         OutputError
             If it cannot be written.
         """
-        from pkmodes.report import report
-        from pkmodes.report.three import view_of_result
-
-        view = view_of_result(result, robot, data.points)
-        write_file(self._target, report(result, robot=robot, data=data, sources=self._sources, view=view))
-        self._written = True
+        write_file(self._target, made(self._sources))
+        self._written = self._target.is_file()
 
     def announce(self, json_file: str | None) -> None:
         """Print where the report is, on stderr if standard output is the JSON."""
         if self._written:
             click.echo(f"\nwrote {self._target}", err=json_file == "-")
+
+
+def measured_reporting(target: Path | None, robot: Path, modes: Path) -> Reporting | None:
+    """Return the report of a command with measured modes, if one is wanted."""
+    return None if target is None else Reporting(target, {"robot file": robot, "measurement file": modes})
+
+
+def page_of(
+    result: Diagnosis | Comparison, robot: Robot, data: Measurements
+) -> Callable[[Sequence[Source]], str]:
+    """Return what makes the page of a result from its sources."""
+
+    def made(sources: Sequence[Source]) -> str:
+        from pkmodes.report import report, view_of_result
+
+        view = view_of_result(result, robot, data.points)
+        return report(result, robot=robot, data=data, sources=sources, view=view)
+
+    return made

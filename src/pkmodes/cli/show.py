@@ -18,7 +18,7 @@ from pkmodes.cli.output import (
     write_json,
 )
 from pkmodes.cli.poses import check_metres, parse_pose
-from pkmodes.errors import OutputError, PkmodesError, shown
+from pkmodes.errors import PkmodesError, shown
 from pkmodes.loading import load
 from pkmodes.writing import write_file
 
@@ -60,9 +60,7 @@ def show(robot: Path, pose: str | None, out: str | None, mode: int | None, json_
     target = f"{robot.stem}.html" if out is None else out
     check_place(target, "--out")
     check_target(json_file, robot)
-    check_other_targets({"--out": (Path(target), "the page")}, json_file)
-    if Path(target).exists() and robot.exists() and robot.samefile(target):
-        raise OutputError("the page would replace its own input", f"--out {target}", "choose another file")
+    check_other_targets({"--out": (Path(target), "the page")}, json_file, robot)
     check_page(Path(target), f"--out {shown(target)}", ".gif")
     moving = Path(target).suffix.lower() == ".gif"
     if mode is not None and not moving:

@@ -207,14 +207,14 @@ def _refuse_outside(plan: Plan) -> NoReturn:
     of = " by any of its robots" if len(plan.variants.robots) > 1 else ""
     what = f"none of the {plan.rows:,} poses of the map can be evaluated{of}; the first: {sentence}"
     if isinstance(plan.places, Grid):
-        where, unit = "grid", 'write them with their unit, such as "300 mm:800 mm:51"'
+        where, remedy = "grid", 'write them with their unit, such as "300 mm:800 mm:51"'
     else:
         name = next((component.name for component in model.kind.pose if component.unit == "m"), "x")
-        where, unit = (
+        where, remedy = (
             "poses",
             f"write the unit in the header of the file, such as {name} [mm], or give metres",
         )
-    raise PkmodesError(what, where, bounds_of(model, some, unit))
+    raise PkmodesError(what, where, bounds_of(model, some, remedy))
 
 
 def _check_trackable(plan: Plan) -> None:

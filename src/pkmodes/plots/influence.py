@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.plots.labels import typeset
 from pkmodes.plots.maps import each, panels_of
 from pkmodes.plots.plane import Plane
 from pkmodes.plots.style import BLACK, UNCHANGED, WHITE, figure
@@ -47,16 +48,10 @@ def table(paths: Sequence[str], relative: Array) -> Figure:
         for mode in range(middle.shape[1]):
             value = middle[path, mode]
             ink = BLACK if luminance(mesh.to_rgba(value)) > MIDDLE else WHITE
-            axes.text(mode, row, signed(value), ha="center", va="center", fontsize=7.5, color=ink)
+            axes.text(mode, row, typeset(f"{value:+.2f}"), ha="center", va="center", fontsize=7.5, color=ink)
     bar = drawn.colorbar(mesh, ax=axes, aspect=25)
     bar.set_label("d ln f / d ln p, median over the plane [1]")
     return drawn
-
-
-def signed(value: float) -> str:
-    """Return a number with its sign; one that is rounded to zero has none."""
-    text = f"{value:+.2f}".replace("-", "\N{MINUS SIGN}")
-    return text if any(digit in text for digit in "123456789") else "0.00"
 
 
 def luminance(colour: Sequence[float] | Array) -> float:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.errors import PkmodesError
+from pkmodes.plots.labels import typeset
 from pkmodes.robot.units import SHOWN
 
 if TYPE_CHECKING:
@@ -170,8 +171,7 @@ def where(plane: Plane) -> str:
     if plane.normal is None:
         return f"{plane.across} and {plane.along}"
     unit, factor = SHOWN[plane.dataset[plane.normal].attrs["units"]]
-    value = f"{plane.at * factor:.6g}".replace("-", "\N{MINUS SIGN}")
-    return f"{plane.normal} = {value} {unit}"
+    return f"{plane.normal} = {typeset(f'{plane.at * factor:.6g}')} {unit}"
 
 
 def limits_of(values: Array, outliers: float = OUTLIERS) -> tuple[float, float]:

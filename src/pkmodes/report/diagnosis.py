@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pkmodes.diagnosis.verdict.result import Diagnosis, key
 from pkmodes.plots.evidence import Evidence
+from pkmodes.plots.labels import typeset
 from pkmodes.report import explanations, figures, numbers
 from pkmodes.report.blocks import Cell, Section, Summary, Tone
 from pkmodes.report.correction import correction
@@ -11,7 +12,7 @@ from pkmodes.report.mode_table import mode_table
 from pkmodes.report.origin import origin, view_section
 from pkmodes.report.page import page
 from pkmodes.report.setting import Setting
-from pkmodes.report.wording import SENTENCE, clean, number, pointer, typeset, unit
+from pkmodes.report.wording import SENTENCE, clean, number, pointer, unit
 from pkmodes.report.words import words
 
 TONES: dict[str, Tone] = {

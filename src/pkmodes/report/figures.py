@@ -6,8 +6,9 @@ import numpy as np
 
 from pkmodes.plots import differences, shapes, spectrum
 from pkmodes.plots.evidence import Evidence
+from pkmodes.plots.labels import typeset
 from pkmodes.report.blocks import Block, Paragraph, Picture
-from pkmodes.report.wording import clean, plural, typeset
+from pkmodes.report.wording import clean, plural
 
 
 def mode_figures(evidence: Evidence) -> list[Block]:

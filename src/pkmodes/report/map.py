@@ -10,6 +10,7 @@ from pkmodes.figures.working_plane import working_plane
 from pkmodes.maps.places import Grid
 from pkmodes.maps.summary import summary_of
 from pkmodes.plots import sweeps
+from pkmodes.plots.labels import typeset
 from pkmodes.plots.style import styled
 from pkmodes.plots.svg import inline
 from pkmodes.report.blocks import (
@@ -24,10 +25,10 @@ from pkmodes.report.blocks import (
     Summary,
     Table,
 )
-from pkmodes.report.origin import view_section
+from pkmodes.report.origin import files_of, view_section
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
-from pkmodes.report.wording import clean, hertz, number, plural, pointer, typeset, unit
+from pkmodes.report.wording import clean, hertz, number, plural, pointer, unit
 from pkmodes.robot.corrections import changeable
 from pkmodes.robot.units import SHOWN
 
@@ -251,12 +252,7 @@ def _plane_of(model: Model, dataset: xarray.Dataset) -> Grid | None:
 def _origin(
     model: Model, dataset: xarray.Dataset, content: dict[str, Any], sources: Sequence[Source]
 ) -> Facts:
-    entries: list[tuple[str, list[Cell]]] = []
-    for source in sources:
-        entries += [
-            (source.role, [Cell(clean(source.name))]),
-            (f"SHA-256 of the {source.role}", [Cell(source.digest)]),
-        ]
+    entries = files_of(sources)
     entries.append(("mechanism", [Cell(clean(model.kind.title))]))
     entries.append(("rigid-body modes", [Cell(str(content["rigid_modes"]))]))
     if content["file"]:

@@ -8,6 +8,7 @@ from pkmodes import __version__
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report.blocks import Block, Cell, Facts, Foreign, Paragraph, Section
 from pkmodes.report.setting import Setting
+from pkmodes.report.sources import Source
 from pkmodes.report.wording import clean, plural
 
 
@@ -21,10 +22,7 @@ def origin(evidence: Evidence, setting: Setting, more: Sequence[tuple[str, Seque
     more : sequence of (str, sequence of Cell)
         Further facts.
     """
-    entries: list[tuple[str, Sequence[Cell]]] = []
-    for source in setting.sources:
-        entries.append((source.role, [Cell(clean(source.name))]))
-        entries.append((f"SHA-256 of the {source.role}", [Cell(source.digest)]))
+    entries = files_of(setting.sources)
     if setting.robot is not None:
         entries.append(("mechanism", [Cell(clean(setting.robot.kind.title))]))
     rows = (
@@ -37,6 +35,15 @@ def origin(evidence: Evidence, setting: Setting, more: Sequence[tuple[str, Seque
     entries += more
     entries.append(("pkmodes", [Cell(__version__)]))
     return Section("origin", "Data and versions", [Facts(entries)])
+
+
+def files_of(sources: Sequence[Source]) -> list[tuple[str, Sequence[Cell]]]:
+    """Return the facts about the input files: names and digests."""
+    found: list[tuple[str, Sequence[Cell]]] = []
+    for source in sources:
+        found.append((source.role, [Cell(clean(source.name))]))
+        found.append((f"SHA-256 of the {source.role}", [Cell(source.digest)]))
+    return found
 
 
 def view_section(view: str | None) -> list[Section]:

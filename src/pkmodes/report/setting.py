@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from pkmodes.measured.measurements import Measurements
+from pkmodes.plots.labels import typeset
 from pkmodes.report.sources import Source
-from pkmodes.report.wording import clean, typeset, unit
+from pkmodes.report.wording import clean, unit
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.load_cases import settable
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from pkmodes.plots.labels import visible
+from pkmodes.plots.labels import TIMES, typeset, visible
 from pkmodes.report.blocks import Cell
 
 #: Labels and names longer than this are shortened; the JSON has them whole.
@@ -13,8 +13,6 @@ LONGEST = 100
 SENTENCE = 1500
 #: Shown where there is no number.
 NOTHING = "\u2013"
-MINUS, TIMES = "\u2212", "\u2009\u00d7\u2009"
-RAISED = str.maketrans("-0123456789", "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079")
 
 
 def clean(text: object, longest: int | None = LONGEST) -> str:
@@ -50,15 +48,6 @@ def number(
     if value is None or math.isnan(value):
         return Cell(NOTHING, None, at)
     return Cell(typeset(format(scale * value, form)), float(value), at, strong)
-
-
-def typeset(text: str) -> str:
-    """Write a formatted number as in print: a minus sign, and a power of ten."""
-    digits, _, power = text.partition("e")
-    if not any(c in "123456789" for c in digits):
-        digits = digits.replace("-", "").replace("+", "")  # no sign of a zero
-    digits = digits.replace("-", MINUS)
-    return digits if not power else f"{digits}{TIMES}10{str(int(power)).translate(RAISED)}"
 
 
 def hertz(value: float | None, at: str = "") -> Cell:
