@@ -20,8 +20,8 @@ from pathlib import Path
 
 import numpy as np
 
-from pkmodes.eigen import generalised_eigh
-from pkmodes.generation import generate
+from pkmodes.codegen.generation import generate
+from pkmodes.linalg.eigen import generalised_eigh
 from pkmodes_generated import linear_delta
 from published import ROBOT, published, valid_poses
 

@@ -24,7 +24,7 @@ from pprint import pformat
 
 from mechanism_cases import KINDS, MechanismCase, MechanismOutcome, Specimen, robot_of, run, signal
 from mechanism_sizes import SIZES
-from pkmodes.mechanism import mechanism
+from pkmodes.mechanism.registry import mechanism
 from pkmodes.robot.paths import resolve
 from pkmodes.updating.suspects import PREFIX
 from requirements import CLEAR, INTERVAL, RIGHT, line

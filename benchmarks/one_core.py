@@ -18,7 +18,7 @@ import operations
 import ours
 from machine import Peak, parts
 from peers import BLOCK, Array, MissingError, Way, ways
-from pkmodes.errors import PkmodesError
+from pkmodes.base.errors import PkmodesError
 from published import published, rigid_modes, valid_poses
 from timing import REPETITIONS, affordable, interleaved, seconds
 

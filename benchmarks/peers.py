@@ -18,8 +18,8 @@ from pathlib import Path
 import numpy as np
 
 from peer_source import matrices, printed
+from pkmodes.codegen.generation import generate
 from pkmodes.compiled.build import compiler
-from pkmodes.generation import generate
 from published import ROBOT, published
 
 Array = np.ndarray

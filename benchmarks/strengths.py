@@ -26,7 +26,7 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
-from pkmodes.mechanism import mechanism
+from pkmodes.mechanism.registry import mechanism
 from pkmodes.robot.paths import moved, resolve
 from pkmodes.robot.robot import Robot
 from pkmodes.updating import loop

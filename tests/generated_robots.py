@@ -13,7 +13,7 @@ import numpy as np
 
 import pkmodes
 from compiled import COMPILER, FLAGS
-from pkmodes.generation import generate
+from pkmodes.codegen.generation import generate
 
 ROBOTS = Path(__file__).parents[1] / "robots"
 LINEAR_BOX = ([0.0, -0.3, -0.45], [1.2, 0.3, 0.0])

@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 import mpmath
 import numpy as np
 
-from pkmodes.evaluation import SystemOfEffects
-from pkmodes.mechanism import mechanism
+from pkmodes.mechanism.registry import mechanism
+from pkmodes.system.evaluation import SystemOfEffects
 from pkmodes_generated.linear_delta import Parameters, extended
 
 CATALOGUE = mechanism("linear_delta").effects

@@ -16,12 +16,12 @@ from pkmodes import read_robot
 from pkmodes.compiled.evaluator import FIELDS, RATES, Evaluator
 from pkmodes.compiled.lanes import Terms
 from pkmodes.compiled.loader import load
-from pkmodes.evaluation import BaseEvaluation, Evaluation, SystemOfEffects
-from pkmodes.mechanism import Mechanism, mechanism
-from pkmodes.poses import MAX_CONDITION
+from pkmodes.mechanism.poses import MAX_CONDITION
+from pkmodes.mechanism.registry import Mechanism, mechanism
 from pkmodes.robot.paths import ParameterPath, paths, resolve_all
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.terms import terms_of
+from pkmodes.system.evaluation import BaseEvaluation, Evaluation, SystemOfEffects
 
 ROOT = Path(__file__).parents[1]
 ROBOTS = {"linear_delta": "linear-delta-2022", "rotary_delta": "clavel-delta", "corexy": "corexy-printer"}

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from pkmodes.errors import MeasurementError
+from pkmodes.base.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
 

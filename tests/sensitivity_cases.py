@@ -11,10 +11,10 @@ from functools import cache
 import numpy as np
 
 import pkmodes
-from pkmodes.evaluation import SystemOfEffects
 from pkmodes.robot.paths import paths, resolve
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.sensitivities import Sensitivities
+from pkmodes.system.evaluation import SystemOfEffects
 from sample_robots import published, random_robot, tower_printer
 from sensitivity_references import at_poses, robot_of, size
 

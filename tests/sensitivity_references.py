@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import pkmodes
-from pkmodes.mechanism import mechanism
+from pkmodes.mechanism.registry import mechanism
 from pkmodes.robot.paths import ParameterPath, moved
 from pkmodes.robot.reading import robot_from_document
 from pkmodes.robot.robot import Robot

@@ -13,12 +13,12 @@ import pytest
 ROOT = Path(__file__).parents[1]
 STANDARD = sys.stdlib_module_names
 #: Parts of the runtime that may import the derivation, and only inside functions.
-BRIDGE = {"src/pkmodes/derivation.py"}
+BRIDGE = {"src/pkmodes/codegen/derivation.py"}
 #: Parts that load modules of a mechanism by name.
 BY_MECHANISM = {
-    "src/pkmodes/mechanism.py",
-    "src/pkmodes/mechanism_packages.py",
-    "src/pkmodes/checking/mechanism_relations.py",
+    "src/pkmodes/mechanism/registry.py",
+    "src/pkmodes/mechanism/packages.py",
+    "src/pkmodes/codegen/checking/mechanism_relations.py",
 }
 
 
@@ -95,39 +95,81 @@ def test_the_runtime_is_light_to_import() -> None:
     assert not loaded & {"sympy", "jinja2", "pint", "click", "rich", "scipy", "pkmodes_derive"}
 
 
-#: Parts of the runtime that each part may import, besides errors and itself: no cycles.
-LAYERS = {
-    "diagnosis": {"measured", "eigen"},
-    "measured": {"robot"},
-    "sensitivity": {"robot", "mechanism", "evaluation", "eigen", "poses", "gathering", "results", "solving"}
-    | {"compiled", "compiled_modes"},
-    "robot": {"writing", "mechanism"},
-    "view": {"model", "workspace", "robot", "evaluation", "generated", "regular", "description"},
-    "maps": {
-        "dynamics",
-        "workspace",
-        "kinematics",
-        "robot",
-        "evaluation",
-        "generated",
-        "regular",
-        "mechanism",
-        "poses",
+#: The floors of the runtime, from the ground up: a folder imports itself and folders listed before it.
+FLOORS = (
+    "base",
+    "linalg",
+    "mechanism",
+    "robot",
+    "measured",
+    "diagnosis",
+    "dataset",
+    "compiled",
+    "system",
+    "solve",
+    "codegen",
+    "sensitivity",
+    "maps",
+    "model",
+    "updating",
+    "view",
+    "plots",
+    "figures",
+    "report",
+    "cli",
+)
+#: What the engine of the diagnosis may import besides itself: it knows no robots.
+DIAGNOSIS = {"base", "linalg", "measured"}
+
+
+def modules_imported(file: Path) -> set[str]:
+    """Names of the modules of the runtime that a file imports, inside functions and for type checkers too."""
+    names = set()
+    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, (file, "relative imports hide the floor")
+            names |= {f"{node.module}.{alias.name}" for alias in node.names}
+    return {name for name in names if name.split(".")[0] == "pkmodes"}
+
+
+def test_every_folder_of_the_runtime_has_a_floor() -> None:
+    root = ROOT / "src/pkmodes"
+    assert {file.name for file in root.glob("*.py")} == {"__init__.py", "__main__.py"}
+    assert {file.parent.name for file in root.glob("*/__init__.py")} == set(FLOORS)
+    assert all((file.parent / "__init__.py").is_file() for file in root.rglob("*.py"))
+
+
+@pytest.mark.parametrize("floor", FLOORS)
+def test_a_folder_imports_only_folders_below(floor: str) -> None:
+    below = set(FLOORS[: FLOORS.index(floor) + 1])
+    for file in files(f"src/pkmodes/{floor}"):
+        used = {name.split(".")[1] for name in modules_imported(file)}
+        assert used <= below, file
+
+
+def test_the_engine_of_the_diagnosis_knows_no_robots() -> None:
+    for file in files("src/pkmodes/diagnosis"):
+        used = {name.split(".")[1] for name in modules_imported(file)}
+        assert used <= DIAGNOSIS | {"diagnosis"}, file
+
+
+def test_no_module_imports_itself_through_others() -> None:
+    """No circle among modules, whether it is imported at the top, inside a function, or for type checkers."""
+    root = ROOT / "src"
+    modules = {
+        ".".join(file.relative_to(root).with_suffix("").parts).removesuffix(".__init__"): file
+        for file in files("src/pkmodes")
     }
-    | {"results", "backends", "measured", "writing"},
-    "plots": {"view", "robot", "diagnosis", "measured", "description"},
-    "figures": {"workspace", "plots", "maps", "view", "model", "robot", "writing"},
-    "report": {"figures", "plots", "maps", "view", "diagnosis", "updating", "measured", "model", "robot"},
-}
-
-
-@pytest.mark.parametrize("layer", LAYERS)
-def test_the_engine_knows_no_robots(layer: str) -> None:
-    for file in files(f"src/pkmodes/{layer}"):
-        tree = ast.parse(file.read_text(encoding="utf-8"))
-        modules = {node.module or "" for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
-        parts = {module.split(".")[1] for module in modules if module.startswith("pkmodes.")}
-        assert parts <= LAYERS[layer] | {layer, "errors", "extras"}, file
+    imported = {}
+    for name, file in modules.items():
+        used = {one if one in modules else one.rpartition(".")[0] for one in modules_imported(file)}
+        imported[name] = used - {name}
+    while imported:
+        leaves = {name for name, used in imported.items() if not used & imported.keys()}
+        assert leaves, sorted(imported)
+        imported = {name: used for name, used in imported.items() if name not in leaves}
 
 
 def test_no_mechanism_is_named_outside_its_own_folder() -> None:

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from compiled import COMPILER, FLAGS
-from pkmodes.generation import generate
+from pkmodes.codegen.generation import generate
 
 pytestmark = pytest.mark.compiler
 

@@ -38,7 +38,8 @@ def public() -> Iterator[tuple[str, object]]:
     for module, chosen in MODULES.items():
         found = importlib.import_module(module)
         for name in chosen or found.__all__:
-            yield f"{module}.{name}", getattr(found, name)
+            if not inspect.ismodule(getattr(found, name)):  # it has its own entry
+                yield f"{module}.{name}", getattr(found, name)
 
 
 def documented() -> Iterator[str]:

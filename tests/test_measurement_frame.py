@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pkmodes import updating
-from pkmodes.mechanism import mechanism
+from pkmodes.mechanism.registry import mechanism
 from pkmodes.updating import frame
 from pkmodes.updating.loop import corrections
 from pkmodes.updating.structure import RobotStructure

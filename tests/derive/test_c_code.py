@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from compiled import build, call
-from pkmodes.generation import specification
+from pkmodes.codegen.generation import specification
 from pkmodes.robot.robot import Robot
 from pkmodes_derive import mechanisms
 from pkmodes_derive.emit import product

@@ -11,7 +11,7 @@ import pytest
 
 from compiled import COMPILER
 from generated_robots import Robot
-from pkmodes.poses import MAX_CONDITION
+from pkmodes.mechanism.poses import MAX_CONDITION
 
 pytestmark = pytest.mark.compiler
 

@@ -25,7 +25,7 @@ TEXTS = product.parametric("linear_delta")
 DIGEST = """
 import hashlib, json, sys
 from pathlib import Path
-from pkmodes.generation import specification
+from pkmodes.codegen.generation import specification
 from pkmodes.robot.reading import read_robot
 from pkmodes_derive import mechanisms
 from pkmodes_derive.emit import latex, product

@@ -14,7 +14,7 @@ import pytest
 
 import pkmodes
 from generated_robots import Robot, imported
-from pkmodes.generation import generate
+from pkmodes.codegen.generation import generate
 from pkmodes_derive.emit.identity import literal
 
 

@@ -14,8 +14,8 @@ from scipy.linalg import eigh
 
 import pkmodes
 from compiled import build, call
-from pkmodes.generation import specification
-from pkmodes.mechanism import mechanism
+from pkmodes.codegen.generation import specification
+from pkmodes.mechanism.registry import mechanism
 from pkmodes.robot.reading import robot_from_document
 from pkmodes_derive import mechanisms
 from pkmodes_derive.emit import product

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from scipy import sparse
 
+from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis import MatrixStructure, Parameter, diagnose
 from pkmodes.diagnosis.structure.kept import Kept
-from pkmodes.errors import PkmodesError
 from small_structures import frame, frame_matrices, frame_measured
 
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from frame_diagnoses import SIX, TWO, checked, drawn
+from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis import MatrixStructure, Measurements, Parameter, diagnose
-from pkmodes.errors import PkmodesError
 from small_structures import (
     SIGMA,
     frame,

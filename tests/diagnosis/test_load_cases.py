@@ -11,9 +11,9 @@ import pytest
 from scipy.linalg import eigh
 
 from pkmodes import Robot, read_robot
+from pkmodes.base.errors import PkmodesError
 from pkmodes.cli import run
 from pkmodes.diagnosis import Measurements, Prediction
-from pkmodes.errors import PkmodesError
 from pkmodes.updating import loop
 from pkmodes.updating.structure import RobotStructure
 from pkmodes.updating.suspects import suspects

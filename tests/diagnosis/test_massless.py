@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from scipy import linalg, sparse
 
+from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis import MatrixStructure, Parameter
 from pkmodes.diagnosis.matrices import at_measured
-from pkmodes.errors import PkmodesError
 from small_structures import mixture
 
 

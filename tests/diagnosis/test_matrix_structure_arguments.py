@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis import Candidate, MatrixStructure, Parameter
-from pkmodes.errors import PkmodesError
 
 
 def build(**changes: Any) -> MatrixStructure:

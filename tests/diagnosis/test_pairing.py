@@ -7,9 +7,9 @@ import itertools
 import numpy as np
 import pytest
 
+from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis import Measurements, Prediction
 from pkmodes.diagnosis.match.pairing import Pairer, Pairing
-from pkmodes.errors import PkmodesError
 
 CHANNELS = ("a", "b", "c", "d", "e")
 

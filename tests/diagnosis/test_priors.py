@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis import Candidate, Parameter, diagnose
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.priors import Priors
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.errors import PkmodesError
 from small_structures import SIGMA, LogLinear, log_linear, logs_measured
 
 

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from scipy import sparse
 
+from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis import MatrixStructure, Parameter
-from pkmodes.errors import PkmodesError
 
 FOUR = ["a", "b", "c", "d"]
 

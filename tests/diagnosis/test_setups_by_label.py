@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis import MatrixStructure, Measurements, compare, diagnose, update
-from pkmodes.errors import PkmodesError
 from small_structures import LOADS, frame, frame_derivatives, frame_matrices, frame_measured
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis import Candidate, Measurements, Parameter, update
-from pkmodes.errors import PkmodesError
 from small_structures import SIGMA, LogLinear, logs_measured
 
 COUNT = 12

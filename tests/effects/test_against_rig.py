@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.mechanism import mechanism
+from pkmodes.mechanism.registry import mechanism
 from pkmodes_rig.engine import EFFECTS, OUTSIDE, Rig, TrueModes, true_modes
 from pkmodes_rig.mujoco_engine import Engine
 from pkmodes_rig.robots import POSES, ROBOTS, read

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from pkmodes.mechanism import mechanism
+from pkmodes.mechanism.registry import mechanism
 from pkmodes_generated.linear_delta import Parameters, extended, model
 from sample_robots import random_robot
 

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 import pkmodes
+from pkmodes.base.errors import RobotFileError
 from pkmodes.cli import run
-from pkmodes.errors import RobotFileError
-from pkmodes.mechanism import mechanism
+from pkmodes.mechanism.registry import mechanism
 from robot_text import PUBLISHED, published
 
 CATALOGUE = mechanism("linear_delta").effects

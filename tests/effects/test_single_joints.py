@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.errors import PkmodesError
+from pkmodes.base.errors import PkmodesError
 from pkmodes.robot.paths import moved, resolve
 from pkmodes.robot.units import Quantity
 from pkmodes.updating.structure import RobotStructure

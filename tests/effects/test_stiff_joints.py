@@ -13,10 +13,10 @@ import pytest
 
 import pkmodes
 from high_precision import Exact, exact_derivatives, exact_modes, mp
-from pkmodes.eigen import condensed_eigh, generalised_eigh
-from pkmodes.errors import PoseError
-from pkmodes.evaluation import SystemOfEffects, matrices
-from pkmodes.mechanism import mechanism
+from pkmodes.base.errors import PoseError
+from pkmodes.linalg.eigen import condensed_eigh, generalised_eigh
+from pkmodes.mechanism.registry import mechanism
+from pkmodes.system.evaluation import SystemOfEffects, matrices
 from sample_robots import Sample, published, random_robot
 from sensitivity_references import robot_of
 

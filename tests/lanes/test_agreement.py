@@ -7,7 +7,7 @@ import pytest
 
 from lane_agreement import assert_agrees
 from lane_samples import EFFECTS, EXTREMES, NAMES, case, results
-from pkmodes.solving import solve
+from pkmodes.solve.solving import solve
 
 pytestmark = pytest.mark.compiler
 

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from pkmodes.compiled import build
-from pkmodes.eigen import TIE
+from pkmodes.linalg.eigen import TIE
 
 pytestmark = pytest.mark.compiler
 

@@ -19,11 +19,11 @@ from lane_samples import (
     robot_of,
 )
 from pkmodes import PkmodesError
-from pkmodes.evaluation import SystemOfEffects
 from pkmodes.robot.paths import ParameterPath
 from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives
 from pkmodes.sensitivity.modes import ROUNDING
 from pkmodes.sensitivity.terms import terms_of
+from pkmodes.system.evaluation import SystemOfEffects
 
 pytestmark = pytest.mark.compiler
 

@@ -12,7 +12,7 @@ from lane_samples import NAMES, ROBOTS, case, evaluator, results
 from pkmodes.compiled import build
 from pkmodes.compiled.evaluator import SHARE
 from pkmodes.compiled.loader import load
-from pkmodes.poses import check_poses
+from pkmodes.mechanism.poses import check_poses
 
 pytestmark = pytest.mark.compiler
 

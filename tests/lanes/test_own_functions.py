@@ -18,8 +18,8 @@ CODE = """
 from pathlib import Path
 import numpy as np, pkmodes
 from pkmodes.compiled import build
-from pkmodes.generation import generate
-from pkmodes.mechanism import add_folder
+from pkmodes.codegen.generation import generate
+from pkmodes.mechanism.registry import add_folder
 build.FLAGS = tuple("-O1" if flag == "-O3" else flag for flag in build.FLAGS)
 generate(Path("five-bar.toml"), Path("out"), Path("five_bar.py"))
 add_folder("out/five_bar")

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from lane_samples import NAMES, case
-from pkmodes.compiled_systems import modes_of_systems
-from pkmodes.evaluation import SystemOfEffects
-from pkmodes.solving import solve
+from pkmodes.solve.compiled_systems import modes_of_systems
+from pkmodes.solve.solving import solve
+from pkmodes.system.evaluation import SystemOfEffects
 
 pytestmark = pytest.mark.compiler
 

@@ -8,7 +8,7 @@ import pytest
 import xarray
 
 from map_runs import model
-from pkmodes.errors import OutputError
+from pkmodes.base.errors import OutputError
 
 POSE = {"x": 0.6, "y": 0.0, "z": -0.245}
 OTHER = {"x": 0.5, "y": 0.0, "z": -0.245}

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from pkmodes.maps.pairing import CLEAR, EVENTS, SAME
+from pkmodes.dataset.variables import EVENTS
+from pkmodes.maps.pairing import CLEAR, SAME
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "maps.md").read_text(encoding="utf-8")

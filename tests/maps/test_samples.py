@@ -9,7 +9,7 @@ import pytest
 from scipy.stats import kstest
 
 import pkmodes
-from pkmodes.errors import PkmodesError
+from pkmodes.base.errors import PkmodesError
 from robot_text import edited
 
 POSE = {"x": 0.6, "y": 0.0, "z": -0.245}

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.linalg import eigh
 
-from pkmodes.maps.pairing import EVENTS
+from pkmodes.dataset.variables import EVENTS
 from pkmodes.maps.tracking import Tracked, track
 
 Array = NDArray[np.float64]

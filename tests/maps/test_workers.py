@@ -18,10 +18,10 @@ import xarray
 
 import pkmodes
 from map_runs import GRID, ROOT, count_tasks, model
-from pkmodes import mechanism
+from pkmodes.base.errors import PkmodesError
 from pkmodes.cli import run
-from pkmodes.errors import PkmodesError
 from pkmodes.maps import mapping, running
+from pkmodes.mechanism.registry import registry as mechanism
 
 PATHS = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
 

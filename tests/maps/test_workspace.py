@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.errors import PoseError
+from pkmodes.base.errors import PoseError
 from pkmodes.maps.workspace import POSES, reachable
-from pkmodes.workspace import box_of
+from pkmodes.solve.workspace import box_of
 from robot_text import edited, published
 
 ROBOTS = Path(__file__).parents[2] / "robots"

@@ -10,7 +10,7 @@ import pytest
 import pkmodes
 from measurement_files import HEADER, ROW, read
 from pkmodes import updating
-from pkmodes.errors import MeasurementError
+from pkmodes.base.errors import MeasurementError
 from pkmodes.updating.poses import check_measured
 from robot_text import PUBLISHED
 

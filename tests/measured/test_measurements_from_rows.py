@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pkmodes.errors import MeasurementError
+from pkmodes.base.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
 
 

@@ -11,7 +11,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from measurement_files import CHANNELS, FULL, HEADER, ROW, read, refusal
-from pkmodes.errors import MeasurementError
+from pkmodes.base.errors import MeasurementError
 from pkmodes.measured.reading import read_measurements
 
 

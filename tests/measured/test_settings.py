@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from pkmodes import Model, Robot, read_robot, updating
+from pkmodes.base.errors import MeasurementError, PkmodesError
 from pkmodes.cli import run
 from pkmodes.diagnosis import MatrixStructure, Measurements, Parameter, compare
-from pkmodes.errors import MeasurementError, PkmodesError
 from pkmodes.updating import loop
 
 ROBOTS = Path(__file__).parents[2] / "robots"

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from measurement_files import HEADER, ROW
 from pkmodes import diagnosis
-from pkmodes.errors import MeasurementError
+from pkmodes.base.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
 

@@ -14,8 +14,8 @@ import pytest
 import pkmodes
 from browser import opened
 from page_reading import Element, read
+from pkmodes.base.errors import PkmodesError
 from pkmodes.cli import run
-from pkmodes.errors import PkmodesError
 from pkmodes.report.map import map_report
 from pkmodes.robot.reading import robot_from_document
 

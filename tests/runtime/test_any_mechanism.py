@@ -13,17 +13,17 @@ import pytest
 import pkmodes
 import planar_pair
 from pkmodes import diagnosis, updating
-from pkmodes import mechanism as known
-from pkmodes.checking.consistency import check_consistency
+from pkmodes.base.errors import MeasurementError, PkmodesError, PoseError
 from pkmodes.cli.modes import as_json
 from pkmodes.cli.poses import parse_pose
-from pkmodes.errors import MeasurementError, PkmodesError, PoseError
-from pkmodes.evaluation import SystemOfEffects
-from pkmodes.generated import Generated
-from pkmodes.regular import sample
+from pkmodes.codegen.checking.consistency import check_consistency
+from pkmodes.mechanism.generated import Generated
+from pkmodes.mechanism.registry import registry as known
+from pkmodes.mechanism.regular import sample
 from pkmodes.robot.paths import ParameterPath
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
+from pkmodes.system.evaluation import SystemOfEffects
 from pkmodes.updating import frame
 from pkmodes.updating.poses import check_measured
 from pkmodes.updating.structure import RobotStructure, channels

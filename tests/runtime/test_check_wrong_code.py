@@ -14,11 +14,11 @@ from scipy.linalg import eigh
 import pkmodes
 from broken_module import Broken
 from generated_model import MODULE
-from pkmodes.checking import products
-from pkmodes.checking.consistency import Check
 from pkmodes.cli import run
-from pkmodes.derivation import REQUIREMENTS
-from pkmodes.mechanism import mechanism, names
+from pkmodes.codegen.checking import products
+from pkmodes.codegen.checking.consistency import Check
+from pkmodes.codegen.derivation import REQUIREMENTS
+from pkmodes.mechanism.registry import mechanism, names
 from robot_text import PUBLISHED, published
 
 CLAMP = '\n[effects.clamp_compliance]\ncompliance = "1e-7 m/N"\n'

@@ -12,8 +12,8 @@ import pytest
 
 import pkmodes
 from pkmodes import updating
+from pkmodes.base.errors import MeasurementError, PkmodesError
 from pkmodes.cli import run
-from pkmodes.errors import MeasurementError, PkmodesError
 
 LOOP = Path(__file__).resolve().parents[2] / "examples" / "closed_loop"
 FILES = [str(LOOP / "robot.toml"), str(LOOP / "measured.csv")]

@@ -63,7 +63,7 @@ def expect_one_line(process: subprocess.Popen[bytes]) -> None:
         "click",
         "numpy",
         "numpy.linalg",
-        "pkmodes.model",
+        "pkmodes.model.model",
         "pkmodes.robot",
         "pint",
         "tomllib",

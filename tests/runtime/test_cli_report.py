@@ -10,9 +10,9 @@ import pytest
 
 from diagnose_command import unwritable
 from pkmodes import read_robot, updating
+from pkmodes.base.errors import PkmodesError
 from pkmodes.cli import run
 from pkmodes.diagnosis import Diagnosis
-from pkmodes.errors import PkmodesError
 from pkmodes.report import report
 
 ROOT = Path(__file__).parents[2]

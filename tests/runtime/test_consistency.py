@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from broken_module import Broken
-from pkmodes.checking.consistency import check_consistency
-from pkmodes.generated import Generated
-from pkmodes.mechanism import mechanism
-from pkmodes.regular import sample
+from pkmodes.codegen.checking.consistency import check_consistency
+from pkmodes.mechanism.generated import Generated
+from pkmodes.mechanism.registry import mechanism
+from pkmodes.mechanism.regular import sample
 from pkmodes_derive import mechanisms
 from pkmodes_generated import linear_delta
 from sample_robots import random_robot

@@ -16,9 +16,9 @@ import pytest
 
 import pkmodes
 from generated_model import MODULE, edit
-from pkmodes import writing
+from pkmodes.base import writing
 from pkmodes.cli import run
-from pkmodes.generation import specification
+from pkmodes.codegen.generation import specification
 from pkmodes.robot.reading import read_robot
 from pkmodes_derive.emit import product
 from robot_text import PUBLISHED, published

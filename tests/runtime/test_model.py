@@ -7,8 +7,8 @@ import pytest
 from scipy.linalg import eigh
 
 import pkmodes
-from pkmodes import dynamics
-from pkmodes.errors import PoseError
+from pkmodes.base.errors import PoseError
+from pkmodes.solve import dynamics
 from pkmodes_generated import linear_delta
 from robot_text import PUBLISHED
 

@@ -10,8 +10,8 @@ import pytest
 
 import pkmodes
 from page_reading import read
-from pkmodes import mechanism
 from pkmodes.cli import run
+from pkmodes.mechanism.registry import registry as mechanism
 from pkmodes.view import poses_around
 
 pytestmark = pytest.mark.usefixtures("slide")

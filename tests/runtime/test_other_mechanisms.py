@@ -15,8 +15,8 @@ import pytest
 
 import pkmodes
 from made_up_mechanisms import ARMS_FILE, GANTRY_FILE, write_package
-from pkmodes import mechanism as mechanisms
-from pkmodes.errors import PkmodesError, RobotFileError
+from pkmodes.base.errors import PkmodesError, RobotFileError
+from pkmodes.mechanism.registry import registry as mechanisms
 from pkmodes.robot.documents import document_of
 from pkmodes.robot.layout import items
 from pkmodes.robot.paths import moved, paths, resolve

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.errors import PoseError
+from pkmodes.base.errors import PoseError
 from robot_text import PUBLISHED
 
 GOOD = [0.6, 0.03, -0.245]

@@ -15,10 +15,11 @@ import numpy as np
 import pytest
 
 from generated_model import MODULE
-from pkmodes import generation, writing
-from pkmodes.checking.recorded import recorded_robot
+from pkmodes.base import writing
+from pkmodes.base.errors import OutputError, PkmodesError
 from pkmodes.cli import run
-from pkmodes.errors import OutputError, PkmodesError
+from pkmodes.codegen import generation
+from pkmodes.codegen.checking.recorded import recorded_robot
 from pkmodes.robot.reading import read_robot
 from pkmodes_derive.emit.provenance import pasteable
 from pkmodes_rig.robots import ROBOTS

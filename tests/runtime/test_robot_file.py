@@ -12,7 +12,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from pkmodes.errors import RobotFileError
+from pkmodes.base.errors import RobotFileError
 from pkmodes.robot.reading import read_robot
 from robot_text import PUBLISHED, edited, published
 

@@ -15,7 +15,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import pkmodes
-from pkmodes.errors import PoseError, RobotFileError
+from pkmodes.base.errors import PoseError, RobotFileError
 from pkmodes.robot.paths import moved, paths, resolve
 from pkmodes.robot.units import Quantity
 from robot_text import PUBLISHED, edited, published

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from corrected_files import changed_lines, correct, reread
-from pkmodes.errors import OutputError
+from pkmodes.base.errors import OutputError
 from pkmodes.robot.saving import Correction
 from robot_text import edited, published
 

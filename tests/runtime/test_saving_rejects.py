@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from corrected_files import correct, with_joints
-from pkmodes.errors import OutputError, RobotFileError
+from pkmodes.base.errors import OutputError, RobotFileError
 from pkmodes.robot.saving import Correction, corrected_text, save_corrected
 from robot_text import PUBLISHED, edited, published
 

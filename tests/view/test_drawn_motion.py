@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.evaluation import SystemOfEffects
-from pkmodes.mechanism import mechanism
+from pkmodes.mechanism.registry import mechanism
 from pkmodes.robot.robot import Robot
+from pkmodes.system.evaluation import SystemOfEffects
 from pkmodes.view.drawn import Drawn
-from pkmodes.view.scene import scene
+from pkmodes.view.evaluating import scene
 from sample_mechanisms import TYPICAL
 from sample_mechanisms import sample as other_sample
 from sample_robots import sample as linear_sample

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.errors import PkmodesError, PoseError
+from pkmodes.base.errors import PkmodesError, PoseError
+from pkmodes.solve.workspace import box_of
 from pkmodes.view import poses_around, scene, typical_pose
 from pkmodes.view.drawn import upright
 from pkmodes.view.workspace import workspace
-from pkmodes.workspace import box_of
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 PUBLISHED = ROBOTS / "linear-delta-2022.toml"

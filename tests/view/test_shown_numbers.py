@@ -14,8 +14,8 @@ from scipy.spatial.transform import Rotation
 
 import pkmodes
 from browser import Opened, opened
+from pkmodes.solve.workspace import box_of
 from pkmodes.view import page, poses_around, scene
-from pkmodes.workspace import box_of
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 POSES = {"linear-delta-2022": [0.6, 0.0, -0.245], "corexy-printer": [0.1, 0.2]}

@@ -15,7 +15,8 @@ from pathlib import Path
 
 import click
 
-import pkmodes
+from pkmodes.base.errors import PkmodesError
+from pkmodes.base.version import VERSION
 from pkmodes.cli.check import check
 from pkmodes.cli.commands import Commands
 from pkmodes.cli.compare import compare
@@ -27,7 +28,6 @@ from pkmodes.cli.modes import modes
 from pkmodes.cli.output import silence
 from pkmodes.cli.sensitivities import sensitivities
 from pkmodes.cli.show import show
-from pkmodes.errors import PkmodesError
 
 DONE, DOES_NOT_HOLD, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
 
@@ -37,7 +37,7 @@ DONE, DOES_NOT_HOLD, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110},
     epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245",
 )
-@click.version_option(pkmodes.__version__, prog_name="pkmodes", message="%(prog)s %(version)s")
+@click.version_option(VERSION, prog_name="pkmodes", message="%(prog)s %(version)s")
 def cli() -> None:
     """Vibration modes of parallel robots with compliant transmissions."""
 

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from pkmodes.base.errors import PkmodesError
 from pkmodes.cli.output import check_target, deliver, json_option, to_file, write_json
-from pkmodes.errors import PkmodesError
 
 if TYPE_CHECKING:
-    from pkmodes.checking.report import Report
+    from pkmodes.codegen.checking.report import Report
 
 
 @click.command(
@@ -39,8 +39,8 @@ def check(targets: tuple[Path, ...], mechanism: Path | None, json_file: str | No
 
     A mechanism of your own is derived from the definition stored with its code, which is executed.
     """
-    from pkmodes.checking import products
-    from pkmodes.mechanism import add_folder, supplied
+    from pkmodes.codegen.checking import products
+    from pkmodes.mechanism.registry import add_folder, supplied
 
     check_target(json_file, *targets)
     if mechanism is not None:

@@ -22,7 +22,7 @@ from pkmodes.cli.output import (
     write_json,
 )
 from pkmodes.cli.reporting import measured_reporting, page_of
-from pkmodes.loading import read_robot
+from pkmodes.model.loading import read_robot
 
 if TYPE_CHECKING:
     from pkmodes.diagnosis import Comparison

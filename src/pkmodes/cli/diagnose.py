@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 
 import click
 
+from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.base.pasting import pasted
 from pkmodes.cli.output import (
     band_of,
     band_option,
@@ -27,9 +29,7 @@ from pkmodes.cli.output import (
 )
 from pkmodes.cli.reporting import measured_reporting, page_of
 from pkmodes.cli.verdicts import failing
-from pkmodes.errors import PkmodesError, shown
-from pkmodes.loading import read_robot
-from pkmodes.pasting import pasted
+from pkmodes.model.loading import read_robot
 
 if TYPE_CHECKING:
     from pkmodes.diagnosis import Diagnosis

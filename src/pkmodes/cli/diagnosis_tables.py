@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 
 from pkmodes.cli.terminal import Terminal
 from pkmodes.diagnosis.verdict.result import Diagnosis, Error, Row, Value
-from pkmodes.mechanism import Mechanism
-from pkmodes.poses import placed
+from pkmodes.mechanism.poses import placed
+from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.load_cases import settable
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from pkmodes.base.errors import OutputError, shown
 from pkmodes.cli.output import (
     check_target,
     deliver,
@@ -15,8 +16,7 @@ from pkmodes.cli.output import (
     to_file,
     write_json,
 )
-from pkmodes.errors import OutputError, shown
-from pkmodes.loading import load
+from pkmodes.model.loading import load
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes figures robots/linear-delta-2022.toml --out figures")

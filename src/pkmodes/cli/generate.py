@@ -6,8 +6,8 @@ from pathlib import Path
 
 import click
 
+from pkmodes.base.errors import OutputError
 from pkmodes.cli.output import check_target, deliver, json_option, to_file, write_json
-from pkmodes.errors import OutputError
 
 
 @click.command(
@@ -37,7 +37,7 @@ def generate(robot: Path, out: str, mechanism: Path | None, json_file: str | Non
     A mechanism of your own is defined by a Python file (docs/adding-a-mechanism.md).  Its code is written to the
     folder DIR/<name>, which the other commands accept as --mechanism DIR/<name>.
     """
-    from pkmodes.generation import generate as generate_model
+    from pkmodes.codegen.generation import generate as generate_model
 
     check_target(json_file, robot, *([mechanism] if mechanism else []))
     if not out.strip():

@@ -23,13 +23,13 @@ from pkmodes.cli.output import (
     write_json,
 )
 from pkmodes.cli.reporting import Reporting
-from pkmodes.loading import load
+from pkmodes.model.loading import load
 from pkmodes.robot.corrections import changeable
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
-    from pkmodes.model import Model
+    from pkmodes.model.model import Model
     from pkmodes.report.sources import Source
 
 

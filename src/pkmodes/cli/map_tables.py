@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from pkmodes.cli.terminal import Terminal
-from pkmodes.model import Model
+from pkmodes.model.model import Model
 from pkmodes.robot.corrections import changeable
 
 

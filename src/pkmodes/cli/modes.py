@@ -10,10 +10,10 @@ import numpy as np
 
 from pkmodes.cli.output import check_target, deliver, json_option, mechanism_option, to_file, write_json
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
-from pkmodes.loading import load
-from pkmodes.model import Model
-from pkmodes.poses import placed
-from pkmodes.results import CARRIAGES, Modes, Statics
+from pkmodes.mechanism.poses import placed
+from pkmodes.model.loading import load
+from pkmodes.model.model import Model
+from pkmodes.solve.results import CARRIAGES, Modes, Statics
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245")

@@ -13,9 +13,9 @@ from typing import Any
 
 import click
 
-from pkmodes.errors import OutputError, PkmodesError, shown
-from pkmodes.pasting import pasted
-from pkmodes.writing import write_file
+from pkmodes.base.errors import OutputError, PkmodesError, shown
+from pkmodes.base.pasting import pasted
+from pkmodes.base.writing import write_file
 
 json_option = click.option(
     "--json",
@@ -37,7 +37,7 @@ report_option = click.option(
 
 def _add_mechanism(_: click.Context, __: click.Parameter, folder: Path | None) -> Path | None:
     if folder is not None:
-        from pkmodes.mechanism import add_folder
+        from pkmodes.mechanism.registry import add_folder
 
         add_folder(folder)
     return folder

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pkmodes.errors import PoseError
+from pkmodes.base.errors import PoseError
 
 if TYPE_CHECKING:
-    from pkmodes.mechanism import Mechanism
-    from pkmodes.model import Model
+    from pkmodes.mechanism.registry import Mechanism
+    from pkmodes.model.model import Model
 
 pose_option = click.option(
     "--pose",
@@ -54,7 +54,7 @@ def check_metres(model: Model, text: str, point: list[float]) -> None:
     PoseError
         Other poses that cannot be reached are left to the model to reject.
     """
-    from pkmodes.poses import LARGE
+    from pkmodes.mechanism.poses import LARGE
 
     lengths = [component.unit == "m" for component in model.kind.pose]
     smaller = [c / 1e3 if length else c for c, length in zip(point, lengths, strict=True)]

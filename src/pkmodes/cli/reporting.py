@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pkmodes.writing import write_file
+from pkmodes.base.writing import write_file
 
 if TYPE_CHECKING:
     from pkmodes.diagnosis import Comparison, Diagnosis, Measurements

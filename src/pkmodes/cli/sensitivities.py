@@ -10,16 +10,16 @@ import click
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.cli.output import check_target, deliver, json_option, mechanism_option, to_file, write_json
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
-from pkmodes.errors import PkmodesError, shown
-from pkmodes.loading import load
-from pkmodes.poses import placed
+from pkmodes.mechanism.poses import placed
+from pkmodes.model.loading import load
 
 if TYPE_CHECKING:
-    from pkmodes.model import Model
-    from pkmodes.results import Modes
+    from pkmodes.model.model import Model
     from pkmodes.sensitivity.sensitivities import Sensitivities
+    from pkmodes.solve.results import Modes
 
 Array = NDArray[np.float64]
 #: Derivatives below these bounds are rounding and shown as 0: relative change of the frequency per relative change of

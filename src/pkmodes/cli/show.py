@@ -6,6 +6,8 @@ from pathlib import Path
 
 import click
 
+from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.base.writing import write_file
 from pkmodes.cli.output import (
     check_other_targets,
     check_page,
@@ -18,9 +20,7 @@ from pkmodes.cli.output import (
     write_json,
 )
 from pkmodes.cli.poses import check_metres, parse_pose
-from pkmodes.errors import PkmodesError, shown
-from pkmodes.loading import load
-from pkmodes.writing import write_file
+from pkmodes.model.loading import load
 
 
 @click.command(

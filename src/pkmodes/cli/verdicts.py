@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Sequence
 
-from pkmodes.errors import PkmodesError, shown
+from pkmodes.base.errors import PkmodesError, shown
 
 VERDICTS = ("adequate", "effect_found", "ambiguous", "unexplained", "insufficient_data")
 #: Stands for every verdict except adequate.

@@ -17,7 +17,7 @@
 /* The most problems that are solved together. */
 #define EIGEN_UNITS 3
 #define EIGEN_PRECISION 2.220446049250313e-16
-/* Components that differ by less from the largest one count as equal to it (`pkmodes.eigen.TIE`). */
+/* Components that differ by less from the largest one count as equal to it (`pkmodes.linalg.eigen.TIE`). */
 #define EIGEN_TIE 1e-6
 
 /* Factor M, scaled to a unit diagonal, as L L^T in its own place; L's diagonal is inverted.  Return where it is not

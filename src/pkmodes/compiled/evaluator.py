@@ -91,7 +91,7 @@ class Evaluator:
         Returns
         -------
         ndarray of int8, shape (N,)
-            Indices into `pkmodes.poses.codes_of`, or `UNSOLVED`.
+            Indices into `pkmodes.mechanism.poses.codes_of`, or `UNSOLVED`.
         """
         count = len(points)
         codes = np.empty(count, dtype=np.int8)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.problem import Structure
-from pkmodes.errors import PkmodesError, shown
 from pkmodes.measured.measurements import Measurements
 
 

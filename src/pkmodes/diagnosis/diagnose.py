@@ -15,6 +15,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.arguments import check_arguments
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.fitter import Fitter
@@ -32,7 +33,6 @@ from pkmodes.diagnosis.verdict.report import Report
 from pkmodes.diagnosis.verdict.result import Diagnosis, Verdict
 from pkmodes.diagnosis.verdict.stability import Trial, trials, unchanged
 from pkmodes.diagnosis.verdict.whole_data import remarks
-from pkmodes.errors import PkmodesError, shown
 from pkmodes.measured.measurements import Measurements
 
 #: By default, one in this many poses is held out.

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from pkmodes.base.errors import PkmodesError, listed, shown
 from pkmodes.diagnosis.problem import (
     Array,
     Batch,
@@ -27,7 +28,6 @@ from pkmodes.diagnosis.structure.sensors import sensor_map
 from pkmodes.diagnosis.structure.shape_rates import ShapeRates, eigenvalue_rates
 from pkmodes.diagnosis.structure.shape_rates import shape_rates as rates_of_shapes
 from pkmodes.diagnosis.structure.supplied import Derivatives, Matrices, Pair, Supplied
-from pkmodes.errors import PkmodesError, listed, shown
 
 #: By default all modes are computed for up to SMALL coordinates, otherwise the lowest FEW, and all up to REACH times
 #: the highest measured frequency: modes farther away are not paired with it.

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy import stats
 
+from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.arguments import check_arguments
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.diagnose import split
@@ -27,7 +28,6 @@ from pkmodes.diagnosis.verdict.mistakes import other_unit, other_wiring
 from pkmodes.diagnosis.verdict.notes import notes
 from pkmodes.diagnosis.verdict.report import Report
 from pkmodes.diagnosis.verdict.result import Error, Row
-from pkmodes.errors import PkmodesError, shown
 from pkmodes.measured.measurements import Measurements
 
 #: Largest number of rounds to estimate the scatter of shapes without a stated one.

@@ -7,13 +7,13 @@ from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pkmodes.errors import OutputError, shown
+from pkmodes.base.errors import OutputError, shown
+from pkmodes.base.writing import write_files
 from pkmodes.figures.pictures import Picture, pictures
 from pkmodes.plots.style import styled
-from pkmodes.writing import write_files
 
 if TYPE_CHECKING:
-    from pkmodes.model import Model
+    from pkmodes.model.model import Model
 
 FORMATS = ("svg", "png", "pdf")
 

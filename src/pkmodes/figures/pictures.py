@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING, Any
 
-from pkmodes.errors import PkmodesError
-from pkmodes.extras import require
+from pkmodes.base.errors import PkmodesError
+from pkmodes.base.extras import require
 from pkmodes.figures.working_plane import working_plane
 from pkmodes.maps.places import places_of
 from pkmodes.plots.style import styled
@@ -20,7 +20,7 @@ from pkmodes.plots.style import styled
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from pkmodes.model import Model
+    from pkmodes.model.model import Model
 
 
 @dataclass(frozen=True)

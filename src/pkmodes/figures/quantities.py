@@ -7,17 +7,17 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.errors import PkmodesError
+from pkmodes.base.errors import PkmodesError
 from pkmodes.plots.plane import Plane
 from pkmodes.plots.workspace import Volume
 from pkmodes.robot.layout import items
 from pkmodes.robot.units import SHOWN
 from pkmodes.robot.wholes import value_of, wholes
+from pkmodes.solve.workspace import box_of
 from pkmodes.view.drawn import Drawn
-from pkmodes.workspace import box_of
 
 if TYPE_CHECKING:
-    from pkmodes.model import Model
+    from pkmodes.model.model import Model
 
 Array = NDArray[Any]
 #: Poses of a map of sensitivities, about.

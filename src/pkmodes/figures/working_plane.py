@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pkmodes.errors import PkmodesError
+from pkmodes.base.errors import PkmodesError
 from pkmodes.maps.places import Grid
 from pkmodes.maps.workspace import reachable
 
 if TYPE_CHECKING:
-    from pkmodes.model import Model
+    from pkmodes.model.model import Model
 
 #: Poses of the plane and of the volume in which it is chosen, about.
 POSES, VOLUME = 8_000, 40_000

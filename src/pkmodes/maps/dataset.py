@@ -3,33 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-import pkmodes
-from pkmodes.evaluation import evaluation
-from pkmodes.extras import require
+from pkmodes.dataset.attributes import attributes_of, imported, labels_of, meanings_of
+from pkmodes.dataset.variables import LIST, variables
 from pkmodes.maps.fields import fields_of
 from pkmodes.maps.layout import Layout
-from pkmodes.maps.pairing import EVENTS
-from pkmodes.maps.places import LIST, Grid, Places
+from pkmodes.maps.places import Grid, Places
 from pkmodes.maps.tracking import Tracked
-from pkmodes.maps.variables import COORDINATE, DIRECTION, DRIVE, FIRST, MODE, variables
 from pkmodes.maps.variants import SAMPLE, Variants
-from pkmodes.mechanism import Mechanism
-from pkmodes.poses import codes_of, reasons
+from pkmodes.mechanism.poses import codes_of
 from pkmodes.robot.corrections import changeable
 from pkmodes.robot.robot import Robot
-from pkmodes.robot.text import text_of
+from pkmodes.system.evaluation import evaluation
 
 if TYPE_CHECKING:
     import xarray
 
 Array = NDArray[Any]
-CONVENTIONS = "CF-1.11"
 
 
 def dataset_of(
@@ -86,32 +80,9 @@ def dataset_of(
     found: xarray.Dataset = imported().Dataset(
         data,
         coords={**_coordinates(robot, places, variants), **labels_of(kind, layout.modes, coordinates)},
-        attrs=attributes_of(robot),
+        attrs=attributes_of(robot, evaluation(robot).rigid_modes),
     )
     return found
-
-
-def imported() -> Any:
-    """Import xarray.
-
-    Raises
-    ------
-    MissingExtraError
-    """
-    require("maps", "map", "xarray", "pandas")
-    import xarray
-
-    return xarray
-
-
-def meanings_of(robot: Robot, name: str) -> dict[str, Any]:
-    """Return further attributes of a variable: what its codes mean."""
-    if name == "reason":
-        return dict(reasons(robot.kind))
-    if name == "tracking":
-        masks = np.array(list(EVENTS.values()), dtype=np.int8)
-        return {"flag_masks": masks, "flag_meanings": " ".join(EVENTS)}
-    return {}
 
 
 def _coordinates(robot: Robot, places: Places, variants: Variants) -> dict[str, Any]:
@@ -135,34 +106,3 @@ def _coordinates(robot: Robot, places: Places, variants: Variants) -> dict[str, 
         labels = np.array(places.labels) if places.labels else np.arange(len(places.table))
         found[LIST] = (LIST, labels, {"units": "1", "long_name": "pose"})
     return found
-
-
-def labels_of(kind: Mechanism, modes: int, coordinates: tuple[str, ...]) -> dict[str, Any]:
-    """Return the coordinates along the axes after the poses."""
-    numbers = np.arange(FIRST, FIRST + modes)
-    return {
-        MODE: (MODE, numbers, {"units": "1", "long_name": "vibration mode, rigid-body modes left out"}),
-        DIRECTION: (DIRECTION, np.array(kind.directions), _named("direction of the platform's motion")),
-        COORDINATE: (COORDINATE, np.array(coordinates), _named("generalised coordinate")),
-        DRIVE: (DRIVE, np.array([d.name for d in kind.drives]), _named("drive")),
-    }
-
-
-def _named(what: str) -> dict[str, str]:
-    return {"units": "1", "long_name": what}
-
-
-def attributes_of(robot: Robot) -> dict[str, Any]:
-    """Return the attributes of a dataset of a robot."""
-    return {
-        "Conventions": CONVENTIONS,
-        "title": f"natural frequencies and mode shapes of {robot.name}",
-        "source": f"pkmodes {pkmodes.__version__}",
-        "history": f"computed by pkmodes {pkmodes.__version__}",
-        "robot": robot.name,
-        "mechanism": robot.mechanism,
-        "robot_file": text_of(robot),
-        "robot_file_name": Path(robot.source).name,
-        "version": pkmodes.__version__,
-        "rigid_modes": evaluation(robot).rigid_modes,
-    }

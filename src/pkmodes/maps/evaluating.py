@@ -12,17 +12,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.dynamics import Dynamics
-from pkmodes.errors import PkmodesError
-from pkmodes.evaluation import evaluation
-from pkmodes.generated import Generated
-from pkmodes.kinematics import condition_number
+from pkmodes.base.errors import PkmodesError
+from pkmodes.dataset.motion import parts_of
 from pkmodes.maps.layout import Layout, tails
-from pkmodes.maps.places import parts_of
-from pkmodes.mechanism import Mechanism
-from pkmodes.poses import CHUNK
-from pkmodes.results import JOINTS
+from pkmodes.mechanism.generated import Generated
+from pkmodes.mechanism.poses import CHUNK
+from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.robot import Robot
+from pkmodes.solve.dynamics import Dynamics
+from pkmodes.solve.kinematics import condition_number
+from pkmodes.solve.results import JOINTS
+from pkmodes.system.evaluation import evaluation
 
 Array = NDArray[Any]
 
@@ -64,7 +64,7 @@ def evaluate(task: Task) -> dict[str, Array]:
     Returns
     -------
     dict of str to ndarray, shape (rows, ...)
-        As in `tails`; ``code`` indexes `pkmodes.poses.codes_of`.
+        As in `tails`; ``code`` indexes `pkmodes.mechanism.poses.codes_of`.
 
     Raises
     ------

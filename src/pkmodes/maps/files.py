@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pkmodes.errors import OutputError, shown
-from pkmodes.extras import require
-from pkmodes.maps.dataset import imported
-from pkmodes.maps.table import table_of, write_table
+from pkmodes.base.errors import OutputError, shown
+from pkmodes.base.extras import require
+from pkmodes.dataset.attributes import imported
+from pkmodes.dataset.table import table_of, write_table
 
 if TYPE_CHECKING:
     import xarray

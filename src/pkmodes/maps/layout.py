@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from pkmodes.evaluation import evaluation
 from pkmodes.robot.robot import Robot
+from pkmodes.system.evaluation import evaluation
 
 
 @dataclass(frozen=True)

@@ -8,12 +8,12 @@ from pathlib import Path
 
 import numpy as np
 
-from pkmodes.errors import MeasurementError, shown
+from pkmodes.base.errors import MeasurementError, shown
 from pkmodes.maps.places import Poses
 from pkmodes.measured.header import column_of
 from pkmodes.measured.reading import read_text
 from pkmodes.measured.table import cells_of, number_in, read_lines
-from pkmodes.mechanism import Mechanism
+from pkmodes.mechanism.registry import Mechanism
 
 LABEL = "pose"
 

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from pkmodes.errors import OutputError
-from pkmodes.writing import refusal
+from pkmodes.base.errors import OutputError
+from pkmodes.base.writing import refusal
 
 LOCK = "lock"
 

@@ -12,12 +12,10 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
-import pkmodes
-from pkmodes.backends import checked_threads, chosen
-from pkmodes.dynamics import Dynamics
-from pkmodes.errors import PkmodesError
-from pkmodes.evaluation import evaluation
-from pkmodes.maps.dataset import dataset_of, imported
+from pkmodes.base.errors import PkmodesError
+from pkmodes.base.version import VERSION
+from pkmodes.dataset.attributes import imported
+from pkmodes.maps.dataset import dataset_of
 from pkmodes.maps.evaluating import Task, code_of
 from pkmodes.maps.files import Target
 from pkmodes.maps.layout import Layout, layout_of, tails
@@ -29,6 +27,9 @@ from pkmodes.maps.tracking import Tracked, track
 from pkmodes.maps.variants import SAMPLE, Variants, variants_of
 from pkmodes.maps.workspace import bounds_of, reachable
 from pkmodes.robot.text import text_of
+from pkmodes.solve.backends import checked_threads, chosen
+from pkmodes.solve.dynamics import Dynamics
+from pkmodes.system.evaluation import evaluation
 
 if TYPE_CHECKING:
     import xarray
@@ -96,7 +97,7 @@ class Plan:
         places = self.places
         table = {name: v.tolist() for name, v in places.axes.items()} if isinstance(places, Grid) else None
         return {
-            "version": pkmodes.__version__,
+            "version": VERSION,
             "mechanism": code_of(self.model.kind),
             "robot": text_of(self.model.robot),
             "largest condition number": self.model.max_condition,

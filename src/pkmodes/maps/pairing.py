@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
+from pkmodes.dataset.variables import EVENTS
+
 Array = NDArray[Any]
 Index = NDArray[np.intp]
-#: Marks of a mode at a pose, for any step to a neighbour, as bits.
-EVENTS = {"crossing": 1, "veering": 2, "uncertain": 4}
 #: A pair below this MAC is uncertain; a mode that keeps less than this of its shape, but not alone, veers.
 CLEAR, SAME = 0.5, 0.9
 #: Steps compared together.

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.errors import PkmodesError, PoseError, listed, shown
-from pkmodes.mechanism import Mechanism
-from pkmodes.poses import given_poses
+from pkmodes.base.errors import PkmodesError, PoseError, listed, shown
+from pkmodes.dataset.variables import LIST
+from pkmodes.mechanism.poses import given_poses
+from pkmodes.mechanism.registry import Mechanism
 
 Array = NDArray[np.float64]
-LIST = "pose"
 EXAMPLE = 'for example: {"x": numpy.linspace(0.3, 0.8, 51), "y": 0.0}'
 
 
@@ -192,22 +192,3 @@ def ascending(
     if (counts > 1).any():
         raise error(f"the value {different[counts > 1][0]:g} is repeated", where, "give each value once")
     return found
-
-
-def parts_of(motion: Array, directions: Sequence[str], normal: str | None) -> tuple[Array, Array]:
-    """Split motions of the platform into magnitudes in the plane of the grid and perpendicular to it.
-
-    Parameters
-    ----------
-    motion : ndarray, shape (..., directions)
-    directions : sequence of str
-    normal : str or None
-
-    Returns
-    -------
-    in_plane, out_of_plane : ndarray, shape (...)
-        The second is zero for a mechanism that moves in a plane.
-    """
-    plane = [i for i, name in enumerate(directions) if name != normal]
-    within = np.sqrt((motion[..., plane] ** 2).sum(axis=-1))
-    return within, 0.0 * within if normal is None else np.abs(motion[..., directions.index(normal)])

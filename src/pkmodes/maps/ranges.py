@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.errors import PkmodesError, shown
-from pkmodes.mechanism import Mechanism
+from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.units import QuantityError, parse_number_or_quantity
 
 Array = NDArray[np.float64]

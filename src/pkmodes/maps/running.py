@@ -13,8 +13,9 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from pkmodes.errors import PkmodesError, shown
-from pkmodes.extras import require
+from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.base.extras import require
+from pkmodes.base.version import VERSION
 from pkmodes.maps.evaluating import Task, evaluate
 
 #: Tasks in progress for each thread: one is computed while the result of another is stored.
@@ -122,8 +123,6 @@ def _client(scheduler: str) -> Iterator[Any]:
     require("maps on a Dask scheduler", "map", "distributed")
     import distributed
 
-    import pkmodes
-
     remedy = "start one with: dask scheduler, and give its address, such as tcp://127.0.0.1:8786"
     if not isinstance(scheduler, str):
         raise PkmodesError(
@@ -145,11 +144,9 @@ def _client(scheduler: str) -> Iterator[Any]:
                 "the scheduler has no workers", f"scheduler {shown(scheduler)}", remedy
             ) from None
         versions = client.run(_probe())
-        wrong = {where: found for where, found in versions.items() if found != pkmodes.__version__}
+        wrong = {where: found for where, found in versions.items() if found != VERSION}
         for where, found in wrong.items():
-            what = (
-                f"expected pkmodes {pkmodes.__version__} on every worker, found {found or 'none'} on {where}"
-            )
+            what = f"expected pkmodes {VERSION} on every worker, found {found or 'none'} on {where}"
             raise PkmodesError(what, f"scheduler {shown(scheduler)}", "install the same version there")
         yield client
     finally:
@@ -161,10 +158,10 @@ def _probe() -> Callable[[], str]:
 
     def version() -> str:
         try:
-            import pkmodes
+            from pkmodes.base.version import VERSION
         except ModuleNotFoundError:
             return ""
-        return pkmodes.__version__
+        return VERSION
 
     version.__module__ = "__main__"  # a function of this module would be imported there
     return version

@@ -22,8 +22,8 @@ import numpy as np
 from numpy.lib.format import open_memmap
 from numpy.typing import NDArray
 
-from pkmodes.errors import OutputError
-from pkmodes.writing import refusal
+from pkmodes.base.errors import OutputError
+from pkmodes.base.writing import refusal
 
 Array = NDArray[Any]
 #: Shape at one pose, and type, of each field.

@@ -25,7 +25,8 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import breadth_first_order, connected_components, minimum_spanning_tree
 
-from pkmodes.maps.pairing import EVENTS, Masses, Steps, compared
+from pkmodes.dataset.variables import EVENTS
+from pkmodes.maps.pairing import Masses, Steps, compared
 
 Array = NDArray[Any]
 Index = NDArray[np.intp]

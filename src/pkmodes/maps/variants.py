@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.errors import PkmodesError, shown
+from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.maps.places import ascending
 from pkmodes.robot.layout import lent
 from pkmodes.robot.robot import Robot

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.errors import PoseError
+from pkmodes.base.errors import PoseError
 from pkmodes.maps.places import Grid
-from pkmodes.poses import LARGE
-from pkmodes.workspace import box_of
+from pkmodes.mechanism.poses import LARGE
+from pkmodes.solve.workspace import box_of
 
 if TYPE_CHECKING:
-    from pkmodes.kinematics import Kinematics
+    from pkmodes.solve.kinematics import Kinematics
 
 Array = NDArray[np.float64]
 #: Poses of the grid, about, and along one component at most, about.

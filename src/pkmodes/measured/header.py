@@ -11,7 +11,7 @@ from collections.abc import Collection, Mapping, Sequence
 from decimal import Decimal
 from typing import NamedTuple, NoReturn
 
-from pkmodes.errors import MeasurementError, shown
+from pkmodes.base.errors import MeasurementError, shown
 from pkmodes.measured.rules import SET, SHAPE
 from pkmodes.robot.units import QuantityError, base_units
 

@@ -13,7 +13,7 @@ from typing import Never
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pkmodes.errors import MeasurementError, listed, nearest, shown
+from pkmodes.base.errors import MeasurementError, listed, nearest, shown
 from pkmodes.measured.columns import POSITION, Array, Columns
 from pkmodes.measured.header import frequency_factor
 from pkmodes.measured.rules import (

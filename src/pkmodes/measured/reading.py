@@ -8,7 +8,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import NoReturn
 
-from pkmodes.errors import MeasurementError
+from pkmodes.base.errors import MeasurementError
 from pkmodes.measured.columns import POSITION
 from pkmodes.measured.header import components_of, read_header
 from pkmodes.measured.measurements import Measurements

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.errors import MeasurementError, shown
+from pkmodes.base.errors import MeasurementError, shown
 from pkmodes.measured.columns import Array, Columns, Integers
 from pkmodes.robot.units import LARGEST, SMALLEST
 

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pkmodes.errors import MeasurementError, shown
+from pkmodes.base.errors import MeasurementError, shown
 from pkmodes.measured.header import SPREAD, TEXT, Column, frequency_factor
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.rules import (

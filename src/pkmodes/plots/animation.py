@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.extras import require
+from pkmodes.base.extras import require
 from pkmodes.plots.style import INK, VERMILLION, figure, styled
 from pkmodes.view.scene import AMPLITUDE, Scene
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from pkmodes.description import Element
+    from pkmodes.mechanism.description import Element
 
 Array = NDArray[np.float64]
 FRAMES, MILLISECONDS = 24, 50

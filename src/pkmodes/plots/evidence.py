@@ -8,10 +8,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.errors import PkmodesError, shown
 from pkmodes.measured.measurements import Measurements
 
 Array = NDArray[np.float64]

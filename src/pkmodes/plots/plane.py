@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.errors import PkmodesError
+from pkmodes.base.errors import PkmodesError
 from pkmodes.plots.labels import typeset
 from pkmodes.robot.units import SHOWN
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import difflib
 from pathlib import Path
 
+from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.errors import PkmodesError
 from pkmodes.report.blocks import Block, Difference, Paragraph
 from pkmodes.report.wording import SENTENCE, clean
 from pkmodes.robot.robot import Robot

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.errors import PkmodesError, shown
 from pkmodes.measured.measurements import Measurements
-from pkmodes.model import Model
+from pkmodes.model.model import Model
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report.comparison import comparison_page
 from pkmodes.report.diagnosis import diagnosis_page

@@ -35,7 +35,7 @@ from pkmodes.robot.units import SHOWN
 if TYPE_CHECKING:
     import xarray
 
-    from pkmodes.model import Model
+    from pkmodes.model.model import Model
 
 #: Values along each side of the plane that is drawn at most.
 FINEST = 150

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pkmodes import __version__
+from pkmodes.base.version import VERSION
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report.blocks import Block, Cell, Facts, Foreign, Paragraph, Section
 from pkmodes.report.setting import Setting
@@ -33,7 +33,7 @@ def origin(evidence: Evidence, setting: Setting, more: Sequence[tuple[str, Seque
         low, high = setting.data.band
         entries.append(("band", [Cell(f"{low:g} Hz to {high:g} Hz")]))
     entries += more
-    entries.append(("pkmodes", [Cell(__version__)]))
+    entries.append(("pkmodes", [Cell(VERSION)]))
     return Section("origin", "Data and versions", [Facts(entries)])
 
 

@@ -7,8 +7,8 @@ from functools import cache
 from importlib.resources import files
 from typing import TYPE_CHECKING
 
-from pkmodes import __version__
-from pkmodes.extras import require
+from pkmodes.base.extras import require
+from pkmodes.base.version import VERSION
 from pkmodes.report.blocks import Section, Summary
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def page(summary: Summary, sections: Sequence[Section]) -> str:
     need_report()
     template = _environment().get_template(PAGE)
     style = (files(__package__) / TEMPLATES / STYLE).read_text(encoding="utf-8")
-    return template.render(summary=summary, sections=list(sections), style=style, version=__version__)
+    return template.render(summary=summary, sections=list(sections), style=style, version=VERSION)
 
 
 @cache

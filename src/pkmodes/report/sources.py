@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 
-from pkmodes.errors import PkmodesError
+from pkmodes.base.errors import PkmodesError
 
 
 @dataclass(frozen=True)

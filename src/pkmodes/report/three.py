@@ -8,10 +8,10 @@ from contextlib import suppress
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.errors import PkmodesError
-from pkmodes.model import Model
+from pkmodes.model.model import Model
 from pkmodes.robot.reading import robot_from_document
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.loop import corrected_robot

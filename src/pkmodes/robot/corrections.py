@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NoReturn
 
-from pkmodes.errors import OutputError, PkmodesError, nearest, shown
-from pkmodes.mechanism import Whole
+from pkmodes.base.errors import OutputError, PkmodesError, nearest, shown
+from pkmodes.mechanism.registry import Whole
 from pkmodes.robot.declaration import Declaration
 from pkmodes.robot.layout import effect_parameters, items
 from pkmodes.robot.wholes import elements_of, wholes

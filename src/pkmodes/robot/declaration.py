@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from pkmodes.mechanism import Mechanism, mechanism
+from pkmodes.mechanism.registry import Mechanism, mechanism
 from pkmodes.robot.layout import OF_QUANTITIES, Item, items
 from pkmodes.robot.units import Quantity
 

@@ -12,7 +12,7 @@ import tomlkit
 from tomlkit.exceptions import TOMLKitError
 from tomlkit.items import AoT, Comment, InlineTable, Item, Table, Whitespace
 
-from pkmodes.errors import OutputError
+from pkmodes.base.errors import OutputError
 
 Keys = tuple[str | int, ...]
 

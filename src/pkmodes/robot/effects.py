@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from pkmodes.errors import PkmodesError, nearest, shown
-from pkmodes.mechanism import Effect, EffectParameter, Mechanism, mechanism, names
+from pkmodes.base.errors import PkmodesError, nearest, shown
+from pkmodes.mechanism.registry import Effect, EffectParameter, Mechanism, mechanism, names
 from pkmodes.robot import schema
 from pkmodes.robot.layout import EFFECTS
 from pkmodes.robot.units import DIMENSIONS, Quantity, article

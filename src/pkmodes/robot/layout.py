@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache, cached_property
 
-from pkmodes.mechanism import Key, Mechanism, Table
+from pkmodes.mechanism.registry import Key, Mechanism, Table
 from pkmodes.robot.units import DIMENSIONS
 
 #: A number among the generated parameters or effects: its field, and its index in the field.

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pkmodes.errors import PkmodesError, nearest, shown
+from pkmodes.base.errors import PkmodesError, nearest, shown
 from pkmodes.robot.layout import EFFECTS, Item, Slot, effect_parameters, items, takers
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.wholes import items_of, value_of, weights_of, wholes

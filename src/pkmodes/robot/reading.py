@@ -8,7 +8,7 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import Any, NoReturn
 
-from pkmodes.errors import PkmodesError, RobotFileError, shown
+from pkmodes.base.errors import PkmodesError, RobotFileError, shown
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.validation import declaration
 

@@ -6,8 +6,9 @@ import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 
-from pkmodes.errors import RobotFileError, shown
-from pkmodes.mechanism import Mechanism
+from pkmodes.base.errors import RobotFileError, shown
+from pkmodes.base.writing import write_file
+from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.corrections import Correction, Edit, changeable, edits_of, refuse
 from pkmodes.robot.editing import Keys, TomlText
 from pkmodes.robot.layout import EFFECTS, by_path, lent
@@ -15,7 +16,6 @@ from pkmodes.robot.notation import Notation
 from pkmodes.robot.reading import read_robot, robot_from_document
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.units import Quantity
-from pkmodes.writing import write_file
 
 CLOSE, CLOSE_SIGMA = 1e-9, 1e-2  # tolerances for the digits written; standard deviations have three
 BY_HAND = "change the robot file by hand"

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from pkmodes.errors import shown
-from pkmodes.mechanism import Key
+from pkmodes.base.errors import shown
+from pkmodes.mechanism.registry import Key
 from pkmodes.robot.layout import XYZ
 from pkmodes.robot.units import (
     DIMENSIONS,

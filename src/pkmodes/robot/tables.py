@@ -6,8 +6,8 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar
 
-from pkmodes.errors import PkmodesError, RobotFileError, nearest, shown
-from pkmodes.mechanism import Key, Mechanism, Table, mechanism
+from pkmodes.base.errors import PkmodesError, RobotFileError, nearest, shown
+from pkmodes.mechanism.registry import Key, Mechanism, Table, mechanism
 from pkmodes.robot import schema
 from pkmodes.robot.effects import read_effects
 from pkmodes.robot.layout import EFFECTS, GRAVITY, by_path, lent

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import tomlkit
 
-from pkmodes.errors import PkmodesError
+from pkmodes.base.errors import PkmodesError
 from pkmodes.robot.documents import document_of
 from pkmodes.robot.reading import read_robot
 from pkmodes.robot.robot import Robot

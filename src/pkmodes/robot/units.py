@@ -13,7 +13,7 @@ from decimal import Decimal
 from functools import cache
 from typing import TYPE_CHECKING
 
-from pkmodes.errors import shown
+from pkmodes.base.errors import shown
 
 if TYPE_CHECKING:
     from pint import Unit, UnitRegistry

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from pkmodes.mechanism import Key, Mechanism, Requirement
+from pkmodes.mechanism.registry import Key, Mechanism, Requirement
 from pkmodes.robot import schema
 from pkmodes.robot.declaration import Declaration, Parameters
 from pkmodes.robot.layout import EFFECTS, items, lent, takers

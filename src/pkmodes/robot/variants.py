@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from pkmodes.errors import PkmodesError, nearest, shown
-from pkmodes.mechanism import Whole
+from pkmodes.base.errors import PkmodesError, nearest, shown
+from pkmodes.mechanism.registry import Whole
 from pkmodes.robot import schema
 from pkmodes.robot.corrections import changeable
 from pkmodes.robot.declaration import Declaration

@@ -12,8 +12,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.errors import PkmodesError
-from pkmodes.mechanism import Mechanism, Whole
+from pkmodes.base.errors import PkmodesError
+from pkmodes.mechanism.registry import Mechanism, Whole
 from pkmodes.robot.declaration import Declaration
 from pkmodes.robot.layout import Item, Slot, items
 

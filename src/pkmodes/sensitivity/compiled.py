@@ -9,14 +9,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.compiled.evaluator import Evaluator
 from pkmodes.compiled.lanes import Terms
-from pkmodes.compiled_modes import EIGENVALUES, Job, evaluated, left_to_numpy
-from pkmodes.eigen import magnitude
-from pkmodes.evaluation import Evaluation
-from pkmodes.gathering import Out
-from pkmodes.poses import CHUNK, CheckedPoses, OnError
+from pkmodes.linalg.eigen import magnitude
+from pkmodes.mechanism.poses import CHUNK, CheckedPoses, OnError
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.modes import ROUNDING, separate
 from pkmodes.sensitivity.terms import RATES
+from pkmodes.solve.compiled_modes import EIGENVALUES, Job, evaluated, left_to_numpy
+from pkmodes.solve.gathering import Out
+from pkmodes.system.evaluation import Evaluation
 
 Array = NDArray[np.float64]
 

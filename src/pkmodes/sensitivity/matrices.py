@@ -18,10 +18,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.evaluation import SystemOfEffects
-from pkmodes.mechanism import Mechanism
+from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.layout import Slot
 from pkmodes.robot.paths import ParameterPath
+from pkmodes.system.evaluation import SystemOfEffects
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]

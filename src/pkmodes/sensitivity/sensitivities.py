@@ -10,19 +10,19 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pkmodes.base.errors import PkmodesError, listed, shown
 from pkmodes.compiled.lanes import Terms
-from pkmodes.eigen import has_stiff_joint, magnitude
-from pkmodes.errors import PkmodesError, listed, shown
-from pkmodes.evaluation import Evaluation, SystemOfEffects, evaluation
-from pkmodes.gathering import Fields, Gathered, Out, chosen_fields
-from pkmodes.poses import OnError, check_poses
-from pkmodes.results import ChosenFields
+from pkmodes.linalg.eigen import has_stiff_joint, magnitude
+from pkmodes.mechanism.poses import OnError, check_poses
 from pkmodes.robot.paths import ParameterPath, paths, resolve_all
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.sensitivity.modes import ROUNDING, branches, groups, mode_derivatives
 from pkmodes.sensitivity.terms import RATES, terms_of
-from pkmodes.solving import Solved, solved
+from pkmodes.solve.gathering import Fields, Gathered, Out, chosen_fields
+from pkmodes.solve.results import ChosenFields
+from pkmodes.solve.solving import Solved, solved
+from pkmodes.system.evaluation import Evaluation, SystemOfEffects, evaluation
 
 if TYPE_CHECKING:
     from pkmodes.compiled.evaluator import Evaluator
@@ -253,7 +253,7 @@ def _solution(system: Evaluation, p: Array, source: str, evaluator: Evaluator | 
     """Solve as `Model.modes` does, so that repeated modes have the same basis."""
     if evaluator is None or not len(p):
         return solved(system, p, source)
-    from pkmodes.compiled_modes import compiled_solution
+    from pkmodes.solve.compiled_modes import compiled_solution
 
     return compiled_solution(evaluator, system, p, source)
 

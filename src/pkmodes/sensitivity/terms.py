@@ -7,10 +7,10 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from pkmodes.compiled.lanes import Terms, flat
-from pkmodes.evaluation import SystemOfEffects
 from pkmodes.robot.layout import Slot
 from pkmodes.robot.paths import ParameterPath
 from pkmodes.sensitivity.matrices import POSE, effect_fields, joints_of
+from pkmodes.system.evaluation import SystemOfEffects
 
 #: The compiled evaluator's names of the fields of `pkmodes.Sensitivities` that it evaluates.
 RATES = {"eigenvalues": "eigenvalue_rates", "frequencies": "frequency_rates"}

@@ -12,14 +12,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.compiled_systems import modes_of_systems
 from pkmodes.diagnosis.problem import Prediction
-from pkmodes.evaluation import STEP, SystemOfEffects
 from pkmodes.robot.paths import ParameterPath
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, geometry_of, locked_joints
 from pkmodes.sensitivity.shapes import shape_derivatives
-from pkmodes.solving import solve
+from pkmodes.solve.compiled_systems import modes_of_systems
+from pkmodes.solve.solving import solve
+from pkmodes.system.evaluation import STEP, SystemOfEffects
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]

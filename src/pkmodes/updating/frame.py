@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.diagnosis.problem import Candidate, Parameter
-from pkmodes.mechanism import Mechanism
+from pkmodes.mechanism.registry import Mechanism
 
 Array = NDArray[np.float64]
 #: Prefixes of the parameters of the measurement, and of its candidates.

@@ -11,10 +11,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.errors import MeasurementError, PkmodesError, nearest, shown
+from pkmodes.base.errors import MeasurementError, PkmodesError, nearest, shown
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.rules import SET
-from pkmodes.mechanism import Mechanism
+from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.corrections import changeable
 from pkmodes.robot.layout import Slot, effect_parameters, items
 from pkmodes.robot.paths import ParameterPath, resolve

@@ -8,16 +8,16 @@ from os import PathLike
 from pathlib import Path
 
 from pkmodes import diagnosis
+from pkmodes.base.errors import MeasurementError, PkmodesError, shown
 from pkmodes.diagnosis.arguments import check_measurements
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.update import Update
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.errors import MeasurementError, PkmodesError, shown
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
-from pkmodes.mechanism import Mechanism, mechanism, names
-from pkmodes.model import Model
+from pkmodes.mechanism.registry import Mechanism, mechanism, names
+from pkmodes.model.model import Model
 from pkmodes.robot.paths import resolve
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.saving import Correction, corrected_text, save_corrected

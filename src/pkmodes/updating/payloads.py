@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.evaluation import SystemOfEffects
 from pkmodes.robot.layout import EFFECTS, items
 from pkmodes.robot.paths import ParameterPath, resolve
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
+from pkmodes.system.evaluation import SystemOfEffects
 
 Array = NDArray[np.float64]
 #: The effect of a mass on the platform, and its parameter.

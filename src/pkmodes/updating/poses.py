@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from pkmodes.errors import MeasurementError, PoseError, nearest, shown
+from pkmodes.base.errors import MeasurementError, PoseError, nearest, shown
 from pkmodes.measured.measurements import Measurements
-from pkmodes.mechanism import Mechanism
-from pkmodes.model import Model
-from pkmodes.poses import LARGE, check_poses, placed
+from pkmodes.mechanism.poses import LARGE, check_poses, placed
+from pkmodes.mechanism.registry import Mechanism
+from pkmodes.model.model import Model
 from pkmodes.updating.load_cases import LoadCases, load_cases, of_columns
 from pkmodes.updating.structure import channels
 

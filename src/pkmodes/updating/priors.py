@@ -9,8 +9,8 @@ from typing import NoReturn
 
 import numpy as np
 
+from pkmodes.base.errors import PkmodesError, nearest, shown
 from pkmodes.diagnosis.problem import Candidate, Parameter
-from pkmodes.errors import PkmodesError, nearest, shown
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.units import NUMBER, QuantityError, base_units
 

@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.diagnosis.problem import Batch, Candidate, Parameter, Prediction
-from pkmodes.evaluation import SystemOfEffects
-from pkmodes.mechanism import Mechanism
-from pkmodes.poses import MAX_CONDITION, check_poses
-from pkmodes.regular import declared
+from pkmodes.mechanism.poses import MAX_CONDITION, check_poses
+from pkmodes.mechanism.registry import Mechanism
+from pkmodes.mechanism.regular import declared
 from pkmodes.robot.paths import ParameterPath, moved
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import POSE, locked_joints
+from pkmodes.system.evaluation import SystemOfEffects
 from pkmodes.updating import frame
 from pkmodes.updating.evaluated import Moves, Solved, derived, joined, reordered, solved
 from pkmodes.updating.load_cases import LoadCase, LoadCases

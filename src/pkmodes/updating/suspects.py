@@ -15,9 +15,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from pkmodes.base.errors import PkmodesError, nearest, shown
 from pkmodes.diagnosis.problem import Candidate, Parameter
-from pkmodes.errors import PkmodesError, nearest, shown
-from pkmodes.mechanism import Effect, Whole
+from pkmodes.mechanism.registry import Effect, Whole
 from pkmodes.robot.layout import GRAVITY, by_path, lent, takers
 from pkmodes.robot.paths import ParameterPath, paths, resolve
 from pkmodes.robot.robot import Robot

@@ -8,11 +8,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.description import Drawing, Named
-from pkmodes.errors import PkmodesError
-from pkmodes.evaluation import SystemOfEffects
-from pkmodes.generated import Generated
+from pkmodes.base.errors import PkmodesError
+from pkmodes.mechanism.description import Drawing, Named
+from pkmodes.mechanism.generated import Generated
 from pkmodes.robot.robot import Robot
+from pkmodes.system.evaluation import SystemOfEffects
 
 Array = NDArray[np.float64]
 #: Below this sine of the angle to the vertical, a direction is vertical, and upright means outwards.

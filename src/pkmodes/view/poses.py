@@ -7,13 +7,14 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.errors import PoseError
-from pkmodes.generated import Generated
-from pkmodes.model import Model
-from pkmodes.regular import regular_poses
-from pkmodes.view.scene import Scene, scene
+from pkmodes.base.errors import PoseError
+from pkmodes.mechanism.generated import Generated
+from pkmodes.mechanism.regular import regular_poses
+from pkmodes.model.model import Model
+from pkmodes.solve.workspace import box_of, hanging, on_branch
+from pkmodes.view.evaluating import scene
+from pkmodes.view.scene import Scene
 from pkmodes.view.workspace import workspace
-from pkmodes.workspace import box_of, hanging, on_branch
 
 Array = NDArray[np.float64]
 #: Values of each component in the grid, by the number of components; a page holds some hundred poses.

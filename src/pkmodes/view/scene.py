@@ -1,20 +1,17 @@
 """A scene: where the points of a robot are, how they move in each mode, and which springs hold the strain energy.
 
-Everything is evaluated at a set of poses: nothing else needs the model any more, neither the page nor a still
-picture.  A displacement is linear in the amplitude: what is shown is the mode, enlarged.
+Neither the page nor a still picture needs the model any more.
+A displacement is linear in the amplitude: what is shown is the mode, enlarged.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from html import escape
+from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from pkmodes.description import Element, Named
-from pkmodes.model import Model
-from pkmodes.view.drawn import Drawn, present
+from pkmodes.mechanism.description import Element, Named
 from pkmodes.view.workspace import Surface
 
 Array = NDArray[np.float64]
@@ -146,14 +143,6 @@ class Scene:
                 largest = max(largest, float(np.linalg.norm(tip - centre) * abs(turned)))
         return 1.0 / largest if largest > 0.0 else 0.0
 
-    def _repr_html_(self) -> str:
-        """Return the page in a frame, for notebooks."""
-        from pkmodes.view.page import page
-
-        source = escape(page(self), quote=True)
-        title = escape(f"{self.robot} in three dimensions", quote=True)
-        return f'<iframe title="{title}" srcdoc="{source}" style="width:100%;height:760px;border:0"></iframe>'
-
     def frames(
         self, pose: int | None = None, mode: int | None = None, count: int = 24, amplitude: float = AMPLITUDE
     ) -> Array:
@@ -189,56 +178,3 @@ class Scene:
         phase = np.sin(2.0 * np.pi * np.arange(count) / count)
         found: Array = self.points[pose] + phase[:, None, None] * moved
         return found
-
-
-def scene(model: Model, poses: ArrayLike, chosen: int = 0) -> Scene:
-    """Evaluate what a picture of a robot shows at some poses.
-
-    Parameters
-    ----------
-    model : Model
-        The robot.
-    poses : array_like, shape (d,) or (N, d)
-        In SI units.
-    chosen : int
-        Index of the pose to show first.
-
-    Returns
-    -------
-    Scene
-        At these poses.
-
-    Raises
-    ------
-    PoseError
-        If a pose cannot be evaluated.
-    PkmodesError
-        If the code of the mechanism was generated before there were drawings.
-    """
-    drawn, kind = Drawn(model.robot), model.kind
-    modes = model.modes(np.atleast_2d(np.asarray(poses, dtype=float)))
-    springs, index = present(drawn.springs(modes.poses))
-    strains = np.einsum("psn,pmn->pms", springs.strain, modes.shapes)
-    return Scene(
-        robot=model.robot.name,
-        title=kind.title,
-        pose=kind.pose,
-        directions=kind.directions,
-        coordinates=modes.coordinates,
-        elements=tuple(
-            replace(element, spring=index[element.spring] if element.spring >= 0 else -1)
-            for element in drawn.drawing.elements
-        ),
-        springs=springs.named,
-        motions_of=np.array(drawn.drawing.motions, dtype=np.intp),
-        poses=modes.poses,
-        points=drawn.points(modes.poses),
-        motions=drawn.motions(modes.poses),
-        frequencies=modes.frequencies,
-        shapes=modes.shapes,
-        platform_shapes=modes.platform_shapes,
-        energies=0.5 * springs.stiffness[:, None] * strains**2,
-        rigid_modes=modes.rigid_modes,
-        vertical=drawn.vertical,
-        chosen=chosen,
-    )

@@ -13,8 +13,8 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.model import Model
-from pkmodes.workspace import Inside, on_branch
+from pkmodes.model.model import Model
+from pkmodes.solve.workspace import Inside, on_branch
 
 Array = NDArray[np.float64]
 #: Cells of the grid along each component, and part of the box by which the grid extends beyond it on each side.
@@ -49,7 +49,7 @@ def workspace(model: Model, pose: Array, box: tuple[Array, Array]) -> Surface | 
     pose : ndarray, shape (d,)
         A valid pose.
     box : tuple of ndarray, shape (d,)
-        From `pkmodes.workspace.box_of`.
+        From `pkmodes.solve.workspace.box_of`.
 
     Returns
     -------

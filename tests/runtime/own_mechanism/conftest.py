@@ -11,8 +11,8 @@ import pytest
 
 import pkmodes
 from adding_a_mechanism import COMMANDS, DEFINITION, MEASURING, ROBOT
-from pkmodes import mechanism as known
 from pkmodes.cli import run
+from pkmodes.mechanism.registry import registry as known
 
 
 @contextmanager

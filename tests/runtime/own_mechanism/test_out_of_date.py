@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from adding_a_mechanism import DEFINITION
-from pkmodes import mechanism as known
 from pkmodes.cli import run
+from pkmodes.mechanism.registry import registry as known
 from refused_commands import refused
 
 

@@ -13,10 +13,10 @@ import pytest
 
 import pkmodes
 from adding_a_mechanism import POSE
-from pkmodes import mechanism as known
-from pkmodes import mechanism_packages
+from pkmodes.base.errors import PkmodesError
 from pkmodes.cli import run
-from pkmodes.errors import PkmodesError
+from pkmodes.mechanism.registry import packages as mechanism_packages
+from pkmodes.mechanism.registry import registry as known
 from refused_commands import refused
 
 

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.problem import Array, Candidate, Parameter
-from pkmodes.errors import PkmodesError, shown
 
 
 class Priors:

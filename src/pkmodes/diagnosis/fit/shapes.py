@@ -19,9 +19,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.diagnosis.criteria import Criteria
-from pkmodes.diagnosis.match.mac import space
 from pkmodes.diagnosis.match.pairing import Pairing, neighbours, tiled, unmeasured_neighbours
 from pkmodes.diagnosis.problem import Array, Prediction
+from pkmodes.linalg.mac import space
 from pkmodes.measured.measurements import Measurements
 
 

@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
+from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.criteria import Criteria
-from pkmodes.diagnosis.match.mac import channel_motion, mac, space, weighted
 from pkmodes.diagnosis.problem import Prediction
-from pkmodes.errors import PkmodesError, shown
+from pkmodes.linalg.mac import channel_motion, mac, space, weighted
 from pkmodes.measured.measurements import Measurements
 
 Array = NDArray[np.float64]

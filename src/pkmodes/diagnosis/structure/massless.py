@@ -12,8 +12,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy import linalg
 
+from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis.problem import Array
-from pkmodes.errors import PkmodesError
 
 #: Smaller pivots of a matrix scaled to a unit diagonal are zero up to rounding.
 SINGULAR = 1e-13

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from pkmodes.base.errors import PkmodesError, listed, shown
 from pkmodes.diagnosis.problem import Candidate, Parameter
-from pkmodes.errors import PkmodesError, listed, shown
 
 
 def check_names(kind: str, names: Sequence[str]) -> None:

@@ -9,6 +9,7 @@ from typing import Any, Literal, NamedTuple, overload
 import numpy as np
 from scipy import sparse
 
+from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.problem import Array, Parameter
 from pkmodes.diagnosis.structure.forms import (
     FEW,
@@ -24,7 +25,6 @@ from pkmodes.diagnosis.structure.forms import (
     thin,
 )
 from pkmodes.diagnosis.structure.kept import Kept
-from pkmodes.errors import PkmodesError, shown
 
 Matrices = Callable[[Mapping[str, float], str], tuple[Any, Any]]
 Derivatives = Callable[[Mapping[str, float], str, str], tuple[Any, Any]]

@@ -1,0 +1,3 @@
+"""The version of pkmodes."""
+
+VERSION = "0.1.0"

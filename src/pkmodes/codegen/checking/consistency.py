@@ -1,0 +1,123 @@
+"""Consistency of generated code: every derivative is compared with differences of the function it differentiates.
+
+The chain starts with the direct kinematics, which is checked by the closure equations: the inverse kinematics of its
+result must return the coordinates.  Derivatives are computed in two ways: by complex step, which has no cancellation
+and so a bound near rounding, and by central differences, which do not need an analytic function.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.codegen.checking.mechanism_relations import own_relations
+from pkmodes.codegen.checking.relations import Derivative, Relation, State, relations
+from pkmodes.mechanism.generated import Generated
+from pkmodes.mechanism.registry import Mechanism
+from pkmodes.mechanism.regular import regular_poses
+
+Array = NDArray[np.float64]
+
+#: Complex step: rounding only, some 1e-14 per unit of the condition number.
+COMPLEX_STEP_BOUND = 1e-10
+#: Fourth-order central differences: truncation grows with the fifth derivative and so with the condition number; at
+#: most 4e-7 was measured for some hundred robots.
+CENTRAL_BOUND = 1e-5
+
+
+@dataclass(frozen=True)
+class Check:
+    """Result of one check: the largest error relative to the size of the quantity, and its bound."""
+
+    name: str
+    error: float
+    bound: float
+
+    @property
+    def holds(self) -> bool:
+        """Whether the error is within the bound; False for NaN."""
+        return bool(self.error <= self.bound)
+
+
+def check_consistency(
+    generated: Generated,
+    kind: Mechanism,
+    parameters: Any,
+    effects: bool = False,
+    yielded: Callable[[State], Iterator[Relation]] | None = None,
+) -> list[Check]:
+    """Check the derivatives of a generated model at a few poses.
+
+    Parameters
+    ----------
+    generated : Generated
+        The functions.
+    kind : Mechanism
+        Their mechanism.
+    parameters : Parameters
+        The robot's parameters, used to find poses.
+    effects : bool
+        Whether the model has effects; some relations of the base model do not hold with effects.
+    yielded : callable, optional
+        Yields the relations at a pose; by default those of a model.
+
+    Returns
+    -------
+    list of Check
+        One for each relation and kind of difference; a single failed check if no regular pose is found.
+    """
+    poses = regular_poses(generated, kind, parameters)
+    if not len(poses):
+        return [Check("a regular pose within the limits", np.inf, 0.0)]
+    checks = []
+    differences: tuple[tuple[str, Derivative, float], ...] = (
+        ("complex step", _complex_step, COMPLEX_STEP_BOUND),
+        ("central differences", _central_differences, CENTRAL_BOUND),
+    )
+    with np.errstate(all="ignore"):  # a broken function may give NaN; it then fails the check
+        for name_of_kind, derivative, bound in differences:
+            errors: dict[str, float] = {}
+            for p in poses:
+                at = State(generated, kind, parameters, p, derivative, effects)
+                try:
+                    for name, found, expected, weight in (yielded or _all)(at):
+                        errors[name] = max(errors.get(name, 0.0), _relative(found, expected, weight))
+                except np.linalg.LinAlgError as error:  # from NaN or zeros in the stiffness
+                    errors[f"the static equilibrium: {error}"] = np.inf
+            checks += [Check(f"{name} ({name_of_kind})", error, bound) for name, error in errors.items()]
+    return checks
+
+
+def _relative(found: Array, expected: Array, weight: float) -> float:
+    """Return the largest difference relative to the largest expected value, infinite where one is not a number."""
+    if not (np.isfinite(found).all() and np.isfinite(expected).all()):
+        return float(np.inf)
+    scale = max(float(np.max(np.abs(expected), initial=0.0)), weight)
+    difference = float(np.max(np.abs(found - expected), initial=0.0))
+    return difference / scale if scale > 0.0 else 0.0
+
+
+def _all(at: State) -> Iterator[Relation]:
+    yield from relations(at)
+    yield from own_relations(at)
+
+
+def _complex_step(function: Callable[[Array], Array], at: Array, step: float) -> Array:
+    """Differentiate by complex step; the last axis of the result is that of the derivative."""
+    h = 1e-30
+    columns = [np.imag(function(at + 1j * h * e)) / h for e in np.eye(len(at))]
+    return np.stack(columns, axis=-1)
+
+
+def _central_differences(function: Callable[[Array], Array], at: Array, step: float) -> Array:
+    """Differentiate by fourth-order central differences; the last axis of the result is that of the derivative."""
+    columns = []
+    for e in step * np.eye(len(at)):
+        near = function(at + e) - function(at - e)
+        far = function(at + 2 * e) - function(at - 2 * e)
+        columns.append((8.0 * near - far) / (12.0 * step))
+    return np.stack(columns, axis=-1)

@@ -1,0 +1,36 @@
+"""Relations between the functions of a drawing and those of the model, at a pose of a robot without effects."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from pkmodes.codegen.checking.consistency import Check, check_consistency
+from pkmodes.codegen.checking.relations import Relation, State
+from pkmodes.mechanism.generated import Generated
+from pkmodes.mechanism.registry import Mechanism
+
+
+def check_drawing(kind: Mechanism, parameters: object) -> list[Check]:
+    """Check the motion of drawn points by differences of their positions, and the springs by the elastic Hessian."""
+    if kind.drawing is None:
+        return []
+    return check_consistency(Generated(kind.model, parameters), kind, parameters, yielded=drawing_relations)
+
+
+def drawing_relations(at: State) -> Iterator[Relation]:
+    """Yield the relations of a drawing at one pose."""
+    drawing = at.kind.drawing
+    assert drawing is not None  # `check_drawing` asks
+    drawn = Generated(at.kind.drawn, at.parameters, at.kind.extended.Effects())
+    # Any constant vectors serve as those that the robot leaves open.
+    up = (np.tile([0.6, -0.48, 0.64], drawing.uprights),) if drawing.uprights else ()
+    motion = drawn.drawing_motion(at.pose, *up)[list(drawing.motions)]
+    moved = at.rate(lambda p: drawn.drawing_points(p, *up))
+    yield "motion of drawn points", motion[..., at.places], moved, 0.0
+    if at.generated.has("elastic_hessian"):
+        stiffness, strain = drawn.springs(at.pose)
+        strain = strain[:, : at.base]
+        hessian = at.generated.elastic_hessian(at.pose)
+        yield "springs", strain.T @ (stiffness[:, None] * strain), hessian, 0.0

@@ -1,0 +1,234 @@
+"""Check whether generated code is up to date and correct: a committed model, a generated folder, or a robot file."""
+
+from __future__ import annotations
+
+import stat
+import types
+from dataclasses import replace
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.base.pasting import pasted
+from pkmodes.codegen.checking.consistency import Check, check_consistency
+from pkmodes.codegen.checking.drawing import check_drawing
+from pkmodes.codegen.checking.recorded import recorded_robot
+from pkmodes.codegen.checking.report import Report, findings_of, manifest_of
+from pkmodes.codegen.checking.user_mechanisms import check_definition, check_mechanism
+from pkmodes.codegen.derivation import derivation
+from pkmodes.codegen.generation import specialised, specification
+from pkmodes.codegen.product_folder import MANIFEST
+from pkmodes.mechanism.generated import Generated
+from pkmodes.mechanism.registry import meanwhile, mechanism, names, supplied
+from pkmodes.mechanism.regular import regular_poses, sample
+from pkmodes.robot.reading import read_robot
+from pkmodes.robot.robot import Robot
+from pkmodes.system.evaluation import active_effects, evaluation, matrices
+
+REGENERATE = "python -m pkmodes_derive generate"
+
+Array = NDArray[np.float64]
+
+
+def check_committed(name: str) -> Report:
+    """Check a parametric model supplied with pkmodes; its derivatives are checked for an asymmetric robot.
+
+    Parameters
+    ----------
+    name : str
+        The mechanism.
+    """
+    kind = mechanism(name)
+    folder = Path(str(files(kind.package)))
+    findings = findings_of(folder, derivation("emit.product").parametric(name))
+    parameters = sample(kind)
+    checks = check_consistency(Generated(kind.model, parameters), kind, parameters)
+    checks += check_drawing(kind, parameters)
+    return Report(str(folder), findings, checks, REGENERATE if findings else "")
+
+
+def check_folder(folder: Path) -> Report:
+    """Check a folder that `pkmodes generate` wrote.
+
+    The fresh derivation is executed, never a file that may have been edited: if the two are equal, the check applies
+    to both; if they differ, the difference is reported.  If the folder was copied without its robot file, the robot
+    recorded in the manifest is used, and only the comparison with the robot file is left unchecked.
+
+    Raises
+    ------
+    PkmodesError
+        If the folder holds no generated code, its robot file is invalid, or its manifest does not record a robot.
+    """
+    recorded = manifest_of(folder)
+    if "robot" not in recorded and recorded.get("product") in supplied():
+        findings = findings_of(folder, derivation("emit.product").parametric(recorded["product"]))
+        return Report(str(folder), findings, [], REGENERATE if findings else "")
+    if "definition" not in recorded:
+        return _check_model(folder, recorded)
+    if "robot" not in recorded:
+        return check_mechanism(folder, recorded)
+    name = recorded.get("mechanism")
+    if name in names():
+        return _check_model(folder, recorded)
+    inner = folder / str(name)
+    if not inner.is_dir():
+        what = f"the model's mechanism {shown(name)} is unknown, and its code is not in this folder"
+        remedy = "give the folder with the code of the mechanism: --mechanism DIR/<mechanism>"
+        raise PkmodesError(what, str(folder), remedy)
+    with meanwhile(inner):
+        return _check_model(folder, recorded)
+
+
+def _check_model(folder: Path, recorded: dict[str, Any]) -> Report:
+    """Check the model of a robot whose mechanism is known."""
+    reference, there = _robot_file(folder, recorded)
+    definition = str(recorded.get("definition", ""))
+    command = (
+        f"pkmodes generate --mechanism {pasted(folder / definition)}" if definition else "pkmodes generate"
+    )
+    if there:
+        robot, command = read_robot(folder / reference), f"{command} {pasted(folder / reference)}"
+        unchecked = []
+    else:
+        robot, command = recorded_robot(recorded, str(folder / MANIFEST)), f"{command} ROBOT.toml"
+        unchecked = [_without_robot_file(folder, reference, robot.name)]
+    texts = specialised(specification(robot, reference, definition))
+    findings = findings_of(folder, texts)
+    if definition and not (folder / definition).is_dir():
+        changed, left = check_definition(folder, definition, robot.mechanism)
+        findings, unchecked = [*findings, *changed], [*unchecked, *left]
+    fix = _fix(folder, findings, f"{command} --out {pasted(folder)}")
+    return Report(str(folder), findings, _checks(texts, robot), fix, tuple(unchecked))
+
+
+def _without_robot_file(folder: Path, reference: str, name: str) -> str:
+    return (
+        f"whether the robot file {shown(reference)} has changed since this model was generated: it does not "
+        f"exist; restore it, or give the file of {shown(name)} with: "
+        f"pkmodes generate ROBOT.toml --out {pasted(folder)}"
+    )
+
+
+def _robot_file(folder: Path, recorded: dict[str, object]) -> tuple[str, bool]:
+    """Return the robot file named in a manifest, and whether it exists."""
+    owner = recorded.get("robot")
+    reference = owner.get("file") if isinstance(owner, dict) else None
+    remedy = "restore it, or generate the model again with: pkmodes generate ROBOT.toml --out DIR"
+    if not isinstance(reference, str):
+        raise PkmodesError("the manifest does not name a robot file", str(folder / MANIFEST), remedy)
+    try:
+        found = stat.S_ISREG((folder / reference).stat().st_mode)
+    except (FileNotFoundError, NotADirectoryError):
+        return reference, False
+    except (OSError, ValueError):  # not a valid file name
+        found = False
+    if not found:
+        what = f"the manifest names {shown(reference)}, which cannot be a robot file"
+        raise PkmodesError(what, str(folder / MANIFEST), remedy)
+    return reference, True
+
+
+def _fix(folder: Path, findings: list[Any], generate: str) -> str:
+    """Return the commands that fix the findings: remove files that do not belong, generate the rest."""
+    orphans = [finding for finding in findings if finding.cause == "orphan"]
+    commands = [f"rm {pasted(folder / finding.subject)}" for finding in orphans]
+    if len(findings) > len(orphans):
+        commands.append(generate)
+    return " && ".join(commands)
+
+
+def check_robot(robot_file: Path) -> Report:
+    """Derive the model of a robot file and check that it is consistent and equal to the parametric model.
+
+    Raises
+    ------
+    RobotFileError
+        If the robot file is invalid.
+    """
+    robot = read_robot(robot_file)
+    texts = specialised(specification(robot, robot_file.name))
+    return Report(str(robot_file), [], _checks(texts, robot))
+
+
+def _checks(texts: dict[str, str], robot: Robot) -> list[Check]:
+    """Check the modules of a robot: with its effects, and then without them."""
+    first, *without = (name for name in texts if name.endswith(".py"))
+    found = _checks_of(_executed({first: texts[first]}), robot)
+    for name in without:
+        checks = _checks_of(_executed({name: texts[name]}), replace(robot, effects={}))
+        found += [replace(check, name=f"{check.name}, without effects") for check in checks]
+    return found
+
+
+def _executed(texts: dict[str, str]) -> types.ModuleType:
+    """Execute the NumPy module of a freshly derived model."""
+    (name,) = texts
+    module = types.ModuleType(name.removesuffix(".py"))
+    exec(compile(texts[name], name, "exec"), module.__dict__)
+    return module
+
+
+def _checks_of(module: types.ModuleType, robot: Robot) -> list[Check]:
+    """Check a module against finite differences and against the model that pkmodes evaluates."""
+    kind = robot.kind
+    effects = bool(active_effects(kind, robot.effects))
+    return [*check_consistency(Generated(module), kind, robot.parameters, effects), *_equality(module, robot)]
+
+
+def _equality(module: types.ModuleType, robot: Robot) -> list[Check]:
+    """Check that a module with folded constants gives the same matrices as the parametric model.
+
+    Both the condensed matrices, of the coordinates with inertia, and the matrices of all coordinates are compared.
+    """
+    kind = robot.kind
+    p = regular_poses(Generated(kind.model, robot.parameters), kind, robot.parameters)
+    if not len(p):
+        return []
+    expected = evaluation(robot)
+    M, K = matrices(expected, p)
+    kept = [expected.coordinates.index(name) for name in module.COORDINATES]
+    massless = [i for i in range(M.shape[-1]) if i not in kept]
+    every = np.zeros((len(p), M.shape[-1], len(kept)))
+    every[:, kept, range(len(kept))] = 1.0
+    wanted_M, wanted_K = M[:, kept][..., kept], K[:, kept][..., kept]
+    size = _sizes(wanted_K)
+    pairs: list[tuple[str, Array, Array, Array | float]] = []
+    if massless:
+        follow = -np.linalg.solve(K[:, massless][..., massless], K[:, massless][..., kept])
+        every[:, massless] = follow
+        wanted_K = wanted_K + K[:, kept][..., massless] @ follow
+        all_M, all_K = module.uncondensed_matrices(p)
+        pairs = [
+            ("uncondensed M", all_M, M, _sizes(M)),
+            ("uncondensed K", all_K, K, _sizes(K)),
+            ("condensation", module.condensation(p), every, 0.0),
+        ]
+    found_M, found_K = module.modal_matrices(p)
+    pairs = [("M", found_M, wanted_M, _sizes(wanted_M)), ("K", found_K, wanted_K, size), *pairs]
+    pairs.append(("torques", module.static_equilibrium(p)[0], expected.statics(p)[0], 0.0))
+    if hasattr(module, "platform_motion"):
+        motion = expected.platform_motion(p) @ every
+        pairs.append(("platform motion", module.platform_motion(p), motion, 0.0))
+    return [
+        Check(f"{name} of the parametric model", _relative(found, wanted, scale), 1e-12)
+        for name, found, wanted, scale in pairs
+    ]
+
+
+def _sizes(matrix: Array) -> Array:
+    """Return the scale of each entry of a symmetric matrix, so that a stiff joint does not hide the others."""
+    root = np.sqrt(np.abs(np.diagonal(matrix, axis1=-2, axis2=-1)))
+    return np.asarray(root[..., :, None] * root[..., None, :])
+
+
+def _relative(found: Array, expected: Array, size: Array | float) -> float:
+    """Return the largest error relative to the scale of each entry, or to the largest entry if its scale is zero."""
+    if found.shape != expected.shape:
+        return float("inf")
+    largest = float(np.max(np.abs(expected), initial=0.0)) or 1.0
+    scale = np.where(np.asarray(size) > 0.0, size, largest)
+    return float(np.max(np.abs(found - expected) / scale))

@@ -1,0 +1,143 @@
+"""Interface from the runtime to the derivation, including definitions of user-defined mechanisms.
+
+This is the only module that imports the derivation, and it does so on demand: ``import pkmodes`` must be fast and
+must work without SymPy.
+"""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from importlib.resources import files
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from types import ModuleType
+
+from pkmodes.base.errors import MissingExtraError, PkmodesError
+from pkmodes.base.writing import write_files
+from pkmodes.mechanism.packages import DEFINITION, GIVE
+from pkmodes.mechanism.registry import Mechanism, meanwhile, supplied
+
+#: The extra `derive` of pyproject.toml, repeated here so that it can be installed without a pkmodes index entry.
+REQUIREMENTS = ("jinja2>=3.1", "sympy==1.14.0")
+LARGEST_FILE = 1_000_000
+
+
+def derivation(name: str) -> ModuleType:
+    """Import a module of the derivation.
+
+    Raises
+    ------
+    MissingExtraError
+        If SymPy or Jinja2 is not installed.
+    """
+    from importlib import import_module
+
+    try:
+        return import_module(f"pkmodes_derive.{name}")
+    except ModuleNotFoundError as error:
+        raise MissingExtraError(
+            f"{error.name} is not installed; generating and checking code needs it",
+            "optional dependency",
+            f"install it with: pip install {' '.join(map(shlex.quote, REQUIREMENTS))}, "
+            "or in a checkout of pkmodes with: pip install '.[derive]'",
+        ) from None
+
+
+@dataclass(frozen=True)
+class Definition:
+    """The Python source of a user-defined mechanism: its name, text and file."""
+
+    name: str
+    text: str
+    file: Path
+
+
+def read_definition(file: Path, name: str | None = None) -> Definition:
+    """Read the definition of a mechanism; the name defaults to that of the file.
+
+    Raises
+    ------
+    PkmodesError
+        If the file cannot be read.
+    """
+    remedy = "give a Python file with TITLE, DIRECTIONS and declare(m)"
+    if file.exists() and not file.is_file():
+        raise PkmodesError("cannot read the definition: it is not a file", str(file), remedy)
+    if name is None and file.suffix != ".py":
+        raise PkmodesError("expected a Python file, or the folder of a mechanism", str(file), remedy)
+    try:
+        if file.stat().st_size > LARGEST_FILE:
+            raise PkmodesError("cannot read the definition: it is larger than 1 MB", str(file), remedy)
+        text = file.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError as error:
+        what = f"expected UTF-8 text, found an invalid byte at offset {error.start}"
+        raise PkmodesError(what, str(file), "save the file as UTF-8") from None
+    except (OSError, ValueError) as error:  # ValueError: a path with a null character
+        reason = (getattr(error, "strerror", None) or str(error)).lower()
+        raise PkmodesError(f"cannot read the definition: {reason}", str(file), remedy) from None
+    return Definition(file.stem if name is None else name, text, file)
+
+
+def define(definition: Definition) -> None:
+    """Register a definition with the derivation.
+
+    Raises
+    ------
+    PkmodesError
+        If the definition is invalid; the message gives the line.
+    """
+    with told():
+        derivation("mechanisms").add(definition.name, definition.text, str(definition.file))
+
+
+def definition_of(kind: Mechanism) -> Definition | None:
+    """Return the definition stored with a mechanism's code, None for a mechanism that comes with pkmodes."""
+    if kind.name in supplied():
+        return None
+    file = Path(str(files(kind.package))) / DEFINITION
+    if not file.is_file():
+        what = f"expected {DEFINITION}, from which the mechanism {kind.name} is derived, found no such file"
+        raise PkmodesError(what, str(file.parent), GIVE)
+    return read_definition(file, kind.name)
+
+
+@contextmanager
+def told() -> Iterator[None]:
+    """Convert errors of a definition to `PkmodesError`."""
+    mistake = derivation("definition").DefinitionError
+    try:
+        yield
+    except mistake as error:
+        raise PkmodesError(error.what, error.where, error.remedy) from None
+
+
+def parametric(definition: Definition, reference: str) -> dict[str, str]:
+    """Derive a user-defined mechanism and return the texts of its package by file name.
+
+    Parameters
+    ----------
+    definition : Definition
+    reference : str
+        Path of its file relative to the package folder.
+
+    Raises
+    ------
+    PkmodesError
+        If the definition is invalid.
+    """
+    define(definition)
+    with told():
+        texts: dict[str, str] = derivation("emit.product").parametric(definition.name, reference)
+    return texts
+
+
+@contextmanager
+def staged(name: str, texts: dict[str, str]) -> Iterator[Mechanism]:
+    """Register a mechanism from code that has not been written to its folder yet."""
+    with TemporaryDirectory(prefix="pkmodes-") as place:
+        write_files(Path(place) / name, texts)
+        with meanwhile(Path(place) / name) as kind:
+            yield kind

@@ -1,0 +1,176 @@
+"""Generate code from a robot file, and optionally from the definition of a user-defined mechanism."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from pkmodes.base.errors import OutputError, PkmodesError, shown
+from pkmodes.base.writing import write_files
+from pkmodes.codegen.derivation import (
+    Definition,
+    define,
+    definition_of,
+    derivation,
+    parametric,
+    read_definition,
+    staged,
+    told,
+)
+from pkmodes.codegen.product_folder import MANIFEST, check_mechanism, check_owner, check_place, stale_outputs
+from pkmodes.mechanism.packages import folder_of
+from pkmodes.mechanism.registry import add_folder
+from pkmodes.robot.reading import read_robot
+from pkmodes.robot.robot import Robot
+from pkmodes.system.evaluation import active_effects
+
+
+def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:
+    """Return the derivation's input for a robot; a user-defined mechanism is registered with the derivation.
+
+    Parameters
+    ----------
+    robot : Robot
+    robot_file, definition : str
+        References to the robot file and to the mechanism's definition, as the generated files state them.
+    """
+    own = definition_of(robot.kind)
+    if own is not None:
+        define(own)
+    return derivation("emit.specification").Specification(
+        name=robot.name,
+        mechanism=robot.mechanism,
+        robot_file=robot_file,
+        fields={name: _plain(value) for name, value in robot.parameters._asdict().items()}
+        | {path.replace(".", "_"): value for path, value in robot.effects.items()},
+        values=robot.declared,
+        effects=active_effects(robot.kind, robot.effects),
+        definition=definition,
+    )
+
+
+def specialised(specification: Any) -> dict[str, str]:
+    """Derive the model of one robot and return its texts by file name."""
+    with told():
+        texts: dict[str, str] = derivation("emit.product").specialised(specification)
+    return texts
+
+
+def _plain(value: Any) -> Any:
+    return value.tolist() if hasattr(value, "tolist") else value
+
+
+@dataclass(frozen=True)
+class _Folder:
+    """A folder of generated code and its present manifest."""
+
+    place: Path
+    recorded: dict[str, Any] | None
+
+    def write(self, texts: Mapping[str, str]) -> list[Path]:
+        """Write the generated files and remove those that a previous generation wrote under other names."""
+        generated = derivation("emit.currency").carries_header
+        stale = [] if self.recorded is None else stale_outputs(self.place, self.recorded, texts, generated)
+        written = write_files(self.place, texts)
+        for path in stale:
+            path.unlink(missing_ok=True)
+        return written
+
+
+def generate(robot_file: Path, out: Path, mechanism: Path | None = None) -> list[Path]:
+    """Generate the model of one robot and, given the definition of a mechanism, the mechanism's code.
+
+    Parameters
+    ----------
+    robot_file : Path
+        The robot file.
+    out : Path
+        Output folder; created if it does not exist.
+    mechanism : Path, optional
+        A user-defined mechanism: either the Python file that defines it, whose code is written into the folder of
+        its name in `out`, or a folder that was generated from such a file.
+
+    Returns
+    -------
+    list of Path
+        The files written: a NumPy module, a C source, its header, for a robot with effects the same without them,
+        and a manifest.
+
+    Raises
+    ------
+    RobotFileError
+        If the robot file is invalid.
+    OutputError
+        If the folder cannot be written, is not suitable for generated files, or holds the model of another robot.
+    MissingExtraError
+        If SymPy or Jinja2 is not installed.
+    PkmodesError
+        If the definition is invalid.
+    """
+    if mechanism is not None and not mechanism.is_dir():
+        return _generate_both(robot_file, out, read_definition(mechanism))
+    if mechanism is not None:
+        add_folder(mechanism)
+    robot = read_robot(robot_file)
+    folder = _Folder(out, _recorded(out))
+    check_place(out, [robot_file], folder.recorded)
+    folder_of_mechanism = folder_of(robot.kind.package)
+    definition = relative(Path(folder_of_mechanism), out) if folder_of_mechanism else ""
+    return folder.write(_texts(robot, robot_file, folder, definition))
+
+
+def _generate_both(robot_file: Path, out: Path, definition: Definition) -> list[Path]:
+    """Generate the code of a mechanism and the model of a robot; write nothing unless both succeed."""
+    package = out / definition.name
+    inner, outer = _Folder(package, _recorded(package)), _Folder(out, _recorded(out))
+    check_place(out, [robot_file, definition.file, package], outer.recorded)
+    check_place(package, [], inner.recorded)
+    check_mechanism(package, inner.recorded, definition.name)
+    of_mechanism = parametric(definition, relative(definition.file, package))
+    with staged(definition.name, of_mechanism):
+        robot = read_robot(robot_file)
+        if robot.mechanism != definition.name:
+            what = f"the robot is a {robot.mechanism}, not a {definition.name}"
+            remedy = f'write mechanism = "{definition.name}", or leave --mechanism out'
+            raise PkmodesError(what, f"{robot_file}: mechanism", remedy)
+        of_robot = _texts(robot, robot_file, outer, relative(definition.file, out))
+    written = [*inner.write(of_mechanism), *outer.write(of_robot)]
+    add_folder(package)
+    return written
+
+
+def _texts(robot: Robot, robot_file: Path, folder: _Folder, definition: str) -> dict[str, str]:
+    """Derive the model of a robot, for a folder that is free or already holds this robot's model."""
+    reference = relative(robot_file, folder.place)
+    if folder.recorded is not None:
+        check_owner(folder.place, folder.recorded, reference, robot.name)
+    return specialised(specification(robot, reference, definition))
+
+
+def relative(source: Path, out: Path) -> str:
+    """Return a path relative to the output folder, with forward slashes."""
+    return Path(os.path.relpath(source.resolve(), out.resolve())).as_posix()
+
+
+def _recorded(folder: Path) -> dict[str, Any] | None:
+    """Return the manifest in a folder, None if there is none."""
+    place = folder / MANIFEST
+    try:
+        place.stat()
+    except (FileNotFoundError, NotADirectoryError):
+        return None
+    except (OSError, ValueError) as error:  # not a valid folder name
+        reason = (getattr(error, "strerror", None) or str(error)).lower()
+        raise OutputError(f"cannot write: {reason}", shown(str(folder)), "choose another place") from None
+    try:
+        content: dict[str, Any] = derivation("emit.currency").read_manifest(folder)
+    except (ValueError, OSError) as error:
+        raise OutputError(
+            f"the folder holds a manifest that cannot be read: {error}",
+            str(place),
+            "choose another folder, or remove that file",
+        ) from None
+    return content

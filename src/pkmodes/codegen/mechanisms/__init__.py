@@ -1,0 +1,1 @@
+"""Checks that apply to one mechanism only: see `pkmodes.codegen.checking.consistency`."""

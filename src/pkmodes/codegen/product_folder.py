@@ -1,0 +1,147 @@
+"""The folder of a generated model: where it may be written, and which of its files belong to the generator.
+
+Users may keep other files in the folder; nothing here replaces or removes them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from pkmodes.base.errors import OutputError
+
+MANIFEST = "manifest.json"
+ELSEWHERE = "name a new or empty folder, such as --out build/my-robot"
+
+
+def check_place(out: Path, beside: Sequence[Path], recorded: Mapping[str, Any] | None) -> None:
+    """Reject a folder that is not suitable for generated files, before anything is derived.
+
+    Parameters
+    ----------
+    out : Path
+    beside : sequence of Path
+        Paths that may be in the folder: the robot file, and others that are checked separately.
+    recorded : mapping or None
+        The manifest in the folder.
+
+    Raises
+    ------
+    OutputError
+        If it is the root of a file system or repository, the home folder, or contains other files than a model.
+    """
+    place = out.resolve()
+    if place == Path(place.anchor):
+        raise OutputError("cannot write a model into the root of the file system", str(out), ELSEWHERE)
+    if _is_home(place):
+        raise OutputError("cannot write a model into the home folder itself", str(out), ELSEWHERE)
+    if recorded is not None or not place.is_dir():
+        return
+    if (place / ".git").exists():
+        raise OutputError("cannot write a model into the root of a repository", str(out), ELSEWHERE)
+    allowed = {path.resolve() for path in beside}
+    try:
+        foreign = sorted(
+            entry.name
+            for entry in place.iterdir()
+            if not entry.name.startswith(".") and entry.resolve() not in allowed
+        )
+    except OSError as error:
+        raise OutputError(
+            f"cannot write: {(error.strerror or str(error)).lower()}",
+            str(out),
+            "choose another place or make it readable",
+        ) from None
+    if foreign:
+        others = f" and {len(foreign) - 1} more" if len(foreign) > 1 else ""
+        raise OutputError(
+            f"the folder contains other files ({foreign[0]}{others}) and no manifest of a generated model",
+            str(out),
+            ELSEWHERE,
+        )
+
+
+def check_owner(out: Path, recorded: Mapping[str, Any], reference: str, name: str) -> None:
+    """Reject a folder that holds the model of another robot.
+
+    If the recorded robot file no longer exists and the robot's name is the same, the folder or the file was moved,
+    and the folder is accepted.
+
+    Raises
+    ------
+    OutputError
+        If the folder holds the model of another robot.
+    """
+    robot = recorded.get("robot") if isinstance(recorded.get("robot"), dict) else {}
+    owner = robot.get("file") if robot else None
+    if owner == reference:
+        return
+    if isinstance(owner, str) and robot and robot.get("name") == name and not _is_file(out, owner):
+        return
+    found = f"the robot file {owner}" if owner else f"the mechanism {recorded.get('mechanism')}"
+    raise OutputError(
+        f"the folder already holds the model generated from {found}",
+        str(out),
+        "choose another folder, or remove that one",
+    )
+
+
+def check_mechanism(folder: Path, recorded: Mapping[str, Any] | None, name: str) -> None:
+    """Reject a folder that holds anything but the code of this mechanism.
+
+    Raises
+    ------
+    OutputError
+    """
+    if recorded is not None and ("robot" in recorded or recorded.get("product") != name):
+        what = f"the folder holds generated files other than the code of the mechanism {name}"
+        raise OutputError(what, str(folder), "choose another folder, or remove that one")
+
+
+def stale_outputs(
+    out: Path, recorded: Mapping[str, Any], names: Iterable[str], generated: Callable[[Path], bool]
+) -> list[Path]:
+    """Return outputs of an earlier generation that are not among the new ones, as after renaming the robot.
+
+    Parameters
+    ----------
+    out : Path
+    recorded : mapping
+        The manifest in the folder.
+    names : iterable of str
+        Files that are about to be written.
+    generated : callable
+        Returns whether a file carries the generator's header.
+
+    Raises
+    ------
+    OutputError
+        If one of the new outputs would replace a file that the generator did not write.
+    """
+    former = recorded["outputs"]
+    for name in names:
+        path = out / name
+        if name != MANIFEST and name not in former and path.exists() and not generated(path):
+            raise OutputError(
+                f"{name} would be replaced, but it was not generated",
+                str(out),
+                "move that file, or choose another folder",
+            )
+    # Only files directly in this folder, so that a manifest cannot cause the removal of anything elsewhere.
+    beside = [path for path in out.iterdir() if path.is_file() and not path.is_symlink()]
+    return [path for path in beside if path.name in former.keys() - set(names) and generated(path)]
+
+
+def _is_file(folder: Path, name: str) -> bool:
+    try:
+        return (folder / name).is_file()
+    except (OSError, ValueError):  # not a valid file name
+        return False
+
+
+def _is_home(place: Path) -> bool:
+    try:
+        return place == Path.home().resolve()
+    except RuntimeError:  # there is no home folder
+        return False

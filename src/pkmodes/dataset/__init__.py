@@ -1,0 +1,1 @@
+"""Results as datasets and tables: names, dimensions, units and descriptions."""

@@ -1,0 +1,72 @@
+"""Coordinates and attributes of a dataset of a robot, after the CF conventions."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pkmodes.base.extras import require
+from pkmodes.base.version import VERSION
+from pkmodes.dataset.variables import COORDINATE, DIRECTION, DRIVE, EVENTS, FIRST, MODE
+from pkmodes.mechanism.poses import reasons
+from pkmodes.mechanism.registry import Mechanism
+from pkmodes.robot.robot import Robot
+from pkmodes.robot.text import text_of
+
+CONVENTIONS = "CF-1.11"
+
+
+def imported() -> Any:
+    """Import xarray.
+
+    Raises
+    ------
+    MissingExtraError
+    """
+    require("maps", "map", "xarray", "pandas")
+    import xarray
+
+    return xarray
+
+
+def meanings_of(robot: Robot, name: str) -> dict[str, Any]:
+    """Return further attributes of a variable: what its codes mean."""
+    if name == "reason":
+        return dict(reasons(robot.kind))
+    if name == "tracking":
+        masks = np.array(list(EVENTS.values()), dtype=np.int8)
+        return {"flag_masks": masks, "flag_meanings": " ".join(EVENTS)}
+    return {}
+
+
+def labels_of(kind: Mechanism, modes: int, coordinates: tuple[str, ...]) -> dict[str, Any]:
+    """Return the coordinates along the axes after the poses."""
+    numbers = np.arange(FIRST, FIRST + modes)
+    return {
+        MODE: (MODE, numbers, {"units": "1", "long_name": "vibration mode, rigid-body modes left out"}),
+        DIRECTION: (DIRECTION, np.array(kind.directions), _named("direction of the platform's motion")),
+        COORDINATE: (COORDINATE, np.array(coordinates), _named("generalised coordinate")),
+        DRIVE: (DRIVE, np.array([d.name for d in kind.drives]), _named("drive")),
+    }
+
+
+def _named(what: str) -> dict[str, str]:
+    return {"units": "1", "long_name": what}
+
+
+def attributes_of(robot: Robot, rigid_modes: int) -> dict[str, Any]:
+    """Return the attributes of a dataset of a robot."""
+    return {
+        "Conventions": CONVENTIONS,
+        "title": f"natural frequencies and mode shapes of {robot.name}",
+        "source": f"pkmodes {VERSION}",
+        "history": f"computed by pkmodes {VERSION}",
+        "robot": robot.name,
+        "mechanism": robot.mechanism,
+        "robot_file": text_of(robot),
+        "robot_file_name": Path(robot.source).name,
+        "version": VERSION,
+        "rigid_modes": rigid_modes,
+    }

@@ -1,1 +1,0 @@
-"""Checks that apply to one mechanism only: see `pkmodes.checking.consistency`."""

@@ -1,0 +1,1 @@
+"""The evaluator of one robot, and loading a robot file."""

@@ -1,0 +1,1 @@
+"""From poses to modes: validity, kinematics, the eigenproblem and its results."""

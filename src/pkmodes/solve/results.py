@@ -1,0 +1,300 @@
+"""Results of an evaluation: modes, statics and checks, with the leading axes of the caller's poses."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import InitVar, dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, ClassVar, NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.base.errors import NotComputedError
+from pkmodes.mechanism.poses import CHUNK, explained
+from pkmodes.mechanism.registry import Mechanism
+from pkmodes.robot.robot import Robot
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+    from xarray import Dataset
+
+Array = NDArray[np.float64]
+#: The independent coordinates, and their older name for mechanisms where they are carriage positions.
+JOINTS, CARRIAGES = "joint_positions", "carriage_positions"
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class AtPoses:
+    """Results at poses, some of which may not have been evaluated.
+
+    Attributes
+    ----------
+    codes : ndarray of int8, shape (...)
+        Indices into `known`, from which `valid` and `reason` follow.
+    known : tuple of str
+        The reasons that the codes index: ``""`` for a pose that can be evaluated.
+    valid : ndarray of bool, shape (...)
+        Which poses could be evaluated.
+    reason : ndarray of str, shape (...)
+        Why the others could not: ``"finite"``, or the code of a condition of the mechanism, such as ``"limits"``
+        (`pkmodes.Model.reasons` has a sentence for each); ``""`` where valid.  For a single pose a string.
+    """
+
+    codes: NDArray[np.int8]
+    known: tuple[str, ...]
+
+    @cached_property
+    def valid(self) -> NDArray[np.bool_]:
+        """Mask of the poses that could be evaluated."""
+        return np.asarray(self.codes == 0)
+
+    @cached_property
+    def reason(self) -> NDArray[np.str_]:
+        """Short code of the reason why a pose could not be evaluated, ``""`` where valid."""
+        found: NDArray[np.str_] = np.array(self.known)[self.codes]
+        return found
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ChosenFields(AtPoses):
+    """Results with optional fields; reading a field that was not requested raises `NotComputedError`."""
+
+    FIELDS: ClassVar[tuple[str, ...]] = ()
+    METHOD: ClassVar[str] = ""
+
+    arrays: InitVar[Mapping[str, NDArray[Any]]]
+
+    def __post_init__(self, arrays: Mapping[str, NDArray[Any]]) -> None:
+        self.__dict__.update(arrays)
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> NoReturn:
+            if name not in self.FIELDS:
+                raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+            there = [known for known in self.FIELDS if known in self.__dict__]
+            wanted = ", ".join(f'"{known}"' for known in self.FIELDS if known in (*there, name))
+            raise NotComputedError(
+                f"the field {name} was not requested",
+                f"{type(self).__name__} with {', '.join(there)}",
+                f"call {self.METHOD} with fields=({wanted})",
+            )
+
+    def __repr__(self) -> str:
+        shapes = ", ".join(f"{k} {self.__dict__[k].shape}" for k in self.FIELDS if k in self.__dict__)
+        return f"{type(self).__name__}({np.count_nonzero(self.valid)} of {self.valid.size} valid; {shapes})"
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Modes(ChosenFields):
+    """Small vibrations about the static equilibrium at each pose.
+
+    The leading axes are those of the poses: none for a single pose of shape (d,), (N,) for poses of shape
+    (N, d).  n is the number of coordinates; the number of modes m is n minus the number of coordinates without
+    inertia.  Modes are sorted by eigenvalue, the rigid-body modes first.  Entries of poses that could not be
+    evaluated are NaN.
+
+    Attributes
+    ----------
+    poses : ndarray, shape (..., d)
+        Pose components of the mechanism, in SI units.
+    coordinates : tuple of str, length n
+        Names of the generalised coordinates, in the order of the matrices.
+    rigid_modes : int
+        Number of modes that strain nothing elastic; they come first.
+    robot : Robot
+        Whose modes they are.
+    backend : {"numpy", "compiled"}
+        What evaluated them.
+    valid : ndarray of bool, shape (...)
+        Which poses could be evaluated.
+    reason : ndarray of str, shape (...)
+        Why the others could not (`pkmodes.Model.reasons`), ``""`` where valid; for a single pose a string.
+    frequencies : ndarray, shape (..., m)
+        sqrt(abs(lambda)) / (2 pi) with the sign of lambda [Hz].
+    shapes : ndarray, shape (..., m, n)
+        ``shapes[..., i, :]`` is mode i, mass-normalised (phi^T M phi = 1) with a deterministic sign.
+    platform_shapes : ndarray, shape (..., m, directions)
+        Absolute motion of the platform centre in each mode, in the base frame, by the linear pose components: D_p
+        times the independent coordinates' components, plus the motion of released joints and the frame.
+    joint_positions : ndarray, shape (..., k)
+        The independent coordinates, which follow from the pose.
+    carriage_positions : ndarray, shape (..., k)
+        The same values, for mechanisms where they are carriage positions.
+    mass_matrix, stiffness_matrix : ndarray, shape (..., n, n)
+        M and K in SI units.
+
+    Raises
+    ------
+    NotComputedError
+        If `frequencies` or a later field is read but was not requested.
+    """
+
+    FIELDS: ClassVar[tuple[str, ...]] = (
+        "frequencies",
+        "shapes",
+        "platform_shapes",
+        JOINTS,
+        CARRIAGES,
+        "mass_matrix",
+        "stiffness_matrix",
+    )
+    METHOD: ClassVar[str] = "Model.modes"
+
+    poses: Array
+    coordinates: tuple[str, ...]
+    rigid_modes: int
+    robot: Robot
+    backend: str = "numpy"
+    frequencies: Array = field(init=False)
+    shapes: Array = field(init=False)
+    platform_shapes: Array = field(init=False)
+    joint_positions: Array = field(init=False)
+    carriage_positions: Array = field(init=False)
+    mass_matrix: Array = field(init=False)
+    stiffness_matrix: Array = field(init=False)
+
+    @classmethod
+    def fields_of(cls, kind: Mechanism) -> tuple[str, ...]:
+        """Return the ``FIELDS`` that exist for a mechanism.
+
+        Parameters
+        ----------
+        kind : Mechanism
+            Attribute of a model.
+
+        Returns
+        -------
+        tuple of str
+            In the order of ``FIELDS``.
+        """
+        carriages = kind.independent_are.replace(" ", "_") == CARRIAGES
+        return tuple(name for name in cls.FIELDS if carriages or name != CARRIAGES)
+
+    def _repr_html_(self) -> str | None:
+        """Return a table for notebooks, None where no frequencies were requested."""
+        if "frequencies" not in self.__dict__:
+            return None
+        from pkmodes.solve.results_html import table_of_modes
+
+        return table_of_modes(
+            self.robot.name,
+            self.robot.kind.pose,
+            self.poses.reshape(-1, self.poses.shape[-1]),
+            self.frequencies.reshape(-1, self.frequencies.shape[-1])[:, self.rigid_modes :],
+            np.atleast_1d(self.reason).ravel(),
+        )
+
+    def to_dataset(self) -> Dataset:
+        """Return the vibration modes as a dataset, with the variables and attributes of a map (docs/maps.md).
+
+        Returns
+        -------
+        xarray.Dataset
+            Its leading axes are those of the poses: ``pose``, or ``pose_1``, ``pose_2``, ... for several.  Rigid-body
+            modes are left out, and so are fields that were not requested.
+
+        Raises
+        ------
+        MissingExtraError
+            If the libraries of the extra ``map`` are not installed.
+        """
+        from pkmodes.dataset.of_modes import dataset_of_modes
+
+        names = ("valid", "reason", *(name for name in self.FIELDS if name in vars(self)))
+        arrays = {name: getattr(self, name) for name in names}
+        return dataset_of_modes(self.robot, self.rigid_modes, self.coordinates, self.poses, arrays)
+
+    def to_table(self) -> DataFrame:
+        """Return the vibration modes as a table, which pandas writes as CSV or Parquet.
+
+        Returns
+        -------
+        pandas.DataFrame
+            One row for each mode at each pose, with the columns of a map in a table (docs/maps.md).
+
+        Raises
+        ------
+        MissingExtraError
+            If the libraries of the extra ``map`` are not installed.
+
+        Examples
+        --------
+        >>> import pkmodes
+        >>> modes = pkmodes.load("robots/linear-delta-2022.toml").modes([0.6, 0.0, -0.245], fields=["frequencies"])
+        >>> modes.to_table()[["mode", "frequency"]].round(3).head(2)
+           mode  frequency
+        0     1     55.559
+        1     2     60.316
+        """
+        from pkmodes.dataset.table import table_of
+
+        return table_of(self.to_dataset())
+
+
+@dataclass(frozen=True, eq=False)
+class Statics(AtPoses):
+    """Static equilibrium at each pose (equation 44): torques and rotations that hold the platform against gravity.
+
+    Attributes
+    ----------
+    torques : ndarray, shape (..., drives)
+        Drive torques in the order of the drives [N m], positive in the direction of each drive's coordinate.
+    rotations : ndarray, shape (..., n - k)
+        Rotations of the dependent coordinates from the unstrained transmissions [rad], in their order.
+    pulley_rotations : ndarray
+        Older name of the rotations.
+    valid : ndarray of bool, shape (...)
+        Which poses could be evaluated.
+    reason : ndarray of str, shape (...)
+        Why the others could not (`pkmodes.Model.reasons`), ``""`` where valid; for a single pose a string.
+    """
+
+    torques: Array
+    rotations: Array
+
+    @property
+    def pulley_rotations(self) -> Array:
+        """Older name of the rotations."""
+        return self.rotations
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class PoseCheck(AtPoses):
+    """Which poses can be evaluated, and what is wrong with the others.
+
+    Attributes
+    ----------
+    poses : ndarray, shape (..., d)
+        Pose components of the mechanism, in SI units.
+    robot : Robot
+        The robot for which the poses were checked.
+    valid : ndarray of bool, shape (...)
+        Which poses can be evaluated.
+    reason : ndarray of str, shape (...)
+        Why the others cannot (`pkmodes.Model.reasons`), ``""`` where valid; for a single pose a string.
+    sentences : ndarray of object, shape (...)
+        What is wrong with each pose, with numbers and a remedy; ``""`` where valid.  For a single pose a string.
+    """
+
+    poses: Array
+    robot: Robot
+
+    @cached_property
+    def sentences(self) -> NDArray[np.object_]:
+        """Sentences that say what is wrong with each pose, with the remedy."""
+        found = np.full(self.codes.size, "", dtype=object)
+        every, codes = np.flatnonzero(self.codes), self.codes.reshape(-1)
+        kind, points = self.robot.kind, self.poses.reshape(self.codes.size, -1)
+        for start in range(0, len(every), CHUNK):
+            bad = every[start : start + CHUNK]
+            texts = explained(points[bad], codes[bad], kind, self.robot.parameters)
+            found[bad] = [f"{what}; {remedy}" for what, remedy in texts]
+        shaped: NDArray[np.object_] = found.reshape(self.codes.shape)[()]
+        return shaped
+
+    def __repr__(self) -> str:
+        counts = {code: int(np.count_nonzero(self.reason == code)) for code in self.known if code}
+        found = "".join(f", {count} {code}" for code, count in counts.items() if count)
+        return f"PoseCheck({np.count_nonzero(self.valid)} of {self.valid.size} valid{found})"

@@ -1,0 +1,94 @@
+"""The reachable workspace of a robot: its assembly branches, and the box around it, found by drawing poses."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.base.errors import PoseError
+from pkmodes.mechanism.generated import Generated
+from pkmodes.mechanism.regular import drawn_poses
+from pkmodes.solve.kinematics import Kinematics
+
+Array = NDArray[np.float64]
+Inside = Callable[[Array], NDArray[np.bool_]]
+#: Poses drawn in each round; a round is the last if it moves no end of the box by more than this part of its length.
+DRAWS, SETTLED, ROUNDS = 200_000, 0.01, 12
+#: Part of the length of the box by which it is extended on each side before the next round.
+BEYOND = 0.1
+SEED = 20260105
+
+
+def box_of(model: Kinematics, pose: Array | None = None) -> tuple[Array, Array]:
+    """Return the box around the poses that can be evaluated, on one assembly branch.
+
+    Parameters
+    ----------
+    model : Kinematics
+    pose : ndarray, shape (d,), optional
+        A pose on the branch; by default the branch whose platform hangs lower.
+
+    Returns
+    -------
+    low, high : ndarray, shape (d,)
+
+    Raises
+    ------
+    PoseError
+        If no pose was found.
+    """
+    rng = np.random.default_rng(SEED)
+    with np.errstate(all="ignore"):
+        generated = Generated(model.kind.model, model.robot.parameters)
+        drawn = drawn_poses(generated, model.kind, model.robot.parameters, rng, DRAWS)
+    drawn = drawn[np.isfinite(drawn).all(axis=-1)]
+    found = drawn[model.check(drawn).valid] if len(drawn) else drawn
+    if pose is None:
+        if not len(found):
+            what = f"none of {DRAWS:,} poses drawn can be reached"
+            raise PoseError(what, model.robot.source, "check the robot file, or give a grid or poses")
+        pose = hanging(model, found)[0]
+    inside = on_branch(model, pose)
+    found = np.vstack([pose, found[inside(found)]]) if len(found) else pose[None]
+    low, high = found.min(axis=0), found.max(axis=0)
+    for _ in range(ROUNDS):
+        size = np.where(high > low, high - low, 1e-3)
+        drawn = rng.uniform(low - BEYOND * size, high + BEYOND * size, (DRAWS, len(low)))
+        more = drawn[inside(drawn)]
+        if not len(more):
+            break
+        wider = np.minimum(low, more.min(axis=0)), np.maximum(high, more.max(axis=0))
+        moved = max(((low - wider[0]) / size).max(), ((wider[1] - high) / size).max())
+        low, high = wider
+        if moved <= SETTLED:
+            break
+    return low, high
+
+
+def on_branch(model: Kinematics, pose: Array) -> Inside:
+    """Return the test whether poses, (N, d), can be evaluated and are on the assembly branch of a pose."""
+    if not model.has_assemblies:
+        return lambda points: model.check(points).valid
+    branch = model.assembly(pose)
+    return lambda points: model.check(points).valid & (model.assembly(points, "nan") == branch)
+
+
+def hanging(model: Kinematics, poses: Array) -> Array:
+    """Return the poses of the assembly branch that hangs lower: with the lower mean potential of gravity.
+
+    Parameters
+    ----------
+    model : Kinematics
+    poses : ndarray, shape (N, d)
+        That can be evaluated.
+    """
+    if not model.has_assemblies:
+        return poses
+    sides = model.assembly(poses)
+    potential = Generated(model.kind.model, model.robot.parameters).gravity_potential(poses)
+    chosen: Array = poses[
+        sides == min(np.unique(sides), key=lambda side: float(potential[sides == side].mean()))
+    ]
+    return chosen

@@ -1,0 +1,1 @@
+"""Matrices of one robot: M(p) and K(p), with and without effects."""

@@ -1,0 +1,335 @@
+"""Matrices of one robot from the generated model: the base model, or the extended model with effects.
+
+An effect whose parameters are all at their null value is absent: its coordinates are locked.  A robot without
+effects is evaluated by the base model.
+"""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.compiled.lanes import Lanes, flat
+from pkmodes.mechanism.generated import Generated
+from pkmodes.mechanism.registry import Mechanism
+from pkmodes.mechanism.regular import declared, regular_poses, sample
+from pkmodes.robot.robot import Robot
+
+Array = NDArray[np.float64]
+#: Dimensions of inertias.
+INERTIAS = ("mass", "moment of inertia")
+#: Step of complex-step differentiation, which has no cancellation.
+STEP = 1e-30
+
+
+class Evaluation(Protocol):
+    """The interface of a robot to the solver.
+
+    Attributes
+    ----------
+    coordinates : tuple of str
+        Names of the n generalised coordinates.
+    first : int
+        Index of the first coordinate of a released joint, which is the number of coordinates without effects.
+    rigid_modes : int
+        Number of modes that strain nothing elastic.
+    """
+
+    coordinates: tuple[str, ...]
+    first: int
+    rigid_modes: int
+
+    def all_coordinates(self, p: Array) -> tuple[Array, Array]:
+        """Return M and K including the coordinates of locked joints, if the model has any, each (N, e, e)."""
+
+    def free_part(self, matrix: Array) -> Array:
+        """Return the rows and columns of such a matrix that belong to `coordinates`, (N, n, n)."""
+
+    def massless(self) -> NDArray[np.bool_]:
+        """Return which coordinates have no inertia at any pose, (n,); used if there is no pose to read M from."""
+
+    def platform_motion(self, p: Array) -> Array:
+        """Return the absolute platform motion per unit of each coordinate, (N, directions, n)."""
+
+    def statics(self, p: Array) -> tuple[Array, Array]:
+        """Return torques (N, drives) [N m] and static values of the dependent coordinates (N, ...)."""
+
+    def lanes(self) -> Lanes:
+        """The robot as the compiled evaluator takes it."""
+
+
+class BaseEvaluation:
+    """The base model, without effects."""
+
+    def __init__(self, kind: Mechanism, parameters: Any) -> None:
+        self._kind, self._parameters = kind, parameters
+        self._generated = Generated(kind.model, parameters)
+        self.coordinates = tuple(q.name for q in kind.coordinates)
+        self.first = len(self.coordinates)
+        self.rigid_modes = kind.rigid_modes
+
+    def all_coordinates(self, p: Array) -> tuple[Array, Array]:
+        """Return M and K, each (N, n, n)."""
+        M, K = self._generated.modal_matrices(p)
+        return M, K
+
+    def free_part(self, matrix: Array) -> Array:
+        """Return the whole matrix."""
+        return matrix
+
+    def massless(self) -> NDArray[np.bool_]:
+        """Return all False: every base coordinate needs inertia for the eigenproblem to be defined."""
+        return np.zeros(len(self.coordinates), dtype=bool)
+
+    def platform_motion(self, p: Array) -> Array:
+        """Return the absolute platform motion per unit of each coordinate, (N, directions, n)."""
+        pose = [component.name for component in self._kind.pose]
+        rows = [pose.index(name) for name in self._kind.directions]
+        columns = [self.coordinates.index(name) for name in self._kind.independent]
+        motion = np.zeros((*p.shape[:-1], len(rows), len(self.coordinates)))
+        motion[..., columns] = self._generated.platform_jacobian(p)[..., rows, :]
+        return motion
+
+    def statics(self, p: Array) -> tuple[Array, Array]:
+        """Return torques (N, drives) [N m] and static values of the dependent coordinates (N, ...)."""
+        torques, values = self._generated.static_equilibrium(p)
+        return torques, values
+
+    def lanes(self) -> Lanes:
+        """The robot as the compiled evaluator takes it."""
+        none = np.empty(0)
+        return Lanes(flat(self._parameters), none, none, none.astype(np.int32), none.astype(np.int8))
+
+
+class SystemOfEffects:
+    """The extended model of one robot, including the coordinates of released joints that are not locked.
+
+    Parameters
+    ----------
+    kind : Mechanism
+    parameters : Parameters
+        The robot, as the generated model takes it.
+    effects : mapping of str to float
+        By ``<effect>.<parameter>``; the additional compliance of a single joint of an effect is given by
+        ``<effect>.<parameter>.<coordinate>``, such as ``gearbox_compliance.compliance.psi_2``.
+
+    Attributes
+    ----------
+    kind : Mechanism
+    parameters, effects : Parameters and Effects
+        Arguments of the generated model.
+    free : ndarray of int, shape (n,)
+        Indices of the coordinates of the extended model that are not locked.
+    coordinates : tuple of str, length n
+        Their names.
+    first, rigid_modes : int
+        See `Evaluation`.
+    joints, joint_rates : ndarray, shape (e,)
+        Stiffnesses of the released joints and their derivatives with respect to the compliances; zero for other
+        coordinates.  For several robots (`stacked`), (N, e) for their N poses.
+    """
+
+    def __init__(self, kind: Mechanism, parameters: Any, effects: Mapping[str, float]) -> None:
+        self.kind, self.parameters = kind, parameters
+        extended = kind.extended
+        shared, single = _shared_and_single(effects)
+        self.effects = extended.Effects(**shared)
+        base = self.first = len(kind.coordinates)
+        with np.errstate(divide="ignore"):
+            stiffness, rates = extended.joint_stiffness(self.effects)
+            for coordinate, name, value in single:
+                place = extended.COORDINATES.index(coordinate) - base
+                beyond = extended.Effects(**{**shared, name: shared.get(name, 0.0) + value})
+                stiffness[place], rates[place] = (a[place] for a in extended.joint_stiffness(beyond))
+        free = np.isfinite(stiffness)  # a joint without compliance is infinitely stiff: locked
+        self.free = np.concatenate([np.arange(base), base + np.flatnonzero(free)])
+        self.joints = np.concatenate([np.zeros(base), np.where(free, stiffness, 0.0)])
+        self.joint_rates = np.concatenate([np.zeros(base), np.where(free, rates, 0.0)])
+        self.coordinates: tuple[str, ...] = tuple(extended.COORDINATES[i] for i in self.free)
+        grounded = any(kind.effects[name].grounds for name in active_effects(kind, effects))
+        self.rigid_modes = 0 if grounded else kind.rigid_modes
+
+    @classmethod
+    def of(cls, robot: Robot) -> SystemOfEffects:
+        """Return the system of a robot, with or without effects."""
+        return cls(robot.kind, robot.parameters, robot.effects)
+
+    @classmethod
+    def stacked(cls, systems: Sequence[SystemOfEffects], count: int) -> SystemOfEffects:
+        """Combine several robots into one system that is evaluated at `count` poses of each, robot by robot.
+
+        Parameters
+        ----------
+        systems : sequence of SystemOfEffects
+            With the same free coordinates and rigid-body modes.
+        count : int
+            Number of poses per robot.
+        """
+        first = systems[0]
+        if len(systems) == 1:
+            return first
+        found = copy.copy(first)
+        found.parameters = first.parameters._replace(**_different([s.parameters for s in systems], count))
+        found.effects = first.effects._replace(**_different([s.effects for s in systems], count))
+        found.joints = np.repeat([s.joints for s in systems], count, axis=0)
+        found.joint_rates = np.repeat([s.joint_rates for s in systems], count, axis=0)
+        return found
+
+    def all_coordinates(self, p: Array) -> tuple[Array, Array]:
+        """Return M and K in all coordinates, each (N, e, e); here locked joints are free and have no spring."""
+        M, K = self.without_springs(p)
+        diagonal = np.arange(K.shape[-1])
+        K[..., diagonal, diagonal] += self.joints
+        return M, K
+
+    def free_part(self, matrix: Array) -> Array:
+        """Return the rows and columns of the coordinates that are not locked."""
+        rows, columns = np.ix_(self.free, self.free)
+        return matrix[..., rows, columns]
+
+    def without_springs(self, p: Array) -> tuple[Array, Array]:
+        """Return M and K in all coordinates without the springs of the released joints."""
+        M, K_el, K_g = self._single("extended_matrices", p)
+        return M, K_el + K_g
+
+    def derivatives(self, p: Array, *, geometry: bool) -> tuple[Array, Array]:
+        """Return derivatives of the entries of M and K that the generated model lists, each (N, entries).
+
+        Derivatives with respect to the geometry come last and take most of the time; they are zero if not requested.
+        """
+        M_theta, K_theta = self._single("value_sensitivities", p)
+        if geometry:
+            also = self._single("geometry_sensitivities", p)
+        else:
+            also = tuple(np.zeros((len(p), count)) for count in self._entries_of_geometry())
+        return np.hstack([M_theta, also[0]]), np.hstack([K_theta, also[1]])
+
+    def by_pose(self, p: Array) -> tuple[Array, Array]:
+        """Return derivatives of M and K in all coordinates with respect to the pose, each (N, d, e, e).
+
+        They are computed by complex step, which is exact to rounding: the generated functions accept complex poses.
+        """
+        moved = p + STEP * 1j * np.eye(p.shape[-1])[:, None]
+        M, K_el, K_g = self._generated.extended_matrices(moved)
+        dM, dK = (np.moveaxis(np.imag(a) / STEP, 0, 1) for a in (M, K_el + K_g))
+        return dM, dK
+
+    def massless(self) -> NDArray[np.bool_]:
+        """Return which released coordinates have no inertia."""
+        values = (*self.effects, *(getattr(self.parameters, name) for name in _inertias(self.kind)))
+        zeros = b"".join((np.asarray(value) == 0.0).tobytes() for value in values)
+        found: NDArray[np.bool_] = _massless(self.kind, zeros)[self.free]
+        found[: self.first] = False
+        return found
+
+    def platform_motion(self, p: Array) -> Array:
+        """Return the absolute platform motion per unit of each coordinate, (N, directions, n)."""
+        return self.motion_of_all(p)[..., self.free]
+
+    def motion_of_all(self, p: Array, parameters: Any = None) -> Array:
+        """Return the same for all coordinates, (N, directions, e), optionally with other parameters."""
+        given = self.parameters if parameters is None else parameters
+        return np.asarray(Generated(self.kind.extended, given).extended_platform_motion(p))
+
+    def statics(self, p: Array) -> tuple[Array, Array]:
+        """Return torques (N, drives) [N m] and static values of the dependent coordinates (N, ...)."""
+        torques, values = self._generated.extended_static_equilibrium(p)
+        return torques, values
+
+    def lanes(self) -> Lanes:
+        """The robot as the compiled evaluator takes it."""
+        return Lanes(
+            flat(self.parameters),
+            flat(self.effects),
+            np.ascontiguousarray(self.joints),
+            self.free.astype(np.int32),
+            self.massless().astype(np.int8),
+        )
+
+    def _entries_of_geometry(self) -> tuple[int, int]:
+        listed = self.kind.extended.GEOMETRY_SENSITIVITIES
+        return sum(len(entry[2]) for entry in listed), sum(len(entry[3]) for entry in listed)
+
+    @property
+    def _generated(self) -> Generated:
+        return Generated(self.kind.extended, self.parameters, self.effects)
+
+    def _single(self, name: str, p: Array) -> tuple[Array, ...]:
+        """Evaluate a generated function; a single pose uses scalars, several times faster than arrays of length 1."""
+        function: Callable[[Array], tuple[Array, ...]] = getattr(self._generated, name)
+        return tuple(found[None] for found in function(p[0])) if len(p) == 1 else function(p)
+
+
+@cache
+def _inertias(kind: Mechanism) -> tuple[str, ...]:
+    """Return the generated parameters that are inertias."""
+    return tuple(dict.fromkeys(key.field for key in declared(kind) if key.dimension in INERTIAS))
+
+
+@cache
+def _massless(kind: Mechanism, zeros: bytes) -> NDArray[np.bool_]:
+    """Return which of all coordinates have no inertia, (e,).
+
+    This depends only on which effects and inertias are zero, in their order; it is read from M of the sample geometry
+    at a regular pose, with ones for the others.
+    """
+    plain, effects, names = sample(kind), kind.extended.Effects(), _inertias(kind)
+    present = 1.0 - np.frombuffer(zeros, dtype=np.bool_)
+    shapes = [np.shape(value) for value in (*effects, *(getattr(plain, name) for name in names))]
+    ends = np.cumsum([int(np.prod(shape)) for shape in shapes])
+    values = [part.reshape(shape) for part, shape in zip(np.split(present, ends[:-1]), shapes, strict=True)]
+    plain = plain._replace(**dict(zip(names, values[len(effects) :], strict=True)))
+    p = regular_poses(Generated(kind.model, plain), kind, plain, 1)
+    M, _, _ = Generated(kind.extended, plain, effects._make(values[: len(effects)])).extended_matrices(p[0])
+    return np.asarray((M == 0.0).all(axis=0))
+
+
+def matrices(system: Evaluation, p: Array) -> tuple[Array, Array]:
+    """Return M and K of the free coordinates, each (N, n, n)."""
+    M, K = (system.free_part(matrix) for matrix in system.all_coordinates(p))
+    return M, K
+
+
+def active_effects(kind: Mechanism, effects: Mapping[str, float]) -> tuple[str, ...]:
+    """Return the names of effects that are not null; constants such as a frame mass do not activate an effect."""
+    present = {".".join(path.split(".")[:2]) for path, value in effects.items() if value != 0.0}
+    return tuple(
+        effect.name
+        for effect in kind.effects.values()
+        if any(f"{effect.name}.{parameter.name}" in present for parameter in effect.fitted)
+    )
+
+
+def _different(sets: Sequence[tuple[Any, ...]], count: int) -> dict[str, Array]:
+    """Return the fields in which the named tuples differ, each value repeated `count` times along a leading axis."""
+    found = {}
+    for name in sets[0]._fields:  # type: ignore[attr-defined]
+        values = np.array([getattr(one, name) for one in sets], dtype=float)
+        if (values != values[0]).any():
+            found[name] = np.repeat(values, count, axis=0)
+    return found
+
+
+def _shared_and_single(effects: Mapping[str, float]) -> tuple[dict[str, float], list[tuple[str, str, float]]]:
+    """Split parameters into those of whole effects and (coordinate, parameter, value) of single joints."""
+    shared: dict[str, float] = {}
+    single = []
+    for path, value in effects.items():
+        effect, parameter, *coordinate = path.split(".")
+        if coordinate:
+            single.append((coordinate[0], f"{effect}_{parameter}", value))
+        else:
+            shared[f"{effect}_{parameter}"] = value
+    return shared, single
+
+
+def evaluation(robot: Robot) -> Evaluation:
+    """Choose the model of a robot: the base model if every effect is null, else the extended model."""
+    kind = robot.kind
+    active = active_effects(kind, robot.effects)
+    return SystemOfEffects.of(robot) if active else BaseEvaluation(kind, robot.parameters)

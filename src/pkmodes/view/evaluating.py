@@ -1,0 +1,78 @@
+"""Evaluate a scene: what a picture of a robot shows at some poses."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from html import escape
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pkmodes.model.model import Model
+from pkmodes.view.drawn import Drawn, present
+from pkmodes.view.page import page
+from pkmodes.view.scene import Scene
+
+
+@dataclass(frozen=True, eq=False)
+class NotebookScene(Scene):
+    """A scene that a notebook shows as its page."""
+
+    def _repr_html_(self) -> str:
+        """Return the page in a frame, for notebooks."""
+        source = escape(page(self), quote=True)
+        title = escape(f"{self.robot} in three dimensions", quote=True)
+        return f'<iframe title="{title}" srcdoc="{source}" style="width:100%;height:760px;border:0"></iframe>'
+
+
+def scene(model: Model, poses: ArrayLike, chosen: int = 0) -> NotebookScene:
+    """Evaluate what a picture of a robot shows at some poses.
+
+    Parameters
+    ----------
+    model : Model
+        The robot.
+    poses : array_like, shape (d,) or (N, d)
+        In SI units.
+    chosen : int
+        Index of the pose to show first.
+
+    Returns
+    -------
+    Scene
+        At these poses.
+
+    Raises
+    ------
+    PoseError
+        If a pose cannot be evaluated.
+    PkmodesError
+        If the code of the mechanism was generated before there were drawings.
+    """
+    drawn, kind = Drawn(model.robot), model.kind
+    modes = model.modes(np.atleast_2d(np.asarray(poses, dtype=float)))
+    springs, index = present(drawn.springs(modes.poses))
+    strains = np.einsum("psn,pmn->pms", springs.strain, modes.shapes)
+    return NotebookScene(
+        robot=model.robot.name,
+        title=kind.title,
+        pose=kind.pose,
+        directions=kind.directions,
+        coordinates=modes.coordinates,
+        elements=tuple(
+            replace(element, spring=index[element.spring] if element.spring >= 0 else -1)
+            for element in drawn.drawing.elements
+        ),
+        springs=springs.named,
+        motions_of=np.array(drawn.drawing.motions, dtype=np.intp),
+        poses=modes.poses,
+        points=drawn.points(modes.poses),
+        motions=drawn.motions(modes.poses),
+        frequencies=modes.frequencies,
+        shapes=modes.shapes,
+        platform_shapes=modes.platform_shapes,
+        energies=0.5 * springs.stiffness[:, None] * strains**2,
+        rigid_modes=modes.rigid_modes,
+        vertical=drawn.vertical,
+        chosen=chosen,
+    )
