@@ -20,7 +20,7 @@ ROTATION, SHIFT = 19, 9
 
 def of_matrices() -> int:
     """M and K, checks and joint positions: what the manifest of the generated code says."""
-    text = files(published().kind.package).joinpath("manifest.json").read_text(encoding="utf-8")
+    text = files(published().mechanism.package).joinpath("manifest.json").read_text(encoding="utf-8")
     counts = json.loads(text)["operations"]
     return counts["lanes_base"]["emitted"] + counts["lanes_position"]["emitted"]
 

@@ -73,7 +73,7 @@ class Matrices:
 
 @cache
 def matrices() -> Matrices:
-    model, parameters = base(published().kind.name), published().robot.parameters
+    model, parameters = base(published().mechanism.name), published().robot.parameters
     numbers = {
         symbol.name: float(value)
         for field in model.fields

@@ -35,7 +35,7 @@ def errors(given: Case) -> tuple[Errors, Errors]:
         Errors of each pose by name of `LIMITS`; of NumPy only those of its own equations.
     """
     codes, found = results(given, given.poses)
-    checked = check_poses(given.poses, given.kind, given.parameters, "nan")
+    checked = check_poses(given.poses, given.mechanism, given.parameters, "nan")
     np.testing.assert_array_equal(codes, checked.codes)
     valid = codes == 0
     assert valid.sum() > len(valid) / 2
@@ -44,7 +44,7 @@ def errors(given: Case) -> tuple[Errors, Errors]:
     rigid, M, K = given.evaluation.rigid_modes, expected.M, expected.K
     np.testing.assert_allclose(found["mass_matrix"], M, rtol=0, atol=1e-14 * np.abs(M).max())
     np.testing.assert_allclose(found["stiffness_matrix"], K, rtol=0, atol=1e-14 * np.abs(K).max())
-    joints = Generated(given.kind.model, given.parameters).inverse_kinematics(p)
+    joints = Generated(given.mechanism.model, given.parameters).inverse_kinematics(p)
     np.testing.assert_allclose(found["joint_positions"], joints, rtol=1e-14, atol=1e-15)
     eigenvalues, shapes = found["eigenvalues"], found["shapes"]
     np.testing.assert_allclose(natural_frequencies(eigenvalues), found["frequencies"], rtol=1e-15)

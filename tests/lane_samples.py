@@ -17,7 +17,8 @@ from pkmodes.compiled.evaluator import FIELDS, RATES, Evaluator
 from pkmodes.compiled.lanes import Terms
 from pkmodes.compiled.loader import load
 from pkmodes.mechanism.poses import MAX_CONDITION
-from pkmodes.mechanism.registry import Mechanism, mechanism
+from pkmodes.mechanism.registry import Mechanism
+from pkmodes.mechanism.registry import mechanism as mechanism_named
 from pkmodes.robot.paths import ParameterPath, paths, resolve_all
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.terms import terms_of
@@ -47,7 +48,7 @@ EXTREMES = {
 class Case(NamedTuple):
     """A robot with effects, and poses around a regular one."""
 
-    kind: Mechanism
+    mechanism: Mechanism
     parameters: Any
     evaluation: Evaluation
     poses: np.ndarray
@@ -68,7 +69,7 @@ def robot(name: str, seed: int) -> tuple[Any, np.ndarray]:
 
 
 def case(name: str, seed: int, effects: str = "none", extreme: str = "as it is", count: int = 60) -> Case:
-    kind = mechanism(name)
+    mechanism = mechanism_named(name)
     parameters, pose = robot(name, seed)
     factors = {k: v for k, v in EXTREMES[extreme].items() if k in parameters._fields}
     parameters = parameters._replace(
@@ -77,16 +78,18 @@ def case(name: str, seed: int, effects: str = "none", extreme: str = "as it is",
     rng = np.random.default_rng(seed + 1000)
     poses = pose + 0.02 * rng.uniform(-1, 1, (count, len(pose)))
     poses[: count // 10] = pose  # symmetric where the robot is
-    values = chosen(kind, EFFECTS[effects])
-    evaluation = SystemOfEffects(kind, parameters, values) if values else BaseEvaluation(kind, parameters)
-    return Case(kind, parameters, evaluation, poses)
+    values = chosen(mechanism, EFFECTS[effects])
+    evaluation = (
+        SystemOfEffects(mechanism, parameters, values) if values else BaseEvaluation(mechanism, parameters)
+    )
+    return Case(mechanism, parameters, evaluation, poses)
 
 
-def chosen(kind: Mechanism, names: tuple[str, ...]) -> dict[str, float]:
+def chosen(mechanism: Mechanism, names: tuple[str, ...]) -> dict[str, float]:
     """Typical values of the effects whose names are given, those that apply; an empty name means all."""
     return {
         f"{effect.name}.{parameter.name}": sample_mechanisms.TYPICAL[f"{effect.name}_{parameter.name}"]
-        for effect in kind.effects.values()
+        for effect in mechanism.effects.values()
         if effect.name in names or "" in names
         for parameter in effect.parameters
         if f"{effect.name}_{parameter.name}" in sample_mechanisms.TYPICAL
@@ -94,13 +97,13 @@ def chosen(kind: Mechanism, names: tuple[str, ...]) -> dict[str, float]:
 
 
 def evaluator(given: Case) -> Evaluator:
-    found = load(given.kind.package, given.kind.name)
+    found = load(given.mechanism.package, given.mechanism.name)
     return Evaluator(found, given.evaluation.lanes(), len(given.evaluation.coordinates), MAX_CONDITION)
 
 
 def robot_of(given: Case) -> Robot:
     """The shipped robot of the mechanism with the parameters of a case, and no effects."""
-    return replace(shipped(given.kind.name), parameters=given.parameters)
+    return replace(shipped(given.mechanism.name), parameters=given.parameters)
 
 
 @cache
@@ -113,7 +116,7 @@ def directions(given: Case, names: Sequence[str] = ()) -> tuple[list[ParameterPa
     robot = robot_of(given)
     system = given.evaluation
     if not isinstance(system, SystemOfEffects):
-        system = SystemOfEffects(given.kind, given.parameters, {})
+        system = SystemOfEffects(given.mechanism, given.parameters, {})
     found = resolve_all(robot, names or [path for path in paths(robot) if path != "axis.joint_radius"])
     return found, terms_of(system, found)
 
@@ -128,8 +131,8 @@ def results(
         (m,),
         (m,),
         (m, n),
-        (m, len(given.kind.directions)),
-        (len(given.kind.independent),),
+        (m, len(given.mechanism.directions)),
+        (len(given.mechanism.independent),),
         (n, n),
         (n, n),
         (len(varied), m),

@@ -76,7 +76,7 @@ def test_every_function_that_does_not_check_the_pose_says_so(robot: Robot) -> No
         r"/\*((?:(?!\*/).)*)\*/\nvoid \w+?\(const pkmodes_real p\[", robot.header, flags=re.DOTALL
     )
     told = [remark in " ".join(comment.replace(" *", " ").split()) for comment in comments]
-    calls = {margin.function for margin in robot.model.robot.kind.margins} | {"inverse_kinematics"}
+    calls = {margin.function for margin in robot.model.robot.mechanism.margins} | {"inverse_kinematics"}
     assert told.count(False) == len(calls)
     assert told.count(True) > 8
     assert robot.header.index(f"{robot.name}_status(p) == 0") < robot.header.index("#ifndef")

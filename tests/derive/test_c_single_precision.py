@@ -67,7 +67,7 @@ def test_statuses_agree_away_from_the_margins(robot: Robot) -> None:
     poses = robot.poses(2000)
     poses[::100, 0] = np.nan
     found, expected = robot.single.status(poses), robot.double.status(poses)
-    conditions = [m.code for m in robot.model.robot.kind.margins]
+    conditions = [m.code for m in robot.model.robot.mechanism.margins]
     for p in poses[found != expected]:
         around = p + 1e-5 * np.vstack([np.eye(len(p)), -np.eye(len(p))])
         near_a_margin = len(set(robot.double.status(around).tolist())) > 1

@@ -124,7 +124,7 @@ def test_the_interface_is_that_of_a_robot_without_effects(effects: tuple[str, ..
 def test_the_eigenproblem_is_that_of_modes(name: str, effects: tuple[str, ...]) -> None:
     """Solve with a solver unaware of massless coordinates; shapes equal those of `modes`, including the platform."""
     model, module, texts = sample(name, effects)
-    pose = POSES[model.robot.mechanism]
+    pose = POSES[model.robot.mechanism_name]
     M, K = module.modal_matrices(pose)
     np.linalg.cholesky(M)
     n = len(module.COORDINATES)

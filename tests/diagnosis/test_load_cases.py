@@ -35,7 +35,7 @@ def measured(robot: Robot, points: np.ndarray, loads: Loads) -> Measurements:
         np.full(len(points), 50.0),
         np.full(len(points), 0.1),
         points=points,
-        components={component.name: component.unit for component in robot.kind.pose},
+        components={component.name: component.unit for component in robot.mechanism.pose},
         settings={name: [load.get(name, np.nan) for load in loads] for name in sorted(names)},
     )
 

@@ -67,7 +67,7 @@ def test_what_is_outside_the_catalogue_is_not_named(mechanism: str, kind: str) -
 @pytest.mark.parametrize("mechanism", KINDS)
 def test_the_suites_have_every_effect_that_is_suspected(mechanism: str) -> None:
     names = {c.name for c in suspects(robot_of(mechanism))[1]}
-    effects = {e for e in robot_of(mechanism).kind.effects if e in names}
+    effects = {e for e in robot_of(mechanism).mechanism.effects if e in names}
     assert {
         c.names[0] for c in cases() if c.specimen.mechanism == mechanism and c.suite == SUITES[1]
     } == effects

@@ -141,7 +141,7 @@ def test_the_shape_rates_of_a_robot_are_those_of_nelsons_linear_systems(effects:
     found = structure.predict(declared, known, shape_rates=True)
     model = pkmodes.Model(robot)
     expected = model.sensitivities(points, [paths[i] for i in known])
-    columns = [list(channels(model.kind)).index(name) for name in model.coordinates]
+    columns = [list(channels(model.mechanism)).index(name) for name in model.coordinates]
     signs = np.sign((found.shapes[..., columns] * model.modes(points).shapes).sum(axis=-1))
     assert found.shape_rates is not None
     for t in range(len(known)):

@@ -42,7 +42,7 @@ def assert_agrees(given: Case, tolerance: float = EXACT) -> None:
     found = {name: array[codes == 0] for name, array in found.items()}
     system = given.evaluation
     if not isinstance(system, SystemOfEffects):
-        system = SystemOfEffects(given.kind, given.parameters, {})
+        system = SystemOfEffects(given.mechanism, given.parameters, {})
     forward = MatrixDerivatives(system, p, [varied]).eigenvalues(found["eigenvalues"], found["shapes"])
     expected = np.swapaxes(forward, -1, -2)
     largest = np.abs(expected).max(axis=(0, 2))[None, :, None]
@@ -132,11 +132,11 @@ def test_derivatives_are_those_of_differences(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_derivatives_by_the_pose(name: str, effects: str) -> None:
     given = case(name, 3, effects, count=4)
-    size = len(given.kind.pose)
+    size = len(given.mechanism.pose)
     along = [ParameterPath(f"pose {i}", 0.0, "m", {(POSE, (i,)): 1.0}) for i in range(size)]
     system = given.evaluation
     if not isinstance(system, SystemOfEffects):
-        system = SystemOfEffects(given.kind, given.parameters, {})
+        system = SystemOfEffects(given.mechanism, given.parameters, {})
     run, first = evaluator(given), given.evaluation.rigid_modes
     found = np.full((len(given.poses), size, run.modes), 12345.0)
     values = {step: [np.empty((len(given.poses), run.modes)) for _ in along] for step in (-1e-6, 1e-6)}
@@ -169,7 +169,7 @@ def test_both_back_ends_say_the_same(name: str, fields: list[str]) -> None:
         np.testing.assert_array_equal(np.isnan(found), np.isnan(expected))
         error = np.abs(found - expected)[[0, 2]]
         error /= np.maximum(np.nanmax(np.abs(expected), axis=(0, 2)), 1e-300)[:, None]
-        rigid = model.kind.rigid_modes
+        rigid = model.mechanism.rigid_modes
         assert error[..., rigid:].max() <= EXACT
         assert np.nanmax(error[..., :rigid], initial=0.0) <= CANCELLED
     with pytest.raises(pkmodes.PoseError, match="pose 1 at"):

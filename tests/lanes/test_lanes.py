@@ -59,7 +59,7 @@ def test_a_bad_pose_leaves_its_neighbours_alone(name: str, effects: str) -> None
         poses = given.poses.copy()
         poses[place, place % poses.shape[1]] = bad
         found, arrays = results(given, poses)
-        assert found[place] == check_poses(poses, given.kind, given.parameters, "nan").codes[place] != 0
+        assert found[place] == check_poses(poses, given.mechanism, given.parameters, "nan").codes[place] != 0
         others = np.arange(24) != place
         assert not found[others].any()
         for field, array in arrays.items():
@@ -71,7 +71,7 @@ def test_a_bad_pose_leaves_its_neighbours_alone(name: str, effects: str) -> None
 def test_codes_are_those_of_the_margins_all_over_space(name: str) -> None:
     model = pkmodes.load(f"robots/{ROBOTS[name]}.toml")
     rng = np.random.default_rng(5)
-    poses = rng.uniform(-1.5, 1.5, (20_000, len(model.kind.pose)))
+    poses = rng.uniform(-1.5, 1.5, (20_000, len(model.mechanism.pose)))
     expected = model.check(poses)
     found = model.modes(poses, "nan", fields=["frequencies"], backend="compiled")
     np.testing.assert_array_equal(found.codes, expected.codes)

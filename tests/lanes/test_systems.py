@@ -25,7 +25,7 @@ def systems_of(name: str, effects: Sequence[dict[str, float]]) -> tuple[list[Sys
     mass = "platform_mass" if "platform_mass" in given.parameters._fields else "toolhead_mass"
     found = [
         SystemOfEffects(
-            given.kind,
+            given.mechanism,
             given.parameters._replace(**{mass: getattr(given.parameters, mass) * (1 + b / 7)}),
             values,
         )

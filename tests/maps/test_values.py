@@ -53,7 +53,7 @@ def expect_equal_to_single_poses(model: pkmodes.Model, found: xarray.Dataset, na
         np.testing.assert_allclose(one["frequency"], modes.frequencies[vibration], rtol=1e-9)
         np.testing.assert_allclose(one["platform_shape"], modes.platform_shapes[vibration], atol=1e-6)
         np.testing.assert_allclose(
-            one["joint_position"].sel(coordinate=list(model.kind.independent)),
+            one["joint_position"].sel(coordinate=list(model.mechanism.independent)),
             modes.joint_positions,
             rtol=1e-12,
         )
@@ -88,7 +88,7 @@ def test_a_map_has_the_published_frequencies() -> None:
     """Tables 1 and 2 of the paper, to the last digit, at the poses identified from them."""
     rows = [line for line in TABLE.read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
     model = pkmodes.load(ROBOTS / "linear-delta-2022-identified.toml")
-    found = model.map(read_poses(TABLE, model.kind))
+    found = model.map(read_poses(TABLE, model.mechanism))
     compared = 0
     for row in csv.DictReader(rows):
         at = np.isclose(found["x"], float(row["x"])) & np.isclose(found["y"], float(row["y"]))

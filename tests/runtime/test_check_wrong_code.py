@@ -18,7 +18,8 @@ from pkmodes.cli import run
 from pkmodes.codegen.checking import products
 from pkmodes.codegen.checking.consistency import Check
 from pkmodes.codegen.derivation import REQUIREMENTS
-from pkmodes.mechanism.registry import mechanism, names
+from pkmodes.mechanism.registry import mechanism as mechanism_named
+from pkmodes.mechanism.registry import names
 from robot_text import PUBLISHED, published
 
 CLAMP = '\n[effects.clamp_compliance]\ncompliance = "1e-7 m/N"\n'
@@ -55,8 +56,8 @@ def test_current_but_inconsistent_code_fails(
 def test_a_specialised_model_that_differs_from_the_parametric_one_fails(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    kind = mechanism("linear_delta")
-    monkeypatch.setitem(vars(kind), "model", Broken("modal_matrices", 1 + 1e-9))
+    mechanism = mechanism_named("linear_delta")
+    monkeypatch.setitem(vars(mechanism), "model", Broken("modal_matrices", 1 + 1e-9))
     assert run(["check", str(PUBLISHED)]) == 1
     assert "M of the parametric model: relative error 1.0e-09" in capsys.readouterr().out
 

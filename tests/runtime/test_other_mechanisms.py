@@ -259,7 +259,7 @@ def test_robots_travel_and_compare(gantry: Robot) -> None:
         assert twin == gantry
         assert hash(twin) == hash(gantry)
         assert not twin.parameters.lengths.flags.writeable
-        assert twin.kind is gantry.kind
+        assert twin.mechanism is gantry.mechanism
 
 
 def test_what_is_declared_is_read_back(gantry: Robot, arms: Robot) -> None:
@@ -268,7 +268,7 @@ def test_what_is_declared_is_read_back(gantry: Robot, arms: Robot) -> None:
         arms,
         pkmodes.read_robot(Path(__file__).parents[2] / "robots/linear-delta-2022.toml"),
     ):
-        document = document_of(robot.kind, robot.name, robot.declared)
+        document = document_of(robot.mechanism, robot.name, robot.declared)
         found = robot_from_document(document, "declared")
         assert found.declared == robot.declared
         assert all(np.array_equal(a, b) for a, b in zip(found.parameters, robot.parameters, strict=True))

@@ -291,7 +291,7 @@ def test_a_manifest_records_the_whole_robot(tmp_path: Path, name: str, frame: st
     (tmp_path / "robot.toml").write_text(text, encoding="utf-8")
     robot = read_robot(tmp_path / "robot.toml")
     values = json.loads(json.dumps(robot.declared))
-    content = {"mechanism": robot.mechanism, "robot": {"name": robot.name, "values": values}}
+    content = {"mechanism": robot.mechanism_name, "robot": {"name": robot.name, "values": values}}
     found = recorded_robot(content, "manifest")
     assert found.effects == robot.effects
     for field, value in robot.parameters._asdict().items():
@@ -306,7 +306,7 @@ def test_a_recorded_direction_is_not_normalised_again(tmp_path: Path) -> None:
     direction = robot.parameters.direction[0]
     assert (direction / math.hypot(*direction) != direction).any()
     values = json.loads(json.dumps(robot.declared))
-    content = {"mechanism": robot.mechanism, "robot": {"name": robot.name, "values": values}}
+    content = {"mechanism": robot.mechanism_name, "robot": {"name": robot.name, "values": values}}
     np.testing.assert_array_equal(recorded_robot(content, "manifest").parameters.direction[0], direction)
 
 

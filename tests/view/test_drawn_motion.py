@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.mechanism.registry import mechanism
+from pkmodes.mechanism.registry import mechanism as mechanism_named
 from pkmodes.robot.robot import Robot
 from pkmodes.system.evaluation import SystemOfEffects
 from pkmodes.view.drawn import Drawn
@@ -30,9 +30,9 @@ ROUNDING = 1e-12
 def robot_of(name: str, seed: int, effects: bool = False) -> tuple[Robot, np.ndarray]:
     """Return a random robot and a pose; with all effects that the mechanism has, or without any."""
     found = linear_sample(f"random-{seed}") if name == "linear_delta" else other_sample(name, seed)
-    kind = mechanism(name)
+    mechanism = mechanism_named(name)
     values: dict[str, float] = {}
-    for effect in kind.effects.values() if effects else ():
+    for effect in mechanism.effects.values() if effects else ():
         for p in effect.parameters:
             values[f"{effect.name}.{p.name}"] = TYPICAL.get(f"{effect.name}_{p.name}", 0.07)
     parameters = found.parameters
@@ -48,7 +48,7 @@ def motion(drawn: Drawn, p: np.ndarray) -> np.ndarray:
 
 def carried(robot: Robot, p: np.ndarray) -> Any:
     """Return the pose as a function of the independent coordinates near a pose."""
-    model = import_module(f"pkmodes_generated.{robot.mechanism}.model")
+    model = import_module(f"pkmodes_generated.{robot.mechanism_name}.model")
     if hasattr(model, "direct_kinematics"):
         assembly = np.sign(model.jacobian_condition(p, robot.parameters)[0])
         return lambda q: model.direct_kinematics(q, assembly, robot.parameters)
@@ -56,7 +56,7 @@ def carried(robot: Robot, p: np.ndarray) -> Any:
 
 
 def inverse(robot: Robot, p: np.ndarray) -> np.ndarray:
-    model = import_module(f"pkmodes_generated.{robot.mechanism}.model")
+    model = import_module(f"pkmodes_generated.{robot.mechanism_name}.model")
     return np.asarray(model.inverse_kinematics(p, robot.parameters))
 
 
@@ -65,7 +65,7 @@ def test_points_move_as_differences_of_their_positions_say(name: str, seed: int)
     robot, p = robot_of(name, seed)
     drawn, pose_of, q = Drawn(robot), carried(robot, p), inverse(robot, p)
     found = motion(drawn, p)
-    places = [drawn.coordinates.index(one) for one in robot.kind.independent]
+    places = [drawn.coordinates.index(one) for one in robot.mechanism.independent]
     size = np.abs(found[..., places]).max()
     for k, place in enumerate(places):
         step = STEP * np.eye(len(q))[k]
@@ -82,7 +82,7 @@ def test_points_move_as_differences_of_their_positions_say(name: str, seed: int)
 def test_the_first_point_moves_as_the_platform_does(name: str, seed: int, effects: bool) -> None:
     robot, p = robot_of(name, seed, effects)
     drawn, model = Drawn(robot), pkmodes.Model(robot)
-    rows = ["xyz".index(one) for one in robot.kind.directions]
+    rows = ["xyz".index(one) for one in robot.mechanism.directions]
     assert drawn.coordinates == model.coordinates
     np.testing.assert_array_equal(drawn.points(p[None])[0, 0, rows], p)
     modes, shown = model.modes(p), scene(model, p)
@@ -125,7 +125,7 @@ def test_the_frame_carries_every_point(name: str, seed: int) -> None:
     robot, p = robot_of(name, seed, effects=True)
     drawn = Drawn(robot)
     J = motion(drawn, p)
-    for axis in robot.kind.directions:
+    for axis in robot.mechanism.directions:
         column = J[..., drawn.coordinates.index(f"u_{axis}")]
         np.testing.assert_array_equal(column, np.tile(np.eye(3)["xyz".index(axis)], (len(J), 1)))
 

@@ -149,7 +149,9 @@ def test_code_without_a_drawing_says_so() -> None:
     from pkmodes.view.drawn import Drawn
 
     robot = pkmodes.read_robot(PUBLISHED)
-    older = type("Older", (type(robot),), {"kind": property(lambda self: replace(robot.kind, drawing=None))})
+    older = type(
+        "Older", (type(robot),), {"kind": property(lambda self: replace(robot.mechanism, drawing=None))}
+    )
     with pytest.raises(PkmodesError, match="has no drawing"):
         Drawn(older(**vars(robot)))
 

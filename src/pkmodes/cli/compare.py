@@ -100,7 +100,7 @@ def _print(robot: Robot, modes: Path, result: Comparison) -> None:
     for row in sorted(result.rows, key=lambda row: (poses[row.pose], row.measured)):
         cells = [row.pose if row.pose != previous else "", str(row.line), *([row.mode] if numbered else [])]
         cells += [*_numbers(row, result.rigid), *([_or_blank(row.mac, ".3f")] if shapes else [])]
-        cells += [setting(robot.kind, row.load) if row.pose != previous else ""] if loads else []
+        cells += [setting(robot.mechanism, row.load) if row.pose != previous else ""] if loads else []
         rows.append(cells)
         previous = row.pose
     terminal.table(titles, rows, left=("pose", "own", "set"))

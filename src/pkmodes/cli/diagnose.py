@@ -160,7 +160,11 @@ def _chosen(result: Diagnosis) -> str:
 def _set_only(robot: Robot, result: Diagnosis) -> list[str]:
     """Return the constants of the causes found that only the load cases have, such as a belt tension."""
     in_loads = {path for row in result.rows for path in row.load}
-    causes = [robot.kind.effects[found.name] for found in result.effects if found.name in robot.kind.effects]
+    causes = [
+        robot.mechanism.effects[found.name]
+        for found in result.effects
+        if found.name in robot.mechanism.effects
+    ]
     paths = [
         f"effects.{effect.name}.{p.name}" for effect in causes for p in effect.parameters if not p.fitted
     ]

@@ -88,7 +88,7 @@ def _counts(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
     loads: dict[str, dict[str, None]] = {}
     for row in result.rows:
         if row.load:
-            loads.setdefault(setting(robot.kind, row.load), {})[row.pose] = None
+            loads.setdefault(setting(robot.mechanism, row.load), {})[row.pose] = None
     if loads:
         cases = [f"{load} ({_poses(list(labels))})" for load, labels in loads.items()]
         more = f"; and {len(cases) - MOST_LISTED} more" if len(cases) > MOST_LISTED else ""
@@ -125,10 +125,10 @@ def _remarks(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
     if result.undetectable:
         remarks.append(f"not detectable with these data: {', '.join(result.undetectable)}")
     if result.next_measurement is not None:
-        place = placed(robot.kind, result.next_measurement.pose, ".4f")
+        place = placed(robot.mechanism, result.next_measurement.pose, ".4f")
         a, b = result.next_measurement.separates
         sigmas = result.next_measurement.sigmas
-        load = setting(robot.kind, result.next_measurement.load)
+        load = setting(robot.mechanism, result.next_measurement.load)
         place += f" with {load}" if load else ""
         remarks.append(f"measure next at {place}: {a} and {b} differ there by {sigmas:.0f} sigma")
     remarks += [f"note: {text}" for text in result.notes]
@@ -138,9 +138,9 @@ def _remarks(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
         terminal.line(remark)
 
 
-def setting(kind: Mechanism, load: Mapping[str, float]) -> str:
+def setting(mechanism: Mechanism, load: Mapping[str, float]) -> str:
     """Format the settings of a pose: paths with values and units."""
-    units = settable(kind)
+    units = settable(mechanism)
     return ", ".join(f"{path} = {value:g} {units[path]}".removesuffix(" 1") for path, value in load.items())
 
 

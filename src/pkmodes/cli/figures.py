@@ -50,7 +50,7 @@ def figures(robot: Path, out: str, grid: str | None, formats: tuple[str, ...], j
     from pkmodes.figures.files import write_pictures
     from pkmodes.maps.ranges import parse_grid
 
-    places = None if grid is None else parse_grid(grid, model.kind, "--grid")
+    places = None if grid is None else parse_grid(grid, model.mechanism, "--grid")
     with named_as_options({"grid": "--grid"}):
         written = write_pictures(model, folder, places, tuple(dict.fromkeys(formats)))
     content = {"robot": str(robot), "out": out, "files": [path.name for path in written]}

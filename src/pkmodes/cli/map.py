@@ -161,11 +161,11 @@ def _places(model: Model, grid: str | None, poses: Path | None) -> Any:
     if grid is not None:
         from pkmodes.maps.ranges import parse_grid
 
-        return parse_grid(grid, model.kind, "--grid")
+        return parse_grid(grid, model.mechanism, "--grid")
     if poses is not None:
         from pkmodes.maps.listed import read_poses
 
-        return read_poses(poses, model.kind)
+        return read_poses(poses, model.mechanism)
     return None
 
 

@@ -12,7 +12,7 @@ from pkmodes.robot.corrections import changeable
 def show(model: Model, content: dict[str, Any]) -> None:
     """Print the summary of a map of a robot, from `pkmodes.maps.summary.summary_of`."""
     terminal = Terminal()
-    units = {component.name: component.unit for component in model.kind.pose}
+    units = {component.name: component.unit for component in model.mechanism.pose}
     units |= {path: unit for path, unit in changeable(model.robot).items() if unit != "1"}
     terminal.heading(
         f"{content['robot']}: {content['valid']:,} of {content['poses']:,} poses can be evaluated"

@@ -29,7 +29,7 @@ def modes(robot: Path, pose: str, json_file: str | None) -> None:
     """
     check_target(json_file, robot)
     model = load(robot)
-    point = parse_pose(pose, model.kind)
+    point = parse_pose(pose, model.mechanism)
     check_metres(model, pose, point)
     result, statics = model.modes(point), model.statics(point)
     content = as_json(model, result, statics)
@@ -49,14 +49,16 @@ def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:
         "frequencies_hz": result.frequencies.tolist(),
         "shapes": result.shapes.tolist(),
         "platform_shapes": result.platform_shapes.tolist(),
-        "joint_positions": dict(zip(model.kind.independent, result.joint_positions.tolist(), strict=True)),
+        "joint_positions": dict(
+            zip(model.mechanism.independent, result.joint_positions.tolist(), strict=True)
+        ),
         "mass_matrix": result.mass_matrix.tolist(),
         "stiffness_matrix": result.stiffness_matrix.tolist(),
         "static_torques": statics.torques.tolist(),
         "rigid_modes": result.rigid_modes,
         "backend": result.backend,
     }
-    if CARRIAGES in Modes.fields_of(model.kind):
+    if CARRIAGES in Modes.fields_of(model.mechanism):
         found[CARRIAGES] = result.carriage_positions.tolist()
     return found
 
@@ -68,7 +70,7 @@ def _print(model: Model, result: Modes, statics: Statics) -> None:
 
     console = Console(highlight=False)
     console.width = max(console.width, 80, 10 + 8 * len(result.frequencies))
-    console.print(f"{model.robot.name} at {placed(model.kind, result.poses, 'g')}\n", markup=False)
+    console.print(f"{model.robot.name} at {placed(model.mechanism, result.poses, 'g')}\n", markup=False)
     numbers = range(1 - result.rigid_modes, len(result.frequencies) - result.rigid_modes + 1)
     table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0))
     table.add_column("mode", no_wrap=True)
@@ -76,7 +78,7 @@ def _print(model: Model, result: Modes, statics: Statics) -> None:
         table.add_column(str(number) if number > 0 else "rigid", justify="right", no_wrap=True)
     table.add_row("f [Hz]", *map(_frequency, result.frequencies))
     scaled, symbols = result.shapes.copy(), {}
-    for scale in model.kind.scales:
+    for scale in model.mechanism.scales:
         k = result.coordinates.index(scale.coordinate)
         scaled[:, k] /= np.asarray(getattr(model.robot.parameters, scale.field))[scale.index]
         symbols[scale.coordinate] = f"/{scale.symbol}"
@@ -85,16 +87,16 @@ def _print(model: Model, result: Modes, statics: Statics) -> None:
         table.add_row(f"{name}{symbols.get(name, '')}", *map(_component, scaled[:, k]))
     size = np.linalg.norm(result.platform_shapes, axis=1, keepdims=True)
     directions = result.platform_shapes / np.where(size > 0.0, size, 1.0)
-    for k, name in enumerate(model.kind.directions):
+    for k, name in enumerate(model.mechanism.directions):
         table.add_row(f"p_{name}", *map(_component, directions[:, k]))
     console.print(table)
     console.print(
         "\np: direction of the platform's motion in each mode, a unit vector in the base frame", markup=False
     )
-    units = {q.name: q.unit for q in model.kind.coordinates}
-    drive = model.kind.drives[0].unit
+    units = {q.name: q.unit for q in model.mechanism.coordinates}
+    drive = model.mechanism.drives[0].unit
     for label, values, unit in (
-        (model.kind.independent_are, result.joint_positions, units[model.kind.independent[0]]),
+        (model.mechanism.independent_are, result.joint_positions, units[model.mechanism.independent[0]]),
         ("static torques", statics.torques, drive),
     ):
         console.print(

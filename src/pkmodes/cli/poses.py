@@ -22,7 +22,7 @@ pose_option = click.option(
 )
 
 
-def parse_pose(text: str, kind: Mechanism) -> list[float]:
+def parse_pose(text: str, mechanism: Mechanism) -> list[float]:
     """Read the components of a pose: bare numbers in SI units, or quantities.
 
     Raises
@@ -32,12 +32,12 @@ def parse_pose(text: str, kind: Mechanism) -> list[float]:
     """
     from pkmodes.robot.units import QuantityError, parse_number_or_quantity
 
-    parts, names = text.split(","), ",".join(component.name for component in kind.pose).upper()
-    if len(parts) != len(kind.pose):
-        what = f"expected {len(kind.pose)} components {names}, found {len(parts)}"
-        raise PoseError(what, "--pose", f"write --pose {names}: {kind.pose_is}")
+    parts, names = text.split(","), ",".join(component.name for component in mechanism.pose).upper()
+    if len(parts) != len(mechanism.pose):
+        what = f"expected {len(mechanism.pose)} components {names}, found {len(parts)}"
+        raise PoseError(what, "--pose", f"write --pose {names}: {mechanism.pose_is}")
     point = []
-    for part, component in zip(parts, kind.pose, strict=True):
+    for part, component in zip(parts, mechanism.pose, strict=True):
         try:
             point.append(parse_number_or_quantity(part, component.unit))
         except QuantityError as error:
@@ -56,7 +56,7 @@ def check_metres(model: Model, text: str, point: list[float]) -> None:
     """
     from pkmodes.mechanism.poses import LARGE
 
-    lengths = [component.unit == "m" for component in model.kind.pose]
+    lengths = [component.unit == "m" for component in model.mechanism.pose]
     smaller = [c / 1e3 if length else c for c, length in zip(point, lengths, strict=True)]
     large = any(length and abs(c) >= LARGE for c, length in zip(point, lengths, strict=True))
     bare = large and not any(c.isalpha() for c in re.sub(r"\d[eE]", "", text))

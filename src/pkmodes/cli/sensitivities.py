@@ -50,7 +50,7 @@ def sensitivities(robot: Path, pose: str, parameters: str | None, json_file: str
     check_target(json_file, robot)
     paths = None if parameters is None else _paths(parameters)
     model = load(robot)
-    point = parse_pose(pose, model.kind)
+    point = parse_pose(pose, model.mechanism)
     check_metres(model, pose, point)
     result, found = model.modes(point), model.sensitivities(point, paths)
     relative = _relative(found, result.frequencies)
@@ -125,7 +125,7 @@ def _print(model: Model, result: Modes, found: Sensitivities, relative: Array) -
     rates = np.where(small, 0.0, found.frequencies)[:, rigid:]
     every = list(map(_Line, found.parameters, found.units, values, rates, relative[:, rigid:]))
     lines = sorted((line for line in every if line.rates.any()), key=lambda line: -line.weight)
-    terminal.heading(f"{model.robot.name} at {placed(model.kind, result.poses, 'g')}")
+    terminal.heading(f"{model.robot.name} at {placed(model.mechanism, result.poses, 'g')}")
     modes = [str(number) for number in range(1, len(result.frequencies) - rigid + 1)]
     frequencies = [f"{f:.3f}" for f in result.frequencies[rigid:]]
     present = [line for line in lines if line.value != 0.0]

@@ -70,7 +70,7 @@ def show(robot: Path, pose: str | None, out: str | None, mode: int | None, json_
     if pose is None:
         point = typical_pose(model).tolist()
     else:
-        point = parse_pose(pose, model.kind)
+        point = parse_pose(pose, model.mechanism)
         check_metres(model, pose, point)
     if moving:
         from pkmodes.plots.animation import animation

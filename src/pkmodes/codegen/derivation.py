@@ -93,15 +93,17 @@ def define(definition: Definition) -> None:
         derivation("mechanisms").add(definition.name, definition.text, str(definition.file))
 
 
-def definition_of(kind: Mechanism) -> Definition | None:
+def definition_of(mechanism: Mechanism) -> Definition | None:
     """Return the definition stored with a mechanism's code, None for a mechanism that comes with pkmodes."""
-    if kind.name in supplied():
+    if mechanism.name in supplied():
         return None
-    file = Path(str(files(kind.package))) / DEFINITION
+    file = Path(str(files(mechanism.package))) / DEFINITION
     if not file.is_file():
-        what = f"expected {DEFINITION}, from which the mechanism {kind.name} is derived, found no such file"
+        what = (
+            f"expected {DEFINITION}, from which the mechanism {mechanism.name} is derived, found no such file"
+        )
         raise PkmodesError(what, str(file.parent), GIVE)
-    return read_definition(file, kind.name)
+    return read_definition(file, mechanism.name)
 
 
 @contextmanager
@@ -139,5 +141,5 @@ def staged(name: str, texts: dict[str, str]) -> Iterator[Mechanism]:
     """Register a mechanism from code that has not been written to its folder yet."""
     with TemporaryDirectory(prefix="pkmodes-") as place:
         write_files(Path(place) / name, texts)
-        with meanwhile(Path(place) / name) as kind:
-            yield kind
+        with meanwhile(Path(place) / name) as mechanism:
+            yield mechanism

@@ -37,17 +37,17 @@ def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:
     robot_file, definition : str
         References to the robot file and to the mechanism's definition, as the generated files state them.
     """
-    own = definition_of(robot.kind)
+    own = definition_of(robot.mechanism)
     if own is not None:
         define(own)
     return derivation("emit.specification").Specification(
         name=robot.name,
-        mechanism=robot.mechanism,
+        mechanism=robot.mechanism_name,
         robot_file=robot_file,
         fields={name: _plain(value) for name, value in robot.parameters._asdict().items()}
         | {path.replace(".", "_"): value for path, value in robot.effects.items()},
         values=robot.declared,
-        effects=active_effects(robot.kind, robot.effects),
+        effects=active_effects(robot.mechanism, robot.effects),
         definition=definition,
     )
 
@@ -117,7 +117,7 @@ def generate(robot_file: Path, out: Path, mechanism: Path | None = None) -> list
     robot = read_robot(robot_file)
     folder = _Folder(out, _recorded(out))
     check_place(out, [robot_file], folder.recorded)
-    folder_of_mechanism = folder_of(robot.kind.package)
+    folder_of_mechanism = folder_of(robot.mechanism.package)
     definition = relative(Path(folder_of_mechanism), out) if folder_of_mechanism else ""
     return folder.write(_texts(robot, robot_file, folder, definition))
 
@@ -132,8 +132,8 @@ def _generate_both(robot_file: Path, out: Path, definition: Definition) -> list[
     of_mechanism = parametric(definition, relative(definition.file, package))
     with staged(definition.name, of_mechanism):
         robot = read_robot(robot_file)
-        if robot.mechanism != definition.name:
-            what = f"the robot is a {robot.mechanism}, not a {definition.name}"
+        if robot.mechanism_name != definition.name:
+            what = f"the robot is a {robot.mechanism_name}, not a {definition.name}"
             remedy = f'write mechanism = "{definition.name}", or leave --mechanism out'
             raise PkmodesError(what, f"{robot_file}: mechanism", remedy)
         of_robot = _texts(robot, robot_file, outer, relative(definition.file, out))

@@ -34,21 +34,21 @@ def imported() -> Any:
 def meanings_of(robot: Robot, name: str) -> dict[str, Any]:
     """Return further attributes of a variable: what its codes mean."""
     if name == "reason":
-        return dict(reasons(robot.kind))
+        return dict(reasons(robot.mechanism))
     if name == "tracking":
         masks = np.array(list(EVENTS.values()), dtype=np.int8)
         return {"flag_masks": masks, "flag_meanings": " ".join(EVENTS)}
     return {}
 
 
-def labels_of(kind: Mechanism, modes: int, coordinates: tuple[str, ...]) -> dict[str, Any]:
+def labels_of(mechanism: Mechanism, modes: int, coordinates: tuple[str, ...]) -> dict[str, Any]:
     """Return the coordinates along the axes after the poses."""
     numbers = np.arange(FIRST, FIRST + modes)
     return {
         MODE: (MODE, numbers, {"units": "1", "long_name": "vibration mode, rigid-body modes left out"}),
-        DIRECTION: (DIRECTION, np.array(kind.directions), _named("direction of the platform's motion")),
+        DIRECTION: (DIRECTION, np.array(mechanism.directions), _named("direction of the platform's motion")),
         COORDINATE: (COORDINATE, np.array(coordinates), _named("generalised coordinate")),
-        DRIVE: (DRIVE, np.array([d.name for d in kind.drives]), _named("drive")),
+        DRIVE: (DRIVE, np.array([d.name for d in mechanism.drives]), _named("drive")),
     }
 
 
@@ -64,7 +64,7 @@ def attributes_of(robot: Robot, rigid_modes: int) -> dict[str, Any]:
         "source": f"pkmodes {VERSION}",
         "history": f"computed by pkmodes {VERSION}",
         "robot": robot.name,
-        "mechanism": robot.mechanism,
+        "mechanism": robot.mechanism_name,
         "robot_file": text_of(robot),
         "robot_file_name": Path(robot.source).name,
         "version": VERSION,

@@ -40,7 +40,7 @@ def dataset_of_modes(
         ``valid``, ``reason``, and those of ``Modes.FIELDS`` that were requested.
     """
     xr = imported()
-    mechanism = robot.kind
+    mechanism = robot.mechanism
     normal = mechanism.directions[2] if len(mechanism.directions) > 2 else None
     axes = poses.ndim - 1
     leading = (LIST,) if axes == 1 else tuple(f"{LIST}_{i + 1}" for i in range(axes))

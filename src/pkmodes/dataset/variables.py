@@ -41,20 +41,20 @@ class Variable:
         return {**found, "comment": self.comment} if self.comment else found
 
 
-def variables(kind: Mechanism, normal: str | None, shapes: bool, tracked: bool) -> tuple[Variable, ...]:
+def variables(mechanism: Mechanism, normal: str | None, shapes: bool, tracked: bool) -> tuple[Variable, ...]:
     """Return the variables of a map.
 
     Parameters
     ----------
-    kind : Mechanism
+    mechanism : Mechanism
     normal : str or None
         Direction perpendicular to the plane of the grid.
     shapes, tracked : bool
         Whether shapes are kept, and modes tracked.
     """
-    units = {q.name: q.unit for q in kind.coordinates}
-    of_joints = {units[name] for name in kind.independent}
-    plane = " and ".join(name for name in kind.directions if name != normal)
+    units = {q.name: q.unit for q in mechanism.coordinates}
+    of_joints = {units[name] for name in mechanism.independent}
+    plane = " and ".join(name for name in mechanism.directions if name != normal)
     per_mode = "of the platform in each vibration mode"
     found = [
         Variable(
@@ -77,11 +77,11 @@ def variables(kind: Mechanism, normal: str | None, shapes: bool, tracked: bool) 
             "joint_position",
             (COORDINATE,),
             of_joints.pop() if len(of_joints) == 1 else "1",
-            f"{kind.independent_are} at the pose",
+            f"{mechanism.independent_are} at the pose",
             "NaN for coordinates that do not follow from the pose" if shapes else "",
         ),
         Variable(
-            "static_torque", (DRIVE,), kind.drives[0].unit, "torque that holds the pose against gravity"
+            "static_torque", (DRIVE,), mechanism.drives[0].unit, "torque that holds the pose against gravity"
         ),
         Variable("condition", (), "1", "condition number of the platform Jacobian D_p"),
         Variable("valid", (), "1", "whether the pose could be evaluated"),

@@ -79,11 +79,11 @@ def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
     from pkmodes.plots.plane import Plane, plane_axes, where
     from pkmodes.plots.workspace import workspace
 
-    components = [component.name for component in model.kind.pose]
+    components = [component.name for component in model.mechanism.pose]
     if len(components) < 2:
-        what = f"the figures need two components of the pose, {model.kind.name} has {components[0]} only"
+        what = f"the figures need two components of the pose, {model.mechanism.name} has {components[0]} only"
         raise PkmodesError(what, model.robot.source, "draw its frequencies by the report of a map")
-    places = working_plane(model) if grid is None else places_of(model.kind, grid)
+    places = working_plane(model) if grid is None else places_of(model.mechanism, grid)
     plane_axes(
         dict(zip(places.dims, places.shape, strict=True)), components, "grid"
     )  # before it is evaluated

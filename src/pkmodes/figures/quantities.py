@@ -37,13 +37,15 @@ def relative_sensitivities(model: Model, plane: Plane) -> tuple[list[str], Array
     relative : ndarray, shape (along, across, parameters, modes)
         d ln f / d ln p.
     """
-    kind = model.kind
-    single = {number.path for item in items(kind) if item.key.kind == "quantity" for number in item.numbers}
+    mechanism = model.mechanism
+    single = {
+        number.path for item in items(mechanism) if item.key.kind == "quantity" for number in item.numbers
+    }
     declared = model.robot.quantities
     paths = [path for path, quantity in declared.items() if path in single and quantity.value != 0.0]
     effects = [path for path in declared if path.startswith("effects.") and declared[path].value != 0.0]
     # A joint radius of zero has no direction in which it could change.
-    known = [path for path, whole in wholes(kind).items() if value_of(model.robot, whole) != 0.0]
+    known = [path for path, whole in wholes(mechanism).items() if value_of(model.robot, whole) != 0.0]
     paths = [*paths, *(path for path in effects if path not in paths), *known]
     few = coarser(plane)
     found = model.sensitivities(points_of(model, few), paths, fields=["frequencies"], on_error="nan")
@@ -70,7 +72,7 @@ def points_of(model: Model, plane: Plane) -> Array:
         plane.dataset[plane.along].values, plane.dataset[plane.across].values, indexing="ij"
     )
     values = {plane.along: along, plane.across: across, plane.normal: np.full(along.shape, plane.at)}
-    return np.stack([values[component.name] for component in model.kind.pose], axis=-1)
+    return np.stack([values[component.name] for component in model.mechanism.pose], axis=-1)
 
 
 def volume_of(model: Model, plane: Plane) -> Volume | None:
@@ -84,7 +86,7 @@ def volume_of(model: Model, plane: Plane) -> Volume | None:
     if plane.normal is None:
         return None
     low, high = box_of(model)
-    names = [component.name for component in model.kind.pose]
+    names = [component.name for component in model.mechanism.pose]
     counts = {plane.normal: HEIGHTS, plane.along: FINE, plane.across: FINE}
     axes = {}
     for i, name in enumerate(names):

@@ -40,11 +40,11 @@ def working_plane(model: Model) -> Grid:
     PkmodesError
         If the workspace is too narrow for a plane.
     """
-    names = [component.name for component in model.kind.pose]
+    names = [component.name for component in model.mechanism.pose]
     if len(names) <= 2:
         return reachable(model, POSES)
     volume = reachable(model, VOLUME)
-    normal = model.kind.directions[2]
+    normal = model.mechanism.directions[2]
     coarse = model.map(volume)
     others = [name for name in names if name != normal]
     area = coarse["valid"].sum(others)

@@ -53,18 +53,18 @@ def dataset_of(
     MissingExtraError
         If xarray is not installed.
     """
-    kind = robot.kind
-    normal = places.normal(kind.directions)
+    mechanism = robot.mechanism
+    normal = places.normal(mechanism.directions)
     leading = (*variants.dims, *places.dims)
     shape = (*variants.shape, *places.shape)
-    coordinates = layout.coordinates if layout.shapes else kind.independent
+    coordinates = layout.coordinates if layout.shapes else mechanism.independent
     # Shapes may have been needed for tracking only.
     shown = [name for name in arrays if name != "shape" or layout.shapes]
-    fields = fields_of({name: arrays[name] for name in shown}, shape, np.array(codes_of(kind)), tracked)
+    fields = fields_of({name: arrays[name] for name in shown}, shape, np.array(codes_of(mechanism)), tracked)
     if len(shown) < len(arrays):
         columns = [layout.coordinates.index(name) for name in coordinates]
         fields["joint_position"] = fields["joint_position"][..., columns]
-    known = variables(kind, normal, layout.shapes, tracked is not None)
+    known = variables(mechanism, normal, layout.shapes, tracked is not None)
     data = {
         v.name: (
             (*leading, *v.dims),
@@ -79,7 +79,7 @@ def dataset_of(
         data["rigid_modes"] = (variants.dims, rigid, about)
     found: xarray.Dataset = imported().Dataset(
         data,
-        coords={**_coordinates(robot, places, variants), **labels_of(kind, layout.modes, coordinates)},
+        coords={**_coordinates(robot, places, variants), **labels_of(mechanism, layout.modes, coordinates)},
         attrs=attributes_of(robot, evaluation(robot).rigid_modes),
     )
     return found
@@ -98,7 +98,7 @@ def _coordinates(robot: Robot, places: Places, variants: Variants) -> dict[str, 
         for path, values in variants.drawn.items():
             attributes = {"units": units.get(path, "1"), "long_name": f"parameter {path}, drawn"}
             found[path] = (SAMPLE, values, attributes)
-    about = {c.name: {"units": c.unit, "long_name": c.description} for c in robot.kind.pose}
+    about = {c.name: {"units": c.unit, "long_name": c.description} for c in robot.mechanism.pose}
     if isinstance(places, Grid):
         found |= {name: (name, places.axes[name], about[name]) for name in places.dims}
     else:

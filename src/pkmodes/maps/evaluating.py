@@ -52,9 +52,9 @@ class Task:
 
 
 @cache
-def code_of(kind: Mechanism) -> str:
+def code_of(mechanism: Mechanism) -> str:
     """Return a hash of the generated code of a mechanism, which may differ between two runs or machines."""
-    files = (Path(str(module.__file__)) for module in (kind.model, kind.extended))
+    files = (Path(str(module.__file__)) for module in (mechanism.model, mechanism.extended))
     return sha256(b"\0".join(path.read_bytes() for path in files)).hexdigest()
 
 
@@ -71,9 +71,9 @@ def evaluate(task: Task) -> dict[str, Array]:
     PkmodesError
         If the generated code here is not that of the task.
     """
-    kind = task.pieces[0][0].kind
-    if code_of(kind) != task.code:
-        what = f"the generated code of {kind.name} differs from that of the map"
+    mechanism = task.pieces[0][0].mechanism
+    if code_of(mechanism) != task.code:
+        what = f"the generated code of {mechanism.name} differs from that of the map"
         raise PkmodesError(
             what, gethostname(), "generate it there with the same pkmodes, and restart the worker"
         )
@@ -98,15 +98,15 @@ def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
     arrays["frequency"][:, :n] = found.frequencies[:, rigid:]
     motion = arrays["platform_shape"][:, :n] = found.platform_shapes[:, rigid:]
     arrays["in_plane"][:, :n], arrays["out_of_plane"][:, :n] = parts_of(
-        motion, robot.kind.directions, task.normal
+        motion, robot.mechanism.directions, task.normal
     )
-    every = layout.coordinates if layout.shapes else robot.kind.independent
-    independent = [every.index(name) for name in robot.kind.independent]
+    every = layout.coordinates if layout.shapes else robot.mechanism.independent
+    independent = [every.index(name) for name in robot.mechanism.independent]
     arrays["joint_position"][:, independent] = found.joint_positions
     good = np.flatnonzero(found.valid)
     statics, jacobian = (
         evaluation(robot).statics,
-        Generated(robot.kind.model, robot.parameters).platform_jacobian,
+        Generated(robot.mechanism.model, robot.parameters).platform_jacobian,
     )
     for start in range(0, len(good), CHUNK):
         part = good[start : start + CHUNK]

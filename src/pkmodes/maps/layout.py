@@ -33,14 +33,14 @@ class Layout:
 
 def tails(robot: Robot, layout: Layout) -> dict[str, tuple[tuple[int, ...], str]]:
     """Return the shape at one pose, and the type, of each field."""
-    kind = robot.kind
+    mechanism = robot.mechanism
     found: dict[str, tuple[tuple[int, ...], str]] = {
         "frequency": ((layout.modes,), "f8"),
-        "platform_shape": ((layout.modes, len(kind.directions)), "f8"),
+        "platform_shape": ((layout.modes, len(mechanism.directions)), "f8"),
         "in_plane": ((layout.modes,), "f8"),
         "out_of_plane": ((layout.modes,), "f8"),
-        "joint_position": ((len(layout.coordinates if layout.shapes else kind.independent),), "f8"),
-        "static_torque": ((len(kind.drives),), "f8"),
+        "joint_position": ((len(layout.coordinates if layout.shapes else mechanism.independent),), "f8"),
+        "static_torque": ((len(mechanism.drives),), "f8"),
         "condition": ((), "f8"),
         "code": ((), "i1"),
     }
@@ -56,6 +56,6 @@ def layout_of(robots: Sequence[Robot], shapes: bool, backend: str) -> Layout:
         found = evaluation(robot)
         modes = max(modes, len(found.coordinates) - int(found.massless().sum()) - found.rigid_modes)
         order.update(dict.fromkeys(found.coordinates))
-    released = [q.name for effect in robots[0].kind.effects.values() for q in effect.coordinates]
-    every = [q.name for q in robots[0].kind.coordinates] + released
+    released = [q.name for effect in robots[0].mechanism.effects.values() for q in effect.coordinates]
+    every = [q.name for q in robots[0].mechanism.coordinates] + released
     return Layout(modes, tuple(sorted(order, key=every.index)), shapes, backend)

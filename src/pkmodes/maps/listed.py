@@ -18,7 +18,7 @@ from pkmodes.mechanism.registry import Mechanism
 LABEL = "pose"
 
 
-def read_poses(path: str | PathLike[str], kind: Mechanism) -> Poses:
+def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
     """Read poses: one row each.
 
     Parameters
@@ -27,7 +27,7 @@ def read_poses(path: str | PathLike[str], kind: Mechanism) -> Poses:
         CSV with the components of the pose as columns, in SI units or with a unit in the header (``x [mm]``), and
         optionally their labels in a column ``pose``.  Other columns are ignored, load cases included, and so are
         repeated rows: a file of measurements is also a list of poses.
-    kind : Mechanism
+    mechanism : Mechanism
 
     Returns
     -------
@@ -40,7 +40,7 @@ def read_poses(path: str | PathLike[str], kind: Mechanism) -> Poses:
         If the file cannot be read or is invalid, with line and column.
     """
     source = fspath(path)
-    units = {component.name: component.unit for component in kind.pose}
+    units = {component.name: component.unit for component in mechanism.pose}
     remedy = f"start with the columns {','.join(units)}"
     lines = read_lines(read_text(Path(path), source, "the poses", "give a CSV file of poses"), source)
     if not lines.records:

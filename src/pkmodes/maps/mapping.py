@@ -83,13 +83,13 @@ class Plan:
         for robot in range(rows.start // size, -(-rows.stop // size)):
             first, last = max(rows.start - robot * size, 0), min(rows.stop - robot * size, size)
             pieces.append((self.variants.robots[robot], self.places.points(np.arange(first, last))))
-        kind = self.model.kind
-        return Task(tuple(pieces), code_of(kind), self.model.max_condition, self.normal, self.layout)
+        mechanism = self.model.mechanism
+        return Task(tuple(pieces), code_of(mechanism), self.model.max_condition, self.normal, self.layout)
 
     @property
     def normal(self) -> str | None:
         """Direction perpendicular to the plane of the grid."""
-        return self.places.normal(self.model.kind.directions)
+        return self.places.normal(self.model.mechanism.directions)
 
     @property
     def record(self) -> dict[str, Any]:
@@ -98,7 +98,7 @@ class Plan:
         table = {name: v.tolist() for name, v in places.axes.items()} if isinstance(places, Grid) else None
         return {
             "version": VERSION,
-            "mechanism": code_of(self.model.kind),
+            "mechanism": code_of(self.model.mechanism),
             "robot": text_of(self.model.robot),
             "largest condition number": self.model.max_condition,
             "grid": table,
@@ -133,7 +133,7 @@ def map_of(
     target = None if out is None else Target.checked(out, overwrite)
     number = checked_threads(threads)
     variants = variants_of(model.robot, sweep, samples, seed)
-    places = reachable(model) if grid is None else places_of(model.kind, grid)
+    places = reachable(model) if grid is None else places_of(model.mechanism, grid)
     layout = layout_of(variants.robots, shapes or tracked, chosen(backend))
     plan = Plan(model, places, variants, layout)
     if tracked:
@@ -210,7 +210,7 @@ def _refuse_outside(plan: Plan) -> NoReturn:
     if isinstance(plan.places, Grid):
         where, remedy = "grid", 'write them with their unit, such as "300 mm:800 mm:51"'
     else:
-        name = next((component.name for component in model.kind.pose if component.unit == "m"), "x")
+        name = next((component.name for component in model.mechanism.pose if component.unit == "m"), "x")
         where, remedy = (
             "poses",
             f"write the unit in the header of the file, such as {name} [mm], or give metres",

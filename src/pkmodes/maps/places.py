@@ -104,12 +104,12 @@ class Poses:
 Places = Grid | Poses
 
 
-def places_of(kind: Mechanism, given: Mapping[str, ArrayLike] | ArrayLike | Places) -> Places:
+def places_of(mechanism: Mechanism, given: Mapping[str, ArrayLike] | ArrayLike | Places) -> Places:
     """Check the poses of a map.
 
     Parameters
     ----------
-    kind : Mechanism
+    mechanism : Mechanism
     given : mapping of str to array_like, or array_like of shape (N, d), or Grid or Poses
         Ascending values, or one number, for each component of the pose; or poses one after the other.
 
@@ -125,9 +125,9 @@ def places_of(kind: Mechanism, given: Mapping[str, ArrayLike] | ArrayLike | Plac
     if isinstance(given, Grid | Poses):
         return given
     if not isinstance(given, Mapping):
-        points, _ = given_poses(given, kind, "raise")
-        return Poses(points, tuple(component.name for component in kind.pose))
-    names = [component.name for component in kind.pose]
+        points, _ = given_poses(given, mechanism, "raise")
+        return Poses(points, tuple(component.name for component in mechanism.pose))
+    names = [component.name for component in mechanism.pose]
     for name in given:
         if name not in names:
             what = f"expected values of {', '.join(names)}, found {shown(name)}"

@@ -82,13 +82,13 @@ def parse_value(text: str, unit: str, where: str) -> float:
     return value
 
 
-def parse_grid(text: str, kind: Mechanism, where: str) -> dict[str, Array]:
+def parse_grid(text: str, mechanism: Mechanism, where: str) -> dict[str, Array]:
     """Read a grid such as ``x=0.3:0.8:51,y=-0.1:0.1:41,z=-0.245``.
 
     Parameters
     ----------
     text : str
-    kind : Mechanism
+    mechanism : Mechanism
         It gives the components of a pose and their units.
     where : str
         For messages.
@@ -103,7 +103,7 @@ def parse_grid(text: str, kind: Mechanism, where: str) -> dict[str, Array]:
     PkmodesError
         If a component is missing, unknown or repeated, or a range is invalid.
     """
-    units = {component.name: component.unit for component in kind.pose}
+    units = {component.name: component.unit for component in mechanism.pose}
     example = f"write {where} {','.join(f'{name}=0.1:0.2:11' for name in units)}"
     found: dict[str, Array] = {}
     for part in text.split(","):

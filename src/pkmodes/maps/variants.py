@@ -129,9 +129,9 @@ def _taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
     """Return the paths of all values that a sweep sets: also the elements of a whole, and another name of a value."""
     found = set(swept)
     for path, values in swept.items():
-        if path in wholes(robot.kind):
-            found |= set(elements_of(robot, wholes(robot.kind)[path], float(values[0])))
-    for path, own in lent(robot.kind).items():
+        if path in wholes(robot.mechanism):
+            found |= set(elements_of(robot, wholes(robot.mechanism)[path], float(values[0])))
+    for path, own in lent(robot.mechanism).items():
         if {path, own} & found:
             found |= {path, own}
     return found

@@ -42,8 +42,8 @@ def reachable(model: Kinematics, poses: int = POSES) -> Grid:
         If no pose was found.
     """
     low, high = box_of(model)
-    names = [component.name for component in model.kind.pose]
-    units = [component.unit for component in model.kind.pose]
+    names = [component.name for component in model.mechanism.pose]
+    units = [component.unit for component in model.mechanism.pose]
     size = np.where(high > low, high - low, 1e-3)
     # The same step for components of one unit; components of another unit are divided as finely.
     per_unit = {unit: max(size[[u == unit for u in units]]) for unit in units}
@@ -71,7 +71,7 @@ def bounds_of(model: Kinematics, tried: Array, in_millimetres: str) -> str:
     in_millimetres : str
         How to give them in millimetres.
     """
-    lengths = [component.unit == "m" for component in model.kind.pose]
+    lengths = [component.unit == "m" for component in model.mechanism.pose]
     if np.abs(tried[:, lengths]).max(initial=0.0) >= LARGE:
         smaller = np.where(lengths, tried / 1e3, tried)
         if model.check(smaller).valid.any():
@@ -82,7 +82,7 @@ def bounds_of(model: Kinematics, tried: Array, in_millimetres: str) -> str:
         return error.remedy
     ends = ", ".join(
         f"{component.name} from {a:.4g} to {b:.4g} {component.unit}"
-        for component, a, b in zip(model.kind.pose, low, high, strict=True)
+        for component, a, b in zip(model.mechanism.pose, low, high, strict=True)
     )
     return f"the workspace lies within {ends}"
 

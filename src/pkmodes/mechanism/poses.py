@@ -35,22 +35,22 @@ LARGE = 10.0
 IN_WORDS = {"m": "metres", "rad": "radians"}
 
 
-def reasons(kind: Mechanism) -> dict[str, str]:
+def reasons(mechanism: Mechanism) -> dict[str, str]:
     """Return the reasons why a pose cannot be evaluated, in the order of the checks: code and meaning.
 
     Parameters
     ----------
-    kind : Mechanism
+    mechanism : Mechanism
     """
     found = dict([FINITE])
-    for margin in kind.margins:
+    for margin in mechanism.margins:
         found.setdefault(margin.code, margin.meaning)
     return found
 
 
-def codes_of(kind: Mechanism) -> tuple[str, ...]:
+def codes_of(mechanism: Mechanism) -> tuple[str, ...]:
     """Return the reasons that `CheckedPoses.codes` index; 0 is a pose that can be evaluated."""
-    return ("", FINITE[0], *(margin.code for margin in kind.margins))
+    return ("", FINITE[0], *(margin.code for margin in mechanism.margins))
 
 
 @dataclass(frozen=True)
@@ -107,7 +107,7 @@ class CheckedPoses:
 
 def check_poses(
     poses: ArrayLike,
-    kind: Mechanism,
+    mechanism: Mechanism,
     parameters: Any,
     on_error: OnError = "raise",
     max_condition: float = MAX_CONDITION,
@@ -118,7 +118,7 @@ def check_poses(
     ----------
     poses : array_like, shape (d,) or (..., d)
         In SI units, with the mechanism's pose components.
-    kind : Mechanism
+    mechanism : Mechanism
     parameters : Parameters
         The robot's parameters for the generated model.
     on_error : {"raise", "nan"}
@@ -132,17 +132,17 @@ def check_poses(
         If the array does not hold poses; with ``on_error="raise"`` also if a pose is not finite or violates a
         condition of the mechanism.
     """
-    points, batch = given_poses(poses, kind, on_error)
+    points, batch = given_poses(poses, mechanism, on_error)
     codes = np.empty(len(points), dtype=np.int8)
     for start in range(0, len(points), CHUNK):
         part = slice(start, start + CHUNK)
-        codes[part] = _codes(points[part], kind, parameters, max_condition)
+        codes[part] = _codes(points[part], mechanism, parameters, max_condition)
     if on_error == "raise":
-        refuse(points, codes, kind, parameters)
-    return CheckedPoses(points, codes, batch, codes_of(kind))
+        refuse(points, codes, mechanism, parameters)
+    return CheckedPoses(points, codes, batch, codes_of(mechanism))
 
 
-def given_poses(poses: ArrayLike, kind: Mechanism, on_error: OnError) -> tuple[Array, tuple[int, ...]]:
+def given_poses(poses: ArrayLike, mechanism: Mechanism, on_error: OnError) -> tuple[Array, tuple[int, ...]]:
     """Check the arguments of a method that takes poses: the poses as (N, d), and the shape that they had without d.
 
     Raises
@@ -156,10 +156,10 @@ def given_poses(poses: ArrayLike, kind: Mechanism, on_error: OnError) -> tuple[A
             "on_error",
             "choose one of the two",
         )
-    return as_points(poses, "poses", len(kind.pose), f"give {_in_words(kind)}")
+    return as_points(poses, "poses", len(mechanism.pose), f"give {_in_words(mechanism)}")
 
 
-def refuse(points: Array, codes: NDArray[np.int8], kind: Mechanism, parameters: Any) -> None:
+def refuse(points: Array, codes: NDArray[np.int8], mechanism: Mechanism, parameters: Any) -> None:
     """Raise the error of the first pose that cannot be evaluated, if there is one.
 
     Parameters
@@ -167,7 +167,7 @@ def refuse(points: Array, codes: NDArray[np.int8], kind: Mechanism, parameters: 
     points : ndarray, shape (N, d)
     codes : ndarray of int8, shape (N,)
         Indices into `codes_of`.
-    kind : Mechanism
+    mechanism : Mechanism
     parameters : Parameters
         The robot.
 
@@ -180,9 +180,9 @@ def refuse(points: Array, codes: NDArray[np.int8], kind: Mechanism, parameters: 
         return
     index = int(np.argmax(codes != 0))
     one = slice(index, index + 1)
-    ((what, remedy),) = explained(points[one], codes[one], kind, parameters)
+    ((what, remedy),) = explained(points[one], codes[one], mechanism, parameters)
     bad = int(np.count_nonzero(codes))
-    where = f"pose {index} at {placed(kind, points[index])}" + (
+    where = f"pose {index} at {placed(mechanism, points[index])}" + (
         f", the first of {bad} bad poses" if bad > 1 else ""
     )
     if len(points) > 1:
@@ -236,21 +236,21 @@ def as_points(
     return array.reshape(-1, size), array.shape[:-1]
 
 
-def placed(kind: Mechanism, point: Sequence[float] | Array, digits: str = ".6g") -> str:
+def placed(mechanism: Mechanism, point: Sequence[float] | Array, digits: str = ".6g") -> str:
     """Format a pose for messages and tables, such as ``[0.6, 0, -0.245] m``."""
     numbers = [format(float(value), digits) for value in point]
-    units = [component.unit for component in kind.pose]
+    units = [component.unit for component in mechanism.pose]
     if len(set(units)) == 1:
         return f"[{', '.join(numbers)}] {units[0]}"
     return f"[{', '.join(f'{number} {unit}' for number, unit in zip(numbers, units, strict=True))}]"
 
 
-def _in_words(kind: Mechanism) -> str:
+def _in_words(mechanism: Mechanism) -> str:
     """Describe the components of a pose, for a remedy."""
-    units = {component.unit for component in kind.pose}
-    names = ", ".join(component.name for component in kind.pose)
+    units = {component.unit for component in mechanism.pose}
+    names = ", ".join(component.name for component in mechanism.pose)
     unit = IN_WORDS.get(units.pop(), "SI units") if len(units) == 1 else "SI units"
-    return f"poses [{names}] in {unit}: {kind.pose_is}"
+    return f"poses [{names}] in {unit}: {mechanism.pose_is}"
 
 
 def margin_of(generated: Generated, margin: Margin, points: Array) -> Array:
@@ -260,13 +260,13 @@ def margin_of(generated: Generated, margin: Margin, points: Array) -> Array:
 
 
 def _codes(
-    points: NDArray[np.float64], kind: Mechanism, parameters: Any, max_condition: float
+    points: NDArray[np.float64], mechanism: Mechanism, parameters: Any, max_condition: float
 ) -> NDArray[np.int8]:
     """Return the first condition that each pose violates, as an index into `codes_of`."""
     with np.errstate(all="ignore"):  # the margins report the error; a NaN compares false and so fails
-        generated = Generated(kind.model, parameters)
+        generated = Generated(mechanism.model, parameters)
         failed = [~np.isfinite(points).all(axis=-1)]
-        for margin in kind.margins:
+        for margin in mechanism.margins:
             values = margin_of(generated, margin, points).reshape(len(points), -1)
             failed.append(~_holds(margin, values, max_condition).all(axis=-1))
     return np.select(failed, range(1, len(failed) + 1), 0).astype(np.int8)
@@ -279,7 +279,7 @@ def _holds(margin: Margin, values: Array, max_condition: float) -> NDArray[np.bo
 
 
 def explained(
-    points: NDArray[np.float64], codes: NDArray[np.int8], kind: Mechanism, parameters: Any
+    points: NDArray[np.float64], codes: NDArray[np.int8], mechanism: Mechanism, parameters: Any
 ) -> list[tuple[str, str]]:
     """Return what is wrong with poses that cannot be evaluated, and the remedies.
 
@@ -289,17 +289,17 @@ def explained(
         Poses.
     codes : ndarray of int8, shape (N,)
         Their codes from `check_poses`, all nonzero.
-    kind : Mechanism
+    mechanism : Mechanism
     parameters : Parameters
         The robot's parameters.
     """
     with np.errstate(all="ignore"):
-        generated = Generated(kind.model, parameters)
-        values = [margin_of(generated, margin, points) for margin in kind.margins]
+        generated = Generated(mechanism.model, parameters)
+        values = [margin_of(generated, margin, points) for margin in mechanism.margins]
     return [
         ("expected finite coordinates, found NaN or infinity", "give finite coordinates")
         if code == 1
-        else _sentence(kind.margins[code - 2], values[code - 2][i])
+        else _sentence(mechanism.margins[code - 2], values[code - 2][i])
         for i, code in enumerate(codes.tolist())
     ]
 

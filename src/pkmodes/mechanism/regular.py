@@ -23,41 +23,41 @@ SEED = 20220101
 TURNED = 0.5
 
 
-def sample(kind: Mechanism) -> Any:
+def sample(mechanism: Mechanism) -> Any:
     """Return the parameters of an asymmetric robot: terms that vanish by symmetry in a real robot do not here."""
-    values = {name: np.array(v) if isinstance(v, list) else v for name, v in kind.sample.items()}
-    return kind.model.Parameters(**values)
+    values = {name: np.array(v) if isinstance(v, list) else v for name, v in mechanism.sample.items()}
+    return mechanism.model.Parameters(**values)
 
 
-def declared(kind: Mechanism) -> list[Key]:
+def declared(mechanism: Mechanism) -> list[Key]:
     """Return the keys of the robot file whose values are fields of the generated parameters."""
-    return [key for table in kind.tables for key in table.keys if key.field]
+    return [key for table in mechanism.tables for key in table.keys if key.field]
 
 
-def travel(kind: Mechanism, parameters: Any) -> Array:
+def travel(mechanism: Mechanism, parameters: Any) -> Array:
     """Return the limits of the independent coordinates, (k, 2), from the pairs in the robot's tables, if any."""
     pairs = [np.empty((0, 2))]
-    for key in declared(kind):
+    for key in declared(mechanism):
         if key.kind == "pair":
             place: tuple[Any, ...] = (..., *key.index, slice(None))
             pairs.append(np.asarray(getattr(parameters, key.field), dtype=float)[place])
-    return np.concatenate([pair.reshape(-1, 2) for pair in pairs])[: len(kind.independent)]
+    return np.concatenate([pair.reshape(-1, 2) for pair in pairs])[: len(mechanism.independent)]
 
 
-def extent(kind: Mechanism, parameters: Any) -> float:
+def extent(mechanism: Mechanism, parameters: Any) -> float:
     """Return an upper bound of the robot's reach [m]: the sum of its lengths."""
-    lengths = {key.field for key in declared(kind) if key.dimension == "length"}
+    lengths = {key.field for key in declared(mechanism) if key.dimension == "length"}
     return sum(float(np.max(np.abs(getattr(parameters, field)))) for field in lengths)
 
 
-def regular_poses(generated: Generated, kind: Mechanism, parameters: Any, wanted: int = 4) -> Array:
+def regular_poses(generated: Generated, mechanism: Mechanism, parameters: Any, wanted: int = 4) -> Array:
     """Find poses well inside the workspace of a robot.
 
     Parameters
     ----------
     generated : Generated
         Functions for this robot.
-    kind : Mechanism
+    mechanism : Mechanism
     parameters : Parameters
     wanted : int
         Number of poses.
@@ -71,9 +71,9 @@ def regular_poses(generated: Generated, kind: Mechanism, parameters: Any, wanted
     found: list[Array] = []
     with np.errstate(all="ignore"):
         for draws in DRAWS:
-            p = drawn_poses(generated, kind, parameters, rng, draws)
+            p = drawn_poses(generated, mechanism, parameters, rng, draws)
             good = np.isfinite(p).all(axis=-1)
-            for margin in kind.margins:
+            for margin in mechanism.margins:
                 values = margin_of(generated, margin, p).reshape(len(p), -1)
                 if margin.rule == "at_most_limit":
                     good &= (values < REGULAR).all(axis=-1)
@@ -86,7 +86,7 @@ def regular_poses(generated: Generated, kind: Mechanism, parameters: Any, wanted
 
 
 def drawn_poses(
-    generated: Generated, kind: Mechanism, parameters: Any, rng: np.random.Generator, count: int
+    generated: Generated, mechanism: Mechanism, parameters: Any, rng: np.random.Generator, count: int
 ) -> Array:
     """Draw poses: from the limits of the independent coordinates, or in a box that contains the workspace.
 
@@ -94,7 +94,7 @@ def drawn_poses(
     ----------
     generated : Generated
         Functions for this robot.
-    kind : Mechanism
+    mechanism : Mechanism
     parameters : Parameters
     rng : numpy.random.Generator
     count : int
@@ -104,16 +104,16 @@ def drawn_poses(
     ndarray, shape (count, d)
         NaN where links do not meet; not all of the others can be reached.
     """
-    names = tuple(component.name for component in kind.pose)
-    ends = travel(kind, parameters)
-    given = len(ends) == len(kind.independent)
-    if given and (generated.has("direct_kinematics") or names == kind.independent):
+    names = tuple(component.name for component in mechanism.pose)
+    ends = travel(mechanism, parameters)
+    given = len(ends) == len(mechanism.independent)
+    if given and (generated.has("direct_kinematics") or names == mechanism.independent):
         low, high = ends.T
         q = rng.uniform(low, high, size=(count, len(low)))
-        if names == kind.independent:
+        if names == mechanism.independent:
             return q
         assembly = np.where(np.arange(count) % 2, 1.0, -1.0)
         return np.asarray(generated.direct_kinematics(q, assembly))
-    reach = extent(kind, parameters)
-    size = np.array([reach if component.unit == "m" else TURNED for component in kind.pose])
+    reach = extent(mechanism, parameters)
+    size = np.array([reach if component.unit == "m" else TURNED for component in mechanism.pose])
     return rng.uniform(-size, size, size=(count, len(size)))

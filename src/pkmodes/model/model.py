@@ -38,7 +38,7 @@ class Model(Dynamics):
     Attributes
     ----------
     robot : Robot
-    kind : Mechanism
+    mechanism : Mechanism
         Description of the mechanism: pose components, coordinates, drives.
     coordinates : tuple of str
         Names of the generalised coordinates (docs/model.md).
@@ -49,7 +49,7 @@ class Model(Dynamics):
         self._resolved_paths: tuple[tuple[str, ...] | None, ResolvedPaths] | None = None
 
     def __repr__(self) -> str:
-        return f"Model({self.robot.name!r}, {self.robot.mechanism}, {len(self.coordinates)} coordinates)"
+        return f"Model({self.robot.name!r}, {self.robot.mechanism_name}, {len(self.coordinates)} coordinates)"
 
     def __reduce__(self) -> tuple[Any, ...]:
         # The evaluation may hold modules, which cannot be pickled; it is rebuilt from the robot.

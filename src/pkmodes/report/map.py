@@ -88,7 +88,7 @@ def map_report(
 
 def middle_of(model: Model, dataset: xarray.Dataset) -> list[float] | None:
     """Return the pose in the middle of a map; None for a list of poses, or if it cannot be evaluated."""
-    names = [component.name for component in model.kind.pose]
+    names = [component.name for component in model.mechanism.pose]
     if not set(names) <= set(dataset.dims):
         return None
     pose = [float(dataset[name].values[dataset.sizes[name] // 2]) for name in names]
@@ -148,7 +148,7 @@ def _extent(model: Model, content: dict[str, Any]) -> str:
 def _units(model: Model) -> dict[str, tuple[str, float]]:
     """Return the unit of each axis as shown, with the factor from SI."""
     found = {path: (unit(name), 1.0) for path, name in changeable(model.robot).items()}
-    return found | {component.name: SHOWN[component.unit] for component in model.kind.pose}
+    return found | {component.name: SHOWN[component.unit] for component in model.mechanism.pose}
 
 
 def _value(value: float) -> str:
@@ -181,7 +181,7 @@ def _place(value: Any, factor: float) -> Cell:
 
 def _changes(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     """Yield the sections of swept parameters, samples, and poses on a line or in a list."""
-    components = [component.name for component in model.kind.pose]
+    components = [component.name for component in model.mechanism.pose]
     dims = [str(dim) for dim in dataset["frequency"].dims if dataset.sizes[dim] > 1]
     swept = [dim for dim in dims if "." in dim]
     if swept:
@@ -225,7 +225,7 @@ def _changes(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
 
 def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     """Yield the figures of the robot: in the plane of the map if it has one, otherwise in its working plane."""
-    if len(model.kind.pose) < 2:
+    if len(model.mechanism.pose) < 2:
         return
     places = _plane_of(model, dataset)
     where = "the plane of the map"
@@ -242,7 +242,7 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
 
 def _plane_of(model: Model, dataset: xarray.Dataset) -> Grid | None:
     """Return the plane of a map, thinned out where it is finer than a picture; None for other maps."""
-    names = [component.name for component in model.kind.pose]
+    names = [component.name for component in model.mechanism.pose]
     if sum(dataset.sizes.get(name, 1) > 1 for name in names) != 2:  # a list of poses has one axis, "pose"
         return None
     steps = {name: -(-dataset.sizes[name] // FINEST) for name in names}
@@ -253,7 +253,7 @@ def _origin(
     model: Model, dataset: xarray.Dataset, content: dict[str, Any], sources: Sequence[Source]
 ) -> Facts:
     entries = files_of(sources)
-    entries.append(("mechanism", [Cell(clean(model.kind.title))]))
+    entries.append(("mechanism", [Cell(clean(model.mechanism.title))]))
     entries.append(("rigid-body modes", [Cell(str(content["rigid_modes"]))]))
     if content["file"]:
         entries.append(("map", [Cell(clean(content["file"].replace("\\", "/").rpartition("/")[2]))]))

@@ -24,7 +24,7 @@ def origin(evidence: Evidence, setting: Setting, more: Sequence[tuple[str, Seque
     """
     entries = files_of(setting.sources)
     if setting.robot is not None:
-        entries.append(("mechanism", [Cell(clean(setting.robot.kind.title))]))
+        entries.append(("mechanism", [Cell(clean(setting.robot.mechanism.title))]))
     rows = (
         f"{plural(len(evidence.measured), 'measured mode')} at {plural(len(evidence.labels), evidence.place)}"
     )

@@ -37,7 +37,7 @@ class Setting:
 
     @cached_property
     def _units(self) -> dict[str, str]:
-        return {} if self.robot is None else settable(self.robot.kind)
+        return {} if self.robot is None else settable(self.robot.mechanism)
 
     def load(self, load: Mapping[str, float]) -> str:
         """Return the values set at a pose as text."""
@@ -49,7 +49,7 @@ class Setting:
     def components(self, count: int) -> Sequence[tuple[str, str]]:
         """Return the names and units of the components of a pose with so many of them."""
         if self.robot is not None:
-            named = [(component.name, component.unit) for component in self.robot.kind.pose]
+            named = [(component.name, component.unit) for component in self.robot.mechanism.pose]
         elif self.data is not None:
             named = list(zip(self.data.components, self.data.component_units, strict=True))
         else:

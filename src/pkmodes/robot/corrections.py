@@ -85,12 +85,12 @@ def changeable(robot: Declaration) -> dict[str, str]:
     declared = {path: quantity.unit for path, quantity in robot.quantities.items()}
     others = {
         number.path: number.unit
-        for item in items(robot.kind)
+        for item in items(robot.mechanism)
         if item.shared or item.key.default is not None
         for number in item.numbers
     }
-    whole = {whole.path: whole.unit for whole in robot.kind.wholes}
-    return {**declared, **others, **effect_parameters(robot.kind), **whole}
+    whole = {whole.path: whole.unit for whole in robot.mechanism.wholes}
+    return {**declared, **others, **effect_parameters(robot.mechanism), **whole}
 
 
 def _check_numbers(path: str, correction: Correction, robot: Declaration) -> None:
@@ -105,7 +105,7 @@ def _check_numbers(path: str, correction: Correction, robot: Declaration) -> Non
 
 def _elements(path: str, correction: Correction, robot: Declaration) -> dict[str, Edit]:
     """Return the values of the file that a correction changes."""
-    if path in (known := wholes(robot.kind)):
+    if path in (known := wholes(robot.mechanism)):
         return _of_whole(known[path], correction, robot)
     if path not in changeable(robot):
         remedy = nearest(path, changeable(robot), "see docs/robot-file.md for the values")

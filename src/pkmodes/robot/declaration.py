@@ -26,7 +26,7 @@ class Declaration:
     ----------
     name : str
         The robot's name.
-    mechanism : str
+    mechanism_name : str
         The mechanism's name.
     source : str
         The robot file, for messages.
@@ -44,7 +44,7 @@ class Declaration:
     """
 
     name: str
-    mechanism: str
+    mechanism_name: str
     source: str
     parameters: Parameters
     quantities: Mapping[str, Quantity] = field(repr=False)
@@ -56,11 +56,11 @@ class Declaration:
 
     def __getstate__(self) -> dict[str, Any]:
         # The mechanism comes first: unpickling it registers it, and the parameters need its generated module.
-        return {"kind": self.kind, **vars(self)}
+        return {"mechanism": self.mechanism, **vars(self)}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         # Pickling and copying lose the read-only flag.
-        self.__dict__.update({name: value for name, value in state.items() if name != "kind"})
+        self.__dict__.update({name: value for name, value in state.items() if name != "mechanism"})
         for value in self.parameters:
             if isinstance(value, np.ndarray):
                 value.flags.writeable = False
@@ -75,21 +75,21 @@ class Declaration:
         mappings = (self.quantities, self.effects, self.constants)
         return (
             self.name,
-            self.mechanism,
+            self.mechanism_name,
             tuple((array.shape, *array.ravel().tolist()) for array in arrays),
             *(frozenset(mapping.items()) for mapping in mappings),
         )
 
     @property
-    def kind(self) -> Mechanism:
+    def mechanism(self) -> Mechanism:
         """The mechanism: description and generated functions."""
-        return mechanism(self.mechanism)
+        return mechanism(self.mechanism_name)
 
     @property
     def declared(self) -> dict[str, object]:
         """Every declared value by dotted path, in SI units: quantities, and choices such as a direction."""
         values: dict[str, object] = {path: quantity.value for path, quantity in self.quantities.items()}
-        for item in items(self.kind):
+        for item in items(self.mechanism):
             if item.key.kind not in OF_QUANTITIES:
                 values[item.path] = self._chosen(item)
         return values

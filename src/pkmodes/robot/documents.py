@@ -10,12 +10,12 @@ from pkmodes.robot.layout import EFFECTS, items, lent
 from pkmodes.robot.tables import FORMAT
 
 
-def document_of(kind: Mechanism, name: str, values: Mapping[str, Any]) -> dict[str, Any]:
+def document_of(mechanism: Mechanism, name: str, values: Mapping[str, Any]) -> dict[str, Any]:
     """Return the document of a robot file with only these values.
 
     Parameters
     ----------
-    kind : Mechanism
+    mechanism : Mechanism
     name : str
         The robot's name.
     values : mapping of str to value
@@ -26,11 +26,11 @@ def document_of(kind: Mechanism, name: str, values: Mapping[str, Any]) -> dict[s
     KeyError
         If an element of a vector is missing.
     """
-    document: dict[str, Any] = {"format": FORMAT, "name": name, "mechanism": kind.name}
-    for table in kind.tables:
+    document: dict[str, Any] = {"format": FORMAT, "name": name, "mechanism": mechanism.name}
+    for table in mechanism.tables:
         if table.count:
             document[table.name] = [{} for _ in range(table.count)]
-    for item in items(kind):
+    for item in items(mechanism):
         elements = [number.path for number in item.numbers if number.path != item.path]
         if item.path in values:
             _put(document, item.place, values[item.path])
@@ -38,7 +38,7 @@ def document_of(kind: Mechanism, name: str, values: Mapping[str, Any]) -> dict[s
             _put(document, item.place, [values[path] for path in elements])
     for path, raw in values.items():
         # A value that an effect takes from a table is declared in the table; the effect only repeats it.
-        if path.startswith(f"{EFFECTS}.") and lent(kind).get(path) not in values:
+        if path.startswith(f"{EFFECTS}.") and lent(mechanism).get(path) not in values:
             _put(document, tuple(path.split(".")), raw)
     return document
 

@@ -6,14 +6,15 @@ from collections.abc import Mapping
 from typing import Any
 
 from pkmodes.base.errors import PkmodesError, nearest, shown
-from pkmodes.mechanism.registry import Effect, EffectParameter, Mechanism, mechanism, names
+from pkmodes.mechanism.registry import Effect, EffectParameter, Mechanism, names
+from pkmodes.mechanism.registry import mechanism as mechanism_named
 from pkmodes.robot import schema
 from pkmodes.robot.layout import EFFECTS
 from pkmodes.robot.units import DIMENSIONS, Quantity, article
 
 
 def read_effects(
-    kind: Mechanism,
+    mechanism: Mechanism,
     tables: Mapping[str, Any],
     lent: Mapping[str, Quantity],
     source: str,
@@ -23,7 +24,7 @@ def read_effects(
 
     Parameters
     ----------
-    kind : Mechanism
+    mechanism : Mechanism
     tables : mapping
         The raw tables by effect.
     lent : mapping of str to Quantity
@@ -41,22 +42,22 @@ def read_effects(
     found: dict[str, Quantity] = {}
     for name, table in tables.items():
         where = f"{source}: {EFFECTS}.{name}"
-        if name not in kind.effects:
-            problems.append(_not_there(kind, name, source))
+        if name not in mechanism.effects:
+            problems.append(_not_there(mechanism, name, source))
         elif not isinstance(table, dict):
             remedy = f"write a table [{EFFECTS}.{name}]"
             problems.append(PkmodesError(f"expected a table, found {shown(table)}", where, remedy))
         else:
-            _read_effect(kind.effects[name], table, lent, where, problems, found)
+            _read_effect(mechanism.effects[name], table, lent, where, problems, found)
     return found
 
 
-def _not_there(kind: Mechanism, name: str, source: str) -> PkmodesError:
+def _not_there(mechanism: Mechanism, name: str, source: str) -> PkmodesError:
     where = f"{source}: {EFFECTS}.{shown(name)}"
-    if any(name in mechanism(other).effects for other in names()):
-        what = f"the effect {name} does not apply to the mechanism {kind.name}"
-        return PkmodesError(what, where, f"effects that apply: {', '.join(kind.effects)}")
-    return PkmodesError(f"unknown effect {shown(name)}", where, nearest(name, kind.effects))
+    if any(name in mechanism_named(other).effects for other in names()):
+        what = f"the effect {name} does not apply to the mechanism {mechanism.name}"
+        return PkmodesError(what, where, f"effects that apply: {', '.join(mechanism.effects)}")
+    return PkmodesError(f"unknown effect {shown(name)}", where, nearest(name, mechanism.effects))
 
 
 def _read_effect(

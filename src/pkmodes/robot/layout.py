@@ -107,29 +107,29 @@ class Item:
 
 
 @cache
-def items(kind: Mechanism) -> tuple[Item, ...]:
+def items(mechanism: Mechanism) -> tuple[Item, ...]:
     """Return every key that a robot file may have, in the order of the file, without those of effects."""
-    return tuple(_items(kind))
+    return tuple(_items(mechanism))
 
 
-def _items(kind: Mechanism) -> Iterator[Item]:
+def _items(mechanism: Mechanism) -> Iterator[Item]:
     yield Item(GRAVITY.name, GRAVITY, GRAVITY.index, None, "", (GRAVITY.name,))
-    for table in kind.tables:
+    for table in mechanism.tables:
         if table.count:
             for j in range(table.count):
-                yield from _entry(kind, table, j)
+                yield from _entry(mechanism, table, j)
         else:
             for key in table.keys:
                 index = None if table.shared_by else key.index
                 yield Item(f"{table.name}.{key.name}", key, index, None, "", (table.name, key.name))
 
 
-def _entry(kind: Mechanism, table: Table, j: int) -> Iterator[Item]:
+def _entry(mechanism: Mechanism, table: Table, j: int) -> Iterator[Item]:
     """Yield the keys of one entry of a repeated table: its own keys, and overrides of shared ones."""
     name = f"{table.name}.{j + 1}"
     for key in table.keys:
         yield Item(f"{name}.{key.name}", key, (j, *key.index), j, "", (table.name, j, key.name))
-    for other in kind.tables:
+    for other in mechanism.tables:
         if other.shared_by == table.name:
             for key in other.keys:
                 shared = f"{other.name}.{key.name}"
@@ -138,33 +138,33 @@ def _entry(kind: Mechanism, table: Table, j: int) -> Iterator[Item]:
 
 
 @cache
-def by_path(kind: Mechanism) -> dict[str, Item]:
+def by_path(mechanism: Mechanism) -> dict[str, Item]:
     """Return the keys by their own paths and by the paths of their quantities."""
-    found = {item.path: item for item in items(kind)}
-    return found | {number.path: item for item in items(kind) for number in item.numbers}
+    found = {item.path: item for item in items(mechanism)}
+    return found | {number.path: item for item in items(mechanism) for number in item.numbers}
 
 
 @cache
-def takers(kind: Mechanism) -> dict[str, tuple[Item, ...]]:
+def takers(mechanism: Mechanism) -> dict[str, tuple[Item, ...]]:
     """Return, by the path of a shared value, the keys that take it if they are not given."""
     found: dict[str, tuple[Item, ...]] = {}
-    for item in items(kind):
+    for item in items(mechanism):
         if item.shared:
             found[item.shared] = (*found.get(item.shared, ()), item)
     return found
 
 
 @cache
-def lent(kind: Mechanism) -> dict[str, str]:
+def lent(mechanism: Mechanism) -> dict[str, str]:
     """Return the paths of table values that effects use, by the path of the effect parameter."""
-    return {f"{EFFECTS}.{item.key.effect}": item.path for item in items(kind) if item.key.effect}
+    return {f"{EFFECTS}.{item.key.effect}": item.path for item in items(mechanism) if item.key.effect}
 
 
 @cache
-def effect_parameters(kind: Mechanism) -> dict[str, str]:
+def effect_parameters(mechanism: Mechanism) -> dict[str, str]:
     """Return the SI units of the parameters of all effects that apply, by path."""
     return {
         f"{EFFECTS}.{effect.name}.{parameter.name}": parameter.unit
-        for effect in kind.effects.values()
+        for effect in mechanism.effects.values()
         for parameter in effect.parameters
     }

@@ -79,9 +79,9 @@ def _resolved(robot: Robot, path: str, known: Mapping[str, Moves]) -> ParameterP
         remedy = nearest(path, known, "see docs/sensitivities.md for the paths")
         raise PkmodesError(f"unknown parameter path {shown(path)}", robot.source, remedy)
     unit, weights = known[path]
-    whole = wholes(robot.kind).get(path)
+    whole = wholes(robot.mechanism).get(path)
     if whole is not None and not weights:
-        item = items_of(robot.kind, whole)[0]
+        item = items_of(robot.mechanism, whole)[0]
         what = f"{path} cannot vary: a {item.key.name} that is zero has no direction"
         raise PkmodesError(what, robot.source, f"use elements such as {item.numbers[0].path}")
     value = _value(robot, next(iter(weights))) if whole is None else value_of(robot, whole)
@@ -119,15 +119,15 @@ def _value(robot: Robot, slot: Slot) -> float:
 
 
 def _known(robot: Robot) -> dict[str, Moves]:
-    whole = {w.path: (w.unit, weights_of(robot, w)) for w in robot.kind.wholes}
+    whole = {w.path: (w.unit, weights_of(robot, w)) for w in robot.mechanism.wholes}
     return {**_common(robot), **whole, **_of_entries(robot), **_of_effects(robot)}
 
 
 def _common(robot: Robot) -> dict[str, Moves]:
     """Return the quantities of the robot as a whole, and those that several entries share."""
     found: dict[str, Moves] = {}
-    shared = takers(robot.kind)
-    for item in items(robot.kind):
+    shared = takers(robot.mechanism)
+    for item in items(robot.mechanism):
         if item.path in shared:
             following = [own for own in shared[item.path] if own.path not in robot.quantities]
             slots = [number.slot for own in following for number in own.numbers]
@@ -141,7 +141,7 @@ def _common(robot: Robot) -> dict[str, Moves]:
 def _of_entries(robot: Robot) -> dict[str, Moves]:
     """Return the quantities of single entries, whether they override the shared value or take it."""
     found: dict[str, Moves] = {}
-    of_entries = [item for item in items(robot.kind) if item.entry is not None]
+    of_entries = [item for item in items(robot.mechanism) if item.entry is not None]
     for item in sorted(of_entries, key=lambda item: (item.entry, not item.shared)):
         found |= _single(item)
     return found
@@ -156,5 +156,5 @@ def _single(item: Item) -> dict[str, Moves]:
 def _of_effects(robot: Robot) -> dict[str, Moves]:
     return {
         path: (unit, {(path.removeprefix(f"{EFFECTS}."), ()): 1.0})
-        for path, unit in effect_parameters(robot.kind).items()
+        for path, unit in effect_parameters(robot.mechanism).items()
     }

@@ -84,17 +84,17 @@ def corrected_text(source: Path, changes: Mapping[str, Correction]) -> str:
     units = changeable(robot)
     appended: dict[str, dict[str, Edit]] = {}
     for path, edit in edits.items():
-        keys = _keys(robot.kind, path)
+        keys = _keys(robot.mechanism, path)
         if document.find(keys) is not None:
             _rewrite(document, keys, edit, robot.quantities[path])
         elif _is_appended(document, keys):
             appended.setdefault(path.rpartition(".")[0], {})[path] = edit
         else:
-            document.insert(keys, _new_value(document, robot.kind, path, units[path], edit))
+            document.insert(keys, _new_value(document, robot.mechanism, path, units[path], edit))
             document.comment(keys, edit.note)
     for table, group in appended.items():
         values = {
-            path.rpartition(".")[2]: _new_value(document, robot.kind, path, units[path], edit)
+            path.rpartition(".")[2]: _new_value(document, robot.mechanism, path, units[path], edit)
             for path, edit in group.items()
         }
         notes = dict.fromkeys(edit.note for edit in group.values() if edit.note)
@@ -104,9 +104,9 @@ def corrected_text(source: Path, changes: Mapping[str, Correction]) -> str:
     return text
 
 
-def _keys(kind: Mechanism, path: str) -> Keys:
+def _keys(mechanism: Mechanism, path: str) -> Keys:
     """Return the keys of the document for a dotted path: entries and elements by index."""
-    item = by_path(kind).get(path)
+    item = by_path(mechanism).get(path)
     if item is None:  # an effect parameter
         return tuple(path.split("."))
     return next(number.place for number in item.numbers if number.path == path)
@@ -140,10 +140,10 @@ def _rewrite(document: TomlText, keys: Keys, edit: Edit, before: Quantity) -> No
         document.comment(keys, edit.note)
 
 
-def _new_value(document: TomlText, kind: Mechanism, path: str, unit: str, edit: Edit) -> str:
+def _new_value(document: TomlText, mechanism: Mechanism, path: str, unit: str, edit: Edit) -> str:
     """Format a value that is new in the file: in the notation of the shared value, or in SI units."""
-    item = by_path(kind).get(path)
-    shared = document.find(_keys(kind, item.shared)) if item is not None and item.shared else None
+    item = by_path(mechanism).get(path)
+    shared = document.find(_keys(mechanism, item.shared)) if item is not None and item.shared else None
     shared = shared["value"] if isinstance(shared, dict) else shared
     notation = Notation.si(unit) if shared is None else Notation.of(shared, unit)
     return notation.quantity(edit.value, edit.sigma, edit.digits)
@@ -161,7 +161,7 @@ def _check(text: str, robot: Robot, edits: Mapping[str, Edit]) -> None:
     sigmas = {path: quantity.sigma for path, quantity in robot.quantities.items()}
     sigmas.update({path: edit.sigma for path, edit in edits.items() if edit.sigma is not None})
     changed = set(edits)
-    for borrowed, own in lent(robot.kind).items():
+    for borrowed, own in lent(robot.mechanism).items():
         if own in edits and borrowed in expected:  # the effect takes the value from the table
             expected[borrowed], sigmas[borrowed] = expected[own], sigmas.get(own)
             changed.add(borrowed)

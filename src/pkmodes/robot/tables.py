@@ -36,7 +36,7 @@ class Tables:
     ----------
     name : str
         The robot's name.
-    kind : Mechanism
+    mechanism : Mechanism
     values : mapping of str to Value
         By path, as given in the tables: without merging and without defaults.
     effects : mapping of str to Quantity
@@ -55,20 +55,20 @@ class Tables:
         self.problems: list[PkmodesError] = []
         self._present(document, "format", lambda raw: schema.choice(raw, (FORMAT,)))
         self.name = self._present(document, "name", schema.plain_name) or ""
-        kind = self._present(document, "mechanism", self._mechanism)
-        if kind is None:
+        mechanism = self._present(document, "mechanism", self._mechanism)
+        if mechanism is None:
             raise RobotFileError(self.problems)
-        self.kind = kind
+        self.mechanism = mechanism
         self._key(document, GRAVITY, GRAVITY.name)
-        for table in kind.tables:
+        for table in mechanism.tables:
             if table.count:
-                self._repeated(document, table, [t for t in kind.tables if t.shared_by == table.name])
+                self._repeated(document, table, [t for t in mechanism.tables if t.shared_by == table.name])
             elif table.name in document:
                 self._table(document[table.name], table.name, table.keys, needed=not table.shared_by)
             elif not table.shared_by and any(key.default is None for key in table.keys):
                 self._missing(table.name)
         self.effects = self._effects(document.get(EFFECTS, {}))
-        self._unknown(document, "", [*HEAD, *(table.name for table in kind.tables), EFFECTS])
+        self._unknown(document, "", [*HEAD, *(table.name for table in mechanism.tables), EFFECTS])
 
     def raise_problems(self) -> None:
         """Raise an error with all problems, if there are any."""
@@ -127,17 +127,17 @@ class Tables:
             self.problem(EFFECTS, f"expected a table, found {shown(raw)}", FORMAT_HELP)
             return {}
         values: dict[str, Quantity] = {}
-        for path, own in lent(self.kind).items():
+        for path, own in lent(self.mechanism).items():
             _, effect, name = path.split(".")
             value, table = self.values.get(own), own.rpartition(".")[0]
             given = raw.get(effect)
             if value is not None and isinstance(given, dict) and name in given:
                 what = f"the {name} of the {table} is declared twice"
                 self.problem(path, what, f"keep it in [{table}] and remove it here")
-            value = default_of(by_path(self.kind)[own].key) if value is None else value
+            value = default_of(by_path(self.mechanism)[own].key) if value is None else value
             if isinstance(value, Quantity):
                 values[path] = value
-        return read_effects(self.kind, raw, values, self.source, self.problems)
+        return read_effects(self.mechanism, raw, values, self.source, self.problems)
 
     def _present(self, document: Mapping[str, Any], key: str, read: Callable[[Any], T]) -> T | None:
         if key in document:

@@ -38,22 +38,22 @@ def declaration(document: Mapping[str, Any], source: str) -> Declaration:
     """
     tables = Tables(document, source)
     tables.raise_problems()
-    kind = tables.kind
+    mechanism = tables.mechanism
     values = _merged(tables)
     tables.raise_problems()
-    parameters = _parameters(kind, values)
-    numbers = _quantities(kind, values)
-    for requirement in kind.requirements:
-        _check(requirement, getattr(kind.model, requirement.function)(parameters), numbers, tables)
-    _check_effects(kind, tables)
+    parameters = _parameters(mechanism, values)
+    numbers = _quantities(mechanism, values)
+    for requirement in mechanism.requirements:
+        _check(requirement, getattr(mechanism.model, requirement.function)(parameters), numbers, tables)
+    _check_effects(mechanism, tables)
     tables.raise_problems()
-    constants = {path: tables.effects.get(path) or numbers[own] for path, own in lent(kind).items()}
+    constants = {path: tables.effects.get(path) or numbers[own] for path, own in lent(mechanism).items()}
     return Declaration(
         name=tables.name,
-        mechanism=kind.name,
+        mechanism_name=mechanism.name,
         source=source,
         parameters=parameters,
-        quantities={**_quantities(kind, tables.values), **tables.effects},
+        quantities={**_quantities(mechanism, tables.values), **tables.effects},
         effects=_by_effect(tables.effects),
         constants=_by_effect(constants),
     )
@@ -62,12 +62,12 @@ def declaration(document: Mapping[str, Any], source: str) -> Declaration:
 def _merged(tables: Tables) -> dict[str, schema.Value]:
     """Return the values of all keys: those given, else the shared values, else the defaults."""
     merged: dict[str, schema.Value] = {}
-    for item in items(tables.kind):
+    for item in items(tables.mechanism):
         given = tables.values.get(item.path, tables.values.get(item.shared))
         value = given if given is not None else default_of(item.key)
         if value is not None:
             merged[item.path] = value
-    for shared, own in takers(tables.kind).items():
+    for shared, own in takers(tables.mechanism).items():
         if any(item.path not in merged for item in own):
             key = own[0].key
             example = f'expected {article(key.dimension)} such as "{DIMENSIONS[key.dimension][1]}"'
@@ -75,14 +75,16 @@ def _merged(tables: Tables) -> dict[str, schema.Value]:
     return merged
 
 
-def _parameters(kind: Mechanism, values: Values) -> Parameters:
+def _parameters(mechanism: Mechanism, values: Values) -> Parameters:
     """Return the parameters of the generated model, with every number in its field."""
-    fields: dict[str, dict[tuple[int, ...], float]] = {field: {} for field in kind.model.Parameters._fields}
-    for item in items(kind):
+    fields: dict[str, dict[tuple[int, ...], float]] = {
+        field: {} for field in mechanism.model.Parameters._fields
+    }
+    for item in items(mechanism):
         if item.key.field and item.index is not None:
             for element, number in _numbers(item.key, values[item.path]).items():
                 fields[item.key.field][(*item.index, *element)] = number
-    return kind.model.Parameters(**{field: _filled(numbers) for field, numbers in fields.items()})
+    return mechanism.model.Parameters(**{field: _filled(numbers) for field, numbers in fields.items()})
 
 
 def _numbers(key: Key, value: schema.Value) -> dict[tuple[int, ...], float]:
@@ -108,10 +110,10 @@ def _filled(numbers: Mapping[tuple[int, ...], float]) -> float | np.ndarray:
     return array
 
 
-def _quantities(kind: Mechanism, values: Values) -> dict[str, Quantity]:
+def _quantities(mechanism: Mechanism, values: Values) -> dict[str, Quantity]:
     """Return every quantity by path, in the order of the format."""
     found: dict[str, Quantity] = {}
-    for item in items(kind):
+    for item in items(mechanism):
         value = values.get(item.path)
         elements = value if isinstance(value, tuple) else (value,)
         of_item = [element for element in elements if isinstance(element, Quantity)]
@@ -124,14 +126,14 @@ def _by_effect(quantities: Mapping[str, Quantity]) -> dict[str, float]:
     return {path.removeprefix(f"{EFFECTS}."): quantity.value for path, quantity in quantities.items()}
 
 
-def _check_effects(kind: Mechanism, tables: Tables) -> None:
+def _check_effects(mechanism: Mechanism, tables: Tables) -> None:
     """Check the conditions of the declared effects on their parameters."""
     declared = {path.split(".")[1] for path in tables.effects}
-    for name in [name for name in declared if kind.effects[name].requirements]:
+    for name in [name for name in declared if mechanism.effects[name].requirements]:
         own = {path: q for path, q in tables.effects.items() if path.split(".")[1] == name}
         given = {path.removeprefix(f"{EFFECTS}.").replace(".", "_"): q.value for path, q in own.items()}
-        for requirement in kind.effects[name].requirements:
-            margin = getattr(kind.extended, requirement.function)(kind.extended.Effects(**given))
+        for requirement in mechanism.effects[name].requirements:
+            margin = getattr(mechanism.extended, requirement.function)(mechanism.extended.Effects(**given))
             _check(requirement, margin, own, tables)
 
 

@@ -46,12 +46,12 @@ def with_values(robot: Declaration, values: Mapping[str, Any]) -> Declaration:
 
 def _read(robot: Declaration, values: Mapping[str, Any], source: str) -> Declaration:
     """Return the declaration of a file with only these values."""
-    return declaration(document_of(robot.kind, robot.name, values), source)
+    return declaration(document_of(robot.mechanism, robot.name, values), source)
 
 
 def _changes(robot: Declaration, values: Mapping[str, Any], source: str) -> dict[str, Any]:
     """Return the changed values of the file by path, as a robot file could contain them."""
-    owners = {path: own for path, own in lent(robot.kind).items() if _lent_now(robot, values, path, own)}
+    owners = {path: own for path, own in lent(robot.mechanism).items() if _lent_now(robot, values, path, own)}
     found: dict[str, Any] = {}
     for path, raw in values.items():
         if not isinstance(path, str):
@@ -61,12 +61,12 @@ def _changes(robot: Declaration, values: Mapping[str, Any], source: str) -> dict
             remedy = "give a number or text with a unit; 0 means no effect"
             raise PkmodesError("expected a value, found None", f"{source}: {path}", remedy)
         for element, value in _elements(robot, owners.get(path, path), raw, source).items():
-            others = {element, lent(robot.kind).get(element), *_borrowers(robot, element)}
+            others = {element, lent(robot.mechanism).get(element), *_borrowers(robot, element)}
             if others & found.keys():
                 what = "the value would be changed twice"
                 raise PkmodesError(what, f"{source}: {element}", "change it only once")
             found[element] = value
-    before = {own: robot.quantities.get(path) for path, own in lent(robot.kind).items()}
+    before = {own: robot.quantities.get(path) for path, own in lent(robot.mechanism).items()}
     return {path: _with_sigma(raw, {**before, **robot.quantities}.get(path)) for path, raw in found.items()}
 
 
@@ -82,22 +82,24 @@ def _begins(name: object, table: str) -> bool:
 
 
 def _borrowers(robot: Declaration, own: str) -> list[str]:
-    return [path for path, owner in lent(robot.kind).items() if owner == own]
+    return [path for path, owner in lent(robot.mechanism).items() if owner == own]
 
 
 def _elements(robot: Declaration, path: str, raw: Any, source: str) -> dict[str, Any]:
     """Return the values of the file that a value by path changes."""
     known = changeable(robot)
     raw = _plain(raw, known.get(path), f"{source}: {path}")
-    if path in (of_mechanism := wholes(robot.kind)):
+    if path in (of_mechanism := wholes(robot.mechanism)):
         whole = of_mechanism[path]
         return dict(elements_of(robot, whole, _value_of_whole(robot, whole, raw, source)))
     if path in known:
         _check_taken(robot, path)
         return {path: raw}
-    item = by_path(robot.kind).get(path)
+    item = by_path(robot.mechanism).get(path)
     if item is None:
-        vectors = [one.path for one in by_path(robot.kind).values() if one.path not in known and one.numbers]
+        vectors = [
+            one.path for one in by_path(robot.mechanism).values() if one.path not in known and one.numbers
+        ]
         remedy = nearest(path, [*known, *vectors], "see docs/sensitivities.md for the paths")
         raise PkmodesError(f"unknown parameter path {shown(path)}", robot.source, remedy)
     if not item.numbers:
@@ -136,14 +138,14 @@ def _value_of_whole(robot: Declaration, whole: Whole, raw: Any, source: str) -> 
     if isinstance(raw, Mapping):
         raw = {key: value for key, value in raw.items() if key != "sigma"}
     try:
-        return schema.quantity(raw, items_of(robot.kind, whole)[0].key.dimension, above=0.0).value
+        return schema.quantity(raw, items_of(robot.mechanism, whole)[0].key.dimension, above=0.0).value
     except schema.RefusedError as error:
         raise PkmodesError(error.what, where, error.remedy) from None
 
 
 def _check_taken(robot: Declaration, path: str) -> None:
     """Reject a change of a shared value that every entry overrides: it would have no effect."""
-    own = [item.path for item in takers(robot.kind).get(path, ())]
+    own = [item.path for item in takers(robot.mechanism).get(path, ())]
     if own and all(taker in robot.quantities for taker in own):
         raise PkmodesError(
             f"no {own[0].partition('.')[0]} takes the shared value {path}: each overrides it",

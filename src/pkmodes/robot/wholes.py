@@ -20,14 +20,14 @@ from pkmodes.robot.layout import Item, Slot, items
 Array = NDArray[np.float64]
 
 
-def wholes(kind: Mechanism) -> dict[str, Whole]:
+def wholes(mechanism: Mechanism) -> dict[str, Whole]:
     """Return the wholes of a mechanism by path."""
-    return {whole.path: whole for whole in kind.wholes}
+    return {whole.path: whole for whole in mechanism.wholes}
 
 
-def items_of(kind: Mechanism, whole: Whole) -> list[Item]:
+def items_of(mechanism: Mechanism, whole: Whole) -> list[Item]:
     """Return the pairs or vectors that a whole changes."""
-    return [item for item in items(kind) if item.key.field == whole.field]
+    return [item for item in items(mechanism) if item.key.field == whole.field]
 
 
 def value_of(robot: Declaration, whole: Whole) -> float:
@@ -48,7 +48,7 @@ def weights_of(robot: Declaration, whole: Whole) -> dict[Slot, float]:
         rates = vectors / norms
     return {
         number.slot: rate
-        for item, row in zip(items_of(robot.kind, whole), rates.tolist(), strict=True)
+        for item, row in zip(items_of(robot.mechanism, whole), rates.tolist(), strict=True)
         for number, rate in zip(item.numbers, row, strict=True)
         if rate != 0.0 and number.slot is not None
     }
@@ -64,7 +64,7 @@ def elements_of(robot: Declaration, whole: Whole, value: float) -> dict[str, flo
     """
     vectors = _vectors(robot, whole).tolist()
     found: dict[str, float] = {}
-    for item, vector in zip(items_of(robot.kind, whole), vectors, strict=True):
+    for item, vector in zip(items_of(robot.mechanism, whole), vectors, strict=True):
         if whole.kind == "span":
             moved = _apart(vector, value - (vectors[0][1] - vectors[0][0]))
         else:
@@ -98,4 +98,4 @@ def _along(vector: Sequence[float], change: float, item: Item, source: str) -> l
 def _vectors(robot: Declaration, whole: Whole) -> Array:
     """Return one row for each pair or vector."""
     field = np.asarray(getattr(robot.parameters, whole.field))
-    return np.array([field[item.index] for item in items_of(robot.kind, whole)])
+    return np.array([field[item.index] for item in items_of(robot.mechanism, whole)])

@@ -46,40 +46,40 @@ class Entries(NamedTuple):
     column: Index
 
 
-def _listed(kind: Mechanism) -> tuple[Any, ...]:
+def _listed(mechanism: Mechanism) -> tuple[Any, ...]:
     """Return the generated parameters with derivatives: field, index, entries of M and K; the geometry comes last."""
-    return (*kind.extended.VALUE_SENSITIVITIES, *kind.extended.GEOMETRY_SENSITIVITIES)
+    return (*mechanism.extended.VALUE_SENSITIVITIES, *mechanism.extended.GEOMETRY_SENSITIVITIES)
 
 
 @cache
-def effect_fields(kind: Mechanism) -> dict[str, str]:
+def effect_fields(mechanism: Mechanism) -> dict[str, str]:
     """Return the dotted names of effect parameters, as slots have them, by their generated fields."""
     return {
         f"{effect.name}_{parameter.name}": f"{effect.name}.{parameter.name}"
-        for effect in kind.effects.values()
+        for effect in mechanism.effects.values()
         for parameter in effect.parameters
     }
 
 
 @cache
-def _slots(kind: Mechanism) -> dict[Slot, int]:
+def _slots(mechanism: Mechanism) -> dict[Slot, int]:
     """Return the index of each generated parameter with derivatives."""
-    dotted = effect_fields(kind)
-    return {(dotted.get(field, field), index): i for i, (field, index, *_) in enumerate(_listed(kind))}
+    dotted = effect_fields(mechanism)
+    return {(dotted.get(field, field), index): i for i, (field, index, *_) in enumerate(_listed(mechanism))}
 
 
 @cache
-def _entries(kind: Mechanism, matrix: int) -> Entries:
-    places = [(i, *place) for i, entry in enumerate(_listed(kind)) for place in entry[2 + matrix]]
+def _entries(mechanism: Mechanism, matrix: int) -> Entries:
+    places = [(i, *place) for i, entry in enumerate(_listed(mechanism)) for place in entry[2 + matrix]]
     return Entries(*np.array(places, dtype=np.intp).reshape(-1, 3).T)
 
 
 @cache
-def joints_of(kind: Mechanism) -> dict[Slot, tuple[int, ...]]:
+def joints_of(mechanism: Mechanism) -> dict[Slot, tuple[int, ...]]:
     """Return the coordinates that each compliance, of all joints or a single one, releases in the extended model."""
     found: dict[Slot, tuple[int, ...]] = {}
-    for effect in kind.effects.values():
-        place = tuple(kind.extended.COORDINATES.index(q.name) for q in effect.coordinates)
+    for effect in mechanism.effects.values():
+        place = tuple(mechanism.extended.COORDINATES.index(q.name) for q in effect.coordinates)
         compliance = f"{effect.name}.{effect.parameters[0].name}"
         if place:
             found[compliance, ()] = place
@@ -88,10 +88,10 @@ def joints_of(kind: Mechanism) -> dict[Slot, tuple[int, ...]]:
     return found
 
 
-def geometry_of(kind: Mechanism) -> frozenset[str]:
+def geometry_of(mechanism: Mechanism) -> frozenset[str]:
     """Return the generated parameters that change the platform's motion with the coordinates."""
-    fields = {field for field, *_ in kind.extended.GEOMETRY_SENSITIVITIES}
-    return frozenset(fields | {field for field, other in kind.differences.items() if other in fields})
+    fields = {field for field, *_ in mechanism.extended.GEOMETRY_SENSITIVITIES}
+    return frozenset(fields | {field for field, other in mechanism.differences.items() if other in fields})
 
 
 def locked_joints(
@@ -102,7 +102,7 @@ def locked_joints(
     found: dict[int, list[tuple[tuple[int, ...], float]]] = {}
     for t, path in enumerate(paths):
         for slot, weight in path.weights.items():
-            place = tuple(q for q in joints_of(system.kind).get(slot, ()) if q not in free)
+            place = tuple(q for q in joints_of(system.mechanism).get(slot, ()) if q not in free)
             if place:
                 found.setdefault(t, []).append((place, weight))
     return found
@@ -154,22 +154,22 @@ class MatrixDerivatives:
         each = len(p) // shape[0]
         rates = np.atleast_2d(system.joint_rates)[:: each or 1]
         self._springs, self._each = np.zeros((*shape, self.M.shape[-1])), (shape[0], each)
-        slots, free = _slots(system.kind), set(system.free)
+        slots, free = _slots(system.mechanism), set(system.free)
         along = np.zeros((shape[0], len(slots), shape[1]))
         self._shift = np.zeros((*shape, p.shape[-1]))
         for b, t in np.ndindex(shape):
             for slot, weight in paths[b][t].weights.items():
-                if slot in joints_of(system.kind):
-                    place = [q for q in joints_of(system.kind)[slot] if q in free]
+                if slot in joints_of(system.mechanism):
+                    place = [q for q in joints_of(system.mechanism)[slot] if q in free]
                     self._springs[b, t, place] += weight * rates[b, place]
                 elif slot[0] == POSE:
                     self._shift[b, t, slot[1]] += weight
                 elif slot in slots:
                     along[b, slots[slot], t] += weight
                 else:  # the field enters only as the difference from another field
-                    along[b, slots[system.kind.differences[slot[0]], slot[1]], t] -= weight
+                    along[b, slots[system.mechanism.differences[slot[0]], slot[1]], t] -= weight
         self._along = tuple(along[:, self._entries(matrix).slot] for matrix in (0, 1))
-        geometry = bool(along[:, len(system.kind.extended.VALUE_SENSITIVITIES) :].any())
+        geometry = bool(along[:, len(system.mechanism.extended.VALUE_SENSITIVITIES) :].any())
         self._values = system.derivatives(p, geometry=geometry)
         self._by_pose = system.by_pose(p) if self._shift.any() else None
 
@@ -302,7 +302,7 @@ class MatrixDerivatives:
         return np.asarray(change + left * shapes + factor.T[..., None] * rest)
 
     def _entries(self, matrix: int) -> Entries:
-        return _entries(self._system.kind, matrix)
+        return _entries(self._system.mechanism, matrix)
 
     def _moving(self, matrix: int) -> Index:
         """Return the entries of M or K that change along any path."""

@@ -163,7 +163,7 @@ def sensitivities(
             lambda p: _in_parts(lambda part: _at(resolved, part, limit, asked, evaluator), p),
         )
     else:
-        checked = check_poses(poses, robot.kind, robot.parameters, on_error, max_condition)
+        checked = check_poses(poses, robot.mechanism, robot.parameters, on_error, max_condition)
         gathered = Gathered(checked, out)
         # In parts of equal size: a single pose is evaluated differently, which gives repeated modes another basis.
         for where, p in checked.parts(TOGETHER, even=True):
@@ -190,7 +190,7 @@ def _chosen(robot: Robot, parameters: Sequence[str] | None) -> list[ParameterPat
         # A zero vector has no direction along which its radius could change; it was not requested by name.
         still = {
             whole.path
-            for whole in robot.kind.wholes
+            for whole in robot.mechanism.wholes
             if whole.kind == "radius" and not getattr(robot.parameters, whole.field).any(axis=1).all()
         }
         return resolve_all(robot, [path for path in paths(robot) if path not in still])

@@ -31,11 +31,11 @@ def terms_of(system: SystemOfEffects, paths: Sequence[ParameterPath]) -> Terms:
     """
     values = _values(system)
     parameters, pose = flat(system.parameters).size, len(values)
-    joints = pose + len(system.kind.pose)
+    joints = pose + len(system.mechanism.pose)
     found = [list(_terms(system, path, values)) for path in paths]
     places = np.array([place for terms in found for place, _ in terms], dtype=np.int32)
     weights = np.array([weight for terms in found for _, weight in terms], dtype=float)
-    locked = np.setdiff1d(np.arange(len(system.kind.extended.COORDINATES)), system.free)
+    locked = np.setdiff1d(np.arange(len(system.mechanism.extended.COORDINATES)), system.free)
     of_effects = ((places >= parameters) & (places < pose)) | (places >= joints)
     return Terms(
         first=np.cumsum([0, *map(len, found)], dtype=np.int32),
@@ -52,10 +52,10 @@ def _terms(
 ) -> Iterator[tuple[int, float]]:
     """Yield place and weight of the terms of a path."""
     pose = len(values)
-    joints, free = pose + len(system.kind.pose), set(system.free.tolist())
+    joints, free = pose + len(system.mechanism.pose), set(system.free.tolist())
     for slot, weight in path.weights.items():
-        if slot in joints_of(system.kind):
-            for joint in joints_of(system.kind)[slot]:
+        if slot in joints_of(system.mechanism):
+            for joint in joints_of(system.mechanism)[slot]:
                 rate = float(system.joint_rates[joint]) if joint in free else 1.0
                 yield joints + joint, weight * rate
         elif slot[0] == POSE:
@@ -66,7 +66,7 @@ def _terms(
 
 def _values(system: SystemOfEffects) -> dict[Slot, int]:
     """Return the place of each number of the robot in a gradient."""
-    dotted = effect_fields(system.kind)
+    dotted = effect_fields(system.mechanism)
     slots = [
         (dotted.get(name, name), index)
         for numbers in (system.parameters, system.effects)

@@ -70,13 +70,13 @@ def all_cores() -> int:
 
 
 def compiled(
-    kind: Mechanism, evaluation: Evaluation, largest_condition: float, backend: str
+    mechanism: Mechanism, evaluation: Evaluation, largest_condition: float, backend: str
 ) -> Evaluator | None:
     """Make the compiled evaluator of a robot.
 
     Parameters
     ----------
-    kind : Mechanism
+    mechanism : Mechanism
     evaluation : Evaluation
         Of the robot.
     largest_condition : float
@@ -101,11 +101,11 @@ def compiled(
     from pkmodes.compiled.loader import UnavailableError, load
 
     try:
-        found = load(kind.package, kind.name)
+        found = load(mechanism.package, mechanism.name)
         return Evaluator(found, evaluation.lanes(), len(evaluation.coordinates), largest_condition)
     except UnavailableError as error:
         if backend == AUTO:
             return None
         raise PkmodesError(
-            f"the compiled back end is not available: {error.why}", kind.name, error.remedy
+            f"the compiled back end is not available: {error.why}", mechanism.name, error.remedy
         ) from None

@@ -73,8 +73,8 @@ def evaluated(
     PoseError, PkmodesError
         As `pkmodes.Model.modes` does.
     """
-    kind = robot.kind
-    points, batch = given_poses(poses, kind, on_error)
+    mechanism = robot.mechanism
+    points, batch = given_poses(poses, mechanism, on_error)
     points = np.ascontiguousarray(points)
     arrays, rows = allotted(job.tails, batch, out)
     size, known = (len(points), evaluator.modes), None
@@ -82,7 +82,7 @@ def evaluated(
         released = evaluator.coordinates > job.evaluation.first  # NumPy may refuse one of the joints
         first = {EIGENVALUES: np.empty(size)} if job.by_eigenvalues and released else {}
         codes = evaluator.run(points, first, threads)
-        refuse(points, np.where(codes == UNSOLVED, 0, codes), kind, robot.parameters)
+        refuse(points, np.where(codes == UNSOLVED, 0, codes), mechanism, robot.parameters)
         if first:
             known = _redone(job, points[job.left(codes, first)])
     written = {job.kernel[name]: array for name, array in rows.items()}
@@ -91,7 +91,7 @@ def evaluated(
     codes = evaluator.run(points, written, threads, terms=job.terms)
     left = job.left(codes, written)
     if on_error == "raise" and codes.any():  # report a pose out of reach before a joint that is too soft
-        refuse(points, np.where(codes == UNSOLVED, 0, codes), kind, robot.parameters)
+        refuse(points, np.where(codes == UNSOLVED, 0, codes), mechanism, robot.parameters)
     if len(left):
         for name, values in (_redone(job, points[left]) if known is None else known).items():
             rows[name][left] = values
@@ -99,7 +99,7 @@ def evaluated(
     for name, array in arrays.items():
         if not np.may_share_memory(array, rows[name]):
             array[...] = rows[name].reshape(array.shape)
-    return CheckedPoses(points, codes, batch, codes_of(kind)), arrays
+    return CheckedPoses(points, codes, batch, codes_of(mechanism)), arrays
 
 
 def _redone(job: Job, points: Array) -> dict[str, Array]:
@@ -215,13 +215,13 @@ def left_to_numpy(
 
 def _tail(name: str, robot: Robot, evaluator: Evaluator) -> tuple[int, ...]:
     """Return the shape of a field at one pose."""
-    m, n, kind = evaluator.modes, evaluator.coordinates, robot.kind
+    m, n, mechanism = evaluator.modes, evaluator.coordinates, robot.mechanism
     return {
         "frequencies": (m,),
         "shapes": (m, n),
-        "platform_shapes": (m, len(kind.directions)),
-        JOINTS: (len(kind.independent),),
-        CARRIAGES: (len(kind.independent),),
+        "platform_shapes": (m, len(mechanism.directions)),
+        JOINTS: (len(mechanism.independent),),
+        CARRIAGES: (len(mechanism.independent),),
         "mass_matrix": (n, n),
         "stiffness_matrix": (n, n),
     }[name]

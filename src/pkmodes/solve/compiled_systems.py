@@ -42,12 +42,12 @@ def modes_of_systems(systems: Sequence[SystemOfEffects], points: Array) -> tuple
     arrays: dict[str, Array] = {}
     codes = np.empty(len(points), dtype=np.int8)
     for b, system in enumerate(systems):
-        evaluator = compiled(system.kind, system, MAX_CONDITION, AUTO)
+        evaluator = compiled(system.mechanism, system, MAX_CONDITION, AUTO)
         if evaluator is None:
             return None
         if not arrays:
             n, m = evaluator.coordinates, evaluator.modes
-            tails = {EIGENVALUES: (m,), SHAPES: (m, n), MOTIONS: (m, len(first.kind.directions))}
+            tails = {EIGENVALUES: (m,), SHAPES: (m, n), MOTIONS: (m, len(first.mechanism.directions))}
             arrays = {name: np.empty((len(points), *tail)) for name, tail in tails.items()}
         if evaluator.modes != arrays[EIGENVALUES].shape[1]:
             return None

@@ -97,7 +97,7 @@ class Dynamics(Kinematics):
         >>> modes.reason
         array(['', 'limits'], dtype='<U9')
         """
-        asked = chosen_fields(fields, out, Modes.fields_of(self.kind))
+        asked = chosen_fields(fields, out, Modes.fields_of(self.mechanism))
         # Both names refer to the same values; they share one array unless the caller passes a second one.
         same = {JOINTS, CARRIAGES} <= set(asked) and CARRIAGES not in (out or ())
         computed = [name for name in asked if not (same and name == CARRIAGES)]
@@ -166,7 +166,7 @@ class Dynamics(Kinematics):
         """The compiled evaluator, None where NumPy computes."""
         name = chosen(backend)
         if name not in self._evaluators:
-            self._evaluators[name] = compiled(self.kind, self._evaluation, self.max_condition, name)
+            self._evaluators[name] = compiled(self.mechanism, self._evaluation, self.max_condition, name)
         return self._evaluators[name]
 
     def matrices(self, poses: ArrayLike, on_error: OnError = "raise") -> tuple[Array, Array]:

@@ -43,13 +43,13 @@ class Kinematics:
     Attributes
     ----------
     robot : Robot
-    kind : Mechanism
+    mechanism : Mechanism
         Description of the mechanism.
 
     Notes
     -----
     ``poses`` is one pose of shape (d,) or an array of shape (..., d), in SI units, with the mechanism's pose
-    components (`kind.pose`); results have the same leading axes.  With ``on_error="raise"`` the first pose that
+    components (`mechanism.pose`); results have the same leading axes.  With ``on_error="raise"`` the first pose that
     cannot be evaluated raises a `PoseError`; with ``"nan"`` it gives NaN.  An array that does not hold poses always
     raises a `PoseError`.
     """
@@ -59,13 +59,13 @@ class Kinematics:
             raise PkmodesError(f"expected a Robot, found {shown(robot)}", "Model", "use pkmodes.load(path)")
         self.max_condition = largest_condition(max_condition)
         self.robot = robot
-        self.kind = robot.kind
-        self._generated = Generated(self.kind.model, robot.parameters)
+        self.mechanism = robot.mechanism
+        self._generated = Generated(self.mechanism.model, robot.parameters)
 
     @property
     def reasons(self) -> dict[str, str]:
         """Codes that ``reason`` may have for a pose that cannot be evaluated, with their meanings."""
-        return reasons(self.kind)
+        return reasons(self.mechanism)
 
     def check(self, poses: ArrayLike) -> PoseCheck:
         """Check which poses can be evaluated, and why the others cannot.
@@ -139,7 +139,7 @@ class Kinematics:
         Returns
         -------
         ndarray, shape (..., k)
-            In SI units, in the order of ``kind.independent``.
+            In SI units, in the order of ``mechanism.independent``.
         """
         (q,) = self._at(poses, on_error, "inverse_kinematics")
         return q
@@ -150,7 +150,7 @@ class Kinematics:
         Parameters
         ----------
         positions : array_like, shape (k,) or (..., k)
-            In the order of ``kind.independent``, in SI units.
+            In the order of ``mechanism.independent``, in SI units.
         assembly : {1, -1}
             Assembly branch, see `assembly`.
 
@@ -171,8 +171,8 @@ class Kinematics:
             raise PoseError(
                 f"expected assembly 1 or -1, found {shown(assembly)}", "assembly", "choose a branch"
             )
-        what = self.kind.independent_are
-        size, names = len(self.kind.independent), ", ".join(self.kind.independent)
+        what = self.mechanism.independent_are
+        size, names = len(self.mechanism.independent), ", ".join(self.mechanism.independent)
         q, batch = as_points(positions, what, size, f"give {names} in SI units")
         with np.errstate(all="ignore"):
             p: Array = function(q, assembly)
@@ -205,12 +205,14 @@ class Kinematics:
         return np.sign(determinant)
 
     def _check(self, poses: ArrayLike, on_error: OnError) -> CheckedPoses:
-        return check_poses(poses, self.kind, self.robot.parameters, on_error, self.max_condition)
+        return check_poses(poses, self.mechanism, self.robot.parameters, on_error, self.max_condition)
 
     def _function(self, name: str) -> Callable[..., Any]:
         """Return a function of the base model that not every mechanism has."""
         if not self._generated.has(name):
-            what = f"the mechanism {self.kind.name} has no {name.replace('_', ' ')} with assembly branches"
+            what = (
+                f"the mechanism {self.mechanism.name} has no {name.replace('_', ' ')} with assembly branches"
+            )
             raise PkmodesError(what, self.robot.source, "start from poses: Model.inverse_kinematics")
         return getattr(self._generated, name)  # type: ignore[no-any-return]
 

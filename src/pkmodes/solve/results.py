@@ -156,12 +156,12 @@ class Modes(ChosenFields):
     stiffness_matrix: Array = field(init=False)
 
     @classmethod
-    def fields_of(cls, kind: Mechanism) -> tuple[str, ...]:
+    def fields_of(cls, mechanism: Mechanism) -> tuple[str, ...]:
         """Return the ``FIELDS`` that exist for a mechanism.
 
         Parameters
         ----------
-        kind : Mechanism
+        mechanism : Mechanism
             Attribute of a model.
 
         Returns
@@ -169,7 +169,7 @@ class Modes(ChosenFields):
         tuple of str
             In the order of ``FIELDS``.
         """
-        carriages = kind.independent_are.replace(" ", "_") == CARRIAGES
+        carriages = mechanism.independent_are.replace(" ", "_") == CARRIAGES
         return tuple(name for name in cls.FIELDS if carriages or name != CARRIAGES)
 
     def _repr_html_(self) -> str | None:
@@ -180,7 +180,7 @@ class Modes(ChosenFields):
 
         return table_of_modes(
             self.robot.name,
-            self.robot.kind.pose,
+            self.robot.mechanism.pose,
             self.poses.reshape(-1, self.poses.shape[-1]),
             self.frequencies.reshape(-1, self.frequencies.shape[-1])[:, self.rigid_modes :],
             np.atleast_1d(self.reason).ravel(),
@@ -286,10 +286,10 @@ class PoseCheck(AtPoses):
         """Sentences that say what is wrong with each pose, with the remedy."""
         found = np.full(self.codes.size, "", dtype=object)
         every, codes = np.flatnonzero(self.codes), self.codes.reshape(-1)
-        kind, points = self.robot.kind, self.poses.reshape(self.codes.size, -1)
+        mechanism, points = self.robot.mechanism, self.poses.reshape(self.codes.size, -1)
         for start in range(0, len(every), CHUNK):
             bad = every[start : start + CHUNK]
-            texts = explained(points[bad], codes[bad], kind, self.robot.parameters)
+            texts = explained(points[bad], codes[bad], mechanism, self.robot.parameters)
             found[bad] = [f"{what}; {remedy}" for what, remedy in texts]
         shaped: NDArray[np.object_] = found.reshape(self.codes.shape)[()]
         return shaped

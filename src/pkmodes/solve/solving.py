@@ -115,6 +115,6 @@ def fields_of_modes(
     elif OF_MATRICES & set(asked):
         found["mass_matrix"], found["stiffness_matrix"] = matrices(evaluation, p)
     if OF_JOINTS & set(asked):
-        joints = Generated(robot.kind.model, robot.parameters).inverse_kinematics(p)
+        joints = Generated(robot.mechanism.model, robot.parameters).inverse_kinematics(p)
         found |= dict.fromkeys(OF_JOINTS, joints)
     return {name: found[name] for name in asked}

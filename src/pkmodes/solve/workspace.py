@@ -41,8 +41,8 @@ def box_of(model: Kinematics, pose: Array | None = None) -> tuple[Array, Array]:
     """
     rng = np.random.default_rng(SEED)
     with np.errstate(all="ignore"):
-        generated = Generated(model.kind.model, model.robot.parameters)
-        drawn = drawn_poses(generated, model.kind, model.robot.parameters, rng, DRAWS)
+        generated = Generated(model.mechanism.model, model.robot.parameters)
+        drawn = drawn_poses(generated, model.mechanism, model.robot.parameters, rng, DRAWS)
     drawn = drawn[np.isfinite(drawn).all(axis=-1)]
     found = drawn[model.check(drawn).valid] if len(drawn) else drawn
     if pose is None:
@@ -87,7 +87,7 @@ def hanging(model: Kinematics, poses: Array) -> Array:
     if not model.has_assemblies:
         return poses
     sides = model.assembly(poses)
-    potential = Generated(model.kind.model, model.robot.parameters).gravity_potential(poses)
+    potential = Generated(model.mechanism.model, model.robot.parameters).gravity_potential(poses)
     chosen: Array = poses[
         sides == min(np.unique(sides), key=lambda side: float(potential[sides == side].mean()))
     ]

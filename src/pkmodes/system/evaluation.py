@@ -66,12 +66,12 @@ class Evaluation(Protocol):
 class BaseEvaluation:
     """The base model, without effects."""
 
-    def __init__(self, kind: Mechanism, parameters: Any) -> None:
-        self._kind, self._parameters = kind, parameters
-        self._generated = Generated(kind.model, parameters)
-        self.coordinates = tuple(q.name for q in kind.coordinates)
+    def __init__(self, mechanism: Mechanism, parameters: Any) -> None:
+        self._mechanism, self._parameters = mechanism, parameters
+        self._generated = Generated(mechanism.model, parameters)
+        self.coordinates = tuple(q.name for q in mechanism.coordinates)
         self.first = len(self.coordinates)
-        self.rigid_modes = kind.rigid_modes
+        self.rigid_modes = mechanism.rigid_modes
 
     def all_coordinates(self, p: Array) -> tuple[Array, Array]:
         """Return M and K, each (N, n, n)."""
@@ -88,9 +88,9 @@ class BaseEvaluation:
 
     def platform_motion(self, p: Array) -> Array:
         """Return the absolute platform motion per unit of each coordinate, (N, directions, n)."""
-        pose = [component.name for component in self._kind.pose]
-        rows = [pose.index(name) for name in self._kind.directions]
-        columns = [self.coordinates.index(name) for name in self._kind.independent]
+        pose = [component.name for component in self._mechanism.pose]
+        rows = [pose.index(name) for name in self._mechanism.directions]
+        columns = [self.coordinates.index(name) for name in self._mechanism.independent]
         motion = np.zeros((*p.shape[:-1], len(rows), len(self.coordinates)))
         motion[..., columns] = self._generated.platform_jacobian(p)[..., rows, :]
         return motion
@@ -111,7 +111,7 @@ class SystemOfEffects:
 
     Parameters
     ----------
-    kind : Mechanism
+    mechanism : Mechanism
     parameters : Parameters
         The robot, as the generated model takes it.
     effects : mapping of str to float
@@ -120,7 +120,7 @@ class SystemOfEffects:
 
     Attributes
     ----------
-    kind : Mechanism
+    mechanism : Mechanism
     parameters, effects : Parameters and Effects
         Arguments of the generated model.
     free : ndarray of int, shape (n,)
@@ -134,12 +134,12 @@ class SystemOfEffects:
         coordinates.  For several robots (`stacked`), (N, e) for their N poses.
     """
 
-    def __init__(self, kind: Mechanism, parameters: Any, effects: Mapping[str, float]) -> None:
-        self.kind, self.parameters = kind, parameters
-        extended = kind.extended
+    def __init__(self, mechanism: Mechanism, parameters: Any, effects: Mapping[str, float]) -> None:
+        self.mechanism, self.parameters = mechanism, parameters
+        extended = mechanism.extended
         shared, single = _shared_and_single(effects)
         self.effects = extended.Effects(**shared)
-        base = self.first = len(kind.coordinates)
+        base = self.first = len(mechanism.coordinates)
         with np.errstate(divide="ignore"):
             stiffness, rates = extended.joint_stiffness(self.effects)
             for coordinate, name, value in single:
@@ -151,13 +151,13 @@ class SystemOfEffects:
         self.joints = np.concatenate([np.zeros(base), np.where(free, stiffness, 0.0)])
         self.joint_rates = np.concatenate([np.zeros(base), np.where(free, rates, 0.0)])
         self.coordinates: tuple[str, ...] = tuple(extended.COORDINATES[i] for i in self.free)
-        grounded = any(kind.effects[name].grounds for name in active_effects(kind, effects))
-        self.rigid_modes = 0 if grounded else kind.rigid_modes
+        grounded = any(mechanism.effects[name].grounds for name in active_effects(mechanism, effects))
+        self.rigid_modes = 0 if grounded else mechanism.rigid_modes
 
     @classmethod
     def of(cls, robot: Robot) -> SystemOfEffects:
         """Return the system of a robot, with or without effects."""
-        return cls(robot.kind, robot.parameters, robot.effects)
+        return cls(robot.mechanism, robot.parameters, robot.effects)
 
     @classmethod
     def stacked(cls, systems: Sequence[SystemOfEffects], count: int) -> SystemOfEffects:
@@ -221,9 +221,9 @@ class SystemOfEffects:
 
     def massless(self) -> NDArray[np.bool_]:
         """Return which released coordinates have no inertia."""
-        values = (*self.effects, *(getattr(self.parameters, name) for name in _inertias(self.kind)))
+        values = (*self.effects, *(getattr(self.parameters, name) for name in _inertias(self.mechanism)))
         zeros = b"".join((np.asarray(value) == 0.0).tobytes() for value in values)
-        found: NDArray[np.bool_] = _massless(self.kind, zeros)[self.free]
+        found: NDArray[np.bool_] = _massless(self.mechanism, zeros)[self.free]
         found[: self.first] = False
         return found
 
@@ -234,7 +234,7 @@ class SystemOfEffects:
     def motion_of_all(self, p: Array, parameters: Any = None) -> Array:
         """Return the same for all coordinates, (N, directions, e), optionally with other parameters."""
         given = self.parameters if parameters is None else parameters
-        return np.asarray(Generated(self.kind.extended, given).extended_platform_motion(p))
+        return np.asarray(Generated(self.mechanism.extended, given).extended_platform_motion(p))
 
     def statics(self, p: Array) -> tuple[Array, Array]:
         """Return torques (N, drives) [N m] and static values of the dependent coordinates (N, ...)."""
@@ -252,12 +252,12 @@ class SystemOfEffects:
         )
 
     def _entries_of_geometry(self) -> tuple[int, int]:
-        listed = self.kind.extended.GEOMETRY_SENSITIVITIES
+        listed = self.mechanism.extended.GEOMETRY_SENSITIVITIES
         return sum(len(entry[2]) for entry in listed), sum(len(entry[3]) for entry in listed)
 
     @property
     def _generated(self) -> Generated:
-        return Generated(self.kind.extended, self.parameters, self.effects)
+        return Generated(self.mechanism.extended, self.parameters, self.effects)
 
     def _single(self, name: str, p: Array) -> tuple[Array, ...]:
         """Evaluate a generated function; a single pose uses scalars, several times faster than arrays of length 1."""
@@ -266,26 +266,28 @@ class SystemOfEffects:
 
 
 @cache
-def _inertias(kind: Mechanism) -> tuple[str, ...]:
+def _inertias(mechanism: Mechanism) -> tuple[str, ...]:
     """Return the generated parameters that are inertias."""
-    return tuple(dict.fromkeys(key.field for key in declared(kind) if key.dimension in INERTIAS))
+    return tuple(dict.fromkeys(key.field for key in declared(mechanism) if key.dimension in INERTIAS))
 
 
 @cache
-def _massless(kind: Mechanism, zeros: bytes) -> NDArray[np.bool_]:
+def _massless(mechanism: Mechanism, zeros: bytes) -> NDArray[np.bool_]:
     """Return which of all coordinates have no inertia, (e,).
 
     This depends only on which effects and inertias are zero, in their order; it is read from M of the sample geometry
     at a regular pose, with ones for the others.
     """
-    plain, effects, names = sample(kind), kind.extended.Effects(), _inertias(kind)
+    plain, effects, names = sample(mechanism), mechanism.extended.Effects(), _inertias(mechanism)
     present = 1.0 - np.frombuffer(zeros, dtype=np.bool_)
     shapes = [np.shape(value) for value in (*effects, *(getattr(plain, name) for name in names))]
     ends = np.cumsum([int(np.prod(shape)) for shape in shapes])
     values = [part.reshape(shape) for part, shape in zip(np.split(present, ends[:-1]), shapes, strict=True)]
     plain = plain._replace(**dict(zip(names, values[len(effects) :], strict=True)))
-    p = regular_poses(Generated(kind.model, plain), kind, plain, 1)
-    M, _, _ = Generated(kind.extended, plain, effects._make(values[: len(effects)])).extended_matrices(p[0])
+    p = regular_poses(Generated(mechanism.model, plain), mechanism, plain, 1)
+    M, _, _ = Generated(mechanism.extended, plain, effects._make(values[: len(effects)])).extended_matrices(
+        p[0]
+    )
     return np.asarray((M == 0.0).all(axis=0))
 
 
@@ -295,12 +297,12 @@ def matrices(system: Evaluation, p: Array) -> tuple[Array, Array]:
     return M, K
 
 
-def active_effects(kind: Mechanism, effects: Mapping[str, float]) -> tuple[str, ...]:
+def active_effects(mechanism: Mechanism, effects: Mapping[str, float]) -> tuple[str, ...]:
     """Return the names of effects that are not null; constants such as a frame mass do not activate an effect."""
     present = {".".join(path.split(".")[:2]) for path, value in effects.items() if value != 0.0}
     return tuple(
         effect.name
-        for effect in kind.effects.values()
+        for effect in mechanism.effects.values()
         if any(f"{effect.name}.{parameter.name}" in present for parameter in effect.fitted)
     )
 
@@ -330,6 +332,6 @@ def _shared_and_single(effects: Mapping[str, float]) -> tuple[dict[str, float], 
 
 def evaluation(robot: Robot) -> Evaluation:
     """Choose the model of a robot: the base model if every effect is null, else the extended model."""
-    kind = robot.kind
-    active = active_effects(kind, robot.effects)
-    return SystemOfEffects.of(robot) if active else BaseEvaluation(kind, robot.parameters)
+    mechanism = robot.mechanism
+    active = active_effects(mechanism, robot.effects)
+    return SystemOfEffects.of(robot) if active else BaseEvaluation(mechanism, robot.parameters)

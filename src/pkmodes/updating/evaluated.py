@@ -183,8 +183,8 @@ def _channel_rates(
     at: Solved, derivatives: MatrixDerivatives, paths: Sequence[tuple[ParameterPath, ...]]
 ) -> Array:
     """Return the derivatives of the shapes at the channels along paths, (N, m, C, T)."""
-    kind = at.system.kind
-    directions, geometry = len(kind.directions), geometry_of(kind)
+    mechanism = at.system.mechanism
+    directions, geometry = len(mechanism.directions), geometry_of(mechanism)
     changes = shape_derivatives(derivatives, at.eigenvalues, at.shapes, at.system.first)
     motion = at.system.motion_of_all(at.points)
     found = np.zeros((*at.channels.shape, len(paths[0])))

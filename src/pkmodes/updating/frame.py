@@ -23,17 +23,20 @@ YAW = f"{OF_MEASUREMENT}yaw"
 PLAUSIBLE = {"m": 0.02, "rad": 0.035}
 
 
-def parameters(kind: Mechanism) -> dict[str, str]:
+def parameters(mechanism: Mechanism) -> dict[str, str]:
     """Return the names of the parameters of the frame, and their units."""
-    linear = _linear(kind)
+    linear = _linear(mechanism)
     yaw = {YAW: "rad"} if len(linear) > 1 else {}
-    return {_offset(kind, i): "m" for i in linear} | yaw
+    return {_offset(mechanism, i): "m" for i in linear} | yaw
 
 
-def suspects(kind: Mechanism) -> tuple[list[Parameter], list[Candidate]]:
+def suspects(mechanism: Mechanism) -> tuple[list[Parameter], list[Candidate]]:
     """Return the parameters of the frame, and their candidates."""
-    named = parameters(kind)
-    what = {_offset(kind, i): f"all poses are shifted along {kind.pose[i].name}" for i in _linear(kind)}
+    named = parameters(mechanism)
+    what = {
+        _offset(mechanism, i): f"all poses are shifted along {mechanism.pose[i].name}"
+        for i in _linear(mechanism)
+    }
     what[YAW] = "the frame of the poses is rotated about z"
     candidates = [
         Candidate(name.replace(OF_MEASUREMENT, PREFIX), (name,), what[name], sigma=(PLAUSIBLE[unit],))
@@ -42,35 +45,35 @@ def suspects(kind: Mechanism) -> tuple[list[Parameter], list[Candidate]]:
     return [Parameter(name, 0.0, unit) for name, unit in named.items()], candidates
 
 
-def true_points(kind: Mechanism, points: Array, values: Mapping[str, float]) -> Array:
+def true_points(mechanism: Mechanism, points: Array, values: Mapping[str, float]) -> Array:
     """Return the poses with respect to the robot, (P, d)."""
-    offset = np.array([values.get(_offset(kind, i), 0.0) for i in range(len(kind.pose))])
+    offset = np.array([values.get(_offset(mechanism, i), 0.0) for i in range(len(mechanism.pose))])
     yaw = values.get(YAW, 0.0)
     if not yaw:
         return np.asarray(points + offset)
-    i, k = _linear(kind)[:2]
-    turn = np.eye(len(kind.pose))
+    i, k = _linear(mechanism)[:2]
+    turn = np.eye(len(mechanism.pose))
     turn[i, i] = turn[k, k] = np.cos(yaw)
     turn[k, i] = np.sin(yaw)
     turn[i, k] = -turn[k, i]
     return np.asarray(points @ turn.T + offset)
 
 
-def rate(kind: Mechanism, name: str, points: Array, values: Mapping[str, float]) -> Array:
+def rate(mechanism: Mechanism, name: str, points: Array, values: Mapping[str, float]) -> Array:
     """Return the derivative of the true poses with respect to one of the parameters, (P, d)."""
     found = np.zeros(points.shape)
     if name != YAW:
-        found[:, [_offset(kind, i) for i in range(len(kind.pose))].index(name)] = 1.0
+        found[:, [_offset(mechanism, i) for i in range(len(mechanism.pose))].index(name)] = 1.0
         return found
-    i, k = _linear(kind)[:2]
-    turned = true_points(kind, points, {YAW: values.get(YAW, 0.0)})
+    i, k = _linear(mechanism)[:2]
+    turned = true_points(mechanism, points, {YAW: values.get(YAW, 0.0)})
     found[:, i], found[:, k] = -turned[:, k], turned[:, i]
     return found
 
 
-def _linear(kind: Mechanism) -> list[int]:
-    return [i for i, component in enumerate(kind.pose) if component.unit == "m"]
+def _linear(mechanism: Mechanism) -> list[int]:
+    return [i for i, component in enumerate(mechanism.pose) if component.unit == "m"]
 
 
-def _offset(kind: Mechanism, component: int) -> str:
-    return f"{OF_MEASUREMENT}offset.{kind.pose[component].name}"
+def _offset(mechanism: Mechanism, component: int) -> str:
+    return f"{OF_MEASUREMENT}offset.{mechanism.pose[component].name}"

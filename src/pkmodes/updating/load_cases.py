@@ -113,12 +113,12 @@ class LoadCases:
         return every, self.of[every].tolist() if len(every) else [cases[0]]
 
 
-def settable(kind: Mechanism, robot: Robot | None = None) -> dict[str, str]:
+def settable(mechanism: Mechanism, robot: Robot | None = None) -> dict[str, str]:
     """Return the paths that measurements may set, with SI units, for one robot or any robot of a mechanism."""
     if robot is not None:
         return changeable(robot)
-    units = {number.path: number.unit for item in items(kind) for number in item.numbers}
-    return {**units, **effect_parameters(kind), **{whole.path: whole.unit for whole in kind.wholes}}
+    units = {number.path: number.unit for item in items(mechanism) for number in item.numbers}
+    return {**units, **effect_parameters(mechanism), **{whole.path: whole.unit for whole in mechanism.wholes}}
 
 
 def load_cases(robot: Robot, data: Measurements) -> LoadCases:
@@ -132,7 +132,7 @@ def load_cases(robot: Robot, data: Measurements) -> LoadCases:
     """
     if not data.settings:
         return LoadCases.none(robot, len(data.labels))
-    known = settable(robot.kind, robot)
+    known = settable(robot.mechanism, robot)
     for path in data.settings:
         if path not in known:
             what = f"{shown(f'{SET}{path}')} is not a value that can be set in {robot.source}"

@@ -56,12 +56,12 @@ def read(
     if not isinstance(path, str | PathLike):
         raise PkmodesError(f"expected a path, found {shown(path)}", "read", "give the name of a CSV file")
     of = None if robot is None else _robot(robot)
-    kinds = [mechanism(name) for name in names()] if of is None else [of.kind]
+    mechanisms = [mechanism(name) for name in names()] if of is None else [of.mechanism]
     found = read_measurements(
         path,
-        {name: unit for kind in kinds for name, unit in channels(kind).items()},
-        components=[_components(kind) for kind in kinds],
-        settings={name: unit for kind in kinds for name, unit in settable(kind, of).items()},
+        {name: unit for one in mechanisms for name, unit in channels(one).items()},
+        components=[_components(one) for one in mechanisms],
+        settings={name: unit for one in mechanisms for name, unit in settable(one, of).items()},
     )
     if band is None:
         return found
@@ -72,9 +72,9 @@ def read(
     return replace(found, band=band)
 
 
-def _components(kind: Mechanism) -> dict[str, str]:
+def _components(mechanism: Mechanism) -> dict[str, str]:
     """Return the components of a pose and their units: columns of a measurement file."""
-    return {component.name: component.unit for component in kind.pose}
+    return {component.name: component.unit for component in mechanism.pose}
 
 
 def structure(

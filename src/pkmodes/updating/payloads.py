@@ -39,10 +39,12 @@ def payloads(robot: Robot, points: Array) -> list[dict[str, float]]:
 
 def platform_mass(robot: Robot, points: Array) -> ParameterPath | None:
     """Return the path of the mass that acts like a payload; None if there is none."""
-    kind = robot.kind
-    if PAYLOAD not in kind.effects or not len(points):
+    mechanism = robot.mechanism
+    if PAYLOAD not in mechanism.effects or not len(points):
         return None
-    names = [item.path for item in items(kind) if item.key.dimension == "mass" and item.index is not None]
+    names = [
+        item.path for item in items(mechanism) if item.key.dimension == "mass" and item.index is not None
+    ]
     paths = [resolve(robot, path) for path in (PATH, *names)]
     dM, dK = MatrixDerivatives(SystemOfEffects.of(robot), points[:1], [paths]).dense()
     for place, path in enumerate(paths[1:], start=1):

@@ -35,12 +35,12 @@ def check_measured(measurements: Measurements, model: Model) -> LoadCases:
     """
     if not measurements.labels:
         return LoadCases.none(model.robot, 0)
-    kind = model.kind
-    names = tuple(component.name for component in kind.pose)
+    mechanism = model.mechanism
+    names = tuple(component.name for component in mechanism.pose)
     if measurements.components != names:
         what = f"expected poses with {_listed(names)}, found {_listed(measurements.components)}"
         raise MeasurementError(what, measurements.source, f"give the pose components of {model.robot.source}")
-    known = channels(kind)
+    known = channels(mechanism)
     for name in measurements.channels:
         if name not in known:
             what = f"{shown(name)} is not a coordinate of {model.robot.source}"
@@ -53,12 +53,12 @@ def check_measured(measurements: Measurements, model: Model) -> LoadCases:
 def _check_reachable(
     measurements: Measurements, model: Model, names: tuple[str, ...], loads: LoadCases
 ) -> None:
-    kind, parameters = model.kind, model.robot.parameters
+    mechanism, parameters = model.mechanism, model.robot.parameters
     valid = np.ones(len(measurements.points), dtype=bool)
     for c, case in enumerate(loads.cases):
         rows = np.flatnonzero(loads.of == c)
         points = measurements.points[rows]
-        valid[rows] = check_poses(points, kind, case.robot.parameters, "nan", model.max_condition).valid
+        valid[rows] = check_poses(points, mechanism, case.robot.parameters, "nan", model.max_condition).valid
     if valid.all():
         return
     first = int(np.argmin(valid))
@@ -67,26 +67,27 @@ def _check_reachable(
     if (bad := int((~valid).sum())) > 1:
         where += f", the first of {bad} bad poses"
     for factor, remedy in OTHER_LENGTHS.items():
-        scaled = measurements.points * np.where(_lengths(kind), factor, 1.0)
-        reached = check_poses(scaled, kind, parameters, "nan", model.max_condition).valid
-        large = np.abs(measurements.points[:, _lengths(kind)]).max(initial=0.0) >= LARGE
+        scaled = measurements.points * np.where(_lengths(mechanism), factor, 1.0)
+        reached = check_poses(scaled, mechanism, parameters, "nan", model.max_condition).valid
+        large = np.abs(measurements.points[:, _lengths(mechanism)]).max(initial=0.0) >= LARGE
         if reached.all() and not valid.any() and (factor > 1.0 or large):
             columns = ",".join(
-                f"{name} [mm]" if length else name for name, length in zip(names, _lengths(kind), strict=True)
+                f"{name} [mm]" if length else name
+                for name, length in zip(names, _lengths(mechanism), strict=True)
             )
             what = f"no pose can be reached, but all can if multiplied by {factor:g}"
             raise MeasurementError(what, where, remedy.format(columns, ",".join(names)))
     load = measurements.load(first)
     robot, remedy = loads.cases[loads.of[first]].robot, f"check the row and {model.robot.source}"
-    if check_poses(measurements.points[first], kind, parameters, "nan", model.max_condition).valid.all():
+    if check_poses(measurements.points[first], mechanism, parameters, "nan", model.max_condition).valid.all():
         where = where.replace(
             f"columns {_listed(names)}", of_columns(load)
         )  # as declared, the robot reaches it
         remedy = "check the set values"
     try:
-        check_poses(measurements.points[first], kind, robot.parameters, "raise", model.max_condition)
+        check_poses(measurements.points[first], mechanism, robot.parameters, "raise", model.max_condition)
     except PoseError as error:
-        label, place = shown(measurements.labels[first]), placed(kind, measurements.points[first])
+        label, place = shown(measurements.labels[first]), placed(mechanism, measurements.points[first])
         raise MeasurementError(
             f"pose {label} at {place} cannot be reached{' with the set values' if load else ''}: {error.what}",
             where,
@@ -94,8 +95,8 @@ def _check_reachable(
         ) from None
 
 
-def _lengths(kind: Mechanism) -> list[bool]:
-    return [component.unit == "m" for component in kind.pose]
+def _lengths(mechanism: Mechanism) -> list[bool]:
+    return [component.unit == "m" for component in mechanism.pose]
 
 
 def _listed(names: tuple[str, ...]) -> str:

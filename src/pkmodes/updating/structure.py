@@ -32,16 +32,16 @@ DRAWS, SEED = 400, 7
 WHERE = ("direction", "choice", "signs", "pair")
 
 
-def channels(kind: Mechanism) -> dict[str, str]:
+def channels(mechanism: Mechanism) -> dict[str, str]:
     """Return the shape components of a robot with their units: all coordinates, also released ones, and the platform.
 
     Parameters
     ----------
-    kind : Mechanism
+    mechanism : Mechanism
     """
-    units = {component.name: component.unit for component in kind.pose}
-    found = dict(zip(kind.extended.COORDINATES, kind.extended.COORDINATE_UNITS, strict=True))
-    return found | {f"{PLATFORM}{name}": units[name] for name in kind.directions}
+    units = {component.name: component.unit for component in mechanism.pose}
+    found = dict(zip(mechanism.extended.COORDINATES, mechanism.extended.COORDINATE_UNITS, strict=True))
+    return found | {f"{PLATFORM}{name}": units[name] for name in mechanism.directions}
 
 
 class _Part(NamedTuple):
@@ -78,12 +78,12 @@ class RobotStructure:
         self.robot, self.points = robot, np.asarray(points, dtype=float)
         self.parameters: tuple[Parameter, ...] = tuple(parameters)
         self.candidates: tuple[Candidate, ...] = tuple(candidates)
-        self._kind = robot.kind
-        known = channels(self._kind)
+        self._mechanism = robot.mechanism
+        known = channels(self._mechanism)
         self.channels, self.channel_units = tuple(known), tuple(known.values())
         self._shifts = tuple(
             ParameterPath(f"{POSE}.{component.name}", 0.0, component.unit, {(POSE, (i,)): 1.0})
-            for i, component in enumerate(self._kind.pose)
+            for i, component in enumerate(self._mechanism.pose)
         )
         self._moves = dict(moves)
         self._loads = LoadCases.none(robot, len(self.points)) if loads is None else loads
@@ -188,7 +188,7 @@ class RobotStructure:
         low, high = self.points.min(axis=0), self.points.max(axis=0)
         margin = 0.25 * max(float((high - low).max()), 0.1)
         drawn = rng.uniform(low - margin, high + margin, (DRAWS, len(low)))
-        found = check_poses(drawn, self._kind, self.robot.parameters, "nan", MAX_CONDITION / 1e5)
+        found = check_poses(drawn, self._mechanism, self.robot.parameters, "nan", MAX_CONDITION / 1e5)
         drawn = drawn[found.valid][:count]
         return drawn, self.at(drawn)
 
@@ -206,7 +206,9 @@ class RobotStructure:
             if name in known:
                 mix[:, known[name], column] = 1.0
             else:
-                mix[:, len(moving) :, column] = frame.rate(self._kind, name, self.points, self._frame(values))
+                mix[:, len(moving) :, column] = frame.rate(
+                    self._mechanism, name, self.points, self._frame(values)
+                )
         with_shifts = {c: (*some, *self._shifts) for c, some in paths.items()}
         each = rows.reshape(len(owners), -1)
         return [Moves(with_shifts[c], mix[some]) for c, some in zip(owners, each, strict=True)]
@@ -218,7 +220,7 @@ class RobotStructure:
 
     def _where(self, values: Array) -> Array:
         """Return the poses with respect to the robot."""
-        return frame.true_points(self._kind, self.points, self._frame(values))
+        return frame.true_points(self._mechanism, self.points, self._frame(values))
 
     def _robots(self, values: Array) -> list[Robot]:
         """Return the robot of each load case with these values of the parameters."""
@@ -264,23 +266,23 @@ class RobotStructure:
         found = np.ones(len(points), dtype=bool)
         measured = np.array_equal(points, self.points)
         for c, (robot, case) in enumerate(zip(robots, self._loads.cases, strict=True)):
-            if not (measured and _same_geometry(self._kind, robot, case.robot)):
+            if not (measured and _same_geometry(self._mechanism, robot, case.robot)):
                 rows = np.flatnonzero(self._loads.of == c)
-                found[rows] = check_poses(points[rows], self._kind, robot.parameters, "nan").valid
+                found[rows] = check_poses(points[rows], self._mechanism, robot.parameters, "nan").valid
         return found
 
 
 @cache
-def _geometry(kind: Mechanism) -> tuple[str, ...]:
+def _geometry(mechanism: Mechanism) -> tuple[str, ...]:
     """Return the generated parameters that determine which poses a robot reaches."""
-    keys = [key for key in declared(kind) if key.kind in WHERE or key.dimension in ("length", "angle")]
+    keys = [key for key in declared(mechanism) if key.kind in WHERE or key.dimension in ("length", "angle")]
     return tuple(dict.fromkeys(key.field for key in keys))
 
 
-def _same_geometry(kind: Mechanism, a: Robot, b: Robot) -> bool:
+def _same_geometry(mechanism: Mechanism, a: Robot, b: Robot) -> bool:
     """Return whether two robots have the same geometry, and so reach the same poses."""
     of_a, of_b = a.parameters, b.parameters
     if of_a is of_b:
         return True
-    pairs = ((getattr(of_a, name), getattr(of_b, name)) for name in _geometry(kind))
+    pairs = ((getattr(of_a, name), getattr(of_b, name)) for name in _geometry(mechanism))
     return all(one is other or np.array_equal(one, other) for one, other in pairs)

@@ -61,7 +61,7 @@ def suspects(
     if chosen is None:
         candidates += _of_one_entry(robot)
     candidates += _with_another_constant(robot, candidates)
-    of_frame, frames = frame.suspects(robot.kind)
+    of_frame, frames = frame.suspects(robot.mechanism)
     of_robot = [name for candidate in candidates if candidate not in frames for name in candidate.parameters]
     moves = [resolve(robot, name) for name in dict.fromkeys([*nuisances, *of_robot])]
     joints = _joints(robot) if candidates else {}
@@ -101,7 +101,7 @@ def _chosen(robot: Robot, chosen: Sequence[str] | None, loads: LoadCases) -> lis
     kinds = {
         "effects": _effects(robot, loads),
         "parameters": _suspected(robot),
-        "measurement": {candidate.name: candidate for candidate in frame.suspects(robot.kind)[1]},
+        "measurement": {candidate.name: candidate for candidate in frame.suspects(robot.mechanism)[1]},
     }
     every = {name: candidate for kind in kinds.values() for name, candidate in kind.items()}
     if chosen is None:
@@ -123,11 +123,11 @@ def _chosen(robot: Robot, chosen: Sequence[str] | None, loads: LoadCases) -> lis
 def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> list[Candidate]:
     """Return effects with a wrong declared constant, such as the mass of a moving frame: alone they would not fit."""
     found = []
-    for borrowed, own in lent(robot.kind).items():
+    for borrowed, own in lent(robot.mechanism).items():
         _, name, constant = borrowed.split(".")
         declared = robot.quantities.get(own)
         if (declared is None or declared.sigma is None) and name in {c.name for c in candidates}:
-            effect = robot.kind.effects[name]
+            effect = robot.mechanism.effects[name]
             parameters = (*(f"{EFFECTS}{name}.{p.name}" for p in effect.fitted), borrowed)
             sentence = f"{effect.sentence}, and its {constant} differs from the declared one"
             found.append(
@@ -139,14 +139,14 @@ def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> lis
 def _varying(robot: Robot) -> list[str]:
     """Return the declared values that the robot depends on: not those that every entry overrides, lent ones once."""
     known = set(paths(robot))
-    known -= {borrowed for borrowed, own in lent(robot.kind).items() if own in robot.quantities}
+    known -= {borrowed for borrowed, own in lent(robot.mechanism).items() if own in robot.quantities}
     return [path for path in robot.quantities if path in known]
 
 
 def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
     """Return a candidate that is not suspected by default, such as a value of one axis."""
     path = name.removeprefix(PREFIX)
-    effects = robot.kind.effects
+    effects = robot.mechanism.effects
     if name in effects:
         _refuse_declared(robot, f"the effect {name}", _declared_parameters(robot, effects[name]))
     effect = name.removeprefix(EFFECTS).partition(".")[0]
@@ -156,7 +156,7 @@ def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
         every = [*known, *(f"{PREFIX}{p}" for p in paths(robot))]
         remedy = nearest(name, every, "use the names in docs/diagnosis.md")
         raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", remedy)
-    whole, item = wholes(robot.kind).get(path), by_path(robot.kind).get(path)
+    whole, item = wholes(robot.mechanism).get(path), by_path(robot.mechanism).get(path)
     _refuse_declared(robot, path, [path, *(_elements(robot, whole) if whole is not None else ())])
     shared = item.shared if item is not None else ""
     if (
@@ -189,7 +189,7 @@ def _refuse_declared(robot: Robot, what: str, declared: Sequence[str]) -> None:
 
 def _elements(robot: Robot, whole: Whole) -> list[str]:
     """Return the paths of the elements of a whole."""
-    return [number.path for item in items_of(robot.kind, whole) for number in item.numbers]
+    return [number.path for item in items_of(robot.mechanism, whole) for number in item.numbers]
 
 
 def _declared_parameters(robot: Robot, effect: Effect) -> list[str]:
@@ -202,7 +202,7 @@ def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
     found = {}
     robots = (robot, *(case.robot for case in loads.cases))
     there = {path for one in robots for path, value in {**one.constants, **one.effects}.items() if value}
-    for effect in robot.kind.effects.values():
+    for effect in robot.mechanism.effects.values():
         names = [f"{EFFECTS}{effect.name}.{p.name}" for p in effect.fitted]
         # A parameter that is multiplied by a constant given nowhere, such as a tension, has no effect.
         absent = [p for p in effect.parameters if not p.fitted and f"{effect.name}.{p.name}" not in there]
@@ -214,13 +214,13 @@ def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
 
 def _suspected(robot: Robot) -> dict[str, Candidate]:
     """Return the candidates of values without a standard deviation; wholes in place of their elements."""
-    parts = {element for whole in robot.kind.wholes for element in _elements(robot, whole)}
+    parts = {element for whole in robot.mechanism.wholes for element in _elements(robot, whole)}
     found = [
         path
         for path in _varying(robot)
         if robot.quantities[path].sigma is None and path not in parts and _may_be_wrong(robot, path)
     ]
-    for whole in robot.kind.wholes:
+    for whole in robot.mechanism.wholes:
         free = all(robot.quantities[element].sigma is None for element in _elements(robot, whole))
         if free and weights_of(robot, whole):
             found.append(whole.path)
@@ -231,7 +231,7 @@ def _suspected(robot: Robot) -> dict[str, Candidate]:
 
 
 def _may_be_wrong(robot: Robot, path: str) -> bool:
-    item = by_path(robot.kind).get(path)
+    item = by_path(robot.mechanism).get(path)
     if item is None or not item.key.suspected:
         return False
     return item.key is not GRAVITY or robot.quantities[path].value != 0.0  # a gravity component of 0 is exact
@@ -241,9 +241,11 @@ def _of_one_entry(robot: Robot) -> list[Candidate]:
     """Return the values of single axes for which the file gives one shared value without a sigma."""
     found, known = [], paths(robot)
     for path in known:
-        item = by_path(robot.kind).get(path)
+        item = by_path(robot.mechanism).get(path)
         if item is not None and item.shared in known and path not in robot.quantities:
-            following = [own for own in takers(robot.kind)[item.shared] if own.path not in robot.quantities]
+            following = [
+                own for own in takers(robot.mechanism)[item.shared] if own.path not in robot.quantities
+            ]
             if robot.quantities[item.shared].sigma is None and len(following) > 1:
                 sentence = f"the value of {path} differs from that of the other axes"
                 found.append(Candidate(f"{PREFIX}{path}", (path,), sentence, remote=True))
@@ -253,7 +255,7 @@ def _of_one_entry(robot: Robot) -> list[Candidate]:
 def _joints(robot: Robot) -> dict[str, ParameterPath]:
     """Return compliances in single joints; those of the catalogue are in all joints of their kind."""
     found = {}
-    for effect in robot.kind.effects.values():
+    for effect in robot.mechanism.effects.values():
         name, unit = f"{effect.name}.{effect.parameters[0].name}", effect.parameters[0].unit
         declared = robot.quantities.get(f"{EFFECTS}{name}")
         for q in effect.coordinates if declared is None or declared.sigma != 0.0 else ():
@@ -272,7 +274,7 @@ def _unlike(
 ) -> list[Candidate]:
     """Return the general forms of candidate compliances, with a separate value in each joint."""
     found = []
-    effects = robot.kind.effects
+    effects = robot.mechanism.effects
     for name in [candidate.name for candidate in candidates if candidate.name in effects]:
         each = [joint for q in effects[name].coordinates if (joint := _alone(name, q.name)) in joints]
         if len(each) > 1:
@@ -285,11 +287,11 @@ def _unlike(
 def _parameter(robot: Robot, move: ParameterPath) -> Parameter:
     quantity = robot.quantities.get(move.path)
     sigma = quantity.sigma if quantity is not None and quantity.sigma else None
-    item = by_path(robot.kind).get(move.path)
+    item = by_path(robot.mechanism).get(move.path)
     lower, upper = -np.inf, np.inf
     if move.path.startswith(EFFECTS):
         _, effect, name, *_ = move.path.split(".")
-        least = next(p.greater_than for p in robot.kind.effects[effect].parameters if p.name == name)
+        least = next(p.greater_than for p in robot.mechanism.effects[effect].parameters if p.name == name)
         lower = -np.inf if least is None else least
     elif item is None or not item.key.signed:
         lower = 0.0

@@ -51,16 +51,16 @@ class Drawn:
     """
 
     def __init__(self, robot: Robot) -> None:
-        kind = robot.kind
-        if kind.drawing is None:
-            what = f"the generated code of the mechanism {kind.name} has no drawing"
+        mechanism = robot.mechanism
+        if mechanism.drawing is None:
+            what = f"the generated code of the mechanism {mechanism.name} has no drawing"
             raise PkmodesError(
                 what, robot.source, "generate it again: pkmodes generate --mechanism FILE.py ..."
             )
-        self.drawing: Drawing = kind.drawing
-        self._kind, self._system = kind, SystemOfEffects.of(robot)
+        self.drawing: Drawing = mechanism.drawing
+        self._mechanism, self._system = mechanism, SystemOfEffects.of(robot)
         self.coordinates = self._system.coordinates
-        self._generated = Generated(kind.drawn, robot.parameters, self._system.effects)
+        self._generated = Generated(mechanism.drawn, robot.parameters, self._system.effects)
         self.vertical = _against(np.asarray(getattr(robot.parameters, "gravity", np.zeros(3)), dtype=float))
 
     def points(self, p: Array) -> Array:
@@ -76,7 +76,7 @@ class Drawn:
         """Return the springs of the model and of the released joints, zero stiffness included."""
         stiffness, strain = (np.asarray(a, dtype=float) for a in self._generated.springs(p))
         free, first = self._system.free, self._system.first
-        released = [c for effect in self._kind.effects.values() for c in effect.coordinates]
+        released = [c for effect in self._mechanism.effects.values() for c in effect.coordinates]
         joints = [i for i in free if i >= first]
         named = tuple(
             _joint(next(c for c in released if c.name == name)) for name in self.coordinates[first:]
@@ -92,7 +92,7 @@ class Drawn:
     def motors(self, p: Array) -> Array:
         """Return the centres of the wheels that motors drive, (N, motors, 3) [m]."""
         driven = np.asarray(self._generated.driven()).ravel() > 0.5
-        names = {q.name for q, one in zip(self._kind.coordinates, driven, strict=True) if one}
+        names = {q.name for q, one in zip(self._mechanism.coordinates, driven, strict=True) if one}
         wheels = [e.points[0] for e in self.drawing.elements if e.shape == "wheel" and e.turns in names]
         return self.points(p)[:, wheels]
 

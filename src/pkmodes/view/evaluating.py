@@ -49,15 +49,15 @@ def scene(model: Model, poses: ArrayLike, chosen: int = 0) -> NotebookScene:
     PkmodesError
         If the code of the mechanism was generated before there were drawings.
     """
-    drawn, kind = Drawn(model.robot), model.kind
+    drawn, mechanism = Drawn(model.robot), model.mechanism
     modes = model.modes(np.atleast_2d(np.asarray(poses, dtype=float)))
     springs, index = present(drawn.springs(modes.poses))
     strains = np.einsum("psn,pmn->pms", springs.strain, modes.shapes)
     return NotebookScene(
         robot=model.robot.name,
-        title=kind.title,
-        pose=kind.pose,
-        directions=kind.directions,
+        title=mechanism.title,
+        pose=mechanism.pose,
+        directions=mechanism.directions,
         coordinates=modes.coordinates,
         elements=tuple(
             replace(element, spring=index[element.spring] if element.spring >= 0 else -1)

@@ -45,7 +45,7 @@ def typical_pose(model: Model) -> Array:
     if not len(seeds):
         raise PoseError("found no pose well inside the workspace", model.robot.source, "give one with --pose")
     lower = hanging(model, seeds)
-    heights = Generated(model.kind.model, model.robot.parameters).gravity_potential(lower)
+    heights = Generated(model.mechanism.model, model.robot.parameters).gravity_potential(lower)
     group = lower[heights <= np.median(heights)]
     found: Array = group[np.argmin(np.linalg.norm(group - group.mean(axis=0), axis=-1))]
     low, high = box_of(model, found)
@@ -104,5 +104,5 @@ def _levels(low: float, high: float, value: float, count: int) -> Array:
 
 
 def _seeds(model: Model) -> Array:
-    kind, parameters = model.kind, model.robot.parameters
-    return regular_poses(Generated(kind.model, parameters), kind, parameters, SEEDS)
+    mechanism, parameters = model.mechanism, model.robot.parameters
+    return regular_poses(Generated(mechanism.model, parameters), mechanism, parameters, SEEDS)

@@ -56,7 +56,7 @@ def workspace(model: Model, pose: Array, box: tuple[Array, Array]) -> Surface | 
     Surface or None
         None if the pose has angles, or other than two or three components.
     """
-    if len(pose) not in CELLS or any(component.unit != "m" for component in model.kind.pose):
+    if len(pose) not in CELLS or any(component.unit != "m" for component in model.mechanism.pose):
         return None
     inside = on_branch(model, pose)
     room = AROUND * (box[1] - box[0])

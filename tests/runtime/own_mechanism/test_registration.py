@@ -54,7 +54,7 @@ def test_an_installed_package_is_known_by_its_entry_point(
     mechanism_packages.installed.cache_clear()
     try:
         robot = pkmodes.read_robot(copy / "robot.toml")
-        assert robot.kind.package == "my_robots.five_bar"
+        assert robot.mechanism.package == "my_robots.five_bar"
         assert known.mechanism("corexy").package != "my_robots.five_bar"
         assert run(["check", str(copy / "robot.toml")]) == 0
         with pytest.raises(PkmodesError, match=r"cannot read the description .* \(package nowhere\)"):

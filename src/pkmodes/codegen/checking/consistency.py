@@ -45,7 +45,7 @@ class Check:
 
 def check_consistency(
     generated: Generated,
-    kind: Mechanism,
+    mechanism: Mechanism,
     parameters: Any,
     effects: bool = False,
     yielded: Callable[[State], Iterator[Relation]] | None = None,
@@ -56,7 +56,7 @@ def check_consistency(
     ----------
     generated : Generated
         The functions.
-    kind : Mechanism
+    mechanism : Mechanism
         Their mechanism.
     parameters : Parameters
         The robot's parameters, used to find poses.
@@ -70,7 +70,7 @@ def check_consistency(
     list of Check
         One for each relation and kind of difference; a single failed check if no regular pose is found.
     """
-    poses = regular_poses(generated, kind, parameters)
+    poses = regular_poses(generated, mechanism, parameters)
     if not len(poses):
         return [Check("a regular pose within the limits", np.inf, 0.0)]
     checks = []
@@ -82,7 +82,7 @@ def check_consistency(
         for name_of_kind, derivative, bound in differences:
             errors: dict[str, float] = {}
             for p in poses:
-                at = State(generated, kind, parameters, p, derivative, effects)
+                at = State(generated, mechanism, parameters, p, derivative, effects)
                 try:
                     for name, found, expected, weight in (yielded or _all)(at):
                         errors[name] = max(errors.get(name, 0.0), _relative(found, expected, weight))

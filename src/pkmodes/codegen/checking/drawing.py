@@ -12,18 +12,20 @@ from pkmodes.mechanism.generated import Generated
 from pkmodes.mechanism.registry import Mechanism
 
 
-def check_drawing(kind: Mechanism, parameters: object) -> list[Check]:
+def check_drawing(mechanism: Mechanism, parameters: object) -> list[Check]:
     """Check the motion of drawn points by differences of their positions, and the springs by the elastic Hessian."""
-    if kind.drawing is None:
+    if mechanism.drawing is None:
         return []
-    return check_consistency(Generated(kind.model, parameters), kind, parameters, yielded=drawing_relations)
+    return check_consistency(
+        Generated(mechanism.model, parameters), mechanism, parameters, yielded=drawing_relations
+    )
 
 
 def drawing_relations(at: State) -> Iterator[Relation]:
     """Yield the relations of a drawing at one pose."""
-    drawing = at.kind.drawing
+    drawing = at.mechanism.drawing
     assert drawing is not None  # `check_drawing` asks
-    drawn = Generated(at.kind.drawn, at.parameters, at.kind.extended.Effects())
+    drawn = Generated(at.mechanism.drawn, at.parameters, at.mechanism.extended.Effects())
     # Any constant vectors serve as those that the robot leaves open.
     up = (np.tile([0.6, -0.48, 0.64], drawing.uprights),) if drawing.uprights else ()
     motion = drawn.drawing_motion(at.pose, *up)[list(drawing.motions)]

@@ -13,6 +13,6 @@ PLACE = "pkmodes.codegen.mechanisms"
 
 def own_relations(at: State) -> Iterator[Relation]:
     """Yield the relations at one pose that apply to this mechanism only."""
-    place = f"{PLACE}.{at.kind.name}"
+    place = f"{PLACE}.{at.mechanism.name}"
     if find_spec(place) is not None:
         yield from import_module(place).relations(at)

@@ -23,7 +23,8 @@ from pkmodes.codegen.derivation import derivation
 from pkmodes.codegen.generation import specialised, specification
 from pkmodes.codegen.product_folder import MANIFEST
 from pkmodes.mechanism.generated import Generated
-from pkmodes.mechanism.registry import meanwhile, mechanism, names, supplied
+from pkmodes.mechanism.registry import meanwhile, names, supplied
+from pkmodes.mechanism.registry import mechanism as mechanism_named
 from pkmodes.mechanism.regular import regular_poses, sample
 from pkmodes.robot.reading import read_robot
 from pkmodes.robot.robot import Robot
@@ -42,12 +43,12 @@ def check_committed(name: str) -> Report:
     name : str
         The mechanism.
     """
-    kind = mechanism(name)
-    folder = Path(str(files(kind.package)))
+    mechanism = mechanism_named(name)
+    folder = Path(str(files(mechanism.package)))
     findings = findings_of(folder, derivation("emit.product").parametric(name))
-    parameters = sample(kind)
-    checks = check_consistency(Generated(kind.model, parameters), kind, parameters)
-    checks += check_drawing(kind, parameters)
+    parameters = sample(mechanism)
+    checks = check_consistency(Generated(mechanism.model, parameters), mechanism, parameters)
+    checks += check_drawing(mechanism, parameters)
     return Report(str(folder), findings, checks, REGENERATE if findings else "")
 
 
@@ -99,7 +100,7 @@ def _check_model(folder: Path, recorded: dict[str, Any]) -> Report:
     texts = specialised(specification(robot, reference, definition))
     findings = findings_of(folder, texts)
     if definition and not (folder / definition).is_dir():
-        changed, left = check_definition(folder, definition, robot.mechanism)
+        changed, left = check_definition(folder, definition, robot.mechanism_name)
         findings, unchecked = [*findings, *changed], [*unchecked, *left]
     fix = _fix(folder, findings, f"{command} --out {pasted(folder)}")
     return Report(str(folder), findings, _checks(texts, robot), fix, tuple(unchecked))
@@ -174,9 +175,12 @@ def _executed(texts: dict[str, str]) -> types.ModuleType:
 
 def _checks_of(module: types.ModuleType, robot: Robot) -> list[Check]:
     """Check a module against finite differences and against the model that pkmodes evaluates."""
-    kind = robot.kind
-    effects = bool(active_effects(kind, robot.effects))
-    return [*check_consistency(Generated(module), kind, robot.parameters, effects), *_equality(module, robot)]
+    mechanism = robot.mechanism
+    effects = bool(active_effects(mechanism, robot.effects))
+    return [
+        *check_consistency(Generated(module), mechanism, robot.parameters, effects),
+        *_equality(module, robot),
+    ]
 
 
 def _equality(module: types.ModuleType, robot: Robot) -> list[Check]:
@@ -184,8 +188,8 @@ def _equality(module: types.ModuleType, robot: Robot) -> list[Check]:
 
     Both the condensed matrices, of the coordinates with inertia, and the matrices of all coordinates are compared.
     """
-    kind = robot.kind
-    p = regular_poses(Generated(kind.model, robot.parameters), kind, robot.parameters)
+    mechanism = robot.mechanism
+    p = regular_poses(Generated(mechanism.model, robot.parameters), mechanism, robot.parameters)
     if not len(p):
         return []
     expected = evaluation(robot)

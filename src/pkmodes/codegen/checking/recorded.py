@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from pkmodes.base.errors import PkmodesError
-from pkmodes.mechanism.registry import mechanism
+from pkmodes.mechanism.registry import mechanism as mechanism_named
 from pkmodes.robot.documents import document_of
 from pkmodes.robot.reading import robot_from_document
 from pkmodes.robot.robot import Robot
@@ -29,8 +29,8 @@ def recorded_robot(recorded: Mapping[str, Any], place: str) -> Robot:
     """
     try:
         values = recorded["robot"]["values"]
-        kind = mechanism(recorded["mechanism"])
-        robot = robot_from_document(document_of(kind, recorded["robot"]["name"], values), place)
+        mechanism = mechanism_named(recorded["mechanism"])
+        robot = robot_from_document(document_of(mechanism, recorded["robot"]["name"], values), place)
         same = robot.declared == values
     except (PkmodesError, LookupError, TypeError, ValueError, AttributeError):
         same = False

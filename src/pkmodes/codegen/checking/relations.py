@@ -37,7 +37,7 @@ class State:
     ----------
     generated : Generated
         The functions under test.
-    kind : Mechanism
+    mechanism : Mechanism
     parameters : Parameters
         The robot's parameters.
     pose : ndarray, shape (d,)
@@ -60,23 +60,23 @@ class State:
     def __init__(
         self,
         generated: Generated,
-        kind: Mechanism,
+        mechanism: Mechanism,
         parameters: Any,
         pose: Array,
         derivative: Derivative,
         effects: bool,
     ) -> None:
-        self.generated, self.kind, self.parameters = generated, kind, parameters
+        self.generated, self.mechanism, self.parameters = generated, mechanism, parameters
         self.pose, self.derivative, self.effects = pose, derivative, effects
-        names = [q.name for q in kind.coordinates]
-        self.places, self.base = [names.index(name) for name in kind.independent], len(names)
+        names = [q.name for q in mechanism.coordinates]
+        self.places, self.base = [names.index(name) for name in mechanism.independent], len(names)
         self.positions: Array = generated.inverse_kinematics(pose)
 
     @cached_property
     def travel(self) -> float:
         """Smallest travel of an independent coordinate; without limits 1, or the size of the robot if smaller."""
-        without = min(1.0, extent(self.kind, self.parameters))
-        ends = travel(self.kind, self.parameters)
+        without = min(1.0, extent(self.mechanism, self.parameters))
+        ends = travel(self.mechanism, self.parameters)
         return float(np.ptp(ends, axis=-1).min()) if len(ends) else without
 
     @cached_property
@@ -114,7 +114,7 @@ class State:
     def unstrained(self, pose: Array) -> Array:
         """Return the motion of all coordinates with the independent ones in unstrained motion, (n, k)."""
         others = [i for i in range(self.base) if i not in self.places]
-        H = Generated(self.kind.model, self.parameters).elastic_hessian(pose)
+        H = Generated(self.mechanism.model, self.parameters).elastic_hessian(pose)
         found = np.zeros((self.generated.coordinates, len(self.places)), dtype=H.dtype)
         found[self.places] = np.eye(len(self.places))
         found[others] = -np.linalg.solve(H[np.ix_(others, others)], H[np.ix_(others, self.places)])
@@ -198,7 +198,7 @@ def _matrices(at: State) -> Iterator[Relation]:
 def _inertia(at: State) -> Iterator[Relation]:
     """Yield the inertia forces: the inertia that effects add to the drives changes as the robot moves."""
     g, p = at.generated, at.pose
-    if not g.has("velocity_forces", "mass_matrix") or not hasattr(at.kind.model, "elastic_hessian"):
+    if not g.has("velocity_forces", "mass_matrix") or not hasattr(at.mechanism.model, "elastic_hessian"):
         return
 
     def reduced(pose: Array) -> Array:

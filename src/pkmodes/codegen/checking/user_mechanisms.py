@@ -41,10 +41,10 @@ def check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
     fresh = parametric(read_definition(folder / DEFINITION, name), reference)
     changed, unchecked = check_definition(folder, reference, name)
     findings = [*findings_of(folder, fresh), *changed]
-    with staged(name, fresh) as kind:
-        parameters = sample(kind)
-        checks = check_consistency(Generated(kind.model, parameters), kind, parameters)
-        checks += check_drawing(kind, parameters)
+    with staged(name, fresh) as mechanism:
+        parameters = sample(mechanism)
+        checks = check_consistency(Generated(mechanism.model, parameters), mechanism, parameters)
+        checks += check_drawing(mechanism, parameters)
     source = "FILE.py" if unchecked else pasted(folder / reference)
     fix = (
         f"pkmodes generate --mechanism {source} ROBOT.toml --out {pasted(folder.parent)}" if findings else ""
