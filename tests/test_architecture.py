@@ -194,8 +194,10 @@ def test_the_runtime_imports_no_generated_code_by_its_name() -> None:
 
 
 def test_the_virtual_rig_shares_no_code_with_the_model() -> None:
-    """It imports only the robot file reader and the named tuples of robot parameters."""
+    """It imports only the robot file reader and the named tuples of parameters; its suites judge the diagnosis."""
     for file in files("src/pkmodes_rig"):
+        if "suites" in file.parts:
+            continue
         tree = ast.parse(file.read_text(encoding="utf-8"))
         taken = {
             (node.module, alias.name)

@@ -14,11 +14,11 @@ from pathlib import Path
 import pytest
 
 import pkmodes
-from compiled import COMPILER
-from documentation import ELSEWHERE, HINT, PAGES, ROOT, Block, blocks, same
+from helpers.generated.compiled import COMPILER
+from helpers.pages.documentation import ELSEWHERE, HINT, PAGES, ROOT, Block, blocks, same
+from helpers.robots.robot_text import published
 from pkmodes import updating
 from pkmodes.robot.reading import robot_from_document
-from robot_text import published
 
 LANGUAGES = {"python", "sh", "text", "toml", "csv", "c"}
 RUN = [page for page in PAGES if any(block.elsewhere is None for block in blocks(page))]

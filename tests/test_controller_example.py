@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from compiled import COMPILER, FLAGS
+from helpers.generated.compiled import COMPILER, FLAGS
 from pkmodes.codegen.generation import generate
 
 pytestmark = pytest.mark.compiler

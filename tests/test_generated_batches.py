@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from generated_functions import CORE_SHAPES, FUNCTIONS, SIGNATURES, arguments, outputs
+from helpers.generated.generated_functions import CORE_SHAPES, FUNCTIONS, SIGNATURES, arguments, outputs
+from helpers.robots.sample_robots import SAMPLES, Sample, sample, tower_printer
 from pkmodes_generated.linear_delta import Parameters, model
-from sample_robots import SAMPLES, Sample, sample, tower_printer
 
 NAMES = sorted(FUNCTIONS)
 # NumPy may use other instructions (fused multiply-add, vector square root) for arrays than for numbers; a few

@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from generated_functions import FUNCTIONS
+from helpers.generated.generated_functions import FUNCTIONS
+from helpers.robots.sample_robots import SAMPLES, sample
 from pkmodes_generated.linear_delta import model
-from sample_robots import SAMPLES, sample
 
 Derivative = Callable[[Callable[[Any], Any], Any, Any], Any]
 #: Found, expected, and the scale of the error if it is not the largest expected entry.

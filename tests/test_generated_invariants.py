@@ -14,8 +14,8 @@ import pytest
 import scipy.linalg
 from scipy.spatial.transform import Rotation
 
+from helpers.robots.sample_robots import RANDOM, SAMPLES, Sample, published, sample, tower_printer
 from pkmodes_generated.linear_delta import Parameters, model
-from sample_robots import RANDOM, SAMPLES, Sample, published, sample, tower_printer
 
 # Each side of an identity errs by at most 1e-14 for each unit of the condition number of D_l, below 12 here
 # (test_generated_oracle); moving a robot rounds its coordinates once more.

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from generated_functions import TRAVEL
+from helpers.generated.generated_functions import TRAVEL
+from helpers.robots.sample_robots import Sample, random_robot, sample
 from pkmodes_generated.linear_delta import model
-from sample_robots import Sample, random_robot, sample
 
 DURATION = 0.04
 # Of the kinetic energy: the integrator's relative tolerance of 1e-11 with room for some steps that err alike.

@@ -11,10 +11,10 @@ from functools import cache
 import numpy as np
 import pytest
 
-from generated_functions import FUNCTIONS, arguments, outputs, scale
-from oracle import Oracle
+from helpers.generated.generated_functions import FUNCTIONS, arguments, outputs, scale
+from helpers.references.oracle import Oracle
+from helpers.robots.sample_robots import RANDOM, SAMPLES, sample
 from pkmodes_generated.linear_delta import model
-from sample_robots import RANDOM, SAMPLES, sample
 
 # Relative rounding error for each unit of the Frobenius condition number of D_l (between 3 and 12 here): 45
 # units in the last place.  Rounding puts a few of these into the linkage vectors, from coordinates up to three

@@ -11,9 +11,9 @@ from typing import Any
 import jsonschema
 import pytest
 
+from helpers.robots.robot_text import PUBLISHED, edited, published
 from pkmodes.cli import cli, run
 from pkmodes_rig.robots import ROBOTS
-from robot_text import PUBLISHED, edited, published
 
 ROOT = Path(__file__).parents[1]
 SCHEMAS = {

@@ -10,7 +10,7 @@ from urllib.parse import unquote, urlsplit
 import pytest
 from markdown_it import MarkdownIt
 
-from documentation import PAGES, ROOT
+from helpers.pages.documentation import PAGES, ROOT
 
 DOI = "https://doi.org/10.3390/robotics10040132"
 PAPER = re.compile(r"\bthe\s+paper\b", re.IGNORECASE)

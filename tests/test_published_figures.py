@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from documentation import same
+from helpers.pages.documentation import same
 
 ROOT = Path(__file__).parents[1]
 STUDY = ROOT / "docs/studies/published_figures"

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.robot_text import PUBLISHED
 from pkmodes_generated import linear_delta
-from robot_text import PUBLISHED
 
 
 def mean_condition(model: pkmodes.Model, branch: list[float], samples: int = 20_001) -> float:

@@ -17,9 +17,9 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.robot_text import PUBLISHED
 from pkmodes.updating import compare, diagnose, read
 from pkmodes_generated import linear_delta
-from robot_text import PUBLISHED
 
 ROOT = Path(__file__).parents[1]
 EXAMPLE = ROOT / "docs/studies/published_tables"

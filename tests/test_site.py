@@ -13,8 +13,8 @@ from urllib.parse import unquote, urljoin, urlsplit
 
 import pytest
 
-from browser import opened, served
-from documentation import PAGES, ROOT
+from helpers.pages.browser import opened, served
+from helpers.pages.documentation import PAGES, ROOT
 
 pytestmark = pytest.mark.slow
 

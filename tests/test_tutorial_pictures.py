@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from documentation import ROOT
+from helpers.pages.documentation import ROOT
 
 FOLDER = ROOT / "docs/figures"
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from generated_robots import CASES, Robot
+from helpers.generated.generated_robots import CASES, Robot
 
 
 @pytest.fixture(scope="session", params=CASES)

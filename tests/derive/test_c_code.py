@@ -13,7 +13,8 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from compiled import build, call
+from helpers.generated.compiled import build, call
+from helpers.robots.sample_robots import random_robot
 from pkmodes.codegen.generation import specification
 from pkmodes.robot.robot import Robot
 from pkmodes_derive import mechanisms
@@ -21,7 +22,6 @@ from pkmodes_derive.emit import product
 from pkmodes_derive.functions import Function
 from pkmodes_generated import linear_delta
 from pkmodes_generated.linear_delta import Parameters
-from sample_robots import random_robot
 
 pytestmark = pytest.mark.compiler
 

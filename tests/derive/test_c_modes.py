@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from compiled import COMPILER
-from generated_robots import Robot
+from helpers.generated.compiled import COMPILER
+from helpers.generated.generated_robots import Robot
 from pkmodes.mechanism.poses import MAX_CONDITION
 
 pytestmark = pytest.mark.compiler

@@ -12,8 +12,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from compiled import COMPILER, FLAGS
-from generated_robots import STRICT, Robot
+from helpers.generated.compiled import COMPILER, FLAGS
+from helpers.generated.generated_robots import STRICT, Robot
 
 pytestmark = pytest.mark.compiler
 

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from sympy import Matrix, lambdify
 
+from helpers.robots.sample_robots import random_robot
 from pkmodes_derive import mechanisms
 from pkmodes_derive.assembly import kinematics
 from pkmodes_derive.mechanisms.linear_delta.euler_route import EulerRoute, euler_route
 from pkmodes_generated import linear_delta
-from sample_robots import random_robot
 
 MACHINE = mechanisms.machine("linear_delta")
 KIN = kinematics.derive(MACHINE)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from generated_robots import Robot
+from helpers.generated.generated_robots import Robot
 
 
 def test_the_status_says_why_as_the_runtime_does(robot: Robot) -> None:

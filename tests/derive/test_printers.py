@@ -34,7 +34,7 @@ from sympy import (
 )
 from sympy.printing.codeprinter import PrintMethodNotImplementedError
 
-from compiled import COMPILER, FLAGS
+from helpers.generated.compiled import COMPILER, FLAGS
 from pkmodes_derive.emit import product
 from pkmodes_derive.emit.c99 import printer as c99
 from pkmodes_derive.emit.numpy import printer as numpy

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from generated_robots import Robot, imported
+from helpers.generated.generated_robots import Robot, imported
 from pkmodes.codegen.generation import generate
 from pkmodes_derive.emit.identity import literal
 

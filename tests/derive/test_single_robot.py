@@ -13,13 +13,13 @@ import pytest
 from scipy.linalg import eigh
 
 import pkmodes
-from compiled import build, call
+from helpers.generated.compiled import build, call
+from helpers.robots.sample_robots import ROBOTS
 from pkmodes.codegen.generation import specification
 from pkmodes.mechanism.registry import mechanism
 from pkmodes.robot.reading import robot_from_document
 from pkmodes_derive import mechanisms
 from pkmodes_derive.emit import product
-from sample_robots import ROBOTS
 
 ROBOT = "linear-delta-2022.toml"
 POSE = np.array([0.6, 0.03, -0.245])

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from frame_diagnoses import SIX, causes, checked, drawn, spoiled
-from pkmodes.diagnosis import Measurements
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from small_structures import (
+from helpers.diagnoses.frame_diagnoses import SIX, causes, checked, drawn, spoiled
+from helpers.robots.small_structures import (
     SIGMA,
     frame,
 )
+from pkmodes.diagnosis import Measurements
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 
 
 @pytest.mark.parametrize("truth", [{}, {"brace 2": 6.0e4}])

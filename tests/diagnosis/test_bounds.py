@@ -5,10 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pkmodes.diagnosis import Parameter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from small_structures import LogLinear, logs_measured
-from textbook_fits import (
+from helpers.references.textbook_fits import (
     CAUSES,
     DECLARED,
     PARAMETERS,
@@ -19,6 +16,9 @@ from textbook_fits import (
     simulated,
     structure,
 )
+from helpers.robots.small_structures import LogLinear, logs_measured
+from pkmodes.diagnosis import Parameter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 
 
 def bounded(lower: float, upper: float, value: float) -> tuple[LogLinear, Hypothesis]:

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from scipy import sparse
 
+from helpers.robots.small_structures import frame, frame_matrices, frame_measured
 from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis import MatrixStructure, Parameter, diagnose
 from pkmodes.diagnosis.structure.kept import Kept
-from small_structures import frame, frame_matrices, frame_measured
 
 
 def built(matrices: Any, **options: Any) -> MatrixStructure:

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import closed_loop_example
+from helpers.diagnoses import closed_loop_example
 from pkmodes import read_robot, updating
 from pkmodes.diagnosis import diagnose
 

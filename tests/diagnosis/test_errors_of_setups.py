@@ -8,11 +8,7 @@ from scipy import stats
 from scipy.linalg import block_diag
 from scipy.optimize import minimize_scalar
 
-from pkmodes.diagnosis import Measurements, Parameter
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from small_structures import LogLinear, frame, frame_measured, logs_measured
-from textbook_fits import (
+from helpers.references.textbook_fits import (
     CAUSES,
     DECLARED,
     PARAMETERS,
@@ -24,6 +20,10 @@ from textbook_fits import (
     simulated,
     structure,
 )
+from helpers.robots.small_structures import LogLinear, frame, frame_measured, logs_measured
+from pkmodes.diagnosis import Measurements, Parameter
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 
 
 def shared(y: np.ndarray, tau: float) -> np.ndarray:

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from frame_diagnoses import SIX, TWO, checked, drawn
-from pkmodes.diagnosis import Measurements
-from small_structures import (
+from helpers.diagnoses.frame_diagnoses import SIX, TWO, checked, drawn
+from helpers.robots.small_structures import (
     SIGMA,
     frame,
 )
+from pkmodes.diagnosis import Measurements
 
 
 def test_false_alarms_are_rare_and_the_refit_leaves_chi_square() -> None:

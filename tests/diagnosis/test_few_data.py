@@ -7,8 +7,8 @@ import pytest
 from scipy import stats
 from scipy.linalg import eigh
 
+from helpers.robots.small_structures import SIGMA, LogLinear, logs_measured
 from pkmodes.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
-from small_structures import SIGMA, LogLinear, logs_measured
 
 STOREYS = 4
 

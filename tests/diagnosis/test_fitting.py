@@ -8,12 +8,7 @@ from scipy import stats
 from scipy.linalg import block_diag
 from scipy.optimize import minimize_scalar
 
-from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
-from pkmodes.diagnosis.fit.cross_validation import left_out
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from small_structures import LogLinear, logs_measured
-from textbook_fits import (
+from helpers.references.textbook_fits import (
     BOTH,
     CAUSES,
     DECLARED,
@@ -26,6 +21,11 @@ from textbook_fits import (
     simulated,
     structure,
 )
+from helpers.robots.small_structures import LogLinear, logs_measured
+from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
+from pkmodes.diagnosis.fit.cross_validation import left_out
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 
 
 @pytest.mark.parametrize(

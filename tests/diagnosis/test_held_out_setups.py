@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from frame_diagnoses import SIX, TWO, checked, drawn
-from pkmodes.base.errors import PkmodesError
-from pkmodes.diagnosis import MatrixStructure, Measurements, Parameter, diagnose
-from small_structures import (
+from helpers.diagnoses.frame_diagnoses import SIX, TWO, checked, drawn
+from helpers.robots.small_structures import (
     SIGMA,
     frame,
 )
+from pkmodes.base.errors import PkmodesError
+from pkmodes.diagnosis import MatrixStructure, Measurements, Parameter, diagnose
 
 
 def test_held_out_setups_are_not_used() -> None:

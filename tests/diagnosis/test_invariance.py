@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from frame_diagnoses import CANDIDATES, SIX, TWO, causes, checked, drawn, spoiled
-from pkmodes.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurements, Parameter
-from small_structures import (
+from helpers.diagnoses.frame_diagnoses import CANDIDATES, SIX, TWO, causes, checked, drawn, spoiled
+from helpers.robots.small_structures import (
     SIGMA,
     LogLinear,
     frame,
 )
+from pkmodes.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurements, Parameter
 
 
 def assert_same(found: Diagnosis, plain: Diagnosis, unit: float = 1.0) -> None:

@@ -11,8 +11,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import pytest
 
+from helpers.robots.small_structures import SIGMA, LogLinear, logs_measured
 from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, Parameter, diagnose
-from small_structures import SIGMA, LogLinear, logs_measured
 
 SETUPS, MODES = 10, 5
 #: Orthonormal directions in the space of all rows: the signatures of the causes.

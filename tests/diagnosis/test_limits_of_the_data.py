@@ -6,12 +6,12 @@ from collections.abc import Sequence
 
 import pytest
 
-from frame_diagnoses import SIX, TWO, causes, checked, drawn
-from pkmodes.diagnosis import Candidate, MatrixStructure, Parameter
-from small_structures import (
+from helpers.diagnoses.frame_diagnoses import SIX, TWO, causes, checked, drawn
+from helpers.robots.small_structures import (
     frame,
     frame_matrices,
 )
+from pkmodes.diagnosis import Candidate, MatrixStructure, Parameter
 
 
 def test_one_setup_is_enough_for_a_large_cause() -> None:

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from scipy.optimize import lsq_linear
 
+from helpers.robots.small_structures import SIGMA, LogLinear, log_linear, logs_measured
 from pkmodes.diagnosis import Candidate, Parameter
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.updating.structure import RobotStructure
 from pkmodes.updating.suspects import suspects
 from pkmodes_rig.robots import POSES, ROBOTS, read
-from small_structures import SIGMA, LogLinear, log_linear, logs_measured
 
 SETUPS, MODES = 8, 5
 

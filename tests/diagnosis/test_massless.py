@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from scipy import linalg, sparse
 
+from helpers.robots.small_structures import mixture
 from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis import MatrixStructure, Parameter
 from pkmodes.diagnosis.matrices import at_measured
-from small_structures import mixture
 
 
 def test_a_coordinate_without_mass_follows_the_others() -> None:

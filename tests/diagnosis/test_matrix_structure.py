@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from scipy import stats
 
+from helpers.robots.small_structures import LOADS, frame
 from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, compare
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from small_structures import LOADS, frame
 
 MASS, STIFFNESS, STOREYS = 20.0, 4.0e5, 4
 

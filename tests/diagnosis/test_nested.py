@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from helpers.robots.small_structures import SIGMA, LogLinear, logs_measured
 from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, Parameter, diagnose
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.store import FitStore
@@ -17,7 +18,6 @@ from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.verdict.stability import trials
 from pkmodes.updating.suspects import suspects
 from pkmodes_rig.robots import read
-from small_structures import SIGMA, LogLinear, logs_measured
 
 SETUPS, MODES = 10, 5
 #: Orthonormal directions in the space of all rows.

@@ -10,6 +10,7 @@ import pytest
 from scipy import stats
 from scipy.linalg import eigh
 
+from helpers.robots.small_structures import SIGMA, LogLinear, log_linear, logs_measured
 from pkmodes.diagnosis import (
     Candidate,
     Diagnosis,
@@ -22,7 +23,6 @@ from pkmodes.diagnosis import (
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.search.unmeasured import p_unmeasured, seen
-from small_structures import SIGMA, LogLinear, log_linear, logs_measured
 
 FLOORS = [f"floor {i}" for i in range(1, 5)]
 LOADS = {f"{load:g} kg": load for load in (0.0, 2.0, 4.0, 6.0, 8.0)}

@@ -1,4 +1,4 @@
-"""Verdicts on the virtual test rig: a few cases of the suites of `benchmarks/`, run as a user would run them.
+"""Verdicts on the virtual test rig: a few cases of the suites of `pkmodes_rig`, run as a user would run them.
 
 The rig is MuJoCo's physics, and the true values of the uncertain parameters are drawn from their priors.  How often
 each verdict is right is measured by the whole suites, in docs/diagnosis-measured.md; here each behaviour is held.
@@ -10,16 +10,16 @@ from dataclasses import replace
 
 import pytest
 
-from cases import tried
-from judging import MENTIONS, physical, set_aside_blindly
 from pkmodes.diagnosis.verdict.result import Diagnosis, Finding
 from pkmodes.updating import loop
 from pkmodes_rig.laboratory import Laboratory
 from pkmodes_rig.measurements import Identified
 from pkmodes_rig.robots import read
-from requirements import CLEAR, MAC_CLAIMED, MAC_OTHER
-from strengths import measurements, signal, with_wrong
-from suites import SUITES, Case, Outcome, judged, measured, run
+from pkmodes_rig.suites.cases import tried
+from pkmodes_rig.suites.judging import MENTIONS, physical, set_aside_blindly
+from pkmodes_rig.suites.requirements import CLEAR, MAC_CLAIMED, MAC_OTHER
+from pkmodes_rig.suites.strengths import measurements, signal, with_wrong
+from pkmodes_rig.suites.suites import SUITES, Case, Outcome, judged, measured, run
 
 #: Standard deviations within which a value is right.
 RIGHT = 3.0

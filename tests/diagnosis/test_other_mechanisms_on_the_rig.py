@@ -1,4 +1,4 @@
-"""Verdicts on the rotary delta and the CoreXY: a few cases of `benchmarks/mechanism_suites.py`.
+"""Verdicts on the rotary delta and the CoreXY: a few cases of `src/pkmodes_rig/suites/mechanism_suites.py`.
 
 How often each verdict is right is measured by the whole suites, in docs/mechanisms-measured.md.
 """
@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import pytest
 
-from mechanism_cases import KINDS, MechanismCase, MechanismOutcome, robot_of, run
-from mechanism_sizes import SIZES
-from mechanism_suites import OUTSIDE, SUITES, WRONG, cases
 from pkmodes.updating.suspects import suspects
+from pkmodes_rig.suites.mechanism_cases import KINDS, MechanismCase, MechanismOutcome, robot_of, run
+from pkmodes_rig.suites.mechanism_sizes import SIZES
+from pkmodes_rig.suites.mechanism_suites import OUTSIDE, SUITES, WRONG, cases
 
 RIGHT = 3.0
 

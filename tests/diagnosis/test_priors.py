@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from helpers.robots.small_structures import SIGMA, LogLinear, log_linear, logs_measured
 from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis import Candidate, Parameter, diagnose
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.priors import Priors
 from pkmodes.diagnosis.fit.store import FitStore
-from small_structures import SIGMA, LogLinear, log_linear, logs_measured
 
 
 def structure(sigma: tuple[float, ...] | None, *, seed: int = 3, log: bool = False) -> LogLinear:

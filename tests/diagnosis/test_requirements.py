@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from cases import Case
-from judging import Outcome
-from requirements import requirements
-from strengths import Truth
-from suites import SUITES
+from pkmodes_rig.suites.cases import Case
+from pkmodes_rig.suites.judging import Outcome
+from pkmodes_rig.suites.requirements import requirements
+from pkmodes_rig.suites.strengths import Truth
+from pkmodes_rig.suites.suites import SUITES
 
 
 def outcomes(suite: str, *states: str, **changes: object) -> list[Outcome]:

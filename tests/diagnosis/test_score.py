@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from scipy import stats
 
+from helpers.robots.small_structures import LogLinear, log_linear, logs_measured
 from pkmodes.diagnosis import Candidate, Parameter
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.search.score import Scores, score
-from small_structures import LogLinear, log_linear, logs_measured
 
 SIGMA = 0.002
 #: Steps of candidates that change frequencies by a few standard deviations.

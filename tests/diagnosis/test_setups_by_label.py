@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from helpers.robots.small_structures import LOADS, frame, frame_derivatives, frame_matrices, frame_measured
 from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis import MatrixStructure, Measurements, compare, diagnose, update
-from small_structures import LOADS, frame, frame_derivatives, frame_matrices, frame_measured
 
 
 def test_the_order_of_setups_is_that_of_the_labels_not_of_the_rows() -> None:

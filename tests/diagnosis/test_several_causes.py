@@ -6,13 +6,13 @@ from collections.abc import Sequence
 
 import pytest
 
-from frame_diagnoses import CANDIDATES, SIX, TWO, causes, checked, drawn
-from pkmodes.diagnosis import Candidate, MatrixStructure, Parameter
-from small_structures import (
+from helpers.diagnoses.frame_diagnoses import CANDIDATES, SIX, TWO, causes, checked, drawn
+from helpers.robots.small_structures import (
     frame,
     frame_derivatives,
     frame_matrices,
 )
+from pkmodes.diagnosis import Candidate, MatrixStructure, Parameter
 
 
 def test_two_causes_are_found_together() -> None:

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from scipy import sparse
 
+from helpers.robots.small_structures import mixture
 from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.structure import shape_rates as module
-from small_structures import mixture
 
 
 def every(structure: MatrixStructure, values: np.ndarray, by: Sequence[int]) -> np.ndarray:

@@ -7,12 +7,12 @@ from collections.abc import Callable, Mapping
 import numpy as np
 import pytest
 
+from helpers.robots.small_structures import LOADS, STIFFNESS, frame, frame_matrices, frame_measured
 from pkmodes.diagnosis import Criteria, MatrixStructure, Measurements, diagnose, update
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.verdict.unevaluated import unevaluated
-from small_structures import LOADS, STIFFNESS, frame, frame_matrices, frame_measured
 
 
 def walled(wall: Callable[[Mapping[str, float]], bool]) -> MatrixStructure:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from helpers.robots.small_structures import SIGMA, LogLinear, logs_measured
 from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis import Candidate, Measurements, Parameter, update
-from small_structures import SIGMA, LogLinear, logs_measured
 
 COUNT = 12
 

@@ -7,9 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 
-from frame_diagnoses import CANDIDATES, TWO, causes, checked, drawn
-from pkmodes.diagnosis import Candidate, Measurements, Parameter
-from small_structures import (
+from helpers.diagnoses.frame_diagnoses import CANDIDATES, TWO, causes, checked, drawn
+from helpers.robots.small_structures import (
     SIGMA,
     STIFFNESS,
     LogLinear,
@@ -18,6 +17,7 @@ from small_structures import (
     logs_measured,
     uncertain,
 )
+from pkmodes.diagnosis import Candidate, Measurements, Parameter
 
 
 def test_nothing_is_missing() -> None:

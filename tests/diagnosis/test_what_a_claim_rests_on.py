@@ -9,6 +9,7 @@ import pytest
 from scipy import stats
 from scipy.linalg import block_diag, eigh
 
+from helpers.robots.small_structures import SIGMA, LogLinear, logs_measured
 from pkmodes.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
@@ -17,7 +18,6 @@ from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.verdict.held_out import remarks
 from pkmodes.diagnosis.verdict.result import Error
 from pkmodes.diagnosis.verdict.values import p_absent
-from small_structures import SIGMA, LogLinear, logs_measured
 
 SETUPS, MODES, STOREYS = 10, 5, 4
 

@@ -8,11 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from compiled import build, call
+from helpers.generated.compiled import build, call
+from helpers.robots.sample_robots import random_robot
 from pkmodes_derive import mechanisms
 from pkmodes_derive.emit import product
 from pkmodes_generated.linear_delta import extended
-from sample_robots import random_robot
 
 pytestmark = pytest.mark.compiler
 

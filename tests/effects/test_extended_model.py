@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
+from helpers.robots.sample_robots import random_robot
 from pkmodes.mechanism.registry import mechanism
 from pkmodes_generated.linear_delta import Parameters, extended, model
-from sample_robots import random_robot
 
 SEEDS = range(4)
 BASE = len(model.COORDINATES)

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.robot_text import edited, published
 from pkmodes.robot.paths import moved, paths, resolve
 from pkmodes.robot.reading import robot_from_document
 from pkmodes.robot.robot import Robot
 from pkmodes_generated.linear_delta import Parameters
-from robot_text import edited, published
 
 POSE = [0.6, 0.03, -0.245]
 OWN_BELT = published() + '\n[axis.belt]\nwidth = "12 mm"\n'  # of the last axis

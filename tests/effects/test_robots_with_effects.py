@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.base.errors import RobotFileError
 from pkmodes.cli import run
 from pkmodes.mechanism.registry import mechanism
-from robot_text import PUBLISHED, published
 
 CATALOGUE = mechanism("linear_delta").effects
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from mpmath import cholesky, eigsy, matrix, mpf, workdps
 
+from helpers.references.sensitivity_references import JOINTS, is_locked
+from helpers.robots.sensitivity_cases import CLAMP, Array, assert_small, case, system_of
 from pkmodes_generated.linear_delta import extended
-from sensitivity_cases import CLAMP, Array, assert_small, case, system_of
-from sensitivity_references import JOINTS, is_locked
 
 
 def test_a_massless_clamp_is_differentiated_with_its_condensed_coordinate() -> None:

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.references.sensitivity_references import AHEAD, eigenvalues
+from helpers.robots.sensitivity_cases import CROSSING, assert_small, case
 from pkmodes.robot.paths import moved
 from pkmodes.sensitivity.sensitivities import TOGETHER
-from sensitivity_cases import CROSSING, assert_small, case
-from sensitivity_references import AHEAD, eigenvalues
 
 
 @pytest.mark.parametrize("name", CROSSING)

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.references.sensitivity_references import robot_of
+from helpers.robots.sample_robots import published
+from helpers.robots.sensitivity_cases import GENERIC, case
 from pkmodes.sensitivity.sensitivities import Sensitivities
-from sample_robots import published
-from sensitivity_cases import GENERIC, case
-from sensitivity_references import robot_of
 
 
 def same(a: Sensitivities, b: Sensitivities, i: object, j: object) -> None:

@@ -9,10 +9,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.robot.paths import ParameterPath, moved, resolve
-from pkmodes.sensitivity.matrices import MatrixDerivatives
-from sensitivity_cases import CASES, Array, Case, assert_small, case, system_of
-from sensitivity_references import (
+from helpers.references.sensitivity_references import (
     AHEAD,
     CENTRAL,
     Rates,
@@ -22,6 +19,9 @@ from sensitivity_references import (
     eigenvalues,
     is_locked,
 )
+from helpers.robots.sensitivity_cases import CASES, Array, Case, assert_small, case, system_of
+from pkmodes.robot.paths import ParameterPath, moved, resolve
+from pkmodes.sensitivity.matrices import MatrixDerivatives
 
 
 def assert_matrices(case: Case, i: int, t: slice, expected: Rates, relative: float, rounding: Array) -> None:

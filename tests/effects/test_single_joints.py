@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.robot_text import PUBLISHED, edited
 from pkmodes.base.errors import PkmodesError
 from pkmodes.robot.paths import moved, resolve
 from pkmodes.robot.units import Quantity
@@ -16,7 +17,6 @@ from pkmodes.updating.structure import RobotStructure
 from pkmodes.updating.suspects import suspects
 from pkmodes_rig.engine import true_modes
 from pkmodes_rig.robots import POSES, ROBOTS, read
-from robot_text import PUBLISHED, edited
 
 JOINT = "gearbox_compliance.compliance.psi_2"
 #: Wind-up per torque that changes some frequency by a few per cent.

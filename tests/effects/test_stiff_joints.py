@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 
 import pkmodes
-from high_precision import Exact, exact_derivatives, exact_modes, mp
+from helpers.references.high_precision import Exact, exact_derivatives, exact_modes, mp
+from helpers.references.sensitivity_references import robot_of
+from helpers.robots.sample_robots import Sample, published, random_robot
 from pkmodes.base.errors import PoseError
 from pkmodes.linalg.eigen import condensed_eigh, generalised_eigh
 from pkmodes.mechanism.registry import mechanism
 from pkmodes.system.evaluation import SystemOfEffects, matrices
-from sample_robots import Sample, published, random_robot
-from sensitivity_references import robot_of
 
 KIND = mechanism("linear_delta")
 CATALOGUE = KIND.effects

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from lane_agreement import assert_agrees
-from lane_samples import EFFECTS, EXTREMES, NAMES, case, results
+from helpers.references.lane_agreement import assert_agrees
+from helpers.robots.lane_samples import EFFECTS, EXTREMES, NAMES, case, results
 from pkmodes.solve.solving import solve
 
 pytestmark = pytest.mark.compiler

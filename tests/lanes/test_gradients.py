@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from lane_samples import (
+from helpers.robots.lane_samples import (
     EFFECTS,
     EXTREMES,
     NAMES,

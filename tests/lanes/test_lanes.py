@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from lane_samples import NAMES, ROBOTS, case, evaluator, results
+from helpers.robots.lane_samples import NAMES, ROBOTS, case, evaluator, results
 from pkmodes.compiled import build
 from pkmodes.compiled.evaluator import SHARE
 from pkmodes.compiled.loader import load

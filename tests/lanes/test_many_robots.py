@@ -12,8 +12,8 @@ import os
 import numpy as np
 import pytest
 
-from lane_agreement import LIMITS, errors
-from lane_samples import EFFECTS, EXTREMES, NAMES, case
+from helpers.references.lane_agreement import LIMITS, errors
+from helpers.robots.lane_samples import EFFECTS, EXTREMES, NAMES, case
 
 pytestmark = pytest.mark.compiler
 

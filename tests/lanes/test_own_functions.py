@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from adding_a_mechanism import DEFINITION, ROBOT
+from helpers.commands.adding_a_mechanism import DEFINITION, ROBOT
 
 pytestmark = pytest.mark.compiler
 

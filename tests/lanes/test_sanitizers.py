@@ -23,7 +23,7 @@ link = build._run
 build._run = lambda command, folder: link(
     [*command, "-fsanitize=address,undefined"] if "-shared" in command else command, folder)
 loader.SHIPPED = loader.SHIPPED / "none"
-from lane_samples import NAMES, case, results
+from helpers.robots.lane_samples import NAMES, case, results
 for name in NAMES:
     for effects in ("none", "clamps with belt mass", "everything"):
         for count in (1, 3, 6, 13):

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 
-from lane_samples import NAMES, case
+from helpers.robots.lane_samples import NAMES, case
 from pkmodes.solve.compiled_systems import modes_of_systems
 from pkmodes.solve.solving import solve
 from pkmodes.system.evaluation import SystemOfEffects

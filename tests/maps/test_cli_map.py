@@ -15,9 +15,9 @@ import numpy as np
 import pytest
 import xarray
 
-from map_runs import PROGRAM, ROOT
+from helpers.commands.map_runs import PROGRAM, ROOT
+from helpers.robots.robot_text import PUBLISHED, edited
 from pkmodes.cli import run
-from robot_text import PUBLISHED, edited
 
 ROBOT = str(PUBLISHED)
 LINE = "x=0.3:0.8:11,y=0,z=-0.245"

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.cli import run
-from robot_text import PUBLISHED, published
 
 ROBOT = str(PUBLISHED)
 GRID = "x=0.3:0.8:5,y=0,z=-0.245"

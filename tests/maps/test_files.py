@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 import xarray
 
-from map_runs import model
+from helpers.commands.map_runs import model
 from pkmodes.base.errors import OutputError
 
 POSE = {"x": 0.6, "y": 0.0, "z": -0.245}

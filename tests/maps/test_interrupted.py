@@ -14,7 +14,16 @@ import pytest
 import xarray
 
 import pkmodes
-from map_runs import GRID, TASKS, count_tasks, done_in, folder_of, model, started, wait_until_done
+from helpers.commands.map_runs import (
+    GRID,
+    TASKS,
+    count_tasks,
+    done_in,
+    folder_of,
+    model,
+    started,
+    wait_until_done,
+)
 from pkmodes.base.errors import OutputError
 from pkmodes.maps import mapping
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from map_runs import ROOT
+from helpers.commands.map_runs import ROOT
 
 #: Prints by how much the largest memory of the process grows in a large map after a small one [MB].
 PROGRAM = """

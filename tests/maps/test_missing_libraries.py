@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from map_runs import ROOT
-from robot_text import PUBLISHED
+from helpers.commands.map_runs import ROOT
+from helpers.robots.robot_text import PUBLISHED
 
 BLOCKED = """
 import sys

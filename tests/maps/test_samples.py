@@ -9,8 +9,8 @@ import pytest
 from scipy.stats import kstest
 
 import pkmodes
+from helpers.robots.robot_text import edited
 from pkmodes.base.errors import PkmodesError
-from robot_text import edited
 
 POSE = {"x": 0.6, "y": 0.0, "z": -0.245}
 

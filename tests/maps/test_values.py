@@ -11,11 +11,11 @@ import pytest
 import xarray
 
 import pkmodes
-from adding_a_mechanism import COMMANDS, DECLARED, DEFINITION
-from adding_a_mechanism import ROBOT as FIVE_BAR
+from helpers.commands.adding_a_mechanism import COMMANDS, DECLARED, DEFINITION
+from helpers.commands.adding_a_mechanism import ROBOT as FIVE_BAR
 from pkmodes.cli import run
 from pkmodes.maps.listed import read_poses
-from pkmodes.mechanism.registry import registry as mechanism
+from pkmodes.mechanism import registry as mechanism
 from pkmodes.robot.corrections import changeable
 
 ROOT = Path(__file__).parents[2]

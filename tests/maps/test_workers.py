@@ -17,11 +17,11 @@ import pytest
 import xarray
 
 import pkmodes
-from map_runs import GRID, ROOT, count_tasks, model
+from helpers.commands.map_runs import GRID, ROOT, count_tasks, model
 from pkmodes.base.errors import PkmodesError
 from pkmodes.cli import run
 from pkmodes.maps import mapping, running
-from pkmodes.mechanism.registry import registry as mechanism
+from pkmodes.mechanism import registry as mechanism
 
 PATHS = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
 
@@ -140,7 +140,7 @@ def test_a_mechanism_of_ones_own_on_workers(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    from adding_a_mechanism import COMMANDS, DEFINITION, ROBOT
+    from helpers.commands.adding_a_mechanism import COMMANDS, DEFINITION, ROBOT
 
     (tmp_path / "five_bar.py").write_text(DEFINITION, encoding="utf-8")
     (tmp_path / "robot.toml").write_text(ROBOT, encoding="utf-8")

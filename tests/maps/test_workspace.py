@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.robot_text import edited, published
 from pkmodes.base.errors import PoseError
 from pkmodes.maps.workspace import POSES, reachable
 from pkmodes.solve.workspace import box_of
-from robot_text import edited, published
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 

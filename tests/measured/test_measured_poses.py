@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 import pkmodes
-from measurement_files import HEADER, ROW, read
+from helpers.diagnoses.measurement_files import HEADER, ROW, read
+from helpers.robots.robot_text import PUBLISHED
 from pkmodes import updating
 from pkmodes.base.errors import MeasurementError
 from pkmodes.updating.poses import check_measured
-from robot_text import PUBLISHED
 
 
 def test_positions_in_millimetres_are_recognised(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from measurement_files import FULL, HEADER, ROW, read
+from helpers.diagnoses.measurement_files import FULL, HEADER, ROW, read
 from pkmodes.measured.measurements import Measurements
 
 

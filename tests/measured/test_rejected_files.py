@@ -10,7 +10,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from measurement_files import CHANNELS, FULL, HEADER, ROW, read, refusal
+from helpers.diagnoses.measurement_files import CHANNELS, FULL, HEADER, ROW, read, refusal
 from pkmodes.base.errors import MeasurementError
 from pkmodes.measured.reading import read_measurements
 

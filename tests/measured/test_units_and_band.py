@@ -11,7 +11,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from measurement_files import HEADER, ROW
+from helpers.diagnoses.measurement_files import HEADER, ROW
 from pkmodes import diagnosis
 from pkmodes.base.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import scipy.linalg
 
+from helpers.robots.sample_mechanisms import SEEDS, Sample, effects, sample
 from pkmodes_generated.corexy import extended, model
-from sample_mechanisms import SEEDS, Sample, effects, sample
 
 #: Sums of some ten terms, none of which cancel: measured at most 4e-16 of the entry's own size.
 SAME = 3e-15

@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from compiled import build, packed
-from sample_mechanisms import NAMES, SEEDS, effects, extended, model, sample
+from helpers.generated.compiled import build, packed
+from helpers.robots.sample_mechanisms import NAMES, SEEDS, effects, extended, model, sample
 
 pytestmark = pytest.mark.compiler
 

@@ -14,9 +14,18 @@ import numpy as np
 import pytest
 
 import pkmodes
-from high_precision import solved
-from high_precision_mechanisms import HighPrecision, mp
-from sample_mechanisms import NAMES, TOGETHER, Sample, description, effect_names, effects, oracle, sample
+from helpers.references.high_precision import solved
+from helpers.references.high_precision_mechanisms import HighPrecision, mp
+from helpers.robots.sample_mechanisms import (
+    NAMES,
+    TOGETHER,
+    Sample,
+    description,
+    effect_names,
+    effects,
+    oracle,
+    sample,
+)
 
 FILES = {"rotary_delta": "clavel-delta.toml", "corexy": "corexy-printer.toml"}
 ROBOTS = Path(__file__).parents[2] / "robots"

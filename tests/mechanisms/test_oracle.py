@@ -10,9 +10,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from coordinate_blocks import kinds, worst
-from high_precision_mechanisms import Compared, Reference
-from sample_mechanisms import (
+from helpers.references.coordinate_blocks import kinds, worst
+from helpers.references.high_precision_mechanisms import Compared, Reference
+from helpers.robots.sample_mechanisms import (
     NAMES,
     SEEDS,
     TOGETHER,

@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from high_precision_mechanisms import STEP, HighPrecision, combine, cross, dot, exact, mp
-from oracle_rotary_delta import RotaryDelta
-from sample_mechanisms import NAMES, SEEDS, Sample, effects, model, oracle, sample
+from helpers.references.high_precision_mechanisms import STEP, HighPrecision, combine, cross, dot, exact, mp
+from helpers.references.oracle_rotary_delta import RotaryDelta
+from helpers.robots.sample_mechanisms import NAMES, SEEDS, Sample, effects, model, oracle, sample
 
 #: Per unit of the condition number of D_l, as in `test_oracle`; measured: at most 4e-16.
 ROUNDING = 3e-15

@@ -12,9 +12,9 @@ from functools import cache
 import numpy as np
 import pytest
 
-from coordinate_blocks import kinds, worst
-from high_precision_mechanisms import STEP, HighPrecision, exact_values, shifted
-from sample_mechanisms import NAMES, ORACLES, effects, extended, sample
+from helpers.references.coordinate_blocks import kinds, worst
+from helpers.references.high_precision_mechanisms import STEP, HighPrecision, exact_values, shifted
+from helpers.robots.sample_mechanisms import NAMES, ORACLES, effects, extended, sample
 
 #: A generated derivative has some hundred terms and needs one more solution than M and K with the matrix of the
 #: loops, whose condition number is 7 to 11 here.  Relative to the largest entry of a block of coordinates.

@@ -13,10 +13,10 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
+from helpers.robots.sample_mechanisms import SEEDS, Sample, sample
+from helpers.robots.symmetric_rotary_delta import clavel
 from pkmodes_generated.rotary_delta import extended, model
 from pkmodes_rig.mujoco_rotary_delta import Engine
-from sample_mechanisms import SEEDS, Sample, sample
-from symmetric_rotary_delta import clavel
 
 #: Quantities of the engine without differences, relative to the largest entry of a block of coordinates: a few dozen
 #: roundings amplified by the condition of the constraints.  Measured over these and eight more robots, like all

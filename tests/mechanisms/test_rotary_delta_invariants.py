@@ -7,9 +7,9 @@ import pytest
 import scipy.linalg
 from scipy.spatial.transform import Rotation
 
+from helpers.robots.sample_mechanisms import SEEDS, Sample, effects, sample
+from helpers.robots.symmetric_rotary_delta import GRAVITY, THIRD, clavel, orthogonal, reordered, turned
 from pkmodes_generated.rotary_delta import extended, model
-from sample_mechanisms import SEEDS, Sample, effects, sample
-from symmetric_rotary_delta import GRAVITY, THIRD, clavel, orthogonal, reordered, turned
 
 #: The error of each side of an identity is at most 5e-16 per unit of the condition number of D_l, below 12 here
 #: (test_oracle); another description of a robot rounds its coordinates once more, to some 1e-16 of a metre

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from helpers.robots.sample_mechanisms import SEEDS, Sample, sample
+from helpers.robots.symmetric_rotary_delta import clavel
 from pkmodes_generated.rotary_delta import Parameters, model
-from sample_mechanisms import SEEDS, Sample, sample
-from symmetric_rotary_delta import clavel
 
 MANY = 2000
 

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from helpers.robots.sample_mechanisms import Sample, sample
+from helpers.robots.symmetric_rotary_delta import clavel
 from pkmodes_generated.rotary_delta import model
-from sample_mechanisms import Sample, sample
-from symmetric_rotary_delta import clavel
 
 DURATION = 0.06
 #: Of the kinetic energy: the integrator's relative tolerance of 1e-11 with room for steps with correlated errors.

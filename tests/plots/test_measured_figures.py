@@ -10,13 +10,13 @@ import pytest
 from matplotlib.collections import LineCollection, PathCollection, QuadMesh
 from matplotlib.colors import to_hex, to_rgba
 
+from helpers.pages.report_examples import made_up
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.verdict.result import Corrected, Examined
 from pkmodes.plots import differences, scores, shapes, spectrum
 from pkmodes.plots.evidence import Evidence, Stage
 from pkmodes.plots.style import BLUE, GREEN, GREY
 from pkmodes.report import figures
-from report_examples import made_up
 
 NAN = np.nan
 MACS = np.array([[0.9, 0.2, 0.1], [0.3, 0.8, 0.15], [NAN] * 3, [0.7, 0.4, 0.06], [0.12, 0.22, 0.6]])

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 import pkmodes
-from browser import opened
-from page_reading import Element, read
+from helpers.pages.browser import opened
+from helpers.pages.page_reading import Element, read
 from pkmodes.base.errors import PkmodesError
 from pkmodes.cli import run
 from pkmodes.report.map import map_report

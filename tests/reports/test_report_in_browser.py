@@ -7,13 +7,13 @@ from typing import Any
 
 import pytest
 
-from browser import opened
-from page_reading import read
+from helpers.diagnoses.verdict_examples import VERDICTS
+from helpers.pages.browser import opened
+from helpers.pages.page_reading import read
+from helpers.pages.report_examples import HOSTILE, diagnosed, made_up
 from pkmodes import updating
 from pkmodes.cli import run
 from pkmodes.report import report
-from report_examples import HOSTILE, diagnosed, made_up
-from verdict_examples import VERDICTS
 
 ROOT = Path(__file__).parents[2]
 LOOP = [str(ROOT / "examples" / "closed_loop" / name) for name in ("robot.toml", "measured.csv")]

@@ -11,12 +11,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from page_reading import Element, read
+from helpers.pages.page_reading import Element, read
+from helpers.pages.report_examples import diagnosed, made_up
 from pkmodes import Model, read_robot, updating
 from pkmodes.diagnosis.verdict.result import Examined, NextMeasurement, Stability
 from pkmodes.report import report
 from pkmodes.report.three import view_of_result
-from report_examples import diagnosed, made_up
 
 ROOT = Path(__file__).parents[2]
 LOOP = [ROOT / "examples" / "closed_loop" / name for name in ("robot.toml", "measured.csv")]

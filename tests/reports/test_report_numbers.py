@@ -12,14 +12,14 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from page_reading import Element, at, read, shown
+from helpers.diagnoses.verdict_examples import VERDICTS
+from helpers.pages.page_reading import Element, at, read, shown
+from helpers.pages.report_examples import diagnosed, made_up
 from pkmodes import read_robot, updating
 from pkmodes.cli import run
 from pkmodes.diagnosis import Comparison, Diagnosis, Measurements
 from pkmodes.report import report
 from pkmodes.robot.robot import Robot
-from report_examples import diagnosed, made_up
-from verdict_examples import VERDICTS
 
 ROOT = Path(__file__).parents[2]
 LOOP = [ROOT / "examples" / "closed_loop" / name for name in ("robot.toml", "measured.csv")]

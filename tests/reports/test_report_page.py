@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from page_reading import read
+from helpers.pages.page_reading import read
+from helpers.pages.report_examples import made_up
 from pkmodes.cli import run
 from pkmodes.report import report
-from report_examples import made_up
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "report.md").read_text(encoding="utf-8")

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from helpers.robots.robot_text import published
 from pkmodes.cli import run
-from robot_text import published
 
 
 @pytest.fixture(scope="session")

@@ -17,8 +17,8 @@ from pkmodes.base.errors import MeasurementError, PkmodesError, PoseError
 from pkmodes.cli.modes import as_json
 from pkmodes.cli.poses import parse_pose
 from pkmodes.codegen.checking.consistency import check_consistency
+from pkmodes.mechanism import registry as known
 from pkmodes.mechanism.generated import Generated
-from pkmodes.mechanism.registry import registry as known
 from pkmodes.mechanism.regular import sample
 from pkmodes.robot.paths import ParameterPath
 from pkmodes.robot.robot import Robot

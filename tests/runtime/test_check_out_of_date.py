@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from generated_model import MODULE, edit
+from helpers.generated.generated_model import MODULE, edit
+from helpers.robots.robot_text import published
 from pkmodes.cli import run
 from pkmodes_derive.emit import manifest
-from robot_text import published
 
 
 def check(folder: Path, capsys: pytest.CaptureFixture[str]) -> tuple[int, str]:

@@ -12,15 +12,15 @@ import pytest
 from scipy.linalg import eigh
 
 import pkmodes
-from broken_module import Broken
-from generated_model import MODULE
+from helpers.generated.broken_module import Broken
+from helpers.generated.generated_model import MODULE
+from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.cli import run
 from pkmodes.codegen.checking import products
 from pkmodes.codegen.checking.consistency import Check
 from pkmodes.codegen.derivation import REQUIREMENTS
 from pkmodes.mechanism.registry import mechanism as mechanism_named
 from pkmodes.mechanism.registry import names
-from robot_text import PUBLISHED, published
 
 CLAMP = '\n[effects.clamp_compliance]\ncompliance = "1e-7 m/N"\n'
 

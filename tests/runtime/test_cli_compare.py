@@ -18,10 +18,10 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.robot_text import PUBLISHED
 from pkmodes.cli import run
 from pkmodes_rig.measurements import measure
 from pkmodes_rig.robots import POSES, ROBOTS, read
-from robot_text import PUBLISHED
 
 ROOT = Path(__file__).parents[2]
 KEYS = {"robot", "rms_relative", "chi2_per_dof", "p_value", "unpaired", "rows"}

@@ -12,11 +12,11 @@ from typing import get_args, get_type_hints
 
 import pytest
 
-from diagnose_command import unwritable
+from helpers.diagnoses.diagnose_command import unwritable
+from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes import read_robot, updating
 from pkmodes.cli import run, verdicts
 from pkmodes.diagnosis import Diagnosis
-from robot_text import PUBLISHED, published
 
 ROOT = Path(__file__).parents[2]
 ROBOT = ROOT / "examples" / "closed_loop" / "robot.toml"

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import pytest
 
 import pkmodes
-from diagnose_command import (
+from helpers.diagnoses.diagnose_command import (
     Answer,
     bare,
     call,
@@ -20,7 +20,7 @@ from diagnose_command import (
     rows_of,
     write,
 )
-from verdict_examples import VERDICTS, given, judged
+from helpers.diagnoses.verdict_examples import VERDICTS, given, judged
 
 
 class Verdict(NamedTuple):

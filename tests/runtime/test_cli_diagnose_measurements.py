@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from diagnose_command import (
+from helpers.diagnoses.diagnose_command import (
     HEADER,
     PUBLISHED,
     bare,

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 import pkmodes
-from diagnose_command import PUBLISHED, WIND_UP, call, csv_of, files, measured, rows_of
+from helpers.diagnoses.diagnose_command import PUBLISHED, WIND_UP, call, csv_of, files, measured, rows_of
 
 ROOT = Path(__file__).parents[2]
 

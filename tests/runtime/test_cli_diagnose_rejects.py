@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from diagnose_command import HEADER, PUBLISHED, call, edited, files, refusal
+from helpers.diagnoses.diagnose_command import HEADER, PUBLISHED, call, edited, files, refusal
 
 ROW = "A,0.6,0,-0.245,55.5,0.1"
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import pkmodes
-from diagnose_command import PUBLISHED, TOWER, call, diagnosed, edited, files, measured
+from helpers.diagnoses.diagnose_command import PUBLISHED, TOWER, call, diagnosed, edited, files, measured
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,16 @@ import numpy as np
 import pytest
 
 import pkmodes
-from diagnose_command import PUBLISHED, TOWER, UNEQUAL, WIND_UP, call, edited, files, measured
+from helpers.diagnoses.diagnose_command import (
+    PUBLISHED,
+    TOWER,
+    UNEQUAL,
+    WIND_UP,
+    call,
+    edited,
+    files,
+    measured,
+)
 from pkmodes.cli import run
 from pkmodes.robot.reading import robot_from_document
 

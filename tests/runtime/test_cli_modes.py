@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.robot_text import PUBLISHED, edited
 from pkmodes.cli import run
-from robot_text import PUBLISHED, edited
 
 ROOT = Path(__file__).parents[2]
 ROBOT = str(PUBLISHED)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from diagnose_command import unwritable
+from helpers.diagnoses.diagnose_command import unwritable
 from pkmodes import read_robot, updating
 from pkmodes.base.errors import PkmodesError
 from pkmodes.cli import run

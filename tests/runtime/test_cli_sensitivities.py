@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.robot_text import PUBLISHED, edited, published
 from pkmodes.cli import run
 from pkmodes_rig.robots import ROBOTS
-from robot_text import PUBLISHED, edited, published
 
 POSE, POINT = "0.6,0.03,-0.245", [0.6, 0.03, -0.245]
 KEYS = {

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from broken_module import Broken
+from helpers.generated.broken_module import Broken
+from helpers.robots.sample_robots import random_robot
 from pkmodes.codegen.checking.consistency import check_consistency
 from pkmodes.mechanism.generated import Generated
 from pkmodes.mechanism.registry import mechanism
 from pkmodes.mechanism.regular import sample
 from pkmodes_derive import mechanisms
 from pkmodes_generated import linear_delta
-from sample_robots import random_robot
 
 KIND = mechanism("linear_delta")
 

@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.robot_text import PUBLISHED
 from pkmodes.base.errors import NotComputedError
 from pkmodes.sensitivity import sensitivities as sensitivity_module
 from pkmodes.sensitivity.sensitivities import Sensitivities
 from pkmodes.solve import dynamics, kinematics
-from robot_text import PUBLISHED
 
 POSE = np.array([0.6, 0.03, -0.245])
 CENTRE = np.array([0.0, 0.0, 0.1])

@@ -15,13 +15,13 @@ import numpy as np
 import pytest
 
 import pkmodes
-from generated_model import MODULE, edit
+from helpers.generated.generated_model import MODULE, edit
+from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.base import writing
 from pkmodes.cli import run
 from pkmodes.codegen.generation import specification
 from pkmodes.robot.reading import read_robot
 from pkmodes_derive.emit import product
-from robot_text import PUBLISHED, published
 
 
 def test_the_generated_module_stands_alone(pristine: Path) -> None:

@@ -7,10 +7,10 @@ import pytest
 from scipy.linalg import eigh
 
 import pkmodes
+from helpers.robots.robot_text import PUBLISHED
 from pkmodes.base.errors import PoseError
 from pkmodes.solve import dynamics
 from pkmodes_generated import linear_delta
-from robot_text import PUBLISHED
 
 POSE = np.array([0.6, 0.03, -0.245])
 

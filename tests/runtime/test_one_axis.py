@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import pkmodes
-from page_reading import read
+from helpers.pages.page_reading import read
 from pkmodes.cli import run
-from pkmodes.mechanism.registry import registry as mechanism
+from pkmodes.mechanism import registry as mechanism
 from pkmodes.view import poses_around
 
 pytestmark = pytest.mark.usefixtures("slide")

@@ -14,9 +14,10 @@ import numpy as np
 import pytest
 
 import pkmodes
-from made_up_mechanisms import ARMS_FILE, GANTRY_FILE, write_package
+from helpers.robots.made_up_mechanisms import ARMS_FILE, GANTRY_FILE, write_package
+from helpers.robots.robot_text import edited
 from pkmodes.base.errors import PkmodesError, RobotFileError
-from pkmodes.mechanism.registry import registry as mechanisms
+from pkmodes.mechanism import registry as mechanisms
 from pkmodes.robot.documents import document_of
 from pkmodes.robot.layout import items
 from pkmodes.robot.paths import moved, paths, resolve
@@ -24,7 +25,6 @@ from pkmodes.robot.reading import read_robot, robot_from_document
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.saving import Correction, corrected_text
 from pkmodes.updating.suspects import suspects
-from robot_text import edited
 
 
 @pytest.fixture(autouse=True, scope="module")

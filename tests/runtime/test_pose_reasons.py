@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.robot_text import PUBLISHED
 from pkmodes.base.errors import PoseError
-from robot_text import PUBLISHED
 
 GOOD = [0.6, 0.03, -0.245]
 BAD = {

@@ -14,7 +14,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from generated_model import MODULE
+from helpers.generated.generated_model import MODULE
+from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.base import writing
 from pkmodes.base.errors import OutputError, PkmodesError
 from pkmodes.cli import run
@@ -23,7 +24,6 @@ from pkmodes.codegen.checking.recorded import recorded_robot
 from pkmodes.robot.reading import read_robot
 from pkmodes_derive.emit.provenance import pasteable
 from pkmodes_rig.robots import ROBOTS
-from robot_text import PUBLISHED, published
 
 EFFECTS = '\n[effects.frame_compliance]\ncompliance = "1e-7 m/N"\n\n[effects.payload]\nmass = "0.35 kg"\n'
 

@@ -12,9 +12,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from helpers.robots.robot_text import PUBLISHED, edited, published
 from pkmodes.base.errors import RobotFileError
 from pkmodes.robot.reading import read_robot
-from robot_text import PUBLISHED, edited, published
 
 
 def read(tmp_path: Path, text: str) -> object:

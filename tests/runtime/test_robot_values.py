@@ -15,10 +15,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import pkmodes
+from helpers.robots.robot_text import PUBLISHED, edited, published
 from pkmodes.base.errors import PoseError, RobotFileError
 from pkmodes.robot.paths import moved, paths, resolve
 from pkmodes.robot.units import Quantity
-from robot_text import PUBLISHED, edited, published
 
 POSE = [0.6, 0.03, -0.245]
 #: Joints off the centre, overrides, standard deviations, effects, a direction that changes when normalised twice.

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from corrected_files import changed_lines, correct, reread
+from helpers.robots.corrected_files import changed_lines, correct, reread
+from helpers.robots.robot_text import edited, published
 from pkmodes.base.errors import OutputError
 from pkmodes.robot.saving import Correction
-from robot_text import edited, published
 
 
 def test_an_axis_gets_an_override_in_the_unit_of_what_it_shares(tmp_path: Path) -> None:

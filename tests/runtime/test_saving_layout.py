@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from corrected_files import changed_lines, correct
+from helpers.robots.corrected_files import changed_lines, correct
+from helpers.robots.robot_text import edited, published
 from pkmodes.robot.saving import Correction, save_corrected
-from robot_text import edited, published
 
 
 def test_a_table_of_its_own_stays_one(tmp_path: Path) -> None:

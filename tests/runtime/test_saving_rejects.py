@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from corrected_files import correct, with_joints
+from helpers.robots.corrected_files import correct, with_joints
+from helpers.robots.robot_text import PUBLISHED, edited, published
 from pkmodes.base.errors import OutputError, RobotFileError
 from pkmodes.robot.saving import Correction, corrected_text, save_corrected
-from robot_text import PUBLISHED, edited, published
 
 
 @pytest.mark.parametrize(

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from corrected_files import changed_lines, correct, reread, with_joints
+from helpers.robots.corrected_files import changed_lines, correct, reread, with_joints
+from helpers.robots.robot_text import edited, published
 from pkmodes.robot.saving import Correction
-from robot_text import edited, published
 
 
 def test_only_the_line_of_the_value_changes(tmp_path: Path) -> None:

@@ -10,14 +10,14 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.sample_mechanisms import TYPICAL
+from helpers.robots.sample_mechanisms import sample as other_sample
+from helpers.robots.sample_robots import sample as linear_sample
 from pkmodes.mechanism.registry import mechanism as mechanism_named
 from pkmodes.robot.robot import Robot
 from pkmodes.system.evaluation import SystemOfEffects
 from pkmodes.view.drawn import Drawn
 from pkmodes.view.evaluating import scene
-from sample_mechanisms import TYPICAL
-from sample_mechanisms import sample as other_sample
-from sample_robots import sample as linear_sample
 
 MECHANISMS = ("linear_delta", "rotary_delta", "corexy")
 CASES = [(name, seed) for name in MECHANISMS for seed in range(4)]

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 import pkmodes
-from adding_a_mechanism import BLOCKS, DEFINITION, ROBOT
+from helpers.commands.adding_a_mechanism import BLOCKS, DEFINITION, ROBOT
 from pkmodes.base.errors import PkmodesError
 from pkmodes.codegen.checking.drawing import check_drawing
 from pkmodes.codegen.derivation import Definition, define, parametric, staged
-from pkmodes.mechanism.registry import registry as known
+from pkmodes.mechanism import registry as known
 from pkmodes.mechanism.regular import sample
 from pkmodes.robot.robot import Robot
 from pkmodes.view import page, poses_around, scene, typical_pose

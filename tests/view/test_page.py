@@ -14,7 +14,7 @@ import pytest
 from PIL import Image
 
 import pkmodes
-from browser import Opened, opened
+from helpers.pages.browser import Opened, opened
 from pkmodes.cli import run
 from pkmodes.view import assets, fragment, page, poses_around, scene
 from pkmodes.view.data import embedded

@@ -13,7 +13,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import pkmodes
-from browser import Opened, opened
+from helpers.pages.browser import Opened, opened
 from pkmodes.solve.workspace import box_of
 from pkmodes.view import page, poses_around, scene
 

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 import pkmodes
-from adding_a_mechanism import COMMANDS, DEFINITION, MEASURING, ROBOT
+from helpers.commands.adding_a_mechanism import COMMANDS, DEFINITION, MEASURING, ROBOT
 from pkmodes.cli import run
-from pkmodes.mechanism.registry import registry as known
+from pkmodes.mechanism import registry as known
 
 
 @contextmanager

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from adding_a_mechanism import COMMANDS, DEFINITION, ROBOT
-from refused_commands import refused
+from helpers.commands.adding_a_mechanism import COMMANDS, DEFINITION, ROBOT
+from helpers.commands.refused_commands import refused
 
 MISTAKES = {
     "not Python": ("def declare(m):", "def declare(m:", r"not valid Python: .* \(five_bar.py:\d+\)"),

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from adding_a_mechanism import DEFINITION
+from helpers.commands.adding_a_mechanism import DEFINITION
+from helpers.commands.refused_commands import refused
 from pkmodes.cli import run
-from pkmodes.mechanism.registry import registry as known
-from refused_commands import refused
+from pkmodes.mechanism import registry as known
 
 
 def test_a_changed_definition_is_found_and_mended(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -12,9 +12,18 @@ import numpy as np
 import pytest
 
 import pkmodes
-from adding_a_mechanism import COMMANDS, DECLARED, DEFINITION, IN_PYTHON, POSE, POSES, SHOWN, measured
-from compiled import COMPILER, FLAGS
-from documentation import same
+from helpers.commands.adding_a_mechanism import (
+    COMMANDS,
+    DECLARED,
+    DEFINITION,
+    IN_PYTHON,
+    POSE,
+    POSES,
+    SHOWN,
+    measured,
+)
+from helpers.generated.compiled import COMPILER, FLAGS
+from helpers.pages.documentation import same
 from pkmodes import updating
 from pkmodes.cli import run
 

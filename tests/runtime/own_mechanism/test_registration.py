@@ -12,12 +12,12 @@ import numpy as np
 import pytest
 
 import pkmodes
-from adding_a_mechanism import POSE
+from helpers.commands.adding_a_mechanism import POSE
+from helpers.commands.refused_commands import refused
 from pkmodes.base.errors import PkmodesError
 from pkmodes.cli import run
-from pkmodes.mechanism.registry import packages as mechanism_packages
-from pkmodes.mechanism.registry import registry as known
-from refused_commands import refused
+from pkmodes.mechanism import packages as mechanism_packages
+from pkmodes.mechanism import registry as known
 
 
 @pytest.mark.parametrize("method", ["fork", "spawn"])

@@ -1,0 +1,382 @@
+"""Suites of the diagnosis for the rotary delta and the CoreXY: define the cases, run them and tabulate the outcomes.
+
+    python -m pkmodes_rig.suites.mechanism_suites --seed 20261205 --out docs/mechanisms-measured.md    # `make suites`
+    python -m pkmodes_rig.suites.mechanism_suites --sizes            # recomputes the sizes in `mechanism_sizes`
+
+The requirements are those of the linear delta's suites (`requirements`).
+"""
+
+from __future__ import annotations
+
+import argparse
+import itertools
+import multiprocessing
+import os
+import statistics
+import sys
+import time
+import traceback
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
+from pathlib import Path
+from pprint import pformat
+
+from pkmodes.mechanism.registry import mechanism
+from pkmodes.robot.paths import resolve
+from pkmodes.updating.suspects import PREFIX
+from pkmodes_rig.suites.mechanism_cases import (
+    KINDS,
+    MechanismCase,
+    MechanismOutcome,
+    Specimen,
+    robot_of,
+    run,
+    signal,
+)
+from pkmodes_rig.suites.mechanism_sizes import SIZES
+from pkmodes_rig.suites.requirements import CLEAR, INTERVAL, RIGHT, line
+
+#: Number of complete models; every second case of a suite is realistic, every fifth has no shapes.
+NOTHING_MISSING = 40
+#: Signals of the three sizes of an effect and, in turn, of wrong values; signals of causes outside the catalogue.
+TARGETS, OUTSIDE_TARGETS = (8.0, 14.0, 25.0), (20.0, 50.0)
+#: Relative sizes of the factors of a group: all different, one of opposite sign.
+UNEQUAL = (0.5, -1.0, 0.3)
+#: The effect with a factor for a single reducer or belt.
+ONE = {"rotary_delta": "axis_reducer_stiffness", "corexy": "axis_belt_stiffness"}
+#: Declared values that are wrong, by changes of alternating sign; the last ones for a single axis or belt.
+WRONG = {
+    "rotary_delta": (
+        *("arm.length", "arm.inertia", "link.length", "link.mass", "motor.inertia", "motor.gear_ratio"),
+        *("axis.joint_radius", "axis.1.origin.z", "axis.2.arm.length", "axis.2.motor.inertia"),
+    ),
+    "corexy": (
+        *("belt.width", "pulley.radius", "pulley.inertia", "motor.inertia", "motor.gear_ratio"),
+        *("belt_path.1.lengths.1", "belt_path.1.lengths.2", "belt_path.2.lengths.1"),
+        *("belt_path.2.pulley.radius", "belt_path.2.motor.inertia"),
+    ),
+}
+#: Largest factor by which a declared value is wrong; beyond it the file would describe another machine.
+MOST = 2.5
+#: Causes outside the catalogue.  `one_link` and `one_gearbox` are compliances of single joints, which a diagnosis
+#: examines but never claims.
+OUTSIDE = {
+    "rotary_delta": (
+        *("tuned_absorber", "directional_cable", "one_servo", "arm_hose", "one_link", "rocking_frame"),
+    ),
+    "corexy": (
+        *("tuned_absorber", "directional_cable", "one_servo", "one_gearbox", "one_run", "racking_gantry"),
+    ),
+}
+#: Causes that tie the robot to ground and so make rigid modes measurable: their size is chosen from the other modes.
+TYING = ("servo_stiffness", "cable_stiffness", "directional_cable", "one_servo", "arm_hose")
+#: An added mode is visible even if nothing else is: masses of absorbers [kg], and compliances of frames [m/N,
+#: rad/(N m)] that give modes at 200 to 35 Hz.
+ADDING = {
+    "rotary_delta": {
+        "tuned_absorber": [0.01, 0.03],
+        "frame_compliance": [6e-8, 1.4e-7, 4e-7],
+        "rocking_frame": [1e-7, 5e-7],
+    },
+    "corexy": {
+        "tuned_absorber": [0.02, 0.06],
+        "frame_compliance": [3e-8, 6e-8, 1.5e-7],
+        "racking_gantry": [4e-5, 1e-4],
+    },
+}
+#: Starting values of the search for a size, in SI units.
+STARTS = {
+    "compliance": 1e-11,
+    "link_compliance": 1e-10,
+    "gearbox_compliance": 1e-6,
+    "one_gearbox": 1e-6,
+    "one_link": 1e-9,
+    "one_run": 1e-9,
+    "rocking_frame": 1e-9,
+    "one_servo": 1e-4,
+    "servo_stiffness": 1e-4,
+}
+STATES = ("named", "partly", "wrong", "abstained", "adequate", "failed")
+SUITES = ("nothing missing", "one effect", "wrong parameter", "outside the catalogue")
+
+
+# Cases -------------------------------------------------------------------------------------------------------
+
+
+def cases() -> Iterator[MechanismCase]:
+    """Yield all cases."""
+    for name in KINDS:
+        yield from (
+            _case("nothing missing", n, Specimen(name), (), "nothing") for n in range(NOTHING_MISSING)
+        )
+        for suite in SUITES[1:]:
+            places = [(kind, s) for kind, found in SIZES[name][suite].items() for s in found]
+            for n, (kind, size) in enumerate(places):
+                specimen = _specimen(name, suite, kind, size)
+                yield _case(suite, n, specimen, _truths(name, suite, kind), kind)
+
+
+def _case(suite: str, n: int, specimen: Specimen, names: tuple[str, ...], kind: str) -> MechanismCase:
+    return MechanismCase(
+        suite, n, specimen, names, kind, shapes=n % 5 != 4, realistic=n % 2 == 1, poses=10 + n % 3
+    )
+
+
+def _truths(name: str, suite: str, kind: str) -> tuple[str, ...]:
+    if suite == "one effect":
+        return (ONE[name] if kind == "one alone" else kind,)
+    return (f"{PREFIX}{kind}",) if suite == "wrong parameter" else ()
+
+
+def _specimen(name: str, suite: str, kind: str, size: float) -> Specimen:
+    """Return a robot with one cause of the given size (for a wrong value, the change)."""
+    if suite == "wrong parameter":
+        return Specimen(name, values={kind: resolve(robot_of(name), kind).value + size})
+    if suite == "outside the catalogue":
+        return Specimen(name, outside={kind: size})
+    effect = ONE[name] if kind == "one alone" else kind
+    fitted = [p.name for p in mechanism(name).effects[effect].parameters if p.fitted]
+    parts = (1.0,) if len(fitted) == 1 else UNEQUAL if kind != "one alone" else (-1.0, 0.0, 0.0)
+    return Specimen(name, {f"{effect}.{p}": size * part for p, part in zip(fitted, parts, strict=False)})
+
+
+# Sizes -------------------------------------------------------------------------------------------------------
+
+
+def sizes() -> dict[str, dict[str, dict[str, list[float]]]]:
+    """Find the sizes of all causes from their predicted signals."""
+    found: dict[str, dict[str, dict[str, list[float]]]] = {}
+    for name in KINDS:
+        suites = found[name] = {suite: {} for suite in SUITES[1:]}
+        # A coefficient of a constant that the file does not give, such as a tension, has no effect.
+        effects = [e for e in mechanism(name).effects if e != "belt_tension_stiffness"]
+        for kind in (*effects, "one alone"):
+            given = ADDING[name].get(kind)
+            suites["one effect"][kind] = given or [_size(name, "one effect", kind, t) for t in TARGETS]
+        for place, path in enumerate(WRONG[name]):
+            sign = -1.0 if place % 2 else 1.0
+            found_size = _size(name, "wrong parameter", path, TARGETS[place % 3], sign)
+            suites["wrong parameter"][path] = [found_size]
+        for kind in OUTSIDE[name]:
+            given = ADDING[name].get(kind)
+            suites["outside the catalogue"][kind] = given or [
+                _size(name, "outside the catalogue", kind, t) for t in OUTSIDE_TARGETS
+            ]
+    return found
+
+
+def _size(name: str, suite: str, kind: str, target: float, sign: float = 1.0) -> float:
+    """Find the size at which the signal, which grows with the size, reaches a target."""
+    most = float("inf")
+    start = STARTS.get(kind, 1e-4)
+    if suite == "wrong parameter":
+        declared = abs(resolve(robot_of(name), kind).value) or 0.1
+        most, start = declared * (MOST - 1.0 if sign > 0.0 else 1.0 - 1.0 / MOST), 1e-4 * declared
+    elif suite == "one effect" and kind != "one alone":
+        parameter = mechanism(name).effects[kind].parameters[0].name
+        start = STARTS.get(kind, STARTS.get(parameter, 1e-10 if parameter == "inertia" else 1e-4))
+
+    def measured(size: float) -> float:
+        return signal(_specimen(name, suite, kind, sign * size), tied=kind not in TYING)
+
+    low, high = start, 4.0 * start
+    while high < most and measured(high) < target:
+        low, high = high, 4.0 * high
+    if high >= most:
+        high = most
+        if measured(high) < target:
+            print(f"{name} {kind}: only {measured(high):.3g} sigma", file=sys.stderr, flush=True)
+            return float(f"{sign * high:.3g}")
+    while high / low > 1.05:
+        middle = (low * high) ** 0.5
+        low, high = (middle, high) if measured(middle) < target else (low, middle)
+    found = float(f"{sign * high:.3g}")
+    print(f"{name} {kind}: {found:g} for {target:g} sigma", file=sys.stderr, flush=True)
+    return found
+
+
+# Running -----------------------------------------------------------------------------------------------------
+
+
+def main() -> None:
+    arguments = _arguments()
+    os.environ.setdefault("OMP_NUM_THREADS", "1")  # one process per core is faster than threads
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    if arguments.sizes:
+        print(pformat(sizes(), width=110, sort_dicts=False))
+        return
+    start = time.perf_counter()
+    chosen = [replace(case, seed=arguments.seed) for case in cases() if arguments.only in case.label]
+    with ProcessPoolExecutor(arguments.jobs, mp_context=multiprocessing.get_context("spawn")) as pool:
+        outcomes = []
+        for o in pool.map(_safely, chosen):
+            outcomes.append(o)
+            print(f"{_short(o)} [{o.seconds:.1f} s] {o.reason}", file=sys.stderr, flush=True)
+    page = "\n".join(_page(outcomes, time.perf_counter() - start, arguments.jobs)) + "\n"
+    if arguments.out:
+        arguments.out.write_text(page, encoding="utf-8")
+    else:
+        print(page)
+
+
+def _arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description="Measure the diagnosis of the rotary delta and the CoreXY.")
+    parser.add_argument("--out", type=Path, help="file for the tables; by default they are printed")
+    parser.add_argument("--only", default="", help="part of the label of the cases to run")
+    parser.add_argument("--seed", type=int, default=1, help="seed of the random draws (noise, true values)")
+    parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1), help="processes; default 2")
+    parser.add_argument("--sizes", action="store_true", help="find the sizes of the causes and print them")
+    return parser.parse_args()
+
+
+def _safely(case: MechanismCase) -> MechanismOutcome:
+    """Run a case; an exception in the diagnosis is an outcome too."""
+    try:
+        return run(case)
+    except Exception:
+        return MechanismOutcome(
+            case, "failed", "", (), signal=float("inf"), reason=traceback.format_exc(limit=-8)
+        )
+
+
+# Tables ------------------------------------------------------------------------------------------------------
+
+
+def _page(outcomes: list[MechanismOutcome], seconds: float, jobs: int) -> list[str]:
+    groups = {name: [o for o in outcomes if o.case.specimen.mechanism == name] for name in KINDS}
+    lines = [
+        "# The diagnosis of other mechanisms, measured",
+        "",
+        "Written by `make suites`; do not edit. `src/pkmodes_rig/suites/mechanism_suites.py` defines the cases,",
+        "`mechanism_cases.py` how they are measured and judged; terms and requirements are those of",
+        "docs/diagnosis-measured.md. The rigs share no code with the model: MuJoCo for the rotary delta, with",
+        "loops closed by hand where its links yield or its frame rocks, and the formulas of the contract for the",
+        "CoreXY.",
+        "",
+        "`robots/clavel-delta.toml` and `robots/corexy-printer.toml` are measured at 10 to 12 poses, with 0.2 %",
+        "noise and all modes up to 1.25 times the highest of the declared model. Shapes are measured with 2 %",
+        "noise, at `theta_1..3` and `p_x..z` of the rotary delta and at `x y` and `p_x p_y` of the CoreXY, except",
+        "in every fifth case. The true values of the uncertain parameters are drawn from their priors. Every",
+        "second case is *realistic*: 15 % of its modes are missed. A CoreXY has two vibration modes per pose, a",
+        "rotary delta three.",
+        "",
+        f"Seed {outcomes[0].case.seed}. The suites were developed with seed 1.",
+        "",
+        "## Requirements",
+        "",
+        "| mechanism, suite | requirement | measured | interval | |",
+        "|---|---|---|---|---|",
+        *itertools.chain.from_iterable(_requirements(name, group) for name, group in groups.items()),
+        "",
+        "## Outcomes by suite",
+        "",
+        *_confusion(outcomes, lambda o: f"{o.case.specimen.mechanism}, {o.case.suite}{_real(o)}"),
+        "",
+        "## Outcomes by cause",
+        "",
+        *_confusion(
+            [o for o in outcomes if o.case.suite != "nothing missing"],
+            lambda o: f"{o.case.specimen.mechanism}, {o.case.suite}: {o.case.kind}",
+        ),
+        "",
+        "## Confident and wrong",
+        "",
+        *_listed([o for o in outcomes if o.state in ("wrong", "failed")]),
+        "",
+        "Noticed only after the run: `one_run` is not outside the catalogue. A soft end of one run is exactly",
+        "equivalent to a longer free length of that run, `belt_path.1.lengths.1`. Such cases count as wrong here,",
+        "because the judging was fixed beforehand.",
+        "",
+        "With seeds 1 and 2 the softer `rocking_frame`, which adds one mode, is named `frame_compliance`, which",
+        "adds three: confident and wrong. `link.length` is wrong here by so much that arms exceed their limits at",
+        "some poses: the diagnosis says that it cannot follow the value there. Values of a single axis or belt",
+        "(`axis.2.*`, `belt_path.2.*`), where the file gives one for all, are often pointed at in the reason and",
+        "not claimed (docs/diagnosis.md).",
+        "",
+        "## Nothing missing, but not adequate",
+        "",
+        *_listed([o for o in outcomes if o.case.suite == "nothing missing" and o.state == "abstained"]),
+        "",
+        "## Clear causes that were not named",
+        "",
+        *_listed(
+            [o for o in outcomes if o.case.names and o.signal > CLEAR and o.state not in ("named", "wrong")]
+        ),
+        "",
+        "## Causes outside the catalogue that were missed",
+        "",
+        *_listed([o for o in outcomes if o.case.specimen.outside and o.state == "adequate"]),
+        "",
+        "## Time",
+        "",
+        f"Median {statistics.median(o.seconds for o in outcomes):.1f} s, longest"
+        f" {max(o.seconds for o in outcomes):.1f} s; all {len(outcomes)} cases in {seconds / 60:.0f} min with"
+        f" {jobs} processes.",
+    ]
+    return lines
+
+
+def _requirements(name: str, outcomes: Sequence[MechanismOutcome]) -> Iterator[str]:
+    for suite in SUITES:
+        group = [o for o in outcomes if o.case.suite == suite]
+        title, number = f"{name}, {suite}", len(group)
+        if suite == "nothing missing":
+            adequate = _count(group, "adequate")
+            yield line(title, "not adequate <= 5 %", number - adequate, number, most=0.05)
+        elif suite == "outside the catalogue":
+            yield line(title, "abstained >= 90 %", _count(group, "abstained"), number, least=0.90)
+        else:
+            clear = [o for o in group if o.signal > CLEAR]
+            named = [o for o in clear if o.state == "named"]
+            what = f"signal > {CLEAR:g}"
+            yield line(title, f"{what}: named >= 95 %", len(named), len(clear), least=0.95)
+            right = sum(all(abs(v - t) <= RIGHT * s for _, v, s, t in o.values) for o in named)
+            yield line(title, f"{what}: value within 3 sigma >= 95 %", right, len(named), least=0.95)
+    wrong = _count(outcomes, "wrong")
+    yield line(f"{name}, all", "confident and wrong <= 2 %", wrong, len(outcomes), most=0.02)
+    values = [abs(v - t) / s for o in outcomes for _, v, s, t in o.values]
+    inside = sum(v <= INTERVAL for v in values)
+    yield line(f"{name}, all", "95 % intervals cover 90-99 %", inside, len(values), 0.90, 0.99)
+
+
+def _count(outcomes: Sequence[MechanismOutcome], state: str) -> int:
+    return sum(o.state == state for o in outcomes)
+
+
+def _real(o: MechanismOutcome) -> str:
+    return ", realistic" if o.case.realistic else ""
+
+
+def _confusion(outcomes: Sequence[MechanismOutcome], key: Callable[[MechanismOutcome], str]) -> list[str]:
+    states = [s for s in STATES if s != "failed" or any(o.state == s for o in outcomes)]
+    groups: dict[str, list[MechanismOutcome]] = {}
+    for o in outcomes:
+        groups.setdefault(key(o), []).append(o)
+    lines = [f"| group | cases | {' | '.join(states)} |", f"|---|{'---|' * (len(states) + 1)}"]
+    for name, group in groups.items():
+        counts = [str(_count(group, state) or "") for state in states]
+        lines.append(f"| {name} | {len(group)} | {' | '.join(counts)} |")
+    return lines
+
+
+def _listed(outcomes: Sequence[MechanismOutcome]) -> list[str]:
+    if not outcomes:
+        return ["None."]
+    lines = ["| case | truth | signal | verdict | classes |", "|---|---|---|---|---|"]
+    for o in outcomes:
+        where = f"{o.case.label}{_real(o)}{'' if o.case.shapes else ', no shapes'}"
+        lines.append(f"| {where} | {o.case.kind} | {o.signal:.3g} | {o.verdict or o.state} | {_classes(o)} |")
+    return lines
+
+
+def _classes(o: MechanismOutcome) -> str:
+    return "; ".join(" or ".join(members) for members in o.classes)
+
+
+def _short(o: MechanismOutcome) -> str:
+    return f"{o.case.label}{_real(o)} ({o.case.kind}), {o.signal:.3g}: {o.state} {_classes(o)}"
+
+
+if __name__ == "__main__":
+    main()

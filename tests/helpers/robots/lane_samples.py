@@ -1,0 +1,143 @@
+"""Robots of every mechanism for the tests of the compiled evaluator, some of them hard to solve."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from helpers.robots import sample_mechanisms, sample_robots
+from pkmodes import read_robot
+from pkmodes.compiled.evaluator import FIELDS, RATES, Evaluator
+from pkmodes.compiled.lanes import Terms
+from pkmodes.compiled.loader import load
+from pkmodes.mechanism.poses import MAX_CONDITION
+from pkmodes.mechanism.registry import Mechanism
+from pkmodes.mechanism.registry import mechanism as mechanism_named
+from pkmodes.robot.paths import ParameterPath, paths, resolve_all
+from pkmodes.robot.robot import Robot
+from pkmodes.sensitivity.terms import terms_of
+from pkmodes.system.evaluation import BaseEvaluation, Evaluation, SystemOfEffects
+
+ROOT = Path(__file__).parents[3]
+ROBOTS = {"linear_delta": "linear-delta-2022", "rotary_delta": "clavel-delta", "corexy": "corexy-printer"}
+NAMES = ("linear_delta", "rotary_delta", "corexy")
+#: Names of effects by which combination is on.
+EFFECTS = {
+    "none": (),
+    "massless clamps": ("clamp_compliance",),
+    "massless clamps and more": ("clamp_compliance", "gearbox_compliance", "frame_compliance"),
+    **sample_mechanisms.TOGETHER,
+}
+#: Values by field, each of which makes an eigenproblem of its own kind: factors of the parameters of these names.
+EXTREMES = {
+    "as it is": {},
+    "no gravity": {"gravity": 0.0},
+    "hundredfold gravity": {"gravity": 100.0},
+    "soft belts": {"belt_specific_stiffness": 1 / 30, "reducer_stiffness": 1 / 30},
+    "heavy motors": {"motor_inertia": 1e3},
+    "light platform": {"platform_mass": 1e-3, "toolhead_mass": 1e-3},
+}
+
+
+class Case(NamedTuple):
+    """A robot with effects, and poses around a regular one."""
+
+    mechanism: Mechanism
+    parameters: Any
+    evaluation: Evaluation
+    poses: np.ndarray
+
+
+def robot(name: str, seed: int) -> tuple[Any, np.ndarray]:
+    """Parameters and a pose; of the linear delta the first two robots are symmetric."""
+    if name == "linear_delta":
+        rng = np.random.default_rng(seed)
+        made = (sample_robots.published, sample_robots.tower_printer)
+        found = made[seed]() if seed < len(made) else sample_robots.random_robot(rng)
+        return found.parameters, found.pose
+    found = sample_mechanisms.sample(name, seed)
+    if name == "rotary_delta":  # the samples turn their axes anywhere
+        limits = np.tile([-np.pi, np.pi], (3, 1))
+        return found.parameters._replace(limits=limits), found.pose
+    return found.parameters, found.pose
+
+
+def case(name: str, seed: int, effects: str = "none", extreme: str = "as it is", count: int = 60) -> Case:
+    mechanism = mechanism_named(name)
+    parameters, pose = robot(name, seed)
+    factors = {k: v for k, v in EXTREMES[extreme].items() if k in parameters._fields}
+    parameters = parameters._replace(
+        **{k: np.asarray(getattr(parameters, k)) * v for k, v in factors.items()}
+    )
+    rng = np.random.default_rng(seed + 1000)
+    poses = pose + 0.02 * rng.uniform(-1, 1, (count, len(pose)))
+    poses[: count // 10] = pose  # symmetric where the robot is
+    values = chosen(mechanism, EFFECTS[effects])
+    evaluation = (
+        SystemOfEffects(mechanism, parameters, values) if values else BaseEvaluation(mechanism, parameters)
+    )
+    return Case(mechanism, parameters, evaluation, poses)
+
+
+def chosen(mechanism: Mechanism, names: tuple[str, ...]) -> dict[str, float]:
+    """Typical values of the effects whose names are given, those that apply; an empty name means all."""
+    return {
+        f"{effect.name}.{parameter.name}": sample_mechanisms.TYPICAL[f"{effect.name}_{parameter.name}"]
+        for effect in mechanism.effects.values()
+        if effect.name in names or "" in names
+        for parameter in effect.parameters
+        if f"{effect.name}_{parameter.name}" in sample_mechanisms.TYPICAL
+    }
+
+
+def evaluator(given: Case) -> Evaluator:
+    found = load(given.mechanism.package, given.mechanism.name)
+    return Evaluator(found, given.evaluation.lanes(), len(given.evaluation.coordinates), MAX_CONDITION)
+
+
+def robot_of(given: Case) -> Robot:
+    """The shipped robot of the mechanism with the parameters of a case, and no effects."""
+    return replace(shipped(given.mechanism.name), parameters=given.parameters)
+
+
+@cache
+def shipped(name: str) -> Robot:
+    return read_robot(ROOT / f"robots/{ROBOTS[name]}.toml")
+
+
+def directions(given: Case, names: Sequence[str] = ()) -> tuple[list[ParameterPath], Terms]:
+    """All quantities that can vary, or those whose names are given."""
+    robot = robot_of(given)
+    system = given.evaluation
+    if not isinstance(system, SystemOfEffects):
+        system = SystemOfEffects(given.mechanism, given.parameters, {})
+    found = resolve_all(robot, names or [path for path in paths(robot) if path != "axis.joint_radius"])
+    return found, terms_of(system, found)
+
+
+def results(
+    given: Case, poses: np.ndarray, width: int | None = None
+) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+    run = evaluator(given)
+    n, m = run.coordinates, run.modes
+    varied, terms = directions(given)
+    tails = (
+        (m,),
+        (m,),
+        (m, n),
+        (m, len(given.mechanism.directions)),
+        (len(given.mechanism.independent),),
+        (n, n),
+        (n, n),
+        (len(varied), m),
+        (len(varied), m),
+    )
+    # Poisoned, so that an entry that is not written shows.
+    names = (*FIELDS, *RATES)
+    arrays = {name: np.full((len(poses), *tail), 12345.0) for name, tail in zip(names, tails, strict=True)}
+    return run.run(np.ascontiguousarray(poses), arrays, width=width, terms=terms), arrays
