@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.maps.places import ascending
 from pkmodes.robot.layout import lent
+from pkmodes.robot.parameter_groups import elements_of, groups_by_path
 from pkmodes.robot.robot import Robot
-from pkmodes.robot.wholes import elements_of, wholes
 
 Array = NDArray[np.float64]
 SAMPLE = "sample"
@@ -129,8 +129,8 @@ def _taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
     """Return the paths of all values that a sweep sets: also the elements of a whole, and another name of a value."""
     found = set(swept)
     for path, values in swept.items():
-        if path in wholes(robot.mechanism):
-            found |= set(elements_of(robot, wholes(robot.mechanism)[path], float(values[0])))
+        if path in groups_by_path(robot.mechanism):
+            found |= set(elements_of(robot, groups_by_path(robot.mechanism)[path], float(values[0])))
     for path, own in lent(robot.mechanism).items():
         if {path, own} & found:
             found |= {path, own}
