@@ -48,7 +48,7 @@ def _parameters(machine: Machine, effect: Effect) -> dict[str, Symbol]:
 
 
 def _release(machine: Machine, effect: Effect) -> tuple[Coordinate, ...]:
-    q, found = effect.released, []
+    q, coordinates = effect.released, []
     if q is None:
         return ()
     declare = machine.vocabulary.declare
@@ -56,11 +56,11 @@ def _release(machine: Machine, effect: Effect) -> tuple[Coordinate, ...]:
         index, latex = {q.letter: place}, q.latex
         stem = latex.removesuffix(f"_{{{q.letter}}}")
         rate = rf"\dot{{{{{stem}}}}}_{{{q.letter}}}"
-        found.append(
+        coordinates.append(
             Coordinate(
                 declare(q.name, q.unit, q.description, latex, **index),
                 declare(f"{q.name}_dot", f"{q.unit}/s", f"rate of change: {q.description}", rate, **index),
             )
         )
-    machine.released += tuple(found)
-    return tuple(found)
+    machine.released += tuple(coordinates)
+    return tuple(coordinates)

@@ -80,10 +80,10 @@ def _uses(machine: Machine) -> Iterator[tuple[str, Iterable[Symbol]]]:
 
 def _check_closures(machine: Machine) -> None:
     """Check that there is one link per component of the pose, each with its own independent coordinate."""
-    found, wanted = len(machine.links), len(machine.dependent)
-    if found != wanted:
+    links, wanted = len(machine.links), len(machine.dependent)
+    if links != wanted:
         raise DefinitionError(
-            f"{found} links close the loops of a platform with {wanted} components",
+            f"{links} links close the loops of a platform with {wanted} components",
             "m.link",
             "declare one link for each component",
         )
@@ -179,7 +179,7 @@ def check_names(machine: Machine, model: Model) -> None:
 
 def _undefined(function: Function) -> list[Symbol]:
     """Return the symbols that a function uses and its definitions do not give, in the order of use."""
-    found: list[Symbol] = []
+    undefined: list[Symbol] = []
     met: set[Symbol] = set()
 
     def visit(expression: Expr, above: tuple[Symbol, ...]) -> None:
@@ -191,13 +191,13 @@ def _undefined(function: Function) -> list[Symbol]:
                 if symbol in function.definitions:
                     visit(function.definitions[symbol], (*above, symbol))
                 else:
-                    found.append(symbol)
+                    undefined.append(symbol)
                 met.add(symbol)
 
     for output in function.outputs:
         for entry in output.entries:
             visit(entry, ())
-    return found
+    return undefined
 
 
 def _symbols(expression: Expr) -> list[Symbol]:

@@ -163,8 +163,8 @@ class Drawing:
         spring: Run | Reducer | None = None,
         turns: Symbol | None = None,
     ) -> None:
-        found = tuple(p if isinstance(p, Point) else Point(_exact(p)) for p in points)
-        self.elements.append(Element(shape, kind, name, found, spring, turns))
+        places = tuple(p if isinstance(p, Point) else Point(_exact(p)) for p in points)
+        self.elements.append(Element(shape, kind, name, places, spring, turns))
 
 
 def from_parts(
@@ -191,8 +191,8 @@ def from_parts(
 def _named(vocabulary: Vocabulary, mass: Expr, otherwise: str) -> str:
     """Return the name of a body from the description of its mass: "mass of arm 1" is that of arm 1."""
     text = vocabulary[mass].description if isinstance(mass, Symbol) and mass in vocabulary else ""
-    found = text.removeprefix("mass of ").removeprefix("the ")
-    return found if found != text else otherwise
+    name = text.removeprefix("mass of ").removeprefix("the ")
+    return name if name != text else otherwise
 
 
 def _beside(point: Sequence[object], direction: Sequence[object], distance: object) -> Vector:
@@ -200,8 +200,8 @@ def _beside(point: Sequence[object], direction: Sequence[object], distance: obje
 
 
 def _exact(vector: Sequence[object]) -> Vector:
-    found = tuple(sympify(component) for component in vector)
-    if len(found) != len(AXES):
-        what = f"a point or direction of a drawing has three components, found {len(found)}"
+    exact = tuple(sympify(component) for component in vector)
+    if len(exact) != len(AXES):
+        what = f"a point or direction of a drawing has three components, found {len(exact)}"
         raise DeclarationError(what, "write, for example, (x, y, 0)")
-    return found
+    return exact

@@ -208,10 +208,10 @@ class Machine:
 
     def platform_pose(self, name: str, pose_is: str, latex: str) -> tuple[Symbol, ...]:
         """Declare the platform centre as the pose, related to the independent coordinates by closures."""
-        found = self.vector(name, "m", pose_is, latex)
-        self.pose = self.dependent = found
+        position = self.vector(name, "m", pose_is, latex)
+        self.pose = self.dependent = position
         self.pose_is = pose_is
-        return found
+        return position
 
     def independent_pose(self, coordinates: Sequence[Symbol], pose_is: str) -> None:
         """Declare the independent coordinates themselves as the pose."""

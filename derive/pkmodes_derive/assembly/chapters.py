@@ -46,7 +46,7 @@ def _position(c: Condensed) -> list[Function]:
     """Return the functions for positions and workspace limits."""
     m, n = c.machine, len(c.machine.independent)
     what = f"{m.independent_are} {', '.join(q.name for q in m.independent)}"
-    found = [
+    functions = [
         c.function(
             "inverse_kinematics",
             f"{m.independent_are.capitalize()} at a pose.",
@@ -60,7 +60,7 @@ def _position(c: Condensed) -> list[Function]:
     if m.belts:
         runs = tuple(tuple(run.length for run in belt.runs) for belt in m.belts)
         names = "free length l_f[j-1, s-1] of span s of belt j"
-        found.append(
+        functions.append(
             c.function(
                 "belt_spans",
                 "Free lengths of the belt spans.",
@@ -69,7 +69,7 @@ def _position(c: Condensed) -> list[Function]:
                 Output("l_f", (len(runs), len(runs[0])), flat(runs), "m", names),
             )
         )
-    return found + (_closures(c) if m.links else [])
+    return functions + (_closures(c) if m.links else [])
 
 
 def _closures(c: Condensed) -> list[Function]:
@@ -121,7 +121,7 @@ def _motion(c: Condensed) -> list[Function]:
     """Return the functions for velocities, accelerations and kinetic energy."""
     m, kin, energies = c.machine, c.kin, c.energies
     n, d, q = len(m.independent), len(m.directions), m.argument
-    found = [
+    functions = [
         c.function(
             "platform_jacobian",
             "Platform Jacobian D_p" + (" = D_l^-1 D_r." if m.links else "."),
@@ -152,7 +152,7 @@ def _motion(c: Condensed) -> list[Function]:
             ),
         ),
     ]
-    return [*found, *(_links(c) if m.rods and d == 3 else []), *_dynamics(c)]
+    return [*functions, *(_links(c) if m.rods and d == 3 else []), *_dynamics(c)]
 
 
 def _links(c: Condensed) -> list[Function]:
@@ -272,12 +272,12 @@ def _gravity(c: Condensed) -> list[Function]:
 
 def _transmissions(c: Condensed) -> list[Function]:
     """Return the functions for stiffness, elastic potential energy and static equilibrium of transmissions."""
-    m, found = c.machine, []
+    m, functions = c.machine, []
     rotations = c.equilibrium.rotations
     if m.belts:
         k = tuple(tuple(run.stiffness for run in belt.runs) for belt in m.belts)
         shape, what = (len(k), len(k[0])), "k[j-1, s-1] of span s of belt j, as in `belt_spans`"
-        found.append(
+        functions.append(
             c.function(
                 "belt_stiffness",
                 "Stiffnesses of the belt spans.",
@@ -288,7 +288,7 @@ def _transmissions(c: Condensed) -> list[Function]:
         )
     force = ", ".join({"m": "N", "rad": "N m"}[u] for u in c.delta_q.unit.split(", "))
     zero = {0: "no", 2: "two", 3: "three"}.get(c.rigid_modes, str(c.rigid_modes))
-    return found + [
+    return functions + [
         c.function(
             "elastic_potential",
             "Elastic potential energy V_el = -U_el of the transmissions, with the force function U_el.",

@@ -105,10 +105,10 @@ def units_of_stiffness(machine: Machine) -> str:
 
 
 def _listed(machine: Machine, translation: str, both: str, rotation: str) -> str:
-    found = {machine.vocabulary[q].unit for q in machine.all_coordinates}
+    units = {machine.vocabulary[q].unit for q in machine.all_coordinates}
     parts = [
-        translation if "m" in found else "",
-        both if len(found) > 1 else "",
-        rotation if "rad" in found else "",
+        translation if "m" in units else "",
+        both if len(units) > 1 else "",
+        rotation if "rad" in units else "",
     ]
     return ", ".join(part for part in parts if part)

@@ -107,14 +107,14 @@ def _velocity(machine: Machine, position: Sequence[Expr]) -> Velocity:
         (a - b).free_symbols - _constants(machine) for a, b in zip(position, machine.platform, strict=True)
     ):
         return [(v, BASIS[AXES.index(axis)]) for v, axis in zip(machine.v_p, machine.directions, strict=True)]
-    found: Velocity = []
+    moved: Velocity = []
     for q in machine.independent:
         rate = machine.velocities[machine.coordinates.index(q)]
         along = tuple(machine.chain.derivative(component, q) for component in position)
         if any(along):
-            found.append((rate, along))
+            moved.append((rate, along))
     frame = zip(machine.frame_rate, BASIS, strict=True)
-    return [*found, *((rate, axis) for rate, axis in frame if rate != 0)]
+    return [*moved, *((rate, axis) for rate, axis in frame if rate != 0)]
 
 
 def _constants(machine: Machine) -> set[Symbol]:
@@ -239,15 +239,15 @@ def _gravity(machine: Machine) -> Expr:
 
 def _rotor_inertias(machine: Machine) -> list[Expr]:
     """Return the moments of inertia of the rotors; motor and gearbox belong to the driven one (after equation 30)."""
-    found: list[Expr] = []
+    moments: list[Expr] = []
     for rotor in machine.rotors:
         moment = rotor.inertia
         for drive in machine.drives:
             moment += Add(
                 *(driven * (drive.motor + drive.inertia) for r, driven in drive.rotors if r is rotor)
             )
-        found.append(moment if rotor.name is None else machine.define(rotor.name, moment))
-    return found
+        moments.append(moment if rotor.name is None else machine.define(rotor.name, moment))
+    return moments
 
 
 def _define_belts(machine: Machine) -> tuple[Symbol, ...]:

@@ -202,18 +202,18 @@ def _joints(d: Derived) -> Function:
 def _needs(machine: Machine) -> list[Function]:
     """Return the conditions of effects on their parameters."""
     symbols = {field.name: field.symbols[0] for field in machine.effect_fields}
-    found = []
+    conditions = []
     for effect in machine.effects:
         if effect.needs is not None:
             of = effect.needs.of({p.name: symbols[f"{effect.name}_{p.name}"] for p in effect.parameters})
             output = Output("margin", (1,), (of,), "1", "positive for physical parameters")
             summary = f"Condition on the parameters of the effect {effect.name}."
-            found.append(
+            conditions.append(
                 Function(
                     f"{effect.name}_margin", summary, "the effect's definition", (), (output,), {}, in_c=False
                 )
             )
-    return found
+    return conditions
 
 
 def _static_equilibrium(d: Derived) -> Function:

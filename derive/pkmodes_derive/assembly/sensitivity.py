@@ -66,13 +66,13 @@ class PoseChain:
     def derivatives(self, matrix: Sequence[Sequence[Expr]]) -> list[dict[tuple[int, int], Expr]]:
         """Return the derivatives of a symmetric matrix by parameter: nonzero entries of the upper triangle."""
         n = len(matrix)
-        found = []
+        by_parameter = []
         for theta in self.parameters:
             upper = {
                 (k, m): self.chain.derivative(matrix[k][m], theta) for k in range(n) for m in range(k, n)
             }
-            found.append({place: entry for place, entry in upper.items() if entry != 0})
-        return found
+            by_parameter.append({place: entry for place, entry in upper.items() if entry != 0})
+        return by_parameter
 
     def _follow(self, theta: Symbol) -> None:
         """Set the derivatives of independent coordinates, Jacobian and link forces with respect to a parameter."""

@@ -43,17 +43,17 @@ class Spring:
 
 def springs(d: Derived) -> tuple[Spring, ...]:
     """Return the springs: belt spans, reducers, then those that effects add."""
-    machine, found = d.machine, []
+    machine, collected = d.machine, []
     for belt in machine.belts:
         for run in belt.runs:
             a, b = (machine.displacement(*end) for end in run.ends)
-            found.append(_spring(d, run.stiffness, a - b, run))
+            collected.append(_spring(d, run.stiffness, a - b, run))
     for reducer in machine.reducers:
         twist = machine.displacement(reducer.twist)
-        found.append(_spring(d, reducer.stiffness, twist, reducer))
+        collected.append(_spring(d, reducer.stiffness, twist, reducer))
     for energy, effect in zip(machine.elastic, machine.elastic_of, strict=True):
-        found += _of_effect(d, energy, effect)
-    return tuple(found)
+        collected += _of_effect(d, energy, effect)
+    return tuple(collected)
 
 
 def _spring(d: Derived, stiffness: Symbol, elongation: Expr, part: Run | Reducer) -> Spring:
@@ -68,15 +68,15 @@ def _spring(d: Derived, stiffness: Symbol, elongation: Expr, part: Run | Reducer
 
 def _of_effect(d: Derived, energy: Expr, effect: str) -> list[Spring]:
     """Return the springs of an energy, which is a quadratic form: one for each of its completed squares."""
-    vocabulary, found = d.machine.vocabulary, []
+    vocabulary, collected = d.machine.vocabulary, []
     for symbol, stiffness, elongation in _squares(energy, _displaced(d.machine, energy)):
         what = vocabulary[symbol]
         unit = "N m/rad" if what.unit == "rad" else "N/m"
         name = f"{effect.replace('_', ' ')}: {_name(what.description)}"
-        found.append(
+        collected.append(
             Spring(Named(name, unit, f"spring of the effect {effect}"), stiffness, _strain(d, elongation))
         )
-    return found
+    return collected
 
 
 def _displaced(machine: Machine, energy: Expr) -> list[Symbol]:
@@ -86,14 +86,14 @@ def _displaced(machine: Machine, energy: Expr) -> list[Symbol]:
 
 def _squares(energy: Expr, symbols: Sequence[Symbol]) -> list[tuple[Symbol, Expr, Expr]]:
     """Return (symbol, k, e) with energy = sum of k e^2 / 2: the square is completed in one symbol after the other."""
-    found, rest = [], energy
+    squares, rest = [], energy
     for symbol in symbols:
         stiffness = diff(rest, symbol, symbol)
         if stiffness != 0:
             elongation = Add(*(diff(rest, symbol, other) / stiffness * other for other in symbols))
-            found.append((symbol, stiffness, elongation))
+            squares.append((symbol, stiffness, elongation))
             rest = (rest - stiffness * elongation**2 / 2).expand()
-    return found
+    return squares
 
 
 def _strain(d: Derived, elongation: Expr) -> tuple[Expr, ...]:

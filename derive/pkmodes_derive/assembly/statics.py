@@ -145,11 +145,11 @@ def _blocks(
             groups.remove(group)
             joined |= group
         groups.append(joined)
-    found = []
+    blocks = []
     for group in sorted(groups, key=lambda g: min(unknown.index(q) for q in g)):
         some = [q for q in unknown if q in group]
-        found.append((some, [equation for equation in equations if set(equation.row) & group]))
-    return found
+        blocks.append((some, [equation for equation in equations if set(equation.row) & group]))
+    return blocks
 
 
 def _solved(
@@ -183,10 +183,10 @@ def _solved(
             machine.define(determinant, matrix.det(method="berkowitz"))
             numerators = list(matrix.adjugate() * Matrix(right))
         values = [numerator / determinant for numerator in numerators]
-    found = {}
+    solution = {}
     for q, value in zip(unknown, values, strict=True):
-        found[q] = machine.define(_static_name(machine, _coordinate(machine, q)), value)
-    return found
+        solution[q] = machine.define(_static_name(machine, _coordinate(machine, q)), value)
+    return solution
 
 
 def _static_name(machine: Machine, coordinate: Symbol) -> Symbol:

@@ -16,14 +16,14 @@ def catalogue() -> tuple[Effect, ...]:
     ValueError
         If two effects have the same name, or a module is not named after its effect.
     """
-    found: dict[str, Effect] = {}
+    effects: dict[str, Effect] = {}
     for module in sorted(iter_modules(__path__), key=lambda item: item.name):
         effect: Effect = import_module(f"{__name__}.{module.name}").EFFECT
-        if effect.name != module.name or effect.name in found:
+        if effect.name != module.name or effect.name in effects:
             raise ValueError(
                 f"expected one effect per file, named after it, found {effect.name!r} in effects/{module.name}.py"
             )
-        found[effect.name] = effect
+        effects[effect.name] = effect
     return tuple(
-        sorted(found.values(), key=lambda effect: (effect.released is not None, effect.order, effect.name))
+        sorted(effects.values(), key=lambda effect: (effect.released is not None, effect.order, effect.name))
     )

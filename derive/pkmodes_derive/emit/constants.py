@@ -39,7 +39,7 @@ class Constant:
 def constants(model: Model, provenance: Provenance) -> list[Constant]:
     """Return the constants of a model that has conditions on the pose."""
     identity, kind = provenance.identity, "mechanism" if provenance.parametric else "robot"
-    found = [
+    listed = [
         Constant("NAME", identity.name, f"name of the {kind}"),
         Constant("VERSION", identity.version, "version of the generator"),
         Constant("HASH", identity.digest, "SHA-256 of the C source, first digits: other code has another"),
@@ -47,18 +47,18 @@ def constants(model: Model, provenance: Provenance) -> list[Constant]:
         Constant("COORDINATES", len(model.coordinates), "coordinates, and modes"),
     ]
     if model.rigid_modes is not None:
-        found.append(Constant("RIGID_MODES", model.rigid_modes, "rigid-body modes, the first ones"))
+        listed.append(Constant("RIGID_MODES", model.rigid_modes, "rigid-body modes, the first ones"))
     if any(margin.rule == "at_most_limit" for margin in model.conditions):
         largest = "largest condition number of a regular pose"
-        found.append(Constant("MAX_CONDITION", MAX_CONDITION, largest, MAX_CONDITION_SINGLE))
-    found.append(Constant("UNSOLVED", -1, "status: the eigenproblem has no solution"))
-    found.append(Constant("NOT_FINITE", 1, f"status: {NOT_FINITE}"))
+        listed.append(Constant("MAX_CONDITION", MAX_CONDITION, largest, MAX_CONDITION_SINGLE))
+    listed.append(Constant("UNSOLVED", -1, "status: the eigenproblem has no solution"))
+    listed.append(Constant("NOT_FINITE", 1, f"status: {NOT_FINITE}"))
     for number, margin in enumerate(model.conditions, start=2):
-        found.append(Constant(status_name(model.conditions, number), number, f"status: {margin.meaning}"))
+        listed.append(Constant(status_name(model.conditions, number), number, f"status: {margin.meaning}"))
     for limit in identity.limits:
         comment = f"[{limit.unit}] {limit.path} of the robot file: {limit.description}"
-        found.append(Constant(limit.name, limit.value, comment))
-    return found
+        listed.append(Constant(limit.name, limit.value, comment))
+    return listed
 
 
 def status_name(conditions: Sequence[Margin], number: int) -> str:

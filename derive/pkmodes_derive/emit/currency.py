@@ -152,18 +152,18 @@ def _outputs(
     findings = []
     digests = _part(recorded, "outputs")
     for name, text in fresh.items():
-        found = on_disk[name]
+        content = on_disk[name]
         if name == manifest.FILE_NAME:
             continue
-        if found is None:
+        if content is None:
             findings.append(Finding("missing", name, f"{name} is missing"))
-        elif found != text and found.replace("\r\n", "\n") == text:
+        elif content != text and content.replace("\r\n", "\n") == text:
             findings.append(Finding("edited", name, f"{name} has different line endings than generated"))
-        elif name in digests and digests[name] != manifest.digest(found):
-            findings.append(Finding("edited", name, f"{name} was edited by hand", _diff(name, found, text)))
-        elif found != text:
+        elif name in digests and digests[name] != manifest.digest(content):
+            findings.append(Finding("edited", name, f"{name} was edited by hand", _diff(name, content, text)))
+        elif content != text:
             message = f"{name} differs from the current derivation"
-            findings.append(Finding("different", name, message, _diff(name, found, text)))
+            findings.append(Finding("different", name, message, _diff(name, content, text)))
     return findings
 
 
@@ -199,10 +199,10 @@ def carries_header(path: Path) -> bool:
         return False
 
 
-def _diff(name: str, found: str, wanted: str) -> str:
+def _diff(name: str, content: str, wanted: str) -> str:
     lines = list(
         difflib.unified_diff(
-            found.splitlines(),
+            content.splitlines(),
             wanted.splitlines(),
             f"{name} (on disk)",
             f"{name} (derived now)",

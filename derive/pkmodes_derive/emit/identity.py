@@ -90,18 +90,18 @@ def limits(description: Description, fields: Mapping[str, Any]) -> tuple[Limit, 
     """
     if not any(margin.code == "limits" for margin in description.margins):
         return ()
-    found = []
+    declared = []
     for table in description.tables:
         for key in (key for key in table.keys if key.kind == "pair"):
             for place, first in _places(table.name, table.count):
                 values: Any = fields[key.field]
                 for i in (*first, *key.index):
                     values = values[i]
-                found += [
+                declared += [
                     Limit(f"{place}.{key.name}.{end}", float(value), unit_of(key.dimension), key.description)
                     for end, value in zip(("min", "max"), values, strict=True)
                 ]
-    return tuple(found)
+    return tuple(declared)
 
 
 def _places(table: str, count: int) -> list[tuple[str, tuple[int, ...]]]:

@@ -103,16 +103,16 @@ def arrange(function: Function) -> Program:
 
 def _entries(output: Output) -> tuple[Entry, ...]:
     """Return the entries to be evaluated: no zeros, and only the upper triangle of a symmetric matrix."""
-    symmetric, found = output.symmetric, []
+    symmetric, entries = output.symmetric, []
     for index, value in zip(output.indices, output.entries, strict=True):
         if value == 0 and not output.listed:
             continue
         if symmetric and index[-2] != index[-1]:
             if index[-2] < index[-1]:
-                found.append(Entry(value, (index, mirrored(index))))
+                entries.append(Entry(value, (index, mirrored(index))))
         else:
-            found.append(Entry(value, (index,)))
-    return tuple(found)
+            entries.append(Entry(value, (index,)))
+    return tuple(entries)
 
 
 def _renamed(

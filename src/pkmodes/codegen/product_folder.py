@@ -79,9 +79,9 @@ def check_owner(out: Path, recorded: Mapping[str, Any], reference: str, name: st
         return
     if isinstance(owner, str) and robot and robot.get("name") == name and not _is_file(out, owner):
         return
-    found = f"the robot file {owner}" if owner else f"the mechanism {recorded.get('mechanism')}"
+    origin = f"the robot file {owner}" if owner else f"the mechanism {recorded.get('mechanism')}"
     raise OutputError(
-        f"the folder already holds the model generated from {found}",
+        f"the folder already holds the model generated from {origin}",
         str(out),
         "choose another folder, or remove that one",
     )

@@ -45,6 +45,6 @@ class Generated:
 @cache
 def _taken(function: Callable[..., Any]) -> tuple[str, ...]:
     """Return which of ``parameters`` and ``effects`` a function takes."""
-    found = signature(function).parameters
-    every = any(one.kind is Parameter.VAR_POSITIONAL for one in found.values())
-    return tuple(name for name in ("parameters", "effects") if every or name in found)
+    declared = signature(function).parameters
+    every = any(one.kind is Parameter.VAR_POSITIONAL for one in declared.values())
+    return tuple(name for name in ("parameters", "effects") if every or name in declared)

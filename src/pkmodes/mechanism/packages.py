@@ -94,10 +94,10 @@ def _import(package: str, folder: Path) -> None:
 def _check(folder: Path) -> None:
     """Reject anything but the folder of a generated mechanism."""
     if not folder.is_dir():
-        found = "no such folder"
+        what = "no such folder"
         if folder.is_file():
-            found = "expected the folder of a generated mechanism, found a file"
-        raise PkmodesError(found, str(folder), GIVE)
+            what = "expected the folder of a generated mechanism, found a file"
+        raise PkmodesError(what, str(folder), GIVE)
     missing = [name for name in FILES if not (folder / name).is_file()]
     if missing:
         what = f"expected the folder of a generated mechanism, but {missing[0]} is missing"

@@ -43,10 +43,10 @@ def reasons(mechanism: Mechanism) -> dict[str, str]:
     ----------
     mechanism : Mechanism
     """
-    found = dict([FINITE])
+    meanings = dict([FINITE])
     for margin in mechanism.margins:
-        found.setdefault(margin.code, margin.meaning)
-    return found
+        meanings.setdefault(margin.code, margin.meaning)
+    return meanings
 
 
 def codes_of(mechanism: Mechanism) -> tuple[str, ...]:
@@ -256,8 +256,8 @@ def _in_words(mechanism: Mechanism) -> str:
 
 def margin_of(generated: Generated, margin: Margin, points: Array) -> Array:
     """Evaluate one of a mechanism's margins at poses; of several results, select the margin's output."""
-    found = getattr(generated, margin.function)(points)
-    return np.asarray(found[margin.output] if isinstance(found, tuple) else found)
+    results = getattr(generated, margin.function)(points)
+    return np.asarray(results[margin.output] if isinstance(results, tuple) else results)
 
 
 def _codes(

@@ -69,7 +69,7 @@ def regular_poses(generated: Generated, mechanism: Mechanism, parameters: Any, w
         At most `wanted` poses; fewer if no more were found.
     """
     rng = np.random.default_rng(SEED)
-    found: list[Array] = []
+    chosen: list[Array] = []
     with np.errstate(all="ignore"):
         for draws in DRAWS:
             p = drawn_poses(generated, mechanism, parameters, rng, draws)
@@ -80,10 +80,10 @@ def regular_poses(generated: Generated, mechanism: Mechanism, parameters: Any, w
                     good &= (values < REGULAR).all(axis=-1)
                 else:
                     good &= (values > INSIDE * np.nanmax(values, initial=0.0)).all(axis=-1)
-            found.append(p[good])
-            if sum(map(len, found)) >= wanted:
+            chosen.append(p[good])
+            if sum(map(len, chosen)) >= wanted:
                 break
-    return np.concatenate(found)[:wanted]
+    return np.concatenate(chosen)[:wanted]
 
 
 def drawn_poses(

@@ -40,7 +40,7 @@ def read_effects(
     dict
         Quantities by path, for the effects in the file.
     """
-    found: dict[str, Quantity] = {}
+    quantities: dict[str, Quantity] = {}
     for name, table in tables.items():
         where = f"{source}: {EFFECTS}.{name}"
         if name not in mechanism.effects:
@@ -49,8 +49,8 @@ def read_effects(
             remedy = f"write a table [{EFFECTS}.{name}]"
             problems.append(PkmodesError(f"expected a table, found {shown(table)}", where, remedy))
         else:
-            _read_effect(mechanism.effects[name], table, lent, where, problems, found)
-    return found
+            _read_effect(mechanism.effects[name], table, lent, where, problems, quantities)
+    return quantities
 
 
 def _not_there(mechanism: Mechanism, name: str, source: str) -> PkmodesError:
@@ -67,7 +67,7 @@ def _read_effect(
     lent: Mapping[str, Quantity],
     where: str,
     problems: list[PkmodesError],
-    found: dict[str, Quantity],
+    quantities: dict[str, Quantity],
 ) -> None:
     known = [parameter.name for parameter in effect.parameters]
     for key in table:
@@ -79,13 +79,13 @@ def _read_effect(
         place = f"{where}.{parameter.name}"
         if parameter.name in table:
             try:
-                found[path] = _value(parameter, table[parameter.name])
+                quantities[path] = _value(parameter, table[parameter.name])
             except schema.RefusedError as error:
                 problems.append(PkmodesError(error.what, place, error.remedy))
         elif path in lent:
-            found[path] = lent[path]
+            quantities[path] = lent[path]
         elif len(own) > 1:  # if an effect has several parameters, missing ones are zero
-            found[path] = Quantity(0.0, parameter.unit)
+            quantities[path] = Quantity(0.0, parameter.unit)
         else:
             example = DIMENSIONS[_dimension(parameter.unit)][1]
             what = f"the parameter {parameter.name} is missing"

@@ -133,18 +133,18 @@ def _entry(mechanism: Mechanism, table: Table, j: int) -> Iterator[Item]:
 @cache
 def by_path(mechanism: Mechanism) -> dict[str, Item]:
     """Return the keys by their own paths and by the paths of their quantities."""
-    found = {item.path: item for item in items(mechanism)}
-    return found | {number.path: item for item in items(mechanism) for number in item.numbers}
+    by_path = {item.path: item for item in items(mechanism)}
+    return by_path | {number.path: item for item in items(mechanism) for number in item.numbers}
 
 
 @cache
 def takers(mechanism: Mechanism) -> dict[str, tuple[Item, ...]]:
     """Return, by the path of a shared value, the keys that take it if they are not given."""
-    found: dict[str, tuple[Item, ...]] = {}
+    takers_of: dict[str, tuple[Item, ...]] = {}
     for item in items(mechanism):
         if item.shared:
-            found[item.shared] = (*found.get(item.shared, ()), item)
-    return found
+            takers_of[item.shared] = (*takers_of.get(item.shared, ()), item)
+    return takers_of
 
 
 @cache

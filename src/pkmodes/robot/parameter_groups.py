@@ -64,7 +64,7 @@ def elements_of(robot: Declaration, group: ParameterGroup, value: float) -> dict
         If a vector is zero and has no direction, or would shrink to zero.
     """
     vectors = _vectors(robot, group).tolist()
-    found: dict[str, float] = {}
+    elements: dict[str, float] = {}
     for item, vector in zip(items_of(robot.mechanism, group), vectors, strict=True):
         if group.kind == "span":
             moved = _apart(vector, value - (vectors[0][1] - vectors[0][0]))
@@ -72,8 +72,8 @@ def elements_of(robot: Declaration, group: ParameterGroup, value: float) -> dict
             moved = _along(vector, value - math.hypot(*vectors[0]), item, robot.source)
         for number, before, after in zip(item.numbers, vector, moved, strict=True):
             if group.kind == "span" or before != 0.0:
-                found[number.path] = after
-    return found
+                elements[number.path] = after
+    return elements
 
 
 def _apart(pair: Sequence[float], change: float) -> list[float]:

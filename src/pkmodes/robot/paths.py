@@ -125,26 +125,26 @@ def _known(robot: Robot) -> dict[str, Moves]:
 
 def _common(robot: Robot) -> dict[str, Moves]:
     """Return the quantities of the robot as a whole, and those that several entries share."""
-    found: dict[str, Moves] = {}
+    moves: dict[str, Moves] = {}
     shared = takers(robot.mechanism)
     for item in items(robot.mechanism):
         if item.path in shared:
             following = [own for own in shared[item.path] if own.path not in robot.quantities]
             slots = [number.slot for own in following for number in own.numbers]
             if slots and (item.path in robot.quantities or item.key.default is not None):
-                found[item.path] = (item.numbers[0].unit, {slot: 1.0 for slot in slots if slot is not None})
+                moves[item.path] = (item.numbers[0].unit, {slot: 1.0 for slot in slots if slot is not None})
         elif item.entry is None:
-            found |= _single(item)
-    return found
+            moves |= _single(item)
+    return moves
 
 
 def _of_entries(robot: Robot) -> dict[str, Moves]:
     """Return the quantities of single entries, whether they override the shared value or take it."""
-    found: dict[str, Moves] = {}
+    moves: dict[str, Moves] = {}
     of_entries = [item for item in items(robot.mechanism) if item.entry is not None]
     for item in sorted(of_entries, key=lambda item: (item.entry, not item.shared)):
-        found |= _single(item)
-    return found
+        moves |= _single(item)
+    return moves
 
 
 def _single(item: Item) -> dict[str, Moves]:

@@ -123,12 +123,12 @@ def _is_appended(document: TomlText, keys: Keys) -> bool:
 
 def _rewrite(document: TomlText, keys: Keys, edit: Edit, before: Quantity) -> None:
     """Change an existing value, keeping its notation."""
-    found = document.find(keys)
-    if isinstance(found, dict):
-        notation = Notation.of(found["value"], before.unit)
+    written = document.find(keys)
+    if isinstance(written, dict):
+        notation = Notation.of(written["value"], before.unit)
         document.replace((*keys, "value"), notation.number(edit.value, edit.digits))
-        relative = "%" in str(found.get("sigma", ""))
-        if edit.sigma is not None and "sigma" not in found:
+        relative = "%" in str(written.get("sigma", ""))
+        if edit.sigma is not None and "sigma" not in written:
             document.insert((*keys, "sigma"), notation.sigma(edit.sigma))
         elif edit.sigma is not None:
             document.replace((*keys, "sigma"), notation.sigma(edit.sigma))
@@ -136,7 +136,9 @@ def _rewrite(document: TomlText, keys: Keys, edit: Edit, before: Quantity) -> No
             document.replace((*keys, "sigma"), notation.sigma(before.sigma))
         document.comment((*keys, "value"), edit.note)
     else:
-        document.replace(keys, Notation.of(found, before.unit).quantity(edit.value, edit.sigma, edit.digits))
+        document.replace(
+            keys, Notation.of(written, before.unit).quantity(edit.value, edit.sigma, edit.digits)
+        )
         document.comment(keys, edit.note)
 
 
@@ -167,13 +169,13 @@ def _check(text: str, robot: Robot, edits: Mapping[str, Edit]) -> None:
             changed.add(borrowed)
     # A new effect has all its parameters; those not given are at their defaults.
     added = tuple(path.rpartition(".")[0] + "." for path in edits if path.startswith(EFFECTS))
-    found = {
+    declared = {
         path: value
         for path, value in after.declared.items()
         if path in expected or not path.startswith(added)
     }
-    for path in {**expected, **found}:
-        value, wanted = found.get(path), expected.get(path)
+    for path in {**expected, **declared}:
+        value, wanted = declared.get(path), expected.get(path)
         sigma = after.quantities[path].sigma if path in after.quantities else None
         same = _close(value, wanted, CLOSE) if path in changed else value == wanted
         if not same or not _close(sigma, sigmas.get(path), CLOSE_SIGMA):
@@ -181,7 +183,7 @@ def _check(text: str, robot: Robot, edits: Mapping[str, Edit]) -> None:
             refuse(f"{what}{value} with {sigma}", f"{robot.source}: {path}", BY_HAND)
 
 
-def _close(found: object, wanted: object, tolerance: float) -> bool:
-    if isinstance(found, float) and isinstance(wanted, float):
-        return abs(found - wanted) <= tolerance * abs(wanted)
-    return found == wanted
+def _close(value: object, wanted: object, tolerance: float) -> bool:
+    if isinstance(value, float) and isinstance(wanted, float):
+        return abs(value - wanted) <= tolerance * abs(wanted)
+    return value == wanted

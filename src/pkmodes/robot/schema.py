@@ -86,9 +86,9 @@ def quantity(
     if isinstance(raw, dict):
         unknown = [key for key in raw if key not in ("value", "sigma")]
         if unknown or "value" not in raw:
-            found = ", ".join(map(shown, raw)) or "an empty table"
+            keys = ", ".join(map(shown, raw)) or "an empty table"
             raise RefusedError(
-                f'expected a table with "value" and, if known, "sigma"; found {found}',
+                f'expected a table with "value" and, if known, "sigma"; found {keys}',
                 "write { value = ..., sigma = ... }",
             )
         raw, sigma_raw = raw["value"], raw.get("sigma")
@@ -173,9 +173,9 @@ def _sigma(raw: Any, value: float, dimension: str) -> float:
 def _vector(raw: Any, names: tuple[str, ...], dimension: str, *bounds: float | None) -> tuple[Quantity, ...]:
     """Read the named elements of a vector, each of which may have a standard deviation."""
     if not isinstance(raw, list) or len(raw) != len(names):
-        found = f"{len(raw)} elements" if isinstance(raw, list) else shown(raw)
+        what = f"{len(raw)} elements" if isinstance(raw, list) else shown(raw)
         raise RefusedError(
-            f"expected a list of {len(names)} {dimension} values, found {found}",
+            f"expected a list of {len(names)} {dimension} values, found {what}",
             f"give {len(names)} elements",
         )
     elements = []
@@ -204,8 +204,8 @@ def _direction(raw: Any, names: tuple[str, ...]) -> tuple[float, ...]:
 def _signs(raw: Any, length: int) -> tuple[float, ...]:
     remedy = f"for example: [{', '.join(['1', '-1', *['1'] * length][:length])}]"
     if not isinstance(raw, list) or len(raw) != length:
-        found = f"{len(raw)}" if isinstance(raw, list) else shown(raw)
-        raise RefusedError(f"expected a list of {length} numbers, each 1 or -1, found {found}", remedy)
+        given = f"{len(raw)}" if isinstance(raw, list) else shown(raw)
+        raise RefusedError(f"expected a list of {length} numbers, each 1 or -1, found {given}", remedy)
     for element in raw:
         if isinstance(element, bool) or element not in (1, -1):
             raise RefusedError(f"expected numbers that are each 1 or -1, found {shown(element)}", remedy)

@@ -91,12 +91,12 @@ class Tables:
             self._missing(table.name)
             return
         entries = document[table.name]
-        found = len(entries) if isinstance(entries, list) else shown(entries)
-        if found != table.count:
+        number_given = len(entries) if isinstance(entries, list) else shown(entries)
+        if number_given != table.count:
             number = COUNTS[table.count] if table.count < len(COUNTS) else str(table.count)
             self.problem(
                 table.name,
-                f"expected exactly {number} [[{table.name}]] tables, found {found}",
+                f"expected exactly {number} [[{table.name}]] tables, found {number_given}",
                 f"describe each of the {number} once: {table.description}",
             )
         for j, entry in enumerate(entries[: table.count] if isinstance(entries, list) else ()):

@@ -148,25 +148,25 @@ def _convert(number: Decimal, unit: str, si_unit: str, expected: str, text: str)
 
     registry = _registry()
     try:
-        found = registry.Unit(unit)
+        given = registry.Unit(unit)
     except Exception as error:  # pint and its tokenizer raise many kinds of errors on malformed units
         raise QuantityError(
             f"{expected}, found {shown(text)}, whose unit {shown(unit)} is unknown"
         ) from error
     target = registry.Unit("dimensionless" if si_unit == "1" else si_unit)
     # Degrees and percent have no dimension, so a dimensional check alone would accept them as scale factors.
-    scaling = [name for name in found._units if registry.Unit(name).dimensionless and name != "radian"]
+    scaling = [name for name in given._units if registry.Unit(name).dimensionless and name != "radian"]
     angles = all(_radians(registry.Unit(name)) == 1 for name in scaling)
-    if angles and _radians(found) == _radians(target):
+    if angles and _radians(given) == _radians(target):
         scaling = []
-    if scaling or (si_unit == "1" and str(found) != "dimensionless"):
+    if scaling or (si_unit == "1" and str(given) != "dimensionless"):
         raise QuantityError(
             f"{expected}, found {shown(text)}, whose unit {shown(unit)} does not belong there"
         )
     try:
-        return float(registry.Quantity(number, found).to(target).magnitude)
+        return float(registry.Quantity(number, given).to(target).magnitude)
     except pint.DimensionalityError as error:
-        kind = _dimension_name(found)
+        kind = _dimension_name(given)
         raise QuantityError(f"{expected}, found {shown(text)}, which is {article(kind)}") from error
     except (TypeError, ArithmeticError) as error:  # logarithmic units, offsets
         raise QuantityError(f"{expected}, found {shown(text)}, whose unit is not proportional") from error
@@ -188,14 +188,14 @@ def base_units(unit: str) -> tuple[Decimal, Mapping[str, object]]:
         raise QuantityError(f"{shown(unit)} is not a unit")
     registry = _registry()
     try:
-        found, twice = (
+        once, twice = (
             registry.Quantity(Decimal(number), registry.Unit(unit)).to_root_units() for number in (1, 2)
         )
     except Exception as error:  # pint and its tokenizer raise many kinds of errors on malformed units
         raise QuantityError(f"the unit {shown(unit)} is unknown") from error
-    if twice.magnitude != 2 * found.magnitude:  # an offset unit such as degC
+    if twice.magnitude != 2 * once.magnitude:  # an offset unit such as degC
         raise QuantityError(f"the unit {shown(unit)} is not proportional")
-    return found.magnitude, dict(found._units)
+    return once.magnitude, dict(once._units)
 
 
 def _radians(unit: Unit) -> object:

@@ -113,14 +113,14 @@ def _filled(numbers: Mapping[tuple[int, ...], float]) -> float | np.ndarray:
 
 def _quantities(mechanism: Mechanism, values: Values) -> dict[str, Quantity]:
     """Return every quantity by path, in the order of the format."""
-    found: dict[str, Quantity] = {}
+    quantities: dict[str, Quantity] = {}
     for item in items(mechanism):
         value = values.get(item.path)
         elements = value if isinstance(value, tuple) else (value,)
         of_item = [element for element in elements if isinstance(element, Quantity)]
         if of_item:
-            found.update(zip((number.path for number in item.numbers), of_item, strict=True))
-    return found
+            quantities.update(zip((number.path for number in item.numbers), of_item, strict=True))
+    return quantities
 
 
 def _by_effect(quantities: Mapping[str, Quantity]) -> dict[str, float]:
@@ -159,7 +159,7 @@ def _sentence(requirement: Requirement, place: str, margin: float, numbers: Mapp
     }
 
     def written(match: re.Match[str]) -> str:
-        found = values[match[1]]
-        return f"{found.value:g}" + ("" if found.unit == "1" else f" {found.unit}")
+        quantity = values[match[1]]
+        return f"{quantity.value:g}" + ("" if quantity.unit == "1" else f" {quantity.unit}")
 
     return re.sub(r"\{([\w.]+)\}", written, requirement.sentence)

@@ -52,7 +52,7 @@ def _read(robot: Declaration, values: Mapping[str, Any], source: str) -> Declara
 def _changes(robot: Declaration, values: Mapping[str, Any], source: str) -> dict[str, Any]:
     """Return the changed values of the file by path, as a robot file could contain them."""
     owners = {path: own for path, own in lent(robot.mechanism).items() if _lent_now(robot, values, path, own)}
-    found: dict[str, Any] = {}
+    changes: dict[str, Any] = {}
     for path, raw in values.items():
         if not isinstance(path, str):
             what = f"expected a parameter path, found {shown(path)}"
@@ -62,12 +62,12 @@ def _changes(robot: Declaration, values: Mapping[str, Any], source: str) -> dict
             raise PkmodesError("expected a value, found None", f"{source}: {path}", remedy)
         for element, value in _elements(robot, owners.get(path, path), raw, source).items():
             others = {element, lent(robot.mechanism).get(element), *_borrowers(robot, element)}
-            if others & found.keys():
+            if others & changes.keys():
                 what = "the value would be changed twice"
                 raise PkmodesError(what, f"{source}: {element}", "change it only once")
-            found[element] = value
+            changes[element] = value
     before = {own: robot.quantities.get(path) for path, own in lent(robot.mechanism).items()}
-    return {path: _with_sigma(raw, {**before, **robot.quantities}.get(path)) for path, raw in found.items()}
+    return {path: _with_sigma(raw, {**before, **robot.quantities}.get(path)) for path, raw in changes.items()}
 
 
 def _lent_now(robot: Declaration, values: Mapping[str, Any], path: str, own: str) -> bool:
@@ -106,8 +106,8 @@ def _elements(robot: Declaration, path: str, raw: Any, source: str) -> dict[str,
         what = f"{path} is not a quantity: it cannot be changed here"
         raise PkmodesError(what, robot.source, "change the robot file")
     if not isinstance(raw, list | tuple) or len(raw) != len(item.numbers):
-        found = f"{len(raw)}" if isinstance(raw, list | tuple) else shown(raw)
-        what = f"expected a list of {len(item.numbers)} values, found {found}"
+        given = f"{len(raw)}" if isinstance(raw, list | tuple) else shown(raw)
+        what = f"expected a list of {len(item.numbers)} values, found {given}"
         raise PkmodesError(what, f"{source}: {path}", f"give {', '.join(item.key.elements)}")
     return {
         number.path: _plain(one, number.unit, f"{source}: {number.path}")

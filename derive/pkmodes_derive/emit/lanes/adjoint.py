@@ -46,8 +46,8 @@ def gradient(function: Function, inputs: Sequence[Symbol], differentiated: Colle
     eigenvalue = _symbol("eigenvalue")
     steps, values = _elementary(program)
     weighted = _weights(program.results[:2], shape, (-eigenvalue, Integer(1)))
-    back, found = _backwards(steps, list(zip(values, weighted, strict=False)))
-    entries = tuple(found.get(s, Integer(0)) if s in differentiated else Integer(0) for s in inputs)
+    back, derivatives = _backwards(steps, list(zip(values, weighted, strict=False)))
+    entries = tuple(derivatives.get(s, Integer(0)) if s in differentiated else Integer(0) for s in inputs)
     return Function(
         f"{function.name}_gradient",
         "Derivatives of the eigenvalue of a mode with respect to all quantities.",
@@ -76,13 +76,13 @@ def _elementary(program: Program) -> tuple[list[Step], list[Expr]]:
     def split(expression: Expr) -> Expr:
         if not expression.args:
             return expression
-        found = expression.func(*map(split, expression.args))
-        if not _is_elementary(found):
-            return found
-        if found not in known:
-            known[found] = _symbol(f"forward_{len(known)}")
-            steps.append((known[found], found))
-        return known[found]
+        rebuilt = expression.func(*map(split, expression.args))
+        if not _is_elementary(rebuilt):
+            return rebuilt
+        if rebuilt not in known:
+            known[rebuilt] = _symbol(f"forward_{len(known)}")
+            steps.append((known[rebuilt], rebuilt))
+        return known[rebuilt]
 
     for symbol, value in program.steps:
         steps.append((renamed.get(symbol, symbol), split(value.xreplace(renamed))))
@@ -121,7 +121,7 @@ def _backwards(
             adjoint = _symbol(f"adjoint_{symbol.name}")
             back.append((adjoint, Add(*terms.pop(symbol))))
             spread(value, adjoint, symbol)
-    return back, {symbol: Add(*found) for symbol, found in terms.items()}
+    return back, {symbol: Add(*parts) for symbol, parts in terms.items()}
 
 
 def _partial(value: Expr, variable: Symbol, symbol: Symbol | None) -> Expr:

@@ -68,10 +68,10 @@ class Families:
             return [self._spelled(members[0])]
         part = tuple(map(id, members))
         if part not in known:
-            found = self._general(members, whole)
-            splits = () if found else _splits(members)
+            formula = self._general(members, whole)
+            splits = () if formula else _splits(members)
             tried = ([f for part in parts for f in self._formulas(part, False, known)] for parts in splits)
-            known[part] = [found] if found else min(tried, key=len)
+            known[part] = [formula] if formula else min(tried, key=len)
         return known[part]
 
     def _spelled(self, member: Member) -> Formula:

@@ -70,10 +70,10 @@ def _families(
     for symbol in definitions:
         quantity = model.vocabulary[symbol]
         groups.setdefault(quantity.family, []).append(quantity)
-    found = []
+    named_values = []
     for quantities in groups.values():
         members = [Member(q.index, definitions[q.symbol]) for q in quantities]
         first = quantities[0]
         equations = [equation(first.typeset(f.index), f) for f in families.formulas(members)]
-        found.append((first.family.name, first.family.unit, first.family.description, equations))
-    return found
+        named_values.append((first.family.name, first.family.unit, first.family.description, equations))
+    return named_values

@@ -40,7 +40,7 @@ def results(
     coordinates = {q.symbol.name: q for q in model.vocabulary}
     labels = [coordinates[name] for name, _ in model.coordinates]
     seen: dict[tuple[object, ...], str] = {}
-    found = []
+    results = []
     for function in model.functions:
         shown = []
         for output in function.outputs:
@@ -48,8 +48,8 @@ def results(
             equations = () if same else _equations(output, labels, model.vocabulary, families, equation)
             seen.setdefault((output.shape, output.entries), f"`{output.name}` of `{function.name}`")
             shown.append(Shown(output.name, output.unit, output.description, same, equations))
-        found.append((function, shown))
-    return found
+        results.append((function, shown))
+    return results
 
 
 def _equations(

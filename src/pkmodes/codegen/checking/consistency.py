@@ -84,20 +84,20 @@ def check_consistency(
             for p in poses:
                 at = State(generated, mechanism, parameters, p, derivative, effects)
                 try:
-                    for name, found, expected, weight in (yielded or _all)(at):
-                        errors[name] = max(errors.get(name, 0.0), _relative(found, expected, weight))
+                    for name, value, expected, weight in (yielded or _all)(at):
+                        errors[name] = max(errors.get(name, 0.0), _relative(value, expected, weight))
                 except np.linalg.LinAlgError as error:  # from NaN or zeros in the stiffness
                     errors[f"the static equilibrium: {error}"] = np.inf
             checks += [Check(f"{name} ({name_of_kind})", error, bound) for name, error in errors.items()]
     return checks
 
 
-def _relative(found: Array, expected: Array, weight: float) -> float:
+def _relative(value: Array, expected: Array, weight: float) -> float:
     """Return the largest difference relative to the largest expected value, infinite where one is not a number."""
-    if not (np.isfinite(found).all() and np.isfinite(expected).all()):
+    if not (np.isfinite(value).all() and np.isfinite(expected).all()):
         return float(np.inf)
     scale = max(float(np.max(np.abs(expected), initial=0.0)), weight)
-    difference = float(np.max(np.abs(found - expected), initial=0.0))
+    difference = float(np.max(np.abs(value - expected), initial=0.0))
     return difference / scale if scale > 0.0 else 0.0
 
 

@@ -121,12 +121,12 @@ def _robot_file(folder: Path, recorded: dict[str, object]) -> tuple[str, bool]:
     if not isinstance(reference, str):
         raise PkmodesError("the manifest does not name a robot file", str(folder / MANIFEST), remedy)
     try:
-        found = stat.S_ISREG((folder / reference).stat().st_mode)
+        regular_file = stat.S_ISREG((folder / reference).stat().st_mode)
     except (FileNotFoundError, NotADirectoryError):
         return reference, False
     except (OSError, ValueError):  # not a valid file name
-        found = False
-    if not found:
+        regular_file = False
+    if not regular_file:
         what = f"the manifest names {shown(reference)}, which cannot be a robot file"
         raise PkmodesError(what, str(folder / MANIFEST), remedy)
     return reference, True
@@ -157,11 +157,11 @@ def check_robot(robot_file: Path) -> Report:
 def _checks(texts: dict[str, str], robot: Robot) -> list[Check]:
     """Check the modules of a robot: with its effects, and then without them."""
     first, *without = (name for name in texts if name.endswith(".py"))
-    found = _checks_of(_executed({first: texts[first]}), robot)
+    all_checks = _checks_of(_executed({first: texts[first]}), robot)
     for name in without:
         checks = _checks_of(_executed({name: texts[name]}), replace(robot, effects={}))
-        found += [replace(check, name=f"{check.name}, without effects") for check in checks]
-    return found
+        all_checks += [replace(check, name=f"{check.name}, without effects") for check in checks]
+    return all_checks
 
 
 def _executed(texts: dict[str, str]) -> types.ModuleType:
@@ -217,8 +217,8 @@ def _equality(module: types.ModuleType, robot: Robot) -> list[Check]:
         motion = expected.platform_motion(p) @ every
         pairs.append(("platform motion", module.platform_motion(p), motion, 0.0))
     return [
-        Check(f"{name} of the parametric model", _relative(found, wanted, scale), 1e-12)
-        for name, found, wanted, scale in pairs
+        Check(f"{name} of the parametric model", _relative(value, wanted, scale), 1e-12)
+        for name, value, wanted, scale in pairs
     ]
 
 
@@ -228,10 +228,10 @@ def _sizes(matrix: Array) -> Array:
     return np.asarray(root[..., :, None] * root[..., None, :])
 
 
-def _relative(found: Array, expected: Array, size: Array | float) -> float:
+def _relative(value: Array, expected: Array, size: Array | float) -> float:
     """Return the largest error relative to the scale of each entry, or to the largest entry if its scale is zero."""
-    if found.shape != expected.shape:
+    if value.shape != expected.shape:
         return float("inf")
     largest = float(np.max(np.abs(expected), initial=0.0)) or 1.0
     scale = np.where(np.asarray(size) > 0.0, size, largest)
-    return float(np.max(np.abs(found - expected) / scale))
+    return float(np.max(np.abs(value - expected) / scale))

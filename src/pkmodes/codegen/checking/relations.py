@@ -99,8 +99,8 @@ class State:
     def assembled(self, positions: Array) -> Array:
         """Compute the pose from the independent coordinates, on the assembly branch of this pose."""
         determinant, _ = self.generated.jacobian_condition(self.pose)
-        found: Array = self.generated.direct_kinematics(positions, np.sign(determinant))
-        return found
+        pose: Array = self.generated.direct_kinematics(positions, np.sign(determinant))
+        return pose
 
     @cached_property
     def motion(self) -> Array:
@@ -115,10 +115,10 @@ class State:
         """Return the motion of all coordinates with the independent ones in unstrained motion, (n, k)."""
         others = [i for i in range(self.base) if i not in self.places]
         H = Generated(self.mechanism.model, self.parameters).elastic_hessian(pose)
-        found = np.zeros((self.generated.coordinates, len(self.places)), dtype=H.dtype)
-        found[self.places] = np.eye(len(self.places))
-        found[others] = -np.linalg.solve(H[np.ix_(others, others)], H[np.ix_(others, self.places)])
-        return found
+        motion = np.zeros((self.generated.coordinates, len(self.places)), dtype=H.dtype)
+        motion[self.places] = np.eye(len(self.places))
+        motion[others] = -np.linalg.solve(H[np.ix_(others, others)], H[np.ix_(others, self.places)])
+        return motion
 
 
 def relations(at: State) -> Iterator[Relation]:

@@ -70,5 +70,5 @@ def findings_of(folder: Path, fresh: dict[str, str]) -> list[Any]:
         recorded = currency.read_manifest(folder)
     except (ValueError, OSError) as error:
         return [currency.Finding("manifest", "manifest.json", f"manifest.json cannot be read: {error}")]
-    found: list[Any] = currency.compare(folder, recorded, fresh)
-    return found
+    findings: list[Any] = currency.compare(folder, recorded, fresh)
+    return findings
