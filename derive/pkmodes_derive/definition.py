@@ -14,8 +14,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from types import ModuleType
 
+from pkmodes_derive.reserved_words import C_KEYWORDS
 from pkmodes_derive.vocabulary import AXES
-from pkmodes_derive.words import C_KEYWORDS
 
 #: Name of the copy of the file that is kept with the generated code.
 FILE_NAME = "definition.py"
@@ -49,7 +49,6 @@ def read(name: str, text: str, place: str) -> ModuleType:
     ----------
     name : str
         Name of the mechanism.
-    text : str
     place : str
         The file, for messages.
 

@@ -54,8 +54,6 @@ class Element:
         second; ``plate``, the convex hull of its points; ``ball``, one point.
     kind : str
         What it is: ``rail``, ``carriage``, ``link``, ``arm``, ``belt``, ``pulley``, ``platform`` ...
-    name : str
-    points : tuple of Point
     spring : Run or Reducer or None
         The spring that it is.
     turns : sympy.Symbol or None
@@ -76,7 +74,6 @@ class Upright:
 
     Attributes
     ----------
-    symbols : tuple of sympy.Symbol
     direction : tuple of sympy.Expr
         The unit vector to which it is perpendicular.
     place : tuple of sympy.Expr
@@ -94,8 +91,6 @@ class Drawing:
 
     Attributes
     ----------
-    elements : list of Element
-    uprights : list of Upright
     vocabulary : Vocabulary
         Its own symbols, which are no part of the model.
     """

@@ -91,7 +91,6 @@ class Released:
     ----------
     name, description, latex : str
         With ``{j}`` for the number of a part, or ``{i}`` for a direction.
-    unit : str
     order : int
         Position among the coordinates of other effects.
     """

@@ -79,16 +79,10 @@ class Solver:
     ----------
     matrix : sympy.Matrix
         Phi_s, square.
-    vocabulary : Vocabulary
     chain : Chain
         Receives the definitions.
     directions : sequence of str
         Directions of the dependent coordinates, used in names.
-
-    Attributes
-    ----------
-    adjugate : sympy.Matrix
-    determinant : sympy.Symbol
     """
 
     def __init__(

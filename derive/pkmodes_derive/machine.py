@@ -41,7 +41,6 @@ class Extra:
     ----------
     name, summary, source, details : str
         As in `Function`.
-    outputs : tuple of Output
     arguments : tuple of Argument, optional
         By default the pose.
     definitions : mapping, optional
@@ -62,16 +61,12 @@ class Machine:
 
     Attributes
     ----------
-    name, title : str
-    vocabulary : Vocabulary
-    tables : Tables
     chain : Chain
         Named values as functions of coordinates and parameters.
     inverse : dict
         The independent coordinates and auxiliary values as functions of the pose.
     gravity : tuple of sympy.Symbol
         Acceleration [m/s^2].
-    pose : tuple of sympy.Symbol
     dependent : tuple of sympy.Symbol
         Coordinates of the platform that the closures determine.
     independent : tuple of sympy.Symbol
@@ -100,7 +95,6 @@ class Machine:
         The effect that added each elastic energy.
     weights : list of (mass, position)
         Bodies on which gravity acts, added by effects.
-    released : tuple of Coordinate
     compliances : tuple of sympy.Symbol
         Spring compliance of each released coordinate.
     effects : tuple of Effect

@@ -158,7 +158,6 @@ class Belt:
     ----------
     modulus : sympy.Expr
         Stiffness times free length, as declared [N].
-    runs : tuple of Run
     clamp : Clamp or None
     change : sympy.Expr
         Relative change of the modulus by effects.

@@ -19,10 +19,8 @@ def spheres(m: Machine, centres: Sequence[Sequence[Expr]], lengths: Sequence[Sym
 
     Parameters
     ----------
-    m : Machine
     centres : sequence of vectors
         S_j as functions of the independent coordinates.
-    lengths : sequence of sympy.Symbol
     """
     v = m.vocabulary
     assembly = v.declare(

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from sympy import Symbol
 
-from pkmodes_derive.words import is_reserved
+from pkmodes_derive.reserved_words import is_reserved
 
 AXES = ("x", "y", "z")
 

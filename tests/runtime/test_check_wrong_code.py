@@ -19,8 +19,7 @@ from pkmodes.cli import run
 from pkmodes.codegen.checking import products
 from pkmodes.codegen.checking.consistency import Check
 from pkmodes.codegen.derivation import REQUIREMENTS
-from pkmodes.mechanism.registry import mechanism as mechanism_named
-from pkmodes.mechanism.registry import names
+from pkmodes.mechanism import registry
 
 CLAMP = '\n[effects.clamp_compliance]\ncompliance = "1e-7 m/N"\n'
 
@@ -30,7 +29,7 @@ def test_the_committed_model_and_the_robots_hold(capsys: pytest.CaptureFixture[s
     robots = sorted(str(path) for path in PUBLISHED.parent.glob("*.toml"))
     assert run(["check"]) == 0
     assert run(["check", *robots]) == 0
-    assert capsys.readouterr().out.count("current\n") == len(names()) + len(robots)
+    assert capsys.readouterr().out.count("current\n") == len(registry.names()) + len(robots)
 
 
 def test_long_rails_and_short_links_are_no_false_alarm(tmp_path: Path) -> None:
@@ -56,7 +55,7 @@ def test_current_but_inconsistent_code_fails(
 def test_a_specialised_model_that_differs_from_the_parametric_one_fails(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    mechanism = mechanism_named("linear_delta")
+    mechanism = registry.mechanism("linear_delta")
     monkeypatch.setitem(vars(mechanism), "model", Broken("modal_matrices", 1 + 1e-9))
     assert run(["check", str(PUBLISHED)]) == 1
     assert "M of the parametric model: relative error 1.0e-09" in capsys.readouterr().out

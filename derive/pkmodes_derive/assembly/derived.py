@@ -21,8 +21,6 @@ class Derived:
 
     Attributes
     ----------
-    machine : Machine
-    kin, energies, equilibrium
     M, K_el, K_g : list of lists
         In all coordinates, including released ones, without the springs of released joints.
     hold : tuple of sympy.Symbol

@@ -28,7 +28,6 @@ class Spring:
     ----------
     named : Named
         Its name, the unit of its stiffness, and what it is.
-    stiffness : sympy.Expr
     strain : tuple of sympy.Expr
         Elongation [m] or twist [rad] per unit of each coordinate.
     part : Run or Reducer or None

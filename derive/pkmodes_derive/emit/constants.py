@@ -24,8 +24,6 @@ class Constant:
     ----------
     name : str
         In capitals.
-    value : str, int or float
-    comment : str
     single : float, optional
         Its value in single precision, if that differs.
     """

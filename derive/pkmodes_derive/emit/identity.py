@@ -27,7 +27,6 @@ class Limit:
         In the robot file: ``axis.1.limits.min``.
     value : float
         In SI units.
-    unit, description : str
     """
 
     path: str

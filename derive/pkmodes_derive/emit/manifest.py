@@ -58,10 +58,8 @@ def text(
 
     Parameters
     ----------
-    product, mechanism : str
     specification : Specification or None
         The robot, None for a parametric model.
-    outputs, programs : mapping
     definition : tuple of str, optional
         For a user-defined mechanism: where the definition comes from, and its text.
     """

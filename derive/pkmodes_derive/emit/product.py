@@ -35,7 +35,6 @@ def parametric(mechanism: str, definition: str = "") -> dict[str, str]:
 
     Parameters
     ----------
-    mechanism : str
     definition : str
         Path of the file of a user-defined mechanism, relative to the product.
     """

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from pkmodes_derive.words import C_KEYWORDS
+from pkmodes_derive.reserved_words import C_KEYWORDS
 
 
 @dataclass(frozen=True)

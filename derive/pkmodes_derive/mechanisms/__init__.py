@@ -14,12 +14,12 @@ from pkgutil import iter_modules
 from types import ModuleType
 
 from pkmodes_derive import definition
-from pkmodes_derive.applying import apply_effects
 from pkmodes_derive.assembly import models
 from pkmodes_derive.assembly.drawing import drawing as model_and_drawing
-from pkmodes_derive.declared import check_declared, check_model, check_names
+from pkmodes_derive.declaration_checks import check_declared, check_model, check_names
 from pkmodes_derive.definition import DefinitionError, as_definition_errors
 from pkmodes_derive.effect import Effect
+from pkmodes_derive.effect_application import apply_effects
 from pkmodes_derive.effects import catalogue
 from pkmodes_derive.functions import Model
 from pkmodes_derive.machine import Machine
@@ -39,7 +39,6 @@ def add(name: str, text: str, place: str) -> None:
 
     Parameters
     ----------
-    name : str
     text : str
         The definition, as Python source.
     place : str

@@ -121,7 +121,6 @@ def parametric(definition: Definition, reference: str) -> dict[str, str]:
 
     Parameters
     ----------
-    definition : Definition
     reference : str
         Path of its file relative to the package folder.
 

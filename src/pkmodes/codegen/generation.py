@@ -33,7 +33,6 @@ def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:
 
     Parameters
     ----------
-    robot : Robot
     robot_file, definition : str
         References to the robot file and to the mechanism's definition, as the generated files state them.
     """

@@ -20,7 +20,6 @@ def check_place(out: Path, beside: Sequence[Path], recorded: Mapping[str, Any] |
 
     Parameters
     ----------
-    out : Path
     beside : sequence of Path
         Paths that may be in the folder: the robot file, and others that are checked separately.
     recorded : mapping or None
@@ -106,7 +105,6 @@ def stale_outputs(
 
     Parameters
     ----------
-    out : Path
     recorded : mapping
         The manifest in the folder.
     names : iterable of str

@@ -37,12 +37,7 @@ IN_WORDS = {"m": "metres", "rad": "radians"}
 
 
 def reasons(mechanism: Mechanism) -> dict[str, str]:
-    """Return the reasons why a pose cannot be evaluated, in the order of the checks: code and meaning.
-
-    Parameters
-    ----------
-    mechanism : Mechanism
-    """
+    """Return the reasons why a pose cannot be evaluated, in the order of the checks: code and meaning."""
     meanings = dict([FINITE])
     for margin in mechanism.margins:
         meanings.setdefault(margin.code, margin.meaning)
@@ -119,7 +114,6 @@ def check_poses(
     ----------
     poses : array_like, shape (d,) or (..., d)
         In SI units, with the mechanism's pose components.
-    mechanism : Mechanism
     parameters : Parameters
         The robot's parameters for the generated model.
     on_error : {"raise", "nan"}
@@ -168,7 +162,6 @@ def refuse(points: Array, codes: NDArray[np.int8], mechanism: Mechanism, paramet
     points : ndarray, shape (N, d)
     codes : ndarray of int8, shape (N,)
         Indices into `codes_of`.
-    mechanism : Mechanism
     parameters : Parameters
         The robot.
 
@@ -290,7 +283,6 @@ def explained(
         Poses.
     codes : ndarray of int8, shape (N,)
         Their codes from `check_poses`, all nonzero.
-    mechanism : Mechanism
     parameters : Parameters
         The robot's parameters.
     """

@@ -58,8 +58,6 @@ def regular_poses(generated: Generated, mechanism: Mechanism, parameters: Any, w
     ----------
     generated : Generated
         Functions for this robot.
-    mechanism : Mechanism
-    parameters : Parameters
     wanted : int
         Number of poses.
 
@@ -95,10 +93,6 @@ def drawn_poses(
     ----------
     generated : Generated
         Functions for this robot.
-    mechanism : Mechanism
-    parameters : Parameters
-    rng : numpy.random.Generator
-    count : int
 
     Returns
     -------

@@ -15,7 +15,6 @@ def document_of(mechanism: Mechanism, name: str, values: Mapping[str, Any]) -> d
 
     Parameters
     ----------
-    mechanism : Mechanism
     name : str
         The robot's name.
     values : mapping of str to value

@@ -25,7 +25,6 @@ def read_effects(
 
     Parameters
     ----------
-    mechanism : Mechanism
     tables : mapping
         The raw tables by effect.
     lent : mapping of str to Quantity

@@ -62,7 +62,6 @@ class Item:
     ----------
     path : str
         Such as ``gravity``, ``belt.width``, ``axis.2.belt.width``, ``axis.1.direction``.
-    key : Key
     index : tuple of int or None
         Index of its numbers in their field; None for a value that the entries of a repeated table share.
     entry : int or None

@@ -34,7 +34,6 @@ class RefusedError(ValueError):
 
     Attributes
     ----------
-    what, remedy : str
     element : str
         Name of the element in a vector, empty otherwise.
     """

@@ -38,12 +38,10 @@ class Tables:
     ----------
     name : str
         The robot's name.
-    mechanism : Mechanism
     values : mapping of str to Value
         By path, as given in the tables: without merging and without defaults.
     effects : mapping of str to Quantity
         Parameters of the effects in the file, by path.
-    problems : list of PkmodesError
 
     Raises
     ------

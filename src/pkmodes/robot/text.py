@@ -16,10 +16,6 @@ from pkmodes.robot.variants import raw_values
 def text_of(robot: Robot) -> str:
     """Return the text of a robot file that declares this robot.
 
-    Parameters
-    ----------
-    robot : Robot
-
     Returns
     -------
     str

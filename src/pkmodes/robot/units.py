@@ -121,7 +121,6 @@ def parse_number_or_quantity(text: str, unit: str) -> float:
 
     Parameters
     ----------
-    text : str
     unit : str
         The SI unit.
 

@@ -28,7 +28,6 @@ def declaration(document: Mapping[str, Any], source: str) -> Declaration:
 
     Parameters
     ----------
-    document : mapping
     source : str
         Name of the file, for messages.
 

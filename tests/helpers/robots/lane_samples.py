@@ -15,9 +15,9 @@ from pkmodes import read_robot
 from pkmodes.compiled.evaluator import FIELDS, RATES, Evaluator
 from pkmodes.compiled.lanes import Terms
 from pkmodes.compiled.loader import load
+from pkmodes.mechanism import registry
 from pkmodes.mechanism.poses import MAX_CONDITION
 from pkmodes.mechanism.registry import Mechanism
-from pkmodes.mechanism.registry import mechanism as mechanism_named
 from pkmodes.robot.paths import ParameterPath, paths, resolve_all
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.terms import terms_of
@@ -68,7 +68,7 @@ def robot(name: str, seed: int) -> tuple[Any, np.ndarray]:
 
 
 def case(name: str, seed: int, effects: str = "none", extreme: str = "as it is", count: int = 60) -> Case:
-    mechanism = mechanism_named(name)
+    mechanism = registry.mechanism(name)
     parameters, pose = robot(name, seed)
     factors = {k: v for k, v in EXTREMES[extreme].items() if k in parameters._fields}
     parameters = parameters._replace(

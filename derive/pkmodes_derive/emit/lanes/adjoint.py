@@ -19,7 +19,7 @@ from sympy.core.function import Function as Applied
 
 from pkmodes_derive.emit.program import Program, Result, arrange
 from pkmodes_derive.functions import Argument, Function, Output
-from pkmodes_derive.words import NUMBERED
+from pkmodes_derive.reserved_words import NUMBERED
 
 Step = tuple[Symbol, Expr]
 

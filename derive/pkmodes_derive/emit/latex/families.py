@@ -39,7 +39,6 @@ class Formula:
         Letter or value of each index of the family on the left-hand side.
     expression : sympy.Expr
         The right-hand side; `names` has the LaTeX forms of its symbols.
-    names : mapping of sympy.Symbol to str
     unequal : tuple of (str, str)
         Pairs of indices that must differ, because equal ones have another formula.
     """

@@ -19,7 +19,6 @@ class Shown:
 
     Attributes
     ----------
-    name, unit, description : str
     same_as : str
         An earlier result with the same entries, if there is one.
     equations : tuple of str

@@ -37,7 +37,6 @@ class State:
     ----------
     generated : Generated
         The functions under test.
-    mechanism : Mechanism
     parameters : Parameters
         The robot's parameters.
     pose : ndarray, shape (d,)

@@ -25,7 +25,6 @@ def check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
 
     Parameters
     ----------
-    folder : Path
     recorded : mapping
         Its manifest.
 

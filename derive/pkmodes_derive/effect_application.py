@@ -18,7 +18,6 @@ def apply_effects(machine: Machine, effects: Sequence[Effect]) -> None:
     ----------
     machine : Machine
         Declared, and changed here.
-    effects : sequence of Effect
     """
     if not effects:
         return
