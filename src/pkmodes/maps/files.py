@@ -81,7 +81,7 @@ class Target:
             raise OutputError(
                 "cannot write: permission denied", where, "choose another place or make it writable"
             )
-        require(f"{path.suffix.lower()} files", "map", *LIBRARIES[path.suffix.lower()])
+        require(f"{path.suffix.lower()} files", "map", *LIBRARIES[path.suffix.lower()], "filelock")
         return cls(path)
 
     def write(self, dataset: xarray.Dataset, folder: Path) -> None:
