@@ -7,14 +7,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import PkmodesError
 from pkmodes.plots.plane import Plane
 from pkmodes.plots.workspace import Volume
 from pkmodes.robot.layout import items
 from pkmodes.robot.units import SHOWN
 from pkmodes.robot.wholes import value_of, wholes
 from pkmodes.solve.workspace import box_of
-from pkmodes.view.drawn import Drawn
+from pkmodes.view.robot_drawing import RobotDrawing
 
 if TYPE_CHECKING:
     from pkmodes.model.model import Model
@@ -99,7 +98,7 @@ def volume_of(model: Model, plane: Plane) -> Volume | None:
 
 
 def motors_of(model: Model, plane: Plane) -> Array | None:
-    """Return where the motors are, (N, 2): across and along in the drawn units; None where no drawing tells.
+    """Return where the motors are, (N, 2): across and along in the drawn units; None if an axis is no length.
 
     Parameters
     ----------
@@ -110,12 +109,9 @@ def motors_of(model: Model, plane: Plane) -> Array | None:
     names = ["x", "y", "z"]
     if not len(valid) or not {plane.across, plane.along} <= set(names):
         return None
-    try:
-        found = Drawn(model.robot).motors(valid[:1])[0]
-    except PkmodesError:  # generated before there were drawings
-        return None
+    motors = RobotDrawing(model.robot).motors(valid[:1])[0]
     factors = [SHOWN[plane.dataset[name].attrs["units"]][1] for name in (plane.across, plane.along)]
-    return np.asarray(found[:, [names.index(plane.across), names.index(plane.along)]] * factors)
+    return np.asarray(motors[:, [names.index(plane.across), names.index(plane.along)]] * factors)
 
 
 def smallest_mac(model: Model, plane: Plane) -> Array:
