@@ -18,7 +18,7 @@ from pkmodes.base.errors import PkmodesError
 from pkmodes.base.extras import require
 from pkmodes.figures.quantities import coarser, motors_of, relative_sensitivities, smallest_mac, volume_of
 from pkmodes.figures.working_plane import working_plane
-from pkmodes.maps.places import places_of
+from pkmodes.maps.poses import places_of
 from pkmodes.plots import influence, maps
 from pkmodes.plots.mac_map import neighbouring_mac
 from pkmodes.plots.plane import Plane, plane_axes, where

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from pkmodes.plots.plane import Plane
 from pkmodes.plots.workspace import Volume
 from pkmodes.robot.layout import items
-from pkmodes.robot.units import SHOWN
 from pkmodes.robot.wholes import value_of, wholes
 from pkmodes.solve.workspace import box_of
 from pkmodes.view.robot_drawing import RobotDrawing
@@ -47,12 +46,12 @@ def relative_sensitivities(model: Model, plane: Plane) -> tuple[list[str], Array
     known = [path for path, whole in wholes(mechanism).items() if value_of(model.robot, whole) != 0.0]
     paths = [*paths, *(path for path in effects if path not in paths), *known]
     few = coarser(plane)
-    found = model.sensitivities(points_of(model, few), paths, fields=["frequencies"], on_error="nan")
+    sensitivities = model.sensitivities(points_of(model, few), paths, fields=["frequencies"], on_error="nan")
     modes = plane.dataset.sizes["mode"]
-    rates = found.frequencies[..., -modes:]
+    rates = sensitivities.frequencies[..., -modes:]
     frequency = few.dataset["frequency"].values
-    relative = rates * found.values[:, None] / frequency[..., None, :]
-    kept = np.flatnonzero(np.isfinite(found.values) & (found.values != 0.0))
+    relative = rates * sensitivities.values[:, None] / frequency[..., None, :]
+    kept = np.flatnonzero(np.isfinite(sensitivities.values) & (sensitivities.values != 0.0))
     return [paths[i] for i in kept], relative[..., kept, :]
 
 
@@ -110,7 +109,7 @@ def motors_of(model: Model, plane: Plane) -> Array | None:
     if not len(valid) or not {plane.across, plane.along} <= set(names):
         return None
     motors = RobotDrawing(model.robot).motors(valid[:1])[0]
-    factors = [SHOWN[plane.dataset[name].attrs["units"]][1] for name in (plane.across, plane.along)]
+    factors = [plane.unit(name)[1] for name in (plane.across, plane.along)]
     return np.asarray(motors[:, [names.index(plane.across), names.index(plane.along)]] * factors)
 
 
@@ -130,7 +129,7 @@ def smallest_mac(model: Model, plane: Plane) -> Array:
     """
     shapes = plane.dataset["shape"].values
     masses, _ = model.matrices(points_of(model, plane), "nan")
-    found = np.full(shapes.shape[:3], np.inf)
+    smallest = np.full(shapes.shape[:3], np.inf)
     for axis in (0, 1):
         ahead = tuple(slice(1, None) if i == axis else slice(None) for i in (0, 1))
         behind = tuple(slice(None, -1) if i == axis else slice(None) for i in (0, 1))
@@ -138,7 +137,7 @@ def smallest_mac(model: Model, plane: Plane) -> Array:
         product = ((phi @ M) * psi).sum(axis=-1)
         size = ((psi @ M) * psi).sum(axis=-1)  # phi is mass-normalised
         mac = np.nan_to_num(product**2 / size, nan=np.inf)
-        found[behind] = np.minimum(found[behind], mac)
-        found[ahead] = np.minimum(found[ahead], mac)
-    found[~np.isfinite(found) | ~np.isfinite(shapes[..., 0])] = np.nan
-    return found
+        smallest[behind] = np.minimum(smallest[behind], mac)
+        smallest[ahead] = np.minimum(smallest[ahead], mac)
+    smallest[~np.isfinite(smallest) | ~np.isfinite(shapes[..., 0])] = np.nan
+    return smallest

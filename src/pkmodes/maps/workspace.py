@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import PoseError
-from pkmodes.maps.places import Grid
+from pkmodes.maps.poses import Grid
 from pkmodes.mechanism.poses import LARGE
 from pkmodes.solve.workspace import box_of
 

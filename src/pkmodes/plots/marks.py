@@ -71,7 +71,7 @@ def legend(axes: Axes, *, beside: bool = False) -> None:
     first = dict(zip(reversed(labels), reversed(handles), strict=True))
     names = list(dict.fromkeys(labels))
     if len(names) > 1:
-        found = axes.legend(
+        box = axes.legend(
             [first[name] for name in names],
             names,
             loc="lower right",
@@ -80,7 +80,7 @@ def legend(axes: Axes, *, beside: bool = False) -> None:
             columnspacing=1.2,
             handletextpad=0.4,
         )
-        found.set_in_layout(not beside)
+        box.set_in_layout(not beside)
 
 
 def zero(axes: Axes) -> None:

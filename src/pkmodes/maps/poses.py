@@ -179,16 +179,16 @@ def ascending(
     )
     if not all(isinstance(v, int | float | np.number) and not isinstance(v, bool) for v in values):
         raise error(f"expected numbers in SI units, found {shown(values[0])}", where, example)
-    found = np.array(values, dtype=float)
-    if not len(found):
+    axis = np.array(values, dtype=float)
+    if not len(axis):
         raise error("expected at least one value, found none", where, "give one number or several")
-    if not np.isfinite(found).all():
+    if not np.isfinite(axis).all():
         raise error("expected finite values, found NaN or infinity", where, "give finite numbers")
-    if strictly and (np.diff(found) < 0).any():
+    if strictly and (np.diff(axis) < 0).any():
         raise error(
             "expected ascending values, found descending ones", where, "sort them, the smallest first"
         )
-    different, counts = np.unique(found, return_counts=True)
+    different, counts = np.unique(axis, return_counts=True)
     if (counts > 1).any():
         raise error(f"the value {different[counts > 1][0]:g} is repeated", where, "give each value once")
-    return found
+    return axis
