@@ -35,8 +35,6 @@ def check_argument(
 
     Parameters
     ----------
-    value : object
-    constraint : Constraint
     where : str
         Name of the argument.
     remedy : str

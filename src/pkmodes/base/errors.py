@@ -142,7 +142,6 @@ def listed(
 
     Parameters
     ----------
-    given : iterable
     what : str
         Name of the elements, in the plural.
     where : str

@@ -78,7 +78,6 @@ class PictureKind:
     ----------
     name, title, description : str
         As those of the `Picture`; the robot and its plane are added to the description.
-    draw : callable
     planar : str or None
         The description for a mechanism that moves in a plane, if it is another.
     """

@@ -74,13 +74,7 @@ def points_of(model: Model, plane: Plane) -> Array:
 
 
 def volume_of(model: Model, plane: Plane) -> Volume | None:
-    """Return which poses around a plane can be evaluated; None for a mechanism with two pose components.
-
-    Parameters
-    ----------
-    model : Model
-    plane : Plane
-    """
+    """Return which poses around a plane can be evaluated; None for a mechanism with two pose components."""
     if plane.normal is None:
         return None
     low, high = box_of(model)
@@ -97,13 +91,7 @@ def volume_of(model: Model, plane: Plane) -> Volume | None:
 
 
 def motors_of(model: Model, plane: Plane) -> Array | None:
-    """Return where the motors are, (N, 2): across and along in the drawn units; None if an axis is no length.
-
-    Parameters
-    ----------
-    model : Model
-    plane : Plane
-    """
+    """Return where the motors are, (N, 2): across and along in the drawn units; None if an axis is no length."""
     valid = points_of(model, plane)[plane.dataset["valid"].values]
     names = ["x", "y", "z"]
     if not len(valid) or not {plane.across, plane.along} <= set(names):
@@ -118,7 +106,6 @@ def smallest_mac(model: Model, plane: Plane) -> Array:
 
     Parameters
     ----------
-    model : Model
     plane : Plane
         With mode shapes.
 

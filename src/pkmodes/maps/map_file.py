@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     import xarray
 
 NETCDF, ZARR, CSV, PARQUET = ".nc", ".zarr", ".csv", ".parquet"
-FORMATS = (NETCDF, ZARR, CSV, PARQUET)
 #: Libraries that write each format.
 LIBRARIES = {
     NETCDF: ("netCDF4", "dask"),
@@ -28,16 +27,12 @@ LIBRARIES = {
     CSV: ("pandas", "pyarrow"),
     PARQUET: ("pandas", "pyarrow"),
 }
+FORMATS = tuple(LIBRARIES)
 
 
 @dataclass(frozen=True)
 class MapFile:
-    """The file of a map.
-
-    Attributes
-    ----------
-    path : Path
-    """
+    """The file of a map."""
 
     path: Path
 

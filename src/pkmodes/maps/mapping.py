@@ -43,15 +43,7 @@ Progress = Callable[[int, int], None]
 
 @dataclass(frozen=True, eq=False)
 class Plan:
-    """What a map computes.
-
-    Attributes
-    ----------
-    model : Dynamics
-    places : Grid or Poses
-    variants : Variants
-    layout : Layout
-    """
+    """What a map computes."""
 
     model: Dynamics
     places: Places
@@ -69,7 +61,7 @@ class Plan:
         return len(self.variants.robots) * self.poses
 
     @property
-    def number(self) -> int:
+    def task_count(self) -> int:
         """Number of tasks."""
         return -(-self.rows // ROWS)
 
@@ -131,7 +123,7 @@ def map_of(
     """Compute a map; see `pkmodes.Model.map`."""
     imported()
     file = None if out is None else MapFile.checked(out, overwrite)
-    number = checked_threads(threads)
+    thread_count = checked_threads(threads)
     variants = variants_of(model.robot, sweep, samples, seed)
     places = reachable(model) if grid is None else places_of(model.mechanism, grid)
     layout = layout_of(variants.robots, shapes or tracked, chosen(backend))
@@ -141,7 +133,7 @@ def map_of(
     sizes = tails(model.robot, layout)
 
     def computed(store: InMemory | OnDisk) -> xarray.Dataset:
-        _fill(plan, store, number, scheduler, progress)
+        _fill(plan, store, thread_count, scheduler, progress)
         if not (store.arrays["code"][:] == 0).any():
             store.remove()
             _refuse_outside(plan)
@@ -153,7 +145,7 @@ def map_of(
         return computed(_in_memory(plan, sizes))
     folder = file.path.with_name(file.path.name + SUFFIX)
     with locked(folder):
-        on_disk = OnDisk(folder, plan.record, plan.rows, plan.number, sizes)
+        on_disk = OnDisk(folder, plan.record, plan.rows, plan.task_count, sizes)
         try:
             dataset = computed(on_disk)
             file.write(dataset, folder)
@@ -166,7 +158,7 @@ def map_of(
 
 def _in_memory(plan: Plan, sizes: Tails) -> InMemory:
     try:
-        return InMemory(plan.rows, plan.number, sizes)
+        return InMemory(plan.rows, plan.task_count, sizes)
     except (MemoryError, ValueError):  # ValueError: more than an array can have
         what = f"a map of {plan.rows:,} poses does not fit in memory"
         raise PkmodesError(

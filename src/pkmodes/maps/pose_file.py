@@ -27,7 +27,6 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
         CSV with the components of the pose as columns, in SI units or with a unit in the header (``x [mm]``), and
         optionally their labels in a column ``pose``.  Other columns are ignored, load cases included, and so are
         repeated rows: a file of measurements is also a list of poses.
-    mechanism : Mechanism
 
     Returns
     -------

@@ -109,13 +109,8 @@ def places_of(mechanism: Mechanism, given: Mapping[str, ArrayLike] | ArrayLike |
 
     Parameters
     ----------
-    mechanism : Mechanism
     given : mapping of str to array_like, or array_like of shape (N, d), or Grid or Poses
         Ascending values, or one number, for each component of the pose; or poses one after the other.
-
-    Returns
-    -------
-    Grid or Poses
 
     Raises
     ------
@@ -152,7 +147,6 @@ def ascending(
 
     Parameters
     ----------
-    given : number or array_like
     name : str
         Of the axis, for messages.
     where : str

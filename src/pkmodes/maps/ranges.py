@@ -87,7 +87,6 @@ def parse_grid(text: str, mechanism: Mechanism, where: str) -> dict[str, Array]:
 
     Parameters
     ----------
-    text : str
     mechanism : Mechanism
         It gives the components of a pose and their units.
     where : str
@@ -127,7 +126,6 @@ def parse_settings(texts: tuple[str, ...], units: Mapping[str, str], where: str)
 
     Parameters
     ----------
-    texts : tuple of str
     units : mapping of str to str
         SI units of the values that can be changed, by path.
     where : str

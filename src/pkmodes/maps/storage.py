@@ -33,19 +33,7 @@ SUFFIX = ".partial"
 
 
 class Stored:
-    """An array in a file, of which parts are read on demand.
-
-    Parameters
-    ----------
-    file : Path
-    shape : tuple of int
-
-    Attributes
-    ----------
-    shape : tuple of int
-    dtype : numpy.dtype
-    ndim : int
-    """
+    """An array in a file, of which parts are read on demand."""
 
     def __init__(self, file: Path, shape: tuple[int, ...]) -> None:
         self.file, self.shape, self.ndim = file, shape, len(shape)
@@ -100,8 +88,6 @@ class OnDisk:
         Exists; continued if it holds the same plan.
     plan : dict
         What is computed, as JSON can hold it.
-    rows, tasks : int
-    tails : mapping of str to (tuple of int, str)
 
     Attributes
     ----------

@@ -35,7 +35,6 @@ class Variants:
         Values of each swept parameter [SI], by path.
     drawn : mapping of str to ndarray of shape (samples,)
         Drawn values [SI], by path; empty without samples.
-    samples : int or None
     robots : tuple of Robot
         In the order of the swept values, the last one fastest, then the samples.
     """
@@ -61,7 +60,6 @@ def variants_of(robot: Robot, sweep: Mapping[str, Any] | None, samples: int | No
 
     Parameters
     ----------
-    robot : Robot
     sweep : mapping of str to array_like, optional
         Values of parameters in SI units, by path; every combination is evaluated.
     samples : int, optional

@@ -76,7 +76,6 @@ class Evidence:
 
         Parameters
         ----------
-        result : Diagnosis or Comparison
         data : Measurements, optional
             The measurements that it is about: their poses are the axes of some figures.
         place : str

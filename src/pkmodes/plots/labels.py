@@ -15,7 +15,6 @@ def visible(text: object, longest: int | None = None) -> str:
 
     Parameters
     ----------
-    text : object
     longest : int or None
         Longer text is shortened.
     """

@@ -20,7 +20,6 @@ def neighbouring_mac(plane: Plane, mac: Array) -> Figure:
 
     Parameters
     ----------
-    plane : Plane
     mac : ndarray, shape (along, across, modes)
         From `pkmodes.figures.quantities.smallest_mac`.
     """

@@ -63,7 +63,6 @@ def legend(axes: Axes, *, beside: bool = False) -> None:
 
     Parameters
     ----------
-    axes : matplotlib.axes.Axes
     beside : bool
         Whether it may reach over the axes to the left, which has a title of its own at its left end.
     """
@@ -98,7 +97,6 @@ def noise(axes: Axes, sigmas: Array) -> None:
 
     Parameters
     ----------
-    axes : matplotlib.axes.Axes
     sigmas : ndarray, shape (R,)
         Differences in standard deviations.
     """

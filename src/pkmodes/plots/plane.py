@@ -117,7 +117,6 @@ class Plane:
 
         Parameters
         ----------
-        axes : matplotlib.axes.Axes
         values : ndarray, shape (along, across)
         settings
             For `matplotlib.axes.Axes.pcolormesh`, such as the colour map.

@@ -44,7 +44,6 @@ def workspace(plane: Plane, volume: Volume | None) -> Figure:
 
     Parameters
     ----------
-    plane : Plane
     volume : Volume, optional
         None for a mechanism that moves in a plane.
     """

@@ -30,10 +30,6 @@ class Springs(NamedTuple):
 class RobotDrawing:
     """The drawing of one robot.
 
-    Parameters
-    ----------
-    robot : Robot
-
     Attributes
     ----------
     drawing : Drawing

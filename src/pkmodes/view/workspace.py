@@ -45,7 +45,6 @@ def workspace(model: Model, pose: Array, box: tuple[Array, Array]) -> Surface | 
 
     Parameters
     ----------
-    model : Model
     pose : ndarray, shape (d,)
         A valid pose.
     box : tuple of ndarray, shape (d,)
