@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pkmodes.base.arguments import is_number
 from pkmodes.base.errors import PkmodesError, PoseError, listed, shown
 from pkmodes.dataset.variables import LIST
 from pkmodes.mechanism.poses import given_poses
@@ -171,7 +172,7 @@ def ascending(
     values = listed(
         [given] if isinstance(given, int | float | np.number) else given, f"values of {name}", where, "0.1"
     )
-    if not all(isinstance(v, int | float | np.number) and not isinstance(v, bool) for v in values):
+    if not all(map(is_number, values)):
         raise error(f"expected numbers in SI units, found {shown(values[0])}", where, example)
     axis = np.array(values, dtype=float)
     if not len(axis):
