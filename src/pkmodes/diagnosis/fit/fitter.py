@@ -23,7 +23,7 @@ from pkmodes.diagnosis.fit.rows import Rows
 from pkmodes.diagnosis.fit.shapes import ShapeRows
 from pkmodes.diagnosis.fit.solver import bounded_least_squares, inverse_of_square
 from pkmodes.diagnosis.match.pairing import Pairer, Pairing
-from pkmodes.diagnosis.problem import Array, Candidate, Parameter, Structure
+from pkmodes.diagnosis.problem import Array, Candidate, Parameter, Structure, reached_bounds
 from pkmodes.measured.measurements import Measurements
 
 
@@ -319,15 +319,10 @@ class Fitter:
         return bounded_least_squares(residual, rates, values, free, (lower, upper), self.criteria.steps)
 
     def _at_bound(self, hypothesis: Hypothesis, values: Array) -> tuple[str, ...]:
-        found = []
-        for cause in hypothesis.causes:
-            for i in self.indices(cause):
-                p = self.parameters[i]
-                width = max(abs(p.value), abs(values[i])) * 1e-3
-                for bound in (p.lower, p.upper):
-                    if bound != p.value and np.isfinite(bound) and abs(values[i] - bound) <= width:
-                        found.append(p.name)
-        return tuple(found)
+        parameters = [(i, self.parameters[i]) for cause in hypothesis.causes for i in self.indices(cause)]
+        return tuple(
+            p.name for i, p in parameters for bound in reached_bounds(p, values[i]) if bound != p.value
+        )
 
     def _motion(self, values: Array, pairing: Pairing, used: NDArray[np.bool_]) -> Array | None:
         """Return the derivatives of the data with respect to uncertain positions, (D, 3); None if there are none."""

@@ -24,10 +24,10 @@ from pkmodes.diagnosis.verdict import reasons
 from pkmodes.diagnosis.verdict.classes import classes, other_pairs, survivors
 from pkmodes.diagnosis.verdict.errors import explained_by_errors
 from pkmodes.diagnosis.verdict.nested import more_general
-from pkmodes.diagnosis.verdict.result import Verdict
 from pkmodes.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 from pkmodes.diagnosis.verdict.specificity import p_coincidence
 from pkmodes.diagnosis.verdict.values import doubt_of_values
+from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, UNEXPLAINED, Verdict
 
 #: Largest number of times that a cause is replaced by a better survivor.
 PREFERENCES = 4
@@ -41,7 +41,7 @@ class Judgement:
 
     Attributes
     ----------
-    verdict : str
+    verdict : Verdict
     final : Fit
     last : Gate
         Gate of the final fit.
@@ -71,10 +71,10 @@ def judge(search: Search, outcome: Outcome) -> Judgement:
     """Judge the outcome of a search."""
     final, last = outcome.final, outcome.last
     if not last.passed:
-        return Judgement("unexplained", final, last, (), (), ())
+        return Judgement(UNEXPLAINED, final, last, (), (), ())
     if not final.causes:
         strange = shapes_disagree(search.store, final)
-        verdict: Verdict = "unexplained" if strange else "adequate"
+        verdict = UNEXPLAINED if strange else ADEQUATE
         return Judgement(verdict, final, last, (), (), (), reasons.shapes(()) if strange else "")
     final, places = _preferred(search, final)
     grouped = tuple(classes(search.store.fitter, found) for found in places)
@@ -94,11 +94,11 @@ def judge(search: Search, outcome: Outcome) -> Judgement:
     )
     doubt = _doubt(search, final, last, others, p_values)
     if not last.passed or not kept or doubt:
-        verdict = "unexplained"
+        verdict = UNEXPLAINED
     elif others or any(len(groups) > 1 for groups in grouped) or _too_many(search, grouped):
-        verdict = "ambiguous"
+        verdict = AMBIGUOUS
     else:
-        verdict = "effect_found"
+        verdict = EFFECT_FOUND
     return Judgement(verdict, final, last, grouped, others, p_values, doubt)
 
 

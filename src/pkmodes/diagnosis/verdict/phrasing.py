@@ -8,19 +8,20 @@ from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.search.gate import Gate
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import misfit, reasons
+from pkmodes.diagnosis.verdict.builder import DiagnosisBuilder, remains
 from pkmodes.diagnosis.verdict.judgement import Judgement
-from pkmodes.diagnosis.verdict.report import Report, remains
+from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND
 
 
-def reason_of(report: Report, search: Search, outcome: Outcome, judged: Judgement) -> str:
+def reason_of(builder: DiagnosisBuilder, search: Search, outcome: Outcome, judged: Judgement) -> str:
     """Return why a verdict was given."""
     lines = search.store.fitter.data.lines
     noise = reasons.noise(judged.final.hypothesis, judged.final.scatter, lines)
-    if judged.verdict == "adequate":
+    if judged.verdict is ADEQUATE:
         return reasons.adequate(outcome.last, noise)
-    if judged.verdict == "effect_found":
-        return reasons.found(report.findings(judged), outcome.first, noise)
-    if judged.verdict == "ambiguous":
+    if judged.verdict is EFFECT_FOUND:
+        return reasons.found(builder.findings(judged), outcome.first, noise)
+    if judged.verdict is AMBIGUOUS:
         return reasons.ambiguous([[name for name, _ in named] for named in remains(judged)])
     return _unexplained(search, outcome, judged)
 

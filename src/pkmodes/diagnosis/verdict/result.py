@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Literal
 
 from pkmodes.diagnosis.match.predicted import Predicted
-
-Verdict = Literal["adequate", "effect_found", "ambiguous", "unexplained", "insufficient_data"]
+from pkmodes.diagnosis.verdict.verdicts import Word
 
 
 @dataclass(frozen=True)
@@ -187,7 +185,7 @@ class Stability:
     """
 
     change: str
-    verdict: Verdict
+    verdict: Word
     effects: tuple[str, ...]
 
 
@@ -225,7 +223,7 @@ class Diagnosis:
         Partners, differences and MAC of all measured modes, for figures; not part of the JSON.
     """
 
-    verdict: Verdict
+    verdict: Word
     reason: str
     effects: tuple[Finding, ...]
     survivors: tuple[tuple[str, ...], ...]
