@@ -2,7 +2,7 @@
 
 Each setup is an assignment problem: measured modes are assigned one-to-one to modes of the model with the least sum
 of distances.  The distance is the squared logarithm of the frequency ratio plus, if there are shapes, a multiple of
-one minus the modal assurance criterion (`match.mac`).
+one minus the modal assurance criterion (`linalg.mac`).
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from scipy.optimize import linear_sum_assignment
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.problem import Prediction
-from pkmodes.linalg.mac import channel_motion, mac, space, weighted
+from pkmodes.linalg.mac import channel_motion, mac, subspace_mac, weighted
 from pkmodes.measured.measurements import Measurements
 
 Array = NDArray[np.float64]
@@ -180,7 +180,7 @@ class Pairer:
             return alone
         which, k = which[entry], k[entry]
         found = alone.copy()
-        inside = _in_space(
+        inside = subspace_mac(
             shapes[setups[which], place],
             model[setups[which]],
             near[which, k],
@@ -212,7 +212,7 @@ class Pairer:
             members[entry, partner[rows[entry, column]]] = True
             entry, column = np.nonzero(beside[i] >= 0)
             members[entry, beside[i][entry, column]] = True
-            inside = _in_space(
+            inside = subspace_mac(
                 shapes[pose[i], place[i]], model[pose[i]], members, measured[pose[i], place[i]]
             )
             found[i] = np.where(members.sum(axis=1) > 1, inside, found[i])
@@ -291,19 +291,6 @@ def unmeasured_neighbours(prediction: Prediction, partner: Index, pose: Index, c
     with np.errstate(invalid="ignore"):
         near = np.abs(logs[pose[:, None], beside] - own) < close
     return np.where(inside & near & ~taken[pose[:, None], beside], beside, -1)
-
-
-def _in_space(shapes: Array, model: Array, members: NDArray[np.bool_], measured: NDArray[np.bool_]) -> Array:
-    """Return the MAC of shapes (B, C) with a subspace of modes (B, m, C); NaN if the modes would span any shape."""
-    most = int(members.sum(axis=1).max(initial=1))
-    order = np.argsort(~members, axis=1, kind="stable")[:, :most]
-    batch = np.arange(len(shapes))[:, None]
-    some = model[batch, order] * measured[:, None] * members[batch, order][..., None]
-    basis, _ = space(some)
-    lengths = (shapes**2).sum(axis=-1)
-    told = (measured.sum(axis=-1) > members.sum(axis=-1)) & (measured.sum(axis=-1) >= 2) & (lengths > 0.0)
-    along = ((basis @ shapes[..., None]) ** 2).sum(axis=(-1, -2))
-    return np.where(told, along / np.where(lengths > 0.0, lengths, 1.0), np.nan)
 
 
 def _assigned(cost: Array, present: NDArray[np.bool_], known: NDArray[np.bool_]) -> Index:

@@ -12,6 +12,7 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.match.pairing import Pairer, Pairing
 from pkmodes.diagnosis.problem import Array, Prediction
+from pkmodes.linalg.mac import mac
 from pkmodes.measured.header import frequency_factor
 from pkmodes.measured.measurements import Measurements
 
@@ -176,7 +177,6 @@ def all_alike(data: Measurements, same: float) -> tuple[str, ...]:
         some: Array = shapes[:, common]
         if len(some) < 3 or common.sum() < 2:
             continue
-        size = np.linalg.norm(some, axis=1)
-        if (size > 0.0).all() and (np.abs(some @ some.T) / np.outer(size, size)).min() ** 2 > same:
+        if mac(some, some, np.ones(some.shape, dtype=bool)).min() > same:
             found.append(label)
     return tuple(found)
