@@ -42,8 +42,6 @@ class Updated:
 
     Attributes
     ----------
-    name, unit : str
-    before, after : float
     prior_sigma, sigma : float
         Standard deviations before and after, in the parameter's unit.
     resolution : float
@@ -51,7 +49,6 @@ class Updated:
         value, near 0 only the prior does.
     moved : float
         Change of the value in standard deviations of the prior.
-    at_bound : bool
     """
 
     name: str

@@ -34,8 +34,6 @@ class Fitter:
     ----------
     structure : Structure
         At the setups of the measurements.
-    data : Measurements
-    criteria : Criteria, optional
     scatter : float, optional
         Standard deviation of shape components without a stated one, relative to the row's largest.
     widened : float, optional
@@ -157,7 +155,6 @@ class Fitter:
 
         Parameters
         ----------
-        hypothesis : Hypothesis
         start : ndarray, optional
             Start values of all parameters; by default the declared ones.
         """

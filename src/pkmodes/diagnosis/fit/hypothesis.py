@@ -42,7 +42,6 @@ class Fit:
 
     Attributes
     ----------
-    hypothesis : Hypothesis
     values : ndarray, shape (number of parameters,)
         All parameters of the structure.
     free : tuple of int
@@ -55,8 +54,6 @@ class Fit:
         chi2 plus the log determinant of V: twice the negative log likelihood.
     scatter : float
         Standard deviation of the error shared in a setup, tau.
-    prediction : Prediction
-    pairing : Pairing
     residual : ndarray, shape (R + R C,)
         Measured minus model: ln f, clipped if unmatched, and shapes; 0 if excluded.
     white, jacobian : ndarray, shape (R + R C + priors,) and (R + R C + priors, k)

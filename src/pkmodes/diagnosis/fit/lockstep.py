@@ -36,7 +36,6 @@ class Evaluated(NamedTuple):
     white, jacobian : ndarray, shape (D,) and (D, k)
         Whitened residual with priors, and its derivatives.
     residual : ndarray, shape (R + R C,)
-    prediction : Prediction
     """
 
     chi2: float
@@ -60,7 +59,6 @@ class Descent:
         Used rows.
     at : Evaluated or None
         Evaluation at these values; None if the structure cannot be evaluated.
-    damping : float
     arrived : bool
         Whether the descent has converged.
     """
@@ -83,12 +81,8 @@ class Lockstep:
 
     Parameters
     ----------
-    structure : Structure
-    parameters : sequence of Parameter
-    rows : Rows
     sigma : ndarray, shape (R + R C,)
         Standard deviations of the data, taken as uncorrelated.
-    priors : Priors
     """
 
     def __init__(

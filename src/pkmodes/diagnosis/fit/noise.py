@@ -53,7 +53,6 @@ class Noise:
 
     Parameters
     ----------
-    data : Measurements
     shapes : ShapeRows
     most_shared : float
         Largest error that the modes of a setup may share.

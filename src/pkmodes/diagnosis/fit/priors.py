@@ -16,8 +16,6 @@ class Priors:
 
     Parameters
     ----------
-    parameters : sequence of Parameter
-    candidates : sequence of Candidate
     widened : float, optional
         Factor on all standard deviations.
 

@@ -21,7 +21,6 @@ class Rows:
 
     Attributes
     ----------
-    pairer : Pairer
     shapes : ShapeRows
     copies : int
         Number of copies of the measurements among the rows.

@@ -30,7 +30,6 @@ class ShapeRows:
 
     Parameters
     ----------
-    data : Measurements
     columns : ndarray of int, shape (C,)
         Indices of the measured channels among the model's.
     units : sequence of str, length C
@@ -39,7 +38,6 @@ class ShapeRows:
         Motion of each channel in the declared model, see `linalg.mac.channel_motion`.
     scatter : float
         Standard deviation of the components of rows without a stated one.
-    criteria : Criteria
 
     Attributes
     ----------

@@ -26,7 +26,6 @@ class FitStore:
 
     Parameters
     ----------
-    fitter : Fitter
     before : FitStore, optional
         Fits of the same data with other errors, which give start values.
     """

@@ -45,13 +45,11 @@ class Pairer:
 
     Parameters
     ----------
-    data : Measurements
     channels : tuple of str
         The model's channels, which include those of the measurements.
     reference : Prediction, optional
         Prediction of the declared model: the motion of its channels sets their weights for all models that are
         compared.  By default each prediction sets its own weights.
-    criteria : Criteria, optional
 
     Attributes
     ----------
@@ -101,7 +99,6 @@ class Pairer:
 
         Parameters
         ----------
-        prediction : Prediction
         used : ndarray of bool, shape (R,)
         compare : bool, optional
             Whether to compute the MAC with the partners, which takes time.
@@ -231,11 +228,6 @@ def neighbours(data: Measurements, criteria: Criteria) -> Index:
 
     Their frequencies are close enough for the shapes to mix, or differ by less than their errors.
 
-    Parameters
-    ----------
-    data : Measurements
-    criteria : Criteria
-
     Returns
     -------
     ndarray of int, shape (R, g)
@@ -270,7 +262,6 @@ def unmeasured_neighbours(prediction: Prediction, partner: Index, pose: Index, c
 
     Parameters
     ----------
-    prediction : Prediction
     partner, pose : ndarray of int, shape (R,)
     close : float
         Largest difference of the logarithms of their frequencies.

@@ -21,8 +21,6 @@ class Additions:
 
     Parameters
     ----------
-    store : FitStore
-    candidates : sequence of Candidate
     progress : callable
         Called with a sentence at each step.
     """
@@ -43,7 +41,6 @@ class Additions:
 
         Parameters
         ----------
-        fit : Fit
         rival : bool, optional
             Whether they only compete with a claim: then a row may be excluded even if there are too few to tell that
             it is wrong.

@@ -26,7 +26,6 @@ class Gate:
         Number of unmatched measured modes.
     p_unmeasured : float
         p-value of the unmeasured modes that causes add between the measured ones.
-    scores : Scores
     level : float
         Level of the tests.
     """
@@ -53,8 +52,6 @@ def gate(store: FitStore, fit: Fit, candidates: Sequence[Candidate]) -> Gate:
 
     Parameters
     ----------
-    store : FitStore
-    fit : Fit
     candidates : sequence of Candidate
         Candidates to which the residual may point.
     """

@@ -34,7 +34,6 @@ class Outcome:
         The declared model with its nuisances refitted.
     first : Gate
         Gate at that fit.
-    final : Fit
     last : Gate
         Gate at the final fit.
     """
@@ -50,8 +49,6 @@ class Search:
 
     Parameters
     ----------
-    store : FitStore
-    candidates : sequence of Candidate
     progress : callable, optional
         Called with a sentence at each step.
     """

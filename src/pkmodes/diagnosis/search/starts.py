@@ -42,7 +42,6 @@ def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -
 
     Parameters
     ----------
-    fitter : Fitter
     additions : sequence of (Fit, Score, Hypothesis)
         Fit to which a cause is added, score of that cause at this fit, and hypothesis with the cause.
     """

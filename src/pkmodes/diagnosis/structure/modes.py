@@ -34,7 +34,6 @@ class Inverse(NamedTuple):
 
     Attributes
     ----------
-    shift : float
     solve : callable
         Multiplies the inverse with an array (n, k).
     size : int

@@ -19,7 +19,6 @@ def sensor_map(channels: Sequence[str], coordinates: Sequence[str] | None, senso
 
     Parameters
     ----------
-    channels : sequence of str
     coordinates : sequence of str, optional
         Names of the n coordinates, if the channels are some of them.
     sensors : array_like or sparse matrix, shape (C, n), optional

@@ -64,7 +64,6 @@ class Supplied:
 
     Parameters
     ----------
-    parameters : sequence of Parameter
     matrices, derivatives : callable
         See `pkmodes.diagnosis.MatrixStructure`.
     expected : int
@@ -111,10 +110,6 @@ class Supplied:
         """Refuse a callable that is not reproducible at the declared values.
 
         Difference derivatives would be dominated by its noise.
-
-        Raises
-        ------
-        PkmodesError
         """
         declared = np.array([p.value for p in self.parameters])
         before, again = self.at(declared, setup, finite=True), self._called(declared, setup, finite=True)

@@ -64,8 +64,6 @@ class AllSetups:
 
     Parameters
     ----------
-    structure : Structure
-    data : Measurements
     fitter : Fitter
         At the fitted setups.
     held : list of int

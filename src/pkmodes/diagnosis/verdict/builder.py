@@ -102,16 +102,12 @@ class DiagnosisBuilder:
 
         Parameters
         ----------
-        verdict : Verdict
-        reason : str
-        store : FitStore
         fit : Fit or None
             Of the nuisances.
         undetectable : tuple of str
             Names of candidates.
         remarks : sequence of str
             Notes on the data.
-        stability : tuple of Stability
         causes : Fit, optional
             With the claimed causes.
         """

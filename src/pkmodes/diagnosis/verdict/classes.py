@@ -17,13 +17,7 @@ from pkmodes.diagnosis.search.unmeasured import p_unmeasured
 
 
 def survivors(search: Search, rivals: Sequence[Fit]) -> list[Fit]:
-    """Return the rivals that these data do not exclude, best first.
-
-    Parameters
-    ----------
-    search : Search
-    rivals : sequence of Fit
-    """
+    """Return the rivals that these data do not exclude, best first."""
     store, c = search.store, search.criteria
     fitting = [
         fit for fit in rivals if not fit.at_bound and store.p_value(fit) > c.surely and measured(search, fit)

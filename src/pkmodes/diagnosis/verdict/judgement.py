@@ -41,8 +41,6 @@ class Judgement:
 
     Attributes
     ----------
-    verdict : Verdict
-    final : Fit
     last : Gate
         Gate of the final fit.
     grouped : tuple

@@ -20,7 +20,6 @@ def next_measurement(fitter: Fitter, contested: Sequence[tuple[str, Fit]]) -> Ne
 
     Parameters
     ----------
-    fitter : Fitter
     contested : sequence of (str, Fit)
         Names and fits of the explanations that the data cannot tell apart, best first.
 

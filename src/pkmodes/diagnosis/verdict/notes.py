@@ -22,7 +22,6 @@ def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
 
     Parameters
     ----------
-    store : FitStore
     fit : Fit
         The reported fit.
     adequate : bool

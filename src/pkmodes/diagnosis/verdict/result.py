@@ -25,7 +25,6 @@ class Corrected(Value):
 
     Attributes
     ----------
-    declared : float
     prior_sigma : float or None
         Standard deviation of its declared value; None if it has none.
     at_bound : bool
@@ -73,7 +72,6 @@ class Finding:
         Best candidate of its class.
     members : tuple of str
         The class: all candidates that these data cannot tell apart from it, and itself.
-    parameters : tuple of Value
     alternatives : dict
         For each member, its parameters if it were the cause.
     p_value : float
@@ -121,7 +119,6 @@ class Row:
         Predicted frequency of the model as declared, with nuisances refitted, and with the causes [Hz].
     mac : float or None
         MAC at the last stage, if a shape was measured.
-    held_out, outlier : bool
     load : mapping of str to float
         Values set at its pose, by name.
     """
@@ -146,7 +143,6 @@ class Examined:
 
     Attributes
     ----------
-    name : str
     p_value : float
         p-value of its score at the refit of the nuisances, for this candidate alone.
     visible_from : tuple of Value
@@ -179,7 +175,6 @@ class Stability:
     ----------
     change : str
         ``"sigma x 0.5"``, ``"sigma x 2"`` or ``"priors x 2"``.
-    verdict : str
     effects : tuple of str
         Names of the causes that are best with this change.
     """

@@ -29,7 +29,6 @@ class Trial:
 
     Attributes
     ----------
-    entry : Stability
     instead : Fit or None
         An explanation outside the class of the claimed one that is better under the change; the fit of the search.
     moved : bool
@@ -46,7 +45,6 @@ def trials(search: Search, final: Fit, classes: Sequence[Sequence[Fit]] = ()) ->
 
     Parameters
     ----------
-    search : Search
     final : Fit
         The claimed fit, or the last one of the search.
     classes : sequence of sequence of Fit, optional

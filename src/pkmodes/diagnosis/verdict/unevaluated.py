@@ -19,13 +19,7 @@ HALVINGS = 20
 
 
 def unevaluated(store: FitStore, reported: Fit) -> Iterator[str]:
-    """Yield a sentence for each fit (single causes and the reported one) that was blocked by values without modes.
-
-    Parameters
-    ----------
-    store : FitStore
-    reported : Fit
-    """
+    """Yield a sentence for each fit (single causes and the reported one) that was blocked by values without modes."""
     fitter, least = store.fitter, store.criterion(reported)
     said = set[str]()
     for fit in _tried(store, reported):

@@ -24,7 +24,6 @@ def remarks(setups: AllSetups, fit: Fit) -> tuple[str, ...]:
 
     Parameters
     ----------
-    setups : AllSetups
     fit : Fit
         Its values determine which rows are the same mode.
     """
