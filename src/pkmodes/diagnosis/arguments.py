@@ -52,8 +52,8 @@ def _check_prior(name: str, sigma: object, count: int) -> None:
         return
     where = f"candidate {shown(name)}: sigma"
     if not isinstance(sigma, list | tuple | np.ndarray) or len(sigma) != count:
-        found = f"{len(sigma)}" if isinstance(sigma, list | tuple | np.ndarray) else shown(sigma)
-        what = f"expected a tuple of {count} standard deviation{'s' if count > 1 else ''}, found {found}"
+        given = f"{len(sigma)}" if isinstance(sigma, list | tuple | np.ndarray) else shown(sigma)
+        what = f"expected a tuple of {count} standard deviation{'s' if count > 1 else ''}, found {given}"
         number = isinstance(sigma, int | float) and count == 1
         raise PkmodesError(
             what, where, f"write ({sigma},)" if number else "give one for each of its parameters"

@@ -137,8 +137,8 @@ def _searched(
             store = FitStore(fitter, store)
         search = Search(store, structure.candidates, progress)
         outcome = search.run()
-        found = [search.store.shape_scatter(fit) for fit in search.store.tried()]
-        best = min((each for each in found if each is not None), default=None)
+        scatters = [search.store.shape_scatter(fit) for fit in search.store.tried()]
+        best = min((each for each in scatters if each is not None), default=None)
         # If nothing explains even the frequencies, a smaller shape scatter changes nothing.
         hopeless = all(search.store.frequency_p_value(fit) <= c.surely for fit in search.store.tried())
         if hopeless or best is None or max(best, c.least_shape_scatter) >= c.sharper * fitter.shape_scatter:
@@ -149,9 +149,9 @@ def _searched(
 def _judged(builder: DiagnosisBuilder, search: Search, outcome: Outcome) -> Diagnosis:
     """Judge the outcome of a search, with the reason."""
     judged, store = judge(search, outcome), search.store
-    found = trials(search, judged.final, [groups[0] for groups in judged.grouped if groups])
+    changes = trials(search, judged.final, [groups[0] for groups in judged.grouped if groups])
     if judged.verdict is EFFECT_FOUND:
-        judged = _stable(judged, found)
+        judged = _stable(judged, changes)
     wiring = other_wiring(store.fitter, judged.final)
     if wiring:
         judged = replace(judged, verdict=UNEXPLAINED, doubt=wiring)
@@ -162,17 +162,17 @@ def _judged(builder: DiagnosisBuilder, search: Search, outcome: Outcome) -> Diag
         judged,
         reason,
         (*((wiring,) if wiring else ()), *remarks(builder.setups, judged.final)),
-        tuple(trial.entry for trial in found),
+        tuple(trial.entry for trial in changes),
     )
 
 
-def _stable(judged: Judgement, found: Sequence[Trial]) -> Judgement:
+def _stable(judged: Judgement, changes: Sequence[Trial]) -> Judgement:
     """Withdraw a claim that other errors or priors would change."""
-    for trial in found:
+    for trial in changes:
         if trial.instead is not None:
             doubt = reasons.unstable(judged.final.causes, trial.entry.change, trial.instead.causes)
             return replace(judged, verdict=AMBIGUOUS, doubt=doubt, instead=trial.instead)
-    if any(trial.moved for trial in found):
+    if any(trial.moved for trial in changes):
         return replace(judged, verdict=UNEXPLAINED, doubt=reasons.held_by_priors(judged.final.causes))
     return judged
 

@@ -140,8 +140,8 @@ class Prediction:
     def log_rates(self) -> Array:
         """Derivatives of the logarithms of the frequencies, (S, m, T)."""
         with np.errstate(divide="ignore", invalid="ignore"):
-            found: Array = self.rates / (2.0 * self.eigenvalues[..., None])
-        return found
+            rates: Array = self.rates / (2.0 * self.eigenvalues[..., None])
+        return rates
 
 
 class Batch(NamedTuple):
@@ -222,5 +222,5 @@ def one_by_one(
 ) -> list[Batch]:
     """Return the result of `Structure.predict_many` with one batch for each set of values."""
     sets = zip(values, by, strict=True)
-    found = [structure.predict(one, some, shape_rates=shape_rates) for one, some in sets]
-    return [Batch(np.array([k]), prediction) for k, prediction in enumerate(found)]
+    predictions = [structure.predict(one, some, shape_rates=shape_rates) for one, some in sets]
+    return [Batch(np.array([k]), prediction) for k, prediction in enumerate(predictions)]

@@ -146,20 +146,20 @@ def update(
     nothing = np.zeros(len(data.lines), dtype=bool)
     declared, after = setups.stage(fitter.declared), setups.stage(fit.values)
     squares, degrees = store.frequency_misfit(fit)
-    found = tuple(_updated(fitter, fit, i) for i in chosen)
+    updated = tuple(_updated(fitter, fit, i) for i in chosen)
     k = [fit.free.index(i) for i in chosen]
     covariance = fit.covariance[np.ix_(k, k)]
     size = np.sqrt(np.diagonal(covariance))
     remarks = [text for text in (other_unit(fitter), other_wiring(fitter, fit)) if text]
     remarks += whole_data.remarks(setups, fit)
-    held_by_prior = [p.name for p in found if p.resolution < 0.05]
+    held_by_prior = [p.name for p in updated if p.resolution < 0.05]
     if held_by_prior:
         priors = "only its prior does" if len(held_by_prior) == 1 else "only their priors do"
         remarks.append(f"these data do not determine {', '.join(held_by_prior)}: {priors}")
     if stats.chi2.sf(squares, max(degrees, 1.0)) < fitter.criteria.surely:
         remarks.append("the residual still exceeds the stated errors: something else is missing")
     return Update(
-        parameters=found,
+        parameters=updated,
         correlation=covariance / np.outer(size, size),
         before=setups.declared_error(declared, nothing),
         after=setups.error(after, squares, degrees, nothing),

@@ -116,7 +116,7 @@ class Fitter:
         """Return sums of squares for several hypotheses and values without fit or priors; inf if not evaluable."""
         if not trials:
             return []
-        found = [np.inf] * len(trials)
+        sums = [np.inf] * len(trials)
         values = np.array([one for _, one in trials])
         for batch in self.structure.predict_many(values, [()] * len(trials)):
             if not np.isfinite(batch.prediction.eigenvalues).all():
@@ -126,8 +126,8 @@ class Fitter:
             pairing = rows.pairer.pair(batch.prediction, used, compare=False)
             left = rows.of_each(rows.residual(batch.prediction, pairing, used)) / self.noise.stated
             for k, white in zip(batch.sets, left, strict=True):
-                found[k] = float(white @ white)
-        return found
+                sums[k] = float(white @ white)
+        return sums
 
     def unfitted(self, values: Array, used: NDArray[np.bool_]) -> tuple[Pairing, Array, Array, float]:
         """Evaluate given values without any fit, including the errors of uncertain positions.
@@ -303,13 +303,13 @@ class Fitter:
         """Return the least-squares values for a given pairing, and whether the solver converged."""
 
         def residual(full: Array) -> Array:
-            found = self.rows.residual(self.structure.predict(full, ()), pairing, used)
-            return np.concatenate([whitening.whitened(found), self.priors.residual(full)])
+            unwhitened = self.rows.residual(self.structure.predict(full, ()), pairing, used)
+            return np.concatenate([whitening.whitened(unwhitened), self.priors.residual(full)])
 
         def rates(full: Array) -> Array:
             prediction = self.structure.predict(full, free, shape_rates=bool(self.shapes.size))
-            found = self.rows.rates(prediction, pairing, used)
-            return np.vstack([-whitening.whitened(found), self.priors.rates(full, free)])
+            unwhitened = self.rows.rates(prediction, pairing, used)
+            return np.vstack([-whitening.whitened(unwhitened), self.priors.rates(full, free)])
 
         lower = np.array([self.parameters[i].lower for i in free])
         upper = np.array([self.parameters[i].upper for i in free])

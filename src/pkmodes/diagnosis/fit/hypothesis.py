@@ -92,8 +92,8 @@ class Fit:
     @cached_property
     def leverage(self) -> Array:
         """Diagonal of the projection onto that space: the leverage of each datum."""
-        found: Array = (self.basis**2).sum(axis=1)
-        return found
+        diagonal: Array = (self.basis**2).sum(axis=1)
+        return diagonal
 
 
 def orthonormal(columns: Array) -> Array:

@@ -104,8 +104,8 @@ class Lockstep:
         fits = [
             Descent(np.clip(values, self._lower, self._upper), free, used) for values, free, used in starts
         ]
-        for fit, found in zip(fits, self._evaluated(fits, [fit.values for fit in fits]), strict=True):
-            fit.at = found
+        for fit, evaluated in zip(fits, self._evaluated(fits, [fit.values for fit in fits]), strict=True):
+            fit.at = evaluated
         going = [fit for fit in fits if fit.free]
         for _ in range(steps):
             tried, values = [], []
@@ -117,9 +117,9 @@ class Lockstep:
                 if not fit.arrived:
                     tried.append(fit)
                     values.append(there)
-            for fit, there, found in zip(tried, values, self._evaluated(tried, values), strict=True):
-                if found is not None and found.chi2 < fit.chi2:
-                    fit.values, fit.at = there, found
+            for fit, there, evaluated in zip(tried, values, self._evaluated(tried, values), strict=True):
+                if evaluated is not None and evaluated.chi2 < fit.chi2:
+                    fit.values, fit.at = there, evaluated
                     fit.damping = max(fit.damping * LESS, LEAST_DAMPING)
                 else:
                     fit.damping *= MORE
@@ -128,9 +128,9 @@ class Lockstep:
 
     def _evaluated(self, fits: Sequence[Descent], values: Sequence[Array]) -> list[Evaluated | None]:
         """Evaluate each fit at given values."""
-        found: list[Evaluated | None] = [None] * len(fits)
+        evaluated: list[Evaluated | None] = [None] * len(fits)
         if not fits:
-            return found
+            return evaluated
         by, shapes = [fit.free for fit in fits], bool(self._rows.shapes.size)
         for batch in self._structure.predict_many(np.array(values), by, shape_rates=shapes):
             if not np.isfinite(batch.prediction.eigenvalues).all():
@@ -149,8 +149,8 @@ class Lockstep:
                         self._priors.rates(values[k], by[k]),
                     ]
                 )
-                found[k] = Evaluated(float(white @ white), white, jacobian, residual, prediction)
-        return found
+                evaluated[k] = Evaluated(float(white @ white), white, jacobian, residual, prediction)
+        return evaluated
 
     def _step(self, fit: Descent, now: Evaluated) -> tuple[Array, float]:
         """Return the values after a step within the bounds, and the decrease that the linear model promises."""

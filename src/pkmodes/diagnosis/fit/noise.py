@@ -42,10 +42,10 @@ class Whitening:
 
     def whitened(self, values: Array) -> Array:
         """Divide by the square root of V: (D,) or (D, T)."""
-        found: Array = (values.T / self.sigma).T
+        white: Array = (values.T / self.sigma).T
         for place, factor in self.blocks:
-            found[place] = solve_triangular(factor, values[place], lower=True, check_finite=False)
-        return found
+            white[place] = solve_triangular(factor, values[place], lower=True, check_finite=False)
+        return white
 
 
 class Noise:
@@ -136,8 +136,8 @@ class Noise:
             return float(white @ white) + whitening.log_determinant
 
         smallest = np.log(0.01 * np.median(self.sigma))
-        found = minimize_scalar(deviance, bounds=(smallest, np.log(self._most_shared)), method="bounded")
-        return float(np.exp(found.x))
+        minimum = minimize_scalar(deviance, bounds=(smallest, np.log(self._most_shared)), method="bounded")
+        return float(np.exp(minimum.x))
 
     def _deviance(self, residual: Array, used: NDArray[np.bool_], tau: float) -> float:
         """Return the deviance if tau is the only correlation, by the matrix determinant lemma."""

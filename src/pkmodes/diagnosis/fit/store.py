@@ -53,15 +53,15 @@ class FitStore:
             if again is not None and (known is None or again.deviance < known.deviance):
                 self._fits[k] = again
                 self._rough.discard(k)
-        found = self._fits[k]
-        return found if found is None else replace(found, hypothesis=hypothesis)
+        fit = self._fits[k]
+        return fit if fit is None else replace(fit, hypothesis=hypothesis)
 
     def again(self, hypothesis: Hypothesis, start: Array) -> Fit | None:
         """Fit again from another start, and keep the better fit."""
         k = key(hypothesis)
-        found, known = self.fitter.fit(hypothesis, start), self._fits.get(k)
-        if found is not None and (known is None or found.deviance < known.deviance):
-            self._fits[k] = found
+        again, known = self.fitter.fit(hypothesis, start), self._fits.get(k)
+        if again is not None and (known is None or again.deviance < known.deviance):
+            self._fits[k] = again
             self._rough.discard(k)
         return self.fit(hypothesis)
 
@@ -72,7 +72,7 @@ class FitStore:
     def roughly(self, jobs: Sequence[tuple[Hypothesis, Sequence[Array]]]) -> list[Fit]:
         """Fit several hypotheses roughly, each from the best of several starts, and return those that succeed."""
         starts = [(hypothesis, values) for hypothesis, some in jobs for values in some]
-        reached, found = iter(self.fitter.roughly(starts)), []
+        reached, fits = iter(self.fitter.roughly(starts)), []
         for hypothesis, some in jobs:
             best, k = min((next(reached) for _ in some), key=lambda descent: descent.chi2), key(hypothesis)
             if (
@@ -82,8 +82,8 @@ class FitStore:
             else:
                 self._fits[k] = self.fitter.rough_fit(hypothesis, best)
                 self._rough.add(k)
-            found.append(self.fit(hypothesis))
-        return [fit for fit in found if fit is not None]
+            fits.append(self.fit(hypothesis))
+        return [fit for fit in fits if fit is not None]
 
     def finished(self, fits: list[Fit]) -> list[Fit]:
         """Complete the rough fits among the best until no rough one is left there; return all, best first."""

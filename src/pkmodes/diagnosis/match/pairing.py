@@ -87,12 +87,12 @@ class Pairer:
 
     def tiled(self, count: int) -> Pairer:
         """Return a pairer for predictions of `count` times the setups, each paired with the same rows."""
-        found, (setups, rows) = copy.copy(self), (len(self._row), len(self._log))
-        found._shape, found._log = np.tile(self._shape, (count, 1)), np.tile(self._log, count)
-        found._place, found.moves = np.tile(self._place, count), np.tile(self.moves, (count, 1))
-        found.pose, found._row = tiled(self.pose, count, setups), tiled(self._row, count, rows)
-        found._mates = tiled(self._mates, count, rows)
-        return found
+        copies, (setups, rows) = copy.copy(self), (len(self._row), len(self._log))
+        copies._shape, copies._log = np.tile(self._shape, (count, 1)), np.tile(self._log, count)
+        copies._place, copies.moves = np.tile(self._place, count), np.tile(self.moves, (count, 1))
+        copies.pose, copies._row = tiled(self.pose, count, setups), tiled(self._row, count, rows)
+        copies._mates = tiled(self._mates, count, rows)
+        return copies
 
     def pair(self, prediction: Prediction, used: NDArray[np.bool_], *, compare: bool = True) -> Pairing:
         """Pair the used rows; the others get no partner.
@@ -125,15 +125,15 @@ class Pairer:
             partner = np.where(distance[at] <= c.reach, partner, -1)
         if close.any():
             partner = _in_order(partner, self._log[row], close)
-        found = np.full(len(self._log), -1, dtype=np.intp)
+        partners = np.full(len(self._log), -1, dtype=np.intp)
         taken = partner >= 0
-        found[row[taken]] = partner[taken] + rigid
+        partners[row[taken]] = partner[taken] + rigid
         values = np.full(len(self._log), np.nan)
         if compare and alone is not None:
-            beside = unmeasured_neighbours(prediction, found, self.pose, c.close)
+            beside = unmeasured_neighbours(prediction, partners, self.pose, c.close)
             beside = np.where(beside >= 0, beside - rigid, -1)
-            values = self._compared(found - rigid, beside, alone, shapes, model, measured)
-        return Pairing(found, values)
+            values = self._compared(partners - rigid, beside, alone, shapes, model, measured)
+        return Pairing(partners, values)
 
     def macs(self, prediction: Prediction) -> Array:
         """Return the MAC of each row with each elastic mode of its setup, (R, m); NaN without a shape."""
@@ -176,7 +176,7 @@ class Pairer:
         if not len(entry):
             return alone
         which, k = which[entry], k[entry]
-        found = alone.copy()
+        likeness = alone.copy()
         inside = subspace_mac(
             shapes[setups[which], place],
             model[setups[which]],
@@ -184,8 +184,8 @@ class Pairer:
             measured[setups[which], place],
         )
         at = setups[which], place, k
-        found[at] = np.where(np.isnan(inside), found[at], inside)
-        return found
+        likeness[at] = np.where(np.isnan(inside), likeness[at], inside)
+        return likeness
 
     def _compared(
         self,
@@ -199,7 +199,7 @@ class Pairer:
         """Return the MAC of each row with its partner, or with the subspace of the partners and modes close to it."""
         pose, place = self.pose, self._place
         paired = partner >= 0
-        found = np.where(paired, alone[pose, place, np.maximum(partner, 0)], np.nan)
+        likeness = np.where(paired, alone[pose, place, np.maximum(partner, 0)], np.nan)
         crowded = (self._mates[:, 1:] >= 0).any(axis=1) | (beside >= 0).any(axis=1)
         i = np.flatnonzero(paired & crowded)
         if len(i):
@@ -212,15 +212,15 @@ class Pairer:
             inside = subspace_mac(
                 shapes[pose[i], place[i]], model[pose[i]], members, measured[pose[i], place[i]]
             )
-            found[i] = np.where(members.sum(axis=1) > 1, inside, found[i])
-        return found
+            likeness[i] = np.where(members.sum(axis=1) > 1, inside, likeness[i])
+        return likeness
 
 
 def tiled(numbers: Index, count: int, size: int) -> Index:
     """Return the indices of `count` copies of `size` items, the first copy first; -1 is kept."""
     copies = np.arange(count).reshape(-1, *[1] * numbers.ndim) * size
-    found = np.where(numbers >= 0, numbers + copies, numbers)
-    return np.asarray(found.reshape(-1, *numbers.shape[1:]))
+    shifted = np.where(numbers >= 0, numbers + copies, numbers)
+    return np.asarray(shifted.reshape(-1, *numbers.shape[1:]))
 
 
 def neighbours(data: Measurements, criteria: Criteria) -> Index:
@@ -248,11 +248,11 @@ def neighbours(data: Measurements, criteria: Criteria) -> Index:
         i: np.flatnonzero(near(i, everything) & (everything != i))
         for i in np.union1d(order[:-1][beside], order[1:][beside]).tolist()
     }
-    found = np.full((len(log), 1 + max(map(len, mates.values()), default=0)), -1, dtype=np.intp)
-    found[:, 0] = everything
+    padded = np.full((len(log), 1 + max(map(len, mates.values()), default=0)), -1, dtype=np.intp)
+    padded[:, 0] = everything
     for i, others in mates.items():
-        found[i, 1 : 1 + len(others)] = others
-    return found
+        padded[i, 1 : 1 + len(others)] = others
+    return padded
 
 
 def unmeasured_neighbours(prediction: Prediction, partner: Index, pose: Index, close: float) -> Index:
@@ -314,9 +314,9 @@ def _in_order(partner: Index, measured: Array, close: NDArray[np.bool_]) -> Inde
     group = np.concatenate([np.zeros((len(close), 1), dtype=np.intp), np.cumsum(~close, axis=1)], axis=1)
     of_row = np.where(partner >= 0, np.take_along_axis(group, np.maximum(partner, 0), axis=1), -1)
     # Groups ascend with the modes, so rows sorted by group and frequency get the partners in ascending order.
-    found = np.empty_like(partner)
-    np.put_along_axis(found, np.lexsort((measured, of_row), axis=-1), np.sort(partner, axis=1), axis=1)
-    return found
+    ordered = np.empty_like(partner)
+    np.put_along_axis(ordered, np.lexsort((measured, of_row), axis=-1), np.sort(partner, axis=1), axis=1)
+    return ordered
 
 
 def _columns(data: Measurements, channels: tuple[str, ...]) -> Index:

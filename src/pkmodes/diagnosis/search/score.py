@@ -93,15 +93,15 @@ def score(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> Scores:
     basis = fit.basis
     left = raw - basis @ (basis.T @ raw)
     unit = np.abs(rates)
-    found, directions, start = [], [], 0
+    scores, directions, start = [], [], 0
     for candidate in candidates:
         columns = slice(start, start + len(candidate.parameters))
         start = columns.stop
         result, axes = _one(fitter, fit, candidate, raw[:, columns], left[:, columns], unit[:, columns])
-        found.append(result)
+        scores.append(result)
         if result.visible:
             directions.append((axes, one_sided(fitter, candidate)))
-    return Scores(tuple(found), tuple(directions))
+    return Scores(tuple(scores), tuple(directions))
 
 
 def _one(

@@ -105,15 +105,15 @@ class Search:
         causes, store = fit.causes, self.store
         hypothesis = replace(fit.hypothesis, causes=(*causes[:place], *causes[place + 1 :]))
         base = store.fit(hypothesis, store.undone(fit, hypothesis))
-        found = {causes[place].name: replace(fit, hypothesis=hypothesis.adding(causes[place]))}
+        rivals = {causes[place].name: replace(fit, hypothesis=hypothesis.adding(causes[place]))}
         if base is not None:
             known = [*self.candidates]
             if len(causes) == 1:
                 known += [cause for cause in self.remote if cause.nameable or causes[0].remote]
             others = [candidate for candidate in known if candidate not in hypothesis.causes]
             for option in self.additions.causes(base, score(store.fitter, base, others)):
-                found.setdefault(option.causes[-1].name, option)
-        return tuple(sorted(found.values(), key=store.criterion))
+                rivals.setdefault(option.causes[-1].name, option)
+        return tuple(sorted(rivals.values(), key=store.criterion))
 
     # Steps -------------------------------------------------------------------------------------------------
 
@@ -145,8 +145,8 @@ class Search:
         """
         store, c = self.store, self.criteria
         starts = [option.values for option in options if store.criterion(option) < store.criterion(fit)]
-        found = [store.again(fit.hypothesis, values) for values in (*starts, *self._without_worst(fit))]
-        best = min((f for f in found if f is not None), key=lambda f: f.deviance, default=fit)
+        fits = [store.again(fit.hypothesis, values) for values in (*starts, *self._without_worst(fit))]
+        best = min((f for f in fits if f is not None), key=lambda f: f.deviance, default=fit)
         better = best.deviance < fit.deviance - c.worth and store.p_value(best) > c.surely
         return best if better else None
 
@@ -157,7 +157,7 @@ class Search:
         most = int(self.criteria.misled * len(rows))
         counts = [count for count in (1, 2, 4, 8) if count <= most]
         fewer = [replace(h, excluded=h.excluded | set(rows[:count])) for count in counts]
-        return [found.values for found in fitter.roughly([(one, fit.values) for one in fewer])]
+        return [descent.values for descent in fitter.roughly([(one, fit.values) for one in fewer])]
 
     def _hopeful(self, fit: Fit) -> bool:
         """Return whether a second cause may suffice: the first explains much, or little is left."""

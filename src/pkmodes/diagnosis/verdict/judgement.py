@@ -75,7 +75,7 @@ def judge(search: Search, outcome: Outcome) -> Judgement:
         verdict = UNEXPLAINED if strange else ADEQUATE
         return Judgement(verdict, final, last, (), (), (), reasons.shapes(()) if strange else "")
     final, places = _preferred(search, final)
-    grouped = tuple(classes(search.store.fitter, found) for found in places)
+    grouped = tuple(classes(search.store.fitter, fits) for fits in places)
     if any(cause.remote for cause in final.causes) and grouped[0]:
         # A cause of the same class that is not remote and passes the gate names the class.
         plain = (fit for fit in grouped[0][0] if not fit.causes[-1].remote and search.gate(fit).passed)
@@ -87,8 +87,7 @@ def judge(search: Search, outcome: Outcome) -> Judgement:
     others = tuple(other_pairs(search, final, _pairs_like(search, final), grouped))
     p_values = tuple(_p_value(search, final, place) for place in range(len(final.causes)))
     kept = all(
-        any(fit.causes[-1] == cause for fit in found)
-        for cause, found in zip(final.causes, places, strict=True)
+        any(fit.causes[-1] == cause for fit in fits) for cause, fits in zip(final.causes, places, strict=True)
     )
     doubt = _doubt(search, final, last, others, p_values)
     if not last.passed or not kept or doubt:
@@ -159,9 +158,9 @@ def _preferred(search: Search, final: Fit) -> tuple[Fit, list[list[Fit]]]:
     """Return the best survivor, and for each of its causes the survivors with another cause in its place."""
     for _ in range(PREFERENCES):
         rivals = [search.rivals(final, place) for place in range(len(final.causes))]
-        places = [survivors(search, found) for found in rivals]
+        places = [survivors(search, fits) for fits in rivals]
         pairs = zip(final.causes, places, strict=True)
-        better = next((found[0] for cause, found in pairs if found and found[0].causes[-1] != cause), None)
+        better = next((fits[0] for cause, fits in pairs if fits and fits[0].causes[-1] != cause), None)
         if better is None:
             return final, places
         final = better

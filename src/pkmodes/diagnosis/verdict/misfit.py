@@ -46,12 +46,12 @@ def far_away(store: FitStore, fit: Fit, among: Sequence[int]) -> tuple[str, floa
     """Return which of some parameters is farthest from its declared value, and how far in sigma of its prior."""
     fitter = store.fitter
     away = np.abs(fitter.priors.residual(fit.values))
-    found = [
+    distances = [
         (fitter.parameters[i].name, float(away[row]))
         for i in among
         if (row := fitter.priors.of(i)) is not None
     ]
-    return max(found, key=lambda one: one[1], default=("", 0.0))
+    return max(distances, key=lambda one: one[1], default=("", 0.0))
 
 
 def worst_shape(store: FitStore, fit: Fit) -> int:

@@ -59,7 +59,7 @@ def _unexplained(search: Search, outcome: Outcome, judged: Judgement) -> str:
 def _beyond_prior(search: Search) -> str:
     """Return a reason if a single candidate would explain the data, but only with a value beyond its prior."""
     store, c = search.store, search.criteria
-    found = []
+    explanations = []
     for fit in store.tried():
         if len(fit.causes) != 1 or fit.causes[0].remote or fit.hypothesis.excluded or fit.hypothesis.scatter:
             continue
@@ -67,25 +67,25 @@ def _beyond_prior(search: Search) -> str:
         _, away = misfit.far_away(store, fit, index)
         explained = min(m.p_value for m in (misfit.of_frequencies(store, fit), misfit.of_shapes(store, fit)))
         if away > c.far and explained > c.gate:
-            found.append((store.criterion(fit), fit.causes[0].name, float(fit.values[index[0]]), away))
-    return reasons.beyond_prior(*min(found)[1:]) if found else ""
+            explanations.append((store.criterion(fit), fit.causes[0].name, float(fit.values[index[0]]), away))
+    return reasons.beyond_prior(*min(explanations)[1:]) if explanations else ""
 
 
 def _nearly(search: Search, first: Fit) -> str:
     """Return a reason if one cause, or else two, would explain nearly all of the residual but not all."""
     store, (part, most) = search.store, search.criteria.nearly_all
     before = _larger(store, first)
-    found = []
+    explanations = []
     for fit in store.tried():
         h = fit.hypothesis
         if not h.causes or any(cause.remote for cause in h.causes) or h.excluded or h.scatter or fit.at_bound:
             continue
         after = _larger(store, fit)
         if after <= min(part * before, most) and search.gate(fit).p_unmeasured > search.criteria.surely:
-            found.append((fit, after))
-    if not found:
+            explanations.append((fit, after))
+    if not explanations:
         return ""
-    best, after = min(found, key=lambda one: (len(one[0].causes), store.criterion(one[0])))
+    best, after = min(explanations, key=lambda one: (len(one[0].causes), store.criterion(one[0])))
     return reasons.nearly(best.causes, before, after, store.p_value(best))
 
 

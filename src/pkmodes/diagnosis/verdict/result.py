@@ -64,7 +64,7 @@ class Refitted:
 
 @dataclass(frozen=True)
 class Finding:
-    """One cause that was found.
+    """One cause that was effect.
 
     Attributes
     ----------
@@ -200,7 +200,7 @@ class Diagnosis:
     refitted : tuple of Refitted
     before, refit, after : Error
         Stages.  The refit includes outliers and a shared error if these explain the residual; it is None if there
-        are too few data.  after is None unless a cause was found.
+        are too few data.  after is None unless a cause was effect.
     held_out_poses, undetectable : tuple of str
     next_measurement : NextMeasurement or None
     candidates : tuple of Examined
@@ -240,14 +240,14 @@ class Diagnosis:
 
     def __str__(self) -> str:
         lines = [f"{self.verdict}: {self.reason}"]
-        for found in self.effects:
+        for effect in self.effects:
             values = [
                 f"{v.name} = {v.value:.4g} +- {v.sigma:.2g} {v.unit}".removesuffix(" 1")
-                for v in found.parameters
+                for v in effect.parameters
             ]
-            lines.append(f"cause: {found.name} (p = {found.p_value:.2g}): {', '.join(values)}")
-            if len(found.members) > 1:
-                lines.append(f"  these data cannot tell it from {', '.join(found.members[1:])}")
+            lines.append(f"cause: {effect.name} (p = {effect.p_value:.2g}): {', '.join(values)}")
+            if len(effect.members) > 1:
+                lines.append(f"  these data cannot tell it from {', '.join(effect.members[1:])}")
         lines += [f"remains: {' or '.join(group)}" for group in self.survivors]
         for stage, error in (("before", self.before), ("refit", self.refit), ("after", self.after)):
             if error is not None:
@@ -285,13 +285,13 @@ class Diagnosis:
             "reason": self.reason,
             "effects": [
                 {
-                    "name": found.name,
-                    "class": list(found.members),
-                    "parameters": _values(found.parameters),
-                    "p_value": found.p_value,
-                    "alternatives": {name: _values(v) for name, v in found.alternatives.items()},
+                    "name": effect.name,
+                    "class": list(effect.members),
+                    "parameters": _values(effect.parameters),
+                    "p_value": effect.p_value,
+                    "alternatives": {name: _values(v) for name, v in effect.alternatives.items()},
                 }
-                for found in self.effects
+                for effect in self.effects
             ],
             "survivors": [list(members) for members in self.survivors],
             "refitted": {

@@ -63,10 +63,10 @@ def _onward(fitter: Fitter, fit: Fit) -> tuple[Array, float]:
     columns = fit.jacobian[:, ~held]
     size = np.linalg.norm(columns, axis=0)
     scale = 1.0 / np.where(size > 0.0, size, 1.0)
-    found = np.linalg.lstsq(columns * scale, -fit.white, rcond=1e-9)[0]
-    left = fit.white + columns * scale @ found
+    scaled = np.linalg.lstsq(columns * scale, -fit.white, rcond=1e-9)[0]
+    left = fit.white + columns * scale @ scaled
     step = np.zeros_like(fit.values)
-    step[free[~held]] = scale * found
+    step[free[~held]] = scale * scaled
     return step, float(fit.white @ fit.white - left @ left)
 
 

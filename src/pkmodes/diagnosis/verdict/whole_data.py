@@ -41,14 +41,14 @@ def remarks(setups: AllSetups, fit: Fit) -> tuple[str, ...]:
 def copied(data: Measurements) -> list[tuple[int, int]]:
     """Return pairs of lines whose shapes are identical, which never happens in real measurements."""
     first: dict[bytes, int] = {}
-    found = []
+    pairs = []
     for row, shape in enumerate(data.shapes):
         if np.count_nonzero(np.nan_to_num(shape)) < 2:
             continue
         before = first.setdefault(shape.tobytes(), row)
         if before != row:
-            found.append((int(data.lines[before]), int(data.lines[row])))
-    return found
+            pairs.append((int(data.lines[before]), int(data.lines[row])))
+    return pairs
 
 
 def _same_place(stage: Stage, clearly: tuple[float, float]) -> Iterator[str]:
