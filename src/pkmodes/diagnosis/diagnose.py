@@ -28,9 +28,9 @@ from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import reasons
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.builder import DiagnosisBuilder
+from pkmodes.diagnosis.verdict.chosen_reason import reason_of
 from pkmodes.diagnosis.verdict.judgement import Judgement, judge
 from pkmodes.diagnosis.verdict.mistakes import other_unit, other_wiring
-from pkmodes.diagnosis.verdict.phrasing import reason_of
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.stability import Trial, trials, unchanged
 from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS, EFFECT_FOUND, INSUFFICIENT_DATA, UNEXPLAINED

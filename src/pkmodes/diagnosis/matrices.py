@@ -20,10 +20,10 @@ from pkmodes.diagnosis.problem import (
     Structure,
     one_by_one,
 )
+from pkmodes.diagnosis.structure.checks import check_callables, check_candidate, check_names, check_parameter
 from pkmodes.diagnosis.structure.kept import Kept
 from pkmodes.diagnosis.structure.massless import UnstableError, UnusableError
 from pkmodes.diagnosis.structure.modes import Modes, lowest_modes, modes_below
-from pkmodes.diagnosis.structure.names import check_callables, check_candidate, check_names, check_parameter
 from pkmodes.diagnosis.structure.sensors import sensor_map
 from pkmodes.diagnosis.structure.shape_rates import ShapeRates, eigenvalue_rates
 from pkmodes.diagnosis.structure.shape_rates import shape_rates as rates_of_shapes

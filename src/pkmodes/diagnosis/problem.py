@@ -203,10 +203,10 @@ class Structure(Protocol):
         """Return the same structure at some of its setups."""
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction | None:
-        """Return the modes with derivatives with respect to the setups' positions (T = 3), if they have one."""
+        """Return the modes with derivatives with respect to each component of the setups' positions, if any."""
 
     def elsewhere(self, count: int) -> tuple[Array, Structure] | None:
-        """Return points (count, 3) where the structure could also be measured, and the structure at these setups."""
+        """Return points (count, d) where the structure could also be measured, and the structure at these setups."""
 
 
 @runtime_checkable

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.lockstep import Descent, Lockstep
+from pkmodes.diagnosis.fit.misfit import Misfit
 from pkmodes.diagnosis.fit.noise import Noise, Whitening
 from pkmodes.diagnosis.fit.priors import Priors
 from pkmodes.diagnosis.fit.rows import Rows
@@ -58,6 +59,8 @@ class Fitter:
         self.parameters = tuple(structure.parameters if parameters is None else parameters)
         self._index = {p.name: i for i, p in enumerate(self.parameters)}
         self.declared = np.array([p.value for p in self.parameters])
+        self.lower = np.array([p.lower for p in self.parameters])
+        self.upper = np.array([p.upper for p in self.parameters])
         self.nuisances = tuple(i for i, p in enumerate(self.parameters) if p.sigma)
         self.priors = Priors(self.parameters, structure.candidates, widened)
         self.log = np.log(data.frequency)
@@ -185,7 +188,9 @@ class Fitter:
 
         Shared errors and position errors are neglected.
         """
-        lockstep = Lockstep(self.structure, self.parameters, self.rows, self.noise.stated, self.priors)
+        lockstep = Lockstep(
+            self.structure, (self.lower, self.upper), self.rows, self.noise.stated, self.priors
+        )
         return lockstep.descended(
             [(values, self._free(h), self.used(h)) for h, values in starts], self.criteria.rough_steps
         )
@@ -279,14 +284,19 @@ class Fitter:
             [whitening.whitened(rates), -self.priors.rates(fit.values, by)]
         )
 
-    def shape_misfit(self, fit: Fit, stated: bool) -> tuple[float, float]:
-        """Return the sum of squares of shapes with (or without) stated errors, and its degrees of freedom."""
+    def shape_misfit(self, fit: Fit, stated: bool) -> Misfit:
+        """Return the misfit of the shapes with (or without) stated errors."""
         used = self.used(fit.hypothesis)
         some = used & self.shapes.known & (self.shapes.stated == stated)
         shape = self.shapes.sigma.shape
         squares = (fit.white[self.shape_rows].reshape(shape) ** 2).sum(axis=1)
         taken = fit.leverage[self.shape_rows].reshape(shape).sum(axis=1)
-        return float(squares[some].sum()), float(self.shapes.count[some].sum() - taken[some].sum())
+        return Misfit(float(squares[some].sum()), float(self.shapes.count[some].sum() - taken[some].sum()))
+
+    def worst_rows(self, fit: Fit) -> tuple[NDArray[np.intp], Array]:
+        """Return the rows, those with the largest frequency residuals first, and all residuals in sigma, (R,)."""
+        sigmas = np.abs(fit.residual[self.frequency_rows] / self.sigma)
+        return np.argsort(sigmas)[::-1], sigmas
 
     def _spread(self, used: NDArray[np.bool_]) -> NDArray[np.bool_]:
         """Return a mask of the data of used rows."""
@@ -311,9 +321,8 @@ class Fitter:
             unwhitened = self.rows.rates(prediction, pairing, used)
             return np.vstack([-whitening.whitened(unwhitened), self.priors.rates(full, free)])
 
-        lower = np.array([self.parameters[i].lower for i in free])
-        upper = np.array([self.parameters[i].upper for i in free])
-        return bounded_least_squares(residual, rates, values, free, (lower, upper), self.criteria.steps)
+        bounds = self.lower[list(free)], self.upper[list(free)]
+        return bounded_least_squares(residual, rates, values, free, bounds, self.criteria.steps)
 
     def _at_bound(self, hypothesis: Hypothesis, values: Array) -> tuple[str, ...]:
         parameters = [(i, self.parameters[i]) for cause in hypothesis.causes for i in self.indices(cause)]
@@ -322,7 +331,7 @@ class Fitter:
         )
 
     def _motion(self, values: Array, pairing: Pairing, used: NDArray[np.bool_]) -> Array | None:
-        """Return the derivatives of the data with respect to uncertain positions, (D, 3); None if there are none."""
+        """Return the derivatives of the data with respect to uncertain positions, (D, d); None if there are none."""
         if not self.noise.uncertain:
             return None
         moved = self.structure.position_rates(values, shape_rates=bool(self.shapes.size))

@@ -33,6 +33,10 @@ class Hypothesis:
         """Return the hypothesis with an additional cause."""
         return replace(self, causes=(*self.causes, cause))
 
+    def without(self, place: int) -> Hypothesis:
+        """Return the hypothesis without one of its causes."""
+        return replace(self, causes=(*self.causes[:place], *self.causes[place + 1 :]))
+
 
 @dataclass(frozen=True)
 class Fit:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from pkmodes.diagnosis.fit.priors import Priors
 from pkmodes.diagnosis.fit.rows import Rows
-from pkmodes.diagnosis.problem import Array, Parameter, Prediction, Structure
+from pkmodes.diagnosis.problem import Array, Prediction, Structure
 
 #: Initial damping, relative to the diagonal; its factors after a successful and after a failed step.
 DAMPING, LESS, MORE = 1e-3, 0.1, 10.0
@@ -81,6 +81,8 @@ class Lockstep:
 
     Parameters
     ----------
+    bounds : tuple of two ndarrays, shape (P,)
+        Of all parameters.
     sigma : ndarray, shape (R + R C,)
         Standard deviations of the data, taken as uncorrelated.
     """
@@ -88,14 +90,13 @@ class Lockstep:
     def __init__(
         self,
         structure: Structure,
-        parameters: Sequence[Parameter],
+        bounds: tuple[Array, Array],
         rows: Rows,
         sigma: Array,
         priors: Priors,
     ) -> None:
         self._structure, self._rows, self._sigma, self._priors = structure, rows, sigma, priors
-        self._lower = np.array([p.lower for p in parameters])
-        self._upper = np.array([p.upper for p in parameters])
+        self._lower, self._upper = bounds
 
     def descended(
         self, starts: Sequence[tuple[Array, tuple[int, ...], NDArray[np.bool_]]], steps: int

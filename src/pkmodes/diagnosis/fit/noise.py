@@ -88,8 +88,8 @@ class Noise:
 
         Parameters
         ----------
-        motion : ndarray, shape (D, 3), or None
-            Derivatives of the data with respect to the position of their setup, if it is uncertain.
+        motion : ndarray, shape (D, d), or None
+            Derivatives of the data with respect to the d components of their setup's position, if it is uncertain.
         used : ndarray of bool, shape (R,)
             Rows that are not excluded.
         tau : float

@@ -92,10 +92,8 @@ class ShapeRows:
         copies, rows = copy.copy(self), len(self._shapes)
         copies._pose = tiled(self._pose, count, self._setups)
         copies._mates = tiled(self._mates, count, rows)
-        copies._shapes, copies._weights = (
-            np.tile(self._shapes, (count, 1)),
-            np.tile(self._weights, (count, 1)),
-        )
+        copies._shapes = np.tile(self._shapes, (count, 1))
+        copies._weights = np.tile(self._weights, (count, 1))
         copies.sigma, copies.known = np.tile(self.sigma, (count, 1)), np.tile(self.known, count)
         copies.stated, copies.count = np.tile(self.stated, count), np.tile(self.count, count)
         return copies

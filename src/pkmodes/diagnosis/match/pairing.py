@@ -16,12 +16,9 @@ from scipy.optimize import linear_sum_assignment
 
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.criteria import Criteria
-from pkmodes.diagnosis.problem import Prediction
+from pkmodes.diagnosis.problem import Array, Index, Prediction
 from pkmodes.linalg.mac import channel_motion, mac, subspace_mac, weighted
 from pkmodes.measured.measurements import Measurements
-
-Array = NDArray[np.float64]
-Index = NDArray[np.intp]
 
 
 @dataclass(frozen=True)

@@ -14,8 +14,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Array, Candidate
@@ -103,7 +101,7 @@ class Search:
     def rivals(self, fit: Fit, place: int) -> tuple[Fit, ...]:
         """Return fits with other causes in one place, best first; that cause is the last one in all of them."""
         causes, store = fit.causes, self.store
-        hypothesis = replace(fit.hypothesis, causes=(*causes[:place], *causes[place + 1 :]))
+        hypothesis = fit.hypothesis.without(place)
         base = store.fit(hypothesis, store.undone(fit, hypothesis))
         rivals = {causes[place].name: replace(fit, hypothesis=hypothesis.adding(causes[place]))}
         if base is not None:
@@ -153,7 +151,7 @@ class Search:
     def _without_worst(self, fit: Fit) -> list[Array]:
         """Return the values of fits without the worst rows, for several numbers of rows."""
         fitter, h = self.store.fitter, fit.hypothesis
-        rows = np.argsort(np.abs(fit.residual[fitter.frequency_rows] / fitter.sigma))[::-1].tolist()
+        rows = fitter.worst_rows(fit)[0].tolist()
         most = int(self.criteria.misled * len(rows))
         counts = [count for count in (1, 2, 4, 8) if count <= most]
         fewer = [replace(h, excluded=h.excluded | set(rows[:count])) for count in counts]
@@ -181,7 +179,7 @@ class Search:
         h, store = fit.hypothesis, self.store
         smaller = [replace(h, excluded=h.excluded - {row}) for row in sorted(h.excluded)]
         smaller += [replace(h, scatter=False)] if h.scatter else []
-        smaller += [replace(h, causes=(*h.causes[:i], *h.causes[i + 1 :])) for i in range(len(h.causes))]
+        smaller += [h.without(place) for place in range(len(h.causes))]
         for hypothesis in smaller:
             less = store.fit(hypothesis, store.undone(fit, hypothesis))
             if (

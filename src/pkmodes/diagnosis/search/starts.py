@@ -68,8 +68,6 @@ def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -
 def _search(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> Trials:
     """Yield trial values of one refit, and return its starts."""
     index = list(fitter.indices(one.candidate))
-    lower = np.array([fitter.parameters[i].lower for i in index])
-    upper = np.array([fitter.parameters[i].upper for i in index])
     # The first parameter of a cause determines its size.
     sign = one_sided(fitter, replace(one.candidate, parameters=one.candidate.parameters[:1]))
     unit, sizes = np.zeros(len(index)), SIZES
@@ -83,7 +81,7 @@ def _search(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> Tri
 
         def at(step: Array, origin: Array = origin) -> Array:
             full = origin.copy()
-            full[index] = np.clip(fit.values[index] + step, lower, upper)
+            full[index] = np.clip(fit.values[index] + step, fitter.lower[index], fitter.upper[index])
             return full
 
         steps = [one.step, 0.5 * one.step]

@@ -152,9 +152,9 @@ def _part(M: Array, K: Array, count: int, rigid: int) -> tuple[Array, Array]:
         scaled = K * (scale[:, None] * scale)
         if definite(scaled):
             both = scale[:, None] * scale
-            eigenvalues, shapes = linalg.eigh(M * both, scaled, subset_by_index=(n - count, n - 1))
-            if (eigenvalues > 0.0).all():
-                return 1.0 / eigenvalues[::-1], ((shapes * scale[:, None]) / np.sqrt(eigenvalues)).T[::-1]
+            inverses, shapes = linalg.eigh(M * both, scaled, subset_by_index=(n - count, n - 1))
+            if (inverses > 0.0).all():
+                return 1.0 / inverses[::-1], ((shapes * scale[:, None]) / np.sqrt(inverses)).T[::-1]
     scale = 1.0 / np.sqrt(np.diagonal(M))  # removes mixed units before M is factorised
     both = scale[:, None] * scale
     eigenvalues, shapes = linalg.eigh(K * both, M * both, subset_by_index=(0, count - 1))

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import Any, Literal, NamedTuple, overload
 
 import numpy as np
@@ -57,6 +58,18 @@ class _Search(NamedTuple):
     rates: list[Pair] | None
     finite: bool
     step: float
+
+
+@contextmanager
+def _errors_of(matrices: str, where: str, remedy: str) -> Iterator[None]:
+    """Raise what the user's callable raises as an error of ours."""
+    try:
+        yield
+    except PkmodesError:
+        raise
+    except Exception as error:
+        what = f"the callable for {matrices} failed: {type(error).__name__}: {error}"
+        raise PkmodesError(what, where, remedy) from error
 
 
 class Supplied:
@@ -127,13 +140,8 @@ class Supplied:
         named = self._named(values)
         where = self._where(values, setup)
         start = time.perf_counter()
-        try:
+        with _errors_of("M and K", where, "fix it, or narrow the bounds of the parameters"):
             returned = self.matrices(named, setup)
-        except PkmodesError:
-            raise
-        except Exception as error:
-            what = f"the callable for M and K failed: {type(error).__name__}: {error}"
-            raise PkmodesError(what, where, "fix it, or narrow the bounds of the parameters") from error
         self.calls, self.seconds = self.calls + 1, self.seconds + time.perf_counter() - start
         pair = self._pair(returned, ("M", "K"), where)
         n = self.expected
@@ -161,13 +169,8 @@ class Supplied:
                 each_setup.append(known)
                 continue
             where = f"derivatives with respect to {shown(name)}, {self._where(values, setup)}"
-            try:
+            with _errors_of("dM and dK", where, "fix it, or leave the derivatives out"):
                 returned = self.derivatives(self._named(values), setup, name)
-            except PkmodesError:
-                raise
-            except Exception as error:
-                what = f"the callable for dM and dK failed: {type(error).__name__}: {error}"
-                raise PkmodesError(what, where, "fix it, or leave the derivatives out") from error
             pair = self._pair(returned, ("dM", "dK"), where)
             for kind, matrix in zip(("dM", "dK"), pair, strict=True):
                 if not np.isfinite(entries_of(matrix)).all() or not is_symmetric(matrix):

@@ -22,7 +22,7 @@ from pkmodes.diagnosis.search.score import one_sided
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import reasons
 from pkmodes.diagnosis.verdict.classes import classes, other_pairs, survivors
-from pkmodes.diagnosis.verdict.errors import explained_by_errors
+from pkmodes.diagnosis.verdict.measurement_errors import explained_by_errors
 from pkmodes.diagnosis.verdict.nested import more_general
 from pkmodes.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 from pkmodes.diagnosis.verdict.specificity import p_coincidence

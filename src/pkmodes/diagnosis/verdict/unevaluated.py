@@ -48,16 +48,12 @@ def _tried(store: FitStore, reported: Fit) -> Iterator[Fit]:
             yield fit
 
 
-def _bounds(fitter: Fitter) -> tuple[Array, Array]:
-    return np.array([p.lower for p in fitter.parameters]), np.array([p.upper for p in fitter.parameters])
-
-
 def _onward(fitter: Fitter, fit: Fit) -> tuple[Array, float]:
     """Return the step of the linear model within the bounds, and the decrease of the sum of squares that it predicts.
 
     The decrease is zero if the fit has converged.
     """
-    free, (lower, upper) = np.array(fit.free, dtype=np.intp), _bounds(fitter)
+    free, lower, upper = np.array(fit.free, dtype=np.intp), fitter.lower, fitter.upper
     at, gradient = fit.values[free], fit.jacobian.T @ fit.white
     held = ((at <= lower[free]) & (gradient > 0.0)) | ((at >= upper[free]) & (gradient < 0.0))
     columns = fit.jacobian[:, ~held]
@@ -73,10 +69,9 @@ def _onward(fitter: Fitter, fit: Fit) -> tuple[Array, float]:
 def _stopped(fitter: Fitter, fit: Fit) -> str:
     """Return where a fit was blocked; empty if it was not."""
     step, _ = _onward(fitter, fit)
-    lower, upper = _bounds(fitter)
 
     def at(part: float) -> Array:
-        return np.clip(fit.values + part * step, lower, upper)
+        return np.clip(fit.values + part * step, fitter.lower, fitter.upper)
 
     if _known(fitter, at(1.0)):
         return ""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.fit.misfit import Misfit
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.search.gate import Gate
 from pkmodes.diagnosis.search.search import Outcome, Search
@@ -34,7 +35,7 @@ def _unexplained(search: Search, outcome: Outcome, judged: Judgement) -> str:
         return reasons.added_modes(final.causes)
     if last.unpaired:
         return reasons.unpaired(last.unpaired)
-    frequencies, shapes = misfit.of_frequencies(store, fit), misfit.of_shapes(store, fit)
+    frequencies, shapes = _misfits(store, fit)
     if min(frequencies.p_value, shapes.p_value) > c.surely:
         name, away = misfit.far_away(store, fit, store.fitter.nuisances)
         if first.p_value <= c.gate and away > c.far:
@@ -65,7 +66,7 @@ def _beyond_prior(search: Search) -> str:
             continue
         index = store.fitter.indices(fit.causes[0])
         _, away = misfit.far_away(store, fit, index)
-        explained = min(m.p_value for m in (misfit.of_frequencies(store, fit), misfit.of_shapes(store, fit)))
+        explained = min(part.p_value for part in _misfits(store, fit))
         if away > c.far and explained > c.gate:
             explanations.append((store.criterion(fit), fit.causes[0].name, float(fit.values[index[0]]), away))
     return reasons.beyond_prior(*min(explanations)[1:]) if explanations else ""
@@ -91,10 +92,15 @@ def _nearly(search: Search, first: Fit) -> str:
 
 def _larger(store: FitStore, fit: Fit) -> float:
     """Return the larger of chi2 per degree of freedom of the frequencies and of the shapes."""
-    return max(misfit.of_frequencies(store, fit).ratio, misfit.of_shapes(store, fit).ratio)
+    return max(part.ratio for part in _misfits(store, fit))
 
 
-def _dispersed(gate: Gate, frequencies: misfit.Misfit, c: Criteria) -> bool:
+def _misfits(store: FitStore, fit: Fit) -> tuple[Misfit, Misfit]:
+    """Return the misfit of the frequencies, without the priors, and of the shapes with stated errors."""
+    return misfit.of_frequencies(store, fit), store.fitter.shape_misfit(fit, stated=True)
+
+
+def _dispersed(gate: Gate, frequencies: Misfit, c: Criteria) -> bool:
     """Return whether the residual, scaled to unit chi2 per degree of freedom, has no direction: larger errors."""
     scale = frequencies.ratio
     most = max((s.gain / scale / max(len(s.candidate.parameters), 1) for s in gate.scores.each), default=0.0)
