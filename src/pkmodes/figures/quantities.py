@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.linalg.mac import mass_weighted_mac
 from pkmodes.plots.plane import Plane
 from pkmodes.plots.workspace import Volume
 from pkmodes.robot.layout import items
@@ -122,8 +123,8 @@ def smallest_mac(model: Model, plane: Plane) -> Array:
         behind = tuple(slice(None, -1) if i == axis else slice(None) for i in (0, 1))
         phi, psi, M = shapes[behind], shapes[ahead], masses[behind]
         product = ((phi @ M) * psi).sum(axis=-1)
-        size = ((psi @ M) * psi).sum(axis=-1)  # phi is mass-normalised
-        mac = np.nan_to_num(product**2 / size, nan=np.inf)
+        mac = mass_weighted_mac(product[..., None, :], psi, M)[..., 0, :]
+        mac = np.nan_to_num(mac, nan=np.inf)
         smallest[behind] = np.minimum(smallest[behind], mac)
         smallest[ahead] = np.minimum(smallest[ahead], mac)
     smallest[~np.isfinite(smallest) | ~np.isfinite(shapes[..., 0])] = np.nan
