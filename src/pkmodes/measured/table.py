@@ -8,13 +8,14 @@ import math
 import re
 from collections.abc import Mapping, Sequence
 from decimal import Decimal
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from pkmodes.base.errors import MeasurementError, shown
 from pkmodes.measured.header import SPREAD, TEXT, Column, frequency_factor
 from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.quantities import required_columns, row_numbers
 from pkmodes.measured.rules import (
     SET,
     SHAPE,
@@ -29,8 +30,6 @@ from pkmodes.robot.units import QuantityError
 
 #: A line that tells spreadsheet programs the separator of the cells.
 SEPARATOR = re.compile(r"\"?sep\s*=\s*(.)\"?[,;\t]*", re.IGNORECASE)
-#: Columns without blank cells, besides the pose components.
-FILLED = ("pose", "frequency", "sigma")
 
 # Stricter than float(): no "nan", no "1_000", no digits of other scripts.
 NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
@@ -158,7 +157,7 @@ def read_table(
         what = "expected a row for each identified mode, found only a header"
         raise MeasurementError(what, source, "add the rows")
     blank = {f"{SPREAD}{name}": 0.0 for name in components}  # the pose is exact
-    filled = {*FILLED, *components}
+    filled = {"pose", *required_columns(), *components}
     numbers_of_lines = np.array([line for line, _ in records])
     texts: dict[str, list[str]] = {name: [] for name in TEXT}
     numbers: dict[str, list[float]] = {column.name: [] for column in columns if column.name not in TEXT}
@@ -219,20 +218,17 @@ def _measurements(
     """Build measurements from a file's columns by name; `unit` is the header's unit of the frequencies."""
     rows = len(lines.records) - 1
     blank = [0.0] * rows
+    columns: dict[str, Any] = {number.argument: numbers.get(number.column) for number in row_numbers()}
     return Measurements.from_rows(
         texts["pose"],
-        numbers["frequency"],
-        numbers["sigma"],
+        **columns,
         points=np.array([numbers.get(name, blank) for name in components]).T,
         point_sigma=np.array([numbers.get(f"{SPREAD}{name}", blank) for name in components]).T,
         components=components,
-        damping=numbers.get("damping"),
         mode=texts["mode"] or None,
         shapes={
             name.removeprefix(SHAPE): column for name, column in numbers.items() if name.startswith(SHAPE)
         },
-        shape_sigma=numbers.get("sigma_shape"),
-        damping_sigma=numbers.get("sigma_damping"),
         band=lines.band,
         source=source,
         lines=np.array([line for line, _ in lines.records[1:]]),

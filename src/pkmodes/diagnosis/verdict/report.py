@@ -34,6 +34,7 @@ from pkmodes.diagnosis.verdict.result import (
     Verdict,
 )
 from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.quantities import FREQUENCY
 
 
 @dataclass(frozen=True)
@@ -182,7 +183,7 @@ class Report:
     def sigma(self, stage: Stage) -> Array:
         """Return the relative standard deviations of the frequencies, (R,), including position errors."""
         data = self.data
-        variance: Array = (data.sigma / data.frequency) ** 2
+        variance: Array = FREQUENCY.transformed_sigma(data) ** 2
         moved = self.structure.position_rates(stage.values) if data.point_sigma.any() else None
         if moved is not None:
             rates = moved.log_rates[data.pose, np.maximum(stage.pairing.partner, 0)]
