@@ -18,9 +18,9 @@ from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import POSE, locked_joints
 from pkmodes.system.evaluation import SystemOfEffects
 from pkmodes.updating import frame
-from pkmodes.updating.evaluated import Moves, Solved, derived, joined, reordered, solved
 from pkmodes.updating.load_cases import LoadCase, LoadCases
 from pkmodes.updating.payloads import payloads
+from pkmodes.updating.predictions import Moves, Solved, derived, joined, reordered, solved
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
@@ -61,7 +61,7 @@ class RobotStructure:
     points : ndarray, shape (P, d)
         Poses.
     parameters, candidates, moves
-        From `pkmodes.updating.suspects.suspects`; parameters of the measurement frame have no move.
+        From `pkmodes.updating.candidates.suspects`; parameters of the measurement frame have no move.
     loads : LoadCases, optional
         Values set at the poses; by default none.
     """
