@@ -56,7 +56,6 @@ def read_text(
 
     Parameters
     ----------
-    path : Path
     source : str
         The file, for messages.
     what, remedy : str
@@ -80,8 +79,8 @@ def read_text(
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = error.object[: error.start].count(b"\n") + 1
-        found = f"expected UTF-8 text, found the byte 0x{error.object[error.start]:02x}"
-        _refuse(found, f"{source}: line {line}", "save the file as UTF-8")
+        what = f"expected UTF-8 text, found the byte 0x{error.object[error.start]:02x}"
+        _refuse(what, f"{source}: line {line}", "save the file as UTF-8")
     except (OSError, ValueError) as error:  # ValueError: a path with a null character
         reason = getattr(error, "strerror", None) or str(error)
         remedy = "check its permissions" if isinstance(error, PermissionError) else "check the path"

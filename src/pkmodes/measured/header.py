@@ -69,7 +69,6 @@ def read_header(
 
     Parameters
     ----------
-    cells : sequence of str
     where : str
         File and line.
     channels : collection of str, or mapping of str to str
@@ -125,8 +124,7 @@ def read_header(
         if name in (*components, *spreads) and len(placed) < len(components):
             missing = next(other for other in components if other not in placed)
             what = f'found the column "{name}" without "{missing}"'
-            every = " and ".join([", ".join(list(components)[:-1]), *list(components)[-1:]])
-            _refuse(what, where, f"give {every}, or no position column at all")
+            _refuse(what, where, f"give {in_words(components)}, or no position column at all")
     return columns
 
 
@@ -151,6 +149,12 @@ def column_of(cell: str, where: str, units: Mapping[str, str]) -> tuple[str, Dec
     if unit is None or name not in units:
         return name, None
     return name, _factor(name, unit, where, (), units)
+
+
+def in_words(names: Collection[str]) -> str:
+    """Join names as in a sentence: x, y and z."""
+    *others, last = [*names] or [""]
+    return f"{', '.join(others)} and {last}" if others else last
 
 
 def _plain(name: str, units: Mapping[str, str]) -> str:

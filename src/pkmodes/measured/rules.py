@@ -26,7 +26,7 @@ SHAPE = "shape:"
 SET = "set:"
 
 
-class Found(NamedTuple):
+class Quoted(NamedTuple):
     """A number quoted in a message: its row and column, its value in SI units, and its format."""
 
     row: int
@@ -40,7 +40,7 @@ class Problem(NamedTuple):
 
     row: int
     column: str
-    what: str | tuple[str | Found, ...]
+    what: str | tuple[str | Quoted, ...]
     remedy: str
 
 
@@ -48,21 +48,21 @@ class BrokenRuleError(MeasurementError):
     """A violated rule; the reader of a file can replace the numbers in its message by the original cells."""
 
     def __init__(self, problem: Problem, where: str) -> None:
-        super().__init__(told(problem, _plainly), where, problem.remedy)
+        super().__init__(message(problem, _plainly), where, problem.remedy)
         self.problem = problem
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.problem, self.where)
 
 
-def told(problem: Problem, show: Callable[[Found], str]) -> str:
+def message(problem: Problem, show: Callable[[Quoted], str]) -> str:
     """Return the message of a problem, with its numbers formatted by `show`."""
     parts = (problem.what,) if isinstance(problem.what, str) else problem.what
     return "".join(part if isinstance(part, str) else show(part) for part in parts)
 
 
-def _plainly(found: Found) -> str:
-    return format(found.value, found.digits)
+def _plainly(number: Quoted) -> str:
+    return format(number.value, number.digits)
 
 
 def refuse(problems: Sequence[Problem], source: str, lines: Integers) -> None:
@@ -149,7 +149,7 @@ def _broken(
         large = of_quantity and allowed.largest == LARGEST < values[i] < np.inf
         expected = f"{allowed.expected} (at most {LARGEST:g})" if large else allowed.expected
         row = int(at[i])
-        what = (f"expected {expected}, found ", Found(row, column, float(values[i])))
+        what = (f"expected {expected}, found ", Quoted(row, column, float(values[i])))
         yield Problem(row, column, what, allowed.remedy)
 
 
@@ -173,60 +173,60 @@ def text_problems(given: Columns, first: Integers) -> Iterator[Problem]:
             )
 
 
-def position_problems(found: Columns, points: Array, spreads: Array) -> Iterator[Problem]:
+def position_problems(data: Columns, points: Array, spreads: Array) -> Iterator[Problem]:
     """Yield rows whose position or its standard deviation differs from the first row of their pose."""
-    first = np.unique(found.pose, return_index=True)[1]
+    first = np.unique(data.pose, return_index=True)[1]
     for kind, prefix, rows, poses in (
-        ("positions", "", points, found.points),
-        ("standard deviations", "sigma_", spreads, found.point_sigma),
+        ("positions", "", points, data.points),
+        ("standard deviations", "sigma_", spreads, data.point_sigma),
     ):
-        for i, k in np.argwhere(rows != poses[found.pose]):
-            name, number = f"{prefix}{found.components[k]}", found.pose[i]
+        for i, k in np.argwhere(rows != poses[data.pose]):
+            name, number = f"{prefix}{data.components[k]}", data.pose[i]
             before = int(first[number])
             yield Problem(
                 int(i),
                 name,
                 (
-                    f"pose {shown(found.labels[number])} has two {kind}: {name} is ",
-                    Found(before, name, float(poses[number, k]), ".10g"),
-                    f" in line {found.lines[before]} and ",
-                    Found(int(i), name, float(rows[i, k]), ".10g"),
+                    f"pose {shown(data.labels[number])} has two {kind}: {name} is ",
+                    Quoted(before, name, float(poses[number, k]), ".10g"),
+                    f" in line {data.lines[before]} and ",
+                    Quoted(int(i), name, float(rows[i, k]), ".10g"),
                     " here",
                 ),
                 "give each pose a unique label",
             )
 
 
-def setting_problems(found: Columns, rows: Array) -> Iterator[Problem]:
+def setting_problems(data: Columns, rows: Array) -> Iterator[Problem]:
     """Yield rows, of all rows (R, K), with a setting that differs from the first row of their pose."""
-    first = np.unique(found.pose, return_index=True)[1]
-    poses = found.set_values[found.pose]
+    first = np.unique(data.pose, return_index=True)[1]
+    poses = data.set_values[data.pose]
     for i, k in np.argwhere((rows != poses) & ~(np.isnan(rows) & np.isnan(poses))):
-        name, number = f"{SET}{found.settings[k]}", found.pose[i]
+        name, number = f"{SET}{data.settings[k]}", data.pose[i]
         before = int(first[number])
         pair = [(before, float(poses[i, k])), (int(i), float(rows[i, k]))]
-        there, here = ("blank" if np.isnan(v) else Found(row, name, v, ".10g") for row, v in pair)
-        what = f"pose {shown(found.labels[number])} has two values: {name} is "
+        there, here = ("blank" if np.isnan(v) else Quoted(row, name, v, ".10g") for row, v in pair)
+        what = f"pose {shown(data.labels[number])} has two values: {name} is "
         yield Problem(
             int(i),
             name,
-            (what, there, f" in line {found.lines[before]} and ", here, " here"),
+            (what, there, f" in line {data.lines[before]} and ", here, " here"),
             "give each load case a unique label",
         )
 
 
-def repetitions(found: Columns) -> Iterator[Problem]:
+def repetitions(data: Columns) -> Iterator[Problem]:
     """Yield repeated rows: one mode must not count as two measurements."""
     compared = [n for q in QUANTITIES.values() for n in (q.value, q.sigma) if n is q.value or n.required]
-    columns = [found.numbers[number.argument] for number in compared]
-    numbers = np.column_stack([found.pose, *columns, found.shapes])
+    columns = [data.numbers[number.argument] for number in compared]
+    numbers = np.column_stack([data.pose, *columns, data.shapes])
     seen: dict[tuple[bytes, str], int] = {}
     for i, row in enumerate(numbers):
-        before = seen.setdefault((row.tobytes(), found.mode[i]), i)
+        before = seen.setdefault((row.tobytes(), data.mode[i]), i)
         if before != i:
             yield Problem(
                 i,
                 "frequency",
-                f"the row repeats line {found.lines[before]}",
+                f"the row repeats line {data.lines[before]}",
                 "remove one, or number them in the column mode where two modes coincide",
             )

@@ -20,11 +20,11 @@ from pkmodes.measured.rules import (
     SET,
     SHAPE,
     BrokenRuleError,
-    Found,
     Problem,
+    Quoted,
     checked_band,
+    message,
     refuse,
-    told,
 )
 from pkmodes.robot.units import QuantityError
 
@@ -63,11 +63,11 @@ def read_lines(text: str, source: str) -> Lines:
                 raise MeasurementError(
                     f'expected a colon after "band", found {shown(line)}', where, BAND_HELP
                 )
-            found = parse_band(match[2], where)
-            if band not in (None, found):
+            limits = parse_band(match[2], where)
+            if band not in (None, limits):
                 what = f"this band differs from that in line {stated}"
                 raise MeasurementError(what, where, "remove one of them")
-            band, stated = found, number
+            band, stated = limits, number
         elif not records and SEPARATOR.fullmatch(line) is not None:
             what = f"expected the names of the columns, found {shown(line)}, a line for spreadsheet programs"
             raise MeasurementError(what, where, "remove this line")
@@ -99,7 +99,6 @@ def parse_band(text: str, where: str, remedy: str = BAND_HELP) -> tuple[float, f
 
     Parameters
     ----------
-    text : str
     where, remedy : str
         Place and remedy, for messages.
 
@@ -140,8 +139,6 @@ def read_table(
 
     Parameters
     ----------
-    columns : sequence of Column
-    lines : Lines
     source : str
         The file.
     components : mapping of str to str
@@ -190,18 +187,18 @@ def read_table(
     try:
         return _measurements(texts, numbers, lines, source, units["frequency"], components)
     except BrokenRuleError as error:
-        what = told(error.problem, lambda found: _as_written(found, columns, records))
+        what = message(error.problem, lambda quoted: _as_written(quoted, columns, records))
         raise MeasurementError(what, error.where, error.remedy) from None
 
 
-def _as_written(found: Found, columns: Sequence[Column], records: Sequence[tuple[int, str]]) -> str:
+def _as_written(quoted: Quoted, columns: Sequence[Column], records: Sequence[tuple[int, str]]) -> str:
     """Format a number as in its cell, with the header's unit; also in SI units if that is another unit."""
-    number = format(found.value, found.digits)
-    place = [column.name for column in columns].index(found.column)
+    number = format(quoted.value, quoted.digits)
+    place = [column.name for column in columns].index(quoted.column)
     column = columns[place]
     if column.factor is None:
         return number
-    cell = cells_of(records[found.row][1], "")[place]
+    cell = cells_of(records[quoted.row][1], "")[place]
     if column.si == column.unit:
         return f"{cell} {column.unit}"
     return f"{cell} {column.unit} ({f'{number} {column.si}'.strip()})"

@@ -15,11 +15,11 @@ from pkmodes.updating import frame
 from pkmodes.updating.measured_robot import robot_of
 
 
-def corrections(robot: Robot, found: Diagnosis) -> Mapping[str, Correction]:
+def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
     """Return the changes of the robot file after a diagnosis: refitted values, causes, and their uncertainty."""
-    causes = {v.name for finding in found.effects for v in finding.parameters}
+    causes = {v.name for finding in diagnosis.effects for v in finding.parameters}
     changes = {}
-    for value in found.corrected:
+    for value in diagnosis.corrected:
         if value.name.startswith(frame.OF_MEASUREMENT):
             continue  # it concerns the measurements, not the robot
         note = "found by pkmodes diagnose" if value.name in causes else "refitted by pkmodes diagnose"
@@ -30,7 +30,7 @@ def corrections(robot: Robot, found: Diagnosis) -> Mapping[str, Correction]:
     return changes
 
 
-def corrected_robot(robot: Robot | Model, found: Diagnosis) -> str:
+def corrected_robot(robot: Robot | Model, diagnosis: Diagnosis) -> str:
     """Return the text of the corrected robot file; comments and order of the original are kept.
 
     If a class has several causes, the first one, which names it, is written.
@@ -39,7 +39,7 @@ def corrected_robot(robot: Robot | Model, found: Diagnosis) -> str:
     ----------
     robot : Robot or Model
         The diagnosed robot, read from a file.
-    found : Diagnosis
+    diagnosis : Diagnosis
         From `diagnose`.
 
     Raises
@@ -47,8 +47,8 @@ def corrected_robot(robot: Robot | Model, found: Diagnosis) -> str:
     PkmodesError
         If there is nothing to correct, or the robot was not read from a file.
     """
-    robot = _correctable(robot, found, "corrected_robot")
-    return corrected_text(Path(robot.source), corrections(robot, found))
+    robot = _correctable(robot, diagnosis, "corrected_robot")
+    return corrected_text(Path(robot.source), corrections(robot, diagnosis))
 
 
 def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> None:
@@ -72,12 +72,12 @@ def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> No
     save_corrected(Path(robot.source), Path(target), corrections(robot, found))
 
 
-def _correctable(given: Robot | Model, found: Diagnosis, where: str) -> Robot:
+def _correctable(given: Robot | Model, diagnosis: Diagnosis, where: str) -> Robot:
     """Return a robot whose file a diagnosis corrects."""
     robot = robot_of(given)
-    if not found.effects and found.verdict != "adequate":
+    if not diagnosis.effects and diagnosis.verdict != "adequate":
         raise PkmodesError(
-            f"there is no corrected robot to save: the verdict is {found.verdict}",
+            f"there is no corrected robot to save: the verdict is {diagnosis.verdict}",
             where,
             "leave out --save-robot, or measure more",
         )

@@ -8,12 +8,13 @@ from os import PathLike
 
 from pkmodes.base.errors import MeasurementError, PkmodesError, nearest, shown
 from pkmodes.diagnosis.arguments import check_measurements
+from pkmodes.measured.header import in_words
 from pkmodes.measured.measurements import Measurements
 from pkmodes.model.model import Model
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.candidates import suspects
 from pkmodes.updating.load_cases import LoadCases, load_cases
-from pkmodes.updating.poses import check_reachable, listed
+from pkmodes.updating.poses import check_reachable
 from pkmodes.updating.priors import with_priors
 from pkmodes.updating.robot_structure import RobotStructure, channels
 
@@ -49,7 +50,7 @@ class MeasuredRobot:
         check_measurements(data, "pkmodes.updating.read(path)")
         names = tuple(component.name for component in robot.mechanism.pose)
         if data.components != names:
-            what = f"expected poses with {listed(names)}, found {listed(data.components)}"
+            what = f"expected poses with {in_words(names)}, found {in_words(data.components)}"
             raise MeasurementError(what, data.source, f"give the pose components of {robot.source}")
         known = channels(robot.mechanism)
         for name in data.channels:

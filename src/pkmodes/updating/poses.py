@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import MeasurementError, PoseError, shown
+from pkmodes.measured.header import in_words
 from pkmodes.measured.measurements import Measurements
 from pkmodes.mechanism.poses import LARGE, check_poses, placed
 from pkmodes.robot.robot import Robot
@@ -31,7 +32,7 @@ def check_reachable(robot: Robot, data: Measurements, loads: LoadCases) -> None:
         valid[rows] = _reached(case.robot, data.points[rows])
     if valid.all():
         return
-    mechanism, columns = robot.mechanism, f"columns {listed(data.components)}"
+    mechanism, columns = robot.mechanism, f"columns {in_words(data.components)}"
     first = int(np.argmin(valid))
     line = data.lines[int(np.argmax(data.pose == first))]
     where = f"{data.source}: line {line}, {columns}"
@@ -69,8 +70,3 @@ def _refuse_another_unit(robot: Robot, data: Measurements, where: str) -> None:
 
 def _reached(robot: Robot, points: NDArray[np.float64]) -> NDArray[np.bool_]:
     return check_poses(points, robot.mechanism, robot.parameters, "nan").valid
-
-
-def listed(names: tuple[str, ...]) -> str:
-    """Join names as in a sentence: x, y and z."""
-    return " and ".join([", ".join(names[:-1]), *names[-1:]]) if len(names) > 1 else "".join(names)
