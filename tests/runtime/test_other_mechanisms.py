@@ -24,7 +24,7 @@ from pkmodes.robot.paths import moved, paths, resolve
 from pkmodes.robot.reading import read_robot, robot_from_document
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.saving import Correction, corrected_text
-from pkmodes.updating.suspects import suspects
+from pkmodes.updating.candidates import suspects
 
 
 @pytest.fixture(autouse=True, scope="module")
