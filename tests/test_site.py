@@ -175,7 +175,7 @@ def test_a_long_formula_is_broken_between_its_terms(address: str) -> None:
 def test_the_search_finds_a_word_without_a_network(address: str, site: Path, from_files: bool) -> None:
     start = f"{site.as_uri()}/" if from_files else f"{address}/"
     with opened(urljoin(start, "search.html?q=wind-up")) as found:
-        found.page.wait_for_selector("ul.search li a", timeout=10_000)
+        found.page.wait_for_selector("ul.search li a")
         results = found.page.eval_on_selector_all("ul.search li a", "links => links.map(l => l.href)")
     assert any("robot-file" in result or "model" in result for result in results)
     assert all(request.startswith((start, "data:")) for request in found.requests)

@@ -28,6 +28,8 @@ from pkmodes.updating import frame
 from pkmodes.updating.poses import check_measured
 from pkmodes.updating.structure import RobotStructure, channels
 
+pytestmark = pytest.mark.usefixtures("backend")
+
 KIND = known._read("planar_pair")
 SAMPLE = sample(KIND)
 POSES = np.array([[0.1, 0.05], [0.25, -0.02], [0.0, 0.2]])

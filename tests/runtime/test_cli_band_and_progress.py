@@ -15,6 +15,8 @@ from pkmodes import updating
 from pkmodes.base.errors import MeasurementError, PkmodesError
 from pkmodes.cli import run
 
+pytestmark = pytest.mark.usefixtures("backend")
+
 LOOP = Path(__file__).resolve().parents[2] / "examples" / "closed_loop"
 FILES = [str(LOOP / "robot.toml"), str(LOOP / "measured.csv")]
 
