@@ -26,6 +26,7 @@ from pkmodes.diagnosis.fit.solver import bounded_least_squares
 from pkmodes.diagnosis.match.pairing import Pairer, Pairing
 from pkmodes.diagnosis.problem import Array, Candidate, Parameter, Structure, reached_bounds
 from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.quantities import FREQUENCY
 
 
 class Fitter:
@@ -63,7 +64,7 @@ class Fitter:
         self.upper = np.array([p.upper for p in self.parameters])
         self.nuisances = tuple(i for i, p in enumerate(self.parameters) if p.sigma)
         self.priors = Priors(self.parameters, structure.candidates, widened)
-        self.log = np.log(data.frequency)
+        self.log = FREQUENCY.transformed(data)
         reference = structure.predict(self.declared, ())
         self.pairer = Pairer(data, structure.channels, reference, self.criteria)
         self.shapes = self.shape_rows_of(data)

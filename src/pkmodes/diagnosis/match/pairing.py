@@ -20,6 +20,7 @@ from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.problem import Array, Index, Prediction
 from pkmodes.linalg.mac import channel_motion, mac, subspace_mac, weighted
 from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.quantities import FREQUENCY
 
 
 @dataclass(frozen=True)
@@ -79,7 +80,7 @@ class Pairer:
         criteria: Criteria | None = None,
     ) -> None:
         self._criteria = criteria or Criteria()
-        self._shape, self._log, self.pose = data.shapes, np.log(data.frequency), data.pose
+        self._shape, self._log, self.pose = data.shapes, FREQUENCY.transformed(data), data.pose
         self.columns = _columns(data, channels)
         setups = len(data.labels)
         self.moves = np.zeros((setups, len(self.columns)))
@@ -155,7 +156,8 @@ class Pairer:
         """Return measured minus model in ln f, (R,); an unmatched mode counts as the reach of the pairing."""
         reach = self._criteria.reach
         logs = prediction.log_frequencies[self.pose, np.maximum(pairing.partner, 0)]
-        return np.asarray(np.where(pairing.partner >= 0, np.clip(self._log - logs, -reach, reach), reach))
+        apart = np.clip(FREQUENCY.residual(self._log, logs), -reach, reach)
+        return np.asarray(np.where(pairing.partner >= 0, apart, reach))
 
     def _shapes(self, prediction: Prediction) -> _Shapes:
         """Return the shapes of the rows and modes of each setup, in units of each channel's motion."""
@@ -220,7 +222,7 @@ def neighbours(data: Measurements, criteria: Criteria) -> Index:
     ndarray of int, shape (R, g)
         The row itself first, then the others, padded with -1.
     """
-    log, sigma = np.log(data.frequency), data.sigma / data.frequency
+    log, sigma = FREQUENCY.transformed(data), FREQUENCY.transformed_sigma(data)
 
     def near(a: Index | int, b: Index) -> NDArray[np.bool_]:
         errors = criteria.mixed_sigmas * np.hypot(sigma[a], sigma[b])

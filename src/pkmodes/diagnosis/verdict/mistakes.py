@@ -36,7 +36,8 @@ class Reading:
     def of(self, data: Measurements) -> Measurements:
         """Return the measurements with this reading."""
         frequency = self.factor / data.frequency if self.inverse else self.factor * data.frequency
-        return replace(data, frequency=frequency, sigma=frequency * (data.sigma / data.frequency), band=None)
+        sigma = frequency * (data.sigma / data.frequency)
+        return replace(data, numbers={**data.numbers, "frequency": frequency, "sigma": sigma}, band=None)
 
 
 def readings(unit: str) -> list[Reading]:

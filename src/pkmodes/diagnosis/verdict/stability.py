@@ -142,7 +142,7 @@ def _with(fitter: Fitter, errors: float, priors: float) -> Fitter:
     if errors != 1.0:
         data = replace(
             data,
-            sigma=data.sigma * errors,
+            numbers={**data.numbers, "sigma": data.sigma * errors},
             shape_sigma=data.shape_sigma * errors,
             point_sigma=data.point_sigma * errors,
         )
