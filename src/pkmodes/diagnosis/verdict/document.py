@@ -10,7 +10,6 @@ from pkmodes.base.documents import Document, Number, Probability, Size
 from pkmodes.diagnosis.verdict.verdicts import Word
 
 
-
 class SizeDocument(Document):
     """The smallest detectable change of a parameter."""
 
