@@ -79,7 +79,7 @@ class Refitted:
 
 @dataclass(frozen=True)
 class Finding:
-    """One cause that was effect.
+    """One cause that was found.
 
     Attributes
     ----------
@@ -121,8 +121,8 @@ class Error:
 
 
 @dataclass(frozen=True)
-class Row:
-    """One measured mode and its predictions; None if the model has no partner for it.
+class MeasuredMode:
+    """One measured mode.
 
     Attributes
     ----------
@@ -130,6 +130,21 @@ class Row:
         Pose, line in the file, and label.
     measured, sigma : float
         Frequency and its standard deviation [Hz].
+    """
+
+    pose: str
+    line: int
+    mode: str
+    measured: float
+    sigma: float
+
+
+@dataclass(frozen=True)
+class Row(MeasuredMode):
+    """One measured mode and its predictions; None if the model has no partner for it.
+
+    Attributes
+    ----------
     before, refit, after : float or None
         Predicted frequency of the model as declared, with nuisances refitted, and with the causes [Hz].
     mac : float or None
@@ -138,11 +153,6 @@ class Row:
         Values set at its pose, by name.
     """
 
-    pose: str
-    line: int
-    mode: str
-    measured: float
-    sigma: float
     before: float | None
     refit: float | None
     after: float | None
@@ -215,7 +225,7 @@ class Diagnosis:
     refitted : tuple of Refitted
     before, refit, after : Error
         Stages.  The refit includes outliers and a shared error if these explain the residual; it is None if there
-        are too few data.  after is None unless a cause was effect.
+        are too few data.  after is None unless a cause was found.
     held_out_poses, undetectable : tuple of str
     next_measurement : NextMeasurement or None
     candidates : tuple of Examined
