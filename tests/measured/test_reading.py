@@ -45,6 +45,8 @@ def test_optional_columns_may_be_absent_and_columns_are_in_any_order(tmp_path: P
     plain = read(tmp_path, f"{HEADER}\n{ROW}\n")
     for one, other in zip(vars(found).values(), vars(plain).values(), strict=True):
         np.testing.assert_array_equal(one, other)
+    for one, other in zip(found.numbers.values(), plain.numbers.values(), strict=True):
+        np.testing.assert_array_equal(one, other)
     assert found.channels == ()
     assert found.shapes.shape == (1, 0)
     assert found.point_sigma.tolist() == [[0.0, 0.0, 0.0]]

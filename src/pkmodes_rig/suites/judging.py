@@ -11,9 +11,9 @@ from typing import Any
 
 import numpy as np
 
+from pkmodes import updating
 from pkmodes.diagnosis import diagnose
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.updating import loop
 from pkmodes_rig import Laboratory, read
 from pkmodes_rig.suites.buildings import Building
 from pkmodes_rig.suites.cases import Case, Trial, tried
@@ -147,7 +147,7 @@ def diagnosed(case: Case, text: str) -> Diagnosis:
     """Diagnose a specimen from the text of a file, as a user would."""
     if isinstance(case.truth, Building):
         return diagnose(case.truth.structure(), measurements(text, case.truth.channels))
-    return loop.diagnose(read(case.truth.robot), measurements(text))
+    return updating.diagnose(read(case.truth.robot), measurements(text))
 
 
 def judged(names: tuple[str, ...], diagnosis: Diagnosis, same: Mapping[str, tuple[str, ...]] = SAME) -> str:

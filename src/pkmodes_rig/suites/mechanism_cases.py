@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from pkmodes import updating
 from pkmodes.diagnosis.diagnose import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
@@ -25,7 +26,7 @@ from pkmodes.measured.measurements import Measurements
 from pkmodes.robot.paths import moved, resolve
 from pkmodes.robot.reading import read_robot
 from pkmodes.robot.robot import Robot
-from pkmodes.updating import loop
+from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes_rig import Identified, TrueModes, corexy, exact, identified, rotary_delta, written
 from pkmodes_rig.suites.judging import judged
 from pkmodes_rig.suites.strengths import NO_WEIGHT
@@ -177,7 +178,7 @@ def run(case: MechanismCase) -> MechanismOutcome:
     kind, robot = KINDS[case.specimen.mechanism], robot_of(case.specimen.mechanism)
     rows, text = measured(case)
     start = time.perf_counter()
-    diagnosis = loop.diagnose(robot, _read(text, robot))
+    diagnosis = updating.diagnose(robot, _read(text, robot))
     seconds = time.perf_counter() - start
     specimen = case.specimen
     lacking = specimen.effects or specimen.values or specimen.outside
@@ -243,7 +244,7 @@ def signal(
     text = written(exact(rows, modes, kind.shapes), list(points), kind.shapes, components=kind.components)
     data = _read(text, robot)
     fitted, _ = split(data, holdout)
-    structure = loop.structure(robot, data, candidates=()).subset(fitted)
+    structure = MeasuredRobot.of(robot, data).structure(candidates=()).subset(fitted)
     fitter = Fitter(structure, data.at(fitted), scatter=NO_WEIGHT)
     fit = fitter.fit(Hypothesis(()), fitter.declared.copy())
     if fit is None:
@@ -268,7 +269,7 @@ def _read(text: str, robot: Robot) -> Measurements:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "modes.csv"
         path.write_text(text, encoding="utf-8")
-        return loop.read(path, robot=robot)
+        return updating.read(path, robot=robot)
 
 
 def _values(case: MechanismCase, diagnosis: Diagnosis) -> list[Any]:

@@ -24,7 +24,7 @@ from pprint import pformat
 
 from pkmodes.mechanism.registry import mechanism
 from pkmodes.robot.paths import resolve
-from pkmodes.updating.suspects import PREFIX
+from pkmodes.updating.candidates import PREFIX
 from pkmodes_rig.suites.mechanism_cases import (
     KINDS,
     MechanismCase,

@@ -30,8 +30,8 @@ from pkmodes.measured.reading import read_measurements
 from pkmodes.mechanism.registry import mechanism
 from pkmodes.robot.paths import moved, resolve
 from pkmodes.robot.robot import Robot
-from pkmodes.updating import loop
-from pkmodes.updating.structure import channels as channels_of
+from pkmodes.updating.measured_robot import MeasuredRobot
+from pkmodes.updating.robot_structure import channels as channels_of
 from pkmodes_rig import (
     BASE_RIGID,
     POSES,
@@ -157,7 +157,7 @@ def signal(
         text = written(exact(rows, modes, SHAPES), points, SHAPES)
     data = measurements(text)
     fitted, _ = split(data, holdout)
-    structure = loop.structure(robot, data).subset(fitted)
+    structure = MeasuredRobot.of(robot, data).structure().subset(fitted)
     # Shapes serve only to pair the modes; the signal is computed from the frequencies.
     fitter = Fitter(structure, data.at(fitted), scatter=NO_WEIGHT)
     causes = tuple(candidate for candidate in structure.candidates if candidate.name == beside)

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any
 
-from pkmodes.updating.suspects import PREFIX
+from pkmodes.updating.candidates import PREFIX
 from pkmodes_rig.suites import hard_suites
 from pkmodes_rig.suites.cases import ROBOT_NAMES, Case, measured
 from pkmodes_rig.suites.judging import Outcome, failed, judged, run
