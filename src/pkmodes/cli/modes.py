@@ -10,10 +10,11 @@ import numpy as np
 
 from pkmodes.cli.output import check_target, deliver, json_option, mechanism_option, to_file, write_json
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
+from pkmodes.dataset.fields import FIELDS, INDEPENDENT, Field
 from pkmodes.mechanism.poses import placed
 from pkmodes.model.loading import load
 from pkmodes.model.model import Model
-from pkmodes.solve.results import CARRIAGES, Modes, Statics
+from pkmodes.solve.results import Modes, Statics
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245")
@@ -42,25 +43,26 @@ def modes(robot: Path, pose: str, json_file: str | None) -> None:
 
 def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:
     """Return the result of one pose with the documented JSON keys."""
-    found = {
+    fields = [FIELDS[name] for name in Modes.fields_of(model.mechanism) if FIELDS[name].key]
+    values = {field.key: _in_json(field, result, model) for field in fields}
+    return {
         "robot": model.robot.name,
         "pose": result.poses.tolist(),
         "coordinates": list(result.coordinates),
-        "frequencies_hz": result.frequencies.tolist(),
-        "shapes": result.shapes.tolist(),
-        "platform_shapes": result.platform_shapes.tolist(),
-        "joint_positions": dict(
-            zip(model.mechanism.independent, result.joint_positions.tolist(), strict=True)
-        ),
-        "mass_matrix": result.mass_matrix.tolist(),
-        "stiffness_matrix": result.stiffness_matrix.tolist(),
+        **{field.key: values[field.key] for field in fields if not field.same_as},
         "static_torques": statics.torques.tolist(),
         "rigid_modes": result.rigid_modes,
         "backend": result.backend,
+        **{field.key: values[field.key] for field in fields if field.same_as},
     }
-    if CARRIAGES in Modes.fields_of(model.mechanism):
-        found[CARRIAGES] = result.carriage_positions.tolist()
-    return found
+
+
+def _in_json(field: Field, result: Modes, model: Model) -> Any:
+    """Return the value of a field: by name along the independent coordinates, except under another name of these."""
+    value = getattr(result, field.name).tolist()
+    if field.dims == (INDEPENDENT,) and not field.same_as:
+        return dict(zip(model.mechanism.independent, value, strict=True))
+    return value
 
 
 def _print(model: Model, result: Modes, statics: Statics) -> None:

@@ -85,7 +85,7 @@ def volume_of(model: Model, plane: Plane) -> Volume | None:
     """
     if plane.normal is None:
         return None
-    low, high = box_of(model)
+    low, high = box_of(model.kinematics)
     names = [component.name for component in model.mechanism.pose]
     counts = {plane.normal: HEIGHTS, plane.along: FINE, plane.across: FINE}
     axes = {}

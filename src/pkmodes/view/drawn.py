@@ -12,7 +12,7 @@ from pkmodes.base.errors import PkmodesError
 from pkmodes.mechanism.description import Drawing, Named
 from pkmodes.mechanism.generated import Generated
 from pkmodes.robot.robot import Robot
-from pkmodes.system.evaluation import SystemOfEffects
+from pkmodes.system.evaluation import ExtendedSystem
 
 Array = NDArray[np.float64]
 #: Below this sine of the angle to the vertical, a direction is vertical, and upright means outwards.
@@ -58,7 +58,7 @@ class Drawn:
                 what, robot.source, "generate it again: pkmodes generate --mechanism FILE.py ..."
             )
         self.drawing: Drawing = mechanism.drawing
-        self._mechanism, self._system = mechanism, SystemOfEffects.of(robot)
+        self._mechanism, self._system = mechanism, ExtendedSystem.of(robot)
         self.coordinates = self._system.coordinates
         self._generated = Generated(mechanism.drawn, robot.parameters, self._system.effects)
         self.vertical = _against(np.asarray(getattr(robot.parameters, "gravity", np.zeros(3)), dtype=float))
