@@ -15,8 +15,9 @@ import pytest
 from helpers.diagnoses.diagnose_command import unwritable
 from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes import read_robot, updating
-from pkmodes.cli import run, verdicts
+from pkmodes.cli import run
 from pkmodes.diagnosis import Diagnosis
+from pkmodes.diagnosis.verdict import verdicts
 
 ROOT = Path(__file__).parents[2]
 ROBOT = ROOT / "examples" / "closed_loop" / "robot.toml"
@@ -125,7 +126,7 @@ def test_what_cannot_be_saved_does_not_take_the_answer_along(
 
 
 def test_the_verdicts_are_those_of_the_engine() -> None:
-    assert verdicts.VERDICTS == VERDICTS
+    assert tuple(verdicts.VERDICTS) == VERDICTS
 
 
 @pytest.mark.parametrize("verdict", VERDICTS)

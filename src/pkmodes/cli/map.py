@@ -163,7 +163,7 @@ def _places(model: Model, grid: str | None, poses: Path | None) -> Any:
 
         return parse_grid(grid, model.mechanism, "--grid")
     if poses is not None:
-        from pkmodes.maps.listed import read_poses
+        from pkmodes.maps.pose_file import read_poses
 
         return read_poses(poses, model.mechanism)
     return None

@@ -10,12 +10,7 @@ from pkmodes.measured.measurements import Measurements
 
 
 def check_arguments(structure: Structure, data: Measurements) -> None:
-    """Refuse an invalid structure, measurements, unnamed setups, and invalid priors.
-
-    Raises
-    ------
-    PkmodesError
-    """
+    """Refuse an invalid structure, measurements, unnamed setups, and invalid priors."""
     if not callable(getattr(structure, "predict", None)) or not hasattr(structure, "candidates"):
         remedy = "give a structure, such as a MatrixStructure; for a robot, use pkmodes.updating"
         raise PkmodesError(f"expected a structure, found {shown(structure)}", "structure", remedy)
@@ -39,13 +34,8 @@ def check_measurements(data: object, reader: str) -> None:
 
     Parameters
     ----------
-    data : object
     reader : str
         Call that reads measurements, for the message.
-
-    Raises
-    ------
-    PkmodesError
     """
     if not isinstance(data, Measurements):
         what = f"expected measurements, found {shown(data)}"
@@ -62,8 +52,8 @@ def _check_prior(name: str, sigma: object, count: int) -> None:
         return
     where = f"candidate {shown(name)}: sigma"
     if not isinstance(sigma, list | tuple | np.ndarray) or len(sigma) != count:
-        found = f"{len(sigma)}" if isinstance(sigma, list | tuple | np.ndarray) else shown(sigma)
-        what = f"expected a tuple of {count} standard deviation{'s' if count > 1 else ''}, found {found}"
+        given = f"{len(sigma)}" if isinstance(sigma, list | tuple | np.ndarray) else shown(sigma)
+        what = f"expected a tuple of {count} standard deviation{'s' if count > 1 else ''}, found {given}"
         number = isinstance(sigma, int | float) and count == 1
         raise PkmodesError(
             what, where, f"write ({sigma},)" if number else "give one for each of its parameters"

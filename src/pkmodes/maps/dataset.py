@@ -13,7 +13,7 @@ from pkmodes.dataset.fields import INDEPENDENT, of_maps
 from pkmodes.dataset.variables import LIST, variables
 from pkmodes.maps.fields import fields_of
 from pkmodes.maps.layout import Layout
-from pkmodes.maps.places import Grid, Places
+from pkmodes.maps.poses import Grid, Places
 from pkmodes.maps.tracking import Tracked
 from pkmodes.maps.variants import SAMPLE, Variants
 from pkmodes.mechanism.poses import codes_of

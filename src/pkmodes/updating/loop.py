@@ -14,6 +14,7 @@ from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.update import Update
 from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
 from pkmodes.mechanism.registry import Mechanism, mechanism, names
@@ -239,8 +240,6 @@ def corrected_robot(robot: Robot | Model, found: Diagnosis) -> str:
         The diagnosed robot, read from a file.
     found : Diagnosis
         From `diagnose`.
-    target : path-like
-        The file to write.
 
     Raises
     ------
@@ -275,7 +274,7 @@ def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> No
 def _correctable(given: Robot | Model, found: Diagnosis, where: str) -> Robot:
     """Return a robot whose file a diagnosis corrects."""
     robot = _robot(given)
-    if not found.effects and found.verdict != "adequate":
+    if not VERDICTS[found.verdict].settled:
         raise PkmodesError(
             f"there is no corrected robot to save: the verdict is {found.verdict}",
             where,

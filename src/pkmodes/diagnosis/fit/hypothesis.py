@@ -33,6 +33,10 @@ class Hypothesis:
         """Return the hypothesis with an additional cause."""
         return replace(self, causes=(*self.causes, cause))
 
+    def without(self, place: int) -> Hypothesis:
+        """Return the hypothesis without one of its causes."""
+        return replace(self, causes=(*self.causes[:place], *self.causes[place + 1 :]))
+
 
 @dataclass(frozen=True)
 class Fit:
@@ -42,7 +46,6 @@ class Fit:
 
     Attributes
     ----------
-    hypothesis : Hypothesis
     values : ndarray, shape (number of parameters,)
         All parameters of the structure.
     free : tuple of int
@@ -55,8 +58,6 @@ class Fit:
         chi2 plus the log determinant of V: twice the negative log likelihood.
     scatter : float
         Standard deviation of the error shared in a setup, tau.
-    prediction : Prediction
-    pairing : Pairing
     residual : ndarray, shape (R + R C,)
         Measured minus model: ln f, clipped if unmatched, and shapes; 0 if excluded.
     white, jacobian : ndarray, shape (R + R C + priors,) and (R + R C + priors, k)
@@ -95,8 +96,8 @@ class Fit:
     @cached_property
     def leverage(self) -> Array:
         """Diagonal of the projection onto that space: the leverage of each datum."""
-        found: Array = (self.basis**2).sum(axis=1)
-        return found
+        diagonal: Array = (self.basis**2).sum(axis=1)
+        return diagonal
 
 
 def orthonormal(columns: Array) -> Array:

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Literal
 
 from pkmodes.diagnosis.match.predicted import Predicted
-
-Verdict = Literal["adequate", "effect_found", "ambiguous", "unexplained", "insufficient_data"]
+from pkmodes.diagnosis.verdict.verdicts import Word
 
 
 @dataclass(frozen=True)
@@ -27,7 +25,6 @@ class Corrected(Value):
 
     Attributes
     ----------
-    declared : float
     prior_sigma : float or None
         Standard deviation of its declared value; None if it has none.
     at_bound : bool
@@ -67,7 +64,7 @@ class Refitted:
 
 @dataclass(frozen=True)
 class Finding:
-    """One cause that was found.
+    """One cause that was effect.
 
     Attributes
     ----------
@@ -75,7 +72,6 @@ class Finding:
         Best candidate of its class.
     members : tuple of str
         The class: all candidates that these data cannot tell apart from it, and itself.
-    parameters : tuple of Value
     alternatives : dict
         For each member, its parameters if it were the cause.
     p_value : float
@@ -123,7 +119,6 @@ class Row:
         Predicted frequency of the model as declared, with nuisances refitted, and with the causes [Hz].
     mac : float or None
         MAC at the last stage, if a shape was measured.
-    held_out, outlier : bool
     load : mapping of str to float
         Values set at its pose, by name.
     """
@@ -148,7 +143,6 @@ class Examined:
 
     Attributes
     ----------
-    name : str
     p_value : float
         p-value of its score at the refit of the nuisances, for this candidate alone.
     visible_from : tuple of Value
@@ -181,13 +175,12 @@ class Stability:
     ----------
     change : str
         ``"sigma x 0.5"``, ``"sigma x 2"`` or ``"priors x 2"``.
-    verdict : str
     effects : tuple of str
         Names of the causes that are best with this change.
     """
 
     change: str
-    verdict: Verdict
+    verdict: Word
     effects: tuple[str, ...]
 
 
@@ -207,7 +200,7 @@ class Diagnosis:
     refitted : tuple of Refitted
     before, refit, after : Error
         Stages.  The refit includes outliers and a shared error if these explain the residual; it is None if there
-        are too few data.  after is None unless a cause was found.
+        are too few data.  after is None unless a cause was effect.
     held_out_poses, undetectable : tuple of str
     next_measurement : NextMeasurement or None
     candidates : tuple of Examined
@@ -225,7 +218,7 @@ class Diagnosis:
         Partners, differences and MAC of all measured modes, for figures; not part of the JSON.
     """
 
-    verdict: Verdict
+    verdict: Word
     reason: str
     effects: tuple[Finding, ...]
     survivors: tuple[tuple[str, ...], ...]
@@ -247,14 +240,14 @@ class Diagnosis:
 
     def __str__(self) -> str:
         lines = [f"{self.verdict}: {self.reason}"]
-        for found in self.effects:
+        for effect in self.effects:
             values = [
                 f"{v.name} = {v.value:.4g} +- {v.sigma:.2g} {v.unit}".removesuffix(" 1")
-                for v in found.parameters
+                for v in effect.parameters
             ]
-            lines.append(f"cause: {found.name} (p = {found.p_value:.2g}): {', '.join(values)}")
-            if len(found.members) > 1:
-                lines.append(f"  these data cannot tell it from {', '.join(found.members[1:])}")
+            lines.append(f"cause: {effect.name} (p = {effect.p_value:.2g}): {', '.join(values)}")
+            if len(effect.members) > 1:
+                lines.append(f"  these data cannot tell it from {', '.join(effect.members[1:])}")
         lines += [f"remains: {' or '.join(group)}" for group in self.survivors]
         for stage, error in (("before", self.before), ("refit", self.refit), ("after", self.after)):
             if error is not None:
@@ -292,13 +285,13 @@ class Diagnosis:
             "reason": self.reason,
             "effects": [
                 {
-                    "name": found.name,
-                    "class": list(found.members),
-                    "parameters": _values(found.parameters),
-                    "p_value": found.p_value,
-                    "alternatives": {name: _values(v) for name, v in found.alternatives.items()},
+                    "name": effect.name,
+                    "class": list(effect.members),
+                    "parameters": _values(effect.parameters),
+                    "p_value": effect.p_value,
+                    "alternatives": {name: _values(v) for name, v in effect.alternatives.items()},
                 }
-                for found in self.effects
+                for effect in self.effects
             ],
             "survivors": [list(members) for members in self.survivors],
             "refitted": {
