@@ -15,6 +15,7 @@ from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.update import Update
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS
+from pkmodes.linalg.threads import one_blas_thread
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
 from pkmodes.mechanism.registry import Mechanism, mechanism, names
@@ -137,6 +138,7 @@ def compare(robot: Robot | Model, data: Measurements) -> Comparison:
     return diagnosis.compare(structure(robot, data, candidates=()), data)
 
 
+@one_blas_thread()
 def diagnose(
     robot: Robot | Model,
     data: Measurements,
@@ -180,6 +182,7 @@ def diagnose(
     return diagnosis.diagnose(suspected, data, holdout=holdout, progress=progress)
 
 
+@one_blas_thread()
 def update(
     robot: Robot | Model,
     data: Measurements,
