@@ -25,7 +25,7 @@ from helpers.generated.emission import Emission
 from helpers.pages.browser import close_browsers
 from helpers.runs.shared import Shared
 from pkmodes.compiled import build
-from pkmodes.solve.backends import COMPILED, NUMPY, VARIABLE
+from pkmodes.solve.backends import VARIABLE
 
 # A plugin may have loaded NumPy before.
 threadpoolctl.threadpool_limits(1)
@@ -45,7 +45,7 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
         pytest.skip("needs a C compiler: install gcc or clang")
 
 
-@pytest.fixture(scope="module", params=[NUMPY, pytest.param(COMPILED, marks=pytest.mark.compiler)])
+@pytest.fixture(scope="module", params=["numpy", pytest.param("compiled", marks=pytest.mark.compiler)])
 def backend(request: pytest.FixtureRequest) -> Iterator[str]:
     """Each back end in turn, for whatever a test evaluates without asking for one, in other processes too.
 
