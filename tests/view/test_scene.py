@@ -12,7 +12,7 @@ import pkmodes
 from pkmodes.base.errors import PoseError
 from pkmodes.solve.workspace import box_of
 from pkmodes.view import poses_around, scene, typical_pose
-from pkmodes.view.drawn import upright
+from pkmodes.view.robot_drawing import upright
 from pkmodes.view.workspace import workspace
 
 ROBOTS = Path(__file__).parents[2] / "robots"

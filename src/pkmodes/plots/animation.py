@@ -33,7 +33,6 @@ def animation(scene: Scene, mode: int | None = None, amplitude: float = AMPLITUD
 
     Parameters
     ----------
-    scene : pkmodes.view.Scene
     mode : int, optional
         Index among all modes, by default the first vibration mode.
     amplitude : float

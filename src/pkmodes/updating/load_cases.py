@@ -95,7 +95,6 @@ class LoadCases:
 
         Parameters
         ----------
-        cases : sequence of int
         some : ndarray of bool, shape (S,)
             Mask of the setups to include.
 

@@ -44,17 +44,17 @@ def typical_pose(model: Model) -> Array:
     seeds = _seeds(model)
     if not len(seeds):
         raise PoseError("found no pose well inside the workspace", model.robot.source, "give one with --pose")
-    lower = hanging(model, seeds)
+    lower = hanging(model.kinematics, seeds)
     heights = Generated(model.mechanism.model, model.robot.parameters).gravity_potential(lower)
     group = lower[heights <= np.median(heights)]
-    found: Array = group[np.argmin(np.linalg.norm(group - group.mean(axis=0), axis=-1))]
-    low, high = box_of(model, found)
+    central: Array = group[np.argmin(np.linalg.norm(group - group.mean(axis=0), axis=-1))]
+    low, high = box_of(model.kinematics, central)
     digits = int(np.ceil(-np.log10(0.05 * (high - low).max())))
-    for middle in (0.5 * (low + high), found):
+    for middle in (0.5 * (low + high), central):
         rounded = middle.round(digits) + 0.0
         if model.check(rounded).valid:
             return np.asarray(rounded)
-    return found
+    return central
 
 
 def poses_around(model: Model, pose: ArrayLike) -> Scene:
@@ -79,7 +79,7 @@ def poses_around(model: Model, pose: ArrayLike) -> Scene:
     """
     first = np.asarray(pose, dtype=float)
     scene(model, first)  # its errors are those of this pose
-    inside, (low, high) = on_branch(model, first), box_of(model, first)
+    inside, (low, high) = on_branch(model.kinematics, first), box_of(model.kinematics, first)
     count = LEVELS.get(len(first), 3)
     levels = tuple(_levels(*ends, count) for ends in zip(low, high, first, strict=True))
     grid = np.stack(np.meshgrid(*levels, indexing="ij"), axis=-1)
@@ -98,9 +98,9 @@ def _levels(low: float, high: float, value: float, count: int) -> Array:
     """Return evenly spaced values inside a range; the nearest is replaced by the given value."""
     step = (high - low) / (count + 1)
     digits = int(np.ceil(-np.log10(0.02 * step)))
-    found = np.linspace(low + step, high - step, count).round(digits) + 0.0
-    found[np.argmin(np.abs(found - value))] = value
-    return np.unique(found)
+    levels = np.linspace(low + step, high - step, count).round(digits) + 0.0
+    levels[np.argmin(np.abs(levels - value))] = value
+    return np.unique(levels)
 
 
 def _seeds(model: Model) -> Array:

@@ -1,0 +1,149 @@
+"""The file of a map: NetCDF-4, Zarr, or a table in CSV or Parquet; written completely or not at all."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pkmodes.base.arguments import FILE_NAME, alternatives, check_argument
+from pkmodes.base.errors import OutputError, shown
+from pkmodes.base.extras import require
+from pkmodes.dataset.attributes import imported
+from pkmodes.dataset.table import table_of, write_table
+
+if TYPE_CHECKING:
+    import xarray
+
+NETCDF, ZARR, CSV, PARQUET = ".nc", ".zarr", ".csv", ".parquet"
+#: Libraries that write each format.
+LIBRARIES = {
+    NETCDF: ("netCDF4", "dask"),
+    ZARR: ("zarr", "dask"),
+    CSV: ("pandas", "pyarrow"),
+    PARQUET: ("pandas", "pyarrow"),
+}
+FORMATS = tuple(LIBRARIES)
+
+
+@dataclass(frozen=True)
+class MapFile:
+    """The file of a map."""
+
+    path: Path
+
+    @classmethod
+    def checked(cls, out: str | os.PathLike[str], overwrite: bool) -> MapFile:
+        """Check, before anything is computed, that a map can be written there.
+
+        Raises
+        ------
+        OutputError
+            If the format is unknown, the folder does not exist or cannot be written, or the file exists.
+        MissingExtraError
+            If a library that writes it is not installed.
+        """
+        check_argument(out, FILE_NAME, "out", "for example: map.nc", OutputError)
+        path, where = Path(out), shown(str(out))
+        if "\0" in str(out) or path.suffix.lower() not in FORMATS:
+            what = f"expected a name that ends in {alternatives(FORMATS)}, found {where}"
+            raise OutputError(what, "out", "for example: map.nc")
+        path = path.resolve() if path.is_symlink() else path
+        if not path.parent.is_dir():
+            raise OutputError(
+                f"the folder {path.parent} does not exist", where, "create it, or choose another place"
+            )
+        folder = path.suffix.lower() == ZARR
+        if path.exists() and not overwrite:
+            remedy = "choose another name, or replace it with overwrite=True (--overwrite)"
+            raise OutputError("the output exists", where, remedy)
+        if path.exists() and path.is_dir() != folder:
+            existing = "a folder" if path.is_dir() else "a file"
+            raise OutputError(
+                f"expected {'a folder' if folder else 'a file'}, found {existing}",
+                where,
+                "choose another name",
+            )
+        if folder and path.exists() and not any((path / name).exists() for name in (".zgroup", "zarr.json")):
+            raise OutputError(
+                "the folder to replace does not hold a Zarr store", where, "choose another name"
+            )
+        if not os.access(path.parent, os.W_OK):
+            raise OutputError(
+                "cannot write: permission denied", where, "choose another place or make it writable"
+            )
+        require(f"{path.suffix.lower()} files", "map", *LIBRARIES[path.suffix.lower()], "filelock")
+        return cls(path)
+
+    def write(self, dataset: xarray.Dataset, folder: Path) -> None:
+        """Write the dataset into a folder next to the file, then move it to its place.
+
+        Raises
+        ------
+        OutputError
+            If it cannot be written.
+        """
+        suffix = self.path.suffix.lower()
+        new, replaced = folder / f"new{suffix}", folder / f"replaced{suffix}"
+        try:
+            if replaced.exists() and not self.path.exists():  # the run before was ended between two renames
+                replaced.rename(self.path)
+            for left in (new, replaced):  # by an interrupted run
+                _remove(left)
+            if suffix == NETCDF:
+                written, encoding = as_characters(dataset)
+                written.to_netcdf(new, format="NETCDF4", engine="netcdf4", encoding=encoding)
+            elif suffix == ZARR:
+                # Version 2 of the format: version 3 has no standard for text yet.
+                dataset.drop_encoding().to_zarr(new, mode="w", zarr_format=2, consolidated=True)
+            else:
+                write_table(table_of(dataset), new)
+            try:
+                if self.path.is_dir():
+                    self.path.rename(replaced)
+                new.replace(self.path)
+            except BaseException:  # also an interrupt
+                if replaced.exists() and not self.path.exists():
+                    replaced.rename(self.path)
+                raise
+        except (OSError, RuntimeError) as error:  # the NetCDF library raises RuntimeError
+            reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
+            remedy = "make room or choose another place; the same command continues"
+            raise OutputError(f"cannot write: {reason.lower()}", str(self.path), remedy) from None
+
+    @property
+    def is_table(self) -> bool:
+        """Whether the file is a table, which holds less than the dataset."""
+        return self.path.suffix.lower() in (CSV, PARQUET)
+
+    def opened(self) -> xarray.Dataset:
+        """Open a map that was written, without loading its values."""
+        engine = "netcdf4" if self.path.suffix.lower() == NETCDF else "zarr"
+        dataset: xarray.Dataset = imported().open_dataset(self.path, engine=engine)
+        return dataset
+
+
+def as_characters(dataset: xarray.Dataset) -> tuple[xarray.Dataset, dict[str, dict[str, Any]]]:
+    """Return the dataset with its reasons as bytes, and the encoding with which NetCDF holds characters.
+
+    Characters compress well, because nearly all are alike, and xarray encodes text only as a whole.
+    """
+    reason = dataset["reason"]
+    attributes = {**reason.attrs, "_Encoding": "utf-8"}
+    size = np.dtype(f"S{reason.dtype.itemsize // np.dtype('U1').itemsize}")
+    reason = reason.astype(size).assign_attrs(attributes)
+    # Coordinates are complete, and CF forbids a fill value.
+    encoding: dict[str, dict[str, Any]] = {str(name): {"_FillValue": None} for name in dataset.coords}
+    encoding["reason"] = {"dtype": "S1", "zlib": True, "complevel": 1}
+    return dataset.assign(reason=reason), encoding
+
+
+def _remove(path: Path) -> None:
+    if path.is_dir():
+        shutil.rmtree(path)
+    else:
+        path.unlink(missing_ok=True)

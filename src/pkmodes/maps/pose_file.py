@@ -1,0 +1,90 @@
+"""Read a list of poses from a CSV file."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from os import PathLike, fspath
+from pathlib import Path
+
+import numpy as np
+
+from pkmodes.base.errors import MeasurementError, shown
+from pkmodes.maps.poses import Poses
+from pkmodes.measured.csv_format import read_text
+from pkmodes.measured.header import column_of
+from pkmodes.measured.table import cells_of, number_in, read_lines
+from pkmodes.mechanism.registry import Mechanism
+
+LABEL = "pose"
+
+
+def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
+    """Read poses: one row each.
+
+    Parameters
+    ----------
+    path : path-like
+        CSV with the components of the pose as columns, in SI units or with a unit in the header (``x [mm]``), and
+        optionally their labels in a column ``pose``.  Other columns are ignored, load cases included, and so are
+        repeated rows: a file of measurements is also a list of poses.
+
+    Returns
+    -------
+    Poses
+        In the order of the file.
+
+    Raises
+    ------
+    MeasurementError
+        If the file cannot be read or is invalid, with line and column.
+    """
+    source = fspath(path)
+    units = {component.name: component.unit for component in mechanism.pose}
+    remedy = f"start with the columns {','.join(units)}"
+    lines = read_lines(read_text(Path(path), source, "the poses", "give a CSV file of poses"), source)
+    if not lines.records:
+        raise MeasurementError("expected a header and rows, found none", source, remedy)
+    (number, header), records = lines.records[0], lines.records[1:]
+    where = f"{source}: line {number}"
+    columns = [
+        column_of(cell, f"{where}, column {i + 1}", units) for i, cell in enumerate(cells_of(header, where))
+    ]
+    places = {}
+    for name in units:
+        matching = [i for i, (known, _) in enumerate(columns) if known == name]
+        if len(matching) != 1:
+            what = f'expected one column "{name}", found {len(matching) or "none"}'
+            raise MeasurementError(what, where, remedy)
+        places[name] = matching[0]
+    names = [name for name, _ in columns]
+    labelled = names.count(LABEL) == 1
+    table: dict[tuple[str, ...], tuple[float, ...]] = {}
+    at_label: dict[str, tuple[float, ...]] = {}
+    for number, line in records:
+        cells = cells_of(line, f"{source}: line {number}")
+        if len(cells) != len(columns):
+            what = f"expected {len(columns)} cells, found {len(cells)}"
+            raise MeasurementError(
+                what, f"{source}: line {number}", "give each row as many cells as the header"
+            )
+        point = tuple(
+            _value(cells[i], columns[i][1], f"{source}: line {number}, column {name}")
+            for name, i in places.items()
+        )
+        label = cells[names.index(LABEL)] if labelled else ""
+        table[(label, *map(repr, point))] = point
+        if labelled and at_label.setdefault(label, point) != point:
+            what = f"the label {shown(label)} has two positions"
+            raise MeasurementError(what, f"{source}: line {number}", "give each pose a label of its own")
+    if not table:
+        raise MeasurementError("expected a row for each pose, found only a header", source, "add the rows")
+    labels = tuple(key[0] for key in table) if labelled else None
+    return Poses(np.array(list(table.values())), tuple(units), labels)
+
+
+def _value(cell: str, factor: Decimal | None, where: str) -> float:
+    value = number_in(cell, factor)
+    if value is None:
+        what = f"expected a finite number, found {shown(cell) if cell else 'nothing'}"
+        raise MeasurementError(what, where, "write a plain number with a decimal point")
+    return value

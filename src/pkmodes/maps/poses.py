@@ -1,0 +1,189 @@
+"""The poses of a map: a grid, or a list of poses."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.base.arguments import is_number
+from pkmodes.base.errors import PkmodesError, PoseError, listed, shown
+from pkmodes.dataset.variables import LIST
+from pkmodes.mechanism.poses import given_poses
+from pkmodes.mechanism.registry import Mechanism
+
+Array = NDArray[np.float64]
+EXAMPLE = 'for example: {"x": numpy.linspace(0.3, 0.8, 51), "y": 0.0}'
+
+
+@dataclass(frozen=True, eq=False)
+class Grid:
+    """Poses on a grid.
+
+    Attributes
+    ----------
+    axes : mapping of str to ndarray
+        Values of each component of the pose in the mechanism's order, ascending [SI].
+    """
+
+    axes: Mapping[str, Array]
+
+    @property
+    def dims(self) -> tuple[str, ...]:
+        """Names of the axes, the first component last: ``("z", "y", "x")``."""
+        return tuple(reversed(list(self.axes)))
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Number of values along each of `dims`."""
+        return tuple(len(self.axes[name]) for name in self.dims)
+
+    def points(self, places: NDArray[np.intp]) -> Array:
+        """Return poses by their flat index, (N, d)."""
+        at = np.unravel_index(places, self.shape)
+        return np.stack(
+            [self.axes[name][i] for name, i in zip(reversed(self.dims), at[::-1], strict=True)], -1
+        )
+
+    def normal(self, directions: Sequence[str]) -> str | None:
+        """Return the direction perpendicular to the plane of the grid.
+
+        Parameters
+        ----------
+        directions : sequence of str
+            Directions in which the platform moves.
+
+        Returns
+        -------
+        str or None
+            The component with a single value; if there is not exactly one, the third direction.  None for a mechanism
+            that moves in a plane.
+        """
+        if len(directions) < 3:
+            return None
+        single = [name for name in directions if len(self.axes.get(name, ())) == 1]
+        return single[0] if len(single) == 1 else directions[2]
+
+
+@dataclass(frozen=True, eq=False)
+class Poses:
+    """Poses one after the other.
+
+    Attributes
+    ----------
+    table : ndarray, shape (N, d)
+        In SI units.
+    names : tuple of str, length d
+        Components of a pose.
+    labels : tuple of str or None
+        One for each pose.
+    """
+
+    table: Array
+    names: tuple[str, ...]
+    labels: tuple[str, ...] | None = None
+
+    dims = (LIST,)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The number of poses."""
+        return (len(self.table),)
+
+    def points(self, places: NDArray[np.intp]) -> Array:
+        """Return poses by their index, (N, d)."""
+        return self.table[places]
+
+    def normal(self, directions: Sequence[str]) -> str | None:
+        """Return the third direction of the platform's motion, if there is one."""
+        return directions[2] if len(directions) > 2 else None
+
+
+Places = Grid | Poses
+
+
+def places_of(mechanism: Mechanism, given: Mapping[str, ArrayLike] | ArrayLike | Places) -> Places:
+    """Check the poses of a map.
+
+    Parameters
+    ----------
+    given : mapping of str to array_like, or array_like of shape (N, d), or Grid or Poses
+        Ascending values, or one number, for each component of the pose; or poses one after the other.
+
+    Raises
+    ------
+    PoseError
+        If a component is missing or unknown, or its values do not ascend; or if it is not an array of poses.
+    """
+    if isinstance(given, Grid | Poses):
+        return given
+    if not isinstance(given, Mapping):
+        points, _ = given_poses(given, mechanism, "raise")
+        return Poses(points, tuple(component.name for component in mechanism.pose))
+    names = [component.name for component in mechanism.pose]
+    for name in given:
+        if name not in names:
+            what = f"expected values of {', '.join(names)}, found {shown(name)}"
+            raise PoseError(what, "grid", EXAMPLE)
+    missing = [name for name in names if name not in given]
+    if missing:
+        what = f"expected values of {', '.join(names)}, found none of {', '.join(missing)}"
+        raise PoseError(what, "grid", f"give one number or several, {EXAMPLE}")
+    return Grid({name: ascending(given[name], name, f"grid: {name}", EXAMPLE, PoseError) for name in names})
+
+
+def ascending(
+    given: Any,
+    name: str,
+    where: str,
+    example: str,
+    error: type[PkmodesError] = PkmodesError,
+    *,
+    strictly: bool = True,
+) -> Array:
+    """Check the values along an axis of a map; one number is an axis of one value.
+
+    Parameters
+    ----------
+    name : str
+        Of the axis, for messages.
+    where : str
+        Of the argument, for messages.
+    example : str
+        A remedy.
+    error : type
+        The error to raise.
+    strictly : bool
+        Whether they have to ascend; otherwise they only have to differ.
+
+    Returns
+    -------
+    ndarray, shape (N,)
+
+    Raises
+    ------
+    PkmodesError
+    """
+    if isinstance(given, np.ndarray) and given.ndim == 0:
+        given = given.item()
+    values = listed(
+        [given] if isinstance(given, int | float | np.number) else given, f"values of {name}", where, "0.1"
+    )
+    if not all(map(is_number, values)):
+        raise error(f"expected numbers in SI units, found {shown(values[0])}", where, example)
+    axis = np.array(values, dtype=float)
+    if not len(axis):
+        raise error("expected at least one value, found none", where, "give one number or several")
+    if not np.isfinite(axis).all():
+        raise error("expected finite values, found NaN or infinity", where, "give finite numbers")
+    if strictly and (np.diff(axis) < 0).any():
+        raise error(
+            "expected ascending values, found descending ones", where, "sort them, the smallest first"
+        )
+    different, counts = np.unique(axis, return_counts=True)
+    if (counts > 1).any():
+        raise error(f"the value {different[counts > 1][0]:g} is repeated", where, "give each value once")
+    return axis

@@ -1,0 +1,96 @@
+"""MAC matrices: how far each measured shape is like each mode of the model."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.plots.evidence import Evidence, Stage
+from pkmodes.plots.labels import short
+from pkmodes.plots.style import figure, styled
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+#: Most modes for which the numbers are written into the cells.
+MOST_WRITTEN = 8
+#: Above this MAC a cell is so light that its number is dark.
+LIGHT = 0.55
+
+
+def worst_setup(evidence: Evidence) -> int | None:
+    """Return the setup with the lowest MAC of a paired mode at the last stage; None without shapes."""
+    mac = evidence.last.predicted.mac
+    if not np.isfinite(mac).any():
+        return None
+    return int(evidence.setup[int(np.nanargmin(mac))])
+
+
+def mac_matrices(evidence: Evidence) -> Figure | None:
+    """Return MAC matrices, the mean over all setups and the setup with the lowest MAC; None without shapes.
+
+    Rows are the measured modes, numbered as their partners at the last stage.
+    """
+    worst = worst_setup(evidence)
+    if worst is None:
+        return None
+    stages, several = evidence.stages, len(evidence.labels) > 1
+    label = short(evidence.labels[worst])
+    everything = np.ones(len(evidence.setup), dtype=bool)
+    chosen = [(f"mean of all {evidence.place}s", everything)] if several else []
+    chosen.append((f"lowest MAC: {label}", evidence.setup == worst))
+    with styled():
+        drawn = figure(0.6 + min(2.55, 1.0 + 0.3 * evidence.modes) * len(chosen))
+        panels = drawn.subplots(len(chosen), len(stages), squeeze=False)
+        image: Any = None
+        for row, (name, some) in zip(panels, chosen, strict=True):
+            for axes, stage in zip(row, stages, strict=True):
+                image = _matrix(axes, matrix(evidence, stage, some))
+            row[0].set_ylabel(f"{name}\nmeasured mode")
+        for axes, stage in zip(panels[0], stages, strict=True):
+            axes.set_title(f"Model {stage.title}")
+        for axes in panels[-1]:
+            axes.set_xlabel("mode of the model")
+        drawn.colorbar(image, ax=panels, label="MAC [1]", shrink=0.7, aspect=30)
+    return drawn
+
+
+def matrix(evidence: Evidence, stage: Stage, some: NDArray[np.bool_]) -> Array:
+    """Return the mean MAC of measured modes (rows) and modes of the model, (M, M), NaN where there is no shape."""
+    mode, count = evidence.mode(), evidence.modes
+    macs = stage.predicted.macs
+    mean_mac = np.full((count, count), np.nan)
+    for one in range(1, count + 1):
+        rows = some & (mode == one) & np.isfinite(macs).any(axis=1)
+        if rows.any():
+            mean = macs[rows].mean(axis=0)[:count]
+            mean_mac[one - 1, : len(mean)] = mean
+    return mean_mac
+
+
+def _matrix(axes: Axes, values: Array) -> Any:
+    count = len(values)
+    edges = np.arange(count + 1) + 0.5
+    image = axes.pcolormesh(edges, edges, np.ma.masked_invalid(values), vmin=0.0, vmax=1.0)
+    axes.set_aspect("equal")
+    axes.invert_yaxis()
+    axes.grid(visible=False)
+    ticks = range(1, count + 1, 1 if count <= MOST_WRITTEN else 5)
+    axes.set_xticks(ticks)
+    axes.set_yticks(ticks)
+    for i, k in np.argwhere(np.isfinite(values)) if count <= MOST_WRITTEN else ():
+        dark = values[i, k] > LIGHT
+        axes.text(
+            k + 1,
+            i + 1,
+            f"{values[i, k]:.2f}",
+            ha="center",
+            va="center",
+            fontsize=7,
+            color="black" if dark else "white",
+        )
+    return image

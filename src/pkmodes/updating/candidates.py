@@ -1,0 +1,299 @@
+"""Parameters and candidate causes of a robot: its nuisances, the catalogue of effects, and suspected values.
+
+A declared value with a standard deviation is a nuisance, a value without one may be suspected, and a value with a
+standard deviation of 0 is known.  The elements of a whole (``axis.span``) are suspected together, under its path.
+
+Candidates that concern one of several equal parts are remote: a value of one axis if the file gives one for all, and
+a compliance of the catalogue in a single joint, which has no name in the catalogue.  A compliance with a separate
+value in each joint is not a candidate either, but the general form against which the shared one is tested.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from pkmodes.base.errors import PkmodesError, nearest, shown
+from pkmodes.diagnosis.problem import Candidate, Parameter
+from pkmodes.robot.layout import GRAVITY, by_path, lent, takers
+from pkmodes.robot.parameter_groups import groups_by_path, items_of, weights_of
+from pkmodes.robot.paths import ParameterPath, paths, resolve
+from pkmodes.robot.robot import Robot
+from pkmodes.updating import frame
+from pkmodes.updating.load_cases import LoadCases
+from pkmodes_description import Effect, ParameterGroup
+
+#: Prefix of suspected values as candidates.
+PREFIX = "parameter:"
+#: Prefix of the paths of effects; as candidates, effects have their names only.
+EFFECTS = "effects."
+#: A suspected value is searched for between a third and three times the declared one: beyond that, the robot file
+#: describes another machine.
+FACTOR = 3.0
+
+
+def suspects(
+    robot: Robot, chosen: Sequence[str] | None = None, loads: LoadCases | None = None
+) -> tuple[list[Parameter], list[Candidate], dict[str, ParameterPath]]:
+    """Return the parameters of the diagnosis, its candidates, and the path of each parameter of the robot.
+
+    Parameters
+    ----------
+    chosen : sequence of str, optional
+        Names of candidates: effects, ``parameter:<path>``, ``measurement:<what>``, or the words ``effects``,
+        ``parameters`` and ``measurement`` for all of a kind.  By default all effects, every value that may be
+        suspected, and the frame of the measurement.
+    loads : LoadCases, optional
+        Values set by the measurements: an effect whose constant is set becomes a candidate, and a value set at every
+        pose is known.
+
+    Raises
+    ------
+    PkmodesError
+        If a name is unknown.
+    """
+    loads = LoadCases.none(robot, 0) if loads is None else loads
+    nuisances = [path for path in _varying(robot) if robot.quantities[path].sigma]
+    candidates = _chosen(robot, chosen, loads)
+    if chosen is None:
+        candidates += _of_one_entry(robot)
+    candidates += _with_another_constant(robot, candidates)
+    of_frame, frames = frame.suspects(robot.mechanism)
+    of_robot = [name for candidate in candidates if candidate not in frames for name in candidate.parameters]
+    moves = [resolve(robot, name) for name in dict.fromkeys([*nuisances, *of_robot])]
+    joints = _joints(robot) if candidates else {}
+    if loads.settings:
+        known = {move.path for move in moves if loads.always(move)}
+        moves = [move for move in moves if move.path not in known]
+        joints = {name: move for name, move in joints.items() if not loads.always(move)}
+        candidates = _unknown(candidates, known, chosen or ())
+    moves += joints.values()
+    candidates += [
+        Candidate(name, (move.path,), f"{name} yields", remote=True, nameable=False)
+        for name, move in joints.items()
+    ]
+    candidates += _unlike(robot, candidates, joints)
+    suspected = {name for candidate in candidates if candidate in frames for name in candidate.parameters}
+    parameters = [_parameter(robot, move) for move in moves]
+    parameters += [parameter for parameter in of_frame if parameter.name in suspected]
+    return parameters, candidates, {move.path: move for move in moves}
+
+
+def _unknown(candidates: Sequence[Candidate], known: set[str], chosen: Sequence[str]) -> list[Candidate]:
+    """Return the candidates without the parameters that the measurements set at every pose."""
+    kept = []
+    for candidate in candidates:
+        left = tuple(name for name in candidate.parameters if name not in known)
+        if not left and candidate.name in chosen:
+            names, one = " and ".join(candidate.parameters), len(candidate.parameters) == 1
+            is_known, it = ("is known", "it") if one else ("are known", "them")
+            what = f"{names} {is_known}: the measurements set {it} at every pose"
+            raise PkmodesError(what, "candidates", f"leave {candidate.name} out")
+        if left == candidate.parameters or (left and not candidate.remote):
+            kept.append(replace(candidate, parameters=left))
+    return kept
+
+
+def _chosen(robot: Robot, chosen: Sequence[str] | None, loads: LoadCases) -> list[Candidate]:
+    kinds = {
+        "effects": _effects(robot, loads),
+        "parameters": _suspected(robot),
+        "measurement": {candidate.name: candidate for candidate in frame.suspects(robot.mechanism)[1]},
+    }
+    every = {name: candidate for kind in kinds.values() for name, candidate in kind.items()}
+    if chosen is None:
+        return list(every.values())
+    if isinstance(chosen, str):
+        what = f"expected a list of names, found {shown(chosen)}"
+        raise PkmodesError(what, "candidates", f"write [{shown(chosen)}]")
+    candidates: dict[str, Candidate] = {}
+    for name in chosen:
+        if name in kinds:
+            candidates |= kinds[name]
+        elif name in every:
+            candidates[name] = every[name]
+        else:
+            candidates[name] = _asked_for(robot, name, [*every])
+    return list(candidates.values())
+
+
+def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> list[Candidate]:
+    """Return effects with a wrong declared constant, such as the mass of a moving frame: alone they would not fit."""
+    with_constants = []
+    for borrowed, own in lent(robot.mechanism).items():
+        _, name, constant = borrowed.split(".")
+        declared = robot.quantities.get(own)
+        if (declared is None or declared.sigma is None) and name in {c.name for c in candidates}:
+            effect = robot.mechanism.effects[name]
+            parameters = (*(f"{EFFECTS}{name}.{p.name}" for p in effect.fitted), borrowed)
+            sentence = f"{effect.sentence}, and its {constant} differs from the declared one"
+            with_constants.append(
+                Candidate(f"{name} with another {own}", parameters, sentence, remote=True, nameable=False)
+            )
+    return with_constants
+
+
+def _varying(robot: Robot) -> list[str]:
+    """Return the declared values that the robot depends on: not those that every entry overrides, lent ones once."""
+    known = set(paths(robot))
+    known -= {borrowed for borrowed, own in lent(robot.mechanism).items() if own in robot.quantities}
+    return [path for path in robot.quantities if path in known]
+
+
+def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
+    """Return a candidate that is not suspected by default, such as a value of one axis."""
+    path = name.removeprefix(PREFIX)
+    effects = robot.mechanism.effects
+    if name in effects:
+        _refuse_declared(robot, f"the effect {name}", _declared_parameters(robot, effects[name]))
+    effect = name.removeprefix(EFFECTS).partition(".")[0]
+    if name.startswith(EFFECTS) and effect in effects:
+        raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", f'did you mean "{effect}"?')
+    if name == path or path not in paths(robot):
+        every = [*known, *(f"{PREFIX}{p}" for p in paths(robot))]
+        remedy = nearest(name, every, "use the names in docs/diagnosis.md")
+        raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", remedy)
+    whole, item = groups_by_path(robot.mechanism).get(path), by_path(robot.mechanism).get(path)
+    _refuse_declared(robot, path, [path, *(_elements(robot, whole) if whole is not None else ())])
+    shared = item.shared if item is not None else ""
+    if (
+        path not in robot.quantities
+        and shared in robot.quantities
+        and robot.quantities[shared].sigma is not None
+    ):
+        state = "refitted for all together" if robot.quantities[shared].sigma else "known exactly"
+        raise PkmodesError(
+            f"{shared} is {state}: the robot file gives a sigma",
+            "candidates",
+            f"to suspect {path}, declare it in the robot file without a sigma",
+        )
+    resolve(robot, path)
+    return Candidate(name, (path,), f"the declared value of {path} is wrong")
+
+
+def _refuse_declared(robot: Robot, what: str, declared: Sequence[str]) -> None:
+    """Refuse a candidate that has a value with a standard deviation."""
+    sigmas = [quantity.sigma for path in declared if (quantity := robot.quantities.get(path)) is not None]
+    given = [sigma for sigma in sigmas if sigma is not None]
+    if given:
+        state = "refitted already" if any(given) else "known exactly"
+        raise PkmodesError(
+            f"{what} is {state}: the robot file gives a sigma",
+            "candidates",
+            "leave it out, or remove the sigma",
+        )
+
+
+def _elements(robot: Robot, whole: ParameterGroup) -> list[str]:
+    """Return the paths of the elements of a whole."""
+    return [number.path for item in items_of(robot.mechanism, whole) for number in item.numbers]
+
+
+def _declared_parameters(robot: Robot, effect: Effect) -> list[str]:
+    names = [f"{EFFECTS}{effect.name}.{p.name}" for p in effect.fitted]
+    return [name for name in names if name in robot.quantities]
+
+
+def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
+    """Return the effects that the file does not declare, or declares without a standard deviation."""
+    candidates = {}
+    robots = (robot, *(case.robot for case in loads.cases))
+    there = {path for one in robots for path, value in {**one.constants, **one.effects}.items() if value}
+    for effect in robot.mechanism.effects.values():
+        names = [f"{EFFECTS}{effect.name}.{p.name}" for p in effect.fitted]
+        # A parameter that is multiplied by a constant given nowhere, such as a tension, has no effect.
+        absent = [p for p in effect.parameters if not p.fitted and f"{effect.name}.{p.name}" not in there]
+        suspected = all(robot.quantities[n].sigma is None for n in _declared_parameters(robot, effect))
+        if suspected and not absent:
+            candidates[effect.name] = Candidate(effect.name, tuple(names), effect.sentence)
+    return candidates
+
+
+def _suspected(robot: Robot) -> dict[str, Candidate]:
+    """Return the candidates of values without a standard deviation; wholes in place of their elements."""
+    parts = {element for whole in robot.mechanism.parameter_groups for element in _elements(robot, whole)}
+    suspected = [
+        path
+        for path in _varying(robot)
+        if robot.quantities[path].sigma is None and path not in parts and _may_be_wrong(robot, path)
+    ]
+    for whole in robot.mechanism.parameter_groups:
+        free = all(robot.quantities[element].sigma is None for element in _elements(robot, whole))
+        if free and weights_of(robot, whole):
+            suspected.append(whole.path)
+    return {
+        f"{PREFIX}{path}": Candidate(f"{PREFIX}{path}", (path,), f"the declared value of {path} is wrong")
+        for path in suspected
+    }
+
+
+def _may_be_wrong(robot: Robot, path: str) -> bool:
+    item = by_path(robot.mechanism).get(path)
+    if item is None or not item.key.suspected:
+        return False
+    return item.key is not GRAVITY or robot.quantities[path].value != 0.0  # a gravity component of 0 is exact
+
+
+def _of_one_entry(robot: Robot) -> list[Candidate]:
+    """Return the values of single axes for which the file gives one shared value without a sigma."""
+    candidates, known = [], paths(robot)
+    for path in known:
+        item = by_path(robot.mechanism).get(path)
+        if item is not None and item.shared in known and path not in robot.quantities:
+            following = [
+                own for own in takers(robot.mechanism)[item.shared] if own.path not in robot.quantities
+            ]
+            if robot.quantities[item.shared].sigma is None and len(following) > 1:
+                sentence = f"the value of {path} differs from that of the other axes"
+                candidates.append(Candidate(f"{PREFIX}{path}", (path,), sentence, remote=True))
+    return candidates
+
+
+def _joints(robot: Robot) -> dict[str, ParameterPath]:
+    """Return compliances in single joints; those of the catalogue are in all joints of their kind."""
+    joints = {}
+    for effect in robot.mechanism.effects.values():
+        name, unit = f"{effect.name}.{effect.parameters[0].name}", effect.parameters[0].unit
+        declared = robot.quantities.get(f"{EFFECTS}{name}")
+        for q in effect.coordinates if declared is None or declared.sigma != 0.0 else ():
+            slot = (f"{name}.{q.name}", ())
+            path = ParameterPath(f"{EFFECTS}{name}.{q.name}", 0.0, unit, {slot: 1.0})
+            joints[_alone(effect.name, q.name)] = path
+    return joints
+
+
+def _alone(effect: str, coordinate: str) -> str:
+    return f"{effect} of {coordinate} alone"
+
+
+def _unlike(
+    robot: Robot, candidates: Sequence[Candidate], joints: Mapping[str, ParameterPath]
+) -> list[Candidate]:
+    """Return the general forms of candidate compliances, with a separate value in each joint."""
+    general = []
+    effects = robot.mechanism.effects
+    for name in [candidate.name for candidate in candidates if candidate.name in effects]:
+        each = [joint for q in effects[name].coordinates if (joint := _alone(name, q.name)) in joints]
+        if len(each) > 1:
+            parameters = tuple(joints[joint].path for joint in each)
+            what = f"{name} with a separate value in each joint"
+            general.append(Candidate(what, parameters, general_of=name))
+    return general
+
+
+def _parameter(robot: Robot, move: ParameterPath) -> Parameter:
+    quantity = robot.quantities.get(move.path)
+    sigma = quantity.sigma if quantity is not None and quantity.sigma else None
+    item = by_path(robot.mechanism).get(move.path)
+    lower, upper = -np.inf, np.inf
+    if move.path.startswith(EFFECTS):
+        _, effect, name, *_ = move.path.split(".")
+        least = next(p.greater_than for p in robot.mechanism.effects[effect].parameters if p.name == name)
+        lower = -np.inf if least is None else least
+    elif item is None or not item.key.signed:
+        lower = 0.0
+        if sigma is None and move.value > 0.0:
+            lower, upper = move.value / FACTOR, move.value * FACTOR
+    return Parameter(move.path, move.value, move.unit.replace(" ", "*"), sigma, lower, upper)

@@ -1,0 +1,220 @@
+"""Modes of robots at poses, with their derivatives along parameter paths.
+
+Robots with the same free coordinates are evaluated together; robots of other load cases may have more modes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.diagnosis.problem import Prediction
+from pkmodes.robot.paths import ParameterPath
+from pkmodes.robot.robot import Robot
+from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, geometry_of, locked_joints
+from pkmodes.sensitivity.shapes import shape_derivatives
+from pkmodes.solve.solutions import modes_of_systems
+from pkmodes.system.evaluation import STEP, ExtendedSystem
+
+Array = NDArray[np.float64]
+Index = NDArray[np.intp]
+#: Padding for robots with fewer parameters than others that are evaluated together.
+NOTHING = ParameterPath("", 0.0, "1", {})
+#: Eigenvalue of the first missing mode of a setup, far above all others, and ratio to that of the next one.
+LACKING, FARTHER = 1e40, 100.0
+
+
+class Moves(NamedTuple):
+    """Moves of k parameters of one robot: T paths, and the motion along each, (n, T, k); None for the identity."""
+
+    paths: tuple[ParameterPath, ...]
+    mix: Array | None
+
+
+class Solved(NamedTuple):
+    """Modes of B robots that can be evaluated together, at n reachable poses each, the first robot first.
+
+    The matrices, in all coordinates, are None where the modes were found without them.
+    """
+
+    robots: tuple[Robot, ...]
+    systems: tuple[ExtendedSystem, ...]
+    system: ExtendedSystem
+    points: Array
+    matrices: tuple[Array, Array] | None
+    eigenvalues: Array
+    shapes: Array
+    channels: Array
+
+    def of(self, robot: int) -> Solved:
+        """Return the modes of one robot."""
+        each = len(self.points) // len(self.robots)
+        part = slice(robot * each, (robot + 1) * each)
+        matrices = None if self.matrices is None else (self.matrices[0][part], self.matrices[1][part])
+        return Solved(
+            self.robots[robot : robot + 1],
+            self.systems[robot : robot + 1],
+            self.systems[robot],
+            self.points[part],
+            matrices,
+            self.eigenvalues[part],
+            self.shapes[part],
+            self.channels[part],
+        )
+
+
+def solved(robots: Sequence[Robot], systems: Sequence[ExtendedSystem], points: Array) -> Solved:
+    """Solve robots with the same free coordinates together, at (B n, d) poses."""
+    system, eigenvalues, shapes, motions, matrices = modes_of_systems(systems, points)
+    channels = np.zeros((*shapes.shape[:2], system.joints.shape[-1] + motions.shape[-1]))
+    channels[..., system.free] = shapes
+    channels[..., -motions.shape[-1] :] = motions
+    return Solved(tuple(robots), tuple(systems), system, points, matrices, eigenvalues, shapes, channels)
+
+
+def derived(at: Solved, moves: Sequence[Moves], shape_rates: bool) -> Prediction:
+    """Return modes with their derivatives along the moves of each robot's parameters."""
+    if len(moves) > 1 and any(locked_joints(at.system, one.paths) for one in moves):
+        each = [derived(at.of(b), [one], shape_rates) for b, one in enumerate(moves)]
+        return _concatenated(each)
+    most = max(len(one.paths) for one in moves)
+    filled = {id(one.paths): (*one.paths, *[NOTHING] * (most - len(one.paths))) for one in moves}
+    paths = [filled[id(one.paths)] for one in moves]
+    rates = np.zeros((*at.eigenvalues.shape, most))
+    along = np.zeros((*at.channels.shape, most)) if shape_rates else None
+    if most and np.isfinite(at.eigenvalues).all():
+        derivatives = MatrixDerivatives(at.system, at.points, paths, at.matrices)
+        rates = derivatives.eigenvalues(at.eigenvalues, at.shapes)
+        if along is not None:
+            along = _channel_rates(at, derivatives, paths)
+    if any(one.mix is not None for one in moves):
+        mix = _mixed(moves, most, len(at.points) // len(moves))
+        rates, along = rates @ mix, None if along is None else along @ mix[:, None]
+    return Prediction(at.eigenvalues, rates, at.channels, at.system.rigid_modes, along)
+
+
+def joined(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Prediction:
+    """Join the modes of parts of the setups; NaN for a setup that is in no part.
+
+    Robots of different load cases may differ in their numbers of modes and rigid modes.  Rigid modes come first,
+    padded to the largest number; missing elastic modes are placed far above (`LACKING`).
+
+    Parameters
+    ----------
+    parts : sequence of (ndarray of int, Prediction)
+        Setups and their modes.
+    setups : int
+        Number of all setups.
+    """
+    rows, only = parts[0]
+    if len(parts) == 1 and np.array_equal(rows, np.arange(setups)):
+        return only
+    rigid = max(part.rigid for _, part in parts)
+    count = rigid + max(part.eigenvalues.shape[1] - part.rigid for _, part in parts)
+    eigenvalues = np.full((setups, count), np.nan)
+    arrays = [np.full((setups, count, *a.shape[2:]), np.nan) for a in (only.rates, only.shapes)]
+    with_rates = only.shape_rates is not None
+    if with_rates:
+        arrays.append(np.full((setups, count, *np.asarray(only.shape_rates).shape[2:]), np.nan))
+    for rows, part in parts:
+        elastic = part.eigenvalues.shape[1] - part.rigid
+        lacking = LACKING * FARTHER ** np.arange(count - rigid - elastic)
+        place = np.r_[: part.rigid, rigid : rigid + elastic]
+        eigenvalues[np.ix_(rows, np.arange(part.rigid, rigid))] = 0.0
+        eigenvalues[np.ix_(rows, np.arange(rigid + elastic, count))] = lacking
+        eigenvalues[np.ix_(rows, place)] = part.eigenvalues
+        given = [part.rates, part.shapes, *([np.asarray(part.shape_rates)] if with_rates else [])]
+        for whole, some in zip(arrays, given, strict=True):
+            whole[rows] = 0.0
+            whole[np.ix_(rows, place)] = some
+    return Prediction(eigenvalues, arrays[0], arrays[1], rigid, arrays[2] if with_rates else None)
+
+
+def reordered(prediction: Prediction, rows: Index) -> Prediction:
+    """Return a prediction with its setups in another order."""
+    along = prediction.shape_rates
+    return replace(
+        prediction,
+        eigenvalues=prediction.eigenvalues[rows],
+        rates=prediction.rates[rows],
+        shapes=prediction.shapes[rows],
+        shape_rates=None if along is None else np.asarray(along)[rows],
+    )
+
+
+def _concatenated(parts: Sequence[Prediction]) -> Prediction:
+    along = [np.asarray(part.shape_rates) for part in parts if part.shape_rates is not None]
+    return Prediction(
+        np.concatenate([part.eigenvalues for part in parts]),
+        np.concatenate([part.rates for part in parts]),
+        np.concatenate([part.shapes for part in parts]),
+        parts[0].rigid,
+        np.concatenate(along) if along else None,
+    )
+
+
+def _mixed(moves: Sequence[Moves], most: int, poses: int) -> Array:
+    """Return the motion of each parameter along each path, (N, T, k)."""
+    columns = max(len(one.paths) if one.mix is None else one.mix.shape[-1] for one in moves)
+    mix = np.zeros((len(moves), poses, most, columns))
+    for one, part in zip(moves, mix, strict=True):
+        each = np.eye(len(one.paths)) if one.mix is None else one.mix
+        part[:, : each.shape[-2], : each.shape[-1]] = each
+    return mix.reshape(-1, most, columns)
+
+
+def _channel_rates(
+    at: Solved, derivatives: MatrixDerivatives, paths: Sequence[tuple[ParameterPath, ...]]
+) -> Array:
+    """Return the derivatives of the shapes at the channels along paths, (N, m, C, T)."""
+    mechanism = at.system.mechanism
+    directions, geometry = len(mechanism.directions), geometry_of(mechanism)
+    changes = shape_derivatives(derivatives, at.eigenvalues, at.shapes, at.system.first)
+    motion = at.system.motion_of_all(at.points)
+    rates = np.zeros((*at.channels.shape, len(paths[0])))
+    rates[..., : changes.shape[-1], :] = np.moveaxis(changes, 1, -1)
+    rates[..., -directions:, :] = np.moveaxis(changes @ np.swapaxes(motion, -1, -2)[:, None], 1, -1)
+    for robot, some, part in _alike(at, paths):
+        for t, path in enumerate(some):
+            # The Jacobian of the platform also changes with the geometry and the pose.
+            if any(field in geometry or field == POSE for field, _ in path.weights):
+                rate = _motion_rate(at.system, robot, at.points[part], path)[..., derivatives.free]
+                rates[part, :, -directions:, t] += at.shapes[part] @ np.swapaxes(rate, -1, -2)
+    return rates
+
+
+def _alike(
+    at: Solved, paths: Sequence[tuple[ParameterPath, ...]]
+) -> list[tuple[Robot, tuple[ParameterPath, ...], Index]]:
+    """Group equal robots with equal paths, with the indices of all their poses."""
+    each = len(at.points) // len(at.robots)
+    groups: dict[tuple[int, int], list[int]] = {}
+    for b, robot in enumerate(at.robots):
+        groups.setdefault((id(robot), id(paths[b])), []).append(b)
+    return [
+        (
+            at.robots[some[0]],
+            paths[some[0]],
+            np.concatenate([np.arange(b * each, (b + 1) * each) for b in some]),
+        )
+        for some in groups.values()
+    ]
+
+
+def _motion_rate(system: ExtendedSystem, robot: Robot, points: Array, path: ParameterPath) -> Array:
+    """Differentiate the platform's Jacobian along a path by complex step, (P, directions, e)."""
+    shift = np.zeros(points.shape[-1])
+    values: dict[str, NDArray[np.complex128]] = {}
+    for (field, index), weight in path.weights.items():
+        if field == POSE:
+            shift[index] = weight
+        elif field in robot.parameters._fields:
+            values.setdefault(field, np.array(getattr(robot.parameters, field), dtype=complex))
+            values[field][index] += STEP * 1j * weight
+    parameters = robot.parameters._replace(**values)
+    rate: Array = system.motion_of_all(points + STEP * 1j * shift, parameters).imag / STEP
+    return rate

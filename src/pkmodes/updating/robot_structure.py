@@ -1,0 +1,283 @@
+"""A robot at measured poses, as a structure for the diagnosis."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.diagnosis.problem import Batch, Candidate, Parameter, Prediction
+from pkmodes.mechanism.poses import MAX_CONDITION, check_poses
+from pkmodes.mechanism.registry import Mechanism
+from pkmodes.mechanism.regular import declared
+from pkmodes.robot.paths import ParameterPath, moved
+from pkmodes.robot.robot import Robot
+from pkmodes.sensitivity.matrices import POSE, locked_joints
+from pkmodes.system.evaluation import ExtendedSystem
+from pkmodes.updating import frame
+from pkmodes.updating.load_cases import LoadCase, LoadCases
+from pkmodes.updating.payloads import payloads
+from pkmodes.updating.predictions import Moves, Solved, derived, joined, reordered, solved
+
+Array = NDArray[np.float64]
+Index = NDArray[np.intp]
+#: Prefix of the channels of the platform's absolute motion.
+PLATFORM = "p_"
+#: Number of poses drawn around the measured ones for the next measurement, and their seed.
+DRAWS, SEED = 400, 7
+#: Kinds of keys of the robot file that define a location or orientation, whatever their dimension.
+WHERE = ("direction", "choice", "signs", "pair")
+
+
+def channels(mechanism: Mechanism) -> dict[str, str]:
+    """Return the shape components of a robot with their units: all coordinates, released or not, and the platform."""
+    units = {component.name: component.unit for component in mechanism.pose}
+    extended = mechanism.extended
+    coordinates = dict(zip(extended.COORDINATES, extended.COORDINATE_UNITS, strict=True))
+    return coordinates | {f"{PLATFORM}{name}": units[name] for name in mechanism.directions}
+
+
+class _Part(NamedTuple):
+    """Modes at some setups, for B robots of load cases that can be evaluated together."""
+
+    rows: Index
+    owners: list[int]
+    at: Solved
+
+
+class RobotStructure:
+    """A robot at P platform poses.
+
+    Parameters
+    ----------
+    points : ndarray, shape (P, d)
+        Poses.
+    parameters, candidates, moves
+        From `pkmodes.updating.candidates.suspects`; parameters of the measurement frame have no move.
+    loads : LoadCases, optional
+        Values set at the poses; by default none.
+    """
+
+    def __init__(
+        self,
+        robot: Robot,
+        points: Array,
+        parameters: Sequence[Parameter],
+        candidates: Sequence[Candidate],
+        moves: Mapping[str, ParameterPath],
+        loads: LoadCases | None = None,
+    ) -> None:
+        self.robot, self.points = robot, np.asarray(points, dtype=float)
+        self.parameters: tuple[Parameter, ...] = tuple(parameters)
+        self.candidates: tuple[Candidate, ...] = tuple(candidates)
+        self._mechanism = robot.mechanism
+        known = channels(self._mechanism)
+        self.channels, self.channel_units = tuple(known), tuple(known.values())
+        self._shifts = tuple(
+            ParameterPath(f"{POSE}.{component.name}", 0.0, component.unit, {(POSE, (i,)): 1.0})
+            for i, component in enumerate(self._mechanism.pose)
+        )
+        self._moves = dict(moves)
+        self._loads = LoadCases.none(robot, len(self.points)) if loads is None else loads
+        self._left = [
+            {name: case.left(path) for name, path in self._moves.items()} for case in self._loads.cases
+        ]
+        self._last: tuple[bytes, list[_Part]] | None = None
+        self._latest: tuple[object, Prediction] | None = None
+
+    @property
+    def settings(self) -> tuple[str, ...]:
+        """Paths of the values set at some of the poses."""
+        return self._loads.settings
+
+    def at(self, points: Array, loads: LoadCases | None = None) -> RobotStructure:
+        """Return the same robot at other poses, as declared, or with load cases."""
+        return RobotStructure(self.robot, points, self.parameters, self.candidates, self._moves, loads)
+
+    def subset(self, setups: Sequence[int]) -> RobotStructure:
+        """Return the same robot at some of its poses."""
+        return self.at(self.points[list(setups)], self._loads.subset(setups))
+
+    def loaded(self) -> list[tuple[dict[str, float], RobotStructure]]:
+        """Return payloads (values by path), each with the robot at its poses under it."""
+        every = np.zeros(len(self.points), dtype=np.intp)
+        return [
+            (load, self.at(self.points, LoadCases(tuple(load), (LoadCase.of(self.robot, load),), every)))
+            for load in payloads(self.robot, self.points)
+        ]
+
+    def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
+        """Return the modes at all poses, with derivatives with respect to some of the parameters."""
+        asked = values.tobytes(), tuple(by), shape_rates
+        if (
+            self._latest is not None and self._latest[0] == asked
+        ):  # a fit asks more than once at the same values
+            return self._latest[1]
+        prediction = self._joined(
+            [
+                (part.rows, derived(part.at, self._moved_by(values, by, part.rows, part.owners), shape_rates))
+                for part in self._at_values(values)
+            ]
+        )
+        if by:
+            self._latest = asked, prediction
+        return prediction
+
+    def predict_many(
+        self, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
+    ) -> list[Batch]:
+        """Return the modes at all poses for several sets of values; sets that differ only in numbers form one batch.
+
+        Sets that also differ in locked joints or in reachable poses are evaluated separately.
+        """
+        robots = [self._robots(v) for v in values]
+        where = [self._where(v) for v in values]
+        systems = [[ExtendedSystem.of(robot) for robot in each] for each in robots]
+        everywhere = np.ones(len(self.points), dtype=bool)
+        rows, owners = self._loads.arranged(range(len(self._loads.cases)), everywhere)
+        moves = [self._moved_by(v, some, rows, owners) for v, some in zip(values, by, strict=True)]
+        groups: dict[object, list[int]] = {}
+        for k, each in enumerate(systems):
+            alike = {self._key(system) for system in each}
+            apart = len(alike) > 1 or not self._reachable(robots[k], where[k]).all()
+            apart = apart or any(
+                locked_joints(each[c], m.paths) for c, m in zip(owners, moves[k], strict=True)
+            )
+            groups.setdefault(k if apart else alike.pop(), []).append(k)
+        batches = []
+        for some in groups.values():
+            together = None
+            if len(some) > 1:
+                together = solved(
+                    [robots[k][c] for k in some for c in owners],
+                    [systems[k][c] for k in some for c in owners],
+                    np.concatenate([where[k][rows] for k in some]),
+                )
+            if together is None or not np.isfinite(together.eigenvalues).all():
+                batches += [
+                    Batch(np.array([k]), self.predict(values[k], by[k], shape_rates=shape_rates))
+                    for k in some
+                ]
+            else:
+                prediction = derived(together, [m for k in some for m in moves[k]], shape_rates)
+                if len(owners) > 1:
+                    back = np.argsort(rows) + len(rows) * np.arange(len(some))[:, None]
+                    prediction = reordered(prediction, back.ravel())
+                batches.append(Batch(np.array(some), prediction))
+        return batches
+
+    def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction:
+        """Return the modes at all poses, with derivatives with respect to the platform's position."""
+        moves = Moves(self._shifts, None)
+        parts = self._at_values(values)
+        return self._joined(
+            [(part.rows, derived(part.at, [moves] * len(part.owners), shape_rates)) for part in parts]
+        )
+
+    def elsewhere(self, count: int) -> tuple[Array, RobotStructure]:
+        """Return reachable poses in and around the measured ones, and the robot there, as declared."""
+        rng = np.random.default_rng(SEED)
+        low, high = self.points.min(axis=0), self.points.max(axis=0)
+        margin = 0.25 * max(float((high - low).max()), 0.1)
+        drawn = rng.uniform(low - margin, high + margin, (DRAWS, len(low)))
+        check = check_poses(drawn, self._mechanism, self.robot.parameters, "nan", MAX_CONDITION / 1e5)
+        drawn = drawn[check.valid][:count]
+        return drawn, self.at(drawn)
+
+    def _moved_by(self, values: Array, by: Sequence[int], rows: Index, owners: Sequence[int]) -> list[Moves]:
+        """Return the moves of some parameters in the robots of some cases, each at an equal number of setups."""
+        names = [self.parameters[i].name for i in by]
+        moving = [name for name in names if name in self._moves]
+        paths = {c: tuple(self._left[c][name] for name in moving) for c in dict.fromkeys(owners)}
+        if len(moving) == len(names):
+            return [Moves(paths[c], None) for c in owners]
+        # A parameter of the frame moves all poses, each according to its distance from the frame's origin.
+        known = {name: k for k, name in enumerate(moving)}
+        mix = np.zeros((len(self.points), len(moving) + len(self._shifts), len(by)))
+        for column, name in enumerate(names):
+            if name in known:
+                mix[:, known[name], column] = 1.0
+            else:
+                mix[:, len(moving) :, column] = frame.rate(
+                    self._mechanism, name, self.points, self._frame(values)
+                )
+        with_shifts = {c: (*some, *self._shifts) for c, some in paths.items()}
+        each = rows.reshape(len(owners), -1)
+        return [Moves(with_shifts[c], mix[some]) for c, some in zip(owners, each, strict=True)]
+
+    def _frame(self, values: Array) -> dict[str, float]:
+        """Return the values of the parameters of the measurement frame."""
+        named = zip(self.parameters, values, strict=True)
+        return {p.name: float(value) for p, value in named if p.name not in self._moves}
+
+    def _where(self, values: Array) -> Array:
+        """Return the poses with respect to the robot."""
+        return frame.true_points(self._mechanism, self.points, self._frame(values))
+
+    def _robots(self, values: Array) -> list[Robot]:
+        """Return the robot of each load case with these values of the parameters."""
+        changed = [
+            (p.name, value - self._moves[p.name].value)
+            for p, value in zip(self.parameters, values, strict=True)
+            if p.name in self._moves and value != self._moves[p.name].value
+        ]
+        cases = zip(self._loads.cases, self._left, strict=True)
+        return [moved(case.robot, [(left[name], step) for name, step in changed]) for case, left in cases]
+
+    def _at_values(self, values: Array) -> list[_Part]:
+        """Return the modes for one set of values; robots that can be are evaluated together."""
+        key = values.tobytes()
+        if (
+            self._last is None or self._last[0] != key
+        ):  # derivatives are mostly requested where the modes are known
+            robots, where = self._robots(values), self._where(values)
+            valid = self._reachable(robots, where)
+            systems = [ExtendedSystem.of(robot) for robot in robots]
+            groups: dict[object, list[int]] = {}
+            for c, system in enumerate(systems):
+                groups.setdefault(self._key(system), []).append(c)
+            parts = []
+            for cases in groups.values():
+                rows, owners = self._loads.arranged(cases, valid)
+                at = solved([robots[c] for c in owners], [systems[c] for c in owners], where[rows])
+                parts.append(_Part(rows, owners, at))
+            self._last = key, parts
+        return self._last[1]
+
+    def _joined(self, parts: Sequence[tuple[Index, Prediction]]) -> Prediction:
+        return joined(parts, len(self.points))
+
+    def _key(self, system: ExtendedSystem) -> object:
+        """Return a key that is the same for robots that can be evaluated together."""
+        several = len(self._loads.cases) > 1 and len(system.free) > system.first
+        massless = system.massless().tobytes() if several else b""
+        return system.free.tobytes(), system.rigid_modes, massless
+
+    def _reachable(self, robots: Sequence[Robot], points: Array) -> NDArray[np.bool_]:
+        """Return a mask of the poses that these robots of the cases reach; declared ones were checked before."""
+        reached = np.ones(len(points), dtype=bool)
+        measured = np.array_equal(points, self.points)
+        for c, (robot, case) in enumerate(zip(robots, self._loads.cases, strict=True)):
+            if not (measured and _same_geometry(self._mechanism, robot, case.robot)):
+                rows = np.flatnonzero(self._loads.of == c)
+                reached[rows] = check_poses(points[rows], self._mechanism, robot.parameters, "nan").valid
+        return reached
+
+
+@cache
+def _geometry(mechanism: Mechanism) -> tuple[str, ...]:
+    """Return the generated parameters that determine which poses a robot reaches."""
+    keys = [key for key in declared(mechanism) if key.kind in WHERE or key.dimension in ("length", "angle")]
+    return tuple(dict.fromkeys(key.field for key in keys))
+
+
+def _same_geometry(mechanism: Mechanism, a: Robot, b: Robot) -> bool:
+    """Return whether two robots have the same geometry, and so reach the same poses."""
+    of_a, of_b = a.parameters, b.parameters
+    if of_a is of_b:
+        return True
+    pairs = ((getattr(of_a, name), getattr(of_b, name)) for name in _geometry(mechanism))
+    return all(one is other or np.array_equal(one, other) for one, other in pairs)

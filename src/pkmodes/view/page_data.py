@@ -1,0 +1,109 @@
+"""A scene as the data of a page: rounded numbers, and for every pose and mode a displacement of at most 1 m."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.view.scene import AMPLITUDE, Scene
+from pkmodes.view.workspace import Surface
+
+Array = NDArray[np.float64]
+#: Decimals of positions [m], of displacements and rotations per metre, and of shares.
+PLACES, MOVES, SHARES = 5, 4, 4
+
+
+def as_data(scene: Scene) -> dict[str, Any]:
+    """Return the data of a page; arrays of a pose or mode are flat lists."""
+    turned = list(dict.fromkeys(element.turns for element in scene.elements if element.turns))
+    shares = scene.shares
+    moved, turns = _moves(scene, turned)
+    return {
+        "size": _rounded(scene.size, PLACES),
+        "amplitude": AMPLITUDE,
+        "top": top(scene),
+        "vertical": _rounded(scene.vertical, 6),
+        "pose": [{"name": c.name, "unit": c.unit} for c in scene.pose],
+        "components": list(scene.directions),
+        "elements": [
+            {
+                "shape": element.shape,
+                "kind": element.kind,
+                "name": element.name,
+                "points": list(element.points),
+                "spring": element.spring,
+                "turns": turned.index(element.turns) if element.turns else -1,
+            }
+            for element in scene.elements
+        ],
+        "springs": [spring.name for spring in scene.springs],
+        "motionsOf": scene.motions_of.tolist(),
+        "rigid": scene.rigid_modes,
+        "chosen": scene.chosen,
+        "levels": None if scene.levels is None else [_rounded(values, 6) for values in scene.levels],
+        "places": None if scene.places is None else scene.places.ravel().tolist(),
+        "poses": _rounded(scene.poses, 6),
+        "points": _rounded(scene.points.reshape(len(scene.poses), -1), PLACES),
+        "frequencies": _rounded(scene.frequencies, 4),
+        "moved": _rounded(moved, MOVES),
+        "turned": _rounded(turns, MOVES),
+        "shares": [
+            [None if np.isnan(held).any() else _rounded(held, SHARES) for held in modes] for modes in shares
+        ],
+        "directions": _rounded(directions(scene), MOVES),
+        "workspace": _surface(scene, scene.workspace),
+    }
+
+
+def directions(scene: Scene) -> Array:
+    """Return the unit vectors of the platform's motion, (N, m, directions); zero where it does not move."""
+    size = np.linalg.norm(scene.platform_shapes, axis=-1, keepdims=True)
+    unit_vectors: Array = scene.platform_shapes / np.where(size > 0.0, size, 1.0)
+    return unit_vectors
+
+
+def top(scene: Scene) -> float:
+    """Return the end of the scale of shares: the largest of any spring, mode and pose, rounded up to 10 %."""
+    shares = scene.shares
+    largest = float(np.nanmax(shares)) if np.isfinite(shares).any() else 1.0
+    return float(min(np.ceil(round(10.0 * largest, 6)), 10.0)) / 10.0
+
+
+def embedded(data: dict[str, Any]) -> str:
+    """Return JSON that cannot end the script element it stands in."""
+    text = json.dumps(data, separators=(",", ":"), allow_nan=False)
+    return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
+
+
+def _moves(scene: Scene, turned: list[str]) -> tuple[Array, Array]:
+    """Return displacements (N, m, 3 B) and rotations (N, m, turned), for a largest displacement of 1 m."""
+    count, modes = scene.frequencies.shape
+    scales = np.array([[scene.scale(i, k) for k in range(modes)] for i in range(count)])
+    shapes = scene.shapes * scales[:, :, None]
+    moved = np.einsum("pbcn,pmn->pmbc", scene.motions, shapes).reshape(count, modes, -1)
+    return moved, shapes[:, :, [scene.coordinates.index(name) for name in turned]]
+
+
+def _surface(scene: Scene, surface: Surface | None) -> dict[str, Any] | None:
+    if surface is None:
+        return None
+    vertices = np.tile(scene.points[scene.chosen, 0], (len(surface.vertices), 1))
+    vertices[:, ["xyz".index(name) for name in scene.directions]] = surface.vertices
+    return {
+        "corners": surface.faces.shape[1],
+        "vertices": _rounded(vertices.ravel(), 4),
+        "faces": surface.faces.ravel().tolist(),
+    }
+
+
+def _rounded(values: Any, digits: int) -> Any:
+    """Return nested lists of rounded numbers, whole ones as integers: fewer characters in the page."""
+    if isinstance(values, float):
+        values = round(values, digits)
+        return int(values) if values == int(values) else values
+    if isinstance(values, list):
+        return [_rounded(value, digits) for value in values]
+    return _rounded(np.asarray(values, dtype=float).tolist(), digits)
