@@ -18,7 +18,7 @@ from helpers.robots.sample_robots import Sample, published, random_robot
 from pkmodes.base.errors import PoseError
 from pkmodes.linalg.eigen import condensed_eigh, generalised_eigh
 from pkmodes.mechanism.registry import mechanism
-from pkmodes.system.evaluation import SystemOfEffects, matrices
+from pkmodes.system.evaluation import ExtendedSystem, matrices
 
 KIND = mechanism("linear_delta")
 CATALOGUE = KIND.effects
@@ -72,7 +72,7 @@ def effects_of(case: str, compliance: float) -> dict[str, float]:
 def solve(name: str, effects: dict[str, float]) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
     """Return the package's eigenvalues and shapes at a pose, M, and the number of rigid modes."""
     parameters, p = sample(name)
-    evaluation = SystemOfEffects(KIND, parameters, effects)
+    evaluation = ExtendedSystem(KIND, parameters, effects)
     M, K = matrices(evaluation, p[None])
     eigenvalues, shapes = condensed_eigh(M, K, 9, evaluation.rigid_modes)
     return eigenvalues[0], shapes[0], M[0], evaluation.rigid_modes
@@ -191,7 +191,7 @@ def test_motor_and_pulley_swing_against_each_other_on_a_stiff_gearbox(name: str)
 def test_the_symmetric_solver_alone_would_lose_them() -> None:
     """The graded form is needed; without this check the tests above would prove nothing."""
     parameters, p = sample("published")
-    system = SystemOfEffects(KIND, parameters, {"gearbox_compliance.compliance": 1e-15})
+    system = ExtendedSystem(KIND, parameters, {"gearbox_compliance.compliance": 1e-15})
     M, K = matrices(system, p[None])
     exact = exact_modes(parameters, {"gearbox_compliance.compliance": 1e-15}, p).values()
     assert (np.abs(generalised_eigh(M, K)[0][0] / exact - 1.0)[3:9] > 1e-3).any()
@@ -201,7 +201,7 @@ def test_the_symmetric_solver_alone_would_lose_them() -> None:
 def test_joints_of_usual_stiffness_are_solved_as_ever(compliance: float) -> None:
     """Equal to the last bit, and for a whole batch at once."""
     parameters, p = sample("published")
-    evaluation = SystemOfEffects(KIND, parameters, {"gearbox_compliance.compliance": compliance})
+    evaluation = ExtendedSystem(KIND, parameters, {"gearbox_compliance.compliance": compliance})
     M, K = matrices(evaluation, p + np.linspace(0.0, 0.05, 7)[:, None])
     for found, expected in zip(condensed_eigh(M, K, 9, 3), generalised_eigh(M, K), strict=True):
         np.testing.assert_array_equal(found, expected)

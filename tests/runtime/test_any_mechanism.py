@@ -23,7 +23,7 @@ from pkmodes.mechanism.regular import sample
 from pkmodes.robot.paths import ParameterPath
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
-from pkmodes.system.evaluation import SystemOfEffects
+from pkmodes.system.evaluation import ExtendedSystem
 from pkmodes.updating import frame
 from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes.updating.robot_structure import RobotStructure, channels
@@ -83,7 +83,7 @@ def test_effects_release_coordinates_and_ground_the_tool() -> None:
     np.testing.assert_allclose(clamped.frequencies(POSES)[:, 2:], expected(POSES, 2e-5), rtol=1e-12)
     # Without inertia they add no mode, even if there is no pose to evaluate M at.
     assert clamped.frequencies([[9.0, 9.0]], "nan").shape == (1, 4)
-    assert SystemOfEffects.of(clamped.robot).massless().tolist() == [False] * 4 + [True] * 2
+    assert ExtendedSystem.of(clamped.robot).massless().tolist() == [False] * 4 + [True] * 2
     loaded = pkmodes.Model(robot({"payload.mass": 0.4}))
     np.testing.assert_allclose(loaded.frequencies(POSES)[:, 2:], expected(POSES, mass=1.1), rtol=1e-12)
     assert pkmodes.Model(robot({"cable_stiffness.stiffness": 10.0})).modes(POSES).rigid_modes == 0
@@ -124,7 +124,7 @@ def test_models_travel_to_other_processes(effects: Mapping[str, float]) -> None:
     planar = pkmodes.Model(robot(effects))
     twin = pickle.loads(pickle.dumps(planar))
     np.testing.assert_array_equal(twin.frequencies(POSES), planar.frequencies(POSES))
-    pickle.loads(pickle.dumps(SystemOfEffects.of(planar.robot)))
+    pickle.loads(pickle.dumps(ExtendedSystem.of(planar.robot)))
     pickle.loads(pickle.dumps(planar.modes(POSES)))
 
 
@@ -165,7 +165,7 @@ def test_sensitivities_are_those_of_differences() -> None:
         ),
         ParameterPath("pose.y", 0.0, "m", {("pose", (1,)): 1.0}),
     ]
-    model, system = pkmodes.Model(robot()), SystemOfEffects.of(robot())
+    model, system = pkmodes.Model(robot()), ExtendedSystem.of(robot())
     shapes = model.modes(POSES).shapes
     squares = (2.0 * np.pi * model.frequencies(POSES)) ** 2
     found = MatrixDerivatives(system, POSES, [paths]).eigenvalues(squares, shapes)[:, 2:]

@@ -16,7 +16,7 @@ from helpers.robots.robot_text import PUBLISHED
 from pkmodes.base.errors import NotComputedError
 from pkmodes.sensitivity import sensitivities as sensitivity_module
 from pkmodes.sensitivity.sensitivities import Sensitivities
-from pkmodes.solve import dynamics, kinematics
+from pkmodes.solve import batch, kinematics, mode_fields
 
 pytestmark = pytest.mark.usefixtures("backend")
 
@@ -82,7 +82,8 @@ def test_digits_do_not_depend_on_the_parts(extended: pkmodes.Model, monkeypatch:
     whole, derivatives = extended.modes(poses, "nan"), extended.sensitivities(poses, PATHS, on_error="nan")
     rates = extended.sensitivities(poses, PATHS, on_error="nan", fields=["frequencies"]).frequencies
     statics = extended.statics(poses, "nan")
-    monkeypatch.setattr(dynamics, "CHUNK", 6)
+    monkeypatch.setattr(batch, "CHUNK", 6)
+    monkeypatch.setattr(mode_fields, "CHUNK", 6)
     monkeypatch.setattr(kinematics, "CHUNK", 6)
     monkeypatch.setattr(sensitivity_module, "TOGETHER", 6)
     for name in pkmodes.Modes.FIELDS:

@@ -15,7 +15,7 @@ from helpers.robots.sample_mechanisms import sample as other_sample
 from helpers.robots.sample_robots import sample as linear_sample
 from pkmodes.mechanism.registry import mechanism as mechanism_named
 from pkmodes.robot.robot import Robot
-from pkmodes.system.evaluation import SystemOfEffects
+from pkmodes.system.evaluation import ExtendedSystem
 from pkmodes.view.evaluating import scene
 from pkmodes.view.robot_drawing import RobotDrawing
 
@@ -155,7 +155,7 @@ def test_drawn_belt_spans_have_the_free_lengths_and_strains_of_the_model() -> No
 @pytest.mark.parametrize(("name", "seed"), CASES)
 def test_the_energies_of_all_springs_and_of_gravity_add_up_to_the_stiffness(name: str, seed: int) -> None:
     robot, p = robot_of(name, seed, effects=True)
-    system, drawn = SystemOfEffects.of(robot), RobotDrawing(robot)
+    system, drawn = ExtendedSystem.of(robot), RobotDrawing(robot)
     extended = import_module(f"pkmodes_generated.{name}.extended")
     _, _, K_g = extended.extended_matrices(p, robot.parameters, system.effects)
     _, K = system.all_coordinates(p[None])

@@ -3,26 +3,26 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, cast
 
 import click
+import msgspec
 import numpy as np
 from msgspec import UNSET, Meta, UnsetType
 
-from pkmodes.base.documents import Count, Document, Matrix
+from pkmodes.base.documents import Count, Document
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import json_option, mechanism_option
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
 from pkmodes.cli.targets import check_targets
+from pkmodes.dataset.fields import FIELDS, INDEPENDENT, Field, of_modes
 from pkmodes.mechanism.poses import placed
 from pkmodes.model.loading import load
 from pkmodes.model.model import Model
-from pkmodes.solve.results import CARRIAGES, Modes, Statics
+from pkmodes.solve.results import Modes, Statics
 
 
-class ModesDocument(Document):
-    """The modes at a pose: n coordinates, m modes, the rigid-body ones first."""
-
+class _AtPose(Document):
     robot: Annotated[str, Meta(description="Name of the robot.")]
     pose: Annotated[
         list[float],
@@ -35,47 +35,44 @@ class ModesDocument(Document):
             "(docs/model.md)."
         ),
     ]
-    frequencies_hz: Annotated[
+
+
+#: What follows the fields of `pkmodes.Modes`.
+_AFTER: tuple[tuple[str, Any, str], ...] = (
+    (
+        "static_torques",
         list[float],
-        Meta(
-            description="sqrt(|lambda|) / (2 pi) with the sign of lambda [Hz], ascending, the rigid-body ones first; "
-            "m of them."
-        ),
+        "Torque of each drive that holds the pose against gravity, positive with its coordinate [N m].",
+    ),
+    ("rigid_modes", Count, "Number of modes that strain no elastic element; they come first."),
+    ("backend", Literal["numpy", "compiled"], "What evaluated the modes."),
+)
+
+
+def modes_document() -> type[Document]:
+    """Return the class of the JSON document, whose keys are fields of `pkmodes.Modes` (`pkmodes.dataset.fields`)."""
+    fields = [FIELDS[name] for name in of_modes() if FIELDS[name].key]
+    keys = [(field.key, _type_of(field), field.key_text) for field in fields if not field.same_as]
+    declared: list[Any] = [
+        (name, Annotated[kind, Meta(description=text)]) for name, kind, text in (*keys, *_AFTER)
     ]
-    shapes: Annotated[
-        Matrix,
-        Meta(
-            description="One list of n components for each mode, mass-normalised: phi^T M phi = 1 in SI units."
-        ),
-    ]
-    platform_shapes: Annotated[
-        Matrix,
-        Meta(
-            description="For each mode the motion of the platform centre along the linear components of the pose, "
-            "with the scale of the shape."
-        ),
-    ]
-    joint_positions: Annotated[
-        dict[str, float],
-        Meta(description="The independent coordinates at the pose, by name, in SI units."),
-    ]
-    mass_matrix: Annotated[Matrix, Meta(description="n by n, SI units.")]
-    stiffness_matrix: Annotated[Matrix, Meta(description="n by n, SI units.")]
-    static_torques: Annotated[
-        list[float],
-        Meta(
-            description="Torque of each drive that holds the pose against gravity, positive with its coordinate "
-            "[N m]."
-        ),
-    ]
-    rigid_modes: Annotated[
-        Count, Meta(description="Number of modes that strain no elastic element; they come first.")
-    ]
-    backend: Annotated[Literal["numpy", "compiled"], Meta(description="What evaluated the modes.")]
-    carriage_positions: Annotated[
-        list[float] | UnsetType,
-        Meta(description="The same as joint_positions in a list, for a robot with carriages [m]."),
-    ] = UNSET
+    for field in fields:
+        if field.same_as:  # of some mechanisms only
+            kind = Annotated[list[float] | UnsetType, Meta(description=field.key_text)]
+            declared.append((field.key, kind, UNSET))
+    text = "The modes at a pose: n coordinates, m modes, the rigid-body ones first."
+    document = msgspec.defstruct("ModesDocument", declared, bases=(_AtPose,), namespace={"__doc__": text})
+    return cast("type[Document]", document)
+
+
+def _type_of(field: Field) -> Any:
+    """Return the type of a field in JSON: by name along the independent coordinates, lists along other axes."""
+    if field.dims == (INDEPENDENT,):
+        return dict[str, float]
+    kind: Any = float
+    for _ in field.dims:
+        kind = list[kind]
+    return kind
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245")
@@ -94,31 +91,32 @@ def modes(robot: Path, pose: str, json_file: str | None) -> None:
     point = parse_pose(pose, model.mechanism)
     check_metres(model, pose, point)
     result, statics = model.modes(point), model.statics(point)
-    document = ModesDocument(**as_json(model, result, statics))
+    document = modes_document()(**as_json(model, result, statics))
     deliver(json_file, document.as_json(), lambda: _print(model, result, statics))
 
 
 def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:
     """Return the result of one pose with the documented JSON keys."""
-    found = {
+    fields = [FIELDS[name] for name in Modes.fields_of(model.mechanism) if FIELDS[name].key]
+    values = {field.key: _in_json(field, result, model) for field in fields}
+    return {
         "robot": model.robot.name,
         "pose": result.poses.tolist(),
         "coordinates": list(result.coordinates),
-        "frequencies_hz": result.frequencies.tolist(),
-        "shapes": result.shapes.tolist(),
-        "platform_shapes": result.platform_shapes.tolist(),
-        "joint_positions": dict(
-            zip(model.mechanism.independent, result.joint_positions.tolist(), strict=True)
-        ),
-        "mass_matrix": result.mass_matrix.tolist(),
-        "stiffness_matrix": result.stiffness_matrix.tolist(),
+        **{field.key: values[field.key] for field in fields if not field.same_as},
         "static_torques": statics.torques.tolist(),
         "rigid_modes": result.rigid_modes,
         "backend": result.backend,
+        **{field.key: values[field.key] for field in fields if field.same_as},
     }
-    if CARRIAGES in Modes.fields_of(model.mechanism):
-        found[CARRIAGES] = result.carriage_positions.tolist()
-    return found
+
+
+def _in_json(field: Field, result: Modes, model: Model) -> Any:
+    """Return the value of a field: by name along the independent coordinates, except under another name of these."""
+    value = getattr(result, field.name).tolist()
+    if field.dims == (INDEPENDENT,) and not field.same_as:
+        return dict(zip(model.mechanism.independent, value, strict=True))
+    return value
 
 
 def _print(model: Model, result: Modes, statics: Statics) -> None:

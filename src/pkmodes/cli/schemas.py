@@ -13,7 +13,7 @@ from pkmodes.cli.compare import CompareDocument
 from pkmodes.cli.figures import FiguresDocument
 from pkmodes.cli.generate import GenerateDocument
 from pkmodes.cli.map import MapDocument
-from pkmodes.cli.modes import ModesDocument
+from pkmodes.cli.modes import modes_document
 from pkmodes.cli.sensitivities import SensitivitiesDocument
 from pkmodes.cli.show import ShowDocument
 from pkmodes.diagnosis.verdict.document import DiagnoseDocument
@@ -22,7 +22,7 @@ from pkmodes.diagnosis.verdict.document import DiagnoseDocument
 DOCUMENTS: dict[str, type[Document]] = {
     "generate": GenerateDocument,
     "check": CheckDocument,
-    "modes": ModesDocument,
+    "modes": modes_document(),
     "map": MapDocument,
     "figures": FiguresDocument,
     "show": ShowDocument,

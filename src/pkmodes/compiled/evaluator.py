@@ -14,22 +14,8 @@ from pkmodes.compiled.lanes import Lanes, Terms
 from pkmodes.compiled.loader import Library, Request
 
 Array = NDArray[np.float64]
-#: The fields that the kernel writes.
-FIELDS = (
-    "frequencies",
-    "eigenvalues",
-    "shapes",
-    "platform_shapes",
-    "joint_positions",
-    "mass_matrix",
-    "stiffness_matrix",
-)
-#: The fields that it writes if it is given paths.
-RATES = ("eigenvalue_rates", "frequency_rates")
 #: Poses that a thread takes at a time, a multiple of those in a block.
 SHARE = 4800
-#: The code of a pose whose eigenproblem needs another solver.
-UNSOLVED = -1
 
 
 class Evaluator:
@@ -79,8 +65,8 @@ class Evaluator:
         points : ndarray, shape (N, d)
             Contiguous.
         arrays : mapping of str to ndarray, (N, ...)
-            Contiguous arrays to fill, by field of `FIELDS`, or of `RATES` with `terms`; NaN where a pose cannot be
-            evaluated.
+            Contiguous arrays to fill, by field of `pkmodes.compiled.lanes.FIELDS`, or of `RATES` with `terms`; NaN
+            where a pose cannot be evaluated.
         threads : int
             Number of threads; the results do not depend on it.
         width : int, optional
@@ -91,7 +77,7 @@ class Evaluator:
         Returns
         -------
         ndarray of int8, shape (N,)
-            Indices into `pkmodes.mechanism.poses.codes_of`, or `UNSOLVED`.
+            Indices into `pkmodes.mechanism.poses.codes_of`, or `pkmodes.compiled.lanes.UNSOLVED`.
         """
         count = len(points)
         codes = np.empty(count, dtype=np.int8)

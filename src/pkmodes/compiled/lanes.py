@@ -8,6 +8,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+#: The fields that the kernel writes.
+FIELDS = (
+    "frequencies",
+    "eigenvalues",
+    "shapes",
+    "platform_shapes",
+    "joint_positions",
+    "mass_matrix",
+    "stiffness_matrix",
+)
+#: The fields that it writes if it is given paths.
+RATES = ("eigenvalue_rates", "frequency_rates")
+#: The code of a pose whose eigenproblem needs another solver.
+UNSOLVED = -1
 
 
 class Lanes(NamedTuple):

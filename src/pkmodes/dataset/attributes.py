@@ -9,7 +9,8 @@ import numpy as np
 
 from pkmodes.base.extras import require
 from pkmodes.base.version import VERSION
-from pkmodes.dataset.variables import COORDINATE, DIRECTION, DRIVE, EVENTS, FIRST, MODE
+from pkmodes.dataset.fields import COORDINATE, DIRECTION, DRIVE, MODE
+from pkmodes.dataset.variables import EVENTS, FIRST
 from pkmodes.mechanism.poses import reasons
 from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.robot import Robot

@@ -10,20 +10,14 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 
-def parts_of(motion: Array, directions: Sequence[str], normal: str | None) -> tuple[Array, Array]:
-    """Split motions of the platform into magnitudes in the plane of the grid and perpendicular to it.
-
-    Parameters
-    ----------
-    motion : ndarray, shape (..., directions)
-    directions : sequence of str
-    normal : str or None
-
-    Returns
-    -------
-    in_plane, out_of_plane : ndarray, shape (...)
-        The second is zero for a mechanism that moves in a plane.
-    """
+def in_plane(motion: Array, directions: Sequence[str], normal: str | None) -> Array:
+    """Return the magnitudes of motions of the platform, (..., directions), in the plane with a normal, (...)."""
     plane = [i for i, name in enumerate(directions) if name != normal]
-    within = np.sqrt((motion[..., plane] ** 2).sum(axis=-1))
-    return within, 0.0 * within if normal is None else np.abs(motion[..., directions.index(normal)])
+    return np.asarray(np.sqrt((motion[..., plane] ** 2).sum(axis=-1)))
+
+
+def out_of_plane(motion: Array, directions: Sequence[str], normal: str | None) -> Array:
+    """Return the magnitudes along the normal; zero for a mechanism that moves in a plane."""
+    if normal is None:
+        return 0.0 * in_plane(motion, directions, normal)
+    return np.abs(motion[..., list(directions).index(normal)])

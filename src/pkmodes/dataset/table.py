@@ -5,14 +5,25 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pkmodes.dataset.variables import LIST, MODE
+from pkmodes.dataset.fields import MODE, of_maps
+from pkmodes.dataset.variables import LIST, OF_POSES, OF_TRACKING, dims_of
 
 if TYPE_CHECKING:
     import pandas
     import xarray
+#: Order of the columns: one for each mode, for each pose, and for each component of these.
+ORDER = ((True, False), (False, False), (True, True), (False, True))
 
-PER_MODE = ("frequency", "in_plane", "out_of_plane", "rank", "tracking")
-PER_POSE = ("condition", "valid", "reason")
+
+def _dims() -> dict[str, tuple[str, ...]]:
+    """Return the axes of each variable after those of the poses."""
+    of_fields = {field.variable: dims_of(field) for field in of_maps(shapes=True)}
+    return of_fields | {variable.name: variable.dims for variable in (*OF_TRACKING, *OF_POSES)}
+
+
+def _kind(dims: tuple[str, ...]) -> tuple[bool, bool]:
+    """Return whether a variable has a value for each mode, and whether it has components."""
+    return MODE in dims, bool({*dims} - {MODE})
 
 
 def table_of(dataset: xarray.Dataset) -> pandas.DataFrame:
@@ -31,19 +42,17 @@ def table_of(dataset: xarray.Dataset) -> pandas.DataFrame:
     """
     import xarray
 
-    found: dict[str, xarray.DataArray] = {
-        str(name): dataset[name] for name in (*PER_MODE, *PER_POSE) if name in dataset
-    }
-    for name, along in (
-        ("platform_shape", "direction"),
-        ("shape", "coordinate"),
-        ("joint_position", "coordinate"),
-        ("static_torque", "drive"),
-    ):
-        if name in dataset:
+    columns: dict[str, xarray.DataArray] = {}
+    for name, dims in sorted(_dims().items(), key=lambda item: ORDER.index(_kind(item[1]))):
+        if name not in dataset:
+            continue
+        if dims in ((), (MODE,)):
+            columns[name] = dataset[name]
+        else:
+            along = dims[-1]
             labels = dataset[along].values.tolist()
-            found |= {f"{name}:{label}": dataset[name].sel({along: label}, drop=True) for label in labels}
-    wide = xarray.Dataset(found)
+            columns |= {f"{name}:{label}": dataset[name].sel({along: label}, drop=True) for label in labels}
+    wide = xarray.Dataset(columns)
     order = [str(dim) for dim in (*dataset["valid"].dims, MODE) if dim in wide.dims]
     if not order:  # one pose, without frequencies and shapes
         wide, order = wide.expand_dims(LIST), [LIST]

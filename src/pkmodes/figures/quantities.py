@@ -78,7 +78,7 @@ def volume_of(model: Model, plane: Plane) -> Volume | None:
     """Return which poses around a plane can be evaluated; None for a mechanism with two pose components."""
     if plane.normal is None:
         return None
-    low, high = box_of(model)
+    low, high = box_of(model.kinematics)
     names = [component.name for component in model.mechanism.pose]
     counts = {plane.normal: HEIGHTS, plane.along: FINE, plane.across: FINE}
     axes = {}

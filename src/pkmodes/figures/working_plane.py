@@ -42,8 +42,8 @@ def working_plane(model: Model) -> Grid:
     """
     names = [component.name for component in model.mechanism.pose]
     if len(names) <= 2:
-        return reachable(model, POSES)
-    volume = reachable(model, VOLUME)
+        return reachable(model.kinematics, POSES)
+    volume = reachable(model.kinematics, VOLUME)
     normal = model.mechanism.directions[2]
     coarse = model.map(volume)
     others = [name for name in names if name != normal]

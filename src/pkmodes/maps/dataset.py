@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.dataset.attributes import attributes_of, imported, labels_of, meanings_of
+from pkmodes.dataset.fields import INDEPENDENT, of_maps
 from pkmodes.dataset.variables import LIST, variables
 from pkmodes.maps.fields import fields_of
 from pkmodes.maps.layout import Layout
@@ -59,11 +60,14 @@ def dataset_of(
     shape = (*variants.shape, *places.shape)
     coordinates = layout.coordinates if layout.shapes else mechanism.independent
     # Shapes may have been needed for tracking only.
-    shown = [name for name in arrays if name != "shape" or layout.shapes]
+    kept = {field.variable for field in of_maps(layout.shapes)}
+    shown = [name for name in arrays if name in kept or name == "code"]
     fields = fields_of({name: arrays[name] for name in shown}, shape, np.array(codes_of(mechanism)), tracked)
     if len(shown) < len(arrays):
         columns = [layout.coordinates.index(name) for name in coordinates]
-        fields["joint_position"] = fields["joint_position"][..., columns]
+        for field in of_maps(layout.shapes):
+            if INDEPENDENT in field.dims:
+                fields[field.variable] = fields[field.variable][..., columns]
     known = variables(mechanism, normal, layout.shapes, tracked is not None)
     data = {
         v.name: (
@@ -77,32 +81,32 @@ def dataset_of(
     if (rigid != rigid.flat[0]).any():
         about = {"units": "1", "long_name": "number of rigid-body modes of this robot, which are left out"}
         data["rigid_modes"] = (variants.dims, rigid, about)
-    found: xarray.Dataset = imported().Dataset(
+    dataset: xarray.Dataset = imported().Dataset(
         data,
         coords={**_coordinates(robot, places, variants), **labels_of(mechanism, layout.modes, coordinates)},
         attrs=attributes_of(robot, evaluation(robot).rigid_modes),
     )
-    return found
+    return dataset
 
 
 def _coordinates(robot: Robot, places: Places, variants: Variants) -> dict[str, Any]:
     """Return the coordinates along the leading axes."""
     units = changeable(robot)
-    found: dict[str, Any] = {
+    coordinates: dict[str, Any] = {
         path: (path, values, {"units": units.get(path, "1"), "long_name": f"parameter {path}"})
         for path, values in variants.swept.items()
     }
     if variants.samples is not None:
         numbers = np.arange(1, variants.samples + 1)
-        found[SAMPLE] = (SAMPLE, numbers, {"units": "1", "long_name": "number of the sampled robot"})
+        coordinates[SAMPLE] = (SAMPLE, numbers, {"units": "1", "long_name": "number of the sampled robot"})
         for path, values in variants.drawn.items():
             attributes = {"units": units.get(path, "1"), "long_name": f"parameter {path}, drawn"}
-            found[path] = (SAMPLE, values, attributes)
+            coordinates[path] = (SAMPLE, values, attributes)
     about = {c.name: {"units": c.unit, "long_name": c.description} for c in robot.mechanism.pose}
     if isinstance(places, Grid):
-        found |= {name: (name, places.axes[name], about[name]) for name in places.dims}
+        coordinates |= {name: (name, places.axes[name], about[name]) for name in places.dims}
     else:
-        found |= {name: (LIST, places.table[:, i], about[name]) for i, name in enumerate(places.names)}
+        coordinates |= {name: (LIST, places.table[:, i], about[name]) for i, name in enumerate(places.names)}
         labels = np.array(places.labels) if places.labels else np.arange(len(places.table))
-        found[LIST] = (LIST, labels, {"units": "1", "long_name": "pose"})
-    return found
+        coordinates[LIST] = (LIST, labels, {"units": "1", "long_name": "pose"})
+    return coordinates

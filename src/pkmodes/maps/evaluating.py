@@ -13,16 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import PkmodesError
-from pkmodes.dataset.motion import parts_of
+from pkmodes.dataset.fields import COORDINATE, INDEPENDENT, MODE, Field, of_maps
 from pkmodes.maps.layout import Layout, tails
-from pkmodes.mechanism.generated import Generated
-from pkmodes.mechanism.poses import CHUNK
 from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.robot import Robot
 from pkmodes.solve.dynamics import Dynamics
-from pkmodes.solve.kinematics import condition_number
-from pkmodes.solve.results import JOINTS
-from pkmodes.system.evaluation import evaluation
 
 Array = NDArray[Any]
 
@@ -84,37 +79,38 @@ def evaluate(task: Task) -> dict[str, Array]:
 
 
 def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
-    layout, model = task.layout, Dynamics(robot, task.max_condition)
-    fields = ["frequencies", "platform_shapes", JOINTS, *(["shapes"] if layout.shapes else [])]
+    layout, model = task.layout, Dynamics.of(robot, task.max_condition)
+    fields = of_maps(layout.shapes)
     # One thread: tasks run side by side.
-    found = model.modes(points, "nan", fields=fields, backend=layout.backend, threads=1)
-    rows, rigid = len(points), found.rigid_modes
-    n = found.frequencies.shape[1] - rigid
-    arrays = {
-        name: np.full((rows, *tail), np.nan, dtype)
-        for name, (tail, dtype) in tails(robot, layout).items()
-        if dtype == "f8"
-    }
-    arrays["frequency"][:, :n] = found.frequencies[:, rigid:]
-    motion = arrays["platform_shape"][:, :n] = found.platform_shapes[:, rigid:]
-    arrays["in_plane"][:, :n], arrays["out_of_plane"][:, :n] = parts_of(
-        motion, robot.mechanism.directions, task.normal
+    checked, values = model.fields_at(
+        points,
+        "nan",
+        [field.name for field in fields],
+        model.solver(layout.backend),
+        given={"normal": task.normal},
     )
-    every = layout.coordinates if layout.shapes else robot.mechanism.independent
-    independent = [every.index(name) for name in robot.mechanism.independent]
-    arrays["joint_position"][:, independent] = found.joint_positions
-    good = np.flatnonzero(found.valid)
-    statics, jacobian = (
-        evaluation(robot).statics,
-        Generated(robot.mechanism.model, robot.parameters).platform_jacobian,
-    )
-    for start in range(0, len(good), CHUNK):
-        part = good[start : start + CHUNK]
-        arrays["static_torque"][part], _ = statics(points[part])
-        arrays["condition"][part] = condition_number(jacobian(points[part]))
-    if layout.shapes:
-        columns = [layout.coordinates.index(name) for name in found.coordinates]
-        # A joint that this robot does not release does not move.
-        arrays["shape"][good, :n] = 0.0
-        arrays["shape"][:, :n, columns] = found.shapes[:, rigid:]
-    return {**arrays, "code": found.codes}
+    arrays = {"code": checked.codes}
+    sizes = tails(robot, layout)
+    for field in fields:
+        shape, dtype = sizes[field.variable]
+        array = arrays[field.variable] = np.full((len(points), *shape), np.nan, dtype)
+        _place(field, values[field.name], array, model, layout, checked.valid)
+    return arrays
+
+
+def _place(
+    field: Field, values: Array, array: Array, model: Dynamics, layout: Layout, valid: NDArray[np.bool_]
+) -> None:
+    """Place the values of a robot in an array with the modes and coordinates of all robots."""
+    if field.dims[:1] == (MODE,):
+        values = values[:, model.system.rigid_modes :]
+        array = array[:, : values.shape[1]]
+    if COORDINATE in field.dims:
+        array[valid] = 0.0  # a joint that this robot does not release does not move
+        array[..., [layout.coordinates.index(name) for name in model.coordinates]] = values
+    elif INDEPENDENT in field.dims:
+        independent = model.robot.mechanism.independent
+        shown = layout.coordinates if layout.shapes else independent
+        array[..., [shown.index(name) for name in independent]] = values
+    else:
+        array[...] = values

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.dataset.fields import MODE, of_maps
 from pkmodes.maps.storage import Stored
 from pkmodes.maps.tracking import Tracked
 
@@ -33,20 +34,20 @@ def fields_of(
     tracked : Tracked, optional
         Modes by shape instead of by rank.
     """
-    found = {name: _spaced(arrays[name], shape) for name in arrays}
-    codes = found.pop("code")
-    found["valid"] = _each(lambda part: part == 0, np.dtype(bool), codes)
-    found["reason"] = _each(reasons.__getitem__, reasons.dtype, codes)
-    return found if tracked is None else found | _tracked(found, tracked, shape)
+    fields = {name: _spaced(arrays[name], shape) for name in arrays}
+    codes = fields.pop("code")
+    fields["valid"] = _each(lambda part: part == 0, np.dtype(bool), codes)
+    fields["reason"] = _each(reasons.__getitem__, reasons.dtype, codes)
+    return fields if tracked is None else fields | _tracked(fields, tracked, shape)
 
 
 def chunks_of(shape: tuple[int, ...], leading: int) -> tuple[int, ...]:
     """Return the size of the parts of a field: all values at about `CHUNK` poses next to each other."""
-    found, left = list(shape), CHUNK
+    chunks, left = list(shape), CHUNK
     for axis in reversed(range(leading)):
-        found[axis] = min(shape[axis], max(left, 1))
+        chunks[axis] = min(shape[axis], max(left, 1))
         left //= shape[axis]
-    return tuple(found)
+    return tuple(chunks)
 
 
 def _spaced(values: Any, shape: tuple[int, ...]) -> Any:
@@ -81,18 +82,21 @@ def _tracked(fields: Mapping[str, Any], tracked: Tracked, shape: tuple[int, ...]
     )
     if not isinstance(valid, np.ndarray):
         order, signs, events = (_lazy(values, shape) for values in (order, signs, events))
-    found = {}
-    for name in ("frequency", "in_plane", "out_of_plane"):
-        found[name] = _each(_reordered, fields[name].dtype, fields[name], order)
-    for name in ("platform_shape", "shape"):
-        if name in fields:
+    reordered = {}
+    for field in of_maps(shapes=True):
+        values = fields.get(field.variable)
+        if values is None or field.dims[:1] != (MODE,):
+            continue
+        if field.dims == (MODE,):
+            reordered[field.variable] = _each(_reordered, values.dtype, values, order)
+        else:
             places, factors = order[..., None], signs[..., None]
-            found[name] = _each(_reordered, fields[name].dtype, fields[name], places, factors)
-    found["rank"] = _each(
+            reordered[field.variable] = _each(_reordered, values.dtype, values, places, factors)
+    reordered["rank"] = _each(
         lambda places, good: np.where(good, places + 1, 0).astype(np.int8), np.dtype(np.int8), order, valid
     )
-    found["tracking"] = events
-    return found
+    reordered["tracking"] = events
+    return reordered
 
 
 def _reordered(values: Array, places: Array, factors: Array | None = None) -> Array:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from pkmodes.dataset.fields import of_maps, sizes_of, tail
 from pkmodes.robot.robot import Robot
 from pkmodes.system.evaluation import evaluation
 
@@ -33,29 +34,20 @@ class Layout:
 
 def tails(robot: Robot, layout: Layout) -> dict[str, tuple[tuple[int, ...], str]]:
     """Return the shape at one pose, and the type, of each field."""
-    mechanism = robot.mechanism
-    found: dict[str, tuple[tuple[int, ...], str]] = {
-        "frequency": ((layout.modes,), "f8"),
-        "platform_shape": ((layout.modes, len(mechanism.directions)), "f8"),
-        "in_plane": ((layout.modes,), "f8"),
-        "out_of_plane": ((layout.modes,), "f8"),
-        "joint_position": ((len(layout.coordinates if layout.shapes else mechanism.independent),), "f8"),
-        "static_torque": ((len(mechanism.drives),), "f8"),
-        "condition": ((), "f8"),
-        "code": ((), "i1"),
-    }
-    if layout.shapes:
-        found["shape"] = ((layout.modes, len(layout.coordinates)), "f8")
-    return found
+    coordinates = len(layout.coordinates)
+    independent = coordinates if layout.shapes else None
+    sizes = sizes_of(robot.mechanism, layout.modes, coordinates, independent)
+    fields = {field.variable: (tail(field, sizes), field.dtype) for field in of_maps(layout.shapes)}
+    return {**fields, "code": ((), "i1")}
 
 
 def layout_of(robots: Sequence[Robot], shapes: bool, backend: str) -> Layout:
     """Return the layout that holds the modes of all robots."""
     modes, order = 0, {}
     for robot in robots:
-        found = evaluation(robot)
-        modes = max(modes, len(found.coordinates) - int(found.massless().sum()) - found.rigid_modes)
-        order.update(dict.fromkeys(found.coordinates))
+        system = evaluation(robot)
+        modes = max(modes, len(system.coordinates) - int(system.massless().sum()) - system.rigid_modes)
+        order.update(dict.fromkeys(system.coordinates))
     released = [q.name for effect in robots[0].mechanism.effects.values() for q in effect.coordinates]
     every = [q.name for q in robots[0].mechanism.coordinates] + released
     return Layout(modes, tuple(sorted(order, key=every.index)), shapes, backend)

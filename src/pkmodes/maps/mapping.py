@@ -28,7 +28,7 @@ from pkmodes.maps.variants import SAMPLE, Variants, variants_of
 from pkmodes.maps.workspace import bounds_of, reachable
 from pkmodes.robot.text import text_of
 from pkmodes.solve.backends import checked_threads, chosen
-from pkmodes.solve.dynamics import Dynamics
+from pkmodes.solve.kinematics import Kinematics
 from pkmodes.system.evaluation import evaluation
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ Progress = Callable[[int, int], None]
 class Plan:
     """What a map computes."""
 
-    model: Dynamics
+    model: Kinematics
     places: Places
     variants: Variants
     layout: Layout
@@ -105,7 +105,7 @@ class Plan:
 
 
 def map_of(
-    model: Dynamics,
+    model: Kinematics,
     grid: Any,
     *,
     sweep: Mapping[str, Any] | None,
@@ -194,7 +194,7 @@ def _fill(
 
 def _refuse_outside(plan: Plan) -> NoReturn:
     """Refuse a map without a single pose that can be evaluated."""
-    model, size = Dynamics(plan.variants.robots[0], plan.model.max_condition), plan.poses
+    model, size = Kinematics(plan.variants.robots[0], plan.model.max_condition), plan.poses
     some = plan.places.points(np.unique(np.linspace(0, size - 1, min(size, 1000)).astype(int)))
     sentence = str(model.check(some).sentences[0]).partition(";")[0] if len(some) else ""
     of = " by any of its robots" if len(plan.variants.robots) > 1 else ""

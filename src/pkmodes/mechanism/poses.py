@@ -134,13 +134,21 @@ def check_poses(
         condition of the mechanism.
     """
     points, batch = given_poses(poses, mechanism, on_error)
+    codes = pose_codes(points, mechanism, parameters, max_condition)
+    if on_error == "raise":
+        refuse(points, codes, mechanism, parameters)
+    return CheckedPoses(points, codes, batch, codes_of(mechanism))
+
+
+def pose_codes(
+    points: Array, mechanism: Mechanism, parameters: Any, max_condition: float
+) -> NDArray[np.int8]:
+    """Return the first condition that each pose, (N, d), violates, as an index into `codes_of`, chunk by chunk."""
     codes = np.empty(len(points), dtype=np.int8)
     for start in range(0, len(points), CHUNK):
         part = slice(start, start + CHUNK)
         codes[part] = _codes(points[part], mechanism, parameters, max_condition)
-    if on_error == "raise":
-        refuse(points, codes, mechanism, parameters)
-    return CheckedPoses(points, codes, batch, codes_of(mechanism))
+    return codes
 
 
 def given_poses(poses: ArrayLike, mechanism: Mechanism, on_error: OnError) -> tuple[Array, tuple[int, ...]]:

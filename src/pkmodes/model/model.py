@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import wraps
 from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeVar
 
 from numpy.typing import ArrayLike
 
@@ -12,7 +13,8 @@ from pkmodes.mechanism.poses import MAX_CONDITION, OnError
 from pkmodes.robot.robot import Robot
 from pkmodes.solve.backends import AUTO, checked_threads
 from pkmodes.solve.dynamics import Dynamics
-from pkmodes.solve.gathering import Fields, Out
+from pkmodes.solve.field_arrays import Fields, Out
+from pkmodes.solve.kinematics import Kinematics
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -20,7 +22,31 @@ if TYPE_CHECKING:
     from pkmodes.sensitivity.sensitivities import ResolvedPaths, Sensitivities
 
 
-class Model(Dynamics):
+P = ParamSpec("P")
+R = TypeVar("R")
+
+
+def _of_kinematics(method: Callable[Concatenate[Kinematics, P], R]) -> Callable[Concatenate[Model, P], R]:
+    """Make a method of the model from one of its kinematics."""
+
+    @wraps(method)
+    def of_model(self: Model, /, *args: P.args, **kwargs: P.kwargs) -> R:
+        return method(self.kinematics, *args, **kwargs)
+
+    return of_model
+
+
+def _of_dynamics(method: Callable[Concatenate[Dynamics, P], R]) -> Callable[Concatenate[Model, P], R]:
+    """Make a method of the model from one of its dynamics."""
+
+    @wraps(method)
+    def of_model(self: Model, /, *args: P.args, **kwargs: P.kwargs) -> R:
+        return method(self.dynamics, *args, **kwargs)
+
+    return of_model
+
+
+class Model:
     """Evaluator of one robot.
 
     Every method takes one pose of shape (d,) or an array of shape (..., d), in SI units and with the mechanism's
@@ -44,8 +70,22 @@ class Model(Dynamics):
         Names of the generalised coordinates (docs/model.md).
     """
 
+    check = _of_kinematics(Kinematics.check)
+    platform_jacobian = _of_kinematics(Kinematics.platform_jacobian)
+    condition = _of_kinematics(Kinematics.condition)
+    inverse_kinematics = _of_kinematics(Kinematics.inverse_kinematics)
+    direct_kinematics = _of_kinematics(Kinematics.direct_kinematics)
+    assembly = _of_kinematics(Kinematics.assembly)
+    modes = _of_dynamics(Dynamics.modes)
+    frequencies = _of_dynamics(Dynamics.frequencies)
+    matrices = _of_dynamics(Dynamics.matrices)
+    statics = _of_dynamics(Dynamics.statics)
+
     def __init__(self, robot: Robot, max_condition: float = MAX_CONDITION) -> None:
-        super().__init__(robot, max_condition)
+        self.kinematics = Kinematics(robot, max_condition)
+        self.dynamics = Dynamics(self.kinematics)
+        self.robot, self.mechanism = robot, robot.mechanism
+        self.max_condition, self.coordinates = self.kinematics.max_condition, self.dynamics.coordinates
         self._resolved_paths: tuple[tuple[str, ...] | None, ResolvedPaths] | None = None
 
     def __repr__(self) -> str:
@@ -54,6 +94,16 @@ class Model(Dynamics):
     def __reduce__(self) -> tuple[Any, ...]:
         # The evaluation may hold modules, which cannot be pickled; it is rebuilt from the robot.
         return type(self), (self.robot, self.max_condition)
+
+    @property
+    def reasons(self) -> dict[str, str]:
+        """Codes that ``reason`` may have for a pose that cannot be evaluated, with their meanings."""
+        return self.kinematics.reasons
+
+    @property
+    def has_assemblies(self) -> bool:
+        """Whether the mechanism has several assembly branches: see `assembly`."""
+        return self.kinematics.has_assemblies
 
     def with_values(self, values: Mapping[str, Any]) -> Model:
         """Return the evaluator of the robot with other values.
@@ -132,7 +182,7 @@ class Model(Dynamics):
             close,
             fields,
             out,
-            self._compiled(backend),
+            self.dynamics.solver(backend),
             checked_threads(threads),
         )
 
@@ -209,7 +259,7 @@ class Model(Dynamics):
         from pkmodes.maps.mapping import map_of
 
         return map_of(
-            self,
+            self.kinematics,
             grid,
             sweep=sweep,
             samples=samples,
@@ -234,7 +284,7 @@ class Model(Dynamics):
             key = tuple(parameters)
         else:  # anything else is converted or refused
             return ResolvedPaths(self.robot, parameters)
-        found = self._resolved_paths
-        if found is None or found[0] != key:
-            found = self._resolved_paths = key, ResolvedPaths(self.robot, parameters)
-        return found[1]
+        last = self._resolved_paths
+        if last is None or last[0] != key:
+            last = self._resolved_paths = key, ResolvedPaths(self.robot, parameters)
+        return last[1]

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.layout import Slot
 from pkmodes.robot.paths import ParameterPath
-from pkmodes.system.evaluation import SystemOfEffects
+from pkmodes.system.evaluation import ExtendedSystem
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
@@ -95,7 +95,7 @@ def geometry_of(mechanism: Mechanism) -> frozenset[str]:
 
 
 def locked_joints(
-    system: SystemOfEffects, paths: Sequence[ParameterPath]
+    system: ExtendedSystem, paths: Sequence[ParameterPath]
 ) -> dict[int, list[tuple[tuple[int, ...], float]]]:
     """Return the locked joints that paths would release: coordinates and weights by index of the path."""
     free = set(system.free)
@@ -115,7 +115,7 @@ class MatrixDerivatives:
 
     Parameters
     ----------
-    system : SystemOfEffects
+    system : ExtendedSystem
         One or B stacked robots, with N / B poses each.
     p : ndarray, shape (N, d)
         Valid poses, robot by robot.
@@ -136,7 +136,7 @@ class MatrixDerivatives:
 
     def __init__(
         self,
-        system: SystemOfEffects,
+        system: ExtendedSystem,
         p: Array,
         paths: Sequence[Sequence[ParameterPath]],
         matrices: tuple[Array, Array] | None = None,

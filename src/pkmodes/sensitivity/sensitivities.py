@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,13 +19,12 @@ from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.sensitivity.modes import ROUNDING, branches, groups, mode_derivatives
 from pkmodes.sensitivity.terms import RATES, terms_of
-from pkmodes.solve.gathering import Fields, Gathered, Out, chosen_fields
+from pkmodes.solve.batch import run
+from pkmodes.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
 from pkmodes.solve.results import ChosenFields
-from pkmodes.solve.solving import Solved, solved
-from pkmodes.system.evaluation import Evaluation, SystemOfEffects, evaluation
-
-if TYPE_CHECKING:
-    from pkmodes.compiled.evaluator import Evaluator
+from pkmodes.solve.solutions import solved
+from pkmodes.solve.solver import Solver
+from pkmodes.system.evaluation import ExtendedSystem, evaluation
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
@@ -119,9 +118,9 @@ class ResolvedPaths:
         self.robot, self.paths, self.system = robot, _chosen(robot, parameters), evaluation(robot)
 
     @cached_property
-    def extended(self) -> SystemOfEffects:
+    def extended(self) -> ExtendedSystem:
         """The robot's system with all released joints."""
-        return self.system if isinstance(self.system, SystemOfEffects) else SystemOfEffects.of(self.robot)
+        return self.system if isinstance(self.system, ExtendedSystem) else ExtendedSystem.of(self.robot)
 
     @cached_property
     def terms(self) -> Terms:
@@ -137,7 +136,7 @@ def sensitivities(
     close: float,
     fields: Fields,
     out: Out,
-    evaluator: Evaluator | None,
+    solver: Solver,
     threads: int,
 ) -> Sensitivities:
     """Evaluate the sensitivities of a robot; see `pkmodes.Model.sensitivities`."""
@@ -146,29 +145,28 @@ def sensitivities(
         raise PkmodesError(f"expected a fraction below 1, found {shown(close)}", "close", "for example: 1e-6")
     asked = chosen_fields(fields, out, Sensitivities.FIELDS)
     limit = float(close)
-    if evaluator is not None and set(asked) <= RATES.keys():
-        from pkmodes.sensitivity.compiled import compiled_rates
+    if solver.differentiates and set(asked) <= RATES.keys():
+        from pkmodes.sensitivity.rates import rates_job
 
-        checked, arrays = compiled_rates(
-            evaluator,
-            robot,
+        job = rates_job(
+            solver,
             system,
+            robot.source,
             resolved.terms,
             limit,
-            poses,
-            on_error,
             asked,
-            out,
             threads,
-            lambda p: _in_parts(lambda part: _at(resolved, part, limit, asked, evaluator), p),
+            lambda p: _in_parts(lambda part: _at(resolved, part, limit, asked, solver), p),
         )
+        checked, arrays = run(job, robot, max_condition, poses, on_error, out)
     else:
         checked = check_poses(poses, robot.mechanism, robot.parameters, on_error, max_condition)
-        gathered = Gathered(checked, out)
+        aside = on_error == "raise" and len(system.coordinates) > system.first
+        of_poses = FieldArrays(checked.batch, out, aside=aside, blank=bool(checked.codes.any()))
         # In parts of equal size: a single pose is evaluated differently, which gives repeated modes another basis.
         for where, p in checked.parts(TOGETHER, even=True):
-            gathered.put(where, _at(resolved, p, limit, asked, evaluator))
-        arrays = gathered.arrays
+            of_poses.put(where, _at(resolved, p, limit, asked, solver))
+        arrays = of_poses.finish()
     return Sensitivities(
         codes=checked.codes.reshape(checked.batch),
         known=checked.known,
@@ -203,7 +201,7 @@ def _at(
     p: Array,
     close: float,
     asked: Collection[str],
-    evaluator: Evaluator | None,
+    solver: Solver,
 ) -> dict[str, NDArray[Any]]:
     """Compute the requested fields at some poses."""
     robot, system, chosen, extended = (
@@ -214,14 +212,16 @@ def _at(
     )
     of_modes = {"eigenvalues", "frequencies", "shapes", "groups"} & set(asked)
     # Bitwise the matrices of `Model.modes`, so that repeated modes have the same basis.
-    at = _solution(system, p, robot.source, evaluator) if of_modes else None
-    every = at.every if at is not None and extended is system else None
-    derivatives = MatrixDerivatives(extended, p, [chosen], every)
+    at = solved(solver, system, p, robot.source) if of_modes else None
+    matrices = at.all_coordinates if at is not None and extended is system else None
+    derivatives = MatrixDerivatives(extended, p, [chosen], matrices)
     found: dict[str, NDArray[Any]] = {}
     if {"mass_matrix", "stiffness_matrix", "shapes"} & set(asked):
         found["mass_matrix"], found["stiffness_matrix"] = derivatives.dense()
     if at is not None:
-        M, K, eigenvalues, shapes, _ = at
+        M, K, eigenvalues, shapes = (
+            at[name] for name in ("mass_matrix", "stiffness_matrix", "eigenvalues", "shapes")
+        )
         first = system.first
         sizes = magnitude(eigenvalues, first, system.rigid_modes)
         group = found["groups"] = groups(eigenvalues, close, sizes)
@@ -247,15 +247,6 @@ def _at(
             twice = 4.0 * np.pi * np.sqrt(np.where(nothing, np.nan, size))
             found["frequencies"] = found["eigenvalues"] / twice[:, None]
     return {name: found[name] for name in asked}
-
-
-def _solution(system: Evaluation, p: Array, source: str, evaluator: Evaluator | None) -> Solved:
-    """Solve as `Model.modes` does, so that repeated modes have the same basis."""
-    if evaluator is None or not len(p):
-        return solved(system, p, source)
-    from pkmodes.solve.compiled_modes import compiled_solution
-
-    return compiled_solution(evaluator, system, p, source)
 
 
 def _rates(derivatives: MatrixDerivatives, eigenvalues: Array, shapes: Array, group: Index) -> Array:

@@ -10,18 +10,18 @@ from pkmodes.compiled.lanes import Terms, flat
 from pkmodes.robot.layout import Slot
 from pkmodes.robot.paths import ParameterPath
 from pkmodes.sensitivity.matrices import POSE, effect_fields, joints_of
-from pkmodes.system.evaluation import SystemOfEffects
+from pkmodes.system.evaluation import ExtendedSystem
 
 #: The compiled evaluator's names of the fields of `pkmodes.Sensitivities` that it evaluates.
 RATES = {"eigenvalues": "eigenvalue_rates", "frequencies": "frequency_rates"}
 
 
-def terms_of(system: SystemOfEffects, paths: Sequence[ParameterPath]) -> Terms:
+def terms_of(system: ExtendedSystem, paths: Sequence[ParameterPath]) -> Terms:
     """Return the terms of parameter paths.
 
     Parameters
     ----------
-    system : SystemOfEffects
+    system : ExtendedSystem
         Of the robot, with or without effects.
     paths : sequence of ParameterPath
 
@@ -48,7 +48,7 @@ def terms_of(system: SystemOfEffects, paths: Sequence[ParameterPath]) -> Terms:
 
 
 def _terms(
-    system: SystemOfEffects, path: ParameterPath, values: Mapping[Slot, int]
+    system: ExtendedSystem, path: ParameterPath, values: Mapping[Slot, int]
 ) -> Iterator[tuple[int, float]]:
     """Yield place and weight of the terms of a path."""
     pose = len(values)
@@ -64,7 +64,7 @@ def _terms(
             yield values[slot], weight
 
 
-def _values(system: SystemOfEffects) -> dict[Slot, int]:
+def _values(system: ExtendedSystem) -> dict[Slot, int]:
     """Return the place of each number of the robot in a gradient."""
     dotted = effect_fields(system.mechanism)
     slots = [

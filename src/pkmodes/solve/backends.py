@@ -1,24 +1,27 @@
-"""The back ends that evaluate modes: generated NumPy code, and a compiled library where there is one."""
+"""The back ends that evaluate modes, and which of them is used."""
 
 from __future__ import annotations
 
 import os
+from contextlib import suppress
 from functools import cache
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.mechanism.registry import Mechanism
+from pkmodes.solve.compiled_solver import CompiledSolver
+from pkmodes.solve.numpy_solver import NumpySolver
+from pkmodes.solve.solver import Solver, UnavailableError
 from pkmodes.system.evaluation import Evaluation
 
-if TYPE_CHECKING:
-    from pkmodes.compiled.evaluator import Evaluator
-
-NUMPY, COMPILED, AUTO = "numpy", "compiled", "auto"
-BACKENDS = (AUTO, NUMPY, COMPILED)
+AUTO = "auto"
+#: The back ends by the names that a user gives.
+SOLVERS: dict[str, type[Solver]] = {solver.name: solver for solver in (NumpySolver, CompiledSolver)}
+#: What "auto" tries, in this order; the last one can always be used.
+PREFERRED = (CompiledSolver.name, NumpySolver.name)
 #: Environment variable with the back end to use where none is asked for.
 VARIABLE = "PKMODES_BACKEND"
+COUNTED = {3: "three", 4: "four", 5: "five"}
 
 
 def chosen(backend: str) -> str:
@@ -26,21 +29,27 @@ def chosen(backend: str) -> str:
 
     Parameters
     ----------
-    backend : {"auto", "numpy", "compiled"}
-        With "auto", the environment variable ``PKMODES_BACKEND`` decides.
+    backend : str
+        A name of `SOLVERS`; with "auto", the environment variable ``PKMODES_BACKEND`` decides.
 
     Raises
     ------
     PkmodesError
-        If either is not one of the three.
+        If either is no back end.
     """
-    found, where = backend, "backend"
+    name, where = backend, "backend"
     if isinstance(backend, str) and backend == AUTO:
-        found, where = os.environ.get(VARIABLE, "") or AUTO, f"environment variable {VARIABLE}"
-    if not (isinstance(found, str) and found in BACKENDS):
-        known = '"auto", "numpy" or "compiled"'
-        raise PkmodesError(f"expected {known}, found {shown(found)}", where, "choose one of the three")
-    return found
+        name, where = os.environ.get(VARIABLE, "") or AUTO, f"environment variable {VARIABLE}"
+    known = (AUTO, *SOLVERS)
+    if not (isinstance(name, str) and name in known):
+        *others, last = (f'"{one}"' for one in known)
+        count = COUNTED.get(len(known), str(len(known)))
+        raise PkmodesError(
+            f"expected {', '.join(others)} or {last}, found {shown(name)}",
+            where,
+            f"choose one of the {count}",
+        )
+    return name
 
 
 def checked_threads(threads: int | None) -> int:
@@ -69,43 +78,25 @@ def all_cores() -> int:
         return os.cpu_count() or 1
 
 
-def compiled(
-    mechanism: Mechanism, evaluation: Evaluation, largest_condition: float, backend: str
-) -> Evaluator | None:
-    """Make the compiled evaluator of a robot.
+def solver_of(system: Evaluation, largest_condition: float, backend: str) -> Solver:
+    """Return the solver of a robot.
 
     Parameters
     ----------
-    mechanism : Mechanism
-    evaluation : Evaluation
-        Of the robot.
+    system : Evaluation
     largest_condition : float
         Poses with a larger condition number are singular.
-    backend : {"auto", "numpy", "compiled"}
-        From `chosen`.
-
-    Returns
-    -------
-    Evaluator or None
-        None for NumPy.
+    backend : str
+        From `chosen`; with "auto", the first of `PREFERRED` that can be used.
 
     Raises
     ------
-    PkmodesError
-        If "compiled" is asked for and there is no library.
+    UnavailableError
+        If it cannot be used here.
     """
-    if backend == NUMPY:
-        return None
-    # Building and loading libraries needs modules that are slow to import.
-    from pkmodes.compiled.evaluator import Evaluator
-    from pkmodes.compiled.loader import UnavailableError, load
-
-    try:
-        found = load(mechanism.package, mechanism.name)
-        return Evaluator(found, evaluation.lanes(), len(evaluation.coordinates), largest_condition)
-    except UnavailableError as error:
-        if backend == AUTO:
-            return None
-        raise PkmodesError(
-            f"the compiled back end is not available: {error.why}", mechanism.name, error.remedy
-        ) from None
+    if backend != AUTO:
+        return SOLVERS[backend].init(system, largest_condition)
+    for name in PREFERRED[:-1]:
+        with suppress(UnavailableError):
+            return SOLVERS[name].init(system, largest_condition)
+    return SOLVERS[PREFERRED[-1]].init(system, largest_condition)

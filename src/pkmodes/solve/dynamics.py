@@ -1,51 +1,59 @@
 """Dynamics of one robot at poses: modes, frequencies, matrices and statics.
 
-Poses are checked, the generated model is called chunk by chunk, and the results are reshaped to the caller's axes.
-There is no physics here.
+Poses are checked, a solver evaluates them, and the results get the caller's axes.  There is no physics here.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.mechanism.poses import CHUNK, MAX_CONDITION, OnError
+from pkmodes.dataset.fields import FIELDS
+from pkmodes.mechanism.poses import CheckedPoses, OnError
 from pkmodes.robot.robot import Robot
-from pkmodes.solve.backends import AUTO, COMPILED, NUMPY, checked_threads, chosen, compiled
-from pkmodes.solve.gathering import Fields, Gathered, Out, chosen_fields
+from pkmodes.solve import batch
+from pkmodes.solve.backends import AUTO, checked_threads, chosen, solver_of
+from pkmodes.solve.field_arrays import Fields, Out, chosen_fields
 from pkmodes.solve.kinematics import Kinematics
-from pkmodes.solve.results import CARRIAGES, JOINTS, Modes, Statics
-from pkmodes.solve.solving import fields_of_modes
+from pkmodes.solve.mode_fields import ModeFields
+from pkmodes.solve.results import Modes, Statics
+from pkmodes.solve.solver import Solver
 from pkmodes.system.evaluation import evaluation, matrices
-
-if TYPE_CHECKING:
-    from pkmodes.compiled.evaluator import Evaluator
 
 Array = NDArray[np.float64]
 
 
-class Dynamics(Kinematics):
-    """The part of `pkmodes.Model` that computes vibrations and static equilibria.
+class Dynamics:
+    """The part of a model that computes vibrations and static equilibria; its methods are those of `pkmodes.Model`.
 
     Parameters
     ----------
-    robot : Robot
-    max_condition : float
-        Poses at which the condition number of the mechanism is larger are rejected as singular.
+    kinematics : Kinematics
+        Of the robot.
 
     Attributes
     ----------
+    robot : Robot
+    kinematics : Kinematics
+    system : Evaluation
     coordinates : tuple of str
         Names of the generalised coordinates (docs/model.md).
     """
 
-    def __init__(self, robot: Robot, max_condition: float = MAX_CONDITION) -> None:
-        super().__init__(robot, max_condition)
-        self._evaluation = evaluation(robot)
-        self.coordinates = self._evaluation.coordinates
-        self._evaluators: dict[str, Evaluator | None] = {}
+    def __init__(self, kinematics: Kinematics) -> None:
+        self.kinematics, self.robot = kinematics, kinematics.robot
+        self.system = evaluation(self.robot)
+        self.coordinates = self.system.coordinates
+        self._solvers: dict[str, Solver] = {}
+        self._plans: dict[tuple[object, ...], ModeFields] = {}
+
+    @classmethod
+    def of(cls, robot: Robot, max_condition: float) -> Dynamics:
+        """Return the dynamics of a robot, with its kinematics."""
+        return cls(Kinematics(robot, max_condition))
 
     def modes(
         self,
@@ -97,34 +105,23 @@ class Dynamics(Kinematics):
         >>> modes.reason
         array(['', 'limits'], dtype='<U9')
         """
-        asked = chosen_fields(fields, out, Modes.fields_of(self.mechanism))
-        # Both names refer to the same values; they share one array unless the caller passes a second one.
-        same = {JOINTS, CARRIAGES} <= set(asked) and CARRIAGES not in (out or ())
-        computed = [name for name in asked if not (same and name == CARRIAGES)]
-        evaluator, number = self._compiled(backend), checked_threads(threads)
-        if evaluator is None:
-            checked = self._check(poses, on_error)
-            gathered = Gathered(checked, out)
-            for where, p in checked.parts(CHUNK):
-                gathered.put(where, fields_of_modes(self.robot, self._evaluation, p, computed))
-            arrays = gathered.arrays
-        else:
-            from pkmodes.solve.compiled_modes import compiled_modes
-
-            checked, arrays = compiled_modes(
-                evaluator, self.robot, self._evaluation, poses, on_error, computed, out, number
-            )
-        if same:
-            arrays[CARRIAGES] = arrays[JOINTS]
+        asked = chosen_fields(fields, out, Modes.fields_of(self.robot.mechanism))
+        # Two names of the same values share one array unless the caller passes a second one.
+        shared = [name for name in asked if FIELDS[name].same_as in asked and name not in (out or ())]
+        solver, number = self.solver(backend), checked_threads(threads)
+        computed = [name for name in asked if name not in shared] if shared else asked
+        checked, arrays = self.fields_at(poses, on_error, computed, solver, out=out, threads=number)
+        for name in shared:
+            arrays[name] = arrays[FIELDS[name].same_as]
         return Modes(
             codes=checked.codes.reshape(checked.batch),
             known=checked.known,
             arrays=arrays,
             poses=checked.points.reshape((*checked.batch, -1)),
             coordinates=self.coordinates,
-            rigid_modes=self._evaluation.rigid_modes,
+            rigid_modes=self.system.rigid_modes,
             robot=self.robot,
-            backend=NUMPY if evaluator is None else COMPILED,
+            backend=solver.name,
         )
 
     def frequencies(
@@ -157,17 +154,56 @@ class Dynamics(Kinematics):
             In Hz: sqrt(abs(lambda)) / (2 pi) with the sign of lambda, the rigid-body modes first.
         """
         given = None if out is None else {"frequencies": out}
-        found = self.modes(
+        modes = self.modes(
             poses, on_error, fields=("frequencies",), out=given, backend=backend, threads=threads
         )
-        return found.frequencies
+        return modes.frequencies
 
-    def _compiled(self, backend: str) -> Evaluator | None:
-        """The compiled evaluator, None where NumPy computes."""
+    def fields_at(
+        self,
+        poses: ArrayLike,
+        on_error: OnError,
+        names: Sequence[str],
+        solver: Solver,
+        *,
+        out: Out = None,
+        threads: int = 1,
+        given: Mapping[str, Any] | None = None,
+    ) -> tuple[CheckedPoses, dict[str, Array]]:
+        """Evaluate fields of `pkmodes.dataset.fields.FIELDS`.
+
+        Parameters
+        ----------
+        poses, on_error, out
+            As for `modes`.
+        names : sequence of str
+        solver : Solver
+            From `solver`.
+        threads : int
+        given : mapping of str to object, optional
+            Quantities that fields need and a robot does not have.
+
+        Returns
+        -------
+        CheckedPoses
+            With the code of each pose.
+        dict of str to ndarray
+            By field, with the leading axes of the poses.
+        """
+        key = (solver, *names)
+        fields = None if given else self._plans.get(key)
+        if fields is None:
+            fields = ModeFields(solver, self.system, self.robot.source, names, given or {})
+            if not given:
+                self._plans[key] = fields
+        return batch.run(fields.job(threads), self.robot, self.kinematics.max_condition, poses, on_error, out)
+
+    def solver(self, backend: str) -> Solver:
+        """Return the solver that a back end has for the robot."""
         name = chosen(backend)
-        if name not in self._evaluators:
-            self._evaluators[name] = compiled(self.mechanism, self._evaluation, self.max_condition, name)
-        return self._evaluators[name]
+        if name not in self._solvers:
+            self._solvers[name] = solver_of(self.system, self.kinematics.max_condition, name)
+        return self._solvers[name]
 
     def matrices(self, poses: ArrayLike, on_error: OnError = "raise") -> tuple[Array, Array]:
         """Compute the mass and stiffness matrices (equations 33 and 48).
@@ -186,8 +222,8 @@ class Dynamics(Kinematics):
         K : ndarray, shape (..., n, n)
             Likewise.
         """
-        checked = self._check(poses, on_error)
-        M, K = self._evaluate(lambda p: matrices(self._evaluation, p), checked)
+        checked = self.kinematics.checked(poses, on_error)
+        M, K = self.kinematics.evaluated(lambda p: matrices(self.system, p), checked)
         return M, K
 
     def statics(self, poses: ArrayLike, on_error: OnError = "raise") -> Statics:
@@ -205,6 +241,6 @@ class Dynamics(Kinematics):
         Statics
             With the leading axes of the poses.
         """
-        checked = self._check(poses, on_error)
-        torques, rotations = self._evaluate(self._evaluation.statics, checked)
+        checked = self.kinematics.checked(poses, on_error)
+        torques, rotations = self.kinematics.evaluated(self.system.statics, checked)
         return Statics(checked.codes.reshape(checked.batch), checked.known, torques, rotations)

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.base.errors import PkmodesError, PoseError, shown
+from pkmodes.dataset.fields import condition_number
 from pkmodes.mechanism.generated import Generated
 from pkmodes.mechanism.poses import (
     CHUNK,
@@ -25,14 +26,14 @@ from pkmodes.mechanism.poses import (
     reasons,
 )
 from pkmodes.robot.robot import Robot
-from pkmodes.solve.gathering import Gathered
+from pkmodes.solve.field_arrays import FieldArrays
 from pkmodes.solve.results import PoseCheck
 
 Array = NDArray[np.float64]
 
 
 class Kinematics:
-    """The part of `pkmodes.Model` that does not need dynamics.
+    """The part of a model that does not need dynamics; its methods are those of `pkmodes.Model`.
 
     Parameters
     ----------
@@ -88,7 +89,7 @@ class Kinematics:
         >>> print(found.reason, "-", found.sentences)
         reachable - the pose is out of reach: link 2 is 0.1385 m too short; choose a pose closer to the rails
         """
-        checked = self._check(poses, "nan")
+        checked = self.checked(poses, "nan")
         return PoseCheck(
             codes=checked.codes.reshape(checked.batch),
             known=checked.known,
@@ -117,14 +118,21 @@ class Kinematics:
     def condition(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
         """Compute the condition number of the platform Jacobian D_p: its largest singular value over its smallest.
 
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            With "nan", a pose that cannot be evaluated gives NaN.
+
         Returns
         -------
         ndarray, shape (...)
             At least 1; 1 where the platform moves equally far in every direction.
         """
         function = self._generated.platform_jacobian
-        (found,) = self._evaluate(lambda p: condition_number(function(p)), self._check(poses, on_error))
-        return found
+        (condition,) = self.evaluated(lambda p: condition_number(function(p)), self.checked(poses, on_error))
+        return condition
 
     def inverse_kinematics(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
         """Compute the independent coordinates on the branch given in the robot file (equations 1 to 3).
@@ -190,6 +198,13 @@ class Kinematics:
     def assembly(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
         """Compute the assembly branch of each pose: the sign of det D_l (equation 15).
 
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            With "nan", a pose that cannot be evaluated gives NaN.
+
         Returns
         -------
         ndarray, shape (...)
@@ -204,7 +219,8 @@ class Kinematics:
         determinant, _ = self._at(poses, on_error, "jacobian_condition")
         return np.sign(determinant)
 
-    def _check(self, poses: ArrayLike, on_error: OnError) -> CheckedPoses:
+    def checked(self, poses: ArrayLike, on_error: OnError) -> CheckedPoses:
+        """Check poses, and refuse those that cannot be evaluated with ``on_error="raise"``."""
         return check_poses(poses, self.mechanism, self.robot.parameters, on_error, self.max_condition)
 
     def _function(self, name: str) -> Callable[..., Any]:
@@ -218,21 +234,14 @@ class Kinematics:
 
     def _at(self, poses: ArrayLike, on_error: OnError, name: str) -> tuple[Array, ...]:
         """Evaluate a function of the base model and return its results with the poses' leading axes."""
-        return self._evaluate(getattr(self._generated, name), self._check(poses, on_error))
+        return self.evaluated(getattr(self._generated, name), self.checked(poses, on_error))
 
     @staticmethod
-    def _evaluate(function: Callable[[Array], Any], checked: CheckedPoses) -> tuple[Array, ...]:
+    def evaluated(function: Callable[[Array], Any], checked: CheckedPoses) -> tuple[Array, ...]:
         """Evaluate a function at the valid poses, chunk by chunk; results have the leading axes of all poses."""
-        gathered = Gathered(checked)
+        fields = FieldArrays(checked.batch, blank=bool(checked.codes.any()))
         for where, p in checked.parts(CHUNK):
-            found = function(p)
-            columns = found if isinstance(found, tuple) else (found,)
-            gathered.put(where, {str(i): column for i, column in enumerate(columns)})
-        return tuple(gathered.arrays.values())
-
-
-def condition_number(jacobians: Array) -> Array:
-    """Return the ratio of the largest to the smallest singular value of matrices, (N, d, k)."""
-    singular = np.linalg.svd(jacobians, compute_uv=False)
-    with np.errstate(divide="ignore"):
-        return np.asarray(singular[..., 0] / singular[..., -1])
+            values = function(p)
+            columns = values if isinstance(values, tuple) else (values,)
+            fields.put(where, {str(i): column for i, column in enumerate(columns)})
+        return tuple(fields.finish().values())

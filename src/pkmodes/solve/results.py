@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import NotComputedError
+from pkmodes.dataset.fields import FIELDS, of_modes
 from pkmodes.mechanism.poses import CHUNK, explained
 from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.robot import Robot
@@ -20,8 +21,6 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 Array = NDArray[np.float64]
-#: The independent coordinates, and their older name for mechanisms where they are carriage positions.
-JOINTS, CARRIAGES = "joint_positions", "carriage_positions"
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -52,8 +51,8 @@ class AtPoses:
     @cached_property
     def reason(self) -> NDArray[np.str_]:
         """Short code of the reason why a pose could not be evaluated, ``""`` where valid."""
-        found: NDArray[np.str_] = np.array(self.known)[self.codes]
-        return found
+        reasons: NDArray[np.str_] = np.array(self.known)[self.codes]
+        return reasons
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -84,6 +83,13 @@ class ChosenFields(AtPoses):
     def __repr__(self) -> str:
         shapes = ", ".join(f"{k} {self.__dict__[k].shape}" for k in self.FIELDS if k in self.__dict__)
         return f"{type(self).__name__}({np.count_nonzero(self.valid)} of {self.valid.size} valid; {shapes})"
+
+
+class _NamesOfModes:
+    """The names of the fields in the table, as a class attribute."""
+
+    def __get__(self, instance: object, owner: type) -> tuple[str, ...]:
+        return of_modes()
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -131,15 +137,7 @@ class Modes(ChosenFields):
         If `frequencies` or a later field is read but was not requested.
     """
 
-    FIELDS: ClassVar[tuple[str, ...]] = (
-        "frequencies",
-        "shapes",
-        "platform_shapes",
-        JOINTS,
-        CARRIAGES,
-        "mass_matrix",
-        "stiffness_matrix",
-    )
+    FIELDS: ClassVar = _NamesOfModes()
     METHOD: ClassVar[str] = "Model.modes"
 
     poses: Array
@@ -169,8 +167,7 @@ class Modes(ChosenFields):
         tuple of str
             In the order of ``FIELDS``.
         """
-        carriages = mechanism.independent_are.replace(" ", "_") == CARRIAGES
-        return tuple(name for name in cls.FIELDS if carriages or name != CARRIAGES)
+        return of_modes(mechanism)
 
     def _repr_html_(self) -> str | None:
         """Return a table for notebooks, None where no frequencies were requested."""
@@ -178,11 +175,18 @@ class Modes(ChosenFields):
             return None
         from pkmodes.solve.results_html import table_of_modes
 
+        mechanism, columns = self.robot.mechanism, []
+        for name in self.FIELDS:
+            entry = FIELDS[name]
+            if entry.symbol and name in self.__dict__:
+                values = getattr(self, name)
+                vibrations = values.reshape(-1, values.shape[-1])[:, self.rigid_modes :]
+                columns.append((entry.symbol, entry.units_of(mechanism), vibrations))
         return table_of_modes(
             self.robot.name,
-            self.robot.mechanism.pose,
+            mechanism.pose,
             self.poses.reshape(-1, self.poses.shape[-1]),
-            self.frequencies.reshape(-1, self.frequencies.shape[-1])[:, self.rigid_modes :],
+            columns,
             np.atleast_1d(self.reason).ravel(),
         )
 
@@ -200,7 +204,7 @@ class Modes(ChosenFields):
         MissingExtraError
             If the libraries of the extra ``map`` are not installed.
         """
-        from pkmodes.dataset.of_modes import dataset_of_modes
+        from pkmodes.dataset.modes import dataset_of_modes
 
         names = ("valid", "reason", *(name for name in self.FIELDS if name in vars(self)))
         arrays = {name: getattr(self, name) for name in names}
@@ -243,8 +247,6 @@ class Statics(AtPoses):
         Drive torques in the order of the drives [N m], positive in the direction of each drive's coordinate.
     rotations : ndarray, shape (..., n - k)
         Rotations of the dependent coordinates from the unstrained transmissions [rad], in their order.
-    pulley_rotations : ndarray
-        Older name of the rotations.
     valid : ndarray of bool, shape (...)
         Which poses could be evaluated.
     reason : ndarray of str, shape (...)
@@ -253,11 +255,6 @@ class Statics(AtPoses):
 
     torques: Array
     rotations: Array
-
-    @property
-    def pulley_rotations(self) -> Array:
-        """Older name of the rotations."""
-        return self.rotations
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -284,17 +281,17 @@ class PoseCheck(AtPoses):
     @cached_property
     def sentences(self) -> NDArray[np.object_]:
         """Sentences that say what is wrong with each pose, with the remedy."""
-        found = np.full(self.codes.size, "", dtype=object)
+        sentences = np.full(self.codes.size, "", dtype=object)
         every, codes = np.flatnonzero(self.codes), self.codes.reshape(-1)
         mechanism, points = self.robot.mechanism, self.poses.reshape(self.codes.size, -1)
         for start in range(0, len(every), CHUNK):
             bad = every[start : start + CHUNK]
             texts = explained(points[bad], codes[bad], mechanism, self.robot.parameters)
-            found[bad] = [f"{what}; {remedy}" for what, remedy in texts]
-        shaped: NDArray[np.object_] = found.reshape(self.codes.shape)[()]
+            sentences[bad] = [f"{what}; {remedy}" for what, remedy in texts]
+        shaped: NDArray[np.object_] = sentences.reshape(self.codes.shape)[()]
         return shaped
 
     def __repr__(self) -> str:
         counts = {code: int(np.count_nonzero(self.reason == code)) for code in self.known if code}
-        found = "".join(f", {count} {code}" for code, count in counts.items() if count)
-        return f"PoseCheck({np.count_nonzero(self.valid)} of {self.valid.size} valid{found})"
+        others = "".join(f", {count} {code}" for code, count in counts.items() if count)
+        return f"PoseCheck({np.count_nonzero(self.valid)} of {self.valid.size} valid{others})"

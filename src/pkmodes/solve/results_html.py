@@ -18,7 +18,7 @@ def table_of_modes(
     name: str,
     pose: Sequence[Named],
     poses: NDArray[np.float64],
-    frequencies: NDArray[np.float64],
+    columns: Sequence[tuple[str, str, NDArray[np.float64]]],
     reasons: NDArray[np.str_],
 ) -> str:
     """Return the frequencies of vibration at each pose as an HTML table, and how many poses it leaves out.
@@ -30,14 +30,16 @@ def table_of_modes(
     pose : sequence of Named
         Components of a pose.
     poses : ndarray, shape (N, d)
-    frequencies : ndarray, shape (N, modes)
-        Hz.
+    columns : sequence of (str, str, ndarray of shape (N, modes))
+        Symbol, unit and values of the frequencies, and of other fields of the modes.
     reasons : ndarray of str, shape (N,)
         Why a pose could not be evaluated, empty where it could.
     """
-    heads = [f"{c.name} [{c.unit}]" for c in pose] + [f"f{i + 1} [Hz]" for i in range(frequencies.shape[1])]
+    heads = [f"{c.name} [{c.unit}]" for c in pose]
+    heads += [f"{symbol}{i + 1} [{unit}]" for symbol, unit, part in columns for i in range(part.shape[1])]
+    values_of = np.hstack([part for _, _, part in columns])
     rows = []
-    for point, values, reason in zip(poses[:ROWS], frequencies[:ROWS], reasons[:ROWS], strict=True):
+    for point, values, reason in zip(poses[:ROWS], values_of[:ROWS], reasons[:ROWS], strict=True):
         cells = [f"{value:.6g}" for value in point]
         cells += [escape(str(reason))] * len(values) if reason else [f"{value:.3f}" for value in values]
         rows.append("".join(f"<td>{cell}</td>" for cell in cells))

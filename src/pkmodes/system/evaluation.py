@@ -32,6 +32,9 @@ class Evaluation(Protocol):
 
     Attributes
     ----------
+    mechanism : Mechanism
+    parameters : Parameters
+        Of the generated model.
     coordinates : tuple of str
         Names of the n generalised coordinates.
     first : int
@@ -40,6 +43,8 @@ class Evaluation(Protocol):
         Number of modes that strain nothing elastic.
     """
 
+    mechanism: Mechanism
+    parameters: Any
     coordinates: tuple[str, ...]
     first: int
     rigid_modes: int
@@ -67,7 +72,7 @@ class BaseEvaluation:
     """The base model, without effects."""
 
     def __init__(self, mechanism: Mechanism, parameters: Any) -> None:
-        self._mechanism, self._parameters = mechanism, parameters
+        self.mechanism, self.parameters = mechanism, parameters
         self._generated = Generated(mechanism.model, parameters)
         self.coordinates = tuple(q.name for q in mechanism.coordinates)
         self.first = len(self.coordinates)
@@ -88,9 +93,9 @@ class BaseEvaluation:
 
     def platform_motion(self, p: Array) -> Array:
         """Return the absolute platform motion per unit of each coordinate, (N, directions, n)."""
-        pose = [component.name for component in self._mechanism.pose]
-        rows = [pose.index(name) for name in self._mechanism.directions]
-        columns = [self.coordinates.index(name) for name in self._mechanism.independent]
+        pose = [component.name for component in self.mechanism.pose]
+        rows = [pose.index(name) for name in self.mechanism.directions]
+        columns = [self.coordinates.index(name) for name in self.mechanism.independent]
         motion = np.zeros((*p.shape[:-1], len(rows), len(self.coordinates)))
         motion[..., columns] = self._generated.platform_jacobian(p)[..., rows, :]
         return motion
@@ -103,10 +108,10 @@ class BaseEvaluation:
     def lanes(self) -> Lanes:
         """The robot as the compiled evaluator takes it."""
         none = np.empty(0)
-        return Lanes(flat(self._parameters), none, none, none.astype(np.int32), none.astype(np.int8))
+        return Lanes(flat(self.parameters), none, none, none.astype(np.int32), none.astype(np.int8))
 
 
-class SystemOfEffects:
+class ExtendedSystem:
     """The extended model of one robot, including the coordinates of released joints that are not locked.
 
     Parameters
@@ -155,17 +160,17 @@ class SystemOfEffects:
         self.rigid_modes = 0 if grounded else mechanism.rigid_modes
 
     @classmethod
-    def of(cls, robot: Robot) -> SystemOfEffects:
+    def of(cls, robot: Robot) -> ExtendedSystem:
         """Return the system of a robot, with or without effects."""
         return cls(robot.mechanism, robot.parameters, robot.effects)
 
     @classmethod
-    def stacked(cls, systems: Sequence[SystemOfEffects], count: int) -> SystemOfEffects:
+    def stacked(cls, systems: Sequence[ExtendedSystem], count: int) -> ExtendedSystem:
         """Combine several robots into one system that is evaluated at `count` poses of each, robot by robot.
 
         Parameters
         ----------
-        systems : sequence of SystemOfEffects
+        systems : sequence of ExtendedSystem
             With the same free coordinates and rigid-body modes.
         count : int
             Number of poses per robot.
@@ -334,4 +339,4 @@ def evaluation(robot: Robot) -> Evaluation:
     """Choose the model of a robot: the base model if every effect is null, else the extended model."""
     mechanism = robot.mechanism
     active = active_effects(mechanism, robot.effects)
-    return SystemOfEffects.of(robot) if active else BaseEvaluation(mechanism, robot.parameters)
+    return ExtendedSystem.of(robot) if active else BaseEvaluation(mechanism, robot.parameters)

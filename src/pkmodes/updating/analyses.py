@@ -9,6 +9,7 @@ from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.update import Update
 from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.linalg.threads import one_blas_thread
 from pkmodes.measured.measurements import Measurements
 from pkmodes.model.model import Model
 from pkmodes.robot.robot import Robot
@@ -39,6 +40,7 @@ def compare(robot: Robot | Model, data: Measurements) -> Comparison:
     return diagnosis.compare(measured.structure(candidates=()), measured.data)
 
 
+@one_blas_thread()
 def diagnose(
     robot: Robot | Model,
     data: Measurements,
@@ -83,6 +85,7 @@ def diagnose(
     return diagnosis.diagnose(suspected, measured.data, holdout=holdout, progress=progress)
 
 
+@one_blas_thread()
 def update(
     robot: Robot | Model,
     data: Measurements,

@@ -9,7 +9,7 @@ from pkmodes.robot.layout import EFFECTS, items
 from pkmodes.robot.paths import ParameterPath, resolve
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
-from pkmodes.system.evaluation import SystemOfEffects
+from pkmodes.system.evaluation import ExtendedSystem
 
 Array = NDArray[np.float64]
 #: The effect of a mass on the platform, and its parameter.
@@ -45,7 +45,7 @@ def platform_mass(robot: Robot, points: Array) -> ParameterPath | None:
         item.path for item in items(mechanism) if item.key.dimension == "mass" and item.index is not None
     ]
     paths = [resolve(robot, path) for path in (PATH, *names)]
-    dM, dK = MatrixDerivatives(SystemOfEffects.of(robot), points[:1], [paths]).dense()
+    dM, dK = MatrixDerivatives(ExtendedSystem.of(robot), points[:1], [paths]).dense()
     for place, path in enumerate(paths[1:], start=1):
         alike = (np.allclose(d[0, place], d[0, 0], atol=1e-9 * np.abs(d[0, 0]).max()) for d in (dM, dK))
         if all(alike):

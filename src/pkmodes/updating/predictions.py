@@ -17,9 +17,8 @@ from pkmodes.robot.paths import ParameterPath
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, geometry_of, locked_joints
 from pkmodes.sensitivity.shapes import shape_derivatives
-from pkmodes.solve.compiled_systems import modes_of_systems
-from pkmodes.solve.solving import solve
-from pkmodes.system.evaluation import STEP, SystemOfEffects
+from pkmodes.solve.solutions import modes_of_systems
+from pkmodes.system.evaluation import STEP, ExtendedSystem
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
@@ -43,8 +42,8 @@ class Solved(NamedTuple):
     """
 
     robots: tuple[Robot, ...]
-    systems: tuple[SystemOfEffects, ...]
-    system: SystemOfEffects
+    systems: tuple[ExtendedSystem, ...]
+    system: ExtendedSystem
     points: Array
     matrices: tuple[Array, Array] | None
     eigenvalues: Array
@@ -68,24 +67,13 @@ class Solved(NamedTuple):
         )
 
 
-def solved(robots: Sequence[Robot], systems: Sequence[SystemOfEffects], points: Array) -> Solved:
+def solved(robots: Sequence[Robot], systems: Sequence[ExtendedSystem], points: Array) -> Solved:
     """Solve robots with the same free coordinates together, at (B n, d) poses."""
-    system = SystemOfEffects.stacked(systems, len(points) // len(robots))
-    known, every = modes_of_systems(systems, points), None
-    if known is not None:
-        eigenvalues, shapes, motions = known
-    else:
-        try:
-            at = solve(system, points)
-            every, eigenvalues, shapes = at.every, at.eigenvalues, at.shapes
-        except np.linalg.LinAlgError:  # a required inertia is missing: these values are not a machine
-            eigenvalues = np.full((len(points), len(system.free)), np.nan)
-            shapes = np.zeros((*eigenvalues.shape, len(system.free)))
-        motions = shapes @ np.swapaxes(system.platform_motion(points), -1, -2)
+    system, eigenvalues, shapes, motions, matrices = modes_of_systems(systems, points)
     channels = np.zeros((*shapes.shape[:2], system.joints.shape[-1] + motions.shape[-1]))
     channels[..., system.free] = shapes
     channels[..., -motions.shape[-1] :] = motions
-    return Solved(tuple(robots), tuple(systems), system, points, every, eigenvalues, shapes, channels)
+    return Solved(tuple(robots), tuple(systems), system, points, matrices, eigenvalues, shapes, channels)
 
 
 def derived(at: Solved, moves: Sequence[Moves], shape_rates: bool) -> Prediction:
@@ -217,7 +205,7 @@ def _alike(
     ]
 
 
-def _motion_rate(system: SystemOfEffects, robot: Robot, points: Array, path: ParameterPath) -> Array:
+def _motion_rate(system: ExtendedSystem, robot: Robot, points: Array, path: ParameterPath) -> Array:
     """Differentiate the platform's Jacobian along a path by complex step, (P, directions, e)."""
     shift = np.zeros(points.shape[-1])
     values: dict[str, NDArray[np.complex128]] = {}

@@ -16,7 +16,7 @@ from pkmodes.mechanism.regular import declared
 from pkmodes.robot.paths import ParameterPath, moved
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import POSE, locked_joints
-from pkmodes.system.evaluation import SystemOfEffects
+from pkmodes.system.evaluation import ExtendedSystem
 from pkmodes.updating import frame
 from pkmodes.updating.load_cases import LoadCase, LoadCases
 from pkmodes.updating.payloads import payloads
@@ -135,7 +135,7 @@ class RobotStructure:
         """
         robots = [self._robots(v) for v in values]
         where = [self._where(v) for v in values]
-        systems = [[SystemOfEffects.of(robot) for robot in each] for each in robots]
+        systems = [[ExtendedSystem.of(robot) for robot in each] for each in robots]
         everywhere = np.ones(len(self.points), dtype=bool)
         rows, owners = self._loads.arranged(range(len(self._loads.cases)), everywhere)
         moves = [self._moved_by(v, some, rows, owners) for v, some in zip(values, by, strict=True)]
@@ -235,7 +235,7 @@ class RobotStructure:
         ):  # derivatives are mostly requested where the modes are known
             robots, where = self._robots(values), self._where(values)
             valid = self._reachable(robots, where)
-            systems = [SystemOfEffects.of(robot) for robot in robots]
+            systems = [ExtendedSystem.of(robot) for robot in robots]
             groups: dict[object, list[int]] = {}
             for c, system in enumerate(systems):
                 groups.setdefault(self._key(system), []).append(c)
@@ -250,7 +250,7 @@ class RobotStructure:
     def _joined(self, parts: Sequence[tuple[Index, Prediction]]) -> Prediction:
         return joined(parts, len(self.points))
 
-    def _key(self, system: SystemOfEffects) -> object:
+    def _key(self, system: ExtendedSystem) -> object:
         """Return a key that is the same for robots that can be evaluated together."""
         several = len(self._loads.cases) > 1 and len(system.free) > system.first
         massless = system.massless().tobytes() if several else b""

@@ -44,11 +44,11 @@ def typical_pose(model: Model) -> Array:
     seeds = _seeds(model)
     if not len(seeds):
         raise PoseError("found no pose well inside the workspace", model.robot.source, "give one with --pose")
-    lower = hanging(model, seeds)
+    lower = hanging(model.kinematics, seeds)
     heights = Generated(model.mechanism.model, model.robot.parameters).gravity_potential(lower)
     group = lower[heights <= np.median(heights)]
     central: Array = group[np.argmin(np.linalg.norm(group - group.mean(axis=0), axis=-1))]
-    low, high = box_of(model, central)
+    low, high = box_of(model.kinematics, central)
     digits = int(np.ceil(-np.log10(0.05 * (high - low).max())))
     for middle in (0.5 * (low + high), central):
         rounded = middle.round(digits) + 0.0
@@ -79,7 +79,7 @@ def poses_around(model: Model, pose: ArrayLike) -> Scene:
     """
     first = np.asarray(pose, dtype=float)
     scene(model, first)  # its errors are those of this pose
-    inside, (low, high) = on_branch(model, first), box_of(model, first)
+    inside, (low, high) = on_branch(model.kinematics, first), box_of(model.kinematics, first)
     count = LEVELS.get(len(first), 3)
     levels = tuple(_levels(*ends, count) for ends in zip(low, high, first, strict=True))
     grid = np.stack(np.meshgrid(*levels, indexing="ij"), axis=-1)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from pkmodes.mechanism.generated import Generated
 from pkmodes.robot.robot import Robot
-from pkmodes.system.evaluation import SystemOfEffects
+from pkmodes.system.evaluation import ExtendedSystem
 from pkmodes_description import Named
 
 Array = NDArray[np.float64]
@@ -44,7 +44,7 @@ class RobotDrawing:
         mechanism = robot.mechanism
         assert mechanism.drawing is not None
         self.drawing = mechanism.drawing
-        self._mechanism, self._system = mechanism, SystemOfEffects.of(robot)
+        self._mechanism, self._system = mechanism, ExtendedSystem.of(robot)
         self.coordinates = self._system.coordinates
         self._generated = Generated(mechanism.drawn, robot.parameters, self._system.effects)
         self.vertical = _against(np.asarray(getattr(robot.parameters, "gravity", np.zeros(3)), dtype=float))

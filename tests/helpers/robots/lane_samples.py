@@ -12,8 +12,8 @@ import numpy as np
 
 from helpers.robots import sample_mechanisms, sample_robots
 from pkmodes import read_robot
-from pkmodes.compiled.evaluator import FIELDS, RATES, Evaluator
-from pkmodes.compiled.lanes import Terms
+from pkmodes.compiled.evaluator import Evaluator
+from pkmodes.compiled.lanes import FIELDS, RATES, Terms
 from pkmodes.compiled.loader import load
 from pkmodes.mechanism.poses import MAX_CONDITION
 from pkmodes.mechanism.registry import Mechanism
@@ -21,7 +21,7 @@ from pkmodes.mechanism.registry import mechanism as mechanism_named
 from pkmodes.robot.paths import ParameterPath, paths, resolve_all
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.terms import terms_of
-from pkmodes.system.evaluation import BaseEvaluation, Evaluation, SystemOfEffects
+from pkmodes.system.evaluation import BaseEvaluation, Evaluation, ExtendedSystem
 
 ROOT = Path(__file__).parents[3]
 ROBOTS = {"linear_delta": "linear-delta-2022", "rotary_delta": "clavel-delta", "corexy": "corexy-printer"}
@@ -79,7 +79,7 @@ def case(name: str, seed: int, effects: str = "none", extreme: str = "as it is",
     poses[: count // 10] = pose  # symmetric where the robot is
     values = chosen(mechanism, EFFECTS[effects])
     evaluation = (
-        SystemOfEffects(mechanism, parameters, values) if values else BaseEvaluation(mechanism, parameters)
+        ExtendedSystem(mechanism, parameters, values) if values else BaseEvaluation(mechanism, parameters)
     )
     return Case(mechanism, parameters, evaluation, poses)
 
@@ -114,8 +114,8 @@ def directions(given: Case, names: Sequence[str] = ()) -> tuple[list[ParameterPa
     """All quantities that can vary, or those whose names are given."""
     robot = robot_of(given)
     system = given.evaluation
-    if not isinstance(system, SystemOfEffects):
-        system = SystemOfEffects(given.mechanism, given.parameters, {})
+    if not isinstance(system, ExtendedSystem):
+        system = ExtendedSystem(given.mechanism, given.parameters, {})
     found = resolve_all(robot, names or [path for path in paths(robot) if path != "axis.joint_radius"])
     return found, terms_of(system, found)
 

@@ -16,7 +16,7 @@ from helpers.robots.sample_robots import published, random_robot, tower_printer
 from pkmodes.robot.paths import paths, resolve
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.sensitivities import Sensitivities
-from pkmodes.system.evaluation import SystemOfEffects
+from pkmodes.system.evaluation import ExtendedSystem
 
 Array = np.ndarray
 
@@ -98,8 +98,8 @@ def case(name: str) -> Case:
     return Case(name)
 
 
-def system_of(robot: Robot) -> SystemOfEffects:
-    return SystemOfEffects.of(robot)
+def system_of(robot: Robot) -> ExtendedSystem:
+    return ExtendedSystem.of(robot)
 
 
 def assert_small(error: Array, bound: Array, what: str, rows: list[str] | None = None) -> None:

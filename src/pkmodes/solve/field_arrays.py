@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import PkmodesError, listed, nearest, shown
-from pkmodes.mechanism.poses import CheckedPoses, Where
+from pkmodes.mechanism.poses import Where
 
 Array = NDArray[Any]
 Fields = Iterable[str] | None
@@ -87,82 +87,61 @@ def _check_fits(name: str, array: Array, shape: tuple[int, ...], dtype: np.dtype
         )
 
 
-def allotted(
-    tails: Mapping[str, tuple[int, ...]], batch: tuple[int, ...], out: Out
-) -> tuple[dict[str, Array], dict[str, Array]]:
-    """Allot arrays of doubles that are filled as a whole.
-
-    Parameters
-    ----------
-    tails : mapping of str to tuple of int
-        Shape of each field at one pose.
-    batch : tuple of int
-        Shape of the poses.
-    out : mapping of str to ndarray, optional
-        Arrays of the caller's.
-
-    Returns
-    -------
-    arrays : dict of str to ndarray, shape (..., *tail)
-        The caller's array, or a new one.
-    rows : dict of str to ndarray, shape (N, *tail)
-        Contiguous: a view of the array, or a stand-in where that is not possible.
-    """
-    arrays, rows = {}, {}
-    for name, tail in tails.items():
-        array = None if out is None else out.get(name)
-        shape = (*batch, *tail)
-        if array is None:
-            array = np.empty(shape)
-        else:
-            _check_fits(name, array, shape, np.dtype(float))
-        arrays[name] = array
-        whole = array if array.flags.c_contiguous else np.empty(shape)
-        rows[name] = whole.reshape(prod(batch), *tail)
-    return arrays, rows
-
-
-class Gathered:
+class FieldArrays:
     """Arrays with the leading axes of the caller's poses, filled part by part.
 
     Parameters
     ----------
-    poses : CheckedPoses
+    batch : tuple of int
+        Shape of the poses.
     out : mapping of str to ndarray, optional
-        Arrays to fill; arrays of other fields are allocated.
+        Arrays of the caller's to fill; arrays of other fields are allocated.
+    aside : bool
+        Whether the caller's arrays are left alone until `finish`.
+    blank : bool
+        Whether arrays begin with NaN, or -1 in arrays of integers, instead of anything.
 
     Attributes
     ----------
-    arrays : dict of str to ndarray
-        By field, (..., *tail); NaN, or -1 in arrays of integers, where a pose is not valid.
+    arrays : dict of str to ndarray, shape (..., *tail)
+        By field.
+    rows : dict of str to ndarray, shape (N, *tail)
+        What to fill, contiguous: a view of the array, or a stand-in until `finish`.
     """
 
-    def __init__(self, poses: CheckedPoses, out: Out = None) -> None:
-        self._poses, self._out = poses, out or {}
+    def __init__(
+        self, batch: tuple[int, ...], out: Out = None, *, aside: bool = False, blank: bool = False
+    ) -> None:
+        self._batch, self._out, self._aside, self._blank = batch, out or {}, aside, blank
         self.arrays: dict[str, Array] = {}
-        self._flat: dict[str, Array | None] = {}
+        self.rows: dict[str, Array] = {}
+        self._stand_ins: list[str] = []
 
-    def put(self, where: Where, values: Mapping[str, Array]) -> None:
-        """Store the values of some poses, (n, *tail) each."""
-        for name, part in values.items():
-            if name not in self.arrays:
-                self._begin(name, part)
-            flat = self._flat[name]
-            if flat is not None:
-                flat[where] = part
-            elif len(part):  # a non-contiguous array has no flat view of all poses
-                places = np.arange(len(self._poses.points))[where]
-                self.arrays[name][np.unravel_index(places, self._poses.batch)] = part
-
-    def _begin(self, name: str, part: Array) -> None:
-        shape = (*self._poses.batch, *part.shape[1:])
+    def add(self, name: str, tail: tuple[int, ...], dtype: Any = float) -> None:
+        """Add a field with its shape at one pose."""
+        shape = (*self._batch, *tail)
         array = self._out.get(name)
         if array is None:
-            array = np.empty(shape, part.dtype)
+            array = whole = np.empty(shape, dtype)
         else:
-            _check_fits(name, array, shape, part.dtype)
-        if self._poses.codes.any():
-            array[...] = -1 if part.dtype.kind == "i" else np.nan
-        flat = array.reshape(len(self._poses.points), *array.shape[len(self._poses.batch) :])
-        self.arrays[name] = array
-        self._flat[name] = flat if not array.size or np.may_share_memory(flat, array) else None
+            _check_fits(name, array, shape, np.dtype(dtype))
+            whole = array
+            if self._aside or not array.flags.c_contiguous:
+                whole = np.empty(shape, dtype)
+                self._stand_ins.append(name)
+        self.arrays[name], self.rows[name] = array, whole.reshape(prod(self._batch), *tail)
+        if self._blank:
+            whole[...] = -1 if whole.dtype.kind == "i" else np.nan
+
+    def put(self, where: Where, values: Mapping[str, Array]) -> None:
+        """Store the values of some poses, (n, *tail) each; fields are added when they come first."""
+        for name, part in values.items():
+            if name not in self.rows:
+                self.add(name, part.shape[1:], part.dtype)
+            self.rows[name][where] = part
+
+    def finish(self) -> dict[str, Array]:
+        """Copy stand-ins to where they belong, and return the arrays."""
+        for name in self._stand_ins:
+            self.arrays[name][...] = self.rows[name].reshape(self.arrays[name].shape)
+        return self.arrays

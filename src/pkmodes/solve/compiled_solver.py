@@ -1,0 +1,89 @@
+"""The back end of compiled libraries, which leaves the poses that they cannot solve accurately to NumPy."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, ClassVar, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.compiled.lanes import FIELDS, UNSOLVED, Terms
+from pkmodes.linalg.eigen import has_stiff_joint
+from pkmodes.solve.at_poses import RobotAtPoses
+from pkmodes.solve.solver import EIGENVALUES, Codes, Solver, UnavailableError
+from pkmodes.system.evaluation import Evaluation
+
+if TYPE_CHECKING:
+    from pkmodes.compiled.evaluator import Evaluator
+
+Array = NDArray[np.float64]
+#: Very soft and very stiff released joints cost digits: NumPy solves where the lowest eigenvalue of vibration is
+#: below this fraction, or the highest one above this multiple, of the highest one of the base coordinates.
+SOFT, STIFF = 1e-5, 1e3
+
+
+class CompiledSolver(Solver):
+    """Evaluates modes with the compiled library of a mechanism.
+
+    Parameters
+    ----------
+    evaluator : Evaluator
+    system : Evaluation
+        Of the same robot.
+    """
+
+    name = "compiled"
+    fields: ClassVar[frozenset[str]] = frozenset(FIELDS)
+    checks_poses = True
+    differentiates = True
+    #: The fields that need the eigenproblem.
+    _of_modes = frozenset({"frequencies", EIGENVALUES, "shapes", "platform_shapes"})
+
+    def __init__(self, evaluator: Evaluator, system: Evaluation) -> None:
+        self.evaluator, self._system = evaluator, system
+        self._released = len(system.coordinates) > system.first
+
+    @classmethod
+    def init(cls, system: Evaluation, largest_condition: float) -> Self:
+        """Load the library of a robot's mechanism, or build it.
+
+        Raises
+        ------
+        UnavailableError
+            If there is no library.
+        """
+        # Building and loading libraries needs modules that are slow to import.
+        from pkmodes.compiled import loader
+        from pkmodes.compiled.evaluator import Evaluator
+
+        mechanism = system.mechanism
+        try:
+            library = loader.load(mechanism.package, mechanism.name)
+            lanes = system.lanes()
+        except loader.UnavailableError as error:
+            raise UnavailableError(
+                f"the compiled back end is not available: {error.why}", mechanism.name, error.remedy
+            ) from None
+        return cls(Evaluator(library, lanes, len(system.coordinates), largest_condition), system)
+
+    def compute(self, at: RobotAtPoses, arrays: Mapping[str, Array], threads: int = 1) -> Codes:
+        """Fill arrays."""
+        if self._released and EIGENVALUES not in arrays and not self._of_modes.isdisjoint(arrays):
+            # They show joints that are too stiff or too soft for the kernel.
+            arrays = {**arrays, EIGENVALUES: np.empty((len(at.points), self.evaluator.modes))}
+        return self._marked(self.evaluator.run(at.points, arrays, threads), arrays)
+
+    def rates(self, at: RobotAtPoses, arrays: Mapping[str, Array], terms: Terms, threads: int = 1) -> Codes:
+        """Fill arrays, also with derivatives."""
+        return self._marked(self.evaluator.run(at.points, arrays, threads, terms=terms), arrays)
+
+    def _marked(self, codes: Codes, arrays: Mapping[str, Array]) -> Codes:
+        """Mark the poses at which joints are too soft or too stiff."""
+        if self._released and EIGENVALUES in arrays:
+            eigenvalues = arrays[EIGENVALUES]
+            first, rigid = self._system.first, self._system.rigid_modes
+            last = np.abs(eigenvalues[:, first - 1])
+            soft, stiff = np.abs(eigenvalues[:, rigid]) < SOFT * last, eigenvalues[:, -1] > STIFF * last
+            codes[(codes == 0) & (has_stiff_joint(eigenvalues, first, rigid) | soft | stiff)] = UNSOLVED
+        return codes

@@ -1,0 +1,142 @@
+"""Eigenvalues and shapes of one robot at poses that can be evaluated, or of several robots at once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.mechanism.poses import MAX_CONDITION
+from pkmodes.solve.at_poses import RobotAtPoses
+from pkmodes.solve.backends import AUTO, chosen, solver_of
+from pkmodes.solve.numpy_solver import NumpySolver, modes_of
+from pkmodes.solve.solver import EIGENVALUES, SHAPES, UNSOLVED, Solver
+from pkmodes.system.evaluation import Evaluation, ExtendedSystem
+
+Array = NDArray[np.float64]
+MOTIONS = "platform_shapes"
+
+
+def solved(solver: Solver, system: Evaluation, p: Array, source: str) -> RobotAtPoses:
+    """Return a robot at poses with its ``eigenvalues``, (N, m), and ``shapes``, (N, m, n): those of `Model.modes`.
+
+    Parameters
+    ----------
+    solver : Solver
+        Of the robot.
+    system : Evaluation
+    p : ndarray, shape (N, d)
+        Poses that can be evaluated; N may be 0.
+    source : str
+        The robot, for messages.
+
+    Raises
+    ------
+    PoseError
+        As `NumpySolver.compute` does.
+    """
+    at = RobotAtPoses(system, np.ascontiguousarray(p), source, {})
+    n, numpy = len(system.coordinates), NumpySolver.init(system, MAX_CONDITION)
+    m = n - int(np.count_nonzero(system.massless()))
+    arrays = {EIGENVALUES: np.empty((len(p), m)), SHAPES: np.empty((len(p), m, n))}
+    codes = (solver if len(p) else numpy).compute(at, arrays)
+    left = np.flatnonzero(codes == UNSOLVED)
+    if len(left):
+        some = {name: array[left] for name, array in arrays.items()}
+        numpy.compute(RobotAtPoses(system, p[left], source, {}), some)
+        for name, array in some.items():
+            arrays[name][left] = array
+    at.known.update(arrays)
+    return at
+
+
+class ModesOfSystems(NamedTuple):
+    """Modes of B robots with the same free coordinates at n poses each, robot by robot.
+
+    Attributes
+    ----------
+    system : ExtendedSystem
+        All robots.
+    eigenvalues : ndarray, shape (B n, m)
+        NaN if the matrices are not those of a machine.
+    shapes : ndarray, shape (B n, m, n)
+    motions : ndarray, shape (B n, m, directions)
+        Of the platform.
+    matrices : tuple of ndarray, or None
+        M and K in all coordinates, if they were evaluated.
+    """
+
+    system: ExtendedSystem
+    eigenvalues: Array
+    shapes: Array
+    motions: Array
+    matrices: tuple[Array, Array] | None
+
+
+def modes_of_systems(systems: Sequence[ExtendedSystem], points: Array) -> ModesOfSystems:
+    """Evaluate the modes of robots with the same free coordinates, for a diagnosis.
+
+    Parameters
+    ----------
+    systems : sequence of ExtendedSystem, length B
+    points : ndarray, shape (B n, d)
+        n poses of each robot, robot by robot.
+    """
+    stacked = ExtendedSystem.stacked(systems, len(points) // len(systems))
+    modes = _by_solvers(systems, stacked, points)
+    if modes is not None:
+        return modes
+    at = RobotAtPoses(stacked, points, "", {})
+    matrices = None
+    try:
+        eigenvalues, shapes = modes_of(at)
+        matrices = at.all_coordinates
+    except np.linalg.LinAlgError:  # a required inertia is missing: these values are not a machine
+        eigenvalues = np.full((len(points), len(stacked.free)), np.nan)
+        shapes = np.zeros((*eigenvalues.shape, len(stacked.free)))
+    return ModesOfSystems(stacked, eigenvalues, shapes, _motions(at, shapes), matrices)
+
+
+def _by_solvers(
+    systems: Sequence[ExtendedSystem], stacked: ExtendedSystem, points: Array
+) -> ModesOfSystems | None:
+    """Evaluate each robot with its own solver; None if NumPy has to evaluate them together."""
+    each = len(points) // len(systems)
+    points = np.ascontiguousarray(points)
+    arrays: dict[str, Array] = {}
+    codes = np.empty(len(points), dtype=np.int8)
+    backend = chosen(AUTO)
+    for b, system in enumerate(systems):
+        solver = solver_of(system, MAX_CONDITION, backend)
+        if isinstance(solver, NumpySolver):
+            return None
+        n, m = len(system.coordinates), len(system.coordinates) - int(np.count_nonzero(system.massless()))
+        if not arrays:
+            tails = {EIGENVALUES: (m,), SHAPES: (m, n), MOTIONS: (m, len(system.mechanism.directions))}
+            arrays = {name: np.empty((len(points), *tail)) for name, tail in tails.items()}
+        if m != arrays[EIGENVALUES].shape[1]:
+            return None
+        part = slice(b * each, (b + 1) * each)
+        filled = {name: array[part] for name, array in arrays.items() if name in solver.fields}
+        codes[part] = solver.compute(RobotAtPoses(system, points[part], "", {}), filled)
+    if (codes > 0).any():
+        return None
+    if MOTIONS not in filled:
+        arrays[MOTIONS] = _motions(RobotAtPoses(stacked, points, "", {}), arrays[SHAPES])
+    left = np.unique(np.flatnonzero(codes == UNSOLVED) // each)
+    if len(left):  # all poses of these robots
+        rows = (left[:, None] * each + np.arange(each)).ravel()
+        some = RobotAtPoses(ExtendedSystem.stacked([systems[b] for b in left], each), points[rows], "", {})
+        try:
+            eigenvalues, shapes = modes_of(some)
+        except np.linalg.LinAlgError:
+            return None
+        arrays[EIGENVALUES][rows], arrays[SHAPES][rows] = eigenvalues, shapes
+        arrays[MOTIONS][rows] = _motions(some, shapes)
+    return ModesOfSystems(stacked, arrays[EIGENVALUES], arrays[SHAPES], arrays[MOTIONS], None)
+
+
+def _motions(at: RobotAtPoses, shapes: Array) -> Array:
+    return np.asarray(shapes @ np.swapaxes(at.platform_motion, -1, -2))

@@ -1,0 +1,90 @@
+"""What a back end provides: a solver of one robot's eigenproblem.
+
+A further back end is a subclass of `Solver` and a line in `pkmodes.solve.backends.SOLVERS`.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from typing import ClassVar, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.base.errors import PkmodesError
+from pkmodes.compiled.lanes import UNSOLVED, Terms
+from pkmodes.solve.at_poses import RobotAtPoses
+from pkmodes.system.evaluation import Evaluation
+
+Array = NDArray[np.float64]
+Codes = NDArray[np.int8]
+__all__ = ["EIGENVALUES", "SHAPES", "UNSOLVED", "Codes", "Solver", "UnavailableError"]
+EIGENVALUES, SHAPES = "eigenvalues", "shapes"
+
+
+class UnavailableError(PkmodesError):
+    """A back end cannot be used here."""
+
+
+class Solver(ABC):
+    """Solves the eigenproblem of one robot at poses.
+
+    Attributes
+    ----------
+    name : str
+        That a user gives.
+    fields : frozenset of str
+        The quantities that `compute` fills, at least ``eigenvalues`` and ``shapes``; other fields follow from them.
+    checks_poses : bool
+        Whether `compute` checks the poses itself.  If not, it is given poses that can be evaluated, a few thousand
+        at a time.
+    differentiates : bool
+        Whether it has `rates`.
+    """
+
+    name: ClassVar[str]
+    fields: ClassVar[frozenset[str]] = frozenset({EIGENVALUES, SHAPES})
+    checks_poses: ClassVar[bool] = False
+    differentiates: ClassVar[bool] = False
+
+    @classmethod
+    @abstractmethod
+    def init(cls, system: Evaluation, largest_condition: float) -> Self:
+        """Prepare for a robot.
+
+        Parameters
+        ----------
+        system : Evaluation
+        largest_condition : float
+            Poses with a larger condition number are singular; for back ends that check poses.
+
+        Raises
+        ------
+        UnavailableError
+            If the back end cannot be used here.
+        """
+
+    @abstractmethod
+    def compute(self, at: RobotAtPoses, arrays: Mapping[str, Array], threads: int = 1) -> Codes:
+        """Fill arrays at N poses.
+
+        Parameters
+        ----------
+        at : RobotAtPoses
+        arrays : mapping of str to ndarray, shape (N, ...)
+            Contiguous, by name of `fields`; eigenvalues (N, m) ascending, shapes (N, m, n) as `condensed_eigh`
+            returns them.
+        threads : int
+            At most.
+
+        Returns
+        -------
+        ndarray of int8, shape (N,)
+            0 where the arrays are filled, `UNSOLVED` where NumPy has to do it; from a back end that checks poses,
+            also indices into `pkmodes.mechanism.poses.codes_of`, where it fills NaN.
+        """
+
+    def rates(self, at: RobotAtPoses, arrays: Mapping[str, Array], terms: Terms, threads: int = 1) -> Codes:
+        """Fill arrays as `compute` does, also with derivatives along paths, by the names of `Evaluator.run`."""
+        raise NotImplementedError

@@ -1,0 +1,34 @@
+"""A diagnosis limits BLAS to one thread, and leaves the limit of the process as it was."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from threadpoolctl import threadpool_info, threadpool_limits
+
+from pkmodes import updating
+from pkmodes.linalg.threads import one_blas_thread
+from pkmodes.updating import loop
+
+
+def threads() -> set[int]:
+    np.linalg.eigh(np.eye(2))
+    return {library["num_threads"] for library in threadpool_info() if library["user_api"] == "blas"}
+
+
+def test_blas_has_one_thread_while_it_lasts() -> None:
+    with threadpool_limits(limits=2, user_api="blas"):
+        before = threads()
+        with one_blas_thread():
+            assert threads() == {1}
+        assert threads() == before
+
+
+@pytest.mark.parametrize("name", ["diagnose", "update"])
+def test_the_fits_of_a_robot_are_limited(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    seen = []
+    monkeypatch.setattr(loop, "structure", lambda *_, **__: None)
+    monkeypatch.setattr(loop.diagnosis, name, lambda *_, **__: seen.append(threads()))
+    with threadpool_limits(limits=2, user_api="blas"):
+        getattr(updating, name)(None, None)
+    assert seen == [{1}]
