@@ -14,7 +14,7 @@ import pkmodes
 from helpers.commands.adding_a_mechanism import COMMANDS, DECLARED, DEFINITION
 from helpers.commands.adding_a_mechanism import ROBOT as FIVE_BAR
 from pkmodes.cli import run
-from pkmodes.maps.listed import read_poses
+from pkmodes.maps.pose_file import read_poses
 from pkmodes.mechanism import registry as mechanism
 from pkmodes.robot.corrections import changeable
 

@@ -13,8 +13,9 @@ from matplotlib.colors import to_hex, to_rgba
 from helpers.pages.report_examples import made_up
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.verdict.result import Corrected, Examined
-from pkmodes.plots import differences, scores, shapes, spectrum
+from pkmodes.plots import differences, scores, spectrum
 from pkmodes.plots.evidence import Evidence, Stage
+from pkmodes.plots.mac_matrices import mac_matrices
 from pkmodes.plots.style import BLUE, GREEN, GREY
 from pkmodes.report import figures
 
@@ -141,7 +142,7 @@ def test_differences_by_setup_and_against_the_pose_are_in_standard_deviations() 
 
 
 def test_mac_matrices_have_the_measured_modes_in_rows_and_the_setup_with_the_lowest_mac_below() -> None:
-    figure = shapes.mac_matrices(EVIDENCE)
+    figure = mac_matrices(EVIDENCE)
     assert figure is not None
     panels = [axes for axes in figure.axes if axes.get_title(loc="left") or "lowest" in axes.get_ylabel()]
     assert panels[0].get_ylabel() == "mean of all poses\nmeasured mode"

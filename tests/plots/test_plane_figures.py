@@ -12,7 +12,8 @@ from matplotlib.colors import to_rgba
 from matplotlib.contour import ContourSet
 from matplotlib.figure import Figure
 
-from pkmodes.plots import influence, mac, maps
+from pkmodes.plots import influence, maps
+from pkmodes.plots.mac_map import neighbouring_mac
 from pkmodes.plots.plane import Plane, where
 from pkmodes.plots.style import styled
 from pkmodes.plots.workspace import Volume, workspace
@@ -144,7 +145,7 @@ def test_components_are_drawn_on_one_scale(plane: Plane) -> None:
 def test_each_mode_has_its_mac(plane: Plane) -> None:
     values = np.stack([PLACE / 100.0, 1.0 - PLACE / 100.0], axis=-1)
     with styled():
-        found = panels(mac.neighbours(plane, values))
+        found = panels(neighbouring_mac(plane, values))
     for mode, name in enumerate(("mode 1", "mode 2")):
         np.testing.assert_array_equal(shown(found[name]), values[..., mode])
         assert mesh_of(found[name]).get_clim() == (0.0, 1.0)

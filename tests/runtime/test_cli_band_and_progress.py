@@ -16,6 +16,8 @@ from pkmodes.base.errors import MeasurementError, PkmodesError
 from pkmodes.cli import run
 from pkmodes.updating.measured_robot import MeasuredRobot
 
+pytestmark = pytest.mark.usefixtures("backend")
+
 LOOP = Path(__file__).resolve().parents[2] / "examples" / "closed_loop"
 FILES = [str(LOOP / "robot.toml"), str(LOOP / "measured.csv")]
 

@@ -291,7 +291,7 @@ def test_what_reads_robot_files_names_nothing_of_a_mechanism() -> None:
     """In the code only: docstrings may give examples, and sentences contain words such as joint."""
     kind = mechanisms.mechanism("linear_delta")
     named = {kind.name, *kind.effects, *kind.independent}
-    named |= {table.name for table in kind.tables} | {whole.path for whole in kind.wholes}
+    named |= {table.name for table in kind.tables} | {group.path for group in kind.parameter_groups}
     every = [item.key for item in items(kind)]
     named |= {key.field for key in every} - {"gravity", ""} - {key.kind for key in every}
     source = Path(__file__).parents[2] / "src/pkmodes"

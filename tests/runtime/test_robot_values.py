@@ -116,6 +116,7 @@ def same_to_the_last_digit(found: pkmodes.Robot, expected: pkmodes.Robot) -> Non
     assert hash(found) == hash(expected)
 
 
+@pytest.mark.usefixtures("backend")
 @settings(max_examples=120, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(
     base=st.sampled_from([published(), RICH]),
@@ -329,6 +330,7 @@ def test_quantities_compare_and_hash() -> None:
     assert len({Quantity(1.5, "kg"), Quantity(1.5, "kg", 0.0), Quantity(1.5, "m"), Quantity(1.5, "kg")}) == 3
 
 
+@pytest.mark.usefixtures("backend")
 def test_models_with_effects_are_pickled_and_copied(rich: pkmodes.Robot) -> None:
     model = pkmodes.Model(rich.with_values({"effects.gearbox_compliance.compliance": 1e-4}), 1e5)
     expected = model.modes(POSE)
@@ -338,6 +340,7 @@ def test_models_with_effects_are_pickled_and_copied(rich: pkmodes.Robot) -> None
         np.testing.assert_array_equal(twin.modes(POSE).shapes, expected.shapes)
 
 
+@pytest.mark.usefixtures("backend")
 def test_models_travel_to_other_processes(robot: pkmodes.Robot) -> None:
     model = pkmodes.Model(robot.with_values({"effects.payload.mass": "350 g"}))
     poses = [np.array(POSE), np.array(POSE) + 0.01]

@@ -16,8 +16,8 @@ from helpers.robots.sample_robots import sample as linear_sample
 from pkmodes.mechanism.registry import mechanism as mechanism_named
 from pkmodes.robot.robot import Robot
 from pkmodes.system.evaluation import SystemOfEffects
-from pkmodes.view.drawn import Drawn
 from pkmodes.view.evaluating import scene
+from pkmodes.view.robot_drawing import RobotDrawing
 
 MECHANISMS = ("linear_delta", "rotary_delta", "corexy")
 CASES = [(name, seed) for name in MECHANISMS for seed in range(4)]
@@ -41,7 +41,7 @@ def robot_of(name: str, seed: int, effects: bool = False) -> tuple[Robot, np.nda
     return Robot(f"{name}-{seed}", name, f"{name}.toml", parameters, {}, values), found.pose
 
 
-def motion(drawn: Drawn, p: np.ndarray) -> np.ndarray:
+def motion(drawn: RobotDrawing, p: np.ndarray) -> np.ndarray:
     """Return the Jacobian of every point, (P, 3, n)."""
     return drawn.motions(p[None])[0][list(drawn.drawing.motions)]
 
@@ -63,7 +63,7 @@ def inverse(robot: Robot, p: np.ndarray) -> np.ndarray:
 @pytest.mark.parametrize(("name", "seed"), CASES)
 def test_points_move_as_differences_of_their_positions_say(name: str, seed: int) -> None:
     robot, p = robot_of(name, seed)
-    drawn, pose_of, q = Drawn(robot), carried(robot, p), inverse(robot, p)
+    drawn, pose_of, q = RobotDrawing(robot), carried(robot, p), inverse(robot, p)
     found = motion(drawn, p)
     places = [drawn.coordinates.index(one) for one in robot.mechanism.independent]
     size = np.abs(found[..., places]).max()
@@ -81,7 +81,7 @@ def test_points_move_as_differences_of_their_positions_say(name: str, seed: int)
 @pytest.mark.parametrize("effects", [False, True])
 def test_the_first_point_moves_as_the_platform_does(name: str, seed: int, effects: bool) -> None:
     robot, p = robot_of(name, seed, effects)
-    drawn, model = Drawn(robot), pkmodes.Model(robot)
+    drawn, model = RobotDrawing(robot), pkmodes.Model(robot)
     rows = ["xyz".index(one) for one in robot.mechanism.directions]
     assert drawn.coordinates == model.coordinates
     np.testing.assert_array_equal(drawn.points(p[None])[0, 0, rows], p)
@@ -93,7 +93,7 @@ def test_the_first_point_moves_as_the_platform_does(name: str, seed: int, effect
 @pytest.mark.parametrize(("name", "seed"), [case for case in CASES if case[0] != "corexy"])
 def test_rods_keep_their_length_unless_their_elongation_is_released(name: str, seed: int) -> None:
     robot, p = robot_of(name, seed, effects=True)
-    drawn = Drawn(robot)
+    drawn = RobotDrawing(robot)
     points, J = drawn.points(p[None])[0], motion(drawn, p)
     rods = [e for e in drawn.drawing.elements if e.kind == "link"]
     assert len(rods) == 6
@@ -111,7 +111,7 @@ def test_rods_keep_their_length_unless_their_elongation_is_released(name: str, s
 @pytest.mark.parametrize("seed", range(4))
 def test_arms_turn_about_their_axes(seed: int) -> None:
     robot, p = robot_of("rotary_delta", seed)
-    drawn = Drawn(robot)
+    drawn = RobotDrawing(robot)
     points, J = drawn.points(p[None])[0], motion(drawn, p)
     for j, arm in enumerate(e for e in drawn.drawing.elements if e.kind == "arm"):
         first, last = arm.points
@@ -123,7 +123,7 @@ def test_arms_turn_about_their_axes(seed: int) -> None:
 @pytest.mark.parametrize(("name", "seed"), CASES)
 def test_the_frame_carries_every_point(name: str, seed: int) -> None:
     robot, p = robot_of(name, seed, effects=True)
-    drawn = Drawn(robot)
+    drawn = RobotDrawing(robot)
     J = motion(drawn, p)
     for axis in robot.mechanism.directions:
         column = J[..., drawn.coordinates.index(f"u_{axis}")]
@@ -135,7 +135,7 @@ def test_drawn_belt_spans_have_the_free_lengths_and_strains_of_the_model() -> No
     for seed in range(4):
         robot, p = robot_of("linear_delta", seed, effects=True)
         robot = replace(robot, parameters=robot.parameters._replace(carriage_length=np.zeros(3)))
-        drawn = Drawn(robot)
+        drawn = RobotDrawing(robot)
         points, J = drawn.points(p[None])[0], motion(drawn, p)
         free = import_module("pkmodes_generated.linear_delta.model").belt_spans(p, robot.parameters).ravel()
         strain = drawn.springs(p[None]).strain[0]
@@ -155,7 +155,7 @@ def test_drawn_belt_spans_have_the_free_lengths_and_strains_of_the_model() -> No
 @pytest.mark.parametrize(("name", "seed"), CASES)
 def test_the_energies_of_all_springs_and_of_gravity_add_up_to_the_stiffness(name: str, seed: int) -> None:
     robot, p = robot_of(name, seed, effects=True)
-    system, drawn = SystemOfEffects.of(robot), Drawn(robot)
+    system, drawn = SystemOfEffects.of(robot), RobotDrawing(robot)
     extended = import_module(f"pkmodes_generated.{name}.extended")
     _, _, K_g = extended.extended_matrices(p, robot.parameters, system.effects)
     _, K = system.all_coordinates(p[None])

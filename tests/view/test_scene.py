@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.base.errors import PkmodesError, PoseError
+from pkmodes.base.errors import PoseError
 from pkmodes.solve.workspace import box_of
 from pkmodes.view import poses_around, scene, typical_pose
-from pkmodes.view.drawn import upright
+from pkmodes.view.robot_drawing import upright
 from pkmodes.view.workspace import workspace
 
 ROBOTS = Path(__file__).parents[2] / "robots"
@@ -141,19 +141,6 @@ def _closed(faces: np.ndarray) -> bool:
         return bool((np.unique(faces, return_counts=True)[1] % 2 == 0).all())
     edges = np.concatenate([faces[:, [i - 1, i]] for i in range(4)])
     return bool((np.unique(np.sort(edges, axis=1), axis=0, return_counts=True)[1] % 2 == 0).all())
-
-
-def test_code_without_a_drawing_says_so() -> None:
-    from dataclasses import replace
-
-    from pkmodes.view.drawn import Drawn
-
-    robot = pkmodes.read_robot(PUBLISHED)
-    older = type(
-        "Older", (type(robot),), {"kind": property(lambda self: replace(robot.mechanism, drawing=None))}
-    )
-    with pytest.raises(PkmodesError, match="has no drawing"):
-        Drawn(older(**vars(robot)))
 
 
 def test_the_page_of_the_documentation_runs(

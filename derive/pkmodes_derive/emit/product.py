@@ -6,7 +6,6 @@ function of the derivation, the templates and the specification.  Writing and co
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 
 import sympy
@@ -14,7 +13,6 @@ import sympy
 import pkmodes_derive
 from pkmodes_derive import mechanisms
 from pkmodes_derive.definition import FILE_NAME
-from pkmodes_derive.description import as_data
 from pkmodes_derive.emit import c99, lanes, manifest, numpy
 from pkmodes_derive.emit.identity import Identity, limits, literal
 from pkmodes_derive.emit.program import Program, arrange
@@ -22,6 +20,8 @@ from pkmodes_derive.emit.provenance import ANY_ROBOT, Provenance, pasteable
 from pkmodes_derive.emit.specification import Specification
 from pkmodes_derive.functions import Model
 from pkmodes_derive.specialise import specialise
+from pkmodes_description import FILE_NAME as DESCRIPTION
+from pkmodes_description import encode
 
 REGENERATE = "python -m pkmodes_derive generate"
 #: What the names of a robot's functions without its effects have in addition.
@@ -79,8 +79,7 @@ def parametric(mechanism: str, definition: str = "") -> dict[str, str]:
     )
     texts |= extended_texts | drawing_texts | lane_texts
     programs |= extended_programs | drawing_programs | lane_programs
-    data = as_data(mechanisms.description(mechanism))
-    texts["description.json"] = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
+    texts[DESCRIPTION] = encode(mechanisms.description(mechanism))
     texts["__init__.py"] = (
         f'"""Generated model of the mechanism {mechanism}: see `model`."""\n\n'
         "from .model import *  # noqa: F403\n"  # relative: a user-defined mechanism may be anywhere

@@ -23,9 +23,14 @@ def shown(value: object) -> str:
         return "a very large number"
     except Exception:  # an object of the caller that cannot be converted to text
         text = f"an object of type {type(value).__name__}"
-    text = "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in text)
+    text = printable(text)
     text = text if len(text) <= LONGEST_SHOWN else f"{text[:LONGEST_SHOWN]}..."
     return f'"{text}"' if isinstance(value, str) else text
+
+
+def printable(text: str) -> str:
+    """Write characters that are not visible, such as line breaks and those that turn the direction, as escapes."""
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in text)
 
 
 def nearest(name: object, known: Iterable[str], otherwise: str = "") -> str:
@@ -33,8 +38,8 @@ def nearest(name: object, known: Iterable[str], otherwise: str = "") -> str:
     names = list(known)
     by_lower = {known.lower(): known for known in reversed(names)}
     near = difflib.get_close_matches(name.lower(), by_lower, n=1, cutoff=0.5) if isinstance(name, str) else []
-    found = [by_lower[lower] for lower in near]
-    return f'did you mean "{found[0]}"?' if found else otherwise or f"known: {', '.join(names)}"
+    matches = [by_lower[lower] for lower in near]
+    return f'did you mean "{matches[0]}"?' if matches else otherwise or f"known: {', '.join(names)}"
 
 
 class PkmodesError(Exception):
@@ -137,7 +142,6 @@ def listed(
 
     Parameters
     ----------
-    given : iterable
     what : str
         Name of the elements, in the plural.
     where : str
@@ -150,13 +154,13 @@ def listed(
         The error to raise.
     """
     try:
-        found = None if isinstance(given, str | bytes | bytearray) else list(given)
+        elements = None if isinstance(given, str | bytes | bytearray) else list(given)
     except TypeError:
-        found = None
-    if found is None:
+        elements = None
+    if elements is None:
         remedy = f"write [{shown(given)}]" if isinstance(given, str) else f"for example: [{example}]"
         raise error(f"expected a list of {what}, found {shown(given)}", where, remedy)
-    for one in found:
+    for one in elements:
         if not isinstance(one, kind):
             raise error(f"expected {what}, found {shown(one)}", where, f"for example: [{example}]")
-    return found
+    return elements

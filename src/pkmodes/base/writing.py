@@ -82,7 +82,6 @@ def refusal(error: OSError, place: Path) -> OutputError:
 
     Parameters
     ----------
-    error : OSError
     place : Path
         The file as the user named it; the error itself names a temporary file next to it, or none.
     """

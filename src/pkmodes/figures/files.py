@@ -7,7 +7,8 @@ from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pkmodes.base.errors import OutputError, shown
+from pkmodes.base.arguments import check_argument, one_of
+from pkmodes.base.errors import OutputError
 from pkmodes.base.writing import write_files
 from pkmodes.figures.pictures import Picture, pictures
 from pkmodes.plots.style import styled
@@ -47,10 +48,7 @@ def write_pictures(
         If a format is unknown, or the folder cannot be written.
     """
     for one in formats:
-        if one not in FORMATS:
-            raise OutputError(
-                f"expected svg, png or pdf, found {shown(one)}", "formats", "choose one of the three"
-            )
+        check_argument(one, one_of(FORMATS), "formats", "choose one of the three", OutputError)
     files: dict[str, bytes] = {}
     for picture in pictures(model, grid):
         for one in formats:

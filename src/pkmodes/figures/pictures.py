@@ -8,14 +8,23 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from html import escape
 from typing import TYPE_CHECKING, Any
 
+from numpy.typing import NDArray
+
 from pkmodes.base.errors import PkmodesError
 from pkmodes.base.extras import require
+from pkmodes.figures.quantities import coarser, motors_of, relative_sensitivities, smallest_mac, volume_of
 from pkmodes.figures.working_plane import working_plane
-from pkmodes.maps.places import places_of
+from pkmodes.maps.poses import places_of
+from pkmodes.plots import influence, maps
+from pkmodes.plots.mac_map import neighbouring_mac
+from pkmodes.plots.plane import Plane, plane_axes, where
 from pkmodes.plots.style import styled
+from pkmodes.plots.svg import inline
+from pkmodes.plots.workspace import workspace
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -42,12 +51,93 @@ class Picture:
 
     def _repr_html_(self) -> str:
         """Return the figure with its caption, for notebooks."""
-        from pkmodes.plots.svg import inline
-
         with styled():
             drawn = inline(self.figure, self.title, self.description, cropped=True)
         caption = f"<figcaption><b>{escape(self.title)}.</b> {escape(self.description)}</figcaption>"
         return f'<figure style="max-width:60rem">{drawn}{caption}</figure>'
+
+
+@dataclass(frozen=True, eq=False)
+class RobotPlane:
+    """What the figures show: a robot and its map in a plane, with mode shapes."""
+
+    model: Model
+    plane: Plane
+
+    @cached_property
+    def influences(self) -> tuple[list[str], NDArray[Any]]:
+        """Parameters and the relative sensitivities to them, from `relative_sensitivities`."""
+        return relative_sensitivities(self.model, self.plane)
+
+
+@dataclass(frozen=True)
+class PictureKind:
+    """A figure that every robot has.
+
+    Attributes
+    ----------
+    name, title, description : str
+        As those of the `Picture`; the robot and its plane are added to the description.
+    planar : str or None
+        The description for a mechanism that moves in a plane, if it is another.
+    """
+
+    name: str
+    title: str
+    description: str
+    draw: Callable[[RobotPlane], Figure]
+    planar: str | None = None
+
+
+#: The figures in their order.  Another is an entry here, the function that draws it, and a row of docs/figures.md.
+PICTURES = (
+    PictureKind(
+        "workspace",
+        "Working plane and condition number",
+        "Left, outlines of the reachable volume at several heights, with the plane; right, the condition number of "
+        "the platform Jacobian in the plane.",
+        lambda robot: workspace(robot.plane, volume_of(robot.model, robot.plane)),
+        planar="The condition number of the platform Jacobian in the workspace.",
+    ),
+    PictureKind(
+        "frequencies",
+        "Natural frequencies",
+        "Triangles mark the lowest (down) and highest (up) frequency along the centre line, without its ends; "
+        "squares at the edge mark the motors; the colour scale ignores the lowest and highest 2 % of the values.",
+        lambda robot: maps.frequencies(robot.plane, motors_of(robot.model, robot.plane)),
+    ),
+    PictureKind(
+        "directions",
+        "Directions of the platform's motion",
+        "Lines show the direction in the plane, as long as its share of the motion.",
+        lambda robot: maps.directions(robot.plane),
+    ),
+    PictureKind(
+        "components",
+        "In-plane and out-of-plane motion of the platform",
+        "Mass-normalised mode shapes on one scale.",
+        lambda robot: maps.components(robot.plane),
+    ),
+    PictureKind(
+        "influence",
+        "Influence of the parameters",
+        "The relative change of each frequency for a relative change of each parameter, median over the plane.",
+        lambda robot: influence.table(*robot.influences),
+    ),
+    PictureKind(
+        "dominant",
+        "The parameter with the largest influence",
+        "At each pose, the parameter whose relative change changes the frequency most.",
+        lambda robot: influence.dominant(coarser(robot.plane), *robot.influences),
+    ),
+    PictureKind(
+        "mac",
+        "MAC between neighbouring poses",
+        "The smallest MAC of each mode with the mode of the same number at the neighbouring poses: dark where shapes "
+        "change abruptly.",
+        lambda robot: neighbouring_mac(robot.plane, smallest_mac(robot.model, robot.plane)),
+    ),
+)
 
 
 def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
@@ -74,11 +164,6 @@ def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
         If matplotlib or xarray is not installed.
     """
     require("figures", "plot", "matplotlib", "xarray")
-    from pkmodes.figures.quantities import coarser, motors_of, relative_sensitivities, smallest_mac, volume_of
-    from pkmodes.plots import influence, mac, maps
-    from pkmodes.plots.plane import Plane, plane_axes, where
-    from pkmodes.plots.workspace import workspace
-
     components = [component.name for component in model.mechanism.pose]
     if len(components) < 2:
         what = f"the figures need two components of the pose, {model.mechanism.name} has {components[0]} only"
@@ -88,57 +173,8 @@ def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
         dict(zip(places.dims, places.shape, strict=True)), components, "grid"
     )  # before it is evaluated
     plane = Plane.of(model.map(places, shapes=True), components)
-    paths, relative = relative_sensitivities(model, plane)
-    about = f"{model.robot.name}, {where(plane)}"
-
-    def drawn(name: str, title: str, description: str, draw: Callable[[], Figure]) -> Picture:
+    robot, about = RobotPlane(model, plane), f"{model.robot.name}, {where(plane)}"
+    for kind in PICTURES:
+        description = kind.description if plane.normal else kind.planar or kind.description
         with styled():
-            return Picture(name, title, f"{description} {about}.", draw())
-
-    yield drawn(
-        "workspace",
-        "Working plane and condition number",
-        "Left, outlines of the reachable volume at several heights, with the plane; right, the condition number of "
-        "the platform Jacobian in the plane."
-        if plane.normal
-        else "The condition number of the platform Jacobian in the workspace.",
-        lambda: workspace(plane, volume_of(model, plane)),
-    )
-    yield drawn(
-        "frequencies",
-        "Natural frequencies",
-        "Triangles mark the lowest (down) and highest (up) frequency along the centre line, without its ends; "
-        "squares at the edge mark the motors; the colour scale ignores the lowest and highest 2 % of the values.",
-        lambda: maps.frequencies(plane, motors_of(model, plane)),
-    )
-    yield drawn(
-        "directions",
-        "Directions of the platform's motion",
-        "Lines show the direction in the plane, as long as its share of the motion.",
-        lambda: maps.directions(plane),
-    )
-    yield drawn(
-        "components",
-        "In-plane and out-of-plane motion of the platform",
-        "Mass-normalised mode shapes on one scale.",
-        lambda: maps.components(plane),
-    )
-    yield drawn(
-        "influence",
-        "Influence of the parameters",
-        "The relative change of each frequency for a relative change of each parameter, median over the plane.",
-        lambda: influence.table(paths, relative),
-    )
-    yield drawn(
-        "dominant",
-        "The parameter with the largest influence",
-        "At each pose, the parameter whose relative change changes the frequency most.",
-        lambda: influence.dominant(coarser(plane), paths, relative),
-    )
-    yield drawn(
-        "mac",
-        "MAC between neighbouring poses",
-        "The smallest MAC of each mode with the mode of the same number at the neighbouring poses: dark where shapes "
-        "change abruptly.",
-        lambda: mac.neighbours(plane, smallest_mac(model, plane)),
-    )
+            yield Picture(kind.name, kind.title, f"{description} {about}.", kind.draw(robot))

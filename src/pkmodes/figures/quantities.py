@@ -7,14 +7,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import PkmodesError
+from pkmodes.linalg.mac import mass_weighted_mac
 from pkmodes.plots.plane import Plane
 from pkmodes.plots.workspace import Volume
 from pkmodes.robot.layout import items
-from pkmodes.robot.units import SHOWN
-from pkmodes.robot.wholes import value_of, wholes
+from pkmodes.robot.parameter_groups import groups_by_path, value_of
 from pkmodes.solve.workspace import box_of
-from pkmodes.view.drawn import Drawn
+from pkmodes.view.robot_drawing import RobotDrawing
 
 if TYPE_CHECKING:
     from pkmodes.model.model import Model
@@ -45,15 +44,15 @@ def relative_sensitivities(model: Model, plane: Plane) -> tuple[list[str], Array
     paths = [path for path, quantity in declared.items() if path in single and quantity.value != 0.0]
     effects = [path for path in declared if path.startswith("effects.") and declared[path].value != 0.0]
     # A joint radius of zero has no direction in which it could change.
-    known = [path for path, whole in wholes(mechanism).items() if value_of(model.robot, whole) != 0.0]
+    known = [path for path, whole in groups_by_path(mechanism).items() if value_of(model.robot, whole) != 0.0]
     paths = [*paths, *(path for path in effects if path not in paths), *known]
     few = coarser(plane)
-    found = model.sensitivities(points_of(model, few), paths, fields=["frequencies"], on_error="nan")
+    sensitivities = model.sensitivities(points_of(model, few), paths, fields=["frequencies"], on_error="nan")
     modes = plane.dataset.sizes["mode"]
-    rates = found.frequencies[..., -modes:]
+    rates = sensitivities.frequencies[..., -modes:]
     frequency = few.dataset["frequency"].values
-    relative = rates * found.values[:, None] / frequency[..., None, :]
-    kept = np.flatnonzero(np.isfinite(found.values) & (found.values != 0.0))
+    relative = rates * sensitivities.values[:, None] / frequency[..., None, :]
+    kept = np.flatnonzero(np.isfinite(sensitivities.values) & (sensitivities.values != 0.0))
     return [paths[i] for i in kept], relative[..., kept, :]
 
 
@@ -76,13 +75,7 @@ def points_of(model: Model, plane: Plane) -> Array:
 
 
 def volume_of(model: Model, plane: Plane) -> Volume | None:
-    """Return which poses around a plane can be evaluated; None for a mechanism with two pose components.
-
-    Parameters
-    ----------
-    model : Model
-    plane : Plane
-    """
+    """Return which poses around a plane can be evaluated; None for a mechanism with two pose components."""
     if plane.normal is None:
         return None
     low, high = box_of(model)
@@ -99,23 +92,14 @@ def volume_of(model: Model, plane: Plane) -> Volume | None:
 
 
 def motors_of(model: Model, plane: Plane) -> Array | None:
-    """Return where the motors are, (N, 2): across and along in the drawn units; None where no drawing tells.
-
-    Parameters
-    ----------
-    model : Model
-    plane : Plane
-    """
+    """Return where the motors are, (N, 2): across and along in the drawn units; None if an axis is no length."""
     valid = points_of(model, plane)[plane.dataset["valid"].values]
     names = ["x", "y", "z"]
     if not len(valid) or not {plane.across, plane.along} <= set(names):
         return None
-    try:
-        found = Drawn(model.robot).motors(valid[:1])[0]
-    except PkmodesError:  # generated before there were drawings
-        return None
-    factors = [SHOWN[plane.dataset[name].attrs["units"]][1] for name in (plane.across, plane.along)]
-    return np.asarray(found[:, [names.index(plane.across), names.index(plane.along)]] * factors)
+    motors = RobotDrawing(model.robot).motors(valid[:1])[0]
+    factors = [plane.unit(name)[1] for name in (plane.across, plane.along)]
+    return np.asarray(motors[:, [names.index(plane.across), names.index(plane.along)]] * factors)
 
 
 def smallest_mac(model: Model, plane: Plane) -> Array:
@@ -123,7 +107,6 @@ def smallest_mac(model: Model, plane: Plane) -> Array:
 
     Parameters
     ----------
-    model : Model
     plane : Plane
         With mode shapes.
 
@@ -134,15 +117,15 @@ def smallest_mac(model: Model, plane: Plane) -> Array:
     """
     shapes = plane.dataset["shape"].values
     masses, _ = model.matrices(points_of(model, plane), "nan")
-    found = np.full(shapes.shape[:3], np.inf)
+    smallest = np.full(shapes.shape[:3], np.inf)
     for axis in (0, 1):
         ahead = tuple(slice(1, None) if i == axis else slice(None) for i in (0, 1))
         behind = tuple(slice(None, -1) if i == axis else slice(None) for i in (0, 1))
         phi, psi, M = shapes[behind], shapes[ahead], masses[behind]
         product = ((phi @ M) * psi).sum(axis=-1)
-        size = ((psi @ M) * psi).sum(axis=-1)  # phi is mass-normalised
-        mac = np.nan_to_num(product**2 / size, nan=np.inf)
-        found[behind] = np.minimum(found[behind], mac)
-        found[ahead] = np.minimum(found[ahead], mac)
-    found[~np.isfinite(found) | ~np.isfinite(shapes[..., 0])] = np.nan
-    return found
+        mac = mass_weighted_mac(product[..., None, :], psi, M)[..., 0, :]
+        mac = np.nan_to_num(mac, nan=np.inf)
+        smallest[behind] = np.minimum(smallest[behind], mac)
+        smallest[ahead] = np.minimum(smallest[ahead], mac)
+    smallest[~np.isfinite(smallest) | ~np.isfinite(shapes[..., 0])] = np.nan
+    return smallest

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pkmodes.base.errors import PkmodesError
-from pkmodes.maps.places import Grid
+from pkmodes.maps.poses import Grid
 from pkmodes.maps.workspace import reachable
 
 if TYPE_CHECKING:
@@ -62,5 +62,5 @@ def working_plane(model: Model) -> Grid:
             raise PkmodesError(what, model.robot.source, "give the plane as a grid")
     step = (np.prod(list(size.values())) / POSES) ** (1 / len(size))
     # An odd number of values: one of them lies on the centre line.
-    found = {name: np.linspace(*ends[name], 2 * round(size[name] / step / 2) + 1) for name in others}
-    return Grid({name: found.get(name, np.array([best])) for name in names})
+    axes = {name: np.linspace(*ends[name], 2 * round(size[name] / step / 2) + 1) for name in others}
+    return Grid({name: axes.get(name, np.array([best])) for name in names})

@@ -12,7 +12,7 @@ from pkmodes.dataset.attributes import attributes_of, imported, labels_of, meani
 from pkmodes.dataset.variables import LIST, variables
 from pkmodes.maps.fields import fields_of
 from pkmodes.maps.layout import Layout
-from pkmodes.maps.places import Grid, Places
+from pkmodes.maps.poses import Grid, Places
 from pkmodes.maps.tracking import Tracked
 from pkmodes.maps.variants import SAMPLE, Variants
 from pkmodes.mechanism.poses import codes_of

@@ -17,10 +17,10 @@ from pkmodes.base.version import VERSION
 from pkmodes.dataset.attributes import imported
 from pkmodes.maps.dataset import dataset_of
 from pkmodes.maps.evaluating import Task, code_of
-from pkmodes.maps.files import Target
 from pkmodes.maps.layout import Layout, layout_of, tails
 from pkmodes.maps.locking import locked
-from pkmodes.maps.places import Grid, Places, places_of
+from pkmodes.maps.map_file import MapFile
+from pkmodes.maps.poses import Grid, Places, places_of
 from pkmodes.maps.running import run
 from pkmodes.maps.storage import SUFFIX, InMemory, OnDisk, Tails
 from pkmodes.maps.tracking import Tracked, track
@@ -43,15 +43,7 @@ Progress = Callable[[int, int], None]
 
 @dataclass(frozen=True, eq=False)
 class Plan:
-    """What a map computes.
-
-    Attributes
-    ----------
-    model : Dynamics
-    places : Grid or Poses
-    variants : Variants
-    layout : Layout
-    """
+    """What a map computes."""
 
     model: Dynamics
     places: Places
@@ -69,7 +61,7 @@ class Plan:
         return len(self.variants.robots) * self.poses
 
     @property
-    def number(self) -> int:
+    def task_count(self) -> int:
         """Number of tasks."""
         return -(-self.rows // ROWS)
 
@@ -130,8 +122,8 @@ def map_of(
 ) -> xarray.Dataset:
     """Compute a map; see `pkmodes.Model.map`."""
     imported()
-    target = None if out is None else Target.checked(out, overwrite)
-    number = checked_threads(threads)
+    file = None if out is None else MapFile.checked(out, overwrite)
+    thread_count = checked_threads(threads)
     variants = variants_of(model.robot, sweep, samples, seed)
     places = reachable(model) if grid is None else places_of(model.mechanism, grid)
     layout = layout_of(variants.robots, shapes or tracked, chosen(backend))
@@ -141,32 +133,32 @@ def map_of(
     sizes = tails(model.robot, layout)
 
     def computed(store: InMemory | OnDisk) -> xarray.Dataset:
-        _fill(plan, store, number, scheduler, progress)
+        _fill(plan, store, thread_count, scheduler, progress)
         if not (store.arrays["code"][:] == 0).any():
             store.remove()
             _refuse_outside(plan)
-        found = track_plan(plan, store.arrays) if tracked else None
+        tracked_modes = track_plan(plan, store.arrays) if tracked else None
         wanted = replace(layout, shapes=shapes)
-        return dataset_of(model.robot, places, variants, wanted, store.arrays, found)
+        return dataset_of(model.robot, places, variants, wanted, store.arrays, tracked_modes)
 
-    if target is None:
+    if file is None:
         return computed(_in_memory(plan, sizes))
-    folder = target.path.with_name(target.path.name + SUFFIX)
+    folder = file.path.with_name(file.path.name + SUFFIX)
     with locked(folder):
-        on_disk = OnDisk(folder, plan.record, plan.rows, plan.number, sizes)
+        on_disk = OnDisk(folder, plan.record, plan.rows, plan.task_count, sizes)
         try:
             dataset = computed(on_disk)
-            target.write(dataset, folder)
-            kept: xarray.Dataset | None = dataset.load() if target.is_table else None
+            file.write(dataset, folder)
+            kept: xarray.Dataset | None = dataset.load() if file.is_table else None
             on_disk.remove()
         finally:
             on_disk.close()
-    return target.opened() if kept is None else kept
+    return file.opened() if kept is None else kept
 
 
 def _in_memory(plan: Plan, sizes: Tails) -> InMemory:
     try:
-        return InMemory(plan.rows, plan.number, sizes)
+        return InMemory(plan.rows, plan.task_count, sizes)
     except (MemoryError, ValueError):  # ValueError: more than an array can have
         what = f"a map of {plan.rows:,} poses does not fit in memory"
         raise PkmodesError(
@@ -219,7 +211,7 @@ def _refuse_outside(plan: Plan) -> NoReturn:
 
 
 def _check_trackable(plan: Plan) -> None:
-    counts = {(found.coordinates, found.rigid_modes) for found in map(evaluation, plan.variants.robots)}
+    counts = {(system.coordinates, system.rigid_modes) for system in map(evaluation, plan.variants.robots)}
     if len(counts) > 1:
         what = "modes cannot be tracked across robots with different coordinates"
         raise PkmodesError(what, "tracked", "sweep an effect from a value above zero, or leave out tracked")
@@ -230,15 +222,15 @@ def track_plan(plan: Plan, arrays: Mapping[str, Any]) -> Tracked:
     robots, size = plan.variants.robots, plan.poses
 
     def masses(rows: NDArray[np.intp]) -> Array:
-        found: Array | None = None
+        matrices: Array | None = None
         for robot in np.unique(rows // size):
             mine = rows // size == robot
             at = evaluation(robots[robot])
             M = at.free_part(at.all_coordinates(plan.places.points(rows[mine] % size))[0])
-            found = np.empty((len(rows), *M.shape[1:])) if found is None else found
-            found[mine] = M
-        assert found is not None
-        return found
+            matrices = np.empty((len(rows), *M.shape[1:])) if matrices is None else matrices
+            matrices[mine] = M
+        assert matrices is not None
+        return matrices
 
     dims = (*plan.variants.dims, *plan.places.dims)
     shape = (*plan.variants.shape, *plan.places.shape)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from pkmodes.dataset.variables import EVENTS
+from pkmodes.linalg.mac import mass_weighted_mac
 
 Array = NDArray[Any]
 Index = NDArray[np.intp]
@@ -61,7 +62,7 @@ def compared(shapes: Array, first: Index, second: Index, masses: Masses) -> Step
         From rows, their mass matrices, (N, n, n).
     """
     count, modes = len(first), shapes.shape[1]
-    found = Steps(
+    steps = Steps(
         first,
         second,
         order=np.empty((count, modes), dtype=np.int8),
@@ -74,16 +75,15 @@ def compared(shapes: Array, first: Index, second: Index, masses: Masses) -> Step
         phi, psi = shapes[first[part]], shapes[second[part]]
         M = masses(first[part])
         product = phi @ M @ np.swapaxes(psi, 1, 2)
-        size = ((psi @ M) * psi).sum(axis=2)
-        mac = product**2 / size[:, None, :]  # phi is mass-normalised
+        mac = mass_weighted_mac(product, psi, M)
         order = _paired(mac)
         along = np.take_along_axis(mac, order[..., None], axis=2)[..., 0]
         negative = np.take_along_axis(product, order[..., None], axis=2)[..., 0] < 0.0
-        found.order[part] = order
-        found.signs[part] = np.where(negative, -1, 1)
-        found.quality[part] = along.min(axis=1)
-        found.marks[part] = _events(mac, order, along)
-    return found
+        steps.order[part] = order
+        steps.signs[part] = np.where(negative, -1, 1)
+        steps.quality[part] = along.min(axis=1)
+        steps.marks[part] = _events(mac, order, along)
+    return steps
 
 
 def _paired(mac: Array) -> Index:

@@ -87,7 +87,6 @@ def parse_grid(text: str, mechanism: Mechanism, where: str) -> dict[str, Array]:
 
     Parameters
     ----------
-    text : str
     mechanism : Mechanism
         It gives the components of a pose and their units.
     where : str
@@ -105,21 +104,21 @@ def parse_grid(text: str, mechanism: Mechanism, where: str) -> dict[str, Array]:
     """
     units = {component.name: component.unit for component in mechanism.pose}
     example = f"write {where} {','.join(f'{name}=0.1:0.2:11' for name in units)}"
-    found: dict[str, Array] = {}
+    axes: dict[str, Array] = {}
     for part in text.split(","):
         name, equals, values = (piece.strip() for piece in part.partition("="))
         if not equals or name not in units:
             what = f"expected {', '.join(f'{known}=...' for known in units)}, found {shown(part.strip())}"
             raise PkmodesError(what, where, example)
-        if name in found:
+        if name in axes:
             raise PkmodesError(f"{name} is given twice", where, "give each component once")
-        found[name] = parse_range(values, units[name], f"{where} {name}={values}")
-    missing = [name for name in units if name not in found]
+        axes[name] = parse_range(values, units[name], f"{where} {name}={values}")
+    missing = [name for name in units if name not in axes]
     if missing:
         raise PkmodesError(
             f"the grid does not say {' and '.join(missing)}", where, f"give every component: {example}"
         )
-    return {name: found[name] for name in units}
+    return {name: axes[name] for name in units}
 
 
 def parse_settings(texts: tuple[str, ...], units: Mapping[str, str], where: str) -> dict[str, Any]:
@@ -127,7 +126,6 @@ def parse_settings(texts: tuple[str, ...], units: Mapping[str, str], where: str)
 
     Parameters
     ----------
-    texts : tuple of str
     units : mapping of str to str
         SI units of the values that can be changed, by path.
     where : str
@@ -143,7 +141,7 @@ def parse_settings(texts: tuple[str, ...], units: Mapping[str, str], where: str)
     PkmodesError
         If a path is repeated, or values are invalid.  An unknown path is left to `pkmodes.Robot.with_values`.
     """
-    found: dict[str, Any] = {}
+    settings: dict[str, Any] = {}
     for text in texts:
         path, equals, values = (piece.strip() for piece in text.partition("="))
         if not equals or not path or not values:
@@ -152,13 +150,13 @@ def parse_settings(texts: tuple[str, ...], units: Mapping[str, str], where: str)
                 where,
                 f"for example: {where} platform.mass=1:2:5",
             )
-        if path in found:
+        if path in settings:
             raise PkmodesError(f"{path} is given twice", where, "give all its values at once")
         place = f"{where} {path}"
         unit = units.get(path, "")
         if not unit:
-            found[path] = np.zeros(1)  # the robot says what is wrong with the path
+            settings[path] = np.zeros(1)  # the robot says what is wrong with the path
             continue
         ranges = [parse_range(part, unit, place) for part in values.split(",")]
-        found[path] = np.concatenate(ranges)
-    return found
+        settings[path] = np.concatenate(ranges)
+    return settings

@@ -13,6 +13,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from pkmodes.base.arguments import Constraint, check_argument
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.base.extras import require
 from pkmodes.base.version import VERSION
@@ -22,6 +23,8 @@ from pkmodes.maps.evaluating import Task, evaluate
 AHEAD = 2
 #: How long to wait for the scheduler and a worker [s].
 PATIENCE = 10
+#: As text; that it is one shows when a client connects.
+ADDRESS = Constraint("the address of a scheduler", lambda value: isinstance(value, str))
 
 Values = Mapping[str, NDArray[Any]]
 Put = Callable[[int, Values], None]
@@ -124,10 +127,7 @@ def _client(scheduler: str) -> Iterator[Any]:
     import distributed
 
     remedy = "start one with: dask scheduler, and give its address, such as tcp://127.0.0.1:8786"
-    if not isinstance(scheduler, str):
-        raise PkmodesError(
-            f"expected the address of a scheduler, found {shown(scheduler)}", "scheduler", remedy
-        )
+    check_argument(scheduler, ADDRESS, "scheduler", remedy)
     try:
         client = distributed.Client(scheduler, timeout=PATIENCE, set_as_default=False)
     except (
@@ -144,9 +144,9 @@ def _client(scheduler: str) -> Iterator[Any]:
                 "the scheduler has no workers", f"scheduler {shown(scheduler)}", remedy
             ) from None
         versions = client.run(_probe())
-        wrong = {where: found for where, found in versions.items() if found != VERSION}
-        for where, found in wrong.items():
-            what = f"expected pkmodes {VERSION} on every worker, found {found or 'none'} on {where}"
+        wrong = {where: version for where, version in versions.items() if version != VERSION}
+        for where, version in wrong.items():
+            what = f"expected pkmodes {VERSION} on every worker, found {version or 'none'} on {where}"
             raise PkmodesError(what, f"scheduler {shown(scheduler)}", "install the same version there")
         yield client
     finally:

@@ -33,19 +33,7 @@ SUFFIX = ".partial"
 
 
 class Stored:
-    """An array in a file, of which parts are read on demand.
-
-    Parameters
-    ----------
-    file : Path
-    shape : tuple of int
-
-    Attributes
-    ----------
-    shape : tuple of int
-    dtype : numpy.dtype
-    ndim : int
-    """
+    """An array in a file, of which parts are read on demand."""
 
     def __init__(self, file: Path, shape: tuple[int, ...]) -> None:
         self.file, self.shape, self.ndim = file, shape, len(shape)
@@ -100,8 +88,6 @@ class OnDisk:
         Exists; continued if it holds the same plan.
     plan : dict
         What is computed, as JSON can hold it.
-    rows, tasks : int
-    tails : mapping of str to (tuple of int, str)
 
     Attributes
     ----------
@@ -187,24 +173,24 @@ class OnDisk:
 
     def _compare(self, plan: dict[str, Any]) -> None:
         try:
-            found = json.loads((self.folder / PLAN).read_text(encoding="utf-8"))
+            interrupted = json.loads((self.folder / PLAN).read_text(encoding="utf-8"))
         except ValueError:
-            found = None
-        if not isinstance(found, dict):
+            interrupted = None
+        if not isinstance(interrupted, dict):
             self._refuse("the plan of the interrupted map is damaged")
-        other = [key for key in {**plan, **found} if plan.get(key) != found.get(key)]
+        other = [key for key in {**plan, **interrupted} if plan.get(key) != interrupted.get(key)]
         if other:
             self._refuse(f"this folder holds an interrupted map that differs in: {', '.join(other)}")
 
     def _open(self, name: str, shape: tuple[int, ...], dtype: str) -> None:
         file = self._file(name)
         try:
-            found = np.load(file, mmap_mode="r")
+            array = np.load(file, mmap_mode="r")
         except (ValueError, EOFError, FileNotFoundError):
             self._refuse(f"the file {file.name} of the interrupted map is truncated or missing")
-        if found.shape != shape or found.dtype != np.dtype(dtype):
+        if array.shape != shape or array.dtype != np.dtype(dtype):
             self._refuse(f"the file {file.name} of the interrupted map is damaged")
-        self._starts[name] = file.stat().st_size - found.nbytes
+        self._starts[name] = file.stat().st_size - array.nbytes
         self._handles[name] = file.open("r+b")
 
     def _write(self, name: str, offset: int, data: Array) -> None:

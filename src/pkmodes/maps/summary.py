@@ -40,13 +40,13 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> dict[str, Any]:
             values = frequency[..., i]
             if np.isnan(values).all():
                 continue
-            for found, place, better in (
+            for extremes, place, better in (
                 (lowest, np.nanargmin(values), np.less),
                 (highest, np.nanargmax(values), np.greater),
             ):
                 at = np.unravel_index(place, values.shape)
-                if found[i] is None or better(values[at], found[i][0]):
-                    found[i] = float(values[at]), [a + int(b) for a, b in zip(start, at, strict=True)]
+                if extremes[i] is None or better(values[at], extremes[i][0]):
+                    extremes[i] = float(values[at]), [a + int(b) for a, b in zip(start, at, strict=True)]
     return {
         "robot": dataset.attrs["robot"],
         "file": file,
@@ -73,10 +73,10 @@ def _parts(dataset: xarray.Dataset, leading: list[str]) -> Iterator[tuple[list[i
         yield list(start), dataset.isel(part).load()
 
 
-def _end(name: str, found: tuple[float, list[int]] | None, dataset: xarray.Dataset) -> dict[str, Any]:
-    if found is None:
+def _end(name: str, extreme: tuple[float, list[int]] | None, dataset: xarray.Dataset) -> dict[str, Any]:
+    if extreme is None:
         return {f"{name}_hz": None, f"{name}_at": None}
-    value, at = found
+    value, at = extreme
     one = dataset["condition"][tuple(at)]
     return {
         f"{name}_hz": value,

@@ -171,8 +171,8 @@ def _references(part: Index, good: Array, shape: tuple[int, ...]) -> Index:
     distance = ((at - middle[of]) ** 2).sum(axis=1)
     nearest_first = np.lexsort((distance, of))
     _, first = np.unique(of[nearest_first], return_index=True)
-    found: Index = rows[nearest_first[first]]
-    return found
+    references: Index = rows[nearest_first[first]]
+    return references
 
 
 def _mark(events: Array, steps: Steps, order: Array) -> None:

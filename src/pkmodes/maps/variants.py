@@ -10,14 +10,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.maps.places import ascending
+from pkmodes.base.arguments import NATURAL_NUMBER, POSITIVE_INTEGER, Constraint, check_argument
+from pkmodes.base.errors import PkmodesError
+from pkmodes.maps.poses import ascending
 from pkmodes.robot.layout import lent
+from pkmodes.robot.parameter_groups import elements_of, groups_by_path
 from pkmodes.robot.robot import Robot
-from pkmodes.robot.wholes import elements_of, wholes
 
 Array = NDArray[np.float64]
 SAMPLE = "sample"
+VALUES_BY_PATH = Constraint("values by path", lambda value: isinstance(value, Mapping))
 EXAMPLE = 'for example: {"platform.mass": [1.0, 1.5, 2.0]}'
 #: Draws of one sample until the robot is refused: a standard deviation that large is a mistake.
 DRAWS = 100
@@ -33,7 +35,6 @@ class Variants:
         Values of each swept parameter [SI], by path.
     drawn : mapping of str to ndarray of shape (samples,)
         Drawn values [SI], by path; empty without samples.
-    samples : int or None
     robots : tuple of Robot
         In the order of the swept values, the last one fastest, then the samples.
     """
@@ -59,7 +60,6 @@ def variants_of(robot: Robot, sweep: Mapping[str, Any] | None, samples: int | No
 
     Parameters
     ----------
-    robot : Robot
     sweep : mapping of str to array_like, optional
         Values of parameters in SI units, by path; every combination is evaluated.
     samples : int, optional
@@ -74,9 +74,8 @@ def variants_of(robot: Robot, sweep: Mapping[str, Any] | None, samples: int | No
     RobotFileError
         If a robot file with these values would be rejected.
     """
-    if sweep is not None and not isinstance(sweep, Mapping):
-        what = f"expected values by path, found {shown(sweep)}"
-        raise PkmodesError(what, "sweep", EXAMPLE)
+    if sweep is not None:
+        check_argument(sweep, VALUES_BY_PATH, "sweep", EXAMPLE)
     swept = {
         path: ascending(values, str(path), f"sweep: {path}", EXAMPLE, strictly=False)
         for path, values in (sweep or {}).items()
@@ -104,13 +103,8 @@ def _drawn(
     """Draw values; a sample that a robot file could not declare, such as a negative mass, is drawn again."""
     if samples is None:
         return {}, 1
-    if isinstance(samples, bool) or not isinstance(samples, int | np.integer) or samples < 1:
-        raise PkmodesError(
-            f"expected a positive integer, found {shown(samples)}", "samples", "for example: 200"
-        )
-    if isinstance(seed, bool) or not isinstance(seed, int | np.integer) or seed < 0:
-        what = f"expected an integer of at least 0, found {shown(seed)}"
-        raise PkmodesError(what, "seed", "for example: 0")
+    check_argument(samples, POSITIVE_INTEGER, "samples", "for example: 200")
+    check_argument(seed, NATURAL_NUMBER, "seed", "for example: 0")
     taken = _taken(robot, swept)
     spread = {path: q for path, q in robot.quantities.items() if q.sigma and path not in taken}
     if not spread:
@@ -118,23 +112,23 @@ def _drawn(
         remedy = 'declare some, such as mass = { value = "1.5 kg", sigma = "1 %" }'
         raise PkmodesError(what, f"{robot.source}: samples", remedy)
     rng = np.random.default_rng(seed)
-    found: dict[str, list[float]] = {path: [] for path in spread}
+    draws: dict[str, list[float]] = {path: [] for path in spread}
     for _ in range(int(samples)):
         for path, value in _one(robot, spread, rng).items():
-            found[path].append(value)
-    return {path: np.array(values) for path, values in found.items()}, int(samples)
+            draws[path].append(value)
+    return {path: np.array(values) for path, values in draws.items()}, int(samples)
 
 
 def _taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
     """Return the paths of all values that a sweep sets: also the elements of a whole, and another name of a value."""
-    found = set(swept)
+    paths = set(swept)
     for path, values in swept.items():
-        if path in wholes(robot.mechanism):
-            found |= set(elements_of(robot, wholes(robot.mechanism)[path], float(values[0])))
+        if path in groups_by_path(robot.mechanism):
+            paths |= set(elements_of(robot, groups_by_path(robot.mechanism)[path], float(values[0])))
     for path, own in lent(robot.mechanism).items():
-        if {path, own} & found:
-            found |= {path, own}
-    return found
+        if {path, own} & paths:
+            paths |= {path, own}
+    return paths
 
 
 def _one(robot: Robot, spread: Mapping[str, Any], rng: np.random.Generator) -> dict[str, float]:

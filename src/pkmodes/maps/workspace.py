@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import PoseError
-from pkmodes.maps.places import Grid
+from pkmodes.maps.poses import Grid
 from pkmodes.mechanism.poses import LARGE
 from pkmodes.solve.workspace import box_of
 
@@ -25,7 +25,6 @@ def reachable(model: Kinematics, poses: int = POSES) -> Grid:
 
     Parameters
     ----------
-    model : Kinematics
     poses : int
         How many poses the grid has, within a factor of three because steps are round numbers, including those of
         its corners that cannot be reached; along one component at most some 1,000.
@@ -65,7 +64,6 @@ def bounds_of(model: Kinematics, tried: Array, in_millimetres: str) -> str:
 
     Parameters
     ----------
-    model : Kinematics
     tried : ndarray, shape (N, d)
         Poses that cannot be reached.
     in_millimetres : str

@@ -15,7 +15,7 @@ from pkmodes.view.scene import AMPLITUDE, Scene
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from pkmodes.mechanism.description import Element
+    from pkmodes_description import Element
 
 Array = NDArray[np.float64]
 FRAMES, MILLISECONDS = 24, 50
@@ -33,7 +33,6 @@ def animation(scene: Scene, mode: int | None = None, amplitude: float = AMPLITUD
 
     Parameters
     ----------
-    scene : pkmodes.view.Scene
     mode : int, optional
         Index among all modes, by default the first vibration mode.
     amplitude : float

@@ -29,8 +29,8 @@ def by_mode(evidence: Evidence) -> Figure:
     place = mode + SPREAD * ((evidence.setup + 0.5) / len(evidence.labels) - 0.5)
     with styled():
         stages = evidence.stages
-        found = figure(0.7 + 1.75 * len(stages))
-        panels = found.subplots(len(stages), 1, sharex=True, sharey=True, squeeze=False)[:, 0]
+        drawn = figure(0.7 + 1.75 * len(stages))
+        panels = drawn.subplots(len(stages), 1, sharex=True, sharey=True, squeeze=False)[:, 0]
         for axes, stage in zip(panels, stages, strict=True):
             percent = 100.0 * evidence.difference(stage)
             marks.zero(axes)
@@ -49,7 +49,7 @@ def by_mode(evidence: Evidence) -> Figure:
         panels[-1].set_xticks(range(1, evidence.modes + 1), _names(evidence))
         panels[-1].set_xlim(0.45, evidence.modes + 0.55)
         panels[-1].set_xlabel("mode of the model, with the median of its measured frequencies")
-    return found
+    return drawn
 
 
 def _names(evidence: Evidence) -> list[str]:
@@ -66,8 +66,8 @@ def by_setup(evidence: Evidence) -> Figure:
     """Return the differences at each setup in standard deviations, one panel for each stage."""
     with styled():
         stages = evidence.stages
-        found = figure(0.8 + 1.75 * len(stages))
-        panels = found.subplots(len(stages), 1, sharex=True, squeeze=False)[:, 0]
+        drawn = figure(0.8 + 1.75 * len(stages))
+        panels = drawn.subplots(len(stages), 1, sharex=True, squeeze=False)[:, 0]
         for axes, stage in zip(panels, stages, strict=True):
             marks.noise(axes, stage.predicted.sigmas)
             marks.zero(axes)
@@ -77,7 +77,7 @@ def by_setup(evidence: Evidence) -> Figure:
         marks.legend(panels[0])
         panels[-1].set_xlim(-0.7, len(evidence.labels) - 0.3)
         marks.setups(panels[-1], evidence)
-    return found
+    return drawn
 
 
 def varying_components(evidence: Evidence) -> list[int]:
@@ -93,8 +93,8 @@ def against_pose(evidence: Evidence) -> Figure | None:
         return None
     with styled():
         stages = evidence.stages
-        found = figure(0.7 + 1.75 * len(stages))
-        panels = found.subplots(len(stages), count, sharex="col", sharey="row", squeeze=False)
+        drawn = figure(0.7 + 1.75 * len(stages))
+        panels = drawn.subplots(len(stages), count, sharex="col", sharey="row", squeeze=False)
         for row, stage in zip(panels, stages, strict=True):
             for k, axes in zip(varying, row, strict=True):
                 marks.noise(axes, stage.predicted.sigmas)
@@ -107,4 +107,4 @@ def against_pose(evidence: Evidence) -> Figure | None:
         for k, axes in zip(varying, panels[-1], strict=True):
             axes.set_xlabel(short(f"{evidence.components[k]} [{evidence.units[k]}]"))
         marks.legend(panels[0, -1], beside=count > 1)
-    return found
+    return drawn

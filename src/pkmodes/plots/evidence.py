@@ -76,7 +76,6 @@ class Evidence:
 
         Parameters
         ----------
-        result : Diagnosis or Comparison
         data : Measurements, optional
             The measurements that it is about: their poses are the axes of some figures.
         place : str
@@ -126,23 +125,23 @@ class Evidence:
 
     def mode(self) -> NDArray[np.intp]:
         """Return the mode of each row, (R,): that of its partner at the last stage that has one, 0 if none has."""
-        found = np.zeros(len(self.measured), dtype=np.intp)
+        modes = np.zeros(len(self.measured), dtype=np.intp)
         for stage in self.stages:
-            found = np.where(stage.paired, stage.predicted.mode, found)
-        return found
+            modes = np.where(stage.paired, stage.predicted.mode, modes)
+        return modes
 
 
 def _stages(result: Diagnosis | Comparison) -> tuple[Stage, ...]:
     """Return the declared model, and the last stage of a diagnosis."""
     if isinstance(result, Comparison):
         return () if result.stage is None else (Stage("predicted", DECLARED, result.stage),)
-    stages = result.stages
-    if stages is None:
+    predictions = result.stages
+    if predictions is None:
         return ()
-    found = [Stage("before", DECLARED, stages.before)]
-    if stages.after is not None:
+    stages = [Stage("before", DECLARED, predictions.before)]
+    if predictions.after is not None:
         title = CORRECTED + ("s" if len(result.effects) > 1 else "")
-        found.append(Stage("after", title, stages.after))
-    elif stages.refit is not None:
-        found.append(Stage("refit", REFITTED, stages.refit))
-    return tuple(found)
+        stages.append(Stage("after", title, predictions.after))
+    elif predictions.refit is not None:
+        stages.append(Stage("refit", REFITTED, predictions.refit))
+    return tuple(stages)

@@ -70,7 +70,6 @@ def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Figure:
 
     Parameters
     ----------
-    plane : Plane
     paths : sequence of str
         Parameters.
     relative : ndarray, shape (along, across, parameters, modes)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pkmodes.base.errors import printable
+
 #: Longest label of an axis.
 LONGEST = 18
 MINUS, TIMES = "\u2212", "\u2009\u00d7\u2009"
@@ -13,12 +15,11 @@ def visible(text: object, longest: int | None = None) -> str:
 
     Parameters
     ----------
-    text : object
     longest : int or None
         Longer text is shortened.
     """
-    found = "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in str(text))
-    return found if longest is None or len(found) <= longest else f"{found[: longest - 1]}\u2026"
+    line = printable(str(text))
+    return line if longest is None or len(line) <= longest else f"{line[: longest - 1]}\u2026"
 
 
 def short(text: object, longest: int = LONGEST) -> str:

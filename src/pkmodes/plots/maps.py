@@ -31,7 +31,6 @@ def frequencies(plane: Plane, motors: Array | None = None) -> Figure:
 
     Parameters
     ----------
-    plane : Plane
     motors : ndarray, shape (N, 2), optional
         Positions of the motors (across, along) in the drawn units.
     """
@@ -185,7 +184,6 @@ def extremes(plane: Plane, values: Array) -> dict[str, tuple[int, float]]:
 
     Parameters
     ----------
-    plane : Plane
     values : ndarray, shape (along, across)
 
     Returns

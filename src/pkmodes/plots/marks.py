@@ -63,7 +63,6 @@ def legend(axes: Axes, *, beside: bool = False) -> None:
 
     Parameters
     ----------
-    axes : matplotlib.axes.Axes
     beside : bool
         Whether it may reach over the axes to the left, which has a title of its own at its left end.
     """
@@ -71,7 +70,7 @@ def legend(axes: Axes, *, beside: bool = False) -> None:
     first = dict(zip(reversed(labels), reversed(handles), strict=True))
     names = list(dict.fromkeys(labels))
     if len(names) > 1:
-        found = axes.legend(
+        box = axes.legend(
             [first[name] for name in names],
             names,
             loc="lower right",
@@ -80,7 +79,7 @@ def legend(axes: Axes, *, beside: bool = False) -> None:
             columnspacing=1.2,
             handletextpad=0.4,
         )
-        found.set_in_layout(not beside)
+        box.set_in_layout(not beside)
 
 
 def zero(axes: Axes) -> None:
@@ -98,7 +97,6 @@ def noise(axes: Axes, sigmas: Array) -> None:
 
     Parameters
     ----------
-    axes : matplotlib.axes.Axes
     sigmas : ndarray, shape (R,)
         Differences in standard deviations.
     """

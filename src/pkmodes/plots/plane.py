@@ -99,21 +99,24 @@ class Plane:
         centre = (values[reached[0]] + values[reached[-1]]) / 2 if len(reached) else values.mean()
         return int(np.argmin(np.abs(values - centre)))
 
+    def unit(self, name: str) -> tuple[str, float]:
+        """Return the unit in which a component is drawn, and the factor from SI units."""
+        return SHOWN[self.dataset[name].attrs["units"]]
+
     def drawn(self, name: str) -> Array:
         """Return the values of a component in the unit in which it is drawn."""
-        values: Array = self.dataset[name].values * SHOWN[self.dataset[name].attrs["units"]][1]
+        values: Array = self.dataset[name].values * self.unit(name)[1]
         return values
 
     def label(self, name: str) -> str:
         """Return the label of an axis."""
-        return f"{name} [{SHOWN[self.dataset[name].attrs['units']][0]}]"
+        return f"{name} [{self.unit(name)[0]}]"
 
     def draw(self, axes: Axes, values: Array, **settings: Any) -> QuadMesh:
         """Draw values as colours, with the poses that cannot be reached left blank.
 
         Parameters
         ----------
-        axes : matplotlib.axes.Axes
         values : ndarray, shape (along, across)
         settings
             For `matplotlib.axes.Axes.pcolormesh`, such as the colour map.
@@ -159,8 +162,8 @@ def plane_axes(sizes: Mapping[str, int], components: Sequence[str], place: str) 
     """
     several = [name for name, size in sizes.items() if size > 1]
     if len(several) != 2 or not set(several) <= set(components):
-        found = ", ".join(f"{name}: {size}" for name, size in sizes.items())
-        what = f"expected a map over two components of the pose, found {found}"
+        lengths = ", ".join(f"{name}: {size}" for name, size in sizes.items())
+        what = f"expected a map over two components of the pose, found {lengths}"
         remedy = f"give several values for two of {', '.join(components)}, and one for everything else"
         raise PkmodesError(what, place, remedy)
     return several
@@ -170,7 +173,7 @@ def where(plane: Plane) -> str:
     """Return where a plane lies, such as ``z = -245 mm``; for a mechanism that moves in a plane its components."""
     if plane.normal is None:
         return f"{plane.across} and {plane.along}"
-    unit, factor = SHOWN[plane.dataset[plane.normal].attrs["units"]]
+    unit, factor = plane.unit(plane.normal)
     return f"{plane.normal} = {typeset(f'{plane.at * factor:.6g}')} {unit}"
 
 

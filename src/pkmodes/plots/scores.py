@@ -26,7 +26,7 @@ def candidates(result: Diagnosis) -> Figure | None:
     tested = sorted(result.candidates, key=lambda one: one.p_value)[:MOST]
     if not tested:
         return None
-    claimed = {name for found in result.effects for name in found.members}
+    claimed = {name for effect in result.effects for name in effect.members}
     left = {name for group in result.survivors for each in group for name in each.split(" + ")}
     kinds = [
         ("claimed, with its class", BLUE, [c for c in tested if c.name in claimed]),
@@ -34,8 +34,8 @@ def candidates(result: Diagnosis) -> Figure | None:
         ("not claimed", GREY, [c for c in tested if c.name not in claimed | left]),
     ]
     with styled():
-        found = figure(0.85 + 0.19 * len(tested))
-        axes = found.subplots()
+        drawn = figure(0.85 + 0.19 * len(tested))
+        axes = drawn.subplots()
         for label, colour, group in kinds:
             for seen, face in ((True, colour), (False, "none")):
                 some = [c for c in group if c.detectable == seen]
@@ -53,7 +53,7 @@ def candidates(result: Diagnosis) -> Figure | None:
         axes.grid(visible=False, axis="y")
         axes.set_xlabel("score: \u2212log\u2081\u2080 of the p-value of this candidate alone [1]")
         marks.legend(axes)
-    return found
+    return drawn
 
 
 def pulls(values: Sequence[Corrected]) -> Figure | None:
@@ -64,8 +64,8 @@ def pulls(values: Sequence[Corrected]) -> Figure | None:
     if not shown:
         return None
     with styled():
-        found = figure(0.8 + 0.21 * len(shown))
-        axes = found.subplots()
+        drawn = figure(0.8 + 0.21 * len(shown))
+        axes = drawn.subplots()
         axes.axvspan(-1.0, 1.0, color=GREY, alpha=0.16, linewidth=0, label="prior, \u00b11 \u03c3")
         marks.zero_across(axes)
         away, width, names = zip(*shown, strict=True)
@@ -85,4 +85,4 @@ def pulls(values: Sequence[Corrected]) -> Figure | None:
         axes.grid(visible=False, axis="y")
         axes.set_xlabel("value \u2212 declared value [\u03c3 of the prior]")
         marks.legend(axes)
-    return found
+    return drawn

@@ -28,8 +28,8 @@ STYLES = (
 def spectrum(evidence: Evidence) -> Figure:
     """Return the frequencies of all setups: dots are measured, lines are the model."""
     with styled():
-        found = figure(3.9)
-        axes = found.subplots()
+        drawn = figure(3.9)
+        axes = drawn.subplots()
         most = ABOVE * float(evidence.measured.max())
         for stage, style in zip(evidence.stages, STYLES[-len(evidence.stages) :], strict=True):
             _lines(axes, stage.predicted.spectrum, most, f"model {stage.title}", style)
@@ -45,7 +45,7 @@ def spectrum(evidence: Evidence) -> Figure:
         axes.set_ylabel("frequency [Hz]")
         marks.setups(axes, evidence)
         marks.legend(axes)
-    return found
+    return drawn
 
 
 def _lines(axes: Axes, spectrum: NDArray[np.float64], most: float, label: str, style: dict[str, Any]) -> None:

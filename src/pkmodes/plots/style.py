@@ -57,5 +57,5 @@ def _settings() -> Any:
     import matplotlib
 
     with as_file(files(__package__) / "pkmodes.mplstyle") as path:
-        found = matplotlib.rc_params_from_file(path, use_default_template=True)
-    return {name: value for name, value in found.items() if name not in OF_THE_SESSION}
+        settings = matplotlib.rc_params_from_file(path, use_default_template=True)
+    return {name: value for name, value in settings.items() if name not in OF_THE_SESSION}

@@ -55,7 +55,6 @@ def inline(figure: Figure, title: str, description: str, *, cropped: bool = Fals
 
     Parameters
     ----------
-    figure : matplotlib.figure.Figure
     title, description : str
         Name of the figure and what it shows, for those who do not see it.
     cropped : bool

@@ -114,14 +114,14 @@ def scatter(dataset: xarray.Dataset) -> Figure:
 
 def _flat(dataset: xarray.Dataset, dim: str) -> Array:
     """Return the frequencies as (values of a dimension, everything else, modes)."""
-    found = dataset["frequency"].transpose(dim, ..., "mode").values
-    return found.reshape(found.shape[0], -1, found.shape[-1])
+    frequencies = dataset["frequency"].transpose(dim, ..., "mode").values
+    return frequencies.reshape(frequencies.shape[0], -1, frequencies.shape[-1])
 
 
 def _quantiles(values: Array, shares: tuple[float, ...]) -> Array:
     """Return quantiles along the second axis, NaN where no pose can be evaluated."""
-    found = np.full((len(shares), len(values)), np.nan)
+    quantiles = np.full((len(shares), len(values)), np.nan)
     some = np.isfinite(values).any(axis=1)
     if some.any():
-        found[:, some] = np.nanquantile(values[some], shares, axis=1)
-    return found
+        quantiles[:, some] = np.nanquantile(values[some], shares, axis=1)
+    return quantiles

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from pkmodes.plots.maps import scale_beside
 from pkmodes.plots.plane import Plane, limits_of, where
 from pkmodes.plots.style import GREEN, INK, WIDTH, figure
-from pkmodes.robot.units import SHOWN
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -45,7 +44,6 @@ def workspace(plane: Plane, volume: Volume | None) -> Figure:
 
     Parameters
     ----------
-    plane : Plane
     volume : Volume, optional
         None for a mechanism that moves in a plane.
     """
@@ -75,7 +73,7 @@ def _volume(axes: Any, plane: Plane, volume: Volume, low: float, high: float) ->
     from matplotlib.colors import Normalize
 
     names = (plane.across, plane.along, str(plane.normal))
-    factors = [SHOWN[plane.dataset[name].attrs["units"]][1] for name in names]
+    factors = [plane.unit(name)[1] for name in names]
     x, y, heights = (
         v * f for v, f in zip((volume.across, volume.along, volume.heights), factors, strict=True)
     )

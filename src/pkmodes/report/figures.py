@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from pkmodes.plots import differences, shapes, spectrum
+from pkmodes.plots import differences, spectrum
 from pkmodes.plots.evidence import Evidence
 from pkmodes.plots.labels import typeset
+from pkmodes.plots.mac_matrices import mac_matrices, worst_setup
 from pkmodes.report.blocks import Block, Paragraph, Picture
 from pkmodes.report.wording import clean, plural
 
@@ -74,12 +75,12 @@ def pose_figures(evidence: Evidence) -> list[Block]:
 
 def shape_figures(evidence: Evidence) -> list[Block]:
     """Return the MAC matrices, or a sentence where no shapes were measured."""
-    figure = shapes.mac_matrices(evidence) if _paired(evidence) else None
+    figure = mac_matrices(evidence) if _paired(evidence) else None
     if figure is None:
         return [Paragraph("No mode shapes were measured, or none belongs to a mode of the model.")]
     mac = evidence.last.predicted.mac
     lowest = f"{np.nanmin(mac):.3f}"
-    worst = shapes.worst_setup(evidence)
+    worst = worst_setup(evidence)
     label = "" if worst is None else clean(evidence.labels[worst])
     return [
         Picture.of(

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from pkmodes.figures.pictures import pictures
 from pkmodes.figures.working_plane import working_plane
-from pkmodes.maps.places import Grid
+from pkmodes.maps.poses import Grid
 from pkmodes.maps.summary import summary_of
 from pkmodes.plots import sweeps
 from pkmodes.plots.labels import typeset

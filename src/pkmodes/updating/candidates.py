@@ -17,13 +17,13 @@ import numpy as np
 
 from pkmodes.base.errors import PkmodesError, nearest, shown
 from pkmodes.diagnosis.problem import Candidate, Parameter
-from pkmodes.mechanism.registry import Effect, Whole
 from pkmodes.robot.layout import GRAVITY, by_path, lent, takers
+from pkmodes.robot.parameter_groups import groups_by_path, items_of, weights_of
 from pkmodes.robot.paths import ParameterPath, paths, resolve
 from pkmodes.robot.robot import Robot
-from pkmodes.robot.wholes import items_of, weights_of, wholes
 from pkmodes.updating import frame
 from pkmodes.updating.load_cases import LoadCases
+from pkmodes_description import Effect, ParameterGroup
 
 #: Prefix of suspected values as candidates.
 PREFIX = "parameter:"
@@ -155,7 +155,7 @@ def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
         every = [*known, *(f"{PREFIX}{p}" for p in paths(robot))]
         remedy = nearest(name, every, "use the names in docs/diagnosis.md")
         raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", remedy)
-    whole, item = wholes(robot.mechanism).get(path), by_path(robot.mechanism).get(path)
+    whole, item = groups_by_path(robot.mechanism).get(path), by_path(robot.mechanism).get(path)
     _refuse_declared(robot, path, [path, *(_elements(robot, whole) if whole is not None else ())])
     shared = item.shared if item is not None else ""
     if (
@@ -186,7 +186,7 @@ def _refuse_declared(robot: Robot, what: str, declared: Sequence[str]) -> None:
         )
 
 
-def _elements(robot: Robot, whole: Whole) -> list[str]:
+def _elements(robot: Robot, whole: ParameterGroup) -> list[str]:
     """Return the paths of the elements of a whole."""
     return [number.path for item in items_of(robot.mechanism, whole) for number in item.numbers]
 
@@ -213,13 +213,13 @@ def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
 
 def _suspected(robot: Robot) -> dict[str, Candidate]:
     """Return the candidates of values without a standard deviation; wholes in place of their elements."""
-    parts = {element for whole in robot.mechanism.wholes for element in _elements(robot, whole)}
+    parts = {element for whole in robot.mechanism.parameter_groups for element in _elements(robot, whole)}
     suspected = [
         path
         for path in _varying(robot)
         if robot.quantities[path].sigma is None and path not in parts and _may_be_wrong(robot, path)
     ]
-    for whole in robot.mechanism.wholes:
+    for whole in robot.mechanism.parameter_groups:
         free = all(robot.quantities[element].sigma is None for element in _elements(robot, whole))
         if free and weights_of(robot, whole):
             suspected.append(whole.path)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.model.model import Model
 from pkmodes.robot.paths import resolve
 from pkmodes.robot.robot import Robot
@@ -75,7 +76,7 @@ def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> No
 def _correctable(given: Robot | Model, diagnosis: Diagnosis, where: str) -> Robot:
     """Return a robot whose file a diagnosis corrects."""
     robot = robot_of(given)
-    if not diagnosis.effects and diagnosis.verdict != "adequate":
+    if not VERDICTS[diagnosis.verdict].settled:
         raise PkmodesError(
             f"there is no corrected robot to save: the verdict is {diagnosis.verdict}",
             where,

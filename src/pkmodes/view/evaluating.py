@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from html import escape
 
 import numpy as np
+from msgspec.structs import replace
 from numpy.typing import ArrayLike
 
 from pkmodes.model.model import Model
-from pkmodes.view.drawn import Drawn, present
 from pkmodes.view.page import page
+from pkmodes.view.robot_drawing import RobotDrawing, present
 from pkmodes.view.scene import Scene
 
 
@@ -25,7 +26,7 @@ class NotebookScene(Scene):
         return f'<iframe title="{title}" srcdoc="{source}" style="width:100%;height:760px;border:0"></iframe>'
 
 
-def scene(model: Model, poses: ArrayLike, chosen: int = 0) -> NotebookScene:
+def scene(model: Model, poses: ArrayLike, chosen: int = 0) -> Scene:
     """Evaluate what a picture of a robot shows at some poses.
 
     Parameters
@@ -46,12 +47,10 @@ def scene(model: Model, poses: ArrayLike, chosen: int = 0) -> NotebookScene:
     ------
     PoseError
         If a pose cannot be evaluated.
-    PkmodesError
-        If the code of the mechanism was generated before there were drawings.
     """
-    drawn, mechanism = Drawn(model.robot), model.mechanism
+    drawing, mechanism = RobotDrawing(model.robot), model.mechanism
     modes = model.modes(np.atleast_2d(np.asarray(poses, dtype=float)))
-    springs, index = present(drawn.springs(modes.poses))
+    springs, index = present(drawing.springs(modes.poses))
     strains = np.einsum("psn,pmn->pms", springs.strain, modes.shapes)
     return NotebookScene(
         robot=model.robot.name,
@@ -61,18 +60,18 @@ def scene(model: Model, poses: ArrayLike, chosen: int = 0) -> NotebookScene:
         coordinates=modes.coordinates,
         elements=tuple(
             replace(element, spring=index[element.spring] if element.spring >= 0 else -1)
-            for element in drawn.drawing.elements
+            for element in drawing.drawing.elements
         ),
         springs=springs.named,
-        motions_of=np.array(drawn.drawing.motions, dtype=np.intp),
+        motions_of=np.array(drawing.drawing.motions, dtype=np.intp),
         poses=modes.poses,
-        points=drawn.points(modes.poses),
-        motions=drawn.motions(modes.poses),
+        points=drawing.points(modes.poses),
+        motions=drawing.motions(modes.poses),
         frequencies=modes.frequencies,
         shapes=modes.shapes,
         platform_shapes=modes.platform_shapes,
         energies=0.5 * springs.stiffness[:, None] * strains**2,
         rigid_modes=modes.rigid_modes,
-        vertical=drawn.vertical,
+        vertical=drawing.vertical,
         chosen=chosen,
     )

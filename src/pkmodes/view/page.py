@@ -12,8 +12,8 @@ from importlib.resources import files
 import numpy as np
 
 from pkmodes.robot.units import SHOWN
-from pkmodes.view.data import as_data, embedded, top
-from pkmodes.view.data import directions as directions_of
+from pkmodes.view.page_data import as_data, embedded, top
+from pkmodes.view.page_data import directions as directions_of
 from pkmodes.view.scene import AMPLITUDE, Scene
 
 #: Parts of the program in the browser, in order.

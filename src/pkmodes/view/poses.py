@@ -47,14 +47,14 @@ def typical_pose(model: Model) -> Array:
     lower = hanging(model, seeds)
     heights = Generated(model.mechanism.model, model.robot.parameters).gravity_potential(lower)
     group = lower[heights <= np.median(heights)]
-    found: Array = group[np.argmin(np.linalg.norm(group - group.mean(axis=0), axis=-1))]
-    low, high = box_of(model, found)
+    central: Array = group[np.argmin(np.linalg.norm(group - group.mean(axis=0), axis=-1))]
+    low, high = box_of(model, central)
     digits = int(np.ceil(-np.log10(0.05 * (high - low).max())))
-    for middle in (0.5 * (low + high), found):
+    for middle in (0.5 * (low + high), central):
         rounded = middle.round(digits) + 0.0
         if model.check(rounded).valid:
             return np.asarray(rounded)
-    return found
+    return central
 
 
 def poses_around(model: Model, pose: ArrayLike) -> Scene:
@@ -98,9 +98,9 @@ def _levels(low: float, high: float, value: float, count: int) -> Array:
     """Return evenly spaced values inside a range; the nearest is replaced by the given value."""
     step = (high - low) / (count + 1)
     digits = int(np.ceil(-np.log10(0.02 * step)))
-    found = np.linspace(low + step, high - step, count).round(digits) + 0.0
-    found[np.argmin(np.abs(found - value))] = value
-    return np.unique(found)
+    levels = np.linspace(low + step, high - step, count).round(digits) + 0.0
+    levels[np.argmin(np.abs(levels - value))] = value
+    return np.unique(levels)
 
 
 def _seeds(model: Model) -> Array:

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.mechanism.description import Element, Named
 from pkmodes.view.workspace import Surface
+from pkmodes_description import Element, Named
 
 Array = NDArray[np.float64]
 #: Amplitude of a displayed mode as a share of the robot's size.
@@ -98,9 +98,9 @@ class Scene:
         """Share of each spring in the elastic energy of each mode, (N, m, S); NaN for rigid-body modes."""
         total = self.energies.sum(axis=-1, keepdims=True)
         with np.errstate(invalid="ignore", divide="ignore"):
-            found: Array = self.energies / total
-        found[:, : self.rigid_modes] = np.nan
-        return found
+            shares: Array = self.energies / total
+        shares[:, : self.rigid_modes] = np.nan
+        return shares
 
     def displacements(self, pose: int, mode: int) -> Array:
         """Return the displacements of the points in a mode.
@@ -176,5 +176,5 @@ class Scene:
         mode = min(self.rigid_modes, self.shapes.shape[1] - 1) if mode is None else mode
         moved = self.scale(pose, mode) * amplitude * self.size * self.displacements(pose, mode)
         phase = np.sin(2.0 * np.pi * np.arange(count) / count)
-        found: Array = self.points[pose] + phase[:, None, None] * moved
-        return found
+        frames: Array = self.points[pose] + phase[:, None, None] * moved
+        return frames

@@ -45,7 +45,6 @@ def workspace(model: Model, pose: Array, box: tuple[Array, Array]) -> Surface | 
 
     Parameters
     ----------
-    model : Model
     pose : ndarray, shape (d,)
         A valid pose.
     box : tuple of ndarray, shape (d,)
@@ -119,14 +118,14 @@ def _smoothed(vertices: Array, faces: NDArray[np.intp]) -> Array:
     """Return vertices moved towards the mean of those that share an edge of a face with them."""
     pairs = np.concatenate([np.stack([faces[:, i - 1], faces[:, i]], axis=1) for i in range(faces.shape[1])])
     pairs = np.unique(np.sort(pairs, axis=1), axis=0)
-    found = vertices
+    smoothed = vertices
     for _ in range(SMOOTHING if len(pairs) else 0):
-        sums, counts = np.zeros_like(found), np.zeros(len(found))
+        sums, counts = np.zeros_like(smoothed), np.zeros(len(smoothed))
         for a, b in (pairs.T, pairs.T[::-1]):
-            np.add.at(sums, a, found[b])
+            np.add.at(sums, a, smoothed[b])
             np.add.at(counts, a, 1.0)
-        found = 0.5 * (found + sums / counts[:, None])
-    return found
+        smoothed = 0.5 * (smoothed + sums / counts[:, None])
+    return smoothed
 
 
 def _around(d: int, axis: int) -> list[NDArray[np.intp]]:
@@ -135,12 +134,12 @@ def _around(d: int, axis: int) -> list[NDArray[np.intp]]:
     turns = list(product((-1, 0), repeat=d - 1))
     if d == 3:
         turns = [(-1, -1), (0, -1), (0, 0), (-1, 0)]
-    found = []
+    offsets = []
     for turn in turns:
         offset = np.zeros(d, dtype=np.intp)
         offset[others] = turn
-        found.append(offset)
-    return found
+        offsets.append(offset)
+    return offsets
 
 
 def _bisected(inside: Inside, good: Array, bad: Array) -> Array:

@@ -42,6 +42,7 @@ BINS = (0.0, 2.0, 4.0, 6.0, 10.0, 20.0, float("inf"))
 
 
 def main() -> None:
+    """Run the chosen suites, and write their page."""
     arguments = _arguments()
     os.environ.setdefault("OMP_NUM_THREADS", "1")  # one process per core is faster than threads
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")

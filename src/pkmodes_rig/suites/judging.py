@@ -7,6 +7,7 @@ import re
 import time
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -177,10 +178,10 @@ def set_aside_blindly(case: Case, found: Diagnosis) -> bool:
     if not found.outliers:
         return False
     if isinstance(case.truth, Building):
-        uncertain = [p for p in case.truth.structure().parameters if p.sigma]
+        uncertain = sum(bool(p.sigma) for p in case.truth.structure().parameters)
     else:
-        uncertain = [q for q in read(case.truth.robot).quantities.values() if q.sigma]
-    unknown = len(uncertain) + sum(len(finding.parameters) for finding in found.effects)
+        uncertain = sum(bool(q.sigma) for q in read(case.truth.robot).quantities.values())
+    unknown = uncertain + sum(len(finding.parameters) for finding in found.effects)
     fitted = sum(not row.held_out and not row.outlier for row in found.rows)
     return fitted - unknown < SPARE
 
@@ -197,7 +198,7 @@ def values(case: Case, found: Diagnosis) -> Iterator[tuple[str, float, float, fl
                     yield value.name, value.value, value.sigma, true[value.name]
 
 
-def _signals(case: Case, test: Trial, found: Diagnosis) -> dict[str, object]:
+def _signals(case: Case, test: Trial, found: Diagnosis) -> dict[str, Any]:
     """Compute the predicted signals, for a robot measured at all poses of a plan without mistakes in the file."""
     truth = case.truth
     if isinstance(truth, Building) or case.poses or case.mistake:

@@ -155,6 +155,7 @@ class MechanismCase:
 
     @property
     def label(self) -> str:
+        """Name for reports."""
         return f"{self.specimen.mechanism}, {self.suite} {self.number}"
 
 
@@ -201,7 +202,7 @@ def measured(case: MechanismCase) -> tuple[list[Identified], str]:
         [case.seed, zlib.crc32(f"{specimen.mechanism} {case.suite}".encode()), case.number]
     )
     uncertain = {path: q for path, q in robot.quantities.items() if q.sigma}
-    drawn = {path: q.value + q.sigma * rng.standard_normal() for path, q in uncertain.items()}
+    drawn = {path: q.value + (q.sigma or 0.0) * rng.standard_normal() for path, q in uncertain.items()}
     points = kind.points[: case.poses]
     shapes, limits = kind.shapes if case.shapes else (), band(specimen.mechanism)
     rows = identified(
@@ -215,7 +216,7 @@ def measured(case: MechanismCase) -> tuple[list[Identified], str]:
         base_rigid=kind.rigid,
     )
     stated = limits if case.realistic and case.number % 4 == 0 else None
-    return rows, written(rows, points, shapes, band=stated, components=kind.components)
+    return rows, written(rows, list(points), shapes, band=stated, components=kind.components)
 
 
 def signal(
@@ -240,7 +241,7 @@ def signal(
             base_rigid=kind.rigid,
         )
     # Shapes serve only to pair the modes; the signal is computed from the frequencies.
-    text = written(exact(rows, modes, kind.shapes), points, kind.shapes, components=kind.components)
+    text = written(exact(rows, modes, kind.shapes), list(points), kind.shapes, components=kind.components)
     data = _read(text, robot)
     fitted, _ = split(data, holdout)
     structure = MeasuredRobot.of(robot, data).structure(candidates=()).subset(fitted)

@@ -200,6 +200,7 @@ def _size(name: str, suite: str, kind: str, target: float, sign: float = 1.0) ->
 
 
 def main() -> None:
+    """Run the suites of all mechanisms, and write their page."""
     arguments = _arguments()
     os.environ.setdefault("OMP_NUM_THREADS", "1")  # one process per core is faster than threads
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")

@@ -128,6 +128,7 @@ HARD = {
 
 
 def line(suite: str, what: str, count: int, of: int, least: float = 0.0, most: float = 1.0) -> str:
+    """Return a line of the table: how often, with its 95 % interval, and whether that is within the bounds."""
     if not of:
         return f"| {suite} | {what} | no cases | | |"
     low = stats.beta.ppf(0.025, count, of - count + 1) if count else 0.0

@@ -52,9 +52,6 @@ class Predicted:
 
         Parameters
         ----------
-        pairer : Pairer
-        data : Measurements
-        prediction : Prediction
         pairing : Pairing
             Of all rows.
         sigma : ndarray, shape (R,)

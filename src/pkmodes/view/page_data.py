@@ -61,8 +61,8 @@ def as_data(scene: Scene) -> dict[str, Any]:
 def directions(scene: Scene) -> Array:
     """Return the unit vectors of the platform's motion, (N, m, directions); zero where it does not move."""
     size = np.linalg.norm(scene.platform_shapes, axis=-1, keepdims=True)
-    found: Array = scene.platform_shapes / np.where(size > 0.0, size, 1.0)
-    return found
+    unit_vectors: Array = scene.platform_shapes / np.where(size > 0.0, size, 1.0)
+    return unit_vectors
 
 
 def top(scene: Scene) -> float:

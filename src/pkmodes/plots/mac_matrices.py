@@ -44,8 +44,8 @@ def mac_matrices(evidence: Evidence) -> Figure | None:
     chosen = [(f"mean of all {evidence.place}s", everything)] if several else []
     chosen.append((f"lowest MAC: {label}", evidence.setup == worst))
     with styled():
-        found = figure(0.6 + min(2.55, 1.0 + 0.3 * evidence.modes) * len(chosen))
-        panels = found.subplots(len(chosen), len(stages), squeeze=False)
+        drawn = figure(0.6 + min(2.55, 1.0 + 0.3 * evidence.modes) * len(chosen))
+        panels = drawn.subplots(len(chosen), len(stages), squeeze=False)
         image: Any = None
         for row, (name, some) in zip(panels, chosen, strict=True):
             for axes, stage in zip(row, stages, strict=True):
@@ -55,21 +55,21 @@ def mac_matrices(evidence: Evidence) -> Figure | None:
             axes.set_title(f"Model {stage.title}")
         for axes in panels[-1]:
             axes.set_xlabel("mode of the model")
-        found.colorbar(image, ax=panels, label="MAC [1]", shrink=0.7, aspect=30)
-    return found
+        drawn.colorbar(image, ax=panels, label="MAC [1]", shrink=0.7, aspect=30)
+    return drawn
 
 
 def matrix(evidence: Evidence, stage: Stage, some: NDArray[np.bool_]) -> Array:
     """Return the mean MAC of measured modes (rows) and modes of the model, (M, M), NaN where there is no shape."""
     mode, count = evidence.mode(), evidence.modes
     macs = stage.predicted.macs
-    found = np.full((count, count), np.nan)
+    mean_mac = np.full((count, count), np.nan)
     for one in range(1, count + 1):
         rows = some & (mode == one) & np.isfinite(macs).any(axis=1)
         if rows.any():
             mean = macs[rows].mean(axis=0)[:count]
-            found[one - 1, : len(mean)] = mean
-    return found
+            mean_mac[one - 1, : len(mean)] = mean
+    return mean_mac
 
 
 def _matrix(axes: Axes, values: Array) -> Any:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pkmodes.base.arguments import FILE_NAME, alternatives, check_argument
 from pkmodes.base.errors import OutputError, shown
 from pkmodes.base.extras import require
 from pkmodes.dataset.attributes import imported
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     import xarray
 
 NETCDF, ZARR, CSV, PARQUET = ".nc", ".zarr", ".csv", ".parquet"
-FORMATS = (NETCDF, ZARR, CSV, PARQUET)
 #: Libraries that write each format.
 LIBRARIES = {
     NETCDF: ("netCDF4", "dask"),
@@ -27,21 +27,17 @@ LIBRARIES = {
     CSV: ("pandas", "pyarrow"),
     PARQUET: ("pandas", "pyarrow"),
 }
+FORMATS = tuple(LIBRARIES)
 
 
 @dataclass(frozen=True)
-class Target:
-    """The file of a map.
-
-    Attributes
-    ----------
-    path : Path
-    """
+class MapFile:
+    """The file of a map."""
 
     path: Path
 
     @classmethod
-    def checked(cls, out: str | os.PathLike[str], overwrite: bool) -> Target:
+    def checked(cls, out: str | os.PathLike[str], overwrite: bool) -> MapFile:
         """Check, before anything is computed, that a map can be written there.
 
         Raises
@@ -51,13 +47,10 @@ class Target:
         MissingExtraError
             If a library that writes it is not installed.
         """
-        if not isinstance(out, str | os.PathLike) or not isinstance(os.fspath(out), str):
-            raise OutputError(
-                f"expected the name of a file, found {shown(out)}", "out", "for example: map.nc"
-            )
+        check_argument(out, FILE_NAME, "out", "for example: map.nc", OutputError)
         path, where = Path(out), shown(str(out))
         if "\0" in str(out) or path.suffix.lower() not in FORMATS:
-            what = f"expected a name that ends in {', '.join(FORMATS[:-1])} or {FORMATS[-1]}, found {where}"
+            what = f"expected a name that ends in {alternatives(FORMATS)}, found {where}"
             raise OutputError(what, "out", "for example: map.nc")
         path = path.resolve() if path.is_symlink() else path
         if not path.parent.is_dir():
@@ -69,9 +62,11 @@ class Target:
             remedy = "choose another name, or replace it with overwrite=True (--overwrite)"
             raise OutputError("the output exists", where, remedy)
         if path.exists() and path.is_dir() != folder:
-            found = "a folder" if path.is_dir() else "a file"
+            existing = "a folder" if path.is_dir() else "a file"
             raise OutputError(
-                f"expected {'a folder' if folder else 'a file'}, found {found}", where, "choose another name"
+                f"expected {'a folder' if folder else 'a file'}, found {existing}",
+                where,
+                "choose another name",
             )
         if folder and path.exists() and not any((path / name).exists() for name in (".zgroup", "zarr.json")):
             raise OutputError(
@@ -81,7 +76,7 @@ class Target:
             raise OutputError(
                 "cannot write: permission denied", where, "choose another place or make it writable"
             )
-        require(f"{path.suffix.lower()} files", "map", *LIBRARIES[path.suffix.lower()])
+        require(f"{path.suffix.lower()} files", "map", *LIBRARIES[path.suffix.lower()], "filelock")
         return cls(path)
 
     def write(self, dataset: xarray.Dataset, folder: Path) -> None:
@@ -128,8 +123,8 @@ class Target:
     def opened(self) -> xarray.Dataset:
         """Open a map that was written, without loading its values."""
         engine = "netcdf4" if self.path.suffix.lower() == NETCDF else "zarr"
-        found: xarray.Dataset = imported().open_dataset(self.path, engine=engine)
-        return found
+        dataset: xarray.Dataset = imported().open_dataset(self.path, engine=engine)
+        return dataset
 
 
 def as_characters(dataset: xarray.Dataset) -> tuple[xarray.Dataset, dict[str, dict[str, Any]]]:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pkmodes.base.arguments import is_number
 from pkmodes.base.errors import PkmodesError, PoseError, listed, shown
 from pkmodes.dataset.variables import LIST
 from pkmodes.mechanism.poses import given_poses
@@ -109,13 +110,8 @@ def places_of(mechanism: Mechanism, given: Mapping[str, ArrayLike] | ArrayLike |
 
     Parameters
     ----------
-    mechanism : Mechanism
     given : mapping of str to array_like, or array_like of shape (N, d), or Grid or Poses
         Ascending values, or one number, for each component of the pose; or poses one after the other.
-
-    Returns
-    -------
-    Grid or Poses
 
     Raises
     ------
@@ -152,7 +148,6 @@ def ascending(
 
     Parameters
     ----------
-    given : number or array_like
     name : str
         Of the axis, for messages.
     where : str
@@ -177,18 +172,18 @@ def ascending(
     values = listed(
         [given] if isinstance(given, int | float | np.number) else given, f"values of {name}", where, "0.1"
     )
-    if not all(isinstance(v, int | float | np.number) and not isinstance(v, bool) for v in values):
+    if not all(map(is_number, values)):
         raise error(f"expected numbers in SI units, found {shown(values[0])}", where, example)
-    found = np.array(values, dtype=float)
-    if not len(found):
+    axis = np.array(values, dtype=float)
+    if not len(axis):
         raise error("expected at least one value, found none", where, "give one number or several")
-    if not np.isfinite(found).all():
+    if not np.isfinite(axis).all():
         raise error("expected finite values, found NaN or infinity", where, "give finite numbers")
-    if strictly and (np.diff(found) < 0).any():
+    if strictly and (np.diff(axis) < 0).any():
         raise error(
             "expected ascending values, found descending ones", where, "sort them, the smallest first"
         )
-    different, counts = np.unique(found, return_counts=True)
+    different, counts = np.unique(axis, return_counts=True)
     if (counts > 1).any():
         raise error(f"the value {different[counts > 1][0]:g} is repeated", where, "give each value once")
-    return found
+    return axis

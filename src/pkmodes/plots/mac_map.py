@@ -15,12 +15,11 @@ if TYPE_CHECKING:
 Array = NDArray[Any]
 
 
-def neighbours(plane: Plane, mac: Array) -> Figure:
+def neighbouring_mac(plane: Plane, mac: Array) -> Figure:
     """Draw the smallest MAC of each mode with the mode of the same number at the neighbouring poses.
 
     Parameters
     ----------
-    plane : Plane
     mac : ndarray, shape (along, across, modes)
         From `pkmodes.figures.quantities.smallest_mac`.
     """

@@ -8,11 +8,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import PkmodesError
-from pkmodes.mechanism.description import Drawing, Named
 from pkmodes.mechanism.generated import Generated
 from pkmodes.robot.robot import Robot
 from pkmodes.system.evaluation import SystemOfEffects
+from pkmodes_description import Named
 
 Array = NDArray[np.float64]
 #: Below this sine of the angle to the vertical, a direction is vertical, and upright means outwards.
@@ -28,12 +27,8 @@ class Springs(NamedTuple):
     strain: Array
 
 
-class Drawn:
+class RobotDrawing:
     """The drawing of one robot.
-
-    Parameters
-    ----------
-    robot : Robot
 
     Attributes
     ----------
@@ -43,21 +38,12 @@ class Drawn:
         Names of the robot's coordinates, released joints included.
     vertical : ndarray, shape (3,)
         Unit vector against gravity; z without gravity.
-
-    Raises
-    ------
-    PkmodesError
-        If the code of the mechanism was generated before there were drawings.
     """
 
     def __init__(self, robot: Robot) -> None:
         mechanism = robot.mechanism
-        if mechanism.drawing is None:
-            what = f"the generated code of the mechanism {mechanism.name} has no drawing"
-            raise PkmodesError(
-                what, robot.source, "generate it again: pkmodes generate --mechanism FILE.py ..."
-            )
-        self.drawing: Drawing = mechanism.drawing
+        assert mechanism.drawing is not None
+        self.drawing = mechanism.drawing
         self._mechanism, self._system = mechanism, SystemOfEffects.of(robot)
         self.coordinates = self._system.coordinates
         self._generated = Generated(mechanism.drawn, robot.parameters, self._system.effects)
@@ -69,8 +55,8 @@ class Drawn:
 
     def motions(self, p: Array) -> Array:
         """Return the Jacobians with respect to the coordinates, (N, motions, 3, n); points share them."""
-        found = np.asarray(self._generated.drawing_motion(p, *self._upright(p)), dtype=float)
-        return found[..., self._system.free]
+        motions = np.asarray(self._generated.drawing_motion(p, *self._upright(p)), dtype=float)
+        return motions[..., self._system.free]
 
     def springs(self, p: Array) -> Springs:
         """Return the springs of the model and of the released joints, zero stiffness included."""
@@ -101,11 +87,11 @@ class Drawn:
         if not self.drawing.uprights:
             return ()
         given = np.asarray(self._generated.drawing_directions(p), dtype=float)
-        found = [
+        uprights = [
             upright(directions, places, self.vertical)
             for directions, places in zip(given[:, :, 0], given[:, :, 1], strict=True)
         ]
-        return (np.array(found).reshape(len(p), -1),)
+        return (np.array(uprights).reshape(len(p), -1),)
 
 
 def upright(directions: Array, places: Array, vertical: Array) -> Array:
@@ -122,15 +108,15 @@ def upright(directions: Array, places: Array, vertical: Array) -> Array:
     ndarray, shape (k, 3)
     """
     outwards = places - places.mean(axis=0)
-    found = []
+    uprights = []
     for n, out in zip(directions, outwards, strict=True):
         wanted = (vertical, out, *np.eye(3))
         across = [w - (w @ n) * n for w in wanted]
         sizes = [float(np.linalg.norm(a)) for a in across]
         least = [VERTICAL, 1e-9, *([VERTICAL] * 3)]
         chosen = next(i for i, size in enumerate(sizes) if size > least[i])
-        found.append(across[chosen] / sizes[chosen])
-    return np.array(found)
+        uprights.append(across[chosen] / sizes[chosen])
+    return np.array(uprights)
 
 
 def present(springs: Springs) -> tuple[Springs, Sequence[int]]:

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from pkmodes.base.errors import MeasurementError, shown
-from pkmodes.maps.places import Poses
+from pkmodes.maps.poses import Poses
 from pkmodes.measured.csv_format import read_text
 from pkmodes.measured.header import column_of
 from pkmodes.measured.table import cells_of, number_in, read_lines
@@ -27,7 +27,6 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
         CSV with the components of the pose as columns, in SI units or with a unit in the header (``x [mm]``), and
         optionally their labels in a column ``pose``.  Other columns are ignored, load cases included, and so are
         repeated rows: a file of measurements is also a list of poses.
-    mechanism : Mechanism
 
     Returns
     -------
@@ -52,11 +51,11 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
     ]
     places = {}
     for name in units:
-        found = [i for i, (known, _) in enumerate(columns) if known == name]
-        if len(found) != 1:
-            what = f'expected one column "{name}", found {len(found) or "none"}'
+        matching = [i for i, (known, _) in enumerate(columns) if known == name]
+        if len(matching) != 1:
+            what = f'expected one column "{name}", found {len(matching) or "none"}'
             raise MeasurementError(what, where, remedy)
-        places[name] = found[0]
+        places[name] = matching[0]
     names = [name for name, _ in columns]
     labelled = names.count(LABEL) == 1
     table: dict[tuple[str, ...], tuple[float, ...]] = {}

@@ -1,0 +1,48 @@
+"""The table of figures: another figure is an entry and a function."""
+
+from __future__ import annotations
+
+import re
+from importlib import import_module
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from pkmodes.cli import run
+from pkmodes.figures.pictures import PICTURES, PictureKind, RobotPlane
+from pkmodes.plots.style import figure
+
+ROOT = Path(__file__).parents[2]
+SVG = {"svg": "http://www.w3.org/2000/svg", "dc": "http://purl.org/dc/elements/1.1/"}
+
+
+def test_every_figure_is_in_the_documentation() -> None:
+    text = (ROOT / "docs" / "figures.md").read_text(encoding="utf-8")
+    table = text.partition("| file | shows |")[2].partition("\n\n")[0]
+    assert re.findall(r"^\| `(\w+)` \|", table, re.M) == [kind.name for kind in PICTURES]
+
+
+def torques(robot: RobotPlane) -> Figure:
+    """Draw the largest static torque of each pose."""
+    drawn = figure(2.0)
+    axes = drawn.add_subplot()
+    mesh = robot.plane.draw(axes, np.abs(robot.plane.dataset["static_torque"].values).max(axis=-1))
+    drawn.colorbar(mesh, label="largest static torque [N m]")
+    return drawn
+
+
+def test_another_figure_is_an_entry_and_a_function(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    entry = PictureKind("torques", "Static torques", "What the motors hold at rest.", torques)
+    monkeypatch.setattr(import_module("pkmodes.figures.pictures"), "PICTURES", (PICTURES[2], entry))
+    grid = "x=0.01:0.29:4,y=0.01:0.29:4"
+    assert run(["figures", "robots/corexy-printer.toml", "--out", str(tmp_path), "--grid", grid]) == 0
+    assert capsys.readouterr().out.split() == [str(tmp_path / f"{n}.svg") for n in ("directions", "torques")]
+    drawn = ElementTree.parse(tmp_path / "torques.svg")
+    assert drawn.findtext(".//dc:title", namespaces=SVG) == "Static torques"
+    words = [text.text for text in drawn.iterfind(".//svg:text", SVG)]
+    assert "largest static torque [N m]" in words
