@@ -17,6 +17,7 @@ import importlib
 import math
 from collections.abc import Iterator
 
+import hypothesis
 import pytest
 import threadpoolctl
 
@@ -28,6 +29,14 @@ from pkmodes.solve.backends import COMPILED, NUMPY, VARIABLE
 
 # A plugin may have loaded NumPy before.
 threadpoolctl.threadpool_limits(1)
+
+# How long an example takes depends on the machine, and what its fixtures hold is the same for every example.
+hypothesis.settings.register_profile(
+    "pkmodes",
+    deadline=None,
+    suppress_health_check=[hypothesis.HealthCheck.function_scoped_fixture, hypothesis.HealthCheck.too_slow],
+)
+hypothesis.settings.load_profile("pkmodes")
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers.diagnoses.measurement_files import FULL, HEADER, ROW, read
@@ -122,7 +122,7 @@ def plain(found: Measurements) -> list[tuple[object, ...]]:
     ]
 
 
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(tables(), st.randoms(use_true_random=False))
 def test_valid_tables_read_back_exactly_in_any_order(tmp_path: Path, rows, random) -> None:
     expected = [tuple(0.0 if k == 6 and c is None else c for k, c in enumerate(row)) for row in rows]

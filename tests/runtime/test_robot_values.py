@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import tomlkit
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pkmodes
@@ -117,7 +117,7 @@ def same_to_the_last_digit(found: pkmodes.Robot, expected: pkmodes.Robot) -> Non
 
 
 @pytest.mark.usefixtures("backend")
-@settings(max_examples=120, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=120)
 @given(
     base=st.sampled_from([published(), RICH]),
     path=st.sampled_from(sorted(VALUES)),

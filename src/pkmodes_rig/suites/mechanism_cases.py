@@ -178,19 +178,19 @@ def run(case: MechanismCase) -> MechanismOutcome:
     kind, robot = KINDS[case.specimen.mechanism], robot_of(case.specimen.mechanism)
     rows, text = measured(case)
     start = time.perf_counter()
-    found = updating.diagnose(robot, _read(text, robot))
+    diagnosis = updating.diagnose(robot, _read(text, robot))
     seconds = time.perf_counter() - start
     specimen = case.specimen
     lacking = specimen.effects or specimen.values or specimen.outside
     return MechanismOutcome(
         case=case,
-        state=judged(case.names, found, same=kind.same),
-        verdict=found.verdict,
-        classes=tuple(f.members for f in found.effects) or found.survivors,
-        values=tuple(_values(case, found)),
-        signal=signal(specimen, case.poses, holdout=found.held_out_poses, rows=rows) if lacking else 0.0,
+        state=judged(case.names, diagnosis, same=kind.same),
+        verdict=diagnosis.verdict,
+        classes=tuple(f.members for f in diagnosis.effects) or diagnosis.survivors,
+        values=tuple(_values(case, diagnosis)),
+        signal=signal(specimen, case.poses, holdout=diagnosis.held_out_poses, rows=rows) if lacking else 0.0,
         seconds=seconds,
-        reason=found.reason,
+        reason=diagnosis.reason,
     )
 
 
@@ -261,8 +261,8 @@ def robot_of(mechanism: str) -> Robot:
 @cache
 def band(mechanism: str) -> tuple[float, float]:
     """Return the frequency band that is searched for modes [Hz]."""
-    found = [modes.frequencies[-1] for modes in Specimen(mechanism).modes(KINDS[mechanism].points)]
-    return LOWEST, float(f"{HIGHEST * max(found):.3g}")
+    highest = [modes.frequencies[-1] for modes in Specimen(mechanism).modes(KINDS[mechanism].points)]
+    return LOWEST, float(f"{HIGHEST * max(highest):.3g}")
 
 
 def _read(text: str, robot: Robot) -> Measurements:
@@ -272,12 +272,12 @@ def _read(text: str, robot: Robot) -> Measurements:
         return updating.read(path, robot=robot)
 
 
-def _values(case: MechanismCase, found: Diagnosis) -> list[Any]:
+def _values(case: MechanismCase, diagnosis: Diagnosis) -> list[Any]:
     """Return the parameters of the causes that were named: estimate, standard deviation and true value."""
     true = {**case.specimen.values, **{f"effects.{n}": v for n, v in case.specimen.effects.items()}}
     return [
         (value.name, value.value, value.sigma, true[value.name])
-        for finding in found.effects
+        for finding in diagnosis.effects
         for name in case.names
         for value in finding.alternatives.get(name, ())
         if value.name in true

@@ -262,8 +262,8 @@ def effects(robot: str) -> None:
     """Print the sizes of the effects."""
     for effect in CATALOGUE:
         start = start_of(effect)
-        found = [size_for(t, partial(with_effect, robot, effect), start) for t in TARGETS]
-        print(f'        "{effect}": ({", ".join(f"{s:.3g}" for s in found)}),', flush=True)
+        sizes = [size_for(t, partial(with_effect, robot, effect), start) for t in TARGETS]
+        print(f'        "{effect}": ({", ".join(f"{s:.3g}" for s in sizes)}),', flush=True)
 
 
 def wrong_values(robot: str) -> None:
@@ -277,29 +277,29 @@ def wrong_values(robot: str) -> None:
         def wrong(size: float, path: str = path, sign: float = sign) -> Truth:
             return with_wrong(robot, path, sign * size)
 
-        found = size_for(target, wrong, start)
-        print(f'        "{path}": {sign * found:.3g},', flush=True)
+        change = size_for(target, wrong, start)
+        print(f'        "{path}": {sign * change:.3g},', flush=True)
 
 
 def outside() -> None:
     """Print the sizes of causes outside the catalogue."""
     for kind, robot, plan, target in outside_causes():
         if kind == "tuned_absorber":
-            found = ABSORBER[target] * float(read(robot).parameters.platform_mass)
-            print(f"    {found:.3g},  # {kind}, {robot}, {plan}", flush=True)
+            size = ABSORBER[target] * float(read(robot).parameters.platform_mass)
+            print(f"    {size:.3g},  # {kind}, {robot}, {plan}", flush=True)
         else:
-            found = size_for(target, partial(with_outside, robot, kind), STARTS[kind], plan)
-            print(f"    {found:.3g},  # {kind}, {robot}, {plan}: {target:g} sigma", flush=True)
+            size = size_for(target, partial(with_outside, robot, kind), STARTS[kind], plan)
+            print(f"    {size:.3g},  # {kind}, {robot}, {plan}: {target:g} sigma", flush=True)
 
 
 def two_effects() -> None:
     """Print the sizes of the two effects of each pair."""
     for robot, plan, names, targets in pairs():
-        found = [
+        sizes = [
             size_for(t, partial(with_effect, robot, effect), start_of(effect), plan)
             for effect, t in zip(names, targets, strict=True)
         ]
-        print(f"    ({', '.join(f'{s:.4g}' for s in found)}),  # {' + '.join(names)}", flush=True)
+        print(f"    ({', '.join(f'{s:.4g}' for s in sizes)}),  # {' + '.join(names)}", flush=True)
 
 
 def start_of(effect: str) -> float:
