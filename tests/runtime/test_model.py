@@ -12,6 +12,8 @@ from pkmodes.base.errors import PoseError
 from pkmodes.solve import dynamics
 from pkmodes_generated import linear_delta
 
+pytestmark = pytest.mark.usefixtures("backend")
+
 POSE = np.array([0.6, 0.03, -0.245])
 
 

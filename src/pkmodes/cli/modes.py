@@ -3,17 +3,79 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any, Literal
 
 import click
 import numpy as np
+from msgspec import UNSET, Meta, UnsetType
 
-from pkmodes.cli.output import check_target, deliver, json_option, mechanism_option, to_file, write_json
+from pkmodes.base.documents import Count, Document, Matrix
+from pkmodes.cli.delivery import deliver
+from pkmodes.cli.options import json_option, mechanism_option
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
+from pkmodes.cli.targets import check_targets
 from pkmodes.mechanism.poses import placed
 from pkmodes.model.loading import load
 from pkmodes.model.model import Model
 from pkmodes.solve.results import CARRIAGES, Modes, Statics
+
+
+class ModesDocument(Document):
+    """The modes at a pose: n coordinates, m modes, the rigid-body ones first."""
+
+    robot: Annotated[str, Meta(description="Name of the robot.")]
+    pose: Annotated[
+        list[float],
+        Meta(description="The components of the mechanism's pose: the platform centre [m]."),
+    ]
+    coordinates: Annotated[
+        list[str],
+        Meta(
+            description="Names of the n generalised coordinates, in the order of the matrices; x in m, theta in rad "
+            "(docs/model.md)."
+        ),
+    ]
+    frequencies_hz: Annotated[
+        list[float],
+        Meta(
+            description="sqrt(|lambda|) / (2 pi) with the sign of lambda [Hz], ascending, the rigid-body ones first; "
+            "m of them."
+        ),
+    ]
+    shapes: Annotated[
+        Matrix,
+        Meta(
+            description="One list of n components for each mode, mass-normalised: phi^T M phi = 1 in SI units."
+        ),
+    ]
+    platform_shapes: Annotated[
+        Matrix,
+        Meta(
+            description="For each mode the motion of the platform centre along the linear components of the pose, "
+            "with the scale of the shape."
+        ),
+    ]
+    joint_positions: Annotated[
+        dict[str, float],
+        Meta(description="The independent coordinates at the pose, by name, in SI units."),
+    ]
+    mass_matrix: Annotated[Matrix, Meta(description="n by n, SI units.")]
+    stiffness_matrix: Annotated[Matrix, Meta(description="n by n, SI units.")]
+    static_torques: Annotated[
+        list[float],
+        Meta(
+            description="Torque of each drive that holds the pose against gravity, positive with its coordinate "
+            "[N m]."
+        ),
+    ]
+    rigid_modes: Annotated[
+        Count, Meta(description="Number of modes that strain no elastic element; they come first.")
+    ]
+    backend: Annotated[Literal["numpy", "compiled"], Meta(description="What evaluated the modes.")]
+    carriage_positions: Annotated[
+        list[float] | UnsetType,
+        Meta(description="The same as joint_positions in a list, for a robot with carriages [m]."),
+    ] = UNSET
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245")
@@ -27,17 +89,13 @@ def modes(robot: Path, pose: str, json_file: str | None) -> None:
     Mode shapes are mass-normalised.  The table scales them to their largest component and, if the other coordinates
     are angles, divides lengths by a radius, as in the paper.
     """
-    check_target(json_file, robot)
+    check_targets(json_file, [robot])
     model = load(robot)
     point = parse_pose(pose, model.mechanism)
     check_metres(model, pose, point)
     result, statics = model.modes(point), model.statics(point)
-    content = as_json(model, result, statics)
-    with deliver(to_file(json_file, content)):
-        if json_file == "-":
-            write_json(json_file, content)
-        else:
-            _print(model, result, statics)
+    document = ModesDocument(**as_json(model, result, statics))
+    deliver(json_file, document.as_json(), lambda: _print(model, result, statics))
 
 
 def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:

@@ -7,8 +7,7 @@ from collections.abc import Sequence
 
 from pkmodes.base.errors import PkmodesError, shown
 
-VERDICTS = ("adequate", "effect_found", "ambiguous", "unexplained", "insufficient_data")
-#: Stands for every verdict except adequate.
+#: Stands for every verdict that is a failure by itself: all except adequate.
 ANY = "any"
 
 
@@ -25,13 +24,13 @@ def failing(names: Sequence[str]) -> frozenset[str]:
     PkmodesError
         If there is no such verdict.
     """
-    found: set[str] = set()
+    from pkmodes.diagnosis.verdict.verdicts import VERDICTS  # loads SciPy
+
+    known, failures = (*VERDICTS, ANY), set[str]()
     for name in names:
-        if name not in (*VERDICTS, ANY):
-            nearest = difflib.get_close_matches(name, [*VERDICTS, ANY], n=1, cutoff=0.5)
-            remedy = (
-                f'did you mean "{nearest[0]}"?' if nearest else f"choose from {', '.join(VERDICTS)}, {ANY}"
-            )
+        if name not in known:
+            nearest = difflib.get_close_matches(name, known, n=1, cutoff=0.5)
+            remedy = f'did you mean "{nearest[0]}"?' if nearest else f"choose from {', '.join(known)}"
             raise PkmodesError(f"unknown verdict {shown(name)}", "--fail-on", remedy)
-        found |= set(VERDICTS) - {"adequate"} if name == ANY else {name}
-    return frozenset(found)
+        failures |= {word for word, verdict in VERDICTS.items() if verdict.fails} if name == ANY else {name}
+    return frozenset(failures)

@@ -5,17 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.diagnosis.matrices import at_measured
 from pkmodes.diagnosis.problem import Structure
 from pkmodes.measured.measurements import Measurements
 
 
-def check_arguments(structure: Structure, data: Measurements) -> None:
-    """Refuse an invalid structure, measurements, unnamed setups, and invalid priors.
-
-    Raises
-    ------
-    PkmodesError
-    """
+def checked(structure: Structure, data: Measurements) -> Structure:
+    """Return a structure at the measured setups; refuse an invalid one, measurements, unnamed setups, and priors."""
     if not callable(getattr(structure, "predict", None)) or not hasattr(structure, "candidates"):
         remedy = "give a structure, such as a MatrixStructure; for a robot, use pkmodes.updating"
         raise PkmodesError(f"expected a structure, found {shown(structure)}", "structure", remedy)
@@ -32,6 +28,7 @@ def check_arguments(structure: Structure, data: Measurements) -> None:
             raise PkmodesError(what, data.source, "leave it out, or model it in the setups of the structure")
     for candidate in structure.candidates:
         _check_prior(candidate.name, candidate.sigma, len(candidate.parameters))
+    return at_measured(structure, data.labels, float(data.frequency.max(initial=0.0)))
 
 
 def check_measurements(data: object, reader: str) -> None:
@@ -39,13 +36,8 @@ def check_measurements(data: object, reader: str) -> None:
 
     Parameters
     ----------
-    data : object
     reader : str
         Call that reads measurements, for the message.
-
-    Raises
-    ------
-    PkmodesError
     """
     if not isinstance(data, Measurements):
         what = f"expected measurements, found {shown(data)}"
@@ -62,8 +54,8 @@ def _check_prior(name: str, sigma: object, count: int) -> None:
         return
     where = f"candidate {shown(name)}: sigma"
     if not isinstance(sigma, list | tuple | np.ndarray) or len(sigma) != count:
-        found = f"{len(sigma)}" if isinstance(sigma, list | tuple | np.ndarray) else shown(sigma)
-        what = f"expected a tuple of {count} standard deviation{'s' if count > 1 else ''}, found {found}"
+        given = f"{len(sigma)}" if isinstance(sigma, list | tuple | np.ndarray) else shown(sigma)
+        what = f"expected a tuple of {count} standard deviation{'s' if count > 1 else ''}, found {given}"
         number = isinstance(sigma, int | float) and count == 1
         raise PkmodesError(
             what, where, f"write ({sigma},)" if number else "give one for each of its parameters"

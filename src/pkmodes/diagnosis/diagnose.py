@@ -16,22 +16,24 @@ from dataclasses import replace
 import numpy as np
 
 from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.diagnosis.arguments import check_arguments
+from pkmodes.diagnosis.arguments import checked
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.matrices import at_measured, slowness
+from pkmodes.diagnosis.matrices import slowness
 from pkmodes.diagnosis.problem import Structure
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import reasons
+from pkmodes.diagnosis.verdict.all_setups import AllSetups
+from pkmodes.diagnosis.verdict.builder import DiagnosisBuilder
+from pkmodes.diagnosis.verdict.chosen_reason import reason_of
 from pkmodes.diagnosis.verdict.judgement import Judgement, judge
 from pkmodes.diagnosis.verdict.mistakes import other_unit, other_wiring
-from pkmodes.diagnosis.verdict.phrasing import reason_of
-from pkmodes.diagnosis.verdict.report import Report
-from pkmodes.diagnosis.verdict.result import Diagnosis, Verdict
+from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.stability import Trial, trials, unchanged
+from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS, EFFECT_FOUND, INSUFFICIENT_DATA, UNEXPLAINED
 from pkmodes.diagnosis.verdict.whole_data import remarks
 from pkmodes.measured.measurements import Measurements
 
@@ -74,27 +76,24 @@ def diagnose(
     PkmodesError
         If a label is unknown, no setup is left to fit, or the model cannot be evaluated as declared.
     """
-    check_arguments(structure, data)
-    structure = at_measured(structure, data.labels, float(data.frequency.max(initial=0.0)))
+    structure = checked(structure, data)
     if progress is not None and (remark := slowness(structure)):
         progress(remark)
     fitted, held = split(data, holdout)
     fitter = Fitter(structure.subset(fitted), data.at(fitted), criteria)
-    report = Report(structure, data, fitter, held)
+    builder = DiagnosisBuilder(AllSetups(structure, data, fitter, held))
     unit = other_unit(fitter)
     if unit:
         store = FitStore(fitter)
         names = tuple(candidate.name for candidate in structure.candidates if candidate.claimable)
-        return report.without_search(
-            "unexplained", unit, store, None, names, (unit,), unchanged("unexplained")
-        )
+        return builder.without_search(UNEXPLAINED, unit, store, None, names, (unit,), unchanged(UNEXPLAINED))
     if len(fitter.log) + int(fitter.shapes.count.sum()) < len(fitter.nuisances) + fitter.criteria.redundancy:
-        return _insufficient(fitter, report)
+        return _insufficient(builder)
     search, outcome = _searched(fitter, structure, progress)
     if outcome is None:
         what = "the model cannot be evaluated with its declared values"
         raise PkmodesError(what, data.source, "check the poses and the robot file")
-    return _judged(report, search, outcome)
+    return _judged(builder, search, outcome)
 
 
 def split(data: Measurements, holdout: Sequence[str] | None) -> tuple[list[int], list[int]]:
@@ -137,8 +136,8 @@ def _searched(
             store = FitStore(fitter, store)
         search = Search(store, structure.candidates, progress)
         outcome = search.run()
-        found = [search.store.shape_scatter(fit) for fit in search.store.tried()]
-        best = min((each for each in found if each is not None), default=None)
+        scatters = [search.store.shape_scatter(fit) for fit in search.store.tried()]
+        best = min((each for each in scatters if each is not None), default=None)
         # If nothing explains even the frequencies, a smaller shape scatter changes nothing.
         hopeless = all(search.store.frequency_p_value(fit) <= c.surely for fit in search.store.tried())
         if hopeless or best is None or max(best, c.least_shape_scatter) >= c.sharper * fitter.shape_scatter:
@@ -146,40 +145,40 @@ def _searched(
         scatter = best
 
 
-def _judged(report: Report, search: Search, outcome: Outcome) -> Diagnosis:
+def _judged(builder: DiagnosisBuilder, search: Search, outcome: Outcome) -> Diagnosis:
     """Judge the outcome of a search, with the reason."""
     judged, store = judge(search, outcome), search.store
-    found = trials(search, judged.final, [groups[0] for groups in judged.grouped if groups])
-    if judged.verdict == "effect_found":
-        judged = _stable(judged, found)
+    changes = trials(search, judged.final, [groups[0] for groups in judged.grouped if groups])
+    if judged.verdict is EFFECT_FOUND:
+        judged = _stable(judged, changes)
     wiring = other_wiring(store.fitter, judged.final)
     if wiring:
-        judged = replace(judged, verdict="unexplained", doubt=wiring)
-    reason = judged.doubt or reason_of(report, search, outcome, judged)
-    return report.of(
+        judged = replace(judged, verdict=UNEXPLAINED, doubt=wiring)
+    reason = judged.doubt or reason_of(builder, search, outcome, judged)
+    return builder.judged(
         search,
         outcome,
         judged,
         reason,
-        (*((wiring,) if wiring else ()), *remarks(report, judged.final)),
-        tuple(trial.entry for trial in found),
+        (*((wiring,) if wiring else ()), *remarks(builder.setups, judged.final)),
+        tuple(trial.entry for trial in changes),
     )
 
 
-def _stable(judged: Judgement, found: Sequence[Trial]) -> Judgement:
+def _stable(judged: Judgement, changes: Sequence[Trial]) -> Judgement:
     """Withdraw a claim that other errors or priors would change."""
-    for trial in found:
+    for trial in changes:
         if trial.instead is not None:
             doubt = reasons.unstable(judged.final.causes, trial.entry.change, trial.instead.causes)
-            return replace(judged, verdict="ambiguous", doubt=doubt, instead=trial.instead)
-    if any(trial.moved for trial in found):
-        return replace(judged, verdict="unexplained", doubt=reasons.held_by_priors(judged.final.causes))
+            return replace(judged, verdict=AMBIGUOUS, doubt=doubt, instead=trial.instead)
+    if any(trial.moved for trial in changes):
+        return replace(judged, verdict=UNEXPLAINED, doubt=reasons.held_by_priors(judged.final.causes))
     return judged
 
 
-def _insufficient(fitter: Fitter, report: Report) -> Diagnosis:
+def _insufficient(builder: DiagnosisBuilder) -> Diagnosis:
     """Return the result for too few data: no search, only whether they contradict the model and its priors."""
-    store = FitStore(fitter)
+    fitter, store = builder.fitter, FitStore(builder.fitter)
     fit = store.fit(Hypothesis())  # the priors determine it, however few the data
     candidates = [candidate for candidate in fitter.structure.candidates if candidate.claimable]
     p_value, hints, contradicts = None, [], False
@@ -199,6 +198,7 @@ def _insufficient(fitter: Fitter, report: Report) -> Diagnosis:
         contradicts,
     )
     names = tuple(candidate.name for candidate in candidates)
-    verdict: Verdict = "insufficient_data"
-    about = () if fit is None else remarks(report, fit)
-    return report.without_search(verdict, reason, store, fit, names, about, unchanged(verdict))
+    about = () if fit is None else remarks(builder.setups, fit)
+    return builder.without_search(
+        INSUFFICIENT_DATA, reason, store, fit, names, about, unchanged(INSUFFICIENT_DATA)
+    )

@@ -20,10 +20,10 @@ from pkmodes.diagnosis.problem import (
     Structure,
     one_by_one,
 )
+from pkmodes.diagnosis.structure.checks import check_callables, check_candidate, check_names, check_parameter
 from pkmodes.diagnosis.structure.kept import Kept
 from pkmodes.diagnosis.structure.massless import UnstableError, UnusableError
 from pkmodes.diagnosis.structure.modes import Modes, lowest_modes, modes_below
-from pkmodes.diagnosis.structure.names import check_callables, check_candidate, check_names, check_parameter
 from pkmodes.diagnosis.structure.sensors import sensor_map
 from pkmodes.diagnosis.structure.shape_rates import ShapeRates, eigenvalue_rates
 from pkmodes.diagnosis.structure.shape_rates import shape_rates as rates_of_shapes
@@ -238,23 +238,25 @@ class MatrixStructure:
 
     def _shape_rates(self, one: _Solved, changes: Sequence[Pair | None], some: Index) -> Array:
         """Return the derivatives of some shapes at the channels, (W, C, T)."""
-        found = rates_of_shapes(one.pair, one.modes, some, changes)
-        return np.moveaxis(self._measured(np.moveaxis(found, 2, 1)), 1, 2)
+        rates = rates_of_shapes(one.pair, one.modes, some, changes)
+        return np.moveaxis(self._measured(np.moveaxis(rates, 2, 1)), 1, 2)
 
     def _measured(self, shapes: Array) -> Array:
         """Return shapes (..., n) at the channels."""
         if self._map is None:
             return shapes
-        found: Array = (self._map @ shapes.reshape(-1, self._size).T).T
-        return found.reshape(*shapes.shape[:-1], len(self.channels))
+        motions: Array = (self._map @ shapes.reshape(-1, self._size).T).T
+        return motions.reshape(*shapes.shape[:-1], len(self.channels))
 
     def _solved(self, values: Array) -> list[_Solved | None]:
         """Return the modes of all setups, None for a setup without modes at these values."""
         key = np.asarray(values, dtype=float).tobytes()
         if key in self._solutions:
             return self._solutions[key]
-        found = [self._solve(values, setup) for setup in self.setups]
-        return self._solutions.keep(key, found, sum(one.modes.size for one in found if one is not None))
+        solutions = [self._solve(values, setup) for setup in self.setups]
+        return self._solutions.keep(
+            key, solutions, sum(one.modes.size for one in solutions if one is not None)
+        )
 
     def _solve(self, values: Array, setup: str) -> _Solved | None:
         pair = self._supplied.at(values, setup)

@@ -90,6 +90,12 @@ class Candidate:
         return not self.remote and not self.general_of
 
 
+def reached_bounds(p: Parameter, value: float, size: float = 0.0) -> list[float]:
+    """Return the physical bounds that a value has reached, up to a thousandth of the largest number of this kind."""
+    near = 1e-3 * max(abs(p.value), abs(value), size)
+    return [bound for bound in (p.lower, p.upper) if np.isfinite(bound) and abs(value - bound) <= near]
+
+
 class ShapeRates(Protocol):
     """Derivatives of shapes: an array (S, m, C, T), or an object that computes them for requested modes."""
 
@@ -134,8 +140,8 @@ class Prediction:
     def log_rates(self) -> Array:
         """Derivatives of the logarithms of the frequencies, (S, m, T)."""
         with np.errstate(divide="ignore", invalid="ignore"):
-            found: Array = self.rates / (2.0 * self.eigenvalues[..., None])
-        return found
+            rates: Array = self.rates / (2.0 * self.eigenvalues[..., None])
+        return rates
 
 
 class Batch(NamedTuple):
@@ -197,10 +203,10 @@ class Structure(Protocol):
         """Return the same structure at some of its setups."""
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction | None:
-        """Return the modes with derivatives with respect to the setups' positions (T = 3), if they have one."""
+        """Return the modes with derivatives with respect to each component of the setups' positions, if any."""
 
     def elsewhere(self, count: int) -> tuple[Array, Structure] | None:
-        """Return points (count, 3) where the structure could also be measured, and the structure at these setups."""
+        """Return points (count, d) where the structure could also be measured, and the structure at these setups."""
 
 
 @runtime_checkable
@@ -216,5 +222,5 @@ def one_by_one(
 ) -> list[Batch]:
     """Return the result of `Structure.predict_many` with one batch for each set of values."""
     sets = zip(values, by, strict=True)
-    found = [structure.predict(one, some, shape_rates=shape_rates) for one, some in sets]
-    return [Batch(np.array([k]), prediction) for k, prediction in enumerate(found)]
+    predictions = [structure.predict(one, some, shape_rates=shape_rates) for one, some in sets]
+    return [Batch(np.array([k]), prediction) for k, prediction in enumerate(predictions)]

@@ -15,18 +15,17 @@ import numpy as np
 from scipy import stats
 
 from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.diagnosis.arguments import check_arguments
+from pkmodes.diagnosis.arguments import checked
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.diagnose import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.matrices import at_measured
-from pkmodes.diagnosis.problem import Candidate, Structure
+from pkmodes.diagnosis.problem import Candidate, Structure, reached_bounds
 from pkmodes.diagnosis.verdict import whole_data
+from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.mistakes import other_unit, other_wiring
 from pkmodes.diagnosis.verdict.notes import notes
-from pkmodes.diagnosis.verdict.report import Report
 from pkmodes.diagnosis.verdict.result import Error, Row
 from pkmodes.measured.measurements import Measurements
 
@@ -42,8 +41,6 @@ class Updated:
 
     Attributes
     ----------
-    name, unit : str
-    before, after : float
     prior_sigma, sigma : float
         Standard deviations before and after, in the parameter's unit.
     resolution : float
@@ -51,7 +48,6 @@ class Updated:
         value, near 0 only the prior does.
     moved : float
         Change of the value in standard deviations of the prior.
-    at_bound : bool
     """
 
     name: str
@@ -137,38 +133,35 @@ def update(
     PkmodesError
         If a name is unknown or has no prior, nothing could change, or the model cannot be evaluated.
     """
-    check_arguments(structure, data)
-    structure = at_measured(structure, data.labels, float(data.frequency.max(initial=0.0)))
+    structure = checked(structure, data)
     fitted, held = split(data, holdout)
-    part = structure.subset(fitted)
-    some = data.at(fitted)
-    fitter = Fitter(part, some, criteria)
+    fitter = Fitter(structure.subset(fitted), data.at(fitted), criteria)
     chosen = _chosen(fitter, parameters)
     fitter, fit = _fitted(fitter, chosen)
-    store, report = FitStore(fitter), Report(structure, data, fitter, held)
+    store, setups = FitStore(fitter), AllSetups(structure, data, fitter, held)
     nothing = np.zeros(len(data.lines), dtype=bool)
-    declared, after = report.stage(fitter.declared), report.stage(fit.values)
+    declared, after = setups.stage(fitter.declared), setups.stage(fit.values)
     squares, degrees = store.frequency_misfit(fit)
-    found = tuple(_updated(fitter, fit, i) for i in chosen)
+    updated = tuple(_updated(fitter, fit, i) for i in chosen)
     k = [fit.free.index(i) for i in chosen]
     covariance = fit.covariance[np.ix_(k, k)]
     size = np.sqrt(np.diagonal(covariance))
     remarks = [text for text in (other_unit(fitter), other_wiring(fitter, fit)) if text]
-    remarks += whole_data.remarks(report, fit)
-    held_by_prior = [p.name for p in found if p.resolution < 0.05]
+    remarks += whole_data.remarks(setups, fit)
+    held_by_prior = [p.name for p in updated if p.resolution < 0.05]
     if held_by_prior:
         priors = "only its prior does" if len(held_by_prior) == 1 else "only their priors do"
         remarks.append(f"these data do not determine {', '.join(held_by_prior)}: {priors}")
     if stats.chi2.sf(squares, max(degrees, 1.0)) < fitter.criteria.surely:
         remarks.append("the residual still exceeds the stated errors: something else is missing")
     return Update(
-        parameters=found,
+        parameters=updated,
         correlation=covariance / np.outer(size, size),
-        before=report.error(declared, report.chi2(fitter.declared), len(fitter.log), nothing),
-        after=report.error(after, squares, degrees, nothing),
+        before=setups.declared_error(declared, nothing),
+        after=setups.error(after, squares, degrees, nothing),
         p_value=store.p_value(fit),
-        held_out_poses=tuple(data.labels[i] for i in held),
-        rows=report.rows(declared, after, after, nothing),
+        held_out_poses=setups.held_out_poses,
+        rows=setups.rows(declared, after, after, nothing),
         shape_scatter=store.shape_scatter(fit),
         notes=(*remarks, *notes(store, fit, adequate=False)),
     )
@@ -224,8 +217,6 @@ def _updated(fitter: Fitter, fit: Fit, i: int) -> Updated:
     assert row is not None
     prior = float(fitter.priors.width(fit.values)[row])
     sigma = float(np.sqrt(fit.covariance[k, k]))
-    width = 1e-3 * max(abs(p.value), abs(fit.values[i]), prior)
-    near = [np.isfinite(bound) and abs(fit.values[i] - bound) <= width for bound in (p.lower, p.upper)]
     return Updated(
         name=p.name,
         unit=p.unit,
@@ -235,5 +226,5 @@ def _updated(fitter: Fitter, fit: Fit, i: int) -> Updated:
         sigma=min(sigma, prior),
         resolution=max(1.0 - (sigma / prior) ** 2, 0.0),
         moved=float(fitter.priors.residual(fit.values)[row]),
-        at_bound=any(near),
+        at_bound=bool(reached_bounds(p, fit.values[i], prior)),
     )

@@ -1,8 +1,8 @@
-"""The modal assurance criterion (MAC) of measured shapes with a mode of a model, or with several modes together.
+"""The modal assurance criterion (MAC) of two shapes, or of a shape with several modes together.
 
 Measured shapes may be at any of the model's channels, blank where not measured, with any scale and sign (Allemang,
 Sound and Vibration 37(8), 2003).  Modes whose frequencies nearly agree may mix: a measured shape is then compared
-with the subspace that they span.
+with the subspace that they span.  Two shapes of a model are compared with its mass matrix.
 """
 
 from __future__ import annotations
@@ -52,8 +52,50 @@ def mac(shapes: Array, model: Array, measured: NDArray[np.bool_]) -> Array:
     along = (shapes @ np.swapaxes(model, -1, -2)) ** 2
     known = (measured.sum(axis=-1) >= 2) & (lengths > 0.0)
     with np.errstate(invalid="ignore", divide="ignore"):
-        found = along / (np.where(sizes > 0.0, sizes, 1.0) * lengths[..., None])
-    return np.where(known[..., None], found, np.nan)
+        likeness = along / (np.where(sizes > 0.0, sizes, 1.0) * lengths[..., None])
+    return np.where(known[..., None], likeness, np.nan)
+
+
+def subspace_mac(
+    shapes: Array, model: Array, members: NDArray[np.bool_], measured: NDArray[np.bool_]
+) -> Array:
+    """Return the MAC of each shape with a subspace of modes, (B,); NaN if these would span any shape.
+
+    Parameters
+    ----------
+    shapes, model : ndarray, shape (B, C) and (B, m, C)
+        From `weighted`.
+    members : ndarray of bool, shape (B, m)
+        Modes that span the subspace.
+    measured : ndarray of bool, shape (B, C)
+    """
+    most = int(members.sum(axis=1).max(initial=1))
+    order = np.argsort(~members, axis=1, kind="stable")[:, :most]
+    batch = np.arange(len(shapes))[:, None]
+    some = model[batch, order] * measured[:, None] * members[batch, order][..., None]
+    basis, _ = space(some)
+    lengths = (shapes**2).sum(axis=-1)
+    comparable = (
+        (measured.sum(axis=-1) > members.sum(axis=-1)) & (measured.sum(axis=-1) >= 2) & (lengths > 0.0)
+    )
+    along = ((basis @ shapes[..., None]) ** 2).sum(axis=(-1, -2))
+    return np.where(comparable, along / np.where(lengths > 0.0, lengths, 1.0), np.nan)
+
+
+def mass_weighted_mac(products: Array, shapes: Array, masses: Array) -> Array:
+    """Return the MAC of mass-normalised shapes phi with other shapes psi, by the mass matrix M of phi.
+
+    Parameters
+    ----------
+    products : ndarray, shape (..., r, m)
+        phi^T M psi.
+    shapes : ndarray, shape (..., m, n)
+        The shapes psi.
+    masses : ndarray, shape (..., n, n)
+    """
+    sizes = ((shapes @ masses) * shapes).sum(axis=-1)
+    likeness: Array = products**2 / sizes[..., None, :]
+    return likeness
 
 
 def space(shapes: Array) -> tuple[Array, Array]:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from pkmodes.dataset.variables import EVENTS
+from pkmodes.linalg.mac import mass_weighted_mac
 
 Array = NDArray[Any]
 Index = NDArray[np.intp]
@@ -74,8 +75,7 @@ def compared(shapes: Array, first: Index, second: Index, masses: Masses) -> Step
         phi, psi = shapes[first[part]], shapes[second[part]]
         M = masses(first[part])
         product = phi @ M @ np.swapaxes(psi, 1, 2)
-        size = ((psi @ M) * psi).sum(axis=2)
-        mac = product**2 / size[:, None, :]  # phi is mass-normalised
+        mac = mass_weighted_mac(product, psi, M)
         order = _paired(mac)
         along = np.take_along_axis(mac, order[..., None], axis=2)[..., 0]
         negative = np.take_along_axis(product, order[..., None], axis=2)[..., 0] < 0.0

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
+from pkmodes.diagnosis.verdict.verdicts import Colour
 from pkmodes.plots.svg import inline
 
 if TYPE_CHECKING:
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 
 #: Cells with at most this number of characters are not broken into lines.
 SHORT = 26
-Tone = Literal["good", "found", "open", "bad", "plain"]
+Tone = Colour
 
 
 @dataclass(frozen=True)

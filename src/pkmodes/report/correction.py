@@ -7,10 +7,11 @@ from pathlib import Path
 
 from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.report.blocks import Block, Difference, Paragraph
 from pkmodes.report.wording import SENTENCE, clean
 from pkmodes.robot.robot import Robot
-from pkmodes.updating.loop import corrected_robot
+from pkmodes.updating.corrected_robot import corrected_robot
 
 NO_END = "\\ No newline at end of file"
 
@@ -19,7 +20,7 @@ def correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
     """Return the difference that ``--save-robot`` makes, or why there is none."""
     if robot is None:
         return [Paragraph("The model is no robot file, so there is no file to correct.")]
-    if not result.effects and result.verdict != "adequate":
+    if not VERDICTS[result.verdict].settled:
         return [Paragraph(f"No correction: the verdict is {result.verdict}.")]
     try:
         after = corrected_robot(robot, result)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from pkmodes.diagnosis.verdict.result import Diagnosis, key
+from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.plots.evidence import Evidence
 from pkmodes.plots.labels import typeset
 from pkmodes.report import explanations, figures, numbers
-from pkmodes.report.blocks import Cell, Section, Summary, Tone
+from pkmodes.report.blocks import Cell, Section, Summary
 from pkmodes.report.correction import correction
 from pkmodes.report.mode_table import mode_table
 from pkmodes.report.origin import origin, view_section
@@ -15,19 +16,6 @@ from pkmodes.report.setting import Setting
 from pkmodes.report.wording import SENTENCE, clean, number, pointer, unit
 from pkmodes.report.words import words
 
-TONES: dict[str, Tone] = {
-    "adequate": "good",
-    "effect_found": "found",
-    "ambiguous": "open",
-    "unexplained": "bad",
-    "insufficient_data": "plain",
-}
-HEADLINES = {
-    "adequate": "The model is adequate",
-    "ambiguous": "Several explanations remain",
-    "unexplained": "The residual is not explained",
-    "insufficient_data": "Too few data to decide",
-}
 #: Most values of causes in the head.
 MOST = 4
 
@@ -66,17 +54,15 @@ def _summary(result: Diagnosis, evidence: Evidence, setting: Setting) -> Summary
         verdict=result.verdict,
         headline=_headline(result),
         reason=clean(_sentence(result.reason), SENTENCE),
-        tone=TONES[result.verdict],
+        tone=VERDICTS[result.verdict].colour,
         notes=[clean(_sentence(note), SENTENCE) for note in result.notes],
         facts=facts,
     )
 
 
 def _headline(result: Diagnosis) -> str:
-    if not result.effects:
-        return HEADLINES[result.verdict]
     names = " and ".join(clean(found.sentence or found.name) for found in result.effects)
-    return f"Cause found: {names}" if len(result.effects) == 1 else f"Causes found: {names}"
+    return VERDICTS[result.verdict].sentence.format(causes=names, s="s" if len(result.effects) > 1 else "")
 
 
 def _sentence(text: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pkmodes.diagnosis.verdict.result import Corrected, Diagnosis, Error, key
+from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.plots import scores
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Paragraph, Picture, Table
 from pkmodes.report.setting import Setting
@@ -12,12 +13,6 @@ STAGES = {
     "before": "before: as declared",
     "refit": "refit of the uncertain values only",
     "after": "after: with the cause",
-}
-NONE_LEFT = "None is proposed: no explanations are left to separate."
-NONE_PROPOSED = {
-    "ambiguous": "None is proposed: no pose nearby separates the remaining explanations.",
-    "unexplained": "None is proposed: no explanation is left to be tested.",
-    "insufficient_data": "None is proposed: measure more modes, at more poses.",
 }
 CHANGES = {
     "sigma x 0.5": "\u03c3 halved",
@@ -154,7 +149,7 @@ def next_measurement(result: Diagnosis, setting: Setting) -> list[Block]:
     """Return where two remaining explanations differ most; nothing if nothing is left to separate."""
     proposed = result.next_measurement
     if proposed is None:
-        return [Paragraph(NONE_PROPOSED.get(result.verdict, NONE_LEFT))]
+        return [Paragraph(VERDICTS[result.verdict].nothing_next)]
     at = "next_measurement"
     entries: list[tuple[str, list[Cell]]] = [
         (f"{name} [{unit(symbol)}]" if unit(symbol) else name, [number(value, ".4f", pointer(at, "pose", k))])

@@ -19,7 +19,6 @@ def left_out(fit: Fit, setups: Sequence[NDArray[np.intp]]) -> tuple[Array, Array
 
     Parameters
     ----------
-    fit : Fit
     setups : sequence of ndarray of int
         Indices of the data of each setup.
 

@@ -17,14 +17,16 @@ from numpy.typing import NDArray
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.lockstep import Descent, Lockstep
+from pkmodes.diagnosis.fit.misfit import Misfit
 from pkmodes.diagnosis.fit.noise import Noise, Whitening
 from pkmodes.diagnosis.fit.priors import Priors
 from pkmodes.diagnosis.fit.rows import Rows
 from pkmodes.diagnosis.fit.shapes import ShapeRows
-from pkmodes.diagnosis.fit.solver import bounded_least_squares, inverse_of_square
+from pkmodes.diagnosis.fit.solver import bounded_least_squares
 from pkmodes.diagnosis.match.pairing import Pairer, Pairing
-from pkmodes.diagnosis.problem import Array, Candidate, Parameter, Structure
+from pkmodes.diagnosis.problem import Array, Candidate, Parameter, Structure, reached_bounds
 from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.quantities import FREQUENCY
 
 
 class Fitter:
@@ -34,8 +36,6 @@ class Fitter:
     ----------
     structure : Structure
         At the setups of the measurements.
-    data : Measurements
-    criteria : Criteria, optional
     scatter : float, optional
         Standard deviation of shape components without a stated one, relative to the row's largest.
     widened : float, optional
@@ -60,9 +60,11 @@ class Fitter:
         self.parameters = tuple(structure.parameters if parameters is None else parameters)
         self._index = {p.name: i for i, p in enumerate(self.parameters)}
         self.declared = np.array([p.value for p in self.parameters])
+        self.lower = np.array([p.lower for p in self.parameters])
+        self.upper = np.array([p.upper for p in self.parameters])
         self.nuisances = tuple(i for i, p in enumerate(self.parameters) if p.sigma)
         self.priors = Priors(self.parameters, structure.candidates, widened)
-        self.log = np.log(data.frequency)
+        self.log = FREQUENCY.transformed(data)
         reference = structure.predict(self.declared, ())
         self.pairer = Pairer(data, structure.channels, reference, self.criteria)
         self.shapes = self.shape_rows_of(data)
@@ -118,7 +120,7 @@ class Fitter:
         """Return sums of squares for several hypotheses and values without fit or priors; inf if not evaluable."""
         if not trials:
             return []
-        found = [np.inf] * len(trials)
+        sums = [np.inf] * len(trials)
         values = np.array([one for _, one in trials])
         for batch in self.structure.predict_many(values, [()] * len(trials)):
             if not np.isfinite(batch.prediction.eigenvalues).all():
@@ -128,8 +130,8 @@ class Fitter:
             pairing = rows.pairer.pair(batch.prediction, used, compare=False)
             left = rows.of_each(rows.residual(batch.prediction, pairing, used)) / self.noise.stated
             for k, white in zip(batch.sets, left, strict=True):
-                found[k] = float(white @ white)
-        return found
+                sums[k] = float(white @ white)
+        return sums
 
     def unfitted(self, values: Array, used: NDArray[np.bool_]) -> tuple[Pairing, Array, Array, float]:
         """Evaluate given values without any fit, including the errors of uncertain positions.
@@ -157,7 +159,6 @@ class Fitter:
 
         Parameters
         ----------
-        hypothesis : Hypothesis
         start : ndarray, optional
             Start values of all parameters; by default the declared ones.
         """
@@ -188,7 +189,9 @@ class Fitter:
 
         Shared errors and position errors are neglected.
         """
-        lockstep = Lockstep(self.structure, self.parameters, self.rows, self.noise.stated, self.priors)
+        lockstep = Lockstep(
+            self.structure, (self.lower, self.upper), self.rows, self.noise.stated, self.priors
+        )
         return lockstep.descended(
             [(values, self._free(h), self.used(h)) for h, values in starts], self.criteria.rough_steps
         )
@@ -203,9 +206,7 @@ class Fitter:
             hypothesis=hypothesis,
             values=descent.values,
             free=descent.free,
-            covariance=inverse_of_square(at.jacobian),
-            chi2=at.chi2,
-            deviance=at.chi2 + self.noise.whitening(None, used, 0.0).log_determinant,
+            log_determinant=self.noise.whitening(None, used, 0.0).log_determinant,
             scatter=0.0,
             prediction=at.prediction,
             pairing=self.pairer.pair(at.prediction, used),
@@ -243,14 +244,11 @@ class Fitter:
                 self.priors.rates(values, free),
             ]
         )
-        chi2 = float(white @ white)
         return Fit(
             hypothesis=hypothesis,
             values=values,
             free=free,
-            covariance=inverse_of_square(jacobian),
-            chi2=chi2,
-            deviance=chi2 + whitening.log_determinant,
+            log_determinant=whitening.log_determinant,
             scatter=tau,
             prediction=replace(prediction, shape_rates=None),
             pairing=pairing,
@@ -282,14 +280,19 @@ class Fitter:
             [whitening.whitened(rates), -self.priors.rates(fit.values, by)]
         )
 
-    def shape_misfit(self, fit: Fit, stated: bool) -> tuple[float, float]:
-        """Return the sum of squares of shapes with (or without) stated errors, and its degrees of freedom."""
+    def shape_misfit(self, fit: Fit, stated: bool) -> Misfit:
+        """Return the misfit of the shapes with (or without) stated errors."""
         used = self.used(fit.hypothesis)
         some = used & self.shapes.known & (self.shapes.stated == stated)
         shape = self.shapes.sigma.shape
         squares = (fit.white[self.shape_rows].reshape(shape) ** 2).sum(axis=1)
         taken = fit.leverage[self.shape_rows].reshape(shape).sum(axis=1)
-        return float(squares[some].sum()), float(self.shapes.count[some].sum() - taken[some].sum())
+        return Misfit(float(squares[some].sum()), float(self.shapes.count[some].sum() - taken[some].sum()))
+
+    def worst_rows(self, fit: Fit) -> tuple[NDArray[np.intp], Array]:
+        """Return the rows, those with the largest frequency residuals first, and all residuals in sigma, (R,)."""
+        sigmas = np.abs(fit.residual[self.frequency_rows] / self.sigma)
+        return np.argsort(sigmas)[::-1], sigmas
 
     def _spread(self, used: NDArray[np.bool_]) -> NDArray[np.bool_]:
         """Return a mask of the data of used rows."""
@@ -306,31 +309,25 @@ class Fitter:
         """Return the least-squares values for a given pairing, and whether the solver converged."""
 
         def residual(full: Array) -> Array:
-            found = self.rows.residual(self.structure.predict(full, ()), pairing, used)
-            return np.concatenate([whitening.whitened(found), self.priors.residual(full)])
+            unwhitened = self.rows.residual(self.structure.predict(full, ()), pairing, used)
+            return np.concatenate([whitening.whitened(unwhitened), self.priors.residual(full)])
 
         def rates(full: Array) -> Array:
             prediction = self.structure.predict(full, free, shape_rates=bool(self.shapes.size))
-            found = self.rows.rates(prediction, pairing, used)
-            return np.vstack([-whitening.whitened(found), self.priors.rates(full, free)])
+            unwhitened = self.rows.rates(prediction, pairing, used)
+            return np.vstack([-whitening.whitened(unwhitened), self.priors.rates(full, free)])
 
-        lower = np.array([self.parameters[i].lower for i in free])
-        upper = np.array([self.parameters[i].upper for i in free])
-        return bounded_least_squares(residual, rates, values, free, (lower, upper), self.criteria.steps)
+        bounds = self.lower[list(free)], self.upper[list(free)]
+        return bounded_least_squares(residual, rates, values, free, bounds, self.criteria.steps)
 
     def _at_bound(self, hypothesis: Hypothesis, values: Array) -> tuple[str, ...]:
-        found = []
-        for cause in hypothesis.causes:
-            for i in self.indices(cause):
-                p = self.parameters[i]
-                width = max(abs(p.value), abs(values[i])) * 1e-3
-                for bound in (p.lower, p.upper):
-                    if bound != p.value and np.isfinite(bound) and abs(values[i] - bound) <= width:
-                        found.append(p.name)
-        return tuple(found)
+        parameters = [(i, self.parameters[i]) for cause in hypothesis.causes for i in self.indices(cause)]
+        return tuple(
+            p.name for i, p in parameters for bound in reached_bounds(p, values[i]) if bound != p.value
+        )
 
     def _motion(self, values: Array, pairing: Pairing, used: NDArray[np.bool_]) -> Array | None:
-        """Return the derivatives of the data with respect to uncertain positions, (D, 3); None if there are none."""
+        """Return the derivatives of the data with respect to uncertain positions, (D, d); None if there are none."""
         if not self.noise.uncertain:
             return None
         moved = self.structure.position_rates(values, shape_rates=bool(self.shapes.size))

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from pkmodes.diagnosis.fit.priors import Priors
 from pkmodes.diagnosis.fit.rows import Rows
-from pkmodes.diagnosis.problem import Array, Parameter, Prediction, Structure
+from pkmodes.diagnosis.problem import Array, Prediction, Structure
 
 #: Initial damping, relative to the diagonal; its factors after a successful and after a failed step.
 DAMPING, LESS, MORE = 1e-3, 0.1, 10.0
@@ -36,7 +36,6 @@ class Evaluated(NamedTuple):
     white, jacobian : ndarray, shape (D,) and (D, k)
         Whitened residual with priors, and its derivatives.
     residual : ndarray, shape (R + R C,)
-    prediction : Prediction
     """
 
     chi2: float
@@ -60,7 +59,6 @@ class Descent:
         Used rows.
     at : Evaluated or None
         Evaluation at these values; None if the structure cannot be evaluated.
-    damping : float
     arrived : bool
         Whether the descent has converged.
     """
@@ -83,25 +81,22 @@ class Lockstep:
 
     Parameters
     ----------
-    structure : Structure
-    parameters : sequence of Parameter
-    rows : Rows
+    bounds : tuple of two ndarrays, shape (P,)
+        Of all parameters.
     sigma : ndarray, shape (R + R C,)
         Standard deviations of the data, taken as uncorrelated.
-    priors : Priors
     """
 
     def __init__(
         self,
         structure: Structure,
-        parameters: Sequence[Parameter],
+        bounds: tuple[Array, Array],
         rows: Rows,
         sigma: Array,
         priors: Priors,
     ) -> None:
         self._structure, self._rows, self._sigma, self._priors = structure, rows, sigma, priors
-        self._lower = np.array([p.lower for p in parameters])
-        self._upper = np.array([p.upper for p in parameters])
+        self._lower, self._upper = bounds
 
     def descended(
         self, starts: Sequence[tuple[Array, tuple[int, ...], NDArray[np.bool_]]], steps: int
@@ -110,8 +105,8 @@ class Lockstep:
         fits = [
             Descent(np.clip(values, self._lower, self._upper), free, used) for values, free, used in starts
         ]
-        for fit, found in zip(fits, self._evaluated(fits, [fit.values for fit in fits]), strict=True):
-            fit.at = found
+        for fit, evaluated in zip(fits, self._evaluated(fits, [fit.values for fit in fits]), strict=True):
+            fit.at = evaluated
         going = [fit for fit in fits if fit.free]
         for _ in range(steps):
             tried, values = [], []
@@ -123,9 +118,9 @@ class Lockstep:
                 if not fit.arrived:
                     tried.append(fit)
                     values.append(there)
-            for fit, there, found in zip(tried, values, self._evaluated(tried, values), strict=True):
-                if found is not None and found.chi2 < fit.chi2:
-                    fit.values, fit.at = there, found
+            for fit, there, evaluated in zip(tried, values, self._evaluated(tried, values), strict=True):
+                if evaluated is not None and evaluated.chi2 < fit.chi2:
+                    fit.values, fit.at = there, evaluated
                     fit.damping = max(fit.damping * LESS, LEAST_DAMPING)
                 else:
                     fit.damping *= MORE
@@ -134,9 +129,9 @@ class Lockstep:
 
     def _evaluated(self, fits: Sequence[Descent], values: Sequence[Array]) -> list[Evaluated | None]:
         """Evaluate each fit at given values."""
-        found: list[Evaluated | None] = [None] * len(fits)
+        evaluated: list[Evaluated | None] = [None] * len(fits)
         if not fits:
-            return found
+            return evaluated
         by, shapes = [fit.free for fit in fits], bool(self._rows.shapes.size)
         for batch in self._structure.predict_many(np.array(values), by, shape_rates=shapes):
             if not np.isfinite(batch.prediction.eigenvalues).all():
@@ -155,8 +150,8 @@ class Lockstep:
                         self._priors.rates(values[k], by[k]),
                     ]
                 )
-                found[k] = Evaluated(float(white @ white), white, jacobian, residual, prediction)
-        return found
+                evaluated[k] = Evaluated(float(white @ white), white, jacobian, residual, prediction)
+        return evaluated
 
     def _step(self, fit: Descent, now: Evaluated) -> tuple[Array, float]:
         """Return the values after a step within the bounds, and the decrease that the linear model promises."""

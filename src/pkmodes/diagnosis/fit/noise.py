@@ -20,6 +20,7 @@ from scipy.optimize import minimize_scalar
 from pkmodes.diagnosis.fit.shapes import ShapeRows
 from pkmodes.diagnosis.problem import Array
 from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.quantities import FREQUENCY
 
 
 @dataclass(frozen=True)
@@ -42,10 +43,10 @@ class Whitening:
 
     def whitened(self, values: Array) -> Array:
         """Divide by the square root of V: (D,) or (D, T)."""
-        found: Array = (values.T / self.sigma).T
+        white: Array = (values.T / self.sigma).T
         for place, factor in self.blocks:
-            found[place] = solve_triangular(factor, values[place], lower=True, check_finite=False)
-        return found
+            white[place] = solve_triangular(factor, values[place], lower=True, check_finite=False)
+        return white
 
 
 class Noise:
@@ -53,7 +54,6 @@ class Noise:
 
     Parameters
     ----------
-    data : Measurements
     shapes : ShapeRows
     most_shared : float
         Largest error that the modes of a setup may share.
@@ -71,7 +71,7 @@ class Noise:
     """
 
     def __init__(self, data: Measurements, shapes: ShapeRows, most_shared: float) -> None:
-        self.sigma = data.sigma / data.frequency
+        self.sigma = FREQUENCY.transformed_sigma(data)
         order = np.argsort(data.pose, kind="stable")
         self.rows = np.split(order, np.searchsorted(data.pose[order], np.arange(1, len(data.labels))))
         self.uncertain = bool((data.point_sigma > 0.0).any())
@@ -89,8 +89,8 @@ class Noise:
 
         Parameters
         ----------
-        motion : ndarray, shape (D, 3), or None
-            Derivatives of the data with respect to the position of their setup, if it is uncertain.
+        motion : ndarray, shape (D, d), or None
+            Derivatives of the data with respect to the d components of their setup's position, if it is uncertain.
         used : ndarray of bool, shape (R,)
             Rows that are not excluded.
         tau : float
@@ -137,8 +137,8 @@ class Noise:
             return float(white @ white) + whitening.log_determinant
 
         smallest = np.log(0.01 * np.median(self.sigma))
-        found = minimize_scalar(deviance, bounds=(smallest, np.log(self._most_shared)), method="bounded")
-        return float(np.exp(found.x))
+        minimum = minimize_scalar(deviance, bounds=(smallest, np.log(self._most_shared)), method="bounded")
+        return float(np.exp(minimum.x))
 
     def _deviance(self, residual: Array, used: NDArray[np.bool_], tau: float) -> float:
         """Return the deviance if tau is the only correlation, by the matrix determinant lemma."""

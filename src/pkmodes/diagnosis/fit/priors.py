@@ -16,8 +16,6 @@ class Priors:
 
     Parameters
     ----------
-    parameters : sequence of Parameter
-    candidates : sequence of Candidate
     widened : float, optional
         Factor on all standard deviations.
 
@@ -76,13 +74,13 @@ class Priors:
 
     def rates(self, values: Array, free: Sequence[int]) -> Array:
         """Return the derivatives of the residual with respect to some parameters, (P, k)."""
-        found = np.zeros((len(self.index), len(free)))
+        derivatives = np.zeros((len(self.index), len(free)))
         place = {i: row for row, i in enumerate(self.index)}
         for column, i in enumerate(free):
             if i in place:
                 row = place[i]
-                found[row, column] = self.width(values)[row] ** -1
-        return found
+                derivatives[row, column] = self.width(values)[row] ** -1
+        return derivatives
 
     def width(self, values: Array) -> Array:
         """Return the standard deviations in the units of the parameters, (P,)."""

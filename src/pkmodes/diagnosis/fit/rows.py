@@ -21,7 +21,6 @@ class Rows:
 
     Attributes
     ----------
-    pairer : Pairer
     shapes : ShapeRows
     copies : int
         Number of copies of the measurements among the rows.
@@ -51,13 +50,13 @@ class Rows:
     def rates(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
         """Return the derivatives of the predictions with respect to the requested parameters, (R + R C, T)."""
         rates = _averaged(prediction)
-        found = rates[self.pairer.pose, np.maximum(pairing.partner, 0)]
-        found = np.where(((pairing.partner >= 0) & used)[:, None], found, 0.0)
+        derivatives = rates[self.pairer.pose, np.maximum(pairing.partner, 0)]
+        derivatives = np.where(((pairing.partner >= 0) & used)[:, None], derivatives, 0.0)
         if self.shapes.size:
             shapes = self.shapes.rates(prediction, pairing, used)
-            found = np.vstack([found, -shapes.reshape(self.shapes.size, found.shape[1])])
+            derivatives = np.vstack([derivatives, -shapes.reshape(self.shapes.size, derivatives.shape[1])])
         # A step may lead to a mode at 0 Hz, whose logarithm has no derivative.
-        return np.asarray(np.where(np.isfinite(found), found, 0.0))
+        return np.asarray(np.where(np.isfinite(derivatives), derivatives, 0.0))
 
 
 def _averaged(prediction: Prediction) -> Array:

@@ -30,16 +30,14 @@ class ShapeRows:
 
     Parameters
     ----------
-    data : Measurements
     columns : ndarray of int, shape (C,)
         Indices of the measured channels among the model's.
     units : sequence of str, length C
         Units of the measured channels.
     moves : ndarray, shape (S, C)
-        Motion of each channel in the declared model, see `match.mac.channel_motion`.
+        Motion of each channel in the declared model, see `linalg.mac.channel_motion`.
     scatter : float
         Standard deviation of the components of rows without a stated one.
-    criteria : Criteria
 
     Attributes
     ----------
@@ -91,13 +89,14 @@ class ShapeRows:
 
     def tiled(self, count: int) -> ShapeRows:
         """Return the same for predictions of `count` times the setups."""
-        found, rows = copy.copy(self), len(self._shapes)
-        found._pose = tiled(self._pose, count, self._setups)
-        found._mates = tiled(self._mates, count, rows)
-        found._shapes, found._weights = np.tile(self._shapes, (count, 1)), np.tile(self._weights, (count, 1))
-        found.sigma, found.known = np.tile(self.sigma, (count, 1)), np.tile(self.known, count)
-        found.stated, found.count = np.tile(self.stated, count), np.tile(self.count, count)
-        return found
+        copies, rows = copy.copy(self), len(self._shapes)
+        copies._pose = tiled(self._pose, count, self._setups)
+        copies._mates = tiled(self._mates, count, rows)
+        copies._shapes = np.tile(self._shapes, (count, 1))
+        copies._weights = np.tile(self._weights, (count, 1))
+        copies.sigma, copies.known = np.tile(self.sigma, (count, 1)), np.tile(self.known, count)
+        copies.stated, copies.count = np.tile(self.stated, count), np.tile(self.count, count)
+        return copies
 
     @property
     def size(self) -> int:
@@ -117,13 +116,15 @@ class ShapeRows:
         changes = prediction.shape_rates[take][:, self._columns] * self._weights[..., None]
         size = np.maximum((phi**2).sum(axis=1), 1e-300)
         inside = np.einsum("rc,rct->rt", phi, changes) / size[:, None]
-        found = -along[:, None, None] * (changes - phi[..., None] * inside[:, None])
+        derivatives = -along[:, None, None] * (changes - phi[..., None] * inside[:, None])
         i, basis, share, modes = self._spaces(prediction, pairing, used)
         if len(i):
             moved = prediction.shape_rates[self._pose[i][:, None], modes][:, :, self._columns]
             change = np.einsum("bg,bgct->bct", share, moved) * self._weights[i][..., None]
-            found[i] = -(change - np.swapaxes(basis, -1, -2) @ (basis @ change))
-        return np.asarray(np.where((self.known & used & (pairing.partner >= 0))[:, None, None], found, 0.0))
+            derivatives[i] = -(change - np.swapaxes(basis, -1, -2) @ (basis @ change))
+        return np.asarray(
+            np.where((self.known & used & (pairing.partner >= 0))[:, None, None], derivatives, 0.0)
+        )
 
     def degrees(self, used: NDArray[np.bool_]) -> int:
         """Return the degrees of freedom of the shapes of the used rows."""
@@ -139,12 +140,12 @@ class ShapeRows:
         phi = prediction.shapes[self._pose, partner][:, self._columns] * self._weights
         phi = np.where((pairing.partner >= 0)[:, None], phi, 0.0)
         along = (phi * self._shapes).sum(axis=1) / np.maximum((phi**2).sum(axis=1), 1e-300)
-        found = self._shapes - phi * along[:, None]
+        residual = self._shapes - phi * along[:, None]
         i, basis, _, _ = self._spaces(prediction, pairing, used)
         if len(i):
             inside = (np.swapaxes(basis, -1, -2) @ (basis @ self._shapes[i][..., None]))[..., 0]
-            found[i] = self._shapes[i] - inside
-        return np.where((self.known & used)[:, None], found, 0.0), phi, along
+            residual[i] = self._shapes[i] - inside
+        return np.where((self.known & used)[:, None], residual, 0.0), phi, along
 
     def _spaces(
         self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]
@@ -166,9 +167,9 @@ class ShapeRows:
 
 def _scales(units: Sequence[str], moves: Array) -> Array:
     """Return the reciprocal rms motion of the channels of each unit over all setups, (C,); 0 if they do not move."""
-    found = np.zeros(len(units))
+    scales = np.zeros(len(units))
     for unit in set(units):
         some = [i for i, other in enumerate(units) if other == unit]
         size = float(np.sqrt(np.mean(moves[:, some] ** 2)))
-        found[some] = 1.0 / size if size > 0.0 else 0.0
-    return found
+        scales[some] = 1.0 / size if size > 0.0 else 0.0
+    return scales

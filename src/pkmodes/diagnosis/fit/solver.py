@@ -66,7 +66,7 @@ def bounded_least_squares(
     def jacobian(u: Array) -> Array:
         return np.asarray(rates(at(u)) * unit)
 
-    found = least_squares(
+    solution = least_squares(
         scaled,
         (first - origin) / unit,
         jacobian,
@@ -76,7 +76,7 @@ def bounded_least_squares(
         gtol=1e-8,
         max_nfev=steps,
     )
-    return at(found.x), bool(found.status > 0)
+    return at(solution.x), bool(solution.status > 0)
 
 
 def inverse_of_square(jacobian: Array) -> Array:
@@ -87,5 +87,5 @@ def inverse_of_square(jacobian: Array) -> Array:
     scale = np.where(size > 0.0, 1.0 / np.where(size > 0.0, size, 1.0), 1.0)
     _, s, vt = np.linalg.svd(jacobian * scale, full_matrices=False)
     weights = 1.0 / np.maximum(s, 1e-8) ** 2
-    found: Array = (vt.T * weights) @ vt * scale[:, None] * scale
-    return found
+    inverse: Array = (vt.T * weights) @ vt * scale[:, None] * scale
+    return inverse

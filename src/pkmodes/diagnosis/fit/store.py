@@ -11,6 +11,7 @@ from scipy import stats
 from pkmodes.diagnosis.fit.cross_validation import left_out
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.fit.misfit import Misfit
 from pkmodes.diagnosis.problem import Array, Candidate
 
 Key = tuple[frozenset[str], frozenset[int], bool]
@@ -26,14 +27,14 @@ class FitStore:
 
     Parameters
     ----------
-    fitter : Fitter
     before : FitStore, optional
         Fits of the same data with other errors, which give start values.
     """
 
     def __init__(self, fitter: Fitter, before: FitStore | None = None) -> None:
         self.fitter = fitter
-        self._seeds = {} if before is None else before._values()
+        earlier = {} if before is None else before._fits
+        self._seeds = {k: fit.values for k, fit in earlier.items() if fit is not None}
         self._rows = len(fitter.log)
         self._data = self._rows + int(fitter.shapes.count.sum())
         self._fits: dict[Key, Fit | None] = {}
@@ -54,15 +55,16 @@ class FitStore:
             if again is not None and (known is None or again.deviance < known.deviance):
                 self._fits[k] = again
                 self._rough.discard(k)
-        found = self._fits[k]
-        return found if found is None else replace(found, hypothesis=hypothesis)
+        fit = self._fits[k]
+        # The order of the causes is that of the hypothesis asked for.
+        return fit if fit is None or fit.hypothesis == hypothesis else replace(fit, hypothesis=hypothesis)
 
     def again(self, hypothesis: Hypothesis, start: Array) -> Fit | None:
         """Fit again from another start, and keep the better fit."""
         k = key(hypothesis)
-        found, known = self.fitter.fit(hypothesis, start), self._fits.get(k)
-        if found is not None and (known is None or found.deviance < known.deviance):
-            self._fits[k] = found
+        again, known = self.fitter.fit(hypothesis, start), self._fits.get(k)
+        if again is not None and (known is None or again.deviance < known.deviance):
+            self._fits[k] = again
             self._rough.discard(k)
         return self.fit(hypothesis)
 
@@ -73,7 +75,7 @@ class FitStore:
     def roughly(self, jobs: Sequence[tuple[Hypothesis, Sequence[Array]]]) -> list[Fit]:
         """Fit several hypotheses roughly, each from the best of several starts, and return those that succeed."""
         starts = [(hypothesis, values) for hypothesis, some in jobs for values in some]
-        reached, found = iter(self.fitter.roughly(starts)), []
+        reached, fits = iter(self.fitter.roughly(starts)), []
         for hypothesis, some in jobs:
             best, k = min((next(reached) for _ in some), key=lambda descent: descent.chi2), key(hypothesis)
             if (
@@ -83,8 +85,8 @@ class FitStore:
             else:
                 self._fits[k] = self.fitter.rough_fit(hypothesis, best)
                 self._rough.add(k)
-            found.append(self.fit(hypothesis))
-        return [fit for fit in found if fit is not None]
+            fits.append(self.fit(hypothesis))
+        return [fit for fit in fits if fit is not None]
 
     def finished(self, fits: list[Fit]) -> list[Fit]:
         """Complete the rough fits among the best until no rough one is left there; return all, best first."""
@@ -115,17 +117,13 @@ class FitStore:
         """Return the values that the fit of a hypothesis reached with other errors."""
         return self._seeds.get(key(hypothesis))
 
-    def _values(self) -> dict[Key, Array]:
-        return {k: fit.values for k, fit in self._fits.items() if fit is not None}
-
     def tried(self) -> tuple[Fit, ...]:
         """Return all fits so far."""
         return tuple(fit for fit in self._fits.values() if fit is not None)
 
     def without(self, fit: Fit, place: int) -> Fit | None:
         """Return the fit without one of its causes."""
-        causes = fit.causes
-        less = replace(fit.hypothesis, causes=(*causes[:place], *causes[place + 1 :]))
+        less = fit.hypothesis.without(place)
         return self.fit(less, self.undone(fit, less))
 
     def undone(self, fit: Fit, hypothesis: Hypothesis) -> Array:
@@ -147,26 +145,24 @@ class FitStore:
 
     def p_value(self, fit: Fit) -> float:
         """Return the smaller p-value of the frequencies with priors and of the shapes with stated errors."""
-        shapes, degrees = self.fitter.shape_misfit(fit, stated=True)
-        of_shapes = float(stats.chi2.sf(shapes, max(degrees, 1.0))) if degrees > 0.0 else 1.0
-        return min(self.frequency_p_value(fit), of_shapes)
+        return min(self.frequency_p_value(fit), self.fitter.shape_misfit(fit, stated=True).p_value)
 
     def frequency_p_value(self, fit: Fit) -> float:
         """Return the p-value of the frequencies and priors alone."""
         squares, degrees = self.frequency_misfit(fit)
         return float(stats.chi2.sf(squares, max(degrees, 1.0)))
 
-    def frequency_misfit(self, fit: Fit) -> tuple[float, float]:
-        """Return the sum of squares of the frequencies and priors, and its degrees of freedom."""
+    def frequency_misfit(self, fit: Fit) -> Misfit:
+        """Return the misfit of the frequencies and priors."""
         fitter, h = self.fitter, fit.hypothesis
         if not fitter.shapes.size:
-            return fit.chi2, float(self.degrees(fit))
+            return Misfit(fit.chi2, float(self.degrees(fit)))
         priors = [row for i in fit.free if (row := fitter.priors.of(i)) is not None]
         parts = [fit.leverage[fitter.frequency_rows], fit.leverage[fitter.prior_rows][priors]]
         white = [fit.white[fitter.frequency_rows], fit.white[fitter.prior_rows]]
         taken = sum(float(part.sum()) for part in parts)
         count = self._rows - len(h.excluded) + len(priors) - int(h.scatter)
-        return sum(float(part @ part) for part in white), count - taken
+        return Misfit(sum(float(part @ part) for part in white), count - taken)
 
     def criterion(self, fit: Fit) -> float:
         """Return the evidence against a fit: deviance plus a penalty for each addition; smaller is better.

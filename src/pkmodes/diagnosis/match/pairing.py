@@ -2,13 +2,14 @@
 
 Each setup is an assignment problem: measured modes are assigned one-to-one to modes of the model with the least sum
 of distances.  The distance is the squared logarithm of the frequency ratio plus, if there are shapes, a multiple of
-one minus the modal assurance criterion (`match.mac`).
+one minus the modal assurance criterion (`linalg.mac`).
 """
 
 from __future__ import annotations
 
 import copy
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,12 +17,10 @@ from scipy.optimize import linear_sum_assignment
 
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.criteria import Criteria
-from pkmodes.diagnosis.problem import Prediction
-from pkmodes.linalg.mac import channel_motion, mac, space, weighted
+from pkmodes.diagnosis.problem import Array, Index, Prediction
+from pkmodes.linalg.mac import channel_motion, mac, subspace_mac, weighted
 from pkmodes.measured.measurements import Measurements
-
-Array = NDArray[np.float64]
-Index = NDArray[np.intp]
+from pkmodes.measured.quantities import FREQUENCY
 
 
 @dataclass(frozen=True)
@@ -40,18 +39,28 @@ class Pairing:
     mac: Array
 
 
+class _Shapes(NamedTuple):
+    """Shapes of rows (S, r, C) and modes (S, m, C) in the same weighting, and the measured components (S, r, C)."""
+
+    rows: Array
+    model: Array
+    measured: NDArray[np.bool_]
+
+    def in_subspace(self, setup: Index, row: Index, members: NDArray[np.bool_]) -> Array:
+        """Return the MAC of some rows, each with the subspace of some modes of its setup, (B, m)."""
+        return subspace_mac(self.rows[setup, row], self.model[setup], members, self.measured[setup, row])
+
+
 class Pairer:
     """Pairs the rows of one set of measurements with predictions.
 
     Parameters
     ----------
-    data : Measurements
     channels : tuple of str
         The model's channels, which include those of the measurements.
     reference : Prediction, optional
         Prediction of the declared model: the motion of its channels sets their weights for all models that are
         compared.  By default each prediction sets its own weights.
-    criteria : Criteria, optional
 
     Attributes
     ----------
@@ -71,7 +80,7 @@ class Pairer:
         criteria: Criteria | None = None,
     ) -> None:
         self._criteria = criteria or Criteria()
-        self._shape, self._log, self.pose = data.shapes, np.log(data.frequency), data.pose
+        self._shape, self._log, self.pose = data.shapes, FREQUENCY.transformed(data), data.pose
         self.columns = _columns(data, channels)
         setups = len(data.labels)
         self.moves = np.zeros((setups, len(self.columns)))
@@ -89,19 +98,18 @@ class Pairer:
 
     def tiled(self, count: int) -> Pairer:
         """Return a pairer for predictions of `count` times the setups, each paired with the same rows."""
-        found, (setups, rows) = copy.copy(self), (len(self._row), len(self._log))
-        found._shape, found._log = np.tile(self._shape, (count, 1)), np.tile(self._log, count)
-        found._place, found.moves = np.tile(self._place, count), np.tile(self.moves, (count, 1))
-        found.pose, found._row = tiled(self.pose, count, setups), tiled(self._row, count, rows)
-        found._mates = tiled(self._mates, count, rows)
-        return found
+        copies, (setups, rows) = copy.copy(self), (len(self._row), len(self._log))
+        copies._shape, copies._log = np.tile(self._shape, (count, 1)), np.tile(self._log, count)
+        copies._place, copies.moves = np.tile(self._place, count), np.tile(self.moves, (count, 1))
+        copies.pose, copies._row = tiled(self.pose, count, setups), tiled(self._row, count, rows)
+        copies._mates = tiled(self._mates, count, rows)
+        return copies
 
     def pair(self, prediction: Prediction, used: NDArray[np.bool_], *, compare: bool = True) -> Pairing:
         """Pair the used rows; the others get no partner.
 
         Parameters
         ----------
-        prediction : Prediction
         used : ndarray of bool, shape (R,)
         compare : bool, optional
             Whether to compute the MAC with the partners, which takes time.
@@ -110,14 +118,14 @@ class Pairer:
         logs = prediction.log_frequencies[:, rigid:]
         row = self._row
         present = (row >= 0) & used[row]
-        shapes, model, measured = self._shapes(prediction)
-        alone = mac(shapes, model, measured) if len(self.columns) else None
+        shapes = self._shapes(prediction) if len(self.columns) else None
         with np.errstate(invalid="ignore"):
             distance = np.abs(self._log[row][..., None] - logs[:, None])
             close = np.diff(logs, axis=1) < c.close
-        likeness = None if alone is None else self._grouped(alone, shapes, model, measured, logs, close)
         cost = distance**2
-        if likeness is not None:
+        if shapes is not None:
+            alone = mac(*shapes)
+            likeness = self._grouped(alone, shapes, logs, close)
             cost = cost + c.shape_weight**2 * np.where(np.isnan(likeness), 0.0, 1.0 - likeness)
         # The assignment may take a mode that is too far away; it is then not a partner.  The cost of this is
         # constant: otherwise a mode that the model lacks would shift the others.
@@ -128,15 +136,15 @@ class Pairer:
             partner = np.where(distance[at] <= c.reach, partner, -1)
         if close.any():
             partner = _in_order(partner, self._log[row], close)
-        found = np.full(len(self._log), -1, dtype=np.intp)
+        partners = np.full(len(self._log), -1, dtype=np.intp)
         taken = partner >= 0
-        found[row[taken]] = partner[taken] + rigid
+        partners[row[taken]] = partner[taken] + rigid
         values = np.full(len(self._log), np.nan)
-        if compare and alone is not None:
-            beside = unmeasured_neighbours(prediction, found, self.pose, c.close)
+        if compare and shapes is not None:
+            beside = unmeasured_neighbours(prediction, partners, self.pose, c.close)
             beside = np.where(beside >= 0, beside - rigid, -1)
-            values = self._compared(found - rigid, beside, alone, shapes, model, measured)
-        return Pairing(found, values)
+            values = self._compared(partners - rigid, beside, alone, shapes)
+        return Pairing(partners, values)
 
     def macs(self, prediction: Prediction) -> Array:
         """Return the MAC of each row with each elastic mode of its setup, (R, m); NaN without a shape."""
@@ -148,25 +156,18 @@ class Pairer:
         """Return measured minus model in ln f, (R,); an unmatched mode counts as the reach of the pairing."""
         reach = self._criteria.reach
         logs = prediction.log_frequencies[self.pose, np.maximum(pairing.partner, 0)]
-        return np.asarray(np.where(pairing.partner >= 0, np.clip(self._log - logs, -reach, reach), reach))
+        apart = np.clip(FREQUENCY.residual(self._log, logs), -reach, reach)
+        return np.asarray(np.where(pairing.partner >= 0, apart, reach))
 
-    def _shapes(self, prediction: Prediction) -> tuple[Array, Array, NDArray[np.bool_]]:
+    def _shapes(self, prediction: Prediction) -> _Shapes:
         """Return the shapes of the rows and modes of each setup, in units of each channel's motion."""
         row = self._row
         padded = np.where((row >= 0)[..., None], self._shape[row], np.nan)
         model = prediction.shapes[..., self.columns]
-        shapes, model = weighted(padded, model, np.where(self.moves > 0.0, self.moves, channel_motion(model)))
-        return shapes, model[:, prediction.rigid :], np.isfinite(padded)
+        shapes, model = weighted(padded, model, self.moves)
+        return _Shapes(shapes, model[:, prediction.rigid :], np.isfinite(padded))
 
-    def _grouped(
-        self,
-        alone: Array,
-        shapes: Array,
-        model: Array,
-        measured: NDArray[np.bool_],
-        logs: Array,
-        close: NDArray[np.bool_],
-    ) -> Array:
+    def _grouped(self, alone: Array, shapes: _Shapes, logs: Array, close: NDArray[np.bool_]) -> Array:
         """Return the MAC of each row with each mode of the model, or with the subspace of the modes close to it."""
         setups = np.flatnonzero(close.any(axis=1))
         if not len(setups):
@@ -179,51 +180,36 @@ class Pairer:
         if not len(entry):
             return alone
         which, k = which[entry], k[entry]
-        found = alone.copy()
-        inside = _in_space(
-            shapes[setups[which], place],
-            model[setups[which]],
-            near[which, k],
-            measured[setups[which], place],
-        )
+        likeness = alone.copy()
+        inside = shapes.in_subspace(setups[which], place, near[which, k])
         at = setups[which], place, k
-        found[at] = np.where(np.isnan(inside), found[at], inside)
-        return found
+        likeness[at] = np.where(np.isnan(inside), likeness[at], inside)
+        return likeness
 
-    def _compared(
-        self,
-        partner: Index,
-        beside: Index,
-        alone: Array,
-        shapes: Array,
-        model: Array,
-        measured: NDArray[np.bool_],
-    ) -> Array:
+    def _compared(self, partner: Index, beside: Index, alone: Array, shapes: _Shapes) -> Array:
         """Return the MAC of each row with its partner, or with the subspace of the partners and modes close to it."""
         pose, place = self.pose, self._place
         paired = partner >= 0
-        found = np.where(paired, alone[pose, place, np.maximum(partner, 0)], np.nan)
+        likeness = np.where(paired, alone[pose, place, np.maximum(partner, 0)], np.nan)
         crowded = (self._mates[:, 1:] >= 0).any(axis=1) | (beside >= 0).any(axis=1)
         i = np.flatnonzero(paired & crowded)
         if len(i):
             rows = self._mates[i]
-            members = np.zeros((len(i), model.shape[1]), dtype=bool)
+            members = np.zeros((len(i), shapes.model.shape[1]), dtype=bool)
             entry, column = np.nonzero((rows >= 0) & paired[rows])
             members[entry, partner[rows[entry, column]]] = True
             entry, column = np.nonzero(beside[i] >= 0)
             members[entry, beside[i][entry, column]] = True
-            inside = _in_space(
-                shapes[pose[i], place[i]], model[pose[i]], members, measured[pose[i], place[i]]
-            )
-            found[i] = np.where(members.sum(axis=1) > 1, inside, found[i])
-        return found
+            inside = shapes.in_subspace(pose[i], place[i], members)
+            likeness[i] = np.where(members.sum(axis=1) > 1, inside, likeness[i])
+        return likeness
 
 
 def tiled(numbers: Index, count: int, size: int) -> Index:
     """Return the indices of `count` copies of `size` items, the first copy first; -1 is kept."""
     copies = np.arange(count).reshape(-1, *[1] * numbers.ndim) * size
-    found = np.where(numbers >= 0, numbers + copies, numbers)
-    return np.asarray(found.reshape(-1, *numbers.shape[1:]))
+    shifted = np.where(numbers >= 0, numbers + copies, numbers)
+    return np.asarray(shifted.reshape(-1, *numbers.shape[1:]))
 
 
 def neighbours(data: Measurements, criteria: Criteria) -> Index:
@@ -231,17 +217,12 @@ def neighbours(data: Measurements, criteria: Criteria) -> Index:
 
     Their frequencies are close enough for the shapes to mix, or differ by less than their errors.
 
-    Parameters
-    ----------
-    data : Measurements
-    criteria : Criteria
-
     Returns
     -------
     ndarray of int, shape (R, g)
         The row itself first, then the others, padded with -1.
     """
-    log, sigma = np.log(data.frequency), data.sigma / data.frequency
+    log, sigma = FREQUENCY.transformed(data), FREQUENCY.transformed_sigma(data)
 
     def near(a: Index | int, b: Index) -> NDArray[np.bool_]:
         errors = criteria.mixed_sigmas * np.hypot(sigma[a], sigma[b])
@@ -256,11 +237,11 @@ def neighbours(data: Measurements, criteria: Criteria) -> Index:
         i: np.flatnonzero(near(i, everything) & (everything != i))
         for i in np.union1d(order[:-1][beside], order[1:][beside]).tolist()
     }
-    found = np.full((len(log), 1 + max(map(len, mates.values()), default=0)), -1, dtype=np.intp)
-    found[:, 0] = everything
+    padded = np.full((len(log), 1 + max(map(len, mates.values()), default=0)), -1, dtype=np.intp)
+    padded[:, 0] = everything
     for i, others in mates.items():
-        found[i, 1 : 1 + len(others)] = others
-    return found
+        padded[i, 1 : 1 + len(others)] = others
+    return padded
 
 
 def unmeasured_neighbours(prediction: Prediction, partner: Index, pose: Index, close: float) -> Index:
@@ -270,7 +251,6 @@ def unmeasured_neighbours(prediction: Prediction, partner: Index, pose: Index, c
 
     Parameters
     ----------
-    prediction : Prediction
     partner, pose : ndarray of int, shape (R,)
     close : float
         Largest difference of the logarithms of their frequencies.
@@ -291,19 +271,6 @@ def unmeasured_neighbours(prediction: Prediction, partner: Index, pose: Index, c
     with np.errstate(invalid="ignore"):
         near = np.abs(logs[pose[:, None], beside] - own) < close
     return np.where(inside & near & ~taken[pose[:, None], beside], beside, -1)
-
-
-def _in_space(shapes: Array, model: Array, members: NDArray[np.bool_], measured: NDArray[np.bool_]) -> Array:
-    """Return the MAC of shapes (B, C) with a subspace of modes (B, m, C); NaN if the modes would span any shape."""
-    most = int(members.sum(axis=1).max(initial=1))
-    order = np.argsort(~members, axis=1, kind="stable")[:, :most]
-    batch = np.arange(len(shapes))[:, None]
-    some = model[batch, order] * measured[:, None] * members[batch, order][..., None]
-    basis, _ = space(some)
-    lengths = (shapes**2).sum(axis=-1)
-    told = (measured.sum(axis=-1) > members.sum(axis=-1)) & (measured.sum(axis=-1) >= 2) & (lengths > 0.0)
-    along = ((basis @ shapes[..., None]) ** 2).sum(axis=(-1, -2))
-    return np.where(told, along / np.where(lengths > 0.0, lengths, 1.0), np.nan)
 
 
 def _assigned(cost: Array, present: NDArray[np.bool_], known: NDArray[np.bool_]) -> Index:
@@ -336,9 +303,9 @@ def _in_order(partner: Index, measured: Array, close: NDArray[np.bool_]) -> Inde
     group = np.concatenate([np.zeros((len(close), 1), dtype=np.intp), np.cumsum(~close, axis=1)], axis=1)
     of_row = np.where(partner >= 0, np.take_along_axis(group, np.maximum(partner, 0), axis=1), -1)
     # Groups ascend with the modes, so rows sorted by group and frequency get the partners in ascending order.
-    found = np.empty_like(partner)
-    np.put_along_axis(found, np.lexsort((measured, of_row), axis=-1), np.sort(partner, axis=1), axis=1)
-    return found
+    ordered = np.empty_like(partner)
+    np.put_along_axis(ordered, np.lexsort((measured, of_row), axis=-1), np.sort(partner, axis=1), axis=1)
+    return ordered
 
 
 def _columns(data: Measurements, channels: tuple[str, ...]) -> Index:

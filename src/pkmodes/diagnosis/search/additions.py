@@ -21,8 +21,6 @@ class Additions:
 
     Parameters
     ----------
-    store : FitStore
-    candidates : sequence of Candidate
     progress : callable
         Called with a sentence at each step.
     """
@@ -32,6 +30,7 @@ class Additions:
         self.candidates = tuple(candidates)
         self._progress = progress
         self._rows, self._setups = len(self.fitter.log), len(self.fitter.data.labels)
+        self._most_outliers = max(1, self._rows // self.criteria.rows_per_outlier)
 
     def room(self, fit: Fit) -> bool:
         """Return whether another kind of addition is allowed."""
@@ -43,26 +42,25 @@ class Additions:
 
         Parameters
         ----------
-        fit : Fit
         rival : bool, optional
             Whether they only compete with a claim: then a row may be excluded even if there are too few to tell that
             it is wrong.
         """
-        h, c, found = fit.hypothesis, self.criteria, []
+        h, c, fits = fit.hypothesis, self.criteria, []
         enough = self._rows >= c.rows_to_set_aside
         if enough and self._hopeless(fit):
             return []
-        room = self.room(fit) and not any(cause.remote for cause in h.causes)
+        room = self.room(fit) and not h.remote
         if room and not h.scatter and self._setups >= 4 and self._rows >= 2 * self._setups:
-            found.append(self.store.fit(replace(h, scatter=True), fit.values))
-        most = max(1, self._rows // c.rows_per_outlier) if enough or rival else 0
+            fits.append(self.store.fit(replace(h, scatter=True), fit.values))
+        most = self._most_outliers if enough or rival else 0
         if (room or h.excluded) and len(h.excluded) < most:
-            rows = np.abs(fit.residual[self.fitter.frequency_rows] / self.fitter.sigma)
-            for row in np.argsort(rows)[::-1][:3]:
+            worst, sigmas = self.fitter.worst_rows(fit)
+            for row in worst[:3]:
                 # A row that the others do not predict is not set aside: there is no evidence that it is wrong.
-                if rows[row] > 3.0 and (rival or fit.leverage[row] < c.redundant):
-                    found.append(self.store.fit(replace(h, excluded=h.excluded | {int(row)}), fit.values))
-        return [option for option in found if option is not None]
+                if sigmas[row] > 3.0 and (rival or fit.leverage[row] < c.redundant):
+                    fits.append(self.store.fit(replace(h, excluded=h.excluded | {int(row)}), fit.values))
+        return [option for option in fits if option is not None]
 
     def _hopeless(self, fit: Fit) -> bool:
         """Return whether far too much is left with a shared error in each setup and without the worst rows.
@@ -72,8 +70,7 @@ class Additions:
         if not self._far(fit):
             return False
         h = fit.hypothesis
-        rows = np.abs(fit.residual[self.fitter.frequency_rows] / self.fitter.sigma)
-        worst = np.argsort(rows)[::-1][: max(1, self._rows // self.criteria.rows_per_outlier)]
+        worst = self.fitter.worst_rows(fit)[0][: self._most_outliers]
         without = self.store.fit(replace(h, excluded=h.excluded | set(worst.tolist())), fit.values)
         return without is None or self._far(without)
 
@@ -82,9 +79,8 @@ class Additions:
         for rows in self.fitter.noise.rows:
             left[rows] -= np.median(left[rows])  # robust against one outlier
         left /= self.fitter.sigma
-        most = max(1, self._rows // self.criteria.rows_per_outlier)
-        kept = np.sort(left**2)[: max(self._rows - most, 0)]
-        degrees = max(self._rows - most - self._setups, 1)
+        kept = np.sort(left**2)[: max(self._rows - self._most_outliers, 0)]
+        degrees = max(self._rows - self._most_outliers - self._setups, 1)
         return bool(kept.sum() > self.criteria.hopeless * degrees)
 
     def errors(self, enough: float) -> list[Fit]:
@@ -95,19 +91,18 @@ class Additions:
         enough : float
             Largest criterion of interest; the additions stop if it cannot be reached.
         """
-        found: list[Fit] = []
+        errors: list[Fit] = []
         fit = self.store.fit(Hypothesis())
-        most = max(1, self._rows // self.criteria.rows_per_outlier)
         while fit is not None:
             options = self.noise(fit, rival=True)
-            found += options
+            errors += options
             best = min(options, key=self.store.criterion, default=fit)
             gain = self.store.criterion(fit) - self.store.criterion(best)
             # Rows are set aside one by one, the worst first: later ones gain less.
-            more = most - len(best.hypothesis.excluded) + (not best.hypothesis.scatter)
+            more = self._most_outliers - len(best.hypothesis.excluded) + (not best.hypothesis.scatter)
             within = self.store.criterion(best) - gain * more <= enough
             fit = best if gain > 0.0 and within else None
-        return found
+        return errors
 
     def causes(self, fit: Fit, scores: Scores) -> list[Fit]:
         """Return fits with one more cause, best first: those that the linear model favours, and all absent ones."""
@@ -136,8 +131,8 @@ class Additions:
         plain = self.store.fit(Hypothesis())
         if plain is None:
             return []
-        found = self._refitted([(plain, one) for one in score(self.fitter, plain, self.candidates).each])
-        fits = [fit for fit in found if self.store.p_value(fit) > self.criteria.gate]
+        refitted = self._refitted([(plain, one) for one in score(self.fitter, plain, self.candidates).each])
+        fits = [fit for fit in refitted if self.store.p_value(fit) > self.criteria.gate]
         return sorted(fits, key=self.store.criterion)
 
     def pairs(self) -> list[Fit]:

@@ -26,7 +26,6 @@ class Gate:
         Number of unmatched measured modes.
     p_unmeasured : float
         p-value of the unmeasured modes that causes add between the measured ones.
-    scores : Scores
     level : float
         Level of the tests.
     """
@@ -53,16 +52,14 @@ def gate(store: FitStore, fit: Fit, candidates: Sequence[Candidate]) -> Gate:
 
     Parameters
     ----------
-    store : FitStore
-    fit : Fit
     candidates : sequence of Candidate
         Candidates to which the residual may point.
     """
     fitter, criteria = store.fitter, store.fitter.criteria
     scores = score(fitter, fit, [candidate for candidate in candidates if candidate not in fit.causes])
     unpaired = int((fit.pairing.partner[fitter.used(fit.hypothesis)] < 0).sum())
-    found = len(fit.causes) == 1 and not fit.causes[0].remote
-    level = criteria.surely if found else criteria.gate
+    one_cause = len(fit.causes) == 1 and not fit.causes[0].remote
+    level = criteria.surely if one_cause else criteria.gate
     unmeasured = p_unmeasured(fitter, store.fit(Hypothesis()) or fit, fit)
     p_value = store.p_value(fit)
     # If the residual is already too large for noise, the bound suffices and no draws are needed.

@@ -37,7 +37,6 @@ class Score:
 
     Attributes
     ----------
-    candidate : Candidate
     p_value : float
         p-value of this candidate alone.
     gain : float
@@ -67,7 +66,6 @@ class Scores:
 
     Attributes
     ----------
-    each : tuple of Score
     directions : tuple of (ndarray, int)
         Orthonormal directions of the candidates' signatures, and the sign that physics allows, 0 for both.
     """
@@ -87,14 +85,7 @@ class Scores:
 
 
 def score(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> Scores:
-    """Test candidates that the hypothesis does not have yet.
-
-    Parameters
-    ----------
-    fitter : Fitter
-    fit : Fit
-    candidates : sequence of Candidate
-    """
+    """Test candidates that the hypothesis does not have yet."""
     by = [i for candidate in candidates for i in fitter.indices(candidate)]
     if not by:
         return Scores((), ())
@@ -102,15 +93,15 @@ def score(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> Scores:
     basis = fit.basis
     left = raw - basis @ (basis.T @ raw)
     unit = np.abs(rates)
-    found, directions, start = [], [], 0
+    scores, directions, start = [], [], 0
     for candidate in candidates:
         columns = slice(start, start + len(candidate.parameters))
         start = columns.stop
         result, axes = _one(fitter, fit, candidate, raw[:, columns], left[:, columns], unit[:, columns])
-        found.append(result)
+        scores.append(result)
         if result.visible:
             directions.append((axes, one_sided(fitter, candidate)))
-    return Scores(tuple(found), tuple(directions))
+    return Scores(tuple(scores), tuple(directions))
 
 
 def _one(

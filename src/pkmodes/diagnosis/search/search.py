@@ -14,8 +14,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Array, Candidate
@@ -34,7 +32,6 @@ class Outcome:
         The declared model with its nuisances refitted.
     first : Gate
         Gate at that fit.
-    final : Fit
     last : Gate
         Gate at the final fit.
     """
@@ -50,8 +47,6 @@ class Search:
 
     Parameters
     ----------
-    store : FitStore
-    candidates : sequence of Candidate
     progress : callable, optional
         Called with a sentence at each step.
     """
@@ -106,17 +101,17 @@ class Search:
     def rivals(self, fit: Fit, place: int) -> tuple[Fit, ...]:
         """Return fits with other causes in one place, best first; that cause is the last one in all of them."""
         causes, store = fit.causes, self.store
-        hypothesis = replace(fit.hypothesis, causes=(*causes[:place], *causes[place + 1 :]))
+        hypothesis = fit.hypothesis.without(place)
         base = store.fit(hypothesis, store.undone(fit, hypothesis))
-        found = {causes[place].name: replace(fit, hypothesis=hypothesis.adding(causes[place]))}
+        rivals = {causes[place].name: replace(fit, hypothesis=hypothesis.adding(causes[place]))}
         if base is not None:
             known = [*self.candidates]
             if len(causes) == 1:
                 known += [cause for cause in self.remote if cause.nameable or causes[0].remote]
             others = [candidate for candidate in known if candidate not in hypothesis.causes]
             for option in self.additions.causes(base, score(store.fitter, base, others)):
-                found.setdefault(option.causes[-1].name, option)
-        return tuple(sorted(found.values(), key=store.criterion))
+                rivals.setdefault(option.causes[-1].name, option)
+        return tuple(sorted(rivals.values(), key=store.criterion))
 
     # Steps -------------------------------------------------------------------------------------------------
 
@@ -148,19 +143,19 @@ class Search:
         """
         store, c = self.store, self.criteria
         starts = [option.values for option in options if store.criterion(option) < store.criterion(fit)]
-        found = [store.again(fit.hypothesis, values) for values in (*starts, *self._without_worst(fit))]
-        best = min((f for f in found if f is not None), key=lambda f: f.deviance, default=fit)
+        fits = [store.again(fit.hypothesis, values) for values in (*starts, *self._without_worst(fit))]
+        best = min((f for f in fits if f is not None), key=lambda f: f.deviance, default=fit)
         better = best.deviance < fit.deviance - c.worth and store.p_value(best) > c.surely
         return best if better else None
 
     def _without_worst(self, fit: Fit) -> list[Array]:
         """Return the values of fits without the worst rows, for several numbers of rows."""
         fitter, h = self.store.fitter, fit.hypothesis
-        rows = np.argsort(np.abs(fit.residual[fitter.frequency_rows] / fitter.sigma))[::-1].tolist()
+        rows = fitter.worst_rows(fit)[0].tolist()
         most = int(self.criteria.misled * len(rows))
         counts = [count for count in (1, 2, 4, 8) if count <= most]
         fewer = [replace(h, excluded=h.excluded | set(rows[:count])) for count in counts]
-        return [found.values for found in fitter.roughly([(one, fit.values) for one in fewer])]
+        return [descent.values for descent in fitter.roughly([(one, fit.values) for one in fewer])]
 
     def _hopeful(self, fit: Fit) -> bool:
         """Return whether a second cause may suffice: the first explains much, or little is left."""
@@ -184,7 +179,7 @@ class Search:
         h, store = fit.hypothesis, self.store
         smaller = [replace(h, excluded=h.excluded - {row}) for row in sorted(h.excluded)]
         smaller += [replace(h, scatter=False)] if h.scatter else []
-        smaller += [replace(h, causes=(*h.causes[:i], *h.causes[i + 1 :])) for i in range(len(h.causes))]
+        smaller += [h.without(place) for place in range(len(h.causes))]
         for hypothesis in smaller:
             less = store.fit(hypothesis, store.undone(fit, hypothesis))
             if (

@@ -42,11 +42,10 @@ def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -
 
     Parameters
     ----------
-    fitter : Fitter
     additions : sequence of (Fit, Score, Hypothesis)
         Fit to which a cause is added, score of that cause at this fit, and hypothesis with the cause.
     """
-    scout, found = fitter.scout, [list[Array]() for _ in additions]
+    scout, best = fitter.scout, [list[Array]() for _ in additions]
     searches = {k: _search(fitter, *addition) for k, addition in enumerate(additions)}
     costs: dict[int, list[float] | None] = dict.fromkeys(searches)
     while searches:
@@ -56,21 +55,19 @@ def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -
                 given = costs[k]
                 asked[k] = next(searches[k]) if given is None else searches[k].send(given)
             except StopIteration as end:
-                found[k] = end.value
+                best[k] = end.value
                 del searches[k]
         # Excluded rows are dropped for fewer setups, where rows are numbered differently.
         bare = {k: h if scout is fitter else Hypothesis(h.causes) for k, (_, _, h) in enumerate(additions)}
         together = scout.chi2_of_many([(bare[k], values) for k, some in asked.items() for values in some])
         results = iter(together)
         costs = {k: [next(results) for _ in some] for k, some in asked.items()}
-    return found
+    return best
 
 
 def _search(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> Trials:
     """Yield trial values of one refit, and return its starts."""
     index = list(fitter.indices(one.candidate))
-    lower = np.array([fitter.parameters[i].lower for i in index])
-    upper = np.array([fitter.parameters[i].upper for i in index])
     # The first parameter of a cause determines its size.
     sign = one_sided(fitter, replace(one.candidate, parameters=one.candidate.parameters[:1]))
     unit, sizes = np.zeros(len(index)), SIZES
@@ -79,12 +76,12 @@ def _search(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> Tri
         unit[0] = sign / one.largest[0]
         if _adds_modes(fitter, fit, index[0], float(SIZES[0] * unit[0])):
             sizes = CLOSE_SIZES
-    found: list[tuple[float, Array]] = []
+    ranked: list[tuple[float, Array]] = []
     for origin in _origins(fitter, fit, sign):
 
         def at(step: Array, origin: Array = origin) -> Array:
             full = origin.copy()
-            full[index] = np.clip(fit.values[index] + step, lower, upper)
+            full[index] = np.clip(fit.values[index] + step, fitter.lower[index], fitter.upper[index])
             return full
 
         steps = [one.step, 0.5 * one.step]
@@ -97,9 +94,9 @@ def _search(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> Tri
         some = [at(step) for step in steps]
         left = yield some
         here = sorted(zip(left, some, strict=True), key=lambda pair: pair[0])
-        found += here[:1] if fit.causes else here
-    found.sort(key=lambda pair: pair[0])
-    return [values for _, values in found[: 1 if sizes is SIZES and not fit.causes else FITTED]]
+        ranked += here[:1] if fit.causes else here
+    ranked.sort(key=lambda pair: pair[0])
+    return [values for _, values in ranked[: 1 if sizes is SIZES and not fit.causes else FITTED]]
 
 
 def _origins(fitter: Fitter, fit: Fit, sign: int) -> list[Array]:
@@ -147,5 +144,5 @@ def _minima(known: dict[float, float]) -> list[float]:
     """Return the sizes with smaller sums of squares than their neighbours, best first."""
     sizes = sorted(known)
     costs = [np.inf, *(known[size] for size in sizes), np.inf]
-    found = [size for i, size in enumerate(sizes, start=1) if costs[i] <= min(costs[i - 1], costs[i + 1])]
-    return sorted(found, key=lambda size: known[size])
+    minima = [size for i, size in enumerate(sizes, start=1) if costs[i] <= min(costs[i - 1], costs[i + 1])]
+    return sorted(minima, key=lambda size: known[size])

@@ -77,7 +77,7 @@ def never_measured(fitter: Fitter, fit: Fit) -> list[tuple[float, float, int]]:
     list of (lowest frequency, highest frequency, number of setups) [Hz]
     """
     margin, logs = fitter.criteria.margin, fit.prediction.log_frequencies
-    visible, found = _visible(fitter, fit), []
+    visible, ranges = _visible(fitter, fit), []
     measured = np.zeros(logs.shape, dtype=bool)
     paired = fit.pairing.partner >= 0
     measured[fitter.data.pose[paired], fit.pairing.partner[paired]] = True
@@ -92,5 +92,5 @@ def never_measured(fitter: Fitter, fit: Fit) -> list[tuple[float, float, int]]:
         count = int(inside[:, k].sum())
         if count >= max(2, len(logs) / 2) and not measured[:, k].any():
             frequencies = np.exp(logs[inside[:, k], k])
-            found.append((float(frequencies.min()), float(frequencies.max()), count))
-    return found
+            ranges.append((float(frequencies.min()), float(frequencies.max()), count))
+    return ranges

@@ -34,7 +34,6 @@ class Inverse(NamedTuple):
 
     Attributes
     ----------
-    shift : float
     solve : callable
         Multiplies the inverse with an array (n, k).
     size : int
@@ -97,21 +96,21 @@ def lowest_modes(pair: Pair, count: int, rigid: int) -> Modes:
     UnstableError
         If a mode is unstable.
     """
-    found = None
+    modes = None
     if is_sparse(pair.K):
         if count <= PART * np.count_nonzero(pair.M.diagonal()):
-            found = _by_lanczos(pair, count, rigid)
-        if found is None:
+            modes = _by_lanczos(pair, count, rigid)
+        if modes is None:
             pair = Pair(pair.M.toarray(), pair.K.toarray())
-    if found is None:
-        found = _by_lapack(pair, count, rigid)
+    if modes is None:
+        modes = _by_lapack(pair, count, rigid)
     # A structure that buckles does not vibrate: sqrt(|lambda|) would not be a frequency.
-    lowest = found.eigenvalues[rigid : rigid + 1].min(initial=np.inf)
-    if not np.isfinite(found.eigenvalues).all() or lowest < -STABLE * found.scale:
+    lowest = modes.eigenvalues[rigid : rigid + 1].min(initial=np.inf)
+    if not np.isfinite(modes.eigenvalues).all() or lowest < -STABLE * modes.scale:
         what = f"expected a stable structure, found the eigenvalue {lowest:.6g} 1/s^2"
         remedy = "check the sign of K, and that rigid counts every free motion"
         raise UnstableError(what, "K", remedy)
-    return found
+    return modes
 
 
 def modes_below(pair: Pair, limit: float) -> int:
@@ -130,7 +129,7 @@ def _by_lapack(pair: Pair, count: int, rigid: int) -> Modes:
     n = len(part.M)
     try:
         if count > PART * n:
-            eigenvalues, shapes = (found[0] for found in generalised_eigh(part.M[None], part.K[None]))
+            eigenvalues, shapes = (solution[0] for solution in generalised_eigh(part.M[None], part.K[None]))
             eigenvalues, shapes, complete = eigenvalues[:count], shapes[:count], count >= n
             scale = float(np.abs(eigenvalues).max())
         else:
@@ -153,13 +152,13 @@ def _part(M: Array, K: Array, count: int, rigid: int) -> tuple[Array, Array]:
         scaled = K * (scale[:, None] * scale)
         if definite(scaled):
             both = scale[:, None] * scale
-            found, shapes = linalg.eigh(M * both, scaled, subset_by_index=(n - count, n - 1))
-            if (found > 0.0).all():
-                return 1.0 / found[::-1], ((shapes * scale[:, None]) / np.sqrt(found)).T[::-1]
+            inverses, shapes = linalg.eigh(M * both, scaled, subset_by_index=(n - count, n - 1))
+            if (inverses > 0.0).all():
+                return 1.0 / inverses[::-1], ((shapes * scale[:, None]) / np.sqrt(inverses)).T[::-1]
     scale = 1.0 / np.sqrt(np.diagonal(M))  # removes mixed units before M is factorised
     both = scale[:, None] * scale
-    found, shapes = linalg.eigh(K * both, M * both, subset_by_index=(0, count - 1))
-    return found, (shapes * scale[:, None]).T
+    eigenvalues, shapes = linalg.eigh(K * both, M * both, subset_by_index=(0, count - 1))
+    return eigenvalues, (shapes * scale[:, None]).T
 
 
 class _Factor:
@@ -195,8 +194,8 @@ class _Factor:
 
     def solve(self, right: Array) -> Array:
         scale = self.scale if right.ndim == 1 else self.scale[:, None]
-        found: Array = scale * self.factor.solve(scale * right)
-        return found
+        solution: Array = scale * self.factor.solve(scale * right)
+        return solution
 
 
 def _by_lanczos(pair: Pair, count: int, rigid: int) -> Modes | None:
@@ -223,10 +222,10 @@ def _by_lanczos(pair: Pair, count: int, rigid: int) -> Modes | None:
         if factor.negative != 0:
             return None
     # One more than requested shows whether there is a gap above them.
-    found = _lanczos(M, shift, factor, count + 1, start)
-    if found is None:
+    lowest = _lanczos(M, shift, factor, count + 1, start)
+    if lowest is None:
         return None
-    basis = found[1] / np.abs(found[1]).max(axis=0)
+    basis = lowest[1] / np.abs(lowest[1]).max(axis=0)
     try:
         eigenvalues, mixed = linalg.eigh(basis.T @ (K @ basis), basis.T @ (M @ basis))
     except np.linalg.LinAlgError:

@@ -19,7 +19,6 @@ def sensor_map(channels: Sequence[str], coordinates: Sequence[str] | None, senso
 
     Parameters
     ----------
-    channels : sequence of str
     coordinates : sequence of str, optional
         Names of the n coordinates, if the channels are some of them.
     sensors : array_like or sparse matrix, shape (C, n), optional
@@ -54,17 +53,17 @@ def sensor_map(channels: Sequence[str], coordinates: Sequence[str] | None, senso
         what = "expected sensors or coordinates, found both"
         raise PkmodesError(what, "sensors", "leave out one of them")
     try:
-        found = sparse.csr_array(sensors if is_sparse(sensors) else np.asarray(sensors))
+        matrix = sparse.csr_array(sensors if is_sparse(sensors) else np.asarray(sensors))
     except (TypeError, ValueError) as error:
         raise PkmodesError(f"expected a matrix, found {shown(str(error))}", "sensors", REMEDY) from error
-    if found.ndim != 2 or found.shape[0] != len(channels):
-        what = f"expected one row for each channel ({len(channels)}), found the shape {found.shape}"
+    if matrix.ndim != 2 or matrix.shape[0] != len(channels):
+        what = f"expected one row for each channel ({len(channels)}), found the shape {matrix.shape}"
         raise PkmodesError(what, "sensors", REMEDY)
-    if found.dtype.kind not in "biuf" or not np.isfinite(found.data).all():
+    if matrix.dtype.kind not in "biuf" or not np.isfinite(matrix.data).all():
         raise PkmodesError("expected finite real numbers", "sensors", REMEDY)
-    found = found.astype(float)
-    empty = np.flatnonzero(abs(found).sum(axis=1) == 0.0)
+    matrix = matrix.astype(float)
+    empty = np.flatnonzero(abs(matrix).sum(axis=1) == 0.0)
     if empty.size:
         what = f"the channel {shown(channels[empty[0]])} measures nothing: its row is zero"
         raise PkmodesError(what, "sensors", "remove it or correct its row")
-    return found
+    return matrix

@@ -64,10 +64,10 @@ class ShapeRates:
                 wanted.setdefault(setup, []).append(mode)
         for setup, some in wanted.items():
             derive = self._setups[setup]
-            found = (
+            rates = (
                 np.full((len(some), *self.shape[2:]), np.nan) if derive is None else derive(np.array(some))
             )
-            self._known |= {(setup, mode): one for mode, one in zip(some, found, strict=True)}
+            self._known |= {(setup, mode): one for mode, one in zip(some, rates, strict=True)}
         each = np.empty((len(pairs), *self.shape[2:]))
         for k, (setup, mode) in enumerate(pairs.tolist()):
             each[k] = self._known[setup, mode]
@@ -75,8 +75,8 @@ class ShapeRates:
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
         setups, modes = np.indices(self.shape[:2], dtype=np.intp)
-        found: Array = np.asarray(self[setups, modes], dtype=dtype)
-        return found
+        rates: Array = np.asarray(self[setups, modes], dtype=dtype)
+        return rates
 
 
 def eigenvalue_rates(modes: Modes, some: Index, changes: Sequence[Pair | None]) -> Array:
@@ -109,12 +109,12 @@ def shape_rates(pair: Pair, modes: Modes, some: Index, changes: Sequence[Pair | 
     coupling = np.einsum("tin,jn->tij", forces, shapes, optimize=True)
     factors = coupling / _gaps(some, eigenvalues, modes.scale)
     factors[:, np.arange(len(some)), some] = 0.0
-    found = factors @ shapes
+    derivatives = factors @ shapes
     if modes.complete:
         if modes.massless is not None:
             N = modes.massless
             held = linalg.solve(N.T @ (pair.K @ N), N.T @ forces.reshape(-1, len(N)).T)
-            found -= held.T.reshape(*forces.shape[:2], -1) @ N.T
+            derivatives -= held.T.reshape(*forces.shape[:2], -1) @ N.T
     else:
         inertia = (pair.M @ shapes.T).T
         inverse = _inverse(pair, modes)
@@ -124,15 +124,15 @@ def shape_rates(pair: Pair, modes: Modes, some: Index, changes: Sequence[Pair | 
             soon = shrinks <= SHRINKS
             right = coupling[:, soon] @ inertia - forces[:, soon]
             away = eigenvalues[some[soon]] - inverse.shift
-            found[:, soon] += _iterated(pair.M, inverse, away, shrinks[soon], right, shapes, inertia)
+            derivatives[:, soon] += _iterated(pair.M, inverse, away, shrinks[soon], right, shapes, inertia)
         for i in np.flatnonzero(shrinks > SHRINKS):
             apart = np.abs(eigenvalues - eigenvalues[some[i]])
             near = apart <= np.maximum(NEAR * np.abs(eigenvalues[some[i]]), STABLE * modes.scale)
             right = coupling[:, i, near] @ inertia[near] - forces[:, i]
             rest = _bordered(pair, eigenvalues[some[i]], inertia[near], right)
-            found[:, i] = rest + factors[:, i, near] @ shapes[near]
-    found -= 0.5 * inertial[..., None] * shapes[some]
-    rates: Array = np.moveaxis(found, 0, -1)
+            derivatives[:, i] = rest + factors[:, i, near] @ shapes[near]
+    derivatives -= 0.5 * inertial[..., None] * shapes[some]
+    rates: Array = np.moveaxis(derivatives, 0, -1)
     return rates
 
 
@@ -175,8 +175,8 @@ def _inverse(pair: Pair, modes: Modes) -> Inverse | None:
         return None
 
     def solve(right: Array) -> Array:
-        found: Array = scale[:, None] * linalg.cho_solve(factor, scale[:, None] * right)
-        return found
+        solution: Array = scale[:, None] * linalg.cho_solve(factor, scale[:, None] * right)
+        return solution
 
     return Inverse(shift, solve, A.nbytes)
 
@@ -218,5 +218,5 @@ def _bordered(pair: Pair, eigenvalue: float, border: Array, right: Array) -> Arr
         whole = np.zeros((len(b), len(b)))
         whole[:n, :n], whole[:n, n:], whole[n:, :n] = A * (scale[:, None] * scale), border.T, border
         x = linalg.solve(whole, b, assume_a="sym")
-    found: Array = (x[:n] * scale[:, None]).T
-    return found
+    solution: Array = (x[:n] * scale[:, None]).T
+    return solution

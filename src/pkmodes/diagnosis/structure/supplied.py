@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import Any, Literal, NamedTuple, overload
 
 import numpy as np
@@ -59,12 +60,23 @@ class _Search(NamedTuple):
     step: float
 
 
+@contextmanager
+def _errors_of(matrices: str, where: str, remedy: str) -> Iterator[None]:
+    """Raise what the user's callable raises as an error of ours."""
+    try:
+        yield
+    except PkmodesError:
+        raise
+    except Exception as error:
+        what = f"the callable for {matrices} failed: {type(error).__name__}: {error}"
+        raise PkmodesError(what, where, remedy) from error
+
+
 class Supplied:
     """The matrices from the callables, checked to be symmetric float64; errors name setup and values.
 
     Parameters
     ----------
-    parameters : sequence of Parameter
     matrices, derivatives : callable
         See `pkmodes.diagnosis.MatrixStructure`.
     expected : int
@@ -111,10 +123,6 @@ class Supplied:
         """Refuse a callable that is not reproducible at the declared values.
 
         Difference derivatives would be dominated by its noise.
-
-        Raises
-        ------
-        PkmodesError
         """
         declared = np.array([p.value for p in self.parameters])
         before, again = self.at(declared, setup, finite=True), self._called(declared, setup, finite=True)
@@ -132,13 +140,8 @@ class Supplied:
         named = self._named(values)
         where = self._where(values, setup)
         start = time.perf_counter()
-        try:
+        with _errors_of("M and K", where, "fix it, or narrow the bounds of the parameters"):
             returned = self.matrices(named, setup)
-        except PkmodesError:
-            raise
-        except Exception as error:
-            what = f"the callable for M and K failed: {type(error).__name__}: {error}"
-            raise PkmodesError(what, where, "fix it, or narrow the bounds of the parameters") from error
         self.calls, self.seconds = self.calls + 1, self.seconds + time.perf_counter() - start
         pair = self._pair(returned, ("M", "K"), where)
         n = self.expected
@@ -159,28 +162,23 @@ class Supplied:
         """Return the derivatives with respect to one parameter in setups with known M and K; None if zero."""
         if self.derivatives is None:
             return self._differences(values, i, setups)
-        name, found = self.parameters[i].name, []
+        name, each_setup = self.parameters[i].name, []
         for setup in setups:
             key = np.asarray(values, dtype=float).tobytes(), setup, name
             if key in self._known and (known := self._known[key]) is not None:
-                found.append(known)
+                each_setup.append(known)
                 continue
             where = f"derivatives with respect to {shown(name)}, {self._where(values, setup)}"
-            try:
+            with _errors_of("dM and dK", where, "fix it, or leave the derivatives out"):
                 returned = self.derivatives(self._named(values), setup, name)
-            except PkmodesError:
-                raise
-            except Exception as error:
-                what = f"the callable for dM and dK failed: {type(error).__name__}: {error}"
-                raise PkmodesError(what, where, "fix it, or leave the derivatives out") from error
             pair = self._pair(returned, ("dM", "dK"), where)
             for kind, matrix in zip(("dM", "dK"), pair, strict=True):
                 if not np.isfinite(entries_of(matrix)).all() or not is_symmetric(matrix):
                     what = f"expected {kind} finite and symmetric"
                     raise PkmodesError(what, where, "fix it, or leave the derivatives out")
-            found.append(Pair(*map(thin, pair)))
-            self._keep(key, found[-1])
-        return found
+            each_setup.append(Pair(*map(thin, pair)))
+            self._keep(key, each_setup[-1])
+        return each_setup
 
     def _differences(self, values: Array, i: int, setups: Mapping[str, Pair]) -> list[Pair] | None:
         """Return the same by differences; the step found at the declared values is tried first."""
@@ -199,12 +197,12 @@ class Supplied:
         step, straight = self.steps[key]
         if step < SMALLEST * abs(values[i]):  # lost in a value that is far from the declared one
             step = CHANGE * abs(values[i])
-        found = self._search(values, i, setups, step, straight)
-        if not found.finite:
+        search = self._search(values, i, setups, step, straight)
+        if not search.finite:
             what = f"expected M and K finite on both sides of {p.name} = {values[i]:.10g}"
             remedy = "give the parameter the bounds within which it has a meaning, or give derivatives"
             raise PkmodesError(what, self._where(values, next(iter(setups))), remedy)
-        return found.rates
+        return search.rates
 
     def _is_straight(self, values: Array, i: int, setups: Mapping[str, Pair], step: float) -> bool:
         """Return whether the matrices are linear in a parameter, judged by differences."""
@@ -287,9 +285,9 @@ class Supplied:
             except (TypeError, ValueError) as error:
                 raise PkmodesError(f"expected {name} as an array: {error}", where, "return arrays") from error
         if given.dtype.kind not in "biuf":
-            found = "complex numbers" if given.dtype.kind == "c" else f"values of type {given.dtype}"
+            kind = "complex numbers" if given.dtype.kind == "c" else f"values of type {given.dtype}"
             remedy = "give real matrices: the modes are undamped"
-            raise PkmodesError(f"expected {name} of real numbers, found {found}", where, remedy)
+            raise PkmodesError(f"expected {name} of real numbers, found {kind}", where, remedy)
         if given.dtype.kind == "f" and given.dtype.itemsize < 8 and self.derivatives is None:
             what = f"expected {name} in double precision, found {given.dtype}"
             remedy = "assemble it in float64 for difference derivatives, or give derivatives"

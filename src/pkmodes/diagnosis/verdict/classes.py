@@ -17,13 +17,7 @@ from pkmodes.diagnosis.search.unmeasured import p_unmeasured
 
 
 def survivors(search: Search, rivals: Sequence[Fit]) -> list[Fit]:
-    """Return the rivals that these data do not exclude, best first.
-
-    Parameters
-    ----------
-    search : Search
-    rivals : sequence of Fit
-    """
+    """Return the rivals that these data do not exclude, best first."""
     store, c = search.store, search.criteria
     fitting = [
         fit for fit in rivals if not fit.at_bound and store.p_value(fit) > c.surely and measured(search, fit)
@@ -32,16 +26,18 @@ def survivors(search: Search, rivals: Sequence[Fit]) -> list[Fit]:
         return []
     total = np.array([store.criterion(fit) for fit in fitting])
     order = np.argsort(total, kind="stable")
-    found = [fitting[i] for i in order if total[i] <= total.min() + c.survives and store.predicts(fitting[i])]
+    surviving = [
+        fitting[i] for i in order if total[i] <= total.min() + c.survives and store.predicts(fitting[i])
+    ]
     # If predictions are equal, additional parameters are not penalised: they must not exclude a general rival.
     alike = {
         i: fitting[i].deviance
         for i in order
-        if found and store.fitter.difference(found[0], fitting[i]) < c.told_apart
+        if surviving and store.fitter.difference(surviving[0], fitting[i]) < c.told_apart
     }
     least = min(alike.values(), default=0.0)
     also = [fitting[i] for i, deviance in alike.items() if deviance <= least + c.survives]
-    return found + [fit for fit in also if all(fit is not other for other in found)]
+    return surviving + [fit for fit in also if all(fit is not other for other in surviving)]
 
 
 def measured(search: Search, fit: Fit) -> bool:
@@ -64,7 +60,7 @@ def other_pairs(
     store, c = search.store, search.criteria
     members = [{fit.causes[-1].name for fit in groups[0]} for groups in grouped if groups]
     many = int(np.prod([len(names) for names in members])) > c.most_pairs
-    found = []
+    others = []
     for pair in survivors(search, sorted(pairs, key=store.criterion)):
         a, b = (cause.name for cause in pair.causes)
         known = len(members) == 2 and (
@@ -72,15 +68,15 @@ def other_pairs(
         )
         # A pair of other causes is another explanation, even if its predictions are the same.
         if {a, b} != {cause.name for cause in final.causes} and (many or not known):
-            found.append(pair)
+            others.append(pair)
     alone = [fit for fit in search.alone() if store.criterion(fit) <= store.criterion(final) + c.survives]
-    return found + [fit for fit in alone if store.p_value(fit) > c.surely and not fit.at_bound]
+    return others + [fit for fit in alone if store.p_value(fit) > c.surely and not fit.at_bound]
 
 
-def classes(fitter: Fitter, found: Sequence[Fit]) -> list[list[Fit]]:
+def classes(fitter: Fitter, fits: Sequence[Fit]) -> list[list[Fit]]:
     """Group survivors that these data cannot tell apart, the class of the best one first."""
     groups: list[list[Fit]] = []
-    for fit in found:
+    for fit in fits:
         home = next(
             (
                 group

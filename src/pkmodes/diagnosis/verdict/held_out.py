@@ -24,7 +24,6 @@ def remarks(
 
     Parameters
     ----------
-    data : Measurements
     held : ndarray of bool, shape (R,)
         Rows of held-out poses.
     predicted : ndarray, shape (R,)

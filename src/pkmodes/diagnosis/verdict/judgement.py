@@ -22,12 +22,12 @@ from pkmodes.diagnosis.search.score import one_sided
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import reasons
 from pkmodes.diagnosis.verdict.classes import classes, other_pairs, survivors
-from pkmodes.diagnosis.verdict.errors import explained_by_errors
+from pkmodes.diagnosis.verdict.measurement_errors import explained_by_errors
 from pkmodes.diagnosis.verdict.nested import more_general
-from pkmodes.diagnosis.verdict.result import Verdict
 from pkmodes.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 from pkmodes.diagnosis.verdict.specificity import p_coincidence
 from pkmodes.diagnosis.verdict.values import doubt_of_values
+from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, UNEXPLAINED, Verdict
 
 #: Largest number of times that a cause is replaced by a better survivor.
 PREFERENCES = 4
@@ -41,8 +41,6 @@ class Judgement:
 
     Attributes
     ----------
-    verdict : str
-    final : Fit
     last : Gate
         Gate of the final fit.
     grouped : tuple
@@ -71,14 +69,14 @@ def judge(search: Search, outcome: Outcome) -> Judgement:
     """Judge the outcome of a search."""
     final, last = outcome.final, outcome.last
     if not last.passed:
-        return Judgement("unexplained", final, last, (), (), ())
+        return Judgement(UNEXPLAINED, final, last, (), (), ())
     if not final.causes:
         strange = shapes_disagree(search.store, final)
-        verdict: Verdict = "unexplained" if strange else "adequate"
+        verdict = UNEXPLAINED if strange else ADEQUATE
         return Judgement(verdict, final, last, (), (), (), reasons.shapes(()) if strange else "")
     final, places = _preferred(search, final)
-    grouped = tuple(classes(search.store.fitter, found) for found in places)
-    if any(cause.remote for cause in final.causes) and grouped[0]:
+    grouped = tuple(classes(search.store.fitter, fits) for fits in places)
+    if final.hypothesis.remote and grouped[0]:
         # A cause of the same class that is not remote and passes the gate names the class.
         plain = (fit for fit in grouped[0][0] if not fit.causes[-1].remote and search.gate(fit).passed)
         final = next(plain, final)
@@ -89,16 +87,15 @@ def judge(search: Search, outcome: Outcome) -> Judgement:
     others = tuple(other_pairs(search, final, _pairs_like(search, final), grouped))
     p_values = tuple(_p_value(search, final, place) for place in range(len(final.causes)))
     kept = all(
-        any(fit.causes[-1] == cause for fit in found)
-        for cause, found in zip(final.causes, places, strict=True)
+        any(fit.causes[-1] == cause for fit in fits) for cause, fits in zip(final.causes, places, strict=True)
     )
     doubt = _doubt(search, final, last, others, p_values)
     if not last.passed or not kept or doubt:
-        verdict = "unexplained"
+        verdict = UNEXPLAINED
     elif others or any(len(groups) > 1 for groups in grouped) or _too_many(search, grouped):
-        verdict = "ambiguous"
+        verdict = AMBIGUOUS
     else:
-        verdict = "effect_found"
+        verdict = EFFECT_FOUND
     return Judgement(verdict, final, last, grouped, others, p_values, doubt)
 
 
@@ -148,10 +145,7 @@ def _also(search: Search, final: Fit) -> list[str]:
     fits = [
         fit
         for fit in store.tried()
-        if len(fit.causes) == 1
-        and not fit.causes[0].remote
-        and not fit.at_bound
-        and fit.causes != final.causes
+        if len(fit.causes) == 1 and not (fit.hypothesis.remote or fit.at_bound) and fit.causes != final.causes
     ]
     passing = [fit for fit in fits if store.p_value(fit) > search.criteria.surely]
     return [fit.causes[0].name for fit in sorted(passing, key=store.criterion)[:MENTIONED]]
@@ -161,9 +155,9 @@ def _preferred(search: Search, final: Fit) -> tuple[Fit, list[list[Fit]]]:
     """Return the best survivor, and for each of its causes the survivors with another cause in its place."""
     for _ in range(PREFERENCES):
         rivals = [search.rivals(final, place) for place in range(len(final.causes))]
-        places = [survivors(search, found) for found in rivals]
+        places = [survivors(search, fits) for fits in rivals]
         pairs = zip(final.causes, places, strict=True)
-        better = next((found[0] for cause, found in pairs if found and found[0].causes[-1] != cause), None)
+        better = next((fits[0] for cause, fits in pairs if fits and fits[0].causes[-1] != cause), None)
         if better is None:
             return final, places
         final = better

@@ -12,6 +12,7 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.match.pairing import Pairer, Pairing
 from pkmodes.diagnosis.problem import Array, Prediction
+from pkmodes.linalg.mac import mac
 from pkmodes.measured.header import frequency_factor
 from pkmodes.measured.measurements import Measurements
 
@@ -35,20 +36,21 @@ class Reading:
     def of(self, data: Measurements) -> Measurements:
         """Return the measurements with this reading."""
         frequency = self.factor / data.frequency if self.inverse else self.factor * data.frequency
-        return replace(data, frequency=frequency, sigma=frequency * (data.sigma / data.frequency), band=None)
+        sigma = frequency * (data.sigma / data.frequency)
+        return replace(data, numbers={**data.numbers, "frequency": frequency, "sigma": sigma}, band=None)
 
 
 def readings(unit: str) -> list[Reading]:
     """Return the other readings of a frequency column whose header states a unit (Hz if empty)."""
-    said = float(1 / frequency_factor(unit)) if unit else 1.0
-    found = [
-        Reading(name, f"write frequency [{name}], and sigma in its own unit", said / times)
+    declared = float(1 / frequency_factor(unit)) if unit else 1.0
+    others = [
+        Reading(name, f"write frequency [{name}], and sigma in its own unit", declared / times)
         for name, times in UNITS.items()
-        if abs(said / times - 1.0) > 1e-9
+        if abs(declared / times - 1.0) > 1e-9
     ]
     # A period n was read as n / said Hz, and 1 / n is the frequency.
-    found.append(Reading("periods in s", "write frequencies, 1 / period", 1.0 / said, inverse=True))
-    found += [
+    others.append(Reading("periods in s", "write frequencies, 1 / period", 1.0 / declared, inverse=True))
+    others += [
         Reading(
             f"{name}, converted twice",
             f"multiply them by {UNITS[name]:.4g}",
@@ -56,13 +58,13 @@ def readings(unit: str) -> list[Reading]:
         )
         for name in TWICE
     ]
-    return found
+    return others
 
 
 def other_unit(fitter: Fitter) -> str:
     """Return a sentence if all frequencies seem to be in another unit; empty if not."""
-    every = len(fitter.data.labels)
-    some = sorted(set(np.linspace(0, every - 1, min(every, ENOUGH)).astype(int).tolist()))
+    count = len(fitter.data.labels)
+    some = sorted(set(np.linspace(0, count - 1, min(count, ENOUGH)).astype(int).tolist()))
     structure, data = fitter.structure.subset(some), fitter.data.at(some)
     declared = structure.predict(fitter.declared, ())
     if not np.isfinite(declared.eigenvalues).all():
@@ -73,8 +75,8 @@ def other_unit(fitter: Fitter) -> str:
     least, reading = min(others, key=lambda other: other[0])
     if least > c.unit_difference or least * c.unit_gain > here:
         return ""
-    said = f"the header says {data.unit}, but the numbers" if data.unit else "the frequencies"
-    return f"{said} fit the declared model as {reading.what} ({100 * least:.2g} %): {reading.remedy}"
+    claim = f"the header says {data.unit}, but the numbers" if data.unit else "the frequencies"
+    return f"{claim} fit the declared model as {reading.what} ({100 * least:.2g} %): {reading.remedy}"
 
 
 def _usual(fitter: Fitter, prediction: Prediction, data: Measurements) -> float:
@@ -103,15 +105,15 @@ def other_wiring(fitter: Fitter, fit: Fit) -> str:
     if here / degrees <= 1.5 * (1.0 if fitter.shapes.stated.any() else 0.5):
         return ""
     # First with the mode pairing unchanged: that is fast, and most sensors are wired correctly.
-    found = {text: _squares(fitter, fit, data, fit.pairing) for text, data in _rewired(fitter.data)}
-    text = min(found, key=found.__getitem__, default="")
-    if not text or found[text] * fitter.criteria.rewired_perhaps > here:
+    squares = {text: _squares(fitter, fit, data, fit.pairing) for text, data in _rewired(fitter.data)}
+    text = min(squares, key=squares.__getitem__, default="")
+    if not text or squares[text] * fitter.criteria.rewired_perhaps > here:
         return ""
-    found = {text: _squares(fitter, fit, data) for text, data in _rewired(fitter.data)}
-    text = min(found, key=found.__getitem__)
+    squares = {text: _squares(fitter, fit, data) for text, data in _rewired(fitter.data)}
+    text = min(squares, key=squares.__getitem__)
     return (
         f"the shapes fit far better with {text}{_look_at(text)}"
-        if found[text] * fitter.criteria.rewired < here
+        if squares[text] * fitter.criteria.rewired < here
         else ""
     )
 
@@ -140,20 +142,20 @@ def _look_at(text: str) -> str:
 def dead_channels(fitter: Fitter, fit: Fit) -> list[str]:
     """Return the channels that are exactly 0 in every row although the model clearly moves them in some."""
     data, pairing = fitter.data, fit.pairing
-    told = (pairing.partner >= 0) & np.nan_to_num(data.shapes).any(axis=1)
-    measured = np.isfinite(data.shapes) & told[:, None]
+    shaped = (pairing.partner >= 0) & np.nan_to_num(data.shapes).any(axis=1)
+    measured = np.isfinite(data.shapes) & shaped[:, None]
     model = np.abs(fit.prediction.shapes[data.pose, np.maximum(pairing.partner, 0)][:, fitter.pairer.columns])
     units = np.array([fitter.structure.channel_units[i] for i in fitter.pairer.columns])
     moved, some = fitter.criteria.dead
-    found = []
+    dead = []
     for k, name in enumerate(data.channels):
         rows = measured[:, k]
         if not rows.any() or np.nan_to_num(data.shapes[:, k]).any():
             continue
         alike = np.where(measured & (units == units[k]), model, 0.0).max(axis=1)
         if (model[rows, k] > moved * alike[rows]).mean() >= some and alike[rows].any():
-            found.append(name)
-    return found
+            dead.append(name)
+    return dead
 
 
 def _squares(fitter: Fitter, fit: Fit, data: Measurements, pairing: Pairing | None = None) -> float:
@@ -169,14 +171,13 @@ def _squares(fitter: Fitter, fit: Fit, data: Measurements, pairing: Pairing | No
 
 def all_alike(data: Measurements, same: float) -> tuple[str, ...]:
     """Return the labels of setups with three or more shapes whose mutual MAC is always above a limit."""
-    found = []
+    labels = []
     for setup, label in enumerate(data.labels):
         shapes = data.shapes[data.pose == setup]
         common = np.isfinite(shapes).all(axis=0)
         some: Array = shapes[:, common]
         if len(some) < 3 or common.sum() < 2:
             continue
-        size = np.linalg.norm(some, axis=1)
-        if (size > 0.0).all() and (np.abs(some @ some.T) / np.outer(size, size)).min() ** 2 > same:
-            found.append(label)
-    return tuple(found)
+        if mac(some, some, np.ones(some.shape, dtype=bool)).min() > same:
+            labels.append(label)
+    return tuple(labels)

@@ -20,7 +20,6 @@ def next_measurement(fitter: Fitter, contested: Sequence[tuple[str, Fit]]) -> Ne
 
     Parameters
     ----------
-    fitter : Fitter
     contested : sequence of (str, Fit)
         Names and fits of the explanations that the data cannot tell apart, best first.
 
@@ -37,10 +36,10 @@ def next_measurement(fitter: Fitter, contested: Sequence[tuple[str, Fit]]) -> Ne
     points, structure = others
     best = _best(fitter, contested, points, structure, {})
     for load, loaded in structure.loaded() if isinstance(structure, Loadable) else ():
-        found = _best(fitter, contested, points, loaded, load)
+        proposed = _best(fitter, contested, points, loaded, load)
         gain = 1.0 if best is None or best.load else fitter.criteria.worth_loading
-        if found is not None and (best is None or found.sigmas > gain * best.sigmas):
-            best = found
+        if proposed is not None and (best is None or proposed.sigmas > gain * best.sigmas):
+            best = proposed
     return best
 
 

@@ -10,6 +10,7 @@ from scipy import stats
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.problem import reached_bounds
 from pkmodes.diagnosis.search.unmeasured import never_measured
 from pkmodes.diagnosis.verdict.mistakes import all_alike
 from pkmodes.diagnosis.verdict.shapes import strange_shapes
@@ -21,7 +22,6 @@ def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
 
     Parameters
     ----------
-    store : FitStore
     fit : Fit
         The reported fit.
     adequate : bool
@@ -90,9 +90,8 @@ def _nuisances(fitter: Fitter, fit: Fit) -> Iterator[str]:
             )
     for i in fit.free:
         p = fitter.parameters[i]
-        for bound in (p.lower, p.upper):
-            width = 1e-3 * max(abs(p.value), abs(fit.values[i]), p.sigma or 0.0)
-            if np.isfinite(bound) and abs(fit.values[i] - bound) <= width and bound != p.value:
+        for bound in reached_bounds(p, fit.values[i], p.sigma or 0.0):
+            if bound != p.value:
                 yield f"{p.name} is at its bound, {bound:.4g}"
 
 

@@ -4,11 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Literal
 
+from pkmodes.base.documents import Document
 from pkmodes.diagnosis.match.predicted import Predicted
-
-Verdict = Literal["adequate", "effect_found", "ambiguous", "unexplained", "insufficient_data"]
+from pkmodes.diagnosis.verdict.document import (
+    CandidateDocument,
+    CauseDocument,
+    DiagnoseDocument,
+    ErrorDocument,
+    NextMeasurementDocument,
+    PlaceDocument,
+    RefittedDocument,
+    RowDocument,
+    SizeDocument,
+    StabilityDocument,
+    StagesDocument,
+    ValueDocument,
+)
+from pkmodes.diagnosis.verdict.verdicts import Word
 
 
 @dataclass(frozen=True)
@@ -27,7 +40,6 @@ class Corrected(Value):
 
     Attributes
     ----------
-    declared : float
     prior_sigma : float or None
         Standard deviation of its declared value; None if it has none.
     at_bound : bool
@@ -75,7 +87,6 @@ class Finding:
         Best candidate of its class.
     members : tuple of str
         The class: all candidates that these data cannot tell apart from it, and itself.
-    parameters : tuple of Value
     alternatives : dict
         For each member, its parameters if it were the cause.
     p_value : float
@@ -110,8 +121,8 @@ class Error:
 
 
 @dataclass(frozen=True)
-class Row:
-    """One measured mode and its predictions; None if the model has no partner for it.
+class MeasuredMode:
+    """One measured mode.
 
     Attributes
     ----------
@@ -119,13 +130,6 @@ class Row:
         Pose, line in the file, and label.
     measured, sigma : float
         Frequency and its standard deviation [Hz].
-    before, refit, after : float or None
-        Predicted frequency of the model as declared, with nuisances refitted, and with the causes [Hz].
-    mac : float or None
-        MAC at the last stage, if a shape was measured.
-    held_out, outlier : bool
-    load : mapping of str to float
-        Values set at its pose, by name.
     """
 
     pose: str
@@ -133,6 +137,22 @@ class Row:
     mode: str
     measured: float
     sigma: float
+
+
+@dataclass(frozen=True)
+class Row(MeasuredMode):
+    """One measured mode and its predictions; None if the model has no partner for it.
+
+    Attributes
+    ----------
+    before, refit, after : float or None
+        Predicted frequency of the model as declared, with nuisances refitted, and with the causes [Hz].
+    mac : float or None
+        MAC at the last stage, if a shape was measured.
+    load : mapping of str to float
+        Values set at its pose, by name.
+    """
+
     before: float | None
     refit: float | None
     after: float | None
@@ -148,7 +168,6 @@ class Examined:
 
     Attributes
     ----------
-    name : str
     p_value : float
         p-value of its score at the refit of the nuisances, for this candidate alone.
     visible_from : tuple of Value
@@ -181,13 +200,12 @@ class Stability:
     ----------
     change : str
         ``"sigma x 0.5"``, ``"sigma x 2"`` or ``"priors x 2"``.
-    verdict : str
     effects : tuple of str
         Names of the causes that are best with this change.
     """
 
     change: str
-    verdict: Verdict
+    verdict: Word
     effects: tuple[str, ...]
 
 
@@ -225,7 +243,7 @@ class Diagnosis:
         Partners, differences and MAC of all measured modes, for figures; not part of the JSON.
     """
 
-    verdict: Verdict
+    verdict: Word
     reason: str
     effects: tuple[Finding, ...]
     survivors: tuple[tuple[str, ...], ...]
@@ -247,14 +265,14 @@ class Diagnosis:
 
     def __str__(self) -> str:
         lines = [f"{self.verdict}: {self.reason}"]
-        for found in self.effects:
+        for effect in self.effects:
             values = [
                 f"{v.name} = {v.value:.4g} +- {v.sigma:.2g} {v.unit}".removesuffix(" 1")
-                for v in found.parameters
+                for v in effect.parameters
             ]
-            lines.append(f"cause: {found.name} (p = {found.p_value:.2g}): {', '.join(values)}")
-            if len(found.members) > 1:
-                lines.append(f"  these data cannot tell it from {', '.join(found.members[1:])}")
+            lines.append(f"cause: {effect.name} (p = {effect.p_value:.2g}): {', '.join(values)}")
+            if len(effect.members) > 1:
+                lines.append(f"  these data cannot tell it from {', '.join(effect.members[1:])}")
         lines += [f"remains: {' or '.join(group)}" for group in self.survivors]
         for stage, error in (("before", self.before), ("refit", self.refit), ("after", self.after)):
             if error is not None:
@@ -287,79 +305,24 @@ class Diagnosis:
         dict of str to object
             What ``pkmodes diagnose --json`` writes.
         """
-        return {
-            "verdict": self.verdict,
-            "reason": self.reason,
-            "effects": [
-                {
-                    "name": found.name,
-                    "class": list(found.members),
-                    "parameters": _values(found.parameters),
-                    "p_value": found.p_value,
-                    "alternatives": {name: _values(v) for name, v in found.alternatives.items()},
-                }
-                for found in self.effects
+        document = DiagnoseDocument.of(
+            self,
+            effects=[_cause(cause) for cause in self.effects],
+            refitted={value.name: RefittedDocument.of(value) for value in self.refitted},
+            error=StagesDocument.of(
+                self, before=_error(self.before), refit=_error(self.refit), after=_error(self.after)
+            ),
+            next_measurement=self.next_measurement and NextMeasurementDocument.of(self.next_measurement),
+            candidates=[
+                CandidateDocument.of(one, visible_from=_by_key(SizeDocument, one.visible_from))
+                for one in self.candidates
             ],
-            "survivors": [list(members) for members in self.survivors],
-            "refitted": {
-                r.name: {"before": r.before, "after": r.after, "sigma": r.sigma, "unit": r.unit}
-                for r in self.refitted
-            },
-            "error": {
-                "before": _error(self.before),
-                "refit": _error(self.refit),
-                "after": _error(self.after),
-            },
-            "held_out_poses": list(self.held_out_poses),
-            "undetectable": list(self.undetectable),
-            "next_measurement": None
-            if self.next_measurement is None
-            else {
-                "pose": list(self.next_measurement.pose),
-                "separates": list(self.next_measurement.separates),
-                "sigmas": self.next_measurement.sigmas,
-                **_set(self.next_measurement.load),
-            },
-            "candidates": [
-                {
-                    "name": c.name,
-                    "p_value": c.p_value,
-                    "detectable": c.detectable,
-                    "visible_from": {key(v): {"value": v.value, "unit": v.unit} for v in c.visible_from},
-                }
-                for c in self.candidates
-            ],
-            "outliers": [{"pose": r.pose, "line": r.line} for r in self.outliers],
-            "unpaired": [{"pose": r.pose, "line": r.line} for r in self.unpaired],
-            "pose_scatter": self.scatter,
-            "shape_scatter": self.shape_scatter,
-            "notes": list(self.notes),
-            "stability": [
-                {"change": s.change, "verdict": s.verdict, "effects": list(s.effects)} for s in self.stability
-            ],
-            "rows": [
-                {
-                    "pose": r.pose,
-                    "line": r.line,
-                    "mode": r.mode,
-                    "frequency_hz": r.measured,
-                    "sigma_hz": r.sigma,
-                    "before_hz": r.before,
-                    "refit_hz": r.refit,
-                    "after_hz": r.after,
-                    "mac": r.mac,
-                    "held_out": r.held_out,
-                    "outlier": r.outlier,
-                    **_set(r.load),
-                }
-                for r in self.rows
-            ],
-        }
-
-
-def _set(load: Mapping[str, float]) -> dict[str, object]:
-    """Return the entry for the values set at a pose; empty if there are none."""
-    return {"set": dict(load)} if load else {}
+            outliers=list(map(PlaceDocument.of, self.outliers)),
+            unpaired=list(map(PlaceDocument.of, self.unpaired)),
+            stability=list(map(StabilityDocument.of, self.stability)),
+            rows=list(map(RowDocument.of, self.rows)),
+        )
+        return document.as_json()
 
 
 def key(v: Value) -> str:
@@ -367,15 +330,16 @@ def key(v: Value) -> str:
     return v.name.split(".")[-1] if v.name.startswith("effects.") else v.name
 
 
-def _values(values: tuple[Value, ...]) -> dict[str, object]:
-    return {key(v): {"value": v.value, "sigma": v.sigma, "unit": v.unit} for v in values}
+def _cause(cause: Finding) -> CauseDocument:
+    alternatives = {name: _by_key(ValueDocument, values) for name, values in cause.alternatives.items()}
+    return CauseDocument.of(
+        cause, parameters=_by_key(ValueDocument, cause.parameters), alternatives=alternatives
+    )
 
 
-def _error(error: Error | None) -> dict[str, object] | None:
-    if error is None:
-        return None
-    return {
-        "rms_relative": error.rms_relative,
-        "held_out_rms_relative": error.held_out_rms_relative,
-        "chi2_per_dof": error.chi2_per_dof,
-    }
+def _by_key(kind: type[Document], values: tuple[Value, ...]) -> dict[str, Document]:
+    return {key(value): kind.of(value) for value in values}
+
+
+def _error(error: Error | None) -> ErrorDocument | None:
+    return None if error is None else ErrorDocument.of(error)

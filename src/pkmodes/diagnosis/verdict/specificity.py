@@ -56,14 +56,14 @@ def p_coincidence(search: Search, final: Fit) -> float:
     most = max(final.chi2 - left, 0.0) + c.spread * float(np.sqrt(2.0 * left))
     directions = search.gate(plain).scores.directions
     rng = np.random.default_rng(SEED)
-    found, kinds = [], [arbitrary(fitter, plain)]
+    probabilities, kinds = [], [arbitrary(fitter, plain)]
     if len(directions) >= c.many * len(final.causes):
         kinds.append(np.hstack([axes for axes, _ in directions]))
     for changes in kinds:
         drawn = changes @ rng.standard_normal((changes.shape[1], DRAWS))
         drawn *= np.sqrt(excess) / np.maximum(np.linalg.norm(drawn, axis=0), 1e-300)
-        found.append(_explained(drawn, directions, len(final.causes), max(clear, excess - most)))
-    return max(found)
+        probabilities.append(_explained(drawn, directions, len(final.causes), max(clear, excess - most)))
+    return max(probabilities)
 
 
 def _explained(drawn: Array, directions: tuple[tuple[Array, int], ...], causes: int, needed: float) -> float:
@@ -91,37 +91,37 @@ def arbitrary(fitter: Fitter, plain: Fit) -> Array:
     modes = int(plain.pairing.partner.max(initial=0)) + 1 + ABOVE
     changed = _changed(plain.prediction, modes, fitter.criteria.mixed)
     changes = fitter.rows.rates(changed, plain.pairing, used) / fitter.noise.stated[:, None]
-    found = []
+    parts = []
     for place in fitter.places():
         if len(place):
             own = np.zeros((len(plain.white), changes.shape[1]))
             own[place] = changes[place]
-            found.append(own - plain.basis @ (plain.basis[:data].T @ own[:data]))
-    return np.hstack(found)
+            parts.append(own - plain.basis @ (plain.basis[:data].T @ own[:data]))
+    return np.hstack(parts)
 
 
 def _changed(prediction: Prediction, modes: int, least: float) -> Prediction:
     """Return the lowest modes with their derivatives with respect to relative changes of modal stiffness and mass."""
-    found, shapes = prediction.eigenvalues[:, :modes], prediction.shapes[:, :modes]
-    m = found.shape[1]
+    eigenvalues, shapes = prediction.eigenvalues[:, :modes], prediction.shapes[:, :modes]
+    m = eigenvalues.shape[1]
     i, j = np.triu_indices(m)
-    size = np.abs(found)
-    gap = found[:, i] - found[:, j]
+    size = np.abs(eigenvalues)
+    gap = eigenvalues[:, i] - eigenvalues[:, j]
     # Nearly coincident modes rotate into each other under any change; they are compared as one subspace.
     smallest = 2.0 * least * np.maximum(size[:, i], size[:, j])
     gap = np.where(gap >= 0.0, 1.0, -1.0) * np.maximum(np.abs(gap), np.maximum(smallest, 1e-300))
     mean = np.sqrt(size[:, i] * size[:, j])
-    rates = np.zeros((len(found), m, 2, len(i)))
+    rates = np.zeros((len(eigenvalues), m, 2, len(i)))
     along = np.zeros((*shapes.shape, 2, len(i)))
     for t in np.flatnonzero(i == j):
-        rates[:, i[t], 0, t], rates[:, i[t], 1, t] = found[:, i[t]], -found[:, i[t]]
+        rates[:, i[t], 0, t], rates[:, i[t], 1, t] = eigenvalues[:, i[t]], -eigenvalues[:, i[t]]
     for t in np.flatnonzero(i != j):
         for a, b, sign in ((i[t], j[t], 1.0), (j[t], i[t], -1.0)):
             along[:, a, :, 0, t] = sign * (mean / gap)[:, t, None] * shapes[:, b]
             along[:, a, :, 1, t] = -sign * (size[:, a] / gap[:, t])[:, None] * shapes[:, b]
     return Prediction(
-        found,
-        rates.reshape(len(found), m, -1),
+        eigenvalues,
+        rates.reshape(len(eigenvalues), m, -1),
         shapes,
         prediction.rigid,
         along.reshape(*shapes.shape, -1),

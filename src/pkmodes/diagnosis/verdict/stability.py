@@ -16,7 +16,8 @@ from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.verdict.nested import nested
-from pkmodes.diagnosis.verdict.result import Stability, Verdict
+from pkmodes.diagnosis.verdict.result import Stability
+from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, UNEXPLAINED, Verdict
 
 #: Factors of the errors and of the priors.
 CHANGES = {"sigma x 0.5": (0.5, 1.0), "sigma x 2": (2.0, 1.0), "priors x 2": (1.0, 2.0)}
@@ -28,7 +29,6 @@ class Trial:
 
     Attributes
     ----------
-    entry : Stability
     instead : Fit or None
         An explanation outside the class of the claimed one that is better under the change; the fit of the search.
     moved : bool
@@ -45,7 +45,6 @@ def trials(search: Search, final: Fit, classes: Sequence[Sequence[Fit]] = ()) ->
 
     Parameters
     ----------
-    search : Search
     final : Fit
         The claimed fit, or the last one of the search.
     classes : sequence of sequence of Fit, optional
@@ -58,7 +57,7 @@ def trials(search: Search, final: Fit, classes: Sequence[Sequence[Fit]] = ()) ->
 
 def unchanged(verdict: Verdict) -> tuple[Stability, ...]:
     """Return entries for a verdict that does not depend on errors and priors."""
-    return tuple(Stability(change, verdict, ()) for change in CHANGES)
+    return tuple(Stability(change, verdict.word, ()) for change in CHANGES)
 
 
 def _contenders(search: Search, final: Fit) -> list[Fit]:
@@ -68,8 +67,7 @@ def _contenders(search: Search, final: Fit) -> list[Fit]:
         for fit in store.tried()
         if fit.causes
         and len(fit.causes) <= max(len(final.causes), 1)
-        and not fit.at_bound
-        and not any(cause.remote for cause in fit.causes)
+        and not (fit.hypothesis.remote or fit.at_bound)
         and {c.name for c in fit.causes} != {c.name for c in final.causes}
         and store.criterion(fit) < store.criterion(final) + search.criteria.near
     ]
@@ -104,9 +102,9 @@ def _trial(
                 break
     moved = claimed is not None and errors == 1.0 and _moved(fitter, final, claimed)
     if plain is not None and store.p_value(plain) > c.gate:
-        return Trial(Stability(change, "adequate", ()), instead, moved)
+        return Trial(Stability(change, ADEQUATE.word, ()), instead, moved)
     if best is None or store.p_value(best) <= c.surely:
-        return Trial(Stability(change, "unexplained", ()), instead, moved)
+        return Trial(Stability(change, UNEXPLAINED.word, ()), instead, moved)
     near = [
         fit
         for fit in same
@@ -115,7 +113,8 @@ def _trial(
         and fitter.difference(best, fit) >= c.told_apart
     ]
     names = tuple(cause.name for cause in best.causes)
-    return Trial(Stability(change, "ambiguous" if near else "effect_found", names), instead, moved)
+    verdict = AMBIGUOUS if near else EFFECT_FOUND
+    return Trial(Stability(change, verdict.word, names), instead, moved)
 
 
 def _moved(fitter: Fitter, final: Fit, again: Fit) -> bool:
@@ -143,7 +142,7 @@ def _with(fitter: Fitter, errors: float, priors: float) -> Fitter:
     if errors != 1.0:
         data = replace(
             data,
-            sigma=data.sigma * errors,
+            numbers={**data.numbers, "sigma": data.sigma * errors},
             shape_sigma=data.shape_sigma * errors,
             point_sigma=data.point_sigma * errors,
         )

@@ -19,13 +19,7 @@ HALVINGS = 20
 
 
 def unevaluated(store: FitStore, reported: Fit) -> Iterator[str]:
-    """Yield a sentence for each fit (single causes and the reported one) that was blocked by values without modes.
-
-    Parameters
-    ----------
-    store : FitStore
-    reported : Fit
-    """
+    """Yield a sentence for each fit (single causes and the reported one) that was blocked by values without modes."""
     fitter, least = store.fitter, store.criterion(reported)
     said = set[str]()
     for fit in _tried(store, reported):
@@ -54,35 +48,30 @@ def _tried(store: FitStore, reported: Fit) -> Iterator[Fit]:
             yield fit
 
 
-def _bounds(fitter: Fitter) -> tuple[Array, Array]:
-    return np.array([p.lower for p in fitter.parameters]), np.array([p.upper for p in fitter.parameters])
-
-
 def _onward(fitter: Fitter, fit: Fit) -> tuple[Array, float]:
     """Return the step of the linear model within the bounds, and the decrease of the sum of squares that it predicts.
 
     The decrease is zero if the fit has converged.
     """
-    free, (lower, upper) = np.array(fit.free, dtype=np.intp), _bounds(fitter)
+    free, lower, upper = np.array(fit.free, dtype=np.intp), fitter.lower, fitter.upper
     at, gradient = fit.values[free], fit.jacobian.T @ fit.white
     held = ((at <= lower[free]) & (gradient > 0.0)) | ((at >= upper[free]) & (gradient < 0.0))
     columns = fit.jacobian[:, ~held]
     size = np.linalg.norm(columns, axis=0)
     scale = 1.0 / np.where(size > 0.0, size, 1.0)
-    found = np.linalg.lstsq(columns * scale, -fit.white, rcond=1e-9)[0]
-    left = fit.white + columns * scale @ found
+    scaled = np.linalg.lstsq(columns * scale, -fit.white, rcond=1e-9)[0]
+    left = fit.white + columns * scale @ scaled
     step = np.zeros_like(fit.values)
-    step[free[~held]] = scale * found
+    step[free[~held]] = scale * scaled
     return step, float(fit.white @ fit.white - left @ left)
 
 
 def _stopped(fitter: Fitter, fit: Fit) -> str:
     """Return where a fit was blocked; empty if it was not."""
     step, _ = _onward(fitter, fit)
-    lower, upper = _bounds(fitter)
 
     def at(part: float) -> Array:
-        return np.clip(fit.values + part * step, lower, upper)
+        return np.clip(fit.values + part * step, fitter.lower, fitter.upper)
 
     if _known(fitter, at(1.0)):
         return ""

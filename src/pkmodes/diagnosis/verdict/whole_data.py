@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.verdict.all_setups import AllSetups, Stage
 from pkmodes.diagnosis.verdict.mistakes import all_alike
-from pkmodes.diagnosis.verdict.report import Report, Stage
 from pkmodes.measured.measurements import Measurements
 
 #: Positions nearer than this are the same [m].
@@ -19,56 +19,53 @@ NEAR = 1e-6
 MOST = 4
 
 
-def remarks(report: Report, fit: Fit) -> tuple[str, ...]:
+def remarks(setups: AllSetups, fit: Fit) -> tuple[str, ...]:
     """Return sentences about the measurements.
 
     Parameters
     ----------
-    report : Report
-        With all measurements.
     fit : Fit
         Its values determine which rows are the same mode.
     """
-    copies = []
-    if not all_alike(report.data, report.fitter.criteria.same_shape):  # reported separately
+    copies, criteria = [], setups.fitter.criteria
+    if not all_alike(setups.data, criteria.same_shape):  # reported separately
         copies = [
             f"the shapes in lines {one} and {other} are identical: was one copied?"
-            for one, other in copied(report.data)
+            for one, other in copied(setups.data)
         ]
-    return *list(_same_place(report, report.stage(fit.values)))[:MOST], *copies[:MOST]
+    displaced = list(_same_place(setups.stage(fit.values), criteria.same_place))
+    return *displaced[:MOST], *copies[:MOST]
 
 
 def copied(data: Measurements) -> list[tuple[int, int]]:
     """Return pairs of lines whose shapes are identical, which never happens in real measurements."""
     first: dict[bytes, int] = {}
-    found = []
+    pairs = []
     for row, shape in enumerate(data.shapes):
         if np.count_nonzero(np.nan_to_num(shape)) < 2:
             continue
         before = first.setdefault(shape.tobytes(), row)
         if before != row:
-            found.append((int(data.lines[before]), int(data.lines[row])))
-    return found
+            pairs.append((int(data.lines[before]), int(data.lines[row])))
+    return pairs
 
 
-def _same_place(report: Report, stage: Stage) -> Iterator[str]:
+def _same_place(stage: Stage, clearly: tuple[float, float]) -> Iterator[str]:
     """Yield a sentence for each pair of poses at the same position whose common modes mostly differ clearly."""
-    data = report.data
+    data = stage.data
     if not data.points.any():  # setups without positions
         return
-    sigma = report.sigma(stage)
     order = np.argsort(data.points[:, 0], kind="stable")
     along = data.points[order, 0]
     ends = np.searchsorted(along, along + NEAR, side="right")
     for place, (i, end) in enumerate(zip(order, ends, strict=True)):
         rest = order[place + 1 : end]
-        rest = rest[
-            _same_load(data.set_values[rest], data.set_values[i])
-        ]  # another load changes the frequencies
+        # Another load changes the frequencies.
+        rest = rest[_same_load(data.set_values[rest], data.set_values[i])]
         apart = np.linalg.norm(data.points[rest] - data.points[i], axis=1)
         for k in rest[apart <= NEAR]:
             one, other = sorted((int(i), int(k)))
-            most = _difference(report, stage, sigma, one, other)
+            most = _difference(stage, clearly, one, other)
             if most:
                 yield (
                     f"poses {data.labels[one]} and {data.labels[other]} are at the same position, but their "
@@ -82,9 +79,9 @@ def _same_load(values: Array, others: Array) -> NDArray[np.bool_]:
     return same
 
 
-def _difference(report: Report, stage: Stage, sigma: Array, one: int, other: int) -> float:
+def _difference(stage: Stage, clearly: tuple[float, float], one: int, other: int) -> float:
     """Return the largest relative difference of the modes that two poses have in common; 0 if most agree."""
-    data, (sigmas, least) = report.data, report.fitter.criteria.same_place
+    data, sigma, (sigmas, least) = stage.data, stage.sigma, clearly
     partner = stage.pairing.partner
     rows = [{int(partner[r]): r for r in np.flatnonzero(data.pose == p)} for p in (one, other)]
     common = sorted({mode for mode in rows[0] if mode >= 0} & set(rows[1]))
@@ -92,5 +89,5 @@ def _difference(report: Report, stage: Stage, sigma: Array, one: int, other: int
         return 0.0
     a, b = (np.array([each[mode] for mode in common]) for each in rows)
     apart = np.abs(np.log(data.frequency[a] / data.frequency[b]))
-    clearly = (apart > sigmas * np.hypot(sigma[a], sigma[b])) & (apart > least)
-    return float(np.expm1(apart.max())) if clearly.mean() >= 0.5 else 0.0
+    clear = (apart > sigmas * np.hypot(sigma[a], sigma[b])) & (apart > least)
+    return float(np.expm1(apart.max())) if clear.mean() >= 0.5 else 0.0

@@ -4,23 +4,25 @@ from __future__ import annotations
 
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.fit.misfit import Misfit
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.search.gate import Gate
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import misfit, reasons
+from pkmodes.diagnosis.verdict.builder import DiagnosisBuilder, remains
 from pkmodes.diagnosis.verdict.judgement import Judgement
-from pkmodes.diagnosis.verdict.report import Report, remains
+from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND
 
 
-def reason_of(report: Report, search: Search, outcome: Outcome, judged: Judgement) -> str:
+def reason_of(builder: DiagnosisBuilder, search: Search, outcome: Outcome, judged: Judgement) -> str:
     """Return why a verdict was given."""
     lines = search.store.fitter.data.lines
-    noise = reasons.noise(judged.final.hypothesis, judged.final.scatter, lines)
-    if judged.verdict == "adequate":
+    noise = reasons.noise(judged.final, lines)
+    if judged.verdict is ADEQUATE:
         return reasons.adequate(outcome.last, noise)
-    if judged.verdict == "effect_found":
-        return reasons.found(report.findings(judged), outcome.first, noise)
-    if judged.verdict == "ambiguous":
+    if judged.verdict is EFFECT_FOUND:
+        return reasons.found(builder.findings(judged), outcome.first, noise)
+    if judged.verdict is AMBIGUOUS:
         return reasons.ambiguous([[name for name, _ in named] for named in remains(judged)])
     return _unexplained(search, outcome, judged)
 
@@ -33,7 +35,7 @@ def _unexplained(search: Search, outcome: Outcome, judged: Judgement) -> str:
         return reasons.added_modes(final.causes)
     if last.unpaired:
         return reasons.unpaired(last.unpaired)
-    frequencies, shapes = misfit.of_frequencies(store, fit), misfit.of_shapes(store, fit)
+    frequencies, shapes = _misfits(store, fit)
     if min(frequencies.p_value, shapes.p_value) > c.surely:
         name, away = misfit.far_away(store, fit, store.fitter.nuisances)
         if first.p_value <= c.gate and away > c.far:
@@ -58,42 +60,48 @@ def _unexplained(search: Search, outcome: Outcome, judged: Judgement) -> str:
 def _beyond_prior(search: Search) -> str:
     """Return a reason if a single candidate would explain the data, but only with a value beyond its prior."""
     store, c = search.store, search.criteria
-    found = []
+    explanations = []
     for fit in store.tried():
-        if len(fit.causes) != 1 or fit.causes[0].remote or fit.hypothesis.excluded or fit.hypothesis.scatter:
+        h = fit.hypothesis
+        if len(h.causes) != 1 or h.remote or h.excluded or h.scatter:
             continue
         index = store.fitter.indices(fit.causes[0])
         _, away = misfit.far_away(store, fit, index)
-        explained = min(m.p_value for m in (misfit.of_frequencies(store, fit), misfit.of_shapes(store, fit)))
+        explained = min(part.p_value for part in _misfits(store, fit))
         if away > c.far and explained > c.gate:
-            found.append((store.criterion(fit), fit.causes[0].name, float(fit.values[index[0]]), away))
-    return reasons.beyond_prior(*min(found)[1:]) if found else ""
+            explanations.append((store.criterion(fit), fit.causes[0].name, float(fit.values[index[0]]), away))
+    return reasons.beyond_prior(*min(explanations)[1:]) if explanations else ""
 
 
 def _nearly(search: Search, first: Fit) -> str:
     """Return a reason if one cause, or else two, would explain nearly all of the residual but not all."""
     store, (part, most) = search.store, search.criteria.nearly_all
     before = _larger(store, first)
-    found = []
+    explanations = []
     for fit in store.tried():
         h = fit.hypothesis
-        if not h.causes or any(cause.remote for cause in h.causes) or h.excluded or h.scatter or fit.at_bound:
+        if not h.causes or h.remote or h.excluded or h.scatter or fit.at_bound:
             continue
         after = _larger(store, fit)
         if after <= min(part * before, most) and search.gate(fit).p_unmeasured > search.criteria.surely:
-            found.append((fit, after))
-    if not found:
+            explanations.append((fit, after))
+    if not explanations:
         return ""
-    best, after = min(found, key=lambda one: (len(one[0].causes), store.criterion(one[0])))
+    best, after = min(explanations, key=lambda one: (len(one[0].causes), store.criterion(one[0])))
     return reasons.nearly(best.causes, before, after, store.p_value(best))
 
 
 def _larger(store: FitStore, fit: Fit) -> float:
     """Return the larger of chi2 per degree of freedom of the frequencies and of the shapes."""
-    return max(misfit.of_frequencies(store, fit).ratio, misfit.of_shapes(store, fit).ratio)
+    return max(part.ratio for part in _misfits(store, fit))
 
 
-def _dispersed(gate: Gate, frequencies: misfit.Misfit, c: Criteria) -> bool:
+def _misfits(store: FitStore, fit: Fit) -> tuple[Misfit, Misfit]:
+    """Return the misfit of the frequencies, without the priors, and of the shapes with stated errors."""
+    return misfit.of_frequencies(store, fit), store.fitter.shape_misfit(fit, stated=True)
+
+
+def _dispersed(gate: Gate, frequencies: Misfit, c: Criteria) -> bool:
     """Return whether the residual, scaled to unit chi2 per degree of freedom, has no direction: larger errors."""
     scale = frequencies.ratio
     most = max((s.gain / scale / max(len(s.candidate.parameters), 1) for s in gate.scores.each), default=0.0)

@@ -1,0 +1,126 @@
+"""A model beside all measured modes, including the held-out ones, at its stages: declared, refitted, with causes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.match.pairing import Pairer, Pairing
+from pkmodes.diagnosis.match.predicted import Predicted
+from pkmodes.diagnosis.problem import Array, Prediction, Structure
+from pkmodes.diagnosis.verdict.result import Error, Row
+from pkmodes.measured.measurements import Measurements
+
+
+@dataclass(frozen=True, eq=False)
+class Stage:
+    """A structure with some values of its parameters, and the partners of all R rows."""
+
+    structure: Structure
+    data: Measurements
+    pairer: Pairer
+    values: Array
+
+    @cached_property
+    def prediction(self) -> Prediction:
+        """Modes of all setups."""
+        return self.structure.predict(self.values, ())
+
+    @cached_property
+    def pairing(self) -> Pairing:
+        """Partners of all rows."""
+        return self.pairer.pair(self.prediction, np.ones(len(self.data.lines), dtype=bool))
+
+    @cached_property
+    def frequencies(self) -> Array:
+        """Frequencies of the partners [Hz], (R,); NaN if unmatched."""
+        partner = self.pairing.partner
+        logs = self.prediction.log_frequencies[self.data.pose, np.maximum(partner, 0)]
+        return np.where(partner >= 0, np.exp(logs), np.nan)
+
+    @cached_property
+    def sigma(self) -> Array:
+        """Relative standard deviations of the measured frequencies, (R,), including position errors."""
+        data = self.data
+        variance: Array = (data.sigma / data.frequency) ** 2
+        moved = self.structure.position_rates(self.values) if data.point_sigma.any() else None
+        if moved is not None:
+            rates = moved.log_rates[data.pose, np.maximum(self.pairing.partner, 0)]
+            variance = variance + ((rates * data.point_sigma[data.pose]) ** 2).sum(axis=1)
+        return np.sqrt(variance)
+
+    @cached_property
+    def predicted(self) -> Predicted:
+        """Partners, differences and MAC, for figures."""
+        return Predicted.of(self.pairer, self.data, self.prediction, self.pairing, self.sigma)
+
+
+class AllSetups:
+    """A structure at all measured setups.
+
+    Parameters
+    ----------
+    fitter : Fitter
+        At the fitted setups.
+    held : list of int
+        Held-out setups.
+    """
+
+    def __init__(self, structure: Structure, data: Measurements, fitter: Fitter, held: list[int]) -> None:
+        self.structure, self.data, self.fitter = structure, data, fitter
+        self.held_out_poses = tuple(data.labels[i] for i in held)
+        self.is_held = np.isin(data.pose, held)
+        self.pairer = Pairer(
+            data, structure.channels, structure.predict(fitter.declared, ()), fitter.criteria
+        )
+
+    def stage(self, values: Array) -> Stage:
+        """Return the structure with values of all its parameters."""
+        return Stage(self.structure, self.data, self.pairer, values)
+
+    def declared_error(self, declared: Stage, outlying: NDArray[np.bool_]) -> Error:
+        """Return the errors of the declared model, without any fit."""
+        count = len(self.fitter.log)
+        *_, chi2 = self.fitter.unfitted(declared.values, np.ones(count, dtype=bool))
+        return self.error(declared, chi2, count, outlying)
+
+    def error(self, stage: Stage, chi2: float, degrees: float, outlying: NDArray[np.bool_]) -> Error:
+        """Return the errors of a stage over the rows that have a partner and are not outliers."""
+        relative = stage.frequencies / self.data.frequency - 1.0
+        counted = np.isfinite(relative) & ~outlying
+
+        def rms(rows: NDArray[np.bool_]) -> float | None:
+            return float(np.sqrt(np.mean(relative[rows] ** 2))) if rows.any() else None
+
+        return Error(rms(counted & ~self.is_held), rms(counted & self.is_held), chi2 / max(degrees, 1.0))
+
+    def rows(
+        self, declared: Stage, refit: Stage | None, after: Stage | None, outlying: NDArray[np.bool_]
+    ) -> tuple[Row, ...]:
+        """Return every measured mode with its predictions."""
+        last = after or refit or declared
+
+        def value(stage: Stage | None, i: int) -> float | None:
+            return None if stage is None or np.isnan(stage.frequencies[i]) else float(stage.frequencies[i])
+
+        return tuple(
+            Row(
+                pose=self.data.labels[self.data.pose[i]],
+                line=int(self.data.lines[i]),
+                mode=self.data.mode[i],
+                measured=float(self.data.frequency[i]),
+                sigma=float(self.data.sigma[i]),
+                before=value(declared, i),
+                refit=value(refit, i),
+                after=value(after, i),
+                mac=None if np.isnan(last.pairing.mac[i]) else float(last.pairing.mac[i]),
+                held_out=bool(self.is_held[i]),
+                outlier=bool(outlying[i]),
+                load=self.data.load(int(self.data.pose[i])),
+            )
+            for i in range(len(self.data.lines))
+        )

@@ -1,0 +1,240 @@
+"""The result from the fits: verdict, causes with their classes, errors before and after, all rows."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.problem import reached_bounds
+from pkmodes.diagnosis.search.score import Scores
+from pkmodes.diagnosis.search.search import Outcome, Search
+from pkmodes.diagnosis.verdict import held_out
+from pkmodes.diagnosis.verdict.all_setups import AllSetups
+from pkmodes.diagnosis.verdict.judgement import Judgement
+from pkmodes.diagnosis.verdict.next_measurement import next_measurement
+from pkmodes.diagnosis.verdict.notes import notes
+from pkmodes.diagnosis.verdict.result import (
+    Corrected,
+    Diagnosis,
+    Examined,
+    Finding,
+    Refitted,
+    Stability,
+    Stages,
+    Value,
+)
+from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, Verdict
+
+
+class DiagnosisBuilder:
+    """Assembles the result."""
+
+    def __init__(self, setups: AllSetups) -> None:
+        self.setups, self.fitter = setups, setups.fitter
+
+    def judged(
+        self,
+        search: Search,
+        outcome: Outcome,
+        judged: Judgement,
+        reason: str,
+        remarks: Sequence[str],
+        stability: tuple[Stability, ...],
+    ) -> Diagnosis:
+        """Return the result of a search and its judgement."""
+        verdict, final, grouped = judged.verdict, judged.final, judged.grouped
+        findings = self.findings(judged) if verdict is EFFECT_FOUND else ()
+        remaining = remains(judged) if verdict is AMBIGUOUS else []
+        contested = [named[0] for named in remaining] if len(remaining) != 1 else remaining[0]
+        if verdict is EFFECT_FOUND:
+            contested = [(_name(fit), fit) for fit in grouped[0][0]]
+        # Beside a claimed cause, the other members of its class are not detectable; they are listed with it.
+        claimed = {name for finding in findings for name in finding.members}
+        undetectable = tuple(
+            c.name for c in self.examined(judged.last.scores) if not c.detectable and c.name not in claimed
+        )
+        diagnosis = self.without_search(
+            verdict,
+            reason,
+            search.store,
+            final if verdict is ADEQUATE else outcome.nuisances,
+            undetectable,
+            remarks,
+            stability,
+            causes=final if verdict is EFFECT_FOUND else None,
+        )
+        stages = diagnosis.stages
+        assert stages is not None
+        assert diagnosis.refit is not None
+        contradictions = held_out.remarks(
+            self.setups.data,
+            self.setups.is_held,
+            (stages.after or stages.refit or stages.before).frequency,
+            diagnosis.refit,
+            diagnosis.after,
+            self.fitter.criteria.worse,
+        )
+        return replace(
+            diagnosis,
+            effects=findings,
+            survivors=tuple(tuple(name for name, _ in named) for named in remaining),
+            next_measurement=next_measurement(self.fitter, contested),
+            candidates=self.examined(outcome.first.scores),
+            notes=(*diagnosis.notes, *contradictions),
+        )
+
+    def without_search(
+        self,
+        verdict: Verdict,
+        reason: str,
+        store: FitStore,
+        fit: Fit | None,
+        undetectable: tuple[str, ...],
+        remarks: Sequence[str],
+        stability: tuple[Stability, ...],
+        causes: Fit | None = None,
+    ) -> Diagnosis:
+        """Return the result without what a search adds: for too few data, or an obvious mistake in these.
+
+        Parameters
+        ----------
+        fit : Fit or None
+            Of the nuisances.
+        undetectable : tuple of str
+            Names of candidates.
+        remarks : sequence of str
+            Notes on the data.
+        causes : Fit, optional
+            With the claimed causes.
+        """
+        setups, fitter, last = self.setups, self.fitter, causes or fit
+        excluded = [] if last is None else sorted(last.hypothesis.excluded)
+        outlying = np.isin(setups.data.lines, fitter.data.lines[excluded])
+        declared = setups.stage(fitter.declared)
+        refit, after = (None if one is None else setups.stage(one.values) for one in (fit, causes))
+        errors = [
+            None
+            if one is None or stage is None
+            else setups.error(stage, *store.frequency_misfit(one), outlying)
+            for one, stage in ((fit, refit), (causes, after))
+        ]
+        return Diagnosis(
+            verdict=verdict.word,
+            reason=reason,
+            effects=(),
+            survivors=(),
+            refitted=() if last is None else self.refitted(last),
+            before=setups.declared_error(declared, outlying),
+            refit=errors[0],
+            after=errors[1],
+            held_out_poses=setups.held_out_poses,
+            undetectable=undetectable,
+            next_measurement=None,
+            candidates=(),
+            rows=setups.rows(declared, refit, after, outlying),
+            scatter=0.0 if last is None else last.scatter,
+            corrected=() if last is None else self.corrected(last),
+            notes=(*remarks, *(() if last is None else notes(store, last, verdict.settled))),
+            stability=stability,
+            shape_scatter=None if last is None else store.shape_scatter(last),
+            stages=Stages(
+                declared.predicted,
+                None if refit is None else refit.predicted,
+                None if after is None else after.predicted,
+            ),
+        )
+
+    def findings(self, judged: Judgement) -> tuple[Finding, ...]:
+        """Return all claimed causes with their classes."""
+        return tuple(
+            self._finding(judged.final, place, groups[0], judged.p_values[place])
+            for place, groups in enumerate(judged.grouped)
+        )
+
+    def _finding(self, final: Fit, place: int, members: list[Fit], p_value: float) -> Finding:
+        """Return one cause with its class."""
+        cause = final.causes[place]
+        alternatives = {_name(fit): self.values(fit, self.fitter.indices(fit.causes[-1])) for fit in members}
+        names = [cause.name, *(name for name in alternatives if name != cause.name)]
+        return Finding(
+            name=cause.name,
+            members=tuple(names),
+            parameters=alternatives[cause.name],
+            alternatives={name: alternatives[name] for name in names},
+            p_value=p_value,
+            sentence=cause.sentence,
+        )
+
+    def values(self, fit: Fit, index: Sequence[int]) -> tuple[Value, ...]:
+        """Return fitted parameters with their standard deviations."""
+        values = []
+        for i in index:
+            p, k = self.fitter.parameters[i], fit.free.index(i)
+            values.append(Value(p.name, float(fit.values[i]), float(np.sqrt(fit.covariance[k, k])), p.unit))
+        return tuple(values)
+
+    def corrected(self, fit: Fit) -> tuple[Corrected, ...]:
+        """Return all fitted parameters with their declared values and priors."""
+        width, corrected = self.fitter.priors.width(fit.values), []
+        for i, v in zip(fit.free, self.values(fit, fit.free), strict=True):
+            p, row = self.fitter.parameters[i], self.fitter.priors.of(i)
+            corrected.append(
+                Corrected(
+                    name=v.name,
+                    value=v.value,
+                    sigma=v.sigma,
+                    unit=v.unit,
+                    declared=p.value,
+                    prior_sigma=None if row is None else float(width[row]),
+                    at_bound=any(bound != p.value for bound in reached_bounds(p, v.value, p.sigma or 0.0)),
+                )
+            )
+        return tuple(corrected)
+
+    def refitted(self, fit: Fit) -> tuple[Refitted, ...]:
+        """Return the nuisance parameters before and after the fit."""
+        before = self.fitter.declared
+        return tuple(
+            Refitted(v.name, float(before[i]), v.value, v.sigma, v.unit)
+            for i, v in zip(self.fitter.nuisances, self.values(fit, self.fitter.nuisances), strict=True)
+        )
+
+    def examined(self, scores: Scores) -> tuple[Examined, ...]:
+        """Return each candidate's p-value, and its smallest detectable size."""
+        candidates, criteria = [], self.fitter.criteria
+        for one in scores.each:
+            visible: tuple[Value, ...] = ()
+            detectable = False
+            if one.visible and np.isfinite(one.sigma).all():
+                sizes = criteria.seen * one.sigma
+                parameters = [self.fitter.parameters[i] for i in self.fitter.indices(one.candidate)]
+                visible = tuple(
+                    Value(p.name, float(size), float(size / criteria.seen), p.unit)
+                    for p, size in zip(parameters, sizes, strict=True)
+                )
+                detectable = bool((sizes * one.largest <= criteria.noticeable).all())
+            candidates.append(Examined(one.candidate.name, one.p_value, visible, detectable))
+        return tuple(candidates)
+
+
+def remains(judged: Judgement) -> list[list[tuple[str, Fit]]]:
+    """Return the remaining explanations with their names: classes of one cause, or else pairs of causes."""
+    if judged.instead is not None:
+        return [[(_names(fit), fit)] for fit in (judged.final, judged.instead)]
+    for groups in judged.grouped:
+        if len(groups) > 1 or len(judged.final.causes) == 1:
+            return [[(_name(fit), fit) for fit in fits] for fits in groups]
+    pairs = (judged.final, *judged.others)
+    return [[(_names(fit), fit)] for fit in pairs]
+
+
+def _names(fit: Fit) -> str:
+    return " + ".join(cause.name for cause in fit.causes)
+
+
+def _name(fit: Fit) -> str:
+    return fit.causes[-1].name

@@ -1,0 +1,73 @@
+"""The verdicts: an entry each, from which exit codes, reports and the JSON schema follow."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+#: Colours of a page that a verdict may have.
+Colour = Literal["good", "found", "open", "bad", "plain"]
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """A verdict.
+
+    Attributes
+    ----------
+    word : str
+        Its name in results and on the command line.
+    sentence : str
+        Heading of a report; ``{causes}`` are those found, and ``{s}`` makes a plural.
+    fails : bool
+        Whether ``pkmodes diagnose --fail-on any`` ends with exit code 1.
+    colour : str
+        Colour of the heading.
+    nothing_next : str
+        Why no next measurement is proposed, where none is.
+    settled : bool
+        Whether the residual of the last model is noise: its values are reported, and correct the robot file.
+    """
+
+    word: str
+    sentence: str
+    fails: bool
+    colour: Colour
+    nothing_next: str = "None is proposed: no explanations are left to separate."
+    settled: bool = False
+
+
+ADEQUATE = Verdict("adequate", "The model is adequate", False, "good", settled=True)
+EFFECT_FOUND = Verdict("effect_found", "Cause{s} found: {causes}", True, "found", settled=True)
+AMBIGUOUS = Verdict(
+    "ambiguous",
+    "Several explanations remain",
+    True,
+    "open",
+    "None is proposed: no pose nearby separates the remaining explanations.",
+)
+UNEXPLAINED = Verdict(
+    "unexplained",
+    "The residual is not explained",
+    True,
+    "bad",
+    "None is proposed: no explanation is left to be tested.",
+)
+INSUFFICIENT_DATA = Verdict(
+    "insufficient_data",
+    "Too few data to decide",
+    True,
+    "plain",
+    "None is proposed: measure more modes, at more poses.",
+)
+
+#: All verdicts by their words, in the order of messages and of the schema.
+VERDICTS = {
+    verdict.word: verdict for verdict in (ADEQUATE, EFFECT_FOUND, AMBIGUOUS, UNEXPLAINED, INSUFFICIENT_DATA)
+}
+
+if TYPE_CHECKING:
+    Word = str
+else:
+    #: Type of a verdict in a result: the enumeration of the JSON schema.
+    Word = Literal[tuple(VERDICTS)]
