@@ -49,10 +49,8 @@ class Field:
         In maps; of a mechanism.
     text : str
         What it is, for maps; {plane}, {normal} and {independent} are replaced.
-    comment : str
     symbol : str
         Heading in the table of a notebook, followed by the number of the mode; empty if it has no columns there.
-    dtype : str
     with_shapes : bool
         Whether maps keep it only on request, with the mode shapes.
     same_as : str

@@ -36,7 +36,6 @@ class Task:
         As for `pkmodes.Model`.
     normal : str or None
         Direction perpendicular to the plane of the grid.
-    layout : Layout
     """
 
     pieces: tuple[tuple[Robot, Array], ...]

@@ -46,7 +46,6 @@ def rates_job(
         As for `pkmodes.Model.sensitivities`.
     asked : sequence of str
         Fields.
-    threads : int
     by_numpy : callable
         Evaluates the fields at some poses, (n, d).
     """

@@ -26,8 +26,6 @@ class ModeFields:
 
     Parameters
     ----------
-    solver : Solver
-    system : Evaluation
     source : str
         The robot, for messages.
     names : iterable of str

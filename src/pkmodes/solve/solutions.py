@@ -26,7 +26,6 @@ def solved(solver: Solver, system: Evaluation, p: Array, source: str) -> RobotAt
     ----------
     solver : Solver
         Of the robot.
-    system : Evaluation
     p : ndarray, shape (N, d)
         Poses that can be evaluated; N may be 0.
     source : str
