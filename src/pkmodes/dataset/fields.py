@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 
 from pkmodes.dataset.motion import in_plane, out_of_plane
 from pkmodes.linalg.eigen import natural_frequencies
@@ -228,6 +228,11 @@ def of_maps(shapes: bool) -> tuple[Field, ...]:
         *(field for field in listed if not field.with_shapes),
         *(field for field in listed if field.with_shapes and shapes),
     )
+
+
+def missing(dtype: DTypeLike) -> float:
+    """Return the value of fields of a type where a pose cannot be evaluated."""
+    return -1 if np.dtype(dtype).kind == "i" else np.nan
 
 
 def tail(field: Field, sizes: Mapping[str, int]) -> tuple[int, ...]:

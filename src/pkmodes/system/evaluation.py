@@ -293,6 +293,11 @@ def _massless(mechanism: Mechanism, zeros: bytes) -> NDArray[np.bool_]:
     return np.asarray((M == 0.0).all(axis=0))
 
 
+def number_of_modes(system: Evaluation) -> int:
+    """Return how many coordinates have inertia."""
+    return len(system.coordinates) - int(np.count_nonzero(system.massless()))
+
+
 def matrices(system: Evaluation, p: Array) -> tuple[Array, Array]:
     """Return M and K of the free coordinates, each (N, n, n)."""
     M, K = (system.free_part(matrix) for matrix in system.all_coordinates(p))
